@@ -1,0 +1,34 @@
+//! What a number must be before a theory may use it.
+
+/// A number outside the range in which a theory is defined.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[error("{quantity} = {value} is not valid: it must be {valid}")]
+pub struct InvalidValue {
+    /// The quantity's name, as in the function's signature.
+    pub quantity: &'static str,
+    /// The value that was given.
+    pub value: f64,
+    /// What the value must be, in words that follow "it must be".
+    pub valid: &'static str,
+}
+
+pub(crate) fn require(
+    condition: bool,
+    quantity: &'static str,
+    value: f64,
+    valid: &'static str,
+) -> Result<f64, InvalidValue> {
+    if condition { Ok(value) } else { Err(InvalidValue { quantity, value, valid }) }
+}
+
+pub(crate) fn positive(quantity: &'static str, value: f64) -> Result<f64, InvalidValue> {
+    require(value.is_finite() && value > 0.0, quantity, value, "finite and greater than zero")
+}
+
+pub(crate) fn finite(quantity: &'static str, value: f64) -> Result<f64, InvalidValue> {
+    require(value.is_finite(), quantity, value, "a finite number")
+}
+
+pub(crate) fn poisson(value: f64) -> Result<f64, InvalidValue> {
+    require((0.0..=0.5).contains(&value), "poisson", value, "between 0 and 0.5")
+}

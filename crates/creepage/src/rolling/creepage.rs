@@ -1,0 +1,54 @@
+//! The dimensionless question and the dimensionless answer.
+
+use crate::check::{self, InvalidValue};
+
+/// Dimensionless creepage and spin (4.20).
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Creepage {
+    /// Longitudinal, `xi = upsilon_x rho / (mu c)`.
+    pub xi: f64,
+    /// Lateral, `eta = upsilon_y rho / (mu c)`.
+    pub eta: f64,
+    /// Spin, `chi = phi rho / mu`.
+    pub chi: f64,
+}
+
+impl Creepage {
+    /// Dimensionless creepage and spin; all three must be finite.
+    ///
+    /// # Errors
+    /// [`InvalidValue`] that names the component which is not finite.
+    pub fn new(xi: f64, eta: f64, chi: f64) -> Result<Self, InvalidValue> {
+        Ok(Self {
+            xi: check::finite("xi", xi)?,
+            eta: check::finite("eta", eta)?,
+            chi: check::finite("chi", chi)?,
+        })
+    }
+
+    /// Slip of the bodies as if rigid, in the unit `mu c / rho`, at `position` in units of `c`:
+    /// `(xi - chi y, eta + chi x)`.
+    #[must_use]
+    pub fn rigid_slip(&self, position: [f64; 2]) -> [f64; 2] {
+        [self.xi - self.chi * position[1], self.eta + self.chi * position[0]]
+    }
+}
+
+/// Dimensionless tangential force and moment on the lower body.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Force {
+    /// Longitudinal, `f_x = F_x / (mu N)`.
+    pub fx: f64,
+    /// Lateral, `f_y = F_y / (mu N)`.
+    pub fy: f64,
+    /// Moment about the normal, `m_z = M_z / (mu N c)`.
+    pub mz: f64,
+}
+
+impl Force {
+    /// `sqrt(f_x^2 + f_y^2)`: the used share of the friction force `mu N`.
+    #[must_use]
+    pub fn magnitude(&self) -> f64 {
+        self.fx.hypot(self.fy)
+    }
+}
