@@ -11,20 +11,21 @@ pub struct Solve {
     pub theory: Option<String>,
     /// Theory "variational": degree M of the traction polynomials, 0 to 12; 3 by default.
     pub degree: Option<usize>,
-    /// Theory "variational": number of mesh lines [along, across] the rolling direction.
+    /// Theory "variational": mesh cells [along, across] of the box around the ellipse;
+    /// by default 10 x 10, more for degrees above 3.
     #[serde(default, deserialize_with = "two_numbers")]
     pub mesh: Option<[usize; 2]>,
-    /// Theory "variational": weight of the functional over the contact.
+    /// Theory "variational": weight of the points of the mesh; "elliptic" by default.
     pub weight: Option<Weight>,
 }
 
-/// Weight W of the functional of chapter 5.
+/// Weight W of the points in the integral (5.8).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum Weight {
-    /// `W1 = sqrt(1 - (x/a)^2 - (y/b)^2)`: the middle of the contact counts more than its edge.
+    /// `1 - (x/a)^2 - (y/b)^2`: the middle of the contact counts more than its edge.
     Elliptic,
-    /// `W = 1`: every point counts alike.
+    /// 1: every point counts alike.
     Uniform,
 }
 
