@@ -78,6 +78,10 @@ impl SlipResponse {
         Ok(Self { ellipse, degree, slip_scale, harmonics: rows, force, moment })
     }
 
+    pub(super) fn degree(&self) -> usize {
+        self.degree
+    }
+
     /// Resultants of the traction polynomials.
     pub(super) fn force(&self, tau: &[f64]) -> Force {
         let (x, y) = tau.split_at(self.force.len());

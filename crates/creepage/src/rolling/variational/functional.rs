@@ -12,6 +12,8 @@ pub(super) struct Functional<'a> {
     /// Weight of each point; they sum to the mean of `W`.
     weights: &'a [f64],
     creepage: Creepage,
+    /// Size of the penalty on tractions above their bound.
+    penalty: f64,
 }
 
 /// `I` and its derivatives by the unknowns.
@@ -36,8 +38,14 @@ impl<'a> Functional<'a> {
         discretization: &'a Discretization,
         weights: &'a [f64],
         creepage: Creepage,
+        penalized: bool,
     ) -> Self {
-        Self { discretization, weights, creepage }
+        let mut functional = Self { discretization, weights, creepage, penalty: 0.0 };
+        if penalized {
+            // As large as the mean of S were the bodies rigid.
+            functional.penalty = functional.rigid_value() / weights.iter().sum::<f64>();
+        }
+        functional
     }
 
     pub(super) fn unknowns(&self) -> usize {
@@ -63,7 +71,8 @@ impl<'a> Functional<'a> {
         expansion.hessian.fill(0.0);
         for (point, &weight) in self.weights.iter().enumerate() {
             let state = self.discretization.state(self.creepage, tau.as_slice(), point);
-            let local = integrand::with_derivatives(state);
+            let mut local = integrand::with_derivatives(state);
+            local.penalize(state, self.penalty);
             add_point(expansion, &self.discretization.rows(point), &local, weight);
         }
         expansion.hessian.fill_upper_triangle_with_lower_triangle();

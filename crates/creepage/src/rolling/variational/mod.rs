@@ -16,7 +16,7 @@ mod settings;
 mod solution;
 mod start;
 
-pub use settings::{Settings, VariationalError, Weight};
+pub use settings::{Settings, TractionBound, VariationalError, Weight};
 pub use solution::{MeshPoint, VariationalSolution};
 pub use start::Start;
 
@@ -43,6 +43,7 @@ pub struct Variational {
     response: SlipResponse,
     mesh: Discretization,
     weights: Vec<f64>,
+    penalized: bool,
 }
 
 impl Variational {
@@ -62,13 +63,20 @@ impl Variational {
             .iter()
             .map(|bound_squared| settings.weight.at(1.0 - bound_squared) / points)
             .collect();
-        Ok(Self { response, mesh, weights })
+        let penalized = settings.bound.penalized(a_over_b);
+        Ok(Self { response, mesh, weights, penalized })
     }
 
     /// The mesh points `(x, y)` in units of `c`.
     #[must_use]
     pub fn mesh(&self) -> &[[f64; 2]] {
         self.mesh.positions()
+    }
+
+    /// Whether tractions above their bound are penalized, see [`TractionBound`].
+    #[must_use]
+    pub fn penalized(&self) -> bool {
+        self.penalized
     }
 
     /// Minimizes `I` from `start`.
@@ -81,7 +89,7 @@ impl Variational {
     }
 
     fn functional(&self, creepage: Creepage) -> Functional<'_> {
-        Functional::new(&self.mesh, &self.weights, creepage)
+        Functional::new(&self.mesh, &self.weights, creepage, self.penalized)
     }
 }
 
