@@ -1,6 +1,11 @@
 //! The numerical theory of chapter 5: reference cases, symmetries, and one minimum from every
 //! start.
-#![allow(clippy::panic, clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+#![allow(
+    clippy::panic,
+    clippy::unwrap_used,
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss
+)]
 
 use creepage::rolling::variational::{Settings, Start, TractionBound, Variational, Weight};
 use creepage::rolling::{Creepage, Force, Region, Status, Theory};
@@ -188,7 +193,7 @@ fn large_creepage_is_full_sliding() {
     assert!(close(found.force, Force { fx: 0.6, fy: -0.8, mz: 0.0 }, 0.02));
     let field = theory.field(creepage, &[[0.1, 0.2], [5.0, 0.0]]);
     assert_eq!(field[0].region, Region::Slip);
-    assert_eq!(field[1].traction, [0.0; 2]);
+    assert!(field[1].traction[0].hypot(field[1].traction[1]) < f64::MIN_POSITIVE);
 }
 
 #[test]
