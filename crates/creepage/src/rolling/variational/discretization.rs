@@ -39,6 +39,18 @@ pub(super) struct Rows<'a> {
     pub(super) qy: &'a [f64],
 }
 
+impl<'a> Rows<'a> {
+    /// What the `X'` unknowns from the `first` on bring to `X'`, `P`, `Q`.
+    pub(super) fn from_x(&self, first: usize) -> [&'a [f64]; 3] {
+        [&self.value[first..], &self.px[first..], &self.py[first..]]
+    }
+
+    /// What the `Y'` unknowns from the `first` on bring to `Y'`, `P`, `Q`.
+    pub(super) fn from_y(&self, first: usize) -> [&'a [f64]; 3] {
+        [&self.value[first..], &self.py[first..], &self.qy[first..]]
+    }
+}
+
 /// The part of a discretization that does not depend on the points.
 #[derive(Debug, Clone)]
 pub(super) struct SlipResponse {
