@@ -98,9 +98,9 @@ fn add_point(expansion: &mut Expansion, rows: &Rows, local: &Integrand, weight: 
         let by_y: [f64; 4] = std::array::from_fn(|i| h[i][1] * v + h[i][2] * py + h[i][3] * qy);
         let (x_column, y_column) = hessian[j * unknowns..].split_at_mut(n * unknowns);
         let (xx, xy) = x_column.split_at_mut(n);
-        accumulate(&mut xx[j..], [by_x[0], by_x[2], by_x[3]], rows.from_x(j));
-        accumulate(&mut xy[..n], [by_x[1], by_x[2], by_x[3]], rows.from_y(0));
-        accumulate(&mut y_column[n + j..2 * n], [by_y[1], by_y[2], by_y[3]], rows.from_y(j));
+        accumulate(&mut xx[j..], [by_x[0], by_x[2], by_x[3]], rows.of_x(j));
+        accumulate(&mut xy[..n], [by_x[1], by_x[2], by_x[3]], rows.of_y(0));
+        accumulate(&mut y_column[n + j..2 * n], [by_y[1], by_y[2], by_y[3]], rows.of_y(j));
     }
 }
 
