@@ -11,6 +11,7 @@
 //! the slip.
 
 pub mod linear;
+pub mod variational;
 
 mod creepage;
 mod field;

@@ -1,0 +1,110 @@
+//! The integral `I` of (5.9), as a mean over the mesh points, with gradient and Hessian.
+
+use nalgebra::{DMatrix, DVector};
+
+use super::discretization::{Discretization, Rows};
+use super::integrand::{self, Integrand};
+use crate::rolling::Creepage;
+
+/// `I` at one creepage as a function of the unknowns.
+pub(super) struct Functional<'a> {
+    discretization: &'a Discretization,
+    /// Weight of each point; they sum to the mean of `W`.
+    weights: &'a [f64],
+    creepage: Creepage,
+    /// Size of the penalty on tractions above their bound.
+    penalty: f64,
+}
+
+/// `I` and its derivatives by the unknowns.
+pub(super) struct Expansion {
+    pub(super) value: f64,
+    pub(super) gradient: DVector<f64>,
+    pub(super) hessian: DMatrix<f64>,
+}
+
+impl Expansion {
+    pub(super) fn zeros(unknowns: usize) -> Self {
+        Self {
+            value: 0.0,
+            gradient: DVector::zeros(unknowns),
+            hessian: DMatrix::zeros(unknowns, unknowns),
+        }
+    }
+}
+
+impl<'a> Functional<'a> {
+    pub(super) fn new(
+        discretization: &'a Discretization,
+        weights: &'a [f64],
+        creepage: Creepage,
+        penalized: bool,
+    ) -> Self {
+        let mut functional = Self { discretization, weights, creepage, penalty: 0.0 };
+        if penalized {
+            // As large as the mean of S were the bodies rigid.
+            functional.penalty = functional.rigid_value() / weights.iter().sum::<f64>();
+        }
+        functional
+    }
+
+    pub(super) fn unknowns(&self) -> usize {
+        self.discretization.unknowns()
+    }
+
+    /// `I` where both bodies are rigid and no traction acts: the size to measure `I` by.
+    pub(super) fn rigid_value(&self) -> f64 {
+        self.weights
+            .iter()
+            .enumerate()
+            .map(|(point, weight)| {
+                let [p, q] = self.discretization.rigid_slip(self.creepage, point);
+                weight * (p * p + q * q)
+            })
+            .sum()
+    }
+
+    /// Evaluates `I` with gradient and exact Hessian into `expansion`.
+    pub(super) fn expand(&self, tau: &DVector<f64>, expansion: &mut Expansion) {
+        expansion.value = 0.0;
+        expansion.gradient.fill(0.0);
+        expansion.hessian.fill(0.0);
+        for (point, &weight) in self.weights.iter().enumerate() {
+            let state = self.discretization.state(self.creepage, tau.as_slice(), point);
+            let mut local = integrand::with_derivatives(state);
+            local.penalize(state, self.penalty);
+            add_point(expansion, &self.discretization.rows(point), &local, weight);
+        }
+        expansion.hessian.fill_upper_triangle_with_lower_triangle();
+    }
+}
+
+/// Adds one point's share; of the Hessian the lower triangle only.
+fn add_point(expansion: &mut Expansion, rows: &Rows, local: &Integrand, weight: f64) {
+    let n = rows.value.len();
+    let unknowns = 2 * n;
+    expansion.value += weight * local.value;
+    let [gx, gy, gp, gq] = local.gradient.map(|g| weight * g);
+    let h = local.hessian.map(|row| row.map(|entry| weight * entry));
+    let gradient = expansion.gradient.as_mut_slice();
+    // Storage is by columns.
+    let hessian = expansion.hessian.as_mut_slice();
+    for j in 0..n {
+        let (v, px, py, qy) = (rows.value[j], rows.px[j], rows.py[j], rows.qy[j]);
+        gradient[j] += gx * v + gp * px + gq * py;
+        gradient[n + j] += gy * v + gp * py + gq * qy;
+        // The local Hessian times the change of the state by the j-th X' and Y' unknown.
+        let by_x: [f64; 4] = std::array::from_fn(|i| h[i][0] * v + h[i][2] * px + h[i][3] * py);
+        let by_y: [f64; 4] = std::array::from_fn(|i| h[i][1] * v + h[i][2] * py + h[i][3] * qy);
+        let (x_column, y_column) = hessian[j * unknowns..].split_at_mut(n * unknowns);
+        for i in j..n {
+            x_column[i] += by_x[0] * rows.value[i] + by_x[2] * rows.px[i] + by_x[3] * rows.py[i];
+            y_column[n + i] +=
+                by_y[1] * rows.value[i] + by_y[2] * rows.py[i] + by_y[3] * rows.qy[i];
+        }
+        for i in 0..n {
+            x_column[n + i] +=
+                by_x[1] * rows.value[i] + by_x[2] * rows.py[i] + by_x[3] * rows.qy[i];
+        }
+    }
+}

@@ -1,0 +1,73 @@
+//! Minimization of `I`: Newton's method as printed (5.12), and with damping, which never fails.
+
+use nalgebra::{Cholesky, DVector};
+
+use super::functional::{Expansion, Functional};
+
+/// Where the damped iteration stands when it ends.
+pub(super) struct Minimum {
+    pub(super) tau: DVector<f64>,
+    pub(super) iterations: usize,
+    pub(super) converged: bool,
+}
+
+const MAX_ITERATIONS: usize = 200;
+/// Newton's step is squared by the next one: what is left after this is rounding.
+const STEP_TOLERANCE: f64 = 1e-9;
+/// `I` relative to that of the rigid slip, below which only rounding is left: full sliding.
+const NEGLIGIBLE: f64 = 1e-26;
+/// Relative rounding of the residuals `|s| X' - s`, whose squares make `I`.
+const ROUNDING: f64 = 1e-14;
+const FIRST_DAMPING: f64 = 1e-3;
+const LARGEST_DAMPING: f64 = 1e12;
+
+/// Newton's method with Marquardt's damping, from `tau`.
+///
+/// The pure Newton step is tried first; while it does not lower `I`, the Hessian's diagonal
+/// is raised.
+pub(super) fn minimize(functional: &Functional, mut tau: DVector<f64>) -> Minimum {
+    let unknowns = functional.unknowns();
+    let rigid_value = functional.rigid_value();
+    let (mut here, mut there) = (Expansion::zeros(unknowns), Expansion::zeros(unknowns));
+    functional.expand(&tau, &mut here);
+    let mut damping = 0.0_f64;
+    for iterations in 1..=MAX_ITERATIONS {
+        if here.value <= NEGLIGIBLE * rigid_value {
+            return Minimum { tau, iterations: iterations - 1, converged: true };
+        }
+        if let Some(step) = damped_step(&here, damping) {
+            let next = &tau + &step;
+            functional.expand(&next, &mut there);
+            // Near the minimum rounding alone decides which value is lower.
+            let rounding = ROUNDING * (here.value * rigid_value.max(here.value)).sqrt();
+            if there.value <= here.value + rounding {
+                let last = damping == 0.0 && step.amax() <= STEP_TOLERANCE * next.amax();
+                tau = next;
+                std::mem::swap(&mut here, &mut there);
+                if last {
+                    return Minimum { tau, iterations, converged: true };
+                }
+                damping = if damping <= FIRST_DAMPING { 0.0 } else { damping / 10.0 };
+                continue;
+            }
+        }
+        damping = (10.0 * damping).max(FIRST_DAMPING);
+        if damping > LARGEST_DAMPING {
+            return Minimum { tau, iterations, converged: false };
+        }
+    }
+    Minimum { tau, iterations: MAX_ITERATIONS, converged: false }
+}
+
+/// Newton's step with the diagonal raised by the share `damping`, unless the matrix is not
+/// positive definite.
+fn damped_step(expansion: &Expansion, damping: f64) -> Option<DVector<f64>> {
+    let mut matrix = expansion.hessian.clone();
+    if damping > 0.0 {
+        let size = matrix.diagonal().amax();
+        for i in 0..matrix.nrows() {
+            matrix[(i, i)] += damping * matrix[(i, i)].abs().max(1e-6 * size);
+        }
+    }
+    Some(Cholesky::new(matrix)?.solve(&(-&expansion.gradient)))
+}
