@@ -1,0 +1,55 @@
+//! How many rows were answered, and how.
+
+use std::fmt;
+
+use creepage::rolling::Status;
+
+use super::solver::Answer;
+use crate::Outcome;
+
+/// Counts of rows by what became of them.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(super) struct Tally {
+    rows: usize,
+    solved: usize,
+    not_converged: usize,
+    invalid: usize,
+}
+
+impl Tally {
+    pub(super) fn count(&mut self, answer: &Answer) {
+        self.rows += 1;
+        match answer.as_ref().map(|solution| solution.status) {
+            Ok(Status::Solved) => self.solved += 1,
+            Ok(Status::NotConverged) => self.not_converged += 1,
+            Ok(_) => {}
+            Err(_) => self.invalid += 1,
+        }
+    }
+
+    pub(super) fn rows(&self) -> usize {
+        self.rows
+    }
+
+    pub(super) fn outcome(&self) -> Outcome {
+        if self.invalid + self.not_converged > 0 { Outcome::Doubtful } else { Outcome::Done }
+    }
+}
+
+impl fmt::Display for Tally {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { rows, solved, not_converged, invalid } = *self;
+        write!(f, "{rows} rows: {solved} solved")?;
+        let others = [
+            (not_converged, "not converged"),
+            (rows - solved - not_converged - invalid, "beyond the theory's range"),
+            (invalid, "invalid"),
+        ];
+        for (count, name) in others {
+            if count > 0 {
+                write!(f, ", {count} {name}")?;
+            }
+        }
+        Ok(())
+    }
+}
