@@ -10,7 +10,8 @@ pub enum Status {
     Solved,
     /// The iteration ended before its tolerance was met; the force is that of the last iterate.
     NotConverged,
-    /// Solved, but the creepage is too small for the theory's resolution.
+    /// Solved, but the creepage is too small for the theory's resolution: its slip area is
+    /// narrower than the theory can represent, and the force is too small. Use linear theory.
     CreepageTooSmall,
     /// Solved, but the spin is beyond the bound up to which the theory holds.
     SpinTooLarge,

@@ -12,16 +12,20 @@ mod discretization;
 mod functional;
 mod integrand;
 mod newton;
+mod newton_1967;
 mod settings;
 mod solution;
 mod start;
 
-pub use settings::{Settings, VariationalError, Weight};
+pub use newton_1967::{NewtonRun, NewtonStep};
+pub use settings::{Settings, TractionBound, VariationalError, Weight};
 pub use solution::{MeshPoint, VariationalSolution};
 pub use start::Start;
 
 use super::{Creepage, FieldPoint, Region, Solution, Theory};
 use crate::check;
+use crate::ellipse::Ellipse;
+use crate::halfspace::{Polynomial, PolynomialError};
 use discretization::{Discretization, SlipResponse};
 use functional::Functional;
 
@@ -43,6 +47,7 @@ pub struct Variational {
     response: SlipResponse,
     mesh: Discretization,
     weights: Vec<f64>,
+    penalized: bool,
 }
 
 impl Variational {
@@ -62,13 +67,20 @@ impl Variational {
             .iter()
             .map(|bound_squared| settings.weight.at(1.0 - bound_squared) / points)
             .collect();
-        Ok(Self { response, mesh, weights })
+        let penalized = settings.bound.penalized(a_over_b);
+        Ok(Self { response, mesh, weights, penalized })
     }
 
     /// The mesh points `(x, y)` in units of `c`.
     #[must_use]
     pub fn mesh(&self) -> &[[f64; 2]] {
         self.mesh.positions()
+    }
+
+    /// Whether tractions above their bound are penalized, see [`TractionBound`].
+    #[must_use]
+    pub fn penalized(&self) -> bool {
+        self.penalized
     }
 
     /// Minimizes `I` from `start`.
@@ -80,8 +92,21 @@ impl Variational {
         VariationalSolution::new(self, creepage, &minimum)
     }
 
+    /// The traction polynomials `X'`, `Y'` of a solution, with the major semi-axis as unit of
+    /// length, as the thesis prints them.
+    ///
+    /// # Errors
+    /// [`PolynomialError`] when `tau` is not of this theory's degree, or not finite.
+    pub fn traction_polynomials(&self, tau: &[f64]) -> Result<[Polynomial; 2], PolynomialError> {
+        let ellipse = self.response.ellipse();
+        let major = ellipse.major();
+        let unit = Ellipse::new(ellipse.a() / major, ellipse.b() / major)?;
+        let (x, y) = tau.split_at(tau.len() / 2);
+        Ok([Polynomial::from_harmonics(unit, x)?, Polynomial::from_harmonics(unit, y)?])
+    }
+
     fn functional(&self, creepage: Creepage) -> Functional<'_> {
-        Functional::new(&self.mesh, &self.weights, creepage)
+        Functional::new(&self.mesh, &self.weights, creepage, self.penalized)
     }
 }
 

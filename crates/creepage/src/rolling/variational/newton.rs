@@ -7,16 +7,17 @@ use super::functional::{Expansion, Functional};
 /// Where the damped iteration stands when it ends.
 pub(super) struct Minimum {
     pub(super) tau: DVector<f64>,
-    pub(super) value: f64,
     pub(super) iterations: usize,
     pub(super) converged: bool,
 }
 
 const MAX_ITERATIONS: usize = 200;
-/// Newton's step is squared by the next one: what is left after this is rounding.
-const STEP_TOLERANCE: f64 = 1e-9;
+/// Newton's error is squared by each step: after one this small it is below 1e-10.
+const STEP_TOLERANCE: f64 = 1e-6;
 /// `I` relative to that of the rigid slip, below which only rounding is left: full sliding.
 const NEGLIGIBLE: f64 = 1e-26;
+/// Relative rounding of the residuals `|s| X' - s`, whose squares make `I`.
+const ROUNDING: f64 = 1e-14;
 const FIRST_DAMPING: f64 = 1e-3;
 const LARGEST_DAMPING: f64 = 1e12;
 
@@ -26,39 +27,35 @@ const LARGEST_DAMPING: f64 = 1e12;
 /// is raised.
 pub(super) fn minimize(functional: &Functional, mut tau: DVector<f64>) -> Minimum {
     let unknowns = functional.unknowns();
-    let negligible = NEGLIGIBLE * functional.rigid_value();
+    let rigid_value = functional.rigid_value();
     let (mut here, mut there) = (Expansion::zeros(unknowns), Expansion::zeros(unknowns));
     functional.expand(&tau, &mut here);
     let mut damping = 0.0_f64;
     for iterations in 1..=MAX_ITERATIONS {
-        if here.value <= negligible {
-            return Minimum { tau, value: here.value, iterations: iterations - 1, converged: true };
+        if here.value <= NEGLIGIBLE * rigid_value {
+            return Minimum { tau, iterations: iterations - 1, converged: true };
         }
-        let trial = damped_step(&here, damping).map(|step| (&tau + &step, step));
-        let size = tau.amax();
-        if let Some((next, step)) = trial {
+        if let Some(step) = damped_step(&here, damping) {
+            let next = &tau + &step;
+            if damping == 0.0 && step.amax() <= STEP_TOLERANCE * next.amax() {
+                return Minimum { tau: next, iterations, converged: true };
+            }
             functional.expand(&next, &mut there);
-            let small = step.amax() <= STEP_TOLERANCE * next.amax();
-            if there.value <= here.value {
+            // Near the minimum rounding alone decides which value is lower.
+            let rounding = ROUNDING * (here.value * rigid_value.max(here.value)).sqrt();
+            if there.value <= here.value + rounding {
                 tau = next;
                 std::mem::swap(&mut here, &mut there);
-                if small && damping == 0.0 {
-                    return Minimum { tau, value: here.value, iterations, converged: true };
-                }
                 damping = if damping <= FIRST_DAMPING { 0.0 } else { damping / 10.0 };
                 continue;
-            }
-            // A step that small can fail to lower I by rounding alone.
-            if step.amax() <= STEP_TOLERANCE * size {
-                return Minimum { tau, value: here.value, iterations, converged: true };
             }
         }
         damping = (10.0 * damping).max(FIRST_DAMPING);
         if damping > LARGEST_DAMPING {
-            return Minimum { tau, value: here.value, iterations, converged: false };
+            return Minimum { tau, iterations, converged: false };
         }
     }
-    Minimum { tau, value: here.value, iterations: MAX_ITERATIONS, converged: false }
+    Minimum { tau, iterations: MAX_ITERATIONS, converged: false }
 }
 
 /// Newton's step with the diagonal raised by the share `damping`, unless the matrix is not

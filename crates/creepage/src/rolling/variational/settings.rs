@@ -23,7 +23,33 @@ impl Weight {
     }
 }
 
-/// Degree, mesh and weight of the numerical theory.
+/// What is done about `|X'| <= 1` (5.7), which (5.9) leaves to be verified afterwards.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+pub enum TractionBound {
+    /// Penalized where `a/b >= 3`: there `I` has several minima near the peak of pure spin,
+    /// and the lowest can break the bound all over the contact.
+    #[default]
+    Automatic,
+    /// Verified afterwards only, as in the thesis.
+    Unchecked,
+    /// Penalized.
+    Penalized,
+}
+
+impl TractionBound {
+    /// The ratio `a/b` from which [`TractionBound::Automatic`] penalizes.
+    pub const SLENDER_RATIO: f64 = 3.0;
+
+    pub(super) fn penalized(self, a_over_b: f64) -> bool {
+        match self {
+            Self::Automatic => a_over_b >= Self::SLENDER_RATIO,
+            Self::Unchecked => false,
+            Self::Penalized => true,
+        }
+    }
+}
+
+/// Degree, mesh, weight and treatment of the bound.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Settings {
     /// Degree `M` of the traction polynomials `X'`, `Y'`: at most [`Settings::MAX_DEGREE`].
@@ -33,6 +59,8 @@ pub struct Settings {
     pub mesh: [usize; 2],
     /// Weight of the points.
     pub weight: Weight,
+    /// Whether a traction above its bound is penalized.
+    pub bound: TractionBound,
 }
 
 impl Settings {
@@ -45,7 +73,12 @@ impl Settings {
     #[must_use]
     pub fn of_degree(degree: usize) -> Self {
         let cells = 10.max(2 * degree.min(Self::MAX_DEGREE) + 4);
-        Self { degree, mesh: [cells; 2], weight: Weight::default() }
+        Self {
+            degree,
+            mesh: [cells; 2],
+            weight: Weight::default(),
+            bound: TractionBound::default(),
+        }
     }
 }
 

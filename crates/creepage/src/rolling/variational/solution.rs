@@ -43,17 +43,33 @@ impl VariationalSolution {
         let tau = minimum.tau.as_slice().to_vec();
         let points = mesh_points(&theory.mesh, creepage, &tau);
         let rigid_value = theory.functional(creepage).rigid_value();
-        let status = if minimum.converged { Status::Solved } else { Status::NotConverged };
+        let mean_integrand =
+            points.iter().zip(&theory.weights).map(|(point, w)| w * point.t * point.s).sum();
+        let status = if !minimum.converged {
+            Status::NotConverged
+        } else if rigid_value > 0.0 && !slip_is_resolved(&points, theory.response.degree()) {
+            Status::CreepageTooSmall
+        } else {
+            Status::Solved
+        };
         Self {
             solution: Solution { force: theory.response.force(&tau), status },
-            mean_integrand: minimum.value,
-            residual: if rigid_value > 0.0 { minimum.value / rigid_value } else { 0.0 },
+            mean_integrand,
+            residual: if rigid_value > 0.0 { mean_integrand / rigid_value } else { 0.0 },
             iterations: minimum.iterations,
             aberrations: points.iter().filter(|point| point.aberrant).count(),
             tau,
             points,
         }
     }
+}
+
+/// Polynomials of degree `M` do not resolve an area of slip below a share of about
+/// `1/(3 (M + 1))` of the contact: the force is then too small by up to all of it, for as the
+/// creepage vanishes the minimum tends to full adhesion, whose force is zero.
+fn slip_is_resolved(points: &[MeshPoint], degree: usize) -> bool {
+    let slipping = points.iter().filter(|point| point.field.region == Region::Slip).count();
+    3 * (degree + 1) * slipping >= points.len()
 }
 
 /// The field and its judgement at every point of `discretization`.

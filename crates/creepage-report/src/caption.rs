@@ -1,0 +1,114 @@
+//! The words above and below the contact picture.
+
+use creepage::rolling::Status;
+
+use crate::contact_picture::{DARK, GREY, MARGIN, PALE, RED, WIDTH};
+use crate::format::{Scale, fixed, quantity, significant};
+use crate::label::Label;
+use crate::report::Report;
+use crate::scene::{Anchor, Ink, Scene, Type};
+use crate::text::status_words;
+
+/// Height of title and subtitle.
+pub(crate) const TITLE_HEIGHT: f64 = 104.0;
+/// The same with the banner of a case that is not solved.
+pub(crate) const BANNER_BOTTOM: f64 = 150.0;
+/// Height of the table at the foot.
+pub(crate) const TABLE_HEIGHT: f64 = 130.0;
+
+/// Longer names of theories are cut: the sheet has an edge.
+const LONGEST_NAME: usize = 40;
+/// Where the table's three columns start.
+const COLUMNS: [f64; 3] = [226.0, 468.0, 714.0];
+
+/// Title, subtitle, and a banner unless the case is solved.
+pub(crate) fn title(scene: &mut Scene, report: &Report) {
+    let name: String = report.answer.theory_name.chars().take(LONGEST_NAME).collect();
+    let title = Type::new(25.0, DARK).bold();
+    scene.text(
+        [MARGIN, 54.0],
+        title,
+        &Label::new("Adhesion, slip and traction in rolling contact"),
+    );
+    scene.text(
+        [WIDTH - MARGIN, 54.0],
+        Type::new(15.0, GREY).anchored(Anchor::End),
+        &Label::new(&format!("theory: {name}")),
+    );
+    scene.text([MARGIN, 82.0], Type::new(15.5, GREY), &contact(report));
+    let status = report.answer.solution.status;
+    if status != Status::Solved {
+        let size = [WIDTH - 2.0 * MARGIN, 32.0];
+        scene.rectangle([MARGIN, 100.0], size, 4.0, Ink::fill("#fdecea").outlined(RED, 1.5));
+        let style = Type::new(15.5, RED).bold().anchored(Anchor::Middle);
+        scene.text([0.5 * WIDTH, 121.5], style, &Label::new(status_words(status)));
+    }
+}
+
+/// Load, friction, semi-axes and pressure.
+fn contact(report: &Report) -> Label {
+    let (contact, ellipse) = (report.contact, report.contact.ellipse());
+    let gap = "\u{2003}";
+    let is = |label: Label, value: &str| label.plain(" = ").number(value);
+    let label = is(Label::default().symbol("N"), &quantity(contact.normal_force(), "N", 4));
+    let label = is(label.plain(gap).symbol("μ"), &significant(report.friction, 4));
+    let label = is(label.plain(gap).symbol("a"), &quantity(ellipse.a(), "m", 4));
+    let label = is(label.plain(gap).symbol("b"), &quantity(ellipse.b(), "m", 4));
+    let label = label.plain(gap).plain("peak pressure ");
+    label.number(&quantity(contact.peak_pressure(), "Pa", 4))
+}
+
+/// Creepages and forces, in SI units and dimensionless.
+pub(crate) fn table(scene: &mut Scene, top: f64, report: &Report) {
+    let rule = |scene: &mut Scene, y: f64| {
+        scene.line(&[[MARGIN, y], [WIDTH - MARGIN, y]], Ink::line(PALE, 1.0));
+    };
+    rule(scene, top + 8.0);
+    let head = Type::new(15.0, GREY);
+    for (column, words) in COLUMNS.into_iter().zip(["longitudinal", "lateral", "spin"]) {
+        scene.text([column, top + 32.0], head, &Label::new(words));
+    }
+    let rows = [("creepage", creepages(report)), ("force on the lower body", forces(report))];
+    for (row, (name, cells)) in rows.into_iter().enumerate() {
+        let y = top + 60.0 + 28.0 * row as f64;
+        scene.text([MARGIN, y], head, &Label::new(name));
+        for (column, cell) in COLUMNS.into_iter().zip(cells) {
+            scene.text([column, y], Type::new(15.5, DARK), &cell);
+        }
+    }
+    rule(scene, top + 104.0);
+}
+
+fn creepages(report: &Report) -> [Label; 3] {
+    let creepage = report.answer.creepage;
+    let si = report.scaling.si_creepage(creepage);
+    let with = |label: Label, value: String, symbol: &str, dimensionless: f64| {
+        let label = label.plain(" = ").number(&value).plain("   (").symbol(symbol);
+        label.plain(" = ").number(&significant(dimensionless, 4)).plain(")")
+    };
+    let (x, y) = (Label::default().indexed("υ", "x"), Label::default().indexed("υ", "y"));
+    let spin = format!("{} rad/m", significant(si.spin, 4));
+    [
+        with(x, significant(si.longitudinal, 4), "ξ", creepage.xi),
+        with(y, significant(si.lateral, 4), "η", creepage.eta),
+        with(Label::default().symbol("φ"), spin, "χ", creepage.chi),
+    ]
+}
+
+fn forces(report: &Report) -> [Label; 3] {
+    let (force, scaling) = (report.answer.solution.force, &report.scaling);
+    let si = scaling.si_force(force);
+    let newton = Scale::of(scaling.force, "N", 4);
+    let newton_metre = Scale::of(scaling.force * scaling.length, "N m", 4);
+    let cell = |symbols: [&str; 3], value: String, dimensionless: f64| {
+        let label = Label::default().indexed(symbols[0], symbols[2]);
+        let label = label.plain(" = ").number(&value).plain("   (");
+        let label = label.indexed(symbols[1], symbols[2]).plain(" = ");
+        label.number(&fixed(dimensionless, 4)).plain(")")
+    };
+    [
+        cell(["F", "f", "x"], newton.write(si.longitudinal), force.fx),
+        cell(["F", "f", "y"], newton.write(si.lateral), force.fy),
+        cell(["M", "m", "z"], newton_metre.write(si.moment), force.mz),
+    ]
+}

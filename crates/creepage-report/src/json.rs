@@ -1,0 +1,235 @@
+//! The report for programs. Key names carry their units; a number that is not finite is `null`.
+
+use std::collections::BTreeMap;
+
+use creepage::rolling::{Creepage, Force, SiCreepage, SiForce};
+use creepage::{Hertz, SolidPair};
+use serde::Serialize;
+
+use crate::report::Report;
+
+/// `report.json`.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct ReportJson {
+    /// Version of this program.
+    pub creepage_version: &'static str,
+    /// The theory's name.
+    pub theory: String,
+    /// One word: [`Status::name`](creepage::rolling::Status::name).
+    pub status: &'static str,
+    /// The contact.
+    pub contact: HertzJson,
+    /// Coefficient of friction `mu`.
+    pub friction: f64,
+    /// Creepage of the upper body relative to the lower.
+    pub creepage: CreepageJson,
+    /// Force of the upper body on the lower.
+    pub lower_body: ForceJson,
+    /// Force of the lower body on the upper: the reaction.
+    pub upper_body: ForceJson,
+    /// The force on the lower body in units of `mu N` and `mu N c`.
+    pub dimensionless: DimensionlessJson,
+    /// Areas of adhesion and slip.
+    pub areas: AreasJson,
+    /// Energy turned to heat per metre rolled [J/m].
+    pub frictional_power_per_metre_j_per_m: f64,
+    /// What only this theory says, by key.
+    pub details: BTreeMap<&'static str, DetailJson>,
+}
+
+/// The contact of two bodies, as [`hertz_json`] gives it.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct HertzJson {
+    /// Normal force `N` [N].
+    pub normal_force_n: f64,
+    /// Semi-axis `a` along the rolling direction [m].
+    pub semi_axis_rolling_m: f64,
+    /// Semi-axis `b` across [m].
+    pub semi_axis_lateral_m: f64,
+    /// The ratio `a/b`.
+    pub a_over_b: f64,
+    /// Largest normal pressure [Pa].
+    pub peak_pressure_pa: f64,
+    /// Approach of the bodies [m].
+    pub approach_m: f64,
+    /// Curvature length `rho` [m].
+    pub rho_m: f64,
+    /// Angle from the upper body's rolling direction to the axis `a` [rad].
+    pub angle_rad: f64,
+    /// Relative curvature `A` along the axis `a` [1/m].
+    pub relative_curvature_rolling_per_m: f64,
+    /// Relative curvature `B` along the axis `b` [1/m].
+    pub relative_curvature_lateral_per_m: f64,
+    /// The equivalent solid of both bodies.
+    pub solid: SolidJson,
+}
+
+/// The solid that stands for both bodies (2.10).
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct SolidJson {
+    /// Combined shear modulus `G` [Pa].
+    pub shear_modulus_pa: f64,
+    /// Combined Poisson's ratio `sigma`.
+    pub poisson: f64,
+    /// Measure of how unlike the bodies are.
+    pub kappa: f64,
+}
+
+/// Creepage and spin in both kinds of units.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct CreepageJson {
+    /// Relative velocity over rolling velocity, along.
+    pub longitudinal: f64,
+    /// Relative velocity over rolling velocity, across.
+    pub lateral: f64,
+    /// Relative angular velocity over rolling velocity [rad/m].
+    pub spin_rad_per_m: f64,
+    /// Dimensionless `xi`.
+    pub xi: f64,
+    /// Dimensionless `eta`.
+    pub eta: f64,
+    /// Dimensionless `chi`.
+    pub chi: f64,
+}
+
+/// Tangential force and moment on one body.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct ForceJson {
+    /// Along the rolling direction [N].
+    pub longitudinal_n: f64,
+    /// Across [N].
+    pub lateral_n: f64,
+    /// About the normal [N m].
+    pub moment_n_m: f64,
+}
+
+/// The force in parts of what friction can bear.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct DimensionlessJson {
+    /// `F_x / (mu N)`.
+    pub fx: f64,
+    /// `F_y / (mu N)`.
+    pub fy: f64,
+    /// `M_z / (mu N c)`.
+    pub mz: f64,
+    /// `sqrt(f_x^2 + f_y^2)`, the used share of `mu N`.
+    pub friction_used: f64,
+}
+
+/// Areas of adhesion and slip.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct AreasJson {
+    /// Adhesion area over contact area.
+    pub adhesion_share: f64,
+    /// Adhesion area [m^2].
+    pub adhesion_m2: f64,
+    /// Slip area [m^2].
+    pub slip_m2: f64,
+    /// Points in `points.csv`.
+    pub points: usize,
+}
+
+/// A number that only one theory gives.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct DetailJson {
+    /// What it is, in words.
+    pub label: &'static str,
+    /// The number.
+    pub value: f64,
+}
+
+impl Report<'_> {
+    /// Everything but the points, ready for `serde_json`.
+    #[must_use]
+    pub fn json(&self) -> ReportJson {
+        let (answer, scaling) = (&self.answer, &self.scaling);
+        let force = scaling.si_force(answer.solution.force);
+        ReportJson {
+            creepage_version: env!("CARGO_PKG_VERSION"),
+            theory: answer.theory_name.into(),
+            status: answer.solution.status.name(),
+            contact: hertz_json(self.contact),
+            friction: self.friction,
+            creepage: CreepageJson::new(answer.creepage, scaling.si_creepage(answer.creepage)),
+            lower_body: force.into(),
+            upper_body: (-force).into(),
+            dimensionless: answer.solution.force.into(),
+            areas: self.areas_json(),
+            frictional_power_per_metre_j_per_m: self.power_per_metre(),
+            details: answer
+                .details
+                .iter()
+                .map(|d| (d.key, DetailJson { label: d.label, value: d.value }))
+                .collect(),
+        }
+    }
+
+    fn areas_json(&self) -> AreasJson {
+        let (share, area) = (self.adhesion_share(), self.contact.ellipse().area());
+        AreasJson {
+            adhesion_share: share,
+            adhesion_m2: share * area,
+            slip_m2: (1.0 - share) * area,
+            points: self.answer.points.len(),
+        }
+    }
+}
+
+/// The contact alone, ready for `serde_json`.
+#[must_use]
+pub fn hertz_json(contact: &Hertz) -> HertzJson {
+    let ellipse = contact.ellipse();
+    let [along, across] = contact.relative_curvatures();
+    HertzJson {
+        normal_force_n: contact.normal_force(),
+        semi_axis_rolling_m: ellipse.a(),
+        semi_axis_lateral_m: ellipse.b(),
+        a_over_b: ellipse.ratio(),
+        peak_pressure_pa: contact.peak_pressure(),
+        approach_m: contact.approach(),
+        rho_m: contact.rho(),
+        angle_rad: contact.angle(),
+        relative_curvature_rolling_per_m: along,
+        relative_curvature_lateral_per_m: across,
+        solid: contact.pair().into(),
+    }
+}
+
+impl CreepageJson {
+    fn new(dimensionless: Creepage, si: SiCreepage) -> Self {
+        Self {
+            longitudinal: si.longitudinal,
+            lateral: si.lateral,
+            spin_rad_per_m: si.spin,
+            xi: dimensionless.xi,
+            eta: dimensionless.eta,
+            chi: dimensionless.chi,
+        }
+    }
+}
+
+impl From<SiForce> for ForceJson {
+    fn from(force: SiForce) -> Self {
+        Self {
+            longitudinal_n: force.longitudinal,
+            lateral_n: force.lateral,
+            moment_n_m: force.moment,
+        }
+    }
+}
+
+impl From<Force> for DimensionlessJson {
+    fn from(force: Force) -> Self {
+        Self { fx: force.fx, fy: force.fy, mz: force.mz, friction_used: force.magnitude() }
+    }
+}
+
+impl From<SolidPair> for SolidJson {
+    fn from(pair: SolidPair) -> Self {
+        Self {
+            shear_modulus_pa: pair.shear_modulus(),
+            poisson: pair.poisson(),
+            kappa: pair.kappa(),
+        }
+    }
+}

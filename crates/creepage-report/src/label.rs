@@ -1,0 +1,79 @@
+//! A line of text with symbols: italic letters, subscripts, powers of ten.
+
+use std::fmt::Write as _;
+
+/// One line of text, built span by span.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Label {
+    spans: String,
+}
+
+impl Label {
+    /// Upright text.
+    pub(crate) fn new(text: &str) -> Self {
+        Self::default().plain(text)
+    }
+
+    /// Adds upright text.
+    pub(crate) fn plain(mut self, text: &str) -> Self {
+        self.spans.push_str(&escape(text));
+        self
+    }
+
+    /// Adds a quantity's symbol, in italics.
+    pub(crate) fn symbol(mut self, symbol: &str) -> Self {
+        self.span("font-style=\"italic\"", symbol);
+        self
+    }
+
+    /// Adds a symbol with a lowered index.
+    pub(crate) fn indexed(self, symbol: &str, index: &str) -> Self {
+        let mut label = self.symbol(symbol);
+        label.shifted(3.5, index);
+        label
+    }
+
+    /// Adds a number with a true minus and a raised power of ten.
+    pub(crate) fn number(mut self, number: &str) -> Self {
+        let (decimal, unit) = number.split_once(' ').unwrap_or((number, ""));
+        let (mantissa, power) = decimal.split_once('e').unwrap_or((decimal, ""));
+        self = self.plain(&mantissa.replace('-', "\u{2212}"));
+        if !power.is_empty() {
+            self = self.plain("\u{2009}·\u{2009}10");
+            self.shifted(-5.0, &power.replace('-', "\u{2212}"));
+        }
+        if unit.is_empty() { self } else { self.plain("\u{a0}").plain(unit) }
+    }
+
+    /// The spans as SVG.
+    pub(crate) fn svg(&self) -> &str {
+        &self.spans
+    }
+
+    fn span(&mut self, attributes: &str, text: &str) {
+        // Writing to a String cannot fail.
+        let _ = write!(self.spans, "<tspan {attributes}>{}</tspan>", escape(text));
+    }
+
+    /// Smaller text moved down by `shift`; an invisible span moves what follows back.
+    fn shifted(&mut self, shift: f64, text: &str) {
+        self.span(&format!("dy=\"{shift}\" font-size=\"72%\""), text);
+        self.span(&format!("dy=\"{}\"", -shift), "\u{200b}");
+    }
+}
+
+/// Text as XML may carry it; a character that XML forbids becomes a space.
+fn escape(text: &str) -> String {
+    let mut escaped = String::with_capacity(text.len());
+    for character in text.chars() {
+        match character {
+            '&' => escaped.push_str("&amp;"),
+            '<' => escaped.push_str("&lt;"),
+            '>' => escaped.push_str("&gt;"),
+            '\u{fffe}' | '\u{ffff}' => escaped.push(' '),
+            c if c.is_control() => escaped.push(' '),
+            c => escaped.push(c),
+        }
+    }
+    escaped
+}

@@ -1,0 +1,113 @@
+//! `points.csv`: the field at the theory's mesh, in SI units.
+
+use creepage::rolling::FieldPoint;
+
+use crate::error::ReportError;
+use crate::report::Report;
+
+const HEADER: [&str; 10] = [
+    "x_m",
+    "y_m",
+    "traction_x_pa",
+    "traction_y_pa",
+    "bound_pa",
+    "slip_x",
+    "slip_y",
+    "region",
+    "T",
+    "S",
+];
+
+impl Report<'_> {
+    /// The points as CSV; a cell is empty where the number does not exist.
+    pub(crate) fn points_csv(&self) -> Result<Vec<u8>, ReportError> {
+        let mut writer = csv::Writer::from_writer(Vec::new());
+        writer.write_record(HEADER)?;
+        for point in &self.answer.points {
+            writer.write_record(self.row(point))?;
+        }
+        writer.into_inner().map_err(|error| csv::Error::from(error.into_error()).into())
+    }
+
+    fn row(&self, point: &FieldPoint) -> [String; 10] {
+        let scaling = &self.scaling;
+        let bound = self.bound(point.position);
+        let (t, s) = t_and_s(point, bound, self.slip_unit());
+        [
+            cell(point.position[0] * scaling.length),
+            cell(point.position[1] * scaling.length),
+            cell(point.traction[0] * scaling.traction),
+            cell(point.traction[1] * scaling.traction),
+            cell(bound * scaling.traction),
+            cell(point.slip[0] * scaling.slip),
+            cell(point.slip[1] * scaling.slip),
+            point.region.name().into(),
+            cell(t),
+            cell(s),
+        ]
+    }
+
+    /// The traction bound `mu Z` over its largest value, at a position in units of `c`.
+    pub(crate) fn bound(&self, position: [f64; 2]) -> f64 {
+        let ellipse = self.contact.ellipse();
+        let (x, y) =
+            (position[0] * ellipse.c() / ellipse.a(), position[1] * ellipse.c() / ellipse.b());
+        (1.0 - x * x - y * y).max(0.0).sqrt()
+    }
+
+    /// The theories' unit of slip, `mu c / rho`, in that of (5.6), `mu f00`: the thesis's
+    /// `(1 - sigma) E / (2 sqrt g)`.
+    fn slip_unit(&self) -> f64 {
+        let f00 = self.contact.peak_pressure() / self.contact.pair().shear_modulus();
+        self.scaling.slip / (self.friction * f00)
+    }
+}
+
+/// `T = |X' - s/|s||^2` and `S = |s|^2` of (5.6): with `X'` the traction over its bound and `s`
+/// the slip in units of `mu f00`. NaN where they do not exist: without slip, or at the edge.
+fn t_and_s(point: &FieldPoint, bound: f64, slip_unit: f64) -> (f64, f64) {
+    let slip = point.slip.map(|component| component * slip_unit);
+    let magnitude = slip[0].hypot(slip[1]);
+    let gap = [0, 1].map(|i| point.traction[i] / bound - slip[i] / magnitude);
+    let t = gap[0] * gap[0] + gap[1] * gap[1];
+    (if t.is_finite() { t } else { f64::NAN }, magnitude * magnitude)
+}
+
+/// The shortest text that reads back as the same number.
+fn cell(value: f64) -> String {
+    if value.is_finite() { format!("{value:e}") } else { String::new() }
+}
+
+#[cfg(test)]
+mod tests {
+    use creepage::rolling::Region;
+
+    use super::*;
+
+    #[test]
+    fn t_and_s_of_a_hand_worked_point() {
+        let point = FieldPoint {
+            position: [0.0, 0.0],
+            traction: [0.3, 0.4],
+            slip: [0.0, 0.2],
+            region: Region::Slip,
+        };
+        // X' = (.6, .8), s/|s| = (0, 1): T = .36 + .04; s = (0, .6): S = .36. Rounding only.
+        let (t, s) = t_and_s(&point, 0.5, 3.0);
+        assert!((t - 0.4).abs() < 1e-15 && (s - 0.36).abs() < 1e-15);
+    }
+
+    #[test]
+    fn no_slip_and_no_bound_leave_t_empty() {
+        let mut point = FieldPoint {
+            position: [1.0, 0.0],
+            traction: [0.0, 0.0],
+            slip: [0.0, 0.0],
+            region: Region::Adhesion,
+        };
+        let (t, s) = t_and_s(&point, 0.5, 1.0);
+        assert_eq!((cell(t), cell(s)), (String::new(), "0e0".into()));
+        point.slip = [1.0, 0.0];
+        assert!(t_and_s(&point, 0.0, 1.0).0.is_nan());
+    }
+}

@@ -1,0 +1,43 @@
+//! SVG to PNG, with the font carried along: the same bytes on every machine.
+
+use std::sync::Arc;
+
+use resvg::tiny_skia::{Pixmap, Transform};
+use resvg::usvg::{Options, Tree, fontdb};
+
+use crate::error::ReportError;
+
+/// Family that the scenes ask for; one of its faces.
+pub(crate) const FONT_FAMILY: &str = "DejaVu Sans";
+
+/// Pixels for each unit of the scene.
+const PIXELS_PER_UNIT: f32 = 2.0;
+
+/// Renders an SVG at twice its size, as screens and print want it.
+pub(crate) fn png(svg: &str) -> Result<Vec<u8>, ReportError> {
+    let tree = tree(svg)?;
+    let size = tree.size().to_int_size();
+    let side = |units: u32| units.saturating_mul(PIXELS_PER_UNIT as u32);
+    let (width, height) = (side(size.width()), side(size.height()));
+    let error = ReportError::Pixels { width, height };
+    let Some(mut pixels) = Pixmap::new(width, height) else { return Err(error) };
+    let zoom = Transform::from_scale(PIXELS_PER_UNIT, PIXELS_PER_UNIT);
+    resvg::render(&tree, zoom, &mut pixels.as_mut());
+    pixels.encode_png().map_err(|_| error)
+}
+
+/// The parsed picture, its text laid out in the bundled font.
+pub(crate) fn tree(svg: &str) -> Result<Tree, ReportError> {
+    let mut fonts = fontdb::Database::new();
+    for face in [
+        dejavu::sans_condensed::regular(),
+        dejavu::sans_condensed::oblique(),
+        dejavu::sans_condensed::bold(),
+    ] {
+        fonts.load_font_data(face.to_vec());
+    }
+    fonts.set_sans_serif_family(FONT_FAMILY);
+    let options =
+        Options { font_family: FONT_FAMILY.into(), fontdb: Arc::new(fonts), ..Options::default() };
+    Ok(Tree::from_str(svg, &options)?)
+}

@@ -1,0 +1,171 @@
+//! The report for a terminal: plain lines in aligned columns.
+
+use creepage::Hertz;
+use creepage::rolling::{SiForce, Status};
+
+use crate::format::{Scale, fixed, quantity, significant};
+use crate::report::Report;
+
+impl Report<'_> {
+    /// A short report of one screen: contact, creepage, forces on both bodies, status.
+    #[must_use]
+    pub fn text(&self) -> String {
+        let mut lines = Lines(String::new());
+        lines.status(self);
+        lines.contact(self.contact);
+        lines.row("friction mu", &significant(self.friction, 5));
+        lines.creepage(self);
+        lines.forces(self);
+        lines.use_of_friction(self);
+        lines.details(self);
+        lines.0
+    }
+}
+
+/// The contact ellipse and its pressure as a short text.
+#[must_use]
+pub fn hertz_text(contact: &Hertz) -> String {
+    let mut lines = Lines(String::new());
+    lines.contact(contact);
+    let [along, across] = contact.relative_curvatures();
+    lines.row("relative curvature along", &format!("{} 1/m", significant(along, 5)));
+    lines.row("relative curvature across", &format!("{} 1/m", significant(across, 5)));
+    lines.0
+}
+
+/// A status in words that follow the theory's name.
+pub(crate) fn status_words(status: Status) -> &'static str {
+    match status {
+        Status::Solved => "solved",
+        Status::NotConverged => {
+            "NOT CONVERGED: these numbers are those of the last iterate, not a solution"
+        }
+        Status::CreepageTooSmall => {
+            "CREEPAGE TOO SMALL for this theory's resolution: the forces may be far off"
+        }
+        Status::SpinTooLarge => "SPIN TOO LARGE: beyond the bound up to which this theory holds",
+        _ => "NOT SOLVED: for a reason that this report has no words for",
+    }
+}
+
+/// A number and its unit in a column: numbers end in one line, units start in one.
+fn aligned(value: &str) -> String {
+    let (number, unit) = value.split_once(' ').unwrap_or((value, ""));
+    format!("{number:>11} {unit:<5}")
+}
+
+struct Lines(String);
+
+impl Lines {
+    fn line(&mut self, line: &str) {
+        self.0.push_str(line.trim_end());
+        self.0.push('\n');
+    }
+
+    fn heading(&mut self, heading: &str) {
+        self.line("");
+        self.line(heading);
+    }
+
+    fn row(&mut self, name: &str, value: &str) {
+        self.line(&format!("  {name:<26}{}", aligned(value)));
+    }
+
+    fn columns(&mut self, name: &str, values: [&str; 3]) {
+        let mut line = format!("  {name:<26}");
+        for value in values {
+            line.push_str(&aligned(value));
+        }
+        self.line(&line);
+    }
+
+    fn status(&mut self, report: &Report) {
+        let answer = &report.answer;
+        let words = status_words(answer.solution.status);
+        let line = format!("Theory {}: {words}", answer.theory_name);
+        if answer.solution.status == Status::Solved {
+            self.line(&line);
+        } else {
+            let rule = "!".repeat(line.chars().count());
+            self.line(&rule);
+            self.line(&line);
+            self.line(&rule);
+        }
+    }
+
+    fn contact(&mut self, contact: &Hertz) {
+        let ellipse = contact.ellipse();
+        self.heading("Contact ellipse");
+        self.row("normal force N", &quantity(contact.normal_force(), "N", 5));
+        self.row("semi-axis a, along rolling", &quantity(ellipse.a(), "m", 5));
+        self.row("semi-axis b, across", &quantity(ellipse.b(), "m", 5));
+        self.row("a/b", &significant(ellipse.ratio(), 5));
+        self.row("peak pressure", &quantity(contact.peak_pressure(), "Pa", 5));
+        self.row("approach of the bodies", &quantity(contact.approach(), "m", 5));
+        self.row("curvature length rho", &quantity(contact.rho(), "m", 5));
+        if contact.angle() != 0.0 {
+            let degrees = fixed(contact.angle().to_degrees(), 3);
+            self.row("angle of the axis a", &format!("{degrees} deg"));
+        }
+    }
+
+    fn creepage(&mut self, report: &Report) {
+        let creepage = report.answer.creepage;
+        let si = report.scaling.si_creepage(creepage);
+        self.heading("Creepage of the upper body relative to the lower");
+        self.columns("", ["longitudinal", "lateral", "spin"]);
+        self.columns(
+            "in SI units",
+            [
+                &significant(si.longitudinal, 5),
+                &significant(si.lateral, 5),
+                &format!("{} rad/m", significant(si.spin, 5)),
+            ],
+        );
+        let [xi, eta, chi] =
+            [creepage.xi, creepage.eta, creepage.chi].map(|value| significant(value, 5));
+        self.columns("xi, eta, chi", [&xi, &eta, &chi]);
+    }
+
+    fn forces(&mut self, report: &Report) {
+        let force = report.answer.solution.force;
+        let lower = report.scaling.si_force(force);
+        self.heading("Tangential force");
+        self.columns("", ["longitudinal", "lateral", "moment"]);
+        self.force("on the lower body", report, lower);
+        self.force("on the upper body", report, -lower);
+        let [fx, fy, mz] = [force.fx, force.fy, force.mz].map(|value| fixed(value, 5));
+        self.columns("lower, in mu N and mu N c", [&fx, &fy, &mz]);
+    }
+
+    fn force(&mut self, name: &str, report: &Report, force: SiForce) {
+        let newton = Scale::of(report.scaling.force, "N", 5);
+        let newton_metre = Scale::of(report.scaling.force * report.scaling.length, "N m", 5);
+        self.columns(
+            name,
+            [
+                &newton.write(force.longitudinal),
+                &newton.write(force.lateral),
+                &newton_metre.write(force.moment),
+            ],
+        );
+    }
+
+    fn use_of_friction(&mut self, report: &Report) {
+        let percent = |share: f64| format!("{} %", fixed(100.0 * share, 2));
+        self.line("");
+        self.row("share of mu N used", &percent(report.answer.solution.force.magnitude()));
+        self.row("adhesion, share of area", &percent(report.adhesion_share()));
+        self.row("heat per metre rolled", &quantity(report.power_per_metre(), "J/m", 5));
+    }
+
+    fn details(&mut self, report: &Report) {
+        let answer = &report.answer;
+        if !answer.details.is_empty() {
+            self.heading(&format!("Theory {}", answer.theory_name));
+        }
+        for detail in &answer.details {
+            self.row(detail.label, &significant(detail.value, 5));
+        }
+    }
+}
