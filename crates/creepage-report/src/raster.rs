@@ -41,3 +41,28 @@ pub(crate) fn tree(svg: &str) -> Result<Tree, ReportError> {
         Options { font_family: FONT_FAMILY.into(), fontdb: Arc::new(fonts), ..Options::default() };
     Ok(Tree::from_str(svg, &options)?)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::label::Label;
+    use crate::scene::{Ink, Scene, Type};
+
+    #[test]
+    fn text_is_drawn_without_any_installed_font() {
+        let mut scene = Scene::new();
+        let label = Label::default().symbol("ξηχμυφ").plain("N").indexed("F", "x");
+        scene.text([5.0, 30.0], Type::new(24.0, "#000000"), &label);
+        let pixels = Pixmap::decode_png(&png(&scene.finish([200.0, 40.0], "")).unwrap()).unwrap();
+        assert_eq!((pixels.width(), pixels.height()), (400, 80));
+        assert!(pixels.pixels().iter().filter(|pixel| pixel.red() < 128).count() > 500);
+    }
+
+    #[test]
+    fn a_sheet_without_size_is_an_error() {
+        let mut scene = Scene::new();
+        scene.line(&[[0.0, 0.0], [1.0, 1.0]], Ink::line("#000000", 1.0));
+        let svg = scene.finish([0.0, 10.0], "");
+        assert!(matches!(png(&svg), Err(ReportError::Picture(_))));
+    }
+}

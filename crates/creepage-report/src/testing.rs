@@ -1,12 +1,15 @@
 //! Closed-form theories to report from, and contacts for them.
-#![allow(dead_code)] // each test file uses a part
 
 use creepage::rolling::{Creepage, FieldPoint, Force, Region, Solution, Status, Theory};
 use creepage::{Ellipse, Hertz, Solid, SolidPair};
-use creepage_report::{Answer, Detail, Report};
 
-/// Steel on steel, 80 kN, an ellipse of area pi 36 mm^2.
-pub fn contact(a_over_b: f64) -> Hertz {
+use crate::report::{Answer, Detail, Report};
+
+/// Creepage along, across, and a spin whose pole lies inside every contact of [`contact`].
+pub(crate) const CURVE: Creepage = Creepage { xi: 0.1, eta: -0.1, chi: 1.5 };
+
+/// Steel on steel, 80 kN, a contact of `c = 6 mm`.
+pub(crate) fn contact(a_over_b: f64) -> Hertz {
     let steel = Solid::new(82e9, 0.28).unwrap();
     let unit = Ellipse::from_ratio(a_over_b).unwrap();
     let ellipse = Ellipse::new(6e-3 * unit.a(), 6e-3 * unit.b()).unwrap();
@@ -19,18 +22,26 @@ fn ellipsoid(x: f64, y: f64) -> f64 {
 }
 
 /// Complete sliding: traction at its bound along the rigid slip.
-pub struct Sliding(pub Ellipse);
+pub(crate) struct Sliding {
+    pub(crate) ellipse: Ellipse,
+    pub(crate) status: Status,
+}
+
+/// [`Sliding`] in [`contact`].
+pub(crate) fn sliding(a_over_b: f64) -> Sliding {
+    Sliding { ellipse: Ellipse::from_ratio(a_over_b).unwrap(), status: Status::SpinTooLarge }
+}
 
 impl Theory for Sliding {
     fn solve(&self, _: Creepage) -> Solution {
-        Solution { force: Force { fx: 0.6, fy: 0.5, mz: -0.1 }, status: Status::SpinTooLarge }
+        Solution { force: Force { fx: 0.6, fy: 0.5, mz: -0.1 }, status: self.status }
     }
 
     fn field(&self, creepage: Creepage, positions: &[[f64; 2]]) -> Vec<FieldPoint> {
         let point = |&position: &[f64; 2]| {
             let slip = creepage.rigid_slip(position);
             let magnitude = slip[0].hypot(slip[1]).max(f64::MIN_POSITIVE);
-            let bound = ellipsoid(position[0] / self.0.a(), position[1] / self.0.b());
+            let bound = ellipsoid(position[0] / self.ellipse.a(), position[1] / self.ellipse.b());
             let traction = slip.map(|component| bound * component / magnitude);
             FieldPoint { position, traction, slip, region: Region::Slip }
         };
@@ -38,26 +49,33 @@ impl Theory for Sliding {
     }
 }
 
-/// An ellipse of adhesion, `stick` times the contact's size, that touches the leading edge;
-/// traction along x, slip not given.
-pub struct Sticking {
-    pub ellipse: Ellipse,
-    pub stick: f64,
+/// An ellipse of adhesion, 0.7 times the contact's size, that touches the leading edge;
+/// traction along x, slip not given. Integrated, the traction gives `f_x = 1 - 0.7^3`.
+pub(crate) struct Sticking {
+    ellipse: Ellipse,
+}
+
+/// Size of the adhesion area of [`Sticking`] over that of the contact, in each direction.
+pub(crate) const STICK: f64 = 0.7;
+
+/// [`Sticking`] in [`contact`].
+pub(crate) fn sticking(a_over_b: f64) -> Sticking {
+    Sticking { ellipse: Ellipse::from_ratio(a_over_b).unwrap() }
 }
 
 impl Theory for Sticking {
     fn solve(&self, _: Creepage) -> Solution {
-        let force = Force { fx: 1.0 - self.stick.powi(3), fy: 0.0, mz: 0.0 };
+        let force = Force { fx: 1.0 - STICK.powi(3), fy: 0.0, mz: 0.0 };
         Solution { force, status: Status::Solved }
     }
 
     fn field(&self, _: Creepage, positions: &[[f64; 2]]) -> Vec<FieldPoint> {
         let point = |&position: &[f64; 2]| {
             let (x, y) = (position[0] / self.ellipse.a(), position[1] / self.ellipse.b());
-            let inner = ellipsoid((x - 1.0 + self.stick) / self.stick, y / self.stick);
+            let inner = ellipsoid((x - 1.0 + STICK) / STICK, y / STICK);
             FieldPoint {
                 position,
-                traction: [ellipsoid(x, y) - self.stick * inner, 0.0],
+                traction: [ellipsoid(x, y) - STICK * inner, 0.0],
                 slip: [f64::NAN; 2],
                 region: if inner > 0.0 { Region::Adhesion } else { Region::Slip },
             }
@@ -66,22 +84,24 @@ impl Theory for Sticking {
     }
 }
 
-pub fn sticking(a_over_b: f64) -> Sticking {
-    Sticking { ellipse: Ellipse::from_ratio(a_over_b).unwrap(), stick: 0.7 }
-}
-
-pub fn report<'a>(contact: &'a Hertz, theory: &'a dyn Theory, creepage: Creepage) -> Report<'a> {
+/// Three mesh points: the centre, one at `(a/2, b/4)`, one on the leading edge.
+pub(crate) fn report<'a>(
+    contact: &'a Hertz,
+    theory: &'a dyn Theory,
+    creepage: Creepage,
+) -> Report<'a> {
     let ellipse = Ellipse::from_ratio(contact.ellipse().ratio()).unwrap();
     let mesh = [[0.0, 0.0], [0.5 * ellipse.a(), 0.25 * ellipse.b()], [ellipse.a(), 0.0]];
     let answer = Answer {
         creepage,
-        theory_name: "test",
+        theory_name: "test & trial",
         theory,
         solution: theory.solve(creepage),
         points: theory.field(creepage, &mesh),
-        details: vec![Detail { key: "value_of_i", label: "value of I", value: 1.25e-3 }],
+        details: vec![
+            Detail { key: "mean_integrand", label: "mean of W T S", value: 1.25e-3 },
+            Detail { key: "unknown", label: "unknown", value: f64::NAN },
+        ],
     };
     Report::new(contact, 0.3, answer).unwrap()
 }
-
-pub const CURVE: Creepage = Creepage { xi: 0.4, eta: -0.6, chi: 1.5 };
