@@ -70,15 +70,16 @@ pub(crate) fn table(scene: &mut Scene, top: f64, report: &Report) {
     }
     let [creepage, xi] = creepages(report);
     let [force, shares] = forces(report);
+    let units = Label::new("in units of ").symbol("μN").plain(", ").symbol("μNc");
     let rows = [
-        (0.0, "creepage", creepage),
-        (24.0, "dimensionless", xi),
-        (58.0, "force on the lower body", force),
-        (82.0, "in parts of friction", shares),
+        (0.0, Label::new("creepage"), creepage),
+        (24.0, Label::new("dimensionless"), xi),
+        (58.0, Label::new("force on the lower body"), force),
+        (82.0, units, shares),
     ];
     for (down, name, cells) in rows {
         let y = top + 62.0 + down;
-        scene.text([MARGIN, y], head, &Label::new(name));
+        scene.text([MARGIN, y], head, &name);
         for (column, cell) in COLUMNS.into_iter().zip(cells) {
             scene.text([column, y], Type::new(15.5, DARK), &cell);
         }

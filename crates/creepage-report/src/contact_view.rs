@@ -34,18 +34,17 @@ pub(crate) struct View {
 impl View {
     pub(crate) fn new(report: &Report, centre: Point, semi_axes: [f64; 2]) -> Self {
         let ellipse = report.contact.ellipse();
-        let counts = semi_axes
-            .map(|axis| (ARROWS * axis / (semi_axes[0] * semi_axes[1]).sqrt()).round().max(1.0));
+        let counts = semi_axes.map(|axis| arrows(axis / (semi_axes[0] * semi_axes[1]).sqrt()));
         let tractions = tractions(report, counts);
         let largest = largest(&tractions);
-        let pitch = f64::min(semi_axes[0] / (counts[0] + EDGE), semi_axes[1] / (counts[1] + EDGE));
+        let pitch = [0, 1].map(|i| semi_axes[i] / (f64::from(counts[i]) + EDGE));
         Self {
             centre,
             semi_axes,
             scale: [semi_axes[0] / ellipse.a(), semi_axes[1] / ellipse.b()],
             tractions,
             largest,
-            longest: LONGEST * pitch,
+            longest: LONGEST * f64::min(pitch[0], pitch[1]),
         }
     }
 
@@ -154,10 +153,12 @@ impl View {
 
 /// The field at a lattice of `counts` points on either side of the centre; empty where there is
 /// no traction.
-fn tractions(report: &Report, counts: [f64; 2]) -> Vec<FieldPoint> {
+fn tractions(report: &Report, counts: [u32; 2]) -> Vec<FieldPoint> {
     let unit = disc_to_theory(report.contact);
-    let steps =
-        |count: f64| (0..=2 * count as u32).map(move |k| (f64::from(k) - count) / (count + EDGE));
+    let steps = |count: u32| {
+        let half = f64::from(count);
+        (0..=2 * count).map(move |k| (f64::from(k) - half) / (half + EDGE))
+    };
     let positions: Vec<Point> = steps(counts[1])
         .flat_map(|y| steps(counts[0]).map(move |x| [x, y]))
         .filter(|p| magnitude(*p) < 0.97)
@@ -169,6 +170,12 @@ fn tractions(report: &Report, counts: [f64; 2]) -> Vec<FieldPoint> {
         field.clear();
     }
     field
+}
+
+/// How many arrows a semi-axis takes, by its length over that of a circle of the same area.
+#[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a few dozen at most
+fn arrows(length: f64) -> u32 {
+    (ARROWS * length).round().max(1.0) as u32
 }
 
 fn largest(field: &[FieldPoint]) -> f64 {

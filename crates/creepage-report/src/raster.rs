@@ -11,18 +11,18 @@ use crate::error::ReportError;
 pub(crate) const FONT_FAMILY: &str = "DejaVu Sans";
 
 /// Pixels for each unit of the scene.
-const PIXELS_PER_UNIT: f32 = 2.0;
+const PIXELS_PER_UNIT: u16 = 2;
 
 /// Renders an SVG at twice its size, as screens and print want it.
 pub(crate) fn png(svg: &str) -> Result<Vec<u8>, ReportError> {
     let tree = tree(svg)?;
     let size = tree.size().to_int_size();
-    let side = |units: u32| units.saturating_mul(PIXELS_PER_UNIT as u32);
+    let side = |units: u32| units.saturating_mul(u32::from(PIXELS_PER_UNIT));
     let (width, height) = (side(size.width()), side(size.height()));
     let error = ReportError::Pixels { width, height };
     let Some(mut pixels) = Pixmap::new(width, height) else { return Err(error) };
-    let zoom = Transform::from_scale(PIXELS_PER_UNIT, PIXELS_PER_UNIT);
-    resvg::render(&tree, zoom, &mut pixels.as_mut());
+    let zoom = f32::from(PIXELS_PER_UNIT);
+    resvg::render(&tree, Transform::from_scale(zoom, zoom), &mut pixels.as_mut());
     pixels.encode_png().map_err(|_| error)
 }
 

@@ -84,6 +84,26 @@ impl Theory for Sticking {
     }
 }
 
+/// Free rolling: adhesion everywhere, and no traction but rounding errors.
+pub(crate) struct Free;
+
+impl Theory for Free {
+    fn solve(&self, _: Creepage) -> Solution {
+        Solution { force: Force::default(), status: Status::Solved }
+    }
+
+    fn field(&self, _: Creepage, positions: &[[f64; 2]]) -> Vec<FieldPoint> {
+        let (traction, slip) = ([1e-17, 0.0], [0.0; 2]);
+        let point = |&position: &[f64; 2]| FieldPoint {
+            position,
+            traction,
+            slip,
+            region: Region::Adhesion,
+        };
+        positions.iter().map(point).collect()
+    }
+}
+
 /// Three mesh points: the centre, one at `(a/2, b/4)`, one on the leading edge.
 pub(crate) fn report<'a>(
     contact: &'a Hertz,
