@@ -1,2 +1,49 @@
-//! x
-fn main() {}
+//! The command `creepage`: reads a case, solves it, reports.
+
+mod args;
+mod batch;
+mod cases;
+mod caution;
+mod failure;
+mod init;
+mod output;
+mod theories;
+
+use std::process::ExitCode;
+
+use clap::Parser;
+
+use args::{Args, Command};
+use failure::Failure;
+
+/// How a command that did its work ends.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Outcome {
+    /// All of the output can be used.
+    Done,
+    /// Some of the output says of itself that it cannot be used.
+    Doubtful,
+}
+
+fn main() -> ExitCode {
+    match run(&Args::parse().command) {
+        Ok(Outcome::Done) => ExitCode::SUCCESS,
+        Ok(Outcome::Doubtful) => ExitCode::from(3),
+        Err(failure) => failure.code().map_or(ExitCode::SUCCESS, |code| {
+            output::say(&format!("error: {failure}"));
+            ExitCode::from(code)
+        }),
+    }
+}
+
+fn run(command: &Command) -> Result<Outcome, Failure> {
+    match command {
+        Command::Solve(args) => return cases::solve(args),
+        Command::Batch(args) => return batch::run(args),
+        Command::Hertz(args) => cases::hertz(args)?,
+        Command::Theories => output::print(&theories::table())?,
+        Command::Init(args) => init::run(args)?,
+        Command::Schema => output::print(&format!("{:#}", creepage_case::json_schema()))?,
+    }
+    Ok(Outcome::Done)
+}

@@ -7,5 +7,8 @@ pub mod harmonics;
 pub mod vanishing;
 
 mod load_displacement;
+mod polynomial;
+mod products;
 
 pub use load_displacement::LoadDisplacement;
+pub use polynomial::{Polynomial, PolynomialError};

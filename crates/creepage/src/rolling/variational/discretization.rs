@@ -39,6 +39,18 @@ pub(super) struct Rows<'a> {
     pub(super) qy: &'a [f64],
 }
 
+impl<'a> Rows<'a> {
+    /// What the `X'` unknowns from the `first` on bring to `X'`, `P`, `Q`.
+    pub(super) fn of_x(&self, first: usize) -> [&'a [f64]; 3] {
+        [&self.value[first..], &self.px[first..], &self.py[first..]]
+    }
+
+    /// What the `Y'` unknowns from the `first` on bring to `Y'`, `P`, `Q`.
+    pub(super) fn of_y(&self, first: usize) -> [&'a [f64]; 3] {
+        [&self.value[first..], &self.py[first..], &self.qy[first..]]
+    }
+}
+
 /// The part of a discretization that does not depend on the points.
 #[derive(Debug, Clone)]
 pub(super) struct SlipResponse {
@@ -76,6 +88,10 @@ impl SlipResponse {
         }
         let slip_scale = (1.0 - poisson) * ellipse.integrals().e / (2.0 * ellipse.g().sqrt());
         Ok(Self { ellipse, degree, slip_scale, harmonics: rows, force, moment })
+    }
+
+    pub(super) fn ellipse(&self) -> Ellipse {
+        self.ellipse
     }
 
     pub(super) fn degree(&self) -> usize {

@@ -97,14 +97,16 @@ fn add_point(expansion: &mut Expansion, rows: &Rows, local: &Integrand, weight: 
         let by_x: [f64; 4] = std::array::from_fn(|i| h[i][0] * v + h[i][2] * px + h[i][3] * py);
         let by_y: [f64; 4] = std::array::from_fn(|i| h[i][1] * v + h[i][2] * py + h[i][3] * qy);
         let (x_column, y_column) = hessian[j * unknowns..].split_at_mut(n * unknowns);
-        for i in j..n {
-            x_column[i] += by_x[0] * rows.value[i] + by_x[2] * rows.px[i] + by_x[3] * rows.py[i];
-            y_column[n + i] +=
-                by_y[1] * rows.value[i] + by_y[2] * rows.py[i] + by_y[3] * rows.qy[i];
-        }
-        for i in 0..n {
-            x_column[n + i] +=
-                by_x[1] * rows.value[i] + by_x[2] * rows.py[i] + by_x[3] * rows.qy[i];
-        }
+        let (xx, xy) = x_column.split_at_mut(n);
+        accumulate(&mut xx[j..], [by_x[0], by_x[2], by_x[3]], rows.of_x(j));
+        accumulate(&mut xy[..n], [by_x[1], by_x[2], by_x[3]], rows.of_y(0));
+        accumulate(&mut y_column[n + j..2 * n], [by_y[1], by_y[2], by_y[3]], rows.of_y(j));
+    }
+}
+
+/// Adds three multiples of three rows.
+fn accumulate(sum: &mut [f64], [p, q, r]: [f64; 3], [a, b, c]: [&[f64]; 3]) {
+    for (((sum, a), b), c) in sum.iter_mut().zip(a).zip(b).zip(c) {
+        *sum += p * a + q * b + r * c;
     }
 }

@@ -12,16 +12,20 @@ mod discretization;
 mod functional;
 mod integrand;
 mod newton;
+mod newton_1967;
 mod settings;
 mod solution;
 mod start;
 
+pub use newton_1967::{NewtonRun, NewtonStep};
 pub use settings::{Settings, TractionBound, VariationalError, Weight};
 pub use solution::{MeshPoint, VariationalSolution};
 pub use start::Start;
 
 use super::{Creepage, FieldPoint, Region, Solution, Theory};
 use crate::check;
+use crate::ellipse::Ellipse;
+use crate::halfspace::{Polynomial, PolynomialError};
 use discretization::{Discretization, SlipResponse};
 use functional::Functional;
 
@@ -86,6 +90,19 @@ impl Variational {
         let tau = start.tau(&self.mesh, &self.weights, creepage);
         let minimum = newton::minimize(&functional, tau);
         VariationalSolution::new(self, creepage, &minimum)
+    }
+
+    /// The traction polynomials `X'`, `Y'` of a solution, with the major semi-axis as unit of
+    /// length, as the thesis prints them.
+    ///
+    /// # Errors
+    /// [`PolynomialError`] when `tau` is not of this theory's degree, or not finite.
+    pub fn traction_polynomials(&self, tau: &[f64]) -> Result<[Polynomial; 2], PolynomialError> {
+        let ellipse = self.response.ellipse();
+        let major = ellipse.major();
+        let unit = Ellipse::new(ellipse.a() / major, ellipse.b() / major)?;
+        let (x, y) = tau.split_at(tau.len() / 2);
+        Ok([Polynomial::from_harmonics(unit, x)?, Polynomial::from_harmonics(unit, y)?])
     }
 
     fn functional(&self, creepage: Creepage) -> Functional<'_> {

@@ -12,8 +12,8 @@ pub(super) struct Minimum {
 }
 
 const MAX_ITERATIONS: usize = 200;
-/// Newton's step is squared by the next one: what is left after this is rounding.
-const STEP_TOLERANCE: f64 = 1e-9;
+/// Newton's error is squared by each step: after one this small it is below 1e-10.
+const STEP_TOLERANCE: f64 = 1e-6;
 /// `I` relative to that of the rigid slip, below which only rounding is left: full sliding.
 const NEGLIGIBLE: f64 = 1e-26;
 /// Relative rounding of the residuals `|s| X' - s`, whose squares make `I`.
@@ -37,16 +37,15 @@ pub(super) fn minimize(functional: &Functional, mut tau: DVector<f64>) -> Minimu
         }
         if let Some(step) = damped_step(&here, damping) {
             let next = &tau + &step;
+            if damping == 0.0 && step.amax() <= STEP_TOLERANCE * next.amax() {
+                return Minimum { tau: next, iterations, converged: true };
+            }
             functional.expand(&next, &mut there);
             // Near the minimum rounding alone decides which value is lower.
             let rounding = ROUNDING * (here.value * rigid_value.max(here.value)).sqrt();
             if there.value <= here.value + rounding {
-                let last = damping == 0.0 && step.amax() <= STEP_TOLERANCE * next.amax();
                 tau = next;
                 std::mem::swap(&mut here, &mut there);
-                if last {
-                    return Minimum { tau, iterations, converged: true };
-                }
                 damping = if damping <= FIRST_DAMPING { 0.0 } else { damping / 10.0 };
                 continue;
             }

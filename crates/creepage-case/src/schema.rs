@@ -1,0 +1,42 @@
+//! The JSON schema of a case file, made from the structs that read it.
+
+use schemars::Schema;
+use schemars::generate::SchemaSettings;
+use schemars::transform::RecursiveTransform;
+use serde_json::Value;
+
+use crate::case::CaseFile;
+
+/// The JSON schema (draft 2020-12) of a case file, for editors and validators.
+///
+/// ```
+/// let schema = creepage_case::json_schema();
+/// assert!(schema["properties"]["contact"]["properties"]["normal_force"].is_object());
+/// ```
+#[must_use]
+pub fn json_schema() -> Value {
+    SchemaSettings::draft2020_12()
+        .with(|settings| settings.inline_subschemas = true)
+        .with_transform(RecursiveTransform(forget_null))
+        .into_generator()
+        .into_root_schema_for::<CaseFile>()
+        .into()
+}
+
+/// TOML has no null: what is optional is left out.
+fn forget_null(schema: &mut Schema) {
+    if let Some(Value::Array(kinds)) = schema.get_mut("type") {
+        kinds.retain(|kind| kind != "null");
+        if let [kind] = &kinds[..] {
+            let kind = kind.clone();
+            schema.insert("type".into(), kind);
+        }
+    }
+    if let Some(Value::Array(choices)) = schema.get_mut("anyOf") {
+        choices.retain(|choice| choice["type"] != "null");
+    }
+    if let Some(Value::Array(choices)) = schema.get_mut("enum") {
+        choices.retain(|choice| !choice.is_null());
+    }
+    schema.remove("default");
+}

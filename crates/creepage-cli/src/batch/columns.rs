@@ -1,0 +1,100 @@
+//! Where in a row the question stands, and how it is read.
+
+use creepage::InvalidValue;
+use creepage::rolling::Creepage;
+use csv::ByteRecord;
+
+use super::rows::ANSWER_COLUMNS;
+use crate::theories::TheoryError;
+
+const QUESTION_COLUMNS: [&str; 5] = ["a_over_b", "poisson", "xi", "eta", "chi"];
+
+/// The places of `a_over_b`, `poisson`, `xi`, `eta`, `chi` in a row.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Columns {
+    places: [usize; 5],
+    count: usize,
+}
+
+/// What a row asks.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Question {
+    pub(super) a_over_b: f64,
+    pub(super) poisson: f64,
+    pub(super) creepage: Creepage,
+}
+
+/// Why a table is no table of cases.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub(crate) enum ColumnError {
+    #[error(
+        "the input is empty: its first line must name the columns a_over_b, poisson, xi, eta, chi"
+    )]
+    Empty,
+    #[error("column {0} is missing: a_over_b, poisson, xi, eta, chi are needed")]
+    Missing(&'static str),
+    #[error("column {0} is there twice")]
+    Twice(&'static str),
+    #[error("column {0} is there already: it is one of those to be appended")]
+    Taken(&'static str),
+}
+
+/// Why a row is no case.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub(super) enum RowError {
+    #[error("the row has {found} fields, but the header {expected}")]
+    FieldCount { found: usize, expected: usize },
+    #[error("{column} is empty")]
+    EmptyField { column: &'static str },
+    #[error("{column} = `{text}` is not a number")]
+    NotANumber { column: &'static str, text: String },
+    #[error(transparent)]
+    Invalid(#[from] InvalidValue),
+    #[error(transparent)]
+    Theory(#[from] TheoryError),
+}
+
+impl Columns {
+    pub(super) fn find(header: &ByteRecord) -> Result<Self, ColumnError> {
+        if header.is_empty() {
+            return Err(ColumnError::Empty);
+        }
+        let places = |name: &'static str| {
+            let name = name.as_bytes();
+            (0..header.len()).filter(move |i| header[*i].trim_ascii() == name)
+        };
+        if let Some(taken) = ANSWER_COLUMNS.iter().find(|name| places(name).next().is_some()) {
+            return Err(ColumnError::Taken(taken));
+        }
+        let mut found = [0; 5];
+        for (place, name) in found.iter_mut().zip(QUESTION_COLUMNS) {
+            let mut places = places(name);
+            *place = places.next().ok_or(ColumnError::Missing(name))?;
+            if places.next().is_some() {
+                return Err(ColumnError::Twice(name));
+            }
+        }
+        Ok(Self { places: found, count: header.len() })
+    }
+
+    /// What a row asks; the theory itself judges `a_over_b` and `poisson`.
+    pub(super) fn question(&self, row: &ByteRecord) -> Result<Question, RowError> {
+        if row.len() != self.count {
+            return Err(RowError::FieldCount { found: row.len(), expected: self.count });
+        }
+        let mut numbers = [0.0; 5];
+        for ((number, place), column) in numbers.iter_mut().zip(self.places).zip(QUESTION_COLUMNS) {
+            *number = parse(column, &row[place])?;
+        }
+        let [a_over_b, poisson, xi, eta, chi] = numbers;
+        Ok(Question { a_over_b, poisson, creepage: Creepage::new(xi, eta, chi)? })
+    }
+}
+
+fn parse(column: &'static str, field: &[u8]) -> Result<f64, RowError> {
+    let text = String::from_utf8_lossy(field.trim_ascii());
+    if text.is_empty() {
+        return Err(RowError::EmptyField { column });
+    }
+    text.parse().map_err(|_| RowError::NotANumber { column, text: text.into_owned() })
+}

@@ -1,0 +1,99 @@
+//! What ends the command early, and the exit code that says so.
+
+use std::io::{self, ErrorKind};
+use std::path::{Path, PathBuf};
+
+use creepage_case::CaseError;
+use creepage_report::ReportError;
+
+use crate::batch::ColumnError;
+use crate::theories::{TheoryError, UnknownTheory};
+
+/// Why the command could not do its work.
+#[derive(Debug, thiserror::Error)]
+pub(crate) enum Failure {
+    #[error("cannot read {}: {source}", path.display())]
+    Read { path: PathBuf, source: io::Error },
+    #[error("{}: {source}", path.display())]
+    Case { path: PathBuf, source: CaseError },
+    #[error(transparent)]
+    UnknownTheory(#[from] UnknownTheory),
+    #[error("{}: [solve] {source}", path.display())]
+    Options { path: PathBuf, source: TheoryError },
+    #[error("{input}: {source}")]
+    Columns { input: String, source: ColumnError },
+    #[error("cannot read rows from {input}: {source}")]
+    Rows { input: String, source: csv::Error },
+    #[error("cannot write {}: {source}", path.display())]
+    Write { path: PathBuf, source: io::Error },
+    #[error("cannot write to standard output: {0}")]
+    Stdout(io::Error),
+    #[error(transparent)]
+    Report(ReportError),
+}
+
+impl From<ReportError> for Failure {
+    fn from(error: ReportError) -> Self {
+        match error {
+            ReportError::Write { path, source } => Self::Write { path, source },
+            other => Self::Report(other),
+        }
+    }
+}
+
+impl Failure {
+    /// A failed write to a file, or to standard output where there is none.
+    pub(crate) fn writing(file: Option<&Path>, source: io::Error) -> Self {
+        match file {
+            Some(path) => Self::Write { path: path.into(), source },
+            None => Self::Stdout(source),
+        }
+    }
+
+    /// The exit code; `None` where there is nothing to complain about: the reader of our output,
+    /// such as `head`, has seen enough.
+    pub(crate) fn code(&self) -> Option<u8> {
+        match self {
+            Self::Stdout(source) if source.kind() == ErrorKind::BrokenPipe => None,
+            Self::Write { source, .. } if is_wrong_place(source.kind()) => Some(2),
+            Self::Stdout(_) | Self::Write { .. } | Self::Rows { .. } | Self::Report(_) => Some(1),
+            _ => Some(2),
+        }
+    }
+}
+
+/// Is the place that we were told to write to wrong, rather than the writing?
+fn is_wrong_place(kind: ErrorKind) -> bool {
+    matches!(
+        kind,
+        ErrorKind::NotFound
+            | ErrorKind::PermissionDenied
+            | ErrorKind::AlreadyExists
+            | ErrorKind::NotADirectory
+            | ErrorKind::IsADirectory
+            | ErrorKind::ReadOnlyFilesystem
+            | ErrorKind::InvalidFilename
+            | ErrorKind::InvalidInput
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn code(kind: ErrorKind) -> [Option<u8>; 2] {
+        [None, Some(Path::new("out"))].map(|file| Failure::writing(file, kind.into()).code())
+    }
+
+    #[test]
+    fn a_wrong_place_is_wrong_input_and_a_full_disk_is_not() {
+        assert_eq!(code(ErrorKind::NotADirectory)[1], Some(2));
+        assert_eq!(code(ErrorKind::PermissionDenied)[1], Some(2));
+        assert_eq!(code(ErrorKind::StorageFull), [Some(1), Some(1)]);
+    }
+
+    #[test]
+    fn a_reader_that_has_seen_enough_is_no_failure() {
+        assert_eq!(code(ErrorKind::BrokenPipe), [None, Some(1)]);
+    }
+}
