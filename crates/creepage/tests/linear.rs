@@ -3,7 +3,8 @@
 
 use std::f64::consts::PI;
 
-use creepage::rolling::linear::CreepageCoefficients;
+use creepage::rolling::linear::{CreepageCoefficients, Linear};
+use creepage::rolling::{Creepage, Region, Theory};
 use creepage::special::CompleteIntegrals;
 use serde_json::Value;
 
@@ -152,4 +153,81 @@ fn nonsense_is_an_error() {
         let error = CreepageCoefficients::of_degree(1.0, 0.3, degree).unwrap_err();
         assert_eq!(error.quantity, "degree");
     }
+}
+
+const CREEPAGE: Creepage = Creepage { xi: 0.2, eta: -0.3, chi: 0.5 };
+
+/// Over the hemisphere above the ellipse the integrand is a polynomial of the degree of the
+/// solution, times `x` or `y`: Gauss nodes in height and the midpoint rule around are exact.
+#[test]
+fn tractions_add_up_to_the_force() {
+    for a_over_b in [0.3, 1.0, 4.0] {
+        let linear = Linear::new(a_over_b, 0.28).unwrap();
+        let (a, b) = (f64::sqrt(a_over_b), f64::sqrt(1.0 / a_over_b));
+        let heights = gauss_quad::GaussLegendre::new(80.try_into().unwrap());
+        let around = 200;
+        let mut total = [0.0; 3];
+        for (node, weight) in heights.iter() {
+            let (z, weight) = (0.5 * (1.0 + node), 0.5 * weight * 2.0 * PI / f64::from(around));
+            let positions: Vec<[f64; 2]> = (0..around)
+                .map(|i| (f64::from(i) * 2.0 * PI / f64::from(around)).sin_cos())
+                .map(|(sin, cos)| [a * cos, b * sin].map(|x| x * (1.0 - z * z).sqrt()))
+                .collect();
+            for point in linear.field(CREEPAGE, &positions) {
+                let ([x, y], [p, q]) = (point.position, point.traction);
+                for (total, part) in total.iter_mut().zip([p, q, x * q - y * p]) {
+                    *total += weight * z * part * 3.0 / (2.0 * PI);
+                }
+            }
+        }
+        let force = linear.solve(CREEPAGE).force;
+        // C23 and C32 of the force are means over two values that differ by 1e-7.
+        for (total, force) in total.iter().zip([force.fx, force.fy, force.mz]) {
+            assert!((total - force).abs() < 1e-7, "{a_over_b}: {total} {force}");
+        }
+    }
+}
+
+/// The strength of the singularity, `traction (1 - r^2)^(1/2)`, all along both edges.
+#[test]
+fn traction_is_singular_on_the_trailing_edge_only() {
+    let linear = Linear::new(0.5, 0.28).unwrap();
+    let (a, b) = (f64::sqrt(0.5), f64::sqrt(2.0));
+    let strength = |psi: f64| {
+        let r: f64 = 1.0 - 1e-9;
+        let point = linear.field(CREEPAGE, &[[a * r * psi.cos(), b * r * psi.sin()]])[0];
+        assert_eq!(point.region, Region::Adhesion);
+        assert_eq!(point.slip, [0.0; 2]);
+        (1.0 - r * r).sqrt() * point.traction[0].hypot(point.traction[1])
+    };
+    for i in -9..=9 {
+        let psi = f64::from(i) * 0.16;
+        // The rest at finite degree is of order 1e-3 near the ends of the leading edge.
+        assert!(strength(psi) < 2e-3, "{psi}: {}", strength(psi));
+        assert!(strength(psi + PI) > 0.02, "{psi}: {}", strength(psi + PI));
+    }
+}
+
+#[test]
+fn no_traction_outside() {
+    let linear = Linear::new(2.0, 0.28).unwrap();
+    for position in [[1.5, 0.0], [0.0, 0.8], [f64::sqrt(2.0), 0.0], [f64::NAN, 0.0]] {
+        let point = linear.field(CREEPAGE, &[position])[0];
+        assert_eq!((point.traction, point.region), ([0.0; 2], Region::Slip));
+    }
+}
+
+#[test]
+fn force_is_linear_and_never_nan() {
+    let linear = Linear::new(1e-3, 0.5).unwrap();
+    let (force, gains) = (linear.solve(CREEPAGE).force, linear.derivative(CREEPAGE));
+    let Creepage { xi, eta, chi } = CREEPAGE;
+    for (force, [by_xi, by_eta, by_chi]) in [force.fx, force.fy, force.mz].iter().zip(gains) {
+        let product = by_xi * xi + by_eta * eta + by_chi * chi;
+        assert!((force - product).abs() < 1e-12 * force.abs());
+    }
+    let huge = Creepage::new(f64::MAX, f64::MAX, f64::MIN).unwrap();
+    let force = linear.solve(huge).force;
+    assert!(force.fx.is_finite() && force.fy.is_finite() && force.mz.is_finite());
+    assert!(linear.field(huge, &[[0.0, 0.0]])[0].traction.iter().all(|t| t.is_finite()));
 }

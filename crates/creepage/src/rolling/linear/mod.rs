@@ -11,9 +11,15 @@
 
 mod compensation;
 mod edge;
+mod theory;
+mod traction;
 
-use compensation::{Criterion, Edge, Symmetry};
+use compensation::{Compensated, Criterion, Edge, Symmetry};
 
+pub use theory::Linear;
+pub(super) use theory::slip_unit;
+
+use super::Creepage;
 use crate::check::{self, InvalidValue};
 use crate::ellipse::Ellipse;
 
@@ -63,9 +69,8 @@ impl CreepageCoefficients {
     /// `0 <= poisson <= 0.5`.
     pub fn new(a_over_b: f64, poisson: f64) -> Result<Self, InvalidValue> {
         let ellipse = checked(a_over_b, poisson)?;
-        let raw = Self::raw(ellipse, poisson, sufficient_degree(ellipse), Criterion::Energy);
-        let c23 = 0.5 * (raw.c23 - raw.c32);
-        Ok(Self { c23, c32: -c23, ..raw })
+        let degree = sufficient_degree(ellipse);
+        Ok(Self::raw(ellipse, poisson, degree, Criterion::Energy).reciprocal())
     }
 
     /// The coefficients as the thesis calculates them: displacements with polynomials of
@@ -81,8 +86,13 @@ impl CreepageCoefficients {
 
     fn raw(ellipse: Ellipse, poisson: f64, degree: usize, criterion: Criterion) -> Self {
         let edge = Edge::new(ellipse, poisson, degree);
-        let longitudinal = edge.compensate(Symmetry::Longitudinal, criterion);
-        let lateral = edge.compensate(Symmetry::Lateral, criterion);
+        Self::from_solutions(
+            &edge.compensate(Symmetry::Longitudinal, criterion),
+            &edge.compensate(Symmetry::Lateral, criterion),
+        )
+    }
+
+    fn from_solutions(longitudinal: &Compensated, lateral: &Compensated) -> Self {
         Self {
             c11: longitudinal.longitudinal_force(),
             c22: lateral.lateral_force(0),
@@ -90,6 +100,12 @@ impl CreepageCoefficients {
             c32: lateral.moment(0),
             c33: lateral.moment(1),
         }
+    }
+
+    /// With the mean of `C23` and `-C32` for both.
+    fn reciprocal(self) -> Self {
+        let c23 = 0.5 * (self.c23 - self.c32);
+        Self { c23, c32: -c23, ..self }
     }
 }
 
@@ -106,6 +122,12 @@ fn checked(a_over_b: f64, poisson: f64) -> Result<Ellipse, InvalidValue> {
 #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
 fn sufficient_degree(ellipse: Ellipse) -> usize {
     56 + (24.0 * ellipse.ratio().recip().ln().max(0.0)) as usize
+}
+
+/// Creepage that overflows nowhere: any component beyond 1e100 counts as 1e100.
+pub(super) fn bounded(creepage: Creepage) -> Creepage {
+    let bound = |component: f64| component.clamp(-1e100, 1e100);
+    Creepage { xi: bound(creepage.xi), eta: bound(creepage.eta), chi: bound(creepage.chi) }
 }
 
 #[cfg(test)]
