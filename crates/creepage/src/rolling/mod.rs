@@ -11,6 +11,7 @@
 //! the slip.
 
 pub mod linear;
+pub mod saturated;
 
 mod creepage;
 mod field;
