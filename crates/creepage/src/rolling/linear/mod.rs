@@ -17,7 +17,7 @@ mod traction;
 use compensation::{Compensated, Criterion, Edge, Symmetry};
 
 pub use theory::Linear;
-pub(super) use theory::slip_unit;
+pub(super) use theory::{linear_force, slip_unit};
 
 use super::Creepage;
 use crate::check::{self, InvalidValue};
@@ -109,7 +109,8 @@ impl CreepageCoefficients {
     }
 }
 
-fn checked(a_over_b: f64, poisson: f64) -> Result<Ellipse, InvalidValue> {
+/// The ellipse, if the coefficients are given for it.
+pub(super) fn checked(a_over_b: f64, poisson: f64) -> Result<Ellipse, InvalidValue> {
     let [low, high] = CreepageCoefficients::RATIO_RANGE;
     check::poisson(poisson)?;
     check::require((low..=high).contains(&a_over_b), "a_over_b", a_over_b, "between 1e-3 and 1e3")?;

@@ -75,14 +75,7 @@ impl Linear {
 impl Theory for Linear {
     /// Components beyond 1e100 count as 1e100, so that nothing overflows.
     fn solve(&self, creepage: Creepage) -> Solution {
-        let Creepage { xi, eta, chi } = bounded(creepage);
-        let [[by_xi, ..], [_, by_eta, by_chi], [_, moment_by_eta, moment_by_chi]] = self.gains;
-        let force = Force {
-            fx: by_xi * xi,
-            fy: by_eta * eta + by_chi * chi,
-            mz: moment_by_eta * eta + moment_by_chi * chi,
-        };
-        Solution { force, status: Status::Solved }
+        Solution { force: linear_force(&self.gains, creepage), status: Status::Solved }
     }
 
     /// The traction is infinite on the trailing edge and, but for the error of finite degree,
@@ -121,4 +114,15 @@ impl CreepageCoefficients {
 /// Creepage over (traction over `G`) for unit `xi` and unit traction: `(1 - sigma) E/(2 sqrt g)`.
 pub(in crate::rolling) fn slip_unit(ellipse: Ellipse, poisson: f64) -> f64 {
     (1.0 - poisson) * ellipse.integrals().e / (2.0 * ellipse.g().sqrt())
+}
+
+/// Forces of linear theory by its derivative. Components of creepage beyond 1e100 count as 1e100.
+pub(in crate::rolling) fn linear_force(gains: &[[f64; 3]; 3], creepage: Creepage) -> Force {
+    let Creepage { xi, eta, chi } = bounded(creepage);
+    let &[[by_xi, ..], [_, by_eta, by_chi], [_, moment_by_eta, moment_by_chi]] = gains;
+    Force {
+        fx: by_xi * xi,
+        fy: by_eta * eta + by_chi * chi,
+        mz: moment_by_eta * eta + moment_by_chi * chi,
+    }
 }

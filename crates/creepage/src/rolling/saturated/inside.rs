@@ -55,8 +55,7 @@ impl PoleInside {
         let (x, y) = (-eta / chi, xi / chi);
         let (xx, yy) = (x * x, y * y);
         let ([p2x, p2y], [p4x, p4y]) = (self.p2, self.p4);
-        // Not below the normal numbers, so that 1/chi stays finite.
-        let unit = chi.abs().max(f64::MIN_POSITIVE).recip();
+        let unit = chi.abs().recip();
         let by_xx = unit * (p2x - 3.0 * p4x * xx - self.p22 * yy);
         let by_yy = unit * (p2y - 3.0 * p4y * yy - self.p22 * xx);
         let by_xy = unit * (-2.0 * self.p22 * x * y);

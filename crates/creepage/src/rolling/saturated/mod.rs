@@ -68,27 +68,41 @@ impl Saturated {
     /// semidefinite, and zero along `(xi, eta, chi)` itself. Zero where there is no creepage.
     #[must_use]
     pub fn derivative(&self, creepage: Creepage) -> [[f64; 3]; 3] {
-        let creepage = bounded(creepage);
-        match self.pole(creepage) {
-            Pole::Nowhere => [[0.0; 3]; 3],
+        let (creepage, size) = normalised(creepage);
+        let matrix = match self.pole(creepage) {
+            Pole::Nowhere => return [[0.0; 3]; 3],
             Pole::Inside => self.inside.derivative(creepage),
             Pole::Outside => self.outside.derivative(creepage),
-        }
+        };
+        matrix.map(|row| row.map(|entry| entry / size))
     }
 
     fn pole(&self, creepage: Creepage) -> Pole {
-        let distance = outside::reach(self.ellipse, creepage);
-        if creepage.chi.abs() >= distance {
-            if creepage.chi == 0.0 { Pole::Nowhere } else { Pole::Inside }
-        } else {
+        let spin = creepage.chi.abs();
+        if spin < outside::reach(self.ellipse, creepage) {
             Pole::Outside
+        } else if spin > 0.0 {
+            Pole::Inside
+        } else {
+            Pole::Nowhere
         }
+    }
+}
+
+/// Creepage divided by its largest component, since only ratios count; and that component.
+fn normalised(creepage: Creepage) -> (Creepage, f64) {
+    let Creepage { xi, eta, chi } = creepage;
+    let size = xi.abs().max(eta.abs()).max(chi.abs());
+    if size > 0.0 {
+        (Creepage { xi: xi / size, eta: eta / size, chi: chi / size }, size)
+    } else {
+        (Creepage::default(), size)
     }
 }
 
 impl Theory for Saturated {
     fn solve(&self, creepage: Creepage) -> Solution {
-        let creepage = bounded(creepage);
+        let (creepage, _) = normalised(creepage);
         let (force, status) = match self.pole(creepage) {
             Pole::Nowhere => (Force::default(), Status::CreepageTooSmall),
             Pole::Inside => (self.inside.force(creepage), Status::Solved),
@@ -100,16 +114,18 @@ impl Theory for Saturated {
     /// The slip is the rigid one. At the spin pole itself the traction is given as zero.
     fn field(&self, creepage: Creepage, positions: &[[f64; 2]]) -> Vec<FieldPoint> {
         let creepage = bounded(creepage);
+        let (direction, _) = normalised(creepage);
         let point = |&position: &[f64; 2]| {
             let r = (position[0] / self.ellipse.a()).hypot(position[1] / self.ellipse.b());
             if r >= 1.0 || r.is_nan() {
                 let zero = [0.0; 2];
                 return FieldPoint { position, traction: zero, slip: zero, region: Region::Slip };
             }
-            let slip = creepage.rigid_slip(position);
-            let speed = slip[0].hypot(slip[1]);
+            let along = direction.rigid_slip(position);
+            let speed = along[0].hypot(along[1]);
             let bound = ((1.0 - r) * (1.0 + r)).sqrt();
-            let traction = slip.map(|s| if speed > 0.0 { bound * (s / speed) } else { 0.0 });
+            let traction = along.map(|s| if speed > 0.0 { bound * (s / speed) } else { 0.0 });
+            let slip = creepage.rigid_slip(position);
             FieldPoint { position, traction, slip, region: Region::Slip }
         };
         positions.iter().map(point).collect()
