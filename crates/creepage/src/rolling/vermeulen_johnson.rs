@@ -3,9 +3,10 @@
 //!
 //! The adhesion area is taken as an ellipse similar to the contact that touches it at the leading
 //! point, and the traction as that of full sliding less that of full sliding in the adhesion
-//! ellipse, in the direction of the force. The slip then vanishes in the adhesion area. In
-//! the slip area it is not quite opposite to the friction: the force comes out too large
-//! for small creepage, by 1/9 to 1/4 against linear theory.
+//! ellipse, in the direction of the force. The slip then vanishes in the adhesion area. But some
+//! of the slip area lies ahead of it, where the slip is against the traction, so that the force
+//! of small creepage comes out larger than linear theory's: by 27 % at `a/b = .05`, 20 % for
+//! the circle, 11 % at `a/b = 5` (longitudinal, `sigma = .28`).
 
 use super::chords::Chords;
 use super::cubic::{self, Cubic};
