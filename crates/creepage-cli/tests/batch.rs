@@ -1,5 +1,8 @@
 //! `creepage batch`: what goes in comes out, row by row, with the answer appended.
 
+// Helpers of tests fail like tests: by panicking.
+#![allow(clippy::unwrap_used)]
+
 use std::fmt::Write;
 
 use creepage::rolling::variational::{Settings, Variational};
