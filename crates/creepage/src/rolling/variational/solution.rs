@@ -47,7 +47,9 @@ impl VariationalSolution {
             points.iter().zip(&theory.weights).map(|(point, w)| w * point.t * point.s).sum();
         let status = if !minimum.converged {
             Status::NotConverged
-        } else if rigid_value > 0.0 && !slip_is_resolved(&points, theory.response.degree()) {
+        } else if creepage != Creepage::default()
+            && !slip_is_resolved(&points, theory.response.degree())
+        {
             Status::CreepageTooSmall
         } else {
             Status::Solved
