@@ -10,9 +10,14 @@
 //! forces and the moment are exerted **by the upper body on the lower**, and have the sense of
 //! the slip.
 
+pub mod carter;
+pub mod fastrip;
+pub mod fastsim;
 pub mod linear;
+pub mod strip;
 
 mod creepage;
+mod dual;
 mod field;
 mod scaling;
 mod theory;
