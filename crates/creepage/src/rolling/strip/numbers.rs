@@ -47,17 +47,17 @@ impl<R: Real> StripNumbers<R> {
     }
 
     /// `D = (root + E psi) / (1 - psi^2)`, `root^2 = E^2 + (1 - psi^2) X1^2`, in the form that
-    /// does not cancel.
+    /// does not cancel. NaN where there is none, which takes `|psi| > 1`.
     fn depth(&self, [x1, e]: [R; 2]) -> R {
         let free = -(self.spin * self.spin) + 1.0;
         let root = (e * e + free * x1 * x1).sqrt();
         let product = e * self.spin;
         if product.value() > 0.0 {
             (root + product) / free
-        } else if root.value() - product.value() > 0.0 {
-            (e * e + x1 * x1) / (root - product)
-        } else {
+        } else if root.value() - product.value() == 0.0 {
             R::constant(0.0)
+        } else {
+            (e * e + x1 * x1) / (root - product)
         }
     }
 
@@ -117,6 +117,15 @@ impl<R: Real> StripNumbers<R> {
 }
 
 impl<R: Real> Strip<R> {
+    /// The strip without its derivatives.
+    pub(crate) fn value(&self) -> Strip<f64> {
+        Strip {
+            creepage: self.creepage.map(R::value),
+            depth: self.depth.value(),
+            spin: self.spin.value(),
+        }
+    }
+
     /// `n`: direction of the traction in the slip area. Of length one; zero where nothing slips.
     pub(crate) fn direction(&self) -> [R; 2] {
         if self.depth.value() > 0.0 {
