@@ -54,7 +54,7 @@ const CONVERGED: [(f64, [[f64; 3]; 3]); 5] = [
 
 /// Between the three Poisson's ratios `1/C` is very nearly a parabola: against the converged
 /// values for the circle and 0.28 it is good to 2e-5.
-pub fn coefficients(a_over_b: f64, poisson: f64) -> CreepageCoefficients {
+pub(crate) fn coefficients(a_over_b: f64, poisson: f64) -> CreepageCoefficients {
     let (_, rows) = CONVERGED.iter().find(|(ratio, _)| *ratio == a_over_b).unwrap();
     let p = 4.0 * poisson;
     let parabola = [(1.0 - p) * (2.0 - p) / 2.0, p * (2.0 - p), p * (p - 1.0) / 2.0];
@@ -66,32 +66,32 @@ pub fn coefficients(a_over_b: f64, poisson: f64) -> CreepageCoefficients {
 
 /// Those of narrow strips in plane strain, the limit of `a/b -> 0` (for `nu = 0`; strips cannot
 /// see how `C23` grows for others).
-pub fn strip_coefficients(a_over_b: f64, poisson: f64) -> CreepageCoefficients {
+pub(crate) fn strip_coefficients(a_over_b: f64, poisson: f64) -> CreepageCoefficients {
     let c23 = PI / 3.0 * a_over_b.sqrt();
     let (c22, c33) = (PI * PI / 4.0, PI * PI / (16.0 * (1.0 - poisson)) / a_over_b);
     CreepageCoefficients { c11: c22 / (1.0 - poisson), c22, c23, c32: -c23, c33 }
 }
 
 /// The linear theory's factor, `3 (1 - nu) E / (4 pi sqrt(g))`.
-pub fn kappa(a_over_b: f64, poisson: f64) -> f64 {
+pub(crate) fn kappa(a_over_b: f64, poisson: f64) -> f64 {
     let ellipse = Ellipse::from_ratio(a_over_b).unwrap();
     3.0 * (1.0 - poisson) * ellipse.integrals().e / (4.0 * PI * ellipse.g().sqrt())
 }
 
-pub fn creepage(xi: f64, eta: f64, chi: f64) -> Creepage {
+pub(crate) fn creepage(xi: f64, eta: f64, chi: f64) -> Creepage {
     Creepage::new(xi, eta, chi).unwrap()
 }
 
-pub fn array(force: Force) -> [f64; 3] {
+pub(crate) fn array(force: Force) -> [f64; 3] {
     [force.fx, force.fy, force.mz]
 }
 
-pub fn largest_difference(one: [f64; 3], other: [f64; 3]) -> f64 {
+pub(crate) fn largest_difference(one: [f64; 3], other: [f64; 3]) -> f64 {
     (0..3).map(|i| (one[i] - other[i]).abs()).fold(0.0, f64::max)
 }
 
 /// Creepages within the usual range, and some far beyond, of every sign.
-pub const CREEPAGES: [[f64; 3]; 10] = [
+pub(crate) const CREEPAGES: [[f64; 3]; 10] = [
     [0.2, 0.0, 0.0],
     [0.0, -0.9, 0.0],
     [0.0, 0.0, 0.7],
@@ -105,12 +105,12 @@ pub const CREEPAGES: [[f64; 3]; 10] = [
 ];
 
 /// A case of a reference file.
-pub struct Case {
-    pub id: String,
-    pub a_over_b: f64,
-    pub poisson: f64,
-    pub creepage: Creepage,
-    pub json: Value,
+pub(crate) struct Case {
+    pub(crate) id: String,
+    pub(crate) a_over_b: f64,
+    pub(crate) poisson: f64,
+    pub(crate) creepage: Creepage,
+    pub(crate) json: Value,
 }
 
 fn cases(list: &Value) -> Vec<Case> {
@@ -129,19 +129,19 @@ fn cases(list: &Value) -> Vec<Case> {
 }
 
 /// 40 cases by the approximate theories.
-pub fn approximate() -> Vec<Case> {
+pub(crate) fn approximate() -> Vec<Case> {
     let file: Value = serde_json::from_str(include_str!("../data/approximate.json")).unwrap();
     cases(&file["cases"])
 }
 
 /// 132 cases of the full theory.
-pub fn steady_rolling() -> Vec<Case> {
+pub(crate) fn steady_rolling() -> Vec<Case> {
     cases(&serde_json::from_str(include_str!("../data/steady_rolling.json")).unwrap())
 }
 
 /// The largest difference to `variant` of the approximate cases of which `select` is true, and
 /// the case's name.
-pub fn largest_error(
+pub(crate) fn largest_error(
     variant: &str,
     select: impl Fn(&Case) -> bool,
     solve: impl Fn(&Case) -> [f64; 3],
@@ -162,7 +162,7 @@ pub fn largest_error(
 
 /// Root mean square and largest error of `(fx, fy)` against the full theory, and root mean
 /// square error of `mz`.
-pub fn error_against_full_theory(solve: impl Fn(&Case) -> [f64; 3]) -> [f64; 3] {
+pub(crate) fn error_against_full_theory(solve: impl Fn(&Case) -> [f64; 3]) -> [f64; 3] {
     let (mut squares, mut largest, mut moments) = (0.0, 0.0_f64, 0.0);
     let cases = steady_rolling();
     assert_eq!(cases.len(), 132);

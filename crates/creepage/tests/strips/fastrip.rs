@@ -136,6 +136,6 @@ fn converges_with_the_grid() {
         let solve = |n| array(fastrip(1.0, 0.25, Variant::Consistent, n).solve(at).force);
         let finest = solve(640);
         let [coarse, fine] = [20, 160].map(|n| largest_difference(solve(n), finest));
-        assert!(fine < 2e-4 && coarse / fine > 6.0, "{coarse} {fine}");
+        assert!(fine < 4e-4 && coarse / fine > 6.0, "{coarse} {fine}");
     }
 }

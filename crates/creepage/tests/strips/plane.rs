@@ -8,7 +8,7 @@ use gauss_quad::GaussLegendre;
 /// Principal value of `int traction(t) / (x - t) dt` over `[breaks[0], breaks[last]]`, for a
 /// traction that is smooth between the ascending `breaks`, and like a square root at them. `x`
 /// lies between the first and the last, and is none of them.
-pub fn principal_value(traction: impl Fn(f64) -> f64, breaks: &[f64], x: f64) -> f64 {
+pub(crate) fn principal_value(traction: impl Fn(f64) -> f64, breaks: &[f64], x: f64) -> f64 {
     let rule = GaussLegendre::new(NonZeroUsize::new(120).unwrap());
     // t = middle + half sin(phi) turns square roots at the ends into smooth functions.
     let between = |from: f64, to: f64, f: &dyn Fn(f64) -> f64| {

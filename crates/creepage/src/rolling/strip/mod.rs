@@ -22,19 +22,16 @@
 //! In the slip area of adhering strips traction and slip make an angle; that is the theory's
 //! approximation.
 
+mod across;
 mod numbers;
 mod sliding;
-
-use std::f64::consts::FRAC_PI_2;
-use std::num::NonZeroUsize;
-
-use gauss_quad::GaussLegendre;
 
 use super::dual::{self, Real};
 use super::{Creepage, FieldPoint, Region, Solution, Status, Theory};
 use crate::Ellipse;
 use crate::check::{self, InvalidValue};
 
+use across::{Across, half_tangent};
 pub(crate) use numbers::{Strip, StripNumbers};
 use sliding::Sliding;
 pub(crate) use sliding::unit;
@@ -55,12 +52,9 @@ pub struct StripTheory {
     ellipse: Ellipse,
     poisson: f64,
     slope: f64,
-    nodes: Vec<[f64; 2]>,
+    across: Across,
     sliding: Sliding,
 }
-
-/// Gauss-Legendre points for the strips between two neighbouring breaks.
-const STRIPS: NonZeroUsize = NonZeroUsize::MIN.saturating_add(15);
 
 impl StripTheory {
     /// Prepares the theory for the ratio `a/b` (`a` along the rolling direction) and Poisson's
@@ -72,12 +66,11 @@ impl StripTheory {
     pub fn new(a_over_b: f64, poisson: f64) -> Result<Self, InvalidValue> {
         let ellipse = Ellipse::from_ratio(a_over_b)?;
         check::poisson(poisson)?;
-        let nodes = GaussLegendre::new(STRIPS);
         Ok(Self {
             ellipse,
             poisson,
             slope: strip_slope(&ellipse, poisson),
-            nodes: nodes.iter().map(|&(node, weight)| [node, weight]).collect(),
+            across: Across::new(),
             sliding: Sliding::new(),
         })
     }
@@ -98,7 +91,7 @@ impl StripTheory {
     }
 
     fn spin_is_moderate(&self, creepage: Creepage) -> bool {
-        creepage.chi.abs() < self.spin_bound()
+        (creepage.chi * (self.slope * self.ellipse.a())).abs() < 1.0
     }
 
     fn numbers<R: Real>(&self, [xi, eta, chi]: [R; 3]) -> StripNumbers<R> {
@@ -112,56 +105,47 @@ impl StripTheory {
     }
 
     fn force<R: Real>(&self, creepage: [R; 3], spin_is_moderate: bool) -> [R; 3] {
-        let edge = R::constant(FRAC_PI_2);
-        let adhering = spin_is_moderate.then(|| self.numbers(creepage).adhering()).flatten();
-        let [from, to] = adhering.map_or([edge, edge], |[from, to]| [from.asin(), to.asin()]);
-        let mut force = [R::constant(0.0); 3];
-        self.add(&mut force, [-edge, from], creepage, false);
-        self.add(&mut force, [from, to], creepage, true);
-        self.add(&mut force, [to, edge], creepage, false);
-        force.map(|f| f * 0.75)
-    }
-
-    /// Adds the strips of `y = b sin(theta)`, `theta` in `[from, to]`. The strip in which the
-    /// rigid bodies do not slip along is a kink, so that the quadrature breaks there.
-    fn add<R: Real>(&self, sum: &mut [R; 3], [from, to]: [R; 2], creepage: [R; 3], sticks: bool) {
-        let [xi, eta, chi] = creepage;
-        let pole = xi / (chi * self.ellipse.b());
-        let kink = if pole.value().abs() < 1.0 { pole.asin() } else { R::constant(FRAC_PI_2) };
-        // It is weak but where the spin pole lies in a sliding strip; elsewhere the break need
-        // not move with the pole, and its derivative, which may be huge, is better left out.
-        let near = eta.value().abs() < 2.0 * self.ellipse.a() * chi.value().abs();
-        let kink = if near && !sticks { kink } else { R::constant(kink.value()) };
-        if from.value() < kink.value() && kink.value() < to.value() {
-            self.add_piece(sum, [from, kink], creepage, sticks);
-            self.add_piece(sum, [kink, to], creepage, sticks);
-        } else if from.value() < to.value() {
-            self.add_piece(sum, [from, to], creepage, sticks);
-        }
-    }
-
-    fn add_piece<R: Real>(
-        &self,
-        sum: &mut [R; 3],
-        [from, to]: [R; 2],
-        creepage: [R; 3],
-        sticks: bool,
-    ) {
-        let axes = [self.ellipse.a(), self.ellipse.b()];
         let numbers = self.numbers(creepage);
-        let (middle, half) = ((from + to) * 0.5, (to - from) * 0.5);
-        for &[node, weight] in &self.nodes {
-            let (t, s) = (middle + half * node).sin_cos();
-            let strip = if sticks {
-                numbers.strip_at(t).force([t, s], axes)
-            } else {
-                self.sliding.force(creepage, [t, s], axes)
-            };
-            let weight = half * s * weight;
-            for (total, part) in sum.iter_mut().zip(strip) {
-                *total = *total + part * weight;
+        let adhering = if spin_is_moderate { numbers.adhering() } else { None };
+        let edge = R::constant(1.0);
+        let [from, to] = adhering.map_or([edge, edge], |edges| edges.map(half_tangent));
+        let axes = [self.ellipse.a(), self.ellipse.b()];
+        let mut force = [R::constant(0.0); 3];
+        let mut add = |part: [R; 3]| force = [0, 1, 2].map(|i| force[i] + part[i] * 0.75);
+        for piece in self.pieces([from, to], creepage).into_iter().flatten() {
+            add(self.across.integrate(piece, |[t, s]| numbers.strip_at(t).force([t, s], axes)));
+        }
+        for slides in [[-edge, from], [to, edge]] {
+            for piece in self.pieces(slides, creepage).into_iter().flatten() {
+                add(self.across.integrate(piece, |at| self.sliding.force(creepage, at, axes)));
             }
         }
+        force
+    }
+
+    /// Cuts an interval where the rigid bodies do not slip along: there is a kink.
+    ///
+    /// It is weak unless the spin pole lies in or near the contact. Elsewhere the cut need not
+    /// move with the pole, and its derivative, which may be huge, is better left out.
+    fn pieces<R: Real>(&self, [from, to]: [R; 2], [xi, eta, chi]: [R; 3]) -> [Option<[R; 2]>; 2] {
+        if from.value() >= to.value() {
+            return [None, None];
+        }
+        let pole = xi / (chi * self.ellipse.b());
+        if pole.value().abs() < 1.0 {
+            let spin = chi.value().abs();
+            let near = eta.value().abs() < 2.0 * self.ellipse.a() * spin;
+            let cut = half_tangent(pole);
+            let cut = if near && spin > 1e-6 * self.spin_bound() {
+                cut
+            } else {
+                R::constant(cut.value())
+            };
+            if from.value() < cut.value() && cut.value() < to.value() {
+                return [Some([from, cut]), Some([cut, to])];
+            }
+        }
+        [Some([from, to]), None]
     }
 
     fn field_point(&self, creepage: Creepage, position: [f64; 2]) -> FieldPoint {

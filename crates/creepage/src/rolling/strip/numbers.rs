@@ -69,31 +69,25 @@ impl<R: Real> StripNumbers<R> {
     }
 
     /// Where adhesion begins, coming from `start` (-1 or 1): Newton's iteration for
-    /// `s^2 - D^2 = 0`. The function is concave, so the iteration cannot overshoot; where it
-    /// begins to fall before it is zero, it has no zero.
+    /// `s^2 - D^2 = 0`. The function is concave, so that from its second step on the iteration
+    /// comes from outside and cannot overshoot; where the function falls inwards, it has no zero.
     fn edge(&self, start: f64) -> Option<R> {
-        let numbers = StripNumbers {
-            longitudinal: self.longitudinal.value(),
-            lateral: self.lateral.value(),
-            spin: self.spin.value(),
-            shear: self.shear,
-        };
-        let mut t = start;
+        let numbers = self.value();
+        // Exact without spin.
+        let depth = numbers.strip(start).depth.min(1.0);
+        let guess = start * ((1.0 - depth) * (1.0 + depth)).sqrt();
+        let mut t = if numbers.gap(guess).1 * start < 0.0 { guess } else { start };
         // Halving the error, which is the worst (a double zero), 60 times exhausts an f64.
-        for _ in 0..60 {
+        for step_number in 0..60 {
             let (gap, slope) = numbers.gap(t);
-            if gap >= 0.0 {
+            if gap >= 0.0 && step_number > 0 {
                 break;
             }
-            // Inwards must be upwards.
             if slope * start >= 0.0 {
                 return None;
             }
-            let step = -gap / slope;
-            t += step;
-            if t.abs() > 1.0 {
-                return None;
-            }
+            let step = gap / slope;
+            t = (t - step).clamp(-1.0, 1.0);
             if step.abs() <= 1e-16 {
                 break;
             }
@@ -101,6 +95,15 @@ impl<R: Real> StripNumbers<R> {
         // One more step, now with derivatives: the implicit function theorem.
         let (gap, slope) = self.gap(R::constant(t));
         if slope.value() == 0.0 { Some(R::constant(t)) } else { Some(-(gap / slope) + t) }
+    }
+
+    fn value(&self) -> StripNumbers<f64> {
+        StripNumbers {
+            longitudinal: self.longitudinal.value(),
+            lateral: self.lateral.value(),
+            spin: self.spin.value(),
+            shear: self.shear,
+        }
     }
 
     /// `s^2 - D^2` and its derivative by `t`.

@@ -24,7 +24,7 @@ const ACCURACY: f64 = 1e-12;
 
 impl Sliding {
     pub(crate) fn new() -> Self {
-        Self { rules: [2, 4, 8, 16, 32, 64].map(Rule::new).to_vec() }
+        Self { rules: [2, 3, 4, 6, 8, 12, 16, 24, 32, 64, 256].map(Rule::new).to_vec() }
     }
 
     /// Force and moment of the strip at `t = y/b` of half-length `a s`, scaled as those of
@@ -57,7 +57,9 @@ impl Sliding {
     /// The direction is analytic along the strip but for the spin pole, where the slip
     /// `(slip_x, slip_y + reach u)` is zero, at `u = (-slip_y +- i slip_x) / reach`.
     fn rule(&self, slip_x: f64, slip_y: f64, reach: f64) -> &Rule {
-        let sum = slip_x.hypot(slip_y - reach) + slip_x.hypot(slip_y + reach);
+        let [behind, ahead] = [slip_y - reach, slip_y + reach];
+        let across = slip_x * slip_x;
+        let sum = (across + behind * behind).sqrt() + (across + ahead * ahead).sqrt();
         let good = |rule: &&Rule| sum >= rule.pole_distance * reach.abs();
         self.rules.iter().find(good).unwrap_or(&self.rules[self.rules.len() - 1])
     }
@@ -65,10 +67,11 @@ impl Sliding {
 
 impl Rule {
     /// Gauss-Chebyshev rule of the second kind with `n` points, for the weight `sqrt(1 - u^2)`
-    /// normalised to one. Its error falls like `r^-2n`, where the pole lies on the ellipse with
-    /// foci -1 and 1 and semi-axes' sum `r`: `|z - 1| + |z + 1| = r + 1/r`.
+    /// normalised to one. Its error falls like `r^-2n`, for the moment and its derivative like
+    /// `r^(2-2n)`, where the pole lies on the ellipse with foci -1 and 1 and semi-axes' sum `r`:
+    /// `|z - 1| + |z + 1|` is `r + 1/r`.
     fn new(n: u32) -> Self {
-        let r = ACCURACY.powf(-0.5 / f64::from(n));
+        let r = ACCURACY.powf(-1.0 / f64::from(2 * n - 2));
         let points = (1..=n).map(|k| {
             let (sin, cos) = (PI * f64::from(k) / f64::from(n + 1)).sin_cos();
             [cos, 2.0 * sin * sin / f64::from(n + 1)]
@@ -80,5 +83,9 @@ impl Rule {
 /// The vector's direction; zero for the zero vector.
 pub(crate) fn unit<R: Real>([x, y]: [R; 2]) -> [R; 2] {
     let length = (x * x + y * y).sqrt();
-    if length.value() > 0.0 { [x / length, y / length] } else { [R::constant(0.0); 2] }
+    if length.value() == 0.0 {
+        return [R::constant(0.0); 2];
+    }
+    let inverse = R::constant(1.0) / length;
+    [x * inverse, y * inverse]
 }
