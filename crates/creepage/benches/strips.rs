@@ -1,5 +1,7 @@
 //! Time of one solution: strip theory, FASTSIM and FaStrip.
 
+#![allow(clippy::unwrap_used)] // the inputs are constants
+
 use creepage::rolling::fastrip::{Fastrip, Variant};
 use creepage::rolling::fastsim::{Fastsim, Settings};
 use creepage::rolling::linear::CreepageCoefficients;

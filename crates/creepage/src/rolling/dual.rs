@@ -82,6 +82,7 @@ impl Sub for Dual {
     }
 }
 
+#[allow(clippy::suspicious_arithmetic_impl)] // the product rule adds
 impl Mul for Dual {
     type Output = Self;
     fn mul(self, other: Self) -> Self {
@@ -89,6 +90,7 @@ impl Mul for Dual {
     }
 }
 
+#[allow(clippy::suspicious_arithmetic_impl)] // the quotient rule subtracts
 impl Div for Dual {
     type Output = Self;
     fn div(self, other: Self) -> Self {

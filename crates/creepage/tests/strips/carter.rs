@@ -10,7 +10,7 @@ use super::plane::principal_value;
 
 /// Slip in units of `mu a / rho` by the plane half-space: half-width `a` and peak pressure of
 /// Hertz's line contact make the kernel's factor `4 / pi`.
-fn slip(carter: &Carter, creepage: f64, x: f64) -> f64 {
+fn slip(carter: Carter, creepage: f64, x: f64) -> f64 {
     let mut breaks = vec![-1.0, 1.0];
     if carter.trailing_edge().abs() < 1.0 {
         breaks.insert(1, carter.trailing_edge());
@@ -24,7 +24,7 @@ fn slip_vanishes_in_adhesion_and_follows_the_traction_in_slip() {
         let carter = Carter::new(creepage).unwrap();
         for x in [-0.97, -0.6, -0.3, 0.05, 0.4, 0.93, 0.99] {
             let at = carter.at(x);
-            let slip = slip(&carter, creepage, x);
+            let slip = slip(carter, creepage, x);
             // The bound; the quadrature's rounding stays below it.
             assert!((slip - at.slip[0]).abs() < 1e-12, "{creepage} {x}: {slip} {at:?}");
             match at.region {

@@ -25,7 +25,7 @@ use turn::Turn;
 use super::dual::{self, Dual, Real};
 use super::fastsim::{
     Block, Flexibilities, Flexibility, Grid, Increments, LANES, Place, Profile, Slopes, Sums,
-    Trace, TractionBound, march,
+    Totals, Trace, TractionBound, march,
 };
 use super::linear::CreepageCoefficients;
 use super::strip::{Strip, StripNumbers, strip_slope, unit};
@@ -78,6 +78,8 @@ pub struct Fastrip {
     profile: Profile,
     march: Grid,
     hertz: Grid,
+    /// Width of a strip over `b`.
+    width: f64,
     /// Strip theory's creepages and spin per `xi`, `eta`, `chi`.
     scales: [f64; 3],
 }
@@ -111,6 +113,7 @@ impl Fastrip {
             profile,
             march: Grid::new(&ellipse, grid, profile)?,
             hertz: Grid::new(&ellipse, grid, Profile::Elliptic)?,
+            width: 2.0 / grid[1] as f64,
             scales: [4.0 / (PI * PI) * c11, 4.0 / (PI * PI) * c22, 3.0 / PI * c23]
                 .map(|v| v * slope),
             ellipse,
@@ -123,8 +126,7 @@ impl Fastrip {
     /// `xi`, `eta`, `chi`. At a kink it is one of the one-sided values.
     #[must_use]
     pub fn derivative(&self, creepage: Creepage) -> [[f64; 3]; 3] {
-        let (_, tangents) = self.force::<Dual, 3>(dual::variables(creepage));
-        [0, 1, 2].map(|i| tangents.map(|column| column[i]))
+        self.force::<Dual, 3>(dual::variables(creepage)).jacobian()
     }
 
     fn numbers<R: Real>(&self, [xi, eta, chi]: [R; 3]) -> StripNumbers<R> {
@@ -186,36 +188,21 @@ impl Fastrip {
     }
 
     /// Force, and its derivative by each of the `K` tangents of `creepage`.
-    fn force<R: Real, const K: usize>(&self, creepage: [R; 3]) -> ([f64; 3], [[f64; 3]; K]) {
-        let (mut force, mut tangents) = ([0.0; 3], [[0.0; 3]; K]);
+    fn force<R: Real, const K: usize>(&self, creepage: [R; 3]) -> Totals<K> {
+        let mut totals = Totals::zero();
         let slopes = self.usual_and_one(creepage);
         let numbers = self.numbers(creepage);
-        let width = 2.0 / self.strips();
+        let [a, b] = [self.ellipse.a(), self.ellipse.b()];
         for (block, hertz) in self.march.blocks.iter().zip(&self.hertz.blocks) {
-            let rows: [Row<R>; LANES] =
-                std::array::from_fn(|l| self.row(&numbers, block.y[l] / self.ellipse.b()));
-            for (row, _) in rows.iter().zip(hertz.weight).filter(|(_, weight)| *weight > 0.0) {
-                for i in 0..3 {
-                    force[i] += 0.75 * width * row.force[i].value();
-                    for k in 0..K {
-                        tangents[k][i] += 0.75 * width * row.force[i].tangent(k);
-                    }
-                }
-            }
-            let increments = Increments::new(
-                block,
-                &std::array::from_fn(|l| {
-                    self.slopes(&slopes, block.y[l], block.half_length[l] / self.ellipse.a())
-                }),
-            );
-            self.turn(&increments, &Turn::new(&rows), hertz, &mut force, &mut tangents);
+            let rows = block.y.map(|y| self.row(&numbers, y / b));
+            let weighty = rows.iter().zip(hertz.weight).filter(|(_, weight)| *weight > 0.0);
+            weighty.for_each(|(row, _)| totals.add(row.force, 0.75 * self.width));
+            let slopes: [Slopes<R>; LANES] =
+                std::array::from_fn(|l| self.slopes(&slopes, block.y[l], block.half_length[l] / a));
+            let increments = Increments::new(block, &slopes);
+            self.turn(&increments, &Turn::new(&rows), hertz, &mut totals);
         }
-        (force, tangents)
-    }
-
-    fn strips(&self) -> f64 {
-        let weighty = |block: &Block| block.weight.iter().filter(|w| **w > 0.0).count();
-        self.hertz.blocks.iter().map(weighty).sum::<usize>() as f64
+        totals
     }
 
     fn row<R: Real>(&self, numbers: &StripNumbers<R>, t: f64) -> Row<R> {
@@ -235,25 +222,16 @@ impl Fastrip {
         increments: &Increments<K>,
         turn: &Turn<K>,
         hertz: &Block,
-        force: &mut [f64; 3],
-        tangents: &mut [[f64; 3]; K],
+        totals: &mut Totals<K>,
     ) {
-        let mut sums = Sums::default();
-        let mut tangent_sums = [Sums::default(); K];
+        let mut sums = Sums::zero();
         let mut bounds = self.hertz.cells.iter().map(|cell| cell.bound);
         let cells_per_length = 0.5 * self.hertz.cells.len() as f64;
         march(&self.march, increments, |cell, state| {
             let bound = bounds.next().unwrap_or(0.0);
-            let change = turn.at(cell.x, cells_per_length, bound, state);
-            sums.add(cell.x, &change.x, &change.y);
-            for k in 0..K {
-                tangent_sums[k].add(cell.x, &change.dx[k], &change.dy[k]);
-            }
+            sums.add(cell.x, &turn.at(cell.x, cells_per_length, bound, state));
         });
-        sums.collect(hertz, force);
-        for k in 0..K {
-            tangent_sums[k].collect(hertz, &mut tangents[k]);
-        }
+        sums.collect(hertz, totals);
     }
 
     fn field_point(&self, creepage: [f64; 3], position: [f64; 2]) -> FieldPoint {
@@ -272,10 +250,11 @@ impl Fastrip {
         let trace = Trace::new(&self.march, self.profile, &slopes, &place);
         if matches!(treatment, Treatment::Fastsim) {
             let traction = trace.traction.map(|v| v / Profile::HERTZ_PEAK);
-            if trace.lost == [0.0; 2] {
-                return FieldPoint { traction, region: Region::Adhesion, ..outside };
-            }
-            return FieldPoint { traction, slip: [f64::NAN; 2], ..outside };
+            return if trace.slides() {
+                FieldPoint { traction, slip: [f64::NAN; 2], ..outside }
+            } else {
+                FieldPoint { traction, region: Region::Adhesion, ..outside }
+            };
         }
         let bound = place.s * Profile::Elliptic.along(place.along);
         let traction = unit(trace.traction).map(|n| n * bound);
@@ -285,8 +264,8 @@ impl Fastrip {
 
 impl Theory for Fastrip {
     fn solve(&self, creepage: Creepage) -> Solution {
-        let (force, []) = self.force::<f64, 0>(dual::plain(creepage));
-        Solution { force: dual::force(force), status: Status::Solved }
+        let totals = self.force::<f64, 0>(dual::plain(creepage));
+        Solution { force: dual::force(totals.force), status: Status::Solved }
     }
 
     /// The theory does not give the slip in the slip area.

@@ -1,5 +1,8 @@
 //! The march from the leading to the trailing edge, eight strips at a time.
 
+// Loops over lanes index several arrays at once: the plainest form, and the one that becomes SIMD.
+#![allow(clippy::needless_range_loop)]
+
 use super::flexibility::Slopes;
 use super::grid::{Block, Cell, Grid, LANES, Lanes};
 use crate::rolling::dual::Real;

@@ -26,6 +26,7 @@ mod flexibility;
 mod grid;
 mod march;
 mod settings;
+mod sums;
 mod trace;
 
 use super::dual::{self, Dual, Real};
@@ -39,6 +40,7 @@ pub(crate) use flexibility::{Flexibilities, Slopes};
 pub(crate) use grid::{Block, Grid, LANES, Lanes, Profile};
 pub(crate) use march::{Increments, State, march};
 pub use settings::{Flexibility, Settings, TractionBound};
+pub(crate) use sums::{Sums, Totals};
 pub(crate) use trace::{Place, Trace};
 
 /// FASTSIM, prepared for one ratio of semi-axes, one Poisson's ratio and one grid.
@@ -95,32 +97,19 @@ impl Fastsim {
     #[must_use]
     pub fn derivative(&self, creepage: Creepage) -> [[f64; 3]; 3] {
         let slopes = self.flexibilities.slopes(self.flexibility, dual::variables(creepage));
-        let (_, tangents) = self.force::<Dual, 3>(slopes);
-        [0, 1, 2].map(|i| tangents.map(|column| column[i]))
+        self.force::<Dual, 3>(slopes).jacobian()
     }
 
     /// Force, and its derivative by each of the `K` tangents of `slopes`.
-    fn force<R: Real, const K: usize>(&self, slopes: Slopes<R>) -> ([f64; 3], [[f64; 3]; K]) {
-        let (mut force, mut tangents) = ([0.0; 3], [[0.0; 3]; K]);
+    fn force<R: Real, const K: usize>(&self, slopes: Slopes<R>) -> Totals<K> {
+        let mut totals = Totals::zero();
         for block in &self.grid.blocks {
-            let mut sums = Sums::default();
-            let mut tangent_sums = [Sums::default(); K];
-            march(
-                &self.grid,
-                &Increments::new(block, &[slopes; LANES]),
-                |cell, state: &State<K>| {
-                    sums.add(cell.x, &state.x, &state.y);
-                    for k in 0..K {
-                        tangent_sums[k].add(cell.x, &state.dx[k], &state.dy[k]);
-                    }
-                },
-            );
-            sums.collect(block, &mut force);
-            for k in 0..K {
-                tangent_sums[k].collect(block, &mut tangents[k]);
-            }
+            let mut sums = Sums::zero();
+            let increments = Increments::new(block, &[slopes; LANES]);
+            march(&self.grid, &increments, |cell, state| sums.add(cell.x, state));
+            sums.collect(block, &mut totals);
         }
-        (force, tangents)
+        totals
     }
 
     fn field_point(&self, slopes: &Slopes<f64>, plain: [f64; 3], position: [f64; 2]) -> FieldPoint {
@@ -133,7 +122,7 @@ impl Fastsim {
         FieldPoint {
             traction: trace.traction.map(|v| v / Profile::HERTZ_PEAK),
             slip: [l1 * trace.lost[0] / kappa, l2 * trace.lost[1] / kappa],
-            region: if trace.lost == [0.0; 2] { Region::Adhesion } else { Region::Slip },
+            region: if trace.slides() { Region::Slip } else { Region::Adhesion },
             ..outside
         }
     }
@@ -142,8 +131,8 @@ impl Fastsim {
 impl Theory for Fastsim {
     fn solve(&self, creepage: Creepage) -> Solution {
         let slopes = self.flexibilities.slopes(self.flexibility, dual::plain(creepage));
-        let (force, []) = self.force::<f64, 0>(slopes);
-        Solution { force: dual::force(force), status: Status::Solved }
+        let totals = self.force::<f64, 0>(slopes);
+        Solution { force: dual::force(totals.force), status: Status::Solved }
     }
 
     /// The strip through each position is marched with the grid's `nx` cells, and a last shorter
@@ -152,35 +141,5 @@ impl Theory for Fastsim {
         let plain = dual::plain(creepage);
         let slopes = self.flexibilities.slopes(self.flexibility, plain);
         positions.iter().map(|&position| self.field_point(&slopes, plain, position)).collect()
-    }
-}
-
-/// Sums over the cells of eight strips.
-#[derive(Debug, Clone, Copy, Default)]
-pub(crate) struct Sums {
-    x: Lanes,
-    y: Lanes,
-    x_times_y: Lanes,
-}
-
-impl Sums {
-    #[inline]
-    pub(crate) fn add(&mut self, place: f64, x: &Lanes, y: &Lanes) {
-        for l in 0..LANES {
-            self.x[l] += x[l];
-            self.y[l] += y[l];
-            self.x_times_y[l] += place * y[l];
-        }
-    }
-
-    /// Adds the strips' forces and moments.
-    pub(crate) fn collect(&self, block: &Block, force: &mut [f64; 3]) {
-        for l in 0..LANES {
-            let weight = block.weight[l];
-            force[0] += weight * self.x[l];
-            force[1] += weight * self.y[l];
-            force[2] +=
-                weight * (block.half_length[l] * self.x_times_y[l] - block.y[l] * self.x[l]);
-        }
     }
 }

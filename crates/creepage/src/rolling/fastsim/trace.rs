@@ -40,6 +40,11 @@ pub(crate) struct Trace {
 }
 
 impl Trace {
+    /// Whether the end of the march slips.
+    pub(crate) fn slides(&self) -> bool {
+        self.lost.iter().any(|v| *v != 0.0)
+    }
+
     /// Marches with the cells of `grid`, and a last shorter step that ends at `place`.
     pub(crate) fn new(grid: &Grid, profile: Profile, slopes: &Slopes<f64>, place: &Place) -> Self {
         let peak = profile.peak(place.s);
