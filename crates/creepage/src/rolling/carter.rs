@@ -116,7 +116,7 @@ pub struct LineContact {
 }
 
 impl LineContact {
-    /// Presses two cylinders of `radii` [m] together with `load` [N per m of their length].
+    /// Presses two cylinders of `radii` (m) together with `load` (N per m of their length).
     ///
     /// A radius is positive where the body is convex, negative where it is hollow, infinite
     /// where it is flat.
@@ -137,19 +137,19 @@ impl LineContact {
         Ok(Self { half_width, peak_pressure: 2.0 * load / (PI * half_width), rho })
     }
 
-    /// Half-width `a` of the contact [m].
+    /// Half-width `a` of the contact (m).
     #[must_use]
     pub fn half_width(&self) -> f64 {
         self.half_width
     }
 
-    /// Largest pressure, `2 N / (pi a)` with `N` per length [Pa].
+    /// Largest pressure, `2 N / (pi a)` with `N` per length (Pa).
     #[must_use]
     pub fn peak_pressure(&self) -> f64 {
         self.peak_pressure
     }
 
-    /// Characteristic length `rho` of (1.2) [m]: the diameter, for equal cylinders.
+    /// Characteristic length `rho` of (1.2) (m): the diameter, for equal cylinders.
     #[must_use]
     pub fn rho(&self) -> f64 {
         self.rho

@@ -2,6 +2,7 @@
 
 use std::f64::consts::PI;
 
+use creepage::rolling::carter::Carter;
 use creepage::rolling::strip::StripTheory;
 use creepage::rolling::{Creepage, Region, Status, Theory};
 
@@ -162,6 +163,29 @@ fn closed_form_without_spin() {
             let force = array(theory.solve(creepage(xi, eta, 0.0)).force);
             let difference = largest_difference(force, expected);
             assert!(difference < 1e-12, "{a_over_b} {xi} {eta}: {force:?} {expected:?}");
+        }
+    }
+}
+
+/// With longitudinal creepage the middle strip is Carter's problem, `D` being a quarter of his
+/// creepage.
+#[test]
+fn middle_strip_is_carters() {
+    let (a_over_b, poisson) = (0.3, 0.28);
+    let theory = StripTheory::new(a_over_b, poisson).unwrap();
+    let a = f64::sqrt(a_over_b);
+    for depth in [0.1, -0.4, 0.8] {
+        let xi = depth * (1.0 - poisson) / slope(a_over_b, poisson);
+        let carter = Carter::new(4.0 * depth).unwrap();
+        for k in 0..40 {
+            let x = f64::from(k) / 20.0 - 0.99;
+            let point = theory.field(creepage(xi, 0.0, 0.0), &[[a * x, 0.0]])[0];
+            let expected = carter.at(x);
+            assert_eq!(point.region, expected.region);
+            assert!((point.traction[0] - expected.traction[0]).abs() < 1e-14);
+            // Both slips over the creepage: the units of length differ.
+            let slips = [point.slip[0] / xi, expected.slip[0] / (4.0 * depth)];
+            assert!((slips[0] - slips[1]).abs() < 1e-13);
         }
     }
 }

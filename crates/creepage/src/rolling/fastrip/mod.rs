@@ -7,8 +7,8 @@
 //! Hertz pressure, in the direction of FASTSIM's.
 //!
 //! The paper was not at hand: [`Variant::Original`] follows its usual coding. Verified by strip
-//! theory, to which both variants reduce for the strips' coefficients, by the linear forces for
-//! small creepage, and by independent implementations.
+//! theory, with which the adhesion area agrees for the strips' coefficients, by the linear theory's
+//! derivatives at zero creepage, and by independent implementations.
 //!
 //! # Quadrature
 //! The grid is that of [FASTSIM](super::fastsim). The strip's own traction, continued with its

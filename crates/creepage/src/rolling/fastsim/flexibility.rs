@@ -111,6 +111,6 @@ impl Flexibilities {
 }
 
 /// No ellipse has coefficients that come near these limits.
-pub(crate) fn coefficient(name: &'static str, value: f64) -> Result<f64, InvalidValue> {
+fn coefficient(name: &'static str, value: f64) -> Result<f64, InvalidValue> {
     check::require((1e-12..=1e12).contains(&value), name, value, "between 1e-12 and 1e12")
 }
