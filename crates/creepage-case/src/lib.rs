@@ -43,4 +43,4 @@ mod solve;
 pub use case::{Case, CaseFile};
 pub use error::CaseError;
 pub use schema::json_schema;
-pub use solve::{Solve, Weight};
+pub use solve::{Bound, Flexibility, Solve, Variant, Weight};
