@@ -34,105 +34,83 @@ pub fn even_indices(degree: usize) -> impl Iterator<Item = usize> + Clone {
     (0..=degree).flat_map(|n| even_orders(n).map(move |m| index(n, m)))
 }
 
+/// Position of the even harmonic `Y_nm` in a table of the polynomials alone, the order of
+/// [`even_indices`].
+#[must_use]
+pub fn position(n: usize, m: isize) -> usize {
+    (n * (n + 2)).wrapping_add_signed(m) / 2
+}
+
 /// Evaluates all harmonics up to `degree` at `(x/a, y/b)` into `values`, a table as of
 /// [`index`]. Outside the ellipse the odd harmonics are taken as on its edge: zero.
 ///
 /// # Panics
 /// When `values` is shorter than [`count`]`(degree)`.
 pub fn evaluate(degree: usize, x_over_a: f64, y_over_b: f64, values: &mut [f64]) {
-    let z = (1.0 - x_over_a * x_over_a - y_over_b * y_over_b).max(0.0).sqrt();
+    visit(degree, [x_over_a, y_over_b], |n, m, value| values[index(n, m)] = value);
+}
+
+/// Values at `(x/a, y/b)` of polynomials given by the coefficients of their even harmonics, in
+/// the order of [`even_indices`]; the tables may end at any degree up to `degree`.
+#[must_use]
+pub fn sum<const N: usize>(degree: usize, point: [f64; 2], coefficients: [&[f64]; N]) -> [f64; N] {
+    let mut sums = [0.0; N];
+    visit(degree, point, |n, m, value| {
+        if n.wrapping_add_signed(m).is_multiple_of(2) {
+            let position = position(n, m);
+            for (sum, table) in sums.iter_mut().zip(coefficients) {
+                *sum += value * table.get(position).copied().unwrap_or(0.0);
+            }
+        }
+    });
+    sums
+}
+
+/// Calls `visitor` with `n`, `m` and `Y_nm`, for every harmonic up to `degree`, order by order.
+pub(super) fn visit(degree: usize, [x, y]: [f64; 2], mut visitor: impl FnMut(usize, isize, f64)) {
+    let z = (1.0 - x * x - y * y).max(0.0).sqrt();
     // (cos, sin) hold r^m (cos mf, sin mf), scaled to make Y_mm.
     let (mut cos, mut sin) = (std::f64::consts::TAU.sqrt().recip(), 0.0);
     for m in 0..=degree {
-        evaluate_order(degree, m, z, [cos, sin], values);
+        visit_order(degree, m, z, [cos, sin], &mut visitor);
         let next = (m + 1) as f64;
         // The first step also brings in sqrt(2), since cosines and sines share the norm.
         let scale = ((2.0 * next + 1.0) / (2.0 * next) * if m == 0 { 2.0 } else { 1.0 }).sqrt();
-        (cos, sin) =
-            (scale * (x_over_a * cos - y_over_b * sin), scale * (x_over_a * sin + y_over_b * cos));
+        (cos, sin) = (scale * (x * cos - y * sin), scale * (x * sin + y * cos));
     }
 }
 
 /// The three-term recurrence in `n` at fixed order `m`, started with `Y_mm`.
-fn evaluate_order(degree: usize, m: usize, z: f64, first: [f64; 2], values: &mut [f64]) {
+fn visit_order(
+    degree: usize,
+    m: usize,
+    z: f64,
+    first: [f64; 2],
+    visitor: &mut impl FnMut(usize, isize, f64),
+) {
     let order = m.cast_signed();
     let (mut previous, mut current) = ([0.0; 2], first);
+    let mut here = 0.0;
     for n in m..=degree {
-        values[index(n, order)] = current[0];
+        visitor(n, order, current[0]);
         if m > 0 {
-            values[index(n, -order)] = current[1];
+            visitor(n, -order, current[1]);
         }
-        let (here, ahead) = (coupling(n, m), coupling(n + 1, m));
+        let ahead = coupling(n + 1, m);
         let next = [0, 1].map(|i| (z * current[i] - here * previous[i]) / ahead);
-        (previous, current) = (current, next);
+        (previous, current, here) = (current, next, ahead);
     }
 }
 
 /// `z Y_nm = coupling(n+1, m) Y_{n+1,m} + coupling(n, m) Y_{n-1,m}`.
-fn coupling(n: usize, m: usize) -> f64 {
+pub(super) fn coupling(n: usize, m: usize) -> f64 {
     let (n2, m2) = ((n * n) as f64, (m * m) as f64);
     ((n2 - m2) / (4.0 * n2 - 1.0)).sqrt()
-}
-
-/// Coefficients of `z F` from those of `F`: one degree more, the parity changes.
-#[must_use]
-pub fn times_z(degree: usize, coefficients: &[f64]) -> Vec<f64> {
-    let mut product = vec![0.0; count(degree + 1)];
-    for n in 0..=degree {
-        let top = n.cast_signed();
-        for m in -top..=top {
-            let value = coefficients[index(n, m)];
-            let order = m.unsigned_abs();
-            product[index(n + 1, m)] += coupling(n + 1, order) * value;
-            if order < n {
-                product[index(n - 1, m)] += coupling(n, order) * value;
-            }
-        }
-    }
-    product
-}
-
-/// Coefficients of `z dF/d(x/a)` from those of `F`: the rotation of the sphere about the `y`
-/// axis, which keeps the degree and changes the order by one.
-#[must_use]
-pub fn times_z_ddx(degree: usize, coefficients: &[f64]) -> Vec<f64> {
-    let mut rotated = vec![0.0; count(degree)];
-    for n in 0..=degree {
-        let top = n.cast_signed();
-        for m in -top..=top {
-            let order = m.unsigned_abs();
-            let value = coefficients[index(n, m)];
-            let half = if order == 0 { std::f64::consts::FRAC_1_SQRT_2 } else { 0.5 };
-            if order < n {
-                let outward = if m < 0 { m - 1 } else { m + 1 };
-                let step = (((n - order) * (n + order + 1)) as f64).sqrt();
-                rotated[index(n, outward)] -= half * step * value;
-            }
-            // The sine of order zero vanishes.
-            if order > 0 && m != -1 {
-                let inward = if m < 0 { m + 1 } else { m - 1 };
-                let half = if m == 1 { std::f64::consts::FRAC_1_SQRT_2 } else { 0.5 };
-                let step = (((n + order) * (n - order + 1)) as f64).sqrt();
-                rotated[index(n, inward)] += half * step * value;
-            }
-        }
-    }
-    rotated
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    fn at(degree: usize, coefficients: &[f64], x: f64, y: f64) -> f64 {
-        let mut values = vec![0.0; count(degree)];
-        evaluate(degree, x, y, &mut values);
-        values.iter().zip(coefficients).map(|(value, coefficient)| value * coefficient).sum()
-    }
-
-    fn sample(degree: usize) -> Vec<f64> {
-        (0..count(degree)).map(|i| (1.7 * i as f64 + 0.3).sin()).collect()
-    }
 
     #[test]
     fn low_degrees_are_the_known_polynomials() {
@@ -152,25 +130,5 @@ mod tests {
         ] {
             assert!((values[position] - expected).abs() < 1e-15);
         }
-    }
-
-    #[test]
-    fn multiplication_by_z() {
-        let degree = 6;
-        let (f, x, y) = (sample(degree), 0.31, 0.44);
-        let z = (1.0_f64 - x * x - y * y).sqrt();
-        let product = at(degree + 1, &times_z(degree, &f), x, y);
-        // Rounding only: 49 terms of order one.
-        assert!((product - z * at(degree, &f, x, y)).abs() < 1e-13);
-    }
-
-    #[test]
-    fn rotation_is_z_times_the_x_derivative() {
-        let degree = 6;
-        let (f, x, y, h) = (sample(degree), -0.31, 0.44, 1e-5);
-        let z = (1.0_f64 - x * x - y * y).sqrt();
-        let slope = (at(degree, &f, x + h, y) - at(degree, &f, x - h, y)) / (2.0 * h);
-        // Central difference: h^2 times a third derivative of order 100.
-        assert!((at(degree, &times_z_ddx(degree, &f), x, y) - z * slope).abs() < 1e-7);
     }
 }

@@ -3,13 +3,13 @@
 //! `(1 - r^2)^(1/2) P` is `(1 - r^2)^(-1/2)` times the polynomial `(1 - r^2) P`, and so is its
 //! `x` derivative: both map into the harmonics exactly, by recurrences alone.
 
-use super::harmonics;
+use super::{harmonics, products};
 
 /// Coefficients of `(1 - r^2) P`, of two degrees more than `P`.
 #[must_use]
 pub fn as_singular(degree: usize, polynomial: &[f64]) -> Vec<f64> {
-    let once = harmonics::times_z(degree, &spread(degree, polynomial));
-    gather(degree + 2, &harmonics::times_z(degree + 1, &once))
+    let once = products::times_z(degree, &spread(degree, polynomial));
+    gather(degree + 2, &products::times_z(degree + 1, &once))
 }
 
 /// Coefficients of `(1 - r^2)^(1/2) d/d(x/a) [(1 - r^2)^(1/2) P]`, of one degree more than `P`.
@@ -18,8 +18,21 @@ pub fn as_singular(degree: usize, polynomial: &[f64]) -> Vec<f64> {
 /// `(1 - r^2)^(1/2) P`, since a traction that vanishes at the edge may be shifted.
 #[must_use]
 pub fn x_derivative(degree: usize, polynomial: &[f64]) -> Vec<f64> {
-    let once = harmonics::times_z(degree, &spread(degree, polynomial));
-    gather(degree + 1, &harmonics::times_z_ddx(degree + 1, &once))
+    let once = products::times_z(degree, &spread(degree, polynomial));
+    gather(degree + 1, &products::times_z_ddx(degree + 1, &once))
+}
+
+/// Coefficients of `P` from those of `(1 - r^2) P`, of two degrees more than `P`.
+///
+/// A given polynomial need not be such a product: [`as_singular`] of the result tells by how
+/// much it is not. Below degree two no polynomial but zero is, and the result is `[0]`.
+#[must_use]
+pub fn from_singular(degree: usize, product: &[f64]) -> Vec<f64> {
+    if degree < 2 {
+        return vec![0.0];
+    }
+    let once = products::over_z(degree, &spread(degree, product));
+    gather(degree - 2, &products::over_z(degree - 1, &once))
 }
 
 /// A table of all harmonics from the coefficients of the polynomials among them.
@@ -55,6 +68,14 @@ mod tests {
         let (p, x, y) = (sample(5), 0.2, 0.7);
         let product = (1.0 - x * x - y * y) * at(5, &p, x, y);
         assert!((at(7, &as_singular(5, &p), x, y) - product).abs() < 1e-13);
+    }
+
+    #[test]
+    fn division_undoes_the_product() {
+        let p = sample(20);
+        let quotient = from_singular(22, &as_singular(20, &p));
+        // Two recurrences over 20 degrees, each good to a digit.
+        assert!(quotient.iter().zip(&p).all(|(a, b)| (a - b).abs() < 1e-13));
     }
 
     #[test]
