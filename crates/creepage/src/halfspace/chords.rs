@@ -60,12 +60,16 @@ impl Chords {
     /// The lines in an interval of directions, cut at zero, where the weight has its peak.
     fn between(&self, start: f64, length: f64, sign: f64) -> impl Iterator<Item = Chord> {
         let end = start + length;
-        let cut = 0.0_f64.clamp(start, end);
-        [[start, cut], [cut, end]].into_iter().filter(|[start, end]| end > start).flat_map(
-            move |[start, end]| {
+        let parts = if start < 0.0 && end > 0.0 {
+            [[start, 0.0, -start], [0.0, end, end]]
+        } else {
+            [[start, end, length], [end, end, 0.0]]
+        };
+        parts.into_iter().filter(|[.., length]| *length > 0.0).flat_map(
+            move |[start, end, length]| {
                 self.rule.iter().map(move |node| {
                     let angle = start * node.from_right + end * node.from_left;
-                    self.chord(angle, sign, (end - start) * node.weight)
+                    self.chord(angle, sign, length * node.weight)
                 })
             },
         )

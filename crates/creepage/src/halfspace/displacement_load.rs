@@ -13,7 +13,7 @@ use super::{Edge, LoadDisplacement, Polynomial, ResponseError, Traction, harmoni
 /// ```
 /// use creepage::Ellipse;
 /// use creepage::halfspace::{LoadDisplacement, Polynomial};
-/// // The traction that shifts the circle by 1 along x: F_x = 4 / (1 - sigma/2) G c.
+/// // The traction that shifts the unit circle by 1 along x: F_x = 2 G / (1 - sigma/2).
 /// let response = LoadDisplacement::new(Ellipse::new(1.0, 1.0)?, 0.25, 0)?;
 /// let (one, zero) = (Polynomial::new(vec![1.0])?, Polynomial::zero(0));
 /// let traction = response.inverse()?.singular([&one, &zero, &zero])?;
