@@ -97,7 +97,8 @@ impl DisplacementLoad {
         let ellipse = self.response.ellipse();
         let wanted = displacement.map(|p| p.to_harmonics(ellipse));
         let singular = self.solve(wanted.clone())?;
-        let quotient = singular.map(|table| vanishing::from_singular(degree_of(&table), &table));
+        let quotient = singular
+            .map(|table| vanishing::from_singular(harmonics::degree_of(table.len()), &table));
         let traction = Traction::from_harmonics(ellipse, Edge::Vanishing, quotient)?;
         let residual = self.residual(&traction, &wanted);
         if residual <= REACHED {
@@ -108,7 +109,8 @@ impl DisplacementLoad {
     }
 
     fn solve(&self, [u, v, w]: [Vec<f64>; 3]) -> Result<[Vec<f64>; 3], ResponseError> {
-        let degree = [&u, &v, &w].map(|table| degree_of(table)).into_iter().max().unwrap_or(0);
+        let longest = u.len().max(v.len()).max(w.len());
+        let degree = harmonics::degree_of(longest);
         self.response.check(self.response.ellipse(), degree)?;
         let [mut x, mut y] = self.tangential([&u, &v]);
         let mut z = self.normal(&w);
@@ -131,9 +133,4 @@ impl DisplacementLoad {
         }));
         if size == 0.0 { 0.0 } else { miss / size }
     }
-}
-
-/// The degree of a table of harmonics.
-fn degree_of(table: &[f64]) -> usize {
-    (0..).find(|&degree| harmonics::polynomial_count(degree) >= table.len()).unwrap_or(0)
 }

@@ -144,8 +144,7 @@ impl Traction {
     pub fn at(&self, [x, y]: [f64; 2]) -> [f64; 3] {
         let point = [x / self.ellipse.a(), y / self.ellipse.b()];
         let square = (1.0 - point[0].hypot(point[1])) * (1.0 + point[0].hypot(point[1]));
-        // Written so that a point at infinity, or none, is outside.
-        if !(square > 0.0) {
+        if square.is_nan() || square <= 0.0 {
             return [0.0; 3];
         }
         let factor = match self.edge {
@@ -178,7 +177,9 @@ impl Traction {
         }
         let harmonics = self.harmonics().map(|p| {
             let mut slope = vanishing::x_derivative(self.degree, p);
-            slope.iter_mut().for_each(|value| *value /= self.ellipse.a());
+            for value in &mut slope {
+                *value /= self.ellipse.a();
+            }
             slope
         });
         Self::from_harmonics(self.ellipse, Edge::Singular, harmonics).ok()

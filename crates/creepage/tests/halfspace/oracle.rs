@@ -8,32 +8,7 @@ use creepage::Ellipse;
 use creepage::halfspace::{DisplacementField, Edge, LoadDisplacement, Polynomial, Traction};
 use gauss_quad::GaussLegendre;
 
-/// Evenly distributed numbers between -1 and 1.
-struct Random(u64);
-
-impl Random {
-    fn next(&mut self) -> f64 {
-        self.0 =
-            self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
-    }
-
-    /// A polynomial whose terms are all of order one on the ellipse.
-    fn polynomial(&mut self, ellipse: Ellipse, degree: usize) -> Polynomial {
-        let mut coefficients = Polynomial::zero(degree).coefficients().to_vec();
-        for p in 0..=degree {
-            for q in 0..=degree - p {
-                let unit = ellipse.a().powi(p as i32) * ellipse.b().powi(q as i32);
-                coefficients[Polynomial::index(p, q)] = self.next() / unit;
-            }
-        }
-        Polynomial::new(coefficients).unwrap()
-    }
-
-    fn polynomials(&mut self, ellipse: Ellipse, degree: usize) -> [Polynomial; 3] {
-        [0; 3].map(|_| self.polynomial(ellipse, degree))
-    }
-}
+use super::support::{Random, largest};
 
 /// The kernels on a traction `[X, Y, Z]` at a distance in true direction `(cos, sin)`, times
 /// the distance.
@@ -61,11 +36,11 @@ fn inside(
 ) -> [f64; 3] {
     let (a2, b2) = (ellipse.a().powi(2), ellipse.b().powi(2));
     // The integrand's poles are about g away from the real axis.
-    let rays = 2 * (40.0 / ellipse.g()) as usize + 120;
+    let rays = 2 * (40.0 / ellipse.g()) as u32 + 120;
     let along = GaussLegendre::new(20.try_into().unwrap());
     let mut sum = [0.0; 3];
     for ray in 0..rays {
-        let (sin, cos) = (2.0 * PI * ray as f64 / rays as f64).sin_cos();
+        let (sin, cos) = (2.0 * PI * f64::from(ray) / f64::from(rays)).sin_cos();
         let quadratic = cos * cos / a2 + sin * sin / b2;
         let d = (x * cos / a2 + y * sin / b2) / quadratic;
         let b_squared = (1.0 - x * x / a2 - y * y / b2) / quadratic + d * d;
@@ -81,7 +56,7 @@ fn inside(
             });
             let mut traction = [0.0; 3];
             traction[component] = integral / quadratic.sqrt();
-            add(&mut sum, 2.0 / rays as f64, kernels(poisson, [cos, sin], traction));
+            add(&mut sum, 2.0 / f64::from(rays), kernels(poisson, [cos, sin], traction));
         }
     }
     sum
@@ -98,7 +73,7 @@ fn outside(
     let rays = 400;
     let mut sum = [0.0; 3];
     for ray in 0..rays {
-        let (sin, cos) = (2.0 * PI * ray as f64 / f64::from(rays)).sin_cos();
+        let (sin, cos) = (2.0 * PI * f64::from(ray) / f64::from(rays)).sin_cos();
         for component in 0..3 {
             let integral = |result: usize| {
                 radial.integrate(0.0, FRAC_PI_2, |t| {
@@ -119,10 +94,6 @@ fn outside(
         }
     }
     sum
-}
-
-fn largest(values: impl IntoIterator<Item = f64>) -> f64 {
-    values.into_iter().map(f64::abs).fold(0.0, f64::max)
 }
 
 #[test]
