@@ -56,6 +56,8 @@ pub struct PartialSlip {
     adhesion: Ellipse,
     direction: [f64; 2],
     bound: f64,
+    /// One less the ratio of the adhesion ellipse's axes to the contact's.
+    gap: f64,
     shift: [f64; 2],
     sliding: DisplacementField,
     relief: DisplacementField,
@@ -80,7 +82,8 @@ impl PartialSlip {
         let direction = if size > 0.0 { [fx / size, fy / size] } else { [1.0, 0.0] };
         let (pair, ellipse, share) = (contact.pair(), contact.ellipse(), size / limit);
         // (3.62), (3.61): the relief acts on an ellipse smaller by `scale`, and is as much less.
-        let scale = (1.0 - share).cbrt();
+        let gap = -((-share).ln_1p() / 3.0).exp_m1();
+        let scale = 1.0 - gap;
         let adhesion = Ellipse::new(scale * ellipse.a(), scale * ellipse.b())?;
         let bound = friction * contact.peak_pressure();
         let peak = bound / pair.shear_modulus();
@@ -97,6 +100,7 @@ impl PartialSlip {
             adhesion,
             direction,
             bound,
+            gap,
             shift: [unit * cx * direction[0], unit * cy * direction[1]],
             sliding: field(ellipse, peak)?,
             relief: field(adhesion, scale * peak)?,
@@ -135,11 +139,9 @@ impl PartialSlip {
             let r = radius(ellipse, point);
             ((1.0 - r) * (1.0 + r)).max(0.0).sqrt()
         };
-        let scale = self.adhesion.a() / self.contact.a();
-        let (full, relief) = (root(self.contact), scale * root(self.adhesion));
+        let (full, relief) = (root(self.contact), (1.0 - self.gap) * root(self.adhesion));
         // In the area of adhesion the difference of the roots, without cancellation.
-        let size =
-            if relief > 0.0 { (1.0 - scale) * (1.0 + scale) / (full + relief) } else { full };
+        let size = if relief > 0.0 { self.gap * (2.0 - self.gap) / (full + relief) } else { full };
         self.direction.map(|component| self.bound * size * component)
     }
 

@@ -105,7 +105,6 @@ fn inside_by_direct_quadrature() {
             assert!(worst < 1e-11, "{degree} {ratio} {point:?}: {worst:e}");
         }
     }
-    println!("worst relative error of the coupling: {worst:e}");
 }
 
 /// The divergence of the field is -2 Z under the load and zero beside it; the x derivative is
