@@ -70,7 +70,7 @@ impl DisplacementField {
     ///
     /// Inside like bodies cost the evaluation of a polynomial; outside, and for unlike bodies,
     /// it is a quadrature with some hundred nodes. Relative accuracy is 1e-12 for ratios `a/b`
-    /// between 1e-3 and 1e3, 1e-9 beyond, and `1e-16 r` far away.
+    /// between 1e-3 and 1e3 and 1e-10 beyond; at `r` semi-axes from the centre `1e-16 r` besides.
     #[must_use]
     pub fn at(&self, [x, y]: [f64; 2]) -> [f64; 3] {
         let point = [x / self.ellipse.a(), y / self.ellipse.b()];

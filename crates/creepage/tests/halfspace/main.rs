@@ -10,5 +10,6 @@
 mod coefficients;
 mod equations;
 mod oracle;
+mod robust;
 mod support;
 mod unlike;

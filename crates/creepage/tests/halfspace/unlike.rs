@@ -150,3 +150,50 @@ fn coupling_is_antisymmetric_in_sign_only() {
     }
     assert!(DisplacementField::new(&normal, 0.3, 0.7).is_err());
 }
+
+/// Hertz's pressure on ellipses of any slenderness: the load is a pile of similar ellipses, each
+/// of which pulls as its confocal one through the point (Newton, Ivory), so that
+/// `T_x = -a b x int Z(m(s)) / ((a^2+s)^(3/2) (b^2+s)^(1/2)) ds`,
+/// `m^2 = x^2/(a^2+s) + y^2/(b^2+s)`, from the confocal ellipse through the point outward.
+#[test]
+fn hertz_pressure_by_confocal_ellipses() {
+    let mut worst = [0.0_f64; 2];
+    for ratio in [1e-6, 1e-3, 0.05, 0.5, 1.0, 8.0, 1e3, 1e6] {
+        let ellipse = Ellipse::from_ratio(ratio).unwrap();
+        let hertz = pressure(ellipse, Edge::Vanishing, &Polynomial::new(vec![1.0]).unwrap());
+        let (a2, b2) = (ellipse.a().powi(2), ellipse.b().powi(2));
+        for r in [0.1, 0.9, 0.999, 1.0, 1.001, 1.5, 8.0] {
+            for f in [0.0_f64, 0.4, 1.2, FRAC_PI_2, 2.5, 4.0] {
+                let [x, y] = [ellipse.a() * r * f.cos(), ellipse.b() * r * f.sin()];
+                let half = (a2 + b2 - x * x - y * y) / 2.0;
+                let rest = (a2 * b2 * (r - 1.0) * (r + 1.0)).max(0.0);
+                let root = half.hypot(rest.sqrt());
+                let first = if half > 0.0 { rest / (half + root) } else { root - half };
+                // s = first + exp(t): the midpoint rule in t converges geometrically.
+                let mut expected = [0.0; 2];
+                for i in -1000..1000 {
+                    let step = (0.08 * f64::from(i)).exp();
+                    let [alpha, beta] = [a2 + first + step, b2 + first + step];
+                    // 1 - m^2, outside as a difference from the confocal ellipse.
+                    let inner = if r > 1.0 {
+                        step * (x * x / (alpha * (a2 + first)) + y * y / (beta * (b2 + first)))
+                    } else {
+                        1.0 - x * x / alpha - y * y / beta
+                    };
+                    let ring = inner.max(0.0).sqrt() * step * 0.08 / (alpha * beta).sqrt();
+                    expected[0] -= (a2 * b2).sqrt() * x / alpha * ring;
+                    expected[1] -= (a2 * b2).sqrt() * y / beta * ring;
+                }
+                let [u, v, _] = addition(&hertz, [x, y]);
+                let extreme = usize::from(ratio.ln().abs() > 7.0);
+                for (found, expected) in [(u, expected[0]), (v, expected[1])] {
+                    // The larger pull is the scale: across the minor axis it is about s.
+                    let error = (found - expected).abs() / ellipse.minor();
+                    worst[extreme] = worst[extreme].max(error);
+                }
+            }
+        }
+    }
+    // As the documentation of the field promises, with a margin.
+    assert!(worst[0] < 1e-12 && worst[1] < 1e-10, "{worst:?}");
+}
