@@ -7,6 +7,8 @@
 
 use std::f64::consts::FRAC_PI_2;
 
+use crate::ellipse::Ellipse;
+
 /// Jacobi's elliptic functions at one node.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Node {
@@ -16,6 +18,19 @@ pub(super) struct Node {
     pub(super) cn: f64,
     /// `dn u = sqrt(1 - e^2 sin^2 psi)`.
     pub(super) dn: f64,
+}
+
+impl Node {
+    /// The direction on the unit disc at `psi` from the major axis, and the true direction:
+    /// `Q` of the load-displacement equations is then `dn` times the major semi-axis.
+    pub(super) fn directions(&self, ellipse: Ellipse) -> ([f64; 2], [f64; 2]) {
+        let (major, minor) = (self.cn / self.dn, ellipse.g() * self.sn / self.dn);
+        if ellipse.a() > ellipse.b() {
+            ([self.cn, self.sn], [major, minor])
+        } else {
+            ([self.sn, self.cn], [minor, major])
+        }
+    }
 }
 
 /// The midpoints of `count` equal parts of `0 < u < 2 K`, where `psi` runs from 0 to pi.

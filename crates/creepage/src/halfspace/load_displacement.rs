@@ -10,7 +10,7 @@
 
 use std::f64::consts::PI;
 
-use nalgebra::{DMatrix, DVector, DVectorView};
+use nalgebra::{DMatrix, DVector};
 
 use super::{Polynomial, ResponseError, Traction, elliptic, harmonics};
 use crate::check::{self, InvalidValue};
@@ -139,10 +139,8 @@ impl LoadDisplacement {
 /// The coefficients of degree `n`, zeros where the table ends before.
 pub(super) fn of_degree(coefficients: &[f64], n: usize) -> DVector<f64> {
     let start = if n == 0 { 0 } else { harmonics::polynomial_count(n - 1) };
-    match coefficients.get(start..=start + n) {
-        Some(part) => DVectorView::from_slice(part, n + 1).into_owned(),
-        None => DVector::zeros(n + 1),
-    }
+    let padded = coefficients.iter().skip(start).copied().chain(std::iter::repeat(0.0));
+    DVector::from_iterator(n + 1, padded.take(n + 1))
 }
 
 /// Quadrature over the directions of the chords through a point.
@@ -170,13 +168,7 @@ impl Directions {
             edge: DMatrix::zeros(harmonics::polynomial_count(degree), count),
         };
         for (node, mut column) in elliptic::nodes(g, count).zip(directions.edge.column_iter_mut()) {
-            // psi runs from the major axis, along which Q is the major semi-axis.
-            let (major, minor) = (node.cn / node.dn, g * node.sn / node.dn);
-            let ([cos, sin], [true_cos, true_sin]) = if ellipse.a() > ellipse.b() {
-                ([node.cn, node.sn], [major, minor])
-            } else {
-                ([node.sn, node.cn], [minor, major])
-            };
+            let ([cos, sin], [true_cos, true_sin]) = node.directions(ellipse);
             directions.kernels.push([true_sin * true_sin, true_sin * true_cos]);
             harmonics::visit(degree, [-sin, cos], |n, m, value| {
                 if n.wrapping_add_signed(m).is_multiple_of(2) {

@@ -255,6 +255,18 @@ fn derivative_of_traction_and_displacement() {
     assert!(traction.x_derivative().unwrap().x_derivative().is_none());
 }
 
+/// A table that ends within a degree means zeros beyond.
+#[test]
+fn short_tables_are_padded() {
+    let equations = LoadDisplacement::new(Ellipse::new(1.0, 3.0).unwrap(), 0.3, 3).unwrap();
+    let mut random = Random(12);
+    let short: Vec<f64> = (0..4).map(|_| random.next()).collect();
+    let mut long = short.clone();
+    long.resize(harmonics::polynomial_count(3), 0.0);
+    assert_eq!(equations.tangential([&short, &[]]), equations.tangential([&long, &[0.0; 10]]));
+    assert_eq!(equations.normal(&short), equations.normal(&long));
+}
+
 #[test]
 fn circle_without_poisson_effect_in_closed_form() {
     // (1 - r^2)^(-1/2) Y_nm causes its multiple: the Abel-Fourier eigenvalues of the circle.

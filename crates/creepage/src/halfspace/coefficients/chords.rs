@@ -4,7 +4,7 @@
 //! centre, `h = -(x/a) sin f + (y/b) cos f` for the chords through `(x, y)`; its coefficient of
 //! `h^(m+n)` makes `x^m y^n`.
 
-use super::super::elliptic::{self, Node};
+use super::super::elliptic;
 use super::{Sum, power};
 use crate::ellipse::Ellipse;
 
@@ -23,7 +23,7 @@ pub(super) fn f(h: usize, [p, q]: [usize; 2], [m, n]: [usize; 2], ellipse: Ellip
     let count = elliptic::node_count(k, p + q + m + n + 4);
     let sum: Sum = elliptic::nodes(g, count)
         .map(|node| {
-            let ([cos, sin], true_direction) = directions(&node, ellipse);
+            let ([cos, sin], true_direction) = node.directions(ellipse);
             let factor = kernel(true_direction) * (-sin).powi(power(m)) * cos.powi(power(n));
             chord_mean([p, q], m + n, [cos, sin]).scaled(factor)
         })
@@ -34,16 +34,6 @@ pub(super) fn f(h: usize, [p, q]: [usize; 2], [m, n]: [usize; 2], ellipse: Ellip
     let share = 2.0 + (p + q) as f64 - (m + n) as f64;
     let share = if share == 0.0 { 1.0 } else { share };
     Some(sum.scaled(factorial * unit * k * ellipse.minor() / (count as f64 * share)))
-}
-
-/// The direction on the unit disc, and the true direction, of a node.
-fn directions(node: &Node, ellipse: Ellipse) -> ([f64; 2], [f64; 2]) {
-    let (major, minor) = (node.cn / node.dn, ellipse.g() * node.sn / node.dn);
-    if ellipse.a() > ellipse.b() {
-        ([node.cn, node.sn], [major, minor])
-    } else {
-        ([node.sn, node.cn], [minor, major])
-    }
 }
 
 /// The coefficient of `h^order` in the mean of `(x/a)^p (y/b)^q` over the chord in `direction`

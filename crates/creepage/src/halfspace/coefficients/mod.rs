@@ -3,7 +3,7 @@
 //!
 //! The thesis's double sums (2.73), (3.12) alternate and lose a digit or more a degree. Here
 //! every coefficient is one integral over the directions, taken in two ways, along the
-//! [rays](self) from the centre and along the chords of the ellipse; of the two results the
+//! rays from the centre and along the chords of the ellipse; of the two results the
 //! one that cancels less counts. They complement each other: where a slender ellipse spoils
 //! one, the other is good to rounding.
 
