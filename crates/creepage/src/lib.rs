@@ -3,6 +3,7 @@
 pub mod halfspace;
 pub mod rolling;
 pub mod special;
+pub mod statics;
 
 mod check;
 mod ellipse;

@@ -79,7 +79,7 @@ pub(crate) fn kappa(a_over_b: f64, poisson: f64) -> f64 {
 }
 
 pub(crate) fn creepage(xi: f64, eta: f64, chi: f64) -> Creepage {
-    Creepage::new(xi, eta, chi).unwrap()
+    Creepage { xi, eta, chi }
 }
 
 pub(crate) fn array(force: Force) -> [f64; 3] {

@@ -169,7 +169,7 @@ impl Fastrip {
         })
     }
 
-    /// Slopes of FASTSIM's traction in the strip at `y` of half-length `half_length`.
+    /// Slopes of FASTSIM's traction in the strip at `y` of half-length `a s`.
     fn slopes<R: Real>(&self, slopes: &[Slopes<R>; 2], y: f64, s: f64) -> Slopes<R> {
         let [usual, one] = *slopes;
         let half_length = self.ellipse.a() * s;
