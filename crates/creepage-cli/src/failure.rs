@@ -7,7 +7,7 @@ use creepage_case::CaseError;
 use creepage_report::ReportError;
 
 use crate::batch::ColumnError;
-use crate::theories::{TheoryError, UnknownTheory};
+use crate::theories::{ChoiceError, TheoryError, UnknownTheory};
 
 /// Why the command could not do its work.
 #[derive(Debug, thiserror::Error)]
@@ -18,6 +18,8 @@ pub(crate) enum Failure {
     Case { path: PathBuf, source: CaseError },
     #[error(transparent)]
     UnknownTheory(#[from] UnknownTheory),
+    #[error("{}: {source}", path.display())]
+    Choice { path: PathBuf, source: ChoiceError },
     #[error("{}: [solve] {source}", path.display())]
     Options { path: PathBuf, source: TheoryError },
     #[error("{input}: {source}")]
