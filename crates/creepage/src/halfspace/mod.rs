@@ -24,6 +24,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+pub mod closed_forms;
 pub mod coefficients;
 pub mod harmonics;
 pub mod vanishing;

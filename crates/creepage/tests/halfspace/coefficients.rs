@@ -2,6 +2,7 @@
 //! equations in harmonics.
 
 use creepage::Ellipse;
+use creepage::halfspace::closed_forms;
 use creepage::halfspace::coefficients::{MAX_ORDER, e, f, integral_i, integral_j};
 use creepage::halfspace::{Edge, LoadDisplacement, Polynomial, Traction};
 use creepage::special::CompleteIntegrals;
@@ -77,84 +78,44 @@ fn high_orders_against_50_digits() {
     }
 }
 
-/// All of (3.21), and (3.14).
+/// All 15 of (3.21), and (3.14).
 #[test]
 fn closed_forms_of_j() {
     for g in [1e-3, 0.05, 0.3, 0.7, 1.0] {
-        let CompleteIntegrals { k, e, c, d, b: _ } = CompleteIntegrals::new(g);
-        // e^2, in a form that is exact near the circle.
-        let e2 = (1.0 - g) * (1.0 + g);
-        for ([n, i, j], expected) in [
-            ([-1, 0, 0], e / 2.0),
-            ([-1, 0, 1], -(3.0 - 2.0 * e2) * d / 4.0 + e2 * c / 4.0),
-            ([-1, 1, 0], -(3.0 - e2) * d / 4.0 + e2 * c / 2.0),
-            ([-1, 0, 2], ((11.0 - 8.0 * e2) * d + (1.0 - 4.0 * e2) * c) / 8.0),
-            ([-1, 1, 1], (2.0 - e2) * d / 4.0 - (1.0 + e2) * c / 8.0),
-            ([-1, 2, 0], ((11.0 - 3.0 * e2) * d + (1.0 - 9.0 * e2) * c) / 8.0),
-            ([0, 0, 0], k / 2.0),
-            ([0, 0, 1], -d / 4.0),
-            ([0, 1, 0], -(d - e2 * c) / 4.0),
-            ([0, 0, 2], d / 4.0 + c / 8.0),
-            ([0, 1, 1], (d - c) / 8.0),
-            ([0, 2, 0], d / 4.0 + (1.0 - 3.0 * e2) * c / 8.0),
-            ([1, 0, 0], e / (4.0 * g * g)),
-            ([1, 0, 1], (d - e2 * c) / (8.0 * g * g)),
-            ([1, 1, 0], d / 8.0),
-        ] {
-            let found = integral_j(n, i as usize, j as usize, g).unwrap();
+        let orders = (-2..4).flat_map(|d| (0..4).flat_map(move |i| (0..4).map(move |j| (d, i, j))));
+        let mut compared = 0;
+        for (d, i, j) in orders {
+            let Some(closed) = closed_forms::j(d, i, j, g) else { continue };
+            let found = integral_j(d, i, j, g).unwrap();
             // The closed forms cancel for slender ellipses.
-            let tolerance = 1e-14 * (k / found.abs()).max(1.0);
-            assert!((found / expected - 1.0).abs() < tolerance, "{g} {n} {i} {j}");
-            let other = integral_i(n, i as usize, j as usize, g).unwrap();
-            assert!((other - 2.0 * f64::from(n + 1) * found).abs() <= 1e-15 * found.abs());
+            let tolerance = 1e-14 * (CompleteIntegrals::new(g).k / found.abs()).max(1.0);
+            assert!((found / closed - 1.0).abs() < tolerance, "{g} {d} {i} {j}");
+            let other = integral_i(d, i, j, g).unwrap();
+            assert!((other - 2.0 * f64::from(d + 1) * found).abs() <= 1e-15 * found.abs());
+            compared += 1;
         }
+        assert_eq!(compared, 15);
         assert!(integral_j(-2, 0, 0, g).unwrap().abs() < f64::MIN_POSITIVE);
     }
 }
 
-/// All of (3.22), with `g^2` where the print has `e^2` by mistake; the other orientation of the
-/// ellipse by exchange (3.8).
+/// All 28 of (3.22), with `g^2` where the print has `e^2` by mistake; the other orientation of
+/// the ellipse by exchange (3.8).
 #[test]
 fn closed_forms_of_f() {
-    for g in [0.05, 0.3, 0.8, 1.0] {
-        let CompleteIntegrals { k, e, b, c, d } = CompleteIntegrals::new(g);
-        let (s, g2, e2) = (1.7_f64, g * g, (1.0 - g) * (1.0 + g));
-        let cube = s.powi(3);
-        for (h, [p, q, m, n], expected) in [
-            (0, [0, 0, 0, 0], s * k / 2.0),
-            (0, [0, 0, 2, 0], -b / s),
-            (0, [0, 0, 0, 2], -g2 * d / s),
-            (0, [1, 0, 1, 0], s * b / 2.0),
-            (0, [1, 0, 3, 0], (d - 3.0 * b - c) / s),
-            (0, [1, 0, 1, 2], -g2 * (d - c) / s),
-            (0, [0, 1, 0, 1], s * d / 2.0),
-            (0, [0, 1, 2, 1], -(d - c) / s),
-            (0, [0, 1, 0, 3], -g2 * (2.0 * d + c) / s),
-            (0, [2, 0, 0, 0], cube * d / 8.0),
-            (0, [2, 0, 2, 0], s * (d + (1.0 - 2.0 * e2) * c) / 2.0),
-            (0, [2, 0, 0, 2], -s * g2 * c / 2.0),
-            (0, [1, 1, 1, 1], s * (d - c) / 2.0),
-            (0, [0, 2, 0, 0], cube * b / (8.0 * g2)),
-            (0, [0, 2, 2, 0], -s * c / 2.0),
-            (0, [0, 2, 0, 2], s * (d + c) / 2.0),
-            (1, [0, 0, 0, 0], cube * e / (8.0 * g2)),
-            (1, [0, 0, 2, 0], s * d / 2.0),
-            (1, [0, 0, 0, 2], s * b / 2.0),
-            (1, [0, 0, 4, 0], -(d - c) / s),
-            (1, [0, 0, 2, 2], -g2 * c / s),
-            (1, [0, 0, 0, 4], -g2 * (d - c) / s),
-            (1, [1, 0, 1, 0], -cube * d / 8.0),
-            (1, [1, 0, 3, 0], s * (d - c) / 2.0),
-            (1, [1, 0, 1, 2], g2 * s * c / 2.0),
-            (1, [0, 1, 0, 1], -cube * b / (8.0 * g2)),
-            (1, [0, 1, 2, 1], s * c / 2.0),
-            (1, [0, 1, 0, 3], s * (d - c) / 2.0),
-        ] {
-            let found = f(h, [p, q], [m, n], ellipse(s, g, true)).unwrap();
-            assert!((found / expected - 1.0).abs() < 1e-13, "{g}: {h} {p}{q} {m}{n} {found}");
-            let turned = f(h, [q, p], [n, m], ellipse(s, g, false)).unwrap();
-            assert!((turned / found - 1.0).abs() < 1e-13, "{g}: {h} {p}{q} {m}{n} turned");
+    let powers = || (0..3).flat_map(|p| (0..3).map(move |q| [p, q]));
+    for (g, minor_along_x) in [(0.05, true), (0.3, false), (0.8, true), (1.0, true)] {
+        let shape = ellipse(1.7, g, minor_along_x);
+        let mut compared = 0;
+        for (h, pq) in (0..3).flat_map(|h| powers().map(move |pq| (h, pq))) {
+            for mn in (0..6).flat_map(|m| (0..6).map(move |n| [m, n])) {
+                let Some(closed) = closed_forms::f(h, pq, mn, shape) else { continue };
+                let found = f(h, pq, mn, shape).unwrap();
+                assert!((found / closed - 1.0).abs() < 1e-13, "{g}: {h} {pq:?} {mn:?} {found}");
+                compared += 1;
+            }
         }
+        assert_eq!(compared, 28);
     }
 }
 

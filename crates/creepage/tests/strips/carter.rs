@@ -25,7 +25,7 @@ fn slip_vanishes_in_adhesion_and_follows_the_traction_in_slip() {
         for x in [-0.97, -0.6, -0.3, 0.05, 0.4, 0.93, 0.99] {
             let at = carter.at(x);
             let slip = slip(carter, creepage, x);
-            // The bound; the quadrature's rounding stays below it.
+            // The quadrature's rounding stays below.
             assert!((slip - at.slip[0]).abs() < 1e-12, "{creepage} {x}: {slip} {at:?}");
             match at.region {
                 Region::Adhesion => {

@@ -65,7 +65,7 @@ fn slip_vanishes_in_the_adhesion_area_by_an_independent_plane_integral() {
                 for share in [0.1, 0.5, 0.9] {
                     let x = border + share * (half_length - border);
                     let slip = plane_slip(&theory, (a_over_b, poisson), at, [x, y], &breaks);
-                    // The bound.
+                    // The oracle's quadrature is good to 1e-10.
                     assert!(slip[0].hypot(slip[1]) < 1e-9, "{a_over_b} {at:?} {x} {y}: {slip:?}");
                     let x = border - share * (border + half_length);
                     let slip = plane_slip(&theory, (a_over_b, poisson), at, [x, y], &breaks);
