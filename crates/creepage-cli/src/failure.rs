@@ -3,8 +3,10 @@
 use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 
+use creepage::InvalidValue;
 use creepage_case::CaseError;
 use creepage_report::ReportError;
+use creepage_validation::ReferenceError;
 
 use crate::batch::ColumnError;
 use crate::theories::{ChoiceError, TheoryError, UnknownTheory};
@@ -22,6 +24,12 @@ pub(crate) enum Failure {
     Choice { path: PathBuf, source: ChoiceError },
     #[error("{}: [solve] {source}", path.display())]
     Options { path: PathBuf, source: TheoryError },
+    #[error("{theory}: {source}")]
+    Theory { theory: &'static str, source: TheoryError },
+    #[error(transparent)]
+    Argument(#[from] InvalidValue),
+    #[error(transparent)]
+    Reference(#[from] ReferenceError),
     #[error("{input}: {source}")]
     Columns { input: String, source: ColumnError },
     #[error("cannot read rows from {input}: {source}")]
@@ -58,7 +66,11 @@ impl Failure {
         match self {
             Self::Stdout(source) if source.kind() == ErrorKind::BrokenPipe => None,
             Self::Write { source, .. } if is_wrong_place(source.kind()) => Some(2),
-            Self::Stdout(_) | Self::Write { .. } | Self::Rows { .. } | Self::Report(_) => Some(1),
+            Self::Stdout(_)
+            | Self::Write { .. }
+            | Self::Rows { .. }
+            | Self::Report(_)
+            | Self::Reference(_) => Some(1),
             _ => Some(2),
         }
     }

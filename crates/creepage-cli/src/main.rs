@@ -1,9 +1,12 @@
 //! The command `creepage`: reads a case, solves it, reports.
 
+mod accuracy;
 mod args;
 mod batch;
 mod cases;
 mod caution;
+mod coefficients;
+mod curve;
 mod failure;
 mod init;
 mod output;
@@ -42,6 +45,9 @@ fn run(command: &Command) -> Result<Outcome, Failure> {
         Command::Batch(args) => return batch::run(args),
         Command::Hertz(args) => cases::hertz(args)?,
         Command::Theories => output::print(&theories::table())?,
+        Command::Coefficients(args) => coefficients::run(args)?,
+        Command::Curve(args) => curve::run(args)?,
+        Command::Accuracy(args) => accuracy::run(args)?,
         Command::Init(args) => init::run(args)?,
         Command::Schema => output::print(&format!("{:#}", creepage_case::json_schema()))?,
     }

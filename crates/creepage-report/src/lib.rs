@@ -47,9 +47,14 @@
 //! ```
 
 mod areas;
+mod axis;
 mod caption;
 mod contact_picture;
 mod contact_view;
+mod curve_legend;
+mod curve_panel;
+mod curve_picture;
+mod curves;
 mod error;
 mod format;
 mod json;
@@ -64,6 +69,7 @@ mod testing;
 mod text;
 mod write;
 
+pub use curves::{Component, Curves};
 pub use error::ReportError;
 pub use json::{
     AreasJson, CreepageJson, DetailJson, DimensionlessJson, ForceJson, HertzJson, ReportJson,

@@ -28,6 +28,12 @@ impl Ink {
         Self { line: Some((colour, width)), ..Self::default() }
     }
 
+    /// An open line with `stroke-dasharray` `dashes`, unbroken where that is empty.
+    pub(crate) const fn broken_line(colour: &'static str, width: f64, dashes: &'static str) -> Self {
+        let dashes = if dashes.is_empty() { None } else { Some(dashes) };
+        Self { fill: None, line: Some((colour, width)), dashes }
+    }
+
     /// The same, outlined too.
     pub(crate) fn outlined(self, colour: &'static str, width: f64) -> Self {
         Self { line: Some((colour, width)), ..self }
