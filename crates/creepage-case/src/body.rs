@@ -11,9 +11,9 @@ use crate::radius::Radius;
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Body {
-    /// Shear modulus G [Pa]. Give this or `young_modulus`.
+    /// Shear modulus G (Pa). Give this or `young_modulus`.
     pub(crate) shear_modulus: Option<f64>,
-    /// Young's modulus E [Pa]. Give this or `shear_modulus`.
+    /// Young's modulus E (Pa). Give this or `shear_modulus`.
     pub(crate) young_modulus: Option<f64>,
     /// Poisson's ratio, 0 to 0.5.
     pub(crate) poisson: f64,

@@ -19,7 +19,7 @@ impl Radius {
     pub(crate) const VALID: &'static str =
         "in metres, positive for a convex and negative for a hollow body, not zero; or \"flat\"";
 
-    /// The radius [m], infinite where flat; `Err` with the number that is no radius.
+    /// The radius (m), infinite where flat; `Err` with the number that is no radius.
     pub(crate) fn metres(self) -> Result<f64, f64> {
         match self {
             Self::Flat => Ok(f64::INFINITY),
