@@ -17,10 +17,10 @@ pub(crate) struct Body {
     pub(crate) young_modulus: Option<f64>,
     /// Poisson's ratio, 0 to 0.5.
     pub(crate) poisson: f64,
-    /// Radius of the section along the rolling direction [m]: a wheel's rolling radius.
+    /// Radius of the section along the rolling direction (m): a wheel's rolling radius.
     /// Positive where convex, negative where hollow, "flat" where straight.
     pub(crate) radius_rolling: Option<Radius>,
-    /// Radius of the section across the rolling direction [m]: a rail head's.
+    /// Radius of the section across the rolling direction (m): a rail head's.
     /// Positive where convex, negative where hollow, "flat" where straight.
     pub(crate) radius_lateral: Option<Radius>,
 }

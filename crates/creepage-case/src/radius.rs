@@ -9,7 +9,7 @@ use serde::de::{Deserialize, Deserializer, Error, Visitor};
 /// A radius of curvature as a case file has it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Radius {
-    /// Radius [m]: positive where the body is convex, negative where it is hollow.
+    /// Radius (m): positive where the body is convex, negative where it is hollow.
     Curved(f64),
     /// No curvature.
     Flat,

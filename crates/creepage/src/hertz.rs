@@ -8,7 +8,7 @@ use crate::ellipse::Ellipse;
 use crate::solid::SolidPair;
 use crate::special::CompleteIntegrals;
 
-/// Principal radii of curvature of one body at the contact [m]: positive where the body is
+/// Principal radii of curvature of one body at the contact (m): positive where the body is
 /// convex, negative where it is hollow, `f64::INFINITY` where it is flat.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Radii {

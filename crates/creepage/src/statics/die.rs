@@ -92,7 +92,7 @@ impl Die {
         self.indentation
     }
 
-    /// Slopes `[c10, c01]` of the base [rad]: its depth is `c00 + c10 x + c01 y` (3.24).
+    /// Slopes `[c10, c01]` of the base (rad): its depth is `c00 + c10 x + c01 y` (3.24).
     #[must_use]
     pub fn tilt(&self) -> [f64; 2] {
         self.tilt

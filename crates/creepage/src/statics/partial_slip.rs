@@ -188,7 +188,7 @@ impl PartialSlip {
     }
 
     /// The largest angle between slip and traction when the force, in this direction, comes to
-    /// the limit of friction [rad]: 4.1 and 9.6 degrees on a circle for `sigma` 1/4 and 1/2.
+    /// the limit of friction (rad): 4.1 and 9.6 degrees on a circle for `sigma` 1/4 and 1/2.
     #[must_use]
     pub fn largest_disagreement(&self) -> f64 {
         self.largest_disagreement
