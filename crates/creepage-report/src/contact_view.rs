@@ -58,7 +58,7 @@ impl View {
         (self.stretch() - 1.0).abs() < 1e-6
     }
 
-    /// A round traction [Pa] and the length of its arrow, unless there is no traction.
+    /// A round traction (Pa) and the length of its arrow, unless there is no traction.
     pub(crate) fn reference(&self, unit: f64) -> Option<(f64, f64)> {
         if self.tractions.is_empty() {
             return None;

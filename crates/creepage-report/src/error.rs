@@ -29,9 +29,9 @@ pub enum ReportError {
     /// The picture could not be turned into pixels.
     #[error("cannot make a picture of {width} x {height} pixels")]
     Pixels {
-        /// Width [pixels].
+        /// Width (pixels).
         width: u32,
-        /// Height [pixels].
+        /// Height (pixels).
         height: u32,
     },
 }

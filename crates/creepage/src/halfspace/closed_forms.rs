@@ -61,8 +61,8 @@ pub fn f(h: usize, pq: [usize; 2], mn: [usize; 2], ellipse: Ellipse) -> Option<f
     let ([p, q], [m, n]) = (turn(pq), turn(mn));
     let shape = Shape { s, g2: ellipse.g().powi(2), e2: ellipse.e().powi(2), integrals };
     match h {
-        0 => shape.from_one_over_r([p, q, m, n]),
-        1 => shape.from_r([p, q, m, n]),
+        0 => shape.of_one_over_r([p, q, m, n]),
+        1 => shape.of_r([p, q, m, n]),
         _ => None,
     }
 }
@@ -77,7 +77,7 @@ struct Shape {
 
 impl Shape {
     /// `h = 0`.
-    fn from_one_over_r(&self, order: [usize; 4]) -> Option<f64> {
+    fn of_one_over_r(&self, order: [usize; 4]) -> Option<f64> {
         let Self { s, g2, e2, integrals: CompleteIntegrals { k, b, c, d, .. } } = *self;
         Some(match order {
             [0, 0, 0, 0] => s * k / 2.0,
@@ -101,7 +101,7 @@ impl Shape {
     }
 
     /// `h = 1`.
-    fn from_r(&self, order: [usize; 4]) -> Option<f64> {
+    fn of_r(&self, order: [usize; 4]) -> Option<f64> {
         let Self { s, g2, integrals: CompleteIntegrals { e, b, c, d, .. }, .. } = *self;
         Some(match order {
             [0, 0, 0, 0] => s.powi(3) * e / (8.0 * g2),

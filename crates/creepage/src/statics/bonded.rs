@@ -38,7 +38,7 @@ pub struct Bonded {
 }
 
 impl Bonded {
-    /// The contact `ellipse` [m] of `pair` under `force`, exerted by the upper body on the
+    /// The contact `ellipse` (m) of `pair` under `force`, exerted by the upper body on the
     /// lower.
     ///
     /// # Errors
@@ -60,26 +60,26 @@ impl Bonded {
         Ok(Self { pair, shift, twist, traction, field })
     }
 
-    /// Shift `[delta_x, delta_y]` of the upper body relative to the lower [m] (3.34).
+    /// Shift `[delta_x, delta_y]` of the upper body relative to the lower (m) (3.34).
     #[must_use]
     pub fn shift(&self) -> [f64; 2] {
         self.shift
     }
 
-    /// Rotation `beta` of the upper body relative to the lower about `z` [rad] (3.34).
+    /// Rotation `beta` of the upper body relative to the lower about `z` (rad) (3.34).
     #[must_use]
     pub fn twist(&self) -> f64 {
         self.twist
     }
 
-    /// Traction `[X, Y]` at `[x, y]` [Pa] (3.31a); zero on the edge and beyond.
+    /// Traction `[X, Y]` at `[x, y]` (Pa) (3.31a); zero on the edge and beyond.
     #[must_use]
     pub fn traction(&self, point: [f64; 2]) -> [f64; 2] {
         let [x, y, _] = self.traction.at(point);
         [x * self.pair.shear_modulus(), y * self.pair.shear_modulus()]
     }
 
-    /// Displacement difference `[u, v, w]` at `[x, y]` [m], in the contact and beside it; `w`
+    /// Displacement difference `[u, v, w]` at `[x, y]` (m), in the contact and beside it; `w`
     /// differs from zero for unlike bodies only.
     #[must_use]
     pub fn displacement(&self, point: [f64; 2]) -> [f64; 3] {

@@ -23,9 +23,9 @@ pub enum DieError {
          the ellipse of a third of the die's semi-axes, within which all of the base has contact"
     )]
     LiftOff {
-        /// Offset of the load along the semi-axis `a` [m].
+        /// Offset of the load along the semi-axis `a` (m).
         x: f64,
-        /// Offset of the load along the semi-axis `b` [m].
+        /// Offset of the load along the semi-axis `b` (m).
         y: f64,
         /// `sqrt((3 x/a)^2 + (3 y/b)^2)`, above one.
         excess: f64,
@@ -55,8 +55,8 @@ pub struct Die {
 }
 
 impl Die {
-    /// A die with base `base` [m] on the half-space `solid`, pressed by `normal_force` [N] at
-    /// `offset` `[x, y]` [m] from the centre.
+    /// A die with base `base` (m) on the half-space `solid`, pressed by `normal_force` (N) at
+    /// `offset` `[x, y]` (m) from the centre.
     ///
     /// # Errors
     /// [`DieError::LiftOff`] when the offset lies outside the ellipse of a third of the
@@ -86,13 +86,13 @@ impl Die {
         Ok(Self { shear_modulus, indentation, tilt, margin: margin.max(0.0), traction, field })
     }
 
-    /// Depth of the base's centre below the undeformed surface, `c00` [m] (3.28).
+    /// Depth of the base's centre below the undeformed surface, `c00` (m) (3.28).
     #[must_use]
     pub fn indentation(&self) -> f64 {
         self.indentation
     }
 
-    /// Slopes `[c10, c01]` of the base [rad]: its depth is `c00 + c10 x + c01 y` (3.24).
+    /// Slopes `[c10, c01]` of the base (rad): its depth is `c00 + c10 x + c01 y` (3.24).
     #[must_use]
     pub fn tilt(&self) -> [f64; 2] {
         self.tilt
@@ -105,7 +105,7 @@ impl Die {
         self.margin
     }
 
-    /// Pressure on the half-space at `[x, y]` [Pa] (3.25); it grows without bound towards the
+    /// Pressure on the half-space at `[x, y]` (Pa) (3.25); it grows without bound towards the
     /// edge. Zero on the edge and beyond.
     #[must_use]
     pub fn pressure(&self, point: [f64; 2]) -> f64 {
@@ -113,7 +113,7 @@ impl Die {
         (self.shear_modulus * self.traction.at(point)[2]).max(0.0)
     }
 
-    /// Displacement `[u, v, w]` of the half-space's surface at `[x, y]` [m], under the die and
+    /// Displacement `[u, v, w]` of the half-space's surface at `[x, y]` (m), under the die and
     /// beside it.
     #[must_use]
     pub fn displacement(&self, point: [f64; 2]) -> [f64; 3] {

@@ -24,9 +24,9 @@ pub enum PartialSlipError {
         "the bodies slide: the tangential force {force} N reaches the friction limit {limit} N"
     )]
     Sliding {
-        /// Magnitude of the tangential force [N].
+        /// Magnitude of the tangential force (N).
         force: f64,
-        /// Coefficient of friction times normal force [N].
+        /// Coefficient of friction times normal force (N).
         limit: f64,
     },
 }
@@ -64,7 +64,7 @@ pub struct PartialSlip {
 
 impl PartialSlip {
     /// The Hertz contact `contact` with coefficient of friction `friction` under the tangential
-    /// force `force` `[F_x, F_y]` [N], along the axes of its ellipse.
+    /// force `force` `[F_x, F_y]` (N), along the axes of its ellipse.
     ///
     /// # Errors
     /// [`PartialSlipError::Sliding`] when the force reaches the limit of friction;
@@ -120,7 +120,7 @@ impl PartialSlip {
         self.adhesion
     }
 
-    /// Shift `[delta_x, delta_y]` of the upper body relative to the lower [m] (3.65).
+    /// Shift `[delta_x, delta_y]` of the upper body relative to the lower (m) (3.65).
     #[must_use]
     pub fn shift(&self) -> [f64; 2] {
         self.shift
@@ -138,7 +138,7 @@ impl PartialSlip {
         }
     }
 
-    /// Traction `[X, Y]` at `[x, y]` [Pa] (3.57).
+    /// Traction `[X, Y]` at `[x, y]` (Pa) (3.57).
     #[must_use]
     pub fn traction(&self, point: [f64; 2]) -> [f64; 2] {
         let root = |ellipse| {
@@ -151,14 +151,14 @@ impl PartialSlip {
         self.direction.map(|component| self.bound * size * component)
     }
 
-    /// Largest traction that friction allows at `[x, y]`, `mu Z` [Pa].
+    /// Largest traction that friction allows at `[x, y]`, `mu Z` (Pa).
     #[must_use]
     pub fn bound(&self, point: [f64; 2]) -> f64 {
         let r = radius(self.contact, point);
         self.bound * ((1.0 - r) * (1.0 + r)).max(0.0).sqrt()
     }
 
-    /// Displacement difference `[u, v, w]` at `[x, y]` [m]; `w` differs from zero for unlike
+    /// Displacement difference `[u, v, w]` at `[x, y]` (m); `w` differs from zero for unlike
     /// bodies only.
     #[must_use]
     pub fn displacement(&self, point: [f64; 2]) -> [f64; 3] {
@@ -166,7 +166,7 @@ impl PartialSlip {
         [0, 1, 2].map(|i| sliding[i] - relief[i])
     }
 
-    /// Slip `[x, y]` of the upper body over the lower at a point, since the force was zero [m];
+    /// Slip `[x, y]` of the upper body over the lower at a point, since the force was zero (m);
     /// zero in the area of adhesion but for rounding. `None` outside the contact.
     #[must_use]
     pub fn slip(&self, point: [f64; 2]) -> Option<[f64; 2]> {
@@ -175,7 +175,7 @@ impl PartialSlip {
         Some([self.shift[0] - u, self.shift[1] - v])
     }
 
-    /// Angle from the traction to the slip at a point [rad], by which this solution fails the
+    /// Angle from the traction to the slip at a point (rad), by which this solution fails the
     /// law of friction. `None` outside the area of slip.
     #[must_use]
     pub fn disagreement(&self, point: [f64; 2]) -> Option<f64> {
@@ -188,7 +188,7 @@ impl PartialSlip {
     }
 
     /// The largest angle between slip and traction when the force, in this direction, comes to
-    /// the limit of friction [rad]: 4.1 and 9.6 degrees on a circle for `sigma` 1/4 and 1/2.
+    /// the limit of friction (rad): 4.1 and 9.6 degrees on a circle for `sigma` 1/4 and 1/2.
     #[must_use]
     pub fn largest_disagreement(&self) -> f64 {
         self.largest_disagreement
