@@ -48,11 +48,16 @@ impl Panel {
             (low.min(value.max(-self.limit)), high.max(value.min(self.limit)))
         });
         let air = AIR * (high - low).max(f64::MIN_POSITIVE);
-        if low < 0.0 {
+        // What only rounding has put on the other side of zero needs none.
+        if low < -1e-3 * air {
             low -= air;
+        } else {
+            low = 0.0;
         }
-        if high > 0.0 || low >= 0.0 {
+        if high > 1e-3 * air || low >= 0.0 {
             high += air;
+        } else {
+            high = 0.0;
         }
         Axis::new(low, high)
     }
