@@ -124,30 +124,13 @@ impl Layout {
 mod tests {
     use creepage::rolling::Creepage;
     use resvg::tiny_skia::{Pixmap, PremultipliedColorU8};
-    use resvg::usvg::{Group, Node, Rect};
+    use resvg::usvg::Rect;
 
     use super::*;
     use crate::raster;
-    use crate::testing::{CURVE, Free, Sliding, contact, report, sliding, sticking};
+    use crate::testing::{CURVE, Free, Sliding, boxes, contact, report, sliding, sticking};
 
     const RATIOS: [f64; 9] = [1e-4, 0.05, 0.3, 1.0, 1.5, 1.9, 6.0, 20.0, 1e4];
-
-    /// What a group draws: the boxes of its texts, and those of its shapes.
-    fn boxes(group: &Group) -> (Vec<Rect>, Vec<Rect>) {
-        let (mut texts, mut shapes) = (Vec::new(), Vec::new());
-        for node in group.children() {
-            match node {
-                Node::Group(group) => {
-                    let (t, s) = boxes(group);
-                    texts.extend(t);
-                    shapes.extend(s);
-                }
-                Node::Text(text) => texts.push(text.abs_bounding_box()),
-                other => shapes.push(other.abs_stroke_bounding_box()),
-            }
-        }
-        (texts, shapes)
-    }
 
     /// Checks that nothing leaves the sheet, no two texts touch, and none covers the ellipse.
     fn check(report: &Report) {

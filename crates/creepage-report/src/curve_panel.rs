@@ -283,3 +283,36 @@ fn raised(power: i32) -> String {
     };
     power.to_string().chars().map(raise).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_line_is_cut_where_it_leaves_the_frame() {
+        let line = [0.0, 4.0, 4.0, -2.0].iter().enumerate();
+        let line: Vec<_> = line.map(|(x, y)| ([x as f64, *y], true)).collect();
+        let parts = parts(&line, [0.0, 3.0]);
+        assert_eq!(parts.len(), 2);
+        assert_eq!(parts[0].1, [[0.0, 0.0], [0.75, 3.0]]);
+        let [from, to] = [parts[1].1[0], parts[1].1[1]];
+        // One division and one product.
+        assert!((from[0] - (2.0 + 1.0 / 6.0)).abs() < 1e-15 && (from[1] - 3.0).abs() < 1e-15);
+        assert!((to[0] - (2.0 + 2.0 / 3.0)).abs() < 1e-15 && to[1].abs() < 1e-15);
+    }
+
+    #[test]
+    fn doubtful_points_make_parts_of_their_own() {
+        let line = [true, true, false, true, true];
+        let line: Vec<_> =
+            line.iter().enumerate().map(|(x, solved)| ([x as f64, 1.0], *solved)).collect();
+        let parts = parts(&line, [0.0, 3.0]);
+        let kinds: Vec<_> = parts.iter().map(|(solved, part)| (*solved, part.len())).collect();
+        assert_eq!(kinds, [(true, 2), (false, 3), (true, 2)]);
+    }
+
+    #[test]
+    fn powers_are_raised() {
+        assert_eq!([raised(-3), raised(12)], ["⁻³", "¹²"]);
+    }
+}

@@ -149,3 +149,98 @@ impl Component {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use creepage::rolling::linear::Linear;
+    use creepage::rolling::polach::Polach;
+    use creepage::rolling::saturated::Saturated;
+    use creepage::rolling::vermeulen_johnson::VermeulenJohnson;
+    use creepage::rolling::{Creepage, Theory};
+
+    use super::*;
+    use crate::raster;
+    use crate::testing::{CURVE, boxes, contact};
+
+    const COMPONENTS: [Component; 3] =
+        [Component::Longitudinal, Component::Lateral, Component::Spin];
+
+    fn svg(a_over_b: f64, case: Creepage, vary: Component, [from, to]: [f64; 2]) -> String {
+        let contact = contact(a_over_b);
+        let values = (0..=40).map(|k| from + (to - from) * f64::from(k) / 40.0).collect();
+        let mut curves = Curves::new(&contact, 0.3, case, vary, values).unwrap();
+        let theories: [(&str, Box<dyn Theory>); 4] = [
+            ("linear", Box::new(Linear::new(a_over_b, 0.28).unwrap())),
+            ("a name that is far too long for it", Box::new(Saturated::new(a_over_b).unwrap())),
+            ("polach", Box::new(Polach::new(a_over_b, 0.28).unwrap())),
+            ("vermeulen-johnson", Box::new(VermeulenJohnson::new(a_over_b, 0.28).unwrap())),
+        ];
+        for (name, theory) in &theories {
+            curves.add(name, &**theory);
+        }
+        curves.svg()
+    }
+
+    /// Nothing leaves the sheet, and no two texts touch: the legend covers no line, since all
+    /// lines stay in their frames, which is checked by the frames' texts around them.
+    fn check(svg: &str) {
+        let tree = raster::tree(svg).unwrap();
+        let (texts, shapes) = boxes(tree.root());
+        assert!(texts.len() > 20 && shapes.len() > 20);
+        let size = tree.size();
+        for b in texts.iter().chain(&shapes) {
+            assert!(b.left() >= 0.0 && b.right() <= size.width(), "{b:?}");
+            assert!(b.top() >= 0.0 && b.bottom() <= size.height(), "{b:?}");
+        }
+        for (k, b) in texts.iter().enumerate() {
+            // Ascenders and descenders may share a pixel row.
+            let touches = |c: &resvg::usvg::Rect| {
+                b.left() < c.right()
+                    && c.left() < b.right()
+                    && b.top() + 2.0 < c.bottom()
+                    && c.top() + 2.0 < b.bottom()
+            };
+            let other = texts[k + 1..].iter().find(|c| touches(c));
+            assert!(other.is_none(), "{b:?} {other:?}");
+        }
+    }
+
+    #[test]
+    fn nothing_is_clipped_or_covered() {
+        for vary in COMPONENTS {
+            for a_over_b in [0.01, 1.0, 30.0] {
+                check(&svg(a_over_b, CURVE, vary, [0.0, 4.0]));
+            }
+            for range in [[-3.5, 0.0], [-1e-7, 1e-7], [0.0, 1e5], [2.0, 2.5]] {
+                check(&svg(1.5, CURVE, vary, range));
+            }
+        }
+    }
+
+    #[test]
+    fn panels_are_those_of_forces_that_there_are() {
+        let panels = |case, vary| {
+            let svg = svg(1.0, case, vary, [0.0, 3.0]);
+            ["longitudinal force ", "lateral force ", "spin moment "].map(|words| svg.contains(words))
+        };
+        let none = Creepage::default();
+        assert_eq!(panels(none, Component::Longitudinal), [true, false, false]);
+        assert_eq!(panels(none, Component::Lateral), [false, true, true]);
+        assert_eq!(panels(CURVE, Component::Lateral), [true, true, true]);
+    }
+
+    #[test]
+    fn the_case_is_marked_where_the_range_reaches_it() {
+        let marked = |to| svg(1.0, CURVE, Component::Spin, [0.0, to]).contains("the case");
+        assert!(marked(2.0) && !marked(1.0));
+    }
+
+    #[test]
+    fn what_a_theory_does_not_hold_for_is_thin() {
+        let thin = |chi| {
+            let case = Creepage { chi, ..CURVE };
+            svg(1.0, case, Component::Longitudinal, [0.1, 3.0]).contains("thin: beyond")
+        };
+        assert!(thin(0.5) && !thin(0.0));
+    }
+}

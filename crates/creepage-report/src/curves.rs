@@ -188,3 +188,62 @@ impl<'a> Curves<'a> {
         write::write_all(directory, &files)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use creepage::rolling::saturated::Saturated;
+
+    use super::*;
+    use crate::testing::{CURVE, contact};
+
+    fn curves(contact: &Hertz) -> Curves<'_> {
+        let values = vec![1.0, -2.0, 0.5];
+        let mut curves = Curves::new(contact, 0.3, CURVE, Component::Lateral, values).unwrap();
+        curves.add("one, two", &Saturated::new(1.0).unwrap());
+        curves
+    }
+
+    #[test]
+    fn rows_are_ascending_and_in_both_units() {
+        let contact = contact(1.0);
+        let curves = curves(&contact);
+        let csv = curves.csv().unwrap();
+        let mut reader = csv::Reader::from_reader(&csv[..]);
+        let rows: Vec<_> = reader.records().map(Result::unwrap).collect();
+        assert_eq!(rows.len(), 3);
+        let number = |row: usize, column: usize| rows[row][column].parse::<f64>().unwrap();
+        let theory = Saturated::new(1.0).unwrap();
+        for (row, eta) in [-2.0, 0.5, 1.0].into_iter().enumerate() {
+            assert_eq!((&rows[row][0], &rows[row][1]), ("one, two", "solved"));
+            let creepage = Creepage { eta, ..CURVE };
+            let force = theory.solve(creepage).force;
+            let printed = [2, 3, 4, 5, 6, 7].map(|column| number(row, column).to_bits());
+            let Creepage { xi, eta, chi } = creepage;
+            assert_eq!(printed, [xi, eta, chi, force.fx, force.fy, force.mz].map(f64::to_bits));
+            let si = curves.scaling.si_force(force);
+            assert_eq!(number(row, 12).to_bits(), si.lateral.to_bits());
+        }
+    }
+
+    #[test]
+    fn a_value_that_is_no_creepage_is_refused() {
+        let contact = contact(1.0);
+        let curves = |friction, value| {
+            Curves::new(&contact, friction, CURVE, Component::Spin, vec![0.0, value])
+        };
+        assert_eq!(curves(0.3, f64::NAN).unwrap_err().quantity, "chi");
+        assert_eq!(curves(0.0, 1.0).unwrap_err().quantity, "friction");
+    }
+
+    #[test]
+    fn three_files_the_same_each_time() {
+        let root = tempfile::tempdir().unwrap();
+        let contact = contact(1.0);
+        let [one, two] = ["one", "two"].map(|name| {
+            let paths = curves(&contact).write(&root.path().join(name)).unwrap();
+            assert_eq!(paths.len(), 3);
+            paths.iter().map(|path| std::fs::read(path).unwrap()).collect::<Vec<_>>()
+        });
+        assert!(one == two && one.iter().all(|contents| contents.len() > 100));
+    }
+}
