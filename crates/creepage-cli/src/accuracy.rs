@@ -97,11 +97,14 @@ const HEADS: [&str; 12] = [
 fn markdown(standings: &[Standing]) -> String {
     let mut rows = vec![HEADS.map(str::to_owned)];
     rows.extend(standings.iter().map(Standing::row));
-    let widths: Vec<usize> = (0..HEADS.len())
-        .map(|i| rows.iter().map(|row| row[i].len()).max().unwrap_or(0))
-        .collect();
-    let rule = |i: usize, width: &usize| "-".repeat(width - usize::from(i > 0)) + [":", ""][usize::from(i == 0)];
-    rows.insert(1, std::array::from_fn(|i| rule(i, &widths[i])));
+    let widths: Vec<usize> =
+        (0..HEADS.len()).map(|i| rows.iter().map(|row| row[i].len()).max().unwrap_or(0)).collect();
+    // A colon aligns numbers to the right.
+    let rule = |i: usize| match i {
+        0 => "-".repeat(widths[0]),
+        _ => "-".repeat(widths[i] - 1) + ":",
+    };
+    rows.insert(1, std::array::from_fn(rule));
     let mut table = String::new();
     for row in rows {
         let cell = |(i, text): (usize, &String)| match i {
@@ -117,11 +120,8 @@ fn markdown(standings: &[Standing]) -> String {
 impl Standing {
     fn row(&self) -> [String; 12] {
         let Self { theory, options, accuracy } = self;
-        let name = if options.is_empty() {
-            (*theory).to_owned()
-        } else {
-            format!("{theory}, {options}")
-        };
+        let name =
+            if options.is_empty() { (*theory).to_owned() } else { format!("{theory}, {options}") };
         let [a, b, c, d, e] = cells(&accuracy.force);
         let [f, g, h, i, j] = cells(&accuracy.moment);
         [name, a, b, c, d, e, f, g, h, i, j, accuracy.doubtful.to_string()]
@@ -135,4 +135,27 @@ fn cells(spread: &Spread) -> [String; 5] {
         let percent = 100.0 * error;
         if percent < 99.95 { format!("{percent:.1}") } else { format!("{percent:.0}") }
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_error_that_each_theory_is_listed_with_is_the_measured_one() {
+        let cases = steady_rolling().unwrap();
+        for theory in ENTRIES {
+            let usual = &contestants(theory)[0];
+            let rms = 100.0 * usual.measure(&cases).unwrap().accuracy.force.rms;
+            // Listed with one digit after the point; from 100 on with none.
+            let rounding = if theory.error < 100.0 { 0.05 } else { 0.5 };
+            assert!((rms - theory.error).abs() <= rounding, "{}: {rms}", theory.name);
+        }
+    }
+
+    #[test]
+    fn per_cent_with_a_digit_where_it_matters() {
+        let spread = Spread { mean: 0.012_34, rms: 0.0, p95: 0.999_6, worst: 12.3, median: 0.5 };
+        assert_eq!(cells(&spread), ["1.2", "0.0", "100", "1230", "50.0"]);
+    }
 }

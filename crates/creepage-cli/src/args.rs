@@ -112,10 +112,10 @@ pub(crate) struct HertzArgs {
 #[derive(Debug, clap::Args)]
 pub(crate) struct CoefficientsArgs {
     /// Ratio of the contact's semi-axes, along over across the rolling direction: 1e-3 to 1e3.
-    #[arg(long, value_name = "RATIO", allow_negative_numbers = true)]
+    #[arg(long, value_name = "RATIO", allow_hyphen_values = true)]
     pub(crate) a_over_b: f64,
     /// Combined Poisson's ratio, 0 to 0.5.
-    #[arg(long, value_name = "RATIO", allow_negative_numbers = true)]
+    #[arg(long, value_name = "RATIO", allow_hyphen_values = true)]
     pub(crate) poisson: f64,
     /// Calculate as Kalker did in 1967, with polynomials of this degree; Table 3 of the thesis
     /// is of degree 5. Converged to 1e-6 if not given.
@@ -138,10 +138,10 @@ pub(crate) struct CurveArgs {
     #[arg(long, value_name = "QUANTITY")]
     pub(crate) vary: Option<Quantity>,
     /// First value, in the unit of the quantity to vary; zero if not given.
-    #[arg(long, value_name = "VALUE", requires = "vary", allow_negative_numbers = true)]
+    #[arg(long, value_name = "VALUE", requires = "vary", allow_hyphen_values = true)]
     pub(crate) from: Option<f64>,
     /// Last value; well into full sliding if not given.
-    #[arg(long, value_name = "VALUE", requires = "vary", allow_negative_numbers = true)]
+    #[arg(long, value_name = "VALUE", requires = "vary", allow_hyphen_values = true)]
     pub(crate) to: Option<f64>,
     /// Number of points on each curve.
     #[arg(long, value_name = "N", default_value_t = 201,

@@ -40,10 +40,16 @@ fn range(args: &CurveArgs, case: &Case) -> Result<(Component, [f64; 2]), Failure
     let unit = args.vary.map_or(1.0, |quantity| quantity.unit(&scaling));
     let from = args.from.map_or(0.0, |value| value / unit);
     let to = args.to.map_or_else(|| usual_end(case, vary), |value| Ok(value / unit))?;
-    let (quantity, value) = ("to", args.to.unwrap_or(to));
-    if from == to || !from.is_finite() || !to.is_finite() {
-        let valid = "finite, as that of --from, and another";
-        return Err(InvalidValue { quantity, value, valid }.into());
+    for (quantity, value) in [("from", args.from), ("to", args.to)] {
+        if let Some(value) = value.filter(|value| !value.is_finite()) {
+            return Err(InvalidValue { quantity, value, valid: "a finite number" }.into());
+        }
+    }
+    if from == to {
+        let value = args.to.unwrap_or(to);
+        return Err(
+            InvalidValue { quantity: "to", value, valid: "another than that of --from" }.into()
+        );
     }
     Ok((vary, [from, to]))
 }

@@ -67,7 +67,7 @@ fn a_wrong_row_says_why_and_the_rest_go_on() {
         ("0,0.28,1,0,0", "a_over_b = 0 is not valid"),
         ("nan,0.28,1,0,0", "a_over_b = NaN is not valid"),
         ("1,0.6,1,0,0", "poisson = 0.6 is not valid: it must be between 0 and 0.5"),
-        ("1,0.28,inf,0,0", "xi = inf is not valid: it must be a finite number"),
+        ("1,0.28,inf,0,0", "xi = inf is not valid: it must be between -1e100 and 1e100"),
         ("1,0.28,1,NaN,0", "eta = NaN is not valid"),
         ("1,0.28,1,0,fast", "chi = `fast` is not a number"),
         ("1,,1,0,0", "poisson is empty"),

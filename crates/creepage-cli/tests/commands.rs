@@ -83,7 +83,7 @@ fn hertz_takes_a_turned_rail_and_solve_does_not() {
 fn theories_are_listed() {
     let table = Place::new().run(&["theories"]).done();
     assert!(table.starts_with("THEORY"));
-    assert!(table.contains("\nvariational  1967  "));
+    assert!(table.contains("\nvariational          1967  "));
 }
 
 #[test]

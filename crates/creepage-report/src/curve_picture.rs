@@ -181,8 +181,7 @@ mod tests {
         curves.svg()
     }
 
-    /// Nothing leaves the sheet, and no two texts touch: the legend covers no line, since all
-    /// lines stay in their frames, which is checked by the frames' texts around them.
+    /// Nothing leaves the sheet, and no two texts touch.
     fn check(svg: &str) {
         let tree = raster::tree(svg).unwrap();
         let (texts, shapes) = boxes(tree.root());
@@ -221,7 +220,8 @@ mod tests {
     fn panels_are_those_of_forces_that_there_are() {
         let panels = |case, vary| {
             let svg = svg(1.0, case, vary, [0.0, 3.0]);
-            ["longitudinal force ", "lateral force ", "spin moment "].map(|words| svg.contains(words))
+            ["longitudinal force ", "lateral force ", "spin moment "]
+                .map(|words| svg.contains(words))
         };
         let none = Creepage::default();
         assert_eq!(panels(none, Component::Longitudinal), [true, false, false]);

@@ -29,7 +29,11 @@ impl Ink {
     }
 
     /// An open line with `stroke-dasharray` `dashes`, unbroken where that is empty.
-    pub(crate) const fn broken_line(colour: &'static str, width: f64, dashes: &'static str) -> Self {
+    pub(crate) const fn broken_line(
+        colour: &'static str,
+        width: f64,
+        dashes: &'static str,
+    ) -> Self {
         let dashes = if dashes.is_empty() { None } else { Some(dashes) };
         Self { fill: None, line: Some((colour, width)), dashes }
     }

@@ -35,7 +35,10 @@ impl Report<'_> {
 }
 
 /// Writes all of `files`, by name and contents, or none.
-pub(crate) fn write_all(directory: &Path, files: &[(&str, &[u8])]) -> Result<Vec<PathBuf>, ReportError> {
+pub(crate) fn write_all(
+    directory: &Path,
+    files: &[(&str, &[u8])],
+) -> Result<Vec<PathBuf>, ReportError> {
     let mut made = Made::default();
     made.directory(directory)?;
     let mut renames = Vec::new();

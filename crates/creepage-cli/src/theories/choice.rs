@@ -100,7 +100,7 @@ mod tests {
         let choice = choose(&[], &solve("fastrip")).ok().unwrap();
         assert_eq!((choice.theories[0].name, choice.note()), ("fastrip", None));
         let error = choose(&[], &solve("linear")).err().unwrap().to_string();
-        assert_eq!(error, "[solve] `grid` is an option of fastsim and fastrip, not of linear");
+        assert_eq!(error, "[solve] `grid` is an option of fastrip and fastsim, not of linear");
         assert!(choose(&names(&["linear", "fastsim"]), &solve("linear")).is_ok());
     }
 
