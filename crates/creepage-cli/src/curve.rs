@@ -38,20 +38,22 @@ fn range(args: &CurveArgs, case: &Case) -> Result<(Component, [f64; 2]), Failure
     let vary = args.vary.map_or_else(|| most(case), |quantity| Ok(quantity.component()))?;
     let scaling = Scaling::new(&case.contact, case.friction)?;
     let unit = args.vary.map_or(1.0, |quantity| quantity.unit(&scaling));
-    let from = args.from.map_or(0.0, |value| value / unit);
-    let to = args.to.map_or_else(|| usual_end(case, vary), |value| Ok(value / unit))?;
-    for (quantity, value) in [("from", args.from), ("to", args.to)] {
-        if let Some(value) = value.filter(|value| !value.is_finite()) {
-            return Err(InvalidValue { quantity, value, valid: "a finite number" }.into());
-        }
-    }
-    if from == to {
-        let value = args.to.unwrap_or(to);
-        return Err(
-            InvalidValue { quantity: "to", value, valid: "another than that of --from" }.into()
-        );
+    let given = |name, value: Option<f64>| value.map(|value| finite(name, value)).transpose();
+    let from = given("from", args.from)?.unwrap_or(0.0) / unit;
+    let to = match given("to", args.to)? {
+        Some(value) => value / unit,
+        None => usual_end(case, vary)?,
+    };
+    if (to - from).abs() <= f64::EPSILON * from.abs() {
+        let valid = "another than that of --from";
+        return Err(InvalidValue { quantity: "to", value: to * unit, valid }.into());
     }
     Ok((vary, [from, to]))
+}
+
+fn finite(quantity: &'static str, value: f64) -> Result<f64, InvalidValue> {
+    let valid = "a finite number";
+    if value.is_finite() { Ok(value) } else { Err(InvalidValue { quantity, value, valid }) }
 }
 
 const COMPONENTS: [Component; 3] = [Component::Longitudinal, Component::Lateral, Component::Spin];

@@ -45,7 +45,7 @@ pub(crate) fn draw(scene: &mut Scene, [left, top]: Point, curves: &Curves) -> f6
     let column = (WIDTH - 2.0 * MARGIN) / COLUMNS as f64;
     let place = |k: usize| [left + (k % COLUMNS) as f64 * column, top + (k / COLUMNS) as f64 * ROW];
     let mut next = 0;
-    for (k, curve) in curves.curves.iter().enumerate() {
+    for (k, curve) in curves.lines.iter().enumerate() {
         let name: String = curve.theory.chars().take(LONGEST_NAME).collect();
         entry(scene, place(k), pen(k, true), &Label::new(&name));
         next = k + 1;
@@ -59,7 +59,7 @@ pub(crate) fn draw(scene: &mut Scene, [left, top]: Point, curves: &Curves) -> f6
         words(scene, [x, y], &label.number(&significant(case, 4)));
         next += 1;
     }
-    let mut solutions = curves.curves.iter().flat_map(|curve| &curve.solutions);
+    let mut solutions = curves.lines.iter().flat_map(|curve| &curve.solutions);
     if solutions.any(|solution| solution.status != Status::Solved) {
         // Its words take two columns.
         next += usize::from(next % COLUMNS == COLUMNS - 1);

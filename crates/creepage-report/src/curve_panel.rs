@@ -38,12 +38,12 @@ impl Panel {
 
     /// Largest size of this component on any curve.
     pub(crate) fn largest(self, curves: &Curves) -> f64 {
-        curves.curves.iter().flat_map(|curve| self.values(curve)).fold(0.0, |m, v| m.max(v.abs()))
+        curves.lines.iter().flat_map(|curve| self.values(curve)).fold(0.0, |m, v| m.max(v.abs()))
     }
 
     /// The range of the curves, zero included.
     fn axis(self, curves: &Curves) -> Axis {
-        let values = curves.curves.iter().flat_map(|curve| self.values(curve));
+        let values = curves.lines.iter().flat_map(|curve| self.values(curve));
         let (mut low, mut high) = values.fold((0.0, 0.0), |(low, high): (f64, f64), value| {
             (low.min(value.max(-self.limit)), high.max(value.min(self.limit)))
         });
@@ -79,7 +79,7 @@ impl Panel {
             let x = plot.at([case, 0.0])[0];
             scene.line(&[[x, frame.from[1]], [x, frame.to[1]]], CASE);
         }
-        for (k, curve) in curves.curves.iter().enumerate() {
+        for (k, curve) in curves.lines.iter().enumerate() {
             plot.curve(scene, k, curves, curve, self.of);
         }
         let [width, height] = [0, 1].map(|i| frame.to[i] - frame.from[i]);

@@ -54,7 +54,7 @@ impl Curves<'_> {
             }
             top += height + BETWEEN;
         }
-        let names: Vec<_> = self.curves.iter().map(|curve| &curve.theory[..]).collect();
+        let names: Vec<_> = self.lines.iter().map(|curve| &curve.theory[..]).collect();
         let description = format!("Creep-force curves: {}", names.join(", "));
         scene.finish([WIDTH, top - BETWEEN + BELOW], &description)
     }

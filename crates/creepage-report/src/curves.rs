@@ -75,7 +75,7 @@ pub struct Curves<'a> {
     pub(crate) vary: Component,
     /// Dimensionless, ascending.
     pub(crate) values: Vec<f64>,
-    pub(crate) curves: Vec<Curve>,
+    pub(crate) lines: Vec<Curve>,
 }
 
 const HEADER: [&str; 14] = [
@@ -114,13 +114,13 @@ impl<'a> Curves<'a> {
             Creepage::new(xi, eta, chi)?;
         }
         values.sort_unstable_by(f64::total_cmp);
-        Ok(Self { contact, friction, scaling, case, vary, values, curves: Vec::new() })
+        Ok(Self { contact, friction, scaling, case, vary, values, lines: Vec::new() })
     }
 
     /// Adds the answers of a theory, prepared for the contact's ellipse and Poisson's ratio.
     pub fn add(&mut self, name: &str, theory: &dyn Theory) {
         let solutions = self.creepages().map(|creepage| theory.solve(creepage)).collect();
-        self.curves.push(Curve { theory: name.into(), solutions });
+        self.lines.push(Curve { theory: name.into(), solutions });
     }
 
     /// Does the range reach `value`?
@@ -141,7 +141,7 @@ impl<'a> Curves<'a> {
     pub fn csv(&self) -> Result<Vec<u8>, ReportError> {
         let mut writer = csv::Writer::from_writer(Vec::new());
         writer.write_record(HEADER)?;
-        for curve in &self.curves {
+        for curve in &self.lines {
             for (creepage, solution) in self.creepages().zip(&curve.solutions) {
                 writer.write_field(&curve.theory)?;
                 writer.write_field(solution.status.name())?;
