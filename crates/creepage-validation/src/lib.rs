@@ -14,7 +14,9 @@
 //! ```
 
 mod accuracy;
+mod grid;
 mod reference;
 
 pub use accuracy::{Accuracy, Spread, measure};
+pub use grid::grid;
 pub use reference::{ReferenceCase, ReferenceError, steady_rolling};

@@ -14,8 +14,8 @@ pub struct ReferenceCase {
     pub creepage: Creepage,
     /// Force and moment on the lower body.
     pub force: Force,
-    /// Uncertainty of each component of `force`.
-    pub uncertainty: Force,
+    /// Uncertainty of each component of `force`, where it is known.
+    pub uncertainty: Option<Force>,
 }
 
 /// The reference cases cannot be read: the file was changed by hand.
@@ -45,7 +45,7 @@ impl From<Row> for ReferenceCase {
             poisson: row.poisson,
             creepage: Creepage { xi: row.xi, eta: row.eta, chi: row.chi },
             force: Force { fx: row.fx, fy: row.fy, mz: row.mz },
-            uncertainty: Force { fx: row.u_fx, fy: row.u_fy, mz: row.u_mz },
+            uncertainty: Some(Force { fx: row.u_fx, fy: row.u_fy, mz: row.u_mz }),
         }
     }
 }

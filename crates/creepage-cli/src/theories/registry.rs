@@ -51,7 +51,7 @@ pub(crate) const ENTRIES: &[Entry] = &[
     Entry {
         name: "polach",
         year: 1999,
-        assumes: "a traction that grows in proportion",
+        assumes: "traction that grows steadily",
         cost: "46 ns",
         error: 13.9,
         good_for: "vehicle dynamics with little spin",
@@ -95,7 +95,7 @@ pub(crate) const ENTRIES: &[Entry] = &[
     Entry {
         name: "saturated",
         year: 1967,
-        assumes: "slip everywhere, none of it elastic",
+        assumes: "slip everywhere, as if rigid",
         cost: "0.9 us",
         error: 40.5,
         good_for: "large creepage or spin",

@@ -1,0 +1,85 @@
+//! A grid of cases that leaves no corner of creepage and spin out, for a full theory to answer.
+
+use creepage::rolling::{Creepage, Theory};
+
+use crate::ReferenceCase;
+
+/// Steel, as in most of the literature.
+const POISSON: f64 = 0.28;
+const RATIOS: [f64; 5] = [0.2, 0.5, 1.0, 2.0, 5.0];
+const SPINS: [f64; 4] = [0.0, 0.5, 1.0, 2.0];
+/// From the rolling direction to the creepage (degrees). The other half of the circle, and
+/// negative spin, are mirror images.
+const ANGLES: [f64; 7] = [-90.0, -60.0, -30.0, 0.0, 30.0, 60.0, 90.0];
+
+/// From linear theory's range to full sliding, ten to a decade: .05 to 7.9.
+fn magnitudes() -> impl Iterator<Item = f64> {
+    (0..23).map(|k| 0.05 * 10_f64.powf(0.1 * f64::from(k)))
+}
+
+/// 3220 cases as `full` answers them: `a/b` from 0.2 to 5, spin from 0 to 2, 7 directions and 23
+/// magnitudes of the creepage. `full` prepares the theory for `a/b` and Poisson's ratio.
+///
+/// # Errors
+/// What `full` returns, should it not reach all of the grid.
+pub fn grid<E>(
+    full: impl Fn(f64, f64) -> Result<Box<dyn Theory>, E>,
+) -> Result<Vec<ReferenceCase>, E> {
+    let mut cases = Vec::new();
+    for a_over_b in RATIOS {
+        let theory = full(a_over_b, POISSON)?;
+        cases.extend(creepages().map(|creepage| ReferenceCase {
+            a_over_b,
+            poisson: POISSON,
+            creepage,
+            force: theory.solve(creepage).force,
+            uncertainty: None,
+        }));
+    }
+    Ok(cases)
+}
+
+fn creepages() -> impl Iterator<Item = Creepage> {
+    let directions = SPINS.into_iter().flat_map(|chi| ANGLES.map(|angle| (chi, angle)));
+    directions.flat_map(|(chi, angle)| {
+        let (sin, cos) = angle.to_radians().sin_cos();
+        magnitudes().map(move |size| Creepage { xi: size * cos, eta: size * sin, chi })
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use creepage::InvalidValue;
+    use creepage::rolling::fastsim::{Fastsim, Settings};
+    use creepage::rolling::linear::CreepageCoefficients;
+    use creepage::rolling::saturated::Saturated;
+
+    use super::*;
+    use crate::measure;
+
+    fn fastsim(a_over_b: f64, poisson: f64, cells: usize) -> Result<Box<dyn Theory>, InvalidValue> {
+        let coefficients = CreepageCoefficients::new(a_over_b, poisson)?;
+        let settings = Settings { grid: [cells; 2], ..Settings::default() };
+        Ok(Box::new(Fastsim::new(a_over_b, poisson, &coefficients, settings)?))
+    }
+
+    #[test]
+    fn a_theory_is_as_far_from_another_as_they_are_alike() {
+        let cases = grid(|ratio, poisson| fastsim(ratio, poisson, 20)).unwrap();
+        assert_eq!(cases.len(), 3220);
+        let itself = measure(&cases, |ratio, poisson| fastsim(ratio, poisson, 20)).unwrap();
+        assert!(itself.force.worst < 1e-15 && itself.moment.worst < 1e-15);
+        let finer = measure(&cases, |ratio, poisson| fastsim(ratio, poisson, 40)).unwrap();
+        let saturated = measure(&cases, |ratio, _| {
+            Ok::<Box<dyn Theory>, InvalidValue>(Box::new(Saturated::new(ratio)?))
+        });
+        // The 20 x 20 grid errs by half a per cent or so; without elasticity it is many.
+        assert!(finer.force.rms < 0.01 && saturated.unwrap().force.rms > 0.1);
+    }
+
+    #[test]
+    fn a_theory_that_does_not_reach_the_grid_says_so() {
+        let short = |ratio, poisson| fastsim(1e4 * ratio, poisson, 10);
+        assert_eq!(grid(short).unwrap_err().quantity, "a_over_b");
+    }
+}
