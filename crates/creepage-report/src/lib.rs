@@ -55,10 +55,12 @@ mod format;
 mod json;
 mod label;
 mod legend;
+mod plane;
 mod points;
 mod raster;
 mod report;
 mod scene;
+mod statics;
 #[cfg(test)]
 mod testing;
 mod text;
@@ -70,4 +72,5 @@ pub use json::{
     SolidJson, hertz_json,
 };
 pub use report::{Answer, Detail, Report};
+pub use statics::StaticsReport;
 pub use text::hertz_text;

@@ -34,7 +34,11 @@ impl Report<'_> {
     }
 }
 
-fn write_all(directory: &Path, files: &[(&str, &[u8])]) -> Result<Vec<PathBuf>, ReportError> {
+/// Writes all files into `directory`, or none.
+pub(crate) fn write_all(
+    directory: &Path,
+    files: &[(&str, &[u8])],
+) -> Result<Vec<PathBuf>, ReportError> {
     let mut made = Made::default();
     made.directory(directory)?;
     let mut renames = Vec::new();
