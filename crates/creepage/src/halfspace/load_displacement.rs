@@ -51,12 +51,18 @@ pub(super) struct Block {
 }
 
 impl LoadDisplacement {
+    /// Highest degree that can be prepared; it takes a second or two and some 100 MB, and ten
+    /// times that for the most slender ellipses.
+    pub const MAX_DEGREE: usize = 200;
+
     /// The equations for tractions up to and including `degree`.
     ///
     /// # Errors
-    /// [`InvalidValue`] unless `0 <= poisson <= 0.5`.
+    /// [`InvalidValue`] unless `0 <= poisson <= 0.5` and `degree` is at most
+    /// [`LoadDisplacement::MAX_DEGREE`].
     pub fn new(ellipse: Ellipse, poisson: f64, degree: usize) -> Result<Self, InvalidValue> {
         check::poisson(poisson)?;
+        check::require(degree <= Self::MAX_DEGREE, "degree", degree as f64, "at most 200")?;
         let directions = Directions::new(ellipse, degree);
         let blocks = (0..=degree)
             .map(|n| {

@@ -77,14 +77,8 @@ impl Die {
             return Err(DieError::LiftOff { x, y, excess: 1.0 - margin });
         }
         // The die is rigid, so that 1/G halves (2.10).
-        let shear_modulus = 2.0 * solid.shear_modulus();
-        let poisson = solid.poisson();
-        let f00 = force / (2.0 * base.area() * shear_modulus);
-        let pressure = Polynomial::new(vec![f00, f00 * arm[0] / base.a(), f00 * arm[1] / base.b()])
-            .map_err(ResponseError::from)?;
-        let none = Polynomial::zero(0);
-        let traction = Traction::new(base, Edge::Singular, [&none, &none, &pressure])
-            .map_err(ResponseError::from)?;
+        let (shear_modulus, poisson) = (2.0 * solid.shear_modulus(), solid.poisson());
+        let traction = pressure(base, force / shear_modulus, arm)?;
         let field = DisplacementField::new(&traction, poisson, 0.5 - poisson)?;
         let [indentation, tilt_x, tilt_y] =
             compliances(base).map(|share| (1.0 - poisson) * force / (PI * shear_modulus) * share);
@@ -125,6 +119,14 @@ impl Die {
     pub fn displacement(&self, point: [f64; 2]) -> [f64; 3] {
         self.field.at(point)
     }
+}
+
+/// The pressure of a force, over `G`, whose offset is `arm/3` in semi-axes (3.26).
+fn pressure(base: Ellipse, force: f64, arm: [f64; 2]) -> Result<Traction, ResponseError> {
+    let f00 = force / (2.0 * base.area());
+    let pressure = Polynomial::new(vec![f00, f00 * arm[0] / base.a(), f00 * arm[1] / base.b()])?;
+    let none = Polynomial::zero(0);
+    Ok(Traction::new(base, Edge::Singular, [&none, &none, &pressure])?)
 }
 
 /// `[c00, c10/x0, c01/y0]` in units of `(1 - sigma) N / (pi G)`: (3.28).

@@ -1,7 +1,5 @@
 //! Two bodies in contact, shifted against each other, with slip at the edge (3.222).
 
-use std::f64::consts::PI;
-
 use super::shift_compliances;
 use crate::check::{self, InvalidValue};
 use crate::ellipse::Ellipse;
@@ -80,20 +78,28 @@ impl PartialSlip {
             return Err(PartialSlipError::Sliding { force: size, limit });
         }
         let direction = if size > 0.0 { [fx / size, fy / size] } else { [1.0, 0.0] };
-        let (pair, ellipse, share) = (contact.pair(), contact.ellipse(), size / limit);
-        // (3.62), (3.61): the relief acts on an ellipse smaller by `scale`, and is as much less.
-        let gap = -((-share).ln_1p() / 3.0).exp_m1();
-        let scale = 1.0 - gap;
-        let adhesion = Ellipse::new(scale * ellipse.a(), scale * ellipse.b())?;
+        Ok(Self::below_the_limit(contact, friction, size / limit, direction)?)
+    }
+
+    /// For a force of `share` of the limit in `direction`.
+    fn below_the_limit(
+        contact: &Hertz,
+        friction: f64,
+        share: f64,
+        direction: [f64; 2],
+    ) -> Result<Self, ResponseError> {
+        let (pair, ellipse) = (contact.pair(), contact.ellipse());
+        // (3.62), (3.61): the relief acts on an ellipse smaller by 1 - gap, and is as much less.
+        let gap = power_deficit(share, 1.0 / 3.0);
+        let adhesion = Ellipse::new((1.0 - gap) * ellipse.a(), (1.0 - gap) * ellipse.b())?;
         let bound = friction * contact.peak_pressure();
         let peak = bound / pair.shear_modulus();
         let field = |ellipse, peak| -> Result<DisplacementField, ResponseError> {
             let traction = along(direction, ellipse, peak)?;
             Ok(DisplacementField::new(&traction, pair.poisson(), pair.kappa())?)
         };
-        // (3.65); 1 - (1 - share)^(2/3), exact for small shares too.
-        let depth = -((-share).ln_1p() * 2.0 / 3.0).exp_m1();
-        let unit = 1.5 * limit * depth / (PI * ellipse.major() * pair.shear_modulus());
+        // (3.65), with mu 3N/(2 pi) = a b times the peak.
+        let unit = power_deficit(share, 2.0 / 3.0) * peak * ellipse.minor();
         let [cx, cy] = shift_compliances(ellipse, pair.poisson());
         Ok(Self {
             contact: ellipse,
@@ -103,7 +109,7 @@ impl PartialSlip {
             gap,
             shift: [unit * cx * direction[0], unit * cy * direction[1]],
             sliding: field(ellipse, peak)?,
-            relief: field(adhesion, scale * peak)?,
+            relief: field(adhesion, (1.0 - gap) * peak)?,
             largest_disagreement: largest_disagreement(ellipse, pair.poisson(), direction)?,
         })
     }
@@ -187,6 +193,11 @@ impl PartialSlip {
     pub fn largest_disagreement(&self) -> f64 {
         self.largest_disagreement
     }
+}
+
+/// `1 - (1 - share)^power`, exact for small shares too.
+fn power_deficit(share: f64, power: f64) -> f64 {
+    -(power * (-share).ln_1p()).exp_m1()
 }
 
 /// `(x/a, y/b)` as a distance from the centre.

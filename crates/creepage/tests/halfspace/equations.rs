@@ -96,7 +96,8 @@ fn another_ellipse_or_too_high_a_degree_is_an_error() {
     );
     let square = Polynomial::zero(2);
     assert!(equations.inverse().unwrap().singular([&square; 3]).is_err());
-    assert!(LoadDisplacement::new(one, 0.6, 1).is_err());
+    assert_eq!(LoadDisplacement::new(one, 0.6, 1).unwrap_err().quantity, "poisson");
+    assert_eq!(LoadDisplacement::new(one, 0.3, usize::MAX).unwrap_err().quantity, "degree");
 }
 
 /// The integral of `(1 - r^2)^(-1/2) f` over the ellipse.
