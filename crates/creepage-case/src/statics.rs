@@ -36,7 +36,6 @@ pub struct StaticsFile {
 
 /// One problem of statics, solved; every number of it is checked.
 #[derive(Debug, Clone)]
-#[non_exhaustive]
 pub enum StaticsCase {
     /// A rigid die under an offset load (3.211).
     Die {
@@ -51,14 +50,25 @@ pub enum StaticsCase {
         /// The solution.
         die: Box<Die>,
     },
-    /// A shift or a twist without slip (3.212).
-    Bonded {
+    /// A shift without slip (3.212).
+    Shift {
         /// The equivalent solid of the two bodies.
         pair: SolidPair,
         /// The contact [m].
         ellipse: Ellipse,
-        /// Force and moment of the upper body on the lower.
-        force: SiForce,
+        /// Tangential force `[F_x, F_y]` of the upper body on the lower [N].
+        force: [f64; 2],
+        /// The solution.
+        bonded: Box<Bonded>,
+    },
+    /// A twist without slip (3.212).
+    Twist {
+        /// The equivalent solid of the two bodies.
+        pair: SolidPair,
+        /// The contact [m].
+        ellipse: Ellipse,
+        /// Moment `M_z` of the upper body on the lower [N m].
+        moment: f64,
         /// The solution.
         bonded: Box<Bonded>,
     },
@@ -126,8 +136,8 @@ impl StaticsFile {
         self.statics.reject_foreign_keys()?;
         match self.statics.problem {
             Problem::Die => self.die(),
-            Problem::Shift => self.bonded(self.statics.shifting_force()?),
-            Problem::Twist => self.bonded(self.statics.twisting_moment()?),
+            Problem::Shift => self.shift(),
+            Problem::Twist => self.twist(),
             Problem::PartialSlip => self.partial_slip(),
         }
     }
@@ -145,19 +155,32 @@ impl StaticsFile {
         Ok(StaticsCase::Die { solid, base, normal_force, offset, die: Box::new(die) })
     }
 
-    fn bonded(&self, force: SiForce) -> Result<StaticsCase, StaticsError> {
+    fn shift(&self) -> Result<StaticsCase, StaticsError> {
+        let force @ [longitudinal, lateral] = self.statics.tangential_force()?;
+        let (pair, ellipse) = self.touching_bodies()?;
+        let load = SiForce { longitudinal, lateral, moment: 0.0 };
+        let bonded = Box::new(Bonded::new(pair, ellipse, load)?);
+        Ok(StaticsCase::Shift { pair, ellipse, force, bonded })
+    }
+
+    fn twist(&self) -> Result<StaticsCase, StaticsError> {
+        let moment = self.statics.moment()?;
+        let (pair, ellipse) = self.touching_bodies()?;
+        let load = SiForce { moment, ..SiForce::default() };
+        let bonded = Box::new(Bonded::new(pair, ellipse, load)?);
+        Ok(StaticsCase::Twist { pair, ellipse, moment, bonded })
+    }
+
+    fn touching_bodies(&self) -> Result<(SolidPair, Ellipse), CaseError> {
         let upper = self.upper()?;
         let pair = SolidPair::new(upper.solid("upper")?, self.lower.solid("lower")?);
-        let ellipse = self.contact.ellipse(upper, &self.lower)?;
-        let bonded = Bonded::new(pair, ellipse, force)?;
-        Ok(StaticsCase::Bonded { pair, ellipse, force, bonded: Box::new(bonded) })
+        Ok((pair, self.contact.ellipse(upper, &self.lower)?))
     }
 
     fn partial_slip(&self) -> Result<StaticsCase, StaticsError> {
         let contact = self.contact.hertz(self.upper()?, &self.lower)?;
         let friction = self.contact.friction()?;
-        let SiForce { longitudinal, lateral, .. } = self.statics.shifting_force()?;
-        let force = [longitudinal, lateral];
+        let force = self.statics.tangential_force()?;
         let partial =
             PartialSlip::new(&contact, friction, force).map_err(StaticsError::partial_slip)?;
         let (contact, partial) = (Box::new(contact), Box::new(partial));

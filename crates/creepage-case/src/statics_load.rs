@@ -1,6 +1,5 @@
 //! `[statics]`: which problem, and its load.
 
-use creepage::rolling::SiForce;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -79,25 +78,25 @@ impl Statics {
         [self.offset_x.unwrap_or(0.0), self.offset_y.unwrap_or(0.0)]
     }
 
-    pub(crate) fn shifting_force(&self) -> Result<SiForce, CaseError> {
+    pub(crate) fn tangential_force(&self) -> Result<[f64; 2], CaseError> {
         let first = self.force_x.map(|_| "force_x").or(self.force_y.map(|_| "force_y"));
         let keys = ["force_x", "force_y"];
         let first = first.ok_or(CaseError::MissingEither { section: "statics", keys })?;
-        let longitudinal = finite("force_x", self.force_x.unwrap_or(0.0))?;
-        let lateral = finite("force_y", self.force_y.unwrap_or(0.0))?;
-        if longitudinal == 0.0 && lateral == 0.0 {
+        let x = finite("force_x", self.force_x.unwrap_or(0.0))?;
+        let y = finite("force_y", self.force_y.unwrap_or(0.0))?;
+        if x == 0.0 && y == 0.0 {
             return Err(invalid(first, 0.0, "other than zero, unless the other force is"));
         }
-        Ok(SiForce { longitudinal, lateral, moment: 0.0 })
+        Ok([x, y])
     }
 
-    pub(crate) fn twisting_moment(&self) -> Result<SiForce, CaseError> {
+    pub(crate) fn moment(&self) -> Result<f64, CaseError> {
         let missing = || CaseError::Missing { section: "statics".into(), key: "moment".into() };
         let moment = finite("moment", self.moment.ok_or_else(missing)?)?;
         if moment == 0.0 {
             return Err(invalid("moment", moment, "other than zero"));
         }
-        Ok(SiForce { moment, ..SiForce::default() })
+        Ok(moment)
     }
 }
 

@@ -3,10 +3,11 @@
 use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 
-use creepage_case::CaseError;
+use creepage_case::{CaseError, StaticsError};
 use creepage_report::ReportError;
 
 use crate::batch::ColumnError;
+use crate::reproduce::ReproduceError;
 use crate::theories::{TheoryError, UnknownTheory};
 
 /// Why the command could not do its work.
@@ -16,6 +17,10 @@ pub(crate) enum Failure {
     Read { path: PathBuf, source: io::Error },
     #[error("{}: {source}", path.display())]
     Case { path: PathBuf, source: CaseError },
+    #[error("{}: {source}", path.display())]
+    Statics { path: PathBuf, source: StaticsError },
+    #[error(transparent)]
+    Reproduce(#[from] ReproduceError),
     #[error(transparent)]
     UnknownTheory(#[from] UnknownTheory),
     #[error("{}: [solve] {source}", path.display())]
@@ -56,7 +61,11 @@ impl Failure {
         match self {
             Self::Stdout(source) if source.kind() == ErrorKind::BrokenPipe => None,
             Self::Write { source, .. } if is_wrong_place(source.kind()) => Some(2),
-            Self::Stdout(_) | Self::Write { .. } | Self::Rows { .. } | Self::Report(_) => Some(1),
+            Self::Stdout(_)
+            | Self::Write { .. }
+            | Self::Rows { .. }
+            | Self::Report(_)
+            | Self::Reproduce(_) => Some(1),
             _ => Some(2),
         }
     }

@@ -7,6 +7,8 @@ mod caution;
 mod failure;
 mod init;
 mod output;
+mod reproduce;
+mod statics;
 mod theories;
 
 use std::process::ExitCode;
@@ -41,6 +43,8 @@ fn run(command: &Command) -> Result<Outcome, Failure> {
         Command::Solve(args) => return cases::solve(args),
         Command::Batch(args) => return batch::run(args),
         Command::Hertz(args) => cases::hertz(args)?,
+        Command::Statics(args) => statics::run(args)?,
+        Command::Reproduce(args) => reproduce::run(args)?,
         Command::Theories => output::print(&theories::table())?,
         Command::Init(args) => init::run(args)?,
         Command::Schema => output::print(&format!("{:#}", creepage_case::json_schema()))?,

@@ -74,3 +74,4 @@ pub use json::{
 pub use report::{Answer, Detail, Report};
 pub use statics::StaticsReport;
 pub use text::hertz_text;
+pub use write::write_all;

@@ -8,7 +8,7 @@ use creepage::{Ellipse, Hertz, Solid, SolidPair};
 use super::StaticsReport;
 use super::field::Field;
 use super::quantity::Quantity;
-use super::slip_angle;
+use super::slip_angle::Slip;
 use crate::contact_view::magnitude;
 
 impl<'a> StaticsReport<'a> {
@@ -205,7 +205,7 @@ fn slip_numbers(
     let (ellipse, adhesion, [x, y]) = (contact.ellipse(), partial.adhesion(), partial.shift());
     let scale = adhesion.a() / ellipse.a();
     let stuck = Stiffness::new(contact.pair(), ellipse)?;
-    let (slip, angle) = slip_angle::largest(ellipse, partial);
+    let slip = Slip::of(ellipse, partial);
     let used = 100.0 * magnitude(force) / (friction * contact.normal_force());
     let peak = magnitude(partial.traction([adhesion.a(), 0.0]));
     let limit = partial.largest_disagreement().to_degrees();
@@ -216,12 +216,18 @@ fn slip_numbers(
         // By (3.65) the compliance grows as (1 - F/(mu N))^(-1/3), the adhesion area's scale.
         Quantity::new("stiffness_x_n_per_m", "stiffness along x, tangent", scale * stuck.x, "N/m"),
         Quantity::new("stiffness_y_n_per_m", "stiffness along y, tangent", scale * stuck.y, "N/m"),
+        Quantity::new("peak_traction_pa", "peak traction", peak, "Pa"),
+        Quantity::new("largest_slip_m", "largest slip", slip.largest, "m"),
         Quantity::new("adhesion_a_m", "adhesion, semi-axis along x", adhesion.a(), "m"),
         Quantity::new("adhesion_b_m", "adhesion, semi-axis along y", adhesion.b(), "m"),
         Quantity::new("adhesion_percent", "adhesion, share of area", 100.0 * scale * scale, "%"),
-        Quantity::new("peak_traction_pa", "peak traction", peak, "Pa"),
-        Quantity::new("largest_slip_m", "largest slip", slip, "m"),
-        Quantity::new("slip_to_traction_deg", "slip to traction, at most", angle, "deg"),
+        Quantity::new("slip_to_traction_deg", "slip to traction, at most", slip.angle, "deg"),
+        Quantity::new(
+            "slip_to_traction_edge_deg",
+            "slip to traction, on the edge",
+            slip.angle_at_edge,
+            "deg",
+        ),
         Quantity::new("slip_to_traction_at_limit_deg", "the same when F = mu N", limit, "deg"),
     ])
 }

@@ -17,7 +17,7 @@ pub(super) fn title(scene: &mut Scene, report: &StaticsReport) {
     scene.text([MARGIN, 54.0], Type::new(25.0, DARK).bold(), &Label::new(report.title));
     let source = match report.field {
         Field::Die { .. } => "Kalker 1967, section 3.211",
-        Field::Bonded(_) => "Cattaneo, Mindlin",
+        Field::Bonded(_) => "Cattaneo, Mindlin; Kalker 1967, section 3.212",
         Field::PartialSlip(_) => "Cattaneo, Mindlin; Kalker 1967, section 3.222",
     };
     let style = Type::new(15.0, GREY).anchored(Anchor::End);
@@ -42,7 +42,11 @@ pub(super) fn table(scene: &mut Scene, top: f64, report: &StaticsReport) {
     for (index, quantity) in report.found.iter().enumerate() {
         let [name, number] = COLUMNS[index / rows.max(1)];
         let y = top + 36.0 + ROW * (index % rows) as f64;
-        scene.text([name, y], Type::new(15.0, GREY), &Label::new(quantity.name));
+        scene.text(
+            [name, y],
+            Type::new(15.0, GREY),
+            &Label::new(&quantity.name.replace("mu N", "μN")),
+        );
         let label = Label::default().number(&quantity.written(4));
         scene.text([number, y], Type::new(15.5, DARK), &label);
     }

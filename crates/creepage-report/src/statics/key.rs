@@ -26,7 +26,12 @@ pub(super) fn height(report: &StaticsReport, levels: usize) -> f64 {
         Field::Bonded(_) => 1.0,
         Field::Die { .. } | Field::PartialSlip(_) => 2.0,
     };
-    30.0 + BAND * (levels + 1) as f64 + 14.0 + ROW * rows
+    head(report) + BAND * (levels + 1) as f64 + 14.0 + ROW * rows
+}
+
+/// Height of the words above the shades.
+fn head(report: &StaticsReport) -> f64 {
+    if report.field.is_singular() { 48.0 } else { 30.0 }
 }
 
 /// Shades, then signs.
@@ -42,7 +47,11 @@ pub(super) fn draw(
         Field::Bonded(_) | Field::PartialSlip(_) => "traction on the lower body",
     };
     scene.text([x, y + 14.0], WORDS, &Label::new(name));
-    let top = y + 30.0;
+    if report.field.is_singular() {
+        let words = Label::new("without bound at the edge");
+        scene.text([x, y + 33.0], Type { size: 13.5, colour: GREY, ..WORDS }, &words);
+    }
+    let top = y + head(report);
     samples(scene, [x, top], levels);
     let next = top + BAND * (levels.len() + 1) as f64 + 14.0;
     match report.field {
@@ -50,7 +59,7 @@ pub(super) fn draw(
             pole_mark(scene, [x + 21.0, next + 10.0]);
             scene.text([x + INDENT, next + 15.0], WORDS, &Label::new("the load"));
             scene.ellipse([x + 21.0, next + ROW + 10.0], [20.0, 10.0], LIMIT);
-            let words = "beyond, a load lifts the die";
+            let words = "limit of lift-off";
             scene.text([x + INDENT, next + ROW + 15.0], WORDS, &Label::new(words));
         }
         Field::Bonded(_) => arrow(scene, [x, next], arrows),
@@ -58,7 +67,7 @@ pub(super) fn draw(
             arrow(scene, [x, next], arrows);
             let ends = [[x, next + ROW + 10.0], [x + 42.0, next + ROW + 10.0]];
             scene.line(&ends, Ink::line(DARK, 2.6));
-            let words = "adhesion inside, slip outside";
+            let words = "edge of the adhesion";
             scene.text([x + INDENT, next + ROW + 15.0], WORDS, &Label::new(words));
         }
     }

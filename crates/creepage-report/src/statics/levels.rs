@@ -25,9 +25,10 @@ impl StaticsReport<'_> {
         let mut values: Vec<f64> = rings().map(|point| self.intensity(point)).collect();
         values.retain(|value| value.is_finite());
         values.sort_unstable_by(f64::total_cmp);
-        let share = if self.field.is_singular() { SHOWN } else { 1.0 };
+        // What has a largest value vanishes at the edge.
+        let (least, share) = if self.field.is_singular() { (1.0, SHOWN) } else { (0.0, 1.0) };
         match (values.first(), values.get(last(values.len(), share))) {
-            (Some(&low), Some(&high)) => round_levels(low, high),
+            (Some(&low), Some(&high)) => round_levels(least * low, high),
             _ => vec![],
         }
     }

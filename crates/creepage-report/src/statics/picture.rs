@@ -27,8 +27,8 @@ impl StaticsReport<'_> {
         caption::title(&mut scene, self);
         bands::draw(&mut scene, self, &plane, &levels);
         plane.axes(&mut scene);
-        arrows.draw(&mut scene, &plane);
         self.marks(&mut scene, &plane);
+        arrows.draw(&mut scene, &plane);
         plane.scale_bars(&mut scene, [layout.plot.from[0] + 6.0, layout.plot.to[1] - 14.0]);
         key::draw(&mut scene, layout.key, self, &levels, &arrows);
         legend::orientation(&mut scene, layout.orientation, &plane);
@@ -48,7 +48,6 @@ impl StaticsReport<'_> {
             Field::Bonded(_) => {}
             Field::PartialSlip(partial) => {
                 let factor = partial.adhesion().a() / self.ellipse.a();
-                scene.ellipse(plane.centre, scaled(factor), Ink::line("#ffffff", 5.0));
                 scene.ellipse(plane.centre, scaled(factor), Ink::line(DARK, 2.6));
             }
         }
