@@ -97,10 +97,11 @@ const HEADS: [&str; 12] = [
 fn markdown(standings: &[Standing]) -> String {
     let mut rows = vec![HEADS.map(str::to_owned)];
     rows.extend(standings.iter().map(Standing::row));
-    let widths: Vec<usize> = (0..HEADS.len())
-        .map(|i| rows.iter().map(|row| row[i].len()).max().unwrap_or(0))
-        .collect();
-    let rule = |i: usize, width: &usize| "-".repeat(width - usize::from(i > 0)) + [":", ""][usize::from(i == 0)];
+    let widths: Vec<usize> =
+        (0..HEADS.len()).map(|i| rows.iter().map(|row| row[i].len()).max().unwrap_or(0)).collect();
+    let rule = |i: usize, width: &usize| {
+        "-".repeat(width - usize::from(i > 0)) + [":", ""][usize::from(i == 0)]
+    };
     rows.insert(1, std::array::from_fn(|i| rule(i, &widths[i])));
     let mut table = String::new();
     for row in rows {
@@ -117,11 +118,8 @@ fn markdown(standings: &[Standing]) -> String {
 impl Standing {
     fn row(&self) -> [String; 12] {
         let Self { theory, options, accuracy } = self;
-        let name = if options.is_empty() {
-            (*theory).to_owned()
-        } else {
-            format!("{theory}, {options}")
-        };
+        let name =
+            if options.is_empty() { (*theory).to_owned() } else { format!("{theory}, {options}") };
         let [a, b, c, d, e] = cells(&accuracy.force);
         let [f, g, h, i, j] = cells(&accuracy.moment);
         [name, a, b, c, d, e, f, g, h, i, j, accuracy.doubtful.to_string()]

@@ -43,8 +43,7 @@ pub(crate) fn pen(k: usize, solved: bool) -> Ink {
 /// Draws the legend; gives its height.
 pub(crate) fn draw(scene: &mut Scene, [left, top]: Point, curves: &Curves) -> f64 {
     let column = (WIDTH - 2.0 * MARGIN) / COLUMNS as f64;
-    let place =
-        |k: usize| [left + (k % COLUMNS) as f64 * column, top + (k / COLUMNS) as f64 * ROW];
+    let place = |k: usize| [left + (k % COLUMNS) as f64 * column, top + (k / COLUMNS) as f64 * ROW];
     let mut next = 0;
     for (k, curve) in curves.curves.iter().enumerate() {
         let name: String = curve.theory.chars().take(LONGEST_NAME).collect();

@@ -221,7 +221,8 @@ mod tests {
     fn panels_are_those_of_forces_that_there_are() {
         let panels = |case, vary| {
             let svg = svg(1.0, case, vary, [0.0, 3.0]);
-            ["longitudinal force ", "lateral force ", "spin moment "].map(|words| svg.contains(words))
+            ["longitudinal force ", "lateral force ", "spin moment "]
+                .map(|words| svg.contains(words))
         };
         let none = Creepage::default();
         assert_eq!(panels(none, Component::Longitudinal), [true, false, false]);

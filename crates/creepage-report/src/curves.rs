@@ -180,11 +180,8 @@ impl<'a> Curves<'a> {
     pub fn write(&self, directory: &Path) -> Result<Vec<PathBuf>, ReportError> {
         let svg = self.svg();
         let png = raster::png(&svg)?;
-        let files: [(&str, &[u8]); 3] = [
-            ("curve.csv", &self.csv()?),
-            ("curve.svg", svg.as_bytes()),
-            ("curve.png", &png),
-        ];
+        let files: [(&str, &[u8]); 3] =
+            [("curve.csv", &self.csv()?), ("curve.svg", svg.as_bytes()), ("curve.png", &png)];
         write::write_all(directory, &files)
     }
 }

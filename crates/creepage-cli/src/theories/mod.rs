@@ -91,7 +91,10 @@ fn usual_mesh(ellipse: Ellipse) -> Vec<[f64; 2]> {
     const CELLS: u8 = 40;
     let places = (0..CELLS).map(|i| (2.0 * f64::from(i) + 1.0) / f64::from(CELLS) - 1.0);
     let pairs = places.clone().flat_map(|y| places.clone().map(move |x| (x, y)));
-    pairs.filter(|(x, y)| x.hypot(*y) < 1.0).map(|(x, y)| [ellipse.a() * x, ellipse.b() * y]).collect()
+    pairs
+        .filter(|(x, y)| x.hypot(*y) < 1.0)
+        .map(|(x, y)| [ellipse.a() * x, ellipse.b() * y])
+        .collect()
 }
 
 /// The theory of chapter 5: the points of its integral, and how good the minimum is.

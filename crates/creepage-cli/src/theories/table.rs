@@ -15,9 +15,8 @@ const WIDTH: usize = 110;
 
 /// The theories, a line each, and the options in `[solve]`.
 pub(crate) fn table() -> String {
-    let width = |text: fn(&Entry) -> &str| {
-        ENTRIES.iter().map(|entry| text(entry).len()).max().unwrap_or(0)
-    };
+    let width =
+        |text: fn(&Entry) -> &str| ENTRIES.iter().map(|entry| text(entry).len()).max().unwrap_or(0);
     let name = width(|entry| entry.name);
     let assumes = width(|entry| entry.assumes);
     let heads = ["THEORY", "YEAR", "ASSUMES", "COST", "ERROR", "GOOD FOR"];
