@@ -39,8 +39,14 @@ mod keys;
 mod radius;
 mod schema;
 mod solve;
+mod statics;
+mod statics_contact;
+mod statics_error;
+mod statics_load;
 
 pub use case::{Case, CaseFile};
 pub use error::CaseError;
 pub use schema::json_schema;
 pub use solve::{Bound, Flexibility, Solve, Variant, Weight};
+pub use statics::{StaticsCase, StaticsFile, statics_json_schema};
+pub use statics_error::StaticsError;

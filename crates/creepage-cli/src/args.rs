@@ -4,6 +4,8 @@ use std::path::PathBuf;
 
 use clap::{Parser, Subcommand};
 
+use crate::reproduce::Item;
+
 /// Rolling contact of two elastic bodies with dry friction: creepage and spin in, tangential
 /// force and moment out.
 #[derive(Debug, Parser)]
@@ -45,6 +47,15 @@ pub(crate) enum Command {
     Batch(BatchArgs),
     /// The contact ellipse and the pressure of a case, without rolling.
     Hertz(HertzArgs),
+    /// Solve a contact without rolling: a die, a shift, a twist, or a shift with partial slip.
+    ///
+    /// The case file has [upper], [lower] and [contact] as for `solve`, and [statics] with
+    /// problem = "die" (`offset_x`, `offset_y`), "shift" (`force_x`, `force_y`), "twist" (moment) or
+    /// "partial-slip" (`force_x`, `force_y`), in SI units. The report goes to standard output; with
+    /// --out, also report.json, points.csv, contact.svg and contact.png into a directory.
+    Statics(StaticsArgs),
+    /// Compute tables of Kalker's thesis of 1967 again, beside the printed entries.
+    Reproduce(ReproduceArgs),
     /// List the theories: what each assumes, costs, errs by, and is good for.
     Theories,
     /// Creepage and spin coefficients of linear theory.
@@ -177,6 +188,29 @@ pub(crate) struct AccuracyArgs {
     /// Print JSON, with errors as parts of one.
     #[arg(long)]
     pub(crate) json: bool,
+}
+
+#[derive(Debug, clap::Args)]
+pub(crate) struct StaticsArgs {
+    /// Statics file.
+    #[arg(value_name = "CASE.toml")]
+    pub(crate) case: PathBuf,
+    /// Directory for the report, the points and the pictures; made if need be.
+    #[arg(long, value_name = "DIR")]
+    pub(crate) out: Option<PathBuf>,
+    /// Print the report as JSON.
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+#[derive(Debug, clap::Args)]
+pub(crate) struct ReproduceArgs {
+    /// What to reproduce.
+    #[arg(value_name = "NAME", required = true)]
+    pub(crate) items: Vec<Item>,
+    /// Directory for the tables as CSV; made if need be.
+    #[arg(long, value_name = "DIR")]
+    pub(crate) out: Option<PathBuf>,
 }
 
 #[derive(Debug, clap::Args)]

@@ -4,11 +4,12 @@ use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 
 use creepage::InvalidValue;
-use creepage_case::CaseError;
+use creepage_case::{CaseError, StaticsError};
 use creepage_report::ReportError;
 use creepage_validation::ReferenceError;
 
 use crate::batch::ColumnError;
+use crate::reproduce::ReproduceError;
 use crate::theories::{ChoiceError, TheoryError, UnknownTheory};
 
 /// Why the command could not do its work.
@@ -18,6 +19,10 @@ pub(crate) enum Failure {
     Read { path: PathBuf, source: io::Error },
     #[error("{}: {source}", path.display())]
     Case { path: PathBuf, source: CaseError },
+    #[error("{}: {source}", path.display())]
+    Statics { path: PathBuf, source: StaticsError },
+    #[error(transparent)]
+    Reproduce(#[from] ReproduceError),
     #[error(transparent)]
     UnknownTheory(#[from] UnknownTheory),
     #[error("{}: {source}", path.display())]
@@ -70,7 +75,8 @@ impl Failure {
             | Self::Write { .. }
             | Self::Rows { .. }
             | Self::Report(_)
-            | Self::Reference(_) => Some(1),
+            | Self::Reference(_)
+            | Self::Reproduce(_) => Some(1),
             _ => Some(2),
         }
     }

@@ -10,6 +10,8 @@ mod curve;
 mod failure;
 mod init;
 mod output;
+mod reproduce;
+mod statics;
 mod theories;
 
 use std::process::ExitCode;
@@ -44,6 +46,8 @@ fn run(command: &Command) -> Result<Outcome, Failure> {
         Command::Solve(args) => return cases::solve(args),
         Command::Batch(args) => return batch::run(args),
         Command::Hertz(args) => cases::hertz(args)?,
+        Command::Statics(args) => statics::run(args)?,
+        Command::Reproduce(args) => reproduce::run(args)?,
         Command::Theories => output::print(&theories::table())?,
         Command::Coefficients(args) => coefficients::run(args)?,
         Command::Curve(args) => curve::run(args)?,

@@ -60,10 +60,12 @@ mod format;
 mod json;
 mod label;
 mod legend;
+mod plane;
 mod points;
 mod raster;
 mod report;
 mod scene;
+mod statics;
 #[cfg(test)]
 mod testing;
 mod text;
@@ -76,4 +78,6 @@ pub use json::{
     SolidJson, hertz_json,
 };
 pub use report::{Answer, Detail, Report};
+pub use statics::StaticsReport;
 pub use text::hertz_text;
+pub use write::write_all;
