@@ -2,7 +2,10 @@
 
 use creepage::rolling::{Creepage, FieldPoint, Force, Region, Solution, Status, Theory};
 use creepage::{Ellipse, Hertz, Solid, SolidPair};
+use resvg::usvg::{Group, Node, Rect};
 
+use crate::contact_picture::Layout;
+use crate::raster;
 use crate::report::{Answer, Detail, Report};
 
 /// Creepage along, across, and a spin whose pole lies inside every contact of [`contact`].
@@ -124,4 +127,52 @@ pub(crate) fn report<'a>(
         ],
     };
     Report::new(contact, 0.3, answer).unwrap()
+}
+
+/// What a group draws: the boxes of its texts, and those of its shapes.
+fn boxes(group: &Group) -> (Vec<Rect>, Vec<Rect>) {
+    let (mut texts, mut shapes) = (Vec::new(), Vec::new());
+    for node in group.children() {
+        match node {
+            Node::Group(group) => {
+                let (t, s) = boxes(group);
+                texts.extend(t);
+                shapes.extend(s);
+            }
+            Node::Text(text) => texts.push(text.abs_bounding_box()),
+            other => shapes.push(other.abs_stroke_bounding_box()),
+        }
+    }
+    (texts, shapes)
+}
+
+/// Checks that nothing leaves the sheet, no two texts touch, and none covers the ellipse.
+pub(crate) fn check_sheet(svg: &str, layout: &Layout) {
+    let tree = raster::tree(svg).unwrap();
+    let (texts, shapes) = boxes(tree.root());
+    assert!(texts.len() > 15 && shapes.len() > 20);
+    for b in texts.iter().chain(&shapes) {
+        assert!(b.left() >= 0.0 && b.top() >= 0.0, "{b:?}");
+        assert!(b.right() <= tree.size().width() && b.bottom() <= tree.size().height(), "{b:?}");
+    }
+    for (k, b) in texts.iter().enumerate() {
+        // The lines of one legend may share a pixel row of ascenders and descenders.
+        let touches = |c: &Rect| {
+            b.left() < c.right()
+                && c.left() < b.right()
+                && b.top() + 2.0 < c.bottom()
+                && c.top() + 2.0 < b.bottom()
+        };
+        assert!(!texts[k + 1..].iter().any(touches), "{b:?}");
+        for (x, y) in [
+            (b.left(), b.top()),
+            (b.left(), b.bottom()),
+            (b.right(), b.top()),
+            (b.right(), b.bottom()),
+        ] {
+            let place = [f64::from(x), f64::from(y)];
+            let [u, v] = [0, 1].map(|i| (place[i] - layout.centre[i]) / layout.semi_axes[i]);
+            assert!(u.hypot(v) > 1.0, "{b:?}");
+        }
+    }
 }
