@@ -1,7 +1,7 @@
 //! `creepage statics` on good and bad input.
 
 // Helpers of tests fail like tests: by panicking.
-#![allow(clippy::unwrap_used)]
+#![allow(clippy::unwrap_used, clippy::panic)]
 
 use std::fs;
 use std::path::{Path, PathBuf};

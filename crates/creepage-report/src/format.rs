@@ -82,7 +82,7 @@ pub(crate) fn fixed(value: f64, decimals: usize) -> String {
 
 /// The power of ten at or below `value > 0`.
 #[allow(clippy::cast_possible_truncation)] // a double's powers of ten lie within -324 and 308
-fn floor_log10(value: f64) -> i32 {
+pub(crate) fn floor_log10(value: f64) -> i32 {
     value.log10().floor() as i32
 }
 

@@ -1,5 +1,6 @@
 //! Text, JSON, points and files.
 
+use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
 use serde_json::{Map, Value, json};
@@ -18,18 +19,18 @@ impl StaticsReport<'_> {
     /// A short report for a terminal.
     #[must_use]
     pub fn text(&self) -> String {
+        // Writing to a String cannot fail.
         let mut text = format!("{}\n", self.title);
         for (heading, quantities) in [("Given", &self.given), ("Found", &self.found)] {
-            text.push_str(&format!("\n{heading}\n"));
+            let _ = writeln!(text, "\n{heading}");
             for quantity in quantities {
                 let line = format!("  {:<30}{}", quantity.name, aligned(&quantity.written(5)));
-                text.push_str(line.trim_end());
-                text.push('\n');
+                let _ = writeln!(text, "{}", line.trim_end());
             }
         }
         if self.field.is_singular() {
             let name = self.field.name();
-            text.push_str(&format!("\nThe {name} grows without bound towards the edge.\n"));
+            let _ = writeln!(text, "\nThe {name} grows without bound towards the edge.");
         }
         text
     }
