@@ -107,45 +107,6 @@ impl Theory for Free {
     }
 }
 
-/// Three mesh points: the centre, one at `(a/2, b/4)`, one on the leading edge.
-pub(crate) fn report<'a>(
-    contact: &'a Hertz,
-    theory: &'a dyn Theory,
-    creepage: Creepage,
-) -> Report<'a> {
-    let ellipse = Ellipse::from_ratio(contact.ellipse().ratio()).unwrap();
-    let mesh = [[0.0, 0.0], [0.5 * ellipse.a(), 0.25 * ellipse.b()], [ellipse.a(), 0.0]];
-    let answer = Answer {
-        creepage,
-        theory_name: "test & trial",
-        theory,
-        solution: theory.solve(creepage),
-        points: theory.field(creepage, &mesh),
-        details: vec![
-            Detail { key: "mean_integrand", label: "mean of W T S", value: 1.25e-3 },
-            Detail { key: "unknown", label: "unknown", value: f64::NAN },
-        ],
-    };
-    Report::new(contact, 0.3, answer).unwrap()
-}
-
-/// What a group draws: the boxes of its texts, and those of its shapes.
-fn boxes(group: &Group) -> (Vec<Rect>, Vec<Rect>) {
-    let (mut texts, mut shapes) = (Vec::new(), Vec::new());
-    for node in group.children() {
-        match node {
-            Node::Group(group) => {
-                let (t, s) = boxes(group);
-                texts.extend(t);
-                shapes.extend(s);
-            }
-            Node::Text(text) => texts.push(text.abs_bounding_box()),
-            other => shapes.push(other.abs_stroke_bounding_box()),
-        }
-    }
-    (texts, shapes)
-}
-
 /// Checks that nothing leaves the sheet, no two texts touch, and none covers the ellipse.
 pub(crate) fn check_sheet(svg: &str, layout: &Layout) {
     let tree = raster::tree(svg).unwrap();
@@ -175,4 +136,43 @@ pub(crate) fn check_sheet(svg: &str, layout: &Layout) {
             assert!(u.hypot(v) > 1.0, "{b:?}");
         }
     }
+}
+
+/// Three mesh points: the centre, one at `(a/2, b/4)`, one on the leading edge.
+pub(crate) fn report<'a>(
+    contact: &'a Hertz,
+    theory: &'a dyn Theory,
+    creepage: Creepage,
+) -> Report<'a> {
+    let ellipse = Ellipse::from_ratio(contact.ellipse().ratio()).unwrap();
+    let mesh = [[0.0, 0.0], [0.5 * ellipse.a(), 0.25 * ellipse.b()], [ellipse.a(), 0.0]];
+    let answer = Answer {
+        creepage,
+        theory_name: "test & trial",
+        theory,
+        solution: theory.solve(creepage),
+        points: theory.field(creepage, &mesh),
+        details: vec![
+            Detail { key: "mean_integrand", label: "mean of W T S", value: 1.25e-3 },
+            Detail { key: "unknown", label: "unknown", value: f64::NAN },
+        ],
+    };
+    Report::new(contact, 0.3, answer).unwrap()
+}
+
+/// What a group draws: the boxes of its texts, and those of its shapes.
+pub(crate) fn boxes(group: &Group) -> (Vec<Rect>, Vec<Rect>) {
+    let (mut texts, mut shapes) = (Vec::new(), Vec::new());
+    for node in group.children() {
+        match node {
+            Node::Group(group) => {
+                let (t, s) = boxes(group);
+                texts.extend(t);
+                shapes.extend(s);
+            }
+            Node::Text(text) => texts.push(text.abs_bounding_box()),
+            other => shapes.push(other.abs_stroke_bounding_box()),
+        }
+    }
+    (texts, shapes)
 }

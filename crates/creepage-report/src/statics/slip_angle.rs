@@ -31,7 +31,7 @@ impl Slip {
         let mut all = Self { largest: 0.0, angle: f64::NAN, angle_at_edge: f64::NAN };
         for ring in 1..=RINGS {
             // Close together where slip begins.
-            let part = (f64::from(ring) / f64::from(RINGS)).powi(2);
+            let part = (f64::from(ring) / f64::from(RINGS)).powi(3);
             // A hair inside: a point on the edge itself may be rounded out of the contact.
             let radius = (inner + (1.0 - inner) * part) * (1.0 - 4.0 * f64::EPSILON);
             let (slip, angle) = on_ring(contact, partial, radius);
@@ -95,7 +95,7 @@ mod tests {
         for (a, poisson, share) in cases {
             let crack = (0.5 * poisson / (1.0_f64 - poisson).sqrt()).atan().to_degrees();
             let angle = slip(a, poisson, share).angle;
-            // The innermost ring lies 1/600 of the way from the edge.
+            // The innermost ring lies 1/13824 of the way from the edge.
             assert!((angle / crack - 1.0).abs() < 5e-3, "{angle} {crack}");
         }
     }
@@ -104,6 +104,6 @@ mod tests {
     fn without_poissons_ratio_slip_has_the_direction_of_the_traction() {
         let slip = slip(7e-3, 0.0, 0.5);
         // Rounding of the displacements, over the slip of the innermost ring.
-        assert!(slip.angle < 1e-4 && slip.largest > 0.0, "{}", slip.angle);
+        assert!(slip.angle < 1e-3 && slip.largest > 0.0, "{}", slip.angle);
     }
 }
