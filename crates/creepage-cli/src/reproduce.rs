@@ -35,8 +35,11 @@ struct Table {
     /// Its name on the command line, and that of its file.
     name: &'static str,
     title: &'static str,
-    /// What its columns are for.
+    /// What its columns are for: in words, and in the file.
     argument: &'static str,
+    key: &'static str,
+    /// Columns side by side in the thesis.
+    block: usize,
     entries: Vec<Entry>,
 }
 
@@ -53,7 +56,7 @@ pub(crate) fn run(args: &ReproduceArgs) -> Result<(), Failure> {
             say(&format!("wrote {}", path.display()));
         }
     }
-    print(&tables.iter().map(Table::text).collect::<Vec<_>>().join("\n\n"))
+    print(&tables.iter().map(Table::text).collect::<Vec<_>>().join("\n\n\n"))
 }
 
 /// Each table that is asked for, once, in the order of the thesis.
@@ -61,12 +64,24 @@ fn tables(items: &[Item]) -> Result<Vec<Table>, ReproduceError> {
     let asked = |item| items.contains(&item) || items.contains(&Item::All);
     let mut tables = vec![];
     if asked(Item::Table1) {
-        let (title, argument) = ("Table 1. C and D as functions of g", "g");
-        tables.push(Table { name: "table1", title, argument, entries: table1()? });
+        tables.push(Table {
+            name: "table1",
+            title: "Table 1. C and D as functions of g",
+            argument: "g",
+            key: "g",
+            block: 6,
+            entries: table1()?,
+        });
     }
     if asked(Item::Table2) {
-        let (title, argument) = ("Table 2. g, |e|, K, E as functions of tau", "tau [deg]");
-        tables.push(Table { name: "table2", title, argument, entries: table2()? });
+        tables.push(Table {
+            name: "table2",
+            title: "Table 2. g, |e|, K, E as functions of tau",
+            argument: "tau [deg]",
+            key: "tau_deg",
+            block: 10,
+            entries: table2()?,
+        });
     }
     Ok(tables)
 }
@@ -98,38 +113,41 @@ impl Table {
 
     /// The table as the thesis has it: a row a quantity, a column an argument.
     fn layout(&self, text: &mut String) {
-        for (number, row) in self.rows().enumerate() {
-            let mut line = |name: &str, cells: Vec<String>| {
-                let cells: String =
-                    cells.iter().zip(row).map(|(cell, e)| pad(cell, column(e))).collect();
-                let _ = writeln!(text, "  {name:<9}{}", cells.trim_end());
-            };
-            if number == 0 {
-                line(self.argument, row.iter().map(|entry| head(entry) + " ").collect());
+        let rows: Vec<_> = self.entries.chunk_by(|one, two| one.quantity == two.quantity).collect();
+        let columns: Vec<usize> = (0..rows.first().map_or(0, |row| row.len())).collect();
+        for block in columns.chunks(self.block) {
+            let _ = writeln!(text);
+            for (number, row) in rows.iter().enumerate() {
+                let line = |name: &str, cell: fn(&Entry) -> String| {
+                    let cells = block.iter().filter_map(|&column| {
+                        Some(format!("{:>1$}", cell(row.get(column)?), width(&rows, column)))
+                    });
+                    format!("  {name:<9}{}\n", cells.collect::<String>().trim_end())
+                };
+                if number == 0 {
+                    text.push_str(&line(self.argument, |entry| head(entry) + " "));
+                }
+                text.push_str(&line(&row[0].quantity, marked));
             }
-            line(&row[0].quantity, row.iter().map(marked).collect());
         }
     }
 
-    fn rows(&self) -> impl Iterator<Item = &[Entry]> {
-        self.entries.chunk_by(|one, two| one.quantity == two.quantity)
-    }
-
+    /// How many entries are right, and which are not.
     fn summary(&self) -> String {
         let wrong: Vec<_> =
             self.entries.iter().filter(|entry| entry.verdict != Verdict::Right).collect();
         let (all, right) = (self.entries.len(), self.entries.len() - wrong.len());
-        let mut text = format!("{}: {right} of {all} printed entries are right", self.name);
-        for (k, entry) in wrong.iter().enumerate() {
-            let join = if k == 0 { "; wrong are" } else { "," };
-            let _ = write!(text, "{join} {}({})", entry.quantity, head(entry));
+        let mut text = format!("{}: {right} of {all} printed entries are right.", self.name);
+        for row in wrong.chunk_by(|one, two| one.quantity == two.quantity) {
+            let heads: Vec<_> = row.iter().map(|entry| head(entry)).collect();
+            let _ = write!(text, "\n  wrong: {} at {}", row[0].quantity, heads.join(", "));
         }
-        text + ".\n"
+        text
     }
 
     fn csv(&self) -> Result<Vec<u8>, csv::Error> {
         let mut writer = csv::Writer::from_writer(vec![]);
-        writer.write_record(["quantity", self.argument, "printed", "ours", "verdict"])?;
+        writer.write_record(["quantity", self.key, "printed", "ours", "verdict"])?;
         for entry in &self.entries {
             let (argument, verdict) = (entry.argument.to_string(), words(entry.verdict));
             let row = [&entry.quantity, &argument, &entry.printed, &entry.ours, &verdict];
@@ -150,13 +168,10 @@ fn marked(entry: &Entry) -> String {
     format!("{}{mark}", entry.printed)
 }
 
-/// Width of an entry's column: those of limits are wide.
-fn column(entry: &Entry) -> usize {
-    if entry.printed.len() > 7 { 11 } else { 7 }
-}
-
-fn pad(cell: &str, width: usize) -> String {
-    format!("{cell:>width$}")
+/// Width of a column: its longest entry with a mark, and white.
+fn width(rows: &[&[Entry]], column: usize) -> usize {
+    let lengths = rows.iter().filter_map(|row| Some(row.get(column)?.printed.len() + 2));
+    lengths.fold(7, usize::max)
 }
 
 fn words(verdict: Verdict) -> String {

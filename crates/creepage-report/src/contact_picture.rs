@@ -129,47 +129,15 @@ impl Layout {
 mod tests {
     use creepage::rolling::Creepage;
     use resvg::tiny_skia::{Pixmap, PremultipliedColorU8};
-    use resvg::usvg::Rect;
 
     use super::*;
     use crate::raster;
-    use crate::testing::{CURVE, Free, Sliding, boxes, contact, report, sliding, sticking};
+    use crate::testing::{CURVE, Free, Sliding, check_sheet, contact, report, sliding, sticking};
 
     const RATIOS: [f64; 9] = [1e-4, 0.05, 0.3, 1.0, 1.5, 1.9, 6.0, 20.0, 1e4];
 
-    /// Checks that nothing leaves the sheet, no two texts touch, and none covers the ellipse.
     fn check(report: &Report) {
-        let tree = raster::tree(&report.contact_svg()).unwrap();
-        let (texts, shapes) = boxes(tree.root());
-        let layout = Layout::of(report);
-        assert!(texts.len() > 20 && shapes.len() > 20);
-        for b in texts.iter().chain(&shapes) {
-            assert!(b.left() >= 0.0 && b.top() >= 0.0, "{b:?}");
-            assert!(
-                b.right() <= tree.size().width() && b.bottom() <= tree.size().height(),
-                "{b:?}"
-            );
-        }
-        for (k, b) in texts.iter().enumerate() {
-            // The lines of one legend may share a pixel row of ascenders and descenders.
-            let touches = |c: &Rect| {
-                b.left() < c.right()
-                    && c.left() < b.right()
-                    && b.top() + 2.0 < c.bottom()
-                    && c.top() + 2.0 < b.bottom()
-            };
-            assert!(!texts[k + 1..].iter().any(touches), "{b:?}");
-            for (x, y) in [
-                (b.left(), b.top()),
-                (b.left(), b.bottom()),
-                (b.right(), b.top()),
-                (b.right(), b.bottom()),
-            ] {
-                let place = [f64::from(x), f64::from(y)];
-                let [u, v] = [0, 1].map(|i| (place[i] - layout.centre[i]) / layout.semi_axes[i]);
-                assert!(u.hypot(v) > 1.0, "{b:?}");
-            }
-        }
+        check_sheet(&report.contact_svg(), &Layout::of(report));
     }
 
     #[test]

@@ -4,6 +4,8 @@ use creepage::rolling::{Creepage, FieldPoint, Force, Region, Solution, Status, T
 use creepage::{Ellipse, Hertz, Solid, SolidPair};
 use resvg::usvg::{Group, Node, Rect};
 
+use crate::contact_picture::Layout;
+use crate::raster;
 use crate::report::{Answer, Detail, Report};
 
 /// Creepage along, across, and a spin whose pole lies inside every contact of [`contact`].
@@ -102,6 +104,37 @@ impl Theory for Free {
             region: Region::Adhesion,
         };
         positions.iter().map(point).collect()
+    }
+}
+
+/// Checks that nothing leaves the sheet, no two texts touch, and none covers the ellipse.
+pub(crate) fn check_sheet(svg: &str, layout: &Layout) {
+    let tree = raster::tree(svg).unwrap();
+    let (texts, shapes) = boxes(tree.root());
+    assert!(texts.len() > 15 && shapes.len() > 20);
+    for b in texts.iter().chain(&shapes) {
+        assert!(b.left() >= 0.0 && b.top() >= 0.0, "{b:?}");
+        assert!(b.right() <= tree.size().width() && b.bottom() <= tree.size().height(), "{b:?}");
+    }
+    for (k, b) in texts.iter().enumerate() {
+        // The lines of one legend may share a pixel row of ascenders and descenders.
+        let touches = |c: &Rect| {
+            b.left() < c.right()
+                && c.left() < b.right()
+                && b.top() + 2.0 < c.bottom()
+                && c.top() + 2.0 < b.bottom()
+        };
+        assert!(!texts[k + 1..].iter().any(touches), "{b:?}");
+        for (x, y) in [
+            (b.left(), b.top()),
+            (b.left(), b.bottom()),
+            (b.right(), b.top()),
+            (b.right(), b.bottom()),
+        ] {
+            let place = [f64::from(x), f64::from(y)];
+            let [u, v] = [0, 1].map(|i| (place[i] - layout.centre[i]) / layout.semi_axes[i]);
+            assert!(u.hypot(v) > 1.0, "{b:?}");
+        }
     }
 }
 

@@ -45,13 +45,13 @@ pub enum TableError {
 
 /// A row of a file of printed entries.
 #[derive(Debug, Deserialize)]
-pub(crate) struct Printed {
+pub(crate) struct Row {
     pub(crate) quantity: String,
     pub(crate) argument: f64,
     pub(crate) printed: String,
 }
 
-impl Printed {
+impl Row {
     pub(crate) fn read(table: &str) -> Result<Vec<Self>, TableError> {
         let mut reader = csv::Reader::from_reader(table.as_bytes());
         Ok(reader.deserialize().collect::<Result<_, _>>()?)
@@ -63,9 +63,12 @@ impl Printed {
         let decimals = number.split_once('.').map_or(0, |(_, decimals)| decimals.len());
         let Ok(printed) = number.parse::<f64>() else { return Err(self.meaningless()) };
         let unit = 10f64.powi(decimals.try_into().unwrap_or(0));
-        // Both whole numbers in units of the last digit; an infinity agrees with itself.
-        let off = (printed * unit).round() - (truth * unit).round();
-        let verdict = if off == 0.0 || printed == truth { Verdict::Right } else { off_by(off) };
+        let verdict = if printed.is_infinite() && truth.is_infinite() {
+            Verdict::Right
+        } else {
+            // Whole numbers both, in units of the last digit.
+            verdict((printed * unit).round() - (truth * unit).round())
+        };
         let ours = format!("{limit}{truth:.*}", decimals + 1);
         let Self { quantity, argument, printed } = self;
         Ok(Entry { quantity, argument, printed, ours, verdict })
@@ -87,32 +90,35 @@ const LIMIT: &str = "ln(4/g)";
 
 /// The verdict on an error in units of the last digit.
 #[allow(clippy::cast_possible_truncation)] // a whole number; a table is not off by more
-fn off_by(units: f64) -> Verdict {
-    Verdict::Off(units as i64)
+fn verdict(units: f64) -> Verdict {
+    match units as i64 {
+        0 => Verdict::Right,
+        units => Verdict::Off(units),
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    fn verdict(printed: &str, truth: f64) -> Verdict {
-        let row = Printed { quantity: "K".into(), argument: 1.0, printed: printed.into() };
+    fn judge(printed: &str, truth: f64) -> Verdict {
+        let row = Row { quantity: "K".into(), argument: 1.0, printed: printed.into() };
         row.against(truth).unwrap().verdict
     }
 
     #[test]
     fn an_entry_is_right_when_it_is_the_rounded_truth() {
-        assert_eq!(verdict("0.79", 0.7949), Verdict::Right);
-        assert_eq!(verdict("0.79", 0.7951), Verdict::Off(-1));
-        assert_eq!(verdict("0.999", 0.99889), Verdict::Right);
-        assert_eq!(verdict("3.71", 3.61953), Verdict::Off(9));
-        assert_eq!(verdict("inf", f64::INFINITY), Verdict::Right);
-        assert_eq!(verdict("ln(4/g)-2", -2.0), Verdict::Right);
+        assert_eq!(judge("0.79", 0.7949), Verdict::Right);
+        assert_eq!(judge("0.79", 0.7951), Verdict::Off(-1));
+        assert_eq!(judge("0.999", 0.99889), Verdict::Right);
+        assert_eq!(judge("3.71", 3.61953), Verdict::Off(9));
+        assert_eq!(judge("inf", f64::INFINITY), Verdict::Right);
+        assert_eq!(judge("ln(4/g)-2", -2.0), Verdict::Right);
     }
 
     #[test]
     fn what_is_no_number_is_an_error() {
-        let row = Printed { quantity: "K".into(), argument: 1.0, printed: "1,5".into() };
+        let row = Row { quantity: "K".into(), argument: 1.0, printed: "1,5".into() };
         assert!(row.against(1.5).unwrap_err().to_string().contains("K = 1,5"));
     }
 }

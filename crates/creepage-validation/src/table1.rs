@@ -2,7 +2,7 @@
 
 use creepage::special::CompleteIntegrals;
 
-use crate::printed::{Entry, Printed, TableError};
+use crate::printed::{Entry, Row, TableError};
 
 /// Stands for the limit of a slender ellipse: what is left out is of the order `g^2 ln g`.
 const SLENDER: f64 = 1e-7;
@@ -12,11 +12,11 @@ const SLENDER: f64 = 1e-7;
 /// # Errors
 /// [`TableError`] when the table that the library was built with is damaged.
 pub fn table1() -> Result<Vec<Entry>, TableError> {
-    let printed = Printed::read(include_str!("../data/table1.csv"))?;
+    let printed = Row::read(include_str!("../data/table1.csv"))?;
     printed.into_iter().map(entry).collect()
 }
 
-fn entry(row: Printed) -> Result<Entry, TableError> {
+fn entry(row: Row) -> Result<Entry, TableError> {
     let is_limit = !row.split().0.is_empty();
     let g = if is_limit { SLENDER } else { row.argument };
     let integrals = CompleteIntegrals::new(g);

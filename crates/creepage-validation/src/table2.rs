@@ -2,7 +2,7 @@
 
 use creepage::{Hertz, HertzError, Radii, Solid, SolidPair};
 
-use crate::printed::{Entry, Printed, TableError};
+use crate::printed::{Entry, Row, TableError};
 
 /// Why Table 2 cannot be compared.
 #[derive(Debug, thiserror::Error)]
@@ -23,11 +23,11 @@ pub enum Table2Error {
 /// # Errors
 /// [`Table2Error`] when the table that the library was built with is damaged.
 pub fn table2() -> Result<Vec<Entry>, Table2Error> {
-    let printed = Printed::read(include_str!("../data/table2.csv"))?;
+    let printed = Row::read(include_str!("../data/table2.csv"))?;
     printed.into_iter().map(entry).collect()
 }
 
-fn entry(row: Printed) -> Result<Entry, Table2Error> {
+fn entry(row: Row) -> Result<Entry, Table2Error> {
     let is_limit = row.argument == 0.0;
     let ellipse = crossed_cylinders(row.argument)?.ellipse();
     let (g, integrals) = (ellipse.g(), ellipse.integrals());

@@ -6,7 +6,7 @@ use super::field::Field;
 use super::picture::Arrows;
 use crate::contact_picture::{DARK, GREY, TRACTION};
 use crate::contact_view::pole_mark;
-use crate::format::{quantity, round_below};
+use crate::format::{Scale, quantity, round_below};
 use crate::label::Label;
 use crate::scene::{Anchor, Ink, Point, Scene, Type};
 
@@ -82,10 +82,11 @@ fn samples(scene: &mut Scene, [x, y]: Point, levels: &[f64]) {
         scene.rectangle([x, top], [42.0, BAND], 0.0, Ink::fill(shade));
     }
     scene.rectangle([x, y], [42.0, BAND * count as f64], 0.0, Ink::line(DARK, 1.2));
+    let scale = Scale::of(levels.last().copied().unwrap_or(0.0), "Pa", 3);
     for (row, level) in levels.iter().rev().enumerate() {
         let line = y + BAND * (row + 1) as f64;
         scene.line(&[[x, line], [x + 48.0, line]], Ink::line(DARK, 1.0));
-        let label = Label::default().number(&quantity(*level, "Pa", 4));
+        let label = Label::default().number(&scale.write(*level));
         scene.text([x + INDENT, line + 5.0], WORDS, &label);
     }
 }

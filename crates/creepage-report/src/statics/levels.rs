@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use super::StaticsReport;
-use crate::format::round_below;
+use crate::format::floor_log10;
 use crate::scene::Point;
 
 /// Most levels; there is one band more.
@@ -56,13 +56,9 @@ fn round_levels(low: f64, high: f64) -> Vec<f64> {
     if !(width > 0.0 && width > 1e-9 * high) {
         return vec![];
     }
-    // Of 1, 2 and 5, and halves of 5 that keep bands from being few.
-    let below = round_below(width);
-    let step = [1.0, 2.0, 2.5, 5.0, 10.0]
-        .map(|factor| factor * 10f64.powi(below.log10().floor() as i32))
-        .into_iter()
-        .find(|step| *step >= width)
-        .unwrap_or(2.0 * below);
+    let power = 10f64.powi(floor_log10(width));
+    let steps = [1.0, 2.0, 2.5, 5.0].map(|factor| factor * power);
+    let step = steps.into_iter().find(|step| *step >= width).unwrap_or(10.0 * power);
     let first = (low / step).floor() + 1.0;
     (0..MOST).map(|k| (first + k as f64) * step).take_while(|level| *level < high).collect()
 }

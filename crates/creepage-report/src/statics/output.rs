@@ -1,5 +1,6 @@
 //! Text, JSON, points and files.
 
+use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
 use serde_json::{Map, Value, json};
@@ -18,18 +19,18 @@ impl StaticsReport<'_> {
     /// A short report for a terminal.
     #[must_use]
     pub fn text(&self) -> String {
+        // Writing to a String cannot fail.
         let mut text = format!("{}\n", self.title);
         for (heading, quantities) in [("Given", &self.given), ("Found", &self.found)] {
-            text.push_str(&format!("\n{heading}\n"));
+            let _ = writeln!(text, "\n{heading}");
             for quantity in quantities {
                 let line = format!("  {:<30}{}", quantity.name, aligned(&quantity.written(5)));
-                text.push_str(line.trim_end());
-                text.push('\n');
+                let _ = writeln!(text, "{}", line.trim_end());
             }
         }
         if self.field.is_singular() {
             let name = self.field.name();
-            text.push_str(&format!("\nThe {name} grows without bound towards the edge.\n"));
+            let _ = writeln!(text, "\nThe {name} grows without bound towards the edge.");
         }
         text
     }
@@ -92,4 +93,68 @@ impl StaticsReport<'_> {
 /// The shortest text that reads back as the same number.
 fn cell(value: f64) -> String {
     if value.is_finite() { format!("{value:e}") } else { String::new() }
+}
+
+#[cfg(test)]
+mod tests {
+    use creepage::Ellipse;
+    use creepage::Solid;
+    use creepage::statics::Die;
+
+    use super::*;
+
+    fn with_report(offset: [f64; 2], look: impl Fn(&StaticsReport)) {
+        let (steel, base) = (Solid::new(82e9, 0.28).unwrap(), Ellipse::new(5e-3, 10e-3).unwrap());
+        let die = Die::new(steel, base, 20e3, offset).unwrap();
+        look(&StaticsReport::die(steel, base, 20e3, offset, &die).unwrap());
+    }
+
+    #[test]
+    fn no_line_of_text_is_wider_than_a_terminal_or_carries_no_number() {
+        with_report([0.0, 0.0], |report| {
+            let text = report.text();
+            assert!(text.lines().all(|line| line.chars().count() <= 80), "{text}");
+            assert_eq!(text.lines().filter(|line| line.starts_with("  ")).count(), 19);
+            assert!(text.lines().all(|line| !line.ends_with(" -")), "{text}");
+        });
+    }
+
+    /// A central load tilts nothing; the tilt stiffness is there all the same.
+    #[test]
+    fn a_tilt_is_moment_over_stiffness() {
+        let stiffness = |report: &StaticsReport| {
+            report.json()["found"]["stiffness_tilt_x_n_m_per_rad"].as_f64().unwrap()
+        };
+        with_report([0.0, 0.0], |central| {
+            assert!(stiffness(central) > 0.0);
+            with_report([1e-3, 0.0], |offset| {
+                let tilt = offset.json()["found"]["tilt_x_rad"].as_f64().unwrap();
+                // A few roundings.
+                assert!((tilt * stiffness(central) / 20.0 - 1.0).abs() < 1e-13);
+            });
+        });
+    }
+
+    #[test]
+    fn the_points_carry_the_load() {
+        with_report([1e-3, -2e-3], |report| {
+            let csv = String::from_utf8(report.points_csv().unwrap()).unwrap();
+            let rows: Vec<Vec<f64>> = (csv.lines().skip(1))
+                .map(|line| line.split(',').map(|cell| cell.parse().unwrap()).collect())
+                .collect();
+            let cell = 4.0 * 5e-3 * 10e-3 / f64::from(CELLS * CELLS);
+            let force: f64 = rows.iter().map(|row| row[2] * cell).sum();
+            // Cells at the edge, where the pressure has no bound: some per cent.
+            assert!((force / 20e3 - 1.0).abs() < 0.05, "{force}");
+            // Under the die the surface is the plane of its base.
+            let found = report.json()["found"].clone();
+            let number = |key: &str| found[key].as_f64().unwrap();
+            for row in &rows {
+                let depth = number("indentation_m")
+                    + number("tilt_x_rad") * row[0]
+                    + number("tilt_y_rad") * row[1];
+                assert!((row[5] / depth - 1.0).abs() < 1e-12, "{row:?}");
+            }
+        });
+    }
 }

@@ -76,3 +76,66 @@ impl Arrows {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use creepage::rolling::SiForce;
+    use creepage::statics::{Bonded, Die, PartialSlip};
+    use creepage::{Ellipse, Hertz, Solid, SolidPair};
+
+    use super::*;
+    use crate::testing::{check_sheet, contact};
+
+    const RATIOS: [f64; 7] = [1e-3, 0.05, 0.6, 1.0, 1.6, 6.0, 1e3];
+
+    fn check(report: &StaticsReport) {
+        let height = key::height(report, report.levels().len());
+        let layout = Layout::new(report.ellipse.ratio(), caption::TITLE_HEIGHT, height);
+        check_sheet(&report.svg(), &layout);
+    }
+
+    fn rubber() -> Solid {
+        Solid::new(1.2345e6, 0.49).unwrap()
+    }
+
+    #[test]
+    fn the_die_is_drawn_at_every_ratio_and_up_to_lift_off() {
+        for ratio in RATIOS {
+            let base = Ellipse::new(7e-3 * ratio, 7e-3).unwrap();
+            for share in [0.0, 0.6, 1.0] {
+                let offset = [share * base.a() / 3.0, 0.0];
+                let die = Die::new(rubber(), base, 123.4, offset).unwrap();
+                check(&StaticsReport::die(rubber(), base, 123.4, offset, &die).unwrap());
+            }
+        }
+    }
+
+    #[test]
+    fn shift_and_twist_are_drawn_at_every_ratio() {
+        for ratio in RATIOS {
+            let (pair, ellipse) = (steel_on_rubber(), Ellipse::new(7e-3 * ratio, 7e-3).unwrap());
+            let load = SiForce { longitudinal: -3.0, lateral: 0.1, moment: 0.0 };
+            let bonded = Bonded::new(pair, ellipse, load).unwrap();
+            check(&StaticsReport::shift(pair, ellipse, [-3.0, 0.1], &bonded).unwrap());
+            let load = SiForce { moment: -1.234e-5, ..SiForce::default() };
+            let bonded = Bonded::new(pair, ellipse, load).unwrap();
+            check(&StaticsReport::twist(pair, ellipse, -1.234e-5, &bonded).unwrap());
+        }
+    }
+
+    #[test]
+    fn partial_slip_is_drawn_from_hardly_any_slip_to_hardly_any_adhesion() {
+        for ratio in RATIOS {
+            let contact: Hertz = contact(ratio);
+            for share in [1e-6, 0.5, 0.999_999] {
+                let force = [-0.6 * share * 24e3, 0.8 * share * 24e3];
+                let partial = PartialSlip::new(&contact, 0.3, force).unwrap();
+                check(&StaticsReport::partial_slip(&contact, 0.3, force, &partial).unwrap());
+            }
+        }
+    }
+
+    fn steel_on_rubber() -> SolidPair {
+        SolidPair::new(Solid::new(82e9, 0.28).unwrap(), rubber())
+    }
+}

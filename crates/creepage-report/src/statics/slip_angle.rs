@@ -31,7 +31,7 @@ impl Slip {
         let mut all = Self { largest: 0.0, angle: f64::NAN, angle_at_edge: f64::NAN };
         for ring in 1..=RINGS {
             // Close together where slip begins.
-            let part = (f64::from(ring) / f64::from(RINGS)).powi(2);
+            let part = (f64::from(ring) / f64::from(RINGS)).powi(3);
             // A hair inside: a point on the edge itself may be rounded out of the contact.
             let radius = (inner + (1.0 - inner) * part) * (1.0 - 4.0 * f64::EPSILON);
             let (slip, angle) = on_ring(contact, partial, radius);
@@ -46,12 +46,22 @@ impl Slip {
 /// The largest slip and the largest angle on an ellipse `radius` times the contact.
 fn on_ring(contact: Ellipse, partial: &PartialSlip, radius: f64) -> (f64, f64) {
     let noise = NOISE * magnitude(partial.shift());
-    (0..POINTS).fold((0.0, f64::NAN), |(slip, angle): (f64, f64), k| {
-        let (sin, cos) = (TAU * f64::from(k) / f64::from(POINTS)).sin_cos();
+    directions(contact).fold((0.0, f64::NAN), |(slip, angle): (f64, f64), [cos, sin]| {
         let point = [radius * contact.a() * cos, radius * contact.b() * sin];
         let size = partial.slip(point).map_or(0.0, magnitude);
         let seen = partial.disagreement(point).filter(|_| size > noise);
         (slip.max(size), seen.map_or(angle, |seen| angle.max(seen.abs().to_degrees())))
+    })
+}
+
+/// `(x/a, y/b)` on the unit circle: evenly, and again so that the normals to the ellipse turn
+/// evenly, of which a slender one has most at its ends.
+fn directions(contact: Ellipse) -> impl Iterator<Item = [f64; 2]> {
+    (0..POINTS).flat_map(move |k| {
+        let (sin, cos) = (TAU * f64::from(k) / f64::from(POINTS)).sin_cos();
+        let (x, y) = (contact.a() * cos, contact.b() * sin);
+        let length = x.hypot(y);
+        [[cos, sin], [x / length, y / length]]
     })
 }
 
@@ -81,10 +91,11 @@ mod tests {
     /// for every ellipse.
     #[test]
     fn where_slip_begins_the_angle_is_that_of_a_crack() {
-        for (a, poisson, share) in [(5e-3, 0.5, 0.7), (5e-3, 0.25, 0.3), (9e-3, 0.3, 0.9)] {
+        let cases = [(5e-3, 0.5, 0.7), (5e-3, 0.25, 0.3), (9e-3, 0.3, 0.9), (0.1, 0.28, 0.5)];
+        for (a, poisson, share) in cases {
             let crack = (0.5 * poisson / (1.0_f64 - poisson).sqrt()).atan().to_degrees();
             let angle = slip(a, poisson, share).angle;
-            // The innermost ring lies 1/600 of the way from the edge.
+            // The innermost ring lies 1/13824 of the way from the edge.
             assert!((angle / crack - 1.0).abs() < 5e-3, "{angle} {crack}");
         }
     }
@@ -93,6 +104,6 @@ mod tests {
     fn without_poissons_ratio_slip_has_the_direction_of_the_traction() {
         let slip = slip(7e-3, 0.0, 0.5);
         // Rounding of the displacements, over the slip of the innermost ring.
-        assert!(slip.angle < 1e-4 && slip.largest > 0.0, "{}", slip.angle);
+        assert!(slip.angle < 1e-3 && slip.largest > 0.0, "{}", slip.angle);
     }
 }
