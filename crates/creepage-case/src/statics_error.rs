@@ -27,9 +27,9 @@ pub enum StaticsError {
     DieWithUpper,
     /// The load lies so far out that the die lifts off on the opposite side (3.27b).
     #[error(
-        "[statics] offset_x = {}, offset_y = {}: the die lifts off, for the load lies {excess:.4} \
-         times too far out; all of the base has contact up to offset_x = {}, offset_y = {}",
-        offset[0], offset[1], limit[0], limit[1]
+        "[statics] offset_x = {:?}, offset_y = {:?}: the die lifts off, for the load lies {:?} \
+         times too far out; all of the base has contact up to offset_x = {:?}, offset_y = {:?}",
+        offset[0], offset[1], five_digits(*excess), limit[0], limit[1]
     )]
     LiftOff {
         /// Offset of the load [m].
