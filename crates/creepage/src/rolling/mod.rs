@@ -10,6 +10,7 @@
 //! forces and the moment are exerted **by the upper body on the lower**, and have the sense of
 //! the slip.
 
+pub mod exact;
 pub mod linear;
 pub mod variational;
 
