@@ -14,10 +14,11 @@ pub(super) type Columns = [Force; 3];
 /// Differentiates a converged state: Newton's equations with the rigid slip's derivative on the
 /// right, solved by the same sweeps as the state itself.
 pub(super) fn differentiate(grid: &Grid, state: &mut State) -> Columns {
-    let directions = [Creepage { xi: 1.0, ..ZERO }, Creepage { eta: 1.0, ..ZERO }, Creepage {
-        chi: 1.0,
-        ..ZERO
-    }];
+    let directions = [
+        Creepage { xi: 1.0, ..ZERO },
+        Creepage { eta: 1.0, ..ZERO },
+        Creepage { chi: 1.0, ..ZERO },
+    ];
     for strip in 0..grid.elements.strips {
         state.factor(grid, strip);
     }
@@ -55,11 +56,7 @@ struct Tangent {
 impl Tangent {
     fn new(grid: &Grid) -> Self {
         let zeros = || [vec![0.0; grid.elements.len()], vec![0.0; grid.elements.len()]];
-        Self {
-            traction: zeros(),
-            mirrored: zeros(),
-            rest: vec![0.0; 2 * grid.elements.along],
-        }
+        Self { traction: zeros(), mirrored: zeros(), rest: vec![0.0; 2 * grid.elements.along] }
     }
 
     fn solve(&mut self, grid: &Grid, state: &State, direction: Creepage) {

@@ -118,10 +118,7 @@ impl Grid {
         let along = self.elements.along;
         let (row, start, sign) = self.block(element / along, element);
         let range = start..start + along;
-        (
-            Row { xx: &row.xx[range.clone()], xy: &row.xy[range.clone()], yy: &row.yy[range] },
-            sign,
-        )
+        (Row { xx: &row.xx[range.clone()], xy: &row.xy[range.clone()], yy: &row.yy[range] }, sign)
     }
 
     pub(super) fn rigid_slip(&self, creepage: Creepage, element: usize) -> [f64; 2] {
@@ -217,8 +214,7 @@ impl Steps {
                 let rear = at_cut(i + 1);
                 let element = strip * self.along + i;
                 let factor = self.scale * elements.bounds[element];
-                self.displacement[element] =
-                    std::array::from_fn(|k| factor * (front[k] - rear[k]));
+                self.displacement[element] = std::array::from_fn(|k| factor * (front[k] - rear[k]));
                 front = rear;
             }
         }

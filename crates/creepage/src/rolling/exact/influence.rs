@@ -31,7 +31,8 @@ mod tests {
 
     fn rectangle(poisson: f64, x: [f64; 2], y: [f64; 2]) -> Response {
         std::array::from_fn(|k| {
-            corner(poisson, x[1], y[1])[k] - corner(poisson, x[0], y[1])[k]
+            corner(poisson, x[1], y[1])[k]
+                - corner(poisson, x[0], y[1])[k]
                 - corner(poisson, x[1], y[0])[k]
                 + corner(poisson, x[0], y[0])[k]
         })

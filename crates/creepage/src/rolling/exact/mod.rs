@@ -5,6 +5,7 @@
 //! second order, friction is a projection, and Newton solves it strip by strip. Every force
 //! comes from two grids: their difference gives the extrapolated value and its error bar.
 
+mod acceleration;
 mod dense;
 mod derivative;
 mod elements;

@@ -3,7 +3,8 @@
 use crate::check::{self, InvalidValue};
 
 /// How finely the contact is cut: the number of elements along and across a circle. On an ellipse
-/// the elements become a little more nearly square: `along (a/b)^0.4` by `across (b/a)^0.4`.
+/// the elements become more nearly square: `along s` by `across / s` with `s = (a/b)^0.4`, held
+/// between 0.4 and 2.5, and at least 6 of each.
 ///
 /// Errors of the force in parts of `mu N` and costs are in the documentation of
 /// [`Exact`](super::Exact).
@@ -38,8 +39,8 @@ impl Resolution {
     /// twice as many of each.
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // small and positive
     pub(super) fn coarse(self, a_over_b: f64) -> [usize; 2] {
-        let stretch = a_over_b.powf(0.4);
-        let half = |n: f64| (0.5 * n).round().max(2.0) as usize;
+        let stretch = a_over_b.powf(0.4).clamp(0.4, 2.5);
+        let half = |n: f64| (0.5 * n).round().max(3.0) as usize;
         [half(self.along * stretch), half(self.across / stretch)]
     }
 }

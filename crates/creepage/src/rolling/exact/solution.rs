@@ -55,7 +55,11 @@ impl Mirror {
     }
 
     pub(super) fn apply(self, creepage: Creepage) -> Creepage {
-        Creepage { xi: self.x * creepage.xi, eta: self.y * creepage.eta, chi: self.y * creepage.chi }
+        Creepage {
+            xi: self.x * creepage.xi,
+            eta: self.y * creepage.eta,
+            chi: self.y * creepage.chi,
+        }
     }
 
     fn force(self, force: Force) -> Force {
@@ -107,8 +111,7 @@ impl Workspace {
         mirror: Mirror,
     ) -> ExactSolution {
         self.mirror = mirror;
-        let [coarse, fine] =
-            [0, 1].map(|k| derivative::force(&grids[k], &self.states[k].traction));
+        let [coarse, fine] = [0, 1].map(|k| derivative::force(&grids[k], &self.states[k].traction));
         let force = mirror.force(extrapolate(coarse, fine));
         let converged = self.outcomes.iter().all(|outcome| outcome.converged);
         ExactSolution {
@@ -143,7 +146,11 @@ impl Workspace {
     /// Slip of an element; none in adhesion, where the computed one is rounding.
     fn slip(&self, element: usize) -> [f64; 2] {
         let state = &self.states[1];
-        if state.slides[element] { [state.slip[0][element], state.slip[1][element]] } else { [0.0; 2] }
+        if state.slides[element] {
+            [state.slip[0][element], state.slip[1][element]]
+        } else {
+            [0.0; 2]
+        }
     }
 
     fn power(&self, grid: &Grid, element: usize) -> f64 {
@@ -161,7 +168,11 @@ impl Workspace {
                 let element = strip * along + k % along;
                 let at = grid.elements.centroids[element];
                 ElementField {
-                    point: self.point(element, self.mirror.position(at), grid.elements.bounds[element]),
+                    point: self.point(
+                        element,
+                        self.mirror.position(at),
+                        grid.elements.bounds[element],
+                    ),
                     share: grid.elements.shares[element],
                     power: self.power(grid, element),
                 }
@@ -189,11 +200,7 @@ impl Workspace {
 }
 
 fn combine(coarse: Force, fine: Force, by: impl Fn(f64, f64) -> f64) -> Force {
-    Force {
-        fx: by(coarse.fx, fine.fx),
-        fy: by(coarse.fy, fine.fy),
-        mz: by(coarse.mz, fine.mz),
-    }
+    Force { fx: by(coarse.fx, fine.fx), fy: by(coarse.fy, fine.fy), mz: by(coarse.mz, fine.mz) }
 }
 
 fn extrapolate(coarse: Force, fine: Force) -> Force {

@@ -3,6 +3,7 @@
 //! A sweep solves the friction problem of each strip with the other strips held; strips act on
 //! one another more weakly than elements of a strip do, and the sweeps converge from any start.
 
+use super::acceleration::Acceleration;
 use super::dense::Dense;
 use super::friction::{Sliding, project};
 use super::grid::Grid;
@@ -11,7 +12,10 @@ use crate::rolling::Creepage;
 /// Largest change of a traction in the last sweep, over its bound, or over the creepage where
 /// that is smaller than one: then tractions are as small as the creepage.
 const TOLERANCE: f64 = 1e-8;
-const SWEEPS: usize = 300;
+/// A round is a sweep up and a sweep down.
+const ROUNDS: usize = 150;
+/// Acceleration waits until changes are below this, and most elements know their branch.
+const CALM: f64 = 0.1;
 const STEPS: usize = 30;
 /// Steps below this size leave a strip's factors good enough to use again.
 const CHORD: f64 = 0.02;
@@ -34,6 +38,7 @@ pub(super) struct State {
     factors: Vec<Dense>,
     last_step: Vec<f64>,
     step: Vec<f64>,
+    acceleration: Acceleration,
 }
 
 /// How an iteration ended.
@@ -55,6 +60,7 @@ impl State {
             factors: vec![Dense::new(2 * along); grid.elements.strips],
             last_step: vec![f64::INFINITY; grid.elements.strips],
             step: vec![0.0; 2 * along],
+            acceleration: Acceleration::new(2 * n),
         }
     }
 
@@ -87,19 +93,37 @@ impl State {
     pub(super) fn solve(&mut self, grid: &Grid, creepage: Creepage) -> Outcome {
         let strips = grid.elements.strips;
         let tolerance = TOLERANCE * scale(grid, creepage).min(1.0);
-        for sweep in 0..SWEEPS {
+        self.acceleration.restart();
+        let mut last = f64::INFINITY;
+        for round in 1..=ROUNDS {
+            self.acceleration.begin(&self.traction);
             let mut change = 0.0_f64;
-            for turn in 0..strips {
-                let strip = if sweep % 2 == 0 { turn } else { strips - 1 - turn };
+            for strip in (0..strips).chain((0..strips).rev()) {
                 change = change.max(self.solve_strip(grid, creepage, strip, tolerance));
             }
             if change <= tolerance {
                 self.update_slip(grid, creepage);
-                return Outcome { converged: true, sweeps: sweep + 1 };
+                return Outcome { converged: true, sweeps: 2 * round };
             }
+            self.accelerate(grid, change > CALM || change > 2.0 * last);
+            last = change;
         }
         self.update_slip(grid, creepage);
-        Outcome { converged: false, sweeps: SWEEPS }
+        Outcome { converged: false, sweeps: 2 * ROUNDS }
+    }
+
+    fn accelerate(&mut self, grid: &Grid, restart: bool) {
+        if restart {
+            return self.acceleration.restart();
+        }
+        self.acceleration.finish(&mut self.traction);
+        let along = grid.elements.along;
+        for (mirrored, traction) in self.mirrored.iter_mut().zip(&self.traction) {
+            let strips = mirrored.chunks_exact_mut(along).rev();
+            strips
+                .zip(traction.chunks_exact(along))
+                .for_each(|(to, from)| to.copy_from_slice(from));
+        }
     }
 
     fn update_slip(&mut self, grid: &Grid, creepage: Creepage) {
@@ -129,7 +153,13 @@ impl State {
     }
 
     /// Newton in one strip; the largest change of a traction.
-    fn solve_strip(&mut self, grid: &Grid, creepage: Creepage, strip: usize, tolerance: f64) -> f64 {
+    fn solve_strip(
+        &mut self,
+        grid: &Grid,
+        creepage: Creepage,
+        strip: usize,
+        tolerance: f64,
+    ) -> f64 {
         let along = grid.elements.along;
         for element in strip * along..(strip + 1) * along {
             let slip = self.slip_of(grid, creepage, element);
