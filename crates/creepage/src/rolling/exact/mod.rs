@@ -6,16 +6,20 @@
 //! comes from two grids: their difference gives the extrapolated value and its error bar.
 
 mod acceleration;
+mod automatic;
 mod dense;
 mod derivative;
 mod elements;
 mod friction;
 mod grid;
 mod influence;
+mod inverse;
 mod resolution;
 mod solution;
 mod solve;
 
+pub use automatic::Automatic;
+pub use inverse::{Found, InverseError, Known};
 pub use resolution::Resolution;
 pub use solution::{ElementField, ExactSolution, Workspace};
 
@@ -56,10 +60,14 @@ impl Exact {
         let valid = "between 1/64 and 64";
         check::require((low..=high).contains(&a_over_b), "a_over_b", a_over_b, valid)?;
         check::poisson(poisson)?;
-        let ellipse = Ellipse::from_ratio(a_over_b)?;
-        let [along, across] = resolution.coarse(a_over_b);
+        Ok(Self::prepare(Ellipse::from_ratio(a_over_b)?, poisson, resolution))
+    }
+
+    /// [`Exact::new`] for values that have been checked.
+    fn prepare(ellipse: Ellipse, poisson: f64, resolution: Resolution) -> Self {
+        let [along, across] = resolution.coarse(ellipse.ratio());
         let grids = [1, 2].map(|k| Grid::new(ellipse, poisson, k * along, k * across));
-        Ok(Self { ellipse, grids })
+        Self { ellipse, grids }
     }
 
     /// Elements along and across on the finer grid.
@@ -86,6 +94,13 @@ impl Exact {
         let mirror = Mirror::of(creepage);
         workspace.solve(&self.grids, mirror.apply(creepage), true);
         workspace.finish(&self.grids, creepage, mirror)
+    }
+
+    /// Solves along a curve of creepages, each from the one before.
+    #[must_use]
+    pub fn curve(&self, creepages: &[Creepage]) -> Vec<ExactSolution> {
+        let mut workspace = self.workspace();
+        creepages.iter().map(|creepage| self.solve_next(*creepage, &mut workspace)).collect()
     }
 
     /// Derivative of the force last solved in `workspace`, by `xi`, `eta` and `chi`: row `i`,

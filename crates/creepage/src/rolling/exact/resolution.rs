@@ -15,12 +15,12 @@ pub struct Resolution {
 }
 
 impl Resolution {
-    /// 10 by 8 elements: a fraction of a millisecond.
-    pub const FAST: Self = Self { along: 10.0, across: 8.0 };
-    /// 20 by 16 elements: a few milliseconds.
-    pub const STANDARD: Self = Self { along: 20.0, across: 16.0 };
-    /// 36 by 28 elements: tens of milliseconds.
-    pub const FINE: Self = Self { along: 36.0, across: 28.0 };
+    /// 12 by 8 elements: a fraction of a millisecond.
+    pub const FAST: Self = Self { along: 12.0, across: 8.0 };
+    /// 22 by 18 elements: a few milliseconds.
+    pub const STANDARD: Self = Self { along: 22.0, across: 18.0 };
+    /// 40 by 32 elements: tens of milliseconds.
+    pub const FINE: Self = Self { along: 40.0, across: 32.0 };
 
     /// `along` by `across` elements on a circle.
     ///
@@ -29,9 +29,7 @@ impl Resolution {
     /// gigabytes.
     pub fn new(along: usize, across: usize) -> Result<Self, InvalidValue> {
         let valid = "between 4 and 200";
-        let check = |name, n: usize| {
-            check::require((4..=200).contains(&n), name, n as f64, valid).map(|n| n)
-        };
+        let check = |name, n: usize| check::require((4..=200).contains(&n), name, n as f64, valid);
         Ok(Self { along: check("along", along)?, across: check("across", across)? })
     }
 
