@@ -207,10 +207,11 @@ fn extrapolate(coarse: Force, fine: Force) -> Force {
     combine(coarse, fine, |coarse, fine| fine + EXTRAPOLATION * (fine - coarse))
 }
 
-/// Half of what extrapolation changes, and a share of the largest difference, for a component may
-/// agree by chance.
+/// Half the difference of the grids, and a share of the largest such difference, for a component
+/// may agree by chance. In 320 random contacts and creepages (a/b .15-6, sigma 0-.5, creepage to 3,
+/// spin to 8) the bar held 95 % of each component's errors against a much finer grid.
 fn error_bar(coarse: Force, fine: Force) -> Force {
     let apart = combine(coarse, fine, |coarse, fine| (fine - coarse).abs());
     let largest = apart.fx.max(apart.fy).max(apart.mz);
-    combine(apart, apart, |own, _| 0.2 * own + 0.1 * largest)
+    combine(apart, apart, |own, _| 0.5 * own + 0.4 * largest)
 }
