@@ -23,12 +23,13 @@ fn solve(theory: &Exact, [xi, eta, chi]: [f64; 3]) -> ExactSolution {
 /// Errors of the force and of the moment beyond the reference's uncertainty, sorted.
 fn reference_errors(resolution: Resolution) -> [Vec<f64>; 2] {
     let cases: Value = serde_json::from_str(include_str!("data/steady_rolling.json")).unwrap();
-    let mut prepared: Option<([f64; 2], Exact)> = None;
+    let mut prepared: Option<(String, Exact)> = None;
     let mut errors = [Vec::new(), Vec::new()];
     for case in cases.as_array().unwrap() {
         let contact = [number(case, "a_over_b"), number(case, "poisson")];
-        if prepared.as_ref().is_none_or(|(last, _)| *last != contact) {
-            prepared = Some((contact, Exact::new(contact[0], contact[1], resolution).unwrap()));
+        let name = format!("{contact:?}");
+        if prepared.as_ref().is_none_or(|(last, _)| *last != name) {
+            prepared = Some((name, Exact::new(contact[0], contact[1], resolution).unwrap()));
         }
         let (_, theory) = prepared.as_ref().unwrap();
         let found = solve(theory, ["xi", "eta", "chi"].map(|key| number(case, key)));
@@ -42,7 +43,9 @@ fn reference_errors(resolution: Resolution) -> [Vec<f64>; 2] {
         errors[0].push(beyond[0].hypot(beyond[1]));
         errors[1].push(beyond[2]);
     }
-    errors.each_mut().map(|list| list.sort_by(f64::total_cmp));
+    for list in &mut errors {
+        list.sort_by(f64::total_cmp);
+    }
     errors
 }
 
@@ -264,7 +267,7 @@ proptest! {
                 prop_assert!((p * v - q * u).abs() <= 1e-6 * (1.0 + slip), "{p} {q} {u} {v}");
                 prop_assert!(p * u + q * v >= -1e-6);
             } else {
-                prop_assert_eq!(point.slip, [0.0; 2]);
+                prop_assert!(u.hypot(v) <= 0.0);
             }
         }
     }
