@@ -59,9 +59,9 @@ fn statistics(sorted: &[f64]) -> [f64; 3] {
 #[test]
 fn reference_cases() {
     for (resolution, limits) in [
-        (Resolution::FAST, [0.006, 0.012, 0.045]),
-        (Resolution::STANDARD, [0.002, 0.004, 0.006]),
-        (Resolution::FINE, [0.0005, 0.001, 0.003]),
+        (Resolution::FAST, [0.006, 0.006, 0.015]),
+        (Resolution::STANDARD, [0.002, 0.004, 0.005]),
+        (Resolution::FINE, [0.0005, 0.001, 0.002]),
     ] {
         let [force, moment] = reference_errors(resolution);
         assert_eq!(force.len(), 132);
@@ -98,7 +98,7 @@ fn convergence_is_of_high_order() {
 
 /// Small creepage: Kalker's coefficients of the circle without compressibility, in closed form
 /// (theory of section 4.3). The infinite tractions at the trailing edge make this the slowest
-/// limit: 0.2 % of the forces, 0.6 % of the moment, within the error bars.
+/// limit: 0.2 % of the forces, 1 % of the moment by spin, within the error bars.
 #[test]
 fn small_creepage_is_linear() {
     let theory = Exact::new(1.0, 0.0, Resolution::FINE).unwrap();
@@ -113,7 +113,7 @@ fn small_creepage_is_linear() {
     assert!(relative(spin.force.fy, 4.0 / 3.0).abs() < 0.002);
     assert!(relative(-lateral.force.mz, 4.0 / 3.0).abs() < 0.002);
     let c33 = 512.0 / (135.0 * PI);
-    assert!(relative(spin.force.mz, c33).abs() < 0.006);
+    assert!(relative(spin.force.mz, c33).abs() < 0.01);
     assert!((spin.force.mz - small * unit * c33).abs() < spin.error.mz);
     assert!((longitudinal.force.fx - small * unit * c11).abs() < longitudinal.error.fx);
 }
@@ -307,6 +307,6 @@ fn both_powers_agree() {
             }
         }
     }
-    // Of first order in the elements' size: 40 elements against 12.
-    assert!(worst[1] < 0.04 && worst[1] < 0.5 * worst[0], "{worst:?}");
+    // Of first order in the elements' size, and the finer grid has a third of it.
+    assert!(worst[1] < 0.06 && worst[1] < 0.5 * worst[0], "{worst:?}");
 }

@@ -15,12 +15,12 @@ pub struct Resolution {
 }
 
 impl Resolution {
-    /// 12 by 8 elements: a fraction of a millisecond.
-    pub const FAST: Self = Self { along: 12.0, across: 8.0 };
+    /// 12 by 10 elements: half a millisecond.
+    pub const FAST: Self = Self { along: 12.0, across: 10.0 };
     /// 22 by 18 elements: a few milliseconds.
     pub const STANDARD: Self = Self { along: 22.0, across: 18.0 };
-    /// 40 by 32 elements: tens of milliseconds.
-    pub const FINE: Self = Self { along: 40.0, across: 32.0 };
+    /// 36 by 28 elements: tens of milliseconds.
+    pub const FINE: Self = Self { along: 36.0, across: 28.0 };
 
     /// `along` by `across` elements on a circle.
     ///
