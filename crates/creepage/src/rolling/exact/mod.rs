@@ -31,6 +31,20 @@ use solution::Mirror;
 
 /// The full theory, prepared for one ratio of semi-axes and one Poisson's ratio.
 ///
+/// Error of `(fx, fy)` in parts of `mu N` beyond the uncertainty of the 132 reference cases of
+/// `tests/data/steady_rolling.json`, and the cost of a case and of preparation on one core:
+///
+/// | resolution | median | rms | worst | case | preparation |
+/// |---|---|---|---|---|---|
+/// | [`Resolution::FAST`] | 0.19 % | 0.38 % | 1.1 % | 0.4 ms | 1 ms |
+/// | [`Resolution::STANDARD`] | 0.00 % | 0.08 % | 0.31 % | 4 ms | 12 ms |
+/// | [`Resolution::FINE`] | 0.00 % | 0.01 % | 0.06 % | 25 ms | 70 ms |
+///
+/// Errors are largest with a pole of strong spin inside the contact. Small creepage is resolved
+/// worst where the contact is long in the rolling direction: at the fine resolution the linear
+/// coefficients err by 0.2 % (C33 1 %) on a circle and by 0.7 % (C33 5 %) at `a/b = 10`. Either
+/// shows in the error bar.
+///
 /// ```
 /// use creepage::rolling::exact::{Exact, Resolution};
 /// use creepage::rolling::Creepage;
