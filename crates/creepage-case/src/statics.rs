@@ -41,11 +41,11 @@ pub enum StaticsCase {
     Die {
         /// The half-space.
         solid: Solid,
-        /// The base of the die [m].
+        /// The base of the die (m).
         base: Ellipse,
-        /// Force that presses the die down [N].
+        /// Force that presses the die down (N).
         normal_force: f64,
-        /// Where it acts, `[x, y]` from the centre [m].
+        /// Where it acts, `[x, y]` from the centre (m).
         offset: [f64; 2],
         /// The solution.
         die: Box<Die>,
@@ -54,9 +54,9 @@ pub enum StaticsCase {
     Shift {
         /// The equivalent solid of the two bodies.
         pair: SolidPair,
-        /// The contact [m].
+        /// The contact (m).
         ellipse: Ellipse,
-        /// Tangential force `[F_x, F_y]` of the upper body on the lower [N].
+        /// Tangential force `[F_x, F_y]` of the upper body on the lower (N).
         force: [f64; 2],
         /// The solution.
         bonded: Box<Bonded>,
@@ -65,9 +65,9 @@ pub enum StaticsCase {
     Twist {
         /// The equivalent solid of the two bodies.
         pair: SolidPair,
-        /// The contact [m].
+        /// The contact (m).
         ellipse: Ellipse,
-        /// Moment `M_z` of the upper body on the lower [N m].
+        /// Moment `M_z` of the upper body on the lower (N m).
         moment: f64,
         /// The solution.
         bonded: Box<Bonded>,
@@ -78,7 +78,7 @@ pub enum StaticsCase {
         contact: Box<Hertz>,
         /// Coefficient of friction.
         friction: f64,
-        /// Tangential force `[F_x, F_y]` of the upper body on the lower [N].
+        /// Tangential force `[F_x, F_y]` of the upper body on the lower (N).
         force: [f64; 2],
         /// The solution.
         partial: Box<PartialSlip>,

@@ -13,15 +13,15 @@ use crate::error::CaseError;
 #[derive(Debug, Clone, PartialEq, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct StaticsContact {
-    /// Normal force N that presses the bodies together [N]. A shift or a twist without slip
+    /// Normal force N that presses the bodies together (N). A shift or a twist without slip
     /// needs it only where the ellipse follows from the bodies' radii.
     normal_force: Option<f64>,
     /// Coefficient of friction mu. Problem "partial-slip".
     friction: Option<f64>,
-    /// Semi-axis a of the contact ellipse along x [m]. Both semi-axes replace the bodies' radii;
+    /// Semi-axis a of the contact ellipse along x (m). Both semi-axes replace the bodies' radii;
     /// problem "die": the die's base.
     semi_axis_rolling: Option<f64>,
-    /// Semi-axis b of the contact ellipse along y [m].
+    /// Semi-axis b of the contact ellipse along y (m).
     semi_axis_lateral: Option<f64>,
 }
 

@@ -32,11 +32,11 @@ pub enum StaticsError {
         offset[0], offset[1], five_digits(*excess), limit[0], limit[1]
     )]
     LiftOff {
-        /// Offset of the load [m].
+        /// Offset of the load (m).
         offset: [f64; 2],
         /// Offset over the largest in that direction.
         excess: f64,
-        /// The largest offset in that direction, a hair inside [m].
+        /// The largest offset in that direction, a hair inside (m).
         limit: [f64; 2],
     },
     /// The tangential force reaches the limit of friction.
@@ -45,9 +45,9 @@ pub enum StaticsError {
          reaches the limit of friction, mu N = {limit} N"
     )]
     Sliding {
-        /// Magnitude of the tangential force [N].
+        /// Magnitude of the tangential force (N).
         force: f64,
-        /// Coefficient of friction times normal force [N].
+        /// Coefficient of friction times normal force (N).
         limit: f64,
     },
     /// The die has no solution.

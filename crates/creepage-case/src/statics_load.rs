@@ -15,15 +15,15 @@ pub(crate) struct Statics {
     /// "die": a rigid die under an offset load; "shift" and "twist": without slip;
     /// "partial-slip": a shift with slip at the edge (Cattaneo, Mindlin).
     pub(crate) problem: Problem,
-    /// Problem "die": offset of the normal force from the centre, along x [m]; 0 by default.
+    /// Problem "die": offset of the normal force from the centre, along x (m); 0 by default.
     offset_x: Option<f64>,
-    /// Problem "die": offset of the normal force from the centre, along y [m]; 0 by default.
+    /// Problem "die": offset of the normal force from the centre, along y (m); 0 by default.
     offset_y: Option<f64>,
-    /// Problems "shift" and "partial-slip": tangential force along x [N].
+    /// Problems "shift" and "partial-slip": tangential force along x (N).
     force_x: Option<f64>,
-    /// Problems "shift" and "partial-slip": tangential force along y [N].
+    /// Problems "shift" and "partial-slip": tangential force along y (N).
     force_y: Option<f64>,
-    /// Problem "twist": moment about z, positive from x to y [N m].
+    /// Problem "twist": moment about z, positive from x to y (N m).
     moment: Option<f64>,
 }
 

@@ -170,7 +170,7 @@ pub(crate) enum Quantity {
     Longitudinal,
     /// Lateral creepage
     Lateral,
-    /// Spin [rad/m]
+    /// Spin (rad/m)
     Spin,
     /// Dimensionless longitudinal creepage
     Xi,

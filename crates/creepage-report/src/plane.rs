@@ -25,7 +25,7 @@ pub(crate) struct Plane {
 }
 
 impl Plane {
-    /// The `ellipse` [m] drawn at `centre` with these semi-axes.
+    /// The `ellipse` (m) drawn at `centre` with these semi-axes.
     pub(crate) fn new(centre: Point, semi_axes: [f64; 2], ellipse: Ellipse) -> Self {
         let scale = [semi_axes[0] / ellipse.a(), semi_axes[1] / ellipse.b()];
         Self { centre, semi_axes, scale }

@@ -12,8 +12,8 @@ use super::slip_angle::Slip;
 use crate::contact_view::magnitude;
 
 impl<'a> StaticsReport<'a> {
-    /// A rigid die with base `base` [m] on the half-space `solid`, under `normal_force` [N] at
-    /// `offset` [m]; `die` is its solution.
+    /// A rigid die with base `base` (m) on the half-space `solid`, under `normal_force` (N) at
+    /// `offset` (m); `die` is its solution.
     ///
     /// # Errors
     /// As [`Die::new`]; none for numbers of which there is a solution.
@@ -127,7 +127,7 @@ impl<'a> StaticsReport<'a> {
         })
     }
 
-    /// A twist without slip; `bonded` is its solution under `moment` [N m].
+    /// A twist without slip; `bonded` is its solution under `moment` (N m).
     ///
     /// # Errors
     /// As [`Bonded::new`]; none for numbers of which there is a solution.
@@ -166,7 +166,7 @@ impl<'a> StaticsReport<'a> {
         })
     }
 
-    /// A shift with slip at the edge; `partial` is its solution under `force` [N].
+    /// A shift with slip at the edge; `partial` is its solution under `force` (N).
     ///
     /// # Errors
     /// As [`Bonded::new`]; none for numbers of which there is a solution.
@@ -280,7 +280,7 @@ fn pair_numbers(pair: SolidPair) -> Vec<Quantity> {
     numbers
 }
 
-/// The angle from one vector to another, positive from x to y [degrees].
+/// The angle from one vector to another, positive from x to y (degrees).
 fn turn(from: [f64; 2], to: [f64; 2]) -> f64 {
     let (cross, dot) = (from[0] * to[1] - from[1] * to[0], from[0] * to[0] + from[1] * to[1]);
     cross.atan2(dot).to_degrees()

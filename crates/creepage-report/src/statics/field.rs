@@ -14,7 +14,7 @@ pub(super) enum Field<'a> {
 }
 
 impl Field<'_> {
-    /// Pressure of the die, or magnitude of the traction [Pa].
+    /// Pressure of the die, or magnitude of the traction (Pa).
     pub(super) fn intensity(&self, point: Point) -> f64 {
         match self {
             Self::Die { die, .. } => die.pressure(point),
@@ -22,7 +22,7 @@ impl Field<'_> {
         }
     }
 
-    /// Tangential traction on the lower body [Pa]; the die has none.
+    /// Tangential traction on the lower body (Pa); the die has none.
     pub(super) fn traction(&self, point: Point) -> [f64; 2] {
         match self {
             Self::Die { .. } => [0.0; 2],

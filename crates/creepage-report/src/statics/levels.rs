@@ -15,12 +15,12 @@ const POINTS: u32 = 48;
 const SHOWN: f64 = 0.9;
 
 impl StaticsReport<'_> {
-    /// The field's intensity at `(x/a, y/b)` [Pa].
+    /// The field's intensity at `(x/a, y/b)` (Pa).
     pub(super) fn intensity(&self, disc: Point) -> f64 {
         self.field.intensity([disc[0] * self.ellipse.a(), disc[1] * self.ellipse.b()])
     }
 
-    /// Round intensities in ascending order, at most [`MOST`] [Pa].
+    /// Round intensities in ascending order, at most [`MOST`] (Pa).
     pub(super) fn levels(&self) -> Vec<f64> {
         let mut values: Vec<f64> = rings().map(|point| self.intensity(point)).collect();
         values.retain(|value| value.is_finite());

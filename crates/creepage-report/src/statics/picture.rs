@@ -8,7 +8,7 @@ use crate::legend;
 use crate::plane::Plane;
 use crate::scene::{Ink, Point, Scene};
 
-/// The arrows: where they stand, `(x/a, y/b)`, and the tractions there [Pa].
+/// The arrows: where they stand, `(x/a, y/b)`, and the tractions there (Pa).
 pub(super) struct Arrows {
     tractions: Vec<(Point, [f64; 2])>,
     pub(super) largest: f64,

@@ -16,11 +16,11 @@ const NOISE: f64 = 1e-8;
 /// Slip where there is any, and its angle to the traction, by which the solution fails the law of
 /// friction.
 pub(super) struct Slip {
-    /// The largest slip [m].
+    /// The largest slip (m).
     pub(super) largest: f64,
-    /// The largest angle [degrees]; it is found where slip begins.
+    /// The largest angle (degrees); it is found where slip begins.
     pub(super) angle: f64,
-    /// The largest angle on the edge of the contact [degrees].
+    /// The largest angle on the edge of the contact (degrees).
     pub(super) angle_at_edge: f64,
 }
 

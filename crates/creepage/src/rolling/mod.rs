@@ -11,6 +11,7 @@
 //! the slip.
 
 pub mod carter;
+pub mod exact;
 pub mod fastrip;
 pub mod fastsim;
 pub mod linear;

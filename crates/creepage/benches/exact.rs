@@ -1,0 +1,148 @@
+//! Cost of the full theory. `cargo bench --bench exact -- random 100000` solves that many random
+//! cases over the whole range instead, and prints failures and costs.
+#![allow(missing_docs, clippy::unwrap_used, clippy::print_stdout)]
+
+use std::time::Instant;
+
+use creepage::rolling::exact::{Exact, ExactSolution, Resolution};
+use creepage::rolling::{Creepage, Status};
+use divan::{Bencher, black_box};
+
+fn main() {
+    let arguments: Vec<String> = std::env::args().collect();
+    match arguments.iter().position(|argument| argument == "random") {
+        Some(at) => random_cases(arguments[at + 1].parse().unwrap()),
+        None => divan::main(),
+    }
+}
+
+const RESOLUTIONS: [(&str, Resolution); 3] =
+    [("fast", Resolution::FAST), ("standard", Resolution::STANDARD), ("fine", Resolution::FINE)];
+
+fn theory(name: &str) -> Exact {
+    let (_, resolution) = RESOLUTIONS.iter().find(|(known, _)| *known == name).unwrap();
+    Exact::new(black_box(0.5), black_box(0.28), *resolution).unwrap()
+}
+
+/// The spin of Fig. 12 of the thesis and creepage of the given size at -30 degrees.
+fn figure_12(size: f64) -> Creepage {
+    let (sin, cos) = (-30.0_f64).to_radians().sin_cos();
+    Creepage::new(size * cos, size * sin, 2.0).unwrap()
+}
+
+#[divan::bench(args = ["fast", "standard", "fine"], sample_count = 20)]
+fn prepare(name: &str) -> Exact {
+    theory(name)
+}
+
+#[divan::bench(args = ["fast", "standard", "fine"], sample_count = 20)]
+fn solve(bencher: Bencher, name: &str) {
+    let theory = theory(name);
+    let mut workspace = theory.workspace();
+    bencher.bench_local(|| -> ExactSolution {
+        theory.solve_with(black_box(figure_12(1.7)), &mut workspace)
+    });
+}
+
+#[divan::bench(args = ["fast", "standard", "fine"], sample_count = 20)]
+fn solve_a_neighbour(bencher: Bencher, name: &str) {
+    let theory = theory(name);
+    let mut workspace = theory.workspace();
+    let mut step = 0.0;
+    bencher.bench_local(|| -> ExactSolution {
+        step = 0.01 - step;
+        theory.solve_next(black_box(figure_12(1.7 + step)), &mut workspace)
+    });
+}
+
+#[divan::bench(args = ["fast", "standard", "fine"], sample_count = 20)]
+fn derivative(bencher: Bencher, name: &str) {
+    let theory = theory(name);
+    let mut workspace = theory.workspace();
+    theory.solve_with(figure_12(1.7), &mut workspace);
+    bencher.bench_local(|| theory.derivative(&mut workspace));
+}
+
+/// A small generator of random numbers, the same on every machine.
+struct Random(u64);
+
+impl Random {
+    fn uniform(&mut self) -> f64 {
+        self.0 ^= self.0 << 13;
+        self.0 ^= self.0 >> 7;
+        self.0 ^= self.0 << 17;
+        (self.0 >> 11) as f64 / (1_u64 << 53) as f64
+    }
+
+    fn between(&mut self, low: f64, high: f64) -> f64 {
+        low + (high - low) * self.uniform()
+    }
+
+    /// Of any size between the two, and of either sign.
+    fn of_any_size(&mut self, low: f64, high: f64) -> f64 {
+        let sign = if self.uniform() < 0.5 { -1.0 } else { 1.0 };
+        sign * self.between(low.ln(), high.ln()).exp()
+    }
+
+    /// Pure creepages of any size, mixtures of any size, a spin pole in or near the contact, and
+    /// the everyday range.
+    fn creepage(&mut self, a_over_b: f64) -> Creepage {
+        let [p, q, r] = [0; 3].map(|_| self.of_any_size(1e-6, 1e3));
+        let [xi, eta, chi] = match (6.0 * self.uniform()).floor() {
+            0.0 => [p, 0.0, 0.0],
+            1.0 => [0.0, p, 0.0],
+            2.0 => [0.0, 0.0, p],
+            3.0 => [p, q, r],
+            4.0 => {
+                let spin = self.of_any_size(0.05, 20.0);
+                let x = self.between(-1.2, 1.2) * a_over_b.sqrt();
+                let y = self.between(-1.2, 1.2) / a_over_b.sqrt();
+                [spin * y, -spin * x, spin]
+            }
+            _ => [self.between(-3.0, 3.0), self.between(-3.0, 3.0), self.between(-8.0, 8.0)],
+        };
+        Creepage::new(xi, eta, chi).unwrap()
+    }
+}
+
+/// Costs are the smaller of two runs, for other work on the machine disturbs single ones.
+fn random_cases(count: usize) {
+    const PER_CONTACT: usize = 100;
+    for (name, resolution) in &RESOLUTIONS[..2] {
+        let mut random = Random(88_172_645_463_325_252);
+        let (mut costs, mut sweeps) = (Vec::with_capacity(count), Vec::with_capacity(count));
+        let mut failures = 0;
+        for _ in 0..count.div_ceil(PER_CONTACT) {
+            let a_over_b = random.of_any_size(0.02, 50.0).abs();
+            let theory = Exact::new(a_over_b, 0.5 * random.uniform(), *resolution).unwrap();
+            let mut workspace = theory.workspace();
+            for _ in 0..PER_CONTACT {
+                let creepage = random.creepage(a_over_b);
+                let mut timed = || {
+                    let start = Instant::now();
+                    let solution = theory.solve_with(creepage, &mut workspace);
+                    (start.elapsed().as_secs_f64() * 1e3, solution)
+                };
+                let (first, solution) = timed();
+                costs.push(timed().0.min(first));
+                sweeps.push(solution.sweeps[1]);
+                let force = solution.force;
+                let finite = (force.fx + force.fy + force.mz).is_finite();
+                failures += usize::from(solution.status != Status::Solved || !finite);
+            }
+        }
+        costs.sort_by(f64::total_cmp);
+        sweeps.sort_unstable();
+        let n = costs.len();
+        println!(
+            "{name}: {n} cases, {failures} failed; ms: median {:.3}, 99 % {:.3}, worst {:.3}; \
+             sweeps: median {}, 99 % {}, worst {}",
+            costs[n / 2],
+            costs[n * 99 / 100],
+            costs[n - 1],
+            sweeps[n / 2],
+            sweeps[n * 99 / 100],
+            sweeps[n - 1]
+        );
+    }
+}

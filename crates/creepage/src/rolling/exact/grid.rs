@@ -1,0 +1,270 @@
+//! One resolution, prepared: the slip of every element by the traction of every other.
+
+use std::f64::consts::PI;
+
+use super::elements::Elements;
+use super::influence::{Response, corner};
+use crate::ellipse::Ellipse;
+use crate::rolling::Creepage;
+
+/// Elements and their response.
+///
+/// The unknown of an element is its traction over its traction bound, a vector in the unit disc.
+/// The slip of an element is `rigid slip at its place + sum of coefficient * traction`.
+///
+/// The elastic slip over the step between the centres of two elements is the difference of their
+/// displacements over its length. Where an element takes it from steps upstream only, nothing
+/// downstream decides whether it adheres, and adhesion is the same equation everywhere: two
+/// steps, extrapolated to the element's centre, are of second order.
+#[derive(Debug, Clone)]
+pub(super) struct Grid {
+    pub elements: Elements,
+    /// Where each element's slip is that of the step extrapolated.
+    pub places: Vec<[f64; 2]>,
+    /// Coefficients of the lower half of the strips, row by row; the upper half mirrors them.
+    coefficients: [Vec<f64>; 3],
+    /// Slip that weighs as much as the bound when an element chooses between adhesion and slip.
+    pub compliance: Vec<f64>,
+}
+
+/// The rows of coefficients of one element, and how to apply them.
+#[derive(Clone, Copy)]
+pub(super) struct Row<'a> {
+    pub xx: &'a [f64],
+    pub xy: &'a [f64],
+    pub yy: &'a [f64],
+}
+
+impl Row<'_> {
+    /// Slip by tractions `x`, `y`, in the mirror image too when `sign` is -1.
+    pub(super) fn apply(&self, sign: f64, x: &[f64], y: &[f64]) -> [f64; 2] {
+        const LANES: usize = 4;
+        let mut sums = [[0.0; LANES]; 4];
+        let whole = x.len() / LANES * LANES;
+        for k in (0..whole).step_by(LANES) {
+            let (x, y) = (&x[k..k + LANES], &y[k..k + LANES]);
+            let (xx, xy, yy) =
+                (&self.xx[k..k + LANES], &self.xy[k..k + LANES], &self.yy[k..k + LANES]);
+            for l in 0..LANES {
+                sums[0][l] += xx[l] * x[l];
+                sums[1][l] += xy[l] * y[l];
+                sums[2][l] += xy[l] * x[l];
+                sums[3][l] += yy[l] * y[l];
+            }
+        }
+        let [mut u_x, mut u_y, mut v_x, mut v_y] = sums.map(|lanes| lanes.iter().sum::<f64>());
+        for k in whole..x.len() {
+            u_x += self.xx[k] * x[k];
+            u_y += self.xy[k] * y[k];
+            v_x += self.xy[k] * x[k];
+            v_y += self.yy[k] * y[k];
+        }
+        [u_x + sign * u_y, sign * v_x + v_y]
+    }
+}
+
+impl Grid {
+    pub(super) fn new(ellipse: Ellipse, poisson: f64, along: usize, strips: usize) -> Self {
+        let elements = Elements::new(ellipse, along, strips);
+        // Slip in units of mu c / rho: (4.20) with the unit of slip mu f00.
+        let unit = (1.0 - poisson) * ellipse.integrals().e / (2.0 * ellipse.g().sqrt());
+        let mut steps = Steps::new(&elements, poisson, 1.0 / (PI * unit));
+        let stored = strips.div_ceil(2) * along * elements.len();
+        let mut grid = Self {
+            places: Vec::with_capacity(elements.len()),
+            coefficients: std::array::from_fn(|_| Vec::with_capacity(stored)),
+            compliance: Vec::new(),
+            elements,
+        };
+        for strip in 0..strips {
+            steps.place(&grid.elements, strip, &mut grid.places);
+        }
+        for strip in 0..strips.div_ceil(2) {
+            steps.compute(&grid.elements, strip);
+            steps.append(&mut grid.coefficients);
+        }
+        grid.compliance = (0..grid.elements.len()).map(|e| grid.self_response(e)).collect();
+        grid
+    }
+
+    fn self_response(&self, element: usize) -> f64 {
+        let (row, column, _) = self.block(element / self.elements.along, element);
+        let own = column + element % self.elements.along;
+        row.xx[own].abs().max(row.yy[own].abs())
+    }
+
+    /// Coefficients of an element by all tractions, and -1 when these must be taken in the order
+    /// of the mirror image.
+    pub(super) fn row(&self, element: usize) -> (Row<'_>, f64) {
+        let (along, n) = (self.elements.along, self.elements.len());
+        let strip = element / along;
+        let mirrored = self.elements.strips - 1 - strip;
+        let (stored, sign) = if strip <= mirrored { (strip, 1.0) } else { (mirrored, -1.0) };
+        let start = (stored * along + element % along) * n;
+        let [xx, xy, yy] = &self.coefficients;
+        let range = start..start + n;
+        (Row { xx: &xx[range.clone()], xy: &xy[range.clone()], yy: &yy[range] }, sign)
+    }
+
+    /// An element's row, the column in it where the tractions of `strip` begin, and its sign.
+    fn block(&self, strip: usize, element: usize) -> (Row<'_>, usize, f64) {
+        let (row, sign) = self.row(element);
+        let strip = if sign > 0.0 { strip } else { self.elements.strips - 1 - strip };
+        (row, strip * self.elements.along, sign)
+    }
+
+    /// Coefficients of an element by the tractions of its own strip; `xy` needs the sign.
+    pub(super) fn own_strip(&self, element: usize) -> (Row<'_>, f64) {
+        let along = self.elements.along;
+        let (row, start, sign) = self.block(element / along, element);
+        let range = start..start + along;
+        (Row { xx: &row.xx[range.clone()], xy: &row.xy[range.clone()], yy: &row.yy[range] }, sign)
+    }
+
+    pub(super) fn rigid_slip(&self, creepage: Creepage, element: usize) -> [f64; 2] {
+        creepage.rigid_slip(self.places[element])
+    }
+}
+
+/// Displacements and their differences along one strip, by all elements.
+struct Steps {
+    poisson: f64,
+    scale: f64,
+    along: usize,
+    /// Ends of the steps over the half-length: leading edge, then the elements' centres.
+    ends: Vec<f64>,
+    displacement: Vec<Response>,
+    previous: Vec<Response>,
+    /// Elastic slip over each step, step by step.
+    slip: Vec<Response>,
+}
+
+impl Steps {
+    fn new(elements: &Elements, poisson: f64, scale: f64) -> Self {
+        let along = elements.along;
+        let blank = vec![[0.0; 3]; elements.len()];
+        Self {
+            poisson,
+            scale,
+            along,
+            ends: vec![0.0; along + 1],
+            displacement: blank.clone(),
+            previous: blank,
+            slip: vec![[0.0; 3]; elements.len() * along],
+        }
+    }
+
+    fn set_ends(&mut self, elements: &Elements, strip: usize) {
+        self.ends[0] = elements.cut(strip, 0);
+        for i in 0..self.along {
+            self.ends[i + 1] = 0.5 * (elements.cut(strip, i) + elements.cut(strip, i + 1));
+        }
+    }
+
+    fn middle(&self, step: usize) -> f64 {
+        0.5 * (self.ends[step] + self.ends[step + 1])
+    }
+
+    /// How far to extrapolate from the middles of the last two steps to the element's centre;
+    /// the first element has one step only.
+    fn extrapolation(&self, i: usize) -> f64 {
+        if i == 0 {
+            return 0.0;
+        }
+        (self.middle(i) - self.ends[i + 1]) / (self.middle(i - 1) - self.middle(i))
+    }
+
+    fn place(&mut self, elements: &Elements, strip: usize, places: &mut Vec<[f64; 2]>) {
+        self.set_ends(elements, strip);
+        places.push([self.middle(0), elements.middle(strip)]);
+        for i in 1..self.along {
+            places.push([self.ends[i + 1], elements.middle(strip)]);
+        }
+    }
+
+    fn compute(&mut self, elements: &Elements, strip: usize) {
+        self.set_ends(elements, strip);
+        let n = elements.len();
+        for end in 0..=self.along {
+            std::mem::swap(&mut self.displacement, &mut self.previous);
+            self.displace(elements, [self.ends[end], elements.middle(strip)]);
+            if end == 0 {
+                continue;
+            }
+            let length = self.ends[end - 1] - self.ends[end];
+            for j in 0..n {
+                self.slip[(end - 1) * n + j] = std::array::from_fn(|k| {
+                    (self.previous[j][k] - self.displacement[j][k]) / length
+                });
+            }
+        }
+    }
+
+    /// Displacement at a point by every element at its bound.
+    fn displace(&mut self, elements: &Elements, [x, y]: [f64; 2]) {
+        for strip in 0..elements.strips {
+            let sides = [elements.border(strip) - y, elements.border(strip + 1) - y];
+            let at_cut = |i: usize| -> Response {
+                let x = elements.cut(strip, i) - x;
+                let [low, high] = sides.map(|y| corner(self.poisson, x, y));
+                std::array::from_fn(|k| high[k] - low[k])
+            };
+            let mut front = at_cut(0);
+            for i in 0..self.along {
+                let rear = at_cut(i + 1);
+                let element = strip * self.along + i;
+                let factor = self.scale * elements.bounds[element];
+                self.displacement[element] = std::array::from_fn(|k| factor * (front[k] - rear[k]));
+                front = rear;
+            }
+        }
+    }
+
+    fn append(&self, coefficients: &mut [Vec<f64>; 3]) {
+        let n = self.displacement.len();
+        for i in 0..self.along {
+            let by = self.extrapolation(i);
+            let last = &self.slip[i * n..(i + 1) * n];
+            let before = if i == 0 { last } else { &self.slip[(i - 1) * n..i * n] };
+            for (k, row) in coefficients.iter_mut().enumerate() {
+                row.extend(last.iter().zip(before).map(|(l, b)| l[k] + by * (l[k] - b[k])));
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The stored half and its mirror image, against a grid computed without the symmetry.
+    #[test]
+    fn the_upper_half_mirrors_the_lower() {
+        let grid = Grid::new(Ellipse::from_ratio(0.7).unwrap(), 0.3, 5, 4);
+        let elements = &grid.elements;
+        let mut steps = Steps::new(elements, 0.3, 1.0);
+        let scale = {
+            let mut lower = Steps::new(elements, 0.3, 1.0);
+            lower.compute(elements, 0);
+            grid.row(0).0.xx[0] / lower.slip[0][0]
+        };
+        steps.scale = scale;
+        steps.compute(elements, 3);
+        let mut direct: [Vec<f64>; 3] = std::array::from_fn(|_| Vec::new());
+        steps.append(&mut direct);
+        let x: Vec<f64> = (0..20).map(|k| f64::from(k).sin()).collect();
+        let y: Vec<f64> = (0..20).map(|k| f64::from(k).cos()).collect();
+        let mirror = |v: &[f64]| v.chunks(5).rev().flatten().copied().collect::<Vec<_>>();
+        for i in 0..5 {
+            let (row, sign) = grid.row(15 + i);
+            assert!(sign < 0.0);
+            let found = row.apply(sign, &mirror(&x), &mirror(&y));
+            let own = |k: usize| &direct[k][i * 20..(i + 1) * 20];
+            let expected = Row { xx: own(0), xy: own(1), yy: own(2) }.apply(1.0, &x, &y);
+            for k in 0..2 {
+                // Rounding of sums of 40 terms of order one.
+                assert!((found[k] - expected[k]).abs() < 1e-12);
+            }
+        }
+    }
+}

@@ -1,0 +1,219 @@
+//! What a solution tells: force, error bar, power, fields.
+
+use super::derivative::{self, Columns};
+use super::grid::Grid;
+use super::solve::{Outcome, State};
+use super::{Creepage, FieldPoint, Force, Region, Status};
+use crate::ellipse::Ellipse;
+
+/// The error of the finer grid falls with the square of the elements' size, so that the
+/// difference of two grids of ratio 2 is three times the finer's error.
+const EXTRAPOLATION: f64 = 1.0 / 3.0;
+
+/// Force and moment with their error bars.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ExactSolution {
+    /// Force and moment on the lower body, extrapolated from two grids.
+    pub force: Force,
+    /// Error bars of `force`: the error of discretization is smaller in at least 95 % of cases.
+    pub error: Force,
+    /// Frictional power over `mu N mu c V / rho`, from force and creepage: `fx xi + fy eta + mz
+    /// chi`.
+    pub power: f64,
+    /// The same power summed over the elements of the finer grid, traction times slip.
+    pub dissipation: f64,
+    /// Whether the iteration met its tolerance.
+    pub status: Status,
+    /// Sweeps over the strips, on the coarser and the finer grid.
+    pub sweeps: [usize; 2],
+}
+
+/// What happens in one element.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ElementField {
+    /// Traction at the centroid of the pressure, and slip.
+    pub point: FieldPoint,
+    /// Share of the normal force that the element carries.
+    pub share: f64,
+    /// Frictional power of the element over `mu N mu c V / rho`.
+    pub power: f64,
+}
+
+/// The reflections that make `xi` and `chi` (or `eta`, without spin) positive: the contact has
+/// the symmetries (4.22)-(4.28), and with these they hold to the last bit.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Mirror {
+    x: f64,
+    y: f64,
+}
+
+impl Mirror {
+    pub(super) fn of(creepage: Creepage) -> Self {
+        let negative = creepage.chi < 0.0 || (creepage.chi == 0.0 && creepage.eta < 0.0);
+        let sign = |negative| if negative { -1.0 } else { 1.0 };
+        Self { x: sign(creepage.xi < 0.0), y: sign(negative) }
+    }
+
+    pub(super) fn apply(self, creepage: Creepage) -> Creepage {
+        Creepage {
+            xi: self.x * creepage.xi,
+            eta: self.y * creepage.eta,
+            chi: self.y * creepage.chi,
+        }
+    }
+
+    fn force(self, force: Force) -> Force {
+        Force { fx: self.x * force.fx, fy: self.y * force.fy, mz: self.y * force.mz }
+    }
+
+    fn vector(self, [x, y]: [f64; 2]) -> [f64; 2] {
+        [self.x * x, self.y * y]
+    }
+
+    fn position(self, [x, y]: [f64; 2]) -> [f64; 2] {
+        [x, self.x * self.y * y]
+    }
+}
+
+/// Tractions of both grids, and the room to solve them.
+#[derive(Debug, Clone)]
+pub struct Workspace {
+    states: [State; 2],
+    outcomes: [Outcome; 2],
+    mirror: Mirror,
+}
+
+impl Workspace {
+    pub(super) fn new(grids: &[Grid; 2]) -> Self {
+        Self {
+            states: [State::new(&grids[0]), State::new(&grids[1])],
+            outcomes: [Outcome { converged: true, sweeps: 0 }; 2],
+            mirror: Mirror { x: 1.0, y: 1.0 },
+        }
+    }
+
+    pub(super) fn solve(&mut self, grids: &[Grid; 2], creepage: Creepage, warm: bool) {
+        let [coarse, fine] = &mut self.states;
+        if !warm {
+            coarse.reset();
+        }
+        self.outcomes[0] = coarse.solve(&grids[0], creepage);
+        if !warm {
+            fine.refine(&grids[1], coarse);
+        }
+        self.outcomes[1] = fine.solve(&grids[1], creepage);
+    }
+
+    pub(super) fn finish(
+        &mut self,
+        grids: &[Grid; 2],
+        creepage: Creepage,
+        mirror: Mirror,
+    ) -> ExactSolution {
+        self.mirror = mirror;
+        let [coarse, fine] = [0, 1].map(|k| derivative::force(&grids[k], &self.states[k].traction));
+        let force = mirror.force(extrapolate(coarse, fine));
+        let converged = self.outcomes.iter().all(|outcome| outcome.converged);
+        ExactSolution {
+            force,
+            error: error_bar(coarse, fine),
+            power: force.fx * creepage.xi + force.fy * creepage.eta + force.mz * creepage.chi,
+            dissipation: (0..grids[1].elements.len()).map(|e| self.power(&grids[1], e)).sum(),
+            status: if converged { Status::Solved } else { Status::NotConverged },
+            sweeps: self.outcomes.map(|outcome| outcome.sweeps),
+        }
+    }
+
+    pub(super) fn derivative(&mut self, grids: &[Grid; 2]) -> [[f64; 3]; 3] {
+        let [coarse, fine]: [Columns; 2] =
+            [0, 1].map(|k| derivative::differentiate(&grids[k], &mut self.states[k]));
+        let signs = [self.mirror.x, self.mirror.y, self.mirror.y];
+        let mut matrix = [[0.0; 3]; 3];
+        for k in 0..3 {
+            let column = extrapolate(coarse[k], fine[k]);
+            for (i, value) in [column.fx, column.fy, column.mz].into_iter().enumerate() {
+                matrix[i][k] = signs[i] * signs[k] * value;
+            }
+        }
+        matrix
+    }
+
+    fn traction(&self, element: usize) -> [f64; 2] {
+        let [x, y] = &self.states[1].traction;
+        [x[element], y[element]]
+    }
+
+    /// Slip of an element; none in adhesion, where the computed one is rounding.
+    fn slip(&self, element: usize) -> [f64; 2] {
+        let state = &self.states[1];
+        if state.slides[element] {
+            [state.slip[0][element], state.slip[1][element]]
+        } else {
+            [0.0; 2]
+        }
+    }
+
+    fn power(&self, grid: &Grid, element: usize) -> f64 {
+        let ([x, y], [u, v]) = (self.traction(element), self.slip(element));
+        grid.elements.shares[element] * (x * u + y * v)
+    }
+
+    pub(super) fn element_fields(&self, grid: &Grid) -> Vec<ElementField> {
+        let along = grid.elements.along;
+        let strips = grid.elements.strips;
+        let flipped = self.mirror.x * self.mirror.y < 0.0;
+        (0..grid.elements.len())
+            .map(|k| {
+                let strip = if flipped { strips - 1 - k / along } else { k / along };
+                let element = strip * along + k % along;
+                let at = grid.elements.centroids[element];
+                ElementField {
+                    point: self.point(
+                        element,
+                        self.mirror.position(at),
+                        grid.elements.bounds[element],
+                    ),
+                    share: grid.elements.shares[element],
+                    power: self.power(grid, element),
+                }
+            })
+            .collect()
+    }
+
+    pub(super) fn field_at(&self, grid: &Grid, ellipse: Ellipse, position: [f64; 2]) -> FieldPoint {
+        let [x, y] = self.mirror.position(position);
+        let left = 1.0 - (x / ellipse.a()).powi(2) - (y / ellipse.b()).powi(2);
+        if left > 0.0 {
+            return self.point(grid.elements.find(ellipse, [x, y]), position, left.sqrt());
+        }
+        FieldPoint { position, traction: [0.0; 2], slip: [0.0; 2], region: Region::Slip }
+    }
+
+    fn point(&self, element: usize, position: [f64; 2], bound: f64) -> FieldPoint {
+        FieldPoint {
+            position,
+            traction: self.mirror.vector(self.traction(element).map(|t| bound * t)),
+            slip: self.mirror.vector(self.slip(element)),
+            region: if self.states[1].slides[element] { Region::Slip } else { Region::Adhesion },
+        }
+    }
+}
+
+fn combine(coarse: Force, fine: Force, by: impl Fn(f64, f64) -> f64) -> Force {
+    Force { fx: by(coarse.fx, fine.fx), fy: by(coarse.fy, fine.fy), mz: by(coarse.mz, fine.mz) }
+}
+
+fn extrapolate(coarse: Force, fine: Force) -> Force {
+    combine(coarse, fine, |coarse, fine| fine + EXTRAPOLATION * (fine - coarse))
+}
+
+/// Half the difference of the grids, and a share of the largest such difference, for a component
+/// may agree by chance. Calibrated on random contacts and creepages (a/b .15-6, sigma 0-.5,
+/// creepage to 3, spin to 8) against a finer grid: of 200 cases that the calibration had not seen,
+/// 98 to 99 % of each component's errors were inside at the standard resolution, and 94 to 99 % at
+/// the fast one.
+fn error_bar(coarse: Force, fine: Force) -> Force {
+    let apart = combine(coarse, fine, |coarse, fine| (fine - coarse).abs());
+    let largest = apart.fx.max(apart.fy).max(apart.mz);
+    combine(apart, apart, |own, _| 0.5 * own + 0.6 * largest)
+}
