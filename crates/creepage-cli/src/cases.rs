@@ -6,8 +6,8 @@ use std::path::Path;
 use creepage::InvalidValue;
 use creepage::rolling::Status;
 use creepage_case::{Case, CaseError, CaseFile};
-use creepage_report::{Answer, Report, hertz_json, hertz_text};
-use serde_json::json;
+use creepage_report::{Answer, Report, ReportError, hertz_json, hertz_text};
+use serde::Serialize;
 
 use crate::Outcome;
 use crate::args::{HertzArgs, SolveArgs};
@@ -32,7 +32,7 @@ pub(crate) fn solve(args: &SolveArgs) -> Result<Outcome, Failure> {
             say(&format!("wrote {}", path.display()));
         }
     }
-    print(&if args.json { format!("{:#}", json!(report.json())) } else { report.text() })?;
+    print(&if args.json { to_json(&report.json())? } else { report.text() })?;
     Ok(judge(status))
 }
 
@@ -41,11 +41,11 @@ pub(crate) fn hertz(args: &HertzArgs) -> Result<(), Failure> {
     let contact = read(&args.case)?
         .hertz()
         .map_err(|source| Failure::Case { path: args.case.clone(), source })?;
-    print(&if args.json {
-        format!("{:#}", json!(hertz_json(&contact)))
-    } else {
-        hertz_text(&contact)
-    })
+    print(&if args.json { to_json(&hertz_json(&contact))? } else { hertz_text(&contact) })
+}
+
+fn to_json(data: &impl Serialize) -> Result<String, Failure> {
+    serde_json::to_string_pretty(data).map_err(|error| ReportError::from(error).into())
 }
 
 fn read(path: &Path) -> Result<CaseFile, Failure> {
@@ -81,4 +81,16 @@ fn judge(status: Status) -> Outcome {
         say(&format!("caution: {words}"));
     }
     if status == Status::NotConverged { Outcome::Doubtful } else { Outcome::Done }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_a_solution_that_did_not_converge_is_doubtful() {
+        assert_eq!(judge(Status::Solved), Outcome::Done);
+        assert_eq!(judge(Status::CreepageTooSmall), Outcome::Done);
+        assert_eq!(judge(Status::NotConverged), Outcome::Doubtful);
+    }
 }

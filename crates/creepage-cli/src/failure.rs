@@ -76,3 +76,24 @@ fn is_wrong_place(kind: ErrorKind) -> bool {
             | ErrorKind::InvalidInput
     )
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn code(kind: ErrorKind) -> [Option<u8>; 2] {
+        [None, Some(Path::new("out"))].map(|file| Failure::writing(file, kind.into()).code())
+    }
+
+    #[test]
+    fn a_wrong_place_is_wrong_input_and_a_full_disk_is_not() {
+        assert_eq!(code(ErrorKind::NotADirectory)[1], Some(2));
+        assert_eq!(code(ErrorKind::PermissionDenied)[1], Some(2));
+        assert_eq!(code(ErrorKind::StorageFull), [Some(1), Some(1)]);
+    }
+
+    #[test]
+    fn a_reader_that_has_seen_enough_is_no_failure() {
+        assert_eq!(code(ErrorKind::BrokenPipe), [None, Some(1)]);
+    }
+}

@@ -148,8 +148,11 @@ impl Lattice {
             .unzip();
         for _ in 0..HALVINGS {
             let middles: Vec<_> = stuck.iter().zip(&sliding).map(|(p, q)| middle(*p, *q)).collect();
-            for (k, stick) in sticks(&middles).into_iter().enumerate() {
-                *(if stick { &mut stuck[k] } else { &mut sliding[k] }) = middles[k];
+            let ends = stuck.iter_mut().zip(&mut sliding);
+            for ((stuck, sliding), (middle, stick)) in
+                ends.zip(middles.iter().zip(sticks(&middles)))
+            {
+                *(if stick { stuck } else { sliding }) = *middle;
             }
         }
         let crossing = stuck.iter().zip(&sliding).map(|(p, q)| middle(*p, *q));

@@ -14,7 +14,7 @@ pub(crate) const TITLE_HEIGHT: f64 = 104.0;
 /// The same with the banner of a case that is not solved.
 pub(crate) const BANNER_BOTTOM: f64 = 150.0;
 /// Height of the table at the foot.
-pub(crate) const TABLE_HEIGHT: f64 = 130.0;
+pub(crate) const TABLE_HEIGHT: f64 = 190.0;
 
 /// Longer names of theories are cut: the sheet has an edge.
 const LONGEST_NAME: usize = 40;
@@ -68,47 +68,65 @@ pub(crate) fn table(scene: &mut Scene, top: f64, report: &Report) {
     for (column, words) in COLUMNS.into_iter().zip(["longitudinal", "lateral", "spin"]) {
         scene.text([column, top + 32.0], head, &Label::new(words));
     }
-    let rows = [("creepage", creepages(report)), ("force on the lower body", forces(report))];
-    for (row, (name, cells)) in rows.into_iter().enumerate() {
-        let y = top + 60.0 + 28.0 * row as f64;
-        scene.text([MARGIN, y], head, &Label::new(name));
+    let [creepage, xi] = creepages(report);
+    let [force, shares] = forces(report);
+    let units = Label::new("in units of ").symbol("μN").plain(", ").symbol("μNc");
+    let rows = [
+        (0.0, Label::new("creepage"), creepage),
+        (24.0, Label::new("dimensionless"), xi),
+        (58.0, Label::new("force on the lower body"), force),
+        (82.0, units, shares),
+    ];
+    for (down, name, cells) in rows {
+        let y = top + 62.0 + down;
+        scene.text([MARGIN, y], head, &name);
         for (column, cell) in COLUMNS.into_iter().zip(cells) {
             scene.text([column, y], Type::new(15.5, DARK), &cell);
         }
     }
-    rule(scene, top + 104.0);
+    rule(scene, top + TABLE_HEIGHT - 26.0);
 }
 
-fn creepages(report: &Report) -> [Label; 3] {
+/// The SI row and the dimensionless row.
+fn creepages(report: &Report) -> [[Label; 3]; 2] {
     let creepage = report.answer.creepage;
     let si = report.scaling.si_creepage(creepage);
-    let with = |label: Label, value: String, symbol: &str, dimensionless: f64| {
-        let label = label.plain(" = ").number(&value).plain("   (").symbol(symbol);
-        label.plain(" = ").number(&significant(dimensionless, 4)).plain(")")
-    };
-    let (x, y) = (Label::default().indexed("υ", "x"), Label::default().indexed("υ", "y"));
-    let spin = format!("{} rad/m", significant(si.spin, 4));
+    let is = |label: Label, value: f64| label.plain(" = ").number(&significant(value, 4));
+    let symbol = |symbol: &str| Label::default().symbol(symbol);
+    let indexed = |index: &str| Label::default().indexed("υ", index);
     [
-        with(x, significant(si.longitudinal, 4), "ξ", creepage.xi),
-        with(y, significant(si.lateral, 4), "η", creepage.eta),
-        with(Label::default().symbol("φ"), spin, "χ", creepage.chi),
+        [
+            is(indexed("x"), si.longitudinal),
+            is(indexed("y"), si.lateral),
+            is(symbol("φ"), si.spin).plain(" rad/m"),
+        ],
+        [
+            is(symbol("ξ"), creepage.xi),
+            is(symbol("η"), creepage.eta),
+            is(symbol("χ"), creepage.chi),
+        ],
     ]
 }
 
-fn forces(report: &Report) -> [Label; 3] {
+/// The SI row and the dimensionless row.
+fn forces(report: &Report) -> [[Label; 3]; 2] {
     let (force, scaling) = (report.answer.solution.force, &report.scaling);
     let si = scaling.si_force(force);
     let newton = Scale::of(scaling.force, "N", 4);
     let newton_metre = Scale::of(scaling.force * scaling.length, "N m", 4);
-    let cell = |symbols: [&str; 3], value: String, dimensionless: f64| {
-        let label = Label::default().indexed(symbols[0], symbols[2]);
-        let label = label.plain(" = ").number(&value).plain("   (");
-        let label = label.indexed(symbols[1], symbols[2]).plain(" = ");
-        label.number(&fixed(dimensionless, 4)).plain(")")
+    let is = |symbol: &str, index: &str, value: String| {
+        Label::default().indexed(symbol, index).plain(" = ").number(&value)
     };
     [
-        cell(["F", "f", "x"], newton.write(si.longitudinal), force.fx),
-        cell(["F", "f", "y"], newton.write(si.lateral), force.fy),
-        cell(["M", "m", "z"], newton_metre.write(si.moment), force.mz),
+        [
+            is("F", "x", newton.write(si.longitudinal)),
+            is("F", "y", newton.write(si.lateral)),
+            is("M", "z", newton_metre.write(si.moment)),
+        ],
+        [
+            is("f", "x", fixed(force.fx, 4)),
+            is("f", "y", fixed(force.fy, 4)),
+            is("m", "z", fixed(force.mz, 4)),
+        ],
     ]
 }

@@ -119,3 +119,141 @@ impl Layout {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use creepage::rolling::Creepage;
+    use resvg::tiny_skia::{Pixmap, PremultipliedColorU8};
+    use resvg::usvg::{Group, Node, Rect};
+
+    use super::*;
+    use crate::raster;
+    use crate::testing::{CURVE, Free, Sliding, contact, report, sliding, sticking};
+
+    const RATIOS: [f64; 9] = [1e-4, 0.05, 0.3, 1.0, 1.5, 1.9, 6.0, 20.0, 1e4];
+
+    /// What a group draws: the boxes of its texts, and those of its shapes.
+    fn boxes(group: &Group) -> (Vec<Rect>, Vec<Rect>) {
+        let (mut texts, mut shapes) = (Vec::new(), Vec::new());
+        for node in group.children() {
+            match node {
+                Node::Group(group) => {
+                    let (t, s) = boxes(group);
+                    texts.extend(t);
+                    shapes.extend(s);
+                }
+                Node::Text(text) => texts.push(text.abs_bounding_box()),
+                other => shapes.push(other.abs_stroke_bounding_box()),
+            }
+        }
+        (texts, shapes)
+    }
+
+    /// Checks that nothing leaves the sheet, no two texts touch, and none covers the ellipse.
+    fn check(report: &Report) {
+        let tree = raster::tree(&report.contact_svg()).unwrap();
+        let (texts, shapes) = boxes(tree.root());
+        let layout = Layout::of(report);
+        assert!(texts.len() > 20 && shapes.len() > 20);
+        for b in texts.iter().chain(&shapes) {
+            assert!(b.left() >= 0.0 && b.top() >= 0.0, "{b:?}");
+            assert!(
+                b.right() <= tree.size().width() && b.bottom() <= tree.size().height(),
+                "{b:?}"
+            );
+        }
+        for (k, b) in texts.iter().enumerate() {
+            // The lines of one legend may share a pixel row of ascenders and descenders.
+            let touches = |c: &Rect| {
+                b.left() < c.right()
+                    && c.left() < b.right()
+                    && b.top() + 2.0 < c.bottom()
+                    && c.top() + 2.0 < b.bottom()
+            };
+            assert!(!texts[k + 1..].iter().any(touches), "{b:?}");
+            for (x, y) in [
+                (b.left(), b.top()),
+                (b.left(), b.bottom()),
+                (b.right(), b.top()),
+                (b.right(), b.bottom()),
+            ] {
+                let place = [f64::from(x), f64::from(y)];
+                let [u, v] = [0, 1].map(|i| (place[i] - layout.centre[i]) / layout.semi_axes[i]);
+                assert!(u.hypot(v) > 1.0, "{b:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn nothing_is_clipped_or_covered_at_any_ratio() {
+        for a_over_b in RATIOS {
+            let contact = contact(a_over_b);
+            check(&report(&contact, &sticking(a_over_b), CURVE));
+            check(&report(&contact, &sliding(a_over_b), CURVE));
+        }
+    }
+
+    #[test]
+    fn long_numbers_and_every_banner_fit() {
+        let contact = contact(1.0);
+        for status in [Status::NotConverged, Status::CreepageTooSmall, Status::SpinTooLarge] {
+            let theory = Sliding { status, ..sliding(1.0) };
+            for size in [-1.2345e-12, -1.2345e-3, -1234.5, -1.2345e9] {
+                let creepage = Creepage { xi: size, eta: size, chi: size };
+                check(&report(&contact, &theory, creepage));
+            }
+        }
+    }
+
+    #[test]
+    fn the_spin_pole_is_drawn_where_rigid_bodies_do_not_slip() {
+        let (contact, theory) = (contact(1.0), sliding(1.0));
+        let red = |creepage| {
+            let svg = report(&contact, &theory, creepage).contact_svg();
+            svg.matches(&format!("stroke=\"{RED}\" stroke-width=\"2.2\"")).count()
+        };
+        assert_eq!(red(CURVE), 2); // in the contact and in the key
+        assert_eq!(red(Creepage { xi: 2.0, ..CURVE }), 0);
+        let svg = report(&contact, &theory, CURVE).contact_svg();
+        let Layout { centre, semi_axes, .. } = Layout::of(&report(&contact, &theory, CURVE));
+        // (-eta, xi)/chi, y downwards.
+        let [x, y] = [0, 1].map(|i| centre[i] + semi_axes[i] * 0.1 / 1.5);
+        let number = |value: f64| crate::format::significant((value * 100.0).round() / 100.0, 9);
+        let mark = format!("<ellipse cx=\"{}\" cy=\"{}\" rx=\"7\"", number(x), number(y));
+        assert!(svg.contains(&mark), "{mark}");
+    }
+
+    /// Tone of 255 about a place, the median of a patch: neither hatching nor an arrow's end.
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a place on the sheet
+    fn tone(pixels: &Pixmap, place: Point) -> u32 {
+        let [x, y] = place.map(|units| (2.0 * units) as u32);
+        let patch = (0..30).flat_map(|i| (0..30).map(move |j| (x + i - 15, y + j - 15)));
+        let luma = |p: PremultipliedColorU8| {
+            (30 * u32::from(p.red()) + 59 * u32::from(p.green()) + 11 * u32::from(p.blue())) / 100
+        };
+        let mut tones: Vec<_> = patch.filter_map(|(x, y)| pixels.pixel(x, y)).map(luma).collect();
+        tones.sort_unstable();
+        tones[tones.len() / 2]
+    }
+
+    #[test]
+    fn the_pixels_show_both_areas_apart_in_grey() {
+        let (contact, theory) = (contact(1.5), sticking(1.5));
+        let report = report(&contact, &theory, CURVE);
+        let pixels = Pixmap::decode_png(&raster::png(&report.contact_svg()).unwrap()).unwrap();
+        assert_eq!(pixels.width(), 2000);
+        let Layout { centre, semi_axes, .. } = Layout::of(&report);
+        let at = |disc: Point| [0, 1].map(|i| centre[i] + semi_axes[i] * disc[i]);
+        let slip = tone(&pixels, at([-0.57, 0.48]));
+        let adhesion = tone(&pixels, at([0.53, 0.23]));
+        // Print tells a tenth of the tones apart.
+        assert!(slip > adhesion + 30, "{slip} {adhesion}");
+    }
+
+    #[test]
+    fn a_contact_without_traction_says_so() {
+        let contact = contact(1.0);
+        let svg = report(&contact, &Free, Creepage::default()).contact_svg();
+        assert!(svg.contains("no traction") && !svg.contains("traction on"));
+    }
+}

@@ -12,6 +12,10 @@ use crate::scene::{Anchor, Ink, Point, Scene, Type};
 const LONGEST: f64 = 0.92;
 /// Arrows on a semi-axis of a circle; eleven across in all.
 const ARROWS: f64 = 5.0;
+/// From the outermost arrow to the edge, over the distance between arrows.
+const EDGE: f64 = 0.55;
+/// Tractions below this share of their bound are rounding errors, and not drawn.
+const NOISE: f64 = 1e-9;
 
 /// How a contact lies on the sheet: `x` to the right, `y` downwards, so that `z` points away from
 /// the reader.
@@ -21,24 +25,26 @@ pub(crate) struct View {
     /// Units of the sheet for one metre along `x` and along `y`.
     scale: [f64; 2],
     tractions: Vec<FieldPoint>,
-    /// Units of the sheet for the unit of traction; zero where there is no traction at all.
-    traction_scale: f64,
+    /// Largest of the tractions.
+    largest: f64,
+    /// The length of its arrow.
+    longest: f64,
 }
 
 impl View {
     pub(crate) fn new(report: &Report, centre: Point, semi_axes: [f64; 2]) -> Self {
         let ellipse = report.contact.ellipse();
-        let counts = semi_axes
-            .map(|axis| (ARROWS * axis / (semi_axes[0] * semi_axes[1]).sqrt()).round().max(1.0));
+        let counts = semi_axes.map(|axis| arrows(axis / (semi_axes[0] * semi_axes[1]).sqrt()));
         let tractions = tractions(report, counts);
-        let largest = tractions.iter().map(|p| magnitude(p.traction)).fold(0.0, f64::max);
-        let pitch = f64::min(semi_axes[0] / (counts[0] + 0.45), semi_axes[1] / (counts[1] + 0.45));
+        let largest = largest(&tractions);
+        let pitch = [0, 1].map(|i| semi_axes[i] / (f64::from(counts[i]) + EDGE));
         Self {
             centre,
             semi_axes,
             scale: [semi_axes[0] / ellipse.a(), semi_axes[1] / ellipse.b()],
             tractions,
-            traction_scale: if largest > 0.0 { LONGEST * pitch / largest } else { 0.0 },
+            largest,
+            longest: LONGEST * f64::min(pitch[0], pitch[1]),
         }
     }
 
@@ -54,9 +60,11 @@ impl View {
 
     /// A round traction [Pa] and the length of its arrow, unless there is no traction.
     pub(crate) fn reference(&self, unit: f64) -> Option<(f64, f64)> {
-        let largest = self.tractions.iter().map(|p| magnitude(p.traction)).fold(0.0, f64::max);
-        let round = if largest > 0.0 { round_below(largest * unit) } else { return None };
-        Some((round, round / unit * self.traction_scale))
+        if self.tractions.is_empty() {
+            return None;
+        }
+        let round = round_below(self.largest * unit);
+        Some((round, round / (self.largest * unit) * self.longest))
     }
 
     pub(crate) fn draw(&self, scene: &mut Scene, report: &Report, plot: Area) {
@@ -117,7 +125,8 @@ impl View {
         let unit = disc_to_theory(report.contact);
         for point in &self.tractions {
             let centre = self.at([0, 1].map(|i| point.position[i] / unit[i]));
-            let half = point.traction.map(|component| 0.5 * self.traction_scale * component);
+            let half =
+                point.traction.map(|component| 0.5 * self.longest * component / self.largest);
             let end = |sign: f64| [centre[0] + sign * half[0], centre[1] + sign * half[1]];
             scene.arrow(end(-1.0), end(1.0), 1.9, TRACTION);
         }
@@ -142,11 +151,14 @@ impl View {
     }
 }
 
-/// The field at a lattice of `counts` points on either side of the centre.
-fn tractions(report: &Report, counts: [f64; 2]) -> Vec<FieldPoint> {
+/// The field at a lattice of `counts` points on either side of the centre; empty where there is
+/// no traction.
+fn tractions(report: &Report, counts: [u32; 2]) -> Vec<FieldPoint> {
     let unit = disc_to_theory(report.contact);
-    let steps =
-        |count: f64| (0..=2 * count as u32).map(move |k| (f64::from(k) - count) / (count + 0.45));
+    let steps = |count: u32| {
+        let half = f64::from(count);
+        (0..=2 * count).map(move |k| (f64::from(k) - half) / (half + EDGE))
+    };
     let positions: Vec<Point> = steps(counts[1])
         .flat_map(|y| steps(counts[0]).map(move |x| [x, y]))
         .filter(|p| magnitude(*p) < 0.97)
@@ -154,7 +166,20 @@ fn tractions(report: &Report, counts: [f64; 2]) -> Vec<FieldPoint> {
         .collect();
     let mut field = report.answer.theory.field(report.answer.creepage, &positions);
     field.retain(|point| point.traction.iter().all(|component| component.is_finite()));
+    if largest(&field) < NOISE {
+        field.clear();
+    }
     field
+}
+
+/// How many arrows a semi-axis takes, by its length over that of a circle of the same area.
+#[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a few dozen at most
+fn arrows(length: f64) -> u32 {
+    (ARROWS * length).round().max(1.0) as u32
+}
+
+fn largest(field: &[FieldPoint]) -> f64 {
+    field.iter().map(|point| magnitude(point.traction)).fold(0.0, f64::max)
 }
 
 fn magnitude(vector: [f64; 2]) -> f64 {

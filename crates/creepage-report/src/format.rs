@@ -16,7 +16,10 @@ pub(crate) fn significant(value: f64, digits: usize) -> String {
     let (mantissa, exponent) = exponential.split_once('e').unwrap_or((&exponential, "0"));
     match exponent.parse::<i32>() {
         Ok(power @ -4..=5) => {
-            let decimals = usize::try_from(digits as i32 - 1 - power).unwrap_or(0);
+            let places = power.unsigned_abs() as usize;
+            let decimals = digits - 1;
+            let decimals =
+                if power < 0 { decimals + places } else { decimals.saturating_sub(places) };
             trim_zeros(&format!("{value:.decimals$}")).into()
         }
         _ => format!("{}e{exponent}", trim_zeros(mantissa)),
@@ -49,10 +52,9 @@ impl Scale {
     /// The prefix that brings `largest` between 1 and 1000, and as many decimals as show it to
     /// `digits` significant digits.
     pub(crate) fn of(largest: f64, unit: &str, digits: usize) -> Self {
-        let power =
-            if largest == 0.0 || !largest.is_finite() { 0.0 } else { largest.abs().log10() };
+        let scaled = largest != 0.0 && largest.is_finite();
         // A rounded 999.96 belongs to the next prefix.
-        let power = (power + 2e-5).floor() as i32;
+        let power = if scaled { floor_log10(largest.abs() * (1.0 + 5e-5)) } else { 0 };
         let group = (power.div_euclid(3) * 3).clamp(PREFIXES[0].0, PREFIXES[8].0);
         let prefix = PREFIXES.iter().find(|p| p.0 == group).map_or("", |p| p.1);
         Self {
@@ -78,16 +80,49 @@ pub(crate) fn fixed(value: f64, decimals: usize) -> String {
     if zero { text.trim_start_matches('-').into() } else { text }
 }
 
+/// The power of ten at or below `value > 0`.
+#[allow(clippy::cast_possible_truncation)] // a double's powers of ten lie within -324 and 308
+fn floor_log10(value: f64) -> i32 {
+    value.log10().floor() as i32
+}
+
 /// The largest of 1, 2 and 5 times a power of ten that does not exceed `limit > 0`.
 pub(crate) fn round_below(limit: f64) -> f64 {
-    let power = 10f64.powi(limit.log10().floor() as i32);
+    let power = 10f64.powi(floor_log10(limit));
     let step = [5.0, 2.0, 1.0].into_iter().find(|step| step * power <= limit * (1.0 + 1e-12));
     step.unwrap_or(1.0) * power
 }
 
 #[cfg(test)]
 mod tests {
+    use proptest::prelude::*;
+
     use super::*;
+
+    proptest! {
+        #[test]
+        fn significant_digits_read_back(value in proptest::num::f64::NORMAL, digits in 1..9_usize) {
+            let back: f64 = significant(value, digits).parse().unwrap();
+            // Half a unit of the last digit, and the roundings of two conversions.
+            let bound = 0.5 * 0.1_f64.powi(i32::try_from(digits).unwrap() - 1) + 1e-14;
+            prop_assert!((back / value - 1.0).abs() <= bound, "{value} {back}");
+        }
+
+        #[test]
+        fn any_number_can_be_written(value in any::<f64>(), digits in 1..9_usize) {
+            let scale = Scale::of(value, "N", digits);
+            for text in [significant(value, digits), quantity(value, "N", digits), scale.write(value)] {
+                prop_assert!(!text.is_empty() && !text.contains("NaN") && !text.contains("inf"));
+            }
+        }
+
+        #[test]
+        fn round_numbers_lie_within_a_factor_below(limit in 1e-300..1e300_f64) {
+            let round = round_below(limit);
+            // The steps 1, 2, 5, 10 are at most a factor 2.5 apart.
+            prop_assert!(round <= limit * (1.0 + 1e-11) && limit < 2.5 * round * (1.0 + 1e-11));
+        }
+    }
 
     #[test]
     fn significant_digits() {
@@ -99,7 +134,7 @@ mod tests {
             (0.624_93, "0.6249"),
             (-12.0, "-12"),
             (9.999_96, "10"),
-            (1.234_5e-7, "1.234e-7"),
+            (1.234_4e-7, "1.234e-7"),
             (1e6, "1e6"),
             (123_456.0, "123456"),
             (f64::NAN, "-"),
@@ -132,6 +167,9 @@ mod tests {
 
     #[test]
     fn round_numbers_below() {
-        assert_eq!([7.3, 0.049, 1.0, 2e3].map(round_below), [5.0, 0.02, 1.0, 2e3]);
+        for (limit, round) in [(7.3, 5.0), (0.049, 0.02), (1.0, 1.0), (2e3, 2e3)] {
+            // One rounding of the power of ten.
+            assert!((round_below(limit) / round - 1.0_f64).abs() < 1e-15);
+        }
     }
 }

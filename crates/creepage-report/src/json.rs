@@ -233,3 +233,48 @@ impl From<SolidPair> for SolidJson {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::PI;
+
+    use crate::testing::{CURVE, contact, report, sliding};
+
+    fn close(value: &serde_json::Value, expected: f64) {
+        // A handful of roundings.
+        assert!((value.as_f64().unwrap() / expected - 1.0).abs() < 1e-12, "{value} {expected}");
+    }
+
+    #[test]
+    fn the_numbers_are_those_of_hand_formulas() {
+        let (contact, theory) = (contact(2.25), sliding(2.25));
+        let json = serde_json::to_value(report(&contact, &theory, CURVE).json()).unwrap();
+        // c = 6 mm, so a = 9 mm and b = 4 mm; mu N = 24 kN.
+        close(&json["contact"]["semi_axis_rolling_m"], 9e-3);
+        close(&json["contact"]["semi_axis_lateral_m"], 4e-3);
+        close(&json["contact"]["peak_pressure_pa"], 1.5 * 80e3 / (PI * 36e-6));
+        close(&json["lower_body"]["longitudinal_n"], 0.6 * 24e3);
+        close(&json["lower_body"]["lateral_n"], 0.5 * 24e3);
+        close(&json["lower_body"]["moment_n_m"], -0.1 * 24e3 * 6e-3);
+        close(&json["upper_body"]["longitudinal_n"], -0.6 * 24e3);
+        close(&json["upper_body"]["moment_n_m"], 0.1 * 24e3 * 6e-3);
+        let rho = json["contact"]["rho_m"].as_f64().unwrap();
+        close(&json["creepage"]["longitudinal"], CURVE.xi * 0.3 * 6e-3 / rho);
+        close(&json["creepage"]["lateral"], CURVE.eta * 0.3 * 6e-3 / rho);
+        close(&json["creepage"]["spin_rad_per_m"], CURVE.chi * 0.3 / rho);
+        close(&json["dimensionless"]["friction_used"], 0.61_f64.sqrt());
+        close(&json["areas"]["slip_m2"], PI * 36e-6);
+    }
+
+    #[test]
+    fn words_and_details() {
+        let (contact, theory) = (contact(1.0), sliding(1.0));
+        let json = serde_json::to_value(report(&contact, &theory, CURVE).json()).unwrap();
+        assert_eq!(json["status"], "spin_too_large");
+        assert_eq!(json["theory"], "test & trial");
+        assert_eq!(json["creepage_version"], env!("CARGO_PKG_VERSION"));
+        assert_eq!(json["details"]["mean_integrand"]["value"], 1.25e-3);
+        assert!(json["details"]["unknown"]["value"].is_null());
+        assert_eq!(json["areas"]["points"], 3);
+    }
+}

@@ -77,3 +77,21 @@ fn escape(text: &str) -> String {
     }
     escaped
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn markup_in_text_stays_text() {
+        assert_eq!(Label::new("a<b & \u{1}c").svg(), "a&lt;b &amp;  c");
+    }
+
+    #[test]
+    fn numbers_get_a_true_minus_and_raised_powers() {
+        assert_eq!(Label::default().number("-2.5 kN").svg(), "\u{2212}2.5\u{a0}kN");
+        let power = Label::default().number("1.5e-7");
+        assert!(power.svg().starts_with("1.5\u{2009}·\u{2009}10<tspan dy=\"-5\""));
+        assert!(power.svg().contains(">\u{2212}7</tspan>"));
+    }
+}

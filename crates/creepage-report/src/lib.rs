@@ -59,6 +59,8 @@ mod points;
 mod raster;
 mod report;
 mod scene;
+#[cfg(test)]
+mod testing;
 mod text;
 mod write;
 

@@ -83,6 +83,7 @@ mod tests {
     use creepage::rolling::Region;
 
     use super::*;
+    use crate::testing::{CURVE, contact, report, sliding, sticking};
 
     #[test]
     fn t_and_s_of_a_hand_worked_point() {
@@ -109,5 +110,40 @@ mod tests {
         assert_eq!((cell(t), cell(s)), (String::new(), "0e0".into()));
         point.slip = [1.0, 0.0];
         assert!(t_and_s(&point, 0.0, 1.0).0.is_nan());
+    }
+
+    #[test]
+    fn the_rows_are_in_si_units() {
+        let (contact, theory) = (contact(2.25), sliding(2.25));
+        let report = report(&contact, &theory, CURVE);
+        let csv = String::from_utf8(report.points_csv().unwrap()).unwrap();
+        let rows: Vec<Vec<&str>> = csv.lines().map(|line| line.split(',').collect()).collect();
+        assert_eq!(rows[0], HEADER);
+        assert_eq!(rows.len(), 4);
+        let row: Vec<f64> = rows[2].iter().map(|cell| cell.parse().unwrap_or(f64::NAN)).collect();
+        let bound = 0.3 * contact.peak_pressure() * (1.0_f64 - 0.25 - 0.0625).sqrt();
+        let unit = 0.3 * 6e-3 / contact.rho();
+        let slip = [CURVE.xi - CURVE.chi / 6.0, CURVE.eta + CURVE.chi * 0.75].map(|s| s * unit);
+        // (1 - sigma) E / (2 sqrt g), with E from the same ellipse, makes S of the slip.
+        let ellipse = contact.ellipse();
+        let a = 0.72 * ellipse.integrals().e / (2.0 * ellipse.g().sqrt());
+        let s = (slip[0].hypot(slip[1]) / unit * a).powi(2);
+        let traction = slip.map(|component| bound * component / slip[0].hypot(slip[1]));
+        let [x, y, traction_x, traction_y] = [4.5e-3, 1e-3, traction[0], traction[1]];
+        let expected = [x, y, traction_x, traction_y, bound, slip[0], slip[1]];
+        for (cell, expected) in row.iter().zip(expected).chain([(&row[9], s)]) {
+            // A handful of roundings.
+            assert!((cell / expected - 1.0).abs() < 1e-12, "{cell} {expected}");
+        }
+        assert_eq!(rows[2][7], "slip");
+        assert!(row[8] < 1e-25); // sliding exactly along the slip
+    }
+
+    #[test]
+    fn unknown_slip_is_an_empty_cell() {
+        let (contact, theory) = (contact(1.0), sticking(1.0));
+        let csv = report(&contact, &theory, CURVE).points_csv().unwrap();
+        let csv = String::from_utf8(csv).unwrap();
+        assert!(csv.lines().nth(2).unwrap().ends_with(",,,adhesion,,"), "{csv}");
     }
 }

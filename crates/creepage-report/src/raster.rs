@@ -11,18 +11,18 @@ use crate::error::ReportError;
 pub(crate) const FONT_FAMILY: &str = "DejaVu Sans";
 
 /// Pixels for each unit of the scene.
-const PIXELS_PER_UNIT: f32 = 2.0;
+const PIXELS_PER_UNIT: u16 = 2;
 
 /// Renders an SVG at twice its size, as screens and print want it.
 pub(crate) fn png(svg: &str) -> Result<Vec<u8>, ReportError> {
     let tree = tree(svg)?;
     let size = tree.size().to_int_size();
-    let side = |units: u32| units.saturating_mul(PIXELS_PER_UNIT as u32);
+    let side = |units: u32| units.saturating_mul(u32::from(PIXELS_PER_UNIT));
     let (width, height) = (side(size.width()), side(size.height()));
     let error = ReportError::Pixels { width, height };
     let Some(mut pixels) = Pixmap::new(width, height) else { return Err(error) };
-    let zoom = Transform::from_scale(PIXELS_PER_UNIT, PIXELS_PER_UNIT);
-    resvg::render(&tree, zoom, &mut pixels.as_mut());
+    let zoom = f32::from(PIXELS_PER_UNIT);
+    resvg::render(&tree, Transform::from_scale(zoom, zoom), &mut pixels.as_mut());
     pixels.encode_png().map_err(|_| error)
 }
 
@@ -40,4 +40,29 @@ pub(crate) fn tree(svg: &str) -> Result<Tree, ReportError> {
     let options =
         Options { font_family: FONT_FAMILY.into(), fontdb: Arc::new(fonts), ..Options::default() };
     Ok(Tree::from_str(svg, &options)?)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::label::Label;
+    use crate::scene::{Ink, Scene, Type};
+
+    #[test]
+    fn text_is_drawn_without_any_installed_font() {
+        let mut scene = Scene::new();
+        let label = Label::default().symbol("ξηχμυφ").plain("N").indexed("F", "x");
+        scene.text([5.0, 30.0], Type::new(24.0, "#000000"), &label);
+        let pixels = Pixmap::decode_png(&png(&scene.finish([200.0, 40.0], "")).unwrap()).unwrap();
+        assert_eq!((pixels.width(), pixels.height()), (400, 80));
+        assert!(pixels.pixels().iter().filter(|pixel| pixel.red() < 128).count() > 500);
+    }
+
+    #[test]
+    fn a_sheet_without_size_is_an_error() {
+        let mut scene = Scene::new();
+        scene.line(&[[0.0, 0.0], [1.0, 1.0]], Ink::line("#000000", 1.0));
+        let svg = scene.finish([0.0, 10.0], "");
+        assert!(matches!(png(&svg), Err(ReportError::Picture(_))));
+    }
 }

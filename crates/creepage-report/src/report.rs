@@ -97,3 +97,41 @@ pub(crate) fn disc_to_theory(contact: &Hertz) -> [f64; 2] {
     let ellipse = contact.ellipse();
     [ellipse.a() / ellipse.c(), ellipse.b() / ellipse.c()]
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::testing::{CURVE, STICK, contact, report, sliding, sticking};
+
+    #[test]
+    fn the_adhesion_share_is_that_of_the_inner_ellipse() {
+        for a_over_b in [0.05, 1.0, 20.0] {
+            let (contact, theory) = (contact(a_over_b), sticking(a_over_b));
+            let share = report(&contact, &theory, CURVE).adhesion_share();
+            // Chords over cells of 2/96, and a pointed gap at the leading edge: 0.1 %.
+            assert!((share - STICK * STICK).abs() < 1e-3, "{share}");
+        }
+        let (contact, theory) = (contact(1.0), sliding(1.0));
+        assert!(report(&contact, &theory, CURVE).adhesion_share().abs() < 1e-300);
+    }
+
+    #[test]
+    fn heat_is_force_times_creepage() {
+        let (contact, theory) = (contact(1.5), sliding(1.5));
+        let json = report(&contact, &theory, CURVE).json();
+        let (creepage, force) = (json.creepage, json.lower_body);
+        let power = force.longitudinal_n * creepage.longitudinal
+            + force.lateral_n * creepage.lateral
+            + force.moment_n_m * creepage.spin_rad_per_m;
+        let given = json.frictional_power_per_metre_j_per_m;
+        // The same three products in another order: rounding only.
+        assert!((given - power).abs() < 1e-12 * power.abs());
+    }
+
+    #[test]
+    fn friction_must_be_positive() {
+        let (contact, theory) = (contact(1.0), sliding(1.0));
+        let Report { answer, .. } = report(&contact, &theory, CURVE);
+        assert_eq!(Report::new(&contact, -0.3, answer).unwrap_err().quantity, "friction");
+    }
+}

@@ -169,3 +169,62 @@ impl Lines {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::testing::{CURVE, contact, report, sliding, sticking};
+
+    /// The words and numbers of the line that starts with `name`.
+    fn line(text: &str, name: &str) -> Vec<String> {
+        let line = text.lines().find(|line| line.trim_start().starts_with(name)).unwrap();
+        line.trim_start()[name.len()..].split_whitespace().map(str::to_string).collect()
+    }
+
+    #[test]
+    fn both_bodies_get_their_force() {
+        let (contact, theory) = (contact(2.25), sliding(2.25));
+        let text = report(&contact, &theory, CURVE).text();
+        let lower = ["14.400", "kN", "12.000", "kN", "-14.40", "N", "m"];
+        let upper = ["-14.400", "kN", "-12.000", "kN", "14.40", "N", "m"];
+        assert_eq!(line(&text, "on the lower body"), lower);
+        assert_eq!(line(&text, "on the upper body"), upper);
+        assert_eq!(line(&text, "lower, in mu N and mu N c"), ["0.60000", "0.50000", "-0.10000"]);
+        assert_eq!(line(&text, "semi-axis a, along rolling"), ["9", "mm"]);
+        assert_eq!(line(&text, "share of mu N used"), ["78.10", "%"]);
+        assert_eq!(line(&text, "mean of W T S"), ["0.00125"]);
+    }
+
+    #[test]
+    fn no_line_is_wider_than_a_terminal() {
+        for a_over_b in [1e-5, 1.5, 1e5] {
+            let (contact, theory) = (contact(a_over_b), sticking(a_over_b));
+            for line in report(&contact, &theory, CURVE).text().lines() {
+                assert!(line.chars().count() <= 80, "{line}");
+            }
+        }
+    }
+
+    #[test]
+    fn what_is_not_solved_stands_on_top_between_rules() {
+        let contact = contact(1.0);
+        for status in [Status::NotConverged, Status::CreepageTooSmall, Status::SpinTooLarge] {
+            let theory = crate::testing::Sliding { status, ..sliding(1.0) };
+            let text = report(&contact, &theory, CURVE).text();
+            let top: Vec<_> = text.lines().take(3).collect();
+            assert!(top[0].starts_with("!!!!") && top[2] == top[0]);
+            let word = status.name().replace('_', " ").to_uppercase();
+            assert!(top[1].contains(&word), "{}", top[1]);
+        }
+        let theory = sticking(1.0);
+        assert!(report(&contact, &theory, CURVE).text().starts_with("Theory test & trial: solved"));
+    }
+
+    #[test]
+    fn hertz_alone() {
+        let text = hertz_text(&contact(2.25));
+        assert_eq!(line(&text, "normal force N"), ["80", "kN"]);
+        assert_eq!(line(&text, "a/b"), ["2.25"]);
+        assert!(!text.contains("angle"));
+    }
+}

@@ -97,3 +97,68 @@ impl Drop for Made {
 fn failure(path: &Path, source: io::Error) -> ReportError {
     ReportError::Write { path: path.to_path_buf(), source }
 }
+
+#[cfg(test)]
+mod tests {
+    use std::error::Error as _;
+
+    use super::*;
+    use crate::testing::{CURVE, contact, report, sticking};
+
+    fn names(directory: &Path) -> Vec<String> {
+        let entries = fs::read_dir(directory).unwrap();
+        let mut names: Vec<_> =
+            entries.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
+        names.sort();
+        names
+    }
+
+    #[test]
+    fn four_files_in_a_new_directory_the_same_each_time() {
+        let root = tempfile::tempdir().unwrap();
+        let (contact, theory) = (contact(1.5), sticking(1.5));
+        let report = report(&contact, &theory, CURVE);
+        let directories = ["one", "two/deeper"].map(|name| root.path().join(name));
+        for directory in &directories {
+            let paths = report.write(directory).unwrap();
+            assert_eq!(paths.len(), 4);
+            assert!(paths.iter().all(|path| path.is_file()));
+            assert_eq!(
+                names(directory),
+                ["contact.png", "contact.svg", "points.csv", "report.json"]
+            );
+        }
+        report.write(&directories[0]).unwrap(); // replaces what is there
+        for name in names(&directories[0]) {
+            let [one, two] = [0, 1].map(|k| fs::read(directories[k].join(&name)).unwrap());
+            assert!(one == two && !one.is_empty(), "{name}");
+        }
+    }
+
+    #[test]
+    fn a_directory_that_cannot_be_made_is_named_with_its_cause() {
+        let root = tempfile::tempdir().unwrap();
+        let file = root.path().join("file");
+        fs::write(&file, "in the way").unwrap();
+        let (contact, theory) = (contact(1.0), sticking(1.0));
+        let error = report(&contact, &theory, CURVE).write(&file.join("out")).unwrap_err();
+        assert!(error.to_string().contains("file"), "{error}");
+        assert!(error.source().unwrap().is::<io::Error>());
+        assert_eq!(names(root.path()), ["file"]);
+    }
+
+    #[test]
+    fn what_was_made_before_a_failure_is_removed() {
+        let root = tempfile::tempdir().unwrap();
+        let (contact, theory) = (contact(1.0), sticking(1.0));
+        fs::create_dir(root.path().join("contact.png")).unwrap();
+        let error = report(&contact, &theory, CURVE).write(root.path()).unwrap_err();
+        assert!(matches!(error, ReportError::Write { path, .. } if path.ends_with("contact.png")));
+        assert_eq!(names(root.path()), ["contact.png"]);
+
+        let new = root.path().join("new/deep");
+        let bad: [(&str, &[u8]); 2] = [("good", b"1"), ("no/such", b"2")];
+        assert!(write_all(&new, &bad).is_err());
+        assert_eq!(names(root.path()), ["contact.png"]);
+    }
+}

@@ -100,3 +100,33 @@ impl Solver {
 fn key(question: &Question) -> Key {
     [question.a_over_b.to_bits(), question.poisson.to_bits()]
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::theories;
+    use creepage::rolling::Creepage;
+
+    fn question(a_over_b: f64, xi: f64) -> Question {
+        Question { a_over_b, poisson: 0.28, creepage: Creepage { xi, eta: 0.0, chi: 0.5 } }
+    }
+
+    #[test]
+    fn prepared_theories_do_not_pile_up() {
+        let solver = Solver::new(theories::find("variational").unwrap());
+        let many = (0..3 * Solver::KEPT).map(|i| Ok(question(1.0 + i as f64, 1.0))).collect();
+        assert_eq!(solver.solve(many).len(), 3 * Solver::KEPT);
+        assert_eq!(solver.prepared.lock().unwrap().len(), Solver::KEPT);
+    }
+
+    #[test]
+    fn answers_come_in_the_order_of_the_questions() {
+        let solver = Solver::new(theories::find("variational").unwrap());
+        let questions: Vec<_> =
+            (0..40).map(|i| question([2.0, 0.5, 1.0][i % 3], 0.5 + 0.1 * i as f64)).collect();
+        let together = solver.solve(questions.iter().copied().map(Ok).collect());
+        for (question, answer) in questions.into_iter().zip(together) {
+            assert_eq!(solver.solve(vec![Ok(question)]), vec![answer]);
+        }
+    }
+}

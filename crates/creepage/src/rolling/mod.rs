@@ -11,9 +11,15 @@
 //! the slip.
 
 pub mod linear;
+pub mod polach;
+pub mod saturated;
+pub mod shen_hedrick_elkins;
 pub mod variational;
+pub mod vermeulen_johnson;
 
+mod chords;
 mod creepage;
+mod cubic;
 mod field;
 mod scaling;
 mod theory;

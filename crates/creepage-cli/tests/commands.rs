@@ -1,0 +1,152 @@
+//! The commands on good input, and what they print.
+
+use std::io::{BufRead, BufReader};
+use std::process::{Command, Stdio};
+
+use serde_json::Value;
+
+mod common;
+use common::{CASE, Place};
+
+fn json(text: &str) -> Value {
+    serde_json::from_str(text).unwrap()
+}
+
+#[test]
+fn solve_writes_its_files_and_prints_the_same_report() {
+    let place = Place::new();
+    place.write("case.toml", CASE);
+    let printed = place.run(&["solve", "case.toml", "--json", "--out", "deep/out"]).done();
+    for file in ["report.json", "points.csv", "contact.svg", "contact.png"] {
+        assert!(place.path("deep/out").join(file).is_file(), "{file}");
+    }
+    assert_eq!(json(&printed), json(&place.read("deep/out/report.json")));
+    assert!(place.read("deep/out/points.csv").lines().count() > 50);
+}
+
+#[test]
+fn solve_prints_a_report_for_a_person() {
+    let place = Place::new();
+    place.write("case.toml", CASE);
+    let report = place.run(&["solve", "case.toml"]).done();
+    for words in ["variational", "on the lower body", "on the upper body", "adhesion"] {
+        assert!(report.contains(words), "`{words}` is not in:\n{report}");
+    }
+    assert_eq!(place.files(), ["case.toml"]);
+}
+
+#[test]
+fn the_theory_on_the_command_line_goes_before_that_of_the_case() {
+    let place = Place::new();
+    place.write("case.toml", CASE.replace("\"variational\"", "\"none such\""));
+    let command = ["solve", "case.toml", "--theory", "variational"];
+    assert!(place.run(&command).done().contains("variational"));
+}
+
+#[test]
+fn options_of_the_theory_reach_it() {
+    let place = Place::new();
+    let force = |options: &str| {
+        place.write("case.toml", CASE.replace("degree = 3", options));
+        json(&place.run(&["solve", "case.toml", "--json"]).done())
+    };
+    let usual = force("degree = 3");
+    assert_eq!(usual, force(""));
+    for options in ["degree = 5", "mesh = [20, 20]", "weight = \"uniform\""] {
+        assert_ne!(usual, force(options), "{options}");
+    }
+}
+
+#[test]
+fn hertz_needs_the_contact_only() {
+    let place = Place::new();
+    place.write("case.toml", &CASE[..CASE.find("friction").unwrap()]);
+    assert!(place.run(&["hertz", "case.toml"]).done().contains("6.677"));
+    let contact = json(&place.run(&["hertz", "case.toml", "--json"]).done());
+    let a = contact["semi_axis_rolling_m"].as_f64().unwrap();
+    assert!((a - 6.677_289e-3).abs() < 1e-9, "{contact}");
+    place.run(&["solve", "case.toml"]).refused(&["[contact] friction is missing"]);
+}
+
+#[test]
+fn hertz_takes_a_turned_rail_and_solve_does_not() {
+    let place = Place::new();
+    place.write("case.toml", CASE.replace("friction", "angle = 30.0\nfriction"));
+    place.run(&["hertz", "case.toml"]).done();
+    place.run(&["solve", "case.toml"]).refused(&["[contact] angle = 30 degrees"]);
+}
+
+#[test]
+fn theories_are_listed() {
+    let table = Place::new().run(&["theories"]).done();
+    assert!(table.starts_with("THEORY"));
+    assert!(table.contains("\nvariational  1967  "));
+}
+
+#[test]
+fn init_writes_a_case_that_solves_and_overwrites_nothing() {
+    let place = Place::new();
+    let example = place.run(&["init"]).done();
+    place.run(&["init", "--out", "case.toml"]).done();
+    assert_eq!(place.read("case.toml"), example);
+    place.run(&["solve", "case.toml"]).done();
+    place.write("case.toml", "mine");
+    place.run(&["init", "--out", "case.toml"]).refused(&["cannot write case.toml", "exists"]);
+    assert_eq!(place.read("case.toml"), "mine");
+}
+
+#[test]
+fn what_init_shows_in_comments_is_a_case_too() {
+    let place = Place::new();
+    let example = place.run(&["init"]).done();
+    let dimensionless = example
+        .replace("longitudinal = ", "# longitudinal = ")
+        .replace("\nlateral = ", "\n# lateral = ")
+        .replace("\nspin = ", "\n# spin = ")
+        .replace("# xi", "xi")
+        .replace("# eta", "eta")
+        .replace("# chi", "chi");
+    place.write("dimensionless.toml", dimensionless);
+    place.run(&["solve", "dimensionless.toml"]).done();
+    let axes = example.replace("\nradius", "\n# radius").replace("# semi_axis", "semi_axis");
+    place.write("axes.toml", axes);
+    place.run(&["solve", "axes.toml"]).done();
+}
+
+#[test]
+fn version_and_help() {
+    let place = Place::new();
+    assert_eq!(place.run(&["--version"]).done(), "creepage 0.1.0\n");
+    assert!(place.run(&["--help"]).done().contains("Exit codes:"));
+}
+
+#[test]
+fn nothing_is_coloured_where_there_is_no_terminal() {
+    let place = Place::new();
+    place.write("case.toml", CASE.replace("80e3", "0"));
+    for arguments in [&["solve", "case.toml"][..], &["bach"], &["--help"]] {
+        let ran = place.run(arguments);
+        assert!(!ran.stdout.contains('\x1b') && !ran.stderr.contains('\x1b'), "{ran:?}");
+    }
+}
+
+#[test]
+fn a_reader_that_leaves_early_is_no_error() {
+    let mut input = String::from("a_over_b,poisson,xi,eta,chi\n");
+    input.push_str(&"1,0.28,x,0,0\n".repeat(50_000));
+    let place = Place::new();
+    place.write("in.csv", input);
+    let mut child = Command::new(env!("CARGO_BIN_EXE_creepage"))
+        .args(["batch", "--theory", "variational", "--in", "in.csv"])
+        .current_dir(place.path(""))
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    let mut line = String::new();
+    BufReader::new(child.stdout.take().unwrap()).read_line(&mut line).unwrap();
+    let output = child.wait_with_output().unwrap();
+    assert_eq!(line, "a_over_b,poisson,xi,eta,chi,fx,fy,mz,status,message\n");
+    assert_eq!(String::from_utf8(output.stderr).unwrap(), "");
+    assert_eq!(output.status.code(), Some(0));
+}

@@ -1,0 +1,96 @@
+//! The example cases of the repository: they solve, and they say what the format allows.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use serde_json::Value;
+
+mod common;
+use common::Place;
+
+fn examples() -> Vec<PathBuf> {
+    let directory = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples");
+    let entries = fs::read_dir(directory).unwrap().map(|entry| entry.unwrap().path());
+    let cases: Vec<_> =
+        entries.filter(|path| path.extension().is_some_and(|e| e == "toml")).collect();
+    assert!(cases.len() >= 5);
+    cases
+}
+
+#[test]
+fn every_example_solves_and_shows_both_adhesion_and_slip() {
+    let place = Place::new();
+    for path in examples() {
+        let printed = place.run(&["solve", path.to_str().unwrap(), "--json"]).done();
+        let report: Value = serde_json::from_str(&printed).unwrap();
+        assert_eq!(report["status"], "solved", "{}", path.display());
+        let share = report["areas"]["adhesion_share"].as_f64().unwrap();
+        assert!((0.05..0.95).contains(&share), "{}: adhesion {share}", path.display());
+    }
+}
+
+#[test]
+fn the_force_on_the_wheel_drives_in_traction_and_brakes_in_braking() {
+    let place = Place::new();
+    let force_on_wheel = |name: &str| {
+        let path = examples().into_iter().find(|path| path.ends_with(name)).unwrap();
+        let printed = place.run(&["solve", path.to_str().unwrap(), "--json"]).done();
+        let report: Value = serde_json::from_str(&printed).unwrap();
+        report["upper_body"]["longitudinal_n"].as_f64().unwrap()
+    };
+    assert!(force_on_wheel("wheel-on-rail.toml") > 0.0);
+    assert!(force_on_wheel("wheel-braking.toml") < 0.0);
+}
+
+#[test]
+fn the_schema_accepts_every_example() {
+    let place = Place::new();
+    let schema: Value = serde_json::from_str(&place.run(&["schema"]).done()).unwrap();
+    let mut cases: Vec<_> =
+        examples().iter().map(|path| fs::read_to_string(path).unwrap()).collect();
+    cases.push(place.run(&["init"]).done());
+    for text in cases {
+        let case: Value = toml::from_str(&text).unwrap();
+        accepts(&schema, &case).unwrap();
+    }
+    let wrong: Value = toml::from_str("upper = 1").unwrap();
+    assert!(accepts(&schema, &wrong).is_err());
+    let unknown: Value = toml::from_str("[upper]\n[lower]\n[contact]\n[other]\n").unwrap();
+    assert!(accepts(&schema, &unknown).is_err());
+}
+
+/// Validates by the part of JSON schema that ours uses.
+fn accepts(schema: &Value, value: &Value) -> Result<(), String> {
+    for choices in ["anyOf", "oneOf"] {
+        if let Some(choices) = schema[choices].as_array()
+            && !choices.iter().any(|choice| accepts(choice, value).is_ok())
+        {
+            return Err(format!("{value} is none of {choices:?}"));
+        }
+    }
+    if !schema["const"].is_null() && schema["const"] != *value {
+        return Err(format!("{value} is not {}", schema["const"]));
+    }
+    match schema["type"].as_str() {
+        Some("object") => accepts_object(schema, value),
+        Some("array") => {
+            let items = value.as_array().ok_or(format!("{value} is no array"))?;
+            items.iter().try_for_each(|item| accepts(&schema["items"], item))
+        }
+        Some("number") if !value.is_number() => Err(format!("{value} is no number")),
+        Some("integer") if !value.is_u64() => Err(format!("{value} is no whole number")),
+        Some("string") if !value.is_string() => Err(format!("{value} is no text")),
+        _ => Ok(()),
+    }
+}
+
+fn accepts_object(schema: &Value, value: &Value) -> Result<(), String> {
+    let object = value.as_object().ok_or(format!("{value} is no object"))?;
+    for key in schema["required"].as_array().into_iter().flatten() {
+        object.get(key.as_str().unwrap()).ok_or(format!("{key} is missing"))?;
+    }
+    object.iter().try_for_each(|(key, value)| match schema["properties"].get(key) {
+        Some(schema) => accepts(schema, value),
+        None => Err(format!("{key} is unknown")),
+    })
+}

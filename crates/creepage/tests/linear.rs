@@ -1,0 +1,233 @@
+//! Creepage and spin coefficients against closed forms, the thesis's table and a converged
+//! solution.
+
+use std::f64::consts::PI;
+
+use creepage::rolling::linear::{CreepageCoefficients, Linear};
+use creepage::rolling::{Creepage, Region, Theory};
+use creepage::special::CompleteIntegrals;
+use serde_json::Value;
+
+const TABLE: &str = include_str!("data/table3.txt");
+const CONVERGED: &str = include_str!("data/creepage_coefficients_converged.json");
+
+fn ratio(kind: &str, g: f64) -> f64 {
+    if kind == "a/b" { g } else { g.recip() }
+}
+
+/// The reference is a solution of degree 91 with another criterion; its stated error is
+/// absolute, and below rounding (a few units of 1e-15) for `sigma = 0`.
+#[test]
+fn converged_values() {
+    let cases: Vec<Value> = serde_json::from_str(CONVERGED).unwrap();
+    assert_eq!(cases.len(), 57);
+    for case in &cases {
+        let number = |name: &str| case[name].as_f64().unwrap();
+        let a_over_b = ratio(case["ratio"].as_str().unwrap(), number("g"));
+        let c = CreepageCoefficients::new(a_over_b, number("sigma")).unwrap();
+        for (value, name) in
+            [(c.c11, "C11"), (c.c22, "C22"), (c.c23, "C23"), (c.c32, "C32"), (c.c33, "C33")]
+        {
+            let error = (value - number(name)).abs();
+            let bound = number("est_abs_err") + 1e-14 * value.abs();
+            assert!(error <= bound, "{name} at a/b = {a_over_b}: off by {error:e} > {bound:e}");
+        }
+    }
+}
+
+/// The thesis's own calculation reproduces its own table, as printed, but for six entries:
+/// C11 of a/b = .5, sigma = 1/2; C22 of b/a = .6, sigma = 1/2; C11 and C33 of the circle,
+/// sigma = 1/4; C23 of a/b = .1 and .2, sigma = 0.
+#[test]
+fn table_3_is_of_degree_5() {
+    let misprints = [
+        "a/b 0.1 C23 0",
+        "a/b 0.2 C23 0",
+        "a/b 0.5 C11 0.5",
+        "b/a 1.0 C11 0.25",
+        "b/a 1.0 C33 0.25",
+        "b/a 0.6 C22 0.5",
+    ];
+    let (mut entries, mut deviating) = (0, Vec::new());
+    for line in TABLE.lines().filter(|line| !line.starts_with('#')) {
+        let words: Vec<&str> = line.split_whitespace().collect();
+        let a_over_b = ratio(words[0], words[1].parse().unwrap());
+        for (column, printed) in words[2..].iter().enumerate() {
+            let sigma = [0.0, 0.25, 0.5][column % 3];
+            let c = CreepageCoefficients::of_degree(a_over_b, sigma, 5).unwrap();
+            let value = [c.c11, c.c22, c.c23, c.c33][column / 3];
+            let name = ["C11", "C22", "C23", "C33"][column / 3];
+            entries += 1;
+            if !rounds_to(value, printed) {
+                deviating.push(format!("{} {} {name} {sigma}", words[0], words[1]));
+            }
+        }
+    }
+    assert_eq!(entries, 228);
+    assert_eq!(deviating, misprints);
+}
+
+/// Whether `value` rounds to the number as printed.
+fn rounds_to(value: f64, printed: &str) -> bool {
+    let decimals = printed.split('.').nth(1).map_or(0, str::len);
+    format!("{value:.decimals$}") == printed
+}
+
+/// `C23` for `sigma = 0` in terms of `B` and `D` (section 4.3).
+#[test]
+fn c23_without_poisson_contraction() {
+    for a_over_b in [1e-3, 0.03, 0.4, 1.0, 2.0, 50.0, 1e3] {
+        let g = f64::min(a_over_b, 1.0 / a_over_b);
+        let integrals = CompleteIntegrals::new(g);
+        let expected = if a_over_b <= 1.0 {
+            PI * g.sqrt() / (3.0 * integrals.b)
+        } else {
+            PI / (3.0 * g.powf(1.5) * integrals.d)
+        };
+        let c = CreepageCoefficients::new(a_over_b, 0.0).unwrap();
+        // Rounding, of a hundred terms and a system of condition 1/g.
+        assert!((c.c23 / expected - 1.0).abs() < 1e-12, "{a_over_b}");
+        assert!((c.c32 / expected + 1.0).abs() < 1e-12, "{a_over_b}");
+    }
+}
+
+/// For `sigma = 0` the strengths of `P_n(y/b)` are orthogonal on the leading edge, and `C11 =
+/// C22 = pi a int sin^3 W / (int sin^2 W)^2` over its quarter, `W = 1/Q`, `c = 1`. The second
+/// integral is `B/b` or `D/a`, the first elementary.
+#[test]
+fn c11_without_poisson_contraction() {
+    for a_over_b in [1e-3, 0.03, 0.4, 1.5, 50.0, 1e3] {
+        let (a, b) = (f64::sqrt(a_over_b), f64::sqrt(1.0 / a_over_b));
+        let integrals = CompleteIntegrals::new(f64::min(a_over_b, 1.0 / a_over_b));
+        let k2 = a_over_b * a_over_b - 1.0;
+        let k = k2.abs().sqrt();
+        let arc = if k2 > 0.0 { k.asinh() } else { k.asin() };
+        let third = (arc / k * (1.0 + 0.5 / k2) - a_over_b * 0.5 / k2) / b;
+        let second = if k2 > 0.0 { integrals.d / a } else { integrals.b / b };
+        let expected = PI * a * third / (second * second);
+        let c = CreepageCoefficients::new(a_over_b, 0.0).unwrap();
+        // Rounding, of a hundred terms and a system of condition 1/g.
+        assert!((c.c11 / expected - 1.0).abs() < 1e-12, "{a_over_b}: {} {expected}", c.c11);
+        assert!((c.c22 / expected - 1.0).abs() < 1e-12, "{a_over_b}: {} {expected}", c.c22);
+    }
+}
+
+/// The first row of Table 3. The distance from the limit falls with `g`, `C33` slowest.
+#[test]
+fn limits_of_slender_ellipses() {
+    let quarter = PI * PI / 4.0;
+    for poisson in [0.0, 0.25, 0.5] {
+        let c = CreepageCoefficients::new(1e-3, poisson).unwrap();
+        assert!((c.c11 * (1.0 - poisson) / quarter - 1.0).abs() < 1e-4);
+        assert!((c.c22 / quarter - 1.0).abs() < 1e-4);
+        assert!((c.c33 * 1e-3 * (1.0 - poisson) / (quarter / 4.0) - 1.0).abs() < 1e-3);
+    }
+}
+
+#[test]
+fn continuous_across_the_circle() {
+    for poisson in [0.0, 0.28, 0.5] {
+        let [below, above] =
+            [1.0 - 1e-9, 1.0 + 1e-9].map(|r| CreepageCoefficients::new(r, poisson).unwrap());
+        for (below, above) in [
+            (below.c11, above.c11),
+            (below.c22, above.c22),
+            (below.c23, above.c23),
+            (below.c33, above.c33),
+        ] {
+            // The slope by a/b is of order one.
+            assert!((below - above).abs() < 1e-8);
+        }
+    }
+}
+
+#[test]
+fn nonsense_is_an_error() {
+    for (a_over_b, poisson) in
+        [(0.0, 0.3), (-1.0, 0.3), (f64::NAN, 0.3), (1e4, 0.3), (1.0, 0.51), (1.0, f64::NAN)]
+    {
+        assert!(CreepageCoefficients::new(a_over_b, poisson).is_err());
+        assert!(CreepageCoefficients::of_degree(a_over_b, poisson, 5).is_err());
+    }
+    for degree in [0, 1, 101, usize::MAX] {
+        let error = CreepageCoefficients::of_degree(1.0, 0.3, degree).unwrap_err();
+        assert_eq!(error.quantity, "degree");
+    }
+}
+
+const CREEPAGE: Creepage = Creepage { xi: 0.2, eta: -0.3, chi: 0.5 };
+
+/// Over the hemisphere above the ellipse the integrand is a polynomial of the degree of the
+/// solution, times `x` or `y`: Gauss nodes in height and the midpoint rule around are exact.
+#[test]
+fn tractions_add_up_to_the_force() {
+    for a_over_b in [0.3, 1.0, 4.0] {
+        let linear = Linear::new(a_over_b, 0.28).unwrap();
+        let (a, b) = (f64::sqrt(a_over_b), f64::sqrt(1.0 / a_over_b));
+        let heights = gauss_quad::GaussLegendre::new(80.try_into().unwrap());
+        let around = 200;
+        let mut total = [0.0; 3];
+        for (node, weight) in &heights {
+            let (z, weight) = (0.5 * (1.0 + node), 0.5 * weight * 2.0 * PI / f64::from(around));
+            let positions: Vec<[f64; 2]> = (0..around)
+                .map(|i| (f64::from(i) * 2.0 * PI / f64::from(around)).sin_cos())
+                .map(|(sin, cos)| [a * cos, b * sin].map(|x| x * (1.0 - z * z).sqrt()))
+                .collect();
+            for point in linear.field(CREEPAGE, &positions) {
+                let ([x, y], [p, q]) = (point.position, point.traction);
+                for (total, part) in total.iter_mut().zip([p, q, x * q - y * p]) {
+                    *total += weight * z * part * 3.0 / (2.0 * PI);
+                }
+            }
+        }
+        let force = linear.solve(CREEPAGE).force;
+        // C23 and C32 of the force are means over two values that differ by 1e-7.
+        for (total, force) in total.iter().zip([force.fx, force.fy, force.mz]) {
+            assert!((total - force).abs() < 1e-7, "{a_over_b}: {total} {force}");
+        }
+    }
+}
+
+/// The strength of the singularity, `traction (1 - r^2)^(1/2)`, all along both edges.
+#[test]
+fn traction_is_singular_on_the_trailing_edge_only() {
+    let linear = Linear::new(0.5, 0.28).unwrap();
+    let (a, b) = (f64::sqrt(0.5), f64::sqrt(2.0));
+    let strength = |psi: f64| {
+        let r: f64 = 1.0 - 1e-9;
+        let point = linear.field(CREEPAGE, &[[a * r * psi.cos(), b * r * psi.sin()]])[0];
+        assert_eq!(point.region, Region::Adhesion);
+        assert!(point.slip.iter().all(|&slip| slip == 0.0));
+        (1.0 - r * r).sqrt() * point.traction[0].hypot(point.traction[1])
+    };
+    for i in -9..=9 {
+        let psi = f64::from(i) * 0.16;
+        // The rest at finite degree is of order 1e-3 near the ends of the leading edge.
+        assert!(strength(psi) < 2e-3, "{psi}: {}", strength(psi));
+        assert!(strength(psi + PI) > 0.02, "{psi}: {}", strength(psi + PI));
+    }
+}
+
+#[test]
+fn no_traction_outside() {
+    let linear = Linear::new(2.0, 0.28).unwrap();
+    for position in [[1.5, 0.0], [0.0, 0.8], [f64::sqrt(2.0), 0.0], [f64::NAN, 0.0]] {
+        let point = linear.field(CREEPAGE, &[position])[0];
+        assert_eq!((point.traction, point.region), ([0.0; 2], Region::Slip));
+    }
+}
+
+#[test]
+fn force_is_linear_and_never_nan() {
+    let linear = Linear::new(1e-3, 0.5).unwrap();
+    let (force, gains) = (linear.solve(CREEPAGE).force, linear.derivative(CREEPAGE));
+    let Creepage { xi, eta, chi } = CREEPAGE;
+    for (force, [by_xi, by_eta, by_chi]) in [force.fx, force.fy, force.mz].iter().zip(gains) {
+        let product = by_xi * xi + by_eta * eta + by_chi * chi;
+        assert!((force - product).abs() < 1e-12 * force.abs());
+    }
+    let huge = Creepage::new(f64::MAX, f64::MAX, f64::MIN).unwrap();
+    let force = linear.solve(huge).force;
+    assert!(force.fx.is_finite() && force.fy.is_finite() && force.mz.is_finite());
+    assert!(linear.field(huge, &[[0.0, 0.0]])[0].traction.iter().all(|t| t.is_finite()));
+}
