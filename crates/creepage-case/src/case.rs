@@ -10,6 +10,7 @@ use crate::contact::Contact;
 use crate::creepage::CreepageSection;
 use crate::error::CaseError;
 use crate::keys;
+use crate::schema::json_schema;
 use crate::solve::Solve;
 
 /// A rolling-contact case, in SI units: two elastic bodies, what presses them together, and
@@ -54,7 +55,7 @@ impl CaseFile {
     /// # Errors
     /// [`CaseError`] that says where the text is not a case file.
     pub fn read(text: &str) -> Result<Self, CaseError> {
-        keys::check(&text.parse()?)?;
+        keys::check(&text.parse()?, &json_schema())?;
         Ok(toml::from_str(text)?)
     }
 

@@ -4,17 +4,15 @@ use serde_json::Value;
 use toml::Table;
 
 use crate::error::CaseError;
-use crate::schema::json_schema;
 
-/// Every key must be one of the format's, and none that is required may be missing.
-pub(crate) fn check(file: &Table) -> Result<(), CaseError> {
-    let schema = json_schema();
+/// Every key must be one of those of `schema`, and none that is required may be missing.
+pub(crate) fn check(file: &Table, schema: &Value) -> Result<(), CaseError> {
     for key in file.keys() {
         if schema["properties"][key].is_null() {
-            return Err(unknown(key, "", &schema));
+            return Err(unknown(key, "", schema));
         }
     }
-    for section in required(&schema) {
+    for section in required(schema) {
         if !file.contains_key(section) {
             let needs = names(&schema["properties"][section]).join(", ");
             return Err(CaseError::MissingSection { section: section.into(), needs });
@@ -22,7 +20,7 @@ pub(crate) fn check(file: &Table) -> Result<(), CaseError> {
     }
     for (section, content) in file {
         if let Some(table) = content.as_table() {
-            check_section(section, table, &schema)?;
+            check_section(section, table, schema)?;
         }
     }
     Ok(())

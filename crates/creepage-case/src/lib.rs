@@ -39,8 +39,11 @@ mod keys;
 mod radius;
 mod schema;
 mod solve;
+mod sweep;
+mod sweep_loops;
 
 pub use case::{Case, CaseFile};
 pub use error::CaseError;
 pub use schema::json_schema;
 pub use solve::{Solve, Weight};
+pub use sweep::{SecondStart, Sweep, SweepCase};

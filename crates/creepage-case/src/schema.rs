@@ -1,8 +1,8 @@
 //! The JSON schema of a case file, made from the structs that read it.
 
-use schemars::Schema;
 use schemars::generate::SchemaSettings;
 use schemars::transform::RecursiveTransform;
+use schemars::{JsonSchema, Schema};
 use serde_json::Value;
 
 use crate::case::CaseFile;
@@ -15,11 +15,16 @@ use crate::case::CaseFile;
 /// ```
 #[must_use]
 pub fn json_schema() -> Value {
+    schema_of::<CaseFile>()
+}
+
+/// The schema of any file that a struct reads.
+pub(crate) fn schema_of<File: JsonSchema>() -> Value {
     SchemaSettings::draft2020_12()
         .with(|settings| settings.inline_subschemas = true)
         .with_transform(RecursiveTransform(forget_null))
         .into_generator()
-        .into_root_schema_for::<CaseFile>()
+        .into_root_schema_for::<File>()
         .into()
 }
 

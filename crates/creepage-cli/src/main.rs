@@ -7,6 +7,8 @@ mod caution;
 mod failure;
 mod init;
 mod output;
+mod partial_file;
+mod sweep;
 mod theories;
 
 use std::process::ExitCode;
@@ -40,6 +42,7 @@ fn run(command: &Command) -> Result<Outcome, Failure> {
     match command {
         Command::Solve(args) => return cases::solve(args),
         Command::Batch(args) => return batch::run(args),
+        Command::Sweep(args) => return sweep::run(args),
         Command::Hertz(args) => cases::hertz(args)?,
         Command::Theories => output::print(&theories::table())?,
         Command::Init(args) => init::run(args)?,

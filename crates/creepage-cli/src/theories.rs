@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use creepage::rolling::variational::{Settings, Start, Variational, VariationalError, Weight};
+use creepage::rolling::variational::{Settings, Start, Variational, VariationalError};
 use creepage::rolling::{Creepage, FieldPoint, Solution, Theory};
 use creepage_case::Solve;
 use creepage_report::Detail;
@@ -68,10 +68,7 @@ fn variational_settings(solve: &Solve) -> Settings {
     let usual = solve.degree.map_or(default, Settings::of_degree);
     Settings {
         mesh: solve.mesh.unwrap_or(usual.mesh),
-        weight: solve.weight.map_or(usual.weight, |weight| match weight {
-            creepage_case::Weight::Elliptic => Weight::Elliptic,
-            creepage_case::Weight::Uniform => Weight::Uniform,
-        }),
+        weight: solve.weight.map_or(usual.weight, Into::into),
         ..usual
     }
 }

@@ -23,6 +23,15 @@ pub enum ReportError {
     /// The points could not be put into CSV.
     #[error("cannot make points.csv: {0}")]
     Points(#[from] csv::Error),
+    /// The table of a series could not be written.
+    #[error("cannot write the series: {0}")]
+    Series(#[from] io::Error),
+    /// The columns of a series are none that NetCDF takes.
+    #[error("cannot define the NetCDF file: {0:?}")]
+    NetCdfDefinition(netcdf3::InvalidDataSet),
+    /// The columns of a series do not fit their NetCDF file.
+    #[error("cannot write the NetCDF file: {0:?}")]
+    NetCdf(netcdf3::WriteError),
     /// The picture could not be read back for rasterising.
     #[error("cannot read contact.svg: {0}")]
     Picture(#[from] usvg::Error),
@@ -34,4 +43,19 @@ pub enum ReportError {
         /// Height [pixels].
         height: u32,
     },
+}
+
+impl From<netcdf3::InvalidDataSet> for ReportError {
+    fn from(error: netcdf3::InvalidDataSet) -> Self {
+        Self::NetCdfDefinition(error)
+    }
+}
+
+impl From<netcdf3::WriteError> for ReportError {
+    fn from(error: netcdf3::WriteError) -> Self {
+        match error {
+            netcdf3::WriteError::IOErrorKind(kind) => Self::Series(kind.into()),
+            other => Self::NetCdf(other),
+        }
+    }
 }

@@ -55,10 +55,12 @@ mod format;
 mod json;
 mod label;
 mod legend;
+mod page;
 mod points;
 mod raster;
 mod report;
 mod scene;
+mod series;
 #[cfg(test)]
 mod testing;
 mod text;
@@ -69,5 +71,7 @@ pub use json::{
     AreasJson, CreepageJson, DetailJson, DimensionlessJson, ForceJson, HertzJson, ReportJson,
     SolidJson, hertz_json,
 };
+pub use page::{Page, PageStyle};
 pub use report::{Answer, Detail, Report};
+pub use series::{SeriesHead, SeriesRow, series_csv, series_json, series_netcdf};
 pub use text::hertz_text;

@@ -16,6 +16,8 @@ pub struct MeshPoint {
     pub s: f64,
     /// The integrand `f`: `W T S`, or the weighted function of the user.
     pub integrand: f64,
+    /// `|X'|`, the traction over its bound.
+    pub reduced_traction: f64,
     /// An aberration: nearer to adhesion than to slip, `T > S`, and yet above the bound.
     pub aberrant: bool,
 }
@@ -99,6 +101,7 @@ pub(super) fn mesh_points(
                 t,
                 s,
                 integrand: weight * theory.form().value(position, t, s),
+                reduced_traction: x.hypot(y),
                 aberrant: t > s && x.hypot(y) > 1.0,
             }
         })
