@@ -2,7 +2,7 @@
 
 use std::io::Write;
 
-use super::columns::COLUMNS;
+use super::columns::{COLUMNS, Cell};
 use super::{SeriesHead, SeriesRow};
 use crate::error::ReportError;
 
@@ -24,14 +24,18 @@ pub fn series_csv<E: Into<ReportError>>(
         .map_err(series)?;
     for row in rows {
         let row = row.map_err(Into::into)?;
-        let shared = [head.a_over_b, head.poisson].map(cell);
-        let cells = COLUMNS.iter().map(|column| cell((column.value)(&row)));
+        let shared = [head.a_over_b, head.poisson].map(|shared| text(Cell::Real(shared)));
+        let cells = COLUMNS.iter().map(|column| text((column.value)(&row)));
         let status = std::iter::once(row.status.name().to_owned());
         writer.write_record(shared.into_iter().chain(cells).chain(status)).map_err(series)?;
     }
     writer.flush().map_err(ReportError::Series)
 }
 
-fn cell(value: f64) -> String {
-    if value.is_finite() { format!("{value:?}") } else { String::new() }
+fn text(cell: Cell) -> String {
+    match cell {
+        Cell::Count(count) => count.to_string(),
+        Cell::Real(value) if value.is_finite() => format!("{value:?}"),
+        Cell::Real(_) => String::new(),
+    }
 }

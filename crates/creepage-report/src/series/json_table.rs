@@ -4,7 +4,7 @@ use std::io::Write;
 
 use serde_json::{Map, Value};
 
-use super::columns::COLUMNS;
+use super::columns::{COLUMNS, Cell};
 use super::{SeriesHead, SeriesRow};
 use crate::error::ReportError;
 
@@ -36,7 +36,14 @@ pub fn series_json<E: Into<ReportError>>(
 }
 
 fn object(row: &SeriesRow) -> Value {
-    let numbers = COLUMNS.iter().map(|column| (column.name.into(), (column.value)(row).into()));
+    let numbers = COLUMNS.iter().map(|column| (column.name.into(), value((column.value)(row))));
     let status = ("status".into(), row.status.name().into());
     Value::Object(numbers.chain([status]).collect::<Map<String, Value>>())
+}
+
+fn value(cell: Cell) -> Value {
+    match cell {
+        Cell::Real(value) => value.into(),
+        Cell::Count(count) => count.into(),
+    }
 }

@@ -5,7 +5,7 @@ use std::path::Path;
 use creepage::rolling::Status;
 use netcdf3::{DataSet, FileWriter, Version};
 
-use super::columns::COLUMNS;
+use super::columns::{COLUMNS, Cell};
 use super::{SeriesHead, SeriesRow};
 use crate::error::ReportError;
 
@@ -27,7 +27,7 @@ pub fn series_netcdf<E: Into<ReportError>, Rows: Iterator<Item = Result<SeriesRo
     let mut file = FileWriter::open(path)?;
     file.set_def(&definition, Version::Offset64Bit, 0)?;
     for column in &COLUMNS {
-        let values = column_of(rows().map_err(Into::into)?, column.value)?;
+        let values = column_of(rows().map_err(Into::into)?, |row| real((column.value)(row)))?;
         file.write_var_f64(column.name, &values)?;
     }
     let statuses = column_of(rows().map_err(Into::into)?, |row| number(row.status))?;
@@ -40,6 +40,14 @@ fn column_of<T, E: Into<ReportError>>(
     value: impl Fn(&SeriesRow) -> T,
 ) -> Result<Vec<T>, ReportError> {
     rows.map(|row| row.map(|row| value(&row)).map_err(Into::into)).collect()
+}
+
+/// Every column is of reals: NaN has no place among integers, and 2^53 counts are enough.
+fn real(cell: Cell) -> f64 {
+    match cell {
+        Cell::Real(value) => value,
+        Cell::Count(count) => count as f64,
+    }
 }
 
 fn number(status: Status) -> i32 {
