@@ -99,7 +99,11 @@ impl Values {
 fn equidistant(from: f64, step: f64, steps: f64) -> Vec<f64> {
     const ROUNDING: f64 = 1e-9;
     let last = (steps + ROUNDING).floor();
-    (0..).map(f64::from).take_while(|&k: &f64| k <= last).map(|k| from + k * step).collect()
+    (0..=Loops::MOST)
+        .map(|k| k as f64)
+        .take_while(|&k| k <= last)
+        .map(|k| from + k * step)
+        .collect()
 }
 
 fn within_bounds(key: &'static str, cases: f64) -> Result<(), CaseError> {
