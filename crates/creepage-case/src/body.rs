@@ -11,16 +11,16 @@ use crate::radius::Radius;
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Body {
-    /// Shear modulus G [Pa]. Give this or `young_modulus`.
+    /// Shear modulus G (Pa). Give this or `young_modulus`.
     pub(crate) shear_modulus: Option<f64>,
-    /// Young's modulus E [Pa]. Give this or `shear_modulus`.
+    /// Young's modulus E (Pa). Give this or `shear_modulus`.
     pub(crate) young_modulus: Option<f64>,
     /// Poisson's ratio, 0 to 0.5.
     pub(crate) poisson: f64,
-    /// Radius of the section along the rolling direction [m]: a wheel's rolling radius.
+    /// Radius of the section along the rolling direction (m): a wheel's rolling radius.
     /// Positive where convex, negative where hollow, "flat" where straight.
     pub(crate) radius_rolling: Option<Radius>,
-    /// Radius of the section across the rolling direction [m]: a rail head's.
+    /// Radius of the section across the rolling direction (m): a rail head's.
     /// Positive where convex, negative where hollow, "flat" where straight.
     pub(crate) radius_lateral: Option<Radius>,
 }

@@ -11,16 +11,16 @@ use crate::error::CaseError;
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Contact {
-    /// Normal force N that presses the bodies together [N].
+    /// Normal force N that presses the bodies together (N).
     pub(crate) normal_force: f64,
     /// Coefficient of friction mu. Needed for rolling, not for the contact alone.
     pub(crate) friction: Option<f64>,
-    /// Angle from the upper body's rolling section to the lower body's [degrees]; 0 by default.
+    /// Angle from the upper body's rolling section to the lower body's (degrees); 0 by default.
     pub(crate) angle: Option<f64>,
-    /// Semi-axis of the contact ellipse along the rolling direction [m]. Both semi-axes
+    /// Semi-axis of the contact ellipse along the rolling direction (m). Both semi-axes
     /// replace the bodies' radii.
     pub(crate) semi_axis_rolling: Option<f64>,
-    /// Semi-axis of the contact ellipse across the rolling direction [m].
+    /// Semi-axis of the contact ellipse across the rolling direction (m).
     pub(crate) semi_axis_lateral: Option<f64>,
 }
 

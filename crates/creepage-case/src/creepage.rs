@@ -16,7 +16,7 @@ pub(crate) struct CreepageSection {
     longitudinal: Option<f64>,
     /// Lateral creepage, positive to the right of the rolling direction.
     lateral: Option<f64>,
-    /// Spin [rad/m], positive from the rolling direction to the right.
+    /// Spin (rad/m), positive from the rolling direction to the right.
     spin: Option<f64>,
     /// Dimensionless longitudinal creepage.
     xi: Option<f64>,

@@ -117,9 +117,9 @@ pub enum CaseError {
          (the contact alone can be computed: `hertz`)"
     )]
     Tilted {
-        /// Angle between the bodies' axes [degrees].
+        /// Angle between the bodies' axes (degrees).
         angle: f64,
-        /// Angle from the rolling direction to the ellipse's axis [degrees].
+        /// Angle from the rolling direction to the ellipse's axis (degrees).
         ellipse_angle: f64,
     },
 }

@@ -9,7 +9,7 @@ use serde::de::{Deserialize, Deserializer, Error, Visitor};
 /// A radius of curvature as a case file has it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Radius {
-    /// Radius [m]: positive where the body is convex, negative where it is hollow.
+    /// Radius (m): positive where the body is convex, negative where it is hollow.
     Curved(f64),
     /// No curvature.
     Flat,
@@ -19,7 +19,7 @@ impl Radius {
     pub(crate) const VALID: &'static str =
         "in metres, positive for a convex and negative for a hollow body, not zero; or \"flat\"";
 
-    /// The radius [m], infinite where flat; `Err` with the number that is no radius.
+    /// The radius (m), infinite where flat; `Err` with the number that is no radius.
     pub(crate) fn metres(self) -> Result<f64, f64> {
         match self {
             Self::Flat => Ok(f64::INFINITY),

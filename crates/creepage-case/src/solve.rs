@@ -1,6 +1,6 @@
 //! `[solve]`: which theory, and its options.
 
-use creepage::rolling::variational;
+use creepage::rolling::{fastrip, fastsim, variational};
 use schemars::JsonSchema;
 use serde::de::{Deserialize, Deserializer, Error};
 
@@ -18,6 +18,35 @@ pub struct Solve {
     pub mesh: Option<[usize; 2]>,
     /// Theory "variational": weight of the points of the mesh; "elliptic" by default.
     pub weight: Option<Weight>,
+    /// Theories "fastsim" and "fastrip": cells [along, across], in strips that are cut each over
+    /// its own length; 50 x 50 by default.
+    #[serde(default, deserialize_with = "two_numbers")]
+    pub grid: Option<[usize; 2]>,
+    /// Theory "fastsim": how its three flexibilities are used; "blended" by default.
+    pub flexibility: Option<Flexibility>,
+    /// Theory "fastsim": bound of the traction; "elliptic" by default.
+    pub bound: Option<Bound>,
+    /// Theory "fastrip": as published, or mended; "consistent" by default.
+    pub variant: Option<Variant>,
+}
+
+impl Solve {
+    /// Names of the options that are given; `theory` is none.
+    pub fn options(&self) -> impl Iterator<Item = &'static str> {
+        // Taken apart, so that an option cannot be forgotten here.
+        let Self { theory: _, degree, mesh, weight, grid, flexibility, bound, variant } = self;
+        [
+            ("degree", degree.is_some()),
+            ("mesh", mesh.is_some()),
+            ("weight", weight.is_some()),
+            ("grid", grid.is_some()),
+            ("flexibility", flexibility.is_some()),
+            ("bound", bound.is_some()),
+            ("variant", variant.is_some()),
+        ]
+        .into_iter()
+        .filter_map(|(name, given)| given.then_some(name))
+    }
 }
 
 /// Weight W of the points in the integral (5.8).
@@ -43,6 +72,69 @@ impl From<Weight> for variational::Weight {
     }
 }
 
+/// How FASTSIM uses its three flexibilities.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum Flexibility {
+    /// Their mean, weighted with creepages and spin (1982).
+    One,
+    /// Each for its own creepage or spin (1982).
+    Three,
+    /// From three at small creepage to one at large creepage (2023).
+    Blended,
+}
+
+impl From<Flexibility> for fastsim::Flexibility {
+    fn from(flexibility: Flexibility) -> Self {
+        match flexibility {
+            Flexibility::One => Self::One,
+            Flexibility::Three => Self::Three,
+            Flexibility::Blended => Self::Blended,
+        }
+    }
+}
+
+/// Bound of FASTSIM's traction.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum Bound {
+    /// A paraboloid of the same total (1982).
+    Parabolic,
+    /// Friction times the Hertz pressure.
+    Elliptic,
+}
+
+impl From<Bound> for fastsim::TractionBound {
+    fn from(bound: Bound) -> Self {
+        match bound {
+            Bound::Parabolic => Self::Parabolic,
+            Bound::Elliptic => Self::Elliptic,
+        }
+    }
+}
+
+/// Which `FaStrip`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum Variant {
+    /// As published in 2016.
+    Original,
+    /// Blended flexibilities and elliptic bound; strips beyond the bound in spin slide.
+    Modified,
+    /// As "modified", with no slip left in the adhesion area.
+    Consistent,
+}
+
+impl From<Variant> for fastrip::Variant {
+    fn from(variant: Variant) -> Self {
+        match variant {
+            Variant::Original => Self::Original,
+            Variant::Modified => Self::Modified,
+            Variant::Consistent => Self::Consistent,
+        }
+    }
+}
+
 /// An array of just two: the TOML reader by itself would drop a third number silently.
 pub(crate) fn two_numbers<'de, D, T>(deserializer: D) -> Result<Option<[T; 2]>, D::Error>
 where
@@ -53,4 +145,28 @@ where
     let count = numbers.len();
     let pair = numbers.try_into().map_err(|_| D::Error::invalid_length(count, &"two numbers"))?;
     Ok(Some(pair))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::json_schema;
+
+    #[test]
+    fn every_option_of_the_format_is_counted() {
+        let all: Solve = toml::from_str(
+            "theory = 'fastsim'\ndegree = 3\nmesh = [1, 2]\nweight = 'uniform'\ngrid = [3, 4]\n\
+             flexibility = 'three'\nbound = 'parabolic'\nvariant = 'original'",
+        )
+        .unwrap();
+        let mut counted: Vec<_> = all.options().collect();
+        counted.push("theory");
+        counted.sort_unstable();
+        let schema = json_schema();
+        let known = schema["properties"]["solve"]["properties"].as_object().unwrap();
+        let mut known: Vec<_> = known.keys().collect();
+        known.sort_unstable();
+        assert_eq!(counted, known);
+        assert_eq!(Solve::default().options().count(), 0);
+    }
 }

@@ -4,6 +4,8 @@ use std::path::PathBuf;
 
 use clap::{Parser, Subcommand};
 
+use crate::reproduce::Item;
+
 /// Rolling contact of two elastic bodies with dry friction: creepage and spin in, tangential
 /// force and moment out.
 #[derive(Debug, Parser)]
@@ -54,8 +56,34 @@ pub(crate) enum Command {
     Sweep(SweepArgs),
     /// The contact ellipse and the pressure of a case, without rolling.
     Hertz(HertzArgs),
-    /// List the theories: what each assumes, and what it is good for.
+    /// Solve a contact without rolling: a die, a shift, a twist, or a shift with partial slip.
+    ///
+    /// The case file has [upper], [lower] and [contact] as for `solve`, and [statics] with
+    /// problem = "die" (`offset_x`, `offset_y`), "shift" (`force_x`, `force_y`), "twist" (moment) or
+    /// "partial-slip" (`force_x`, `force_y`), in SI units. The report goes to standard output; with
+    /// --out, also report.json, points.csv, contact.svg and contact.png into a directory.
+    Statics(StaticsArgs),
+    /// Compute tables of Kalker's thesis of 1967 again, beside the printed entries.
+    Reproduce(ReproduceArgs),
+    /// List the theories: what each assumes, costs, errs by, and is good for.
     Theories,
+    /// Creepage and spin coefficients of linear theory.
+    ///
+    /// Forces and moment for vanishing creepage and spin, of the upper body on the lower:
+    /// `F_x` = `G c^2 C11 upsilon_x`, `F_y` = `G c^2 (C22 upsilon_y + C23 c phi)`,
+    /// `M_z` = `G c^3 (C32 upsilon_y + C33 c phi)`, with `c^2 = a b`.
+    Coefficients(CoefficientsArgs),
+    /// Creep-force curves of several theories in one picture.
+    ///
+    /// One component of the creepage runs through a range, the others stay as the case has them.
+    /// The CSV goes to standard output; with --out, curve.csv, curve.svg and curve.png go into a
+    /// directory.
+    Curve(CurveArgs),
+    /// Measure how far each theory is from the full one.
+    ///
+    /// Prints a table in Markdown: the distribution of the error of the force `(f_x, f_y)` in
+    /// per cent of mu N, and of the moment in per cent of mu N c.
+    Accuracy(AccuracyArgs),
     /// Write a commented example of a case file; an existing file is left alone.
     Init(InitArgs),
     /// Print the JSON schema of case files, for editors and validators.
@@ -128,6 +156,99 @@ pub(crate) struct HertzArgs {
     /// Print JSON.
     #[arg(long)]
     pub(crate) json: bool,
+}
+
+#[derive(Debug, clap::Args)]
+pub(crate) struct CoefficientsArgs {
+    /// Ratio of the contact's semi-axes, along over across the rolling direction: 1e-3 to 1e3.
+    #[arg(long, value_name = "RATIO", allow_negative_numbers = true)]
+    pub(crate) a_over_b: f64,
+    /// Combined Poisson's ratio, 0 to 0.5.
+    #[arg(long, value_name = "RATIO", allow_negative_numbers = true)]
+    pub(crate) poisson: f64,
+    /// Calculate as Kalker did in 1967, with polynomials of this degree; Table 3 of the thesis
+    /// is of degree 5. Converged to 1e-6 if not given.
+    #[arg(long, value_name = "M")]
+    pub(crate) degree: Option<usize>,
+    /// Print JSON.
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+#[derive(Debug, clap::Args)]
+pub(crate) struct CurveArgs {
+    /// Case file; `creepage init` writes an example.
+    #[arg(value_name = "CASE.toml")]
+    pub(crate) case: PathBuf,
+    /// Theories to compare, separated by commas; the case file's if not given.
+    #[arg(long, value_name = "NAMES", value_delimiter = ',')]
+    pub(crate) theory: Vec<String>,
+    /// What to vary; what moves the force most in this case if not given.
+    #[arg(long, value_name = "QUANTITY")]
+    pub(crate) vary: Option<Quantity>,
+    /// First value, in the unit of the quantity to vary; zero if not given.
+    #[arg(long, value_name = "VALUE", requires = "vary", allow_negative_numbers = true)]
+    pub(crate) from: Option<f64>,
+    /// Last value; well into full sliding if not given.
+    #[arg(long, value_name = "VALUE", requires = "vary", allow_negative_numbers = true)]
+    pub(crate) to: Option<f64>,
+    /// Number of points on each curve.
+    #[arg(long, value_name = "N", default_value_t = 201,
+          value_parser = clap::value_parser!(u16).range(2..=10_001))]
+    pub(crate) points: u16,
+    /// Directory for curve.csv, curve.svg and curve.png; made if need be.
+    #[arg(long, value_name = "DIR")]
+    pub(crate) out: Option<PathBuf>,
+}
+
+/// A component of the creepage, as case files name it, and its unit.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+pub(crate) enum Quantity {
+    /// Longitudinal creepage
+    Longitudinal,
+    /// Lateral creepage
+    Lateral,
+    /// Spin [rad/m]
+    Spin,
+    /// Dimensionless longitudinal creepage
+    Xi,
+    /// Dimensionless lateral creepage
+    Eta,
+    /// Dimensionless spin
+    Chi,
+}
+
+#[derive(Debug, clap::Args)]
+pub(crate) struct AccuracyArgs {
+    /// Theories to measure, separated by commas; all if not given.
+    #[arg(long, value_name = "NAMES", value_delimiter = ',')]
+    pub(crate) theory: Vec<String>,
+    /// Print JSON, with errors as parts of one.
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+#[derive(Debug, clap::Args)]
+pub(crate) struct StaticsArgs {
+    /// Statics file.
+    #[arg(value_name = "CASE.toml")]
+    pub(crate) case: PathBuf,
+    /// Directory for the report, the points and the pictures; made if need be.
+    #[arg(long, value_name = "DIR")]
+    pub(crate) out: Option<PathBuf>,
+    /// Print the report as JSON.
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+#[derive(Debug, clap::Args)]
+pub(crate) struct ReproduceArgs {
+    /// What to reproduce.
+    #[arg(value_name = "NAME", required = true)]
+    pub(crate) items: Vec<Item>,
+    /// Directory for the tables as CSV; made if need be.
+    #[arg(long, value_name = "DIR")]
+    pub(crate) out: Option<PathBuf>,
 }
 
 #[derive(Debug, clap::Args)]

@@ -20,8 +20,7 @@ use crate::theories::{self, Entry, Examination};
 pub(crate) fn solve(args: &SolveArgs) -> Result<Outcome, Failure> {
     let wrong = |source| Failure::Case { path: args.case.clone(), source };
     let case = read(&args.case)?.case().map_err(wrong)?;
-    let name = args.theory.as_deref().or(case.solve.theory.as_deref());
-    let theory = theories::find(name.unwrap_or(theories::DEFAULT))?;
+    let theory = choose(args.theory.as_slice(), &case, &args.case)?[0];
     let found = examine(&case, theory)
         .map_err(|source| Failure::Options { path: args.case.clone(), source })?;
     let status = found.solution.status;
@@ -44,11 +43,25 @@ pub(crate) fn hertz(args: &HertzArgs) -> Result<(), Failure> {
     print(&if args.json { to_json(&hertz_json(&contact))? } else { hertz_text(&contact) })
 }
 
-fn to_json(data: &impl Serialize) -> Result<String, Failure> {
+pub(crate) fn to_json(data: &impl Serialize) -> Result<String, Failure> {
     serde_json::to_string_pretty(data).map_err(|error| ReportError::from(error).into())
 }
 
-fn read(path: &Path) -> Result<CaseFile, Failure> {
+/// The theories to use for a case, at least one; says which options have no effect.
+pub(crate) fn choose(
+    names: &[String],
+    case: &Case,
+    path: &Path,
+) -> Result<Vec<&'static Entry>, Failure> {
+    let choice = theories::choose(names, &case.solve)
+        .map_err(|source| Failure::Choice { path: path.into(), source })?;
+    if let Some(note) = choice.note() {
+        say(&note);
+    }
+    Ok(choice.theories)
+}
+
+pub(crate) fn read(path: &Path) -> Result<CaseFile, Failure> {
     let text =
         fs::read_to_string(path).map_err(|source| Failure::Read { path: path.into(), source })?;
     CaseFile::read(&text).map_err(|source| Failure::Case { path: path.into(), source })
@@ -56,7 +69,7 @@ fn read(path: &Path) -> Result<CaseFile, Failure> {
 
 fn examine(case: &Case, theory: &Entry) -> Result<Examination, theories::TheoryError> {
     let ratio = case.contact.ellipse().ratio();
-    (theory.examine)(ratio, case.contact.pair().poisson(), &case.solve, case.creepage)
+    theory.examine(ratio, case.contact.pair().poisson(), &case.solve, case.creepage)
 }
 
 fn report<'a>(

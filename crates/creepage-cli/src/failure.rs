@@ -3,11 +3,14 @@
 use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 
-use creepage_case::CaseError;
+use creepage::InvalidValue;
+use creepage_case::{CaseError, StaticsError};
 use creepage_report::ReportError;
+use creepage_validation::ReferenceError;
 
 use crate::batch::ColumnError;
-use crate::theories::{TheoryError, UnknownTheory};
+use crate::reproduce::ReproduceError;
+use crate::theories::{ChoiceError, TheoryError, UnknownTheory};
 
 /// Why the command could not do its work.
 #[derive(Debug, thiserror::Error)]
@@ -16,10 +19,22 @@ pub(crate) enum Failure {
     Read { path: PathBuf, source: io::Error },
     #[error("{}: {source}", path.display())]
     Case { path: PathBuf, source: CaseError },
+    #[error("{}: {source}", path.display())]
+    Statics { path: PathBuf, source: StaticsError },
+    #[error(transparent)]
+    Reproduce(#[from] ReproduceError),
     #[error(transparent)]
     UnknownTheory(#[from] UnknownTheory),
+    #[error("{}: {source}", path.display())]
+    Choice { path: PathBuf, source: ChoiceError },
     #[error("{}: [solve] {source}", path.display())]
     Options { path: PathBuf, source: TheoryError },
+    #[error("{theory}: {source}")]
+    Theory { theory: &'static str, source: TheoryError },
+    #[error(transparent)]
+    Argument(#[from] InvalidValue),
+    #[error(transparent)]
+    Reference(#[from] ReferenceError),
     #[error("{input}: {source}")]
     Columns { input: String, source: ColumnError },
     #[error("cannot read rows from {input}: {source}")]
@@ -60,7 +75,12 @@ impl Failure {
         match self {
             Self::Stdout(source) if source.kind() == ErrorKind::BrokenPipe => None,
             Self::Write { source, .. } if is_wrong_place(source.kind()) => Some(2),
-            Self::Stdout(_) | Self::Write { .. } | Self::Rows { .. } | Self::Report(_) => Some(1),
+            Self::Stdout(_)
+            | Self::Write { .. }
+            | Self::Rows { .. }
+            | Self::Report(_)
+            | Self::Reference(_)
+            | Self::Reproduce(_) => Some(1),
             _ => Some(2),
         }
     }

@@ -1,13 +1,18 @@
 //! The command `creepage`: reads a case, solves it, reports.
 
+mod accuracy;
 mod args;
 mod batch;
 mod cases;
 mod caution;
+mod coefficients;
+mod curve;
 mod failure;
 mod init;
 mod output;
 mod partial_file;
+mod reproduce;
+mod statics;
 mod sweep;
 mod theories;
 
@@ -44,7 +49,12 @@ fn run(command: &Command) -> Result<Outcome, Failure> {
         Command::Batch(args) => return batch::run(args),
         Command::Sweep(args) => return sweep::run(args),
         Command::Hertz(args) => cases::hertz(args)?,
+        Command::Statics(args) => statics::run(args)?,
+        Command::Reproduce(args) => reproduce::run(args)?,
         Command::Theories => output::print(&theories::table())?,
+        Command::Coefficients(args) => coefficients::run(args)?,
+        Command::Curve(args) => curve::run(args)?,
+        Command::Accuracy(args) => accuracy::run(args)?,
         Command::Init(args) => init::run(args)?,
         Command::Schema => output::print(&format!("{:#}", creepage_case::json_schema()))?,
     }

@@ -1,5 +1,8 @@
 //! The commands on good input, and what they print.
 
+// Helpers of tests fail like tests: by panicking.
+#![allow(clippy::unwrap_used)]
+
 use std::io::{BufRead, BufReader};
 use std::process::{Command, Stdio};
 

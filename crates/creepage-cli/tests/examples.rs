@@ -1,5 +1,8 @@
 //! The example cases of the repository: they solve, and they say what the format allows.
 
+// Helpers of tests fail like tests: by panicking.
+#![allow(clippy::unwrap_used)]
+
 use std::fs;
 use std::path::{Path, PathBuf};
 

@@ -1,5 +1,6 @@
 //! The words above and below the contact picture.
 
+use creepage::Hertz;
 use creepage::rolling::Status;
 
 use crate::contact_picture::{DARK, GREY, MARGIN, PALE, RED, WIDTH};
@@ -35,7 +36,7 @@ pub(crate) fn title(scene: &mut Scene, report: &Report) {
         Type::new(15.0, GREY).anchored(Anchor::End),
         &Label::new(&format!("theory: {name}")),
     );
-    scene.text([MARGIN, 82.0], Type::new(15.5, GREY), &contact(report));
+    scene.text([MARGIN, 82.0], Type::new(15.5, GREY), &contact(report.contact, report.friction));
     let status = report.answer.solution.status;
     if status != Status::Solved {
         let size = [WIDTH - 2.0 * MARGIN, 32.0];
@@ -46,12 +47,12 @@ pub(crate) fn title(scene: &mut Scene, report: &Report) {
 }
 
 /// Load, friction, semi-axes and pressure.
-fn contact(report: &Report) -> Label {
-    let (contact, ellipse) = (report.contact, report.contact.ellipse());
+pub(crate) fn contact(contact: &Hertz, friction: f64) -> Label {
+    let ellipse = contact.ellipse();
     let gap = "\u{2003}";
     let is = |label: Label, value: &str| label.plain(" = ").number(value);
     let label = is(Label::default().symbol("N"), &quantity(contact.normal_force(), "N", 4));
-    let label = is(label.plain(gap).symbol("μ"), &significant(report.friction, 4));
+    let label = is(label.plain(gap).symbol("μ"), &significant(friction, 4));
     let label = is(label.plain(gap).symbol("a"), &quantity(ellipse.a(), "m", 4));
     let label = is(label.plain(gap).symbol("b"), &quantity(ellipse.b(), "m", 4));
     let label = label.plain(gap).plain("peak pressure ");

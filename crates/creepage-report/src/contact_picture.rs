@@ -47,7 +47,7 @@ impl Report<'_> {
         caption::title(&mut scene, self);
         view.draw(&mut scene, self, layout.plot);
         legend::key(&mut scene, layout.key, self, &view);
-        legend::orientation(&mut scene, layout.orientation, &view);
+        legend::orientation(&mut scene, layout.orientation, view.plane());
         caption::table(&mut scene, layout.table, self);
         let description = format!("Rolling contact, theory {}", self.answer.theory_name);
         scene.finish([WIDTH, layout.table + caption::TABLE_HEIGHT], &description)
@@ -61,21 +61,26 @@ pub(crate) struct Area {
     pub(crate) to: Point,
 }
 
-struct Layout {
-    centre: Point,
-    semi_axes: [f64; 2],
-    plot: Area,
-    key: Point,
-    orientation: Point,
-    table: f64,
+/// What goes where on a sheet with one ellipse, a legend, and a table at the foot.
+pub(crate) struct Layout {
+    pub(crate) centre: Point,
+    pub(crate) semi_axes: [f64; 2],
+    pub(crate) plot: Area,
+    pub(crate) key: Point,
+    pub(crate) orientation: Point,
+    pub(crate) table: f64,
 }
 
 impl Layout {
     fn of(report: &Report) -> Self {
         let solved = report.answer.solution.status == Status::Solved;
         let top = if solved { caption::TITLE_HEIGHT } else { caption::BANNER_BOTTOM };
-        let ratio = report.contact.ellipse().ratio().clamp(1.0 / LARGEST_RATIO, LARGEST_RATIO);
-        let key_height = legend::key_height(report);
+        Self::new(report.contact.ellipse().ratio(), top, legend::key_height(report))
+    }
+
+    /// For an ellipse of ratio `a_over_b`, below `top`, with a key of that height.
+    pub(crate) fn new(a_over_b: f64, top: f64, key_height: f64) -> Self {
+        let ratio = a_over_b.clamp(1.0 / LARGEST_RATIO, LARGEST_RATIO);
         if ratio > WIDE {
             Self::wide(ratio, top, key_height)
         } else {
@@ -124,30 +129,13 @@ impl Layout {
 mod tests {
     use creepage::rolling::Creepage;
     use resvg::tiny_skia::{Pixmap, PremultipliedColorU8};
-    use resvg::usvg::{Group, Node, Rect};
+    use resvg::usvg::Rect;
 
     use super::*;
     use crate::raster;
-    use crate::testing::{CURVE, Free, Sliding, contact, report, sliding, sticking};
+    use crate::testing::{CURVE, Free, Sliding, boxes, contact, report, sliding, sticking};
 
     const RATIOS: [f64; 9] = [1e-4, 0.05, 0.3, 1.0, 1.5, 1.9, 6.0, 20.0, 1e4];
-
-    /// What a group draws: the boxes of its texts, and those of its shapes.
-    fn boxes(group: &Group) -> (Vec<Rect>, Vec<Rect>) {
-        let (mut texts, mut shapes) = (Vec::new(), Vec::new());
-        for node in group.children() {
-            match node {
-                Node::Group(group) => {
-                    let (t, s) = boxes(group);
-                    texts.extend(t);
-                    shapes.extend(s);
-                }
-                Node::Text(text) => texts.push(text.abs_bounding_box()),
-                other => shapes.push(other.abs_stroke_bounding_box()),
-            }
-        }
-        (texts, shapes)
-    }
 
     /// Checks that nothing leaves the sheet, no two texts touch, and none covers the ellipse.
     fn check(report: &Report) {

@@ -20,8 +20,8 @@ pub enum ReportError {
     /// The numbers could not be put into JSON.
     #[error("cannot make report.json: {0}")]
     Json(#[from] serde_json::Error),
-    /// The points could not be put into CSV.
-    #[error("cannot make points.csv: {0}")]
+    /// The numbers could not be put into CSV.
+    #[error("cannot make a table: {0}")]
     Points(#[from] csv::Error),
     /// The table of a series could not be written.
     #[error("cannot write the series: {0}")]
@@ -33,14 +33,14 @@ pub enum ReportError {
     #[error("cannot write the NetCDF file: {0:?}")]
     NetCdf(netcdf3::WriteError),
     /// The picture could not be read back for rasterising.
-    #[error("cannot read contact.svg: {0}")]
+    #[error("cannot read the picture back: {0}")]
     Picture(#[from] usvg::Error),
     /// The picture could not be turned into pixels.
     #[error("cannot make a picture of {width} x {height} pixels")]
     Pixels {
-        /// Width [pixels].
+        /// Width (pixels).
         width: u32,
-        /// Height [pixels].
+        /// Height (pixels).
         height: u32,
     },
 }

@@ -43,8 +43,8 @@ pub(crate) fn quantity(value: f64, unit: &str, digits: usize) -> String {
 /// The power of a thousand in which a column of like quantities is written.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Scale {
-    factor: f64,
-    unit: String,
+    pub(crate) factor: f64,
+    pub(crate) unit: String,
     decimals: usize,
 }
 
@@ -82,7 +82,7 @@ pub(crate) fn fixed(value: f64, decimals: usize) -> String {
 
 /// The power of ten at or below `value > 0`.
 #[allow(clippy::cast_possible_truncation)] // a double's powers of ten lie within -324 and 308
-fn floor_log10(value: f64) -> i32 {
+pub(crate) fn floor_log10(value: f64) -> i32 {
     value.log10().floor() as i32
 }
 

@@ -31,7 +31,7 @@ pub struct ReportJson {
     pub dimensionless: DimensionlessJson,
     /// Areas of adhesion and slip.
     pub areas: AreasJson,
-    /// Energy turned to heat per metre rolled [J/m].
+    /// Energy turned to heat per metre rolled (J/m).
     pub frictional_power_per_metre_j_per_m: f64,
     /// What only this theory says, by key.
     pub details: BTreeMap<&'static str, DetailJson>,
@@ -40,25 +40,25 @@ pub struct ReportJson {
 /// The contact of two bodies, as [`hertz_json`] gives it.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct HertzJson {
-    /// Normal force `N` [N].
+    /// Normal force `N` (N).
     pub normal_force_n: f64,
-    /// Semi-axis `a` along the rolling direction [m].
+    /// Semi-axis `a` along the rolling direction (m).
     pub semi_axis_rolling_m: f64,
-    /// Semi-axis `b` across [m].
+    /// Semi-axis `b` across (m).
     pub semi_axis_lateral_m: f64,
     /// The ratio `a/b`.
     pub a_over_b: f64,
-    /// Largest normal pressure [Pa].
+    /// Largest normal pressure (Pa).
     pub peak_pressure_pa: f64,
-    /// Approach of the bodies [m].
+    /// Approach of the bodies (m).
     pub approach_m: f64,
-    /// Curvature length `rho` [m].
+    /// Curvature length `rho` (m).
     pub rho_m: f64,
-    /// Angle from the upper body's rolling direction to the axis `a` [rad].
+    /// Angle from the upper body's rolling direction to the axis `a` (rad).
     pub angle_rad: f64,
-    /// Relative curvature `A` along the axis `a` [1/m].
+    /// Relative curvature `A` along the axis `a` (1/m).
     pub relative_curvature_rolling_per_m: f64,
-    /// Relative curvature `B` along the axis `b` [1/m].
+    /// Relative curvature `B` along the axis `b` (1/m).
     pub relative_curvature_lateral_per_m: f64,
     /// The equivalent solid of both bodies.
     pub solid: SolidJson,
@@ -67,7 +67,7 @@ pub struct HertzJson {
 /// The solid that stands for both bodies (2.10).
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct SolidJson {
-    /// Combined shear modulus `G` [Pa].
+    /// Combined shear modulus `G` (Pa).
     pub shear_modulus_pa: f64,
     /// Combined Poisson's ratio `sigma`.
     pub poisson: f64,
@@ -82,7 +82,7 @@ pub struct CreepageJson {
     pub longitudinal: f64,
     /// Relative velocity over rolling velocity, across.
     pub lateral: f64,
-    /// Relative angular velocity over rolling velocity [rad/m].
+    /// Relative angular velocity over rolling velocity (rad/m).
     pub spin_rad_per_m: f64,
     /// Dimensionless `xi`.
     pub xi: f64,
@@ -95,11 +95,11 @@ pub struct CreepageJson {
 /// Tangential force and moment on one body.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct ForceJson {
-    /// Along the rolling direction [N].
+    /// Along the rolling direction (N).
     pub longitudinal_n: f64,
-    /// Across [N].
+    /// Across (N).
     pub lateral_n: f64,
-    /// About the normal [N m].
+    /// About the normal (N m).
     pub moment_n_m: f64,
 }
 
@@ -121,9 +121,9 @@ pub struct DimensionlessJson {
 pub struct AreasJson {
     /// Adhesion area over contact area.
     pub adhesion_share: f64,
-    /// Adhesion area [m^2].
+    /// Adhesion area (m^2).
     pub adhesion_m2: f64,
-    /// Slip area [m^2].
+    /// Slip area (m^2).
     pub slip_m2: f64,
     /// Points in `points.csv`.
     pub points: usize,

@@ -45,6 +45,12 @@ impl Label {
         if unit.is_empty() { self } else { self.plain("\u{a0}").plain(unit) }
     }
 
+    /// Adds another label.
+    pub(crate) fn joined(mut self, other: &Self) -> Self {
+        self.spans.push_str(&other.spans);
+        self
+    }
+
     /// The spans as SVG.
     pub(crate) fn svg(&self) -> &str {
         &self.spans

@@ -4,6 +4,7 @@ use crate::contact_picture::{ADHESION, DARK, GREY, SLIP, TRACTION};
 use crate::contact_view::{View, pole_mark, spin_pole};
 use crate::format::{fixed, quantity, significant};
 use crate::label::Label;
+use crate::plane::Plane;
 use crate::report::Report;
 use crate::scene::{Ink, Point, Scene, Type};
 
@@ -64,7 +65,7 @@ fn traction(scene: &mut Scene, [x, y]: Point, report: &Report, view: &View) {
 }
 
 /// The three axes, and words for them.
-pub(crate) fn orientation(scene: &mut Scene, [x, y]: Point, view: &View) {
+pub(crate) fn orientation(scene: &mut Scene, [x, y]: Point, plane: &Plane) {
     let [centre_x, centre_y] = [x + 10.0, y + 14.0];
     scene.arrow([centre_x + 8.0, centre_y], [centre_x + 42.0, centre_y], 1.6, DARK);
     scene.arrow([centre_x, centre_y + 8.0], [centre_x, centre_y + 42.0], 1.6, DARK);
@@ -79,17 +80,17 @@ pub(crate) fn orientation(scene: &mut Scene, [x, y]: Point, view: &View) {
     scene.text([centre_x + 34.0, centre_y - 7.0], WORDS, &symbol("x"));
     scene.text([centre_x + 8.0, centre_y + 44.0], WORDS, &symbol("y"));
     scene.text([centre_x - 6.0, centre_y - 13.0], WORDS, &symbol("z"));
-    words(scene, [x + INDENT + 12.0, y + 19.0], view);
+    words(scene, [x + INDENT + 12.0, y + 19.0], plane);
 }
 
-fn words(scene: &mut Scene, [x, y]: Point, view: &View) {
+fn words(scene: &mut Scene, [x, y]: Point, plane: &Plane) {
     let mut lines = vec![
         Label::new("seen from above:"),
         Label::default().symbol("x").plain(" forward, ").symbol("y").plain(" to the right,"),
         Label::default().symbol("z").plain(" down into the lower body"),
     ];
-    if !view.to_scale() {
-        let stretch = view.stretch();
+    if !plane.to_scale() {
+        let stretch = plane.stretch();
         let (axis, times) = if stretch > 1.0 { ("x", stretch) } else { ("y", stretch.recip()) };
         let label = Label::default().symbol(axis).plain(" enlarged ");
         lines.push(label.number(&significant(times, 3)).plain(" times"));

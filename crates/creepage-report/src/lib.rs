@@ -47,25 +47,33 @@
 //! ```
 
 mod areas;
+mod axis;
 mod caption;
 mod contact_picture;
 mod contact_view;
+mod curve_legend;
+mod curve_panel;
+mod curve_picture;
+mod curves;
 mod error;
 mod format;
 mod json;
 mod label;
 mod legend;
 mod page;
+mod plane;
 mod points;
 mod raster;
 mod report;
 mod scene;
 mod series;
+mod statics;
 #[cfg(test)]
 mod testing;
 mod text;
 mod write;
 
+pub use curves::{Component, Curves};
 pub use error::ReportError;
 pub use json::{
     AreasJson, CreepageJson, DetailJson, DimensionlessJson, ForceJson, HertzJson, ReportJson,
@@ -74,4 +82,6 @@ pub use json::{
 pub use page::{Page, PageStyle};
 pub use report::{Answer, Detail, Report};
 pub use series::{SeriesHead, SeriesRow, series_csv, series_json, series_netcdf};
+pub use statics::StaticsReport;
 pub use text::hertz_text;
+pub use write::write_all;

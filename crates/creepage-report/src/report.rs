@@ -85,7 +85,7 @@ impl<'a> Report<'a> {
         self.areas.adhesion_share
     }
 
-    /// Energy turned to heat per metre rolled [J/m].
+    /// Energy turned to heat per metre rolled (J/m).
     #[must_use]
     pub fn power_per_metre(&self) -> f64 {
         self.scaling.power_per_metre(self.answer.solution.force, self.answer.creepage)

@@ -24,8 +24,18 @@ impl Ink {
     }
 
     /// An outline, or an open line, of some width.
-    pub(crate) fn line(colour: &'static str, width: f64) -> Self {
-        Self { line: Some((colour, width)), ..Self::default() }
+    pub(crate) const fn line(colour: &'static str, width: f64) -> Self {
+        Self { fill: None, line: Some((colour, width)), dashes: None }
+    }
+
+    /// An open line with `stroke-dasharray` `dashes`, unbroken where that is empty.
+    pub(crate) const fn broken_line(
+        colour: &'static str,
+        width: f64,
+        dashes: &'static str,
+    ) -> Self {
+        let dashes = if dashes.is_empty() { None } else { Some(dashes) };
+        Self { fill: None, line: Some((colour, width)), dashes }
     }
 
     /// The same, outlined too.
@@ -34,7 +44,7 @@ impl Ink {
     }
 
     /// The same with a broken line, as `stroke-dasharray` has it.
-    pub(crate) fn dashed(self, dashes: &'static str) -> Self {
+    pub(crate) const fn dashed(self, dashes: &'static str) -> Self {
         Self { dashes: Some(dashes), ..self }
     }
 

@@ -2,6 +2,7 @@
 
 use creepage::rolling::{Creepage, FieldPoint, Force, Region, Solution, Status, Theory};
 use creepage::{Ellipse, Hertz, Solid, SolidPair};
+use resvg::usvg::{Group, Node, Rect};
 
 use crate::report::{Answer, Detail, Report};
 
@@ -124,4 +125,21 @@ pub(crate) fn report<'a>(
         ],
     };
     Report::new(contact, 0.3, answer).unwrap()
+}
+
+/// What a group draws: the boxes of its texts, and those of its shapes.
+pub(crate) fn boxes(group: &Group) -> (Vec<Rect>, Vec<Rect>) {
+    let (mut texts, mut shapes) = (Vec::new(), Vec::new());
+    for node in group.children() {
+        match node {
+            Node::Group(group) => {
+                let (t, s) = boxes(group);
+                texts.extend(t);
+                shapes.extend(s);
+            }
+            Node::Text(text) => texts.push(text.abs_bounding_box()),
+            other => shapes.push(other.abs_stroke_bounding_box()),
+        }
+    }
+    (texts, shapes)
 }

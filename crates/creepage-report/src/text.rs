@@ -49,7 +49,7 @@ pub(crate) fn status_words(status: Status) -> &'static str {
 }
 
 /// A number and its unit in a column: numbers end in one line, units start in one.
-fn aligned(value: &str) -> String {
+pub(crate) fn aligned(value: &str) -> String {
     let (number, unit) = value.split_once(' ').unwrap_or((value, ""));
     format!("{number:>11} {unit:<5}")
 }

@@ -34,7 +34,12 @@ impl Report<'_> {
     }
 }
 
-fn write_all(directory: &Path, files: &[(&str, &[u8])]) -> Result<Vec<PathBuf>, ReportError> {
+/// Writes files, by name and contents, into `directory`, which is made when missing: all of them
+/// or none. Files of those names are replaced. Gives the paths written.
+///
+/// # Errors
+/// [`ReportError::Write`]; what was made until then is removed.
+pub fn write_all(directory: &Path, files: &[(&str, &[u8])]) -> Result<Vec<PathBuf>, ReportError> {
     let mut made = Made::default();
     made.directory(directory)?;
     let mut renames = Vec::new();

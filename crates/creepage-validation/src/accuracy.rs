@@ -1,11 +1,12 @@
 //! The error of a theory over a set of cases.
 
-use creepage::rolling::Theory;
+use creepage::rolling::{Status, Theory};
+use serde::Serialize;
 
 use crate::ReferenceCase;
 
 /// Distribution of an error.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Spread {
     /// Half of the cases err by less.
     pub median: f64,
@@ -39,8 +40,13 @@ impl Spread {
 }
 
 /// The error of a theory's force, in parts of `mu N`, and of its moment, in parts of `mu N c`.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Accuracy {
+    /// Number of cases.
+    pub cases: usize,
+    /// Those that the theory says itself it does not answer well: all but [`Status::Solved`].
+    /// They count like the others.
+    pub doubtful: usize,
     /// Length of the difference of `(f_x, f_y)`.
     pub force: Spread,
     /// Size of the difference of `m_z`.
@@ -55,16 +61,19 @@ pub fn measure<E>(
     cases: &[ReferenceCase],
     prepare: impl Fn(f64, f64) -> Result<Box<dyn Theory>, E>,
 ) -> Result<Accuracy, E> {
-    let (mut force, mut moment) = (Vec::new(), Vec::new());
+    let (mut force, mut moment, mut doubtful) = (Vec::new(), Vec::new(), 0);
     for alike in cases.chunk_by(|one, two| shape(one) == shape(two)) {
         let theory = prepare(alike[0].a_over_b, alike[0].poisson)?;
         for case in alike {
-            let found = theory.solve(case.creepage).force;
+            let solution = theory.solve(case.creepage);
+            let found = solution.force;
+            doubtful += usize::from(solution.status != Status::Solved);
             force.push((found.fx - case.force.fx).hypot(found.fy - case.force.fy));
             moment.push((found.mz - case.force.mz).abs());
         }
     }
-    Ok(Accuracy { force: Spread::new(force), moment: Spread::new(moment) })
+    let (force, moment) = (Spread::new(force), Spread::new(moment));
+    Ok(Accuracy { cases: cases.len(), doubtful, force, moment })
 }
 
 /// What a theory is prepared for, to compare without rounding.

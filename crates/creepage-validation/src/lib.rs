@@ -14,7 +14,13 @@
 //! ```
 
 mod accuracy;
+mod printed;
 mod reference;
+mod table1;
+mod table2;
 
 pub use accuracy::{Accuracy, Spread, measure};
+pub use printed::{Entry, TableError, Verdict};
 pub use reference::{ReferenceCase, ReferenceError, steady_rolling};
+pub use table1::table1;
+pub use table2::{Table2Error, table2};

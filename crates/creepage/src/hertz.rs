@@ -8,7 +8,7 @@ use crate::ellipse::Ellipse;
 use crate::solid::SolidPair;
 use crate::special::CompleteIntegrals;
 
-/// Principal radii of curvature of one body at the contact [m]: positive where the body is
+/// Principal radii of curvature of one body at the contact (m): positive where the body is
 /// convex, negative where it is hollow, `f64::INFINITY` where it is flat.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Radii {
@@ -19,7 +19,7 @@ pub struct Radii {
 }
 
 impl Radii {
-    /// Curvatures along and across [1/m].
+    /// Curvatures along and across (1/m).
     fn curvatures(self) -> Result<[f64; 2], InvalidValue> {
         let valid = "a number other than zero, or infinity for a flat section";
         let check = |name, radius: f64| {
@@ -45,7 +45,7 @@ pub enum HertzError {
          1/m {section} must be positive, but a hollow of one body is tighter than the other body"
     )]
     Hollow {
-        /// Sum of both bodies' curvatures in that section, halved [1/m].
+        /// Sum of both bodies' curvatures in that section, halved (1/m).
         relative_curvature: f64,
         /// Which principal section, in words.
         section: &'static str,
@@ -56,9 +56,9 @@ pub enum HertzError {
          by more than a factor {max_ratio}, so the contact ellipse has no finite length"
     )]
     Line {
-        /// Relative curvature `A` [1/m].
+        /// Relative curvature `A` (1/m).
         along: f64,
-        /// Relative curvature `B` [1/m].
+        /// Relative curvature `B` (1/m).
         across: f64,
         /// Largest ratio of the two that is still solved.
         max_ratio: f64,
@@ -80,9 +80,9 @@ impl Hertz {
     /// Largest ratio of the relative curvatures `A` and `B` (3.38) that counts as an ellipse.
     pub const MAX_CURVATURE_RATIO: f64 = 1e7;
 
-    /// Presses two bodies together with `normal_force` `N` [N].
+    /// Presses two bodies together with `normal_force` `N` (N).
     ///
-    /// `angle` [rad] is the angle from the upper body's rolling section to the lower body's
+    /// `angle` (rad) is the angle from the upper body's rolling section to the lower body's
     /// (`omega`, (3.38)); zero for a wheel straight on a rail. The ellipse then lies at
     /// [`Hertz::angle`] from the upper body's rolling direction.
     ///
@@ -147,44 +147,44 @@ impl Hertz {
         self.pair
     }
 
-    /// Normal force `N` [N].
+    /// Normal force `N` (N).
     #[must_use]
     pub fn normal_force(&self) -> f64 {
         self.normal_force
     }
 
-    /// The contact ellipse [m].
+    /// The contact ellipse (m).
     #[must_use]
     pub fn ellipse(&self) -> Ellipse {
         self.ellipse
     }
 
-    /// Angle from the upper body's rolling direction to the ellipse's axis `a` [rad], within
+    /// Angle from the upper body's rolling direction to the ellipse's axis `a` (rad), within
     /// a quarter of pi either way; zero when the bodies are aligned.
     #[must_use]
     pub fn angle(&self) -> f64 {
         self.angle
     }
 
-    /// Characteristic length `rho`: `1/rho` is the mean of the four curvatures [m].
+    /// Characteristic length `rho`: `1/rho` is the mean of the four curvatures (m).
     #[must_use]
     pub fn rho(&self) -> f64 {
         self.rho
     }
 
-    /// Largest normal pressure `G f00 = 3N / (2 pi a b)` [Pa] (3.43).
+    /// Largest normal pressure `G f00 = 3N / (2 pi a b)` (Pa) (3.43).
     #[must_use]
     pub fn peak_pressure(&self) -> f64 {
         1.5 * self.normal_force / self.ellipse.area()
     }
 
-    /// Approach of the bodies, `alpha = 2 s^2 K / (rho E)` [m] (3.52).
+    /// Approach of the bodies, `alpha = 2 s^2 K / (rho E)` (m) (3.52).
     #[must_use]
     pub fn approach(&self) -> f64 {
         2.0 * self.ellipse.minor().powi(2) * self.integrals.k / (self.rho * self.integrals.e)
     }
 
-    /// Relative curvatures `A` along and `B` across [1/m] (3.46).
+    /// Relative curvatures `A` along and `B` across (1/m) (3.46).
     #[must_use]
     pub fn relative_curvatures(&self) -> [f64; 2] {
         let g2 = self.ellipse.g().powi(2);

@@ -10,7 +10,7 @@ pub struct Solid {
 }
 
 impl Solid {
-    /// A solid from its shear modulus `G` [Pa] and Poisson's ratio `sigma`.
+    /// A solid from its shear modulus `G` (Pa) and Poisson's ratio `sigma`.
     ///
     /// # Errors
     /// [`InvalidValue`] unless `shear_modulus > 0` and finite, `0 <= poisson <= 0.5`.
@@ -21,7 +21,7 @@ impl Solid {
         })
     }
 
-    /// A solid from its Young's modulus `E = 2 G (1 + sigma)` [Pa] and Poisson's ratio.
+    /// A solid from its Young's modulus `E = 2 G (1 + sigma)` (Pa) and Poisson's ratio.
     ///
     /// # Errors
     /// [`InvalidValue`] unless `young_modulus > 0` and finite, `0 <= poisson <= 0.5`.
@@ -31,7 +31,7 @@ impl Solid {
         Self::new(young_modulus / (2.0 * (1.0 + poisson)), poisson)
     }
 
-    /// Shear modulus `G` [Pa].
+    /// Shear modulus `G` (Pa).
     #[must_use]
     pub fn shear_modulus(&self) -> f64 {
         self.shear_modulus
@@ -80,7 +80,7 @@ impl SolidPair {
         }
     }
 
-    /// Combined shear modulus `G` [Pa].
+    /// Combined shear modulus `G` (Pa).
     #[must_use]
     pub fn shear_modulus(&self) -> f64 {
         self.shear_modulus

@@ -234,6 +234,21 @@ fn polach_reduced() {
     assert!((reduced[1][2] - plain[1][2]).abs() < 1e-14);
 }
 
+/// A known defect, which is stated: with `xi = chi`, however small, the lateral force of spin is
+/// too small by the factor `|s_yC|/s_C = a/sqrt(1 + a^2)`.
+#[test]
+fn polach_underrates_spin_beside_longitudinal_creepage() {
+    for (a_over_b, factor) in [(0.2, 0.41), (1.0, 0.71), (5.0, 0.91)] {
+        let at = creepage(1e-6, 0.0, 1e-6);
+        let force = Polach::new(a_over_b, 0.28).unwrap().solve(at).force;
+        let linear = Linear::new(a_over_b, 0.28).unwrap().solve(at).force;
+        let exact = f64::sqrt(a_over_b / (1.0 + a_over_b));
+        assert!((exact - factor).abs() < 0.005);
+        assert!((force.fy / linear.fy - exact).abs() < 1e-5, "{a_over_b}");
+        assert!((force.fx / linear.fx - 1.0).abs() < 1e-5, "{a_over_b}");
+    }
+}
+
 /// Peaks of the force of pure spin, `sigma = .28`: the second implementation's, which are read
 /// off a grid, and `(3/8) w` times the largest `e/(1 + e^2)^2`, `9/(16 sqrt 3)`.
 #[test]

@@ -62,21 +62,23 @@ mod tests {
 
     fn tally(answers: &[Answer]) -> Tally {
         let mut tally = Tally::default();
-        answers.iter().for_each(|answer| tally.count(answer));
+        for answer in answers {
+            tally.count(answer);
+        }
         tally
     }
 
-    fn with(status: Status) -> Answer {
-        Ok(Solution { force: Force::default(), status })
+    fn with(status: Status) -> Solution {
+        Solution { force: Force::default(), status }
     }
 
     #[test]
     fn doubtful_rows_make_the_whole_doubtful() {
         assert_eq!(tally(&[]).outcome(), Outcome::Done);
-        assert_eq!(tally(&[with(Status::SpinTooLarge)]).outcome(), Outcome::Done);
-        assert_eq!(tally(&[with(Status::NotConverged)]).outcome(), Outcome::Doubtful);
+        assert_eq!(tally(&[Ok(with(Status::SpinTooLarge))]).outcome(), Outcome::Done);
+        assert_eq!(tally(&[Ok(with(Status::NotConverged))]).outcome(), Outcome::Doubtful);
         let invalid = Err(RowError::EmptyField { column: "xi" });
-        let tally = tally(&[with(Status::Solved), with(Status::SpinTooLarge), invalid]);
+        let tally = tally(&[Ok(with(Status::Solved)), Ok(with(Status::SpinTooLarge)), invalid]);
         assert_eq!(tally.outcome(), Outcome::Doubtful);
         assert_eq!(tally.to_string(), "3 rows: 1 solved, 1 beyond the theory's range, 1 invalid");
     }

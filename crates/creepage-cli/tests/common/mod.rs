@@ -1,5 +1,7 @@
 //! Running the command in a directory of its own.
 
+// Helpers of tests fail like tests: by panicking.
+#![allow(clippy::unwrap_used)]
 // Each test file uses its part of this.
 #![allow(dead_code)]
 

@@ -157,7 +157,7 @@ impl<'a> Writer<'a> {
         ));
         self.line(self.words.contact);
         for (number, cells) in network.lines() {
-            let picture: String = cells.iter().map(symbol).collect();
+            let picture: String = cells.iter().map(|cell| symbol(cell.as_ref())).collect();
             let mut line = format!("{number:>4}  {picture}  ");
             for cell in cells {
                 // Writing to a string cannot fail.
@@ -205,7 +205,7 @@ impl<'a> Writer<'a> {
     }
 }
 
-fn symbol(cell: &Option<Cell>) -> char {
+fn symbol(cell: Option<&Cell>) -> char {
     match cell {
         None => ' ',
         Some(cell) if cell.aberrant => 'A',

@@ -24,6 +24,11 @@ pub fn polynomial_count(degree: usize) -> usize {
     (degree + 1) * (degree + 2) / 2
 }
 
+/// The least degree whose polynomials number `count` or more.
+pub(super) fn degree_of(count: usize) -> usize {
+    (0..count).find(|&degree| polynomial_count(degree) >= count).unwrap_or(0)
+}
+
 /// The orders `m` of the even harmonics of degree `n`, the polynomials: `-n, -n + 2, ..., n`.
 pub fn even_orders(n: usize) -> impl Iterator<Item = isize> + Clone {
     (0..=n).map(move |k| (2 * k).cast_signed() - n.cast_signed())

@@ -10,9 +10,9 @@
 
 use std::f64::consts::PI;
 
-use nalgebra::{DMatrix, DVector, DVectorView};
+use nalgebra::{DMatrix, DVector};
 
-use super::harmonics;
+use super::{Polynomial, ResponseError, Traction, elliptic, harmonics};
 use crate::check::{self, InvalidValue};
 use crate::ellipse::Ellipse;
 
@@ -33,29 +33,36 @@ use crate::ellipse::Ellipse;
 /// ```
 #[derive(Debug, Clone)]
 pub struct LoadDisplacement {
+    ellipse: Ellipse,
     blocks: Vec<Block>,
 }
 
 /// Displacement coefficients per traction coefficient of one degree.
 #[derive(Debug, Clone)]
-struct Block {
+pub(super) struct Block {
     /// `u` by `X`.
-    ux: DMatrix<f64>,
+    pub(super) ux: DMatrix<f64>,
     /// `u` by `Y`, and `v` by `X`.
-    uy: DMatrix<f64>,
+    pub(super) uy: DMatrix<f64>,
     /// `v` by `Y`.
-    vy: DMatrix<f64>,
+    pub(super) vy: DMatrix<f64>,
     /// `w` by `Z`.
-    wz: DMatrix<f64>,
+    pub(super) wz: DMatrix<f64>,
 }
 
 impl LoadDisplacement {
+    /// Highest degree that can be prepared; it takes a second or two and some 100 MB, and ten
+    /// times that for the most slender ellipses.
+    pub const MAX_DEGREE: usize = 200;
+
     /// The equations for tractions up to and including `degree`.
     ///
     /// # Errors
-    /// [`InvalidValue`] unless `0 <= poisson <= 0.5`.
+    /// [`InvalidValue`] unless `0 <= poisson <= 0.5` and `degree` is at most
+    /// [`LoadDisplacement::MAX_DEGREE`].
     pub fn new(ellipse: Ellipse, poisson: f64, degree: usize) -> Result<Self, InvalidValue> {
         check::poisson(poisson)?;
+        check::require(degree <= Self::MAX_DEGREE, "degree", degree as f64, "at most 200")?;
         let directions = Directions::new(ellipse, degree);
         let blocks = (0..=degree)
             .map(|n| {
@@ -68,13 +75,50 @@ impl LoadDisplacement {
                 }
             })
             .collect();
-        Ok(Self { blocks })
+        Ok(Self { ellipse, blocks })
     }
 
     /// Highest degree.
     #[must_use]
     pub fn degree(&self) -> usize {
         self.blocks.len() - 1
+    }
+
+    /// The ellipse.
+    #[must_use]
+    pub fn ellipse(&self) -> Ellipse {
+        self.ellipse
+    }
+
+    pub(super) fn blocks(&self) -> &[Block] {
+        &self.blocks
+    }
+
+    /// The displacement differences `[u, v, w]` inside the ellipse caused by a traction of
+    /// either behaviour at the edge: (2.47), (3.5). A traction that vanishes at the edge causes
+    /// displacements of two degrees more than its own.
+    ///
+    /// # Errors
+    /// [`ResponseError`] when the traction lives on another ellipse, or when the displacements'
+    /// degree is higher than was prepared.
+    pub fn displacement(&self, traction: &Traction) -> Result<[Polynomial; 3], ResponseError> {
+        self.check(traction.ellipse(), traction.singular_degree())?;
+        let [x, y, z] = traction.singular();
+        let [u, v] = self.tangential([x, y]);
+        let used = 0..harmonics::polynomial_count(traction.singular_degree());
+        let polynomial =
+            |table: Vec<f64>| Polynomial::from_harmonics(self.ellipse, &table[used.clone()]);
+        Ok([polynomial(u)?, polynomial(v)?, polynomial(self.normal(z))?])
+    }
+
+    pub(super) fn check(&self, ellipse: Ellipse, degree: usize) -> Result<(), ResponseError> {
+        if ellipse != self.ellipse {
+            return Err(ResponseError::OtherEllipse { given: ellipse, prepared: self.ellipse });
+        }
+        if degree > self.degree() {
+            return Err(ResponseError::Degree { needed: degree, prepared: self.degree() });
+        }
+        Ok(())
     }
 
     /// `(u, v)` caused by the tangential traction `[X, Y]`; lengths in the ellipse's unit,
@@ -99,18 +143,16 @@ impl LoadDisplacement {
 }
 
 /// The coefficients of degree `n`, zeros where the table ends before.
-fn of_degree(coefficients: &[f64], n: usize) -> DVector<f64> {
+pub(super) fn of_degree(coefficients: &[f64], n: usize) -> DVector<f64> {
     let start = if n == 0 { 0 } else { harmonics::polynomial_count(n - 1) };
-    match coefficients.get(start..=start + n) {
-        Some(part) => DVectorView::from_slice(part, n + 1).into_owned(),
-        None => DVector::zeros(n + 1),
-    }
+    let padded = coefficients.iter().skip(start).copied().chain(std::iter::repeat(0.0));
+    DVector::from_iterator(n + 1, padded.take(n + 1))
 }
 
 /// Quadrature over the directions of the chords through a point.
 struct Directions {
-    /// `weight ab/Q` of every node.
-    weights: Vec<f64>,
+    /// `weight ab/Q` of every node, the same for all.
+    weight: f64,
     /// `sin^2` and `sin cos` of the chord's true direction.
     kernels: Vec<[f64; 2]>,
     /// Even harmonics on the edge a quarter turn ahead, one column a node.
@@ -118,33 +160,27 @@ struct Directions {
 }
 
 impl Directions {
-    /// The substitution `tan f = sqrt(a/b) tan theta` moves the poles of the integrand as far
-    /// from the real axis as they go, so that the midpoint rule in `theta` converges
-    /// geometrically, with about `sqrt(g)` as rate; twice the degree must be resolved besides.
-    // A node count of at most some ten thousand, positive by construction.
-    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+    /// In the elliptic functions' argument `u` the measure `ab/Q df` is `s du`, and the
+    /// midpoint rule converges geometrically at every ratio; twice the degree is resolved.
     fn new(ellipse: Ellipse, degree: usize) -> Self {
-        let (a, b) = (ellipse.a(), ellipse.b());
-        let stretch = ellipse.ratio().sqrt();
-        let nodes = ((24.0 + 3.0 * degree as f64) / ellipse.g().sqrt()).ceil() as usize;
+        Self::with_nodes(ellipse, degree, elliptic::node_count(ellipse.integrals().k, 2 * degree))
+    }
+
+    fn with_nodes(ellipse: Ellipse, degree: usize, count: usize) -> Self {
+        let (g, k) = (ellipse.g(), ellipse.integrals().k);
         let mut directions = Self {
-            weights: Vec::with_capacity(nodes),
-            kernels: Vec::with_capacity(nodes),
-            edge: DMatrix::zeros(harmonics::polynomial_count(degree), nodes),
+            weight: 2.0 * k * ellipse.minor() / count as f64,
+            kernels: Vec::with_capacity(count),
+            edge: DMatrix::zeros(harmonics::polynomial_count(degree), count),
         };
-        let mut values = vec![0.0; harmonics::count(degree)];
-        for (node, mut column) in directions.edge.column_iter_mut().enumerate() {
-            let (sin_theta, cos_theta) = ((node as f64 + 0.5) * PI / nodes as f64).sin_cos();
-            let norm = cos_theta.hypot(stretch * sin_theta);
-            let (cos, sin) = (cos_theta / norm, stretch * sin_theta / norm);
-            let q = (a * cos).hypot(b * sin);
-            let (true_cos, true_sin) = (a * cos / q, b * sin / q);
-            directions.weights.push(PI / nodes as f64 * stretch / (norm * norm) * a * b / q);
+        for (node, mut column) in elliptic::nodes(g, count).zip(directions.edge.column_iter_mut()) {
+            let ([cos, sin], [true_cos, true_sin]) = node.directions(ellipse);
             directions.kernels.push([true_sin * true_sin, true_sin * true_cos]);
-            harmonics::evaluate(degree, -sin, cos, &mut values);
-            for (entry, index) in column.iter_mut().zip(harmonics::even_indices(degree)) {
-                *entry = values[index];
-            }
+            harmonics::visit(degree, [-sin, cos], |n, m, value| {
+                if n.wrapping_add_signed(m).is_multiple_of(2) {
+                    column[harmonics::position(n, m)] = value;
+                }
+            });
         }
         directions
     }
@@ -153,11 +189,11 @@ impl Directions {
     fn integrals(&self, n: usize) -> [DMatrix<f64>; 3] {
         let start = if n == 0 { 0 } else { harmonics::polynomial_count(n - 1) };
         let edge = self.edge.rows(start, n + 1);
-        let factor = 2.0 * PI / (2.0 * n as f64 + 1.0);
+        let factor = 2.0 * PI / (2.0 * n as f64 + 1.0) * self.weight;
         let integral = |kernel: &dyn Fn(usize) -> f64| {
             let mut weighted = edge.into_owned();
             for (node, mut column) in weighted.column_iter_mut().enumerate() {
-                column *= factor * self.weights[node] * kernel(node);
+                column *= factor * kernel(node);
             }
             weighted * edge.transpose()
         };
@@ -166,5 +202,32 @@ impl Directions {
             integral(&|node| self.kernels[node][0]),
             integral(&|node| self.kernels[node][1]),
         ]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn twice_the_nodes_change_nothing() {
+        for (ratio, degree) in [1e-6, 1e-4, 0.01, 0.05, 0.2, 0.5, 0.9, 1.0, 3.0, 1e3, 1e6]
+            .iter()
+            .zip([40, 5].iter().cycle())
+        {
+            let ellipse = Ellipse::from_ratio(*ratio).unwrap();
+            let prepared = Directions::new(ellipse, *degree);
+            let doubled = Directions::with_nodes(ellipse, *degree, 2 * prepared.kernels.len());
+            // Rounding of the harmonics at degree 40, and of sums of some thousand terms.
+            let rounding = 3e-14 + 0.25 * f64::EPSILON * doubled.kernels.len() as f64;
+            for n in 0..=*degree {
+                let (coarse, fine) = (prepared.integrals(n), doubled.integrals(n));
+                let scale = fine[0].amax();
+                for (coarse, fine) in coarse.iter().zip(&fine) {
+                    let difference = (coarse - fine).amax() / scale;
+                    assert!(difference < rounding, "{ratio} {degree} {n}: {difference}");
+                }
+            }
+        }
     }
 }

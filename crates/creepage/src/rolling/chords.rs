@@ -33,13 +33,16 @@ pub(super) struct Chord {
     pub(super) direction: [f64; 2],
     /// `Q`: length in the ellipse over length in the circle.
     pub(super) q: f64,
+    /// `1/Q`.
+    pub(super) per_q: f64,
 }
 
 impl Chords {
-    // A node count of some hundred, positive by construction.
+    /// As many nodes as the most slender ellipses need for 1e-11.
+    // Some thousand at most, positive by construction.
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
     pub(super) fn new(ellipse: Ellipse) -> Self {
-        Self::with_nodes(ellipse, 24 + (32.0 / ellipse.g().sqrt()) as usize)
+        Self::with_nodes(ellipse, 24 + (36.0 / ellipse.g().sqrt()) as usize)
     }
 
     pub(super) fn with_nodes(ellipse: Ellipse, nodes: usize) -> Self {
@@ -59,32 +62,47 @@ impl Chords {
     ) -> impl Iterator<Item = Chord> {
         let (a, b) = (self.ellipse.a(), self.ellipse.b());
         let stretch = self.ellipse.ratio().sqrt();
+        // theta of the line to the centre.
         let scale0 = cos0.hypot(sin0 / stretch);
         let (theta_cos0, theta_sin0) = (cos0 / scale0, sin0 / (stretch * scale0));
-        let end = |sin_delta: f64| {
-            let cos_delta = ((1.0 - sin_delta) * (1.0 + sin_delta)).sqrt();
-            let cos = cos0 * cos_delta - sin0 * sin_delta;
-            let sin = sin0 * cos_delta + cos0 * sin_delta;
-            (sin_delta / stretch).atan2(cos * cos0 + sin * sin0 / (stretch * stretch))
-        };
-        let (first, last) = (end(-kappa), end(kappa));
+        let [first, last] = [-kappa, kappa].map(|delta| self.turn([cos0, sin0], delta));
         let (middle, half) = (0.5 * (first + last), 0.5 * (last - first));
+        let (middle_sin, middle_cos) = middle.sin_cos();
+        let last_t = (0.5 * half).tan();
+        let (weight_scale, offset_scale) =
+            (2.0 * last_t * stretch / kappa, stretch * scale0 / kappa);
         self.rule.iter().map(move |&(x, weight)| {
-            let (turn_sin, turn_cos) = (middle + half * x).sin_cos();
+            // Tangent of half the angle from the middle; sines and cosines times 1 + t^2.
+            let t = last_t * x;
+            let (sin, cos, secant) = (2.0 * t, (1.0 - t) * (1.0 + t), 1.0 + t * t);
+            let turn_sin = middle_sin * cos + middle_cos * sin;
+            let turn_cos = middle_cos * cos - middle_sin * sin;
             let along = theta_cos0 * turn_cos - theta_sin0 * turn_sin;
             let across = stretch * (theta_sin0 * turn_cos + theta_cos0 * turn_sin);
-            let norm = (along * along + across * across).sqrt();
-            let [cos, sin] = [along / norm, across / norm];
+            let per_norm = (along * along + across * across).sqrt().recip();
+            let [cos, sin] = [along * per_norm, across * per_norm];
             let q = (a * a * cos * cos + b * b * sin * sin).sqrt();
+            let per_q = q.recip();
             Chord {
-                weight: weight * half * stretch / (norm * norm * kappa),
+                weight: weight * weight_scale * secant * per_norm * per_norm,
                 cos_delta: cos * cos0 + sin * sin0,
-                offset: stretch * turn_sin * scale0 / (norm * kappa),
+                offset: turn_sin * offset_scale * per_norm,
                 circle: [cos, sin],
-                direction: [a * cos / q, b * sin / q],
+                direction: [a * cos * per_q, b * sin * per_q],
                 q,
+                per_q,
             }
         })
+    }
+
+    /// By how much `theta` differs from that of the line to the centre, for the chord at the angle
+    /// `delta` from it.
+    fn turn(&self, [cos0, sin0]: [f64; 2], sin_delta: f64) -> f64 {
+        let stretch = self.ellipse.ratio().sqrt();
+        let cos_delta = ((1.0 - sin_delta) * (1.0 + sin_delta)).sqrt();
+        let cos = cos0 * cos_delta - sin0 * sin_delta;
+        let sin = sin0 * cos_delta + cos0 * sin_delta;
+        (sin_delta / stretch).atan2(cos * cos0 + sin * sin0 / (stretch * stretch))
     }
 }
 

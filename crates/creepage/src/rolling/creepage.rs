@@ -14,16 +14,19 @@ pub struct Creepage {
 }
 
 impl Creepage {
-    /// Dimensionless creepage and spin; all three must be finite.
+    /// Largest size of a component: far beyond full sliding, and safe to square.
+    pub const MAX: f64 = 1e100;
+
+    /// Dimensionless creepage and spin.
     ///
     /// # Errors
-    /// [`InvalidValue`] that names the component which is not finite.
+    /// [`InvalidValue`] that names the component which is not finite, or larger than
+    /// [`Creepage::MAX`].
     pub fn new(xi: f64, eta: f64, chi: f64) -> Result<Self, InvalidValue> {
-        Ok(Self {
-            xi: check::finite("xi", xi)?,
-            eta: check::finite("eta", eta)?,
-            chi: check::finite("chi", chi)?,
-        })
+        let checked = |name, value: f64| {
+            check::require(value.abs() <= Self::MAX, name, value, "between -1e100 and 1e100")
+        };
+        Ok(Self { xi: checked("xi", xi)?, eta: checked("eta", eta)?, chi: checked("chi", chi)? })
     }
 
     /// Slip of the bodies as if rigid, in the unit `mu c / rho`, at `position` in units of `c`:

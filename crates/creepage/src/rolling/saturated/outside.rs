@@ -32,7 +32,7 @@ impl PoleOutside {
             force.fx -= share * chord.cos_delta * s;
             force.fy += share * chord.cos_delta * c;
             // The middle of the chord is off the foot of the centre; the traction, off the middle.
-            let arm = chord.offset * (b - a) * (b + a) * sin * cos / chord.q;
+            let arm = chord.offset * (b - a) * (b + a) * sin * cos * chord.per_q;
             let spread = 0.25 * kappa * chord.q * chord.half_squared();
             force.mz += share * (arm * chord.cos_delta + spread);
         }
@@ -48,8 +48,8 @@ impl PoleOutside {
         let mut matrix = [[0.0; 3]; 3];
         for chord in self.chords(creepage) {
             let [c, s] = chord.direction;
-            let e = [c, s, -chord.offset * area / chord.q];
-            let share = factor * chord.weight * chord.half_squared() / chord.q;
+            let e = [c, s, -chord.offset * area * chord.per_q];
+            let share = factor * chord.weight * chord.half_squared() * chord.per_q;
             for (row, first) in matrix.iter_mut().zip(e) {
                 for (entry, second) in row.iter_mut().zip(e) {
                     *entry += share * first * second;

@@ -51,7 +51,9 @@ impl VariationalSolution {
             points.iter().map(|point| point.integrand).sum::<f64>() / points.len() as f64;
         let status = if !minimum.converged {
             Status::NotConverged
-        } else if rigid_value > 0.0 && !slip_is_resolved(&points, theory.response.degree()) {
+        } else if creepage != Creepage::default()
+            && !slip_is_resolved(&points, theory.response.degree())
+        {
             Status::CreepageTooSmall
         } else {
             Status::Solved

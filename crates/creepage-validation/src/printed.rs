@@ -1,0 +1,118 @@
+//! A table of the thesis, entry by entry, beside what it should have been.
+
+use serde::Deserialize;
+
+/// An entry as printed, beside the value computed today.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Entry {
+    /// The row of the table: `C`, `K`, ...
+    pub quantity: String,
+    /// The head of the column; zero is the limit.
+    pub argument: f64,
+    /// The entry as printed.
+    pub printed: String,
+    /// Today's value, to one digit more than printed.
+    pub ours: String,
+    /// How the two compare.
+    pub verdict: Verdict,
+}
+
+/// Whether an entry is the true value, rounded to the digits printed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Verdict {
+    /// It is.
+    Right,
+    /// It is not: so many units of its last digit too large, or too small if negative.
+    Off(i64),
+}
+
+/// A table whose entries cannot be compared: its file was changed by hand.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum TableError {
+    /// No table of entries.
+    #[error("the printed table cannot be read: {0}")]
+    Csv(#[from] csv::Error),
+    /// An entry that is no number, or a row of which nothing is known.
+    #[error("the printed table has an entry that means nothing: {quantity} = {printed}")]
+    Entry {
+        /// The row.
+        quantity: String,
+        /// The entry.
+        printed: String,
+    },
+}
+
+/// A row of a file of printed entries.
+#[derive(Debug, Deserialize)]
+pub(crate) struct Printed {
+    pub(crate) quantity: String,
+    pub(crate) argument: f64,
+    pub(crate) printed: String,
+}
+
+impl Printed {
+    pub(crate) fn read(table: &str) -> Result<Vec<Self>, TableError> {
+        let mut reader = csv::Reader::from_reader(table.as_bytes());
+        Ok(reader.deserialize().collect::<Result<_, _>>()?)
+    }
+
+    /// The entry beside the true value of the number printed.
+    pub(crate) fn against(self, truth: f64) -> Result<Entry, TableError> {
+        let (limit, number) = self.split();
+        let decimals = number.split_once('.').map_or(0, |(_, decimals)| decimals.len());
+        let Ok(printed) = number.parse::<f64>() else { return Err(self.meaningless()) };
+        let unit = 10f64.powi(decimals.try_into().unwrap_or(0));
+        // Both whole numbers in units of the last digit; an infinity agrees with itself.
+        let off = (printed * unit).round() - (truth * unit).round();
+        let verdict = if off == 0.0 || printed == truth { Verdict::Right } else { off_by(off) };
+        let ours = format!("{limit}{truth:.*}", decimals + 1);
+        let Self { quantity, argument, printed } = self;
+        Ok(Entry { quantity, argument, printed, ours, verdict })
+    }
+
+    /// A limit and the number that follows it: `ln(4/g)` and `-2`.
+    pub(crate) fn split(&self) -> (&str, &str) {
+        let number = self.printed.strip_prefix(LIMIT);
+        number.map_or(("", &self.printed), |number| (LIMIT, number))
+    }
+
+    pub(crate) fn meaningless(self) -> TableError {
+        TableError::Entry { quantity: self.quantity, printed: self.printed }
+    }
+}
+
+/// What `K`, `C` and `D` grow with as the ellipse becomes a line.
+const LIMIT: &str = "ln(4/g)";
+
+/// The verdict on an error in units of the last digit.
+#[allow(clippy::cast_possible_truncation)] // a whole number; a table is not off by more
+fn off_by(units: f64) -> Verdict {
+    Verdict::Off(units as i64)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn verdict(printed: &str, truth: f64) -> Verdict {
+        let row = Printed { quantity: "K".into(), argument: 1.0, printed: printed.into() };
+        row.against(truth).unwrap().verdict
+    }
+
+    #[test]
+    fn an_entry_is_right_when_it_is_the_rounded_truth() {
+        assert_eq!(verdict("0.79", 0.7949), Verdict::Right);
+        assert_eq!(verdict("0.79", 0.7951), Verdict::Off(-1));
+        assert_eq!(verdict("0.999", 0.99889), Verdict::Right);
+        assert_eq!(verdict("3.71", 3.61953), Verdict::Off(9));
+        assert_eq!(verdict("inf", f64::INFINITY), Verdict::Right);
+        assert_eq!(verdict("ln(4/g)-2", -2.0), Verdict::Right);
+    }
+
+    #[test]
+    fn what_is_no_number_is_an_error() {
+        let row = Printed { quantity: "K".into(), argument: 1.0, printed: "1,5".into() };
+        assert!(row.against(1.5).unwrap_err().to_string().contains("K = 1,5"));
+    }
+}

@@ -1,0 +1,146 @@
+//! FASTSIM: the elastic bodies replaced by a bed of springs, marched through from the leading
+//! to the trailing edge.
+//!
+//! J. J. Kalker, A fast algorithm for the simplified theory of rolling contact, Vehicle System
+//! Dynamics 11 (1982) 1-13. In his simplified theory the surface yields in proportion to the
+//! traction at the same point only, `(u, v) = (L1 X, L2 Y)`. The flexibilities `L` are chosen
+//! such that forces agree with the linear theory's `C11`, `C22` and `C23`; see [`Flexibility`].
+//!
+//! The papers were not at hand. Verified by the closed forms without spin for both
+//! [traction bounds](TractionBound), by the linear theory in the limit of small creepage, and
+//! by independent implementations.
+//!
+//! # Errors to expect
+//! Against the full theory the default is off by 3.5 % of `mu N` in root mean square over 132
+//! cases with and without spin, and by 10 % at worst; three flexibilities and the parabolic bound
+//! of 1982 by 4.9 % and 13 %. The moment is not that of the linear theory even for small creepage:
+//! `C32 = -(3 pi / 32) C22 sqrt(a/b)` and `C33 = 32 / (15 pi) C23 (b/a)^(3/2)`.
+//!
+//! # Grid
+//! `ny` strips of equal width, each cut into `nx` cells over its own length; traction at the
+//! cells' centres, so that the first step is half a cell; spin at the middle of each step. Of
+//! the usual schemes this one has the least error. The sum of the bound over the cells is not
+//! exactly `mu N`, because of the midpoint rule across: it is larger by 1.5 % (elliptic) or
+//! 0.65 % (parabolic) at 10 x 10, and by 0.1 % or 0.02 % at 50 x 50.
+
+mod flexibility;
+mod grid;
+mod march;
+mod settings;
+mod sums;
+mod trace;
+
+use super::dual::{self, Dual, Real};
+use super::linear::CreepageCoefficients;
+use super::{Creepage, FieldPoint, Region, Solution, Status, Theory};
+use crate::Ellipse;
+use crate::check::{self, InvalidValue};
+use crate::rolling::strip::strip_slope;
+
+pub(crate) use flexibility::{Flexibilities, Slopes};
+pub(crate) use grid::{Block, Grid, LANES, Lanes, Profile};
+pub(crate) use march::{Increments, State, march};
+pub use settings::{Flexibility, Settings, TractionBound};
+pub(crate) use sums::{Sums, Totals};
+pub(crate) use trace::{Place, Trace};
+
+/// FASTSIM, prepared for one ratio of semi-axes, one Poisson's ratio and one grid.
+///
+/// ```
+/// use creepage::rolling::fastsim::{Fastsim, Settings};
+/// use creepage::rolling::{Creepage, Theory, linear::CreepageCoefficients};
+/// // Circle, Poisson's ratio 0.28.
+/// let coefficients =
+///     CreepageCoefficients { c11: 4.2194, c22: 3.7036, c23: 1.484, c32: -1.484, c33: 1.1814 };
+/// let theory = Fastsim::new(1.0, 0.28, &coefficients, Settings::default())?;
+/// let force = theory.solve(Creepage::new(0.9, 0.0, 0.0)?).force;
+/// assert!((force.fx - 0.73).abs() < 0.05); // the full theory's value is 0.733
+/// # Ok::<(), creepage::InvalidValue>(())
+/// ```
+#[derive(Debug, Clone)]
+pub struct Fastsim {
+    ellipse: Ellipse,
+    flexibilities: Flexibilities,
+    flexibility: Flexibility,
+    bound: TractionBound,
+    grid: Grid,
+}
+
+impl Fastsim {
+    /// Prepares the theory for the ratio `a/b` (`a` along the rolling direction), Poisson's
+    /// ratio, and the linear theory's coefficients that belong to them.
+    ///
+    /// # Errors
+    /// [`InvalidValue`] unless `a_over_b` lies within [`Ellipse::RATIO_RANGE`], `poisson`
+    /// between 0 and 0.5, `c11`, `c22` and `c23` are finite and positive, and the grid has at
+    /// least one cell and no more than [`Settings::MAX_CELLS`] either way.
+    pub fn new(
+        a_over_b: f64,
+        poisson: f64,
+        coefficients: &CreepageCoefficients,
+        settings: Settings,
+    ) -> Result<Self, InvalidValue> {
+        let ellipse = Ellipse::from_ratio(a_over_b)?;
+        check::poisson(poisson)?;
+        let grid = Grid::new(&ellipse, settings.grid, settings.bound.profile(1.0))?;
+        let flexibilities =
+            Flexibilities::new(&ellipse, strip_slope(&ellipse, poisson), coefficients)?;
+        let (flexibility, bound) = (settings.flexibility, settings.bound);
+        Ok(Self { ellipse, flexibilities, flexibility, bound, grid })
+    }
+
+    /// Exact derivative of the force (of its discrete value): rows `fx`, `fy`, `mz`; columns
+    /// `xi`, `eta`, `chi`.
+    ///
+    /// At a kink (a cell that just begins to slip; the end of the blending; zero creepage, where
+    /// [`Flexibility::One`] has no derivative) it is one of the one-sided values, at zero
+    /// creepage that of [`Flexibility::Three`].
+    #[must_use]
+    pub fn derivative(&self, creepage: Creepage) -> [[f64; 3]; 3] {
+        let slopes = self.flexibilities.slopes(self.flexibility, dual::variables(creepage));
+        self.force::<Dual, 3>(slopes).jacobian()
+    }
+
+    /// Force, and its derivative by each of the `K` tangents of `slopes`.
+    fn force<R: Real, const K: usize>(&self, slopes: Slopes<R>) -> Totals<K> {
+        let mut totals = Totals::zero();
+        for block in &self.grid.blocks {
+            let mut sums = Sums::zero();
+            let increments = Increments::new(block, &[slopes; LANES]);
+            march(&self.grid, &increments, |cell, state| sums.add(cell.x, state));
+            sums.collect(block, &mut totals);
+        }
+        totals
+    }
+
+    fn field_point(&self, slopes: &Slopes<f64>, plain: [f64; 3], position: [f64; 2]) -> FieldPoint {
+        let outside =
+            FieldPoint { position, traction: [0.0; 2], slip: [0.0; 2], region: Region::Slip };
+        let Some(place) = Place::new(&self.ellipse, position) else { return outside };
+        let trace = Trace::new(&self.grid, self.bound.profile(1.0), slopes, &place);
+        let [l1, l2, _] = self.flexibilities.effective(self.flexibility, plain);
+        let kappa = self.flexibilities.kappa();
+        FieldPoint {
+            traction: trace.traction.map(|v| v / Profile::HERTZ_PEAK),
+            slip: [l1 * trace.lost[0] / kappa, l2 * trace.lost[1] / kappa],
+            region: if trace.slides() { Region::Slip } else { Region::Adhesion },
+            ..outside
+        }
+    }
+}
+
+impl Theory for Fastsim {
+    fn solve(&self, creepage: Creepage) -> Solution {
+        let slopes = self.flexibilities.slopes(self.flexibility, dual::plain(creepage));
+        let totals = self.force::<f64, 0>(slopes);
+        Solution { force: dual::force(totals.force), status: Status::Solved }
+    }
+
+    /// The strip through each position is marched with the grid's `nx` cells, and a last shorter
+    /// step that ends at the position.
+    fn field(&self, creepage: Creepage, positions: &[[f64; 2]]) -> Vec<FieldPoint> {
+        let plain = dual::plain(creepage);
+        let slopes = self.flexibilities.slopes(self.flexibility, plain);
+        positions.iter().map(|&position| self.field_point(&slopes, plain, position)).collect()
+    }
+}

@@ -1,0 +1,7 @@
+//! The classical problems of section 3.2 against closed forms, limits and each other.
+#![allow(clippy::unwrap_used)] // Tests may fail by unwrapping.
+
+mod bonded;
+mod die;
+mod partial_slip;
+mod support;

@@ -1,0 +1,214 @@
+//! What holds for every input.
+
+use std::f64::consts::PI;
+
+use creepage::rolling::fastrip::{Fastrip, Variant};
+use creepage::rolling::fastsim::{Fastsim, Flexibility, Settings, TractionBound};
+use creepage::rolling::strip::StripTheory;
+use creepage::rolling::{Creepage, Force, Status, Theory};
+use proptest::prelude::*;
+
+use super::cases::{array, coefficients, creepage, largest_difference, strip_coefficients};
+
+const GRID: [usize; 2] = [12, 9];
+
+/// Sum of the traction bound over the cells: by how much a discrete force can exceed `mu N`.
+fn largest_force(bound: TractionBound, [nx, ny]: [usize; 2]) -> f64 {
+    let node = |i: usize, n: usize| (2 * i + 1) as f64 / n as f64 - 1.0;
+    let mut sum = 0.0;
+    for j in 0..ny {
+        let s2 = 1.0 - node(j, ny).powi(2);
+        for i in 0..nx {
+            let g2 = 1.0 - node(i, nx).powi(2);
+            sum += s2.sqrt()
+                * match bound {
+                    TractionBound::Parabolic => 2.0 / PI * s2 * g2,
+                    TractionBound::Elliptic => 1.5 / PI * (s2 * g2).sqrt(),
+                };
+        }
+    }
+    sum * 4.0 / (nx * ny) as f64
+}
+
+fn component() -> impl Strategy<Value = f64> {
+    prop_oneof![
+        6 => -3.0..3.0,
+        1 => Just(0.0),
+        1 => Just(1e-300),
+        1 => Just(-1e-9),
+        1 => Just(1e6),
+        1 => Just(-1e6),
+        1 => Just(f64::MAX),
+    ]
+}
+
+fn any_creepage() -> impl Strategy<Value = Creepage> {
+    [component(), component(), component()].prop_map(|[xi, eta, chi]| creepage(xi, eta, chi))
+}
+
+fn ratio() -> impl Strategy<Value = f64> {
+    (-3.0..3.0).prop_map(|exponent| 10_f64.powf(exponent))
+}
+
+fn flexibility() -> impl Strategy<Value = Flexibility> {
+    prop_oneof![Just(Flexibility::One), Just(Flexibility::Three), Just(Flexibility::Blended)]
+}
+
+fn bound() -> impl Strategy<Value = TractionBound> {
+    prop_oneof![Just(TractionBound::Parabolic), Just(TractionBound::Elliptic)]
+}
+
+fn variant() -> impl Strategy<Value = Variant> {
+    prop_oneof![Just(Variant::Original), Just(Variant::Modified), Just(Variant::Consistent)]
+}
+
+fn finite(force: Force) -> bool {
+    array(force).iter().all(|f| f.is_finite())
+}
+
+fn finite_rows(derivative: [[f64; 3]; 3]) -> bool {
+    derivative.iter().flatten().all(|d| d.is_finite())
+}
+
+/// Some positions within the contact, on its edge, and outside.
+fn positions(a_over_b: f64) -> Vec<[f64; 2]> {
+    let (a, b) = (a_over_b.sqrt(), a_over_b.sqrt().recip());
+    [[0.0, 0.0], [0.5, -0.6], [-0.3, 0.9], [1.0, 0.0], [0.0, -1.0], [2.0, 0.0]]
+        .map(|[u, t]| [a * u, b * t])
+        .to_vec()
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(10_000))]
+
+    #[test]
+    fn strip_theory_takes_anything(a_over_b in ratio(), poisson in 0.0..=0.5, at in any_creepage()) {
+        let theory = StripTheory::new(a_over_b, poisson).unwrap();
+        let solution = theory.solve(at);
+        prop_assert!(finite(solution.force), "{:?}", solution);
+        // Quadrature where the spin pole lies in a sliding strip.
+        prop_assert!(solution.force.magnitude() < 1.0 + 1e-3, "{:?}", solution);
+        let moderate = at.chi.abs() < theory.spin_bound();
+        prop_assert_eq!(solution.status == Status::Solved, moderate);
+        prop_assert!(finite_rows(theory.derivative(at)), "{:?}", theory.derivative(at));
+        for point in theory.field(at, &positions(a_over_b)) {
+            prop_assert!(point.traction.iter().chain(&point.slip).all(|v| v.is_finite()));
+            prop_assert!(point.traction[0].hypot(point.traction[1]) < 1.0 + 1e-12);
+        }
+    }
+
+    #[test]
+    fn fastsim_takes_anything(
+        a_over_b in ratio(),
+        poisson in 0.0..=0.5,
+        at in any_creepage(),
+        flexibility in flexibility(),
+        bound in bound(),
+    ) {
+        let settings = Settings { flexibility, bound, grid: GRID };
+        let c = strip_coefficients(a_over_b, poisson);
+        let theory = Fastsim::new(a_over_b, poisson, &c, settings).unwrap();
+        let force = theory.solve(at).force;
+        prop_assert!(finite(force), "{:?}", force);
+        prop_assert!(force.magnitude() < largest_force(bound, GRID) * (1.0 + 1e-12));
+        prop_assert!(finite_rows(theory.derivative(at)), "{:?}", theory.derivative(at));
+        for point in theory.field(at, &positions(a_over_b)) {
+            prop_assert!(point.traction.iter().chain(&point.slip).all(|v| v.is_finite()));
+            prop_assert!(point.traction[0].hypot(point.traction[1]) < 4.0 / 3.0 + 1e-12);
+        }
+    }
+
+    #[test]
+    fn fastrip_takes_anything(
+        a_over_b in ratio(),
+        poisson in 0.0..=0.5,
+        at in any_creepage(),
+        variant in variant(),
+    ) {
+        let c = strip_coefficients(a_over_b, poisson);
+        let theory = Fastrip::new(a_over_b, poisson, &c, variant, GRID).unwrap();
+        let force = theory.solve(at).force;
+        prop_assert!(finite(force), "{:?}", force);
+        // The others use strip theory even where its traction exceeds the bound.
+        if variant == Variant::Consistent {
+            let largest = largest_force(TractionBound::Elliptic, GRID);
+            prop_assert!(force.magnitude() < largest * (1.0 + 1e-12), "{:?}", force);
+        }
+        prop_assert!(finite_rows(theory.derivative(at)), "{:?}", theory.derivative(at));
+        for point in theory.field(at, &positions(a_over_b)) {
+            prop_assert!(point.traction.iter().all(|v| v.is_finite()), "{:?}", point);
+        }
+    }
+}
+
+/// The theories under test, for one contact.
+fn theories(a_over_b: f64, poisson: f64) -> Vec<(String, Box<dyn Theory>)> {
+    let c = coefficients(a_over_b, poisson);
+    let mut all: Vec<(String, Box<dyn Theory>)> =
+        vec![("strip".to_owned(), Box::new(StripTheory::new(a_over_b, poisson).unwrap()))];
+    for flexibility in [Flexibility::One, Flexibility::Three, Flexibility::Blended] {
+        for bound in [TractionBound::Parabolic, TractionBound::Elliptic] {
+            let settings = Settings { flexibility, bound, grid: [20, 15] };
+            let theory = Fastsim::new(a_over_b, poisson, &c, settings).unwrap();
+            all.push((format!("{settings:?}"), Box::new(theory)));
+        }
+    }
+    for variant in [Variant::Original, Variant::Modified, Variant::Consistent] {
+        let theory = Fastrip::new(a_over_b, poisson, &c, variant, [20, 15]).unwrap();
+        all.push((format!("{variant:?}"), Box::new(theory)));
+    }
+    all
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(300))]
+
+    /// (4.28): reversing all creepages reverses all forces; mirrored about the rolling
+    /// direction, `eta`, `chi`, `fy` and `mz` change sign.
+    #[test]
+    fn symmetries(
+        a_over_b in prop_oneof![Just(0.2), Just(1.0), Just(5.0)],
+        xi in -2.0..2.0,
+        eta in -2.0..2.0,
+        chi in -3.0..3.0,
+    ) {
+        for (name, theory) in theories(a_over_b, 0.25) {
+            let solve = |xi, eta, chi| array(theory.solve(creepage(xi, eta, chi)).force);
+            let [fx, fy, mz] = solve(xi, eta, chi);
+            let reversed = solve(-xi, -eta, -chi);
+            prop_assert!(largest_difference(reversed, [-fx, -fy, -mz]) < 1e-12, "{}", name);
+            let mirrored = solve(xi, -eta, -chi);
+            prop_assert!(largest_difference(mirrored, [fx, -fy, -mz]) < 1e-12, "{}", name);
+        }
+    }
+
+    /// Friction takes energy: `f_x xi + f_y eta + m_z chi >= 0`. True of every theory whose
+    /// traction follows from its slip; the originals' mixtures are left out.
+    #[test]
+    fn friction_dissipates(xi in -2.0..2.0, eta in -2.0..2.0, chi in -3.0..3.0) {
+        for (name, theory) in theories(0.5, 0.25) {
+            let force = theory.solve(creepage(xi, eta, chi)).force;
+            let power = force.fx * xi + force.fy * eta + force.mz * chi;
+            prop_assert!(power >= 0.0 || name == "Original", "{}: {}", name, power);
+        }
+    }
+}
+
+/// Without spin, the force tends to `mu N` along the creepage.
+#[test]
+fn large_creepage_is_full_sliding() {
+    for (name, theory) in theories(0.5, 0.25) {
+        for angle in [0.0, 0.4, 1.2, 2.5, 4.0] {
+            let (sin, cos) = f64::sin_cos(angle);
+            let force = theory.solve(creepage(1e5 * cos, 1e5 * sin, 0.0)).force;
+            let across = force.fx * sin - force.fy * cos;
+            // With three flexibilities the direction is (C11 xi, C22 eta) for ever, which is the
+            // variant's known defect; the sum of the bound on this grid exceeds one.
+            // FaStrip's closed form along the strip and the sum over its cells differ by 1e-3.
+            let defect = if name.contains("Three") { 0.1 } else { 1e-3 };
+            assert!(across.abs() < defect, "{name} {across}");
+            assert!((force.magnitude() - 1.0).abs() < 0.01, "{name} {}", force.magnitude());
+            assert!(force.mz.abs() < 2e-3, "{name} {}", force.mz);
+        }
+    }
+}
