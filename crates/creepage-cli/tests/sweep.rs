@@ -1,4 +1,5 @@
 //! `creepage sweep`: results that do not depend on threads or interruptions, and the catalogue.
+#![allow(clippy::unwrap_used)] // in helpers, where the lint does not see a test
 
 use std::fs;
 use std::path::{Path, PathBuf};

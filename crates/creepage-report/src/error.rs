@@ -27,8 +27,8 @@ pub enum ReportError {
     #[error("cannot write the series: {0}")]
     Series(#[from] io::Error),
     /// The columns of a series are none that NetCDF takes.
-    #[error("cannot define the NetCDF file: {0:?}")]
-    NetCdfDefinition(netcdf3::InvalidDataSet),
+    #[error("cannot define the columns of the NetCDF file")]
+    NetCdfDefinition,
     /// The columns of a series do not fit their NetCDF file.
     #[error("cannot write the NetCDF file: {0:?}")]
     NetCdf(netcdf3::WriteError),
@@ -46,8 +46,9 @@ pub enum ReportError {
 }
 
 impl From<netcdf3::InvalidDataSet> for ReportError {
-    fn from(error: netcdf3::InvalidDataSet) -> Self {
-        Self::NetCdfDefinition(error)
+    // What it holds cannot leave its thread, and only says which of our columns is at fault.
+    fn from(_: netcdf3::InvalidDataSet) -> Self {
+        Self::NetCdfDefinition
     }
 }
 
