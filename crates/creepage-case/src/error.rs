@@ -1,5 +1,7 @@
 //! What can be wrong with a case file.
 
+use creepage::halfspace::PolynomialError;
+use creepage::rolling::variational::VariationalError;
 use creepage::{HertzError, InvalidValue};
 
 /// Why a case file is not a case; every message names the section and the key.
@@ -61,6 +63,30 @@ pub enum CaseError {
         section: &'static str,
         /// The key, its value, and what it must be.
         invalid: InvalidValue,
+    },
+    /// The numerical theory of chapter 5 cannot be prepared.
+    #[error("[{section}] {source}")]
+    Variational {
+        /// The section's name.
+        section: &'static str,
+        /// What is wrong with its numbers.
+        source: VariationalError,
+    },
+    /// A list of numbers that makes no traction polynomials.
+    #[error("[chain] starting_values: {source}")]
+    StartingValues {
+        /// What is wrong with the list.
+        source: PolynomialError,
+    },
+    /// A loop without end, or with more cases than any machine would finish.
+    #[error("[creepage] {key}: {cases} cases are too many: a sweep has at most {max}")]
+    TooManyCases {
+        /// `chi`, `alpha` or `upsilon`.
+        key: &'static str,
+        /// How many there would be.
+        cases: f64,
+        /// The most.
+        max: usize,
     },
     /// A radius that is none.
     #[error("[{section}] {key} = {value} is not valid: it must be {valid}")]

@@ -43,6 +43,8 @@ mod statics;
 mod statics_contact;
 mod statics_error;
 mod statics_load;
+mod sweep;
+mod sweep_loops;
 
 pub use case::{Case, CaseFile};
 pub use error::CaseError;
@@ -50,3 +52,4 @@ pub use schema::json_schema;
 pub use solve::{Bound, Flexibility, Solve, Variant, Weight};
 pub use statics::{StaticsCase, StaticsFile, statics_json_schema};
 pub use statics_error::StaticsError;
+pub use sweep::{SecondStart, Sweep, SweepCase};

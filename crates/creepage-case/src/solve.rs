@@ -57,6 +57,9 @@ pub enum Weight {
     Elliptic,
     /// 1: every point counts alike.
     Uniform,
+    /// The square root of the elliptic weight.
+    #[serde(rename = "root-elliptic")]
+    RootElliptic,
 }
 
 impl From<Weight> for variational::Weight {
@@ -64,6 +67,7 @@ impl From<Weight> for variational::Weight {
         match weight {
             Weight::Elliptic => Self::Elliptic,
             Weight::Uniform => Self::Uniform,
+            Weight::RootElliptic => Self::RootElliptic,
         }
     }
 }
@@ -132,8 +136,12 @@ impl From<Variant> for fastrip::Variant {
 }
 
 /// An array of just two: the TOML reader by itself would drop a third number silently.
-fn two_numbers<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<[usize; 2]>, D::Error> {
-    let numbers = Vec::<usize>::deserialize(deserializer)?;
+pub(crate) fn two_numbers<'de, D, T>(deserializer: D) -> Result<Option<[T; 2]>, D::Error>
+where
+    D: Deserializer<'de>,
+    T: Deserialize<'de>,
+{
+    let numbers = Vec::<T>::deserialize(deserializer)?;
     let count = numbers.len();
     let pair = numbers.try_into().map_err(|_| D::Error::invalid_length(count, &"two numbers"))?;
     Ok(Some(pair))

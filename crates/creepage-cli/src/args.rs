@@ -45,6 +45,15 @@ pub(crate) enum Command {
     /// gets the status `invalid` and the reason in `message`; the others are solved, and the
     /// exit code is then 3.
     Batch(BatchArgs),
+    /// Solve a series of cases of the numerical theory (Kalker 1967, chapter 5).
+    ///
+    /// The sweep file names the contact, the loops over spin and creepage, and how each case
+    /// starts from the one before it; chains of cases run on all cores (`RAYON_NUM_THREADS` limits
+    /// them). Solved cases are kept in FILE.journal until FILE is whole: a sweep that was
+    /// interrupted goes on where it was when it is started again. The result is the same, bit
+    /// for bit, on any number of cores, interrupted or not. The exit code is 3 when a case did
+    /// not converge.
+    Sweep(SweepArgs),
     /// The contact ellipse and the pressure of a case, without rolling.
     Hertz(HertzArgs),
     /// Solve a contact without rolling: a die, a shift, a twist, or a shift with partial slip.
@@ -108,6 +117,35 @@ pub(crate) struct BatchArgs {
     /// CSV file for the results; it appears when it is whole. Standard output if not given.
     #[arg(long, value_name = "FILE")]
     pub(crate) out: Option<PathBuf>,
+}
+
+#[derive(Debug, clap::Args)]
+pub(crate) struct SweepArgs {
+    /// Sweep file.
+    #[arg(value_name = "SWEEP.toml")]
+    pub(crate) sweep: PathBuf,
+    /// File for the results; it appears when it is whole.
+    #[arg(long, value_name = "FILE")]
+    pub(crate) out: PathBuf,
+    /// Format of the file; by default its name tells: .csv, .json, .nc or .txt.
+    #[arg(long)]
+    pub(crate) format: Option<SeriesFormat>,
+}
+
+/// Formats of the results of a series.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+pub(crate) enum SeriesFormat {
+    /// A row a case.
+    Csv,
+    /// An object a case.
+    Json,
+    /// A variable a column, for xarray and pandas (classic NetCDF).
+    Netcdf,
+    /// The page of Fig. 12 of the thesis for every case, with English headings.
+    Page,
+    /// The page as it was printed in 1967, in Dutch.
+    #[value(name = "page-1967")]
+    Page1967,
 }
 
 #[derive(Debug, clap::Args)]

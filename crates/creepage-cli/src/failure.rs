@@ -39,6 +39,10 @@ pub(crate) enum Failure {
     Columns { input: String, source: ColumnError },
     #[error("cannot read rows from {input}: {source}")]
     Rows { input: String, source: csv::Error },
+    #[error("{}: its name tells no format: give --format", path.display())]
+    Format { path: PathBuf },
+    #[error("{} is being written by another sweep", path.display())]
+    Busy { path: PathBuf },
     #[error("cannot write {}: {source}", path.display())]
     Write { path: PathBuf, source: io::Error },
     #[error("cannot write to standard output: {0}")]

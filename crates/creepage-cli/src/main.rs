@@ -10,8 +10,10 @@ mod curve;
 mod failure;
 mod init;
 mod output;
+mod partial_file;
 mod reproduce;
 mod statics;
+mod sweep;
 mod theories;
 
 use std::process::ExitCode;
@@ -45,6 +47,7 @@ fn run(command: &Command) -> Result<Outcome, Failure> {
     match command {
         Command::Solve(args) => return cases::solve(args),
         Command::Batch(args) => return batch::run(args),
+        Command::Sweep(args) => return sweep::run(args),
         Command::Hertz(args) => cases::hertz(args)?,
         Command::Statics(args) => statics::run(args)?,
         Command::Reproduce(args) => reproduce::run(args)?,

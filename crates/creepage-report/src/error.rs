@@ -23,6 +23,15 @@ pub enum ReportError {
     /// The numbers could not be put into CSV.
     #[error("cannot make a table: {0}")]
     Points(#[from] csv::Error),
+    /// The table of a series could not be written.
+    #[error("cannot write the series: {0}")]
+    Series(#[from] io::Error),
+    /// The columns of a series are none that NetCDF takes.
+    #[error("cannot define the columns of the NetCDF file")]
+    NetCdfDefinition,
+    /// The columns of a series do not fit their NetCDF file.
+    #[error("cannot write the NetCDF file: {0:?}")]
+    NetCdf(netcdf3::WriteError),
     /// The picture could not be read back for rasterising.
     #[error("cannot read the picture back: {0}")]
     Picture(#[from] usvg::Error),
@@ -34,4 +43,20 @@ pub enum ReportError {
         /// Height (pixels).
         height: u32,
     },
+}
+
+impl From<netcdf3::InvalidDataSet> for ReportError {
+    // What it holds cannot leave its thread, and only says which of our columns is at fault.
+    fn from(_: netcdf3::InvalidDataSet) -> Self {
+        Self::NetCdfDefinition
+    }
+}
+
+impl From<netcdf3::WriteError> for ReportError {
+    fn from(error: netcdf3::WriteError) -> Self {
+        match error {
+            netcdf3::WriteError::IOErrorKind(kind) => Self::Series(kind.into()),
+            other => Self::NetCdf(other),
+        }
+    }
 }

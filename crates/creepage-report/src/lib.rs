@@ -60,11 +60,13 @@ mod format;
 mod json;
 mod label;
 mod legend;
+mod page;
 mod plane;
 mod points;
 mod raster;
 mod report;
 mod scene;
+mod series;
 mod statics;
 #[cfg(test)]
 mod testing;
@@ -77,7 +79,9 @@ pub use json::{
     AreasJson, CreepageJson, DetailJson, DimensionlessJson, ForceJson, HertzJson, ReportJson,
     SolidJson, hertz_json,
 };
+pub use page::{Page, PageStyle};
 pub use report::{Answer, Detail, Report};
+pub use series::{SeriesHead, SeriesRow, series_csv, series_json, series_netcdf};
 pub use statics::StaticsReport;
 pub use text::hertz_text;
 pub use write::write_all;

@@ -2,7 +2,9 @@
 
 use std::fs::{self, File};
 use std::io::{self, ErrorKind, Stdout, Write};
-use std::path::{Path, PathBuf};
+use std::path::Path;
+
+use crate::partial_file::PartialFile;
 
 /// Where rows go.
 pub(super) enum Sink {
@@ -10,13 +12,6 @@ pub(super) enum Sink {
     /// A pipe or device, which is written to in place.
     Special(File),
     File(PartialFile),
-}
-
-/// A file under a temporary name beside its own; removed again unless it is finished.
-pub(super) struct PartialFile {
-    file: File,
-    partial: PathBuf,
-    target: PathBuf,
 }
 
 impl Sink {
@@ -44,7 +39,8 @@ impl Sink {
     fn writer(&mut self) -> &mut dyn Write {
         match self {
             Self::Stdout(stdout) => stdout,
-            Self::Special(file) | Self::File(PartialFile { file, .. }) => file,
+            Self::Special(file) => file,
+            Self::File(partial) => partial.file(),
         }
     }
 }
@@ -56,27 +52,5 @@ impl Write for Sink {
 
     fn flush(&mut self) -> io::Result<()> {
         self.writer().flush()
-    }
-}
-
-impl PartialFile {
-    fn create(path: &Path) -> io::Result<Self> {
-        // What a link points to is replaced, not the link.
-        let target = fs::canonicalize(path).unwrap_or_else(|_| path.into());
-        let name = target.file_name().ok_or(ErrorKind::InvalidFilename)?.to_string_lossy();
-        let partial = target.with_file_name(format!(".{name}.{}.partial", std::process::id()));
-        Ok(Self { file: File::create(&partial)?, partial, target })
-    }
-
-    fn finish(&self) -> io::Result<()> {
-        self.file.sync_all()?;
-        fs::rename(&self.partial, &self.target)
-    }
-}
-
-impl Drop for PartialFile {
-    fn drop(&mut self) {
-        // Once finished it has another name, and there is nothing to remove.
-        let _ = fs::remove_file(&self.partial);
     }
 }

@@ -108,6 +108,21 @@ impl SlipResponse {
         }
     }
 
+    /// Harmonics of `P` and `Q`, without the rigid slip.
+    pub(super) fn slip(&self, tau: &[f64]) -> [Vec<f64>; 2] {
+        let mut slip = [(); 2].map(|()| vec![0.0; harmonics::polynomial_count(self.degree + 1)]);
+        let [px, py, qy] = &self.harmonics;
+        let half = self.force.len();
+        for (rows, tau) in [([px, py], &tau[..half]), ([py, qy], &tau[half..])] {
+            for (slip, rows) in slip.iter_mut().zip(rows) {
+                for (row, unknown) in rows.iter().zip(tau) {
+                    slip.iter_mut().zip(row).for_each(|(sum, value)| *sum += unknown * value);
+                }
+            }
+        }
+        slip
+    }
+
     /// The midpoints of the mesh that lie inside the ellipse, line by line from `-y`.
     pub(super) fn mesh(&self, settings: &Settings) -> Vec<[f64; 2]> {
         let [nx, ny] = settings.mesh;

@@ -3,8 +3,32 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::discretization::{Discretization, Rows};
-use super::integrand::{self, Integrand};
+use super::integrand::{self, Integrand, State};
+use super::own_integrand::{IntegrandTerms, OwnIntegrand};
 use crate::rolling::Creepage;
+
+/// What is integrated.
+#[derive(Clone, Copy)]
+pub(super) enum Form<'a> {
+    /// `T S` (5.9).
+    Product,
+    /// The user's function.
+    Own(&'a OwnIntegrand),
+    /// `S` in the area of adhesion, `T` in that of slip (5.15). With `W2 = W3 = W` a point
+    /// belongs to the area where its term is the smaller one: the areas follow the unknowns.
+    Areas,
+}
+
+impl Form<'_> {
+    /// The integrand without derivatives.
+    pub(super) fn value(self, position: [f64; 2], t: f64, s: f64) -> f64 {
+        match self {
+            Self::Product => t * s,
+            Self::Areas => t.min(s),
+            Self::Own(own) => own.value(position, t, s),
+        }
+    }
+}
 
 /// `I` at one creepage as a function of the unknowns.
 pub(super) struct Functional<'a> {
@@ -12,6 +36,7 @@ pub(super) struct Functional<'a> {
     /// Weight of each point; they sum to the mean of `W`.
     weights: &'a [f64],
     creepage: Creepage,
+    form: Form<'a>,
     /// Size of the penalty on tractions above their bound.
     penalty: f64,
 }
@@ -38,11 +63,12 @@ impl<'a> Functional<'a> {
         discretization: &'a Discretization,
         weights: &'a [f64],
         creepage: Creepage,
+        form: Form<'a>,
         penalized: bool,
     ) -> Self {
-        let mut functional = Self { discretization, weights, creepage, penalty: 0.0 };
+        let mut functional = Self { discretization, weights, creepage, form, penalty: 0.0 };
         if penalized {
-            // As large as the mean of S were the bodies rigid.
+            // As large as the mean of the integrand were the bodies rigid.
             functional.penalty = functional.rigid_value() / weights.iter().sum::<f64>();
         }
         functional
@@ -59,7 +85,8 @@ impl<'a> Functional<'a> {
             .enumerate()
             .map(|(point, weight)| {
                 let [p, q] = self.discretization.rigid_slip(self.creepage, point);
-                weight * (p * p + q * q)
+                let position = self.discretization.positions()[point];
+                weight * self.form.value(position, 1.0, p * p + q * q)
             })
             .sum()
     }
@@ -71,12 +98,31 @@ impl<'a> Functional<'a> {
         expansion.hessian.fill(0.0);
         for (point, &weight) in self.weights.iter().enumerate() {
             let state = self.discretization.state(self.creepage, tau.as_slice(), point);
-            let mut local = integrand::with_derivatives(state);
+            let mut local = self.integrand(point, state);
             local.penalize(state, self.penalty);
             add_point(expansion, &self.discretization.rows(point), &local, weight);
         }
         expansion.hessian.fill_upper_triangle_with_lower_triangle();
     }
+
+    fn integrand(&self, point: usize, state: State) -> Integrand {
+        match self.form {
+            Form::Product => integrand::with_derivatives(state),
+            Form::Own(own) => own.with_derivatives(self.discretization.positions()[point], state),
+            Form::Areas => smaller(state),
+        }
+    }
+}
+
+/// `T` or `S`, whichever is smaller.
+fn smaller(state: State) -> Integrand {
+    let [t, s] = integrand::t_and_s(state);
+    let terms = if t < s {
+        IntegrandTerms { f: t, t: 1.0, ..IntegrandTerms::default() }
+    } else {
+        IntegrandTerms { f: s, s: 1.0, ..IntegrandTerms::default() }
+    };
+    integrand::of_terms(state, &terms)
 }
 
 /// Adds one point's share; of the Hessian the lower triangle only.

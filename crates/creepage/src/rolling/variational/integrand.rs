@@ -2,7 +2,10 @@
 //!
 //! `T S = | |s| X' - s |^2`, with `X' = (X', Y')` the traction over its bound and `s = (P, Q)`
 //! the slip: (5.9) is nonlinear least squares. Written so, nothing cancels in full sliding
-//! and nothing divides by a vanishing slip, as in (5.21)-(5.26).
+//! and nothing divides by a vanishing slip, as in (5.21)-(5.26). Those serve for any other
+//! function of `T` and `S`: [`of_terms`].
+
+use super::own_integrand::IntegrandTerms;
 
 /// Traction over its bound and slip at a point: `X', Y', P, Q` of (5.18).
 pub(super) type State = [f64; 4];
@@ -67,6 +70,45 @@ pub(super) fn with_derivatives(state: State) -> Integrand {
     }
 }
 
+/// Any function of `T` and `S` with gradient and Hessian by the state: (5.21)-(5.26), with the
+/// derivatives of the slip's direction taken as zero where there is no slip.
+pub(super) fn of_terms(state: State, terms: &IntegrandTerms) -> Integrand {
+    let [x, y, p, q] = state;
+    let magnitude = p.hypot(q);
+    let [wx, wy] = direction([p, q], magnitude);
+    let rate = if magnitude > 0.0 { magnitude.recip() } else { 0.0 };
+    let normal = [-wy * rate, wx * rate];
+    // T = |X'|^2 - 2 X'.w + 1 turns with the direction w of the slip only.
+    let (along, across) = (x * wx + y * wy, y * wx - x * wy);
+    let t = [2.0 * (x - wx), 2.0 * (y - wy), -2.0 * across * normal[0], -2.0 * across * normal[1]];
+    let s = [0.0, 0.0, 2.0 * p, 2.0 * q];
+    let unit = [-wy, wx];
+    let turning = |i: usize, j: usize| {
+        let radial = [wx * rate, wy * rate];
+        2.0 * (along * normal[i] * normal[j]
+            + across * (radial[i] * normal[j] + normal[i] * radial[j]))
+    };
+    let tt = |i: usize, j: usize| match (i, j) {
+        (0 | 1, 0 | 1) => f64::from(u8::from(i == j)) * 2.0,
+        (0 | 1, _) => -2.0 * unit[i] * normal[j - 2],
+        (_, 0 | 1) => -2.0 * unit[j] * normal[i - 2],
+        _ => turning(i - 2, j - 2),
+    };
+    let ss = |i: usize, j: usize| if i == j && i > 1 { 2.0 } else { 0.0 };
+    let hessian = |i: usize, j: usize| {
+        terms.t * tt(i, j)
+            + terms.s * ss(i, j)
+            + terms.tt * t[i] * t[j]
+            + terms.ts * (t[i] * s[j] + s[i] * t[j])
+            + terms.ss * s[i] * s[j]
+    };
+    Integrand {
+        value: terms.f,
+        gradient: std::array::from_fn(|i| terms.t * t[i] + terms.s * s[i]),
+        hessian: std::array::from_fn(|i| std::array::from_fn(|j| hessian(i, j))),
+    }
+}
+
 impl Integrand {
     /// Adds `size (|X'| - 1)^2` where the traction is above its bound.
     pub(super) fn penalize(&mut self, [x, y, ..]: State, size: f64) {
@@ -122,6 +164,26 @@ mod tests {
                 for j in 0..4 {
                     let slope = (up.gradient[j] - down.gradient[j]) / (2.0 * H);
                     assert!((integrand.hessian[i][j] - slope).abs() < 1e-5);
+                }
+            }
+        }
+    }
+
+    /// (5.21)-(5.26) for `f = T S` against the least-squares form.
+    #[test]
+    fn the_general_form_agrees_for_the_product() {
+        for k in 0..50 {
+            let state: State =
+                std::array::from_fn(|i| (1.7 * f64::from(k) + 2.3 * i as f64).sin() + 0.05);
+            let [t, s] = t_and_s(state);
+            let terms = IntegrandTerms { f: t * s, t: s, s: t, ts: 1.0, ..Default::default() };
+            let (general, product) = (of_terms(state, &terms), with_derivatives(state));
+            // Rounding of entries of order ten that cancel once, over slips down to 0.1.
+            assert!((general.value - product.value).abs() < 1e-13);
+            for i in 0..4 {
+                assert!((general.gradient[i] - product.gradient[i]).abs() < 1e-12);
+                for j in 0..4 {
+                    assert!((general.hessian[i][j] - product.hessian[i][j]).abs() < 1e-11);
                 }
             }
         }

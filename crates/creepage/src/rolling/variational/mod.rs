@@ -8,26 +8,35 @@
 //! The force errs by some 2 to 10 %, most at small creepage and near the peak of pure spin;
 //! the thesis's own test is in [`VariationalSolution::aberrations`].
 
+mod chain;
 mod discretization;
 mod functional;
 mod integrand;
+mod method;
 mod newton;
 mod newton_1967;
+mod own_integrand;
+mod polynomials;
 mod settings;
 mod solution;
 mod start;
 
-pub use newton_1967::{NewtonRun, NewtonStep};
-pub use settings::{Settings, TractionBound, VariationalError, Weight};
+pub use chain::{Chain, ChainCase};
+pub use method::{Method, Procedure};
+pub use newton_1967::NewtonStep;
+pub use own_integrand::{IntegrandArguments, IntegrandTerms};
+pub use settings::{Limits, Settings, TractionBound, VariationalError, Weight};
 pub use solution::{MeshPoint, VariationalSolution};
 pub use start::Start;
+
+use std::sync::Arc;
 
 use super::{Creepage, FieldPoint, Region, Solution, Theory};
 use crate::check;
 use crate::ellipse::Ellipse;
-use crate::halfspace::{Polynomial, PolynomialError};
 use discretization::{Discretization, SlipResponse};
-use functional::Functional;
+use functional::{Form, Functional};
+use own_integrand::OwnIntegrand;
 
 /// The numerical theory, prepared for one ratio of semi-axes and one Poisson's ratio.
 ///
@@ -47,7 +56,9 @@ pub struct Variational {
     response: SlipResponse,
     mesh: Discretization,
     weights: Vec<f64>,
+    weight: Weight,
     penalized: bool,
+    own_integrand: Option<OwnIntegrand>,
 }
 
 impl Variational {
@@ -68,7 +79,58 @@ impl Variational {
             .map(|bound_squared| settings.weight.at(1.0 - bound_squared) / points)
             .collect();
         let penalized = settings.bound.penalized(a_over_b);
-        Ok(Self { response, mesh, weights, penalized })
+        let weight = settings.weight;
+        Ok(Self { response, mesh, weights, weight, penalized, own_integrand: None })
+    }
+
+    /// As [`Variational::new`], with the mean of `W f(x, y, a, b, T, S)` in place of that of
+    /// `W T S`; with [`Weight::Uniform`] the mean of `f` itself (5.22).
+    ///
+    /// ```
+    /// use creepage::rolling::variational::{IntegrandTerms, Settings, Variational};
+    /// // S counts less where it is large.
+    /// let theory = Variational::with_integrand(1.0, 0.28, Settings::default(), |at| {
+    ///     let (t, s, rest) = (at.t, at.s, 1.0 + at.s);
+    ///     IntegrandTerms {
+    ///         f: t * s / rest,
+    ///         t: s / rest,
+    ///         s: t / (rest * rest),
+    ///         tt: 0.0,
+    ///         ts: 1.0 / (rest * rest),
+    ///         ss: -2.0 * t / (rest * rest * rest),
+    ///     }
+    /// });
+    /// assert!(theory.is_ok());
+    /// ```
+    ///
+    /// # Errors
+    /// Also [`VariationalError::Derivative`] when a derivative disagrees with differences of
+    /// the function, which are tried at points of the mesh for small and large `T` and `S`.
+    pub fn with_integrand(
+        a_over_b: f64,
+        poisson: f64,
+        settings: Settings,
+        integrand: impl Fn(IntegrandArguments) -> IntegrandTerms + Send + Sync + 'static,
+    ) -> Result<Self, VariationalError> {
+        let theory = Self::new(a_over_b, poisson, settings)?;
+        let ellipse = theory.response.ellipse();
+        let positions: Vec<_> = theory.mesh.positions().iter().copied().step_by(7).collect();
+        let semi_axes = [ellipse.a(), ellipse.b()];
+        let own = OwnIntegrand::new(Arc::new(integrand), semi_axes, &positions)?;
+        Ok(Self { own_integrand: Some(own), ..theory })
+    }
+
+    /// The contact ellipse, in units of `c`.
+    #[must_use]
+    pub fn ellipse(&self) -> Ellipse {
+        self.response.ellipse()
+    }
+
+    /// `A = (1 - sigma) E / (2 sqrt g)` of (5.3): a slip in units of `mu f00`, as in `P`, `Q`
+    /// and `S`, over the same in units of `mu c / rho`.
+    #[must_use]
+    pub fn slip_scale(&self) -> f64 {
+        self.mesh.slip_scale()
     }
 
     /// The mesh points `(x, y)` in units of `c`.
@@ -86,27 +148,33 @@ impl Variational {
     /// Minimizes `I` from `start`.
     #[must_use]
     pub fn solve_from(&self, creepage: Creepage, start: &Start) -> VariationalSolution {
-        let functional = self.functional(creepage);
-        let tau = start.tau(&self.mesh, &self.weights, creepage);
-        let minimum = newton::minimize(&functional, tau);
-        VariationalSolution::new(self, creepage, &minimum)
+        self.solve_by(Procedure::default(), creepage, start, None)
     }
 
-    /// The traction polynomials `X'`, `Y'` of a solution, with the major semi-axis as unit of
-    /// length, as the thesis prints them.
-    ///
-    /// # Errors
-    /// [`PolynomialError`] when `tau` is not of this theory's degree, or not finite.
-    pub fn traction_polynomials(&self, tau: &[f64]) -> Result<[Polynomial; 2], PolynomialError> {
-        let ellipse = self.response.ellipse();
-        let major = ellipse.major();
-        let unit = Ellipse::new(ellipse.a() / major, ellipse.b() / major)?;
-        let (x, y) = tau.split_at(tau.len() / 2);
-        Ok([Polynomial::from_harmonics(unit, x)?, Polynomial::from_harmonics(unit, y)?])
+    /// The largest difference of a force or moment between `found` and the solution from
+    /// another start: what a check by a second start (5.12) has to say.
+    #[must_use]
+    pub fn check_by(&self, creepage: Creepage, found: &VariationalSolution, start: &Start) -> f64 {
+        let [one, two] = [found.solution.force, self.solve_from(creepage, start).solution.force];
+        (one.fx - two.fx).abs().max((one.fy - two.fy).abs()).max((one.mz - two.mz).abs())
     }
 
-    fn functional(&self, creepage: Creepage) -> Functional<'_> {
-        Functional::new(&self.mesh, &self.weights, creepage, self.penalized)
+    /// Traction, slip and their judgement at `positions` in units of `c`, all inside the
+    /// ellipse, for the unknowns of a solution; missing ones count as zero.
+    #[must_use]
+    pub fn points(
+        &self,
+        creepage: Creepage,
+        tau: &[f64],
+        positions: &[[f64; 2]],
+    ) -> Vec<MeshPoint> {
+        let mut tau = tau.to_vec();
+        tau.resize(self.mesh.unknowns(), 0.0);
+        solution::mesh_points(self, &self.response.at(positions.to_vec()), creepage, &tau)
+    }
+
+    fn functional_of<'a>(&'a self, creepage: Creepage, form: Form<'a>) -> Functional<'a> {
+        Functional::new(&self.mesh, &self.weights, creepage, form, self.penalized)
     }
 }
 
@@ -118,7 +186,7 @@ impl Theory for Variational {
     fn field(&self, creepage: Creepage, positions: &[[f64; 2]]) -> Vec<FieldPoint> {
         let tau = self.solve_from(creepage, &Start::FullSliding).tau;
         let points = self.response.at(positions.to_vec());
-        let field = solution::mesh_points(&points, creepage, &tau).into_iter();
+        let field = solution::mesh_points(self, &points, creepage, &tau).into_iter();
         field
             .zip(points.bound_squared())
             .map(|(point, bound)| clipped(point.field, *bound))

@@ -1,7 +1,8 @@
-//! Minimization of `I`: Newton's method as printed (5.12), and with damping, which never fails.
+//! Minimization of `I`: Newton's method with damping, which never fails.
 
 use nalgebra::{Cholesky, DVector};
 
+use super::Limits;
 use super::functional::{Expansion, Functional};
 
 /// Where the damped iteration stands when it ends.
@@ -11,9 +12,13 @@ pub(super) struct Minimum {
     pub(super) converged: bool,
 }
 
-const MAX_ITERATIONS: usize = 200;
-/// Newton's error is squared by each step: after one this small it is below 1e-10.
-const STEP_TOLERANCE: f64 = 1e-6;
+/// An accepted step: `I` before it, the change, and the unknowns after it.
+pub(super) struct Step<'a> {
+    pub(super) value: f64,
+    pub(super) change: &'a DVector<f64>,
+    pub(super) tau: &'a DVector<f64>,
+}
+
 /// `I` relative to that of the rigid slip, below which only rounding is left: full sliding.
 const NEGLIGIBLE: f64 = 1e-26;
 /// Relative rounding of the residuals `|s| X' - s`, whose squares make `I`.
@@ -24,26 +29,33 @@ const LARGEST_DAMPING: f64 = 1e12;
 /// Newton's method with Marquardt's damping, from `tau`.
 ///
 /// The pure Newton step is tried first; while it does not lower `I`, the Hessian's diagonal
-/// is raised.
-pub(super) fn minimize(functional: &Functional, mut tau: DVector<f64>) -> Minimum {
+/// is raised. `observe` sees every accepted step.
+pub(super) fn minimize(
+    functional: &Functional,
+    mut tau: DVector<f64>,
+    limits: Limits,
+    mut observe: impl FnMut(Step),
+) -> Minimum {
     let unknowns = functional.unknowns();
     let rigid_value = functional.rigid_value();
     let (mut here, mut there) = (Expansion::zeros(unknowns), Expansion::zeros(unknowns));
     functional.expand(&tau, &mut here);
     let mut damping = 0.0_f64;
-    for iterations in 1..=MAX_ITERATIONS {
+    for iterations in 1..=limits.max_iterations {
         if here.value <= NEGLIGIBLE * rigid_value {
             return Minimum { tau, iterations: iterations - 1, converged: true };
         }
         if let Some(step) = damped_step(&here, damping) {
             let next = &tau + &step;
-            if damping == 0.0 && step.amax() <= STEP_TOLERANCE * next.amax() {
+            if damping == 0.0 && step.amax() <= limits.delta * next.amax() {
+                observe(Step { value: here.value, change: &step, tau: &next });
                 return Minimum { tau: next, iterations, converged: true };
             }
             functional.expand(&next, &mut there);
             // Near the minimum rounding alone decides which value is lower.
             let rounding = ROUNDING * (here.value * rigid_value.max(here.value)).sqrt();
             if there.value <= here.value + rounding {
+                observe(Step { value: here.value, change: &step, tau: &next });
                 tau = next;
                 std::mem::swap(&mut here, &mut there);
                 damping = if damping <= FIRST_DAMPING { 0.0 } else { damping / 10.0 };
@@ -55,7 +67,7 @@ pub(super) fn minimize(functional: &Functional, mut tau: DVector<f64>) -> Minimu
             return Minimum { tau, iterations, converged: false };
         }
     }
-    Minimum { tau, iterations: MAX_ITERATIONS, converged: false }
+    Minimum { tau, iterations: limits.max_iterations, converged: false }
 }
 
 /// Newton's step with the diagonal raised by the share `damping`, unless the matrix is not

@@ -3,9 +3,9 @@
 
 use nalgebra::DVector;
 
-use super::functional::Expansion;
-use super::{Start, Variational};
-use crate::rolling::{Creepage, Force};
+use super::functional::{Expansion, Functional};
+use super::newton::{Minimum, Step};
+use super::{Limits, Variational};
 
 /// One line `TOEG GEV GEMAFW` of the printed page (Fig. 12).
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -18,70 +18,48 @@ pub struct NewtonStep {
     pub mean_integrand: f64,
 }
 
-/// The course of the iteration, and where it ended.
-#[derive(Debug, Clone, PartialEq)]
-pub struct NewtonRun {
-    /// The steps in order.
-    pub steps: Vec<NewtonStep>,
-    /// The unknowns, as [`VariationalSolution::tau`](super::VariationalSolution::tau): start
-    /// of the next case of a chain.
-    pub tau: Vec<f64>,
-    /// Coefficients `tau_k` of (5.1): of `X'`, then of `Y'`, in `1, x, y, x^2, xy, y^2, ...`,
-    /// with the major semi-axis as unit of length.
-    pub monomials: Vec<f64>,
-    /// Force and moment.
-    pub force: Force,
-    /// CONVER: the last change was below its tolerance. Otherwise the printed page says CYCLE.
-    pub converged: bool,
+impl NewtonStep {
+    /// The step in the coefficients of the monomials.
+    pub(super) fn new(theory: &Variational, delta: f64, step: &Step) -> Self {
+        Self {
+            tolerance: delta * largest(&theory.monomials(step.tau.as_slice())),
+            change: largest(&theory.monomials(step.change.as_slice())),
+            mean_integrand: step.value,
+        }
+    }
 }
 
-impl Variational {
-    /// Runs the iteration of 1967 from `start` until the largest change of a coefficient is
-    /// below `delta` times the largest coefficient (5.12c), or `max_iterations` are done.
-    ///
-    /// It fails in one to four cases of a hundred from a cold start, which is why
-    /// [`Variational::solve_from`] damps; in a chain of neighbouring cases it seldom does.
-    #[must_use]
-    pub fn newton_1967(
-        &self,
-        creepage: Creepage,
-        start: &Start,
-        delta: f64,
-        max_iterations: usize,
-    ) -> NewtonRun {
-        let functional = self.functional(creepage);
-        let mut tau = start.tau(&self.mesh, &self.weights, creepage);
-        let mut expansion = Expansion::zeros(functional.unknowns());
-        let mut steps: Vec<NewtonStep> = Vec::new();
-        let mut converged = false;
-        while !converged && steps.len() < max_iterations {
-            functional.expand(&tau, &mut expansion);
-            let Some(change) = expansion.hessian.clone().lu().solve(&-&expansion.gradient) else {
-                break;
-            };
-            tau += &change;
-            let step = NewtonStep {
-                tolerance: delta * largest(&self.monomials(&tau)),
-                change: largest(&self.monomials(&change)),
-                mean_integrand: expansion.value,
-            };
-            converged = step.change < step.tolerance;
-            steps.push(step);
+/// Runs the iteration of 1967 from `tau` until the largest change of a coefficient is below
+/// `delta` times the largest coefficient (5.12c), or the iterations are used up.
+///
+/// It fails in one to four cases of a hundred from a cold start, which is why the default
+/// damps; in a chain of neighbouring cases it seldom does.
+pub(super) fn iterate(
+    theory: &Variational,
+    functional: &Functional,
+    mut tau: DVector<f64>,
+    limits: Limits,
+    mut observe: impl FnMut(NewtonStep),
+) -> Minimum {
+    let mut expansion = Expansion::zeros(functional.unknowns());
+    for iterations in 1..=limits.max_iterations {
+        functional.expand(&tau, &mut expansion);
+        let Some(change) = expansion.hessian.clone().lu().solve(&-&expansion.gradient) else {
+            return Minimum { tau, iterations, converged: false };
+        };
+        let next = &tau + &change;
+        if !next.iter().all(|unknown| unknown.is_finite()) {
+            return Minimum { tau, iterations, converged: false };
         }
-        NewtonRun {
-            steps,
-            monomials: self.monomials(&tau),
-            force: self.response.force(tau.as_slice()),
-            tau: tau.as_slice().to_vec(),
-            converged,
+        let step = Step { value: expansion.value, change: &change, tau: &next };
+        let step = NewtonStep::new(theory, limits.delta, &step);
+        observe(step);
+        tau = next;
+        if step.change < step.tolerance {
+            return Minimum { tau, iterations, converged: true };
         }
     }
-
-    fn monomials(&self, tau: &DVector<f64>) -> Vec<f64> {
-        self.traction_polynomials(tau.as_slice())
-            .map(|polynomials| polynomials.iter().flat_map(|p| p.coefficients().to_vec()).collect())
-            .unwrap_or_default()
-    }
+    Minimum { tau, iterations: limits.max_iterations, converged: false }
 }
 
 fn largest(values: &[f64]) -> f64 {

@@ -10,6 +10,8 @@ pub enum Weight {
     /// `W = W1 = 1 - (x/a)^2 - (y/b)^2` (5.14), the thesis's choice.
     #[default]
     Elliptic,
+    /// `W = sqrt(W1)`, which the thesis tried as well (5.22).
+    RootElliptic,
 }
 
 impl Weight {
@@ -19,6 +21,7 @@ impl Weight {
         match self {
             Self::Uniform => 1.0,
             Self::Elliptic => 1.0 - r_squared,
+            Self::RootElliptic => (1.0 - r_squared).max(0.0).sqrt(),
         }
     }
 }
@@ -89,6 +92,28 @@ impl Default for Settings {
     }
 }
 
+/// When an iteration ends (5.12c), and when it is given up.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Limits {
+    /// `delta`: the iteration ends when the largest change of an unknown is below `delta` times
+    /// the largest unknown. The error that is left is about `delta^2`.
+    pub delta: f64,
+    /// Most steps of the iteration.
+    pub max_iterations: usize,
+}
+
+impl Limits {
+    /// Those of the thesis: `delta = 0.001`, 12 iterations (5.21).
+    pub const OF_1967: Self = Self { delta: 1e-3, max_iterations: 12 };
+}
+
+impl Default for Limits {
+    /// `delta = 1e-6`, 200 iterations.
+    fn default() -> Self {
+        Self { delta: 1e-6, max_iterations: 200 }
+    }
+}
+
 /// Why the numerical theory cannot be prepared.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
@@ -118,6 +143,20 @@ pub enum VariationalError {
         min: usize,
         /// Most cells a side.
         max: usize,
+    },
+    /// A derivative of the user's integrand is not that of the function.
+    #[error("{name} = {given} is not valid: the difference at T = {t}, S = {s} is {difference}")]
+    Derivative {
+        /// Which derivative, in the notation of (5.17): `f*`, `f.`, `f**`, `f*.`, `f..`.
+        name: &'static str,
+        /// What the user's function says.
+        given: f64,
+        /// What the difference quotient says.
+        difference: f64,
+        /// `T` where they differ.
+        t: f64,
+        /// `S` where they differ.
+        s: f64,
     },
 }
 

@@ -14,6 +14,10 @@ pub struct MeshPoint {
     pub t: f64,
     /// Slip squared `S`, in units of `(mu f00)^2` (5.6).
     pub s: f64,
+    /// The integrand `f`: `W T S`, or the weighted function of the user.
+    pub integrand: f64,
+    /// `|X'|`, the traction over its bound.
+    pub reduced_traction: f64,
     /// An aberration: nearer to adhesion than to slip, `T > S`, and yet above the bound.
     pub aberrant: bool,
 }
@@ -26,7 +30,7 @@ pub struct VariationalSolution {
     /// Coefficients of `X'`, then of `Y'`, in the polynomials of
     /// [`harmonics::even_indices`](crate::halfspace::harmonics::even_indices).
     pub tau: Vec<f64>,
-    /// `I`, the mean of `W T S` over the mesh.
+    /// `I`, the mean of the integrand over the mesh.
     pub mean_integrand: f64,
     /// `I` over that of rigid bodies without traction: 0 for an exact solution, 1 at worst.
     pub residual: f64,
@@ -41,10 +45,10 @@ pub struct VariationalSolution {
 impl VariationalSolution {
     pub(super) fn new(theory: &Variational, creepage: Creepage, minimum: &Minimum) -> Self {
         let tau = minimum.tau.as_slice().to_vec();
-        let points = mesh_points(&theory.mesh, creepage, &tau);
-        let rigid_value = theory.functional(creepage).rigid_value();
+        let points = mesh_points(theory, &theory.mesh, creepage, &tau);
+        let rigid_value = theory.functional_of(creepage, theory.form()).rigid_value();
         let mean_integrand =
-            points.iter().zip(&theory.weights).map(|(point, w)| w * point.t * point.s).sum();
+            points.iter().map(|point| point.integrand).sum::<f64>() / points.len() as f64;
         let status = if !minimum.converged {
             Status::NotConverged
         } else if creepage != Creepage::default()
@@ -76,6 +80,7 @@ fn slip_is_resolved(points: &[MeshPoint], degree: usize) -> bool {
 
 /// The field and its judgement at every point of `discretization`.
 pub(super) fn mesh_points(
+    theory: &Variational,
     discretization: &Discretization,
     creepage: Creepage,
     tau: &[f64],
@@ -85,16 +90,20 @@ pub(super) fn mesh_points(
         .map(|point| {
             let state @ [x, y, p, q] = discretization.state(creepage, tau, point);
             let [t, s] = integrand::t_and_s(state);
-            let bound = discretization.bound_squared()[point].sqrt();
+            let bound_squared = discretization.bound_squared()[point];
+            let position = discretization.positions()[point];
+            let (bound, weight) = (bound_squared.sqrt(), theory.weight.at(1.0 - bound_squared));
             MeshPoint {
                 field: FieldPoint {
-                    position: discretization.positions()[point],
+                    position,
                     traction: [bound * x, bound * y],
                     slip: [slip_unit * p, slip_unit * q],
                     region: if t < s { Region::Slip } else { Region::Adhesion },
                 },
                 t,
                 s,
+                integrand: weight * theory.form().value(position, t, s),
+                reduced_traction: x.hypot(y),
                 aberrant: t > s && x.hypot(y) > 1.0,
             }
         })

@@ -1,0 +1,163 @@
+//! What of a sweep is solved already: a file with a place for every case.
+//!
+//! A case is written when it is solved, so that a killed sweep loses the cases in hand only. The
+//! system writes to the disk about once a second: a power failure loses that much. A place that
+//! was never written, or not wholly, fails its checksum.
+
+use std::fs::{self, File, TryLockError};
+use std::io::{self, BufReader, Read, Seek, SeekFrom, Write};
+use std::path::{Path, PathBuf};
+use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::time::{Duration, Instant};
+
+use creepage::halfspace::harmonics;
+use creepage_case::Sweep;
+
+use super::record::Record;
+
+const MAGIC: &[u8; 12] = b"creepage 1\r\n";
+const HEAD: u64 = 20;
+const SYNC_EVERY: Duration = Duration::from_secs(1);
+
+/// The journal of one sweep.
+pub(super) struct Journal {
+    path: PathBuf,
+    file: Mutex<Synced>,
+    record: usize,
+    resumed: bool,
+}
+
+struct Synced {
+    file: File,
+    last: Instant,
+}
+
+/// What became of opening a journal.
+pub(super) enum Opened {
+    Journal(Journal),
+    /// Another process has it.
+    Busy,
+}
+
+impl Journal {
+    /// Opens the journal of an earlier run of the same sweep, or begins a new one.
+    pub(super) fn open(path: &Path, sweep: &Sweep) -> io::Result<Opened> {
+        let options = File::options().read(true).write(true).create(true).truncate(false).clone();
+        let mut file = options.open(path)?;
+        match file.try_lock() {
+            Ok(()) => {}
+            Err(TryLockError::WouldBlock) => return Ok(Opened::Busy),
+            Err(TryLockError::Error(error)) => return Err(error),
+        }
+        let head = head(sweep);
+        let mut found = Vec::new();
+        (&mut file).take(HEAD).read_to_end(&mut found)?;
+        let resumed = found == head;
+        if !resumed {
+            file.set_len(0)?;
+            file.seek(SeekFrom::Start(0))?;
+            file.write_all(&head)?;
+            file.sync_all()?;
+        }
+        let unknowns = 2 * harmonics::polynomial_count(sweep.settings.degree);
+        Ok(Opened::Journal(Self {
+            path: path.into(),
+            file: Mutex::new(Synced { file, last: Instant::now() }),
+            record: Record::length(unknowns),
+            resumed,
+        }))
+    }
+
+    /// Whether cases of an earlier run may be there.
+    pub(super) fn resumed(&self) -> bool {
+        self.resumed
+    }
+
+    /// The case of that number, if it was solved.
+    pub(super) fn read(&self, index: usize) -> io::Result<Option<Record>> {
+        let mut synced = self.file();
+        synced.file.seek(SeekFrom::Start(self.place(index)))?;
+        let mut bytes = Vec::with_capacity(self.record);
+        (&mut synced.file).take(self.record as u64).read_to_end(&mut bytes)?;
+        Ok(Record::read(index, &bytes))
+    }
+
+    pub(super) fn write(&self, index: usize, record: &Record) -> io::Result<()> {
+        let bytes = record.bytes(index);
+        let mut synced = self.file();
+        synced.file.seek(SeekFrom::Start(self.place(index)))?;
+        synced.file.write_all(&bytes)?;
+        if synced.last.elapsed() > SYNC_EVERY {
+            synced.file.sync_data()?;
+            synced.last = Instant::now();
+        }
+        Ok(())
+    }
+
+    pub(super) fn sync(&self) -> io::Result<()> {
+        self.file().file.sync_data()
+    }
+
+    /// All cases in order; for a journal that is complete.
+    pub(super) fn records(&self) -> io::Result<impl Iterator<Item = io::Result<Record>> + use<>> {
+        let mut file = BufReader::new(File::open(&self.path)?);
+        file.seek(SeekFrom::Start(HEAD))?;
+        let mut bytes = vec![0; self.record];
+        Ok((0..).map(move |index| {
+            file.read_exact(&mut bytes)?;
+            Record::read(index, &bytes).ok_or(io::ErrorKind::InvalidData.into())
+        }))
+    }
+
+    /// Removes the file.
+    pub(super) fn remove(self) -> io::Result<()> {
+        fs::remove_file(&self.path)
+    }
+
+    fn place(&self, index: usize) -> u64 {
+        HEAD + index as u64 * self.record as u64
+    }
+
+    fn file(&self) -> MutexGuard<'_, Synced> {
+        self.file.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+/// Tells a sweep, and the version of the program, from all others.
+fn head(sweep: &Sweep) -> Vec<u8> {
+    let words = format!("{} {sweep:?}", env!("CARGO_PKG_VERSION"));
+    let length = u32::try_from(words.len()).unwrap_or(u32::MAX);
+    let sum = crc32fast::hash(words.as_bytes());
+    [&MAGIC[..], &length.to_le_bytes(), &sum.to_le_bytes()].concat()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn sweep(upsilon: &str) -> Sweep {
+        let contact = "[contact]\na_over_b = 1\npoisson = 0.28\n";
+        Sweep::read(&format!("{contact}[creepage]\nupsilon = {upsilon}")).unwrap()
+    }
+
+    fn open(path: &Path, sweep: &Sweep) -> Journal {
+        match Journal::open(path, sweep).unwrap() {
+            Opened::Journal(journal) => journal,
+            Opened::Busy => panic!("busy"),
+        }
+    }
+
+    #[test]
+    fn another_sweep_starts_anew_and_the_same_goes_on() {
+        let place = tempfile::tempdir().unwrap();
+        let path = place.path().join("out.csv.journal");
+        let (one, two) = (sweep("[1, 2]"), sweep("[1, 3]"));
+        let journal = open(&path, &one);
+        assert!(!journal.resumed());
+        assert!(matches!(Journal::open(&path, &one).unwrap(), Opened::Busy));
+        drop(journal);
+        assert!(open(&path, &one).resumed());
+        assert!(!open(&path, &two).resumed());
+        assert_eq!(open(&path, &two).read(0).unwrap(), None);
+    }
+}

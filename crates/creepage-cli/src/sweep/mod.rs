@@ -1,0 +1,73 @@
+//! `creepage sweep`: a series of cases of the numerical theory, in chains.
+
+mod chains;
+mod journal;
+mod record;
+mod result;
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+use creepage_case::Sweep;
+use indicatif::{ProgressBar, ProgressStyle};
+
+use crate::Outcome;
+use crate::args::{SeriesFormat, SweepArgs};
+use crate::failure::Failure;
+use crate::output::say;
+use journal::{Journal, Opened};
+
+pub(crate) fn run(args: &SweepArgs) -> Result<Outcome, Failure> {
+    let path = &args.sweep;
+    let text =
+        fs::read_to_string(path).map_err(|source| Failure::Read { path: path.clone(), source })?;
+    let wrong = |source| Failure::Case { path: path.clone(), source };
+    let sweep = Sweep::read(&text).map_err(wrong)?;
+    let theory = sweep.theory().map_err(wrong)?;
+    let format = format(args)?;
+    let journal_path = journal_path(&args.out);
+    let failed = |source| Failure::Write { path: journal_path.clone(), source };
+    let journal = match Journal::open(&journal_path, &sweep).map_err(failed)? {
+        Opened::Busy => return Err(Failure::Busy { path: journal_path.clone() }),
+        Opened::Journal(journal) => journal,
+    };
+    let bar = bar(&sweep, &journal);
+    chains::solve(&sweep, &theory, &journal, &bar).map_err(failed)?;
+    journal.sync().map_err(failed)?;
+    bar.finish_and_clear();
+    let tally = result::write(&sweep, &theory, &journal, format, &args.out)?;
+    journal.remove().map_err(failed)?;
+    say(&tally.to_string());
+    Ok(tally.outcome())
+}
+
+fn format(args: &SweepArgs) -> Result<SeriesFormat, Failure> {
+    let by_name = || match args.out.extension()?.to_str()? {
+        "csv" => Some(SeriesFormat::Csv),
+        "json" => Some(SeriesFormat::Json),
+        "nc" => Some(SeriesFormat::Netcdf),
+        "txt" => Some(SeriesFormat::Page),
+        _ => None,
+    };
+    args.format.or_else(by_name).ok_or_else(|| Failure::Format { path: args.out.clone() })
+}
+
+fn journal_path(out: &Path) -> PathBuf {
+    let mut name = out.as_os_str().to_owned();
+    name.push(".journal");
+    name.into()
+}
+
+/// Cases done, their rate and the time left; on a terminal only.
+fn bar(sweep: &Sweep, journal: &Journal) -> ProgressBar {
+    if journal.resumed() {
+        say("going on with the sweep that was interrupted");
+    }
+    let template = "{wide_bar} {pos}/{len} cases  {per_sec}  {eta} left";
+    let style = ProgressStyle::with_template(template);
+    let bar = ProgressBar::new(sweep.cases() as u64)
+        .with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
+    bar.enable_steady_tick(Duration::from_millis(200));
+    bar
+}
