@@ -36,9 +36,9 @@ use solution::Mirror;
 ///
 /// | resolution | median | rms | worst | case | preparation |
 /// |---|---|---|---|---|---|
-/// | [`Resolution::FAST`] | 0.19 % | 0.38 % | 1.1 % | 0.4 ms | 1 ms |
-/// | [`Resolution::STANDARD`] | 0.00 % | 0.08 % | 0.31 % | 4 ms | 12 ms |
-/// | [`Resolution::FINE`] | 0.00 % | 0.01 % | 0.06 % | 25 ms | 70 ms |
+/// | [`Resolution::FAST`] | 0.19 % | 0.38 % | 1.1 % | 0.5 ms | 1.4 ms |
+/// | [`Resolution::STANDARD`] | 0.00 % | 0.08 % | 0.31 % | 4 ms | 11 ms |
+/// | [`Resolution::FINE`] | 0.00 % | 0.01 % | 0.06 % | 23 ms | 70 ms |
 ///
 /// Errors are largest with a pole of strong spin inside the contact. Small creepage is resolved
 /// worst where the contact is long in the rolling direction: at the fine resolution the linear
