@@ -208,10 +208,9 @@ fn extrapolate(coarse: Force, fine: Force) -> Force {
 }
 
 /// Half the difference of the grids, and a share of the largest such difference, for a component
-/// may agree by chance. Calibrated on random contacts and creepages (a/b .15-6, sigma 0-.5,
-/// creepage to 3, spin to 8) against a finer grid: of 200 cases that the calibration had not seen,
-/// 98 to 99 % of each component's errors were inside at the standard resolution, and 94 to 99 % at
-/// the fast one.
+/// may agree by chance. Calibrated on 200 random contacts and creepages (a/b .15-6, sigma 0-.5,
+/// creepage to 3, spin to 8) against a finer grid: 98 to 99 % of each component's errors are inside
+/// at the standard resolution, and 94 to 99 % at the fast one.
 fn error_bar(coarse: Force, fine: Force) -> Force {
     let apart = combine(coarse, fine, |coarse, fine| (fine - coarse).abs());
     let largest = apart.fx.max(apart.fy).max(apart.mz);
