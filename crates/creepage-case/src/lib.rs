@@ -49,7 +49,7 @@ mod sweep_loops;
 pub use case::{Case, CaseFile};
 pub use error::CaseError;
 pub use schema::json_schema;
-pub use solve::{Bound, Flexibility, Solve, Variant, Weight};
+pub use solve::{Bound, Flexibility, Resolution, Solve, Variant, Weight};
 pub use statics::{StaticsCase, StaticsFile, statics_json_schema};
 pub use statics_error::StaticsError;
 pub use sweep::{SecondStart, Sweep, SweepCase};

@@ -208,7 +208,7 @@ pub struct Sweep {
 pub struct SweepCase {
     /// Dimensionless spin.
     pub chi: f64,
-    /// Angle from the rolling direction to the creepage [degrees].
+    /// Angle from the rolling direction to the creepage (degrees).
     pub alpha: f64,
     /// Magnitude of the creepage.
     pub upsilon: f64,

@@ -12,7 +12,7 @@ pub(crate) struct Loops {
     /// Dimensionless spin, the outermost loop: a list, or `{ from, step, to }`.
     #[serde(default)]
     chi: Values,
-    /// Angle from the rolling direction to the creepage (xi, eta) [degrees]: a list, or
+    /// Angle from the rolling direction to the creepage (xi, eta) (degrees): a list, or
     /// `{ from, step, to }`.
     #[serde(default)]
     alpha: Values,

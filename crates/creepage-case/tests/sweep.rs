@@ -1,4 +1,5 @@
 //! Sweep files: the loops of (5.16), and what is refused.
+#![allow(clippy::unwrap_used)]
 
 use creepage::rolling::variational::{Limits, Method};
 use creepage_case::Sweep;

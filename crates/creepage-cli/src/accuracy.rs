@@ -1,7 +1,7 @@
 //! `creepage accuracy`: every theory against the full one.
 
-use creepage_case::{Bound, Flexibility, Solve, Variant};
-use creepage_validation::{Accuracy, ReferenceCase, Spread, measure, steady_rolling};
+use creepage_case::{Bound, Flexibility, Resolution, Solve, Variant};
+use creepage_validation::{Accuracy, ReferenceCase, Spread, grid, measure, steady_rolling};
 use rayon::prelude::*;
 use serde::Serialize;
 
@@ -34,13 +34,22 @@ pub(crate) fn run(args: &AccuracyArgs) -> Result<(), Failure> {
     } else {
         args.theory.iter().map(|name| theories::find(name)).collect::<Result<_, _>>()?
     };
-    let cases = steady_rolling()?;
+    let cases = if args.grid { exact_grid()? } else { steady_rolling()? };
     let contestants: Vec<_> = theories.into_iter().flat_map(contestants).collect();
     let results = contestants
         .par_iter()
         .map(|contestant| contestant.measure(&cases))
         .collect::<Result<Vec<_>, Failure>>()?;
     print(&if args.json { to_json(&results)? } else { markdown(&results) })
+}
+
+/// The grid of cases as the full theory has them.
+fn exact_grid() -> Result<Vec<ReferenceCase>, Failure> {
+    let full = theories::find("exact")?;
+    let fine = Solve { resolution: Some(Resolution::Fine), ..Solve::default() };
+    let theory = full.name;
+    grid(|a_over_b, poisson| (full.prepare)(a_over_b, poisson, &fine))
+        .map_err(|source| Failure::Theory { theory, source })
 }
 
 /// The theory by default, and as it is or was in use otherwise.
@@ -53,11 +62,13 @@ fn contestants(theory: &'static Entry) -> Vec<Contestant> {
     };
     let variant = |variant| Solve { variant: Some(variant), ..usual() };
     let others = match theory.name {
+        "exact" => vec![("fast", Solve { resolution: Some(Resolution::Fast), ..usual() })],
         "variational" => vec![("degree 5", Solve { degree: Some(5), ..usual() })],
         "fastrip" => {
             vec![("modified", variant(Variant::Modified)), ("original", variant(Variant::Original))]
         }
         "fastsim" => vec![
+            ("parabolic", Solve { bound: Some(Bound::Parabolic), ..usual() }),
             ("three flexibilities, parabolic: 1982", of_1982(Flexibility::Three)),
             ("one flexibility, parabolic: 1982", of_1982(Flexibility::One)),
             ("grid 10 x 10", Solve { grid: Some([10, 10]), ..usual() }),

@@ -77,7 +77,7 @@ fn range_and_unit_follow_the_quantity() {
     let own = run(&["--vary", "eta", "--to", "2", "--points", "3"]);
     assert_eq!(numbers(&own, "eta"), [0.0, 1.0, 2.0]);
     assert!(numbers(&own, "longitudinal").iter().all(|value| (value - 1e-3).abs() < 1e-17));
-    assert_eq!(column(&own, "theory"), ["variational"; 3]);
+    assert_eq!(column(&own, "theory"), ["exact"; 3]);
 }
 
 #[test]

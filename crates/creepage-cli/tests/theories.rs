@@ -28,9 +28,9 @@ fn names(place: &Place) -> Vec<String> {
 }
 
 #[test]
-fn nine_theories_and_their_options_fit_a_terminal() {
+fn ten_theories_and_their_options_fit_a_terminal() {
     let place = Place::new();
-    assert_eq!(names(&place).len(), 9);
+    assert_eq!(names(&place).len(), 10);
     let table = place.run(&["theories"]).done();
     assert!(table.lines().all(|line| line.chars().count() <= 110), "{table}");
     for words in ["\nOPTIONS in [solve]", "  grid  ", "\"blended\"", " 3.5 %"] {
@@ -112,7 +112,7 @@ fn an_option_of_another_theory_is_refused() {
     let words = ["case.toml: [solve] `grid` is an option of fastrip and fastsim, not of linear"];
     refused("theory = \"linear\"\ngrid = [9, 9]", &[], &words);
     refused("grid = [9, 9]", &["--theory", "linear"], &words);
-    refused("bound = \"elliptic\"", &[], &["`bound` is an option of fastsim, not of variational"]);
+    refused("bound = \"elliptic\"", &[], &["`bound` is an option of fastsim, not of exact"]);
     refused("theory = \"fastsim\"\ngrid = [0, 9]", &[], &["[solve]", "grid", "0"]);
     refused("theory = \"fastsim\"\nflexibility = \"two\"", &[], &["two", "blended"]);
 }

@@ -1,6 +1,7 @@
 //! A grid of cases that leaves no corner of creepage and spin out, for a full theory to answer.
 
 use creepage::rolling::{Creepage, Theory};
+use rayon::prelude::*;
 
 use crate::ReferenceCase;
 
@@ -28,7 +29,8 @@ pub fn grid<E>(
     let mut cases = Vec::new();
     for a_over_b in RATIOS {
         let theory = full(a_over_b, POISSON)?;
-        cases.extend(creepages().map(|creepage| ReferenceCase {
+        let creepages: Vec<Creepage> = creepages().collect();
+        cases.par_extend(creepages.into_par_iter().map(|creepage| ReferenceCase {
             a_over_b,
             poisson: POISSON,
             creepage,

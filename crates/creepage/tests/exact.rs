@@ -278,14 +278,16 @@ proptest! {
             // Tractions are iterated to 1e-8 of the bound.
             prop_assert!(size <= bound * (1.0 + 1e-6));
             prop_assert!(element.power >= -1e-9);
-            let ([p, q], [u, v]) = (point.traction, point.slip);
-            if point.region == Region::Slip {
-                prop_assert!(size >= bound * (1.0 - 1e-6));
-                let slip = u.hypot(v);
-                prop_assert!((p * v - q * u).abs() <= 1e-6 * (1.0 + slip), "{p} {q} {u} {v}");
-                prop_assert!(p * u + q * v >= -1e-6);
-            } else {
-                prop_assert!(u.hypot(v) <= 0.0);
+            // Power is the whole of friction times slip: the traction is at its bound, and along
+            // the slip.
+            let slip = element.point.slip[0].hypot(element.point.slip[1]);
+            let friction = element.share * slip;
+            prop_assert!((element.power - friction).abs() <= 1e-6 * (element.share + friction));
+            if element.point.region == Region::Adhesion {
+                prop_assert!(slip <= 0.0);
+            }
+            if point.region == Region::Adhesion {
+                prop_assert!(point.slip[0].hypot(point.slip[1]) <= 0.0);
             }
         }
     }

@@ -5,7 +5,7 @@ use creepage_case::Solve;
 use super::{ENTRIES, Entry};
 
 /// The theory of a case that names none.
-const DEFAULT: &str = "variational";
+const DEFAULT: &str = "exact";
 
 /// The theories to use, and what of the case file does not concern them.
 pub(crate) struct Choice {

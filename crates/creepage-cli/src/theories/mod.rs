@@ -97,6 +97,32 @@ fn usual_mesh(ellipse: Ellipse) -> Vec<[f64; 2]> {
         .collect()
 }
 
+/// The full theory: its elements, and how far its force may be off.
+fn examine_exact(
+    _: Prepare,
+    a_over_b: f64,
+    poisson: f64,
+    solve: &Solve,
+    creepage: Creepage,
+) -> Result<Examination, TheoryError> {
+    let theory = prepare::exact_theory(a_over_b, poisson, solve)?;
+    let mut workspace = theory.workspace();
+    let found = theory.solve_with(creepage, &mut workspace);
+    let fields = theory.element_fields(&workspace);
+    let details = vec![
+        Detail { key: "fx_error", label: "error bar of f_x", value: found.error.fx },
+        Detail { key: "fy_error", label: "error bar of f_y", value: found.error.fy },
+        Detail { key: "mz_error", label: "error bar of m_z", value: found.error.mz },
+        Detail { key: "elements", label: "elements", value: fields.len() as f64 },
+    ];
+    Ok(Examination {
+        theory: Box::new(theory),
+        solution: Solution { force: found.force, status: found.status },
+        points: fields.iter().map(|element| element.point).collect(),
+        details,
+    })
+}
+
 /// The theory of chapter 5: the points of its integral, and how good the minimum is.
 fn examine_variational(
     _: Prepare,

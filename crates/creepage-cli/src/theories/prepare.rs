@@ -1,5 +1,7 @@
 //! From the options of a case file to a theory prepared.
 
+use creepage::InvalidValue;
+use creepage::rolling::exact::{Exact, Resolution};
 use creepage::rolling::fastrip::Fastrip;
 use creepage::rolling::fastsim::{self, Fastsim};
 use creepage::rolling::linear::{CreepageCoefficients, Linear};
@@ -12,6 +14,19 @@ use creepage::rolling::vermeulen_johnson::VermeulenJohnson;
 use creepage_case::Solve;
 
 use super::Prepared;
+
+pub(super) fn exact(a_over_b: f64, poisson: f64, solve: &Solve) -> Prepared {
+    Ok(Box::new(exact_theory(a_over_b, poisson, solve)?))
+}
+
+pub(super) fn exact_theory(
+    a_over_b: f64,
+    poisson: f64,
+    solve: &Solve,
+) -> Result<Exact, InvalidValue> {
+    let resolution = solve.resolution.map_or(Resolution::STANDARD, Into::into);
+    Exact::new(a_over_b, poisson, resolution)
+}
 
 pub(super) fn variational(a_over_b: f64, poisson: f64, solve: &Solve) -> Prepared {
     Ok(Box::new(Variational::new(a_over_b, poisson, variational_settings(solve))?))

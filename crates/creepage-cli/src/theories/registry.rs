@@ -1,9 +1,20 @@
 //! Every theory, with what it assumes, costs, and errs by.
 
-use super::{Entry, examine_any, examine_variational, prepare};
+use super::{Entry, examine_any, examine_exact, examine_variational, prepare};
 
 /// In the order of a reader's interest: the general ones first.
 pub(crate) const ENTRIES: &[Entry] = &[
+    Entry {
+        name: "exact",
+        year: 2026,
+        assumes: "Coulomb on elements",
+        cost: "3 ms",
+        error: 0.1,
+        good_for: "any case, with error bars",
+        options: &["resolution"],
+        prepare: prepare::exact,
+        examine: examine_exact,
+    },
     Entry {
         name: "variational",
         year: 1967,

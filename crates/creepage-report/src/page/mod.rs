@@ -16,7 +16,7 @@ use numbers::Numbers;
 pub struct Page<'a> {
     /// The theory that solved it.
     pub theory: &'a Variational,
-    /// Spin, magnitude of the creepage, and its angle from the rolling direction [degrees].
+    /// Spin, magnitude of the creepage, and its angle from the rolling direction (degrees).
     pub loops: [f64; 3],
     /// Creepage and spin.
     pub creepage: Creepage,

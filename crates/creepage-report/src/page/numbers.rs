@@ -41,7 +41,7 @@ fn floating_1967(value: f64) -> String {
     format!("{sign}.{digits}{exponent_sign}{:>2}", exponent.abs())
 }
 
-/// An angle from the rolling direction [degrees], from -90 up to 270 as on the page.
+/// An angle from the rolling direction (degrees), from -90 up to 270 as on the page.
 pub(super) fn angle([x, y]: [f64; 2]) -> f64 {
     let angle = y.atan2(x).to_degrees();
     if angle < -90.0 { angle + 360.0 } else { angle }

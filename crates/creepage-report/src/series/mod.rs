@@ -14,7 +14,7 @@ pub use netcdf::series_netcdf;
 /// One case of a series.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SeriesRow {
-    /// Angle from the rolling direction to the creepage [degrees].
+    /// Angle from the rolling direction to the creepage (degrees).
     pub alpha: f64,
     /// Magnitude of the creepage.
     pub upsilon: f64,

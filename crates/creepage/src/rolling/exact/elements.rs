@@ -95,7 +95,29 @@ impl Elements {
         0.5 * (self.border(strip) + self.border(strip + 1))
     }
 
+    /// The four elements around a position inside the contact, with the weights of bilinear
+    /// interpolation between their middles; at the edge of the contact the outermost counts on.
+    // Counts of elements, small and positive.
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+    pub(super) fn around(&self, ellipse: Ellipse, [x, y]: [f64; 2]) -> [(usize, f64); 4] {
+        let across = y / ellipse.b();
+        let length = ellipse.a() * root(across);
+        let angle = (x / length.max(f64::MIN_POSITIVE)).clamp(-1.0, 1.0).asin();
+        let beside = |place: f64, count: usize| {
+            let place = (place * count as f64 - 0.5).clamp(0.0, (count - 1) as f64);
+            let below = (place.floor() as usize).min(count - 1);
+            [(below, 1.0 - place.fract()), ((below + 1).min(count - 1), place.fract())]
+        };
+        let strips = beside(0.5 * (across + 1.0), self.strips);
+        let elements = beside(0.5 * (1.0 - angle / FRAC_PI_2), self.along);
+        [0, 1, 2, 3].map(|k: usize| {
+            let ((strip, by_strip), (i, by_element)) = (strips[k / 2], elements[k % 2]);
+            (strip * self.along + i, by_strip * by_element)
+        })
+    }
+
     /// The element that holds a position inside the contact.
+    #[cfg(test)]
     pub(super) fn find(&self, ellipse: Ellipse, [x, y]: [f64; 2]) -> usize {
         let across = y / ellipse.b();
         let strip = self.borders[1..self.strips].partition_point(|border| *border <= across);
@@ -167,6 +189,11 @@ mod tests {
             let length = ellipse.a() * root(y / ellipse.b());
             let x = 0.5 * length * (elements.cuts[i] + elements.cuts[i + 1]);
             assert_eq!(elements.find(ellipse, [x, y]), element);
+            let around = elements.around(ellipse, [x, y]);
+            assert!((around.iter().map(|(_, weight)| weight).sum::<f64>() - 1.0).abs() < 1e-14);
+            let own = around.iter().filter(|(e, _)| *e == element).map(|(_, weight)| weight);
+            // The middle of a cosine's cuts is not quite the middle of the element.
+            assert!(own.sum::<f64>() > 0.7);
         }
     }
 }

@@ -180,13 +180,38 @@ impl Workspace {
             .collect()
     }
 
+    /// Between the middles of elements the traction over its bound, and how far a point is from
+    /// the border of the adhesion area, are interpolated; the law of Coulomb then picks the
+    /// region, and the slip and the size of the traction that go with it.
     pub(super) fn field_at(&self, grid: &Grid, ellipse: Ellipse, position: [f64; 2]) -> FieldPoint {
         let [x, y] = self.mirror.position(position);
         let left = 1.0 - (x / ellipse.a()).powi(2) - (y / ellipse.b()).powi(2);
-        if left > 0.0 {
-            return self.point(grid.elements.find(ellipse, [x, y]), position, left.sqrt());
+        let mut point =
+            FieldPoint { position, traction: [0.0; 2], slip: [0.0; 2], region: Region::Slip };
+        if left <= 0.0 {
+            return point;
         }
-        FieldPoint { position, traction: [0.0; 2], slip: [0.0; 2], region: Region::Slip }
+        let mut beyond_adhesion = 0.0;
+        for (element, weight) in grid.elements.around(ellipse, [x, y]) {
+            let (traction, slip) = (self.traction(element), self.slip(element));
+            for k in 0..2 {
+                point.traction[k] += weight * traction[k];
+                point.slip[k] += weight * slip[k];
+            }
+            beyond_adhesion += weight
+                * if self.states[1].slides[element] {
+                    slip[0].hypot(slip[1])
+                } else {
+                    traction[0].hypot(traction[1]) - 1.0
+                };
+        }
+        if beyond_adhesion <= 0.0 {
+            point.region = Region::Adhesion;
+            point.slip = [0.0; 2];
+        }
+        point.traction = self.mirror.vector(point.traction.map(|t| left.sqrt() * t));
+        point.slip = self.mirror.vector(point.slip);
+        point
     }
 
     fn point(&self, element: usize, position: [f64; 2], bound: f64) -> FieldPoint {
