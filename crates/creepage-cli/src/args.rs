@@ -224,7 +224,7 @@ pub(crate) struct AccuracyArgs {
     #[arg(long, value_name = "NAMES", value_delimiter = ',')]
     pub(crate) theory: Vec<String>,
     /// Measure over a grid of 3220 cases that the theory `exact` solves at its fine resolution:
-    /// a/b from 0.2 to 5, spin to 2, creepage in every direction; half a minute on two cores.
+    /// a/b from 0.2 to 5, spin to 2, creepage in every direction; a minute on two cores.
     #[arg(long)]
     pub(crate) grid: bool,
     /// Print JSON, with errors as parts of one.
