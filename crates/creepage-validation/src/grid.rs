@@ -19,7 +19,13 @@ fn magnitudes() -> impl Iterator<Item = f64> {
 }
 
 /// 3220 cases as `full` answers them: `a/b` from 0.2 to 5, spin from 0 to 2, 7 directions and 23
-/// magnitudes of the creepage. `full` prepares the theory for `a/b` and Poisson's ratio.
+/// magnitudes of the creepage.
+///
+/// A mean over such a set depends on how much of it slides fully, where good theories agree: with
+/// magnitudes evenly spaced to 10, not by decades, FASTSIM's root mean square error is a quarter
+/// less with blended flexibilities, and a sixth more with those of 1982.
+///
+/// `full` prepares the theory for `a/b` and Poisson's ratio.
 ///
 /// # Errors
 /// What `full` returns, should it not reach all of the grid.
