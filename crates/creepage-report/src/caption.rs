@@ -3,11 +3,11 @@
 use creepage::Hertz;
 use creepage::rolling::Status;
 
-use crate::contact_picture::{DARK, GREY, MARGIN, PALE, RED, WIDTH};
 use crate::format::{Scale, fixed, quantity, significant};
 use crate::label::Label;
 use crate::report::Report;
 use crate::scene::{Anchor, Ink, Scene, Type};
+use crate::sheet::{DARK, GREY, MARGIN, PALE, RED, WIDTH};
 use crate::text::status_words;
 
 /// Height of title and subtitle.

@@ -7,28 +7,7 @@ use crate::contact_view::View;
 use crate::legend;
 use crate::report::Report;
 use crate::scene::{Point, Scene};
-
-/// Ink for text and outlines.
-pub(crate) const DARK: &str = "#17212b";
-/// Ink for what should stand back.
-pub(crate) const GREY: &str = "#5d6a76";
-/// Hairlines.
-pub(crate) const PALE: &str = "#c9d1d9";
-/// The adhesion area: clearly darker than the slip area in grey print too.
-pub(crate) const ADHESION: &str = "#9cc3e6";
-/// The slip area, under its hatching.
-pub(crate) const SLIP: &str = "#fdf3e1";
-/// Hatching of the slip area.
-pub(crate) const HATCHING: &str = "#efc48b";
-/// Traction.
-pub(crate) const TRACTION: &str = "#10243a";
-/// The spin pole, and what must not be overlooked.
-pub(crate) const RED: &str = "#b3261e";
-
-/// Width of the sheet.
-pub(crate) const WIDTH: f64 = 1000.0;
-/// White left and right.
-pub(crate) const MARGIN: f64 = 44.0;
+use crate::sheet::{Area, MARGIN, WIDTH};
 
 /// Contacts longer than this, along over across, have the legend below instead of beside.
 const WIDE: f64 = 1.7;
@@ -52,13 +31,6 @@ impl Report<'_> {
         let description = format!("Rolling contact, theory {}", self.answer.theory_name);
         scene.finish([WIDTH, layout.table + caption::TABLE_HEIGHT], &description)
     }
-}
-
-/// A part of the sheet: where it starts and ends.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Area {
-    pub(crate) from: Point,
-    pub(crate) to: Point,
 }
 
 /// What goes where on a sheet with one ellipse, a legend, and a table at the foot.
@@ -132,6 +104,7 @@ mod tests {
 
     use super::*;
     use crate::raster;
+    use crate::sheet::RED;
     use crate::testing::{CURVE, Free, Sliding, check_sheet, contact, report, sliding, sticking};
 
     const RATIOS: [f64; 9] = [1e-4, 0.05, 0.3, 1.0, 1.5, 1.9, 6.0, 20.0, 1e4];

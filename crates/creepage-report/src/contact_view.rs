@@ -2,12 +2,12 @@
 
 use creepage::rolling::FieldPoint;
 
-use crate::contact_picture::{ADHESION, Area, DARK, GREY, HATCHING, RED, SLIP, TRACTION};
 use crate::format::round_below;
 use crate::label::Label;
 use crate::plane::Plane;
 use crate::report::{Report, disc_to_theory};
 use crate::scene::{Anchor, Ink, Point, Scene, Type};
+use crate::sheet::{ADHESION, Area, DARK, GREY, HATCHING, RED, SLIP, TRACTION};
 
 /// Tractions below this share of their bound are rounding errors, and not drawn.
 const NOISE: f64 = 1e-9;

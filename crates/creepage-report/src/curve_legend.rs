@@ -2,11 +2,11 @@
 
 use creepage::rolling::Status;
 
-use crate::contact_picture::{DARK, GREY, MARGIN, WIDTH};
 use crate::curves::Curves;
 use crate::format::significant;
 use crate::label::Label;
 use crate::scene::{Anchor, Ink, Point, Scene, Type};
+use crate::sheet::{DARK, GREY, MARGIN, WIDTH};
 
 /// Colour, dashes and width: different in grey print too.
 const PENS: [(&str, &str, f64); 10] = [

@@ -3,12 +3,12 @@
 use creepage::rolling::{Force, Status};
 
 use crate::axis::Axis;
-use crate::contact_picture::{Area, DARK, GREY, MARGIN, PALE, WIDTH};
 use crate::curve_legend::{CASE, pen};
 use crate::curves::{Component, Curve, Curves};
 use crate::format::Scale;
 use crate::label::Label;
 use crate::scene::{Anchor, Ink, Point, Scene, Type};
+use crate::sheet::{Area, DARK, GREY, MARGIN, PALE, WIDTH};
 
 const NUMBERS: Type = Type { size: 14.0, colour: DARK, bold: false, anchor: Anchor::Middle };
 const WORDS: Type = Type { size: 15.0, colour: DARK, bold: false, anchor: Anchor::Start };

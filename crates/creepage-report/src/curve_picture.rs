@@ -6,13 +6,13 @@ use creepage::rolling::Force;
 
 use crate::axis::Axis;
 use crate::caption;
-use crate::contact_picture::{Area, DARK, GREY, MARGIN, WIDTH};
 use crate::curve_legend;
 use crate::curve_panel::Panel;
 use crate::curves::{Component, Curves};
 use crate::format::significant;
 use crate::label::Label;
 use crate::scene::{Scene, Type};
+use crate::sheet::{Area, DARK, GREY, MARGIN, WIDTH};
 
 /// Where the curves start and end.
 const SIDES: [f64; 2] = [112.0, 888.0];

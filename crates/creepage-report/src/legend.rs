@@ -1,12 +1,12 @@
 //! What the signs of the contact picture mean, and how it is to be looked at.
 
-use crate::contact_picture::{ADHESION, DARK, GREY, SLIP, TRACTION};
 use crate::contact_view::{View, pole_mark, spin_pole};
 use crate::format::{fixed, quantity, significant};
 use crate::label::Label;
 use crate::plane::Plane;
 use crate::report::Report;
 use crate::scene::{Ink, Point, Scene, Type};
+use crate::sheet::{ADHESION, DARK, GREY, SLIP, TRACTION};
 
 /// White between the legend's two parts.
 pub(crate) const GAP: f64 = 26.0;

@@ -67,6 +67,7 @@ mod raster;
 mod report;
 mod scene;
 mod series;
+mod sheet;
 mod statics;
 #[cfg(test)]
 mod testing;

@@ -2,11 +2,11 @@
 
 use creepage::Ellipse;
 
-use crate::contact_picture::{DARK, GREY};
 use crate::contact_view::magnitude;
 use crate::format::{round_below, significant};
 use crate::label::Label;
 use crate::scene::{Ink, Point, Scene, Type};
+use crate::sheet::{DARK, GREY};
 
 /// Longest arrow over the distance between arrows.
 const LONGEST: f64 = 0.92;

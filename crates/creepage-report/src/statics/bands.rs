@@ -5,9 +5,9 @@ use creepage::rolling::Region;
 use super::StaticsReport;
 use super::levels::MOST;
 use crate::areas::Areas;
-use crate::contact_picture::DARK;
 use crate::plane::Plane;
 use crate::scene::{Ink, Point, Scene};
+use crate::sheet::DARK;
 
 /// Shades in equal steps of grey, light enough to carry dark arrows.
 const SHADES: [&str; MOST + 1] =

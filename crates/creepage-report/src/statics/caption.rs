@@ -2,9 +2,9 @@
 
 use super::StaticsReport;
 use super::field::Field;
-use crate::contact_picture::{DARK, GREY, MARGIN, PALE, WIDTH};
 use crate::label::Label;
 use crate::scene::{Anchor, Ink, Scene, Type};
+use crate::sheet::{DARK, GREY, MARGIN, PALE, WIDTH};
 
 /// Height of title and subtitle.
 pub(super) const TITLE_HEIGHT: f64 = 104.0;

@@ -4,11 +4,11 @@ use super::StaticsReport;
 use super::bands::shade;
 use super::field::Field;
 use super::picture::Arrows;
-use crate::contact_picture::{DARK, GREY, TRACTION};
 use crate::contact_view::pole_mark;
 use crate::format::{Scale, quantity, round_below};
 use crate::label::Label;
 use crate::scene::{Anchor, Ink, Point, Scene, Type};
+use crate::sheet::{DARK, GREY, TRACTION};
 
 /// The line of a die's lift-off limit.
 pub(super) const LIMIT: Ink = Ink::line(DARK, 1.8).dashed("6 4");

@@ -2,11 +2,12 @@
 
 use super::field::Field;
 use super::{StaticsReport, bands, caption, key};
-use crate::contact_picture::{DARK, Layout, TRACTION, WIDTH};
+use crate::contact_picture::Layout;
 use crate::contact_view::{magnitude, pole_mark};
 use crate::legend;
 use crate::plane::Plane;
 use crate::scene::{Ink, Point, Scene};
+use crate::sheet::{DARK, TRACTION, WIDTH};
 
 /// The arrows: where they stand, `(x/a, y/b)`, and the tractions there (Pa).
 pub(super) struct Arrows {
