@@ -5,8 +5,18 @@
 //! slip squared: where `T < S` a point belongs to the area of slip, elsewhere to that of
 //! adhesion.
 //!
-//! The force errs by some 2 to 10 %, most at small creepage and near the peak of pure spin;
-//! the thesis's own test is in [`VariationalSolution::aberrations`].
+//! Error of the force in per cent of `mu N` over the 132 reference cases of
+//! `creepage-validation`; it is largest at small creepage and in pure spin:
+//!
+//! | `M` | median | rms | worst |
+//! |---|---|---|---|
+//! | 3 | 1.9 | 6.1 | 23 |
+//! | 4 | 1.6 | 4.2 | 18 |
+//! | 6 | 1.0 | 2.7 | 11 |
+//! | 8 | 0.7 | 2.1 | 8.4 |
+//! | 12 | 0.4 | 1.2 | 5.2 |
+//!
+//! The thesis's own test of a solution is in [`VariationalSolution::aberrations`].
 
 mod chain;
 mod discretization;
