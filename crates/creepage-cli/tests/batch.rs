@@ -95,7 +95,8 @@ fn a_wrong_row_says_why_and_the_rest_go_on() {
 
 #[test]
 fn extreme_numbers_give_an_answer_or_a_reason_but_no_nan() {
-    let extremes = ["0", "-0.0", "1e-300", "1e-6", "1", "1e6", "1e100", "-1e100"];
+    let extremes =
+        ["0", "-0.0", "1e-300", "1e-6", "1", "1e6", "1e100", "-1e100", "1e308", "-1e308"];
     let mut input = HEADER.to_owned();
     for (ratio, creepage) in extremes.iter().flat_map(|r| extremes.map(|c| (r, c))) {
         writeln!(input, "{ratio},0.28,{creepage},1,1").unwrap();

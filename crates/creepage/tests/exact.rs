@@ -270,22 +270,26 @@ proptest! {
         let elements = theory.element_fields(&workspace);
         prop_assert!((elements.iter().map(|e| e.power).sum::<f64>() - found.dissipation).abs() < 1e-9);
         prop_assert!((elements.iter().map(|e| e.share).sum::<f64>() - 1.0).abs() < 1e-12);
-        let positions: Vec<_> = elements.iter().map(|e| e.point.position).collect();
-        for (element, point) in elements.iter().zip(theory.field_of(&workspace, &positions)) {
-            let [x, y] = point.position;
-            let bound = (1.0 - x * x / ratio - y * y * ratio).sqrt();
-            let size = point.traction[0].hypot(point.traction[1]);
+        for element in &elements {
+            let ([p, q], [u, v]) = (element.point.traction, element.point.slip);
+            let (size, slip) = (p.hypot(q), u.hypot(v));
             // Tractions are iterated to 1e-8 of the bound.
-            prop_assert!(size <= bound * (1.0 + 1e-6));
+            prop_assert!(size <= element.bound * (1.0 + 1e-6));
             prop_assert!(element.power >= -1e-9);
-            // Power is the whole of friction times slip: the traction is at its bound, and along
-            // the slip.
-            let slip = element.point.slip[0].hypot(element.point.slip[1]);
-            let friction = element.share * slip;
-            prop_assert!((element.power - friction).abs() <= 1e-6 * (element.share + friction));
-            if element.point.region == Region::Adhesion {
+            if element.point.region == Region::Slip {
+                prop_assert!(size >= element.bound * (1.0 - 1e-6));
+                prop_assert!((p * v - q * u).abs() <= 1e-6 * (1.0 + slip), "{p} {q} {u} {v}");
+                prop_assert!(p * u + q * v >= -1e-6);
+            } else {
                 prop_assert!(slip <= 0.0);
             }
+        }
+        // Between the elements' middles the field is interpolated, and stays below the bound.
+        let positions: Vec<_> = elements.iter().map(|e| e.point.position).collect();
+        for point in theory.field_of(&workspace, &positions) {
+            let [x, y] = point.position;
+            let bound = (1.0 - x * x / ratio - y * y * ratio).sqrt();
+            prop_assert!(point.traction[0].hypot(point.traction[1]) <= bound * (1.0 + 1e-6));
             if point.region == Region::Adhesion {
                 prop_assert!(point.slip[0].hypot(point.slip[1]) <= 0.0);
             }

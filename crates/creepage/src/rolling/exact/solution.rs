@@ -33,6 +33,8 @@ pub struct ExactSolution {
 pub struct ElementField {
     /// Traction at the centroid of the pressure, and slip.
     pub point: FieldPoint,
+    /// Mean over the element of the traction bound over its largest value.
+    pub bound: f64,
     /// Share of the normal force that the element carries.
     pub share: f64,
     /// Frictional power of the element over `mu N mu c V / rho`.
@@ -173,6 +175,7 @@ impl Workspace {
                         self.mirror.position(at),
                         grid.elements.bounds[element],
                     ),
+                    bound: grid.elements.bounds[element],
                     share: grid.elements.shares[element],
                     power: self.power(grid, element),
                 }
