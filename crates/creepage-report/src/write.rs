@@ -20,18 +20,25 @@ impl Report<'_> {
     pub fn write(&self, directory: &Path) -> Result<Vec<PathBuf>, ReportError> {
         let mut json = serde_json::to_string_pretty(&self.json())?;
         json.push('\n');
-        let svg = self.contact_svg();
-        let png = raster::png(&svg)?;
-        write_all(
-            directory,
-            &[
-                ("report.json", json.as_bytes()),
-                ("points.csv", &self.points_csv()?),
-                ("contact.svg", svg.as_bytes()),
-                ("contact.png", &png),
-            ],
-        )
+        write_contact(directory, &json, &self.points_csv()?, &self.contact_svg())
     }
+}
+
+/// The files of one contact: `report.json`, `points.csv`, and the picture as SVG and PNG.
+pub(crate) fn write_contact(
+    directory: &Path,
+    json: &str,
+    points: &[u8],
+    svg: &str,
+) -> Result<Vec<PathBuf>, ReportError> {
+    let png = raster::png(svg)?;
+    let files: [(&str, &[u8]); 4] = [
+        ("report.json", json.as_bytes()),
+        ("points.csv", points),
+        ("contact.svg", svg.as_bytes()),
+        ("contact.png", &png),
+    ];
+    write_all(directory, &files)
 }
 
 /// Writes files, by name and contents, into `directory`, which is made when missing: all of them

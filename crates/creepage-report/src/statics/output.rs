@@ -8,9 +8,8 @@ use serde_json::{Map, Value, json};
 use super::StaticsReport;
 use super::quantity::Quantity;
 use crate::error::ReportError;
-use crate::raster;
 use crate::text::aligned;
-use crate::write::write_all;
+use crate::write::write_contact;
 
 /// Cells across the box around the contact; each whose centre is in the contact is a point.
 const CELLS: u32 = 40;
@@ -56,17 +55,7 @@ impl StaticsReport<'_> {
     /// [`ReportError`]; what was made until then is removed.
     pub fn write(&self, directory: &Path) -> Result<Vec<PathBuf>, ReportError> {
         let json = format!("{:#}\n", self.json());
-        let svg = self.svg();
-        let png = raster::png(&svg)?;
-        write_all(
-            directory,
-            &[
-                ("report.json", json.as_bytes()),
-                ("points.csv", &self.points_csv()?),
-                ("contact.svg", svg.as_bytes()),
-                ("contact.png", &png),
-            ],
-        )
+        write_contact(directory, &json, &self.points_csv()?, &self.svg())
     }
 
     /// The field at points of the contact; a cell is empty where a number does not exist.
