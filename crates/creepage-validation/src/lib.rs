@@ -17,6 +17,7 @@ mod accuracy;
 mod grid;
 mod printed;
 mod reference;
+mod square_grid;
 mod table1;
 mod table2;
 
@@ -24,5 +25,6 @@ pub use accuracy::{Accuracy, Spread, measure};
 pub use grid::grid;
 pub use printed::{Entry, TableError, Verdict};
 pub use reference::{ReferenceCase, ReferenceError, steady_rolling};
+pub use square_grid::SquareGrid;
 pub use table1::table1;
 pub use table2::{Table2Error, table2};
