@@ -56,6 +56,21 @@ pub enum CaseError {
         /// Section and key.
         second: (&'static str, &'static str),
     },
+    /// The creepage is wanted where it must be given.
+    #[error(
+        "section [wanted] asks for a creepage, which `solve` finds: what needs a creepage to \
+         start from takes it from [creepage] alone"
+    )]
+    Wanted,
+    /// Creepages and wanted forces that are too few, or too many, to determine the others.
+    #[error(
+        "[creepage] and [wanted] give {} of six quantities ({}): exactly three are needed, those \
+         that are zero included", given.len(), given.join(", ")
+    )]
+    NotThree {
+        /// Those that are given.
+        given: Vec<&'static str>,
+    },
     /// A number out of its range.
     #[error("[{section}] {invalid}")]
     Invalid {
