@@ -1,5 +1,5 @@
-//! What a solved case looks like: text for the terminal, JSON and CSV for programs, and a
-//! picture of the contact as SVG and PNG.
+//! What a solved case looks like: text for the terminal, JSON, CSV and VTK for programs, and
+//! a picture of the contact as SVG and PNG.
 //!
 //! A [`Report`] is made from one [`Hertz`](creepage::Hertz) contact and the [`Answer`] of one
 //! theory; everything else follows from it.
@@ -72,6 +72,7 @@ mod statics;
 #[cfg(test)]
 mod testing;
 mod text;
+mod vtk;
 mod write;
 
 pub use curves::{Component, Curves};
@@ -81,7 +82,7 @@ pub use json::{
     SolidJson, hertz_json,
 };
 pub use page::{Page, PageStyle};
-pub use report::{Answer, Detail, Report};
+pub use report::{Answer, Detail, Extras, Report};
 pub use series::{SeriesHead, SeriesRow, series_csv, series_json, series_netcdf};
 pub use statics::StaticsReport;
 pub use text::hertz_text;
