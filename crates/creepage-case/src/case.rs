@@ -130,7 +130,7 @@ impl CaseFile {
     /// `[wanted]` together.
     pub fn inverse(&self) -> Result<InverseCase, CaseError> {
         let (contact, friction, scaling) = self.rolling_contact()?;
-        let known = self.wanted.known(&self.creepage, scaling)?;
+        let known = self.wanted.known(&self.creepage, contact.ellipse(), scaling)?;
         let (speed, solve) = (self.creepage.speed()?, self.solve.clone());
         Ok(InverseCase { contact, friction, known, scaling, speed, solve })
     }

@@ -111,18 +111,3 @@ pub(crate) fn given(
 ) -> impl Iterator<Item = &'static str> {
     names.into_iter().zip(values).filter_map(|(name, value)| value.map(|_| name))
 }
-
-/// Those that are given must be finite.
-pub(crate) fn finite(
-    section: &'static str,
-    names: [&'static str; 3],
-    values: [Option<f64>; 3],
-) -> Result<(), CaseError> {
-    for (quantity, value) in names.into_iter().zip(values.map(|value| value.unwrap_or(0.0))) {
-        if !value.is_finite() {
-            let valid = "a finite number";
-            return Err(CaseError::invalid(section)(InvalidValue { quantity, value, valid }));
-        }
-    }
-    Ok(())
-}

@@ -71,6 +71,16 @@ pub enum CaseError {
         /// Those that are given.
         given: Vec<&'static str>,
     },
+    /// A wanted force that no creepage can give.
+    #[error("[wanted] {key} = {value:?} is not reachable: friction gives at most {most}")]
+    BeyondFriction {
+        /// The force or moment.
+        key: &'static str,
+        /// The value that was given.
+        value: f64,
+        /// The largest size that it can have, in the same unit.
+        most: f64,
+    },
     /// A number out of its range.
     #[error("[{section}] {invalid}")]
     Invalid {

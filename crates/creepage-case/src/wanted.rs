@@ -1,11 +1,12 @@
 //! `[wanted]`: forces to which the creepage is to be found.
 
+use creepage::Ellipse;
 use creepage::rolling::Scaling;
 use creepage::rolling::exact::Known;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use crate::creepage::{CreepageSection, finite, given};
+use crate::creepage::{CreepageSection, given};
 use crate::error::CaseError;
 
 /// Forces of the upper body on the lower that are wanted: either `longitudinal_force`,
@@ -39,9 +40,10 @@ impl WantedSection {
     pub(crate) fn known(
         &self,
         creepage: &CreepageSection,
+        ellipse: Ellipse,
         scaling: Scaling,
     ) -> Result<Known, CaseError> {
-        let force = self.force(scaling)?;
+        let force = self.force(ellipse, scaling)?;
         let names: Vec<_> = creepage.names().chain(self.names()).collect();
         if names.len() != 3 {
             return Err(CaseError::NotThree { given: names });
@@ -64,15 +66,31 @@ impl WantedSection {
         given(SI_NAMES, self.si()).chain(given(NAMES, self.dimensionless()))
     }
 
-    fn force(&self, scaling: Scaling) -> Result<[Option<f64>; 3], CaseError> {
+    fn force(&self, ellipse: Ellipse, scaling: Scaling) -> Result<[Option<f64>; 3], CaseError> {
         let (si, dimensionless) = (self.si(), self.dimensionless());
         let both = (given(SI_NAMES, si).next(), given(NAMES, dimensionless).next());
         if let (Some(first), Some(second)) = both {
             return Err(CaseError::Conflict { first: (SECTION, first), second: (SECTION, second) });
         }
-        finite(SECTION, SI_NAMES, si)?;
-        finite(SECTION, NAMES, dimensionless)?;
+        let arm = ellipse.a().max(ellipse.b()) / ellipse.c();
         let units = [scaling.force, scaling.force, scaling.force * scaling.length];
+        within(SI_NAMES, si, [units[0], units[1], units[2] * arm])?;
+        within(NAMES, dimensionless, [1.0, 1.0, arm])?;
         Ok([0, 1, 2].map(|k| dimensionless[k].or(si[k].map(|value| value / units[k]))))
     }
+}
+
+/// A force cannot exceed `mu N`, nor a moment that at the end of the larger semi-axis.
+fn within(
+    names: [&'static str; 3],
+    values: [Option<f64>; 3],
+    most: [f64; 3],
+) -> Result<(), CaseError> {
+    for ((key, value), most) in names.into_iter().zip(values).zip(most) {
+        let value = value.unwrap_or(0.0);
+        if value.is_nan() || value.abs() > most {
+            return Err(CaseError::BeyondFriction { key, value, most });
+        }
+    }
+    Ok(())
 }

@@ -137,9 +137,18 @@ fn wanted_forces_and_creepages_must_be_three() {
     assert!(
         four.contains("give 4 of six quantities (longitudinal, lateral, spin, longitudinal_force)")
     );
-    assert!(wanted("moment = nan").contains("[wanted] moment = NaN is not valid"));
-    assert!(wanted("fx = inf").contains("[wanted] fx = inf"));
+    assert!(
+        wanted("moment = nan")
+            .contains("[wanted] moment = NaN is not reachable: friction gives at most 16")
+    );
+    assert!(
+        wanted("fx = inf").contains("[wanted] fx = inf is not reachable: friction gives at most 1")
+    );
     assert!(wanted("fx = 0.1\nmoment = 1").contains("[wanted] moment and [wanted] fx exclude"));
+    let too_much =
+        "[wanted] longitudinal_force = -25000.0 is not reachable: friction gives at most 24000";
+    assert_eq!(wanted("longitudinal_force = -25e3"), too_much);
+    assert!(wanted("mz = 1.2").contains("friction gives at most 1.15"));
     assert!(wanted("lateral = 1").contains("did you mean `lateral_force`?"));
     refused("[creepage]", "[wanted]\nfx = 0\n[creepage]", &["[wanted]", "`solve`", "[creepage]"]);
     refused("[creepage]", "[wanteds]\n[creepage]", &["did you mean `wanted`?"]);

@@ -37,7 +37,7 @@ pub(crate) enum Command {
     /// are found. Forces beyond friction's reach are refused, with the most that was reached.
     ///
     /// The report goes to standard output; with --out, also report.json, points.csv,
-    /// contact.vtk (for `ParaView`), contact.svg and contact.png into a directory.
+    /// contact.vtk (the field for VTK programs), contact.svg and contact.png into a directory.
     Solve(SolveArgs),
     /// Solve many cases: CSV in, the same rows with forces appended out.
     ///

@@ -101,16 +101,23 @@ fn refused(lines: &str, arguments: &[&str], parts: &[&str]) {
 #[test]
 fn forces_beyond_friction_are_refused_with_the_most_that_is_reached() {
     let straight = "[creepage]\nlateral = 0\nspin = 0\n[wanted]\n";
-    for (force, most) in [("30e3", "longitudinal_force = 24000.0 N"), ("-30e3", "= -24000.0 N")] {
-        let lines = format!("{straight}longitudinal_force = {force}\n");
-        refused(
-            &lines,
-            &[],
-            &["case.toml: [wanted] is not reachable: at most", most, "was reached"],
-        );
-    }
-    refused(&format!("{straight}fx = 1.01\n"), &[], &["at most longitudinal_force = 24000.0 N"]);
-    refused("[wanted]\nfx = 0.8\nfy = 0.8\nmz = 0\n", &[], &["lateral_force", "moment"]);
+    let most = "longitudinal_force = -30000.0 is not reachable: friction gives at most 24000";
+    refused(
+        &format!("{straight}longitudinal_force = -30e3\n"),
+        &[],
+        &["case.toml: [wanted]", most],
+    );
+    refused(&format!("{straight}fx = 1.01\n"), &[], &["fx = 1.01", "at most 1"]);
+    // Together they are beyond friction; with so much spin the lateral force is.
+    let both =
+        ["[wanted] is not reachable: at most longitudinal_force = ", "lateral_force", "moment"];
+    refused("[wanted]\nfx = 0.8\nfy = 0.8\nmz = 0\n", &[], &both);
+    let spin = "[creepage]\nxi = 0\nchi = 1e6\n[wanted]\nlateral_force = 12e3\n";
+    refused(
+        spin,
+        &[],
+        &["at most lateral_force = ", "was reached, at longitudinal = 0.0, lateral"],
+    );
 }
 
 #[test]
