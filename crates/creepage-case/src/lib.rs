@@ -1,8 +1,9 @@
 //! Case files: one rolling contact described in TOML, in SI units.
 //!
 //! [`CaseFile::read`] checks the file's form (its sections and keys), [`CaseFile::hertz`] what
-//! the contact needs, [`CaseFile::case`] all that a theory of rolling needs. Every error names
-//! the section and the key that it is about. [`json_schema`] describes the format to editors.
+//! the contact needs, [`CaseFile::case`] all that a theory of rolling needs, and
+//! [`CaseFile::inverse`] the same where forces are wanted and creepages to be found. Every error
+//! names the section and the key that it is about. [`json_schema`] describes the format to editors.
 //!
 //! ```
 //! let text = r#"

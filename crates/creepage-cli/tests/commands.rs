@@ -182,6 +182,14 @@ fn what_init_shows_in_comments_is_a_case_too() {
     let axes = example.replace("\nradius", "\n# radius").replace("# semi_axis", "semi_axis");
     place.write("axes.toml", axes);
     place.run(&["solve", "axes.toml"]).done();
+    let wanted = example
+        .replace("\nlongitudinal = ", "\n# longitudinal = ")
+        .replace("# speed", "speed")
+        .replace("# [wanted]", "[wanted]")
+        .replace("# longitudinal_force", "longitudinal_force");
+    place.write("wanted.toml", wanted);
+    let report = place.run(&["solve", "wanted.toml"]).done();
+    assert!(report.contains("-12.000 kN") && report.contains("frictional power"), "{report}");
 }
 
 #[test]

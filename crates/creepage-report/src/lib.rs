@@ -49,6 +49,7 @@
 mod areas;
 mod axis;
 mod caption;
+mod contact_json;
 mod contact_picture;
 mod contact_view;
 mod curve_legend;
@@ -75,12 +76,10 @@ mod text;
 mod vtk;
 mod write;
 
+pub use contact_json::{HertzJson, SolidJson, hertz_json};
 pub use curves::{Component, Curves};
 pub use error::ReportError;
-pub use json::{
-    AreasJson, CreepageJson, DetailJson, DimensionlessJson, ForceJson, HertzJson, ReportJson,
-    SolidJson, hertz_json,
-};
+pub use json::{AreasJson, CreepageJson, DetailJson, DimensionlessJson, ForceJson, ReportJson};
 pub use page::{Page, PageStyle};
 pub use report::{Answer, Detail, Extras, Report};
 pub use series::{SeriesHead, SeriesRow, series_csv, series_json, series_netcdf};

@@ -57,6 +57,15 @@ impl Automatic {
     /// As [`Exact::find`], refining until the error bars of `fx` and `fy` at the creepage found
     /// are below the wanted accuracy or the finest resolution is reached.
     ///
+    /// ```
+    /// use creepage::rolling::exact::{Automatic, Known};
+    /// let theory = Automatic::new(1.0, 0.28, 0.004)?;
+    /// let known = Known { eta: Some(0.0), chi: Some(0.2), fx: Some(0.5), ..Known::default() };
+    /// let (_, found) = theory.find(known)?;
+    /// assert!((found.solution.force.fx - 0.5).abs() < 1e-6 && found.solution.error.fx < 0.004);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
     /// # Errors
     /// [`InverseError`] as [`Exact::find`], at the finest resolution.
     pub fn find(&self, known: Known) -> Result<(&Exact, Found), InverseError> {
