@@ -33,17 +33,20 @@ Data goes to standard output, words to standard error. NO_COLOR is respected.";
 pub(crate) enum Command {
     /// Solve one case and report forces, areas of adhesion and slip, and heat.
     ///
+    /// A case file with a section [wanted] gives forces in place of creepages; the creepages
+    /// are found. Forces beyond friction's reach are refused, with the most that was reached.
+    ///
     /// The report goes to standard output; with --out, also report.json, points.csv,
-    /// contact.svg and contact.png into a directory.
+    /// contact.vtk (the field for VTK programs), contact.svg and contact.png into a directory.
     Solve(SolveArgs),
     /// Solve many cases: CSV in, the same rows with forces appended out.
     ///
     /// The input needs the columns `a_over_b`, poisson, xi, eta, chi, in any order: the ratio of
     /// the contact's semi-axes (along over across the rolling direction), the combined
     /// Poisson's ratio, and the dimensionless creepages. Further columns pass through. Appended
-    /// are fx, fy (in units of mu N), mz (mu N c), status and message. A row that is no case
-    /// gets the status `invalid` and the reason in `message`; the others are solved, and the
-    /// exit code is then 3.
+    /// are fx, fy (in units of mu N), mz (mu N c), by a theory with error bars also `fx_error`,
+    /// `fy_error`, `mz_error`, then status and message. A row that is no case gets the status
+    /// `invalid` and the reason in `message`; the others are solved, and the exit code is then 3.
     Batch(BatchArgs),
     /// Solve a series of cases of the numerical theory (Kalker 1967, chapter 5).
     ///
@@ -114,7 +117,12 @@ pub(crate) struct BatchArgs {
     /// CSV file with the cases; standard input if not given.
     #[arg(long = "in", value_name = "FILE")]
     pub(crate) input: Option<PathBuf>,
-    /// CSV file for the results; it appears when it is whole. Standard output if not given.
+    /// Option of the theory, as in [solve] of a case file: resolution=fine, grid=[20,20]; may be
+    /// given several times.
+    #[arg(long = "option", value_name = "KEY=VALUE")]
+    pub(crate) options: Vec<String>,
+    /// CSV file for the results; it appears when it is whole. Standard output if not given. What
+    /// is left of a run that was interrupted, .FILE.partial, the next run replaces.
     #[arg(long, value_name = "FILE")]
     pub(crate) out: Option<PathBuf>,
 }

@@ -5,26 +5,35 @@ use std::path::Path;
 
 use creepage::InvalidValue;
 use creepage::rolling::Status;
-use creepage_case::{Case, CaseError, CaseFile};
-use creepage_report::{Answer, Report, ReportError, hertz_json, hertz_text};
+use creepage::rolling::exact::Known;
+use creepage_case::{Case, CaseError, CaseFile, Solve};
+use creepage_report::{Answer, Extras, Report, ReportError, hertz_json, hertz_text};
 use serde::Serialize;
 
 use crate::Outcome;
 use crate::args::{HertzArgs, SolveArgs};
 use crate::caution::caution;
 use crate::failure::Failure;
+use crate::inverse;
 use crate::output::{print, say};
-use crate::theories::{self, Entry, Examination};
+use crate::theories::{self, Answered, Entry, Examination, TheoryError};
 
 /// `creepage solve`: the files first, then the report, so that a wrong `--out` prints nothing.
 pub(crate) fn solve(args: &SolveArgs) -> Result<Outcome, Failure> {
     let wrong = |source| Failure::Case { path: args.case.clone(), source };
-    let case = read(&args.case)?.case().map_err(wrong)?;
-    let theory = choose(args.theory.as_slice(), &case, &args.case)?[0];
-    let found = examine(&case, theory)
-        .map_err(|source| Failure::Options { path: args.case.clone(), source })?;
-    let status = found.solution.status;
-    let report = report(&case, theory, &found)
+    let file = read(&args.case)?;
+    let (known, theory, (case, found)) = if file.is_inverse() {
+        let case = file.inverse().map_err(wrong)?;
+        let theory = choose(args.theory.as_slice(), &case.solve, &args.case)?[0];
+        (Some(case.known), theory, inverse::find(case, theory, &args.case)?)
+    } else {
+        let case = file.case().map_err(wrong)?;
+        let theory = choose(args.theory.as_slice(), &case.solve, &args.case)?[0];
+        let found = examine(&case, theory)
+            .map_err(|source| Failure::Options { path: args.case.clone(), source })?;
+        (None, theory, (case, found))
+    };
+    let report = report(&case, theory, &found, known)
         .map_err(|invalid| wrong(CaseError::Invalid { section: "contact", invalid }))?;
     if let Some(directory) = &args.out {
         for path in report.write(directory)? {
@@ -32,7 +41,7 @@ pub(crate) fn solve(args: &SolveArgs) -> Result<Outcome, Failure> {
         }
     }
     print(&if args.json { to_json(&report.json())? } else { report.text() })?;
-    Ok(judge(status))
+    Ok(judge(&found.answered, &case.solve))
 }
 
 /// `creepage hertz`.
@@ -50,10 +59,10 @@ pub(crate) fn to_json(data: &impl Serialize) -> Result<String, Failure> {
 /// The theories to use for a case, at least one; says which options have no effect.
 pub(crate) fn choose(
     names: &[String],
-    case: &Case,
+    solve: &Solve,
     path: &Path,
 ) -> Result<Vec<&'static Entry>, Failure> {
-    let choice = theories::choose(names, &case.solve)
+    let choice = theories::choose(names, solve)
         .map_err(|source| Failure::Choice { path: path.into(), source })?;
     if let Some(note) = choice.note() {
         say(&note);
@@ -67,41 +76,56 @@ pub(crate) fn read(path: &Path) -> Result<CaseFile, Failure> {
     CaseFile::read(&text).map_err(|source| Failure::Case { path: path.into(), source })
 }
 
-fn examine(case: &Case, theory: &Entry) -> Result<Examination, theories::TheoryError> {
-    let ratio = case.contact.ellipse().ratio();
-    theory.examine(ratio, case.contact.pair().poisson(), &case.solve, case.creepage)
+fn examine(case: &Case, theory: &Entry) -> Result<Examination, TheoryError> {
+    let ellipse = case.contact.ellipse();
+    let prepared = (theory.prepare)(ellipse.ratio(), case.contact.pair().poisson(), &case.solve)?;
+    Ok(prepared.examine(ellipse, case.creepage)?)
 }
 
 fn report<'a>(
     case: &'a Case,
     theory: &'a Entry,
     found: &'a Examination,
+    known: Option<Known>,
 ) -> Result<Report<'a>, InvalidValue> {
     let answer = Answer {
         creepage: case.creepage,
         theory_name: theory.name,
         theory: &*found.theory,
-        solution: found.solution,
+        solution: found.answered.solution,
         points: found.points.clone(),
         details: found.details.clone(),
     };
-    Report::new(&case.contact, case.friction, answer)
+    let extras = Extras { known, speed: case.speed, dissipation: found.dissipation };
+    Ok(Report::new(&case.contact, case.friction, answer)?.with(extras))
 }
 
-/// Says aloud what the status holds against the solution.
-fn judge(status: Status) -> Outcome {
+/// Says aloud what is to be held against the solution.
+fn judge(answered: &Answered, solve: &Solve) -> Outcome {
+    let status = answered.solution.status;
     if let Some(words) = caution(status) {
         say(&format!("caution: {words}"));
+    }
+    if let (Some(accuracy), Some(error)) = (theories::wanted_accuracy(solve), answered.error)
+        && error.fx.max(error.fy) > accuracy
+    {
+        say("caution: at the finest resolution the error bars are above the wanted accuracy");
     }
     if status == Status::NotConverged { Outcome::Doubtful } else { Outcome::Done }
 }
 
 #[cfg(test)]
 mod tests {
+    use creepage::rolling::{Force, Solution};
+
     use super::*;
 
     #[test]
     fn only_a_solution_that_did_not_converge_is_doubtful() {
+        let judge = |status| {
+            let solution = Solution { force: Force::default(), status };
+            judge(&Answered { solution, error: None }, &Solve::default())
+        };
         assert_eq!(judge(Status::Solved), Outcome::Done);
         assert_eq!(judge(Status::CreepageTooSmall), Outcome::Done);
         assert_eq!(judge(Status::NotConverged), Outcome::Doubtful);

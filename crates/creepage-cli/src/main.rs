@@ -9,6 +9,7 @@ mod coefficients;
 mod curve;
 mod failure;
 mod init;
+mod inverse;
 mod output;
 mod partial_file;
 mod reproduce;

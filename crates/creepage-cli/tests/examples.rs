@@ -16,7 +16,7 @@ fn examples() -> Vec<PathBuf> {
     let entries = fs::read_dir(directory).unwrap().map(|entry| entry.unwrap().path());
     let cases: Vec<_> =
         entries.filter(|path| path.extension().is_some_and(|e| e == "toml")).collect();
-    assert!(cases.len() >= 5);
+    assert!(cases.len() >= 7);
     cases
 }
 
@@ -43,6 +43,27 @@ fn the_force_on_the_wheel_drives_in_traction_and_brakes_in_braking() {
     };
     assert!(force_on_wheel("wheel-on-rail.toml") > 0.0);
     assert!(force_on_wheel("wheel-braking.toml") < 0.0);
+}
+
+#[test]
+fn wanted_forces_are_met_by_the_creepage_that_is_found() {
+    let place = Place::new();
+    let solved = |name: &str| -> Value {
+        let path = examples().into_iter().find(|path| path.ends_with(name)).unwrap();
+        let printed = place.run(&["solve", path.to_str().unwrap(), "--json"]).done();
+        serde_json::from_str(&printed).unwrap()
+    };
+    let number = |value: &Value| value.as_f64().unwrap();
+    let ball = solved("ball-rolling-free.toml");
+    // The solver finds forces to 1e-7 of mu N.
+    assert!(number(&ball["dimensionless"]["fy"]).abs() < 1e-7);
+    // Spin turns the front of the ball to the right: it must creep to the left.
+    assert!(number(&ball["creepage"]["lateral"]) < -1e-4);
+    assert!((number(&ball["creepage"]["spin_rad_per_m"]) - 15.0).abs() < 1e-12);
+    let wheel = solved("wheel-tractive-effort.toml");
+    assert!((number(&wheel["lower_body"]["longitudinal_n"]) + 15e3).abs() < 24e3 * 1e-7);
+    assert_eq!(wheel["known"], serde_json::json!(["eta", "chi", "fx"]));
+    assert!(number(&wheel["details"]["fx_error"]["value"]) < 1e-3);
 }
 
 #[test]
