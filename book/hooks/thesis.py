@@ -67,7 +67,8 @@ def figure(path, beside):
 def entries(path):
     """A table of the thesis, folded: it is long."""
     body = rows(path).replace("\n", "\n    ")
-    return f'??? note "{path.stem.capitalize()}, entry by entry"\n\n    {body}'
+    name = re.sub(r"(?<=[a-z])(?=\d)", " ", path.stem).capitalize()
+    return f'??? note "{name}, entry by entry"\n\n    {body}'
 
 
 def rows(path):
