@@ -10,8 +10,8 @@
 //! Tractions are over the combined shear modulus `G`, exerted on the lower body; lengths are
 //! in the unit of the ellipse, displacements too.
 //!
-//! For like bodies they are Boussinesq's and Cerruti's integrals over the ellipse (2.11c), (2.15), `R` the
-//! distance between `(x, y)` and `(x', y')`:
+//! For like bodies they are Boussinesq's and Cerruti's integrals over the ellipse (2.11c), (2.15),
+//! `R` the distance between `(x, y)` and `(x', y')`:
 //!
 //! ```math
 //! \begin{aligned}
