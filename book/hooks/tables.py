@@ -4,7 +4,7 @@
     <!-- accuracy -->              the measured error of all theories
     <!-- accuracy NAME -->         that of one theory and its variants
     <!-- theories -->              the list of theories, with links to their pages
-    <!-- file PATH -->             a file of the repository, without its title
+    <!-- file PATH -->             a file of the repository
     <!-- file PATH: HEADING -->    one part of it
 """
 
@@ -103,9 +103,10 @@ def table(heads, rows, numbers_from=None):
 
 
 def part(path, heading=None):
-    """A file without its title, or what stands under a heading of it."""
-    text = (ROOT / path).read_text(encoding="utf-8")
-    body = re.split(r"^# .*\n", text, maxsplit=1, flags=re.MULTILINE)[-1]
+    """A file, Markdown without its title, or what stands under a heading of it."""
+    body = (ROOT / path).read_text(encoding="utf-8")
+    if path.endswith(".md"):
+        body = re.sub(r"\A# .*\n", "", body)
     if heading is None:
         return body.strip()
     found = re.search(rf"^## {re.escape(heading)}\n(.*?)(?=^## |\Z)", body, re.MULTILINE | re.DOTALL)
