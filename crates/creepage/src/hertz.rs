@@ -1,5 +1,14 @@
 //! Hertz contact of two bodies of revolution: curvatures and load in, contact ellipse out
 //! (3.36)-(3.52).
+//!
+//! The pressure (3.43), the axis ratio `g` of the ellipse for `a <= b` (3.48), with `A`, `B` the
+//! relative curvatures along and across, and the approach (3.52), `s` the minor semi-axis:
+//!
+//! ```math
+//! Z = \frac{3N}{2 \pi a b} \sqrt{1 - \frac{x^2}{a^2} - \frac{y^2}{b^2}}, \qquad
+//! \frac{A}{B} = \frac{\mathbf{B}(g)}{g^2 \mathbf{D}(g)}, \qquad
+//! \alpha = \frac{2 s^2 \mathbf{K}}{\rho \mathbf{E}}
+//! ```
 
 use std::f64::consts::PI;
 

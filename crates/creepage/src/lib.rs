@@ -54,3 +54,8 @@ pub use check::InvalidValue;
 pub use ellipse::Ellipse;
 pub use hertz::{Hertz, HertzError, Radii};
 pub use solid::{Solid, SolidPair};
+
+/// The guide's page on calling this library, whose programs run with the documentation tests.
+#[cfg(doctest)]
+#[doc = include_str!("../../../book/pages/how-to/rust.md")]
+struct Guide;

@@ -10,6 +10,20 @@
 //! Tractions are over the combined shear modulus `G`, exerted on the lower body; lengths are
 //! in the unit of the ellipse, displacements too.
 //!
+//! For like bodies they are Boussinesq's and Cerruti's integrals over the ellipse (2.11c), (2.15),
+//! `R` the distance between `(x, y)` and `(x', y')`:
+//!
+//! ```math
+//! \begin{aligned}
+//! u &= \frac{1}{\pi G} \iint \left[
+//!   \left( \frac{1 - \sigma}{R} + \frac{\sigma (x - x')^2}{R^3} \right) X
+//!   + \frac{\sigma (x - x')(y - y')}{R^3} Y \right] dx' dy' \\
+//! v &= \frac{1}{\pi G} \iint \left[ \frac{\sigma (x - x')(y - y')}{R^3} X
+//!   + \left( \frac{1 - \sigma}{R} + \frac{\sigma (y - y')^2}{R^3} \right) Y \right] dx' dy' \\
+//! w &= \frac{1 - \sigma}{\pi G} \iint \frac{Z}{R} \, dx' dy'
+//! \end{aligned}
+//! ```
+//!
 //! ```
 //! use creepage::Ellipse;
 //! use creepage::halfspace::{Edge, LoadDisplacement, Polynomial, Traction};

@@ -8,6 +8,16 @@
 //! strain): a traction `mu p0 sqrt(1 - x^2)` over the whole contact, less a similar one over the
 //! adhesion area, which borders on the leading edge. There is no ellipse and no Poisson's ratio
 //! in it, so it stands beside the three-dimensional theories and is asked by its own parameter.
+//!
+//! With `xi = upsilon_x rho/(mu a)`, lengths in units of `a`, and the adhesion area from `x0` to
+//! the leading edge at 1 (1.2), (1.3):
+//!
+//! ```math
+//! \frac{X}{\mu p_0} = \operatorname{sgn} \xi
+//! \left[ \sqrt{1 - x^2} - \sqrt{(1 - x)(x - x_0)} \right],
+//! \quad x_0 = \frac{|\xi|}{2} - 1; \qquad
+//! \frac{F_x}{\mu N} = \frac{\xi (8 - |\xi|)}{16}
+//! ```
 
 use std::f64::consts::PI;
 

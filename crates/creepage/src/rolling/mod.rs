@@ -9,6 +9,30 @@
 //! of the **upper** body relative to the **lower**, over the rolling velocity. Tractions,
 //! forces and the moment are exerted **by the upper body on the lower**, and have the sense of
 //! the slip.
+//!
+//! # The problem
+//! With `u = u+ - u-` the difference of the displacements, the slip over the rolling velocity is
+//! (4.15)
+//!
+//! ```math
+//! s_x = \upsilon_x - \phi y + \frac{\partial u}{\partial x}, \qquad
+//! s_y = \upsilon_y + \phi x + \frac{\partial v}{\partial x}
+//! ```
+//!
+//! and by Coulomb's law, at the pressure `Z`, either there is no slip and the traction is within
+//! its bound, or the traction is at its bound in the direction of the slip (4.16):
+//!
+//! ```math
+//! s = 0, \quad |(X, Y)| \le \mu Z \qquad \text{or} \qquad (X, Y) = \mu Z \, \frac{s}{|s|}
+//! ```
+//!
+//! In the dimensionless quantities (4.20), `c = sqrt(a b)`:
+//!
+//! ```math
+//! \xi = \frac{\upsilon_x \rho}{\mu c}, \quad \eta = \frac{\upsilon_y \rho}{\mu c}, \quad
+//! \chi = \frac{\phi \rho}{\mu}; \qquad
+//! f_x = \frac{F_x}{\mu N}, \quad f_y = \frac{F_y}{\mu N}, \quad m_z = \frac{M_z}{\mu N c}
+//! ```
 
 pub mod carter;
 pub mod exact;

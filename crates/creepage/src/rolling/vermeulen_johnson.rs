@@ -7,6 +7,21 @@
 //! of the slip area lies ahead of it, where the slip is against the traction, so that the force
 //! of small creepage comes out larger than linear theory's: by 27 % at `a/b = .05`, 20 % for
 //! the circle, 11 % at `a/b = 5` (longitudinal, `sigma = .28`).
+//!
+//! In parts of `mu N`, in the direction of `tau` (4.88), (4.89):
+//!
+//! ```math
+//! f = 1 - (1 - \tau/3)^3 \quad (\tau \le 3), \qquad
+//! \tau = \frac{\pi G a b}{\mu N}
+//! \left( \frac{\upsilon_x}{\varphi}, \frac{\upsilon_y}{\psi_1} \right)
+//! ```
+//!
+//! ```math
+//! \begin{aligned}
+//! a \le b: & \quad \varphi = B - \sigma (D - C), & \psi_1 &= B - \sigma g^2 C \\
+//! a \ge b: & \quad \varphi = g [D - \sigma (D - C)], & \psi_1 &= g [D - \sigma C]
+//! \end{aligned}
+//! ```
 
 use super::chords::Chords;
 use super::cubic::{self, Cubic};

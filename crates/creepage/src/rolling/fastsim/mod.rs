@@ -5,6 +5,15 @@
 //! Dynamics 11 (1982) 1-13. In his simplified theory the surface yields in proportion to the
 //! traction at the same point only, `(u, v) = (L1 X, L2 Y)`. The flexibilities `L` are chosen
 //! such that forces agree with the linear theory's `C11`, `C22` and `C23`; see [`Flexibility`].
+//! In the adhesion area, from zero at the leading edge on,
+//!
+//! ```math
+//! \frac{\partial X}{\partial x} = -\left( \frac{\upsilon_x}{L_1} - \frac{\phi y}{L_3} \right),
+//! \qquad
+//! \frac{\partial Y}{\partial x} = -\left( \frac{\upsilon_y}{L_2} + \frac{\phi x}{L_3} \right)
+//! ```
+//!
+//! and where a step leads beyond the bound the traction is shortened to it.
 //!
 //! The papers were not at hand. Verified by the closed forms without spin for both
 //! [traction bounds](TractionBound), by the linear theory in the limit of small creepage, and

@@ -1,9 +1,20 @@
 //! Linear theory (4.3): creepage and spin so small that slip is confined to the trailing edge.
 //!
-//! Without slip, `u = -xi x + chi xy + f(y)`, `v = -eta x - chi x^2/2 + g(y)` (4.31). The
-//! functions `f` and `g` follow from the demand that the traction be finite on the leading
+//! Without slip the displacement differences are, in the units of the scaling (4.31),
+//!
+//! ```math
+//! u = -\xi x + \chi x y + f(y), \qquad v = -\eta x - \tfrac12 \chi x^2 + g(y)
+//! ```
+//!
+//! The functions `f` and `g` follow from the demand that the traction be finite on the leading
 //! edge, where unstrained material enters (4.35). At the trailing edge the traction is infinite,
-//! which the theory takes for slip.
+//! which the theory takes for slip. Forces are proportional to creepage and spin (4.86):
+//!
+//! ```math
+//! F_x = G c^2 C_{11} \upsilon_x, \qquad
+//! F_y = G c^2 (C_{22} \upsilon_y + C_{23} c \phi), \qquad
+//! M_z = G c^3 (C_{32} \upsilon_y + C_{33} c \phi)
+//! ```
 //!
 //! `f` and `g` are sums of Legendre polynomials up to some degree. The thesis used degree 5 and
 //! the criterion (4.36), [`CreepageCoefficients::of_degree`]; [`CreepageCoefficients::new`]

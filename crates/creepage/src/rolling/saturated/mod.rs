@@ -1,8 +1,13 @@
 //! Large creepage and spin (4.4): the elastic slip is negligible, all of the contact slides.
 //!
 //! The traction is then `mu Z` in the direction of the rigid slip, a rotation about the spin
-//! pole `x' = -c eta/chi`, `y' = c xi/chi`. Force and moment are the gradient by `(xi, eta, chi)`
-//! of `(3/2 pi ab) int int sqrt(1 - r^2) |w| dx dy`, `w` being the rigid slip.
+//! pole `x' = -c eta/chi`, `y' = c xi/chi`. Force and moment (4.97) are the gradient by
+//! `(xi, eta, chi)` of
+//!
+//! ```math
+//! \frac{3}{2 \pi a b} \iint \sqrt{1 - r^2} \; |w| \, dx \, dy, \qquad
+//! w = (\xi - \chi y/c, \; \eta + \chi x/c), \quad r^2 = (x/a)^2 + (y/b)^2
+//! ```
 
 mod inside;
 mod outside;

@@ -9,6 +9,14 @@
 //! are verified by an independent plane integral, which finds no slip in the adhesion area, by
 //! the limits of small creepage, and by the closed form without spin.
 //!
+//! In the strip at `y`, of half-length `a_y`, where slip reaches `2 d` in from the trailing edge:
+//!
+//! ```math
+//! (X, Y) = \frac{\mu p_0}{a}
+//! \left[ n \sqrt{a_y^2 - x^2} - m \sqrt{(a_y - d)^2 - (x - d)^2} \right],
+//! \qquad |n| = 1
+//! ```
+//!
 //! # Range
 //! Made for slender contacts across the rolling direction, `a/b << 1`: without spin the error is
 //! about 1 % of `mu N` at `a/b = 0.2`, and 10 % for the circle. The spin is bounded by

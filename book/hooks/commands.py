@@ -1,0 +1,69 @@
+"""Runs the commands of every page, and shows what they print and draw.
+
+A command stands on a line `$ ...` of a `console` block, or in a comment `<!-- $ ... -->` where the
+reader need not see it. A line `...` after it is replaced by what it printed. Each page runs in a
+directory of its own, with the `examples` in it; pictures that appear there belong to the page, as
+`PAGE/PATH` beside it.
+"""
+
+import os
+import re
+import shutil
+import subprocess
+from pathlib import Path
+
+from mkdocs.exceptions import PluginError
+from mkdocs.structure.files import File
+
+ROOT = Path(__file__).resolve().parents[2]
+CREEPAGE = Path(os.environ["CREEPAGE"])
+COMMAND = re.compile(r"^(?:<!-- )?\$ (.*?)(?: -->)?$")
+PICTURES = {".svg", ".png"}
+
+
+def on_files(files, config):
+    """Runs all pages and adds their pictures to the site."""
+    for page in files.documentation_pages():
+        place = room(page)
+        shutil.rmtree(place, ignore_errors=True)
+        printed = run(page.content_string, place)
+        page.content_string = show(page.content_string, printed)
+        for picture in sorted(path for path in place.rglob("*") if path.suffix in PICTURES):
+            uri = Path(page.src_uri).with_suffix("") / picture.relative_to(place)
+            files.append(File.generated(config, uri.as_posix(), abs_src_path=str(picture)))
+    return files
+
+
+def room(page):
+    """Where the page's commands run."""
+    return CREEPAGE.parents[1] / "book-run" / Path(page.src_uri).with_suffix("")
+
+
+def run(text, place):
+    """What each command of the page printed."""
+    commands = [found[1] for found in map(COMMAND.match, text.splitlines()) if found]
+    if not commands:
+        return []
+    place.mkdir(parents=True)
+    (place / "examples").symlink_to(ROOT / "examples")
+    return [output(command, place) for command in commands]
+
+
+def output(command, place):
+    path = f"{CREEPAGE.parent}{os.pathsep}{os.environ['PATH']}"
+    ran = subprocess.run(
+        command, shell=True, cwd=place, env=os.environ | {"PATH": path}, capture_output=True, text=True
+    )
+    if ran.returncode != 0:
+        raise PluginError(f"{place.name}: `{command}` ended with {ran.returncode}\n{ran.stderr}")
+    return ran.stdout.rstrip("\n")
+
+
+def show(text, printed):
+    """The page with `...` after a command replaced by what it printed."""
+    printed, last, lines = iter(printed), "", []
+    for line in text.splitlines():
+        if COMMAND.match(line):
+            last = next(printed)
+        lines.append(last if line == "..." else line)
+    return "\n".join(line for line in lines if not line.startswith("<!-- $"))
