@@ -62,6 +62,7 @@ mod label;
 mod legend;
 mod page;
 mod plane;
+pub mod plot;
 mod points;
 mod raster;
 mod report;
@@ -74,6 +75,7 @@ mod testing;
 mod text;
 mod write;
 
+pub use areas::Areas;
 pub use curves::{Component, Curves};
 pub use error::ReportError;
 pub use json::{
@@ -81,6 +83,7 @@ pub use json::{
     SolidJson, hertz_json,
 };
 pub use page::{Page, PageStyle};
+pub use raster::{png, tree as picture};
 pub use report::{Answer, Detail, Report};
 pub use series::{SeriesHead, SeriesRow, series_csv, series_json, series_netcdf};
 pub use statics::StaticsReport;

@@ -1,0 +1,36 @@
+//! The names of the axes.
+
+use creepage_report::plot::Label;
+
+/// `name = symbol`.
+fn named(name: &str, symbol: &str) -> Label {
+    Label::new(name).plain(" ").symbol(symbol)
+}
+
+pub(crate) fn xi() -> Label {
+    named("longitudinal creepage", "ξ")
+}
+
+pub(crate) fn eta() -> Label {
+    named("lateral creepage", "η")
+}
+
+pub(crate) fn xi_or_eta() -> Label {
+    Label::new("creepage ").symbol("ξ").plain(" or ").symbol("η")
+}
+
+pub(crate) fn chi() -> Label {
+    named("spin", "χ")
+}
+
+pub(crate) fn fx() -> Label {
+    Label::default().indexed("f", "x").plain(" = ").indexed("F", "x").plain("/").symbol("μN")
+}
+
+pub(crate) fn fy() -> Label {
+    Label::default().indexed("f", "y").plain(" = ").indexed("F", "y").plain("/").symbol("μN")
+}
+
+pub(crate) fn fx_or_fy() -> Label {
+    Label::default().indexed("f", "x").plain(" or ").indexed("f", "y")
+}

@@ -1,0 +1,3 @@
+//! A file a figure.
+
+pub(crate) mod fig13;
