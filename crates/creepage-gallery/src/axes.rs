@@ -34,3 +34,20 @@ pub(crate) fn fy() -> Label {
 pub(crate) fn fx_or_fy() -> Label {
     Label::default().indexed("f", "x").plain(" or ").indexed("f", "y")
 }
+
+/// A line of settings below a title: `a/b = 1,  σ = 0.28`.
+pub(crate) fn setting(parts: &[(&str, &str)]) -> Label {
+    let one =
+        |(symbol, value): &(&str, &str)| Label::default().symbol(symbol).plain(" = ").number(value);
+    let labels: Vec<_> = parts.iter().map(one).collect();
+    let mut label = Label::default();
+    for (k, part) in labels.iter().enumerate() {
+        label = if k > 0 { label.plain(",\u{2003}") } else { label }.joined(part);
+    }
+    label
+}
+
+/// What a curve of chapter 5 is called in a key.
+pub(crate) fn degree(degree: usize) -> Label {
+    Label::new("chapter 5, ").symbol("M").plain(&format!(" = {degree}"))
+}

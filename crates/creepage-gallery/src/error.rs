@@ -3,7 +3,7 @@
 use creepage::rolling::variational::VariationalError;
 use creepage::{HertzError, InvalidValue};
 use creepage_report::ReportError;
-use creepage_validation::{Table2Error, TableError};
+use creepage_validation::{Table2Error, Table3Error, TableError};
 
 /// Why a table or figure cannot be reproduced. None of these is the user's doing: what was printed
 /// is part of the program, and the questions to the theories are fixed.
@@ -25,6 +25,9 @@ pub enum GalleryError {
     /// A damaged Table 2.
     #[error(transparent)]
     Table2(#[from] Table2Error),
+    /// A damaged Table 3.
+    #[error(transparent)]
+    Table3(#[from] Table3Error),
     /// Printed numbers that cannot be read.
     #[error("printed numbers cannot be read: {0}")]
     Printed(#[from] serde_json::Error),

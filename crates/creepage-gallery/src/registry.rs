@@ -1,10 +1,20 @@
 //! What can be reproduced, in the order of the thesis.
 
-use crate::figures::fig13;
+use crate::figures::{angles, fig13, fig14, fig15};
 use crate::item::Item;
-use crate::tables::{table1, table2};
+use crate::tables::{table1, table2, table3, table4, table5};
 
-const ITEMS: &[Item] = &[table1::ITEM, table2::ITEM, fig13::ITEM];
+const ITEMS: &[Item] = &[
+    table1::ITEM,
+    table2::ITEM,
+    table3::ITEM,
+    table4::ITEM,
+    table5::ITEM,
+    fig13::ITEM,
+    fig14::ITEM,
+    fig15::ITEM,
+    angles::ITEM,
+];
 
 /// Every table and figure that can be reproduced, in the order of the thesis.
 #[must_use]

@@ -19,6 +19,7 @@ mod printed;
 mod reference;
 mod table1;
 mod table2;
+mod table3;
 
 pub use accuracy::{Accuracy, Spread, measure};
 pub use grid::grid;
@@ -26,3 +27,4 @@ pub use printed::{Entry, TableError, Verdict};
 pub use reference::{ReferenceCase, ReferenceError, steady_rolling};
 pub use table1::table1;
 pub use table2::{Table2Error, table2};
+pub use table3::{Coefficient, Table3Error, table3};

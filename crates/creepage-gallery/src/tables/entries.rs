@@ -87,8 +87,8 @@ impl Table {
     fn agreement(&self, misprint: &str) -> Vec<Comparison> {
         let (all, wrong) = (self.entries().count(), self.wrong().count());
         let ours = format!("{} of {all} entries as printed", all - wrong);
-        let all = Comparison::claim("all entries", "to the digits printed", ours, 2 * wrong < all);
-        let note = if wrong == 0 { "" } else { "the others follow" };
+        let all = Comparison::claim("all entries", "to the digits printed", ours, wrong == 0)
+            .misprint("the wrong ones follow");
         let one = |(block, entry): (&Block, &Entry)| {
             let quantity = format!("{} at {} = {}", entry.quantity, block.argument, head(entry));
             let ours = entry.ours.parse().unwrap_or(f64::NAN);
@@ -96,7 +96,7 @@ impl Table {
             // The entry was judged with all its digits.
             Comparison { verdict: Verdict::NotReproduced, ..line }.misprint(misprint)
         };
-        [all.remark(note)].into_iter().chain(self.wrong().map(one)).collect()
+        [all].into_iter().chain(self.wrong().map(one)).collect()
     }
 }
 

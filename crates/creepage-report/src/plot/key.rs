@@ -47,8 +47,10 @@ impl From<Fill> for Sample {
 pub(super) fn draw(scene: &mut Scene, top: f64, entries: &[(Sample, Label)]) -> f64 {
     let longest = entries.iter().map(|(_, label)| label.width(SIZE)).fold(0.0, f64::max);
     let room = WIDTH - 2.0 * MARGIN;
-    let columns = ((room + GAPS[1]) / (SAMPLE + GAPS[0] + longest + GAPS[1])).floor().max(1.0);
-    let columns = (1..=entries.len()).rev().find(|count| *count as f64 <= columns).unwrap_or(1);
+    let fit = (room + GAPS[1]) / (SAMPLE + GAPS[0] + longest + GAPS[1]);
+    let fit = (1..=entries.len()).rev().find(|count| *count as f64 <= fit).unwrap_or(1);
+    // As many rows as that takes, filled evenly.
+    let columns = entries.len().div_ceil(entries.len().div_ceil(fit).max(1)).max(1);
     let pitch = (room + GAPS[1]) / columns as f64;
     for (k, (sample, label)) in entries.iter().enumerate() {
         let at = [MARGIN + (k % columns) as f64 * pitch, top + (0.5 + (k / columns) as f64) * ROW];

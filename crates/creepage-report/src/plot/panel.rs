@@ -108,8 +108,8 @@ impl Panel {
     pub(super) fn margins(&self) -> [f64; 2] {
         match (self.bare, self.heading.is_some()) {
             (true, false) => [6.0, 6.0],
-            (true, true) => [30.0, 6.0],
-            _ => [34.0, 62.0],
+            (true, true) => [36.0, 6.0],
+            _ => [38.0, 62.0],
         }
     }
 
@@ -135,7 +135,7 @@ impl Panel {
             } else {
                 (frame.to[0], Anchor::End)
             };
-            scene.text([x, frame.from[1] - 11.0], WORDS.anchored(anchor), heading);
+            scene.text([x, frame.from[1] - 17.0], WORDS.anchored(anchor), heading);
         }
     }
 }
@@ -185,7 +185,7 @@ impl View<'_> {
         }
         let middle = f64::midpoint(left, right);
         scene.text([middle, bottom + 48.0], WORDS, self.x.label());
-        scene.text([left - 34.0, top - 13.0], WORDS.anchored(Anchor::Start), self.y.label());
+        scene.text([left - 34.0, top - 17.0], WORDS.anchored(Anchor::Start), self.y.label());
     }
 
     fn item(&self, scene: &mut Scene, item: &Item) {
