@@ -1,6 +1,6 @@
 //! What can be reproduced, in the order of the thesis.
 
-use crate::figures::{angles, fig13, fig14, fig15};
+use crate::figures::{angles, fig2, fig3, fig3a, fig3b, fig10, fig11, fig13, fig14, fig15};
 use crate::item::Item;
 use crate::tables::{table1, table2, table3, table4, table5};
 
@@ -10,6 +10,12 @@ const ITEMS: &[Item] = &[
     table3::ITEM,
     table4::ITEM,
     table5::ITEM,
+    fig2::ITEM,
+    fig3::ITEM,
+    fig3a::ITEM,
+    fig3b::ITEM,
+    fig10::ITEM,
+    fig11::ITEM,
     fig13::ITEM,
     fig14::ITEM,
     fig15::ITEM,
