@@ -1,6 +1,8 @@
 //! What can be reproduced, in the order of the thesis.
 
-use crate::figures::{angles, fig2, fig3, fig3a, fig3b, fig10, fig11, fig13, fig14, fig15};
+use crate::figures::{
+    angles, fig2, fig3, fig3a, fig3b, fig4, fig5, fig10, fig11, fig13, fig14, fig15,
+};
 use crate::item::Item;
 use crate::tables::{table1, table2, table3, table4, table5};
 
@@ -12,6 +14,8 @@ const ITEMS: &[Item] = &[
     table5::ITEM,
     fig2::ITEM,
     fig3::ITEM,
+    fig4::ITEM,
+    fig5::ITEM,
     fig3a::ITEM,
     fig3b::ITEM,
     fig10::ITEM,

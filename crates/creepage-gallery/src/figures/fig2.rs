@@ -23,11 +23,13 @@ const BOUND: Pen = Pen { colour: "#5d6a76", dashes: "7 4", width: 1.8 };
 fn make() -> Result<Reproduction, GalleryError> {
     let carter = Carter::new(CREEPAGE)?;
     let full = Middle::new()?.tractions(CREEPAGE);
-    let places = circle(-1.0, 1.0);
-    let traction: Vec<_> = places.iter().map(|[x, _]| [*x, carter.at(*x).traction[0]]).collect();
     let edge = carter.trailing_edge();
+    // Close where one semicircle is steep, and where the other is.
+    let mut places = [circle(-1.0, 1.0), circle(edge, 1.0)].concat();
+    places.sort_by(|one, two| one[0].total_cmp(&two[0]));
+    let traction: Vec<_> = places.iter().map(|[x, _]| [*x, carter.at(*x).traction[0]]).collect();
     let mut data = Data::new(["curve", "x_over_a", "traction"]);
-    data.curve("bound", &places);
+    data.curve("bound", &circle(-1.0, 1.0));
     data.curve("subtracted", &circle(edge, 1.0));
     data.curve("Carter", &traction);
     data.curve("full theory, a/b = 1/32, middle", &full);

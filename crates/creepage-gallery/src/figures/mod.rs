@@ -11,5 +11,7 @@ pub(crate) mod fig2;
 pub(crate) mod fig3;
 pub(crate) mod fig3a;
 pub(crate) mod fig3b;
+pub(crate) mod fig4;
+pub(crate) mod fig5;
 mod saturation;
 mod slender;

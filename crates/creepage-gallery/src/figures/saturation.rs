@@ -18,6 +18,8 @@ use crate::theories::{STEEL, spaced};
 /// Distances of the pole of which lines are drawn.
 const UPSILONS: [f64; 6] = [0.25, 0.5, 0.75, 1.0, 1.5, 2.5];
 const ALPHAS: [f64; 7] = [0.0, 15.0, 30.0, 45.0, 60.0, 75.0, 90.0];
+/// Side of a diagram, two beside each other.
+pub(super) const SIDE: f64 = 285.0;
 /// Spin at which the full theory is asked.
 const LARGE: f64 = 20.0;
 const ASKED: [(f64, f64); 9] = [
@@ -148,7 +150,7 @@ fn integrals(g: f64, upsilon: f64, alpha: f64) -> [f64; 2] {
 /// The picture, a panel a ratio, and its numbers.
 pub(super) fn picture(title: &str, diagrams: &[Diagram]) -> Result<(Sheet, Data), InvalidValue> {
     let mut data = Data::new(["theory", "g", "upsilon", "alpha_deg", "fx", "fy", "mz"]);
-    let mut sheet = Sheet::new(title).columns(diagrams.len());
+    let mut sheet = Sheet::new(title).columns(2);
     for diagram in diagrams {
         let mut push = |name: &str, upsilon: f64, alpha: f64, force: Force| {
             let numbers = [diagram.g, upsilon, alpha, force.fx, force.fy, force.mz];
@@ -166,7 +168,7 @@ pub(super) fn picture(title: &str, diagrams: &[Diagram]) -> Result<(Sheet, Data)
         sheet = sheet.panel(diagram.panel().heading(heading));
     }
     let upsilons = UPSILONS.map(|upsilon| upsilon.to_string()).join(", ");
-    let arcs = Label::default().symbol("υ").plain(&format!(" = {upsilons}, ∞"));
+    let arcs = Label::default().symbol("υ").plain(&format!(" = {upsilons}, ∞ outwards"));
     let full = Label::new("full theory at ").symbol("χ").plain(&format!(" = {LARGE}"));
     let sheet = sheet
         .key(OF_1967.wide(1.9), arcs)
