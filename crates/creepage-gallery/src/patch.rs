@@ -78,11 +78,29 @@ pub(crate) fn full_adhesion(
     poisson: f64,
     creepage: Creepage,
 ) -> Result<(Vec<Polygon>, f64), InvalidValue> {
-    let theory = Exact::new(a_over_b, poisson, Resolution::FINE)?;
+    let theory = Exact::new(a_over_b, poisson, Resolution::new(56, 44)?)?;
     let mut workspace = theory.workspace();
     theory.solve_with(creepage, &mut workspace);
     let regions = |points: &[[f64; 2]]| {
         theory.field_of(&workspace, points).iter().map(|point| point.region).collect()
     };
-    Ok(adhesion(Ellipse::from_ratio(a_over_b)?, regions))
+    let (polygons, share) = adhesion(Ellipse::from_ratio(a_over_b)?, regions);
+    Ok((polygons.iter().map(|polygon| smoothed(polygon)).collect(), share))
+}
+
+/// A closed polygon without ripples shorter than an element of the full theory, whose border of
+/// adhesion steps from element to element.
+fn smoothed(polygon: &[[f64; 2]]) -> Polygon {
+    const REACH: usize = 3;
+    let count = polygon.len();
+    let mut points = polygon.to_vec();
+    // A mean of means has no corners of its own.
+    for _ in 0..2 {
+        let mean = |k: usize| {
+            let near = || (0..=2 * REACH).map(|i| points[(k + count + i - REACH) % count]);
+            [0, 1].map(|i| near().map(|point| point[i]).sum::<f64>() / (2 * REACH + 1) as f64)
+        };
+        points = if count > 8 * REACH { (0..count).map(mean).collect() } else { points };
+    }
+    points
 }

@@ -1,7 +1,7 @@
 //! What can be reproduced, in the order of the thesis.
 
 use crate::figures::{
-    angles, fig2, fig3, fig3a, fig3b, fig4, fig5, fig10, fig11, fig13, fig14, fig15,
+    angles, fig2, fig3, fig3a, fig3b, fig4, fig5, fig10, fig11, fig12, fig13, fig14, fig15,
 };
 use crate::item::Item;
 use crate::tables::{table1, table2, table3, table4, table5};
@@ -20,6 +20,7 @@ const ITEMS: &[Item] = &[
     fig3b::ITEM,
     fig10::ITEM,
     fig11::ITEM,
+    fig12::ITEM,
     fig13::ITEM,
     fig14::ITEM,
     fig15::ITEM,

@@ -168,12 +168,14 @@ pub(super) fn picture(title: &str, diagrams: &[Diagram]) -> Result<(Sheet, Data)
         sheet = sheet.panel(diagram.panel().heading(heading));
     }
     let upsilons = UPSILONS.map(|upsilon| upsilon.to_string()).join(", ");
-    let arcs = Label::default().symbol("υ").plain(&format!(" = {upsilons}, ∞ outwards"));
-    let full = Label::new("full theory at ").symbol("χ").plain(&format!(" = {LARGE}"));
+    let note =
+        Label::default().symbol("υ").plain(&format!(" = {upsilons}, ∞ from the origin outwards"));
+    let full = Label::new("full theory, ").symbol("χ").plain(&format!(" = {LARGE}"));
     let sheet = sheet
-        .key(OF_1967.wide(1.9), arcs)
-        .key(SECOND.wide(1.9), Label::default().symbol("α").plain(" as marked"))
-        .key(FULL_MARK, full.plain(", nine points"));
+        .note(note)
+        .key(OF_1967.wide(1.9), Label::default().symbol("υ").plain(" constant"))
+        .key(SECOND.wide(1.9), Label::default().symbol("α").plain(" constant"))
+        .key(FULL_MARK, full);
     Ok((sheet, data))
 }
 
