@@ -12,8 +12,29 @@ fn made() -> &'static [Made] {
 }
 
 /// Lines that agree, are close, are misprints of 1967, and are not reproduced.
-const VERDICTS: &[(&str, [usize; 4])] =
-    &[("table1", [1, 0, 0, 0]), ("table2", [1, 0, 15, 0]), ("fig13", [1, 0, 0, 0])];
+const VERDICTS: &[(&str, [usize; 4])] = &[
+    ("table1", [1, 0, 0, 0]),
+    ("table2", [0, 0, 16, 0]),
+    // The misprints are six; that degree 5 is within 1 % of degree 7 holds for a few a/b only.
+    ("table3", [1, 2, 7, 1]),
+    ("table4", [0, 4, 0, 0]),
+    ("table5", [2, 6, 0, 2]),
+    ("fig2", [3, 0, 0, 0]),
+    ("fig3", [4, 0, 0, 0]),
+    ("fig4", [3, 0, 0, 0]),
+    ("fig5", [3, 0, 0, 0]),
+    ("fig3a", [4, 2, 0, 0]),
+    ("fig3b", [1, 1, 0, 0]),
+    ("fig10", [2, 0, 0, 0]),
+    ("fig11", [2, 0, 0, 0]),
+    // 223 of 228 numbers, and five slips of the print.
+    ("fig12", [0, 0, 6, 0]),
+    ("fig13", [1, 0, 0, 0]),
+    // Johnson's points are not in the text.
+    ("fig14", [2, 0, 0, 1]),
+    ("fig15", [0, 0, 0, 1]),
+    ("angles", [1, 1, 2, 2]),
+];
 
 #[test]
 fn verdicts_are_as_known() {
@@ -39,7 +60,9 @@ fn every_item_has_numbers_and_words() {
         assert!(reproduction.data.rows().len() > 3 && reproduction.data.csv().is_ok(), "{name}");
         assert!(!reproduction.agreement.is_empty(), "{name}");
         for cell in reproduction.data.rows().iter().flatten() {
-            assert!(!["NaN", "inf", "-inf"].contains(&&cell[..]), "{name}");
+            assert!(cell != "NaN" && cell != "-inf", "{name}");
+            // Table 2 has the limit of K.
+            assert!(cell != "inf" || name == "table2", "{name}");
         }
     }
 }
@@ -53,14 +76,13 @@ fn a_second_run_is_the_same_byte_for_byte() {
     assert!(one == two && one.len() > 3);
     // Made among all others, by as many threads as there are, it is the same as well.
     let all = files(made()).unwrap();
-    for file in one.iter().filter(|file| file.name.ends_with(".svg") || file.name.ends_with(".png"))
-    {
+    for file in &one {
         assert!(all.contains(file), "{}", file.name);
     }
 }
 
 /// Made in less than a second.
-const QUICK: &[&str] = &["table2", "fig13"];
+const QUICK: &[&str] = &["table2", "table4", "fig3", "fig10", "fig12"];
 
 #[test]
 fn the_page_needs_nothing_beside_it() {

@@ -15,7 +15,7 @@ pub(crate) const ITEM: Item =
 
 fn make() -> Result<Reproduction, GalleryError> {
     let diagram = Diagram::new(1.0)?;
-    let (sheet, data) = saturation::picture(ITEM.title, std::slice::from_ref(&diagram))?;
+    let (sheet, data) = saturation::picture(ITEM.title, std::slice::from_ref(&diagram));
     let caption = saturation::caption("Circle.", std::slice::from_ref(&diagram));
     let turned = diagram.largest_turn();
     let direction = Comparison::claim(

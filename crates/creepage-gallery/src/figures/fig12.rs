@@ -5,7 +5,7 @@ use creepage::rolling::variational::{
     Chain, Procedure, Settings, Variational, VariationalSolution,
 };
 use creepage::rolling::{Creepage, Region};
-use creepage_report::plot::{Fill, Label, Mark, Panel, Shape, Sheet};
+use creepage_report::plot::{Fill, Label, Mark, Panel, Scale, Shape, Sheet};
 use creepage_report::{Page, PageStyle};
 
 use super::printed_page::{Number, PrintedPage};
@@ -13,7 +13,7 @@ use crate::axes;
 use crate::comparison::{Comparison, Verdict};
 use crate::data::Data;
 use crate::error::GalleryError;
-use crate::inks::FULL;
+use crate::inks::{FULL, OF_1967, PRINTED};
 use crate::item::{Item, Reproduction};
 use crate::patch::{Polygon, adhesion, areas, closed, framed, full_adhesion, panel};
 use crate::theories::STEEL;
@@ -54,7 +54,7 @@ fn make() -> Result<Reproduction, GalleryError> {
         100.0 * share,
         100.0 * adhering(&found)
     );
-    let sheet = sheet(&theory, creepage, &found, &full)?;
+    let sheet = sheet(&theory, creepage, &found, &full)?.panel(course(&numbers));
     let agreement = agreement(&numbers);
     let figure = Reproduction::figure(&sheet, caption, data, agreement);
     Ok(Reproduction { text: Some(text.trim_end().to_owned()), ..figure })
@@ -132,16 +132,38 @@ fn sheet(
     let mut all = areas(panel(ellipse), ellipse, &chapter_5);
     all = full.iter().cloned().map(closed).fold(all, |all, edge| all.curve(edge, FULL));
     let all = marked(framed(all, ellipse), found);
-    let parts = [("a/b", "0.5"), ("σ", "0.28"), ("υ", "1.7"), ("α", "-30"), ("χ", "2")];
+    let parts = [("a/b", "0.5"), ("σ", "0.28"), ("υ", "1.7"), ("α", "-30°"), ("χ", "2")];
     Ok(Sheet::new(ITEM.title)
         .note(axes::setting(&parts))
+        .columns(2)
         .panel(all)
         .key(SLIDING, Label::new("slip: . on the page"))
         .key(STICKING, Label::new("adhesion: H"))
         .key(ABERRATION, Label::new("aberration: A"))
         .key(Fill::ADHESION, Label::new("adhesion, ").symbol("T").plain(" > ").symbol("S"))
         .key(Fill::SLIP, Label::new("slip, ").symbol("T").plain(" < ").symbol("S"))
-        .key(FULL, Label::new("adhesion, full theory")))
+        .key(FULL, Label::new("adhesion, full theory"))
+        .key(OF_1967, Label::new("ours"))
+        .key(PRINTED, Label::new("printed")))
+}
+
+/// The largest change of an unknown in each step of the iteration, as printed and as computed.
+fn course(numbers: &[Number]) -> Panel {
+    let steps = |of: fn(&Number) -> f64| {
+        let changes = numbers.iter().filter(|n| n.list == "TOEG GEV" && n.place == 1);
+        changes.map(|n| [n.line as f64 + 1.0, of(n).log10()]).collect::<Vec<_>>()
+    };
+    let ticks = |values: [i32; 5], text: fn(i32) -> String| {
+        values.map(|value| (f64::from(value), text(value))).to_vec()
+    };
+    let x = Scale::new([0.7, 4.3], Label::new("iteration"));
+    let x = x.ticks(ticks([0, 1, 2, 3, 4], |step| step.to_string())[1..].to_vec());
+    let y = Scale::new([-4.4, 0.4], Label::new("largest change of a coefficient"));
+    let y = y.ticks(ticks([-4, -3, -2, -1, 0], |power| format!("1e{power}")));
+    Panel::new(x, y)
+        .curve(steps(|number| number.ours), OF_1967)
+        .marks(steps(|number| number.printed), PRINTED)
+        .height(330.0)
 }
 
 /// The points of the mesh as the page has them.

@@ -71,7 +71,7 @@ fn claims(by_degree: &[Curve], full: &Curve) -> Vec<Comparison> {
     let apart = |from: &[f64; 2], to: &[f64; 2]| (from[1] - to[1]).abs() > 0.02;
     let mut pairs = by_degree[0].iter().zip(&by_degree[1]).filter(|(two, three)| apart(two, three));
     let leaves = pairs.next().map_or(0.0, |(two, _)| two[0]);
-    let meets = pairs.last().map_or(8.0, |(two, _)| two[0]);
+    let meets = pairs.next_back().map_or(8.0, |(two, _)| two[0]);
     let same = Comparison::claim(
         "M = 2 where it is not drawn",
         "follows M = 3",

@@ -42,8 +42,8 @@ fn make() -> Result<Reproduction, GalleryError> {
          Carter's curve.",
         apart.fold(0.0, f64::max)
     );
-    let sheet = sheet(&carter, traction, full);
-    Ok(Reproduction::figure(&sheet, caption, data, claims(&carter)?))
+    let sheet = sheet(carter, &traction, full);
+    Ok(Reproduction::figure(&sheet, caption, data, claims(carter)?))
 }
 
 /// A semicircle between two places, its points close where it is steep.
@@ -53,7 +53,7 @@ fn circle(from: f64, to: f64) -> Vec<[f64; 2]> {
     spaced(0.0, std::f64::consts::PI, 120).into_iter().map(at).collect()
 }
 
-fn claims(carter: &Carter) -> Result<Vec<Comparison>, GalleryError> {
+fn claims(carter: Carter) -> Result<Vec<Comparison>, GalleryError> {
     let free = Carter::new(0.0)?;
     // From the tractions, not from the formula: the least creepage without adhesion.
     let steps = || spaced(3.0, 5.0, 2000).into_iter();
@@ -75,7 +75,7 @@ fn claims(carter: &Carter) -> Result<Vec<Comparison>, GalleryError> {
     ])
 }
 
-fn sheet(carter: &Carter, traction: Vec<[f64; 2]>, full: Vec<[f64; 2]>) -> Sheet {
+fn sheet(carter: Carter, traction: &[[f64; 2]], full: Vec<[f64; 2]>) -> Sheet {
     let edge = carter.trailing_edge();
     let below = |from: f64, to: f64| {
         let mut area: Vec<_> =
@@ -95,7 +95,7 @@ fn sheet(carter: &Carter, traction: Vec<[f64; 2]>, full: Vec<[f64; 2]>) -> Sheet
         .area(below(edge, 1.0), Fill::ADHESION)
         .curve(circle(-1.0, 1.0), BOUND)
         .curve(circle(edge, 1.0), LESS)
-        .curve(traction.clone(), OF_1967)
+        .curve(traction.to_vec(), OF_1967)
         .marks(full, FULL_MARK)
         .text([-0.55, 0.12], Anchor::Middle, Label::new("slip"))
         .text([0.5, 0.12], Anchor::Middle, Label::new("adhesion"))

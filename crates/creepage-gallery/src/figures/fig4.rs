@@ -132,9 +132,9 @@ fn directions(theory: &VermeulenJohnson) -> Vec<Comparison> {
 fn lower() -> Result<Comparison, GalleryError> {
     let theory = VermeulenJohnson::new(1.0, STEEL)?;
     let (mut least, mut most): (f64, f64) = (1.0, -1.0);
-    let directions: [(fn(f64) -> Creepage, fn(&Force) -> f64); 2] =
-        [(at, |force| force.fx), (|eta| Creepage { xi: 0.0, eta, chi: 0.0 }, |force| force.fy)];
-    for (creepage, of) in directions {
+    let creepages: [fn(f64) -> Creepage; 2] = [at, |eta| Creepage { xi: 0.0, eta, chi: 0.0 }];
+    let components: [fn(&Force) -> f64; 2] = [|force| force.fx, |force| force.fy];
+    for (creepage, of) in creepages.into_iter().zip(components) {
         let sizes = spaced(0.02, 2.4, 119);
         let creepages: Vec<_> = sizes.iter().map(|size| creepage(*size)).collect();
         for (size, force) in sizes.iter().zip(full(1.0, STEEL, &creepages)?) {

@@ -148,7 +148,7 @@ fn integrals(g: f64, upsilon: f64, alpha: f64) -> [f64; 2] {
 }
 
 /// The picture, a panel a ratio, and its numbers.
-pub(super) fn picture(title: &str, diagrams: &[Diagram]) -> Result<(Sheet, Data), InvalidValue> {
+pub(super) fn picture(title: &str, diagrams: &[Diagram]) -> (Sheet, Data) {
     let mut data = Data::new(["theory", "g", "upsilon", "alpha_deg", "fx", "fy", "mz"]);
     let mut sheet = Sheet::new(title).columns(2);
     for diagram in diagrams {
@@ -176,7 +176,7 @@ pub(super) fn picture(title: &str, diagrams: &[Diagram]) -> Result<(Sheet, Data)
         .key(OF_1967.wide(1.9), Label::default().symbol("υ").plain(" constant"))
         .key(SECOND.wide(1.9), Label::default().symbol("α").plain(" constant"))
         .key(FULL_MARK, full);
-    Ok((sheet, data))
+    (sheet, data)
 }
 
 /// What is said below.

@@ -48,7 +48,8 @@ fn section(page: &mut String, made: &Made) {
     if let Some(text) = &reproduction.text {
         let _ = writeln!(
             page,
-            "<details><summary>as text</summary><pre>{}</pre></details>",
+            "<details{}><summary>in words</summary><pre>{}</pre></details>",
+            if reproduction.svg.is_none() { " open" } else { "" },
             escape(text)
         );
     }
