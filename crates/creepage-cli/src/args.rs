@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Parser, Subcommand};
 
-use crate::reproduce::Item;
+use crate::reproduce;
 
 /// Rolling contact of two elastic bodies with dry friction: creepage and spin in, tangential
 /// force and moment out.
@@ -66,7 +66,11 @@ pub(crate) enum Command {
     /// "partial-slip" (`force_x`, `force_y`), in SI units. The report goes to standard output; with
     /// --out, also report.json, points.csv, contact.svg and contact.png into a directory.
     Statics(StaticsArgs),
-    /// Compute tables of Kalker's thesis of 1967 again, beside the printed entries.
+    /// Compute the tables and figures of Kalker's thesis of 1967 again, beside what was printed.
+    ///
+    /// What was compared goes to standard output. With --out, each figure goes into a directory as
+    /// SVG, PNG and CSV, each table as CSV and text; with `all`, also a gallery page (index.html)
+    /// and the table of agreement (agreement.csv, agreement.md).
     Reproduce(ReproduceArgs),
     /// List the theories: what each assumes, costs, errs by, and is good for.
     Theories,
@@ -256,9 +260,9 @@ pub(crate) struct StaticsArgs {
 #[derive(Debug, clap::Args)]
 pub(crate) struct ReproduceArgs {
     /// What to reproduce.
-    #[arg(value_name = "NAME", required = true)]
-    pub(crate) items: Vec<Item>,
-    /// Directory for the tables as CSV; made if need be.
+    #[arg(value_name = "NAME", required = true, value_parser = reproduce::names())]
+    pub(crate) items: Vec<String>,
+    /// Directory for the files; made if need be.
     #[arg(long, value_name = "DIR")]
     pub(crate) out: Option<PathBuf>,
 }

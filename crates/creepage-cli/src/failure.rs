@@ -5,12 +5,12 @@ use std::path::{Path, PathBuf};
 
 use creepage::InvalidValue;
 use creepage_case::{CaseError, StaticsError};
+use creepage_gallery::GalleryError;
 use creepage_report::ReportError;
 use creepage_validation::ReferenceError;
 
 use crate::batch::{ColumnError, OptionError};
 use crate::inverse::Unreachable;
-use crate::reproduce::ReproduceError;
 use crate::theories::{ChoiceError, FindError, TheoryError, UnknownTheory};
 
 /// Why the command could not do its work.
@@ -23,7 +23,7 @@ pub(crate) enum Failure {
     #[error("{}: {source}", path.display())]
     Statics { path: PathBuf, source: StaticsError },
     #[error(transparent)]
-    Reproduce(#[from] ReproduceError),
+    Reproduce(#[from] GalleryError),
     #[error(transparent)]
     UnknownTheory(#[from] UnknownTheory),
     #[error("{}: [solve] {source}", path.display())]
