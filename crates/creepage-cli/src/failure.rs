@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use creepage::InvalidValue;
 use creepage_case::{CaseError, StaticsError};
 use creepage_report::ReportError;
+use creepage_table::{BuildError, FileError};
 use creepage_validation::ReferenceError;
 
 use crate::batch::ColumnError;
@@ -43,6 +44,10 @@ pub(crate) enum Failure {
     Format { path: PathBuf },
     #[error("{} is being written by another sweep", path.display())]
     Busy { path: PathBuf },
+    #[error("{}: {source}", path.display())]
+    Table { path: PathBuf, source: FileError },
+    #[error("{theory}: {source}")]
+    Build { theory: &'static str, source: BuildError<TheoryError> },
     #[error("cannot write {}: {source}", path.display())]
     Write { path: PathBuf, source: io::Error },
     #[error("cannot write to standard output: {0}")]

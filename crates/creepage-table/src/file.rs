@@ -32,23 +32,23 @@ pub enum FileError {
     /// Numbers that no table has.
     #[error("it is no table of creep force: its numbers make no sense")]
     Senseless,
-    /// The NetCDF library refuses.
-    #[error("cannot write NetCDF: {0:?}")]
-    Write(WriteError),
-    /// The NetCDF library refuses.
-    #[error("cannot define NetCDF: {0:?}")]
-    Define(InvalidDataSet),
+    /// The NetCDF library does not take the table, as when its provenance is no plain text.
+    #[error("it cannot be laid out as NetCDF")]
+    Unfit,
 }
 
 impl From<WriteError> for FileError {
     fn from(error: WriteError) -> Self {
-        Self::Write(error)
+        match error {
+            WriteError::IOErrorKind(kind) => Self::Io(kind.into()),
+            _ => Self::Unfit,
+        }
     }
 }
 
 impl From<InvalidDataSet> for FileError {
-    fn from(error: InvalidDataSet) -> Self {
-        Self::Define(error)
+    fn from(_: InvalidDataSet) -> Self {
+        Self::Unfit
     }
 }
 
