@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use clap::{Parser, Subcommand};
 
 use crate::reproduce;
+use crate::table::TableArgs;
 
 /// Rolling contact of two elastic bodies with dry friction: creepage and spin in, tangential
 /// force and moment out.
@@ -91,6 +92,8 @@ pub(crate) enum Command {
     /// Prints a table in Markdown: the distribution of the error of the force `(f_x, f_y)` in
     /// per cent of mu N, and of the moment in per cent of mu N c.
     Accuracy(AccuracyArgs),
+    /// Tables of creep force: built once from a theory, looked up in a hundred nanoseconds.
+    Table(TableArgs),
     /// Write a commented example of a case file; an existing file is left alone.
     Init(InitArgs),
     /// Print the JSON schema of case files, for editors and validators.

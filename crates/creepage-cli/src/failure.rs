@@ -7,6 +7,7 @@ use creepage::InvalidValue;
 use creepage_case::{CaseError, StaticsError};
 use creepage_gallery::GalleryError;
 use creepage_report::ReportError;
+use creepage_table::{BuildError, FileError};
 use creepage_validation::ReferenceError;
 
 use crate::batch::{ColumnError, OptionError};
@@ -50,6 +51,10 @@ pub(crate) enum Failure {
     Format { path: PathBuf },
     #[error("{} is being written by another run", path.display())]
     Busy { path: PathBuf },
+    #[error("{}: {source}", path.display())]
+    Table { path: PathBuf, source: FileError },
+    #[error("{theory}: {source}")]
+    Build { theory: &'static str, source: BuildError<TheoryError> },
     #[error("cannot write {}: {source}", path.display())]
     Write { path: PathBuf, source: io::Error },
     #[error("cannot write to standard output: {0}")]
