@@ -70,7 +70,8 @@ class Force(Generic[Number, Outcome]):
     @property
     def converged(self) -> bool | NDArray[np.bool_]:
         """False where the iteration ended before its tolerance was met."""
-        return self.status != Status.NOT_CONVERGED
+        converged: bool | NDArray[np.bool_] = self.status != Status.NOT_CONVERGED
+        return converged
 
     def to_dict(self) -> dict[str, Any]:
         """The numbers by name, and the status in words; pandas.DataFrame takes it as it is."""
@@ -115,12 +116,14 @@ class Field:
     @property
     def adhesion(self) -> NDArray[np.bool_]:
         """Where the surfaces stick, shape (...)."""
-        return self.region == Region.ADHESION
+        adhesion: NDArray[np.bool_] = self.region == Region.ADHESION
+        return adhesion
 
     @property
     def inside(self) -> NDArray[np.bool_]:
         """Which points lie in the contact, shape (...)."""
-        return self.region != Region.OUTSIDE
+        inside: NDArray[np.bool_] = self.region != Region.OUTSIDE
+        return inside
 
     def to_dict(self) -> dict[str, Any]:
         """A column for each component, flat; pandas.DataFrame takes it as it is."""

@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+import csv
 import io
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any, Literal, overload
+from typing import TYPE_CHECKING, Any, Literal, TypeAlias, overload
+
+import numpy as np
+from numpy.typing import NDArray
 
 from . import _creepage
 from ._toml import Source, text_of
@@ -13,7 +17,7 @@ if TYPE_CHECKING:
     import pandas as pd
     import xarray as xr
 
-    SweepSource = Source | Mapping[str, Mapping[str, Any]]
+SweepSource: TypeAlias = Source | Mapping[str, Mapping[str, Any]]
 
 LOOPS = ("chi", "alpha", "upsilon")
 
@@ -43,8 +47,18 @@ def sweep(
 def _frame(data: _creepage.SweepData) -> pd.DataFrame:
     import pandas as pd
 
-    table = io.BytesIO(data.solve(0, data.chains))
-    return pd.read_csv(table, float_precision="round_trip")
+    rows = csv.reader(io.StringIO(data.solve(0, data.chains).decode()))
+    names = next(rows)
+    return pd.DataFrame({name: _column(cells) for name, *cells in zip(names, *rows, strict=True)})
+
+
+def _column(cells: list[str]) -> NDArray[Any]:
+    """Counts, words, or numbers, of which the empty cells do not exist."""
+    if all(cell.isdigit() for cell in cells):
+        return np.array(cells).astype(np.int64)
+    if cells[0].isidentifier() and cells[0] != "nan":
+        return np.array(cells, dtype=object)
+    return np.array([cell or "nan" for cell in cells]).astype(np.float64)
 
 
 def _dataset(data: _creepage.SweepData) -> xr.Dataset:

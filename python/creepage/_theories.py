@@ -33,7 +33,8 @@ def theory(name: str, a_over_b: float, poisson: float, **options: Any) -> _creep
     Poisson's ratio. Underscores do for hyphens. Raises UnknownTheory, TypeError for an option
     that the theory does not have, and what its class raises.
     """
-    return find(name)(a_over_b=a_over_b, poisson=poisson, **options)
+    prepared: _creepage.Theory = find(name)(a_over_b=a_over_b, poisson=poisson, **options)
+    return prepared
 
 
 def find(name: str) -> type[Any]:

@@ -141,19 +141,14 @@ fn pieces<'a, const W: usize>(
         let length = size.min(codes.len());
         let piece = Piece {
             first,
-            numbers: numbers.each_mut().map(|column| split(column, length)),
-            codes: split(&mut codes, length),
+            numbers: numbers
+                .each_mut()
+                .map(|column| column.split_off_mut(..length).unwrap_or_default()),
+            codes: codes.split_off_mut(..length).unwrap_or_default(),
         };
         first += length;
         (length > 0).then_some(piece)
     })
-}
-
-/// Takes the first elements off a slice.
-fn split<'a, T>(slice: &mut &'a mut [T], length: usize) -> &'a mut [T] {
-    let (one, rest) = std::mem::take(slice).split_at_mut(length);
-    *slice = rest;
-    one
 }
 
 /// A new array; Python's own error where there is no room for it.

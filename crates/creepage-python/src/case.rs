@@ -147,6 +147,8 @@ impl SolvedCase {
     }
 }
 
+// A method of all reports is not general enough for its lifetimes.
+#[allow(clippy::redundant_closure_for_method_calls)]
 #[pymethods]
 impl SolvedCase {
     /// `report.json` as text.

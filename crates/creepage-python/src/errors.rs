@@ -1,8 +1,8 @@
 //! The library's errors as Python's exceptions, with their messages and fields.
 
+use creepage::InvalidValue;
 use creepage::rolling::exact::InverseError;
 use creepage::rolling::variational::VariationalError;
-use creepage::InvalidValue;
 use creepage_case::{CaseError, StaticsError};
 use creepage_report::ReportError;
 use pyo3::BoundObject;

@@ -38,7 +38,7 @@ fn code(status: Status) -> u8 {
     ORDER.iter().position(|known| *known == status).unwrap_or(1) as u8
 }
 
-fn status<'py>(py: Python<'py>, code: u8) -> PyResult<Bound<'py, PyAny>> {
+fn status(py: Python, code: u8) -> PyResult<Bound<PyAny>> {
     let all = STATUSES.get_or_try_init(py, || {
         let class = py.import(MODULE)?.getattr("Status")?;
         class.try_iter()?.map(|member| Ok(member?.unbind())).collect::<PyResult<_>>()
@@ -48,12 +48,12 @@ fn status<'py>(py: Python<'py>, code: u8) -> PyResult<Bound<'py, PyAny>> {
         .ok_or_else(|| errors::internal("status"))
 }
 
-pub(crate) fn force<'py>(py: Python<'py>, row: Row<3>) -> PyResult<Bound<'py, PyAny>> {
+pub(crate) fn force(py: Python, row: Row<3>) -> PyResult<Bound<PyAny>> {
     let ([fx, fy, mz], code) = row;
     FORCE.import(py, MODULE, "Force")?.call1((fx, fy, mz, status(py, code)?))
 }
 
-pub(crate) fn exact_force<'py>(py: Python<'py>, row: Row<6>) -> PyResult<Bound<'py, PyAny>> {
+pub(crate) fn exact_force(py: Python, row: Row<6>) -> PyResult<Bound<PyAny>> {
     let ([fx, fy, mz, ex, ey, ez], code) = row;
     let class = EXACT_FORCE.import(py, MODULE, "ExactForce")?;
     class.call1((fx, fy, mz, status(py, code)?, ex, ey, ez))

@@ -39,7 +39,7 @@ fn cost([along, across]: [usize; 2]) -> f64 {
 }
 
 fn resolution(value: Option<&Bound<PyAny>>) -> PyResult<Result<Resolution, InvalidValue>> {
-    if value.is_none_or(|value| value.is_instance_of::<PyString>()) {
+    if value.is_none_or(PyAnyMethods::is_instance_of::<PyString>) {
         let named = word::<creepage_case::Resolution>("resolution", value)?;
         return Ok(Ok(named.map_or(Resolution::STANDARD, Into::into)));
     }

@@ -40,7 +40,8 @@ pub struct VermeulenJohnson;
 #[pymethods]
 impl Polach {
     #[new]
-    #[pyo3(signature = (a_over_b, poisson, *, reduction=(1.0, 1.0)))]
+    #[pyo3(signature = (a_over_b, poisson, *, reduction=(1.0, 1.0)),
+           text_signature = "(a_over_b, poisson, *, reduction=(1.0, 1.0))")]
     fn new(
         py: Python,
         a_over_b: f64,

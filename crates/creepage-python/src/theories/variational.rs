@@ -35,7 +35,7 @@ impl Variational {
         let [degree, mesh, weight] = [&degree, &mesh, &weight].map(Option::as_ref);
         let options = [("degree", degree), ("mesh", mesh), ("weight", weight)];
         let given = arguments(py, a_over_b, poisson, &options)?;
-        let degree: Option<usize> = degree.map(|degree| degree.extract()).transpose()?;
+        let degree: Option<usize> = degree.map(PyAnyMethods::extract).transpose()?;
         let usual = degree.map_or(Settings::default(), Settings::of_degree);
         let weight = word::<creepage_case::Weight>("weight", weight)?;
         let settings = Settings {
