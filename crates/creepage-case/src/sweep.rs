@@ -84,13 +84,13 @@ enum MethodName {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 enum BoundName {
-    /// Penalized where a/b is 3 or more.
+    /// "kept" where a/b is 3 or more.
     #[default]
     Automatic,
     /// Verified afterwards only, as in 1967.
     Unchecked,
-    /// Penalized.
-    Penalized,
+    /// Kept: by the least loss of power in place of the integral (5.9).
+    Kept,
 }
 
 #[derive(Debug, Clone, PartialEq, Default, Deserialize, JsonSchema)]
@@ -296,7 +296,7 @@ impl SolveSection {
             bound: match self.bound {
                 BoundName::Automatic => TractionBound::Automatic,
                 BoundName::Unchecked => TractionBound::Unchecked,
-                BoundName::Penalized => TractionBound::Penalized,
+                BoundName::Kept => TractionBound::Kept,
             },
             ..usual
         })
