@@ -9,6 +9,7 @@ use creepage::rolling::variational::{
 use creepage::{Ellipse, InvalidValue};
 use schemars::JsonSchema;
 use serde::Deserialize;
+use serde_json::Value;
 
 use crate::error::CaseError;
 use crate::keys;
@@ -203,6 +204,17 @@ pub struct Sweep {
     through: Through,
 }
 
+/// The JSON schema (draft 2020-12) of a sweep file, for editors and validators.
+///
+/// ```
+/// let schema = creepage_case::sweep_json_schema();
+/// assert!(schema["properties"]["creepage"]["properties"]["chi"].is_object());
+/// ```
+#[must_use]
+pub fn sweep_json_schema() -> Value {
+    schema_of::<SweepFile>()
+}
+
 /// One case of a sweep.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SweepCase {
@@ -222,7 +234,7 @@ impl Sweep {
     /// # Errors
     /// [`CaseError`] that names the section and key of what is wrong.
     pub fn read(text: &str) -> Result<Self, CaseError> {
-        keys::check(&text.parse()?, &schema_of::<SweepFile>())?;
+        keys::check(&text.parse()?, &sweep_json_schema())?;
         let file: SweepFile = toml::from_str(text)?;
         let [chi, alpha, upsilon] = file.creepage.values()?;
         let sweep = Self {

@@ -56,7 +56,7 @@ fn run(command: &Command) -> Result<Outcome, Failure> {
         Command::Curve(args) => curve::run(args)?,
         Command::Accuracy(args) => accuracy::run(args)?,
         Command::Init(args) => init::run(args)?,
-        Command::Schema => output::print(&format!("{:#}", creepage_case::json_schema()))?,
+        Command::Schema(args) => output::print(&format!("{:#}", args.of.schema()))?,
     }
     Ok(Outcome::Done)
 }
