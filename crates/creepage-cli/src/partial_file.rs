@@ -31,8 +31,19 @@ impl PartialFile {
 
     pub(crate) fn finish(&self) -> io::Result<()> {
         self.file.sync_all()?;
-        fs::rename(&self.partial, &self.target)
+        fs::rename(&self.partial, &self.target)?;
+        sync_directory_of(&self.target)
     }
+}
+
+/// Puts the name of a file on the disk.
+pub(crate) fn sync_directory_of(path: &Path) -> io::Result<()> {
+    // Elsewhere a directory cannot be opened, and a name needs no such care.
+    if cfg!(not(unix)) {
+        return Ok(());
+    }
+    let directory = path.parent().filter(|parent| !parent.as_os_str().is_empty());
+    File::open(directory.unwrap_or(Path::new(".")))?.sync_all()
 }
 
 impl Drop for PartialFile {
