@@ -56,4 +56,4 @@ pub use schema::json_schema;
 pub use solve::{Bound, Flexibility, Solve, Variant, Weight};
 pub use statics::{StaticsCase, StaticsFile, statics_json_schema};
 pub use statics_error::StaticsError;
-pub use sweep::{SecondStart, Sweep, SweepCase};
+pub use sweep::{SecondStart, Sweep, SweepCase, sweep_json_schema};

@@ -96,8 +96,8 @@ pub(crate) enum Command {
     Table(TableArgs),
     /// Write a commented example of a case file; an existing file is left alone.
     Init(InitArgs),
-    /// Print the JSON schema of case files, for editors and validators.
-    Schema,
+    /// Print the JSON schema of case, statics or sweep files, for editors and validators.
+    Schema(SchemaArgs),
 }
 
 #[derive(Debug, clap::Args)]
@@ -275,4 +275,33 @@ pub(crate) struct InitArgs {
     /// File to write; standard output if not given.
     #[arg(long, value_name = "FILE")]
     pub(crate) out: Option<PathBuf>,
+}
+
+#[derive(Debug, clap::Args)]
+pub(crate) struct SchemaArgs {
+    /// The files to describe.
+    #[arg(long, value_name = "FILES", default_value = "case")]
+    pub(crate) of: FileKind,
+}
+
+/// The files that the commands read.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+pub(crate) enum FileKind {
+    /// Case files: `solve`, `curve`, `hertz`.
+    Case,
+    /// Statics files: `statics`.
+    Statics,
+    /// Sweep files: `sweep`.
+    Sweep,
+}
+
+impl FileKind {
+    /// The schema of these files.
+    pub(crate) fn schema(self) -> serde_json::Value {
+        match self {
+            Self::Case => creepage_case::json_schema(),
+            Self::Statics => creepage_case::statics_json_schema(),
+            Self::Sweep => creepage_case::sweep_json_schema(),
+        }
+    }
 }

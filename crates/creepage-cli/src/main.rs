@@ -60,7 +60,7 @@ fn run(command: &Command) -> Result<Outcome, Failure> {
         Command::Accuracy(args) => accuracy::run(args)?,
         Command::Table(args) => table::run(args)?,
         Command::Init(args) => init::run(args)?,
-        Command::Schema => output::print(&format!("{:#}", creepage_case::json_schema()))?,
+        Command::Schema(args) => output::print(&format!("{:#}", args.of.schema()))?,
     }
     Ok(Outcome::Done)
 }

@@ -50,8 +50,18 @@ impl PartialFile {
         self.file.sync_all()?;
         fs::rename(&self.partial, &self.target)?;
         self.finished = true;
-        Ok(())
+        sync_directory_of(&self.target)
     }
+}
+
+/// Puts the name of a file on the disk.
+pub(crate) fn sync_directory_of(path: &Path) -> io::Result<()> {
+    // Elsewhere a directory cannot be opened, and a name needs no such care.
+    if cfg!(not(unix)) {
+        return Ok(());
+    }
+    let directory = path.parent().filter(|parent| !parent.as_os_str().is_empty());
+    File::open(directory.unwrap_or(Path::new(".")))?.sync_all()
 }
 
 impl Drop for PartialFile {
