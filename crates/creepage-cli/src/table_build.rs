@@ -63,11 +63,11 @@ pub(crate) fn run(args: &BuildArgs) -> Result<(), Failure> {
     drop(PartialFile::create(&args.out).map_err(failed)?);
     let (spec, solve) = (spec(args, theory), solve(args, theory));
     let bar = bar(&spec);
-    let prepare = |a_over_b, poisson| (theory.prepare)(a_over_b, poisson, &solve);
+    let prepare = |a_over_b, poisson| theory.boxed(a_over_b, poisson, &solve);
     let table = build(&spec, prepare, &|| bar.inc(1));
     bar.finish_and_clear();
     let table = table.map_err(|source| Failure::Build { theory: theory.name, source })?;
-    let partial = PartialFile::create(&args.out).map_err(failed)?;
+    let mut partial = PartialFile::create(&args.out).map_err(failed)?;
     let unwritten = |source| Failure::Table { path: args.out.clone(), source };
     table.write(partial.path()).map_err(unwritten)?;
     partial.finish().map_err(failed)?;

@@ -4,6 +4,7 @@ use creepage::InvalidValue;
 use creepage::rolling::exact::{self, Known, Resolution};
 use creepage::rolling::{Creepage, FieldPoint};
 use numpy::IntoPyArray;
+use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyString;
 
@@ -41,7 +42,12 @@ fn cost([along, across]: [usize; 2]) -> f64 {
 fn resolution(value: Option<&Bound<PyAny>>) -> PyResult<Result<Resolution, InvalidValue>> {
     if value.is_none_or(PyAnyMethods::is_instance_of::<PyString>) {
         let named = word::<creepage_case::Resolution>("resolution", value)?;
-        return Ok(Ok(named.map_or(Resolution::STANDARD, Into::into)));
+        let Some(named) = named else { return Ok(Ok(Resolution::STANDARD)) };
+        return match named.fixed() {
+            Ok(Some(fixed)) => Ok(Ok(fixed)),
+            Ok(None) => Err(PyValueError::new_err("resolution: `auto` is the theory `automatic`")),
+            Err(invalid) => Ok(Err(invalid)),
+        };
     }
     let [along, across] = pair("resolution", value)?.unwrap_or([0; 2]);
     Ok(Resolution::new(along, across))
