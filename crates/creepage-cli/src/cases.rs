@@ -6,7 +6,7 @@ use std::path::Path;
 use creepage::InvalidValue;
 use creepage::rolling::Status;
 use creepage::rolling::exact::Known;
-use creepage_case::{Case, CaseError, CaseFile, Solve};
+use creepage_case::{Case, CaseError, CaseFile, InverseCase, Solve};
 use creepage_report::{Answer, Extras, Report, ReportError, hertz_json, hertz_text};
 use serde::Serialize;
 
@@ -18,22 +18,25 @@ use crate::inverse;
 use crate::output::{print, say};
 use crate::theories::{self, Answered, Entry, Examination, TheoryError};
 
+/// A case solved, whichever way it was asked.
+struct SolvedCase {
+    case: Case,
+    theory: &'static Entry,
+    found: Examination,
+    /// What was given, where the creepage was found to wanted forces.
+    known: Option<Known>,
+}
+
 /// `creepage solve`: the files first, then the report, so that a wrong `--out` prints nothing.
 pub(crate) fn solve(args: &SolveArgs) -> Result<Outcome, Failure> {
     let wrong = |source| Failure::Case { path: args.case.clone(), source };
     let file = read(&args.case)?;
-    let (known, theory, (case, found)) = if file.is_inverse() {
-        let case = file.inverse().map_err(wrong)?;
-        let theory = choose(args.theory.as_slice(), &case.solve, &args.case)?[0];
-        (Some(case.known), theory, inverse::find(case, theory, &args.case)?)
+    let solved = if file.is_inverse() {
+        solve_inverse(file.inverse().map_err(wrong)?, args)?
     } else {
-        let case = file.case().map_err(wrong)?;
-        let theory = choose(args.theory.as_slice(), &case.solve, &args.case)?[0];
-        let found = examine(&case, theory)
-            .map_err(|source| Failure::Options { path: args.case.clone(), source })?;
-        (None, theory, (case, found))
+        solve_direct(file.case().map_err(wrong)?, args)?
     };
-    let report = report(&case, theory, &found, known)
+    let report = report(&solved)
         .map_err(|invalid| wrong(CaseError::Invalid { section: "contact", invalid }))?;
     if let Some(directory) = &args.out {
         for path in report.write(directory)? {
@@ -41,7 +44,21 @@ pub(crate) fn solve(args: &SolveArgs) -> Result<Outcome, Failure> {
         }
     }
     print(&if args.json { to_json(&report.json())? } else { report.text() })?;
-    Ok(judge(&found.answered, &case.solve))
+    Ok(judge(&solved.found.answered, &solved.case.solve))
+}
+
+fn solve_direct(case: Case, args: &SolveArgs) -> Result<SolvedCase, Failure> {
+    let theory = choose(args.theory.as_slice(), &case.solve, &args.case)?[0];
+    let found = examine(&case, theory)
+        .map_err(|source| Failure::Options { path: args.case.clone(), source })?;
+    Ok(SolvedCase { case, theory, found, known: None })
+}
+
+fn solve_inverse(case: InverseCase, args: &SolveArgs) -> Result<SolvedCase, Failure> {
+    let theory = choose(args.theory.as_slice(), &case.solve, &args.case)?[0];
+    let known = Some(case.known);
+    let (case, found) = inverse::find(case, theory, &args.case)?;
+    Ok(SolvedCase { case, theory, found, known })
 }
 
 /// `creepage hertz`.
@@ -82,12 +99,8 @@ fn examine(case: &Case, theory: &Entry) -> Result<Examination, TheoryError> {
     Ok(prepared.examine(ellipse, case.creepage)?)
 }
 
-fn report<'a>(
-    case: &'a Case,
-    theory: &'a Entry,
-    found: &'a Examination,
-    known: Option<Known>,
-) -> Result<Report<'a>, InvalidValue> {
+fn report(solved: &SolvedCase) -> Result<Report<'_>, InvalidValue> {
+    let SolvedCase { case, theory, found, known } = solved;
     let answer = Answer {
         creepage: case.creepage,
         theory_name: theory.name,
@@ -96,7 +109,7 @@ fn report<'a>(
         points: found.points.clone(),
         details: found.details.clone(),
     };
-    let extras = Extras { known, speed: case.speed, dissipation: found.dissipation };
+    let extras = Extras { known: *known, speed: case.speed, dissipation: found.dissipation };
     Ok(Report::new(&case.contact, case.friction, answer)?.with(extras))
 }
 
