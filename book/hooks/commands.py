@@ -10,6 +10,7 @@ import os
 import re
 import shutil
 import subprocess
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 from mkdocs.exceptions import PluginError
@@ -18,17 +19,17 @@ from mkdocs.structure.files import File
 ROOT = Path(__file__).resolve().parents[2]
 CREEPAGE = Path(os.environ["CREEPAGE"])
 COMMAND = re.compile(r"^(?:<!-- )?\$ (.*?)(?: -->)?$")
-PICTURES = {".svg", ".png"}
 
 
 def on_files(files, config):
     """Runs all pages and adds their pictures to the site."""
-    for page in files.documentation_pages():
+    pages = list(files.documentation_pages())
+    with ThreadPoolExecutor() as pool:
+        outputs = list(pool.map(run, pages))
+    for page, printed in zip(pages, outputs):
         place = room(page)
-        shutil.rmtree(place, ignore_errors=True)
-        printed = run(page.content_string, place)
         page.content_string = show(page.content_string, printed)
-        for picture in sorted(path for path in place.rglob("*") if path.suffix in PICTURES):
+        for picture in sorted(place.rglob("*.svg")):
             uri = Path(page.src_uri).with_suffix("") / picture.relative_to(place)
             files.append(File.generated(config, uri.as_posix(), abs_src_path=str(picture)))
     return files
@@ -39,9 +40,11 @@ def room(page):
     return CREEPAGE.parents[1] / "book-run" / Path(page.src_uri).with_suffix("")
 
 
-def run(text, place):
+def run(page):
     """What each command of the page printed."""
-    commands = [found[1] for found in map(COMMAND.match, text.splitlines()) if found]
+    place = room(page)
+    shutil.rmtree(place, ignore_errors=True)
+    commands = [found[1] for found in map(COMMAND.match, page.content_string.splitlines()) if found]
     if not commands:
         return []
     place.mkdir(parents=True)

@@ -1,78 +1,76 @@
-"""The thesis, figure by figure: what `creepage reproduce all` computes and draws.
+"""The thesis, figure by figure: what the page's own command `creepage reproduce all --out thesis`
+computed and drew, in place of the mark `<!-- thesis -->`.
 
-On the page with the mark `<!-- thesis -->`: the table of agreement, then every figure by its
-number, then every table of the thesis with its entries as printed and as computed.
+Titles and captions are those of its page `index.html`; the comparisons are in `agreement.csv`.
 """
 
 import csv
-import os
+import html
 import re
-import subprocess
-from pathlib import Path
-from xml.etree import ElementTree
+from collections import Counter
 
-from mkdocs.structure.files import File
+from commands import room
 
 MARK = "<!-- thesis -->"
-AGREEMENT = "agreement.csv"
+MADE = "thesis"
+SECTION = re.compile(
+    r'<section id="(?P<name>[^"]+)">\s*<h2>(?P<title>.*?)</h2>.*?<p class="caption">(?P<caption>.*?)</p>',
+    re.DOTALL,
+)
 
 
 def on_files(files, config):
     for page in files.documentation_pages():
         if MARK in page.content_string:
-            directory = reproduced()
-            for picture in pictures(directory):
-                uri = Path(page.src_uri).with_suffix("") / picture.name
-                files.append(File.generated(config, uri.as_posix(), abs_src_path=str(picture)))
-            content = gallery(directory, Path(page.src_uri).stem)
-            page.content_string = page.content_string.replace(MARK, content)
+            directory = room(page) / MADE
+            shown = gallery(directory, beside=f"{room(page).name}/{MADE}")
+            page.content_string = page.content_string.replace(MARK, shown)
     return files
 
 
-def reproduced():
-    """The directory with everything, made afresh."""
-    command = Path(os.environ["CREEPAGE"])
-    directory = command.parents[1] / "book-run" / "reproduced"
-    subprocess.run([command, "reproduce", "all", "--out", directory], capture_output=True, check=True)
-    return directory
-
-
-def pictures(directory):
-    return sorted(directory.rglob("*.svg"), key=lambda path: in_order(path.stem))
-
-
-def in_order(name):
-    """Sorts `figure9` before `figure10`."""
-    return [int(part) if part.isdigit() else part for part in re.split(r"(\d+)", name)]
-
-
 def gallery(directory, beside):
-    parts = [agreement(directory)]
-    parts += [figure(picture, beside) for picture in pictures(directory)]
-    tables = sorted(directory.rglob("table*.csv"), key=lambda path: in_order(path.stem))
-    parts += [entries(path) for path in tables]
+    compared = comparisons(directory)
+    parts = [summary(compared)]
+    for page in directory.glob("index.html"):
+        for section in SECTION.finditer(page.read_text(encoding="utf-8")):
+            mine = [line for line in compared if line["item"] == section["name"]]
+            parts += [*item(directory, beside, **section.groupdict()), table(mine)]
     return "\n\n".join(part for part in parts if part)
 
 
-def agreement(directory):
-    path = directory / AGREEMENT
-    return "## Agreement\n\n" + rows(path) if path.exists() else ""
+def comparisons(directory):
+    """The lines of the table of agreement."""
+    lines = []
+    for path in directory.glob("agreement.csv"):
+        with path.open(encoding="utf-8", newline="") as file:
+            lines += csv.DictReader(file)
+    return lines
 
 
-def figure(path, beside):
-    title = ElementTree.parse(path).findtext("{http://www.w3.org/2000/svg}title") or path.stem
-    return f"## {title}\n\n![{title}]({beside}/{path.name})"
+def summary(compared):
+    counts = Counter(line["verdict"] for line in compared)
+    verdicts = ", ".join(f"{count} {verdict}" for verdict, count in counts.most_common())
+    return f"{len(compared)} comparisons with the print: {verdicts}." if compared else ""
 
 
-def entries(path):
-    """A table of the thesis, folded: it is long."""
-    body = rows(path).replace("\n", "\n    ")
-    name = re.sub(r"(?<=[a-z])(?=\d)", " ", path.stem).capitalize()
-    return f'??? note "{name}, entry by entry"\n\n    {body}'
+def item(directory, beside, name, title, caption):
+    """Heading, picture, caption, and the table in words, folded."""
+    yield f"## {title} {{#{name}}}"
+    if (directory / f"{name}.svg").exists():
+        yield f"![{html.unescape(title)}]({beside}/{name}.svg)"
+    yield caption
+    for words in directory.glob(f"{name}.txt"):
+        text = f"```text\n{words.read_text(encoding='utf-8').rstrip()}\n```"
+        yield '??? note "In words"\n\n' + "\n".join(f"    {line}".rstrip() for line in text.splitlines())
 
 
-def rows(path):
-    with path.open(encoding="utf-8", newline="") as file:
-        heads, *body = csv.reader(file)
-    lines = [heads, ["---"] * len(heads), *body]
-    return "\n".join("| " + " | ".join(cell.replace("|", "\\|") for cell in line) + " |" for line in lines)
+def table(lines):
+    """What of one item was compared."""
+    heads = ["quantity", "printed", "ours", "difference", "verdict", "note"]
+    rows = [heads, ["---"] * len(heads), *([line[head] for head in heads] for line in lines)]
+    cells = [[cell(text) for text in row] for row in rows]
+    return "\n".join("| " + " | ".join(row) + " |" for row in cells) if lines else ""
+
+
+def cell(text):
+    return re.sub(r"([|*_\\])", r"\\\1", html.escape(text, quote=False))

@@ -12,6 +12,7 @@ use std::fs;
 use std::os::unix::fs::symlink;
 use std::path::{Path, PathBuf};
 use std::process::Command;
+use std::thread;
 
 mod common;
 use common::Place;
@@ -40,21 +41,29 @@ fn search_path() -> OsString {
     env::join_paths([own].into_iter().chain(env::split_paths(&others))).unwrap()
 }
 
+/// Runs the commands of a page and counts them.
+fn run(page: &Path) -> usize {
+    let place = Place::new();
+    symlink(repository().join("examples"), place.path("examples")).unwrap();
+    let text = fs::read_to_string(page).unwrap();
+    let commands: Vec<_> = text.lines().filter_map(command).collect();
+    for command in &commands {
+        let mut shell = Command::new("sh");
+        shell.args(["-c", command]).env("PATH", search_path()).current_dir(place.path(""));
+        let ran = shell.output().unwrap();
+        let said = String::from_utf8_lossy(&ran.stderr);
+        assert!(ran.status.success(), "{}: `{command}`: {said}", page.display());
+    }
+    commands.len()
+}
+
 #[test]
 fn every_command_of_the_guide_runs() {
-    let mut count = 0;
-    for page in pages(&repository().join("book/pages")) {
-        let place = Place::new();
-        symlink(repository().join("examples"), place.path("examples")).unwrap();
-        for command in fs::read_to_string(&page).unwrap().lines().filter_map(command) {
-            let mut shell = Command::new("sh");
-            shell.args(["-c", command]).env("PATH", search_path()).current_dir(place.path(""));
-            let ran = shell.output().unwrap();
-            let said = String::from_utf8_lossy(&ran.stderr);
-            assert!(ran.status.success(), "{}: `{command}`: {said}", page.display());
-            count += 1;
-        }
-    }
+    let pages = pages(&repository().join("book/pages"));
+    let count: usize = thread::scope(|scope| {
+        let running: Vec<_> = pages.iter().map(|page| scope.spawn(|| run(page))).collect();
+        running.into_iter().map(|page| page.join().unwrap()).sum()
+    });
     assert!(count > 30, "only {count} commands: the guide's pages are not where they were");
 }
 
