@@ -60,8 +60,8 @@ pub(crate) fn framed(panel: Panel, ellipse: Ellipse) -> Panel {
     let (a, ink) = (ellipse.a(), "#5d6a76");
     panel
         .curve(outline(ellipse), Pen::OUTLINE)
-        .arrow([1.06 * a, 0.0], [1.24 * a, 0.0], 1.6, ink)
-        .text([1.29 * a, 0.025], Anchor::Middle, Label::default().symbol("x"))
+        .arrow([a + 0.06, 0.0], [a + 0.23, 0.0], 1.6, ink)
+        .text([a + 0.29, 0.025], Anchor::Middle, Label::default().symbol("x"))
 }
 
 /// Areas of slip and of adhesion.

@@ -114,7 +114,7 @@ fn agreement(numbers: &[Number]) -> Vec<Comparison> {
 }
 
 const SLIDING: Mark = Mark { size: 2.2, ..Mark::full(Shape::Circle, "#17212b") };
-const STICKING: Mark = Mark::full(Shape::Square, "#17212b");
+const STICKING: Mark = Mark { size: 3.4, ..Mark::full(Shape::Square, "#17212b") };
 const ABERRATION: Mark = Mark { size: 5.0, ..Mark::open(Shape::Cross, "#17212b") };
 
 fn sheet(
@@ -153,13 +153,11 @@ fn course(numbers: &[Number]) -> Panel {
         let changes = numbers.iter().filter(|n| n.list == "TOEG GEV" && n.place == 1);
         changes.map(|n| [n.line as f64 + 1.0, of(n).log10()]).collect::<Vec<_>>()
     };
-    let ticks = |values: [i32; 5], text: fn(i32) -> String| {
-        values.map(|value| (f64::from(value), text(value))).to_vec()
-    };
     let x = Scale::new([0.7, 4.3], Label::new("iteration"));
-    let x = x.ticks(ticks([0, 1, 2, 3, 4], |step| step.to_string())[1..].to_vec());
+    let x = x.ticks([1, 2, 3, 4].map(|step| (f64::from(step), step.to_string())).to_vec());
     let y = Scale::new([-4.4, 0.4], Label::new("largest change of a coefficient"));
-    let y = y.ticks(ticks([-4, -3, -2, -1, 0], |power| format!("1e{power}")));
+    let powers = [(-4.0, "0.0001"), (-3.0, "0.001"), (-2.0, "0.01"), (-1.0, "0.1"), (0.0, "1")];
+    let y = y.ticks(powers.map(|(power, text)| (power, text.into())).to_vec());
     Panel::new(x, y)
         .curve(steps(|number| number.ours), OF_1967)
         .marks(steps(|number| number.printed), PRINTED)

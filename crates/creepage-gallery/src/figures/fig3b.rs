@@ -10,7 +10,7 @@ use crate::item::{Item, Reproduction};
 use crate::theories::STEEL;
 
 pub(crate) const ITEM: Item =
-    Item::new("fig3b", "Fig. 3b. The coefficients C23 = -C32 and C33", make);
+    Item::new("fig3b", "Fig. 3b. The coefficients C23 = −C32 and C33", make);
 
 fn make() -> Result<Reproduction, GalleryError> {
     let printed = table3()?.concat();
@@ -21,7 +21,7 @@ fn make() -> Result<Reproduction, GalleryError> {
     let (sheet, data) = picture(ITEM.title, &shown, &printed)?;
     let caption = "Creepage and spin coefficients of linear theory (called Fig. 8 in the thesis's \
         list of symbols). Lines: converged; marks: Table 3 as printed, of degree 5. C23 leaves the \
-        picture as b/a goes to 0, C33 as a/b does. That C32 = -C23, for which the thesis had no \
+        picture as b/a goes to 0, C33 as a/b does. That C32 = −C23, for which the thesis had no \
         explanation, follows from the reciprocal theorem.";
     Ok(Reproduction::figure(&sheet, caption, data, vec![reciprocity()?, johnson()?]))
 }
@@ -37,7 +37,7 @@ fn reciprocity() -> Result<Comparison, GalleryError> {
     }
     let ours = format!("to {:.1} % in degree 5", 100.0 * worst);
     // One unit of the three digits printed is up to 1 %.
-    Ok(Comparison::claim("C32 = -C23 for ellipses", "persists", ours, worst < 0.01))
+    Ok(Comparison::claim("C32 = −C23 for ellipses", "persists", ours, worst < 0.01))
 }
 
 fn johnson() -> Result<Comparison, GalleryError> {

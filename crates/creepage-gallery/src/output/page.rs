@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use super::agreement::{difference, summary};
+use super::agreement::{SKETCHES, difference, summary};
 use crate::comparison::Comparison;
 use crate::run::Made;
 
@@ -29,11 +29,13 @@ pub(super) fn html(made: &[Made]) -> String {
     for made in made {
         section(&mut page, made);
     }
-    page.push_str(
+    // Writing to a String cannot fail.
+    let _ = write!(
+        page,
         "</main>\n<footer>Made by <code>creepage reproduce</code>. Agrees: ours, rounded as the \
          print is, is the print, or what is claimed holds. Close: within a tolerance that the \
          note gives a reason for. Misprint: the print is wrong, for a reason found elsewhere. Not \
-         reproduced: the note says why.</footer>\n</body>\n</html>\n",
+         reproduced: the note says why. {SKETCHES}</footer>\n</body>\n</html>\n"
     );
     page
 }
