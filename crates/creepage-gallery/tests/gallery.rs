@@ -93,6 +93,10 @@ fn the_page_needs_nothing_beside_it() {
         assert!(!page.contains(outside), "{outside}");
     }
     assert!(page.contains("prefers-color-scheme"));
+    let mut ids: Vec<_> =
+        page.split(" id=\"").skip(1).filter_map(|id| id.split('"').next()).collect();
+    ids.sort_unstable();
+    assert!(ids.windows(2).all(|pair| pair[0] != pair[1]), "{ids:?}");
     for made in made() {
         let name = made.item.name;
         assert!(page.contains(&format!("<section id=\"{name}\">")));
