@@ -1,6 +1,7 @@
 //! A whole case file, and the case that it describes.
 
 use creepage::Hertz;
+use creepage::rolling::exact::Known;
 use creepage::rolling::{Creepage, Scaling, SiCreepage};
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -12,6 +13,7 @@ use crate::error::CaseError;
 use crate::keys;
 use crate::schema::json_schema;
 use crate::solve::Solve;
+use crate::wanted::WantedSection;
 
 /// A rolling-contact case, in SI units: two elastic bodies, what presses them together, and
 /// how they creep.
@@ -28,6 +30,9 @@ pub struct CaseFile {
     /// Creepage and spin. Needed for rolling, not for the contact alone.
     #[serde(default)]
     creepage: CreepageSection,
+    /// Forces that are wanted in place of creepages.
+    #[serde(default)]
+    wanted: WantedSection,
     /// How to solve the case.
     #[serde(default)]
     solve: Solve,
@@ -44,8 +49,37 @@ pub struct Case {
     pub creepage: Creepage,
     /// Creepage and spin in SI units.
     pub si_creepage: SiCreepage,
+    /// Rolling velocity (m/s), where it is given.
+    pub speed: Option<f64>,
     /// The theory and its options.
     pub solve: Solve,
+}
+
+/// A case whose creepage is to be found, every number of it checked.
+#[derive(Debug, Clone, PartialEq)]
+pub struct InverseCase {
+    /// The contact ellipse and its pressure.
+    pub contact: Hertz,
+    /// Coefficient of friction `mu`.
+    pub friction: f64,
+    /// The three quantities that determine the others, dimensionless.
+    pub known: Known,
+    /// The units of the dimensionless quantities.
+    pub scaling: Scaling,
+    /// Rolling velocity (m/s), where it is given.
+    pub speed: Option<f64>,
+    /// The theory and its options.
+    pub solve: Solve,
+}
+
+impl InverseCase {
+    /// The case with the creepage that was found.
+    #[must_use]
+    pub fn found(self, creepage: Creepage) -> Case {
+        let si_creepage = self.scaling.si_creepage(creepage);
+        let Self { contact, friction, speed, solve, .. } = self;
+        Case { contact, friction, creepage, si_creepage, speed, solve }
+    }
 }
 
 impl CaseFile {
@@ -68,12 +102,41 @@ impl CaseFile {
         self.contact.hertz(&self.upper, &self.lower)
     }
 
+    /// Whether forces are wanted and the creepage is to be found.
+    #[must_use]
+    pub fn is_inverse(&self) -> bool {
+        self.wanted.names().next().is_some()
+    }
+
     /// The case for a theory of rolling.
     ///
     /// # Errors
-    /// As [`CaseFile::hertz`]; also when friction or creepage is missing or out of range, and
-    /// when the ellipse stands askew to the rolling direction.
+    /// As [`CaseFile::hertz`]; also when friction or creepage is missing or out of range, when
+    /// forces are wanted, and when the ellipse stands askew to the rolling direction.
     pub fn case(&self) -> Result<Case, CaseError> {
+        let (contact, friction, scaling) = self.rolling_contact()?;
+        if self.is_inverse() {
+            return Err(CaseError::Wanted);
+        }
+        let (creepage, si_creepage) = self.creepage.resolve(scaling)?;
+        let (speed, solve) = (self.creepage.speed()?, self.solve.clone());
+        Ok(Case { contact, friction, creepage, si_creepage, speed, solve })
+    }
+
+    /// The case whose creepage is to be found.
+    ///
+    /// # Errors
+    /// As [`CaseFile::case`]; also unless three quantities are given by `[creepage]` and
+    /// `[wanted]` together.
+    pub fn inverse(&self) -> Result<InverseCase, CaseError> {
+        let (contact, friction, scaling) = self.rolling_contact()?;
+        let known = self.wanted.known(&self.creepage, contact.ellipse(), scaling)?;
+        let (speed, solve) = (self.creepage.speed()?, self.solve.clone());
+        Ok(InverseCase { contact, friction, known, scaling, speed, solve })
+    }
+
+    /// The contact, the friction in it, and its units.
+    fn rolling_contact(&self) -> Result<(Hertz, f64, Scaling), CaseError> {
         let contact = self.hertz()?;
         self.check_aligned(&contact)?;
         let friction = self.contact.friction.ok_or_else(|| CaseError::Missing {
@@ -81,8 +144,7 @@ impl CaseFile {
             key: "friction".into(),
         })?;
         let scaling = Scaling::new(&contact, friction).map_err(CaseError::invalid("contact"))?;
-        let (creepage, si_creepage) = self.creepage.resolve(scaling)?;
-        Ok(Case { contact, friction, creepage, si_creepage, solve: self.solve.clone() })
+        Ok((contact, friction, scaling))
     }
 
     fn check_aligned(&self, contact: &Hertz) -> Result<(), CaseError> {

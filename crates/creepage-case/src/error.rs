@@ -56,6 +56,31 @@ pub enum CaseError {
         /// Section and key.
         second: (&'static str, &'static str),
     },
+    /// The creepage is wanted where it must be given.
+    #[error(
+        "section [wanted] asks for a creepage, which `solve` finds: what needs a creepage to \
+         start from takes it from [creepage] alone"
+    )]
+    Wanted,
+    /// Creepages and wanted forces that are too few, or too many, to determine the others.
+    #[error(
+        "[creepage] and [wanted] give {} of six quantities ({}): exactly three are needed, those \
+         that are zero included", given.len(), given.join(", ")
+    )]
+    NotThree {
+        /// Those that are given.
+        given: Vec<&'static str>,
+    },
+    /// A wanted force that no creepage can give.
+    #[error("[wanted] {key} = {value:?} is not reachable: friction gives at most {most}")]
+    BeyondFriction {
+        /// The force or moment.
+        key: &'static str,
+        /// The value that was given.
+        value: f64,
+        /// The largest size that it can have, in the same unit.
+        most: f64,
+    },
     /// A number out of its range.
     #[error("[{section}] {invalid}")]
     Invalid {

@@ -26,7 +26,8 @@ pub(crate) fn check(file: &Table, schema: &Value) -> Result<(), CaseError> {
     Ok(())
 }
 
-fn check_section(section: &str, table: &Table, schema: &Value) -> Result<(), CaseError> {
+/// The same for the keys of one section.
+pub(crate) fn check_section(section: &str, table: &Table, schema: &Value) -> Result<(), CaseError> {
     let form = &schema["properties"][section];
     if let Some(key) = table.keys().find(|key| form["properties"][key].is_null()) {
         return Err(unknown(key, section, schema));

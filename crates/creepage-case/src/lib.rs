@@ -1,8 +1,9 @@
 //! Case files: one rolling contact described in TOML, in SI units.
 //!
 //! [`CaseFile::read`] checks the file's form (its sections and keys), [`CaseFile::hertz`] what
-//! the contact needs, [`CaseFile::case`] all that a theory of rolling needs. Every error names
-//! the section and the key that it is about. [`json_schema`] describes the format to editors.
+//! the contact needs, [`CaseFile::case`] all that a theory of rolling needs, and
+//! [`CaseFile::inverse`] the same where forces are wanted and creepages to be found. Every error
+//! names the section and the key that it is about. [`json_schema`] describes the format to editors.
 //!
 //! ```
 //! let text = r#"
@@ -37,6 +38,7 @@ mod creepage;
 mod error;
 mod keys;
 mod radius;
+mod resolution;
 mod schema;
 mod solve;
 mod statics;
@@ -45,11 +47,13 @@ mod statics_error;
 mod statics_load;
 mod sweep;
 mod sweep_loops;
+mod wanted;
 
-pub use case::{Case, CaseFile};
+pub use case::{Case, CaseFile, InverseCase};
 pub use error::CaseError;
+pub use resolution::Resolution;
 pub use schema::json_schema;
-pub use solve::{Bound, Flexibility, Resolution, Solve, Variant, Weight};
+pub use solve::{Bound, Flexibility, Solve, Variant, Weight};
 pub use statics::{StaticsCase, StaticsFile, statics_json_schema};
 pub use statics_error::StaticsError;
-pub use sweep::{SecondStart, Sweep, SweepCase};
+pub use sweep::{SecondStart, Sweep, SweepCase, sweep_json_schema};

@@ -1,8 +1,14 @@
 //! `[solve]`: which theory, and its options.
 
-use creepage::rolling::{exact, fastrip, fastsim, variational};
+use creepage::rolling::{fastrip, fastsim, variational};
 use schemars::JsonSchema;
 use serde::de::{Deserialize, Deserializer, Error};
+use toml::Table;
+
+use crate::error::CaseError;
+use crate::keys;
+use crate::resolution::Resolution;
+use crate::schema::json_schema;
 
 /// The theory that solves the case, and its options; what is left out is the theory's default.
 #[derive(Debug, Clone, PartialEq, Default, serde::Deserialize, JsonSchema)]
@@ -12,6 +18,9 @@ pub struct Solve {
     pub theory: Option<String>,
     /// Theory "exact": how finely the contact is cut into elements; "standard" by default.
     pub resolution: Option<Resolution>,
+    /// Theory "exact" with resolution = "auto": largest error bar of the forces, in parts of mu N;
+    /// 0.001 by default.
+    pub accuracy: Option<f64>,
     /// Theory "variational": degree M of the traction polynomials, 0 to 12; 3 by default.
     pub degree: Option<usize>,
     /// Theory "variational": mesh cells [along, across] of the box around the ellipse;
@@ -33,13 +42,42 @@ pub struct Solve {
 }
 
 impl Solve {
+    /// Reads options that stand outside a case file, each as `key = value` or `key=value`; a word
+    /// needs no quotes.
+    ///
+    /// ```
+    /// let options = ["grid=[20, 10]", "bound=parabolic"];
+    /// assert_eq!(creepage_case::Solve::read(&options)?.grid, Some([20, 10]));
+    /// # Ok::<(), creepage_case::CaseError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`CaseError`] for what `[solve]` of a case file may not say either.
+    pub fn read(options: &[impl AsRef<str>]) -> Result<Self, CaseError> {
+        let lines: Vec<_> = options.iter().map(|option| quoted(option.as_ref())).collect();
+        let text = lines.join("\n");
+        keys::check_section("solve", &text.parse()?, &json_schema())?;
+        Ok(toml::from_str(&text)?)
+    }
+
     /// Names of the options that are given; `theory` is none.
     pub fn options(&self) -> impl Iterator<Item = &'static str> {
         // Taken apart, so that an option cannot be forgotten here.
-        let Self { theory: _, resolution, degree, mesh, weight, grid, flexibility, bound, variant } =
-            self;
+        let Self {
+            theory: _,
+            resolution,
+            accuracy,
+            degree,
+            mesh,
+            weight,
+            grid,
+            flexibility,
+            bound,
+            variant,
+        } = self;
         [
             ("resolution", resolution.is_some()),
+            ("accuracy", accuracy.is_some()),
             ("degree", degree.is_some()),
             ("mesh", mesh.is_some()),
             ("weight", weight.is_some()),
@@ -53,25 +91,13 @@ impl Solve {
     }
 }
 
-/// Elements of the full theory.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Deserialize, JsonSchema)]
-#[serde(rename_all = "lowercase")]
-pub enum Resolution {
-    /// 12 x 10 elements: forces to 0.4 % of mu N.
-    Fast,
-    /// 22 x 18 elements: forces to 0.1 %.
-    Standard,
-    /// 36 x 28 elements: forces to a few hundredths of a per cent.
-    Fine,
-}
-
-impl From<Resolution> for exact::Resolution {
-    fn from(resolution: Resolution) -> Self {
-        match resolution {
-            Resolution::Fast => Self::FAST,
-            Resolution::Standard => Self::STANDARD,
-            Resolution::Fine => Self::FINE,
+/// The option as a line of TOML: what is no value of TOML is text.
+fn quoted(option: &str) -> String {
+    match option.split_once('=') {
+        Some((key, word)) if option.parse::<Table>().is_err() => {
+            format!("{key}={}", toml::Value::from(word.trim()))
         }
+        _ => option.into(),
     }
 }
 
@@ -181,7 +207,7 @@ mod tests {
     #[test]
     fn every_option_of_the_format_is_counted() {
         let all: Solve = toml::from_str(
-            "theory = 'fastsim'\nresolution = 'fine'\ndegree = 3\nmesh = [1, 2]\nweight = 'uniform'\ngrid = [3, 4]\n\
+            "theory = 'fastsim'\nresolution = 'fine'\naccuracy = 1\ndegree = 3\nmesh = [1, 2]\nweight = 'uniform'\ngrid = [3, 4]\n\
              flexibility = 'three'\nbound = 'parabolic'\nvariant = 'original'",
         )
         .unwrap();

@@ -9,6 +9,7 @@ use creepage::rolling::variational::{
 use creepage::{Ellipse, InvalidValue};
 use schemars::JsonSchema;
 use serde::Deserialize;
+use serde_json::Value;
 
 use crate::error::CaseError;
 use crate::keys;
@@ -84,13 +85,13 @@ enum MethodName {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 enum BoundName {
-    /// Penalized where a/b is 3 or more.
+    /// "kept" where a/b is 3 or more.
     #[default]
     Automatic,
     /// Verified afterwards only, as in 1967.
     Unchecked,
-    /// Penalized.
-    Penalized,
+    /// Kept: by the least loss of power in place of the integral (5.9).
+    Kept,
 }
 
 #[derive(Debug, Clone, PartialEq, Default, Deserialize, JsonSchema)]
@@ -203,6 +204,17 @@ pub struct Sweep {
     through: Through,
 }
 
+/// The JSON schema (draft 2020-12) of a sweep file, for editors and validators.
+///
+/// ```
+/// let schema = creepage_case::sweep_json_schema();
+/// assert!(schema["properties"]["creepage"]["properties"]["chi"].is_object());
+/// ```
+#[must_use]
+pub fn sweep_json_schema() -> Value {
+    schema_of::<SweepFile>()
+}
+
 /// One case of a sweep.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SweepCase {
@@ -222,7 +234,7 @@ impl Sweep {
     /// # Errors
     /// [`CaseError`] that names the section and key of what is wrong.
     pub fn read(text: &str) -> Result<Self, CaseError> {
-        keys::check(&text.parse()?, &schema_of::<SweepFile>())?;
+        keys::check(&text.parse()?, &sweep_json_schema())?;
         let file: SweepFile = toml::from_str(text)?;
         let [chi, alpha, upsilon] = file.creepage.values()?;
         let sweep = Self {
@@ -296,7 +308,7 @@ impl SolveSection {
             bound: match self.bound {
                 BoundName::Automatic => TractionBound::Automatic,
                 BoundName::Unchecked => TractionBound::Unchecked,
-                BoundName::Penalized => TractionBound::Penalized,
+                BoundName::Kept => TractionBound::Kept,
             },
             ..usual
         })

@@ -1,6 +1,7 @@
 //! What a case file may say, and what comes of it.
 
-use creepage_case::{CaseError, CaseFile, Weight, json_schema};
+use creepage::rolling::exact::Known;
+use creepage_case::{CaseError, CaseFile, Resolution, Solve, Weight, json_schema};
 
 mod common;
 use common::{WHEEL_ON_RAIL, edited};
@@ -102,4 +103,41 @@ fn the_schema_has_no_null_and_forbids_unknown_keys() {
             assert!(kind["description"].is_string(), "{section}.{key} is not described");
         }
     }
+}
+
+#[test]
+fn wanted_forces_are_known_in_the_units_of_the_contact() {
+    let forward = CaseFile::read(WHEEL_ON_RAIL).unwrap().case().unwrap();
+    let text = edited("longitudinal = -1.5e-3\n", "speed = 20\n")
+        + "[wanted]\nlongitudinal_force = -12e3\n";
+    let file = CaseFile::read(&text).unwrap();
+    assert!(file.is_inverse() && !CaseFile::read(WHEEL_ON_RAIL).unwrap().is_inverse());
+    let case = file.inverse().unwrap();
+    let (eta, chi) = (Some(forward.creepage.eta), Some(forward.creepage.chi));
+    // mu N = 24 kN
+    assert_eq!(case.known, Known { fx: Some(-0.5), eta, chi, ..Known::default() });
+    let found = case.found(forward.creepage);
+    assert_eq!((found.creepage, found.speed), (forward.creepage, Some(20.0)));
+    assert!((found.si_creepage.longitudinal + 1.5e-3).abs() < 1e-17);
+}
+
+#[test]
+fn wanted_forces_may_be_dimensionless_and_creepages_not() {
+    let text =
+        edited("longitudinal = -1.5e-3\nlateral = 1e-3\n", "") + "[wanted]\nfx = 0\nmz = 0.1\n";
+    let known = CaseFile::read(&text).unwrap().inverse().unwrap().known;
+    assert_eq!((known.fx, known.fy, known.mz), (Some(0.0), None, Some(0.1)));
+    assert!(known.chi.is_some() && known.xi.is_none() && known.eta.is_none());
+}
+
+#[test]
+fn resolutions_are_words_or_numbers_of_elements() {
+    let solve = |option: &str| Solve::read(&[option]).unwrap().resolution;
+    assert_eq!(solve("resolution=fine"), Some(Resolution::Fine));
+    assert_eq!(solve("resolution = \"auto\""), Some(Resolution::Auto));
+    assert_eq!(solve("resolution=[30, 20]"), Some(Resolution::Elements([30, 20])));
+    let fixed = |resolution: Resolution| resolution.fixed();
+    assert_eq!(fixed(Resolution::Auto), Ok(None));
+    assert!(fixed(Resolution::Elements([30, 20])).unwrap().is_some());
+    assert_eq!(fixed(Resolution::Elements([3, 20])).unwrap_err().quantity, "resolution");
 }

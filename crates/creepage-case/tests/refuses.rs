@@ -1,6 +1,6 @@
 //! Every way to write a wrong case file, and the message that it gets.
 
-use creepage_case::CaseFile;
+use creepage_case::{CaseFile, Solve};
 
 mod common;
 use common::{WHEEL_ON_RAIL, edited};
@@ -125,4 +125,62 @@ fn semi_axes_out_of_range_are_named() {
     assert!(with("-1", "1").starts_with("[contact] semi_axis_rolling = -1"));
     assert!(with("1", "nan").starts_with("[contact] semi_axis_lateral = NaN"));
     assert!(with("1", "1e-9").contains("between 1e-6 and 1e6"));
+}
+
+#[test]
+fn wanted_forces_and_creepages_must_be_three() {
+    let wanted = |lines: &str| {
+        let text = format!("{WHEEL_ON_RAIL}\n[wanted]\n{lines}\n");
+        CaseFile::read(&text).and_then(|file| file.inverse()).unwrap_err().to_string()
+    };
+    let four = wanted("longitudinal_force = 1e3");
+    assert!(
+        four.contains("give 4 of six quantities (longitudinal, lateral, spin, longitudinal_force)")
+    );
+    assert!(
+        wanted("moment = nan")
+            .contains("[wanted] moment = NaN is not reachable: friction gives at most 16")
+    );
+    assert!(
+        wanted("fx = inf").contains("[wanted] fx = inf is not reachable: friction gives at most 1")
+    );
+    assert!(wanted("fx = 0.1\nmoment = 1").contains("[wanted] moment and [wanted] fx exclude"));
+    let too_much =
+        "[wanted] longitudinal_force = -25000.0 is not reachable: friction gives at most 24000";
+    assert_eq!(wanted("longitudinal_force = -25e3"), too_much);
+    assert!(wanted("mz = 1.2").contains("friction gives at most 1.15"));
+    assert!(wanted("lateral = 1").contains("did you mean `lateral_force`?"));
+    refused("[creepage]", "[wanted]\nfx = 0\n[creepage]", &["[wanted]", "`solve`", "[creepage]"]);
+    refused("[creepage]", "[wanteds]\n[creepage]", &["did you mean `wanted`?"]);
+    let none = edited("spin = 0.2", "").replace("lateral = 1e-3", "").replace("longi", "# ");
+    let text = format!("{none}\n[wanted]\nlateral_force = 0\n");
+    let error = CaseFile::read(&text).unwrap().inverse().unwrap_err().to_string();
+    assert!(error.contains("give 1 of six quantities (lateral_force)"), "{error}");
+}
+
+#[test]
+fn a_speed_must_be_positive() {
+    for speed in ["0", "-20", "inf", "nan"] {
+        let text = format!("speed = {speed}\nspin = 0.2");
+        refused("spin = 0.2", &text, &["[creepage] speed = ", "greater than zero"]);
+    }
+}
+
+#[test]
+fn a_resolution_is_a_word_or_two_numbers() {
+    let solve = |value: &str| format!("[solve]\nresolution = {value}\n[creepage]");
+    refused("[creepage]", &solve("\"coarse\""), &["coarse", "`auto`"]);
+    refused("[creepage]", &solve("[20]"), &["resolution = [20]", "two numbers of elements"]);
+    refused("[creepage]", &solve("[20, 20, 20]"), &["length 3", "two numbers of elements"]);
+    refused("[creepage]", &solve("20"), &["resolution = 20", "two numbers of elements"]);
+}
+
+#[test]
+fn options_outside_a_file_are_checked_as_in_it() {
+    let message = |option: &str| Solve::read(&[option]).unwrap_err().to_string();
+    assert!(message("grd=[1, 2]").contains("unknown key `grd` in [solve]: did you mean `grid`?"));
+    assert!(message("weight=heavy").contains("heavy"));
+    assert!(message("degree=x").contains("expected usize"));
+    assert!(message("degree").contains("degree"));
+    assert!(Solve::read(&["degree=3", "degree=4"]).unwrap_err().to_string().contains("duplicate"));
 }

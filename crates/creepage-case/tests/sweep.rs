@@ -2,7 +2,7 @@
 #![allow(clippy::unwrap_used)]
 
 use creepage::rolling::variational::{Limits, Method};
-use creepage_case::Sweep;
+use creepage_case::{Sweep, sweep_json_schema};
 
 const SWEEP: &str = "
 [contact]
@@ -82,4 +82,17 @@ fn what_makes_no_sense_is_named() {
     refused(&SWEEP.replace("step = 30", "stop = 30"), &["from, step, to"]);
     refused(&SWEEP.replace("degree", "degre"), &["degre", "did you mean `degree`"]);
     refused(&SWEEP.replace("newton", "magic"), &["magic", "newton"]);
+}
+
+#[test]
+fn the_schema_describes_every_key() {
+    let schema = sweep_json_schema();
+    assert_eq!(schema["required"], serde_json::json!(["contact", "creepage"]));
+    assert!(!schema.to_string().contains("null"));
+    for (section, form) in schema["properties"].as_object().unwrap() {
+        assert_eq!(form["additionalProperties"], false, "{section}");
+        for (key, kind) in form["properties"].as_object().unwrap() {
+            assert!(kind["description"].is_string(), "{section}.{key} is not described");
+        }
+    }
 }

@@ -48,7 +48,7 @@ fn exact_grid() -> Result<Vec<ReferenceCase>, Failure> {
     let full = theories::find("exact")?;
     let fine = Solve { resolution: Some(Resolution::Fine), ..Solve::default() };
     let theory = full.name;
-    grid(|a_over_b, poisson| (full.prepare)(a_over_b, poisson, &fine))
+    grid(|a_over_b, poisson| full.boxed(a_over_b, poisson, &fine))
         .map_err(|source| Failure::Theory { theory, source })
 }
 
@@ -81,7 +81,7 @@ fn contestants(theory: &'static Entry) -> Vec<Contestant> {
 
 impl Contestant {
     fn measure(&self, cases: &[ReferenceCase]) -> Result<Standing, Failure> {
-        let prepare = |a_over_b, poisson| (self.theory.prepare)(a_over_b, poisson, &self.solve);
+        let prepare = |a_over_b, poisson| self.theory.boxed(a_over_b, poisson, &self.solve);
         let theory = self.theory.name;
         let accuracy =
             measure(cases, prepare).map_err(|source| Failure::Theory { theory, source })?;

@@ -4,7 +4,8 @@ use std::path::PathBuf;
 
 use clap::{Parser, Subcommand};
 
-use crate::reproduce::Item;
+use crate::reproduce;
+use crate::table::TableArgs;
 
 /// Rolling contact of two elastic bodies with dry friction: creepage and spin in, tangential
 /// force and moment out.
@@ -33,17 +34,20 @@ Data goes to standard output, words to standard error. NO_COLOR is respected.";
 pub(crate) enum Command {
     /// Solve one case and report forces, areas of adhesion and slip, and heat.
     ///
+    /// A case file with a section [wanted] gives forces in place of creepages; the creepages
+    /// are found. Forces beyond friction's reach are refused, with the most that was reached.
+    ///
     /// The report goes to standard output; with --out, also report.json, points.csv,
-    /// contact.svg and contact.png into a directory.
+    /// contact.vtk (the field for VTK programs), contact.svg and contact.png into a directory.
     Solve(SolveArgs),
     /// Solve many cases: CSV in, the same rows with forces appended out.
     ///
     /// The input needs the columns `a_over_b`, poisson, xi, eta, chi, in any order: the ratio of
     /// the contact's semi-axes (along over across the rolling direction), the combined
     /// Poisson's ratio, and the dimensionless creepages. Further columns pass through. Appended
-    /// are fx, fy (in units of mu N), mz (mu N c), status and message. A row that is no case
-    /// gets the status `invalid` and the reason in `message`; the others are solved, and the
-    /// exit code is then 3.
+    /// are fx, fy (in units of mu N), mz (mu N c), by a theory with error bars also `fx_error`,
+    /// `fy_error`, `mz_error`, then status and message. A row that is no case gets the status
+    /// `invalid` and the reason in `message`; the others are solved, and the exit code is then 3.
     Batch(BatchArgs),
     /// Solve a series of cases of the numerical theory (Kalker 1967, chapter 5).
     ///
@@ -63,7 +67,11 @@ pub(crate) enum Command {
     /// "partial-slip" (`force_x`, `force_y`), in SI units. The report goes to standard output; with
     /// --out, also report.json, points.csv, contact.svg and contact.png into a directory.
     Statics(StaticsArgs),
-    /// Compute tables of Kalker's thesis of 1967 again, beside the printed entries.
+    /// Compute the tables and figures of Kalker's thesis of 1967 again, beside what was printed.
+    ///
+    /// What was compared goes to standard output. With --out, each figure goes into a directory as
+    /// SVG, PNG and CSV, each table as CSV and text; with `all`, also a gallery page (index.html)
+    /// and the table of agreement (agreement.csv, agreement.md).
     Reproduce(ReproduceArgs),
     /// List the theories: what each assumes, costs, errs by, and is good for.
     Theories,
@@ -84,10 +92,12 @@ pub(crate) enum Command {
     /// Prints a table in Markdown: the distribution of the error of the force `(f_x, f_y)` in
     /// per cent of mu N, and of the moment in per cent of mu N c.
     Accuracy(AccuracyArgs),
+    /// Tables of creep force: built once from a theory, looked up in a hundred nanoseconds.
+    Table(TableArgs),
     /// Write a commented example of a case file; an existing file is left alone.
     Init(InitArgs),
-    /// Print the JSON schema of case files, for editors and validators.
-    Schema,
+    /// Print the JSON schema of case, statics or sweep files, for editors and validators.
+    Schema(SchemaArgs),
 }
 
 #[derive(Debug, clap::Args)]
@@ -114,7 +124,12 @@ pub(crate) struct BatchArgs {
     /// CSV file with the cases; standard input if not given.
     #[arg(long = "in", value_name = "FILE")]
     pub(crate) input: Option<PathBuf>,
-    /// CSV file for the results; it appears when it is whole. Standard output if not given.
+    /// Option of the theory, as in [solve] of a case file: resolution=fine, grid=[20,20]; may be
+    /// given several times.
+    #[arg(long = "option", value_name = "KEY=VALUE")]
+    pub(crate) options: Vec<String>,
+    /// CSV file for the results; it appears when it is whole. Standard output if not given. What
+    /// is left of a run that was interrupted, .FILE.partial, the next run replaces.
     #[arg(long, value_name = "FILE")]
     pub(crate) out: Option<PathBuf>,
 }
@@ -248,9 +263,9 @@ pub(crate) struct StaticsArgs {
 #[derive(Debug, clap::Args)]
 pub(crate) struct ReproduceArgs {
     /// What to reproduce.
-    #[arg(value_name = "NAME", required = true)]
-    pub(crate) items: Vec<Item>,
-    /// Directory for the tables as CSV; made if need be.
+    #[arg(value_name = "NAME", required = true, value_parser = reproduce::names())]
+    pub(crate) items: Vec<String>,
+    /// Directory for the files; made if need be.
     #[arg(long, value_name = "DIR")]
     pub(crate) out: Option<PathBuf>,
 }
@@ -260,4 +275,33 @@ pub(crate) struct InitArgs {
     /// File to write; standard output if not given.
     #[arg(long, value_name = "FILE")]
     pub(crate) out: Option<PathBuf>,
+}
+
+#[derive(Debug, clap::Args)]
+pub(crate) struct SchemaArgs {
+    /// The files to describe.
+    #[arg(long, value_name = "FILES", default_value = "case")]
+    pub(crate) of: FileKind,
+}
+
+/// The files that the commands read.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+pub(crate) enum FileKind {
+    /// Case files: `solve`, `curve`, `hertz`.
+    Case,
+    /// Statics files: `statics`.
+    Statics,
+    /// Sweep files: `sweep`.
+    Sweep,
+}
+
+impl FileKind {
+    /// The schema of these files.
+    pub(crate) fn schema(self) -> serde_json::Value {
+        match self {
+            Self::Case => creepage_case::json_schema(),
+            Self::Statics => creepage_case::statics_json_schema(),
+            Self::Sweep => creepage_case::sweep_json_schema(),
+        }
+    }
 }

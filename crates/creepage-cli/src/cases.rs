@@ -5,26 +5,38 @@ use std::path::Path;
 
 use creepage::InvalidValue;
 use creepage::rolling::Status;
-use creepage_case::{Case, CaseError, CaseFile};
-use creepage_report::{Answer, Report, ReportError, hertz_json, hertz_text};
+use creepage::rolling::exact::Known;
+use creepage_case::{Case, CaseError, CaseFile, InverseCase, Solve};
+use creepage_report::{Answer, Extras, Report, ReportError, hertz_json, hertz_text};
 use serde::Serialize;
 
 use crate::Outcome;
 use crate::args::{HertzArgs, SolveArgs};
 use crate::caution::caution;
 use crate::failure::Failure;
+use crate::inverse;
 use crate::output::{print, say};
-use crate::theories::{self, Entry, Examination};
+use crate::theories::{self, Answered, Entry, Examination, TheoryError};
+
+/// A case solved, whichever way it was asked.
+struct SolvedCase {
+    case: Case,
+    theory: &'static Entry,
+    found: Examination,
+    /// What was given, where the creepage was found to wanted forces.
+    known: Option<Known>,
+}
 
 /// `creepage solve`: the files first, then the report, so that a wrong `--out` prints nothing.
 pub(crate) fn solve(args: &SolveArgs) -> Result<Outcome, Failure> {
     let wrong = |source| Failure::Case { path: args.case.clone(), source };
-    let case = read(&args.case)?.case().map_err(wrong)?;
-    let theory = choose(args.theory.as_slice(), &case, &args.case)?[0];
-    let found = examine(&case, theory)
-        .map_err(|source| Failure::Options { path: args.case.clone(), source })?;
-    let status = found.solution.status;
-    let report = report(&case, theory, &found)
+    let file = read(&args.case)?;
+    let solved = if file.is_inverse() {
+        solve_inverse(file.inverse().map_err(wrong)?, args)?
+    } else {
+        solve_direct(file.case().map_err(wrong)?, args)?
+    };
+    let report = report(&solved)
         .map_err(|invalid| wrong(CaseError::Invalid { section: "contact", invalid }))?;
     if let Some(directory) = &args.out {
         for path in report.write(directory)? {
@@ -32,7 +44,21 @@ pub(crate) fn solve(args: &SolveArgs) -> Result<Outcome, Failure> {
         }
     }
     print(&if args.json { to_json(&report.json())? } else { report.text() })?;
-    Ok(judge(status))
+    Ok(judge(&solved.found.answered, &solved.case.solve))
+}
+
+fn solve_direct(case: Case, args: &SolveArgs) -> Result<SolvedCase, Failure> {
+    let theory = choose(args.theory.as_slice(), &case.solve, &args.case)?[0];
+    let found = examine(&case, theory)
+        .map_err(|source| Failure::Options { path: args.case.clone(), source })?;
+    Ok(SolvedCase { case, theory, found, known: None })
+}
+
+fn solve_inverse(case: InverseCase, args: &SolveArgs) -> Result<SolvedCase, Failure> {
+    let theory = choose(args.theory.as_slice(), &case.solve, &args.case)?[0];
+    let known = Some(case.known);
+    let (case, found) = inverse::find(case, theory, &args.case)?;
+    Ok(SolvedCase { case, theory, found, known })
 }
 
 /// `creepage hertz`.
@@ -50,10 +76,10 @@ pub(crate) fn to_json(data: &impl Serialize) -> Result<String, Failure> {
 /// The theories to use for a case, at least one; says which options have no effect.
 pub(crate) fn choose(
     names: &[String],
-    case: &Case,
+    solve: &Solve,
     path: &Path,
 ) -> Result<Vec<&'static Entry>, Failure> {
-    let choice = theories::choose(names, &case.solve)
+    let choice = theories::choose(names, solve)
         .map_err(|source| Failure::Choice { path: path.into(), source })?;
     if let Some(note) = choice.note() {
         say(&note);
@@ -67,41 +93,52 @@ pub(crate) fn read(path: &Path) -> Result<CaseFile, Failure> {
     CaseFile::read(&text).map_err(|source| Failure::Case { path: path.into(), source })
 }
 
-fn examine(case: &Case, theory: &Entry) -> Result<Examination, theories::TheoryError> {
-    let ratio = case.contact.ellipse().ratio();
-    theory.examine(ratio, case.contact.pair().poisson(), &case.solve, case.creepage)
+fn examine(case: &Case, theory: &Entry) -> Result<Examination, TheoryError> {
+    let ellipse = case.contact.ellipse();
+    let prepared = (theory.prepare)(ellipse.ratio(), case.contact.pair().poisson(), &case.solve)?;
+    Ok(prepared.examine(ellipse, case.creepage)?)
 }
 
-fn report<'a>(
-    case: &'a Case,
-    theory: &'a Entry,
-    found: &'a Examination,
-) -> Result<Report<'a>, InvalidValue> {
+fn report(solved: &SolvedCase) -> Result<Report<'_>, InvalidValue> {
+    let SolvedCase { case, theory, found, known } = solved;
     let answer = Answer {
         creepage: case.creepage,
         theory_name: theory.name,
         theory: &*found.theory,
-        solution: found.solution,
+        solution: found.answered.solution,
         points: found.points.clone(),
         details: found.details.clone(),
     };
-    Report::new(&case.contact, case.friction, answer)
+    let extras = Extras { known: *known, speed: case.speed, dissipation: found.dissipation };
+    Ok(Report::new(&case.contact, case.friction, answer)?.with(extras))
 }
 
-/// Says aloud what the status holds against the solution.
-fn judge(status: Status) -> Outcome {
+/// Says aloud what is to be held against the solution.
+fn judge(answered: &Answered, solve: &Solve) -> Outcome {
+    let status = answered.solution.status;
     if let Some(words) = caution(status) {
         say(&format!("caution: {words}"));
+    }
+    if let (Some(accuracy), Some(error)) = (theories::wanted_accuracy(solve), answered.error)
+        && error.fx.max(error.fy) > accuracy
+    {
+        say("caution: at the finest resolution the error bars are above the wanted accuracy");
     }
     if status == Status::NotConverged { Outcome::Doubtful } else { Outcome::Done }
 }
 
 #[cfg(test)]
 mod tests {
+    use creepage::rolling::{Force, Solution};
+
     use super::*;
 
     #[test]
     fn only_a_solution_that_did_not_converge_is_doubtful() {
+        let judge = |status| {
+            let solution = Solution { force: Force::default(), status };
+            judge(&Answered { solution, error: None }, &Solve::default())
+        };
         assert_eq!(judge(Status::Solved), Outcome::Done);
         assert_eq!(judge(Status::CreepageTooSmall), Outcome::Done);
         assert_eq!(judge(Status::NotConverged), Outcome::Doubtful);

@@ -14,7 +14,7 @@ use crate::output::{print, say};
 pub(crate) fn run(args: &CurveArgs) -> Result<(), Failure> {
     let wrong = |source| Failure::Case { path: args.case.clone(), source };
     let case = read(&args.case)?.case().map_err(wrong)?;
-    let theories = choose(&args.theory, &case, &args.case)?;
+    let theories = choose(&args.theory, &case.solve, &args.case)?;
     let (vary, [from, to]) = range(args, &case)?;
     let values = spaced(from, to, args.points);
     let mut curves = Curves::new(&case.contact, case.friction, case.creepage, vary, values)?;
@@ -22,7 +22,7 @@ pub(crate) fn run(args: &CurveArgs) -> Result<(), Failure> {
     for theory in theories {
         let prepared = (theory.prepare)(ratio, poisson, &case.solve)
             .map_err(|source| Failure::Options { path: args.case.clone(), source })?;
-        curves.add(theory.name, &*prepared);
+        curves.add(theory.name, &prepared);
     }
     let Some(directory) = &args.out else {
         return print(&String::from_utf8_lossy(&curves.csv()?));

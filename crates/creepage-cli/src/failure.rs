@@ -5,12 +5,14 @@ use std::path::{Path, PathBuf};
 
 use creepage::InvalidValue;
 use creepage_case::{CaseError, StaticsError};
+use creepage_gallery::GalleryError;
 use creepage_report::ReportError;
+use creepage_table::{BuildError, FileError};
 use creepage_validation::ReferenceError;
 
-use crate::batch::ColumnError;
-use crate::reproduce::ReproduceError;
-use crate::theories::{ChoiceError, TheoryError, UnknownTheory};
+use crate::batch::{ColumnError, OptionError};
+use crate::inverse::Unreachable;
+use crate::theories::{ChoiceError, FindError, TheoryError, UnknownTheory};
 
 /// Why the command could not do its work.
 #[derive(Debug, thiserror::Error)]
@@ -22,13 +24,19 @@ pub(crate) enum Failure {
     #[error("{}: {source}", path.display())]
     Statics { path: PathBuf, source: StaticsError },
     #[error(transparent)]
-    Reproduce(#[from] ReproduceError),
+    Reproduce(#[from] GalleryError),
     #[error(transparent)]
     UnknownTheory(#[from] UnknownTheory),
-    #[error("{}: {source}", path.display())]
+    #[error("{}: [solve] {source}", path.display())]
     Choice { path: PathBuf, source: ChoiceError },
     #[error("{}: [solve] {source}", path.display())]
     Options { path: PathBuf, source: TheoryError },
+    #[error("{}: {source}", path.display())]
+    Find { path: PathBuf, source: FindError },
+    #[error("{}: {source}", path.display())]
+    Unreachable { path: PathBuf, source: Unreachable },
+    #[error("--option: {0}")]
+    Option(OptionError),
     #[error("{theory}: {source}")]
     Theory { theory: &'static str, source: TheoryError },
     #[error(transparent)]
@@ -41,8 +49,12 @@ pub(crate) enum Failure {
     Rows { input: String, source: csv::Error },
     #[error("{}: its name tells no format: give --format", path.display())]
     Format { path: PathBuf },
-    #[error("{} is being written by another sweep", path.display())]
+    #[error("{} is being written by another run", path.display())]
     Busy { path: PathBuf },
+    #[error("{}: {source}", path.display())]
+    Table { path: PathBuf, source: FileError },
+    #[error("{theory}: {source}")]
+    Build { theory: &'static str, source: BuildError<TheoryError> },
     #[error("cannot write {}: {source}", path.display())]
     Write { path: PathBuf, source: io::Error },
     #[error("cannot write to standard output: {0}")]

@@ -9,11 +9,14 @@ mod coefficients;
 mod curve;
 mod failure;
 mod init;
+mod inverse;
 mod output;
 mod partial_file;
 mod reproduce;
 mod statics;
 mod sweep;
+mod table;
+mod table_build;
 mod theories;
 
 use std::process::ExitCode;
@@ -55,8 +58,9 @@ fn run(command: &Command) -> Result<Outcome, Failure> {
         Command::Coefficients(args) => coefficients::run(args)?,
         Command::Curve(args) => curve::run(args)?,
         Command::Accuracy(args) => accuracy::run(args)?,
+        Command::Table(args) => table::run(args)?,
         Command::Init(args) => init::run(args)?,
-        Command::Schema => output::print(&format!("{:#}", creepage_case::json_schema()))?,
+        Command::Schema(args) => output::print(&format!("{:#}", args.of.schema()))?,
     }
     Ok(Outcome::Done)
 }

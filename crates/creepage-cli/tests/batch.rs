@@ -5,6 +5,7 @@
 
 use std::fmt::Write;
 
+use creepage::rolling::exact::{Exact, Resolution};
 use creepage::rolling::variational::{Settings, Variational};
 use creepage::rolling::{Creepage, Theory};
 
@@ -180,6 +181,97 @@ fn a_device_is_written_to_in_place() {
     let command = [&BATCH[..], &["--out", "/dev/null"]].concat();
     Place::new().run_on(&command, format!("{HEADER}1,0.28,1,0,0\n")).done();
     assert!(std::fs::metadata("/dev/null").unwrap().file_type().is_char_device());
+}
+
+#[test]
+fn the_full_theory_adds_its_error_bars() {
+    let command = ["batch", "--theory", "exact", "--option", "resolution=fast"];
+    let ran = Place::new().run_on(&command, format!("{HEADER}1.5,0.28,0.4,-0.2,0.7\nx,0,0,0,0\n"));
+    let rows = table(&ran.stdout);
+    let errors = ["fx_error", "fy_error", "mz_error"];
+    assert_eq!(rows[0][5..], [&["fx", "fy", "mz"], &errors[..], &["status", "message"]].concat());
+    let theory = Exact::new(1.5, 0.28, Resolution::FAST).unwrap();
+    let creepage = Creepage::new(0.4, -0.2, 0.7).unwrap();
+    let found = theory.solve_with(creepage, &mut theory.workspace());
+    let expected = [found.force, found.error].map(|f| [f.fx, f.fy, f.mz]).concat();
+    for (cell, expected) in rows[1][5..11].iter().zip(expected) {
+        assert_eq!(cell.parse::<f64>().unwrap().to_bits(), expected.to_bits());
+    }
+    assert_eq!(rows[2][5..12], ["", "", "", "", "", "", "invalid"]);
+    let taken = Place::new().run_on(&command, "a_over_b,poisson,xi,eta,chi,fx_error\n");
+    taken.refused(&["column fx_error is there already"]);
+}
+
+#[test]
+fn options_reach_the_theory() {
+    let input = format!("{HEADER}0.8,0.28,0.5,0.1,0.3\n");
+    let batch = |theory: &str, options: &[&str]| {
+        let options: Vec<_> = options.iter().flat_map(|option| ["--option", option]).collect();
+        let command = [&["batch", "--theory", theory], &options[..]].concat();
+        Place::new().run_on(&command, input.clone()).done()
+    };
+    for (theory, option) in [
+        ("variational", "degree=5"),
+        ("variational", "weight = \"uniform\""),
+        ("fastsim", "grid=[10, 10]"),
+        ("fastsim", "bound=parabolic"),
+        ("fastrip", "variant=original"),
+        ("exact", "resolution=fine"),
+        ("exact", "resolution=[30, 20]"),
+    ] {
+        assert_ne!(batch(theory, &[option]), batch(theory, &[]), "{option}");
+    }
+    let standard = batch("exact", &["resolution=auto", "accuracy=0.0025"]);
+    assert_eq!(standard, batch("exact", &[]));
+}
+
+#[test]
+fn wrong_options_are_refused_before_a_row_is_read() {
+    let place = Place::new();
+    let refused = |options: &[&str], parts: &[&str]| {
+        let options: Vec<_> = options.iter().flat_map(|option| ["--option", option]).collect();
+        let command =
+            [&["batch", "--theory", "fastsim", "--out", "out.csv"], &options[..]].concat();
+        place.run_on(&command, format!("{HEADER}1,0.28,1,0,0\n")).refused(parts);
+    };
+    refused(&["gird=[9, 9]"], &["--option", "unknown key `gird`", "did you mean `grid`?"]);
+    refused(&["grid=9"], &["--option", "grid=9"]);
+    refused(&["grid=[0, 9]"], &["--option: grid", "0"]);
+    refused(&["degree=3"], &["--option: `degree` is an option of variational, not of fastsim"]);
+    refused(&["bound=round"], &["--option", "round", "elliptic"]);
+    refused(&["bound"], &["--option", "bound"]);
+    refused(&["grid=[9, 9]", "grid=[8, 8]"], &["--option", "duplicate"]);
+    refused(&["theory=linear"], &["--option: `theory` is given by --theory"]);
+    assert!(place.files().is_empty());
+}
+
+#[test]
+fn what_an_interrupted_run_leaves_the_next_one_removes() {
+    let place = Place::new();
+    let command = [&BATCH[..], &["--out", "out.csv"]].concat();
+    let mut first = std::process::Command::new(env!("CARGO_BIN_EXE_creepage"))
+        .args(&command)
+        .current_dir(place.path(""))
+        .stdin(std::process::Stdio::piped())
+        .stderr(std::process::Stdio::null())
+        .spawn()
+        .unwrap();
+    // The table opens when its header is read; its rows never come.
+    let mut rows = first.stdin.take().unwrap();
+    std::io::Write::write_all(&mut rows, HEADER.as_bytes()).unwrap();
+    while place.files().is_empty() {
+        assert!(first.try_wait().unwrap().is_none(), "it ended by itself");
+        std::thread::sleep(std::time::Duration::from_millis(10));
+    }
+    // The file is locked at once after it was made.
+    std::thread::sleep(std::time::Duration::from_millis(100));
+    let again = || place.run_on(&command, format!("{HEADER}1,0.28,1,0,0\n"));
+    again().refused(&["out.csv is being written by another run"]);
+    first.kill().unwrap();
+    first.wait().unwrap();
+    assert_eq!(place.files(), [".out.csv.partial"]);
+    again().done();
+    assert_eq!(place.files(), ["out.csv"]);
 }
 
 /// Rows over several ratios, each with its number, some of them wrong.

@@ -20,7 +20,7 @@ fn solve_writes_its_files_and_prints_the_same_report() {
     let place = Place::new();
     place.write("case.toml", CASE);
     let printed = place.run(&["solve", "case.toml", "--json", "--out", "deep/out"]).done();
-    for file in ["report.json", "points.csv", "contact.svg", "contact.png"] {
+    for file in ["report.json", "points.csv", "contact.vtk", "contact.svg", "contact.png"] {
         assert!(place.path("deep/out").join(file).is_file(), "{file}");
     }
     assert_eq!(json(&printed), json(&place.read("deep/out/report.json")));
@@ -58,6 +58,74 @@ fn options_of_the_theory_reach_it() {
     for options in ["degree = 5", "mesh = [20, 20]", "weight = \"uniform\""] {
         assert_ne!(usual, force(options), "{options}");
     }
+}
+
+/// The full theory's case with these options.
+fn exact(place: &Place, options: &str) -> Value {
+    let case = CASE.replace("theory = \"variational\"\ndegree = 3", options);
+    place.write("case.toml", case);
+    json(&place.run(&["solve", "case.toml", "--json"]).done())
+}
+
+#[test]
+fn the_full_theory_takes_any_number_of_elements() {
+    let place = Place::new();
+    let elements =
+        |options: &str| exact(&place, options)["details"]["elements"]["value"].as_f64().unwrap();
+    let standard = elements("");
+    assert_eq!(elements("resolution = [22, 18]").to_bits(), standard.to_bits());
+    // Four times as many; both numbers are rounded to even ones.
+    let ratio = elements("resolution = [44, 36]") / standard;
+    assert!((ratio - 4.0).abs() < 0.5, "{ratio}");
+}
+
+#[test]
+fn an_automatic_resolution_meets_the_accuracy_that_is_wanted() {
+    let place = Place::new();
+    let mut last = 0.0;
+    for accuracy in [0.1, 0.0006] {
+        let options = format!("resolution = \"auto\"\naccuracy = {accuracy}");
+        let report = exact(&place, &options);
+        let detail = |key: &str| report["details"][key]["value"].as_f64().unwrap();
+        assert!(detail("fx_error").max(detail("fy_error")) <= accuracy, "{report}");
+        assert!(detail("elements") >= last);
+        last = detail("elements");
+    }
+    let fast = exact(&place, "resolution = \"fast\"")["details"]["elements"]["value"].clone();
+    assert!(last > fast.as_f64().unwrap());
+    let case = place.read("case.toml");
+    place.write("case.toml", case.replace("\"fast\"", "\"auto\"\naccuracy = 1e-9"));
+    let ran = place.run(&["solve", "case.toml"]);
+    assert!(ran.stderr.contains("caution: at the finest resolution the error bars are above"));
+    ran.done();
+}
+
+#[test]
+fn a_speed_gives_watts_and_changes_nothing_else() {
+    let place = Place::new();
+    let slow = exact(&place, "");
+    let case = place.read("case.toml");
+    place.write("case.toml", case.replace("spin = 0.2", "spin = 0.2\nspeed = 30"));
+    let mut fast = json(&place.run(&["solve", "case.toml", "--json", "--out", "out"]).done());
+    let per_metre = fast["frictional_power_per_metre_j_per_m"].as_f64().unwrap();
+    let watts = fast["frictional_power_w"].take().as_f64().unwrap();
+    // One product.
+    assert!((watts / (30.0 * per_metre) - 1.0).abs() < 1e-15);
+    assert_eq!(fast["rolling_velocity_m_per_s"].take(), 30.0);
+    assert_eq!(fast, slow);
+    assert!(place.read("out/points.csv").lines().next().unwrap().ends_with("_w_per_m2"));
+    assert!(place.read("out/contact.vtk").contains("SCALARS frictional_power_w_per_m2"));
+}
+
+#[test]
+fn frictional_power_is_the_same_by_force_and_by_slip() {
+    let place = Place::new();
+    let report = exact(&place, "resolution = \"fine\"");
+    let power = |key: &str| report[key].as_f64().unwrap();
+    let by_force = power("frictional_power_per_metre_j_per_m");
+    let by_slip = power("frictional_power_per_metre_by_slip_j_per_m");
+    // The error of discretization; the force is extrapolated, the sum over elements is not.
+    assert!((by_slip / by_force - 1.0).abs() < 0.02, "{by_slip} {by_force}");
 }
 
 #[test]
@@ -114,6 +182,14 @@ fn what_init_shows_in_comments_is_a_case_too() {
     let axes = example.replace("\nradius", "\n# radius").replace("# semi_axis", "semi_axis");
     place.write("axes.toml", axes);
     place.run(&["solve", "axes.toml"]).done();
+    let wanted = example
+        .replace("\nlongitudinal = ", "\n# longitudinal = ")
+        .replace("# speed", "speed")
+        .replace("# [wanted]", "[wanted]")
+        .replace("# longitudinal_force", "longitudinal_force");
+    place.write("wanted.toml", wanted);
+    let report = place.run(&["solve", "wanted.toml"]).done();
+    assert!(report.contains("-12.000 kN") && report.contains("frictional power"), "{report}");
 }
 
 #[test]

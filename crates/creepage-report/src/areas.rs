@@ -21,16 +21,17 @@ type Point = [f64; 2];
 
 /// The adhesion area; the rest of the disc slips.
 #[derive(Debug)]
-pub(crate) struct Areas {
-    /// Closed loops in the unit disc, counter-clockwise about adhesion.
-    pub(crate) adhesion: Vec<Vec<Point>>,
+pub struct Areas {
+    /// Closed loops in the unit disc `(x/a, y/b)`, counter-clockwise about adhesion.
+    pub adhesion: Vec<Vec<Point>>,
     /// Area of the loops over that of the disc.
-    pub(crate) adhesion_share: f64,
+    pub adhesion_share: f64,
 }
 
 impl Areas {
     /// Traces the adhesion area of a field that answers with the regions at points of the disc.
-    pub(crate) fn trace(regions: impl Fn(&[Point]) -> Vec<Region>) -> Self {
+    #[must_use]
+    pub fn trace(regions: impl Fn(&[Point]) -> Vec<Region>) -> Self {
         let sticks = |points: &[Point]| -> Vec<bool> {
             let inside: Vec<_> = points.iter().map(|p| [p[0] * INSIDE, p[1] * INSIDE]).collect();
             regions(&inside).iter().map(|&region| region == Region::Adhesion).collect()

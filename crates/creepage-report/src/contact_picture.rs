@@ -19,7 +19,8 @@ const ROOM: f64 = 66.0;
 
 impl Report<'_> {
     /// The contact seen from above, as SVG.
-    pub(crate) fn contact_svg(&self) -> String {
+    #[must_use]
+    pub fn contact_svg(&self) -> String {
         let layout = Layout::of(self);
         let view = View::new(self, layout.centre, layout.semi_axes);
         let mut scene = Scene::new();

@@ -9,7 +9,7 @@ use crate::scene::{Anchor, Ink, Point, Scene, Type};
 use crate::sheet::{DARK, GREY, MARGIN, WIDTH};
 
 /// Colour, dashes and width: different in grey print too.
-const PENS: [(&str, &str, f64); 10] = [
+pub(crate) const PENS: [(&str, &str, f64); 10] = [
     ("#10243a", "", 2.6),
     ("#c62828", "11 4", 2.4),
     ("#1565c0", "2.5 3.5", 2.8),

@@ -2,10 +2,11 @@
 
 use std::collections::BTreeMap;
 
+use creepage::rolling::exact::Known;
 use creepage::rolling::{Creepage, Force, SiCreepage, SiForce};
-use creepage::{Hertz, SolidPair};
 use serde::Serialize;
 
+use crate::contact_json::{HertzJson, hertz_json};
 use crate::report::Report;
 
 /// `report.json`.
@@ -31,48 +32,19 @@ pub struct ReportJson {
     pub dimensionless: DimensionlessJson,
     /// Areas of adhesion and slip.
     pub areas: AreasJson,
-    /// Energy turned to heat per metre rolled (J/m).
+    /// Names of the three quantities that were given, where the creepage was found to wanted
+    /// forces; else `null`.
+    pub known: Option<Vec<&'static str>>,
+    /// Energy turned to heat per metre rolled (J/m), from force and creepage.
     pub frictional_power_per_metre_j_per_m: f64,
+    /// The same (J/m) from traction and slip over the contact, where the theory gives it.
+    pub frictional_power_per_metre_by_slip_j_per_m: Option<f64>,
+    /// Rolling velocity (m/s), where it is known.
+    pub rolling_velocity_m_per_s: Option<f64>,
+    /// Frictional power (W), where the rolling velocity is known.
+    pub frictional_power_w: Option<f64>,
     /// What only this theory says, by key.
     pub details: BTreeMap<&'static str, DetailJson>,
-}
-
-/// The contact of two bodies, as [`hertz_json`] gives it.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct HertzJson {
-    /// Normal force `N` (N).
-    pub normal_force_n: f64,
-    /// Semi-axis `a` along the rolling direction (m).
-    pub semi_axis_rolling_m: f64,
-    /// Semi-axis `b` across (m).
-    pub semi_axis_lateral_m: f64,
-    /// The ratio `a/b`.
-    pub a_over_b: f64,
-    /// Largest normal pressure (Pa).
-    pub peak_pressure_pa: f64,
-    /// Approach of the bodies (m).
-    pub approach_m: f64,
-    /// Curvature length `rho` (m).
-    pub rho_m: f64,
-    /// Angle from the upper body's rolling direction to the axis `a` (rad).
-    pub angle_rad: f64,
-    /// Relative curvature `A` along the axis `a` (1/m).
-    pub relative_curvature_rolling_per_m: f64,
-    /// Relative curvature `B` along the axis `b` (1/m).
-    pub relative_curvature_lateral_per_m: f64,
-    /// The equivalent solid of both bodies.
-    pub solid: SolidJson,
-}
-
-/// The solid that stands for both bodies (2.10).
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct SolidJson {
-    /// Combined shear modulus `G` (Pa).
-    pub shear_modulus_pa: f64,
-    /// Combined Poisson's ratio `sigma`.
-    pub poisson: f64,
-    /// Measure of how unlike the bodies are.
-    pub kappa: f64,
 }
 
 /// Creepage and spin in both kinds of units.
@@ -138,6 +110,13 @@ pub struct DetailJson {
     pub value: f64,
 }
 
+/// Names of the quantities that are known.
+fn known(known: Known) -> Vec<&'static str> {
+    let Known { xi, eta, chi, fx, fy, mz } = known;
+    let values = [("xi", xi), ("eta", eta), ("chi", chi), ("fx", fx), ("fy", fy), ("mz", mz)];
+    values.into_iter().filter_map(|(name, value)| value.map(|_| name)).collect()
+}
+
 impl Report<'_> {
     /// Everything but the points, ready for `serde_json`.
     #[must_use]
@@ -155,7 +134,11 @@ impl Report<'_> {
             upper_body: (-force).into(),
             dimensionless: answer.solution.force.into(),
             areas: self.areas_json(),
+            known: self.extras.known.map(known),
             frictional_power_per_metre_j_per_m: self.power_per_metre(),
+            frictional_power_per_metre_by_slip_j_per_m: self.dissipation_per_metre(),
+            rolling_velocity_m_per_s: self.extras.speed,
+            frictional_power_w: self.power(),
             details: answer
                 .details
                 .iter()
@@ -172,26 +155,6 @@ impl Report<'_> {
             slip_m2: (1.0 - share) * area,
             points: self.answer.points.len(),
         }
-    }
-}
-
-/// The contact alone, ready for `serde_json`.
-#[must_use]
-pub fn hertz_json(contact: &Hertz) -> HertzJson {
-    let ellipse = contact.ellipse();
-    let [along, across] = contact.relative_curvatures();
-    HertzJson {
-        normal_force_n: contact.normal_force(),
-        semi_axis_rolling_m: ellipse.a(),
-        semi_axis_lateral_m: ellipse.b(),
-        a_over_b: ellipse.ratio(),
-        peak_pressure_pa: contact.peak_pressure(),
-        approach_m: contact.approach(),
-        rho_m: contact.rho(),
-        angle_rad: contact.angle(),
-        relative_curvature_rolling_per_m: along,
-        relative_curvature_lateral_per_m: across,
-        solid: contact.pair().into(),
     }
 }
 
@@ -224,20 +187,12 @@ impl From<Force> for DimensionlessJson {
     }
 }
 
-impl From<SolidPair> for SolidJson {
-    fn from(pair: SolidPair) -> Self {
-        Self {
-            shear_modulus_pa: pair.shear_modulus(),
-            poisson: pair.poisson(),
-            kappa: pair.kappa(),
-        }
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use std::f64::consts::PI;
 
+    use super::*;
+    use crate::report::Extras;
     use crate::testing::{CURVE, contact, report, sliding};
 
     fn close(value: &serde_json::Value, expected: f64) {
@@ -264,6 +219,24 @@ mod tests {
         close(&json["creepage"]["spin_rad_per_m"], CURVE.chi * 0.3 / rho);
         close(&json["dimensionless"]["friction_used"], 0.61_f64.sqrt());
         close(&json["areas"]["slip_m2"], PI * 36e-6);
+    }
+
+    #[test]
+    fn what_is_known_besides() {
+        let (contact, theory) = (contact(1.0), sliding(1.0));
+        let plain = serde_json::to_value(report(&contact, &theory, CURVE).json()).unwrap();
+        for key in ["known", "rolling_velocity_m_per_s", "frictional_power_w"] {
+            assert!(plain[key].is_null(), "{key}");
+        }
+        let known = Known { chi: Some(1.5), fx: Some(0.6), fy: Some(0.5), ..Known::default() };
+        let extras = Extras { speed: Some(20.0), dissipation: Some(0.5), known: Some(known) };
+        let json = serde_json::to_value(report(&contact, &theory, CURVE).with(extras).json());
+        let json = json.unwrap();
+        assert_eq!(json["known"], serde_json::json!(["chi", "fx", "fy"]));
+        let per_metre = json["frictional_power_per_metre_j_per_m"].as_f64().unwrap();
+        close(&json["frictional_power_w"], 20.0 * per_metre);
+        let slip = json["contact"]["rho_m"].as_f64().map(|rho| 0.3 * 6e-3 / rho).unwrap();
+        close(&json["frictional_power_per_metre_by_slip_j_per_m"], 0.5 * 24e3 * slip);
     }
 
     #[test]

@@ -3,38 +3,48 @@
 use std::fmt::Write as _;
 
 /// One line of text, built span by span.
+///
+/// ```
+/// use creepage_report::plot::Label;
+/// let label = Label::new("force ").indexed("F", "x").plain(" = ").number("-2.5e3 N");
+/// ```
 #[derive(Debug, Clone, Default)]
-pub(crate) struct Label {
+pub struct Label {
     spans: String,
 }
 
 impl Label {
     /// Upright text.
-    pub(crate) fn new(text: &str) -> Self {
+    #[must_use]
+    pub fn new(text: &str) -> Self {
         Self::default().plain(text)
     }
 
     /// Adds upright text.
-    pub(crate) fn plain(mut self, text: &str) -> Self {
+    #[must_use]
+    pub fn plain(mut self, text: &str) -> Self {
         self.spans.push_str(&escape(text));
         self
     }
 
     /// Adds a quantity's symbol, in italics.
-    pub(crate) fn symbol(mut self, symbol: &str) -> Self {
+    #[must_use]
+    pub fn symbol(mut self, symbol: &str) -> Self {
         self.span("font-style=\"italic\"", symbol);
         self
     }
 
     /// Adds a symbol with a lowered index.
-    pub(crate) fn indexed(self, symbol: &str, index: &str) -> Self {
+    #[must_use]
+    pub fn indexed(self, symbol: &str, index: &str) -> Self {
         let mut label = self.symbol(symbol);
         label.shifted(3.5, index);
         label
     }
 
     /// Adds a number with a true minus and a raised power of ten.
-    pub(crate) fn number(mut self, number: &str) -> Self {
+    #[must_use]
+    pub fn number(mut self, number: &str) -> Self {
         let (decimal, unit) = number.split_once(' ').unwrap_or((number, ""));
         let (mantissa, power) = decimal.split_once('e').unwrap_or((decimal, ""));
         self = self.plain(&mantissa.replace('-', "\u{2212}"));
@@ -46,9 +56,32 @@ impl Label {
     }
 
     /// Adds another label.
-    pub(crate) fn joined(mut self, other: &Self) -> Self {
+    #[must_use]
+    pub fn joined(mut self, other: &Self) -> Self {
         self.spans.push_str(&other.spans);
         self
+    }
+
+    /// About how wide it is in type of `size`.
+    pub(crate) fn width(&self, size: f64) -> f64 {
+        // The mean of the condensed letters, and a little.
+        0.53 * size * self.letters() as f64
+    }
+
+    /// Letters outside of markup; an entity is one.
+    fn letters(&self) -> usize {
+        let (mut letters, mut inside) = (0, false);
+        for character in self.spans.chars() {
+            match character {
+                '<' | '&' => inside = true,
+                '>' => inside = false,
+                ';' if inside => (letters, inside) = (letters + 1, false),
+                '\u{200b}' => {}
+                _ if inside => {}
+                _ => letters += 1,
+            }
+        }
+        letters
     }
 
     /// The spans as SVG.
@@ -91,6 +124,12 @@ mod tests {
     #[test]
     fn markup_in_text_stays_text() {
         assert_eq!(Label::new("a<b & \u{1}c").svg(), "a&lt;b &amp;  c");
+    }
+
+    #[test]
+    fn letters_are_those_that_are_seen() {
+        let label = Label::new("a < b ").indexed("f", "x");
+        assert_eq!(label.letters(), 8);
     }
 
     #[test]

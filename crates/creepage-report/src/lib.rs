@@ -1,5 +1,5 @@
-//! What a solved case looks like: text for the terminal, JSON and CSV for programs, and a
-//! picture of the contact as SVG and PNG.
+//! What a solved case looks like: text for the terminal, JSON, CSV and VTK for programs, and
+//! a picture of the contact as SVG and PNG.
 //!
 //! A [`Report`] is made from one [`Hertz`](creepage::Hertz) contact and the [`Answer`] of one
 //! theory; everything else follows from it.
@@ -49,6 +49,7 @@
 mod areas;
 mod axis;
 mod caption;
+mod contact_json;
 mod contact_picture;
 mod contact_view;
 mod curve_legend;
@@ -62,6 +63,7 @@ mod label;
 mod legend;
 mod page;
 mod plane;
+pub mod plot;
 mod points;
 mod raster;
 mod report;
@@ -72,16 +74,17 @@ mod statics;
 #[cfg(test)]
 mod testing;
 mod text;
+mod vtk;
 mod write;
 
+pub use areas::Areas;
+pub use contact_json::{HertzJson, SolidJson, hertz_json};
 pub use curves::{Component, Curves};
 pub use error::ReportError;
-pub use json::{
-    AreasJson, CreepageJson, DetailJson, DimensionlessJson, ForceJson, HertzJson, ReportJson,
-    SolidJson, hertz_json,
-};
+pub use json::{AreasJson, CreepageJson, DetailJson, DimensionlessJson, ForceJson, ReportJson};
 pub use page::{Page, PageStyle};
-pub use report::{Answer, Detail, Report};
+pub use raster::{png, tree as picture};
+pub use report::{Answer, Detail, Extras, Report};
 pub use series::{SeriesHead, SeriesRow, series_csv, series_json, series_netcdf};
 pub use statics::StaticsReport;
 pub use text::hertz_text;

@@ -5,7 +5,7 @@ use creepage::rolling::FieldPoint;
 use crate::error::ReportError;
 use crate::report::Report;
 
-const HEADER: [&str; 10] = [
+const HEADER: [&str; 11] = [
     "x_m",
     "y_m",
     "traction_x_pa",
@@ -16,20 +16,25 @@ const HEADER: [&str; 10] = [
     "region",
     "T",
     "S",
+    "frictional_power_per_metre_j_per_m3",
 ];
+/// The last column where the rolling velocity is known.
+const WATTS: &str = "frictional_power_w_per_m2";
 
 impl Report<'_> {
     /// The points as CSV; a cell is empty where the number does not exist.
     pub(crate) fn points_csv(&self) -> Result<Vec<u8>, ReportError> {
         let mut writer = csv::Writer::from_writer(Vec::new());
-        writer.write_record(HEADER)?;
+        let watts = self.extras.speed.map(|_| WATTS);
+        writer.write_record(HEADER.into_iter().chain(watts))?;
         for point in &self.answer.points {
-            writer.write_record(self.row(point))?;
+            let watts = self.extras.speed.map(|speed| cell(speed * self.power_density(point)));
+            writer.write_record(self.row(point).into_iter().chain(watts))?;
         }
         writer.into_inner().map_err(|error| csv::Error::from(error.into_error()).into())
     }
 
-    fn row(&self, point: &FieldPoint) -> [String; 10] {
+    fn row(&self, point: &FieldPoint) -> [String; 11] {
         let scaling = &self.scaling;
         let bound = self.bound(point.position);
         let (t, s) = t_and_s(point, bound, self.slip_unit());
@@ -44,6 +49,7 @@ impl Report<'_> {
             point.region.name().into(),
             cell(t),
             cell(s),
+            cell(self.power_density(point)),
         ]
     }
 
@@ -83,6 +89,7 @@ mod tests {
     use creepage::rolling::Region;
 
     use super::*;
+    use crate::report::Extras;
     use crate::testing::{CURVE, contact, report, sliding, sticking};
 
     #[test]
@@ -137,6 +144,24 @@ mod tests {
         }
         assert_eq!(rows[2][7], "slip");
         assert!(row[8] < 1e-25); // sliding exactly along the slip
+        let power = traction[0] * slip[0] + traction[1] * slip[1];
+        assert!((row[10] / power - 1.0).abs() < 1e-12, "{row:?}");
+    }
+
+    #[test]
+    fn with_a_speed_the_power_is_in_watts_too() {
+        let (contact, theory) = (contact(1.0), sliding(1.0));
+        let extras = Extras { speed: Some(20.0), ..Extras::default() };
+        let csv = report(&contact, &theory, CURVE).with(extras).points_csv().unwrap();
+        let csv = String::from_utf8(csv).unwrap();
+        let mut lines = csv.lines();
+        assert!(lines.next().unwrap().ends_with(&format!("{},{WATTS}", HEADER[10])));
+        for line in lines {
+            let cells: Vec<f64> =
+                line.split(',').skip(10).map(|cell| cell.parse().unwrap()).collect();
+            // One rounding, and traction times slip of zero at the edge.
+            assert!((cells[1] - 20.0 * cells[0]).abs() <= 1e-15 * cells[1], "{line}");
+        }
     }
 
     #[test]
@@ -144,6 +169,6 @@ mod tests {
         let (contact, theory) = (contact(1.0), sticking(1.0));
         let csv = report(&contact, &theory, CURVE).points_csv().unwrap();
         let csv = String::from_utf8(csv).unwrap();
-        assert!(csv.lines().nth(2).unwrap().ends_with(",,,adhesion,,"), "{csv}");
+        assert!(csv.lines().nth(2).unwrap().ends_with(",,,adhesion,,,"), "{csv}");
     }
 }

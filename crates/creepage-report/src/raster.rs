@@ -13,8 +13,12 @@ pub(crate) const FONT_FAMILY: &str = "DejaVu Sans";
 /// Pixels for each unit of the scene.
 const PIXELS_PER_UNIT: u16 = 2;
 
-/// Renders an SVG at twice its size, as screens and print want it.
-pub(crate) fn png(svg: &str) -> Result<Vec<u8>, ReportError> {
+/// Renders an SVG of this crate as PNG at twice its size, as screens and print want it. The font is
+/// carried along: the same bytes on every machine.
+///
+/// # Errors
+/// [`ReportError::Picture`] when it is no SVG, [`ReportError::Pixels`] when it is too large.
+pub fn png(svg: &str) -> Result<Vec<u8>, ReportError> {
     let tree = tree(svg)?;
     let size = tree.size().to_int_size();
     let side = |units: u32| units.saturating_mul(u32::from(PIXELS_PER_UNIT));
@@ -26,8 +30,12 @@ pub(crate) fn png(svg: &str) -> Result<Vec<u8>, ReportError> {
     pixels.encode_png().map_err(|_| error)
 }
 
-/// The parsed picture, its text laid out in the bundled font.
-pub(crate) fn tree(svg: &str) -> Result<Tree, ReportError> {
+/// The parsed picture, its text laid out in the bundled font: where everything is, for whoever
+/// draws it elsewhere.
+///
+/// # Errors
+/// [`ReportError::Picture`] when it is no SVG.
+pub fn tree(svg: &str) -> Result<Tree, ReportError> {
     let mut fonts = fontdb::Database::new();
     for face in [
         dejavu::sans_condensed::regular(),

@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use creepage::rolling::exact::Known;
 use creepage::rolling::{Creepage, FieldPoint, Scaling, Solution, Theory};
 use creepage::{Hertz, InvalidValue};
 
@@ -47,6 +48,18 @@ pub struct Detail {
     pub value: f64,
 }
 
+/// What may be known of a case beyond the answer of its theory.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Extras {
+    /// Rolling velocity (m/s).
+    pub speed: Option<f64>,
+    /// The frictional power as a sum of traction times slip over the contact, in units of
+    /// `mu N mu c V / rho`.
+    pub dissipation: Option<f64>,
+    /// What was given where the creepage was found to wanted forces.
+    pub known: Option<Known>,
+}
+
 /// One solved case, ready to be shown.
 #[derive(Debug)]
 pub struct Report<'a> {
@@ -55,6 +68,7 @@ pub struct Report<'a> {
     pub(crate) scaling: Scaling,
     pub(crate) answer: Answer<'a>,
     pub(crate) areas: Areas,
+    pub(crate) extras: Extras,
 }
 
 impl<'a> Report<'a> {
@@ -76,7 +90,13 @@ impl<'a> Report<'a> {
             let positions: Vec<_> = disc.iter().map(|d| [d[0] * unit[0], d[1] * unit[1]]).collect();
             answer.theory.field(answer.creepage, &positions).iter().map(|p| p.region).collect()
         });
-        Ok(Self { contact, friction, scaling, answer, areas })
+        Ok(Self { contact, friction, scaling, answer, areas, extras: Extras::default() })
+    }
+
+    /// The same report with more that is known of the case.
+    #[must_use]
+    pub fn with(self, extras: Extras) -> Self {
+        Self { extras, ..self }
     }
 
     /// Share of the contact area that sticks, from 0 to 1.
@@ -85,10 +105,30 @@ impl<'a> Report<'a> {
         self.areas.adhesion_share
     }
 
-    /// Energy turned to heat per metre rolled (J/m).
+    /// Energy turned to heat per metre rolled (J/m), from force and creepage.
     #[must_use]
     pub fn power_per_metre(&self) -> f64 {
         self.scaling.power_per_metre(self.answer.solution.force, self.answer.creepage)
+    }
+
+    /// The same energy (J/m) from traction and slip all over the contact, where the theory gives
+    /// it. The two differ by the error of the theory's discretization.
+    #[must_use]
+    pub fn dissipation_per_metre(&self) -> Option<f64> {
+        self.extras.dissipation.map(|power| power * self.scaling.force * self.scaling.slip)
+    }
+
+    /// Frictional power (W), where the rolling velocity is known.
+    #[must_use]
+    pub fn power(&self) -> Option<f64> {
+        self.extras.speed.map(|speed| speed * self.power_per_metre())
+    }
+
+    /// Frictional power over an area at a point, over the rolling velocity: the energy turned to
+    /// heat per metre rolled and square metre of contact (J/m^3). NaN where slip is not given.
+    pub(crate) fn power_density(&self, point: &FieldPoint) -> f64 {
+        let ([x, y], [u, v]) = (point.traction, point.slip);
+        (x * u + y * v) * self.scaling.traction * self.scaling.slip
     }
 }
 

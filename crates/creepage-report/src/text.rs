@@ -1,6 +1,7 @@
 //! The report for a terminal: plain lines in aligned columns.
 
 use creepage::Hertz;
+use creepage::rolling::exact::Known;
 use creepage::rolling::{SiForce, Status};
 
 use crate::format::{Scale, fixed, quantity, significant};
@@ -125,6 +126,10 @@ impl Lines {
         let [xi, eta, chi] =
             [creepage.xi, creepage.eta, creepage.chi].map(|value| significant(value, 5));
         self.columns("xi, eta, chi", [&xi, &eta, &chi]);
+        if let Some(Known { xi, eta, chi, .. }) = report.extras.known {
+            let word = |given: Option<f64>| if given.is_some() { "given" } else { "found" };
+            self.columns("given or found", [xi, eta, chi].map(word));
+        }
     }
 
     fn forces(&mut self, report: &Report) {
@@ -136,6 +141,10 @@ impl Lines {
         self.force("on the upper body", report, -lower);
         let [fx, fy, mz] = [force.fx, force.fy, force.mz].map(|value| fixed(value, 5));
         self.columns("lower, in mu N and mu N c", [&fx, &fy, &mz]);
+        if let Some(Known { fx, fy, mz, .. }) = report.extras.known {
+            let word = |wanted: Option<f64>| if wanted.is_some() { "wanted" } else { "found" };
+            self.columns("wanted or found", [fx, fy, mz].map(word));
+        }
     }
 
     fn force(&mut self, name: &str, report: &Report, force: SiForce) {
@@ -157,6 +166,13 @@ impl Lines {
         self.row("share of mu N used", &percent(report.answer.solution.force.magnitude()));
         self.row("adhesion, share of area", &percent(report.adhesion_share()));
         self.row("heat per metre rolled", &quantity(report.power_per_metre(), "J/m", 5));
+        if let Some(power) = report.dissipation_per_metre() {
+            self.row("  from traction and slip", &quantity(power, "J/m", 5));
+        }
+        if let (Some(speed), Some(power)) = (report.extras.speed, report.power()) {
+            self.row("rolling velocity", &quantity(speed, "m/s", 5));
+            self.row("frictional power", &quantity(power, "W", 5));
+        }
     }
 
     fn details(&mut self, report: &Report) {
@@ -173,6 +189,7 @@ impl Lines {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::report::Extras;
     use crate::testing::{CURVE, contact, report, sliding, sticking};
 
     /// The words and numbers of the line that starts with `name`.
@@ -193,6 +210,21 @@ mod tests {
         assert_eq!(line(&text, "semi-axis a, along rolling"), ["9", "mm"]);
         assert_eq!(line(&text, "share of mu N used"), ["78.10", "%"]);
         assert_eq!(line(&text, "mean of W T S"), ["0.00125"]);
+    }
+
+    #[test]
+    fn what_is_known_besides_has_its_lines() {
+        let (contact, theory) = (contact(2.25), sliding(2.25));
+        let known = Known { chi: Some(1.5), fx: Some(0.6), fy: Some(0.5), ..Known::default() };
+        let extras = Extras { speed: Some(20.0), dissipation: Some(0.5), known: Some(known) };
+        let report = report(&contact, &theory, CURVE).with(extras);
+        let text = report.text();
+        assert_eq!(line(&text, "given or found"), ["found", "found", "given"]);
+        assert_eq!(line(&text, "wanted or found"), ["wanted", "wanted", "found"]);
+        assert_eq!(line(&text, "rolling velocity"), ["20", "m/s"]);
+        let watts = quantity(20.0 * report.power_per_metre(), "W", 5);
+        assert_eq!(line(&text, "frictional power").join(" "), watts);
+        assert!(text.lines().skip(3).all(|line| line.chars().count() <= 80), "{text}");
     }
 
     #[test]

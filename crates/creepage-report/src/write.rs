@@ -9,8 +9,9 @@ use crate::raster;
 use crate::report::Report;
 
 impl Report<'_> {
-    /// Writes `report.json`, `points.csv`, `contact.svg` and `contact.png` into `directory`, which
-    /// is made when missing; files of those names are replaced. Gives the paths written.
+    /// Writes `report.json`, `points.csv`, `contact.vtk`, `contact.svg` and `contact.png` into
+    /// `directory`, which is made when missing; files of those names are replaced. Gives the paths
+    /// written.
     ///
     /// Everything is rendered before anything is written, and written under other names before
     /// the first file appears under its own.
@@ -20,16 +21,19 @@ impl Report<'_> {
     pub fn write(&self, directory: &Path) -> Result<Vec<PathBuf>, ReportError> {
         let mut json = serde_json::to_string_pretty(&self.json())?;
         json.push('\n');
-        write_contact(directory, &json, &self.points_csv()?, &self.contact_svg())
+        let vtk = self.vtk();
+        let field = [("contact.vtk", vtk.as_bytes())];
+        write_contact(directory, &json, &self.points_csv()?, &self.contact_svg(), &field)
     }
 }
 
-/// The files of one contact: `report.json`, `points.csv`, and the picture as SVG and PNG.
+/// The files of one contact: `report.json`, `points.csv`, the picture as SVG and PNG, and others.
 pub(crate) fn write_contact(
     directory: &Path,
     json: &str,
     points: &[u8],
     svg: &str,
+    others: &[(&str, &[u8])],
 ) -> Result<Vec<PathBuf>, ReportError> {
     let png = raster::png(svg)?;
     let files: [(&str, &[u8]); 4] = [
@@ -38,7 +42,7 @@ pub(crate) fn write_contact(
         ("contact.svg", svg.as_bytes()),
         ("contact.png", &png),
     ];
-    write_all(directory, &files)
+    write_all(directory, &[&files, others].concat())
 }
 
 /// Writes files, by name and contents, into `directory`, which is made when missing: all of them
@@ -126,18 +130,18 @@ mod tests {
     }
 
     #[test]
-    fn four_files_in_a_new_directory_the_same_each_time() {
+    fn five_files_in_a_new_directory_the_same_each_time() {
         let root = tempfile::tempdir().unwrap();
         let (contact, theory) = (contact(1.5), sticking(1.5));
         let report = report(&contact, &theory, CURVE);
         let directories = ["one", "two/deeper"].map(|name| root.path().join(name));
         for directory in &directories {
             let paths = report.write(directory).unwrap();
-            assert_eq!(paths.len(), 4);
+            assert_eq!(paths.len(), 5);
             assert!(paths.iter().all(|path| path.is_file()));
             assert_eq!(
                 names(directory),
-                ["contact.png", "contact.svg", "points.csv", "report.json"]
+                ["contact.png", "contact.svg", "contact.vtk", "points.csv", "report.json"]
             );
         }
         report.write(&directories[0]).unwrap(); // replaces what is there

@@ -6,6 +6,7 @@ use std::time::Instant;
 
 use creepage::rolling::exact::{Exact, ExactSolution, Resolution};
 use creepage::rolling::{Creepage, Status};
+use creepage_validation::SquareGrid;
 use divan::{Bencher, black_box};
 
 fn main() {
@@ -42,6 +43,13 @@ fn solve(bencher: Bencher, name: &str) {
     bencher.bench_local(|| -> ExactSolution {
         theory.solve_with(black_box(figure_12(1.7)), &mut workspace)
     });
+}
+
+/// The same case on a plain grid of 40 x 40 equal cells, to the same tolerance.
+#[divan::bench(sample_count = 20)]
+fn solve_on_a_square_grid(bencher: Bencher) {
+    let grid = SquareGrid::new(black_box(0.5), black_box(0.28), 40).unwrap();
+    bencher.bench_local(|| grid.force(black_box(figure_12(1.7))).unwrap());
 }
 
 #[divan::bench(args = ["fast", "standard", "fine"], sample_count = 20)]

@@ -1,5 +1,5 @@
-//! Creepage and spin coefficients against closed forms, the thesis's table and a converged
-//! solution.
+//! Creepage and spin coefficients against closed forms and a converged solution. Table 3 itself is
+//! compared in `creepage-validation`.
 
 use std::f64::consts::PI;
 
@@ -8,7 +8,6 @@ use creepage::rolling::{Creepage, Region, Theory};
 use creepage::special::CompleteIntegrals;
 use serde_json::Value;
 
-const TABLE: &str = include_str!("data/table3.txt");
 const CONVERGED: &str = include_str!("data/creepage_coefficients_converged.json");
 
 fn ratio(kind: &str, g: f64) -> f64 {
@@ -33,44 +32,6 @@ fn converged_values() {
             assert!(error <= bound, "{name} at a/b = {a_over_b}: off by {error:e} > {bound:e}");
         }
     }
-}
-
-/// The thesis's own calculation reproduces its own table, as printed, but for six entries:
-/// C11 of a/b = .5, sigma = 1/2; C22 of b/a = .6, sigma = 1/2; C11 and C33 of the circle,
-/// sigma = 1/4; C23 of a/b = .1 and .2, sigma = 0.
-#[test]
-fn table_3_is_of_degree_5() {
-    let misprints = [
-        "a/b 0.1 C23 0",
-        "a/b 0.2 C23 0",
-        "a/b 0.5 C11 0.5",
-        "b/a 1.0 C11 0.25",
-        "b/a 1.0 C33 0.25",
-        "b/a 0.6 C22 0.5",
-    ];
-    let (mut entries, mut deviating) = (0, Vec::new());
-    for line in TABLE.lines().filter(|line| !line.starts_with('#')) {
-        let words: Vec<&str> = line.split_whitespace().collect();
-        let a_over_b = ratio(words[0], words[1].parse().unwrap());
-        for (column, printed) in words[2..].iter().enumerate() {
-            let sigma = [0.0, 0.25, 0.5][column % 3];
-            let c = CreepageCoefficients::of_degree(a_over_b, sigma, 5).unwrap();
-            let value = [c.c11, c.c22, c.c23, c.c33][column / 3];
-            let name = ["C11", "C22", "C23", "C33"][column / 3];
-            entries += 1;
-            if !rounds_to(value, printed) {
-                deviating.push(format!("{} {} {name} {sigma}", words[0], words[1]));
-            }
-        }
-    }
-    assert_eq!(entries, 228);
-    assert_eq!(deviating, misprints);
-}
-
-/// Whether `value` rounds to the number as printed.
-fn rounds_to(value: f64, printed: &str) -> bool {
-    let decimals = printed.split('.').nth(1).map_or(0, str::len);
-    format!("{value:.decimals$}") == printed
 }
 
 /// `C23` for `sigma = 0` in terms of `B` and `D` (section 4.3).

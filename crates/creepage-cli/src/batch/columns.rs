@@ -4,7 +4,6 @@ use creepage::InvalidValue;
 use creepage::rolling::Creepage;
 use csv::ByteRecord;
 
-use super::rows::ANSWER_COLUMNS;
 use crate::theories::TheoryError;
 
 const QUESTION_COLUMNS: [&str; 5] = ["a_over_b", "poisson", "xi", "eta", "chi"];
@@ -55,7 +54,11 @@ pub(super) enum RowError {
 }
 
 impl Columns {
-    pub(super) fn find(header: &ByteRecord) -> Result<Self, ColumnError> {
+    /// The columns of a header that leaves room for those that are to be appended.
+    pub(super) fn find(
+        header: &ByteRecord,
+        appended: &'static [&'static str],
+    ) -> Result<Self, ColumnError> {
         if header.is_empty() {
             return Err(ColumnError::Empty);
         }
@@ -63,7 +66,7 @@ impl Columns {
             let name = name.as_bytes();
             (0..header.len()).filter(move |i| header[*i].trim_ascii() == name)
         };
-        if let Some(taken) = ANSWER_COLUMNS.iter().find(|name| places(name).next().is_some()) {
+        if let Some(taken) = appended.iter().find(|name| places(name).next().is_some()) {
             return Err(ColumnError::Taken(taken));
         }
         let mut found = [0; 5];

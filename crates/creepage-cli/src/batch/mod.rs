@@ -1,6 +1,7 @@
 //! `creepage batch`: CSV in, the same rows with forces appended out.
 
 mod columns;
+mod options;
 mod progress;
 mod rows;
 mod sink;
@@ -8,10 +9,11 @@ mod solver;
 mod table;
 mod tally;
 
-use std::io;
+use std::io::{self, ErrorKind};
 
 pub(crate) use columns::ColumnError;
-use rows::Rows;
+pub(crate) use options::OptionError;
+use rows::{Rows, answer_columns};
 use sink::Sink;
 use solver::Solver;
 use table::Table;
@@ -27,26 +29,34 @@ use crate::theories;
 const CHUNK: usize = 4096;
 
 pub(crate) fn run(args: &BatchArgs) -> Result<Outcome, Failure> {
-    let solver = Solver::new(theories::find(&args.theory)?);
-    let table = Table::open(args.input.as_deref())?;
+    let theory = theories::find(&args.theory)?;
+    let options = options::read(theory, &args.options).map_err(Failure::Option)?;
+    let table = Table::open(args.input.as_deref(), answer_columns(theory.error_bars))?;
     let failed = |source: io::Error| Failure::writing(args.out.as_deref(), source);
-    let mut sink = Sink::open(args.out.as_deref()).map_err(failed)?;
-    let tally = fill(&mut sink, table, &solver, args)?;
+    let mut sink = open(args)?;
+    let rows = Rows::start(&mut sink, table.header(), theory.error_bars).map_err(failed)?;
+    let tally = fill(rows, table, &Solver::new(theory, options), args)?;
     sink.finish().map_err(failed)?;
     say(&tally.to_string());
     Ok(tally.outcome())
 }
 
+fn open(args: &BatchArgs) -> Result<Sink, Failure> {
+    Sink::open(args.out.as_deref()).map_err(|source| match &args.out {
+        Some(path) if source.kind() == ErrorKind::WouldBlock => Failure::Busy { path: path.into() },
+        path => Failure::writing(path.as_deref(), source),
+    })
+}
+
 /// Answers the table chunk by chunk, so that memory does not grow with its length.
 fn fill(
-    sink: &mut Sink,
+    mut out: Rows<&mut Sink>,
     mut table: Table,
     solver: &Solver,
     args: &BatchArgs,
 ) -> Result<Tally, Failure> {
     let failed = |source: io::Error| Failure::writing(args.out.as_deref(), source);
     let bar = progress::bar(args);
-    let mut out = Rows::start(sink, table.header()).map_err(failed)?;
     loop {
         let rows = table.next_rows(CHUNK)?;
         if rows.is_empty() {

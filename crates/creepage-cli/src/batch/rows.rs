@@ -9,23 +9,33 @@ use super::tally::Tally;
 use crate::caution::caution;
 
 /// What is appended to each row.
-pub(super) const ANSWER_COLUMNS: [&str; 5] = ["fx", "fy", "mz", "status", "message"];
+const PLAIN: [&str; 5] = ["fx", "fy", "mz", "status", "message"];
+/// The same for a theory with error bars.
+const WITH_ERRORS: [&str; 8] =
+    ["fx", "fy", "mz", "fx_error", "fy_error", "mz_error", "status", "message"];
+
+/// The columns that are appended for a theory with or without error bars.
+pub(super) fn answer_columns(error_bars: bool) -> &'static [&'static str] {
+    if error_bars { &WITH_ERRORS } else { &PLAIN }
+}
 
 /// Writes rows and counts them.
 pub(super) struct Rows<W: Write> {
     writer: Writer<W>,
     /// Columns of the input.
     columns: usize,
+    error_bars: bool,
     tally: Tally,
 }
 
 impl<W: Write> Rows<W> {
     /// Starts the table with its header.
-    pub(super) fn start(sink: W, header: &ByteRecord) -> io::Result<Self> {
+    pub(super) fn start(sink: W, header: &ByteRecord, error_bars: bool) -> io::Result<Self> {
         let mut writer = WriterBuilder::new().buffer_capacity(1 << 16).from_writer(sink);
-        let names = header.iter().chain(ANSWER_COLUMNS.map(str::as_bytes));
+        let names =
+            header.iter().chain(answer_columns(error_bars).iter().map(|name| name.as_bytes()));
         writer.write_record(names).map_err(into_io)?;
-        Ok(Self { writer, columns: header.len(), tally: Tally::default() })
+        Ok(Self { writer, columns: header.len(), error_bars, tally: Tally::default() })
     }
 
     /// Writes one row. One of a wrong length is filled up or cut, so that the answer stands in
@@ -35,12 +45,30 @@ impl<W: Write> Rows<W> {
         while row.len() < self.columns {
             row.push_field(b"");
         }
-        for field in fields(answer) {
+        for field in self.fields(answer) {
             row.push_field(field.as_bytes());
         }
         self.writer.write_byte_record(&row).map_err(into_io)?;
         self.tally.count(answer);
         Ok(())
+    }
+
+    /// The answer's fields; numbers in the shortest form that reads back as the same number.
+    fn fields(&self, answer: &Answer) -> Vec<String> {
+        let numbers = if self.error_bars { 6 } else { 3 };
+        match answer {
+            Ok(answered) => {
+                let forces = [Some(answered.solution.force), answered.error];
+                let numbers = forces.into_iter().flatten().flat_map(|f| [f.fx, f.fy, f.mz]);
+                let status = answered.solution.status;
+                let words = [status.name(), caution(status).unwrap_or_default()];
+                numbers.map(|f| format!("{f:?}")).chain(words.map(String::from)).collect()
+            }
+            Err(error) => {
+                let words = ["invalid".into(), error.to_string()];
+                vec![String::new(); numbers].into_iter().chain(words).collect()
+            }
+        }
     }
 
     /// What has been written so far.
@@ -51,22 +79,6 @@ impl<W: Write> Rows<W> {
     pub(super) fn finish(mut self) -> io::Result<Tally> {
         self.writer.flush()?;
         Ok(self.tally)
-    }
-}
-
-/// The answer's fields; numbers in the shortest form that reads back as the same number.
-fn fields(answer: &Answer) -> [String; 5] {
-    match answer {
-        Ok(solution) => {
-            let [fx, fy, mz] =
-                [solution.force.fx, solution.force.fy, solution.force.mz].map(|f| format!("{f:?}"));
-            let message = caution(solution.status).unwrap_or_default();
-            [fx, fy, mz, solution.status.name().into(), message.into()]
-        }
-        Err(error) => {
-            let nothing = String::new;
-            [nothing(), nothing(), nothing(), "invalid".into(), error.to_string()]
-        }
     }
 }
 

@@ -24,13 +24,13 @@ impl Sink {
             Ok(data) if !data.is_file() => {
                 File::options().write(true).open(path).map(Self::Special)
             }
-            _ => PartialFile::create(path).map(Self::File),
+            _ => PartialFile::claim(path).map(Self::File),
         }
     }
 
     /// Gives the file its name.
     pub(super) fn finish(mut self) -> io::Result<()> {
-        match &self {
+        match &mut self {
             Self::File(file) => file.finish(),
             Self::Stdout(_) | Self::Special(_) => self.flush(),
         }

@@ -3,19 +3,18 @@
 use std::collections::VecDeque;
 use std::sync::{Arc, Mutex, PoisonError};
 
-use creepage::rolling::{Solution, Theory};
 use creepage_case::Solve;
 use rayon::prelude::*;
 
 use super::columns::{Question, RowError};
-use crate::theories::{Entry, TheoryError};
+use crate::theories::{Answered, Entry, PreparedTheory, TheoryError};
 
 /// What a theory is prepared for: the bits of `a/b` and of Poisson's ratio.
 type Key = [u64; 2];
-type Prepared = Arc<dyn Theory>;
+type Prepared = Arc<PreparedTheory>;
 
 /// The force that a row asks for, or why it asks for none.
-pub(super) type Answer = Result<Solution, RowError>;
+pub(super) type Answer = Result<Answered, RowError>;
 
 struct Asked {
     key: Key,
@@ -27,6 +26,7 @@ struct Asked {
 /// One theory, prepared for the last few kinds of contact that were asked about.
 pub(super) struct Solver {
     theory: &'static Entry,
+    options: Solve,
     prepared: Mutex<VecDeque<(Key, Prepared)>>,
 }
 
@@ -35,8 +35,8 @@ impl Solver {
     /// prepared theory may be some megabytes.
     const KEPT: usize = 64;
 
-    pub(super) fn new(theory: &'static Entry) -> Self {
-        Self { theory, prepared: Mutex::default() }
+    pub(super) fn new(theory: &'static Entry, options: Solve) -> Self {
+        Self { theory, options, prepared: Mutex::default() }
     }
 
     /// The answers in the order of the questions, the same on any number of cores.
@@ -60,8 +60,8 @@ impl Solver {
     fn solve_group(&self, group: &[Asked]) -> Vec<(usize, Answer)> {
         let theory = self.prepare(&group[0].question);
         let answer = |asked: &Asked| {
-            let solution = theory.as_ref().map(|theory| theory.solve(asked.question.creepage));
-            (asked.place, solution.map_err(|error| error.clone().into()))
+            let answered = theory.as_ref().map(|theory| theory.answer(asked.question.creepage));
+            (asked.place, answered.map_err(|error| error.clone().into()))
         };
         group.par_iter().map(answer).collect()
     }
@@ -72,8 +72,7 @@ impl Solver {
             return Ok(theory);
         }
         let prepare = self.theory.prepare;
-        let theory: Prepared =
-            prepare(question.a_over_b, question.poisson, &Solve::default())?.into();
+        let theory = Arc::new(prepare(question.a_over_b, question.poisson, &self.options)?);
         self.keep(key, &theory);
         Ok(theory)
     }
@@ -113,7 +112,7 @@ mod tests {
 
     #[test]
     fn prepared_theories_do_not_pile_up() {
-        let solver = Solver::new(theories::find("variational").unwrap());
+        let solver = Solver::new(theories::find("variational").unwrap(), Solve::default());
         let many = (0..3 * Solver::KEPT).map(|i| Ok(question(1.0 + i as f64, 1.0))).collect();
         assert_eq!(solver.solve(many).len(), 3 * Solver::KEPT);
         assert_eq!(solver.prepared.lock().unwrap().len(), Solver::KEPT);
@@ -121,7 +120,7 @@ mod tests {
 
     #[test]
     fn answers_come_in_the_order_of_the_questions() {
-        let solver = Solver::new(theories::find("variational").unwrap());
+        let solver = Solver::new(theories::find("variational").unwrap(), Solve::default());
         let questions: Vec<_> =
             (0..40).map(|i| question([2.0, 0.5, 1.0][i % 3], 0.5 + 0.1 * i as f64)).collect();
         let together = solver.solve(questions.iter().copied().map(Ok).collect());

@@ -18,8 +18,11 @@ pub(super) struct Table {
 }
 
 impl Table {
-    /// Opens a file, or standard input, and reads its header.
-    pub(super) fn open(path: Option<&Path>) -> Result<Self, Failure> {
+    /// Opens a file, or standard input, and reads its header, to which columns are to be appended.
+    pub(super) fn open(
+        path: Option<&Path>,
+        appended: &'static [&'static str],
+    ) -> Result<Self, Failure> {
         let (name, input): (String, Box<dyn Read>) = match path {
             None => ("standard input".into(), Box::new(io::stdin())),
             Some(path) => (path.display().to_string(), Box::new(open(path)?)),
@@ -30,7 +33,7 @@ impl Table {
             Ok(header) => header.clone(),
             Err(source) => return Err(Failure::Rows { input: name, source }),
         };
-        match Columns::find(&header) {
+        match Columns::find(&header, appended) {
             Ok(columns) => Ok(Self { name, reader, header, columns }),
             Err(source) => Err(Failure::Columns { input: name, source }),
         }

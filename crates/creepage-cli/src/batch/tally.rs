@@ -19,7 +19,7 @@ pub(super) struct Tally {
 impl Tally {
     pub(super) fn count(&mut self, answer: &Answer) {
         self.rows += 1;
-        match answer.as_ref().map(|solution| solution.status) {
+        match answer.as_ref().map(|answered| answered.solution.status) {
             Ok(Status::Solved) => self.solved += 1,
             Ok(Status::NotConverged) => self.not_converged += 1,
             Ok(_) => {}
@@ -58,6 +58,7 @@ impl fmt::Display for Tally {
 mod tests {
     use super::*;
     use crate::batch::columns::RowError;
+    use crate::theories::Answered;
     use creepage::rolling::{Force, Solution};
 
     fn tally(answers: &[Answer]) -> Tally {
@@ -68,8 +69,8 @@ mod tests {
         tally
     }
 
-    fn with(status: Status) -> Solution {
-        Solution { force: Force::default(), status }
+    fn with(status: Status) -> Answered {
+        Answered { solution: Solution { force: Force::default(), status }, error: None }
     }
 
     #[test]

@@ -9,6 +9,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
+use creepage::rolling::variational::Method;
 use creepage_case::Sweep;
 use indicatif::{ProgressBar, ProgressStyle};
 
@@ -33,8 +34,10 @@ pub(crate) fn run(args: &SweepArgs) -> Result<Outcome, Failure> {
         Opened::Journal(journal) => journal,
     };
     let bar = bar(&sweep, &journal);
-    chains::solve(&sweep, &theory, &journal, &bar).map_err(failed)?;
-    journal.sync().map_err(failed)?;
+    if theory.keeps_bound() && sweep.procedure.method == Method::Damped {
+        say("tractions are kept within their bound, by the least loss of power");
+    }
+    journal.synced(|| chains::solve(&sweep, &theory, &journal, &bar)).map_err(failed)?;
     bar.finish_and_clear();
     let tally = result::write(&sweep, &theory, &journal, format, &args.out)?;
     journal.remove().map_err(failed)?;

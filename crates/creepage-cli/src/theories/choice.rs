@@ -19,7 +19,7 @@ pub(crate) struct Choice {
 pub(crate) enum ChoiceError {
     #[error(transparent)]
     Unknown(#[from] UnknownTheory),
-    #[error("[solve] `{option}` is an option of {owners}, not of {theories}")]
+    #[error("`{option}` is an option of {owners}, not of {theories}")]
     Foreign { option: &'static str, owners: String, theories: String },
 }
 
@@ -100,7 +100,7 @@ mod tests {
         let choice = choose(&[], &solve("fastrip")).ok().unwrap();
         assert_eq!((choice.theories[0].name, choice.note()), ("fastrip", None));
         let error = choose(&[], &solve("linear")).err().unwrap().to_string();
-        assert_eq!(error, "[solve] `grid` is an option of fastrip and fastsim, not of linear");
+        assert_eq!(error, "`grid` is an option of fastrip and fastsim, not of linear");
         assert!(choose(&names(&["linear", "fastsim"]), &solve("linear")).is_ok());
     }
 

@@ -1,6 +1,6 @@
 //! Every theory, with what it assumes, costs, and errs by.
 
-use super::{Entry, examine_any, examine_exact, examine_variational, prepare};
+use super::{Entry, prepare};
 
 /// In the order of a reader's interest: the general ones first.
 pub(crate) const ENTRIES: &[Entry] = &[
@@ -11,9 +11,9 @@ pub(crate) const ENTRIES: &[Entry] = &[
         cost: "3 ms",
         error: 0.1,
         good_for: "any case, with error bars",
-        options: &["resolution"],
+        options: &["resolution", "accuracy"],
+        error_bars: true,
         prepare: prepare::exact,
-        examine: examine_exact,
     },
     Entry {
         name: "variational",
@@ -23,8 +23,8 @@ pub(crate) const ENTRIES: &[Entry] = &[
         error: 6.1,
         good_for: "any but the smallest creepage",
         options: &["degree", "mesh", "weight"],
+        error_bars: false,
         prepare: prepare::variational,
-        examine: examine_variational,
     },
     Entry {
         name: "fastrip",
@@ -34,8 +34,8 @@ pub(crate) const ENTRIES: &[Entry] = &[
         error: 2.6,
         good_for: "any creepage and spin",
         options: &["grid", "variant"],
+        error_bars: false,
         prepare: prepare::fastrip,
-        examine: examine_any,
     },
     Entry {
         name: "fastsim",
@@ -45,8 +45,8 @@ pub(crate) const ENTRIES: &[Entry] = &[
         error: 3.5,
         good_for: "any creepage and spin, fast",
         options: &["grid", "flexibility", "bound"],
+        error_bars: false,
         prepare: prepare::fastsim,
-        examine: examine_any,
     },
     Entry {
         name: "strip",
@@ -56,8 +56,8 @@ pub(crate) const ENTRIES: &[Entry] = &[
         error: 21.3,
         good_for: "slender contacts, little spin",
         options: &[],
+        error_bars: false,
         prepare: prepare::strip,
-        examine: examine_any,
     },
     Entry {
         name: "polach",
@@ -67,8 +67,8 @@ pub(crate) const ENTRIES: &[Entry] = &[
         error: 13.9,
         good_for: "vehicle dynamics with little spin",
         options: &[],
+        error_bars: false,
         prepare: prepare::polach,
-        examine: examine_any,
     },
     Entry {
         name: "shen-hedrick-elkins",
@@ -78,8 +78,8 @@ pub(crate) const ENTRIES: &[Entry] = &[
         error: 30.0,
         good_for: "vehicle dynamics, spin below 0.5",
         options: &[],
+        error_bars: false,
         prepare: prepare::shen_hedrick_elkins,
-        examine: examine_any,
     },
     Entry {
         name: "vermeulen-johnson",
@@ -89,8 +89,8 @@ pub(crate) const ENTRIES: &[Entry] = &[
         error: 41.0,
         good_for: "creepage without spin",
         options: &[],
+        error_bars: false,
         prepare: prepare::vermeulen_johnson,
-        examine: examine_any,
     },
     Entry {
         name: "linear",
@@ -100,8 +100,8 @@ pub(crate) const ENTRIES: &[Entry] = &[
         error: 336.0,
         good_for: "creepage and spin near zero",
         options: &[],
+        error_bars: false,
         prepare: prepare::linear,
-        examine: examine_any,
     },
     Entry {
         name: "saturated",
@@ -111,7 +111,7 @@ pub(crate) const ENTRIES: &[Entry] = &[
         error: 40.5,
         good_for: "large creepage or spin",
         options: &[],
+        error_bars: false,
         prepare: prepare::saturated,
-        examine: examine_any,
     },
 ];

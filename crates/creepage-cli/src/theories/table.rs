@@ -53,7 +53,8 @@ fn options() -> String {
     for (name, option) in known.into_iter().flatten().filter(|(name, _)| *name != "theory") {
         text += &wrapped(&format!("  {name:11}  "), description(option));
         for choice in option["anyOf"][0]["oneOf"].as_array().into_iter().flatten() {
-            text += &wrapped(&format!("{:17}{}: ", "", choice["const"]), description(choice));
+            let value = choice["title"].as_str().map_or(choice["const"].to_string(), str::to_owned);
+            text += &wrapped(&format!("{:17}{value}: ", ""), description(choice));
         }
     }
     text

@@ -55,7 +55,7 @@ impl StaticsReport<'_> {
     /// [`ReportError`]; what was made until then is removed.
     pub fn write(&self, directory: &Path) -> Result<Vec<PathBuf>, ReportError> {
         let json = format!("{:#}\n", self.json());
-        write_contact(directory, &json, &self.points_csv()?, &self.svg())
+        write_contact(directory, &json, &self.points_csv()?, &self.svg(), &[])
     }
 
     /// The field at points of the contact; a cell is empty where a number does not exist.

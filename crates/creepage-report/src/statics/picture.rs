@@ -18,7 +18,8 @@ pub(super) struct Arrows {
 
 impl StaticsReport<'_> {
     /// The contact seen from above, as SVG.
-    pub(super) fn svg(&self) -> String {
+    #[must_use]
+    pub fn svg(&self) -> String {
         let levels = self.levels();
         let height = key::height(self, levels.len());
         let layout = Layout::new(self.ellipse.ratio(), caption::TITLE_HEIGHT, height);

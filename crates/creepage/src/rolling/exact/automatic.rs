@@ -2,7 +2,10 @@
 
 use std::sync::OnceLock;
 
-use super::{Creepage, Exact, ExactSolution, FieldPoint, Resolution, Solution, Theory};
+use super::{
+    Creepage, Exact, ExactSolution, FieldPoint, Force, Found, InverseError, Known, Resolution,
+    Solution, Theory,
+};
 use crate::check::{self, InvalidValue};
 
 /// The full theory at the first of the three named resolutions whose error bar of the force is
@@ -39,22 +42,54 @@ impl Automatic {
     /// the finest resolution is reached; the error bars tell which.
     #[must_use]
     pub fn solve_to_accuracy(&self, creepage: Creepage) -> ExactSolution {
-        self.level_for(creepage).1
+        self.level(creepage).1
     }
 
-    fn level_for(&self, creepage: Creepage) -> (&Exact, ExactSolution) {
-        let solve = |theory: &Exact| theory.solve_with(creepage, &mut theory.workspace());
-        let mut level = &self.fast;
-        let mut solution = solve(level);
+    /// As [`Automatic::solve_to_accuracy`]; also gives the theory at the resolution that sufficed.
+    #[must_use]
+    pub fn level(&self, creepage: Creepage) -> (&Exact, ExactSolution) {
+        self.refine(|theory| {
+            let solution = theory.solve_with(creepage, &mut theory.workspace());
+            (solution.error, solution)
+        })
+    }
+
+    /// As [`Exact::find`], refining until the error bars of `fx` and `fy` at the creepage found
+    /// are below the wanted accuracy or the finest resolution is reached.
+    ///
+    /// ```
+    /// use creepage::rolling::exact::{Automatic, Known};
+    /// let theory = Automatic::new(1.0, 0.28, 0.004)?;
+    /// let known = Known { eta: Some(0.0), chi: Some(0.2), fx: Some(0.5), ..Known::default() };
+    /// let (_, found) = theory.find(known)?;
+    /// assert!((found.solution.force.fx - 0.5).abs() < 1e-6 && found.solution.error.fx < 0.004);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`InverseError`] as [`Exact::find`], at the finest resolution.
+    pub fn find(&self, known: Known) -> Result<(&Exact, Found), InverseError> {
+        const UNKNOWN: Force = Force { fx: f64::INFINITY, fy: f64::INFINITY, mz: f64::INFINITY };
+        let (theory, found) = self.refine(|theory| {
+            let found = theory.find(known, &mut theory.workspace());
+            (found.as_ref().map_or(UNKNOWN, |found| found.solution.error), found)
+        });
+        Ok((theory, found?))
+    }
+
+    /// The first resolution whose answer has an error bar that is small enough, and the answer.
+    fn refine<T>(&self, answer: impl Fn(&Exact) -> (Force, T)) -> (&Exact, T) {
+        let mut theory = &self.fast;
+        let (mut error, mut found) = answer(theory);
         for (cell, resolution) in self.finer.iter().zip([Resolution::STANDARD, Resolution::FINE]) {
-            if solution.error.fx.max(solution.error.fy) <= self.accuracy {
+            if error.fx.max(error.fy) <= self.accuracy {
                 break;
             }
-            level =
+            theory =
                 cell.get_or_init(|| Exact::prepare(self.fast.ellipse, self.poisson, resolution));
-            solution = solve(level);
+            (error, found) = answer(theory);
         }
-        (level, solution)
+        (theory, found)
     }
 }
 
@@ -65,6 +100,6 @@ impl Theory for Automatic {
     }
 
     fn field(&self, creepage: Creepage, positions: &[[f64; 2]]) -> Vec<FieldPoint> {
-        self.level_for(creepage).0.field(creepage, positions)
+        self.level(creepage).0.field(creepage, positions)
     }
 }

@@ -5,6 +5,7 @@ use nalgebra::{DMatrix, DVector};
 use super::discretization::{Discretization, Rows};
 use super::integrand::{self, Integrand, State};
 use super::own_integrand::{IntegrandTerms, OwnIntegrand};
+use super::power;
 use crate::rolling::Creepage;
 
 /// What is integrated.
@@ -17,6 +18,9 @@ pub(super) enum Form<'a> {
     /// `S` in the area of adhesion, `T` in that of slip (5.15). With `W2 = W3 = W` a point
     /// belongs to the area where its term is the smaller one: the areas follow the unknowns.
     Areas,
+    /// The power that is lost, see [`power`], with `|s|` rounded off and the stiffness
+    /// of the bound.
+    Power { smoothing: f64, stiffness: f64 },
 }
 
 impl Form<'_> {
@@ -26,6 +30,7 @@ impl Form<'_> {
             Self::Product => t * s,
             Self::Areas => t.min(s),
             Self::Own(own) => own.value(position, t, s),
+            Self::Power { .. } => t * s.sqrt(),
         }
     }
 }
@@ -37,8 +42,8 @@ pub(super) struct Functional<'a> {
     weights: &'a [f64],
     creepage: Creepage,
     form: Form<'a>,
-    /// Size of the penalty on tractions above their bound.
-    penalty: f64,
+    /// `I` where both bodies are rigid and no traction acts: the size to measure `I` by.
+    rigid_value: f64,
 }
 
 /// `I` and its derivatives by the unknowns.
@@ -64,13 +69,9 @@ impl<'a> Functional<'a> {
         weights: &'a [f64],
         creepage: Creepage,
         form: Form<'a>,
-        penalized: bool,
     ) -> Self {
-        let mut functional = Self { discretization, weights, creepage, form, penalty: 0.0 };
-        if penalized {
-            // As large as the mean of the integrand were the bodies rigid.
-            functional.penalty = functional.rigid_value() / weights.iter().sum::<f64>();
-        }
+        let mut functional = Self { discretization, weights, creepage, form, rigid_value: 0.0 };
+        functional.rigid_value = functional.value_if_rigid();
         functional
     }
 
@@ -78,8 +79,16 @@ impl<'a> Functional<'a> {
         self.discretization.unknowns()
     }
 
-    /// `I` where both bodies are rigid and no traction acts: the size to measure `I` by.
     pub(super) fn rigid_value(&self) -> f64 {
+        self.rigid_value
+    }
+
+    /// The mean of the integrand over the points by their weights, in that case.
+    pub(super) fn mean_if_rigid(&self) -> f64 {
+        self.rigid_value / self.weights.iter().sum::<f64>()
+    }
+
+    fn value_if_rigid(&self) -> f64 {
         self.weights
             .iter()
             .enumerate()
@@ -91,6 +100,22 @@ impl<'a> Functional<'a> {
             .sum()
     }
 
+    /// By how much `I` may rise from rounding alone.
+    pub(super) fn rounding(&self, value: f64) -> f64 {
+        /// Relative rounding of the slip, and of the residuals whose squares make `I`.
+        const RELATIVE: f64 = 1e-14;
+        match self.form {
+            Form::Power { .. } => RELATIVE * self.rigid_value,
+            _ => RELATIVE * (value * self.rigid_value.max(value)).sqrt(),
+        }
+    }
+
+    /// Whether only rounding is left of a sum of squares: full sliding.
+    pub(super) fn is_negligible(&self, value: f64) -> bool {
+        let is_sum_of_squares = !matches!(self.form, Form::Power { .. });
+        is_sum_of_squares && value <= 1e-26 * self.rigid_value
+    }
+
     /// Evaluates `I` with gradient and exact Hessian into `expansion`.
     pub(super) fn expand(&self, tau: &DVector<f64>, expansion: &mut Expansion) {
         expansion.value = 0.0;
@@ -98,8 +123,7 @@ impl<'a> Functional<'a> {
         expansion.hessian.fill(0.0);
         for (point, &weight) in self.weights.iter().enumerate() {
             let state = self.discretization.state(self.creepage, tau.as_slice(), point);
-            let mut local = self.integrand(point, state);
-            local.penalize(state, self.penalty);
+            let local = self.integrand(point, state);
             add_point(expansion, &self.discretization.rows(point), &local, weight);
         }
         expansion.hessian.fill_upper_triangle_with_lower_triangle();
@@ -110,6 +134,10 @@ impl<'a> Functional<'a> {
             Form::Product => integrand::with_derivatives(state),
             Form::Own(own) => own.with_derivatives(self.discretization.positions()[point], state),
             Form::Areas => smaller(state),
+            Form::Power { smoothing, stiffness } => {
+                let rigid = self.discretization.rigid_slip(self.creepage, point);
+                power::lost(state, rigid, smoothing, stiffness)
+            }
         }
     }
 }

@@ -1,14 +1,15 @@
 //! The ways to the minimum.
 
 use super::functional::Form;
-use super::newton::{self, Minimum};
-use super::{Limits, NewtonStep, Start, Variational, VariationalSolution, newton_1967};
+use super::newton::{self, Minimum, Step};
+use super::{Limits, NewtonStep, Start, Variational, VariationalSolution, newton_1967, power};
 use crate::rolling::Creepage;
 
 /// Which formulation is solved, and how.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub enum Method {
-    /// (5.9) by Newton's method with Marquardt's damping: from every start, every case.
+    /// (5.9), or the least loss of power where the [bound](super::TractionBound) is kept, by
+    /// Newton's method with Marquardt's damping: from every start, every case.
     #[default]
     Damped,
     /// (5.9) by Newton's method as printed (5.12): the historical reference, which fails in one
@@ -63,10 +64,13 @@ impl Variational {
         let tau = start.tau(&self.mesh, &self.weights, creepage);
         let form = if method == Method::Areas { Form::Areas } else { self.form() };
         let functional = self.functional_of(creepage, form);
+        let see = |step: Step| observe(&|| NewtonStep::new(self, limits.delta, &step));
         match method {
-            Method::Damped | Method::Areas => newton::minimize(&functional, tau, limits, |step| {
-                observe(&|| NewtonStep::new(self, limits.delta, &step));
-            }),
+            Method::Damped if self.keeps_bound => {
+                let is_near = matches!(start, Start::From(_));
+                power::minimize(self, creepage, tau, is_near, limits, see)
+            }
+            Method::Damped | Method::Areas => newton::minimize(&functional, tau, limits, see),
             Method::Newton => newton_1967::iterate(self, &functional, tau, limits, |step| {
                 observe(&|| step);
             }),

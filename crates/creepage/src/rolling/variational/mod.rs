@@ -32,6 +32,7 @@ mod newton;
 mod newton_1967;
 mod own_integrand;
 mod polynomials;
+mod power;
 mod settings;
 mod solution;
 mod start;
@@ -70,9 +71,12 @@ use own_integrand::OwnIntegrand;
 pub struct Variational {
     response: SlipResponse,
     mesh: Discretization,
+    /// `W` over the number of points.
     weights: Vec<f64>,
+    /// `Z` over the number of points.
+    power_weights: Vec<f64>,
     weight: Weight,
-    penalized: bool,
+    keeps_bound: bool,
     own_integrand: Option<OwnIntegrand>,
 }
 
@@ -88,14 +92,13 @@ impl Variational {
         let response = SlipResponse::new(a_over_b, poisson, settings.degree)?;
         let mesh = response.at(response.mesh(&settings));
         let points = mesh.positions().len() as f64;
-        let weights = mesh
-            .bound_squared()
-            .iter()
-            .map(|bound_squared| settings.weight.at(1.0 - bound_squared) / points)
-            .collect();
-        let penalized = settings.bound.penalized(a_over_b);
+        let squared = mesh.bound_squared().iter();
+        let weights = squared.clone().map(|z| settings.weight.at(1.0 - z) / points).collect();
+        let power_weights = squared.map(|z| z.sqrt() / points).collect();
+        let keeps_bound = settings.bound.is_kept(a_over_b);
         let weight = settings.weight;
-        Ok(Self { response, mesh, weights, weight, penalized, own_integrand: None })
+        let own_integrand = None;
+        Ok(Self { response, mesh, weights, power_weights, weight, keeps_bound, own_integrand })
     }
 
     /// As [`Variational::new`], with the mean of `W f(x, y, a, b, T, S)` in place of that of
@@ -132,7 +135,7 @@ impl Variational {
         let positions: Vec<_> = theory.mesh.positions().iter().copied().step_by(7).collect();
         let semi_axes = [ellipse.a(), ellipse.b()];
         let own = OwnIntegrand::new(Arc::new(integrand), semi_axes, &positions)?;
-        Ok(Self { own_integrand: Some(own), ..theory })
+        Ok(Self { own_integrand: Some(own), keeps_bound: false, ..theory })
     }
 
     /// The contact ellipse, in units of `c`.
@@ -154,10 +157,10 @@ impl Variational {
         self.mesh.positions()
     }
 
-    /// Whether tractions above their bound are penalized, see [`TractionBound`].
+    /// Whether [`Method::Damped`] keeps tractions within their bound, see [`TractionBound`].
     #[must_use]
-    pub fn penalized(&self) -> bool {
-        self.penalized
+    pub fn keeps_bound(&self) -> bool {
+        self.keeps_bound
     }
 
     /// Minimizes `I` from `start`.
@@ -189,7 +192,9 @@ impl Variational {
     }
 
     fn functional_of<'a>(&'a self, creepage: Creepage, form: Form<'a>) -> Functional<'a> {
-        Functional::new(&self.mesh, &self.weights, creepage, form, self.penalized)
+        let is_power = matches!(form, Form::Power { .. });
+        let weights = if is_power { &self.power_weights } else { &self.weights };
+        Functional::new(&self.mesh, weights, creepage, form)
     }
 }
 

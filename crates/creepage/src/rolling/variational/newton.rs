@@ -19,10 +19,6 @@ pub(super) struct Step<'a> {
     pub(super) tau: &'a DVector<f64>,
 }
 
-/// `I` relative to that of the rigid slip, below which only rounding is left: full sliding.
-const NEGLIGIBLE: f64 = 1e-26;
-/// Relative rounding of the residuals `|s| X' - s`, whose squares make `I`.
-const ROUNDING: f64 = 1e-14;
 const FIRST_DAMPING: f64 = 1e-3;
 const LARGEST_DAMPING: f64 = 1e12;
 
@@ -37,12 +33,11 @@ pub(super) fn minimize(
     mut observe: impl FnMut(Step),
 ) -> Minimum {
     let unknowns = functional.unknowns();
-    let rigid_value = functional.rigid_value();
     let (mut here, mut there) = (Expansion::zeros(unknowns), Expansion::zeros(unknowns));
     functional.expand(&tau, &mut here);
     let mut damping = 0.0_f64;
     for iterations in 1..=limits.max_iterations {
-        if here.value <= NEGLIGIBLE * rigid_value {
+        if functional.is_negligible(here.value) {
             return Minimum { tau, iterations: iterations - 1, converged: true };
         }
         if let Some(step) = damped_step(&here, damping) {
@@ -53,8 +48,7 @@ pub(super) fn minimize(
             }
             functional.expand(&next, &mut there);
             // Near the minimum rounding alone decides which value is lower.
-            let rounding = ROUNDING * (here.value * rigid_value.max(here.value)).sqrt();
-            if there.value <= here.value + rounding {
+            if there.value <= here.value + functional.rounding(here.value) {
                 observe(Step { value: here.value, change: &step, tau: &next });
                 tau = next;
                 std::mem::swap(&mut here, &mut there);

@@ -29,25 +29,30 @@ impl Weight {
 /// What is done about `|X'| <= 1` (5.7), which (5.9) leaves to be verified afterwards.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub enum TractionBound {
-    /// Penalized where `a/b >= 3`: there `I` has several minima near the peak of pure spin,
-    /// and the lowest can break the bound all over the contact.
+    /// Kept where `a/b >= 3`: there `I` has several minima near the peak of pure spin, and the
+    /// lowest can break the bound all over the contact.
     #[default]
     Automatic,
     /// Verified afterwards only, as in the thesis.
     Unchecked,
-    /// Penalized.
-    Penalized,
+    /// Kept: the least loss of power takes the place of (5.9). This is a convex functional that
+    /// has one minimum, zero for the solution of the problem as that of (5.9), with the bound as a
+    /// penalty. It weighs a point by `Z`, whatever the [`Weight`]. Only [`Method::Damped`] with
+    /// the integrand `T S` keeps the bound.
+    ///
+    /// [`Method::Damped`]: super::Method::Damped
+    Kept,
 }
 
 impl TractionBound {
-    /// The ratio `a/b` from which [`TractionBound::Automatic`] penalizes.
+    /// The ratio `a/b` from which [`TractionBound::Automatic`] keeps the bound.
     pub const SLENDER_RATIO: f64 = 3.0;
 
-    pub(super) fn penalized(self, a_over_b: f64) -> bool {
+    pub(super) fn is_kept(self, a_over_b: f64) -> bool {
         match self {
             Self::Automatic => a_over_b >= Self::SLENDER_RATIO,
             Self::Unchecked => false,
-            Self::Penalized => true,
+            Self::Kept => true,
         }
     }
 }
@@ -62,7 +67,7 @@ pub struct Settings {
     pub mesh: [usize; 2],
     /// Weight of the points.
     pub weight: Weight,
-    /// Whether a traction above its bound is penalized.
+    /// Whether tractions are kept within their bound.
     pub bound: TractionBound,
 }
 

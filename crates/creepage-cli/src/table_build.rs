@@ -1,0 +1,143 @@
+//! `creepage table build`.
+
+use std::path::PathBuf;
+use std::time::Duration;
+
+use creepage_case::{Resolution, Solve};
+use creepage_table::{Axis, Intervals, Provenance, Spec, build};
+use indicatif::{ProgressBar, ProgressStyle};
+
+use crate::failure::Failure;
+use crate::output::say;
+use crate::partial_file::PartialFile;
+use crate::theories::{Entry, find};
+
+#[derive(Debug, clap::Args)]
+pub(crate) struct BuildArgs {
+    /// Theory; `creepage theories` lists them. It must be linear near zero and bounded.
+    #[arg(long, value_name = "NAME", default_value = "exact")]
+    theory: String,
+    /// Elements of the theory `exact`. The ripple of coarse elements under strong spin is most of
+    /// a table's error.
+    #[arg(long, default_value = "fine")]
+    resolution: Elements,
+    /// Ratio of the contact's semi-axes, along over across the rolling direction; or the first
+    /// and the last of a range, as 0.2,5.
+    #[arg(long, value_name = "RATIO[,RATIO]", default_value = "1", value_parser = numbers,
+          allow_hyphen_values = true)]
+    a_over_b: Numbers,
+    /// Number of ratios in a range, in equal steps of their logarithm.
+    #[arg(long, value_name = "N", default_value_t = 9)]
+    shapes: usize,
+    /// Combined Poisson's ratio; or the first and the last of a range, as 0,0.5.
+    #[arg(long, value_name = "RATIO[,RATIO]", default_value = "0.28", value_parser = numbers,
+          allow_hyphen_values = true)]
+    poisson: Numbers,
+    /// Number of Poisson's ratios in a range.
+    #[arg(long, value_name = "N", default_value_t = 4)]
+    materials: usize,
+    /// Intervals along theta (from pure spin to none), phi (from -eta over xi to eta; even) and t
+    /// (from no creepage to infinite creepage).
+    #[arg(long, value_name = "THETA,PHI,T", default_value = "12,16,20", value_parser = counts)]
+    intervals: Intervals,
+    /// At how many random places to measure the error.
+    #[arg(long, value_name = "N", default_value_t = 500)]
+    places: usize,
+    /// File for the table; it appears when it is whole.
+    #[arg(long, value_name = "FILE.nc")]
+    out: PathBuf,
+}
+
+/// Elements of the full theory, as in case files.
+#[derive(Debug, Clone, Copy, clap::ValueEnum)]
+enum Elements {
+    Fast,
+    Standard,
+    Fine,
+}
+
+pub(crate) fn run(args: &BuildArgs) -> Result<(), Failure> {
+    let theory = find(&args.theory)?;
+    let failed = |source| Failure::writing(Some(&args.out), source);
+    // A wrong place is told before the work.
+    drop(PartialFile::create(&args.out).map_err(failed)?);
+    let (spec, solve) = (spec(args, theory), solve(args, theory));
+    let bar = bar(&spec);
+    let prepare = |a_over_b, poisson| theory.boxed(a_over_b, poisson, &solve);
+    let table = build(&spec, prepare, &|| bar.inc(1));
+    bar.finish_and_clear();
+    let table = table.map_err(|source| Failure::Build { theory: theory.name, source })?;
+    let mut partial = PartialFile::create(&args.out).map_err(failed)?;
+    let unwritten = |source| Failure::Table { path: args.out.clone(), source };
+    table.write(partial.path()).map_err(unwritten)?;
+    partial.finish().map_err(failed)?;
+    let worst = 100.0 * table.accuracy().force.worst;
+    say(&format!("wrote {}: error at most {worst:.2} % of mu N", args.out.display()));
+    Ok(())
+}
+
+fn spec(args: &BuildArgs, theory: &Entry) -> Spec {
+    let options = if takes_resolution(theory) {
+        format!("resolution = {:?}", args.resolution).to_lowercase()
+    } else {
+        String::new()
+    };
+    Spec {
+        a_over_b: axis(args.a_over_b, args.shapes),
+        poisson: axis(args.poisson, args.materials),
+        intervals: args.intervals,
+        places: args.places,
+        provenance: Provenance {
+            theory: theory.name.into(),
+            options,
+            program: format!("creepage {}", env!("CARGO_PKG_VERSION")),
+        },
+    }
+}
+
+/// The first number, and the second where there are two.
+type Numbers = (f64, Option<f64>);
+
+fn numbers(text: &str) -> Result<Numbers, String> {
+    let number = |text: &str| text.trim().parse().map_err(|_| format!("`{text}` is no number"));
+    match text.split_once(',') {
+        Some((first, last)) => Ok((number(first)?, Some(number(last)?))),
+        None => Ok((number(text)?, None)),
+    }
+}
+
+fn counts(text: &str) -> Result<Intervals, String> {
+    let counts: Vec<_> = text.split(',').filter_map(|count| count.trim().parse().ok()).collect();
+    match counts[..] {
+        [theta, phi, t] if text.matches(',').count() == 2 => Ok(Intervals { theta, phi, t }),
+        _ => Err("three whole numbers are needed".into()),
+    }
+}
+
+/// One value or a range of them.
+fn axis((first, last): Numbers, nodes: usize) -> Axis {
+    last.map_or(Axis::fixed(first), |last| Axis { low: first, high: last, nodes })
+}
+
+fn takes_resolution(theory: &Entry) -> bool {
+    theory.options.contains(&"resolution")
+}
+
+fn solve(args: &BuildArgs, theory: &Entry) -> Solve {
+    let resolution = match args.resolution {
+        Elements::Fast => Resolution::Fast,
+        Elements::Standard => Resolution::Standard,
+        Elements::Fine => Resolution::Fine,
+    };
+    let resolution = takes_resolution(theory).then_some(resolution);
+    Solve { resolution, ..Solve::default() }
+}
+
+/// Lines of nodes done and the time left; on a terminal only.
+fn bar(spec: &Spec) -> ProgressBar {
+    let style = ProgressStyle::with_template("{wide_bar} {percent:>3} %  {eta} left");
+    let bar = ProgressBar::new(spec.steps() as u64)
+        .with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
+    bar.enable_steady_tick(Duration::from_millis(200));
+    bar
+}

@@ -1,0 +1,33 @@
+//! Many items on all cores.
+
+use rayon::prelude::*;
+
+use crate::error::GalleryError;
+use crate::item::{Item, Reproduction};
+
+/// An item and what it became.
+#[derive(Debug, Clone)]
+pub struct Made {
+    /// The table or figure.
+    pub item: &'static Item,
+    /// Computed again.
+    pub reproduction: Reproduction,
+}
+
+/// Makes `items` on all cores, in the order given; `done` is told of each as it is finished.
+///
+/// The result is the same, bit for bit, on any number of cores.
+///
+/// # Errors
+/// [`GalleryError`] of the first item that fails.
+pub fn reproduce(
+    items: &[&'static Item],
+    done: impl Fn(&Item) + Sync,
+) -> Result<Vec<Made>, GalleryError> {
+    let make = |item: &&'static Item| {
+        let reproduction = item.make()?;
+        done(item);
+        Ok(Made { item, reproduction })
+    };
+    items.par_iter().map(make).collect()
+}

@@ -1,0 +1,133 @@
+//! Functions of numbers that broadcast: creepage coefficients, Carter's theory, line contacts.
+
+use creepage::rolling::carter::{Carter, LineContact};
+use creepage::rolling::linear::CreepageCoefficients;
+use creepage::rolling::{FieldPoint, Region};
+use creepage::{InvalidValue, Solid, SolidPair};
+use pyo3::prelude::*;
+
+use crate::batch::{Answers, Row, solve_all};
+use crate::number::{Inputs, Number};
+use crate::{errors, results};
+
+/// Columns as floats where all arguments are, else as arrays.
+fn columns<'py, const W: usize>(
+    py: Python<'py>,
+    answers: Answers<'py, W>,
+) -> PyResult<[Bound<'py, PyAny>; W]> {
+    let scalar = answers.codes.getattr("ndim")?.extract::<usize>()? == 0;
+    let mut columns = answers.numbers.map(Bound::into_any);
+    if scalar {
+        for column in &mut columns {
+            *column = column.extract::<f64>()?.into_pyobject(py)?.into_any();
+        }
+    }
+    Ok(columns)
+}
+
+/// Creepage coefficients C11, C22, C23, C32, C33 of the linear theory (Kalker 1967, Table 3), to
+/// a relative accuracy of 1e-6. Gives a CreepageCoefficients.
+///
+/// a_over_b: ratio of the semi-axes, 1e-3 to 1e3; poisson: combined Poisson's ratio, 0 to 0.5;
+/// floats or arrays, which broadcast. Each costs 1 to 50 ms.
+///
+/// Raises InvalidValue for numbers out of range.
+#[pyfunction]
+pub(crate) fn coefficients<'py>(
+    py: Python<'py>,
+    a_over_b: Number<'py>,
+    poisson: Number<'py>,
+) -> PyResult<Bound<'py, PyAny>> {
+    let inputs = Inputs::new(py, ["a_over_b", "poisson"], [a_over_b, poisson])?;
+    let answers = solve_all(
+        py,
+        &inputs,
+        1e-3,
+        || (),
+        |(), [a_over_b, poisson]| {
+            let found = CreepageCoefficients::new(a_over_b, poisson)?;
+            Ok(([found.c11, found.c22, found.c23, found.c32, found.c33], 0))
+        },
+    )?;
+    results::make(py, "CreepageCoefficients", pyo3::types::PyTuple::new(py, columns(py, answers)?)?)
+}
+
+/// Carter's theory (1926) of two cylinders with parallel axes. Gives a CarterSolution.
+///
+/// creepage: dimensionless, upsilon_x rho / (mu a) with a the half-width of the contact; gross
+/// sliding sets in at 4. A float or an array.
+///
+/// Raises InvalidValue where it is not finite.
+#[pyfunction]
+pub(crate) fn carter<'py>(py: Python<'py>, creepage: Number<'py>) -> PyResult<Bound<'py, PyAny>> {
+    let inputs = Inputs::new(py, ["creepage"], [creepage])?;
+    let answers = solve_all(
+        py,
+        &inputs,
+        1e-8,
+        || (),
+        |(), [creepage]| {
+            let found = Carter::new(creepage)?;
+            let edges = [found.adhesion_half_width(), found.trailing_edge()];
+            Ok(([creepage, found.force(), found.derivative(), edges[0], edges[1]], 0))
+        },
+    )?;
+    results::make(py, "CarterSolution", pyo3::types::PyTuple::new(py, columns(py, answers)?)?)
+}
+
+/// Traction and slip of Carter's theory at x (in units of the half-width, leading edge at 1):
+/// traction over mu times the peak pressure, slip over mu a V / rho, region (0 adhesion, 1 slip,
+/// 2 outside). Arguments broadcast.
+#[pyfunction]
+pub(crate) fn carter_field<'py>(
+    py: Python<'py>,
+    creepage: Number<'py>,
+    x: Number<'py>,
+) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyAny>, Bound<'py, PyAny>)> {
+    let inputs = Inputs::new(py, ["creepage", "x"], [creepage, x])?;
+    let answers = solve_all(
+        py,
+        &inputs,
+        1e-8,
+        || (),
+        |(), [creepage, x]| {
+            let point = Carter::new(creepage)?.at(finite("x", x)?);
+            Ok(carter_row(&point))
+        },
+    )?;
+    let codes = answers.codes.clone().into_any();
+    let [traction, slip] = columns(py, answers)?;
+    Ok((traction, slip, codes))
+}
+
+fn carter_row(point: &FieldPoint) -> Row<2> {
+    let region = match point.region {
+        _ if point.position[0].abs() > 1.0 => 2,
+        Region::Adhesion => 0,
+        Region::Slip => 1,
+    };
+    ([point.traction[0], point.slip[0]], region)
+}
+
+fn finite(quantity: &'static str, value: f64) -> Result<f64, InvalidValue> {
+    let valid = "a finite number";
+    if value.is_finite() { Ok(value) } else { Err(InvalidValue { quantity, value, valid }) }
+}
+
+/// Half-width (m), peak pressure (Pa) and rho (m) of two cylinders pressed together: shear moduli
+/// (Pa), Poisson's ratios and radii (m) of upper and lower, and the load (N/m).
+#[pyfunction]
+pub(crate) fn line_contact(
+    py: Python,
+    shear_moduli: [f64; 2],
+    poisson: [f64; 2],
+    radii: [f64; 2],
+    load: f64,
+) -> PyResult<(f64, f64, f64)> {
+    let make = || {
+        let [upper, lower] = [0, 1].map(|k| Solid::new(shear_moduli[k], poisson[k]));
+        LineContact::new(SolidPair::new(upper?, lower?), radii, load)
+    };
+    let contact = make().map_err(|error| errors::invalid(py, error))?;
+    Ok((contact.half_width(), contact.peak_pressure(), contact.rho()))
+}

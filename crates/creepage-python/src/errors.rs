@@ -1,0 +1,148 @@
+//! The library's errors as Python's exceptions, with their messages and fields.
+
+use creepage::InvalidValue;
+use creepage::rolling::exact::InverseError;
+use creepage::rolling::variational::VariationalError;
+use creepage_case::{CaseError, StaticsError};
+use creepage_report::ReportError;
+use pyo3::BoundObject;
+use pyo3::exceptions::{PyOSError, PyRuntimeError};
+use pyo3::prelude::*;
+use pyo3::types::PyTuple;
+
+/// An exception of `creepage._errors`.
+fn exception<'py>(
+    py: Python<'py>,
+    name: &str,
+    arguments: impl IntoPyObject<'py, Target = PyTuple>,
+) -> PyErr {
+    let make = || -> PyResult<Bound<'py, PyAny>> {
+        let arguments = arguments.into_pyobject(py).map_err(Into::into)?;
+        let class = py.import("creepage._errors")?.getattr(name)?;
+        class.call1(arguments.into_bound())
+    };
+    make().map_or_else(|error| error, PyErr::from_value)
+}
+
+/// What cannot happen.
+pub(crate) fn internal(what: &str) -> PyErr {
+    PyRuntimeError::new_err(format!("internal error of creepage: {what}"))
+}
+
+pub(crate) fn invalid(py: Python, error: InvalidValue) -> PyErr {
+    let InvalidValue { quantity, value, valid } = error;
+    exception(py, "InvalidValue", (error.to_string(), quantity, value, valid))
+}
+
+/// An element of an array; the message says which.
+pub(crate) fn invalid_element(
+    py: Python,
+    error: Option<InvalidValue>,
+    index: usize,
+    shape: Vec<usize>,
+) -> PyErr {
+    let Some(error) = error else {
+        return internal("an element changed while it was used");
+    };
+    let mut rest = index;
+    let mut place: Vec<usize> = shape
+        .iter()
+        .rev()
+        .map(|size| {
+            let along = rest % size;
+            rest /= size;
+            along
+        })
+        .collect();
+    place.reverse();
+    let message = format!("{error}, at index {place:?}");
+    match PyTuple::new(py, place) {
+        Ok(place) => {
+            let fields = (message, error.quantity, error.value, error.valid, place);
+            exception(py, "InvalidValue", fields)
+        }
+        Err(error) => error,
+    }
+}
+
+pub(crate) fn option(py: Python, name: &str, reason: &str) -> PyErr {
+    exception(py, "InvalidOption", (format!("{name}: {reason}"), name))
+}
+
+pub(crate) fn variational(py: Python, error: VariationalError) -> PyErr {
+    match error {
+        VariationalError::Invalid(error) => invalid(py, error),
+        VariationalError::Degree { .. } => {
+            exception(py, "InvalidOption", (error.to_string(), "degree"))
+        }
+        other => exception(py, "InvalidOption", (other.to_string(), "mesh")),
+    }
+}
+
+pub(crate) fn inverse(py: Python, error: InverseError) -> PyErr {
+    let message = error.to_string();
+    match error {
+        InverseError::InvalidValue(error) => invalid(py, error),
+        InverseError::NotReachable { nearest, at } => {
+            let nearest = (nearest.fx, nearest.fy, nearest.mz);
+            exception(py, "NotReachable", (message, nearest, (at.xi, at.eta, at.chi)))
+        }
+        _ => pyo3::exceptions::PyTypeError::new_err(message),
+    }
+}
+
+/// Message, section, key and value, as far as the error has them.
+pub(crate) fn case(py: Python, error: CaseError) -> PyErr {
+    let message = error.to_string();
+    let (section, key, value) = place(error);
+    exception(py, "CaseError", (message, section, key, value))
+}
+
+fn place(error: CaseError) -> (Option<String>, Option<String>, Option<f64>) {
+    match error {
+        CaseError::Invalid { section, invalid } => {
+            (Some(section.into()), Some(invalid.quantity.into()), Some(invalid.value))
+        }
+        CaseError::Radius { section, key, value, .. } => {
+            (Some(section.into()), Some(key.into()), Some(value))
+        }
+        CaseError::Missing { section, key } => (Some(section), Some(key), None),
+        CaseError::MissingSection { section, .. } => (Some(section), None, None),
+        CaseError::MissingEither { section, keys } => {
+            (Some(section.into()), Some(keys[0].into()), None)
+        }
+        CaseError::Conflict { first: (section, key), .. } => {
+            (Some(section.into()), Some(key.into()), None)
+        }
+        CaseError::UnknownKey { key, .. } => (None, Some(key), None),
+        CaseError::Variational { section, .. } => (Some(section.into()), None, None),
+        CaseError::TooManyCases { key, cases, .. } => {
+            (Some("creepage".into()), Some(key.into()), Some(cases))
+        }
+        CaseError::Tilted { angle, .. } => {
+            (Some("contact".into()), Some("angle".into()), Some(angle))
+        }
+        _ => (None, None, None),
+    }
+}
+
+pub(crate) fn statics(py: Python, error: StaticsError) -> PyErr {
+    match error {
+        StaticsError::Case(error) => case(py, error),
+        other => exception(py, "CaseError", (other.to_string(), Some("statics"))),
+    }
+}
+
+pub(crate) fn report(error: ReportError) -> PyErr {
+    match error {
+        ReportError::Write { path, source } => {
+            let code = source.raw_os_error();
+            let reason = source.to_string();
+            match code {
+                Some(code) => PyOSError::new_err((code, reason, path)),
+                None => source.into(),
+            }
+        }
+        other => PyRuntimeError::new_err(other.to_string()),
+    }
+}

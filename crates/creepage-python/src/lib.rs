@@ -1,0 +1,42 @@
+//! The Python package's compiled part: thin bindings, every formula stays in the library.
+//!
+//! `python/creepage` holds the rest: dataclasses, pictures, type stubs.
+
+mod batch;
+mod case;
+mod closed_forms;
+mod errors;
+mod mesh;
+mod model;
+mod number;
+mod options;
+mod pool;
+mod results;
+mod statics;
+mod sweep;
+mod theories;
+mod theory;
+
+/// Rolling contact of two elastic bodies with dry friction.
+#[pyo3::pymodule]
+mod _creepage {
+    #[pymodule_export]
+    use crate::case::{CaseData, SolvedCase, hertz};
+    #[pymodule_export]
+    use crate::closed_forms::{carter, carter_field, coefficients, line_contact};
+    #[pymodule_export]
+    use crate::statics::SolvedStatics;
+    #[pymodule_export]
+    use crate::sweep::SweepData;
+    #[pymodule_export]
+    use crate::theories::{
+        Automatic, Exact, Fastrip, Fastsim, Linear, Polach, Saturated, ShenHedrickElkins, Strip,
+        Variational, VermeulenJohnson,
+    };
+    #[pymodule_export]
+    use crate::theory::{DifferentiableTheory, Theory};
+
+    #[pymodule_export]
+    #[allow(non_upper_case_globals)] // Python's name for it
+    const __version__: &str = env!("CARGO_PKG_VERSION");
+}

@@ -1,0 +1,51 @@
+//! Positions in the contact at which a field is asked for.
+
+use creepage::Ellipse;
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+
+use crate::number::{Inputs, Number};
+
+/// Shape, and positions in units of `c`.
+pub(crate) type Mesh = (Vec<usize>, Vec<[f64; 2]>);
+
+/// Most cells along a side.
+const MOST: usize = 10_000;
+
+/// Midpoints of `count` x `count` cells of the box around the ellipse, line by line from `-y`.
+pub(crate) fn cells(py: Python, ellipse: Ellipse, count: usize) -> PyResult<Mesh> {
+    if !(1..=MOST).contains(&count) {
+        let message = format!("points = {count} is not valid: it must be between 1 and {MOST}");
+        return Err(PyValueError::new_err(message));
+    }
+    let place = |k: usize| (2.0 * k as f64 + 1.0) / count as f64 - 1.0;
+    let line = |j| (0..count).map(move |i| [ellipse.a() * place(i), ellipse.b() * place(j)]);
+    Ok((vec![count, count], py.detach(|| (0..count).flat_map(line).collect())))
+}
+
+/// As the usual one of a case: 40 x 40 cells, those in the ellipse.
+pub(crate) fn of_case(ellipse: Ellipse) -> Vec<[f64; 2]> {
+    let place = |k: u8| (2.0 * f64::from(k) + 1.0) / 40.0 - 1.0;
+    (0..40)
+        .flat_map(|j| (0..40).map(move |i| [place(i), place(j)]))
+        .filter(|[x, y]| x.hypot(*y) < 1.0)
+        .map(|[x, y]| [ellipse.a() * x, ellipse.b() * y])
+        .collect()
+}
+
+/// The positions of arrays `x` and `y`.
+pub(crate) fn given<'py>(py: Python<'py>, numbers: [Number<'py>; 2]) -> PyResult<Mesh> {
+    let inputs = Inputs::new(py, ["x", "y"], numbers)?;
+    let [x, y] = inputs.columns()?;
+    let count = inputs.shape.iter().product();
+    let mut positions = Vec::new();
+    positions
+        .try_reserve_exact(count)
+        .map_err(|error| pyo3::exceptions::PyMemoryError::new_err(error.to_string()))?;
+    positions.extend((0..count).map(|k| [x.at(k), y.at(k)]));
+    if let Some([x, y]) = positions.iter().find(|[x, y]| !(x.is_finite() && y.is_finite())) {
+        let message = format!("position ({x}, {y}) is not valid: it must be finite");
+        return Err(PyValueError::new_err(message));
+    }
+    Ok((inputs.shape, positions))
+}

@@ -1,0 +1,164 @@
+//! Numbers as Python has them: floats, or anything of which NumPy makes an array of floats.
+
+use numpy::{PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArrayMethods};
+use pyo3::exceptions::{PyTypeError, PyValueError};
+use pyo3::prelude::*;
+use pyo3::types::{PyFloat, PyInt, PyTuple};
+
+/// An argument before it meets the others.
+pub(crate) enum Number<'py> {
+    One(f64),
+    Many(Bound<'py, PyAny>),
+}
+
+impl<'py> FromPyObject<'_, 'py> for Number<'py> {
+    type Error = PyErr;
+
+    fn extract(value: Borrowed<'_, 'py, PyAny>) -> PyResult<Self> {
+        if let Ok(float) = value.cast::<PyFloat>() {
+            return Ok(Self::One(float.value()));
+        }
+        if value.is_instance_of::<PyInt>() {
+            return value.extract().map(Self::One);
+        }
+        Ok(Self::Many(value.to_owned()))
+    }
+}
+
+/// The numbers of a call, broadcast to one shape.
+pub(crate) struct Inputs<'py, const N: usize> {
+    pub(crate) shape: Vec<usize>,
+    held: [Held<'py>; N],
+}
+
+/// One argument: the same number for all elements, or one each in C order.
+enum Held<'py> {
+    One(f64),
+    Many(PyReadonlyArrayDyn<'py, f64>),
+}
+
+/// The same, as threads without Python can read it.
+#[derive(Clone, Copy)]
+pub(crate) enum Column<'a> {
+    One(f64),
+    Many(&'a [f64]),
+}
+
+impl Column<'_> {
+    pub(crate) fn at(&self, index: usize) -> f64 {
+        match self {
+            Self::One(value) => *value,
+            Self::Many(values) => values[index],
+        }
+    }
+}
+
+impl<'py, const N: usize> Inputs<'py, N> {
+    /// `names` are for messages.
+    pub(crate) fn new(
+        py: Python<'py>,
+        names: [&'static str; N],
+        numbers: [Number<'py>; N],
+    ) -> PyResult<Self> {
+        let mut arrays = Vec::with_capacity(N);
+        for (name, number) in names.into_iter().zip(numbers) {
+            arrays.push(match number {
+                Number::One(value) => Err(value),
+                Number::Many(value) => Ok(floats(py, name, &value)?),
+            });
+        }
+        let shapes = || arrays.iter().flatten().map(|array| array.shape());
+        let shape = broadcast(shapes()).ok_or_else(|| {
+            let shapes: Vec<_> = shapes().collect();
+            PyValueError::new_err(format!(
+                "{} of shapes {shapes:?} cannot be broadcast together",
+                names.join(", ")
+            ))
+        })?;
+        let mut held = Vec::with_capacity(N);
+        for array in arrays {
+            held.push(match array {
+                Err(value) => Held::One(value),
+                Ok(array) => hold(py, array, &shape)?,
+            });
+        }
+        let held = held.try_into().map_err(|_| PyValueError::new_err("arguments are missing"))?;
+        Ok(Self { shape, held })
+    }
+
+    /// The numbers, when there is only one of each.
+    pub(crate) fn scalars(&self) -> Option<[f64; N]> {
+        let values = self.held.each_ref().map(|held| match held {
+            Held::One(value) => *value,
+            Held::Many(_) => f64::NAN,
+        });
+        self.shape.is_empty().then_some(values)
+    }
+
+    pub(crate) fn columns(&self) -> PyResult<[Column<'_>; N]> {
+        let mut columns = [Column::One(f64::NAN); N];
+        for (column, held) in columns.iter_mut().zip(&self.held) {
+            *column = match held {
+                Held::One(value) => Column::One(*value),
+                Held::Many(array) => Column::Many(array.as_slice()?),
+            };
+        }
+        Ok(columns)
+    }
+}
+
+/// An array of floats; refuses what would lose its meaning, such as text and complex numbers.
+fn floats<'py>(
+    py: Python<'py>,
+    name: &str,
+    value: &Bound<'py, PyAny>,
+) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
+    if let Ok(array) = value.cast::<PyArrayDyn<f64>>() {
+        return Ok(array.clone());
+    }
+    let numpy = py.import("numpy")?;
+    let array = numpy.call_method1("asarray", (value,))?;
+    let (dtype, float64) = (array.getattr("dtype")?, numpy.getattr("float64")?);
+    if !numpy.call_method1("can_cast", (&dtype, &float64, "same_kind"))?.is_truthy()? {
+        let message = format!("{name} must be real numbers, not an array of {dtype}");
+        return Err(PyTypeError::new_err(message));
+    }
+    Ok(array.call_method1("astype", (float64,))?.cast_into()?)
+}
+
+/// Reads an array as if it had that shape; copies only what does not lie in order.
+fn hold<'py>(
+    py: Python<'py>,
+    array: Bound<'py, PyArrayDyn<f64>>,
+    shape: &[usize],
+) -> PyResult<Held<'py>> {
+    if array.ndim() == 0 {
+        return Ok(Held::One(array.extract()?));
+    }
+    let numpy = py.import("numpy")?;
+    let mut array = array.into_any();
+    if !array.cast::<PyArrayDyn<f64>>()?.shape().eq(shape) {
+        array = numpy.call_method1("broadcast_to", (array, PyTuple::new(py, shape)?))?;
+    }
+    let in_order = numpy.call_method1("require", (array, numpy.getattr("float64")?, "CA"))?;
+    Ok(Held::Many(in_order.cast_into::<PyArrayDyn<f64>>()?.try_readonly()?))
+}
+
+/// NumPy's rule: sizes of one stretch, others must agree, from the last dimension on.
+fn broadcast<'a>(shapes: impl Iterator<Item = &'a [usize]>) -> Option<Vec<usize>> {
+    let mut common = Vec::new();
+    for shape in shapes {
+        if shape.len() > common.len() {
+            common.splice(0..0, vec![1; shape.len() - common.len()]);
+        }
+        let offset = common.len() - shape.len();
+        for (size, own) in common[offset..].iter_mut().zip(shape) {
+            if *size == 1 {
+                *size = *own;
+            } else if *own != 1 && own != size {
+                return None;
+            }
+        }
+    }
+    Some(common)
+}

@@ -1,0 +1,139 @@
+//! Problems without rolling, by their files.
+
+use std::path::PathBuf;
+
+use creepage_case::{StaticsCase, StaticsError, StaticsFile};
+use creepage_report::StaticsReport;
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+
+use crate::batch::solve_all;
+use crate::errors;
+use crate::number::{Inputs, Number};
+
+/// A problem without rolling, solved.
+#[pyclass(frozen, module = "creepage._creepage")]
+#[allow(missing_debug_implementations)] // Python has its own
+pub struct SolvedStatics {
+    case: StaticsCase,
+}
+
+impl SolvedStatics {
+    fn report(&self, py: Python) -> PyResult<StaticsReport<'_>> {
+        py.detach(|| report(&self.case)).map_err(|error| errors::statics(py, error))
+    }
+
+    /// A vector at every point `(x, y)`, in a last dimension.
+    fn vectors<'py, const W: usize>(
+        py: Python<'py>,
+        points: [Number<'py>; 2],
+        at: impl Fn([f64; 2]) -> [f64; W] + Sync,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let inputs = Inputs::new(py, ["x", "y"], points)?;
+        solve_all(py, &inputs, 1e-5, || (), |(), point| Ok((at(point), 0)))?.stacked(py, &[W])
+    }
+}
+
+#[pymethods]
+impl SolvedStatics {
+    #[new]
+    fn new(py: Python, text: &str) -> PyResult<Self> {
+        let solve = || StaticsFile::read(text).map_err(StaticsError::from)?.solve();
+        let case = py.detach(solve).map_err(|error| errors::statics(py, error))?;
+        Ok(Self { case })
+    }
+
+    /// `report.json` as text.
+    fn json(&self, py: Python) -> PyResult<String> {
+        Ok(self.report(py)?.json().to_string())
+    }
+
+    /// A short report for a terminal.
+    fn text(&self, py: Python) -> PyResult<String> {
+        Ok(self.report(py)?.text())
+    }
+
+    /// The contact seen from above.
+    fn svg(&self, py: Python) -> PyResult<String> {
+        Ok(self.report(py)?.svg())
+    }
+
+    /// Writes the files of the report.
+    fn write(&self, py: Python, directory: PathBuf) -> PyResult<Vec<PathBuf>> {
+        self.report(py)?.write(&directory).map_err(errors::report)
+    }
+
+    /// Tangential traction on the lower body (Pa) at points (m), in a last dimension of two.
+    fn traction<'py>(
+        &self,
+        py: Python<'py>,
+        x: Number<'py>,
+        y: Number<'py>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        match &self.case {
+            StaticsCase::Die { .. } => {
+                Err(PyValueError::new_err("a die has no tangential traction: ask its pressure"))
+            }
+            StaticsCase::Shift { bonded, .. } | StaticsCase::Twist { bonded, .. } => {
+                Self::vectors(py, [x, y], |point| bonded.traction(point))
+            }
+            StaticsCase::PartialSlip { partial, .. } => {
+                Self::vectors(py, [x, y], |point| partial.traction(point))
+            }
+        }
+    }
+
+    /// Pressure under a die (Pa) at points (m).
+    fn pressure<'py>(
+        &self,
+        py: Python<'py>,
+        x: Number<'py>,
+        y: Number<'py>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        match &self.case {
+            StaticsCase::Die { die, .. } => {
+                Self::vectors(py, [x, y], |point| [die.pressure(point)])?
+                    .call_method1("__getitem__", ((py.Ellipsis(), 0),))
+            }
+            _ => Err(PyValueError::new_err("only a die has its pressure as an answer")),
+        }
+    }
+
+    /// Displacement (m) at points (m), in a last dimension of three: of the lower body under a
+    /// die, of the upper relative to the lower body else.
+    fn displacement<'py>(
+        &self,
+        py: Python<'py>,
+        x: Number<'py>,
+        y: Number<'py>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        match &self.case {
+            StaticsCase::Die { die, .. } => {
+                Self::vectors(py, [x, y], |point| die.displacement(point))
+            }
+            StaticsCase::Shift { bonded, .. } | StaticsCase::Twist { bonded, .. } => {
+                Self::vectors(py, [x, y], |point| bonded.displacement(point))
+            }
+            StaticsCase::PartialSlip { partial, .. } => {
+                Self::vectors(py, [x, y], |point| partial.displacement(point))
+            }
+        }
+    }
+}
+
+fn report(case: &StaticsCase) -> Result<StaticsReport<'_>, StaticsError> {
+    Ok(match case {
+        StaticsCase::Die { solid, base, normal_force, offset, die } => {
+            StaticsReport::die(*solid, *base, *normal_force, *offset, die)?
+        }
+        StaticsCase::Shift { pair, ellipse, force, bonded } => {
+            StaticsReport::shift(*pair, *ellipse, *force, bonded)?
+        }
+        StaticsCase::Twist { pair, ellipse, moment, bonded } => {
+            StaticsReport::twist(*pair, *ellipse, *moment, bonded)?
+        }
+        StaticsCase::PartialSlip { contact, friction, force, partial } => {
+            StaticsReport::partial_slip(contact, *friction, *force, partial)?
+        }
+    })
+}

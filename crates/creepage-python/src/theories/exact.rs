@@ -1,0 +1,165 @@
+//! The full theory.
+
+use creepage::InvalidValue;
+use creepage::rolling::exact::{self, Known, Resolution};
+use creepage::rolling::{Creepage, FieldPoint};
+use numpy::IntoPyArray;
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+use pyo3::types::PyString;
+
+use crate::model::Model;
+use crate::options::{arguments, pair, word};
+use crate::theory::{DifferentiableTheory, Theory};
+use crate::{errors, results};
+
+/// The full theory: Coulomb's law at every element, no shape of the traction assumed. Its forces
+/// are ExactForce: with error bars.
+///
+/// a_over_b: ratio a/b of the semi-axes, along over across the rolling direction, 1/64 to 64.
+/// poisson: combined Poisson's ratio, 0 to 0.5. resolution: "fast" (12 x 10 elements, 0.5 ms a
+/// case, rms error 0.4 % of mu N), "standard" (22 x 18, 4 ms, 0.1 %; the default), "fine"
+/// (36 x 28, 23 ms, 0.01 %), or (along, across) on a circle, 4 to 200 each.
+///
+/// Raises InvalidValue for numbers out of range, InvalidOption for another word.
+#[pyclass(frozen, extends = DifferentiableTheory, module = "creepage")]
+#[allow(missing_debug_implementations)] // Python has its own
+pub struct Exact;
+
+/// The full theory, as fine as a wanted accuracy needs: the first of the three named resolutions
+/// whose error bars of fx and fy are within accuracy (in units of mu N), else the finest.
+///
+/// Raises InvalidValue as Exact, and unless accuracy is positive.
+#[pyclass(frozen, extends = Theory, module = "creepage")]
+#[allow(missing_debug_implementations)] // Python has its own
+pub struct Automatic;
+
+/// Seconds of a case with that number of elements, roughly.
+fn cost([along, across]: [usize; 2]) -> f64 {
+    2.5e-8 * ((along * across) as f64).powi(2)
+}
+
+fn resolution(value: Option<&Bound<PyAny>>) -> PyResult<Result<Resolution, InvalidValue>> {
+    if value.is_none_or(PyAnyMethods::is_instance_of::<PyString>) {
+        let named = word::<creepage_case::Resolution>("resolution", value)?;
+        let Some(named) = named else { return Ok(Ok(Resolution::STANDARD)) };
+        return match named.fixed() {
+            Ok(Some(fixed)) => Ok(Ok(fixed)),
+            Ok(None) => Err(PyValueError::new_err("resolution: `auto` is the theory `automatic`")),
+            Err(invalid) => Ok(Err(invalid)),
+        };
+    }
+    let [along, across] = pair("resolution", value)?.unwrap_or([0; 2]);
+    Ok(Resolution::new(along, across))
+}
+
+#[pymethods]
+impl Exact {
+    #[new]
+    #[pyo3(signature = (a_over_b, poisson, *, resolution=None))]
+    fn new(
+        py: Python,
+        a_over_b: f64,
+        poisson: f64,
+        resolution: Option<Bound<PyAny>>,
+    ) -> PyResult<PyClassInitializer<Self>> {
+        let given = arguments(py, a_over_b, poisson, &[("resolution", resolution.as_ref())])?;
+        let resolution = self::resolution(resolution.as_ref())?;
+        let made =
+            py.detach(|| resolution.and_then(|fine| exact::Exact::new(a_over_b, poisson, fine)));
+        let cost = made.as_ref().map_or(1.0, |theory| cost(theory.elements()));
+        let model = made.map(|theory| Model::Exact(Box::new(theory)));
+        let theory = Theory::new(py, "exact", a_over_b, given, cost, model)?;
+        Ok(theory.add_subclass(DifferentiableTheory).add_subclass(Self))
+    }
+
+    /// Elements along and across.
+    #[getter]
+    fn elements(slf: PyRef<Self>) -> PyResult<(usize, usize)> {
+        let [along, across] = exact_of(&slf)?.elements();
+        Ok((along, across))
+    }
+
+    /// The elements at one creepage: an ElementField, strip by strip from negative y, each from
+    /// the leading edge.
+    #[pyo3(signature = (xi=0.0, eta=0.0, chi=0.0))]
+    fn element_field<'py>(
+        slf: PyRef<'py, Self>,
+        py: Python<'py>,
+        xi: f64,
+        eta: f64,
+        chi: f64,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let creepage = Creepage::new(xi, eta, chi).map_err(|error| errors::invalid(py, error))?;
+        let theory = exact_of(&slf)?;
+        let elements = py.detach(|| {
+            let mut workspace = theory.workspace();
+            theory.solve_with(creepage, &mut workspace);
+            theory.element_fields(&workspace)
+        });
+        let ellipse = slf.as_super().as_super().ellipse;
+        let points: Vec<FieldPoint> = elements.iter().map(|element| element.point).collect();
+        let [position, traction, slip, region] =
+            results::field_arrays(py, &[points.len()], ellipse, &points)?;
+        let column = |of: fn(&exact::ElementField) -> f64| {
+            elements.iter().map(of).collect::<Vec<_>>().into_pyarray(py)
+        };
+        let own = (column(|e| e.bound), column(|e| e.share), column(|e| e.power));
+        let semi_axes = (ellipse.a(), ellipse.b());
+        let fields = (position, traction, slip, region, semi_axes, own.0, own.1, own.2);
+        results::make(py, "ElementField", fields)
+    }
+
+    /// The inverse problem: any three of the six quantities in, the other three out, by Newton's
+    /// method. Gives a Found.
+    ///
+    /// Raises NotReachable where no creepage gives the force, TypeError unless exactly three are
+    /// given, InvalidValue where one is not finite.
+    #[pyo3(signature = (*, xi=None, eta=None, chi=None, fx=None, fy=None, mz=None))]
+    #[allow(clippy::too_many_arguments)] // Python's are by name
+    fn find<'py>(
+        slf: PyRef<'py, Self>,
+        py: Python<'py>,
+        xi: Option<f64>,
+        eta: Option<f64>,
+        chi: Option<f64>,
+        fx: Option<f64>,
+        fy: Option<f64>,
+        mz: Option<f64>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let theory = exact_of(&slf)?;
+        let known = Known { xi, eta, chi, fx, fy, mz };
+        let found = py
+            .detach(|| theory.find(known, &mut theory.workspace()))
+            .map_err(|error| errors::inverse(py, error))?;
+        let Creepage { xi, eta, chi } = found.creepage;
+        let force = results::exact_force(py, results::exact_row(found.solution))?;
+        results::make(py, "Found", (xi, eta, chi, force, found.steps))
+    }
+}
+
+#[pymethods]
+impl Automatic {
+    #[new]
+    #[pyo3(signature = (a_over_b, poisson, *, accuracy=0.005))]
+    fn new(
+        py: Python,
+        a_over_b: f64,
+        poisson: f64,
+        accuracy: f64,
+    ) -> PyResult<PyClassInitializer<Self>> {
+        let given = arguments(py, a_over_b, poisson, &[])?;
+        given.set_item("accuracy", accuracy)?;
+        let model = exact::Automatic::new(a_over_b, poisson, accuracy)
+            .map(|theory| Model::Automatic(Box::new(theory)));
+        let theory = Theory::new(py, "automatic", a_over_b, given, cost([22, 18]), model)?;
+        Ok(theory.add_subclass(Self))
+    }
+}
+
+fn exact_of<'a>(slf: &'a PyRef<'_, Exact>) -> PyResult<&'a exact::Exact> {
+    match &slf.as_super().as_super().model {
+        Model::Exact(theory) => Ok(theory),
+        _ => Err(errors::internal("theory")),
+    }
+}

@@ -1,0 +1,29 @@
+//! Strip theory.
+
+use creepage::rolling::strip::StripTheory;
+use pyo3::prelude::*;
+
+use crate::model::Model;
+use crate::options::arguments;
+use crate::theory::{DifferentiableTheory, Theory};
+
+/// Strip theory (Haines, Ollerton 1963; Kalker 1967): plane strips side by side, for contacts
+/// slender in the rolling direction (a << b) and little spin.
+///
+/// a_over_b: ratio a/b of the semi-axes. poisson: combined Poisson's ratio, 0 to 0.5.
+///
+/// Raises InvalidValue for numbers out of range.
+#[pyclass(frozen, extends = DifferentiableTheory, module = "creepage")]
+#[allow(missing_debug_implementations)] // Python has its own
+pub struct Strip;
+
+#[pymethods]
+impl Strip {
+    #[new]
+    fn new(py: Python, a_over_b: f64, poisson: f64) -> PyResult<PyClassInitializer<Self>> {
+        let given = arguments(py, a_over_b, poisson, &[])?;
+        let model = StripTheory::new(a_over_b, poisson).map(Model::Strip);
+        let theory = Theory::new(py, "strip", a_over_b, given, 9e-7, model)?;
+        Ok(theory.add_subclass(DifferentiableTheory).add_subclass(Self))
+    }
+}

@@ -1,0 +1,160 @@
+//! A title, panels side by side and below each other, and one key.
+
+use super::key::{self, Sample};
+use super::panel::Panel;
+use crate::label::Label;
+use crate::scene::{Scene, Type};
+use crate::sheet::{Area, DARK, GREY, HATCHING, MARGIN};
+
+/// Width of the sheet.
+pub(super) const WIDTH: f64 = 760.0;
+/// Left of a frame: the numbers of its upright axis.
+const NUMBERS: f64 = 40.0;
+/// Between two panels.
+const BETWEEN: f64 = 22.0;
+
+/// A picture under construction.
+#[derive(Debug, Clone)]
+pub struct Sheet {
+    title: String,
+    notes: Vec<Label>,
+    columns: usize,
+    panels: Vec<Panel>,
+    key: Vec<(Sample, Label)>,
+}
+
+impl Sheet {
+    /// An empty sheet.
+    #[must_use]
+    pub fn new(title: &str) -> Self {
+        let (notes, panels, key) = (Vec::new(), Vec::new(), Vec::new());
+        Self { title: title.into(), notes, columns: 1, panels, key }
+    }
+
+    /// Adds a line of small words below the title.
+    #[must_use]
+    pub fn note(mut self, note: Label) -> Self {
+        self.notes.push(note);
+        self
+    }
+
+    /// With so many panels side by side; one unless told otherwise.
+    #[must_use]
+    pub fn columns(self, columns: usize) -> Self {
+        Self { columns: columns.max(1), ..self }
+    }
+
+    /// Adds a panel.
+    #[must_use]
+    pub fn panel(mut self, panel: Panel) -> Self {
+        self.panels.push(panel);
+        self
+    }
+
+    /// Adds an entry to the key.
+    #[must_use]
+    pub fn key(mut self, sample: impl Into<Sample>, label: Label) -> Self {
+        self.key.push((sample.into(), label));
+        self
+    }
+
+    /// The picture as SVG.
+    #[must_use]
+    pub fn svg(&self) -> String {
+        let mut scene = Scene::new();
+        scene.hatching("hatching", HATCHING, 8.0, 2.6);
+        scene.text([MARGIN, 42.0], Type::new(21.0, DARK).bold(), &Label::new(&self.title));
+        let mut top = 46.0;
+        for note in &self.notes {
+            top += 23.0;
+            scene.text([MARGIN, top], Type::new(16.0, GREY), note);
+        }
+        top += 14.0;
+        for row in self.panels.chunks(self.columns) {
+            top += self.row(&mut scene, top, row);
+        }
+        let height = key::draw(&mut scene, top + 4.0, &self.key);
+        scene.finish([WIDTH, top + height + 24.0], &self.title)
+    }
+
+    /// Draws panels side by side; gives their height.
+    fn row(&self, scene: &mut Scene, top: f64, row: &[Panel]) -> f64 {
+        let columns = self.columns as f64;
+        let width = (WIDTH - 2.0 * MARGIN + BETWEEN) / columns - BETWEEN - NUMBERS;
+        let above = row.iter().map(|panel| panel.margins()[0]).fold(0.0, f64::max);
+        let below = row.iter().map(|panel| panel.margins()[1]).fold(0.0, f64::max);
+        let tallest = row.iter().map(|panel| panel.frame_height(width)).fold(0.0, f64::max);
+        for (column, panel) in row.iter().enumerate() {
+            let left = MARGIN + column as f64 * (width + NUMBERS + BETWEEN) + NUMBERS;
+            let tall = panel.frame_height(width);
+            let top = top + above + 0.5 * (tallest - tall);
+            panel.draw(scene, Area { from: [left, top], to: [left + width, top + tall] });
+        }
+        above + tallest + below
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Anchor, Fill, Mark, Pen, Scale, Shape};
+    use super::*;
+    use crate::raster;
+    use crate::testing::boxes;
+
+    fn panel() -> Panel {
+        let x = Scale::new([0.0, 2.0], Label::default().symbol("ξ"));
+        let y = Scale::new([1.0, -1.0], Label::default().indexed("f", "x"));
+        let curve: Vec<_> = (0..=20).map(|k| 0.2 * f64::from(k)).map(|x| [x, x.sin()]).collect();
+        Panel::new(x, y)
+            .area(vec![vec![[0.2, -0.5], [1.0, -0.5], [1.0, 0.5]]], Fill::SLIP)
+            .curve(curve.clone(), Pen::of(1))
+            .marks(curve, Mark::open(Shape::Diamond, "#c62828"))
+            .arrow([0.0, 0.0], [1.0, 0.5], 2.0, "#10243a")
+            .text([1.6, -0.5], Anchor::Middle, Label::new("here"))
+    }
+
+    /// Nothing leaves the sheet, and no two texts touch.
+    fn check(svg: &str) {
+        let tree = raster::tree(svg).unwrap();
+        let (texts, shapes) = boxes(tree.root());
+        let size = tree.size();
+        for b in texts.iter().chain(&shapes) {
+            assert!(b.left() >= 0.0 && b.right() <= size.width(), "{b:?}");
+            assert!(b.top() >= 0.0 && b.bottom() <= size.height(), "{b:?}");
+        }
+        for (k, b) in texts.iter().enumerate() {
+            // Ascenders and descenders may share a pixel row.
+            let touching = texts[k + 1..].iter().find(|c| {
+                b.left() < c.right()
+                    && c.left() < b.right()
+                    && b.top() + 2.0 < c.bottom()
+                    && c.top() + 2.0 < b.bottom()
+            });
+            assert!(touching.is_none(), "{b:?} {touching:?}");
+        }
+    }
+
+    #[test]
+    fn nothing_is_clipped_or_covered() {
+        for columns in [1, 2] {
+            let sheet = Sheet::new("A title, long enough to be one").columns(columns);
+            let mut sheet = sheet.note(Label::new("with a note"));
+            for _ in 0..3 {
+                sheet = sheet.panel(panel().heading(Label::new("of three")));
+            }
+            for k in 0..5 {
+                sheet = sheet.key(Pen::of(k), Label::new("an entry of some length"));
+            }
+            let sheet = sheet.panel(panel().to_scale().bare()).key(Fill::SLIP, Label::new("slip"));
+            check(&sheet.svg());
+        }
+    }
+
+    #[test]
+    fn a_panel_to_scale_has_the_height_of_its_range() {
+        let x = Scale::new([-1.0, 1.0], Label::default());
+        let y = Scale::new([0.0, 1.0], Label::default());
+        let height = Panel::new(x, y).to_scale().frame_height(600.0);
+        assert!((height - 300.0).abs() < 1e-12);
+    }
+}

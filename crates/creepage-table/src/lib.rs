@@ -1,0 +1,54 @@
+//! Tables of creep force: any theory of rolling contact, looked up in a hundred nanoseconds.
+//!
+//! A table holds the dimensionless force and moment of a theory over `xi`, `eta`, `chi`, from zero
+//! to infinity, at one ratio `a/b` and one Poisson's ratio, or over ranges of these. Kalker's
+//! USETAB (1996) is the precedent. [`build`] asks the theory, in parallel, and measures the
+//! table's error against it at random places; [`Table::write`] and [`Table::read`] keep the table
+//! in a NetCDF file.
+//!
+//! # What is interpolated
+//! Forces at nodes of spherical coordinates in scaled creepage, of which one quarter is needed by
+//! the symmetries (4.28): the angles of the direction, and `t = r/(2 + r)` for the size `r`.
+//! Along `t` Hermite's cubic, along the angles the functions `1, s, sin s, cos s`, which linear
+//! theory is made of: so the force has a continuous derivative everywhere, at zero and on the
+//! axis of pure spin too. Over `a/b` and Poisson's ratio, cubic convolution. Without spin the
+//! force between nodes rises along a ray where it does from node to node.
+//!
+//! ```
+//! use creepage::InvalidValue;
+//! use creepage::rolling::{Creepage, Theory, polach::Polach};
+//! use creepage_table::{Axis, Intervals, Provenance, Spec, build};
+//! let spec = Spec {
+//!     a_over_b: Axis::fixed(1.0),
+//!     poisson: Axis::fixed(0.28),
+//!     intervals: Intervals { theta: 8, phi: 12, t: 16 },
+//!     places: 100,
+//!     provenance: Provenance { theory: "polach".into(), ..Provenance::default() },
+//! };
+//! let prepare = |a_over_b, poisson| -> Result<Box<dyn Theory>, InvalidValue> {
+//!     Ok(Box::new(Polach::new(a_over_b, poisson)?))
+//! };
+//! let table = build(&spec, prepare, &|| {})?;
+//! let (force, derivative) =
+//!     table.at(1.0, 0.28)?.force_and_derivative(Creepage::new(0.9, 0.0, 0.0)?);
+//! assert!((force.fx - Polach::new(1.0, 0.28)?.solve(Creepage::new(0.9, 0.0, 0.0)?).force.fx).abs() < 5e-4);
+//! assert!(derivative[0][0] > 0.0);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod accuracy;
+mod axis;
+mod build;
+mod coordinates;
+mod file;
+mod hermite;
+mod slopes;
+mod table;
+mod values;
+
+pub use accuracy::{Accuracy, Spread};
+pub use axis::Axis;
+pub use build::{BuildError, Spec, build};
+pub use file::FileError;
+pub use table::{Provenance, Slice, Table};
+pub use values::Intervals;

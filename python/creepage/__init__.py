@@ -1,0 +1,138 @@
+"""Rolling contact of two elastic bodies with dry friction.
+
+Creepage and spin in, tangential force and moment out::
+
+    import creepage
+    force = creepage.exact(a_over_b=1.5, poisson=0.28).force(xi=0.9, eta=0.1, chi=0.2)
+    print(force.fx, "+-", force.fx_error)
+
+A theory is prepared once from the shape of the contact and asked many times, with floats or with
+arrays that broadcast as in NumPy. `Case` is the front door in SI units. x is the rolling
+direction, z points into the lower body; creepage and spin are the velocity of the upper body
+relative to the lower over the rolling velocity, forces are those of the upper body on the lower.
+Equation numbers are those of J.J. Kalker, On the rolling contact of two elastic bodies in the
+presence of dry friction, thesis, Delft, 1967.
+"""
+
+from ._case import Case, Curve, SiCreepage, SiForce, Solution
+from ._contact import Body, Hertz, LineContact, hertz, line_contact
+from ._creepage import (
+    Automatic,
+    DifferentiableTheory,
+    Exact,
+    Fastrip,
+    Fastsim,
+    Linear,
+    Polach,
+    Saturated,
+    ShenHedrickElkins,
+    Strip,
+    Theory,
+    Variational,
+    VermeulenJohnson,
+    __version__,
+    carter,
+    coefficients,
+)
+from ._errors import (
+    CaseError,
+    CreepageError,
+    InvalidOption,
+    InvalidValue,
+    NotReachable,
+    UnknownTheory,
+)
+from ._results import (
+    CarterSolution,
+    CreepageCoefficients,
+    ElementField,
+    ExactForce,
+    ExactForceArray,
+    Field,
+    Force,
+    ForceArray,
+    Found,
+    Region,
+    ScalarExactForce,
+    ScalarForce,
+    Status,
+)
+from ._statics import StaticsSolution, statics
+from ._sweep import sweep
+from ._theories import THEORIES, theory
+
+exact = Exact
+automatic = Automatic
+variational = Variational
+fastrip = Fastrip
+fastsim = Fastsim
+strip = Strip
+polach = Polach
+shen_hedrick_elkins = ShenHedrickElkins
+vermeulen_johnson = VermeulenJohnson
+linear = Linear
+saturated = Saturated
+
+__all__ = [
+    "THEORIES",
+    "Automatic",
+    "Body",
+    "CarterSolution",
+    "Case",
+    "CaseError",
+    "CreepageCoefficients",
+    "CreepageError",
+    "Curve",
+    "DifferentiableTheory",
+    "ElementField",
+    "Exact",
+    "ExactForce",
+    "ExactForceArray",
+    "Fastrip",
+    "Fastsim",
+    "Field",
+    "Force",
+    "ForceArray",
+    "Found",
+    "Hertz",
+    "InvalidOption",
+    "InvalidValue",
+    "LineContact",
+    "Linear",
+    "NotReachable",
+    "Polach",
+    "Region",
+    "Saturated",
+    "ScalarExactForce",
+    "ScalarForce",
+    "ShenHedrickElkins",
+    "SiCreepage",
+    "SiForce",
+    "Solution",
+    "StaticsSolution",
+    "Status",
+    "Strip",
+    "Theory",
+    "UnknownTheory",
+    "Variational",
+    "VermeulenJohnson",
+    "__version__",
+    "automatic",
+    "carter",
+    "coefficients",
+    "exact",
+    "fastrip",
+    "fastsim",
+    "hertz",
+    "line_contact",
+    "linear",
+    "polach",
+    "saturated",
+    "shen_hedrick_elkins",
+    "statics",
+    "strip",
+    "sweep",
+    "theory",
+    "variational",
+    "vermeulen_johnson",
+]

@@ -1,0 +1,308 @@
+"""The compiled part: the theories, and the data behind Case, Solution, statics and sweep."""
+
+from collections.abc import Sequence
+from os import PathLike
+from typing import Any, Final, Literal, TypeAlias, final, overload
+
+from numpy.typing import ArrayLike
+from typing_extensions import disjoint_base
+
+from ._results import (
+    CarterSolution,
+    Codes,
+    CreepageCoefficients,
+    ElementField,
+    ExactForceArray,
+    Field,
+    Floats,
+    ForceArray,
+    Found,
+    ScalarExactForce,
+    ScalarForce,
+)
+
+__version__: Final[str]
+
+_Pair: TypeAlias = tuple[int, int] | Sequence[int]
+
+@disjoint_base
+class Theory:
+    """A theory of steady rolling, prepared for one ratio of semi-axes and one Poisson's ratio.
+
+    Prepare once, ask many times, from any number of threads. All quantities are dimensionless:
+    creepages xi = upsilon_x rho / (mu c) and eta = upsilon_y rho / (mu c), spin
+    chi = phi rho / mu; forces fx, fy in units of mu N and the moment mz in units of mu N c, with
+    c = sqrt(a b). x is the rolling direction, z points into the lower body; creepage is that of
+    the upper body relative to the lower, forces are those of the upper body on the lower.
+    """
+
+    @property
+    def name(self) -> str:
+        """The theory's name in case files."""
+
+    @property
+    def semi_axes(self) -> tuple[float, float]:
+        """Semi-axes (a, b) of the contact in units of c: sqrt(a/b) and sqrt(b/a)."""
+
+    @overload
+    def force(self, xi: float = 0.0, eta: float = 0.0, chi: float = 0.0) -> ScalarForce: ...
+    @overload
+    def force(
+        self, xi: ArrayLike = 0.0, eta: ArrayLike = 0.0, chi: ArrayLike = 0.0
+    ) -> ForceArray: ...
+    def field(
+        self,
+        xi: float = 0.0,
+        eta: float = 0.0,
+        chi: float = 0.0,
+        *,
+        x: ArrayLike | None = None,
+        y: ArrayLike | None = None,
+        points: int = 50,
+    ) -> Field:
+        """Traction and slip in the contact at one creepage.
+
+        x, y: positions in units of c, floats or arrays that broadcast; by default the middles of
+        points x points cells of the box around the ellipse, y first. Traction is that on the
+        lower body in units of mu times the peak pressure, slip that of the upper body relative to
+        the lower in units of mu c V / rho.
+        """
+
+class DifferentiableTheory(Theory):
+    """A theory that gives the derivative of its force."""
+
+    def derivative(
+        self, xi: ArrayLike = 0.0, eta: ArrayLike = 0.0, chi: ArrayLike = 0.0
+    ) -> Floats:
+        """Derivative of (fx, fy, mz) (rows) by (xi, eta, chi) (columns).
+
+        An array of shape (3, 3), or (..., 3, 3) for arrays, which broadcast as in force.
+        One-sided where the force has a kink. Raises as force does.
+        """
+
+@final
+class Exact(DifferentiableTheory):
+    """The full theory: Coulomb's law at every element, no shape of the traction assumed.
+
+    a_over_b: ratio a/b of the semi-axes, along over across the rolling direction, 1/64 to 64.
+    poisson: combined Poisson's ratio, 0 to 0.5. resolution: "fast" (12 x 10 elements, 0.5 ms a
+    case, rms error 0.4 % of mu N), "standard" (22 x 18, 4 ms, 0.1 %; the default), "fine"
+    (36 x 28, 23 ms, 0.01 %), or (along, across) on a circle, 4 to 200 each.
+    """
+
+    def __new__(
+        cls,
+        a_over_b: float,
+        poisson: float,
+        *,
+        resolution: Literal["fast", "standard", "fine"] | _Pair | None = None,
+    ) -> Exact: ...
+    @property
+    def elements(self) -> tuple[int, int]:
+        """Elements along and across."""
+
+    @overload
+    def force(self, xi: float = 0.0, eta: float = 0.0, chi: float = 0.0) -> ScalarExactForce: ...
+    @overload
+    def force(
+        self, xi: ArrayLike = 0.0, eta: ArrayLike = 0.0, chi: ArrayLike = 0.0
+    ) -> ExactForceArray: ...
+    def element_field(
+        self, xi: float = 0.0, eta: float = 0.0, chi: float = 0.0
+    ) -> ElementField:
+        """The elements at one creepage, strip by strip from negative y, from the leading edge."""
+
+    def find(
+        self,
+        *,
+        xi: float | None = None,
+        eta: float | None = None,
+        chi: float | None = None,
+        fx: float | None = None,
+        fy: float | None = None,
+        mz: float | None = None,
+    ) -> Found:
+        """The inverse problem: any three of the six quantities in, the other three out.
+
+        Raises NotReachable where no creepage gives the force, TypeError unless exactly three are
+        given, InvalidValue where one is not finite.
+        """
+
+@final
+class Automatic(Theory):
+    """The full theory, as fine as a wanted accuracy of fx and fy (in units of mu N) needs."""
+
+    def __new__(
+        cls, a_over_b: float, poisson: float, *, accuracy: float = 0.005
+    ) -> Automatic: ...
+    @overload
+    def force(self, xi: float = 0.0, eta: float = 0.0, chi: float = 0.0) -> ScalarExactForce: ...
+    @overload
+    def force(
+        self, xi: ArrayLike = 0.0, eta: ArrayLike = 0.0, chi: ArrayLike = 0.0
+    ) -> ExactForceArray: ...
+
+@final
+class Variational(Theory):
+    """The numerical theory of chapter 5 (Kalker 1967): polynomial tractions.
+
+    degree: of the polynomials, 0 to 12 (3). mesh: cells (along, across) of the box around the
+    ellipse, (10, 10) up to degree 3.
+    """
+
+    def __new__(
+        cls,
+        a_over_b: float,
+        poisson: float,
+        *,
+        degree: int | None = None,
+        mesh: _Pair | None = None,
+        weight: Literal["elliptic", "uniform", "root-elliptic"] | None = None,
+    ) -> Variational: ...
+
+@final
+class Fastsim(DifferentiableTheory):
+    """FASTSIM (Kalker 1982) with the flexibilities of Vollebregt and Voltr (2023).
+
+    grid: cells (along, across), (50, 50). flexibility: "blended" by default. bound: "elliptic" by
+    default.
+    """
+
+    def __new__(
+        cls,
+        a_over_b: float,
+        poisson: float,
+        *,
+        grid: _Pair | None = None,
+        flexibility: Literal["blended", "three", "one"] | None = None,
+        bound: Literal["elliptic", "parabolic"] | None = None,
+    ) -> Fastsim: ...
+
+@final
+class Fastrip(DifferentiableTheory):
+    """FaStrip (Sichani, Enblom, Berg 2016). variant: "consistent" by default."""
+
+    def __new__(
+        cls,
+        a_over_b: float,
+        poisson: float,
+        *,
+        grid: _Pair | None = None,
+        variant: Literal["consistent", "modified", "original"] | None = None,
+    ) -> Fastrip: ...
+
+@final
+class Strip(DifferentiableTheory):
+    """Strip theory (Haines, Ollerton 1963; Kalker 1967): slender contacts, little spin."""
+
+    def __new__(cls, a_over_b: float, poisson: float) -> Strip: ...
+
+@final
+class Polach(DifferentiableTheory):
+    """Polach (1999), with his factors of reduction for adhesion and slip."""
+
+    def __new__(
+        cls,
+        a_over_b: float,
+        poisson: float,
+        *,
+        reduction: tuple[float, float] = (1.0, 1.0),
+    ) -> Polach: ...
+
+@final
+class ShenHedrickElkins(DifferentiableTheory):
+    """Shen, Hedrick, Elkins (1983): linear forces with a cubic saturation."""
+
+    def __new__(cls, a_over_b: float, poisson: float) -> ShenHedrickElkins: ...
+
+@final
+class VermeulenJohnson(DifferentiableTheory):
+    """Vermeulen, Johnson (1964): an ellipse of adhesion; no spin."""
+
+    def __new__(cls, a_over_b: float, poisson: float) -> VermeulenJohnson: ...
+
+@final
+class Linear(DifferentiableTheory):
+    """The linear theory (Kalker 1967, 4.3): no slip; creepage and spin near zero."""
+
+    def __new__(cls, a_over_b: float, poisson: float) -> Linear: ...
+
+@final
+class Saturated(DifferentiableTheory):
+    """Slip everywhere, as if the bodies were rigid (Kalker 1967, 4.4)."""
+
+    def __new__(cls, a_over_b: float, poisson: float = 0.0) -> Saturated: ...
+
+@overload
+def coefficients(a_over_b: float, poisson: float) -> CreepageCoefficients[float]: ...
+@overload
+def coefficients(a_over_b: ArrayLike, poisson: ArrayLike) -> CreepageCoefficients[Floats]: ...
+@overload
+def carter(creepage: float) -> CarterSolution[float]: ...
+@overload
+def carter(creepage: ArrayLike) -> CarterSolution[Floats]: ...
+def carter_field(creepage: ArrayLike, x: ArrayLike) -> tuple[Any, Any, Codes]: ...
+def line_contact(
+    shear_moduli: Sequence[float],
+    poisson: Sequence[float],
+    radii: Sequence[float],
+    load: float,
+) -> tuple[float, float, float]: ...
+def hertz(text: str) -> str: ...
+
+@final
+class CaseData:
+    """The text of a case file, read and checked."""
+
+    def __new__(cls, text: str) -> CaseData: ...
+    @property
+    def a_over_b(self) -> float: ...
+    @property
+    def poisson(self) -> float: ...
+    @property
+    def friction(self) -> float: ...
+    @property
+    def dimensionless(self) -> tuple[float, float, float]: ...
+    @property
+    def creepage(self) -> tuple[float, float, float]: ...
+    @property
+    def units(self) -> tuple[float, float, float, float]: ...
+    def hertz(self) -> str: ...
+    def options(self) -> dict[str, Any]: ...
+    def solve(self, theory: Theory) -> SolvedCase: ...
+
+@final
+class SolvedCase:
+    """A case solved by one theory."""
+
+    def json(self) -> str: ...
+    def text(self) -> str: ...
+    def svg(self) -> str: ...
+    def write(self, directory: str | PathLike[str]) -> list[str]: ...
+    def points(self) -> Field: ...
+
+@final
+class SolvedStatics:
+    """A problem without rolling, solved."""
+
+    def __new__(cls, text: str) -> SolvedStatics: ...
+    def json(self) -> str: ...
+    def text(self) -> str: ...
+    def svg(self) -> str: ...
+    def write(self, directory: str | PathLike[str]) -> list[str]: ...
+    def traction(self, x: ArrayLike, y: ArrayLike) -> Floats: ...
+    def pressure(self, x: ArrayLike, y: ArrayLike) -> Floats: ...
+    def displacement(self, x: ArrayLike, y: ArrayLike) -> Floats: ...
+
+@final
+class SweepData:
+    """The text of a sweep file, read and checked."""
+
+    def __new__(cls, text: str) -> SweepData: ...
+    @property
+    def cases(self) -> int: ...
+    @property
+    def chains(self) -> int: ...
+    @property
+    def shared(self) -> tuple[float, float, int, list[int]]: ...
+    def solve(self, first: int, count: int) -> bytes: ...

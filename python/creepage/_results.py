@@ -1,0 +1,220 @@
+"""Answers, dimensionless: dataclasses of floats or of NumPy arrays."""
+
+from __future__ import annotations
+
+import enum
+from dataclasses import dataclass, fields
+from typing import TYPE_CHECKING, Any, Generic, TypeAlias, TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import _creepage
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+Floats: TypeAlias = NDArray[np.float64]
+Codes: TypeAlias = NDArray[np.uint8]
+
+Number = TypeVar("Number", float, Floats)
+Outcome = TypeVar("Outcome", "Status", Codes)
+
+
+class Status(enum.IntEnum):
+    """Whether a force may be trusted."""
+
+    SOLVED = 0
+    """The theory's equations are solved, within the range where the theory holds."""
+    NOT_CONVERGED = 1
+    """The iteration ended before its tolerance was met; the force is that of the last iterate."""
+    CREEPAGE_TOO_SMALL = 2
+    """Solved, but the creepage is too small for the theory's resolution. Use linear theory."""
+    SPIN_TOO_LARGE = 3
+    """Solved, but the spin is beyond the bound up to which the theory holds."""
+
+
+class Region(enum.IntEnum):
+    """Stick or slip."""
+
+    ADHESION = 0
+    SLIP = 1
+    OUTSIDE = 2
+
+
+def _names(codes: Status | Codes) -> str | NDArray[np.str_]:
+    if isinstance(codes, Status):
+        return codes.name.lower()
+    return np.array([status.name.lower() for status in Status])[codes]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Force(Generic[Number, Outcome]):
+    """Force and moment on the lower body: floats and a Status, or arrays of one shape."""
+
+    fx: Number
+    """Longitudinal, F_x / (mu N)."""
+    fy: Number
+    """Lateral, F_y / (mu N)."""
+    mz: Number
+    """Moment about the normal, M_z / (mu N c)."""
+    status: Outcome
+    """A Status, or an array of their numbers: `force.status == Status.SOLVED`."""
+
+    @property
+    def magnitude(self) -> Number:
+        """The used share of the friction force mu N."""
+        size: Number = np.hypot(self.fx, self.fy)
+        return float(size) if isinstance(self.fx, float) else size
+
+    @property
+    def converged(self) -> bool | NDArray[np.bool_]:
+        """False where the iteration ended before its tolerance was met."""
+        converged: bool | NDArray[np.bool_] = self.status != Status.NOT_CONVERGED
+        return converged
+
+    def to_dict(self) -> dict[str, Any]:
+        """The numbers by name, and the status in words; pandas.DataFrame takes it as it is."""
+        numbers = {field.name: getattr(self, field.name) for field in fields(self)}
+        return {**numbers, "status": _names(self.status)}
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class ExactForce(Force[Number, Outcome]):
+    """A force with error bars: the error of discretization is smaller in at least 95 % of cases."""
+
+    fx_error: Number
+    """Error bar of fx, in units of mu N."""
+    fy_error: Number
+    """Error bar of fy, in units of mu N."""
+    mz_error: Number
+    """Error bar of mz, in units of mu N c."""
+
+
+ScalarForce: TypeAlias = Force[float, Status]
+ForceArray: TypeAlias = Force[Floats, Codes]
+ScalarExactForce: TypeAlias = ExactForce[float, Status]
+ExactForceArray: TypeAlias = ExactForce[Floats, Codes]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Field:
+    """Traction and slip at points of the contact. Vectors have x and y in a last dimension."""
+
+    position: Floats
+    """In units of c = sqrt(a b), shape (..., 2)."""
+    traction: Floats
+    """On the lower body, in units of mu times the peak pressure, shape (..., 2)."""
+    slip: Floats
+    """Of the upper body relative to the lower, in units of mu c V / rho, shape (..., 2); NaN
+    where the theory does not give it."""
+    region: Codes
+    """Numbers of Region, shape (...)."""
+    semi_axes: tuple[float, float]
+    """Of the contact, along and across, in units of c."""
+
+    @property
+    def adhesion(self) -> NDArray[np.bool_]:
+        """Where the surfaces stick, shape (...)."""
+        adhesion: NDArray[np.bool_] = self.region == Region.ADHESION
+        return adhesion
+
+    @property
+    def inside(self) -> NDArray[np.bool_]:
+        """Which points lie in the contact, shape (...)."""
+        inside: NDArray[np.bool_] = self.region != Region.OUTSIDE
+        return inside
+
+    def to_dict(self) -> dict[str, Any]:
+        """A column for each component, flat; pandas.DataFrame takes it as it is."""
+        vectors = {"": self.position, "traction_": self.traction, "slip_": self.slip}
+        columns = {
+            f"{name}{axis}": vector[..., k].ravel()
+            for name, vector in vectors.items()
+            for k, axis in enumerate("xy")
+        }
+        words = np.array([region.name.lower() for region in Region])
+        return {**columns, "region": words[self.region].ravel()}
+
+    def plot(self, ax: Axes | None = None) -> Axes:
+        """Areas of adhesion and slip, and the traction as arrows. Needs matplotlib."""
+        from ._plot import plot_field
+
+        return plot_field(self, ax)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class ElementField(Field):
+    """The elements of the full theory."""
+
+    bound: Floats
+    """Mean over the element of the traction bound over its largest value."""
+    share: Floats
+    """Share of the normal force that the element carries."""
+    power: Floats
+    """Frictional power of the element over mu N mu c V / rho."""
+
+
+@dataclass(frozen=True, slots=True)
+class Found:
+    """Creepage and force that fit together."""
+
+    xi: float
+    eta: float
+    chi: float
+    force: ScalarExactForce
+    steps: int
+    """Newton steps."""
+
+    def to_dict(self) -> dict[str, Any]:
+        """All numbers by name."""
+        force = self.force.to_dict()
+        return {"xi": self.xi, "eta": self.eta, "chi": self.chi, **force, "steps": self.steps}
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class CreepageCoefficients(Generic[Number]):
+    """Coefficients of the linear theory; floats or arrays."""
+
+    c11: Number
+    """Longitudinal force by longitudinal creepage."""
+    c22: Number
+    """Lateral force by lateral creepage."""
+    c23: Number
+    """Lateral force by spin."""
+    c32: Number
+    """Moment by lateral creepage, -c23."""
+    c33: Number
+    """Moment by spin."""
+
+    def to_dict(self) -> dict[str, Any]:
+        """The coefficients by name."""
+        return {field.name: getattr(self, field.name) for field in fields(self)}
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class CarterSolution(Generic[Number]):
+    """Carter's theory of two cylinders; lengths in units of the half-width, leading edge at 1."""
+
+    creepage: Number
+    """Dimensionless, upsilon_x rho / (mu a)."""
+    force: Number
+    """Per length of the cylinders, in units of mu N."""
+    derivative: Number
+    """Of the force by the creepage."""
+    adhesion_half_width: Number
+    """1 in free rolling, 0 in gross sliding."""
+    trailing_edge: Number
+    """Of the adhesion area: -1 in free rolling, 1 in gross sliding."""
+
+    def field(self, x: Any) -> tuple[Any, Any, Any]:
+        """Traction, slip and Region numbers at x, which broadcasts against the creepage.
+
+        Traction is in units of mu times the peak pressure, slip in units of mu a V / rho.
+        Raises InvalidValue where x is not finite.
+        """
+        return _creepage.carter_field(self.creepage, x)
+
+    def to_dict(self) -> dict[str, Any]:
+        """The numbers by name."""
+        return {field.name: getattr(self, field.name) for field in fields(self)}

@@ -1,0 +1,79 @@
+"""Problems without rolling, by the files of `creepage statics`."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from . import _creepage
+from ._results import Floats
+from ._toml import Source, text_of
+
+if TYPE_CHECKING:
+    import os
+
+    from numpy.typing import ArrayLike
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class StaticsSolution:
+    """One problem without rolling, solved, in SI units; x and y are along the ellipse's axes."""
+
+    problem: str
+    """ "die", "shift", "twist" or "partial-slip"."""
+    given: dict[str, float]
+    """What the problem was given, by names that carry their units."""
+    found: dict[str, float]
+    """What an engineer wants to know of it, by names that carry their units."""
+    _solved: _creepage.SolvedStatics
+
+    def to_dict(self) -> dict[str, Any]:
+        """What `report.json` holds."""
+        report: dict[str, Any] = json.loads(self._solved.json())
+        return report
+
+    def traction(self, x: ArrayLike, y: ArrayLike) -> Floats:
+        """Tangential traction on the lower body (Pa) at (x, y) (m), shape (..., 2).
+
+        Infinite on the edge where nothing slips. Raises ValueError for a die.
+        """
+        return self._solved.traction(x, y)
+
+    def pressure(self, x: ArrayLike, y: ArrayLike) -> Floats:
+        """Pressure under a die (Pa) at (x, y) (m). Raises ValueError for other problems."""
+        return self._solved.pressure(x, y)
+
+    def displacement(self, x: ArrayLike, y: ArrayLike) -> Floats:
+        """Displacement (m) at (x, y) (m), shape (..., 3): of the half-space under a die, of the
+        bodies relative to each other else.
+        """
+        return self._solved.displacement(x, y)
+
+    def text(self) -> str:
+        """A short report for a terminal."""
+        return self._solved.text()
+
+    def svg(self) -> str:
+        """The contact seen from above."""
+        return self._solved.svg()
+
+    _repr_svg_ = svg
+
+    def save(self, directory: str | os.PathLike[str]) -> list[Path]:
+        """Writes report.json, points.csv, contact.svg and contact.png. Raises OSError."""
+        return [Path(path) for path in self._solved.write(Path(directory))]
+
+
+def statics(source: Source | Mapping[str, Mapping[str, Any]]) -> StaticsSolution:
+    """Solves a problem without rolling: a die, a shift, a twist, or a shift with partial slip.
+
+    source: the path of a statics file, its text (a string with line breaks), or its sections as
+    a mapping. Raises CaseError for what is no problem, and where the bodies slide or the die
+    lifts off; OSError for what cannot be read.
+    """
+    solved = _creepage.SolvedStatics(text_of(source))
+    report = json.loads(solved.json())
+    return StaticsSolution(report["problem"], report["given"], report["found"], solved)

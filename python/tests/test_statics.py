@@ -1,0 +1,86 @@
+"""Problems without rolling."""
+
+from __future__ import annotations
+
+import json
+import math
+from pathlib import Path
+
+import creepage
+import numpy as np
+import pytest
+from conftest import ROOT
+
+FILES = sorted((ROOT / "examples" / "statics").glob("*.toml"))
+
+
+@pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)
+def test_every_example_solves(path: Path, tmp_path: Path) -> None:
+    solution = creepage.statics(path)
+    assert all(math.isfinite(value) for value in solution.found.values())
+    assert solution.to_dict()["found"] == solution.found
+    paths = solution.save(tmp_path)
+    assert json.loads(paths[0].read_text()) == solution.to_dict()
+    assert paths[2].read_text() == solution.svg()
+    assert "Found" in solution.text()
+
+
+DIE = """
+[lower]
+shear_modulus = 82e9
+poisson = 0.28
+[contact]
+normal_force = 20e3
+semi_axis_rolling = 5e-3
+semi_axis_lateral = 10e-3
+[statics]
+problem = "die"
+"""
+
+
+def test_a_die_is_flat_underneath() -> None:
+    die = creepage.statics(DIE)
+    x = np.linspace(-4e-3, 4e-3, 9)
+    depth = die.displacement(x, 1e-3)[..., 2]
+    # A rigid plane: the library's rounding.
+    np.testing.assert_allclose(depth, die.found["indentation_m"], rtol=1e-10)
+    assert die.pressure(0.0, 0.0) == pytest.approx(die.found["pressure_centre_pa"])
+    assert die.pressure(x[:, None], np.zeros(3)).shape == (9, 3)
+    with pytest.raises(ValueError, match="die"):
+        die.traction(0.0, 0.0)
+
+
+def test_partial_slip_sticks_in_the_middle() -> None:
+    body = {"shear_modulus": 82e9, "poisson": 0.28}
+    file = {
+        "upper": body,
+        "lower": body,
+        "contact": {
+            "normal_force": 80e3,
+            "friction": 0.3,
+            "semi_axis_rolling": 6e-3,
+            "semi_axis_lateral": 6e-3,
+        },
+        "statics": {"problem": "partial-slip", "force_x": 12e3},
+    }
+    solution = creepage.statics(file)
+    stuck = solution.found["adhesion_a_m"]
+    # Cattaneo: c/a = (1 - F/(mu N))^(1/3).
+    assert stuck == pytest.approx(6e-3 * 0.5 ** (1.0 / 3.0), rel=1e-12)
+    x = np.linspace(-0.99, 0.99, 12) * stuck
+    shift = solution.displacement(x, 0.0)[..., 0]
+    np.testing.assert_allclose(shift, solution.found["shift_x_m"], rtol=1e-9)
+    assert solution.traction(0.0, 0.0).shape == (2,)
+    with pytest.raises(ValueError, match="pressure"):
+        solution.pressure(0.0, 0.0)
+
+
+def test_errors() -> None:
+    with pytest.raises(creepage.CaseError, match="lifts off") as caught:
+        creepage.statics(DIE + "offset_x = 4e-3\n")
+    assert caught.value.section == "statics"
+    with pytest.raises(creepage.CaseError, match="normal_force") as caught:
+        creepage.statics(DIE.replace("20e3", "nan"))
+    assert (caught.value.section, caught.value.key) == ("contact", "normal_force")
+    with pytest.raises(creepage.CaseError, match="unknown key"):
+        creepage.statics(DIE + "ofset = 3\n")

@@ -1,0 +1,81 @@
+"""One handle, many threads, processes and interrupts."""
+
+from __future__ import annotations
+
+import multiprocessing
+import signal
+import sys
+import threading
+import time
+from concurrent.futures import ThreadPoolExecutor
+from types import FrameType
+
+import creepage
+import numpy as np
+import pytest
+
+EXACT = creepage.exact(1.3, 0.28, resolution="fast")
+FASTSIM = creepage.fastsim(1.3, 0.28, grid=(20, 20))
+CREEPAGE = np.random.default_rng(1967).uniform(-2.0, 2.0, (3, 400))
+
+
+def test_threads_share_a_handle() -> None:
+    expected = FASTSIM.force(*CREEPAGE)
+    exact = EXACT.force(*CREEPAGE[:, :8])
+
+    def ask(k: int) -> bool:
+        if k % 2:
+            one = EXACT.force(*CREEPAGE[:, k % 8].tolist())
+            return bool(one.fx == exact.fx[k % 8])
+        return bool((FASTSIM.force(*CREEPAGE).fy == expected.fy).all())
+
+    with ThreadPoolExecutor(8) as pool:
+        assert all(pool.map(ask, range(64)))
+
+
+def test_others_run_while_an_array_is_solved() -> None:
+    done = threading.Event()
+    worker = threading.Thread(target=lambda: (EXACT.force(*CREEPAGE), done.set()))
+    worker.start()
+    turns = 0
+    while not done.is_set():
+        time.sleep(0.001)
+        turns += 1
+    worker.join()
+    # 400 cases of half a millisecond over some cores: with the GIL held there would be none.
+    assert turns > 5
+
+
+def in_child(seed: int) -> float:
+    return float(FASTSIM.force(*(CREEPAGE * seed)).fx.sum())
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows has no fork")
+@pytest.mark.filterwarnings("ignore:.*multi-threaded.*fork:DeprecationWarning")
+@pytest.mark.parametrize("method", ["fork", "spawn"])
+def test_children_of_a_process_that_used_its_threads(method: str) -> None:
+    here = [in_child(seed) for seed in (1, 2, 3)]
+    with multiprocessing.get_context(method).Pool(2) as pool:
+        assert pool.map_async(in_child, (1, 2, 3)).get(timeout=120) == here
+
+
+class Alarm(Exception):
+    pass
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows has no alarms")
+def test_an_interrupt_ends_a_long_array() -> None:
+    def ring(_number: int, _frame: FrameType | None) -> None:
+        raise Alarm
+
+    before = signal.signal(signal.SIGALRM, ring)
+    try:
+        signal.setitimer(signal.ITIMER_REAL, 0.2)
+        start = time.monotonic()
+        with pytest.raises(Alarm):
+            EXACT.force(np.linspace(0.1, 1.0, 200_000), 0.3, 0.2)  # minutes
+        # A group takes a tenth of a second; a busy machine makes it more.
+        assert time.monotonic() - start < 10.0
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0.0)
+        signal.signal(signal.SIGALRM, before)
