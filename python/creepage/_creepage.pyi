@@ -21,6 +21,32 @@ from ._results import (
     ScalarForce,
 )
 
+__all__ = [
+    "Automatic",
+    "CaseData",
+    "DifferentiableTheory",
+    "Exact",
+    "Fastrip",
+    "Fastsim",
+    "Linear",
+    "Polach",
+    "Saturated",
+    "ShenHedrickElkins",
+    "SolvedCase",
+    "SolvedStatics",
+    "Strip",
+    "SweepData",
+    "Theory",
+    "Variational",
+    "VermeulenJohnson",
+    "__version__",
+    "carter",
+    "carter_field",
+    "coefficients",
+    "hertz",
+    "line_contact",
+]
+
 __version__: Final[str]
 
 _Pair: TypeAlias = tuple[int, int] | Sequence[int]
@@ -50,6 +76,7 @@ class Theory:
     def force(
         self, xi: ArrayLike = 0.0, eta: ArrayLike = 0.0, chi: ArrayLike = 0.0
     ) -> ForceArray: ...
+    def __getnewargs_ex__(self) -> tuple[tuple[()], dict[str, Any]]: ...
     def field(
         self,
         xi: float = 0.0,
