@@ -14,7 +14,8 @@ from ._results import Field, Region
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from ._case import Curve, Solution
+    from ._curve import Curve
+    from ._solution import Solution
 
 ADHESION, SLIP = "#cfe3f5", "#f7d9b9"
 LABELS = {
