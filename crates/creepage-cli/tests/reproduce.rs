@@ -23,15 +23,19 @@ fn the_wrong_entries_of_table_2_are_marked_and_listed() {
 }
 
 #[test]
-fn all_is_every_table_once_with_its_file() {
+fn each_item_is_made_once_with_its_files() {
     let place = Place::new();
-    let text = place.run(&["reproduce", "all", "table2", "--out", "out"]).done();
-    assert_eq!(text.matches("Table 2.").count(), 1);
-    let lines = |name: &str| place.read(&format!("out/{name}")).lines().count();
-    assert_eq!((lines("table1.csv"), lines("table2.csv")), (23, 41));
+    let text = place.run(&["reproduce", "table2", "fig3", "table2", "--out", "out"]).done();
+    assert_eq!(text.matches("table2: 25 of 40").count(), 1);
+    assert_eq!(place.read("out/table2.csv").lines().count(), 41);
     let table = place.read("out/table2.csv");
     assert!(table.starts_with("quantity,tau_deg,printed,ours,verdict\n"), "{table}");
     assert!(table.contains("\nK,20,3.71,3.620,wrong by +9 in the last digit\n"), "{table}");
+    assert!(place.read("out/fig3.svg").starts_with("<svg"));
+    assert!(text.contains("Fig. 3. Force by Carter's theory\n"), "{text}");
+    // The page is for all of them.
+    let files = ["fig3.csv", "fig3.png", "fig3.svg", "table2.csv", "table2.txt"];
+    assert_eq!(place.files_in("out"), files);
 }
 
 #[test]
@@ -42,6 +46,6 @@ fn what_cannot_be_reproduced_is_refused() {
         assert_eq!((ran.code, &ran.stdout[..]), (Some(2), ""));
     }
     place.write("file", "in the way");
-    place.run(&["reproduce", "all", "--out", "file"]).refused(&["cannot write file"]);
+    place.run(&["reproduce", "table1", "--out", "file"]).refused(&["cannot write file"]);
     assert_eq!(place.files(), ["file"]);
 }

@@ -15,10 +15,6 @@ pub(crate) fn eta() -> Label {
     named("lateral creepage", "η")
 }
 
-pub(crate) fn xi_or_eta() -> Label {
-    Label::new("creepage ").symbol("ξ").plain(" or ").symbol("η")
-}
-
 pub(crate) fn chi() -> Label {
     named("spin", "χ")
 }
@@ -29,10 +25,6 @@ pub(crate) fn fx() -> Label {
 
 pub(crate) fn fy() -> Label {
     Label::default().indexed("f", "y").plain(" = ").indexed("F", "y").plain("/").symbol("μN")
-}
-
-pub(crate) fn fx_or_fy() -> Label {
-    Label::default().indexed("f", "x").plain(" or ").indexed("f", "y")
 }
 
 /// A line of settings below a title: `a/b = 1,  σ = 0.28`.

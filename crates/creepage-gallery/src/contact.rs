@@ -4,7 +4,7 @@ use creepage::rolling::exact::{Exact, Resolution};
 use creepage::rolling::variational::{Start, Variational};
 use creepage::rolling::{Creepage, FieldPoint, Theory};
 use creepage::{Ellipse, InvalidValue};
-use creepage_report::plot::{Anchor, Fill, Label, Panel, Pen, Scale};
+use creepage_report::plot::{Anchor, Label, Panel, Pen, Scale};
 
 use crate::patch::{self, Polygon};
 
@@ -120,12 +120,6 @@ pub(crate) fn panel(ellipse: Ellipse, heading: Label) -> Panel {
     let x = Scale::new([-1.12 * a, 1.22 * a], Label::default());
     let y = Scale::new([1.2 * b, -1.08 * b], Label::default());
     Panel::new(x, y).to_scale().bare().heading(heading)
-}
-
-/// Adds the areas of slip and adhesion.
-pub(crate) fn areas(panel: Panel, ellipse: Ellipse, adhesion: &[Polygon]) -> Panel {
-    let panel = panel.area(vec![patch::outline(ellipse)], Fill::SLIP);
-    if adhesion.is_empty() { panel } else { panel.area(adhesion.to_vec(), Fill::ADHESION) }
 }
 
 /// Adds the contact's edge and the axes.

@@ -19,7 +19,7 @@
 //!    `fn make() -> Result<Reproduction, GalleryError>`.
 //! 2. `mod figNN;` and its place in `ITEMS` of `registry.rs`, in the order of the thesis.
 //!
-//! `make` computes with the theories of the library and gives [`Reproduction::figure`]:
+//! `make` computes with the theories of the library and gives `Reproduction::figure`:
 //! - a [`Sheet`](creepage_report::plot::Sheet): the panels of `creepage_report::plot`, drawn with
 //!   the pens of `inks.rs` (the full theory looks the same in every figure) and the axes of
 //!   `axes.rs`. Adhesion areas are traced by `creepage_report::Areas`, see `patch.rs`;

@@ -2,9 +2,11 @@
 
 use std::f64::consts::TAU;
 
-use creepage::Ellipse;
+use creepage::rolling::exact::{Exact, Resolution};
 use creepage::rolling::{Creepage, Region, Theory};
+use creepage::{Ellipse, InvalidValue};
 use creepage_report::Areas;
+use creepage_report::plot::{Anchor, Fill, Label, Panel, Pen, Scale};
 
 /// A closed polygon in units of `c`.
 pub(crate) type Polygon = Vec<[f64; 2]>;
@@ -43,4 +45,62 @@ pub(crate) fn adhesion_of(
 pub(crate) fn closed(mut polygon: Polygon) -> Polygon {
     polygon.extend(polygon.first().copied());
     polygon
+}
+
+/// A panel for a contact: `x` to the right, where the rolling goes, `y` downwards, as in all
+/// pictures of contacts. Everything is in units of `c`.
+pub(crate) fn panel(ellipse: Ellipse) -> Panel {
+    let reach = [1.35 * ellipse.a().max(0.6 * ellipse.b()), 1.12 * ellipse.b()];
+    let scale = |range| Scale::new(range, Label::default());
+    Panel::new(scale([-reach[0], reach[0]]), scale([reach[1], -reach[1]])).to_scale().bare()
+}
+
+/// The edge, and arrows for `x` and `y` beyond it.
+pub(crate) fn framed(panel: Panel, ellipse: Ellipse) -> Panel {
+    let (a, ink) = (ellipse.a(), "#5d6a76");
+    panel
+        .curve(outline(ellipse), Pen::OUTLINE)
+        .arrow([a + 0.06, 0.0], [a + 0.23, 0.0], 1.6, ink)
+        .text([a + 0.29, 0.025], Anchor::Middle, Label::default().symbol("x"))
+}
+
+/// Areas of slip and of adhesion.
+pub(crate) fn areas(panel: Panel, ellipse: Ellipse, adhesion: &[Polygon]) -> Panel {
+    let edges = adhesion.iter().cloned().map(closed);
+    let panel =
+        panel.area(vec![outline(ellipse)], Fill::SLIP).area(adhesion.to_vec(), Fill::ADHESION);
+    edges.fold(panel, |panel, edge| panel.curve(edge, Pen::OUTLINE.wide(1.4)))
+}
+
+/// The area of adhesion by the full theory, and its share of the contact.
+pub(crate) fn full_adhesion(
+    a_over_b: f64,
+    poisson: f64,
+    creepage: Creepage,
+) -> Result<(Vec<Polygon>, f64), InvalidValue> {
+    let theory = Exact::new(a_over_b, poisson, Resolution::new(56, 44)?)?;
+    let mut workspace = theory.workspace();
+    theory.solve_with(creepage, &mut workspace);
+    let regions = |points: &[[f64; 2]]| {
+        theory.field_of(&workspace, points).iter().map(|point| point.region).collect()
+    };
+    let (polygons, share) = adhesion(Ellipse::from_ratio(a_over_b)?, regions);
+    Ok((polygons.iter().map(|polygon| smoothed(polygon)).collect(), share))
+}
+
+/// A closed polygon without ripples shorter than an element of the full theory, whose border of
+/// adhesion steps from element to element.
+fn smoothed(polygon: &[[f64; 2]]) -> Polygon {
+    const REACH: usize = 3;
+    let count = polygon.len();
+    let mut points = polygon.to_vec();
+    // A mean of means has no corners of its own.
+    for _ in 0..2 {
+        let mean = |k: usize| {
+            let near = || (0..=2 * REACH).map(|i| points[(k + count + i - REACH) % count]);
+            [0, 1].map(|i| near().map(|point| point[i]).sum::<f64>() / (2 * REACH + 1) as f64)
+        };
+        points = if count > 8 * REACH { (0..count).map(mean).collect() } else { points };
+    }
+    points
 }

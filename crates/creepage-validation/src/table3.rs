@@ -44,7 +44,7 @@ pub struct Coefficient {
 pub fn table3() -> Result<[Vec<Coefficient>; 2], Table3Error> {
     let table = include_str!("../data/table3.csv");
     let mut blocks = [Vec::new(), Vec::new()];
-    let rows = csv::Reader::from_reader(table.as_bytes()).into_deserialize::<Printed>();
+    let rows = csv::Reader::from_reader(table.as_bytes()).into_deserialize::<Line>();
     for row in rows {
         let row = row.map_err(TableError::from)?;
         let block = usize::from(row.ratio != "a/b");
@@ -55,7 +55,7 @@ pub fn table3() -> Result<[Vec<Coefficient>; 2], Table3Error> {
 
 /// A row of the file.
 #[derive(Debug, Deserialize)]
-struct Printed {
+struct Line {
     ratio: String,
     coefficient: String,
     poisson: String,
@@ -63,7 +63,7 @@ struct Printed {
     printed: String,
 }
 
-impl Printed {
+impl Line {
     fn coefficient(self) -> Result<Coefficient, Table3Error> {
         let g = self.argument;
         let a_over_b = if self.ratio == "a/b" { g } else { g.recip() };

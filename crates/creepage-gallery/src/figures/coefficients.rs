@@ -83,7 +83,9 @@ fn push(data: &mut Data, name: &str, poisson: f64, points: &[[f64; 2]]) {
 fn points(printed: &[Coefficient], shown: &Shown, poisson: f64) -> Vec<[f64; 2]> {
     printed
         .iter()
-        .filter(|one| one.name == format!("C{}", shown.index) && one.poisson == poisson)
+        .filter(|one| {
+            one.name == format!("C{}", shown.index) && (one.poisson - poisson).abs() < 1e-9
+        })
         .filter_map(|one| Some([place(one.a_over_b), one.entry.printed.parse().ok()?]))
         .collect()
 }

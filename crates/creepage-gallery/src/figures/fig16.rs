@@ -13,7 +13,7 @@ use crate::data::Data;
 use crate::error::GalleryError;
 use crate::inks::{FULL, OF_1967, SECOND};
 use crate::item::{EXPERIMENTS, Item, Reproduction};
-use crate::patch::Polygon;
+use crate::patch::{self, Polygon};
 use crate::theories::{chapter_5, spaced};
 
 pub(crate) const ITEM: Item =
@@ -165,7 +165,7 @@ fn sheet(views: &[View; 3]) -> Result<Sheet, GalleryError> {
     let strips = contact::separatrix(circle, &views[1].adhesion);
     for (view, heading) in [(&views[0], axes::degree(3)), (&views[2], Label::new("full theory"))] {
         let panel = contact::panel(circle, heading);
-        let panel = contact::edge(contact::areas(panel, circle, &view.adhesion), circle);
+        let panel = contact::edge(patch::areas(panel, circle, &view.adhesion), circle);
         sheet = sheet.panel(contact::lines(panel, &strips, SECOND));
     }
     for k in 0..LINES.len() {

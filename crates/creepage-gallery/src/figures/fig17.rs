@@ -14,7 +14,7 @@ use crate::data::Data;
 use crate::error::GalleryError;
 use crate::inks::{FULL, SECOND};
 use crate::item::{EXPERIMENTS, Item, Reproduction};
-use crate::patch::Polygon;
+use crate::patch::{self, Polygon};
 use crate::theories::chapter_5;
 
 pub(crate) const ITEM: Item =
@@ -98,7 +98,7 @@ fn sheet(circle: Ellipse, [strips, of_1967, today]: &[Vec<Polygon>; 3]) -> Sheet
     let mut sheet = Sheet::new(ITEM.title).note(axes::setting(&settings)).columns(2);
     let line = contact::separatrix(circle, strips);
     for (areas, heading) in [(of_1967, axes::degree(3)), (today, Label::new("full theory"))] {
-        let panel = contact::areas(contact::panel(circle, heading), circle, areas);
+        let panel = patch::areas(contact::panel(circle, heading), circle, areas);
         let panel = contact::lines(contact::edge(panel, circle), &line, SECOND);
         let other = contact::full_separatrix(circle, today);
         sheet = sheet.panel(contact::lines(panel, &other, FULL));

@@ -23,11 +23,13 @@ const BOUND: Pen = Pen { colour: "#5d6a76", dashes: "7 4", width: 1.8 };
 fn make() -> Result<Reproduction, GalleryError> {
     let carter = Carter::new(CREEPAGE)?;
     let full = Middle::new()?.tractions(CREEPAGE);
-    let places = circle(-1.0, 1.0);
-    let traction: Vec<_> = places.iter().map(|[x, _]| [*x, carter.at(*x).traction[0]]).collect();
     let edge = carter.trailing_edge();
+    // Close where one semicircle is steep, and where the other is.
+    let mut places = [circle(-1.0, 1.0), circle(edge, 1.0)].concat();
+    places.sort_by(|one, two| one[0].total_cmp(&two[0]));
+    let traction: Vec<_> = places.iter().map(|[x, _]| [*x, carter.at(*x).traction[0]]).collect();
     let mut data = Data::new(["curve", "x_over_a", "traction"]);
-    data.curve("bound", &places);
+    data.curve("bound", &circle(-1.0, 1.0));
     data.curve("subtracted", &circle(edge, 1.0));
     data.curve("Carter", &traction);
     data.curve("full theory, a/b = 1/32, middle", &full);
@@ -40,8 +42,8 @@ fn make() -> Result<Reproduction, GalleryError> {
          Carter's curve.",
         apart.fold(0.0, f64::max)
     );
-    let sheet = sheet(&carter, traction, full);
-    Ok(Reproduction::figure(&sheet, caption, data, claims(&carter)?))
+    let sheet = sheet(carter, &traction, full);
+    Ok(Reproduction::figure(&sheet, caption, data, claims(carter)?))
 }
 
 /// A semicircle between two places, its points close where it is steep.
@@ -51,7 +53,7 @@ fn circle(from: f64, to: f64) -> Vec<[f64; 2]> {
     spaced(0.0, std::f64::consts::PI, 120).into_iter().map(at).collect()
 }
 
-fn claims(carter: &Carter) -> Result<Vec<Comparison>, GalleryError> {
+fn claims(carter: Carter) -> Result<Vec<Comparison>, GalleryError> {
     let free = Carter::new(0.0)?;
     // From the tractions, not from the formula: the least creepage without adhesion.
     let steps = || spaced(3.0, 5.0, 2000).into_iter();
@@ -73,7 +75,7 @@ fn claims(carter: &Carter) -> Result<Vec<Comparison>, GalleryError> {
     ])
 }
 
-fn sheet(carter: &Carter, traction: Vec<[f64; 2]>, full: Vec<[f64; 2]>) -> Sheet {
+fn sheet(carter: Carter, traction: &[[f64; 2]], full: Vec<[f64; 2]>) -> Sheet {
     let edge = carter.trailing_edge();
     let below = |from: f64, to: f64| {
         let mut area: Vec<_> =
@@ -93,7 +95,7 @@ fn sheet(carter: &Carter, traction: Vec<[f64; 2]>, full: Vec<[f64; 2]>) -> Sheet
         .area(below(edge, 1.0), Fill::ADHESION)
         .curve(circle(-1.0, 1.0), BOUND)
         .curve(circle(edge, 1.0), LESS)
-        .curve(traction.clone(), OF_1967)
+        .curve(traction.to_vec(), OF_1967)
         .marks(full, FULL_MARK)
         .text([-0.55, 0.12], Anchor::Middle, Label::new("slip"))
         .text([0.5, 0.12], Anchor::Middle, Label::new("adhesion"))

@@ -12,7 +12,7 @@ use crate::data::Data;
 use crate::error::GalleryError;
 use crate::inks::{FULL, OF_1967, SECOND};
 use crate::item::{Item, Reproduction};
-use crate::patch::Polygon;
+use crate::patch::{self, Polygon};
 use crate::theories::{STEEL, chapter_5, spaced};
 
 pub(crate) const ITEM: Item =
@@ -161,7 +161,7 @@ fn sheet(circle: Ellipse, of_1967: &[View], today: &[View]) -> Sheet {
     for (k, letter) in ["a", "b", "c", "d", "e"].into_iter().enumerate() {
         let heading = Label::new(letter).plain(")  ").symbol("χ").plain(" = ");
         let panel = contact::panel(circle, heading.number(&SPINS[k].to_string()));
-        let panel = contact::areas(panel, circle, &of_1967[k].adhesion);
+        let panel = patch::areas(panel, circle, &of_1967[k].adhesion);
         let panel = contact::edge(panel, circle);
         let separatrix = contact::full_separatrix(circle, &today[k].adhesion);
         sheet = sheet.panel(contact::lines(panel, &separatrix, FULL));

@@ -186,7 +186,7 @@ fn sheet(
         .note(axes::setting(&[("a/b", "1"), ("σ", "0.28"), ("ξ", "0"), ("η", "0")]))
         .columns(3);
     for (chi, (area, _)) in spins.iter().zip(areas) {
-        let panel = contact::areas(contact::panel(circle, heading(*chi)), circle, area);
+        let panel = patch::areas(contact::panel(circle, heading(*chi)), circle, area);
         sheet = sheet.panel(contact::edge(panel, circle));
     }
     for island in islands {

@@ -18,6 +18,8 @@ use crate::theories::{STEEL, spaced};
 /// Distances of the pole of which lines are drawn.
 const UPSILONS: [f64; 6] = [0.25, 0.5, 0.75, 1.0, 1.5, 2.5];
 const ALPHAS: [f64; 7] = [0.0, 15.0, 30.0, 45.0, 60.0, 75.0, 90.0];
+/// Side of a diagram, two beside each other.
+pub(super) const SIDE: f64 = 285.0;
 /// Spin at which the full theory is asked.
 const LARGE: f64 = 20.0;
 const ASKED: [(f64, f64); 9] = [
@@ -146,9 +148,9 @@ fn integrals(g: f64, upsilon: f64, alpha: f64) -> [f64; 2] {
 }
 
 /// The picture, a panel a ratio, and its numbers.
-pub(super) fn picture(title: &str, diagrams: &[Diagram]) -> Result<(Sheet, Data), InvalidValue> {
+pub(super) fn picture(title: &str, diagrams: &[Diagram]) -> (Sheet, Data) {
     let mut data = Data::new(["theory", "g", "upsilon", "alpha_deg", "fx", "fy", "mz"]);
-    let mut sheet = Sheet::new(title).columns(diagrams.len());
+    let mut sheet = Sheet::new(title).columns(2);
     for diagram in diagrams {
         let mut push = |name: &str, upsilon: f64, alpha: f64, force: Force| {
             let numbers = [diagram.g, upsilon, alpha, force.fx, force.fy, force.mz];
@@ -166,13 +168,15 @@ pub(super) fn picture(title: &str, diagrams: &[Diagram]) -> Result<(Sheet, Data)
         sheet = sheet.panel(diagram.panel().heading(heading));
     }
     let upsilons = UPSILONS.map(|upsilon| upsilon.to_string()).join(", ");
-    let arcs = Label::default().symbol("υ").plain(&format!(" = {upsilons}, ∞"));
-    let full = Label::new("full theory at ").symbol("χ").plain(&format!(" = {LARGE}"));
+    let note =
+        Label::default().symbol("υ").plain(&format!(" = {upsilons}, ∞ from the origin outwards"));
+    let full = Label::new("full theory, ").symbol("χ").plain(&format!(" = {LARGE}"));
     let sheet = sheet
-        .key(OF_1967.wide(1.9), arcs)
-        .key(SECOND.wide(1.9), Label::default().symbol("α").plain(" as marked"))
-        .key(FULL_MARK, full.plain(", nine points"));
-    Ok((sheet, data))
+        .note(note)
+        .key(OF_1967.wide(1.9), Label::default().symbol("υ").plain(" constant"))
+        .key(SECOND.wide(1.9), Label::default().symbol("α").plain(" constant"))
+        .key(FULL_MARK, full);
+    (sheet, data)
 }
 
 /// What is said below.
@@ -181,7 +185,7 @@ pub(super) fn caption(first: &str, diagrams: &[Diagram]) -> String {
     format!(
         "{first} Elastic deformation is neglected: all of the contact slides about the spin pole, \
          ξ/χ = υ cos α, η/χ = υ sin α (4.104). The points are the full theory at χ = {LARGE}, at \
-         most {apart:.3} of μN from there: elasticity still turns the force towards +y. Which \
+         most {apart:.3} of μN from there: elasticity still adds a force towards +y. Which \
          lines the thesis draws is not in its text; these are ours."
     )
 }

@@ -7,6 +7,10 @@ use crate::run::Made;
 
 const HEADER: [&str; 7] = ["item", "quantity", "printed", "ours", "difference", "verdict", "note"];
 
+/// What of the thesis has nothing to be computed.
+pub(super) const SKETCHES: &str = "Figs 1, 6, 7 and 9 are sketches of bodies and axes and have no \
+    numbers; Fig. 8 of the list of symbols is printed as Figs 3a and 3b.";
+
 /// Ours less the print, to two digits.
 pub(super) fn difference(line: &Comparison) -> String {
     line.difference.map_or_else(String::new, |difference| {
@@ -35,7 +39,8 @@ pub(super) fn csv(made: &[Made]) -> Result<Vec<u8>, csv::Error> {
 }
 
 pub(super) fn markdown(made: &[Made]) -> String {
-    let mut text = format!("# Agreement with the print of 1967\n\n{}\n\n", summary(made));
+    let mut text =
+        format!("# Agreement with the print of 1967\n\n{}\n\n{SKETCHES}\n\n", summary(made));
     text.push_str(&row(&HEADER.map(String::from)));
     text.push_str(&row(&HEADER.map(|_| "---".into())));
     for made in made {
@@ -56,13 +61,14 @@ fn row(cells: &[String]) -> String {
 /// How many lines have which verdict.
 pub(super) fn summary(made: &[Made]) -> String {
     let lines = || made.iter().flat_map(|made| &made.reproduction.agreement);
-    let mut text = format!("{} comparisons", lines().count());
-    for verdict in [Verdict::Agrees, Verdict::Close, Verdict::Misprint, Verdict::NotReproduced] {
-        let count = lines().filter(|line| line.verdict == verdict).count();
-        // Writing to a String cannot fail.
-        let _ = write!(text, ", {count} {}", verdict.words());
-    }
-    text + "."
+    let count = |verdict| lines().filter(|line| line.verdict == verdict).count();
+    let [agree, close, misprints, not] =
+        [Verdict::Agrees, Verdict::Close, Verdict::Misprint, Verdict::NotReproduced].map(count);
+    format!(
+        "{} comparisons: {agree} agree, {close} are close, {misprints} are misprints, {not} are \
+         not reproduced.",
+        lines().count()
+    )
 }
 
 /// What is found for one item, for the terminal.
@@ -70,6 +76,7 @@ pub(super) fn summary(made: &[Made]) -> String {
 pub fn agreement_text(made: &Made) -> String {
     let mut text = made.item.title.to_owned();
     for line in &made.reproduction.agreement {
+        // Writing to a String cannot fail.
         let _ = write!(
             text,
             "\n  {}: printed {}, ours {}: {}",

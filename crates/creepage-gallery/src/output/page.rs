@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use super::agreement::{difference, summary};
+use super::agreement::{SKETCHES, difference, summary};
 use crate::comparison::Comparison;
 use crate::run::Made;
 
@@ -29,11 +29,13 @@ pub(super) fn html(made: &[Made]) -> String {
     for made in made {
         section(&mut page, made);
     }
-    page.push_str(
+    // Writing to a String cannot fail.
+    let _ = write!(
+        page,
         "</main>\n<footer>Made by <code>creepage reproduce</code>. Agrees: ours, rounded as the \
          print is, is the print, or what is claimed holds. Close: within a tolerance that the \
          note gives a reason for. Misprint: the print is wrong, for a reason found elsewhere. Not \
-         reproduced: the note says why.</footer>\n</body>\n</html>\n",
+         reproduced: the note says why. {SKETCHES}</footer>\n</body>\n</html>\n"
     );
     page
 }
@@ -42,13 +44,14 @@ fn section(page: &mut String, made: &Made) {
     let (item, reproduction) = (made.item, &made.reproduction);
     let _ = writeln!(page, "<section id=\"{}\">\n<h2>{}</h2>", item.name, escape(item.title));
     if let Some(svg) = &reproduction.svg {
-        let _ = writeln!(page, "<div class=\"picture\">\n{}</div>", inlined(svg));
+        let _ = writeln!(page, "<div class=\"picture\">\n{}</div>", inlined(svg, item.name));
     }
     let _ = writeln!(page, "<p class=\"caption\">{}</p>", escape(&reproduction.caption));
     if let Some(text) = &reproduction.text {
         let _ = writeln!(
             page,
-            "<details><summary>as text</summary><pre>{}</pre></details>",
+            "<details{}><summary>in words</summary><pre>{}</pre></details>",
+            if reproduction.svg.is_none() { " open" } else { "" },
             escape(text)
         );
     }
@@ -67,7 +70,9 @@ fn table(page: &mut String, lines: &[Comparison]) {
         let words = line.verdict.words();
         let _ = writeln!(
             page,
-            "<tr><td>{}<td>{}<td>{}<td class=\"number\">{}<td class=\"verdict {}\">{words}<td>{}</tr>",
+            "<tr><td>{}<td data-head=\"printed: \">{}<td data-head=\"ours: \">{}\
+             <td class=\"number\" data-head=\"difference: \">{}\
+             <td class=\"verdict {}\">{words}<td>{}</tr>",
             escape(&line.quantity),
             escape(&line.printed),
             escape(&line.ours),
@@ -79,9 +84,11 @@ fn table(page: &mut String, lines: &[Comparison]) {
     page.push_str("</table></div>\n");
 }
 
-/// An SVG as part of a page: its name space is then known, its size that of the page.
-fn inlined(svg: &str) -> String {
+/// An SVG as part of a page: its name space is then known, and its hatching needs a name of its own.
+fn inlined(svg: &str, name: &str) -> String {
     svg.replacen(" xmlns=\"http://www.w3.org/2000/svg\"", " role=\"img\"", 1)
+        .replace("id=\"hatching\"", &format!("id=\"hatching-{name}\""))
+        .replace("url(#hatching)", &format!("url(#hatching-{name})"))
 }
 
 fn escape(text: &str) -> String {

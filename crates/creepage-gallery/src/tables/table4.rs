@@ -2,7 +2,7 @@
 
 use creepage::rolling::variational::Weight;
 
-use super::weights::{compared, forces, spread, variants};
+use super::weights::{compared, forces, heading, row, spread, variants};
 use crate::data::Data;
 use crate::error::GalleryError;
 use crate::item::{Item, Reproduction};
@@ -14,10 +14,7 @@ const PRINTED: [(&str, [&str; 2]); 2] =
     [("pure lateral creepage", ["0.016", "0.009"]), ("pure spin", ["0.046", "0.016"])];
 
 fn make() -> Result<Reproduction, GalleryError> {
-    let mut text = format!(
-        "{}\n\n  {:<24}{:>9}{:>9}{:>9}{:>9}\n  {:<24}{:>9}{:>9}{:>9}{:>9}\n",
-        ITEM.title, "", "printed", "", "ours", "", "", "max", "mean", "max", "mean"
-    );
+    let mut text = heading(ITEM.title);
     let mut data = Data::new(["case", "printed_max", "printed_mean", "max", "mean"]);
     let mut agreement = Vec::new();
     for (kind, (name, printed)) in PRINTED.into_iter().enumerate() {
@@ -28,8 +25,7 @@ fn make() -> Result<Reproduction, GalleryError> {
         })?;
         let [max, mean] = variants[0];
         data.push([name.into(), printed[0].into(), printed[1].into(), max.into(), mean.into()]);
-        let [p, q] = printed;
-        text += &format!("  {name:<24}{p:>9}{q:>9}{max:>9.4}{mean:>9.4}\n");
+        text.push_str(&row(name, printed, variants[0]));
         for [max, mean] in &variants[1..] {
             let other = "another mesh or set";
             data.push([

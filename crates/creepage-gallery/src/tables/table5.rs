@@ -2,7 +2,7 @@
 
 use creepage::rolling::variational::Weight;
 
-use super::weights::{Spread, compared, forces, spread, variants};
+use super::weights::{Spread, compared, forces, heading, row, spread, variants};
 use crate::comparison::Comparison;
 use crate::data::Data;
 use crate::error::GalleryError;
@@ -19,10 +19,7 @@ const PRINTED: [(&str, [[&str; 2]; 2]); 2] = [
 const WEIGHTS: [(Weight, &str); 2] = [(Weight::Uniform, "W = 1"), (Weight::Elliptic, "W = W1")];
 
 fn make() -> Result<Reproduction, GalleryError> {
-    let mut text = format!(
-        "{}\n\n  {:<32}{:>9}{:>9}{:>9}{:>9}\n  {:<32}{:>9}{:>9}{:>9}{:>9}\n",
-        ITEM.title, "", "printed", "", "ours", "", "", "max", "mean", "max", "mean"
-    );
+    let mut text = heading(ITEM.title);
     let mut data = Data::new(["case", "printed_max", "printed_mean", "max", "mean"]);
     let (mut agreement, mut ours) = (Vec::new(), Vec::new());
     for (kind, (name, printed)) in PRINTED.into_iter().enumerate() {
@@ -38,7 +35,7 @@ fn make() -> Result<Reproduction, GalleryError> {
             let [max, mean] = variants[0];
             let [p, q] = printed;
             data.push([(&name).into(), p.into(), q.into(), max.into(), mean.into()]);
-            text += &format!("  {name:<32}{p:>9}{q:>9}{max:>9.4}{mean:>9.4}\n");
+            text.push_str(&row(&name, printed, variants[0]));
             agreement.extend(compared(&name, printed, &variants));
             ours.push(variants[0]);
         }

@@ -79,3 +79,18 @@ pub(super) fn compared(name: &str, printed: [&str; 2], variants: &[Spread]) -> [
 
 const REASON_OUTSIDE: &str = "outside of what ours vary between three meshes and three sets of \
     creepages; the thesis states neither of its own";
+
+/// Title and heads of the table as text.
+pub(super) fn heading(title: &str) -> String {
+    let line = |cells: [&str; 4]| {
+        let [a, b, c, d] = cells;
+        format!("  {:<32}{a:>9}{b:>9}{c:>9}{d:>9}", "").trim_end().to_owned() + "\n"
+    };
+    let heads = ["printed", "", "ours", ""];
+    format!("{title}\n\n{}{}", line(heads), line(["max", "mean", "max", "mean"]))
+}
+
+/// A row of the table as text.
+pub(super) fn row(name: &str, [p, q]: [&str; 2], [max, mean]: Spread) -> String {
+    format!("  {name:<32}{p:>9}{q:>9}{max:>9.4}{mean:>9.4}\n")
+}

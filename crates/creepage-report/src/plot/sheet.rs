@@ -82,15 +82,15 @@ impl Sheet {
         let columns = self.columns as f64;
         let width = (WIDTH - 2.0 * MARGIN + BETWEEN) / columns - BETWEEN - NUMBERS;
         let above = row.iter().map(|panel| panel.margins()[0]).fold(0.0, f64::max);
-        let mut height: f64 = 0.0;
+        let below = row.iter().map(|panel| panel.margins()[1]).fold(0.0, f64::max);
+        let tallest = row.iter().map(|panel| panel.frame_height(width)).fold(0.0, f64::max);
         for (column, panel) in row.iter().enumerate() {
             let left = MARGIN + column as f64 * (width + NUMBERS + BETWEEN) + NUMBERS;
             let tall = panel.frame_height(width);
-            let from = [left, top + above];
-            panel.draw(scene, Area { from, to: [left + width, top + above + tall] });
-            height = height.max(tall + panel.margins()[1]);
+            let top = top + above + 0.5 * (tallest - tall);
+            panel.draw(scene, Area { from: [left, top], to: [left + width, top + tall] });
         }
-        above + height
+        above + tallest + below
     }
 }
 
