@@ -38,6 +38,7 @@
 
 mod axes;
 mod comparison;
+mod contact;
 mod data;
 mod error;
 mod figures;
