@@ -35,7 +35,7 @@ fn new(name: &str, options: &str, a_over_b: f64) -> (i32, *mut CreepageTheory, S
     // SAFETY: all point to what they should.
     let code = unsafe {
         let (name, options) = (name.as_ptr(), options.as_ptr());
-        creepage_theory_new(name, options, a_over_b, 0.28, &mut theory, message.0.as_mut_ptr(), 256)
+        creepage_theory_new(name, options, a_over_b, 0.28, &raw mut theory, message.0.as_mut_ptr(), 256)
     };
     (code, theory, message.text())
 }
@@ -192,10 +192,10 @@ fn nothing_and_too_much_get_their_codes() {
         let new = |name: *const c_char, options: *const c_char, theory| {
             creepage_theory_new(name, options, 1.0, 0.28, theory, null_mut(), 0)
         };
-        assert_eq!(new(null(), null(), &mut theory), CREEPAGE_NULL);
+        assert_eq!(new(null(), null(), &raw mut theory), CREEPAGE_NULL);
         assert_eq!(new(name.as_ptr(), null(), null_mut()), CREEPAGE_NULL);
-        assert_eq!(new(bad.as_ptr().cast(), null(), &mut theory), CREEPAGE_TEXT);
-        assert_eq!(new(name.as_ptr(), bad.as_ptr().cast(), &mut theory), CREEPAGE_TEXT);
+        assert_eq!(new(bad.as_ptr().cast(), null(), &raw mut theory), CREEPAGE_TEXT);
+        assert_eq!(new(name.as_ptr(), bad.as_ptr().cast(), &raw mut theory), CREEPAGE_TEXT);
         assert!(theory.is_null());
         let force = |theory: *const CreepageTheory, count, creepages, forces| {
             creepage_theory_force(theory, count, creepages, forces, none, null_mut(), 0)
@@ -206,9 +206,9 @@ fn nothing_and_too_much_get_their_codes() {
         assert_eq!(force(made.0, huge, one, out), CREEPAGE_COUNT);
         assert_eq!(force(made.0, wrap, one, out), CREEPAGE_COUNT);
         let mut table = null_mut();
-        assert_eq!(creepage_table_read(null(), &mut table, null_mut(), 0), CREEPAGE_NULL);
+        assert_eq!(creepage_table_read(null(), &raw mut table, null_mut(), 0), CREEPAGE_NULL);
         assert_eq!(creepage_table_read(name.as_ptr(), null_mut(), null_mut(), 0), CREEPAGE_NULL);
-        assert_eq!(creepage_table_read(name.as_ptr(), &mut table, null_mut(), 0), CREEPAGE_FILE);
+        assert_eq!(creepage_table_read(name.as_ptr(), &raw mut table, null_mut(), 0), CREEPAGE_FILE);
         assert!(table.is_null());
         let look = creepage_table_force(null(), 1.0, 0.28, 1, one, out, null_mut(), null_mut(), 0);
         assert_eq!(look, CREEPAGE_NULL);
@@ -243,7 +243,7 @@ fn a_table_gives_what_it_gives_in_rust() {
     // SAFETY: all point to what they should.
     unsafe {
         let words = message.0.as_mut_ptr();
-        assert_eq!(creepage_table_read(path.as_ptr(), &mut table, words, 256), CREEPAGE_OK);
+        assert_eq!(creepage_table_read(path.as_ptr(), &raw mut table, words, 256), CREEPAGE_OK);
         let (cases, out, slopes) = (CASES.as_ptr(), forces.as_mut_ptr(), derivatives.as_mut_ptr());
         let ask = |ratio, slopes| {
             creepage_table_force(table, ratio, 0.28, 3, cases, out, slopes, words, 256)
