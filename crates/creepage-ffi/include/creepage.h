@@ -11,7 +11,8 @@
  * no call uses it any more.
  *
  * Arrays are flat, case by case: xi, eta, chi of the first case, then of the second. That is a
- * 3 x n matrix in Fortran and MATLAB. `count` is the number of cases.
+ * 3 x n matrix in Fortran and MATLAB. `count` is the number of cases. The arrays of one call must
+ * not overlap.
  *
  *   xi = upsilon_x rho / (mu c), eta = upsilon_y rho / (mu c), chi = phi rho / mu    (1)
  *   f_x = F_x / (mu N), f_y = F_y / (mu N), m_z = M_z / (mu N c)                     (1)

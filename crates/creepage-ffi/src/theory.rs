@@ -123,8 +123,8 @@ pub unsafe extern "C" fn creepage_theory_force(
         let forces = unsafe { array_mut("forces", forces, count, 3) }?;
         // SAFETY: as before.
         let mut statuses = unsafe { optional(statuses, count, 1) }?;
-        for (case, (creepage, force)) in asked.iter().zip(forces.as_chunks_mut().0).enumerate() {
-            let solution = theory.solver.solve(*creepage);
+        for (case, (creepage, force)) in asked.zip(forces.as_chunks_mut().0).enumerate() {
+            let solution = theory.solver.solve(creepage);
             *force = numbers(solution.force);
             if let Some(statuses) = &mut statuses {
                 statuses[case] = number(solution.status);
@@ -180,8 +180,8 @@ pub unsafe extern "C" fn creepage_exact_force(
         // SAFETY: as before.
         let mut statuses = unsafe { optional(statuses, count, 1) }?;
         let mut workspace = exact.workspace();
-        for (case, (creepage, force)) in asked.iter().zip(forces.as_chunks_mut().0).enumerate() {
-            let solution = exact.solve_with(*creepage, &mut workspace);
+        for (case, (creepage, force)) in asked.zip(forces.as_chunks_mut().0).enumerate() {
+            let solution = exact.solve_with(creepage, &mut workspace);
             *force = numbers(solution.force);
             if let Some(errors) = &mut errors {
                 errors[3 * case..3 * case + 3].copy_from_slice(&numbers(solution.error));
