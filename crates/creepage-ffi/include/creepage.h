@@ -11,7 +11,8 @@
  * no call uses it any more.
  *
  * Arrays are flat, case by case: xi, eta, chi of the first case, then of the second. That is a
- * 3 x n matrix in Fortran and MATLAB. `count` is the number of cases.
+ * 3 x n matrix in Fortran and MATLAB. `count` is the number of cases. The arrays of one call must
+ * not overlap.
  *
  *   xi = upsilon_x rho / (mu c), eta = upsilon_y rho / (mu c), chi = phi rho / mu    (1)
  *   f_x = F_x / (mu N), f_y = F_y / (mu N), m_z = M_z / (mu N c)                     (1)
@@ -176,7 +177,7 @@ int32_t creepage_table_force(const struct CreepageTable *table,
  Prepares a theory.
 
  name: "exact", "fastsim", and so on, as `creepage theories` lists them.
- options: its options as in the section [solve] of a case file, for instance
+ options: its options as in the section `solve` of a case file, for instance
    "resolution = 'fine'"; NULL or "" for the usual ones.
  a_over_b: semi-axis along over semi-axis across the rolling direction (1).
  poisson: combined Poisson's ratio, 0 to 0.5 (1).

@@ -86,12 +86,12 @@ fn length<T>(count: usize, per_case: usize) -> Result<usize, Failure> {
         .ok_or(Failure::Count(count))
 }
 
-/// The creepage of every case, all checked before any is solved.
-pub(crate) fn creepages(flat: &[f64]) -> Result<Vec<Creepage>, Failure> {
-    let cases = flat.as_chunks::<3>().0.iter().enumerate();
-    cases
-        .map(|(index, &[xi, eta, chi])| {
-            Creepage::new(xi, eta, chi).map_err(|source| Failure::Case { index, source })
-        })
-        .collect()
+/// The creepage of every case, all checked before any is solved. Nothing is allocated, which for
+/// huge arrays might fail.
+pub(crate) fn creepages(flat: &[f64]) -> Result<impl Iterator<Item = Creepage>, Failure> {
+    let cases = flat.as_chunks::<3>().0;
+    for (index, &[xi, eta, chi]) in cases.iter().enumerate() {
+        Creepage::new(xi, eta, chi).map_err(|source| Failure::Case { index, source })?;
+    }
+    Ok(cases.iter().map(|&[xi, eta, chi]| Creepage { xi, eta, chi }))
 }

@@ -120,13 +120,13 @@ pub unsafe extern "C" fn creepage_table_force(
         let forces = unsafe { array_mut("forces", forces, count, 3) }?;
         // SAFETY: as before.
         let mut derivatives = unsafe { optional(derivatives, count, 9) }?;
-        for (case, (creepage, out)) in asked.iter().zip(forces.as_chunks_mut().0).enumerate() {
+        for (case, (creepage, out)) in asked.zip(forces.as_chunks_mut().0).enumerate() {
             let force = if let Some(derivatives) = &mut derivatives {
-                let (force, derivative) = slice.force_and_derivative(*creepage);
+                let (force, derivative) = slice.force_and_derivative(creepage);
                 derivatives[9 * case..9 * case + 9].copy_from_slice(derivative.as_flattened());
                 force
             } else {
-                slice.force(*creepage)
+                slice.force(creepage)
             };
             *out = [force.fx, force.fy, force.mz];
         }

@@ -40,7 +40,7 @@ fn number(status: Status) -> i32 {
 /// Prepares a theory.
 ///
 /// name: "exact", "fastsim", and so on, as `creepage theories` lists them.
-/// options: its options as in the section [solve] of a case file, for instance
+/// options: its options as in the section `solve` of a case file, for instance
 ///   "resolution = 'fine'"; NULL or "" for the usual ones.
 /// a_over_b: semi-axis along over semi-axis across the rolling direction (1).
 /// poisson: combined Poisson's ratio, 0 to 0.5 (1).
@@ -123,8 +123,8 @@ pub unsafe extern "C" fn creepage_theory_force(
         let forces = unsafe { array_mut("forces", forces, count, 3) }?;
         // SAFETY: as before.
         let mut statuses = unsafe { optional(statuses, count, 1) }?;
-        for (case, (creepage, force)) in asked.iter().zip(forces.as_chunks_mut().0).enumerate() {
-            let solution = theory.solver.solve(*creepage);
+        for (case, (creepage, force)) in asked.zip(forces.as_chunks_mut().0).enumerate() {
+            let solution = theory.solver.solve(creepage);
             *force = numbers(solution.force);
             if let Some(statuses) = &mut statuses {
                 statuses[case] = number(solution.status);
@@ -180,8 +180,8 @@ pub unsafe extern "C" fn creepage_exact_force(
         // SAFETY: as before.
         let mut statuses = unsafe { optional(statuses, count, 1) }?;
         let mut workspace = exact.workspace();
-        for (case, (creepage, force)) in asked.iter().zip(forces.as_chunks_mut().0).enumerate() {
-            let solution = exact.solve_with(*creepage, &mut workspace);
+        for (case, (creepage, force)) in asked.zip(forces.as_chunks_mut().0).enumerate() {
+            let solution = exact.solve_with(creepage, &mut workspace);
             *force = numbers(solution.force);
             if let Some(errors) = &mut errors {
                 errors[3 * case..3 * case + 3].copy_from_slice(&numbers(solution.error));

@@ -35,7 +35,15 @@ fn new(name: &str, options: &str, a_over_b: f64) -> (i32, *mut CreepageTheory, S
     // SAFETY: all point to what they should.
     let code = unsafe {
         let (name, options) = (name.as_ptr(), options.as_ptr());
-        creepage_theory_new(name, options, a_over_b, 0.28, &raw mut theory, message.0.as_mut_ptr(), 256)
+        creepage_theory_new(
+            name,
+            options,
+            a_over_b,
+            0.28,
+            &raw mut theory,
+            message.0.as_mut_ptr(),
+            256,
+        )
     };
     (code, theory, message.text())
 }
@@ -208,7 +216,10 @@ fn nothing_and_too_much_get_their_codes() {
         let mut table = null_mut();
         assert_eq!(creepage_table_read(null(), &raw mut table, null_mut(), 0), CREEPAGE_NULL);
         assert_eq!(creepage_table_read(name.as_ptr(), null_mut(), null_mut(), 0), CREEPAGE_NULL);
-        assert_eq!(creepage_table_read(name.as_ptr(), &raw mut table, null_mut(), 0), CREEPAGE_FILE);
+        assert_eq!(
+            creepage_table_read(name.as_ptr(), &raw mut table, null_mut(), 0),
+            CREEPAGE_FILE
+        );
         assert!(table.is_null());
         let look = creepage_table_force(null(), 1.0, 0.28, 1, one, out, null_mut(), null_mut(), 0);
         assert_eq!(look, CREEPAGE_NULL);
