@@ -41,6 +41,11 @@ pub(crate) fn adhesion(ellipse: Ellipse, field: &Field) -> (Vec<Polygon>, f64) {
     patch::adhesion(ellipse, |points| field(points).iter().map(|point| point.region).collect())
 }
 
+/// An area of adhesion by the full theory without the steps of its elements, to be filled.
+pub(crate) fn smooth_area(adhesion: &[Polygon]) -> Vec<Polygon> {
+    adhesion.iter().map(|polygon| patch::smoothed(polygon)).collect()
+}
+
 /// `|(X, Y)|/mu Z` at a point inside the contact.
 pub(crate) fn reduced(ellipse: Ellipse, point: &FieldPoint) -> f64 {
     let [x, y] = point.position;
