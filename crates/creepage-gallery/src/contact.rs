@@ -32,7 +32,7 @@ pub(crate) fn chapter_5(theory: &Variational, creepage: Creepage) -> Field<'_> {
 }
 
 /// The field of a theory that answers at once.
-pub(crate) fn of<'a>(theory: &'a dyn Theory, creepage: Creepage) -> Field<'a> {
+pub(crate) fn of(theory: &dyn Theory, creepage: Creepage) -> Field<'_> {
     Box::new(move |positions| theory.field(creepage, positions))
 }
 

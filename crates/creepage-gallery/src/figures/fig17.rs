@@ -45,8 +45,7 @@ fn make() -> Result<Reproduction, GalleryError> {
         "Circular contact, σ = 0.5; chapter 5 with M = 3, W = W₁, its separatrix T = S. A rubber \
          ball that rolls with spin and no lateral force, for which the full theory needs η = \
          {free:.3}. All three theories are symmetric about the x-axis; the full theory's area of \
-         adhesion reaches the leading edge along nearly all of its width, as strip theory has it, \
-         and its rear edge is that of neither. Johnson's photograph is in the picture of 1967 \
+         adhesion is nearly that of strip theory, and chapter 5's is wider at the sides. Johnson's photograph is in the picture of 1967 \
          only. {EXPERIMENTS}"
     );
     let agreement = agreement(&theory, free);
