@@ -32,13 +32,18 @@ pub(crate) fn chapter_5(theory: &Variational, creepage: Creepage) -> Field<'_> {
 }
 
 /// The field of a theory that answers at once.
-pub(crate) fn of<'a>(theory: &'a dyn Theory, creepage: Creepage) -> Field<'a> {
+pub(crate) fn of(theory: &dyn Theory, creepage: Creepage) -> Field<'_> {
     Box::new(move |positions| theory.field(creepage, positions))
 }
 
 /// The area of adhesion and its share of the contact.
 pub(crate) fn adhesion(ellipse: Ellipse, field: &Field) -> (Vec<Polygon>, f64) {
     patch::adhesion(ellipse, |points| field(points).iter().map(|point| point.region).collect())
+}
+
+/// An area of adhesion by the full theory without the steps of its elements, to be filled.
+pub(crate) fn smooth_area(adhesion: &[Polygon]) -> Vec<Polygon> {
+    adhesion.iter().map(|polygon| patch::smoothed(polygon)).collect()
 }
 
 /// `|(X, Y)|/mu Z` at a point inside the contact.

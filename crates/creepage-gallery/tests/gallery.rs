@@ -37,7 +37,7 @@ const VERDICTS: &[(&str, [usize; 4])] = &[
     ("fig16", [3, 0, 0, 0]),
     ("fig17", [3, 0, 0, 0]),
     ("fig18", [4, 0, 0, 0]),
-    ("fig19", [7, 0, 0, 0]),
+    ("fig19", [8, 0, 0, 0]),
     // One small part of the print's two doubtful ones, of aberrations only.
     ("fig20", [5, 0, 0, 1]),
     // At χ = 1.24 the point without traction is still about to enter.

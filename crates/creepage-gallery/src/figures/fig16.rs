@@ -165,7 +165,8 @@ fn sheet(views: &[View; 3]) -> Result<Sheet, GalleryError> {
     let strips = contact::separatrix(circle, &views[1].adhesion);
     for (view, heading) in [(&views[0], axes::degree(3)), (&views[2], Label::new("full theory"))] {
         let panel = contact::panel(circle, heading);
-        let panel = contact::edge(patch::areas(panel, circle, &view.adhesion), circle);
+        let adhesion = contact::smooth_area(&view.adhesion);
+        let panel = contact::edge(patch::areas(panel, circle, &adhesion), circle);
         sheet = sheet.panel(contact::lines(panel, &strips, SECOND));
     }
     for k in 0..LINES.len() {

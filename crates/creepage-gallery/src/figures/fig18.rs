@@ -98,7 +98,7 @@ fn agreement(strips: &StripTheory, theory: &Variational, views: &[View]) -> Vec<
         Comparison::claim(
             "separatrix of strip theory",
             "the trailing edge shifted along x",
-            format!("shift the same on all lines within {spread:.0e} a"),
+            format!("shift the same on all lines within {spread:.3} a"),
             spread < 1e-3,
         ),
         Comparison::claim(

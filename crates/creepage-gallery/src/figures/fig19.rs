@@ -58,8 +58,8 @@ fn make() -> Result<Reproduction, GalleryError> {
 const CAPTION: &str = "Circular contact, σ = 0.28; chapter 5 with M = 3, W = W₁. Traction on the \
     lower body, all arrows of one length. Behind, where it slips, both theories agree on the \
     angles to a degree or two; in front, where the traction is far below its bound, the directions \
-    of chapter 5 are erratic, as the thesis suspects, while those of the full theory stay within \
-    2.5 degrees.";
+    of chapter 5 are erratic, as the thesis suspects, while those of the full theory stay close to \
+    that of the creepage.";
 
 fn heading(letter: &str, symbol: &str) -> Label {
     Label::new(letter).plain(")  ").symbol(symbol).plain(" = 0.8")
@@ -147,9 +147,24 @@ fn trends() -> Result<Vec<Comparison>, GalleryError> {
         let found = format!("at most {ours:.1}°, beside {circle:.1}°");
         Comparison::claim(format!("|γ| where it slips, {what}"), printed, found, holds)
     };
+    let across = largest(1.0, STEEL, ACROSS)?;
+    let infinitesimal = largest_of_infinitesimal_creepage();
+    let same_order = Comparison::claim(
+        "largest |γ| and |β|",
+        "of the same order as θ of (4.46)",
+        format!("{circle:.1}° and {across:.1}° where it slips; θ = {infinitesimal:.1}°"),
+        (0.5..2.0).contains(&(circle / infinitesimal))
+            && (0.5..2.0).contains(&(across / infinitesimal)),
+    );
     Ok(vec![
+        same_order,
         line("ξ = 1.6 beside 0.8", "decreases", fast, fast < circle),
         line("σ = 0.5 beside 0.28", "up to about 20°", soft, (17.0..23.0).contains(&soft)),
         line("a/b = 0.2 beside 1", "decreases for slender contacts", slender, slender < circle),
     ])
+}
+
+/// The largest angle between slip and traction in infinitesimal creepage, (4.45), in degrees.
+fn largest_of_infinitesimal_creepage() -> f64 {
+    (2.0 * (1.0 - STEEL).sqrt() / (2.0 - STEEL)).acos().to_degrees()
 }

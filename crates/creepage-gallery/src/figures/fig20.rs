@@ -83,7 +83,7 @@ fn caption(today: &[View]) -> String {
         "Circular contact, σ = 0.28, no creepage; chapter 5 with M = 3, W = W₁, its separatrix \
          T = S. Dashed, the separatrix of the full theory, in which {} % of the contact adhere. It \
          has one area of adhesion up to χ = 1.95, at the leading edge; in the end an island \
-         remains about the point without slip, much smaller than that of 1967. Part f in the \
+         remains about the point without slip, much smaller than that of 1967: see the item islands. Part f in the \
          thesis's units, Y over its largest bound and Q in units of μf₀₀.",
         shares.join(", ")
     )

@@ -71,22 +71,22 @@ fn centre(field: &Field) -> Option<f64> {
 }
 
 /// From the first spin of the figure on.
-fn spins() -> Vec<f64> {
-    spaced(0.5, 10.0, 38)
+fn spins(count: u32) -> Vec<f64> {
+    spaced(0.5, 10.0, count)
 }
 
 type Curve = Vec<[f64; 2]>;
 
 fn by_chapter_5(theory: &Variational) -> Curve {
     let at = |chi: f64| centre(&contact::chapter_5(theory, spin(chi))).map(|x| [chi, x]);
-    spins().into_iter().filter_map(at).collect()
+    spins(114).into_iter().filter_map(at).collect()
 }
 
 fn by_full_theory() -> Result<Curve, GalleryError> {
     let theory = Exact::new(1.0, STEEL, Resolution::FINE)?;
     let mut workspace = theory.workspace();
     let mut curve = Vec::new();
-    for chi in spins() {
+    for chi in spins(38) {
         theory.solve_next(spin(chi), &mut workspace);
         let here = &workspace;
         let field: Field = Box::new(|positions| theory.field_of(here, positions));

@@ -95,11 +95,8 @@ fn agreement(curves: &[Curve], fulls: &[Curve]) -> Vec<Comparison> {
         .collect();
     let lowest = right.iter().copied().fold(f64::INFINITY, f64::min);
     let highest = right.iter().copied().fold(0.0, f64::max);
-    let flat: Vec<_> = curves[2..]
-        .iter()
-        .map(|curve| wide(curve))
-        .map(|[from, to]| format!("{from:.1} to {to:.1}"))
-        .collect();
+    let flat: Vec<_> =
+        curves[2..].iter().map(wide).map(|[from, to]| format!("{from:.1} to {to:.1}")).collect();
     vec![
         Comparison::claim(
             "peak of f_y, a/b = 2, 1, 0.5, 0.2",
@@ -136,7 +133,7 @@ fn wide(curve: &Curve) -> [f64; 2] {
     [near().fold(f64::INFINITY, f64::min), near().fold(0.0, f64::max)]
 }
 
-/// Of Fig. 24c: "for which f_y is about half of its maximum: chi = 5".
+/// Of Fig. 24c: "for which `f_y` is about half of its maximum: chi = 5".
 fn half(curve: &Curve, full: &Curve) -> Comparison {
     let share = |curve: &Curve| at(curve, 5.0) / peak(curve)[1];
     Comparison::number("f_y at χ = 5 over its peak, a/b = 1", "0.5", share(curve))

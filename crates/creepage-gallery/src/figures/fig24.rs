@@ -47,12 +47,10 @@ impl Net {
             let forces = [chained(&theory, &creepages), full(1.0, STEEL, &creepages)?];
             Ok(Line { value, creepages, forces })
         };
-        let lowest = if chi > 0.0 { -90.0 } else { 0.0 };
-        let steps = if chi > 0.0 { 36 } else { 30 };
         let ring = |nu: f64| {
-            line(nu, spaced(lowest, 90.0, steps).into_iter().map(|alpha| (nu, alpha)).collect())
+            line(nu, spaced(lowest(chi), 90.0, 36).into_iter().map(|alpha| (nu, alpha)).collect())
         };
-        // Crowded where the force is, sparse where it is saturated.
+        // To a creepage of 12, crowded below 1.
         let sizes = || spaced(0.0, 1.0, 64).into_iter().map(|s| 0.05 + 0.95 * s + 11.0 * s.powi(5));
         let ray = |alpha: f64| line(alpha, sizes().map(|nu| (nu, alpha)).collect());
         let rings = SIZES.into_iter().map(ring).collect::<Result<_, _>>()?;
@@ -95,6 +93,11 @@ fn at(chi: f64, nu: f64, alpha: f64) -> Creepage {
     Creepage { xi: nu * cos, eta: nu * sin, chi }
 }
 
+/// The lowest direction in degrees: without spin, one quarter tells all.
+fn lowest(chi: f64) -> f64 {
+    if chi > 0.0 { -90.0 } else { 0.0 }
+}
+
 fn angles(chi: f64) -> &'static [f64] {
     if chi > 0.0 { &[-60.0, -30.0, 0.0, 30.0, 60.0] } else { &[30.0, 60.0] }
 }
@@ -112,8 +115,8 @@ fn make(title: &str, chi: f64) -> Result<Reproduction, GalleryError> {
             they are: in the full theory they are smooth"
         }
         _ => {
-            "The rings are egg-shaped, and narrower than with less spin; chapter 5 has their form right, \
-            and puts them too low"
+            "The rings are egg-shaped, and narrower than with less spin; chapter 5 has their form \
+            right, and puts them too low"
         }
     };
     let caption = format!(
@@ -242,10 +245,10 @@ fn sheet(title: &str, net: &Net) -> Sheet {
 }
 
 fn frame(net: &Net, heading: Label) -> Panel {
-    let lowest = if net.chi > 0.0 { -1.02 } else { 0.0 };
-    let angles = spaced(if net.chi > 0.0 { -90.0 } else { 0.0 }, 90.0, 90);
+    let bottom = if net.chi > 0.0 { -1.02 } else { 0.0 };
+    let angles = spaced(lowest(net.chi), 90.0, 90);
     let circle = angles.iter().map(|angle| angle.to_radians().sin_cos());
-    Panel::new(Scale::new([0.0, 1.19], axes::fx()), Scale::new([lowest, 1.02], axes::fy()))
+    Panel::new(Scale::new([0.0, 1.19], axes::fx()), Scale::new([bottom, 1.02], axes::fy()))
         .to_scale()
         .heading(heading)
         .curve(circle.map(|(sin, cos)| [cos, sin]).collect(), Pen::THIN)

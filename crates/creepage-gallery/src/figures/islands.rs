@@ -6,7 +6,7 @@ use creepage::Ellipse;
 use creepage::rolling::exact::{Exact, Resolution};
 use creepage::rolling::variational::Weight;
 use creepage::rolling::{Creepage, Region};
-use creepage_report::plot::{Fill, Label, Panel, Scale, Sheet};
+use creepage_report::plot::{Fill, Label, Panel, Pen, Scale, Sheet};
 use rayon::prelude::*;
 
 use super::fig20;
@@ -131,13 +131,14 @@ fn caption(islands: &[Vec<Island>]) -> String {
     };
     format!(
         "Circular contact, σ = 0.28, no creepage. Above, the full theory's areas at the spins of \
-         Fig. 20 and at χ = 5; below, the elements that adhere about the point without slip, with \
-         {} by {} elements in the contact, in the outline of chapter 5's island (note the scales). \
-         5.322 doubts the small areas on the right of Fig. 20d: they do not exist. It also doubts \
-         the island: it exists. If the traction turned at its full strength about a single point, \
-         the displacement's gradient would have no bound there, and the slip could not vanish. But \
-         the island is small and thin, {}, {} and {}, too small for ordinary grids; it goes towards \
-         the middle as the spin grows.",
+         Fig. 20 and at χ = 5; below, enlarged, the elements that adhere about the point without \
+         slip, with {} by {} elements in the contact, and the outline of chapter 5's island. 5.322 \
+         doubts the small areas on the right of Fig. 20d: they do not exist. It also doubts the \
+         island, and thinks a jump of the traction and a simple zero of the slip possible instead. \
+         The island exists: if the traction turned at its full strength about a single point, the \
+         displacement's gradient would have no bound there, and the slip could not vanish. But it \
+         is small and thin, {}, {} and {}, too small for ordinary grids; it goes towards the middle \
+         as the spin grows.",
         FINE[0],
         FINE[1],
         words(0),
@@ -186,7 +187,11 @@ fn sheet(
         .note(axes::setting(&[("a/b", "1"), ("σ", "0.28"), ("ξ", "0"), ("η", "0")]))
         .columns(3);
     for (chi, (area, _)) in spins.iter().zip(areas) {
-        let panel = patch::areas(contact::panel(circle, heading(*chi)), circle, area);
+        let panel = patch::areas(
+            contact::panel(circle, heading(*chi)),
+            circle,
+            &contact::smooth_area(area),
+        );
         sheet = sheet.panel(contact::edge(panel, circle));
     }
     for island in islands {
@@ -212,12 +217,8 @@ fn closely(circle: Ellipse, island: &Island, heading: Label) -> Panel {
     for element in &island.elements {
         panel = panel
             .area(vec![element.clone()], Fill::ADHESION)
-            .curve(patch::closed(element.clone()), creepage_report::plot::Pen::OUTLINE.wide(0.7));
+            .curve(patch::closed(element.clone()), Pen::OUTLINE.wide(0.7));
     }
     let near = contact::separatrix(circle, &island.of_1967);
-    contact::lines(
-        panel.curve(patch::outline(circle), creepage_report::plot::Pen::OUTLINE),
-        &near,
-        OF_1967,
-    )
+    contact::lines(panel.curve(patch::outline(circle), Pen::OUTLINE), &near, OF_1967)
 }

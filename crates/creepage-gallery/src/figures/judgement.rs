@@ -113,8 +113,11 @@ struct Group {
     spreads: [Spread; 2],
 }
 
+/// What cases are told apart by.
+type Quantity = fn(&Case) -> f64;
+
 fn groups(cases: &[Case]) -> Vec<Group> {
-    let by: [(&'static str, fn(&Case) -> f64); 3] =
+    let by: [(&'static str, Quantity); 3] =
         [("a/b", |case| case.a_over_b), ("ν", |case| case.size), ("χ", |case| case.chi)];
     let mut groups = Vec::new();
     for (quantity, of) in by {
