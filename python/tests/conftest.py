@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
 import creepage
 import matplotlib as mpl
@@ -21,6 +22,9 @@ def wheel_on_rail() -> creepage.Case:
 @pytest.fixture(params=list(creepage.THEORIES), scope="session")
 def theory(request: pytest.FixtureRequest) -> creepage.Theory:
     """Every theory, coarse where that makes it quick."""
-    options = {"exact": {"resolution": "fast"}, "automatic": {"accuracy": 0.1}}
+    options: dict[str, dict[str, Any]] = {
+        "exact": {"resolution": "fast"},
+        "automatic": {"accuracy": 0.1},
+    }
     name: str = request.param
     return creepage.theory(name, 1.3, 0.28, **options.get(name, {}))

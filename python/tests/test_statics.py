@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import math
 from pathlib import Path
+from typing import Any
 
 import creepage
 import numpy as np
@@ -52,7 +53,7 @@ def test_a_die_is_flat_underneath() -> None:
 
 def test_partial_slip_sticks_in_the_middle() -> None:
     body = {"shear_modulus": 82e9, "poisson": 0.28}
-    file = {
+    file: dict[str, dict[str, Any]] = {
         "upper": body,
         "lower": body,
         "contact": {

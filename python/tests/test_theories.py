@@ -29,7 +29,7 @@ def test_an_array_is_its_floats(theory: creepage.Theory) -> None:
 
 def test_floats_in_floats_out(theory: creepage.Theory) -> None:
     force = theory.force(0.5, 0.2, 0.1)
-    assert type(force.fx) is type(force.magnitude) is float
+    assert isinstance(force.fx, float) and isinstance(force.magnitude, float)
     assert isinstance(force.status, Status)
     assert force.converged is True
     assert force.magnitude == pytest.approx(np.hypot(force.fx, force.fy), rel=1e-15)
@@ -39,7 +39,7 @@ def test_floats_in_floats_out(theory: creepage.Theory) -> None:
 
 def test_zero_dimensions_count_as_floats(theory: creepage.Theory) -> None:
     force = theory.force(np.float32(0.5), np.array(0.25), np.int64(0))
-    assert type(force.fx) is float
+    assert isinstance(force.fx, float)
     assert force.fx == theory.force(0.5, 0.25, 0).fx
 
 

@@ -16,18 +16,18 @@ import pytest
 
 EXACT = creepage.exact(1.3, 0.28, resolution="fast")
 FASTSIM = creepage.fastsim(1.3, 0.28, grid=(20, 20))
-CREEPAGE = np.random.default_rng(1967).uniform(-2.0, 2.0, (3, 400))
+XI, ETA, CHI = np.random.default_rng(1967).uniform(-2.0, 2.0, (3, 400))
 
 
 def test_threads_share_a_handle() -> None:
-    expected = FASTSIM.force(*CREEPAGE)
-    exact = EXACT.force(*CREEPAGE[:, :8])
+    expected = FASTSIM.force(XI, ETA, CHI)
+    exact = EXACT.force(XI[:8], ETA[:8], CHI[:8])
 
     def ask(k: int) -> bool:
         if k % 2:
-            one = EXACT.force(*CREEPAGE[:, k % 8].tolist())
+            one = EXACT.force(*(float(part[k % 8]) for part in (XI, ETA, CHI)))
             return bool(one.fx == exact.fx[k % 8])
-        return bool((FASTSIM.force(*CREEPAGE).fy == expected.fy).all())
+        return bool((FASTSIM.force(XI, ETA, CHI).fy == expected.fy).all())
 
     with ThreadPoolExecutor(8) as pool:
         assert all(pool.map(ask, range(64)))
@@ -35,7 +35,12 @@ def test_threads_share_a_handle() -> None:
 
 def test_others_run_while_an_array_is_solved() -> None:
     done = threading.Event()
-    worker = threading.Thread(target=lambda: (EXACT.force(*CREEPAGE), done.set()))
+
+    def solve() -> None:
+        EXACT.force(XI, ETA, CHI)
+        done.set()
+
+    worker = threading.Thread(target=solve)
     worker.start()
     turns = 0
     while not done.is_set():
@@ -47,7 +52,7 @@ def test_others_run_while_an_array_is_solved() -> None:
 
 
 def in_child(seed: int) -> float:
-    return float(FASTSIM.force(*(CREEPAGE * seed)).fx.sum())
+    return float(FASTSIM.force(seed * XI, ETA, CHI).fx.sum())
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="Windows has no fork")

@@ -18,8 +18,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     let linear = Linear::new(a_over_b, poisson)?;
     let coefficients = CreepageCoefficients::new(a_over_b, poisson)?;
     let fastsim = Fastsim::new(a_over_b, poisson, &coefficients, Settings::default())?;
-    report("linear", &linear, 100_000, 300);
-    report("fastsim", &fastsim, 2000, 5);
+    report("linear", &linear, 100_000, 100);
+    report("fastsim", &fastsim, 1000, 2);
     Ok(())
 }
 

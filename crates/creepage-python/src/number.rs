@@ -67,7 +67,7 @@ impl<'py, const N: usize> Inputs<'py, N> {
                 Number::Many(value) => Ok(floats(py, name, &value)?),
             });
         }
-        let shapes = || arrays.iter().flatten().map(|array| array.shape());
+        let shapes = || arrays.iter().flatten().map(PyUntypedArrayMethods::shape);
         let shape = broadcast(shapes()).ok_or_else(|| {
             let shapes: Vec<_> = shapes().collect();
             PyValueError::new_err(format!(

@@ -47,6 +47,6 @@ pub(crate) fn word<T: for<'de> Deserialize<'de>>(
 
 /// An option that is two counts.
 pub(crate) fn pair(name: &str, value: Option<&Bound<'_, PyAny>>) -> PyResult<Option<[usize; 2]>> {
-    let read = value.map(|value| value.extract::<[usize; 2]>());
+    let read = value.map(PyAnyMethods::extract::<[usize; 2]>);
     read.transpose().map_err(|_| PyTypeError::new_err(format!("{name} must be two counts")))
 }
