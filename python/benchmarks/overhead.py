@@ -1,7 +1,8 @@
 """What Python costs above Rust: one force, and 100,000 of them.
 
 Runs the same cases by `crates/creepage-python/examples/batch.rs` (which cargo builds first) and by
-the installed package; install the wheel of `maturin build --release`, else the comparison is unfair.
+the installed package, which must be the wheel of `maturin build --release` for the comparison to be
+fair. The least of all rounds counts.
 """
 
 from __future__ import annotations
@@ -66,7 +67,8 @@ def main() -> None:
     for name in theories:
         one_rust, one = (1e6 * least[language, name, "one"] for language in ("Rust", "Python"))
         rust, many = (1e3 * least[language, name, "many"] for language in ("Rust", "Python"))
-        print(f"{name:8} a force: Rust {one_rust:.3f} us, Python {one:.3f} us ({one - one_rust:+.2f} us)")
+        print(f"{name:8} a force: Rust {one_rust:.3f} us, Python {one:.3f} us", end=" ")
+        print(f"({one - one_rust:+.2f} us)")
         print(f"{name:8} {CASES} forces: Rust {rust:.2f} ms, Python {many:.2f} ms", end=" ")
         print(f"({100 * (many / rust - 1):+.1f} %)")
 

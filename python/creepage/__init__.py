@@ -15,7 +15,7 @@ presence of dry friction, thesis, Delft, 1967.
 """
 
 from ._batch import batch
-from ._case import Case, Curve, SiCreepage, SiForce, Solution
+from ._case import Case
 from ._contact import Body, Hertz, LineContact, hertz, line_contact
 from ._creepage import (
     Automatic,
@@ -36,6 +36,7 @@ from ._creepage import (
     carter,
     coefficients,
 )
+from ._curve import Curve
 from ._errors import (
     CaseError,
     CreepageError,
@@ -60,6 +61,7 @@ from ._results import (
     ScalarForce,
     Status,
 )
+from ._solution import SiCreepage, SiForce, Solution
 from ._statics import StaticsSolution, statics
 from ._sweep import sweep
 from ._theories import THEORIES, theory

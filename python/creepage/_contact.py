@@ -150,6 +150,10 @@ class LineContact:
     load: float
     """N per m of the cylinders' length."""
 
+    def to_dict(self) -> dict[str, float]:
+        """The numbers by name, in SI units."""
+        return asdict(self)
+
     def carter(self, creepage: Any, friction: float) -> CarterSolution[Any]:
         """Carter's theory at the longitudinal creepage upsilon_x, a float or an array.
 

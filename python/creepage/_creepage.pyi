@@ -21,6 +21,32 @@ from ._results import (
     ScalarForce,
 )
 
+__all__ = [
+    "Automatic",
+    "CaseData",
+    "DifferentiableTheory",
+    "Exact",
+    "Fastrip",
+    "Fastsim",
+    "Linear",
+    "Polach",
+    "Saturated",
+    "ShenHedrickElkins",
+    "SolvedCase",
+    "SolvedStatics",
+    "Strip",
+    "SweepData",
+    "Theory",
+    "Variational",
+    "VermeulenJohnson",
+    "__version__",
+    "carter",
+    "carter_field",
+    "coefficients",
+    "hertz",
+    "line_contact",
+]
+
 __version__: Final[str]
 
 _Pair: TypeAlias = tuple[int, int] | Sequence[int]
@@ -45,11 +71,24 @@ class Theory:
         """Semi-axes (a, b) of the contact in units of c: sqrt(a/b) and sqrt(b/a)."""
 
     @overload
-    def force(self, xi: float = 0.0, eta: float = 0.0, chi: float = 0.0) -> ScalarForce: ...
+    def force(self, xi: float = 0.0, eta: float = 0.0, chi: float = 0.0) -> ScalarForce:
+        """Force and moment on the lower body.
+
+        xi, eta, chi: dimensionless creepages and spin, floats or anything of which NumPy makes
+        arrays of real numbers; they broadcast against each other. For floats a Force of floats,
+        else a Force of arrays of the common shape. Arrays are solved by all cores with the GIL
+        released, and Ctrl-C ends them; do not write to them meanwhile.
+
+        Raises InvalidValue where a component is not finite (or beyond 1e100), with the index of
+        the first such element; TypeError for what is no real number, ValueError for shapes that
+        do not broadcast.
+        """
+
     @overload
     def force(
         self, xi: ArrayLike = 0.0, eta: ArrayLike = 0.0, chi: ArrayLike = 0.0
     ) -> ForceArray: ...
+    def __getnewargs_ex__(self) -> tuple[tuple[()], dict[str, Any]]: ...
     def field(
         self,
         xi: float = 0.0,

@@ -14,7 +14,8 @@ from ._results import Field, Region
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from ._case import Curve, Solution
+    from ._curve import Curve
+    from ._solution import Solution
 
 ADHESION, SLIP = "#cfe3f5", "#f7d9b9"
 LABELS = {
@@ -45,7 +46,15 @@ def plot_field(field: Field, ax: Axes | None, length: float = 1.0, unit: str = "
     ax.invert_yaxis()
     areas_of = {Region.ADHESION: ADHESION, Region.SLIP: SLIP}
     shown = [Patch(color=areas_of[r], label=r.name.lower()) for r in areas_of]
-    ax.legend(handles=shown, loc="upper right", fontsize="small")
+    above = (0.5, 1.0)
+    ax.legend(
+        handles=shown,
+        ncols=2,
+        frameon=False,
+        fontsize="small",
+        loc="lower center",
+        bbox_to_anchor=above,
+    )
     return ax
 
 
@@ -73,10 +82,11 @@ def plot_solution(solution: Solution, ax: Axes | None) -> Axes:
     ax = plot_field(solution.field(), ax, 1e3 * solution.length, "mm")
     force = solution.force
     ax.set_title(
-        f"{solution.theory.name}: {force.longitudinal:.4g} N along, {force.lateral:.4g} N "
-        f"across,\n{100 * solution.adhesion_share:.0f} % adhesion, "
-        f"{solution.heat_per_metre:.3g} J/m",
+        f"{solution.theory.name}: {1e-3 * force.longitudinal:.3f} kN along, "
+        f"{1e-3 * force.lateral:.3f} kN across,\n"
+        f"{100 * solution.adhesion_share:.0f} % adhesion, {solution.heat_per_metre:.3g} J/m",
         fontsize="medium",
+        pad=22,
     )
     return ax
 
@@ -91,6 +101,9 @@ def plot_curve(curve: Curve, ax: Axes | None) -> Axes:
     ax.axvline(getattr(curve.case.creepage, curve.vary), color="#999999", lw=0.8, ls=":")
     ax.set_xlabel(LABELS[curve.vary])
     ax.set_ylabel(f"{'longitudinal' if row == 0 else 'lateral'} force on the lower body (kN)")
+    limit = 1.25e-3 * curve.case.friction * curve.case.contact.normal_force
+    low, high = ax.get_ylim()  # linear theory knows no limit of friction
+    ax.set_ylim(max(low, -limit), min(high, limit))
     ax.grid(alpha=0.3)
     ax.legend()
     return ax

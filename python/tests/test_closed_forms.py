@@ -47,8 +47,9 @@ def test_carters_field_carries_its_force() -> None:
     for value in (0.5, 2.0, 5.0):
         found = creepage.carter(value)
         traction, slip, region = found.field(x)
+        total = traction.sum() * (2.0 / count) / (math.pi / 2)
         # Force over mu N with N = pi/2 a p0; midpoints err by some h^1.5 at the square roots.
-        assert traction.sum() * (2.0 / count) / (math.pi / 2) == pytest.approx(found.force, abs=1e-4)
+        assert total == pytest.approx(found.force, abs=1e-4)
         assert (slip[region == creepage.Region.ADHESION] == 0.0).all()
         assert found.field(1.5)[2] == creepage.Region.OUTSIDE
 
@@ -81,6 +82,7 @@ def test_line_contact_gives_carter_its_scale() -> None:
     contact = creepage.line_contact(young, shear, 1e6)
     assert contact.rho == pytest.approx(1.0)  # the diameter
     assert contact.peak_pressure == pytest.approx(2e6 / (math.pi * contact.half_width))
+    assert contact.to_dict()["half_width"] == contact.half_width
     found = contact.carter(1e-3, 0.3)
     assert found.creepage == pytest.approx(1e-3 / (0.3 * contact.half_width))
     with pytest.raises(ValueError, match="friction"):

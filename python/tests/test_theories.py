@@ -71,8 +71,8 @@ def test_derivative_is_that_of_the_force(theory: creepage.Theory) -> None:
     for direction in np.eye(3):
         up = theory.force(*(at + step * direction).tolist())
         down = theory.force(*(at - step * direction).tolist())
-        parts = [(u - d) / (2 * step) for u, d in ((up.fx, down.fx), (up.fy, down.fy), (up.mz, down.mz))]
-        columns.append(parts)
+        pairs = ((up.fx, down.fx), (up.fy, down.fy), (up.mz, down.mz))
+        columns.append([(u - d) / (2 * step) for u, d in pairs])
     found = theory.derivative(*at)
     assert found.shape == (3, 3)
     np.testing.assert_allclose(found, np.array(columns).T, atol=tolerance)
