@@ -14,6 +14,7 @@ Equation numbers are those of J.J. Kalker, On the rolling contact of two elastic
 presence of dry friction, thesis, Delft, 1967.
 """
 
+from ._batch import batch
 from ._case import Case
 from ._contact import Body, Hertz, LineContact, hertz, line_contact
 from ._creepage import (
@@ -27,6 +28,7 @@ from ._creepage import (
     Saturated,
     ShenHedrickElkins,
     Strip,
+    Table,
     Theory,
     Variational,
     VermeulenJohnson,
@@ -41,6 +43,7 @@ from ._errors import (
     InvalidOption,
     InvalidValue,
     NotReachable,
+    TableError,
     UnknownTheory,
 )
 from ._results import (
@@ -114,12 +117,15 @@ __all__ = [
     "StaticsSolution",
     "Status",
     "Strip",
+    "Table",
+    "TableError",
     "Theory",
     "UnknownTheory",
     "Variational",
     "VermeulenJohnson",
     "__version__",
     "automatic",
+    "batch",
     "carter",
     "coefficients",
     "exact",

@@ -272,6 +272,75 @@ class Saturated(DifferentiableTheory):
 
     def __new__(cls, a_over_b: float, poisson: float = 0.0) -> Saturated: ...
 
+@final
+class Table:
+    """Creep force of one theory, looked up.
+
+    Over creepage and spin from zero to infinity, at one ratio a/b and one Poisson's ratio or over
+    ranges of these. `Table.build` makes one, `Table.read` reads a file of `creepage table build`.
+    """
+
+    @staticmethod
+    def read(path: str | PathLike[str]) -> Table: ...
+    def write(self, path: str | PathLike[str]) -> None: ...
+    @staticmethod
+    def build(
+        theory: str,
+        a_over_b: float | tuple[float, float],
+        poisson: float | tuple[float, float],
+        *,
+        intervals: Sequence[int] = ...,
+        shapes: int = 9,
+        materials: int = 4,
+        places: int = 500,
+        **options: Any,
+    ) -> Table: ...
+    @property
+    def theory(self) -> str: ...
+    @property
+    def options(self) -> str: ...
+    @property
+    def a_over_b(self) -> tuple[float, float]: ...
+    @property
+    def poisson(self) -> tuple[float, float]: ...
+    @property
+    def force_error(self) -> tuple[float, float, float, float]:
+        """The measured error of (fx, fy) in units of mu N: median, 95 %, 99 %, worst."""
+
+    @property
+    def moment_error(self) -> tuple[float, float, float, float]:
+        """The measured error of mz in units of mu N c: median, 95 %, 99 %, worst."""
+
+    @overload
+    def force(
+        self,
+        xi: float = 0.0,
+        eta: float = 0.0,
+        chi: float = 0.0,
+        *,
+        a_over_b: float | None = None,
+        poisson: float | None = None,
+    ) -> ScalarForce: ...
+    @overload
+    def force(
+        self,
+        xi: ArrayLike = 0.0,
+        eta: ArrayLike = 0.0,
+        chi: ArrayLike = 0.0,
+        *,
+        a_over_b: ArrayLike | None = None,
+        poisson: ArrayLike | None = None,
+    ) -> ForceArray: ...
+    def derivative(
+        self,
+        xi: ArrayLike = 0.0,
+        eta: ArrayLike = 0.0,
+        chi: ArrayLike = 0.0,
+        *,
+        a_over_b: ArrayLike | None = None,
+        poisson: ArrayLike | None = None,
+    ) -> Floats: ...
+
 @overload
 def coefficients(a_over_b: float, poisson: float) -> CreepageCoefficients[float]: ...
 @overload

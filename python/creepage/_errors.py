@@ -77,3 +77,7 @@ class NotReachable(CreepageError, ValueError):
         """The force (fx, fy, mz) that came nearest."""
         self.at = at
         """Its creepage (xi, eta, chi)."""
+
+
+class TableError(CreepageError, ValueError):
+    """A file that is no table of creep force or is damaged, a theory of which there is none."""

@@ -1,10 +1,13 @@
 //! The library's errors as Python's exceptions, with their messages and fields.
 
+use std::path::PathBuf;
+
 use creepage::InvalidValue;
 use creepage::rolling::exact::InverseError;
 use creepage::rolling::variational::VariationalError;
 use creepage_case::{CaseError, StaticsError};
 use creepage_report::ReportError;
+use creepage_table::FileError;
 use pyo3::BoundObject;
 use pyo3::exceptions::{PyOSError, PyRuntimeError};
 use pyo3::prelude::*;
@@ -145,4 +148,18 @@ pub(crate) fn report(error: ReportError) -> PyErr {
         }
         other => PyRuntimeError::new_err(other.to_string()),
     }
+}
+
+pub(crate) fn table(py: Python, error: FileError, path: PathBuf) -> PyErr {
+    match error {
+        FileError::Io(source) => match source.raw_os_error() {
+            Some(code) => PyOSError::new_err((code, source.to_string(), path)),
+            None => source.into(),
+        },
+        other => no_table(py, &format!("{}: {other}", path.display())),
+    }
+}
+
+pub(crate) fn no_table(py: Python, message: &str) -> PyErr {
+    exception(py, "TableError", (message,))
 }

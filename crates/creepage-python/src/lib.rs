@@ -14,6 +14,7 @@ mod pool;
 mod results;
 mod statics;
 mod sweep;
+mod table;
 mod theories;
 mod theory;
 
@@ -28,6 +29,8 @@ mod _creepage {
     use crate::statics::SolvedStatics;
     #[pymodule_export]
     use crate::sweep::SweepData;
+    #[pymodule_export]
+    use crate::table::Table;
     #[pymodule_export]
     use crate::theories::{
         Automatic, Exact, Fastrip, Fastsim, Linear, Polach, Saturated, ShenHedrickElkins, Strip,

@@ -1,0 +1,287 @@
+//! Tables of creep force: built, kept in a file, looked up.
+
+use std::fs;
+use std::path::PathBuf;
+
+use creepage::InvalidValue;
+use creepage::rolling::{self, Creepage, FieldPoint, Solution};
+use creepage_table::{Axis, BuildError, FileError, Intervals, Provenance, Slice, Spec, Spread};
+use pyo3::prelude::*;
+use pyo3::types::{PyDict, PyString};
+
+use crate::batch::solve_all;
+use crate::number::{Inputs, Number};
+use crate::pool::pool;
+use crate::theory::Theory;
+use crate::{errors, results};
+
+const NAMES: [&str; 5] = ["xi", "eta", "chi", "a_over_b", "poisson"];
+/// Seconds of one look-up, roughly.
+const COST: f64 = 2e-7;
+
+/// Creep force of one theory, looked up: over creepage and spin from zero to infinity, at one
+/// ratio a/b and one Poisson's ratio or over ranges of these.
+///
+/// `Table.build` makes one, `Table.read` reads a file of `creepage table build`.
+#[pyclass(frozen, module = "creepage")]
+#[allow(missing_debug_implementations)] // Python has its own
+pub struct Table {
+    table: creepage_table::Table,
+}
+
+#[pymethods]
+impl Table {
+    /// Reads a table. Raises OSError, or TableError where the file is none or is damaged.
+    #[staticmethod]
+    fn read(py: Python, path: PathBuf) -> PyResult<Self> {
+        let table = py.detach(|| creepage_table::Table::read(&path));
+        let table = table.map_err(|error| errors::table(py, error, path))?;
+        Ok(Self { table })
+    }
+
+    /// Writes the table to a file of NetCDF, which xarray opens too; the file appears when it is
+    /// whole. Raises OSError.
+    fn write(&self, py: Python, path: PathBuf) -> PyResult<()> {
+        let mut partial = path.clone().into_os_string();
+        partial.push(".partial");
+        let write = || -> Result<(), FileError> {
+            self.table.write(partial.as_ref())?;
+            Ok(fs::rename(&partial, &path)?)
+        };
+        py.detach(write).map_err(|error| errors::table(py, error, path.clone()))
+    }
+
+    /// Builds the table of a theory, on all cores, and measures its error at random places.
+    ///
+    /// theory: its name, one that is linear near zero and bounded; options are those of its
+    /// class. a_over_b, poisson: a number each, or the first and the last of a range of `shapes`
+    /// and of `materials` nodes. intervals: along theta (from pure spin to none), phi (from -eta
+    /// over xi to eta; even) and t (from no creepage to infinite creepage). places: at how many
+    /// the error is measured.
+    ///
+    /// Raises UnknownTheory, InvalidValue, TableError for a theory of which there is no table.
+    #[staticmethod]
+    #[pyo3(signature = (theory, a_over_b, poisson, *, intervals=[12, 16, 20], shapes=9,
+                        materials=4, places=500, **options))]
+    #[allow(clippy::too_many_arguments)] // by name in Python
+    fn build(
+        py: Python,
+        theory: &Bound<PyString>,
+        a_over_b: Range,
+        poisson: Range,
+        intervals: [usize; 3],
+        shapes: usize,
+        materials: usize,
+        places: usize,
+        options: Option<&Bound<PyDict>>,
+    ) -> PyResult<Self> {
+        let [theta, phi, t] = intervals;
+        let spec = Spec {
+            a_over_b: a_over_b.axis(shapes),
+            poisson: poisson.axis(materials),
+            intervals: Intervals { theta, phi, t },
+            places,
+            provenance: Provenance {
+                theory: theory.to_cow()?.replace('_', "-"),
+                options: words(options)?,
+                program: format!("creepage {}", env!("CARGO_PKG_VERSION")),
+            },
+        };
+        let make = py.import("creepage")?.getattr("theory")?.unbind();
+        let (name, options) =
+            (theory.clone().unbind(), options.map(|given| given.clone().unbind()));
+        let prepare = |a_over_b: f64, poisson: f64| -> PyResult<Box<dyn rolling::Theory>> {
+            Python::attach(|py| {
+                let options = options.as_ref().map(|given| given.bind(py));
+                let made = make.bind(py).call((&name, a_over_b, poisson), options)?;
+                Ok(Box::new(Asked(made.cast_into::<Theory>()?.unbind())) as Box<_>)
+            })
+        };
+        let pool = pool()?;
+        let built = py.detach(|| pool.install(|| creepage_table::build(&spec, prepare, &|| {})));
+        let table = built.map_err(|error| match error {
+            BuildError::Theory(error) => error,
+            BuildError::Invalid(error) => errors::invalid(py, error),
+            other => errors::no_table(py, &other.to_string()),
+        })?;
+        Ok(Self { table })
+    }
+
+    /// Name of the theory.
+    #[getter]
+    fn theory(&self) -> &str {
+        &self.table.provenance().theory
+    }
+
+    /// Its options, as a person would write them; may be empty.
+    #[getter]
+    fn options(&self) -> &str {
+        &self.table.provenance().options
+    }
+
+    /// First and last ratio a/b; the same where the table has but one.
+    #[getter]
+    fn a_over_b(&self) -> (f64, f64) {
+        let Axis { low, high, .. } = self.table.a_over_b();
+        (low, high)
+    }
+
+    /// First and last Poisson's ratio.
+    #[getter]
+    fn poisson(&self) -> (f64, f64) {
+        let Axis { low, high, .. } = self.table.poisson();
+        (low, high)
+    }
+
+    /// The measured error of (fx, fy), in units of mu N: median, 95 %, 99 % and worst of the
+    /// places.
+    #[getter]
+    fn force_error(&self) -> (f64, f64, f64, f64) {
+        spread(self.table.accuracy().force)
+    }
+
+    /// The measured error of mz, in units of mu N c.
+    #[getter]
+    fn moment_error(&self) -> (f64, f64, f64, f64) {
+        spread(self.table.accuracy().moment)
+    }
+
+    /// Force and moment on the lower body, as a theory gives them.
+    ///
+    /// xi, eta, chi, a_over_b, poisson: floats or arrays, which broadcast. The last two may be
+    /// left out where the table has but one. Raises InvalidValue outside the table's ranges, and
+    /// as a theory's force does.
+    #[pyo3(signature = (xi=Number::One(0.0), eta=Number::One(0.0), chi=Number::One(0.0), *,
+                        a_over_b=None, poisson=None),
+           text_signature = "($self, xi=0.0, eta=0.0, chi=0.0, *, a_over_b=None, poisson=None)")]
+    fn force<'py>(
+        &self,
+        py: Python<'py>,
+        xi: Number<'py>,
+        eta: Number<'py>,
+        chi: Number<'py>,
+        a_over_b: Option<Number<'py>>,
+        poisson: Option<Number<'py>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let inputs = self.inputs(py, [xi, eta, chi], a_over_b, poisson)?;
+        let force = |at: [f64; 5]| {
+            let (creepage, slice) = self.place(at)?;
+            let solution =
+                Solution { force: slice.force(creepage), status: rolling::Status::Solved };
+            Ok(results::plain_row(solution))
+        };
+        if let Some(at) = inputs.scalars() {
+            let row = force(at).map_err(|error| errors::invalid(py, error))?;
+            return results::force(py, row);
+        }
+        results::forces(py, solve_all(py, &inputs, COST, || (), |(), at| force(at))?)
+    }
+
+    /// Derivative of (fx, fy, mz) (rows) by (xi, eta, chi) (columns), that of the interpolation:
+    /// an array of shape (3, 3), or (..., 3, 3) for arrays. Arguments and errors as in force.
+    #[pyo3(signature = (xi=Number::One(0.0), eta=Number::One(0.0), chi=Number::One(0.0), *,
+                        a_over_b=None, poisson=None),
+           text_signature = "($self, xi=0.0, eta=0.0, chi=0.0, *, a_over_b=None, poisson=None)")]
+    fn derivative<'py>(
+        &self,
+        py: Python<'py>,
+        xi: Number<'py>,
+        eta: Number<'py>,
+        chi: Number<'py>,
+        a_over_b: Option<Number<'py>>,
+        poisson: Option<Number<'py>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let inputs = self.inputs(py, [xi, eta, chi], a_over_b, poisson)?;
+        let answers = solve_all(
+            py,
+            &inputs,
+            2.0 * COST,
+            || (),
+            |(), at| {
+                let (creepage, slice) = self.place(at)?;
+                let (_, derivative) = slice.force_and_derivative(creepage);
+                let mut row = [0.0; 9];
+                row.copy_from_slice(derivative.as_flattened());
+                Ok((row, 0))
+            },
+        )?;
+        answers.stacked(py, &[3, 3])
+    }
+
+    fn __repr__(&self) -> String {
+        let [a_over_b, poisson] = [self.a_over_b(), self.poisson()];
+        let worst = self.table.accuracy().force.worst;
+        format!(
+            "<creepage.Table of {}, a/b {a_over_b:?}, Poisson's ratio {poisson:?}, error at most \
+             {worst:.1e} mu N>",
+            self.theory()
+        )
+    }
+}
+
+impl Table {
+    fn inputs<'py>(
+        &self,
+        py: Python<'py>,
+        [xi, eta, chi]: [Number<'py>; 3],
+        a_over_b: Option<Number<'py>>,
+        poisson: Option<Number<'py>>,
+    ) -> PyResult<Inputs<'py, 5>> {
+        // Without a value the only node serves; a table of several refuses NaN.
+        let only = |axis: Axis| if axis.nodes == 1 { axis.low } else { f64::NAN };
+        let given = |number: Option<Number<'py>>, axis| number.unwrap_or(Number::One(only(axis)));
+        let a_over_b = given(a_over_b, self.table.a_over_b());
+        let poisson = given(poisson, self.table.poisson());
+        Inputs::new(py, NAMES, [xi, eta, chi, a_over_b, poisson])
+    }
+
+    fn place(
+        &self,
+        [xi, eta, chi, a_over_b, poisson]: [f64; 5],
+    ) -> Result<(Creepage, Slice<'_>), InvalidValue> {
+        Ok((Creepage::new(xi, eta, chi)?, self.table.at(a_over_b, poisson)?))
+    }
+}
+
+/// A number, or the ends of a range.
+#[derive(FromPyObject)]
+enum Range {
+    One(f64),
+    Between(f64, f64),
+}
+
+impl Range {
+    fn axis(&self, nodes: usize) -> Axis {
+        match *self {
+            Self::One(value) => Axis::fixed(value),
+            Self::Between(low, high) => Axis { low, high, nodes },
+        }
+    }
+}
+
+/// A theory that Python prepared, asked without Python.
+struct Asked(Py<Theory>);
+
+impl rolling::Theory for Asked {
+    fn solve(&self, creepage: Creepage) -> Solution {
+        self.0.get().model.theory().solve(creepage)
+    }
+
+    fn field(&self, creepage: Creepage, positions: &[[f64; 2]]) -> Vec<FieldPoint> {
+        self.0.get().model.theory().field(creepage, positions)
+    }
+}
+
+/// "resolution = fast, ..."
+fn words(options: Option<&Bound<PyDict>>) -> PyResult<String> {
+    let mut words = Vec::new();
+    for (name, value) in options.into_iter().flatten() {
+        words.push(format!("{name} = {}", value.str()?));
+    }
+    Ok(words.join(", "))
+}
+
+fn spread(spread: Spread) -> (f64, f64, f64, f64) {
+    let Spread { median, p95, p99, worst } = spread;
+    (median, p95, p99, worst)
+}

@@ -1,0 +1,118 @@
+"""More than one machine: processes of a Dask cluster, of which one is killed."""
+
+from __future__ import annotations
+
+import os
+import signal
+import threading
+import time
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import creepage
+import numpy as np
+import pandas as pd
+import pytest
+from pandas.testing import assert_frame_equal
+
+distributed = pytest.importorskip("distributed")
+
+# 48 chains of a tenth of a second or so: time to kill somebody.
+SWEEP: dict[str, dict[str, Any]] = {
+    "contact": {"a_over_b": 0.5, "poisson": 0.28},
+    "creepage": {
+        "chi": [2.0, 1.0, 0.5, 0.2],
+        "alpha": {"from": -55, "step": 10, "to": 55},
+        "upsilon": [2.5, 2.0, 1.7, 1.4, 1.2, 1.0],
+    },
+    "solve": {"degree": 5},
+}
+EXACT = creepage.exact(1.3, 0.28, resolution="fast")
+CASES = pd.DataFrame(
+    np.random.default_rng(1967).uniform(-2.0, 2.0, (1500, 3)), columns=["xi", "eta", "chi"]
+).assign(wheel=np.arange(1500))
+
+
+@pytest.fixture
+def client() -> Iterator[Any]:
+    """Two workers, a process each, which are started anew when they die."""
+    cluster = distributed.LocalCluster(
+        n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None
+    )
+    with cluster, distributed.Client(cluster) as client:
+        client.wait_for_workers(2, timeout=60)
+        yield client
+
+
+class Killer(threading.Thread):
+    """Kills a worker that has finished some work and has more to do."""
+
+    def __init__(self, client: Any) -> None:
+        super().__init__(daemon=True)
+        self.client = client
+        self.pids = client.run(os.getpid)
+        self.killed: int | None = None
+        self.lost = 0
+
+    def run(self) -> None:
+        deadline = time.monotonic() + 60.0
+        while time.monotonic() < deadline:
+            holds, works = self.client.has_what(), self.client.processing()
+            for worker, pid in self.pids.items():
+                if len(holds.get(worker, ())) >= 2 and len(works.get(worker, ())) >= 2:
+                    os.kill(pid, signal.SIGKILL)
+                    self.killed, self.lost = pid, len(holds[worker])
+                    return
+            time.sleep(0.002)
+
+
+def test_a_sweep_loses_nothing_with_a_worker(client: Any) -> None:
+    alone = creepage.sweep(SWEEP)
+    killer = Killer(client)
+    killer.start()
+    together = creepage.sweep(SWEEP, client=client, parts=48)
+    killer.join()
+    assert killer.killed is not None
+    assert killer.lost >= 2
+    assert_frame_equal(together, alone, check_exact=True)
+    assert killer.killed not in client.run(os.getpid).values()
+
+
+def test_cases_to_files_lose_nothing_with_a_worker(client: Any, tmp_path: Path) -> None:
+    killer = Killer(client)
+    killer.start()
+    folder = creepage.batch(EXACT, CASES, client=client, parts=60, out=tmp_path / "cases")
+    killer.join()
+    assert killer.killed is not None
+    assert [path.name for path in sorted(folder.iterdir())] == [
+        f"part-{k:05}.parquet" for k in range(60)
+    ]
+    found = pd.read_parquet(folder)
+    force = EXACT.force(CASES.xi, CASES.eta, CASES.chi)
+    assert_frame_equal(found, CASES.assign(**force.to_dict()), check_exact=True)
+
+
+def test_parts_without_a_client(tmp_path: Path) -> None:
+    small = {**SWEEP, "creepage": {"chi": [2.0, 1.0], "alpha": [0.0, 30.0], "upsilon": [2.0, 1.5]}}
+    table = creepage.sweep(small)
+    folder = creepage.sweep(small, out=tmp_path / "sweep", parts=3)
+    assert len(list(folder.iterdir())) == 3
+    assert_frame_equal(pd.read_parquet(folder), table, check_exact=True)
+    with pytest.raises(FileExistsError, match="not empty"):
+        creepage.sweep(small, out=folder)
+    plain = creepage.batch(EXACT, {"xi": [0.1, 0.2], "chi": [0.0, 0.5]})
+    assert plain.fx.tolist() == EXACT.force([0.1, 0.2], 0.0, [0.0, 0.5]).fx.tolist()
+    assert plain.status.tolist() == ["solved", "solved"]
+
+
+def test_errors(client: Any) -> None:
+    with pytest.raises(creepage.CaseError, match="a_over_b"):
+        creepage.sweep({**SWEEP, "contact": {"a_over_b": -1.0, "poisson": 0.28}}, client=client)
+    with pytest.raises(creepage.InvalidValue, match="xi"):
+        creepage.batch(EXACT, {"xi": [0.1, np.nan]}, client=client)
+    with pytest.raises(ValueError, match="none of the columns"):
+        creepage.batch(EXACT, {"x": [1.0]})
+    with pytest.raises(ValueError, match="parts"):
+        creepage.batch(EXACT, {"xi": [1.0]}, parts=0)
+    assert creepage.batch(EXACT, {"xi": []}).empty
