@@ -176,7 +176,7 @@ int32_t creepage_table_force(const struct CreepageTable *table,
  Prepares a theory.
 
  name: "exact", "fastsim", and so on, as `creepage theories` lists them.
- options: its options as in the section [solve] of a case file, for instance
+ options: its options as in the section `[solve]` of a case file, for instance
    "resolution = 'fine'"; NULL or "" for the usual ones.
  a_over_b: semi-axis along over semi-axis across the rolling direction (1).
  poisson: combined Poisson's ratio, 0 to 0.5 (1).

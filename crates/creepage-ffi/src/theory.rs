@@ -40,7 +40,7 @@ fn number(status: Status) -> i32 {
 /// Prepares a theory.
 ///
 /// name: "exact", "fastsim", and so on, as `creepage theories` lists them.
-/// options: its options as in the section [solve] of a case file, for instance
+/// options: its options as in the section `[solve]` of a case file, for instance
 ///   "resolution = 'fine'"; NULL or "" for the usual ones.
 /// a_over_b: semi-axis along over semi-axis across the rolling direction (1).
 /// poisson: combined Poisson's ratio, 0 to 0.5 (1).
