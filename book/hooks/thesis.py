@@ -49,8 +49,8 @@ def comparisons(directory):
 
 def summary(compared):
     counts = Counter(line["verdict"] for line in compared)
-    verdicts = ", ".join(f"{count} {verdict}" for verdict, count in counts.most_common())
-    return f"{len(compared)} comparisons with the print: {verdicts}." if compared else ""
+    verdicts = ", ".join(f"*{verdict}* {count}" for verdict, count in counts.most_common())
+    return f"Of {len(compared)} comparisons with the print: {verdicts}." if compared else ""
 
 
 def item(directory, beside, name, title, caption):

@@ -62,6 +62,8 @@ def read_only() -> NDArray[np.float64]:
         lambda: np.array([True, False]),
         lambda: np.matrix([[0.1, 0.2]]),
         lambda: pd.Series(NUMBERS, index=range(100, 124)),
+        lambda: pd.DataFrame(NUMBERS.reshape(8, 3)),
+        lambda: np.ma.masked_array(NUMBERS),
         lambda: NUMBERS.tolist(),
         lambda: tuple(NUMBERS),
         lambda: np.array([]),
@@ -91,12 +93,13 @@ def test_every_kind_of_array_is_read_in_its_order(make: Callable[[], Any]) -> No
         np.datetime64("2026-01-01"),
         np.zeros(3, dtype=[("x", float)]),
         {"xi": 0.5},
+        np.ma.masked_less([0.1, 0.2], 0.15),
         b"0.5",
         10**400,
         [10**400],
         lambda: 0.5,
     ],
-    ids=repr,
+    ids=lambda wrong: type(wrong).__name__,
 )
 def test_what_is_no_number_is_refused(wrong: Any) -> None:
     for theory in (LINEAR, creepage.exact(1.0, 0.28, resolution="fast")):
@@ -138,11 +141,13 @@ def test_the_first_bad_element_is_named(bad: float) -> None:
     assert (str(copy), copy.index, copy.valid) == (str(error), error.index, error.valid)
 
 
-def test_masked_by_nan_is_not_silent() -> None:
+def test_nan_is_never_silent() -> None:
     with pytest.raises(creepage.InvalidValue):
         creepage.coefficients(np.nan, 0.28)
     with pytest.raises(creepage.InvalidValue):
         LINEAR.derivative([0.0, np.nan])
+    with pytest.raises(creepage.InvalidValue, match=r"index \[1\]"):
+        LINEAR.force(pd.Series([0.5, None], dtype="Float64"))
     with pytest.raises(ValueError, match="finite"):
         LINEAR.field(0.1, x=np.nan, y=0.0)
     with pytest.raises(creepage.InvalidValue):

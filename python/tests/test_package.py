@@ -77,7 +77,7 @@ def test_the_first_example_prints_forces_and_saves_a_picture(tmp_path: Path) -> 
 
 
 def test_the_page_of_the_guide_runs(tmp_path: Path) -> None:
-    page = (ROOT / "book" / "docs" / "how-to" / "python.md").read_text()
+    page = (ROOT / "book" / "pages" / "how-to" / "python.md").read_text()
     blocks = re.findall(r"^```python\n(.*?)^```", page, re.M | re.S)
     assert len(blocks) > 3
     shutil.copy(WHEEL_ON_RAIL, tmp_path)

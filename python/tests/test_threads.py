@@ -7,6 +7,7 @@ import signal
 import sys
 import threading
 import time
+from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from types import FrameType
 
@@ -68,8 +69,22 @@ class Alarm(Exception):
     pass
 
 
+def long_array() -> None:
+    EXACT.force(np.linspace(0.1, 1.0, 200_000), 0.3, 0.2)
+
+
+def long_chain() -> None:
+    creepage.sweep(
+        {
+            "contact": {"a_over_b": 1.0, "poisson": 0.28},
+            "creepage": {"upsilon": {"from": 1.0, "step": 1e-6, "to": 2.0}},
+        }
+    )
+
+
 @pytest.mark.skipif(sys.platform == "win32", reason="Windows has no alarms")
-def test_an_interrupt_ends_a_long_array() -> None:
+@pytest.mark.parametrize("minutes", [long_array, long_chain])
+def test_an_interrupt_ends_long_work(minutes: Callable[[], None]) -> None:
     def ring(_number: int, _frame: FrameType | None) -> None:
         raise Alarm
 
@@ -78,7 +93,7 @@ def test_an_interrupt_ends_a_long_array() -> None:
         signal.setitimer(signal.ITIMER_REAL, 0.2)
         start = time.monotonic()
         with pytest.raises(Alarm):
-            EXACT.force(np.linspace(0.1, 1.0, 200_000), 0.3, 0.2)  # minutes
+            minutes()
         # A group takes a tenth of a second; a busy machine makes it more.
         assert time.monotonic() - start < 10.0
     finally:

@@ -225,13 +225,18 @@ impl Info {
              Poisson's ratio  {}\nintervals        {theta} x {phi} x {t} (theta, phi, t)\n\
              doubtful nodes   {}\n\n\
              error against the theory at {} random places, in per cent\n\
-                            median    95 %    99 %   worst\n{}{}",
+             {:13} {:>7} {:>7} {:>7} {:>7}\n{}{}",
             self.theory,
             self.program,
             self.a_over_b.text(),
             self.poisson.text(),
             self.doubtful_nodes,
             self.error_places,
+            "",
+            "median",
+            "95 %",
+            "99 %",
+            "worst",
             self.force_error.row("of mu N"),
             self.moment_error.row("of mu N c"),
         )

@@ -186,3 +186,27 @@ fn the_catalogue_converges() {
     // Two thirds of the tubes' 7,296 cases are new by symmetry alone; the thesis had fewer.
     assert!(cases > 3_000, "{cases}");
 }
+
+/// The thesis needed 3.9, 4.4 and 4.7 iterations a case for degrees 2, 3, 4 (5.12).
+#[test]
+fn the_shipped_files_count_the_iterations_of_1967() {
+    let place = Place::new();
+    for (degree, thesis) in [(2, 3.9), (3, 4.4), (4, 4.7)] {
+        let (mut cases, mut iterations) = (0, 0);
+        for half in ["lateral", "spin"] {
+            let name = format!("iterations-{half}-{degree}.toml");
+            let path = catalogue().into_iter().find(|path| path.ends_with(&name)).unwrap();
+            place.run(&["sweep", path.to_str().unwrap(), "--out", "out.csv"]).done();
+            let table = place.read("out.csv");
+            let mut lines = table.lines();
+            let column = lines.next().unwrap().split(',').position(|name| name == "iterations");
+            for line in lines {
+                cases += 1;
+                iterations += line.split(',').nth(column.unwrap()).unwrap().parse::<u32>().unwrap();
+            }
+        }
+        assert_eq!(cases, 33);
+        let mean = f64::from(iterations) / f64::from(cases);
+        assert!((mean - thesis).abs() < 0.5, "M = {degree}: {mean}");
+    }
+}

@@ -19,10 +19,11 @@
 //!    `fn make() -> Result<Reproduction, GalleryError>`.
 //! 2. `mod figNN;` and its place in `ITEMS` of `registry.rs`, in the order of the thesis.
 //!
-//! `make` computes with the theories of the library and gives [`Reproduction::figure`]:
+//! `make` computes with the theories of the library and gives `Reproduction::figure`:
 //! - a [`Sheet`](creepage_report::plot::Sheet): the panels of `creepage_report::plot`, drawn with
 //!   the pens of `inks.rs` (the full theory looks the same in every figure) and the axes of
-//!   `axes.rs`. Adhesion areas are traced by `creepage_report::Areas`, see `patch.rs`;
+//!   `axes.rs`. Adhesion areas are traced by `creepage_report::Areas`, see `patch.rs`; `contact.rs`
+//!   asks theories for fields and draws contacts with headings;
 //! - a caption in plain words: the setting (`a/b`, `sigma`, degree, weight), what is seen, what
 //!   1967 got right by the full theory; where experiments' points are not in the text of the
 //!   thesis, that is said with [`EXPERIMENTS`];
@@ -38,6 +39,7 @@
 
 mod axes;
 mod comparison;
+mod contact;
 mod data;
 mod error;
 mod figures;

@@ -90,7 +90,7 @@ pub(crate) fn full_adhesion(
 
 /// A closed polygon without ripples shorter than an element of the full theory, whose border of
 /// adhesion steps from element to element.
-fn smoothed(polygon: &[[f64; 2]]) -> Polygon {
+pub(crate) fn smoothed(polygon: &[[f64; 2]]) -> Polygon {
     const REACH: usize = 3;
     let count = polygon.len();
     let mut points = polygon.to_vec();

@@ -113,10 +113,13 @@ fn floats<'py>(
     name: &str,
     value: &Bound<'py, PyAny>,
 ) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
-    if let Ok(array) = value.cast::<PyArrayDyn<f64>>() {
+    if let Ok(array) = value.cast_exact::<PyArrayDyn<f64>>() {
         return Ok(array.clone());
     }
     let numpy = py.import("numpy")?;
+    if numpy.getattr("ma")?.call_method1("is_masked", (value,))?.is_truthy()? {
+        return Err(PyTypeError::new_err(format!("{name} must not have masked elements")));
+    }
     let array = numpy.call_method1("asarray", (value,))?;
     let (dtype, float64) = (array.getattr("dtype")?, numpy.getattr("float64")?);
     if !numpy.call_method1("can_cast", (&dtype, &float64, "same_kind"))?.is_truthy()? {

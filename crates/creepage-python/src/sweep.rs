@@ -1,5 +1,7 @@
 //! Sweeps: series of cases of the numerical theory, chain by chain.
 
+use std::ops::Range;
+
 use creepage::rolling::Region;
 use creepage::rolling::variational::{Chain, ChainCase, Variational};
 use creepage_case::{Sweep, SweepCase};
@@ -12,8 +14,9 @@ use rayon::prelude::*;
 use crate::errors;
 use crate::pool::pool;
 
-/// Chains solved between two looks at Python's signals, a thread.
+/// Chains in hand, a thread, and cases of each between two looks at Python's signals.
 const CHAINS: usize = 4;
+const CASES: usize = 64;
 
 /// The text of a sweep file, read and checked.
 #[pyclass(frozen, module = "creepage._creepage")]
@@ -61,15 +64,21 @@ impl SweepData {
     ) -> PyResult<Bound<'py, PyBytes>> {
         let end = first.checked_add(count).filter(|end| *end <= self.chains());
         let end = end.ok_or_else(|| PyIndexError::new_err("there are not so many chains"))?;
-        let pool = pool()?;
+        let (pool, length) = (pool()?, self.sweep.chain_length());
         let group = CHAINS * pool.current_num_threads();
         let mut rows = Vec::new();
         for first in (first..end).step_by(group) {
             let chains = first..end.min(first + group);
-            let solve = || chains.into_par_iter().map(|chain| self.chain(chain)).collect();
-            let some: Vec<Vec<SeriesRow>> = py.detach(|| pool.install(solve));
-            rows.extend(some.into_iter().flatten());
-            py.check_signals()?;
+            let mut chains: Vec<_> = chains.map(|number| (self.start(number), vec![])).collect();
+            for done in (0..length).step_by(CASES) {
+                let cases = done..length.min(done + CASES);
+                let go_on = |(chain, found): &mut (_, Vec<_>)| {
+                    self.go_on(chain, found, cases.clone());
+                };
+                py.detach(|| pool.install(|| chains.par_iter_mut().for_each(go_on)));
+                py.check_signals()?;
+            }
+            rows.extend(chains.into_iter().flat_map(|(_, found)| found));
         }
         let mut table = Vec::new();
         let rows = rows.into_iter().map(Ok::<_, std::io::Error>);
@@ -89,23 +98,30 @@ impl SweepData {
         }
     }
 
-    fn chain(&self, number: usize) -> Vec<SeriesRow> {
-        let (sweep, length) = (&self.sweep, self.sweep.chain_length());
-        let first = number * length;
-        let given = sweep.starting_values.as_ref();
+    /// A chain before its first case, whose number comes with it.
+    fn start(&self, number: usize) -> (Chain<'_>, usize) {
+        let first = number * self.sweep.chain_length();
+        let given = self.sweep.starting_values.as_ref();
         let tau = given.and_then(|polynomials| self.theory.unknowns_of(polynomials).ok());
-        let creepage = sweep.case(first).creepage;
-        let mut chain = match tau {
-            Some(tau) => Chain::from(&self.theory, sweep.procedure, creepage, tau),
-            None => Chain::new(&self.theory, sweep.procedure),
+        let (theory, procedure) = (&self.theory, self.sweep.procedure);
+        let chain = match tau {
+            Some(tau) => Chain::from(theory, procedure, self.sweep.case(first).creepage, tau),
+            None => Chain::new(theory, procedure),
         };
-        (first..first + length)
-            .map(|index| {
-                let case = sweep.case(index);
-                let solved = chain.solve(case.creepage, None);
-                self.row(&case, &solved)
-            })
-            .collect()
+        (chain, first)
+    }
+
+    /// Solves some of a chain's cases, which follow those before.
+    fn go_on(
+        &self,
+        (chain, first): &mut (Chain<'_>, usize),
+        found: &mut Vec<SeriesRow>,
+        cases: Range<usize>,
+    ) {
+        for index in cases {
+            let case = self.sweep.case(*first + index);
+            found.push(self.row(&case, &chain.solve(case.creepage, None)));
+        }
     }
 
     fn row(&self, case: &SweepCase, solved: &ChainCase) -> SeriesRow {

@@ -88,7 +88,7 @@ fn range(quantity: &'static str, axis: Axis, least: f64) -> Result<(), InvalidVa
     if !(low >= least && low.is_finite()) {
         return error(low, "finite and not negative; a ratio of axes greater than zero");
     }
-    if !high.is_finite() || (fixed && high != low) || (!fixed && high <= low) {
+    if !high.is_finite() || (fixed && (high - low).abs() > 0.0) || (!fixed && high <= low) {
         return error(high, "above the first value, or the same where there is one node");
     }
     Ok(())

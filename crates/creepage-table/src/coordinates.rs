@@ -57,10 +57,11 @@ impl Coordinates {
     /// The place, and the derivative of `theta`, `phi`, `t` (rows) by `xi`, `eta`, `chi`. On the
     /// axis of spin and at zero, where there is none, the place is a little [aside](Place::aside).
     pub(crate) fn place_and_slopes(&self, creepage: Creepage) -> (Place, [[f64; 3]; 3]) {
-        let (there, mirror) = self.folded(creepage);
-        let mut u = there;
-        u[2] = if length(u) < NUDGE { NUDGE } else { u[2] };
-        u[0] = if length([u[0], u[1], 0.0]) < NUDGE * u[2] { NUDGE * u[2] } else { u[0] };
+        let (mut u, mirror) = self.folded(creepage);
+        let at_zero = length(u) < NUDGE;
+        u[2] = if at_zero { NUDGE } else { u[2] };
+        let on_axis = length([u[0], u[1], 0.0]) < NUDGE * u[2];
+        u[0] = if on_axis { NUDGE * u[2] } else { u[0] };
         let across = length([u[0], u[1], 0.0]);
         let r = length(u);
         let [cos_phi, sin_phi] = [u[0] / across, u[1] / across];
@@ -74,7 +75,7 @@ impl Coordinates {
         let signs = [mirror[0], mirror[1], mirror[1]];
         let slopes = by_u.map(|row| [0, 1, 2].map(|k| row[k] * self.scale[k] * signs[k]));
         let at = [across.atan2(u[2]), u[1].atan2(u[0]), r / (MIDDLE + r)];
-        (Place { at, mirror, aside: u[0] != there[0] || u[2] != there[2] }, slopes)
+        (Place { at, mirror, aside: at_zero || on_axis }, slopes)
     }
 
     /// The creepage at a place that is not reflected. No creepage for `t = 0`; beyond all
@@ -119,6 +120,8 @@ fn sin_cos(angle: f64) -> [f64; 2] {
 }
 
 #[cfg(test)]
+// Reflections and zeros are exact.
+#[allow(clippy::float_cmp)]
 mod tests {
     use super::*;
 

@@ -64,7 +64,7 @@ const COMMENT: &str = "u = (s k xi, s/k eta, s chi) with s = 0.6 a/b + 0.45 sqrt
     Signs of xi and fx change together; those of eta, chi, fy and mz do.";
 
 impl Table {
-    /// Writes the table to `path`, which is replaced.
+    /// Writes the table to `path`, which is replaced; until it has returned, the file is none.
     ///
     /// # Errors
     /// [`FileError`] when it cannot be written.

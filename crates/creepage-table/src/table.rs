@@ -105,6 +105,24 @@ impl Table {
         self.blocks.iter().map(|block| block.doubtful).sum()
     }
 
+    /// The table for one Poisson's ratio, as a simulation of given materials needs: look-ups in it
+    /// mix four blocks at most, not sixteen.
+    ///
+    /// # Errors
+    /// [`InvalidValue`] when `poisson` is outside the table's range.
+    pub fn with_poisson(&self, poisson: f64) -> Result<Self, InvalidValue> {
+        let share = self.poisson.share_even("poisson", poisson)?;
+        let (materials, weights) = self.poisson.weights(share);
+        let shapes = self.a_over_b.nodes;
+        let mixed = |shape| {
+            let parts = materials.map(|material| &self.blocks[material * shapes + shape]);
+            Values::mixed(parts.into_iter().zip(weights))
+        };
+        let blocks = (0..shapes).map(mixed).collect();
+        let axes = [self.a_over_b, Axis::fixed(poisson)];
+        Ok(Self::new(self.provenance.clone(), axes, self.intervals, blocks, self.accuracy))
+    }
+
     /// The table at one ratio of semi-axes and one Poisson's ratio.
     ///
     /// # Errors

@@ -87,6 +87,21 @@ impl Values {
         Self { forces, gains: gains(theory), doubtful }
     }
 
+    /// The weighted sum of some, of as many nodes each.
+    pub(crate) fn mixed<'a>(parts: impl Iterator<Item = (&'a Self, f64)>) -> Self {
+        let mut sum = Self { forces: Vec::new(), gains: [[0.0; 3]; 3], doubtful: 0 };
+        for (part, weight) in parts.filter(|(_, weight)| *weight != 0.0) {
+            sum.forces.resize(part.forces.len(), [0.0; 3]);
+            sum.doubtful += part.doubtful;
+            let values = part.forces.as_flattened().iter().chain(part.gains.as_flattened());
+            let sums = sum.forces.as_flattened_mut().iter_mut();
+            for (sum, value) in sums.chain(sum.gains.as_flattened_mut()).zip(values) {
+                *sum += weight * value;
+            }
+        }
+        sum
+    }
+
     /// The lines of nodes to solve: the axis of spin once, and without spin one half.
     pub(crate) fn lines(intervals: Intervals) -> impl Iterator<Item = (usize, usize)> {
         let half = intervals.phi / 2;

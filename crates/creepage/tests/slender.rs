@@ -91,12 +91,10 @@ fn pure_spin_approaches_the_full_theory() {
         .collect();
     for (degree, bounds) in [(3, [0.05, 0.22]), (6, [0.06, 0.08]), (8, [0.05, 0.06])] {
         let kept = errors(&of_degree(degree, 5.0), &exact);
-        println!("M {degree}: {kept:?}");
         // A fifth above what was measured.
         assert!(kept[0] < bounds[0] && kept[1] < bounds[1], "M {degree}: {kept:?}");
         let settings = Settings { bound: TractionBound::Unchecked, ..Settings::of_degree(degree) };
         let unchecked = errors(&Variational::new(5.0, 0.28, settings).unwrap(), &exact);
-        println!("M {degree}, (5.9): {unchecked:?}");
         assert!(kept[0] < unchecked[0], "M {degree}: {kept:?}, {unchecked:?}");
     }
 }

@@ -39,8 +39,8 @@ fn make() -> Result<Reproduction, GalleryError> {
     let caption = format!(
         "Circular contact, σ = 0.28, no creepage; chapter 5 with W = W₁. The greatest distance \
          from the full theory is {:.3}, {:.3} and {:.3} of μN for M = 2, 3 and 4. Up to the peak \
-         M = 3 and M = 4 are right; beyond it polynomials of low degree lose force, since an \
-         island of adhesion remains about the centre. {EXPERIMENTS}",
+         M = 3 and M = 4 are near it; beyond, the lower the degree the more force is lost. \
+         {EXPERIMENTS}",
         apart[0], apart[1], apart[2]
     );
     let linear = Linear::new(1.0, STEEL)?;
@@ -65,7 +65,7 @@ fn claims(by_degree: &[Curve], full: &Curve) -> Vec<Comparison> {
     let lower = Comparison::claim(
         "M = 4 below M = 3 from χ = 0.7 to 2",
         "somewhat lower",
-        format!("lower by {low:.3} to {high:.3}"),
+        format!("lower by up to {high:.3}, nowhere higher by more than {:.4}", (-low).max(0.0)),
         low > -5e-3 && high > 0.02,
     );
     let apart = |from: &[f64; 2], to: &[f64; 2]| (from[1] - to[1]).abs() > 0.02;

@@ -10,7 +10,7 @@ use crate::comparison::Comparison;
 use crate::data::Data;
 use crate::error::GalleryError;
 use crate::inks::FULL;
-use crate::item::{EXPERIMENTS, Item, Reproduction};
+use crate::item::{Item, Reproduction};
 use crate::patch::{Polygon, adhesion, adhesion_of, areas, closed, framed, full_adhesion, panel};
 use crate::theories::{STEEL, full, spaced};
 
@@ -35,8 +35,20 @@ fn make() -> Result<Reproduction, GalleryError> {
     let cases = CREEPAGES.map(|xi| case(&theory, xi));
     let [one, two] = cases;
     let cases = [one?, two?];
+    let caption = "Circular contact, σ = 0.28, pure longitudinal creepage. Johnson's area of adhesion is an \
+         ellipse similar to the contact that touches it at its foremost point. Shaded dark: slip \
+         and traction point in opposite directions, against the law of friction. By the full \
+         theory (dashed) adhesion reaches all of the leading edge. The creepages are ours: the \
+         thesis states none.";
+    let mut agreement = directions(&theory);
+    agreement.push(lower()?);
+    Ok(Reproduction::figure(&sheet(&cases)?, caption, data(&cases), agreement))
+}
+
+/// The outlines of the areas.
+fn data(cases: &[Case; 2]) -> Data {
     let mut data = Data::new(["area", "xi", "polygon", "x", "y"]);
-    for case in &cases {
+    for case in cases {
         for (name, polygons) in [
             ("adhesion, Johnson", &case.adhesion),
             ("error, Johnson", &case.error),
@@ -56,16 +68,7 @@ fn make() -> Result<Reproduction, GalleryError> {
             }
         }
     }
-    let caption = format!(
-        "Circular contact, σ = 0.28, pure longitudinal creepage. Johnson's area of adhesion is an \
-         ellipse similar to the contact that touches it at its foremost point. Shaded dark: slip \
-         and traction point in opposite directions, against the law of friction. By the full \
-         theory (dashed) adhesion reaches all of the leading edge. The creepages are ours: the \
-         thesis states none. {EXPERIMENTS}"
-    );
-    let mut agreement = directions(&theory);
-    agreement.push(lower()?);
-    Ok(Reproduction::figure(&sheet(&cases)?, caption, data, agreement))
+    data
 }
 
 fn at(xi: f64) -> Creepage {

@@ -185,7 +185,7 @@ pub(super) fn caption(first: &str, diagrams: &[Diagram]) -> String {
     format!(
         "{first} Elastic deformation is neglected: all of the contact slides about the spin pole, \
          ξ/χ = υ cos α, η/χ = υ sin α (4.104). The points are the full theory at χ = {LARGE}, at \
-         most {apart:.3} of μN from there: elasticity still turns the force towards +y. Which \
+         most {apart:.3} of μN from there: elasticity still adds a force towards +y. Which \
          lines the thesis draws is not in its text; these are ours."
     )
 }

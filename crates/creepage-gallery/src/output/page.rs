@@ -44,7 +44,7 @@ fn section(page: &mut String, made: &Made) {
     let (item, reproduction) = (made.item, &made.reproduction);
     let _ = writeln!(page, "<section id=\"{}\">\n<h2>{}</h2>", item.name, escape(item.title));
     if let Some(svg) = &reproduction.svg {
-        let _ = writeln!(page, "<div class=\"picture\">\n{}</div>", inlined(svg));
+        let _ = writeln!(page, "<div class=\"picture\">\n{}</div>", inlined(svg, item.name));
     }
     let _ = writeln!(page, "<p class=\"caption\">{}</p>", escape(&reproduction.caption));
     if let Some(text) = &reproduction.text {
@@ -70,7 +70,9 @@ fn table(page: &mut String, lines: &[Comparison]) {
         let words = line.verdict.words();
         let _ = writeln!(
             page,
-            "<tr><td>{}<td>{}<td>{}<td class=\"number\">{}<td class=\"verdict {}\">{words}<td>{}</tr>",
+            "<tr><td>{}<td data-head=\"printed: \">{}<td data-head=\"ours: \">{}\
+             <td class=\"number\" data-head=\"difference: \">{}\
+             <td class=\"verdict {}\">{words}<td>{}</tr>",
             escape(&line.quantity),
             escape(&line.printed),
             escape(&line.ours),
@@ -82,9 +84,11 @@ fn table(page: &mut String, lines: &[Comparison]) {
     page.push_str("</table></div>\n");
 }
 
-/// An SVG as part of a page: its name space is then known, its size that of the page.
-fn inlined(svg: &str) -> String {
+/// An SVG as part of a page: its name space is then known, and its hatching needs a name of its own.
+fn inlined(svg: &str, name: &str) -> String {
     svg.replacen(" xmlns=\"http://www.w3.org/2000/svg\"", " role=\"img\"", 1)
+        .replace("id=\"hatching\"", &format!("id=\"hatching-{name}\""))
+        .replace("url(#hatching)", &format!("url(#hatching-{name})"))
 }
 
 fn escape(text: &str) -> String {

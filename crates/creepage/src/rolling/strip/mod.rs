@@ -29,6 +29,9 @@
 //! adhering strips meet, the direction therefore jumps, by a small angle unless spin prevails.
 //! In the slip area of adhering strips traction and slip make an angle; that is the theory's
 //! approximation.
+//!
+//! The quadrature across the strips is good to 1e-12 without spin, and to 1e-10 with spin unless
+//! the spin pole lies in or near strips that slide over their whole length: then to 1e-5.
 
 mod across;
 mod numbers;
@@ -121,11 +124,15 @@ impl StripTheory {
         let mut force = [R::constant(0.0); 3];
         let mut add = |part: [R; 3]| force = [0, 1, 2].map(|i| force[i] + part[i] * 0.75);
         for piece in self.pieces([from, to], creepage).into_iter().flatten() {
-            add(self.across.integrate(piece, |[t, s]| numbers.strip_at(t).force([t, s], axes)));
+            add(self.across.integrate(piece, 0, |[t, s]| numbers.strip_at(t).force([t, s], axes)));
         }
+        // With spin the averages over sliding strips are good to 1e-10 only.
+        let fewer = if creepage[2].value() == 0.0 { 0 } else { 2 };
         for slides in [[-edge, from], [to, edge]] {
             for piece in self.pieces(slides, creepage).into_iter().flatten() {
-                add(self.across.integrate(piece, |at| self.sliding.force(creepage, at, axes)));
+                add(self
+                    .across
+                    .integrate(piece, fewer, |at| self.sliding.force(creepage, at, axes)));
             }
         }
         force

@@ -76,19 +76,25 @@ impl<R: Real> StripNumbers<R> {
         // Exact without spin.
         let depth = numbers.strip(start).depth.min(1.0);
         let guess = start * ((1.0 - depth) * (1.0 + depth)).sqrt();
-        let mut t = if numbers.gap(guess).1 * start < 0.0 { guess } else { start };
-        // Halving the error, which is the worst (a double zero), 60 times exhausts an f64.
-        for step_number in 0..60 {
-            let (gap, slope) = numbers.gap(t);
-            if gap >= 0.0 && step_number > 0 {
-                break;
-            }
+        let mut t = guess;
+        let (mut gap, mut slope) = numbers.gap(t);
+        if slope * start >= 0.0 {
+            t = start;
+            (gap, slope) = numbers.gap(t);
+        }
+        // Halving the error, which is the worst (a double zero), 30 times is enough.
+        for _ in 0..30 {
             if slope * start >= 0.0 {
                 return None;
             }
             let step = gap / slope;
             t = (t - step).clamp(-1.0, 1.0);
-            if step.abs() <= 1e-16 {
+            // Twice as many digits are right after the step that follows.
+            if step.abs() <= 1e-8 {
+                break;
+            }
+            (gap, slope) = numbers.gap(t);
+            if gap >= 0.0 {
                 break;
             }
         }

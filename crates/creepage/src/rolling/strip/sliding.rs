@@ -13,8 +13,9 @@ pub(crate) struct Sliding {
 /// A quadrature rule `(node, weight)`, and from where on it is good enough.
 #[derive(Debug, Clone)]
 struct Rule {
-    /// `|z - 1| + |z + 1|` of the spin pole `z` from which the rule is good to [`ACCURACY`].
-    pole_distance: f64,
+    /// `1/A^2`, `1/B^2`: the rule is good to [`ACCURACY`] when the spin pole lies outside the
+    /// ellipse with these semi-axes and the foci -1 and 1.
+    inverse_squares: [f64; 2],
     points: Vec<Points>,
 }
 
@@ -30,7 +31,7 @@ struct Points {
 
 /// Aimed relative error of the averages. With the pole in a sliding strip no rule reaches it for
 /// the nearest strips; the contact's force is good to 1e-5 then.
-const ACCURACY: f64 = 1e-12;
+const ACCURACY: f64 = 1e-10;
 
 impl Sliding {
     pub(crate) fn new() -> Self {
@@ -74,10 +75,11 @@ impl Sliding {
     /// The direction is analytic along the strip but for the spin pole, where the slip
     /// `(slip_x, slip_y + reach u)` is zero, at `u = (-slip_y +- i slip_x) / reach`.
     fn rule(&self, slip_x: f64, slip_y: f64, reach: f64) -> &Rule {
-        let [behind, ahead] = [slip_y - reach, slip_y + reach];
-        let across = slip_x * slip_x;
-        let sum = (across + behind * behind).sqrt() + (across + ahead * ahead).sqrt();
-        let good = |rule: &&Rule| sum >= rule.pole_distance * reach.abs();
+        let squares = [slip_y * slip_y, slip_x * slip_x, reach * reach];
+        let good = |rule: &&Rule| {
+            let [along, across] = rule.inverse_squares;
+            along * squares[0] + across * squares[1] >= squares[2]
+        };
         self.rules.iter().find(good).unwrap_or(&self.rules[self.rules.len() - 1])
     }
 }
@@ -85,8 +87,8 @@ impl Sliding {
 impl Rule {
     /// Gauss-Chebyshev rule of the second kind with `n` points, for the weight `sqrt(1 - u^2)`
     /// normalised to one. Its error falls like `r^-2n`, for the moment and its derivative like
-    /// `r^(2-2n)`, where the pole lies on the ellipse with foci -1 and 1 and semi-axes' sum `r`:
-    /// `|z - 1| + |z + 1|` is `r + 1/r`.
+    /// `r^(2-2n)`, where the pole lies on the ellipse with foci -1 and 1 and semi-axes
+    /// `(r + 1/r)/2`, `(r - 1/r)/2`.
     fn new(n: usize) -> Self {
         let r = ACCURACY.powf(-1.0 / (2 * n - 2) as f64);
         let mut points = vec![Points::default(); n.div_ceil(LANES)];
@@ -96,7 +98,8 @@ impl Rule {
             nodes[k % LANES] = cos;
             weights[k % LANES] = 2.0 * sin * sin / (n + 1) as f64;
         }
-        Self { pole_distance: r + r.recip(), points }
+        let inverse_squares = [r + r.recip(), r - r.recip()].map(|axis| 4.0 / (axis * axis));
+        Self { inverse_squares, points }
     }
 }
 

@@ -10,7 +10,7 @@
 //! unknowns, so that the integral is convex: it has one minimum, which moves continuously with
 //! the creepage. So it remains with the bound as a convex penalty,
 //!
-//! `k/2 (max(0, |X'| - 1 + |v|/k))^2`, `k` = mean of `|v|` over [`MARGIN`],
+//! `k/2 (max(0, |X'| - 1 + |v|/k))^2`, `k` = mean of `|v|` over [`margin`],
 //!
 //! whose slope at the bound is `|v|`, what the traction there gains in full sliding. Full sliding
 //! is exact therefore, and where polynomials ought to jump they may overshoot.
@@ -24,9 +24,12 @@ use super::newton::{self, Minimum, Step};
 use super::settings::Limits;
 use crate::rolling::Creepage;
 
-/// Where the rigid slip has its mean the penalty begins this far below the bound. With a smaller
-/// margin the peak of pure spin comes nearer to the full theory's, and what is beyond gets farther.
-const MARGIN: f64 = 0.1;
+/// Where the rigid slip has its mean the penalty begins this far below the bound: more room for
+/// polynomials of low degree, which cannot jump; none in the limit, which is Coulomb's law.
+fn margin(degree: usize) -> f64 {
+    0.4 / (degree + 1) as f64
+}
+
 /// `|s|` is rounded off to `sqrt(s^2 + e^2)`, `e` over the mean rigid slip falling so.
 const SMOOTHINGS: [f64; 4] = [0.3, 0.1, 0.03, 0.01];
 /// How near the minima before the last are approached.
@@ -87,11 +90,12 @@ pub(super) fn minimize(
     let mean_slip = theory
         .functional_of(creepage, Form::Power { smoothing: 0.0, stiffness: 0.0 })
         .mean_if_rigid();
+    let stiffness = mean_slip / margin(theory.response.degree());
     let mut minimum = Minimum { tau, iterations: 0, converged: false };
     let [rounder @ .., last] = SMOOTHINGS;
     let stages = rounder.iter().filter(|_| !is_near).map(|smoothing| (*smoothing, ROUGHLY));
     for (smoothing, delta) in stages.chain([(last, limits.delta)]) {
-        let form = Form::Power { smoothing: smoothing * mean_slip, stiffness: mean_slip / MARGIN };
+        let form = Form::Power { smoothing: smoothing * mean_slip, stiffness };
         let functional = theory.functional_of(creepage, form);
         let max_iterations = limits.max_iterations - minimum.iterations;
         let limits = Limits { delta, max_iterations };

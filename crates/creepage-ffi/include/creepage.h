@@ -1,0 +1,275 @@
+/*
+ * Rolling contact of two elastic bodies with dry friction: the C interface of creepage.
+ * Made by cbindgen from crates/creepage-ffi; do not edit.
+ *
+ * Every function that can fail returns CREEPAGE_OK or one of the codes below, and writes what is
+ * wrong, in words that end with a zero byte, to `message`, which has room for `message_size` bytes
+ * (it may be NULL; 256 is enough for most). Nothing else is written then, but where said. Of a
+ * call that does not fail the message is empty.
+ *
+ * Handles may be used by many threads at a time; nothing is global. A handle is freed once, when
+ * no call uses it any more.
+ *
+ * Arrays are flat, case by case: xi, eta, chi of the first case, then of the second. That is a
+ * 3 x n matrix in Fortran and MATLAB. `count` is the number of cases. The arrays of one call must
+ * not overlap.
+ *
+ *   xi = upsilon_x rho / (mu c), eta = upsilon_y rho / (mu c), chi = phi rho / mu    (1)
+ *   f_x = F_x / (mu N), f_y = F_y / (mu N), m_z = M_z / (mu N c)                     (1)
+ *
+ * with c = sqrt(a b), the velocity of the upper body relative to the lower, and forces of the
+ * upper body on the lower; x is the rolling direction, z points into the lower body.
+ */
+
+#ifndef CREEPAGE_H
+#define CREEPAGE_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+/*
+ Done.
+ */
+#define CREEPAGE_OK 0
+
+/*
+ A pointer that is needed is NULL.
+ */
+#define CREEPAGE_NULL 1
+
+/*
+ A number is out of range, or not finite.
+ */
+#define CREEPAGE_INVALID 2
+
+/*
+ A text is not UTF-8, names no theory, or holds no option of it.
+ */
+#define CREEPAGE_TEXT 3
+
+/*
+ A file cannot be read, or is not what it should be.
+ */
+#define CREEPAGE_FILE 4
+
+/*
+ So many cases that their arrays would not fit into memory.
+ */
+#define CREEPAGE_COUNT 5
+
+/*
+ The theory does not tell what was asked for.
+ */
+#define CREEPAGE_UNSUPPORTED 6
+
+/*
+ A defect of the library; nothing can be said of what was written.
+ */
+#define CREEPAGE_DEFECT 7
+
+/*
+ The theory's equations are solved.
+ */
+#define CREEPAGE_SOLVED 0
+
+/*
+ The iteration ended before its tolerance was met.
+ */
+#define CREEPAGE_NOT_CONVERGED 1
+
+/*
+ Solved, but creepage is too small for the theory's resolution.
+ */
+#define CREEPAGE_CREEPAGE_TOO_SMALL 2
+
+/*
+ Solved, but spin is beyond the bound up to which the theory holds.
+ */
+#define CREEPAGE_SPIN_TOO_LARGE 3
+
+/*
+ A status that this version of the interface does not know.
+ */
+#define CREEPAGE_DOUBTFUL 4
+
+/*
+ A table of creep force, as `creepage table build` makes it.
+ */
+typedef struct CreepageTable CreepageTable;
+
+/*
+ A theory, prepared for one shape of the contact and one Poisson's ratio.
+ */
+typedef struct CreepageTheory CreepageTheory;
+
+#ifdef __cplusplus
+extern "C" {
+#endif // __cplusplus
+
+/*
+ The version of the library, as "0.1.0"; the text is the library's own.
+ */
+const char *creepage_version(void);
+
+/*
+ Reads a table.
+
+ path: the file.
+ table: becomes the handle, to be freed with creepage_table_free; NULL if the call fails.
+
+ You promise:
+ path ends with a zero byte; table and message point to as much room as said.
+ */
+int32_t creepage_table_read(const char *path,
+                            struct CreepageTable **table,
+                            char *message,
+                            size_t message_size);
+
+/*
+ Frees a table. NULL is left alone.
+
+ You promise:
+ table is NULL, or of creepage_table_read, and not used again.
+ */
+void creepage_table_free(struct CreepageTable *table);
+
+/*
+ The largest error of the table against its theory at random places, as measured when the
+ table was built.
+
+ errors: room for 2 numbers, of the force in parts of mu N and of the moment in parts of
+   mu N c (1).
+
+ You promise:
+ The handle is alive; errors and message point to as much room as said.
+ */
+int32_t creepage_table_error(const struct CreepageTable *table,
+                             double *errors,
+                             char *message,
+                             size_t message_size);
+
+/*
+ Looks many forces up, for one shape of the contact.
+
+ a_over_b: semi-axis along over semi-axis across the rolling direction, within the table's
+   range (1).
+ poisson: combined Poisson's ratio, within the table's range (1).
+ count: number of cases.
+ creepages: 3 count numbers, xi, eta, chi of each case (1).
+ forces: room for 3 count numbers, f_x, f_y, m_z of each case (1).
+ derivatives: room for 9 count numbers; or NULL. Of each case the derivative of f_x by xi, by
+   eta and by chi, then of f_y, then of m_z (1).
+
+ You promise:
+ The handle is alive; arrays and message point to as much room as said.
+ */
+int32_t creepage_table_force(const struct CreepageTable *table,
+                             double a_over_b,
+                             double poisson,
+                             size_t count,
+                             const double *creepages,
+                             double *forces,
+                             double *derivatives,
+                             char *message,
+                             size_t message_size);
+
+/*
+ Prepares a theory.
+
+ name: "exact", "fastsim", and so on, as `creepage theories` lists them.
+ options: its options as in the section `solve` of a case file, for instance
+   "resolution = 'fine'"; NULL or "" for the usual ones.
+ a_over_b: semi-axis along over semi-axis across the rolling direction (1).
+ poisson: combined Poisson's ratio, 0 to 0.5 (1).
+ theory: becomes the handle, to be freed with creepage_theory_free; NULL if the call fails.
+
+ You promise:
+ Texts end with a zero byte; theory and message point to as much room as said.
+ */
+int32_t creepage_theory_new(const char *name,
+                            const char *options,
+                            double a_over_b,
+                            double poisson,
+                            struct CreepageTheory **theory,
+                            char *message,
+                            size_t message_size);
+
+/*
+ Frees a theory. NULL is left alone.
+
+ You promise:
+ theory is NULL, or of creepage_theory_new, and not used again.
+ */
+void creepage_theory_free(struct CreepageTheory *theory);
+
+/*
+ Forces of many cases, one after the other.
+
+ count: number of cases.
+ creepages: 3 count numbers, xi, eta, chi of each case (1).
+ forces: room for 3 count numbers, f_x, f_y, m_z of each case (1).
+ statuses: room for count numbers, CREEPAGE_SOLVED and so on; or NULL.
+
+ All creepages are checked before any case is solved.
+
+ You promise:
+ The handle is alive; arrays and message point to as much room as said.
+ */
+int32_t creepage_theory_force(const struct CreepageTheory *theory,
+                              size_t count,
+                              const double *creepages,
+                              double *forces,
+                              int32_t *statuses,
+                              char *message,
+                              size_t message_size);
+
+/*
+ Forces of many cases by the theory "exact", with error bars and derivatives.
+
+ count: number of cases.
+ creepages: 3 count numbers, xi, eta, chi of each case (1).
+ forces: room for 3 count numbers, f_x, f_y, m_z of each case (1).
+ errors: room for 3 count numbers, the error bars of f_x, f_y, m_z (1); or NULL.
+ derivatives: room for 9 count numbers; or NULL. Of each case the derivative of f_x by xi, by
+   eta and by chi, then of f_y, then of m_z (1).
+ statuses: room for count numbers, CREEPAGE_SOLVED and so on; or NULL.
+
+ All creepages are checked before any case is solved. CREEPAGE_UNSUPPORTED for other theories.
+
+ You promise:
+ The handle is alive; arrays and message point to as much room as said.
+ */
+int32_t creepage_exact_force(const struct CreepageTheory *theory,
+                             size_t count,
+                             const double *creepages,
+                             double *forces,
+                             double *errors,
+                             double *derivatives,
+                             int32_t *statuses,
+                             char *message,
+                             size_t message_size);
+
+/*
+ Solves a case file.
+
+ path: the file, in TOML; `creepage init` writes an example.
+ theory: the theory to use, with its usual options; NULL for the file's own.
+ force: room for 3 numbers, those of the upper body on the lower: longitudinal force (N),
+   lateral force (N), moment (N m).
+ status: room for one number, CREEPAGE_SOLVED and so on; or NULL.
+
+ You promise:
+ Texts end with a zero byte; arrays and message point to as much room as said.
+ */
+int32_t creepage_case_solve(const char *path,
+                            const char *theory,
+                            double *force,
+                            int32_t *status,
+                            char *message,
+                            size_t message_size);
+
+#ifdef __cplusplus
+}  // extern "C"
+#endif  // __cplusplus
+
+#endif  /* CREEPAGE_H */

@@ -1,0 +1,141 @@
+//! What goes wrong, its code and its words.
+
+use std::ffi::c_char;
+use std::io;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::path::PathBuf;
+
+use creepage::InvalidValue;
+use creepage::rolling::variational::VariationalError;
+use creepage_case::CaseError;
+use creepage_table::FileError;
+
+/// Done.
+pub const CREEPAGE_OK: i32 = 0;
+/// A pointer that is needed is NULL.
+pub const CREEPAGE_NULL: i32 = 1;
+/// A number is out of range, or not finite.
+pub const CREEPAGE_INVALID: i32 = 2;
+/// A text is not UTF-8, names no theory, or holds no option of it.
+pub const CREEPAGE_TEXT: i32 = 3;
+/// A file cannot be read, or is not what it should be.
+pub const CREEPAGE_FILE: i32 = 4;
+/// So many cases that their arrays would not fit into memory.
+pub const CREEPAGE_COUNT: i32 = 5;
+/// The theory does not tell what was asked for.
+pub const CREEPAGE_UNSUPPORTED: i32 = 6;
+/// A defect of the library; nothing can be said of what was written.
+pub const CREEPAGE_DEFECT: i32 = 7;
+
+/// Why a call fails.
+#[derive(Debug, thiserror::Error)]
+pub(crate) enum Failure {
+    #[error("{0} is NULL")]
+    Null(&'static str),
+    #[error(transparent)]
+    Invalid(#[from] InvalidValue),
+    #[error("case {index}: {source}")]
+    Case { index: usize, source: InvalidValue },
+    #[error(transparent)]
+    Variational(#[from] VariationalError),
+    #[error("{0} is not UTF-8")]
+    Text(&'static str),
+    #[error("unknown theory `{0}`")]
+    Theory(String),
+    #[error("options: {0}")]
+    Options(#[from] toml::de::Error),
+    #[error("`{option}` is no option of the theory {theory}")]
+    Foreign { option: &'static str, theory: String },
+    #[error("cannot read {}: {source}", path.display())]
+    Read { path: PathBuf, source: io::Error },
+    #[error("{}: {source}", path.display())]
+    CaseFile { path: PathBuf, source: CaseError },
+    #[error("{}: {source}", path.display())]
+    Table { path: PathBuf, source: FileError },
+    #[error("the arrays of {0} cases do not fit into memory")]
+    Count(usize),
+    #[error("the theory {0} has no error bars")]
+    Unsupported(String),
+}
+
+impl Failure {
+    fn code(&self) -> i32 {
+        match self {
+            Self::Null(_) => CREEPAGE_NULL,
+            Self::Invalid(_) | Self::Case { .. } | Self::Variational(_) => CREEPAGE_INVALID,
+            Self::Text(_) | Self::Theory(_) | Self::Options(_) | Self::Foreign { .. } => {
+                CREEPAGE_TEXT
+            }
+            Self::Read { .. } | Self::CaseFile { .. } | Self::Table { .. } => CREEPAGE_FILE,
+            Self::Count(_) => CREEPAGE_COUNT,
+            Self::Unsupported(_) => CREEPAGE_UNSUPPORTED,
+        }
+    }
+}
+
+/// Does the work, and turns what goes wrong into a code and a message; no panic gets by.
+///
+/// # Safety
+/// `message` is NULL or has room for `size` bytes.
+pub(crate) unsafe fn guard(
+    message: *mut c_char,
+    size: usize,
+    work: impl FnOnce() -> Result<(), Failure>,
+) -> i32 {
+    // What a panic may leave half-done is the caller's arrays only.
+    let (code, words) = match catch_unwind(AssertUnwindSafe(work)) {
+        Ok(Ok(())) => (CREEPAGE_OK, String::new()),
+        Ok(Err(failure)) => (failure.code(), failure.to_string()),
+        Err(_) => (CREEPAGE_DEFECT, "a defect of the library: please report it".into()),
+    };
+    // SAFETY: the caller's promise is ours.
+    unsafe { tell(message, size, &words) };
+    code
+}
+
+/// Writes words and a zero byte, as many as there is room for, and no half character.
+///
+/// # Safety
+/// `message` is NULL or has room for `size` bytes.
+unsafe fn tell(message: *mut c_char, size: usize, words: &str) {
+    if message.is_null() || size == 0 {
+        return;
+    }
+    let room = words.len().min(size - 1);
+    let length = (0..=room).rev().find(|at| words.is_char_boundary(*at)).unwrap_or(0);
+    // SAFETY: `length + 1 <= size` bytes fit, and a string of ours overlaps no buffer of theirs.
+    unsafe {
+        message.copy_from_nonoverlapping(words.as_ptr().cast(), length);
+        message.add(length).write(0);
+    }
+}
+
+#[cfg(test)]
+// A panic is what is tested.
+#[allow(clippy::panic)]
+mod tests {
+    use super::*;
+
+    fn message(size: usize, words: &str) -> Vec<u8> {
+        let mut buffer = vec![0x7f_u8; 40];
+        // SAFETY: `size` is at most the buffer's.
+        unsafe { tell(buffer.as_mut_ptr().cast(), size, words) };
+        buffer
+    }
+
+    #[test]
+    fn a_panic_becomes_a_code() {
+        // SAFETY: NULL may be given.
+        let code = unsafe { guard(std::ptr::null_mut(), 0, || panic!("on purpose")) };
+        assert_eq!(code, CREEPAGE_DEFECT);
+    }
+
+    #[test]
+    fn a_message_fits_its_room_and_ends_with_zero() {
+        assert_eq!(&message(40, "theory is NULL")[..16], b"theory is NULL\0\x7f");
+        assert_eq!(&message(5, "theory is NULL")[..6], b"theo\0\x7f");
+        // No half of a character of two bytes.
+        assert_eq!(&message(4, "ab\u{e9}")[..4], b"ab\0\x7f");
+        assert_eq!(message(0, "theory")[0], 0x7f);
+    }
+}

@@ -1,0 +1,34 @@
+//! The C interface of creepage: for C, C++, Fortran, MATLAB and whatever else calls C.
+//!
+//! The header is `include/creepage.h`, made by cbindgen from this crate and checked by its tests;
+//! `install.sh` builds the libraries and puts them, the header and a file for pkg-config in place.
+//! Handles are opaque and may be shared between threads; nothing is global; no panic gets out.
+
+mod failure;
+mod input;
+mod prepare;
+mod table;
+mod theory;
+
+use std::ffi::c_char;
+
+pub use failure::{
+    CREEPAGE_COUNT, CREEPAGE_DEFECT, CREEPAGE_FILE, CREEPAGE_INVALID, CREEPAGE_NULL, CREEPAGE_OK,
+    CREEPAGE_TEXT, CREEPAGE_UNSUPPORTED,
+};
+pub use table::{
+    CreepageTable, creepage_table_error, creepage_table_force, creepage_table_free,
+    creepage_table_read,
+};
+pub use theory::{
+    CREEPAGE_CREEPAGE_TOO_SMALL, CREEPAGE_DOUBTFUL, CREEPAGE_NOT_CONVERGED, CREEPAGE_SOLVED,
+    CREEPAGE_SPIN_TOO_LARGE, CreepageTheory, creepage_case_solve, creepage_exact_force,
+    creepage_theory_force, creepage_theory_free, creepage_theory_new,
+};
+
+/// The version of the library, as "0.1.0"; the text is the library's own.
+#[unsafe(no_mangle)]
+pub extern "C" fn creepage_version() -> *const c_char {
+    const VERSION: &str = concat!(env!("CARGO_PKG_VERSION"), "\0");
+    VERSION.as_ptr().cast()
+}

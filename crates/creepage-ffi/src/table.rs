@@ -1,0 +1,137 @@
+//! Tables of creep force.
+
+use std::ffi::c_char;
+use std::path::Path;
+
+use creepage_table::Table;
+
+use crate::failure::{Failure, guard};
+use crate::input::{array, array_mut, creepages, handle, optional, text};
+
+/// A table of creep force, as `creepage table build` makes it.
+#[derive(Debug)]
+pub struct CreepageTable {
+    table: Table,
+}
+
+/// Reads a table.
+///
+/// path: the file.
+/// table: becomes the handle, to be freed with creepage_table_free; NULL if the call fails.
+///
+/// # Safety
+/// path ends with a zero byte; table and message point to as much room as said.
+#[allow(clippy::doc_markdown)] // the words are for C
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn creepage_table_read(
+    path: *const c_char,
+    table: *mut *mut CreepageTable,
+    message: *mut c_char,
+    message_size: usize,
+) -> i32 {
+    let work = || {
+        // SAFETY: the caller's promise of the function's documentation.
+        let place = unsafe { array_mut("table", table, 1, 1) }?;
+        place[0] = std::ptr::null_mut();
+        // SAFETY: as before.
+        let path = Path::new(unsafe { text("path", path) }?);
+        let table =
+            Table::read(path).map_err(|source| Failure::Table { path: path.into(), source })?;
+        place[0] = Box::into_raw(Box::new(CreepageTable { table }));
+        Ok(())
+    };
+    // SAFETY: as before.
+    unsafe { guard(message, message_size, work) }
+}
+
+/// Frees a table. NULL is left alone.
+///
+/// # Safety
+/// table is NULL, or of creepage_table_read, and not used again.
+#[allow(clippy::doc_markdown)] // the words are for C
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn creepage_table_free(table: *mut CreepageTable) {
+    if !table.is_null() {
+        // SAFETY: it was made by `Box::into_raw`, and the caller gives it up.
+        drop(unsafe { Box::from_raw(table) });
+    }
+}
+
+/// The largest error of the table against its theory at random places, as measured when the
+/// table was built.
+///
+/// errors: room for 2 numbers, of the force in parts of mu N and of the moment in parts of
+///   mu N c (1).
+///
+/// # Safety
+/// The handle is alive; errors and message point to as much room as said.
+#[allow(clippy::doc_markdown)] // the words are for C
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn creepage_table_error(
+    table: *const CreepageTable,
+    errors: *mut f64,
+    message: *mut c_char,
+    message_size: usize,
+) -> i32 {
+    let work = || {
+        // SAFETY: the caller's promise of the function's documentation, here and below.
+        let accuracy = unsafe { handle("table", table) }?.table.accuracy();
+        // SAFETY: as before.
+        let errors = unsafe { array_mut("errors", errors, 1, 2) }?;
+        errors.copy_from_slice(&[accuracy.force.worst, accuracy.moment.worst]);
+        Ok(())
+    };
+    // SAFETY: as before.
+    unsafe { guard(message, message_size, work) }
+}
+
+/// Looks many forces up, for one shape of the contact.
+///
+/// a_over_b: semi-axis along over semi-axis across the rolling direction, within the table's
+///   range (1).
+/// poisson: combined Poisson's ratio, within the table's range (1).
+/// count: number of cases.
+/// creepages: 3 count numbers, xi, eta, chi of each case (1).
+/// forces: room for 3 count numbers, f_x, f_y, m_z of each case (1).
+/// derivatives: room for 9 count numbers; or NULL. Of each case the derivative of f_x by xi, by
+///   eta and by chi, then of f_y, then of m_z (1).
+///
+/// # Safety
+/// The handle is alive; arrays and message point to as much room as said.
+#[allow(clippy::doc_markdown)] // the words are for C
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn creepage_table_force(
+    table: *const CreepageTable,
+    a_over_b: f64,
+    poisson: f64,
+    count: usize,
+    creepages: *const f64,
+    forces: *mut f64,
+    derivatives: *mut f64,
+    message: *mut c_char,
+    message_size: usize,
+) -> i32 {
+    let work = || {
+        // SAFETY: the caller's promise of the function's documentation, here and below.
+        let slice = unsafe { handle("table", table) }?.table.at(a_over_b, poisson)?;
+        // SAFETY: as before.
+        let asked = self::creepages(unsafe { array("creepages", creepages, count, 3) }?)?;
+        // SAFETY: as before.
+        let forces = unsafe { array_mut("forces", forces, count, 3) }?;
+        // SAFETY: as before.
+        let mut derivatives = unsafe { optional(derivatives, count, 9) }?;
+        for (case, (creepage, out)) in asked.zip(forces.as_chunks_mut().0).enumerate() {
+            let force = if let Some(derivatives) = &mut derivatives {
+                let (force, derivative) = slice.force_and_derivative(creepage);
+                derivatives[9 * case..9 * case + 9].copy_from_slice(derivative.as_flattened());
+                force
+            } else {
+                slice.force(creepage)
+            };
+            *out = [force.fx, force.fy, force.mz];
+        }
+        Ok(())
+    };
+    // SAFETY: as before.
+    unsafe { guard(message, message_size, work) }
+}

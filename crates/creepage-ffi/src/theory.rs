@@ -1,0 +1,251 @@
+//! Theories, and case files.
+
+use std::ffi::c_char;
+use std::path::Path;
+
+use creepage::rolling::{Force, Scaling, Status};
+
+use crate::failure::{Failure, guard};
+use crate::input::{array, array_mut, creepages, handle, optional, text};
+use crate::prepare::{Solver, case};
+
+/// The theory's equations are solved.
+pub const CREEPAGE_SOLVED: i32 = 0;
+/// The iteration ended before its tolerance was met.
+pub const CREEPAGE_NOT_CONVERGED: i32 = 1;
+/// Solved, but creepage is too small for the theory's resolution.
+pub const CREEPAGE_CREEPAGE_TOO_SMALL: i32 = 2;
+/// Solved, but spin is beyond the bound up to which the theory holds.
+pub const CREEPAGE_SPIN_TOO_LARGE: i32 = 3;
+/// A status that this version of the interface does not know.
+pub const CREEPAGE_DOUBTFUL: i32 = 4;
+
+/// A theory, prepared for one shape of the contact and one Poisson's ratio.
+// Never inside out: only pointers to it leave the library.
+#[allow(missing_debug_implementations)]
+pub struct CreepageTheory {
+    solver: Solver,
+}
+
+fn number(status: Status) -> i32 {
+    match status {
+        Status::Solved => CREEPAGE_SOLVED,
+        Status::NotConverged => CREEPAGE_NOT_CONVERGED,
+        Status::CreepageTooSmall => CREEPAGE_CREEPAGE_TOO_SMALL,
+        Status::SpinTooLarge => CREEPAGE_SPIN_TOO_LARGE,
+        _ => CREEPAGE_DOUBTFUL,
+    }
+}
+
+/// Prepares a theory.
+///
+/// name: "exact", "fastsim", and so on, as `creepage theories` lists them.
+/// options: its options as in the section `solve` of a case file, for instance
+///   "resolution = 'fine'"; NULL or "" for the usual ones.
+/// a_over_b: semi-axis along over semi-axis across the rolling direction (1).
+/// poisson: combined Poisson's ratio, 0 to 0.5 (1).
+/// theory: becomes the handle, to be freed with creepage_theory_free; NULL if the call fails.
+///
+/// # Safety
+/// Texts end with a zero byte; theory and message point to as much room as said.
+#[allow(clippy::doc_markdown)] // the words are for C
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn creepage_theory_new(
+    name: *const c_char,
+    options: *const c_char,
+    a_over_b: f64,
+    poisson: f64,
+    theory: *mut *mut CreepageTheory,
+    message: *mut c_char,
+    message_size: usize,
+) -> i32 {
+    let work = || {
+        // SAFETY: the caller's promise of the function's documentation.
+        let place = unsafe { array_mut("theory", theory, 1, 1) }?;
+        place[0] = std::ptr::null_mut();
+        // SAFETY: as before.
+        let name = unsafe { text("name", name) }?;
+        let options = if options.is_null() {
+            ""
+        } else {
+            // SAFETY: as before.
+            unsafe { text("options", options) }?
+        };
+        let solver = Solver::new(name, a_over_b, poisson, &toml::from_str(options)?)?;
+        place[0] = Box::into_raw(Box::new(CreepageTheory { solver }));
+        Ok(())
+    };
+    // SAFETY: as before.
+    unsafe { guard(message, message_size, work) }
+}
+
+/// Frees a theory. NULL is left alone.
+///
+/// # Safety
+/// theory is NULL, or of creepage_theory_new, and not used again.
+#[allow(clippy::doc_markdown)] // the words are for C
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn creepage_theory_free(theory: *mut CreepageTheory) {
+    if !theory.is_null() {
+        // SAFETY: it was made by `Box::into_raw`, and the caller gives it up.
+        drop(unsafe { Box::from_raw(theory) });
+    }
+}
+
+/// Forces of many cases, one after the other.
+///
+/// count: number of cases.
+/// creepages: 3 count numbers, xi, eta, chi of each case (1).
+/// forces: room for 3 count numbers, f_x, f_y, m_z of each case (1).
+/// statuses: room for count numbers, CREEPAGE_SOLVED and so on; or NULL.
+///
+/// All creepages are checked before any case is solved.
+///
+/// # Safety
+/// The handle is alive; arrays and message point to as much room as said.
+#[allow(clippy::doc_markdown)] // the words are for C
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn creepage_theory_force(
+    theory: *const CreepageTheory,
+    count: usize,
+    creepages: *const f64,
+    forces: *mut f64,
+    statuses: *mut i32,
+    message: *mut c_char,
+    message_size: usize,
+) -> i32 {
+    let work = || {
+        // SAFETY: the caller's promise of the function's documentation, here and below.
+        let theory = unsafe { handle("theory", theory) }?;
+        // SAFETY: as before.
+        let asked = self::creepages(unsafe { array("creepages", creepages, count, 3) }?)?;
+        // SAFETY: as before.
+        let forces = unsafe { array_mut("forces", forces, count, 3) }?;
+        // SAFETY: as before.
+        let mut statuses = unsafe { optional(statuses, count, 1) }?;
+        for (case, (creepage, force)) in asked.zip(forces.as_chunks_mut().0).enumerate() {
+            let solution = theory.solver.solve(creepage);
+            *force = numbers(solution.force);
+            if let Some(statuses) = &mut statuses {
+                statuses[case] = number(solution.status);
+            }
+        }
+        Ok(())
+    };
+    // SAFETY: as before.
+    unsafe { guard(message, message_size, work) }
+}
+
+/// Forces of many cases by the theory "exact", with error bars and derivatives.
+///
+/// count: number of cases.
+/// creepages: 3 count numbers, xi, eta, chi of each case (1).
+/// forces: room for 3 count numbers, f_x, f_y, m_z of each case (1).
+/// errors: room for 3 count numbers, the error bars of f_x, f_y, m_z (1); or NULL.
+/// derivatives: room for 9 count numbers; or NULL. Of each case the derivative of f_x by xi, by
+///   eta and by chi, then of f_y, then of m_z (1).
+/// statuses: room for count numbers, CREEPAGE_SOLVED and so on; or NULL.
+///
+/// All creepages are checked before any case is solved. CREEPAGE_UNSUPPORTED for other theories.
+///
+/// # Safety
+/// The handle is alive; arrays and message point to as much room as said.
+#[allow(clippy::doc_markdown)] // the words are for C
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn creepage_exact_force(
+    theory: *const CreepageTheory,
+    count: usize,
+    creepages: *const f64,
+    forces: *mut f64,
+    errors: *mut f64,
+    derivatives: *mut f64,
+    statuses: *mut i32,
+    message: *mut c_char,
+    message_size: usize,
+) -> i32 {
+    let work = || {
+        // SAFETY: the caller's promise of the function's documentation, here and below.
+        let exact = match unsafe { handle("theory", theory) }?.solver {
+            Solver::Exact(ref exact) => exact,
+            Solver::Other { ref name, .. } => return Err(Failure::Unsupported(name.clone())),
+        };
+        // SAFETY: as before.
+        let asked = self::creepages(unsafe { array("creepages", creepages, count, 3) }?)?;
+        // SAFETY: as before.
+        let forces = unsafe { array_mut("forces", forces, count, 3) }?;
+        // SAFETY: as before.
+        let mut errors = unsafe { optional(errors, count, 3) }?;
+        // SAFETY: as before.
+        let mut derivatives = unsafe { optional(derivatives, count, 9) }?;
+        // SAFETY: as before.
+        let mut statuses = unsafe { optional(statuses, count, 1) }?;
+        let mut workspace = exact.workspace();
+        for (case, (creepage, force)) in asked.zip(forces.as_chunks_mut().0).enumerate() {
+            let solution = exact.solve_with(creepage, &mut workspace);
+            *force = numbers(solution.force);
+            if let Some(errors) = &mut errors {
+                errors[3 * case..3 * case + 3].copy_from_slice(&numbers(solution.error));
+            }
+            if let Some(derivatives) = &mut derivatives {
+                let derivative = exact.derivative(&mut workspace);
+                derivatives[9 * case..9 * case + 9].copy_from_slice(derivative.as_flattened());
+            }
+            if let Some(statuses) = &mut statuses {
+                statuses[case] = number(solution.status);
+            }
+        }
+        Ok(())
+    };
+    // SAFETY: as before.
+    unsafe { guard(message, message_size, work) }
+}
+
+/// Solves a case file.
+///
+/// path: the file, in TOML; `creepage init` writes an example.
+/// theory: the theory to use, with its usual options; NULL for the file's own.
+/// force: room for 3 numbers, those of the upper body on the lower: longitudinal force (N),
+///   lateral force (N), moment (N m).
+/// status: room for one number, CREEPAGE_SOLVED and so on; or NULL.
+///
+/// # Safety
+/// Texts end with a zero byte; arrays and message point to as much room as said.
+#[allow(clippy::doc_markdown)] // the words are for C
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn creepage_case_solve(
+    path: *const c_char,
+    theory: *const c_char,
+    force: *mut f64,
+    status: *mut i32,
+    message: *mut c_char,
+    message_size: usize,
+) -> i32 {
+    let work = || {
+        // SAFETY: the caller's promise of the function's documentation, here and below.
+        let path = Path::new(unsafe { text("path", path) }?);
+        let name = if theory.is_null() {
+            None
+        } else {
+            // SAFETY: as before.
+            Some(unsafe { text("theory", theory) }?)
+        };
+        // SAFETY: as before.
+        let force = unsafe { array_mut("force", force, 1, 3) }?;
+        // SAFETY: as before.
+        let status = unsafe { optional(status, 1, 1) }?;
+        let (case, solver) = case(path, name)?;
+        let solution = solver.solve(case.creepage);
+        let si = Scaling::new(&case.contact, case.friction)?.si_force(solution.force);
+        force.copy_from_slice(&[si.longitudinal, si.lateral, si.moment]);
+        if let Some(status) = status {
+            status[0] = number(solution.status);
+        }
+        Ok(())
+    };
+    // SAFETY: as before.
+    unsafe { guard(message, message_size, work) }
+}
+
+fn numbers(Force { fx, fy, mz }: Force) -> [f64; 3] {
+    [fx, fy, mz]
+}

@@ -1,0 +1,276 @@
+//! The functions as a caller from C sees them: right answers, and codes for all that is wrong.
+
+// Helpers of tests fail like tests: by panicking. Equal bits are meant where numbers are compared.
+#![allow(clippy::unwrap_used, clippy::float_cmp)]
+
+use std::ffi::{CStr, CString, c_char};
+use std::ptr::{null, null_mut};
+use std::thread;
+
+use creepage::InvalidValue;
+use creepage::rolling::exact::{Exact, Resolution};
+use creepage::rolling::polach::Polach;
+use creepage::rolling::{Creepage, Theory};
+use creepage_ffi::*;
+use creepage_table::{Axis, Intervals, Provenance, Spec, build};
+
+/// Room for a message, and what was written to it.
+struct Message([c_char; 256]);
+
+impl Message {
+    fn new() -> Self {
+        Self([0x55; 256])
+    }
+
+    fn text(&self) -> String {
+        assert!(self.0.contains(&0));
+        // SAFETY: there is a zero.
+        unsafe { CStr::from_ptr(self.0.as_ptr()) }.to_str().unwrap().into()
+    }
+}
+
+fn new(name: &str, options: &str, a_over_b: f64) -> (i32, *mut CreepageTheory, String) {
+    let (name, options) = (CString::new(name).unwrap(), CString::new(options).unwrap());
+    let (mut theory, mut message) = (null_mut(), Message::new());
+    // SAFETY: all point to what they should.
+    let code = unsafe {
+        let (name, options) = (name.as_ptr(), options.as_ptr());
+        creepage_theory_new(
+            name,
+            options,
+            a_over_b,
+            0.28,
+            &raw mut theory,
+            message.0.as_mut_ptr(),
+            256,
+        )
+    };
+    (code, theory, message.text())
+}
+
+/// A theory that frees itself.
+struct Owned(*mut CreepageTheory);
+
+// SAFETY: the interface says that a handle may be used by many threads.
+unsafe impl Sync for Owned {}
+
+impl Owned {
+    fn new(name: &str, options: &str) -> Self {
+        let (code, theory, message) = new(name, options, 1.5);
+        assert_eq!((code, &message[..]), (CREEPAGE_OK, ""));
+        assert!(!theory.is_null());
+        Self(theory)
+    }
+
+    fn force(&self, creepages: &[f64]) -> (i32, Vec<f64>, Vec<i32>, String) {
+        let count = creepages.len() / 3;
+        let (mut forces, mut statuses) = (vec![9.0; 3 * count], vec![9; count]);
+        let mut message = Message::new();
+        // SAFETY: all point to what they should.
+        let code = unsafe {
+            creepage_theory_force(
+                self.0,
+                count,
+                creepages.as_ptr(),
+                forces.as_mut_ptr(),
+                statuses.as_mut_ptr(),
+                message.0.as_mut_ptr(),
+                256,
+            )
+        };
+        (code, forces, statuses, message.text())
+    }
+}
+
+impl Drop for Owned {
+    fn drop(&mut self) {
+        // SAFETY: made by the library, and not used again.
+        unsafe { creepage_theory_free(self.0) }
+    }
+}
+
+const CASES: [f64; 9] = [0.5, 0.2, 0.1, -3.0, 1.0, 4.0, 0.0, 0.0, 0.0];
+
+#[test]
+fn many_cases_get_the_forces_of_the_library() {
+    for name in ["exact", "fastrip", "fastsim", "polach", "shen-hedrick-elkins"] {
+        let (code, forces, statuses, _) = Owned::new(name, "").force(&CASES);
+        assert_eq!(code, CREEPAGE_OK);
+        assert_eq!(statuses, [CREEPAGE_SOLVED; 3], "{name}");
+        assert!(forces.iter().all(|f| f.abs() <= 1.01), "{name} {forces:?}");
+        assert_eq!(forces[6..], [0.0; 3], "{name}");
+    }
+    let theory = Exact::new(1.5, 0.28, Resolution::FAST).unwrap();
+    let (_, forces, ..) = Owned::new("exact", "resolution = 'fast'").force(&CASES);
+    for (case, found) in CASES.as_chunks::<3>().0.iter().zip(forces.as_chunks::<3>().0) {
+        let force = theory.solve(Creepage::new(case[0], case[1], case[2]).unwrap()).force;
+        assert_eq!([force.fx, force.fy, force.mz], *found);
+    }
+    for name in ["variational", "strip", "linear", "saturated", "vermeulen-johnson"] {
+        assert_eq!(Owned::new(name, "").force(&CASES).0, CREEPAGE_OK, "{name}");
+    }
+    let doubts = Owned::new("vermeulen-johnson", "").force(&CASES).2;
+    assert_eq!(doubts, [CREEPAGE_SPIN_TOO_LARGE, CREEPAGE_SPIN_TOO_LARGE, CREEPAGE_SOLVED]);
+}
+
+#[test]
+fn the_full_theory_tells_errors_and_derivatives() {
+    let theory = Owned::new("exact", "");
+    let (mut forces, mut errors, mut derivatives) = ([0.0; 9], [0.0; 9], [0.0; 27]);
+    let exact = |theory: &Owned, errors: *mut f64, derivatives: *mut f64, forces: *mut f64| {
+        // SAFETY: all point to what they should, or to nothing where that is allowed.
+        unsafe {
+            let cases = CASES.as_ptr();
+            creepage_exact_force(
+                theory.0,
+                3,
+                cases,
+                forces,
+                errors,
+                derivatives,
+                null_mut(),
+                null_mut(),
+                0,
+            )
+        }
+    };
+    let (bars, slopes) = (errors.as_mut_ptr(), derivatives.as_mut_ptr());
+    assert_eq!(exact(&theory, bars, slopes, forces.as_mut_ptr()), CREEPAGE_OK);
+    let library = Exact::new(1.5, 0.28, Resolution::STANDARD).unwrap();
+    let mut workspace = library.workspace();
+    let right = library.solve_with(Creepage::new(0.5, 0.2, 0.1).unwrap(), &mut workspace);
+    assert_eq!(forces[..3], [right.force.fx, right.force.fy, right.force.mz]);
+    assert_eq!(errors[..3], [right.error.fx, right.error.fy, right.error.mz]);
+    assert_eq!(&derivatives[..9], library.derivative(&mut workspace).as_flattened());
+    assert_eq!(exact(&theory, null_mut(), null_mut(), forces.as_mut_ptr()), CREEPAGE_OK);
+    assert_eq!(exact(&theory, bars, slopes, null_mut()), CREEPAGE_NULL);
+    let other = Owned::new("fastsim", "");
+    assert_eq!(exact(&other, bars, slopes, forces.as_mut_ptr()), CREEPAGE_UNSUPPORTED);
+}
+
+#[test]
+fn one_handle_serves_many_threads() {
+    let theory = Owned::new("exact", "resolution = 'fast'");
+    let right = theory.force(&CASES).1;
+    thread::scope(|scope| {
+        let threads: Vec<_> = (0..4)
+            .map(|_| scope.spawn(|| (0..5).map(|_| theory.force(&CASES).1).collect::<Vec<_>>()))
+            .collect();
+        for thread in threads {
+            assert!(thread.join().unwrap().iter().all(|forces| *forces == right));
+        }
+    });
+}
+
+#[test]
+fn wrong_words_and_numbers_get_their_codes() {
+    for (name, options, ratio, code, words) in [
+        ("exactly", "", 1.0, CREEPAGE_TEXT, "unknown theory `exactly`"),
+        ("fastsim", "grid = 3", 1.0, CREEPAGE_TEXT, "options"),
+        ("fastsim", "gird = [3, 3]", 1.0, CREEPAGE_TEXT, "gird"),
+        ("exact", "degree = 3", 1.0, CREEPAGE_TEXT, "`degree` is no option of the theory exact"),
+        ("exact", "", -1.0, CREEPAGE_INVALID, "a_over_b = -1"),
+        ("polach", "", f64::NAN, CREEPAGE_INVALID, "NaN"),
+        ("fastsim", "grid = [0, 3]", 1.0, CREEPAGE_INVALID, "0"),
+    ] {
+        let (found, theory, message) = new(name, options, ratio);
+        assert!((found, theory.is_null()) == (code, true) && message.contains(words), "{message}");
+    }
+    let theory = Owned::new("polach", "");
+    for wrong in [f64::NAN, f64::INFINITY, 1e200] {
+        let (code, forces, _, message) = theory.force(&[0.1, 0.0, 0.0, 0.0, wrong, 0.0]);
+        assert_eq!(code, CREEPAGE_INVALID);
+        assert!(message.starts_with("case 1: eta"), "{message}");
+        // Nothing is written before all is checked.
+        assert_eq!(forces, [9.0; 6]);
+    }
+    assert_eq!(theory.force(&[]).0, CREEPAGE_OK);
+}
+
+#[test]
+fn nothing_and_too_much_get_their_codes() {
+    let name = CString::new("polach").unwrap();
+    let bad = [0xff_u8, 0];
+    let (mut theory, mut forces) = (null_mut(), [0.0; 3]);
+    let made = Owned::new("polach", "");
+    let (one, out, none) = (CASES.as_ptr(), forces.as_mut_ptr(), null_mut());
+    let (huge, wrap) = (usize::MAX / 9, usize::MAX / 2 + 2);
+    // SAFETY: pointers are right, NULL, or seen to be of no use before they are read.
+    unsafe {
+        let new = |name: *const c_char, options: *const c_char, theory| {
+            creepage_theory_new(name, options, 1.0, 0.28, theory, null_mut(), 0)
+        };
+        assert_eq!(new(null(), null(), &raw mut theory), CREEPAGE_NULL);
+        assert_eq!(new(name.as_ptr(), null(), null_mut()), CREEPAGE_NULL);
+        assert_eq!(new(bad.as_ptr().cast(), null(), &raw mut theory), CREEPAGE_TEXT);
+        assert_eq!(new(name.as_ptr(), bad.as_ptr().cast(), &raw mut theory), CREEPAGE_TEXT);
+        assert!(theory.is_null());
+        let force = |theory: *const CreepageTheory, count, creepages, forces| {
+            creepage_theory_force(theory, count, creepages, forces, none, null_mut(), 0)
+        };
+        assert_eq!(force(null(), 1, one, out), CREEPAGE_NULL);
+        assert_eq!(force(made.0, 1, null(), out), CREEPAGE_NULL);
+        assert_eq!(force(made.0, 1, one, null_mut()), CREEPAGE_NULL);
+        assert_eq!(force(made.0, huge, one, out), CREEPAGE_COUNT);
+        assert_eq!(force(made.0, wrap, one, out), CREEPAGE_COUNT);
+        let mut table = null_mut();
+        assert_eq!(creepage_table_read(null(), &raw mut table, null_mut(), 0), CREEPAGE_NULL);
+        assert_eq!(creepage_table_read(name.as_ptr(), null_mut(), null_mut(), 0), CREEPAGE_NULL);
+        assert_eq!(
+            creepage_table_read(name.as_ptr(), &raw mut table, null_mut(), 0),
+            CREEPAGE_FILE
+        );
+        assert!(table.is_null());
+        let look = creepage_table_force(null(), 1.0, 0.28, 1, one, out, null_mut(), null_mut(), 0);
+        assert_eq!(look, CREEPAGE_NULL);
+        assert_eq!(creepage_table_error(null(), out, null_mut(), 0), CREEPAGE_NULL);
+        let solve = |path| creepage_case_solve(path, null(), out, none, null_mut(), 0);
+        assert_eq!(solve(null()), CREEPAGE_NULL);
+        assert_eq!(solve(name.as_ptr()), CREEPAGE_FILE);
+        creepage_theory_free(null_mut());
+        creepage_table_free(null_mut());
+    }
+}
+
+#[test]
+fn a_table_gives_what_it_gives_in_rust() {
+    let spec = Spec {
+        a_over_b: Axis { low: 0.5, high: 2.0, nodes: 3 },
+        poisson: Axis::fixed(0.28),
+        intervals: Intervals { theta: 4, phi: 4, t: 6 },
+        places: 20,
+        provenance: Provenance::default(),
+    };
+    let prepare = |ratio, poisson| -> Result<Box<dyn Theory>, InvalidValue> {
+        Ok(Box::new(Polach::new(ratio, poisson)?))
+    };
+    let right = build(&spec, prepare, &|| {}).unwrap();
+    let place = tempfile::tempdir().unwrap();
+    let path = place.path().join("table.nc");
+    right.write(&path).unwrap();
+    let path = CString::new(path.to_str().unwrap()).unwrap();
+    let (mut table, mut message) = (null_mut(), Message::new());
+    let (mut forces, mut derivatives, mut errors) = ([0.0; 9], [0.0; 27], [0.0; 2]);
+    // SAFETY: all point to what they should.
+    unsafe {
+        let words = message.0.as_mut_ptr();
+        assert_eq!(creepage_table_read(path.as_ptr(), &raw mut table, words, 256), CREEPAGE_OK);
+        let (cases, out, slopes) = (CASES.as_ptr(), forces.as_mut_ptr(), derivatives.as_mut_ptr());
+        let ask = |ratio, slopes| {
+            creepage_table_force(table, ratio, 0.28, 3, cases, out, slopes, words, 256)
+        };
+        assert_eq!(ask(3.0, null_mut()), CREEPAGE_INVALID);
+        assert!(message.text().starts_with("a_over_b = 3"));
+        assert_eq!([ask(1.3, null_mut()), ask(1.3, slopes)], [CREEPAGE_OK; 2]);
+        assert_eq!(creepage_table_error(table, errors.as_mut_ptr(), words, 256), CREEPAGE_OK);
+        creepage_table_free(table);
+    }
+    let slice = right.at(1.3, 0.28).unwrap();
+    for (k, case) in CASES.as_chunks::<3>().0.iter().enumerate() {
+        let creepage = Creepage { xi: case[0], eta: case[1], chi: case[2] };
+        let (force, derivative) = slice.force_and_derivative(creepage);
+        assert_eq!(forces[3 * k..3 * k + 3], [force.fx, force.fy, force.mz]);
+        assert_eq!(&derivatives[9 * k..9 * k + 9], derivative.as_flattened());
+    }
+    assert_eq!(errors, [right.accuracy().force.worst, right.accuracy().moment.worst]);
+}
