@@ -125,7 +125,7 @@ class Solution:
     _repr_svg_ = svg
 
     def save(self, directory: str | os.PathLike[str]) -> list[Path]:
-        """Writes report.json, points.csv, contact.svg and contact.png into the directory.
+        """Writes report.json, points.csv, contact.svg, .png and .vtk into the directory.
 
         It is made when missing; files of those names are replaced, all of them or none. Gives
         their paths. Raises OSError.

@@ -40,7 +40,19 @@ def test_the_front_door_and_the_file_are_one_case(wheel_on_rail: Case) -> None:
     assert pickle.loads(pickle.dumps(case)).contact == case.contact
 
 
-@pytest.mark.parametrize("path", sorted((ROOT / "examples").glob("*.toml")), ids=lambda p: p.stem)
+EXAMPLES = sorted((ROOT / "examples").glob("*.toml"))
+WANTED = [path for path in EXAMPLES if "\n[wanted]" in path.read_text()]
+
+
+@pytest.mark.parametrize("path", WANTED, ids=lambda path: path.stem)
+def test_a_wanted_force_is_refused_with_the_reason(path: Path) -> None:
+    with pytest.raises(creepage.CaseError, match=r"\[wanted\] asks for a creepage"):
+        Case.from_toml(path)
+
+
+@pytest.mark.parametrize(
+    "path", [path for path in EXAMPLES if path not in WANTED], ids=lambda path: path.stem
+)
 def test_every_example_solves(path: Path) -> None:
     solution = Case.from_toml(str(path)).solve(resolution="fast")
     assert solution.status == creepage.Status.SOLVED
@@ -75,6 +87,7 @@ def test_the_report_is_that_of_the_command(tmp_path: Path) -> None:
         "points.csv",
         "contact.svg",
         "contact.png",
+        "contact.vtk",
     ]
     assert json.loads(paths[0].read_text()) == solution.to_dict()
     assert paths[2].read_text() == solution.svg() == solution._repr_svg_()
