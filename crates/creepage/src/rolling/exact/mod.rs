@@ -14,7 +14,9 @@ mod friction;
 mod grid;
 mod influence;
 mod inverse;
+mod load;
 mod resolution;
+mod sampling;
 mod solution;
 mod solve;
 
@@ -27,7 +29,6 @@ use super::{Creepage, FieldPoint, Force, Region, Solution, Status, Theory};
 use crate::check::{self, InvalidValue};
 use crate::ellipse::Ellipse;
 use grid::Grid;
-use solution::Mirror;
 
 /// The full theory, prepared for one ratio of semi-axes and one Poisson's ratio.
 ///
@@ -98,16 +99,14 @@ impl Exact {
 
     /// Solves from scratch.
     pub fn solve_with(&self, creepage: Creepage, workspace: &mut Workspace) -> ExactSolution {
-        let mirror = Mirror::of(creepage);
-        workspace.solve(&self.grids, mirror.apply(creepage), false);
-        workspace.finish(&self.grids, creepage, mirror)
+        workspace.solve(&self.grids, creepage, false);
+        workspace.finish(&self.grids, creepage)
     }
 
     /// Solves from the tractions that `workspace` holds: quicker along a curve of creepages.
     pub fn solve_next(&self, creepage: Creepage, workspace: &mut Workspace) -> ExactSolution {
-        let mirror = Mirror::of(creepage);
-        workspace.solve(&self.grids, mirror.apply(creepage), true);
-        workspace.finish(&self.grids, creepage, mirror)
+        workspace.solve(&self.grids, creepage, true);
+        workspace.finish(&self.grids, creepage)
     }
 
     /// Solves along a curve of creepages, each from the one before.

@@ -16,11 +16,11 @@ pub struct Resolution {
 
 impl Resolution {
     /// 12 by 10 elements: half a millisecond.
-    pub const FAST: Self = Self { along: 12.0, across: 10.0 };
+    pub const FAST: Self = Self { along: 14.0, across: 12.0 };
     /// 22 by 18 elements: a few milliseconds.
     pub const STANDARD: Self = Self { along: 22.0, across: 18.0 };
     /// 36 by 28 elements: tens of milliseconds.
-    pub const FINE: Self = Self { along: 36.0, across: 28.0 };
+    pub const FINE: Self = Self { along: 40.0, across: 32.0 };
 
     /// `along` by `across` elements on a circle.
     ///
@@ -38,7 +38,7 @@ impl Resolution {
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // small and positive
     pub(super) fn coarse(self, a_over_b: f64) -> [usize; 2] {
         let stretch = a_over_b.powf(0.4).clamp(0.4, 2.5);
-        let half = |n: f64| (0.5 * n).round().max(3.0) as usize;
-        [half(self.along * stretch), half(self.across / stretch)]
+        let half = |n: f64| (0.5 * n).round().max(4.0) as usize;
+        [half(self.along * stretch), half(self.across / stretch.min(2.0))]
     }
 }
