@@ -167,7 +167,7 @@ fn slender_strips_are_carters() {
 }
 
 /// The error bar of the fast resolution against the fine one, which is ten times as accurate, on
-/// contacts and creepages of every kind. The bar is made for 95 %; 2 % are left to the draw.
+/// contacts and creepages of every kind. The bar is made for 95 %.
 #[test]
 fn the_error_bar_holds() {
     let (mut inside, mut all) = (0, 0);
@@ -188,7 +188,7 @@ fn the_error_bar_holds() {
             }
         }
     }
-    assert!(inside * 100 >= all * 93, "{inside} of {all}");
+    assert!(inside * 100 >= all * 95, "{inside} of {all}");
 }
 
 #[test]

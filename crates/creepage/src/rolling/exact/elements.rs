@@ -13,6 +13,9 @@ use std::f64::consts::FRAC_PI_2;
 use super::load::{self, Load};
 use crate::ellipse::Ellipse;
 
+/// Largest `a/b` with elements that are fitted all the way.
+const LONG: f64 = 10.0;
+
 /// The elements of one contact. Lengths in units of `c`.
 #[derive(Debug, Clone)]
 pub(super) struct Elements {
@@ -24,8 +27,8 @@ pub(super) struct Elements {
     cuts: Vec<f64>,
     /// Borders between strips over `b`, from -1 to 1.
     borders: Vec<f64>,
-    /// Half-lengths of the contact at the borders.
-    half_lengths: Vec<f64>,
+    /// Half-lengths of each strip at its lower and its upper border.
+    half_lengths: Vec<[f64; 2]>,
     a: f64,
     b: f64,
     /// Share of the normal force that each element carries.
@@ -38,9 +41,11 @@ pub(super) struct Elements {
 
 impl Elements {
     pub(super) fn new(ellipse: Ellipse, along: usize, strips: usize) -> Self {
+        let fit = fit(ellipse.ratio());
         let cuts = (0..=along).map(|i| cut(i as f64, along)).collect();
-        let borders: Vec<f64> = (0..=strips).map(|j| border(j as f64, strips)).collect();
-        let half_lengths = borders.iter().map(|y| ellipse.a() * load::root(*y)).collect();
+        let borders: Vec<f64> = (0..=strips).map(|j| border(j as f64, strips, fit)).collect();
+        let ends = |y: &[f64]| half_lengths(ellipse, y[0], y[1]);
+        let half_lengths = borders.windows(2).map(ends).collect();
         let mut elements = Self {
             along,
             strips,
@@ -74,15 +79,16 @@ impl Elements {
         self.along * self.strips
     }
 
-    /// Corner `i` from the leading edge on the lower border of a strip, or with `strip = strips`
-    /// on the upper border of the last.
-    pub(super) fn corner(&self, strip: usize, i: usize) -> [f64; 2] {
-        [self.half_lengths[strip] * self.cuts[i], self.b * self.borders[strip]]
+    /// Ends of a strip's cut `i` from the leading edge, on its lower and its upper border.
+    pub(super) fn cut_ends(&self, strip: usize, i: usize) -> [[f64; 2]; 2] {
+        [0, 1].map(|end| {
+            [self.half_lengths[strip][end] * self.cuts[i], self.b * self.borders[strip + end]]
+        })
     }
 
     /// Where a strip's middle line is cut, from the leading edge.
     pub(super) fn middle_cut(&self, strip: usize, i: usize) -> [f64; 2] {
-        let [[x0, y0], [x1, y1]] = [self.corner(strip, i), self.corner(strip + 1, i)];
+        let [[x0, y0], [x1, y1]] = self.cut_ends(strip, i);
         [0.5 * (x0 + x1), 0.5 * (y0 + y1)]
     }
 
@@ -103,6 +109,20 @@ impl Elements {
     }
 }
 
+/// How far strips narrow towards the sides and cuts follow the edge, from 0 to 1.
+///
+/// On contacts very long in the rolling direction such elements would act far ahead of and behind
+/// their middles, and sweeps would not settle; there strips become equal, elements rectangles.
+pub(super) fn fit(a_over_b: f64) -> f64 {
+    (LONG / a_over_b).min(1.0).powi(3)
+}
+
+/// Half-lengths of a strip at its lower and its upper border, `low` and `high` over `b`.
+fn half_lengths(ellipse: Ellipse, low: f64, high: f64) -> [f64; 2] {
+    let (fit, mean) = (fit(ellipse.ratio()), load::mean_length(low, high));
+    [low, high].map(|y| ellipse.a() * (fit * load::root(y) + (1.0 - fit) * mean))
+}
+
 /// The two of `count` rising middles next to a place, with their weights.
 fn beside(place: f64, count: usize, middle: impl Fn(usize) -> f64) -> [(usize, f64); 2] {
     let above = (0..count).find(|k| middle(*k) > place).unwrap_or(count);
@@ -120,11 +140,11 @@ pub(super) fn cut(i: f64, n: usize) -> f64 {
     (FRAC_PI_2 * (1.0 - 2.0 * i / n as f64)).sin()
 }
 
-/// Border `j` of `n` from -1 to 1, or with a broken `j` a place between borders: their density is
-/// as `1 / (1 - t^4)`, which in the middle is four fifths of that of equal strips.
-pub(super) fn border(j: f64, n: usize) -> f64 {
+/// Border `j` of `n` from -1 to 1, or with a broken `j` a place between borders: fully fitted,
+/// their density is as `1 / (1 - t^4)`, in the middle four fifths of that of equal strips.
+pub(super) fn border(j: f64, n: usize, fit: f64) -> f64 {
     let t = 2.0 * j / n as f64 - 1.0;
-    1.25 * t - 0.25 * t.powi(5)
+    t + 0.25 * fit * (t - t.powi(5))
 }
 
 #[cfg(test)]

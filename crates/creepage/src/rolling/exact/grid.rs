@@ -76,7 +76,7 @@ impl Grid {
         let mut grid = Self {
             places: Vec::with_capacity(elements.len()),
             coefficients: std::array::from_fn(|_| Vec::with_capacity(stored)),
-            sampling: Sampling::new(along, strips),
+            sampling: Sampling::new(along, strips, ellipse.ratio()),
             compliance: Vec::new(),
             elements,
         };
@@ -139,8 +139,6 @@ struct Steps {
     ends: Vec<f64>,
     displacement: Vec<Response>,
     previous: Vec<Response>,
-    /// What the lower borders of a strip's elements add to the displacement.
-    lower: Vec<Response>,
     /// Elastic slip over each step, step by step.
     slip: Vec<Response>,
 }
@@ -156,7 +154,6 @@ impl Steps {
             ends: vec![0.0; along + 1],
             displacement: blank.clone(),
             previous: blank,
-            lower: vec![[0.0; 3]; along],
             slip: vec![[0.0; 3]; elements.len() * along],
         }
     }
@@ -208,28 +205,23 @@ impl Steps {
         }
     }
 
-    /// Displacement at a point by every element at its bound. Neighbours share their edges, and
-    /// what these add: a cut is led upwards, a border forwards.
+    /// Displacement at a point by every element at its bound. Neighbours in a strip share the
+    /// cut between them, and what it adds.
     fn displace(&mut self, elements: &Elements, [x, y]: [f64; 2]) {
-        let lead = |strip: usize, i: usize| {
-            let corner = elements.corner(strip, i);
-            [corner[0] - x, corner[1] - y]
-        };
-        let cut = |strip, i| edge(self.poisson, lead(strip, i), lead(strip + 1, i));
-        let border = |strip, i| edge(self.poisson, lead(strip, i + 1), lead(strip, i));
-        for i in 0..self.along {
-            self.lower[i] = border(0, i);
-        }
         for strip in 0..elements.strips {
-            let mut ahead = cut(strip, 0);
+            let ends = |i: usize| elements.cut_ends(strip, i).map(|[p, q]| [p - x, q - y]);
+            let mut front = ends(0);
+            let mut ahead = edge(self.poisson, front[0], front[1]);
             for i in 0..self.along {
-                let (behind, upper) = (cut(strip, i + 1), border(strip + 1, i));
+                let rear = ends(i + 1);
+                let behind = edge(self.poisson, rear[0], rear[1]);
+                let lower = edge(self.poisson, rear[0], front[0]);
+                let upper = edge(self.poisson, rear[1], front[1]);
                 let element = strip * self.along + i;
                 let factor = self.scale * elements.bounds[element];
-                self.displacement[element] = std::array::from_fn(|k| {
-                    factor * (ahead[k] - behind[k] + self.lower[i][k] - upper[k])
-                });
-                (ahead, self.lower[i]) = (behind, upper);
+                self.displacement[element] =
+                    std::array::from_fn(|k| factor * (ahead[k] - behind[k] + lower[k] - upper[k]));
+                (front, ahead) = (rear, behind);
             }
         }
     }

@@ -40,6 +40,11 @@ pub(super) fn along(rear: f64, front: f64) -> Load {
     }
 }
 
+/// Mean of the half-length over `a` between two values of `y/b`.
+pub(super) fn mean_length(low: f64, high: f64) -> f64 {
+    difference(disc, high, low) / (high - low)
+}
+
 fn difference(primitive: fn(f64) -> f64, high: f64, low: f64) -> f64 {
     primitive(high) - primitive(low)
 }

@@ -4,7 +4,7 @@
 //! therefore sampled at places within: there the slip is interpolated between elements, and the
 //! traction has its direction. For large creepage this is the integral of the saturated theory.
 
-use super::elements::{border, cut};
+use super::elements::{border, cut, fit};
 use super::grid::Grid;
 use super::load::{self, Load};
 use crate::rolling::{Creepage, Force};
@@ -63,9 +63,10 @@ impl Sum {
 }
 
 impl Sampling {
-    pub(super) fn new(along: usize, strips: usize) -> Self {
+    pub(super) fn new(along: usize, strips: usize, a_over_b: f64) -> Self {
+        let fit = fit(a_over_b);
         Self {
-            strips: places(strips, |j| border(j, strips), load::across),
+            strips: places(strips, |j| border(j, strips, fit), load::across),
             elements: places(along, |i| cut(i, along), |front, rear| load::along(rear, front)),
         }
     }

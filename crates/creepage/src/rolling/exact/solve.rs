@@ -18,8 +18,10 @@ const ROUNDS: usize = 150;
 /// Acceleration waits until changes are below this, and most elements know their branch.
 const CALM: f64 = 0.1;
 const STEPS: usize = 30;
+/// Newton steps that are taken in full; later ones by half, for they swing between two states.
+const EAGER: usize = 12;
 /// Sweeps that are not calm after so many rounds take half of every change, after as many again a
-/// quarter, and so on: on contacts long in the rolling direction they may swing between states.
+/// quarter, then an eighth, then all: on contacts long in the rolling direction they may swing between states.
 const PATIENCE: usize = 12;
 /// Steps below this size leave a strip's factors good enough to use again.
 const CHORD: f64 = 0.02;
@@ -194,12 +196,12 @@ impl State {
             self.before.extend(&traction[strip * along..(strip + 1) * along]);
         }
         let (mut change, mut last) = (0.0_f64, f64::INFINITY);
-        for _ in 0..STEPS {
+        for k in 0..STEPS {
             let switched = self.choose_branches(grid, strip);
             if (switched || self.last_step[strip] > CHORD) && !self.factor(grid, strip) {
                 return f64::INFINITY;
             }
-            let step = self.newton_step(grid, strip);
+            let step = self.newton_step(grid, strip, if k < EAGER { 1.0 } else { 0.5 });
             self.last_step[strip] = step;
             change = change.max(step);
             let settled = !switched && step < 0.01 && step < 0.1 * last;
@@ -263,7 +265,7 @@ impl State {
         self.factors[strip].factor()
     }
 
-    fn newton_step(&mut self, grid: &Grid, strip: usize) -> f64 {
+    fn newton_step(&mut self, grid: &Grid, strip: usize, share: f64) -> f64 {
         let along = grid.elements.along;
         let start = strip * along;
         for i in 0..along {
@@ -273,6 +275,9 @@ impl State {
         }
         let Self { factors, step, .. } = self;
         factors[strip].solve(step);
+        for s in step.iter_mut() {
+            *s *= share;
+        }
         let mirrored = (grid.elements.strips - 1 - strip) * along;
         let mut largest = 0.0_f64;
         for k in 0..2 {
@@ -312,7 +317,7 @@ impl State {
 
 /// Share of a change that is taken.
 fn share(round: usize) -> f64 {
-    (-((round / PATIENCE) as f64)).exp2()
+    (-((round / PATIENCE % 4) as f64)).exp2()
 }
 
 /// Largest rigid slip in the contact, in the unit in which tractions at their bound give slip.
