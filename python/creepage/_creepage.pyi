@@ -36,6 +36,7 @@ __all__ = [
     "SolvedStatics",
     "Strip",
     "SweepData",
+    "Table",
     "Theory",
     "Variational",
     "VermeulenJohnson",

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib
 import os
 import uuid
 from collections.abc import Callable, Iterator
@@ -37,13 +38,13 @@ def frame(solve: Solve, pieces: list[tuple[Any, ...]], client: Client | None) ->
     """The tables of all pieces, one below the other."""
     import pandas as pd
 
-    return pd.concat(_run(solve, pieces, client), ignore_index=True)
+    table: pd.DataFrame = pd.concat(_run(solve, pieces, client), ignore_index=True)
+    return table
 
 
 def files(solve: Solve, pieces: list[tuple[Any, ...]], client: Client | None, out: Out) -> Path:
     """The same as a folder of Parquet files, each written where its piece is solved."""
-    import pyarrow  # noqa: F401  # told before the work
-
+    importlib.import_module("pyarrow")  # that it is missing is told before the work
     folder = Path(out).absolute()
     folder.mkdir(parents=True, exist_ok=True)
     if any(folder.iterdir()):

@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 import os
+import re
 import signal
+import subprocess
+import sys
 import threading
 import time
 from collections.abc import Iterator
@@ -14,6 +17,7 @@ import creepage
 import numpy as np
 import pandas as pd
 import pytest
+from conftest import ROOT
 from pandas.testing import assert_frame_equal
 
 distributed = pytest.importorskip("distributed")
@@ -104,6 +108,22 @@ def test_parts_without_a_client(tmp_path: Path) -> None:
     plain = creepage.batch(EXACT, {"xi": [0.1, 0.2], "chi": [0.0, 0.5]})
     assert plain.fx.tolist() == EXACT.force([0.1, 0.2], 0.0, [0.0, 0.5]).fx.tolist()
     assert plain.status.tolist() == ["solved", "solved"]
+
+
+def test_the_page_of_the_guide_runs(tmp_path: Path) -> None:
+    page = (ROOT / "book" / "pages" / "how-to" / "many-machines.md").read_text()
+    script = tmp_path / "here.py"
+    script.write_text(re.findall(r"^```python\n(.*?)^```", page, re.M | re.S)[0])
+    done = subprocess.run(
+        [sys.executable, "-W", "error", str(script)],
+        cwd=tmp_path,
+        capture_output=True,
+        text=True,
+        timeout=300,
+        check=False,
+    )
+    assert done.returncode == 0, done.stderr
+    assert len(pd.read_parquet(tmp_path / "forces")) == 20_000
 
 
 def test_errors(client: Any) -> None:

@@ -3,7 +3,11 @@
 from __future__ import annotations
 
 import errno
+import signal
+import sys
+import time
 from pathlib import Path
+from types import FrameType
 
 import creepage
 import numpy as np
@@ -89,3 +93,25 @@ def test_errors(polach: creepage.Table, tmp_path: Path) -> None:
     damaged.write_bytes(b"CDF\x02 and so on")
     with pytest.raises(creepage.TableError, match="damaged"):
         creepage.Table.read(damaged)
+
+
+class Alarm(Exception):
+    pass
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows has no alarms")
+def test_an_interrupt_ends_the_building() -> None:
+    def ring(_number: int, _frame: FrameType | None) -> None:
+        raise Alarm
+
+    before = signal.signal(signal.SIGALRM, ring)
+    try:
+        signal.setitimer(signal.ITIMER_REAL, 0.5)
+        start = time.monotonic()
+        with pytest.raises(Alarm):
+            creepage.Table.build("exact", 1.0, 0.28, resolution="fine")  # minutes
+        # What is being solved is finished; a busy machine takes longer.
+        assert time.monotonic() - start < 20.0
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0.0)
+        signal.signal(signal.SIGALRM, before)

@@ -72,7 +72,11 @@ pub(crate) fn run(args: &BuildArgs) -> Result<(), Failure> {
     table.write(partial.path()).map_err(unwritten)?;
     partial.finish().map_err(failed)?;
     let worst = 100.0 * table.accuracy().force.worst;
-    say(&format!("wrote {}: error at most {worst:.2} % of mu N", args.out.display()));
+    let places = table.accuracy().places;
+    say(&format!(
+        "wrote {}: largest error at {places} places {worst:.2} % of mu N",
+        args.out.display()
+    ));
     Ok(())
 }
 

@@ -70,3 +70,17 @@ fn what_is_no_table_or_cannot_be_one_is_refused() {
     let nowhere = ["table", "build", "--theory", "polach", "--out", "no/t.nc"];
     place.run(&nowhere).refused(&["no/t.nc"]);
 }
+
+#[test]
+fn a_table_of_the_full_theory_tells_its_elements() {
+    let place = Place::new();
+    let small = ["--resolution", "fast", "--intervals", "4,4,4", "--places", "8"];
+    place.run(&[&["table", "build", "--out", "t.nc"], &small[..]].concat()).done();
+    let info = json(&place, &["table", "info", "t.nc"]);
+    assert_eq!([&info["theory"], &info["options"]], ["exact", "resolution = fast"]);
+    assert_eq!((&info["doubtful_nodes"], &info["error_places"]), (&0.into(), &8.into()));
+    let text = place.run(&["table", "info", "t.nc"]).done();
+    // The heads of the columns stand over their numbers.
+    let ends: Vec<_> = text.lines().rev().take(3).map(str::len).collect();
+    assert!(ends.iter().all(|end| *end == ends[0]), "{text}");
+}

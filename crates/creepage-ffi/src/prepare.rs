@@ -41,7 +41,8 @@ impl Solver {
             return Err(Failure::Foreign { option, theory: name.into() });
         }
         if name == "exact" {
-            let resolution = solve.resolution.map_or(Resolution::STANDARD, Into::into);
+            let fixed = solve.resolution.map_or(Ok(None), creepage_case::Resolution::fixed)?;
+            let resolution = fixed.unwrap_or(Resolution::STANDARD);
             return Ok(Self::Exact(Box::new(Exact::new(a_over_b, poisson, resolution)?)));
         }
         let theory = approximate(name, a_over_b, poisson, solve)?;

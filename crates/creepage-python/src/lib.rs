@@ -15,6 +15,7 @@ mod results;
 mod statics;
 mod sweep;
 mod table;
+mod table_build;
 mod theories;
 mod theory;
 

@@ -4,15 +4,14 @@ use std::fs;
 use std::path::PathBuf;
 
 use creepage::InvalidValue;
-use creepage::rolling::{self, Creepage, FieldPoint, Solution};
-use creepage_table::{Axis, BuildError, FileError, Intervals, Provenance, Slice, Spec, Spread};
+use creepage::rolling::{Creepage, Solution, Status};
+use creepage_table::{Axis, FileError, Intervals, Provenance, Slice, Spec, Spread};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyString};
 
 use crate::batch::solve_all;
 use crate::number::{Inputs, Number};
-use crate::pool::pool;
-use crate::theory::Theory;
+use crate::table_build::{self, Range};
 use crate::{errors, results};
 
 const NAMES: [&str; 5] = ["xi", "eta", "chi", "a_over_b", "poisson"];
@@ -57,7 +56,7 @@ impl Table {
     /// class. a_over_b, poisson: a number each, or the first and the last of a range of `shapes`
     /// and of `materials` nodes. intervals: along theta (from pure spin to none), phi (from -eta
     /// over xi to eta; even) and t (from no creepage to infinite creepage). places: at how many
-    /// the error is measured.
+    /// the error is measured. Ctrl-C ends it.
     ///
     /// Raises UnknownTheory, InvalidValue, TableError for a theory of which there is no table.
     #[staticmethod]
@@ -83,28 +82,11 @@ impl Table {
             places,
             provenance: Provenance {
                 theory: theory.to_cow()?.replace('_', "-"),
-                options: words(options)?,
+                options: table_build::words(options)?,
                 program: format!("creepage {}", env!("CARGO_PKG_VERSION")),
             },
         };
-        let make = py.import("creepage")?.getattr("theory")?.unbind();
-        let (name, options) =
-            (theory.clone().unbind(), options.map(|given| given.clone().unbind()));
-        let prepare = |a_over_b: f64, poisson: f64| -> PyResult<Box<dyn rolling::Theory>> {
-            Python::attach(|py| {
-                let options = options.as_ref().map(|given| given.bind(py));
-                let made = make.bind(py).call((&name, a_over_b, poisson), options)?;
-                Ok(Box::new(Asked(made.cast_into::<Theory>()?.unbind())) as Box<_>)
-            })
-        };
-        let pool = pool()?;
-        let built = py.detach(|| pool.install(|| creepage_table::build(&spec, prepare, &|| {})));
-        let table = built.map_err(|error| match error {
-            BuildError::Theory(error) => error,
-            BuildError::Invalid(error) => errors::invalid(py, error),
-            other => errors::no_table(py, &other.to_string()),
-        })?;
-        Ok(Self { table })
+        Ok(Self { table: table_build::build(py, &spec, theory, options)? })
     }
 
     /// Name of the theory.
@@ -166,8 +148,7 @@ impl Table {
         let inputs = self.inputs(py, [xi, eta, chi], a_over_b, poisson)?;
         let force = |at: [f64; 5]| {
             let (creepage, slice) = self.place(at)?;
-            let solution =
-                Solution { force: slice.force(creepage), status: rolling::Status::Solved };
+            let solution = Solution { force: slice.force(creepage), status: Status::Solved };
             Ok(results::plain_row(solution))
         };
         if let Some(at) = inputs.scalars() {
@@ -241,44 +222,6 @@ impl Table {
     ) -> Result<(Creepage, Slice<'_>), InvalidValue> {
         Ok((Creepage::new(xi, eta, chi)?, self.table.at(a_over_b, poisson)?))
     }
-}
-
-/// A number, or the ends of a range.
-#[derive(FromPyObject)]
-enum Range {
-    One(f64),
-    Between(f64, f64),
-}
-
-impl Range {
-    fn axis(&self, nodes: usize) -> Axis {
-        match *self {
-            Self::One(value) => Axis::fixed(value),
-            Self::Between(low, high) => Axis { low, high, nodes },
-        }
-    }
-}
-
-/// A theory that Python prepared, asked without Python.
-struct Asked(Py<Theory>);
-
-impl rolling::Theory for Asked {
-    fn solve(&self, creepage: Creepage) -> Solution {
-        self.0.get().model.theory().solve(creepage)
-    }
-
-    fn field(&self, creepage: Creepage, positions: &[[f64; 2]]) -> Vec<FieldPoint> {
-        self.0.get().model.theory().field(creepage, positions)
-    }
-}
-
-/// "resolution = fast, ..."
-fn words(options: Option<&Bound<PyDict>>) -> PyResult<String> {
-    let mut words = Vec::new();
-    for (name, value) in options.into_iter().flatten() {
-        words.push(format!("{name} = {}", value.str()?));
-    }
-    Ok(words.join(", "))
 }
 
 fn spread(spread: Spread) -> (f64, f64, f64, f64) {

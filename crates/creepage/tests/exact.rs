@@ -1,9 +1,9 @@
 //! The full theory against reference cases, its limits, and the laws it must obey.
 #![allow(clippy::panic, clippy::unwrap_used)]
 
-use std::f64::consts::PI;
-
 use creepage::rolling::exact::{Automatic, Exact, ExactSolution, Resolution};
+use creepage::rolling::linear::Linear;
+use creepage::rolling::saturated::Saturated;
 use creepage::rolling::{Creepage, Force, Region, Status, Theory};
 use creepage_validation::ReferenceCase;
 use proptest::prelude::*;
@@ -89,45 +89,57 @@ fn convergence_is_of_high_order() {
     assert!(order > 1.5, "order {order}, errors {errors:?}");
 }
 
-/// Small creepage: Kalker's coefficients of the circle without compressibility, in closed form
-/// (theory of section 4.3). The infinite tractions at the trailing edge make this the slowest
-/// limit: 0.2 % of the forces, 1 % of the moment by spin, within the error bars.
+/// Small creepage: all of Kalker's coefficients, to 0.3 %; and within the error bars.
 #[test]
 fn small_creepage_is_linear() {
-    let theory = Exact::new(1.0, 0.0, Resolution::FINE).unwrap();
-    let (small, unit) = (1e-5, 3.0 / 8.0);
-    let relative = |found: f64, coefficient: f64| found / (small * unit * coefficient) - 1.0;
-    let longitudinal = solve(&theory, [small, 0.0, 0.0]);
-    let lateral = solve(&theory, [0.0, small, 0.0]);
-    let spin = solve(&theory, [0.0, 0.0, small]);
-    let c11 = 32.0 / (3.0 * PI);
-    assert!(relative(longitudinal.force.fx, c11).abs() < 0.002);
-    assert!(relative(lateral.force.fy, c11).abs() < 0.002);
-    assert!(relative(spin.force.fy, 4.0 / 3.0).abs() < 0.002);
-    assert!(relative(-lateral.force.mz, 4.0 / 3.0).abs() < 0.002);
-    let c33 = 512.0 / (135.0 * PI);
-    assert!(relative(spin.force.mz, c33).abs() < 0.01);
-    assert!((spin.force.mz - small * unit * c33).abs() < spin.error.mz);
-    assert!((longitudinal.force.fx - small * unit * c11).abs() < longitudinal.error.fx);
+    for (ratio, poisson) in
+        [(0.1, 0.28), (0.3, 0.5), (1.0, 0.0), (1.0, 0.5), (3.0, 0.28), (10.0, 0.28), (10.0, 0.0)]
+    {
+        let theory = Exact::new(ratio, poisson, Resolution::FINE).unwrap();
+        let gains = Linear::new(ratio, poisson).unwrap().derivative(Creepage::default());
+        // No element slides yet.
+        let small = 1e-7;
+        for column in 0..3 {
+            let mut at = [0.0; 3];
+            at[column] = small;
+            let found = solve(&theory, at);
+            let (force, bars) = (components(found.force), components(found.error));
+            for row in 0..3 {
+                let expected = small * gains[row][column];
+                let error = (force[row] - expected).abs();
+                let case = format!("{ratio} {poisson} [{row}][{column}] {force:?} {expected}");
+                // Symmetry makes the others vanish, but for the tolerance of the iteration.
+                assert!(error <= 0.003 * expected.abs() + 1e-6 * small, "{case}");
+                assert!(error <= bars[row] + 1e-6 * small, "{case} {bars:?}");
+            }
+        }
+    }
 }
 
-/// Large creepage without or with little spin: full sliding, (4.106) and symmetry.
+/// Large creepage: full sliding, with the pole of the spin anywhere, to 0.05 %.
 #[test]
 fn large_creepage_saturates() {
     let theory = Exact::new(1.0, 0.28, Resolution::FINE).unwrap();
     let found = solve(&theory, [6e3, 8e3, 0.0]).force;
     // Elastic slip is 1e-4 of the rigid slip.
     assert!((found.fx - 0.6).abs() < 1e-4 && (found.fy - 0.8).abs() < 1e-4);
-    // Pole on the edge of the circle: f = 9 pi / 32; far outside: the next term is (1/ups)^2.
-    for (upsilon, fx, mz) in
-        [(1.0, 9.0 * PI / 32.0, 0.220_893_23), (2.0, 0.974_278_58, 0.101_909_33)]
-    {
-        let found = solve(&theory, [1e4 * upsilon, 0.0, 1e4]).force;
-        assert!((found.fx - fx).abs() < 5e-4, "{}", found.fx);
-        assert!((found.mz - mz).abs() < 5e-4, "{}", found.mz);
+    for ratio in [0.1_f64, 0.4, 1.0, 3.0, 10.0] {
+        let theory = Exact::new(ratio, 0.28, Resolution::FINE).unwrap();
+        let mut workspace = theory.workspace();
+        let saturated = Saturated::new(ratio).unwrap();
+        for k in 0..24 {
+            // The pole goes outwards in a spiral from the middle, to twice the semi-axes.
+            let (sin, cos) = (1.3 * f64::from(k)).sin_cos();
+            let distance = f64::from(k) / 12.0;
+            let (x, y) = (distance * cos * ratio.sqrt(), distance * sin / ratio.sqrt());
+            let creepage = Creepage::new(1e5 * y, -1e5 * x, 1e5).unwrap();
+            let found = components(theory.solve_with(creepage, &mut workspace).force);
+            let expected = components(saturated.solve(creepage).force);
+            for (found, expected) in found.into_iter().zip(expected) {
+                assert!((found - expected).abs() < 5e-4, "{ratio} {k}: {found} {expected}");
+            }
+        }
     }
-    let spin = solve(&theory, [0.0, 0.0, 1e4]).force;
-    assert!((spin.mz - 3.0 * PI / 16.0).abs() < 2e-3, "{}", spin.mz);
 }
 
 /// Slender across the rolling direction every strip is Carter's: an adhesion area shorter by
@@ -155,7 +167,7 @@ fn slender_strips_are_carters() {
 }
 
 /// The error bar of the fast resolution against the fine one, which is ten times as accurate, on
-/// contacts and creepages of every kind. The bar is made for 95 %; 2 % are left to the draw.
+/// contacts and creepages of every kind. The bar is made for 95 %.
 #[test]
 fn the_error_bar_holds() {
     let (mut inside, mut all) = (0, 0);
@@ -176,7 +188,7 @@ fn the_error_bar_holds() {
             }
         }
     }
-    assert!(inside * 100 >= all * 93, "{inside} of {all}");
+    assert!(inside * 100 >= all * 95, "{inside} of {all}");
 }
 
 #[test]
@@ -268,7 +280,11 @@ proptest! {
         let found = theory.solve_with(creepage, &mut workspace);
         prop_assert_eq!(found.status, Status::Solved);
         let elements = theory.element_fields(&workspace);
-        prop_assert!((elements.iter().map(|e| e.power).sum::<f64>() - found.dissipation).abs() < 1e-9);
+        // Those are the finer grid's; extrapolation adds a third of its difference from the
+        // coarser one, whose elements give heat as well.
+        let power = elements.iter().map(|e| e.power).sum::<f64>();
+        prop_assert!(found.dissipation <= 4.0 / 3.0 * power + 1e-9);
+        prop_assert!((found.dissipation - power).abs() <= power / 3.0 + 1e-9);
         prop_assert!((elements.iter().map(|e| e.share).sum::<f64>() - 1.0).abs() < 1e-12);
         for element in &elements {
             let ([p, q], [u, v]) = (element.point.traction, element.point.slip);
@@ -315,8 +331,8 @@ proptest! {
     }
 }
 
-/// Creepage times force is the power turned to heat in the slip area. What the two differ by is
-/// elastic power, which vanishes with the size of the elements.
+/// Creepage times force is the power turned to heat in the slip area. Both are extrapolated from
+/// two grids; what is left of their difference is heat in slip areas narrower than an element.
 #[test]
 fn both_powers_agree() {
     let cases =
@@ -331,6 +347,75 @@ fn both_powers_agree() {
             }
         }
     }
-    // Of first order in the elements' size, and the finer grid has a third of it.
-    assert!(worst[1] < 0.06 && worst[1] < 0.5 * worst[0], "{worst:?}");
+    assert!(worst[1] < 0.02 && worst[1] < 0.5 * worst[0], "{worst:?}");
+}
+
+/// Beyond small creepage (half of friction is used) the powers agree within 1 % at the standard
+/// resolution in nine of ten cases, and within 5 % in all of these; 6 % has been seen in others.
+#[test]
+fn powers_agree_where_friction_is_used() {
+    let mut apart = Vec::new();
+    for (ratio, poisson) in [(0.2, 0.1), (0.6, 0.45), (1.0, 0.28), (1.7, 0.0), (4.0, 0.3)] {
+        let theory = Exact::new(ratio, poisson, Resolution::STANDARD).unwrap();
+        for k in 0..24 {
+            let t = f64::from(k) + ratio;
+            let found = solve(
+                &theory,
+                [3.0 * (1.7 * t).sin(), 3.0 * (2.9 * t).cos(), 8.0 * (0.9 * t).sin()],
+            );
+            if found.force.magnitude() > 0.5 || found.force.mz.abs() > 0.3 {
+                apart.push((found.power - found.dissipation).abs() / found.power);
+            }
+        }
+    }
+    apart.sort_by(f64::total_cmp);
+    assert!(apart.len() > 60);
+    assert!(apart[apart.len() * 9 / 10] < 0.01 && apart[apart.len() - 1] < 0.05, "{apart:?}");
+}
+
+/// The values of a grid and of one with twice the elements agree within both their bars.
+#[test]
+fn refined_values_agree_within_their_bars() {
+    let (mut inside, mut all) = (0, 0);
+    for (ratio, poisson) in [(0.25, 0.4), (0.7, 0.0), (1.0, 0.28), (2.2, 0.15), (5.0, 0.28)] {
+        let [coarse, fine] = [(12, 10), (24, 20)].map(|(along, across)| {
+            Exact::new(ratio, poisson, Resolution::new(along, across).unwrap()).unwrap()
+        });
+        for k in 0..24 {
+            let t = f64::from(k) - ratio;
+            let case = [3.0 * (1.9 * t).cos(), 3.0 * (1.1 * t).sin(), 8.0 * (2.3 * t).sin()];
+            let [one, two] = [&coarse, &fine].map(|theory| solve(theory, case));
+            let bars = components(one.error).into_iter().zip(components(two.error));
+            let values = components(one.force).into_iter().zip(components(two.force));
+            for ((one, two), (bar, bar_two)) in values.zip(bars) {
+                all += 1;
+                inside += usize::from((one - two).abs() <= bar + bar_two);
+            }
+        }
+    }
+    assert!(inside * 100 >= all * 95, "{inside} of {all}");
+}
+
+/// The force has no jumps where elements begin to slide: along a curve through all states its
+/// steps shrink with those of the creepage.
+#[test]
+fn the_force_is_continuous() {
+    let theory = Exact::new(1.3, 0.28, Resolution::FAST).unwrap();
+    let largest_step = |count: u32| {
+        let curve: Vec<_> = (0..=count)
+            .map(|k| {
+                let t = f64::from(k) / f64::from(count);
+                Creepage::new(1.5 * t, 0.8 - t, 4.0 * t * t).unwrap()
+            })
+            .collect();
+        let forces: Vec<_> =
+            theory.curve(&curve).iter().map(|found| components(found.force)).collect();
+        let steps = forces
+            .windows(2)
+            .map(|f| (0..3).map(|k| (f[1][k] - f[0][k]).abs()).fold(0.0, f64::max));
+        steps.fold(0.0, f64::max)
+    };
+    let [coarse, fine] = [100, 1600].map(largest_step);
+    // A smooth curve gives 1/16; a jump would stay as it is.
+    assert!(fine < coarse / 12.0, "{coarse} {fine}");
 }

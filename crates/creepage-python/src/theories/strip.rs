@@ -22,7 +22,8 @@ impl Strip {
     #[new]
     fn new(py: Python, a_over_b: f64, poisson: f64) -> PyResult<PyClassInitializer<Self>> {
         let given = arguments(py, a_over_b, poisson, &[])?;
-        let model = StripTheory::new(a_over_b, poisson).map(Model::Strip);
+        let model =
+            StripTheory::new(a_over_b, poisson).map(|theory| Model::Strip(Box::new(theory)));
         let theory = Theory::new(py, "strip", a_over_b, given, 9e-7, model)?;
         Ok(theory.add_subclass(DifferentiableTheory).add_subclass(Self))
     }

@@ -1,6 +1,7 @@
 //! The derivative of the tractions by creepage and spin, from the equations that they solve.
 
 use super::grid::Grid;
+use super::sampling::{Fields, Sum};
 use super::solve::State;
 use crate::rolling::{Creepage, Force};
 
@@ -13,7 +14,7 @@ pub(super) type Columns = [Force; 3];
 
 /// Differentiates a converged state: Newton's equations with the rigid slip's derivative on the
 /// right, solved by the same sweeps as the state itself.
-pub(super) fn differentiate(grid: &Grid, state: &mut State) -> Columns {
+pub(super) fn differentiate(grid: &Grid, state: &mut State, creepage: Creepage) -> Columns {
     let directions = [
         Creepage { xi: 1.0, ..ZERO },
         Creepage { eta: 1.0, ..ZERO },
@@ -25,30 +26,16 @@ pub(super) fn differentiate(grid: &Grid, state: &mut State) -> Columns {
     directions.map(|direction| {
         let mut tangent = Tangent::new(grid);
         tangent.solve(grid, state, direction);
-        force(grid, &tangent.traction)
+        tangent.force(grid, state, [creepage, direction])
     })
 }
 
 const ZERO: Creepage = Creepage { xi: 0.0, eta: 0.0, chi: 0.0 };
 
-/// Force of tractions over their bounds.
-pub(super) fn force(grid: &Grid, traction: &[Vec<f64>; 2]) -> Force {
-    let mut force = Force::default();
-    let elements = &grid.elements;
-    let tractions = traction[0].iter().zip(&traction[1]);
-    for ((x, y), (share, centroid)) in
-        tractions.zip(elements.shares.iter().zip(&elements.centroids))
-    {
-        force.fx += share * x;
-        force.fy += share * y;
-        force.mz += share * (centroid[0] * y - centroid[1] * x);
-    }
-    force
-}
-
 /// The derivative of the tractions in one direction.
 struct Tangent {
     traction: [Vec<f64>; 2],
+    slip: [Vec<f64>; 2],
     mirrored: [Vec<f64>; 2],
     rest: Vec<f64>,
 }
@@ -56,7 +43,12 @@ struct Tangent {
 impl Tangent {
     fn new(grid: &Grid) -> Self {
         let zeros = || [vec![0.0; grid.elements.len()], vec![0.0; grid.elements.len()]];
-        Self { traction: zeros(), mirrored: zeros(), rest: vec![0.0; 2 * grid.elements.along] }
+        Self {
+            traction: zeros(),
+            slip: zeros(),
+            mirrored: zeros(),
+            rest: vec![0.0; 2 * grid.elements.along],
+        }
     }
 
     fn solve(&mut self, grid: &Grid, state: &State, direction: Creepage) {
@@ -102,6 +94,29 @@ impl Tangent {
         largest
     }
 
+    fn slip_of(&self, grid: &Grid, direction: Creepage, element: usize) -> [f64; 2] {
+        let (row, sign) = grid.row(element);
+        let [x, y] = if sign > 0.0 { &self.traction } else { &self.mirrored };
+        let rigid = grid.rigid_slip(direction, element);
+        let elastic = row.apply(sign, x, y);
+        [rigid[0] + elastic[0], rigid[1] + elastic[1]]
+    }
+
+    fn force(&mut self, grid: &Grid, state: &State, [at, direction]: [Creepage; 2]) -> Force {
+        for element in 0..grid.elements.len() {
+            let slip = self.slip_of(grid, direction, element);
+            self.slip[0][element] = slip[0];
+            self.slip[1][element] = slip[1];
+        }
+        let change = Fields { traction: &self.traction, slip: &self.slip, creepage: direction };
+        let mut sum = Sum::default();
+        for element in 0..grid.elements.len() {
+            let fields = [state.fields(at), change];
+            grid.sampling.add_change(grid, fields, element, state.slides[element], &mut sum);
+        }
+        sum.force
+    }
+
     fn residual(
         &self,
         grid: &Grid,
@@ -109,11 +124,7 @@ impl Tangent {
         direction: Creepage,
         element: usize,
     ) -> [f64; 2] {
-        let (row, sign) = grid.row(element);
-        let [x, y] = if sign > 0.0 { &self.traction } else { &self.mirrored };
-        let rigid = grid.rigid_slip(direction, element);
-        let elastic = row.apply(sign, x, y);
-        let slip = [rigid[0] + elastic[0], rigid[1] + elastic[1]];
+        let slip = self.slip_of(grid, direction, element);
         let (Some(sliding), weight) = state.friction(grid, element) else {
             return [-slip[0], -slip[1]];
         };

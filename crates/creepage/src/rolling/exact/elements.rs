@@ -1,14 +1,20 @@
-//! Elements that fit the ellipse: strips of equal width along the rolling direction, each cut
-//! along its own length, the cuts clustered as cosines towards the leading and trailing edges.
+//! Elements that fit the ellipse: strips along the rolling direction, each cut along its own length.
 //!
-//! Narrower strips towards the sides would help small creepage a little, and cost accuracy in the
-//! middle, where the pole of the spin turns the slip around.
+//! Small creepage makes the traction infinite all along the trailing half of the edge, so the cuts
+//! are clustered towards it: along as cosines; across less, for the strips in the middle, where
+//! the pole of the spin turns the slip around, must not become wide. For the same reason an
+//! element is a quadrilateral between the cuts of its two borders: rectangles would make the
+//! trailing edge a staircase, and the error of first order in the width of a strip.
 //!
 //! Element `(strip, i)` is counted strip by strip, `i` from the leading edge.
 
-use std::f64::consts::{FRAC_PI_2, PI};
+use std::f64::consts::FRAC_PI_2;
 
+use super::load::{self, Load};
 use crate::ellipse::Ellipse;
+
+/// Largest `a/b` with elements that are fitted all the way.
+const LONG: f64 = 10.0;
 
 /// The elements of one contact. Lengths in units of `c`.
 #[derive(Debug, Clone)]
@@ -19,10 +25,11 @@ pub(super) struct Elements {
     pub strips: usize,
     /// Cuts of a strip over its half-length, from 1 at the leading edge to -1.
     cuts: Vec<f64>,
-    /// Cuts between strips over `b`, from -1 to 1.
+    /// Borders between strips over `b`, from -1 to 1.
     borders: Vec<f64>,
-    /// Half-length of each strip: the mean over its width.
-    half_lengths: Vec<f64>,
+    /// Half-lengths of each strip at its lower and its upper border.
+    half_lengths: Vec<[f64; 2]>,
+    a: f64,
     b: f64,
     /// Share of the normal force that each element carries.
     pub shares: Vec<f64>,
@@ -34,82 +41,67 @@ pub(super) struct Elements {
 
 impl Elements {
     pub(super) fn new(ellipse: Ellipse, along: usize, strips: usize) -> Self {
-        let cuts: Vec<f64> = (0..=along).map(|i| cosine_cut(i, along)).collect();
-        let borders: Vec<f64> =
-            (0..=strips).map(|j| 2.0 * j as f64 / strips as f64 - 1.0).collect();
-        let half_lengths = borders
-            .windows(2)
-            .map(|y| ellipse.a() * difference(disc, y[1], y[0]) / (y[1] - y[0]))
-            .collect();
+        let fit = fit(ellipse.ratio());
+        let cuts = (0..=along).map(|i| cut(i as f64, along)).collect();
+        let borders: Vec<f64> = (0..=strips).map(|j| border(j as f64, strips, fit)).collect();
+        let ends = |y: &[f64]| half_lengths(ellipse, y[0], y[1]);
+        let half_lengths = borders.windows(2).map(ends).collect();
         let mut elements = Self {
             along,
             strips,
             cuts,
             borders,
             half_lengths,
+            a: ellipse.a(),
             b: ellipse.b(),
             shares: Vec::with_capacity(along * strips),
             centroids: Vec::with_capacity(along * strips),
             bounds: Vec::with_capacity(along * strips),
         };
         for strip in 0..strips {
+            let across = load::across(elements.borders[strip], elements.borders[strip + 1]);
             for i in 0..along {
-                elements.add_moments(ellipse, strip, i);
+                let along = load::along(elements.cuts[i + 1], elements.cuts[i]);
+                elements.shares.push(across.share * along.share);
+                elements.bounds.push(across.bound * along.bound);
+                elements.centroids.push(elements.centroid(across, along));
             }
         }
         elements
     }
 
-    /// Integrals of the pressure over an element; they separate in `y` and `x / length(y)`.
-    fn add_moments(&mut self, ellipse: Ellipse, strip: usize, i: usize) {
-        let [low, high] = [self.borders[strip], self.borders[strip + 1]];
-        let [rear, front] = [self.cuts[i + 1], self.cuts[i]];
-        let across = difference(paraboloid, high, low);
-        let along = difference(disc, front, rear);
-        let area = difference(disc, high, low) * (front - rear);
-        self.shares.push(1.5 / PI * across * along);
-        self.bounds.push(across * along / area);
-        self.centroids.push([
-            ellipse.a() * difference(disc_cubed, high, low) / across
-                * difference(disc_moment, front, rear)
-                / along,
-            ellipse.b() * difference(paraboloid_moment, high, low) / across,
-        ]);
+    /// Where the pressure on a piece of a strip acts.
+    pub(super) fn centroid(&self, across: Load, along: Load) -> [f64; 2] {
+        [self.a * across.length * along.centroid, self.b * across.centroid]
     }
 
     pub(super) fn len(&self) -> usize {
         self.along * self.strips
     }
 
-    /// Where `x` is cut in a strip, from the leading edge.
-    pub(super) fn cut(&self, strip: usize, i: usize) -> f64 {
-        self.half_lengths[strip] * self.cuts[i]
+    /// Ends of a strip's cut `i` from the leading edge, on its lower and its upper border.
+    pub(super) fn cut_ends(&self, strip: usize, i: usize) -> [[f64; 2]; 2] {
+        [0, 1].map(|end| {
+            [self.half_lengths[strip][end] * self.cuts[i], self.b * self.borders[strip + end]]
+        })
     }
 
-    /// Lower edge of a strip, or with `strip = strips` the upper edge of the last.
-    pub(super) fn border(&self, strip: usize) -> f64 {
-        self.b * self.borders[strip]
-    }
-
-    pub(super) fn middle(&self, strip: usize) -> f64 {
-        0.5 * (self.border(strip) + self.border(strip + 1))
+    /// Where a strip's middle line is cut, from the leading edge.
+    pub(super) fn middle_cut(&self, strip: usize, i: usize) -> [f64; 2] {
+        let [[x0, y0], [x1, y1]] = self.cut_ends(strip, i);
+        [0.5 * (x0 + x1), 0.5 * (y0 + y1)]
     }
 
     /// The four elements around a position inside the contact, with the weights of bilinear
     /// interpolation between their middles; at the edge of the contact the outermost counts on.
-    // Counts of elements, small and positive.
-    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
     pub(super) fn around(&self, ellipse: Ellipse, [x, y]: [f64; 2]) -> [(usize, f64); 4] {
         let across = y / ellipse.b();
-        let length = ellipse.a() * root(across);
-        let angle = (x / length.max(f64::MIN_POSITIVE)).clamp(-1.0, 1.0).asin();
-        let beside = |place: f64, count: usize| {
-            let place = (place * count as f64 - 0.5).clamp(0.0, (count - 1) as f64);
-            let below = (place.floor() as usize).min(count - 1);
-            [(below, 1.0 - place.fract()), ((below + 1).min(count - 1), place.fract())]
-        };
-        let strips = beside(0.5 * (across + 1.0), self.strips);
-        let elements = beside(0.5 * (1.0 - angle / FRAC_PI_2), self.along);
+        let length = ellipse.a() * load::root(across);
+        let along = (x / length.max(f64::MIN_POSITIVE)).clamp(-1.0, 1.0);
+        let strips = beside(across, self.strips, |j| 0.5 * (self.borders[j] + self.borders[j + 1]));
+        let elements = beside(-along.asin(), self.along, |i| {
+            FRAC_PI_2 * ((2 * i + 1) as f64 / self.along as f64 - 1.0)
+        });
         [0, 1, 2, 3].map(|k: usize| {
             let ((strip, by_strip), (i, by_element)) = (strips[k / 2], elements[k % 2]);
             (strip * self.along + i, by_strip * by_element)
@@ -117,42 +109,42 @@ impl Elements {
     }
 }
 
-/// Cut `i` of `n` from 1 to -1; symmetric to the last bit.
-fn cosine_cut(i: usize, n: usize) -> f64 {
-    (FRAC_PI_2 * (1.0 - 2.0 * i as f64 / n as f64)).sin()
+/// How far strips narrow towards the sides and cuts follow the edge, from 0 to 1.
+///
+/// On contacts very long in the rolling direction such elements would act far ahead of and behind
+/// their middles, and sweeps would not settle; there strips become equal, elements rectangles.
+pub(super) fn fit(a_over_b: f64) -> f64 {
+    (LONG / a_over_b).min(1.0).powi(3)
 }
 
-fn difference(primitive: fn(f64) -> f64, high: f64, low: f64) -> f64 {
-    primitive(high) - primitive(low)
+/// Half-lengths of a strip at its lower and its upper border, `low` and `high` over `b`.
+fn half_lengths(ellipse: Ellipse, low: f64, high: f64) -> [f64; 2] {
+    let (fit, mean) = (fit(ellipse.ratio()), load::mean_length(low, high));
+    [low, high].map(|y| ellipse.a() * (fit * load::root(y) + (1.0 - fit) * mean))
 }
 
-/// Primitive of `sqrt(1 - t^2)`.
-fn disc(t: f64) -> f64 {
-    0.5 * (t * root(t) + t.asin())
+/// The two of `count` rising middles next to a place, with their weights.
+fn beside(place: f64, count: usize, middle: impl Fn(usize) -> f64) -> [(usize, f64); 2] {
+    let above = (0..count).find(|k| middle(*k) > place).unwrap_or(count);
+    if above == 0 || above == count {
+        let outermost = above.min(count - 1);
+        return [(outermost, 1.0), (outermost, 0.0)];
+    }
+    let [low, high] = [middle(above - 1), middle(above)];
+    let weight = (place - low) / (high - low);
+    [(above - 1, 1.0 - weight), (above, weight)]
 }
 
-/// Primitive of `sqrt(1 - t^2)^3`.
-fn disc_cubed(t: f64) -> f64 {
-    0.125 * (t * (5.0 - 2.0 * t * t) * root(t) + 3.0 * t.asin())
+/// Cut `i` of `n` from 1 to -1, or with a broken `i` a place between cuts.
+pub(super) fn cut(i: f64, n: usize) -> f64 {
+    (FRAC_PI_2 * (1.0 - 2.0 * i / n as f64)).sin()
 }
 
-/// Primitive of `t sqrt(1 - t^2)`.
-fn disc_moment(t: f64) -> f64 {
-    -root(t).powi(3) / 3.0
-}
-
-/// Primitive of `1 - t^2`.
-fn paraboloid(t: f64) -> f64 {
-    t - t * t * t / 3.0
-}
-
-/// Primitive of `t (1 - t^2)`.
-fn paraboloid_moment(t: f64) -> f64 {
-    0.5 * t * t - 0.25 * t.powi(4)
-}
-
-fn root(t: f64) -> f64 {
-    (1.0 - t * t).max(0.0).sqrt()
+/// Border `j` of `n` from -1 to 1, or with a broken `j` a place between borders: fully fitted,
+/// their density is as `1 / (1 - t^4)`, in the middle four fifths of that of equal strips.
+pub(super) fn border(j: f64, n: usize, fit: f64) -> f64 {
+    let t = 2.0 * j / n as f64 - 1.0;
+    t + 0.25 * fit * (t - t.powi(5))
 }
 
 #[cfg(test)]
@@ -176,9 +168,9 @@ mod tests {
         let elements = Elements::new(ellipse, 10, 14);
         for element in 0..elements.len() {
             let (strip, i) = (element / 10, element % 10);
-            let y = elements.middle(strip);
-            let length = ellipse.a() * root(y / ellipse.b());
-            let x = length * cosine_cut(2 * i + 1, 20);
+            let y = elements.middle_cut(strip, i)[1];
+            let length = ellipse.a() * load::root(y / ellipse.b());
+            let x = length * cut(i as f64 + 0.5, 10);
             let around = elements.around(ellipse, [x, y]);
             let own = around.iter().filter(|(e, _)| *e == element).map(|(_, weight)| weight);
             // Rounding of the arc sine, over an angle of a twentieth.

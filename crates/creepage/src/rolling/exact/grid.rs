@@ -3,7 +3,8 @@
 use std::f64::consts::PI;
 
 use super::elements::Elements;
-use super::influence::{Response, corner};
+use super::influence::{Response, edge};
+use super::sampling::Sampling;
 use crate::ellipse::Ellipse;
 use crate::rolling::Creepage;
 
@@ -23,6 +24,8 @@ pub(super) struct Grid {
     pub places: Vec<[f64; 2]>,
     /// Coefficients of the lower half of the strips, row by row; the upper half mirrors them.
     coefficients: [Vec<f64>; 3],
+    /// Where the tractions are summed up.
+    pub sampling: Sampling,
     /// Slip that weighs as much as the bound when an element chooses between adhesion and slip.
     pub compliance: Vec<f64>,
 }
@@ -73,6 +76,7 @@ impl Grid {
         let mut grid = Self {
             places: Vec::with_capacity(elements.len()),
             coefficients: std::array::from_fn(|_| Vec::with_capacity(stored)),
+            sampling: Sampling::new(along, strips, ellipse.ratio()),
             compliance: Vec::new(),
             elements,
         };
@@ -155,9 +159,10 @@ impl Steps {
     }
 
     fn set_ends(&mut self, elements: &Elements, strip: usize) {
-        self.ends[0] = elements.cut(strip, 0);
+        let cut = |i: usize| elements.middle_cut(strip, i)[0];
+        self.ends[0] = cut(0);
         for i in 0..self.along {
-            self.ends[i + 1] = 0.5 * (elements.cut(strip, i) + elements.cut(strip, i + 1));
+            self.ends[i + 1] = 0.5 * (cut(i) + cut(i + 1));
         }
     }
 
@@ -176,18 +181,18 @@ impl Steps {
 
     fn place(&mut self, elements: &Elements, strip: usize, places: &mut Vec<[f64; 2]>) {
         self.set_ends(elements, strip);
-        places.push([self.middle(0), elements.middle(strip)]);
-        for i in 1..self.along {
-            places.push([self.ends[i + 1], elements.middle(strip)]);
-        }
+        let y = elements.middle_cut(strip, 0)[1];
+        places.push([self.middle(0), y]);
+        places.extend(self.ends[2..].iter().map(|x| [*x, y]));
     }
 
     fn compute(&mut self, elements: &Elements, strip: usize) {
         self.set_ends(elements, strip);
         let n = elements.len();
+        let y = elements.middle_cut(strip, 0)[1];
         for end in 0..=self.along {
             std::mem::swap(&mut self.displacement, &mut self.previous);
-            self.displace(elements, [self.ends[end], elements.middle(strip)]);
+            self.displace(elements, [self.ends[end], y]);
             if end == 0 {
                 continue;
             }
@@ -200,22 +205,23 @@ impl Steps {
         }
     }
 
-    /// Displacement at a point by every element at its bound.
+    /// Displacement at a point by every element at its bound. Neighbours in a strip share the
+    /// cut between them, and what it adds.
     fn displace(&mut self, elements: &Elements, [x, y]: [f64; 2]) {
         for strip in 0..elements.strips {
-            let sides = [elements.border(strip) - y, elements.border(strip + 1) - y];
-            let at_cut = |i: usize| -> Response {
-                let x = elements.cut(strip, i) - x;
-                let [low, high] = sides.map(|y| corner(self.poisson, x, y));
-                std::array::from_fn(|k| high[k] - low[k])
-            };
-            let mut front = at_cut(0);
+            let ends = |i: usize| elements.cut_ends(strip, i).map(|[p, q]| [p - x, q - y]);
+            let mut front = ends(0);
+            let mut ahead = edge(self.poisson, front[0], front[1]);
             for i in 0..self.along {
-                let rear = at_cut(i + 1);
+                let rear = ends(i + 1);
+                let behind = edge(self.poisson, rear[0], rear[1]);
+                let lower = edge(self.poisson, rear[0], front[0]);
+                let upper = edge(self.poisson, rear[1], front[1]);
                 let element = strip * self.along + i;
                 let factor = self.scale * elements.bounds[element];
-                self.displacement[element] = std::array::from_fn(|k| factor * (front[k] - rear[k]));
-                front = rear;
+                self.displacement[element] =
+                    std::array::from_fn(|k| factor * (ahead[k] - behind[k] + lower[k] - upper[k]));
+                (front, ahead) = (rear, behind);
             }
         }
     }

@@ -1,28 +1,46 @@
-//! Displacement by constant tractions on rectangles: the integrals of Boussinesq and Cerruti in
-//! closed form.
+//! Displacement by constant tractions on polygons: the integrals of Boussinesq and Cerruti in
+//! closed form, edge by edge.
 
 /// Coefficients of a symmetric 2 x 2 response: `[u by X, u by Y = v by X, v by Y]`.
 pub(super) type Response = [f64; 3];
 
-/// The displacement difference `u`, in units of `traction * length / (pi G)`, is the alternating
-/// sum of this primitive over the corners of the loaded rectangle; `x`, `y` lead from the field
-/// point to a corner.
+/// What an edge of a loaded polygon adds to the displacement difference `u`, in units of
+/// `traction * length / (pi G)`; its ends lead from the field point, and the load lies on the left
+/// of the way from the first to the second.
 ///
-/// It integrates `(1 - sigma)/R + sigma x^2/R^3`, `sigma x y/R^3` and `(1 - sigma)/R + sigma
-/// y^2/R^3` of (2.11c); what cancels in the alternating sum is left out.
-pub(super) fn corner(poisson: f64, x: f64, y: f64) -> Response {
-    let along_x = weighted_asinh(x, y);
-    let along_y = weighted_asinh(y, x);
-    [
-        (1.0 - poisson) * along_x + along_y,
-        -poisson * x.hypot(y),
-        along_x + (1.0 - poisson) * along_y,
-    ]
+/// (2.11c) is integrated over the load with the divergence theorem: `x^2/R^3 = 1/R - d/dx (x/R)`,
+/// and so on; `1/R` is the divergence of the position over `R`.
+pub(super) fn edge(poisson: f64, from: [f64; 2], to: [f64; 2]) -> Response {
+    let [across, up] = [to[0] - from[0], to[1] - from[1]];
+    let length = across.hypot(up);
+    if length == 0.0 {
+        return [0.0; 3];
+    }
+    let ([tx, ty], [nx, ny]) = ([across / length, up / length], [up / length, -across / length]);
+    let distance = nx * from[0] + ny * from[1];
+    let ends = [from, to].map(|[x, y]| tx * x + ty * y);
+    let radii = ends.map(|end| distance.hypot(end));
+    let inverse = distance_times_log(distance, ends, radii);
+    let radial = radii[1] - radii[0];
+    // Integrals of x/R and y/R along the edge.
+    let [x, y] = [nx * inverse + tx * radial, ny * inverse + ty * radial];
+    [inverse - poisson * nx * x, -poisson * nx * y, inverse - poisson * ny * y]
 }
 
-/// `p asinh(q / |p|)`, the integral of `p^2/R^3` over the quadrant's rectangle, with its limit 0.
-fn weighted_asinh(p: f64, q: f64) -> f64 {
-    if p == 0.0 { 0.0 } else { p * (q / p.abs()).asinh() }
+/// Integral of `distance / R` along an edge; the logarithm is taken where nothing cancels.
+fn distance_times_log(distance: f64, ends: [f64; 2], radii: [f64; 2]) -> f64 {
+    if distance == 0.0 {
+        return 0.0;
+    }
+    let ([t0, t1], [r0, r1]) = (ends, radii);
+    let ratio = if t0 >= 0.0 {
+        (t1 + r1) / (t0 + r0)
+    } else if t1 <= 0.0 {
+        (r0 - t0) / (r1 - t1)
+    } else {
+        (t1 + r1) / distance * ((r0 - t0) / distance)
+    };
+    distance * ratio.ln()
 }
 
 #[cfg(test)]
@@ -30,11 +48,9 @@ mod tests {
     use super::*;
 
     fn rectangle(poisson: f64, x: [f64; 2], y: [f64; 2]) -> Response {
+        let corners = [[x[0], y[0]], [x[1], y[0]], [x[1], y[1]], [x[0], y[1]]];
         std::array::from_fn(|k| {
-            corner(poisson, x[1], y[1])[k]
-                - corner(poisson, x[0], y[1])[k]
-                - corner(poisson, x[1], y[0])[k]
-                + corner(poisson, x[0], y[0])[k]
+            (0..4).map(|i| edge(poisson, corners[i], corners[(i + 1) % 4])[k]).sum()
         })
     }
 
@@ -73,6 +89,27 @@ mod tests {
         for (found, expected) in found.into_iter().zip(expected) {
             // Next term of the expansion: (side/distance)^2 = 6e-8; rounding 1e-16 (r/side)^2.
             assert!((found - expected).abs() < 1e-7 * side * side / r, "{found} {expected}");
+        }
+    }
+    /// A parallelogram cut in two along a diagonal, with the field point inside, on an edge, at a
+    /// corner and outside: the edge in common cancels.
+    #[test]
+    fn pieces_add_up() {
+        let corners = [[0.0, 0.0], [2.0, 0.0], [2.5, 1.0], [0.5, 1.0]];
+        let sum = |at: [f64; 2], of: &[usize]| -> Response {
+            let lead = |k: usize| [corners[k][0] - at[0], corners[k][1] - at[1]];
+            std::array::from_fn(|k| {
+                let ends = of.iter().zip(of.iter().cycle().skip(1));
+                ends.map(|(from, to)| edge(0.3, lead(*from), lead(*to))[k]).sum()
+            })
+        };
+        for at in [[1.0, 0.3], [1.0, 0.0], [2.0, 0.0], [4.0, -3.0]] {
+            let whole = sum(at, &[0, 1, 2, 3]);
+            let pieces = [sum(at, &[0, 1, 2]), sum(at, &[0, 2, 3])];
+            for k in 0..3 {
+                assert!((pieces[0][k] + pieces[1][k] - whole[k]).abs() < 1e-14);
+            }
+            assert!(whole[0] > 0.0 && whole[2] > 0.0);
         }
     }
 }

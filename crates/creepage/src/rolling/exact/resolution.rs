@@ -4,7 +4,7 @@ use crate::check::{self, InvalidValue};
 
 /// How finely the contact is cut: the number of elements along and across a circle. On an ellipse
 /// the elements become more nearly square: `along s` by `across / s` with `s = (a/b)^0.4`, held
-/// between 0.4 and 2.5, and at least 6 of each.
+/// between 0.4 and 2.5 (2 across), and at least 8 of each.
 ///
 /// Errors of the force in parts of `mu N` and costs are in the documentation of
 /// [`Exact`](super::Exact).
@@ -15,12 +15,12 @@ pub struct Resolution {
 }
 
 impl Resolution {
-    /// 12 by 10 elements: half a millisecond.
-    pub const FAST: Self = Self { along: 12.0, across: 10.0 };
+    /// 14 by 12 elements: less than a millisecond.
+    pub const FAST: Self = Self { along: 14.0, across: 12.0 };
     /// 22 by 18 elements: a few milliseconds.
     pub const STANDARD: Self = Self { along: 22.0, across: 18.0 };
-    /// 36 by 28 elements: tens of milliseconds.
-    pub const FINE: Self = Self { along: 36.0, across: 28.0 };
+    /// 40 by 32 elements: tens of milliseconds.
+    pub const FINE: Self = Self { along: 40.0, across: 32.0 };
 
     /// `along` by `across` elements on a circle.
     ///
@@ -38,7 +38,7 @@ impl Resolution {
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // small and positive
     pub(super) fn coarse(self, a_over_b: f64) -> [usize; 2] {
         let stretch = a_over_b.powf(0.4).clamp(0.4, 2.5);
-        let half = |n: f64| (0.5 * n).round().max(3.0) as usize;
-        [half(self.along * stretch), half(self.across / stretch)]
+        let half = |n: f64| (0.5 * n).round().max(4.0) as usize;
+        [half(self.along * stretch), half(self.across / stretch.min(2.0))]
     }
 }

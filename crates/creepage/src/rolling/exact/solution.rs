@@ -2,6 +2,7 @@
 
 use super::derivative::{self, Columns};
 use super::grid::Grid;
+use super::sampling::Sum;
 use super::solve::{Outcome, State};
 use super::{Creepage, FieldPoint, Force, Region, Status};
 use crate::ellipse::Ellipse;
@@ -20,7 +21,10 @@ pub struct ExactSolution {
     /// Frictional power over `mu N mu c V / rho`, from force and creepage: `fx xi + fy eta + mz
     /// chi`.
     pub power: f64,
-    /// The same power summed over the elements of the finer grid, traction times slip.
+    /// The same power as the integral of traction times slip, extrapolated from two grids. It
+    /// lacks the heat of slip areas narrower than an element: where half of friction is used the
+    /// two differed by 1 % in nine of ten random cases at the standard resolution, and by 6 % in
+    /// the worst of 138; for vanishing creepage this is zero.
     pub dissipation: f64,
     /// Whether the iteration met its tolerance.
     pub status: Status,
@@ -82,6 +86,8 @@ impl Mirror {
 pub struct Workspace {
     states: [State; 2],
     outcomes: [Outcome; 2],
+    /// As last solved, in the mirror.
+    creepage: Creepage,
     mirror: Mirror,
 }
 
@@ -90,11 +96,15 @@ impl Workspace {
         Self {
             states: [State::new(&grids[0]), State::new(&grids[1])],
             outcomes: [Outcome { converged: true, sweeps: 0 }; 2],
+            creepage: Creepage::default(),
             mirror: Mirror { x: 1.0, y: 1.0 },
         }
     }
 
     pub(super) fn solve(&mut self, grids: &[Grid; 2], creepage: Creepage, warm: bool) {
+        self.mirror = Mirror::of(creepage);
+        let creepage = self.mirror.apply(creepage);
+        self.creepage = creepage;
         let [coarse, fine] = &mut self.states;
         if !warm {
             coarse.reset();
@@ -106,29 +116,23 @@ impl Workspace {
         self.outcomes[1] = fine.solve(&grids[1], creepage);
     }
 
-    pub(super) fn finish(
-        &mut self,
-        grids: &[Grid; 2],
-        creepage: Creepage,
-        mirror: Mirror,
-    ) -> ExactSolution {
-        self.mirror = mirror;
-        let [coarse, fine] = [0, 1].map(|k| derivative::force(&grids[k], &self.states[k].traction));
-        let force = mirror.force(extrapolate(coarse, fine));
+    pub(super) fn finish(&self, grids: &[Grid; 2], creepage: Creepage) -> ExactSolution {
+        let [coarse, fine] = [0, 1].map(|k| self.states[k].sum(&grids[k], self.creepage));
+        let force = self.mirror.force(extrapolate(coarse.force, fine.force));
         let converged = self.outcomes.iter().all(|outcome| outcome.converged);
         ExactSolution {
             force,
-            error: error_bar(coarse, fine),
+            error: error_bar(coarse.force, fine.force, grids[1].elements.len()),
             power: force.fx * creepage.xi + force.fy * creepage.eta + force.mz * creepage.chi,
-            dissipation: (0..grids[1].elements.len()).map(|e| self.power(&grids[1], e)).sum(),
+            dissipation: beyond(coarse.dissipation, fine.dissipation).max(0.0),
             status: if converged { Status::Solved } else { Status::NotConverged },
             sweeps: self.outcomes.map(|outcome| outcome.sweeps),
         }
     }
 
     pub(super) fn derivative(&mut self, grids: &[Grid; 2]) -> [[f64; 3]; 3] {
-        let [coarse, fine]: [Columns; 2] =
-            [0, 1].map(|k| derivative::differentiate(&grids[k], &mut self.states[k]));
+        let [coarse, fine]: [Columns; 2] = [0, 1]
+            .map(|k| derivative::differentiate(&grids[k], &mut self.states[k], self.creepage));
         let signs = [self.mirror.x, self.mirror.y, self.mirror.y];
         let mut matrix = [[0.0; 3]; 3];
         for k in 0..3 {
@@ -156,8 +160,11 @@ impl Workspace {
     }
 
     fn power(&self, grid: &Grid, element: usize) -> f64 {
-        let ([x, y], [u, v]) = (self.traction(element), self.slip(element));
-        grid.elements.shares[element] * (x * u + y * v)
+        let state = &self.states[1];
+        let mut sum = Sum::default();
+        let fields = state.fields(self.creepage);
+        grid.sampling.add(grid, fields, element, state.slides[element], &mut sum);
+        sum.dissipation
     }
 
     pub(super) fn element_fields(&self, grid: &Grid) -> Vec<ElementField> {
@@ -232,15 +239,24 @@ fn combine(coarse: Force, fine: Force, by: impl Fn(f64, f64) -> f64) -> Force {
 }
 
 fn extrapolate(coarse: Force, fine: Force) -> Force {
-    combine(coarse, fine, |coarse, fine| fine + EXTRAPOLATION * (fine - coarse))
+    combine(coarse, fine, beyond)
 }
 
-/// Half the difference of the grids, and a share of the largest such difference, for a component
-/// may agree by chance. Calibrated on 200 random contacts and creepages (a/b .15-6, sigma 0-.5,
-/// creepage to 3, spin to 8) against a finer grid: 98 to 99 % of each component's errors are inside
-/// at the standard resolution, and 94 to 99 % at the fast one.
-fn error_bar(coarse: Force, fine: Force) -> Force {
+fn beyond(coarse: f64, fine: f64) -> f64 {
+    fine + EXTRAPOLATION * (fine - coarse)
+}
+
+/// Half the difference of the grids, half the largest such difference, for a component may agree
+/// by chance, and for the same reason a share of the force that falls with the size of elements.
+/// Chosen on 96 random contacts and creepages (a/b .15-6, sigma 0-.5, creepage to 3, spin to 8)
+/// against a grid of four times the standard one's elements: 99 to 100 % of each component's errors
+/// are inside at the fast and at the standard resolution.
+fn error_bar(coarse: Force, fine: Force, elements: usize) -> Force {
     let apart = combine(coarse, fine, |coarse, fine| (fine - coarse).abs());
-    let largest = apart.fx.max(apart.fy).max(apart.mz);
-    combine(apart, apart, |own, _| 0.5 * own + 0.6 * largest)
+    let common = 0.5 * largest(apart) + 0.5 / elements as f64 * largest(fine);
+    combine(apart, apart, |own, _| 0.5 * own + common)
+}
+
+fn largest(force: Force) -> f64 {
+    force.fx.abs().max(force.fy.abs()).max(force.mz.abs())
 }

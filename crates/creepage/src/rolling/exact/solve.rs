@@ -7,6 +7,7 @@ use super::acceleration::Acceleration;
 use super::dense::Dense;
 use super::friction::{Sliding, project};
 use super::grid::Grid;
+use super::sampling::{Fields, Sum};
 use crate::rolling::Creepage;
 
 /// Largest change of a traction in the last sweep, over its bound, or over the creepage where
@@ -17,6 +18,11 @@ const ROUNDS: usize = 150;
 /// Acceleration waits until changes are below this, and most elements know their branch.
 const CALM: f64 = 0.1;
 const STEPS: usize = 30;
+/// Newton steps that are taken in full; later ones by half, for they swing between two states.
+const EAGER: usize = 12;
+/// Sweeps that are not calm after so many rounds take half of every change, after as many again a
+/// quarter, then an eighth, then all: on contacts long in the rolling direction they may swing between states.
+const PATIENCE: usize = 12;
 /// Steps below this size leave a strip's factors good enough to use again.
 const CHORD: f64 = 0.02;
 /// Weight of slip against traction in the projection, over the element's own response. Any
@@ -38,6 +44,9 @@ pub(super) struct State {
     factors: Vec<Dense>,
     last_step: Vec<f64>,
     step: Vec<f64>,
+    /// Tractions of a strip before its turn, and the share of the turn's change that is taken.
+    before: Vec<f64>,
+    share: f64,
     acceleration: Acceleration,
 }
 
@@ -60,6 +69,8 @@ impl State {
             factors: vec![Dense::new(2 * along); grid.elements.strips],
             last_step: vec![f64::INFINITY; grid.elements.strips],
             step: vec![0.0; 2 * along],
+            before: vec![0.0; 2 * along],
+            share: 1.0,
             acceleration: Acceleration::new(2 * n),
         }
     }
@@ -98,6 +109,7 @@ impl State {
         for round in 1..=ROUNDS {
             self.acceleration.begin(&self.traction);
             let mut change = 0.0_f64;
+            self.share = if last > CALM { share(round) } else { 1.0 };
             for strip in (0..strips).chain((0..strips).rev()) {
                 change = change.max(self.solve_strip(grid, creepage, strip, tolerance));
             }
@@ -110,6 +122,20 @@ impl State {
         }
         self.update_slip(grid, creepage);
         Outcome { converged: false, sweeps: 2 * ROUNDS }
+    }
+
+    pub(super) fn fields(&self, creepage: Creepage) -> Fields<'_> {
+        Fields { traction: &self.traction, slip: &self.slip, creepage }
+    }
+
+    /// Force and frictional power as last solved.
+    pub(super) fn sum(&self, grid: &Grid, creepage: Creepage) -> Sum {
+        let mut sum = Sum::default();
+        for element in 0..grid.elements.len() {
+            let fields = self.fields(creepage);
+            grid.sampling.add(grid, fields, element, self.slides[element], &mut sum);
+        }
+        sum
     }
 
     fn accelerate(&mut self, grid: &Grid, restart: bool) {
@@ -165,13 +191,17 @@ impl State {
             let slip = self.slip_of(grid, creepage, element);
             self.set_slip(element, slip);
         }
+        self.before.clear();
+        for traction in &self.traction {
+            self.before.extend(&traction[strip * along..(strip + 1) * along]);
+        }
         let (mut change, mut last) = (0.0_f64, f64::INFINITY);
-        for _ in 0..STEPS {
+        for k in 0..STEPS {
             let switched = self.choose_branches(grid, strip);
             if (switched || self.last_step[strip] > CHORD) && !self.factor(grid, strip) {
                 return f64::INFINITY;
             }
-            let step = self.newton_step(grid, strip);
+            let step = self.newton_step(grid, strip, if k < EAGER { 1.0 } else { 0.5 });
             self.last_step[strip] = step;
             change = change.max(step);
             let settled = !switched && step < 0.01 && step < 0.1 * last;
@@ -180,7 +210,24 @@ impl State {
             }
             last = step;
         }
+        if self.share < 1.0 {
+            self.step_back(grid, strip);
+        }
         change
+    }
+
+    /// Undoes a part of a strip's turn.
+    fn step_back(&mut self, grid: &Grid, strip: usize) {
+        let along = grid.elements.along;
+        let (start, mirrored) = (strip * along, (grid.elements.strips - 1 - strip) * along);
+        for k in 0..2 {
+            for i in 0..along {
+                let before = self.before[k * along + i];
+                let traction = &mut self.traction[k][start + i];
+                *traction = before + self.share * (*traction - before);
+                self.mirrored[k][mirrored + i] = *traction;
+            }
+        }
     }
 
     /// Adhesion or slip for every element of a strip; true when one of them changed.
@@ -218,7 +265,7 @@ impl State {
         self.factors[strip].factor()
     }
 
-    fn newton_step(&mut self, grid: &Grid, strip: usize) -> f64 {
+    fn newton_step(&mut self, grid: &Grid, strip: usize, share: f64) -> f64 {
         let along = grid.elements.along;
         let start = strip * along;
         for i in 0..along {
@@ -228,6 +275,9 @@ impl State {
         }
         let Self { factors, step, .. } = self;
         factors[strip].solve(step);
+        for s in step.iter_mut() {
+            *s *= share;
+        }
         let mirrored = (grid.elements.strips - 1 - strip) * along;
         let mut largest = 0.0_f64;
         for k in 0..2 {
@@ -263,6 +313,11 @@ impl State {
     pub(super) fn solve_linear(&self, strip: usize, x: &mut [f64]) {
         self.factors[strip].solve(x);
     }
+}
+
+/// Share of a change that is taken.
+fn share(round: usize) -> f64 {
+    (-((round / PATIENCE % 4) as f64)).exp2()
 }
 
 /// Largest rigid slip in the contact, in the unit in which tractions at their bound give slip.
