@@ -14,7 +14,7 @@ from ._contact import Body, Hertz, sections
 from ._curve import COMPONENTS, Component, Curve
 from ._results import Floats
 from ._solution import SiCreepage, Solution
-from ._theories import find, options_of
+from ._theories import find, options_of, resolved
 from ._toml import Source, dumps, read
 
 
@@ -39,6 +39,13 @@ class Case:
         xi: float | None = None,
         eta: float | None = None,
         chi: float | None = None,
+        speed: float | None = None,
+        longitudinal_force: float | None = None,
+        lateral_force: float | None = None,
+        moment: float | None = None,
+        fx: float | None = None,
+        fy: float | None = None,
+        mz: float | None = None,
         angle: float | None = None,
         semi_axis_rolling: float | None = None,
         semi_axis_lateral: float | None = None,
@@ -47,7 +54,9 @@ class Case:
     ) -> None:
         """normal_force: N (N). friction: mu. Creepage either in SI units, longitudinal and
         lateral (relative velocity over rolling velocity) and spin (rad/m), or dimensionless, xi,
-        eta, chi; what is left out is zero. angle: from the upper body's rolling section to the
+        eta, chi; what is left out is zero. speed: rolling velocity (m/s), for the frictional
+        power. Forces on the lower body (N, N m), or dimensionless, are wanted in place of
+        creepages, which are then found; exactly three quantities are given, zeros too. angle: from the upper body's rolling section to the
         lower's (degrees). Both semi-axes (m) replace the bodies' radii. theory and its options
         are those of `solve`.
         """
@@ -58,10 +67,26 @@ class Case:
             "semi_axis_rolling": semi_axis_rolling,
             "semi_axis_lateral": semi_axis_lateral,
         }
-        names = ("longitudinal", "lateral", "spin", "xi", "eta", "chi")
-        values = (longitudinal, lateral, spin, xi, eta, chi)
+        creepage = {
+            "longitudinal": longitudinal,
+            "lateral": lateral,
+            "spin": spin,
+            "xi": xi,
+            "eta": eta,
+            "chi": chi,
+            "speed": speed,
+        }
+        forces = {
+            "longitudinal_force": longitudinal_force,
+            "lateral_force": lateral_force,
+            "moment": moment,
+            "fx": fx,
+            "fy": fy,
+            "mz": mz,
+        }
         file = sections(upper, lower, contact)
-        file["creepage"] = dict(zip(names, values, strict=True))
+        file["creepage"] = creepage
+        file["wanted"] = forces
         file["solve"] = {"theory": theory, **options}
         self._read(dumps(file))
 
@@ -94,7 +119,8 @@ class Case:
         return type(self).from_toml, (self._text,)
 
     def __repr__(self) -> str:
-        contact, creepage = self.contact, self.creepage
+        contact = self.contact
+        creepage = "forces wanted" if self._data.finds_creepage else str(self.creepage)
         return (
             f"<creepage.Case N = {contact.normal_force:.4g} N, a = "
             f"{contact.semi_axis_rolling:.4g} m, b = {contact.semi_axis_lateral:.4g} m, {creepage}>"
@@ -112,12 +138,12 @@ class Case:
 
     @property
     def creepage(self) -> SiCreepage:
-        """Creepage and spin in SI units."""
+        """Creepage and spin in SI units. Raises CaseError where forces are wanted."""
         return SiCreepage(*self._data.creepage)
 
     @property
     def dimensionless(self) -> tuple[float, float, float]:
-        """(xi, eta, chi)."""
+        """(xi, eta, chi). Raises CaseError where forces are wanted."""
         return self._data.dimensionless
 
     @property
@@ -128,22 +154,27 @@ class Case:
     def theory(self, name: str | None = None, **options: Any) -> _creepage.Theory:
         """A theory prepared for this contact: by default the case's own with its options.
 
-        Options of the case that another theory does not have are left out. Raises UnknownTheory,
-        TypeError for an option in the call that the theory does not have, and what its class
-        raises.
+        Options of the case that another theory does not have are left out. "exact" with
+        resolution="auto" is an Automatic, for accuracy=0.001 unless another is given. Raises
+        UnknownTheory, TypeError for an option in the call that the theory does not have, and what
+        its class raises.
         """
         given = self._data.options()
         own = str(given.pop("theory", "exact"))
         if name is not None and find(name) is not find(own):
             given = options_of(name, given)
-        make = find(name or own)
+        make, options = resolved(find(name or own), given, options)
         theory: _creepage.Theory = make(
-            a_over_b=self._data.a_over_b, poisson=self._data.poisson, **{**given, **options}
+            a_over_b=self._data.a_over_b, poisson=self._data.poisson, **options
         )
         return theory
 
     def solve(self, theory: str | None = None, **options: Any) -> Solution:
-        """Solves the case by its own theory, or by the one of that name. Raises as theory."""
+        """Solves the case by its own theory, or by the one of that name.
+
+        Where forces are wanted, the creepage is found first. Raises as theory; NotReachable where
+        no creepage gives the wanted forces, CaseError by a theory that does not find creepages.
+        """
         prepared = self.theory(theory, **options)
         solved = self._data.solve(prepared)
         return Solution.from_report(json.loads(solved.json()), prepared, solved)
@@ -158,7 +189,8 @@ class Case:
 
         values: of that component in SI units; by default 101 from zero to four times that at
         which the linear theory reaches mu N. theories: by name; by default the case's own.
-        Raises InvalidValue where a value is not finite, and as theory.
+        Raises InvalidValue where a value is not finite, CaseError where forces are wanted, and as
+        theory.
         """
         k = COMPONENTS.index(vary)
         names = tuple(theories) or (self.theory_name,)

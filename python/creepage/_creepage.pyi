@@ -187,7 +187,8 @@ class Variational(Theory):
     """The numerical theory of chapter 5 (Kalker 1967): polynomial tractions.
 
     degree: of the polynomials, 0 to 12 (3). mesh: cells (along, across) of the box around the
-    ellipse, (10, 10) up to degree 3.
+    ellipse, (10, 10) up to degree 3. bound: whether tractions are kept within it, "automatic" by
+    default (where a/b >= 3), "unchecked" (as in the thesis: looked at afterwards), "kept".
     """
 
     def __new__(
@@ -198,6 +199,7 @@ class Variational(Theory):
         degree: int | None = None,
         mesh: _Pair | None = None,
         weight: Literal["elliptic", "uniform", "root-elliptic"] | None = None,
+        bound: Literal["automatic", "unchecked", "kept"] | None = None,
     ) -> Variational: ...
 
 @final
@@ -343,9 +345,13 @@ class Table:
     ) -> Floats: ...
 
 @overload
-def coefficients(a_over_b: float, poisson: float) -> CreepageCoefficients[float]: ...
+def coefficients(
+    a_over_b: float, poisson: float, *, degree: int | None = None
+) -> CreepageCoefficients[float]: ...
 @overload
-def coefficients(a_over_b: ArrayLike, poisson: ArrayLike) -> CreepageCoefficients[Floats]: ...
+def coefficients(
+    a_over_b: ArrayLike, poisson: ArrayLike, *, degree: int | None = None
+) -> CreepageCoefficients[Floats]: ...
 @overload
 def carter(creepage: float) -> CarterSolution[float]: ...
 @overload
@@ -370,6 +376,8 @@ class CaseData:
     def poisson(self) -> float: ...
     @property
     def friction(self) -> float: ...
+    @property
+    def finds_creepage(self) -> bool: ...
     @property
     def dimensionless(self) -> tuple[float, float, float]: ...
     @property

@@ -60,7 +60,16 @@ class Solution:
     slip_area: float
     """m^2."""
     heat_per_metre: float
-    """Energy turned to heat per metre rolled (J/m)."""
+    """Energy turned to heat per metre rolled, from force and creepage (J/m)."""
+    heat_per_metre_by_slip: float | None
+    """The same from traction and slip over the contact (J/m), where the theory gives it; the two
+    differ by the error of its discretization."""
+    speed: float | None
+    """Rolling velocity (m/s), where the case has it."""
+    power: float | None
+    """Frictional power (W), where the rolling velocity is known."""
+    known: tuple[str, ...] | None
+    """Which of xi, eta, chi, fx, fy, mz were given, where forces were wanted."""
     details: dict[str, float]
     """What only this theory says, such as error bars, by name."""
     _report: dict[str, Any]
@@ -89,6 +98,10 @@ class Solution:
             adhesion_area=areas["adhesion_m2"],
             slip_area=areas["slip_m2"],
             heat_per_metre=report["frictional_power_per_metre_j_per_m"],
+            heat_per_metre_by_slip=report["frictional_power_per_metre_by_slip_j_per_m"],
+            speed=report["rolling_velocity_m_per_s"],
+            power=report["frictional_power_w"],
+            known=None if report["known"] is None else tuple(report["known"]),
             details={name: detail["value"] for name, detail in report["details"].items()},
             _report=report,
             _solved=solved,

@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from . import _creepage
-from ._errors import UnknownTheory
+from ._errors import InvalidOption, UnknownTheory
 
 THEORIES: dict[str, type[_creepage.Theory]] = {
     "exact": _creepage.Exact,
@@ -45,6 +45,28 @@ def find(name: str) -> type[Any]:
         hint = f"did you mean {near[0]!r}?" if near else f"known are {', '.join(THEORIES)}"
         raise UnknownTheory(f"unknown theory {name!r}: {hint}", name)
     return known
+
+
+def resolved(
+    make: type[Any], given: Mapping[str, Any], options: Mapping[str, Any]
+) -> tuple[type[Any], dict[str, Any]]:
+    """The class for options of a case and of a call, and all of them.
+
+    The full theory that is as fine as an accuracy needs is a class of its own here.
+    """
+    together = {**given, **options}
+    if make is not _creepage.Exact:
+        return make, together
+    if together.get("resolution") == "auto":
+        return _creepage.Automatic, {
+            "accuracy": 1e-3,
+            **{name: value for name, value in together.items() if name != "resolution"},
+        }
+    if "accuracy" in given and "resolution" in options:
+        del together["accuracy"]  # that of the resolution which the call replaces
+    if "accuracy" in together:
+        raise InvalidOption('accuracy: needs resolution = "auto"', "accuracy")
+    return make, together
 
 
 def options_of(name: str, given: Mapping[str, Any]) -> dict[str, Any]:

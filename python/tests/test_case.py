@@ -41,24 +41,97 @@ def test_the_front_door_and_the_file_are_one_case(wheel_on_rail: Case) -> None:
 
 
 EXAMPLES = sorted((ROOT / "examples").glob("*.toml"))
-WANTED = [path for path in EXAMPLES if "\n[wanted]" in path.read_text()]
 
 
-@pytest.mark.parametrize("path", WANTED, ids=lambda path: path.stem)
-def test_a_wanted_force_is_refused_with_the_reason(path: Path) -> None:
-    with pytest.raises(creepage.CaseError, match=r"\[wanted\] asks for a creepage"):
-        Case.from_toml(path)
-
-
-@pytest.mark.parametrize(
-    "path", [path for path in EXAMPLES if path not in WANTED], ids=lambda path: path.stem
-)
+@pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
 def test_every_example_solves(path: Path) -> None:
-    solution = Case.from_toml(str(path)).solve(resolution="fast")
+    case = Case.from_toml(str(path))
+    solution = case.solve(resolution="fast")
     assert solution.status == creepage.Status.SOLVED
     limit = solution.friction * solution.contact.normal_force
-    assert 0.0 < math.hypot(*solution.force[:2]) <= limit * 1.01
+    # A wanted force may be none.
+    assert math.hypot(*solution.force[:2]) <= limit * 1.01
     assert solution.heat_per_metre > 0.0
+    assert (solution.known is not None) == ("\n[wanted]" in path.read_text())
+    assert repr(case).startswith("<creepage.Case N = ")
+
+
+def test_a_wanted_force_is_found() -> None:
+    # The creepage of a force is found again from that force.
+    given = wheel(longitudinal=-1.5e-3, lateral=4e-4, spin=0.1).solve(resolution="fast")
+    wanted = wheel(
+        longitudinal_force=given.force.longitudinal,
+        lateral_force=given.force.lateral,
+        spin=0.1,
+        speed=20.0,
+        resolution="fast",
+    )
+    found = wanted.solve()
+    # Forces to 1e-7 of mu N by the library's tolerance, over slopes of some 1e-4 here.
+    assert found.creepage == pytest.approx(given.creepage, rel=1e-4)
+    assert found.force == pytest.approx(given.force, rel=1e-4)
+    assert found.known == ("chi", "fx", "fy")
+    assert "finds" not in repr(wanted) and "wanted" in repr(wanted)
+    assert found.field(points=3).traction.shape == (3, 3, 2)
+    assert pickle.loads(pickle.dumps(wanted)).solve().force == found.force
+    for ask in (lambda: wanted.creepage, lambda: wanted.dimensionless, wanted.curve):
+        with pytest.raises(creepage.CaseError, match=r"\[wanted\] asks for a creepage"):
+            ask()
+
+
+def test_a_wanted_force_that_cannot_be() -> None:
+    # Sliding that turns about the middle of a circle gives 3 pi / 16 of mu N c, and no more.
+    with pytest.raises(creepage.NotReachable, match="moment = ") as caught:
+        wheel(mz=0.9, xi=0.0, eta=0.0).solve(resolution="fast")
+    assert 0.3 < caught.value.nearest[2] < 0.65
+    with pytest.raises(creepage.CaseError, match="at most 24000"):
+        wheel(longitudinal_force=26e3, lateral=0.0, spin=0.0)
+    with pytest.raises(creepage.CaseError, match="needs the theory exact") as refused:
+        wheel(fx=0.5, eta=0.0, chi=0.0).solve("fastsim")
+    assert refused.value.section == "wanted"
+    with pytest.raises(creepage.CaseError, match="three"):
+        wheel(fx=0.5, eta=0.0)
+
+
+def test_heat_by_force_and_by_slip() -> None:
+    case = wheel(longitudinal=-1.5e-3, spin=0.1, speed=20.0)
+    solution = case.solve(resolution="fast")
+    report = solution.to_dict()
+    assert solution.speed == report["rolling_velocity_m_per_s"] == 20.0
+    assert solution.power == report["frictional_power_w"]
+    assert solution.power == pytest.approx(20.0 * solution.heat_per_metre, rel=1e-12)
+    by_slip = solution.heat_per_metre_by_slip
+    assert by_slip == report["frictional_power_per_metre_by_slip_j_per_m"]
+    # They differ by the discretization: less on finer elements.
+    fine = case.solve(resolution="fine")
+    assert by_slip is not None and fine.heat_per_metre_by_slip is not None
+    off = abs(by_slip - solution.heat_per_metre)
+    assert abs(fine.heat_per_metre_by_slip - fine.heat_per_metre) < off / 2.0
+    plain = wheel(longitudinal=-1.5e-3).solve("linear")
+    assert plain.speed is None and plain.power is None
+    assert plain.known is None and plain.heat_per_metre_by_slip is None
+
+
+def test_as_fine_as_an_accuracy_needs() -> None:
+    case = wheel(longitudinal=-1.5e-3, resolution="auto", accuracy=0.004)
+    assert repr(case.theory()).startswith("creepage.automatic(")
+    solution = case.solve()
+    assert solution.to_dict()["theory"] == "exact"  # as in the report of the command
+    assert solution.details["fx_error"] <= 0.004
+    assert solution.heat_per_metre_by_slip is not None
+    # What a call says goes before the file.
+    elements = [case.solve(accuracy=wanted).details["elements"] for wanted in (0.9, 1e-9)]
+    assert elements[0] < elements[1]
+    assert repr(case.theory(resolution="fast")).startswith("creepage.exact(")
+    assert "accuracy=0.001" in repr(wheel(xi=1.0, resolution="auto").theory())
+    assert case.solve("fastsim").force != solution.force
+    with pytest.raises(creepage.InvalidOption, match="auto"):
+        wheel(xi=1.0, accuracy=0.01).solve()
+    with pytest.raises(creepage.InvalidOption):
+        wheel(xi=1.0).solve(accuracy=0.01)
+    wanted = wheel(fx=0.5, eta=0.0, chi=0.2, resolution="auto", accuracy=0.004).solve()
+    assert wanted.dimensionless.fx == pytest.approx(0.5, abs=1e-6)
+    assert wanted.details["fx_error"] <= 0.004
 
 
 @pytest.mark.parametrize("name", list(creepage.THEORIES))

@@ -19,6 +19,21 @@ def test_coefficients_of_a_circle() -> None:
     assert type(found.c11) is float
 
 
+def test_coefficients_as_the_thesis_approximates_them() -> None:
+    converged = creepage.coefficients(1.0, 0.25)
+    thesis = creepage.coefficients(1.0, 0.25, degree=5)
+    high = creepage.coefficients(1.0, 0.25, degree=40)
+    assert thesis.c11 != converged.c11
+    # The thesis gives three digits.
+    assert thesis.c11 == pytest.approx(converged.c11, rel=5e-3)
+    for name, value in converged.to_dict().items():
+        off, farther = (abs(of.to_dict()[name] - value) for of in (high, thesis))
+        assert off < farther
+    assert creepage.coefficients([0.5, 1.0], 0.25, degree=5).c11[1] == thesis.c11
+    with pytest.raises(creepage.InvalidValue, match="between 2 and 100"):
+        creepage.coefficients(1.0, 0.25, degree=1)
+
+
 def test_coefficients_broadcast() -> None:
     found = creepage.coefficients(np.array([[0.5], [1.0]]), [0.0, 0.25, 0.5])
     assert found.c11.shape == (2, 3)

@@ -174,6 +174,7 @@ def test_senseless_materials_are_refused(name: str, poisson: float) -> None:
         ("variational", {"degree": -1}, OverflowError),
         ("variational", {"mesh": (1, 1)}, creepage.InvalidOption),
         ("variational", {"weight": "heavy"}, creepage.InvalidOption),
+        ("variational", {"bound": "loose"}, creepage.InvalidOption),
     ],
 )
 def test_senseless_options_are_refused(
@@ -181,6 +182,19 @@ def test_senseless_options_are_refused(
 ) -> None:
     with pytest.raises(kind):
         creepage.theory(name, 1.0, 0.28, **options)
+
+
+def test_the_bound_of_the_numerical_theory() -> None:
+    at = (0.5, 0.1, 0.3)
+    force = {
+        (ratio, bound): creepage.variational(ratio, 0.28, bound=bound).force(*at).fx
+        for ratio in (1.0, 4.0)
+        for bound in (None, "automatic", "unchecked", "kept")
+    }
+    for ratio, same, other in ((1.0, "unchecked", "kept"), (4.0, "kept", "unchecked")):
+        assert force[ratio, None] == force[ratio, "automatic"] == force[ratio, same]
+        assert force[ratio, None] != force[ratio, other]
+    assert "bound='kept'" in repr(creepage.variational(1.0, 0.28, bound="kept"))
 
 
 def test_options_change_the_theory() -> None:

@@ -1,23 +1,32 @@
 //! A case in SI units, from the text of a case file to its report.
 
 use std::path::PathBuf;
+use std::sync::Arc;
 
 use creepage::Hertz;
+use creepage::rolling::exact::Known;
 use creepage::rolling::{Creepage, Scaling};
-use creepage_case::CaseFile;
-use creepage_report::{Answer, Report, hertz_json};
+use creepage_case::{Case, CaseError, CaseFile, InverseCase};
+use creepage_report::{Answer, Extras, Report, hertz_json};
+use creepage_theories::{Examination, PreparedTheory, find_creepage};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use crate::model::Examination;
 use crate::theory::Theory;
-use crate::{errors, mesh, results};
+use crate::{errors, results};
+
+/// What a case file asks for.
+enum Question {
+    Forces(Case),
+    /// The creepage that gives wanted forces.
+    Creepage(InverseCase),
+}
 
 /// The text of a case file, read and checked.
 #[pyclass(frozen, module = "creepage._creepage")]
 #[allow(missing_debug_implementations)] // Python has its own
 pub struct CaseData {
-    case: creepage_case::Case,
+    question: Question,
     scaling: Scaling,
     options: toml::Table,
 }
@@ -26,11 +35,43 @@ pub struct CaseData {
 #[pyclass(frozen, module = "creepage._creepage")]
 #[allow(missing_debug_implementations)] // Python has its own
 pub struct SolvedCase {
-    contact: Hertz,
-    friction: f64,
-    creepage: Creepage,
+    case: Case,
+    /// What was given, where the creepage was found to wanted forces.
+    known: Option<Known>,
     theory: Py<Theory>,
     found: Examination,
+}
+
+impl Question {
+    fn read(text: &str) -> Result<Self, CaseError> {
+        let file = CaseFile::read(text)?;
+        if file.is_inverse() {
+            return file.inverse().map(Self::Creepage);
+        }
+        file.case().map(Self::Forces)
+    }
+
+    fn contact(&self) -> &Hertz {
+        match self {
+            Self::Forces(case) => &case.contact,
+            Self::Creepage(case) => &case.contact,
+        }
+    }
+
+    fn friction(&self) -> f64 {
+        match self {
+            Self::Forces(case) => case.friction,
+            Self::Creepage(case) => case.friction,
+        }
+    }
+
+    /// The case, unless its creepage is yet to be found.
+    fn forces(&self, py: Python) -> PyResult<&Case> {
+        match self {
+            Self::Forces(case) => Ok(case),
+            Self::Creepage(_) => Err(errors::case(py, CaseError::Wanted)),
+        }
+    }
 }
 
 /// The contact of a case file as JSON; needs neither friction nor creepage.
@@ -45,48 +86,53 @@ pub(crate) fn hertz(py: Python, text: &str) -> PyResult<String> {
 impl CaseData {
     #[new]
     fn new(py: Python, text: &str) -> PyResult<Self> {
-        let case = CaseFile::read(text).and_then(|file| file.case());
-        let case = case.map_err(|error| errors::case(py, error))?;
-        let scaling = Scaling::new(&case.contact, case.friction)
+        let question = Question::read(text).map_err(|error| errors::case(py, error))?;
+        let scaling = Scaling::new(question.contact(), question.friction())
             .map_err(|error| errors::invalid(py, error))?;
         let mut file: toml::Table = text.parse().map_err(|_| errors::internal("TOML"))?;
         let options = match file.remove("solve") {
             Some(toml::Value::Table(options)) => options,
             _ => toml::Table::new(),
         };
-        Ok(Self { case, scaling, options })
+        Ok(Self { question, scaling, options })
     }
 
     /// Ratio of the semi-axes.
     #[getter]
     fn a_over_b(&self) -> f64 {
-        self.case.contact.ellipse().ratio()
+        self.question.contact().ellipse().ratio()
     }
 
     /// Combined Poisson's ratio.
     #[getter]
     fn poisson(&self) -> f64 {
-        self.case.contact.pair().poisson()
+        self.question.contact().pair().poisson()
     }
 
     /// Coefficient of friction.
     #[getter]
     fn friction(&self) -> f64 {
-        self.case.friction
+        self.question.friction()
     }
 
-    /// (xi, eta, chi).
+    /// Whether forces are wanted and the creepage is to be found.
     #[getter]
-    fn dimensionless(&self) -> (f64, f64, f64) {
-        let Creepage { xi, eta, chi } = self.case.creepage;
-        (xi, eta, chi)
+    fn finds_creepage(&self) -> bool {
+        matches!(self.question, Question::Creepage(_))
     }
 
-    /// (longitudinal, lateral, spin (rad/m)).
+    /// (xi, eta, chi). Raises CaseError where the creepage is to be found.
     #[getter]
-    fn creepage(&self) -> (f64, f64, f64) {
-        let si = self.case.si_creepage;
-        (si.longitudinal, si.lateral, si.spin)
+    fn dimensionless(&self, py: Python) -> PyResult<(f64, f64, f64)> {
+        let Creepage { xi, eta, chi } = self.question.forces(py)?.creepage;
+        Ok((xi, eta, chi))
+    }
+
+    /// (longitudinal, lateral, spin (rad/m)). Raises CaseError where they are to be found.
+    #[getter]
+    fn creepage(&self, py: Python) -> PyResult<(f64, f64, f64)> {
+        let si = self.question.forces(py)?.si_creepage;
+        Ok((si.longitudinal, si.lateral, si.spin))
     }
 
     /// Units of length c (m), creepage, force mu N (N) and traction (Pa).
@@ -97,7 +143,8 @@ impl CaseData {
 
     /// The contact as JSON.
     fn hertz(&self) -> PyResult<String> {
-        serde_json::to_string(&hertz_json(&self.case.contact)).map_err(|_| errors::internal("JSON"))
+        serde_json::to_string(&hertz_json(self.question.contact()))
+            .map_err(|_| errors::internal("JSON"))
     }
 
     /// The section [solve]: the theory's name and its options.
@@ -107,6 +154,7 @@ impl CaseData {
             match value {
                 toml::Value::String(word) => options.set_item(name, word)?,
                 toml::Value::Integer(count) => options.set_item(name, count)?,
+                toml::Value::Float(number) => options.set_item(name, number)?,
                 toml::Value::Array(counts) => {
                     let counts: Vec<_> = counts.iter().map(toml::Value::as_integer).collect();
                     options.set_item(name, counts)?;
@@ -117,31 +165,47 @@ impl CaseData {
         Ok(options)
     }
 
-    /// Solves by a theory that was prepared for this contact.
-    fn solve(&self, py: Python, theory: Py<Theory>) -> SolvedCase {
-        let model = theory.get();
-        let mesh = mesh::of_case(model.ellipse);
-        let (contact, friction, creepage) =
-            (self.case.contact, self.case.friction, self.case.creepage);
-        let found = py.detach(|| model.model.examine(creepage, &mesh));
-        SolvedCase { contact, friction, creepage, theory, found }
+    /// Solves by a theory that was prepared for this contact. Raises NotReachable where no creepage
+    /// gives the wanted forces, CaseError where the theory does not find creepages.
+    fn solve(&self, py: Python, theory: Py<Theory>) -> PyResult<SolvedCase> {
+        let Theory { model, name, .. } = theory.get();
+        let (case, known, found) = match &self.question {
+            Question::Forces(case) => {
+                let ellipse = case.contact.ellipse();
+                let solve = || Examination::new(Arc::clone(model), ellipse, case.creepage);
+                (case.clone(), None, py.detach(solve))
+            }
+            Question::Creepage(case) => {
+                let found = py.detach(|| find_creepage(case, name, Arc::clone(model)));
+                let found = found.map_err(|error| errors::find(py, error))?;
+                (case.clone().found(found.creepage()), Some(case.known), found)
+            }
+        };
+        Ok(SolvedCase { case, known, theory, found })
     }
 }
 
 impl SolvedCase {
     /// Makes the report, which traces the areas of adhesion and slip, and uses it.
     fn report<T: Send>(&self, py: Python, with: impl FnOnce(&Report) -> T + Send) -> PyResult<T> {
-        let theory = self.theory.get();
+        let Theory { model, name, .. } = self.theory.get();
+        let Self { case, known, found, .. } = self;
+        // As in case files.
+        let theory_name =
+            if matches!(**model, PreparedTheory::Automatic(_)) { "exact" } else { name };
         let used = py.detach(|| {
             let answer = Answer {
-                creepage: self.creepage,
-                theory_name: theory.name,
-                theory: theory.model.theory(),
-                solution: self.found.solution,
-                points: self.found.points.clone(),
-                details: self.found.details.clone(),
+                creepage: case.creepage,
+                theory_name,
+                theory: found,
+                solution: found.answered.solution,
+                points: found.points.clone(),
+                details: found.details.clone(),
             };
-            Report::new(&self.contact, self.friction, answer).map(|report| with(&report))
+            let extras =
+                Extras { known: *known, speed: case.speed, dissipation: found.dissipation };
+            let report = Report::new(&case.contact, case.friction, answer)?;
+            Ok(with(&report.with(extras)))
         });
         used.map_err(|error| errors::invalid(py, error))
     }

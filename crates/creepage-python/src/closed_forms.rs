@@ -29,14 +29,18 @@ fn columns<'py, const W: usize>(
 /// a relative accuracy of 1e-6. Gives a CreepageCoefficients.
 ///
 /// a_over_b: ratio of the semi-axes, 1e-3 to 1e3; poisson: combined Poisson's ratio, 0 to 0.5;
-/// floats or arrays, which broadcast. Each costs 1 to 50 ms.
+/// floats or arrays, which broadcast. Each costs 1 to 50 ms. degree: None, or that of the
+/// polynomials by which the thesis approximates them, 2 to 100; Table 3 is of degree 5, and c32 is
+/// then not quite -c23.
 ///
 /// Raises InvalidValue for numbers out of range.
 #[pyfunction]
+#[pyo3(signature = (a_over_b, poisson, *, degree=None))]
 pub(crate) fn coefficients<'py>(
     py: Python<'py>,
     a_over_b: Number<'py>,
     poisson: Number<'py>,
+    degree: Option<usize>,
 ) -> PyResult<Bound<'py, PyAny>> {
     let inputs = Inputs::new(py, ["a_over_b", "poisson"], [a_over_b, poisson])?;
     let answers = solve_all(
@@ -45,7 +49,10 @@ pub(crate) fn coefficients<'py>(
         1e-3,
         || (),
         |(), [a_over_b, poisson]| {
-            let found = CreepageCoefficients::new(a_over_b, poisson)?;
+            let found = match degree {
+                Some(degree) => CreepageCoefficients::of_degree(a_over_b, poisson, degree)?,
+                None => CreepageCoefficients::new(a_over_b, poisson)?,
+            };
             Ok(([found.c11, found.c22, found.c23, found.c32, found.c33], 0))
         },
     )?;

@@ -5,9 +5,11 @@ use std::path::PathBuf;
 use creepage::InvalidValue;
 use creepage::rolling::exact::InverseError;
 use creepage::rolling::variational::VariationalError;
+use creepage::rolling::{Creepage, Force};
 use creepage_case::{CaseError, StaticsError};
 use creepage_report::ReportError;
 use creepage_table::FileError;
+use creepage_theories::{FindError, TheoryError, Unreachable};
 use pyo3::BoundObject;
 use pyo3::exceptions::{PyOSError, PyRuntimeError};
 use pyo3::prelude::*;
@@ -72,7 +74,15 @@ pub(crate) fn option(py: Python, name: &str, reason: &str) -> PyErr {
     exception(py, "InvalidOption", (format!("{name}: {reason}"), name))
 }
 
-pub(crate) fn variational(py: Python, error: VariationalError) -> PyErr {
+pub(crate) fn theory(py: Python, error: TheoryError) -> PyErr {
+    match error {
+        TheoryError::Invalid(error) => invalid(py, error),
+        TheoryError::Variational(error) => variational(py, error),
+        other => exception(py, "InvalidOption", (other.to_string(), "accuracy")),
+    }
+}
+
+fn variational(py: Python, error: VariationalError) -> PyErr {
     match error {
         VariationalError::Invalid(error) => invalid(py, error),
         VariationalError::Degree { .. } => {
@@ -82,14 +92,27 @@ pub(crate) fn variational(py: Python, error: VariationalError) -> PyErr {
     }
 }
 
+pub(crate) fn find(py: Python, error: FindError) -> PyErr {
+    let message = error.to_string();
+    match error {
+        FindError::Unreachable(Unreachable { nearest, at, .. }) => {
+            not_reachable(py, message, nearest, at)
+        }
+        FindError::Inverse(error) => inverse(py, error),
+        _ => exception(py, "CaseError", (message, Some("wanted"))),
+    }
+}
+
+fn not_reachable(py: Python, message: String, nearest: Force, at: Creepage) -> PyErr {
+    let nearest = (nearest.fx, nearest.fy, nearest.mz);
+    exception(py, "NotReachable", (message, nearest, (at.xi, at.eta, at.chi)))
+}
+
 pub(crate) fn inverse(py: Python, error: InverseError) -> PyErr {
     let message = error.to_string();
     match error {
         InverseError::InvalidValue(error) => invalid(py, error),
-        InverseError::NotReachable { nearest, at } => {
-            let nearest = (nearest.fx, nearest.fy, nearest.mz);
-            exception(py, "NotReachable", (message, nearest, (at.xi, at.eta, at.chi)))
-        }
+        InverseError::NotReachable { nearest, at } => not_reachable(py, message, nearest, at),
         _ => pyo3::exceptions::PyTypeError::new_err(message),
     }
 }

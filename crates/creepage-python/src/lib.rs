@@ -7,7 +7,6 @@ mod case;
 mod closed_forms;
 mod errors;
 mod mesh;
-mod model;
 mod number;
 mod options;
 mod pool;

@@ -23,16 +23,6 @@ pub(crate) fn cells(py: Python, ellipse: Ellipse, count: usize) -> PyResult<Mesh
     Ok((vec![count, count], py.detach(|| (0..count).flat_map(line).collect())))
 }
 
-/// As the usual one of a case: 40 x 40 cells, those in the ellipse.
-pub(crate) fn of_case(ellipse: Ellipse) -> Vec<[f64; 2]> {
-    let place = |k: u8| (2.0 * f64::from(k) + 1.0) / 40.0 - 1.0;
-    (0..40)
-        .flat_map(|j| (0..40).map(move |i| [place(i), place(j)]))
-        .filter(|[x, y]| x.hypot(*y) < 1.0)
-        .map(|[x, y]| [ellipse.a() * x, ellipse.b() * y])
-        .collect()
-}
-
 /// The positions of arrays `x` and `y`.
 pub(crate) fn given<'py>(py: Python<'py>, numbers: [Number<'py>; 2]) -> PyResult<Mesh> {
     let inputs = Inputs::new(py, ["x", "y"], numbers)?;

@@ -1,12 +1,15 @@
 //! What every prepared theory can be asked.
 
+use std::sync::Arc;
+
+use creepage::Ellipse;
 use creepage::rolling::{Creepage, Solution};
-use creepage::{Ellipse, InvalidValue};
+use creepage_case::Solve;
+use creepage_theories::{PreparedTheory, TheoryError, find};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 
 use crate::batch::solve_all;
-use crate::model::Model;
 use crate::number::{Inputs, Number};
 use crate::{errors, mesh, results};
 
@@ -24,8 +27,8 @@ const QUICK: f64 = 2e-6;
 #[pyclass(frozen, subclass, module = "creepage")]
 #[allow(missing_debug_implementations)] // Python has its own
 pub struct Theory {
-    pub(crate) model: Model,
-    /// As in a case file.
+    pub(crate) model: Arc<PreparedTheory>,
+    /// As the class, in lower case.
     pub(crate) name: &'static str,
     pub(crate) ellipse: Ellipse,
     /// What it was made with, for pickle and repr.
@@ -39,6 +42,18 @@ pub struct Theory {
 #[allow(missing_debug_implementations)] // Python has its own
 pub struct DifferentiableTheory;
 
+/// The theory of that name in case files, prepared from options of case files.
+pub(crate) fn prepare(
+    py: Python,
+    name: &str,
+    a_over_b: f64,
+    poisson: f64,
+    solve: &Solve,
+) -> PyResult<Result<PreparedTheory, TheoryError>> {
+    let entry = find(name).map_err(|_| errors::internal(name))?;
+    Ok(py.detach(|| entry.prepare(a_over_b, poisson, solve)))
+}
+
 impl Theory {
     pub(crate) fn new(
         py: Python,
@@ -46,11 +61,10 @@ impl Theory {
         a_over_b: f64,
         arguments: Bound<PyDict>,
         cost: f64,
-        model: Result<Model, InvalidValue>,
+        made: Result<PreparedTheory, TheoryError>,
     ) -> PyResult<PyClassInitializer<Self>> {
-        let wrong = |error| errors::invalid(py, error);
-        let model = model.map_err(wrong)?;
-        let ellipse = Ellipse::from_ratio(a_over_b).map_err(wrong)?;
+        let model = Arc::new(made.map_err(|error| errors::theory(py, error))?);
+        let ellipse = Ellipse::from_ratio(a_over_b).map_err(|error| errors::invalid(py, error))?;
         let arguments = arguments.unbind();
         Ok(PyClassInitializer::from(Self { model, name, ellipse, arguments, cost }))
     }
@@ -61,12 +75,12 @@ impl Theory {
         [xi, eta, chi]: [f64; 3],
     ) -> PyResult<Bound<'py, PyAny>> {
         let creepage = Creepage::new(xi, eta, chi).map_err(|error| errors::invalid(py, error))?;
-        match &self.model {
-            Model::Exact(theory) => {
+        match &*self.model {
+            PreparedTheory::Exact(theory) => {
                 let found = py.detach(|| theory.solve_with(creepage, &mut theory.workspace()));
                 results::exact_force(py, results::exact_row(found))
             }
-            Model::Automatic(theory) => {
+            PreparedTheory::Automatic(theory) => {
                 let found = py.detach(|| theory.solve_to_accuracy(creepage));
                 results::exact_force(py, results::exact_row(found))
             }
@@ -89,15 +103,15 @@ impl Theory {
         inputs: &Inputs<'py, 3>,
     ) -> PyResult<Bound<'py, PyAny>> {
         let creepage = |[xi, eta, chi]: [f64; 3]| Creepage::new(xi, eta, chi);
-        match &self.model {
-            Model::Exact(theory) => {
+        match &*self.model {
+            PreparedTheory::Exact(theory) => {
                 let prepare = || theory.workspace();
                 let answers = solve_all(py, inputs, self.cost, prepare, |workspace, at| {
                     Ok(results::exact_row(theory.solve_with(creepage(at)?, workspace)))
                 })?;
                 results::exact_forces(py, answers)
             }
-            Model::Automatic(theory) => {
+            PreparedTheory::Automatic(theory) => {
                 let answers = solve_all(
                     py,
                     inputs,
@@ -107,7 +121,7 @@ impl Theory {
                 )?;
                 results::exact_forces(py, answers)
             }
-            Model::Linear(theory) => self.solve_by(py, inputs, theory),
+            PreparedTheory::Linear(theory) => self.solve_by(py, inputs, theory),
             model => self.solve_by(py, inputs, model.theory()),
         }
     }

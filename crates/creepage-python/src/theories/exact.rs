@@ -1,16 +1,16 @@
 //! The full theory.
 
-use creepage::InvalidValue;
-use creepage::rolling::exact::{self, Known, Resolution};
+use creepage::rolling::exact::{self, Known};
 use creepage::rolling::{Creepage, FieldPoint};
+use creepage_case::{Resolution, Solve};
+use creepage_theories::PreparedTheory;
 use numpy::IntoPyArray;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyString;
 
-use crate::model::Model;
 use crate::options::{arguments, pair, word};
-use crate::theory::{DifferentiableTheory, Theory};
+use crate::theory::{DifferentiableTheory, Theory, prepare};
 use crate::{errors, results};
 
 /// The full theory: Coulomb's law at every element, no shape of the traction assumed. Its forces
@@ -39,18 +39,15 @@ fn cost([along, across]: [usize; 2]) -> f64 {
     2.5e-8 * ((along * across) as f64).powi(2)
 }
 
-fn resolution(value: Option<&Bound<PyAny>>) -> PyResult<Result<Resolution, InvalidValue>> {
-    if value.is_none_or(PyAnyMethods::is_instance_of::<PyString>) {
-        let named = word::<creepage_case::Resolution>("resolution", value)?;
-        let Some(named) = named else { return Ok(Ok(Resolution::STANDARD)) };
-        return match named.fixed() {
-            Ok(Some(fixed)) => Ok(Ok(fixed)),
-            Ok(None) => Err(PyValueError::new_err("resolution: `auto` is the theory `automatic`")),
-            Err(invalid) => Ok(Err(invalid)),
-        };
+fn resolution(value: Option<&Bound<PyAny>>) -> PyResult<Option<Resolution>> {
+    if value.is_some_and(|value| !value.is_instance_of::<PyString>()) {
+        return Ok(pair("resolution", value)?.map(Resolution::Elements));
     }
-    let [along, across] = pair("resolution", value)?.unwrap_or([0; 2]);
-    Ok(Resolution::new(along, across))
+    let named = word("resolution", value)?;
+    if named == Some(Resolution::Auto) {
+        return Err(PyValueError::new_err("resolution: `auto` is the theory `automatic`"));
+    }
+    Ok(named)
 }
 
 #[pymethods]
@@ -66,10 +63,12 @@ impl Exact {
         let given = arguments(py, a_over_b, poisson, &[("resolution", resolution.as_ref())])?;
         let resolution = self::resolution(resolution.as_ref())?;
         let made =
-            py.detach(|| resolution.and_then(|fine| exact::Exact::new(a_over_b, poisson, fine)));
-        let cost = made.as_ref().map_or(1.0, |theory| cost(theory.elements()));
-        let model = made.map(|theory| Model::Exact(Box::new(theory)));
-        let theory = Theory::new(py, "exact", a_over_b, given, cost, model)?;
+            prepare(py, "exact", a_over_b, poisson, &Solve { resolution, ..Solve::default() })?;
+        let cost = match &made {
+            Ok(PreparedTheory::Exact(theory)) => cost(theory.elements()),
+            _ => 1.0,
+        };
+        let theory = Theory::new(py, "exact", a_over_b, given, cost, made)?;
         Ok(theory.add_subclass(DifferentiableTheory).add_subclass(Self))
     }
 
@@ -150,16 +149,17 @@ impl Automatic {
     ) -> PyResult<PyClassInitializer<Self>> {
         let given = arguments(py, a_over_b, poisson, &[])?;
         given.set_item("accuracy", accuracy)?;
-        let model = exact::Automatic::new(a_over_b, poisson, accuracy)
-            .map(|theory| Model::Automatic(Box::new(theory)));
-        let theory = Theory::new(py, "automatic", a_over_b, given, cost([22, 18]), model)?;
+        let (resolution, accuracy) = (Some(Resolution::Auto), Some(accuracy));
+        let solve = Solve { resolution, accuracy, ..Solve::default() };
+        let made = prepare(py, "exact", a_over_b, poisson, &solve)?;
+        let theory = Theory::new(py, "automatic", a_over_b, given, cost([22, 18]), made)?;
         Ok(theory.add_subclass(Self))
     }
 }
 
 fn exact_of<'a>(slf: &'a PyRef<'_, Exact>) -> PyResult<&'a exact::Exact> {
-    match &slf.as_super().as_super().model {
-        Model::Exact(theory) => Ok(theory),
+    match &*slf.as_super().as_super().model {
+        PreparedTheory::Exact(theory) => Ok(theory),
         _ => Err(errors::internal("theory")),
     }
 }

@@ -1,11 +1,10 @@
 //! The two limits: no slip, and slip everywhere.
 
-use creepage::rolling::{linear, saturated};
+use creepage_case::Solve;
 use pyo3::prelude::*;
 
-use crate::model::Model;
 use crate::options::arguments;
-use crate::theory::{DifferentiableTheory, Theory};
+use crate::theory::{DifferentiableTheory, Theory, prepare};
 
 /// The linear theory (Kalker 1967, 4.3): no slip anywhere; creepage and spin near zero. Forces
 /// grow beyond mu N.
@@ -33,8 +32,8 @@ impl Linear {
     #[new]
     fn new(py: Python, a_over_b: f64, poisson: f64) -> PyResult<PyClassInitializer<Self>> {
         let given = arguments(py, a_over_b, poisson, &[])?;
-        let model = py.detach(|| linear::Linear::new(a_over_b, poisson)).map(Model::Linear);
-        let theory = Theory::new(py, "linear", a_over_b, given, 1.2e-8, model)?;
+        let made = prepare(py, "linear", a_over_b, poisson, &Solve::default())?;
+        let theory = Theory::new(py, "linear", a_over_b, given, 1.2e-8, made)?;
         Ok(theory.add_subclass(DifferentiableTheory).add_subclass(Self))
     }
 }
@@ -45,9 +44,8 @@ impl Saturated {
     #[pyo3(signature = (a_over_b, poisson=0.0))]
     fn new(py: Python, a_over_b: f64, poisson: f64) -> PyResult<PyClassInitializer<Self>> {
         let given = arguments(py, a_over_b, poisson, &[])?;
-        let made = saturated::Saturated::new(a_over_b);
-        let model = made.map(|theory| Model::Saturated(Box::new(theory)));
-        let theory = Theory::new(py, "saturated", a_over_b, given, 9e-7, model)?;
+        let made = prepare(py, "saturated", a_over_b, poisson, &Solve::default())?;
+        let theory = Theory::new(py, "saturated", a_over_b, given, 9e-7, made)?;
         Ok(theory.add_subclass(DifferentiableTheory).add_subclass(Self))
     }
 }

@@ -1,11 +1,12 @@
 //! The theories that saturate a force in closed form.
 
-use creepage::rolling::{polach, shen_hedrick_elkins, vermeulen_johnson};
+use creepage::rolling::polach;
+use creepage_case::Solve;
+use creepage_theories::PreparedTheory;
 use pyo3::prelude::*;
 
-use crate::model::Model;
 use crate::options::arguments;
-use crate::theory::{DifferentiableTheory, Theory};
+use crate::theory::{DifferentiableTheory, Theory, prepare};
 
 /// Polach (1999): traction that grows steadily from the leading edge; little spin.
 ///
@@ -50,10 +51,12 @@ impl Polach {
     ) -> PyResult<PyClassInitializer<Self>> {
         let given = arguments(py, a_over_b, poisson, &[])?;
         given.set_item("reduction", reduction)?;
-        let model = py.detach(|| {
+        // An option that case files do not have.
+        let made = py.detach(|| {
             polach::Polach::new(a_over_b, poisson)?.with_reduction(reduction.0, reduction.1)
         });
-        let theory = Theory::new(py, "polach", a_over_b, given, 4e-8, model.map(Model::Polach))?;
+        let made = made.map(PreparedTheory::Polach).map_err(Into::into);
+        let theory = Theory::new(py, "polach", a_over_b, given, 4e-8, made)?;
         Ok(theory.add_subclass(DifferentiableTheory).add_subclass(Self))
     }
 }
@@ -63,9 +66,8 @@ impl ShenHedrickElkins {
     #[new]
     fn new(py: Python, a_over_b: f64, poisson: f64) -> PyResult<PyClassInitializer<Self>> {
         let given = arguments(py, a_over_b, poisson, &[])?;
-        let make = || shen_hedrick_elkins::ShenHedrickElkins::new(a_over_b, poisson);
-        let model = py.detach(make).map(Model::ShenHedrickElkins);
-        let theory = Theory::new(py, "shen-hedrick-elkins", a_over_b, given, 3e-8, model)?;
+        let made = prepare(py, "shen-hedrick-elkins", a_over_b, poisson, &Solve::default())?;
+        let theory = Theory::new(py, "shen-hedrick-elkins", a_over_b, given, 3e-8, made)?;
         Ok(theory.add_subclass(DifferentiableTheory).add_subclass(Self))
     }
 }
@@ -75,9 +77,8 @@ impl VermeulenJohnson {
     #[new]
     fn new(py: Python, a_over_b: f64, poisson: f64) -> PyResult<PyClassInitializer<Self>> {
         let given = arguments(py, a_over_b, poisson, &[])?;
-        let made = vermeulen_johnson::VermeulenJohnson::new(a_over_b, poisson);
-        let model = made.map(Model::VermeulenJohnson);
-        let theory = Theory::new(py, "vermeulen-johnson", a_over_b, given, 1e-8, model)?;
+        let made = prepare(py, "vermeulen-johnson", a_over_b, poisson, &Solve::default())?;
+        let theory = Theory::new(py, "vermeulen-johnson", a_over_b, given, 1e-8, made)?;
         Ok(theory.add_subclass(DifferentiableTheory).add_subclass(Self))
     }
 }

@@ -1,13 +1,11 @@
 //! The theories on a bed of springs.
 
-use creepage::rolling::fastrip;
-use creepage::rolling::fastsim::{self, Settings};
-use creepage::rolling::linear::CreepageCoefficients;
+use creepage::rolling::fastsim::Settings;
+use creepage_case::Solve;
 use pyo3::prelude::*;
 
-use crate::model::Model;
 use crate::options::{arguments, pair, word};
-use crate::theory::{DifferentiableTheory, Theory};
+use crate::theory::{DifferentiableTheory, Theory, prepare};
 
 /// FASTSIM (Kalker 1982) with the flexibilities of Vollebregt and Voltr (2023): a bed of springs.
 ///
@@ -33,8 +31,9 @@ pub struct Fastsim;
 pub struct Fastrip;
 
 /// Seconds of a case, roughly, at so many seconds a cell.
-fn cost(grid: [usize; 2], cell: f64) -> f64 {
-    cell * grid[0] as f64 * grid[1] as f64
+fn cost(solve: &Solve, cell: f64) -> f64 {
+    let [along, across] = solve.grid.unwrap_or(Settings::default().grid);
+    cell * along as f64 * across as f64
 }
 
 #[pymethods]
@@ -52,21 +51,14 @@ impl Fastsim {
         let [grid, flexibility, bound] = [&grid, &flexibility, &bound].map(Option::as_ref);
         let options = [("grid", grid), ("flexibility", flexibility), ("bound", bound)];
         let given = arguments(py, a_over_b, poisson, &options)?;
-        let usual = Settings::default();
-        let flexibility = word::<creepage_case::Flexibility>("flexibility", flexibility)?;
-        let bound = word::<creepage_case::Bound>("bound", bound)?;
-        let settings = Settings {
-            flexibility: flexibility.map_or(usual.flexibility, Into::into),
-            bound: bound.map_or(usual.bound, Into::into),
-            grid: pair("grid", grid)?.unwrap_or(usual.grid),
+        let solve = Solve {
+            grid: pair("grid", grid)?,
+            flexibility: word("flexibility", flexibility)?,
+            bound: word("bound", bound)?,
+            ..Solve::default()
         };
-        let model = py.detach(|| {
-            let coefficients = CreepageCoefficients::new(a_over_b, poisson)?;
-            fastsim::Fastsim::new(a_over_b, poisson, &coefficients, settings)
-        });
-        let model = model.map(|theory| Model::Fastsim(Box::new(theory)));
-        let cost = cost(settings.grid, 2.2e-9);
-        let theory = Theory::new(py, "fastsim", a_over_b, given, cost, model)?;
+        let made = prepare(py, "fastsim", a_over_b, poisson, &solve)?;
+        let theory = Theory::new(py, "fastsim", a_over_b, given, cost(&solve, 2.2e-9), made)?;
         Ok(theory.add_subclass(DifferentiableTheory).add_subclass(Self))
     }
 }
@@ -84,15 +76,10 @@ impl Fastrip {
     ) -> PyResult<PyClassInitializer<Self>> {
         let options = [("grid", grid.as_ref()), ("variant", variant.as_ref())];
         let given = arguments(py, a_over_b, poisson, &options)?;
-        let variant = word::<creepage_case::Variant>("variant", variant.as_ref())?;
-        let variant = variant.map(Into::into).unwrap_or_default();
-        let grid = pair("grid", grid.as_ref())?.unwrap_or(Settings::default().grid);
-        let model = py.detach(|| {
-            let coefficients = CreepageCoefficients::new(a_over_b, poisson)?;
-            fastrip::Fastrip::new(a_over_b, poisson, &coefficients, variant, grid)
-        });
-        let model = model.map(|theory| Model::Fastrip(Box::new(theory)));
-        let theory = Theory::new(py, "fastrip", a_over_b, given, cost(grid, 7e-9), model)?;
+        let (grid, variant) = (pair("grid", grid.as_ref())?, word("variant", variant.as_ref())?);
+        let solve = Solve { grid, variant, ..Solve::default() };
+        let made = prepare(py, "fastrip", a_over_b, poisson, &solve)?;
+        let theory = Theory::new(py, "fastrip", a_over_b, given, cost(&solve, 7e-9), made)?;
         Ok(theory.add_subclass(DifferentiableTheory).add_subclass(Self))
     }
 }

@@ -1,11 +1,10 @@
 //! Strip theory.
 
-use creepage::rolling::strip::StripTheory;
+use creepage_case::Solve;
 use pyo3::prelude::*;
 
-use crate::model::Model;
 use crate::options::arguments;
-use crate::theory::{DifferentiableTheory, Theory};
+use crate::theory::{DifferentiableTheory, Theory, prepare};
 
 /// Strip theory (Haines, Ollerton 1963; Kalker 1967): plane strips side by side, for contacts
 /// slender in the rolling direction (a << b) and little spin.
@@ -22,9 +21,8 @@ impl Strip {
     #[new]
     fn new(py: Python, a_over_b: f64, poisson: f64) -> PyResult<PyClassInitializer<Self>> {
         let given = arguments(py, a_over_b, poisson, &[])?;
-        let model =
-            StripTheory::new(a_over_b, poisson).map(|theory| Model::Strip(Box::new(theory)));
-        let theory = Theory::new(py, "strip", a_over_b, given, 9e-7, model)?;
+        let made = prepare(py, "strip", a_over_b, poisson, &Solve::default())?;
+        let theory = Theory::new(py, "strip", a_over_b, given, 9e-7, made)?;
         Ok(theory.add_subclass(DifferentiableTheory).add_subclass(Self))
     }
 }

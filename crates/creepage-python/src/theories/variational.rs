@@ -1,10 +1,11 @@
 //! The numerical theory of chapter 5.
 
-use creepage::rolling::variational::{self, Settings};
+use creepage::rolling::variational::{self, Settings, TractionBound};
+use creepage_case::Solve;
+use creepage_theories::{PreparedTheory, variational_settings};
 use pyo3::prelude::*;
+use serde::Deserialize;
 
-use crate::errors;
-use crate::model::Model;
 use crate::options::{arguments, pair, word};
 use crate::theory::Theory;
 
@@ -13,17 +14,38 @@ use crate::theory::Theory;
 ///
 /// a_over_b: ratio a/b of the semi-axes. poisson: combined Poisson's ratio, 0 to 0.5. degree: of
 /// the polynomials, 0 to 12 (3). mesh: cells (along, across) of the box around the ellipse,
-/// (10, 10) up to degree 3. weight: "elliptic" (default), "uniform", "root-elliptic".
+/// (10, 10) up to degree 3. weight: "elliptic" (default), "uniform", "root-elliptic". bound:
+/// whether tractions are kept within it, "automatic" (default: where a/b >= 3), "unchecked" (as in
+/// the thesis: looked at afterwards), "kept" (the least loss of power, whatever the weight).
 ///
-/// Raises InvalidValue for numbers out of range, InvalidOption for degree, mesh and weight.
+/// Raises InvalidValue for numbers out of range, InvalidOption for degree, mesh, weight and bound.
 #[pyclass(frozen, extends = Theory, module = "creepage")]
 #[allow(missing_debug_implementations)] // Python has its own
 pub struct Variational;
 
+/// What is done about the traction bound.
+#[derive(Deserialize)]
+#[serde(rename_all = "lowercase")]
+enum Bounded {
+    Automatic,
+    Unchecked,
+    Kept,
+}
+
+impl From<Bounded> for TractionBound {
+    fn from(bounded: Bounded) -> Self {
+        match bounded {
+            Bounded::Automatic => Self::Automatic,
+            Bounded::Unchecked => Self::Unchecked,
+            Bounded::Kept => Self::Kept,
+        }
+    }
+}
+
 #[pymethods]
 impl Variational {
     #[new]
-    #[pyo3(signature = (a_over_b, poisson, *, degree=None, mesh=None, weight=None))]
+    #[pyo3(signature = (a_over_b, poisson, *, degree=None, mesh=None, weight=None, bound=None))]
     fn new<'py>(
         py: Python<'py>,
         a_over_b: f64,
@@ -31,22 +53,25 @@ impl Variational {
         degree: Option<Bound<'py, PyAny>>,
         mesh: Option<Bound<'py, PyAny>>,
         weight: Option<Bound<'py, PyAny>>,
+        bound: Option<Bound<'py, PyAny>>,
     ) -> PyResult<PyClassInitializer<Self>> {
-        let [degree, mesh, weight] = [&degree, &mesh, &weight].map(Option::as_ref);
-        let options = [("degree", degree), ("mesh", mesh), ("weight", weight)];
+        let [degree, mesh, weight, bound] = [&degree, &mesh, &weight, &bound].map(Option::as_ref);
+        let options = [("degree", degree), ("mesh", mesh), ("weight", weight), ("bound", bound)];
         let given = arguments(py, a_over_b, poisson, &options)?;
-        let degree: Option<usize> = degree.map(PyAnyMethods::extract).transpose()?;
-        let usual = degree.map_or(Settings::default(), Settings::of_degree);
-        let weight = word::<creepage_case::Weight>("weight", weight)?;
-        let settings = Settings {
-            mesh: pair("mesh", mesh)?.unwrap_or(usual.mesh),
-            weight: weight.map_or(usual.weight, Into::into),
-            ..usual
+        let solve = Solve {
+            degree: degree.map(PyAnyMethods::extract).transpose()?,
+            mesh: pair("mesh", mesh)?,
+            weight: word("weight", weight)?,
+            ..Solve::default()
         };
-        let model = variational::Variational::new(a_over_b, poisson, settings)
-            .map_err(|error| errors::variational(py, error))?;
-        let model = Ok(Model::Variational(Box::new(model)));
-        let theory = Theory::new(py, "variational", a_over_b, given, cost(settings), model)?;
+        // An option that case files do not have.
+        let bound = word::<Bounded>("bound", bound)?.map(Into::into).unwrap_or_default();
+        let settings = Settings { bound, ..variational_settings(&solve) };
+        let made = py.detach(|| variational::Variational::new(a_over_b, poisson, settings));
+        let made = made.map(|theory| PreparedTheory::Variational(Box::new(theory)));
+        let cost = cost(settings);
+        let theory =
+            Theory::new(py, "variational", a_over_b, given, cost, made.map_err(Into::into))?;
         Ok(theory.add_subclass(Self))
     }
 }
