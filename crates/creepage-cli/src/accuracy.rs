@@ -1,6 +1,7 @@
 //! `creepage accuracy`: every theory against the full one.
 
 use creepage_case::{Bound, Flexibility, Resolution, Solve, Variant};
+use creepage_theories::{ENTRIES, Entry, find};
 use creepage_validation::{Accuracy, ReferenceCase, Spread, grid, measure, steady_rolling};
 use rayon::prelude::*;
 use serde::Serialize;
@@ -9,7 +10,6 @@ use crate::args::AccuracyArgs;
 use crate::cases::to_json;
 use crate::failure::Failure;
 use crate::output::print;
-use crate::theories::{self, ENTRIES, Entry};
 
 /// A theory with options of its own.
 struct Contestant {
@@ -32,7 +32,7 @@ pub(crate) fn run(args: &AccuracyArgs) -> Result<(), Failure> {
     let theories: Vec<&Entry> = if args.theory.is_empty() {
         ENTRIES.iter().collect()
     } else {
-        args.theory.iter().map(|name| theories::find(name)).collect::<Result<_, _>>()?
+        args.theory.iter().map(|name| find(name)).collect::<Result<_, _>>()?
     };
     let cases = if args.grid { exact_grid()? } else { steady_rolling()? };
     let contestants: Vec<_> = theories.into_iter().flat_map(contestants).collect();
@@ -45,7 +45,7 @@ pub(crate) fn run(args: &AccuracyArgs) -> Result<(), Failure> {
 
 /// The grid of cases as the full theory has them.
 fn exact_grid() -> Result<Vec<ReferenceCase>, Failure> {
-    let full = theories::find("exact")?;
+    let full = find("exact")?;
     let fine = Solve { resolution: Some(Resolution::Fine), ..Solve::default() };
     let theory = full.name;
     grid(|a_over_b, poisson| full.boxed(a_over_b, poisson, &fine))

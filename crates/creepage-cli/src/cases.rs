@@ -2,21 +2,23 @@
 
 use std::fs;
 use std::path::Path;
+use std::sync::Arc;
 
-use creepage::InvalidValue;
 use creepage::rolling::Status;
 use creepage::rolling::exact::Known;
+use creepage::{Hertz, InvalidValue};
 use creepage_case::{Case, CaseError, CaseFile, InverseCase, Solve};
 use creepage_report::{Answer, Extras, Report, ReportError, hertz_json, hertz_text};
+use creepage_theories::{
+    Answered, Entry, Examination, PreparedTheory, find_creepage, wanted_accuracy,
+};
 use serde::Serialize;
 
 use crate::Outcome;
 use crate::args::{HertzArgs, SolveArgs};
 use crate::caution::caution;
 use crate::failure::Failure;
-use crate::inverse;
 use crate::output::{print, say};
-use crate::theories::{self, Answered, Entry, Examination, TheoryError};
 
 /// A case solved, whichever way it was asked.
 struct SolvedCase {
@@ -49,16 +51,28 @@ pub(crate) fn solve(args: &SolveArgs) -> Result<Outcome, Failure> {
 
 fn solve_direct(case: Case, args: &SolveArgs) -> Result<SolvedCase, Failure> {
     let theory = choose(args.theory.as_slice(), &case.solve, &args.case)?[0];
-    let found = examine(&case, theory)
-        .map_err(|source| Failure::Options { path: args.case.clone(), source })?;
+    let prepared = prepare(theory, &case.contact, &case.solve, args)?;
+    let found = Examination::new(prepared, case.contact.ellipse(), case.creepage);
     Ok(SolvedCase { case, theory, found, known: None })
 }
 
 fn solve_inverse(case: InverseCase, args: &SolveArgs) -> Result<SolvedCase, Failure> {
     let theory = choose(args.theory.as_slice(), &case.solve, &args.case)?[0];
-    let known = Some(case.known);
-    let (case, found) = inverse::find(case, theory, &args.case)?;
+    let prepared = prepare(theory, &case.contact, &case.solve, args)?;
+    let found = find_creepage(&case, theory.name, prepared)
+        .map_err(|source| Failure::Find { path: args.case.clone(), source })?;
+    let (known, case) = (Some(case.known), case.found(found.creepage()));
     Ok(SolvedCase { case, theory, found, known })
+}
+
+fn prepare(
+    theory: &Entry,
+    contact: &Hertz,
+    solve: &Solve,
+    args: &SolveArgs,
+) -> Result<Arc<PreparedTheory>, Failure> {
+    let failed = |source| Failure::Options { path: args.case.clone(), source };
+    theory.for_contact(contact, solve).map(Arc::new).map_err(failed)
 }
 
 /// `creepage hertz`.
@@ -79,7 +93,7 @@ pub(crate) fn choose(
     solve: &Solve,
     path: &Path,
 ) -> Result<Vec<&'static Entry>, Failure> {
-    let choice = theories::choose(names, solve)
+    let choice = creepage_theories::choose(names, solve)
         .map_err(|source| Failure::Choice { path: path.into(), source })?;
     if let Some(note) = choice.note() {
         say(&note);
@@ -93,18 +107,12 @@ pub(crate) fn read(path: &Path) -> Result<CaseFile, Failure> {
     CaseFile::read(&text).map_err(|source| Failure::Case { path: path.into(), source })
 }
 
-fn examine(case: &Case, theory: &Entry) -> Result<Examination, TheoryError> {
-    let ellipse = case.contact.ellipse();
-    let prepared = (theory.prepare)(ellipse.ratio(), case.contact.pair().poisson(), &case.solve)?;
-    Ok(prepared.examine(ellipse, case.creepage)?)
-}
-
 fn report(solved: &SolvedCase) -> Result<Report<'_>, InvalidValue> {
     let SolvedCase { case, theory, found, known } = solved;
     let answer = Answer {
         creepage: case.creepage,
         theory_name: theory.name,
-        theory: &*found.theory,
+        theory: found,
         solution: found.answered.solution,
         points: found.points.clone(),
         details: found.details.clone(),
@@ -119,7 +127,7 @@ fn judge(answered: &Answered, solve: &Solve) -> Outcome {
     if let Some(words) = caution(status) {
         say(&format!("caution: {words}"));
     }
-    if let (Some(accuracy), Some(error)) = (theories::wanted_accuracy(solve), answered.error)
+    if let (Some(accuracy), Some(error)) = (wanted_accuracy(solve), answered.error)
         && error.fx.max(error.fy) > accuracy
     {
         say("caution: at the finest resolution the error bars are above the wanted accuracy");

@@ -18,9 +18,9 @@ pub(crate) fn run(args: &CurveArgs) -> Result<(), Failure> {
     let (vary, [from, to]) = range(args, &case)?;
     let values = spaced(from, to, args.points);
     let mut curves = Curves::new(&case.contact, case.friction, case.creepage, vary, values)?;
-    let (ratio, poisson) = (case.contact.ellipse().ratio(), case.contact.pair().poisson());
     for theory in theories {
-        let prepared = (theory.prepare)(ratio, poisson, &case.solve)
+        let prepared = theory
+            .for_contact(&case.contact, &case.solve)
             .map_err(|source| Failure::Options { path: args.case.clone(), source })?;
         curves.add(theory.name, &prepared);
     }

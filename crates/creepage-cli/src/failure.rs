@@ -8,11 +8,10 @@ use creepage_case::{CaseError, StaticsError};
 use creepage_gallery::GalleryError;
 use creepage_report::ReportError;
 use creepage_table::{BuildError, FileError};
+use creepage_theories::{ChoiceError, FindError, TheoryError, UnknownTheory};
 use creepage_validation::ReferenceError;
 
 use crate::batch::{ColumnError, OptionError};
-use crate::inverse::Unreachable;
-use crate::theories::{ChoiceError, FindError, TheoryError, UnknownTheory};
 
 /// Why the command could not do its work.
 #[derive(Debug, thiserror::Error)]
@@ -33,8 +32,6 @@ pub(crate) enum Failure {
     Options { path: PathBuf, source: TheoryError },
     #[error("{}: {source}", path.display())]
     Find { path: PathBuf, source: FindError },
-    #[error("{}: {source}", path.display())]
-    Unreachable { path: PathBuf, source: Unreachable },
     #[error("--option: {0}")]
     Option(OptionError),
     #[error("{theory}: {source}")]

@@ -9,7 +9,6 @@ mod coefficients;
 mod curve;
 mod failure;
 mod init;
-mod inverse;
 mod output;
 mod partial_file;
 mod reproduce;

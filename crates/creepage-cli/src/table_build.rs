@@ -5,12 +5,12 @@ use std::time::Duration;
 
 use creepage_case::{Resolution, Solve};
 use creepage_table::{Axis, Intervals, Provenance, Spec, build};
+use creepage_theories::{Entry, find};
 use indicatif::{ProgressBar, ProgressStyle};
 
 use crate::failure::Failure;
 use crate::output::say;
 use crate::partial_file::PartialFile;
-use crate::theories::{Entry, find};
 
 #[derive(Debug, clap::Args)]
 pub(crate) struct BuildArgs {

@@ -78,13 +78,15 @@ mod vtk;
 mod write;
 
 pub use areas::Areas;
+pub use creepage_theories::Detail;
+
 pub use contact_json::{HertzJson, SolidJson, hertz_json};
 pub use curves::{Component, Curves};
 pub use error::ReportError;
 pub use json::{AreasJson, CreepageJson, DetailJson, DimensionlessJson, ForceJson, ReportJson};
 pub use page::{Page, PageStyle};
 pub use raster::{png, tree as picture};
-pub use report::{Answer, Detail, Extras, Report};
+pub use report::{Answer, Extras, Report};
 pub use series::{SeriesHead, SeriesRow, series_csv, series_json, series_netcdf};
 pub use statics::StaticsReport;
 pub use text::hertz_text;

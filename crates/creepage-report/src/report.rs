@@ -5,6 +5,7 @@ use std::fmt;
 use creepage::rolling::exact::Known;
 use creepage::rolling::{Creepage, FieldPoint, Scaling, Solution, Theory};
 use creepage::{Hertz, InvalidValue};
+use creepage_theories::Detail;
 
 use crate::areas::Areas;
 
@@ -35,17 +36,6 @@ impl fmt::Debug for Answer<'_> {
             .field("details", &self.details)
             .finish_non_exhaustive()
     }
-}
-
-/// A number that only one theory gives, such as the value of its functional.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Detail {
-    /// Its key in `report.json`.
-    pub key: &'static str,
-    /// Its name in the text.
-    pub label: &'static str,
-    /// The number.
-    pub value: f64,
 }
 
 /// What may be known of a case beyond the answer of its theory.

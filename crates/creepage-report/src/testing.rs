@@ -2,11 +2,12 @@
 
 use creepage::rolling::{Creepage, FieldPoint, Force, Region, Solution, Status, Theory};
 use creepage::{Ellipse, Hertz, Solid, SolidPair};
+use creepage_theories::Detail;
 use resvg::usvg::{Group, Node, Rect};
 
 use crate::contact_picture::Layout;
 use crate::raster;
-use crate::report::{Answer, Detail, Report};
+use crate::report::{Answer, Report};
 
 /// Creepage along, across, and a spin whose pole lies inside every contact of [`contact`].
 pub(crate) const CURVE: Creepage = Creepage { xi: 0.1, eta: -0.1, chi: 1.5 };

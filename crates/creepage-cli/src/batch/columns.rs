@@ -2,9 +2,8 @@
 
 use creepage::InvalidValue;
 use creepage::rolling::Creepage;
+use creepage_theories::TheoryError;
 use csv::ByteRecord;
-
-use crate::theories::TheoryError;
 
 const QUESTION_COLUMNS: [&str; 5] = ["a_over_b", "poisson", "xi", "eta", "chi"];
 

@@ -12,6 +12,7 @@ mod tally;
 use std::io::{self, ErrorKind};
 
 pub(crate) use columns::ColumnError;
+use creepage_theories::find;
 pub(crate) use options::OptionError;
 use rows::{Rows, answer_columns};
 use sink::Sink;
@@ -23,13 +24,12 @@ use crate::Outcome;
 use crate::args::BatchArgs;
 use crate::failure::Failure;
 use crate::output::say;
-use crate::theories;
 
 /// Rows in memory at a time: enough to keep all cores busy.
 const CHUNK: usize = 4096;
 
 pub(crate) fn run(args: &BatchArgs) -> Result<Outcome, Failure> {
-    let theory = theories::find(&args.theory)?;
+    let theory = find(&args.theory)?;
     let options = options::read(theory, &args.options).map_err(Failure::Option)?;
     let table = Table::open(args.input.as_deref(), answer_columns(theory.error_bars))?;
     let failed = |source: io::Error| Failure::writing(args.out.as_deref(), source);

@@ -1,8 +1,7 @@
 //! The theory's options on the command line of `batch`.
 
 use creepage_case::{CaseError, Solve};
-
-use crate::theories::{ChoiceError, Entry, TheoryError, choose};
+use creepage_theories::{ChoiceError, Entry, TheoryError, choose};
 
 /// Why the options are not those of the theory.
 #[derive(Debug, thiserror::Error)]
@@ -27,7 +26,7 @@ pub(super) fn read(theory: &Entry, options: &[String]) -> Result<Solve, OptionEr
     choose(&[], &solve)?;
     if !options.is_empty() {
         // No row could be answered if the theory took them not even for a circle.
-        (theory.prepare)(1.0, 0.25, &solve)?;
+        theory.prepare(1.0, 0.25, &solve)?;
     }
     Ok(solve)
 }

@@ -4,10 +4,10 @@ use std::collections::VecDeque;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use creepage_case::Solve;
+use creepage_theories::{Answered, Entry, PreparedTheory, TheoryError};
 use rayon::prelude::*;
 
 use super::columns::{Question, RowError};
-use crate::theories::{Answered, Entry, PreparedTheory, TheoryError};
 
 /// What a theory is prepared for: the bits of `a/b` and of Poisson's ratio.
 type Key = [u64; 2];
@@ -71,8 +71,8 @@ impl Solver {
         if let Some(theory) = self.recall(key) {
             return Ok(theory);
         }
-        let prepare = self.theory.prepare;
-        let theory = Arc::new(prepare(question.a_over_b, question.poisson, &self.options)?);
+        let Question { a_over_b, poisson, .. } = *question;
+        let theory = Arc::new(self.theory.prepare(a_over_b, poisson, &self.options)?);
         self.keep(key, &theory);
         Ok(theory)
     }
@@ -103,8 +103,8 @@ fn key(question: &Question) -> Key {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::theories;
     use creepage::rolling::Creepage;
+    use creepage_theories::find;
 
     fn question(a_over_b: f64, xi: f64) -> Question {
         Question { a_over_b, poisson: 0.28, creepage: Creepage { xi, eta: 0.0, chi: 0.5 } }
@@ -112,7 +112,7 @@ mod tests {
 
     #[test]
     fn prepared_theories_do_not_pile_up() {
-        let solver = Solver::new(theories::find("variational").unwrap(), Solve::default());
+        let solver = Solver::new(find("variational").unwrap(), Solve::default());
         let many = (0..3 * Solver::KEPT).map(|i| Ok(question(1.0 + i as f64, 1.0))).collect();
         assert_eq!(solver.solve(many).len(), 3 * Solver::KEPT);
         assert_eq!(solver.prepared.lock().unwrap().len(), Solver::KEPT);
@@ -120,7 +120,7 @@ mod tests {
 
     #[test]
     fn answers_come_in_the_order_of_the_questions() {
-        let solver = Solver::new(theories::find("variational").unwrap(), Solve::default());
+        let solver = Solver::new(find("variational").unwrap(), Solve::default());
         let questions: Vec<_> =
             (0..40).map(|i| question([2.0, 0.5, 1.0][i % 3], 0.5 + 0.1 * i as f64)).collect();
         let together = solver.solve(questions.iter().copied().map(Ok).collect());

@@ -58,8 +58,8 @@ impl fmt::Display for Tally {
 mod tests {
     use super::*;
     use crate::batch::columns::RowError;
-    use crate::theories::Answered;
     use creepage::rolling::{Force, Solution};
+    use creepage_theories::Answered;
 
     fn tally(answers: &[Answer]) -> Tally {
         let mut tally = Tally::default();

@@ -1,52 +1,84 @@
 //! Which theories are meant, and whether the options of the case file are theirs.
 
+use std::error::Error;
+use std::fmt;
+
 use creepage_case::Solve;
 
-use super::{ENTRIES, Entry};
+use crate::registry::{ENTRIES, Entry};
 
 /// The theory of a case that names none.
 const DEFAULT: &str = "exact";
 
 /// The theories to use, and what of the case file does not concern them.
-pub(crate) struct Choice {
-    pub(crate) theories: Vec<&'static Entry>,
+#[derive(Debug)]
+pub struct Choice {
+    /// At least one.
+    pub theories: Vec<&'static Entry>,
     /// Options that only the theory of the case file has.
-    pub(crate) ignored: Vec<&'static str>,
+    pub ignored: Vec<&'static str>,
 }
 
 /// Why no theory can be chosen.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-pub(crate) enum ChoiceError {
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum ChoiceError {
+    /// There is no theory of that name.
     #[error(transparent)]
     Unknown(#[from] UnknownTheory),
-    #[error("`{option}` is an option of {owners}, not of {theories}")]
-    Foreign { option: &'static str, owners: String, theories: String },
+    /// An option that none of the chosen theories has.
+    #[error("`{option}` is an option of {}, not of {}", owners.join(" and "), theories.join(" and "))]
+    Foreign {
+        /// The option.
+        option: &'static str,
+        /// The theories that have it.
+        owners: Vec<&'static str>,
+        /// Those that were chosen.
+        theories: Vec<&'static str>,
+    },
 }
 
 /// A name that no theory has.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-#[error("unknown theory `{name}`: {hint}")]
-pub(crate) struct UnknownTheory {
-    name: String,
-    hint: String,
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct UnknownTheory {
+    /// The name.
+    pub name: String,
+    /// The theory that may be meant.
+    pub nearest: Option<&'static str>,
+}
+
+impl Error for UnknownTheory {}
+
+impl fmt::Display for UnknownTheory {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "unknown theory `{}`: ", self.name)?;
+        match self.nearest {
+            Some(nearest) => write!(f, "did you mean `{nearest}`?"),
+            None => write!(f, "known are {}", names(ENTRIES).join(", ")),
+        }
+    }
 }
 
 /// The theory of that name.
-pub(crate) fn find(name: &str) -> Result<&'static Entry, UnknownTheory> {
+///
+/// # Errors
+/// [`UnknownTheory`], with the nearest name if one is near.
+pub fn find(name: &str) -> Result<&'static Entry, UnknownTheory> {
     ENTRIES.iter().find(|entry| entry.name == name).ok_or_else(|| {
         let likeness = |entry: &&Entry| strsim::jaro_winkler(name, entry.name);
         let nearest = ENTRIES.iter().max_by(|one, two| likeness(one).total_cmp(&likeness(two)));
-        let hint = match nearest {
-            Some(entry) if likeness(&entry) > 0.8 => format!("did you mean `{}`?", entry.name),
-            _ => "`creepage theories` lists them".into(),
-        };
-        UnknownTheory { name: name.into(), hint }
+        let nearest = nearest.filter(|entry| likeness(entry) > 0.8).map(|entry| entry.name);
+        UnknownTheory { name: name.into(), nearest }
     })
 }
 
-/// The theories of the command line, or that of the case file where it names none. An option of
-/// the file must be one of theirs, or of the file's own theory that they replace.
-pub(crate) fn choose(names: &[String], solve: &Solve) -> Result<Choice, ChoiceError> {
+/// The theories of these names, or where there are none that of the case file, or the full one.
+///
+/// An option of the file must be one of theirs, or of the file's own theory that they replace.
+///
+/// # Errors
+/// [`ChoiceError`] for unknown names and for options of other theories.
+pub fn choose(names: &[String], solve: &Solve) -> Result<Choice, ChoiceError> {
     let of_file = find(solve.theory.as_deref().unwrap_or(DEFAULT));
     let theories = if names.is_empty() {
         vec![of_file.clone()?]
@@ -59,25 +91,27 @@ pub(crate) fn choose(names: &[String], solve: &Solve) -> Result<Choice, ChoiceEr
             continue;
         }
         if !of_file.as_ref().is_ok_and(|theory| theory.options.contains(&option)) {
-            let owners = listed(ENTRIES.iter().filter(|entry| entry.options.contains(&option)));
-            return Err(ChoiceError::Foreign { option, owners, theories: listed(theories) });
+            let owners =
+                self::names(ENTRIES.iter().filter(|entry| entry.options.contains(&option)));
+            return Err(ChoiceError::Foreign { option, owners, theories: self::names(theories) });
         }
         ignored.push(option);
     }
     Ok(Choice { theories, ignored })
 }
 
-/// Their names, as `fastsim and fastrip`.
-fn listed(theories: impl IntoIterator<Item = &'static Entry>) -> String {
-    theories.into_iter().map(|entry| entry.name).collect::<Vec<_>>().join(" and ")
+fn names(theories: impl IntoIterator<Item = &'static Entry>) -> Vec<&'static str> {
+    theories.into_iter().map(|entry| entry.name).collect()
 }
 
 impl Choice {
     /// A word to the user about options that have no effect.
-    pub(crate) fn note(&self) -> Option<String> {
+    #[must_use]
+    pub fn note(&self) -> Option<String> {
         let verb = if self.ignored.len() == 1 { "has" } else { "have" };
         (!self.ignored.is_empty()).then(|| {
-            let (options, theories) = (self.ignored.join(", "), listed(self.theories.clone()));
+            let theories = names(self.theories.iter().copied()).join(" and ");
+            let options = self.ignored.join(", ");
             format!("note: [solve] {options} {verb} no meaning for {theories}, and no effect")
         })
     }

@@ -1,9 +1,8 @@
-//! The theories and their options as a person reads them.
+//! `creepage theories`: the theories and their options as a person reads them.
 
 use creepage_case::json_schema;
+use creepage_theories::{ENTRIES, Entry};
 use serde_json::Value;
-
-use super::{ENTRIES, Entry};
 
 const NOTES: &str = "\
 COST is that of one force on one core, once the theory is prepared for its contact. ERROR is the
@@ -41,7 +40,7 @@ fn row(cells: [String; 6], [name, assumes]: [usize; 2]) -> String {
 }
 
 /// With a decimal where it matters.
-pub(super) fn percent(error: f64) -> String {
+fn percent(error: f64) -> String {
     if error < 100.0 { format!("{error:.1} %") } else { format!("{error:.0} %") }
 }
 

@@ -1,9 +1,85 @@
 //! Every theory, with what it assumes, costs, and errs by.
 
-use super::{Entry, prepare};
+use std::fmt;
+
+use creepage::Hertz;
+use creepage::rolling::Theory;
+use creepage_case::Solve;
+
+use crate::prepare::{self, TheoryError};
+use crate::prepared::PreparedTheory;
+
+/// One theory: its name, what a user should know of it, and how to prepare it.
+pub struct Entry {
+    /// As in case files: `vermeulen-johnson`.
+    pub name: &'static str,
+    /// Year of publication.
+    pub year: u16,
+    /// What sets it apart, in a few words.
+    pub assumes: &'static str,
+    /// One force on one core, by the library's benchmarks.
+    pub cost: &'static str,
+    /// Root mean square error of the force in per cent of `mu N`, by `creepage accuracy`.
+    pub error: f64,
+    /// Where to use it.
+    pub good_for: &'static str,
+    /// The options in `[solve]` that it knows.
+    pub options: &'static [&'static str],
+    /// Whether its forces come with error bars.
+    pub error_bars: bool,
+    prepare: fn(a_over_b: f64, poisson: f64, &Solve) -> Result<PreparedTheory, TheoryError>,
+}
+
+impl Entry {
+    /// The theory prepared for the ratio `a/b` of the semi-axes and the combined Poisson's ratio;
+    /// options of `solve` that are not among its own are passed over ([`choose`](crate::choose)
+    /// refuses them).
+    ///
+    /// # Errors
+    /// [`TheoryError`] for ratios and options out of the theory's range.
+    pub fn prepare(
+        &self,
+        a_over_b: f64,
+        poisson: f64,
+        solve: &Solve,
+    ) -> Result<PreparedTheory, TheoryError> {
+        (self.prepare)(a_over_b, poisson, solve)
+    }
+
+    /// As [`Entry::prepare`], for those who ask what any theory can be asked.
+    ///
+    /// # Errors
+    /// As [`Entry::prepare`].
+    pub fn boxed(
+        &self,
+        a_over_b: f64,
+        poisson: f64,
+        solve: &Solve,
+    ) -> Result<Box<dyn Theory>, TheoryError> {
+        Ok(Box::new(self.prepare(a_over_b, poisson, solve)?))
+    }
+
+    /// The theory prepared for a contact.
+    ///
+    /// # Errors
+    /// As [`Entry::prepare`].
+    pub fn for_contact(
+        &self,
+        contact: &Hertz,
+        solve: &Solve,
+    ) -> Result<PreparedTheory, TheoryError> {
+        self.prepare(contact.ellipse().ratio(), contact.pair().poisson(), solve)
+    }
+}
+
+impl fmt::Debug for Entry {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_tuple("Entry").field(&self.name).finish()
+    }
+}
 
 /// In the order of a reader's interest: the general ones first.
-pub(crate) const ENTRIES: &[Entry] = &[
+pub static ENTRIES: &[Entry] = &[
     Entry {
         name: "exact",
         year: 2026,
@@ -20,7 +96,7 @@ pub(crate) const ENTRIES: &[Entry] = &[
         year: 1967,
         assumes: "polynomial tractions",
         cost: "220 us",
-        error: 6.1,
+        error: 5.8,
         good_for: "any but the smallest creepage",
         options: &["degree", "mesh", "weight"],
         error_bars: false,
