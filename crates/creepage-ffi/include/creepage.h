@@ -234,7 +234,8 @@ int32_t creepage_theory_force(const struct CreepageTheory *theory,
    eta and by chi, then of f_y, then of m_z (1).
  statuses: room for count numbers, CREEPAGE_SOLVED and so on; or NULL.
 
- All creepages are checked before any case is solved. CREEPAGE_UNSUPPORTED for other theories.
+ All creepages are checked before any case is solved. CREEPAGE_UNSUPPORTED for other theories
+ and for resolution = "auto".
 
  You promise:
  The handle is alive; arrays and message point to as much room as said.

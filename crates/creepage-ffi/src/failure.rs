@@ -6,9 +6,9 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::PathBuf;
 
 use creepage::InvalidValue;
-use creepage::rolling::variational::VariationalError;
 use creepage_case::CaseError;
 use creepage_table::FileError;
+use creepage_theories::{ChoiceError, TheoryError};
 
 /// Done.
 pub const CREEPAGE_OK: i32 = 0;
@@ -37,15 +37,13 @@ pub(crate) enum Failure {
     #[error("case {index}: {source}")]
     Case { index: usize, source: InvalidValue },
     #[error(transparent)]
-    Variational(#[from] VariationalError),
+    Theory(#[from] TheoryError),
     #[error("{0} is not UTF-8")]
     Text(&'static str),
-    #[error("unknown theory `{0}`")]
-    Theory(String),
+    #[error(transparent)]
+    Choice(#[from] ChoiceError),
     #[error("options: {0}")]
     Options(#[from] toml::de::Error),
-    #[error("`{option}` is no option of the theory {theory}")]
-    Foreign { option: &'static str, theory: String },
     #[error("cannot read {}: {source}", path.display())]
     Read { path: PathBuf, source: io::Error },
     #[error("{}: {source}", path.display())]
@@ -55,20 +53,23 @@ pub(crate) enum Failure {
     #[error("the arrays of {0} cases do not fit into memory")]
     Count(usize),
     #[error("the theory {0} has no error bars")]
-    Unsupported(String),
+    Unsupported(&'static str),
+    #[error("resolution = \"auto\" gives no derivatives: error bars come with a fixed one")]
+    Automatic,
 }
 
 impl Failure {
     fn code(&self) -> i32 {
         match self {
             Self::Null(_) => CREEPAGE_NULL,
-            Self::Invalid(_) | Self::Case { .. } | Self::Variational(_) => CREEPAGE_INVALID,
-            Self::Text(_) | Self::Theory(_) | Self::Options(_) | Self::Foreign { .. } => {
-                CREEPAGE_TEXT
-            }
+            Self::Text(_)
+            | Self::Choice(_)
+            | Self::Options(_)
+            | Self::Theory(TheoryError::AccuracyOfFixed) => CREEPAGE_TEXT,
+            Self::Invalid(_) | Self::Case { .. } | Self::Theory(_) => CREEPAGE_INVALID,
             Self::Read { .. } | Self::CaseFile { .. } | Self::Table { .. } => CREEPAGE_FILE,
             Self::Count(_) => CREEPAGE_COUNT,
-            Self::Unsupported(_) => CREEPAGE_UNSUPPORTED,
+            Self::Unsupported(_) | Self::Automatic => CREEPAGE_UNSUPPORTED,
         }
     }
 }

@@ -3,7 +3,8 @@
 use std::ffi::c_char;
 use std::path::Path;
 
-use creepage::rolling::{Force, Scaling, Status};
+use creepage::rolling::{Force, Scaling, Status, Theory};
+use creepage_theories::PreparedTheory;
 
 use crate::failure::{Failure, guard};
 use crate::input::{array, array_mut, creepages, handle, optional, text};
@@ -124,7 +125,7 @@ pub unsafe extern "C" fn creepage_theory_force(
         // SAFETY: as before.
         let mut statuses = unsafe { optional(statuses, count, 1) }?;
         for (case, (creepage, force)) in asked.zip(forces.as_chunks_mut().0).enumerate() {
-            let solution = theory.solver.solve(creepage);
+            let solution = theory.solver.theory.solve(creepage);
             *force = numbers(solution.force);
             if let Some(statuses) = &mut statuses {
                 statuses[case] = number(solution.status);
@@ -146,7 +147,8 @@ pub unsafe extern "C" fn creepage_theory_force(
 ///   eta and by chi, then of f_y, then of m_z (1).
 /// statuses: room for count numbers, CREEPAGE_SOLVED and so on; or NULL.
 ///
-/// All creepages are checked before any case is solved. CREEPAGE_UNSUPPORTED for other theories.
+/// All creepages are checked before any case is solved. CREEPAGE_UNSUPPORTED for other theories
+/// and for resolution = "auto".
 ///
 /// # Safety
 /// The handle is alive; arrays and message point to as much room as said.
@@ -165,9 +167,11 @@ pub unsafe extern "C" fn creepage_exact_force(
 ) -> i32 {
     let work = || {
         // SAFETY: the caller's promise of the function's documentation, here and below.
-        let exact = match unsafe { handle("theory", theory) }?.solver {
-            Solver::Exact(ref exact) => exact,
-            Solver::Other { ref name, .. } => return Err(Failure::Unsupported(name.clone())),
+        let solver = &unsafe { handle("theory", theory) }?.solver;
+        let exact = match &solver.theory {
+            PreparedTheory::Exact(exact) => exact,
+            PreparedTheory::Automatic(_) => return Err(Failure::Automatic),
+            _ => return Err(Failure::Unsupported(solver.name)),
         };
         // SAFETY: as before.
         let asked = self::creepages(unsafe { array("creepages", creepages, count, 3) }?)?;
@@ -234,7 +238,7 @@ pub unsafe extern "C" fn creepage_case_solve(
         // SAFETY: as before.
         let status = unsafe { optional(status, 1, 1) }?;
         let (case, solver) = case(path, name)?;
-        let solution = solver.solve(case.creepage);
+        let solution = solver.theory.solve(case.creepage);
         let si = Scaling::new(&case.contact, case.friction)?.si_force(solution.force);
         force.copy_from_slice(&[si.longitudinal, si.lateral, si.moment]);
         if let Some(status) = status {
