@@ -20,9 +20,12 @@ const CALM: f64 = 0.1;
 const STEPS: usize = 30;
 /// Newton steps that are taken in full; later ones by half, for they swing between two states.
 const EAGER: usize = 12;
-/// Sweeps that are not calm after so many rounds take half of every change, after as many again a
-/// quarter, then an eighth, then all: on contacts long in the rolling direction they may swing between states.
+/// Sweeps that were not calm for so many rounds take half of every change, after as many again a
+/// quarter, then an eighth, then all, until they settle: on contacts long in the rolling direction
+/// they may swing between states.
 const PATIENCE: usize = 12;
+/// Changes below which sweeps go on in full.
+const SETTLED: f64 = 1e-3;
 /// Steps below this size leave a strip's factors good enough to use again.
 const CHORD: f64 = 0.02;
 /// Weight of slip against traction in the projection, over the element's own response. Any
@@ -105,11 +108,12 @@ impl State {
         let strips = grid.elements.strips;
         let tolerance = TOLERANCE * scale(grid, creepage).min(1.0);
         self.acceleration.restart();
-        let mut last = f64::INFINITY;
+        let (mut last, mut restless) = (f64::INFINITY, 0);
         for round in 1..=ROUNDS {
             self.acceleration.begin(&self.traction);
             let mut change = 0.0_f64;
-            self.share = if last > CALM { share(round) } else { 1.0 };
+            restless += usize::from(last > CALM);
+            self.share = if last > SETTLED { share(restless) } else { 1.0 };
             for strip in (0..strips).chain((0..strips).rev()) {
                 change = change.max(self.solve_strip(grid, creepage, strip, tolerance));
             }
@@ -316,8 +320,8 @@ impl State {
 }
 
 /// Share of a change that is taken.
-fn share(round: usize) -> f64 {
-    (-((round / PATIENCE % 4) as f64)).exp2()
+fn share(restless: usize) -> f64 {
+    (-((restless / PATIENCE % 4) as f64)).exp2()
 }
 
 /// Largest rigid slip in the contact, in the unit in which tractions at their bound give slip.
