@@ -5,13 +5,15 @@ use std::f64::consts::PI;
 use super::elements::Elements;
 use super::influence::{Response, edge};
 use super::sampling::Sampling;
+use super::unlike::{self, Drive};
 use crate::ellipse::Ellipse;
 use crate::rolling::Creepage;
 
 /// Elements and their response.
 ///
 /// The unknown of an element is its traction over its traction bound, a vector in the unit disc.
-/// The slip of an element is `rigid slip at its place + sum of coefficient * traction`.
+/// The slip of an element is `rigid slip at its place + slip by the pressure there + sum of
+/// coefficient * traction`.
 ///
 /// The elastic slip over the step between the centres of two elements is the difference of their
 /// displacements over its length. Where an element takes it from steps upstream only, nothing
@@ -26,6 +28,10 @@ pub(super) struct Grid {
     coefficients: [Vec<f64>; 3],
     /// Where the tractions are summed up.
     pub sampling: Sampling,
+    /// Slip of each element that the pressure causes between unlike bodies.
+    pub pressure_slip: Vec<[f64; 2]>,
+    /// Unit `mu c / rho` of slip over `mu` times the peak pressure over `G`.
+    slip_unit: f64,
     /// Slip that weighs as much as the bound when an element chooses between adhesion and slip.
     pub compliance: Vec<f64>,
 }
@@ -70,13 +76,15 @@ impl Grid {
     pub(super) fn new(ellipse: Ellipse, poisson: f64, along: usize, strips: usize) -> Self {
         let elements = Elements::new(ellipse, along, strips);
         // Slip in units of mu c / rho: (4.20) with the unit of slip mu f00.
-        let unit = (1.0 - poisson) * ellipse.integrals().e / (2.0 * ellipse.g().sqrt());
-        let mut steps = Steps::new(&elements, poisson, 1.0 / (PI * unit));
+        let slip_unit = (1.0 - poisson) * ellipse.integrals().e / (2.0 * ellipse.g().sqrt());
+        let mut steps = Steps::new(&elements, poisson, 1.0 / (PI * slip_unit));
         let stored = strips.div_ceil(2) * along * elements.len();
         let mut grid = Self {
             places: Vec::with_capacity(elements.len()),
             coefficients: std::array::from_fn(|_| Vec::with_capacity(stored)),
             sampling: Sampling::new(along, strips, ellipse.ratio()),
+            pressure_slip: vec![[0.0; 2]; elements.len()],
+            slip_unit,
             compliance: Vec::new(),
             elements,
         };
@@ -89,6 +97,14 @@ impl Grid {
         }
         grid.compliance = (0..grid.elements.len()).map(|e| grid.self_response(e)).collect();
         grid
+    }
+
+    /// Adds to the slip what the pressure causes between unlike bodies.
+    pub(super) fn set_unlikeness(&mut self, ellipse: Ellipse, kappa_over_mu: f64) {
+        let factor = kappa_over_mu / self.slip_unit;
+        for (slip, place) in self.pressure_slip.iter_mut().zip(&self.places) {
+            *slip = unlike::displacement_slope(ellipse, *place).map(|slope| factor * slope);
+        }
     }
 
     fn self_response(&self, element: usize) -> f64 {
@@ -127,6 +143,13 @@ impl Grid {
 
     pub(super) fn rigid_slip(&self, creepage: Creepage, element: usize) -> [f64; 2] {
         creepage.rigid_slip(self.places[element])
+    }
+
+    /// Slip of an element by all but the tangential tractions.
+    pub(super) fn driven_slip(&self, drive: Drive, element: usize) -> [f64; 2] {
+        let (rigid, by_pressure) =
+            (self.rigid_slip(drive.creepage, element), self.pressure_slip[element]);
+        [0, 1].map(|k| rigid[k] + drive.side * by_pressure[k])
     }
 }
 
