@@ -18,6 +18,7 @@ mod automatic;
 mod dense;
 mod derivative;
 mod elements;
+mod ends;
 mod friction;
 mod grid;
 mod influence;
