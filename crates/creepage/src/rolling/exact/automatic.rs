@@ -23,7 +23,6 @@ use crate::check::{self, InvalidValue};
 pub struct Automatic {
     poisson: f64,
     accuracy: f64,
-    kappa_over_mu: f64,
     fast: Exact,
     finer: [OnceLock<Exact>; 2],
 }
@@ -37,7 +36,7 @@ impl Automatic {
         check::positive("accuracy", accuracy)?;
         let fast = Exact::new(a_over_b, poisson, Resolution::FAST)?;
         let finer = [OnceLock::new(), OnceLock::new()];
-        Ok(Self { poisson, accuracy, kappa_over_mu: 0.0, fast, finer })
+        Ok(Self { poisson, accuracy, fast, finer })
     }
 
     /// The same between unlike bodies, as [`Exact::with_unlikeness`].
@@ -47,7 +46,7 @@ impl Automatic {
     pub fn with_unlikeness(self, kappa_over_mu: f64) -> Result<Self, InvalidValue> {
         let fast = self.fast.with_unlikeness(kappa_over_mu)?;
         let finer = [OnceLock::new(), OnceLock::new()];
-        Ok(Self { kappa_over_mu, fast, finer, ..self })
+        Ok(Self { fast, finer, ..self })
     }
 
     /// Solves, refining until the error bars of `fx` and `fy` are below the wanted accuracy or
@@ -91,7 +90,7 @@ impl Automatic {
 
     fn prepare(&self, resolution: Resolution) -> Exact {
         let mut theory = Exact::prepare(self.fast.ellipse, self.poisson, resolution);
-        theory.set_unlikeness(self.kappa_over_mu);
+        theory.set_unlikeness(self.fast.kappa_over_mu);
         theory
     }
 

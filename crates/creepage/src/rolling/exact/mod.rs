@@ -67,6 +67,7 @@ use grid::Grid;
 #[derive(Debug, Clone)]
 pub struct Exact {
     ellipse: Ellipse,
+    kappa_over_mu: f64,
     /// The coarser grid, then the finer with twice its elements along and across.
     grids: [Grid; 2],
 }
@@ -92,7 +93,7 @@ impl Exact {
     fn prepare(ellipse: Ellipse, poisson: f64, resolution: Resolution) -> Self {
         let [along, across] = resolution.coarse(ellipse.ratio());
         let grids = [1, 2].map(|k| Grid::new(ellipse, poisson, k * along, k * across));
-        Self { ellipse, grids }
+        Self { ellipse, kappa_over_mu: 0.0, grids }
     }
 
     /// The same between unlike bodies: their pressure adds to the slip (6.4). `kappa_over_mu` is
@@ -122,9 +123,16 @@ impl Exact {
     }
 
     fn set_unlikeness(&mut self, kappa_over_mu: f64) {
+        self.kappa_over_mu = kappa_over_mu;
         for grid in &mut self.grids {
             grid.set_unlikeness(self.ellipse, kappa_over_mu);
         }
+    }
+
+    /// How unlike the bodies are: kappa over the coefficient of friction.
+    #[must_use]
+    pub fn kappa_over_mu(&self) -> f64 {
+        self.kappa_over_mu
     }
 
     /// Elements along and across on the finer grid.
