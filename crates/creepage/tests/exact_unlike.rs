@@ -180,6 +180,27 @@ fn the_derivative_is_that_of_the_force() {
     }
 }
 
+/// As for like bodies: the bar of the fast resolution against the fine one is made for 95 %.
+#[test]
+fn the_error_bar_holds() {
+    let (mut inside, mut all) = (0, 0);
+    for (ratio, kappa_over_mu) in [(0.2, 0.5), (0.6, -0.3), (1.0, 0.2), (1.7, 1.0), (5.0, 0.4)] {
+        let [fast, fine] = [Resolution::FAST, Resolution::FINE]
+            .map(|resolution| unlike(ratio, 0.25, resolution, kappa_over_mu));
+        for k in 0..20 {
+            let t = f64::from(k) + ratio;
+            let case = [3.0 * (1.3 * t).sin(), 3.0 * (2.1 * t).cos(), 8.0 * (0.7 * t).sin()];
+            let (found, truth) = (solve(&fast, case), solve(&fine, case));
+            let [value, truth, bar] = [found.force, truth.force, found.error].map(components);
+            for i in 0..3 {
+                all += 1;
+                inside += usize::from((value[i] - truth[i]).abs() <= bar[i]);
+            }
+        }
+    }
+    assert!(inside * 100 >= all * 95, "{inside} of {all}");
+}
+
 #[test]
 fn finer_levels_know_of_the_unlikeness() {
     let automatic = Automatic::new(1.0, 0.28, 0.002).unwrap().with_unlikeness(0.4).unwrap();
