@@ -51,14 +51,14 @@ pub(crate) fn solve(args: &SolveArgs) -> Result<Outcome, Failure> {
 
 fn solve_direct(case: Case, args: &SolveArgs) -> Result<SolvedCase, Failure> {
     let theory = choose(args.theory.as_slice(), &case.solve, &args.case)?[0];
-    let prepared = prepare(theory, &case.contact, &case.solve, args)?;
+    let prepared = prepare(theory, (&case.contact, case.friction), &case.solve, args)?;
     let found = Examination::new(prepared, case.contact.ellipse(), case.creepage);
     Ok(SolvedCase { case, theory, found, known: None })
 }
 
 fn solve_inverse(case: InverseCase, args: &SolveArgs) -> Result<SolvedCase, Failure> {
     let theory = choose(args.theory.as_slice(), &case.solve, &args.case)?[0];
-    let prepared = prepare(theory, &case.contact, &case.solve, args)?;
+    let prepared = prepare(theory, (&case.contact, case.friction), &case.solve, args)?;
     let found = find_creepage(&case, theory.name, prepared)
         .map_err(|source| Failure::Find { path: args.case.clone(), source })?;
     let (known, case) = (Some(case.known), case.found(found.creepage()));
@@ -67,12 +67,12 @@ fn solve_inverse(case: InverseCase, args: &SolveArgs) -> Result<SolvedCase, Fail
 
 fn prepare(
     theory: &Entry,
-    contact: &Hertz,
+    (contact, friction): (&Hertz, f64),
     solve: &Solve,
     args: &SolveArgs,
 ) -> Result<Arc<PreparedTheory>, Failure> {
     let failed = |source| Failure::Options { path: args.case.clone(), source };
-    theory.for_contact(contact, solve).map(Arc::new).map_err(failed)
+    theory.for_contact(contact, friction, solve).map(Arc::new).map_err(failed)
 }
 
 /// `creepage hertz`.
@@ -117,7 +117,12 @@ fn report(solved: &SolvedCase) -> Result<Report<'_>, InvalidValue> {
         points: found.points.clone(),
         details: found.details.clone(),
     };
-    let extras = Extras { known: *known, speed: case.speed, dissipation: found.dissipation };
+    let extras = Extras {
+        known: *known,
+        speed: case.speed,
+        power: found.power,
+        dissipation: found.dissipation,
+    };
     Ok(Report::new(&case.contact, case.friction, answer)?.with(extras))
 }
 

@@ -20,7 +20,7 @@ pub(crate) fn run(args: &CurveArgs) -> Result<(), Failure> {
     let mut curves = Curves::new(&case.contact, case.friction, case.creepage, vary, values)?;
     for theory in theories {
         let prepared = theory
-            .for_contact(&case.contact, &case.solve)
+            .for_contact(&case.contact, case.friction, &case.solve)
             .map_err(|source| Failure::Options { path: args.case.clone(), source })?;
         curves.add(theory.name, &prepared);
     }

@@ -46,6 +46,28 @@ fn the_theory_on_the_command_line_goes_before_that_of_the_case() {
     assert!(place.run(&command).done().contains("variational"));
 }
 
+/// An upper body as soft as aluminium on steel.
+#[test]
+fn unlike_bodies_add_the_slip_by_the_pressure() {
+    let place = Place::new();
+    let solve = |text: String| {
+        place.write("case.toml", text);
+        json(&place.run(&["solve", "case.toml", "--theory", "exact", "--json"]).done())
+    };
+    let like = solve(CASE.into());
+    assert!(like["details"]["kappa_over_mu"].is_null());
+    let unlike = solve(CASE.replacen("82e9", "27e9", 1));
+    let kappa_over_mu = unlike["details"]["kappa_over_mu"]["value"].as_f64().unwrap();
+    // (2.10) with both Poisson's ratios 0.28, over friction.
+    assert!((kappa_over_mu - 0.22 * (27.0 - 82.0) / (27.0 + 82.0) / 0.3).abs() < 1e-12);
+    let power = |key: &str| unlike[key].as_f64().unwrap();
+    let [by_force, by_slip] =
+        ["frictional_power_per_metre_j_per_m", "frictional_power_per_metre_by_slip_j_per_m"]
+            .map(power);
+    // Heat in slip areas narrower than an element, at the standard resolution.
+    assert!((by_force - by_slip).abs() < 0.06 * by_force, "{by_force} {by_slip}");
+}
+
 #[test]
 fn options_of_the_theory_reach_it() {
     let place = Place::new();

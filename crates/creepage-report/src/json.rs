@@ -229,7 +229,12 @@ mod tests {
             assert!(plain[key].is_null(), "{key}");
         }
         let known = Known { chi: Some(1.5), fx: Some(0.6), fy: Some(0.5), ..Known::default() };
-        let extras = Extras { speed: Some(20.0), dissipation: Some(0.5), known: Some(known) };
+        let extras = Extras {
+            speed: Some(20.0),
+            dissipation: Some(0.5),
+            known: Some(known),
+            ..Extras::default()
+        };
         let json = serde_json::to_value(report(&contact, &theory, CURVE).with(extras).json());
         let json = json.unwrap();
         assert_eq!(json["known"], serde_json::json!(["chi", "fx", "fy"]));

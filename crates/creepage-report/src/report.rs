@@ -43,6 +43,9 @@ impl fmt::Debug for Answer<'_> {
 pub struct Extras {
     /// Rolling velocity (m/s).
     pub speed: Option<f64>,
+    /// The frictional power in units of `mu N mu c V / rho`, where it is not just force times
+    /// creepage: between unlike bodies the pressure gives power to the slip too.
+    pub power: Option<f64>,
     /// The frictional power as a sum of traction times slip over the contact, in units of
     /// `mu N mu c V / rho`.
     pub dissipation: Option<f64>,
@@ -98,7 +101,10 @@ impl<'a> Report<'a> {
     /// Energy turned to heat per metre rolled (J/m), from force and creepage.
     #[must_use]
     pub fn power_per_metre(&self) -> f64 {
-        self.scaling.power_per_metre(self.answer.solution.force, self.answer.creepage)
+        let by_creepage =
+            || self.scaling.power_per_metre(self.answer.solution.force, self.answer.creepage);
+        let unit = self.scaling.force * self.scaling.slip;
+        self.extras.power.map_or_else(by_creepage, |power| unit * power)
     }
 
     /// The same energy (J/m) from traction and slip all over the contact, where the theory gives

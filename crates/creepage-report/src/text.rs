@@ -216,7 +216,12 @@ mod tests {
     fn what_is_known_besides_has_its_lines() {
         let (contact, theory) = (contact(2.25), sliding(2.25));
         let known = Known { chi: Some(1.5), fx: Some(0.6), fy: Some(0.5), ..Known::default() };
-        let extras = Extras { speed: Some(20.0), dissipation: Some(0.5), known: Some(known) };
+        let extras = Extras {
+            speed: Some(20.0),
+            dissipation: Some(0.5),
+            known: Some(known),
+            ..Extras::default()
+        };
         let report = report(&contact, &theory, CURVE).with(extras);
         let text = report.text();
         assert_eq!(line(&text, "given or found"), ["found", "found", "given"]);

@@ -29,6 +29,9 @@ pub struct Examination {
     /// Traction and slip at the theory's own points; where it has none, at the midpoints of
     /// 40 x 40 cells of the box around the ellipse, those inside it.
     pub points: Vec<FieldPoint>,
+    /// Frictional power from force and creepage, over `mu N mu c V / rho`, where the theory knows
+    /// of more: that of the slip by the pressure between unlike bodies.
+    pub power: Option<f64>,
     /// Frictional power summed over the contact, over `mu N mu c V / rho`.
     pub dissipation: Option<f64>,
     /// The theory's own figures.
@@ -64,15 +67,21 @@ impl Examination {
         let mut workspace = exact.workspace();
         let found = exact.solve_with(creepage, &mut workspace);
         let fields = exact.element_fields(&workspace);
-        let details = vec![
+        let mut details = vec![
             Detail { key: "fx_error", label: "error bar of f_x", value: found.error.fx },
             Detail { key: "fy_error", label: "error bar of f_y", value: found.error.fy },
             Detail { key: "mz_error", label: "error bar of m_z", value: found.error.mz },
             Detail { key: "elements", label: "elements", value: fields.len() as f64 },
         ];
+        let value = exact.kappa_over_mu();
+        if value != 0.0 {
+            let label = "unlike bodies, kappa/mu";
+            details.push(Detail { key: "kappa_over_mu", label, value });
+        }
         Self {
             answered: found.into(),
             points: fields.iter().map(|element| element.point).collect(),
+            power: Some(found.power),
             dissipation: Some(found.dissipation),
             details,
             creepage,
@@ -104,6 +113,7 @@ fn of_variational(
     Examination {
         answered: found.solution.into(),
         points: found.points.iter().map(|point| point.field).collect(),
+        power: None,
         dissipation: None,
         details,
         creepage,
@@ -117,6 +127,7 @@ fn of_any(theory: Arc<PreparedTheory>, ellipse: Ellipse, creepage: Creepage) -> 
     Examination {
         answered: theory.answer(creepage),
         points: theory.field(creepage, &usual_mesh(ellipse)),
+        power: None,
         dissipation: None,
         details: Vec::new(),
         creepage,
@@ -155,6 +166,7 @@ impl fmt::Debug for Examination {
         f.debug_struct("Examination")
             .field("creepage", &self.creepage)
             .field("answered", &self.answered)
+            .field("power", &self.power)
             .field("dissipation", &self.dissipation)
             .field("details", &self.details)
             .finish_non_exhaustive()

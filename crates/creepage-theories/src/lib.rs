@@ -38,7 +38,8 @@
 //! # ";
 //! let case = CaseFile::read(text)?.case()?;
 //! let theory = choose(&[], &case.solve)?.theories[0];
-//! let found = Examination::new(Arc::new(theory.for_contact(&case.contact, &case.solve)?),
+//! let found = Examination::new(Arc::new(theory.for_contact(&case.contact, case.friction,
+//!                                                     &case.solve)?),
 //!                              case.contact.ellipse(), case.creepage);
 //! assert!(found.dissipation.is_some_and(|power| power > 0.0));
 //! # Ok::<(), Box<dyn std::error::Error>>(())

@@ -1,5 +1,6 @@
 //! A theory prepared for one contact, and what it can be asked.
 
+use creepage::InvalidValue;
 use creepage::rolling::exact::{Automatic, Exact, ExactSolution};
 use creepage::rolling::fastrip::Fastrip;
 use creepage::rolling::fastsim::Fastsim;
@@ -53,6 +54,21 @@ impl From<ExactSolution> for Answered {
 }
 
 impl PreparedTheory {
+    /// The same between unlike bodies, `kappa` of (2.10) over the coefficient of friction. The full
+    /// theory adds the slip by the pressure; the others neglect it.
+    ///
+    /// # Errors
+    /// [`InvalidValue`] unless `kappa_over_mu` lies between -1e6 and 1e6.
+    pub fn with_unlikeness(self, kappa_over_mu: f64) -> Result<Self, InvalidValue> {
+        Ok(match self {
+            Self::Exact(theory) => Self::Exact(Box::new(theory.with_unlikeness(kappa_over_mu)?)),
+            Self::Automatic(theory) => {
+                Self::Automatic(Box::new(theory.with_unlikeness(kappa_over_mu)?))
+            }
+            other => other,
+        })
+    }
+
     /// Force, status and error bars.
     #[must_use]
     pub fn answer(&self, creepage: Creepage) -> Answered {

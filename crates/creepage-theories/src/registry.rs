@@ -59,16 +59,20 @@ impl Entry {
         Ok(Box::new(self.prepare(a_over_b, poisson, solve)?))
     }
 
-    /// The theory prepared for a contact.
+    /// The theory prepared for a contact with coefficient of friction `friction`, which matters
+    /// between unlike bodies.
     ///
     /// # Errors
     /// As [`Entry::prepare`].
     pub fn for_contact(
         &self,
         contact: &Hertz,
+        friction: f64,
         solve: &Solve,
     ) -> Result<PreparedTheory, TheoryError> {
-        self.prepare(contact.ellipse().ratio(), contact.pair().poisson(), solve)
+        let pair = contact.pair();
+        let theory = self.prepare(contact.ellipse().ratio(), pair.poisson(), solve)?;
+        Ok(theory.with_unlikeness(pair.kappa() / friction)?)
     }
 }
 

@@ -35,7 +35,18 @@ impl Automatic {
     pub fn new(a_over_b: f64, poisson: f64, accuracy: f64) -> Result<Self, InvalidValue> {
         check::positive("accuracy", accuracy)?;
         let fast = Exact::new(a_over_b, poisson, Resolution::FAST)?;
-        Ok(Self { poisson, accuracy, fast, finer: [OnceLock::new(), OnceLock::new()] })
+        let finer = [OnceLock::new(), OnceLock::new()];
+        Ok(Self { poisson, accuracy, fast, finer })
+    }
+
+    /// The same between unlike bodies, as [`Exact::with_unlikeness`].
+    ///
+    /// # Errors
+    /// [`InvalidValue`] as [`Exact::with_unlikeness`].
+    pub fn with_unlikeness(self, kappa_over_mu: f64) -> Result<Self, InvalidValue> {
+        let fast = self.fast.with_unlikeness(kappa_over_mu)?;
+        let finer = [OnceLock::new(), OnceLock::new()];
+        Ok(Self { fast, finer, ..self })
     }
 
     /// Solves, refining until the error bars of `fx` and `fy` are below the wanted accuracy or
@@ -77,6 +88,12 @@ impl Automatic {
         Ok((theory, found?))
     }
 
+    fn prepare(&self, resolution: Resolution) -> Exact {
+        let mut theory = Exact::prepare(self.fast.ellipse, self.poisson, resolution);
+        theory.set_unlikeness(self.fast.kappa_over_mu);
+        theory
+    }
+
     /// The first resolution whose answer has an error bar that is small enough, and the answer.
     fn refine<T>(&self, answer: impl Fn(&Exact) -> (Force, T)) -> (&Exact, T) {
         let mut theory = &self.fast;
@@ -85,8 +102,7 @@ impl Automatic {
             if error.fx.max(error.fy) <= self.accuracy {
                 break;
             }
-            theory =
-                cell.get_or_init(|| Exact::prepare(self.fast.ellipse, self.poisson, resolution));
+            theory = cell.get_or_init(|| self.prepare(resolution));
             (error, found) = answer(theory);
         }
         (theory, found)

@@ -3,15 +3,18 @@
 use std::f64::consts::PI;
 
 use super::elements::Elements;
+use super::ends::Ends;
 use super::influence::{Response, edge};
 use super::sampling::Sampling;
+use super::unlike::{self, Drive};
 use crate::ellipse::Ellipse;
 use crate::rolling::Creepage;
 
 /// Elements and their response.
 ///
 /// The unknown of an element is its traction over its traction bound, a vector in the unit disc.
-/// The slip of an element is `rigid slip at its place + sum of coefficient * traction`.
+/// The slip of an element is `rigid slip at its place + slip by the pressure + sum of
+/// coefficient * traction`.
 ///
 /// The elastic slip over the step between the centres of two elements is the difference of their
 /// displacements over its length. Where an element takes it from steps upstream only, nothing
@@ -26,6 +29,10 @@ pub(super) struct Grid {
     coefficients: [Vec<f64>; 3],
     /// Where the tractions are summed up.
     pub sampling: Sampling,
+    /// Slip of each element that the pressure causes between unlike bodies.
+    pub pressure_slip: Vec<[f64; 2]>,
+    /// Unit `mu c / rho` of slip over `mu` times the peak pressure over `G`.
+    slip_unit: f64,
     /// Slip that weighs as much as the bound when an element chooses between adhesion and slip.
     pub compliance: Vec<f64>,
 }
@@ -70,25 +77,41 @@ impl Grid {
     pub(super) fn new(ellipse: Ellipse, poisson: f64, along: usize, strips: usize) -> Self {
         let elements = Elements::new(ellipse, along, strips);
         // Slip in units of mu c / rho: (4.20) with the unit of slip mu f00.
-        let unit = (1.0 - poisson) * ellipse.integrals().e / (2.0 * ellipse.g().sqrt());
-        let mut steps = Steps::new(&elements, poisson, 1.0 / (PI * unit));
+        let slip_unit = (1.0 - poisson) * ellipse.integrals().e / (2.0 * ellipse.g().sqrt());
+        let mut steps = Steps::new(&elements, poisson, 1.0 / (PI * slip_unit));
         let stored = strips.div_ceil(2) * along * elements.len();
         let mut grid = Self {
             places: Vec::with_capacity(elements.len()),
             coefficients: std::array::from_fn(|_| Vec::with_capacity(stored)),
             sampling: Sampling::new(along, strips, ellipse.ratio()),
+            pressure_slip: vec![[0.0; 2]; elements.len()],
+            slip_unit,
             compliance: Vec::new(),
             elements,
         };
         for strip in 0..strips {
-            steps.place(&grid.elements, strip, &mut grid.places);
-        }
-        for strip in 0..strips.div_ceil(2) {
-            steps.compute(&grid.elements, strip);
-            steps.append(&mut grid.coefficients);
+            let ends = Ends::new(&grid.elements, strip);
+            grid.places.extend(ends.places());
+            if strip < strips.div_ceil(2) {
+                steps.compute(&grid.elements, &ends);
+                steps.append(&ends, &mut grid.coefficients);
+            }
         }
         grid.compliance = (0..grid.elements.len()).map(|e| grid.self_response(e)).collect();
         grid
+    }
+
+    /// Adds to the slip what the pressure causes between unlike bodies.
+    pub(super) fn set_unlikeness(&mut self, ellipse: Ellipse, kappa_over_mu: f64) {
+        let factor = kappa_over_mu / self.slip_unit;
+        self.pressure_slip.clear();
+        for strip in 0..self.elements.strips {
+            let ends = Ends::new(&self.elements, strip);
+            let displacement: Vec<_> = (0..=self.elements.along)
+                .map(|end| unlike::displacement(ellipse, ends.at(end)).map(|d| factor * d))
+                .collect();
+            self.pressure_slip.extend(ends.slip(&displacement));
+        }
     }
 
     fn self_response(&self, element: usize) -> f64 {
@@ -128,6 +151,13 @@ impl Grid {
     pub(super) fn rigid_slip(&self, creepage: Creepage, element: usize) -> [f64; 2] {
         creepage.rigid_slip(self.places[element])
     }
+
+    /// Slip of an element by all but the tangential tractions.
+    pub(super) fn driven_slip(&self, drive: Drive, element: usize) -> [f64; 2] {
+        let (rigid, by_pressure) =
+            (self.rigid_slip(drive.creepage, element), self.pressure_slip[element]);
+        [0, 1].map(|k| rigid[k] + drive.side * by_pressure[k])
+    }
 }
 
 /// Displacements and their differences along one strip, by all elements.
@@ -135,8 +165,6 @@ struct Steps {
     poisson: f64,
     scale: f64,
     along: usize,
-    /// Ends of the steps over the half-length: leading edge, then the elements' centres.
-    ends: Vec<f64>,
     displacement: Vec<Response>,
     previous: Vec<Response>,
     /// Elastic slip over each step, step by step.
@@ -151,52 +179,21 @@ impl Steps {
             poisson,
             scale,
             along,
-            ends: vec![0.0; along + 1],
             displacement: blank.clone(),
             previous: blank,
             slip: vec![[0.0; 3]; elements.len() * along],
         }
     }
 
-    fn set_ends(&mut self, elements: &Elements, strip: usize) {
-        let cut = |i: usize| elements.middle_cut(strip, i)[0];
-        self.ends[0] = cut(0);
-        for i in 0..self.along {
-            self.ends[i + 1] = 0.5 * (cut(i) + cut(i + 1));
-        }
-    }
-
-    fn middle(&self, step: usize) -> f64 {
-        0.5 * (self.ends[step] + self.ends[step + 1])
-    }
-
-    /// How far to extrapolate from the middles of the last two steps to the element's centre;
-    /// the first element has one step only.
-    fn extrapolation(&self, i: usize) -> f64 {
-        if i == 0 {
-            return 0.0;
-        }
-        (self.middle(i) - self.ends[i + 1]) / (self.middle(i - 1) - self.middle(i))
-    }
-
-    fn place(&mut self, elements: &Elements, strip: usize, places: &mut Vec<[f64; 2]>) {
-        self.set_ends(elements, strip);
-        let y = elements.middle_cut(strip, 0)[1];
-        places.push([self.middle(0), y]);
-        places.extend(self.ends[2..].iter().map(|x| [*x, y]));
-    }
-
-    fn compute(&mut self, elements: &Elements, strip: usize) {
-        self.set_ends(elements, strip);
+    fn compute(&mut self, elements: &Elements, ends: &Ends) {
         let n = elements.len();
-        let y = elements.middle_cut(strip, 0)[1];
         for end in 0..=self.along {
             std::mem::swap(&mut self.displacement, &mut self.previous);
-            self.displace(elements, [self.ends[end], y]);
+            self.displace(elements, ends.at(end));
             if end == 0 {
                 continue;
             }
-            let length = self.ends[end - 1] - self.ends[end];
+            let length = ends.length(end);
             for j in 0..n {
                 self.slip[(end - 1) * n + j] = std::array::from_fn(|k| {
                     (self.previous[j][k] - self.displacement[j][k]) / length
@@ -226,10 +223,10 @@ impl Steps {
         }
     }
 
-    fn append(&self, coefficients: &mut [Vec<f64>; 3]) {
+    fn append(&self, ends: &Ends, coefficients: &mut [Vec<f64>; 3]) {
         let n = self.displacement.len();
         for i in 0..self.along {
-            let by = self.extrapolation(i);
+            let by = ends.extrapolation(i);
             let last = &self.slip[i * n..(i + 1) * n];
             let before = if i == 0 { last } else { &self.slip[(i - 1) * n..i * n] };
             for (k, row) in coefficients.iter_mut().enumerate() {
@@ -251,13 +248,14 @@ mod tests {
         let mut steps = Steps::new(elements, 0.3, 1.0);
         let scale = {
             let mut lower = Steps::new(elements, 0.3, 1.0);
-            lower.compute(elements, 0);
+            lower.compute(elements, &Ends::new(elements, 0));
             grid.row(0).0.xx[0] / lower.slip[0][0]
         };
         steps.scale = scale;
-        steps.compute(elements, 3);
+        let ends = Ends::new(elements, 3);
+        steps.compute(elements, &ends);
         let mut direct: [Vec<f64>; 3] = std::array::from_fn(|_| Vec::new());
-        steps.append(&mut direct);
+        steps.append(&ends, &mut direct);
         let x: Vec<f64> = (0..20).map(|k| f64::from(k).sin()).collect();
         let y: Vec<f64> = (0..20).map(|k| f64::from(k).cos()).collect();
         let mirror = |v: &[f64]| v.chunks(5).rev().flatten().copied().collect::<Vec<_>>();

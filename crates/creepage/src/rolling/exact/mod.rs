@@ -18,6 +18,7 @@ mod automatic;
 mod dense;
 mod derivative;
 mod elements;
+mod ends;
 mod friction;
 mod grid;
 mod influence;
@@ -27,6 +28,7 @@ mod resolution;
 mod sampling;
 mod solution;
 mod solve;
+mod unlike;
 
 pub use automatic::Automatic;
 pub use inverse::{Found, InverseError, Known};
@@ -65,6 +67,7 @@ use grid::Grid;
 #[derive(Debug, Clone)]
 pub struct Exact {
     ellipse: Ellipse,
+    kappa_over_mu: f64,
     /// The coarser grid, then the finer with twice its elements along and across.
     grids: [Grid; 2],
 }
@@ -90,7 +93,46 @@ impl Exact {
     fn prepare(ellipse: Ellipse, poisson: f64, resolution: Resolution) -> Self {
         let [along, across] = resolution.coarse(ellipse.ratio());
         let grids = [1, 2].map(|k| Grid::new(ellipse, poisson, k * along, k * across));
-        Self { ellipse, grids }
+        Self { ellipse, kappa_over_mu: 0.0, grids }
+    }
+
+    /// The same between unlike bodies: their pressure adds to the slip (6.4). `kappa_over_mu` is
+    /// [`SolidPair::kappa`](crate::SolidPair::kappa) over the coefficient of friction.
+    ///
+    /// Contact area and pressure stay those of Hertz: what the tangential traction adds to the
+    /// normal displacement (2.15c) is neglected. Without creepage there is a force then, and it
+    /// makes a difference whether the upper body pulls or brakes. For large creepage the pressure's
+    /// slip does not matter.
+    ///
+    /// ```
+    /// use creepage::rolling::exact::{Exact, Resolution};
+    /// use creepage::rolling::Creepage;
+    /// // Rubber with a hard body below, as a ball on a plate: kappa < 0 unless incompressible.
+    /// let theory = Exact::new(1.0, 0.45, Resolution::FAST)?.with_unlikeness(-0.05)?;
+    /// let solution = theory.solve_with(Creepage::default(), &mut theory.workspace());
+    /// assert!(solution.force.fx > 0.0 && solution.force.fy.abs() < 1e-9);
+    /// # Ok::<(), creepage::InvalidValue>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`InvalidValue`] unless `kappa_over_mu` lies between -1e6 and 1e6.
+    pub fn with_unlikeness(mut self, kappa_over_mu: f64) -> Result<Self, InvalidValue> {
+        unlike::check(kappa_over_mu)?;
+        self.set_unlikeness(kappa_over_mu);
+        Ok(self)
+    }
+
+    fn set_unlikeness(&mut self, kappa_over_mu: f64) {
+        self.kappa_over_mu = kappa_over_mu;
+        for grid in &mut self.grids {
+            grid.set_unlikeness(self.ellipse, kappa_over_mu);
+        }
+    }
+
+    /// How unlike the bodies are: kappa over the coefficient of friction.
+    #[must_use]
+    pub fn kappa_over_mu(&self) -> f64 {
+        self.kappa_over_mu
     }
 
     /// Elements along and across on the finer grid.

@@ -52,6 +52,8 @@ pub(super) struct Sum {
     pub force: Force,
     /// Frictional power.
     pub dissipation: f64,
+    /// Power of the tractions on the slip that the pressure causes.
+    pub by_pressure: f64,
 }
 
 impl Sum {

@@ -4,6 +4,7 @@ use super::derivative::{self, Columns};
 use super::grid::Grid;
 use super::sampling::Sum;
 use super::solve::{Outcome, State};
+use super::unlike::Drive;
 use super::{Creepage, FieldPoint, Force, Region, Status};
 use crate::ellipse::Ellipse;
 
@@ -19,7 +20,8 @@ pub struct ExactSolution {
     /// Error bars of `force`: the error of discretization is smaller in at least 95 % of cases.
     pub error: Force,
     /// Frictional power over `mu N mu c V / rho`, from force and creepage: `fx xi + fy eta + mz
-    /// chi`.
+    /// chi`; between unlike bodies with the power of the tractions on the slip that the pressure
+    /// causes, which comes from the resistance to rolling.
     pub power: f64,
     /// The same power as the integral of traction times slip, extrapolated from two grids. It
     /// lacks the heat of slip areas narrower than an element: where half of friction is used the
@@ -46,7 +48,8 @@ pub struct ElementField {
 }
 
 /// The reflections that make `xi` and `chi` (or `eta`, without spin) positive: the contact has
-/// the symmetries (4.22)-(4.28), and with these they hold to the last bit.
+/// the symmetries (4.22)-(4.28), and with these they hold to the last bit. The one that changes the
+/// sign of `xi` turns all vectors about and leaves the pressure, and so exchanges unlike bodies.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Mirror {
     x: f64,
@@ -87,7 +90,7 @@ pub struct Workspace {
     states: [State; 2],
     outcomes: [Outcome; 2],
     /// As last solved, in the mirror.
-    creepage: Creepage,
+    drive: Drive,
     mirror: Mirror,
 }
 
@@ -96,34 +99,36 @@ impl Workspace {
         Self {
             states: [State::new(&grids[0]), State::new(&grids[1])],
             outcomes: [Outcome { converged: true, sweeps: 0 }; 2],
-            creepage: Creepage::default(),
+            drive: Drive { creepage: Creepage::default(), side: 1.0 },
             mirror: Mirror { x: 1.0, y: 1.0 },
         }
     }
 
     pub(super) fn solve(&mut self, grids: &[Grid; 2], creepage: Creepage, warm: bool) {
         self.mirror = Mirror::of(creepage);
-        let creepage = self.mirror.apply(creepage);
-        self.creepage = creepage;
+        self.drive = Drive { creepage: self.mirror.apply(creepage), side: self.mirror.x };
         let [coarse, fine] = &mut self.states;
         if !warm {
             coarse.reset();
         }
-        self.outcomes[0] = coarse.solve(&grids[0], creepage);
+        self.outcomes[0] = coarse.solve(&grids[0], self.drive);
         if !warm {
             fine.refine(&grids[1], coarse);
         }
-        self.outcomes[1] = fine.solve(&grids[1], creepage);
+        self.outcomes[1] = fine.solve(&grids[1], self.drive);
     }
 
     pub(super) fn finish(&self, grids: &[Grid; 2], creepage: Creepage) -> ExactSolution {
-        let [coarse, fine] = [0, 1].map(|k| self.states[k].sum(&grids[k], self.creepage));
+        let [coarse, fine] = [0, 1].map(|k| self.states[k].sum(&grids[k], self.drive));
         let force = self.mirror.force(extrapolate(coarse.force, fine.force));
         let converged = self.outcomes.iter().all(|outcome| outcome.converged);
         ExactSolution {
             force,
             error: error_bar(coarse.force, fine.force, grids[1].elements.len()),
-            power: force.fx * creepage.xi + force.fy * creepage.eta + force.mz * creepage.chi,
+            power: force.fx * creepage.xi
+                + force.fy * creepage.eta
+                + force.mz * creepage.chi
+                + beyond(coarse.by_pressure, fine.by_pressure),
             dissipation: beyond(coarse.dissipation, fine.dissipation).max(0.0),
             status: if converged { Status::Solved } else { Status::NotConverged },
             sweeps: self.outcomes.map(|outcome| outcome.sweeps),
@@ -131,8 +136,9 @@ impl Workspace {
     }
 
     pub(super) fn derivative(&mut self, grids: &[Grid; 2]) -> [[f64; 3]; 3] {
-        let [coarse, fine]: [Columns; 2] = [0, 1]
-            .map(|k| derivative::differentiate(&grids[k], &mut self.states[k], self.creepage));
+        let [coarse, fine]: [Columns; 2] = [0, 1].map(|k| {
+            derivative::differentiate(&grids[k], &mut self.states[k], self.drive.creepage)
+        });
         let signs = [self.mirror.x, self.mirror.y, self.mirror.y];
         let mut matrix = [[0.0; 3]; 3];
         for k in 0..3 {
@@ -162,7 +168,7 @@ impl Workspace {
     fn power(&self, grid: &Grid, element: usize) -> f64 {
         let state = &self.states[1];
         let mut sum = Sum::default();
-        let fields = state.fields(self.creepage);
+        let fields = state.fields(self.drive.creepage);
         grid.sampling.add(grid, fields, element, state.slides[element], &mut sum);
         sum.dissipation
     }

@@ -8,6 +8,7 @@ use super::dense::Dense;
 use super::friction::{Sliding, project};
 use super::grid::Grid;
 use super::sampling::{Fields, Sum};
+use super::unlike::Drive;
 use crate::rolling::Creepage;
 
 /// Largest change of a traction in the last sweep, over its bound, or over the creepage where
@@ -103,10 +104,10 @@ impl State {
         self.last_step.fill(f64::INFINITY);
     }
 
-    /// Improves the tractions until they obey friction at `creepage`.
-    pub(super) fn solve(&mut self, grid: &Grid, creepage: Creepage) -> Outcome {
+    /// Improves the tractions until they obey friction at the slip that `drive` causes.
+    pub(super) fn solve(&mut self, grid: &Grid, drive: Drive) -> Outcome {
         let strips = grid.elements.strips;
-        let tolerance = TOLERANCE * scale(grid, creepage).min(1.0);
+        let tolerance = TOLERANCE * scale(grid, drive).min(1.0);
         self.acceleration.restart();
         let (mut last, mut restless) = (f64::INFINITY, 0);
         for round in 1..=ROUNDS {
@@ -115,16 +116,16 @@ impl State {
             restless += usize::from(last > CALM);
             self.share = if last > SETTLED { share(restless) } else { 1.0 };
             for strip in (0..strips).chain((0..strips).rev()) {
-                change = change.max(self.solve_strip(grid, creepage, strip, tolerance));
+                change = change.max(self.solve_strip(grid, drive, strip, tolerance));
             }
             if change <= tolerance {
-                self.update_slip(grid, creepage);
+                self.update_slip(grid, drive);
                 return Outcome { converged: true, sweeps: 2 * round };
             }
             self.accelerate(grid, change > CALM || change > 2.0 * last);
             last = change;
         }
-        self.update_slip(grid, creepage);
+        self.update_slip(grid, drive);
         Outcome { converged: false, sweeps: 2 * ROUNDS }
     }
 
@@ -132,12 +133,15 @@ impl State {
         Fields { traction: &self.traction, slip: &self.slip, creepage }
     }
 
-    /// Force and frictional power as last solved.
-    pub(super) fn sum(&self, grid: &Grid, creepage: Creepage) -> Sum {
+    /// Force and power as last solved.
+    pub(super) fn sum(&self, grid: &Grid, drive: Drive) -> Sum {
         let mut sum = Sum::default();
         for element in 0..grid.elements.len() {
-            let fields = self.fields(creepage);
+            let fields = self.fields(drive.creepage);
             grid.sampling.add(grid, fields, element, self.slides[element], &mut sum);
+            let [x, y] = grid.pressure_slip[element];
+            let along = self.traction[0][element] * x + self.traction[1][element] * y;
+            sum.by_pressure += drive.side * grid.elements.shares[element] * along;
         }
         sum
     }
@@ -156,19 +160,19 @@ impl State {
         }
     }
 
-    fn update_slip(&mut self, grid: &Grid, creepage: Creepage) {
+    fn update_slip(&mut self, grid: &Grid, drive: Drive) {
         for element in 0..grid.elements.len() {
-            let slip = self.slip_of(grid, creepage, element);
+            let slip = self.slip_of(grid, drive, element);
             self.set_slip(element, slip);
         }
     }
 
-    fn slip_of(&self, grid: &Grid, creepage: Creepage, element: usize) -> [f64; 2] {
+    fn slip_of(&self, grid: &Grid, drive: Drive, element: usize) -> [f64; 2] {
         let (row, sign) = grid.row(element);
         let [x, y] = if sign > 0.0 { &self.traction } else { &self.mirrored };
-        let rigid = grid.rigid_slip(creepage, element);
+        let driven = grid.driven_slip(drive, element);
         let elastic = row.apply(sign, x, y);
-        [rigid[0] + elastic[0], rigid[1] + elastic[1]]
+        [driven[0] + elastic[0], driven[1] + elastic[1]]
     }
 
     fn set_slip(&mut self, element: usize, slip: [f64; 2]) {
@@ -183,16 +187,10 @@ impl State {
     }
 
     /// Newton in one strip; the largest change of a traction.
-    fn solve_strip(
-        &mut self,
-        grid: &Grid,
-        creepage: Creepage,
-        strip: usize,
-        tolerance: f64,
-    ) -> f64 {
+    fn solve_strip(&mut self, grid: &Grid, drive: Drive, strip: usize, tolerance: f64) -> f64 {
         let along = grid.elements.along;
         for element in strip * along..(strip + 1) * along {
-            let slip = self.slip_of(grid, creepage, element);
+            let slip = self.slip_of(grid, drive, element);
             self.set_slip(element, slip);
         }
         self.before.clear();
@@ -324,11 +322,12 @@ fn share(restless: usize) -> f64 {
     (-((restless / PATIENCE % 4) as f64)).exp2()
 }
 
-/// Largest rigid slip in the contact, in the unit in which tractions at their bound give slip.
-fn scale(grid: &Grid, creepage: Creepage) -> f64 {
+/// Largest slip in the contact before any traction, in the unit in which tractions at their bound
+/// give slip.
+fn scale(grid: &Grid, drive: Drive) -> f64 {
     (0..grid.elements.len())
         .map(|element| {
-            let slip = grid.rigid_slip(creepage, element);
+            let slip = grid.driven_slip(drive, element);
             slip[0].hypot(slip[1])
         })
         .fold(0.0, f64::max)
