@@ -22,11 +22,9 @@ const STEPS: usize = 30;
 /// Newton steps that are taken in full; later ones by half, for they swing between two states.
 const EAGER: usize = 12;
 /// Sweeps that were not calm for so many rounds take half of every change, after as many again a
-/// quarter, then an eighth, then all, until they settle: on contacts long in the rolling direction
-/// they may swing between states.
+/// quarter, then an eighth, then all, and keep to it: on contacts long in the rolling direction
+/// full changes may swing between states, even from near the solution.
 const PATIENCE: usize = 12;
-/// Changes below which sweeps go on in full.
-const SETTLED: f64 = 1e-3;
 /// Steps below this size leave a strip's factors good enough to use again.
 const CHORD: f64 = 0.02;
 /// Weight of slip against traction in the projection, over the element's own response. Any
@@ -114,7 +112,7 @@ impl State {
             self.acceleration.begin(&self.traction);
             let mut change = 0.0_f64;
             restless += usize::from(last > CALM);
-            self.share = if last > SETTLED { share(restless) } else { 1.0 };
+            self.share = share(restless);
             for strip in (0..strips).chain((0..strips).rev()) {
                 change = change.max(self.solve_strip(grid, drive, strip, tolerance));
             }
