@@ -38,7 +38,7 @@ pub(crate) struct BuildArgs {
     materials: usize,
     /// Intervals along theta (from pure spin to none), phi (from -eta over xi to eta; even) and t
     /// (from no creepage to infinite creepage).
-    #[arg(long, value_name = "THETA,PHI,T", default_value = "16,16,20", value_parser = counts)]
+    #[arg(long, value_name = "THETA,PHI,T", default_value = "16,16,40", value_parser = counts)]
     intervals: Intervals,
     /// At how many random places to measure the error.
     #[arg(long, value_name = "N", default_value_t = 500)]

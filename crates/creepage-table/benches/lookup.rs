@@ -21,7 +21,7 @@ fn table([shapes, materials]: [usize; 2]) -> Table {
     let spec = Spec {
         a_over_b: axis(0.2, 5.0, shapes),
         poisson: axis(0.0, 0.5, materials),
-        intervals: Intervals { theta: 16, phi: 16, t: 20 },
+        intervals: Intervals { theta: 16, phi: 16, t: 40 },
         places: 0,
         provenance: Provenance::default(),
     };
