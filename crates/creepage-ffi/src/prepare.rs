@@ -4,7 +4,7 @@ use std::fs;
 use std::path::Path;
 
 use creepage_case::{Case, CaseFile, Solve};
-use creepage_theories::{PreparedTheory, choose};
+use creepage_theories::{PreparedTheory, TheoryError, choose};
 
 use crate::failure::Failure;
 
@@ -38,6 +38,8 @@ pub(crate) fn case(path: &Path, name: Option<&str>) -> Result<(Case, Solver), Fa
     let name = name.unwrap_or(own);
     let solve = if name == own { case.solve.clone() } else { Solve::default() };
     let (ratio, poisson) = (case.contact.ellipse().ratio(), case.contact.pair().poisson());
-    let solver = Solver::new(name, ratio, poisson, &solve)?;
-    Ok((case, solver))
+    let Solver { name, theory } = Solver::new(name, ratio, poisson, &solve)?;
+    let kappa_over_mu = case.contact.pair().kappa() / case.friction;
+    let theory = theory.with_unlikeness(kappa_over_mu).map_err(TheoryError::from)?;
+    Ok((case, Solver { name, theory }))
 }

@@ -3,9 +3,9 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use creepage::Hertz;
 use creepage::rolling::exact::Known;
 use creepage::rolling::{Creepage, Scaling};
+use creepage::{Hertz, InvalidValue};
 use creepage_case::{Case, CaseError, CaseFile, InverseCase};
 use creepage_report::{Answer, Extras, Report, hertz_json};
 use creepage_theories::{Examination, PreparedTheory, find_creepage};
@@ -169,6 +169,7 @@ impl CaseData {
     /// gives the wanted forces, CaseError where the theory does not find creepages.
     fn solve(&self, py: Python, theory: Py<Theory>) -> PyResult<SolvedCase> {
         let Theory { model, name, .. } = theory.get();
+        let model = &self.between_bodies(model).map_err(|error| errors::invalid(py, error))?;
         let (case, known, found) = match &self.question {
             Question::Forces(case) => {
                 let ellipse = case.contact.ellipse();
@@ -182,6 +183,24 @@ impl CaseData {
             }
         };
         Ok(SolvedCase { case, known, theory, found })
+    }
+}
+
+impl CaseData {
+    /// The theory between the bodies of this case: like ones, as it was prepared, or unlike ones.
+    fn between_bodies(
+        &self,
+        model: &Arc<PreparedTheory>,
+    ) -> Result<Arc<PreparedTheory>, InvalidValue> {
+        let (contact, friction) = match &self.question {
+            Question::Forces(case) => (&case.contact, case.friction),
+            Question::Creepage(case) => (&case.contact, case.friction),
+        };
+        let kappa = contact.pair().kappa();
+        if kappa == 0.0 {
+            return Ok(Arc::clone(model));
+        }
+        Ok(Arc::new(PreparedTheory::clone(model).with_unlikeness(kappa / friction)?))
     }
 }
 
@@ -202,8 +221,12 @@ impl SolvedCase {
                 points: found.points.clone(),
                 details: found.details.clone(),
             };
-            let extras =
-                Extras { known: *known, speed: case.speed, dissipation: found.dissipation };
+            let extras = Extras {
+                known: *known,
+                speed: case.speed,
+                power: found.power,
+                dissipation: found.dissipation,
+            };
             let report = Report::new(&case.contact, case.friction, answer)?;
             Ok(with(&report.with(extras)))
         });

@@ -15,7 +15,7 @@ use creepage::rolling::{Creepage, FieldPoint, Force, Solution, Theory};
 
 /// A theory prepared for one ratio `a/b` and one Poisson's ratio: what all can be asked by
 /// [`Theory`] and the methods here, and the theory itself for what only it can tell.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 #[allow(missing_docs)] // each is documented as the theory that it holds
 pub enum PreparedTheory {
     Exact(Box<Exact>),

@@ -19,7 +19,7 @@ use crate::check::{self, InvalidValue};
 /// assert!(solution.error.fx < 0.005);
 /// # Ok::<(), creepage::InvalidValue>(())
 /// ```
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct Automatic {
     poisson: f64,
     accuracy: f64,
