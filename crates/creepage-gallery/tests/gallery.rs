@@ -51,8 +51,8 @@ const VERDICTS: &[(&str, [usize; 4])] = &[
     // Slender contacts err by more than "about 10 %".
     ("chapter-5", [1, 0, 0, 1]),
     ("islands", [4, 0, 0, 0]),
-    // With a point without slip inside, the order is below 2.
-    ("convergence", [3, 0, 0, 1]),
+    // With a point without slip inside, as in Fig. 12's case too, the order is below 2.
+    ("convergence", [2, 0, 0, 2]),
 ];
 
 #[test]
@@ -225,13 +225,16 @@ fn chapter_5_errs_by_so_much() {
     assert!((0.05..0.065).contains(&rms(3)) && (0.017..0.023).contains(&rms(4)));
 }
 
-/// An island that strips of half the width see as well, moving inwards with more spin.
+/// An island that strips of twice the width see as well but for the smallest, at the least spin;
+/// it is two strips wide at most, 0.104 with the wider ones.
 #[test]
 fn the_island_of_adhesion_is_there() {
     let islands = numbers("islands", "length and width of the island");
     assert_eq!(islands.len(), 6);
-    for island in &islands {
+    let [finer, coarser] = [&islands[..3], &islands[3..]];
+    assert!(coarser[0][1].abs() < f64::EPSILON);
+    for island in finer.iter().chain(&coarser[1..]) {
         let (length, width) = (island[1], island[2]);
-        assert!((0.03..0.3).contains(&length) && (0.03..0.1).contains(&width), "{island:?}");
+        assert!((0.03..0.3).contains(&length) && (0.03..0.11).contains(&width), "{island:?}");
     }
 }

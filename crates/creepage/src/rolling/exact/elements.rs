@@ -86,6 +86,13 @@ impl Elements {
         })
     }
 
+    /// Corners of an element, all around.
+    pub(super) fn corners(&self, strip: usize, i: usize) -> [[f64; 2]; 4] {
+        let ([front, beside], [rear, across]) =
+            (self.cut_ends(strip, i), self.cut_ends(strip, i + 1));
+        [front, beside, across, rear]
+    }
+
     /// Where a strip's middle line is cut, from the leading edge.
     pub(super) fn middle_cut(&self, strip: usize, i: usize) -> [f64; 2] {
         let [[x0, y0], [x1, y1]] = self.cut_ends(strip, i);

@@ -45,6 +45,8 @@ pub struct ElementField {
     pub share: f64,
     /// Frictional power of the element over `mu N mu c V / rho`.
     pub power: f64,
+    /// Corners of the element, all around, in units of `c`.
+    pub corners: [[f64; 2]; 4],
 }
 
 /// The reflections that make `xi` and `chi` (or `eta`, without spin) positive: the contact has
@@ -191,6 +193,10 @@ impl Workspace {
                     bound: grid.elements.bounds[element],
                     share: grid.elements.shares[element],
                     power: self.power(grid, element),
+                    corners: grid
+                        .elements
+                        .corners(strip, k % along)
+                        .map(|c| self.mirror.position(c)),
                 }
             })
             .collect()
