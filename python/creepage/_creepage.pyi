@@ -127,7 +127,8 @@ class Exact(DifferentiableTheory):
     a_over_b: ratio a/b of the semi-axes, along over across the rolling direction, 1/64 to 64.
     poisson: combined Poisson's ratio, 0 to 0.5. resolution: "fast" (14 x 12 elements, 0.7 ms a
     case, rms error 0.2 % of mu N), "standard" (22 x 18, 3 ms, 0.06 %; the default), "fine"
-    (40 x 32, 45 ms, 0.01 %), or (along, across) on a circle, 4 to 200 each.
+    (40 x 32, 45 ms, 0.01 %), or (along, across) on a circle, 4 to 200 each,
+    10000 in all.
     """
 
     def __new__(

@@ -11,11 +11,11 @@ use serde::de::{Deserialize, Deserializer, Error, SeqAccess, Visitor};
 /// Elements of the full theory.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Resolution {
-    /// 12 x 10 elements: forces to 0.4 % of mu N.
+    /// 14 x 12 elements: forces to 0.3 % of mu N.
     Fast,
     /// 22 x 18 elements: forces to 0.1 %.
     Standard,
-    /// 36 x 28 elements: forces to a few hundredths of a per cent.
+    /// 40 x 32 elements: forces to a few hundredths of a per cent.
     Fine,
     /// The first of these three whose error bars are within the wanted accuracy.
     Auto,
@@ -87,16 +87,16 @@ impl JsonSchema for Resolution {
 
     fn json_schema(_: &mut SchemaGenerator) -> Schema {
         json_schema!({ "oneOf": [
-            { "const": "fast", "description": "12 x 10 elements: forces to 0.4 % of mu N." },
+            { "const": "fast", "description": "14 x 12 elements: forces to 0.3 % of mu N." },
             { "const": "standard", "description": "22 x 18 elements: forces to 0.1 %." },
             { "const": "fine",
-              "description": "36 x 28 elements: forces to a few hundredths of a per cent." },
+              "description": "40 x 32 elements: forces to a few hundredths of a per cent." },
             { "const": "auto",
               "description": "The first of these whose error bars are within `accuracy`." },
             { "type": "array", "title": "[along, across]",
               "items": { "type": "integer", "minimum": 4, "maximum": 200 },
               "minItems": 2, "maxItems": 2,
-              "description": "So many elements on a circle, 4 to 200; on an ellipse they become \
+              "description": "So many elements on a circle, 4 to 200 (10000 in all); on an ellipse they become \
                               more nearly square." },
         ] })
     }

@@ -222,6 +222,7 @@ fn senseless_input_is_refused() {
         assert!(Exact::new(ratio, poisson, Resolution::FAST).is_err());
     }
     assert!(Resolution::new(2, 10).is_err() && Resolution::new(10, 1000).is_err());
+    assert!(Resolution::new(200, 200).is_err() && Resolution::new(usize::MAX, 3).is_err());
     assert!(Automatic::new(1.0, 0.3, 0.0).is_err());
     assert!(Creepage::new(f64::INFINITY, 0.0, 0.0).is_err());
 }

@@ -25,9 +25,11 @@ impl Resolution {
     /// `along` by `across` elements on a circle.
     ///
     /// # Errors
-    /// [`InvalidValue`] unless both lie between 4 and 200: fewer resolve nothing, more cost
-    /// gigabytes.
+    /// [`InvalidValue`] unless both lie between 4 and 200, and there are 10,000 elements at most:
+    /// fewer resolve nothing, more cost gigabytes.
     pub fn new(along: usize, across: usize) -> Result<Self, InvalidValue> {
+        let elements = along.saturating_mul(across);
+        check::require(elements <= 10_000, "elements", elements as f64, "at most 10000")?;
         let valid = "between 4 and 200";
         let check = |name, n: usize| check::require((4..=200).contains(&n), name, n as f64, valid);
         Ok(Self { along: check("along", along)?, across: check("across", across)? })
