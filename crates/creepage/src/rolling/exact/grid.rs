@@ -33,8 +33,10 @@ pub(super) struct Grid {
     pub pressure_slip: Vec<[f64; 2]>,
     /// Unit `mu c / rho` of slip over `mu` times the peak pressure over `G`.
     slip_unit: f64,
-    /// Slip that weighs as much as the bound when an element chooses between adhesion and slip.
-    pub compliance: Vec<f64>,
+    /// Weight `r` of slip against traction in the projection of each element. Any has the same
+    /// solution; with a share of the traction that its own slip asks for the iteration neither
+    /// cycles nor crawls.
+    pub weights: Vec<f64>,
 }
 
 /// The rows of coefficients of one element, and how to apply them.
@@ -73,6 +75,9 @@ impl Row<'_> {
     }
 }
 
+/// Of the traction that an element's own slip asks for.
+const WEIGHT: f64 = 0.3;
+
 impl Grid {
     pub(super) fn new(ellipse: Ellipse, poisson: f64, along: usize, strips: usize) -> Self {
         let elements = Elements::new(ellipse, along, strips);
@@ -86,7 +91,7 @@ impl Grid {
             sampling: Sampling::new(along, strips, ellipse.ratio()),
             pressure_slip: vec![[0.0; 2]; elements.len()],
             slip_unit,
-            compliance: Vec::new(),
+            weights: Vec::new(),
             elements,
         };
         for strip in 0..strips {
@@ -97,7 +102,7 @@ impl Grid {
                 steps.append(&ends, &mut grid.coefficients);
             }
         }
-        grid.compliance = (0..grid.elements.len()).map(|e| grid.self_response(e)).collect();
+        grid.weights = (0..grid.elements.len()).map(|e| WEIGHT / grid.self_response(e)).collect();
         grid
     }
 
