@@ -1,4 +1,7 @@
 //! A small dense system, factored in place and solved without allocation.
+#![allow(clippy::inline_always)] // what is dispatched must be compiled for each kind of processor
+
+use pulp::{Arch, Simd, WithSimd};
 
 /// `P A = L U` with partial pivoting. One value is filled and factored again and again, which
 /// the owning decompositions of the linear algebra library do not offer.
@@ -22,6 +25,11 @@ impl Dense {
 
     /// Factors the matrix in place; false when it is singular or not finite.
     pub(super) fn factor(&mut self) -> bool {
+        Arch::new().dispatch(Factor(self))
+    }
+
+    #[inline(always)]
+    fn factor_now(&mut self) -> bool {
         let n = self.n;
         for k in 0..n {
             let pivot = self.largest_below(k);
@@ -39,11 +47,13 @@ impl Dense {
         true
     }
 
+    #[inline(always)]
     fn largest_below(&self, k: usize) -> usize {
         let size = |row: usize| self.entries[row * self.n + k].abs();
         (k + 1..self.n).fold(k, |best, row| if size(row) > size(best) { row } else { best })
     }
 
+    #[inline(always)]
     fn eliminate(&mut self, k: usize, inverse: f64) {
         let n = self.n;
         let (done, below) = self.entries.split_at_mut((k + 1) * n);
@@ -59,6 +69,11 @@ impl Dense {
 
     /// Solves with the factors; `x` holds the right-hand side and receives the solution.
     pub(super) fn solve(&self, x: &mut [f64]) {
+        Arch::new().dispatch(Solve(self, x));
+    }
+
+    #[inline(always)]
+    fn solve_now(&self, x: &mut [f64]) {
         let n = self.n;
         for k in 0..n {
             x.swap(k, self.pivots[k]);
@@ -75,17 +90,42 @@ impl Dense {
     }
 }
 
-/// Scalar product in four partial sums, which the compiler turns into vector instructions.
+struct Factor<'a>(&'a mut Dense);
+
+impl WithSimd for Factor<'_> {
+    type Output = bool;
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) -> bool {
+        self.0.factor_now()
+    }
+}
+
+struct Solve<'a>(&'a Dense, &'a mut [f64]);
+
+impl WithSimd for Solve<'_> {
+    type Output = ();
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) {
+        self.0.solve_now(self.1);
+    }
+}
+
+/// Scalar product in partial sums, which the compiler turns into vector instructions.
+#[inline(always)]
 fn dot(a: &[f64], b: &[f64]) -> f64 {
-    let (a, a_rest) = a.as_chunks::<4>();
-    let (b, b_rest) = b.as_chunks::<4>();
-    let mut sums = [0.0; 4];
+    const LANES: usize = 8;
+    let (a, a_rest) = a.as_chunks::<LANES>();
+    let (b, b_rest) = b.as_chunks::<LANES>();
+    let mut sums = [0.0; LANES];
     for (a, b) in a.iter().zip(b) {
-        for l in 0..4 {
+        for l in 0..LANES {
             sums[l] += a[l] * b[l];
         }
     }
-    sums.iter().sum::<f64>() + a_rest.iter().zip(b_rest).map(|(a, b)| a * b).sum::<f64>()
+    for (sum, (a, b)) in sums.iter_mut().zip(a_rest.iter().zip(b_rest)) {
+        *sum += a * b;
+    }
+    sums.iter().sum()
 }
 
 #[cfg(test)]

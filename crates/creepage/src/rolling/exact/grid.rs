@@ -5,6 +5,7 @@ use std::f64::consts::PI;
 use super::elements::Elements;
 use super::ends::Ends;
 use super::influence::{Response, edge};
+use super::row::Row;
 use super::sampling::Sampling;
 use super::unlike::{self, Drive};
 use crate::ellipse::Ellipse;
@@ -37,42 +38,6 @@ pub(super) struct Grid {
     /// solution; with a share of the traction that its own slip asks for the iteration neither
     /// cycles nor crawls.
     pub weights: Vec<f64>,
-}
-
-/// The rows of coefficients of one element, and how to apply them.
-#[derive(Clone, Copy)]
-pub(super) struct Row<'a> {
-    pub xx: &'a [f64],
-    pub xy: &'a [f64],
-    pub yy: &'a [f64],
-}
-
-impl Row<'_> {
-    /// Slip by tractions `x`, `y`, in the mirror image too when `sign` is -1.
-    pub(super) fn apply(&self, sign: f64, x: &[f64], y: &[f64]) -> [f64; 2] {
-        const LANES: usize = 4;
-        let mut sums = [[0.0; LANES]; 4];
-        let whole = x.len() / LANES * LANES;
-        for k in (0..whole).step_by(LANES) {
-            let (x, y) = (&x[k..k + LANES], &y[k..k + LANES]);
-            let (xx, xy, yy) =
-                (&self.xx[k..k + LANES], &self.xy[k..k + LANES], &self.yy[k..k + LANES]);
-            for l in 0..LANES {
-                sums[0][l] += xx[l] * x[l];
-                sums[1][l] += xy[l] * y[l];
-                sums[2][l] += xy[l] * x[l];
-                sums[3][l] += yy[l] * y[l];
-            }
-        }
-        let [mut u_x, mut u_y, mut v_x, mut v_y] = sums.map(|lanes| lanes.iter().sum::<f64>());
-        for k in whole..x.len() {
-            u_x += self.xx[k] * x[k];
-            u_y += self.xy[k] * y[k];
-            v_x += self.xy[k] * x[k];
-            v_y += self.yy[k] * y[k];
-        }
-        [u_x + sign * u_y, sign * v_x + v_y]
-    }
 }
 
 /// Of the traction that an element's own slip asks for.

@@ -27,6 +27,7 @@ mod linear;
 mod load;
 mod newton;
 mod resolution;
+mod row;
 mod sampling;
 mod solution;
 mod solve;

@@ -8,7 +8,9 @@ use super::state::State;
 const STEPS: usize = 12;
 /// Accuracy of the linear equations at first; nearer to the solution it pays to solve them better.
 const ROUGH: f64 = 0.05;
-const EXACT: f64 = 1e-6;
+const FINE: f64 = 1e-6;
+/// Accuracy after a step that led nowhere, for it may be to blame.
+const BETTER: f64 = 1e-3;
 /// Share of what may still be lacking at the end that the linear equations may leave.
 const LAST: f64 = 0.3;
 /// A strip's factors that were left after a larger step are made anew.
@@ -28,13 +30,20 @@ struct Lack {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Newton {
     Converged,
-    /// A whole step did not do: the tractions are too far off.
+    /// The tractions are too far off.
     Astray,
 }
 
 impl State {
-    /// Improves tractions that are near the solution; the slip must be theirs.
-    pub(super) fn newton(&mut self, grid: &Grid, linear: &mut Linear, tolerance: f64) -> Newton {
+    /// Improves tractions that are near the solution; the slip must be theirs. When `hasty` it ends
+    /// as soon as a step must be shortened.
+    pub(super) fn newton(
+        &mut self,
+        grid: &Grid,
+        linear: &mut Linear,
+        tolerance: f64,
+        hasty: bool,
+    ) -> Newton {
         linear.clear();
         let mut lack = self.lack_after(grid, linear, 0.0);
         let mut accuracy = ROUGH;
@@ -47,12 +56,16 @@ impl State {
             }
             linear.solve(grid, self, accuracy.max(LAST * tolerance / lack.largest));
             let Some((share, next)) = self.search(grid, linear, lack) else {
-                break;
+                if accuracy <= BETTER {
+                    break;
+                }
+                accuracy = BETTER;
+                continue;
             };
             self.advance(linear, share);
-            accuracy = (0.5 * (next.total / lack.total).powi(2)).clamp(EXACT, ROUGH);
+            accuracy = (0.5 * (next.total / lack.total).powi(2)).clamp(FINE, ROUGH);
             lack = next;
-            if share < 1.0 && lack.largest > tolerance {
+            if hasty && share < 1.0 {
                 return Newton::Astray;
             }
         }

@@ -3,7 +3,7 @@
 //! Sweeps come near: a sweep solves the friction problem of each strip with the other strips
 //! held, for strips act on one another more weakly than elements of a strip do. Newton in all
 //! strips at once ends it; where one of its steps must be shortened, a pair of sweeps comes first
-//! again.
+//! again, but not for ever: where sweeps swing between states, shortened steps go on.
 
 use super::grid::Grid;
 use super::linear::Linear;
@@ -15,6 +15,8 @@ use super::unlike::Drive;
 /// over the creepage where that is smaller than one: then tractions are as small as the creepage.
 const TOLERANCE: f64 = 1e-8;
 const ROUNDS: usize = 60;
+/// Rounds in which Newton is left as soon as one of its steps must be shortened.
+const HASTY: usize = 3;
 
 /// How an iteration ended.
 #[derive(Debug, Clone, Copy)]
@@ -34,7 +36,7 @@ impl State {
                 self.solve_strip(grid, drive, strip, tolerance);
             }
             self.update_slip(grid, drive, 0..grid.elements.len());
-            if self.newton(grid, linear, tolerance) == Newton::Converged {
+            if self.newton(grid, linear, tolerance, round <= HASTY) == Newton::Converged {
                 return Outcome { converged: true, sweeps: 2 * round + linear.sweeps };
             }
         }
