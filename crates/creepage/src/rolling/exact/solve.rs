@@ -14,6 +14,8 @@ use super::unlike::Drive;
 /// Largest lack of friction's equation `p = P(p + r s)` in a solution, over the traction bound, or
 /// over the creepage where that is smaller than one: then tractions are as small as the creepage.
 const TOLERANCE: f64 = 1e-8;
+/// Tractions so many times larger than the creepage are no start: it is far smaller than the last.
+const FORGET: f64 = 1e6;
 const ROUNDS: usize = 60;
 /// Rounds in which Newton is left as soon as one of its steps must be shortened.
 const HASTY: usize = 3;
@@ -29,7 +31,11 @@ impl State {
     /// Improves the tractions until they obey friction at the slip that `drive` causes.
     pub(super) fn solve(&mut self, grid: &Grid, linear: &mut Linear, drive: Drive) -> Outcome {
         let strips = grid.elements.strips;
-        let tolerance = TOLERANCE * scale(grid, drive).min(1.0);
+        let scale = scale(grid, drive);
+        if self.traction.largest() > FORGET * scale {
+            self.reset();
+        }
+        let tolerance = TOLERANCE * scale.min(1.0);
         linear.sweeps = 0;
         for round in 1..=ROUNDS {
             for strip in (0..strips).chain((0..strips).rev()) {

@@ -28,6 +28,10 @@ impl Tractions {
         [self.own[0][element], self.own[1][element]]
     }
 
+    pub(super) fn largest(&self) -> f64 {
+        self.own.iter().flatten().fold(0.0, |largest, t| t.abs().max(largest))
+    }
+
     /// Elastic slip of an element.
     pub(super) fn slip(&self, grid: &Grid, element: usize) -> [f64; 2] {
         let (row, sign) = grid.row(element);
