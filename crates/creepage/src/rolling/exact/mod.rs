@@ -2,9 +2,9 @@
 //! traction is assumed.
 //!
 //! Elements fit the ellipse, the slip of each is an upstream difference of displacements of
-//! second order, friction is a projection, and Newton solves it strip by strip. Every force and
-//! the frictional power come from two grids: their difference gives the extrapolated value and its
-//! error bar.
+//! second order, friction is a projection, and Newton solves it, strip by strip at first, then in
+//! all strips at once. Every force and the frictional power come from two grids: their difference
+//! gives the extrapolated value and its error bar.
 //!
 //! With `P` the projection on the disc whose radius is the traction bound, Coulomb's law for a
 //! traction `p` and slip `s` is one equation, for any `r > 0`:

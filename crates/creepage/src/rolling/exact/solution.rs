@@ -32,7 +32,7 @@ pub struct ExactSolution {
     pub dissipation: f64,
     /// Whether the iteration met its tolerance.
     pub status: Status,
-    /// Sweeps over the strips, on the coarser and the finer grid.
+    /// Sweeps over the strips, on the coarser and the finer grid: most of the cost.
     pub sweeps: [usize; 2],
 }
 
