@@ -1,12 +1,9 @@
 //! The derivative of the full theory, and the inverse problem that rests on it.
-#![allow(clippy::unwrap_used)]
 
 use creepage::rolling::exact::{Exact, InverseError, Known, Resolution, Workspace};
 use creepage::rolling::{Creepage, Force};
 
-fn components(force: Force) -> [f64; 3] {
-    [force.fx, force.fy, force.mz]
-}
+use crate::support::components;
 
 fn creepage([xi, eta, chi]: [f64; 3]) -> Creepage {
     Creepage::new(xi, eta, chi).unwrap()

@@ -1,25 +1,18 @@
 //! The full theory between unlike bodies: the pressure adds to the slip (6.4).
-#![allow(clippy::unwrap_used)]
 
 use std::f64::consts::PI;
 
 use creepage::Ellipse;
 use creepage::halfspace::{DisplacementField, Edge, Polynomial, Traction};
-use creepage::rolling::exact::{Automatic, Exact, ExactSolution, Resolution};
+use creepage::rolling::exact::{Automatic, Exact, Resolution};
 use creepage::rolling::{Creepage, Force, Region, Status, Theory};
 use proptest::prelude::*;
 
-fn components(force: Force) -> [f64; 3] {
-    [force.fx, force.fy, force.mz]
-}
+use crate::support::{components, solve};
 
 fn unlike(ratio: f64, poisson: f64, resolution: Resolution, kappa_over_mu: f64) -> Exact {
     let like = Exact::new(ratio, poisson, resolution).unwrap();
     like.with_unlikeness(kappa_over_mu).unwrap()
-}
-
-fn solve(theory: &Exact, [xi, eta, chi]: [f64; 3]) -> ExactSolution {
-    theory.solve_with(Creepage::new(xi, eta, chi).unwrap(), &mut theory.workspace())
 }
 
 #[test]
