@@ -1,23 +1,15 @@
 //! Every theory by name: in `solve`, in `batch`, with its options, and measured.
 
-// Helpers of tests fail like tests: by panicking.
-#![allow(clippy::unwrap_used)]
-
 use std::f64::consts::PI;
 use std::fmt::Write;
 
 use serde_json::Value;
 
-mod common;
-use common::{CASE, Place};
+use crate::place::{CASE, Place, json};
 
 /// The case of the common tests without any option of a theory.
 fn plain_case() -> String {
     CASE[..CASE.find("[solve]").unwrap()].to_owned()
-}
-
-fn json(text: &str) -> Value {
-    serde_json::from_str(text).unwrap()
 }
 
 /// The names in the first column of `creepage theories`.

@@ -2,10 +2,6 @@
 //! directory of the page's own that has the examples in it. (The guide's build shows what they
 //! print; a command that fails is found here.)
 
-// Helpers of tests fail like tests: by panicking.
-#![allow(clippy::unwrap_used)]
-#![cfg(unix)]
-
 use std::env;
 use std::ffi::OsString;
 use std::fs;
@@ -14,8 +10,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::thread;
 
-mod common;
-use common::Place;
+use crate::place::Place;
 
 fn repository() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").canonicalize().unwrap()

@@ -1,12 +1,8 @@
 //! `creepage solve` with [wanted]: forces in, creepage out.
 
-// Helpers of tests fail like tests: by panicking.
-#![allow(clippy::unwrap_used)]
-
 use serde_json::Value;
 
-mod common;
-use common::{CASE, Place};
+use crate::place::{CASE, Place, json};
 
 /// The common case without creepage and theory, with these lines in place of both.
 fn case(lines: &str) -> String {
@@ -15,7 +11,7 @@ fn case(lines: &str) -> String {
 
 fn solved(place: &Place, lines: &str) -> Value {
     place.write("case.toml", case(lines));
-    serde_json::from_str(&place.run(&["solve", "case.toml", "--json"]).done()).unwrap()
+    json(&place.run(&["solve", "case.toml", "--json"]).done())
 }
 
 const CREEPAGES: [(&str, &str); 3] =

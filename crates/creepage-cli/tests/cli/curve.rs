@@ -1,10 +1,6 @@
 //! `creepage curve`: what is varied, how far, and what is written.
 
-// Helpers of tests fail like tests: by panicking.
-#![allow(clippy::unwrap_used)]
-
-mod common;
-use common::{CASE, Place};
+use crate::place::{CASE, Place};
 
 /// A place with a case of those creepages, and no option of any theory.
 fn place(creepages: &str) -> Place {

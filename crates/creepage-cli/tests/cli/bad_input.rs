@@ -1,7 +1,6 @@
 //! Bad input: a message that names the field, exit code 2, and nothing written.
 
-mod common;
-use common::{CASE, Place};
+use crate::place::{CASE, Place};
 
 /// Solves the case with the first `old` replaced by `new`; it must be refused.
 #[track_caller]

@@ -1,15 +1,11 @@
 //! The example cases of the repository: they solve, and they say what the format allows.
 
-// Helpers of tests fail like tests: by panicking.
-#![allow(clippy::unwrap_used)]
-
 use std::fs;
 use std::path::{Path, PathBuf};
 
 use serde_json::Value;
 
-mod common;
-use common::Place;
+use crate::place::{Place, json};
 
 fn examples() -> Vec<PathBuf> {
     examples_in("")
@@ -30,7 +26,7 @@ fn every_example_solves_and_shows_both_adhesion_and_slip() {
     let place = Place::new();
     for path in examples() {
         let printed = place.run(&["solve", path.to_str().unwrap(), "--json"]).done();
-        let report: Value = serde_json::from_str(&printed).unwrap();
+        let report = json(&printed);
         assert_eq!(report["status"], "solved", "{}", path.display());
         let share = report["areas"]["adhesion_share"].as_f64().unwrap();
         assert!((0.05..0.95).contains(&share), "{}: adhesion {share}", path.display());
@@ -43,7 +39,7 @@ fn the_force_on_the_wheel_drives_in_traction_and_brakes_in_braking() {
     let force_on_wheel = |name: &str| {
         let path = examples().into_iter().find(|path| path.ends_with(name)).unwrap();
         let printed = place.run(&["solve", path.to_str().unwrap(), "--json"]).done();
-        let report: Value = serde_json::from_str(&printed).unwrap();
+        let report = json(&printed);
         report["upper_body"]["longitudinal_n"].as_f64().unwrap()
     };
     assert!(force_on_wheel("wheel-on-rail.toml") > 0.0);
@@ -56,7 +52,7 @@ fn wanted_forces_are_met_by_the_creepage_that_is_found() {
     let solved = |name: &str| -> Value {
         let path = examples().into_iter().find(|path| path.ends_with(name)).unwrap();
         let printed = place.run(&["solve", path.to_str().unwrap(), "--json"]).done();
-        serde_json::from_str(&printed).unwrap()
+        json(&printed)
     };
     let number = |value: &Value| value.as_f64().unwrap();
     let ball = solved("ball-rolling-free.toml");
@@ -75,7 +71,7 @@ fn wanted_forces_are_met_by_the_creepage_that_is_found() {
 fn the_schema_accepts_every_example() {
     let place = Place::new();
     let schema = |of: &[&str]| -> Value {
-        serde_json::from_str(&place.run(&[&["schema"], of].concat()).done()).unwrap()
+        json(&place.run(&[&["schema"], of].concat()).done())
     };
     let [cases, statics, sweeps] = ["case", "statics", "sweep"].map(|of| schema(&["--of", of]));
     assert_eq!(schema(&[]), cases);

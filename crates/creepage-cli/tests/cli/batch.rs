@@ -1,16 +1,12 @@
 //! `creepage batch`: what goes in comes out, row by row, with the answer appended.
 
-// Helpers of tests fail like tests: by panicking.
-#![allow(clippy::unwrap_used)]
-
 use std::fmt::Write;
 
 use creepage::rolling::exact::{Exact, Resolution};
 use creepage::rolling::variational::{Settings, Variational};
 use creepage::rolling::{Creepage, Theory};
 
-mod common;
-use common::{Place, Ran};
+use crate::place::{Place, Ran};
 
 const HEADER: &str = "a_over_b,poisson,xi,eta,chi\n";
 const BATCH: [&str; 3] = ["batch", "--theory", "variational"];

@@ -1,7 +1,6 @@
 //! `creepage reproduce`.
 
-mod common;
-use common::Place;
+use crate::place::Place;
 
 #[test]
 fn table_1_is_right_in_all_its_entries() {

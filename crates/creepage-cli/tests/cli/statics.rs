@@ -1,15 +1,11 @@
 //! `creepage statics` on good and bad input.
 
-// Helpers of tests fail like tests: by panicking.
-#![allow(clippy::unwrap_used, clippy::panic)]
-
 use std::fs;
 use std::path::{Path, PathBuf};
 
 use serde_json::Value;
 
-mod common;
-use common::Place;
+use crate::place::{Place, json};
 
 const SLIP: &str = r#"
 [upper]
@@ -34,7 +30,7 @@ fn examples() -> Vec<PathBuf> {
 }
 
 fn report(place: &Place, path: &str) -> Value {
-    serde_json::from_str(&place.run(&["statics", path, "--json"]).done()).unwrap()
+    json(&place.run(&["statics", path, "--json"]).done())
 }
 
 fn number(report: &Value, key: &str) -> f64 {
@@ -62,7 +58,6 @@ fn the_files_are_written_and_the_report_is_the_printed_one() {
     let place = Place::new();
     place.write("case.toml", SLIP);
     let printed = place.run(&["statics", "case.toml", "--json", "--out", "deep/out"]).done();
-    let json = |text: &str| serde_json::from_str::<Value>(text).unwrap();
     assert_eq!(json(&printed), json(&place.read("deep/out/report.json")));
     for file in ["contact.svg", "contact.png"] {
         assert!(place.path("deep/out").join(file).is_file(), "{file}");

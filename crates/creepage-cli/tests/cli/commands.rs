@@ -1,19 +1,11 @@
 //! The commands on good input, and what they print.
 
-// Helpers of tests fail like tests: by panicking.
-#![allow(clippy::unwrap_used)]
-
 use std::io::{BufRead, BufReader};
 use std::process::{Command, Stdio};
 
 use serde_json::Value;
 
-mod common;
-use common::{CASE, Place};
-
-fn json(text: &str) -> Value {
-    serde_json::from_str(text).unwrap()
-}
+use crate::place::{CASE, Place, json};
 
 #[test]
 fn solve_writes_its_files_and_prints_the_same_report() {

@@ -1,15 +1,11 @@
 //! Running the command in a directory of its own.
 
-// Helpers of tests fail like tests: by panicking.
-#![allow(clippy::unwrap_used)]
-// Each test file uses its part of this.
-#![allow(dead_code)]
-
 use std::fs;
 use std::path::PathBuf;
 use std::process::Output;
 
 use assert_cmd::Command;
+use serde_json::Value;
 use tempfile::TempDir;
 
 pub(crate) const CASE: &str = r#"
@@ -38,6 +34,10 @@ spin = 0.2
 theory = "variational"
 degree = 3
 "#;
+
+pub(crate) fn json(text: &str) -> Value {
+    serde_json::from_str(text).unwrap()
+}
 
 /// A directory with nothing in it, and the command run there.
 pub(crate) struct Place(TempDir);

@@ -1,15 +1,11 @@
 //! `creepage sweep`: results that do not depend on threads or interruptions, and the catalogue.
-#![allow(clippy::unwrap_used)] // in helpers, where the lint does not see a test
 
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Stdio};
 use std::time::Duration;
 
-use serde_json::Value;
-
-mod common;
-use common::Place;
+use crate::place::{Place, json};
 
 /// 2,000 cases in 100 chains.
 const SWEEP: &str = "
@@ -119,7 +115,7 @@ fn every_format_has_every_case() {
         let [one, two] = [name, "same"].map(|name| fs::read(place.path(name)).unwrap());
         assert_eq!(one, two, "{format}");
     }
-    let json: Value = serde_json::from_str(&place.read("a.json")).unwrap();
+    let json = json(&place.read("a.json"));
     let cases = json["cases"].as_array().unwrap();
     assert_eq!(cases.len(), 4);
     let csv = place.read("a.csv");

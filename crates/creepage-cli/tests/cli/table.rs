@@ -1,12 +1,8 @@
 //! `creepage table` on good and bad input.
 
-// Helpers of tests fail like tests: by panicking.
-#![allow(clippy::unwrap_used)]
-
 use serde_json::Value;
 
-mod common;
-use common::Place;
+use crate::place::{Place, json};
 
 const SMALL: [&str; 8] =
     ["--theory", "fastsim", "--intervals", "8,12,12", "--places", "100", "--out", "t.nc"];
@@ -15,8 +11,8 @@ fn build(place: &Place, more: &[&str]) {
     place.run(&[&["table", "build"], &SMALL[..], more].concat()).done();
 }
 
-fn json(place: &Place, arguments: &[&str]) -> Value {
-    serde_json::from_str(&place.run(&[arguments, &["--json"]].concat()).done()).unwrap()
+fn printed(place: &Place, arguments: &[&str]) -> Value {
+    json(&place.run(&[arguments, &["--json"]].concat()).done())
 }
 
 #[test]
@@ -24,11 +20,11 @@ fn a_table_tells_what_it_is_and_gives_the_force() {
     let place = Place::new();
     build(&place, &[]);
     assert_eq!(place.files(), ["t.nc"]);
-    let info = json(&place, &["table", "info", "t.nc"]);
+    let info = printed(&place, &["table", "info", "t.nc"]);
     assert_eq!(info["theory"], "fastsim");
     assert_eq!(info["error_places"], 100);
     assert!(place.run(&["table", "info", "t.nc"]).done().contains("random places"));
-    let found = json(&place, &["table", "eval", "t.nc", "--xi", "-0.9"]);
+    let found = printed(&place, &["table", "eval", "t.nc", "--xi", "-0.9"]);
     let rows = "a_over_b,poisson,xi,eta,chi\n1,0.28,-0.9,0,0\n";
     place.write("rows.csv", rows);
     let solved = place.run(&["batch", "--theory", "fastsim", "--in", "rows.csv"]).done();
@@ -45,7 +41,7 @@ fn a_table_of_shapes_must_be_told_the_shape() {
     let place = Place::new();
     build(&place, &["--a-over-b", "0.5,2", "--shapes", "3"]);
     place.run(&["table", "eval", "t.nc", "--xi", "1"]).refused(&["a_over_b"]);
-    let found = json(&place, &["table", "eval", "t.nc", "--xi", "1", "--a-over-b", "1.3"]);
+    let found = printed(&place, &["table", "eval", "t.nc", "--xi", "1", "--a-over-b", "1.3"]);
     assert_eq!(found["a_over_b"], 1.3);
     place.run(&["table", "eval", "t.nc", "--a-over-b", "3"]).refused(&["a_over_b = 3"]);
 }
@@ -76,7 +72,7 @@ fn a_table_of_the_full_theory_tells_its_elements() {
     let place = Place::new();
     let small = ["--resolution", "fast", "--intervals", "4,4,4", "--places", "8"];
     place.run(&[&["table", "build", "--out", "t.nc"], &small[..]].concat()).done();
-    let info = json(&place, &["table", "info", "t.nc"]);
+    let info = printed(&place, &["table", "info", "t.nc"]);
     assert_eq!([&info["theory"], &info["options"]], ["exact", "resolution = fast"]);
     assert_eq!((&info["doubtful_nodes"], &info["error_places"]), (&0.into(), &8.into()));
     let text = place.run(&["table", "info", "t.nc"]).done();
