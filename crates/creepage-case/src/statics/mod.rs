@@ -1,8 +1,12 @@
 //! A statics file: two bodies in contact without rolling, or a die on one.
 
+mod contact;
+mod error;
+mod load;
+
 use creepage::rolling::SiForce;
 use creepage::statics::{Bonded, Die, PartialSlip};
-use creepage::{Ellipse, Hertz, InvalidValue, Solid, SolidPair};
+use creepage::{Ellipse, Hertz, Solid, SolidPair};
 use schemars::JsonSchema;
 use serde::Deserialize;
 use serde_json::Value;
@@ -11,9 +15,10 @@ use crate::body::Body;
 use crate::error::CaseError;
 use crate::keys;
 use crate::schema::schema_of;
-use crate::statics_contact::StaticsContact;
-use crate::statics_error::StaticsError;
-use crate::statics_load::{Problem, Statics};
+
+use contact::StaticsContact;
+pub use error::StaticsError;
+use load::{Problem, Statics};
 
 /// A contact without rolling, in SI units: the bodies, what presses them together, and the load.
 ///
@@ -193,9 +198,4 @@ impl StaticsFile {
             .as_ref()
             .ok_or_else(|| CaseError::MissingSection { section: "upper".into(), needs: needs() })
     }
-}
-
-/// An [`InvalidValue`] of `[statics]`.
-pub(crate) fn invalid(quantity: &'static str, value: f64, valid: &'static str) -> CaseError {
-    CaseError::invalid("statics")(InvalidValue { quantity, value, valid })
 }

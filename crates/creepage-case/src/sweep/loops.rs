@@ -1,5 +1,6 @@
 //! The triple loop over `chi`, `alpha` and the list of `upsilon` (5.16).
 
+use creepage::InvalidValue;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -68,7 +69,7 @@ impl Loops {
 impl Values {
     fn values(&self, key: &'static str) -> Result<Vec<f64>, CaseError> {
         let invalid = |value: f64, valid: &'static str| {
-            CaseError::invalid("creepage")(creepage::InvalidValue { quantity: key, value, valid })
+            CaseError::invalid("creepage")(InvalidValue { quantity: key, value, valid })
         };
         match self {
             Self::List(list) => {

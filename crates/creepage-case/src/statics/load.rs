@@ -1,11 +1,11 @@
 //! `[statics]`: which problem, and its load.
 
+use creepage::InvalidValue;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
+use super::error::StaticsError;
 use crate::error::CaseError;
-use crate::statics::invalid;
-use crate::statics_error::StaticsError;
 
 /// The problem, and the load that the upper body exerts on the lower; each problem takes its own
 /// keys.
@@ -102,4 +102,9 @@ impl Statics {
 
 fn finite(key: &'static str, value: f64) -> Result<f64, CaseError> {
     if value.is_finite() { Ok(value) } else { Err(invalid(key, value, "a finite number")) }
+}
+
+/// An [`InvalidValue`] of `[statics]`.
+fn invalid(quantity: &'static str, value: f64, valid: &'static str) -> CaseError {
+    CaseError::invalid("statics")(InvalidValue { quantity, value, valid })
 }
