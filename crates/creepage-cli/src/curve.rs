@@ -9,7 +9,7 @@ use creepage_report::{Component, Curves};
 use crate::args::{CurveArgs, Quantity};
 use crate::cases::{choose, read};
 use crate::failure::Failure;
-use crate::output::{print, say};
+use crate::output::{print, say_written};
 
 pub(crate) fn run(args: &CurveArgs) -> Result<(), Failure> {
     let wrong = |source| Failure::Case { path: args.case.clone(), source };
@@ -27,9 +27,7 @@ pub(crate) fn run(args: &CurveArgs) -> Result<(), Failure> {
     let Some(directory) = &args.out else {
         return print(&String::from_utf8_lossy(&curves.csv()?));
     };
-    for path in curves.write(directory)? {
-        say(&format!("wrote {}", path.display()));
-    }
+    say_written(&curves.write(directory)?);
     Ok(())
 }
 

@@ -1,6 +1,9 @@
 //! Data to standard output, words to standard error.
 
 use std::io::{self, Write};
+use std::path::PathBuf;
+
+use indicatif::ProgressStyle;
 
 use crate::failure::Failure;
 
@@ -17,4 +20,16 @@ pub(crate) fn print(text: &str) -> Result<(), Failure> {
 /// Tells the user something; a closed standard error is no reason to stop.
 pub(crate) fn say(words: &str) {
     let _ = writeln!(io::stderr().lock(), "{words}");
+}
+
+/// Tells which files were written.
+pub(crate) fn say_written(paths: &[PathBuf]) {
+    for path in paths {
+        say(&format!("wrote {}", path.display()));
+    }
+}
+
+/// How a bar looks that shows progress on a terminal.
+pub(crate) fn bar_style(template: &str) -> ProgressStyle {
+    ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_bar())
 }

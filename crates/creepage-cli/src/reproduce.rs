@@ -5,11 +5,11 @@ use std::io::{self, IsTerminal};
 use clap::builder::{PossibleValue, PossibleValuesParser};
 use creepage_gallery::{File, Item, Made, agreement_text, files, gallery, registry, reproduce};
 use creepage_report::write_all;
-use indicatif::{ProgressBar, ProgressStyle};
+use indicatif::ProgressBar;
 
 use crate::args::ReproduceArgs;
 use crate::failure::Failure;
-use crate::output::{print, say};
+use crate::output::{bar_style, print, say_written};
 
 const ALL: &str = "all";
 
@@ -38,9 +38,7 @@ pub(crate) fn run(args: &ReproduceArgs) -> Result<(), Failure> {
             written.extend(gallery(&made)?);
         }
         let pairs: Vec<_> = written.iter().map(File::as_pair).collect();
-        for path in write_all(directory, &pairs)? {
-            say(&format!("wrote {}", path.display()));
-        }
+        say_written(&write_all(directory, &pairs)?);
     }
     print(&made.iter().map(text).collect::<Vec<_>>().join("\n\n\n"))
 }
@@ -58,7 +56,5 @@ fn bar(count: usize) -> ProgressBar {
     if count < 2 || !io::stderr().is_terminal() {
         return ProgressBar::hidden();
     }
-    let style = ProgressStyle::with_template("{wide_bar} {pos} of {len}  {msg:8}");
-    ProgressBar::new(count as u64)
-        .with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
+    ProgressBar::new(count as u64).with_style(bar_style("{wide_bar} {pos} of {len}  {msg:8}"))
 }

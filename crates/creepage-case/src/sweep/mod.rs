@@ -8,7 +8,9 @@ mod solve;
 
 use creepage::halfspace::Polynomial;
 use creepage::rolling::Creepage;
-use creepage::rolling::variational::{Procedure, Settings, Variational, VariationalError};
+use creepage::rolling::variational::{
+    Chain, Procedure, Settings, Variational, VariationalError, VariationalSolution,
+};
 
 use crate::error::CaseError;
 use crate::keys;
@@ -17,6 +19,7 @@ pub use chain::SecondStart;
 use chain::Through;
 use file::SweepFile;
 pub use file::sweep_json_schema;
+pub use solve::SweepBound;
 
 /// A sweep, every number of it checked.
 ///
@@ -107,6 +110,31 @@ impl Sweep {
             let section = if in_contact { "contact" } else { "solve" };
             CaseError::Variational { section, source }
         })
+    }
+
+    /// The chain that begins with the case of that number, before it is solved.
+    ///
+    /// # Panics
+    /// As [`Sweep::case`].
+    #[must_use]
+    pub fn chain<'a>(&self, theory: &'a Variational, first: usize) -> Chain<'a> {
+        let given = self.starting_values.as_ref();
+        match given.and_then(|polynomials| theory.unknowns_of(polynomials).ok()) {
+            Some(tau) => Chain::from(theory, self.procedure, self.case(first).creepage, tau),
+            None => Chain::new(theory, self.procedure),
+        }
+    }
+
+    /// By how much the forces differ from those of the second start; NaN where none is asked for.
+    #[must_use]
+    pub fn second_start_difference(
+        &self,
+        theory: &Variational,
+        creepage: Creepage,
+        found: &VariationalSolution,
+    ) -> f64 {
+        self.second_start
+            .map_or(f64::NAN, |second| theory.check_by(creepage, found, &second.start()))
     }
 
     /// Number of cases.

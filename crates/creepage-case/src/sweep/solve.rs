@@ -24,7 +24,7 @@ pub(crate) struct SolveSection {
     weight: Option<Weight>,
     /// What is done about tractions above their bound; "automatic" by default.
     #[serde(default)]
-    bound: BoundName,
+    bound: SweepBound,
     /// The iteration ends when the largest change is below delta times the largest unknown;
     /// 1e-6 by default, 1e-3 for "newton".
     delta: Option<f64>,
@@ -44,9 +44,10 @@ enum MethodName {
     Areas,
 }
 
+/// What the numerical theory does about tractions above their bound.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
-enum BoundName {
+pub enum SweepBound {
     /// "kept" where a/b is 3 or more.
     #[default]
     Automatic,
@@ -56,6 +57,16 @@ enum BoundName {
     Kept,
 }
 
+impl From<SweepBound> for TractionBound {
+    fn from(bound: SweepBound) -> Self {
+        match bound {
+            SweepBound::Automatic => Self::Automatic,
+            SweepBound::Unchecked => Self::Unchecked,
+            SweepBound::Kept => Self::Kept,
+        }
+    }
+}
+
 impl SolveSection {
     pub(crate) fn settings(&self, a_over_b: f64) -> Result<Settings, CaseError> {
         let usual = self.degree.map_or_else(Settings::default, Settings::of_degree);
@@ -63,11 +74,7 @@ impl SolveSection {
         Ok(Settings {
             mesh: mesh.unwrap_or(usual.mesh),
             weight: self.weight.map_or(usual.weight, Into::into),
-            bound: match self.bound {
-                BoundName::Automatic => TractionBound::Automatic,
-                BoundName::Unchecked => TractionBound::Unchecked,
-                BoundName::Kept => TractionBound::Kept,
-            },
+            bound: self.bound.into(),
             ..usual
         })
     }

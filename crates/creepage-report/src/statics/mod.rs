@@ -6,6 +6,7 @@ mod caption;
 mod field;
 mod key;
 mod levels;
+mod of_case;
 mod output;
 mod picture;
 mod quantity;
