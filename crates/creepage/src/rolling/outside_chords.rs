@@ -14,7 +14,7 @@ use crate::ellipse::Ellipse;
 
 /// Quadrature over the chords of an ellipse of `c = 1`.
 #[derive(Debug, Clone)]
-pub(super) struct Chords {
+pub(super) struct OutsideChords {
     ellipse: Ellipse,
     rule: GaussLegendre,
 }
@@ -37,7 +37,7 @@ pub(super) struct Chord {
     pub(super) per_q: f64,
 }
 
-impl Chords {
+impl OutsideChords {
     /// As many nodes as the most slender ellipses need for 1e-11.
     // Some thousand at most, positive by construction.
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]

@@ -9,7 +9,7 @@ use crate::ellipse::Ellipse;
 
 /// One line with its share in the integral over all directions.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Chord {
+pub(super) struct Line {
     /// Unit vector on the disc.
     pub(super) direction: [f64; 2],
     /// Cosine and sine of the true direction.
@@ -20,7 +20,7 @@ pub(super) struct Chord {
 
 /// Quadrature over directions, prepared for one ellipse.
 #[derive(Debug, Clone)]
-pub(super) struct Chords {
+pub(super) struct Lines {
     ellipse: Ellipse,
     rule: Vec<RuleNode>,
 }
@@ -33,21 +33,21 @@ struct RuleNode {
     weight: f64,
 }
 
-impl Chords {
+impl Lines {
     pub(super) fn new(ellipse: Ellipse) -> Self {
         Self { ellipse, rule: double_exponential() }
     }
 
     /// The lines through the disc point `point` inside the ellipse, every line once. The
     /// integrand may change fast near the lines across the radius to the point.
-    pub(super) fn through(&self, [x, y]: [f64; 2]) -> impl Iterator<Item = Chord> {
+    pub(super) fn through(&self, [x, y]: [f64; 2]) -> impl Iterator<Item = Line> {
         let across = self.angle([-y, x]);
         self.between(if across > 0.0 { across - PI } else { across }, PI, 1.0)
     }
 
     /// The lines through the disc point `point` outside the ellipse that meet it, directed from
     /// the point to the ellipse.
-    pub(super) fn towards(&self, [x, y]: [f64; 2]) -> impl Iterator<Item = Chord> {
+    pub(super) fn towards(&self, [x, y]: [f64; 2]) -> impl Iterator<Item = Line> {
         let radius = x.hypot(y);
         let half = 1.0_f64.atan2(((radius - 1.0) * (radius + 1.0)).sqrt());
         // Turned by half a turn, if need be, to have the one peak at zero within reach.
@@ -58,7 +58,7 @@ impl Chords {
     }
 
     /// The lines in an interval of directions, cut at zero, where the weight has its peak.
-    fn between(&self, start: f64, length: f64, sign: f64) -> impl Iterator<Item = Chord> {
+    fn between(&self, start: f64, length: f64, sign: f64) -> impl Iterator<Item = Line> {
         let end = start + length;
         let parts = if start < 0.0 && end > 0.0 {
             [[start, 0.0, -start], [0.0, end, end]]
@@ -69,7 +69,7 @@ impl Chords {
             move |[start, end, length]| {
                 self.rule.iter().map(move |node| {
                     let angle = start * node.from_right + end * node.from_left;
-                    self.chord(angle, sign, length * node.weight)
+                    self.line(angle, sign, length * node.weight)
                 })
             },
         )
@@ -80,7 +80,7 @@ impl Chords {
         if self.minor_along_x() { y.atan2(x) } else { (-x).atan2(y) }
     }
 
-    fn chord(&self, angle: f64, sign: f64, share: f64) -> Chord {
+    fn line(&self, angle: f64, sign: f64, share: f64) -> Line {
         let g = self.ellipse.g();
         let (sin, cos) = angle.sin_cos();
         // Q over the major semi-axis.
@@ -92,7 +92,7 @@ impl Chords {
         } else {
             [[-sin_disc, cos_disc], [-sin_true, cos_true]]
         };
-        Chord { direction, cosines, weight: share * self.ellipse.minor() / q }
+        Line { direction, cosines, weight: share * self.ellipse.minor() / q }
     }
 
     fn minor_along_x(&self) -> bool {
@@ -129,9 +129,9 @@ mod tests {
             [(1.0, 1e-14), (0.3, 1e-14), (20.0, 1e-14), (1e-3, 1e-13), (1e6, 1e-11)]
         {
             let ellipse = Ellipse::from_ratio(ratio).unwrap();
-            let chords = Chords::new(ellipse);
+            let lines = Lines::new(ellipse);
             for point in [[0.3, 0.2], [-0.5, 0.8], [0.0, 0.4], [0.9, 0.0], [1e-3, -0.3]] {
-                let sum: f64 = chords.through(point).map(|chord| chord.weight).sum();
+                let sum: f64 = lines.through(point).map(|line| line.weight).sum();
                 let expected = 2.0 * ellipse.minor() * ellipse.integrals().k;
                 // As the comment at the step says.
                 assert!((sum / expected - 1.0).abs() < tolerance, "{ratio} {point:?} {sum}");
