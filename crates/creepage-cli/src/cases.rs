@@ -1,26 +1,24 @@
 //! Commands on one case file: `solve` and `hertz`.
 
-use std::fs;
-use std::path::Path;
 use std::sync::Arc;
 
 use creepage::rolling::Status;
 use creepage::Hertz;
-use creepage_case::{Case, CaseError, CaseFile, InverseCase, Solve};
-use creepage_report::{Report, ReportError, hertz_json, hertz_text};
+use creepage_case::{Case, CaseError, InverseCase, Solve};
+use creepage_report::{Report, hertz_json, hertz_text};
 use creepage_theories::{Answered, Entry, PreparedTheory, SolvedCase, wanted_accuracy};
-use serde::Serialize;
 
-use crate::Outcome;
+use crate::outcome::Outcome;
 use crate::args::{HertzArgs, SolveArgs};
 use crate::caution::caution;
 use crate::failure::Failure;
-use crate::output::{print, say, say_written};
+use crate::input::{choose, read_case};
+use crate::output::{print, say, say_written, to_json};
 
 /// `creepage solve`: the files first, then the report, so that a wrong `--out` prints nothing.
 pub(crate) fn solve(args: &SolveArgs) -> Result<Outcome, Failure> {
     let wrong = |source| Failure::Case { path: args.case.clone(), source };
-    let file = read(&args.case)?;
+    let file = read_case(&args.case)?;
     let (theory, solved) = if file.is_inverse() {
         find_creepage(file.inverse().map_err(wrong)?, args)?
     } else {
@@ -63,38 +61,10 @@ fn prepare(
 
 /// `creepage hertz`.
 pub(crate) fn hertz(args: &HertzArgs) -> Result<(), Failure> {
-    let contact = read(&args.case)?
+    let contact = read_case(&args.case)?
         .hertz()
         .map_err(|source| Failure::Case { path: args.case.clone(), source })?;
     print(&if args.json { to_json(&hertz_json(&contact))? } else { hertz_text(&contact) })
-}
-
-pub(crate) fn to_json(data: &impl Serialize) -> Result<String, Failure> {
-    serde_json::to_string_pretty(data).map_err(|error| ReportError::from(error).into())
-}
-
-/// The theories to use for a case, at least one; says which options have no effect.
-pub(crate) fn choose(
-    names: &[String],
-    solve: &Solve,
-    path: &Path,
-) -> Result<Vec<&'static Entry>, Failure> {
-    let choice = creepage_theories::choose(names, solve)
-        .map_err(|source| Failure::Choice { path: path.into(), source })?;
-    if let Some(note) = choice.note() {
-        say(&note);
-    }
-    Ok(choice.theories)
-}
-
-pub(crate) fn read(path: &Path) -> Result<CaseFile, Failure> {
-    let text = read_text(path)?;
-    CaseFile::read(&text).map_err(|source| Failure::Case { path: path.into(), source })
-}
-
-/// The text of a file of any kind.
-pub(crate) fn read_text(path: &Path) -> Result<String, Failure> {
-    fs::read_to_string(path).map_err(|source| Failure::Read { path: path.into(), source })
 }
 
 /// Says aloud what is to be held against the solution.

@@ -3,7 +3,9 @@
 use std::io::{self, Write};
 use std::path::PathBuf;
 
+use creepage_report::ReportError;
 use indicatif::ProgressStyle;
+use serde::Serialize;
 
 use crate::failure::Failure;
 
@@ -15,6 +17,11 @@ pub(crate) fn print(text: &str) -> Result<(), Failure> {
         .and_then(|()| if text.ends_with('\n') { Ok(()) } else { stdout.write_all(b"\n") })
         .and_then(|()| stdout.flush())
         .map_err(Failure::Stdout)
+}
+
+/// Data as JSON for people and programs.
+pub(crate) fn to_json(data: &impl Serialize) -> Result<String, Failure> {
+    serde_json::to_string_pretty(data).map_err(|error| ReportError::from(error).into())
 }
 
 /// Tells the user something; a closed standard error is no reason to stop.

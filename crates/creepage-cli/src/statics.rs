@@ -4,9 +4,9 @@ use creepage_case::{StaticsError, StaticsFile};
 use creepage_report::StaticsReport;
 
 use crate::args::StaticsArgs;
-use crate::cases::{read_text, to_json};
 use crate::failure::Failure;
-use crate::output::{print, say_written};
+use crate::input::read_text;
+use crate::output::{print, say_written, to_json};
 
 /// The files first, then the report, so that a wrong `--out` prints nothing.
 pub(crate) fn run(args: &StaticsArgs) -> Result<(), Failure> {

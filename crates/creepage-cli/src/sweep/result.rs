@@ -13,7 +13,7 @@ use creepage_report::{
 
 use super::chains;
 use super::journal::Journal;
-use crate::Outcome;
+use crate::outcome::Outcome;
 use crate::args::SeriesFormat;
 use crate::failure::Failure;
 use crate::partial_file::PartialFile;
