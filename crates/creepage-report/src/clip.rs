@@ -4,7 +4,7 @@ use crate::scene::Point;
 use crate::sheet::Area;
 
 /// The parts of a line through `points` that lie in the frame.
-pub(super) fn clip(points: &[Point], frame: Area) -> Vec<Vec<Point>> {
+pub(crate) fn clip(points: &[Point], frame: Area) -> Vec<Vec<Point>> {
     let mut parts: Vec<Vec<Point>> = Vec::new();
     for pair in points.windows(2) {
         let Some([from, to]) = segment([pair[0], pair[1]], frame) else { continue };
