@@ -8,7 +8,6 @@ use crate::curve_legend::{CASE, pen};
 use crate::curves::{Curve, Curves};
 use crate::format::Scale;
 use crate::label::Label;
-
 use crate::scene::{Anchor, Ink, Point, Scene, Type};
 use crate::sheet::{Area, DARK, GREY, MARGIN, PALE, WIDTH};
 

@@ -7,7 +7,7 @@ use crate::scene::{Scene, Type};
 use crate::sheet::{Area, DARK, GREY, HATCHING, MARGIN};
 
 /// Width of the sheet.
-pub(super) const WIDTH: f64 = 760.0;
+const WIDTH: f64 = 760.0;
 /// Left of a frame: the numbers of its upright axis.
 const NUMBERS: f64 = 40.0;
 /// Between two panels.
@@ -73,7 +73,7 @@ impl Sheet {
         for row in self.panels.chunks(self.columns) {
             top += self.row(&mut scene, top, row);
         }
-        let height = key::draw(&mut scene, top + 4.0, &self.key);
+        let height = key::draw(&mut scene, top + 4.0, WIDTH - 2.0 * MARGIN, &self.key);
         scene.finish([WIDTH, top + height + 24.0], &self.title)
     }
 

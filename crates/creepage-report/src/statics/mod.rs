@@ -1,5 +1,6 @@
 //! Problems without rolling: text, JSON, points, picture.
 
+mod arrows;
 mod bands;
 mod build;
 mod caption;
