@@ -2,17 +2,17 @@
 
 use std::sync::Arc;
 
-use creepage::rolling::Status;
 use creepage::Hertz;
+use creepage::rolling::Status;
 use creepage_case::{Case, CaseError, InverseCase, Solve};
 use creepage_report::{Report, hertz_json, hertz_text};
 use creepage_theories::{Answered, Entry, PreparedTheory, SolvedCase, wanted_accuracy};
 
-use crate::outcome::Outcome;
 use crate::args::{HertzArgs, SolveArgs};
 use crate::caution::caution;
 use crate::failure::Failure;
 use crate::input::{choose, read_case};
+use crate::outcome::Outcome;
 use crate::output::{print, say, say_written, to_json};
 
 /// `creepage solve`: the files first, then the report, so that a wrong `--out` prints nothing.

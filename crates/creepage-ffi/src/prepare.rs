@@ -20,7 +20,7 @@ impl Solver {
         name: &str,
         a_over_b: f64,
         poisson: f64,
-        solve: Solve,
+        solve: &Solve,
     ) -> Result<Self, Failure> {
         let (entry, solve) = chosen(name, solve)?;
         Ok(Self { name: entry.name, theory: entry.prepare(a_over_b, poisson, &solve)? })
@@ -36,13 +36,13 @@ pub(crate) fn case(path: &Path, name: Option<&str>) -> Result<(Case, Solver), Fa
     let own = case.solve.theory.as_deref().unwrap_or("exact");
     let name = name.unwrap_or(own);
     let solve = if name == own { case.solve.clone() } else { Solve::default() };
-    let (entry, solve) = chosen(name, solve)?;
+    let (entry, solve) = chosen(name, &solve)?;
     let theory = entry.for_contact(&case.contact, case.friction, &solve)?;
     Ok((case, Solver { name: entry.name, theory }))
 }
 
 /// The theory `name`, and options of its own.
-fn chosen(name: &str, solve: Solve) -> Result<(&'static Entry, Solve), ChoiceError> {
-    let solve = Solve { theory: Some(name.into()), ..solve };
+fn chosen(name: &str, solve: &Solve) -> Result<(&'static Entry, Solve), ChoiceError> {
+    let solve = Solve { theory: Some(name.into()), ..solve.clone() };
     Ok((choose(&[], &solve)?.theories[0], solve))
 }

@@ -71,7 +71,7 @@ pub unsafe extern "C" fn creepage_theory_new(
             // SAFETY: as before.
             unsafe { text("options", options) }?
         };
-        let solver = Solver::new(name, a_over_b, poisson, toml::from_str(options)?)?;
+        let solver = Solver::new(name, a_over_b, poisson, &toml::from_str(options)?)?;
         *place = Box::into_raw(Box::new(CreepageTheory { solver }));
         Ok(())
     };

@@ -11,8 +11,10 @@ use crate::label::Label;
 use crate::scene::{Anchor, Ink, Point, Scene, Type};
 use crate::sheet::{Area, DARK, GREY, MARGIN, PALE, WIDTH};
 
-pub(crate) const NUMBERS: Type = Type { size: 14.0, colour: DARK, bold: false, anchor: Anchor::Middle };
-pub(crate) const WORDS: Type = Type { size: 15.0, colour: DARK, bold: false, anchor: Anchor::Start };
+pub(crate) const NUMBERS: Type =
+    Type { size: 14.0, colour: DARK, bold: false, anchor: Anchor::Middle };
+pub(crate) const WORDS: Type =
+    Type { size: 15.0, colour: DARK, bold: false, anchor: Anchor::Start };
 /// Length of a tick.
 pub(crate) const TICK: f64 = 5.0;
 /// White above and below the curves, in parts of their range.

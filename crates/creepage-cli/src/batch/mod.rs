@@ -18,9 +18,9 @@ use solver::Solver;
 use table::Table;
 use tally::Tally;
 
-use crate::outcome::Outcome;
 use crate::args::BatchArgs;
 use crate::failure::Failure;
+use crate::outcome::Outcome;
 use crate::output::say;
 
 /// Rows in memory at a time: enough to keep all cores busy.

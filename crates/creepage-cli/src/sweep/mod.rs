@@ -12,10 +12,10 @@ use creepage::rolling::variational::Method;
 use creepage_case::Sweep;
 use indicatif::ProgressBar;
 
-use crate::outcome::Outcome;
 use crate::args::{SeriesFormat, SweepArgs};
 use crate::failure::Failure;
 use crate::input::read_text;
+use crate::outcome::Outcome;
 use crate::output::{bar_style, say};
 use journal::{Journal, Opened};
 

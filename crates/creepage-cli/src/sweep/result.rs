@@ -13,9 +13,9 @@ use creepage_report::{
 
 use super::chains;
 use super::journal::Journal;
-use crate::outcome::Outcome;
 use crate::args::SeriesFormat;
 use crate::failure::Failure;
+use crate::outcome::Outcome;
 use crate::partial_file::PartialFile;
 
 /// Writes the results, case by case from the journal.

@@ -70,9 +70,7 @@ fn wanted_forces_are_met_by_the_creepage_that_is_found() {
 #[test]
 fn the_schema_accepts_every_example() {
     let place = Place::new();
-    let schema = |of: &[&str]| -> Value {
-        json(&place.run(&[&["schema"], of].concat()).done())
-    };
+    let schema = |of: &[&str]| -> Value { json(&place.run(&[&["schema"], of].concat()).done()) };
     let [cases, statics, sweeps] = ["case", "statics", "sweep"].map(|of| schema(&["--of", of]));
     assert_eq!(schema(&[]), cases);
     let init: Value = toml::from_str(&place.run(&["init"]).done()).unwrap();

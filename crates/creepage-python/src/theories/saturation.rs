@@ -64,7 +64,8 @@ impl Polach {
 impl ShenHedrickElkins {
     #[new]
     fn new(py: Python, a_over_b: f64, poisson: f64) -> PyResult<PyClassInitializer<Self>> {
-        let theory = DifferentiableTheory::plain(py, "shen-hedrick-elkins", a_over_b, poisson, 3e-8)?;
+        let theory =
+            DifferentiableTheory::plain(py, "shen-hedrick-elkins", a_over_b, poisson, 3e-8)?;
         Ok(theory.add_subclass(Self))
     }
 }

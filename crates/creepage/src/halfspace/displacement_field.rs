@@ -6,8 +6,8 @@
 //! integral over the directions of the lines through it that meet the ellipse. Inside, the
 //! addition theorem makes a polynomial of it: the load-displacement equations.
 
-use super::lines::{Line, Lines};
 use super::coupling::HalfChords;
+use super::lines::{Line, Lines};
 use super::{LoadDisplacement, Traction, harmonics};
 use crate::check::{self, InvalidValue};
 use crate::ellipse::Ellipse;

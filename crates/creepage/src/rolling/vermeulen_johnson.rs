@@ -23,9 +23,9 @@
 //! \end{aligned}
 //! ```
 
-use super::outside_chords::OutsideChords;
 use super::cubic::{self, Cubic};
 use super::linear::{bounded, checked, slip_unit};
+use super::outside_chords::OutsideChords;
 use super::{Creepage, FieldPoint, Force, Region, Solution, Status, Theory};
 use crate::check::InvalidValue;
 use crate::ellipse::Ellipse;

@@ -1,7 +1,7 @@
 //! The reference cases, and the convergence to the truth.
 
-use creepage::rolling::exact::{Exact, Resolution};
 use creepage::rolling::Status;
+use creepage::rolling::exact::{Exact, Resolution};
 use creepage_validation::ReferenceCase;
 
 use crate::support::{components, solve};
