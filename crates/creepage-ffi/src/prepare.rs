@@ -4,7 +4,7 @@ use std::fs;
 use std::path::Path;
 
 use creepage_case::{Case, CaseFile, Solve};
-use creepage_theories::{PreparedTheory, TheoryError, choose};
+use creepage_theories::{ChoiceError, Entry, PreparedTheory, choose};
 
 use crate::failure::Failure;
 
@@ -22,8 +22,7 @@ impl Solver {
         poisson: f64,
         solve: &Solve,
     ) -> Result<Self, Failure> {
-        let solve = Solve { theory: Some(name.into()), ..solve.clone() };
-        let entry = choose(&[], &solve)?.theories[0];
+        let (entry, solve) = chosen(name, solve)?;
         Ok(Self { name: entry.name, theory: entry.prepare(a_over_b, poisson, &solve)? })
     }
 }
@@ -37,9 +36,13 @@ pub(crate) fn case(path: &Path, name: Option<&str>) -> Result<(Case, Solver), Fa
     let own = case.solve.theory.as_deref().unwrap_or("exact");
     let name = name.unwrap_or(own);
     let solve = if name == own { case.solve.clone() } else { Solve::default() };
-    let (ratio, poisson) = (case.contact.ellipse().ratio(), case.contact.pair().poisson());
-    let Solver { name, theory } = Solver::new(name, ratio, poisson, &solve)?;
-    let kappa_over_mu = case.contact.pair().kappa() / case.friction;
-    let theory = theory.with_unlikeness(kappa_over_mu).map_err(TheoryError::from)?;
-    Ok((case, Solver { name, theory }))
+    let (entry, solve) = chosen(name, &solve)?;
+    let theory = entry.for_contact(&case.contact, case.friction, &solve)?;
+    Ok((case, Solver { name: entry.name, theory }))
+}
+
+/// The theory `name`, and options of its own.
+fn chosen(name: &str, solve: &Solve) -> Result<(&'static Entry, Solve), ChoiceError> {
+    let solve = Solve { theory: Some(name.into()), ..solve.clone() };
+    Ok((choose(&[], &solve)?.theories[0], solve))
 }

@@ -1,12 +1,11 @@
 //! The theories that saturate a force in closed form.
 
 use creepage::rolling::polach;
-use creepage_case::Solve;
 use creepage_theories::PreparedTheory;
 use pyo3::prelude::*;
 
 use crate::options::arguments;
-use crate::theory::{DifferentiableTheory, Theory, prepare};
+use crate::theory::{DifferentiableTheory, Theory};
 
 /// Polach (1999): traction that grows steadily from the leading edge; little spin.
 ///
@@ -65,10 +64,9 @@ impl Polach {
 impl ShenHedrickElkins {
     #[new]
     fn new(py: Python, a_over_b: f64, poisson: f64) -> PyResult<PyClassInitializer<Self>> {
-        let given = arguments(py, a_over_b, poisson, &[])?;
-        let made = prepare(py, "shen-hedrick-elkins", a_over_b, poisson, &Solve::default())?;
-        let theory = Theory::new(py, "shen-hedrick-elkins", a_over_b, given, 3e-8, made)?;
-        Ok(theory.add_subclass(DifferentiableTheory).add_subclass(Self))
+        let theory =
+            DifferentiableTheory::plain(py, "shen-hedrick-elkins", a_over_b, poisson, 3e-8)?;
+        Ok(theory.add_subclass(Self))
     }
 }
 
@@ -76,9 +74,7 @@ impl ShenHedrickElkins {
 impl VermeulenJohnson {
     #[new]
     fn new(py: Python, a_over_b: f64, poisson: f64) -> PyResult<PyClassInitializer<Self>> {
-        let given = arguments(py, a_over_b, poisson, &[])?;
-        let made = prepare(py, "vermeulen-johnson", a_over_b, poisson, &Solve::default())?;
-        let theory = Theory::new(py, "vermeulen-johnson", a_over_b, given, 1e-8, made)?;
-        Ok(theory.add_subclass(DifferentiableTheory).add_subclass(Self))
+        let theory = DifferentiableTheory::plain(py, "vermeulen-johnson", a_over_b, poisson, 1e-8)?;
+        Ok(theory.add_subclass(Self))
     }
 }

@@ -1,10 +1,9 @@
 //! The numerical theory of chapter 5.
 
-use creepage::rolling::variational::{self, Settings, TractionBound};
-use creepage_case::Solve;
+use creepage::rolling::variational::{self, Settings};
+use creepage_case::{Solve, SweepBound};
 use creepage_theories::{PreparedTheory, variational_settings};
 use pyo3::prelude::*;
-use serde::Deserialize;
 
 use crate::options::{arguments, pair, word};
 use crate::theory::Theory;
@@ -22,25 +21,6 @@ use crate::theory::Theory;
 #[pyclass(frozen, extends = Theory, module = "creepage")]
 #[allow(missing_debug_implementations)] // Python has its own
 pub struct Variational;
-
-/// What is done about the traction bound.
-#[derive(Deserialize)]
-#[serde(rename_all = "lowercase")]
-enum Bounded {
-    Automatic,
-    Unchecked,
-    Kept,
-}
-
-impl From<Bounded> for TractionBound {
-    fn from(bounded: Bounded) -> Self {
-        match bounded {
-            Bounded::Automatic => Self::Automatic,
-            Bounded::Unchecked => Self::Unchecked,
-            Bounded::Kept => Self::Kept,
-        }
-    }
-}
 
 #[pymethods]
 impl Variational {
@@ -65,7 +45,7 @@ impl Variational {
             ..Solve::default()
         };
         // An option that case files do not have.
-        let bound = word::<Bounded>("bound", bound)?.map(Into::into).unwrap_or_default();
+        let bound = word::<SweepBound>("bound", bound)?.map(Into::into).unwrap_or_default();
         let settings = Settings { bound, ..variational_settings(&solve) };
         let made = py.detach(|| variational::Variational::new(a_over_b, poisson, settings));
         let made = made.map(|theory| PreparedTheory::Variational(Box::new(theory)));
