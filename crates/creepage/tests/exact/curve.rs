@@ -1,7 +1,7 @@
 //! One creepage after another: warm starts, and no jumps.
 
 use creepage::rolling::exact::{Exact, Resolution};
-use creepage::rolling::{Creepage, Theory};
+use creepage::rolling::{Creepage, Status, Theory};
 
 use crate::support::components;
 
@@ -15,6 +15,27 @@ fn warm_starts_find_the_same_solutions() {
         for (warm, cold) in components(warm.force).into_iter().zip(components(cold)) {
             // Both are iterated to tractions of 1e-8.
             assert!((warm - cold).abs() < 1e-6, "{creepage:?}");
+        }
+    }
+}
+
+/// However much smaller the next creepage is, and be it none: the last tractions do no harm.
+#[test]
+fn a_curve_may_come_down_to_nothing() {
+    for ratio in [0.05, 1.0, 40.0] {
+        let theory = Exact::new(ratio, 0.28, Resolution::FAST).unwrap();
+        for size in [0.0, 1e-300, 1e-20, 1e-9, 1e-3] {
+            let [from, to] = [2.0, size].map(|s| Creepage::new(s, -0.3 * s, 0.2 * s).unwrap());
+            let warm = theory.curve(&[from, to])[1];
+            assert_eq!(warm.status, Status::Solved, "{ratio} {size:e}");
+            let cold = theory.solve(to).force;
+            for (warm, cold) in components(warm.force).into_iter().zip(components(cold)) {
+                // Both are iterated to 1e-8 of tractions that are of the size of the creepage.
+                assert!(
+                    (warm - cold).abs() <= 1e-6 * size && cold.abs() <= 100.0 * size,
+                    "{ratio} {size:e} {warm} {cold}"
+                );
+            }
         }
     }
 }

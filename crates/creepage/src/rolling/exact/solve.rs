@@ -10,12 +10,15 @@ use super::linear::Linear;
 use super::newton::Newton;
 use super::state::State;
 use super::unlike::Drive;
+use crate::rolling::Creepage;
 
 /// Largest lack of friction's equation `p = P(p + r s)` in a solution, over the traction bound, or
 /// over the creepage where that is smaller than one: then tractions are as small as the creepage.
 const TOLERANCE: f64 = 1e-8;
 /// Tractions so many times larger than the creepage are no start: it is far smaller than the last.
 const FORGET: f64 = 1e6;
+/// Slip whose square is lost to rounding counts as none.
+const NOTHING: f64 = 1e-140;
 const ROUNDS: usize = 60;
 /// Rounds in which Newton is left as soon as one of its steps must be shortened.
 const HASTY: usize = 3;
@@ -31,7 +34,10 @@ impl State {
     /// Improves the tractions until they obey friction at the slip that `drive` causes.
     pub(super) fn solve(&mut self, grid: &Grid, linear: &mut Linear, drive: Drive) -> Outcome {
         let strips = grid.elements.strips;
-        let scale = scale(grid, drive);
+        let (drive, scale) = match scale(grid, drive) {
+            lost if lost < NOTHING => (Drive { creepage: Creepage::default(), side: 0.0 }, 0.0),
+            scale => (drive, scale),
+        };
         if self.traction.largest() > FORGET * scale {
             self.reset();
         }
