@@ -38,12 +38,12 @@ type Solved = (&'static Entry, SolvedCase);
 
 fn solve_case(case: Case, args: &SolveArgs) -> Result<Solved, Failure> {
     let (theory, prepared) = prepare((&case.contact, case.friction), &case.solve, args)?;
-    Ok((theory, SolvedCase::solve(case, prepared)))
+    Ok((theory, SolvedCase::forces(case, prepared)))
 }
 
 fn find_creepage(case: InverseCase, args: &SolveArgs) -> Result<Solved, Failure> {
     let (theory, prepared) = prepare((&case.contact, case.friction), &case.solve, args)?;
-    let solved = SolvedCase::find(case, theory.name, prepared)
+    let solved = SolvedCase::creepage(case, theory.name, prepared)
         .map_err(|source| Failure::Find { path: args.case.clone(), source })?;
     Ok((theory, solved))
 }

@@ -168,8 +168,8 @@ impl CaseData {
         let Theory { model, name, .. } = theory.get();
         let model = self.between_bodies(model).map_err(|error| errors::invalid(py, error))?;
         let solve = || match self.question.clone() {
-            Question::Forces(case) => Ok(creepage_theories::SolvedCase::solve(case, model)),
-            Question::Creepage(case) => creepage_theories::SolvedCase::find(case, name, model),
+            Question::Forces(case) => Ok(creepage_theories::SolvedCase::forces(case, model)),
+            Question::Creepage(case) => creepage_theories::SolvedCase::creepage(case, name, model),
         };
         let solved = py.detach(solve).map_err(|error| errors::find(py, error))?;
         Ok(SolvedCase { solved, theory })

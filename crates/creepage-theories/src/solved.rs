@@ -23,7 +23,7 @@ pub struct SolvedCase {
 impl SolvedCase {
     /// Solves a case for its forces, by a theory that was prepared for its contact.
     #[must_use]
-    pub fn solve(case: Case, theory: Arc<PreparedTheory>) -> Self {
+    pub fn forces(case: Case, theory: Arc<PreparedTheory>) -> Self {
         let found = Examination::new(theory, case.contact.ellipse(), case.creepage);
         Self { case, known: None, found }
     }
@@ -33,7 +33,7 @@ impl SolvedCase {
     ///
     /// # Errors
     /// [`FindError`] unless the theory is the full one and the forces are within reach.
-    pub fn find(
+    pub fn creepage(
         case: InverseCase,
         name: &'static str,
         theory: Arc<PreparedTheory>,
