@@ -10,7 +10,8 @@ use creepage::{Hertz, InvalidValue};
 use creepage_case::{Case, CaseError, CaseFile, InverseCase, Solve};
 use creepage_report::{Answer, Extras, Report, ReportError, hertz_json, hertz_text};
 use creepage_theories::{
-    Answered, Entry, Examination, PreparedTheory, find_creepage, wanted_accuracy,
+    Answered, Entry, Examination, LeftOut, PreparedTheory, find_creepage, kappa_over_mu,
+    wanted_accuracy,
 };
 use serde::Serialize;
 
@@ -27,6 +28,13 @@ struct SolvedCase {
     found: Examination,
     /// What was given, where the creepage was found to wanted forces.
     known: Option<Known>,
+}
+
+impl SolvedCase {
+    /// What the theory leaves out between unlike bodies.
+    fn left_out(&self) -> Option<LeftOut> {
+        self.theory.leaves_out(kappa_over_mu(&self.case.contact, self.case.friction))
+    }
 }
 
 /// `creepage solve`: the files first, then the report, so that a wrong `--out` prints nothing.
@@ -46,6 +54,9 @@ pub(crate) fn solve(args: &SolveArgs) -> Result<Outcome, Failure> {
         }
     }
     print(&if args.json { to_json(&report.json())? } else { report.text() })?;
+    if let Some(left_out) = solved.left_out() {
+        say(&format!("caution: {left_out}"));
+    }
     Ok(judge(&solved.found.answered, &solved.case.solve))
 }
 
@@ -122,6 +133,7 @@ fn report(solved: &SolvedCase) -> Result<Report<'_>, InvalidValue> {
         speed: case.speed,
         power: found.power,
         dissipation: found.dissipation,
+        left_out: solved.left_out(),
     };
     Ok(Report::new(&case.contact, case.friction, answer)?.with(extras))
 }

@@ -2,9 +2,12 @@
 
 use std::fs;
 use std::path::Path;
+use std::sync::Arc;
 
+use creepage::Hertz;
+use creepage::rolling::{Scaling, SiCreepage, SiForce, Solution, Status, Theory};
 use creepage_case::{Case, CaseFile, Solve};
-use creepage_theories::{PreparedTheory, TheoryError, choose};
+use creepage_theories::{Entry, PreparedTheory, choose, find_creepage, kappa_over_mu};
 
 use crate::failure::Failure;
 
@@ -28,18 +31,53 @@ impl Solver {
     }
 }
 
-/// The case of a file, and its theory, or the theory `name` with its usual options.
-pub(crate) fn case(path: &Path, name: Option<&str>) -> Result<(Case, Solver), Failure> {
+/// What a case file asks for.
+pub(crate) struct SolvedCase {
+    /// Given, or found.
+    pub(crate) creepage: SiCreepage,
+    pub(crate) force: SiForce,
+    pub(crate) status: Status,
+    /// Whether the theory takes bodies for alike whose difference matters.
+    pub(crate) left_out: bool,
+}
+
+/// Solves the case of a file by its own theory, or by the theory `name` with its usual options.
+pub(crate) fn solve_case(path: &Path, name: Option<&str>) -> Result<SolvedCase, Failure> {
     let text =
         fs::read_to_string(path).map_err(|source| Failure::Read { path: path.into(), source })?;
     let wrong = |source| Failure::CaseFile { path: path.into(), source };
-    let case = CaseFile::read(&text).map_err(wrong)?.case().map_err(wrong)?;
-    let own = case.solve.theory.as_deref().unwrap_or("exact");
+    let file = CaseFile::read(&text).map_err(wrong)?;
+    if !file.is_inverse() {
+        let case = file.case().map_err(wrong)?;
+        let (entry, theory) = prepare((&case.contact, case.friction), &case.solve, name)?;
+        return solved(&case, entry, theory.solve(case.creepage));
+    }
+    let case = file.inverse().map_err(wrong)?;
+    let (entry, theory) = prepare((&case.contact, case.friction), &case.solve, name)?;
+    let found = find_creepage(&case, entry.name, Arc::new(theory))
+        .map_err(|source| Failure::Find { path: path.into(), source })?;
+    solved(&case.found(found.creepage()), entry, found.answered.solution)
+}
+
+fn prepare(
+    (contact, friction): (&Hertz, f64),
+    solve: &Solve,
+    name: Option<&str>,
+) -> Result<(&'static Entry, PreparedTheory), Failure> {
+    let own = solve.theory.as_deref().unwrap_or("exact");
     let name = name.unwrap_or(own);
-    let solve = if name == own { case.solve.clone() } else { Solve::default() };
-    let (ratio, poisson) = (case.contact.ellipse().ratio(), case.contact.pair().poisson());
-    let Solver { name, theory } = Solver::new(name, ratio, poisson, &solve)?;
-    let kappa_over_mu = case.contact.pair().kappa() / case.friction;
-    let theory = theory.with_unlikeness(kappa_over_mu).map_err(TheoryError::from)?;
-    Ok((case, Solver { name, theory }))
+    let usual = || Solve { theory: Some(name.into()), ..Solve::default() };
+    let solve = if name == own { solve.clone() } else { usual() };
+    let entry = choose(&[], &solve)?.theories[0];
+    Ok((entry, entry.for_contact(contact, friction, &solve)?))
+}
+
+fn solved(case: &Case, entry: &Entry, solution: Solution) -> Result<SolvedCase, Failure> {
+    let Case { contact, friction, si_creepage, .. } = case;
+    Ok(SolvedCase {
+        creepage: *si_creepage,
+        force: Scaling::new(contact, *friction)?.si_force(solution.force),
+        status: solution.status,
+        left_out: entry.leaves_out(kappa_over_mu(contact, *friction)).is_some(),
+    })
 }

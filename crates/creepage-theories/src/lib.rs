@@ -51,6 +51,7 @@ mod find;
 mod prepare;
 mod prepared;
 mod registry;
+mod unlike;
 
 pub use choice::{Choice, ChoiceError, UnknownTheory, choose, find};
 pub use examination::{Detail, Examination};
@@ -58,3 +59,4 @@ pub use find::{FindError, Unreachable, find_creepage};
 pub use prepare::{TheoryError, variational_settings, wanted_accuracy};
 pub use prepared::{Answered, PreparedTheory};
 pub use registry::{ENTRIES, Entry};
+pub use unlike::{LeftOut, kappa_over_mu};
