@@ -5,10 +5,12 @@ use std::sync::Arc;
 
 use creepage::rolling::exact::Known;
 use creepage::rolling::{Creepage, Scaling};
-use creepage::{Hertz, InvalidValue};
-use creepage_case::{Case, CaseError, CaseFile, InverseCase};
+use creepage::Hertz;
+use creepage_case::{Case, CaseError, CaseFile, InverseCase, Solve};
 use creepage_report::{Answer, Extras, Report, hertz_json};
-use creepage_theories::{Examination, PreparedTheory, find_creepage};
+use creepage_theories::{
+    Entry, Examination, PreparedTheory, find, find_creepage, kappa_over_mu,
+};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -65,6 +67,13 @@ impl Question {
         }
     }
 
+    fn solve(&self) -> &Solve {
+        match self {
+            Self::Forces(case) => &case.solve,
+            Self::Creepage(case) => &case.solve,
+        }
+    }
+
     /// The case, unless its creepage is yet to be found.
     fn forces(&self, py: Python) -> PyResult<&Case> {
         match self {
@@ -115,6 +124,22 @@ impl CaseData {
         self.question.friction()
     }
 
+    /// How unlike the bodies are: kappa of (2.10) over the coefficient of friction.
+    #[getter]
+    fn kappa_over_mu(&self) -> f64 {
+        kappa_over_mu(self.question.contact(), self.question.friction())
+    }
+
+    /// Whether the option of that name, as the case has it, is one of the theory's.
+    fn takes(&self, py: Python, theory: &str, option: &str) -> PyResult<bool> {
+        Ok(entry(py, theory)?.takes(option, self.question.solve()))
+    }
+
+    /// What the theory leaves out of this case though it matters, in words.
+    fn left_out(&self, py: Python, theory: &str) -> PyResult<Option<String>> {
+        Ok(entry(py, theory)?.leaves_out(self.kappa_over_mu()).map(|left_out| left_out.to_string()))
+    }
+
     /// Whether forces are wanted and the creepage is to be found.
     #[getter]
     fn finds_creepage(&self) -> bool {
@@ -155,10 +180,12 @@ impl CaseData {
                 toml::Value::String(word) => options.set_item(name, word)?,
                 toml::Value::Integer(count) => options.set_item(name, count)?,
                 toml::Value::Float(number) => options.set_item(name, number)?,
-                toml::Value::Array(counts) => {
+                toml::Value::Array(counts) if counts.iter().all(toml::Value::is_integer) => {
                     let counts: Vec<_> = counts.iter().map(toml::Value::as_integer).collect();
                     options.set_item(name, counts)?;
                 }
+                // As counts and numbers mixed read too.
+                toml::Value::Array(_) => options.set_item(name, self.question.solve().reduction)?,
                 _ => return Err(errors::internal("[solve]")),
             }
         }
@@ -169,7 +196,6 @@ impl CaseData {
     /// gives the wanted forces, CaseError where the theory does not find creepages.
     fn solve(&self, py: Python, theory: Py<Theory>) -> PyResult<SolvedCase> {
         let Theory { model, name, .. } = theory.get();
-        let model = &self.between_bodies(model).map_err(|error| errors::invalid(py, error))?;
         let (case, known, found) = match &self.question {
             Question::Forces(case) => {
                 let ellipse = case.contact.ellipse();
@@ -186,22 +212,10 @@ impl CaseData {
     }
 }
 
-impl CaseData {
-    /// The theory between the bodies of this case: like ones, as it was prepared, or unlike ones.
-    fn between_bodies(
-        &self,
-        model: &Arc<PreparedTheory>,
-    ) -> Result<Arc<PreparedTheory>, InvalidValue> {
-        let (contact, friction) = match &self.question {
-            Question::Forces(case) => (&case.contact, case.friction),
-            Question::Creepage(case) => (&case.contact, case.friction),
-        };
-        let kappa = contact.pair().kappa();
-        if kappa == 0.0 {
-            return Ok(Arc::clone(model));
-        }
-        Ok(Arc::new(PreparedTheory::clone(model).with_unlikeness(kappa / friction)?))
-    }
+/// The theory of a class's name.
+fn entry(py: Python, name: &str) -> PyResult<&'static Entry> {
+    let name = if name == "automatic" { "exact" } else { name };
+    find(name).map_err(|_| errors::internal(name))
 }
 
 impl SolvedCase {
@@ -212,6 +226,7 @@ impl SolvedCase {
         // As in case files.
         let theory_name =
             if matches!(**model, PreparedTheory::Automatic(_)) { "exact" } else { name };
+        let entry = entry(py, theory_name)?;
         let used = py.detach(|| {
             let answer = Answer {
                 creepage: case.creepage,
@@ -226,6 +241,7 @@ impl SolvedCase {
                 speed: case.speed,
                 power: found.power,
                 dissipation: found.dissipation,
+                left_out: entry.leaves_out(kappa_over_mu(&case.contact, case.friction)),
             };
             let report = Report::new(&case.contact, case.friction, answer)?;
             Ok(with(&report.with(extras)))

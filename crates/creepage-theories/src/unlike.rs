@@ -42,8 +42,8 @@ impl fmt::Display for LeftOut {
         let Self { theory, kappa_over_mu, error } = self;
         write!(
             f,
-            "{theory} leaves out that the bodies are unlike (kappa/mu = {kappa_over_mu:.3}): the \
-             force may be off by {:.0} % of mu N for it; exact counts it",
+            "{theory} takes the bodies for like ones (kappa/mu = {kappa_over_mu:.3}): for that the \
+             force may be off by {:.0} % of mu N; exact counts it",
             100.0 * error
         )
     }
