@@ -22,7 +22,8 @@ Out: TypeAlias = "str | os.PathLike[str]"
 Solve: TypeAlias = "Callable[..., pd.DataFrame]"
 
 MARK = ".creepage"
-"""In a folder of parts: the digest of their question."""
+"""In a folder of parts: the digest of their question. Readers pass over names with a dot."""
+UNFINISHED = f"{MARK}-*.partial"
 
 
 class Client(Protocol):
@@ -68,7 +69,7 @@ def files(
     work = zip(paths, pieces, strict=True)
     jobs = [(path, solve, *piece) for path, piece in work if not path.exists()]
     _run(_write, jobs, client)
-    for left in folder.glob(".*.partial"):  # of workers and runs that died
+    for left in folder.glob(UNFINISHED):  # by workers and runs that died
         left.unlink(missing_ok=True)
     return folder
 
@@ -91,7 +92,7 @@ def _claim(folder: Path, digest: str) -> None:
     try:
         found = mark.read_text(encoding="utf-8").strip()
     except FileNotFoundError:
-        if any(not path.name.endswith(".partial") for path in folder.iterdir()):
+        if any(not path.match(UNFINISHED) for path in folder.iterdir()):
             message = f"{folder} is not empty, and holds no parts that could be gone on with"
             raise FileExistsError(message) from None
         _appear(mark, lambda partial: partial.write_text(digest + "\n", encoding="utf-8"))
@@ -111,7 +112,7 @@ def _write(path: Path, solve: Solve, *piece: Any) -> None:
 
 def _appear(path: Path, write: Callable[[Path], object]) -> None:
     """The file appears when it is whole and on the disk: no failure leaves a part of it."""
-    partial = path.with_name(f".{path.name}.{uuid.uuid4().hex}.partial")
+    partial = path.with_name(f"{MARK}-{path.name}-{uuid.uuid4().hex}.partial")
     write(partial)
     with partial.open("r+b") as file:
         os.fsync(file.fileno())

@@ -125,7 +125,7 @@ def test_a_sweep_goes_on_with_the_parts_that_are_missing(tmp_path: Path) -> None
     gone = {"part-00001.parquet", "part-00004.parquet"}
     for name in gone:
         (folder / name).unlink()
-    (folder / ".part-00001.parquet.0.partial").touch()  # left by a worker that died
+    (folder / ".creepage-part-00001.parquet-0.partial").touch()  # left by a worker that died
     creepage.sweep(SMALL, out=folder, parts=6)
     again = written(folder)
     assert {name for name in again if again[name] != first[name]} == gone

@@ -67,3 +67,54 @@ pub(crate) fn check(kappa_over_mu: f64) -> Result<(), InvalidValue> {
     let valid = "between -1e6 and 1e6";
     Err(InvalidValue { quantity: "kappa_over_mu", value: kappa_over_mu, valid })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use creepage::rolling::exact::{Exact, Resolution};
+    use creepage::rolling::{Creepage, Force};
+
+    #[test]
+    fn explore() {
+        let mut all: f64 = 0.0;
+        for ratio in [0.05, 0.2, 0.5, 1.0, 2.0, 5.0, 20.0] {
+            for poisson in [0.1, 0.28, 0.45] {
+                let like = Exact::new(ratio, poisson, Resolution::FAST).unwrap();
+                for kappa_over_mu in [0.01, 0.1, 0.3, 1.0] {
+                    let unlike = like.clone().with_unlikeness(kappa_over_mu).unwrap();
+                    let (mut worst, mut at) = (0.0, Creepage::default());
+                    let mut sum = 0.0;
+                    let mut count = 0;
+                    for creepage in creepages() {
+                        let [one, two] = [&like, &unlike]
+                            .map(|theory| theory.solve_with(creepage, &mut theory.workspace()));
+                        let Force { fx, fy, .. } = one.force;
+                        let change = (two.force.fx - fx).hypot(two.force.fy - fy) / kappa_over_mu;
+                        sum += change * change;
+                        count += 1;
+                        if change > worst {
+                            (worst, at) = (change, creepage);
+                        }
+                    }
+                    all = all.max(worst);
+                    println!(
+                        "{ratio} {poisson} {kappa_over_mu}: rms {:.3} worst {worst:.3} at {at:?}",
+                        (sum / f64::from(count)).sqrt()
+                    );
+                }
+            }
+        }
+        println!("{all}");
+    }
+
+    fn creepages() -> impl Iterator<Item = Creepage> {
+        let sizes = [0.0, 0.1, 0.3, 0.6, 1.0, 2.0];
+        let spins = [0.0, 0.3, 1.0, 3.0];
+        sizes.into_iter().flat_map(move |size| {
+            (0..8).flat_map(move |k| {
+                let (sin, cos) = (f64::from(k) * std::f64::consts::FRAC_PI_4).sin_cos();
+                spins.map(|chi| Creepage { xi: size * cos, eta: size * sin, chi })
+            })
+        })
+    }
+}
