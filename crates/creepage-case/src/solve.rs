@@ -264,13 +264,9 @@ mod tests {
 
     #[test]
     fn the_words_of_bounds_read_as_what_they_name() {
-        for bound in [
-            Bound::Elliptic,
-            Bound::Parabolic,
-            Bound::Automatic,
-            Bound::Unchecked,
-            Bound::Kept,
-        ] {
+        for bound in
+            [Bound::Elliptic, Bound::Parabolic, Bound::Automatic, Bound::Unchecked, Bound::Kept]
+        {
             let solve = Solve::read(&[format!("bound={}", bound.word())]).unwrap();
             assert_eq!(solve.bound, Some(bound));
             // Of one theory each.

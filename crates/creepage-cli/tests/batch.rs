@@ -94,7 +94,8 @@ fn how_unlike_the_bodies_are_must_be_a_number() {
         assert_eq!(ran.code, Some(3));
         let mut reader = csv::Reader::from_reader(ran.stdout.as_bytes());
         let rows: Vec<_> = reader.records().map(Result::unwrap).collect();
-        let reasons = ["= NaN is not valid", "= 10000000 is", "is empty", "= `much` is", "= inf is"];
+        let reasons =
+            ["= NaN is not valid", "= 10000000 is", "is empty", "= `much` is", "= inf is"];
         for (row, reason) in rows.iter().zip(reasons) {
             let message = &row[row.len() - 1];
             assert_eq!(&row[row.len() - 2], "invalid");

@@ -105,7 +105,8 @@ fn options_change_the_answer() {
     let [said, unsaid] = ["flexibility = \"blended\"\nbound = \"elliptic\"\ngrid = [50, 50]", ""];
     let theory = "theory = \"fastsim\"\n";
     assert_eq!(forces(&format!("{theory}{said}")), forces(&format!("{theory}{unsaid}")));
-    for (theory, said) in [("polach", "reduction = [1, 1]"), ("variational", "bound = \"automatic\"")]
+    for (theory, said) in
+        [("polach", "reduction = [1, 1]"), ("variational", "bound = \"automatic\"")]
     {
         let theory = format!("theory = \"{theory}\"\n");
         assert_eq!(forces(&format!("{theory}{said}")), forces(&theory));
@@ -126,7 +127,8 @@ fn an_option_of_another_theory_is_refused() {
     refused("grid = [9, 9]", &["--theory", "linear"], &words);
     let words = ["`bound` is an option of variational and fastsim, not of exact"];
     refused("bound = \"elliptic\"", &[], &words);
-    let words = ["bound = \"kept\" is not valid for fastsim: it must be \"elliptic\" or \"parabolic\""];
+    let words =
+        ["bound = \"kept\" is not valid for fastsim: it must be \"elliptic\" or \"parabolic\""];
     refused("theory = \"fastsim\"\nbound = \"kept\"", &[], &words);
     let words = ["[solve] bound = \"elliptic\" is not valid for variational", "\"unchecked\""];
     refused("theory = \"variational\"\nbound = \"elliptic\"", &[], &words);

@@ -3,14 +3,12 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
+use creepage::Hertz;
 use creepage::rolling::exact::Known;
 use creepage::rolling::{Creepage, Scaling};
-use creepage::Hertz;
 use creepage_case::{Case, CaseError, CaseFile, InverseCase, Solve};
 use creepage_report::{Answer, Extras, Report, hertz_json};
-use creepage_theories::{
-    Entry, Examination, PreparedTheory, find, find_creepage, kappa_over_mu,
-};
+use creepage_theories::{Entry, Examination, PreparedTheory, find, find_creepage, kappa_over_mu};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -131,13 +129,13 @@ impl CaseData {
     }
 
     /// Whether the option of that name, as the case has it, is one of the theory's.
-    fn takes(&self, py: Python, theory: &str, option: &str) -> PyResult<bool> {
-        Ok(entry(py, theory)?.takes(option, self.question.solve()))
+    fn takes(&self, theory: &str, option: &str) -> PyResult<bool> {
+        Ok(entry(theory)?.takes(option, self.question.solve()))
     }
 
     /// What the theory leaves out of this case though it matters, in words.
-    fn left_out(&self, py: Python, theory: &str) -> PyResult<Option<String>> {
-        Ok(entry(py, theory)?.leaves_out(self.kappa_over_mu()).map(|left_out| left_out.to_string()))
+    fn left_out(&self, theory: &str) -> PyResult<Option<String>> {
+        Ok(entry(theory)?.leaves_out(self.kappa_over_mu()).map(|left_out| left_out.to_string()))
     }
 
     /// Whether forces are wanted and the creepage is to be found.
@@ -213,7 +211,7 @@ impl CaseData {
 }
 
 /// The theory of a class's name.
-fn entry(py: Python, name: &str) -> PyResult<&'static Entry> {
+fn entry(name: &str) -> PyResult<&'static Entry> {
     let name = if name == "automatic" { "exact" } else { name };
     find(name).map_err(|_| errors::internal(name))
 }
@@ -226,7 +224,7 @@ impl SolvedCase {
         // As in case files.
         let theory_name =
             if matches!(**model, PreparedTheory::Automatic(_)) { "exact" } else { name };
-        let entry = entry(py, theory_name)?;
+        let entry = entry(theory_name)?;
         let used = py.detach(|| {
             let answer = Answer {
                 creepage: case.creepage,

@@ -3,7 +3,6 @@
 use creepage::Hertz;
 use creepage::rolling::exact::Known;
 use creepage::rolling::{SiForce, Status};
-use creepage_theories::LeftOut;
 
 use crate::format::{Scale, fixed, quantity, significant};
 use crate::report::Report;
@@ -97,11 +96,15 @@ impl Lines {
     }
 
     fn caution(&mut self, report: &Report) {
-        if let Some(LeftOut { kappa_over_mu, error, .. }) = report.extras.left_out {
-            let unlike = significant(kappa_over_mu, 3);
-            let error = fixed(100.0 * error, 0);
-            self.line(&format!("CAUTION: this theory takes the bodies for like ones; kappa/mu = {unlike}."));
-            self.line(&format!("For that the force may be off by {error} % of mu N. The theory exact counts it."));
+        if let Some(left_out) = report.extras.left_out {
+            let unlike = significant(left_out.kappa_over_mu, 3);
+            let error = fixed(100.0 * left_out.error(), 0);
+            self.line(&format!(
+                "CAUTION: this theory takes the bodies for like ones; kappa/mu = {unlike}."
+            ));
+            self.line(&format!(
+                "For that the force may be off by some {error} % of mu N. exact counts it."
+            ));
         }
     }
 
@@ -251,7 +254,7 @@ mod tests {
             let left_out = find("shen-hedrick-elkins").unwrap().leaves_out(kappa_over_mu);
             let extras = Extras { left_out, ..Extras::default() };
             let text = report(&contact, &theory, CURVE).with(extras).text();
-            let caution = text.lines().find(|line| line.starts_with("CAUTION: unlike")).unwrap();
+            let caution = text.lines().find(|line| line.starts_with("CAUTION")).unwrap();
             assert!(caution.contains(&significant(kappa_over_mu, 3)), "{caution}");
             assert!(text.lines().skip(3).all(|line| line.chars().count() <= 80), "{text}");
         }
