@@ -58,9 +58,9 @@ class Case:
         lateral (relative velocity over rolling velocity) and spin (rad/m), or dimensionless, xi,
         eta, chi; what is left out is zero. speed: rolling velocity (m/s), for the frictional
         power. Forces on the lower body (N, N m), or dimensionless, are wanted in place of
-        creepages, which are then found; exactly three quantities are given, zeros too. angle: from the upper body's rolling section to the
-        lower's (degrees). Both semi-axes (m) replace the bodies' radii. theory and its options
-        are those of `solve`.
+        creepages, which are then found; exactly three quantities are given, zeros too. angle:
+        from the upper body's rolling section to the lower's (degrees). Both semi-axes (m) replace
+        the bodies' radii. theory and its options are those of `solve`.
         """
         contact = {
             "normal_force": normal_force,

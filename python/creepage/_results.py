@@ -42,6 +42,11 @@ class Region(enum.IntEnum):
     OUTSIDE = 2
 
 
+def _by_name(record: Any) -> dict[str, Any]:
+    """The fields of a dataclass."""
+    return {field.name: getattr(record, field.name) for field in fields(record)}
+
+
 def _names(codes: Status | Codes) -> str | NDArray[np.str_]:
     if isinstance(codes, Status):
         return codes.name.lower()
@@ -75,8 +80,7 @@ class Force(Generic[Number, Outcome]):
 
     def to_dict(self) -> dict[str, Any]:
         """The numbers by name, and the status in words; pandas.DataFrame takes it as it is."""
-        numbers = {field.name: getattr(self, field.name) for field in fields(self)}
-        return {**numbers, "status": _names(self.status)}
+        return {**_by_name(self), "status": _names(self.status)}
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -189,7 +193,7 @@ class CreepageCoefficients(Generic[Number]):
 
     def to_dict(self) -> dict[str, Any]:
         """The coefficients by name."""
-        return {field.name: getattr(self, field.name) for field in fields(self)}
+        return _by_name(self)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -217,4 +221,4 @@ class CarterSolution(Generic[Number]):
 
     def to_dict(self) -> dict[str, Any]:
         """The numbers by name."""
-        return {field.name: getattr(self, field.name) for field in fields(self)}
+        return _by_name(self)

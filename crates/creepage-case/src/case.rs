@@ -5,13 +5,14 @@ use creepage::rolling::exact::Known;
 use creepage::rolling::{Creepage, Scaling, SiCreepage};
 use schemars::JsonSchema;
 use serde::Deserialize;
+use serde_json::Value;
 
 use crate::body::Body;
 use crate::contact::Contact;
 use crate::creepage::CreepageSection;
 use crate::error::CaseError;
 use crate::keys;
-use crate::schema::json_schema;
+use crate::schema::schema_of;
 use crate::solve::Solve;
 use crate::wanted::WantedSection;
 
@@ -36,6 +37,17 @@ pub struct CaseFile {
     /// How to solve the case.
     #[serde(default)]
     solve: Solve,
+}
+
+/// The JSON schema (draft 2020-12) of a case file, for editors and validators.
+///
+/// ```
+/// let schema = creepage_case::json_schema();
+/// assert!(schema["properties"]["contact"]["properties"]["normal_force"].is_object());
+/// ```
+#[must_use]
+pub fn json_schema() -> Value {
+    schema_of::<CaseFile>()
 }
 
 /// One case, every number of it checked.

@@ -1,22 +1,9 @@
-//! The JSON schema of a case file, made from the structs that read it.
+//! JSON schemas, made from the structs that read the files.
 
 use schemars::generate::SchemaSettings;
 use schemars::transform::RecursiveTransform;
 use schemars::{JsonSchema, Schema};
 use serde_json::Value;
-
-use crate::case::CaseFile;
-
-/// The JSON schema (draft 2020-12) of a case file, for editors and validators.
-///
-/// ```
-/// let schema = creepage_case::json_schema();
-/// assert!(schema["properties"]["contact"]["properties"]["normal_force"].is_object());
-/// ```
-#[must_use]
-pub fn json_schema() -> Value {
-    schema_of::<CaseFile>()
-}
 
 /// The schema of any file that a struct reads.
 pub(crate) fn schema_of<File: JsonSchema>() -> Value {

@@ -3,12 +3,8 @@
 use creepage::rolling::{fastrip, fastsim, variational};
 use schemars::JsonSchema;
 use serde::de::{Deserialize, Deserializer, Error};
-use toml::Table;
 
-use crate::error::CaseError;
-use crate::keys;
 use crate::resolution::Resolution;
-use crate::schema::json_schema;
 
 /// The theory that solves the case, and its options; what is left out is the theory's default.
 #[derive(Debug, Clone, PartialEq, Default, serde::Deserialize, JsonSchema)]
@@ -48,24 +44,6 @@ pub struct Solve {
 }
 
 impl Solve {
-    /// Reads options that stand outside a case file, each as `key = value` or `key=value`; a word
-    /// needs no quotes.
-    ///
-    /// ```
-    /// let options = ["grid=[20, 10]", "bound=parabolic"];
-    /// assert_eq!(creepage_case::Solve::read(&options)?.grid, Some([20, 10]));
-    /// # Ok::<(), creepage_case::CaseError>(())
-    /// ```
-    ///
-    /// # Errors
-    /// [`CaseError`] for what `[solve]` of a case file may not say either.
-    pub fn read(options: &[impl AsRef<str>]) -> Result<Self, CaseError> {
-        let lines: Vec<_> = options.iter().map(|option| quoted(option.as_ref())).collect();
-        let text = lines.join("\n");
-        keys::check_section("solve", &text.parse()?, &json_schema())?;
-        Ok(toml::from_str(&text)?)
-    }
-
     /// Names of the options that are given; `theory` is none.
     pub fn options(&self) -> impl Iterator<Item = &'static str> {
         // Taken apart, so that an option cannot be forgotten here.
@@ -96,16 +74,6 @@ impl Solve {
         ]
         .into_iter()
         .filter_map(|(name, given)| given.then_some(name))
-    }
-}
-
-/// The option as a line of TOML: what is no value of TOML is text.
-fn quoted(option: &str) -> String {
-    match option.split_once('=') {
-        Some((key, word)) if option.parse::<Table>().is_err() => {
-            format!("{key}={}", toml::Value::from(word.trim()))
-        }
-        _ => option.into(),
     }
 }
 

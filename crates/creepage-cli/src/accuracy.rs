@@ -7,9 +7,8 @@ use rayon::prelude::*;
 use serde::Serialize;
 
 use crate::args::AccuracyArgs;
-use crate::cases::to_json;
 use crate::failure::Failure;
-use crate::output::print;
+use crate::output::{print, to_json};
 
 /// A theory with options of its own.
 struct Contestant {

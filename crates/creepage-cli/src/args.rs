@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Parser, Subcommand};
 
-use crate::reproduce;
+use crate::reproduce::ReproduceArgs;
 use crate::table::TableArgs;
 
 /// Rolling contact of two elastic bodies with dry friction: creepage and spin in, tangential
@@ -262,16 +262,6 @@ pub(crate) struct StaticsArgs {
     /// Print the report as JSON.
     #[arg(long)]
     pub(crate) json: bool,
-}
-
-#[derive(Debug, clap::Args)]
-pub(crate) struct ReproduceArgs {
-    /// What to reproduce.
-    #[arg(value_name = "NAME", required = true, value_parser = reproduce::names())]
-    pub(crate) items: Vec<String>,
-    /// Directory for the files; made if need be.
-    #[arg(long, value_name = "DIR")]
-    pub(crate) out: Option<PathBuf>,
 }
 
 #[derive(Debug, clap::Args)]

@@ -6,9 +6,8 @@ use creepage::rolling::linear::CreepageCoefficients;
 use serde::Serialize;
 
 use crate::args::CoefficientsArgs;
-use crate::cases::to_json;
 use crate::failure::Failure;
-use crate::output::print;
+use crate::output::{print, to_json};
 
 /// The coefficients, and what they belong to.
 #[derive(Serialize)]

@@ -8,13 +8,13 @@ use creepage_report::{Component, Curves};
 use creepage_theories::kappa_over_mu;
 
 use crate::args::{CurveArgs, Quantity};
-use crate::cases::{choose, read};
 use crate::failure::Failure;
-use crate::output::{print, say};
+use crate::input::{choose, read_case};
+use crate::output::{print, say, say_written};
 
 pub(crate) fn run(args: &CurveArgs) -> Result<(), Failure> {
     let wrong = |source| Failure::Case { path: args.case.clone(), source };
-    let case = read(&args.case)?.case().map_err(wrong)?;
+    let case = read_case(&args.case)?.case().map_err(wrong)?;
     let theories = choose(&args.theory, &case.solve, &args.case)?;
     let (vary, [from, to]) = range(args, &case)?;
     let values = spaced(from, to, args.points);
@@ -31,9 +31,7 @@ pub(crate) fn run(args: &CurveArgs) -> Result<(), Failure> {
     let Some(directory) = &args.out else {
         return print(&String::from_utf8_lossy(&curves.csv()?));
     };
-    for path in curves.write(directory)? {
-        say(&format!("wrote {}", path.display()));
-    }
+    say_written(&curves.write(directory)?);
     Ok(())
 }
 

@@ -11,7 +11,8 @@ use creepage_table::{BuildError, FileError};
 use creepage_theories::{ChoiceError, FindError, TheoryError, UnknownTheory};
 use creepage_validation::ReferenceError;
 
-use crate::batch::{ColumnError, OptionError};
+use crate::batch::columns::ColumnError;
+use crate::batch::options::OptionError;
 
 /// Why the command could not do its work.
 #[derive(Debug, thiserror::Error)]

@@ -9,6 +9,8 @@ mod coefficients;
 mod curve;
 mod failure;
 mod init;
+mod input;
+mod outcome;
 mod output;
 mod partial_file;
 mod reproduce;
@@ -24,15 +26,7 @@ use clap::Parser;
 
 use args::{Args, Command};
 use failure::Failure;
-
-/// How a command that did its work ends.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Outcome {
-    /// All of the output can be used.
-    Done,
-    /// Some of the output says of itself that it cannot be used.
-    Doubtful,
-}
+use outcome::Outcome;
 
 fn main() -> ExitCode {
     match run(&Args::parse().command) {

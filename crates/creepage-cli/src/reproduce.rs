@@ -1,20 +1,30 @@
 //! `creepage reproduce`: the thesis's tables and figures computed again, beside what was printed.
 
 use std::io::{self, IsTerminal};
+use std::path::PathBuf;
 
 use clap::builder::{PossibleValue, PossibleValuesParser};
 use creepage_gallery::{File, Item, Made, agreement_text, files, gallery, registry, reproduce};
 use creepage_report::write_all;
-use indicatif::{ProgressBar, ProgressStyle};
+use indicatif::ProgressBar;
 
-use crate::args::ReproduceArgs;
 use crate::failure::Failure;
-use crate::output::{print, say};
+use crate::output::{bar_style, print, say_written};
 
 const ALL: &str = "all";
 
+#[derive(Debug, clap::Args)]
+pub(crate) struct ReproduceArgs {
+    /// What to reproduce.
+    #[arg(value_name = "NAME", required = true, value_parser = names())]
+    items: Vec<String>,
+    /// Directory for the files; made if need be.
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+}
+
 /// What can be asked for.
-pub(crate) fn names() -> PossibleValuesParser {
+fn names() -> PossibleValuesParser {
     let items = registry().iter().map(|item| PossibleValue::new(item.name).help(item.title));
     let all = PossibleValue::new(ALL).help("All of these, a gallery page and a table of agreement");
     items.chain([all]).into()
@@ -38,9 +48,7 @@ pub(crate) fn run(args: &ReproduceArgs) -> Result<(), Failure> {
             written.extend(gallery(&made)?);
         }
         let pairs: Vec<_> = written.iter().map(File::as_pair).collect();
-        for path in write_all(directory, &pairs)? {
-            say(&format!("wrote {}", path.display()));
-        }
+        say_written(&write_all(directory, &pairs)?);
     }
     print(&made.iter().map(text).collect::<Vec<_>>().join("\n\n\n"))
 }
@@ -58,7 +66,5 @@ fn bar(count: usize) -> ProgressBar {
     if count < 2 || !io::stderr().is_terminal() {
         return ProgressBar::hidden();
     }
-    let style = ProgressStyle::with_template("{wide_bar} {pos} of {len}  {msg:8}");
-    ProgressBar::new(count as u64)
-        .with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
+    ProgressBar::new(count as u64).with_style(bar_style("{wide_bar} {pos} of {len}  {msg:8}"))
 }

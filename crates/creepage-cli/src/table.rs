@@ -8,9 +8,8 @@ use creepage::rolling::{Creepage, Force};
 use creepage_table::{Axis, Spread, Table};
 use serde::Serialize;
 
-use crate::cases::to_json;
 use crate::failure::Failure;
-use crate::output::print;
+use crate::output::{print, to_json};
 use crate::table_build::{self, BuildArgs};
 
 #[derive(Debug, Args)]

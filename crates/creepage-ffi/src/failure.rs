@@ -68,14 +68,15 @@ impl Failure {
             | Self::Choice(_)
             | Self::Options(_)
             | Self::Theory(TheoryError::AccuracyOfFixed) => CREEPAGE_TEXT,
-            Self::Invalid(_) | Self::Case { .. } | Self::Theory(_) => CREEPAGE_INVALID,
             Self::Read { .. } | Self::CaseFile { .. } | Self::Table { .. } => CREEPAGE_FILE,
             Self::Count(_) => CREEPAGE_COUNT,
             Self::Unsupported(_) | Self::Find { source: FindError::Theory { .. }, .. } => {
                 CREEPAGE_UNSUPPORTED
             }
             Self::Find { source: FindError::Unreachable(_), .. } => CREEPAGE_NOT_REACHABLE,
-            Self::Find { .. } => CREEPAGE_INVALID,
+            Self::Invalid(_) | Self::Case { .. } | Self::Theory(_) | Self::Find { .. } => {
+                CREEPAGE_INVALID
+            }
         }
     }
 }

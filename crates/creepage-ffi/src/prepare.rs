@@ -7,7 +7,7 @@ use std::sync::Arc;
 use creepage::Hertz;
 use creepage::rolling::{Scaling, SiCreepage, SiForce, Solution, Status, Theory};
 use creepage_case::{Case, CaseFile, Solve};
-use creepage_theories::{Entry, PreparedTheory, choose, find_creepage, kappa_over_mu};
+use creepage_theories::{ChoiceError, Entry, PreparedTheory, SolvedCase, choose, kappa_over_mu};
 
 use crate::failure::Failure;
 
@@ -25,14 +25,13 @@ impl Solver {
         poisson: f64,
         solve: &Solve,
     ) -> Result<Self, Failure> {
-        let solve = Solve { theory: Some(name.into()), ..solve.clone() };
-        let entry = choose(&[], &solve)?.theories[0];
+        let (entry, solve) = chosen(name, solve)?;
         Ok(Self { name: entry.name, theory: entry.prepare(a_over_b, poisson, &solve)? })
     }
 }
 
 /// What a case file asks for.
-pub(crate) struct SolvedCase {
+pub(crate) struct AnsweredCase {
     /// Given, or found.
     pub(crate) creepage: SiCreepage,
     pub(crate) force: SiForce,
@@ -42,7 +41,7 @@ pub(crate) struct SolvedCase {
 }
 
 /// Solves the case of a file by its own theory, or by the theory `name` with its usual options.
-pub(crate) fn solve_case(path: &Path, name: Option<&str>) -> Result<SolvedCase, Failure> {
+pub(crate) fn solve_case(path: &Path, name: Option<&str>) -> Result<AnsweredCase, Failure> {
     let text =
         fs::read_to_string(path).map_err(|source| Failure::Read { path: path.into(), source })?;
     let wrong = |source| Failure::CaseFile { path: path.into(), source };
@@ -50,13 +49,13 @@ pub(crate) fn solve_case(path: &Path, name: Option<&str>) -> Result<SolvedCase, 
     if !file.is_inverse() {
         let case = file.case().map_err(wrong)?;
         let (entry, theory) = prepare((&case.contact, case.friction), &case.solve, name)?;
-        return solved(&case, entry, theory.solve(case.creepage));
+        return answered(&case, entry, theory.solve(case.creepage));
     }
     let case = file.inverse().map_err(wrong)?;
     let (entry, theory) = prepare((&case.contact, case.friction), &case.solve, name)?;
-    let found = find_creepage(&case, entry.name, Arc::new(theory))
+    let solved = SolvedCase::creepage(case, entry.name, Arc::new(theory))
         .map_err(|source| Failure::Find { path: path.into(), source })?;
-    solved(&case.found(found.creepage()), entry, found.answered.solution)
+    answered(&solved.case, entry, solved.found.answered.solution)
 }
 
 fn prepare(
@@ -66,18 +65,23 @@ fn prepare(
 ) -> Result<(&'static Entry, PreparedTheory), Failure> {
     let own = solve.theory.as_deref().unwrap_or("exact");
     let name = name.unwrap_or(own);
-    let usual = || Solve { theory: Some(name.into()), ..Solve::default() };
-    let solve = if name == own { solve.clone() } else { usual() };
-    let entry = choose(&[], &solve)?.theories[0];
+    let usual = Solve::default();
+    let (entry, solve) = chosen(name, if name == own { solve } else { &usual })?;
     Ok((entry, entry.for_contact(contact, friction, &solve)?))
 }
 
-fn solved(case: &Case, entry: &Entry, solution: Solution) -> Result<SolvedCase, Failure> {
+fn answered(case: &Case, entry: &Entry, solution: Solution) -> Result<AnsweredCase, Failure> {
     let Case { contact, friction, si_creepage, .. } = case;
-    Ok(SolvedCase {
+    Ok(AnsweredCase {
         creepage: *si_creepage,
         force: Scaling::new(contact, *friction)?.si_force(solution.force),
         status: solution.status,
         left_out: entry.leaves_out(kappa_over_mu(contact, *friction)).is_some(),
     })
+}
+
+/// The theory `name`, and options of its own.
+fn chosen(name: &str, solve: &Solve) -> Result<(&'static Entry, Solve), ChoiceError> {
+    let solve = Solve { theory: Some(name.into()), ..solve.clone() };
+    Ok((choose(&[], &solve)?.theories[0], solve))
 }

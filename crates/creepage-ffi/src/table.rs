@@ -6,7 +6,7 @@ use std::path::Path;
 use creepage_table::Table;
 
 use crate::failure::{Failure, guard};
-use crate::input::{array, array_mut, creepages, handle, optional, text};
+use crate::input::{array_mut, cases, handle, optional, place, release, text};
 
 /// A table of creep force, as `creepage table build` makes it.
 #[derive(Debug)]
@@ -31,13 +31,12 @@ pub unsafe extern "C" fn creepage_table_read(
 ) -> i32 {
     let work = || {
         // SAFETY: the caller's promise of the function's documentation.
-        let place = unsafe { array_mut("table", table, 1, 1) }?;
-        place[0] = std::ptr::null_mut();
+        let place = unsafe { place("table", table) }?;
         // SAFETY: as before.
         let path = Path::new(unsafe { text("path", path) }?);
         let table =
             Table::read(path).map_err(|source| Failure::Table { path: path.into(), source })?;
-        place[0] = Box::into_raw(Box::new(CreepageTable { table }));
+        *place = Box::into_raw(Box::new(CreepageTable { table }));
         Ok(())
     };
     // SAFETY: as before.
@@ -51,10 +50,8 @@ pub unsafe extern "C" fn creepage_table_read(
 #[allow(clippy::doc_markdown)] // the words are for C
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn creepage_table_free(table: *mut CreepageTable) {
-    if !table.is_null() {
-        // SAFETY: it was made by `Box::into_raw`, and the caller gives it up.
-        drop(unsafe { Box::from_raw(table) });
-    }
+    // SAFETY: it was made by `Box::into_raw`, and the caller gives it up.
+    unsafe { release(table) };
 }
 
 /// The largest error of the table against its theory at random places, as measured when the
@@ -115,12 +112,10 @@ pub unsafe extern "C" fn creepage_table_force(
         // SAFETY: the caller's promise of the function's documentation, here and below.
         let slice = unsafe { handle("table", table) }?.table.at(a_over_b, poisson)?;
         // SAFETY: as before.
-        let asked = self::creepages(unsafe { array("creepages", creepages, count, 3) }?)?;
-        // SAFETY: as before.
-        let forces = unsafe { array_mut("forces", forces, count, 3) }?;
+        let cases = unsafe { cases(count, creepages, forces) }?;
         // SAFETY: as before.
         let mut derivatives = unsafe { optional(derivatives, count, 9) }?;
-        for (case, (creepage, out)) in asked.zip(forces.as_chunks_mut().0).enumerate() {
+        for (case, (creepage, out)) in cases.enumerate() {
             let force = if let Some(derivatives) = &mut derivatives {
                 let (force, derivative) = slice.force_and_derivative(creepage);
                 derivatives[9 * case..9 * case + 9].copy_from_slice(derivative.as_flattened());

@@ -7,7 +7,7 @@ use creepage::rolling::{Creepage, Force, Status, Theory};
 use creepage_theories::PreparedTheory;
 
 use crate::failure::{Failure, guard};
-use crate::input::{array, array_mut, creepages, handle, optional, text};
+use crate::input::{cases, handle, optional, place, release, text};
 use crate::prepare::Solver;
 
 /// The theory's equations are solved.
@@ -64,8 +64,7 @@ pub unsafe extern "C" fn creepage_theory_new(
 ) -> i32 {
     let work = || {
         // SAFETY: the caller's promise of the function's documentation.
-        let place = unsafe { array_mut("theory", theory, 1, 1) }?;
-        place[0] = std::ptr::null_mut();
+        let place = unsafe { place("theory", theory) }?;
         // SAFETY: as before.
         let name = unsafe { text("name", name) }?;
         let options = if options.is_null() {
@@ -75,7 +74,7 @@ pub unsafe extern "C" fn creepage_theory_new(
             unsafe { text("options", options) }?
         };
         let solver = Solver::new(name, a_over_b, poisson, &toml::from_str(options)?)?;
-        place[0] = Box::into_raw(Box::new(CreepageTheory { solver }));
+        *place = Box::into_raw(Box::new(CreepageTheory { solver }));
         Ok(())
     };
     // SAFETY: as before.
@@ -89,10 +88,8 @@ pub unsafe extern "C" fn creepage_theory_new(
 #[allow(clippy::doc_markdown)] // the words are for C
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn creepage_theory_free(theory: *mut CreepageTheory) {
-    if !theory.is_null() {
-        // SAFETY: it was made by `Box::into_raw`, and the caller gives it up.
-        drop(unsafe { Box::from_raw(theory) });
-    }
+    // SAFETY: it was made by `Box::into_raw`, and the caller gives it up.
+    unsafe { release(theory) };
 }
 
 /// Forces of many cases, one after the other.
@@ -121,12 +118,10 @@ pub unsafe extern "C" fn creepage_theory_force(
         // SAFETY: the caller's promise of the function's documentation, here and below.
         let theory = unsafe { handle("theory", theory) }?;
         // SAFETY: as before.
-        let asked = self::creepages(unsafe { array("creepages", creepages, count, 3) }?)?;
-        // SAFETY: as before.
-        let forces = unsafe { array_mut("forces", forces, count, 3) }?;
+        let cases = unsafe { cases(count, creepages, forces) }?;
         // SAFETY: as before.
         let mut statuses = unsafe { optional(statuses, count, 1) }?;
-        for (case, (creepage, force)) in asked.zip(forces.as_chunks_mut().0).enumerate() {
+        for (case, (creepage, force)) in cases.enumerate() {
             let solution = theory.solver.theory.solve(creepage);
             *force = numbers(solution.force);
             if let Some(statuses) = &mut statuses {
@@ -172,16 +167,14 @@ pub unsafe extern "C" fn creepage_exact_force(
         let solver = &unsafe { handle("theory", theory) }?.solver;
         let mut full = FullTheory::of(solver)?;
         // SAFETY: as before.
-        let asked = self::creepages(unsafe { array("creepages", creepages, count, 3) }?)?;
-        // SAFETY: as before.
-        let forces = unsafe { array_mut("forces", forces, count, 3) }?;
+        let cases = unsafe { cases(count, creepages, forces) }?;
         // SAFETY: as before.
         let mut errors = unsafe { optional(errors, count, 3) }?;
         // SAFETY: as before.
         let mut derivatives = unsafe { optional(derivatives, count, 9) }?;
         // SAFETY: as before.
         let mut statuses = unsafe { optional(statuses, count, 1) }?;
-        for (case, (creepage, force)) in asked.zip(forces.as_chunks_mut().0).enumerate() {
+        for (case, (creepage, force)) in cases.enumerate() {
             let (solution, derivative) = full.solve(creepage, derivatives.is_some());
             *force = numbers(solution.force);
             if let Some(errors) = &mut errors {

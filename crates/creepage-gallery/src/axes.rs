@@ -27,6 +27,12 @@ pub(crate) fn fy() -> Label {
     Label::default().indexed("f", "y").plain(" = ").indexed("F", "y").plain("/").symbol("μN")
 }
 
+/// What errors of forces are measured in.
+pub(crate) fn force_error() -> Label {
+    let label = Label::new("error of (").indexed("f", "x").plain(", ").indexed("f", "y");
+    label.plain(") in per cent of ").symbol("μN")
+}
+
 /// A line of settings below a title: `a/b = 1,  σ = 0.28`.
 pub(crate) fn setting(parts: &[(&str, &str)]) -> Label {
     let one =

@@ -41,6 +41,18 @@ pub(crate) fn adhesion(ellipse: Ellipse, field: &Field) -> (Vec<Polygon>, f64) {
     patch::adhesion(ellipse, |points| field(points).iter().map(|point| point.region).collect())
 }
 
+/// The area of adhesion by the full theory without the steps of its elements, and its share of the
+/// contact.
+pub(crate) fn full_adhesion(
+    a_over_b: f64,
+    poisson: f64,
+    creepage: Creepage,
+) -> Result<(Vec<Polygon>, f64), InvalidValue> {
+    let theory = detailed(a_over_b, poisson)?;
+    let (area, share) = adhesion(Ellipse::from_ratio(a_over_b)?, &full(&theory, creepage));
+    Ok((smooth_area(&area), share))
+}
+
 /// An area of adhesion by the full theory without the steps of its elements, to be filled.
 pub(crate) fn smooth_area(adhesion: &[Polygon]) -> Vec<Polygon> {
     adhesion.iter().map(|polygon| patch::smoothed(polygon)).collect()

@@ -2,11 +2,10 @@
 
 use std::f64::consts::TAU;
 
-use creepage::rolling::exact::{Exact, Resolution};
-use creepage::rolling::{Creepage, Region, Theory};
-use creepage::{Ellipse, InvalidValue};
+use creepage::Ellipse;
+use creepage::rolling::Region;
 use creepage_report::Areas;
-use creepage_report::plot::{Anchor, Fill, Label, Panel, Pen, Scale};
+use creepage_report::plot::{Fill, Panel, Pen};
 
 /// A closed polygon in units of `c`.
 pub(crate) type Polygon = Vec<[f64; 2]>;
@@ -30,62 +29,22 @@ pub(crate) fn adhesion(
     (polygons.collect(), areas.adhesion_share)
 }
 
-/// The area of adhesion by a theory that answers quickly.
-pub(crate) fn adhesion_of(
-    ellipse: Ellipse,
-    theory: &dyn Theory,
-    creepage: Creepage,
-) -> (Vec<Polygon>, f64) {
-    adhesion(ellipse, |points| {
-        theory.field(creepage, points).iter().map(|point| point.region).collect()
-    })
-}
-
 /// A polygon as a line that ends where it began.
 pub(crate) fn closed(mut polygon: Polygon) -> Polygon {
     polygon.extend(polygon.first().copied());
     polygon
 }
 
-/// A panel for a contact: `x` to the right, where the rolling goes, `y` downwards, as in all
-/// pictures of contacts. Everything is in units of `c`.
-pub(crate) fn panel(ellipse: Ellipse) -> Panel {
-    let reach = [1.35 * ellipse.a().max(0.6 * ellipse.b()), 1.12 * ellipse.b()];
-    let scale = |range| Scale::new(range, Label::default());
-    Panel::new(scale([-reach[0], reach[0]]), scale([reach[1], -reach[1]])).to_scale().bare()
-}
-
-/// The edge, and arrows for `x` and `y` beyond it.
-pub(crate) fn framed(panel: Panel, ellipse: Ellipse) -> Panel {
-    let (a, ink) = (ellipse.a(), "#5d6a76");
-    panel
-        .curve(outline(ellipse), Pen::OUTLINE)
-        .arrow([a + 0.06, 0.0], [a + 0.23, 0.0], 1.6, ink)
-        .text([a + 0.29, 0.025], Anchor::Middle, Label::default().symbol("x"))
-}
-
 /// Areas of slip and of adhesion.
 pub(crate) fn areas(panel: Panel, ellipse: Ellipse, adhesion: &[Polygon]) -> Panel {
-    let edges = adhesion.iter().cloned().map(closed);
     let panel =
         panel.area(vec![outline(ellipse)], Fill::SLIP).area(adhesion.to_vec(), Fill::ADHESION);
-    edges.fold(panel, |panel, edge| panel.curve(edge, Pen::OUTLINE.wide(1.4)))
+    borders(panel, adhesion, Pen::OUTLINE.wide(1.4))
 }
 
-/// The area of adhesion by the full theory, and its share of the contact.
-pub(crate) fn full_adhesion(
-    a_over_b: f64,
-    poisson: f64,
-    creepage: Creepage,
-) -> Result<(Vec<Polygon>, f64), InvalidValue> {
-    let theory = Exact::new(a_over_b, poisson, Resolution::new(56, 44)?)?;
-    let mut workspace = theory.workspace();
-    theory.solve_with(creepage, &mut workspace);
-    let regions = |points: &[[f64; 2]]| {
-        theory.field_of(&workspace, points).iter().map(|point| point.region).collect()
-    };
-    let (polygons, share) = adhesion(Ellipse::from_ratio(a_over_b)?, regions);
-    Ok((polygons.iter().map(|polygon| smoothed(polygon)).collect(), share))
+/// Borders of areas, in one pen.
+pub(crate) fn borders(panel: Panel, areas: &[Polygon], pen: Pen) -> Panel {
+    areas.iter().cloned().map(closed).fold(panel, |panel, border| panel.curve(border, pen))
 }
 
 /// A closed polygon without ripples shorter than an element of the full theory, whose border of

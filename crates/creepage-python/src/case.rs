@@ -4,11 +4,10 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use creepage::Hertz;
-use creepage::rolling::exact::Known;
 use creepage::rolling::{Creepage, Scaling};
 use creepage_case::{Case, CaseError, CaseFile, InverseCase, Solve};
-use creepage_report::{Answer, Extras, Report, hertz_json};
-use creepage_theories::{Entry, Examination, PreparedTheory, find, find_creepage, kappa_over_mu};
+use creepage_report::{Report, hertz_json};
+use creepage_theories::{Entry, PreparedTheory, find, kappa_over_mu};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -16,6 +15,7 @@ use crate::theory::Theory;
 use crate::{errors, results};
 
 /// What a case file asks for.
+#[derive(Clone)]
 enum Question {
     Forces(Case),
     /// The creepage that gives wanted forces.
@@ -35,11 +35,8 @@ pub struct CaseData {
 #[pyclass(frozen, module = "creepage._creepage")]
 #[allow(missing_debug_implementations)] // Python has its own
 pub struct SolvedCase {
-    case: Case,
-    /// What was given, where the creepage was found to wanted forces.
-    known: Option<Known>,
+    solved: creepage_theories::SolvedCase,
     theory: Py<Theory>,
-    found: Examination,
 }
 
 impl Question {
@@ -194,19 +191,13 @@ impl CaseData {
     /// gives the wanted forces, CaseError where the theory does not find creepages.
     fn solve(&self, py: Python, theory: Py<Theory>) -> PyResult<SolvedCase> {
         let Theory { model, name, .. } = theory.get();
-        let (case, known, found) = match &self.question {
-            Question::Forces(case) => {
-                let ellipse = case.contact.ellipse();
-                let solve = || Examination::new(Arc::clone(model), ellipse, case.creepage);
-                (case.clone(), None, py.detach(solve))
-            }
-            Question::Creepage(case) => {
-                let found = py.detach(|| find_creepage(case, name, Arc::clone(model)));
-                let found = found.map_err(|error| errors::find(py, error))?;
-                (case.clone().found(found.creepage()), Some(case.known), found)
-            }
+        let model = Arc::clone(model);
+        let solve = || match self.question.clone() {
+            Question::Forces(case) => Ok(creepage_theories::SolvedCase::forces(case, model)),
+            Question::Creepage(case) => creepage_theories::SolvedCase::creepage(case, name, model),
         };
-        Ok(SolvedCase { case, known, theory, found })
+        let solved = py.detach(solve).map_err(|error| errors::find(py, error))?;
+        Ok(SolvedCase { solved, theory })
     }
 }
 
@@ -220,30 +211,10 @@ impl SolvedCase {
     /// Makes the report, which traces the areas of adhesion and slip, and uses it.
     fn report<T: Send>(&self, py: Python, with: impl FnOnce(&Report) -> T + Send) -> PyResult<T> {
         let Theory { model, name, .. } = self.theory.get();
-        let Self { case, known, found, .. } = self;
         // As in case files.
         let theory_name =
             if matches!(**model, PreparedTheory::Automatic(_)) { "exact" } else { name };
-        let entry = entry(theory_name)?;
-        let used = py.detach(|| {
-            let answer = Answer {
-                creepage: case.creepage,
-                theory_name,
-                theory: found,
-                solution: found.answered.solution,
-                points: found.points.clone(),
-                details: found.details.clone(),
-            };
-            let extras = Extras {
-                known: *known,
-                speed: case.speed,
-                power: found.power,
-                dissipation: found.dissipation,
-                left_out: entry.leaves_out(kappa_over_mu(&case.contact, case.friction)),
-            };
-            let report = Report::new(&case.contact, case.friction, answer)?;
-            Ok(with(&report.with(extras)))
-        });
+        let used = py.detach(|| Report::of_case(&self.solved, theory_name).map(|r| with(&r)));
         used.map_err(|error| errors::invalid(py, error))
     }
 }
@@ -275,7 +246,7 @@ impl SolvedCase {
 
     /// The field at the theory's own points, or at those of a usual mesh: a Field.
     fn points<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        let (points, ellipse) = (&self.found.points, self.theory.get().ellipse);
+        let (points, ellipse) = (&self.solved.found.points, self.theory.get().ellipse);
         results::field(py, &[points.len()], ellipse, points)
     }
 }

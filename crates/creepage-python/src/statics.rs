@@ -20,7 +20,7 @@ pub struct SolvedStatics {
 
 impl SolvedStatics {
     fn report(&self, py: Python) -> PyResult<StaticsReport<'_>> {
-        py.detach(|| report(&self.case)).map_err(|error| errors::statics(py, error))
+        py.detach(|| StaticsReport::new(&self.case)).map_err(|error| errors::statics(py, error))
     }
 
     /// A vector at every point `(x, y)`, in a last dimension.
@@ -119,21 +119,4 @@ impl SolvedStatics {
             }
         }
     }
-}
-
-fn report(case: &StaticsCase) -> Result<StaticsReport<'_>, StaticsError> {
-    Ok(match case {
-        StaticsCase::Die { solid, base, normal_force, offset, die } => {
-            StaticsReport::die(*solid, *base, *normal_force, *offset, die)?
-        }
-        StaticsCase::Shift { pair, ellipse, force, bonded } => {
-            StaticsReport::shift(*pair, *ellipse, *force, bonded)?
-        }
-        StaticsCase::Twist { pair, ellipse, moment, bonded } => {
-            StaticsReport::twist(*pair, *ellipse, *moment, bonded)?
-        }
-        StaticsCase::PartialSlip { contact, friction, force, partial } => {
-            StaticsReport::partial_slip(contact, *friction, *force, partial)?
-        }
-    })
 }

@@ -2,9 +2,8 @@
 
 use std::ops::Range;
 
-use creepage::rolling::Region;
-use creepage::rolling::variational::{Chain, ChainCase, Variational};
-use creepage_case::{Sweep, SweepCase};
+use creepage::rolling::variational::{Chain, Variational};
+use creepage_case::Sweep;
 use creepage_report::{SeriesHead, SeriesRow, series_csv};
 use pyo3::exceptions::PyIndexError;
 use pyo3::prelude::*;
@@ -51,7 +50,7 @@ impl SweepData {
     /// What all cases share: (a/b, Poisson's ratio, degree, mesh).
     #[getter]
     fn shared(&self) -> (f64, f64, usize, [usize; 2]) {
-        let head = self.head();
+        let head = SeriesHead::from(&self.sweep);
         (head.a_over_b, head.poisson, head.degree, head.mesh)
     }
 
@@ -82,33 +81,16 @@ impl SweepData {
         }
         let mut table = Vec::new();
         let rows = rows.into_iter().map(Ok::<_, std::io::Error>);
-        series_csv(&self.head(), rows, &mut table).map_err(errors::report)?;
+        series_csv(&SeriesHead::from(&self.sweep), rows, &mut table).map_err(errors::report)?;
         Ok(PyBytes::new(py, &table))
     }
 }
 
 impl SweepData {
-    fn head(&self) -> SeriesHead {
-        SeriesHead {
-            a_over_b: self.sweep.a_over_b,
-            poisson: self.sweep.poisson,
-            degree: self.sweep.settings.degree,
-            mesh: self.sweep.settings.mesh,
-            cases: self.sweep.cases(),
-        }
-    }
-
     /// A chain before its first case, whose number comes with it.
     fn start(&self, number: usize) -> (Chain<'_>, usize) {
         let first = number * self.sweep.chain_length();
-        let given = self.sweep.starting_values.as_ref();
-        let tau = given.and_then(|polynomials| self.theory.unknowns_of(polynomials).ok());
-        let (theory, procedure) = (&self.theory, self.sweep.procedure);
-        let chain = match tau {
-            Some(tau) => Chain::from(theory, procedure, self.sweep.case(first).creepage, tau),
-            None => Chain::new(theory, procedure),
-        };
-        (chain, first)
+        (self.sweep.chain(&self.theory, first), first)
     }
 
     /// Solves some of a chain's cases, which follow those before.
@@ -120,31 +102,10 @@ impl SweepData {
     ) {
         for index in cases {
             let case = self.sweep.case(*first + index);
-            found.push(self.row(&case, &chain.solve(case.creepage, None)));
-        }
-    }
-
-    fn row(&self, case: &SweepCase, solved: &ChainCase) -> SeriesRow {
-        let found = &solved.found;
-        let adhering =
-            found.points.iter().filter(|point| point.field.region == Region::Adhesion).count();
-        let second = self
-            .sweep
-            .second_start
-            .map_or(f64::NAN, |second| self.theory.check_by(case.creepage, found, &second.start()));
-        SeriesRow {
-            alpha: case.alpha,
-            upsilon: case.upsilon,
-            creepage: case.creepage,
-            force: found.solution.force,
-            status: found.solution.status,
-            iterations: found.iterations,
-            steps_from_previous: solved.steps_from_previous,
-            mean_integrand: found.mean_integrand,
-            residual: found.residual,
-            aberrations: found.aberrations,
-            adhesion_share: adhering as f64 / found.points.len() as f64,
-            second_start_difference: second,
+            let solved = chain.solve(case.creepage, None);
+            let difference =
+                self.sweep.second_start_difference(&self.theory, case.creepage, &solved.found);
+            found.push(SeriesRow::new(&case, &solved, difference));
         }
     }
 }

@@ -11,6 +11,7 @@ use pyo3::types::{PyDict, PyTuple};
 
 use crate::batch::solve_all;
 use crate::number::{Inputs, Number};
+use crate::options::arguments;
 use crate::{errors, mesh, results};
 
 const NAMES: [&str; 3] = ["xi", "eta", "chi"];
@@ -143,6 +144,21 @@ impl Theory {
             |(), [xi, eta, chi]| Ok(results::plain_row(theory.solve(Creepage::new(xi, eta, chi)?))),
         )?;
         results::forces(py, answers)
+    }
+}
+
+impl DifferentiableTheory {
+    /// A theory that has no options.
+    pub(crate) fn plain(
+        py: Python,
+        name: &'static str,
+        a_over_b: f64,
+        poisson: f64,
+        cost: f64,
+    ) -> PyResult<PyClassInitializer<Self>> {
+        let given = arguments(py, a_over_b, poisson, &[])?;
+        let made = prepare(py, name, a_over_b, poisson, &Solve::default())?;
+        Ok(Theory::new(py, name, a_over_b, given, cost, made)?.add_subclass(Self))
     }
 }
 

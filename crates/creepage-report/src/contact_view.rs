@@ -4,7 +4,7 @@ use creepage::rolling::FieldPoint;
 
 use crate::format::round_below;
 use crate::label::Label;
-use crate::plane::Plane;
+use crate::plane::{Plane, magnitude};
 use crate::report::{Report, disc_to_theory};
 use crate::scene::{Anchor, Ink, Point, Scene, Type};
 use crate::sheet::{ADHESION, Area, DARK, GREY, HATCHING, RED, SLIP, TRACTION};
@@ -106,10 +106,6 @@ fn tractions(report: &Report, lattice: &[Point]) -> Vec<FieldPoint> {
 
 fn largest(field: &[FieldPoint]) -> f64 {
     field.iter().map(|point| magnitude(point.traction)).fold(0.0, f64::max)
-}
-
-pub(crate) fn magnitude(vector: [f64; 2]) -> f64 {
-    vector[0].hypot(vector[1])
 }
 
 /// The zero of the rigid slip, `(-eta, xi)/chi` in units of `c`, as `(x/a, y/b)`; none where it

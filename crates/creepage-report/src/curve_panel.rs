@@ -1,19 +1,22 @@
-//! One panel of the creep-force curves, and the axes that all panels share.
+//! One panel of the creep-force curves.
 
 use creepage::rolling::{Force, Status};
 
 use crate::axis::Axis;
+use crate::clip::clip;
 use crate::curve_legend::{CASE, pen};
-use crate::curves::{Component, Curve, Curves};
+use crate::curves::{Curve, Curves};
 use crate::format::Scale;
 use crate::label::Label;
 use crate::scene::{Anchor, Ink, Point, Scene, Type};
 use crate::sheet::{Area, DARK, GREY, MARGIN, PALE, WIDTH};
 
-const NUMBERS: Type = Type { size: 14.0, colour: DARK, bold: false, anchor: Anchor::Middle };
-const WORDS: Type = Type { size: 15.0, colour: DARK, bold: false, anchor: Anchor::Start };
+pub(crate) const NUMBERS: Type =
+    Type { size: 14.0, colour: DARK, bold: false, anchor: Anchor::Middle };
+pub(crate) const WORDS: Type =
+    Type { size: 15.0, colour: DARK, bold: false, anchor: Anchor::Start };
 /// Length of a tick.
-const TICK: f64 = 5.0;
+pub(crate) const TICK: f64 = 5.0;
 /// White above and below the curves, in parts of their range.
 const AIR: f64 = 0.06;
 
@@ -171,117 +174,30 @@ impl Plot {
                 (self.at([*x, of(solution.force)]), solution.status == Status::Solved)
             })
             .collect();
-        let (top, bottom) = (self.frame.from[1], self.frame.to[1]);
-        for (solved, part) in parts(&points, [top, bottom]) {
-            scene.line(&part, pen(k, solved));
+        for (solved, part) in parts(&points) {
+            for line in clip(&part, self.frame) {
+                scene.line(&line, pen(k, solved));
+            }
         }
     }
 }
 
-fn across(frame: Area, share: f64) -> f64 {
+/// Where a share of the range of x lies on the sheet.
+pub(crate) fn across(frame: Area, share: f64) -> f64 {
     frame.from[0] + share * (frame.to[0] - frame.from[0])
 }
 
-/// The parts of a line between two heights, each solved or not throughout.
-fn parts(points: &[(Point, bool)], heights: [f64; 2]) -> Vec<(bool, Vec<Point>)> {
+/// A line in parts that are each solved or not throughout.
+fn parts(points: &[(Point, bool)]) -> Vec<(bool, Vec<Point>)> {
     let mut parts: Vec<(bool, Vec<Point>)> = Vec::new();
     for pair in points.windows(2) {
-        let Some([from, to]) = cut([pair[0].0, pair[1].0], heights) else { continue };
         let solved = pair[0].1 && pair[1].1;
         match parts.last_mut() {
-            Some((kind, part)) if *kind == solved && part.last() == Some(&from) => part.push(to),
-            _ => parts.push((solved, vec![from, to])),
+            Some((kind, part)) if *kind == solved => part.push(pair[1].0),
+            _ => parts.push((solved, vec![pair[0].0, pair[1].0])),
         }
     }
     parts
-}
-
-/// What of a straight line lies between two heights.
-fn cut([from, to]: [Point; 2], [top, bottom]: [f64; 2]) -> Option<[Point; 2]> {
-    if from[1].max(to[1]) < top || from[1].min(to[1]) > bottom {
-        return None;
-    }
-    let at = |y: f64| {
-        let share = (y - from[1]) / (to[1] - from[1]);
-        [from[0] + share * (to[0] - from[0]), y]
-    };
-    Some([from, to].map(|end| match end[1] {
-        y if y < top => at(top),
-        y if y > bottom => at(bottom),
-        _ => end,
-    }))
-}
-
-impl Curves<'_> {
-    /// The varied component in SI units, above the first panel.
-    pub(crate) fn upper_axis(&self, scene: &mut Scene, frame: Area, heading: f64, x: Axis) {
-        let (factor, unit) = self.si_scale(x);
-        let si = x.scaled(factor / self.unit(self.vary));
-        let top = frame.from[1];
-        for (value, text) in si.ticks() {
-            let x = across(frame, si.share(value));
-            scene.line(&[[x, top - TICK], [x, top]], Ink::line(GREY, 1.2));
-            scene.text([x, top - TICK - 6.0], NUMBERS, &Label::default().number(&text));
-        }
-        let words = match self.vary {
-            Component::Longitudinal => "longitudinal creepage ",
-            Component::Lateral => "lateral creepage ",
-            Component::Spin => "spin ",
-        };
-        let label = self.vary.si_symbol(Label::new(words)).plain(&unit);
-        let middle = f64::midpoint(frame.from[0], frame.to[0]);
-        scene.text([middle, heading], WORDS.anchored(Anchor::Middle), &label);
-    }
-
-    /// Unit of the upper axis in SI units, and its name in brackets.
-    fn si_scale(&self, x: Axis) -> (f64, String) {
-        let largest = x.from.abs().max(x.to.abs()) * self.unit(self.vary);
-        if self.vary == Component::Spin {
-            let scale = Scale::of(largest, "rad/m", 4);
-            return (scale.factor, format!(" [{}]", scale.unit));
-        }
-        if (0.1..100.0).contains(&largest) {
-            return (1.0, String::new());
-        }
-        let power = crate::format::floor_log10(largest).div_euclid(3) * 3;
-        (10f64.powi(power), format!(" [10{}]", raised(power)))
-    }
-
-    /// The varied component without dimension, below the last panel.
-    pub(crate) fn lower_axis(&self, scene: &mut Scene, frame: Area, x: Axis) {
-        let bottom = frame.to[1];
-        for (value, text) in x.ticks() {
-            let x = across(frame, x.share(value));
-            scene.line(&[[x, bottom], [x, bottom + TICK]], Ink::line(GREY, 1.2));
-            scene.text([x, bottom + TICK + 15.0], NUMBERS, &Label::default().number(&text));
-        }
-        let label = Label::default().symbol(self.vary.symbol()).plain(" = ");
-        let label = self.vary.si_symbol(label).symbol("ρ").plain("/");
-        let label = match self.vary {
-            Component::Spin => label.symbol("μ"),
-            _ => label.plain("(").symbol("μc").plain(")"),
-        };
-        let middle = f64::midpoint(frame.from[0], frame.to[0]);
-        scene.text([middle, bottom + 44.0], WORDS.anchored(Anchor::Middle), &label);
-    }
-}
-
-/// A power as raised digits.
-fn raised(power: i32) -> String {
-    let raise = |digit: char| match digit {
-        '-' => '⁻',
-        '0' => '⁰',
-        '1' => '¹',
-        '2' => '²',
-        '3' => '³',
-        '4' => '⁴',
-        '5' => '⁵',
-        '6' => '⁶',
-        '7' => '⁷',
-        '8' => '⁸',
-        _ => '⁹',
-    };
-    power.to_string().chars().map(raise).collect()
 }
 
 #[cfg(test)]
@@ -289,30 +205,12 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_line_is_cut_where_it_leaves_the_frame() {
-        let line = [0.0, 4.0, 4.0, -2.0].iter().enumerate();
-        let line: Vec<_> = line.map(|(x, y)| ([x as f64, *y], true)).collect();
-        let parts = parts(&line, [0.0, 3.0]);
-        assert_eq!(parts.len(), 2);
-        assert_eq!(parts[0].1, [[0.0, 0.0], [0.75, 3.0]]);
-        let [from, to] = [parts[1].1[0], parts[1].1[1]];
-        // One division and one product.
-        assert!((from[0] - (2.0 + 1.0 / 6.0)).abs() < 1e-15 && (from[1] - 3.0).abs() < 1e-15);
-        assert!((to[0] - (2.0 + 2.0 / 3.0)).abs() < 1e-15 && to[1].abs() < 1e-15);
-    }
-
-    #[test]
     fn doubtful_points_make_parts_of_their_own() {
         let line = [true, true, false, true, true];
         let line: Vec<_> =
             line.iter().enumerate().map(|(x, solved)| ([x as f64, 1.0], *solved)).collect();
-        let parts = parts(&line, [0.0, 3.0]);
+        let parts = parts(&line);
         let kinds: Vec<_> = parts.iter().map(|(solved, part)| (*solved, part.len())).collect();
         assert_eq!(kinds, [(true, 2), (false, 3), (true, 2)]);
-    }
-
-    #[test]
-    fn powers_are_raised() {
-        assert_eq!([raised(-3), raised(12)], ["⁻³", "¹²"]);
     }
 }

@@ -159,8 +159,7 @@ mod tests {
     use creepage::rolling::{Creepage, Theory};
 
     use super::*;
-    use crate::raster;
-    use crate::testing::{CURVE, boxes, contact};
+    use crate::testing::{CURVE, check_legible, contact};
 
     const COMPONENTS: [Component; 3] =
         [Component::Longitudinal, Component::Lateral, Component::Spin];
@@ -181,27 +180,9 @@ mod tests {
         curves.svg()
     }
 
-    /// Nothing leaves the sheet, and no two texts touch.
     fn check(svg: &str) {
-        let tree = raster::tree(svg).unwrap();
-        let (texts, shapes) = boxes(tree.root());
+        let (texts, shapes) = check_legible(svg);
         assert!(texts.len() > 20 && shapes.len() > 20);
-        let size = tree.size();
-        for b in texts.iter().chain(&shapes) {
-            assert!(b.left() >= 0.0 && b.right() <= size.width(), "{b:?}");
-            assert!(b.top() >= 0.0 && b.bottom() <= size.height(), "{b:?}");
-        }
-        for (k, b) in texts.iter().enumerate() {
-            // Ascenders and descenders may share a pixel row.
-            let touches = |c: &resvg::usvg::Rect| {
-                b.left() < c.right()
-                    && c.left() < b.right()
-                    && b.top() + 2.0 < c.bottom()
-                    && c.top() + 2.0 < b.bottom()
-            };
-            let other = texts[k + 1..].iter().find(|c| touches(c));
-            assert!(other.is_none(), "{b:?} {other:?}");
-        }
     }
 
     #[test]

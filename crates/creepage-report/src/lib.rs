@@ -49,9 +49,11 @@
 mod areas;
 mod axis;
 mod caption;
+mod clip;
 mod contact_json;
 mod contact_picture;
 mod contact_view;
+mod curve_axes;
 mod curve_legend;
 mod curve_panel;
 mod curve_picture;

@@ -2,7 +2,6 @@
 
 use creepage::Ellipse;
 
-use crate::contact_view::magnitude;
 use crate::format::{round_below, significant};
 use crate::label::Label;
 use crate::scene::{Ink, Point, Scene, Type};
@@ -114,4 +113,9 @@ fn arrows(length: f64) -> u32 {
 fn bar(longest: f64, scale: f64) -> (f64, String) {
     let metres = round_below(longest / scale);
     (metres * scale, format!("{} mm", significant(metres * 1e3, 3)))
+}
+
+/// Length of a vector.
+pub(crate) fn magnitude(vector: [f64; 2]) -> f64 {
+    vector[0].hypot(vector[1])
 }

@@ -5,7 +5,7 @@ use std::fmt;
 use creepage::rolling::exact::Known;
 use creepage::rolling::{Creepage, FieldPoint, Scaling, Solution, Theory};
 use creepage::{Hertz, InvalidValue};
-use creepage_theories::{Detail, LeftOut};
+use creepage_theories::{Detail, LeftOut, SolvedCase, find};
 
 use crate::areas::Areas;
 
@@ -86,6 +86,30 @@ impl<'a> Report<'a> {
             answer.theory.field(answer.creepage, &positions).iter().map(|p| p.region).collect()
         });
         Ok(Self { contact, friction, scaling, answer, areas, extras: Extras::default() })
+    }
+
+    /// The report of a case that the theory of that name solved.
+    ///
+    /// # Errors
+    /// As [`Report::new`]; none for a case that was read from a file.
+    pub fn of_case(solved: &'a SolvedCase, theory_name: &'a str) -> Result<Self, InvalidValue> {
+        let SolvedCase { case, known, found } = solved;
+        let answer = Answer {
+            creepage: case.creepage,
+            theory_name,
+            theory: found,
+            solution: found.answered.solution,
+            points: found.points.clone(),
+            details: found.details.clone(),
+        };
+        let extras = Extras {
+            known: *known,
+            speed: case.speed,
+            power: found.power,
+            dissipation: found.dissipation,
+            left_out: find(theory_name).ok().and_then(|theory| solved.left_out(theory)),
+        };
+        Ok(Self::new(&case.contact, case.friction, answer)?.with(extras))
     }
 
     /// The same report with more that is known of the case.

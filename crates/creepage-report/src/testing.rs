@@ -108,24 +108,35 @@ impl Theory for Free {
     }
 }
 
-/// Checks that nothing leaves the sheet, no two texts touch, and none covers the ellipse.
-pub(crate) fn check_sheet(svg: &str, layout: &Layout) {
+/// Checks that nothing leaves the sheet, and that no two texts touch; gives the boxes of the texts
+/// and of the shapes.
+pub(crate) fn check_legible(svg: &str) -> (Vec<Rect>, Vec<Rect>) {
     let tree = raster::tree(svg).unwrap();
     let (texts, shapes) = boxes(tree.root());
-    assert!(texts.len() > 15 && shapes.len() > 20);
+    let size = tree.size();
     for b in texts.iter().chain(&shapes) {
-        assert!(b.left() >= 0.0 && b.top() >= 0.0, "{b:?}");
-        assert!(b.right() <= tree.size().width() && b.bottom() <= tree.size().height(), "{b:?}");
+        assert!(b.left() >= 0.0 && b.right() <= size.width(), "{b:?}");
+        assert!(b.top() >= 0.0 && b.bottom() <= size.height(), "{b:?}");
     }
     for (k, b) in texts.iter().enumerate() {
-        // The lines of one legend may share a pixel row of ascenders and descenders.
-        let touches = |c: &Rect| {
+        // Ascenders and descenders may share a pixel row.
+        let touches = |c: &&Rect| {
             b.left() < c.right()
                 && c.left() < b.right()
                 && b.top() + 2.0 < c.bottom()
                 && c.top() + 2.0 < b.bottom()
         };
-        assert!(!texts[k + 1..].iter().any(touches), "{b:?}");
+        let touching = texts[k + 1..].iter().find(touches);
+        assert!(touching.is_none(), "{b:?} {touching:?}");
+    }
+    (texts, shapes)
+}
+
+/// Checks the same, and that no text covers the ellipse.
+pub(crate) fn check_sheet(svg: &str, layout: &Layout) {
+    let (texts, shapes) = check_legible(svg);
+    assert!(texts.len() > 15 && shapes.len() > 20);
+    for b in &texts {
         for (x, y) in [
             (b.left(), b.top()),
             (b.left(), b.bottom()),
@@ -162,7 +173,7 @@ pub(crate) fn report<'a>(
 }
 
 /// What a group draws: the boxes of its texts, and those of its shapes.
-pub(crate) fn boxes(group: &Group) -> (Vec<Rect>, Vec<Rect>) {
+fn boxes(group: &Group) -> (Vec<Rect>, Vec<Rect>) {
     let (mut texts, mut shapes) = (Vec::new(), Vec::new());
     for node in group.children() {
         match node {

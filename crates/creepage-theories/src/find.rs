@@ -71,12 +71,8 @@ fn rounded(value: f64) -> f64 {
     format!("{value:.5e}").parse().unwrap_or(value)
 }
 
-/// Finds the creepage at which the known quantities of the case hold, and all about it, by the
-/// theory of that name.
-///
-/// # Errors
-/// [`FindError`] unless the theory is the full one and the forces are within reach.
-pub fn find_creepage(
+/// The case at the creepage at which its known quantities hold, by the theory of that name.
+pub(crate) fn find_creepage(
     case: &InverseCase,
     name: &'static str,
     theory: Arc<PreparedTheory>,

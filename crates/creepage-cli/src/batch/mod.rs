@@ -1,7 +1,7 @@
 //! `creepage batch`: CSV in, the same rows with forces appended out.
 
-mod columns;
-mod options;
+pub(crate) mod columns;
+pub(crate) mod options;
 mod progress;
 mod rows;
 mod sink;
@@ -11,18 +11,16 @@ mod tally;
 
 use std::io::{self, ErrorKind};
 
-pub(crate) use columns::ColumnError;
 use creepage_theories::find;
-pub(crate) use options::OptionError;
 use rows::{Rows, answer_columns};
 use sink::Sink;
 use solver::Solver;
 use table::Table;
 use tally::Tally;
 
-use crate::Outcome;
 use crate::args::BatchArgs;
 use crate::failure::Failure;
+use crate::outcome::Outcome;
 use crate::output::say;
 
 /// Rows in memory at a time: enough to keep all cores busy.

@@ -5,7 +5,7 @@ use std::fmt;
 use creepage::rolling::Status;
 
 use super::solver::{Answer, Reply};
-use crate::Outcome;
+use crate::outcome::Outcome;
 
 /// Counts of rows by what became of them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]

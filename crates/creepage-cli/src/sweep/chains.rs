@@ -5,6 +5,7 @@ use std::io;
 use creepage::rolling::Status;
 use creepage::rolling::variational::{Chain, Variational};
 use creepage_case::Sweep;
+use creepage_report::SeriesRow;
 use indicatif::ProgressBar;
 use rayon::prelude::*;
 
@@ -22,7 +23,7 @@ pub(super) fn solve(
     let chains = sweep.cases() / sweep.chain_length();
     (0..chains).into_par_iter().with_max_len(1).try_for_each(|number| {
         let first = number * sweep.chain_length();
-        let mut chain = start(sweep, theory, first);
+        let mut chain = sweep.chain(theory, first);
         for index in first..first + sweep.chain_length() {
             let known = if journal.resumed() { journal.read(index)? } else { None };
             match known {
@@ -33,15 +34,6 @@ pub(super) fn solve(
         }
         Ok(())
     })
-}
-
-/// The chain before its first case.
-pub(super) fn start<'a>(sweep: &Sweep, theory: &'a Variational, first: usize) -> Chain<'a> {
-    let given = sweep.starting_values.as_ref();
-    match given.and_then(|polynomials| theory.unknowns_of(polynomials).ok()) {
-        Some(tau) => Chain::from(theory, sweep.procedure, sweep.case(first).creepage, tau),
-        None => Chain::new(theory, sweep.procedure),
-    }
 }
 
 /// Takes the chain past a case that was solved before.
@@ -59,10 +51,8 @@ pub(super) fn go_on<'a>(
 }
 
 fn next(chain: &mut Chain, sweep: &Sweep, theory: &Variational, index: usize) -> Record {
-    let creepage = sweep.case(index).creepage;
-    let case = chain.solve(creepage, None);
-    let difference = sweep
-        .second_start
-        .map_or(f64::NAN, |second| theory.check_by(creepage, &case.found, &second.start()));
-    Record::new(&case, difference)
+    let case = sweep.case(index);
+    let solved = chain.solve(case.creepage, None);
+    let difference = sweep.second_start_difference(theory, case.creepage, &solved.found);
+    Record::new(&SeriesRow::new(&case, &solved, difference), solved.found.tau)
 }

@@ -5,24 +5,23 @@ mod journal;
 mod record;
 mod result;
 
-use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use creepage::rolling::variational::Method;
 use creepage_case::Sweep;
-use indicatif::{ProgressBar, ProgressStyle};
+use indicatif::ProgressBar;
 
-use crate::Outcome;
 use crate::args::{SeriesFormat, SweepArgs};
 use crate::failure::Failure;
-use crate::output::say;
+use crate::input::read_text;
+use crate::outcome::Outcome;
+use crate::output::{bar_style, say};
 use journal::{Journal, Opened};
 
 pub(crate) fn run(args: &SweepArgs) -> Result<Outcome, Failure> {
     let path = &args.sweep;
-    let text =
-        fs::read_to_string(path).map_err(|source| Failure::Read { path: path.clone(), source })?;
+    let text = read_text(path)?;
     let wrong = |source| Failure::Case { path: path.clone(), source };
     let sweep = Sweep::read(&text).map_err(wrong)?;
     let theory = sweep.theory().map_err(wrong)?;
@@ -67,10 +66,8 @@ fn bar(sweep: &Sweep, journal: &Journal) -> ProgressBar {
     if journal.resumed() {
         say("going on with the sweep that was interrupted");
     }
-    let template = "{wide_bar} {pos}/{len} cases  {per_sec}  {eta} left";
-    let style = ProgressStyle::with_template(template);
-    let bar = ProgressBar::new(sweep.cases() as u64)
-        .with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
+    let style = bar_style("{wide_bar} {pos}/{len} cases  {per_sec}  {eta} left");
+    let bar = ProgressBar::new(sweep.cases() as u64).with_style(style);
     bar.enable_steady_tick(Duration::from_millis(200));
     bar
 }

@@ -1,7 +1,6 @@
 //! One solved case as bytes of a fixed length.
 
-use creepage::rolling::variational::ChainCase;
-use creepage::rolling::{Force, Region, Status};
+use creepage::rolling::{Force, Status};
 use creepage_case::SweepCase;
 use creepage_report::SeriesRow;
 
@@ -20,28 +19,22 @@ pub(super) struct Record {
 impl Record {
     const RESULTS: usize = 11;
 
-    pub(super) fn new(case: &ChainCase, second_start_difference: f64) -> Self {
-        let found = &case.found;
-        let force = found.solution.force;
-        let adhering =
-            found.points.iter().filter(|point| point.field.region == Region::Adhesion).count();
-        let status = STATUSES.iter().position(|status| *status == found.solution.status);
-        Self {
-            results: [
-                force.fx,
-                force.fy,
-                force.mz,
-                status.unwrap_or(STATUSES.len()) as f64,
-                found.iterations as f64,
-                case.steps_from_previous as f64,
-                found.mean_integrand,
-                found.residual,
-                found.aberrations as f64,
-                adhering as f64 / found.points.len() as f64,
-                second_start_difference,
-            ],
-            tau: found.tau.clone(),
-        }
+    pub(super) fn new(row: &SeriesRow, tau: Vec<f64>) -> Self {
+        let status = STATUSES.iter().position(|status| *status == row.status);
+        let results = [
+            row.force.fx,
+            row.force.fy,
+            row.force.mz,
+            status.unwrap_or(STATUSES.len()) as f64,
+            row.iterations as f64,
+            row.steps_from_previous as f64,
+            row.mean_integrand,
+            row.residual,
+            row.aberrations as f64,
+            row.adhesion_share,
+            row.second_start_difference,
+        ];
+        Self { results, tau }
     }
 
     pub(super) fn status(&self) -> Status {

@@ -13,9 +13,9 @@ use creepage_report::{
 
 use super::chains;
 use super::journal::Journal;
-use crate::Outcome;
 use crate::args::SeriesFormat;
 use crate::failure::Failure;
+use crate::outcome::Outcome;
 use crate::partial_file::PartialFile;
 
 /// Writes the results, case by case from the journal.
@@ -36,7 +36,7 @@ pub(super) fn write(
         let records = journal.records()?.take(sweep.cases()).enumerate();
         Ok(records.map(|(index, record)| Ok(record?.row(&sweep.case(index)))))
     };
-    let head = head(sweep);
+    let head = SeriesHead::from(sweep);
     let partial = file.path().to_owned();
     match format {
         SeriesFormat::Csv => series_csv(&head, rows().map_err(failed)?, buffered(&mut file)),
@@ -54,16 +54,6 @@ fn buffered(file: &mut PartialFile) -> impl Write {
     BufWriter::with_capacity(1 << 16, file.file())
 }
 
-fn head(sweep: &Sweep) -> SeriesHead {
-    SeriesHead {
-        a_over_b: sweep.a_over_b,
-        poisson: sweep.poisson,
-        degree: sweep.settings.degree,
-        mesh: sweep.settings.mesh,
-        cases: sweep.cases(),
-    }
-}
-
 /// A page a case. Each case is solved once more, for the course of its iteration.
 fn pages(
     sweep: &Sweep,
@@ -73,11 +63,11 @@ fn pages(
     file: &mut PartialFile,
 ) -> Result<(), ReportError> {
     let mut out = buffered(file);
-    let mut chain = chains::start(sweep, theory, 0);
+    let mut chain = sweep.chain(theory, 0);
     let mut steps = Vec::new();
     for (index, record) in journal.records()?.take(sweep.cases()).enumerate() {
         if index % sweep.chain_length() == 0 {
-            chain = chains::start(sweep, theory, index);
+            chain = sweep.chain(theory, index);
         }
         let case = sweep.case(index);
         steps.clear();

@@ -6,6 +6,7 @@ use creepage::rolling::{Creepage, Force};
 use creepage_report::plot::{Anchor, Label, Mark, Panel, Pen, Scale, Shape, Sheet};
 use rayon::prelude::*;
 
+use crate::axes;
 use crate::comparison::Comparison;
 use crate::data::Data;
 use crate::error::GalleryError;
@@ -148,16 +149,7 @@ const GRID_MARK: Mark = Mark::open(Shape::Square, "#10243a");
 const FULL_MARK: Mark = Mark::full(Shape::Circle, "#c62828");
 
 fn sheet(errors: &[Errors]) -> Sheet {
-    let mut sheet = Sheet::new(ITEM.title)
-        .note(
-            Label::new("error of (")
-                .indexed("f", "x")
-                .plain(", ")
-                .indexed("f", "y")
-                .plain(") in per cent of ")
-                .symbol("μN"),
-        )
-        .columns(2);
+    let mut sheet = Sheet::new(ITEM.title).note(axes::force_error()).columns(2);
     for (case, errors) in CASES.iter().zip(errors) {
         sheet = sheet.panel(panel(case, errors));
     }

@@ -11,11 +11,12 @@ use creepage_report::{Page, PageStyle};
 use super::printed_page::{Number, PrintedPage};
 use crate::axes;
 use crate::comparison::{Comparison, Verdict};
+use crate::contact;
 use crate::data::Data;
 use crate::error::GalleryError;
 use crate::inks::{FULL, OF_1967, PRINTED};
 use crate::item::{Item, Reproduction};
-use crate::patch::{Polygon, adhesion, areas, closed, framed, full_adhesion, panel};
+use crate::patch::{self, Polygon};
 use crate::theories::STEEL;
 
 pub(crate) const ITEM: Item = Item::new("fig12", "Fig. 12. A page of the output of 1967", make);
@@ -44,7 +45,7 @@ fn make() -> Result<Reproduction, GalleryError> {
             agrees.into(),
         ]);
     }
-    let (full, share) = full_adhesion(A_OVER_B, STEEL, creepage)?;
+    let (full, share) = contact::full_adhesion(A_OVER_B, STEEL, creepage)?;
     let caption = format!(
         "The last page of a chain of three cases, creepages 2.5, 2.0 and 1.7, in the formats of \
          the Telefunken TR4: the thesis shows this page only, and its iteration is that of this \
@@ -128,10 +129,10 @@ fn sheet(
         let points = theory.points(creepage, &found.tau, points);
         points.iter().map(|point| point.field.region).collect()
     };
-    let (chapter_5, _) = adhesion(ellipse, regions);
-    let mut all = areas(panel(ellipse), ellipse, &chapter_5);
-    all = full.iter().cloned().map(closed).fold(all, |all, edge| all.curve(edge, FULL));
-    let all = marked(framed(all, ellipse), found);
+    let (chapter_5, _) = patch::adhesion(ellipse, regions);
+    let all = patch::areas(contact::panel(ellipse, Label::default()), ellipse, &chapter_5);
+    let all = contact::edge(patch::borders(all, full, FULL), ellipse);
+    let all = marked(all, found);
     let parts = [("a/b", "0.5"), ("σ", "0.28"), ("υ", "1.7"), ("α", "-30°"), ("χ", "2")];
     Ok(Sheet::new(ITEM.title)
         .note(axes::setting(&parts))

@@ -7,11 +7,12 @@ use creepage_report::plot::{Fill, Label, Sheet};
 
 use crate::axes;
 use crate::comparison::Comparison;
+use crate::contact;
 use crate::data::Data;
 use crate::error::GalleryError;
 use crate::inks::FULL;
 use crate::item::{Item, Reproduction};
-use crate::patch::{Polygon, adhesion, adhesion_of, areas, closed, framed, full_adhesion, panel};
+use crate::patch::{self, Polygon};
 use crate::theories::{STEEL, full, spaced};
 
 pub(crate) const ITEM: Item =
@@ -91,9 +92,9 @@ fn case(theory: &VermeulenJohnson, xi: f64) -> Result<Case, GalleryError> {
     };
     Ok(Case {
         xi,
-        adhesion: adhesion_of(circle, theory, at(xi)).0,
-        error: adhesion(circle, wrong).0,
-        full: full_adhesion(1.0, STEEL, at(xi))?.0,
+        adhesion: contact::adhesion(circle, &contact::of(theory, at(xi))).0,
+        error: patch::adhesion(circle, wrong).0,
+        full: contact::full_adhesion(1.0, STEEL, at(xi))?.0,
     })
 }
 
@@ -184,10 +185,9 @@ fn sheet(cases: &[Case; 2]) -> Result<Sheet, GalleryError> {
         .columns(2);
     for case in cases {
         let heading = Label::default().symbol("ξ").plain(&format!(" = {:.1}", case.xi));
-        let panel = areas(panel(circle), circle, &case.adhesion).area(case.error.clone(), ERROR);
-        let panel =
-            case.full.iter().cloned().map(closed).fold(panel, |p, edge| p.curve(edge, FULL));
-        sheet = sheet.panel(framed(panel, circle).heading(heading));
+        let panel = patch::areas(contact::panel(circle, heading), circle, &case.adhesion);
+        let panel = panel.area(case.error.clone(), ERROR);
+        sheet = sheet.panel(contact::edge(patch::borders(panel, &case.full, FULL), circle));
     }
     Ok(sheet
         .key(Fill::ADHESION, Label::new("adhesion, Johnson"))

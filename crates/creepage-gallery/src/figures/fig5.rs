@@ -7,11 +7,12 @@ use creepage_report::plot::{Fill, Label, Sheet};
 
 use crate::axes;
 use crate::comparison::Comparison;
+use crate::contact;
 use crate::data::Data;
 use crate::error::GalleryError;
 use crate::inks::FULL;
 use crate::item::{Item, Reproduction};
-use crate::patch::{Polygon, adhesion_of, areas, closed, framed, full_adhesion, panel};
+use crate::patch::{self, Polygon};
 use crate::theories::{STEEL, spaced};
 
 pub(crate) const ITEM: Item =
@@ -66,8 +67,9 @@ fn data(cases: &[Case; 2]) -> Data {
 fn case(a_over_b: f64, xi: f64) -> Result<Case, GalleryError> {
     let theory = StripTheory::new(a_over_b, STEEL)?;
     let creepage = Creepage { xi, eta: 0.0, chi: 0.0 };
-    let (strips, share) = adhesion_of(Ellipse::from_ratio(a_over_b)?, &theory, creepage);
-    let (full, full_share) = full_adhesion(a_over_b, STEEL, creepage)?;
+    let ellipse = Ellipse::from_ratio(a_over_b)?;
+    let (strips, share) = contact::adhesion(ellipse, &contact::of(&theory, creepage));
+    let (full, full_share) = contact::full_adhesion(a_over_b, STEEL, creepage)?;
     Ok(Case { a_over_b, xi, strips, full, shares: [share, full_share] })
 }
 
@@ -124,10 +126,8 @@ fn sheet(cases: &[Case; 2]) -> Result<Sheet, GalleryError> {
         let ellipse = Ellipse::from_ratio(case.a_over_b)?;
         let heading = Label::default().symbol("a/b").plain(&format!(" = {}, ", case.a_over_b));
         let heading = heading.symbol("ξ").plain(&format!(" = {}", case.xi));
-        let panel = areas(panel(ellipse), ellipse, &case.strips);
-        let panel =
-            case.full.iter().cloned().map(closed).fold(panel, |p, edge| p.curve(edge, FULL));
-        sheet = sheet.panel(framed(panel, ellipse).heading(heading));
+        let panel = patch::areas(contact::panel(ellipse, heading), ellipse, &case.strips);
+        sheet = sheet.panel(contact::edge(patch::borders(panel, &case.full, FULL), ellipse));
     }
     Ok(sheet
         .key(Fill::ADHESION, Label::new("adhesion, strips"))

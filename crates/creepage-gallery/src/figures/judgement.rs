@@ -8,6 +8,7 @@ use creepage::rolling::{Creepage, Force};
 use creepage_report::plot::{Label, Mark, Panel, Pen, Scale, Shape, Sheet};
 use rayon::prelude::*;
 
+use crate::axes;
 use crate::comparison::Comparison;
 use crate::data::Data;
 use crate::error::GalleryError;
@@ -201,15 +202,7 @@ const PENS: [Pen; 2] = [OF_1967, SECOND];
 
 fn sheet(cases: &[Case], groups: &[Group]) -> Sheet {
     let mut sheet = Sheet::new("Chapter 5 judged by the full theory")
-        .note(
-            Label::new("error of (")
-                .indexed("f", "x")
-                .plain(", ")
-                .indexed("f", "y")
-                .plain(") in per cent of ")
-                .symbol("μN")
-                .plain(" over the catalogue (5.29)"),
-        )
+        .note(axes::force_error().plain(" over the catalogue (5.29)"))
         .columns(2)
         .panel(distribution(cases));
     for (quantity, name) in [("a/b", "ratio "), ("ν", "creepage "), ("χ", "spin ")] {

@@ -1,10 +1,8 @@
 //! The two limits: no slip, and slip everywhere.
 
-use creepage_case::Solve;
 use pyo3::prelude::*;
 
-use crate::options::arguments;
-use crate::theory::{DifferentiableTheory, Theory, prepare};
+use crate::theory::DifferentiableTheory;
 
 /// The linear theory (Kalker 1967, 4.3): no slip anywhere; creepage and spin near zero. Forces
 /// grow beyond mu N.
@@ -31,10 +29,8 @@ pub struct Saturated;
 impl Linear {
     #[new]
     fn new(py: Python, a_over_b: f64, poisson: f64) -> PyResult<PyClassInitializer<Self>> {
-        let given = arguments(py, a_over_b, poisson, &[])?;
-        let made = prepare(py, "linear", a_over_b, poisson, &Solve::default())?;
-        let theory = Theory::new(py, "linear", a_over_b, given, 1.2e-8, made)?;
-        Ok(theory.add_subclass(DifferentiableTheory).add_subclass(Self))
+        let theory = DifferentiableTheory::plain(py, "linear", a_over_b, poisson, 1.2e-8)?;
+        Ok(theory.add_subclass(Self))
     }
 }
 
@@ -43,9 +39,7 @@ impl Saturated {
     #[new]
     #[pyo3(signature = (a_over_b, poisson=0.0))]
     fn new(py: Python, a_over_b: f64, poisson: f64) -> PyResult<PyClassInitializer<Self>> {
-        let given = arguments(py, a_over_b, poisson, &[])?;
-        let made = prepare(py, "saturated", a_over_b, poisson, &Solve::default())?;
-        let theory = Theory::new(py, "saturated", a_over_b, given, 9e-7, made)?;
-        Ok(theory.add_subclass(DifferentiableTheory).add_subclass(Self))
+        let theory = DifferentiableTheory::plain(py, "saturated", a_over_b, poisson, 9e-7)?;
+        Ok(theory.add_subclass(Self))
     }
 }

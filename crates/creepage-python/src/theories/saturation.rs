@@ -60,10 +60,9 @@ impl Polach {
 impl ShenHedrickElkins {
     #[new]
     fn new(py: Python, a_over_b: f64, poisson: f64) -> PyResult<PyClassInitializer<Self>> {
-        let given = arguments(py, a_over_b, poisson, &[])?;
-        let made = prepare(py, "shen-hedrick-elkins", a_over_b, poisson, &Solve::default())?;
-        let theory = Theory::new(py, "shen-hedrick-elkins", a_over_b, given, 3e-8, made)?;
-        Ok(theory.add_subclass(DifferentiableTheory).add_subclass(Self))
+        let theory =
+            DifferentiableTheory::plain(py, "shen-hedrick-elkins", a_over_b, poisson, 3e-8)?;
+        Ok(theory.add_subclass(Self))
     }
 }
 
@@ -71,9 +70,7 @@ impl ShenHedrickElkins {
 impl VermeulenJohnson {
     #[new]
     fn new(py: Python, a_over_b: f64, poisson: f64) -> PyResult<PyClassInitializer<Self>> {
-        let given = arguments(py, a_over_b, poisson, &[])?;
-        let made = prepare(py, "vermeulen-johnson", a_over_b, poisson, &Solve::default())?;
-        let theory = Theory::new(py, "vermeulen-johnson", a_over_b, given, 1e-8, made)?;
-        Ok(theory.add_subclass(DifferentiableTheory).add_subclass(Self))
+        let theory = DifferentiableTheory::plain(py, "vermeulen-johnson", a_over_b, poisson, 1e-8)?;
+        Ok(theory.add_subclass(Self))
     }
 }

@@ -1,10 +1,8 @@
 //! Strip theory.
 
-use creepage_case::Solve;
 use pyo3::prelude::*;
 
-use crate::options::arguments;
-use crate::theory::{DifferentiableTheory, Theory, prepare};
+use crate::theory::DifferentiableTheory;
 
 /// Strip theory (Haines, Ollerton 1963; Kalker 1967): plane strips side by side, for contacts
 /// slender in the rolling direction (a << b) and little spin.
@@ -20,9 +18,7 @@ pub struct Strip;
 impl Strip {
     #[new]
     fn new(py: Python, a_over_b: f64, poisson: f64) -> PyResult<PyClassInitializer<Self>> {
-        let given = arguments(py, a_over_b, poisson, &[])?;
-        let made = prepare(py, "strip", a_over_b, poisson, &Solve::default())?;
-        let theory = Theory::new(py, "strip", a_over_b, given, 9e-7, made)?;
-        Ok(theory.add_subclass(DifferentiableTheory).add_subclass(Self))
+        let theory = DifferentiableTheory::plain(py, "strip", a_over_b, poisson, 9e-7)?;
+        Ok(theory.add_subclass(Self))
     }
 }

@@ -1,7 +1,6 @@
 //! The key below the panels: what each line, mark and area stands for.
 
 use super::ink::{Fill, Mark, Pen};
-use super::sheet::WIDTH;
 use crate::label::Label;
 use crate::scene::{Ink, Point, Scene, Type};
 use crate::sheet::{DARK, MARGIN};
@@ -43,10 +42,9 @@ impl From<Fill> for Sample {
     }
 }
 
-/// Draws the entries in columns of equal width; gives their height.
-pub(super) fn draw(scene: &mut Scene, top: f64, entries: &[(Sample, Label)]) -> f64 {
+/// Draws the entries in columns of equal width, over `room` from the margin; gives their height.
+pub(super) fn draw(scene: &mut Scene, top: f64, room: f64, entries: &[(Sample, Label)]) -> f64 {
     let longest = entries.iter().map(|(_, label)| label.width(SIZE)).fold(0.0, f64::max);
-    let room = WIDTH - 2.0 * MARGIN;
     let fit = (room + GAPS[1]) / (SAMPLE + GAPS[0] + longest + GAPS[1]);
     let fit = (1..=entries.len()).rev().find(|count| *count as f64 <= fit).unwrap_or(1);
     // As many rows as that takes, filled evenly.

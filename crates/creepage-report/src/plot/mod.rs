@@ -16,7 +16,6 @@
 //! # Ok::<(), creepage_report::ReportError>(())
 //! ```
 
-mod clip;
 mod ink;
 mod key;
 mod panel;

@@ -1,8 +1,8 @@
 //! One frame with its axes, and what is drawn in it.
 
-use super::clip::clip;
 use super::ink::{Fill, Mark, Pen};
 use super::scale::Scale;
+use crate::clip::clip;
 use crate::label::Label;
 use crate::scene::{Anchor, Ink, Point, Scene, Type};
 use crate::sheet::{Area, DARK, GREY, PALE};

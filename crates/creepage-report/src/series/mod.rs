@@ -5,7 +5,9 @@ mod csv_table;
 mod json_table;
 mod netcdf;
 
-use creepage::rolling::{Creepage, Force, Status};
+use creepage::rolling::variational::ChainCase;
+use creepage::rolling::{Creepage, Force, Region, Status};
+use creepage_case::{Sweep, SweepCase};
 
 pub use csv_table::series_csv;
 pub use json_table::series_json;
@@ -54,4 +56,40 @@ pub struct SeriesHead {
     pub mesh: [usize; 2],
     /// Number of cases.
     pub cases: usize,
+}
+
+impl SeriesRow {
+    /// The row of a solved case.
+    #[must_use]
+    pub fn new(case: &SweepCase, solved: &ChainCase, second_start_difference: f64) -> Self {
+        let found = &solved.found;
+        let adhering =
+            found.points.iter().filter(|point| point.field.region == Region::Adhesion).count();
+        Self {
+            alpha: case.alpha,
+            upsilon: case.upsilon,
+            creepage: case.creepage,
+            force: found.solution.force,
+            status: found.solution.status,
+            iterations: found.iterations,
+            steps_from_previous: solved.steps_from_previous,
+            mean_integrand: found.mean_integrand,
+            residual: found.residual,
+            aberrations: found.aberrations,
+            adhesion_share: adhering as f64 / found.points.len() as f64,
+            second_start_difference,
+        }
+    }
+}
+
+impl From<&Sweep> for SeriesHead {
+    fn from(sweep: &Sweep) -> Self {
+        Self {
+            a_over_b: sweep.a_over_b,
+            poisson: sweep.poisson,
+            degree: sweep.settings.degree,
+            mesh: sweep.settings.mesh,
+            cases: sweep.cases(),
+        }
+    }
 }

@@ -9,7 +9,7 @@ use super::StaticsReport;
 use super::field::Field;
 use super::quantity::Quantity;
 use super::slip_angle::Slip;
-use crate::contact_view::magnitude;
+use crate::plane::magnitude;
 
 impl<'a> StaticsReport<'a> {
     /// A rigid die with base `base` (m) on the half-space `solid`, under `normal_force` (N) at

@@ -2,7 +2,7 @@
 
 use creepage::statics::{Bonded, Die, PartialSlip};
 
-use crate::contact_view::magnitude;
+use crate::plane::magnitude;
 use crate::scene::Point;
 
 /// The solution whose field is shown.

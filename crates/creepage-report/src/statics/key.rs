@@ -1,9 +1,9 @@
 //! What the shades and signs of the picture mean.
 
 use super::StaticsReport;
+use super::arrows::Arrows;
 use super::bands::shade;
 use super::field::Field;
-use super::picture::Arrows;
 use crate::contact_view::pole_mark;
 use crate::format::{Scale, quantity, round_below};
 use crate::label::Label;

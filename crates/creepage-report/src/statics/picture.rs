@@ -1,20 +1,14 @@
 //! The picture of a problem without rolling, seen from above.
 
+use super::arrows::Arrows;
 use super::field::Field;
 use super::{StaticsReport, bands, caption, key};
 use crate::contact_picture::Layout;
-use crate::contact_view::{magnitude, pole_mark};
+use crate::contact_view::pole_mark;
 use crate::legend;
 use crate::plane::Plane;
-use crate::scene::{Ink, Point, Scene};
-use crate::sheet::{DARK, TRACTION, WIDTH};
-
-/// The arrows: where they stand, `(x/a, y/b)`, and the tractions there (Pa).
-pub(super) struct Arrows {
-    tractions: Vec<(Point, [f64; 2])>,
-    pub(super) largest: f64,
-    pub(super) longest: f64,
-}
+use crate::scene::{Ink, Scene};
+use crate::sheet::{DARK, WIDTH};
 
 impl StaticsReport<'_> {
     /// The contact seen from above, as SVG.
@@ -51,29 +45,6 @@ impl StaticsReport<'_> {
             Field::PartialSlip(partial) => {
                 let factor = partial.adhesion().a() / self.ellipse.a();
                 scene.ellipse(plane.centre, scaled(factor), Ink::line(DARK, 2.6));
-            }
-        }
-    }
-}
-
-impl Arrows {
-    fn new(report: &StaticsReport, plane: &Plane) -> Self {
-        let (a, b) = (report.ellipse.a(), report.ellipse.b());
-        let traction = |disc: Point| report.field.traction([a * disc[0], b * disc[1]]);
-        let tractions: Vec<_> =
-            plane.lattice().into_iter().map(|disc| (disc, traction(disc))).collect();
-        let largest =
-            tractions.iter().map(|(_, traction)| magnitude(*traction)).fold(0.0, f64::max);
-        Self { tractions, largest, longest: plane.longest_arrow() }
-    }
-
-    fn draw(&self, scene: &mut Scene, plane: &Plane) {
-        if self.largest > 0.0 {
-            for (disc, traction) in &self.tractions {
-                let half = traction.map(|part| 0.5 * self.longest * part / self.largest);
-                let centre = plane.at(*disc);
-                let end = |sign: f64| [0, 1].map(|i| centre[i] + sign * half[i]);
-                scene.arrow(end(-1.0), end(1.0), 1.9, TRACTION);
             }
         }
     }

@@ -6,8 +6,8 @@
 //! integral over the directions of the lines through it that meet the ellipse. Inside, the
 //! addition theorem makes a polynomial of it: the load-displacement equations.
 
-use super::chords::{Chord, Chords};
 use super::coupling::HalfChords;
+use super::lines::{Line, Lines};
 use super::{LoadDisplacement, Traction, harmonics};
 use crate::check::{self, InvalidValue};
 use crate::ellipse::Ellipse;
@@ -34,7 +34,7 @@ pub struct DisplacementField {
     degree: usize,
     traction: [Vec<f64>; 3],
     inside: [Vec<f64>; 3],
-    chords: Chords,
+    lines: Lines,
     half_chords: HalfChords,
 }
 
@@ -61,7 +61,7 @@ impl DisplacementField {
             degree,
             traction: [x, y, z].map(<[f64]>::to_vec),
             inside: [u, v, response.normal(z)],
-            chords: Chords::new(ellipse),
+            lines: Lines::new(ellipse),
             half_chords: HalfChords::new(degree),
         })
     }
@@ -90,9 +90,9 @@ impl DisplacementField {
     /// What is to be multiplied with kappa inside: (2.11a,b), (2.15c).
     fn unlike_inside(&self, point: [f64; 2]) -> [f64; 3] {
         let mut sum = [0.0; 3];
-        for chord in self.chords.through(point) {
-            let odd = self.half_chords.difference(self.tables(), point, chord.direction);
-            add(&mut sum, chord.weight, coupled(odd, chord.cosines));
+        for line in self.lines.through(point) {
+            let odd = self.half_chords.difference(self.tables(), point, line.direction);
+            add(&mut sum, line.weight, coupled(odd, line.cosines));
         }
         sum
     }
@@ -100,17 +100,17 @@ impl DisplacementField {
     fn outside(&self, point: [f64; 2]) -> [f64; 3] {
         let mut legendre = vec![0.0; self.degree + 1];
         let mut sum = [0.0; 3];
-        for chord in self.chords.towards(point) {
-            let mean = self.chord_mean(point, &chord, &mut legendre);
-            add(&mut sum, chord.weight, like(self.poisson, mean, chord.cosines));
-            add(&mut sum, self.kappa * chord.weight, coupled(mean, chord.cosines));
+        for line in self.lines.towards(point) {
+            let mean = self.chord_mean(point, &line, &mut legendre);
+            add(&mut sum, line.weight, like(self.poisson, mean, line.cosines));
+            add(&mut sum, self.kappa * line.weight, coupled(mean, line.cosines));
         }
         sum
     }
 
     /// The means of the three components over a chord, over pi.
-    fn chord_mean(&self, [x, y]: [f64; 2], chord: &Chord, legendre: &mut [f64]) -> [f64; 3] {
-        let axis = [-chord.direction[1], chord.direction[0]];
+    fn chord_mean(&self, [x, y]: [f64; 2], line: &Line, legendre: &mut [f64]) -> [f64; 3] {
+        let axis = [-line.direction[1], line.direction[0]];
         fill_legendre((x * axis[0] + y * axis[1]).clamp(-1.0, 1.0), legendre);
         let mut mean = [0.0; 3];
         harmonics::visit(self.degree, axis, |n, m, value| {

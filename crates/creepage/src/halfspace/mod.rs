@@ -43,11 +43,11 @@ pub mod coefficients;
 pub mod harmonics;
 pub mod vanishing;
 
-mod chords;
 mod coupling;
 mod displacement_field;
 mod displacement_load;
 mod elliptic;
+mod lines;
 mod load_displacement;
 mod polynomial;
 mod products;

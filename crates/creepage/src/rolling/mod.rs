@@ -46,11 +46,11 @@ pub mod strip;
 pub mod variational;
 pub mod vermeulen_johnson;
 
-mod chords;
 mod creepage;
 mod cubic;
 mod dual;
 mod field;
+mod outside_chords;
 mod scaling;
 mod theory;
 

@@ -23,9 +23,9 @@
 //! \end{aligned}
 //! ```
 
-use super::chords::Chords;
 use super::cubic::{self, Cubic};
 use super::linear::{bounded, checked, slip_unit};
+use super::outside_chords::OutsideChords;
 use super::{Creepage, FieldPoint, Force, Region, Solution, Status, Theory};
 use crate::check::InvalidValue;
 use crate::ellipse::Ellipse;
@@ -54,7 +54,7 @@ pub struct VermeulenJohnson {
     psi: f64,
     /// Linear force by creepage, `3 (1 - sigma) E/(4 sqrt g)` over `phi` and over `psi`.
     gains: [f64; 2],
-    chords: Chords,
+    chords: OutsideChords,
 }
 
 impl VermeulenJohnson {
@@ -79,7 +79,7 @@ impl VermeulenJohnson {
             phi,
             psi,
             gains: [1.5 * slip_unit / phi, 1.5 * slip_unit / psi],
-            chords: Chords::new(ellipse),
+            chords: OutsideChords::new(ellipse),
         })
     }
 

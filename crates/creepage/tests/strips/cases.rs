@@ -37,6 +37,31 @@ pub(crate) fn largest_difference(one: [f64; 3], other: [f64; 3]) -> f64 {
     (0..3).map(|i| (one[i] - other[i]).abs()).fold(0.0, f64::max)
 }
 
+/// Force and moment as the sums of the field's tractions over `n` strips of `n` cells.
+pub(crate) fn sum_of_field(
+    theory: &dyn Theory,
+    a_over_b: f64,
+    n: usize,
+    creepage: Creepage,
+) -> [f64; 3] {
+    let (a, b) = (f64::sqrt(a_over_b), f64::sqrt(a_over_b).recip());
+    let mut sum = [0.0; 3];
+    for j in 0..n {
+        let t = (2 * j + 1) as f64 / n as f64 - 1.0;
+        let half_length = a * f64::sqrt(1.0 - t * t);
+        let x = |i: usize| half_length * (1.0 - (2 * i + 1) as f64 / n as f64);
+        let positions: Vec<_> = (0..n).map(|i| [x(i), b * t]).collect();
+        let area = 4.0 * half_length * b / (n * n) as f64;
+        for point in theory.field(creepage, &positions) {
+            let [tx, ty] = point.traction.map(|v| v * 1.5 / PI * area);
+            sum[0] += tx;
+            sum[1] += ty;
+            sum[2] += point.position[0] * ty - point.position[1] * tx;
+        }
+    }
+    sum
+}
+
 /// Creepages within the usual range, and some far beyond, of every sign.
 pub(crate) const CREEPAGES: [[f64; 3]; 10] = [
     [0.2, 0.0, 0.0],

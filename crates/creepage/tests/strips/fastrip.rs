@@ -1,13 +1,12 @@
 //! FaStrip.
 
-use std::f64::consts::PI;
-
 use creepage::rolling::fastrip::{Fastrip, Variant};
 use creepage::rolling::strip::StripTheory;
 use creepage::rolling::{Region, Theory};
 
 use super::cases::{
     self, CREEPAGES, Case, array, coefficients, creepage, largest_difference, strip_coefficients,
+    sum_of_field,
 };
 
 fn fastrip(a_over_b: f64, poisson: f64, variant: Variant, n: usize) -> Fastrip {
@@ -106,25 +105,11 @@ fn adhesion_is_that_of_strip_theory() {
 fn field_agrees_with_the_forces() {
     let n = 200;
     let a_over_b = 0.5;
-    let (a, b) = (f64::sqrt(a_over_b), f64::sqrt(a_over_b).recip());
     for variant in [Variant::Original, Variant::Modified, Variant::Consistent] {
         let theory = fastrip(a_over_b, 0.25, variant, n);
         for [xi, eta, chi] in CREEPAGES {
             let at = creepage(xi, eta, chi);
-            let mut sum = [0.0; 3];
-            for j in 0..n {
-                let t = (2 * j + 1) as f64 / n as f64 - 1.0;
-                let half_length = a * f64::sqrt(1.0 - t * t);
-                let x = |i: usize| half_length * (1.0 - (2 * i + 1) as f64 / n as f64);
-                let positions: Vec<_> = (0..n).map(|i| [x(i), b * t]).collect();
-                let area = 4.0 * half_length * b / (n * n) as f64;
-                for point in theory.field(at, &positions) {
-                    let [tx, ty] = point.traction.map(|v| v * 1.5 / PI * area);
-                    sum[0] += tx;
-                    sum[1] += ty;
-                    sum[2] += point.position[0] * ty - point.position[1] * tx;
-                }
-            }
+            let sum = sum_of_field(&theory, a_over_b, n, at);
             let difference = largest_difference(sum, array(theory.solve(at).force));
             // Cells that the border crosses: 1/n of the jump in direction there.
             assert!(difference < 1e-3, "{variant:?} {at:?} {difference}");

@@ -7,7 +7,7 @@ use creepage::rolling::linear::CreepageCoefficients;
 use creepage::rolling::{Creepage, Region, Theory};
 
 use super::cases::{
-    self, CREEPAGES, Case, array, coefficients, creepage, kappa, largest_difference,
+    self, CREEPAGES, Case, array, coefficients, creepage, kappa, largest_difference, sum_of_field,
 };
 
 fn fastsim(a_over_b: f64, poisson: f64, settings: Settings) -> Fastsim {
@@ -167,26 +167,12 @@ fn errors_against_the_full_theory() {
 #[test]
 fn field_agrees_with_the_forces() {
     let (a_over_b, n) = (0.5, 40);
-    let (a, b) = (f64::sqrt(a_over_b), f64::sqrt(a_over_b).recip());
     for flexibility in [Flexibility::One, Flexibility::Three, Flexibility::Blended] {
         for bound in [TractionBound::Parabolic, TractionBound::Elliptic] {
             let theory = fastsim(a_over_b, 0.25, Settings { flexibility, bound, grid: [n, n] });
             for [xi, eta, chi] in CREEPAGES {
                 let at = creepage(xi, eta, chi);
-                let mut sum = [0.0; 3];
-                for j in 0..n {
-                    let t = (2 * j + 1) as f64 / n as f64 - 1.0;
-                    let half_length = a * f64::sqrt(1.0 - t * t);
-                    let x = |i: usize| half_length * (1.0 - (2 * i + 1) as f64 / n as f64);
-                    let positions: Vec<_> = (0..n).map(|i| [x(i), b * t]).collect();
-                    let area = 4.0 * half_length * b / (n * n) as f64;
-                    for point in theory.field(at, &positions) {
-                        let [tx, ty] = point.traction.map(|v| v * 1.5 / PI * area);
-                        sum[0] += tx;
-                        sum[1] += ty;
-                        sum[2] += point.position[0] * ty - point.position[1] * tx;
-                    }
-                }
+                let sum = sum_of_field(&theory, a_over_b, n, at);
                 let difference = largest_difference(sum, array(theory.solve(at).force));
                 // The same sums in another order.
                 assert!(difference < 1e-12, "{difference}");

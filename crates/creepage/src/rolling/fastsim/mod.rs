@@ -35,6 +35,7 @@
 mod flexibility;
 mod grid;
 mod march;
+mod profile;
 mod settings;
 mod sums;
 mod trace;
@@ -47,8 +48,9 @@ use crate::check::{self, InvalidValue};
 use crate::rolling::strip::strip_slope;
 
 pub(crate) use flexibility::{Flexibilities, Slopes};
-pub(crate) use grid::{Block, Grid, LANES, Lanes, Profile};
+pub(crate) use grid::{Block, Grid, LANES, Lanes};
 pub(crate) use march::{Increments, State, march};
+pub(crate) use profile::Profile;
 pub use settings::{Flexibility, Settings, TractionBound};
 pub(crate) use sums::{Sums, Totals};
 pub(crate) use trace::{Place, Trace};

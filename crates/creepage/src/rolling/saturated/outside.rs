@@ -2,13 +2,13 @@
 //! the direction of the traction is constant.
 
 use crate::ellipse::Ellipse;
-use crate::rolling::chords::{Chord, Chords};
+use crate::rolling::outside_chords::{Chord, OutsideChords};
 use crate::rolling::{Creepage, Force};
 
 #[derive(Debug, Clone)]
 pub(super) struct PoleOutside {
     ellipse: Ellipse,
-    chords: Chords,
+    chords: OutsideChords,
 }
 
 /// `|chi|` times the pole's distance from the centre, in coordinates in which the ellipse is the
@@ -19,7 +19,7 @@ pub(super) fn reach(ellipse: Ellipse, creepage: Creepage) -> f64 {
 
 impl PoleOutside {
     pub(super) fn new(ellipse: Ellipse) -> Self {
-        Self { ellipse, chords: Chords::new(ellipse) }
+        Self { ellipse, chords: OutsideChords::new(ellipse) }
     }
 
     pub(super) fn force(&self, creepage: Creepage) -> Force {
@@ -82,7 +82,7 @@ mod tests {
         for a_over_b in [1e-3, 0.02, 0.3, 1.0, 7.0, 1e3] {
             let ellipse = Ellipse::from_ratio(a_over_b).unwrap();
             let usual = PoleOutside::new(ellipse);
-            let fine = PoleOutside { ellipse, chords: Chords::with_nodes(ellipse, 4000) };
+            let fine = PoleOutside { ellipse, chords: OutsideChords::with_nodes(ellipse, 4000) };
             for (i, distance) in [1.0 + 1e-15, 1.0 + 1e-9, 1.001, 1.5, 40.0]
                 .into_iter()
                 .cycle()

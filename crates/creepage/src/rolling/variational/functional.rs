@@ -3,9 +3,9 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::discretization::{Discretization, Rows};
-use super::integrand::{self, Integrand, State};
-use super::own_integrand::{IntegrandTerms, OwnIntegrand};
-use super::power;
+use super::integrand::{self, Integrand, IntegrandTerms, State};
+use super::own_integrand::OwnIntegrand;
+use super::power_integrand;
 use crate::rolling::Creepage;
 
 /// What is integrated.
@@ -18,7 +18,7 @@ pub(super) enum Form<'a> {
     /// `S` in the area of adhesion, `T` in that of slip (5.15). With `W2 = W3 = W` a point
     /// belongs to the area where its term is the smaller one: the areas follow the unknowns.
     Areas,
-    /// The power that is lost, see [`power`], with `|s|` rounded off and the stiffness
+    /// The power that is lost, see [`power_integrand`], with `|s|` rounded off and the stiffness
     /// of the bound.
     Power { smoothing: f64, stiffness: f64 },
 }
@@ -136,7 +136,7 @@ impl<'a> Functional<'a> {
             Form::Areas => smaller(state),
             Form::Power { smoothing, stiffness } => {
                 let rigid = self.discretization.rigid_slip(self.creepage, point);
-                power::lost(state, rigid, smoothing, stiffness)
+                power_integrand::lost(state, rigid, smoothing, stiffness)
             }
         }
     }

@@ -5,8 +5,6 @@
 //! and nothing divides by a vanishing slip, as in (5.21)-(5.26). Those serve for any other
 //! function of `T` and `S`: [`of_terms`].
 
-use super::own_integrand::IntegrandTerms;
-
 /// Traction over its bound and slip at a point: `X', Y', P, Q` of (5.18).
 pub(super) type State = [f64; 4];
 
@@ -15,6 +13,23 @@ pub(super) struct Integrand {
     pub(super) value: f64,
     pub(super) gradient: [f64; 4],
     pub(super) hessian: [[f64; 4]; 4],
+}
+
+/// An integrand and its derivatives by `T` and `S` (5.17).
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct IntegrandTerms {
+    /// `f`, not negative; it should vanish where `T` or `S` does.
+    pub f: f64,
+    /// `f*`, by `T`.
+    pub t: f64,
+    /// `f.`, by `S`.
+    pub s: f64,
+    /// `f**`.
+    pub tt: f64,
+    /// `f*.`.
+    pub ts: f64,
+    /// `f..`.
+    pub ss: f64,
 }
 
 /// Direction of the slip; where there is none the derivatives of `|s|` are taken as zero.

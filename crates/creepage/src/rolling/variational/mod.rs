@@ -36,14 +36,16 @@ mod newton_1967;
 mod own_integrand;
 mod polynomials;
 mod power;
+mod power_integrand;
 mod settings;
 mod solution;
 mod start;
 
 pub use chain::{Chain, ChainCase};
+pub use integrand::IntegrandTerms;
 pub use method::{Method, Procedure};
 pub use newton_1967::NewtonStep;
-pub use own_integrand::{IntegrandArguments, IntegrandTerms};
+pub use own_integrand::IntegrandArguments;
 pub use settings::{Limits, Settings, TractionBound, VariationalError, Weight};
 pub use solution::{MeshPoint, VariationalSolution};
 pub use start::Start;

@@ -4,7 +4,7 @@ use std::fmt;
 use std::sync::Arc;
 
 use super::VariationalError;
-use super::integrand::{self, Integrand, State};
+use super::integrand::{self, Integrand, IntegrandTerms, State};
 
 /// What an integrand may depend on.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -17,23 +17,6 @@ pub struct IntegrandArguments {
     pub t: f64,
     /// Slip squared, in units of `(mu f00)^2` (5.6).
     pub s: f64,
-}
-
-/// An integrand and its derivatives by `T` and `S` (5.17).
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct IntegrandTerms {
-    /// `f`, not negative; it should vanish where `T` or `S` does.
-    pub f: f64,
-    /// `f*`, by `T`.
-    pub t: f64,
-    /// `f.`, by `S`.
-    pub s: f64,
-    /// `f**`.
-    pub tt: f64,
-    /// `f*.`.
-    pub ts: f64,
-    /// `f..`.
-    pub ss: f64,
 }
 
 type Part = fn(&IntegrandTerms) -> f64;

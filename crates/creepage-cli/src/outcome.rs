@@ -1,0 +1,10 @@
+//! How a command that did its work ends.
+
+/// How good the output is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Outcome {
+    /// All of it can be used.
+    Done,
+    /// Some of it says of itself that it cannot be used.
+    Doubtful,
+}

@@ -1,0 +1,18 @@
+//! The command, run as its users run it.
+// Helpers of tests fail like tests: by panicking.
+#![allow(clippy::unwrap_used, clippy::panic)]
+
+mod bad_input;
+mod batch;
+mod commands;
+mod curve;
+mod examples;
+#[cfg(unix)]
+mod guide;
+mod inverse;
+mod place;
+mod reproduce;
+mod statics;
+mod sweep;
+mod table;
+mod theories;

@@ -1,0 +1,145 @@
+//! `creepage statics` on good and bad input.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use serde_json::Value;
+
+use crate::place::{Place, json};
+
+const SLIP: &str = r#"
+[upper]
+shear_modulus = 82e9
+poisson = 0.28
+[lower]
+shear_modulus = 82e9
+poisson = 0.28
+[contact]
+normal_force = 80e3
+friction = 0.3
+semi_axis_rolling = 6e-3
+semi_axis_lateral = 4e-3
+[statics]
+problem = "partial-slip"
+force_x = 21e3
+"#;
+
+fn examples() -> Vec<PathBuf> {
+    let directory = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/statics");
+    fs::read_dir(directory).unwrap().map(|entry| entry.unwrap().path()).collect()
+}
+
+fn report(place: &Place, path: &str) -> Value {
+    json(&place.run(&["statics", path, "--json"]).done())
+}
+
+fn number(report: &Value, key: &str) -> f64 {
+    report["found"][key].as_f64().unwrap_or_else(|| panic!("{key} is not in {report}"))
+}
+
+#[test]
+fn every_example_is_solved_and_every_problem_has_one() {
+    let place = Place::new();
+    let mut problems: Vec<String> = vec![];
+    for path in examples() {
+        let report = report(&place, path.to_str().unwrap());
+        for (key, value) in report["found"].as_object().unwrap() {
+            assert!(value.is_f64(), "{}: {key} is {value}", path.display());
+        }
+        problems.push(report["problem"].as_str().unwrap().into());
+    }
+    problems.sort();
+    assert_eq!(problems, ["die", "partial-slip", "shift", "twist"]);
+    assert!(place.files().is_empty());
+}
+
+#[test]
+fn the_files_are_written_and_the_report_is_the_printed_one() {
+    let place = Place::new();
+    place.write("case.toml", SLIP);
+    let printed = place.run(&["statics", "case.toml", "--json", "--out", "deep/out"]).done();
+    assert_eq!(json(&printed), json(&place.read("deep/out/report.json")));
+    for file in ["contact.svg", "contact.png"] {
+        assert!(place.path("deep/out").join(file).is_file(), "{file}");
+    }
+    let points = place.read("deep/out/points.csv");
+    assert!(points.starts_with("x_m,y_m,traction_x_pa,"));
+    assert!(points.lines().count() > 1000);
+}
+
+/// Seven eighths of the limit leave half the axes for adhesion (3.62).
+#[test]
+fn partial_slip_is_that_of_the_thesis() {
+    let place = Place::new();
+    place.write("case.toml", SLIP);
+    let report = report(&place, "case.toml");
+    let close = |key: &str, expected: f64| {
+        let value = number(&report, key);
+        assert!((value / expected - 1.0).abs() < 1e-12, "{key} = {value}, not {expected}");
+    };
+    close("friction_used_percent", 87.5);
+    close("adhesion_a_m", 3e-3);
+    close("adhesion_percent", 25.0);
+    // At the edge of adhesion the bound is that of r = 1/2.
+    let bound = 0.3 * report["given"]["peak_pressure_pa"].as_f64().unwrap();
+    close("peak_traction_pa", bound * 0.75_f64.sqrt());
+    let text = place.run(&["statics", "case.toml"]).done();
+    for words in ["adhesion, semi-axis along x", "3 mm", "slip to traction, at most"] {
+        assert!(text.contains(words), "`{words}` is not in:\n{text}");
+    }
+}
+
+/// The shift per force at vanishing force is the shift without slip (3.34).
+#[test]
+fn partial_slip_of_a_small_force_is_a_shift_without_slip() {
+    let place = Place::new();
+    place.write("slip.toml", SLIP.replace("21e3", "0.021"));
+    let shift = SLIP.replace("partial-slip", "shift").replace("friction = 0.3", "");
+    place.write("shift.toml", shift);
+    let stiffness = number(&report(&place, "shift.toml"), "stiffness_x_n_per_m");
+    let shift = number(&report(&place, "slip.toml"), "shift_x_m");
+    // The first correction is a sixth of the share of friction used, 1e-6.
+    assert!((0.021 / shift / stiffness - 1.0).abs() < 1e-6);
+}
+
+#[track_caller]
+fn refused(old: &str, new: &str, parts: &[&str]) {
+    assert!(SLIP.contains(old), "{old} is not in the case");
+    let place = Place::new();
+    place.write("case.toml", SLIP.replacen(old, new, 1));
+    place.run(&["statics", "case.toml", "--out", "out"]).refused(parts);
+    assert_eq!(place.files(), ["case.toml"]);
+}
+
+#[test]
+fn bad_input_is_refused_and_nothing_is_written() {
+    refused("force_x", "force_z", &["case.toml", "`force_z` in [statics]", "did you mean"]);
+    refused("21e3", "25e3", &["case.toml", "[statics] force_x", "25000 N", "24000 N"]);
+    refused("21e3", "nan", &["[statics] force_x = NaN"]);
+    refused("0.28", "0.8", &["[upper] poisson = 0.8", "between 0 and 0.5"]);
+    refused("friction = 0.3", "", &["[contact] friction is missing"]);
+    refused("\"partial-slip\"", "\"roll\"", &["roll", "twist"]);
+    refused("[lower]", "[lower", &["line 5"]);
+}
+
+#[test]
+fn a_die_that_lifts_off() {
+    let place = Place::new();
+    let path = examples().into_iter().find(|path| path.ends_with("die-offset-load.toml")).unwrap();
+    let case = fs::read_to_string(path).unwrap();
+    assert!(case.contains("offset_x = 6e-3"));
+    place.write("case.toml", case.replace("offset_x = 6e-3", "offset_x = 12e-3"));
+    let ran = place.run(&["statics", "case.toml", "--out", "out"]);
+    ran.refused(&["[statics] offset_x = 0.012", "lifts off", "times too far out"]);
+    assert_eq!(place.files(), ["case.toml"]);
+}
+
+#[test]
+fn a_file_that_is_not_there_and_a_place_that_cannot_be_written() {
+    let place = Place::new();
+    place.run(&["statics", "nowhere.toml"]).refused(&["cannot read nowhere.toml"]);
+    place.write("case.toml", SLIP);
+    let ran = place.run(&["statics", "case.toml", "--out", "case.toml"]);
+    ran.refused(&["cannot write case.toml"]);
+    assert_eq!(place.read("case.toml"), SLIP);
+}

@@ -1,0 +1,44 @@
+//! One creepage after another: warm starts, and no jumps.
+
+use creepage::rolling::exact::{Exact, Resolution};
+use creepage::rolling::{Creepage, Theory};
+
+use crate::support::components;
+
+#[test]
+fn warm_starts_find_the_same_solutions() {
+    let theory = Exact::new(1.0, 0.28, Resolution::STANDARD).unwrap();
+    let curve: Vec<_> =
+        (0..40).map(|k| Creepage::new(0.4, -0.2, 0.1 * f64::from(k)).unwrap()).collect();
+    for (warm, creepage) in theory.curve(&curve).into_iter().zip(&curve) {
+        let cold = theory.solve(*creepage).force;
+        for (warm, cold) in components(warm.force).into_iter().zip(components(cold)) {
+            // Both are iterated to tractions of 1e-8.
+            assert!((warm - cold).abs() < 1e-6, "{creepage:?}");
+        }
+    }
+}
+
+/// The force has no jumps where elements begin to slide: along a curve through all states its
+/// steps shrink with those of the creepage.
+#[test]
+fn the_force_is_continuous() {
+    let theory = Exact::new(1.3, 0.28, Resolution::FAST).unwrap();
+    let largest_step = |count: u32| {
+        let curve: Vec<_> = (0..=count)
+            .map(|k| {
+                let t = f64::from(k) / f64::from(count);
+                Creepage::new(1.5 * t, 0.8 - t, 4.0 * t * t).unwrap()
+            })
+            .collect();
+        let forces: Vec<_> =
+            theory.curve(&curve).iter().map(|found| components(found.force)).collect();
+        let steps = forces
+            .windows(2)
+            .map(|f| (0..3).map(|k| (f[1][k] - f[0][k]).abs()).fold(0.0, f64::max));
+        steps.fold(0.0, f64::max)
+    };
+    let [coarse, fine] = [100, 1600].map(largest_step);
+    // A smooth curve gives 1/16; a jump would stay as it is.
+    assert!(fine < coarse / 12.0, "{coarse} {fine}");
+}

@@ -1,0 +1,63 @@
+//! The error bars: what they promise holds.
+
+use creepage::rolling::Creepage;
+use creepage::rolling::exact::{Automatic, Exact, Resolution};
+
+use crate::support::{components, solve};
+
+/// The error bar of the fast resolution against the fine one, which is ten times as accurate, on
+/// contacts and creepages of every kind. The bar is made for 95 %.
+#[test]
+fn the_error_bar_holds() {
+    let (mut inside, mut all) = (0, 0);
+    for (ratio, poisson) in
+        [(0.2, 0.1), (0.6, 0.45), (1.0, 0.28), (1.7, 0.0), (3.0, 0.35), (5.0, 0.2)]
+    {
+        let [fast, fine] = [Resolution::FAST, Resolution::FINE]
+            .map(|resolution| Exact::new(ratio, poisson, resolution).unwrap());
+        for k in 0..30 {
+            let t = f64::from(k) + ratio;
+            let case = [3.0 * (1.3 * t).sin(), 3.0 * (2.1 * t).cos(), 8.0 * (0.7 * t).sin()];
+            let (found, truth) = (solve(&fast, case), solve(&fine, case));
+            let bars = components(found.error);
+            let pairs = components(found.force).into_iter().zip(components(truth.force));
+            for ((value, truth), bar) in pairs.zip(bars) {
+                all += 1;
+                inside += usize::from((value - truth).abs() <= bar);
+            }
+        }
+    }
+    assert!(inside * 100 >= all * 95, "{inside} of {all}");
+}
+
+/// The values of a grid and of one with twice the elements agree within both their bars.
+#[test]
+fn refined_values_agree_within_their_bars() {
+    let (mut inside, mut all) = (0, 0);
+    for (ratio, poisson) in [(0.25, 0.4), (0.7, 0.0), (1.0, 0.28), (2.2, 0.15), (5.0, 0.28)] {
+        let [coarse, fine] = [(12, 10), (24, 20)].map(|(along, across)| {
+            Exact::new(ratio, poisson, Resolution::new(along, across).unwrap()).unwrap()
+        });
+        for k in 0..24 {
+            let t = f64::from(k) - ratio;
+            let case = [3.0 * (1.9 * t).cos(), 3.0 * (1.1 * t).sin(), 8.0 * (2.3 * t).sin()];
+            let [one, two] = [&coarse, &fine].map(|theory| solve(theory, case));
+            let bars = components(one.error).into_iter().zip(components(two.error));
+            let values = components(one.force).into_iter().zip(components(two.force));
+            for ((one, two), (bar, bar_two)) in values.zip(bars) {
+                all += 1;
+                inside += usize::from((one - two).abs() <= bar + bar_two);
+            }
+        }
+    }
+    assert!(inside * 100 >= all * 95, "{inside} of {all}");
+}
+
+#[test]
+fn automatic_refines_until_the_bar_is_small() {
+    let theory = Automatic::new(1.0, 0.28, 0.004).unwrap();
+    for case in [[3.0, 0.0, 0.0], [0.5, 0.5, 1.0], [0.0, 0.0, 2.0]] {
+        let found = theory.solve_to_accuracy(Creepage::new(case[0], case[1], case[2]).unwrap());
+        assert!(found.error.fx.max(found.error.fy) <= 0.004, "{case:?} {found:?}");
+    }
+}

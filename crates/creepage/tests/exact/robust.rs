@@ -1,0 +1,51 @@
+//! An answer to whatever is asked with sense, a refusal of the rest.
+
+use creepage::rolling::exact::{Automatic, Exact, Resolution};
+use creepage::rolling::{Creepage, Status};
+use proptest::prelude::*;
+
+use crate::support::{components, solve};
+
+#[test]
+fn senseless_input_is_refused() {
+    for (ratio, poisson) in
+        [(f64::NAN, 0.3), (0.0, 0.3), (-1.0, 0.3), (1e3, 0.3), (1.0, 0.6), (1.0, f64::NAN)]
+    {
+        assert!(Exact::new(ratio, poisson, Resolution::FAST).is_err());
+    }
+    assert!(Resolution::new(2, 10).is_err() && Resolution::new(10, 1000).is_err());
+    assert!(Resolution::new(200, 200).is_err() && Resolution::new(usize::MAX, 3).is_err());
+    assert!(Automatic::new(1.0, 0.3, 0.0).is_err());
+    assert!(Creepage::new(f64::INFINITY, 0.0, 0.0).is_err());
+}
+
+/// Anything from next to nothing to full sliding, of either sign, or none.
+fn any_size() -> impl Strategy<Value = f64> {
+    prop_oneof![
+        Just(0.0),
+        (-13.8..6.9_f64).prop_map(f64::exp),
+        (-13.8..6.9_f64).prop_map(|x| -x.exp())
+    ]
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(60))]
+
+    /// Whatever is asked, an answer comes: solved, finite, and no more than full friction.
+    #[test]
+    fn every_case_is_solved(
+        ratio in (-3.9..3.9_f64).prop_map(f64::exp),
+        poisson in 0.0..0.5_f64,
+        cases in prop::collection::vec([any_size(), any_size(), any_size()], 20),
+    ) {
+        let theory = Exact::new(ratio, poisson, Resolution::FAST).unwrap();
+        for case in cases {
+            let found = solve(&theory, case);
+            prop_assert_eq!(found.status, Status::Solved, "{:?}", case);
+            prop_assert!(components(found.force).iter().all(|f| f.is_finite()));
+            // Extrapolation may pass full friction by a part of its error bar.
+            let bar = found.error.fx.hypot(found.error.fy);
+            prop_assert!(found.force.magnitude() <= 1.0 + bar + 1e-9);
+        }
+    }
+}
