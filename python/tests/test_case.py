@@ -111,9 +111,8 @@ def test_the_full_theory_counts_unlike_bodies() -> None:
     assert solution.details["kappa_over_mu"] == pytest.approx(kappa_over_mu, rel=1e-12)
     assert solution.dimensionless.fx == theory.force(*at).fx
     # Both ways of the pressure's slip, and none.
-    other = creepage.exact(
-        case.contact.a_over_b, case.contact.poisson, resolution="fast", kappa_over_mu=-kappa_over_mu
-    )
+    shape = (case.contact.a_over_b, case.contact.poisson)
+    other = creepage.exact(*shape, resolution="fast", kappa_over_mu=-kappa_over_mu)
     assert abs(theory.force(*at).fx - like.force(*at).fx) > 0.05
     assert abs(other.force(*at).fx - theory.force(*at).fx) > 0.1
     # What the solution is asked for beyond its force is of the same bodies.
@@ -123,7 +122,7 @@ def test_the_full_theory_counts_unlike_bodies() -> None:
     curve = case.curve("longitudinal", [case.creepage.longitudinal])
     # Creepage goes to SI and back: rounding.
     assert curve.forces["exact"][:, 0] == pytest.approx(list(solution.force), rel=1e-9, abs=1e-6)
-    assert pickle.loads(pickle.dumps(theory)).force(*at) == theory.force(*at)
+    assert pickle.loads(pickle.dumps(theory)).force(*at).fx == theory.force(*at).fx
     auto = case.solve(resolution="auto", accuracy=0.05)
     assert auto.details["kappa_over_mu"] == solution.details["kappa_over_mu"]
     for value in (math.nan, math.inf, 1e9):

@@ -140,11 +140,16 @@ def test_parts_of_two_runs_do_not_mix(tmp_path: Path) -> None:
     for source, parts in ((other, 2), (SMALL, 3)):
         with pytest.raises(FileExistsError, match="another run"):
             creepage.sweep(source, out=sweep, parts=parts)
-    cases = {"xi": [0.1, 0.2, 0.3], "name": ["a", "b", "c"]}
+    cases: dict[str, Any] = {"xi": [0.1, 0.2, 0.3], "name": ["a", "b", "c"]}
     folder = creepage.batch(EXACT, cases, out=tmp_path / "cases", parts=2)
     (folder / "part-00000.parquet").unlink()
     fine = creepage.exact(1.3, 0.28)
-    for theory, change in ((EXACT, {"xi": [0.1, 0.2, 0.4]}), (EXACT, {"name": list("abd")}), (fine, {})):
+    changes: list[tuple[creepage.Theory, dict[str, Any]]] = [
+        (EXACT, {"xi": [0.1, 0.2, 0.4]}),
+        (EXACT, {"name": ["a", "b", "d"]}),
+        (fine, {}),
+    ]
+    for theory, change in changes:
         with pytest.raises(FileExistsError, match="another run"):
             creepage.batch(theory, {**cases, **change}, out=folder, parts=2)
     creepage.batch(EXACT, cases, out=folder, parts=2)
@@ -157,7 +162,10 @@ def test_parts_of_two_runs_do_not_mix(tmp_path: Path) -> None:
 
 def test_a_sweep_that_was_killed_goes_on(tmp_path: Path) -> None:
     folder = tmp_path / "sweep"
-    script = "import sys, json, creepage\ncreepage.sweep(json.loads(sys.argv[1]), out=sys.argv[2], parts=48)"
+    script = (
+        "import sys, json, creepage\n"
+        "creepage.sweep(json.loads(sys.argv[1]), out=sys.argv[2], parts=48)"
+    )
     run = subprocess.Popen([sys.executable, "-c", script, json.dumps(SWEEP), str(folder)])
     deadline = time.monotonic() + 60.0
     while len(written(folder)) < 3 and run.poll() is None and time.monotonic() < deadline:
