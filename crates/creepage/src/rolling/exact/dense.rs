@@ -1,6 +1,9 @@
 //! A small dense system, factored in place and solved without allocation.
+#![allow(clippy::inline_always)] // what is dispatched must be compiled for each kind of processor
 
-/// `P A = L U` with partial pivoting. One value is filled and factored again and again, which
+use pulp::{Arch, Simd, WithSimd};
+
+/// `P A = L U` with partial pivoting; the diagonal holds its reciprocals. One value is filled and factored again and again, which
 /// the owning decompositions of the linear algebra library do not offer.
 #[derive(Debug, Clone)]
 pub(super) struct Dense {
@@ -22,21 +25,12 @@ impl Dense {
 
     /// Factors the matrix in place; false when it is singular or not finite.
     pub(super) fn factor(&mut self) -> bool {
-        let n = self.n;
-        for k in 0..n {
-            let pivot = self.largest_below(k);
-            self.pivots[k] = pivot;
-            if pivot != k {
-                let (above, below) = self.entries.split_at_mut(pivot * n);
-                above[k * n..(k + 1) * n].swap_with_slice(&mut below[..n]);
-            }
-            let inverse = self.entries[k * n + k].recip();
-            if !inverse.is_finite() {
-                return false;
-            }
-            self.eliminate(k, inverse);
-        }
-        true
+        Arch::new().dispatch(Factor(self))
+    }
+
+    /// Solves with the factors; `x` holds the right-hand side and receives the solution.
+    pub(super) fn solve(&self, x: &mut [f64]) {
+        Arch::new().dispatch(Solve(self, x));
     }
 
     fn largest_below(&self, k: usize) -> usize {
@@ -44,48 +38,84 @@ impl Dense {
         (k + 1..self.n).fold(k, |best, row| if size(row) > size(best) { row } else { best })
     }
 
-    fn eliminate(&mut self, k: usize, inverse: f64) {
-        let n = self.n;
-        let (done, below) = self.entries.split_at_mut((k + 1) * n);
-        let pivot_row = &done[k * n + k + 1..];
-        for row in below.chunks_exact_mut(n) {
-            let factor = row[k] * inverse;
-            row[k] = factor;
-            for (entry, pivot) in row[k + 1..].iter_mut().zip(pivot_row) {
-                *entry -= factor * pivot;
-            }
-        }
-    }
-
-    /// Solves with the factors; `x` holds the right-hand side and receives the solution.
-    pub(super) fn solve(&self, x: &mut [f64]) {
-        let n = self.n;
-        for k in 0..n {
-            x.swap(k, self.pivots[k]);
-        }
-        for k in 1..n {
-            let (known, rest) = x.split_at_mut(k);
-            rest[0] -= dot(&self.entries[k * n..k * n + k], known);
-        }
-        for k in (0..n).rev() {
-            let (rest, known) = x.split_at_mut(k + 1);
-            let sum = dot(&self.entries[k * n + k + 1..(k + 1) * n], known);
-            rest[k] = (rest[k] - sum) / self.entries[k * n + k];
+    fn swap_rows(&mut self, k: usize, later: usize) {
+        if later != k {
+            let (above, below) = self.entries.split_at_mut(later * self.n);
+            above[k * self.n..(k + 1) * self.n].swap_with_slice(&mut below[..self.n]);
         }
     }
 }
 
-/// Scalar product in four partial sums, which the compiler turns into vector instructions.
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    let (a, a_rest) = a.as_chunks::<4>();
-    let (b, b_rest) = b.as_chunks::<4>();
-    let mut sums = [0.0; 4];
-    for (a, b) in a.iter().zip(b) {
-        for l in 0..4 {
-            sums[l] += a[l] * b[l];
+struct Factor<'a>(&'a mut Dense);
+
+impl WithSimd for Factor<'_> {
+    type Output = bool;
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) -> bool {
+        let n = self.0.n;
+        for k in 0..n {
+            let pivot = self.0.largest_below(k);
+            self.0.pivots[k] = pivot;
+            self.0.swap_rows(k, pivot);
+            let (done, below) = self.0.entries.split_at_mut((k + 1) * n);
+            let (diagonal, pivot_row) = done[k * n + k..].split_at_mut(1);
+            diagonal[0] = diagonal[0].recip();
+            if !diagonal[0].is_finite() {
+                return false;
+            }
+            for row in below.chunks_exact_mut(n) {
+                row[k] *= diagonal[0];
+                let (left, right) = row.split_at_mut(k + 1);
+                add_times(simd, right, -left[k], pivot_row);
+            }
+        }
+        true
+    }
+}
+
+struct Solve<'a>(&'a Dense, &'a mut [f64]);
+
+impl WithSimd for Solve<'_> {
+    type Output = ();
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) {
+        let Self(Dense { n, entries, pivots }, x) = self;
+        for (k, pivot) in pivots.iter().enumerate() {
+            x.swap(k, *pivot);
+        }
+        for (k, row) in entries.chunks_exact(*n).enumerate() {
+            let (known, rest) = x.split_at_mut(k);
+            rest[0] -= dot(simd, &row[..k], known);
+        }
+        for (k, row) in entries.chunks_exact(*n).enumerate().rev() {
+            let (rest, known) = x.split_at_mut(k + 1);
+            rest[k] = (rest[k] - dot(simd, &row[k + 1..], known)) * row[k];
         }
     }
-    sums.iter().sum::<f64>() + a_rest.iter().zip(b_rest).map(|(a, b)| a * b).sum::<f64>()
+}
+
+/// `to + factor * by`.
+#[inline(always)]
+fn add_times<S: Simd>(simd: S, to: &mut [f64], factor: f64, by: &[f64]) {
+    let factor = simd.splat_f64s(factor);
+    let (by, by_rest) = S::as_simd_f64s(by);
+    let (to, to_rest) = S::as_mut_simd_f64s(to);
+    for (to, by) in to.iter_mut().zip(by) {
+        *to = simd.mul_add_e_f64s(factor, *by, *to);
+    }
+    let [to, by] = [simd.partial_load_f64s(to_rest), simd.partial_load_f64s(by_rest)];
+    simd.partial_store_f64s(to_rest, simd.mul_add_e_f64s(factor, by, to));
+}
+
+#[inline(always)]
+fn dot<S: Simd>(simd: S, a: &[f64], b: &[f64]) -> f64 {
+    let ((a, a_rest), (b, b_rest)) = (S::as_simd_f64s(a), S::as_simd_f64s(b));
+    let [a_rest, b_rest] = [simd.partial_load_f64s(a_rest), simd.partial_load_f64s(b_rest)];
+    let mut sum = simd.mul_f64s(a_rest, b_rest);
+    for (a, b) in a.iter().zip(b) {
+        sum = simd.mul_add_e_f64s(*a, *b, sum);
+    }
+    simd.reduce_sum_f64s(sum)
 }
 
 #[cfg(test)]

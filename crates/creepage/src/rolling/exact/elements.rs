@@ -9,6 +9,7 @@
 //! Element `(strip, i)` is counted strip by strip, `i` from the leading edge.
 
 use std::f64::consts::FRAC_PI_2;
+use std::ops::Range;
 
 use super::load::{self, Load};
 use crate::ellipse::Ellipse;
@@ -73,6 +74,11 @@ impl Elements {
     /// Where the pressure on a piece of a strip acts.
     pub(super) fn centroid(&self, across: Load, along: Load) -> [f64; 2] {
         [self.a * across.length * along.centroid, self.b * across.centroid]
+    }
+
+    /// The elements of a strip, from the leading edge.
+    pub(super) fn of_strip(&self, strip: usize) -> Range<usize> {
+        strip * self.along..(strip + 1) * self.along
     }
 
     pub(super) fn len(&self) -> usize {

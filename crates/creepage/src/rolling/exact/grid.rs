@@ -5,6 +5,7 @@ use std::f64::consts::PI;
 use super::elements::Elements;
 use super::ends::Ends;
 use super::influence::{Response, edge};
+use super::row::Row;
 use super::sampling::Sampling;
 use super::unlike::{self, Drive};
 use crate::ellipse::Ellipse;
@@ -33,45 +34,14 @@ pub(super) struct Grid {
     pub pressure_slip: Vec<[f64; 2]>,
     /// Unit `mu c / rho` of slip over `mu` times the peak pressure over `G`.
     slip_unit: f64,
-    /// Slip that weighs as much as the bound when an element chooses between adhesion and slip.
-    pub compliance: Vec<f64>,
+    /// Weight `r` of slip against traction in the projection of each element. Any has the same
+    /// solution; with a share of the traction that its own slip asks for the iteration neither
+    /// cycles nor crawls.
+    pub weights: Vec<f64>,
 }
 
-/// The rows of coefficients of one element, and how to apply them.
-#[derive(Clone, Copy)]
-pub(super) struct Row<'a> {
-    pub xx: &'a [f64],
-    pub xy: &'a [f64],
-    pub yy: &'a [f64],
-}
-
-impl Row<'_> {
-    /// Slip by tractions `x`, `y`, in the mirror image too when `sign` is -1.
-    pub(super) fn apply(&self, sign: f64, x: &[f64], y: &[f64]) -> [f64; 2] {
-        const LANES: usize = 4;
-        let mut sums = [[0.0; LANES]; 4];
-        let whole = x.len() / LANES * LANES;
-        for k in (0..whole).step_by(LANES) {
-            let (x, y) = (&x[k..k + LANES], &y[k..k + LANES]);
-            let (xx, xy, yy) =
-                (&self.xx[k..k + LANES], &self.xy[k..k + LANES], &self.yy[k..k + LANES]);
-            for l in 0..LANES {
-                sums[0][l] += xx[l] * x[l];
-                sums[1][l] += xy[l] * y[l];
-                sums[2][l] += xy[l] * x[l];
-                sums[3][l] += yy[l] * y[l];
-            }
-        }
-        let [mut u_x, mut u_y, mut v_x, mut v_y] = sums.map(|lanes| lanes.iter().sum::<f64>());
-        for k in whole..x.len() {
-            u_x += self.xx[k] * x[k];
-            u_y += self.xy[k] * y[k];
-            v_x += self.xy[k] * x[k];
-            v_y += self.yy[k] * y[k];
-        }
-        [u_x + sign * u_y, sign * v_x + v_y]
-    }
-}
+/// Of the traction that an element's own slip asks for.
+const WEIGHT: f64 = 0.3;
 
 impl Grid {
     pub(super) fn new(ellipse: Ellipse, poisson: f64, along: usize, strips: usize) -> Self {
@@ -86,7 +56,7 @@ impl Grid {
             sampling: Sampling::new(along, strips, ellipse.ratio()),
             pressure_slip: vec![[0.0; 2]; elements.len()],
             slip_unit,
-            compliance: Vec::new(),
+            weights: Vec::new(),
             elements,
         };
         for strip in 0..strips {
@@ -97,7 +67,7 @@ impl Grid {
                 steps.append(&ends, &mut grid.coefficients);
             }
         }
-        grid.compliance = (0..grid.elements.len()).map(|e| grid.self_response(e)).collect();
+        grid.weights = (0..grid.elements.len()).map(|e| WEIGHT / grid.self_response(e)).collect();
         grid
     }
 

@@ -13,21 +13,27 @@
 //! p = P(p + r s)
 //! ```
 
-mod acceleration;
 mod automatic;
 mod dense;
 mod derivative;
 mod elements;
 mod ends;
 mod friction;
+mod gmres;
 mod grid;
 mod influence;
 mod inverse;
+mod linear;
 mod load;
+mod newton;
 mod resolution;
+mod row;
 mod sampling;
 mod solution;
 mod solve;
+mod state;
+mod strip;
+mod tractions;
 mod unlike;
 
 pub use automatic::Automatic;

@@ -2,8 +2,10 @@
 
 use super::derivative::{self, Columns};
 use super::grid::Grid;
+use super::linear::Linear;
 use super::sampling::Sum;
-use super::solve::{Outcome, State};
+use super::solve::Outcome;
+use super::state::State;
 use super::unlike::Drive;
 use super::{Creepage, FieldPoint, Force, Region, Status};
 use crate::ellipse::Ellipse;
@@ -90,6 +92,7 @@ impl Mirror {
 #[derive(Debug, Clone)]
 pub struct Workspace {
     states: [State; 2],
+    linear: [Linear; 2],
     outcomes: [Outcome; 2],
     /// As last solved, in the mirror.
     drive: Drive,
@@ -100,6 +103,7 @@ impl Workspace {
     pub(super) fn new(grids: &[Grid; 2]) -> Self {
         Self {
             states: [State::new(&grids[0]), State::new(&grids[1])],
+            linear: [Linear::new(&grids[0]), Linear::new(&grids[1])],
             outcomes: [Outcome { converged: true, sweeps: 0 }; 2],
             drive: Drive { creepage: Creepage::default(), side: 1.0 },
             mirror: Mirror { x: 1.0, y: 1.0 },
@@ -113,11 +117,11 @@ impl Workspace {
         if !warm {
             coarse.reset();
         }
-        self.outcomes[0] = coarse.solve(&grids[0], self.drive);
+        self.outcomes[0] = coarse.solve(&grids[0], &mut self.linear[0], self.drive);
         if !warm {
             fine.refine(&grids[1], coarse);
         }
-        self.outcomes[1] = fine.solve(&grids[1], self.drive);
+        self.outcomes[1] = fine.solve(&grids[1], &mut self.linear[1], self.drive);
     }
 
     pub(super) fn finish(&self, grids: &[Grid; 2], creepage: Creepage) -> ExactSolution {
@@ -139,7 +143,12 @@ impl Workspace {
 
     pub(super) fn derivative(&mut self, grids: &[Grid; 2]) -> [[f64; 3]; 3] {
         let [coarse, fine]: [Columns; 2] = [0, 1].map(|k| {
-            derivative::differentiate(&grids[k], &mut self.states[k], self.drive.creepage)
+            derivative::differentiate(
+                &grids[k],
+                &self.states[k],
+                &mut self.linear[k],
+                self.drive.creepage,
+            )
         });
         let signs = [self.mirror.x, self.mirror.y, self.mirror.y];
         let mut matrix = [[0.0; 3]; 3];
@@ -153,25 +162,20 @@ impl Workspace {
     }
 
     fn traction(&self, element: usize) -> [f64; 2] {
-        let [x, y] = &self.states[1].traction;
-        [x[element], y[element]]
+        self.states[1].traction.at(element)
     }
 
     /// Slip of an element; none in adhesion, where the computed one is rounding.
     fn slip(&self, element: usize) -> [f64; 2] {
         let state = &self.states[1];
-        if state.slides[element] {
-            [state.slip[0][element], state.slip[1][element]]
-        } else {
-            [0.0; 2]
-        }
+        if state.slides(element) { state.slip_of(element) } else { [0.0; 2] }
     }
 
     fn power(&self, grid: &Grid, element: usize) -> f64 {
         let state = &self.states[1];
         let mut sum = Sum::default();
         let fields = state.fields(self.drive.creepage);
-        grid.sampling.add(grid, fields, element, state.slides[element], &mut sum);
+        grid.sampling.add(grid, fields, element, state.slides(element), &mut sum);
         sum.dissipation
     }
 
@@ -221,7 +225,7 @@ impl Workspace {
                 point.slip[k] += weight * slip[k];
             }
             beyond_adhesion += weight
-                * if self.states[1].slides[element] {
+                * if self.states[1].slides(element) {
                     slip[0].hypot(slip[1])
                 } else {
                     traction[0].hypot(traction[1]) - 1.0
@@ -241,7 +245,7 @@ impl Workspace {
             position,
             traction: self.mirror.vector(self.traction(element).map(|t| bound * t)),
             slip: self.mirror.vector(self.slip(element)),
-            region: if self.states[1].slides[element] { Region::Slip } else { Region::Adhesion },
+            region: if self.states[1].slides(element) { Region::Slip } else { Region::Adhesion },
         }
     }
 }
