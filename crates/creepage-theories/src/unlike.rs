@@ -98,18 +98,19 @@ mod tests {
         for (ratio, poisson) in [(0.05, 0.1), (0.05, 0.45), (1.0, 0.45), (20.0, 0.1), (20.0, 0.45)]
         {
             let like = Exact::new(ratio, poisson, Resolution::FAST).unwrap();
-            for kappa_over_mu in [LeftOut::MATTERS, 0.3] {
-                let at_rest = change(&like, kappa_over_mu, Creepage::default());
-                assert!((0.35..2.2).contains(&at_rest), "{ratio} {poisson}: {at_rest}");
-                for [xi, eta, chi] in [
-                    [0.2, 0.0, 0.0],
-                    [-0.2, 0.3, 0.1],
-                    [0.0, 0.5, 0.5],
-                    [1.0, 0.0, 0.0],
-                    [-0.5, 0.0, 2.0],
-                ] {
+            let at_rest = change(&like, LeftOut::MATTERS, Creepage::default());
+            assert!((0.35..2.2).contains(&at_rest), "{ratio} {poisson}: {at_rest}");
+            for [xi, eta, chi] in [
+                [0.0, 0.0, 0.0],
+                [0.2, 0.0, 0.0],
+                [-0.2, 0.3, 0.1],
+                [0.0, 0.5, 0.5],
+                [1.0, 0.0, 0.0],
+                [-0.5, 0.0, 2.0],
+            ] {
+                for kappa_over_mu in [LeftOut::MATTERS, 0.3] {
                     let change = change(&like, kappa_over_mu, Creepage { xi, eta, chi });
-                    // With 0.3 some slip at rest takes a little of the change there.
+                    // Nowhere more than where all adheres; 5 % for the coarse elements.
                     assert!(change < 1.05 * at_rest, "{ratio} {poisson} {xi}: {change} {at_rest}");
                 }
             }
