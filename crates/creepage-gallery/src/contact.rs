@@ -131,10 +131,12 @@ fn signed_area(polygon: &Polygon) -> f64 {
     polygon.iter().zip(next).map(|(p, q)| 0.5 * (p[0] * q[1] - p[1] * q[0])).sum()
 }
 
-/// An empty panel to scale for a contact: `x`, the rolling direction, to the right, `y` down.
+/// An empty panel to scale for a contact: `x`, the rolling direction, to the right, `y` down; with
+/// white beside a slender one, which would be too tall else.
 pub(crate) fn panel(ellipse: Ellipse, heading: Label) -> Panel {
-    let (a, b) = (ellipse.a(), ellipse.b());
-    let x = Scale::new([-1.12 * a, 1.22 * a], Label::default());
+    let b = ellipse.b();
+    let reach = ellipse.a().max(0.6 * b);
+    let x = Scale::new([-1.12 * reach, 1.22 * reach], Label::default());
     let y = Scale::new([1.2 * b, -1.08 * b], Label::default());
     Panel::new(x, y).to_scale().bare().heading(heading)
 }

@@ -44,6 +44,7 @@ impl SolvedCase {
         let known = Some(case.known);
         Ok(Self { case: case.found(found.creepage()), known, found })
     }
+
     /// What a theory leaves out of the case, if that matters.
     #[must_use]
     pub fn left_out(&self, theory: &Entry) -> Option<LeftOut> {
