@@ -45,6 +45,7 @@ from ._errors import (
     NotReachable,
     TableError,
     UnknownTheory,
+    UnlikeBodiesWarning,
 )
 from ._results import (
     CarterSolution,
@@ -121,6 +122,7 @@ __all__ = [
     "TableError",
     "Theory",
     "UnknownTheory",
+    "UnlikeBodiesWarning",
     "Variational",
     "VermeulenJohnson",
     "__version__",

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, overload
 
@@ -51,12 +51,13 @@ def batch(
 
     client: a `dask.distributed.Client`, on whose workers the parts are solved, again elsewhere
     where a worker dies; without one they are solved here, to the same numbers. parts: into how
-    many pieces of work, and files. out: a new or empty folder, which gets a Parquet file a part,
-    and whose path is the answer; workers must see it too.
+    many pieces of work, and files. out: a folder, which gets a Parquet file a part, and whose path
+    is the answer; workers must see it too. It is new or empty, or that of the same cases and theory
+    in as many parts, of which then the missing ones are solved. One run at a time writes to it.
 
     Needs pandas, and pyarrow for files. Raises what the theory's force raises, with the index in
     the part; ValueError where there is none of the three columns, FileExistsError for a folder
-    that is not empty.
+    that holds anything else.
     """
     import pandas as pd
 
@@ -67,7 +68,20 @@ def batch(
         (theory, table.iloc[first:end].reset_index(drop=True))
         for first, end in ranges(len(table), parts)
     ]
-    return frame(solve, pieces, client) if out is None else files(solve, pieces, client, out)
+    if out is None:
+        return frame(solve, pieces, client)
+    return files(solve, pieces, client, out, _question(theory, table))
+
+
+def _question(theory: _creepage.Theory, cases: pd.DataFrame) -> Iterator[bytes]:
+    """All that the answer depends on."""
+    import pandas as pd
+
+    # The theory's repr has all that it was made with.
+    yield from (b"batch", repr(theory).encode())
+    for name, column in cases.items():
+        yield f"{name!r} {column.dtype}".encode()
+        yield pd.util.hash_pandas_object(column, index=False).to_numpy().tobytes()
 
 
 def solve(theory: _creepage.Theory, cases: pd.DataFrame) -> pd.DataFrame:

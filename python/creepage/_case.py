@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import warnings
 from collections.abc import Mapping, Sequence
 from typing import Any
 
@@ -12,6 +13,7 @@ from numpy.typing import ArrayLike
 from . import _creepage
 from ._contact import Body, Hertz, sections
 from ._curve import COMPONENTS, Component, Curve
+from ._errors import UnlikeBodiesWarning
 from ._results import Floats
 from ._solution import SiCreepage, Solution
 from ._theories import find, options_of, resolved
@@ -157,16 +159,28 @@ class Case:
         Options of the case that another theory does not have are left out. "exact" with
         resolution="auto" is an Automatic, for accuracy=0.001 unless another is given. Raises
         UnknownTheory, TypeError for an option in the call that the theory does not have, and what
-        its class raises.
+        its class raises; warns with UnlikeBodiesWarning where the bodies are so unlike that leaving
+        it out matters, and the theory does.
         """
+        return self._prepared(name, options)
+
+    def _prepared(self, name: str | None, options: Mapping[str, Any]) -> _creepage.Theory:
+        """The theory; warns the caller's caller of what it leaves out."""
         given = self._data.options()
         own = str(given.pop("theory", "exact"))
         if name is not None and find(name) is not find(own):
-            given = options_of(name, given)
-        make, options = resolved(find(name or own), given, options)
+            taken = options_of(name, given).items()
+            named = name.replace("_", "-")
+            given = {key: value for key, value in taken if self._data.takes(named, key)}
+        make, together = resolved(find(name or own), given, options)
+        if make in (_creepage.Exact, _creepage.Automatic) and self._data.kappa_over_mu != 0.0:
+            together = {"kappa_over_mu": self._data.kappa_over_mu, **together}
         theory: _creepage.Theory = make(
-            a_over_b=self._data.a_over_b, poisson=self._data.poisson, **options
+            a_over_b=self._data.a_over_b, poisson=self._data.poisson, **together
         )
+        left_out = self._data.left_out(theory.name)
+        if left_out is not None:
+            warnings.warn(left_out, UnlikeBodiesWarning, stacklevel=3)
         return theory
 
     def solve(self, theory: str | None = None, **options: Any) -> Solution:
@@ -175,7 +189,7 @@ class Case:
         Where forces are wanted, the creepage is found first. Raises as theory; NotReachable where
         no creepage gives the wanted forces, CaseError by a theory that does not find creepages.
         """
-        prepared = self.theory(theory, **options)
+        prepared = self._prepared(theory, options)
         solved = self._data.solve(prepared)
         return Solution.from_report(json.loads(solved.json()), prepared, solved)
 
@@ -203,7 +217,7 @@ class Case:
         creepage[k] = chosen / units[k]
         forces = {}
         for name in names:
-            force = self.theory(name).force(*creepage)
+            force = self._prepared(name, {}).force(*creepage)
             forces[name] = np.stack(
                 [force.fx * newtons, force.fy * newtons, force.mz * newtons * length]
             )

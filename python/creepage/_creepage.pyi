@@ -128,7 +128,8 @@ class Exact(DifferentiableTheory):
     poisson: combined Poisson's ratio, 0 to 0.5. resolution: "fast" (14 x 12 elements, 0.7 ms a
     case, rms error 0.2 % of mu N), "standard" (22 x 18, 3 ms, 0.06 %; the default), "fine"
     (40 x 32, 45 ms, 0.01 %), or (along, across) on a circle, 4 to 200 each,
-    10000 in all.
+    10000 in all. kappa_over_mu: how unlike the bodies are, kappa of (2.10) over the coefficient of
+    friction; like ones have 0. Their pressure adds to the slip.
     """
 
     def __new__(
@@ -137,6 +138,7 @@ class Exact(DifferentiableTheory):
         poisson: float,
         *,
         resolution: Literal["fast", "standard", "fine"] | _Pair | None = None,
+        kappa_over_mu: float = 0.0,
     ) -> Exact: ...
     @property
     def elements(self) -> tuple[int, int]:
@@ -171,10 +173,18 @@ class Exact(DifferentiableTheory):
 
 @final
 class Automatic(Theory):
-    """The full theory, as fine as a wanted accuracy of fx and fy (in units of mu N) needs."""
+    """The full theory, as fine as a wanted accuracy of fx and fy (in units of mu N) needs.
+
+    kappa_over_mu as of Exact.
+    """
 
     def __new__(
-        cls, a_over_b: float, poisson: float, *, accuracy: float = 0.005
+        cls,
+        a_over_b: float,
+        poisson: float,
+        *,
+        accuracy: float = 0.005,
+        kappa_over_mu: float = 0.0,
     ) -> Automatic: ...
     @overload
     def force(self, xi: float = 0.0, eta: float = 0.0, chi: float = 0.0) -> ScalarExactForce: ...
@@ -249,7 +259,7 @@ class Polach(DifferentiableTheory):
         a_over_b: float,
         poisson: float,
         *,
-        reduction: tuple[float, float] = (1.0, 1.0),
+        reduction: Sequence[float] = (1.0, 1.0),
     ) -> Polach: ...
 
 @final
@@ -378,7 +388,11 @@ class CaseData:
     @property
     def friction(self) -> float: ...
     @property
+    def kappa_over_mu(self) -> float: ...
+    @property
     def finds_creepage(self) -> bool: ...
+    def takes(self, theory: str, option: str) -> bool: ...
+    def left_out(self, theory: str) -> str | None: ...
     @property
     def dimensionless(self) -> tuple[float, float, float]: ...
     @property

@@ -81,3 +81,7 @@ class NotReachable(CreepageError, ValueError):
 
 class TableError(CreepageError, ValueError):
     """A file that is no table of creep force or is damaged, a theory of which there is none."""
+
+
+class UnlikeBodiesWarning(UserWarning):
+    """Bodies whose difference matters to the force, and a theory that leaves it out."""

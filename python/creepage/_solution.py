@@ -46,6 +46,8 @@ class Solution:
     theory: _creepage.Theory
     """The theory, prepared for this contact; ask it for more."""
     status: Status
+    caution: str | None
+    """What the theory leaves out of the case though it matters, in words."""
     force: SiForce
     """On the lower body; the upper body feels the reverse."""
     dimensionless: ScalarForce
@@ -87,6 +89,7 @@ class Solution:
         return cls(
             theory=theory,
             status=status,
+            caution=report["caution"],
             force=SiForce(*(force[name] for name in names)),
             dimensionless=Force(own["fx"], own["fy"], own["mz"], status),
             creepage=SiCreepage(

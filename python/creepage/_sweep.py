@@ -61,11 +61,12 @@ def sweep(
 
     client: a `dask.distributed.Client`, on whose workers the chains are solved, again elsewhere
     where a worker dies; the answer is the same to the last bit. parts: into how many pieces of
-    work at most, and files. out: a new or empty folder, which gets a Parquet file a part, and
-    whose path is the answer; workers must see it too.
+    work at most, and files. out: a folder, which gets a Parquet file a part, and whose path is the
+    answer; workers must see it too. It is new or empty, or that of the same sweep in as many parts,
+    of which then the missing ones are solved. One run at a time writes to it.
 
     Needs pandas; xarray, or pyarrow for files. Raises CaseError for what is no sweep, OSError for
-    what cannot be read, FileExistsError for a folder that is not empty.
+    what cannot be read, FileExistsError for a folder that holds anything else.
     """
     if to not in ("pandas", "xarray"):
         raise ValueError(f"to = {to!r} is not valid: it must be 'pandas' or 'xarray'")
@@ -75,7 +76,7 @@ def sweep(
     parts = 1 if client is None and out is None else parts
     pieces = [(text, first, end - first) for first, end in ranges(data.chains, parts)]
     if out is not None:
-        return files(solve, pieces, client, out)
+        return files(solve, pieces, client, out, [b"sweep", text.encode()])
     table = frame(solve, pieces, client)
     return table if to == "pandas" else _dataset(data, table)
 

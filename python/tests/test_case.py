@@ -93,6 +93,64 @@ def test_a_wanted_force_that_cannot_be() -> None:
         wheel(fx=0.5, eta=0.0)
 
 
+def unlike(**more: Any) -> Case:
+    """An upper body as soft as aluminium: kappa/mu = -0.37."""
+    soft = Body(shear_modulus=27e9, poisson=0.28, radius_rolling=0.46)
+    return Case(upper=soft, lower=RAIL, **LOAD, longitudinal=-1e-3, resolution="fast", **more)
+
+
+def test_the_full_theory_counts_unlike_bodies() -> None:
+    case = unlike()
+    kappa_over_mu = case.contact.kappa / case.friction
+    theory = case.theory()
+    assert f"kappa_over_mu={kappa_over_mu}" in repr(theory)
+    like = creepage.exact(case.contact.a_over_b, case.contact.poisson, resolution="fast")
+    at = case.dimensionless
+    solution = case.solve()
+    assert solution.caution is None
+    assert solution.details["kappa_over_mu"] == pytest.approx(kappa_over_mu, rel=1e-12)
+    assert solution.dimensionless.fx == theory.force(*at).fx
+    # Both ways of the pressure's slip, and none.
+    shape = (case.contact.a_over_b, case.contact.poisson)
+    other = creepage.exact(*shape, resolution="fast", kappa_over_mu=-kappa_over_mu)
+    assert abs(theory.force(*at).fx - like.force(*at).fx) > 0.05
+    assert abs(other.force(*at).fx - theory.force(*at).fx) > 0.1
+    # What the solution is asked for beyond its force is of the same bodies.
+    field = solution.field(points=4)
+    np.testing.assert_array_equal(field.traction, theory.field(*at, points=4).traction)
+    assert (field.traction != like.field(*at, points=4).traction).any()
+    curve = case.curve("longitudinal", [case.creepage.longitudinal])
+    # Creepage goes to SI and back: rounding.
+    assert curve.forces["exact"][:, 0] == pytest.approx(list(solution.force), rel=1e-9, abs=1e-6)
+    assert pickle.loads(pickle.dumps(theory)).force(*at).fx == theory.force(*at).fx
+    auto = case.solve(resolution="auto", accuracy=0.05)
+    assert auto.details["kappa_over_mu"] == solution.details["kappa_over_mu"]
+    for value in (math.nan, math.inf, 1e9):
+        with pytest.raises(creepage.InvalidValue, match="kappa_over_mu"):
+            creepage.exact(1.0, 0.28, kappa_over_mu=value)
+        with pytest.raises(creepage.InvalidValue, match="kappa_over_mu"):
+            creepage.automatic(1.0, 0.28, kappa_over_mu=value)
+
+
+def test_other_theories_warn_between_unlike_bodies() -> None:
+    case = unlike()
+    words = r"fastsim takes the bodies for like ones \(kappa/mu = -0\.370\)"
+    for ask in (
+        lambda: case.theory("fastsim"),
+        lambda: case.curve(theories=["fastsim"]),
+        lambda: case.solve("fastsim"),
+    ):
+        with pytest.warns(creepage.UnlikeBodiesWarning, match=words) as caught:
+            ask()
+        assert [warning.filename for warning in caught] == [__file__]
+    with pytest.warns(creepage.UnlikeBodiesWarning):
+        solution = case.solve("fastsim")
+    assert solution.caution is not None and solution.caution.startswith("fastsim takes")
+    assert solution.to_dict()["caution"] == solution.caution
+    assert "CAUTION" in solution.text()
+    assert wheel(longitudinal=-1e-3).solve("fastsim").caution is None
+
+
 def test_heat_by_force_and_by_slip() -> None:
     case = wheel(longitudinal=-1.5e-3, spin=0.1, speed=20.0)
     solution = case.solve(resolution="fast")
@@ -182,6 +240,18 @@ def test_options_of_case_and_call() -> None:
     assert "grid=(5, 5)" in repr(case.theory(grid=(5, 5)))
     assert case.solve().force != case.solve(grid=(5, 5)).force
     assert case.solve("exact").details["fx_error"] > 0.0
+    # A bound is an option of two theories, in words of their own.
+    assert "bound" not in repr(case.theory("variational"))
+    assert "bound='kept'" in repr(wheel(xi=1.0, theory="variational", bound="kept").theory())
+    with pytest.raises(creepage.InvalidOption, match="not valid for fastsim"):
+        wheel(xi=1.0, theory="fastsim", bound="kept").solve()
+    for factors in ((0.6, 0.3), [1, 1]):
+        dirty = wheel(xi=0.1, theory="polach", reduction=factors)
+        force = creepage.polach(dirty.contact.a_over_b, dirty.contact.poisson, reduction=factors)
+        assert dirty.solve().dimensionless.fx == force.force(0.1).fx
+    with pytest.raises(creepage.InvalidValue, match="0 < slip <= adhesion") as refused:
+        wheel(xi=0.1, theory="polach", reduction=(0.5, 0.7)).solve()
+    assert refused.value.quantity == "reduction"
     with pytest.raises(TypeError):
         case.solve("linear", grid=(5, 5))
     with pytest.raises(creepage.UnknownTheory):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import re
 import signal
@@ -89,7 +90,7 @@ def test_cases_to_files_lose_nothing_with_a_worker(client: Any, tmp_path: Path) 
     folder = creepage.batch(EXACT, CASES, client=client, parts=60, out=tmp_path / "cases")
     killer.join()
     assert killer.killed is not None
-    assert [path.name for path in sorted(folder.iterdir())] == [
+    assert [path.name for path in sorted(folder.glob("*.parquet"))] == [
         f"part-{k:05}.parquet" for k in range(60)
     ]
     found = pd.read_parquet(folder)
@@ -101,13 +102,83 @@ def test_parts_without_a_client(tmp_path: Path) -> None:
     small = {**SWEEP, "creepage": {"chi": [2.0, 1.0], "alpha": [0.0, 30.0], "upsilon": [2.0, 1.5]}}
     table = creepage.sweep(small)
     folder = creepage.sweep(small, out=tmp_path / "sweep", parts=3)
-    assert len(list(folder.iterdir())) == 3
+    assert len(list(folder.glob("*.parquet"))) == 3
     assert_frame_equal(pd.read_parquet(folder), table, check_exact=True)
-    with pytest.raises(FileExistsError, match="not empty"):
-        creepage.sweep(small, out=folder)
     plain = creepage.batch(EXACT, {"xi": [0.1, 0.2], "chi": [0.0, 0.5]})
     assert plain.fx.tolist() == EXACT.force([0.1, 0.2], 0.0, [0.0, 0.5]).fx.tolist()
     assert plain.status.tolist() == ["solved", "solved"]
+
+
+SMALL = {**SWEEP, "creepage": {"chi": [2.0, 1.0], "alpha": [0.0, 30.0, 60.0], "upsilon": [2.0]}}
+
+
+def written(folder: Path) -> dict[str, int]:
+    """When each part was written."""
+    return {path.name: path.stat().st_mtime_ns for path in folder.glob("*.parquet")}
+
+
+def test_a_sweep_goes_on_with_the_parts_that_are_missing(tmp_path: Path) -> None:
+    folder = creepage.sweep(SMALL, out=tmp_path / "sweep", parts=6)
+    first, whole = written(folder), pd.read_parquet(folder)
+    assert creepage.sweep(SMALL, out=folder, parts=6) == folder
+    assert written(folder) == first
+    gone = {"part-00001.parquet", "part-00004.parquet"}
+    for name in gone:
+        (folder / name).unlink()
+    (folder / ".creepage-part-00001.parquet-0.partial").touch()  # left by a worker that died
+    creepage.sweep(SMALL, out=folder, parts=6)
+    again = written(folder)
+    assert {name for name in again if again[name] != first[name]} == gone
+    assert not list(folder.glob(".*.partial"))
+    assert_frame_equal(pd.read_parquet(folder), whole, check_exact=True)
+
+
+def test_parts_of_two_runs_do_not_mix(tmp_path: Path) -> None:
+    sweep = creepage.sweep(SMALL, out=tmp_path / "sweep", parts=2)
+    (sweep / "part-00001.parquet").unlink()
+    other = {**SMALL, "contact": {"a_over_b": 0.4, "poisson": 0.28}}
+    for source, parts in ((other, 2), (SMALL, 3)):
+        with pytest.raises(FileExistsError, match="another run"):
+            creepage.sweep(source, out=sweep, parts=parts)
+    cases: dict[str, Any] = {"xi": [0.1, 0.2, 0.3], "name": ["a", "b", "c"]}
+    folder = creepage.batch(EXACT, cases, out=tmp_path / "cases", parts=2)
+    (folder / "part-00000.parquet").unlink()
+    fine = creepage.exact(1.3, 0.28)
+    changes: list[tuple[creepage.Theory, dict[str, Any]]] = [
+        (EXACT, {"xi": [0.1, 0.2, 0.4]}),
+        (EXACT, {"name": ["a", "b", "d"]}),
+        (fine, {}),
+    ]
+    for theory, change in changes:
+        with pytest.raises(FileExistsError, match="another run"):
+            creepage.batch(theory, {**cases, **change}, out=folder, parts=2)
+    creepage.batch(EXACT, cases, out=folder, parts=2)
+    assert pd.read_parquet(folder).name.tolist() == ["a", "b", "c"]
+    (tmp_path / "mine").mkdir()
+    (tmp_path / "mine" / "notes.txt").touch()
+    with pytest.raises(FileExistsError, match="not empty"):
+        creepage.sweep(SMALL, out=tmp_path / "mine")
+
+
+def test_a_sweep_that_was_killed_goes_on(tmp_path: Path) -> None:
+    folder = tmp_path / "sweep"
+    script = (
+        "import sys, json, creepage\n"
+        "creepage.sweep(json.loads(sys.argv[1]), out=sys.argv[2], parts=48)"
+    )
+    run = subprocess.Popen([sys.executable, "-c", script, json.dumps(SWEEP), str(folder)])
+    deadline = time.monotonic() + 60.0
+    while len(written(folder)) < 3 and run.poll() is None and time.monotonic() < deadline:
+        time.sleep(0.002)
+    run.kill()
+    assert run.wait() == -signal.SIGKILL  # before it was done
+    first = written(folder)
+    assert 3 <= len(first) < 48
+    creepage.sweep(SWEEP, out=folder, parts=48)
+    again = written(folder)
+    assert len(again) == 48
+    assert {name: again[name] for name in first} == first
+    assert_frame_equal(pd.read_parquet(folder), creepage.sweep(SWEEP), check_exact=True)
 
 
 def test_the_page_of_the_guide_runs(tmp_path: Path) -> None:

@@ -163,6 +163,7 @@ def test_senseless_materials_are_refused(name: str, poisson: float) -> None:
         ("exact", {"resolution": 3.5}, TypeError),
         ("automatic", {"accuracy": 0.0}, creepage.InvalidValue),
         ("fastsim", {"bound": "round"}, creepage.InvalidOption),
+        ("fastsim", {"bound": "kept"}, creepage.InvalidOption),
         ("fastsim", {"bound": 3}, TypeError),
         ("fastsim", {"grid": (0, 5)}, creepage.InvalidValue),
         ("fastsim", {"grid": (10**9, 5)}, creepage.InvalidValue),
@@ -175,6 +176,7 @@ def test_senseless_materials_are_refused(name: str, poisson: float) -> None:
         ("variational", {"mesh": (1, 1)}, creepage.InvalidOption),
         ("variational", {"weight": "heavy"}, creepage.InvalidOption),
         ("variational", {"bound": "loose"}, creepage.InvalidOption),
+        ("variational", {"bound": "elliptic"}, creepage.InvalidOption),
     ],
 )
 def test_senseless_options_are_refused(

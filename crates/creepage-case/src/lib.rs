@@ -51,4 +51,4 @@ pub use error::CaseError;
 pub use resolution::Resolution;
 pub use solve::{Bound, Flexibility, Solve, Variant, Weight};
 pub use statics::{StaticsCase, StaticsError, StaticsFile, statics_json_schema};
-pub use sweep::{SecondStart, Sweep, SweepBound, SweepCase, sweep_json_schema};
+pub use sweep::{SecondStart, Sweep, SweepCase, sweep_json_schema};

@@ -31,10 +31,16 @@ pub struct Solve {
     pub grid: Option<[usize; 2]>,
     /// Theory "fastsim": how its three flexibilities are used; "blended" by default.
     pub flexibility: Option<Flexibility>,
-    /// Theory "fastsim": bound of the traction; "elliptic" by default.
+    /// Theory "fastsim": bound of the traction, "elliptic" by default, or "parabolic". Theory
+    /// "variational": what is done about tractions above their bound, "automatic" by default,
+    /// "unchecked", or "kept".
     pub bound: Option<Bound>,
     /// Theory "fastrip": as published, or mended; "consistent" by default.
     pub variant: Option<Variant>,
+    /// Theory "polach": factors [adhesion, slip] that reduce the slope at small creepage on a rail
+    /// that is not clean and dry, 0 < slip <= adhesion <= 1; [1, 1] by default.
+    #[serde(default, deserialize_with = "two_numbers")]
+    pub reduction: Option<[f64; 2]>,
 }
 
 impl Solve {
@@ -52,6 +58,7 @@ impl Solve {
             flexibility,
             bound,
             variant,
+            reduction,
         } = self;
         [
             ("resolution", resolution.is_some()),
@@ -63,6 +70,7 @@ impl Solve {
             ("flexibility", flexibility.is_some()),
             ("bound", bound.is_some()),
             ("variant", variant.is_some()),
+            ("reduction", reduction.is_some()),
         ]
         .into_iter()
         .filter_map(|(name, given)| given.then_some(name))
@@ -114,21 +122,53 @@ impl From<Flexibility> for fastsim::Flexibility {
     }
 }
 
-/// Bound of FASTSIM's traction.
+/// The bound of the traction; each theory takes its own words.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum Bound {
-    /// A paraboloid of the same total (1982).
-    Parabolic,
-    /// Friction times the Hertz pressure.
+    /// FASTSIM: friction times the Hertz pressure.
     Elliptic,
+    /// FASTSIM: a paraboloid of the same total (1982).
+    Parabolic,
+    /// Chapter 5: kept where a/b is 3 or more.
+    Automatic,
+    /// Chapter 5: verified afterwards only (1967).
+    Unchecked,
+    /// Chapter 5: kept, by the least loss of power in place of the integral (5.9).
+    Kept,
 }
 
-impl From<Bound> for fastsim::TractionBound {
-    fn from(bound: Bound) -> Self {
-        match bound {
-            Bound::Parabolic => Self::Parabolic,
-            Bound::Elliptic => Self::Elliptic,
+impl Bound {
+    /// As case files have it.
+    #[must_use]
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Elliptic => "elliptic",
+            Self::Parabolic => "parabolic",
+            Self::Automatic => "automatic",
+            Self::Unchecked => "unchecked",
+            Self::Kept => "kept",
+        }
+    }
+
+    /// That of FASTSIM, if it is one.
+    #[must_use]
+    pub fn of_fastsim(self) -> Option<fastsim::TractionBound> {
+        match self {
+            Self::Elliptic => Some(fastsim::TractionBound::Elliptic),
+            Self::Parabolic => Some(fastsim::TractionBound::Parabolic),
+            Self::Automatic | Self::Unchecked | Self::Kept => None,
+        }
+    }
+
+    /// That of chapter 5, if it is one.
+    #[must_use]
+    pub fn of_variational(self) -> Option<variational::TractionBound> {
+        match self {
+            Self::Elliptic | Self::Parabolic => None,
+            Self::Automatic => Some(variational::TractionBound::Automatic),
+            Self::Unchecked => Some(variational::TractionBound::Unchecked),
+            Self::Kept => Some(variational::TractionBound::Kept),
         }
     }
 }
@@ -176,7 +216,7 @@ mod tests {
     fn every_option_of_the_format_is_counted() {
         let all: Solve = toml::from_str(
             "theory = 'fastsim'\nresolution = 'fine'\naccuracy = 1\ndegree = 3\nmesh = [1, 2]\nweight = 'uniform'\ngrid = [3, 4]\n\
-             flexibility = 'three'\nbound = 'parabolic'\nvariant = 'original'",
+             flexibility = 'three'\nbound = 'parabolic'\nvariant = 'original'\nreduction = [1, 0.5]",
         )
         .unwrap();
         let mut counted: Vec<_> = all.options().collect();
@@ -188,5 +228,17 @@ mod tests {
         known.sort_unstable();
         assert_eq!(counted, known);
         assert_eq!(Solve::default().options().count(), 0);
+    }
+
+    #[test]
+    fn the_words_of_bounds_read_as_what_they_name() {
+        for bound in
+            [Bound::Elliptic, Bound::Parabolic, Bound::Automatic, Bound::Unchecked, Bound::Kept]
+        {
+            let solve = Solve::read(&[format!("bound={}", bound.word())]).unwrap();
+            assert_eq!(solve.bound, Some(bound));
+            // Of one theory each.
+            assert!(bound.of_fastsim().is_some() != bound.of_variational().is_some());
+        }
     }
 }

@@ -44,10 +44,13 @@ pub(crate) enum Command {
     ///
     /// The input needs the columns `a_over_b`, poisson, xi, eta, chi, in any order: the ratio of
     /// the contact's semi-axes (along over across the rolling direction), the combined
-    /// Poisson's ratio, and the dimensionless creepages. Further columns pass through. Appended
-    /// are fx, fy (in units of mu N), mz (mu N c), by a theory with error bars also `fx_error`,
-    /// `fy_error`, `mz_error`, then status and message. A row that is no case gets the status
-    /// `invalid` and the reason in `message`; the others are solved, and the exit code is then 3.
+    /// Poisson's ratio, and the dimensionless creepages. A column `kappa_over_mu` may tell how
+    /// unlike the bodies are (kappa over the coefficient of friction): the theory `exact` counts
+    /// it; of others `message` says what leaving it out may cost. Further columns pass through.
+    /// Appended are fx, fy (in units of mu N), mz (mu N c), by a theory with error bars also
+    /// `fx_error`, `fy_error`, `mz_error`, then status and message. A row that is no case gets the
+    /// status `invalid` and the reason in `message`; the others are solved, and the exit code is
+    /// then 3.
     Batch(BatchArgs),
     /// Solve a series of cases of the numerical theory (Kalker 1967, chapter 5).
     ///

@@ -30,6 +30,9 @@ pub(crate) fn solve(args: &SolveArgs) -> Result<Outcome, Failure> {
         say_written(&report.write(directory)?);
     }
     print(&if args.json { to_json(&report.json())? } else { report.text() })?;
+    if let Some(left_out) = solved.left_out(theory) {
+        say(&format!("caution: {left_out}"));
+    }
     Ok(judge(&solved.found.answered, &solved.case.solve))
 }
 

@@ -5,11 +5,12 @@ use creepage::rolling::Scaling;
 use creepage::rolling::linear::Linear;
 use creepage_case::Case;
 use creepage_report::{Component, Curves};
+use creepage_theories::kappa_over_mu;
 
 use crate::args::{CurveArgs, Quantity};
 use crate::failure::Failure;
 use crate::input::{choose, read_case};
-use crate::output::{print, say_written};
+use crate::output::{print, say, say_written};
 
 pub(crate) fn run(args: &CurveArgs) -> Result<(), Failure> {
     let wrong = |source| Failure::Case { path: args.case.clone(), source };
@@ -23,6 +24,9 @@ pub(crate) fn run(args: &CurveArgs) -> Result<(), Failure> {
             .for_contact(&case.contact, case.friction, &case.solve)
             .map_err(|source| Failure::Options { path: args.case.clone(), source })?;
         curves.add(theory.name, &prepared);
+        if let Some(left_out) = theory.leaves_out(kappa_over_mu(&case.contact, case.friction)) {
+            say(&format!("caution: {left_out}"));
+        }
     }
     let Some(directory) = &args.out else {
         return print(&String::from_utf8_lossy(&curves.csv()?));

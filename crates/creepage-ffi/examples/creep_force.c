@@ -31,12 +31,14 @@ static void print(const char *name, const double *numbers, int count)
     printf("\n");
 }
 
-/* The forces of a case file, in newtons and newton metres. */
+/* Creepages (1, 1, rad/m) and forces (N, N, N m) of a case file, which gives some of the six and
+ * has the others found. */
 static void case_file(const char *path)
 {
-    double force[3];
+    double creepage[3], force[3];
     int32_t status;
-    check(creepage_case_solve(path, NULL, force, &status, message, sizeof message));
+    check(creepage_case_solve(path, NULL, creepage, force, &status, message, sizeof message));
+    print("creepage", creepage, 3);
     print("case", force, 3);
     printf("status %d\n", (int)status);
 }

@@ -40,13 +40,14 @@ module creepage
       integer(c_int32_t) :: code
     end function
 
-    ! force(3): longitudinal (N), lateral (N), moment (N m); theory: c_null_ptr for the file's own.
-    function creepage_case_solve(path, theory, force, status, message, message_size) &
+    ! creepage(3): longitudinal, lateral (1), spin (rad/m), given or found; force(3): longitudinal
+    ! (N), lateral (N), moment (N m); theory: c_null_ptr for the file's own.
+    function creepage_case_solve(path, theory, creepage, force, status, message, message_size) &
         bind(c) result(code)
       import
       character(kind=c_char), intent(in) :: path(*)
       type(c_ptr), value :: theory
-      real(c_double), intent(out) :: force(3)
+      real(c_double), intent(out) :: creepage(3), force(3)
       integer(c_int32_t), intent(out) :: status
       character(kind=c_char), intent(out) :: message(*)
       integer(c_size_t), value :: message_size
@@ -64,12 +65,13 @@ program creep_force
   character(kind=c_char) :: message(room)
   character(len=1024) :: path
   type(c_ptr) :: theory
-  real(c_double) :: force(3), creepages(3, cases), forces(3, cases)
+  real(c_double) :: slip(3), force(3), creepages(3, cases), forces(3, cases)
   integer(c_int32_t) :: status, statuses(cases)
   integer :: k
 
   call get_command_argument(1, path)
-  call check(creepage_case_solve(trim(path)//c_null_char, c_null_ptr, force, status, message, room))
+  call check(creepage_case_solve(trim(path)//c_null_char, c_null_ptr, slip, force, status, &
+      message, room))
   print '(a, 3(1x, es24.16e3))', 'case', force
 
   creepages = 0

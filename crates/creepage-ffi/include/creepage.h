@@ -68,6 +68,11 @@
 #define CREEPAGE_DEFECT 7
 
 /*
+ No creepage gives the forces that are wanted.
+ */
+#define CREEPAGE_NOT_REACHABLE 8
+
+/*
  The theory's equations are solved.
  */
 #define CREEPAGE_SOLVED 0
@@ -93,6 +98,11 @@
 #define CREEPAGE_DOUBTFUL 4
 
 /*
+ Solved, but as if the bodies were alike: their difference matters, and only "exact" counts it.
+ */
+#define CREEPAGE_UNLIKE_BODIES 5
+
+/*
  A table of creep force, as `creepage table build` makes it.
  */
 typedef struct CreepageTable CreepageTable;
@@ -110,6 +120,32 @@ extern "C" {
  The version of the library, as "0.1.0"; the text is the library's own.
  */
 const char *creepage_version(void);
+
+/*
+ Solves a case file: creepages to forces, or with a section `wanted` forces to creepages.
+
+ path: the file, in TOML; `creepage init` writes an example.
+ theory: the theory to use, with its usual options; NULL for the file's own.
+ creepage: room for 3 numbers, those of the upper body relative to the lower, given or found:
+   longitudinal creepage, lateral creepage, spin (rad/m); or NULL.
+ force: room for 3 numbers, those of the upper body on the lower: longitudinal force (N),
+   lateral force (N), moment (N m).
+ status: room for one number, CREEPAGE_SOLVED and so on; or NULL. CREEPAGE_UNLIKE_BODIES where
+   the theory takes bodies for alike whose difference matters.
+
+ CREEPAGE_NOT_REACHABLE where no creepage gives the wanted forces; CREEPAGE_UNSUPPORTED where
+ forces are wanted of another theory than "exact".
+
+ You promise:
+ Texts end with a zero byte; arrays and message point to as much room as said.
+ */
+int32_t creepage_case_solve(const char *path,
+                            const char *theory,
+                            double *creepage,
+                            double *force,
+                            int32_t *status,
+                            char *message,
+                            size_t message_size);
 
 /*
  Reads a table.
@@ -231,11 +267,11 @@ int32_t creepage_theory_force(const struct CreepageTheory *theory,
  forces: room for 3 count numbers, f_x, f_y, m_z of each case (1).
  errors: room for 3 count numbers, the error bars of f_x, f_y, m_z (1); or NULL.
  derivatives: room for 9 count numbers; or NULL. Of each case the derivative of f_x by xi, by
-   eta and by chi, then of f_y, then of m_z (1).
+   eta and by chi, then of f_y, then of m_z (1); with resolution = "auto", that at the resolution
+   which sufficed for the case.
  statuses: room for count numbers, CREEPAGE_SOLVED and so on; or NULL.
 
- All creepages are checked before any case is solved. CREEPAGE_UNSUPPORTED for other theories
- and for resolution = "auto".
+ All creepages are checked before any case is solved. CREEPAGE_UNSUPPORTED for other theories.
 
  You promise:
  The handle is alive; arrays and message point to as much room as said.
@@ -249,25 +285,6 @@ int32_t creepage_exact_force(const struct CreepageTheory *theory,
                              int32_t *statuses,
                              char *message,
                              size_t message_size);
-
-/*
- Solves a case file.
-
- path: the file, in TOML; `creepage init` writes an example.
- theory: the theory to use, with its usual options; NULL for the file's own.
- force: room for 3 numbers, those of the upper body on the lower: longitudinal force (N),
-   lateral force (N), moment (N m).
- status: room for one number, CREEPAGE_SOLVED and so on; or NULL.
-
- You promise:
- Texts end with a zero byte; arrays and message point to as much room as said.
- */
-int32_t creepage_case_solve(const char *path,
-                            const char *theory,
-                            double *force,
-                            int32_t *status,
-                            char *message,
-                            size_t message_size);
 
 #ifdef __cplusplus
 }  // extern "C"

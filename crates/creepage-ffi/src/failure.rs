@@ -8,7 +8,7 @@ use std::path::PathBuf;
 use creepage::InvalidValue;
 use creepage_case::CaseError;
 use creepage_table::FileError;
-use creepage_theories::{ChoiceError, TheoryError};
+use creepage_theories::{ChoiceError, FindError, TheoryError};
 
 /// Done.
 pub const CREEPAGE_OK: i32 = 0;
@@ -26,6 +26,8 @@ pub const CREEPAGE_COUNT: i32 = 5;
 pub const CREEPAGE_UNSUPPORTED: i32 = 6;
 /// A defect of the library; nothing can be said of what was written.
 pub const CREEPAGE_DEFECT: i32 = 7;
+/// No creepage gives the forces that are wanted.
+pub const CREEPAGE_NOT_REACHABLE: i32 = 8;
 
 /// Why a call fails.
 #[derive(Debug, thiserror::Error)]
@@ -49,13 +51,13 @@ pub(crate) enum Failure {
     #[error("{}: {source}", path.display())]
     CaseFile { path: PathBuf, source: CaseError },
     #[error("{}: {source}", path.display())]
+    Find { path: PathBuf, source: FindError },
+    #[error("{}: {source}", path.display())]
     Table { path: PathBuf, source: FileError },
     #[error("the arrays of {0} cases do not fit into memory")]
     Count(usize),
     #[error("the theory {0} has no error bars")]
     Unsupported(&'static str),
-    #[error("resolution = \"auto\" gives no derivatives: error bars come with a fixed one")]
-    Automatic,
 }
 
 impl Failure {
@@ -66,10 +68,15 @@ impl Failure {
             | Self::Choice(_)
             | Self::Options(_)
             | Self::Theory(TheoryError::AccuracyOfFixed) => CREEPAGE_TEXT,
-            Self::Invalid(_) | Self::Case { .. } | Self::Theory(_) => CREEPAGE_INVALID,
             Self::Read { .. } | Self::CaseFile { .. } | Self::Table { .. } => CREEPAGE_FILE,
             Self::Count(_) => CREEPAGE_COUNT,
-            Self::Unsupported(_) | Self::Automatic => CREEPAGE_UNSUPPORTED,
+            Self::Unsupported(_) | Self::Find { source: FindError::Theory { .. }, .. } => {
+                CREEPAGE_UNSUPPORTED
+            }
+            Self::Find { source: FindError::Unreachable(_), .. } => CREEPAGE_NOT_REACHABLE,
+            Self::Invalid(_) | Self::Case { .. } | Self::Theory(_) | Self::Find { .. } => {
+                CREEPAGE_INVALID
+            }
         }
     }
 }

@@ -4,6 +4,7 @@
 //! `install.sh` builds the libraries and puts them, the header and a file for pkg-config in place.
 //! Handles are opaque and may be shared between threads; nothing is global; no panic gets out.
 
+mod case;
 mod failure;
 mod input;
 mod prepare;
@@ -12,9 +13,10 @@ mod theory;
 
 use std::ffi::c_char;
 
+pub use case::creepage_case_solve;
 pub use failure::{
-    CREEPAGE_COUNT, CREEPAGE_DEFECT, CREEPAGE_FILE, CREEPAGE_INVALID, CREEPAGE_NULL, CREEPAGE_OK,
-    CREEPAGE_TEXT, CREEPAGE_UNSUPPORTED,
+    CREEPAGE_COUNT, CREEPAGE_DEFECT, CREEPAGE_FILE, CREEPAGE_INVALID, CREEPAGE_NOT_REACHABLE,
+    CREEPAGE_NULL, CREEPAGE_OK, CREEPAGE_TEXT, CREEPAGE_UNSUPPORTED,
 };
 pub use table::{
     CreepageTable, creepage_table_error, creepage_table_force, creepage_table_free,
@@ -22,7 +24,7 @@ pub use table::{
 };
 pub use theory::{
     CREEPAGE_CREEPAGE_TOO_SMALL, CREEPAGE_DOUBTFUL, CREEPAGE_NOT_CONVERGED, CREEPAGE_SOLVED,
-    CREEPAGE_SPIN_TOO_LARGE, CreepageTheory, creepage_case_solve, creepage_exact_force,
+    CREEPAGE_SPIN_TOO_LARGE, CREEPAGE_UNLIKE_BODIES, CreepageTheory, creepage_exact_force,
     creepage_theory_force, creepage_theory_free, creepage_theory_new,
 };
 

@@ -2,9 +2,12 @@
 
 use std::fs;
 use std::path::Path;
+use std::sync::Arc;
 
+use creepage::Hertz;
+use creepage::rolling::{Scaling, SiCreepage, SiForce, Solution, Status, Theory};
 use creepage_case::{Case, CaseFile, Solve};
-use creepage_theories::{ChoiceError, Entry, PreparedTheory, choose};
+use creepage_theories::{ChoiceError, Entry, PreparedTheory, SolvedCase, choose, kappa_over_mu};
 
 use crate::failure::Failure;
 
@@ -27,18 +30,54 @@ impl Solver {
     }
 }
 
-/// The case of a file, and its theory, or the theory `name` with its usual options.
-pub(crate) fn case(path: &Path, name: Option<&str>) -> Result<(Case, Solver), Failure> {
+/// What a case file asks for.
+pub(crate) struct AnsweredCase {
+    /// Given, or found.
+    pub(crate) creepage: SiCreepage,
+    pub(crate) force: SiForce,
+    pub(crate) status: Status,
+    /// Whether the theory takes bodies for alike whose difference matters.
+    pub(crate) left_out: bool,
+}
+
+/// Solves the case of a file by its own theory, or by the theory `name` with its usual options.
+pub(crate) fn solve_case(path: &Path, name: Option<&str>) -> Result<AnsweredCase, Failure> {
     let text =
         fs::read_to_string(path).map_err(|source| Failure::Read { path: path.into(), source })?;
     let wrong = |source| Failure::CaseFile { path: path.into(), source };
-    let case = CaseFile::read(&text).map_err(wrong)?.case().map_err(wrong)?;
-    let own = case.solve.theory.as_deref().unwrap_or("exact");
+    let file = CaseFile::read(&text).map_err(wrong)?;
+    if !file.is_inverse() {
+        let case = file.case().map_err(wrong)?;
+        let (entry, theory) = prepare((&case.contact, case.friction), &case.solve, name)?;
+        return answered(&case, entry, theory.solve(case.creepage));
+    }
+    let case = file.inverse().map_err(wrong)?;
+    let (entry, theory) = prepare((&case.contact, case.friction), &case.solve, name)?;
+    let solved = SolvedCase::creepage(case, entry.name, Arc::new(theory))
+        .map_err(|source| Failure::Find { path: path.into(), source })?;
+    answered(&solved.case, entry, solved.found.answered.solution)
+}
+
+fn prepare(
+    (contact, friction): (&Hertz, f64),
+    solve: &Solve,
+    name: Option<&str>,
+) -> Result<(&'static Entry, PreparedTheory), Failure> {
+    let own = solve.theory.as_deref().unwrap_or("exact");
     let name = name.unwrap_or(own);
-    let solve = if name == own { case.solve.clone() } else { Solve::default() };
-    let (entry, solve) = chosen(name, &solve)?;
-    let theory = entry.for_contact(&case.contact, case.friction, &solve)?;
-    Ok((case, Solver { name: entry.name, theory }))
+    let usual = Solve::default();
+    let (entry, solve) = chosen(name, if name == own { solve } else { &usual })?;
+    Ok((entry, entry.for_contact(contact, friction, &solve)?))
+}
+
+fn answered(case: &Case, entry: &Entry, solution: Solution) -> Result<AnsweredCase, Failure> {
+    let Case { contact, friction, si_creepage, .. } = case;
+    Ok(AnsweredCase {
+        creepage: *si_creepage,
+        force: Scaling::new(contact, *friction)?.si_force(solution.force),
+        status: solution.status,
+        left_out: entry.leaves_out(kappa_over_mu(contact, *friction)).is_some(),
+    })
 }
 
 /// The theory `name`, and options of its own.

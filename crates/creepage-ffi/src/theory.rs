@@ -1,14 +1,14 @@
-//! Theories, and case files.
+//! Theories.
 
 use std::ffi::c_char;
-use std::path::Path;
 
-use creepage::rolling::{Force, Scaling, Status, Theory};
+use creepage::rolling::exact::{Automatic, Exact, ExactSolution, Workspace};
+use creepage::rolling::{Creepage, Force, Status, Theory};
 use creepage_theories::PreparedTheory;
 
 use crate::failure::{Failure, guard};
-use crate::input::{array_mut, cases, handle, optional, place, release, text};
-use crate::prepare::{Solver, case};
+use crate::input::{cases, handle, optional, place, release, text};
+use crate::prepare::Solver;
 
 /// The theory's equations are solved.
 pub const CREEPAGE_SOLVED: i32 = 0;
@@ -20,6 +20,8 @@ pub const CREEPAGE_CREEPAGE_TOO_SMALL: i32 = 2;
 pub const CREEPAGE_SPIN_TOO_LARGE: i32 = 3;
 /// A status that this version of the interface does not know.
 pub const CREEPAGE_DOUBTFUL: i32 = 4;
+/// Solved, but as if the bodies were alike: their difference matters, and only "exact" counts it.
+pub const CREEPAGE_UNLIKE_BODIES: i32 = 5;
 
 /// A theory, prepared for one shape of the contact and one Poisson's ratio.
 // Never inside out: only pointers to it leave the library.
@@ -28,7 +30,7 @@ pub struct CreepageTheory {
     solver: Solver,
 }
 
-fn number(status: Status) -> i32 {
+pub(crate) fn number(status: Status) -> i32 {
     match status {
         Status::Solved => CREEPAGE_SOLVED,
         Status::NotConverged => CREEPAGE_NOT_CONVERGED,
@@ -139,11 +141,11 @@ pub unsafe extern "C" fn creepage_theory_force(
 /// forces: room for 3 count numbers, f_x, f_y, m_z of each case (1).
 /// errors: room for 3 count numbers, the error bars of f_x, f_y, m_z (1); or NULL.
 /// derivatives: room for 9 count numbers; or NULL. Of each case the derivative of f_x by xi, by
-///   eta and by chi, then of f_y, then of m_z (1).
+///   eta and by chi, then of f_y, then of m_z (1); with resolution = "auto", that at the resolution
+///   which sufficed for the case.
 /// statuses: room for count numbers, CREEPAGE_SOLVED and so on; or NULL.
 ///
-/// All creepages are checked before any case is solved. CREEPAGE_UNSUPPORTED for other theories
-/// and for resolution = "auto".
+/// All creepages are checked before any case is solved. CREEPAGE_UNSUPPORTED for other theories.
 ///
 /// # Safety
 /// The handle is alive; arrays and message point to as much room as said.
@@ -163,11 +165,7 @@ pub unsafe extern "C" fn creepage_exact_force(
     let work = || {
         // SAFETY: the caller's promise of the function's documentation, here and below.
         let solver = &unsafe { handle("theory", theory) }?.solver;
-        let exact = match &solver.theory {
-            PreparedTheory::Exact(exact) => exact,
-            PreparedTheory::Automatic(_) => return Err(Failure::Automatic),
-            _ => return Err(Failure::Unsupported(solver.name)),
-        };
+        let mut full = FullTheory::of(solver)?;
         // SAFETY: as before.
         let cases = unsafe { cases(count, creepages, forces) }?;
         // SAFETY: as before.
@@ -176,15 +174,13 @@ pub unsafe extern "C" fn creepage_exact_force(
         let mut derivatives = unsafe { optional(derivatives, count, 9) }?;
         // SAFETY: as before.
         let mut statuses = unsafe { optional(statuses, count, 1) }?;
-        let mut workspace = exact.workspace();
         for (case, (creepage, force)) in cases.enumerate() {
-            let solution = exact.solve_with(creepage, &mut workspace);
+            let (solution, derivative) = full.solve(creepage, derivatives.is_some());
             *force = numbers(solution.force);
             if let Some(errors) = &mut errors {
                 errors[3 * case..3 * case + 3].copy_from_slice(&numbers(solution.error));
             }
-            if let Some(derivatives) = &mut derivatives {
-                let derivative = exact.derivative(&mut workspace);
+            if let (Some(derivatives), Some(derivative)) = (&mut derivatives, derivative) {
                 derivatives[9 * case..9 * case + 9].copy_from_slice(derivative.as_flattened());
             }
             if let Some(statuses) = &mut statuses {
@@ -197,51 +193,42 @@ pub unsafe extern "C" fn creepage_exact_force(
     unsafe { guard(message, message_size, work) }
 }
 
-/// Solves a case file.
-///
-/// path: the file, in TOML; `creepage init` writes an example.
-/// theory: the theory to use, with its usual options; NULL for the file's own.
-/// force: room for 3 numbers, those of the upper body on the lower: longitudinal force (N),
-///   lateral force (N), moment (N m).
-/// status: room for one number, CREEPAGE_SOLVED and so on; or NULL.
-///
-/// # Safety
-/// Texts end with a zero byte; arrays and message point to as much room as said.
-#[allow(clippy::doc_markdown)] // the words are for C
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn creepage_case_solve(
-    path: *const c_char,
-    theory: *const c_char,
-    force: *mut f64,
-    status: *mut i32,
-    message: *mut c_char,
-    message_size: usize,
-) -> i32 {
-    let work = || {
-        // SAFETY: the caller's promise of the function's documentation, here and below.
-        let path = Path::new(unsafe { text("path", path) }?);
-        let name = if theory.is_null() {
-            None
-        } else {
-            // SAFETY: as before.
-            Some(unsafe { text("theory", theory) }?)
-        };
-        // SAFETY: as before.
-        let force = unsafe { array_mut("force", force, 1, 3) }?;
-        // SAFETY: as before.
-        let status = unsafe { optional(status, 1, 1) }?;
-        let (case, solver) = case(path, name)?;
-        let solution = solver.theory.solve(case.creepage);
-        let si = Scaling::new(&case.contact, case.friction)?.si_force(solution.force);
-        force.copy_from_slice(&[si.longitudinal, si.lateral, si.moment]);
-        if let Some(status) = status {
-            status[0] = number(solution.status);
-        }
-        Ok(())
-    };
-    // SAFETY: as before.
-    unsafe { guard(message, message_size, work) }
+/// The full theory, at one resolution or at that which each case needs.
+enum FullTheory<'a> {
+    Fixed(&'a Exact, Box<Workspace>),
+    Automatic(&'a Automatic),
 }
+
+impl<'a> FullTheory<'a> {
+    fn of(solver: &'a Solver) -> Result<Self, Failure> {
+        match &solver.theory {
+            PreparedTheory::Exact(exact) => Ok(Self::Fixed(exact, Box::new(exact.workspace()))),
+            PreparedTheory::Automatic(automatic) => Ok(Self::Automatic(automatic)),
+            _ => Err(Failure::Unsupported(solver.name)),
+        }
+    }
+
+    fn solve(&mut self, creepage: Creepage, slopes: bool) -> (ExactSolution, Option<Derivative>) {
+        match self {
+            Self::Fixed(exact, workspace) => {
+                let solution = exact.solve_with(creepage, workspace);
+                (solution, slopes.then(|| exact.derivative(workspace)))
+            }
+            Self::Automatic(automatic) => {
+                let (level, solution) = automatic.level(creepage);
+                let derivative = || {
+                    let mut workspace = level.workspace();
+                    level.solve_with(creepage, &mut workspace);
+                    level.derivative(&mut workspace)
+                };
+                (solution, slopes.then(derivative))
+            }
+        }
+    }
+}
+
+/// Rows `fx`, `fy`, `mz`; columns `xi`, `eta`, `chi`.
+type Derivative = [[f64; 3]; 3];
 
 fn numbers(Force { fx, fy, mz }: Force) -> [f64; 3] {
     [fx, fy, mz]

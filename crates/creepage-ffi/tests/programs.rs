@@ -128,6 +128,17 @@ fn the_example_in_c_gives_the_numbers_of_the_command() {
     assert_eq!(numbers(&text, "derivative").len(), 9);
 }
 
+#[test]
+fn the_example_in_c_finds_the_creepage_of_the_command() {
+    let program = INSTALLED.compile("cc", "creep_force.c", &["-std=c99"], "c-wanted");
+    let case = here().join("../../examples/ball-rolling-free.toml").canonicalize().unwrap();
+    let text = run(Command::new(program).arg(&case));
+    let report = INSTALLED.command(&["solve", case.to_str().unwrap()]);
+    let found = ["longitudinal", "lateral", "spin_rad_per_m"]
+        .map(|key| report["creepage"][key].as_f64().unwrap());
+    assert_eq!(bits(&numbers(&text, "creepage")), bits(&found));
+}
+
 /// The sanitizer watches what C reads, and everything that is allocated, ours too: a leak or an
 /// invalid access ends the program with a complaint.
 #[test]

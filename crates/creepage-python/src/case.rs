@@ -3,11 +3,11 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
+use creepage::Hertz;
 use creepage::rolling::{Creepage, Scaling};
-use creepage::{Hertz, InvalidValue};
-use creepage_case::{Case, CaseError, CaseFile, InverseCase};
+use creepage_case::{Case, CaseError, CaseFile, InverseCase, Solve};
 use creepage_report::{Report, hertz_json};
-use creepage_theories::PreparedTheory;
+use creepage_theories::{Entry, PreparedTheory, find, kappa_over_mu};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -62,6 +62,13 @@ impl Question {
         }
     }
 
+    fn solve(&self) -> &Solve {
+        match self {
+            Self::Forces(case) => &case.solve,
+            Self::Creepage(case) => &case.solve,
+        }
+    }
+
     /// The case, unless its creepage is yet to be found.
     fn forces(&self, py: Python) -> PyResult<&Case> {
         match self {
@@ -112,6 +119,22 @@ impl CaseData {
         self.question.friction()
     }
 
+    /// How unlike the bodies are: kappa of (2.10) over the coefficient of friction.
+    #[getter]
+    fn kappa_over_mu(&self) -> f64 {
+        kappa_over_mu(self.question.contact(), self.question.friction())
+    }
+
+    /// Whether the option of that name, as the case has it, is one of the theory's.
+    fn takes(&self, theory: &str, option: &str) -> PyResult<bool> {
+        Ok(entry(theory)?.takes(option, self.question.solve()))
+    }
+
+    /// What the theory leaves out of this case though it matters, in words.
+    fn left_out(&self, theory: &str) -> PyResult<Option<String>> {
+        Ok(entry(theory)?.leaves_out(self.kappa_over_mu()).map(|left_out| left_out.to_string()))
+    }
+
     /// Whether forces are wanted and the creepage is to be found.
     #[getter]
     fn finds_creepage(&self) -> bool {
@@ -152,10 +175,12 @@ impl CaseData {
                 toml::Value::String(word) => options.set_item(name, word)?,
                 toml::Value::Integer(count) => options.set_item(name, count)?,
                 toml::Value::Float(number) => options.set_item(name, number)?,
-                toml::Value::Array(counts) => {
+                toml::Value::Array(counts) if counts.iter().all(toml::Value::is_integer) => {
                     let counts: Vec<_> = counts.iter().map(toml::Value::as_integer).collect();
                     options.set_item(name, counts)?;
                 }
+                // As counts and numbers mixed read too.
+                toml::Value::Array(_) => options.set_item(name, self.question.solve().reduction)?,
                 _ => return Err(errors::internal("[solve]")),
             }
         }
@@ -166,7 +191,7 @@ impl CaseData {
     /// gives the wanted forces, CaseError where the theory does not find creepages.
     fn solve(&self, py: Python, theory: Py<Theory>) -> PyResult<SolvedCase> {
         let Theory { model, name, .. } = theory.get();
-        let model = self.between_bodies(model).map_err(|error| errors::invalid(py, error))?;
+        let model = Arc::clone(model);
         let solve = || match self.question.clone() {
             Question::Forces(case) => Ok(creepage_theories::SolvedCase::forces(case, model)),
             Question::Creepage(case) => creepage_theories::SolvedCase::creepage(case, name, model),
@@ -176,19 +201,10 @@ impl CaseData {
     }
 }
 
-impl CaseData {
-    /// The theory between the bodies of this case: like ones, as it was prepared, or unlike ones.
-    fn between_bodies(
-        &self,
-        model: &Arc<PreparedTheory>,
-    ) -> Result<Arc<PreparedTheory>, InvalidValue> {
-        let kappa = self.question.contact().pair().kappa();
-        if kappa == 0.0 {
-            return Ok(Arc::clone(model));
-        }
-        let kappa_over_mu = kappa / self.question.friction();
-        Ok(Arc::new(PreparedTheory::clone(model).with_unlikeness(kappa_over_mu)?))
-    }
+/// The theory of a class's name.
+fn entry(name: &str) -> PyResult<&'static Entry> {
+    let name = if name == "automatic" { "exact" } else { name };
+    find(name).map_err(|_| errors::internal(name))
 }
 
 impl SolvedCase {

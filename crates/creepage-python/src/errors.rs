@@ -9,7 +9,7 @@ use creepage::rolling::{Creepage, Force};
 use creepage_case::{CaseError, StaticsError};
 use creepage_report::ReportError;
 use creepage_table::FileError;
-use creepage_theories::{FindError, TheoryError, Unreachable};
+use creepage_theories::{ChoiceError, FindError, TheoryError, Unreachable};
 use pyo3::BoundObject;
 use pyo3::exceptions::{PyOSError, PyRuntimeError};
 use pyo3::prelude::*;
@@ -72,6 +72,11 @@ pub(crate) fn invalid_element(
 
 pub(crate) fn option(py: Python, name: &str, reason: &str) -> PyErr {
     exception(py, "InvalidOption", (format!("{name}: {reason}"), name))
+}
+
+/// An option that the theory does not take: of those that its class has, a bound.
+pub(crate) fn choice(py: Python, error: &ChoiceError) -> PyErr {
+    exception(py, "InvalidOption", (error.to_string(), "bound"))
 }
 
 pub(crate) fn theory(py: Python, error: TheoryError) -> PyErr {

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use creepage::Ellipse;
 use creepage::rolling::{Creepage, Solution};
 use creepage_case::Solve;
-use creepage_theories::{PreparedTheory, TheoryError, find};
+use creepage_theories::{PreparedTheory, TheoryError, choose};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 
@@ -43,7 +43,8 @@ pub struct Theory {
 #[allow(missing_debug_implementations)] // Python has its own
 pub struct DifferentiableTheory;
 
-/// The theory of that name in case files, prepared from options of case files.
+/// The theory of that name in case files, prepared from options of case files. Raises InvalidOption
+/// for a word that only another theory's option has.
 pub(crate) fn prepare(
     py: Python,
     name: &str,
@@ -51,7 +52,9 @@ pub(crate) fn prepare(
     poisson: f64,
     solve: &Solve,
 ) -> PyResult<Result<PreparedTheory, TheoryError>> {
-    let entry = find(name).map_err(|_| errors::internal(name))?;
+    let solve = &Solve { theory: Some(name.into()), ..solve.clone() };
+    let choice = choose(&[], solve).map_err(|error| errors::choice(py, &error))?;
+    let entry = choice.theories[0];
     Ok(py.detach(|| entry.prepare(a_over_b, poisson, solve)))
 }
 

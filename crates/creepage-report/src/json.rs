@@ -18,6 +18,8 @@ pub struct ReportJson {
     pub theory: String,
     /// One word: [`Status::name`](creepage::rolling::Status::name).
     pub status: &'static str,
+    /// What the theory leaves out of the case though it matters, in words; else `null`.
+    pub caution: Option<String>,
     /// The contact.
     pub contact: HertzJson,
     /// Coefficient of friction `mu`.
@@ -127,6 +129,7 @@ impl Report<'_> {
             creepage_version: env!("CARGO_PKG_VERSION"),
             theory: answer.theory_name.into(),
             status: answer.solution.status.name(),
+            caution: self.extras.left_out.map(|left_out| left_out.to_string()),
             contact: hertz_json(self.contact),
             friction: self.friction,
             creepage: CreepageJson::new(answer.creepage, scaling.si_creepage(answer.creepage)),
@@ -194,6 +197,7 @@ mod tests {
     use super::*;
     use crate::report::Extras;
     use crate::testing::{CURVE, contact, report, sliding};
+    use creepage_theories::find;
 
     fn close(value: &serde_json::Value, expected: f64) {
         // A handful of roundings.
@@ -225,7 +229,7 @@ mod tests {
     fn what_is_known_besides() {
         let (contact, theory) = (contact(1.0), sliding(1.0));
         let plain = serde_json::to_value(report(&contact, &theory, CURVE).json()).unwrap();
-        for key in ["known", "rolling_velocity_m_per_s", "frictional_power_w"] {
+        for key in ["caution", "known", "rolling_velocity_m_per_s", "frictional_power_w"] {
             assert!(plain[key].is_null(), "{key}");
         }
         let known = Known { chi: Some(1.5), fx: Some(0.6), fy: Some(0.5), ..Known::default() };
@@ -233,10 +237,12 @@ mod tests {
             speed: Some(20.0),
             dissipation: Some(0.5),
             known: Some(known),
+            left_out: find("polach").unwrap().leaves_out(0.5),
             ..Extras::default()
         };
         let json = serde_json::to_value(report(&contact, &theory, CURVE).with(extras).json());
         let json = json.unwrap();
+        assert!(json["caution"].as_str().unwrap().contains("kappa/mu = 0.5"), "{json}");
         assert_eq!(json["known"], serde_json::json!(["chi", "fx", "fy"]));
         let per_metre = json["frictional_power_per_metre_j_per_m"].as_f64().unwrap();
         close(&json["frictional_power_w"], 20.0 * per_metre);

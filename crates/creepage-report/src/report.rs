@@ -5,7 +5,7 @@ use std::fmt;
 use creepage::rolling::exact::Known;
 use creepage::rolling::{Creepage, FieldPoint, Scaling, Solution, Theory};
 use creepage::{Hertz, InvalidValue};
-use creepage_theories::{Detail, SolvedCase};
+use creepage_theories::{Detail, LeftOut, SolvedCase, find};
 
 use crate::areas::Areas;
 
@@ -51,6 +51,8 @@ pub struct Extras {
     pub dissipation: Option<f64>,
     /// What was given where the creepage was found to wanted forces.
     pub known: Option<Known>,
+    /// What the theory leaves out of the case though it matters.
+    pub left_out: Option<LeftOut>,
 }
 
 /// One solved case, ready to be shown.
@@ -105,6 +107,7 @@ impl<'a> Report<'a> {
             speed: case.speed,
             power: found.power,
             dissipation: found.dissipation,
+            left_out: find(theory_name).ok().and_then(|theory| solved.left_out(theory)),
         };
         Ok(Self::new(&case.contact, case.friction, answer)?.with(extras))
     }

@@ -13,6 +13,7 @@ impl Report<'_> {
     pub fn text(&self) -> String {
         let mut lines = Lines(String::new());
         lines.status(self);
+        lines.caution(self);
         lines.contact(self.contact);
         lines.row("friction mu", &significant(self.friction, 5));
         lines.creepage(self);
@@ -91,6 +92,19 @@ impl Lines {
             self.line(&rule);
             self.line(&line);
             self.line(&rule);
+        }
+    }
+
+    fn caution(&mut self, report: &Report) {
+        if let Some(left_out) = report.extras.left_out {
+            let unlike = significant(left_out.kappa_over_mu, 3);
+            let error = fixed(100.0 * left_out.error(), 0);
+            self.line(&format!(
+                "CAUTION: this theory takes the bodies for like ones; kappa/mu = {unlike}."
+            ));
+            self.line(&format!(
+                "For that the force may be off by some {error} % of mu N. exact counts it."
+            ));
         }
     }
 
@@ -191,6 +205,7 @@ mod tests {
     use super::*;
     use crate::report::Extras;
     use crate::testing::{CURVE, contact, report, sliding, sticking};
+    use creepage_theories::find;
 
     /// The words and numbers of the line that starts with `name`.
     fn line(text: &str, name: &str) -> Vec<String> {
@@ -230,6 +245,20 @@ mod tests {
         let watts = quantity(20.0 * report.power_per_metre(), "W", 5);
         assert_eq!(line(&text, "frictional power").join(" "), watts);
         assert!(text.lines().skip(3).all(|line| line.chars().count() <= 80), "{text}");
+    }
+
+    #[test]
+    fn what_the_theory_leaves_out_stands_below_its_name() {
+        let (contact, theory) = (contact(2.25), sliding(2.25));
+        for kappa_over_mu in [0.3, -0.3, -123_456.7] {
+            let left_out = find("shen-hedrick-elkins").unwrap().leaves_out(kappa_over_mu);
+            let extras = Extras { left_out, ..Extras::default() };
+            let text = report(&contact, &theory, CURVE).with(extras).text();
+            let caution = text.lines().find(|line| line.starts_with("CAUTION")).unwrap();
+            assert!(caution.contains(&significant(kappa_over_mu, 3)), "{caution}");
+            assert!(text.lines().skip(3).all(|line| line.chars().count() <= 80), "{text}");
+        }
+        assert!(!report(&contact, &theory, CURVE).text().contains("CAUTION"));
     }
 
     #[test]

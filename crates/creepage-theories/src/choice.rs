@@ -3,7 +3,7 @@
 use std::error::Error;
 use std::fmt;
 
-use creepage_case::Solve;
+use creepage_case::{Bound, Solve};
 
 use crate::registry::{ENTRIES, Entry};
 
@@ -36,6 +36,22 @@ pub enum ChoiceError {
         /// Those that were chosen.
         theories: Vec<&'static str>,
     },
+    /// A bound that another theory has.
+    #[error("bound = \"{}\" is not valid for {theory}: it must be {}", given.word(), words(known))]
+    Bound {
+        /// The bound that is given.
+        given: Bound,
+        /// The theory.
+        theory: &'static str,
+        /// The bounds that it has.
+        known: &'static [Bound],
+    },
+}
+
+/// Each in quotes, as a choice.
+fn words(bounds: &[Bound]) -> String {
+    let words: Vec<_> = bounds.iter().map(|bound| format!("\"{}\"", bound.word())).collect();
+    words.join(" or ")
 }
 
 /// A name that no theory has.
@@ -87,17 +103,25 @@ pub fn choose(names: &[String], solve: &Solve) -> Result<Choice, ChoiceError> {
     };
     let mut ignored = Vec::new();
     for option in solve.options() {
-        if theories.iter().any(|theory| theory.options.contains(&option)) {
+        if theories.iter().any(|theory| theory.takes(option, solve)) {
             continue;
         }
-        if !of_file.as_ref().is_ok_and(|theory| theory.options.contains(&option)) {
-            let owners =
-                self::names(ENTRIES.iter().filter(|entry| entry.options.contains(&option)));
-            return Err(ChoiceError::Foreign { option, owners, theories: self::names(theories) });
+        if !of_file.as_ref().is_ok_and(|theory| theory.takes(option, solve)) {
+            return Err(foreign(option, &theories, solve));
         }
         ignored.push(option);
     }
     Ok(Choice { theories, ignored })
+}
+
+/// Why none of the theories takes the option.
+fn foreign(option: &'static str, theories: &[&'static Entry], solve: &Solve) -> ChoiceError {
+    let of_that_name = theories.iter().find(|theory| theory.options.contains(&option));
+    if let (Some(theory), Some(given)) = (of_that_name, solve.bound) {
+        return ChoiceError::Bound { given, theory: theory.name, known: theory.bounds };
+    }
+    let owners = names(ENTRIES.iter().filter(|entry| entry.options.contains(&option)));
+    ChoiceError::Foreign { option, owners, theories: names(theories.iter().copied()) }
 }
 
 fn names(theories: impl IntoIterator<Item = &'static Entry>) -> Vec<&'static str> {
@@ -144,5 +168,33 @@ mod tests {
         let note = "note: [solve] grid has no meaning for linear and strip, and no effect";
         assert_eq!(choice.note().unwrap(), note);
         assert!(choose(&names(&["linear"]), &solve("none such")).is_err());
+    }
+
+    #[test]
+    fn a_bound_is_an_option_of_the_theory_that_has_its_word() {
+        let bounded = |theory: &str, bound| Solve {
+            theory: Some(theory.into()),
+            bound: Some(bound),
+            ..Solve::default()
+        };
+        for (theory, bound) in [("fastsim", Bound::Parabolic), ("variational", Bound::Kept)] {
+            assert!(choose(&[], &bounded(theory, bound)).is_ok());
+            let choice = choose(&names(&["fastsim", "variational"]), &bounded(theory, bound));
+            assert_eq!(choice.unwrap().note(), None);
+        }
+        let error = choose(&[], &bounded("fastsim", Bound::Kept)).unwrap_err().to_string();
+        let words = "it must be \"elliptic\" or \"parabolic\"";
+        assert_eq!(error, format!("bound = \"kept\" is not valid for fastsim: {words}"));
+        let error = choose(&[], &bounded("linear", Bound::Kept)).unwrap_err().to_string();
+        let owners = "variational and fastsim";
+        assert_eq!(error, format!("`bound` is an option of {owners}, not of linear"));
+        // What the replaced theory has is ignored aloud, though the other has a key of that name.
+        let replaced = bounded("variational", Bound::Kept);
+        let choice = choose(&names(&["fastsim"]), &replaced).unwrap();
+        assert_eq!(choice.ignored, ["bound"]);
+        let fastsim = choice.theories[0].prepare(1.0, 0.28, &replaced).unwrap();
+        let usual = choice.theories[0].prepare(1.0, 0.28, &Solve::default()).unwrap();
+        let creepage = creepage::rolling::Creepage { xi: 0.4, eta: 0.1, chi: 0.2 };
+        assert_eq!(fastsim.answer(creepage), usual.answer(creepage));
     }
 }

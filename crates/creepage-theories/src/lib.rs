@@ -52,6 +52,7 @@ mod prepare;
 mod prepared;
 mod registry;
 mod solved;
+mod unlike;
 
 pub use choice::{Choice, ChoiceError, UnknownTheory, choose, find};
 pub use examination::{Detail, Examination};
@@ -60,3 +61,4 @@ pub use prepare::{TheoryError, variational_settings, wanted_accuracy};
 pub use prepared::{Answered, PreparedTheory};
 pub use registry::{ENTRIES, Entry};
 pub use solved::SolvedCase;
+pub use unlike::{LeftOut, kappa_over_mu};

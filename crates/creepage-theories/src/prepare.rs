@@ -11,7 +11,7 @@ use creepage::rolling::shen_hedrick_elkins::ShenHedrickElkins;
 use creepage::rolling::strip::StripTheory;
 use creepage::rolling::variational::{self, Variational, VariationalError};
 use creepage::rolling::vermeulen_johnson::VermeulenJohnson;
-use creepage_case::{Resolution, Solve};
+use creepage_case::{Bound, Resolution, Solve};
 
 use crate::prepared::PreparedTheory;
 
@@ -65,6 +65,7 @@ pub fn variational_settings(solve: &Solve) -> variational::Settings {
     variational::Settings {
         mesh: solve.mesh.unwrap_or(usual.mesh),
         weight: solve.weight.map_or(usual.weight, Into::into),
+        bound: solve.bound.and_then(Bound::of_variational).unwrap_or(usual.bound),
         ..usual
     }
 }
@@ -86,8 +87,14 @@ pub(crate) fn shen_hedrick_elkins(a_over_b: f64, poisson: f64, _: &Solve) -> Pre
     Ok(PreparedTheory::ShenHedrickElkins(ShenHedrickElkins::new(a_over_b, poisson)?))
 }
 
-pub(crate) fn polach(a_over_b: f64, poisson: f64, _: &Solve) -> Prepared {
-    Ok(PreparedTheory::Polach(Polach::new(a_over_b, poisson)?))
+pub(crate) fn polach(a_over_b: f64, poisson: f64, solve: &Solve) -> Prepared {
+    let clean = Polach::new(a_over_b, poisson)?;
+    let Some([adhesion, slip]) = solve.reduction else {
+        return Ok(PreparedTheory::Polach(clean));
+    };
+    let valid = "two factors [adhesion, slip] with 0 < slip <= adhesion <= 1";
+    let named = |invalid| InvalidValue { quantity: "reduction", valid, ..invalid };
+    Ok(PreparedTheory::Polach(clean.with_reduction(adhesion, slip).map_err(named)?))
 }
 
 pub(crate) fn strip(a_over_b: f64, poisson: f64, _: &Solve) -> Prepared {
@@ -98,7 +105,7 @@ pub(crate) fn fastsim(a_over_b: f64, poisson: f64, solve: &Solve) -> Prepared {
     let usual = fastsim::Settings::default();
     let settings = fastsim::Settings {
         flexibility: solve.flexibility.map_or(usual.flexibility, Into::into),
-        bound: solve.bound.map_or(usual.bound, Into::into),
+        bound: solve.bound.and_then(Bound::of_fastsim).unwrap_or(usual.bound),
         grid: solve.grid.unwrap_or(usual.grid),
     };
     let coefficients = CreepageCoefficients::new(a_over_b, poisson)?;

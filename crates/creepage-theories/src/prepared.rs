@@ -13,6 +13,8 @@ use creepage::rolling::variational::Variational;
 use creepage::rolling::vermeulen_johnson::VermeulenJohnson;
 use creepage::rolling::{Creepage, FieldPoint, Force, Solution, Theory};
 
+use crate::unlike;
+
 /// A theory prepared for one ratio `a/b` and one Poisson's ratio: what all can be asked by
 /// [`Theory`] and the methods here, and the theory itself for what only it can tell.
 #[derive(Debug, Clone)]
@@ -55,7 +57,8 @@ impl From<ExactSolution> for Answered {
 
 impl PreparedTheory {
     /// The same between unlike bodies, `kappa` of (2.10) over the coefficient of friction. The full
-    /// theory adds the slip by the pressure; the others neglect it.
+    /// theory adds the slip by the pressure; the others neglect it, which
+    /// [`Entry::leaves_out`](crate::Entry::leaves_out) tells.
     ///
     /// # Errors
     /// [`InvalidValue`] unless `kappa_over_mu` lies between -1e6 and 1e6.
@@ -65,7 +68,10 @@ impl PreparedTheory {
             Self::Automatic(theory) => {
                 Self::Automatic(Box::new(theory.with_unlikeness(kappa_over_mu)?))
             }
-            other => other,
+            other => {
+                unlike::check(kappa_over_mu)?;
+                other
+            }
         })
     }
 

@@ -4,10 +4,11 @@ use std::fmt;
 
 use creepage::Hertz;
 use creepage::rolling::Theory;
-use creepage_case::Solve;
+use creepage_case::{Bound, Solve};
 
 use crate::prepare::{self, TheoryError};
 use crate::prepared::PreparedTheory;
+use crate::unlike::kappa_over_mu;
 
 /// One theory: its name, what a user should know of it, and how to prepare it.
 pub struct Entry {
@@ -25,8 +26,12 @@ pub struct Entry {
     pub good_for: &'static str,
     /// The options in `[solve]` that it knows.
     pub options: &'static [&'static str],
+    /// Which bounds it can be given, where `bound` is an option of its own.
+    pub bounds: &'static [Bound],
     /// Whether its forces come with error bars.
     pub error_bars: bool,
+    /// Whether it counts the slip by the pressure between unlike bodies (6.4).
+    pub unlike_bodies: bool,
     prepare: fn(a_over_b: f64, poisson: f64, &Solve) -> Result<PreparedTheory, TheoryError>,
 }
 
@@ -59,6 +64,13 @@ impl Entry {
         Ok(Box::new(self.prepare(a_over_b, poisson, solve)?))
     }
 
+    /// Whether the option of that name, as `solve` has it, is one of its own.
+    #[must_use]
+    pub fn takes(&self, option: &str, solve: &Solve) -> bool {
+        let own_word = || solve.bound.is_none_or(|bound| self.bounds.contains(&bound));
+        self.options.contains(&option) && (option != "bound" || own_word())
+    }
+
     /// The theory prepared for a contact with coefficient of friction `friction`, which matters
     /// between unlike bodies.
     ///
@@ -70,9 +82,8 @@ impl Entry {
         friction: f64,
         solve: &Solve,
     ) -> Result<PreparedTheory, TheoryError> {
-        let pair = contact.pair();
-        let theory = self.prepare(contact.ellipse().ratio(), pair.poisson(), solve)?;
-        Ok(theory.with_unlikeness(pair.kappa() / friction)?)
+        let theory = self.prepare(contact.ellipse().ratio(), contact.pair().poisson(), solve)?;
+        Ok(theory.with_unlikeness(kappa_over_mu(contact, friction))?)
     }
 }
 
@@ -92,7 +103,9 @@ pub static ENTRIES: &[Entry] = &[
         error: 0.1,
         good_for: "any case, with error bars",
         options: &["resolution", "accuracy"],
+        bounds: &[],
         error_bars: true,
+        unlike_bodies: true,
         prepare: prepare::exact,
     },
     Entry {
@@ -102,8 +115,10 @@ pub static ENTRIES: &[Entry] = &[
         cost: "220 us",
         error: 5.8,
         good_for: "any but the smallest creepage",
-        options: &["degree", "mesh", "weight"],
+        options: &["degree", "mesh", "weight", "bound"],
+        bounds: &[Bound::Automatic, Bound::Unchecked, Bound::Kept],
         error_bars: false,
+        unlike_bodies: false,
         prepare: prepare::variational,
     },
     Entry {
@@ -114,7 +129,9 @@ pub static ENTRIES: &[Entry] = &[
         error: 2.6,
         good_for: "any creepage and spin",
         options: &["grid", "variant"],
+        bounds: &[],
         error_bars: false,
+        unlike_bodies: false,
         prepare: prepare::fastrip,
     },
     Entry {
@@ -125,7 +142,9 @@ pub static ENTRIES: &[Entry] = &[
         error: 3.5,
         good_for: "any creepage and spin, fast",
         options: &["grid", "flexibility", "bound"],
+        bounds: &[Bound::Elliptic, Bound::Parabolic],
         error_bars: false,
+        unlike_bodies: false,
         prepare: prepare::fastsim,
     },
     Entry {
@@ -136,7 +155,9 @@ pub static ENTRIES: &[Entry] = &[
         error: 21.3,
         good_for: "slender contacts, little spin",
         options: &[],
+        bounds: &[],
         error_bars: false,
+        unlike_bodies: false,
         prepare: prepare::strip,
     },
     Entry {
@@ -146,8 +167,10 @@ pub static ENTRIES: &[Entry] = &[
         cost: "46 ns",
         error: 13.9,
         good_for: "vehicle dynamics with little spin",
-        options: &[],
+        options: &["reduction"],
+        bounds: &[],
         error_bars: false,
+        unlike_bodies: false,
         prepare: prepare::polach,
     },
     Entry {
@@ -158,7 +181,9 @@ pub static ENTRIES: &[Entry] = &[
         error: 30.0,
         good_for: "vehicle dynamics, spin below 0.5",
         options: &[],
+        bounds: &[],
         error_bars: false,
+        unlike_bodies: false,
         prepare: prepare::shen_hedrick_elkins,
     },
     Entry {
@@ -169,7 +194,9 @@ pub static ENTRIES: &[Entry] = &[
         error: 41.0,
         good_for: "creepage without spin",
         options: &[],
+        bounds: &[],
         error_bars: false,
+        unlike_bodies: false,
         prepare: prepare::vermeulen_johnson,
     },
     Entry {
@@ -180,7 +207,9 @@ pub static ENTRIES: &[Entry] = &[
         error: 336.0,
         good_for: "creepage and spin near zero",
         options: &[],
+        bounds: &[],
         error_bars: false,
+        unlike_bodies: false,
         prepare: prepare::linear,
     },
     Entry {
@@ -191,7 +220,9 @@ pub static ENTRIES: &[Entry] = &[
         error: 40.5,
         good_for: "large creepage or spin",
         options: &[],
+        bounds: &[],
         error_bars: false,
+        unlike_bodies: false,
         prepare: prepare::saturated,
     },
 ];

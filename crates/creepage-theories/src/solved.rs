@@ -8,6 +8,8 @@ use creepage_case::{Case, InverseCase};
 use crate::examination::Examination;
 use crate::find::{FindError, find_creepage};
 use crate::prepared::PreparedTheory;
+use crate::registry::Entry;
+use crate::unlike::{LeftOut, kappa_over_mu};
 
 /// A case, and all that a theory tells about it.
 #[derive(Debug)]
@@ -41,5 +43,11 @@ impl SolvedCase {
         let found = find_creepage(&case, name, theory)?;
         let known = Some(case.known);
         Ok(Self { case: case.found(found.creepage()), known, found })
+    }
+
+    /// What a theory leaves out of the case, if that matters.
+    #[must_use]
+    pub fn left_out(&self, theory: &Entry) -> Option<LeftOut> {
+        theory.leaves_out(kappa_over_mu(&self.case.contact, self.case.friction))
     }
 }

@@ -19,7 +19,6 @@ pub use chain::SecondStart;
 use chain::Through;
 use file::SweepFile;
 pub use file::sweep_json_schema;
-pub use solve::SweepBound;
 
 /// A sweep, every number of it checked.
 ///

@@ -47,7 +47,7 @@ enum MethodName {
 /// What the numerical theory does about tractions above their bound.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
-pub enum SweepBound {
+enum SweepBound {
     /// "kept" where a/b is 3 or more.
     #[default]
     Automatic,

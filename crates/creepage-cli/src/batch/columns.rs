@@ -6,11 +6,14 @@ use creepage_theories::TheoryError;
 use csv::ByteRecord;
 
 const QUESTION_COLUMNS: [&str; 5] = ["a_over_b", "poisson", "xi", "eta", "chi"];
+/// May be missing: the bodies are like ones then.
+const UNLIKENESS: &str = "kappa_over_mu";
 
-/// The places of `a_over_b`, `poisson`, `xi`, `eta`, `chi` in a row.
+/// The places of `a_over_b`, `poisson`, `xi`, `eta`, `chi` in a row, and of `kappa_over_mu`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Columns {
     places: [usize; 5],
+    unlikeness: Option<usize>,
     count: usize,
 }
 
@@ -19,6 +22,7 @@ pub(super) struct Columns {
 pub(super) struct Question {
     pub(super) a_over_b: f64,
     pub(super) poisson: f64,
+    pub(super) kappa_over_mu: f64,
     pub(super) creepage: Creepage,
 }
 
@@ -68,18 +72,19 @@ impl Columns {
         if let Some(taken) = appended.iter().find(|name| places(name).next().is_some()) {
             return Err(ColumnError::Taken(taken));
         }
+        let one = |name: &'static str| {
+            let mut places = places(name);
+            let first = places.next();
+            if places.next().is_some() { Err(ColumnError::Twice(name)) } else { Ok(first) }
+        };
         let mut found = [0; 5];
         for (place, name) in found.iter_mut().zip(QUESTION_COLUMNS) {
-            let mut places = places(name);
-            *place = places.next().ok_or(ColumnError::Missing(name))?;
-            if places.next().is_some() {
-                return Err(ColumnError::Twice(name));
-            }
+            *place = one(name)?.ok_or(ColumnError::Missing(name))?;
         }
-        Ok(Self { places: found, count: header.len() })
+        Ok(Self { places: found, unlikeness: one(UNLIKENESS)?, count: header.len() })
     }
 
-    /// What a row asks; the theory itself judges `a_over_b` and `poisson`.
+    /// What a row asks; the theory itself judges the contact.
     pub(super) fn question(&self, row: &ByteRecord) -> Result<Question, RowError> {
         if row.len() != self.count {
             return Err(RowError::FieldCount { found: row.len(), expected: self.count });
@@ -89,7 +94,9 @@ impl Columns {
             *number = parse(column, &row[place])?;
         }
         let [a_over_b, poisson, xi, eta, chi] = numbers;
-        Ok(Question { a_over_b, poisson, creepage: Creepage::new(xi, eta, chi)? })
+        let unlikeness = self.unlikeness.map(|place| parse(UNLIKENESS, &row[place]));
+        let kappa_over_mu = unlikeness.transpose()?.unwrap_or(0.0);
+        Ok(Question { a_over_b, poisson, kappa_over_mu, creepage: Creepage::new(xi, eta, chi)? })
     }
 }
 

@@ -36,6 +36,9 @@ pub(crate) fn run(args: &BatchArgs) -> Result<Outcome, Failure> {
     let tally = fill(rows, table, &Solver::new(theory, options), args)?;
     sink.finish().map_err(failed)?;
     say(&tally.to_string());
+    if let Some(caution) = tally.caution() {
+        say(&caution);
+    }
     Ok(tally.outcome())
 }
 

@@ -4,7 +4,7 @@ use std::io::{self, Write};
 
 use csv::{ByteRecord, Writer, WriterBuilder};
 
-use super::solver::Answer;
+use super::solver::{Answer, Reply};
 use super::tally::Tally;
 use crate::caution::caution;
 
@@ -57,12 +57,14 @@ impl<W: Write> Rows<W> {
     fn fields(&self, answer: &Answer) -> Vec<String> {
         let numbers = if self.error_bars { 6 } else { 3 };
         match answer {
-            Ok(answered) => {
+            Ok(Reply { answered, left_out }) => {
                 let forces = [Some(answered.solution.force), answered.error];
                 let numbers = forces.into_iter().flatten().flat_map(|f| [f.fx, f.fy, f.mz]);
                 let status = answered.solution.status;
-                let words = [status.name(), caution(status).unwrap_or_default()];
-                numbers.map(|f| format!("{f:?}")).chain(words.map(String::from)).collect()
+                let cautions = [caution(status).map(String::from), left_out.map(|l| l.to_string())];
+                let cautions: Vec<_> = cautions.into_iter().flatten().collect();
+                let words = [status.name().into(), cautions.join("; ")];
+                numbers.map(|f| format!("{f:?}")).chain(words).collect()
             }
             Err(error) => {
                 let words = ["invalid".into(), error.to_string()];

@@ -4,17 +4,24 @@ use std::collections::VecDeque;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use creepage_case::Solve;
-use creepage_theories::{Answered, Entry, PreparedTheory, TheoryError};
+use creepage_theories::{Answered, Entry, LeftOut, PreparedTheory, TheoryError};
 use rayon::prelude::*;
 
 use super::columns::{Question, RowError};
 
-/// What a theory is prepared for: the bits of `a/b` and of Poisson's ratio.
-type Key = [u64; 2];
+/// What a theory is prepared for: the bits of `a/b`, of Poisson's ratio and of `kappa/mu`.
+type Key = [u64; 3];
 type Prepared = Arc<PreparedTheory>;
 
 /// The force that a row asks for, or why it asks for none.
-pub(super) type Answer = Result<Answered, RowError>;
+pub(super) type Answer = Result<Reply, RowError>;
+
+/// A force, and what the theory leaves out of the row's question.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Reply {
+    pub(super) answered: Answered,
+    pub(super) left_out: Option<LeftOut>,
+}
 
 struct Asked {
     key: Key,
@@ -60,8 +67,11 @@ impl Solver {
     fn solve_group(&self, group: &[Asked]) -> Vec<(usize, Answer)> {
         let theory = self.prepare(&group[0].question);
         let answer = |asked: &Asked| {
-            let answered = theory.as_ref().map(|theory| theory.answer(asked.question.creepage));
-            (asked.place, answered.map_err(|error| error.clone().into()))
+            let reply = |theory: &Prepared| Reply {
+                answered: theory.answer(asked.question.creepage),
+                left_out: self.theory.leaves_out(asked.question.kappa_over_mu),
+            };
+            (asked.place, theory.as_ref().map(reply).map_err(|error| error.clone().into()))
         };
         group.par_iter().map(answer).collect()
     }
@@ -71,8 +81,9 @@ impl Solver {
         if let Some(theory) = self.recall(key) {
             return Ok(theory);
         }
-        let Question { a_over_b, poisson, .. } = *question;
-        let theory = Arc::new(self.theory.prepare(a_over_b, poisson, &self.options)?);
+        let Question { a_over_b, poisson, kappa_over_mu, .. } = *question;
+        let like = self.theory.prepare(a_over_b, poisson, &self.options)?;
+        let theory = Arc::new(like.with_unlikeness(kappa_over_mu)?);
         self.keep(key, &theory);
         Ok(theory)
     }
@@ -97,7 +108,7 @@ impl Solver {
 }
 
 fn key(question: &Question) -> Key {
-    [question.a_over_b.to_bits(), question.poisson.to_bits()]
+    [question.a_over_b, question.poisson, question.kappa_over_mu].map(f64::to_bits)
 }
 
 #[cfg(test)]
@@ -107,7 +118,8 @@ mod tests {
     use creepage_theories::find;
 
     fn question(a_over_b: f64, xi: f64) -> Question {
-        Question { a_over_b, poisson: 0.28, creepage: Creepage { xi, eta: 0.0, chi: 0.5 } }
+        let creepage = Creepage { xi, eta: 0.0, chi: 0.5 };
+        Question { a_over_b, poisson: 0.28, kappa_over_mu: 0.0, creepage }
     }
 
     #[test]

@@ -4,7 +4,7 @@ use std::fmt;
 
 use creepage::rolling::Status;
 
-use super::solver::Answer;
+use super::solver::{Answer, Reply};
 use crate::outcome::Outcome;
 
 /// Counts of rows by what became of them.
@@ -14,12 +14,15 @@ pub(super) struct Tally {
     solved: usize,
     not_converged: usize,
     invalid: usize,
+    /// Rows of unlike bodies, which the theory takes for like ones.
+    left_out: usize,
 }
 
 impl Tally {
     pub(super) fn count(&mut self, answer: &Answer) {
         self.rows += 1;
-        match answer.as_ref().map(|answered| answered.solution.status) {
+        self.left_out += usize::from(matches!(answer, Ok(Reply { left_out: Some(_), .. })));
+        match answer.as_ref().map(|reply| reply.answered.solution.status) {
             Ok(Status::Solved) => self.solved += 1,
             Ok(Status::NotConverged) => self.not_converged += 1,
             Ok(_) => {}
@@ -31,6 +34,18 @@ impl Tally {
         self.rows
     }
 
+    /// Words of caution about rows of unlike bodies.
+    pub(super) fn caution(&self) -> Option<String> {
+        let rows = if self.left_out == 1 { "row is" } else { "rows are" };
+        (self.left_out > 0).then(|| {
+            format!(
+                "caution: {} {rows} of unlike bodies, which the theory takes for like ones: \
+                 `message` tells how far the force may be off",
+                self.left_out
+            )
+        })
+    }
+
     pub(super) fn outcome(&self) -> Outcome {
         if self.invalid + self.not_converged > 0 { Outcome::Doubtful } else { Outcome::Done }
     }
@@ -38,7 +53,7 @@ impl Tally {
 
 impl fmt::Display for Tally {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { rows, solved, not_converged, invalid } = *self;
+        let Self { rows, solved, not_converged, invalid, .. } = *self;
         write!(f, "{rows} rows: {solved} solved")?;
         let others = [
             (not_converged, "not converged"),
@@ -59,7 +74,7 @@ mod tests {
     use super::*;
     use crate::batch::columns::RowError;
     use creepage::rolling::{Force, Solution};
-    use creepage_theories::Answered;
+    use creepage_theories::{Answered, find};
 
     fn tally(answers: &[Answer]) -> Tally {
         let mut tally = Tally::default();
@@ -69,8 +84,9 @@ mod tests {
         tally
     }
 
-    fn with(status: Status) -> Answered {
-        Answered { solution: Solution { force: Force::default(), status }, error: None }
+    fn with(status: Status) -> Reply {
+        let solution = Solution { force: Force::default(), status };
+        Reply { answered: Answered { solution, error: None }, left_out: None }
     }
 
     #[test]
@@ -82,5 +98,14 @@ mod tests {
         let tally = tally(&[Ok(with(Status::Solved)), Ok(with(Status::SpinTooLarge)), invalid]);
         assert_eq!(tally.outcome(), Outcome::Doubtful);
         assert_eq!(tally.to_string(), "3 rows: 1 solved, 1 beyond the theory's range, 1 invalid");
+        assert_eq!(tally.caution(), None);
+    }
+
+    #[test]
+    fn what_is_left_out_is_counted() {
+        let left_out = find("polach").unwrap().leaves_out(0.3);
+        let tally = tally(&[Ok(Reply { left_out, ..with(Status::Solved) })]);
+        assert_eq!(tally.outcome(), Outcome::Done);
+        assert!(tally.caution().unwrap().starts_with("caution: 1 row is of unlike bodies"));
     }
 }

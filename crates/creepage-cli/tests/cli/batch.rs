@@ -42,6 +42,66 @@ fn forces_are_those_of_the_library_to_the_last_bit() {
     }
 }
 
+/// The same ratio and material, like and unlike.
+const UNLIKE: &str = "kappa_over_mu,a_over_b,poisson,xi,eta,chi\n\
+                      0,1.3,0.28,0.4,0.1,0.2\n\
+                      0.3,1.3,0.28,0.4,0.1,0.2\n\
+                      -0.3,1.3,0.28,0.4,0.1,0.2\n\
+                      0.001,1.3,0.28,0.4,0.1,0.2\n";
+
+#[test]
+fn the_full_theory_counts_unlike_bodies() {
+    let command = ["batch", "--theory", "exact", "--option", "resolution=fast"];
+    let ran = Place::new().run_on(&command, UNLIKE);
+    assert_eq!(ran.stderr, "4 rows: 4 solved\n");
+    let output = ran.done();
+    let like = Exact::new(1.3, 0.28, Resolution::FAST).unwrap();
+    for row in &table(&output)[1..] {
+        let number = |i: usize| row[i].parse::<f64>().unwrap();
+        let theory = like.clone().with_unlikeness(number(0)).unwrap();
+        let found = theory.solve(Creepage { xi: 0.4, eta: 0.1, chi: 0.2 }).force;
+        let printed = [number(6), number(7), number(8)].map(f64::to_bits);
+        assert_eq!(printed, [found.fx, found.fy, found.mz].map(f64::to_bits));
+        assert_eq!(row[12..], ["solved", ""]);
+    }
+}
+
+#[test]
+fn other_theories_tell_what_they_leave_out_between_unlike_bodies() {
+    let ran = Place::new().run_on(&["batch", "--theory", "polach"], UNLIKE);
+    assert_eq!(ran.code, Some(0));
+    let said = "4 rows: 4 solved\ncaution: 2 rows are of unlike bodies, which the theory takes for";
+    assert!(ran.stderr.starts_with(said), "{}", ran.stderr);
+    let rows = table(&ran.stdout);
+    for (row, told) in rows[1..].iter().zip([false, true, true, false]) {
+        assert_eq!(row[6..9], rows[1][6..9]);
+        assert_eq!(row[9], "solved");
+        let words = format!("polach takes the bodies for like ones (kappa/mu = {}00)", row[0]);
+        assert!(row[10].starts_with(&words) == told && row[10].is_empty() != told, "{row:?}");
+    }
+}
+
+#[test]
+fn how_unlike_the_bodies_are_must_be_a_number() {
+    for theory in ["exact", "polach"] {
+        let rows = ["nan", "1e7", "", "much", "inf"].map(|word| format!("{word},1,0.28,1,0,0\n"));
+        let input = format!("kappa_over_mu,{HEADER}{}", rows.concat());
+        let ran = Place::new().run_on(&["batch", "--theory", theory], input);
+        assert_eq!(ran.code, Some(3));
+        let mut reader = csv::Reader::from_reader(ran.stdout.as_bytes());
+        let rows: Vec<_> = reader.records().map(Result::unwrap).collect();
+        let reasons =
+            ["= NaN is not valid", "= 10000000 is", "is empty", "= `much` is", "= inf is"];
+        for (row, reason) in rows.iter().zip(reasons) {
+            let message = &row[row.len() - 1];
+            assert_eq!(&row[row.len() - 2], "invalid");
+            assert!(message.contains(&format!("kappa_over_mu {reason}")), "{message}");
+        }
+    }
+    let twice = format!("kappa_over_mu,kappa_over_mu,{HEADER}");
+    batch(twice).refused(&["column kappa_over_mu is there twice"]);
+}
+
 #[test]
 fn columns_stand_in_any_order_and_others_pass_through() {
     let input = "id,chi, eta ,note,xi,poisson,a_over_b\n\

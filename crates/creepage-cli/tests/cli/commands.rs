@@ -60,6 +60,32 @@ fn unlike_bodies_add_the_slip_by_the_pressure() {
     assert!((by_force - by_slip).abs() < 0.06 * by_force, "{by_force} {by_slip}");
 }
 
+/// The same bodies by theories that take them for like ones.
+#[test]
+fn what_is_left_out_between_unlike_bodies_is_told() {
+    let place = Place::new();
+    place.write("unlike.toml", CASE.replacen("82e9", "27e9", 1));
+    // kappa/mu = -0.001: nobody would see it.
+    place.write("nearly-like.toml", CASE.replacen("82e9", "81.74e9", 1));
+    let solve = |case, theory| place.run(&["solve", case, "--theory", theory, "--json"]);
+    let words = "takes the bodies for like ones (kappa/mu = -0.370)";
+    let ran = solve("unlike.toml", "fastsim");
+    assert!(ran.stderr.contains(&format!("caution: fastsim {words}")), "{}", ran.stderr);
+    let caution = json(&ran.done())["caution"].as_str().unwrap().to_owned();
+    assert!(caution.starts_with(&format!("fastsim {words}")), "{caution}");
+    let text = place.run(&["solve", "unlike.toml", "--theory", "fastsim"]).done();
+    assert!(text.contains("\nCAUTION: this theory takes the bodies for like ones"), "{text}");
+    for (case, theory) in [("unlike.toml", "exact"), ("nearly-like.toml", "fastsim")] {
+        let ran = solve(case, theory);
+        assert!(!ran.stderr.contains("caution"), "{}", ran.stderr);
+        assert!(json(&ran.done())["caution"].is_null());
+    }
+    let curve = ["curve", "unlike.toml", "--theory", "exact,linear,polach", "--points", "2"];
+    let said = place.run(&curve).stderr;
+    assert_eq!(said.matches(words).count(), 2, "{said}");
+    assert!(said.contains("caution: linear ") && said.contains("caution: polach "), "{said}");
+}
+
 #[test]
 fn options_of_the_theory_reach_it() {
     let place = Place::new();
@@ -201,6 +227,22 @@ fn what_init_shows_in_comments_is_a_case_too() {
     let axes = example.replace("\nradius", "\n# radius").replace("# semi_axis", "semi_axis");
     place.write("axes.toml", axes);
     place.run(&["solve", "axes.toml"]).done();
+    for (option, theory) in [
+        ("reduction = ", "polach"),
+        ("degree = ", "variational"),
+        ("bound = \"kept\"", "variational"),
+        ("grid = ", "fastsim"),
+        ("bound = \"parabolic\"", "fastsim"),
+    ] {
+        let case = example
+            .replace("\ntheory", "\n# theory")
+            .replace("\nresolution", "\n# resolution")
+            .replace(&format!("# theory = \"{theory}\""), &format!("theory = \"{theory}\""))
+            .replace(&format!("# {option}"), option);
+        place.write("option.toml", case);
+        let report = place.run(&["solve", "option.toml"]).done();
+        assert!(report.contains(&format!("Theory {theory}")), "{option}: {report}");
+    }
     let wanted = example
         .replace("\nlongitudinal = ", "\n# longitudinal = ")
         .replace("# speed", "speed")

@@ -46,6 +46,34 @@ fn the_force_on_the_wheel_drives_in_traction_and_brakes_in_braking() {
     assert!(force_on_wheel("wheel-braking.toml") < 0.0);
 }
 
+/// What the example's comments say.
+#[test]
+fn unlike_bodies_brake_less_than_they_drive() {
+    let place = Place::new();
+    let path =
+        examples().into_iter().find(|path| path.ends_with("steel-ball-on-polycarbonate.toml"));
+    let driven = fs::read_to_string(path.unwrap()).unwrap();
+    let force = |creepages: &[(&str, &str)]| {
+        let edit = |text: String, (key, value): &(&str, &str)| {
+            let start = text.find(&format!("\n{key} = ")).unwrap() + 1;
+            let end = start + text[start..].find('\n').unwrap();
+            format!("{}{key} = {value}{}", &text[..start], &text[end..])
+        };
+        place.write("case.toml", creepages.iter().fold(driven.clone(), edit));
+        let printed = place.run(&["solve", "case.toml", "--json"]).done();
+        let report: Value = serde_json::from_str(&printed).unwrap();
+        report["lower_body"]["longitudinal_n"].as_f64().unwrap()
+    };
+    let resting = [("longitudinal", "0"), ("lateral", "0"), ("spin", "0")];
+    for (creepages, newtons) in
+        [(&[][..], -4.6), (&[("longitudinal", "0.003")], 1.1), (&resting, -2.4)]
+    {
+        // The error bar is 0.01 of mu N, 7.6 N; the comment has two digits.
+        let found = force(creepages);
+        assert!((found - newtons).abs() < 0.05 + 0.076, "{creepages:?}: {found}");
+    }
+}
+
 #[test]
 fn wanted_forces_are_met_by_the_creepage_that_is_found() {
     let place = Place::new();

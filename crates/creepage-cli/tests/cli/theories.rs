@@ -85,6 +85,8 @@ fn options_change_the_answer() {
     for (theory, options) in [
         ("fastsim", &["grid = [10, 10]", "flexibility = \"three\"", "bound = \"parabolic\""][..]),
         ("fastrip", &["grid = [10, 10]", "variant = \"original\""]),
+        ("polach", &["reduction = [0.6, 0.3]", "reduction = [1, 0.3]"]),
+        ("variational", &["bound = \"kept\"", "weight = \"uniform\""]),
     ] {
         let theory = format!("theory = \"{theory}\"\n");
         let usual = forces(&theory);
@@ -95,6 +97,12 @@ fn options_change_the_answer() {
     let [said, unsaid] = ["flexibility = \"blended\"\nbound = \"elliptic\"\ngrid = [50, 50]", ""];
     let theory = "theory = \"fastsim\"\n";
     assert_eq!(forces(&format!("{theory}{said}")), forces(&format!("{theory}{unsaid}")));
+    for (theory, said) in
+        [("polach", "reduction = [1, 1]"), ("variational", "bound = \"automatic\"")]
+    {
+        let theory = format!("theory = \"{theory}\"\n");
+        assert_eq!(forces(&format!("{theory}{said}")), forces(&theory));
+    }
 }
 
 #[test]
@@ -109,7 +117,22 @@ fn an_option_of_another_theory_is_refused() {
     let words = ["case.toml: [solve] `grid` is an option of fastrip and fastsim, not of linear"];
     refused("theory = \"linear\"\ngrid = [9, 9]", &[], &words);
     refused("grid = [9, 9]", &["--theory", "linear"], &words);
-    refused("bound = \"elliptic\"", &[], &["`bound` is an option of fastsim, not of exact"]);
+    let words = ["`bound` is an option of variational and fastsim, not of exact"];
+    refused("bound = \"elliptic\"", &[], &words);
+    let words =
+        ["bound = \"kept\" is not valid for fastsim: it must be \"elliptic\" or \"parabolic\""];
+    refused("theory = \"fastsim\"\nbound = \"kept\"", &[], &words);
+    let words = ["[solve] bound = \"elliptic\" is not valid for variational", "\"unchecked\""];
+    refused("theory = \"variational\"\nbound = \"elliptic\"", &[], &words);
+    refused("bound = \"round\"", &[], &["round", "`automatic`"]);
+    for (reduction, value) in
+        [("[1.5, 1]", "1.5"), ("[0.5, 0.7]", "0.7"), ("[0.5, 0]", "0"), ("[nan, 1]", "NaN")]
+    {
+        let value = format!("[solve] reduction = {value} is not valid");
+        let options = format!("theory = \"polach\"\nreduction = {reduction}");
+        refused(&options, &[], &[&value, "[adhesion, slip] with 0 < slip <= adhesion <= 1"]);
+    }
+    refused("theory = \"polach\"\nreduction = [1]", &[], &["reduction = [1]", "two numbers"]);
     refused("theory = \"fastsim\"\ngrid = [0, 9]", &[], &["[solve]", "grid", "0"]);
     refused("resolution = [3, 20]", &[], &["[solve] resolution = 3", "between 4 and 200"]);
     refused("resolution = \"coarse\"", &[], &["coarse", "`standard`"]);

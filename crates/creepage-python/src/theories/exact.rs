@@ -3,11 +3,11 @@
 use creepage::rolling::exact::{self, Known};
 use creepage::rolling::{Creepage, FieldPoint};
 use creepage_case::{Resolution, Solve};
-use creepage_theories::PreparedTheory;
+use creepage_theories::{PreparedTheory, TheoryError};
 use numpy::IntoPyArray;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
-use pyo3::types::PyString;
+use pyo3::types::{PyDict, PyString};
 
 use crate::options::{arguments, pair, word};
 use crate::theory::{DifferentiableTheory, Theory, prepare};
@@ -20,7 +20,8 @@ use crate::{errors, results};
 /// poisson: combined Poisson's ratio, 0 to 0.5. resolution: "fast" (14 x 12 elements, 0.7 ms a
 /// case, rms error 0.2 % of mu N), "standard" (22 x 18, 3 ms, 0.06 %; the default), "fine"
 /// (40 x 32, 45 ms, 0.01 %), or (along, across) on a circle, 4 to 200 each,
-/// 10000 in all.
+/// 10000 in all. kappa_over_mu: how unlike the bodies are, kappa of (2.10) over the coefficient of
+/// friction; like ones have 0. Their pressure adds to the slip.
 ///
 /// Raises InvalidValue for numbers out of range, InvalidOption for another word.
 #[pyclass(frozen, extends = DifferentiableTheory, module = "creepage")]
@@ -29,6 +30,7 @@ pub struct Exact;
 
 /// The full theory, as fine as a wanted accuracy needs: the first of the three named resolutions
 /// whose error bars of fx and fy are within accuracy (in units of mu N), else the finest.
+/// kappa_over_mu as of Exact.
 ///
 /// Raises InvalidValue as Exact, and unless accuracy is positive.
 #[pyclass(frozen, extends = Theory, module = "creepage")]
@@ -54,17 +56,19 @@ fn resolution(value: Option<&Bound<PyAny>>) -> PyResult<Option<Resolution>> {
 #[pymethods]
 impl Exact {
     #[new]
-    #[pyo3(signature = (a_over_b, poisson, *, resolution=None))]
+    #[pyo3(signature = (a_over_b, poisson, *, resolution=None, kappa_over_mu=0.0))]
     fn new(
         py: Python,
         a_over_b: f64,
         poisson: f64,
         resolution: Option<Bound<PyAny>>,
+        kappa_over_mu: f64,
     ) -> PyResult<PyClassInitializer<Self>> {
         let given = arguments(py, a_over_b, poisson, &[("resolution", resolution.as_ref())])?;
         let resolution = self::resolution(resolution.as_ref())?;
-        let made =
-            prepare(py, "exact", a_over_b, poisson, &Solve { resolution, ..Solve::default() })?;
+        let solve = Solve { resolution, ..Solve::default() };
+        let made = prepare(py, "exact", a_over_b, poisson, &solve)?;
+        let made = between_bodies(made, kappa_over_mu, &given)?;
         let cost = match &made {
             Ok(PreparedTheory::Exact(theory)) => cost(theory.elements()),
             _ => 1.0,
@@ -141,21 +145,36 @@ impl Exact {
 #[pymethods]
 impl Automatic {
     #[new]
-    #[pyo3(signature = (a_over_b, poisson, *, accuracy=0.005))]
+    #[pyo3(signature = (a_over_b, poisson, *, accuracy=0.005, kappa_over_mu=0.0))]
     fn new(
         py: Python,
         a_over_b: f64,
         poisson: f64,
         accuracy: f64,
+        kappa_over_mu: f64,
     ) -> PyResult<PyClassInitializer<Self>> {
         let given = arguments(py, a_over_b, poisson, &[])?;
         given.set_item("accuracy", accuracy)?;
         let (resolution, accuracy) = (Some(Resolution::Auto), Some(accuracy));
         let solve = Solve { resolution, accuracy, ..Solve::default() };
         let made = prepare(py, "exact", a_over_b, poisson, &solve)?;
+        let made = between_bodies(made, kappa_over_mu, &given)?;
         let theory = Theory::new(py, "automatic", a_over_b, given, cost([22, 18]), made)?;
         Ok(theory.add_subclass(Self))
     }
+}
+
+/// The theory between unlike bodies, of which its arguments tell; between like ones as it is.
+fn between_bodies(
+    made: Result<PreparedTheory, TheoryError>,
+    kappa_over_mu: f64,
+    arguments: &Bound<PyDict>,
+) -> PyResult<Result<PreparedTheory, TheoryError>> {
+    if kappa_over_mu == 0.0 {
+        return Ok(made);
+    }
+    arguments.set_item("kappa_over_mu", kappa_over_mu)?;
+    Ok(made.and_then(|theory| Ok(theory.with_unlikeness(kappa_over_mu)?)))
 }
 
 fn exact_of<'a>(slf: &'a PyRef<'_, Exact>) -> PyResult<&'a exact::Exact> {

@@ -1,11 +1,10 @@
 //! The theories that saturate a force in closed form.
 
-use creepage::rolling::polach;
-use creepage_theories::PreparedTheory;
+use creepage_case::Solve;
 use pyo3::prelude::*;
 
 use crate::options::arguments;
-use crate::theory::{DifferentiableTheory, Theory};
+use crate::theory::{DifferentiableTheory, Theory, prepare};
 
 /// Polach (1999): traction that grows steadily from the leading edge; little spin.
 ///
@@ -40,21 +39,18 @@ pub struct VermeulenJohnson;
 #[pymethods]
 impl Polach {
     #[new]
-    #[pyo3(signature = (a_over_b, poisson, *, reduction=(1.0, 1.0)),
+    #[pyo3(signature = (a_over_b, poisson, *, reduction=[1.0, 1.0]),
            text_signature = "(a_over_b, poisson, *, reduction=(1.0, 1.0))")]
     fn new(
         py: Python,
         a_over_b: f64,
         poisson: f64,
-        reduction: (f64, f64),
+        reduction: [f64; 2],
     ) -> PyResult<PyClassInitializer<Self>> {
         let given = arguments(py, a_over_b, poisson, &[])?;
-        given.set_item("reduction", reduction)?;
-        // An option that case files do not have.
-        let made = py.detach(|| {
-            polach::Polach::new(a_over_b, poisson)?.with_reduction(reduction.0, reduction.1)
-        });
-        let made = made.map(PreparedTheory::Polach).map_err(Into::into);
+        given.set_item("reduction", (reduction[0], reduction[1]))?;
+        let solve = Solve { reduction: Some(reduction), ..Solve::default() };
+        let made = prepare(py, "polach", a_over_b, poisson, &solve)?;
         let theory = Theory::new(py, "polach", a_over_b, given, 4e-8, made)?;
         Ok(theory.add_subclass(DifferentiableTheory).add_subclass(Self))
     }

@@ -1,12 +1,12 @@
 //! The numerical theory of chapter 5.
 
-use creepage::rolling::variational::{self, Settings};
-use creepage_case::{Solve, SweepBound};
-use creepage_theories::{PreparedTheory, variational_settings};
+use creepage::rolling::variational::Settings;
+use creepage_case::Solve;
+use creepage_theories::variational_settings;
 use pyo3::prelude::*;
 
 use crate::options::{arguments, pair, word};
-use crate::theory::Theory;
+use crate::theory::{Theory, prepare};
 
 /// The numerical theory of chapter 5 (Kalker 1967): polynomial tractions that minimize the
 /// integral (5.9). Fails towards zero creepage, and says so in the status.
@@ -42,16 +42,12 @@ impl Variational {
             degree: degree.map(PyAnyMethods::extract).transpose()?,
             mesh: pair("mesh", mesh)?,
             weight: word("weight", weight)?,
+            bound: word("bound", bound)?,
             ..Solve::default()
         };
-        // An option that case files do not have.
-        let bound = word::<SweepBound>("bound", bound)?.map(Into::into).unwrap_or_default();
-        let settings = Settings { bound, ..variational_settings(&solve) };
-        let made = py.detach(|| variational::Variational::new(a_over_b, poisson, settings));
-        let made = made.map(|theory| PreparedTheory::Variational(Box::new(theory)));
-        let cost = cost(settings);
-        let theory =
-            Theory::new(py, "variational", a_over_b, given, cost, made.map_err(Into::into))?;
+        let made = prepare(py, "variational", a_over_b, poisson, &solve)?;
+        let cost = cost(variational_settings(&solve));
+        let theory = Theory::new(py, "variational", a_over_b, given, cost, made)?;
         Ok(theory.add_subclass(Self))
     }
 }
