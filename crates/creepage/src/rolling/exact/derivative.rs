@@ -58,11 +58,12 @@ fn change_of_force(
     linear: &Linear,
     [at, direction]: [Creepage; 2],
 ) -> Force {
-    let change = Fields { traction: &linear.change.own, slip: &linear.slip, creepage: direction };
+    let fields = state.fields(grid, at);
+    let change =
+        Fields { traction: &linear.change.own, slip: &linear.slip, creepage: direction, ..fields };
     let mut sum = Sum::default();
     for element in 0..grid.elements.len() {
-        let fields = [state.fields(at), change];
-        grid.sampling.add_change(grid, fields, element, state.slides(element), &mut sum);
+        grid.sampling.add_change([fields, change], element, state.slides(element), &mut sum);
     }
     sum.force
 }

@@ -4,8 +4,7 @@
 //! therefore sampled at places within: there the slip is interpolated between elements, and the
 //! traction has its direction. For large creepage this is the integral of the saturated theory.
 
-use super::elements::{border, cut, fit};
-use super::grid::Grid;
+use super::elements::{Elements, border, cut, fit};
 use super::load::{self, Load};
 use crate::rolling::{Creepage, Force};
 
@@ -35,6 +34,9 @@ struct Place {
 /// Fields that are linear in the tractions and may be differentiated with them.
 #[derive(Clone, Copy)]
 pub(super) struct Fields<'a> {
+    pub elements: &'a Elements,
+    /// Where the slip of each element is.
+    pub places: &'a [[f64; 2]],
     pub traction: &'a [Vec<f64>; 2],
     pub slip: &'a [Vec<f64>; 2],
     pub creepage: Creepage,
@@ -74,24 +76,17 @@ impl Sampling {
     }
 
     /// Force and frictional power of one element.
-    pub(super) fn add(
-        &self,
-        grid: &Grid,
-        fields: Fields,
-        element: usize,
-        slides: bool,
-        sum: &mut Sum,
-    ) {
+    pub(super) fn add(&self, fields: Fields, element: usize, slides: bool, sum: &mut Sum) {
         let own = Fields::at(fields.traction, element);
         if !slides {
-            let elements = &grid.elements;
+            let elements = fields.elements;
             return sum.add(elements.shares[element], elements.centroids[element], own);
         }
         let slip = Fields::at(fields.slip, element);
         let speed = (own[0] * slip[0] + own[1] * slip[1]).max(0.0);
         let turn = speed / (speed * speed + FAR * FAR);
-        self.visit(grid, element, |share, at, around| {
-            let there = interpolate(grid, fields, at, around);
+        self.visit(fields.elements, element, |share, at, around| {
+            let there = interpolate(fields, at, around);
             let bent = [0, 1].map(|k| own[k] + turn * (there[k] - slip[k]));
             let size = bent[0].hypot(bent[1]);
             sum.dissipation += share * speed * size;
@@ -102,7 +97,6 @@ impl Sampling {
     /// The change of an element's force with its fields.
     pub(super) fn add_change(
         &self,
-        grid: &Grid,
         [fields, change]: [Fields; 2],
         element: usize,
         slides: bool,
@@ -110,7 +104,7 @@ impl Sampling {
     ) {
         let [own, d_own] = [fields, change].map(|f| Fields::at(f.traction, element));
         if !slides {
-            let elements = &grid.elements;
+            let elements = fields.elements;
             return sum.add(elements.shares[element], elements.centroids[element], d_own);
         }
         let [slip, d_slip] = [fields, change].map(|f| Fields::at(f.slip, element));
@@ -120,8 +114,8 @@ impl Sampling {
         let square = speed * speed + FAR * FAR;
         let (turn, d_turn) =
             (speed / square, d_speed * (FAR * FAR - speed * speed) / (square * square));
-        self.visit(grid, element, |share, at, around| {
-            let [there, d_there] = [fields, change].map(|f| interpolate(grid, f, at, around));
+        self.visit(fields.elements, element, |share, at, around| {
+            let [there, d_there] = [fields, change].map(|f| interpolate(f, at, around));
             let bent = [0, 1].map(|k| own[k] + turn * (there[k] - slip[k]));
             let d_bent = [0, 1].map(|k| {
                 d_own[k] + d_turn * (there[k] - slip[k]) + turn * (d_there[k] - d_slip[k])
@@ -137,15 +131,15 @@ impl Sampling {
     /// the four elements around with their weights.
     fn visit(
         &self,
-        grid: &Grid,
+        elements: &Elements,
         element: usize,
         mut call: impl FnMut(f64, [f64; 2], [(usize, f64); 4]),
     ) {
-        let along = grid.elements.along;
+        let along = elements.along;
         let (strip, i) = (element / along, element % along);
         for across in &self.strips[PLACES * strip..PLACES * (strip + 1)] {
             for place in &self.elements[PLACES * i..PLACES * (i + 1)] {
-                let at = grid.elements.centroid(across.load, place.load);
+                let at = elements.centroid(across.load, place.load);
                 let (beside, ahead) = (across.other * along + i, strip * along + place.other);
                 let [own, other] = [1.0 - across.weight, across.weight];
                 let around = [
@@ -181,13 +175,13 @@ fn places(
 
 /// Slip at a place between elements: interpolated, and the rigid rotation that interpolation
 /// leaves out.
-fn interpolate(grid: &Grid, fields: Fields, at: [f64; 2], around: [(usize, f64); 4]) -> [f64; 2] {
+fn interpolate(fields: Fields, at: [f64; 2], around: [(usize, f64); 4]) -> [f64; 2] {
     let ([mut u, mut v], [mut x, mut y]) = ([0.0; 2], at);
     for (element, weight) in around {
         u += weight * fields.slip[0][element];
         v += weight * fields.slip[1][element];
-        x -= weight * grid.places[element][0];
-        y -= weight * grid.places[element][1];
+        x -= weight * fields.places[element][0];
+        y -= weight * fields.places[element][1];
     }
     [u - fields.creepage.chi * y, v + fields.creepage.chi * x]
 }

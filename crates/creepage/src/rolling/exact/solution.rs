@@ -174,8 +174,8 @@ impl Workspace {
     fn power(&self, grid: &Grid, element: usize) -> f64 {
         let state = &self.states[1];
         let mut sum = Sum::default();
-        let fields = state.fields(self.drive.creepage);
-        grid.sampling.add(grid, fields, element, state.slides(element), &mut sum);
+        let fields = state.fields(grid, self.drive.creepage);
+        grid.sampling.add(fields, element, state.slides(element), &mut sum);
         sum.dissipation
     }
 

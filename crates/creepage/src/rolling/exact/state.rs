@@ -62,16 +62,17 @@ impl State {
         self.sliding[element].is_some()
     }
 
-    pub(super) fn fields(&self, creepage: Creepage) -> Fields<'_> {
-        Fields { traction: &self.traction.own, slip: &self.slip, creepage }
+    pub(super) fn fields<'a>(&'a self, grid: &'a Grid, creepage: Creepage) -> Fields<'a> {
+        let Grid { elements, places, .. } = grid;
+        Fields { elements, places, traction: &self.traction.own, slip: &self.slip, creepage }
     }
 
     /// Force and power as last solved.
     pub(super) fn sum(&self, grid: &Grid, drive: Drive) -> Sum {
         let mut sum = Sum::default();
         for element in 0..grid.elements.len() {
-            let fields = self.fields(drive.creepage);
-            grid.sampling.add(grid, fields, element, self.slides(element), &mut sum);
+            let fields = self.fields(grid, drive.creepage);
+            grid.sampling.add(fields, element, self.slides(element), &mut sum);
             let ([x, y], [p, q]) = (self.traction.at(element), grid.pressure_slip[element]);
             sum.by_pressure += drive.side * grid.elements.shares[element] * (x * p + y * q);
         }
