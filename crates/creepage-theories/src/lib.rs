@@ -48,6 +48,7 @@
 mod choice;
 mod examination;
 mod find;
+mod left_out;
 mod prepare;
 mod prepared;
 mod registry;
@@ -57,8 +58,9 @@ mod unlike;
 pub use choice::{Choice, ChoiceError, UnknownTheory, choose, find};
 pub use examination::{Detail, Examination};
 pub use find::{FindError, Unreachable};
+pub use left_out::LeftOut;
 pub use prepare::{TheoryError, variational_settings, wanted_accuracy};
 pub use prepared::{Answered, PreparedTheory};
 pub use registry::{ENTRIES, Entry};
 pub use solved::SolvedCase;
-pub use unlike::{LeftOut, kappa_over_mu};
+pub use unlike::kappa_over_mu;

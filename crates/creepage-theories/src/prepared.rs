@@ -1,7 +1,7 @@
 //! A theory prepared for one contact, and what it can be asked.
 
 use creepage::InvalidValue;
-use creepage::rolling::exact::{Automatic, Exact, ExactSolution};
+use creepage::rolling::exact::{Automatic, Exact, ExactSolution, check_unlikeness};
 use creepage::rolling::fastrip::Fastrip;
 use creepage::rolling::fastsim::Fastsim;
 use creepage::rolling::linear::Linear;
@@ -12,8 +12,6 @@ use creepage::rolling::strip::StripTheory;
 use creepage::rolling::variational::Variational;
 use creepage::rolling::vermeulen_johnson::VermeulenJohnson;
 use creepage::rolling::{Creepage, FieldPoint, Force, Solution, Theory};
-
-use crate::unlike;
 
 /// A theory prepared for one ratio `a/b` and one Poisson's ratio: what all can be asked by
 /// [`Theory`] and the methods here, and the theory itself for what only it can tell.
@@ -69,7 +67,7 @@ impl PreparedTheory {
                 Self::Automatic(Box::new(theory.with_unlikeness(kappa_over_mu)?))
             }
             other => {
-                unlike::check(kappa_over_mu)?;
+                check_unlikeness(kappa_over_mu)?;
                 other
             }
         })

@@ -7,9 +7,10 @@ use creepage_case::{Case, InverseCase};
 
 use crate::examination::Examination;
 use crate::find::{FindError, find_creepage};
+use crate::left_out::LeftOut;
 use crate::prepared::PreparedTheory;
 use crate::registry::Entry;
-use crate::unlike::{LeftOut, kappa_over_mu};
+use crate::unlike::kappa_over_mu;
 
 /// A case, and all that a theory tells about it.
 #[derive(Debug)]

@@ -40,6 +40,7 @@ pub use automatic::Automatic;
 pub use inverse::{Found, InverseError, Known};
 pub use resolution::Resolution;
 pub use solution::{ElementField, ExactSolution, Workspace};
+pub use unlike::check_unlikeness;
 
 use super::{Creepage, FieldPoint, Force, Region, Solution, Status, Theory};
 use crate::check::{self, InvalidValue};
@@ -123,7 +124,7 @@ impl Exact {
     /// # Errors
     /// [`InvalidValue`] unless `kappa_over_mu` lies between -1e6 and 1e6.
     pub fn with_unlikeness(mut self, kappa_over_mu: f64) -> Result<Self, InvalidValue> {
-        unlike::check(kappa_over_mu)?;
+        check_unlikeness(kappa_over_mu)?;
         self.set_unlikeness(kappa_over_mu);
         Ok(self)
     }

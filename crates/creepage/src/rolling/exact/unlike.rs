@@ -30,8 +30,16 @@ pub(super) struct Drive {
     pub side: f64,
 }
 
-/// Kappa is at most 0.5, and friction not as small as a millionth.
-pub(super) fn check(kappa_over_mu: f64) -> Result<f64, InvalidValue> {
+/// Whether bodies can be so unlike: `kappa` is at most 0.5, and friction not as small as a millionth.
+///
+/// ```
+/// use creepage::rolling::exact::check_unlikeness;
+/// assert!(check_unlikeness(0.3).is_ok() && check_unlikeness(f64::NAN).is_err());
+/// ```
+///
+/// # Errors
+/// [`InvalidValue`] unless `kappa_over_mu` lies between -1e6 and 1e6.
+pub fn check_unlikeness(kappa_over_mu: f64) -> Result<f64, InvalidValue> {
     let valid = "between -1e6 and 1e6";
     check::require(kappa_over_mu.abs() <= 1e6, "kappa_over_mu", kappa_over_mu, valid)
 }
