@@ -38,10 +38,12 @@
 
 mod accuracy;
 mod axis;
+mod bends;
 mod build;
 mod coordinates;
 mod file;
 mod hermite;
+mod slice;
 mod slopes;
 mod table;
 mod values;
@@ -50,5 +52,6 @@ pub use accuracy::{Accuracy, Spread};
 pub use axis::Axis;
 pub use build::{BuildError, Spec, build};
 pub use file::FileError;
-pub use table::{Provenance, Slice, Table};
+pub use slice::Slice;
+pub use table::{Provenance, Table};
 pub use values::Intervals;
