@@ -38,7 +38,7 @@ pub(crate) struct BuildArgs {
     materials: usize,
     /// Intervals along theta (from pure spin to none), phi (from -eta over xi to eta; even) and t
     /// (from no creepage to infinite creepage).
-    #[arg(long, value_name = "THETA,PHI,T", default_value = "20,16,40", value_parser = counts)]
+    #[arg(long, value_name = "THETA,PHI,T", default_value = "20,16,48", value_parser = counts)]
     intervals: Intervals,
     /// At how many random places to measure the error, and at about as many where the force bends
     /// most.

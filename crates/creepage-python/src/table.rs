@@ -61,7 +61,7 @@ impl Table {
     ///
     /// Raises UnknownTheory, InvalidValue, TableError for a theory of which there is no table.
     #[staticmethod]
-    #[pyo3(signature = (theory, a_over_b, poisson, *, intervals=[20, 16, 40], shapes=9,
+    #[pyo3(signature = (theory, a_over_b, poisson, *, intervals=[20, 16, 48], shapes=9,
                         materials=4, places=500, **options))]
     #[allow(clippy::too_many_arguments)] // by name in Python
     fn build(

@@ -1,7 +1,9 @@
 //! Where a creepage lies in a table: from zero to infinity in a box.
 //!
-//! Creepages are scaled, `u = (s_x xi, s_y eta, s_z chi)`, so that the contact slides fully at
-//! about `|u| = 3` whatever its shape, and turned into spherical coordinates about the spin's axis:
+//! Creepages are scaled, `u = (s_x xi, s_y eta, s_z chi)`, and turned into spherical coordinates
+//! about the spin's axis. What bends the force most then lies at about the same place for every
+//! shape: at `|u| = 2`, where the leading edge begins to slide, and far from the axis, where the
+//! spin's pole is on the edge. The coordinates are:
 //!
 //! - `theta`, from pure spin (0) to no spin (pi/2);
 //! - `phi`, from `-eta` (-pi/2) over `xi` (0) to `eta` (pi/2);
@@ -42,11 +44,15 @@ pub(crate) struct Place {
 impl Coordinates {
     pub(crate) fn new(a_over_b: f64) -> Self {
         let root = a_over_b.sqrt();
-        let size = 0.6 * a_over_b + 0.45 / root;
-        // The pole of the spin is on the edge of a long contact when xi and eta are unlike;
-        // with these roots (c = 1) it is about as far from the axis in either direction.
-        let stretch = root.sqrt();
-        Self { scale: [size * stretch, size / stretch, size] }
+        let (per_root, fourth) = (root.recip(), root.sqrt());
+        let steep = 0.5 * a_over_b * root;
+        Self {
+            scale: [
+                steep + 0.5 * fourth * per_root,
+                0.7 * a_over_b + 0.3 * per_root * per_root,
+                steep + 0.5 * per_root,
+            ],
+        }
     }
 
     #[inline]

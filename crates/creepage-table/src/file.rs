@@ -70,8 +70,9 @@ const FORCES: [(&str, &str, &str); 3] = [
     ("mz", "mu N c", "moment on the lower body, c = sqrt(a b)"),
 ];
 const ERRORS: [&str; 4] = ["median", "p95", "p99", "worst"];
-const COMMENT: &str = "u = (s k xi, s/k eta, s chi) with s = 0.6 a/b + 0.45 sqrt(b/a), \
-    k = (a/b)^(1/4); u = r (sin theta cos phi, sin theta sin phi, cos theta); t = r/(2 + r). \
+const COMMENT: &str = "u = (sx xi, sy eta, sz chi) with, for q = a/b, \
+    sx = 0.5 q^(3/2) + 0.5 q^(-1/4), sy = 0.7 q + 0.3/q, sz = 0.5 q^(3/2) + 0.5 q^(-1/2); \
+    u = r (sin theta cos phi, sin theta sin phi, cos theta); t = r/(2 + r). \
     Signs of xi and fx change together; those of eta, chi, fy and mz do.";
 
 impl Table {

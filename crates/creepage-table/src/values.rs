@@ -21,10 +21,10 @@ pub struct Intervals {
 }
 
 impl Default for Intervals {
-    /// 20 by 16 by 40: of the full theory with fine elements tables err by half a per cent of
-    /// `mu N` at worst.
+    /// 20 by 16 by 48: but for long contacts, and coarse elements, tables err by less than half a
+    /// per cent of `mu N`.
     fn default() -> Self {
-        Self { theta: 20, phi: 16, t: 40 }
+        Self { theta: 20, phi: 16, t: 48 }
     }
 }
 

@@ -134,15 +134,18 @@ fn the_default_intervals_are_good_for_half_a_per_cent() {
         let settings = Settings { grid: [200; 2], ..Settings::default() };
         Ok(Box::new(Fastsim::new(ratio, poisson, &coefficients, settings)?))
     };
-    let default = Spec { intervals: Intervals::default(), ..spec([4, 4, 4], 500) };
-    let table = build(&default, fine, &quiet).unwrap();
-    let force = table.accuracy().force;
-    assert!(force.worst < 0.005 && force.p99 < 0.002 && force.median < 1e-5, "{force:?}");
-    holds_elsewhere(&table, &*fine(1.0, 0.28).unwrap(), 1000);
+    for ratio in [0.2, 1.0] {
+        let default = Spec { intervals: Intervals::default(), ..spec([4, 4, 4], 500) };
+        let default = Spec { a_over_b: Axis::fixed(ratio), ..default };
+        let table = build(&default, fine, &quiet).unwrap();
+        let force = table.accuracy().force;
+        assert!(force.worst < 0.005 && force.p99 < 0.002 && force.median < 1e-5, "{force:?}");
+        holds_elsewhere(&table, &*fine(ratio, 0.28).unwrap(), 1000);
+    }
 }
 
-/// The full theory, with its fewest elements for speed: their ripple under strong spin is a per
-/// cent.
+/// The full theory in a long contact, where its force turns most sharply, with its fewest elements
+/// for speed: their ripple under strong spin is one per cent to two.
 #[test]
 fn a_table_of_the_full_theory_errs_no_more_than_it_says() {
     let exact = |ratio, poisson| -> Prepared {
@@ -151,7 +154,7 @@ fn a_table_of_the_full_theory_errs_no_more_than_it_says() {
     let long = Spec { a_over_b: Axis::fixed(2.0), ..spec([12, 12, 24], 300) };
     let table = build(&long, exact, &quiet).unwrap();
     let force = table.accuracy().force;
-    assert!(force.worst < 0.02 && force.p95 < 0.005 && force.median < 5e-4, "{force:?}");
+    assert!(force.worst < 0.025 && force.p95 < 0.005 && force.median < 5e-4, "{force:?}");
     assert_eq!(table.doubtful(), 0);
     holds_elsewhere(&table, &*exact(2.0, 0.28).unwrap(), 600);
 }
@@ -160,8 +163,8 @@ fn a_table_of_the_full_theory_errs_no_more_than_it_says() {
 fn at_a_node_the_table_is_the_theory() {
     let theory = fastsim(1.0, 0.28).unwrap();
     let slice = FASTSIM.at(1.0, 0.28).unwrap();
-    // Scale 1.05 for a circle: t = 1/2 and phi = 0, pi/2; pi/4 is a node of both angles, too.
-    let (pure, half) = (2.0 / 1.05, 2.0 / 1.05 * 0.5_f64.sqrt());
+    // By the scales of a circle t = 1/2 and phi = 0, pi/2; pi/4 is a node of both angles, too.
+    let (pure, half) = (2.0, 2.0_f64.sqrt());
     for [xi, eta, chi] in [[pure, 0.0, 0.0], [0.0, pure, 0.0], [0.0, 0.0, pure], [half, 0.0, half]]
     {
         let creepage = Creepage { xi, eta, chi };
