@@ -94,7 +94,7 @@ fn slice_and_derivative(bencher: Bencher, size: [usize; 2]) {
 }
 
 /// A shape for each creepage, at the first Poisson's ratio.
-fn shapes(table: &Table) -> impl Fn(&Creepage) -> Slice<'_> {
+fn shapes<'t>(table: &'t Table) -> impl Fn(&Creepage) -> Slice<'t> {
     let (low, high, poisson) = (table.a_over_b().low, table.a_over_b().high, table.poisson().low);
     move |at| table.at((low * (1.0 + at.xi.abs())).min(high), poisson).unwrap()
 }

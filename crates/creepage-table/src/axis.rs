@@ -88,11 +88,12 @@ impl Axis {
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // clamped
     fn convolution(self, share: f64) -> Window {
         let place = share * (self.nodes - 1) as f64;
+        // A node, but for rounding: no other counts.
+        if (place - place.round()).abs() < 1e-12 {
+            return Window::only(place.round() as usize);
+        }
         let node = (place.max(0.0) as usize).min(self.nodes - 2);
         let s = place - node as f64;
-        if s == 0.0 || s == 1.0 {
-            return Window::only(if s == 0.0 { node } else { node + 1 });
-        }
         let r = 1.0 - s;
         let [p, q, u, v] = [
             -0.5 * s * r * r,
