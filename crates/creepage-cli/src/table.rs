@@ -164,6 +164,8 @@ struct Info {
     doubtful_nodes: usize,
     /// Number of random places at which the error was measured.
     error_places: usize,
+    /// Number of further places, where the force bends most.
+    error_hard_places: usize,
     /// In parts of `mu N`.
     force_error: Distribution,
     /// In parts of `mu N c`.
@@ -210,6 +212,7 @@ impl Info {
             intervals: [intervals.theta, intervals.phi, intervals.t],
             doubtful_nodes: table.doubtful(),
             error_places: accuracy.places,
+            error_hard_places: accuracy.hard_places,
             force_error: accuracy.force.into(),
             moment_error: accuracy.moment.into(),
         }
@@ -223,7 +226,8 @@ impl Info {
             "theory           {}{options}\nbuilt by         {}\na/b              {}\n\
              Poisson's ratio  {}\nintervals        {theta} x {phi} x {t} (theta, phi, t)\n\
              doubtful nodes   {}\n\n\
-             error against the theory at {} random places, in per cent\n\
+             error against the theory in per cent: at {} random places, the worst also where the\n\
+             force bends most ({} places)\n\
              {:13} {:>7} {:>7} {:>7} {:>7}\n{}{}",
             self.theory,
             self.program,
@@ -231,6 +235,7 @@ impl Info {
             self.poisson.text(),
             self.doubtful_nodes,
             self.error_places,
+            self.error_hard_places,
             "",
             "median",
             "95 %",

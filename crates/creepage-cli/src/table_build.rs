@@ -38,9 +38,10 @@ pub(crate) struct BuildArgs {
     materials: usize,
     /// Intervals along theta (from pure spin to none), phi (from -eta over xi to eta; even) and t
     /// (from no creepage to infinite creepage).
-    #[arg(long, value_name = "THETA,PHI,T", default_value = "16,16,40", value_parser = counts)]
+    #[arg(long, value_name = "THETA,PHI,T", default_value = "20,16,48", value_parser = counts)]
     intervals: Intervals,
-    /// At how many random places to measure the error.
+    /// At how many random places to measure the error, and at about as many where the force bends
+    /// most.
     #[arg(long, value_name = "N", default_value_t = 500)]
     places: usize,
     /// File for the table; it appears when it is whole.
@@ -72,7 +73,7 @@ pub(crate) fn run(args: &BuildArgs) -> Result<(), Failure> {
     table.write(partial.path()).map_err(unwritten)?;
     partial.finish().map_err(failed)?;
     let worst = 100.0 * table.accuracy().force.worst;
-    let places = table.accuracy().places;
+    let places = table.accuracy().places + table.accuracy().hard_places;
     say(&format!(
         "wrote {}: largest error at {places} places {worst:.2} % of mu N",
         args.out.display()

@@ -54,8 +54,8 @@ pub unsafe extern "C" fn creepage_table_free(table: *mut CreepageTable) {
     unsafe { release(table) };
 }
 
-/// The largest error of the table against its theory at random places, as measured when the
-/// table was built.
+/// The largest error of the table against its theory at random places and where the force bends
+/// most, as measured when the table was built.
 ///
 /// errors: room for 2 numbers, of the force in parts of mu N and of the moment in parts of
 ///   mu N c (1).

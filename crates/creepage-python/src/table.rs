@@ -50,17 +50,18 @@ impl Table {
         py.detach(write).map_err(|error| errors::table(py, error, path.clone()))
     }
 
-    /// Builds the table of a theory, on all cores, and measures its error at random places.
+    /// Builds the table of a theory, on all cores, and measures its error.
     ///
     /// theory: its name, one that is linear near zero and bounded; options are those of its
     /// class. a_over_b, poisson: a number each, or the first and the last of a range of `shapes`
     /// and of `materials` nodes. intervals: along theta (from pure spin to none), phi (from -eta
     /// over xi to eta; even) and t (from no creepage to infinite creepage). places: at how many
-    /// the error is measured. Ctrl-C ends it.
+    /// random ones the error is measured, and at about as many where the force bends most. Ctrl-C
+    /// ends it.
     ///
     /// Raises UnknownTheory, InvalidValue, TableError for a theory of which there is no table.
     #[staticmethod]
-    #[pyo3(signature = (theory, a_over_b, poisson, *, intervals=[12, 16, 20], shapes=9,
+    #[pyo3(signature = (theory, a_over_b, poisson, *, intervals=[20, 16, 48], shapes=9,
                         materials=4, places=500, **options))]
     #[allow(clippy::too_many_arguments)] // by name in Python
     fn build(

@@ -13,7 +13,7 @@ fn main() {
 }
 
 /// Nodes along `a/b` and Poisson's ratio.
-const SIZES: [[usize; 2]; 3] = [[1, 1], [9, 1], [9, 5]];
+const SIZES: [[usize; 2]; 4] = [[1, 1], [5, 1], [9, 1], [9, 5]];
 
 fn table([shapes, materials]: [usize; 2]) -> Table {
     let axis =
@@ -21,7 +21,7 @@ fn table([shapes, materials]: [usize; 2]) -> Table {
     let spec = Spec {
         a_over_b: axis(0.2, 5.0, shapes),
         poisson: axis(0.0, 0.5, materials),
-        intervals: Intervals { theta: 16, phi: 16, t: 40 },
+        intervals: Intervals::default(),
         places: 0,
         provenance: Provenance::default(),
     };
@@ -73,13 +73,28 @@ fn force_and_derivative(bencher: Bencher, size: [usize; 2]) {
 #[divan::bench(args = SIZES)]
 fn slice_and_force(bencher: Bencher, size: [usize; 2]) {
     let table = table(size);
-    let (low, high, poisson) = (table.a_over_b().low, table.a_over_b().high, table.poisson().low);
+    let shape = shapes(&table);
     let places = creepages();
     bencher.bench_local(|| {
-        let found = places.iter().map(|at| {
-            let ratio = (low * (1.0 + black_box(at).xi.abs())).min(high);
-            table.at(ratio, poisson).unwrap().force(*at).fx
-        });
-        found.sum::<f64>()
+        let found = places.iter().map(|at| shape(black_box(at)).force(*at));
+        found.map(|force| force.fx).sum::<f64>()
     });
+}
+
+/// The same with the derivative.
+#[divan::bench(args = SIZES)]
+fn slice_and_derivative(bencher: Bencher, size: [usize; 2]) {
+    let table = table(size);
+    let shape = shapes(&table);
+    let places = creepages();
+    bencher.bench_local(|| {
+        let found = places.iter().map(|at| shape(black_box(at)).force_and_derivative(*at));
+        found.map(|(force, derivative)| force.fx + derivative[0][0]).sum::<f64>()
+    });
+}
+
+/// A shape for each creepage, at the first Poisson's ratio.
+fn shapes<'t>(table: &'t Table) -> impl Fn(&Creepage) -> Slice<'t> {
+    let (low, high, poisson) = (table.a_over_b().low, table.a_over_b().high, table.poisson().low);
+    move |at| table.at((low * (1.0 + at.xi.abs())).min(high), poisson).unwrap()
 }

@@ -1,85 +1,123 @@
-//! The error of a table against its theory, measured at random places.
+//! The error of a table against its theory, measured when it is built.
 
 use creepage::rolling::Theory;
 use rayon::prelude::*;
 
+use crate::bends;
+use crate::build::{BuildError, Spec};
 use crate::coordinates::Coordinates;
 use crate::table::Table;
 
 /// Distribution of an error.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Spread {
-    /// Half of the places err by less.
+    /// Half of the random places err by less.
     pub median: f64,
-    /// 95 of 100 places err by less.
+    /// 95 of 100 random places err by less.
     pub p95: f64,
-    /// 99 of 100 places err by less.
+    /// 99 of 100 random places err by less.
     pub p99: f64,
-    /// Largest.
+    /// Largest of all, random and hard.
     pub worst: f64,
 }
 
-/// The error of a table against its theory, at places spread at random and evenly over the table's
-/// coordinates, none of them a node.
+/// The error of a table against its theory, none of it at a node: at places spread at random and
+/// evenly over the table's coordinates, and at hard ones, the middles of the cells where the
+/// force bends most, half-way between shapes and Poisson's ratios.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Accuracy {
-    /// Number of places.
+    /// Number of random places.
     pub places: usize,
+    /// Number of hard places.
+    pub hard_places: usize,
     /// Length of the difference of `(f_x, f_y)`, in parts of `mu N`.
     pub force: Spread,
     /// Size of the difference of `m_z`, in parts of `mu N c`.
     pub moment: Spread,
 }
 
-/// How many places share a theory, where each must be prepared for its shape and Poisson's ratio.
+/// How many random places share a theory, where each must be prepared for its shape and Poisson's
+/// ratio.
 const SHARED: usize = 24;
 
-impl Accuracy {
-    /// Measures at `places` places; `prepare` takes `a/b` and Poisson's ratio.
-    pub(crate) fn measure<E>(
-        table: &Table,
-        places: usize,
-        prepare: impl Fn(f64, f64) -> Result<Box<dyn Theory>, E>,
-        done: &(dyn Fn() + Sync),
-    ) -> Result<Self, E> {
+/// Errors of force and moment.
+type Errors = Vec<[f64; 2]>;
+
+/// What is measured, and who hears of every place.
+pub(crate) struct Measure<'a, P> {
+    pub(crate) table: &'a Table,
+    /// Takes `a/b` and Poisson's ratio.
+    pub(crate) prepare: P,
+    pub(crate) done: &'a (dyn Fn() + Sync),
+}
+
+impl<E, P> Measure<'_, P>
+where
+    E: std::error::Error,
+    P: Fn(f64, f64) -> Result<Box<dyn Theory>, E>,
+{
+    /// At as many random and hard places as `spec` says.
+    pub(crate) fn accuracy(&self, spec: &Spec) -> Result<Accuracy, BuildError<E>> {
+        let (random, hard) = (self.random(spec.places)?, self.hard(spec)?);
+        let spread = |which: usize| {
+            let errors = |of: &Errors| of.iter().map(|error| error[which]).collect::<Vec<_>>();
+            Spread::new(errors(&random), &errors(&hard))
+        };
+        let [force, moment] = [spread(0), spread(1)];
+        Ok(Accuracy { places: random.len(), hard_places: hard.len(), force, moment })
+    }
+
+    fn random(&self, places: usize) -> Result<Errors, BuildError<E>> {
+        use std::f64::consts::{FRAC_PI_2, PI};
         let mut random = Random(1967);
-        let fixed = table.blocks.len() == 1;
-        let group = if fixed { places } else { SHARED };
+        let group = if self.table.blocks.len() == 1 { places } else { SHARED };
         let mut errors = Vec::with_capacity(places);
         while errors.len() < places {
-            let a_over_b = table.a_over_b.geometric(random.next());
-            let poisson = table.poisson.even(random.next());
-            let theory = prepare(a_over_b, poisson)?;
+            let shape = [random.next(), random.next()];
             let count = group.min(places - errors.len());
-            let at: Vec<_> = (0..count).map(|_| [0; 3].map(|_| random.next())).collect();
-            let Ok(slice) = table.at(a_over_b, poisson) else { break };
-            let coordinates = Coordinates::new(a_over_b);
-            errors.par_extend(at.into_par_iter().map(|[theta, phi, t]| {
-                use std::f64::consts::{FRAC_PI_2, PI};
-                let creepage = coordinates.creepage([theta * FRAC_PI_2, (phi - 0.5) * PI, t]);
-                let (found, right) = (slice.force(creepage), theory.solve(creepage).force);
-                done();
-                let force = (found.fx - right.fx).hypot(found.fy - right.fy);
-                [force, (found.mz - right.mz).abs()]
-            }));
+            let at = (0..count).map(|_| [0; 3].map(|_| random.next()));
+            let at = at.map(|[theta, phi, t]| [theta * FRAC_PI_2, (phi - 0.5) * PI, t]).collect();
+            errors.extend(self.errors(shape, at)?);
         }
-        let spread = |which: usize| Spread::new(errors.iter().map(|error| error[which]).collect());
-        Ok(Self { places: errors.len(), force: spread(0), moment: spread(1) })
+        Ok(errors)
+    }
+
+    fn hard(&self, spec: &Spec) -> Result<Errors, BuildError<E>> {
+        let mut errors = Vec::with_capacity(spec.hard_places());
+        for shape in spec.middles() {
+            let values = self.table.mixed(self.table.windows(shape));
+            let cells = bends::cells(&values, spec.intervals, spec.hard_places_each());
+            let at = cells.into_iter().map(|cell| spec.intervals.middle(cell)).collect();
+            errors.extend(self.errors(shape, at)?);
+        }
+        Ok(errors)
+    }
+
+    /// Of places `theta`, `phi`, `t` for a shape and a Poisson's ratio given by their shares.
+    fn errors(&self, shape: [f64; 2], at: Vec<[f64; 3]>) -> Result<Errors, BuildError<E>> {
+        let (shapes, materials) = (self.table.a_over_b, self.table.poisson);
+        let (a_over_b, poisson) = (shapes.geometric(shape[0]), materials.even(shape[1]));
+        let theory = (self.prepare)(a_over_b, poisson).map_err(BuildError::Theory)?;
+        let slice = self.table.at(a_over_b, poisson)?;
+        let coordinates = Coordinates::new(a_over_b);
+        let error = |at| {
+            let creepage = coordinates.creepage(at);
+            let (found, right) = (slice.force(creepage), theory.solve(creepage).force);
+            (self.done)();
+            [(found.fx - right.fx).hypot(found.fy - right.fy), (found.mz - right.mz).abs()]
+        };
+        Ok(at.into_par_iter().map(error).collect())
     }
 }
 
 impl Spread {
-    fn new(mut errors: Vec<f64>) -> Self {
-        errors.sort_unstable_by(f64::total_cmp);
+    fn new(mut random: Vec<f64>, hard: &[f64]) -> Self {
+        random.sort_unstable_by(f64::total_cmp);
         let at = |hundredths: usize| {
-            errors.get(errors.len() * hundredths / 100).copied().unwrap_or_default()
+            random.get(random.len() * hundredths / 100).copied().unwrap_or_default()
         };
-        Self {
-            median: at(50),
-            p95: at(95),
-            p99: at(99),
-            worst: errors.last().copied().unwrap_or_default(),
-        }
+        let worst = random.iter().chain(hard).copied().fold(0.0, f64::max);
+        Self { median: at(50), p95: at(95), p99: at(99), worst }
     }
 }
 

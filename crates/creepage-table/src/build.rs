@@ -3,7 +3,7 @@
 use creepage::InvalidValue;
 use creepage::rolling::Theory;
 
-use crate::accuracy::Accuracy;
+use crate::accuracy::{Accuracy, Measure};
 use crate::axis::Axis;
 use crate::coordinates::Coordinates;
 use crate::table::{Provenance, Table};
@@ -18,7 +18,7 @@ pub struct Spec {
     pub poisson: Axis,
     /// Intervals in creepage and spin.
     pub intervals: Intervals,
-    /// At how many random places to measure the error.
+    /// At how many random places to measure the error, and at about as many hard ones.
     pub places: usize,
     /// Where the table comes from.
     pub provenance: Provenance,
@@ -60,7 +60,28 @@ impl Spec {
     #[must_use]
     pub fn steps(&self) -> usize {
         let blocks = self.a_over_b.nodes * self.poisson.nodes;
-        blocks * Values::lines(self.intervals).count() + self.places
+        blocks * Values::lines(self.intervals).count() + self.places + self.hard_places()
+    }
+
+    /// Half-way between neighbours of shapes and of Poisson's ratios: where mixing errs most.
+    pub(crate) fn middles(&self) -> impl Iterator<Item = [f64; 2]> {
+        let shapes = self.a_over_b.middles();
+        self.poisson
+            .middles()
+            .flat_map(move |poisson| shapes.clone().map(move |shape| [shape, poisson]))
+    }
+
+    /// Number of hard places at which the error is measured.
+    pub(crate) fn hard_places(&self) -> usize {
+        self.middles().count() * self.hard_places_each()
+    }
+
+    /// The same at each of the [`Spec::middles`]: at most one in every cell.
+    pub(crate) fn hard_places_each(&self) -> usize {
+        let Intervals { theta, phi, t } = self.intervals;
+        self.places
+            .div_ceil(self.middles().count())
+            .min(theta.saturating_mul(phi).saturating_mul(t))
     }
 
     pub(crate) fn check(&self) -> Result<(), InvalidValue> {
@@ -120,8 +141,7 @@ pub fn build<E: std::error::Error>(
     let axes = [a_over_b, poisson];
     let provenance = spec.provenance.clone();
     let mut table = Table::new(provenance, axes, intervals, blocks, Accuracy::default());
-    table.accuracy =
-        Accuracy::measure(&table, spec.places, prepare, done).map_err(BuildError::Theory)?;
+    table.accuracy = Measure { table: &table, prepare, done }.accuracy(spec)?;
     Ok(table)
 }
 

@@ -1,7 +1,9 @@
 //! Where a creepage lies in a table: from zero to infinity in a box.
 //!
-//! Creepages are scaled, `u = (s_x xi, s_y eta, s_z chi)`, so that the contact slides fully at
-//! about `|u| = 3` whatever its shape, and turned into spherical coordinates about the spin's axis:
+//! Creepages are scaled, `u = (s_x xi, s_y eta, s_z chi)`, and turned into spherical coordinates
+//! about the spin's axis. What bends the force most then lies at about the same place for every
+//! shape: at `|u| = 2`, where the leading edge begins to slide, and far from the axis, where the
+//! spin's pole is on the edge. The coordinates are:
 //!
 //! - `theta`, from pure spin (0) to no spin (pi/2);
 //! - `phi`, from `-eta` (-pi/2) over `xi` (0) to `eta` (pi/2);
@@ -28,8 +30,11 @@ pub(crate) struct Coordinates {
 /// A creepage in the coordinates of a table.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Place {
-    /// `theta`, `phi`, `t`.
-    pub(crate) at: [f64; 3],
+    /// Sine and cosine of the angle.
+    pub(crate) theta: [f64; 2],
+    /// Sine and cosine of the angle.
+    pub(crate) phi: [f64; 2],
+    pub(crate) t: f64,
     /// The reflections that took it there: of `xi`, and of `eta` and `chi`.
     pub(crate) mirror: [f64; 2],
     /// Whether it is not quite the creepage's place, but where there is a derivative.
@@ -39,43 +44,49 @@ pub(crate) struct Place {
 impl Coordinates {
     pub(crate) fn new(a_over_b: f64) -> Self {
         let root = a_over_b.sqrt();
-        let size = 0.6 * a_over_b + 0.45 / root;
-        // The pole of the spin is on the edge of a long contact when xi and eta are unlike;
-        // with these roots (c = 1) it is about as far from the axis in either direction.
-        let stretch = root.sqrt();
-        Self { scale: [size * stretch, size / stretch, size] }
+        let (per_root, fourth) = (root.recip(), root.sqrt());
+        let steep = 0.5 * a_over_b * root;
+        Self {
+            scale: [
+                steep + 0.5 * fourth * per_root,
+                0.7 * a_over_b + 0.3 * per_root * per_root,
+                steep + 0.5 * per_root,
+            ],
+        }
     }
 
+    #[inline]
     pub(crate) fn place(&self, creepage: Creepage) -> Place {
         let (u, mirror) = self.folded(creepage);
-        let across = length([u[0], u[1], 0.0]);
-        let r = length(u);
-        let at = [across.atan2(u[2]), u[1].atan2(u[0]), r / (MIDDLE + r)];
-        Place { at, mirror, aside: false }
+        let (across, r) = (length([u[0], u[1], 0.0]), length(u));
+        let (theta, phi) = (unit([across, u[2]], r), unit([u[1], u[0]], across));
+        Place { theta, phi, t: r / (MIDDLE + r), mirror, aside: false }
     }
 
     /// The place, and the derivative of `theta`, `phi`, `t` (rows) by `xi`, `eta`, `chi`. On the
     /// axis of spin and at zero, where there is none, the place is a little [aside](Place::aside).
+    #[inline]
     pub(crate) fn place_and_slopes(&self, creepage: Creepage) -> (Place, [[f64; 3]; 3]) {
         let (mut u, mirror) = self.folded(creepage);
         let at_zero = length(u) < NUDGE;
         u[2] = if at_zero { NUDGE } else { u[2] };
         let on_axis = length([u[0], u[1], 0.0]) < NUDGE * u[2];
         u[0] = if on_axis { NUDGE * u[2] } else { u[0] };
-        let across = length([u[0], u[1], 0.0]);
-        let r = length(u);
-        let [cos_phi, sin_phi] = [u[0] / across, u[1] / across];
-        let [sin_theta, cos_theta] = [across / r, u[2] / r];
-        let by_t = MIDDLE / (MIDDLE + r) / (MIDDLE + r);
+        let (across, r) = (length([u[0], u[1], 0.0]), length(u));
+        let (theta, phi) = (unit([across, u[2]], r), unit([u[1], u[0]], across));
+        let ([sin_theta, cos_theta], [sin_phi, cos_phi]) = (theta, phi);
+        let (per_r, per_across, per_both) = (r.recip(), across.recip(), (MIDDLE + r).recip());
+        let by_r = MIDDLE * per_both * per_both;
         let by_u = [
-            [cos_theta * cos_phi / r, cos_theta * sin_phi / r, -sin_theta / r],
-            [-sin_phi / across, cos_phi / across, 0.0],
-            [sin_theta * cos_phi * by_t, sin_theta * sin_phi * by_t, cos_theta * by_t],
+            [cos_theta * cos_phi * per_r, cos_theta * sin_phi * per_r, -sin_theta * per_r],
+            [-sin_phi * per_across, cos_phi * per_across, 0.0],
+            [sin_theta * cos_phi * by_r, sin_theta * sin_phi * by_r, cos_theta * by_r],
         ];
-        let signs = [mirror[0], mirror[1], mirror[1]];
-        let slopes = by_u.map(|row| [0, 1, 2].map(|k| row[k] * self.scale[k] * signs[k]));
-        let at = [across.atan2(u[2]), u[1].atan2(u[0]), r / (MIDDLE + r)];
-        (Place { at, mirror, aside: at_zero || on_axis }, slopes)
+        let [x, y, z] = self.scale;
+        let scale = [x * mirror[0], y * mirror[1], z * mirror[1]];
+        let mut slopes = by_u;
+        slopes.iter_mut().flat_map(|row| row.iter_mut().zip(scale)).for_each(|(s, k)| *s *= k);
+        (Place { theta, phi, t: r / (MIDDLE + r), mirror, aside: at_zero || on_axis }, slopes)
     }
 
     /// The creepage at a place that is not reflected. No creepage for `t = 0`; beyond all
@@ -107,6 +118,12 @@ fn length([x, y, z]: [f64; 3]) -> f64 {
     (x * x + y * y + z * z).sqrt()
 }
 
+/// Sine and cosine of the angle of a right triangle; straight on where there is none.
+#[inline]
+fn unit([opposite, adjacent]: [f64; 2], length: f64) -> [f64; 2] {
+    if length > 0.0 { [opposite / length, adjacent / length] } else { [0.0, 1.0] }
+}
+
 /// A unit vector; exact where a component vanishes.
 fn direction(theta: f64, phi: f64) -> [f64; 3] {
     let ([sin_theta, cos_theta], [sin_phi, cos_phi]) = (sin_cos(theta), sin_cos(phi));
@@ -125,6 +142,13 @@ fn sin_cos(angle: f64) -> [f64; 2] {
 mod tests {
     use super::*;
 
+    /// Largest difference of a place's coordinates.
+    fn off(place: &Place, [theta, phi, t]: [f64; 3]) -> f64 {
+        let angle = |[sin, cos]: [f64; 2]| f64::atan2(sin, cos);
+        let off = [angle(place.theta) - theta, angle(place.phi) - phi, place.t - t];
+        off.into_iter().map(f64::abs).fold(0.0, f64::max)
+    }
+
     /// There and back again, to rounding; at other places of the octants with the mirrors.
     #[test]
     fn a_place_is_found_again() {
@@ -134,7 +158,7 @@ mod tests {
             for [x, y] in [[1.0, 1.0], [-1.0, 1.0], [1.0, -1.0], [-1.0, -1.0]] {
                 let place = coordinates.place(Creepage { xi: x * xi, eta: y * eta, chi: y * chi });
                 assert_eq!(place.mirror, [x, y]);
-                assert!((0..3).all(|k| (place.at[k] - at[k]).abs() < 1e-14), "{place:?}");
+                assert!(off(&place, at) < 1e-14, "{place:?}");
             }
         }
     }
@@ -150,7 +174,9 @@ mod tests {
             let moved = |h: f64| {
                 let mut v = [at.xi, at.eta, at.chi];
                 v[k] += h;
-                coordinates.place(Creepage { xi: v[0], eta: v[1], chi: v[2] }).at
+                let place = coordinates.place(Creepage { xi: v[0], eta: v[1], chi: v[2] });
+                let angle = |[sin, cos]: [f64; 2]| f64::atan2(sin, cos);
+                [angle(place.theta), angle(place.phi), place.t]
             };
             let (ahead, behind) = (moved(1e-5), moved(-1e-5));
             for i in 0..3 {
@@ -162,10 +188,10 @@ mod tests {
     #[test]
     fn zero_and_huge_creepage_have_places() {
         let coordinates = Coordinates::new(1.0);
-        assert_eq!(coordinates.place(Creepage::default()).at, [0.0; 3]);
+        assert_eq!(off(&coordinates.place(Creepage::default()), [0.0; 3]), 0.0);
         let huge = Creepage { xi: Creepage::MAX, eta: -Creepage::MAX, chi: 0.0 };
         let (place, slopes) = coordinates.place_and_slopes(huge);
-        assert!((place.at[2] - 1.0).abs() < 1e-15);
+        assert!((place.t - 1.0).abs() < 1e-15);
         assert!(slopes.as_flattened().iter().all(|slope| slope.is_finite()));
     }
 }

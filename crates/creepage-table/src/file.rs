@@ -29,6 +29,15 @@ pub enum FileError {
     /// NetCDF that is not laid out as a table.
     #[error("it is no table of creep force: `{0}` is missing or of another kind")]
     Missing(&'static str),
+    /// A table of another format.
+    #[error(
+        "its format is number {found}, and this program reads number {FORMAT}: build the table \
+             again"
+    )]
+    Format {
+        /// Number of the format; files of the first say nothing of it.
+        found: i32,
+    },
     /// Numbers that no table has.
     #[error("it is no table of creep force: its numbers make no sense")]
     Senseless,
@@ -52,6 +61,8 @@ impl From<InvalidDataSet> for FileError {
     }
 }
 
+/// The layout and the meaning of a file's numbers; another number for any change of either.
+const FORMAT: i32 = 2;
 const DIMENSIONS: [&str; 5] = ["poisson", "a_over_b", "theta", "phi", "t"];
 const FORCES: [(&str, &str, &str); 3] = [
     ("fx", "mu N", "longitudinal force on the lower body"),
@@ -59,8 +70,9 @@ const FORCES: [(&str, &str, &str); 3] = [
     ("mz", "mu N c", "moment on the lower body, c = sqrt(a b)"),
 ];
 const ERRORS: [&str; 4] = ["median", "p95", "p99", "worst"];
-const COMMENT: &str = "u = (s k xi, s/k eta, s chi) with s = 0.6 a/b + 0.45 sqrt(b/a), \
-    k = (a/b)^(1/4); u = r (sin theta cos phi, sin theta sin phi, cos theta); t = r/(2 + r). \
+const COMMENT: &str = "u = (sx xi, sy eta, sz chi) with, for q = a/b, \
+    sx = 0.5 q^(3/2) + 0.5 q^(-1/4), sy = 0.7 q + 0.3/q, sz = 0.5 q^(3/2) + 0.5 q^(-1/2); \
+    u = r (sin theta cos phi, sin theta sin phi, cos theta); t = r/(2 + r). \
     Signs of xi and fx change together; those of eta, chi, fy and mz do.";
 
 impl Table {
@@ -118,8 +130,11 @@ impl Table {
                 set.add_global_attr_string(name, text)?;
             }
         }
-        let places = i32::try_from(self.accuracy.places).unwrap_or(i32::MAX);
-        set.add_global_attr_i32("error_places", vec![places])?;
+        set.add_global_attr_i32("format", vec![FORMAT])?;
+        let Accuracy { places, hard_places, .. } = self.accuracy;
+        for (name, count) in [("error_places", places), ("error_hard_places", hard_places)] {
+            set.add_global_attr_i32(name, vec![i32::try_from(count).unwrap_or(i32::MAX)])?;
+        }
         for (what, spread) in [("force", self.accuracy.force), ("moment", self.accuracy.moment)] {
             let Spread { median, p95, p99, worst } = spread;
             for (name, value) in ERRORS.into_iter().zip([median, p95, p99, worst]) {
@@ -155,6 +170,7 @@ impl Table {
         }
         let file = FileReader::open_seek_read("table", Box::new(Cursor::new(bytes)));
         let mut file = file.map_err(|_: ReadError| FileError::Damaged)?;
+        check_format(&file)?;
         let (axes, intervals) = layout(&mut file, size)?;
         let blocks = blocks(&mut file, axes[0].nodes * axes[1].nodes, intervals)?;
         let (provenance, accuracy) = (provenance(&file), accuracy(&file)?);
@@ -200,6 +216,12 @@ fn seal(path: &Path) -> Result<(), FileError> {
     file.seek(SeekFrom::End(-4))?;
     file.write_all(&crc32fast::hash(body).to_be_bytes())?;
     Ok(file.sync_all()?)
+}
+
+fn check_format(file: &FileReader) -> Result<(), FileError> {
+    let found = file.data_set().get_global_attr_i32("format").and_then(|one| one.first());
+    let found = found.copied().unwrap_or(1);
+    if found == FORMAT { Ok(()) } else { Err(FileError::Format { found }) }
 }
 
 /// The axes of a file of `size` bytes, if they make sense.
@@ -264,8 +286,10 @@ fn provenance(file: &FileReader) -> Provenance {
 
 fn accuracy(file: &FileReader) -> Result<Accuracy, FileError> {
     let set = file.data_set();
-    let places = set.get_global_attr_i32("error_places").and_then(|one| one.first());
-    let places = places.and_then(|places| usize::try_from(*places).ok());
+    let count = |name| {
+        let count = set.get_global_attr_i32(name).and_then(|one| one.first());
+        count.and_then(|count| usize::try_from(*count).ok()).ok_or(FileError::Missing(name))
+    };
     let spread = |what| {
         let [median, p95, p99, worst] = ERRORS.map(|name| {
             let values = set.get_global_attr_f64(&format!("{what}_error_{name}"));
@@ -275,7 +299,8 @@ fn accuracy(file: &FileReader) -> Result<Accuracy, FileError> {
         known.then_some(Spread { median, p95, p99, worst }).ok_or(FileError::Missing("error"))
     };
     Ok(Accuracy {
-        places: places.ok_or(FileError::Missing("error_places"))?,
+        places: count("error_places")?,
+        hard_places: count("error_hard_places")?,
         force: spread("force")?,
         moment: spread("moment")?,
     })

@@ -3,16 +3,22 @@
 //! A table holds the dimensionless force and moment of a theory over `xi`, `eta`, `chi`, from zero
 //! to infinity, at one ratio `a/b` and one Poisson's ratio, or over ranges of these. Kalker's
 //! USETAB (1996) is the precedent. [`build`] asks the theory, in parallel, and measures the
-//! table's error against it at random places; [`Table::write`] and [`Table::read`] keep the table
-//! in a NetCDF file.
+//! table's error against it, at random places and where the force bends most; [`Table::write`] and
+//! [`Table::read`] keep the table in a NetCDF file.
 //!
 //! # What is interpolated
 //! Forces at nodes of spherical coordinates in scaled creepage, of which one quarter is needed by
 //! the symmetries (4.28): the angles of the direction, and `t = r/(2 + r)` for the size `r`.
-//! Along `t` Hermite's cubic, along the angles the functions `1, s, sin s, cos s`, which linear
+//! Along `t` a cubic spline, along the angles the functions `1, sin s, cos s, sin 2s`, which linear
 //! theory is made of: so the force has a continuous derivative everywhere, at zero and on the
 //! axis of pure spin too. Over `a/b` and Poisson's ratio, cubic convolution. Without spin the
 //! force between nodes rises along a ray where it does from node to node.
+//!
+//! # Where it errs
+//! Where the force itself hardly has a derivative: in long contacts it turns from rising to
+//! falling as the leading edge begins to slide, which with little but spin it does everywhere
+//! at once. And where the theory's own force ripples, as that of coarse elements does under strong
+//! spin.
 //!
 //! ```
 //! use creepage::InvalidValue;
@@ -38,10 +44,12 @@
 
 mod accuracy;
 mod axis;
+mod bends;
 mod build;
 mod coordinates;
 mod file;
 mod hermite;
+mod slice;
 mod slopes;
 mod table;
 mod values;
@@ -50,5 +58,6 @@ pub use accuracy::{Accuracy, Spread};
 pub use axis::Axis;
 pub use build::{BuildError, Spec, build};
 pub use file::FileError;
-pub use table::{Provenance, Slice, Table};
+pub use slice::Slice;
+pub use table::{Provenance, Table};
 pub use values::Intervals;

@@ -6,17 +6,17 @@
 //! nodes rises where it rises from node to node (Fritsch and Carlson 1980).
 
 use crate::coordinates::Coordinates;
-use crate::hermite::Angle;
+use crate::hermite::{Angle, reflect};
 use crate::values::{Intervals, MIRROR_X, MIRROR_Y, Values};
 
-/// Force and derivatives at a node, each for `fx`, `fy`, `mz` and an empty lane: number
-/// `4 i + 2 j + k` is derived `i`, `j` and `k` times by `theta`, `phi` and `t`.
-pub(crate) type Node = [[f32; 4]; 8];
+/// Of `fx`, `fy` and `mz`: the force, then its derivative by `t`; each derived by the angles,
+/// number `2 i + j` being derived `i` times by `theta` and `j` times by `phi`.
+pub(crate) type Node = [[[f32; 4]; 2]; 3];
 
 /// The nodes of one block, ready for interpolation.
 pub(crate) fn nodes(values: &Values, coordinates: &Coordinates, intervals: Intervals) -> Vec<Node> {
     let by_t = along_t(values, coordinates, intervals);
-    let mut nodes = vec![[[0.0; 4]; 8]; intervals.nodes()];
+    let mut nodes = vec![Node::default(); intervals.nodes()];
     for (k, plain) in [&values.forces, &by_t].into_iter().enumerate() {
         let by_phi = along_phi(plain, intervals);
         let mut by_theta = along_theta(plain, intervals, 1.0);
@@ -24,7 +24,9 @@ pub(crate) fn nodes(values: &Values, coordinates: &Coordinates, intervals: Inter
         smooth_axis(&mut by_theta, &mut mixed, intervals);
         for (node, at) in nodes.iter_mut().enumerate() {
             for (derived, field) in [plain, &by_phi, &by_theta, &mixed].into_iter().enumerate() {
-                at[2 * derived + k] = lanes(field[node]);
+                for (component, value) in at.iter_mut().zip(field[node]) {
+                    component[k][derived] = narrowed(value);
+                }
             }
         }
     }
@@ -32,8 +34,8 @@ pub(crate) fn nodes(values: &Values, coordinates: &Coordinates, intervals: Inter
 }
 
 #[allow(clippy::cast_possible_truncation)] // seven digits, far beyond a table's error
-fn lanes([fx, fy, mz]: [f64; 3]) -> [f32; 4] {
-    [fx as f32, fy as f32, mz as f32, 0.0]
+fn narrowed(value: f64) -> f32 {
+    value as f32
 }
 
 /// Slopes along `t`; at zero creepage those of linear theory.
@@ -61,24 +63,29 @@ fn along_t(values: &Values, coordinates: &Coordinates, intervals: Intervals) -> 
     slopes
 }
 
-/// Slopes of a line of values on [0, 1], of fourth order, the first given.
+/// Slopes of a line of values on [0, 1], those of the cubic spline with the first slope given: of
+/// fourth order, and an end of the same order.
 fn line_slopes(values: &[f64], first: f64) -> Vec<f64> {
-    let (count, step) = (values.len(), 1.0 / (values.len() - 1) as f64);
-    // The cubic of the first three values and the first slope, a step before.
-    let [f0, f1, f2] = [values[0], values[1], values[2]];
-    let cubic = 0.25 * (f2 - f0 - 2.0 * step * first) - (f1 - f0 - step * first);
-    let square = f1 - f0 - step * first - cubic;
-    let mut longer = vec![f0 - step * first + square - cubic];
-    longer.extend_from_slice(values);
-    for _ in 0..2 {
-        let [d, c, b, a] = [1, 2, 3, 4].map(|back| longer[longer.len() - back]);
-        longer.push(4.0 * d - 6.0 * c + 4.0 * b - a);
+    let last = values.len() - 1;
+    let per_step = last as f64;
+    // Each slope is `right - share * next`, from the node before to the one after.
+    let mut solved = Vec::with_capacity(last);
+    let (mut share, mut right) = (0.0, first);
+    for k in 1..last {
+        let sum = 3.0 * per_step * (values[k + 1] - values[k - 1]);
+        let pivot = 1.0 / (4.0 - share);
+        (share, right) = (pivot, pivot * (sum - right));
+        solved.push([share, right]);
     }
-    let inside = (1..count).map(|k| {
-        let at = |offset: usize| longer[k + offset - 1];
-        (8.0 * (at(3) - at(1)) - (at(4) - at(0))) / (12.0 * step)
-    });
-    std::iter::once(first).chain(inside).collect()
+    let end = |back: usize| values[last - back];
+    let sum = per_step / 6.0 * (17.0 * end(0) - 9.0 * (end(1) + end(2)) + end(3));
+    let mut slopes = vec![first; last + 1];
+    slopes[last] = (sum - 3.0 * right) / (1.0 - 3.0 * share);
+    for k in (1..last).rev() {
+        let [share, right] = solved[k - 1];
+        slopes[k] = right - share * slopes[k + 1];
+    }
+    slopes
 }
 
 /// Holds slopes within three times those of the chords at either side, and at zero where these
@@ -103,7 +110,7 @@ fn along_phi(field: &[[f64; 3]], intervals: Intervals) -> Vec<[f64; 3]> {
         let value = field[intervals.index(theta, inside.0, t)];
         if inside.1 { mirrored(value, MIRROR_X) } else { value }
     };
-    slopes(intervals, &intervals.phi_axis(), |[theta, phi, t], step| {
+    slopes(intervals, 1, &intervals.phi_axis(), |[theta, phi, t], step| {
         seen(theta, phi.cast_signed() + step, t)
     })
 }
@@ -118,13 +125,15 @@ fn along_theta(field: &[[f64; 3]], intervals: Intervals, parity: f64) -> Vec<[f6
         let mirror = if theta < 0 { MIRROR_X } else { MIRROR_Y };
         if beyond { mirrored(value, mirror).map(|v| parity * v) } else { value }
     };
-    slopes(intervals, &intervals.theta_axis(), |[theta, phi, t], step| {
+    slopes(intervals, 0, &intervals.theta_axis(), |[theta, phi, t], step| {
         seen(theta.cast_signed() + step, phi, t)
     })
 }
 
+/// Slopes along `theta` (axis 0) or `phi` (1).
 fn slopes(
     intervals: Intervals,
+    axis: usize,
     angle: &Angle,
     near: impl Fn([usize; 3], isize) -> [f64; 3],
 ) -> Vec<[f64; 3]> {
@@ -132,19 +141,14 @@ fn slopes(
     for theta in 0..=intervals.theta {
         for phi in 0..=intervals.phi {
             for t in 0..=intervals.t {
-                let [a, b, c, d] = [-1, -2, 1, 2].map(|step| near([theta, phi, t], step));
-                slopes.push([0, 1, 2].map(|i| angle.slope([a[i], b[i]], [c[i], d[i]])));
+                let around = [-3, -2, -1, 0, 1, 2, 3].map(|step| near([theta, phi, t], step));
+                let node = [theta, phi][axis];
+                let slope = |i| angle.slope(node, around.map(|force| force[i]));
+                slopes.push([0, 1, 2].map(slope));
             }
         }
     }
     slopes
-}
-
-/// An index reflected into `0..=last`, and whether it was outside.
-fn reflect(index: isize, last: usize) -> (usize, bool) {
-    let last = last.cast_signed();
-    let inside = if index > last { 2 * last - index } else { index.abs() };
-    (inside.unsigned_abs(), inside != index)
 }
 
 fn mirrored(value: [f64; 3], mirror: [f64; 3]) -> [f64; 3] {
