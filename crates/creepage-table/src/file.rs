@@ -12,7 +12,7 @@ use netcdf3::{DataSet, FileReader, FileWriter, InvalidDataSet, ReadError, Versio
 
 use crate::accuracy::{Accuracy, Spread};
 use crate::axis::Axis;
-use crate::build::Spec;
+use crate::spec::Spec;
 use crate::table::{Provenance, Table};
 use crate::values::{Intervals, Values};
 
