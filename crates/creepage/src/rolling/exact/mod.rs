@@ -54,9 +54,9 @@ use grid::Grid;
 ///
 /// | resolution | median | rms | worst | case | preparation |
 /// |---|---|---|---|---|---|
-/// | [`Resolution::FAST`] | 0.03 % | 0.22 % | 1.2 % | 0.7 ms | 2 ms |
-/// | [`Resolution::STANDARD`] | 0.00 % | 0.06 % | 0.32 % | 3 ms | 11 ms |
-/// | [`Resolution::FINE`] | 0.00 % | 0.01 % | 0.03 % | 45 ms | 0.1 s |
+/// | [`Resolution::FAST`] | 0.03 % | 0.22 % | 1.2 % | 0.5 ms | 2 ms |
+/// | [`Resolution::STANDARD`] | 0.00 % | 0.06 % | 0.32 % | 2 ms | 10 ms |
+/// | [`Resolution::FINE`] | 0.00 % | 0.01 % | 0.03 % | 25 ms | 0.1 s |
 ///
 /// Errors are largest with a pole of strong spin inside the contact. At the fine resolution the
 /// limit of small creepage is met to 0.2 % in every coefficient for `a/b` from 0.1 to 10, and full
