@@ -1,5 +1,6 @@
-//! A look-up: a table at one shape and one Poisson's ratio.
+//! How a table is asked: at one shape and one Poisson's ratio, then at creepages.
 
+use creepage::InvalidValue;
 use creepage::rolling::{Creepage, Force};
 
 use crate::axis::Window;
@@ -20,6 +21,19 @@ pub struct Slice<'a> {
 
 /// Of a component of the force: derived by neither angle, by `phi`, by `theta`, by both.
 type Lanes = [f64; 4];
+
+impl Table {
+    /// The table at one ratio of semi-axes and one Poisson's ratio.
+    ///
+    /// # Errors
+    /// [`InvalidValue`] when either is outside the table's range.
+    #[inline]
+    pub fn at(&self, a_over_b: f64, poisson: f64) -> Result<Slice<'_>, InvalidValue> {
+        let shape = self.a_over_b.share_geometric("a_over_b", a_over_b, self.logarithms)?;
+        let material = self.poisson.share_even("poisson", poisson)?;
+        Ok(Slice::new(self, Coordinates::new(a_over_b), self.windows([shape, material])))
+    }
+}
 
 impl<'a> Slice<'a> {
     #[inline]

@@ -1,4 +1,4 @@
-//! A table in memory, and how it is asked.
+//! A table in memory.
 
 use creepage::InvalidValue;
 
@@ -6,7 +6,6 @@ use crate::accuracy::Accuracy;
 use crate::axis::{Axis, Logarithms, Window};
 use crate::coordinates::Coordinates;
 use crate::hermite::Angle;
-use crate::slice::Slice;
 use crate::slopes::{self, Node};
 use crate::values::{Intervals, Values};
 
@@ -35,7 +34,7 @@ pub struct Table {
     pub(crate) angles: [Angle; 2],
     /// Node by node, of each all blocks: those of a look-up lie together.
     pub(crate) nodes: Vec<Node>,
-    logarithms: Logarithms,
+    pub(crate) logarithms: Logarithms,
 }
 
 impl Table {
@@ -133,16 +132,5 @@ impl Table {
                 (&self.blocks[block], by_material * by_shape)
             })
         }))
-    }
-
-    /// The table at one ratio of semi-axes and one Poisson's ratio.
-    ///
-    /// # Errors
-    /// [`InvalidValue`] when either is outside the table's range.
-    #[inline]
-    pub fn at(&self, a_over_b: f64, poisson: f64) -> Result<Slice<'_>, InvalidValue> {
-        let shape = self.a_over_b.share_geometric("a_over_b", a_over_b, self.logarithms)?;
-        let material = self.poisson.share_even("poisson", poisson)?;
-        Ok(Slice::new(self, Coordinates::new(a_over_b), self.windows([shape, material])))
     }
 }
