@@ -8,6 +8,7 @@
 //! |---|---|
 //! | [`Solid`], [`SolidPair`] | materials, and the pair as one equivalent solid (2.10) |
 //! | [`Hertz`], [`Ellipse`] | radii and load to the contact ellipse (3.36)-(3.52) |
+//! | [`gap`], [`normal`] | bodies of any shape: their undeformed distance, and contact areas and pressures of it |
 //! | [`rolling`] | every theory of rolling contact, in the dimensionless quantities (4.20), and [`rolling::Scaling`] between these and SI units |
 //! | [`statics`] | the classical problems without rolling |
 //! | [`halfspace`] | the elastic answer to tractions, on which all of them rest |
@@ -40,7 +41,9 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+pub mod gap;
 pub mod halfspace;
+pub mod normal;
 pub mod rolling;
 pub mod special;
 pub mod statics;
