@@ -185,6 +185,15 @@ impl Gap {
         }
     }
 
+    /// Whether every section along x is a parabola.
+    pub(crate) fn is_parabola_along(&self) -> bool {
+        match &self.shape {
+            Shape::Polynomial(polynomial) => polynomial.power_of_x() <= 2,
+            Shape::Section(_) => true,
+            Shape::Grid(_) | Shape::Function(_) => false,
+        }
+    }
+
     /// How many of the given points lie in a rectangle, along x and along y; `None` for a
     /// formula, which has as many as are wanted.
     #[must_use]

@@ -66,6 +66,10 @@ impl Polynomial {
         )
     }
 
+    pub(super) fn power_of_x(&self) -> usize {
+        self.columns.len().saturating_sub(1)
+    }
+
     /// The gap at the origin.
     pub(super) fn constant(&self) -> f64 {
         self.at(0.0, 0.0)

@@ -74,6 +74,7 @@ impl Chord {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Band {
     y: [f64; 2],
+    tips: [bool; 2],
     chords: Vec<Chord>,
     half_squared: Cubic,
     centre: Cubic,
@@ -93,7 +94,7 @@ impl Band {
             places.push(place);
             squares.push(square);
         }
-        Self { y, chords, half_squared: Cubic::new(places, squares), centre }
+        Self { y, tips, chords, half_squared: Cubic::new(places, squares), centre }
     }
 
     /// Least and greatest y (m).
@@ -213,8 +214,10 @@ impl Band {
         })
     }
 
-    pub(super) fn chords(&self) -> &[Chord] {
-        &self.chords
+    /// Whether it ends in a tip at least and greatest y; else it goes over into other bands.
+    #[must_use]
+    pub fn tips(&self) -> [bool; 2] {
+        self.tips
     }
 
     pub(super) fn scale(&mut self, factor: f64) {

@@ -17,28 +17,28 @@ pub struct Estimate {
     pub error: f64,
 }
 
-/// How finely contact areas are resolved: cells along a mean chord of the area.
+/// How finely contact areas are resolved: the number of strips across an area, or of elements
+/// along a mean chord of it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Resolution {
-    pub(super) per_chord: f64,
+    pub(super) count: usize,
 }
 
 impl Resolution {
-    /// Some 150 cells in a compact area: load to a few parts in a thousand.
-    pub const FAST: Self = Self { per_chord: 11.0 };
-    /// Some 450 cells in a compact area: load to about 5e-4.
-    pub const STANDARD: Self = Self { per_chord: 20.0 };
-    /// Some 1,800 cells in a compact area: load to about 1e-4.
-    pub const FINE: Self = Self { per_chord: 40.0 };
+    /// 12 strips, or some 170 elements in a compact area.
+    pub const FAST: Self = Self { count: 12 };
+    /// 20 strips, or some 450 elements in a compact area.
+    pub const STANDARD: Self = Self { count: 20 };
+    /// 32 strips, or some 1,200 elements in a compact area.
+    pub const FINE: Self = Self { count: 32 };
 
-    /// A number of cells along a mean chord, from 6 to 400.
+    /// A number of strips across, or of elements along a chord, from 6 to 100.
     ///
     /// # Errors
     /// [`crate::InvalidValue`] outside that range.
-    pub fn cells_per_chord(per_chord: f64) -> Result<Self, crate::InvalidValue> {
-        let valid = "between 6 and 400";
-        check::require((6.0..=400.0).contains(&per_chord), "per_chord", per_chord, valid)?;
-        Ok(Self { per_chord })
+    pub fn new(count: usize) -> Result<Self, crate::InvalidValue> {
+        check::require((6..=100).contains(&count), "resolution", count as f64, "from 6 to 100")?;
+        Ok(Self { count })
     }
 }
 
@@ -58,6 +58,15 @@ pub enum Status {
         /// Largest distance of a pressed point from touching, over the greatest depth.
         residual: f64,
     },
+}
+
+/// How the contact was found.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Method {
+    /// By strips whose pressure vanishes as a root at fitted ends.
+    Strips,
+    /// By rectangles of constant pressure, where the strips did not settle.
+    Elements,
 }
 
 /// One connected contact area.
@@ -152,6 +161,7 @@ pub struct NormalContact {
     pub(super) area: Estimate,
     pub(super) stiffness: f64,
     pub(super) status: Status,
+    pub(super) method: Method,
     pub(super) patches: Vec<Patch>,
     pub(super) gap_points: [Option<usize>; 2],
 }
@@ -229,6 +239,12 @@ impl NormalContact {
     #[must_use]
     pub fn status(&self) -> Status {
         self.status
+    }
+
+    /// How the contact was found.
+    #[must_use]
+    pub fn method(&self) -> Method {
+        self.method
     }
 
     /// The connected areas, from low to high y.

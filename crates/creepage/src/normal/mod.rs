@@ -20,7 +20,8 @@ mod outline;
 mod overlap;
 mod product;
 mod solve;
+mod strips;
 
 pub use band::{Band, Moments};
-pub use contact::{Estimate, NormalContact, Patch, Resolution, Status};
+pub use contact::{Estimate, Method, NormalContact, Patch, Resolution, Status};
 pub use error::{NormalError, Side};

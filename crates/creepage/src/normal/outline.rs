@@ -154,6 +154,16 @@ fn band(level: &Level, chain: &Chain) -> Option<Band> {
         low - shift(&mut loads.iter().copied(), chain.tips[0]),
         high + shift(&mut loads.iter().rev().copied(), chain.tips[1]),
     ];
+    // A row may be pressed a little beyond the tip: it adds its load but no chord.
+    let margin = 0.2 * lattice.step[1];
+    let inside = |chord: &Chord| chord.y > y[0] + margin && chord.y < y[1] - margin;
+    let (most, few) = (chords.iter().filter(|&chord| inside(chord)).count(), chords.len() / 2);
+    let chords: Vec<Chord> = if most > 0 {
+        chords.into_iter().filter(inside).collect()
+    } else {
+        chords.into_iter().skip(few).take(1).collect()
+    };
+    let y = if most > 0 { y } else { [low, high] };
     let mut band = Band::new(chords, y, chain.tips);
     let total: f64 = loads.iter().sum::<f64>() * lattice.cell_area();
     let force = band.total().force;
