@@ -20,7 +20,7 @@ pub(super) fn solve(task: Task<'_>, start: &[Patch], count: usize, terms: usize)
     let strips = bands.iter().enumerate().flat_map(|(index, band)| {
         let share = (width(band) / widest).sqrt();
         let strips = ((count as f64 * share).round() as usize).clamp(FEWEST.min(count), count);
-        strip::lay(band, index, strips, units)
+        strip::lay(band, index, strips, terms, units)
     });
     let strips: Vec<Strip> = strips.collect();
     if strips.len() > MOST_STRIPS || !strips.iter().all(|strip| strip.half > 0.0) {

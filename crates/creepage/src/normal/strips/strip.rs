@@ -43,7 +43,13 @@ pub(super) struct Units {
 }
 
 /// Lays strips into a band, closer towards its sides.
-pub(super) fn lay(band: &Band, index: usize, count: usize, units: Units) -> Vec<Strip> {
+pub(super) fn lay(
+    band: &Band,
+    index: usize,
+    count: usize,
+    terms: usize,
+    units: Units,
+) -> Vec<Strip> {
     // Sine of nine tenths of a right angle: the outermost strips are a third as wide.
     const CLUSTER: f64 = 0.8 * std::f64::consts::FRAC_PI_2;
     let [low, high] = band.y();
@@ -63,22 +69,22 @@ pub(super) fn lay(band: &Band, index: usize, count: usize, units: Units) -> Vec<
                 width: 0.5 * (to - from) / units.length,
                 centre: (centre - units.origin[0]) / units.length,
                 half: half / units.length,
-                pressure: projected(band, centre, half, y).map(|p| p / units.pressure),
+                pressure: projected(band, centre, half, y, terms).map(|p| p / units.pressure),
                 band: index,
             }
         })
         .collect()
 }
 
-/// The band's pressure at a y in Chebyshev's polynomials.
-fn projected(band: &Band, centre: f64, half: f64, y: f64) -> [f64; MOST] {
+/// The band's pressure at a y in the first of Chebyshev's polynomials.
+fn projected(band: &Band, centre: f64, half: f64, y: f64, terms: usize) -> [f64; MOST] {
     const POINTS: u32 = 24;
     let mut coefficients = [0.0; MOST];
     for i in 1..=POINTS {
         let angle = std::f64::consts::PI * f64::from(i) / f64::from(POINTS + 1);
         let (sin, s) = angle.sin_cos();
         let pressure = band.pressure(centre + half * s, y);
-        for (k, coefficient) in coefficients.iter_mut().enumerate() {
+        for (k, coefficient) in coefficients.iter_mut().take(terms).enumerate() {
             // U_k(cos t) = sin((k+1) t) / sin t.
             let sine = ((k + 1) as f64 * angle).sin();
             *coefficient += 2.0 / f64::from(POINTS + 1) * pressure * sine * sin / sin;
