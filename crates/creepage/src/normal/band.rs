@@ -220,6 +220,15 @@ impl Band {
         self.tips
     }
 
+    /// The same with its sides drawn in; chords that come to lie outside are left out, but the
+    /// last one stays.
+    pub(super) fn drawn_in(&self, by: [f64; 2]) -> Self {
+        let y = [self.y[0] + by[0], self.y[1] - by[1]];
+        let inside = |chord: &&Chord| chord.y > y[0] && chord.y < y[1];
+        let chords: Vec<Chord> = self.chords.iter().filter(inside).cloned().collect();
+        if chords.is_empty() { self.clone() } else { Self::new(chords, y, self.tips) }
+    }
+
     pub(super) fn scale(&mut self, factor: f64) {
         for chord in &mut self.chords {
             chord.scale(factor);

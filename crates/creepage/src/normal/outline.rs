@@ -2,7 +2,7 @@
 //!
 //! The force on the outer two cells of a row is `2/3 p D` of the pressure `p` at their inner side
 //! if pressure rises as a root over the distance `D` to the true end; so `D` follows from both.
-//! Across the rows the force per row rises in proportion, and the factor is 1/2.
+//! A tip is found in the same way from the column through it.
 
 use super::band::{Band, Chord};
 use super::level::Level;
@@ -146,13 +146,13 @@ fn band(level: &Level, chain: &Chain) -> Option<Band> {
     let (first, last) = (chain.runs.first()?, chain.runs.last()?);
     let low = lattice.corner[1] + first.row as f64 * lattice.step[1];
     let high = lattice.corner[1] + (last.row + 1) as f64 * lattice.step[1];
-    let shift = |loads: &mut dyn Iterator<Item = f64>, tip: bool| {
-        let loads: Vec<f64> = loads.take(3).collect();
-        if tip { end_shift(&loads, chain.runs.len(), TIP) * lattice.step[1] } else { 0.0 }
+    let shift = |runs: &mut dyn Iterator<Item = &Run>, tip: bool| {
+        let runs: Vec<&Run> = runs.take(3).collect();
+        if tip { tip_shift(level, &runs, chain.runs.len()) * lattice.step[1] } else { 0.0 }
     };
     let y = [
-        low - shift(&mut loads.iter().copied(), chain.tips[0]),
-        high + shift(&mut loads.iter().rev().copied(), chain.tips[1]),
+        low - shift(&mut chain.runs.iter(), chain.tips[0]),
+        high + shift(&mut chain.runs.iter().rev(), chain.tips[1]),
     ];
     // A row may be pressed a little beyond the tip: it adds its load but no chord.
     let margin = 0.2 * lattice.step[1];
@@ -182,28 +182,29 @@ fn line<'a>(level: &'a Level, run: &Run) -> &'a [f64] {
     &level.pressures[start + run.first..=start + run.last]
 }
 
-/// A law of rising from an end: force over inner value and distance, and how that is corrected
-/// for the far end.
-struct Law {
-    factor: f64,
-    correction: f64,
+/// How far a tip lies beyond the outer side of its outermost row, in rows.
+fn tip_shift(level: &Level, outer: &[&Run], rows: usize) -> f64 {
+    let columns = level.lattice.count[0];
+    let in_row = |run: &Run, column: usize| level.pressures[run.row * columns + column];
+    let Some(tip) = outer.first() else { return 0.0 };
+    let highest = (tip.first..=tip.last)
+        .max_by(|&one, &other| in_row(tip, one).total_cmp(&in_row(tip, other)));
+    let column = highest.unwrap_or(tip.first);
+    let values: Vec<f64> = outer.iter().map(|run| in_row(run, column)).collect();
+    end_shift(&values, rows)
 }
 
-const ROOT: Law = Law { factor: 2.0 / 3.0, correction: 0.2 };
-const TIP: Law = Law { factor: 0.5, correction: 1.0 / 3.0 };
-
 /// How far the true end lies beyond the outer side of the outermost of `count` cells, in cells;
-/// `values` are those of the outer three, from outside.
-fn end_shift(values: &[f64], count: usize, law: Law) -> f64 {
+/// `values` are those of the outer three, from outside. The far end corrects the root a little.
+fn end_shift(values: &[f64], count: usize) -> f64 {
     const FEW: f64 = -0.1;
     let &[outer, second, third] = values else { return FEW };
-    let inner = if law.factor > 0.6 {
-        f64::midpoint(second * second, third * third).sqrt()
-    } else {
-        f64::midpoint(second, third)
-    };
-    let distance = (outer + second) / (inner * law.factor);
-    let distance = distance / (1.0 + law.correction * distance / count as f64);
+    let inner = f64::midpoint(second * second, third * third).sqrt();
+    if inner == 0.0 {
+        return FEW;
+    }
+    let distance = 1.5 * (outer + second) / inner;
+    let distance = distance / (1.0 + 0.2 * distance / count as f64);
     (distance - 2.0).clamp(-1.2, 0.5)
 }
 
@@ -214,8 +215,8 @@ fn chord(level: &Level, run: &Run) -> Chord {
     let outer: Vec<f64> = values.iter().take(3).copied().collect();
     let other: Vec<f64> = values.iter().rev().take(3).copied().collect();
     let step = lattice.step[0];
-    let low = lattice.corner[0] + step * (run.first as f64 - end_shift(&outer, count, ROOT));
-    let high = lattice.corner[0] + step * ((run.last + 1) as f64 + end_shift(&other, count, ROOT));
+    let low = lattice.corner[0] + step * (run.first as f64 - end_shift(&outer, count));
+    let high = lattice.corner[0] + step * ((run.last + 1) as f64 + end_shift(&other, count));
     let (centre, half) = (f64::midpoint(low, high), 0.5 * (high - low));
     // The outermost cells are covered in part: their values say little of the profile.
     let skip = usize::from(count > 4);

@@ -10,12 +10,47 @@ use super::band::Band;
 use super::contact::Patch;
 use super::level::Task;
 use super::solve::Found;
+use newton::Touching;
 use strip::{Strip, Units};
 
 /// Solves with `count` strips across the widest patch, from patches close by.
+///
+/// A tip laid too far out leaves its strip nothing to touch: the strip shrinks to nothing, and
+/// the strips are laid anew with the tip drawn in.
 pub(super) fn solve(task: Task<'_>, start: &[Patch], count: usize, terms: usize) -> Option<Found> {
-    let bands: Vec<&Band> = start.iter().flat_map(Patch::bands).collect();
+    const ATTEMPTS: usize = 8;
     let (units, depth) = units(task, start)?;
+    let gap = |x: f64, y: f64| {
+        let place = [x, y].map(|at| at * units.length);
+        let h = task.gap.at(units.origin[0] + place[0], units.origin[1] + place[1]);
+        (task.approach - h) / depth
+    };
+    let mut start = start.to_vec();
+    for _ in 0..ATTEMPTS {
+        let laid = laid(&start, count, terms, units)?;
+        match newton::solve(laid.clone(), terms, &gap) {
+            Ok(touching) if touching.strips.iter().all(is_pressed) => {
+                let force = units.pressure * units.length * units.length;
+                return Some(Found {
+                    patches: patches(&start, &touching.strips, units),
+                    load: force * touching.strips.iter().map(Strip::load).sum::<f64>(),
+                    peak: units.pressure * peak(&touching.strips),
+                    stiffness: force / depth * touching.stiffness,
+                });
+            }
+            Ok(Touching { strips: stopped, .. }) | Err(stopped) => {
+                if !draw_in(&mut start, &laid, &stopped, units) {
+                    return None;
+                }
+            }
+        }
+    }
+    None
+}
+
+/// Strips in all bands, more in the wider ones; `None` if they are too many.
+fn laid(start: &[Patch], count: usize, terms: usize, units: Units) -> Option<Vec<Strip>> {
+    let bands: Vec<&Band> = start.iter().flat_map(Patch::bands).collect();
     let widest = bands.iter().map(|band| width(band)).fold(0.0, f64::max);
     let strips = bands.iter().enumerate().flat_map(|(index, band)| {
         let share = (width(band) / widest).sqrt();
@@ -23,25 +58,32 @@ pub(super) fn solve(task: Task<'_>, start: &[Patch], count: usize, terms: usize)
         strip::lay(band, index, strips, terms, units)
     });
     let strips: Vec<Strip> = strips.collect();
-    if strips.len() > MOST_STRIPS || !strips.iter().all(|strip| strip.half > 0.0) {
-        return None;
+    let usable = strips.len() <= MOST_STRIPS && strips.iter().all(|strip| strip.half > 0.0);
+    usable.then_some(strips)
+}
+
+/// Draws in the tips whose outermost strip has shrunk, by a part of its width; false if there
+/// are none.
+fn draw_in(start: &mut [Patch], laid: &[Strip], stopped: &[Strip], units: Units) -> bool {
+    const SHRUNK: f64 = 0.6;
+    const PART: f64 = 0.6;
+    let mut drawn = false;
+    for (index, band) in start.iter_mut().flat_map(Patch::bands_mut).enumerate() {
+        let own = || laid.iter().zip(stopped).filter(|(strip, _)| strip.band == index);
+        let tips = band.tips();
+        let drawn_by = |end: Option<(&Strip, &Strip)>, tip: bool| match end {
+            Some((laid, stopped)) if tip && stopped.half < SHRUNK * laid.half => {
+                PART * 2.0 * laid.width * units.length
+            }
+            _ => 0.0,
+        };
+        let by = [drawn_by(own().next(), tips[0]), drawn_by(own().last(), tips[1])];
+        if by != [0.0; 2] {
+            *band = band.drawn_in(by);
+            drawn = true;
+        }
     }
-    let gap = |x: f64, y: f64| {
-        let place = [x, y].map(|at| at * units.length);
-        let h = task.gap.at(units.origin[0] + place[0], units.origin[1] + place[1]);
-        (task.approach - h) / depth
-    };
-    let touching = newton::solve(strips, terms, &gap)?;
-    if !touching.strips.iter().all(is_pressed) {
-        return None;
-    }
-    let force = units.pressure * units.length * units.length;
-    Some(Found {
-        patches: patches(start, &touching.strips, units),
-        load: force * touching.strips.iter().map(Strip::load).sum::<f64>(),
-        peak: units.pressure * peak(&touching.strips),
-        stiffness: force / depth * touching.stiffness,
-    })
+    drawn
 }
 
 /// Strips of the narrowest band.

@@ -17,38 +17,31 @@ pub(super) struct Touching {
     pub(super) stiffness: f64,
 }
 
-/// Solves from a start close by; `None` when a strip vanishes or the residual stays.
-pub(super) fn solve(strips: Vec<Strip>, terms: usize, depth: Depth<'_>) -> Option<Touching> {
-    const STEPS: usize = 14;
+/// Solves from a start close by; else the strips where it stopped.
+pub(super) fn solve(
+    strips: Vec<Strip>,
+    terms: usize,
+    depth: Depth<'_>,
+) -> Result<Touching, Vec<Strip>> {
+    const STEPS: usize = 10;
     const ENOUGH: f64 = 1e-8;
     let mut system = System { strips, terms, points: points(terms) };
     let mut equations = system.equations(depth);
-    let mut size = equations.residual.amax();
     for _ in 0..STEPS {
+        let size = equations.residual.amax();
         let factors = equations.jacobian.clone().lu();
         if size < ENOUGH {
-            let by_approach =
-                factors.solve(&DVector::from_element(equations.residual.len(), 1.0))?;
+            let ones = DVector::from_element(equations.residual.len(), 1.0);
+            let Some(by_approach) = factors.solve(&ones) else { break };
             let stiffness = system.load_change(&by_approach);
-            return Some(Touching { strips: system.strips, stiffness });
+            return Ok(Touching { strips: system.strips, stiffness });
         }
-        let step = factors.solve(&equations.residual)?;
-        let mut length = system.longest(&step)?;
-        loop {
-            let trial = system.moved(&step, length);
-            let next = trial.equations(depth);
-            let next_size = next.residual.amax();
-            if next_size < size * (1.0 - 0.1 * length) {
-                (system, equations, size) = (trial, next, next_size);
-                break;
-            }
-            length *= 0.5;
-            if length < 0.03 {
-                return None;
-            }
-        }
+        let next =
+            factors.solve(&equations.residual).and_then(|s| system.improved(&s, size, depth));
+        let Some(next) = next else { break };
+        (system, equations) = next;
     }
-    None
+    Err(system.strips)
 }
 
 struct System {
@@ -133,6 +126,26 @@ impl System {
             .flat_map(|j| [step[j * size + self.terms], step[j * size + self.terms + 1]])
             .fold(0.0, |largest: f64, change| largest.max(change.abs()));
         step.iter().all(|change| change.is_finite()).then(|| (MOST / largest).min(1.0))
+    }
+
+    /// The system after a step, halved until the residual falls.
+    fn improved(
+        &self,
+        step: &DVector<f64>,
+        size: f64,
+        depth: Depth<'_>,
+    ) -> Option<(Self, Equations)> {
+        const SHORTEST: f64 = 0.03;
+        let mut length = self.longest(step)?;
+        while length > SHORTEST {
+            let trial = self.moved(step, length);
+            let equations = trial.equations(depth);
+            if equations.residual.amax() < size * (1.0 - 0.1 * length) {
+                return Some((trial, equations));
+            }
+            length *= 0.5;
+        }
+        None
     }
 
     fn moved(&self, step: &DVector<f64>, length: f64) -> Self {
