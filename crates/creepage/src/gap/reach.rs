@@ -75,10 +75,10 @@ fn reach_of_polynomial(polynomial: &Polynomial, height: f64) -> Option<Rectangle
         .map(|k| perimeter_is_above(polynomial, largest * (-f64::from(k)).exp2(), height))
         .collect();
     // From the outermost inwards: the first open square ends the search. Where the outermost is
-    // open (a fit that turns down far away), the innermost three closed in a row do.
+    // open (a fit that turns down far away), the innermost two closed in a row do.
     let outermost = closed.iter().position(|closed| !closed).unwrap_or(closed.len());
     let at = match outermost {
-        0 => closed.windows(3).rposition(|run| run.iter().all(|&closed| closed))? + 2,
+        0 => closed.windows(2).rposition(|run| run.iter().all(|&closed| closed))? + 1,
         open => open - 1,
     };
     let half = largest * (-(at as f64)).exp2();
