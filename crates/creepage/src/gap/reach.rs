@@ -59,7 +59,7 @@ fn likely_depth(polynomial: &Polynomial, compliance_force: f64) -> f64 {
 /// reach, no square's sides come below the height.
 fn reach_of_polynomial(polynomial: &Polynomial, height: f64) -> Option<Rectangle> {
     const BEYOND: f64 = 8.0;
-    const MOST: i32 = 80;
+    const MOST: usize = 80;
     let depth = (height - polynomial.constant()).abs().max(f64::MIN_POSITIVE);
     let (mut shortest, mut longest) = (f64::INFINITY, 0.0_f64);
     for length in polynomial.lengths(depth) {
@@ -70,9 +70,11 @@ fn reach_of_polynomial(polynomial: &Polynomial, height: f64) -> Option<Rectangle
         return None;
     }
     let largest = longest * BEYOND;
-    let shells = ((largest / shortest).log2().ceil() as i32 + 3).min(MOST);
-    let closed: Vec<bool> = (0..shells)
-        .map(|k| perimeter_is_above(polynomial, largest * (-f64::from(k)).exp2(), height))
+    let sizes = std::iter::successors(Some(largest), |half| Some(0.5 * half));
+    let closed: Vec<bool> = sizes
+        .take_while(|&half| half > shortest / BEYOND)
+        .take(MOST)
+        .map(|half| perimeter_is_above(polynomial, half, height))
         .collect();
     // From the outermost inwards: the first open square ends the search. Where the outermost is
     // open (a fit that turns down far away), the innermost two closed in a row do.

@@ -80,7 +80,7 @@ fn sorted(quantity: &'static str, values: &[f64]) -> Result<Vec<usize>, GapError
     all_finite(quantity, values)?;
     let mut order: Vec<usize> = (0..values.len()).collect();
     order.sort_by(|&one, &other| values[one].total_cmp(&values[other]));
-    match order.windows(2).find(|pair| values[pair[0]] == values[pair[1]]) {
+    match order.windows(2).find(|pair| values[pair[1]] - values[pair[0]] <= 0.0) {
         Some(pair) => Err(GapError::SameY { y: values[pair[0]] }),
         None => Ok(order),
     }

@@ -15,8 +15,6 @@ pub(super) struct Pressed {
     pub(super) distance: Vec<f64>,
     /// Largest distance of a pressed cell from touching and largest penetration of another.
     pub(super) residual: f64,
-    /// Products with the influence numbers.
-    pub(super) products: usize,
 }
 
 /// Solves for depths `d` from starting pressures until the residual is below `tolerance`.
@@ -88,12 +86,7 @@ impl<'a> Iteration<'a> {
             energy = self.energy();
         }
         let residual = self.residual();
-        Pressed {
-            pressures: self.pressures,
-            distance: self.distance,
-            residual,
-            products: self.products,
-        }
+        Pressed { pressures: self.pressures, distance: self.distance, residual }
     }
 
     fn energy(&self) -> f64 {

@@ -3,7 +3,7 @@
 use crate::gap::{Gap, Rectangle};
 
 use super::error::{NormalError, Side};
-use super::lattice::{Lattice, mean_chords};
+use super::lattice::{Lattice, mean_chords, whole};
 use super::level::{Level, Task};
 use super::overlap::{Overlap, widened};
 
@@ -40,7 +40,7 @@ fn spanning(rectangle: &Rectangle, chords: [f64; 2], per_chord: f64) -> Lattice 
     let size = rectangle.size();
     let wanted = [0, 1].map(|axis| (size[axis] / chords[axis] * per_chord).max(LEAST));
     let shrink = (MOST_CELLS / (wanted[0] * wanted[1])).sqrt().min(1.0);
-    let count = wanted.map(|n| (n * shrink).max(LEAST).min(MOST_CELLS / LEAST).ceil() as usize);
+    let count = wanted.map(|n| whole((n * shrink).clamp(LEAST, MOST_CELLS / LEAST).ceil()));
     Lattice::dividing(rectangle, count)
 }
 

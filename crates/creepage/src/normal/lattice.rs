@@ -42,7 +42,7 @@ impl Lattice {
     pub(super) fn holding(&self, x: f64, y: f64) -> Option<[usize; 2]> {
         let index = |place: f64, axis: usize| {
             let cell = (place - self.corner[axis]) / self.step[axis];
-            (cell >= 0.0 && cell < self.count[axis] as f64).then_some(cell as usize)
+            (cell >= 0.0 && cell < self.count[axis] as f64).then(|| whole(cell))
         };
         Some([index(x, 0)?, index(y, 1)?])
     }
@@ -72,6 +72,12 @@ impl Lattice {
         }
         Ok(depths)
     }
+}
+
+/// The whole part of a number that is not negative and small.
+#[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+pub(super) fn whole(number: f64) -> usize {
+    number as usize
 }
 
 /// First and last column and row of the cells in a set.

@@ -4,7 +4,7 @@ use crate::gap::Gap;
 
 use super::complementarity;
 use super::error::{NormalError, Side};
-use super::lattice::{Lattice, bounds};
+use super::lattice::{Lattice, bounds, whole};
 use super::overlap::widened;
 use super::product::{Product, dot};
 
@@ -17,7 +17,6 @@ pub(super) struct Level {
     /// Cells near contact: those that a finer lattice must look at.
     near: Vec<bool>,
     pub(super) residual: f64,
-    pub(super) products: usize,
     /// `dN/d(approach)` (N/m).
     pub(super) stiffness: f64,
 }
@@ -86,7 +85,6 @@ impl Level {
             pressures: vec![0.0; lattice.cells()],
             near: vec![false; lattice.cells()],
             residual: pressed.residual,
-            products: pressed.products,
             stiffness,
         };
         for ((&cell, &pressure), &distance) in
@@ -144,7 +142,7 @@ impl Level {
             let [columns, rows] = self.lattice.count;
             let inside =
                 column >= 0.0 && row >= 0.0 && column < columns as f64 && row < rows as f64;
-            if inside { self.pressures[row as usize * columns + column as usize] } else { 0.0 }
+            if inside { self.pressures[whole(row) * columns + whole(column)] } else { 0.0 }
         };
         let (i, j) = (t.floor(), u.floor());
         let (t, u) = (t - i, u - j);

@@ -25,10 +25,10 @@ pub(super) fn first(gap: &Gap, modulus: f64, load: f64) -> Result<(Task<'_>, Lev
         if (ratio - 1.0).abs() < ENOUGH {
             return Ok((task, level));
         }
-        if ratio < 1.0 {
-            if let Some(side) = level.side_reached(gap) {
-                return Err(elements::edge_error(task, &level, side));
-            }
+        if ratio < 1.0
+            && let Some(side) = level.side_reached(gap)
+        {
+            return Err(elements::edge_error(task, &level, side));
         }
         search.next(ratio.ln());
     }
@@ -100,11 +100,11 @@ impl Search {
 
 /// Moves the approach until the level carries the load asked for; a level at a prescribed
 /// approach stays as it is.
-pub(super) fn corrected<'a>(
-    mut task: Task<'a>,
+pub(super) fn corrected(
+    mut task: Task<'_>,
     asked: Asked,
     mut level: Level,
-) -> Result<(Task<'a>, Level), NormalError> {
+) -> Result<(Task<'_>, Level), NormalError> {
     const STEPS: usize = 8;
     const ENOUGH: f64 = 1e-5;
     let Asked::Load(load) = asked else { return Ok((task, level)) };

@@ -216,13 +216,15 @@ impl Convolution {
 fn fast_length(least: usize) -> usize {
     let smooth = |mut n: usize| {
         for factor in [2, 3, 5] {
-            while n % factor == 0 {
+            while n.is_multiple_of(factor) {
                 n /= factor;
             }
         }
         n == 1
     };
-    (least.max(2)..).find(|&n| n % 2 == 0 && smooth(n)).unwrap_or(least)
+    let least = least.max(2);
+    // A power of two lies below twice the least.
+    (least..=2 * least).find(|&n| n.is_multiple_of(2) && smooth(n)).unwrap_or(2 * least)
 }
 
 #[cfg(test)]

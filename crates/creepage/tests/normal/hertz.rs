@@ -1,7 +1,7 @@
 //! The ellipse and other closed forms, by the road that any shape goes.
 
 use creepage::gap::{Gap, Rolling, Term};
-use creepage::normal::{NormalContact, Resolution};
+use creepage::normal::{NormalContact, Patch, Resolution};
 use creepage::{Hertz, Radii};
 
 use crate::support::{MM, Sequence, polynomial, steel};
@@ -57,7 +57,7 @@ fn ellipses_under_given_load() {
         let off = (approach.value - hertz.approach()).abs();
         assert!(off < approach.error && off < 1e-3 * hertz.approach(), "{ratio}: {off}");
         assert!((contact.load().value - 5e4).abs() < 1e-6);
-        let carried: f64 = contact.patches().iter().map(|patch| patch.load()).sum();
+        let carried: f64 = contact.patches().iter().map(Patch::load).sum();
         assert!((carried / 5e4 - 1.0).abs() < 1e-9, "pressures carry the load: {carried}");
     }
 }

@@ -4,7 +4,7 @@
 use std::time::Instant;
 
 use creepage::gap::{Gap, Rolling};
-use creepage::normal::{Method, NormalContact, NormalError, Resolution, Status};
+use creepage::normal::{Method, NormalContact, NormalError, Patch, Resolution, Status};
 
 use crate::support::{MM, Sequence, function, polynomial, steel};
 
@@ -49,7 +49,7 @@ fn check(seed: u64, contact: &NormalContact) {
         contact.stiffness(),
     ];
     assert!(numbers.iter().all(|n| n.is_finite() && *n > 0.0), "{seed}: {numbers:?}");
-    let carried: f64 = contact.patches().iter().map(|patch| patch.load()).sum();
+    let carried: f64 = contact.patches().iter().map(Patch::load).sum();
     assert!((carried / contact.load().value - 1.0).abs() < 1e-6, "{seed}: {carried}");
     let mean = contact.load().value / contact.area().value;
     assert!(contact.peak_pressure().value > mean, "{seed}");

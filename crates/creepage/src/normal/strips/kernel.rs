@@ -104,10 +104,10 @@ impl View {
             };
             (log, ratio, if d == 0.0 { 0.0 } else { -ratio / d })
         };
-        for k in 0..MOST {
-            sum.value[k] += weights[k] * log;
-            sum.by_x[k] += weights[k] * slope;
-            sum.by_e[k] += weights[k] * ratio;
+        for (k, weight) in weights.iter().enumerate() {
+            sum.value[k] += weight * log;
+            sum.by_x[k] += weight * slope;
+            sum.by_e[k] += weight * ratio;
         }
     }
 }

@@ -8,6 +8,7 @@ mod strip;
 
 use super::band::Band;
 use super::contact::Patch;
+use super::lattice::whole;
 use super::level::Task;
 use super::solve::Found;
 use newton::Touching;
@@ -54,7 +55,7 @@ fn laid(start: &[Patch], count: usize, terms: usize, units: Units) -> Option<Vec
     let widest = bands.iter().map(|band| width(band)).fold(0.0, f64::max);
     let strips = bands.iter().enumerate().flat_map(|(index, band)| {
         let share = (width(band) / widest).sqrt();
-        let strips = ((count as f64 * share).round() as usize).clamp(FEWEST.min(count), count);
+        let strips = whole((count as f64 * share).round()).clamp(FEWEST.min(count), count);
         strip::lay(band, index, strips, terms, units)
     });
     let strips: Vec<Strip> = strips.collect();
@@ -77,8 +78,8 @@ fn draw_in(start: &mut [Patch], laid: &[Strip], stopped: &[Strip], units: Units)
             }
             _ => 0.0,
         };
-        let by = [drawn_by(own().next(), tips[0]), drawn_by(own().last(), tips[1])];
-        if by != [0.0; 2] {
+        let by = [drawn_by(own().next(), tips[0]), drawn_by(own().next_back(), tips[1])];
+        if by.iter().sum::<f64>() > 0.0 {
             *band = band.drawn_in(by);
             drawn = true;
         }

@@ -102,12 +102,12 @@ impl System {
             }
             displacement += scale * value;
             let distance = (x - source.centre) / source.half;
-            if i != j {
-                slope += by_x / PI;
-                row[j * size + terms] -= scale * by_x;
-            } else {
+            if i == j {
+                // Its points move with the strip.
                 by_x = 0.0;
             }
+            slope += by_x / PI;
+            row[j * size + terms] -= scale * by_x;
             row[j * size + terms + 1] += scale * (value - distance * by_x - by_e);
         }
         let h = STEP * strip.half;
