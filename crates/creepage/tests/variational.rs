@@ -193,15 +193,11 @@ fn large_creepage_is_full_sliding() {
 
 #[test]
 fn nonsense_is_an_error_that_names_the_field() {
-    let message = |ratio, poisson, settings| {
-        Variational::new(&contact(ratio, poisson), settings).unwrap_err().to_string()
-    };
-    assert!(message(f64::NAN, 0.3, Settings::default()).contains("a_over_b"));
-    assert!(message(0.0, 0.3, Settings::default()).contains("a_over_b"));
-    assert!(message(1.0, 0.6, Settings::default()).contains("poisson"));
-    assert!(message(1.0, 0.3, Settings::of_degree(99)).contains("degree = 99"));
+    let message =
+        |settings| Variational::new(&contact(1.0, 0.3), settings).unwrap_err().to_string();
+    assert!(message(Settings::of_degree(99)).contains("degree = 99"));
     let mesh = Settings { mesh: [2, 10], ..Settings::default() };
-    assert!(message(1.0, 0.3, mesh).contains("mesh = 2 x 10"));
+    assert!(message(mesh).contains("mesh = 2 x 10"));
 }
 
 /// The same case from a cold start: the exact minimum, which the print approaches to 5e-8.

@@ -43,7 +43,10 @@ fn component() -> impl Strategy<Value = f64> {
 }
 
 fn any_creepage() -> impl Strategy<Value = Creepage> {
-    [component(), component(), component()].prop_map(|[xi, eta, chi]| creepage(xi, eta, chi))
+    [component(), component(), component()].prop_map(|components| {
+        let [xi, eta, chi] = components.map(|v| v.clamp(-Creepage::MAX, Creepage::MAX));
+        creepage(xi, eta, chi)
+    })
 }
 
 fn ratio() -> impl Strategy<Value = f64> {
