@@ -14,7 +14,7 @@ fn the_error_bar_holds() {
         [(0.2, 0.1), (0.6, 0.45), (1.0, 0.28), (1.7, 0.0), (3.0, 0.35), (5.0, 0.2)]
     {
         let [fast, fine] = [Resolution::FAST, Resolution::FINE]
-            .map(|resolution| Exact::new(ratio, poisson, resolution).unwrap());
+            .map(|resolution| exact(ratio, poisson, resolution));
         for k in 0..30 {
             let t = f64::from(k) + ratio;
             let case = [3.0 * (1.3 * t).sin(), 3.0 * (2.1 * t).cos(), 8.0 * (0.7 * t).sin()];
@@ -36,7 +36,7 @@ fn refined_values_agree_within_their_bars() {
     let (mut inside, mut all) = (0, 0);
     for (ratio, poisson) in [(0.25, 0.4), (0.7, 0.0), (1.0, 0.28), (2.2, 0.15), (5.0, 0.28)] {
         let [coarse, fine] = [(12, 10), (24, 20)].map(|(along, across)| {
-            Exact::new(ratio, poisson, Resolution::new(along, across).unwrap()).unwrap()
+            exact(ratio, poisson, Resolution::new(along, across).unwrap())
         });
         for k in 0..24 {
             let t = f64::from(k) - ratio;

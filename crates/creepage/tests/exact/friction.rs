@@ -20,7 +20,7 @@ proptest! {
     /// (4.28): reversing all, or mirroring at y = 0.
     #[test]
     fn symmetries((ratio, poisson) in contact(), [xi, eta, chi] in creepage()) {
-        let theory = Exact::new(ratio, poisson, Resolution::FAST).unwrap();
+        let theory = exact(ratio, poisson, Resolution::FAST);
         let force = solve(&theory, [xi, eta, chi]).force;
         let reversed = solve(&theory, [-xi, -eta, -chi]).force;
         let mirrored = solve(&theory, [xi, -eta, -chi]).force;
@@ -37,7 +37,7 @@ proptest! {
     /// below; no element gives energy back.
     #[test]
     fn coulombs_law_holds((ratio, poisson) in contact(), [xi, eta, chi] in creepage()) {
-        let theory = Exact::new(ratio, poisson, Resolution::FAST).unwrap();
+        let theory = exact(ratio, poisson, Resolution::FAST);
         let mut workspace = theory.workspace();
         let creepage = Creepage::new(xi, eta, chi).unwrap();
         let found = theory.solve_with(creepage, &mut workspace);
@@ -75,7 +75,7 @@ proptest! {
     #[test]
     fn the_elements_give_all_the_heat(poisson in 0.0..0.5_f64, creepage in creepage()) {
         let heat = |along, across| {
-            let theory = Exact::new(1.0, poisson, Resolution::new(along, across).unwrap()).unwrap();
+            let theory = exact(1.0, poisson, Resolution::new(along, across).unwrap());
             let mut workspace = theory.workspace();
             let [xi, eta, chi] = creepage;
             let found = theory.solve_with(Creepage::new(xi, eta, chi).unwrap(), &mut workspace);

@@ -13,7 +13,7 @@ fn reference_errors(resolution: Resolution) -> [Vec<f64>; 2] {
     let contact = |case: &ReferenceCase| (case.a_over_b, case.poisson);
     for alike in cases.chunk_by(|one, two| contact(one) == contact(two)) {
         let (a_over_b, poisson) = contact(&alike[0]);
-        let theory = Exact::new(a_over_b, poisson, resolution).unwrap();
+        let theory = exact(a_over_b, poisson, resolution);
         for case in alike {
             let found = theory.solve_with(case.creepage, &mut theory.workspace());
             assert_eq!(found.status, Status::Solved);
@@ -61,9 +61,9 @@ fn reference_cases() {
 /// the border of the adhesion area falls between elements.
 #[test]
 fn convergence_is_of_high_order() {
-    let reference = Exact::new(0.8, 0.28, Resolution::new(48, 40).unwrap()).unwrap();
+    let reference = exact(0.8, 0.28, Resolution::new(48, 40).unwrap());
     let grids = [(8, 8), (16, 16), (32, 32)].map(|(along, across)| {
-        Exact::new(0.8, 0.28, Resolution::new(along, across).unwrap()).unwrap()
+        exact(0.8, 0.28, Resolution::new(along, across).unwrap())
     });
     let cases =
         [[0.9, 0.2, 0.3], [0.5, 1.0, 0.5], [0.3, -0.8, 0.4], [1.5, 0.4, 1.0], [0.0, 0.6, 0.0]];

@@ -38,7 +38,7 @@ proptest! {
         poisson in 0.0..0.5_f64,
         cases in prop::collection::vec([any_size(), any_size(), any_size()], 20),
     ) {
-        let theory = Exact::new(ratio, poisson, Resolution::FAST).unwrap();
+        let theory = exact(ratio, poisson, Resolution::FAST);
         for case in cases {
             let found = solve(&theory, case);
             prop_assert_eq!(found.status, Status::Solved, "{:?}", case);
