@@ -1,10 +1,11 @@
-//! What drives the slip: creepage, spin and, between unlike bodies, the pressure (6.4).
+//! What drives the slip: creepage, spin and, between dissimilar bodies, the pressure (6.4).
 //!
-//! The pressure's part has a closed form. By (2.11a,b) `u - iv`, as a function of `z = x + iy`, is the plane field of attraction of a mass
-//! of density `Z`, times `-kappa / (pi G)`. Newton's shells make one integral of it: a thin shell
-//! between similar ellipses attracts only what lies outside of it, and there as its mass does
-//! along the focal segment. For Hertz's pressure `Z = G f00 (1 - t)^(1/2)` on the ellipses
-//! `t = x^2/a^2 + y^2/b^2`, with the focal distance `f^2 = a^2 - b^2`:
+//! The pressure's part has a closed form. By (2.11a,b) `u - iv`, as a function of `z = x + iy`, is
+//! the plane field of attraction of a mass of density `Z`, times `-kappa / (pi G)`. Newton's shells
+//! make one integral of it: a thin shell between similar ellipses attracts only what lies outside
+//! of it, and there as its mass does along the focal segment. For Hertz's pressure
+//! `Z = G f00 (1 - t)^(1/2)` on the ellipses `t = x^2/a^2 + y^2/b^2`, with the focal distance
+//! `f^2 = a^2 - b^2`:
 //!
 //! ```math
 //! u - i v = -\kappa f_{00} \, a b \int_0^t \frac{\sqrt{1 - t'} \, dt'}{\sqrt{z^2 - f^2 t'}}
@@ -58,7 +59,7 @@ impl SlipForcing {
     }
 }
 
-/// Slip of every element by Hertz's pressure between unlike bodies, over `kappa f00`.
+/// Slip of every element by Hertz's pressure between dissimilar bodies, over `kappa f00`.
 pub(crate) fn by_hertz_pressure(ellipse: Ellipse, stencils: &[SlipStencil]) -> Vec<[f64; 2]> {
     stencils.iter().flat_map(|stencil| stencil.slip(|at| displacement(ellipse, at))).collect()
 }

@@ -12,19 +12,24 @@ pub(crate) type Response = [f64; 3];
 /// and so on; `1/R` is the divergence of the position over `R`.
 pub(crate) fn edge(poisson: f64, from: [f64; 2], to: [f64; 2]) -> Response {
     let [across, up] = [to[0] - from[0], to[1] - from[1]];
-    let length = across.hypot(up);
+    let length = norm(across, up);
     if length == 0.0 {
         return [0.0; 3];
     }
     let ([tx, ty], [nx, ny]) = ([across / length, up / length], [up / length, -across / length]);
     let distance = nx * from[0] + ny * from[1];
     let ends = [from, to].map(|[x, y]| tx * x + ty * y);
-    let radii = ends.map(|end| distance.hypot(end));
+    let radii = ends.map(|end| norm(distance, end));
     let inverse = distance_times_log(distance, ends, radii);
     let radial = radii[1] - radii[0];
     // Integrals of x/R and y/R along the edge.
     let [x, y] = [nx * inverse + tx * radial, ny * inverse + ty * radial];
     [inverse - poisson * nx * x, -poisson * nx * y, inverse - poisson * ny * y]
+}
+
+/// A third of the time went into `hypot`, whose care for overflow nothing needs here.
+fn norm(x: f64, y: f64) -> f64 {
+    (x * x + y * y).sqrt()
 }
 
 /// Integral of `distance / R` along an edge; the logarithm is taken where nothing cancels.

@@ -1,9 +1,12 @@
 //! One contact solved, kept for further questions.
 
 use super::Exact;
-use super::workspace::{Totals, Workspace};
-use crate::theory::{Diagnostic, FieldPoint, Jacobian, Region, Solved, Statistics};
-use crate::{Creepage, Solution};
+use super::extrapolation::{error_bar, extrapolate, extrapolate_force};
+use super::workspace::Workspace;
+use crate::theory::{
+    Diagnostic, FieldPoint, Jacobian, Region, Solution, Solved,
+};
+use crate::{Creepage, Force};
 
 /// What happens in one element.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -20,21 +23,87 @@ pub struct ElementField {
     pub corners: [[f64; 2]; 4],
 }
 
+/// The reflections that make `xi` and `chi` (or `eta`, without spin) positive: the contact has
+/// the symmetries (4.22)-(4.28), and with these they hold to the last bit. The one that changes the
+/// sign of `xi` turns all vectors about and leaves the pressure, and so exchanges dissimilar bodies.
+#[derive(Debug, Clone, Copy)]
+struct Mirror {
+    x: f64,
+    y: f64,
+}
+
+impl Mirror {
+    fn of(creepage: Creepage) -> Self {
+        let negative = creepage.chi < 0.0 || (creepage.chi == 0.0 && creepage.eta < 0.0);
+        let sign = |negative| if negative { -1.0 } else { 1.0 };
+        Self { x: sign(creepage.xi < 0.0), y: sign(negative) }
+    }
+
+    /// Signs of `xi`, `eta`, `chi`, and of `fx`, `fy`, `mz`.
+    fn signs(self) -> [f64; 3] {
+        [self.x, self.y, self.y]
+    }
+
+    fn creepage(self, Creepage { xi, eta, chi }: Creepage) -> Creepage {
+        Creepage { xi: self.x * xi, eta: self.y * eta, chi: self.y * chi }
+    }
+
+    fn force(self, Force { fx, fy, mz }: Force) -> Force {
+        Force { fx: self.x * fx, fy: self.y * fy, mz: self.y * mz }
+    }
+
+    fn vector(self, [x, y]: [f64; 2]) -> [f64; 2] {
+        [self.x * x, self.y * y]
+    }
+
+    fn position(self, [x, y]: [f64; 2]) -> [f64; 2] {
+        [x, self.x * self.y * y]
+    }
+}
+
+/// What a solve gives.
+#[derive(Debug, Clone, Copy)]
+struct Answer {
+    creepage: Creepage,
+    mirror: Mirror,
+    solution: Solution,
+    power: f64,
+    dissipation: f64,
+}
+
+impl Answer {
+    /// Solves from scratch, or from the tractions of the last case.
+    fn new(exact: &Exact, workspace: &mut Workspace, creepage: Creepage, warm: bool) -> Self {
+        let mirror = Mirror::of(creepage);
+        let mirrored = mirror.creepage(creepage);
+        workspace.solve(&exact.grids, warm, |grid, forcing| {
+            grid.set_forcing(mirrored, mirror.x, forcing);
+        });
+        let [coarse, fine] = workspace.sums(&exact.grids, mirror.x);
+        let force = mirror.force(extrapolate_force(coarse.force, fine.force));
+        let error = error_bar(coarse.force, fine.force, exact.grids[1].mesh.len());
+        let power = force.fx * creepage.xi
+            + force.fy * creepage.eta
+            + force.mz * creepage.chi
+            + extrapolate(coarse.by_pressure, fine.by_pressure);
+        let dissipation = extrapolate(coarse.dissipation, fine.dissipation).max(0.0);
+        Self { creepage, mirror, solution: workspace.solution(force, error), power, dissipation }
+    }
+}
+
 /// One contact solved by [`Exact`]; made by [`Exact::solve_contact`].
 #[derive(Debug)]
 pub struct ExactSolved<'a> {
     exact: &'a Exact,
     workspace: Workspace,
-    creepage: Creepage,
-    totals: Totals,
+    answer: Answer,
 }
 
 impl<'a> ExactSolved<'a> {
     pub(super) fn new(exact: &'a Exact, creepage: Creepage) -> Self {
         let mut workspace = exact.pool.take(&exact.grids);
-        workspace.solve(&exact.grids, creepage, false);
-        let totals = workspace.totals(&exact.grids, creepage);
-        Self { exact, workspace, creepage, totals }
+        let answer = Answer::new(exact, &mut workspace, creepage, false);
+        Self { exact, workspace, answer }
     }
 
     /// The theory that solved it.
@@ -46,29 +115,24 @@ impl<'a> ExactSolved<'a> {
     /// Solves for another creepage, from these tractions: quicker along a curve.
     #[must_use]
     pub fn next(mut self, creepage: Creepage) -> Self {
-        self.solve(creepage, true);
+        self.answer = Answer::new(self.exact, &mut self.workspace, creepage, true);
         self
-    }
-
-    fn solve(&mut self, creepage: Creepage, warm: bool) {
-        self.workspace.solve(&self.exact.grids, creepage, warm);
-        self.totals = self.workspace.totals(&self.exact.grids, creepage);
-        self.creepage = creepage;
     }
 
     /// The elements of the finer grid, strip by strip from negative `y`, each from the leading
     /// edge.
     #[must_use]
     pub fn elements(&self) -> Vec<ElementField> {
-        let (mesh, mirror) = (&self.exact.grids[1].mesh, self.workspace.mirror);
-        let (last, flips) = (mesh.strips.len() - 1, mirror.flips());
-        let elements = mesh.all().map(|(strip, i)| if flips { (last - strip, i) } else { (strip, i) });
-        elements.map(|(strip, i)| self.element(strip, i)).collect()
+        let mesh = &self.exact.grids[1].mesh;
+        let (strips, mirror) = (mesh.strips.len(), self.answer.mirror);
+        let flips = mirror.x * mirror.y < 0.0;
+        let place = |strip: usize| if flips { strips - 1 - strip } else { strip };
+        mesh.all().map(|(strip, i)| self.element(place(strip), i)).collect()
     }
 
     fn element(&self, strip: usize, i: usize) -> ElementField {
         let (grid, state) = (&self.exact.grids[1], self.workspace.fine());
-        let (pressure, mirror) = (&grid.pressure, self.workspace.mirror);
+        let (pressure, mirror) = (&grid.pressure, self.answer.mirror);
         let element = grid.mesh.elements(strip).start + i;
         let bound = pressure.bounds[element];
         ElementField {
@@ -95,7 +159,7 @@ impl<'a> ExactSolved<'a> {
     /// the border of the adhesion area, are interpolated; the law of Coulomb then picks the
     /// region, and the slip and the size of the traction that go with it.
     fn at(&self, position: [f64; 2]) -> FieldPoint {
-        let (mirror, state) = (self.workspace.mirror, self.workspace.fine());
+        let (mirror, state) = (self.answer.mirror, self.workspace.fine());
         let ellipse = self.exact.contact.ellipse();
         let [x, y] = mirror.position(position);
         let left = 1.0 - (x / ellipse.a()).powi(2) - (y / ellipse.b()).powi(2);
@@ -135,21 +199,19 @@ impl Drop for ExactSolved<'_> {
 
 impl Solved for ExactSolved<'_> {
     fn creepage(&self) -> Creepage {
-        self.creepage
+        self.answer.creepage
     }
 
     fn solution(&self) -> Solution {
-        let Totals { force, error, status, outcomes: [coarse, fine], .. } = self.totals;
-        let statistics = Statistics {
-            iterations: coarse.sweeps + fine.sweeps,
-            factorizations: coarse.factorizations + fine.factorizations,
-        };
-        Solution { force, error: Some(error), status, statistics }
+        self.answer.solution
     }
 
     /// That of the extrapolated force.
     fn jacobian(&mut self) -> Option<Jacobian> {
-        Some(self.workspace.jacobian(&self.exact.grids))
+        let columns = self.workspace.derivative(&self.exact.grids).map(|force| force.components());
+        let signs = self.answer.mirror.signs();
+        let entry = |i: usize, k: usize| signs[i] * signs[k] * columns[k][i];
+        Some(std::array::from_fn(|i| std::array::from_fn(|k| entry(i, k))))
     }
 
     fn field(&self, positions: &[[f64; 2]]) -> Vec<FieldPoint> {
@@ -160,10 +222,10 @@ impl Solved for ExactSolved<'_> {
         Some(self.elements().iter().map(|element| element.point).collect())
     }
 
-    /// Between unlike bodies with the power of the tractions on the slip that the pressure causes,
+    /// Between dissimilar bodies with the power of the tractions on the slip that the pressure causes,
     /// which comes from the resistance to rolling.
     fn power(&self) -> f64 {
-        self.totals.power
+        self.answer.power
     }
 
     /// Extrapolated from two grids. It lacks the heat of slip areas narrower than an element:
@@ -171,11 +233,11 @@ impl Solved for ExactSolved<'_> {
     /// at the standard resolution, and by 6 % in the worst of 138; for vanishing creepage this is
     /// zero.
     fn dissipation(&self) -> Option<f64> {
-        Some(self.totals.dissipation)
+        Some(self.answer.dissipation)
     }
 
     fn diagnostics(&self) -> Vec<Diagnostic> {
-        let error = self.totals.error;
+        let error = self.answer.solution.error.unwrap_or_default();
         let elements = self.exact.grids[1].mesh.len() as f64;
         let kappa_over_mu = self.exact.contact.kappa_over_mu();
         let diagnostic = |key, label, value| Diagnostic { key, label, value };

@@ -1,9 +1,9 @@
 //! One creepage after another: warm starts, and no jumps.
 
-use creepage::coulomb::{Exact, Resolution};
+use creepage::coulomb::Resolution;
 use creepage::{Creepage, Status, Theory};
 
-use crate::support::components;
+use crate::support::{components, exact};
 
 #[test]
 fn warm_starts_find_the_same_solutions() {

@@ -1,9 +1,10 @@
 //! The error bars: what they promise holds.
 
-use creepage::Creepage;
-use creepage::coulomb::{Automatic, Exact, Resolution};
+use creepage::Theory;
+use creepage::coulomb::{Automatic, Resolution};
 
-use crate::support::{components, solve};
+use crate::common::{at, contact};
+use crate::support::{components, exact, solve};
 
 /// The error bar of the fast resolution against the fine one, which is ten times as accurate, on
 /// contacts and creepages of every kind. The bar is made for 95 %.
@@ -55,9 +56,9 @@ fn refined_values_agree_within_their_bars() {
 
 #[test]
 fn automatic_refines_until_the_bar_is_small() {
-    let theory = Automatic::new(1.0, 0.28, 0.004).unwrap();
+    let theory = Automatic::new(&contact(1.0, 0.28), 0.004).unwrap();
     for case in [[3.0, 0.0, 0.0], [0.5, 0.5, 1.0], [0.0, 0.0, 2.0]] {
-        let found = theory.solve_to_accuracy(Creepage::new(case[0], case[1], case[2]).unwrap());
-        assert!(found.error.fx.max(found.error.fy) <= 0.004, "{case:?} {found:?}");
+        let error = theory.solve(at(case)).error.unwrap();
+        assert!(error.fx.max(error.fy) <= 0.004, "{case:?} {error:?}");
     }
 }

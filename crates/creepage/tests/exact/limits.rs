@@ -2,10 +2,11 @@
 
 use creepage::approximate::linear::Linear;
 use creepage::approximate::saturated::Saturated;
-use creepage::coulomb::{Exact, Resolution};
+use creepage::coulomb::Resolution;
 use creepage::{Creepage, Status, Theory};
 
-use crate::support::{components, solve};
+use crate::common::contact;
+use crate::support::{components, exact, solve};
 
 #[test]
 fn no_creepage_no_force() {
@@ -22,7 +23,7 @@ fn small_creepage_is_linear() {
         [(0.1, 0.28), (0.3, 0.5), (1.0, 0.0), (1.0, 0.5), (3.0, 0.28), (10.0, 0.28), (10.0, 0.0)]
     {
         let theory = exact(ratio, poisson, Resolution::FINE);
-        let gains = Linear::new(ratio, poisson).unwrap().derivative(Creepage::default());
+        let gains = Linear::new(&contact(ratio, poisson)).unwrap().jacobian(Creepage::default()).unwrap();
         // No element slides yet.
         let small = 1e-7;
         for column in 0..3 {
@@ -51,15 +52,14 @@ fn large_creepage_saturates() {
     assert!((found.fx - 0.6).abs() < 1e-4 && (found.fy - 0.8).abs() < 1e-4);
     for ratio in [0.1_f64, 0.4, 1.0, 3.0, 10.0] {
         let theory = exact(ratio, 0.28, Resolution::FINE);
-        let mut workspace = theory.workspace();
-        let saturated = Saturated::new(ratio).unwrap();
+        let saturated = Saturated::new(&contact(ratio, 0.28)).unwrap();
         for k in 0..24 {
             // The pole goes outwards in a spiral from the middle, to twice the semi-axes.
             let (sin, cos) = (1.3 * f64::from(k)).sin_cos();
             let distance = f64::from(k) / 12.0;
             let (x, y) = (distance * cos * ratio.sqrt(), distance * sin / ratio.sqrt());
             let creepage = Creepage::new(1e5 * y, -1e5 * x, 1e5).unwrap();
-            let found = components(theory.solve_with(creepage, &mut workspace).force);
+            let found = components(theory.solve(creepage).force);
             let expected = components(saturated.solve(creepage).force);
             for (found, expected) in found.into_iter().zip(expected) {
                 assert!((found - expected).abs() < 5e-4, "{ratio} {k}: {found} {expected}");

@@ -1,8 +1,8 @@
 //! Creepage times force is the power turned to heat in the slip area.
 
-use creepage::coulomb::{Exact, Resolution};
+use creepage::coulomb::Resolution;
 
-use crate::support::solve;
+use crate::support::{exact, solve};
 
 /// Creepage times force is the power turned to heat in the slip area. Both are extrapolated from
 /// two grids; what is left of their difference is heat in slip areas narrower than an element.
