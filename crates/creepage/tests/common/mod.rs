@@ -1,11 +1,15 @@
 //! What the tests share.
 #![allow(dead_code, clippy::unwrap_used)] // each test uses a part
 
-use creepage::{Contact, Creepage, Ellipse};
+use creepage::{Contact, Creepage, Ellipse, InvalidValue};
 
 /// Like bodies, by the ratio of the semi-axes and the combined Poisson's ratio.
 pub(crate) fn contact(a_over_b: f64, poisson: f64) -> Contact {
-    Contact::new(Ellipse::from_ratio(a_over_b).unwrap(), poisson).unwrap()
+    try_contact(a_over_b, poisson).unwrap()
+}
+
+pub(crate) fn try_contact(a_over_b: f64, poisson: f64) -> Result<Contact, InvalidValue> {
+    Contact::new(Ellipse::from_ratio(a_over_b)?, poisson)
 }
 
 pub(crate) fn creepage(xi: f64, eta: f64, chi: f64) -> Creepage {
