@@ -1,4 +1,4 @@
-//! The page of Fig. 12. Its numbers are compared with the print in `creepage-gallery`.
+//! The page of Fig. 12. Its numbers are compared with the print in `gallery.rs`.
 #![allow(clippy::unwrap_used)]
 
 use creepage::rolling::Creepage;
