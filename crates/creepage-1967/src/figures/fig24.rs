@@ -1,7 +1,7 @@
 //! Fig. 24: lines of constant size and of constant direction of the creepage, over the force.
 
-use creepage::rolling::variational::Weight;
-use creepage::rolling::{Creepage, Force};
+use creepage::variational::Weight;
+use creepage::{Creepage, Force};
 
 use crate::prelude::*;
 
@@ -64,7 +64,11 @@ impl Net {
                 for (theory, forces) in ["M = 3", "full theory"].into_iter().zip(&line.forces) {
                     let name = format!("{kind} = {}, {theory}", line.value);
                     for (creepage, force) in line.creepages.iter().zip(forces) {
-                        data.points(&name, &[creepage.xi, creepage.eta], [&[force.fx, force.fy]]);
+                        data.points(
+                            &name,
+                            &[creepage.xi(), creepage.eta()],
+                            [&[force.fx, force.fy]],
+                        );
                     }
                 }
             }
@@ -76,7 +80,7 @@ impl Net {
 /// (5.30), the angle in degrees.
 fn at(chi: f64, nu: f64, alpha: f64) -> Creepage {
     let (sin, cos) = alpha.to_radians().sin_cos();
-    Creepage { xi: nu * cos, eta: nu * sin, chi }
+    rolling_at([nu * cos, nu * sin, chi])
 }
 
 /// The lowest direction in degrees: without spin, one quarter tells all.
@@ -119,7 +123,7 @@ fn make(title: &str, chi: f64) -> Result<Reproduction, GalleryError> {
 fn directions(ray: &Line, theory: usize) -> [f64; 2] {
     let pairs = ray.creepages.iter().zip(&ray.forces[theory]);
     let within =
-        pairs.filter(|(creepage, _)| (0.3..1.7).contains(&creepage.xi.hypot(creepage.eta)));
+        pairs.filter(|(creepage, _)| (0.3..1.7).contains(&creepage.xi().hypot(creepage.eta())));
     within.fold([180.0_f64, -180.0_f64], |[low, high], (_, force)| {
         let angle = force.fy.atan2(force.fx).to_degrees();
         [low.min(angle), high.max(angle)]
