@@ -4,8 +4,8 @@
 
 use std::time::Instant;
 
-use creepage::rolling::exact::{Exact, ExactSolution, Resolution, Workspace};
-use creepage::rolling::{Creepage, Status};
+use creepage::coulomb::{Exact, ExactSolution, Resolution, Workspace};
+use creepage::{Creepage, Status};
 use creepage_validation::SquareGrid;
 use divan::{Bencher, black_box};
 

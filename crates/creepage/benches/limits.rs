@@ -1,11 +1,11 @@
 //! Cost of the limiting theories and of the laws in closed form.
 
-use creepage::rolling::linear::{CreepageCoefficients, Linear};
-use creepage::rolling::polach::Polach;
-use creepage::rolling::saturated::Saturated;
-use creepage::rolling::shen_hedrick_elkins::ShenHedrickElkins;
-use creepage::rolling::vermeulen_johnson::VermeulenJohnson;
-use creepage::rolling::{Creepage, Theory};
+use creepage::approximate::linear::{CreepageCoefficients, Linear};
+use creepage::approximate::polach::Polach;
+use creepage::approximate::saturated::Saturated;
+use creepage::approximate::shen_hedrick_elkins::ShenHedrickElkins;
+use creepage::approximate::vermeulen_johnson::VermeulenJohnson;
+use creepage::{Creepage, Theory};
 use divan::{Bencher, black_box};
 
 fn main() {

@@ -2,11 +2,11 @@
 
 #![allow(clippy::unwrap_used)] // the inputs are constants
 
-use creepage::rolling::fastrip::{Fastrip, Variant};
-use creepage::rolling::fastsim::{Fastsim, Settings};
-use creepage::rolling::linear::CreepageCoefficients;
-use creepage::rolling::strip::StripTheory;
-use creepage::rolling::{Creepage, Theory};
+use creepage::approximate::fastrip::{Fastrip, Variant};
+use creepage::approximate::fastsim::{Fastsim, Settings};
+use creepage::approximate::linear::CreepageCoefficients;
+use creepage::approximate::strip::StripTheory;
+use creepage::{Creepage, Theory};
 use divan::{Bencher, black_box};
 
 fn main() {

@@ -1,8 +1,8 @@
 //! Cost of the numerical theory of chapter 5.
 #![allow(missing_docs, clippy::unwrap_used)]
 
-use creepage::rolling::Creepage;
-use creepage::rolling::variational::{Settings, Start, Variational, VariationalSolution};
+use creepage::Creepage;
+use creepage::variational::{Settings, Start, Variational, VariationalSolution};
 use divan::{Bencher, black_box};
 
 fn main() {

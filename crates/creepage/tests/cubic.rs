@@ -4,11 +4,11 @@
 
 use std::f64::consts::{FRAC_2_PI, FRAC_PI_4, PI};
 
-use creepage::rolling::linear::{CreepageCoefficients, Linear};
-use creepage::rolling::polach::Polach;
-use creepage::rolling::shen_hedrick_elkins::ShenHedrickElkins;
-use creepage::rolling::vermeulen_johnson::VermeulenJohnson;
-use creepage::rolling::{Creepage, FieldPoint, Force, Region, Status, Theory};
+use creepage::approximate::linear::{CreepageCoefficients, Linear};
+use creepage::approximate::polach::Polach;
+use creepage::approximate::shen_hedrick_elkins::ShenHedrickElkins;
+use creepage::approximate::vermeulen_johnson::VermeulenJohnson;
+use creepage::{Creepage, FieldPoint, Force, Region, Status, Theory};
 use serde_json::Value;
 
 const REFERENCE: &str = include_str!("data/cubic_laws.json");

@@ -3,9 +3,9 @@
 
 use std::f64::consts::PI;
 
-use creepage::rolling::linear::{CreepageCoefficients, Linear};
-use creepage::rolling::{Creepage, Region, Theory};
+use creepage::approximate::linear::{CreepageCoefficients, Linear};
 use creepage::special::CompleteIntegrals;
+use creepage::{Creepage, Region, Theory};
 use serde_json::Value;
 
 const CONVERGED: &str = include_str!("data/creepage_coefficients_converged.json");

@@ -5,12 +5,12 @@
 
 use std::sync::LazyLock;
 
-use creepage::rolling::linear::Linear;
-use creepage::rolling::polach::Polach;
-use creepage::rolling::saturated::Saturated;
-use creepage::rolling::shen_hedrick_elkins::ShenHedrickElkins;
-use creepage::rolling::vermeulen_johnson::VermeulenJohnson;
-use creepage::rolling::{Creepage, Force, Theory};
+use creepage::approximate::linear::Linear;
+use creepage::approximate::polach::Polach;
+use creepage::approximate::saturated::Saturated;
+use creepage::approximate::shen_hedrick_elkins::ShenHedrickElkins;
+use creepage::approximate::vermeulen_johnson::VermeulenJohnson;
+use creepage::{Creepage, Force, Theory};
 use proptest::prelude::*;
 
 const RATIOS: [f64; 7] = [1e-3, 0.02, 0.3, 1.0, 1.7, 40.0, 1e3];

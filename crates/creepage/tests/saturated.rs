@@ -6,8 +6,8 @@
 
 use std::f64::consts::PI;
 
-use creepage::rolling::saturated::Saturated;
-use creepage::rolling::{Creepage, Force, Region, Status, Theory};
+use creepage::approximate::saturated::Saturated;
+use creepage::{Creepage, Force, Region, Status, Theory};
 use serde_json::Value;
 
 const REFERENCE: &str = include_str!("data/saturated.json");

@@ -2,11 +2,9 @@
 //! loss of power keeps tractions within their bound, and has one minimum.
 #![allow(clippy::unwrap_used)]
 
-use creepage::rolling::exact::{Exact, Resolution};
-use creepage::rolling::variational::{
-    Chain, Procedure, Settings, Start, TractionBound, Variational,
-};
-use creepage::rolling::{Creepage, Status};
+use creepage::coulomb::{Exact, Resolution};
+use creepage::variational::{Chain, Procedure, Settings, Start, TractionBound, Variational};
+use creepage::{Creepage, Status};
 use proptest::prelude::*;
 
 fn of_degree(degree: usize, a_over_b: f64) -> Variational {

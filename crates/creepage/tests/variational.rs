@@ -7,8 +7,8 @@
     clippy::cast_sign_loss
 )]
 
-use creepage::rolling::variational::{Settings, Start, TractionBound, Variational, Weight};
-use creepage::rolling::{Creepage, Force, Region, Status, Theory};
+use creepage::variational::{Settings, Start, TractionBound, Variational, Weight};
+use creepage::{Creepage, Force, Region, Status, Theory};
 use proptest::prelude::*;
 use serde_json::Value;
 

@@ -3,9 +3,9 @@
 #![allow(clippy::unwrap_used)]
 #![allow(clippy::print_stdout)] // the table is for people
 
-use creepage::rolling::exact::{Exact, Resolution};
-use creepage::rolling::variational::{Settings, Start, Variational};
-use creepage::rolling::{Creepage, Force, Status};
+use creepage::coulomb::{Exact, Resolution};
+use creepage::variational::{Settings, Start, Variational};
+use creepage::{Creepage, Force, Status};
 
 const DEGREES: std::ops::RangeInclusive<usize> = 2..=12;
 const POISSON: f64 = 0.28;

@@ -2,11 +2,11 @@
 #![allow(clippy::panic, clippy::unwrap_used)]
 
 use creepage::halfspace::Polynomial;
-use creepage::rolling::variational::{
+use creepage::variational::{
     Chain, IntegrandArguments, IntegrandTerms, Limits, Method, NewtonStep, Procedure, Settings,
     Start, Variational, VariationalError, Weight,
 };
-use creepage::rolling::{Creepage, Force, Status};
+use creepage::{Creepage, Force, Status};
 use serde_json::Value;
 
 fn prepared(a_over_b: f64, settings: Settings) -> Variational {

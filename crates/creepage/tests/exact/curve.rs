@@ -1,7 +1,7 @@
 //! One creepage after another: warm starts, and no jumps.
 
-use creepage::rolling::exact::{Exact, Resolution};
-use creepage::rolling::{Creepage, Status, Theory};
+use creepage::coulomb::{Exact, Resolution};
+use creepage::{Creepage, Status, Theory};
 
 use crate::support::components;
 

@@ -1,7 +1,7 @@
 //! The derivative of the full theory, and the inverse problem that rests on it.
 
-use creepage::rolling::Creepage;
-use creepage::rolling::exact::{Exact, InverseError, Known, Resolution, Workspace};
+use creepage::Creepage;
+use creepage::coulomb::{Exact, InverseError, Known, Resolution, Workspace};
 
 use crate::support::components;
 

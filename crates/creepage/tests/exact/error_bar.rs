@@ -1,7 +1,7 @@
 //! The error bars: what they promise holds.
 
-use creepage::rolling::Creepage;
-use creepage::rolling::exact::{Automatic, Exact, Resolution};
+use creepage::Creepage;
+use creepage::coulomb::{Automatic, Exact, Resolution};
 
 use crate::support::{components, solve};
 

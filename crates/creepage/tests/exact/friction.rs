@@ -1,7 +1,7 @@
 //! Coulomb's law and the symmetries, on contacts and creepages at random.
 
-use creepage::rolling::exact::{Exact, Resolution};
-use creepage::rolling::{Creepage, Region, Status};
+use creepage::coulomb::{Exact, Resolution};
+use creepage::{Creepage, Region, Status};
 use proptest::prelude::*;
 
 use crate::support::solve;

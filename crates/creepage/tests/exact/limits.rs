@@ -1,9 +1,9 @@
 //! The limits: linear theory, full sliding, strips.
 
-use creepage::rolling::exact::{Exact, Resolution};
-use creepage::rolling::linear::Linear;
-use creepage::rolling::saturated::Saturated;
-use creepage::rolling::{Creepage, Status, Theory};
+use creepage::approximate::linear::Linear;
+use creepage::approximate::saturated::Saturated;
+use creepage::coulomb::{Exact, Resolution};
+use creepage::{Creepage, Status, Theory};
 
 use crate::support::{components, solve};
 

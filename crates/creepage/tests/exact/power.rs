@@ -1,6 +1,6 @@
 //! Creepage times force is the power turned to heat in the slip area.
 
-use creepage::rolling::exact::{Exact, Resolution};
+use creepage::coulomb::{Exact, Resolution};
 
 use crate::support::solve;
 

@@ -1,7 +1,7 @@
 //! The reference cases, and the convergence to the truth.
 
-use creepage::rolling::Status;
-use creepage::rolling::exact::{Exact, Resolution};
+use creepage::Status;
+use creepage::coulomb::{Exact, Resolution};
 use creepage_validation::ReferenceCase;
 
 use crate::support::{components, solve};

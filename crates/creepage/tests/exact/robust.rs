@@ -1,7 +1,7 @@
 //! An answer to whatever is asked with sense, a refusal of the rest.
 
-use creepage::rolling::exact::{Automatic, Exact, Resolution};
-use creepage::rolling::{Creepage, Status};
+use creepage::coulomb::{Automatic, Exact, Resolution};
+use creepage::{Creepage, Status};
 use proptest::prelude::*;
 
 use crate::support::{components, solve};

@@ -1,7 +1,7 @@
 //! What the tests of the full theory share.
 
-use creepage::rolling::exact::{Exact, ExactSolution};
-use creepage::rolling::{Creepage, Force};
+use creepage::coulomb::{Exact, ExactSolution};
+use creepage::{Creepage, Force};
 
 pub(crate) fn components(force: Force) -> [f64; 3] {
     [force.fx, force.fy, force.mz]

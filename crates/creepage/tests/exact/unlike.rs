@@ -3,9 +3,9 @@
 use std::f64::consts::PI;
 
 use creepage::Ellipse;
+use creepage::coulomb::{Automatic, Exact, Resolution};
 use creepage::halfspace::{DisplacementField, Edge, Polynomial, Traction};
-use creepage::rolling::exact::{Automatic, Exact, Resolution};
-use creepage::rolling::{Creepage, Force, Region, Status, Theory};
+use creepage::{Creepage, Force, Region, Status, Theory};
 use proptest::prelude::*;
 
 use crate::support::{components, solve};

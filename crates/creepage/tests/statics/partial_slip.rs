@@ -3,9 +3,9 @@
 use std::f64::consts::PI;
 
 use creepage::halfspace::{Edge, LoadDisplacement, Polynomial, Traction};
-use creepage::rolling::{Region, SiForce};
 use creepage::statics::{Bonded, PartialSlip, PartialSlipError};
 use creepage::{Ellipse, Hertz};
+use creepage::{Region, SiForce};
 use gauss_quad::GaussLegendre;
 use proptest::prelude::*;
 

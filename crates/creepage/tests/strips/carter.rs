@@ -2,8 +2,8 @@
 
 use std::f64::consts::PI;
 
-use creepage::rolling::Region;
-use creepage::rolling::carter::{Carter, LineContact};
+use creepage::Region;
+use creepage::approximate::carter::{Carter, LineContact};
 use creepage::{Solid, SolidPair};
 
 use super::plane::principal_value;

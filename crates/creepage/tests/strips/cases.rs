@@ -2,8 +2,8 @@
 
 use std::f64::consts::PI;
 
-use creepage::rolling::linear::CreepageCoefficients;
-use creepage::rolling::{Creepage, Force, Theory};
+use creepage::approximate::linear::CreepageCoefficients;
+use creepage::{Creepage, Force, Theory};
 use creepage::{Ellipse, InvalidValue};
 use serde_json::Value;
 

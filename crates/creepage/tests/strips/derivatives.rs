@@ -1,9 +1,9 @@
 //! Exact derivatives of the forces against central differences.
 
-use creepage::rolling::fastrip::{Fastrip, Variant};
-use creepage::rolling::fastsim::{Fastsim, Flexibility, Settings, TractionBound};
-use creepage::rolling::strip::StripTheory;
-use creepage::rolling::{Creepage, Theory};
+use creepage::approximate::fastrip::{Fastrip, Variant};
+use creepage::approximate::fastsim::{Fastsim, Flexibility, Settings, TractionBound};
+use creepage::approximate::strip::StripTheory;
+use creepage::{Creepage, Theory};
 
 use super::cases::{CREEPAGES, array, coefficients, creepage, strip_coefficients};
 

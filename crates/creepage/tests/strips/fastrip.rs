@@ -1,8 +1,8 @@
 //! FaStrip.
 
-use creepage::rolling::fastrip::{Fastrip, Variant};
-use creepage::rolling::strip::StripTheory;
-use creepage::rolling::{Region, Theory};
+use creepage::approximate::fastrip::{Fastrip, Variant};
+use creepage::approximate::strip::StripTheory;
+use creepage::{Region, Theory};
 
 use super::cases::{
     self, CREEPAGES, Case, array, coefficients, creepage, largest_difference, strip_coefficients,

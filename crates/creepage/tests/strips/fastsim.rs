@@ -2,9 +2,9 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use creepage::rolling::fastsim::{Fastsim, Flexibility, Settings, TractionBound};
-use creepage::rolling::linear::CreepageCoefficients;
-use creepage::rolling::{Creepage, Region, Theory};
+use creepage::approximate::fastsim::{Fastsim, Flexibility, Settings, TractionBound};
+use creepage::approximate::linear::CreepageCoefficients;
+use creepage::{Creepage, Region, Theory};
 
 use super::cases::{
     self, CREEPAGES, Case, array, coefficients, creepage, kappa, largest_difference, sum_of_field,

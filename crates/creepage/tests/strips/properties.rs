@@ -2,10 +2,10 @@
 
 use std::f64::consts::PI;
 
-use creepage::rolling::fastrip::{Fastrip, Variant};
-use creepage::rolling::fastsim::{Fastsim, Flexibility, Settings, TractionBound};
-use creepage::rolling::strip::StripTheory;
-use creepage::rolling::{Creepage, Force, Status, Theory};
+use creepage::approximate::fastrip::{Fastrip, Variant};
+use creepage::approximate::fastsim::{Fastsim, Flexibility, Settings, TractionBound};
+use creepage::approximate::strip::StripTheory;
+use creepage::{Creepage, Force, Status, Theory};
 use proptest::prelude::*;
 
 use super::cases::{array, coefficients, creepage, largest_difference, strip_coefficients};

@@ -2,9 +2,9 @@
 
 use std::f64::consts::PI;
 
-use creepage::rolling::carter::Carter;
-use creepage::rolling::strip::StripTheory;
-use creepage::rolling::{Creepage, Region, Status, Theory};
+use creepage::approximate::carter::Carter;
+use creepage::approximate::strip::StripTheory;
+use creepage::{Creepage, Region, Status, Theory};
 
 use super::cases::{self, CREEPAGES, array, creepage, kappa, largest_difference};
 use super::plane::principal_value;
