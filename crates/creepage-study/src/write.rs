@@ -3,7 +3,6 @@
 use std::path::{Path, PathBuf};
 
 use crate::error::ReportError;
-use crate::raster;
 use crate::report::Report;
 use crate::whole_file::write_all;
 
@@ -31,7 +30,7 @@ pub(crate) fn write_contact(
     svg: &str,
     others: &[(&str, &[u8])],
 ) -> Result<Vec<PathBuf>, ReportError> {
-    let png = raster::png(svg)?;
+    let png = creepage_plot::png(svg)?;
     let files: [(&str, &[u8]); 4] = [
         ("report.json", json.as_bytes()),
         ("points.csv", points),
