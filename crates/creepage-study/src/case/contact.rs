@@ -10,7 +10,7 @@ use crate::case::error::CaseError;
 /// The load and the friction, and the contact ellipse where it is known beforehand.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-pub(crate) struct Contact {
+pub(crate) struct ContactSection {
     /// Normal force N that presses the bodies together (N).
     pub(crate) normal_force: f64,
     /// Coefficient of friction mu. Needed for rolling, not for the contact alone.
@@ -26,7 +26,7 @@ pub(crate) struct Contact {
 
 const SECTION: &str = "contact";
 
-impl Contact {
+impl ContactSection {
     /// The contact of the two bodies, from their radii or from the given ellipse.
     pub(crate) fn hertz(&self, upper: &Body, lower: &Body) -> Result<Hertz, CaseError> {
         let pair = SolidPair::new(upper.solid("upper")?, lower.solid("lower")?);

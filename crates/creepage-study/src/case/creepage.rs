@@ -1,7 +1,6 @@
 //! `[creepage]`: in SI units or dimensionless.
 
-use creepage::InvalidValue;
-use creepage::rolling::{Creepage, Scaling, SiCreepage};
+use creepage::{Creepage, InvalidValue, Scaling, SiCreepage};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -34,8 +33,8 @@ const SI_NAMES: [&str; 3] = ["longitudinal", "lateral", "spin"];
 const NAMES: [&str; 3] = ["xi", "eta", "chi"];
 
 impl CreepageSection {
-    /// The creepage in both units.
-    pub(crate) fn resolve(&self, scaling: Scaling) -> Result<(Creepage, SiCreepage), CaseError> {
+    /// The creepage, without dimension.
+    pub(crate) fn resolve(&self, scaling: Scaling) -> Result<Creepage, CaseError> {
         if self.names().next().is_none() {
             return Err(CaseError::MissingSection {
                 section: SECTION.into(),
@@ -48,8 +47,8 @@ impl CreepageSection {
     /// What is given of `xi`, `eta`, `chi`, in whichever units.
     pub(crate) fn known(&self, scaling: Scaling) -> Result<[Option<f64>; 3], CaseError> {
         let (si, dimensionless) = (self.si(), self.dimensionless());
-        let Creepage { xi, eta, chi } = self.convert(scaling)?.0;
-        Ok([0, 1, 2].map(|k| si[k].or(dimensionless[k]).map(|_| [xi, eta, chi][k])))
+        let creepage = self.convert(scaling)?.components();
+        Ok([0, 1, 2].map(|k| si[k].or(dimensionless[k]).map(|_| creepage[k])))
     }
 
     /// Names of the creepages that are given.
@@ -76,31 +75,30 @@ impl CreepageSection {
         [self.xi, self.eta, self.chi]
     }
 
-    /// The creepage in both units, zero where nothing is given.
-    fn convert(&self, scaling: Scaling) -> Result<(Creepage, SiCreepage), CaseError> {
+    /// The creepage, zero where nothing is given.
+    fn convert(&self, scaling: Scaling) -> Result<Creepage, CaseError> {
         let si = given(SI_NAMES, self.si()).next();
         match (si, given(NAMES, self.dimensionless()).next()) {
             (Some(first), Some(second)) => {
                 Err(CaseError::Conflict { first: (SECTION, first), second: (SECTION, second) })
             }
             (_, None) => self.by_si(scaling),
-            (None, Some(_)) => self.by_dimensionless(scaling),
+            (None, Some(_)) => self.by_dimensionless(),
         }
     }
 
-    fn by_si(&self, scaling: Scaling) -> Result<(Creepage, SiCreepage), CaseError> {
+    fn by_si(&self, scaling: Scaling) -> Result<Creepage, CaseError> {
         let si = SiCreepage {
             longitudinal: self.longitudinal.unwrap_or(0.0),
             lateral: self.lateral.unwrap_or(0.0),
             spin: self.spin.unwrap_or(0.0),
         };
-        Ok((scaling.creepage(si).map_err(CaseError::invalid(SECTION))?, si))
+        scaling.creepage(si).map_err(CaseError::invalid(SECTION))
     }
 
-    fn by_dimensionless(&self, scaling: Scaling) -> Result<(Creepage, SiCreepage), CaseError> {
+    fn by_dimensionless(&self) -> Result<Creepage, CaseError> {
         let [xi, eta, chi] = [self.xi, self.eta, self.chi].map(|part| part.unwrap_or(0.0));
-        let creepage = Creepage::new(xi, eta, chi).map_err(CaseError::invalid(SECTION))?;
-        Ok((creepage, scaling.si_creepage(creepage)))
+        Creepage::new(xi, eta, chi).map_err(CaseError::invalid(SECTION))
     }
 }
 

@@ -1,8 +1,10 @@
 //! What can be wrong with a case file.
 
 use creepage::halfspace::PolynomialError;
-use creepage::rolling::variational::VariationalError;
+use creepage::variational::VariationalError;
 use creepage::{HertzError, InvalidValue};
+
+use super::solve::SpecError;
 
 /// Why a case file is not a case; every message names the section and the key.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -89,6 +91,9 @@ pub enum CaseError {
         /// The key, its value, and what it must be.
         invalid: InvalidValue,
     },
+    /// `[solve]` names no theory, or options that the theory does not have.
+    #[error("[solve] {0}")]
+    Spec(#[from] SpecError),
     /// The numerical theory of chapter 5 cannot be prepared.
     #[error("[{section}] {source}")]
     Variational {

@@ -1,20 +1,21 @@
 //! A whole case file, and the case that it describes.
 
-use creepage::Hertz;
-use creepage::rolling::exact::Known;
-use creepage::rolling::{Creepage, Scaling, SiCreepage};
+use creepage::coulomb::Known as Constraints;
+use creepage::theory::UnknownTheory;
+use creepage::{Contact, Creepage, Hertz, TheorySpec};
 use schemars::JsonSchema;
 use serde::Deserialize;
 use serde_json::Value;
+use toml::Table;
 
-use crate::case::body::Body;
-use crate::case::contact::Contact;
-use crate::case::creepage::CreepageSection;
-use crate::case::error::CaseError;
-use crate::case::keys;
-use crate::case::schema::schema_of;
-use crate::case::solve::Solve;
-use crate::case::wanted::WantedSection;
+use super::body::Body;
+use super::contact::ContactSection;
+use super::creepage::CreepageSection;
+use super::error::CaseError;
+use super::keys;
+use super::schema::schema_of;
+use super::solve;
+use super::wanted::WantedSection;
 
 /// A rolling-contact case, in SI units: two elastic bodies, what presses them together, and
 /// how they creep.
@@ -27,16 +28,17 @@ pub struct CaseFile {
     /// The lower body, such as a rail.
     lower: Body,
     /// The contact of the two.
-    contact: Contact,
+    contact: ContactSection,
     /// Creepage and spin. Needed for rolling, not for the contact alone.
     #[serde(default)]
     creepage: CreepageSection,
     /// Forces that are wanted in place of creepages.
     #[serde(default)]
     wanted: WantedSection,
-    /// How to solve the case.
+    /// The theory that solves the case, "exact" by default, and its options.
     #[serde(default)]
-    solve: Solve,
+    #[schemars(with = "TheorySpec")]
+    solve: Table,
 }
 
 /// The JSON schema (draft 2020-12) of a case file, for editors and validators.
@@ -47,50 +49,72 @@ pub struct CaseFile {
 /// ```
 #[must_use]
 pub fn json_schema() -> Value {
-    schema_of::<CaseFile>()
+    let mut schema = schema_of::<CaseFile>();
+    let theories = schema["properties"]["solve"]["oneOf"].as_array_mut();
+    for theory in theories.into_iter().flatten() {
+        if theory["properties"]["theory"]["const"] == TheorySpec::default().facts().name {
+            theory["required"] = Value::Array(Vec::new());
+        }
+    }
+    schema
 }
 
 /// One case, every number of it checked.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Case {
     /// The contact ellipse and its pressure.
-    pub contact: Hertz,
+    pub hertz: Hertz,
     /// Coefficient of friction `mu`.
     pub friction: f64,
-    /// Creepage and spin, dimensionless.
-    pub creepage: Creepage,
-    /// Creepage and spin in SI units.
-    pub si_creepage: SiCreepage,
+    /// The two together: what a theory is prepared for.
+    pub contact: Contact,
+    /// The creepage, or what determines it.
+    pub given: Given,
     /// Rolling velocity (m/s), where it is given.
     pub speed: Option<f64>,
     /// The theory and its options.
-    pub solve: Solve,
+    pub theory: TheorySpec,
 }
 
-/// A case whose creepage is to be found, every number of it checked.
-#[derive(Debug, Clone, PartialEq)]
-pub struct InverseCase {
-    /// The contact ellipse and its pressure.
-    pub contact: Hertz,
-    /// Coefficient of friction `mu`.
-    pub friction: f64,
-    /// The three quantities that determine the others, dimensionless.
-    pub known: Known,
-    /// The units of the dimensionless quantities.
-    pub scaling: Scaling,
-    /// Rolling velocity (m/s), where it is given.
-    pub speed: Option<f64>,
-    /// The theory and its options.
-    pub solve: Solve,
+/// What is given of creepage and force.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Given {
+    /// The creepage; the force is to be found.
+    Creepage(Creepage),
+    /// Three of the six quantities; the others are to be found.
+    Constraints(Constraints),
 }
 
-impl InverseCase {
-    /// The case with the creepage that was found.
+impl Case {
+    /// The creepage, where it is given.
+    ///
+    /// # Errors
+    /// [`CaseError::Wanted`] where it is to be found.
+    pub fn creepage(&self) -> Result<Creepage, CaseError> {
+        match self.given {
+            Given::Creepage(creepage) => Ok(creepage),
+            Given::Constraints(_) => Err(CaseError::Wanted),
+        }
+    }
+
+    /// The theory of that name for this case: the case's own with the options that it gives, any
+    /// other with its default options.
+    ///
+    /// # Errors
+    /// [`UnknownTheory`], with the nearest name if one is near.
+    pub fn theory_named(&self, name: &str) -> Result<TheorySpec, UnknownTheory> {
+        if self.theory.facts().name == name {
+            return Ok(self.theory.clone());
+        }
+        TheorySpec::named(name)
+    }
+
+    /// Whether the options of the case's own theory are given up for those of `theories`.
     #[must_use]
-    pub fn found(self, creepage: Creepage) -> Case {
-        let si_creepage = self.scaling.si_creepage(creepage);
-        let Self { contact, friction, speed, solve, .. } = self;
-        Case { contact, friction, creepage, si_creepage, speed, solve }
+    pub fn gives_up_options(&self, theories: &[TheorySpec]) -> bool {
+        let own = self.theory.facts().name;
+        let is_default = TheorySpec::named(own).is_ok_and(|default| default == self.theory);
+        !is_default && !theories.iter().any(|theory| theory.facts().name == own)
     }
 }
 
@@ -114,49 +138,29 @@ impl CaseFile {
         self.contact.hertz(&self.upper, &self.lower)
     }
 
-    /// Whether forces are wanted and the creepage is to be found.
-    #[must_use]
-    pub fn is_inverse(&self) -> bool {
-        self.wanted.names().next().is_some()
-    }
-
     /// The case for a theory of rolling.
     ///
     /// # Errors
-    /// As [`CaseFile::hertz`]; also when friction or creepage is missing or out of range, when
-    /// forces are wanted, and when the ellipse stands askew to the rolling direction.
+    /// As [`CaseFile::hertz`]; also when friction or creepage is missing or out of range, when the
+    /// ellipse stands askew to the rolling direction, when forces are wanted and not three
+    /// quantities are given by `[creepage]` and `[wanted]` together, and for options that the
+    /// theory does not have.
     pub fn case(&self) -> Result<Case, CaseError> {
-        let (contact, friction, scaling) = self.rolling_contact()?;
-        if self.is_inverse() {
-            return Err(CaseError::Wanted);
-        }
-        let (creepage, si_creepage) = self.creepage.resolve(scaling)?;
-        let (speed, solve) = (self.creepage.speed()?, self.solve.clone());
-        Ok(Case { contact, friction, creepage, si_creepage, speed, solve })
-    }
-
-    /// The case whose creepage is to be found.
-    ///
-    /// # Errors
-    /// As [`CaseFile::case`]; also unless three quantities are given by `[creepage]` and
-    /// `[wanted]` together.
-    pub fn inverse(&self) -> Result<InverseCase, CaseError> {
-        let (contact, friction, scaling) = self.rolling_contact()?;
-        let known = self.wanted.known(&self.creepage, contact.ellipse(), scaling)?;
-        let (speed, solve) = (self.creepage.speed()?, self.solve.clone());
-        Ok(InverseCase { contact, friction, known, scaling, speed, solve })
-    }
-
-    /// The contact, the friction in it, and its units.
-    fn rolling_contact(&self) -> Result<(Hertz, f64, Scaling), CaseError> {
-        let contact = self.hertz()?;
-        self.check_aligned(&contact)?;
+        let hertz = self.hertz()?;
+        self.check_aligned(&hertz)?;
         let friction = self.contact.friction.ok_or_else(|| CaseError::Missing {
             section: "contact".into(),
             key: "friction".into(),
         })?;
-        let scaling = Scaling::new(&contact, friction).map_err(CaseError::invalid("contact"))?;
-        Ok((contact, friction, scaling))
+        let contact = hertz.with_friction(friction).map_err(CaseError::invalid("contact"))?;
+        let scaling = contact.scaling();
+        let given = if self.wanted.names().next().is_some() {
+            Given::Constraints(self.wanted.constraints(&self.creepage, hertz.ellipse(), scaling)?)
+        } else {
+            Given::Creepage(self.creepage.resolve(scaling)?)
+        };
+        let (speed, theory) = (self.creepage.speed()?, solve::from_table(&self.solve)?);
+        Ok(Case { hertz, friction, contact, given, speed, theory })
     }
 
     fn check_aligned(&self, contact: &Hertz) -> Result<(), CaseError> {

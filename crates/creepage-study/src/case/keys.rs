@@ -19,7 +19,9 @@ pub(crate) fn check(file: &Table, schema: &Value) -> Result<(), CaseError> {
         }
     }
     for (section, content) in file {
-        if let Some(table) = content.as_table() {
+        // What has a choice of forms is read by its own rules.
+        let of_one_form = schema["properties"][section]["properties"].is_object();
+        if let Some(table) = content.as_table().filter(|_| of_one_form) {
             check_section(section, table, schema)?;
         }
     }
@@ -27,7 +29,7 @@ pub(crate) fn check(file: &Table, schema: &Value) -> Result<(), CaseError> {
 }
 
 /// The same for the keys of one section.
-pub(crate) fn check_section(section: &str, table: &Table, schema: &Value) -> Result<(), CaseError> {
+fn check_section(section: &str, table: &Table, schema: &Value) -> Result<(), CaseError> {
     let form = &schema["properties"][section];
     if let Some(key) = table.keys().find(|key| form["properties"][key].is_null()) {
         return Err(unknown(key, section, schema));
@@ -69,7 +71,7 @@ fn elsewhere<'a>(key: &str, schema: &'a Value) -> Option<(&'a str, &'a str)> {
 }
 
 /// The name most like `key`, if any is like it at all.
-fn similar<'a>(key: &str, names: &[&'a str]) -> Option<&'a str> {
+pub(crate) fn similar<'a>(key: &str, names: &[&'a str]) -> Option<&'a str> {
     // Separates slips of the keys and plurals (above 0.85) from other words (below 0.75).
     const ALIKE: f64 = 0.8;
     names

@@ -1,244 +1,171 @@
 //! `[solve]`: which theory, and its options.
 
-use creepage::rolling::{fastrip, fastsim, variational};
-use schemars::JsonSchema;
-use serde::de::{Deserialize, Deserializer, Error};
+use creepage::TheorySpec;
+use creepage::theory::UnknownTheory;
+use toml::{Table, Value};
 
-use crate::case::resolution::Resolution;
+use super::keys::similar;
 
-/// The theory that solves the case, and its options; what is left out is the theory's default.
-#[derive(Debug, Clone, PartialEq, Default, serde::Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct Solve {
-    /// Name of the theory, as `creepage theories` lists them.
-    pub theory: Option<String>,
-    /// Theory "exact": how finely the contact is cut into elements; "standard" by default.
-    pub resolution: Option<Resolution>,
-    /// Theory "exact" with resolution = "auto": largest error bar of the forces, in parts of mu N;
-    /// 0.001 by default.
-    pub accuracy: Option<f64>,
-    /// Theory "variational": degree M of the traction polynomials, 0 to 12; 3 by default.
-    pub degree: Option<usize>,
-    /// Theory "variational": mesh cells [along, across] of the box around the ellipse;
-    /// by default 10 x 10, more for degrees above 3.
-    #[serde(default, deserialize_with = "two_numbers")]
-    pub mesh: Option<[usize; 2]>,
-    /// Theory "variational": weight of the points of the mesh; "elliptic" by default.
-    pub weight: Option<Weight>,
-    /// Theories "fastsim" and "fastrip": cells [along, across], in strips that are cut each over
-    /// its own length; 50 x 50 by default.
-    #[serde(default, deserialize_with = "two_numbers")]
-    pub grid: Option<[usize; 2]>,
-    /// Theory "fastsim": how its three flexibilities are used; "blended" by default.
-    pub flexibility: Option<Flexibility>,
-    /// Theory "fastsim": bound of the traction, "elliptic" by default, or "parabolic". Theory
-    /// "variational": what is done about tractions above their bound, "automatic" by default,
-    /// "unchecked", or "kept".
-    pub bound: Option<Bound>,
-    /// Theory "fastrip": as published, or mended; "consistent" by default.
-    pub variant: Option<Variant>,
-    /// Theory "polach": factors [adhesion, slip] that reduce the slope at small creepage on a rail
-    /// that is not clean and dry, 0 < slip <= adhesion <= 1; [1, 1] by default.
-    #[serde(default, deserialize_with = "two_numbers")]
-    pub reduction: Option<[f64; 2]>,
+/// Why `[solve]`, or options that stand outside a case file, name no theory.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum SpecError {
+    /// There is no theory of that name.
+    #[error(transparent)]
+    UnknownTheory(#[from] UnknownTheory),
+    /// No theory has an option of that name.
+    #[error("unknown key `{key}` in [solve]: {hint}")]
+    UnknownOption {
+        /// The name.
+        key: String,
+        /// A likely meaning, or the options of the theory.
+        hint: String,
+    },
+    /// An option of other theories.
+    #[error("`{option}` is an option of {}, not of {theory}", owners.join(" and "))]
+    Foreign {
+        /// The option.
+        option: String,
+        /// The theories that have it.
+        owners: Vec<&'static str>,
+        /// The theory that was chosen.
+        theory: &'static str,
+    },
+    /// A value that the option does not take.
+    #[error("{option} = {value} is not valid for {theory}: {}", source.message())]
+    Value {
+        /// The option.
+        option: String,
+        /// The value that was given.
+        value: Value,
+        /// The theory that was chosen.
+        theory: &'static str,
+        /// What it must be.
+        source: toml::de::Error,
+    },
+    /// The name of the theory where only its options belong.
+    #[error("`theory` is given beside the options")]
+    Theory,
+    /// An option that is not `key = value`.
+    #[error(transparent)]
+    Toml(#[from] toml::de::Error),
 }
 
-impl Solve {
-    /// Names of the options that are given; `theory` is none.
-    pub fn options(&self) -> impl Iterator<Item = &'static str> {
-        // Taken apart, so that an option cannot be forgotten here.
-        let Self {
-            theory: _,
-            resolution,
-            accuracy,
-            degree,
-            mesh,
-            weight,
-            grid,
-            flexibility,
-            bound,
-            variant,
-            reduction,
-        } = self;
-        [
-            ("resolution", resolution.is_some()),
-            ("accuracy", accuracy.is_some()),
-            ("degree", degree.is_some()),
-            ("mesh", mesh.is_some()),
-            ("weight", weight.is_some()),
-            ("grid", grid.is_some()),
-            ("flexibility", flexibility.is_some()),
-            ("bound", bound.is_some()),
-            ("variant", variant.is_some()),
-            ("reduction", reduction.is_some()),
-        ]
-        .into_iter()
-        .filter_map(|(name, given)| given.then_some(name))
+/// The theory of that name, or `exact`, with options that stand outside a case file, as on a
+/// command line: each `key = value` or `key=value`; a word needs no quotes.
+///
+/// ```
+/// use creepage::TheorySpec;
+/// let spec = creepage_study::theory_spec("fastsim", &["grid=[20, 10]", "bound=parabolic"])?;
+/// assert!(matches!(spec, TheorySpec::Fastsim(settings) if settings.grid == [20, 10]));
+/// # Ok::<(), creepage_study::SpecError>(())
+/// ```
+///
+/// # Errors
+/// [`SpecError`] for what `[solve]` of a case file may not say either.
+pub fn theory_spec(name: &str, options: &[impl AsRef<str>]) -> Result<TheorySpec, SpecError> {
+    let lines: Vec<_> = options.iter().map(|option| quoted(option.as_ref())).collect();
+    let mut table: Table = lines.join("\n").parse()?;
+    if table.contains_key("theory") {
+        return Err(SpecError::Theory);
     }
+    table.insert("theory".into(), name.into());
+    from_table(&table)
 }
 
-/// Weight W of the points in the integral (5.8).
-#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Deserialize, JsonSchema)]
-#[serde(rename_all = "lowercase")]
-pub enum Weight {
-    /// `1 - (x/a)^2 - (y/b)^2`: the middle of the contact counts more than its edge.
-    Elliptic,
-    /// 1: every point counts alike.
-    Uniform,
-    /// The square root of the elliptic weight.
-    #[serde(rename = "root-elliptic")]
-    RootElliptic,
-}
-
-impl From<Weight> for variational::Weight {
-    fn from(weight: Weight) -> Self {
-        match weight {
-            Weight::Elliptic => Self::Elliptic,
-            Weight::Uniform => Self::Uniform,
-            Weight::RootElliptic => Self::RootElliptic,
+/// The option as a line of TOML: what is no value of TOML is text.
+fn quoted(option: &str) -> String {
+    match option.split_once('=') {
+        Some((key, word)) if option.parse::<Table>().is_err() => {
+            format!("{key}={}", Value::from(word.trim()))
         }
+        _ => option.into(),
     }
 }
 
-/// How FASTSIM uses its three flexibilities.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Deserialize, JsonSchema)]
-#[serde(rename_all = "lowercase")]
-pub enum Flexibility {
-    /// Their mean, weighted with creepages and spin (1982).
-    One,
-    /// Each for its own creepage or spin (1982).
-    Three,
-    /// From three at small creepage to one at large creepage (2023).
-    Blended,
-}
-
-impl From<Flexibility> for fastsim::Flexibility {
-    fn from(flexibility: Flexibility) -> Self {
-        match flexibility {
-            Flexibility::One => Self::One,
-            Flexibility::Three => Self::Three,
-            Flexibility::Blended => Self::Blended,
+/// The theory of `[solve]`; `exact` where it names none.
+pub(super) fn from_table(table: &Table) -> Result<TheorySpec, SpecError> {
+    let named = match table.get("theory") {
+        None => TheorySpec::default(),
+        Some(Value::String(name)) => TheorySpec::named(name)?,
+        Some(other) => TheorySpec::named(&other.to_string())?,
+    };
+    let facts = named.facts();
+    let read = |options: Table| {
+        let theory = [("theory".to_owned(), Value::from(facts.name))];
+        Table::from_iter(options.into_iter().chain(theory)).try_into::<TheorySpec>()
+    };
+    let mut options = table.clone();
+    options.remove("theory");
+    for (option, value) in &options {
+        if !facts.options.contains(&&option[..]) {
+            return Err(not_its_option(option, facts.name));
         }
+        // Each by itself, so that what is wrong has a name.
+        read(Table::from_iter([(option.clone(), value.clone())])).map_err(|source| {
+            SpecError::Value {
+                option: option.clone(),
+                value: value.clone(),
+                theory: facts.name,
+                source,
+            }
+        })?;
     }
+    Ok(read(options)?)
 }
 
-/// The bound of the traction; each theory takes its own words.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Deserialize, JsonSchema)]
-#[serde(rename_all = "lowercase")]
-pub enum Bound {
-    /// FASTSIM: friction times the Hertz pressure.
-    Elliptic,
-    /// FASTSIM: a paraboloid of the same total (1982).
-    Parabolic,
-    /// Chapter 5: kept where a/b is 3 or more.
-    Automatic,
-    /// Chapter 5: verified afterwards only (1967).
-    Unchecked,
-    /// Chapter 5: kept, by the least loss of power in place of the integral (5.9).
-    Kept,
-}
-
-impl Bound {
-    /// As case files have it.
-    #[must_use]
-    pub fn word(self) -> &'static str {
-        match self {
-            Self::Elliptic => "elliptic",
-            Self::Parabolic => "parabolic",
-            Self::Automatic => "automatic",
-            Self::Unchecked => "unchecked",
-            Self::Kept => "kept",
-        }
+fn not_its_option(key: &str, theory: &'static str) -> SpecError {
+    let all = TheorySpec::all().map(|theory| theory.facts());
+    let owners: Vec<_> =
+        all.iter().filter(|facts| facts.options.contains(&key)).map(|facts| facts.name).collect();
+    if !owners.is_empty() {
+        return SpecError::Foreign { option: key.into(), owners, theory };
     }
-
-    /// That of FASTSIM, if it is one.
-    #[must_use]
-    pub fn of_fastsim(self) -> Option<fastsim::TractionBound> {
-        match self {
-            Self::Elliptic => Some(fastsim::TractionBound::Elliptic),
-            Self::Parabolic => Some(fastsim::TractionBound::Parabolic),
-            Self::Automatic | Self::Unchecked | Self::Kept => None,
-        }
-    }
-
-    /// That of chapter 5, if it is one.
-    #[must_use]
-    pub fn of_variational(self) -> Option<variational::TractionBound> {
-        match self {
-            Self::Elliptic | Self::Parabolic => None,
-            Self::Automatic => Some(variational::TractionBound::Automatic),
-            Self::Unchecked => Some(variational::TractionBound::Unchecked),
-            Self::Kept => Some(variational::TractionBound::Kept),
-        }
-    }
-}
-
-/// Which `FaStrip`.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Deserialize, JsonSchema)]
-#[serde(rename_all = "lowercase")]
-pub enum Variant {
-    /// As published in 2016.
-    Original,
-    /// Blended flexibilities and elliptic bound; strips beyond the bound in spin slide.
-    Modified,
-    /// As "modified", with no slip left in the adhesion area.
-    Consistent,
-}
-
-impl From<Variant> for fastrip::Variant {
-    fn from(variant: Variant) -> Self {
-        match variant {
-            Variant::Original => Self::Original,
-            Variant::Modified => Self::Modified,
-            Variant::Consistent => Self::Consistent,
-        }
-    }
-}
-
-/// An array of just two: the TOML reader by itself would drop a third number silently.
-pub(crate) fn two_numbers<'de, D, T>(deserializer: D) -> Result<Option<[T; 2]>, D::Error>
-where
-    D: Deserializer<'de>,
-    T: Deserialize<'de>,
-{
-    let numbers = Vec::<T>::deserialize(deserializer)?;
-    let count = numbers.len();
-    let pair = numbers.try_into().map_err(|_| D::Error::invalid_length(count, &"two numbers"))?;
-    Ok(Some(pair))
+    let mut known: Vec<_> = all.iter().flat_map(|facts| facts.options).copied().collect();
+    known.push("theory");
+    let hint = match similar(key, &known) {
+        Some(name) => format!("did you mean `{name}`?"),
+        None => format!("known are {}", known.join(", ")),
+    };
+    SpecError::UnknownOption { key: key.into(), hint }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::json_schema;
 
-    #[test]
-    fn every_option_of_the_format_is_counted() {
-        let all: Solve = toml::from_str(
-            "theory = 'fastsim'\nresolution = 'fine'\naccuracy = 1\ndegree = 3\nmesh = [1, 2]\nweight = 'uniform'\ngrid = [3, 4]\n\
-             flexibility = 'three'\nbound = 'parabolic'\nvariant = 'original'\nreduction = [1, 0.5]",
-        )
-        .unwrap();
-        let mut counted: Vec<_> = all.options().collect();
-        counted.push("theory");
-        counted.sort_unstable();
-        let schema = json_schema();
-        let known = schema["properties"]["solve"]["properties"].as_object().unwrap();
-        let mut known: Vec<_> = known.keys().collect();
-        known.sort_unstable();
-        assert_eq!(counted, known);
-        assert_eq!(Solve::default().options().count(), 0);
+    fn read(text: &str) -> Result<TheorySpec, SpecError> {
+        from_table(&text.parse().unwrap())
+    }
+
+    fn refused(text: &str) -> String {
+        read(text).unwrap_err().to_string()
     }
 
     #[test]
-    fn the_words_of_bounds_read_as_what_they_name() {
-        for bound in
-            [Bound::Elliptic, Bound::Parabolic, Bound::Automatic, Bound::Unchecked, Bound::Kept]
-        {
-            let solve = Solve::read(&[format!("bound={}", bound.word())]).unwrap();
-            assert_eq!(solve.bound, Some(bound));
-            // Of one theory each.
-            assert!(bound.of_fastsim().is_some() != bound.of_variational().is_some());
+    fn every_option_of_every_theory_is_read_and_written_back() {
+        assert_eq!(read("").unwrap(), TheorySpec::default());
+        for spec in TheorySpec::all() {
+            let table = Table::try_from(&spec).unwrap();
+            assert_eq!(from_table(&table).unwrap(), spec, "{table}");
+        }
+        let auto = read("resolution = 'auto'\naccuracy = 1").unwrap();
+        assert_eq!(auto.prescribed_accuracy(), Some(1.0));
+    }
+
+    #[test]
+    fn what_is_wrong_is_named() {
+        let owners = "`grid` is an option of fastrip and fastsim, not of linear";
+        assert_eq!(refused("theory = 'linear'\ngrid = [9, 9]"), owners);
+        assert!(refused("theory = 'lineer'").contains("did you mean `linear`?"));
+        assert!(refused("gird = 1").contains("did you mean `grid`?"));
+        assert!(refused("xyz = 1").contains("known are resolution, accuracy"));
+        let bound = refused("theory = 'fastsim'\nbound = 'kept'");
+        assert!(bound.starts_with("bound = \"kept\" is not valid for fastsim"), "{bound}");
+        assert!(bound.contains("`elliptic` or `parabolic`"), "{bound}");
+        for grid in ["[1, 2, 3]", "[1]", "9", "[-1, 2]"] {
+            let words = refused(&format!("theory = 'fastsim'\ngrid = {grid}"));
+            assert!(words.starts_with("grid = "), "{words}");
         }
     }
 }

@@ -1,8 +1,7 @@
 //! `[wanted]`: forces to which the creepage is to be found.
 
-use creepage::Ellipse;
-use creepage::rolling::Scaling;
-use creepage::rolling::exact::Known;
+use creepage::coulomb::Known as Constraints;
+use creepage::{Ellipse, Scaling};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -37,12 +36,12 @@ const NAMES: [&str; 3] = ["fx", "fy", "mz"];
 
 impl WantedSection {
     /// The three quantities that determine the others, dimensionless.
-    pub(crate) fn known(
+    pub(crate) fn constraints(
         &self,
         creepage: &CreepageSection,
         ellipse: Ellipse,
         scaling: Scaling,
-    ) -> Result<Known, CaseError> {
+    ) -> Result<Constraints, CaseError> {
         let force = self.force(ellipse, scaling)?;
         let names: Vec<_> = creepage.names().chain(self.names()).collect();
         if names.len() != 3 {
@@ -50,7 +49,7 @@ impl WantedSection {
         }
         let [xi, eta, chi] = creepage.known(scaling)?;
         let [fx, fy, mz] = force;
-        Ok(Known { xi, eta, chi, fx, fy, mz })
+        Ok(Constraints { xi, eta, chi, fx, fy, mz })
     }
 
     fn si(&self) -> [Option<f64>; 3] {

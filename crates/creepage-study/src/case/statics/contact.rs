@@ -6,7 +6,7 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 
 use crate::case::body::Body;
-use crate::case::contact::Contact;
+use crate::case::contact::ContactSection;
 use crate::case::error::CaseError;
 
 /// The load, the friction, and the contact ellipse where it is known beforehand.
@@ -38,7 +38,7 @@ impl StaticsContact {
 
     /// The contact of two bodies under load.
     pub(crate) fn hertz(&self, upper: &Body, lower: &Body) -> Result<Hertz, CaseError> {
-        let contact = Contact {
+        let contact = ContactSection {
             normal_force: self.normal_force()?,
             friction: None,
             angle: None,

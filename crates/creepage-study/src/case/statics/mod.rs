@@ -4,9 +4,8 @@ mod contact;
 mod error;
 mod load;
 
-use creepage::rolling::SiForce;
 use creepage::statics::{Bonded, Die, PartialSlip};
-use creepage::{Ellipse, Hertz, Solid, SolidPair};
+use creepage::{Ellipse, Hertz, SiForce, Solid, SolidPair};
 use schemars::JsonSchema;
 use serde::Deserialize;
 use serde_json::Value;

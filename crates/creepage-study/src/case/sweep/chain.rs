@@ -1,7 +1,7 @@
 //! `[chain]` of a sweep file: what a case starts from.
 
 use creepage::halfspace::Polynomial;
-use creepage::rolling::variational::Start;
+use creepage::variational::Start;
 use schemars::JsonSchema;
 use serde::Deserialize;
 

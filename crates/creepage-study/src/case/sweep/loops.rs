@@ -1,6 +1,6 @@
 //! The triple loop over `chi`, `alpha` and the list of `upsilon` (5.16).
 
-use creepage::InvalidValue;
+use creepage::{Creepage, InvalidValue};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -76,14 +76,15 @@ impl Values {
                 if list.is_empty() {
                     return Err(invalid(0.0, "a list with at least one number"));
                 }
-                match list.iter().find(|value| !value.is_finite()) {
-                    Some(&value) => Err(invalid(value, "a finite number")),
+                match list.iter().find(|value| !is_creepage(**value)) {
+                    Some(&value) => Err(invalid(value, "between -1e100 and 1e100")),
                     None => Ok(list.clone()),
                 }
             }
             Self::Range(Range { from, step, to }) => {
-                if let Some(&value) = [from, step, to].into_iter().find(|part| !part.is_finite()) {
-                    return Err(invalid(value, "a finite number"));
+                if let Some(&value) = [from, step, to].into_iter().find(|part| !is_creepage(**part))
+                {
+                    return Err(invalid(value, "between -1e100 and 1e100"));
                 }
                 let steps = (to - from) / step;
                 if steps.is_nan() || steps < 0.0 {
@@ -94,6 +95,10 @@ impl Values {
             }
         }
     }
+}
+
+fn is_creepage(value: f64) -> bool {
+    value.abs() <= Creepage::MAX
 }
 
 /// A last step that falls short by rounding counts.

@@ -7,10 +7,10 @@ mod loops;
 mod solve;
 
 use creepage::halfspace::Polynomial;
-use creepage::rolling::Creepage;
-use creepage::rolling::variational::{
+use creepage::variational::{
     Chain, Procedure, Settings, Variational, VariationalError, VariationalSolution,
 };
+use creepage::{Contact, Creepage, Ellipse};
 
 use crate::case::error::CaseError;
 use crate::case::keys;
@@ -104,7 +104,10 @@ impl Sweep {
     /// # Errors
     /// [`CaseError`] when a number of the contact or the mesh is out of range.
     pub fn theory(&self) -> Result<Variational, CaseError> {
-        Variational::new(self.a_over_b, self.poisson, self.settings).map_err(|source| {
+        let contact = Ellipse::from_ratio(self.a_over_b)
+            .and_then(|ellipse| Contact::new(ellipse, self.poisson))
+            .map_err(CaseError::invalid("contact"))?;
+        Variational::new(&contact, self.settings).map_err(|source| {
             let in_contact = matches!(source, VariationalError::Invalid(_));
             let section = if in_contact { "contact" } else { "solve" };
             CaseError::Variational { section, source }
@@ -163,7 +166,8 @@ impl Sweep {
         let alpha = self.alpha[outer % self.alpha.len()];
         let upsilon = self.upsilon[inner];
         let (sin, cos) = alpha.to_radians().sin_cos();
-        let creepage = Creepage { xi: upsilon * cos, eta: upsilon * sin, chi };
+        // Within the range of creepages, as each loop is.
+        let creepage = Creepage::new(upsilon * cos, upsilon * sin, chi).unwrap_or_default();
         SweepCase { chi, alpha, upsilon, creepage }
     }
 }

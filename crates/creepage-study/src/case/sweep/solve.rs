@@ -1,14 +1,13 @@
 //! `[solve]` of a sweep file: formulation, method, mesh.
 
-use creepage::rolling::variational::{Limits, Method, Procedure, Settings, TractionBound};
+use creepage::variational::{Limits, Method, Procedure, Settings, TractionBound, Weight};
 use creepage::{Ellipse, InvalidValue};
 use schemars::JsonSchema;
-use serde::Deserialize;
+use serde::de::{Deserialize, Deserializer, Error};
 
 use crate::case::error::CaseError;
-use crate::case::solve::{Weight, two_numbers};
 
-#[derive(Debug, Clone, Copy, PartialEq, Default, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, serde::Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct SolveSection {
     /// Formulation and method; "damped" by default.
@@ -24,7 +23,7 @@ pub(crate) struct SolveSection {
     weight: Option<Weight>,
     /// What is done about tractions above their bound; "automatic" by default.
     #[serde(default)]
-    bound: SweepBound,
+    bound: TractionBound,
     /// The iteration ends when the largest change is below delta times the largest unknown;
     /// 1e-6 by default, 1e-3 for "newton".
     delta: Option<f64>,
@@ -32,7 +31,7 @@ pub(crate) struct SolveSection {
     max_iterations: Option<usize>,
 }
 
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 enum MethodName {
     /// The integral (5.9), by Newton's method with damping.
@@ -44,37 +43,14 @@ enum MethodName {
     Areas,
 }
 
-/// What the numerical theory does about tractions above their bound.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-enum SweepBound {
-    /// "kept" where a/b is 3 or more.
-    #[default]
-    Automatic,
-    /// Verified afterwards only, as in 1967.
-    Unchecked,
-    /// Kept: by the least loss of power in place of the integral (5.9).
-    Kept,
-}
-
-impl From<SweepBound> for TractionBound {
-    fn from(bound: SweepBound) -> Self {
-        match bound {
-            SweepBound::Automatic => Self::Automatic,
-            SweepBound::Unchecked => Self::Unchecked,
-            SweepBound::Kept => Self::Kept,
-        }
-    }
-}
-
 impl SolveSection {
     pub(crate) fn settings(&self, a_over_b: f64) -> Result<Settings, CaseError> {
         let usual = self.degree.map_or_else(Settings::default, Settings::of_degree);
         let mesh = self.mesh_length.map(|lengths| cells(lengths, a_over_b)).transpose()?;
         Ok(Settings {
             mesh: mesh.unwrap_or(usual.mesh),
-            weight: self.weight.map_or(usual.weight, Into::into),
-            bound: self.bound.into(),
+            weight: self.weight.unwrap_or(usual.weight),
+            bound: self.bound,
             ..usual
         })
     }
@@ -116,4 +92,12 @@ fn cells(lengths: [f64; 2], a_over_b: f64) -> Result<[usize; 2], CaseError> {
 
 fn in_solve(quantity: &'static str, value: f64, valid: &'static str) -> CaseError {
     CaseError::invalid("solve")(InvalidValue { quantity, value, valid })
+}
+
+/// An array of just two: the TOML reader by itself would drop a third number silently.
+fn two_numbers<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<[f64; 2]>, D::Error> {
+    let numbers = Vec::<f64>::deserialize(deserializer)?;
+    let count = numbers.len();
+    let pair = numbers.try_into().map_err(|_| D::Error::invalid_length(count, &"two numbers"))?;
+    Ok(Some(pair))
 }
