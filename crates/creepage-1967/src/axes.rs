@@ -1,6 +1,6 @@
 //! The names of the axes.
 
-use creepage_report::plot::Label;
+use creepage_plot::Label;
 
 /// `name = symbol`.
 fn named(name: &str, symbol: &str) -> Label {

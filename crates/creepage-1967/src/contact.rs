@@ -2,11 +2,12 @@
 
 use creepage::rolling::exact::{Exact, Resolution};
 use creepage::rolling::variational::{Start, Variational};
-use creepage::rolling::{Creepage, FieldPoint, Theory};
+use creepage::rolling::{Creepage, FieldPoint, Region, Theory};
 use creepage::{Ellipse, InvalidValue};
-use creepage_report::plot::{Anchor, Label, Panel, Pen, Scale};
+use creepage_plot::{Anchor, Axis, Contour, Fill, Label, Panel, Pen, ellipse, signed_area};
 
-use crate::patch::{self, Polygon};
+/// A closed polygon in units of `c`.
+pub(crate) type Polygon = Vec<[f64; 2]>;
 
 /// What answers with traction, slip and area at positions in units of `c`.
 pub(crate) type Field<'a> = Box<dyn Fn(&[[f64; 2]]) -> Vec<FieldPoint> + 'a>;
@@ -36,9 +37,36 @@ pub(crate) fn of(theory: &dyn Theory, creepage: Creepage) -> Field<'_> {
     Box::new(move |positions| theory.field(creepage, positions))
 }
 
+/// The contact's edge.
+pub(crate) fn outline(contact: Ellipse) -> Polygon {
+    ellipse([contact.a(), contact.b()])
+}
+
 /// The area of adhesion and its share of the contact.
-pub(crate) fn adhesion(ellipse: Ellipse, field: &Field) -> (Vec<Polygon>, f64) {
-    patch::adhesion(ellipse, |points| field(points).iter().map(|point| point.region).collect())
+pub(crate) fn adhesion(contact: Ellipse, field: &Field) -> (Vec<Polygon>, f64) {
+    traced(contact, |points| {
+        field(points).iter().map(|point| point.region == Region::Adhesion).collect()
+    })
+}
+
+/// The part of the contact, and its share, whose positions in units of `c` are inside.
+pub(crate) fn traced(
+    contact: Ellipse,
+    is_inside: impl Fn(&[[f64; 2]]) -> Vec<bool>,
+) -> (Vec<Polygon>, f64) {
+    let semi_axes = [contact.a(), contact.b()];
+    let scaled = |point: &[f64; 2]| [0, 1].map(|i| semi_axes[i] * point[i]);
+    let found = Contour::trace(|disc| is_inside(&disc.iter().map(scaled).collect::<Vec<_>>()));
+    let polygons = found.polygons.iter().map(|polygon| polygon.iter().map(scaled).collect());
+    (polygons.collect(), found.share)
+}
+
+/// Areas of slip and of adhesion.
+pub(crate) fn areas(panel: Panel, contact: Ellipse, adhesion: &[Polygon]) -> Panel {
+    panel
+        .area(vec![outline(contact)], Fill::SLIP)
+        .area(adhesion.to_vec(), Fill::ADHESION)
+        .outlines(adhesion, Pen::OUTLINE.wide(1.4))
 }
 
 /// The area of adhesion by the full theory without the steps of its elements, and its share of the
@@ -55,7 +83,24 @@ pub(crate) fn full_adhesion(
 
 /// An area of adhesion by the full theory without the steps of its elements, to be filled.
 pub(crate) fn smooth_area(adhesion: &[Polygon]) -> Vec<Polygon> {
-    adhesion.iter().map(|polygon| patch::smoothed(polygon)).collect()
+    adhesion.iter().map(|polygon| smoothed(polygon)).collect()
+}
+
+/// A closed polygon without ripples shorter than an element of the full theory, whose border of
+/// adhesion steps from element to element.
+fn smoothed(polygon: &[[f64; 2]]) -> Polygon {
+    const REACH: usize = 3;
+    let count = polygon.len();
+    let mut points = polygon.to_vec();
+    // A mean of means has no corners of its own.
+    for _ in 0..2 {
+        let mean = |k: usize| {
+            let near = || (0..=2 * REACH).map(|i| points[(k + count + i - REACH) % count]);
+            [0, 1].map(|i| near().map(|point| point[i]).sum::<f64>() / (2 * REACH + 1) as f64)
+        };
+        points = if count > 8 * REACH { (0..count).map(mean).collect() } else { points };
+    }
+    points
 }
 
 /// `|(X, Y)|/mu Z` at a point inside the contact.
@@ -126,18 +171,13 @@ pub(crate) fn pieces(ellipse: Ellipse, adhesion: &[Polygon]) -> usize {
     adhesion.iter().filter(|polygon| signed_area(polygon) > 1e-3 * ellipse.area()).count()
 }
 
-fn signed_area(polygon: &Polygon) -> f64 {
-    let next = polygon.iter().cycle().skip(1);
-    polygon.iter().zip(next).map(|(p, q)| 0.5 * (p[0] * q[1] - p[1] * q[0])).sum()
-}
-
 /// An empty panel to scale for a contact: `x`, the rolling direction, to the right, `y` down; with
 /// white beside a slender one, which would be too tall else.
 pub(crate) fn panel(ellipse: Ellipse, heading: Label) -> Panel {
     let b = ellipse.b();
     let reach = ellipse.a().max(0.6 * b);
-    let x = Scale::new([-1.12 * reach, 1.22 * reach], Label::default());
-    let y = Scale::new([1.2 * b, -1.08 * b], Label::default());
+    let x = Axis::new([-1.12 * reach, 1.22 * reach], Label::default());
+    let y = Axis::new([1.2 * b, -1.08 * b], Label::default());
     Panel::new(x, y).to_scale().bare().heading(heading)
 }
 
@@ -147,14 +187,9 @@ pub(crate) fn edge(panel: Panel, ellipse: Ellipse) -> Panel {
     panel
         .curve(vec![[-1.08 * a, 0.0], [1.12 * a, 0.0]], Pen::GUIDE)
         .curve(vec![[0.0, -1.05 * b], [0.0, 1.1 * b]], Pen::GUIDE)
-        .curve(patch::outline(ellipse), Pen::OUTLINE)
+        .curve(outline(ellipse), Pen::OUTLINE)
         .text([1.13 * a, 0.04 * b], Anchor::Start, Label::default().symbol("x"))
         .text([0.05 * a, 1.19 * b], Anchor::Start, Label::default().symbol("y"))
-}
-
-/// Adds lines in one pen.
-pub(crate) fn lines(panel: Panel, lines: &[Polygon], pen: Pen) -> Panel {
-    lines.iter().fold(panel, |panel, line| panel.curve(line.clone(), pen))
 }
 
 #[cfg(test)]
@@ -164,13 +199,7 @@ mod tests {
     #[test]
     fn a_separatrix_leaves_the_edge_out() {
         let circle = Ellipse::from_ratio(1.0).unwrap();
-        let (adhesion, _) = patch::adhesion(circle, |points| {
-            let region = |p: &[f64; 2]| {
-                use creepage::rolling::Region::{Adhesion, Slip};
-                if p[0] > 0.2 { Adhesion } else { Slip }
-            };
-            points.iter().map(region).collect()
-        });
+        let (adhesion, _) = traced(circle, |points| points.iter().map(|p| p[0] > 0.2).collect());
         let lines = separatrix(circle, &adhesion);
         assert_eq!(lines.len(), 1);
         // Bisected to a thousandth of a lattice cell.

@@ -48,8 +48,19 @@ impl Data {
 
     /// Adds a row for each point of a curve.
     pub(crate) fn curve(&mut self, name: &str, points: &[[f64; 2]]) {
-        for [x, y] in points {
-            self.push([name.into(), (*x).into(), (*y).into()]);
+        self.points(name, &[], points);
+    }
+
+    /// Adds a row for each point of a curve: its name, what all its points share, the point.
+    pub(crate) fn points<'p>(
+        &mut self,
+        name: &str,
+        shared: &[f64],
+        points: impl IntoIterator<Item = &'p [f64; 2]>,
+    ) {
+        for point in points {
+            let numbers = shared.iter().chain(point).map(|number| Cell::Number(*number));
+            self.push([Cell::Word(name)].into_iter().chain(numbers));
         }
     }
 

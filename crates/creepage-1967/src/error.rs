@@ -2,8 +2,7 @@
 
 use creepage::rolling::variational::VariationalError;
 use creepage::{HertzError, InvalidValue};
-use creepage_report::ReportError;
-use creepage_validation::{Table2Error, Table3Error, TableError};
+use creepage_plot::PlotError;
 
 /// Why a table or figure cannot be reproduced. None of these is the user's doing: what was printed
 /// is part of the program, and the questions to the theories are fixed.
@@ -19,22 +18,21 @@ pub enum GalleryError {
     /// A contact that is none.
     #[error(transparent)]
     Hertz(#[from] HertzError),
-    /// A damaged table.
-    #[error(transparent)]
-    Table(#[from] TableError),
-    /// A damaged Table 2.
-    #[error(transparent)]
-    Table2(#[from] Table2Error),
-    /// A damaged Table 3.
-    #[error(transparent)]
-    Table3(#[from] Table3Error),
+    /// A printed entry that is not a number, or a row of which nothing is known.
+    #[error("the printed table has an entry that means nothing: {quantity} = {printed}")]
+    Entry {
+        /// The row.
+        quantity: String,
+        /// The entry.
+        printed: String,
+    },
     /// Printed numbers that cannot be read.
     #[error("printed numbers cannot be read: {0}")]
     Printed(#[from] serde_json::Error),
-    /// Numbers that cannot be written.
-    #[error("cannot make a table: {0}")]
+    /// A table that cannot be read or written.
+    #[error("cannot read or write a table: {0}")]
     Csv(#[from] csv::Error),
     /// A picture that cannot be drawn.
     #[error(transparent)]
-    Report(#[from] ReportError),
+    Plot(#[from] PlotError),
 }

@@ -1,6 +1,6 @@
 //! Colours that mean the same in every picture.
 
-use creepage_report::plot::{Mark, Pen, Shape};
+use creepage_plot::{Mark, Pen, Shape};
 
 const DARK: &str = "#10243a";
 const RED: &str = "#c62828";

@@ -1,6 +1,6 @@
 //! A table or figure of the thesis, and what it becomes.
 
-use creepage_report::plot::Sheet;
+use creepage_plot::Sheet;
 
 use crate::comparison::Comparison;
 use crate::data::Data;

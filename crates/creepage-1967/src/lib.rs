@@ -6,7 +6,7 @@
 //! what is written, and [`gallery()`] into one page with the table of agreement.
 //!
 //! ```
-//! use creepage_gallery::{Verdict, find};
+//! use creepage_1967::{Verdict, find};
 //! let table = find("table1").ok_or("no such item")?.make()?;
 //! assert!(table.agreement.iter().all(|line| line.verdict == Verdict::Agrees));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
@@ -20,10 +20,9 @@
 //! 2. `mod figNN;` and its place in `ITEMS` of `registry.rs`, in the order of the thesis.
 //!
 //! `make` computes with the theories of the library and gives `Reproduction::figure`:
-//! - a [`Sheet`](creepage_report::plot::Sheet): the panels of `creepage_report::plot`, drawn with
-//!   the pens of `inks.rs` (the full theory looks the same in every figure) and the axes of
-//!   `axes.rs`. Adhesion areas are traced by `creepage_report::Areas`, see `patch.rs`; `contact.rs`
-//!   asks theories for fields and draws contacts with headings;
+//! - a [`Sheet`](creepage_plot::Sheet): the panels of `creepage_plot`, drawn with the pens of
+//!   `inks.rs` (the full theory looks the same in every figure) and the axes of `axes.rs`;
+//!   `contact.rs` asks theories for fields, traces areas and draws contacts with headings;
 //! - a caption in plain words: the setting (`a/b`, `sigma`, degree, weight), what is seen, what
 //!   1967 got right by the full theory; where experiments' points are not in the text of the
 //!   thesis, that is said with [`EXPERIMENTS`];
@@ -46,7 +45,8 @@ mod figures;
 mod inks;
 mod item;
 mod output;
-mod patch;
+mod page;
+mod prelude;
 mod registry;
 mod run;
 mod tables;
@@ -57,5 +57,6 @@ pub use data::Data;
 pub use error::GalleryError;
 pub use item::{EXPERIMENTS, Item, Reproduction};
 pub use output::{File, agreement_text, files, gallery};
+pub use page::{Page, PageStyle};
 pub use registry::{find, registry};
 pub use run::{Made, reproduce};

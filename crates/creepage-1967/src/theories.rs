@@ -7,6 +7,9 @@ use creepage::rolling::variational::{
 };
 use creepage::rolling::{Creepage, Force};
 
+/// Points of a curve.
+pub(crate) type Curve = Vec<[f64; 2]>;
+
 /// Combined Poisson's ratio of the steel in chapter 5.
 pub(crate) const STEEL: f64 = 0.28;
 

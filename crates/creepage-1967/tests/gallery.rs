@@ -3,8 +3,8 @@
 
 use std::sync::OnceLock;
 
-use creepage_gallery::{Made, Verdict, files, gallery, registry, reproduce};
-use resvg::usvg::{self, Rect};
+use creepage_1967::{Made, Verdict, files, gallery, registry, reproduce};
+use creepage_plot::Boxes;
 
 fn made() -> &'static [Made] {
     static MADE: OnceLock<Vec<Made>> = OnceLock::new();
@@ -132,36 +132,8 @@ fn the_page_needs_nothing_beside_it() {
 fn pictures_are_whole_and_legible() {
     for made in made() {
         let Some(svg) = &made.reproduction.svg else { continue };
-        let (name, tree) = (made.item.name, creepage_report::picture(svg).unwrap());
-        let (mut texts, mut shapes) = (Vec::new(), Vec::new());
-        boxes(tree.root(), &mut texts, &mut shapes);
-        let size = tree.size();
-        for b in texts.iter().chain(&shapes) {
-            assert!(b.left() >= 0.0 && b.right() <= size.width(), "{name}: {b:?}");
-            assert!(b.top() >= 0.0 && b.bottom() <= size.height(), "{name}: {b:?}");
-        }
-        for (k, b) in texts.iter().enumerate() {
-            let touching = texts[k + 1..].iter().find(|c| touch(b, c));
-            assert!(touching.is_none(), "{name}: {b:?} {touching:?}");
-        }
-    }
-}
-
-fn touch(b: &Rect, c: &Rect) -> bool {
-    // Ascenders and descenders may share a pixel row.
-    b.left() < c.right()
-        && c.left() < b.right()
-        && b.top() + 2.0 < c.bottom()
-        && c.top() + 2.0 < b.bottom()
-}
-
-fn boxes(group: &usvg::Group, texts: &mut Vec<Rect>, shapes: &mut Vec<Rect>) {
-    for node in group.children() {
-        match node {
-            usvg::Node::Group(group) => boxes(group, texts, shapes),
-            usvg::Node::Text(text) => texts.push(text.abs_bounding_box()),
-            other => shapes.push(other.abs_stroke_bounding_box()),
-        }
+        let boxes = Boxes::of(svg).unwrap();
+        assert_eq!((boxes.off_the_sheet(), boxes.touching()), (None, None), "{}", made.item.name);
     }
 }
 

@@ -3,7 +3,7 @@
 
 use creepage::rolling::Creepage;
 use creepage::rolling::variational::{Chain, Procedure, Settings, Variational};
-use creepage_report::{Page, PageStyle};
+use creepage_1967::{Page, PageStyle};
 
 /// The page after the chain of creepages 2.5, 2.0, 1.7.
 fn figure_12(style: PageStyle) -> String {

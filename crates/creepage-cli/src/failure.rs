@@ -4,10 +4,9 @@ use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 
 use creepage::InvalidValue;
-use creepage_gallery::GalleryError;
-use creepage_study::{
-    CaseError, ChoiceError, FindError, ReportError, StaticsError, TheoryError, UnknownTheory,
-};
+use creepage::theory::{TheoryError, UnknownTheory};
+use creepage_1967::GalleryError;
+use creepage_study::{CaseError, ReportError, SolveError, SpecError, StaticsError};
 use creepage_table::{BuildError, FileError};
 use creepage_validation::ReferenceError;
 

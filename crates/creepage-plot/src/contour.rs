@@ -81,8 +81,9 @@ fn rim() -> Vec<Point> {
     .concat()
 }
 
-/// Enclosed area, positive counter-clockwise.
-fn signed_area(polygon: &[Point]) -> f64 {
+/// The area of a polygon, positive counter-clockwise.
+#[must_use]
+pub fn signed_area(polygon: &[Point]) -> f64 {
     let next = polygon.iter().cycle().skip(1);
     polygon.iter().zip(next).map(|(p, q)| 0.5 * (p[0] * q[1] - p[1] * q[0])).sum()
 }

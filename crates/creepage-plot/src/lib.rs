@@ -46,7 +46,7 @@ pub use axis::Axis;
 pub use bands::Bands;
 pub use boxes::Boxes;
 pub use clip::Frame;
-pub use contour::{Contour, closed, ellipse};
+pub use contour::{Contour, closed, ellipse, signed_area};
 pub use error::PlotError;
 pub use label::Label;
 pub use legend::Sample;

@@ -44,7 +44,7 @@ impl Panel {
         Self { x, y, top, right, heading, height: 380.0, to_scale: false, bare: false, items }
     }
 
-    /// With another axis above: the same range in another unit.
+    /// With another axis above, in place of a heading: the same range in another unit.
     #[must_use]
     pub fn top(self, axis: Axis) -> Self {
         Self { top: Some(axis), ..self }

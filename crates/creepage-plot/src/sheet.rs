@@ -110,10 +110,7 @@ mod tests {
         let x = Axis::new([0.0, 2.0], Label::default().symbol("ξ"));
         let y = Axis::new([1.0, -1.0], Label::default().indexed("f", "x"));
         let curve: Vec<_> = (0..=20).map(|k| 0.2 * f64::from(k)).map(|x| [x, x.sin()]).collect();
-        let right = Axis::new([5.0, -5.0], Label::new("N"));
-        Panel::new(x.clone(), y)
-            .top(x)
-            .right(right)
+        Panel::new(x, y)
             .area(vec![vec![[0.2, -0.5], [1.0, -0.5], [1.0, 0.5]]], Fill::SLIP)
             .curve(curve.clone(), Pen::of(1))
             .marks(curve, Mark::open(Shape::Diamond, "#c62828"))
@@ -129,6 +126,8 @@ mod tests {
             for _ in 0..3 {
                 sheet = sheet.panel(panel().heading(Label::new("of three")));
             }
+            let axis = |name| Axis::new([5.0, -5.0], Label::new(name));
+            sheet = sheet.panel(panel().top(axis("per cent")).right(axis("N")));
             for k in 0..5 {
                 sheet = sheet.key(Pen::of(k), Label::new("an entry of some length"));
             }

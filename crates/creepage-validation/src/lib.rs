@@ -15,18 +15,10 @@
 
 mod accuracy;
 mod grid;
-mod printed;
 mod reference;
 mod square_grid;
-mod table1;
-mod table2;
-mod table3;
 
 pub use accuracy::{Accuracy, Spread, measure};
 pub use grid::grid;
-pub use printed::{Entry, TableError, Verdict};
 pub use reference::{ReferenceCase, ReferenceError, steady_rolling};
 pub use square_grid::SquareGrid;
-pub use table1::table1;
-pub use table2::{Table2Error, table2};
-pub use table3::{Coefficient, Table3Error, table3};

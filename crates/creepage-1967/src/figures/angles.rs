@@ -3,20 +3,11 @@
 use creepage::rolling::variational::Weight;
 use creepage::rolling::vermeulen_johnson::VermeulenJohnson;
 use creepage::rolling::{Creepage, Force, Theory};
-use creepage_report::plot::{Label, Panel, Pen, Scale, Sheet};
 
-use crate::axes;
-use crate::comparison::Comparison;
-use crate::data::Data;
-use crate::error::GalleryError;
-use crate::inks::{FULL, OF_1967, TANGENT};
-use crate::item::{Item, Reproduction};
-use crate::theories::{STEEL, chained, chapter_5, full, points, spaced};
+use crate::prelude::*;
 
 pub(crate) const ITEM: Item =
     Item::new("angles", "(5.31). Direction of the force in pure creepage", make);
-
-type Curve = Vec<[f64; 2]>;
 
 /// A creepage's direction `alpha` (degrees) and what the thesis prints for it.
 struct Printed {
@@ -48,9 +39,7 @@ fn make() -> Result<Reproduction, GalleryError> {
     for printed in &PRINTED {
         let angles = angles(printed.alpha)?;
         for (name, curve) in [("M = 3", &angles.chapter_5), ("full theory", &angles.full)] {
-            for [size, angle] in curve {
-                data.push([name.into(), printed.alpha.into(), (*size).into(), (*angle).into()]);
-            }
+            data.points(name, &[printed.alpha], curve);
         }
         agreement.extend(compared(printed, &angles));
         all.push(angles);
@@ -112,9 +101,9 @@ fn sheet(all: &[Angles]) -> Sheet {
         .note(axes::setting(&[("a/b", "1"), ("σ", "0.28"), ("χ", "0")]))
         .columns(2);
     for (printed, angles) in PRINTED.iter().zip(all) {
-        let x = Scale::new([0.0, 3.0], Label::new("creepage ").symbol("υ"));
+        let x = Axis::new([0.0, 3.0], Label::new("creepage ").symbol("υ"));
         let range = [printed.alpha - 8.0, printed.alpha + 2.0];
-        let y = Scale::new(range, Label::new("angle of the force [°]"));
+        let y = Axis::new(range, Label::new("angle of the force [°]"));
         let mut panel = Panel::new(x, y).height(320.0);
         for bound in printed.range.iter().filter_map(|bound| bound.parse::<f64>().ok()) {
             panel = panel.curve(vec![[0.0, bound], [1.7, bound]], Pen::GUIDE.wide(1.8));

@@ -3,12 +3,9 @@
 
 use creepage::InvalidValue;
 use creepage::rolling::linear::CreepageCoefficients;
-use creepage_report::plot::{Label, Mark, Panel, Pen, Scale, Shape, Sheet};
-use creepage_validation::Coefficient;
 
-use crate::data::Data;
-use crate::inks::{OF_1967, SECOND, THIRD};
-use crate::theories::spaced;
+use crate::prelude::*;
+use crate::tables::coefficients::Coefficient;
 
 pub(super) const POISSON: [(f64, &str); 3] = [(0.0, "0"), (0.25, "1/4"), (0.5, "1/2")];
 const PENS: [Pen; 3] = [OF_1967, SECOND, THIRD];
@@ -74,9 +71,9 @@ pub(super) fn picture(
 }
 
 fn push(data: &mut Data, name: &str, poisson: f64, points: &[[f64; 2]]) {
+    let ratio = |place: f64| if place <= 1.0 { place } else { (2.0 - place).recip() };
     for [place, value] in points {
-        let ratio = if *place <= 1.0 { *place } else { (2.0 - place).recip() };
-        data.push([name.into(), poisson.into(), ratio.into(), (*value).into()]);
+        data.points(name, &[poisson], [&[ratio(*place), *value]]);
     }
 }
 
@@ -90,7 +87,7 @@ fn points(printed: &[Coefficient], shown: &Shown, poisson: f64) -> Vec<[f64; 2]>
         .collect()
 }
 
-fn axis() -> Scale {
+fn axis() -> Axis {
     let numbers = [0.0, 0.2, 0.4, 0.6, 0.8, 1.0].map(|place| (place, place.to_string()));
     let falling = [0.8, 0.6, 0.4, 0.2, 0.0].map(|share: f64| (2.0 - share, share.to_string()));
     let label = Label::default()
@@ -98,9 +95,9 @@ fn axis() -> Scale {
         .plain("  rising to 1, then  ")
         .symbol("b/a")
         .plain("  falling");
-    Scale::new([0.0, 2.0], label).ticks(numbers.into_iter().chain(falling).collect())
+    Axis::new([0.0, 2.0], label).ticks(numbers.into_iter().chain(falling).collect())
 }
 
-fn scale(shown: &Shown) -> Scale {
-    Scale::new([0.0, shown.top], Label::default().indexed("C", shown.index))
+fn scale(shown: &Shown) -> Axis {
+    Axis::new([0.0, shown.top], Label::default().indexed("C", shown.index))
 }

@@ -3,16 +3,9 @@
 use creepage::InvalidValue;
 use creepage::rolling::exact::{Exact, Resolution, Workspace};
 use creepage::rolling::{Creepage, Force};
-use creepage_report::plot::{Anchor, Label, Mark, Panel, Pen, Scale, Shape, Sheet};
 use rayon::prelude::*;
 
-use crate::axes;
-use crate::comparison::Comparison;
-use crate::data::Data;
-use crate::error::GalleryError;
-use crate::inks::{FULL, OF_1967, TANGENT};
-use crate::item::{Item, Reproduction};
-use crate::theories::STEEL;
+use crate::prelude::*;
 
 pub(crate) const ITEM: Item =
     Item::new("convergence", "The full theory’s error over the size of its elements", make);
@@ -163,9 +156,9 @@ fn sheet(errors: &[Errors]) -> Sheet {
 /// Both axes by powers of ten.
 fn panel(case: &Case, errors: &Errors) -> Panel {
     let tick = |value: f64| (value.log10(), value.to_string());
-    let x = Scale::new([-1.45, -0.35], Label::new("size of an element over ").symbol("c"))
+    let x = Axis::new([-1.45, -0.35], Label::new("size of an element over ").symbol("c"))
         .ticks([0.05, 0.1, 0.2, 0.4].map(tick).to_vec());
-    let y = Scale::new([-3.3, 1.5], Label::new("error in %"))
+    let y = Axis::new([-3.3, 1.5], Label::new("error in %"))
         .ticks([0.001, 0.01, 0.1, 1.0, 10.0].map(tick).to_vec());
     let logs = |points: &[[f64; 2]]| -> Vec<[f64; 2]> {
         points.iter().map(|[x, y]| [x.log10(), (100.0 * y).log10()]).collect()

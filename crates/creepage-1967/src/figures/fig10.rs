@@ -1,8 +1,7 @@
 //! Fig. 10: the force for large creepage and spin, ellipses.
 
 use super::saturation::{self, Diagram};
-use crate::error::GalleryError;
-use crate::item::{Item, Reproduction};
+use crate::prelude::*;
 
 pub(crate) const ITEM: Item =
     Item::new("fig10", "Fig. 10. Force for large creepage and spin, ellipses", make);

@@ -1,14 +1,9 @@
 //! Fig. 11: the force for large creepage and spin, circle.
 
 use creepage::rolling::Force;
-use creepage_report::plot::{Label, Panel, Pen, Scale};
 
 use super::saturation::{self, Diagram};
-use crate::comparison::Comparison;
-use crate::error::GalleryError;
-use crate::inks::THIRD;
-use crate::item::{Item, Reproduction};
-use crate::theories::spaced;
+use crate::prelude::*;
 
 pub(crate) const ITEM: Item =
     Item::new("fig11", "Fig. 11. Force for large creepage and spin, circle", make);
@@ -44,7 +39,7 @@ fn simpler(diagram: &Diagram) -> Panel {
     };
     let x = Label::new("distance of the spin pole ").symbol("υ");
     let y = Label::default().symbol("f").plain(" and ").indexed("m", "z");
-    Panel::new(Scale::new([0.0, 3.0], x), Scale::new([0.0, 1.12], y))
+    Panel::new(Axis::new([0.0, 3.0], x), Axis::new([0.0, 1.12], y))
         .curve(curve(|force| force.fx), THIRD)
         .curve(curve(|force| force.mz), MOMENT)
         .height(saturation::SIDE)

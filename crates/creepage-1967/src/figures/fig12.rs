@@ -1,23 +1,14 @@
 //! Fig. 12: a page of the output of the programme of 1967.
 
+use crate::page::{Page, PageStyle};
 use creepage::Ellipse;
 use creepage::rolling::variational::{
     Chain, Procedure, Settings, Variational, VariationalSolution,
 };
 use creepage::rolling::{Creepage, Region};
-use creepage_report::plot::{Fill, Label, Mark, Panel, Scale, Shape, Sheet};
-use creepage_report::{Page, PageStyle};
 
 use super::printed_page::{Number, PrintedPage};
-use crate::axes;
-use crate::comparison::{Comparison, Verdict};
-use crate::contact;
-use crate::data::Data;
-use crate::error::GalleryError;
-use crate::inks::{FULL, OF_1967, PRINTED};
-use crate::item::{Item, Reproduction};
-use crate::patch::{self, Polygon};
-use crate::theories::STEEL;
+use crate::prelude::*;
 
 pub(crate) const ITEM: Item = Item::new("fig12", "Fig. 12. A page of the output of 1967", make);
 
@@ -125,13 +116,13 @@ fn sheet(
     full: &[Polygon],
 ) -> Result<Sheet, GalleryError> {
     let ellipse = Ellipse::from_ratio(A_OVER_B)?;
-    let regions = |points: &[[f64; 2]]| {
+    let adheres = |points: &[[f64; 2]]| {
         let points = theory.points(creepage, &found.tau, points);
-        points.iter().map(|point| point.field.region).collect()
+        points.iter().map(|point| point.field.region == Region::Adhesion).collect()
     };
-    let (chapter_5, _) = patch::adhesion(ellipse, regions);
-    let all = patch::areas(contact::panel(ellipse, Label::default()), ellipse, &chapter_5);
-    let all = contact::edge(patch::borders(all, full, FULL), ellipse);
+    let (chapter_5, _) = contact::traced(ellipse, adheres);
+    let all = contact::areas(contact::panel(ellipse, Label::default()), ellipse, &chapter_5);
+    let all = contact::edge(all.outlines(full, FULL), ellipse);
     let all = marked(all, found);
     let parts = [("a/b", "0.5"), ("σ", "0.28"), ("υ", "1.7"), ("α", "-30°"), ("χ", "2")];
     Ok(Sheet::new(ITEM.title)
@@ -154,9 +145,9 @@ fn course(numbers: &[Number]) -> Panel {
         let changes = numbers.iter().filter(|n| n.list == "TOEG GEV" && n.place == 1);
         changes.map(|n| [n.line as f64 + 1.0, of(n).log10()]).collect::<Vec<_>>()
     };
-    let x = Scale::new([0.7, 4.3], Label::new("iteration"));
+    let x = Axis::new([0.7, 4.3], Label::new("iteration"));
     let x = x.ticks([1, 2, 3, 4].map(|step| (f64::from(step), step.to_string())).to_vec());
-    let y = Scale::new([-4.4, 0.4], Label::new("largest change of a coefficient"));
+    let y = Axis::new([-4.4, 0.4], Label::new("largest change of a coefficient"));
     let powers = [(-4.0, "0.0001"), (-3.0, "0.001"), (-2.0, "0.01"), (-1.0, "0.1"), (0.0, "1")];
     let y = y.ticks(powers.map(|(power, text)| (power, text.into())).to_vec());
     Panel::new(x, y)

@@ -2,20 +2,11 @@
 
 use creepage::rolling::Creepage;
 use creepage::rolling::variational::Weight;
-use creepage_report::plot::{Label, Panel, Pen, Scale, Sheet};
 
-use crate::axes;
-use crate::comparison::Comparison;
-use crate::data::Data;
-use crate::error::GalleryError;
-use crate::inks::{FULL, OF_1967, SECOND, THIRD};
-use crate::item::{EXPERIMENTS, Item, Reproduction};
-use crate::theories::{STEEL, chained, chapter_5, farthest, full, points, spaced};
+use crate::prelude::*;
 
 pub(crate) const ITEM: Item =
     Item::new("fig13", "Fig. 13. Force due to longitudinal and lateral creepage", make);
-
-type Curve = Vec<[f64; 2]>;
 
 const DEGREES: [usize; 3] = [2, 3, 4];
 const PENS: [Pen; 3] = [OF_1967, SECOND, THIRD];
@@ -88,7 +79,7 @@ fn sheet(sides: &[Side; 2]) -> Sheet {
         .columns(2);
     let names = [(axes::xi(), axes::fx()), (axes::eta(), axes::fy())];
     for (side, (x, y)) in sides.iter().zip(names) {
-        let mut panel = Panel::new(Scale::new([0.0, 3.0], x), Scale::new([0.0, 1.05], y));
+        let mut panel = Panel::new(Axis::new([0.0, 3.0], x), Axis::new([0.0, 1.05], y));
         for (curve, pen) in side.by_degree.iter().zip(PENS).rev() {
             panel = panel.curve(curve.clone(), pen);
         }

@@ -3,19 +3,10 @@
 use creepage::rolling::linear::Linear;
 use creepage::rolling::variational::Weight;
 use creepage::rolling::{Creepage, Theory};
-use creepage_report::plot::{Label, Panel, Pen, Scale, Sheet};
 
-use crate::axes;
-use crate::comparison::Comparison;
-use crate::data::Data;
-use crate::error::GalleryError;
-use crate::inks::{FULL, OF_1967, SECOND, TANGENT, THIRD};
-use crate::item::{EXPERIMENTS, Item, Reproduction};
-use crate::theories::{STEEL, chained, chapter_5, farthest, full, points, spaced};
+use crate::prelude::*;
 
 pub(crate) const ITEM: Item = Item::new("fig14", "Fig. 14. Force due to pure spin", make);
-
-type Curve = Vec<[f64; 2]>;
 
 const DEGREES: [usize; 3] = [2, 3, 4];
 const PENS: [Pen; 3] = [SECOND, OF_1967, THIRD];
@@ -91,8 +82,8 @@ fn claims(by_degree: &[Curve], full: &Curve) -> Vec<Comparison> {
 }
 
 fn sheet(by_degree: &[Curve], full: &Curve, slope: f64) -> Sheet {
-    let x = Scale::new([0.0, 8.0], axes::chi());
-    let y = Scale::new([0.0, 0.7], axes::fy());
+    let x = Axis::new([0.0, 8.0], axes::chi());
+    let y = Axis::new([0.0, 0.7], axes::fy());
     let mut panel = Panel::new(x, y).curve(vec![[0.0, 0.0], [8.0, 8.0 * slope]], TANGENT);
     for (curve, pen) in by_degree.iter().zip(PENS) {
         panel = panel.curve(curve.clone(), pen);

@@ -2,20 +2,11 @@
 
 use creepage::rolling::variational::Weight;
 use creepage::rolling::{Creepage, Force};
-use creepage_report::plot::{Label, Panel, Pen, Scale, Sheet};
 
-use crate::axes;
-use crate::comparison::Comparison;
-use crate::data::Data;
-use crate::error::GalleryError;
-use crate::inks::FULL;
-use crate::item::{EXPERIMENTS, Item, Reproduction};
-use crate::theories::{STEEL, chained, chapter_5, farthest, full, points, spaced};
+use crate::prelude::*;
 
 pub(crate) const ITEM: Item =
     Item::new("fig15", "Fig. 15. Force due to lateral creepage and spin", make);
-
-type Curve = Vec<[f64; 2]>;
 
 /// The curves 1 to 5 of the caption.
 const SPINS: [f64; 5] = [0.0, -0.561, -2.25, -4.78, -9.58];
@@ -34,9 +25,7 @@ fn make() -> Result<Reproduction, GalleryError> {
     let mut data = Data::new(["curve", "chi", "eta", "fy"]);
     for (name, set) in [("M = 3", &curves), ("full theory", &fulls)] {
         for (chi, curve) in SPINS.iter().zip(set) {
-            for [eta, fy] in curve {
-                data.push([name.into(), (*chi).into(), (*eta).into(), (*fy).into()]);
-            }
+            data.points(name, &[*chi], curve);
         }
     }
     let worst = |set: &[Curve], other: &[Curve]| {
@@ -89,8 +78,8 @@ fn claims(apart: &[f64]) -> Vec<Comparison> {
 }
 
 fn sheet(curves: &[Curve], fulls: &[Curve]) -> Sheet {
-    let x = Scale::new([-3.0, 3.0], axes::eta());
-    let y = Scale::new([-1.05, 1.05], axes::fy());
+    let x = Axis::new([-3.0, 3.0], axes::eta());
+    let y = Axis::new([-1.05, 1.05], axes::fy());
     let mut panel = Panel::new(x, y).height(440.0);
     for (k, (curve, full)) in curves.iter().zip(fulls).enumerate() {
         panel = panel.curve(curve.clone(), PENS[k]).curve(full.clone(), FULL.wide(1.5));

@@ -4,17 +4,8 @@ use creepage::Ellipse;
 use creepage::rolling::Creepage;
 use creepage::rolling::strip::StripTheory;
 use creepage::rolling::variational::Weight;
-use creepage_report::plot::{Fill, Label, Panel, Pen, Scale, Sheet};
 
-use crate::axes;
-use crate::comparison::Comparison;
-use crate::contact::{self, Field};
-use crate::data::Data;
-use crate::error::GalleryError;
-use crate::inks::{FULL, OF_1967, SECOND};
-use crate::item::{EXPERIMENTS, Item, Reproduction};
-use crate::patch::{self, Polygon};
-use crate::theories::{chapter_5, spaced};
+use crate::prelude::*;
 
 pub(crate) const ITEM: Item =
     Item::new("fig16", "Fig. 16. Areas and tractions in longitudinal creepage", make);
@@ -23,8 +14,6 @@ const POISSON: f64 = 0.5;
 const CREEPAGE: Creepage = Creepage { xi: 0.9, eta: 0.0, chi: 0.0 };
 /// Lines along the rolling direction.
 const LINES: [f64; 3] = [0.0, 0.4, 0.8];
-
-type Curve = Vec<[f64; 2]>;
 
 /// What a theory says.
 struct View {
@@ -166,8 +155,8 @@ fn sheet(views: &[View; 3]) -> Result<Sheet, GalleryError> {
     for (view, heading) in [(&views[0], axes::degree(3)), (&views[2], Label::new("full theory"))] {
         let panel = contact::panel(circle, heading);
         let adhesion = contact::smooth_area(&view.adhesion);
-        let panel = contact::edge(patch::areas(panel, circle, &adhesion), circle);
-        sheet = sheet.panel(contact::lines(panel, &strips, SECOND));
+        let panel = contact::edge(contact::areas(panel, circle, &adhesion), circle);
+        sheet = sheet.panel(panel.curves(&strips, SECOND));
     }
     for k in 0..LINES.len() {
         sheet = sheet.panel(tractions(views, k));
@@ -182,13 +171,13 @@ fn sheet(views: &[View; 3]) -> Result<Sheet, GalleryError> {
         .key(Fill::SLIP, Label::new("slip")))
 }
 
-fn over_a() -> Scale {
-    Scale::new([-1.0, 1.0], Label::default().symbol("x").plain("/").symbol("a"))
+fn over_a() -> Axis {
+    Axis::new([-1.0, 1.0], Label::default().symbol("x").plain("/").symbol("a"))
 }
 
 fn tractions(views: &[View; 3], k: usize) -> Panel {
     let heading = Label::default().symbol("y").plain("/").symbol("a").plain(" = ");
-    let y = Scale::new(
+    let y = Axis::new(
         [0.0, 1.05],
         Label::new("traction ").plain("|").symbol("X").plain(", ").symbol("Y").plain("|"),
     );
@@ -203,7 +192,7 @@ fn tractions(views: &[View; 3], k: usize) -> Panel {
 }
 
 fn slips(views: &[View; 3]) -> Panel {
-    let y = Scale::new([-0.2, 1.2], Label::new("slip ").symbol("P"));
+    let y = Axis::new([-0.2, 1.2], Label::new("slip ").symbol("P"));
     let heading = Label::default().symbol("y").plain("/").symbol("a").plain(" = 0");
     let panel = Panel::new(over_a(), y).height(210.0).heading(heading);
     // Strip theory's slip is that of a plane: of another kind than the others'.

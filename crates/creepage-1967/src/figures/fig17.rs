@@ -5,17 +5,8 @@ use creepage::rolling::exact::{Exact, Known, Resolution};
 use creepage::rolling::strip::StripTheory;
 use creepage::rolling::variational::{Start, Variational, Weight};
 use creepage::rolling::{Creepage, Theory};
-use creepage_report::plot::{Fill, Label, Sheet};
 
-use crate::axes;
-use crate::comparison::Comparison;
-use crate::contact;
-use crate::data::Data;
-use crate::error::GalleryError;
-use crate::inks::{FULL, SECOND};
-use crate::item::{EXPERIMENTS, Item, Reproduction};
-use crate::patch::{self, Polygon};
-use crate::theories::chapter_5;
+use crate::prelude::*;
 
 pub(crate) const ITEM: Item =
     Item::new("fig17", "Fig. 17. Areas of adhesion with spin and no force across", make);
@@ -99,9 +90,9 @@ fn sheet(circle: Ellipse, [strips, of_1967, today]: &[Vec<Polygon>; 3]) -> Sheet
     let full_line = contact::full_separatrix(circle, today);
     let today = contact::smooth_area(today);
     for (areas, heading) in [(of_1967, axes::degree(3)), (&today, Label::new("full theory"))] {
-        let panel = patch::areas(contact::panel(circle, heading), circle, areas);
-        let panel = contact::lines(contact::edge(panel, circle), &strip_line, SECOND);
-        sheet = sheet.panel(contact::lines(panel, &full_line, FULL));
+        let panel = contact::areas(contact::panel(circle, heading), circle, areas);
+        let panel = contact::edge(panel, circle).curves(&strip_line, SECOND);
+        sheet = sheet.panel(panel.curves(&full_line, FULL));
     }
     sheet
         .key(Fill::ADHESION, Label::new("adhesion"))

@@ -4,17 +4,8 @@ use creepage::Ellipse;
 use creepage::rolling::strip::StripTheory;
 use creepage::rolling::variational::{Start, Variational, Weight};
 use creepage::rolling::{Creepage, Region, Theory};
-use creepage_report::plot::{Label, Panel, Sheet};
 
-use crate::axes;
-use crate::comparison::Comparison;
-use crate::contact;
-use crate::data::Data;
-use crate::error::GalleryError;
-use crate::inks::{FULL, OF_1967, SECOND};
-use crate::item::{Item, Reproduction};
-use crate::patch::Polygon;
-use crate::theories::{STEEL, chapter_5, spaced};
+use crate::prelude::*;
 
 pub(crate) const ITEM: Item =
     Item::new("fig18", "Fig. 18. The separatrix without spin, by strip theory", make);
@@ -64,9 +55,8 @@ fn make() -> Result<Reproduction, GalleryError> {
 
 fn collect(data: &mut Data, circle: Ellipse, at: Creepage, view: &View) {
     for (name, areas) in ["strip theory", "M = 3", "full theory"].into_iter().zip(&view.areas) {
-        for [x, y] in contact::separatrix(circle, areas).iter().flatten() {
-            data.push([name.into(), at.xi.into(), at.eta.into(), (*x).into(), (*y).into()]);
-        }
+        let line = contact::separatrix(circle, areas);
+        data.points(name, &[at.xi, at.eta], line.iter().flatten());
     }
 }
 
@@ -191,7 +181,7 @@ fn panel(circle: Ellipse, (size, _, direction): (f64, f64, &str), view: &View) -
     let panel = contact::panel(circle, heading.number(&size.to_string()));
     let mut panel = contact::edge(panel, circle);
     for (areas, pen) in view.areas.iter().zip([SECOND, OF_1967]) {
-        panel = contact::lines(panel, &contact::separatrix(circle, areas), pen);
+        panel = panel.curves(&contact::separatrix(circle, areas), pen);
     }
-    contact::lines(panel, &contact::full_separatrix(circle, &view.areas[2]), FULL)
+    panel.curves(&contact::full_separatrix(circle, &view.areas[2]), FULL)
 }

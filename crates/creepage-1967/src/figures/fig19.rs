@@ -4,15 +4,8 @@ use creepage::Ellipse;
 use creepage::rolling::Creepage;
 use creepage::rolling::exact::{Exact, Resolution};
 use creepage::rolling::variational::Weight;
-use creepage_report::plot::{Label, Panel, Sample, Sheet};
 
-use crate::axes;
-use crate::comparison::Comparison;
-use crate::contact::{self, Field};
-use crate::data::Data;
-use crate::error::GalleryError;
-use crate::item::{Item, Reproduction};
-use crate::theories::{STEEL, chapter_5};
+use crate::prelude::*;
 
 pub(crate) const ITEM: Item =
     Item::new("fig19", "Fig. 19. Direction of the traction without spin", make);
@@ -50,8 +43,8 @@ fn make() -> Result<Reproduction, GalleryError> {
         sheet = sheet.panel(panel);
     }
     let sheet = sheet
-        .key(Sample::Arrow(OF_1967), axes::degree(3))
-        .key(Sample::Arrow(TODAY), Label::new("full theory"));
+        .key(Sample::arrow(OF_1967), axes::degree(3))
+        .key(Sample::arrow(TODAY), Label::new("full theory"));
     Ok(Reproduction::figure(&sheet, CAPTION, data, agreement(&angles)?))
 }
 

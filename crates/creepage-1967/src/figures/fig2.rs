@@ -1,15 +1,9 @@
 //! Fig. 2: the tangential traction by Carter's theory.
 
 use creepage::rolling::carter::Carter;
-use creepage_report::plot::{Anchor, Fill, Label, Panel, Pen, Scale, Sheet};
 
 use super::slender::Middle;
-use crate::comparison::Comparison;
-use crate::data::Data;
-use crate::error::GalleryError;
-use crate::inks::{FULL_MARK, OF_1967, SECOND};
-use crate::item::{Item, Reproduction};
-use crate::theories::spaced;
+use crate::prelude::*;
 
 pub(crate) const ITEM: Item =
     Item::new("fig2", "Fig. 2. Tangential traction by Carter's theory", make);
@@ -84,8 +78,8 @@ fn sheet(carter: Carter, traction: &[[f64; 2]], full: Vec<[f64; 2]>) -> Sheet {
         area.push([from, 0.0]);
         vec![area]
     };
-    let x = Scale::new([-1.15, 1.15], Label::default().symbol("x").plain("/").symbol("a"));
-    let y = Scale::new(
+    let x = Axis::new([-1.15, 1.15], Label::default().symbol("x").plain("/").symbol("a"));
+    let y = Axis::new(
         [0.0, 1.12],
         Label::new("traction over ").symbol("μ").plain(" times peak pressure"),
     );

@@ -3,17 +3,8 @@
 use creepage::Ellipse;
 use creepage::rolling::Creepage;
 use creepage::rolling::variational::{Start, Variational, Weight};
-use creepage_report::plot::{Fill, Label, Panel, Pen, Scale, Sheet};
 
-use crate::axes;
-use crate::comparison::Comparison;
-use crate::contact::{self, Field};
-use crate::data::Data;
-use crate::error::GalleryError;
-use crate::inks::{FULL, OF_1967, SECOND};
-use crate::item::{Item, Reproduction};
-use crate::patch::{self, Polygon};
-use crate::theories::{STEEL, chapter_5, spaced};
+use crate::prelude::*;
 
 pub(crate) const ITEM: Item =
     Item::new("fig20", "Fig. 20. Areas of adhesion and slip in pure spin", make);
@@ -64,9 +55,7 @@ fn make() -> Result<Reproduction, GalleryError> {
 
 fn collect(data: &mut Data, circle: Ellipse, name: &str, views: &[View]) {
     let mut add = |kind: &str, chi: f64, line: &[[f64; 2]]| {
-        for [x, y] in line {
-            data.push([(&format!("{kind}, {name}")).into(), chi.into(), (*x).into(), (*y).into()]);
-        }
+        data.points(&format!("{kind}, {name}"), &[chi], line);
     };
     for (chi, view) in SPINS.into_iter().zip(views) {
         for line in contact::separatrix(circle, &view.adhesion) {
@@ -161,10 +150,10 @@ fn sheet(circle: Ellipse, of_1967: &[View], today: &[View]) -> Sheet {
     for (k, letter) in ["a", "b", "c", "d", "e"].into_iter().enumerate() {
         let heading = Label::new(letter).plain(")  ").symbol("χ").plain(" = ");
         let panel = contact::panel(circle, heading.number(&SPINS[k].to_string()));
-        let panel = patch::areas(panel, circle, &of_1967[k].adhesion);
+        let panel = contact::areas(panel, circle, &of_1967[k].adhesion);
         let panel = contact::edge(panel, circle);
         let separatrix = contact::full_separatrix(circle, &today[k].adhesion);
-        sheet = sheet.panel(contact::lines(panel, &separatrix, FULL));
+        sheet = sheet.panel(panel.curves(&separatrix, FULL));
     }
     sheet
         .panel(on_the_axis(&of_1967[ON_THE_AXIS], &today[ON_THE_AXIS]))
@@ -182,8 +171,8 @@ fn on_the_axis(of_1967: &View, today: &View) -> Panel {
     let below = bound.iter().map(|[x, y]| [*x, -y]).collect();
     let chi = SPINS[ON_THE_AXIS].to_string();
     let heading = Label::new("f)  ").symbol("χ").plain(" = ").number(&chi);
-    let x = Scale::new([-1.0, 1.0], Label::default().symbol("x").plain("/").symbol("a"));
-    let y = Scale::new([-1.0, 2.0], Label::default().symbol("Y").plain(", ").symbol("Q"));
+    let x = Axis::new([-1.0, 1.0], Label::default().symbol("x").plain("/").symbol("a"));
+    let y = Axis::new([-1.0, 2.0], Label::default().symbol("Y").plain(", ").symbol("Q"));
     Panel::new(x, y)
         .height(150.0)
         .heading(heading)

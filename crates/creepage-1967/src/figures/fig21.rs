@@ -4,17 +4,9 @@ use creepage::Ellipse;
 use creepage::rolling::Creepage;
 use creepage::rolling::exact::{Exact, Resolution};
 use creepage::rolling::variational::{Variational, Weight};
-use creepage_report::plot::{Anchor, Label, Panel, Scale, Sheet};
 
 use super::tractions::{self, View};
-use crate::axes;
-use crate::comparison::Comparison;
-use crate::contact::{self, Field};
-use crate::data::Data;
-use crate::error::GalleryError;
-use crate::inks::{FULL, OF_1967};
-use crate::item::{Item, Reproduction};
-use crate::theories::{STEEL, chapter_5, spaced};
+use crate::prelude::*;
 
 pub(crate) const ITEM: Item = Item::new("fig21", "Fig. 21. Tractions in pure spin", make);
 
@@ -75,8 +67,6 @@ fn spins(count: u32) -> Vec<f64> {
     spaced(0.5, 10.0, count)
 }
 
-type Curve = Vec<[f64; 2]>;
-
 fn by_chapter_5(theory: &Variational) -> Curve {
     let at = |chi: f64| centre(&contact::chapter_5(theory, spin(chi))).map(|x| [chi, x]);
     spins(114).into_iter().filter_map(at).collect()
@@ -98,14 +88,14 @@ fn by_full_theory() -> Result<Curve, GalleryError> {
 fn data_of_centres(data: &mut Data, [of_1967, today]: &[Curve; 2]) {
     for (name, curve) in [("centre, M = 3", of_1967), ("centre, full theory", today)] {
         for [chi, x] in curve {
-            data.push([name.into(), (*chi).into(), (*x).into(), 0.0.into()]);
+            data.points(name, &[*chi], [&[*x, 0.0]]);
         }
     }
 }
 
 fn centre_panel([of_1967, today]: &[Curve; 2]) -> Panel {
-    let x = Scale::new([0.0, 10.0], axes::chi());
-    let y = Scale::new(
+    let x = Axis::new([0.0, 10.0], axes::chi());
+    let y = Axis::new(
         [-1.0, 0.0],
         Label::new("centre of rotation ").symbol("x").plain("/").symbol("a"),
     );

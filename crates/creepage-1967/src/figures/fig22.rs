@@ -3,16 +3,9 @@
 use creepage::Ellipse;
 use creepage::rolling::Creepage;
 use creepage::rolling::variational::Weight;
-use creepage_report::plot::{Label, Mark, Panel, Shape, Sheet};
 
 use super::tractions::{self, View};
-use crate::axes;
-use crate::comparison::Comparison;
-use crate::contact::{self, Field};
-use crate::data::Data;
-use crate::error::GalleryError;
-use crate::item::{Item, Reproduction};
-use crate::theories::{STEEL, chapter_5};
+use crate::prelude::*;
 
 pub(crate) const ITEM: Item =
     Item::new("fig22", "Fig. 22. Tractions in creepage and spin together", make);
@@ -44,12 +37,7 @@ fn make() -> Result<Reproduction, GalleryError> {
     {
         let view = View::new(circle, field, edge);
         view.collect(&mut data, name, CREEPAGE.chi);
-        data.push([
-            (&format!("least, {name}")).into(),
-            CREEPAGE.chi.into(),
-            at.0[0].into(),
-            at.0[1].into(),
-        ]);
+        data.points(&format!("least, {name}"), &[CREEPAGE.chi], [&at.0]);
         sheet = sheet.panel(panel(circle, heading, &view, at.0));
     }
     let sheet = tractions::key(sheet)

@@ -2,15 +2,8 @@
 
 use creepage::rolling::Creepage;
 use creepage::rolling::variational::Weight;
-use creepage_report::plot::{Anchor, Label, Panel, Pen, Scale, Sheet};
 
-use crate::axes;
-use crate::comparison::Comparison;
-use crate::data::Data;
-use crate::error::GalleryError;
-use crate::inks::FULL;
-use crate::item::{Item, Reproduction};
-use crate::theories::{STEEL, chained, chapter_5, farthest, full, points, spaced};
+use crate::prelude::*;
 
 pub(crate) const ITEM: Item = Item::new("fig23", "Fig. 23. Force due to pure spin", make);
 
@@ -20,8 +13,6 @@ const RATIOS: [(f64, &str, Pen); 4] = [
     (0.5, "0.5", Pen { colour: "#2e7d32", dashes: "13 4 2.5 4", width: 2.5 }),
     (0.2, "0.2", Pen { colour: "#8e24aa", dashes: "6 3", width: 2.5 }),
 ];
-
-type Curve = Vec<[f64; 2]>;
 
 fn make() -> Result<Reproduction, GalleryError> {
     // Denser where the peaks are.
@@ -142,8 +133,7 @@ fn half(curve: &Curve, full: &Curve) -> Comparison {
 }
 
 fn sheet(curves: &[Curve], fulls: &[Curve]) -> Sheet {
-    let panel =
-        Panel::new(Scale::new([0.0, 10.0], axes::chi()), Scale::new([0.0, 0.85], axes::fy()));
+    let panel = Panel::new(Axis::new([0.0, 10.0], axes::chi()), Axis::new([0.0, 0.85], axes::fy()));
     let mut panel = panel.height(420.0);
     for (curve, (_, _, pen)) in curves.iter().zip(RATIOS) {
         panel = panel.curve(curve.clone(), pen);

@@ -2,15 +2,8 @@
 
 use creepage::rolling::variational::Weight;
 use creepage::rolling::{Creepage, Force};
-use creepage_report::plot::{Anchor, Label, Panel, Pen, Scale, Sheet};
 
-use crate::axes;
-use crate::comparison::Comparison;
-use crate::data::Data;
-use crate::error::GalleryError;
-use crate::inks::{FULL, OF_1967};
-use crate::item::{Item, Reproduction};
-use crate::theories::{STEEL, chained, chapter_5, full, spaced};
+use crate::prelude::*;
 
 pub(crate) const A: Item =
     Item::new("fig24a", "Fig. 24a. Creepage over force, no spin", || make(A.title, 0.0));
@@ -71,14 +64,7 @@ impl Net {
                 for (theory, forces) in ["M = 3", "full theory"].into_iter().zip(&line.forces) {
                     let name = format!("{kind} = {}, {theory}", line.value);
                     for (creepage, force) in line.creepages.iter().zip(forces) {
-                        let Creepage { xi, eta, .. } = *creepage;
-                        data.push([
-                            (&name).into(),
-                            xi.into(),
-                            eta.into(),
-                            force.fx.into(),
-                            force.fy.into(),
-                        ]);
+                        data.points(&name, &[creepage.xi, creepage.eta], [&[force.fx, force.fy]]);
                     }
                 }
             }
@@ -248,7 +234,7 @@ fn frame(net: &Net, heading: Label) -> Panel {
     let bottom = if net.chi > 0.0 { -1.02 } else { 0.0 };
     let angles = spaced(lowest(net.chi), 90.0, 90);
     let circle = angles.iter().map(|angle| angle.to_radians().sin_cos());
-    Panel::new(Scale::new([0.0, 1.19], axes::fx()), Scale::new([bottom, 1.02], axes::fy()))
+    Panel::new(Axis::new([0.0, 1.19], axes::fx()), Axis::new([bottom, 1.02], axes::fy()))
         .to_scale()
         .heading(heading)
         .curve(circle.map(|(sin, cos)| [cos, sin]).collect(), Pen::THIN)

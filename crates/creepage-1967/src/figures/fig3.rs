@@ -1,15 +1,9 @@
 //! Fig. 3: the force by Carter's theory.
 
 use creepage::rolling::carter::Carter;
-use creepage_report::plot::{Label, Panel, Scale, Sheet};
 
 use super::slender::Middle;
-use crate::comparison::Comparison;
-use crate::data::Data;
-use crate::error::GalleryError;
-use crate::inks::{FULL_MARK, OF_1967, TANGENT};
-use crate::item::{Item, Reproduction};
-use crate::theories::spaced;
+use crate::prelude::*;
 
 pub(crate) const ITEM: Item = Item::new("fig3", "Fig. 3. Force by Carter's theory", make);
 
@@ -57,7 +51,7 @@ fn sheet(curve: Vec<[f64; 2]>, full: Vec<[f64; 2]>) -> Sheet {
     let x =
         Label::new("creepage ").indexed("υ", "x").symbol("ρ").plain("/(").symbol("μa").plain(")");
     let y = Label::default().indexed("F", "x").plain("/").symbol("μN");
-    let panel = Panel::new(Scale::new([0.0, 6.0], x), Scale::new([0.0, 1.12], y))
+    let panel = Panel::new(Axis::new([0.0, 6.0], x), Axis::new([0.0, 1.12], y))
         .curve(vec![[0.0, 0.0], [2.24, 1.12]], TANGENT)
         .curve(curve, OF_1967)
         .marks(full, FULL_MARK);

@@ -2,13 +2,10 @@
 
 use creepage::rolling::linear::CreepageCoefficients;
 use creepage::rolling::vermeulen_johnson::VermeulenJohnson;
-use creepage_validation::table3;
 
 use super::coefficients::{Shown, picture};
-use crate::comparison::Comparison;
-use crate::error::GalleryError;
-use crate::item::{Item, Reproduction};
-use crate::theories::STEEL;
+use crate::prelude::*;
+use crate::tables::coefficients::table3;
 
 pub(crate) const ITEM: Item =
     Item::new("fig3a", "Fig. 3a. The creepage coefficients C11 and C22", make);

@@ -1,14 +1,11 @@
 //! Fig. 3b: the coefficients of spin.
 
 use creepage::rolling::linear::CreepageCoefficients;
-use creepage_validation::table3;
 
 use super::coefficients::{POISSON, Shown, picture};
 use super::fig3a::{EXPERIMENT, SCATTER};
-use crate::comparison::Comparison;
-use crate::error::GalleryError;
-use crate::item::{Item, Reproduction};
-use crate::theories::STEEL;
+use crate::prelude::*;
+use crate::tables::coefficients::table3;
 
 pub(crate) const ITEM: Item =
     Item::new("fig3b", "Fig. 3b. The coefficients C23 = −C32 and C33", make);

@@ -3,17 +3,8 @@
 use creepage::Ellipse;
 use creepage::rolling::vermeulen_johnson::VermeulenJohnson;
 use creepage::rolling::{Creepage, FieldPoint, Force, Region, Theory};
-use creepage_report::plot::{Fill, Label, Sheet};
 
-use crate::axes;
-use crate::comparison::Comparison;
-use crate::contact;
-use crate::data::Data;
-use crate::error::GalleryError;
-use crate::inks::FULL;
-use crate::item::{Item, Reproduction};
-use crate::patch::{self, Polygon};
-use crate::theories::{STEEL, full, spaced};
+use crate::prelude::*;
 
 pub(crate) const ITEM: Item =
     Item::new("fig4", "Fig. 4. Areas of adhesion and slip by Johnson", make);
@@ -56,16 +47,7 @@ fn data(cases: &[Case; 2]) -> Data {
             ("adhesion, full theory", &case.full),
         ] {
             for (k, polygon) in polygons.iter().enumerate() {
-                for [x, y] in polygon {
-                    let number = k.to_string();
-                    data.push([
-                        name.into(),
-                        case.xi.into(),
-                        (&number).into(),
-                        (*x).into(),
-                        (*y).into(),
-                    ]);
-                }
+                data.points(name, &[case.xi, k as f64], polygon);
             }
         }
     }
@@ -84,16 +66,12 @@ fn work(point: &FieldPoint) -> f64 {
 fn case(theory: &VermeulenJohnson, xi: f64) -> Result<Case, GalleryError> {
     let circle = Ellipse::from_ratio(1.0)?;
     let wrong = |points: &[[f64; 2]]| {
-        let field = theory.field(at(xi), points);
-        let wrong = |point: &FieldPoint| {
-            if work(point) < 0.0 { Region::Adhesion } else { Region::Slip }
-        };
-        field.iter().map(wrong).collect()
+        theory.field(at(xi), points).iter().map(|point| work(point) < 0.0).collect()
     };
     Ok(Case {
         xi,
         adhesion: contact::adhesion(circle, &contact::of(theory, at(xi))).0,
-        error: patch::adhesion(circle, wrong).0,
+        error: contact::traced(circle, wrong).0,
         full: contact::full_adhesion(1.0, STEEL, at(xi))?.0,
     })
 }
@@ -185,9 +163,9 @@ fn sheet(cases: &[Case; 2]) -> Result<Sheet, GalleryError> {
         .columns(2);
     for case in cases {
         let heading = Label::default().symbol("ξ").plain(&format!(" = {:.1}", case.xi));
-        let panel = patch::areas(contact::panel(circle, heading), circle, &case.adhesion);
+        let panel = contact::areas(contact::panel(circle, heading), circle, &case.adhesion);
         let panel = panel.area(case.error.clone(), ERROR);
-        sheet = sheet.panel(contact::edge(patch::borders(panel, &case.full, FULL), circle));
+        sheet = sheet.panel(contact::edge(panel.outlines(&case.full, FULL), circle));
     }
     Ok(sheet
         .key(Fill::ADHESION, Label::new("adhesion, Johnson"))

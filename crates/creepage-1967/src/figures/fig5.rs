@@ -3,17 +3,8 @@
 use creepage::Ellipse;
 use creepage::rolling::strip::StripTheory;
 use creepage::rolling::{Creepage, Region, Theory};
-use creepage_report::plot::{Fill, Label, Sheet};
 
-use crate::axes;
-use crate::comparison::Comparison;
-use crate::contact;
-use crate::data::Data;
-use crate::error::GalleryError;
-use crate::inks::FULL;
-use crate::item::{Item, Reproduction};
-use crate::patch::{self, Polygon};
-use crate::theories::{STEEL, spaced};
+use crate::prelude::*;
 
 pub(crate) const ITEM: Item =
     Item::new("fig5", "Fig. 5. Areas of adhesion and slip by Haines and Ollerton", make);
@@ -50,15 +41,7 @@ fn data(cases: &[Case; 2]) -> Data {
         for (name, polygons) in
             [("adhesion, strips", &case.strips), ("adhesion, full theory", &case.full)]
         {
-            for [x, y] in polygons.iter().flatten() {
-                data.push([
-                    name.into(),
-                    case.a_over_b.into(),
-                    case.xi.into(),
-                    (*x).into(),
-                    (*y).into(),
-                ]);
-            }
+            data.points(name, &[case.a_over_b, case.xi], polygons.iter().flatten());
         }
     }
     data
@@ -126,8 +109,8 @@ fn sheet(cases: &[Case; 2]) -> Result<Sheet, GalleryError> {
         let ellipse = Ellipse::from_ratio(case.a_over_b)?;
         let heading = Label::default().symbol("a/b").plain(&format!(" = {}, ", case.a_over_b));
         let heading = heading.symbol("ξ").plain(&format!(" = {}", case.xi));
-        let panel = patch::areas(contact::panel(ellipse, heading), ellipse, &case.strips);
-        sheet = sheet.panel(contact::edge(patch::borders(panel, &case.full, FULL), ellipse));
+        let panel = contact::areas(contact::panel(ellipse, heading), ellipse, &case.strips);
+        sheet = sheet.panel(contact::edge(panel.outlines(&case.full, FULL), ellipse));
     }
     Ok(sheet
         .key(Fill::ADHESION, Label::new("adhesion, strips"))

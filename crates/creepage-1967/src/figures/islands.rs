@@ -4,19 +4,10 @@ use creepage::Ellipse;
 use creepage::rolling::exact::{Exact, Resolution};
 use creepage::rolling::variational::Weight;
 use creepage::rolling::{Creepage, Region};
-use creepage_report::plot::{Fill, Label, Panel, Pen, Scale, Sheet};
 use rayon::prelude::*;
 
 use super::fig20;
-use crate::axes;
-use crate::comparison::Comparison;
-use crate::contact;
-use crate::data::Data;
-use crate::error::GalleryError;
-use crate::inks::OF_1967;
-use crate::item::{Item, Reproduction};
-use crate::patch::{self, Polygon};
-use crate::theories::{STEEL, chapter_5};
+use crate::prelude::*;
 
 pub(crate) const ITEM: Item =
     Item::new("islands", "Is there an island of adhesion? The full theory’s answer to 5.322", make);
@@ -97,15 +88,13 @@ fn data(
 ) -> Data {
     let mut data = Data::new(["curve", "chi", "x", "y"]);
     for (chi, (area, _)) in spins.iter().zip(areas) {
-        for [x, y] in contact::full_separatrix(circle, area).iter().flatten() {
-            data.push(["separatrix, full theory".into(), (*chi).into(), (*x).into(), (*y).into()]);
-        }
+        let line = contact::full_separatrix(circle, area);
+        data.points("separatrix, full theory", &[*chi], line.iter().flatten());
     }
     for (islands, [along, across]) in islands.iter().zip([FINE, COARSER]) {
         let name = format!("length and width of the island, {along} by {across} elements");
         for island in islands {
-            let [length, width] = size(island);
-            data.push([(&name).into(), island.chi.into(), length.into(), width.into()]);
+            data.points(&name, &[island.chi], [&size(island)]);
         }
     }
     data
@@ -175,7 +164,7 @@ fn sheet(
         .note(axes::setting(&[("a/b", "1"), ("σ", "0.28"), ("ξ", "0"), ("η", "0")]))
         .columns(3);
     for (chi, (area, _)) in spins.iter().zip(areas) {
-        let panel = patch::areas(
+        let panel = contact::areas(
             contact::panel(circle, heading(*chi)),
             circle,
             &contact::smooth_area(area),
@@ -199,14 +188,14 @@ fn closely(circle: Ellipse, island: &Island, heading: Label) -> Panel {
     let ticks =
         |from: f64| [0.0, 0.2, 0.4].map(|step| from + step).map(|at| (at, format!("{at:.1}")));
     let over_a = |symbol| Label::default().symbol(symbol).plain("/").symbol("a");
-    let x = Scale::new([left, left + 0.6], over_a("x")).ticks(ticks(left + 0.1).to_vec());
-    let y = Scale::new([0.3, -0.3], over_a("y")).ticks(ticks(-0.2).to_vec());
+    let x = Axis::new([left, left + 0.6], over_a("x")).ticks(ticks(left + 0.1).to_vec());
+    let y = Axis::new([0.3, -0.3], over_a("y")).ticks(ticks(-0.2).to_vec());
     let mut panel = Panel::new(x, y).to_scale().heading(heading);
     for element in &island.elements {
         panel = panel
             .area(vec![element.clone()], Fill::ADHESION)
-            .curve(patch::closed(element.clone()), Pen::OUTLINE.wide(0.7));
+            .curve(closed(element.clone()), Pen::OUTLINE.wide(0.7));
     }
     let near = contact::separatrix(circle, &island.of_1967);
-    contact::lines(panel.curve(patch::outline(circle), Pen::OUTLINE), &near, OF_1967)
+    panel.curve(contact::outline(circle), Pen::OUTLINE).curves(&near, OF_1967)
 }

@@ -5,16 +5,9 @@ use std::fmt::Write;
 use creepage::rolling::exact::{Exact, Resolution};
 use creepage::rolling::variational::{Settings, Variational};
 use creepage::rolling::{Creepage, Force};
-use creepage_report::plot::{Label, Mark, Panel, Pen, Scale, Shape, Sheet};
 use rayon::prelude::*;
 
-use crate::axes;
-use crate::comparison::Comparison;
-use crate::data::Data;
-use crate::error::GalleryError;
-use crate::inks::{OF_1967, SECOND};
-use crate::item::{Item, Reproduction};
-use crate::theories::{STEEL, chained};
+use crate::prelude::*;
 
 pub(crate) const ITEM: Item =
     Item::new("chapter-5", "Chapter 5 judged by the full theory over its catalogue", make);
@@ -224,11 +217,11 @@ fn degree(which: usize, what: &str) -> Label {
 }
 
 /// By powers of ten.
-fn errors_scale(range: [f64; 2]) -> Scale {
+fn errors_scale(range: [f64; 2]) -> Axis {
     let tick = |value: f64| (value.log10(), value.to_string());
     let all = [0.01, 0.1, 1.0, 10.0, 100.0].map(tick);
     let inside = all.into_iter().filter(|(at, _)| (range[0]..=range[1]).contains(at));
-    Scale::new(range, Label::new("error in %")).ticks(inside.collect())
+    Axis::new(range, Label::new("error in %")).ticks(inside.collect())
 }
 
 fn log_of(error: f64) -> f64 {
@@ -237,7 +230,7 @@ fn log_of(error: f64) -> f64 {
 
 /// The share of cases below an error.
 fn distribution(cases: &[Case]) -> Panel {
-    let y = Scale::new([0.0, 100.0], Label::new("cases below, in %"));
+    let y = Axis::new([0.0, 100.0], Label::new("cases below, in %"));
     let mut panel = Panel::new(errors_scale([-2.2, 1.6]), y).height(250.0);
     for (degree, pen) in PENS.into_iter().enumerate() {
         let mut errors: Vec<_> =
@@ -258,7 +251,7 @@ fn panel<'a>(groups: impl Iterator<Item = &'a Group>, symbol: &str, name: &str) 
     let groups: Vec<_> = groups.collect();
     let places = groups.iter().enumerate().map(|(k, group)| (k as f64, group.value.to_string()));
     let range = [-0.4, groups.len() as f64 - 0.6];
-    let x = Scale::new(range, Label::new(name).symbol(symbol)).ticks(places.collect());
+    let x = Axis::new(range, Label::new(name).symbol(symbol)).ticks(places.collect());
     let mut panel = Panel::new(x, errors_scale([-2.2, 1.6])).height(250.0);
     for degree in 0..2 {
         let of = |what: fn(&Spread) -> f64| {

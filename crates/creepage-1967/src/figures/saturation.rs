@@ -7,13 +7,8 @@ use creepage::InvalidValue;
 use creepage::rolling::exact::{Exact, Resolution};
 use creepage::rolling::saturated::Saturated;
 use creepage::rolling::{Creepage, Force, Theory};
-use creepage_report::plot::{Anchor, Label, Panel, Scale, Sheet};
 
-use crate::axes;
-use crate::comparison::Comparison;
-use crate::data::Data;
-use crate::inks::{FULL_MARK, OF_1967, SECOND};
-use crate::theories::{STEEL, spaced};
+use crate::prelude::*;
 
 /// Distances of the pole of which lines are drawn.
 const UPSILONS: [f64; 6] = [0.25, 0.5, 0.75, 1.0, 1.5, 2.5];
@@ -102,8 +97,8 @@ impl Diagram {
     }
 
     fn panel(&self) -> Panel {
-        let x = Scale::new([0.0, 1.12], axes::fx());
-        let y = Scale::new([0.0, 1.12], axes::fy());
+        let x = Axis::new([0.0, 1.12], axes::fx());
+        let y = Axis::new([0.0, 1.12], axes::fy());
         let point = |force: Force| [force.fx, force.fy];
         let mut panel = Panel::new(x, y).to_scale();
         for alpha in ALPHAS {

@@ -5,7 +5,7 @@ use creepage::InvalidValue;
 use creepage::rolling::Creepage;
 use creepage::rolling::exact::{ElementField, Exact, Resolution};
 
-use crate::theories::STEEL;
+use crate::prelude::*;
 
 /// Ratio of the semi-axes.
 const A_OVER_B: f64 = 1.0 / 32.0;

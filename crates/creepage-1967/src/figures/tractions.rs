@@ -1,12 +1,9 @@
 //! Tractions in a contact: lines of constant traction over its bound, and arrows.
 
 use creepage::Ellipse;
-use creepage::rolling::{FieldPoint, Region};
-use creepage_report::plot::{Label, Panel, Pen, Sheet};
+use creepage::rolling::FieldPoint;
 
-use crate::contact::{self, Field};
-use crate::data::Data;
-use crate::patch::{self, Polygon};
+use crate::prelude::*;
 
 /// Traction in per cent of Coulomb's bound, and its line.
 pub(super) const LEVELS: [(u32, Pen); 4] = [
@@ -31,15 +28,10 @@ pub(super) struct View {
 impl View {
     pub(super) fn new(ellipse: Ellipse, field: &Field, edge: f64) -> Self {
         let level = |percent: u32| {
-            let below = |point: &FieldPoint| {
-                if contact::reduced(ellipse, point) < 0.01 * f64::from(percent) {
-                    Region::Adhesion
-                } else {
-                    Region::Slip
-                }
-            };
+            let below =
+                |point: &FieldPoint| contact::reduced(ellipse, point) < 0.01 * f64::from(percent);
             let trace = |points: &[[f64; 2]]| field(points).iter().map(below).collect();
-            (percent, patch::adhesion(ellipse, trace).0)
+            (percent, contact::traced(ellipse, trace).0)
         };
         let points = field(&lattice(ellipse));
         let arrows = points.iter().filter_map(|point| arrow(ellipse, point)).collect();
@@ -52,7 +44,7 @@ impl View {
         let kept = |point| contact::radius(self.ellipse, point) < self.edge && keep(point);
         for ((_, areas), (_, pen)) in self.areas.iter().zip(LEVELS) {
             let lines = contact::smooth(contact::parts(areas, kept));
-            panel = contact::lines(panel, &lines, pen);
+            panel = panel.curves(&lines, pen);
         }
         let middle = |[from, to]: &[[f64; 2]; 2]| [0, 1].map(|i| f64::midpoint(from[i], to[i]));
         let arrows = self.arrows.iter().filter(|arrow| keep(middle(arrow)));
@@ -62,10 +54,8 @@ impl View {
     /// Adds the lines to a table of curve, spin, x and y.
     pub(super) fn collect(&self, data: &mut Data, name: &str, chi: f64) {
         for (percent, areas) in &self.areas {
-            let curve = format!("{percent} %, {name}");
-            for [x, y] in contact::separatrix(self.ellipse, areas).iter().flatten() {
-                data.push([(&curve).into(), chi.into(), (*x).into(), (*y).into()]);
-            }
+            let line = contact::separatrix(self.ellipse, areas);
+            data.points(&format!("{percent} %, {name}"), &[chi], line.iter().flatten());
         }
     }
 }
@@ -75,7 +65,7 @@ pub(super) fn key(sheet: Sheet) -> Sheet {
     let sheet = LEVELS.iter().fold(sheet, |sheet, (percent, pen)| {
         sheet.key(*pen, Label::new(&format!("{percent} % of Coulomb’s bound")))
     });
-    sheet.key(creepage_report::plot::Sample::Arrow(ARROWS), Label::new("direction of the traction"))
+    sheet.key(Sample::arrow(ARROWS), Label::new("direction of the traction"))
 }
 
 fn arrow(ellipse: Ellipse, point: &FieldPoint) -> Option<[[f64; 2]; 2]> {

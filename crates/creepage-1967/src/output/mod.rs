@@ -20,7 +20,7 @@ pub struct File {
 }
 
 impl File {
-    /// Name and bytes, as [`creepage_report::write_all`] takes them.
+    /// Name and bytes, as a writer of many files takes them.
     #[must_use]
     pub fn as_pair(&self) -> (&str, &[u8]) {
         (&self.name, &self.contents)
@@ -56,7 +56,7 @@ fn of_item(made: &Made) -> Result<Vec<File>, GalleryError> {
     let mut files = vec![file("csv", reproduction.data.csv()?)];
     if let Some(svg) = &reproduction.svg {
         files.push(file("svg", svg.clone().into_bytes()));
-        files.push(file("png", creepage_report::png(svg)?));
+        files.push(file("png", creepage_plot::png(svg)?));
     }
     if let Some(text) = &reproduction.text {
         files.push(file("txt", format!("{text}\n").into_bytes()));

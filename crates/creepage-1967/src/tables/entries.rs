@@ -2,11 +2,8 @@
 
 use std::fmt::Write;
 
-use creepage_validation::{Entry, Verdict as Judgement};
-
-use crate::comparison::{Comparison, Verdict};
-use crate::data::Data;
-use crate::item::{Item, Reproduction};
+use super::printed::{Entry, Judgement};
+use crate::prelude::*;
 
 /// Rows with common heads of columns.
 pub(crate) struct Block {

@@ -1,6 +1,8 @@
 //! A file a table.
 
+pub(crate) mod coefficients;
 mod entries;
+mod printed;
 pub(crate) mod table1;
 pub(crate) mod table2;
 pub(crate) mod table3;

@@ -2,45 +2,30 @@
 
 use serde::Deserialize;
 
+use crate::error::GalleryError;
+
 /// An entry as printed, beside the value computed today.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Entry {
+pub(crate) struct Entry {
     /// The row of the table: `C`, `K`, ...
-    pub quantity: String,
+    pub(crate) quantity: String,
     /// The head of the column; zero is the limit.
-    pub argument: f64,
+    pub(crate) argument: f64,
     /// The entry as printed.
-    pub printed: String,
+    pub(crate) printed: String,
     /// Today's value, to one digit more than printed.
-    pub ours: String,
+    pub(crate) ours: String,
     /// How the two compare.
-    pub verdict: Verdict,
+    pub(crate) verdict: Judgement,
 }
 
 /// Whether an entry is the true value, rounded to the digits printed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Verdict {
+pub(crate) enum Judgement {
     /// It is.
     Right,
     /// It is not: so many units of its last digit too large, or too small if negative.
     Off(i64),
-}
-
-/// A table whose entries cannot be compared: its file was changed by hand.
-#[derive(Debug, thiserror::Error)]
-#[non_exhaustive]
-pub enum TableError {
-    /// No table of entries.
-    #[error("the printed table cannot be read: {0}")]
-    Csv(#[from] csv::Error),
-    /// An entry that is no number, or a row of which nothing is known.
-    #[error("the printed table has an entry that means nothing: {quantity} = {printed}")]
-    Entry {
-        /// The row.
-        quantity: String,
-        /// The entry.
-        printed: String,
-    },
 }
 
 /// A row of a file of printed entries.
@@ -52,19 +37,19 @@ pub(crate) struct Row {
 }
 
 impl Row {
-    pub(crate) fn read(table: &str) -> Result<Vec<Self>, TableError> {
+    pub(crate) fn read(table: &str) -> Result<Vec<Self>, GalleryError> {
         let mut reader = csv::Reader::from_reader(table.as_bytes());
         Ok(reader.deserialize().collect::<Result<_, _>>()?)
     }
 
     /// The entry beside the true value of the number printed.
-    pub(crate) fn against(self, truth: f64) -> Result<Entry, TableError> {
+    pub(crate) fn against(self, truth: f64) -> Result<Entry, GalleryError> {
         let (limit, number) = self.split();
         let decimals = number.split_once('.').map_or(0, |(_, decimals)| decimals.len());
         let Ok(printed) = number.parse::<f64>() else { return Err(self.meaningless()) };
         let unit = 10f64.powi(decimals.try_into().unwrap_or(0));
         let verdict = if printed.is_infinite() && truth.is_infinite() {
-            Verdict::Right
+            Judgement::Right
         } else {
             // Whole numbers both, in units of the last digit.
             verdict((printed * unit).round() - (truth * unit).round())
@@ -80,8 +65,8 @@ impl Row {
         number.map_or(("", &self.printed), |number| (LIMIT, number))
     }
 
-    pub(crate) fn meaningless(self) -> TableError {
-        TableError::Entry { quantity: self.quantity, printed: self.printed }
+    pub(crate) fn meaningless(self) -> GalleryError {
+        GalleryError::Entry { quantity: self.quantity, printed: self.printed }
     }
 }
 
@@ -90,10 +75,10 @@ const LIMIT: &str = "ln(4/g)";
 
 /// The verdict on an error in units of the last digit.
 #[allow(clippy::cast_possible_truncation)] // a whole number; a table is not off by more
-fn verdict(units: f64) -> Verdict {
+fn verdict(units: f64) -> Judgement {
     match units as i64 {
-        0 => Verdict::Right,
-        units => Verdict::Off(units),
+        0 => Judgement::Right,
+        units => Judgement::Off(units),
     }
 }
 
@@ -101,19 +86,19 @@ fn verdict(units: f64) -> Verdict {
 mod tests {
     use super::*;
 
-    fn judge(printed: &str, truth: f64) -> Verdict {
+    fn judge(printed: &str, truth: f64) -> Judgement {
         let row = Row { quantity: "K".into(), argument: 1.0, printed: printed.into() };
         row.against(truth).unwrap().verdict
     }
 
     #[test]
     fn an_entry_is_right_when_it_is_the_rounded_truth() {
-        assert_eq!(judge("0.79", 0.7949), Verdict::Right);
-        assert_eq!(judge("0.79", 0.7951), Verdict::Off(-1));
-        assert_eq!(judge("0.999", 0.99889), Verdict::Right);
-        assert_eq!(judge("3.71", 3.61953), Verdict::Off(9));
-        assert_eq!(judge("inf", f64::INFINITY), Verdict::Right);
-        assert_eq!(judge("ln(4/g)-2", -2.0), Verdict::Right);
+        assert_eq!(judge("0.79", 0.7949), Judgement::Right);
+        assert_eq!(judge("0.79", 0.7951), Judgement::Off(-1));
+        assert_eq!(judge("0.999", 0.99889), Judgement::Right);
+        assert_eq!(judge("3.71", 3.61953), Judgement::Off(9));
+        assert_eq!(judge("inf", f64::INFINITY), Judgement::Right);
+        assert_eq!(judge("ln(4/g)-2", -2.0), Judgement::Right);
     }
 
     #[test]

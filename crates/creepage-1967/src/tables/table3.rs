@@ -1,13 +1,10 @@
 //! Table 3: the creepage and spin coefficients.
 
 use creepage::rolling::linear::CreepageCoefficients;
-use creepage_validation::{Coefficient, table3};
 
+use super::coefficients::{Coefficient, table3};
 use super::entries::{Block, Table};
-use crate::comparison::Comparison;
-use crate::error::GalleryError;
-use crate::item::{Item, Reproduction};
-use crate::theories::STEEL;
+use crate::prelude::*;
 
 pub(crate) const ITEM: Item =
     Item::new("table3", "Table 3. The creepage and spin coefficients", make);

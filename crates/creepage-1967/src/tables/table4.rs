@@ -3,9 +3,7 @@
 use creepage::rolling::variational::Weight;
 
 use super::weights::{compared, forces, heading, row, spread, variants};
-use crate::data::Data;
-use crate::error::GalleryError;
-use crate::item::{Item, Reproduction};
+use crate::prelude::*;
 
 pub(crate) const ITEM: Item =
     Item::new("table4", "Table 4. Lateral force with W = 1 and with W = W1, degree 4", make);

@@ -3,10 +3,7 @@
 use creepage::rolling::variational::Weight;
 
 use super::weights::{Spread, compared, forces, heading, row, spread, variants};
-use crate::comparison::Comparison;
-use crate::data::Data;
-use crate::error::GalleryError;
-use crate::item::{Item, Reproduction};
+use crate::prelude::*;
 
 pub(crate) const ITEM: Item =
     Item::new("table5", "Table 5. Lateral force of degree 3 against that conjectured from 4", make);

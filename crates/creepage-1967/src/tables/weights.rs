@@ -4,9 +4,7 @@
 use creepage::rolling::Creepage;
 use creepage::rolling::variational::{Settings, Variational, Weight};
 
-use crate::comparison::Comparison;
-use crate::error::GalleryError;
-use crate::theories::{STEEL, chained, spaced};
+use crate::prelude::*;
 
 /// Pure lateral creepage, or pure spin.
 pub(super) const CREEPAGES: [fn(f64) -> Creepage; 2] =

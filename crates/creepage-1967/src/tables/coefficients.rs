@@ -1,52 +1,37 @@
-//! Table 3 of the thesis: the creepage and spin coefficients.
+//! The entries of Table 3, which Figs 3a and 3b show as well.
 
-use creepage::InvalidValue;
 use creepage::rolling::linear::CreepageCoefficients;
 use serde::Deserialize;
 
-use crate::printed::{Entry, Row, TableError};
+use super::printed::{Entry, Row};
+use crate::error::GalleryError;
 
 /// Degree of the polynomials with which the thesis calculated Table 3 (4.33).
 const DEGREE: usize = 5;
 
-/// Why Table 3 cannot be compared.
-#[derive(Debug, thiserror::Error)]
-#[non_exhaustive]
-pub enum Table3Error {
-    /// The printed table is damaged.
-    #[error(transparent)]
-    Table(#[from] TableError),
-    /// A contact of the printed table is none.
-    #[error(transparent)]
-    Contact(#[from] InvalidValue),
-}
-
 /// An entry of Table 3.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Coefficient {
+pub(crate) struct Coefficient {
     /// Ratio of the semi-axes.
-    pub a_over_b: f64,
+    pub(crate) a_over_b: f64,
     /// Combined Poisson's ratio.
-    pub poisson: f64,
+    pub(crate) poisson: f64,
     /// `C11`, `C22`, `C23` or `C33`.
-    pub name: String,
+    pub(crate) name: String,
     /// The entry as printed, beside the thesis's own calculation.
-    pub entry: Entry,
+    pub(crate) entry: Entry,
     /// The limit of infinite degree, to 1e-6.
-    pub converged: f64,
+    pub(crate) converged: f64,
 }
 
 /// The rows of Table 3 with `a/b` from 0.1 to 0.9, and those with `b/a` from 1 to 0.1: 228
 /// entries, each beside the thesis's own calculation of degree 5, and beside its limit.
-///
-/// # Errors
-/// [`Table3Error`] when the table that the library was built with is damaged.
-pub fn table3() -> Result<[Vec<Coefficient>; 2], Table3Error> {
-    let table = include_str!("../data/table3.csv");
+pub(crate) fn table3() -> Result<[Vec<Coefficient>; 2], GalleryError> {
+    let table = include_str!("../../data/table3.csv");
     let mut blocks = [Vec::new(), Vec::new()];
     let rows = csv::Reader::from_reader(table.as_bytes()).into_deserialize::<Line>();
     for row in rows {
-        let row = row.map_err(TableError::from)?;
+        let row = row?;
         let block = usize::from(row.ratio != "a/b");
         blocks[block].push(row.coefficient()?);
     }
@@ -64,7 +49,7 @@ struct Line {
 }
 
 impl Line {
-    fn coefficient(self) -> Result<Coefficient, Table3Error> {
+    fn coefficient(self) -> Result<Coefficient, GalleryError> {
         let g = self.argument;
         let a_over_b = if self.ratio == "a/b" { g } else { g.recip() };
         let row = Row {
@@ -76,11 +61,11 @@ impl Line {
             "0" => 0.0,
             "1/4" => 0.25,
             "1/2" => 0.5,
-            _ => return Err(row.meaningless().into()),
+            _ => return Err(row.meaningless()),
         };
         let name = self.coefficient;
         let of_degree = CreepageCoefficients::of_degree(a_over_b, poisson, DEGREE)?;
-        let Some(value) = named(of_degree, &name) else { return Err(row.meaningless().into()) };
+        let Some(value) = named(of_degree, &name) else { return Err(row.meaningless()) };
         let converged = CreepageCoefficients::new(a_over_b, poisson)?;
         let converged = named(converged, &name).unwrap_or(f64::NAN);
         Ok(Coefficient { a_over_b, poisson, name, entry: row.against(value)?, converged })
@@ -100,7 +85,7 @@ fn named(coefficients: CreepageCoefficients, name: &str) -> Option<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Verdict;
+    use crate::tables::printed::Judgement;
 
     /// The thesis's own calculation reproduces its own table, but for six entries.
     #[test]
@@ -109,7 +94,7 @@ mod tests {
         assert_eq!(table.each_ref().map(Vec::len), [108, 120]);
         let mut deviating = Vec::new();
         for Coefficient { entry, .. } in table.iter().flatten() {
-            if let Verdict::Off(units) = entry.verdict {
+            if let Judgement::Off(units) = entry.verdict {
                 deviating.push((&entry.quantity[..], entry.argument, units));
             }
         }
