@@ -49,9 +49,10 @@ impl Caution {
     pub fn all(theory: &TheorySpec, contact: &Contact, solution: &Solution) -> Vec<Self> {
         let status = (solution.status != Status::Solved).then_some(Self::Status(solution.status));
         let dissimilar = Self::dissimilar(theory, contact.kappa_over_mu());
-        let accuracy = theory.prescribed_accuracy().zip(solution.error).map(|(prescribed, error)| {
-            Self::Accuracy { prescribed, reached: error.fx.max(error.fy) }
-        });
+        let accuracy =
+            theory.prescribed_accuracy().zip(solution.error).map(|(prescribed, error)| {
+                Self::Accuracy { prescribed, reached: error.fx.max(error.fy) }
+            });
         let accuracy = accuracy.filter(|caution| {
             matches!(caution, Self::Accuracy { prescribed, reached } if reached > prescribed)
         });

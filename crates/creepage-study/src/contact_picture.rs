@@ -1,39 +1,36 @@
 //! The picture of one contact, seen from above: areas, tractions and spin pole.
 
 use creepage::Hertz;
-use creepage::rolling::Status;
+use creepage::Status;
 use creepage_plot::format::{Scale, fixed, quantity, significant};
 use creepage_plot::theme::RED;
 use creepage_plot::{
     Arrows, Cell, Fill, Label, Mark, Panel, Pen, Point, Shape, Table, TopView, ellipse,
 };
 
-use crate::report::{Report, disc_to_theory};
+use crate::SolvedCase;
 use crate::text::status_words;
 
 /// Tractions below this share of their bound are rounding errors, and not drawn.
 const NOISE: f64 = 1e-9;
-/// Longer names of theories are cut: the sheet has an edge.
-const LONGEST_NAME: usize = 40;
 /// Where rigid bodies do not slip; where a load acts.
 pub(crate) const TARGET: Mark = Mark { size: 7.0, ..Mark::open(Shape::Target, RED) };
 
-impl Report<'_> {
+impl SolvedCase {
     /// The contact seen from above, as SVG.
     #[must_use]
     pub fn contact_svg(&self) -> String {
-        self.top_view().svg(&format!("Rolling contact, theory {}", self.answer.theory_name))
+        self.top_view().svg(&format!("Rolling contact, theory {}", self.theory.name))
     }
 
     fn top_view(&self) -> TopView {
-        let name: String = self.answer.theory_name.chars().take(LONGEST_NAME).collect();
-        let ellipse = self.contact.ellipse();
+        let ellipse = self.case.hertz.ellipse();
         let title = "Adhesion, slip and traction in rolling contact";
         let mut view = TopView::new(title, [ellipse.a(), ellipse.b()])
-            .aside(&format!("theory: {name}"))
-            .note(setting(self.contact, self.friction))
+            .aside(&format!("theory: {}", self.theory.name))
+            .note(setting(&self.case.hertz, self.case.friction))
             .rolling();
-        let status = self.answer.solution.status;
+        let status = self.solution().status;
         if status != Status::Solved {
             view = view.banner(status_words(status));
         }
@@ -47,7 +44,7 @@ impl Report<'_> {
     }
 
     fn areas_panel(&self) -> Panel {
-        let (edge, adhesion) = ([ellipse([1.0, 1.0])], &self.adhesion.polygons);
+        let (edge, adhesion) = ([ellipse([1.0, 1.0])], &self.adhesion().polygons);
         let mut panel = TopView::panel().area(edge.to_vec(), Fill::SLIP);
         if !adhesion.is_empty() {
             panel = panel.area(adhesion.clone(), Fill::ADHESION);
@@ -57,9 +54,7 @@ impl Report<'_> {
 
     /// The tractions at places `(x/a, y/b)`; nothing where there is no traction.
     fn tractions(&self, places: &[Point]) -> Vec<(Point, [f64; 2])> {
-        let unit = disc_to_theory(self.contact);
-        let positions: Vec<_> = places.iter().map(|p| [p[0] * unit[0], p[1] * unit[1]]).collect();
-        let field = self.answer.theory.field(self.answer.creepage, &positions);
+        let field = self.field(&self.positions(places));
         let mut tractions: Vec<_> =
             places.iter().copied().zip(field.iter().map(|point| point.traction)).collect();
         tractions.retain(|(_, traction)| traction.iter().all(|component| component.is_finite()));
@@ -72,8 +67,8 @@ impl Report<'_> {
     /// The zero of the rigid slip, `(-eta, xi)/chi` in units of `c`, as `(x/a, y/b)`; none where it
     /// lies outside the contact.
     fn spin_pole(&self) -> Option<Point> {
-        let (creepage, unit) = (self.answer.creepage, disc_to_theory(self.contact));
-        let pole = [-creepage.eta / creepage.chi / unit[0], creepage.xi / creepage.chi / unit[1]];
+        let ([xi, eta, chi], [a, b]) = (self.creepage().components(), self.semi_axes());
+        let pole = [-eta / chi / a, xi / chi / b];
         (pole[0].hypot(pole[1]) < 1.0).then_some(pole)
     }
 
@@ -85,7 +80,7 @@ impl Report<'_> {
         let view = view
             .key(Fill::ADHESION, area("adhesion", share))
             .key(Fill::SLIP, area("slip", 1.0 - share));
-        let view = match arrows.sample(self.scaling.traction) {
+        let view = match arrows.sample(self.scaling().traction) {
             Some((sample, traction)) => view
                 .key(sample, Label::default().number(&quantity(traction, "Pa", 3)))
                 .remark("traction on the lower body"),
@@ -116,8 +111,8 @@ impl Report<'_> {
 
     /// The SI row and the dimensionless row.
     fn creepages(&self) -> [[Label; 3]; 2] {
-        let creepage = self.answer.creepage;
-        let si = self.scaling.si_creepage(creepage);
+        let creepage = self.creepage();
+        let si = self.scaling().si_creepage(creepage);
         let is = |label: Label, value: f64| label.plain(" = ").number(&significant(value, 4));
         let symbol = |symbol: &str| Label::default().symbol(symbol);
         let indexed = |index: &str| Label::default().indexed("υ", index);
@@ -128,16 +123,16 @@ impl Report<'_> {
                 is(symbol("φ"), si.spin).plain(" rad/m"),
             ],
             [
-                is(symbol("ξ"), creepage.xi),
-                is(symbol("η"), creepage.eta),
-                is(symbol("χ"), creepage.chi),
+                is(symbol("ξ"), creepage.xi()),
+                is(symbol("η"), creepage.eta()),
+                is(symbol("χ"), creepage.chi()),
             ],
         ]
     }
 
     /// The SI row and the dimensionless row.
     fn forces(&self) -> [[Label; 3]; 2] {
-        let (force, scaling) = (self.answer.solution.force, &self.scaling);
+        let (force, scaling) = (self.solution().force, self.scaling());
         let si = scaling.si_force(force);
         let newton = Scale::of(scaling.force, "N", 4);
         let newton_metre = Scale::of(scaling.force * scaling.length, "N m", 4);
@@ -174,50 +169,44 @@ pub(crate) fn setting(contact: &Hertz, friction: f64) -> Label {
 
 #[cfg(test)]
 mod tests {
-    use creepage::rolling::Creepage;
     use creepage_plot::png;
     use resvg::tiny_skia::{Pixmap, PremultipliedColorU8};
 
     use super::*;
-    use crate::testing::{CURVE, Free, Sliding, check_view, contact, report, sliding, sticking};
+    use crate::testing::{CURVE, SLIDING, Trial, check_view, report};
 
     const RATIOS: [f64; 9] = [1e-4, 0.05, 0.3, 1.0, 1.5, 1.9, 6.0, 20.0, 1e4];
 
-    fn check(report: &Report) {
+    fn check(report: &SolvedCase) {
         check_view(&report.contact_svg(), report.top_view().on_the_sheet());
     }
 
     #[test]
     fn nothing_is_clipped_or_covered_at_any_ratio() {
         for a_over_b in RATIOS {
-            let contact = contact(a_over_b);
-            check(&report(&contact, &sticking(a_over_b), CURVE));
-            check(&report(&contact, &sliding(a_over_b), CURVE));
+            check(&report(a_over_b, Trial::Sticking, CURVE));
+            check(&report(a_over_b, SLIDING, CURVE));
         }
     }
 
     #[test]
     fn long_numbers_and_every_banner_fit() {
-        let contact = contact(1.0);
         for status in [Status::NotConverged, Status::CreepageTooSmall, Status::SpinTooLarge] {
-            let theory = Sliding { status, ..sliding(1.0) };
             for size in [-1.2345e-12, -1.2345e-3, -1234.5, -1.2345e9] {
-                let creepage = Creepage { xi: size, eta: size, chi: size };
-                check(&report(&contact, &theory, creepage));
+                check(&report(1.0, Trial::Sliding(status), [size; 3]));
             }
         }
     }
 
     #[test]
     fn the_spin_pole_is_drawn_where_rigid_bodies_do_not_slip() {
-        let (contact, theory) = (contact(1.0), sliding(1.0));
         let red = |creepage| {
-            let svg = report(&contact, &theory, creepage).contact_svg();
+            let svg = report(1.0, SLIDING, creepage).contact_svg();
             svg.matches(&format!("stroke=\"{RED}\" stroke-width=\"2.2\"")).count()
         };
         assert_eq!(red(CURVE), 2); // in the contact and in the key
-        assert_eq!(red(Creepage { xi: 2.0, ..CURVE }), 0);
-        let report = report(&contact, &theory, CURVE);
+        assert_eq!(red([2.0, CURVE[1], CURVE[2]]), 0);
+        let report = report(1.0, SLIDING, CURVE);
         let (svg, [centre, semi_axes]) = (report.contact_svg(), report.top_view().on_the_sheet());
         // (-eta, xi)/chi, y downwards.
         let [x, y] = [0, 1].map(|i| centre[i] + semi_axes[i] * 0.1 / 1.5);
@@ -241,8 +230,7 @@ mod tests {
 
     #[test]
     fn the_pixels_show_both_areas_apart_in_grey() {
-        let (contact, theory) = (contact(1.5), sticking(1.5));
-        let report = report(&contact, &theory, CURVE);
+        let report = report(1.5, Trial::Sticking, CURVE);
         let pixels = Pixmap::decode_png(&png(&report.contact_svg()).unwrap()).unwrap();
         assert_eq!(pixels.width(), 2000);
         let [centre, semi_axes] = report.top_view().on_the_sheet();
@@ -255,8 +243,7 @@ mod tests {
 
     #[test]
     fn a_contact_without_traction_says_so() {
-        let contact = contact(1.0);
-        let svg = report(&contact, &Free, Creepage::default()).contact_svg();
+        let svg = report(1.0, Trial::Free, [0.0; 3]).contact_svg();
         assert!(svg.contains("no traction") && !svg.contains("traction on"));
     }
 }

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use creepage::rolling::{Force, Status};
+use creepage::{Force, Status};
 use creepage_plot::format::{Scale, floor_log10, significant};
 use creepage_plot::theme::DARK;
 use creepage_plot::{Axis, Label, Panel, Pen, Point, Sheet};
@@ -41,7 +41,7 @@ impl Curves<'_> {
         let height = [420.0, 300.0, 230.0][shown.len().clamp(1, 3) - 1];
         let mut sheet = Sheet::new("Creep-force curves")
             .width(1000.0)
-            .note(setting(self.contact, self.friction))
+            .note(setting(&self.case.hertz, self.case.friction))
             .note(self.held());
         for (k, one) in shown.iter().enumerate() {
             let panel = self.panel(one, k + 1 == shown.len()).height(height);
@@ -56,7 +56,7 @@ impl Curves<'_> {
         let x = if is_last { x } else { x.shared() };
         let range = shown.range(self);
         let mut panel = Panel::new(x, Axis::new(range, shown.label())).right(shown.si_axis(range));
-        let case = self.vary.of(self.case);
+        let case = self.vary.of(self.creepage);
         if self.reach(case) {
             panel = panel.curve(range.map(|y| [case, y]).to_vec(), Pen::GUIDE);
         }
@@ -79,7 +79,7 @@ impl Curves<'_> {
             let name: String = curve.theory.chars().take(LONGEST_NAME).collect();
             sheet = sheet.key(Pen::of(k), Label::new(&name));
         }
-        let case = self.vary.of(self.case);
+        let case = self.vary.of(self.creepage);
         if self.reach(case) {
             let label = Label::new("the case: ").symbol(self.vary.symbol()).plain(" = ");
             sheet = sheet.key(Pen::GUIDE, label.number(&significant(case, 4)));
@@ -101,7 +101,7 @@ impl Curves<'_> {
     fn held(&self) -> Label {
         let mut label = Label::new("forces on the lower body");
         for component in [Component::Longitudinal, Component::Lateral, Component::Spin] {
-            let value = component.of(self.case);
+            let value = component.of(self.creepage);
             if component != self.vary && value != 0.0 {
                 let si = significant(value * self.unit(component), 4);
                 let [symbol, unit] = [component.symbol(), component.unit()];
@@ -116,8 +116,10 @@ impl Curves<'_> {
     /// SI unit of a component over its dimensionless unit.
     fn unit(&self, component: Component) -> f64 {
         match component {
-            Component::Longitudinal | Component::Lateral => self.scaling.slip,
-            Component::Spin => self.scaling.slip / self.scaling.length,
+            Component::Longitudinal | Component::Lateral => self.case.contact.scaling().slip,
+            Component::Spin => {
+                self.case.contact.scaling().slip / self.case.contact.scaling().length
+            }
         }
     }
 
@@ -152,8 +154,8 @@ impl Curves<'_> {
 
     /// The components to be shown, at least one.
     fn shown(&self) -> Vec<Shown> {
-        let force = self.scaling.force;
-        let ellipse = self.contact.ellipse();
+        let force = self.case.contact.scaling().force;
+        let ellipse = self.case.hertz.ellipse();
         // No traction has a larger moment than that of pure spin, which this bounds.
         let moment = 3.0 * PI / 16.0 * ellipse.major() / ellipse.c();
         let along = Shown {
@@ -170,7 +172,7 @@ impl Curves<'_> {
             words: "spin moment ",
             symbols: ["m", "M"],
             index: "z",
-            unit: ("μNc", force * self.scaling.length, "N m"),
+            unit: ("μNc", force * self.case.contact.scaling().length, "N m"),
             limit: moment,
             of: |force: Force| force.mz,
         };
@@ -278,30 +280,26 @@ fn raised(power: i32) -> String {
 
 #[cfg(test)]
 mod tests {
-    use creepage::rolling::linear::Linear;
-    use creepage::rolling::polach::Polach;
-    use creepage::rolling::saturated::Saturated;
-    use creepage::rolling::vermeulen_johnson::VermeulenJohnson;
-    use creepage::rolling::{Creepage, Theory};
+    use creepage::TheorySpec;
 
     use super::*;
-    use crate::testing::{CURVE, check_legible, contact};
+    use crate::testing::{CURVE, case, check_legible};
 
     const COMPONENTS: [Component; 3] =
         [Component::Longitudinal, Component::Lateral, Component::Spin];
 
-    fn svg(a_over_b: f64, case: Creepage, vary: Component, [from, to]: [f64; 2]) -> String {
-        let contact = contact(a_over_b);
+    fn svg(a_over_b: f64, given: [f64; 3], vary: Component, [from, to]: [f64; 2]) -> String {
+        let case = case(a_over_b, given);
         let values = (0..=40).map(|k| from + (to - from) * f64::from(k) / 40.0).collect();
-        let mut curves = Curves::new(&contact, 0.3, case, vary, values).unwrap();
-        let theories: [(&str, Box<dyn Theory>); 4] = [
-            ("linear", Box::new(Linear::new(a_over_b, 0.28).unwrap())),
-            ("a name that is far too long for it", Box::new(Saturated::new(a_over_b).unwrap())),
-            ("polach", Box::new(Polach::new(a_over_b, 0.28).unwrap())),
-            ("vermeulen-johnson", Box::new(VermeulenJohnson::new(a_over_b, 0.28).unwrap())),
-        ];
-        for (name, theory) in &theories {
-            curves.add(name, &**theory);
+        let mut curves = Curves::new(&case, vary, values).unwrap();
+        for (shown, name) in [
+            ("linear", "linear"),
+            ("a name that is far too long for it", "saturated"),
+            ("polach", "polach"),
+            ("vermeulen-johnson", "vermeulen-johnson"),
+        ] {
+            let theory = TheorySpec::named(name).unwrap().prepare(&case.contact).unwrap();
+            curves.add(shown, &*theory);
         }
         curves.svg()
     }
@@ -330,7 +328,7 @@ mod tests {
             ["longitudinal force ", "lateral force ", "spin moment "]
                 .map(|words| svg.contains(words))
         };
-        let none = Creepage::default();
+        let none = [0.0; 3];
         assert_eq!(panels(none, Component::Longitudinal), [true, false, false]);
         assert_eq!(panels(none, Component::Lateral), [false, true, true]);
         assert_eq!(panels(CURVE, Component::Lateral), [true, true, true]);
@@ -345,7 +343,7 @@ mod tests {
     #[test]
     fn what_a_theory_does_not_hold_for_is_thin() {
         let thin = |chi| {
-            let case = Creepage { chi, ..CURVE };
+            let case = [CURVE[0], CURVE[1], chi];
             svg(1.0, case, Component::Longitudinal, [0.1, 3.0]).contains("thin: out of")
         };
         assert!(thin(0.5) && !thin(0.0));

@@ -2,12 +2,12 @@
 
 use std::collections::BTreeMap;
 
-use creepage::rolling::exact::Known;
-use creepage::rolling::{Creepage, Force, SiCreepage, SiForce};
+use creepage::coulomb::Known as Constraints;
+use creepage::{Creepage, Force, SiCreepage, SiForce};
 use serde::Serialize;
 
 use crate::contact_json::{HertzJson, hertz_json};
-use crate::report::Report;
+use crate::{Caution, SolvedCase};
 
 /// `report.json`.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -16,9 +16,9 @@ pub struct ReportJson {
     pub creepage_version: &'static str,
     /// The theory's name.
     pub theory: String,
-    /// One word: [`Status::name`](creepage::rolling::Status::name).
+    /// One word: [`Status::name`](creepage::Status::name).
     pub status: &'static str,
-    /// What the theory leaves out of the case though it matters, in words; else `null`.
+    /// What is to be held against the solution, in words; else `null`.
     pub caution: Option<String>,
     /// The contact.
     pub contact: HertzJson,
@@ -113,37 +113,38 @@ pub struct DetailJson {
 }
 
 /// Names of the quantities that are known.
-fn known(known: Known) -> Vec<&'static str> {
-    let Known { xi, eta, chi, fx, fy, mz } = known;
+fn known(constraints: Constraints) -> Vec<&'static str> {
+    let Constraints { xi, eta, chi, fx, fy, mz } = constraints;
     let values = [("xi", xi), ("eta", eta), ("chi", chi), ("fx", fx), ("fy", fy), ("mz", mz)];
     values.into_iter().filter_map(|(name, value)| value.map(|_| name)).collect()
 }
 
-impl Report<'_> {
+impl SolvedCase {
     /// Everything but the points, ready for `serde_json`.
     #[must_use]
     pub fn json(&self) -> ReportJson {
-        let (answer, scaling) = (&self.answer, &self.scaling);
-        let force = scaling.si_force(answer.solution.force);
+        let (solution, scaling) = (self.solution(), self.scaling());
+        let force = scaling.si_force(solution.force);
+        let caution = (!self.cautions.is_empty()).then(|| Caution::words(&self.cautions));
         ReportJson {
             creepage_version: env!("CARGO_PKG_VERSION"),
-            theory: answer.theory_name.into(),
-            status: answer.solution.status.name(),
-            caution: self.extras.left_out.map(|left_out| left_out.to_string()),
-            contact: hertz_json(self.contact),
-            friction: self.friction,
-            creepage: CreepageJson::new(answer.creepage, scaling.si_creepage(answer.creepage)),
+            theory: self.theory.name.into(),
+            status: solution.status.name(),
+            caution,
+            contact: hertz_json(&self.case.hertz),
+            friction: self.case.friction,
+            creepage: CreepageJson::new(self.creepage(), scaling.si_creepage(self.creepage())),
             lower_body: force.into(),
             upper_body: (-force).into(),
-            dimensionless: answer.solution.force.into(),
+            dimensionless: solution.force.into(),
             areas: self.areas_json(),
-            known: self.extras.known.map(known),
+            known: self.constraints().map(known),
             frictional_power_per_metre_j_per_m: self.power_per_metre(),
             frictional_power_per_metre_by_slip_j_per_m: self.dissipation_per_metre(),
-            rolling_velocity_m_per_s: self.extras.speed,
+            rolling_velocity_m_per_s: self.case.speed,
             frictional_power_w: self.power(),
-            details: answer
-                .details
+            details: self
+                .diagnostics()
                 .iter()
                 .map(|d| (d.key, DetailJson { label: d.label, value: d.value }))
                 .collect(),
@@ -151,12 +152,12 @@ impl Report<'_> {
     }
 
     fn areas_json(&self) -> AreasJson {
-        let (share, area) = (self.adhesion_share(), self.contact.ellipse().area());
+        let (share, area) = (self.adhesion_share(), self.case.hertz.ellipse().area());
         AreasJson {
             adhesion_share: share,
             adhesion_m2: share * area,
             slip_m2: (1.0 - share) * area,
-            points: self.answer.points.len(),
+            points: self.point_count(),
         }
     }
 }
@@ -167,9 +168,9 @@ impl CreepageJson {
             longitudinal: si.longitudinal,
             lateral: si.lateral,
             spin_rad_per_m: si.spin,
-            xi: dimensionless.xi,
-            eta: dimensionless.eta,
-            chi: dimensionless.chi,
+            xi: dimensionless.xi(),
+            eta: dimensionless.eta(),
+            chi: dimensionless.chi(),
         }
     }
 }
@@ -195,9 +196,8 @@ mod tests {
     use std::f64::consts::PI;
 
     use super::*;
-    use crate::find;
-    use crate::report::Extras;
-    use crate::testing::{CURVE, contact, report, sliding};
+    use crate::testing::{CURVE, SLIDING, case, report, solved};
+    use crate::{Case, Given};
 
     fn close(value: &serde_json::Value, expected: f64) {
         // A handful of roundings.
@@ -206,8 +206,7 @@ mod tests {
 
     #[test]
     fn the_numbers_are_those_of_hand_formulas() {
-        let (contact, theory) = (contact(2.25), sliding(2.25));
-        let json = serde_json::to_value(report(&contact, &theory, CURVE).json()).unwrap();
+        let json = serde_json::to_value(report(2.25, SLIDING, CURVE).json()).unwrap();
         // c = 6 mm, so a = 9 mm and b = 4 mm; mu N = 24 kN.
         close(&json["contact"]["semi_axis_rolling_m"], 9e-3);
         close(&json["contact"]["semi_axis_lateral_m"], 4e-3);
@@ -218,30 +217,25 @@ mod tests {
         close(&json["upper_body"]["longitudinal_n"], -0.6 * 24e3);
         close(&json["upper_body"]["moment_n_m"], 0.1 * 24e3 * 6e-3);
         let rho = json["contact"]["rho_m"].as_f64().unwrap();
-        close(&json["creepage"]["longitudinal"], CURVE.xi * 0.3 * 6e-3 / rho);
-        close(&json["creepage"]["lateral"], CURVE.eta * 0.3 * 6e-3 / rho);
-        close(&json["creepage"]["spin_rad_per_m"], CURVE.chi * 0.3 / rho);
+        close(&json["creepage"]["longitudinal"], CURVE[0] * 0.3 * 6e-3 / rho);
+        close(&json["creepage"]["lateral"], CURVE[1] * 0.3 * 6e-3 / rho);
+        close(&json["creepage"]["spin_rad_per_m"], CURVE[2] * 0.3 / rho);
         close(&json["dimensionless"]["friction_used"], 0.61_f64.sqrt());
         close(&json["areas"]["slip_m2"], PI * 36e-6);
     }
 
     #[test]
     fn what_is_known_besides() {
-        let (contact, theory) = (contact(1.0), sliding(1.0));
-        let plain = serde_json::to_value(report(&contact, &theory, CURVE).json()).unwrap();
+        let plain = serde_json::to_value(report(1.0, SLIDING, CURVE).json()).unwrap();
         for key in ["caution", "known", "rolling_velocity_m_per_s", "frictional_power_w"] {
             assert!(plain[key].is_null(), "{key}");
         }
-        let known = Known { chi: Some(1.5), fx: Some(0.6), fy: Some(0.5), ..Known::default() };
-        let extras = Extras {
-            speed: Some(20.0),
-            dissipation: Some(0.5),
-            known: Some(known),
-            left_out: find("polach").unwrap().leaves_out(0.5),
-            ..Extras::default()
-        };
-        let json = serde_json::to_value(report(&contact, &theory, CURVE).with(extras).json());
-        let json = json.unwrap();
+        let given =
+            Constraints { chi: Some(1.5), fx: Some(0.6), fy: Some(0.5), ..Constraints::default() };
+        let like = case(1.0, CURVE);
+        let contact = like.contact.with_kappa_over_mu(0.5).unwrap();
+        let case = Case { contact, speed: Some(20.0), given: Given::Constraints(given), ..like };
+        let json = serde_json::to_value(solved(&case, SLIDING).json()).unwrap();
         assert!(json["caution"].as_str().unwrap().contains("kappa/mu = 0.5"), "{json}");
         assert_eq!(json["known"], serde_json::json!(["chi", "fx", "fy"]));
         let per_metre = json["frictional_power_per_metre_j_per_m"].as_f64().unwrap();
@@ -252,8 +246,7 @@ mod tests {
 
     #[test]
     fn words_and_details() {
-        let (contact, theory) = (contact(1.0), sliding(1.0));
-        let json = serde_json::to_value(report(&contact, &theory, CURVE).json()).unwrap();
+        let json = serde_json::to_value(report(1.0, SLIDING, CURVE).json()).unwrap();
         assert_eq!(json["status"], "spin_too_large");
         assert_eq!(json["theory"], "test & trial");
         assert_eq!(json["creepage_version"], env!("CARGO_PKG_VERSION"));

@@ -1,9 +1,9 @@
 //! `points.csv`: the field at the theory's mesh, in SI units.
 
-use creepage::rolling::FieldPoint;
+use creepage::FieldPoint;
 
+use crate::SolvedCase;
 use crate::error::ReportError;
-use crate::report::Report;
 
 const HEADER: [&str; 11] = [
     "x_m",
@@ -21,21 +21,21 @@ const HEADER: [&str; 11] = [
 /// The last column where the rolling velocity is known.
 const WATTS: &str = "frictional_power_w_per_m2";
 
-impl Report<'_> {
+impl SolvedCase {
     /// The points as CSV; a cell is empty where the number does not exist.
     pub(crate) fn points_csv(&self) -> Result<Vec<u8>, ReportError> {
         let mut writer = csv::Writer::from_writer(Vec::new());
-        let watts = self.extras.speed.map(|_| WATTS);
+        let watts = self.case.speed.map(|_| WATTS);
         writer.write_record(HEADER.into_iter().chain(watts))?;
-        for point in &self.answer.points {
-            let watts = self.extras.speed.map(|speed| cell(speed * self.power_density(point)));
+        for point in &self.points() {
+            let watts = self.case.speed.map(|speed| cell(speed * self.power_density(point)));
             writer.write_record(self.row(point).into_iter().chain(watts))?;
         }
         writer.into_inner().map_err(|error| csv::Error::from(error.into_error()).into())
     }
 
     fn row(&self, point: &FieldPoint) -> [String; 11] {
-        let scaling = &self.scaling;
+        let scaling = self.scaling();
         let bound = self.bound(point.position);
         let (t, s) = t_and_s(point, bound, self.slip_unit());
         [
@@ -55,17 +55,16 @@ impl Report<'_> {
 
     /// The traction bound `mu Z` over its largest value, at a position in units of `c`.
     pub(crate) fn bound(&self, position: [f64; 2]) -> f64 {
-        let ellipse = self.contact.ellipse();
-        let (x, y) =
-            (position[0] * ellipse.c() / ellipse.a(), position[1] * ellipse.c() / ellipse.b());
+        let [a, b] = self.semi_axes();
+        let (x, y) = (position[0] / a, position[1] / b);
         (1.0 - x * x - y * y).max(0.0).sqrt()
     }
 
     /// The theories' unit of slip, `mu c / rho`, in that of (5.6), `mu f00`: the thesis's
     /// `(1 - sigma) E / (2 sqrt g)`.
     fn slip_unit(&self) -> f64 {
-        let f00 = self.contact.peak_pressure() / self.contact.pair().shear_modulus();
-        self.scaling.slip / (self.friction * f00)
+        let f00 = self.case.hertz.peak_pressure() / self.case.hertz.pair().shear_modulus();
+        self.scaling().slip / (self.case.friction * f00)
     }
 }
 
@@ -86,11 +85,11 @@ fn cell(value: f64) -> String {
 
 #[cfg(test)]
 mod tests {
-    use creepage::rolling::Region;
+    use creepage::Region;
 
     use super::*;
-    use crate::report::Extras;
-    use crate::testing::{CURVE, contact, report, sliding, sticking};
+    use crate::Case;
+    use crate::testing::{CURVE, SLIDING, Trial, case, report, solved};
 
     #[test]
     fn t_and_s_of_a_hand_worked_point() {
@@ -121,8 +120,8 @@ mod tests {
 
     #[test]
     fn the_rows_are_in_si_units() {
-        let (contact, theory) = (contact(2.25), sliding(2.25));
-        let report = report(&contact, &theory, CURVE);
+        let report = report(2.25, SLIDING, CURVE);
+        let contact = &report.case.hertz;
         let csv = String::from_utf8(report.points_csv().unwrap()).unwrap();
         let rows: Vec<Vec<&str>> = csv.lines().map(|line| line.split(',').collect()).collect();
         assert_eq!(rows[0], HEADER);
@@ -130,7 +129,7 @@ mod tests {
         let row: Vec<f64> = rows[2].iter().map(|cell| cell.parse().unwrap_or(f64::NAN)).collect();
         let bound = 0.3 * contact.peak_pressure() * (1.0_f64 - 0.25 - 0.0625).sqrt();
         let unit = 0.3 * 6e-3 / contact.rho();
-        let slip = [CURVE.xi - CURVE.chi / 6.0, CURVE.eta + CURVE.chi * 0.75].map(|s| s * unit);
+        let slip = [CURVE[0] - CURVE[2] / 6.0, CURVE[1] + CURVE[2] * 0.75].map(|s| s * unit);
         // (1 - sigma) E / (2 sqrt g), with E from the same ellipse, makes S of the slip.
         let ellipse = contact.ellipse();
         let a = 0.72 * ellipse.integrals().e / (2.0 * ellipse.g().sqrt());
@@ -150,9 +149,8 @@ mod tests {
 
     #[test]
     fn with_a_speed_the_power_is_in_watts_too() {
-        let (contact, theory) = (contact(1.0), sliding(1.0));
-        let extras = Extras { speed: Some(20.0), ..Extras::default() };
-        let csv = report(&contact, &theory, CURVE).with(extras).points_csv().unwrap();
+        let case = Case { speed: Some(20.0), ..case(1.0, CURVE) };
+        let csv = solved(&case, SLIDING).points_csv().unwrap();
         let csv = String::from_utf8(csv).unwrap();
         let mut lines = csv.lines();
         assert!(lines.next().unwrap().ends_with(&format!("{},{WATTS}", HEADER[10])));
@@ -166,8 +164,7 @@ mod tests {
 
     #[test]
     fn unknown_slip_is_an_empty_cell() {
-        let (contact, theory) = (contact(1.0), sticking(1.0));
-        let csv = report(&contact, &theory, CURVE).points_csv().unwrap();
+        let csv = report(1.0, Trial::Sticking, CURVE).points_csv().unwrap();
         let csv = String::from_utf8(csv).unwrap();
         assert!(csv.lines().nth(2).unwrap().ends_with(",,,adhesion,,,"), "{csv}");
     }

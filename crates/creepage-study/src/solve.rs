@@ -311,3 +311,83 @@ impl fmt::Debug for SolvedCase {
             .finish_non_exhaustive()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::testing::{CURVE, SLIDING, STICK, Trial, case, report};
+
+    #[test]
+    fn the_adhesion_share_is_that_of_the_inner_ellipse() {
+        for a_over_b in [0.05, 1.0, 20.0] {
+            let share = report(a_over_b, Trial::Sticking, CURVE).adhesion_share();
+            // Chords over cells of 2/96, and a pointed gap at the leading edge: 0.1 %.
+            assert!((share - STICK * STICK).abs() < 1e-3, "{share}");
+        }
+        assert!(report(1.0, SLIDING, CURVE).adhesion_share().abs() < 1e-300);
+    }
+
+    #[test]
+    fn heat_is_force_times_creepage() {
+        let json = report(1.5, SLIDING, CURVE).json();
+        let (creepage, force) = (json.creepage, json.lower_body);
+        let power = force.longitudinal_n * creepage.longitudinal
+            + force.lateral_n * creepage.lateral
+            + force.moment_n_m * creepage.spin_rad_per_m;
+        let given = json.frictional_power_per_metre_j_per_m;
+        // The same three products in another order: rounding only.
+        assert!((given - power).abs() < 1e-12 * power.abs());
+    }
+
+    #[test]
+    fn the_usual_mesh_lies_in_the_ellipse_of_any_size() {
+        let mesh = usual_mesh(Ellipse::new(9e-3, 4e-3).unwrap());
+        // pi/4 of 1600 cells; those on the edge fall to one side or the other.
+        assert!((mesh.len() as f64 - 1256.6).abs() < 20.0, "{}", mesh.len());
+        assert!(mesh.iter().all(|[x, y]| (x / 1.5).hypot(y * 1.5) < 1.0));
+    }
+
+    #[test]
+    fn every_theory_solves_as_when_it_is_asked_alone() {
+        let case = case(1.3, [0.4, -0.3, 0.2]);
+        for theory in TheorySpec::all() {
+            let solved = solve(&case, Some(&theory)).unwrap();
+            let alone = theory.prepare(&case.contact).unwrap();
+            assert_eq!(solved.solution(), alone.solve(solved.creepage()));
+            assert_eq!(solved.theory.name, theory.facts().name);
+            let positions = solved.positions(&[[0.1, 0.2], [-0.7, 0.1], [0.0, -0.6], [2.0, 0.0]]);
+            let field = alone.field(solved.creepage(), &positions);
+            assert_eq!(solved.field(&positions).len(), field.len());
+            let regions: Vec<_> = field.iter().map(|point| point.region).collect();
+            assert_eq!(alone.regions(solved.creepage(), &positions), regions);
+            assert_eq!(solved.points().len(), solved.point_count());
+        }
+    }
+
+    #[test]
+    fn constraints_are_met_by_the_full_theory_alone() {
+        let constraints =
+            Constraints { eta: Some(0.0), chi: Some(0.2), fx: Some(0.5), ..Constraints::default() };
+        let case = Case { given: Given::Constraints(constraints), ..case(1.0, CURVE) };
+        let solved = solve(&case, None).unwrap();
+        assert!((solved.solution().force.fx - 0.5).abs() < 1e-6);
+        let linear = case.theory_named("linear").unwrap();
+        let error = solve(&case, Some(&linear)).unwrap_err().to_string();
+        assert_eq!(error, "[wanted] needs the theory exact: linear does not find creepages");
+        let beyond = Constraints { fx: Some(1.5), ..constraints };
+        let case = Case { given: Given::Constraints(beyond), ..case };
+        let error = solve(&case, None).unwrap_err().to_string();
+        assert!(error.starts_with("[wanted] is not reachable: at most long"), "{error}");
+    }
+
+    #[test]
+    fn another_theory_has_its_own_options() {
+        let coarse = crate::theory_spec("fastsim", &["grid=[5, 5]"]).unwrap();
+        let case = Case { theory: coarse.clone(), ..case(1.0, CURVE) };
+        assert_eq!(case.theory_named("fastsim").unwrap(), coarse);
+        let fastrip = case.theory_named("fastrip").unwrap();
+        assert_eq!(fastrip, TheorySpec::named("fastrip").unwrap());
+        assert!(case.gives_up_options(&[fastrip.clone()]));
+        assert!(!case.gives_up_options(&[fastrip, coarse]));
+    }
+}

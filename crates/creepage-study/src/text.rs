@@ -1,25 +1,28 @@
 //! The report for a terminal: plain lines in aligned columns.
 
 use creepage::Hertz;
-use creepage::rolling::exact::Known;
-use creepage::rolling::{SiForce, Status};
+use creepage::coulomb::Known as Constraints;
+use creepage::{SiForce, Status};
 use creepage_plot::format::{Scale, fixed, quantity, significant};
 
-use crate::report::Report;
+use crate::{Caution, SolvedCase};
 
-impl Report<'_> {
+/// Longest line.
+const WIDTH: usize = 80;
+
+impl SolvedCase {
     /// A short report of one screen: contact, creepage, forces on both bodies, status.
     #[must_use]
     pub fn text(&self) -> String {
         let mut lines = Lines(String::new());
         lines.status(self);
-        lines.caution(self);
-        lines.contact(self.contact);
-        lines.row("friction mu", &significant(self.friction, 5));
+        lines.cautions(self);
+        lines.contact(&self.case.hertz);
+        lines.row("friction mu", &significant(self.case.friction, 5));
         lines.creepage(self);
         lines.forces(self);
         lines.use_of_friction(self);
-        lines.details(self);
+        lines.diagnostics(self);
         lines.0
     }
 }
@@ -81,11 +84,10 @@ impl Lines {
         self.line(&line);
     }
 
-    fn status(&mut self, report: &Report) {
-        let answer = &report.answer;
-        let words = status_words(answer.solution.status);
-        let line = format!("Theory {}: {words}", answer.theory_name);
-        if answer.solution.status == Status::Solved {
+    fn status(&mut self, report: &SolvedCase) {
+        let status = report.solution().status;
+        let line = format!("Theory {}: {}", report.theory.name, status_words(status));
+        if status == Status::Solved {
             self.line(&line);
         } else {
             let rule = "!".repeat(line.chars().count());
@@ -95,16 +97,20 @@ impl Lines {
         }
     }
 
-    fn caution(&mut self, report: &Report) {
-        if let Some(left_out) = report.extras.left_out {
-            let unlike = significant(left_out.kappa_over_mu, 3);
-            let error = fixed(100.0 * left_out.error(), 0);
-            self.line(&format!(
-                "CAUTION: this theory takes the bodies for like ones; kappa/mu = {unlike}."
-            ));
-            self.line(&format!(
-                "For that the force may be off by some {error} % of mu N. exact counts it."
-            ));
+    /// All cautions but that of the status, which stands above.
+    fn cautions(&mut self, report: &SolvedCase) {
+        let of_status = |caution: &&Caution| matches!(caution, Caution::Status(_));
+        for caution in report.cautions.iter().filter(|caution| !of_status(caution)) {
+            let mut line = String::from("CAUTION:");
+            for word in caution.to_string().split(' ') {
+                if line.chars().count() + word.chars().count() >= WIDTH {
+                    self.line(&line);
+                    line.clear();
+                }
+                let gap = if line.is_empty() { "" } else { " " };
+                line = line + gap + word;
+            }
+            self.line(&line);
         }
     }
 
@@ -124,9 +130,9 @@ impl Lines {
         }
     }
 
-    fn creepage(&mut self, report: &Report) {
-        let creepage = report.answer.creepage;
-        let si = report.scaling.si_creepage(creepage);
+    fn creepage(&mut self, report: &SolvedCase) {
+        let creepage = report.creepage();
+        let si = report.scaling().si_creepage(creepage);
         self.heading("Creepage of the upper body relative to the lower");
         self.columns("", ["longitudinal", "lateral", "spin"]);
         self.columns(
@@ -137,33 +143,32 @@ impl Lines {
                 &format!("{} rad/m", significant(si.spin, 5)),
             ],
         );
-        let [xi, eta, chi] =
-            [creepage.xi, creepage.eta, creepage.chi].map(|value| significant(value, 5));
+        let [xi, eta, chi] = creepage.components().map(|value| significant(value, 5));
         self.columns("xi, eta, chi", [&xi, &eta, &chi]);
-        if let Some(Known { xi, eta, chi, .. }) = report.extras.known {
+        if let Some(Constraints { xi, eta, chi, .. }) = report.constraints() {
             let word = |given: Option<f64>| if given.is_some() { "given" } else { "found" };
             self.columns("given or found", [xi, eta, chi].map(word));
         }
     }
 
-    fn forces(&mut self, report: &Report) {
-        let force = report.answer.solution.force;
-        let lower = report.scaling.si_force(force);
+    fn forces(&mut self, report: &SolvedCase) {
+        let force = report.solution().force;
+        let lower = report.scaling().si_force(force);
         self.heading("Tangential force");
         self.columns("", ["longitudinal", "lateral", "moment"]);
         self.force("on the lower body", report, lower);
         self.force("on the upper body", report, -lower);
-        let [fx, fy, mz] = [force.fx, force.fy, force.mz].map(|value| fixed(value, 5));
+        let [fx, fy, mz] = force.components().map(|value| fixed(value, 5));
         self.columns("lower, in mu N and mu N c", [&fx, &fy, &mz]);
-        if let Some(Known { fx, fy, mz, .. }) = report.extras.known {
+        if let Some(Constraints { fx, fy, mz, .. }) = report.constraints() {
             let word = |wanted: Option<f64>| if wanted.is_some() { "wanted" } else { "found" };
             self.columns("wanted or found", [fx, fy, mz].map(word));
         }
     }
 
-    fn force(&mut self, name: &str, report: &Report, force: SiForce) {
-        let newton = Scale::of(report.scaling.force, "N", 5);
-        let newton_metre = Scale::of(report.scaling.force * report.scaling.length, "N m", 5);
+    fn force(&mut self, name: &str, report: &SolvedCase, force: SiForce) {
+        let newton = Scale::of(report.scaling().force, "N", 5);
+        let newton_metre = Scale::of(report.scaling().force * report.scaling().length, "N m", 5);
         self.columns(
             name,
             [
@@ -174,28 +179,28 @@ impl Lines {
         );
     }
 
-    fn use_of_friction(&mut self, report: &Report) {
+    fn use_of_friction(&mut self, report: &SolvedCase) {
         let percent = |share: f64| format!("{} %", fixed(100.0 * share, 2));
         self.line("");
-        self.row("share of mu N used", &percent(report.answer.solution.force.magnitude()));
+        self.row("share of mu N used", &percent(report.solution().force.magnitude()));
         self.row("adhesion, share of area", &percent(report.adhesion_share()));
         self.row("heat per metre rolled", &quantity(report.power_per_metre(), "J/m", 5));
         if let Some(power) = report.dissipation_per_metre() {
             self.row("  from traction and slip", &quantity(power, "J/m", 5));
         }
-        if let (Some(speed), Some(power)) = (report.extras.speed, report.power()) {
+        if let (Some(speed), Some(power)) = (report.case.speed, report.power()) {
             self.row("rolling velocity", &quantity(speed, "m/s", 5));
             self.row("frictional power", &quantity(power, "W", 5));
         }
     }
 
-    fn details(&mut self, report: &Report) {
-        let answer = &report.answer;
-        if !answer.details.is_empty() {
-            self.heading(&format!("Theory {}", answer.theory_name));
+    fn diagnostics(&mut self, report: &SolvedCase) {
+        let diagnostics = report.diagnostics();
+        if !diagnostics.is_empty() {
+            self.heading(&format!("Theory {}", report.theory.name));
         }
-        for detail in &answer.details {
-            self.row(detail.label, &significant(detail.value, 5));
+        for diagnostic in diagnostics {
+            self.row(diagnostic.label, &significant(diagnostic.value, 5));
         }
     }
 }
@@ -203,9 +208,8 @@ impl Lines {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::find;
-    use crate::report::Extras;
-    use crate::testing::{CURVE, contact, report, sliding, sticking};
+    use crate::testing::{CURVE, SLIDING, Trial, case, report, solved};
+    use crate::{Case, Given};
 
     /// The words and numbers of the line that starts with `name`.
     fn line(text: &str, name: &str) -> Vec<String> {
@@ -215,8 +219,7 @@ mod tests {
 
     #[test]
     fn both_bodies_get_their_force() {
-        let (contact, theory) = (contact(2.25), sliding(2.25));
-        let text = report(&contact, &theory, CURVE).text();
+        let text = report(2.25, SLIDING, CURVE).text();
         let lower = ["14.400", "kN", "12.000", "kN", "-14.40", "N", "m"];
         let upper = ["-14.400", "kN", "-12.000", "kN", "14.40", "N", "m"];
         assert_eq!(line(&text, "on the lower body"), lower);
@@ -229,15 +232,11 @@ mod tests {
 
     #[test]
     fn what_is_known_besides_has_its_lines() {
-        let (contact, theory) = (contact(2.25), sliding(2.25));
-        let known = Known { chi: Some(1.5), fx: Some(0.6), fy: Some(0.5), ..Known::default() };
-        let extras = Extras {
-            speed: Some(20.0),
-            dissipation: Some(0.5),
-            known: Some(known),
-            ..Extras::default()
-        };
-        let report = report(&contact, &theory, CURVE).with(extras);
+        let given =
+            Constraints { chi: Some(1.5), fx: Some(0.6), fy: Some(0.5), ..Constraints::default() };
+        let case =
+            Case { speed: Some(20.0), given: Given::Constraints(given), ..case(2.25, CURVE) };
+        let report = solved(&case, SLIDING);
         let text = report.text();
         assert_eq!(line(&text, "given or found"), ["found", "found", "given"]);
         assert_eq!(line(&text, "wanted or found"), ["wanted", "wanted", "found"]);
@@ -249,23 +248,22 @@ mod tests {
 
     #[test]
     fn what_the_theory_leaves_out_stands_below_its_name() {
-        let (contact, theory) = (contact(2.25), sliding(2.25));
         for kappa_over_mu in [0.3, -0.3, -123_456.7] {
-            let left_out = find("shen-hedrick-elkins").unwrap().leaves_out(kappa_over_mu);
-            let extras = Extras { left_out, ..Extras::default() };
-            let text = report(&contact, &theory, CURVE).with(extras).text();
+            let like = case(2.25, CURVE);
+            let contact = like.contact.with_kappa_over_mu(kappa_over_mu).unwrap();
+            let text = solved(&Case { contact, ..like }, SLIDING).text();
             let caution = text.lines().find(|line| line.starts_with("CAUTION")).unwrap();
-            assert!(caution.contains(&significant(kappa_over_mu, 3)), "{caution}");
+            assert!(caution.contains("polach takes the bodies for like ones"), "{caution}");
+            assert!(text.contains(&fixed(kappa_over_mu, 3)), "{text}");
             assert!(text.lines().skip(3).all(|line| line.chars().count() <= 80), "{text}");
         }
-        assert!(!report(&contact, &theory, CURVE).text().contains("CAUTION"));
+        assert!(!report(2.25, SLIDING, CURVE).text().contains("CAUTION"));
     }
 
     #[test]
     fn no_line_is_wider_than_a_terminal() {
         for a_over_b in [1e-5, 1.5, 1e5] {
-            let (contact, theory) = (contact(a_over_b), sticking(a_over_b));
-            for line in report(&contact, &theory, CURVE).text().lines() {
+            for line in report(a_over_b, Trial::Sticking, CURVE).text().lines() {
                 assert!(line.chars().count() <= 80, "{line}");
             }
         }
@@ -273,22 +271,20 @@ mod tests {
 
     #[test]
     fn what_is_not_solved_stands_on_top_between_rules() {
-        let contact = contact(1.0);
         for status in [Status::NotConverged, Status::CreepageTooSmall, Status::SpinTooLarge] {
-            let theory = crate::testing::Sliding { status, ..sliding(1.0) };
-            let text = report(&contact, &theory, CURVE).text();
+            let text = report(1.0, Trial::Sliding(status), CURVE).text();
             let top: Vec<_> = text.lines().take(3).collect();
             assert!(top[0].starts_with("!!!!") && top[2] == top[0]);
             let word = status.name().replace('_', " ").to_uppercase();
             assert!(top[1].contains(&word), "{}", top[1]);
         }
-        let theory = sticking(1.0);
-        assert!(report(&contact, &theory, CURVE).text().starts_with("Theory test & trial: solved"));
+        let text = report(1.0, Trial::Sticking, CURVE).text();
+        assert!(text.starts_with("Theory test & trial: solved"));
     }
 
     #[test]
     fn hertz_alone() {
-        let text = hertz_text(&contact(2.25));
+        let text = hertz_text(&case(2.25, CURVE).hertz);
         assert_eq!(line(&text, "normal force N"), ["80", "kN"]);
         assert_eq!(line(&text, "a/b"), ["2.25"]);
         assert!(!text.contains("angle"));

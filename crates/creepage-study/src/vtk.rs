@@ -4,9 +4,9 @@
 use std::f64::consts::PI;
 use std::fmt::Write;
 
-use creepage::rolling::{FieldPoint, Region};
+use creepage::{FieldPoint, Region};
 
-use crate::report::{Report, disc_to_theory};
+use crate::SolvedCase;
 
 /// Points along and across.
 const POINTS: u32 = 49;
@@ -14,28 +14,27 @@ const POINTS: u32 = 49;
 /// zero, and linear theory's none at all.
 const OUTERMOST: f64 = 0.999;
 
-impl Report<'_> {
+impl SolvedCase {
     /// The grid with pressure, tractions, slip, areas and frictional power. What the theory does
     /// not give everywhere is left out.
     pub(crate) fn vtk(&self) -> String {
-        let unit = disc_to_theory(self.contact);
-        let positions: Vec<_> = grid().map(|[x, y]| [x * unit[0], y * unit[1]]).collect();
-        let field = self.answer.theory.field(self.answer.creepage, &positions);
+        let positions = self.positions(&grid().collect::<Vec<_>>());
+        let field = self.field(&positions);
         let mut vtk = Vtk(self.head(positions.len()));
-        let length = self.scaling.length;
+        let length = self.scaling().length;
         vtk.rows(positions.iter().map(|[x, y]| [x * length, y * length, 0.0]));
         vtk.line(&format!("POINT_DATA {}", positions.len()));
-        let pressure = self.contact.peak_pressure();
+        let pressure = self.case.hertz.peak_pressure();
         vtk.scalars("pressure_pa", field.iter().map(|p| pressure * self.bound(p.position)));
-        let traction = self.scaling.traction;
+        let traction = self.scaling().traction;
         vtk.vectors("traction_pa", field.iter().map(|p| p.traction.map(|t| t * traction)));
         let sticks = |p: &FieldPoint| f64::from(u8::from(p.region == Region::Adhesion));
         vtk.scalars("adhesion", field.iter().map(sticks));
         if field.iter().all(|p| p.slip.iter().all(|slip| slip.is_finite())) {
-            vtk.vectors("slip", field.iter().map(|p| p.slip.map(|s| s * self.scaling.slip)));
+            vtk.vectors("slip", field.iter().map(|p| p.slip.map(|s| s * self.scaling().slip)));
             let power = |p| self.power_density(p);
             vtk.scalars("frictional_power_per_metre_j_per_m3", field.iter().map(power));
-            if let Some(speed) = self.extras.speed {
+            if let Some(speed) = self.case.speed {
                 let watts = field.iter().map(|p| speed * self.power_density(p));
                 vtk.scalars("frictional_power_w_per_m2", watts);
             }
@@ -44,8 +43,7 @@ impl Report<'_> {
     }
 
     fn head(&self, points: usize) -> String {
-        // The title is one line of at most 256 characters.
-        let name: String = self.answer.theory_name.chars().take(40).collect();
+        let name = self.theory.name;
         format!(
             "# vtk DataFile Version 3.0\n\
              creepage {}: theory {name}; SI units, on the lower body, x along rolling\n\
@@ -101,7 +99,8 @@ impl Vtk {
 
 #[cfg(test)]
 mod tests {
-    use crate::testing::{CURVE, contact, report, sliding, sticking};
+    use crate::Case;
+    use crate::testing::{CURVE, SLIDING, Trial, case, report, solved};
 
     use super::*;
 
@@ -118,9 +117,7 @@ mod tests {
 
     #[test]
     fn every_array_is_as_long_as_the_grid() {
-        let (contact, theory) = (contact(2.25), sliding(2.25));
-        let extras = crate::Extras { speed: Some(20.0), ..crate::Extras::default() };
-        let vtk = report(&contact, &theory, CURVE).with(extras).vtk();
+        let vtk = solved(&Case { speed: Some(20.0), ..case(2.25, CURVE) }, SLIDING).vtk();
         assert!(vtk.starts_with("# vtk DataFile Version 3.0\ncreepage "));
         assert_eq!(array(&vtk, &COUNT.to_string()).len(), 3 * COUNT);
         for (name, components) in [
@@ -137,8 +134,7 @@ mod tests {
 
     #[test]
     fn power_is_traction_times_slip_and_traction_is_at_its_bound() {
-        let (contact, theory) = (contact(0.5), sliding(0.5));
-        let vtk = report(&contact, &theory, CURVE).vtk();
+        let vtk = report(0.5, SLIDING, CURVE).vtk();
         let [power, pressure] =
             ["frictional_power_per_metre_j_per_m3", "pressure_pa"].map(|name| array(&vtk, name));
         let [traction, slip] = ["traction_pa", "slip"].map(|name| array(&vtk, name));
@@ -154,8 +150,7 @@ mod tests {
 
     #[test]
     fn slip_that_a_theory_does_not_give_is_left_out() {
-        let (contact, theory) = (contact(1.0), sticking(1.0));
-        let vtk = report(&contact, &theory, CURVE).vtk();
+        let vtk = report(1.0, Trial::Sticking, CURVE).vtk();
         assert!(!vtk.contains("slip") && !vtk.contains("power"));
         let sticking = array(&vtk, "adhesion");
         assert!(sticking.iter().any(|s| *s > 0.5) && sticking.iter().any(|s| *s < 0.5));

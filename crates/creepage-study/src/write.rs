@@ -2,11 +2,11 @@
 
 use std::path::{Path, PathBuf};
 
+use crate::SolvedCase;
 use crate::error::ReportError;
-use crate::report::Report;
 use crate::whole_file::write_all;
 
-impl Report<'_> {
+impl SolvedCase {
     /// Writes `report.json`, `points.csv`, `contact.vtk`, `contact.svg` and `contact.png` into
     /// `directory`, which is made when missing; files of those names are replaced. Gives the paths
     /// written.
@@ -46,7 +46,7 @@ mod tests {
     use std::{fs, io};
 
     use super::*;
-    use crate::testing::{CURVE, contact, report, sticking};
+    use crate::testing::{CURVE, Trial, report};
 
     fn names(directory: &Path) -> Vec<String> {
         let entries = fs::read_dir(directory).unwrap();
@@ -59,8 +59,7 @@ mod tests {
     #[test]
     fn five_files_in_a_new_directory_the_same_each_time() {
         let root = tempfile::tempdir().unwrap();
-        let (contact, theory) = (contact(1.5), sticking(1.5));
-        let report = report(&contact, &theory, CURVE);
+        let report = report(1.5, Trial::Sticking, CURVE);
         let directories = ["one", "two/deeper"].map(|name| root.path().join(name));
         for directory in &directories {
             let paths = report.write(directory).unwrap();
@@ -83,8 +82,7 @@ mod tests {
         let root = tempfile::tempdir().unwrap();
         let file = root.path().join("file");
         fs::write(&file, "in the way").unwrap();
-        let (contact, theory) = (contact(1.0), sticking(1.0));
-        let error = report(&contact, &theory, CURVE).write(&file.join("out")).unwrap_err();
+        let error = report(1.0, Trial::Sticking, CURVE).write(&file.join("out")).unwrap_err();
         assert!(error.to_string().contains("file"), "{error}");
         assert!(error.source().unwrap().is::<io::Error>());
         assert_eq!(names(root.path()), ["file"]);
@@ -93,9 +91,8 @@ mod tests {
     #[test]
     fn what_was_made_before_a_failure_is_removed() {
         let root = tempfile::tempdir().unwrap();
-        let (contact, theory) = (contact(1.0), sticking(1.0));
         fs::create_dir(root.path().join("contact.png")).unwrap();
-        let error = report(&contact, &theory, CURVE).write(root.path()).unwrap_err();
+        let error = report(1.0, Trial::Sticking, CURVE).write(root.path()).unwrap_err();
         assert!(matches!(error, ReportError::Write { path, .. } if path.ends_with("contact.png")));
         assert_eq!(names(root.path()), ["contact.png"]);
     }

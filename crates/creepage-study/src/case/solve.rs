@@ -41,7 +41,7 @@ pub enum SpecError {
         /// The theory that was chosen.
         theory: &'static str,
         /// What it must be.
-        source: toml::de::Error,
+        source: Box<toml::de::Error>,
     },
     /// The name of the theory where only its options belong.
     #[error("`theory` is given beside the options")]
@@ -107,7 +107,7 @@ pub(super) fn from_table(table: &Table) -> Result<TheorySpec, SpecError> {
                 option: option.clone(),
                 value: value.clone(),
                 theory: facts.name,
-                source,
+                source: Box::new(source),
             }
         })?;
     }

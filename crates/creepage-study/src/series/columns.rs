@@ -21,13 +21,13 @@ pub(super) struct Column {
 
 /// All columns but the status, which is a word.
 pub(super) const COLUMNS: [Column; 15] = [
-    column("chi", "spin, phi rho / mu", |row| Real(row.creepage.chi)),
+    column("chi", "spin, phi rho / mu", |row| Real(row.creepage.chi())),
     column("alpha", "angle from the rolling direction to the creepage [degrees]", |row| {
         Real(row.alpha)
     }),
     column("upsilon", "magnitude of the creepage (xi, eta)", |row| Real(row.upsilon)),
-    column("xi", "longitudinal creepage, upsilon_x rho / (mu c)", |row| Real(row.creepage.xi)),
-    column("eta", "lateral creepage, upsilon_y rho / (mu c)", |row| Real(row.creepage.eta)),
+    column("xi", "longitudinal creepage, upsilon_x rho / (mu c)", |row| Real(row.creepage.xi())),
+    column("eta", "lateral creepage, upsilon_y rho / (mu c)", |row| Real(row.creepage.eta())),
     column("fx", "longitudinal force on the lower body over mu N", |row| Real(row.force.fx)),
     column("fy", "lateral force on the lower body over mu N", |row| Real(row.force.fy)),
     column("mz", "moment on the lower body over mu N c", |row| Real(row.force.mz)),

@@ -11,8 +11,8 @@ mod run;
 mod tally;
 
 use crate::{Sweep, SweepCase};
-use creepage::rolling::variational::ChainCase;
-use creepage::rolling::{Creepage, Force, Region, Status};
+use creepage::variational::ChainCase;
+use creepage::{Creepage, Force, Region, Status};
 
 pub use csv_table::series_csv;
 pub use json_table::series_json;
@@ -78,7 +78,7 @@ impl SeriesRow {
             creepage: case.creepage,
             force: found.solution.force,
             status: found.solution.status,
-            iterations: found.iterations,
+            iterations: found.iterations(),
             steps_from_previous: solved.steps_from_previous,
             mean_integrand: found.mean_integrand,
             residual: found.residual,

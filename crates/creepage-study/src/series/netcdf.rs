@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use creepage::rolling::Status;
+use creepage::Status;
 use netcdf3::{DataSet, FileWriter, Version};
 
 use super::columns::{COLUMNS, Cell};

@@ -1,6 +1,6 @@
 //! One solved case as bytes of a fixed length.
 
-use creepage::rolling::{Force, Status};
+use creepage::{Force, Status};
 
 use super::SeriesRow;
 use crate::SweepCase;

@@ -3,8 +3,8 @@
 use std::io;
 use std::path::Path;
 
-use creepage::rolling::Status;
-use creepage::rolling::variational::{Chain, NewtonStep, Variational, VariationalSolution};
+use creepage::Status;
+use creepage::variational::{Chain, NewtonStep, Variational, VariationalSolution};
 use rayon::prelude::*;
 
 use super::journal::Journal;

@@ -3,7 +3,7 @@
 use std::fmt;
 use std::io;
 
-use creepage::rolling::Status;
+use creepage::Status;
 
 use super::SeriesRow;
 

@@ -1,7 +1,7 @@
 //! What each problem is given, and what an engineer wants to know of it.
 
+use creepage::SiForce;
 use creepage::halfspace::ResponseError;
-use creepage::rolling::SiForce;
 use creepage::statics::{Bonded, Die, DieError, PartialSlip};
 use creepage::{Ellipse, Hertz, Solid, SolidPair};
 

@@ -104,12 +104,12 @@ impl StaticsReport<'_> {
 
 #[cfg(test)]
 mod tests {
-    use creepage::rolling::SiForce;
+    use creepage::SiForce;
     use creepage::statics::{Bonded, Die, PartialSlip};
     use creepage::{Ellipse, Hertz, Solid, SolidPair};
 
     use super::*;
-    use crate::testing::{check_view, contact};
+    use crate::testing::{CURVE, case, check_view};
 
     const RATIOS: [f64; 7] = [1e-3, 0.05, 0.6, 1.0, 1.6, 6.0, 1e3];
 
@@ -149,7 +149,7 @@ mod tests {
     #[test]
     fn partial_slip_is_drawn_from_hardly_any_slip_to_hardly_any_adhesion() {
         for ratio in RATIOS {
-            let contact: Hertz = contact(ratio);
+            let contact: Hertz = case(ratio, CURVE).hertz;
             for share in [1e-6, 0.5, 0.999_999] {
                 let force = [-0.6 * share * 24e3, 0.8 * share * 24e3];
                 let partial = PartialSlip::new(&contact, 0.3, force).unwrap();
