@@ -1,13 +1,10 @@
 //! How far each theory of rolling contact is from the full one.
 //!
 //! ```
-//! use creepage::rolling::Theory;
-//! use creepage::rolling::variational::{Settings, Variational, VariationalError};
+//! use creepage::TheorySpec;
 //! use creepage_validation::{measure, steady_rolling};
-//! let prepare = |a_over_b, poisson| -> Result<Box<dyn Theory>, VariationalError> {
-//!     Ok(Box::new(Variational::new(a_over_b, poisson, Settings::default())?))
-//! };
-//! let accuracy = measure(&steady_rolling()?, prepare)?;
+//! let theory = TheorySpec::named("variational")?;
+//! let accuracy = measure(&steady_rolling()?, |contact| theory.prepare(contact))?;
 //! // Chapter 5 with its degree 3: a median error of two per cent of mu N.
 //! assert!(accuracy.force.median < 0.02);
 //! # Ok::<(), Box<dyn std::error::Error>>(())

@@ -173,14 +173,16 @@ pub trait Solved: Send + Sync {
 
 /// The solved contact of a theory that keeps nothing from a solve.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Evaluated<'t, T: ?Sized> {
+pub struct Evaluated<'t, T: ?Sized> {
     theory: &'t T,
     creepage: Creepage,
     solution: Solution,
 }
 
 impl<'t, T: Theory> Evaluated<'t, T> {
-    pub(crate) fn boxed(theory: &'t T, creepage: Creepage) -> Box<dyn Solved + 't> {
+    /// Solves; what is asked afterwards is asked of the theory again.
+    #[must_use]
+    pub fn boxed(theory: &'t T, creepage: Creepage) -> Box<dyn Solved + 't> {
         Box::new(Self { theory, creepage, solution: theory.solve(creepage) })
     }
 }
