@@ -6,9 +6,8 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::PathBuf;
 
 use creepage::InvalidValue;
-use creepage_case::CaseError;
+use creepage_study::{CaseError, ChoiceError, FindError, TheoryError};
 use creepage_table::FileError;
-use creepage_theories::{ChoiceError, FindError, TheoryError};
 
 /// Done.
 pub const CREEPAGE_OK: i32 = 0;

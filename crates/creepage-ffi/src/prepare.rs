@@ -6,8 +6,9 @@ use std::sync::Arc;
 
 use creepage::Hertz;
 use creepage::rolling::{Scaling, SiCreepage, SiForce, Solution, Status, Theory};
-use creepage_case::{Case, CaseFile, Solve};
-use creepage_theories::{ChoiceError, Entry, PreparedTheory, SolvedCase, choose, kappa_over_mu};
+use creepage_study::{
+    Case, CaseFile, ChoiceError, Entry, PreparedTheory, Solve, SolvedCase, choose, kappa_over_mu,
+};
 
 use crate::failure::Failure;
 

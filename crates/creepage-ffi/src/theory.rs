@@ -4,7 +4,7 @@ use std::ffi::c_char;
 
 use creepage::rolling::exact::{Automatic, Exact, ExactSolution, Workspace};
 use creepage::rolling::{Creepage, Force, Status, Theory};
-use creepage_theories::PreparedTheory;
+use creepage_study::PreparedTheory;
 
 use crate::failure::{Failure, guard};
 use crate::input::{cases, handle, optional, place, release, text};

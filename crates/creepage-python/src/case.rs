@@ -5,9 +5,10 @@ use std::sync::Arc;
 
 use creepage::Hertz;
 use creepage::rolling::{Creepage, Scaling};
-use creepage_case::{Case, CaseError, CaseFile, InverseCase, Solve};
-use creepage_report::{Report, hertz_json};
-use creepage_theories::{Entry, PreparedTheory, find, kappa_over_mu};
+use creepage_study::{
+    Case, CaseError, CaseFile, Entry, InverseCase, PreparedTheory, Report, Solve, find, hertz_json,
+    kappa_over_mu,
+};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -35,7 +36,7 @@ pub struct CaseData {
 #[pyclass(frozen, module = "creepage._creepage")]
 #[allow(missing_debug_implementations)] // Python has its own
 pub struct SolvedCase {
-    solved: creepage_theories::SolvedCase,
+    solved: creepage_study::SolvedCase,
     theory: Py<Theory>,
 }
 
@@ -193,8 +194,8 @@ impl CaseData {
         let Theory { model, name, .. } = theory.get();
         let model = Arc::clone(model);
         let solve = || match self.question.clone() {
-            Question::Forces(case) => Ok(creepage_theories::SolvedCase::forces(case, model)),
-            Question::Creepage(case) => creepage_theories::SolvedCase::creepage(case, name, model),
+            Question::Forces(case) => Ok(creepage_study::SolvedCase::forces(case, model)),
+            Question::Creepage(case) => creepage_study::SolvedCase::creepage(case, name, model),
         };
         let solved = py.detach(solve).map_err(|error| errors::find(py, error))?;
         Ok(SolvedCase { solved, theory })

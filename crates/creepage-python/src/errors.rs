@@ -6,10 +6,10 @@ use creepage::InvalidValue;
 use creepage::rolling::exact::InverseError;
 use creepage::rolling::variational::VariationalError;
 use creepage::rolling::{Creepage, Force};
-use creepage_case::{CaseError, StaticsError};
-use creepage_report::ReportError;
+use creepage_study::{
+    CaseError, ChoiceError, FindError, ReportError, StaticsError, TheoryError, Unreachable,
+};
 use creepage_table::FileError;
-use creepage_theories::{ChoiceError, FindError, TheoryError, Unreachable};
 use pyo3::BoundObject;
 use pyo3::exceptions::{PyOSError, PyRuntimeError};
 use pyo3::prelude::*;

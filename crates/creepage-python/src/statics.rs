@@ -2,8 +2,7 @@
 
 use std::path::PathBuf;
 
-use creepage_case::{StaticsCase, StaticsError, StaticsFile};
-use creepage_report::StaticsReport;
+use creepage_study::{StaticsCase, StaticsError, StaticsFile, StaticsReport};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 

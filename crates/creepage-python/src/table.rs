@@ -1,10 +1,10 @@
 //! Tables of creep force: built, kept in a file, looked up.
 
-use std::fs;
 use std::path::PathBuf;
 
 use creepage::InvalidValue;
 use creepage::rolling::{Creepage, Solution, Status};
+use creepage_study::WholeFile;
 use creepage_table::{Axis, FileError, Intervals, Provenance, Slice, Spec, Spread};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyString};
@@ -41,11 +41,10 @@ impl Table {
     /// Writes the table to a file of NetCDF, which xarray opens too; the file appears when it is
     /// whole. Raises OSError.
     fn write(&self, py: Python, path: PathBuf) -> PyResult<()> {
-        let mut partial = path.clone().into_os_string();
-        partial.push(".partial");
         let write = || -> Result<(), FileError> {
-            self.table.write(partial.as_ref())?;
-            Ok(fs::rename(&partial, &path)?)
+            let mut file = WholeFile::create(&path)?;
+            file.fill(|path| self.table.write(path))?;
+            Ok(file.finish()?)
         };
         py.detach(write).map_err(|error| errors::table(py, error, path.clone()))
     }

@@ -4,8 +4,7 @@ use std::sync::Arc;
 
 use creepage::Ellipse;
 use creepage::rolling::{Creepage, Solution};
-use creepage_case::Solve;
-use creepage_theories::{PreparedTheory, TheoryError, choose};
+use creepage_study::{PreparedTheory, Solve, TheoryError, choose};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 

@@ -2,8 +2,7 @@
 
 use creepage::rolling::exact::{self, Known};
 use creepage::rolling::{Creepage, FieldPoint};
-use creepage_case::{Resolution, Solve};
-use creepage_theories::{PreparedTheory, TheoryError};
+use creepage_study::{PreparedTheory, Resolution, Solve, TheoryError};
 use numpy::IntoPyArray;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;

@@ -1,6 +1,6 @@
 //! The theories that saturate a force in closed form.
 
-use creepage_case::Solve;
+use creepage_study::Solve;
 use pyo3::prelude::*;
 
 use crate::options::arguments;

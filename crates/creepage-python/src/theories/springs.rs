@@ -1,7 +1,7 @@
 //! The theories on a bed of springs.
 
 use creepage::rolling::fastsim::Settings;
-use creepage_case::Solve;
+use creepage_study::Solve;
 use pyo3::prelude::*;
 
 use crate::options::{arguments, pair, word};

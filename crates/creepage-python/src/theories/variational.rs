@@ -1,8 +1,7 @@
 //! The numerical theory of chapter 5.
 
 use creepage::rolling::variational::Settings;
-use creepage_case::Solve;
-use creepage_theories::variational_settings;
+use creepage_study::{Solve, variational_settings};
 use pyo3::prelude::*;
 
 use crate::options::{arguments, pair, word};
