@@ -1,15 +1,13 @@
 //! The library's errors as Python's exceptions, with their messages and fields.
 
+use std::io;
 use std::path::PathBuf;
 
-use creepage::InvalidValue;
-use creepage::rolling::exact::InverseError;
-use creepage::rolling::variational::VariationalError;
-use creepage::rolling::{Creepage, Force};
-use creepage_case::{CaseError, StaticsError};
-use creepage_report::ReportError;
-use creepage_table::FileError;
-use creepage_theories::{ChoiceError, FindError, TheoryError, Unreachable};
+use creepage::coulomb::InverseError;
+use creepage::table::FileError;
+use creepage::theory::{TheoryError, UnknownTheory};
+use creepage::variational::VariationalError;
+use creepage::{Creepage, Force, InvalidValue};
 use pyo3::BoundObject;
 use pyo3::exceptions::{PyOSError, PyRuntimeError};
 use pyo3::prelude::*;
@@ -43,23 +41,16 @@ pub(crate) fn invalid(py: Python, error: InvalidValue) -> PyErr {
 pub(crate) fn invalid_element(
     py: Python,
     error: Option<InvalidValue>,
-    index: usize,
-    shape: Vec<usize>,
+    mut index: usize,
+    shape: &[usize],
 ) -> PyErr {
     let Some(error) = error else {
         return internal("an element changed while it was used");
     };
-    let mut rest = index;
-    let mut place: Vec<usize> = shape
-        .iter()
-        .rev()
-        .map(|size| {
-            let along = rest % size;
-            rest /= size;
-            along
-        })
-        .collect();
-    place.reverse();
+    let mut place = vec![0; shape.len()];
+    for (along, size) in place.iter_mut().zip(shape).rev() {
+        (*along, index) = (index % size, index / size);
+    }
     let message = format!("{error}, at index {place:?}");
     match PyTuple::new(py, place) {
         Ok(place) => {
@@ -70,13 +61,12 @@ pub(crate) fn invalid_element(
     }
 }
 
-pub(crate) fn option(py: Python, name: &str, reason: &str) -> PyErr {
-    exception(py, "InvalidOption", (format!("{name}: {reason}"), name))
+pub(crate) fn unknown(py: Python, error: &UnknownTheory) -> PyErr {
+    exception(py, "UnknownTheory", (error.to_string(), &error.name))
 }
 
-/// An option that the theory does not take: of those that its class has, a bound.
-pub(crate) fn choice(py: Python, error: &ChoiceError) -> PyErr {
-    exception(py, "InvalidOption", (error.to_string(), "bound"))
+pub(crate) fn option(py: Python, name: &str, reason: &str) -> PyErr {
+    exception(py, "InvalidOption", (format!("{name}: {reason}"), name))
 }
 
 pub(crate) fn theory(py: Python, error: TheoryError) -> PyErr {
@@ -97,20 +87,8 @@ fn variational(py: Python, error: VariationalError) -> PyErr {
     }
 }
 
-pub(crate) fn find(py: Python, error: FindError) -> PyErr {
-    let message = error.to_string();
-    match error {
-        FindError::Unreachable(Unreachable { nearest, at, .. }) => {
-            not_reachable(py, message, nearest, at)
-        }
-        FindError::Inverse(error) => inverse(py, error),
-        _ => exception(py, "CaseError", (message, Some("wanted"))),
-    }
-}
-
 fn not_reachable(py: Python, message: String, nearest: Force, at: Creepage) -> PyErr {
-    let nearest = (nearest.fx, nearest.fy, nearest.mz);
-    exception(py, "NotReachable", (message, nearest, (at.xi, at.eta, at.chi)))
+    exception(py, "NotReachable", (message, tuple(nearest.components()), tuple(at.components())))
 }
 
 pub(crate) fn inverse(py: Python, error: InverseError) -> PyErr {
@@ -122,70 +100,23 @@ pub(crate) fn inverse(py: Python, error: InverseError) -> PyErr {
     }
 }
 
-/// Message, section, key and value, as far as the error has them.
-pub(crate) fn case(py: Python, error: CaseError) -> PyErr {
-    let message = error.to_string();
-    let (section, key, value) = place(error);
-    exception(py, "CaseError", (message, section, key, value))
-}
-
-fn place(error: CaseError) -> (Option<String>, Option<String>, Option<f64>) {
-    match error {
-        CaseError::Invalid { section, invalid } => {
-            (Some(section.into()), Some(invalid.quantity.into()), Some(invalid.value))
-        }
-        CaseError::Radius { section, key, value, .. } => {
-            (Some(section.into()), Some(key.into()), Some(value))
-        }
-        CaseError::Missing { section, key } => (Some(section), Some(key), None),
-        CaseError::MissingSection { section, .. } => (Some(section), None, None),
-        CaseError::MissingEither { section, keys } => {
-            (Some(section.into()), Some(keys[0].into()), None)
-        }
-        CaseError::Conflict { first: (section, key), .. } => {
-            (Some(section.into()), Some(key.into()), None)
-        }
-        CaseError::UnknownKey { key, .. } => (None, Some(key), None),
-        CaseError::Variational { section, .. } => (Some(section.into()), None, None),
-        CaseError::TooManyCases { key, cases, .. } => {
-            (Some("creepage".into()), Some(key.into()), Some(cases))
-        }
-        CaseError::Tilted { angle, .. } => {
-            (Some("contact".into()), Some("angle".into()), Some(angle))
-        }
-        _ => (None, None, None),
-    }
-}
-
-pub(crate) fn statics(py: Python, error: StaticsError) -> PyErr {
-    match error {
-        StaticsError::Case(error) => case(py, error),
-        other => exception(py, "CaseError", (other.to_string(), Some("statics"))),
-    }
-}
-
-pub(crate) fn report(error: ReportError) -> PyErr {
-    match error {
-        ReportError::Write { path, source } => {
-            let code = source.raw_os_error();
-            let reason = source.to_string();
-            match code {
-                Some(code) => PyOSError::new_err((code, reason, path)),
-                None => source.into(),
-            }
-        }
-        other => PyRuntimeError::new_err(other.to_string()),
-    }
-}
-
 pub(crate) fn table(py: Python, error: FileError, path: PathBuf) -> PyErr {
     match error {
-        FileError::Io(source) => match source.raw_os_error() {
-            Some(code) => PyOSError::new_err((code, source.to_string(), path)),
-            None => source.into(),
-        },
+        FileError::Io(source) => os(source, path),
         other => no_table(py, &format!("{}: {other}", path.display())),
     }
+}
+
+/// OSError, with the path where the system gave a number.
+pub(crate) fn os(error: io::Error, path: PathBuf) -> PyErr {
+    match error.raw_os_error() {
+        Some(code) => PyOSError::new_err((code, error.to_string(), path)),
+        None => error.into(),
+    }
+}
+
+fn tuple([x, y, z]: [f64; 3]) -> (f64, f64, f64) {
+    (x, y, z)
 }
 
 pub(crate) fn no_table(py: Python, message: &str) -> PyErr {

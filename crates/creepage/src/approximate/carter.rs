@@ -92,7 +92,7 @@ impl Carter {
         // Positive inside the adhesion area, negative outside.
         let inside = (1.0 - x) * (x - self.trailing_edge());
         let (traction, slip, region) = if x.abs() > 1.0 {
-            (0.0, 0.0, Region::Slip)
+            (0.0, 0.0, Region::Outside)
         } else if self.adhesion_half_width() == 0.0 {
             (sense * semicircle, self.creepage - sense * Self::GROSS_SLIDING * x, Region::Slip)
         } else if inside > 0.0 {
