@@ -1,7 +1,6 @@
 //! `creepage accuracy`: every theory against the full one.
 
-use creepage_case::{Bound, Flexibility, Resolution, Solve, Variant};
-use creepage_theories::{ENTRIES, Entry, find};
+use creepage_study::{Bound, ENTRIES, Entry, Flexibility, Resolution, Solve, Variant, find};
 use creepage_validation::{Accuracy, ReferenceCase, Spread, grid, measure, steady_rolling};
 use rayon::prelude::*;
 use serde::Serialize;

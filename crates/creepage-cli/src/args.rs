@@ -132,8 +132,9 @@ pub(crate) struct BatchArgs {
     /// given several times.
     #[arg(long = "option", value_name = "KEY=VALUE")]
     pub(crate) options: Vec<String>,
-    /// CSV file for the results; it appears when it is whole. Standard output if not given. What
-    /// is left of a run that was interrupted, .FILE.partial, the next run replaces.
+    /// CSV file for the results; it appears when it is whole, and a pipe or a device is written to in
+    /// place. Standard output if not given. A run that is killed may leave a hidden
+    /// .FILE.*.partial.
     #[arg(long, value_name = "FILE")]
     pub(crate) out: Option<PathBuf>,
 }
@@ -293,9 +294,9 @@ impl FileKind {
     /// The schema of these files.
     pub(crate) fn schema(self) -> serde_json::Value {
         match self {
-            Self::Case => creepage_case::json_schema(),
-            Self::Statics => creepage_case::statics_json_schema(),
-            Self::Sweep => creepage_case::sweep_json_schema(),
+            Self::Case => creepage_study::json_schema(),
+            Self::Statics => creepage_study::statics_json_schema(),
+            Self::Sweep => creepage_study::sweep_json_schema(),
         }
     }
 }

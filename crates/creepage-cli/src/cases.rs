@@ -4,9 +4,10 @@ use std::sync::Arc;
 
 use creepage::Hertz;
 use creepage::rolling::Status;
-use creepage_case::{Case, CaseError, InverseCase, Solve};
-use creepage_report::{Report, hertz_json, hertz_text};
-use creepage_theories::{Answered, Entry, PreparedTheory, SolvedCase, wanted_accuracy};
+use creepage_study::{
+    Answered, Case, CaseError, Entry, InverseCase, PreparedTheory, Report, Solve, SolvedCase,
+    hertz_json, hertz_text, wanted_accuracy,
+};
 
 use crate::args::{HertzArgs, SolveArgs};
 use crate::caution::caution;

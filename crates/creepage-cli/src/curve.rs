@@ -3,9 +3,7 @@
 use creepage::InvalidValue;
 use creepage::rolling::Scaling;
 use creepage::rolling::linear::Linear;
-use creepage_case::Case;
-use creepage_report::{Component, Curves};
-use creepage_theories::kappa_over_mu;
+use creepage_study::{Case, Component, Curves, kappa_over_mu};
 
 use crate::args::{CurveArgs, Quantity};
 use crate::failure::Failure;

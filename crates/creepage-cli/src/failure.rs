@@ -4,11 +4,10 @@ use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 
 use creepage::InvalidValue;
-use creepage_case::{CaseError, StaticsError};
-use creepage_gallery::GalleryError;
-use creepage_report::ReportError;
+use creepage::theory::{TheoryError, UnknownTheory};
+use creepage_1967::GalleryError;
+use creepage_study::{CaseError, ReportError, SolveError, SpecError, StaticsError};
 use creepage_table::{BuildError, FileError};
-use creepage_theories::{ChoiceError, FindError, TheoryError, UnknownTheory};
 use creepage_validation::ReferenceError;
 
 use crate::batch::columns::ColumnError;

@@ -3,8 +3,7 @@
 use std::fs;
 use std::path::Path;
 
-use creepage_case::{CaseFile, Solve};
-use creepage_theories::Entry;
+use creepage_study::{CaseFile, Entry, Solve};
 
 use crate::failure::Failure;
 use crate::output::say;
@@ -26,7 +25,7 @@ pub(crate) fn choose(
     solve: &Solve,
     path: &Path,
 ) -> Result<Vec<&'static Entry>, Failure> {
-    let choice = creepage_theories::choose(names, solve)
+    let choice = creepage_study::choose(names, solve)
         .map_err(|source| Failure::Choice { path: path.into(), source })?;
     if let Some(note) = choice.note() {
         say(&note);

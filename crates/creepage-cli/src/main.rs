@@ -12,7 +12,6 @@ mod init;
 mod input;
 mod outcome;
 mod output;
-mod partial_file;
 mod reproduce;
 mod statics;
 mod sweep;

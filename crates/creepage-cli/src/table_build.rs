@@ -3,14 +3,12 @@
 use std::path::PathBuf;
 use std::time::Duration;
 
-use creepage_case::{Resolution, Solve};
+use creepage_study::{Entry, Resolution, Solve, WholeFile, find};
 use creepage_table::{Axis, Intervals, Provenance, Spec, build};
-use creepage_theories::{Entry, find};
 use indicatif::{ProgressBar, ProgressStyle};
 
 use crate::failure::Failure;
 use crate::output::say;
-use crate::partial_file::PartialFile;
 
 #[derive(Debug, clap::Args)]
 pub(crate) struct BuildArgs {
@@ -61,17 +59,16 @@ pub(crate) fn run(args: &BuildArgs) -> Result<(), Failure> {
     let theory = find(&args.theory)?;
     let failed = |source| Failure::writing(Some(&args.out), source);
     // A wrong place is told before the work.
-    drop(PartialFile::create(&args.out).map_err(failed)?);
+    let mut file = WholeFile::create(&args.out).map_err(failed)?;
     let (spec, solve) = (spec(args, theory), solve(args, theory));
     let bar = bar(&spec);
     let prepare = |a_over_b, poisson| theory.boxed(a_over_b, poisson, &solve);
     let table = build(&spec, prepare, &|| bar.inc(1));
     bar.finish_and_clear();
     let table = table.map_err(|source| Failure::Build { theory: theory.name, source })?;
-    let mut partial = PartialFile::create(&args.out).map_err(failed)?;
     let unwritten = |source| Failure::Table { path: args.out.clone(), source };
-    table.write(partial.path()).map_err(unwritten)?;
-    partial.finish().map_err(failed)?;
+    file.fill(|path| table.write(path)).map_err(unwritten)?;
+    file.finish().map_err(failed)?;
     let worst = 100.0 * table.accuracy().force.worst;
     let places = table.accuracy().places + table.accuracy().hard_places;
     say(&format!(

@@ -1,7 +1,6 @@
 //! `creepage theories`: the theories and their options as a person reads them.
 
-use creepage_case::json_schema;
-use creepage_theories::{ENTRIES, Entry};
+use creepage_study::{ENTRIES, Entry, json_schema};
 use serde_json::Value;
 
 const NOTES: &str = "\

@@ -1,14 +1,14 @@
 //! What goes wrong, its code and its words.
 
 use std::ffi::c_char;
+use std::io;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::PathBuf;
 
 use creepage::InvalidValue;
 use creepage::table::FileError;
 use creepage::theory::{TheoryError, UnknownTheory};
-
-use crate::spec::foreign;
+use creepage_study::{CaseError, SolveError, SpecError};
 
 /// Done.
 pub const CREEPAGE_OK: i32 = 0;
@@ -44,10 +44,14 @@ pub(crate) enum Failure {
     Text(&'static str),
     #[error(transparent)]
     Unknown(#[from] UnknownTheory),
-    #[error("{}", foreign(option, theory))]
-    Option { option: String, theory: &'static str },
     #[error("options: {0}")]
-    Options(#[from] toml::de::Error),
+    Options(SpecError),
+    #[error("cannot read {}: {source}", path.display())]
+    Read { path: PathBuf, source: io::Error },
+    #[error("{}: {source}", path.display())]
+    CaseFile { path: PathBuf, source: CaseError },
+    #[error("{}: {source}", path.display())]
+    Solve { path: PathBuf, source: SolveError },
     #[error("{}: {source}", path.display())]
     Table { path: PathBuf, source: FileError },
     #[error("the arrays of {0} cases do not fit into memory")]
@@ -64,13 +68,26 @@ impl Failure {
             Self::Null(_) => CREEPAGE_NULL,
             Self::Text(_)
             | Self::Unknown(_)
-            | Self::Option { .. }
             | Self::Options(_)
             | Self::Theory(TheoryError::AccuracyOfFixed) => CREEPAGE_TEXT,
-            Self::Table { .. } => CREEPAGE_FILE,
+            Self::Read { .. } | Self::CaseFile { .. } | Self::Table { .. } => CREEPAGE_FILE,
             Self::Count(_) => CREEPAGE_COUNT,
-            Self::NoErrorBars(_) | Self::NoDerivative(_) => CREEPAGE_UNSUPPORTED,
-            Self::Invalid(_) | Self::Case { .. } | Self::Theory(_) => CREEPAGE_INVALID,
+            Self::NoErrorBars(_)
+            | Self::NoDerivative(_)
+            | Self::Solve { source: SolveError::FindsNothing { .. }, .. } => CREEPAGE_UNSUPPORTED,
+            Self::Solve { source: SolveError::Unreachable(_), .. } => CREEPAGE_NOT_REACHABLE,
+            Self::Invalid(_) | Self::Case { .. } | Self::Theory(_) | Self::Solve { .. } => {
+                CREEPAGE_INVALID
+            }
+        }
+    }
+}
+
+impl From<SpecError> for Failure {
+    fn from(error: SpecError) -> Self {
+        match error {
+            SpecError::UnknownTheory(unknown) => Self::Unknown(unknown),
+            other => Self::Options(other),
         }
     }
 }

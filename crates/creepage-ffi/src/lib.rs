@@ -4,15 +4,16 @@
 //! `install.sh` builds the libraries and puts them, the header and a file for pkg-config in place.
 //! Handles are opaque and may be shared between threads; nothing is global; no panic gets out.
 
+mod case;
 mod failure;
 mod input;
-mod spec;
 mod status;
 mod table;
 mod theory;
 
 use std::ffi::c_char;
 
+pub use case::creepage_case_solve;
 pub use failure::{
     CREEPAGE_COUNT, CREEPAGE_DEFECT, CREEPAGE_FILE, CREEPAGE_INVALID, CREEPAGE_NOT_REACHABLE,
     CREEPAGE_NULL, CREEPAGE_OK, CREEPAGE_TEXT, CREEPAGE_UNSUPPORTED,

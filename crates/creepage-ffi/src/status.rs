@@ -1,9 +1,7 @@
 //! How far a force may be trusted, as a number.
 
-use creepage::theory::TheoryFacts;
-use creepage::{Contact, Solution, Status, TheorySpec};
-
-use crate::failure::Failure;
+use creepage::Status;
+use creepage_study::Caution;
 
 /// The theory's equations are solved.
 pub const CREEPAGE_SOLVED: i32 = 0;
@@ -20,56 +18,15 @@ pub const CREEPAGE_UNLIKE_BODIES: i32 = 5;
 /// Solved, but the error bars of the force are larger than the accuracy that was asked for.
 pub const CREEPAGE_ACCURACY_NOT_REACHED: i32 = 6;
 
-/// `|kappa/mu|` from which the force of like bodies is off by about a hundredth of `mu N`.
-const MATTERS: f64 = 0.01;
-
-/// What the force of like bodies is worth to bodies of this contact.
-pub(crate) fn of_like_bodies(contact: &Contact) -> i32 {
-    let matters = contact.kappa_over_mu().abs() >= MATTERS;
-    if matters { CREEPAGE_UNLIKE_BODIES } else { CREEPAGE_SOLVED }
-}
-
-/// What a theory can answer, and what its answers are worth.
-pub(crate) struct Judge {
-    facts: &'static TheoryFacts,
-    /// Of a solution to which nothing else is to be said.
-    solved: i32,
-    /// Largest error bar that was asked for.
-    accuracy: f64,
-}
-
-impl Judge {
-    pub(crate) fn new(spec: &TheorySpec, contact: &Contact) -> Self {
-        let facts = spec.facts();
-        let solved =
-            if facts.dissimilar_bodies { CREEPAGE_SOLVED } else { of_like_bodies(contact) };
-        Self { facts, solved, accuracy: spec.prescribed_accuracy().unwrap_or(f64::INFINITY) }
-    }
-
-    pub(crate) fn theory(&self) -> &'static str {
-        self.facts.name
-    }
-
-    /// Whether the theory has what is asked for.
-    pub(crate) fn can_answer(&self, errors: bool, derivatives: bool) -> Result<(), Failure> {
-        if errors && !self.facts.error_bars {
-            return Err(Failure::NoErrorBars(self.facts.name));
-        }
-        if derivatives && !self.facts.derivative {
-            return Err(Failure::NoDerivative(self.facts.name));
-        }
-        Ok(())
-    }
-
-    pub(crate) fn status(&self, solution: &Solution) -> i32 {
-        let bar = solution.error.map_or(0.0, |error| error.fx.max(error.fy));
-        match solution.status {
-            Status::Solved if bar > self.accuracy => CREEPAGE_ACCURACY_NOT_REACHED,
-            Status::Solved => self.solved,
-            Status::NotConverged => CREEPAGE_NOT_CONVERGED,
-            Status::CreepageTooSmall => CREEPAGE_CREEPAGE_TOO_SMALL,
-            Status::SpinTooLarge => CREEPAGE_SPIN_TOO_LARGE,
-            _ => CREEPAGE_DOUBTFUL,
-        }
+/// The first of what is to be held against a solution; there is one number for each case.
+pub(crate) fn status(cautions: &[Caution]) -> i32 {
+    match cautions.first() {
+        None => CREEPAGE_SOLVED,
+        Some(Caution::Status(Status::NotConverged)) => CREEPAGE_NOT_CONVERGED,
+        Some(Caution::Status(Status::CreepageTooSmall)) => CREEPAGE_CREEPAGE_TOO_SMALL,
+        Some(Caution::Status(Status::SpinTooLarge)) => CREEPAGE_SPIN_TOO_LARGE,
+        Some(Caution::Dissimilar { .. }) => CREEPAGE_UNLIKE_BODIES,
+        Some(Caution::Accuracy { .. }) => CREEPAGE_ACCURACY_NOT_REACHED,
+        Some(_) => CREEPAGE_DOUBTFUL,
     }
 }

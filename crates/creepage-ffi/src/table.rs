@@ -1,14 +1,16 @@
 //! Tables of creep force.
 
 use std::ffi::c_char;
+use std::fs;
 use std::path::Path;
 
 use creepage::table::Table;
 use creepage::{Contact, Ellipse};
+use creepage_study::Caution;
 
 use crate::failure::{Failure, guard};
 use crate::input::{array_mut, cases, handle, optional, place, release, text};
-use crate::status::of_like_bodies;
+use crate::status::{CREEPAGE_SOLVED, CREEPAGE_UNLIKE_BODIES};
 
 /// A table of creep force, as `creepage table build` makes it.
 #[derive(Debug)]
@@ -36,8 +38,9 @@ pub unsafe extern "C" fn creepage_table_read(
         let place = unsafe { place("table", table) }?;
         // SAFETY: as before.
         let path = Path::new(unsafe { text("path", path) }?);
-        let table =
-            Table::read(path).map_err(|source| Failure::Table { path: path.into(), source })?;
+        let bytes = fs::read(path).map_err(|source| Failure::Read { path: path.into(), source })?;
+        let table = Table::from_bytes(bytes)
+            .map_err(|source| Failure::Table { path: path.into(), source })?;
         *place = Box::into_raw(Box::new(CreepageTable { table }));
         Ok(())
     };
@@ -138,7 +141,8 @@ pub unsafe extern "C" fn creepage_table_force(
             *out = force.components();
         }
         if let Some(status) = status {
-            status[0] = [of_like_bodies(&contact)];
+            let matters = contact.kappa_over_mu().abs() >= Caution::DISSIMILAR;
+            status[0] = [if matters { CREEPAGE_UNLIKE_BODIES } else { CREEPAGE_SOLVED }];
         }
         Ok(())
     };

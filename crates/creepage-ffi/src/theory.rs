@@ -2,19 +2,19 @@
 
 use std::ffi::c_char;
 
-use creepage::{Contact, Ellipse, Theory};
+use creepage::{Contact, Ellipse, Theory, TheorySpec};
+use creepage_study::{Caution, theory_spec};
 
 use crate::failure::{Failure, guard};
 use crate::input::{cases, handle, optional, optional_text, place, release, text};
-use crate::spec::spec;
-use crate::status::Judge;
+use crate::status::status;
 
 /// A theory, prepared for one contact.
 // Never inside out: only pointers to it leave the library.
 #[allow(missing_debug_implementations)]
 pub struct CreepageTheory {
+    spec: TheorySpec,
     theory: Box<dyn Theory>,
-    judge: Judge,
 }
 
 /// Prepares a theory.
@@ -49,12 +49,11 @@ pub unsafe extern "C" fn creepage_theory_new(
         let name = unsafe { text("name", name) }?;
         // SAFETY: as before.
         let options = unsafe { optional_text("options", options) }?.unwrap_or_default();
-        let spec = spec(name, options)?;
+        let spec = theory_spec(name, &[options])?;
         let contact = Contact::new(Ellipse::from_ratio(a_over_b)?, poisson)?;
         let contact = contact.with_kappa_over_mu(kappa_over_mu)?;
         let theory = spec.prepare(&contact)?;
-        let judge = Judge::new(&spec, &contact);
-        *place = Box::into_raw(Box::new(CreepageTheory { theory, judge }));
+        *place = Box::into_raw(Box::new(CreepageTheory { spec, theory }));
         Ok(())
     };
     // SAFETY: as before.
@@ -102,7 +101,7 @@ pub unsafe extern "C" fn creepage_theory_force(
 ) -> i32 {
     let work = || {
         // SAFETY: the caller's promise of the function's documentation, here and below.
-        let CreepageTheory { theory, judge } = unsafe { handle("theory", theory) }?;
+        let CreepageTheory { spec, theory } = unsafe { handle("theory", theory) }?;
         // SAFETY: as before.
         let cases = unsafe { cases(count, creepages, forces) }?;
         // SAFETY: as before.
@@ -111,11 +110,17 @@ pub unsafe extern "C" fn creepage_theory_force(
         let mut derivatives = unsafe { optional::<_, 9>(derivatives, count) }?;
         // SAFETY: as before.
         let mut statuses = unsafe { optional::<_, 1>(statuses, count) }?;
-        judge.can_answer(errors.is_some(), derivatives.is_some())?;
+        let facts = spec.facts();
+        if errors.is_some() && !facts.error_bars {
+            return Err(Failure::NoErrorBars(facts.name));
+        }
+        if derivatives.is_some() && !facts.derivative {
+            return Err(Failure::NoDerivative(facts.name));
+        }
         for (case, (creepage, force)) in cases.enumerate() {
             let solution = if let Some(derivatives) = &mut derivatives {
                 let mut solved = theory.solved(creepage);
-                let derivative = solved.jacobian().ok_or(Failure::NoDerivative(judge.theory()))?;
+                let derivative = solved.jacobian().ok_or(Failure::NoDerivative(facts.name))?;
                 derivatives[case].copy_from_slice(derivative.as_flattened());
                 solved.solution()
             } else {
@@ -126,7 +131,7 @@ pub unsafe extern "C" fn creepage_theory_force(
                 errors[case] = error.components();
             }
             if let Some(statuses) = &mut statuses {
-                statuses[case] = [judge.status(&solution)];
+                statuses[case] = [status(&Caution::all(spec, theory.contact(), &solution))];
             }
         }
         Ok(())

@@ -7,7 +7,7 @@ use pyo3::prelude::*;
 
 use crate::batch::{Answers, solve_all};
 use crate::number::{Inputs, Number};
-use crate::{errors, results};
+use crate::{errors, options, results};
 
 /// Columns as floats where all arguments are, else as arrays.
 fn columns<'py, const W: usize>(
@@ -43,9 +43,10 @@ pub(crate) fn coefficients<'py>(
 ) -> PyResult<Bound<'py, PyAny>> {
     let inputs = Inputs::new(py, ["a_over_b", "poisson"], [a_over_b, poisson])?;
     let answers = solve_all(py, &inputs, 1e-3, |[a_over_b, poisson]| {
+        let contact = options::contact(a_over_b, poisson, 0.0)?;
         let found = match degree {
-            Some(degree) => CreepageCoefficients::of_degree(a_over_b, poisson, degree)?,
-            None => CreepageCoefficients::new(a_over_b, poisson)?,
+            Some(degree) => CreepageCoefficients::of_degree(&contact, degree)?,
+            None => CreepageCoefficients::new(&contact)?,
         };
         Ok(([found.c11, found.c22, found.c23, found.c32, found.c33], 0))
     })?;

@@ -4,14 +4,15 @@ use std::io;
 use std::path::PathBuf;
 
 use creepage::coulomb::InverseError;
-use creepage::table::FileError;
 use creepage::theory::{TheoryError, UnknownTheory};
 use creepage::variational::VariationalError;
 use creepage::{Creepage, Force, InvalidValue};
+use creepage_study::{CaseError, ReportError, SolveError, SpecError, StaticsError, Unreachable};
 use pyo3::BoundObject;
-use pyo3::exceptions::{PyOSError, PyRuntimeError};
+use pyo3::exceptions::{PyOSError, PyOverflowError, PyRuntimeError, PyTypeError};
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
+use toml::Value;
 
 /// An exception of `creepage._errors`.
 fn exception<'py>(
@@ -61,12 +62,24 @@ pub(crate) fn invalid_element(
     }
 }
 
-pub(crate) fn unknown(py: Python, error: &UnknownTheory) -> PyErr {
-    exception(py, "UnknownTheory", (error.to_string(), &error.name))
-}
-
-pub(crate) fn option(py: Python, name: &str, reason: &str) -> PyErr {
-    exception(py, "InvalidOption", (format!("{name}: {reason}"), name))
+/// What is wrong with the name or an option of a theory.
+pub(crate) fn spec(py: Python, error: SpecError) -> PyErr {
+    let message = error.to_string();
+    match error {
+        SpecError::UnknownTheory(UnknownTheory { name, .. }) => {
+            exception(py, "UnknownTheory", (message, name))
+        }
+        SpecError::Value { option, value: Value::String(_), .. } => {
+            exception(py, "InvalidOption", (message, option))
+        }
+        SpecError::Value { value: Value::Integer(count), .. } if count < 0 => {
+            PyOverflowError::new_err(message)
+        }
+        SpecError::UnknownOption { key, .. } => {
+            PyTypeError::new_err(format!("got an unexpected keyword argument '{key}'"))
+        }
+        _ => PyTypeError::new_err(message),
+    }
 }
 
 pub(crate) fn theory(py: Python, error: TheoryError) -> PyErr {
@@ -87,6 +100,19 @@ fn variational(py: Python, error: VariationalError) -> PyErr {
     }
 }
 
+/// Why a case was not solved.
+pub(crate) fn solve(py: Python, error: SolveError) -> PyErr {
+    let message = error.to_string();
+    match error {
+        SolveError::Theory(error) => theory(py, error),
+        SolveError::Unreachable(Unreachable { nearest, at, .. }) => {
+            not_reachable(py, message, nearest, at)
+        }
+        SolveError::Inverse(error) => inverse(py, error),
+        _ => exception(py, "CaseError", (message, Some("wanted"))),
+    }
+}
+
 fn not_reachable(py: Python, message: String, nearest: Force, at: Creepage) -> PyErr {
     exception(py, "NotReachable", (message, tuple(nearest.components()), tuple(at.components())))
 }
@@ -96,14 +122,63 @@ pub(crate) fn inverse(py: Python, error: InverseError) -> PyErr {
     match error {
         InverseError::InvalidValue(error) => invalid(py, error),
         InverseError::NotReachable { nearest, at } => not_reachable(py, message, nearest, at),
-        _ => pyo3::exceptions::PyTypeError::new_err(message),
+        _ => PyTypeError::new_err(message),
     }
 }
 
-pub(crate) fn table(py: Python, error: FileError, path: PathBuf) -> PyErr {
+/// Message, section, key and value, as far as the error has them.
+pub(crate) fn case(py: Python, error: CaseError) -> PyErr {
+    let message = error.to_string();
+    let (section, key, value) = match error {
+        CaseError::Spec(
+            error @ (SpecError::UnknownTheory(_)
+            | SpecError::Value { value: Value::String(_), .. }),
+        ) => return spec(py, error),
+        other => place(other),
+    };
+    exception(py, "CaseError", (message, section, key, value))
+}
+
+fn place(error: CaseError) -> (Option<String>, Option<String>, Option<f64>) {
     match error {
-        FileError::Io(source) => os(source, path),
-        other => no_table(py, &format!("{}: {other}", path.display())),
+        CaseError::Invalid { section, invalid } => {
+            (Some(section.into()), Some(invalid.quantity.into()), Some(invalid.value))
+        }
+        CaseError::Radius { section, key, value, .. } => {
+            (Some(section.into()), Some(key.into()), Some(value))
+        }
+        CaseError::Missing { section, key } => (Some(section), Some(key), None),
+        CaseError::MissingSection { section, .. } => (Some(section), None, None),
+        CaseError::MissingEither { section, keys } => {
+            (Some(section.into()), Some(keys[0].into()), None)
+        }
+        CaseError::Conflict { first: (section, key), .. } => {
+            (Some(section.into()), Some(key.into()), None)
+        }
+        CaseError::UnknownKey { key, .. } => (None, Some(key), None),
+        CaseError::Variational { section, .. } => (Some(section.into()), None, None),
+        CaseError::TooManyCases { key, cases, .. } => {
+            (Some("creepage".into()), Some(key.into()), Some(cases))
+        }
+        CaseError::Spec(SpecError::UnknownOption { key, .. }) => (None, Some(key), None),
+        CaseError::Tilted { angle, .. } => {
+            (Some("contact".into()), Some("angle".into()), Some(angle))
+        }
+        _ => (None, None, None),
+    }
+}
+
+pub(crate) fn statics(py: Python, error: StaticsError) -> PyErr {
+    match error {
+        StaticsError::Case(error) => case(py, error),
+        other => exception(py, "CaseError", (other.to_string(), Some("statics"))),
+    }
+}
+
+pub(crate) fn report(error: ReportError) -> PyErr {
+    match error {
+        ReportError::Write { path, source } => os(source, path),
+        other => PyRuntimeError::new_err(other.to_string()),
     }
 }
 

@@ -3,6 +3,7 @@
 //! `python/creepage` holds the rest: dataclasses, pictures, type stubs.
 
 mod batch;
+mod case;
 mod closed_forms;
 mod errors;
 mod exact;
@@ -11,6 +12,8 @@ mod number;
 mod options;
 mod pool;
 mod results;
+mod statics;
+mod sweep;
 mod table;
 mod table_build;
 mod theories;
@@ -20,7 +23,13 @@ mod theory;
 #[pyo3::pymodule]
 mod _creepage {
     #[pymodule_export]
+    use crate::case::{CaseData, SolvedCase, hertz};
+    #[pymodule_export]
     use crate::closed_forms::{carter, carter_field, coefficients, line_contact};
+    #[pymodule_export]
+    use crate::statics::SolvedStatics;
+    #[pymodule_export]
+    use crate::sweep::SweepData;
     #[pymodule_export]
     use crate::table::Table;
     #[pymodule_export]

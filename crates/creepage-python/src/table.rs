@@ -1,12 +1,14 @@
 //! Tables of creep force: built, kept in a file, looked up.
 
 use std::fs;
+use std::io::Write;
 use std::path::PathBuf;
 
 use creepage::table::{Axis, FileError, Intervals, Provenance, Slice, Spec, Spread};
 use creepage::{Creepage, InvalidValue, Solution, Statistics, Status, table};
+use creepage_study::WholeFile;
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
+use pyo3::types::{PyBytes, PyDict};
 
 use crate::batch::solve_all;
 use crate::number::{Inputs, Number};
@@ -32,21 +34,38 @@ impl Table {
     /// Reads a table. Raises OSError, or TableError where the file is none or is damaged.
     #[staticmethod]
     fn read(py: Python, path: PathBuf) -> PyResult<Self> {
-        let table = py.detach(|| table::Table::read(&path));
-        let table = table.map_err(|error| errors::table(py, error, path))?;
-        Ok(Self { table })
+        let bytes = py.detach(|| fs::read(&path)).map_err(|error| errors::os(error, path.clone()))?;
+        let named = |error: FileError| {
+            errors::no_table(py, &format!("{}: {error}", path.display()))
+        };
+        Ok(Self { table: py.detach(|| table::Table::from_bytes(bytes)).map_err(named)? })
     }
 
     /// Writes the table to a file of NetCDF, which xarray opens too; the file appears when it is
     /// whole. Raises OSError.
     fn write(&self, py: Python, path: PathBuf) -> PyResult<()> {
-        let mut partial = path.clone().into_os_string();
-        partial.push(".partial");
-        let write = || -> Result<(), FileError> {
-            self.table.write(partial.as_ref())?;
-            Ok(fs::rename(&partial, &path)?)
+        let bytes = self.bytes(py)?;
+        let write = || {
+            let mut file = WholeFile::create(&path)?;
+            file.write_all(&bytes)?;
+            file.finish()
         };
-        py.detach(write).map_err(|error| errors::table(py, error, path.clone()))
+        py.detach(write).map_err(|error| errors::os(error, path.clone()))
+    }
+
+    /// A table of the bytes of its file.
+    #[staticmethod]
+    fn from_bytes(py: Python, bytes: Vec<u8>) -> PyResult<Self> {
+        let table = table::Table::from_bytes(bytes);
+        Ok(Self { table: table.map_err(|error| errors::no_table(py, &error.to_string()))? })
+    }
+
+    fn __reduce__<'py>(
+        &self,
+        py: Python<'py>,
+    ) -> PyResult<(Bound<'py, PyAny>, (Bound<'py, PyBytes>,))> {
+        let make = py.get_type::<Self>().getattr("from_bytes")?;
+        Ok((make, (PyBytes::new(py, &self.bytes(py)?),)))
     }
 
     /// Builds the table of a theory, on all cores, and measures its error.
@@ -191,6 +210,11 @@ impl Table {
 }
 
 impl Table {
+    fn bytes(&self, py: Python) -> PyResult<Vec<u8>> {
+        let bytes = py.detach(|| self.table.to_bytes());
+        bytes.map_err(|error| errors::no_table(py, &error.to_string()))
+    }
+
     fn inputs<'py>(
         &self,
         py: Python<'py>,

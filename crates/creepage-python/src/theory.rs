@@ -59,9 +59,8 @@ impl<'py> Call<'py> {
         arguments.set_item("poisson", poisson)?;
         let own = options.map_or_else(|| Ok(PyDict::new(py)), |given| given.copy())?;
         let mut kappa_over_mu = 0.0;
-        if options::named(py, name)?.facts().dissimilar_bodies
-            && let Some(given) = own.get_item("kappa_over_mu")?
-        {
+        // Other theories would not count it.
+        if let ("exact" | "automatic", Some(given)) = (name, own.get_item("kappa_over_mu")?) {
             kappa_over_mu = given.extract()?;
             own.del_item("kappa_over_mu")?;
         }

@@ -22,7 +22,7 @@ const RESOLUTIONS: [(&str, Resolution); 3] =
 
 fn theory(name: &str) -> Exact {
     let (_, resolution) = RESOLUTIONS.iter().find(|(known, _)| *known == name).unwrap();
-    Exact::new(black_box(0.5), black_box(0.28), *resolution).unwrap()
+    Exact::new(&contact(black_box(0.5), black_box(0.28)), *resolution).unwrap()
 }
 
 /// The spin of Fig. 12 of the thesis and creepage of the given size at -30 degrees.
@@ -128,7 +128,7 @@ fn random_cases(count: usize) {
         let (mut costs, failures) = costs(count, *resolution);
         costs.sort_by(|a, b| a.milliseconds.total_cmp(&b.milliseconds));
         for cost in costs.iter_mut().rev().take(100) {
-            let theory = Exact::new(cost.contact.0, cost.contact.1, *resolution).unwrap();
+            let theory = Exact::new(&contact(cost.contact.0, cost.contact.1), *resolution).unwrap();
             let mut workspace = theory.workspace();
             for _ in 0..4 {
                 let again = timed(&theory, cost.creepage, &mut workspace).1;
@@ -161,7 +161,7 @@ fn costs(count: usize, resolution: Resolution) -> (Vec<Cost>, usize) {
     let (mut costs, mut failures) = (Vec::with_capacity(count), 0);
     for _ in 0..count.div_ceil(PER_CONTACT) {
         let contact = (random.of_any_size(0.02, 50.0).abs(), 0.5 * random.uniform());
-        let theory = Exact::new(contact.0, contact.1, resolution).unwrap();
+        let theory = Exact::new(&contact(contact.0, contact.1), resolution).unwrap();
         let mut workspace = theory.workspace();
         for _ in 0..PER_CONTACT {
             let creepage = random.creepage(contact.0);

@@ -5,7 +5,7 @@
 use creepage::InvalidValue;
 use creepage::approximate::polach::Polach;
 use creepage::table::{Axis, Intervals, Provenance, Slice, Spec, Table, build};
-use creepage::{Creepage, Theory};
+use creepage::{Contact, Creepage, Theory};
 use divan::{Bencher, black_box};
 
 fn main() {
@@ -25,8 +25,8 @@ fn table([shapes, materials]: [usize; 2]) -> Table {
         places: 0,
         provenance: Provenance::default(),
     };
-    let prepare = |ratio, poisson| -> Result<Box<dyn Theory>, InvalidValue> {
-        Ok(Box::new(Polach::new(ratio, poisson)?))
+    let prepare = |contact: &Contact| -> Result<Box<dyn Theory>, InvalidValue> {
+        Ok(Box::new(Polach::new(contact)?))
     };
     build(&spec, prepare, &|| {}).unwrap()
 }
@@ -38,7 +38,7 @@ fn creepages() -> Vec<Creepage> {
         .map(|k| {
             let (sin, cos) = (2.4 * f64::from(k)).sin_cos();
             let spin = (0.7 * f64::from(k)).sin();
-            Creepage { xi: size(k) * cos, eta: size(k) * sin, chi: size(k) * spin }
+            Creepage::new(size(k) * cos, size(k) * sin, size(k) * spin).unwrap()
         })
         .collect()
 }
@@ -96,5 +96,5 @@ fn slice_and_derivative(bencher: Bencher, size: [usize; 2]) {
 /// A shape for each creepage, at the first Poisson's ratio.
 fn shapes<'t>(table: &'t Table) -> impl Fn(&Creepage) -> Slice<'t> {
     let (low, high, poisson) = (table.a_over_b().low, table.a_over_b().high, table.poisson().low);
-    move |at| table.at((low * (1.0 + at.xi.abs())).min(high), poisson).unwrap()
+    move |at| table.at((low * (1.0 + at.xi().abs())).min(high), poisson).unwrap()
 }

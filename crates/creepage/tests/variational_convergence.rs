@@ -3,6 +3,9 @@
 #![allow(clippy::unwrap_used)]
 #![allow(clippy::print_stdout)] // the table is for people
 
+mod common;
+
+use common::contact;
 use creepage::coulomb::{Exact, Resolution};
 use creepage::variational::{Settings, Start, Variational};
 use creepage::{Creepage, Force, Status};
@@ -26,7 +29,7 @@ fn cases() -> [(&'static str, f64, Creepage); 6] {
 
 /// Error of the force against the full theory, and the mean of `W T S`, of every degree.
 fn by_degree(a_over_b: f64, creepage: Creepage) -> Vec<[f64; 2]> {
-    let exact = Exact::new(a_over_b, POISSON, Resolution::FINE).unwrap();
+    let exact = Exact::new(&contact(a_over_b, POISSON), Resolution::FINE).unwrap();
     let exact = exact.solve_with(creepage, &mut exact.workspace());
     // The full theory is better than the best of these by a factor.
     assert!(exact.error.fx.max(exact.error.fy) < 0.005);
@@ -34,7 +37,7 @@ fn by_degree(a_over_b: f64, creepage: Creepage) -> Vec<[f64; 2]> {
     DEGREES
         .map(|degree| {
             let settings = Settings::of_degree(degree);
-            let theory = Variational::new(a_over_b, POISSON, settings).unwrap();
+            let theory = Variational::new(&contact(a_over_b, POISSON), settings).unwrap();
             let found = theory.solve_from(creepage, &Start::FullSliding);
             assert_eq!(found.solution.status, Status::Solved);
             [distance(found.solution.force), found.mean_integrand]

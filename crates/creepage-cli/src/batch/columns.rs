@@ -2,7 +2,7 @@
 
 use creepage::InvalidValue;
 use creepage::rolling::Creepage;
-use creepage_theories::TheoryError;
+use creepage_study::TheoryError;
 use csv::ByteRecord;
 
 const QUESTION_COLUMNS: [&str; 5] = ["a_over_b", "poisson", "xi", "eta", "chi"];

@@ -4,16 +4,15 @@ pub(crate) mod columns;
 pub(crate) mod options;
 mod progress;
 mod rows;
-mod sink;
 mod solver;
 mod table;
 mod tally;
 
-use std::io::{self, ErrorKind};
+use std::io::{self, Stdout, Write};
+use std::path::Path;
 
-use creepage_theories::find;
+use creepage_study::{WholeFile, find};
 use rows::{Rows, answer_columns};
-use sink::Sink;
 use solver::Solver;
 use table::Table;
 use tally::Tally;
@@ -31,7 +30,7 @@ pub(crate) fn run(args: &BatchArgs) -> Result<Outcome, Failure> {
     let options = options::read(theory, &args.options).map_err(Failure::Option)?;
     let table = Table::open(args.input.as_deref(), answer_columns(theory.error_bars))?;
     let failed = |source: io::Error| Failure::writing(args.out.as_deref(), source);
-    let mut sink = open(args)?;
+    let mut sink = Sink::open(args.out.as_deref()).map_err(failed)?;
     let rows = Rows::start(&mut sink, table.header(), theory.error_bars).map_err(failed)?;
     let tally = fill(rows, table, &Solver::new(theory, options), args)?;
     sink.finish().map_err(failed)?;
@@ -42,11 +41,43 @@ pub(crate) fn run(args: &BatchArgs) -> Result<Outcome, Failure> {
     Ok(tally.outcome())
 }
 
-fn open(args: &BatchArgs) -> Result<Sink, Failure> {
-    Sink::open(args.out.as_deref()).map_err(|source| match &args.out {
-        Some(path) if source.kind() == ErrorKind::WouldBlock => Failure::Busy { path: path.into() },
-        path => Failure::writing(path.as_deref(), source),
-    })
+/// Where rows go.
+enum Sink {
+    Stdout(Stdout),
+    File(WholeFile),
+}
+
+impl Sink {
+    fn open(out: Option<&Path>) -> io::Result<Self> {
+        out.map_or_else(
+            || Ok(Self::Stdout(io::stdout())),
+            |path| WholeFile::create(path).map(Self::File),
+        )
+    }
+
+    fn finish(self) -> io::Result<()> {
+        match self {
+            Self::Stdout(mut stdout) => stdout.flush(),
+            Self::File(file) => file.finish(),
+        }
+    }
+
+    fn writer(&mut self) -> &mut dyn Write {
+        match self {
+            Self::Stdout(stdout) => stdout,
+            Self::File(file) => file,
+        }
+    }
+}
+
+impl Write for Sink {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.writer().write(bytes)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.writer().flush()
+    }
 }
 
 /// Answers the table chunk by chunk, so that memory does not grow with its length.

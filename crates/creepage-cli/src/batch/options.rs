@@ -1,7 +1,6 @@
 //! The theory's options on the command line of `batch`.
 
-use creepage_case::{CaseError, Solve};
-use creepage_theories::{ChoiceError, Entry, TheoryError, choose};
+use creepage_study::{CaseError, ChoiceError, Entry, Solve, TheoryError, choose};
 
 /// Why the options are not those of the theory.
 #[derive(Debug, thiserror::Error)]

@@ -3,8 +3,7 @@
 use std::collections::VecDeque;
 use std::sync::{Arc, Mutex, PoisonError};
 
-use creepage_case::Solve;
-use creepage_theories::{Answered, Entry, LeftOut, PreparedTheory, TheoryError};
+use creepage_study::{Answered, Entry, LeftOut, PreparedTheory, Solve, TheoryError};
 use rayon::prelude::*;
 
 use super::columns::{Question, RowError};
@@ -115,7 +114,7 @@ fn key(question: &Question) -> Key {
 mod tests {
     use super::*;
     use creepage::rolling::Creepage;
-    use creepage_theories::find;
+    use creepage_study::find;
 
     fn question(a_over_b: f64, xi: f64) -> Question {
         let creepage = Creepage { xi, eta: 0.0, chi: 0.5 };

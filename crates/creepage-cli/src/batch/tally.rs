@@ -74,7 +74,7 @@ mod tests {
     use super::*;
     use crate::batch::columns::RowError;
     use creepage::rolling::{Force, Solution};
-    use creepage_theories::{Answered, find};
+    use creepage_study::{Answered, find};
 
     fn tally(answers: &[Answer]) -> Tally {
         let mut tally = Tally::default();

@@ -122,4 +122,8 @@ impl Theory for Automatic {
     fn solved(&self, creepage: Creepage) -> Box<dyn Solved + '_> {
         self.level(creepage).0.solved(creepage)
     }
+
+    fn solved_for(&self, known: Known) -> Option<Result<Box<dyn Solved + '_>, InverseError>> {
+        Some(self.find(known).map(|(level, found)| level.solved(found.creepage)))
+    }
 }

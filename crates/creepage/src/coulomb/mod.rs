@@ -197,6 +197,11 @@ impl Theory for Exact {
     fn solved(&self, creepage: Creepage) -> Box<dyn Solved + '_> {
         Box::new(self.solve_contact(creepage))
     }
+
+    fn solved_for(&self, known: Known) -> Option<Result<Box<dyn Solved + '_>, InverseError>> {
+        let found = self.find(known, &mut self.workspace());
+        Some(found.map(|found| self.solved(found.creepage)))
+    }
 }
 
 impl From<ExactSolution> for Solution {

@@ -4,9 +4,9 @@
 //! short, changed, or saved again by another program is told from a whole one before any of it
 //! is believed.
 
-use std::fs::{self, OpenOptions};
+use std::cell::RefCell;
 use std::io::{self, Cursor, Seek, SeekFrom, Write};
-use std::path::Path;
+use std::rc::Rc;
 
 use netcdf3::{DataSet, FileReader, FileWriter, InvalidDataSet, ReadError, Version, WriteError};
 
@@ -16,13 +16,10 @@ use super::spec::Spec;
 use super::table::{Provenance, Table};
 use super::values::{Intervals, Values};
 
-/// Why a table cannot be read or written.
-#[derive(Debug, thiserror::Error)]
+/// Why bytes are not a table, or a table cannot be laid out as bytes.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum FileError {
-    /// The system does not read or write the file.
-    #[error(transparent)]
-    Io(#[from] io::Error),
     /// The bytes are not those that were written, or never were a table.
     #[error("it is no table of creep force, or it is damaged: its checksum does not fit")]
     Damaged,
@@ -47,11 +44,8 @@ pub enum FileError {
 }
 
 impl From<WriteError> for FileError {
-    fn from(error: WriteError) -> Self {
-        match error {
-            WriteError::IOErrorKind(kind) => Self::Io(kind.into()),
-            _ => Self::Unfit,
-        }
+    fn from(_: WriteError) -> Self {
+        Self::Unfit
     }
 }
 
@@ -76,13 +70,14 @@ const COMMENT: &str = "u = (sx xi, sy eta, sz chi) with, for q = a/b, \
     Signs of xi and fx change together; those of eta, chi, fy and mz do.";
 
 impl Table {
-    /// Writes the table to `path`, which is replaced; until it has returned, the file is none.
+    /// The bytes of the table's file.
     ///
     /// # Errors
-    /// [`FileError`] when it cannot be written.
-    pub fn write(&self, path: &Path) -> Result<(), FileError> {
+    /// [`FileError::Unfit`] when the provenance is not plain text.
+    pub fn to_bytes(&self) -> Result<Vec<u8>, FileError> {
         let definition = self.definition()?;
-        let mut file = FileWriter::open(path)?;
+        let buffer = Buffer::default();
+        let mut file = FileWriter::open_seek_write("table", Box::new(buffer.clone()))?;
         file.set_def(&definition, Version::Offset64Bit, 0)?;
         for (name, nodes) in DIMENSIONS.into_iter().zip(self.node_values()) {
             file.write_var_f64(name, &nodes)?;
@@ -99,7 +94,7 @@ impl Table {
         file.write_var_i32("doubtful", &doubtful)?;
         file.write_var_i32("checksum", &[0])?;
         file.close()?;
-        seal(path)
+        sealed(buffer.0.take().into_inner())
     }
 
     /// The values of the nodes along each dimension.
@@ -150,18 +145,10 @@ impl Table {
         Ok(set)
     }
 
-    /// Reads a table.
-    ///
-    /// # Errors
-    /// [`FileError`] when it cannot be read, or is not a whole table.
-    pub fn read(path: &Path) -> Result<Self, FileError> {
-        Self::from_bytes(fs::read(path)?)
-    }
-
     /// Reads a table from the bytes of its file.
     ///
     /// # Errors
-    /// As [`Table::read`].
+    /// [`FileError`] when they are not a whole table.
     pub fn from_bytes(bytes: Vec<u8>) -> Result<Self, FileError> {
         let size = bytes.len();
         let (body, sum) = bytes.split_last_chunk::<4>().ok_or(FileError::Damaged)?;
@@ -209,13 +196,30 @@ fn variables(set: &mut DataSet) -> Result<(), InvalidDataSet> {
 }
 
 /// Puts the checksum of all other bytes into the last four.
-fn seal(path: &Path) -> Result<(), FileError> {
-    let bytes = fs::read(path)?;
-    let (body, _) = bytes.split_last_chunk::<4>().ok_or(FileError::Damaged)?;
-    let mut file = OpenOptions::new().write(true).open(path)?;
-    file.seek(SeekFrom::End(-4))?;
-    file.write_all(&crc32fast::hash(body).to_be_bytes())?;
-    Ok(file.sync_all()?)
+fn sealed(mut bytes: Vec<u8>) -> Result<Vec<u8>, FileError> {
+    let (body, sum) = bytes.split_last_chunk_mut::<4>().ok_or(FileError::Damaged)?;
+    *sum = crc32fast::hash(body).to_be_bytes();
+    Ok(bytes)
+}
+
+/// Bytes that are still at hand when the writer of the format is done with them.
+#[derive(Clone, Default)]
+struct Buffer(Rc<RefCell<Cursor<Vec<u8>>>>);
+
+impl Write for Buffer {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.0.borrow_mut().write(bytes)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        Ok(())
+    }
+}
+
+impl Seek for Buffer {
+    fn seek(&mut self, to: SeekFrom) -> io::Result<u64> {
+        self.0.borrow_mut().seek(to)
+    }
 }
 
 fn check_format(file: &FileReader) -> Result<(), FileError> {

@@ -3,8 +3,9 @@
 //! A table holds the dimensionless force and moment of a theory over `xi`, `eta`, `chi`, from zero
 //! to infinity, at one ratio `a/b` and one Poisson's ratio, or over ranges of these. Kalker's
 //! USETAB (1996) is the precedent. [`build`] asks the theory, in parallel, and measures the
-//! table's error against it, at random places and where the force bends most; [`Table::write`] and
-//! [`Table::read`] keep the table in a NetCDF file.
+//! table's error against it, at random places and where the force bends most; [`Table::to_bytes`] and
+//! [`Table::from_bytes`] keep the table as a NetCDF file. For one contact a table is a [`Theory`]
+//! like any other, [`TableTheory`].
 //!
 //! # What is interpolated
 //! Forces at nodes of spherical coordinates in scaled creepage, of which one quarter is needed by
@@ -44,6 +45,9 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+#[cfg(doc)]
+use crate::Theory;
+
 mod accuracy;
 mod axis;
 mod bends;
@@ -57,6 +61,7 @@ mod slice;
 mod slopes;
 mod spec;
 mod table;
+mod theory;
 mod values;
 
 pub use accuracy::{Accuracy, Spread};
@@ -67,4 +72,5 @@ pub use file::FileError;
 pub use slice::Slice;
 pub use spec::Spec;
 pub use table::{Provenance, Table};
+pub use theory::TableTheory;
 pub use values::Intervals;

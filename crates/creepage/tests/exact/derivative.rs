@@ -63,7 +63,7 @@ fn the_inverse_finds_the_creepage_back() {
         };
         let found = theory.find(known, &mut workspace).unwrap().creepage;
         // Forces to 1e-7 over derivatives of some tenths.
-        for (found, expected) in [found.xi, found.eta, found.chi].into_iter().zip(case) {
+        for (found, expected) in [found.xi(), found.eta(), found.chi()].into_iter().zip(case) {
             assert!((found - expected).abs() < 1e-5, "{found} {expected}");
         }
     }
@@ -75,7 +75,7 @@ fn any_mix_of_three_will_do() {
     let mut workspace = theory.workspace();
     let known = Known { xi: Some(0.4), fy: Some(0.3), mz: Some(0.1), ..Known::default() };
     let found = theory.find(known, &mut workspace).unwrap();
-    assert!((found.creepage.xi - 0.4).abs() < 1e-15);
+    assert!((found.creepage.xi() - 0.4).abs() < 1e-15);
     assert!((found.solution.force.fy - 0.3).abs() < 1e-6);
     assert!((found.solution.force.mz - 0.1).abs() < 1e-6);
 }
@@ -89,7 +89,7 @@ fn a_free_ball_creeps_against_its_spin() {
     let found = theory.find(known, &mut theory.workspace()).unwrap();
     let expected = -4.0 / 3.0 / (32.0 / (3.0 * std::f64::consts::PI)) * 1e-3;
     // The tolerance of the force is 1e-4 of what one part in a thousand of spin gives.
-    assert!((found.creepage.eta / expected - 1.0).abs() < 0.01, "{}", found.creepage.eta);
+    assert!((found.creepage.eta() / expected - 1.0).abs() < 0.01, "{}", found.creepage.eta());
 }
 
 #[test]
