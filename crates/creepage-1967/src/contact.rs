@@ -1,9 +1,10 @@
 //! A contact seen from above, as in the thesis's sketches, and the fields in it.
 
-use creepage::rolling::exact::{Exact, Resolution};
-use creepage::rolling::variational::{Start, Variational};
-use creepage::rolling::{Creepage, FieldPoint, Region, Theory};
+use creepage::coulomb::{Exact, Resolution};
+use creepage::variational::{Start, Variational};
+use creepage::{Creepage, FieldPoint, Region, Solved, Theory};
 use creepage::{Ellipse, InvalidValue};
+use crate::theories::like_bodies;
 use creepage_plot::{Anchor, Axis, Contour, Fill, Label, Panel, Pen, ellipse, signed_area};
 
 /// A closed polygon in units of `c`.
@@ -14,14 +15,13 @@ pub(crate) type Field<'a> = Box<dyn Fn(&[[f64; 2]]) -> Vec<FieldPoint> + 'a>;
 
 /// The full theory on elements small enough for areas of adhesion to be drawn.
 pub(crate) fn detailed(a_over_b: f64, poisson: f64) -> Result<Exact, InvalidValue> {
-    Exact::new(a_over_b, poisson, Resolution::new(56, 44)?)
+    Exact::new(&like_bodies(a_over_b, poisson)?, Resolution::new(56, 44)?)
 }
 
 /// The field of the full theory.
 pub(crate) fn full(theory: &Exact, creepage: Creepage) -> Field<'_> {
-    let mut workspace = theory.workspace();
-    theory.solve_with(creepage, &mut workspace);
-    Box::new(move |positions| theory.field_of(&workspace, positions))
+    let solved = theory.solve_contact(creepage);
+    Box::new(move |positions| solved.field(positions))
 }
 
 /// The field of chapter 5.

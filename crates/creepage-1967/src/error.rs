@@ -1,6 +1,6 @@
 //! Why an item cannot be made.
 
-use creepage::rolling::variational::VariationalError;
+use creepage::variational::VariationalError;
 use creepage::{HertzError, InvalidValue};
 use creepage_plot::PlotError;
 

@@ -12,5 +12,5 @@ pub(crate) use crate::error::GalleryError;
 pub(crate) use crate::inks::{FULL, FULL_MARK, OF_1967, PRINTED, SECOND, TANGENT, THIRD};
 pub(crate) use crate::item::{EXPERIMENTS, Item, Reproduction};
 pub(crate) use crate::theories::{
-    Curve, STEEL, chained, chapter_5, farthest, full, points, spaced,
+    Curve, STEEL, chained, chapter_5, farthest, full, like_bodies, points, rolling_at, spaced,
 };

@@ -1,11 +1,21 @@
 //! The two theories that most figures compare: chapter 5, and the full one.
 
 use creepage::InvalidValue;
-use creepage::rolling::exact::{Exact, Resolution};
-use creepage::rolling::variational::{
+use creepage::coulomb::{Exact, Resolution};
+use creepage::variational::{
     Chain, Procedure, Settings, Variational, VariationalError, Weight,
 };
-use creepage::rolling::{Creepage, Force};
+use creepage::{Contact, Creepage, Ellipse, Force};
+
+/// Like bodies in a contact of this shape.
+pub(crate) fn like_bodies(a_over_b: f64, poisson: f64) -> Result<Contact, InvalidValue> {
+    Contact::new(Ellipse::from_ratio(a_over_b)?, poisson)
+}
+
+/// Creepage and spin of a figure: fixed numbers, of which none is without bound.
+pub(crate) fn rolling_at([xi, eta, chi]: [f64; 3]) -> Creepage {
+    Creepage::new(xi, eta, chi).unwrap_or_default()
+}
 
 /// Points of a curve.
 pub(crate) type Curve = Vec<[f64; 2]>;
@@ -22,7 +32,7 @@ pub(crate) fn chapter_5(
 ) -> Result<Variational, VariationalError> {
     let cells = if degree > 3 { 11 } else { 10 };
     let settings = Settings { mesh: [cells; 2], weight, ..Settings::of_degree(degree) };
-    Variational::new(a_over_b, poisson, settings)
+    Variational::new(&like_bodies(a_over_b, poisson)?, settings)
 }
 
 /// Forces along a curve of creepages, in a chain from the last to the first, as 1967 ran them.
@@ -41,7 +51,7 @@ pub(crate) fn full(
     poisson: f64,
     creepages: &[Creepage],
 ) -> Result<Vec<Force>, InvalidValue> {
-    let theory = Exact::new(a_over_b, poisson, Resolution::STANDARD)?;
+    let theory = Exact::new(&like_bodies(a_over_b, poisson)?, Resolution::STANDARD)?;
     Ok(theory.curve(creepages).iter().map(|solution| solution.force).collect())
 }
 

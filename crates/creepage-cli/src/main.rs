@@ -4,7 +4,6 @@ mod accuracy;
 mod args;
 mod batch;
 mod cases;
-mod caution;
 mod coefficients;
 mod curve;
 mod failure;

@@ -4,10 +4,10 @@ use std::io::{BufWriter, Write};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-use creepage::rolling::variational::{Method, Variational};
+use creepage::variational::{Method, Variational};
+use creepage_1967::{Page, PageStyle};
 use creepage_study::{
-    Page, PageStyle, ReportError, SeriesHead, Sweep, SweepRun, WholeFile, series_csv, series_json,
-    series_netcdf,
+    ReportError, SeriesHead, Sweep, SweepRun, WholeFile, series_csv, series_json, series_netcdf,
 };
 use indicatif::ProgressBar;
 

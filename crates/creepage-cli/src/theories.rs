@@ -1,6 +1,8 @@
 //! `creepage theories`: the theories and their options as a person reads them.
 
-use creepage_study::{ENTRIES, Entry, json_schema};
+use creepage::TheorySpec;
+use creepage::theory::TheoryFacts;
+use creepage_study::json_schema;
 use serde_json::Value;
 
 const NOTES: &str = "\
@@ -12,22 +14,28 @@ Only exact counts how unlike the bodies are; the others say so where that matter
 /// Longest line.
 const WIDTH: usize = 110;
 
+/// All theories, the general ones first.
+pub(crate) fn facts() -> [&'static TheoryFacts; 10] {
+    TheorySpec::all().map(|theory| theory.facts())
+}
+
 /// The theories, a line each, and the options in `[solve]`.
 pub(crate) fn table() -> String {
-    let width =
-        |text: fn(&Entry) -> &str| ENTRIES.iter().map(|entry| text(entry).len()).max().unwrap_or(0);
-    let name = width(|entry| entry.name);
-    let assumes = width(|entry| entry.assumes);
+    let width = |text: fn(&TheoryFacts) -> &str| {
+        facts().into_iter().map(|facts| text(facts).len()).max().unwrap_or(0)
+    };
+    let name = width(|facts| facts.name);
+    let assumes = width(|facts| facts.assumes);
     let heads = ["THEORY", "YEAR", "ASSUMES", "COST", "ERROR", "GOOD FOR"];
     let mut table = row(heads.map(str::to_owned), [name, assumes]);
-    for entry in ENTRIES {
+    for facts in facts() {
         let cells = [
-            entry.name.into(),
-            entry.year.to_string(),
-            entry.assumes.into(),
-            entry.cost.into(),
-            percent(entry.error),
-            entry.good_for.into(),
+            facts.name.into(),
+            facts.year.to_string(),
+            facts.assumes.into(),
+            facts.cost.into(),
+            percent(facts.error_percent),
+            facts.good_for.into(),
         ];
         table += &row(cells, [name, assumes]);
     }
@@ -44,23 +52,20 @@ fn percent(error: f64) -> String {
     if error < 100.0 { format!("{error:.1} %") } else { format!("{error:.0} %") }
 }
 
-/// The options as the schema of case files describes them.
+/// The options of each theory as the schema of case files describes them.
 fn options() -> String {
     let schema = json_schema();
-    let known = schema["properties"]["solve"]["properties"].as_object();
+    let theories = schema["properties"]["solve"]["oneOf"].as_array();
     let mut text = String::new();
-    for (name, option) in known.into_iter().flatten().filter(|(name, _)| *name != "theory") {
-        text += &wrapped(&format!("  {name:11}  "), description(option));
-        for choice in option["anyOf"][0]["oneOf"].as_array().into_iter().flatten() {
-            let value = choice["title"].as_str().map_or(choice["const"].to_string(), str::to_owned);
-            text += &wrapped(&format!("{:17}{value}: ", ""), description(choice));
+    for theory in theories.into_iter().flatten() {
+        let name = theory["properties"]["theory"]["const"].as_str().unwrap_or_default();
+        let options = theory["properties"].as_object().into_iter().flatten();
+        for (option, form) in options.filter(|(option, _)| *option != "theory") {
+            let head = format!("  {name:11}  {option:11}  ");
+            text += &wrapped(&head, form["description"].as_str().unwrap_or_default());
         }
     }
     text
-}
-
-fn description(schema: &Value) -> &str {
-    schema["description"].as_str().unwrap_or_default()
 }
 
 /// `words` after `head`, in lines that fit a terminal; the head's width is the indent.
@@ -90,17 +95,12 @@ mod tests {
     }
 
     #[test]
-    fn the_schema_names_the_theories_of_each_option() {
-        let schema = json_schema();
-        let known = schema["properties"]["solve"]["properties"].as_object().unwrap();
-        for (name, option) in known.iter().filter(|(name, _)| *name != "theory") {
-            let words = option["description"].as_str().unwrap();
-            for entry in ENTRIES {
-                let told = words.contains(&format!("\"{}\"", entry.name));
-                assert_eq!(told, entry.options.contains(&&name[..]), "{name} {}", entry.name);
+    fn every_option_of_every_theory_is_described() {
+        let options = options();
+        for facts in facts() {
+            for option in facts.options {
+                assert!(options.contains(&format!("  {:11}  {option:11}  ", facts.name)));
             }
         }
-        let all = ENTRIES.iter().flat_map(|entry| entry.options);
-        assert!(all.into_iter().all(|option| known.contains_key(*option)));
     }
 }

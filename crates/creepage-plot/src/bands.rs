@@ -8,7 +8,6 @@ use crate::label::Label;
 use crate::mark::{Fill, Pen};
 use crate::panel::Panel;
 use crate::scene::Point;
-use crate::side_legend::Row;
 use crate::top_view::TopView;
 
 /// Most levels; there is one band more.
@@ -55,13 +54,17 @@ impl Bands {
         bands.outlines(&edge, Pen::OUTLINE.wide(2.0))
     }
 
-    /// Adds the shades and the levels between them, in a unit, to a legend.
+    /// Adds each shade with the levels that it lies between, in a unit, to a legend; the highest
+    /// first.
     #[must_use]
     pub fn key(&self, view: TopView, unit: &str) -> TopView {
         let scale = Scale::of(self.levels.last().copied().unwrap_or(0.0), unit, 3);
-        let name = |level: &f64| Label::default().number(&scale.write(*level));
-        let shades = (0..=self.levels.len()).rev().map(|band| self.shade(band)).collect();
-        view.legend_row(Row::Bands(shades, self.levels.iter().rev().map(name).collect()))
+        let name = |band: usize| match band.checked_sub(1).and_then(|k| self.levels.get(k)) {
+            Some(level) => Label::new("above ").number(&scale.write(*level)),
+            None => Label::new("below"),
+        };
+        let bands = (0..=self.levels.len()).rev();
+        bands.fold(view, |view, band| view.key(Fill::plain(self.shade(band)), name(band)))
     }
 
     /// The shade of a band, spread over all shades.

@@ -1,7 +1,7 @@
 //! What goes where on a sheet with one ellipse, a legend, and a table at the foot.
 
 use crate::clip::Frame;
-use crate::orientation;
+use crate::legend::Legend;
 use crate::scene::Point;
 use crate::theme::MARGIN;
 
@@ -14,7 +14,7 @@ const WIDE: f64 = 1.7;
 const LARGEST_RATIO: f64 = 6.0;
 /// Room around the ellipse for axes, rolling direction and scale.
 const ROOM: f64 = 66.0;
-/// White between the legend and the axes.
+/// White above a legend below the ellipse.
 const GAP: f64 = 26.0;
 
 /// Semi-axes on the sheet of an ellipse with semi-axes `a` and `b`.
@@ -33,45 +33,27 @@ pub(crate) fn drawn(a_over_b: f64) -> [f64; 2] {
 pub(crate) struct Layout {
     pub(crate) centre: Point,
     pub(crate) plot: Frame,
-    pub(crate) legend: Point,
-    pub(crate) orientation: Point,
+    /// Corner and width of the legend.
+    pub(crate) legend: (Point, f64),
     pub(crate) table: f64,
 }
 
 impl Layout {
-    /// For an ellipse with these semi-axes on the sheet, below `top`, with a legend of that height.
-    pub(crate) fn new(semi_axes: [f64; 2], top: f64, legend: f64) -> Self {
-        let height = 2.0 * (semi_axes[1] + ROOM);
-        if semi_axes[0] > WIDE * semi_axes[1] {
-            Self::below(height, top, legend)
+    /// For an ellipse with these semi-axes on the sheet, below `top`.
+    pub(crate) fn new([semi_x, semi_y]: [f64; 2], top: f64, legend: &Legend) -> Self {
+        let height = 2.0 * (semi_y + ROOM);
+        let is_wide = semi_x > WIDE * semi_y;
+        let (right, room) =
+            if is_wide { (WIDTH - MARGIN, WIDTH - 2.0 * MARGIN) } else { (690.0, 266.0) };
+        let tall = legend.height(room);
+        let height = if is_wide { height } else { height.max(tall) };
+        let plot = Frame { from: [MARGIN, top], to: [right, top + height] };
+        let centre = plot.centre();
+        let (corner, bottom) = if is_wide {
+            ([MARGIN, plot.to[1] + GAP], plot.to[1] + GAP + tall)
         } else {
-            Self::beside(height, top, legend)
-        }
-    }
-
-    fn beside(height: f64, top: f64, legend: f64) -> Self {
-        let right = legend + GAP + orientation::HEIGHT;
-        let plot = Frame { from: [MARGIN, top], to: [700.0, top + height.max(right)] };
-        let (centre, left) = (plot.centre(), plot.to[0] + 20.0);
-        let start = centre[1] - 0.5 * right;
-        Self {
-            centre,
-            plot,
-            legend: [left, start],
-            orientation: [left, start + legend + GAP],
-            table: plot.to[1] + 8.0,
-        }
-    }
-
-    fn below(height: f64, top: f64, legend: f64) -> Self {
-        let plot = Frame { from: [MARGIN, top], to: [WIDTH - MARGIN, top + height] };
-        let start = plot.to[1] + GAP;
-        Self {
-            centre: plot.centre(),
-            plot,
-            legend: [MARGIN + 60.0, start],
-            orientation: [0.5 * WIDTH + 60.0, start],
-            table: start + legend.max(orientation::HEIGHT) + 8.0,
-        }
+            ([right, centre[1] - 0.5 * tall], plot.to[1])
+        };
+        Self { centre, plot, legend: (corner, room), table: bottom + 8.0 }
     }
 }

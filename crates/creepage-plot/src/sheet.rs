@@ -3,7 +3,7 @@
 use crate::clip::Frame;
 use crate::head::Head;
 use crate::label::Label;
-use crate::legend::{self, Sample};
+use crate::legend::{Legend, Sample};
 use crate::panel::Panel;
 use crate::scene::Scene;
 use crate::theme::{HATCHING, MARGIN};
@@ -22,7 +22,7 @@ pub struct Sheet {
     width: f64,
     columns: usize,
     panels: Vec<Panel>,
-    key: Vec<(Sample, Label)>,
+    legend: Legend,
 }
 
 impl Sheet {
@@ -30,8 +30,7 @@ impl Sheet {
     #[must_use]
     pub fn new(title: &str) -> Self {
         let head = Head { title: title.into(), ..Head::default() };
-        let (panels, key) = (Vec::new(), Vec::new());
-        Self { head, width: WIDTH, columns: 1, panels, key }
+        Self { head, width: WIDTH, columns: 1, panels: Vec::new(), legend: Legend::default() }
     }
 
     /// Adds a line of small words below the title.
@@ -63,7 +62,7 @@ impl Sheet {
     /// Adds an entry to the legend.
     #[must_use]
     pub fn key(mut self, sample: impl Into<Sample>, label: Label) -> Self {
-        self.key.push((sample.into(), label));
+        self.legend.push(sample, label);
         self
     }
 
@@ -78,8 +77,8 @@ impl Sheet {
             top += self.row(&mut scene, top, row);
         }
         let room = self.width - 2.0 * MARGIN;
-        let height = legend::draw(&mut scene, top + 4.0, room, &self.key);
-        scene.finish([self.width, top + height + 24.0], &self.head.title)
+        self.legend.draw(&mut scene, [MARGIN, top + 4.0], room);
+        scene.finish([self.width, top + self.legend.height(room) + 24.0], &self.head.title)
     }
 
     /// Draws panels side by side; gives their height.

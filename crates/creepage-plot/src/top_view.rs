@@ -1,17 +1,16 @@
 //! An ellipse seen from above, with its legend and a table at the foot.
 
 use crate::axis::Axis;
+use crate::format::significant;
 use crate::head::Head;
 use crate::label::Label;
 use crate::layout::{Layout, WIDTH};
-use crate::legend::Sample;
-use crate::orientation;
+use crate::legend::{Legend, Sample};
 use crate::panel::Panel;
 use crate::plane::{Arrows, Plane};
 use crate::scene::{Anchor, Point, Scene, Type};
-use crate::side_legend::{self, Row};
 use crate::table::Table;
-use crate::theme::{DARK, GREY};
+use crate::theme::{DARK, GREY, HATCHING};
 
 /// How far around the ellipse the panel reaches.
 const REACH: f64 = 1.1;
@@ -25,7 +24,7 @@ pub struct TopView {
     ground: Panel,
     figure: Panel,
     is_rolling: bool,
-    legend: Vec<Row>,
+    legend: Legend,
     table: Table,
 }
 
@@ -36,7 +35,7 @@ impl TopView {
         let head = Head { title: title.into(), ..Head::default() };
         let (plane, table) = (Plane::new(semi_axes), Table::new(&[]));
         let panel = Self::panel();
-        let (ground, legend) = (panel.clone(), Vec::new());
+        let (ground, legend) = (panel.clone(), Legend::default());
         Self { head, plane, ground, figure: panel, is_rolling: false, legend, table }
     }
 
@@ -89,24 +88,8 @@ impl TopView {
 
     /// Adds an entry to the legend.
     #[must_use]
-    pub fn key(self, sample: impl Into<Sample>, label: Label) -> Self {
-        self.legend_row(Row::Entry(sample.into(), label))
-    }
-
-    /// Adds words to the legend.
-    #[must_use]
-    pub fn words(self, words: &str) -> Self {
-        self.legend_row(Row::Words(Label::new(words)))
-    }
-
-    /// Adds small words to the legend that go on with the entry above.
-    #[must_use]
-    pub fn remark(self, words: &str) -> Self {
-        self.legend_row(Row::Remark(Label::new(words)))
-    }
-
-    pub(crate) fn legend_row(mut self, row: Row) -> Self {
-        self.legend.push(row);
+    pub fn key(mut self, sample: impl Into<Sample>, label: Label) -> Self {
+        self.legend.push(sample, label);
         self
     }
 
@@ -135,16 +118,32 @@ impl TopView {
     }
 
     fn layout(&self) -> Layout {
-        let legend = side_legend::height(&self.legend);
-        Layout::new(self.plane.semi_axes, self.head.height(), legend)
+        Layout::new(self.plane.semi_axes, self.head().height(), &self.legend)
+    }
+
+    /// With a line on how the picture is to be looked at.
+    fn head(&self) -> Head {
+        let label = Label::new("seen from above: ").symbol("x").plain(" forward, ").symbol("y");
+        let label = label.plain(" to the right, ").symbol("z");
+        let mut label = label.plain(" down into the lower body");
+        if !self.plane.is_to_scale() {
+            let stretch = self.plane.stretch();
+            let (axis, times) = if stretch > 1.0 { ("x", stretch) } else { ("y", stretch.recip()) };
+            label = label.plain("; ").symbol(axis).plain(" enlarged ");
+            label = label.number(&significant(times, 3)).plain(" times");
+        }
+        let mut head = self.head.clone();
+        head.notes.push(label);
+        head
     }
 
     /// The picture as SVG, described in words for those who cannot see it.
     #[must_use]
     pub fn svg(&self, description: &str) -> String {
         let mut scene = Scene::new();
+        scene.hatching("hatching", HATCHING, 7.0, 1.3);
         let layout = self.layout();
-        self.head.draw(&mut scene, WIDTH);
+        self.head().draw(&mut scene, WIDTH);
         let frame = self.plane.around(layout.centre, REACH);
         self.ground.draw(&mut scene, frame);
         self.plane.axes(&mut scene, layout.centre);
@@ -155,8 +154,8 @@ impl TopView {
         self.figure.draw(&mut scene, frame);
         let corner = [layout.plot.from[0] + 6.0, layout.plot.to[1] - 14.0];
         self.plane.scale_bars(&mut scene, corner);
-        side_legend::draw(&mut scene, layout.legend, &self.legend);
-        orientation::draw(&mut scene, layout.orientation, &self.plane);
+        let (corner, room) = layout.legend;
+        self.legend.draw(&mut scene, corner, room);
         self.table.draw(&mut scene, layout.table, WIDTH);
         scene.finish([WIDTH, layout.table + self.table.height()], description)
     }

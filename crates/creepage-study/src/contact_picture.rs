@@ -5,7 +5,7 @@ use creepage::Status;
 use creepage_plot::format::{Scale, fixed, quantity, significant};
 use creepage_plot::theme::RED;
 use creepage_plot::{
-    Arrows, Cell, Fill, Label, Mark, Panel, Pen, Point, Shape, Table, TopView, ellipse,
+    Arrows, Cell, Fill, Label, Mark, Panel, Pen, Point, Sample, Shape, Table, TopView, ellipse,
 };
 
 use crate::SolvedCase;
@@ -83,8 +83,8 @@ impl SolvedCase {
         let view = match arrows.sample(self.scaling().traction) {
             Some((sample, traction)) => view
                 .key(sample, Label::default().number(&quantity(traction, "Pa", 3)))
-                .remark("traction on the lower body"),
-            None => view.words("no traction"),
+                .key(Sample::Blank, Label::new("traction on the lower body")),
+            None => view.key(Sample::Blank, Label::new("no traction")),
         };
         match self.spin_pole() {
             Some(_) => view.key(TARGET, Label::new("spin pole: no rigid slip")),

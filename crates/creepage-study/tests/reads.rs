@@ -1,22 +1,27 @@
 //! What a case file may say, and what comes of it.
 
-use creepage::rolling::exact::Known;
-use creepage_study::{CaseError, CaseFile, Resolution, Solve, Weight, json_schema};
+use creepage::coulomb::Known as Constraints;
+use creepage::theory::{NamedResolution, ResolutionSpec, VariationalOptions};
+use creepage::variational::Weight;
+use creepage::{SiCreepage, TheorySpec};
+use creepage_study::{Case, CaseError, CaseFile, Given, json_schema, theory_spec};
 
 mod common;
 use common::{WHEEL_ON_RAIL, edited};
 
+fn read(text: &str) -> Case {
+    CaseFile::read(text).unwrap().case().unwrap()
+}
+
 #[test]
 fn si_creepage_and_its_dimensionless_form_are_the_same_case() {
-    let case = CaseFile::read(WHEEL_ON_RAIL).unwrap().case().unwrap();
+    let [xi, eta, chi] = read(WHEEL_ON_RAIL).creepage().unwrap().components();
     let dimensionless = edited(
         "longitudinal = -1.5e-3\nlateral = 1e-3\nspin = 0.2",
-        &format!(
-            "xi = {}\neta = {}\nchi = {}",
-            case.creepage.xi, case.creepage.eta, case.creepage.chi
-        ),
+        &format!("xi = {xi}\neta = {eta}\nchi = {chi}"),
     );
-    let back = CaseFile::read(&dimensionless).unwrap().case().unwrap().si_creepage;
+    let case = read(&dimensionless);
+    let back: SiCreepage = case.contact.scaling().si_creepage(case.creepage().unwrap());
     // Two roundings of the unit of slip.
     assert!((back.longitudinal + 1.5e-3).abs() < 1e-17);
     assert!((back.lateral - 1e-3).abs() < 1e-17);
@@ -26,8 +31,8 @@ fn si_creepage_and_its_dimensionless_form_are_the_same_case() {
 #[test]
 fn creepage_that_is_left_out_is_zero() {
     let text = edited("lateral = 1e-3\nspin = 0.2", "");
-    let creepage = CaseFile::read(&text).unwrap().case().unwrap().creepage;
-    assert!(creepage.xi < 0.0 && creepage.eta == 0.0 && creepage.chi == 0.0);
+    let [xi, eta, chi] = read(&text).creepage().unwrap().components();
+    assert!(xi < 0.0 && eta == 0.0 && chi == 0.0);
 }
 
 #[test]
@@ -35,7 +40,7 @@ fn semi_axes_in_place_of_radii_give_that_ellipse() {
     let text = edited("radius_rolling = 0.46\nradius_lateral = \"flat\"", "")
         .replace("radius_rolling = \"flat\"\nradius_lateral = 0.3", "")
         .replace("friction", "semi_axis_rolling = 6e-3\nsemi_axis_lateral = 4e-3\nfriction");
-    let ellipse = CaseFile::read(&text).unwrap().case().unwrap().contact.ellipse();
+    let ellipse = read(&text).hertz.ellipse();
     assert!((ellipse.a() - 6e-3).abs() < 1e-18 && (ellipse.b() - 4e-3).abs() < 1e-18);
 }
 
@@ -60,10 +65,13 @@ fn options_of_the_theory_are_read() {
         "{WHEEL_ON_RAIL}\n[solve]\ntheory = \"variational\"\ndegree = 5\nmesh = [12, 8]\n\
          weight = \"uniform\"\n"
     );
-    let solve = CaseFile::read(&text).unwrap().case().unwrap().solve;
-    assert_eq!(solve.theory.as_deref(), Some("variational"));
-    assert_eq!((solve.degree, solve.mesh), (Some(5), Some([12, 8])));
-    assert_eq!(solve.weight, Some(Weight::Uniform));
+    let options = VariationalOptions {
+        degree: Some(5),
+        mesh: Some([12, 8]),
+        weight: Weight::Uniform,
+        ..VariationalOptions::default()
+    };
+    assert_eq!(read(&text).theory, TheorySpec::Variational(options));
 }
 
 #[test]
@@ -97,47 +105,54 @@ fn the_schema_has_no_null_and_forbids_unknown_keys() {
     let schema = json_schema();
     assert!(!schema.to_string().contains("null"));
     assert_eq!(schema["required"], serde_json::json!(["upper", "lower", "contact"]));
-    for (section, form) in schema["properties"].as_object().unwrap() {
+    let all = schema["properties"].as_object().unwrap();
+    let theories = schema["properties"]["solve"]["oneOf"].as_array().unwrap();
+    assert_eq!(theories.len(), TheorySpec::all().len());
+    let sections = all.iter().filter(|(name, _)| *name != "solve");
+    let of_solve = theories.iter().map(|theory| ("solve", theory));
+    for (section, form) in sections.map(|(name, form)| (&name[..], form)).chain(of_solve) {
         assert_eq!(form["additionalProperties"], false, "{section}");
         for (key, kind) in form["properties"].as_object().unwrap() {
-            assert!(kind["description"].is_string(), "{section}.{key} is not described");
+            let described = kind["description"].is_string() || key == "theory";
+            assert!(described, "{section}.{key} is not described");
         }
     }
+    // Without a name the theory is the full one.
+    let named =
+        theories.iter().filter(|theory| theory["required"] == serde_json::json!(["theory"]));
+    assert_eq!(named.count(), theories.len() - 1);
 }
 
 #[test]
 fn wanted_forces_are_known_in_the_units_of_the_contact() {
-    let forward = CaseFile::read(WHEEL_ON_RAIL).unwrap().case().unwrap();
+    let [_, eta, chi] = read(WHEEL_ON_RAIL).creepage().unwrap().components();
     let text = edited("longitudinal = -1.5e-3\n", "speed = 20\n")
         + "[wanted]\nlongitudinal_force = -12e3\n";
-    let file = CaseFile::read(&text).unwrap();
-    assert!(file.is_inverse() && !CaseFile::read(WHEEL_ON_RAIL).unwrap().is_inverse());
-    let case = file.inverse().unwrap();
-    let (eta, chi) = (Some(forward.creepage.eta), Some(forward.creepage.chi));
+    let case = read(&text);
     // mu N = 24 kN
-    assert_eq!(case.known, Known { fx: Some(-0.5), eta, chi, ..Known::default() });
-    let found = case.found(forward.creepage);
-    assert_eq!((found.creepage, found.speed), (forward.creepage, Some(20.0)));
-    assert!((found.si_creepage.longitudinal + 1.5e-3).abs() < 1e-17);
+    let [fx, eta, chi] = [-0.5, eta, chi].map(Some);
+    let constraints = Constraints { fx, eta, chi, ..Constraints::default() };
+    assert_eq!((case.given, case.speed), (Given::Constraints(constraints), Some(20.0)));
+    assert!(matches!(case.creepage(), Err(CaseError::Wanted)));
 }
 
 #[test]
 fn wanted_forces_may_be_dimensionless_and_creepages_not() {
     let text =
         edited("longitudinal = -1.5e-3\nlateral = 1e-3\n", "") + "[wanted]\nfx = 0\nmz = 0.1\n";
-    let known = CaseFile::read(&text).unwrap().inverse().unwrap().known;
+    let Given::Constraints(known) = read(&text).given else { panic!("no constraints") };
     assert_eq!((known.fx, known.fy, known.mz), (Some(0.0), None, Some(0.1)));
     assert!(known.chi.is_some() && known.xi.is_none() && known.eta.is_none());
 }
 
 #[test]
 fn resolutions_are_words_or_numbers_of_elements() {
-    let solve = |option: &str| Solve::read(&[option]).unwrap().resolution;
-    assert_eq!(solve("resolution=fine"), Some(Resolution::Fine));
-    assert_eq!(solve("resolution = \"auto\""), Some(Resolution::Auto));
-    assert_eq!(solve("resolution=[30, 20]"), Some(Resolution::Elements([30, 20])));
-    let fixed = |resolution: Resolution| resolution.fixed();
-    assert_eq!(fixed(Resolution::Auto), Ok(None));
-    assert!(fixed(Resolution::Elements([30, 20])).unwrap().is_some());
-    assert_eq!(fixed(Resolution::Elements([3, 20])).unwrap_err().quantity, "resolution");
+    let resolution = |option: &str| match theory_spec("exact", &[option]).unwrap() {
+        TheorySpec::Exact(options) => options.resolution,
+        other => panic!("{other:?}"),
+    };
+    let named = ResolutionSpec::Named;
+    assert_eq!(resolution("resolution=fine"), named(NamedResolution::Fine));
+    assert_eq!(resolution("resolution = \"auto\""), named(NamedResolution::Auto));
+    assert_eq!(resolution("resolution=[30, 20]"), ResolutionSpec::Elements([30, 20]));
 }

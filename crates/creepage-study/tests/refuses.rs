@@ -1,6 +1,6 @@
 //! Every way to write a wrong case file, and the message that it gets.
 
-use creepage_study::{CaseFile, Solve};
+use creepage_study::{CaseFile, theory_spec};
 
 mod common;
 use common::{WHEEL_ON_RAIL, edited};
@@ -38,10 +38,20 @@ fn broken_toml_is_shown_where_it_breaks() {
 fn a_value_of_the_wrong_kind_is_shown_where_it_stands() {
     refused("= 0.46", "= \"round\"", &["radius_rolling", "metres or \"flat\""]);
     refused("= 0.28", "= \"steel\"", &["poisson", "expected f64"]);
-    refused("[creepage]", "[solve]\ndegree = 2.5\n[creepage]", &["degree = 2.5"]);
-    refused("[creepage]", "[solve]\ndegree = -1\n[creepage]", &["degree = -1"]);
-    refused("[creepage]", "[solve]\nmesh = [1, 2, 3]\n[creepage]", &["mesh = [1, 2, 3]"]);
-    refused("[creepage]", "[solve]\nweight = \"heavy\"\n[creepage]", &["heavy", "uniform"]);
+}
+
+#[test]
+fn an_option_of_the_wrong_kind_is_named_with_its_value() {
+    let refused = |option: &str, parts: &[&str]| {
+        let solve = format!("[solve]\ntheory = \"variational\"\n{option}\n[creepage]");
+        refused("[creepage]", &solve, &[&["[solve] "], parts].concat());
+    };
+    refused("degree = 2.5", &["degree = 2.5 is not valid for variational", "expected usize"]);
+    refused("degree = -1", &["degree = -1"]);
+    refused("mesh = [1, 2, 3]", &["mesh = [1, 2, 3]"]);
+    refused("weight = \"heavy\"", &["heavy", "uniform"]);
+    refused("grid = [9, 9]", &["`grid` is an option of fastrip and fastsim, not of variational"]);
+    refused("gird = [9, 9]", &["unknown key `gird`", "did you mean `grid`?"]);
 }
 
 #[test]
@@ -131,7 +141,7 @@ fn semi_axes_out_of_range_are_named() {
 fn wanted_forces_and_creepages_must_be_three() {
     let wanted = |lines: &str| {
         let text = format!("{WHEEL_ON_RAIL}\n[wanted]\n{lines}\n");
-        CaseFile::read(&text).and_then(|file| file.inverse()).unwrap_err().to_string()
+        CaseFile::read(&text).and_then(|file| file.case()).unwrap_err().to_string()
     };
     let four = wanted("longitudinal_force = 1e3");
     assert!(
@@ -150,11 +160,10 @@ fn wanted_forces_and_creepages_must_be_three() {
     assert_eq!(wanted("longitudinal_force = -25e3"), too_much);
     assert!(wanted("mz = 1.2").contains("friction gives at most 1.15"));
     assert!(wanted("lateral = 1").contains("did you mean `lateral_force`?"));
-    refused("[creepage]", "[wanted]\nfx = 0\n[creepage]", &["[wanted]", "`solve`", "[creepage]"]);
     refused("[creepage]", "[wanteds]\n[creepage]", &["did you mean `wanted`?"]);
     let none = edited("spin = 0.2", "").replace("lateral = 1e-3", "").replace("longi", "# ");
     let text = format!("{none}\n[wanted]\nlateral_force = 0\n");
-    let error = CaseFile::read(&text).unwrap().inverse().unwrap_err().to_string();
+    let error = CaseFile::read(&text).unwrap().case().unwrap_err().to_string();
     assert!(error.contains("give 1 of six quantities (lateral_force)"), "{error}");
 }
 
@@ -171,16 +180,17 @@ fn a_resolution_is_a_word_or_two_numbers() {
     let solve = |value: &str| format!("[solve]\nresolution = {value}\n[creepage]");
     refused("[creepage]", &solve("\"coarse\""), &["coarse", "`auto`"]);
     refused("[creepage]", &solve("[20]"), &["resolution = [20]", "two numbers of elements"]);
-    refused("[creepage]", &solve("[20, 20, 20]"), &["length 3", "two numbers of elements"]);
+    refused("[creepage]", &solve("[20, 20, 20]"), &["[20, 20, 20]", "two numbers of elements"]);
     refused("[creepage]", &solve("20"), &["resolution = 20", "two numbers of elements"]);
 }
 
 #[test]
 fn options_outside_a_file_are_checked_as_in_it() {
-    let message = |option: &str| Solve::read(&[option]).unwrap_err().to_string();
+    let message = |option: &str| theory_spec("variational", &[option]).unwrap_err().to_string();
     assert!(message("grd=[1, 2]").contains("unknown key `grd` in [solve]: did you mean `grid`?"));
     assert!(message("weight=heavy").contains("heavy"));
     assert!(message("degree=x").contains("expected usize"));
     assert!(message("degree").contains("degree"));
-    assert!(Solve::read(&["degree=3", "degree=4"]).unwrap_err().to_string().contains("duplicate"));
+    let twice = theory_spec("variational", &["degree=3", "degree=4"]).unwrap_err();
+    assert!(twice.to_string().contains("duplicate"));
 }

@@ -1,7 +1,7 @@
 //! Sweep files: the loops of (5.16), and what is refused.
 #![allow(clippy::unwrap_used)]
 
-use creepage::rolling::variational::{Limits, Method};
+use creepage::variational::{Limits, Method};
 use creepage_study::{Sweep, sweep_json_schema};
 
 const SWEEP: &str = "
@@ -41,9 +41,9 @@ fn the_loops_run_as_in_1967() {
             for upsilon in [2.5_f64, 1.7] {
                 let case = sweep.case(index);
                 let expected = [chi, upsilon * alpha.to_radians().cos()];
-                let found = [case.creepage.chi, case.creepage.xi];
+                let found = [case.creepage.chi(), case.creepage.xi()];
                 assert!(found.iter().zip(expected).all(|(one, two)| (one - two).abs() < 1e-15));
-                assert!((case.creepage.eta - upsilon * alpha.to_radians().sin()).abs() < 1e-15);
+                assert!((case.creepage.eta() - upsilon * alpha.to_radians().sin()).abs() < 1e-15);
                 index += 1;
             }
         }

@@ -57,7 +57,7 @@ fn pure_spin_is_one_curve_from_three_starts() {
 #[test]
 fn the_curve_of_pure_spin_is_continuous() {
     let exact = Exact::new(&contact(5.0, 0.28), Resolution::STANDARD).unwrap();
-    let steepest = exact.solve_with(spin(0.05), &mut exact.workspace()).force.fy;
+    let steepest = exact.solve(spin(0.05)).force.fy;
     for degree in [3, 4] {
         let theory = of_degree(degree, 5.0);
         let [coarse, fine] = [largest_step(&theory, 0.05, 60), largest_step(&theory, 0.005, 600)];
@@ -88,7 +88,7 @@ fn pure_spin_approaches_the_full_theory() {
     let low = (1..=20).map(|k| 0.05 * f64::from(k));
     let spins = low.chain([1.25, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 7.0, 10.0]);
     let exact: Vec<_> = spins
-        .map(|chi| [chi, full.solve_with(spin(chi), &mut full.workspace()).force.fy])
+        .map(|chi| [chi, full.solve(spin(chi)).force.fy])
         .collect();
     for (degree, bounds) in [(3, [0.05, 0.22]), (6, [0.06, 0.08]), (8, [0.05, 0.06])] {
         let kept = errors(&of_degree(degree, 5.0), &exact);

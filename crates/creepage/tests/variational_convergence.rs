@@ -30,7 +30,7 @@ fn cases() -> [(&'static str, f64, Creepage); 6] {
 /// Error of the force against the full theory, and the mean of `W T S`, of every degree.
 fn by_degree(a_over_b: f64, creepage: Creepage) -> Vec<[f64; 2]> {
     let exact = Exact::new(&contact(a_over_b, POISSON), Resolution::FINE).unwrap();
-    let exact = exact.solve_with(creepage, &mut exact.workspace());
+    let exact = exact.solve(creepage);
     // The full theory is better than the best of these by a factor.
     assert!(exact.error.fx.max(exact.error.fy) < 0.005);
     let distance = |force: Force| (force.fx - exact.force.fx).hypot(force.fy - exact.force.fy);

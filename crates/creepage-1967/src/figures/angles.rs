@@ -1,8 +1,8 @@
 //! (5.31): the direction of the force in pure creepage on a circle.
 
-use creepage::rolling::variational::Weight;
-use creepage::rolling::vermeulen_johnson::VermeulenJohnson;
-use creepage::rolling::{Creepage, Force, Theory};
+use creepage::variational::Weight;
+use creepage::approximate::vermeulen_johnson::VermeulenJohnson;
+use creepage::{Creepage, Force, Theory};
 
 use crate::prelude::*;
 
@@ -54,13 +54,13 @@ fn make() -> Result<Reproduction, GalleryError> {
 
 fn angles(alpha: f64) -> Result<Angles, GalleryError> {
     let (sin, cos) = alpha.to_radians().sin_cos();
-    let at = |size: &f64| Creepage { xi: size * cos, eta: size * sin, chi: 0.0 };
+    let at = |size: &f64| rolling_at([size * cos, size * sin, 0.0]);
     let sizes = spaced(0.05, 3.0, 59);
     let creepages: Vec<_> = sizes.iter().map(at).collect();
     let angle = |force: &Force| force.fy.atan2(force.fx).to_degrees();
     let theory = chapter_5(1.0, STEEL, 3, Weight::Elliptic)?;
     let johnson = |poisson| -> Result<f64, GalleryError> {
-        Ok(angle(&VermeulenJohnson::new(1.0, poisson)?.solve(at(&0.5)).force))
+        Ok(angle(&VermeulenJohnson::new(&like_bodies(1.0, poisson)?)?.solve(at(&0.5)).force))
     };
     Ok(Angles {
         chapter_5: points(&sizes, &chained(&theory, &creepages), angle),

@@ -2,7 +2,7 @@
 //! the left, `b/a` falling from 1 on the right.
 
 use creepage::InvalidValue;
-use creepage::rolling::linear::CreepageCoefficients;
+use creepage::approximate::linear::CreepageCoefficients;
 
 use crate::prelude::*;
 use crate::tables::coefficients::Coefficient;
@@ -32,7 +32,7 @@ fn curve(shown: &Shown, poisson: f64) -> Result<Vec<[f64; 2]>, InvalidValue> {
     let ratio = |place: f64| if place <= 1.0 { place } else { (2.0 - place).recip() };
     let mut points = Vec::new();
     for place in spaced(0.02, 1.94, 96) {
-        points.push([place, (shown.of)(CreepageCoefficients::new(ratio(place), poisson)?)]);
+        points.push([place, (shown.of)(CreepageCoefficients::new(&like_bodies(ratio(place), poisson)?)?)]);
     }
     Ok(points)
 }

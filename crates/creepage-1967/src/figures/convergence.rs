@@ -1,8 +1,8 @@
 //! The error of the full theory over the size of its elements.
 
 use creepage::InvalidValue;
-use creepage::rolling::exact::{Exact, Resolution, Workspace};
-use creepage::rolling::{Creepage, Force};
+use creepage::coulomb::{Exact, ExactSolved, Resolution};
+use creepage::{Force, Solved};
 use rayon::prelude::*;
 
 use crate::prelude::*;
@@ -11,14 +11,14 @@ pub(crate) const ITEM: Item =
     Item::new("convergence", "The full theory’s error over the size of its elements", make);
 
 const CASES: [Case; 4] = [
-    Case { name: "longitudinal", a_over_b: 1.0, at: Creepage { xi: 0.9, eta: 0.0, chi: 0.0 } },
+    Case { name: "longitudinal", a_over_b: 1.0, at: [0.9, 0.0, 0.0] },
     Case {
         name: "that of Fig. 12",
         a_over_b: 0.5,
-        at: Creepage { xi: 1.472_243, eta: -0.85, chi: 2.0 },
+        at: [1.472_243, -0.85, 2.0],
     },
-    Case { name: "pure spin", a_over_b: 1.0, at: Creepage { xi: 0.0, eta: 0.0, chi: 1.24 } },
-    Case { name: "spin pole inside", a_over_b: 2.0, at: Creepage { xi: 0.5, eta: -0.5, chi: 4.0 } },
+    Case { name: "pure spin", a_over_b: 1.0, at: [0.0, 0.0, 1.24] },
+    Case { name: "spin pole inside", a_over_b: 2.0, at: [0.5, -0.5, 4.0] },
 ];
 
 /// Elements along and across a circle.
@@ -29,7 +29,7 @@ const TRUTH: [usize; 2] = [60, 48];
 struct Case {
     name: &'static str,
     a_over_b: f64,
-    at: Creepage,
+    at: [f64; 3],
 }
 
 /// Errors of the force in parts of `mu N`, each over the size of the elements in units of `c`.
@@ -83,20 +83,20 @@ struct Found {
 }
 
 fn solve(case: &Case, [along, across]: [usize; 2]) -> Result<Found, InvalidValue> {
-    let theory = Exact::new(case.a_over_b, STEEL, Resolution::new(along, across)?)?;
-    let mut workspace = theory.workspace();
-    let solution = theory.solve_with(case.at, &mut workspace);
+    let theory = Exact::new(&like_bodies(case.a_over_b, STEEL)?, Resolution::new(along, across)?)?;
+    let solved = theory.solve_contact(rolling_at(case.at));
+    let solution = solved.solution();
     let [along, across] = theory.elements();
     let size = (std::f64::consts::PI / (along * across) as f64).sqrt();
-    let grid = of_the_finer_grid(&theory, &workspace);
-    Ok(Found { size, grid, extrapolated: solution.force, bar: solution.error })
+    let grid = of_the_finer_grid(&solved);
+    Ok(Found { size, grid, extrapolated: solution.force, bar: solution.error.unwrap_or_default() })
 }
 
 /// The force of the finer grid by itself: tractions over their bounds, weighted with the share of
 /// the normal force.
-fn of_the_finer_grid(theory: &Exact, workspace: &Workspace) -> Force {
+fn of_the_finer_grid(solved: &ExactSolved) -> Force {
     let mut force = Force::default();
-    for element in theory.element_fields(workspace) {
+    for element in solved.elements() {
         force.fx += element.share * element.point.traction[0] / element.bound;
         force.fy += element.share * element.point.traction[1] / element.bound;
     }

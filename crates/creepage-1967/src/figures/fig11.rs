@@ -1,6 +1,6 @@
 //! Fig. 11: the force for large creepage and spin, circle.
 
-use creepage::rolling::Force;
+use creepage::Force;
 
 use super::saturation::{self, Diagram};
 use crate::prelude::*;

@@ -2,10 +2,10 @@
 
 use crate::page::{Page, PageStyle};
 use creepage::Ellipse;
-use creepage::rolling::variational::{
+use creepage::variational::{
     Chain, Procedure, Settings, Variational, VariationalSolution,
 };
-use creepage::rolling::{Creepage, Region};
+use creepage::{Creepage, Region};
 
 use super::printed_page::{Number, PrintedPage};
 use crate::prelude::*;
@@ -20,7 +20,7 @@ const ALPHA: f64 = -30.0;
 const CHAIN: [f64; 3] = [2.5, 2.0, 1.7];
 
 fn make() -> Result<Reproduction, GalleryError> {
-    let theory = Variational::new(A_OVER_B, STEEL, Settings::default())?;
+    let theory = Variational::new(&like_bodies(A_OVER_B, STEEL)?, Settings::default())?;
     let (creepage, found, text) = page(&theory)?;
     let numbers = PrintedPage::read()?.beside(&text);
     let mut data = Data::new(["list", "line", "place", "printed", "ours", "agrees"]);

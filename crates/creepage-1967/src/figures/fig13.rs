@@ -1,7 +1,7 @@
 //! Fig. 13: the force due to pure creepage on a circle.
 
-use creepage::rolling::Creepage;
-use creepage::rolling::variational::Weight;
+use creepage::Creepage;
+use creepage::variational::Weight;
 
 use crate::prelude::*;
 
@@ -11,7 +11,7 @@ pub(crate) const ITEM: Item =
 const DEGREES: [usize; 3] = [2, 3, 4];
 const PENS: [Pen; 3] = [OF_1967, SECOND, THIRD];
 const CREEPAGES: [fn(f64) -> Creepage; 2] =
-    [|xi| Creepage { xi, eta: 0.0, chi: 0.0 }, |eta| Creepage { xi: 0.0, eta, chi: 0.0 }];
+    [|xi| rolling_at([xi, 0.0, 0.0]), |eta| rolling_at([0.0, eta, 0.0])];
 
 /// The curves over one creepage: by degree, and by the full theory.
 struct Side {
@@ -42,7 +42,7 @@ fn make() -> Result<Reproduction, GalleryError> {
     Ok(Reproduction::figure(&sheet(&sides), caption, data, vec![coincidence(&sides)]))
 }
 
-fn side(number: usize, of: fn(&creepage::rolling::Force) -> f64) -> Result<Side, GalleryError> {
+fn side(number: usize, of: fn(&creepage::Force) -> f64) -> Result<Side, GalleryError> {
     let sizes = spaced(0.0, 3.0, 75);
     let creepages: Vec<_> = sizes.iter().map(|size| CREEPAGES[number](*size)).collect();
     let mut by_degree = Vec::new();

@@ -1,8 +1,8 @@
 //! Fig. 14: the force due to pure spin on a circle.
 
-use creepage::rolling::linear::Linear;
-use creepage::rolling::variational::Weight;
-use creepage::rolling::{Creepage, Theory};
+use creepage::approximate::linear::Linear;
+use creepage::variational::Weight;
+use creepage::{Creepage, Theory};
 
 use crate::prelude::*;
 
@@ -14,7 +14,7 @@ const PENS: [Pen; 3] = [SECOND, OF_1967, THIRD];
 fn make() -> Result<Reproduction, GalleryError> {
     let spins = spaced(0.0, 8.0, 160);
     let creepages: Vec<_> =
-        spins.iter().map(|&chi| Creepage { chi, ..Creepage::default() }).collect();
+        spins.iter().map(|&chi| rolling_at([0.0, 0.0, chi])).collect();
     let mut by_degree = Vec::new();
     for degree in DEGREES {
         let theory = chapter_5(1.0, STEEL, degree, Weight::Elliptic)?;
@@ -34,8 +34,8 @@ fn make() -> Result<Reproduction, GalleryError> {
          {EXPERIMENTS}",
         apart[0], apart[1], apart[2]
     );
-    let linear = Linear::new(1.0, STEEL)?;
-    let slope = linear.solve(Creepage { chi: 0.5, ..Creepage::default() }).force.fy / 0.5;
+    let linear = Linear::new(&like_bodies(1.0, STEEL)?)?;
+    let slope = linear.solve(rolling_at([0.0, 0.0, 0.5])).force.fy / 0.5;
     let sheet = sheet(&by_degree, &full, slope);
     Ok(Reproduction::figure(&sheet, caption, data, claims(&by_degree, &full)))
 }

@@ -1,7 +1,7 @@
 //! Fig. 15: the lateral force due to lateral creepage and spin on a circle.
 
-use creepage::rolling::variational::Weight;
-use creepage::rolling::{Creepage, Force};
+use creepage::variational::Weight;
+use creepage::{Creepage, Force};
 
 use crate::prelude::*;
 
@@ -48,7 +48,7 @@ fn etas() -> Vec<f64> {
 }
 
 fn across(chi: f64) -> Vec<Creepage> {
-    etas().into_iter().map(|eta| Creepage { xi: 0.0, eta, chi }).collect()
+    etas().into_iter().map(|eta| rolling_at([0.0, eta, chi])).collect()
 }
 
 /// By chapter 5, from either end to the middle: far creepage is the sure start.

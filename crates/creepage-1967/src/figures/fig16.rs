@@ -1,9 +1,9 @@
 //! Fig. 16: areas, tractions and slip in longitudinal creepage, beside strip theory.
 
 use creepage::Ellipse;
-use creepage::rolling::Creepage;
-use creepage::rolling::strip::StripTheory;
-use creepage::rolling::variational::Weight;
+use creepage::Creepage;
+use creepage::approximate::strip::StripTheory;
+use creepage::variational::Weight;
 
 use crate::prelude::*;
 
@@ -11,7 +11,7 @@ pub(crate) const ITEM: Item =
     Item::new("fig16", "Fig. 16. Areas and tractions in longitudinal creepage", make);
 
 const POISSON: f64 = 0.5;
-const CREEPAGE: Creepage = Creepage { xi: 0.9, eta: 0.0, chi: 0.0 };
+const CREEPAGE: [f64; 3] = [0.9, 0.0, 0.0];
 /// Lines along the rolling direction.
 const LINES: [f64; 3] = [0.0, 0.4, 0.8];
 
@@ -58,7 +58,7 @@ fn along(y: f64) -> Vec<[f64; 2]> {
 
 fn make() -> Result<Reproduction, GalleryError> {
     let theory = chapter_5(1.0, POISSON, 3, Weight::Elliptic)?;
-    let (strips, detailed) = (StripTheory::new(1.0, POISSON)?, contact::detailed(1.0, POISSON)?);
+    let (strips, detailed) = (StripTheory::new(&like_bodies(1.0, POISSON)?), contact::detailed(1.0, POISSON)?);
     let unit = theory.slip_scale();
     let views = [
         View::new("M = 3", OF_1967, &contact::chapter_5(&theory, CREEPAGE), unit)?,

@@ -1,10 +1,10 @@
 //! Fig. 17: the separatrix of a ball that rolls freely with spin.
 
 use creepage::Ellipse;
-use creepage::rolling::exact::{Exact, Known, Resolution};
-use creepage::rolling::strip::StripTheory;
-use creepage::rolling::variational::{Start, Variational, Weight};
-use creepage::rolling::{Creepage, Theory};
+use creepage::coulomb::{Exact, Known, Resolution};
+use creepage::approximate::strip::StripTheory;
+use creepage::variational::{Start, Variational, Weight};
+use creepage::{Creepage, Theory};
 
 use crate::prelude::*;
 
@@ -12,12 +12,12 @@ pub(crate) const ITEM: Item =
     Item::new("fig17", "Fig. 17. Areas of adhesion with spin and no force across", make);
 
 const POISSON: f64 = 0.5;
-const CREEPAGE: Creepage = Creepage { xi: 0.0, eta: -0.57, chi: 1.2 };
+const CREEPAGE: [f64; 3] = [0.0, -0.57, 1.2];
 
 fn make() -> Result<Reproduction, GalleryError> {
     let circle = Ellipse::from_ratio(1.0)?;
     let theory = chapter_5(1.0, POISSON, 3, Weight::Elliptic)?;
-    let (strips, detailed) = (StripTheory::new(1.0, POISSON)?, contact::detailed(1.0, POISSON)?);
+    let (strips, detailed) = (StripTheory::new(&like_bodies(1.0, POISSON)?), contact::detailed(1.0, POISSON)?);
     let areas = [
         contact::adhesion(circle, &contact::of(&strips, CREEPAGE)).0,
         contact::adhesion(circle, &contact::chapter_5(&theory, CREEPAGE)).0,
@@ -29,7 +29,7 @@ fn make() -> Result<Reproduction, GalleryError> {
             data.curve(name, &line);
         }
     }
-    let full = Exact::new(1.0, POISSON, Resolution::STANDARD)?;
+    let full = Exact::new(&like_bodies(1.0, POISSON)?, Resolution::STANDARD)?;
     let known = Known { xi: Some(0.0), chi: Some(CREEPAGE.chi), fy: Some(0.0), ..Known::default() };
     let free = full.find(known, &mut full.workspace()).map_or(f64::NAN, |found| found.creepage.eta);
     let caption = format!(
@@ -44,7 +44,7 @@ fn make() -> Result<Reproduction, GalleryError> {
 }
 
 fn agreement(theory: &Variational, free: f64) -> Vec<Comparison> {
-    let fy = |eta: f64| theory.solve(Creepage { eta, ..CREEPAGE }).force.fy;
+    let fy = |eta: f64| theory.solve(rolling_at([CREEPAGE.xi(), eta, CREEPAGE.chi()])).force.fy;
     let asymmetry = asymmetry(theory);
     vec![
         Comparison::number("η at which f_y = 0, χ = 1.20", "-0.57", root(fy, [-0.8, -0.3]))

@@ -1,9 +1,9 @@
 //! Fig. 18: strip theory's separatrix in creepage without spin.
 
 use creepage::Ellipse;
-use creepage::rolling::strip::StripTheory;
-use creepage::rolling::variational::{Start, Variational, Weight};
-use creepage::rolling::{Creepage, Region, Theory};
+use creepage::approximate::strip::StripTheory;
+use creepage::variational::{Start, Variational, Weight};
+use creepage::{Creepage, Region, Theory};
 
 use crate::prelude::*;
 
@@ -28,13 +28,13 @@ struct View {
 
 fn creepage((size, angle, _): (f64, f64, &str)) -> Creepage {
     let (sin, cos) = angle.to_radians().sin_cos();
-    Creepage { xi: size * cos, eta: size * sin, chi: 0.0 }
+    rolling_at([size * cos, size * sin, 0.0])
 }
 
 fn make() -> Result<Reproduction, GalleryError> {
     let circle = Ellipse::from_ratio(1.0)?;
     let theory = chapter_5(1.0, STEEL, 3, Weight::Elliptic)?;
-    let (strips, detailed) = (StripTheory::new(1.0, STEEL)?, contact::detailed(1.0, STEEL)?);
+    let (strips, detailed) = (StripTheory::new(&like_bodies(1.0, STEEL)?), contact::detailed(1.0, STEEL)?);
     let mut data = Data::new(["curve", "xi", "eta", "x", "y"]);
     let mut views = Vec::new();
     for at in CASES.map(creepage) {

@@ -1,17 +1,17 @@
 //! Fig. 19: which way the traction points in creepage without spin.
 
 use creepage::Ellipse;
-use creepage::rolling::Creepage;
-use creepage::rolling::exact::{Exact, Resolution};
-use creepage::rolling::variational::Weight;
+use creepage::Creepage;
+use creepage::coulomb::{Exact, Resolution};
+use creepage::variational::Weight;
 
 use crate::prelude::*;
 
 pub(crate) const ITEM: Item =
     Item::new("fig19", "Fig. 19. Direction of the traction without spin", make);
 
-const ALONG: Creepage = Creepage { xi: 0.8, eta: 0.0, chi: 0.0 };
-const ACROSS: Creepage = Creepage { xi: 0.0, eta: 0.8, chi: 0.0 };
+const ALONG: [f64; 3] = [0.8, 0.0, 0.0];
+const ACROSS: [f64; 3] = [0.0, 0.8, 0.0];
 /// Broad and pale below, narrow and dark above: both are seen.
 const OF_1967: &str = "#8fb4dc";
 const TODAY: &str = "#c62828";
@@ -21,7 +21,7 @@ const STRETCH: f64 = 3.0;
 fn make() -> Result<Reproduction, GalleryError> {
     let circle = Ellipse::from_ratio(1.0)?;
     let theory = chapter_5(1.0, STEEL, 3, Weight::Elliptic)?;
-    let full = Exact::new(1.0, STEEL, Resolution::FINE)?;
+    let full = Exact::new(&like_bodies(1.0, STEEL)?, Resolution::FINE)?;
     let mut data = Data::new(["curve", "x", "y", "angle"]);
     let mut sheet = Sheet::new(ITEM.title)
         .note(axes::setting(&[("a/b", "1"), ("σ", "0.28"), ("χ", "0")]))
@@ -127,12 +127,12 @@ fn largest(a_over_b: f64, poisson: f64, creepage: Creepage) -> Result<f64, Galle
     let theory = chapter_5(a_over_b, poisson, 3, Weight::Elliptic)?;
     let positions: Vec<_> = theory.mesh().to_vec();
     let points = contact::chapter_5(&theory, creepage)(&positions);
-    let sliding = points.iter().filter(|point| point.region == creepage::rolling::Region::Slip);
+    let sliding = points.iter().filter(|point| point.region == creepage::Region::Slip);
     Ok(sliding.map(|point| angle(point.traction, creepage).abs()).fold(0.0, f64::max))
 }
 
 fn trends() -> Result<Vec<Comparison>, GalleryError> {
-    let at = |xi: f64| Creepage { xi, ..ALONG };
+    let at = |xi: f64| rolling_at([xi, ALONG.eta(), ALONG.chi()]);
     let circle = largest(1.0, STEEL, ALONG)?;
     let (soft, fast, slender) =
         (largest(1.0, 0.5, ALONG)?, largest(1.0, STEEL, at(1.6))?, largest(0.2, STEEL, ALONG)?);

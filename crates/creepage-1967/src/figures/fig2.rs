@@ -1,6 +1,6 @@
 //! Fig. 2: the tangential traction by Carter's theory.
 
-use creepage::rolling::carter::Carter;
+use creepage::approximate::carter::Carter;
 
 use super::slender::Middle;
 use crate::prelude::*;

@@ -1,8 +1,8 @@
 //! Fig. 20: areas of adhesion in pure spin, and traction and slip on the axis.
 
 use creepage::Ellipse;
-use creepage::rolling::Creepage;
-use creepage::rolling::variational::{Start, Variational, Weight};
+use creepage::Creepage;
+use creepage::variational::{Start, Variational, Weight};
 
 use crate::prelude::*;
 
@@ -39,7 +39,7 @@ fn make() -> Result<Reproduction, GalleryError> {
     let full = contact::detailed(1.0, STEEL)?;
     let (mut of_1967, mut today) = (Vec::new(), Vec::new());
     for chi in SPINS {
-        let creepage = Creepage { chi, ..Creepage::default() };
+        let creepage = rolling_at([0.0, 0.0, chi]);
         let unit = theory.slip_scale();
         of_1967.push(View::new(circle, &contact::chapter_5(&theory, creepage), unit));
         today.push(View::new(circle, &contact::full(&full, creepage), unit));
@@ -80,7 +80,7 @@ fn caption(today: &[View]) -> String {
 
 /// Separate areas of adhesion among the mesh points, as the programme of 1967 counted them.
 fn pieces_on_the_mesh(theory: &Variational, chi: f64) -> usize {
-    let creepage = Creepage { chi, ..Creepage::default() };
+    let creepage = rolling_at([0.0, 0.0, chi]);
     let found = theory.solve_from(creepage, &Start::FullSliding);
     let stuck = found.points.iter().filter(|point| point.t > point.s);
     let mut left: Vec<_> = stuck.map(|point| point.field.position).collect();

@@ -1,9 +1,9 @@
 //! Fig. 21: tractions in pure spin, and the point about which they turn.
 
 use creepage::Ellipse;
-use creepage::rolling::Creepage;
-use creepage::rolling::exact::{Exact, Resolution};
-use creepage::rolling::variational::{Variational, Weight};
+use creepage::Creepage;
+use creepage::coulomb::{Exact, Resolution};
+use creepage::variational::{Variational, Weight};
 
 use super::tractions::{self, View};
 use crate::prelude::*;
@@ -42,7 +42,7 @@ fn make() -> Result<Reproduction, GalleryError> {
 }
 
 fn spin(chi: f64) -> Creepage {
-    Creepage { chi, ..Creepage::default() }
+    rolling_at([0.0, 0.0, chi])
 }
 
 fn halves(circle: Ellipse, chi: f64, [above, below]: &[View; 2]) -> Panel {
@@ -73,7 +73,7 @@ fn by_chapter_5(theory: &Variational) -> Curve {
 }
 
 fn by_full_theory() -> Result<Curve, GalleryError> {
-    let theory = Exact::new(1.0, STEEL, Resolution::FINE)?;
+    let theory = Exact::new(&like_bodies(1.0, STEEL)?, Resolution::FINE)?;
     let mut workspace = theory.workspace();
     let mut curve = Vec::new();
     for chi in spins(38) {

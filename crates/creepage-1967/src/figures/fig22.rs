@@ -1,8 +1,8 @@
 //! Fig. 22: tractions for creepage and spin together.
 
 use creepage::Ellipse;
-use creepage::rolling::Creepage;
-use creepage::rolling::variational::Weight;
+use creepage::Creepage;
+use creepage::variational::Weight;
 
 use super::tractions::{self, View};
 use crate::prelude::*;
@@ -10,7 +10,7 @@ use crate::prelude::*;
 pub(crate) const ITEM: Item =
     Item::new("fig22", "Fig. 22. Tractions in creepage and spin together", make);
 
-const CREEPAGE: Creepage = Creepage { xi: 0.5, eta: -0.5, chi: 0.7 };
+const CREEPAGE: [f64; 3] = [0.5, -0.5, 0.7];
 const POLE: Mark = Mark::open(Shape::Diamond, "#b3261e");
 const LEAST: Mark = Mark::full(Shape::Circle, "#b3261e");
 

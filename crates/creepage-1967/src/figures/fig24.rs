@@ -1,7 +1,7 @@
 //! Fig. 24: lines of constant size and of constant direction of the creepage, over the force.
 
-use creepage::rolling::variational::Weight;
-use creepage::rolling::{Creepage, Force};
+use creepage::variational::Weight;
+use creepage::{Creepage, Force};
 
 use crate::prelude::*;
 
@@ -76,7 +76,7 @@ impl Net {
 /// (5.30), the angle in degrees.
 fn at(chi: f64, nu: f64, alpha: f64) -> Creepage {
     let (sin, cos) = alpha.to_radians().sin_cos();
-    Creepage { xi: nu * cos, eta: nu * sin, chi }
+    rolling_at([nu * cos, nu * sin, chi])
 }
 
 /// The lowest direction in degrees: without spin, one quarter tells all.

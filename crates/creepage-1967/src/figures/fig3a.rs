@@ -1,7 +1,7 @@
 //! Fig. 3a: the creepage coefficients.
 
-use creepage::rolling::linear::CreepageCoefficients;
-use creepage::rolling::vermeulen_johnson::VermeulenJohnson;
+use creepage::approximate::linear::CreepageCoefficients;
+use creepage::approximate::vermeulen_johnson::VermeulenJohnson;
 
 use super::coefficients::{Shown, picture};
 use crate::prelude::*;
@@ -30,7 +30,7 @@ pub(super) const EXPERIMENT: &str = "an experiment; Johnson's C11 has a range of
 
 /// Johnson's experiments with steel balls, in the text of section 4.33.
 fn johnson() -> Result<Vec<Comparison>, GalleryError> {
-    let ours = CreepageCoefficients::new(1.0, STEEL)?;
+    let ours = CreepageCoefficients::new(&like_bodies(1.0, STEEL)?)?;
     let within = (3.8..=4.4).contains(&ours.c11);
     let line = Comparison::claim(
         "C11 of the circle, by Johnson's experiments",
@@ -45,15 +45,15 @@ fn johnson() -> Result<Vec<Comparison>, GalleryError> {
 /// (4.91): Johnson's and Vermeulen's dependence on the ratio of the semi-axes.
 fn similarity() -> Result<Vec<Comparison>, GalleryError> {
     let poisson = 0.25;
-    let round = CreepageCoefficients::of_degree(1.0, poisson, 5)?;
-    let round_law = VermeulenJohnson::new(1.0, poisson)?;
+    let round = CreepageCoefficients::of_degree(&like_bodies(1.0, poisson)?, 5)?;
+    let round_law = VermeulenJohnson::new(&like_bodies(1.0, poisson)?)?;
     let reason = "cut, not rounded, or from fewer digits";
     let mut lines = Vec::new();
     for (a_over_b, words, c22, c11) in
         [(0.2, "a/b = 0.2", "1.07", "1.05"), (5.0, "b/a = 0.2", "0.94", "0.93")]
     {
-        let ours = CreepageCoefficients::of_degree(a_over_b, poisson, 5)?;
-        let law = VermeulenJohnson::new(a_over_b, poisson)?;
+        let ours = CreepageCoefficients::of_degree(&like_bodies(a_over_b, poisson)?, 5)?;
+        let law = VermeulenJohnson::new(&like_bodies(a_over_b, poisson)?)?;
         let lateral = round.c22 * round_law.psi() / law.psi() / ours.c22;
         let along = round.c11 * round_law.phi() / law.phi() / ours.c11;
         let name = |c: &str| format!("{c} by (4.90) over {c}, {words}, σ = 0.25");

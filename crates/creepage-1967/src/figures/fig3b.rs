@@ -1,6 +1,6 @@
 //! Fig. 3b: the coefficients of spin.
 
-use creepage::rolling::linear::CreepageCoefficients;
+use creepage::approximate::linear::CreepageCoefficients;
 
 use super::coefficients::{POISSON, Shown, picture};
 use super::fig3a::{EXPERIMENT, SCATTER};
@@ -29,7 +29,7 @@ fn reciprocity() -> Result<Comparison, GalleryError> {
     let mut worst: f64 = 0.0;
     for a_over_b in [0.1, 0.3, 0.5, 0.7, 1.0, 1.0 / 0.7, 2.0, 1.0 / 0.3, 10.0] {
         for (poisson, _) in POISSON {
-            let c = CreepageCoefficients::of_degree(a_over_b, poisson, 5)?;
+            let c = CreepageCoefficients::of_degree(&like_bodies(a_over_b, poisson)?, 5)?;
             worst = worst.max((c.c32 / c.c23 + 1.0).abs());
         }
     }
@@ -39,7 +39,7 @@ fn reciprocity() -> Result<Comparison, GalleryError> {
 }
 
 fn johnson() -> Result<Comparison, GalleryError> {
-    let ours = CreepageCoefficients::new(1.0, STEEL)?.c23;
+    let ours = CreepageCoefficients::new(&like_bodies(1.0, STEEL)?)?.c23;
     let line = Comparison::number("C23 of the circle, by Johnson's experiments", "1.53", ours);
     Ok(line.within(SCATTER * 1.53, EXPERIMENT))
 }

@@ -1,8 +1,8 @@
 //! Fig. 4: adhesion and slip by Johnson's theory, and where it contradicts itself.
 
 use creepage::Ellipse;
-use creepage::rolling::vermeulen_johnson::VermeulenJohnson;
-use creepage::rolling::{Creepage, FieldPoint, Force, Region, Theory};
+use creepage::approximate::vermeulen_johnson::VermeulenJohnson;
+use creepage::{Creepage, FieldPoint, Force, Region, Theory};
 
 use crate::prelude::*;
 
@@ -23,7 +23,7 @@ struct Case {
 }
 
 fn make() -> Result<Reproduction, GalleryError> {
-    let theory = VermeulenJohnson::new(1.0, STEEL)?;
+    let theory = VermeulenJohnson::new(&like_bodies(1.0, STEEL)?)?;
     let cases = CREEPAGES.map(|xi| case(&theory, xi));
     let [one, two] = cases;
     let cases = [one?, two?];
@@ -55,7 +55,7 @@ fn data(cases: &[Case; 2]) -> Data {
 }
 
 fn at(xi: f64) -> Creepage {
-    Creepage { xi, eta: 0.0, chi: 0.0 }
+    rolling_at([xi, 0.0, 0.0])
 }
 
 /// Traction times slip.
@@ -112,9 +112,9 @@ fn directions(theory: &VermeulenJohnson) -> Vec<Comparison> {
 
 /// "The theoretical value of the creepage at a certain force is lower; at most 25 %."
 fn lower() -> Result<Comparison, GalleryError> {
-    let theory = VermeulenJohnson::new(1.0, STEEL)?;
+    let theory = VermeulenJohnson::new(&like_bodies(1.0, STEEL)?)?;
     let (mut least, mut most): (f64, f64) = (1.0, -1.0);
-    let creepages: [fn(f64) -> Creepage; 2] = [at, |eta| Creepage { xi: 0.0, eta, chi: 0.0 }];
+    let creepages: [fn(f64) -> Creepage; 2] = [at, |eta| rolling_at([0.0, eta, 0.0])];
     let components: [fn(&Force) -> f64; 2] = [|force| force.fx, |force| force.fy];
     for (creepage, of) in creepages.into_iter().zip(components) {
         let sizes = spaced(0.02, 2.4, 119);

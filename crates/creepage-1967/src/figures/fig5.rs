@@ -1,8 +1,8 @@
 //! Fig. 5: adhesion and slip by the strip theory of Haines and Ollerton.
 
 use creepage::Ellipse;
-use creepage::rolling::strip::StripTheory;
-use creepage::rolling::{Creepage, Region, Theory};
+use creepage::approximate::strip::StripTheory;
+use creepage::{Creepage, Region, Theory};
 
 use crate::prelude::*;
 
@@ -48,8 +48,8 @@ fn data(cases: &[Case; 2]) -> Data {
 }
 
 fn case(a_over_b: f64, xi: f64) -> Result<Case, GalleryError> {
-    let theory = StripTheory::new(a_over_b, STEEL)?;
-    let creepage = Creepage { xi, eta: 0.0, chi: 0.0 };
+    let theory = StripTheory::new(&like_bodies(a_over_b, STEEL)?);
+    let creepage = rolling_at([xi, 0.0, 0.0]);
     let ellipse = Ellipse::from_ratio(a_over_b)?;
     let (strips, share) = contact::adhesion(ellipse, &contact::of(&theory, creepage));
     let (full, full_share) = contact::full_adhesion(a_over_b, STEEL, creepage)?;
@@ -59,8 +59,8 @@ fn case(a_over_b: f64, xi: f64) -> Result<Case, GalleryError> {
 /// "The trailing edge of the contact area shifted parallel to itself in the rolling direction."
 fn shift() -> Result<Comparison, GalleryError> {
     let (a_over_b, xi) = CASES[0];
-    let theory = StripTheory::new(a_over_b, STEEL)?;
-    let creepage = Creepage { xi, eta: 0.0, chi: 0.0 };
+    let theory = StripTheory::new(&like_bodies(a_over_b, STEEL)?);
+    let creepage = rolling_at([xi, 0.0, 0.0]);
     let sticks = |x: f64, y: f64| {
         theory.field(creepage, &[[x, y]]).iter().all(|point| point.region == Region::Adhesion)
     };

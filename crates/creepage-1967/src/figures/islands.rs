@@ -1,9 +1,9 @@
 //! The open question of 5.322: is there an island of adhesion where the slip vanishes?
 
 use creepage::Ellipse;
-use creepage::rolling::exact::{Exact, Resolution};
-use creepage::rolling::variational::Weight;
-use creepage::rolling::{Creepage, Region};
+use creepage::coulomb::{Exact, Resolution};
+use creepage::variational::Weight;
+use creepage::{Creepage, Region};
 use rayon::prelude::*;
 
 use super::fig20;
@@ -50,18 +50,17 @@ fn make() -> Result<Reproduction, GalleryError> {
 }
 
 fn spin(chi: f64) -> Creepage {
-    Creepage { chi, ..Creepage::default() }
+    rolling_at([0.0, 0.0, chi])
 }
 
 /// The islands of the spins that are looked at closely.
 fn look([along, across]: [usize; 2]) -> Result<Vec<Island>, GalleryError> {
     let circle = Ellipse::from_ratio(1.0)?;
-    let full = Exact::new(1.0, STEEL, Resolution::new(along, across)?)?;
+    let full = Exact::new(&like_bodies(1.0, STEEL)?, Resolution::new(along, across)?)?;
     let numerical = chapter_5(1.0, STEEL, 3, Weight::Elliptic)?;
     let island = |chi: &f64| {
-        let mut workspace = full.workspace();
-        full.solve_with(spin(*chi), &mut workspace);
-        let stuck = full.element_fields(&workspace).into_iter().filter(|element| {
+        let solved = full.solve_contact(spin(*chi));
+        let stuck = solved.elements().into_iter().filter(|element| {
             element.point.region == Region::Adhesion && element.point.position[0] < 0.0
         });
         let elements: Vec<_> = stuck.map(|element| element.corners.to_vec()).collect();

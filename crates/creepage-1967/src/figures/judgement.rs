@@ -2,9 +2,9 @@
 
 use std::fmt::Write;
 
-use creepage::rolling::exact::{Exact, Resolution};
-use creepage::rolling::variational::{Settings, Variational};
-use creepage::rolling::{Creepage, Force};
+use creepage::coulomb::{Exact, Resolution};
+use creepage::variational::{Settings, Variational};
+use creepage::{Creepage, Force};
 use rayon::prelude::*;
 
 use crate::prelude::*;
@@ -52,15 +52,15 @@ fn make() -> Result<Reproduction, GalleryError> {
 
 /// Line by line of equal direction, on all cores.
 fn of_ratio(a_over_b: f64, spins: &[f64]) -> Result<Vec<Case>, GalleryError> {
-    let full = Exact::new(a_over_b, STEEL, Resolution::STANDARD)?;
+    let full = Exact::new(&like_bodies(a_over_b, STEEL)?, Resolution::STANDARD)?;
     let [three, eight] =
-        DEGREES.map(|degree| Variational::new(a_over_b, STEEL, Settings::of_degree(degree)));
+        DEGREES.map(|degree| Variational::new(&like_bodies(a_over_b, STEEL)?, Settings::of_degree(degree)));
     let theories = [three?, eight?];
     let lines: Vec<(f64, f64)> =
         spins.iter().flat_map(|chi| directions(*chi).map(|angle| (*chi, angle))).collect();
     let line = |&(chi, direction): &(f64, f64)| {
         let (sin, cos) = direction.to_radians().sin_cos();
-        let creepages = SIZES.map(|size| Creepage { xi: size * cos, eta: size * sin, chi });
+        let creepages = SIZES.map(|size| rolling_at([size * cos, size * sin, chi]));
         let truth = full.curve(&creepages);
         let found = theories.each_ref().map(|theory| chained(theory, &creepages));
         let case = |k: usize| {

@@ -4,9 +4,9 @@
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use creepage::InvalidValue;
-use creepage::rolling::exact::{Exact, Resolution};
-use creepage::rolling::saturated::Saturated;
-use creepage::rolling::{Creepage, Force, Theory};
+use creepage::coulomb::{Exact, Resolution};
+use creepage::approximate::saturated::Saturated;
+use creepage::{Creepage, Force, Theory};
 
 use crate::prelude::*;
 
@@ -39,17 +39,17 @@ pub(super) struct Diagram {
 
 fn creepage(upsilon: f64, alpha: f64, chi: f64) -> Creepage {
     let (sin, cos) = alpha.to_radians().sin_cos();
-    Creepage { xi: chi * upsilon * cos, eta: chi * upsilon * sin, chi }
+    rolling_at([chi * upsilon * cos, chi * upsilon * sin, chi])
 }
 
 impl Diagram {
     pub(super) fn new(g: f64) -> Result<Self, InvalidValue> {
-        let exact = Exact::new(g, STEEL, Resolution::FINE)?;
+        let exact = Exact::new(&like_bodies(g, STEEL)?, Resolution::FINE)?;
         let solve = |(upsilon, alpha)| {
             ([upsilon, alpha], exact.solve(creepage(upsilon, alpha, LARGE)).force)
         };
         let full = ASKED.map(solve).to_vec();
-        Ok(Self { g, theory: Saturated::new(g)?, full })
+        Ok(Self { g, theory: Saturated::new(&like_bodies(g, STEEL)?)?, full })
     }
 
     pub(super) fn at(&self, upsilon: f64, alpha: f64) -> Force {

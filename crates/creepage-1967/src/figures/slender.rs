@@ -2,8 +2,8 @@
 //! near to Carter's plane problem as it comes.
 
 use creepage::InvalidValue;
-use creepage::rolling::Creepage;
-use creepage::rolling::exact::{ElementField, Exact, Resolution};
+use creepage::Creepage;
+use creepage::coulomb::{ElementField, Exact, Resolution};
 
 use crate::prelude::*;
 
@@ -19,7 +19,7 @@ pub(super) struct Middle {
 
 impl Middle {
     pub(super) fn new() -> Result<Self, InvalidValue> {
-        let theory = Exact::new(A_OVER_B, STEEL, Resolution::new(80, 20)?)?;
+        let theory = Exact::new(&like_bodies(A_OVER_B, STEEL)?, Resolution::new(80, 20)?)?;
         let ellipse = creepage::Ellipse::from_ratio(A_OVER_B)?;
         Ok(Self { theory, scale: ellipse.integrals().e / ellipse.g().sqrt() })
     }
@@ -49,7 +49,7 @@ impl Middle {
     fn elements(&self, creepage: f64) -> Vec<ElementField> {
         let mut workspace = self.theory.workspace();
         let xi = creepage / self.scale;
-        self.theory.solve_with(Creepage { xi, eta: 0.0, chi: 0.0 }, &mut workspace);
+        self.theory.solve_with(rolling_at([xi, 0.0, 0.0]), &mut workspace);
         let [along, strips] = self.theory.elements();
         let middle = strips / 2 * along;
         let elements = self.theory.element_fields(&workspace);

@@ -1,7 +1,7 @@
 //! Tractions in a contact: lines of constant traction over its bound, and arrows.
 
 use creepage::Ellipse;
-use creepage::rolling::FieldPoint;
+use creepage::FieldPoint;
 
 use crate::prelude::*;
 

@@ -5,8 +5,8 @@ mod network;
 mod numbers;
 mod text;
 
-use creepage::rolling::variational::{MeshPoint, NewtonStep, Variational, VariationalSolution};
-use creepage::rolling::{Creepage, Status};
+use creepage::variational::{MeshPoint, NewtonStep, Variational, VariationalSolution};
+use creepage::{Creepage, Status};
 
 use network::Network;
 use numbers::Numbers;

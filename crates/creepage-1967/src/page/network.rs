@@ -1,7 +1,7 @@
 //! The points of the mesh as a network: its lines and columns, and the connected areas.
 
-use creepage::rolling::Region;
-use creepage::rolling::variational::MeshPoint;
+use creepage::Region;
+use creepage::variational::MeshPoint;
 
 /// A point of the network.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -3,8 +3,8 @@
 use std::fmt::Write;
 
 use creepage::halfspace::Polynomial;
-use creepage::rolling::Region;
-use creepage::rolling::variational::MeshPoint;
+use creepage::Region;
+use creepage::variational::MeshPoint;
 
 use super::Page;
 use super::network::Cell;

@@ -1,6 +1,6 @@
 //! The entries of Table 3, which Figs 3a and 3b show as well.
 
-use creepage::rolling::linear::CreepageCoefficients;
+use creepage::approximate::linear::CreepageCoefficients;
 use serde::Deserialize;
 
 use super::printed::{Entry, Row};
@@ -64,9 +64,9 @@ impl Line {
             _ => return Err(row.meaningless()),
         };
         let name = self.coefficient;
-        let of_degree = CreepageCoefficients::of_degree(a_over_b, poisson, DEGREE)?;
+        let of_degree = CreepageCoefficients::of_degree(&like_bodies(a_over_b, poisson)?, DEGREE)?;
         let Some(value) = named(of_degree, &name) else { return Err(row.meaningless()) };
-        let converged = CreepageCoefficients::new(a_over_b, poisson)?;
+        let converged = CreepageCoefficients::new(&like_bodies(a_over_b, poisson)?)?;
         let converged = named(converged, &name).unwrap_or(f64::NAN);
         Ok(Coefficient { a_over_b, poisson, name, entry: row.against(value)?, converged })
     }

@@ -1,6 +1,6 @@
 //! Table 3: the creepage and spin coefficients.
 
-use creepage::rolling::linear::CreepageCoefficients;
+use creepage::approximate::linear::CreepageCoefficients;
 
 use super::coefficients::{Coefficient, table3};
 use super::entries::{Block, Table};
@@ -41,7 +41,7 @@ fn make() -> Result<Reproduction, GalleryError> {
 fn degree_7(printed: &[Vec<Coefficient>; 2]) -> Result<Comparison, GalleryError> {
     let (mut worst, mut beyond): (f64, usize) = (0.0, 0);
     for one in printed.iter().flatten() {
-        let of_degree = |degree| CreepageCoefficients::of_degree(one.a_over_b, one.poisson, degree);
+        let of_degree = |degree| CreepageCoefficients::of_degree(&like_bodies(one.a_over_b, one.poisson)?, degree);
         let pick = |c: CreepageCoefficients| match &one.name[..] {
             "C11" => c.c11,
             "C22" => c.c22,
@@ -59,7 +59,7 @@ fn degree_7(printed: &[Vec<Coefficient>; 2]) -> Result<Comparison, GalleryError>
 
 /// The values of section 4.33 for a circle of steel.
 fn in_the_text() -> Result<Vec<Comparison>, GalleryError> {
-    let ours = CreepageCoefficients::of_degree(1.0, STEEL, 5)?;
+    let ours = CreepageCoefficients::of_degree(&like_bodies(1.0, STEEL)?, 5)?;
     let reason = "one unit of the last digit; between the entries for σ = 1/4 and 1/2 of Table 3 \
         a straight line gives the print";
     let line = |name: &str, printed, ours| {

@@ -1,6 +1,6 @@
 //! Table 4: how much the weight function matters.
 
-use creepage::rolling::variational::Weight;
+use creepage::variational::Weight;
 
 use super::weights::{compared, forces, heading, row, spread, variants};
 use crate::prelude::*;

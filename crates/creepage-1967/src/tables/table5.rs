@@ -1,6 +1,6 @@
 //! Table 5: how good degree 3 is, measured by degree 4.
 
-use creepage::rolling::variational::Weight;
+use creepage::variational::Weight;
 
 use super::weights::{Spread, compared, forces, heading, row, spread, variants};
 use crate::prelude::*;

@@ -1,14 +1,14 @@
 //! What Tables 4 and 5 share: lateral forces with both weights, over creepages and meshes that fit
 //! the words of the thesis, which states neither.
 
-use creepage::rolling::Creepage;
-use creepage::rolling::variational::{Settings, Variational, Weight};
+use creepage::Creepage;
+use creepage::variational::{Settings, Variational, Weight};
 
 use crate::prelude::*;
 
 /// Pure lateral creepage, or pure spin.
 pub(super) const CREEPAGES: [fn(f64) -> Creepage; 2] =
-    [|eta| Creepage { xi: 0.0, eta, chi: 0.0 }, |chi| Creepage { xi: 0.0, eta: 0.0, chi }];
+    [|eta| rolling_at([0.0, eta, 0.0]), |chi| rolling_at([0.0, 0.0, chi])];
 /// 80, 97 and 112 points; 97 is "about 100" as the thesis has it for degree 4.
 pub(super) const MESHES: [usize; 3] = [10, 11, 12];
 /// The mesh whose numbers are given.
@@ -36,7 +36,7 @@ pub(super) fn forces(
     creepages: &[Creepage],
 ) -> Result<Vec<f64>, GalleryError> {
     let settings = Settings { mesh: [mesh; 2], weight, ..Settings::of_degree(degree) };
-    let theory = Variational::new(1.0, STEEL, settings)?;
+    let theory = Variational::new(&like_bodies(1.0, STEEL)?, settings)?;
     Ok(chained(&theory, creepages).iter().map(|force| force.fy).collect())
 }
 

@@ -1,7 +1,6 @@
 //! `creepage batch`: CSV in, the same rows with forces appended out.
 
 pub(crate) mod columns;
-pub(crate) mod options;
 mod progress;
 mod rows;
 mod solver;
@@ -11,7 +10,8 @@ mod tally;
 use std::io::{self, Stdout, Write};
 use std::path::Path;
 
-use creepage_study::{WholeFile, find};
+use creepage::{Contact, Ellipse, TheorySpec};
+use creepage_study::{WholeFile, theory_spec};
 use rows::{Rows, answer_columns};
 use solver::Solver;
 use table::Table;
@@ -26,19 +26,32 @@ use crate::output::say;
 const CHUNK: usize = 4096;
 
 pub(crate) fn run(args: &BatchArgs) -> Result<Outcome, Failure> {
-    let theory = find(&args.theory)?;
-    let options = options::read(theory, &args.options).map_err(Failure::Option)?;
-    let table = Table::open(args.input.as_deref(), answer_columns(theory.error_bars))?;
+    let theory = theory(args)?;
+    let error_bars = theory.facts().error_bars;
+    let table = Table::open(args.input.as_deref(), answer_columns(error_bars))?;
     let failed = |source: io::Error| Failure::writing(args.out.as_deref(), source);
     let mut sink = Sink::open(args.out.as_deref()).map_err(failed)?;
-    let rows = Rows::start(&mut sink, table.header(), theory.error_bars).map_err(failed)?;
-    let tally = fill(rows, table, &Solver::new(theory, options), args)?;
+    let rows = Rows::start(&mut sink, table.header(), error_bars).map_err(failed)?;
+    let tally = fill(rows, table, &Solver::new(theory), args)?;
     sink.finish().map_err(failed)?;
     say(&tally.to_string());
     if let Some(caution) = tally.caution() {
         say(&caution);
     }
     Ok(tally.outcome())
+}
+
+/// The theory with its options, of values that it takes.
+fn theory(args: &BatchArgs) -> Result<TheorySpec, Failure> {
+    let name = TheorySpec::named(&args.theory)?.facts().name;
+    let theory = theory_spec(name, &args.options).map_err(Failure::Option)?;
+    if !args.options.is_empty() {
+        // No row could be answered if the theory took its options not even for a circle.
+        let circle = Contact::new(Ellipse::from_ratio(1.0)?, 0.25)?;
+        let failed = |source| Failure::Value { source };
+        theory.prepare(&circle).map_err(failed)?;
+    }
+    Ok(theory)
 }
 
 /// Where rows go.

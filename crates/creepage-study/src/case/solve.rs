@@ -93,7 +93,8 @@ pub(super) fn from_table(table: &Table) -> Result<TheorySpec, SpecError> {
     let facts = named.facts();
     let read = |options: Table| {
         let theory = [("theory".to_owned(), Value::from(facts.name))];
-        Table::from_iter(options.into_iter().chain(theory)).try_into::<TheorySpec>()
+        let table: Table = options.into_iter().chain(theory).collect();
+        table.try_into::<TheorySpec>()
     };
     let mut options = table.clone();
     options.remove("theory");

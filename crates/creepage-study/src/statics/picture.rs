@@ -2,7 +2,7 @@
 
 use creepage_plot::format::quantity;
 use creepage_plot::theme::DARK;
-use creepage_plot::{Arrows, Bands, Cell, Label, Panel, Pen, Table, TopView, ellipse};
+use creepage_plot::{Arrows, Bands, Cell, Label, Panel, Pen, Sample, Table, TopView, ellipse};
 
 use super::field::Field;
 use super::{Quantity, StaticsReport};
@@ -64,14 +64,14 @@ impl StaticsReport<'_> {
     }
 
     fn key(&self, view: TopView, bands: &Bands, arrows: &Arrows) -> TopView {
-        let mut view = view.words(match self.field {
+        let name = match self.field {
             Field::Die { .. } => "pressure",
             Field::Bonded(_) | Field::PartialSlip(_) => "traction on the lower body",
-        });
+        };
+        let mut view = bands.key(view.key(Sample::Blank, Label::new(name)), "Pa");
         if self.field.is_singular() {
-            view = view.words("without bound at the edge");
+            view = view.key(Sample::Blank, Label::new("without bound at the edge"));
         }
-        view = bands.key(view, "Pa");
         if let Some((sample, traction)) = arrows.sample(1.0) {
             view = view.key(sample, Label::default().number(&quantity(traction, "Pa", 3)));
         }

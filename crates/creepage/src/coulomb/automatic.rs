@@ -1,24 +1,21 @@
-//! As fine as a wanted accuracy needs.
+//! As fine as a prescribed accuracy needs.
 
 use std::sync::OnceLock;
 
-use super::{
-    Creepage, Exact, ExactSolution, FieldPoint, Force, Found, InverseError, Known, Resolution,
-    Solution, Theory,
-};
-use crate::Contact;
+use super::{Constraints, Exact, ExactSolved, InverseError, InverseSolution, Resolution};
 use crate::check::{self, InvalidValue};
 use crate::theory::{Jacobian, Solved};
+use crate::{Contact, Creepage, FieldPoint, Force, Solution, Theory};
 
 /// The full theory at the first of the three named resolutions whose error bar of the force is
 /// small enough; each is prepared when a case first needs it.
 ///
 /// ```
 /// use creepage::coulomb::Automatic;
-/// use creepage::{Contact, Creepage, Ellipse};
+/// use creepage::{Contact, Creepage, Ellipse, Theory};
 /// let theory = Automatic::new(&Contact::new(Ellipse::from_ratio(1.0)?, 0.28)?, 0.005)?;
-/// let solution = theory.solve_to_accuracy(Creepage::new(3.0, 0.0, 0.0)?);
-/// assert!(solution.error.fx < 0.005);
+/// let solution = theory.solve(Creepage::new(3.0, 0.0, 0.0)?);
+/// assert!(solution.error.is_some_and(|error| error.fx < 0.005));
 /// # Ok::<(), creepage::InvalidValue>(())
 /// ```
 #[derive(Debug, Clone)]
@@ -43,62 +40,55 @@ impl Automatic {
         Ok(Self { accuracy, fast, finer })
     }
 
-    /// Solves, refining until the error bars of `fx` and `fy` are below the wanted accuracy or
-    /// the finest resolution is reached; the error bars tell which.
+    /// Solves, refining until the error bars of `fx` and `fy` are below the prescribed accuracy or
+    /// the finest resolution is reached; the error bars show which.
     #[must_use]
-    pub fn solve_to_accuracy(&self, creepage: Creepage) -> ExactSolution {
-        self.level(creepage).1
-    }
-
-    /// As [`Automatic::solve_to_accuracy`]; also gives the theory at the resolution that sufficed.
-    #[must_use]
-    pub fn level(&self, creepage: Creepage) -> (&Exact, ExactSolution) {
-        self.refine(|theory| {
-            let solution = theory.solve_with(creepage, &mut theory.workspace());
-            (solution.error, solution)
-        })
+    pub fn solve_contact(&self, creepage: Creepage) -> ExactSolved<'_> {
+        self.refine(
+            |theory| theory.solve_contact(creepage),
+            |solved| solved.solution().error.unwrap_or_default(),
+        )
     }
 
     /// As [`Exact::find`], refining until the error bars of `fx` and `fy` at the creepage found
-    /// are below the wanted accuracy or the finest resolution is reached.
+    /// are below the prescribed accuracy or the finest resolution is reached.
     ///
     /// ```
-    /// use creepage::coulomb::{Automatic, Known};
+    /// use creepage::coulomb::{Automatic, Constraints};
     /// use creepage::{Contact, Ellipse};
     /// let theory = Automatic::new(&Contact::new(Ellipse::from_ratio(1.0)?, 0.28)?, 0.004)?;
-    /// let known = Known { eta: Some(0.0), chi: Some(0.2), fx: Some(0.5), ..Known::default() };
-    /// let (_, found) = theory.find(known)?;
-    /// assert!((found.solution.force.fx - 0.5).abs() < 1e-6 && found.solution.error.fx < 0.004);
+    /// let constraints =
+    ///     Constraints { eta: Some(0.0), chi: Some(0.2), fx: Some(0.5), ..Constraints::default() };
+    /// let solution = theory.find(constraints)?.solution();
+    /// assert!((solution.force.fx - 0.5).abs() < 1e-6);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     ///
     /// # Errors
     /// [`InverseError`] as [`Exact::find`], at the finest resolution.
-    pub fn find(&self, known: Known) -> Result<(&Exact, Found), InverseError> {
+    pub fn find(&self, constraints: Constraints) -> Result<InverseSolution<'_>, InverseError> {
         const UNKNOWN: Force = Force { fx: f64::INFINITY, fy: f64::INFINITY, mz: f64::INFINITY };
-        let (theory, found) = self.refine(|theory| {
-            let found = theory.find(known, &mut theory.workspace());
-            (found.as_ref().map_or(UNKNOWN, |found| found.solution.error), found)
-        });
-        Ok((theory, found?))
+        self.refine(
+            |theory| theory.find(constraints),
+            |found| found.as_ref().map_or(UNKNOWN, |f| f.solution().error.unwrap_or_default()),
+        )
     }
 
-    fn prepare(&self, resolution: Resolution) -> Exact {
-        Exact::prepare(&self.fast.contact, resolution)
-    }
-
-    /// The first resolution whose answer has an error bar that is small enough, and the answer.
-    fn refine<T>(&self, answer: impl Fn(&Exact) -> (Force, T)) -> (&Exact, T) {
-        let mut theory = &self.fast;
-        let (mut error, mut found) = answer(theory);
+    /// The answer of the first resolution at which its error bars are small enough.
+    fn refine<'t, T>(
+        &'t self,
+        answer: impl Fn(&'t Exact) -> T,
+        error: impl Fn(&T) -> Force,
+    ) -> T {
+        let mut found = answer(&self.fast);
         for (cell, resolution) in self.finer.iter().zip([Resolution::STANDARD, Resolution::FINE]) {
-            if error.fx.max(error.fy) <= self.accuracy {
+            let Force { fx, fy, .. } = error(&found);
+            if fx.max(fy) <= self.accuracy {
                 break;
             }
-            theory = cell.get_or_init(|| self.prepare(resolution));
-            (error, found) = answer(theory);
+            found = answer(cell.get_or_init(|| Exact::prepare(&self.fast.contact, resolution)));
         }
-        (theory, found)
+        found
     }
 }
 
@@ -108,19 +98,19 @@ impl Theory for Automatic {
     }
 
     fn solve(&self, creepage: Creepage) -> Solution {
-        self.solve_to_accuracy(creepage).into()
+        self.solve_contact(creepage).solution()
     }
 
     fn jacobian(&self, creepage: Creepage) -> Option<Jacobian> {
-        self.level(creepage).0.jacobian(creepage)
+        self.solve_contact(creepage).jacobian()
     }
 
     fn field(&self, creepage: Creepage, positions: &[[f64; 2]]) -> Vec<FieldPoint> {
-        self.level(creepage).0.field(creepage, positions)
+        self.solve_contact(creepage).field(positions)
     }
 
     fn solved(&self, creepage: Creepage) -> Box<dyn Solved + '_> {
-        self.level(creepage).0.solved(creepage)
+        Box::new(self.solve_contact(creepage))
     }
 
     fn solved_for(&self, known: Known) -> Option<Result<Box<dyn Solved + '_>, InverseError>> {

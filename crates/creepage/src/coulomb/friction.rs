@@ -3,7 +3,7 @@
 
 /// The sliding branch of the projection at one element.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Sliding {
+pub(crate) struct Sliding {
     /// The projected traction: a unit vector.
     pub traction: [f64; 2],
     /// Derivative of the projected traction by `traction + weight * slip`.
@@ -12,7 +12,7 @@ pub(super) struct Sliding {
 
 /// The projection of `traction + weight * slip`: `None` where it lies inside the disc, in
 /// adhesion.
-pub(super) fn project(traction: [f64; 2], slip: [f64; 2], weight: f64) -> Option<Sliding> {
+pub(crate) fn project(traction: [f64; 2], slip: [f64; 2], weight: f64) -> Option<Sliding> {
     let trial = [traction[0] + weight * slip[0], traction[1] + weight * slip[1]];
     let size = trial[0].hypot(trial[1]);
     if size <= 1.0 {

@@ -1,115 +1,228 @@
-//! Displacement by constant tractions on polygons: the integrals of Boussinesq and Cerruti in
-//! closed form, edge by edge.
+//! The elastic slip of every element by the traction of every other.
+//!
+//! Where the strips are mirror images of one another about the `x` axis, the coefficients of the
+//! upper half are those of the lower by the tractions in mirrored order: only half is computed and
+//! kept. Nothing outside of this file and of [`Tractions`] depends on that.
 
-/// Coefficients of a symmetric 2 x 2 response: `[u by X, u by Y = v by X, v by Y]`.
-pub(super) type Response = [f64; 3];
+use std::ops::Range;
 
-/// What an edge of a loaded polygon adds to the displacement difference `u`, in units of
-/// `traction * length / (pi G)`; its ends lead from the field point, and the load lies on the left
-/// of the way from the first to the second.
-///
-/// (2.11c) is integrated over the load with the divergence theorem: `x^2/R^3 = 1/R - d/dx (x/R)`,
-/// and so on; `1/R` is the divergence of the position over `R`.
-pub(super) fn edge(poisson: f64, from: [f64; 2], to: [f64; 2]) -> Response {
-    let [across, up] = [to[0] - from[0], to[1] - from[1]];
-    let length = across.hypot(up);
-    if length == 0.0 {
-        return [0.0; 3];
-    }
-    let ([tx, ty], [nx, ny]) = ([across / length, up / length], [up / length, -across / length]);
-    let distance = nx * from[0] + ny * from[1];
-    let ends = [from, to].map(|[x, y]| tx * x + ty * y);
-    let radii = ends.map(|end| distance.hypot(end));
-    let inverse = distance_times_log(distance, ends, radii);
-    let radial = radii[1] - radii[0];
-    // Integrals of x/R and y/R along the edge.
-    let [x, y] = [nx * inverse + tx * radial, ny * inverse + ty * radial];
-    [inverse - poisson * nx * x, -poisson * nx * y, inverse - poisson * ny * y]
+use super::mesh::Mesh;
+use super::polygon::{Response, edge};
+use super::product::Row;
+use super::stencil::SlipStencil;
+
+/// Coefficients of the slip of each element, row by row.
+#[derive(Debug, Clone)]
+pub(crate) struct Influence {
+    /// Slip in `x` by `x`; in `x` by `y` and in `y` by `x`; in `y` by `y`.
+    coefficients: [Vec<f64>; 3],
+    rows: Vec<Place>,
+    /// First element of every strip, and the number of all.
+    offsets: Vec<usize>,
+    mirrored: bool,
 }
 
-/// Integral of `distance / R` along an edge; the logarithm is taken where nothing cancels.
-fn distance_times_log(distance: f64, ends: [f64; 2], radii: [f64; 2]) -> f64 {
-    if distance == 0.0 {
-        return 0.0;
+/// Where the coefficients of an element are.
+#[derive(Debug, Clone)]
+struct Place {
+    start: usize,
+    /// Those of its own strip, in the row.
+    block: Range<usize>,
+    /// -1 when they are those of the mirror image.
+    sign: f64,
+}
+
+impl Influence {
+    /// Slip by tractions in units of `pi G`, on any mesh; `stencils` are those of its strips.
+    pub(crate) fn new(mesh: &Mesh, poisson: f64, stencils: &[SlipStencil]) -> Self {
+        let strips = stencils.len();
+        let stored = if mesh.mirrored { strips.div_ceil(2) } else { strips };
+        let size = mesh.offsets()[stored] * mesh.len();
+        let mut coefficients = std::array::from_fn(|_| Vec::with_capacity(size));
+        let mut displacements = Vec::new();
+        for stencil in &stencils[..stored] {
+            displacements.clear();
+            for point in &stencil.points {
+                displace(mesh, poisson, *point, &mut displacements);
+            }
+            append(stencil, &displacements, mesh.len(), &mut coefficients);
+        }
+        let rows = mesh.all().map(|(strip, i)| place(mesh, stored, strip, i)).collect();
+        Self { coefficients, rows, offsets: mesh.offsets().to_vec(), mirrored: mesh.mirrored }
     }
-    let ([t0, t1], [r0, r1]) = (ends, radii);
-    let ratio = if t0 >= 0.0 {
-        (t1 + r1) / (t0 + r0)
-    } else if t1 <= 0.0 {
-        (r0 - t0) / (r1 - t1)
-    } else {
-        (t1 + r1) / distance * ((r0 - t0) / distance)
-    };
-    distance * ratio.ln()
+
+    /// The same by tractions over `factors`, one an element.
+    pub(crate) fn with_columns_times(mut self, factors: &[f64]) -> Self {
+        for row in self.coefficients.iter_mut().flat_map(|c| c.chunks_exact_mut(factors.len())) {
+            row.iter_mut().zip(factors).for_each(|(entry, factor)| *entry *= factor);
+        }
+        self
+    }
+
+    /// Slip of an element.
+    pub(crate) fn apply(&self, element: usize, tractions: &Tractions) -> [f64; 2] {
+        let Place { start, sign, .. } = self.rows[element];
+        let [x, y] = if sign > 0.0 { &tractions.own } else { &tractions.mirrored };
+        self.row(start..start + x.len()).apply(sign, x, y)
+    }
+
+    /// Coefficients of an element by the tractions of its own strip, and the sign of `xy`.
+    pub(crate) fn strip_block(&self, element: usize) -> (Row<'_>, f64) {
+        let Place { start, block, sign } = &self.rows[element];
+        (self.row(start + block.start..start + block.end), *sign)
+    }
+
+    /// The larger of the coefficients by an element's own traction.
+    pub(crate) fn own(&self, strip: usize, element: usize) -> f64 {
+        let (row, k) = (self.strip_block(element).0, element - self.offsets[strip]);
+        row.xx[k].abs().max(row.yy[k].abs())
+    }
+
+    fn row(&self, range: Range<usize>) -> Row<'_> {
+        let [xx, xy, yy] = &self.coefficients;
+        Row { xx: &xx[range.clone()], xy: &xy[range.clone()], yy: &yy[range] }
+    }
+}
+
+fn place(mesh: &Mesh, stored: usize, strip: usize, i: usize) -> Place {
+    let (strip, sign) =
+        if strip < stored { (strip, 1.0) } else { (mesh.strips.len() - 1 - strip, -1.0) };
+    let block = mesh.elements(strip);
+    Place { start: (block.start + i) * mesh.len(), block, sign }
+}
+
+/// Adds the displacements at a point by every element. Neighbours in a strip share the cut between
+/// them, and what it adds.
+fn displace(mesh: &Mesh, poisson: f64, [x, y]: [f64; 2], displacements: &mut Vec<Response>) {
+    for strip in &mesh.strips {
+        let ends = |i: usize| strip.cut_ends(i).map(|[p, q]| [p - x, q - y]);
+        let mut front = ends(0);
+        let mut ahead = edge(poisson, front[0], front[1]);
+        for i in 0..strip.len() {
+            let rear = ends(i + 1);
+            let behind = edge(poisson, rear[0], rear[1]);
+            let lower = edge(poisson, rear[0], front[0]);
+            let upper = edge(poisson, rear[1], front[1]);
+            displacements.push(std::array::from_fn(|k| ahead[k] - behind[k] + lower[k] - upper[k]));
+            (front, ahead) = (rear, behind);
+        }
+    }
+}
+
+/// Adds the rows of a strip's elements, from the displacements of all its points by `n` elements.
+fn append(stencil: &SlipStencil, by: &[Response], n: usize, coefficients: &mut [Vec<f64>; 3]) {
+    for weights in &stencil.weights {
+        let [(a, wa), (b, wb), (c, wc)] = *weights;
+        let [a, b, c] = [a, b, c].map(|point| &by[point * n..(point + 1) * n]);
+        let points = a.iter().zip(b).zip(c);
+        for (k, row) in coefficients.iter_mut().enumerate() {
+            row.extend(points.clone().map(|((a, b), c)| wa * a[k] + wb * b[k] + wc * c[k]));
+        }
+    }
+}
+
+/// A vector an element: tractions over their bounds, or a change of them.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Tractions {
+    /// All `x` components, all `y` components.
+    pub own: [Vec<f64>; 2],
+    /// The same with the strips in opposite order, where a mirrored [`Influence`] needs it.
+    mirrored: [Vec<f64>; 2],
+    offsets: Vec<usize>,
+}
+
+impl Tractions {
+    pub(crate) fn zeros(influence: &Influence) -> Self {
+        let n = influence.rows.len();
+        let kept = if influence.mirrored { n } else { 0 };
+        let zeros = |n: usize| [0, 1].map(|_| vec![0.0; n]);
+        Self { own: zeros(n), mirrored: zeros(kept), offsets: influence.offsets.clone() }
+    }
+
+    pub(crate) fn clear(&mut self) {
+        for values in self.own.iter_mut().chain(&mut self.mirrored) {
+            values.fill(0.0);
+        }
+    }
+
+    pub(crate) fn at(&self, element: usize) -> [f64; 2] {
+        [self.own[0][element], self.own[1][element]]
+    }
+
+    pub(crate) fn largest(&self) -> f64 {
+        self.own.iter().flatten().fold(0.0, |largest, t| t.abs().max(largest))
+    }
+
+    /// Adds to a strip `change`, that of all `x` before that of all `y`.
+    pub(crate) fn add(&mut self, strip: usize, change: &[f64]) {
+        let elements = self.offsets[strip]..self.offsets[strip + 1];
+        for (k, change) in change.chunks_exact(elements.len()).enumerate() {
+            let own = &mut self.own[k][elements.clone()];
+            own.iter_mut().zip(change).for_each(|(own, change)| *own += change);
+            self.mirror(strip, k);
+        }
+    }
+
+    /// Takes all `x`, then all `y`, from one vector.
+    pub(crate) fn copy_from(&mut self, vector: &[f64]) {
+        let half = self.own[0].len();
+        for (k, vector) in vector.chunks_exact(half).enumerate() {
+            self.own[k].copy_from_slice(vector);
+            for strip in 0..self.offsets.len() - 1 {
+                self.mirror(strip, k);
+            }
+        }
+    }
+
+    /// Puts all `x`, then all `y`, into one vector.
+    pub(crate) fn copy_to(&self, vector: &mut [f64]) {
+        let (x, y) = vector.split_at_mut(self.own[0].len());
+        x.copy_from_slice(&self.own[0]);
+        y.copy_from_slice(&self.own[1]);
+    }
+
+    /// Adds `factor` times other tractions.
+    pub(crate) fn add_times(&mut self, factor: f64, other: &Self) {
+        let to = self.own.iter_mut().chain(&mut self.mirrored).flatten();
+        let from = other.own.iter().chain(&other.mirrored).flatten();
+        to.zip(from).for_each(|(to, from)| *to += factor * from);
+    }
+
+    /// Copies a strip to its place in the opposite order.
+    fn mirror(&mut self, strip: usize, k: usize) {
+        if self.mirrored[k].is_empty() {
+            return;
+        }
+        let elements = self.offsets[strip]..self.offsets[strip + 1];
+        let start = self.offsets[self.offsets.len() - 2 - strip];
+        self.mirrored[k][start..start + elements.len()].copy_from_slice(&self.own[k][elements]);
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::ellipse::Ellipse;
 
-    fn rectangle(poisson: f64, x: [f64; 2], y: [f64; 2]) -> Response {
-        let corners = [[x[0], y[0]], [x[1], y[0]], [x[1], y[1]], [x[0], y[1]]];
-        std::array::from_fn(|k| {
-            (0..4).map(|i| edge(poisson, corners[i], corners[(i + 1) % 4])[k]).sum()
-        })
-    }
-
-    /// Midpoint sums of the integrand away from the load: their error is of order 1e-6 here.
+    /// The stored half and its mirror image, against the coefficients of all elements.
     #[test]
-    fn corners_sum_to_the_integral() {
-        let (poisson, steps) = (0.3, 200);
-        let (x, y) = ([0.5, 1.3], [-0.2, 0.9]);
-        let mut sum = [0.0; 3];
-        for i in 0..steps {
-            for j in 0..steps {
-                let at = |range: [f64; 2], k: usize| {
-                    range[0] + (range[1] - range[0]) * (k as f64 + 0.5) / steps as f64
-                };
-                let (px, py) = (at(x, i), at(y, j));
-                let r = px.hypot(py);
-                sum[0] += (1.0 - poisson) / r + poisson * px * px / r.powi(3);
-                sum[1] += poisson * px * py / r.powi(3);
-                sum[2] += (1.0 - poisson) / r + poisson * py * py / r.powi(3);
+    fn the_upper_half_mirrors_the_lower() {
+        let mesh = Mesh::ellipse(Ellipse::from_ratio(0.7).unwrap(), 5, 4);
+        let stencils: Vec<_> = mesh.strips.iter().map(SlipStencil::steady).collect();
+        let half = Influence::new(&mesh, 0.3, &stencils);
+        let all = Influence::new(&Mesh { mirrored: false, ..mesh }, 0.3, &stencils);
+        let vector: Vec<f64> = (0..40).map(|k| f64::from(k).sin()).collect();
+        let [of_half, of_all] = [&half, &all].map(|influence| {
+            let mut tractions = Tractions::zeros(influence);
+            tractions.copy_from(&vector);
+            tractions
+        });
+        for element in 0..20 {
+            let (found, expected) = (half.apply(element, &of_half), all.apply(element, &of_all));
+            for k in 0..2 {
+                // Rounding of sums of 40 terms of order one.
+                assert!((found[k] - expected[k]).abs() < 1e-12);
             }
-        }
-        let area = (x[1] - x[0]) * (y[1] - y[0]) / (steps * steps) as f64;
-        for (closed, sum) in rectangle(poisson, x, y).into_iter().zip(sum) {
-            assert!((closed - sum * area).abs() < 1e-5, "{closed} {}", sum * area);
-        }
-    }
-
-    /// Far away the load acts as a point; cancellation must not spoil what is left of it.
-    #[test]
-    fn far_away_a_rectangle_is_a_point_load() {
-        let (poisson, side, distance) = (0.25, 1e-2, 40.0);
-        let (x, y) = ([distance, distance + side], [-0.5 * side, 0.5 * side]);
-        let r = distance + 0.5 * side;
-        let found = rectangle(poisson, x, y);
-        let expected = [side * side / r, 0.0, side * side * (1.0 - poisson) / r];
-        for (found, expected) in found.into_iter().zip(expected) {
-            // Next term of the expansion: (side/distance)^2 = 6e-8; rounding 1e-16 (r/side)^2.
-            assert!((found - expected).abs() < 1e-7 * side * side / r, "{found} {expected}");
-        }
-    }
-    /// A parallelogram cut in two along a diagonal, with the field point inside, on an edge, at a
-    /// corner and outside: the edge in common cancels.
-    #[test]
-    fn pieces_add_up() {
-        let corners = [[0.0, 0.0], [2.0, 0.0], [2.5, 1.0], [0.5, 1.0]];
-        let sum = |at: [f64; 2], of: &[usize]| -> Response {
-            let lead = |k: usize| [corners[k][0] - at[0], corners[k][1] - at[1]];
-            std::array::from_fn(|k| {
-                let ends = of.iter().zip(of.iter().cycle().skip(1));
-                ends.map(|(from, to)| edge(0.3, lead(*from), lead(*to))[k]).sum()
-            })
-        };
-        for at in [[1.0, 0.3], [1.0, 0.0], [2.0, 0.0], [4.0, -3.0]] {
-            let whole = sum(at, &[0, 1, 2, 3]);
-            let pieces = [sum(at, &[0, 1, 2]), sum(at, &[0, 2, 3])];
-            for k in 0..3 {
-                assert!((pieces[0][k] + pieces[1][k] - whole[k]).abs() < 1e-14);
-            }
-            assert!(whole[0] > 0.0 && whole[2] > 0.0);
         }
     }
 }

@@ -2,20 +2,21 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::{Exact, ExactSolution, Workspace};
+use super::{Exact, ExactSolved};
 use crate::check::{self, InvalidValue};
-use crate::{Creepage, Force};
+use crate::theory::Solved;
+use crate::{Creepage, Force, Solution};
 
-/// Largest difference from a wanted force, in parts of `mu N`; the forces themselves are solved
+/// Largest difference from a prescribed force, in parts of `mu N`; the forces themselves are solved
 /// to some 1e-8.
 const TOLERANCE: f64 = 1e-7;
 const STEPS: usize = 60;
 /// Creepage beyond which a force has come as near to saturation as it will.
 const LARGEST: f64 = 1e3;
 
-/// What is known of creepage and force; exactly three are `Some`.
+/// Prescribed components of creepage and force; exactly three are `Some`.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Known {
+pub struct Constraints {
     /// Longitudinal creepage.
     pub xi: Option<f64>,
     /// Lateral creepage.
@@ -30,15 +31,27 @@ pub struct Known {
     pub mz: Option<f64>,
 }
 
-/// Creepage and force that fit together.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Found {
-    /// The creepage, known or found.
-    pub creepage: Creepage,
-    /// Its solution.
-    pub solution: ExactSolution,
+/// The contact solved at the creepage that meets the constraints.
+#[derive(Debug)]
+pub struct InverseSolution<'t> {
+    /// Creepage and force, and all that can be asked of a solved contact.
+    pub solved: ExactSolved<'t>,
     /// Newton steps.
     pub steps: usize,
+}
+
+impl InverseSolution<'_> {
+    /// The creepage, prescribed or found.
+    #[must_use]
+    pub fn creepage(&self) -> Creepage {
+        self.solved.creepage()
+    }
+
+    /// Its solution.
+    #[must_use]
+    pub fn solution(&self) -> Solution {
+        self.solved.solution()
+    }
 }
 
 /// Why an inverse problem has no answer.
@@ -54,7 +67,7 @@ pub enum InverseError {
     /// A given quantity is not a finite number.
     #[error(transparent)]
     InvalidValue(#[from] InvalidValue),
-    /// No creepage gives the wanted force.
+    /// No creepage gives the prescribed force.
     #[error(
         "the force is not reachable: at most fx = {}, fy = {}, mz = {} was reached, at xi = {}, \
          eta = {}, chi = {}", .nearest.fx, .nearest.fy, .nearest.mz, .at.xi, .at.eta, .at.chi
@@ -68,52 +81,50 @@ pub enum InverseError {
 }
 
 impl Exact {
-    /// Finds the creepage at which the known quantities hold, by Newton's method from zero.
+    /// Finds the creepage at which the constraints hold, by Newton's method from zero.
     ///
     /// ```
-    /// use creepage::coulomb::{Exact, Known, Resolution};
+    /// use creepage::coulomb::{Constraints, Exact, Resolution};
     /// use creepage::{Contact, Ellipse};
     /// // A ball that rolls freely: spin given, no force across.
     /// let theory = Exact::new(&Contact::new(Ellipse::from_ratio(1.0)?, 0.28)?, Resolution::FAST)?;
-    /// let known = Known { xi: Some(0.0), chi: Some(0.5), fy: Some(0.0), ..Known::default() };
-    /// let found = theory.find(known, &mut theory.workspace())?;
-    /// assert!(found.creepage.eta < 0.0 && found.solution.force.fy.abs() < 1e-6);
+    /// let free =
+    ///     Constraints { xi: Some(0.0), chi: Some(0.5), fy: Some(0.0), ..Constraints::default() };
+    /// let found = theory.find(free)?;
+    /// assert!(found.creepage().eta() < 0.0 && found.solution().force.fy.abs() < 1e-6);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     ///
     /// # Errors
-    /// [`InverseError`] unless three quantities are given, all finite, and within reach.
-    pub fn find(&self, known: Known, workspace: &mut Workspace) -> Result<Found, InverseError> {
-        let problem = Problem::new(known)?;
-        let mut best = self.found_at(problem.start, workspace);
+    /// [`InverseError`] unless three quantities are prescribed, all finite, and within reach.
+    pub fn find(&self, constraints: Constraints) -> Result<InverseSolution<'_>, InverseError> {
+        let problem = Problem::new(constraints)?;
+        let mut solved = self.solve_contact(problem.start);
         for steps in 0..STEPS {
-            if problem.is_solved(&best) {
-                return Ok(Found { steps, ..best });
+            if problem.is_solved(&solved) {
+                return Ok(InverseSolution { solved, steps });
             }
-            let Some(next) = problem.step(self, &best, workspace) else {
+            let Some(next) = problem.step(&mut solved) else {
                 break;
             };
-            best = next;
+            solved = next;
         }
-        Err(InverseError::NotReachable { nearest: best.solution.force, at: best.creepage })
-    }
-
-    fn found_at(&self, creepage: Creepage, workspace: &mut Workspace) -> Found {
-        Found { creepage, solution: self.solve_with(creepage, workspace), steps: 0 }
+        Err(InverseError::NotReachable { nearest: solved.solution().force, at: solved.creepage() })
     }
 }
 
-/// The unknown components of the creepage, and the forces wanted in exchange.
+/// The unknown components of the creepage, and the forces prescribed in exchange.
 struct Problem {
     start: Creepage,
     unknown: Vec<usize>,
-    wanted: Vec<(usize, f64)>,
+    prescribed: Vec<(usize, f64)>,
 }
 
 impl Problem {
-    fn new(known: Known) -> Result<Self, InverseError> {
-        let creepage = [("xi", known.xi), ("eta", known.eta), ("chi", known.chi)];
-        let force = [("fx", known.fx), ("fy", known.fy), ("mz", known.mz)];
+    fn new(constraints: Constraints) -> Result<Self, InverseError> {
+        let Constraints { xi, eta, chi, fx, fy, mz } = constraints;
+        let creepage = [("xi", xi), ("eta", eta), ("chi", chi)];
+        let force = [("fx", fx), ("fy", fy), ("mz", mz)];
         let given = creepage.iter().chain(&force).filter(|(_, value)| value.is_some()).count();
         if given != 3 {
             return Err(InverseError::NotThree { given });
@@ -123,42 +134,43 @@ impl Problem {
         }
         let [xi, eta, chi] = creepage.map(|(_, value)| value.unwrap_or(0.0));
         let unknown = (0..3).filter(|k| creepage[*k].1.is_none()).collect();
-        let wanted = (0..3).filter_map(|k| force[k].1.map(|value| (k, value))).collect();
-        Ok(Self { start: Creepage { xi, eta, chi }, unknown, wanted })
+        let prescribed = (0..3).filter_map(|k| force[k].1.map(|value| (k, value))).collect();
+        Ok(Self { start: Creepage::new(xi, eta, chi)?, unknown, prescribed })
     }
 
-    fn rest(&self, found: &Found) -> DVector<f64> {
-        let Force { fx, fy, mz } = found.solution.force;
-        DVector::from_iterator(
-            self.wanted.len(),
-            self.wanted.iter().map(|(k, value)| value - [fx, fy, mz][*k]),
-        )
+    /// Prescribed forces less those of a solution.
+    fn residual(&self, solved: &ExactSolved) -> DVector<f64> {
+        let force = solved.solution().force.components();
+        let components = self.prescribed.iter().map(|(k, value)| value - force[*k]);
+        DVector::from_iterator(self.prescribed.len(), components)
     }
 
     /// More than `mu N` is out of reach, whatever the rounding of the force says.
-    fn is_solved(&self, found: &Found) -> bool {
-        let size = self.wanted.iter().filter(|(k, _)| *k < 2).fold(0.0, |s: f64, w| s.hypot(w.1));
-        size <= 1.0 && self.rest(found).amax() <= TOLERANCE
+    fn is_solved(&self, solved: &ExactSolved) -> bool {
+        let tangential = self.prescribed.iter().filter(|(k, _)| *k < 2);
+        let size = tangential.fold(0.0, |size: f64, (_, value)| size.hypot(*value));
+        size <= 1.0 && self.residual(solved).amax() <= TOLERANCE
     }
 
     /// A Newton step, shortened until it comes nearer; `None` when none does.
-    fn step(&self, theory: &Exact, from: &Found, workspace: &mut Workspace) -> Option<Found> {
-        let rest = self.rest(from);
-        let derivative = theory.derivative(workspace);
-        let n = rest.len();
-        let matrix = DMatrix::from_fn(n, n, |i, k| derivative[self.wanted[i].0][self.unknown[k]]);
-        let step = matrix.lu().solve(&rest).filter(|step| step.iter().all(|s| s.is_finite()))?;
-        let Creepage { xi, eta, chi } = from.creepage;
-        let size = xi.abs().max(eta.abs()).max(chi.abs());
+    fn step<'t>(&self, from: &mut ExactSolved<'t>) -> Option<ExactSolved<'t>> {
+        let (residual, at) = (self.residual(from), from.creepage().components());
+        let jacobian = from.jacobian()?;
+        let n = residual.len();
+        let entry = |i: usize, k: usize| jacobian[self.prescribed[i].0][self.unknown[k]];
+        let step = DMatrix::from_fn(n, n, entry).lu().solve(&residual);
+        let step = step.filter(|step| step.iter().all(|s| s.is_finite()))?;
+        let size = at.iter().fold(0.0, |size: f64, component| size.max(component.abs()));
         let mut length = (size.max(1.0) / step.amax()).min(1.0);
         for _ in 0..8 {
-            let mut to = [xi, eta, chi];
+            let mut to = at;
             for (k, step) in self.unknown.iter().zip(step.iter()) {
                 to[*k] += length * step;
             }
-            let next = theory.found_at(Creepage { xi: to[0], eta: to[1], chi: to[2] }, workspace);
+            let [xi, eta, chi] = to;
+            let next = from.theory().solve_contact(Creepage { xi, eta, chi });
             let within = self.unknown.iter().all(|k| to[*k].abs() <= LARGEST);
-            if within && self.rest(&next).norm() < rest.norm() {
+            if within && self.residual(&next).norm() < residual.norm() {
                 return Some(next);
             }
             length *= 0.4;

@@ -14,39 +14,35 @@
 //! ```
 
 mod automatic;
-mod dense;
-mod derivative;
-mod elements;
-mod ends;
+mod extrapolation;
+mod forcing;
 mod friction;
-mod gmres;
 mod grid;
 mod influence;
 mod inverse;
-mod linear;
-mod load;
-mod newton;
+mod mesh;
+mod polygon;
+mod pressure;
+mod product;
+mod quadrature;
 mod resolution;
-mod row;
-mod sampling;
 mod solution;
-mod solve;
-mod state;
-mod strip;
-mod tractions;
-mod unlike;
+mod solver;
+mod stencil;
+mod workspace;
 
 pub use automatic::Automatic;
-pub use inverse::{Found, InverseError, Known};
+pub use inverse::{Constraints, InverseError, InverseSolution};
 pub use resolution::Resolution;
-pub use solution::{ElementField, ExactSolution, Workspace};
+pub use solution::{ElementField, ExactSolved};
 
 use crate::check::{self, InvalidValue};
-use crate::theory::{Diagnostic, Jacobian, Solved, Statistics};
-use crate::{Contact, Creepage, FieldPoint, Force, Solution, Theory};
+use crate::theory::{Jacobian, Solved};
+use crate::{Contact, Creepage, FieldPoint, Solution, Theory};
 use grid::Grid;
+use workspace::Pool;
 
-/// The full theory, prepared for one ratio of semi-axes and one Poisson's ratio.
+/// The full theory, prepared for one contact.
 ///
 /// Error of `(fx, fy)` in parts of `mu N` beyond the uncertainty of the 132 reference cases of
 /// `creepage-validation`, and the cost of a case and of preparation on one core:
@@ -77,6 +73,7 @@ pub struct Exact {
     contact: Contact,
     /// The coarser grid, then the finer with twice its elements along and across.
     grids: [Grid; 2],
+    pool: Pool,
 }
 
 impl Exact {
@@ -112,68 +109,49 @@ impl Exact {
     fn prepare(contact: &Contact, resolution: Resolution) -> Self {
         let (ellipse, poisson) = (contact.ellipse(), contact.poisson());
         let [along, across] = resolution.coarse(ellipse.ratio());
-        let mut grids = [1, 2].map(|k| Grid::new(ellipse, poisson, k * along, k * across));
-        for grid in &mut grids {
-            grid.set_unlikeness(ellipse, contact.kappa_over_mu());
-        }
-        Self { contact: *contact, grids }
+        let grids = [1, 2].map(|k| {
+            Grid::hertz(ellipse, poisson, contact.kappa_over_mu(), [k * along, k * across])
+        });
+        Self { contact: *contact, grids, pool: Pool::default() }
     }
 
     /// Elements along and across on the finer grid.
     #[must_use]
     pub fn elements(&self) -> [usize; 2] {
-        [self.grids[1].elements.along, self.grids[1].elements.strips]
+        let strips = &self.grids[1].mesh.strips;
+        [strips.first().map_or(0, mesh::Strip::len), strips.len()]
     }
 
-    /// Room for solutions, to be used again from case to case.
+    /// Solves, and keeps what was solved.
+    ///
+    /// ```
+    /// use creepage::coulomb::{Exact, Resolution};
+    /// use creepage::theory::Solved;
+    /// use creepage::{Contact, Creepage, Ellipse, Region};
+    /// let contact = Contact::new(Ellipse::from_ratio(1.0)?, 0.28)?;
+    /// let theory = Exact::new(&contact, Resolution::FAST)?;
+    /// let solved = theory.solve_contact(Creepage::new(0.3, 0.0, 0.0)?);
+    /// let sliding = solved.elements().iter().filter(|e| e.point.region == Region::Slip).count();
+    /// assert!(sliding > 0 && solved.power() > 0.0);
+    /// # Ok::<(), creepage::InvalidValue>(())
+    /// ```
     #[must_use]
-    pub fn workspace(&self) -> Workspace {
-        Workspace::new(&self.grids)
-    }
-
-    /// Solves from scratch.
-    pub fn solve_with(&self, creepage: Creepage, workspace: &mut Workspace) -> ExactSolution {
-        workspace.solve(&self.grids, creepage, false);
-        workspace.finish(&self.grids, creepage)
-    }
-
-    /// Solves from the tractions that `workspace` holds: quicker along a curve of creepages.
-    pub fn solve_next(&self, creepage: Creepage, workspace: &mut Workspace) -> ExactSolution {
-        workspace.solve(&self.grids, creepage, true);
-        workspace.finish(&self.grids, creepage)
+    pub fn solve_contact(&self, creepage: Creepage) -> ExactSolved<'_> {
+        ExactSolved::new(self, creepage)
     }
 
     /// Solves along a curve of creepages, each from the one before.
     #[must_use]
-    pub fn curve(&self, creepages: &[Creepage]) -> Vec<ExactSolution> {
-        let mut workspace = self.workspace();
-        creepages.iter().map(|creepage| self.solve_next(*creepage, &mut workspace)).collect()
-    }
-
-    /// Derivative of the force last solved in `workspace`, by `xi`, `eta` and `chi`: row `i`,
-    /// column `k` is the derivative of `(fx, fy, mz)[i]` by `(xi, eta, chi)[k]`.
-    ///
-    /// It is the derivative of the extrapolated force. Where an element is about to change
-    /// between adhesion and slip it is one-sided.
-    #[must_use]
-    pub fn derivative(&self, workspace: &mut Workspace) -> [[f64; 3]; 3] {
-        workspace.derivative(&self.grids)
-    }
-
-    /// The elements of the finer grid as last solved in `workspace`, strip by strip from
-    /// negative `y`, each from the leading edge.
-    #[must_use]
-    pub fn element_fields(&self, workspace: &Workspace) -> Vec<ElementField> {
-        workspace.element_fields(&self.grids[1])
-    }
-
-    /// Traction and slip at positions, as last solved in `workspace`.
-    #[must_use]
-    pub fn field_of(&self, workspace: &Workspace, positions: &[[f64; 2]]) -> Vec<FieldPoint> {
-        positions
-            .iter()
-            .map(|at| workspace.field_at(&self.grids[1], self.contact.ellipse(), *at))
-            .collect()
+    pub fn curve(&self, creepages: &[Creepage]) -> Vec<Solution> {
+        let mut solved: Option<ExactSolved> = None;
+        let mut next = |creepage: &Creepage| {
+            let here = match solved.take() {
+                Some(last) => last.next(*creepage),
+                None => self.solve_contact(*creepage),
+            };
+            solved.insert(here).solution()
+        };
+        creepages.iter().map(&mut next).collect()
     }
 }
 
@@ -183,7 +161,7 @@ impl Theory for Exact {
     }
 
     fn solve(&self, creepage: Creepage) -> Solution {
-        self.solve_with(creepage, &mut self.workspace()).into()
+        self.solve_contact(creepage).solution()
     }
 
     fn jacobian(&self, creepage: Creepage) -> Option<Jacobian> {
@@ -201,91 +179,5 @@ impl Theory for Exact {
     fn solved_for(&self, known: Known) -> Option<Result<Box<dyn Solved + '_>, InverseError>> {
         let found = self.find(known, &mut self.workspace());
         Some(found.map(|found| self.solved(found.creepage)))
-    }
-}
-
-impl From<ExactSolution> for Solution {
-    fn from(found: ExactSolution) -> Self {
-        let iterations = found.sweeps.iter().sum();
-        Self {
-            force: found.force,
-            error: Some(found.error),
-            status: found.status,
-            statistics: Statistics { iterations, factorizations: 0 },
-        }
-    }
-}
-
-/// One contact solved by the full theory, for further questions.
-#[derive(Debug, Clone)]
-pub struct ExactSolved<'t> {
-    theory: &'t Exact,
-    workspace: Workspace,
-    creepage: Creepage,
-    found: ExactSolution,
-}
-
-impl Exact {
-    /// Solves, and keeps what was solved.
-    #[must_use]
-    pub fn solve_contact(&self, creepage: Creepage) -> ExactSolved<'_> {
-        let mut workspace = self.workspace();
-        let found = self.solve_with(creepage, &mut workspace);
-        ExactSolved { theory: self, workspace, creepage, found }
-    }
-}
-
-impl ExactSolved<'_> {
-    /// The elements of the finer grid, strip by strip from negative `y`, each from the leading
-    /// edge.
-    #[must_use]
-    pub fn elements(&self) -> Vec<ElementField> {
-        self.theory.element_fields(&self.workspace)
-    }
-}
-
-impl Solved for ExactSolved<'_> {
-    fn creepage(&self) -> Creepage {
-        self.creepage
-    }
-
-    fn solution(&self) -> Solution {
-        self.found.into()
-    }
-
-    fn jacobian(&mut self) -> Option<Jacobian> {
-        Some(self.theory.derivative(&mut self.workspace))
-    }
-
-    fn field(&self, positions: &[[f64; 2]]) -> Vec<FieldPoint> {
-        self.theory.field_of(&self.workspace, positions)
-    }
-
-    fn points(&self) -> Option<Vec<FieldPoint>> {
-        Some(self.elements().iter().map(|element| element.point).collect())
-    }
-
-    fn power(&self) -> f64 {
-        self.found.power
-    }
-
-    fn dissipation(&self) -> Option<f64> {
-        Some(self.found.dissipation)
-    }
-
-    fn diagnostics(&self) -> Vec<Diagnostic> {
-        let (error, [along, across]) = (self.found.error, self.theory.elements());
-        let diagnostic = |key, label, value| Diagnostic { key, label, value };
-        let mut diagnostics = vec![
-            diagnostic("fx_error", "error bar of f_x", error.fx),
-            diagnostic("fy_error", "error bar of f_y", error.fy),
-            diagnostic("mz_error", "error bar of m_z", error.mz),
-            diagnostic("elements", "elements", (along * across) as f64),
-        ];
-        let kappa_over_mu = self.theory.contact.kappa_over_mu();
-        if kappa_over_mu != 0.0 {
-            diagnostics.push(diagnostic("kappa_over_mu", "unlike bodies, kappa/mu", kappa_over_mu));
-        }
-        diagnostics
     }
 }

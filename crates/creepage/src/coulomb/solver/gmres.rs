@@ -1,7 +1,7 @@
 //! GMRES (Saad and Schultz 1986) for the fixed point of an affine map, without allocation.
 
-/// Images that are combined before it starts again from what they gave.
-const COMBINED: usize = 40;
+/// Directions that are combined before it restarts from what they gave.
+const KRYLOV_DIMENSION: usize = 40;
 const RESTARTS: usize = 5;
 
 /// What is wanted of the map.
@@ -12,24 +12,24 @@ pub(super) enum Part {
     Linear,
 }
 
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub(super) struct Gmres {
     /// Orthonormal directions.
     directions: Vec<Vec<f64>>,
     /// Column `k`: `direction k - its image`, by the directions; after rotation, triangular.
-    columns: Vec<[f64; COMBINED + 1]>,
+    columns: Vec<Vec<f64>>,
     /// Cosine and sine of the rotations that make it triangular.
-    rotations: [[f64; 2]; COMBINED],
-    right: [f64; COMBINED + 1],
+    rotations: Vec<[f64; 2]>,
+    right: Vec<f64>,
 }
 
 impl Gmres {
     pub(super) fn new(unknowns: usize) -> Self {
         Self {
-            directions: vec![vec![0.0; unknowns]; COMBINED + 1],
-            columns: vec![[0.0; COMBINED + 1]; COMBINED],
-            rotations: [[0.0; 2]; COMBINED],
-            right: [0.0; COMBINED + 1],
+            directions: vec![vec![0.0; unknowns]; KRYLOV_DIMENSION + 1],
+            columns: vec![vec![0.0; KRYLOV_DIMENSION + 1]; KRYLOV_DIMENSION],
+            rotations: vec![[0.0; 2]; KRYLOV_DIMENSION],
+            right: vec![0.0; KRYLOV_DIMENSION + 1],
         }
     }
 
@@ -65,7 +65,7 @@ impl Gmres {
 
     /// Adds directions until a combination of them comes near enough; their number.
     fn explore(&mut self, goal: f64, map: &mut impl FnMut(Part, &[f64], &mut [f64])) -> usize {
-        for k in 0..COMBINED {
+        for k in 0..KRYLOV_DIMENSION {
             let (known, next) = self.directions.split_at_mut(k + 1);
             let next = &mut next[0];
             map(Part::Linear, &known[k], next);
@@ -84,7 +84,7 @@ impl Gmres {
                 return k + 1;
             }
         }
-        COMBINED
+        KRYLOV_DIMENSION
     }
 
     /// Makes column `k` triangular.

@@ -1,10 +1,11 @@
-//! Unlike bodies: the slip that the pressure causes (6.4), in closed form.
+//! What drives the slip: creepage, spin and, between dissimilar bodies, the pressure (6.4).
 //!
-//! By (2.11a,b) `u - iv`, as a function of `z = x + iy`, is the plane field of attraction of a mass
-//! of density `Z`, times `-kappa / (pi G)`. Newton's shells make one integral of it: a thin shell
-//! between similar ellipses attracts only what lies outside of it, and there as its mass does
-//! along the focal segment. For Hertz's pressure `Z = G f00 (1 - t)^(1/2)` on the ellipses
-//! `t = x^2/a^2 + y^2/b^2`, with the focal distance `f^2 = a^2 - b^2`:
+//! The pressure's part has a closed form. By (2.11a,b) `u - iv`, as a function of `z = x + iy`, is
+//! the plane field of attraction of a mass of density `Z`, times `-kappa / (pi G)`. Newton's shells
+//! make one integral of it: a thin shell between similar ellipses attracts only what lies outside
+//! of it, and there as its mass does along the focal segment. For Hertz's pressure
+//! `Z = G f00 (1 - t)^(1/2)` on the ellipses `t = x^2/a^2 + y^2/b^2`, with the focal distance
+//! `f^2 = a^2 - b^2`:
 //!
 //! ```math
 //! u - i v = -\kappa f_{00} \, a b \int_0^t \frac{\sqrt{1 - t'} \, dt'}{\sqrt{z^2 - f^2 t'}}
@@ -12,26 +13,60 @@
 
 use nalgebra::Complex;
 
-use crate::Creepage;
+use super::stencil::SlipStencil;
 use crate::ellipse::Ellipse;
+use crate::Creepage;
 
 /// Nearer to the centre than this (as `t`), the displacement is linear: its slope changes as `t`.
 const CENTRE: f64 = 1e-7;
 /// Size of `f^2/z^2` below which a power series is exact to rounding.
 const NEARLY_CIRCULAR: f64 = 0.05;
 
-/// What drives the slip of a grid.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Drive {
-    /// Creepage and spin in the mirror.
-    pub creepage: Creepage,
-    /// Sign in the mirror of the slip that the pressure causes.
-    pub side: f64,
+/// The slip of every element before any tangential traction acts.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct SlipForcing {
+    pub slip: Vec<[f64; 2]>,
+    /// The spin in it, for positions between the elements.
+    pub spin: f64,
+}
+
+impl SlipForcing {
+    /// Rigid slip at `places`, and `factor` times the slip by the pressure.
+    pub(crate) fn set(
+        &mut self,
+        creepage: Creepage,
+        places: &[[f64; 2]],
+        factor: f64,
+        by_pressure: &[[f64; 2]],
+    ) {
+        self.spin = creepage.chi;
+        self.slip.clear();
+        self.slip.extend(places.iter().zip(by_pressure).map(|(place, by_pressure)| {
+            let rigid = creepage.rigid_slip(*place);
+            [0, 1].map(|k| rigid[k] + factor * by_pressure[k])
+        }));
+    }
+
+    /// No slip.
+    pub(crate) fn clear(&mut self) {
+        self.slip.fill([0.0; 2]);
+        self.spin = 0.0;
+    }
+
+    /// The largest slip.
+    pub(crate) fn largest(&self) -> f64 {
+        self.slip.iter().map(|[x, y]| x.hypot(*y)).fold(0.0, f64::max)
+    }
+}
+
+/// Slip of every element by Hertz's pressure between dissimilar bodies, over `kappa f00`.
+pub(crate) fn by_hertz_pressure(ellipse: Ellipse, stencils: &[SlipStencil]) -> Vec<[f64; 2]> {
+    stencils.iter().flat_map(|stencil| stencil.slip(|at| displacement(ellipse, at))).collect()
 }
 
 /// The displacement differences `[u, v]` by Hertz's pressure, over `kappa f00`, at a position inside
 /// the ellipse.
-pub(super) fn displacement(ellipse: Ellipse, [x, y]: [f64; 2]) -> [f64; 2] {
+pub(crate) fn displacement(ellipse: Ellipse, [x, y]: [f64; 2]) -> [f64; 2] {
     let (a, b) = (ellipse.a(), ellipse.b());
     let t = (x / a).powi(2) + (y / b).powi(2);
     if t < CENTRE {

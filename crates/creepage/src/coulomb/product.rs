@@ -4,7 +4,7 @@ use pulp::{Arch, Simd, WithSimd};
 
 /// The rows of coefficients of one element, and how to apply them.
 #[derive(Clone, Copy)]
-pub(super) struct Row<'a> {
+pub(crate) struct Row<'a> {
     pub xx: &'a [f64],
     pub xy: &'a [f64],
     pub yy: &'a [f64],
@@ -12,7 +12,7 @@ pub(super) struct Row<'a> {
 
 impl Row<'_> {
     /// Slip by tractions `x`, `y`, in the mirror image too when `sign` is -1.
-    pub(super) fn apply(&self, sign: f64, x: &[f64], y: &[f64]) -> [f64; 2] {
+    pub(crate) fn apply(&self, sign: f64, x: &[f64], y: &[f64]) -> [f64; 2] {
         let [u_x, u_y, v_x, v_y] = Arch::new().dispatch(Products { row: *self, x, y });
         [u_x + sign * u_y, sign * v_x + v_y]
     }

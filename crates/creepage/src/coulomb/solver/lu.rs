@@ -3,16 +3,16 @@
 
 use pulp::{Arch, Simd, WithSimd};
 
-/// `P A = L U` with partial pivoting; the diagonal holds its reciprocals. One value is filled and factored again and again, which
-/// the owning decompositions of the linear algebra library do not offer.
-#[derive(Debug, Clone)]
-pub(super) struct Dense {
+/// `P A = L U` with partial pivoting; the diagonal holds its reciprocals. One value is filled and
+/// factored again and again, which the owning decompositions of the linear algebra library do not offer.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Lu {
     n: usize,
     entries: Vec<f64>,
     pivots: Vec<usize>,
 }
 
-impl Dense {
+impl Lu {
     pub(super) fn new(n: usize) -> Self {
         Self { n, entries: vec![0.0; n * n], pivots: vec![0; n] }
     }
@@ -46,7 +46,7 @@ impl Dense {
     }
 }
 
-struct Factor<'a>(&'a mut Dense);
+struct Factor<'a>(&'a mut Lu);
 
 impl WithSimd for Factor<'_> {
     type Output = bool;
@@ -73,13 +73,13 @@ impl WithSimd for Factor<'_> {
     }
 }
 
-struct Solve<'a>(&'a Dense, &'a mut [f64]);
+struct Solve<'a>(&'a Lu, &'a mut [f64]);
 
 impl WithSimd for Solve<'_> {
     type Output = ();
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) {
-        let Self(Dense { n, entries, pivots }, x) = self;
+        let Self(Lu { n, entries, pivots }, x) = self;
         for (k, pivot) in pivots.iter().enumerate() {
             x.swap(k, *pivot);
         }
@@ -126,17 +126,17 @@ mod tests {
     fn solves_a_system_that_needs_pivots() {
         let n = 7;
         let entry = |i: usize, j: usize| if i == j { 0.0 } else { ((i * n + j) as f64).sin() };
-        let mut dense = Dense::new(n);
+        let mut lu = Lu::new(n);
         for i in 0..n {
             for j in 0..n {
-                dense.entries[i * n + j] = entry(i, j);
+                lu.entries[i * n + j] = entry(i, j);
             }
         }
         let expected: Vec<f64> = (0..n).map(|i| (i as f64).cos()).collect();
         let mut x: Vec<f64> =
             (0..n).map(|i| (0..n).map(|j| entry(i, j) * expected[j]).sum()).collect();
-        assert!(dense.factor());
-        dense.solve(&mut x);
+        assert!(lu.factor());
+        lu.solve(&mut x);
         for (x, expected) in x.iter().zip(&expected) {
             // Rounding times a condition number below 100.
             assert!((x - expected).abs() < 1e-12);
@@ -144,7 +144,7 @@ mod tests {
     }
 
     #[test]
-    fn a_singular_matrix_is_told() {
-        assert!(!Dense::new(3).factor());
+    fn a_singular_matrix_is_reported() {
+        assert!(!Lu::new(3).factor());
     }
 }
