@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use creepage::coulomb::{self, Known};
+use creepage::coulomb::{self, Constraints};
 use creepage::{Creepage, FieldPoint, TheorySpec};
 use numpy::IntoPyArray;
 use pyo3::exceptions::PyValueError;
@@ -109,11 +109,13 @@ impl Exact {
         fy: Option<f64>,
         mz: Option<f64>,
     ) -> PyResult<Bound<'py, PyAny>> {
-        let known = Known { xi, eta, chi, fx, fy, mz };
-        let find = || self.theory.find(known, &mut self.theory.workspace());
-        let found = py.detach(find).map_err(|error| errors::inverse(py, error))?;
-        let [xi, eta, chi] = found.creepage.components();
-        let force = results::force(py, &found.solution.into())?;
-        results::make(py, "Found", (xi, eta, chi, force, found.steps))
+        let constraints = Constraints { xi, eta, chi, fx, fy, mz };
+        let found = py.detach(|| {
+            let found = self.theory.find(constraints)?;
+            Ok((found.creepage(), found.solution(), found.steps))
+        });
+        let (creepage, solution, steps) = found.map_err(|error| errors::inverse(py, error))?;
+        let [xi, eta, chi] = creepage.components();
+        results::make(py, "Found", (xi, eta, chi, results::force(py, &solution)?, steps))
     }
 }

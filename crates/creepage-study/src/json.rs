@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use creepage::coulomb::Known as Constraints;
+use creepage::coulomb::Constraints;
 use creepage::{Creepage, Force, SiCreepage, SiForce};
 use serde::Serialize;
 

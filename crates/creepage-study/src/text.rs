@@ -1,7 +1,7 @@
 //! The report for a terminal: plain lines in aligned columns.
 
 use creepage::Hertz;
-use creepage::coulomb::Known as Constraints;
+use creepage::coulomb::Constraints;
 use creepage::{SiForce, Status};
 use creepage_plot::format::{Scale, fixed, quantity, significant};
 

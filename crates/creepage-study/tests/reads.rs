@@ -1,6 +1,6 @@
 //! What a case file may say, and what comes of it.
 
-use creepage::coulomb::Known as Constraints;
+use creepage::coulomb::Constraints;
 use creepage::theory::{NamedResolution, ResolutionSpec, VariationalOptions};
 use creepage::variational::Weight;
 use creepage::{SiCreepage, TheorySpec};

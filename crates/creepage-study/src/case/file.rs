@@ -1,6 +1,6 @@
 //! A whole case file, and the case that it describes.
 
-use creepage::coulomb::Known as Constraints;
+use creepage::coulomb::Constraints;
 use creepage::theory::UnknownTheory;
 use creepage::{Contact, Creepage, Hertz, TheorySpec};
 use schemars::JsonSchema;

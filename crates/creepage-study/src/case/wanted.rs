@@ -1,6 +1,6 @@
 //! `[wanted]`: forces to which the creepage is to be found.
 
-use creepage::coulomb::Known as Constraints;
+use creepage::coulomb::Constraints;
 use creepage::{Ellipse, Scaling};
 use schemars::JsonSchema;
 use serde::Deserialize;

@@ -113,7 +113,10 @@ impl Theory for Automatic {
         Box::new(self.solve_contact(creepage))
     }
 
-    fn solved_for(&self, known: Known) -> Option<Result<Box<dyn Solved + '_>, InverseError>> {
-        Some(self.find(known).map(|(level, found)| level.solved(found.creepage)))
+    fn solved_for(
+        &self,
+        constraints: Constraints,
+    ) -> Option<Result<Box<dyn Solved + '_>, InverseError>> {
+        Some(self.find(constraints).map(|found| -> Box<dyn Solved> { Box::new(found.solved) }))
     }
 }

@@ -176,8 +176,10 @@ impl Theory for Exact {
         Box::new(self.solve_contact(creepage))
     }
 
-    fn solved_for(&self, known: Known) -> Option<Result<Box<dyn Solved + '_>, InverseError>> {
-        let found = self.find(known, &mut self.workspace());
-        Some(found.map(|found| self.solved(found.creepage)))
+    fn solved_for(
+        &self,
+        constraints: Constraints,
+    ) -> Option<Result<Box<dyn Solved + '_>, InverseError>> {
+        Some(self.find(constraints).map(|found| -> Box<dyn Solved> { Box::new(found.solved) }))
     }
 }

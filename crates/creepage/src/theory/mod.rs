@@ -15,7 +15,7 @@ pub use spec::{
 };
 
 use crate::contact::Contact;
-use crate::coulomb::{InverseError, Known};
+use crate::coulomb::{Constraints, InverseError};
 use crate::creepage::{Creepage, Force};
 
 /// Whether a force may be trusted.
@@ -112,7 +112,10 @@ pub trait Theory: Send + Sync {
     /// # Errors
     /// [`InverseError`] within the `Option`, unless three quantities are given, all finite, and
     /// within reach.
-    fn solved_for(&self, _: Known) -> Option<Result<Box<dyn Solved + '_>, InverseError>> {
+    fn solved_for(
+        &self,
+        _: Constraints,
+    ) -> Option<Result<Box<dyn Solved + '_>, InverseError>> {
         None
     }
 }
