@@ -389,7 +389,15 @@ fn nothing_and_too_much_get_their_codes() {
         assert!(theory.is_null());
         let force = |theory: *const CreepageTheory, count, creepages, forces| {
             creepage_theory_force(
-                theory, count, creepages, forces, null_mut(), null_mut(), none, null_mut(), 0,
+                theory,
+                count,
+                creepages,
+                forces,
+                null_mut(),
+                null_mut(),
+                none,
+                null_mut(),
+                0,
             )
         };
         assert_eq!(force(null(), 1, one, out), CREEPAGE_NULL);
@@ -406,9 +414,8 @@ fn nothing_and_too_much_get_their_codes() {
         );
         assert!(table.is_null());
         let slopes = null_mut();
-        let look = creepage_table_force(
-            null(), 1.0, 0.28, 0.0, 1, one, out, slopes, none, null_mut(), 0,
-        );
+        let look =
+            creepage_table_force(null(), 1.0, 0.28, 0.0, 1, one, out, slopes, none, null_mut(), 0);
         assert_eq!(look, CREEPAGE_NULL);
         assert_eq!(creepage_table_error(null(), out, null_mut(), 0), CREEPAGE_NULL);
         let slip = null_mut();

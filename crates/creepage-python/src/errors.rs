@@ -131,8 +131,8 @@ pub(crate) fn case(py: Python, error: CaseError) -> PyErr {
     let message = error.to_string();
     let (section, key, value) = match error {
         CaseError::Spec(
-            error @ (SpecError::UnknownTheory(_)
-            | SpecError::Value { value: Value::String(_), .. }),
+            error
+            @ (SpecError::UnknownTheory(_) | SpecError::Value { value: Value::String(_), .. }),
         ) => return spec(py, error),
         other => place(other),
     };

@@ -27,13 +27,13 @@ mod _creepage {
     #[pymodule_export]
     use crate::closed_forms::{carter, carter_field, coefficients, line_contact};
     #[pymodule_export]
+    use crate::exact::Exact;
+    #[pymodule_export]
     use crate::statics::SolvedStatics;
     #[pymodule_export]
     use crate::sweep::SweepData;
     #[pymodule_export]
     use crate::table::Table;
-    #[pymodule_export]
-    use crate::exact::Exact;
     #[pymodule_export]
     use crate::theories::{
         Automatic, Fastrip, Fastsim, Linear, Polach, Saturated, ShenHedrickElkins, Strip,

@@ -34,10 +34,10 @@ impl Table {
     /// Reads a table. Raises OSError, or TableError where the file is none or is damaged.
     #[staticmethod]
     fn read(py: Python, path: PathBuf) -> PyResult<Self> {
-        let bytes = py.detach(|| fs::read(&path)).map_err(|error| errors::os(error, path.clone()))?;
-        let named = |error: FileError| {
-            errors::no_table(py, &format!("{}: {error}", path.display()))
-        };
+        let bytes =
+            py.detach(|| fs::read(&path)).map_err(|error| errors::os(error, path.clone()))?;
+        let named =
+            |error: FileError| errors::no_table(py, &format!("{}: {error}", path.display()));
         Ok(Self { table: py.detach(|| table::Table::from_bytes(bytes)).map_err(named)? })
     }
 
