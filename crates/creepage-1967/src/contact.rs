@@ -1,10 +1,10 @@
 //! A contact seen from above, as in the thesis's sketches, and the fields in it.
 
+use crate::theories::like_bodies;
 use creepage::coulomb::{Exact, Resolution};
 use creepage::variational::{Start, Variational};
 use creepage::{Creepage, FieldPoint, Region, Solved, Theory};
 use creepage::{Ellipse, InvalidValue};
-use crate::theories::like_bodies;
 use creepage_plot::{Anchor, Axis, Contour, Fill, Label, Panel, Pen, ellipse, signed_area};
 
 /// A closed polygon in units of `c`.

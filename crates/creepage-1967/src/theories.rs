@@ -2,9 +2,7 @@
 
 use creepage::InvalidValue;
 use creepage::coulomb::{Exact, Resolution};
-use creepage::variational::{
-    Chain, Procedure, Settings, Variational, VariationalError, Weight,
-};
+use creepage::variational::{Chain, Procedure, Settings, Variational, VariationalError, Weight};
 use creepage::{Contact, Creepage, Ellipse, Force};
 
 /// Like bodies in a contact of this shape.

@@ -1,13 +1,14 @@
 //! The page of Fig. 12. Its numbers are compared with the print in `gallery.rs`.
 #![allow(clippy::unwrap_used)]
 
-use creepage::Creepage;
+use creepage::{Contact, Creepage, Ellipse};
 use creepage::variational::{Chain, Procedure, Settings, Variational};
 use creepage_1967::{Page, PageStyle};
 
 /// The page after the chain of creepages 2.5, 2.0, 1.7.
 fn figure_12(style: PageStyle) -> String {
-    let theory = Variational::new(0.5, 0.28, Settings::default()).unwrap();
+    let contact = Contact::new(Ellipse::from_ratio(0.5).unwrap(), 0.28).unwrap();
+    let theory = Variational::new(&contact, Settings::default()).unwrap();
     let mut chain = Chain::new(&theory, Procedure::OF_1967);
     let (sin, cos) = (-30.0_f64).to_radians().sin_cos();
     let mut text = String::new();

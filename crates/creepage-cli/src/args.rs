@@ -78,7 +78,7 @@ pub(crate) enum Command {
     /// and the table of agreement (agreement.csv, agreement.md).
     Reproduce(ReproduceArgs),
     /// List the theories: what each assumes, costs, errs by, and is good for.
-    Theories,
+    Theories(TheoriesArgs),
     /// Creepage and spin coefficients of linear theory.
     ///
     /// Forces and moment for vanishing creepage and spin, of the upper body on the lower:
@@ -102,6 +102,13 @@ pub(crate) enum Command {
     Init(InitArgs),
     /// Print the JSON schema of case, statics or sweep files, for editors and validators.
     Schema(SchemaArgs),
+}
+
+#[derive(Debug, clap::Args)]
+pub(crate) struct TheoriesArgs {
+    /// Print what is known of each theory as JSON.
+    #[arg(long)]
+    pub(crate) json: bool,
 }
 
 #[derive(Debug, clap::Args)]

@@ -45,7 +45,7 @@ fn run(command: &Command) -> Result<Outcome, Failure> {
         Command::Hertz(args) => cases::hertz(args)?,
         Command::Statics(args) => statics::run(args)?,
         Command::Reproduce(args) => reproduce::run(args)?,
-        Command::Theories => output::print(&theories::table())?,
+        Command::Theories(args) => theories::run(args)?,
         Command::Coefficients(args) => coefficients::run(args)?,
         Command::Curve(args) => curve::run(args)?,
         Command::Accuracy(args) => accuracy::run(args)?,

@@ -5,6 +5,10 @@ use creepage::theory::TheoryFacts;
 use creepage_study::json_schema;
 use serde_json::Value;
 
+use crate::args::TheoriesArgs;
+use crate::failure::Failure;
+use crate::output::{print, to_json};
+
 const NOTES: &str = "\
 COST is that of one force on one core, once the theory is prepared for its contact. ERROR is the
 root mean square of the force's error over 132 cases of the full theory, in parts of mu N; linear,
@@ -14,13 +18,17 @@ Only exact counts how unlike the bodies are; the others say so where that matter
 /// Longest line.
 const WIDTH: usize = 110;
 
+pub(crate) fn run(args: &TheoriesArgs) -> Result<(), Failure> {
+    print(&if args.json { to_json(&facts())? } else { table() })
+}
+
 /// All theories, the general ones first.
-pub(crate) fn facts() -> [&'static TheoryFacts; 10] {
+fn facts() -> [&'static TheoryFacts; 10] {
     TheorySpec::all().map(|theory| theory.facts())
 }
 
 /// The theories, a line each, and the options in `[solve]`.
-pub(crate) fn table() -> String {
+fn table() -> String {
     let width = |text: fn(&TheoryFacts) -> &str| {
         facts().into_iter().map(|facts| text(facts).len()).max().unwrap_or(0)
     };
@@ -62,10 +70,23 @@ fn options() -> String {
         let options = theory["properties"].as_object().into_iter().flatten();
         for (option, form) in options.filter(|(option, _)| *option != "theory") {
             let head = format!("  {name:11}  {option:11}  ");
-            text += &wrapped(&head, form["description"].as_str().unwrap_or_default());
+            let mut words = form["description"].as_str().unwrap_or_default().to_owned();
+            let choices = choices(form);
+            if !choices.is_empty() {
+                words += &format!(" Words: {}.", choices.join(", "));
+            }
+            text += &wrapped(&head, &words);
         }
     }
     text
+}
+
+/// The words that an option takes.
+fn choices(form: &Value) -> Vec<&str> {
+    let own = form["const"].as_str();
+    let listed = form["enum"].as_array().into_iter().flatten().filter_map(Value::as_str);
+    let nested = ["anyOf", "oneOf"].into_iter().filter_map(|key| form[key].as_array()).flatten();
+    own.into_iter().chain(listed).chain(nested.flat_map(choices)).collect()
 }
 
 /// `words` after `head`, in lines that fit a terminal; the head's width is the indent.

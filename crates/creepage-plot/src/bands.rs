@@ -59,9 +59,12 @@ impl Bands {
     #[must_use]
     pub fn key(&self, view: TopView, unit: &str) -> TopView {
         let scale = Scale::of(self.levels.last().copied().unwrap_or(0.0), unit, 3);
-        let name = |band: usize| match band.checked_sub(1).and_then(|k| self.levels.get(k)) {
-            Some(level) => Label::new("above ").number(&scale.write(*level)),
-            None => Label::new("below"),
+        let number = |words: &str, level: &f64| Label::new(words).number(&scale.write(*level));
+        let name = |band: usize| match (self.levels.get(band.wrapping_sub(1)), self.levels.first())
+        {
+            (Some(level), _) => number("above ", level),
+            (None, Some(level)) => number("below ", level),
+            (None, None) => Label::new("the same everywhere"),
         };
         let bands = (0..=self.levels.len()).rev();
         bands.fold(view, |view, band| view.key(Fill::plain(self.shade(band)), name(band)))

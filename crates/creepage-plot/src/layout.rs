@@ -44,7 +44,7 @@ impl Layout {
         let height = 2.0 * (semi_y + ROOM);
         let is_wide = semi_x > WIDE * semi_y;
         let (right, room) =
-            if is_wide { (WIDTH - MARGIN, WIDTH - 2.0 * MARGIN) } else { (690.0, 266.0) };
+            if is_wide { (WIDTH - MARGIN, WIDTH - 2.0 * MARGIN) } else { (690.0, 234.0) };
         let tall = legend.height(room);
         let height = if is_wide { height } else { height.max(tall) };
         let plot = Frame { from: [MARGIN, top], to: [right, top + height] };
@@ -52,7 +52,7 @@ impl Layout {
         let (corner, bottom) = if is_wide {
             ([MARGIN, plot.to[1] + GAP], plot.to[1] + GAP + tall)
         } else {
-            ([right, centre[1] - 0.5 * tall], plot.to[1])
+            ([right + 32.0, centre[1] - 0.5 * tall], plot.to[1])
         };
         Self { centre, plot, legend: (corner, room), table: bottom + 8.0 }
     }

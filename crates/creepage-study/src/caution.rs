@@ -99,7 +99,7 @@ impl fmt::Display for Caution {
             Self::Accuracy { prescribed, reached } => write!(
                 f,
                 "at the finest resolution the error bars reach {reached:.2e} of mu N, above the \
-                 wanted accuracy of {prescribed:e}"
+                 prescribed accuracy of {prescribed:e}"
             ),
         }
     }

@@ -178,7 +178,7 @@ fn a_speed_must_be_positive() {
 #[test]
 fn a_resolution_is_a_word_or_two_numbers() {
     let solve = |value: &str| format!("[solve]\nresolution = {value}\n[creepage]");
-    refused("[creepage]", &solve("\"coarse\""), &["coarse", "`auto`"]);
+    refused("[creepage]", &solve("\"coarse\""), &["coarse", "\"auto\""]);
     refused("[creepage]", &solve("[20]"), &["resolution = [20]", "two numbers of elements"]);
     refused("[creepage]", &solve("[20, 20, 20]"), &["[20, 20, 20]", "two numbers of elements"]);
     refused("[creepage]", &solve("20"), &["resolution = 20", "two numbers of elements"]);

@@ -7,7 +7,7 @@ mod common;
 use common::contact;
 use creepage::coulomb::{Exact, Resolution};
 use creepage::variational::{Chain, Procedure, Settings, Start, TractionBound, Variational};
-use creepage::{Creepage, Status};
+use creepage::{Creepage, Status, Theory};
 use proptest::prelude::*;
 
 fn of_degree(degree: usize, a_over_b: f64) -> Variational {
@@ -87,9 +87,7 @@ fn pure_spin_approaches_the_full_theory() {
     let full = Exact::new(&contact(5.0, 0.28), Resolution::STANDARD).unwrap();
     let low = (1..=20).map(|k| 0.05 * f64::from(k));
     let spins = low.chain([1.25, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 7.0, 10.0]);
-    let exact: Vec<_> = spins
-        .map(|chi| [chi, full.solve(spin(chi)).force.fy])
-        .collect();
+    let exact: Vec<_> = spins.map(|chi| [chi, full.solve(spin(chi)).force.fy]).collect();
     for (degree, bounds) in [(3, [0.05, 0.22]), (6, [0.06, 0.08]), (8, [0.05, 0.06])] {
         let kept = errors(&of_degree(degree, 5.0), &exact);
         // A fifth above what was measured.

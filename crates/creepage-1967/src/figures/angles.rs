@@ -1,8 +1,8 @@
 //! (5.31): the direction of the force in pure creepage on a circle.
 
-use creepage::variational::Weight;
 use creepage::approximate::vermeulen_johnson::VermeulenJohnson;
-use creepage::{Creepage, Force, Theory};
+use creepage::variational::Weight;
+use creepage::{Force, Theory};
 
 use crate::prelude::*;
 

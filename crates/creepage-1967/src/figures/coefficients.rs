@@ -32,7 +32,10 @@ fn curve(shown: &Shown, poisson: f64) -> Result<Vec<[f64; 2]>, InvalidValue> {
     let ratio = |place: f64| if place <= 1.0 { place } else { (2.0 - place).recip() };
     let mut points = Vec::new();
     for place in spaced(0.02, 1.94, 96) {
-        points.push([place, (shown.of)(CreepageCoefficients::new(&like_bodies(ratio(place), poisson)?)?)]);
+        points.push([
+            place,
+            (shown.of)(CreepageCoefficients::new(&like_bodies(ratio(place), poisson)?)?),
+        ]);
     }
     Ok(points)
 }

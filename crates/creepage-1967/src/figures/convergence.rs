@@ -12,11 +12,7 @@ pub(crate) const ITEM: Item =
 
 const CASES: [Case; 4] = [
     Case { name: "longitudinal", a_over_b: 1.0, at: [0.9, 0.0, 0.0] },
-    Case {
-        name: "that of Fig. 12",
-        a_over_b: 0.5,
-        at: [1.472_243, -0.85, 2.0],
-    },
+    Case { name: "that of Fig. 12", a_over_b: 0.5, at: [1.472_243, -0.85, 2.0] },
     Case { name: "pure spin", a_over_b: 1.0, at: [0.0, 0.0, 1.24] },
     Case { name: "spin pole inside", a_over_b: 2.0, at: [0.5, -0.5, 4.0] },
 ];

@@ -2,9 +2,7 @@
 
 use crate::page::{Page, PageStyle};
 use creepage::Ellipse;
-use creepage::variational::{
-    Chain, Procedure, Settings, Variational, VariationalSolution,
-};
+use creepage::variational::{Chain, Procedure, Settings, Variational, VariationalSolution};
 use creepage::{Creepage, Region};
 
 use super::printed_page::{Number, PrintedPage};

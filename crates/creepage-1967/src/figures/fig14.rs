@@ -1,8 +1,8 @@
 //! Fig. 14: the force due to pure spin on a circle.
 
+use creepage::Theory;
 use creepage::approximate::linear::Linear;
 use creepage::variational::Weight;
-use creepage::{Creepage, Theory};
 
 use crate::prelude::*;
 
@@ -13,8 +13,7 @@ const PENS: [Pen; 3] = [SECOND, OF_1967, THIRD];
 
 fn make() -> Result<Reproduction, GalleryError> {
     let spins = spaced(0.0, 8.0, 160);
-    let creepages: Vec<_> =
-        spins.iter().map(|&chi| rolling_at([0.0, 0.0, chi])).collect();
+    let creepages: Vec<_> = spins.iter().map(|&chi| rolling_at([0.0, 0.0, chi])).collect();
     let mut by_degree = Vec::new();
     for degree in DEGREES {
         let theory = chapter_5(1.0, STEEL, degree, Weight::Elliptic)?;

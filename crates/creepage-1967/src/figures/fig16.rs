@@ -1,7 +1,6 @@
 //! Fig. 16: areas, tractions and slip in longitudinal creepage, beside strip theory.
 
 use creepage::Ellipse;
-use creepage::Creepage;
 use creepage::approximate::strip::StripTheory;
 use creepage::variational::Weight;
 
@@ -58,12 +57,13 @@ fn along(y: f64) -> Vec<[f64; 2]> {
 
 fn make() -> Result<Reproduction, GalleryError> {
     let theory = chapter_5(1.0, POISSON, 3, Weight::Elliptic)?;
-    let (strips, detailed) = (StripTheory::new(&like_bodies(1.0, POISSON)?), contact::detailed(1.0, POISSON)?);
+    let (strips, detailed) =
+        (StripTheory::new(&like_bodies(1.0, POISSON)?), contact::detailed(1.0, POISSON)?);
     let unit = theory.slip_scale();
     let views = [
-        View::new("M = 3", OF_1967, &contact::chapter_5(&theory, CREEPAGE), unit)?,
-        View::new("strip theory", SECOND, &contact::of(&strips, CREEPAGE), unit)?,
-        View::new("full theory", FULL, &contact::full(&detailed, CREEPAGE), unit)?,
+        View::new("M = 3", OF_1967, &contact::chapter_5(&theory, rolling_at(CREEPAGE)), unit)?,
+        View::new("strip theory", SECOND, &contact::of(&strips, rolling_at(CREEPAGE)), unit)?,
+        View::new("full theory", FULL, &contact::full(&detailed, rolling_at(CREEPAGE)), unit)?,
     ];
     let mut data = Data::new(["curve", "x", "y"]);
     for view in &views {

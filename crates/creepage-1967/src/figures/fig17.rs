@@ -1,10 +1,10 @@
 //! Fig. 17: the separatrix of a ball that rolls freely with spin.
 
 use creepage::Ellipse;
-use creepage::coulomb::{Exact, Known, Resolution};
+use creepage::Theory;
 use creepage::approximate::strip::StripTheory;
+use creepage::coulomb::{Constraints, Exact, Resolution};
 use creepage::variational::{Start, Variational, Weight};
-use creepage::{Creepage, Theory};
 
 use crate::prelude::*;
 
@@ -17,11 +17,12 @@ const CREEPAGE: [f64; 3] = [0.0, -0.57, 1.2];
 fn make() -> Result<Reproduction, GalleryError> {
     let circle = Ellipse::from_ratio(1.0)?;
     let theory = chapter_5(1.0, POISSON, 3, Weight::Elliptic)?;
-    let (strips, detailed) = (StripTheory::new(&like_bodies(1.0, POISSON)?), contact::detailed(1.0, POISSON)?);
+    let (strips, detailed) =
+        (StripTheory::new(&like_bodies(1.0, POISSON)?), contact::detailed(1.0, POISSON)?);
     let areas = [
-        contact::adhesion(circle, &contact::of(&strips, CREEPAGE)).0,
-        contact::adhesion(circle, &contact::chapter_5(&theory, CREEPAGE)).0,
-        contact::adhesion(circle, &contact::full(&detailed, CREEPAGE)).0,
+        contact::adhesion(circle, &contact::of(&strips, rolling_at(CREEPAGE))).0,
+        contact::adhesion(circle, &contact::chapter_5(&theory, rolling_at(CREEPAGE))).0,
+        contact::adhesion(circle, &contact::full(&detailed, rolling_at(CREEPAGE))).0,
     ];
     let mut data = Data::new(["curve", "x", "y"]);
     for (name, areas) in ["strip theory", "M = 3", "full theory"].into_iter().zip(&areas) {
@@ -30,8 +31,13 @@ fn make() -> Result<Reproduction, GalleryError> {
         }
     }
     let full = Exact::new(&like_bodies(1.0, POISSON)?, Resolution::STANDARD)?;
-    let known = Known { xi: Some(0.0), chi: Some(CREEPAGE.chi), fy: Some(0.0), ..Known::default() };
-    let free = full.find(known, &mut full.workspace()).map_or(f64::NAN, |found| found.creepage.eta);
+    let no_lateral_force = Constraints {
+        xi: Some(0.0),
+        chi: Some(CREEPAGE[2]),
+        fy: Some(0.0),
+        ..Constraints::default()
+    };
+    let free = full.find(no_lateral_force).map_or(f64::NAN, |found| found.creepage().eta());
     let caption = format!(
         "Circular contact, σ = 0.5; chapter 5 with M = 3, W = W₁, its separatrix T = S. A rubber \
          ball that rolls with spin and no lateral force, for which the full theory needs η = \
@@ -44,12 +50,12 @@ fn make() -> Result<Reproduction, GalleryError> {
 }
 
 fn agreement(theory: &Variational, free: f64) -> Vec<Comparison> {
-    let fy = |eta: f64| theory.solve(rolling_at([CREEPAGE.xi(), eta, CREEPAGE.chi()])).force.fy;
+    let fy = |eta: f64| theory.solve(rolling_at([CREEPAGE[0], eta, CREEPAGE[2]])).force.fy;
     let asymmetry = asymmetry(theory);
     vec![
         Comparison::number("η at which f_y = 0, χ = 1.20", "-0.57", root(fy, [-0.8, -0.3]))
             .remark(&format!("full theory: {free:.4}")),
-        Comparison::number("f_y at η = −0.57", "0.00", fy(CREEPAGE.eta)),
+        Comparison::number("f_y at η = −0.57", "0.00", fy(CREEPAGE[1])),
         Comparison::claim(
             "contour about the x-axis",
             "symmetric",
@@ -71,7 +77,7 @@ fn root(of: impl Fn(f64) -> f64, [mut low, mut high]: [f64; 2]) -> f64 {
 
 /// The largest difference of the traction over its bound at mirrored points.
 fn asymmetry(theory: &Variational) -> f64 {
-    let points = theory.solve_from(CREEPAGE, &Start::FullSliding).points;
+    let points = theory.solve_from(rolling_at(CREEPAGE), &Start::FullSliding).points;
     let mirrored = |at: [f64; 2]| {
         let same = |p: [f64; 2]| (p[0] - at[0]).hypot(p[1] + at[1]) < 1e-9;
         points.iter().find(|point| same(point.field.position))

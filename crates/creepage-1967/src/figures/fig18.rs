@@ -34,7 +34,8 @@ fn creepage((size, angle, _): (f64, f64, &str)) -> Creepage {
 fn make() -> Result<Reproduction, GalleryError> {
     let circle = Ellipse::from_ratio(1.0)?;
     let theory = chapter_5(1.0, STEEL, 3, Weight::Elliptic)?;
-    let (strips, detailed) = (StripTheory::new(&like_bodies(1.0, STEEL)?), contact::detailed(1.0, STEEL)?);
+    let (strips, detailed) =
+        (StripTheory::new(&like_bodies(1.0, STEEL)?), contact::detailed(1.0, STEEL)?);
     let mut data = Data::new(["curve", "xi", "eta", "x", "y"]);
     let mut views = Vec::new();
     for at in CASES.map(creepage) {
@@ -56,7 +57,7 @@ fn make() -> Result<Reproduction, GalleryError> {
 fn collect(data: &mut Data, circle: Ellipse, at: Creepage, view: &View) {
     for (name, areas) in ["strip theory", "M = 3", "full theory"].into_iter().zip(&view.areas) {
         let line = contact::separatrix(circle, areas);
-        data.points(name, &[at.xi, at.eta], line.iter().flatten());
+        data.points(name, &[at.xi(), at.eta()], line.iter().flatten());
     }
 }
 

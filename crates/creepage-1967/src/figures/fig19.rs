@@ -1,7 +1,7 @@
 //! Fig. 19: which way the traction points in creepage without spin.
 
-use creepage::Ellipse;
 use creepage::Creepage;
+use creepage::Ellipse;
 use creepage::coulomb::{Exact, Resolution};
 use creepage::variational::Weight;
 
@@ -29,12 +29,13 @@ fn make() -> Result<Reproduction, GalleryError> {
         .columns(2);
     let mut angles = Vec::new();
     for (creepage, heading) in [(ALONG, heading("a", "ξ")), (ACROSS, heading("b", "η"))] {
+        let creepage = rolling_at(creepage);
         let fields = [contact::chapter_5(&theory, creepage), contact::full(&full, creepage)];
         let mut panel = contact::edge(contact::panel(circle, heading), circle);
         for ((field, pen), name) in
             fields.iter().zip([(OF_1967, 4.5), (TODAY, 1.4)]).zip(["M = 3", "full theory"])
         {
-            let name = format!("{name}, xi = {}, eta = {}", creepage.xi, creepage.eta);
+            let name = format!("{name}, xi = {}, eta = {}", creepage.xi(), creepage.eta());
             panel = arrows(panel, field, creepage, pen, |[x, y], angle| {
                 data.push([(&name).into(), x.into(), y.into(), angle.into()]);
             });
@@ -61,7 +62,7 @@ fn heading(letter: &str, symbol: &str) -> Label {
 /// Angle of the traction to the creepage in degrees, as the thesis counts it from the `x`-axis
 /// (gamma) or the `y`-axis (beta).
 fn angle(traction: [f64; 2], creepage: Creepage) -> f64 {
-    let [along, across] = if creepage.xi > 0.0 { traction } else { [traction[1], traction[0]] };
+    let [along, across] = if creepage.xi() > 0.0 { traction } else { [traction[1], traction[0]] };
     across.atan2(along).to_degrees()
 }
 
@@ -79,7 +80,7 @@ fn arrows(
         let angle = angle(point.traction, creepage);
         note(point.position, angle);
         let (sin, cos) = (STRETCH * angle).to_radians().sin_cos();
-        let way = if creepage.xi > 0.0 { [cos, sin] } else { [sin, cos] };
+        let way = if creepage.xi() > 0.0 { [cos, sin] } else { [sin, cos] };
         let end = |share: f64| [0, 1].map(|i| point.position[i] + share * way[i]);
         panel = panel.arrow(end(-0.1), end(0.1), width, colour);
     }
@@ -123,7 +124,8 @@ fn agreement(angles: &[[[[f64; 2]; 2]; 2]]) -> Result<Vec<Comparison>, GalleryEr
 }
 
 /// The largest angle at the mesh points of chapter 5 that slip.
-fn largest(a_over_b: f64, poisson: f64, creepage: Creepage) -> Result<f64, GalleryError> {
+fn largest(a_over_b: f64, poisson: f64, creepage: [f64; 3]) -> Result<f64, GalleryError> {
+    let creepage = rolling_at(creepage);
     let theory = chapter_5(a_over_b, poisson, 3, Weight::Elliptic)?;
     let positions: Vec<_> = theory.mesh().to_vec();
     let points = contact::chapter_5(&theory, creepage)(&positions);
@@ -132,7 +134,7 @@ fn largest(a_over_b: f64, poisson: f64, creepage: Creepage) -> Result<f64, Galle
 }
 
 fn trends() -> Result<Vec<Comparison>, GalleryError> {
-    let at = |xi: f64| rolling_at([xi, ALONG.eta(), ALONG.chi()]);
+    let at = |xi: f64| [xi, ALONG[1], ALONG[2]];
     let circle = largest(1.0, STEEL, ALONG)?;
     let (soft, fast, slender) =
         (largest(1.0, 0.5, ALONG)?, largest(1.0, STEEL, at(1.6))?, largest(0.2, STEEL, ALONG)?);

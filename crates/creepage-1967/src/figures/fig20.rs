@@ -1,7 +1,6 @@
 //! Fig. 20: areas of adhesion in pure spin, and traction and slip on the axis.
 
 use creepage::Ellipse;
-use creepage::Creepage;
 use creepage::variational::{Start, Variational, Weight};
 
 use crate::prelude::*;

@@ -1,7 +1,7 @@
 //! Fig. 21: tractions in pure spin, and the point about which they turn.
 
-use creepage::Ellipse;
 use creepage::Creepage;
+use creepage::Ellipse;
 use creepage::coulomb::{Exact, Resolution};
 use creepage::variational::{Variational, Weight};
 
@@ -74,15 +74,8 @@ fn by_chapter_5(theory: &Variational) -> Curve {
 
 fn by_full_theory() -> Result<Curve, GalleryError> {
     let theory = Exact::new(&like_bodies(1.0, STEEL)?, Resolution::FINE)?;
-    let mut workspace = theory.workspace();
-    let mut curve = Vec::new();
-    for chi in spins(38) {
-        theory.solve_next(spin(chi), &mut workspace);
-        let here = &workspace;
-        let field: Field = Box::new(|positions| theory.field_of(here, positions));
-        curve.extend(centre(&field).map(|x| [chi, x]));
-    }
-    Ok(curve)
+    let centre = |chi: f64| centre(&contact::full(&theory, spin(chi))).map(|x| [chi, x]);
+    Ok(spins(38).into_iter().filter_map(centre).collect())
 }
 
 fn data_of_centres(data: &mut Data, [of_1967, today]: &[Curve; 2]) {

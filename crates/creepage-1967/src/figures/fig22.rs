@@ -1,7 +1,6 @@
 //! Fig. 22: tractions for creepage and spin together.
 
 use creepage::Ellipse;
-use creepage::Creepage;
 use creepage::variational::Weight;
 
 use super::tractions::{self, View};
@@ -28,7 +27,10 @@ fn make() -> Result<Reproduction, GalleryError> {
             ("χ", "0.7"),
         ]))
         .columns(2);
-    let fields = [contact::chapter_5(&theory, CREEPAGE), contact::full(&detailed, CREEPAGE)];
+    let fields = [
+        contact::chapter_5(&theory, rolling_at(CREEPAGE)),
+        contact::full(&detailed, rolling_at(CREEPAGE)),
+    ];
     let least = fields.each_ref().map(|field| least(circle, field));
     let headings = [axes::degree(3), Label::new("full theory")];
     let names = [("M = 3", contact::EDGE), ("full theory", contact::EDGE_OF_ELEMENTS)];
@@ -36,8 +38,8 @@ fn make() -> Result<Reproduction, GalleryError> {
         fields.iter().zip(headings).zip(least.iter().zip(names))
     {
         let view = View::new(circle, field, edge);
-        view.collect(&mut data, name, CREEPAGE.chi);
-        data.points(&format!("least, {name}"), &[CREEPAGE.chi], [&at.0]);
+        view.collect(&mut data, name, CREEPAGE[2]);
+        data.points(&format!("least, {name}"), &[CREEPAGE[2]], [&at.0]);
         sheet = sheet.panel(panel(circle, heading, &view, at.0));
     }
     let sheet = tractions::key(sheet)
@@ -47,7 +49,7 @@ fn make() -> Result<Reproduction, GalleryError> {
 }
 
 fn pole() -> [f64; 2] {
-    [-CREEPAGE.eta / CREEPAGE.chi, CREEPAGE.xi / CREEPAGE.chi]
+    [-CREEPAGE[1] / CREEPAGE[2], CREEPAGE[0] / CREEPAGE[2]]
 }
 
 fn panel(circle: Ellipse, heading: Label, view: &View, least: [f64; 2]) -> Panel {

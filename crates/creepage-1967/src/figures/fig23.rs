@@ -1,6 +1,5 @@
 //! Fig. 23: the lateral force in pure spin, for four ellipses.
 
-use creepage::Creepage;
 use creepage::variational::Weight;
 
 use crate::prelude::*;
@@ -17,8 +16,7 @@ const RATIOS: [(f64, &str, Pen); 4] = [
 fn make() -> Result<Reproduction, GalleryError> {
     // Denser where the peaks are.
     let spins: Vec<_> = spaced(0.05, 1.0, 158).into_iter().map(|s| 10.0 * s.powf(1.7)).collect();
-    let creepages: Vec<_> =
-        spins.iter().map(|&chi| rolling_at([0.0, 0.0, chi])).collect();
+    let creepages: Vec<_> = spins.iter().map(|&chi| rolling_at([0.0, 0.0, chi])).collect();
     let (mut curves, mut fulls) = (Vec::new(), Vec::new());
     // The full theory's curves have no waves: half the points are enough.
     let few = || spins.iter().copied().step_by(2);

@@ -64,7 +64,11 @@ impl Net {
                 for (theory, forces) in ["M = 3", "full theory"].into_iter().zip(&line.forces) {
                     let name = format!("{kind} = {}, {theory}", line.value);
                     for (creepage, force) in line.creepages.iter().zip(forces) {
-                        data.points(&name, &[creepage.xi, creepage.eta], [&[force.fx, force.fy]]);
+                        data.points(
+                            &name,
+                            &[creepage.xi(), creepage.eta()],
+                            [&[force.fx, force.fy]],
+                        );
                     }
                 }
             }
@@ -119,7 +123,7 @@ fn make(title: &str, chi: f64) -> Result<Reproduction, GalleryError> {
 fn directions(ray: &Line, theory: usize) -> [f64; 2] {
     let pairs = ray.creepages.iter().zip(&ray.forces[theory]);
     let within =
-        pairs.filter(|(creepage, _)| (0.3..1.7).contains(&creepage.xi.hypot(creepage.eta)));
+        pairs.filter(|(creepage, _)| (0.3..1.7).contains(&creepage.xi().hypot(creepage.eta())));
     within.fold([180.0_f64, -180.0_f64], |[low, high], (_, force)| {
         let angle = force.fy.atan2(force.fx).to_degrees();
         [low.min(angle), high.max(angle)]

@@ -2,7 +2,7 @@
 
 use creepage::Ellipse;
 use creepage::approximate::strip::StripTheory;
-use creepage::{Creepage, Region, Theory};
+use creepage::{Region, Theory};
 
 use crate::prelude::*;
 

@@ -2,9 +2,9 @@
 
 use std::fmt::Write;
 
+use creepage::Force;
 use creepage::coulomb::{Exact, Resolution};
 use creepage::variational::{Settings, Variational};
-use creepage::{Creepage, Force};
 use rayon::prelude::*;
 
 use crate::prelude::*;
@@ -53,8 +53,9 @@ fn make() -> Result<Reproduction, GalleryError> {
 /// Line by line of equal direction, on all cores.
 fn of_ratio(a_over_b: f64, spins: &[f64]) -> Result<Vec<Case>, GalleryError> {
     let full = Exact::new(&like_bodies(a_over_b, STEEL)?, Resolution::STANDARD)?;
-    let [three, eight] =
-        DEGREES.map(|degree| Variational::new(&like_bodies(a_over_b, STEEL)?, Settings::of_degree(degree)));
+    let [three, eight] = DEGREES.map(|degree| {
+        Variational::new(&like_bodies(a_over_b, STEEL)?, Settings::of_degree(degree))
+    });
     let theories = [three?, eight?];
     let lines: Vec<(f64, f64)> =
         spins.iter().flat_map(|chi| directions(*chi).map(|angle| (*chi, angle))).collect();

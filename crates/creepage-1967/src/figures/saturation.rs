@@ -4,8 +4,8 @@
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use creepage::InvalidValue;
-use creepage::coulomb::{Exact, Resolution};
 use creepage::approximate::saturated::Saturated;
+use creepage::coulomb::{Exact, Resolution};
 use creepage::{Creepage, Force, Theory};
 
 use crate::prelude::*;

@@ -2,7 +2,6 @@
 //! near to Carter's plane problem as it comes.
 
 use creepage::InvalidValue;
-use creepage::Creepage;
 use creepage::coulomb::{ElementField, Exact, Resolution};
 
 use crate::prelude::*;
@@ -47,12 +46,9 @@ impl Middle {
 
     /// The elements of the strip next to the middle.
     fn elements(&self, creepage: f64) -> Vec<ElementField> {
-        let mut workspace = self.theory.workspace();
-        let xi = creepage / self.scale;
-        self.theory.solve_with(rolling_at([xi, 0.0, 0.0]), &mut workspace);
+        let solved = self.theory.solve_contact(rolling_at([creepage / self.scale, 0.0, 0.0]));
         let [along, strips] = self.theory.elements();
         let middle = strips / 2 * along;
-        let elements = self.theory.element_fields(&workspace);
-        elements.into_iter().skip(middle).take(along).collect()
+        solved.elements().into_iter().skip(middle).take(along).collect()
     }
 }

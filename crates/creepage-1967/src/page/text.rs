@@ -2,8 +2,8 @@
 
 use std::fmt::Write;
 
-use creepage::halfspace::Polynomial;
 use creepage::Region;
+use creepage::halfspace::Polynomial;
 use creepage::variational::MeshPoint;
 
 use super::Page;
@@ -107,8 +107,9 @@ impl<'a> Writer<'a> {
         let loops = self.fixed([chi, upsilon], 4) + &self.numbers.fixed(alpha, 2);
         self.line(&format!("{}{loops}", self.words.loops));
         let scale = page.theory.slip_scale();
-        let spin = scale * page.creepage.chi * page.theory.ellipse().major();
-        let creepage = self.fixed([scale * page.creepage.xi, scale * page.creepage.eta, spin], 4);
+        let spin = scale * page.creepage.chi() * page.theory.ellipse().major();
+        let creepage =
+            self.fixed([scale * page.creepage.xi(), scale * page.creepage.eta(), spin], 4);
         self.line(&format!("{}{creepage}", self.words.creepage));
     }
 

@@ -5,6 +5,7 @@ use serde::Deserialize;
 
 use super::printed::{Entry, Row};
 use crate::error::GalleryError;
+use crate::theories::like_bodies;
 
 /// Degree of the polynomials with which the thesis calculated Table 3 (4.33).
 const DEGREE: usize = 5;

@@ -41,7 +41,9 @@ fn make() -> Result<Reproduction, GalleryError> {
 fn degree_7(printed: &[Vec<Coefficient>; 2]) -> Result<Comparison, GalleryError> {
     let (mut worst, mut beyond): (f64, usize) = (0.0, 0);
     for one in printed.iter().flatten() {
-        let of_degree = |degree| CreepageCoefficients::of_degree(&like_bodies(one.a_over_b, one.poisson)?, degree);
+        let of_degree = |degree| {
+            CreepageCoefficients::of_degree(&like_bodies(one.a_over_b, one.poisson)?, degree)
+        };
         let pick = |c: CreepageCoefficients| match &one.name[..] {
             "C11" => c.c11,
             "C22" => c.c22,

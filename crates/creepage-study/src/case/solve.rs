@@ -44,7 +44,7 @@ pub enum SpecError {
         source: Box<toml::de::Error>,
     },
     /// The name of the theory where only its options belong.
-    #[error("`theory` is given beside the options")]
+    #[error("`theory` is not an option of a theory")]
     Theory,
     /// An option that is not `key = value`.
     #[error(transparent)]

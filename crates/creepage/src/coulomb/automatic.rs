@@ -75,11 +75,7 @@ impl Automatic {
     }
 
     /// The answer of the first resolution at which its error bars are small enough.
-    fn refine<'t, T>(
-        &'t self,
-        answer: impl Fn(&'t Exact) -> T,
-        error: impl Fn(&T) -> Force,
-    ) -> T {
+    fn refine<'t, T>(&'t self, answer: impl Fn(&'t Exact) -> T, error: impl Fn(&T) -> Force) -> T {
         let mut found = answer(&self.fast);
         for (cell, resolution) in self.finer.iter().zip([Resolution::STANDARD, Resolution::FINE]) {
             let Force { fx, fy, .. } = error(&found);

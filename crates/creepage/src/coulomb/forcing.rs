@@ -14,8 +14,8 @@
 use nalgebra::Complex;
 
 use super::stencil::SlipStencil;
-use crate::ellipse::Ellipse;
 use crate::Creepage;
+use crate::ellipse::Ellipse;
 
 /// Nearer to the centre than this (as `t`), the displacement is linear: its slope changes as `t`.
 const CENTRE: f64 = 1e-7;

@@ -7,7 +7,7 @@
 use std::ops::Range;
 
 use super::mesh::Mesh;
-use super::polygon::{Response, edge};
+use super::polygon::edge;
 use super::product::Row;
 use super::stencil::SlipStencil;
 
@@ -39,13 +39,15 @@ impl Influence {
         let stored = if mesh.mirrored { strips.div_ceil(2) } else { strips };
         let size = mesh.offsets()[stored] * mesh.len();
         let mut coefficients = std::array::from_fn(|_| Vec::with_capacity(size));
-        let mut displacements = Vec::new();
+        let mut displacements: [Vec<f64>; 3] = std::array::from_fn(|_| Vec::new());
         for stencil in &stencils[..stored] {
-            displacements.clear();
+            displacements.iter_mut().for_each(Vec::clear);
             for point in &stencil.points {
                 displace(mesh, poisson, *point, &mut displacements);
             }
-            append(stencil, &displacements, mesh.len(), &mut coefficients);
+            for (row, by) in coefficients.iter_mut().zip(&displacements) {
+                append(stencil, by, mesh.len(), row);
+            }
         }
         let rows = mesh.all().map(|(strip, i)| place(mesh, stored, strip, i)).collect();
         Self { coefficients, rows, offsets: mesh.offsets().to_vec(), mirrored: mesh.mirrored }
@@ -93,7 +95,7 @@ fn place(mesh: &Mesh, stored: usize, strip: usize, i: usize) -> Place {
 
 /// Adds the displacements at a point by every element. Neighbours in a strip share the cut between
 /// them, and what it adds.
-fn displace(mesh: &Mesh, poisson: f64, [x, y]: [f64; 2], displacements: &mut Vec<Response>) {
+fn displace(mesh: &Mesh, poisson: f64, [x, y]: [f64; 2], displacements: &mut [Vec<f64>; 3]) {
     for strip in &mesh.strips {
         let ends = |i: usize| strip.cut_ends(i).map(|[p, q]| [p - x, q - y]);
         let mut front = ends(0);
@@ -103,21 +105,20 @@ fn displace(mesh: &Mesh, poisson: f64, [x, y]: [f64; 2], displacements: &mut Vec
             let behind = edge(poisson, rear[0], rear[1]);
             let lower = edge(poisson, rear[0], front[0]);
             let upper = edge(poisson, rear[1], front[1]);
-            displacements.push(std::array::from_fn(|k| ahead[k] - behind[k] + lower[k] - upper[k]));
+            for (k, by) in displacements.iter_mut().enumerate() {
+                by.push(ahead[k] - behind[k] + lower[k] - upper[k]);
+            }
             (front, ahead) = (rear, behind);
         }
     }
 }
 
 /// Adds the rows of a strip's elements, from the displacements of all its points by `n` elements.
-fn append(stencil: &SlipStencil, by: &[Response], n: usize, coefficients: &mut [Vec<f64>; 3]) {
+fn append(stencil: &SlipStencil, by: &[f64], n: usize, row: &mut Vec<f64>) {
     for weights in &stencil.weights {
         let [(a, wa), (b, wb), (c, wc)] = *weights;
         let [a, b, c] = [a, b, c].map(|point| &by[point * n..(point + 1) * n]);
-        let points = a.iter().zip(b).zip(c);
-        for (k, row) in coefficients.iter_mut().enumerate() {
-            row.extend(points.clone().map(|((a, b), c)| wa * a[k] + wb * b[k] + wc * c[k]));
-        }
+        row.extend(a.iter().zip(b).zip(c).map(|((a, b), c)| wa * a + wb * b + wc * c));
     }
 }
 
@@ -210,7 +211,7 @@ mod tests {
         let mesh = Mesh::ellipse(Ellipse::from_ratio(0.7).unwrap(), 5, 4);
         let stencils: Vec<_> = mesh.strips.iter().map(SlipStencil::steady).collect();
         let half = Influence::new(&mesh, 0.3, &stencils);
-        let all = Influence::new(&Mesh { mirrored: false, ..mesh }, 0.3, &stencils);
+        let all = Influence::new(&Mesh::new(mesh.strips), 0.3, &stencils);
         let vector: Vec<f64> = (0..40).map(|k| f64::from(k).sin()).collect();
         let [of_half, of_all] = [&half, &all].map(|influence| {
             let mut tractions = Tractions::zeros(influence);

@@ -53,9 +53,9 @@ impl Pressure {
                 pressure.bounds.push(whole.bound * element.bound);
                 pressure.shares.push(share);
                 pressure.centroids.push(centroid);
-                pressure.subcells.push(parts.map(|part| {
-                    std::array::from_fn(|k| product(ellipse, part, cells[k]))
-                }));
+                pressure.subcells.push(
+                    parts.map(|part| std::array::from_fn(|k| product(ellipse, part, cells[k]))),
+                );
             }
         }
         pressure

@@ -3,9 +3,7 @@
 use super::Exact;
 use super::extrapolation::{error_bar, extrapolate, extrapolate_force};
 use super::workspace::Workspace;
-use crate::theory::{
-    Diagnostic, FieldPoint, Jacobian, Region, Solution, Solved,
-};
+use crate::theory::{Diagnostic, FieldPoint, Jacobian, Region, Solution, Solved};
 use crate::{Creepage, Force};
 
 /// What happens in one element.

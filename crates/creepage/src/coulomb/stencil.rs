@@ -21,8 +21,9 @@ pub(crate) struct SlipStencil {
 impl SlipStencil {
     /// The slip of steady rolling: the displacement's derivative along the strip.
     pub(crate) fn steady(strip: &Strip) -> Self {
-        let points: Vec<[f64; 2]> =
-            std::iter::once(strip.middle_cut(0)).chain((0..strip.len()).map(|i| centre(strip, i))).collect();
+        let points: Vec<[f64; 2]> = std::iter::once(strip.middle_cut(0))
+            .chain((0..strip.len()).map(|i| centre(strip, i)))
+            .collect();
         let x = |k: usize| points[k][0];
         let middle = |step: usize| 0.5 * (x(step) + x(step + 1));
         let weights = (0..strip.len()).map(|i| {

@@ -66,7 +66,8 @@ fn the_inverse_finds_the_creepage_back() {
 #[test]
 fn any_mix_of_three_will_do() {
     let theory = exact(0.7, 0.28, Resolution::FAST);
-    let constraints = Constraints { xi: Some(0.4), fy: Some(0.3), mz: Some(0.1), ..Constraints::default() };
+    let constraints =
+        Constraints { xi: Some(0.4), fy: Some(0.3), mz: Some(0.1), ..Constraints::default() };
     let found = theory.find(constraints).unwrap();
     assert!((found.creepage().xi() - 0.4).abs() < 1e-15);
     assert!((found.solution().force.fy - 0.3).abs() < 1e-6);
@@ -78,7 +79,8 @@ fn any_mix_of_three_will_do() {
 #[test]
 fn a_free_ball_creeps_against_its_spin() {
     let theory = exact(1.0, 0.0, Resolution::STANDARD);
-    let constraints = Constraints { xi: Some(0.0), chi: Some(1e-3), fy: Some(0.0), ..Constraints::default() };
+    let constraints =
+        Constraints { xi: Some(0.0), chi: Some(1e-3), fy: Some(0.0), ..Constraints::default() };
     let found = theory.find(constraints).unwrap();
     let expected = -4.0 / 3.0 / (32.0 / (3.0 * std::f64::consts::PI)) * 1e-3;
     // The tolerance of the force is 1e-4 of what one part in a thousand of spin gives.
@@ -91,7 +93,8 @@ fn what_cannot_be_is_refused() {
     let find = |constraints| theory.find(constraints).unwrap_err();
     let two = Constraints { xi: Some(0.1), fy: Some(0.0), ..Constraints::default() };
     assert_eq!(find(two), InverseError::NotThree { given: 2 });
-    let infinite = Constraints { xi: Some(f64::NAN), fy: Some(0.0), chi: Some(0.0), ..Constraints::default() };
+    let infinite =
+        Constraints { xi: Some(f64::NAN), fy: Some(0.0), chi: Some(0.0), ..Constraints::default() };
     assert!(matches!(find(infinite), InverseError::InvalidValue(_)));
     for constraints in [
         Constraints { fx: Some(1.2), eta: Some(0.0), chi: Some(0.0), ..Constraints::default() },

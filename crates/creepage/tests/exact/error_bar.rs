@@ -36,9 +36,8 @@ fn the_error_bar_holds() {
 fn refined_values_agree_within_their_bars() {
     let (mut inside, mut all) = (0, 0);
     for (ratio, poisson) in [(0.25, 0.4), (0.7, 0.0), (1.0, 0.28), (2.2, 0.15), (5.0, 0.28)] {
-        let [coarse, fine] = [(12, 10), (24, 20)].map(|(along, across)| {
-            exact(ratio, poisson, Resolution::new(along, across).unwrap())
-        });
+        let [coarse, fine] = [(12, 10), (24, 20)]
+            .map(|(along, across)| exact(ratio, poisson, Resolution::new(along, across).unwrap()));
         for k in 0..24 {
             let t = f64::from(k) - ratio;
             let case = [3.0 * (1.9 * t).cos(), 3.0 * (1.1 * t).sin(), 8.0 * (2.3 * t).sin()];

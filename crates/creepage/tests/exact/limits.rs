@@ -23,7 +23,8 @@ fn small_creepage_is_linear() {
         [(0.1, 0.28), (0.3, 0.5), (1.0, 0.0), (1.0, 0.5), (3.0, 0.28), (10.0, 0.28), (10.0, 0.0)]
     {
         let theory = exact(ratio, poisson, Resolution::FINE);
-        let gains = Linear::new(&contact(ratio, poisson)).unwrap().jacobian(Creepage::default()).unwrap();
+        let gains =
+            Linear::new(&contact(ratio, poisson)).unwrap().jacobian(Creepage::default()).unwrap();
         // No element slides yet.
         let small = 1e-7;
         for column in 0..3 {

@@ -50,7 +50,6 @@ fn reference_cases() {
         let [force, moment] = reference_errors(resolution);
         assert_eq!(force.len(), 132);
         let (force, moment) = (statistics(&force), statistics(&moment));
-        println!("{resolution:?} {force:?} {moment:?}");
         for k in 0..3 {
             let limit = 0.01 * (printed[k] + half_a_unit[k]);
             assert!(force[k] <= limit, "{resolution:?}: force {force:?}");
