@@ -29,7 +29,7 @@ impl SolvedStatics {
         at: impl Fn([f64; 2]) -> [f64; W] + Sync,
     ) -> PyResult<Bound<'py, PyAny>> {
         let inputs = Inputs::new(py, ["x", "y"], points)?;
-        solve_all(py, &inputs, 1e-5, || (), |(), point| Ok((at(point), 0)))?.stacked(py, &[W])
+        solve_all(py, &inputs, 1e-5, |point| Ok((at(point), 0)))?.stacked(py, &[W])
     }
 }
 

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use creepage::rolling::variational::{Chain, Variational};
+use creepage::variational::{Chain, Variational};
 use creepage_study::{SeriesHead, SeriesRow, Sweep, series_csv};
 use pyo3::exceptions::PyIndexError;
 use pyo3::prelude::*;

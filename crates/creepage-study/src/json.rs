@@ -112,13 +112,6 @@ pub struct DetailJson {
     pub value: f64,
 }
 
-/// Names of the quantities that are known.
-fn known(constraints: Constraints) -> Vec<&'static str> {
-    let Constraints { xi, eta, chi, fx, fy, mz } = constraints;
-    let values = [("xi", xi), ("eta", eta), ("chi", chi), ("fx", fx), ("fy", fy), ("mz", mz)];
-    values.into_iter().filter_map(|(name, value)| value.map(|_| name)).collect()
-}
-
 impl SolvedCase {
     /// Everything but the points, ready for `serde_json`.
     #[must_use]
@@ -138,7 +131,7 @@ impl SolvedCase {
             upper_body: (-force).into(),
             dimensionless: solution.force.into(),
             areas: self.areas_json(),
-            known: self.constraints().map(known),
+            known: self.known(),
             frictional_power_per_metre_j_per_m: self.power_per_metre(),
             frictional_power_per_metre_by_slip_j_per_m: self.dissipation_per_metre(),
             rolling_velocity_m_per_s: self.case.speed,
@@ -149,6 +142,14 @@ impl SolvedCase {
                 .map(|d| (d.key, DetailJson { label: d.label, value: d.value }))
                 .collect(),
         }
+    }
+
+    /// Names of the three quantities that were given, where the creepage was to be found.
+    #[must_use]
+    pub fn known(&self) -> Option<Vec<&'static str>> {
+        let Constraints { xi, eta, chi, fx, fy, mz } = self.constraints()?;
+        let values = [("xi", xi), ("eta", eta), ("chi", chi), ("fx", fx), ("fy", fy), ("mz", mz)];
+        Some(values.into_iter().filter_map(|(name, value)| value.map(|_| name)).collect())
     }
 
     fn areas_json(&self) -> AreasJson {
