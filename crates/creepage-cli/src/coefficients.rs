@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use creepage::rolling::linear::CreepageCoefficients;
+use creepage::approximate::linear::CreepageCoefficients;
 use serde::Serialize;
 
 use crate::args::CoefficientsArgs;

@@ -1,0 +1,182 @@
+//! Strips and pressure of contact areas of any shape.
+
+use std::ops::Range;
+
+use super::mesh::{Mesh, SUBCELLS, Strip, border, cut, fit};
+use super::pressure::{Moments, Pressure};
+use super::resolution::Resolution;
+use crate::normal::{Band, NormalContact};
+
+/// Gauss's two points on (-1, 1), of weight one.
+const GAUSS: f64 = 0.577_350_269_189_625_8;
+/// Least pressure over the largest: tractions are unknown over their bound, which must not vanish.
+const LEAST: f64 = 1e-4;
+/// A band of small load gets fewer elements, down to this part along and across.
+const FEWEST: f64 = 0.5;
+
+/// Origin and unit of the lengths of a mesh (m).
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Frame {
+    pub origin: [f64; 2],
+    pub length: f64,
+}
+
+impl Frame {
+    pub(super) fn inward(self, [x, y]: [f64; 2]) -> [f64; 2] {
+        [(x - self.origin[0]) / self.length, (y - self.origin[1]) / self.length]
+    }
+
+    pub(super) fn outward(self, [x, y]: [f64; 2]) -> [f64; 2] {
+        [self.origin[0] + self.length * x, self.origin[1] + self.length * y]
+    }
+}
+
+/// The bands of a contact and how many elements each has along and across.
+#[derive(Debug)]
+pub(super) struct Bands<'a> {
+    contact: &'a NormalContact,
+    frame: Frame,
+    bands: Vec<(&'a Band, [usize; 2])>,
+}
+
+impl<'a> Bands<'a> {
+    /// The bands with the elements of the coarser grid.
+    pub(super) fn new(contact: &'a NormalContact, frame: Frame, resolution: Resolution) -> Self {
+        let bands: Vec<&Band> = contact.patches().iter().flat_map(|patch| patch.bands()).collect();
+        let load = |band: &Band| band.total().force;
+        let largest = bands.iter().map(|band| load(band)).fold(0.0, f64::max);
+        let counted = |band: &'a Band| {
+            let part = (load(band) / largest).max(0.0).sqrt().clamp(FEWEST, 1.0);
+            let counts = resolution.coarse(ratio(band)).map(|n| scaled(n, part));
+            (band, counts)
+        };
+        Self { contact, frame, bands: bands.into_iter().map(counted).collect() }
+    }
+
+    /// The elements, `times` as many along and across.
+    pub(super) fn mesh(&self, times: usize) -> Mesh {
+        let mut strips = Vec::new();
+        for (band, [along, across]) in &self.bands {
+            let patch = strips.len()..strips.len() + times * across;
+            for j in 0..times * across {
+                strips.push(self.strip(band, j, times * along, patch.clone()));
+            }
+        }
+        Mesh::new(strips)
+    }
+
+    fn strip(&self, band: &Band, j: usize, along: usize, patch: Range<usize>) -> Strip {
+        let broken = |piece: usize| piece as f64 / SUBCELLS as f64;
+        let (fit, [low, high]) = (fit(ratio(band)), band.y());
+        let at = |t: f64| (f64::midpoint(low, high) + 0.5 * (high - low) * t).clamp(low, high);
+        let y: [f64; SUBCELLS + 1] =
+            std::array::from_fn(|k| at(border(broken(SUBCELLS * j + k), patch.len(), fit)));
+        let ends = [y[0], y[SUBCELLS]].map(|y| self.section(band, y));
+        let mean = 0.5 * band.area_between([y[0], y[SUBCELLS]]) / (y[SUBCELLS] - y[0]);
+        Strip {
+            across: y.map(|y| self.frame.inward([0.0, y])[1]),
+            middle: ends.map(|[middle, _]| self.frame.inward([middle, 0.0])[0]),
+            half_length: ends.map(|[_, half]| (fit * half + (1.0 - fit) * mean) / self.frame.length),
+            along: (0..=SUBCELLS * along).map(|piece| cut(broken(piece), along)).collect(),
+            patch,
+        }
+    }
+
+    /// Middle and half-length at `y` (m).
+    fn section(&self, band: &Band, y: f64) -> [f64; 2] {
+        let [rear, front] = band.ends(y).unwrap_or_default();
+        [f64::midpoint(rear, front), 0.5 * (front - rear)]
+    }
+
+    /// The pressure on the elements of [`Bands::mesh`]; its unit is the largest.
+    pub(super) fn pressure(&self, mesh: &Mesh) -> Pressure {
+        let mut pressure = Pressure {
+            bounds: Vec::with_capacity(mesh.len()),
+            shares: Vec::with_capacity(mesh.len()),
+            centroids: Vec::with_capacity(mesh.len()),
+            subcells: Vec::with_capacity(mesh.len()),
+        };
+        let bands = self.bands.iter().flat_map(|(band, [_, across])| {
+            let times = mesh.strips.len() / self.strips();
+            std::iter::repeat_n(*band, times * across)
+        });
+        for (strip, band) in mesh.strips.iter().zip(bands) {
+            self.add_strip(strip, band, &mut pressure);
+        }
+        let total: f64 = pressure.shares.iter().sum();
+        pressure.scale(total.recip(), self.contact.load().value / total);
+        pressure
+    }
+
+    /// Strips of the coarser grid.
+    fn strips(&self) -> usize {
+        self.bands.iter().map(|(_, [_, across])| across).sum()
+    }
+
+    /// Adds a strip's elements, with forces (N) for shares.
+    fn add_strip(&self, strip: &Strip, band: &Band, pressure: &mut Pressure) {
+        let y = strip.across.map(|y| self.frame.outward([0.0, y])[1]);
+        let area = band.area_between([y[0], y[SUBCELLS]]);
+        let rows: [Vec<Moments>; SUBCELLS] =
+            std::array::from_fn(|k| self.row(strip, band, [y[k], y[k + 1]]));
+        for i in 0..strip.len() {
+            let cells: [[Moments; SUBCELLS]; SUBCELLS] =
+                std::array::from_fn(|k| std::array::from_fn(|m| rows[k][SUBCELLS * i + m]));
+            let force: f64 = cells.as_flattened().iter().map(|cell| cell.share).sum();
+            let centroid = [0, 1].map(|k| {
+                let moment = |cell: &Moments| cell.share * cell.centroid[k];
+                cells.as_flattened().iter().map(moment).sum::<f64>() / force
+            });
+            let part = 0.5 * (strip.cut(i) - strip.cut(i + 1));
+            let peak = self.contact.peak_pressure().value;
+            pressure.bounds.push(force / (part * area * peak));
+            pressure.shares.push(force);
+            pressure.centroids.push(centroid);
+            pressure.subcells.push(cells);
+        }
+    }
+
+    /// The subcells of a strip between two `y` (m).
+    fn row(&self, strip: &Strip, band: &Band, [low, high]: [f64; 2]) -> Vec<Moments> {
+        let (middle, half) = (f64::midpoint(low, high), 0.5 * (high - low));
+        let lines = [-GAUSS, GAUSS].map(|t| {
+            let y = middle + half * t;
+            (y, self.section(band, y))
+        });
+        let least = LEAST * self.contact.peak_pressure().value;
+        let cell = |ends: &[f64]| {
+            let (front, rear) = (ends[0].asin(), ends[1].asin());
+            let mut sum = [0.0; 4];
+            for (y, [centre, length]) in lines {
+                for t in [-GAUSS, GAUSS] {
+                    let (s, cos) =
+                        (f64::midpoint(front, rear) + 0.5 * (front - rear) * t).sin_cos();
+                    let x = centre + length * s;
+                    // dx = length cos d(angle)
+                    let area = half * 0.5 * (front - rear) * length * cos;
+                    let force = area * band.pressure(x, y).max(least);
+                    let at = self.frame.inward([x, y]);
+                    for (sum, of) in sum.iter_mut().zip([1.0, at[0], at[1], s]) {
+                        *sum += force * of;
+                    }
+                }
+            }
+            let [share, x, y, along] = sum;
+            Moments { share, centroid: [x / share, y / share], along: along / share }
+        };
+        strip.along.windows(2).map(cell).collect()
+    }
+}
+
+/// Length along over width across.
+fn ratio(band: &Band) -> f64 {
+    let length = |y: f64| band.ends(y).map_or(0.0, |[rear, front]| front - rear);
+    let [low, high] = band.y();
+    band.rows().map(length).fold(0.0, f64::max) / (high - low)
+}
+
+/// A number of elements times a part.
+#[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // small and positive
+fn scaled(n: usize, part: f64) -> usize {
+    (n as f64 * part).round().max(3.0) as usize
+}
