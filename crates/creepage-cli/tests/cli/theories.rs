@@ -167,7 +167,10 @@ fn options_of_a_theory_that_is_replaced_are_ignored_aloud() {
     let place = Place::new();
     place.write("case.toml", CASE);
     let ran = place.run(&["solve", "case.toml", "--theory", "fastsim"]);
-    assert!(ran.stderr.contains("note: the options in [solve] are those of variational"), "{ran:?}");
+    assert!(
+        ran.stderr.contains("note: the options in [solve] are those of variational"),
+        "{ran:?}"
+    );
     assert!(ran.done().contains("fastsim"));
     assert_eq!(place.run(&["solve", "case.toml", "--theory", "variational"]).stderr, "");
 }

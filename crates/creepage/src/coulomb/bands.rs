@@ -11,6 +11,9 @@ use crate::normal::{Band, NormalContact};
 const GAUSS: f64 = 0.577_350_269_189_625_8;
 /// Least pressure over the largest: tractions are unknown over their bound, which must not vanish.
 const LEAST: f64 = 1e-4;
+/// Least half-length over the unit of length: an element must not vanish, as near a tip where the
+/// ends of a band cross.
+const LEAST_LENGTH: f64 = 1e-3;
 /// A band of small load gets fewer elements, down to this part along and across.
 const FEWEST: f64 = 0.5;
 
@@ -76,7 +79,8 @@ impl<'a> Bands<'a> {
         Strip {
             across: y.map(|y| self.frame.inward([0.0, y])[1]),
             middle: ends.map(|[middle, _]| self.frame.inward([middle, 0.0])[0]),
-            half_length: ends.map(|[_, half]| (fit * half + (1.0 - fit) * mean) / self.frame.length),
+            half_length: ends
+                .map(|[_, half]| (fit * half + (1.0 - fit) * mean) / self.frame.length),
             along: (0..=SUBCELLS * along).map(|piece| cut(broken(piece), along)).collect(),
             patch,
         }
@@ -85,7 +89,7 @@ impl<'a> Bands<'a> {
     /// Middle and half-length at `y` (m).
     fn section(&self, band: &Band, y: f64) -> [f64; 2] {
         let [rear, front] = band.ends(y).unwrap_or_default();
-        [f64::midpoint(rear, front), 0.5 * (front - rear)]
+        [f64::midpoint(rear, front), (0.5 * (front - rear)).max(LEAST_LENGTH * self.frame.length)]
     }
 
     /// The pressure on the elements of [`Bands::mesh`]; its unit is the largest.
@@ -115,29 +119,25 @@ impl<'a> Bands<'a> {
 
     /// Adds a strip's elements, with forces (N) for shares.
     fn add_strip(&self, strip: &Strip, band: &Band, pressure: &mut Pressure) {
+        let peak = self.contact.peak_pressure().value;
         let y = strip.across.map(|y| self.frame.outward([0.0, y])[1]);
-        let area = band.area_between([y[0], y[SUBCELLS]]);
-        let rows: [Vec<Moments>; SUBCELLS] =
+        let rows: [Vec<Cell>; SUBCELLS] =
             std::array::from_fn(|k| self.row(strip, band, [y[k], y[k + 1]]));
         for i in 0..strip.len() {
-            let cells: [[Moments; SUBCELLS]; SUBCELLS] =
+            let cells: [[Cell; SUBCELLS]; SUBCELLS] =
                 std::array::from_fn(|k| std::array::from_fn(|m| rows[k][SUBCELLS * i + m]));
-            let force: f64 = cells.as_flattened().iter().map(|cell| cell.share).sum();
-            let centroid = [0, 1].map(|k| {
-                let moment = |cell: &Moments| cell.share * cell.centroid[k];
-                cells.as_flattened().iter().map(moment).sum::<f64>() / force
-            });
-            let part = 0.5 * (strip.cut(i) - strip.cut(i + 1));
-            let peak = self.contact.peak_pressure().value;
-            pressure.bounds.push(force / (part * area * peak));
-            pressure.shares.push(force);
-            pressure.centroids.push(centroid);
-            pressure.subcells.push(cells);
+            let mut sum = Cell::default();
+            cells.as_flattened().iter().for_each(|cell| sum.add(cell));
+            let whole = sum.moments();
+            pressure.bounds.push(whole.share / (sum.area * peak));
+            pressure.shares.push(whole.share);
+            pressure.centroids.push(whole.centroid);
+            pressure.subcells.push(cells.map(|row| row.map(Cell::moments)));
         }
     }
 
     /// The subcells of a strip between two `y` (m).
-    fn row(&self, strip: &Strip, band: &Band, [low, high]: [f64; 2]) -> Vec<Moments> {
+    fn row(&self, strip: &Strip, band: &Band, [low, high]: [f64; 2]) -> Vec<Cell> {
         let (middle, half) = (f64::midpoint(low, high), 0.5 * (high - low));
         let lines = [-GAUSS, GAUSS].map(|t| {
             let y = middle + half * t;
@@ -146,25 +146,44 @@ impl<'a> Bands<'a> {
         let least = LEAST * self.contact.peak_pressure().value;
         let cell = |ends: &[f64]| {
             let (front, rear) = (ends[0].asin(), ends[1].asin());
-            let mut sum = [0.0; 4];
+            let (middle, turn) = (f64::midpoint(front, rear), 0.5 * (front - rear));
+            let mut sum = Cell::default();
             for (y, [centre, length]) in lines {
                 for t in [-GAUSS, GAUSS] {
-                    let (s, cos) =
-                        (f64::midpoint(front, rear) + 0.5 * (front - rear) * t).sin_cos();
-                    let x = centre + length * s;
-                    // dx = length cos d(angle)
-                    let area = half * 0.5 * (front - rear) * length * cos;
+                    // x = centre + length sin(angle)
+                    let (s, cos) = (middle + turn * t).sin_cos();
+                    let (x, area) = (centre + length * s, half * turn * length * cos);
                     let force = area * band.pressure(x, y).max(least);
-                    let at = self.frame.inward([x, y]);
-                    for (sum, of) in sum.iter_mut().zip([1.0, at[0], at[1], s]) {
-                        *sum += force * of;
-                    }
+                    let [at_x, at_y] = self.frame.inward([x, y]);
+                    let by = [at_x, at_y, s].map(|at| force * at);
+                    sum.add(&Cell { area, force, by });
                 }
             }
-            let [share, x, y, along] = sum;
-            Moments { share, centroid: [x / share, y / share], along: along / share }
+            sum
         };
         strip.along.windows(2).map(cell).collect()
+    }
+}
+
+/// Area (m^2) and force (N) of a piece, and the force's moments by `x`, `y` and the position along
+/// the strip.
+#[derive(Debug, Clone, Copy, Default)]
+struct Cell {
+    area: f64,
+    force: f64,
+    by: [f64; 3],
+}
+
+impl Cell {
+    fn add(&mut self, other: &Self) {
+        self.area += other.area;
+        self.force += other.force;
+        self.by.iter_mut().zip(other.by).for_each(|(by, other)| *by += other);
+    }
+
+    fn moments(self) -> Moments {
+        let [x, y, along] = self.by.map(|by| by / self.force);
+        Moments { share: self.force, centroid: [x, y], along }
     }
 }
 

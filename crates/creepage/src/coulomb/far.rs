@@ -44,7 +44,8 @@ impl FarField {
 
     fn add(&mut self, corners: [[f64; 2]; 4]) {
         for k in 0..POINTS {
-            let [s, t] = [if k % 2 == 0 { -GAUSS } else { GAUSS }, if k < 2 { -GAUSS } else { GAUSS }];
+            let [s, t] =
+                [if k % 2 == 0 { -GAUSS } else { GAUSS }, if k < 2 { -GAUSS } else { GAUSS }];
             let ([x, y], weight) = map(corners, s, t);
             self.x[k].push(x);
             self.y[k].push(y);
@@ -74,9 +75,8 @@ impl FarField {
 fn map([a, b, c, d]: [[f64; 2]; 4], s: f64, t: f64) -> ([f64; 2], f64) {
     let part = |s: f64, t: f64| 0.25 * (1.0 + s) * (1.0 + t);
     let weights = [part(-s, -t), part(s, -t), part(s, t), part(-s, t)];
-    let at = [0, 1].map(|k| {
-        weights[0] * a[k] + weights[1] * b[k] + weights[2] * c[k] + weights[3] * d[k]
-    });
+    let at = [0, 1]
+        .map(|k| weights[0] * a[k] + weights[1] * b[k] + weights[2] * c[k] + weights[3] * d[k]);
     let along = [0, 1].map(|k| 0.25 * ((1.0 - t) * (b[k] - a[k]) + (1.0 + t) * (c[k] - d[k])));
     let across = [0, 1].map(|k| 0.25 * ((1.0 - s) * (d[k] - a[k]) + (1.0 + s) * (c[k] - b[k])));
     (at, (along[0] * across[1] - along[1] * across[0]).abs())

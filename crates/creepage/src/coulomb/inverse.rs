@@ -98,19 +98,41 @@ impl Exact {
     /// # Errors
     /// [`InverseError`] unless three quantities are prescribed, all finite, and within reach.
     pub fn find(&self, constraints: Constraints) -> Result<InverseSolution<'_>, InverseError> {
-        let problem = Problem::new(constraints)?;
-        let mut solved = self.solve_contact(problem.start);
-        for steps in 0..STEPS {
-            if problem.is_solved(&solved) {
-                return Ok(InverseSolution { solved, steps });
-            }
-            let Some(next) = problem.step(&mut solved) else {
-                break;
-            };
-            solved = next;
-        }
-        Err(InverseError::NotReachable { nearest: solved.solution().force, at: solved.creepage() })
+        let (solved, steps) = search(constraints, |creepage| self.solve_contact(creepage))?;
+        Ok(InverseSolution { solved, steps })
     }
+}
+
+/// A contact solved at one creepage, and again at others.
+pub(super) trait Trial: Solved + Sized {
+    /// The same contact at another creepage.
+    fn again(&self, creepage: Creepage) -> Self;
+}
+
+impl Trial for ExactSolved<'_> {
+    fn again(&self, creepage: Creepage) -> Self {
+        self.theory().solve_contact(creepage)
+    }
+}
+
+/// The contact solved where the constraints hold, and the steps taken; from `solve` at the
+/// prescribed creepages, the others zero.
+pub(super) fn search<T: Trial>(
+    constraints: Constraints,
+    solve: impl Fn(Creepage) -> T,
+) -> Result<(T, usize), InverseError> {
+    let problem = Problem::new(constraints)?;
+    let mut solved = solve(problem.start);
+    for steps in 0..STEPS {
+        if problem.is_solved(&solved) {
+            return Ok((solved, steps));
+        }
+        let Some(next) = problem.step(&mut solved) else {
+            break;
+        };
+        solved = next;
+    }
+    Err(InverseError::NotReachable { nearest: solved.solution().force, at: solved.creepage() })
 }
 
 /// The unknown components of the creepage, and the forces prescribed in exchange.
@@ -139,21 +161,21 @@ impl Problem {
     }
 
     /// Prescribed forces less those of a solution.
-    fn residual(&self, solved: &ExactSolved) -> DVector<f64> {
+    fn residual(&self, solved: &impl Solved) -> DVector<f64> {
         let force = solved.solution().force.components();
         let components = self.prescribed.iter().map(|(k, value)| value - force[*k]);
         DVector::from_iterator(self.prescribed.len(), components)
     }
 
     /// More than `mu N` is out of reach, whatever the rounding of the force says.
-    fn is_solved(&self, solved: &ExactSolved) -> bool {
+    fn is_solved(&self, solved: &impl Solved) -> bool {
         let tangential = self.prescribed.iter().filter(|(k, _)| *k < 2);
         let size = tangential.fold(0.0, |size: f64, (_, value)| size.hypot(*value));
         size <= 1.0 && self.residual(solved).amax() <= TOLERANCE
     }
 
     /// A Newton step, shortened until it comes nearer; `None` when none does.
-    fn step<'t>(&self, from: &mut ExactSolved<'t>) -> Option<ExactSolved<'t>> {
+    fn step<T: Trial>(&self, from: &mut T) -> Option<T> {
         let (residual, at) = (self.residual(from), from.creepage().components());
         let jacobian = from.jacobian()?;
         let n = residual.len();
@@ -168,7 +190,7 @@ impl Problem {
                 to[*k] += length * step;
             }
             let [xi, eta, chi] = to;
-            let next = from.theory().solve_contact(Creepage { xi, eta, chi });
+            let next = from.again(Creepage { xi, eta, chi });
             let within = self.unknown.iter().all(|k| to[*k].abs() <= LARGEST);
             if within && self.residual(&next).norm() < residual.norm() {
                 return Some(next);

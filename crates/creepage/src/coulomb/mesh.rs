@@ -153,15 +153,25 @@ impl Mesh {
         strips.flat_map(|(strip, own)| (0..own.len()).map(move |i| (strip, i)))
     }
 
-    /// The four elements around a position in the contact, given as its `y` and its `x` over the
+    /// The strip that holds a position, and its `x` over the half-length there.
+    pub(crate) fn locate(&self, [x, y]: [f64; 2]) -> Option<(usize, f64)> {
+        let inside = |(k, strip): (usize, &Strip)| {
+            let [low, high] = strip.borders();
+            let t = (y - low) / (high - low);
+            let at = |[lower, upper]: [f64; 2]| lower + t * (upper - lower);
+            let along = (x - at(strip.middle)) / at(strip.half_length);
+            ((0.0..=1.0).contains(&t) && along.abs() <= 1.0).then_some((k, along))
+        };
+        self.strips.iter().enumerate().find_map(inside)
+    }
+
+    /// The four elements around a position in a strip, given as its `y` and its `x` over the
     /// half-length, with the weights of interpolation between their middles, along in the angle
     /// whose sine is cut; at the edge of the contact the outermost counts on.
-    pub(crate) fn around(&self, y: f64, along: f64) -> [(usize, f64); 4] {
-        let below = |strip: &Strip| strip.borders()[1] <= y;
-        let own = self.strips.partition_point(below).min(self.strips.len().saturating_sub(1));
-        let patch = self.strips.get(own).map_or(0..0, |own| own.patch.clone());
+    pub(crate) fn around(&self, strip: usize, y: f64, along: f64) -> [(usize, f64); 4] {
+        let patch = &self.strips[strip].patch;
         let middle = |j: usize| self.strips[patch.start + j].y();
-        let strips = beside(own - patch.start, patch.len(), y, middle);
+        let strips = beside(strip - patch.start, patch.len(), y, middle);
         let along = along.clamp(-1.0, 1.0);
         let around = strips.map(|(j, by_strip)| {
             let strip = patch.start + j;
@@ -225,7 +235,8 @@ mod tests {
     fn every_middle_lies_in_its_element() {
         let mesh = Mesh::ellipse(Ellipse::from_ratio(0.4).unwrap(), 10, 14);
         for (element, (strip, i)) in mesh.all().enumerate() {
-            let around = mesh.around(mesh.strips[strip].y(), cut(i as f64 + 0.5, 10));
+            let along = cut(i as f64 + 0.5, 10);
+            let around = mesh.around(strip, mesh.strips[strip].y(), along);
             let own = around.iter().filter(|(e, _)| *e == element).map(|(_, weight)| weight);
             // Rounding of the arc sine, over an angle of a twentieth.
             assert!((own.sum::<f64>() - 1.0).abs() < 1e-12, "{element}: {around:?}");

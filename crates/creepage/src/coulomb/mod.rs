@@ -36,7 +36,7 @@ mod workspace;
 
 pub use automatic::Automatic;
 pub use inverse::{Constraints, InverseError, InverseSolution};
-pub use non_hertzian::{NonHertzian, NonHertzianSolved, SiElement};
+pub use non_hertzian::{NonHertzian, NonHertzianSolved};
 pub use resolution::Resolution;
 pub use solution::{ElementField, ExactSolved};
 

@@ -1,16 +1,18 @@
 //! The full theory on contact areas of any shape.
 
 use super::bands::{Bands, Frame};
-use super::extrapolation::{error_bar, extrapolate_force};
+use super::extrapolation::{error_bar, extrapolate, extrapolate_force};
 use super::grid::Grid;
 use super::influence::Influence;
+use super::inverse::{Constraints, InverseError, Trial, search};
 use super::resolution::Resolution;
+use super::solution::{ElementField, between};
 use super::stencil::SlipStencil;
 use super::workspace::{Pool, Workspace};
 use crate::check::{self, InvalidValue};
 use crate::normal::NormalContact;
-use crate::theory::{Region, Statistics, Status};
-use crate::{Creepage, Force, SiCreepage, SiForce};
+use crate::theory::{FieldPoint, Jacobian, Region, Solution, Solved};
+use crate::{Creepage, Force, Scaling};
 
 /// Unit of slip over the largest traction bound in units of `G`: the elastic slip is of order one.
 const SLIP_UNIT: f64 = 0.5;
@@ -18,14 +20,15 @@ const SLIP_UNIT: f64 = 0.5;
 /// The full theory of steady rolling, prepared for a contact of any shape: one or more areas, all
 /// in one half-space.
 ///
-/// Creepages are those of (4.15) at the origin of coordinates of the gap; positive `x` is the
-/// rolling direction. Forces are of the upper body on the lower. Like bodies: between dissimilar
-/// ones the slip by the pressure (6.4) is neglected.
+/// Creepages, forces and positions are in the units of [`NonHertzian::scaling`]; the origin of
+/// coordinates, of the spin and of the moment is that of the gap, and the rolling direction its
+/// `x`. Like bodies: between dissimilar ones the slip by the pressure (6.4) is neglected.
 ///
 /// ```
 /// use creepage::coulomb::{NonHertzian, Resolution};
 /// use creepage::gap::{Gap, Term};
 /// use creepage::normal::{self, NormalContact};
+/// use creepage::theory::Solved;
 /// use creepage::{SiCreepage, Solid, SolidPair};
 /// // A crowned roller: h = x^2/920 + y^4/20000 in millimetres.
 /// let term = |x, y, coefficient| Term { x, y, coefficient };
@@ -34,60 +37,20 @@ const SLIP_UNIT: f64 = 0.5;
 /// let pair = SolidPair::new(steel, steel);
 /// let contact = NormalContact::under_load(&gap, pair, 40e3, normal::Resolution::STANDARD)?;
 /// let theory = NonHertzian::new(&contact, 0.3, Resolution::FAST)?;
-/// let solved = theory.solve(SiCreepage { longitudinal: 1e-3, ..SiCreepage::default() });
-/// assert!(solved.force().longitudinal > 5e3 && solved.force().longitudinal < 12e3);
+/// let creepage = SiCreepage { longitudinal: 1e-3, ..SiCreepage::default() };
+/// let solved = theory.solve(theory.scaling().creepage(creepage)?);
+/// let force = theory.scaling().si_force(solved.solution().force);
+/// assert!(force.longitudinal > 5e3 && force.longitudinal < 12e3); // newtons
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone)]
 pub struct NonHertzian {
+    contact: NormalContact,
+    frame: Frame,
+    scaling: Scaling,
+    /// In the frame: its origin is the centre of pressure, for accuracy.
     grids: [Grid; 2],
     pool: Pool,
-    units: Units,
-}
-
-/// What the dimensionless quantities of the grids are multiples of.
-#[derive(Debug, Clone, Copy)]
-struct Units {
-    frame: Frame,
-    /// Slip over the rolling velocity.
-    slip: f64,
-    /// `mu N`.
-    force: f64,
-    /// Largest traction bound (Pa).
-    traction: f64,
-}
-
-impl Units {
-    /// Creepage and spin about the frame's origin.
-    fn creepage(&self, creepage: SiCreepage) -> Creepage {
-        let SiCreepage { longitudinal, lateral, spin } = creepage;
-        let [x, y] = self.frame.origin;
-        Creepage {
-            xi: (longitudinal - spin * y) / self.slip,
-            eta: (lateral + spin * x) / self.slip,
-            chi: spin * self.frame.length / self.slip,
-        }
-    }
-
-    /// Force and moment about a point (m).
-    fn force(&self, Force { fx, fy, mz }: Force, about: [f64; 2]) -> SiForce {
-        let [x, y] = self.frame.inward(about);
-        SiForce {
-            longitudinal: self.force * fx,
-            lateral: self.force * fy,
-            moment: self.force * self.frame.length * (mz - x * fy + y * fx),
-        }
-    }
-
-    /// Error bars of [`Units::force`].
-    fn error(&self, Force { fx, fy, mz }: Force, about: [f64; 2]) -> SiForce {
-        let [x, y] = self.frame.inward(about);
-        SiForce {
-            longitudinal: self.force * fx,
-            lateral: self.force * fy,
-            moment: self.force * self.frame.length * (mz + x.abs() * fy + y.abs() * fx),
-        }
-    }
 }
 
 impl NonHertzian {
@@ -101,51 +64,31 @@ impl NonHertzian {
         resolution: Resolution,
     ) -> Result<Self, InvalidValue> {
         check::positive("friction", friction)?;
-        let frame = Frame { origin: contact.centroid(), length: (contact.area().value / 3.0).sqrt() };
+        let length = (contact.area().value / 3.0).sqrt();
+        let frame = Frame { origin: contact.centroid(), length };
         let bands = Bands::new(contact, frame, resolution);
-        let poisson = contact.pair().poisson();
         let grids = [1, 2].map(|times| {
             let mesh = bands.mesh(times);
             let pressure = bands.pressure(&mesh);
             let stencils: Vec<_> = mesh.strips.iter().map(SlipStencil::steady).collect();
+            let poisson = contact.pair().poisson();
             let influence = Influence::with_far_field(&mesh, poisson, &stencils);
             Grid::new(mesh, pressure, influence, SLIP_UNIT, &stencils)
         });
         let traction = friction * contact.peak_pressure().value;
-        let units = Units {
-            frame,
+        let scaling = Scaling {
+            length,
             slip: SLIP_UNIT * traction / contact.pair().shear_modulus(),
             force: friction * contact.load().value,
             traction,
         };
-        Ok(Self { grids, pool: Pool::default(), units })
+        Ok(Self { contact: contact.clone(), frame, scaling, grids, pool: Pool::default() })
     }
 
-    /// Solves for creepage and spin.
+    /// The units of creepage, force and position.
     #[must_use]
-    pub fn solve(&self, creepage: SiCreepage) -> NonHertzianSolved<'_> {
-        self.solve_curved(creepage, |_| [0.0; 2])
-    }
-
-    /// Solves for creepage and spin, to which `more` adds creepages `[longitudinal, lateral]` that
-    /// vary with `y` (m): on curved contact areas the rolling radius, and the direction of the
-    /// tangent plane, are not the same everywhere.
-    #[must_use]
-    pub fn solve_curved(
-        &self,
-        creepage: SiCreepage,
-        more: impl Fn(f64) -> [f64; 2],
-    ) -> NonHertzianSolved<'_> {
-        let mut workspace = self.pool.take(&self.grids);
-        let rigid = self.units.creepage(creepage);
-        workspace.solve(&self.grids, false, |grid, forcing| {
-            grid.set_forcing(rigid, 0.0, forcing);
-            for (slip, place) in forcing.slip.iter_mut().zip(&grid.places) {
-                let more = more(self.units.frame.outward(*place)[1]);
-                *slip = [0, 1].map(|k| slip[k] + more[k] / self.units.slip);
-            }
-        });
-        NonHertzianSolved { theory: self, workspace }
+    pub fn scaling(&self) -> Scaling {
+        self.scaling
     }
 
     /// Elements on the finer grid.
@@ -153,106 +96,188 @@ impl NonHertzian {
     pub fn elements(&self) -> usize {
         self.grids[1].mesh.len()
     }
+
+    /// Solves for creepage and spin.
+    #[must_use]
+    pub fn solve(&self, creepage: Creepage) -> NonHertzianSolved<'_> {
+        self.solve_curved(creepage, |_| [0.0; 2])
+    }
+
+    /// Solves for creepage and spin, to which `more` adds creepages `[xi, eta]` that vary with `y`:
+    /// on curved contact areas neither the rolling radius nor the direction of the tangent plane is
+    /// the same everywhere.
+    #[must_use]
+    pub fn solve_curved(
+        &self,
+        creepage: Creepage,
+        more: impl Fn(f64) -> [f64; 2],
+    ) -> NonHertzianSolved<'_> {
+        let at = |place: &[f64; 2]| more(self.outward(*place)[1]);
+        let more = [0, 1].map(|k: usize| self.grids[k].places.iter().map(at).collect());
+        NonHertzianSolved::new(self, creepage, more)
+    }
+
+    /// Finds the creepage at which the constraints hold, as [`Exact::find`](super::Exact::find).
+    ///
+    /// # Errors
+    /// [`InverseError`] unless three quantities are prescribed, all finite, and within reach.
+    pub fn find(&self, constraints: Constraints) -> Result<NonHertzianSolved<'_>, InverseError> {
+        Ok(search(constraints, |creepage| self.solve(creepage))?.0)
+    }
+
+    /// The frame's origin.
+    fn origin(&self) -> [f64; 2] {
+        self.frame.origin.map(|at| at / self.frame.length)
+    }
+
+    /// A position of the frame.
+    fn outward(&self, [x, y]: [f64; 2]) -> [f64; 2] {
+        let [a, b] = self.origin();
+        [x + a, y + b]
+    }
+
+    /// Creepage at the frame's origin.
+    fn inward(&self, creepage: Creepage) -> Creepage {
+        let [xi, eta] = creepage.rigid_slip(self.origin());
+        Creepage { xi, eta, ..creepage }
+    }
+
+    /// The force with the moment about the origin of coordinates, from that about the frame's.
+    fn moved(&self, Force { fx, fy, mz }: Force) -> Force {
+        let [x, y] = self.origin();
+        Force { fx, fy, mz: mz + x * fy - y * fx }
+    }
+
+    /// Error bars of [`NonHertzian::moved`].
+    fn moved_error(&self, Force { fx, fy, mz }: Force) -> Force {
+        let [x, y] = self.origin().map(f64::abs);
+        Force { fx, fy, mz: mz + x * fy + y * fx }
+    }
 }
 
-/// What happens in one element.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct SiElement {
-    /// Centroid of the pressure (m).
-    pub position: [f64; 2],
-    /// Mean traction on the lower body (Pa).
-    pub traction: [f64; 2],
-    /// Mean of the traction bound `mu Z` (Pa).
-    pub bound: f64,
-    /// Slip of the upper body relative to the lower over the rolling velocity.
-    pub slip: [f64; 2],
-    /// Stick or slip.
-    pub region: Region,
-    /// Normal force that it carries (N) over that of the whole contact.
-    pub share: f64,
-    /// Corners of the element, all around (m).
-    pub corners: [[f64; 2]; 4],
-}
-
-/// One contact of any shape solved; made by [`NonHertzian::solve`].
+/// A contact of any shape solved; made by [`NonHertzian::solve`].
+///
+/// A field between elements is bounded by the pressure at the position.
 #[derive(Debug)]
 pub struct NonHertzianSolved<'a> {
     theory: &'a NonHertzian,
     workspace: Workspace,
+    creepage: Creepage,
+    /// What is added to the slip of each grid's elements.
+    more: [Vec<[f64; 2]>; 2],
+    solution: Solution,
+    dissipation: f64,
 }
 
-impl NonHertzianSolved<'_> {
-    /// Force, and moment about the origin of coordinates, of the upper body on the lower.
-    #[must_use]
-    pub fn force(&self) -> SiForce {
-        self.force_about([0.0; 2])
-    }
-
-    /// Force, and moment about a point (m).
-    #[must_use]
-    pub fn force_about(&self, point: [f64; 2]) -> SiForce {
-        let [coarse, fine] = self.workspace.sums(&self.theory.grids, 0.0);
-        self.theory.units.force(extrapolate_force(coarse.force, fine.force), point)
-    }
-
-    /// Error bars of [`NonHertzianSolved::force_about`], by the discretization of the tractions.
-    #[must_use]
-    pub fn error_about(&self, point: [f64; 2]) -> SiForce {
-        let [coarse, fine] = self.workspace.sums(&self.theory.grids, 0.0);
-        self.theory.units.error(error_bar(coarse.force, fine.force, self.theory.elements()), point)
-    }
-
-    /// Whether the iteration met its tolerance.
-    #[must_use]
-    pub fn status(&self) -> Status {
-        self.workspace.solution(Force::default(), Force::default()).status
-    }
-
-    /// What it cost.
-    #[must_use]
-    pub fn statistics(&self) -> Statistics {
-        self.workspace.solution(Force::default(), Force::default()).statistics
-    }
-
-    /// Derivative of force and moment about the origin of coordinates: rows longitudinal, lateral,
-    /// moment; columns by longitudinal and lateral creepage and spin.
-    #[must_use]
-    pub fn jacobian(&mut self) -> [[f64; 3]; 3] {
-        let units = self.theory.units;
-        let columns = self.workspace.derivative(&self.theory.grids);
-        let directions = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
-        let by = directions.map(|[longitudinal, lateral, spin]| {
-            let weights = units.creepage(SiCreepage { longitudinal, lateral, spin }).components();
-            let sum = |k: fn(&Force) -> f64| {
-                columns.iter().zip(weights).map(|(column, weight)| weight * k(column)).sum()
-            };
-            let force = Force { fx: sum(|f| f.fx), fy: sum(|f| f.fy), mz: sum(|f| f.mz) };
-            let force = units.force(force, [0.0; 2]);
-            [force.longitudinal, force.lateral, force.moment]
+impl<'a> NonHertzianSolved<'a> {
+    fn new(theory: &'a NonHertzian, creepage: Creepage, more: [Vec<[f64; 2]>; 2]) -> Self {
+        let (grids, inward) = (&theory.grids, theory.inward(creepage));
+        let mut workspace = theory.pool.take(grids);
+        workspace.solve(grids, false, |k, forcing| {
+            grids[k].set_forcing(inward, 0.0, forcing);
+            for (slip, more) in forcing.slip.iter_mut().zip(&more[k]) {
+                *slip = [slip[0] + more[0], slip[1] + more[1]];
+            }
         });
-        std::array::from_fn(|i| std::array::from_fn(|k| by[k][i]))
+        let [coarse, fine] = workspace.sums(grids, 0.0);
+        let force = theory.moved(extrapolate_force(coarse.force, fine.force));
+        let error = error_bar(coarse.force, fine.force, theory.elements());
+        let solution = workspace.solution(force, theory.moved_error(error));
+        let dissipation = extrapolate(coarse.dissipation, fine.dissipation).max(0.0);
+        Self { theory, workspace, creepage, more, solution, dissipation }
+    }
+
+    /// The force with its moment about a point.
+    #[must_use]
+    pub fn force_about(&self, [x, y]: [f64; 2]) -> Force {
+        let Force { fx, fy, mz } = self.solution.force;
+        Force { fx, fy, mz: mz - x * fy + y * fx }
     }
 
     /// The elements of the finer grid, strip by strip, each from the leading edge.
     #[must_use]
-    pub fn elements(&self) -> Vec<SiElement> {
-        let grid = &self.theory.grids[1];
-        grid.mesh.all().enumerate().map(|(element, place)| self.element(element, place)).collect()
+    pub fn elements(&self) -> Vec<ElementField> {
+        let places = self.theory.grids[1].mesh.all();
+        places.enumerate().map(|(element, place)| self.element(element, place)).collect()
     }
 
-    fn element(&self, element: usize, (strip, i): (usize, usize)) -> SiElement {
+    fn element(&self, element: usize, (strip, i): (usize, usize)) -> ElementField {
         let (grid, state) = (&self.theory.grids[1], self.workspace.fine());
-        let Units { frame, slip, traction, .. } = self.theory.units;
-        let (slides, bound) = (state.slides(element), traction * grid.pressure.bounds[element]);
-        SiElement {
-            position: frame.outward(grid.pressure.centroids[element]),
-            traction: state.traction.at(element).map(|t| bound * t),
+        let (slides, bound) = (state.slides(element), grid.pressure.bounds[element]);
+        ElementField {
+            point: FieldPoint {
+                position: self.theory.outward(grid.pressure.centroids[element]),
+                traction: state.traction.at(element).map(|t| bound * t),
+                slip: state.visible_slip(element),
+                region: if slides { Region::Slip } else { Region::Adhesion },
+            },
             bound,
-            slip: if slides { state.slip(element).map(|s| slip * s) } else { [0.0; 2] },
-            region: if slides { Region::Slip } else { Region::Adhesion },
             share: grid.pressure.shares[element],
-            corners: grid.mesh.strips[strip].corners(i).map(|corner| frame.outward(corner)),
+            power: state.power(grid, element),
+            corners: grid.mesh.strips[strip].corners(i).map(|c| self.theory.outward(c)),
         }
+    }
+
+    fn at(&self, position: [f64; 2]) -> FieldPoint {
+        let theory = self.theory;
+        let [x, y] = position.map(|at| theory.scaling.length * at);
+        let [a, b] = theory.origin();
+        let inward = [position[0] - a, position[1] - b];
+        let pressure = theory.contact.pressure(x, y);
+        match theory.grids[1].mesh.locate(inward) {
+            Some((strip, along)) if pressure > 0.0 => {
+                let around = theory.grids[1].mesh.around(strip, inward[1], along);
+                let bound = pressure / theory.contact.peak_pressure().value;
+                between(self.workspace.fine(), around, position, bound)
+            }
+            _ => FieldPoint::outside(position),
+        }
+    }
+}
+
+impl Trial for NonHertzianSolved<'_> {
+    fn again(&self, creepage: Creepage) -> Self {
+        Self::new(self.theory, creepage, self.more.clone())
+    }
+}
+
+impl Solved for NonHertzianSolved<'_> {
+    fn creepage(&self) -> Creepage {
+        self.creepage
+    }
+
+    fn solution(&self) -> Solution {
+        self.solution
+    }
+
+    fn jacobian(&mut self) -> Option<Jacobian> {
+        let theory = self.theory;
+        let columns = self.workspace.derivative(&theory.grids);
+        let unit = |k: usize| [0, 1, 2].map(|i| if i == k { 1.0 } else { 0.0 });
+        let by = [0, 1, 2].map(|k| {
+            let [xi, eta, chi] = unit(k);
+            let weights = theory.inward(Creepage { xi, eta, chi }).components();
+            let mut sum = Force::default();
+            for (column, weight) in columns.iter().zip(weights) {
+                sum.fx += weight * column.fx;
+                sum.fy += weight * column.fy;
+                sum.mz += weight * column.mz;
+            }
+            theory.moved(sum).components()
+        });
+        Some(std::array::from_fn(|i| std::array::from_fn(|k| by[k][i])))
+    }
+
+    fn field(&self, positions: &[[f64; 2]]) -> Vec<FieldPoint> {
+        positions.iter().map(|at| self.at(*at)).collect()
+    }
+
+    fn points(&self) -> Option<Vec<FieldPoint>> {
+        Some(self.elements().iter().map(|element| element.point).collect())
+    }
+
+    fn dissipation(&self) -> Option<f64> {
+        Some(self.dissipation)
     }
 }
 

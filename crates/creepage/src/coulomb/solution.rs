@@ -2,6 +2,7 @@
 
 use super::Exact;
 use super::extrapolation::{error_bar, extrapolate, extrapolate_force};
+use super::solver::State;
 use super::workspace::Workspace;
 use crate::theory::{Diagnostic, FieldPoint, Jacobian, Region, Solution, Solved};
 use crate::{Creepage, Force};
@@ -74,8 +75,8 @@ impl Answer {
     fn new(exact: &Exact, workspace: &mut Workspace, creepage: Creepage, warm: bool) -> Self {
         let mirror = Mirror::of(creepage);
         let mirrored = mirror.creepage(creepage);
-        workspace.solve(&exact.grids, warm, |grid, forcing| {
-            grid.set_forcing(mirrored, mirror.x, forcing);
+        workspace.solve(&exact.grids, warm, |k, forcing| {
+            exact.grids[k].set_forcing(mirrored, mirror.x, forcing);
         });
         let [coarse, fine] = workspace.sums(&exact.grids, mirror.x);
         let force = mirror.force(extrapolate_force(coarse.force, fine.force));
@@ -137,7 +138,7 @@ impl<'a> ExactSolved<'a> {
             point: FieldPoint {
                 position: mirror.position(pressure.centroids[element]),
                 traction: mirror.vector(state.traction.at(element).map(|t| bound * t)),
-                slip: mirror.vector(self.slip(element)),
+                slip: mirror.vector(state.visible_slip(element)),
                 region: if state.slides(element) { Region::Slip } else { Region::Adhesion },
             },
             bound,
@@ -147,17 +148,8 @@ impl<'a> ExactSolved<'a> {
         }
     }
 
-    /// Slip of an element in the mirror; zero in adhesion, where the computed one is rounding.
-    fn slip(&self, element: usize) -> [f64; 2] {
-        let state = self.workspace.fine();
-        if state.slides(element) { state.slip(element) } else { [0.0; 2] }
-    }
-
-    /// Between the middles of elements the traction over its bound, and how far a point is from
-    /// the border of the adhesion area, are interpolated; the law of Coulomb then picks the
-    /// region, and the slip and the size of the traction that go with it.
     fn at(&self, position: [f64; 2]) -> FieldPoint {
-        let (mirror, state) = (self.answer.mirror, self.workspace.fine());
+        let (mirror, mesh) = (self.answer.mirror, &self.exact.grids[1].mesh);
         let ellipse = self.exact.contact.ellipse();
         let [x, y] = mirror.position(position);
         let left = 1.0 - (x / ellipse.a()).powi(2) - (y / ellipse.b()).powi(2);
@@ -166,27 +158,37 @@ impl<'a> ExactSolved<'a> {
         }
         let length = ellipse.a() * (1.0 - (y / ellipse.b()).powi(2)).max(0.0).sqrt();
         let along = x / length.max(f64::MIN_POSITIVE);
-        let mut point =
-            FieldPoint { position, traction: [0.0; 2], slip: [0.0; 2], region: Region::Slip };
-        let mut beyond_adhesion = 0.0;
-        for (element, weight) in self.exact.grids[1].mesh.around(y, along) {
-            let (traction, slip) = (state.traction.at(element), self.slip(element));
-            for k in 0..2 {
-                point.traction[k] += weight * traction[k];
-                point.slip[k] += weight * slip[k];
-            }
-            let size = |[x, y]: [f64; 2]| x.hypot(y);
-            beyond_adhesion +=
-                weight * if state.slides(element) { size(slip) } else { size(traction) - 1.0 };
-        }
-        if beyond_adhesion <= 0.0 {
-            point.region = Region::Adhesion;
-            point.slip = [0.0; 2];
-        }
-        point.traction = mirror.vector(point.traction.map(|t| left.sqrt() * t));
-        point.slip = mirror.vector(point.slip);
-        point
+        let below = mesh.strips.partition_point(|strip| strip.borders()[1] <= y);
+        let around = mesh.around(below.min(mesh.strips.len() - 1), y, along);
+        let point = between(self.workspace.fine(), around, position, left.sqrt());
+        let (traction, slip) = (mirror.vector(point.traction), mirror.vector(point.slip));
+        FieldPoint { traction, slip, ..point }
     }
+}
+
+/// Between the middles of elements the traction over its bound, and how far a point is from the
+/// border of the adhesion area, are interpolated; the law of Coulomb then picks the region, and the
+/// slip and the size of the traction that go with it. `bound` is that at the position.
+pub(super) fn between(
+    state: &State,
+    around: [(usize, f64); 4],
+    position: [f64; 2],
+    bound: f64,
+) -> FieldPoint {
+    let ([mut p, mut q], [mut u, mut v], mut beyond_adhesion) = ([0.0; 2], [0.0; 2], 0.0);
+    for (element, weight) in around {
+        let (traction, slip) = (state.traction.at(element), state.visible_slip(element));
+        p += weight * traction[0];
+        q += weight * traction[1];
+        u += weight * slip[0];
+        v += weight * slip[1];
+        let size = |[x, y]: [f64; 2]| x.hypot(y);
+        beyond_adhesion +=
+            weight * if state.slides(element) { size(slip) } else { size(traction) - 1.0 };
+    }
+    let (region, slip) =
+        if beyond_adhesion <= 0.0 { (Region::Adhesion, [0.0; 2]) } else { (Region::Slip, [u, v]) };
+    FieldPoint { position, traction: [bound * p, bound * q], slip, region }
 }
 
 impl Drop for ExactSolved<'_> {

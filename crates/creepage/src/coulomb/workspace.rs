@@ -35,15 +35,15 @@ impl Workspace {
     }
 
     /// Solves from scratch, or from the tractions of the last case; `force` sets what drives the
-    /// slip of a grid.
+    /// slip of the coarser grid, 0, and of the finer, 1.
     pub(super) fn solve(
         &mut self,
         grids: &[Grid; 2],
         warm: bool,
-        force: impl Fn(&Grid, &mut SlipForcing),
+        force: impl Fn(usize, &mut SlipForcing),
     ) {
-        for (level, grid) in self.levels.iter_mut().zip(grids) {
-            force(grid, &mut level.state.forcing);
+        for (k, level) in self.levels.iter_mut().enumerate() {
+            force(k, &mut level.state.forcing);
         }
         let [coarse, fine] = &mut self.levels;
         if !warm {

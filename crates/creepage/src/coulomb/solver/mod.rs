@@ -135,6 +135,11 @@ impl State {
         [self.slip[0][element], self.slip[1][element]]
     }
 
+    /// Slip of an element; zero in adhesion, where the computed one is rounding.
+    pub(crate) fn visible_slip(&self, element: usize) -> [f64; 2] {
+        if self.slides(element) { self.slip(element) } else { [0.0; 2] }
+    }
+
     pub(crate) fn fields<'a>(&'a self, grid: &'a Grid) -> Fields<'a> {
         Fields {
             places: &grid.places,
