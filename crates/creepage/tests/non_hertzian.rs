@@ -102,7 +102,7 @@ fn natural_spline(y0: f64, values: &[f64]) -> impl Fn(f64) -> f64 + Send + Sync 
         second[i] = right[i] - factor[i] * second[i + 1];
     }
     move |y| {
-        let k = ((y - y0).max(0.0) as usize).min(n - 2);
+        let k = (0..n - 2).find(|k| y < y0 + *k as f64 + 1.0).unwrap_or(n - 2);
         let t = y - y0 - k as f64;
         let cube = |t: f64| (t * t * t - t) / 6.0;
         (1.0 - t) * values[k]

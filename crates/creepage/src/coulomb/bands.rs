@@ -5,7 +5,7 @@ use std::ops::Range;
 use super::mesh::{Mesh, SUBCELLS, Strip, border, cut, fit};
 use super::pressure::{Moments, Pressure};
 use super::resolution::Resolution;
-use crate::normal::{Band, NormalContact};
+use crate::normal::{Band, NormalContact, Patch};
 
 /// Gauss's two points on (-1, 1), of weight one.
 const GAUSS: f64 = 0.577_350_269_189_625_8;
@@ -39,13 +39,13 @@ impl Frame {
 pub(super) struct Bands<'a> {
     contact: &'a NormalContact,
     frame: Frame,
-    bands: Vec<(&'a Band, [usize; 2])>,
+    parts: Vec<(&'a Band, [usize; 2])>,
 }
 
 impl<'a> Bands<'a> {
     /// The bands with the elements of the coarser grid.
     pub(super) fn new(contact: &'a NormalContact, frame: Frame, resolution: Resolution) -> Self {
-        let bands: Vec<&Band> = contact.patches().iter().flat_map(|patch| patch.bands()).collect();
+        let bands: Vec<&Band> = contact.patches().iter().flat_map(Patch::bands).collect();
         let load = |band: &Band| band.total().force;
         let largest = bands.iter().map(|band| load(band)).fold(0.0, f64::max);
         let counted = |band: &'a Band| {
@@ -53,13 +53,13 @@ impl<'a> Bands<'a> {
             let counts = resolution.coarse(ratio(band)).map(|n| scaled(n, part));
             (band, counts)
         };
-        Self { contact, frame, bands: bands.into_iter().map(counted).collect() }
+        Self { contact, frame, parts: bands.into_iter().map(counted).collect() }
     }
 
     /// The elements, `times` as many along and across.
     pub(super) fn mesh(&self, times: usize) -> Mesh {
         let mut strips = Vec::new();
-        for (band, [along, across]) in &self.bands {
+        for (band, [along, across]) in &self.parts {
             let patch = strips.len()..strips.len() + times * across;
             for j in 0..times * across {
                 strips.push(self.strip(band, j, times * along, patch.clone()));
@@ -100,7 +100,7 @@ impl<'a> Bands<'a> {
             centroids: Vec::with_capacity(mesh.len()),
             subcells: Vec::with_capacity(mesh.len()),
         };
-        let bands = self.bands.iter().flat_map(|(band, [_, across])| {
+        let bands = self.parts.iter().flat_map(|(band, [_, across])| {
             let times = mesh.strips.len() / self.strips();
             std::iter::repeat_n(*band, times * across)
         });
@@ -114,7 +114,7 @@ impl<'a> Bands<'a> {
 
     /// Strips of the coarser grid.
     fn strips(&self) -> usize {
-        self.bands.iter().map(|(_, [_, across])| across).sum()
+        self.parts.iter().map(|(_, [_, across])| across).sum()
     }
 
     /// Adds a strip's elements, with forces (N) for shares.

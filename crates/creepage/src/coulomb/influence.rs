@@ -131,7 +131,9 @@ fn displace_near(
     displacements: &mut [Vec<f64>; 3],
 ) {
     let (start, n) = (displacements[0].len(), mesh.len());
-    displacements.iter_mut().for_each(|by| by.resize(start + n, 0.0));
+    for by in displacements.iter_mut() {
+        by.resize(start + n, 0.0);
+    }
     let [xx, xy, yy] = displacements.each_mut().map(|by| &mut by[start..]);
     far.displace(poisson, at, [xx, xy, yy]);
     for (strip, elements) in mesh.strips.iter().zip(mesh.offsets().windows(2)) {
