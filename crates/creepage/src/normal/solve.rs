@@ -39,11 +39,12 @@ impl Found {
         self.patches.iter().map(Patch::area).sum()
     }
 
-    /// Whether two solutions agree as well as coarse ones can.
+    /// Whether two solutions agree as well as coarse ones can; a summit of pressure as narrow as
+    /// an element is off by a tenth and more.
     fn agrees_with(&self, other: &Self) -> bool {
         let near = |one: f64, other: f64, part: f64| (one / other - 1.0).abs() < part;
         near(self.load, other.load, 0.02)
-            && near(self.peak, other.peak, 0.06)
+            && near(self.peak, other.peak, 0.25)
             && near(self.area(), other.area(), 0.08)
     }
 }

@@ -4,6 +4,7 @@
 
 mod bad_input;
 mod hertz;
+mod patches;
 mod physics;
 mod random;
 mod shapes;
