@@ -141,7 +141,7 @@ fn an_option_of_another_theory_is_refused() {
     refused("grid = [9, 9]", &["--theory", "fastsim"], &words);
     let words = ["`bound` is an option of variational and fastsim, not of exact"];
     refused("bound = \"elliptic\"", &[], &words);
-    let words = ["[solve] bound = \"kept\" is not valid for fastsim", "`elliptic` or `parabolic`"];
+    let words = ["[solve] bound = \"kept\" is not valid for fastsim", "`parabolic` or `elliptic`"];
     refused("theory = \"fastsim\"\nbound = \"kept\"", &[], &words);
     let words = ["[solve] bound = \"elliptic\" is not valid for variational", "`unchecked`"];
     refused("theory = \"variational\"\nbound = \"elliptic\"", &[], &words);
