@@ -114,7 +114,7 @@ fn place(mesh: &Mesh, stored: usize, strip: usize, i: usize) -> Place {
 
 /// Adds the displacements at a point by every element. Neighbours in a strip share the cut between
 /// them, and what it adds.
-fn displace(mesh: &Mesh, poisson: f64, at: [f64; 2], displacements: &mut [Vec<f64>; 3]) {
+pub(super) fn displace(mesh: &Mesh, poisson: f64, at: [f64; 2], displacements: &mut [Vec<f64>; 3]) {
     for strip in &mesh.strips {
         each_in_strip(strip, poisson, at, 0..strip.len(), |_, own| {
             displacements.iter_mut().zip(own).for_each(|(by, own)| by.push(own));
