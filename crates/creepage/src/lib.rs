@@ -7,6 +7,7 @@
 //! | room | what it holds |
 //! |---|---|
 //! | [`Solid`], [`SolidPair`], [`Hertz`], [`Ellipse`] | materials and radii to the contact ellipse (2.10), (3.36)-(3.52) |
+//! | [`gap`], [`normal`] | bodies of any shape: their undeformed distance, and contact areas and pressures of it |
 //! | [`Contact`] | all that a theory is prepared for |
 //! | [`Creepage`], [`Force`], [`Scaling`] | the dimensionless quantities (4.20), and their units |
 //! | [`theory`] | what every theory can be asked; every theory by name, [`TheorySpec`] |
@@ -72,7 +73,9 @@
 
 pub mod approximate;
 pub mod coulomb;
+pub mod gap;
 pub mod halfspace;
+pub mod normal;
 pub mod special;
 pub mod statics;
 pub mod table;

@@ -1,0 +1,81 @@
+//! A polynomial in x and y.
+
+use super::error::GapError;
+use crate::check;
+
+/// One term `coefficient x^i y^j` of a polynomial gap, in metres throughout.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Term {
+    /// Power of x.
+    pub x: u32,
+    /// Power of y.
+    pub y: u32,
+    /// Coefficient (m^(1-i-j)).
+    pub coefficient: f64,
+}
+
+/// Coefficients by power of x, each a polynomial in y.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Polynomial {
+    terms: Vec<Term>,
+    columns: Vec<Vec<f64>>,
+}
+
+impl Polynomial {
+    const MAX_POWER: u32 = 24;
+
+    pub(super) fn new(terms: &[Term]) -> Result<Self, GapError> {
+        let mut columns: Vec<Vec<f64>> = Vec::new();
+        for (index, &Term { x, y, coefficient }) in terms.iter().enumerate() {
+            check::finite("coefficient", coefficient)?;
+            if x > Self::MAX_POWER || y > Self::MAX_POWER {
+                return Err(GapError::Power { x, y, max: Self::MAX_POWER });
+            }
+            if terms[..index].iter().any(|other| (other.x, other.y) == (x, y)) {
+                return Err(GapError::SameTerm { x, y });
+            }
+            let (x, y) = (x as usize, y as usize);
+            columns.resize(columns.len().max(x + 1), Vec::new());
+            let column = &mut columns[x];
+            column.resize(column.len().max(y + 1), 0.0);
+            column[y] = coefficient;
+        }
+        Ok(Self { terms: terms.to_vec(), columns })
+    }
+
+    pub(super) fn at(&self, x: f64, y: f64) -> f64 {
+        self.columns.iter().rev().fold(0.0, |sum, column| sum * x + horner(column, y))
+    }
+
+    pub(super) fn fill_row(&self, y: f64, xs: &[f64], out: &mut [f64]) {
+        const COLUMNS: usize = Polynomial::MAX_POWER as usize + 1;
+        let mut row = [0.0; COLUMNS];
+        for (value, column) in row.iter_mut().zip(&self.columns) {
+            *value = horner(column, y);
+        }
+        let row = &row[..self.columns.len()];
+        for (out, &x) in out.iter_mut().zip(xs) {
+            *out = horner(row, x);
+        }
+    }
+
+    /// Lengths at which the terms reach `height`: none for a constant.
+    pub(super) fn lengths(&self, height: f64) -> impl Iterator<Item = f64> {
+        self.terms.iter().filter(|term| term.x + term.y > 0 && term.coefficient != 0.0).map(
+            move |term| (height / term.coefficient.abs()).powf(f64::from(term.x + term.y).recip()),
+        )
+    }
+
+    pub(super) fn power_of_x(&self) -> usize {
+        self.columns.len().saturating_sub(1)
+    }
+
+    /// The gap at the origin.
+    pub(super) fn constant(&self) -> f64 {
+        self.at(0.0, 0.0)
+    }
+}
+
+fn horner(coefficients: &[f64], x: f64) -> f64 {
+    coefficients.iter().rev().fold(0.0, |sum, c| sum * x + c)
+}

@@ -1,0 +1,116 @@
+//! A rectangle that holds every place where a gap is below some height.
+
+use super::polynomial::Polynomial;
+use super::section::Section;
+use super::{Gap, Rectangle, Shape};
+
+impl Gap {
+    /// A rectangle outside of which the gap exceeds `height`; its domain where that is bounded.
+    /// `None` when no rectangle was found: the gap stays low however far one goes.
+    pub(crate) fn reach(&self, height: f64) -> Option<Rectangle> {
+        match &self.shape {
+            Shape::Polynomial(polynomial) => reach_of_polynomial(polynomial, height),
+            Shape::Section(section) => reach_of_section(section, height, &self.domain()),
+            Shape::Grid(_) | Shape::Function(_) => Some(self.domain()),
+        }
+    }
+
+    /// A height at which bodies that need `compliance_force` `N/E*` (m^2) may be expected to
+    /// touch, to a factor of some tens: where to begin a search.
+    pub(crate) fn likely_height(&self, compliance_force: f64) -> f64 {
+        let domain = self.domain();
+        match &self.shape {
+            Shape::Polynomial(polynomial) => {
+                polynomial.constant() + likely_depth(polynomial, compliance_force)
+            }
+            Shape::Section(section) => {
+                let heights = section.y().iter().map(|&y| section.row(y)[0]);
+                low_quarter(heights)
+            }
+            Shape::Grid(_) | Shape::Function(_) => {
+                let place = |[low, high]: [f64; 2], i: u32| {
+                    low + (high - low) * (f64::from(i) + 0.5) / 16.0
+                };
+                let row = |j| (0..16).map(move |i| self.at(place(domain.x, i), place(domain.y, j)));
+                low_quarter((0..16).flat_map(row))
+            }
+        }
+    }
+}
+
+fn low_quarter(heights: impl Iterator<Item = f64> + Clone) -> f64 {
+    let low = heights.clone().fold(f64::INFINITY, f64::min);
+    let high = heights.fold(f64::NEG_INFINITY, f64::max);
+    low + 0.25 * (high - low)
+}
+
+/// Depth at which the shortest length of the terms, times the depth, is the load over `E*`.
+fn likely_depth(polynomial: &Polynomial, compliance_force: f64) -> f64 {
+    let (mut low, mut high) = (1e-18_f64, 1e9_f64);
+    for _ in 0..40 {
+        let middle = (low * high).sqrt();
+        let length = polynomial.lengths(middle).fold(f64::INFINITY, f64::min);
+        *(if length * middle > compliance_force { &mut high } else { &mut low }) = middle;
+    }
+    (low * high).sqrt()
+}
+
+/// The smallest square about the origin beyond which, as far as the lengths of its terms
+/// reach, no square's sides come below the height.
+fn reach_of_polynomial(polynomial: &Polynomial, height: f64) -> Option<Rectangle> {
+    const BEYOND: f64 = 8.0;
+    const MOST: usize = 80;
+    let depth = (height - polynomial.constant()).abs().max(f64::MIN_POSITIVE);
+    let (mut shortest, mut longest) = (f64::INFINITY, 0.0_f64);
+    for length in polynomial.lengths(depth) {
+        shortest = shortest.min(length);
+        longest = longest.max(length);
+    }
+    if !(longest > 0.0 && longest.is_finite()) {
+        return None;
+    }
+    let largest = longest * BEYOND;
+    let sizes = std::iter::successors(Some(largest), |half| Some(0.5 * half));
+    let closed: Vec<bool> = sizes
+        .take_while(|&half| half > shortest / BEYOND)
+        .take(MOST)
+        .map(|half| perimeter_is_above(polynomial, half, height))
+        .collect();
+    // From the outermost inwards: the first open square ends the search. Where the outermost is
+    // open (a fit that turns down far away), the innermost two closed in a row do.
+    let outermost = closed.iter().position(|closed| !closed).unwrap_or(closed.len());
+    let at = match outermost {
+        0 => closed.windows(2).rposition(|run| run.iter().all(|&closed| closed))? + 1,
+        open => open - 1,
+    };
+    let half = largest * (-(at as f64)).exp2();
+    Some(Rectangle { x: [-half, half], y: [-half, half] })
+}
+
+fn perimeter_is_above(polynomial: &Polynomial, half: f64, height: f64) -> bool {
+    const POINTS: i32 = 48;
+    (-POINTS..=POINTS).all(|i| {
+        let t = half * f64::from(i) / f64::from(POINTS);
+        [(half, t), (-half, t), (t, half), (t, -half)]
+            .into_iter()
+            .all(|(x, y)| polynomial.at(x, y) > height)
+    })
+}
+
+fn reach_of_section(section: &Section, height: f64, domain: &Rectangle) -> Option<Rectangle> {
+    const PARTS: u32 = 4;
+    const MARGIN: f64 = 0.05;
+    let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
+    for pair in section.y().windows(2) {
+        for part in 0..=PARTS {
+            let y = pair[0] + (pair[1] - pair[0]) * f64::from(part) / f64::from(PARTS);
+            let [lowest, half_curvature, locus] = section.row(y);
+            let half = ((height - lowest).max(0.0) / half_curvature).sqrt();
+            low = low.min(locus - half);
+            high = high.max(locus + half);
+        }
+    }
+    let margin = MARGIN * (high - low);
+    let x = [low - margin, high + margin];
+    (high > low && margin.is_finite()).then_some(Rectangle { x, ..*domain })
+}

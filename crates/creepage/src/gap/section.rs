@@ -1,0 +1,96 @@
+//! A section across rolling, and a radius along it.
+
+use super::cubic::Cubic;
+use super::error::{GapError, all_finite};
+use crate::check;
+
+/// How the gap opens along the rolling direction on either side of its locus.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Rolling<'a> {
+    /// One radius for all y: `h = h(y) + x^2 / (2 R)` (m).
+    Radius(f64),
+    /// `h = h(y) + (x - x0(y))^2 / (2 R(y))`: radius and locus at each y of the section (m).
+    Varying {
+        /// Radii `R`, as many as points.
+        radius: &'a [f64],
+        /// Places `x0`, as many as points; empty for zero.
+        locus: &'a [f64],
+    },
+}
+
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Section {
+    y: Vec<f64>,
+    height: Cubic,
+    along: Along,
+}
+
+#[derive(Debug, Clone, PartialEq)]
+enum Along {
+    Constant(f64),
+    Varying { curvature: Cubic, locus: Option<Cubic> },
+}
+
+impl Section {
+    pub(super) fn new(y: &[f64], gap: &[f64], rolling: Rolling) -> Result<Self, GapError> {
+        const NEEDED: usize = 3;
+        let order = sorted("y", y)?;
+        let column = |quantity, values: &[f64]| column(quantity, values, &order);
+        let (sorted_y, height) = (column("y", y)?, column("gap", gap)?);
+        if order.len() < NEEDED {
+            return Err(GapError::TooFew { quantity: "y", count: order.len(), needed: NEEDED });
+        }
+        let curve = |values| Cubic::new(sorted_y.clone(), values);
+        let along = match rolling {
+            Rolling::Radius(radius) => {
+                Along::Constant(0.5 / check::positive("radius_rolling", radius)?)
+            }
+            Rolling::Varying { radius, locus } => {
+                for &radius in radius {
+                    check::positive("radius_rolling", radius)?;
+                }
+                let radius = column("radius_rolling", radius)?;
+                let locus = (!locus.is_empty()).then(|| column("x", locus)).transpose()?;
+                let curvature = curve(radius.into_iter().map(|radius| 0.5 / radius).collect());
+                Along::Varying { curvature, locus: locus.map(curve) }
+            }
+        };
+        Ok(Self { height: curve(height), y: sorted_y, along })
+    }
+
+    /// Height at the locus, half the curvature along, and the locus.
+    pub(super) fn row(&self, y: f64) -> [f64; 3] {
+        let height = self.height.at(y);
+        match &self.along {
+            Along::Constant(half) => [height, *half, 0.0],
+            Along::Varying { curvature, locus } => {
+                [height, curvature.at(y), locus.as_ref().map_or(0.0, |locus| locus.at(y))]
+            }
+        }
+    }
+
+    /// The points' y, increasing.
+    pub(super) fn y(&self) -> &[f64] {
+        &self.y
+    }
+}
+
+/// The order that sorts a column.
+fn sorted(quantity: &'static str, values: &[f64]) -> Result<Vec<usize>, GapError> {
+    all_finite(quantity, values)?;
+    let mut order: Vec<usize> = (0..values.len()).collect();
+    order.sort_by(|&one, &other| values[one].total_cmp(&values[other]));
+    match order.windows(2).find(|pair| values[pair[1]] - values[pair[0]] <= 0.0) {
+        Some(pair) => Err(GapError::SameY { y: values[pair[0]] }),
+        None => Ok(order),
+    }
+}
+
+fn column(quantity: &'static str, values: &[f64], order: &[usize]) -> Result<Vec<f64>, GapError> {
+    if values.len() != order.len() {
+        let (count, expected) = (values.len(), order.len());
+        return Err(GapError::Lengths { quantity, count, expected });
+    }
+    all_finite(quantity, values)?;
+    Ok(order.iter().map(|&i| values[i]).collect())
+}

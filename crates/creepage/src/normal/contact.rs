@@ -1,0 +1,278 @@
+//! The contact of two bodies of any shape: its areas and the pressure in them.
+
+use crate::check;
+use crate::gap::{Gap, Rectangle};
+use crate::solid::SolidPair;
+
+use super::band::{Band, Moments};
+use super::error::NormalError;
+use super::solve::{self, Asked};
+
+/// A number and how far the true one may lie from it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Estimate {
+    /// The number.
+    pub value: f64,
+    /// Its error bar, from two resolutions; zero for what was prescribed.
+    pub error: f64,
+}
+
+/// How finely contact areas are resolved: the number of strips across an area, or of elements
+/// along a mean chord of it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Resolution {
+    pub(super) count: usize,
+}
+
+impl Resolution {
+    /// 12 strips, or some 170 elements in a compact area.
+    pub const FAST: Self = Self { count: 12 };
+    /// 20 strips, or some 450 elements in a compact area.
+    pub const STANDARD: Self = Self { count: 20 };
+    /// 32 strips, or some 1,200 elements in a compact area.
+    pub const FINE: Self = Self { count: 32 };
+
+    /// A number of strips across, or of elements along a chord, from 6 to 100.
+    ///
+    /// # Errors
+    /// [`crate::InvalidValue`] outside that range.
+    pub fn new(count: usize) -> Result<Self, crate::InvalidValue> {
+        check::require((6..=100).contains(&count), "resolution", count as f64, "from 6 to 100")?;
+        Ok(Self { count })
+    }
+}
+
+impl Default for Resolution {
+    fn default() -> Self {
+        Self::STANDARD
+    }
+}
+
+/// Whether the equations are solved.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Status {
+    /// To the solver's tolerance.
+    Converged,
+    /// Only up to a residual.
+    NotConverged {
+        /// Largest distance of a pressed point from touching, over the greatest depth.
+        residual: f64,
+    },
+}
+
+/// How the contact was found.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Method {
+    /// By strips whose pressure vanishes as a root at fitted ends.
+    Strips,
+    /// By rectangles of constant pressure, where the strips did not settle.
+    Elements,
+}
+
+/// One connected contact area.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Patch {
+    bands: Vec<Band>,
+}
+
+impl Patch {
+    pub(super) fn new(bands: Vec<Band>) -> Self {
+        Self { bands }
+    }
+
+    /// The parts that every line along x crosses once; mostly there is one.
+    #[must_use]
+    pub fn bands(&self) -> &[Band] {
+        &self.bands
+    }
+
+    pub(super) fn bands_mut(&mut self) -> &mut [Band] {
+        &mut self.bands
+    }
+
+    /// The rectangle around it (m).
+    #[must_use]
+    pub fn extent(&self) -> Rectangle {
+        let union = |one: [f64; 2], other: [f64; 2]| [one[0].min(other[0]), one[1].max(other[1])];
+        let nothing = [f64::INFINITY, f64::NEG_INFINITY];
+        self.bands.iter().fold(Rectangle { x: nothing, y: nothing }, |sum, band| Rectangle {
+            x: union(sum.x, band.x()),
+            y: union(sum.y, band.y()),
+        })
+    }
+
+    /// Area (m^2).
+    #[must_use]
+    pub fn area(&self) -> f64 {
+        self.bands.iter().map(Band::area).sum()
+    }
+
+    /// Force, and its moments about the axes.
+    #[must_use]
+    pub fn moments(&self) -> Moments {
+        self.bands.iter().map(Band::total).fold(Moments::default(), |mut sum, part| {
+            sum += part;
+            sum
+        })
+    }
+
+    /// Load (N).
+    #[must_use]
+    pub fn load(&self) -> f64 {
+        self.moments().force
+    }
+
+    /// Centre of pressure (m).
+    #[must_use]
+    pub fn centroid(&self) -> [f64; 2] {
+        let Moments { force, by_x, by_y } = self.moments();
+        [by_x / force, by_y / force]
+    }
+
+    /// Pressure at a place (Pa), zero outside.
+    #[must_use]
+    pub fn pressure(&self, x: f64, y: f64) -> f64 {
+        self.bands.iter().map(|band| band.pressure(x, y)).fold(0.0, f64::max)
+    }
+}
+
+/// The contact of two bodies of any shape, solved: `u + h = approach` where pressed, with all
+/// patches in one half-space.
+///
+/// ```
+/// use creepage::gap::{Gap, Term};
+/// use creepage::normal::{NormalContact, Resolution};
+/// use creepage::{Solid, SolidPair};
+/// // A crowned roller: h = x^2/920 + y^4/20000 in millimetres.
+/// let term = |x, y, coefficient| Term { x, y, coefficient };
+/// let gap = Gap::polynomial(&[term(2, 0, 1e3 / 920.0), term(0, 4, 1e9 / 20_000.0)])?;
+/// let steel = Solid::new(82e9, 0.28)?;
+/// let pair = SolidPair::new(steel, steel);
+/// let contact = NormalContact::at_approach(&gap, pair, 50e-6, Resolution::STANDARD)?;
+/// assert!((contact.load().value - 40.08e3).abs() < 40.0); // newtons
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct NormalContact {
+    pub(super) pair: SolidPair,
+    pub(super) approach: Estimate,
+    pub(super) load: Estimate,
+    pub(super) peak: Estimate,
+    pub(super) area: Estimate,
+    pub(super) stiffness: f64,
+    pub(super) status: Status,
+    pub(super) method: Method,
+    pub(super) patches: Vec<Patch>,
+    pub(super) gap_points: [Option<usize>; 2],
+}
+
+impl NormalContact {
+    /// Presses the bodies together by `approach` (m), counted like the gap: undeformed they
+    /// would penetrate by `approach - h`.
+    ///
+    /// Unlike bodies are solved without what friction adds to their normal displacements.
+    ///
+    /// # Errors
+    /// [`NormalError`] when the bodies do not touch, touch along a line or everywhere, or where
+    /// the gap is not known.
+    pub fn at_approach(
+        gap: &Gap,
+        pair: SolidPair,
+        approach: f64,
+        resolution: Resolution,
+    ) -> Result<Self, NormalError> {
+        check::finite("approach", approach)?;
+        solve::solve(gap, pair, Asked::Approach(approach), resolution)
+    }
+
+    /// Presses the bodies together by a load (N).
+    ///
+    /// # Errors
+    /// As [`NormalContact::at_approach`].
+    pub fn under_load(
+        gap: &Gap,
+        pair: SolidPair,
+        load: f64,
+        resolution: Resolution,
+    ) -> Result<Self, NormalError> {
+        check::positive("normal_force", load)?;
+        solve::solve(gap, pair, Asked::Load(load), resolution)
+    }
+
+    /// The equivalent solid.
+    #[must_use]
+    pub fn pair(&self) -> SolidPair {
+        self.pair
+    }
+
+    /// Approach (m).
+    #[must_use]
+    pub fn approach(&self) -> Estimate {
+        self.approach
+    }
+
+    /// Normal force (N).
+    #[must_use]
+    pub fn load(&self) -> Estimate {
+        self.load
+    }
+
+    /// Largest pressure (Pa).
+    #[must_use]
+    pub fn peak_pressure(&self) -> Estimate {
+        self.peak
+    }
+
+    /// Area of all patches (m^2).
+    #[must_use]
+    pub fn area(&self) -> Estimate {
+        self.area
+    }
+
+    /// `dN/d(approach)` (N/m).
+    #[must_use]
+    pub fn stiffness(&self) -> f64 {
+        self.stiffness
+    }
+
+    /// Whether the equations are solved.
+    #[must_use]
+    pub fn status(&self) -> Status {
+        self.status
+    }
+
+    /// How the contact was found.
+    #[must_use]
+    pub fn method(&self) -> Method {
+        self.method
+    }
+
+    /// The connected areas, from low to high y.
+    #[must_use]
+    pub fn patches(&self) -> &[Patch] {
+        &self.patches
+    }
+
+    /// The fewest given points of the gap across a patch, along x and along y; `None` where the
+    /// gap is a formula. With fewer than about ten the area depends on how one interpolates.
+    #[must_use]
+    pub fn gap_points(&self) -> [Option<usize>; 2] {
+        self.gap_points
+    }
+
+    /// Centre of pressure (m).
+    #[must_use]
+    pub fn centroid(&self) -> [f64; 2] {
+        let mut sum = Moments::default();
+        for patch in &self.patches {
+            sum += patch.moments();
+        }
+        [sum.by_x / sum.force, sum.by_y / sum.force]
+    }
+
+    /// Pressure at a place (Pa), zero outside.
+    #[must_use]
+    pub fn pressure(&self, x: f64, y: f64) -> f64 {
+        self.patches.iter().map(|patch| patch.pressure(x, y)).fold(0.0, f64::max)
+    }
+}

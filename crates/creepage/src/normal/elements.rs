@@ -1,0 +1,82 @@
+//! Contact by elements: rectangles of constant pressure on lattices that follow the contact.
+
+use crate::gap::{Gap, Rectangle};
+
+use super::error::{NormalError, Side};
+use super::lattice::{Lattice, mean_chords, whole};
+use super::level::{Level, Task};
+use super::overlap::{Overlap, widened};
+
+/// Cells that a lattice may have at most.
+const MOST_CELLS: f64 = 250_000.0;
+
+/// The first look: a lattice over the whole overlap.
+pub(super) fn first(task: Task<'_>, overlap: &Overlap) -> Result<Level, NormalError> {
+    const PER_CHORD: f64 = 8.0;
+    let lattice = spanning(&overlap.rectangle, overlap.chords, PER_CHORD);
+    Level::solve(task, lattice, None, false)
+}
+
+/// A lattice closely about the contact of another, with `per_chord` cells in its mean chord.
+pub(super) fn refined(
+    task: Task<'_>,
+    level: &Level,
+    per_chord: f64,
+    with_stiffness: bool,
+) -> Result<Level, NormalError> {
+    let none = || NormalError::NoContact { approach: task.approach, least_gap: task.approach };
+    let [columns, rows] = level.bounds().ok_or_else(none)?;
+    let chords =
+        mean_chords(&level.lattice, |cell| level.pressures[cell] > 0.0).ok_or_else(none)?;
+    let count = level.lattice.count;
+    let rectangle = level.lattice.rectangle(widened(columns, count[0]), widened(rows, count[1]));
+    let lattice = spanning(&rectangle, chords, per_chord);
+    Level::solve(task, lattice, Some(level), with_stiffness)
+}
+
+/// Divides a rectangle so that a chord has the given number of cells, within the limit of cells.
+fn spanning(rectangle: &Rectangle, chords: [f64; 2], per_chord: f64) -> Lattice {
+    const LEAST: f64 = 4.0;
+    // A count that is whole but for rounding stays so at any scale of the lengths.
+    const ROUNDING: f64 = 1e-6;
+    let size = rectangle.size();
+    let wanted = [0, 1].map(|axis| (size[axis] / chords[axis] * per_chord).max(LEAST));
+    let shrink = (MOST_CELLS / (wanted[0] * wanted[1])).sqrt().min(1.0);
+    let count =
+        wanted.map(|n| whole(((n * shrink).clamp(LEAST, MOST_CELLS / LEAST) - ROUNDING).ceil()));
+    Lattice::dividing(rectangle, count)
+}
+
+/// The error of a contact that reaches the side of the known gap.
+pub(super) fn edge_error(task: Task<'_>, level: &Level, side: Side) -> NormalError {
+    NormalError::ReachesEdge { side, beyond: beyond(task.gap, task.approach, level, side) }
+}
+
+/// How far beyond a side the gap, continued by its last parabolas, stays below the approach.
+fn beyond(gap: &Gap, approach: f64, level: &Level, side: Side) -> f64 {
+    const DOUBLINGS: i32 = 40;
+    let lattice = &level.lattice;
+    let [columns, rows] = lattice.count;
+    let domain = gap.domain();
+    let overlaps = |distance: f64| match side {
+        Side::LowX => (0..rows).any(|j| gap.at(domain.x[0] - distance, lattice.y(j)) < approach),
+        Side::HighX => (0..rows).any(|j| gap.at(domain.x[1] + distance, lattice.y(j)) < approach),
+        Side::LowY => (0..columns).any(|i| gap.at(lattice.x(i), domain.y[0] - distance) < approach),
+        Side::HighY => {
+            (0..columns).any(|i| gap.at(lattice.x(i), domain.y[1] + distance) < approach)
+        }
+    };
+    let step = match side {
+        Side::LowX | Side::HighX => lattice.step[0],
+        Side::LowY | Side::HighY => lattice.step[1],
+    };
+    // Steps that grow by an eighth each.
+    let mut distance = step;
+    for _ in 0..6 * DOUBLINGS {
+        if !overlaps(distance) {
+            break;
+        }
+        distance *= 1.125;
+    }
+    distance
+}

@@ -1,0 +1,121 @@
+//! The approach that carries a load.
+
+use crate::gap::Gap;
+
+use super::elements;
+use super::error::NormalError;
+use super::level::{Level, Task};
+use super::overlap::Overlap;
+use super::solve::Asked;
+
+/// The approach of a load to about a percent, and the coarse solution there.
+///
+/// Load over depth rises as a power near 3/2; the power is learnt from the last two approaches,
+/// inside a bracket.
+pub(super) fn first(gap: &Gap, modulus: f64, load: f64) -> Result<(Task<'_>, Level), NormalError> {
+    const STEPS: usize = 60;
+    const ENOUGH: f64 = 0.02;
+    let mut search = Search::start(gap, load / modulus)?;
+    for _ in 0..STEPS {
+        let approach = search.least_gap + search.depth;
+        let task = Task { gap, modulus, approach };
+        let overlap = Overlap::find(gap, approach)?;
+        let level = elements::first(task, &overlap)?;
+        let ratio = level.load() / load;
+        if (ratio - 1.0).abs() < ENOUGH {
+            return Ok((task, level));
+        }
+        if ratio < 1.0
+            && let Some(side) = level.side_reached(gap)
+        {
+            return Err(elements::edge_error(task, &level, side));
+        }
+        search.next(ratio.ln());
+    }
+    Err(NormalError::LoadNotFound { load, approach: search.least_gap + search.depth })
+}
+
+struct Search {
+    least_gap: f64,
+    depth: f64,
+    /// Depths with too little and too much load, and the logarithm of what they carry.
+    below: Option<(f64, f64)>,
+    above: Option<(f64, f64)>,
+    last: Option<(f64, f64)>,
+}
+
+impl Search {
+    /// From the overlap alone: load is about `E* depth sqrt(area)`.
+    fn start(gap: &Gap, compliance_force: f64) -> Result<Self, NormalError> {
+        const LOOKS: usize = 6;
+        const FACTOR: f64 = 0.5;
+        let mut approach = gap.likely_height(compliance_force);
+        let mut found = Overlap::find(gap, approach);
+        for _ in 0..LOOKS {
+            // Too far at first: a gap may be bounded only near its least value.
+            if !matches!(found, Err(NormalError::Unbounded { .. })) {
+                break;
+            }
+            approach = gap.at(0.0, 0.0) + 0.1 * (approach - gap.at(0.0, 0.0));
+            found = Overlap::find(gap, approach);
+        }
+        let mut overlap = found?;
+        let least_gap = approach - overlap.depth;
+        let mut depth = overlap.depth;
+        for _ in 0..LOOKS {
+            let carried = FACTOR * depth * overlap.area.sqrt();
+            let factor = (compliance_force / carried).powf(2.0 / 3.0);
+            depth *= factor.clamp(1e-9, 10.0);
+            match Overlap::find(gap, least_gap + depth) {
+                Ok(next) => overlap = next,
+                Err(NormalError::NoContact { .. }) => break,
+                Err(other) => return Err(other),
+            }
+            if (0.7..1.4).contains(&factor) {
+                break;
+            }
+        }
+        Ok(Self { least_gap, depth, below: None, above: None, last: None })
+    }
+
+    /// The next depth, from the logarithm of carried over wanted load.
+    fn next(&mut self, excess: f64) {
+        let here = (self.depth.ln(), excess);
+        let power = self.last.map_or(1.5, |(depth, last)| {
+            let power = (excess - last) / (here.0 - depth);
+            if power.is_finite() { power.clamp(0.8, 8.0) } else { 1.5 }
+        });
+        *(if excess < 0.0 { &mut self.below } else { &mut self.above }) = Some(here);
+        self.last = Some(here);
+        let mut next = here.0 - (excess / power).clamp(-3.0, 6.0);
+        if let (Some((low, _)), Some((high, _))) = (self.below, self.above) {
+            let margin = 0.05 * (high - low);
+            if !(next > low + margin && next < high - margin) {
+                next = f64::midpoint(low, high);
+            }
+        }
+        self.depth = next.exp();
+    }
+}
+
+/// Moves the approach until the level carries the load asked for; a level at a prescribed
+/// approach stays as it is.
+pub(super) fn corrected(
+    mut task: Task<'_>,
+    asked: Asked,
+    mut level: Level,
+) -> Result<(Task<'_>, Level), NormalError> {
+    const STEPS: usize = 8;
+    const ENOUGH: f64 = 1e-5;
+    let Asked::Load(load) = asked else { return Ok((task, level)) };
+    for _ in 0..STEPS {
+        let carried = level.load();
+        if (carried / load - 1.0).abs() < ENOUGH {
+            break;
+        }
+        let change = (load - carried) / level.stiffness;
+        task.approach += change;
+        level = Level::solve(task, level.lattice, Some(&level), true)?;
+    }
+    Ok((task, level))
+}

@@ -1,0 +1,27 @@
+//! Normal contact of bodies of any shape, on the half-space: pressures that are not negative and
+//! keep the bodies apart, on any number of patches in one system.
+//!
+//! With `E* = G/(1 - sigma)` and the undeformed distance `h`:
+//!
+//! ```math
+//! \frac{1}{\pi E^*} \int \frac{p(x', y')}{R} dx' dy' + h \ge \delta, \qquad p \ge 0, \qquad
+//! \text{equal where } p > 0.
+//! ```
+mod band;
+mod complementarity;
+mod contact;
+mod elements;
+mod error;
+mod lattice;
+mod level;
+mod load;
+mod love;
+mod outline;
+mod overlap;
+mod product;
+mod solve;
+mod strips;
+
+pub use band::{Band, Moments};
+pub use contact::{Estimate, Method, NormalContact, Patch, Resolution, Status};
+pub use error::{NormalError, Side};

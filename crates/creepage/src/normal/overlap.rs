@@ -1,0 +1,99 @@
+//! Where undeformed bodies would overlap: contact lies inside, for pressure only pushes apart.
+
+use crate::gap::{Gap, Rectangle};
+
+use super::error::NormalError;
+use super::lattice::{Lattice, bounds, mean_chords};
+
+/// The overlap of the undeformed bodies at an approach.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Overlap {
+    /// A rectangle that holds it, close around it.
+    pub(super) rectangle: Rectangle,
+    /// Mean lengths of its chords along x and y (m).
+    pub(super) chords: [f64; 2],
+    /// Its area (m^2).
+    pub(super) area: f64,
+    /// Its greatest depth (m).
+    pub(super) depth: f64,
+}
+
+impl Overlap {
+    /// Looks for the overlap on lattices that close in on it.
+    pub(super) fn find(gap: &Gap, approach: f64) -> Result<Self, NormalError> {
+        const CELLS: usize = 48;
+        const LOOKS: usize = 60;
+        const FILLED: f64 = 0.7;
+        let mut rectangle = gap.reach(approach).ok_or(NormalError::Unbounded { approach })?;
+        let mut deepest = f64::NEG_INFINITY;
+        for _ in 0..LOOKS {
+            let lattice = Lattice::dividing(&rectangle, [CELLS; 2]);
+            let depths = lattice.depths(gap, approach)?;
+            let (at, depth) = greatest(&depths);
+            let improves = depth > deepest;
+            deepest = deepest.max(depth);
+            let possible = bounds(&lattice, |cell| may_overlap(&lattice, &depths, cell));
+            let Some([columns, rows]) = possible else {
+                if !improves {
+                    break;
+                }
+                rectangle = around(&lattice, at).within(&rectangle);
+                continue;
+            };
+            let closer = lattice.rectangle(widened(columns, CELLS), widened(rows, CELLS));
+            let filled = |axis: usize| closer.size()[axis] > FILLED * rectangle.size()[axis];
+            if !(filled(0) && filled(1)) {
+                rectangle = closer;
+            } else if depth > 0.0 {
+                let inside = |cell: usize| depths[cell] > 0.0;
+                let chords = mean_chords(&lattice, inside).unwrap_or(lattice.step);
+                let cells = depths.iter().filter(|&&depth| depth > 0.0).count();
+                let area = cells as f64 * lattice.cell_area();
+                return Ok(Self { rectangle: closer, chords, area, depth });
+            } else if improves {
+                rectangle = around(&lattice, at).within(&rectangle);
+            } else {
+                break;
+            }
+        }
+        Err(NormalError::NoContact { approach, least_gap: approach - deepest })
+    }
+}
+
+/// Whether a cell overlaps at its centre, or would if it went on as steeply as to a neighbour.
+fn may_overlap(lattice: &Lattice, depths: &[f64], cell: usize) -> bool {
+    let depth = depths[cell];
+    if depth > 0.0 {
+        return true;
+    }
+    let [columns, rows] = lattice.count;
+    let (column, row) = (cell % columns, cell / columns);
+    let reaches = |other: usize| depth + (depth - depths[other]).abs() > 0.0;
+    (column > 0 && reaches(cell - 1))
+        || (column + 1 < columns && reaches(cell + 1))
+        || (row > 0 && reaches(cell - columns))
+        || (row + 1 < rows && reaches(cell + columns))
+}
+
+fn greatest(depths: &[f64]) -> (usize, f64) {
+    depths
+        .iter()
+        .copied()
+        .enumerate()
+        .fold((0, f64::NEG_INFINITY), |best, next| if next.1 > best.1 { next } else { best })
+}
+
+/// A cell with two neighbours on every side.
+fn around(lattice: &Lattice, cell: usize) -> Rectangle {
+    let centre = [cell % lattice.count[0], cell / lattice.count[0]];
+    let [columns, rows] = [0, 1].map(|axis| {
+        let first = centre[axis].saturating_sub(2);
+        [first, (centre[axis] + 2).min(lattice.count[axis] - 1)]
+    });
+    lattice.rectangle(columns, rows)
+}
+
+/// One more on either side, inside the lattice.
+pub(super) fn widened([first, last]: [usize; 2], count: usize) -> [usize; 2] {
+    [first.saturating_sub(1), (last + 1).min(count - 1)]
+}

@@ -1,0 +1,139 @@
+//! Strips laid into bands, and bands made of strips.
+
+use crate::normal::band::{Band, Chord};
+
+use super::kernel::{MOST, profile};
+
+/// A strip along rolling: lengths and pressures in the solver's units.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Strip {
+    pub(super) y: f64,
+    /// Half its width across rolling.
+    pub(super) width: f64,
+    pub(super) centre: f64,
+    pub(super) half: f64,
+    /// The pressure is `sqrt(1 - s^2)` times these of Chebyshev's polynomials `U_k(s)`.
+    pub(super) pressure: [f64; MOST],
+    /// Which band it belongs to.
+    pub(super) band: usize,
+}
+
+impl Strip {
+    pub(super) fn load(&self) -> f64 {
+        std::f64::consts::PI * self.width * self.half * self.pressure[0]
+    }
+
+    /// The pressure at `s`.
+    pub(super) fn at(&self, s: f64) -> f64 {
+        (1.0 - s * s).sqrt() * profile(&self.pressure, s)
+    }
+
+    pub(super) fn peak(&self) -> f64 {
+        const POINTS: i32 = 20;
+        (1 - POINTS..POINTS).map(|i| self.at(f64::from(i) / f64::from(POINTS))).fold(0.0, f64::max)
+    }
+}
+
+/// Units of length and pressure, and the origin, of the solver.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Units {
+    pub(super) origin: [f64; 2],
+    pub(super) length: f64,
+    pub(super) pressure: f64,
+}
+
+/// Lays strips into a band, closer towards its sides.
+pub(super) fn lay(
+    band: &Band,
+    index: usize,
+    count: usize,
+    terms: usize,
+    units: Units,
+) -> Vec<Strip> {
+    // Sine of nine tenths of a right angle: the outermost strips are a third as wide.
+    const CLUSTER: f64 = 0.8 * std::f64::consts::FRAC_PI_2;
+    let [low, high] = band.y();
+    let border = |i: usize| {
+        let t = 2.0 * i as f64 / count as f64 - 1.0;
+        let place = (CLUSTER * t).sin() / CLUSTER.sin();
+        f64::midpoint(low, high) + 0.5 * (high - low) * place
+    };
+    (0..count)
+        .map(|i| {
+            let [from, to] = [border(i), border(i + 1)];
+            let y = f64::midpoint(from, to);
+            let [trailing, leading] = band.ends(y).unwrap_or([0.0; 2]);
+            let (centre, half) = (f64::midpoint(trailing, leading), 0.5 * (leading - trailing));
+            Strip {
+                y: (y - units.origin[1]) / units.length,
+                width: 0.5 * (to - from) / units.length,
+                centre: (centre - units.origin[0]) / units.length,
+                half: half / units.length,
+                pressure: projected(band, centre, half, y, terms).map(|p| p / units.pressure),
+                band: index,
+            }
+        })
+        .collect()
+}
+
+/// The band's pressure at a y in the first of Chebyshev's polynomials.
+fn projected(band: &Band, centre: f64, half: f64, y: f64, terms: usize) -> [f64; MOST] {
+    const POINTS: u32 = 24;
+    let mut coefficients = [0.0; MOST];
+    for i in 1..=POINTS {
+        let angle = std::f64::consts::PI * f64::from(i) / f64::from(POINTS + 1);
+        let (sin, s) = angle.sin_cos();
+        let pressure = band.pressure(centre + half * s, y);
+        for (k, coefficient) in coefficients.iter_mut().take(terms).enumerate() {
+            // U_k(cos t) = sin((k+1) t) / sin t.
+            let sine = ((k + 1) as f64 * angle).sin();
+            *coefficient += 2.0 / f64::from(POINTS + 1) * pressure * sine * sin / sin;
+        }
+    }
+    coefficients
+}
+
+/// The band that strips make; tips lie where the squared half length reaches zero.
+pub(super) fn band(strips: &[Strip], units: Units, laid: &Band, tips: [bool; 2]) -> Band {
+    const POINTS: i32 = 8;
+    let chords: Vec<Chord> = strips
+        .iter()
+        .map(|strip| {
+            let half = strip.half * units.length;
+            let scale = units.pressure / half;
+            let node = |i: i32| {
+                let s = f64::from(i) / f64::from(POINTS);
+                [s, profile(&strip.pressure, s) * scale]
+            };
+            Chord {
+                y: units.origin[1] + strip.y * units.length,
+                half,
+                centre: units.origin[0] + strip.centre * units.length,
+                density: (-POINTS..=POINTS).map(node).collect(),
+            }
+        })
+        .collect();
+    let squares: Vec<(f64, f64)> = chords.iter().map(|c| (c.y, c.half * c.half)).collect();
+    let reversed: Vec<(f64, f64)> = squares.iter().rev().copied().collect();
+    let [low, high] = laid.y();
+    let y = [
+        if tips[0] { tip(&squares, low) } else { low },
+        if tips[1] { tip(&reversed, high) } else { high },
+    ];
+    Band::new(chords, y, tips)
+}
+
+/// Where the parabola through the first three squared half lengths reaches zero, near `laid`.
+fn tip(squares: &[(f64, f64)], laid: f64) -> f64 {
+    const WITHIN: f64 = 0.5;
+    let &[(y0, v0), (y1, v1), (y2, v2), ..] = squares else { return laid };
+    let rise = (v1 - v0) / (y1 - y0);
+    let bend = ((v2 - v1) / (y2 - y1) - rise) / (y2 - y0);
+    let slope = rise - bend * (y1 - y0);
+    // v0 + slope d + bend d^2 = 0, the root next to zero.
+    let root = slope * slope - 4.0 * bend * v0;
+    let distance = -2.0 * v0 / (slope + root.max(0.0).sqrt().copysign(slope));
+    let reach = laid - y0;
+    let inside = root >= 0.0 && (distance / reach - 1.0).abs() < WITHIN;
+    if inside { y0 + distance } else { laid }
+}

@@ -1,0 +1,114 @@
+//! The ellipse and other closed forms, by the road that any shape goes.
+
+use creepage::gap::{Gap, Rolling, Term};
+use creepage::normal::{NormalContact, Patch, Resolution};
+use creepage::{Hertz, Radii};
+
+use crate::support::{MM, Sequence, polynomial, steel};
+
+fn hertz(along: f64, across: f64, load: f64) -> Hertz {
+    let flat = Radii { rolling: f64::INFINITY, lateral: f64::INFINITY };
+    let round = Radii { rolling: along, lateral: across };
+    Hertz::new(steel(), round, flat, 0.0, load).unwrap()
+}
+
+fn gap(along: f64, across: f64) -> Gap {
+    let term = |x, y, coefficient| Term { x, y, coefficient };
+    Gap::polynomial(&[term(2, 0, 0.5 / along), term(0, 2, 0.5 / across)]).unwrap()
+}
+
+/// a/b from .2 to 5: load within its bar and 3e-4, peak within 2e-3, ends within a hundredth.
+#[test]
+fn ellipses_at_given_approach() {
+    let mut sequence = Sequence(1);
+    for _ in 0..25 {
+        let ratio = 11.0_f64.powf(sequence.between(-1.0, 1.0));
+        let (along, across) = (0.4, 0.4 / ratio);
+        let hertz = hertz(along, across, 1e4 * sequence.between(0.1, 10.0));
+        let gap = gap(along, across);
+        let contact =
+            NormalContact::at_approach(&gap, steel(), hertz.approach(), Resolution::STANDARD)
+                .unwrap();
+        let load = contact.load();
+        let off = (load.value - hertz.normal_force()).abs();
+        assert!(off < load.error, "{ratio}: {off} N, bar {}", load.error);
+        assert!(off < 1e-3 * hertz.normal_force(), "{ratio}: {off}");
+        let peak = contact.peak_pressure().value / hertz.peak_pressure();
+        assert!((peak - 1.0).abs() < 2e-3, "{ratio}: peak {peak}");
+        let area = contact.area().value / hertz.ellipse().area();
+        assert!((area - 1.0).abs() < 5e-3, "{ratio}: area {area}");
+        let extent = contact.patches()[0].extent();
+        assert!((extent.x[1] / hertz.ellipse().a() - 1.0).abs() < 0.01, "{ratio} {extent:?}");
+        assert!((extent.y[1] / hertz.ellipse().b() - 1.0).abs() < 0.01, "{ratio} {extent:?}");
+        // N goes as approach^1.5.
+        let stiffness = contact.stiffness() * hertz.approach() / hertz.normal_force();
+        assert!((stiffness - 1.5).abs() < 0.015, "{ratio}: stiffness {stiffness}");
+    }
+}
+
+#[test]
+fn ellipses_under_given_load() {
+    for ratio in [0.1, 1.0, 4.0, 25.0] {
+        let hertz = hertz(0.4, 0.4 / ratio, 5e4);
+        let contact =
+            NormalContact::under_load(&gap(0.4, 0.4 / ratio), steel(), 5e4, Resolution::STANDARD)
+                .unwrap();
+        let approach = contact.approach();
+        let off = (approach.value - hertz.approach()).abs();
+        assert!(off < approach.error && off < 1e-3 * hertz.approach(), "{ratio}: {off}");
+        assert!((contact.load().value - 5e4).abs() < 1e-6);
+        let carried: f64 = contact.patches().iter().map(Patch::load).sum();
+        assert!((carried / 5e4 - 1.0).abs() < 1e-9, "pressures carry the load: {carried}");
+    }
+}
+
+/// `h = C r^4`: N = 64/15 E* C a^5, p = 32/(9 pi) E* C sqrt(a^2 - r^2)(a^2 + 2 r^2), approach
+/// 8/3 C a^4, with 100 C = 1/mm and a = 3.2568 mm.
+#[test]
+fn the_quartic_in_closed_form() {
+    let gap = polynomial(&[(4, 0, 1e-4), (2, 2, 2e-4), (0, 4, 1e-4)]);
+    let contact = NormalContact::at_approach(&gap, steel(), 30e-6, Resolution::STANDARD).unwrap();
+    assert!((contact.load().value / 17_803.718_71 - 1.0).abs() < 1e-3);
+    assert!((contact.peak_pressure().value / 629.677_741_7e6 - 1.0).abs() < 5e-3);
+    assert!((contact.area().value / 33.321_622_04e-6 - 1.0).abs() < 0.02);
+    let centre = contact.pressure(0.0, 0.0);
+    assert!((centre / 445.249_410_1e6 - 1.0).abs() < 0.02, "{centre}");
+}
+
+/// A section with a radius along gives what the polynomial gives.
+#[test]
+fn a_section_is_the_same_contact() {
+    let y: Vec<f64> = (-40..=40).map(|i| f64::from(i) * 0.25 * MM).collect();
+    let h: Vec<f64> = y.iter().map(|y| y * y / 0.6).collect();
+    let section = Gap::section(&y, &h, Rolling::Radius(0.46)).unwrap();
+    let [one, other] = [gap(0.46, 0.3), section]
+        .map(|gap| NormalContact::at_approach(&gap, steel(), 50e-6, Resolution::STANDARD).unwrap());
+    assert!((one.load().value / other.load().value - 1.0).abs() < 1e-5);
+    assert_eq!(one.gap_points(), [None, None]);
+    assert!(other.gap_points()[1].is_some_and(|points| points > 20));
+}
+
+/// The errors of load and area fall with the strips as an order above 1.5.
+#[test]
+fn load_converges() {
+    let hertz = hertz(0.4, 0.2, 1e4);
+    let error = |count| {
+        let contact = NormalContact::at_approach(
+            &gap(0.4, 0.2),
+            steel(),
+            hertz.approach(),
+            Resolution::new(count).unwrap(),
+        )
+        .unwrap();
+        [
+            contact.load().value / hertz.normal_force() - 1.0,
+            contact.area().value / hertz.ellipse().area() - 1.0,
+            contact.peak_pressure().value / hertz.peak_pressure() - 1.0,
+        ]
+        .map(f64::abs)
+    };
+    let (coarse, fine) = (error(16), error(40));
+    for (coarse, fine) in coarse.into_iter().zip(fine) {
+        assert!(fine < coarse / 2.5_f64.powf(1.3), "{coarse} {fine}");
+    }
+}

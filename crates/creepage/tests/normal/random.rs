@@ -1,0 +1,122 @@
+//! Random gaps: every one is solved, or the error says why not. `CREEPAGE_RANDOM_GAPS=10000`
+//! asks for more; what each way solved and the worst time are printed.
+
+use std::time::Instant;
+
+use creepage::gap::{Gap, Rolling};
+use creepage::normal::{Method, NormalContact, NormalError, Patch, Resolution, Status};
+
+use crate::support::{MM, Sequence, function, polynomial, steel};
+
+#[test]
+fn every_random_gap_is_solved() {
+    let count = std::env::var("CREEPAGE_RANDOM_GAPS").ok().and_then(|n| n.parse().ok());
+    let count: u64 = count.unwrap_or(60);
+    let (mut by_strips, mut worst, mut worst_seed) = (0, 0.0, 0);
+    for seed in 0..count {
+        let mut sequence = Sequence(seed.wrapping_mul(0x1234_5678_9ABC_DEF1));
+        let gap = random_gap(&mut sequence);
+        let start = Instant::now();
+        let found = if sequence.next() < 0.7 {
+            let approach = 1e-6 * 10.0_f64.powf(sequence.between(0.0, 2.0));
+            NormalContact::at_approach(&gap, steel(), approach, Resolution::STANDARD)
+        } else {
+            let load = 10.0_f64.powf(sequence.between(2.0, 4.5));
+            NormalContact::under_load(&gap, steel(), load, Resolution::STANDARD)
+        };
+        let seconds = start.elapsed().as_secs_f64();
+        if seconds > worst {
+            (worst, worst_seed) = (seconds, seed);
+        }
+        match found {
+            Ok(contact) => {
+                check(seed, &contact);
+                by_strips += usize::from(contact.method() == Method::Strips);
+            }
+            Err(NormalError::NoContact { .. } | NormalError::ReachesEdge { .. }) => {}
+            Err(other) => panic!("{seed}: {other}"),
+        }
+    }
+    println!("{count} gaps, {by_strips} by strips, worst {worst:.3} s at {worst_seed}");
+}
+
+fn check(seed: u64, contact: &NormalContact) {
+    assert_eq!(contact.status(), Status::Converged, "{seed}");
+    let numbers = [
+        contact.load().value,
+        contact.peak_pressure().value,
+        contact.area().value,
+        contact.stiffness(),
+    ];
+    assert!(numbers.iter().all(|n| n.is_finite() && *n > 0.0), "{seed}: {numbers:?}");
+    let carried: f64 = contact.patches().iter().map(Patch::load).sum();
+    assert!((carried / contact.load().value - 1.0).abs() < 1e-6, "{seed}: {carried}");
+    let mean = contact.load().value / contact.area().value;
+    assert!(contact.peak_pressure().value > mean, "{seed}");
+}
+
+/// A skew ellipse to 30:1 with higher terms, one to four bumps, or a section of arcs.
+fn random_gap(sequence: &mut Sequence) -> Gap {
+    match (sequence.next() * 3.0) as u32 {
+        0 => random_polynomial(sequence),
+        1 => random_bumps(sequence),
+        _ => random_section(sequence),
+    }
+}
+
+fn random_polynomial(sequence: &mut Sequence) -> Gap {
+    let ratio = 30.0_f64.powf(sequence.between(-1.0, 1.0));
+    let (along, across) = (2e-3 * ratio.sqrt(), 2e-3 / ratio.sqrt());
+    let (sin, cos) = sequence.between(-0.7, 0.7).sin_cos();
+    let quartic = 1e-5 * sequence.next();
+    polynomial(&[
+        (2, 0, along * cos * cos + across * sin * sin),
+        (1, 1, 2.0 * (along - across) * sin * cos),
+        (0, 2, along * sin * sin + across * cos * cos),
+        (1, 2, 1e-6 * sequence.between(-1.0, 1.0)),
+        (4, 0, quartic),
+        (2, 2, 2.0 * quartic),
+        (0, 4, quartic + 1e-5 * sequence.next()),
+    ])
+}
+
+fn random_bumps(sequence: &mut Sequence) -> Gap {
+    let count = 1 + (sequence.next() * 4.0) as usize;
+    let bumps: Vec<[f64; 5]> = (0..count)
+        .map(|_| {
+            [
+                sequence.between(-6.0, 6.0),
+                sequence.between(-6.0, 6.0),
+                1.0 / (200.0 * 10.0_f64.powf(sequence.between(-0.5, 0.7))),
+                1.0 / (200.0 * 10.0_f64.powf(sequence.between(-0.5, 0.7))),
+                0.005 * sequence.next(),
+            ]
+        })
+        .collect();
+    function([-12.0, 12.0], [-12.0, 12.0], move |x, y| {
+        bumps
+            .iter()
+            .map(|[x0, y0, a, b, h]| a * (x - x0).powi(2) + b * (y - y0).powi(2) + h)
+            .fold(f64::INFINITY, f64::min)
+    })
+}
+
+/// Curvatures that step at random places, as between the arcs of rails.
+fn random_section(sequence: &mut Sequence) -> Gap {
+    let points = 121;
+    let mut curvature = 1.0 / 200.0;
+    let (mut slope, mut height) = (sequence.between(-0.02, -0.06), 0.0);
+    let (mut y, mut h) = (Vec::new(), Vec::new());
+    for i in 0..points {
+        y.push((f64::from(i) * 0.2 - 12.0) * MM);
+        h.push(height * MM);
+        if sequence.next() < 0.1 {
+            curvature = 10.0_f64.powf(sequence.between(-3.0, -1.3));
+        }
+        height += 0.2 * slope + 0.02 * curvature;
+        slope += 0.2 * curvature;
+    }
+    let least = h.iter().copied().fold(f64::INFINITY, f64::min);
+    let h: Vec<f64> = h.iter().map(|h| h - least).collect();
+    Gap::section(&y, &h, Rolling::Radius(sequence.between(0.05, 1.0))).unwrap()
+}
