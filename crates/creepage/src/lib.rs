@@ -40,6 +40,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+pub mod below;
 pub mod halfspace;
 pub mod rolling;
 pub mod special;
