@@ -41,6 +41,8 @@
 //! ```
 
 pub mod below;
+pub mod damage;
+pub mod friction_law;
 pub mod halfspace;
 pub mod rolling;
 pub mod special;

@@ -74,7 +74,8 @@ impl Directions {
             total
         };
         let mut stride = STEPS / COARSEST;
-        let mean = |sum: [f64; N], stride: usize| sum.map(|s| s * PI * stride as f64 / STEPS as f64);
+        let mean =
+            |sum: [f64; N], stride: usize| sum.map(|s| s * PI * stride as f64 / STEPS as f64);
         let mut coarse = mean(add(0, stride), stride);
         while stride > 1 {
             let fine = mean(add(stride / 2, stride), stride / 2);
@@ -102,28 +103,49 @@ fn panels<const N: usize>(
     let offset = (major - toward + FRAC_PI_2).rem_euclid(PI) - FRAC_PI_2;
     let mut cuts = [-FRAC_PI_2, -touch, offset, touch, FRAC_PI_2];
     cuts.sort_by(f64::total_cmp);
+    // The pole beside a singular edge takes a finer rule.
+    let steps = if source.is_singular() { 96 } else { 24 };
     let mut total = [0.0; N];
     for panel in cuts.windows(2).filter(|panel| panel[1] > panel[0]) {
-        for (turn, weight) in double_exponential(panel[0], panel[1]) {
-            let wave = source.wave(toward + turn);
-            let end = (at.radius - 1.0) - 2.0 * at.radius * (0.5 * turn).sin().powi(2);
-            let values = integrand(&wave, end);
+        for Node { cut, beyond, weight } in double_exponential([panel[0], panel[1]], steps) {
+            let wave = source.wave(toward + (cut + beyond));
+            let values = integrand(&wave, toward_end(at.radius, cut, beyond));
             total.iter_mut().zip(values).for_each(|(sum, value)| *sum += weight * value);
         }
     }
     total
 }
 
+/// `radius cos(cut + beyond) - 1`, without loss where it vanishes.
+fn toward_end(radius: f64, cut: f64, beyond: f64) -> f64 {
+    let at_cut = if radius > 1.0 && (radius * cut.cos() - 1.0).abs() < 1e-12 {
+        0.0
+    } else {
+        (radius - 1.0) - 2.0 * radius * (0.5 * cut).sin().powi(2)
+    };
+    let turn = (0.5 * beyond).sin();
+    at_cut - 2.0 * radius * turn * (cut + 0.5 * beyond).sin()
+}
+
+/// A node of the rule: how far beyond the nearer end of the interval.
+struct Node {
+    cut: f64,
+    beyond: f64,
+    weight: f64,
+}
+
 /// Nodes and weights that cluster at both ends of an interval; it converges geometrically though
 /// the integrand be singular there.
-fn double_exponential(start: f64, end: f64) -> impl Iterator<Item = (f64, f64)> {
-    const STEP: f64 = 1.0 / 24.0;
-    const HALF: i32 = 77;
-    (-HALF..=HALF).map(move |i| {
-        let t = STEP * f64::from(i);
+fn double_exponential([start, end]: [f64; 2], steps: i32) -> impl Iterator<Item = Node> {
+    // Beyond 3.2 the weights are below rounding.
+    let (step, half) = (f64::from(steps).recip(), 16 * steps / 5);
+    (-half..=half).map(move |i| {
+        let t = step * f64::from(i);
         let growth = (PI * t.sinh()).exp();
         let (left, right) = (growth / (1.0 + growth), 1.0 / (1.0 + growth));
-        let weight = STEP * PI * t.cosh() * left * right * (end - start);
-        (start * right + end * left, weight)
+        let weight = step * PI * t.cosh() * left * right * (end - start);
+        let (cut, beyond) =
+            if i < 0 { (start, left * (end - start)) } else { (end, -right * (end - start)) };
+        Node { cut, beyond, weight }
     })
 }

@@ -133,6 +133,18 @@ impl Seen {
         let ((y0, x0), (y1, x1)) = ((y0 / s0, x0 / s0), (y1 / s1, x1 / s1));
         (y0 * x1 - y1 * x0).atan2(x0 * x1 + y0 * y1)
     }
+
+    /// Integrals along the side of the derivatives of `Omega` by `t`, `h` and `z`.
+    fn first_derivatives(&self, local: &Local) -> [f64; 3] {
+        let Seen { t, h, z, r } = *self;
+        let omega = [0, 1].map(|k| z * nonzero(r[k] + z).ln() - r[k]);
+        let lengthwise = [0, 1].map(|k| t[k] * nonzero(r[k] + z).ln() - t[k]);
+        [
+            omega[0] - omega[1],
+            z * local.nz - h * local.zz,
+            lengthwise[0] - lengthwise[1] + z * local.zz + h * local.nz,
+        ]
+    }
 }
 
 /// A divisor of the size of both.
@@ -229,29 +241,25 @@ impl Edge {
         let depth = seen.z;
         let ([nx, ny], [tx, ty], [x, y, z]) = (self.normal(), self.along, self.load);
         let across = nx * x + ny * y;
-        let [in_t, in_n, in_z] = self.first_derivatives(&seen, &local);
+        let [in_t, in_n, in_z] = seen.first_derivatives(&local);
         let (in_x, in_y) = (nx * in_n + tx * in_t, ny * in_n + ty * in_t);
         let i = self.axes(&local);
         // psi_x, psi_y, psi_z, then psi_xz, psi_yz, psi_zz.
-        let psi = [-across * in_x - z * nx * in_z, -across * in_y - z * ny * in_z, z * in_n - across * in_z];
-        let deep = [-across * i.xz - z * nx * i.zz, -across * i.yz - z * ny * i.zz, z * local.nz - across * i.zz];
+        let psi = [
+            -across * in_x - z * nx * in_z,
+            -across * in_y - z * ny * in_z,
+            z * in_n - across * in_z,
+        ];
+        let deep = [
+            -across * i.xz - z * nx * i.zz,
+            -across * i.yz - z * ny * i.zz,
+            z * local.nz - across * i.zz,
+        ];
         let nu = 2.0 * poisson;
         [
             2.0 * x * in_n + z * nx * in_z + nu * psi[0] - depth * deep[0],
             2.0 * y * in_n + z * ny * in_z + nu * psi[1] - depth * deep[1],
             z * in_n + (1.0 - nu) * psi[2] - depth * deep[2],
-        ]
-    }
-
-    /// Integrals along the side of the derivatives of `Omega` by `t`, `h` and `z`.
-    fn first_derivatives(&self, seen: &Seen, local: &Local) -> [f64; 3] {
-        let Seen { t, h, z, r } = *seen;
-        let omega = [0, 1].map(|k| z * nonzero(r[k] + z).ln() - r[k]);
-        let lengthwise = [0, 1].map(|k| t[k] * nonzero(r[k] + z).ln() - t[k]);
-        [
-            omega[0] - omega[1],
-            z * local.nz - h * local.zz,
-            lengthwise[0] - lengthwise[1] + z * local.zz + h * local.nz,
         ]
     }
 }

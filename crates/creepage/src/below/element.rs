@@ -76,19 +76,19 @@ impl Element {
         let count = self.corners.len();
         let turn = if self.area() < 0.0 { -1.0 } else { 1.0 };
         let load = [0, 1, 2].map(|k| turn * signs[k] * self.traction[k]);
-        (0..count).map(move |i| EdgeLoad {
-            ends: [self.corners[i], self.corners[(i + 1) % count]],
-            load,
-        })
+        (0..count)
+            .map(move |i| EdgeLoad { ends: [self.corners[i], self.corners[(i + 1) % count]], load })
     }
 
     /// Area, negative when the corners go clockwise (from `x` to `-y`).
     fn area(&self) -> f64 {
         let [x0, y0] = self.corners[0];
         let next = self.corners.iter().cycle().skip(1);
-        let cross = self.corners.iter().zip(next).map(|(one, two)| {
-            (one[0] - x0) * (two[1] - y0) - (two[0] - x0) * (one[1] - y0)
-        });
+        let cross = self
+            .corners
+            .iter()
+            .zip(next)
+            .map(|(one, two)| (one[0] - x0) * (two[1] - y0) - (two[0] - x0) * (one[1] - y0));
         0.5 * cross.sum::<f64>()
     }
 }

@@ -110,10 +110,13 @@ impl Grid {
         }
         let transform = |k: usize| {
             let mut table = vec![0.0; self.spectrum.len()];
-            for (row, given) in
-                table.chunks_exact_mut(2 * self.counts[0]).zip(tractions.chunks_exact(self.counts[0]))
+            for (row, given) in table
+                .chunks_exact_mut(2 * self.counts[0])
+                .zip(tractions.chunks_exact(self.counts[0]))
             {
-                row.iter_mut().zip(given).for_each(|(value, given)| *value = self.signs[k] * given[k]);
+                row.iter_mut()
+                    .zip(given)
+                    .for_each(|(value, given)| *value = self.signs[k] * given[k]);
             }
             self.spectrum.forward(&mut table)
         };
@@ -150,7 +153,8 @@ impl Grid {
         let [along, across] = self.counts;
         let odd = [0, 1].map(|axis| ODD[component][axis] != (traction == axis));
         let mut table = vec![0.0; self.spectrum.len()];
-        let mirror = |i: usize, count: usize| if i < count { (i, false) } else { (2 * count - i, true) };
+        let mirror =
+            |i: usize, count: usize| if i < count { (i, false) } else { (2 * count - i, true) };
         for (index, value) in table.iter_mut().enumerate() {
             let ((i, back), (j, left)) =
                 (mirror(index % (2 * along), along), mirror(index / (2 * along), across));

@@ -6,8 +6,12 @@ use crate::check::{self, InvalidValue};
 
 /// Points of the first look at each side of the block.
 const POINTS: usize = 9;
-/// How many of the best of them are followed uphill.
-const FOLLOWED: usize = 4;
+/// How many of the best of them are looked at closer.
+const FOLLOWED: usize = 3;
+/// Points of a closer look, either way along each axis.
+const NEAR: i32 = 2;
+/// Closer looks, each of half the size.
+const LOOKS: usize = 18;
 
 /// The largest value of a measure and its place.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -21,7 +25,9 @@ pub struct Largest {
 }
 
 /// The largest `measure` in the block from `low` to `high`, `[x, y, z]` each: a look at points that
-/// crowd towards the surface, then a climb from the best of them, to `1e-6` of the block.
+/// crowd towards the surface, then ever closer looks at the best of them, to `1e-6` of the block. On
+/// the sharp ridge that runs along the edge of a sliding contact, at the surface, the value is right
+/// to some 1e-3.
 ///
 /// It is the largest for fields with hills wider than an eighth of the block, such as those below
 /// a contact as wide as the block.
@@ -36,7 +42,12 @@ pub fn largest(
     for axis in 0..3 {
         check::finite("low", low[axis])?;
         let valid = "finite and not below the low end of the block";
-        check::require(high[axis].is_finite() && high[axis] >= low[axis], "high", high[axis], valid)?;
+        check::require(
+            high[axis].is_finite() && high[axis] >= low[axis],
+            "high",
+            high[axis],
+            valid,
+        )?;
     }
     let at = |point: [f64; 3]| -> Result<Largest, InvalidValue> {
         let stress = interior.stress(point)?;
@@ -54,7 +65,7 @@ pub fn largest(
     seen.sort_by(|one, two| two.value.total_cmp(&one.value));
     let mut best = seen[0];
     for start in seen.into_iter().take(FOLLOWED) {
-        let top = climb(start, [low, high], &at)?;
+        let top = look_closer(start, [low, high], &at)?;
         if top.value > best.value {
             best = top;
         }
@@ -62,29 +73,27 @@ pub fn largest(
     Ok(best)
 }
 
-/// Steps along the axes, halved when none leads up.
-fn climb(
+/// Looks at the points around the best, and again around the best of these at half the distance.
+fn look_closer(
     start: Largest,
     [low, high]: [[f64; 3]; 2],
     at: &impl Fn([f64; 3]) -> Result<Largest, InvalidValue>,
 ) -> Result<Largest, InvalidValue> {
     let (mut best, mut step) = (start, 0.5 / (POINTS - 1) as f64);
-    while step > 5e-7 {
-        let before = best.value;
-        for axis in 0..3 {
-            for sign in [-1.0, 1.0] {
-                let mut point = best.point;
-                let moved = point[axis] + sign * step * (high[axis] - low[axis]);
-                point[axis] = moved.clamp(low[axis], high[axis]);
-                let next = at(point)?;
-                if next.value > best.value {
-                    best = next;
-                }
+    let side = 2 * NEAR + 1;
+    for _ in 0..LOOKS {
+        let centre = best.point;
+        for k in 0..side.pow(3) {
+            let place = [k % side, k / side % side, k / side.pow(2)];
+            let next = at([0, 1, 2].map(|axis| {
+                let moved = f64::from(place[axis] - NEAR) * step * (high[axis] - low[axis]);
+                (centre[axis] + moved).clamp(low[axis], high[axis])
+            }))?;
+            if next.value > best.value {
+                best = next;
             }
         }
-        if best.value <= before {
-            step *= 0.5;
-        }
+        step *= 0.5;
     }
     Ok(best)
 }

@@ -19,7 +19,10 @@ pub(super) struct Spectrum {
 
 impl std::fmt::Debug for Spectrum {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("Spectrum").field("rows", &self.rows).field("columns", &self.columns).finish()
+        f.debug_struct("Spectrum")
+            .field("rows", &self.rows)
+            .field("columns", &self.columns)
+            .finish_non_exhaustive()
     }
 }
 
@@ -85,7 +88,9 @@ impl Spectrum {
             self.back_along.process(&mut row_spectrum, row)?;
         }
         let scale = 1.0 / self.len() as f64;
-        table.iter_mut().for_each(|value| *value *= scale);
+        for value in table {
+            *value *= scale;
+        }
         Ok(())
     }
 }

@@ -11,7 +11,7 @@
 //! Over a line at distance `h` from the centre, the ellipse taken for the unit disc, the sum of
 //! the harmonic `Y_nm` times `(1 - r^2)^(-1/2)` is `pi P_n(h) Y_nm` with the latter on the edge, so
 //! that a direction's potential is a series of Legendre functions of the second kind of one complex
-//! number, [`Wave::from_end`] plus one.
+//! number, [`Wave::variable`] plus one.
 
 use nalgebra::Complex;
 
@@ -75,6 +75,11 @@ impl Source {
         self.tables.iter().flatten().fold(0.0_f64, |size, value| size.max(value.abs()))
     }
 
+    /// Whether the traction grows beyond bounds at the edge.
+    pub(super) fn is_singular(&self) -> bool {
+        !self.vanishing
+    }
+
     /// How many `Q_n` a direction needs.
     pub(super) fn terms(&self) -> usize {
         self.degree + 1
@@ -124,9 +129,9 @@ impl Source {
 }
 
 impl Wave {
-    /// The complex number of a point, less one: `toward_end` is its distance from the line that
+    /// The complex variable of a point, less one: `toward_end` is its distance from the line that
     /// touches the disc, `h - 1`.
-    pub(super) fn from_end(&self, toward_end: f64, depth: f64) -> Complex<f64> {
+    pub(super) fn variable(&self, toward_end: f64, depth: f64) -> Complex<f64> {
         Complex::new(toward_end, -depth / self.half_width)
     }
 
@@ -139,7 +144,8 @@ impl Wave {
     pub(super) fn potentials(&self, from_end: Complex<f64>, q: &mut [Complex<f64>]) -> Potentials {
         legendre::second_kind(from_end, q);
         // One over the distances from the ends of the cut.
-        let near = [from_end, from_end + 2.0].map(|d| 1.0 / if d.norm() < 1e-30 { d + 1e-30 } else { d });
+        let near =
+            [from_end, from_end + 2.0].map(|d| 1.0 / if d.norm() < 1e-30 { d + 1e-30 } else { d });
         let [ends, slope_ends] = &self.ends;
         let first = jump(ends, near);
         let second = jump(ends, near.map(|d| d * d));

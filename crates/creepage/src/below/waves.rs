@@ -60,9 +60,13 @@ impl Waves {
         let position = [x / self.source.ellipse.a(), y / self.source.ellipse.b()];
         let radius = position[0].hypot(position[1]);
         let at = DiscPoint { position, radius, depth: z / self.source.ellipse.minor() };
+        // Beside a contact with a singular edge the integrand has a pole on the surface; as close
+        // below it, the double exponential rule takes both its sides and its residue.
+        let beside = self.source.is_singular() && radius > 1.0;
+        let seen_from = if beside { z.max(1e-13 * self.source.ellipse.minor()) } else { z };
         let mut q = vec![Complex::new(0.0, 0.0); self.source.terms()];
         self.directions.integrate(&self.source, at, |wave, toward_end| {
-            field(wave, wave.potentials(wave.from_end(toward_end, z), &mut q))
+            field(wave, wave.potentials(wave.variable(toward_end, seen_from), &mut q))
         })
     }
 }
@@ -83,7 +87,9 @@ fn stress(wave: &Wave, potentials: &Potentials, depth: f64, poisson: f64) -> [f6
         // -(D_j A_k + D_k A_j), with A_k = 2 T_k - D_k Z + 2 sigma D_k S.
         let product = first * second;
         let mean = if own { 4.0 * poisson * s } else { Complex::new(0.0, 0.0) };
-        (-2.0 * t + 2.0 * product * pressure - 4.0 * poisson * product * s - mean
+        (-2.0 * t + 2.0 * product * pressure
+            - 4.0 * poisson * product * s
+            - mean
             - 4.0 * product * deep)
             .re
     };

@@ -19,7 +19,8 @@ fn interiors() -> Vec<Interior> {
         }
         let corners = [[0.5, -0.1], [0.4, 0.6], [-0.3, 0.5], [-0.5, -0.4]];
         let element = Element::new(&corners, [0.4, -0.3, 1.0]).unwrap();
-        let triangle = Element::new(&[[0.5, -0.1], [1.0, 0.2], [0.4, 0.6]], [1.0, 2.0, 0.5]).unwrap();
+        let triangle =
+            Element::new(&[[0.5, -0.1], [1.0, 0.2], [0.4, 0.6]], [1.0, 2.0, 0.5]).unwrap();
         all.push(Interior::new(solid, Body::Lower).with_elements(&[element, triangle]));
     }
     all
@@ -48,8 +49,7 @@ fn equilibrium() {
         for point in POINTS {
             let [x, y, z] = [0, 1, 2]
                 .map(|axis| derivative(|p| interior.stress(p).unwrap().components(), point, axis));
-            let force =
-                [x[0] + y[3] + z[5], x[3] + y[1] + z[4], x[5] + y[4] + z[2]];
+            let force = [x[0] + y[3] + z[5], x[3] + y[1] + z[4], x[5] + y[4] + z[2]];
             // The step to the fourth power, over the depth to the fourth, and rounding over the step.
             for part in force {
                 assert!(part.abs() < 1e-6, "interior {k} at {point:?}: {force:?}");
@@ -63,8 +63,8 @@ fn equilibrium() {
 fn compatibility() {
     for (k, interior) in interiors().iter().enumerate() {
         for point in POINTS {
-            let [x, y, z] =
-                [0, 1, 2].map(|axis| derivative(|p| interior.displacement(p).unwrap(), point, axis));
+            let [x, y, z] = [0, 1, 2]
+                .map(|axis| derivative(|p| interior.displacement(p).unwrap(), point, axis));
             let half = |one: f64, two: f64| 0.5 * (one + two);
             let expected = Stress {
                 xx: x[0],
@@ -102,8 +102,15 @@ fn the_load_goes_down() {
             }
         }
     }
-    let area = 0.5 * (0.5 * 0.6 + 0.1 * 0.4 + 0.4 * 0.5 + 0.3 * 0.6 + 0.3 * 0.4 + 0.5 * 0.5
-        + 0.5 * 0.1 + 0.4 * 0.5);
+    let area = 0.5
+        * (0.5 * 0.6
+            + 0.1 * 0.4
+            + 0.4 * 0.5
+            + 0.3 * 0.6
+            + 0.3 * 0.4
+            + 0.5 * 0.5
+            + 0.5 * 0.1
+            + 0.4 * 0.5);
     // The rule is good to eight digits at this depth.
     for (sum, traction) in force.into_iter().zip([0.4, -0.3, 1.0]) {
         assert!((sum - traction * area).abs() < 1e-7, "{force:?} {area}");

@@ -12,9 +12,8 @@ fn a_plane_is_its_points() {
     let traction = |k: usize| [0.2, 0.9, 2.3].map(|phase| (1.3 * k as f64 + phase).sin());
     let tractions: Vec<_> = (0..28).map(traction).collect();
     let middle = |k: usize| [(k % 7) as f64 * steps[0] - 0.8, (k / 7) as f64 * steps[1] + 0.1];
-    let elements: Vec<_> = (0..28)
-        .map(|k| Element::rectangle(middle(k), steps, tractions[k]).unwrap())
-        .collect();
+    let elements: Vec<_> =
+        (0..28).map(|k| Element::rectangle(middle(k), steps, tractions[k]).unwrap()).collect();
     let interior =
         Interior::new(Solid::new(1.0, 0.28).unwrap(), Body::Upper).with_elements(&elements);
     let load = grid.load(&tractions).unwrap();

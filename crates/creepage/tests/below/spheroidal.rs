@@ -59,13 +59,14 @@ fn the_first_invariant_is_that_of_the_spheroidal_potentials() {
     let circle = Ellipse::new(1.0, 1.0).unwrap();
     let (poisson, step) = (0.28, 1e-3);
     let solid = Solid::new(1.0, poisson).unwrap();
-    for (degree, order) in [(0, 0), (1, 1), (1, -1), (2, 0), (2, 2), (2, -2), (3, 1), (3, -3), (5, 1), (6, -4)] {
+    for (degree, order) in
+        [(0, 0), (1, 1), (1, -1), (2, 0), (2, 2), (2, -2), (3, 1), (3, -3), (5, 1), (6, -4)]
+    {
         for axis in 0..3 {
             let mut tables = [0, 1, 2].map(|_| vec![0.0; harmonics::polynomial_count(degree)]);
             tables[axis][harmonics::position(degree, order)] = 1.0;
             let traction = Traction::from_harmonics(circle, Edge::Singular, tables).unwrap();
-            let interior =
-                Interior::new(solid, Body::Lower).with_traction(&traction, 1.0).unwrap();
+            let interior = Interior::new(solid, Body::Lower).with_traction(&traction, 1.0).unwrap();
             for point in [[0.3, 0.2, 0.4], [-0.7, 0.5, 0.6], [0.9, -1.1, 0.3], [0.2, 0.1, 2.5]] {
                 let at = |steps: f64| {
                     let mut moved = point;
