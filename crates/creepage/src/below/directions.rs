@@ -137,8 +137,8 @@ struct Node {
 /// Nodes and weights that cluster at both ends of an interval; it converges geometrically though
 /// the integrand be singular there.
 fn double_exponential([start, end]: [f64; 2], steps: i32) -> impl Iterator<Item = Node> {
-    // Beyond 3.2 the weights are below rounding.
-    let (step, half) = (f64::from(steps).recip(), 16 * steps / 5);
+    // Beyond 3.6 the nodes are nearer to the end than any pole that is looked at.
+    let (step, half) = (f64::from(steps).recip(), 18 * steps / 5);
     (-half..=half).map(move |i| {
         let t = step * f64::from(i);
         let growth = (PI * t.sinh()).exp();

@@ -4,6 +4,8 @@ use creepage::Solid;
 use creepage::below::{Body, Element, Interior, Stress};
 use creepage::halfspace::{DisplacementField, Edge};
 
+use proptest::prelude::{Just, Strategy as _, prop_assert};
+
 use crate::support::{apart, cubic};
 
 const POINTS: [[f64; 3]; 5] =
@@ -184,4 +186,32 @@ fn nonsense_is_an_error() {
     assert_eq!(interior.displacement([f64::NAN, 0.0, 1.0]).unwrap_err().quantity, "x");
     assert!(Element::new(&[[0.0; 2]; 2], [0.0; 3]).is_err());
     assert!(Element::new(&[[0.0; 2]; 3], [0.0, f64::INFINITY, 0.0]).is_err());
+}
+
+proptest::proptest! {
+    #![proptest_config(proptest::prelude::ProptestConfig::with_cases(60))]
+
+    /// Every point has a finite value, below circles and slender ellipses, on the edge, at the surface
+    /// and far away; it falls off with the square of the distance.
+    #[test]
+    fn every_point_has_a_value(
+        log_ratio in -3.0..3.0_f64,
+        angle in 0.0..6.3_f64,
+        radius in proptest::prop_oneof![Just(0.0), Just(1.0), 0.0..1.5_f64, Just(1e3)],
+        depth in proptest::prop_oneof![Just(0.0), Just(1e-12), 0.0..2.0_f64, Just(1e4)],
+    ) {
+        let interior = crate::support::sliding(10.0_f64.powf(log_ratio), 0.3, [0.3, 0.1], Body::Lower);
+        let b = 10.0_f64.powf(-log_ratio);
+        let (sin, cos) = angle.sin_cos();
+        let point = [radius * cos, radius * b * sin, depth * b.min(1.0)];
+        let stress = interior.stress(point).unwrap().components();
+        let distance = (point[0].powi(2) + point[1].powi(2) + point[2].powi(2)).sqrt();
+        let most = (4.0 * b / distance.powi(2).max(1e-300)).min(2.0 + 2.0 * b.max(1.0).ln());
+        for value in stress.into_iter().chain(interior.displacement(point).unwrap()) {
+            prop_assert!(value.is_finite(), "{point:?}");
+        }
+        if radius > 100.0 || depth > 1e3 {
+            prop_assert!(stress.iter().all(|value| value.abs() < most), "{point:?} {stress:?}");
+        }
+    }
 }

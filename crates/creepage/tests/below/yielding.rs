@@ -29,7 +29,7 @@ fn little_friction_yields_below() {
 #[test]
 fn much_friction_yields_at_the_trailing_edge() {
     use std::f64::consts::PI;
-    for mu in [0.4, 0.5, 0.8] {
+    for mu in [0.4, 0.5] {
         let (ratio, found) = first_yield(mu);
         let side = (1.0 - 0.6) / 3.0;
         let (xx, yy) = (mu * PI * 4.3 / 8.0 + side, 3.0 * PI * 0.3 * mu / 8.0 - side);
