@@ -1,6 +1,6 @@
 //! Wear and fatigue numbers: continuity, identities, limits.
 // Tests may fail by unwrapping.
-#![allow(clippy::unwrap_used)]
+#![allow(clippy::float_cmp, clippy::unwrap_used)]
 
 use creepage::below::{Body, Interior, Stress};
 use creepage::damage::{
@@ -173,7 +173,6 @@ fn the_shakedown_limit_of_a_circle() {
     let passage = Passage::below(&interior, 1.0, limit.place, 61).unwrap();
     let shear = passage.states().iter().fold(0.0_f64, |most, state| most.max(state.xz.abs()));
     let factor = limit.load_factor(1.0);
-    println!("circle, no friction: p0/k = {factor:.4} at {:?}, {:?}", limit.place, limit.residual);
     assert!(factor <= 1.0 / shear + 1e-9);
     assert!(factor >= 0.98 / shear, "{factor} {shear} {limit:?}");
     // The fineness of depths and states.
@@ -186,7 +185,6 @@ fn friction_brings_the_limit_to_the_surface() {
     let block = ShakedownBlock { lines: 3, ..ShakedownBlock::of([1.0; 2]) };
     let factors = [0.0, 0.2, 0.4, 0.6, 0.8].map(|mu| {
         let limit = shakedown(&circle(mu), &block).unwrap();
-        println!("mu {mu}: p0/k = {:.4} at {:?}", limit.load_factor(1.0), limit.place);
         if mu > 0.0 {
             assert!(limit.load_factor(1.0) <= 1.0 / mu + 1e-9, "{mu} {limit:?}");
         }

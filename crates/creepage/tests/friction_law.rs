@@ -1,6 +1,6 @@
 //! Friction by the speed of slip: limits, identities, derivatives.
 // Tests may fail by unwrapping.
-#![allow(clippy::unwrap_used)]
+#![allow(clippy::float_cmp, clippy::unwrap_used)]
 
 use creepage::friction_law::{FrictionLaw, FrictionMemory, Shape, Term};
 use proptest::prelude::*;

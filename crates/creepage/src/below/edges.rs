@@ -54,7 +54,7 @@ impl Edges {
                 edges.push(Edge { start, along: [dx / length, dy / length], length, load });
             }
         }
-        edges.retain(|edge| edge.load != [0.0; 3]);
+        edges.retain(|edge| edge.load.iter().any(|jump| *jump != 0.0));
         Self { edges }
     }
 

@@ -82,7 +82,7 @@ mod tests {
             let mut values = [Complex::new(0.0, 0.0); 9];
             second_kind(zeta - 1.0, &mut values);
             let mut expected = [Complex::new(0.0, 0.0); 9];
-            for &(h, weight) in rule.iter() {
+            for &(h, weight) in &rule {
                 let mut p = [1.0, h];
                 for (n, sum) in expected.iter_mut().enumerate() {
                     *sum += 0.5 * weight * p[0] / (zeta - h);

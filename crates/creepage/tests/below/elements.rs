@@ -49,8 +49,8 @@ proptest! {
         let found = interior.displacement([point[0], point[1], depth]).unwrap();
         let rule = gauss_quad::GaussLegendre::new(40.try_into().unwrap());
         let (area, mut expected) = ((ux * vy - uy * vx).abs(), [0.0; 3]);
-        for &(s, first) in rule.iter() {
-            for &(t, second) in rule.iter() {
+        for &(s, first) in &rule {
+            for &(t, second) in &rule {
                 let [x, y] = corner(0.5 * (1.0 + s), 0.5 * (1.0 + t));
                 let part = point_force([point[0] - x, point[1] - y, depth], poisson, traction);
                 let share = 0.25 * first * second * area;

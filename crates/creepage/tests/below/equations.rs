@@ -4,7 +4,7 @@ use creepage::Solid;
 use creepage::below::{Body, Element, Interior, Stress};
 use creepage::halfspace::{DisplacementField, Edge};
 
-use proptest::prelude::{Just, Strategy as _, prop_assert};
+use proptest::prelude::{Just, prop_assert};
 
 use crate::support::{apart, cubic};
 
@@ -91,7 +91,7 @@ fn the_load_goes_down() {
     let interior = Interior::new(solid, Body::Lower).with_elements(&[element]);
     let rule = gauss_quad::GaussLegendre::new(60.try_into().unwrap());
     let mut force = [0.0; 3];
-    for &(node, weight) in rule.iter() {
+    for &(node, weight) in &rule {
         // Radius t/(1 - t): all of the plane.
         let t = 0.5 * (1.0 + node);
         let (radius, measure) = (t / (1.0 - t), 0.5 * weight / (1.0 - t).powi(2));

@@ -1,6 +1,6 @@
 //! Displacement, strain and stress inside the bodies.
 // Tests may fail by unwrapping and by panicking.
-#![allow(clippy::panic, clippy::unwrap_used)]
+#![allow(clippy::float_cmp, clippy::panic, clippy::unwrap_used)]
 
 mod beside;
 mod elements;

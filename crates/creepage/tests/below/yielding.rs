@@ -17,7 +17,6 @@ fn first_yield(mu: f64) -> (f64, Largest) {
 fn little_friction_yields_below() {
     for (mu, expected, depth) in [(0.0, 2.80, 0.481), (0.3, 2.63, 0.428)] {
         let (ratio, found) = first_yield(mu);
-        println!("mu {mu}: p0/k = {ratio:.5} at {:?}", found.point);
         assert!((ratio - expected).abs() < 0.02, "mu = {mu}: {ratio} {found:?}");
         assert!((found.point[2] - depth).abs() < 1e-3, "mu = {mu}: {found:?}");
     }
@@ -34,7 +33,6 @@ fn much_friction_yields_at_the_trailing_edge() {
         let side = (1.0 - 0.6) / 3.0;
         let (xx, yy) = (mu * PI * 4.3 / 8.0 + side, 3.0 * PI * 0.3 * mu / 8.0 - side);
         let expected = 3.0_f64.sqrt() / (xx * xx - xx * yy + yy * yy).sqrt();
-        println!("mu {mu}: p0/k = {ratio:.5} at {:?}, at the very edge {expected:.5}", found.point);
         // A sharp ridge along the edge, on which the search may stop beside the top.
         assert!((ratio - expected).abs() < 3e-3, "{ratio} {expected} {found:?}");
         let [x, y, z] = found.point;
