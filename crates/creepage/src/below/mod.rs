@@ -37,6 +37,7 @@ mod edges;
 mod element;
 mod grid;
 mod interior;
+mod lanes;
 mod largest;
 mod legendre;
 mod near_edge;
