@@ -9,14 +9,7 @@
 //! `Omega` are written so that nothing cancels on either side of the element and at any depth:
 //! the logarithm of two neighbouring corners is one logarithm, and the two arctangents are one.
 
-// What is not inlined is not compiled for the processor's vector instructions.
-#![allow(clippy::inline_always)]
-
 use std::collections::HashMap;
-
-use pulp::Arch;
-
-use super::lanes::{LANES, Lanes};
 
 /// A side with the jump of `[X, Y, Z]` across it: what is on its left less what is on its right.
 #[derive(Debug, Clone, Copy)]
@@ -25,7 +18,7 @@ pub(super) struct EdgeLoad {
     pub load: [f64; 3],
 }
 
-/// A side.
+/// A side, prepared.
 #[derive(Debug, Clone, Copy)]
 struct Edge {
     start: [f64; 2],
@@ -35,26 +28,10 @@ struct Edge {
     load: [f64; 3],
 }
 
-/// Four sides, side by side.
-#[derive(Debug, Clone, Copy)]
-struct Group {
-    start: [Lanes; 2],
-    along: [Lanes; 2],
-    length: Lanes,
-    load: [Lanes; 3],
-}
-
 /// All sides of a set of elements.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub(super) struct Edges {
-    groups: Vec<Group>,
-    arch: Arch,
-}
-
-impl Default for Edges {
-    fn default() -> Self {
-        Self { groups: vec![], arch: Arch::new() }
-    }
+    edges: Vec<Edge>,
 }
 
 impl Edges {
@@ -78,30 +55,28 @@ impl Edges {
             }
         }
         edges.retain(|edge| edge.load.iter().any(|jump| *jump != 0.0));
-        Self { groups: edges.chunks(LANES).map(Group::new).collect(), ..Self::default() }
+        Self { edges }
     }
 
     /// `4 pi` times the stress, `[xx, yy, zz, xy, yz, xz]`.
     pub(super) fn stress(&self, point: [f64; 3], poisson: f64) -> [f64; 6] {
-        self.arch.dispatch(|| total(&self.groups, |group| group.stress(point, poisson)))
+        let mut sum = [0.0; 6];
+        for edge in &self.edges {
+            let part = edge.stress(point, poisson);
+            sum.iter_mut().zip(part).for_each(|(sum, part)| *sum += part);
+        }
+        sum
     }
 
     /// `4 pi G` times the displacement.
     pub(super) fn displacement(&self, point: [f64; 3], poisson: f64) -> [f64; 3] {
-        self.arch.dispatch(|| total(&self.groups, |group| group.displacement(point, poisson)))
-    }
-}
-
-#[inline(always)]
-fn total<const N: usize>(groups: &[Group], part: impl Fn(&Group) -> [Lanes; N]) -> [f64; N] {
-    let mut sum = [Lanes::default(); N];
-    for group in groups {
-        let part = part(group);
-        for i in 0..N {
-            sum[i] = sum[i] + part[i];
+        let mut sum = [0.0; 3];
+        for edge in &self.edges {
+            let part = edge.displacement(point, poisson);
+            sum.iter_mut().zip(part).for_each(|(sum, part)| *sum += part);
         }
+        sum
     }
-    sum.map(Lanes::sum)
 }
 
 /// A key of two ends; adding zero makes one of the two zeros.
@@ -112,118 +87,106 @@ fn key([x0, y0]: [f64; 2], [x1, y1]: [f64; 2]) -> [u64; 4] {
 /// A symmetric tensor without trace, of the side's normal, its direction and the depth.
 #[derive(Debug, Clone, Copy)]
 struct Local {
-    nn: Lanes,
-    nt: Lanes,
-    tt: Lanes,
-    nz: Lanes,
-    tz: Lanes,
-    zz: Lanes,
+    nn: f64,
+    nt: f64,
+    tt: f64,
+    nz: f64,
+    tz: f64,
+    zz: f64,
 }
 
 /// The same in the directions of the axes.
 struct Axes {
-    xx: Lanes,
-    yy: Lanes,
-    xy: Lanes,
-    xz: Lanes,
-    yz: Lanes,
-    zz: Lanes,
+    xx: f64,
+    yy: f64,
+    xy: f64,
+    xz: f64,
+    yz: f64,
+    zz: f64,
 }
 
-/// A point seen from the side: its distances from both ends, and one over them.
+/// A point seen from the side: its distances from both ends.
 struct Seen {
-    t: [Lanes; 2],
-    h: Lanes,
-    z: Lanes,
-    r: [Lanes; 2],
-    per_r: [Lanes; 2],
+    t: [f64; 2],
+    h: f64,
+    z: f64,
+    r: [f64; 2],
 }
 
 impl Seen {
     /// The integral of `1/r` along the side.
-    #[inline(always)]
-    fn inverse(&self, length: Lanes) -> Lanes {
-        let around = self.r[0] + self.r[1];
+    fn inverse(&self, length: f64) -> f64 {
         // On the side itself it is infinite, as the stress is.
-        ((around + length) / (around - length).max(1e-30 * length)).ln()
+        let beyond = (self.r[0] + self.r[1] - length).max(1e-30 * length);
+        (2.0 * length / beyond).ln_1p()
     }
 
     /// The integral of `h / (r (r + z))`: the angle of the side, less that seen from the depth.
-    #[inline(always)]
-    fn angle(&self) -> Lanes {
-        let end = |k: usize| {
-            let [t, h, z] = [self.t[k], self.h, self.z].map(|length| length * self.per_r[k]);
-            (t * h * (t * t + h * h), (Lanes::all(1.0) + z) * (h * h + z * t * t))
-        };
-        let ((y0, x0), (y1, x1)) = (end(0), end(1));
+    fn angle(&self) -> f64 {
+        let Self { h, z, .. } = *self;
+        let [(y0, x0), (y1, x1)] = [0, 1].map(|k| {
+            let (t, r) = (self.t[k], self.r[k]);
+            (t * h * (t * t + h * h), (r + z) * (h * h * r + z * t * t))
+        });
+        // Scaled: products of the two would be of sixteenth degree in lengths.
+        let (s0, s1) = (size(x0, y0), size(x1, y1));
+        let ((y0, x0), (y1, x1)) = ((y0 / s0, x0 / s0), (y1 / s1, x1 / s1));
         (y0 * x1 - y1 * x0).atan2(x0 * x1 + y0 * y1)
     }
 
     /// Integrals along the side of the derivatives of `Omega` by `t`, `h` and `z`.
-    #[inline(always)]
-    fn first_derivatives(&self, local: &Local) -> [Lanes; 3] {
-        let Self { t, h, z, r, .. } = *self;
-        let logarithm = r.map(|r| (r + z).nonzero().ln());
+    fn first_derivatives(&self, local: &Local) -> [f64; 3] {
+        let Seen { t, h, z, r } = *self;
+        let omega = [0, 1].map(|k| z * nonzero(r[k] + z).ln() - r[k]);
+        let lengthwise = [0, 1].map(|k| t[k] * nonzero(r[k] + z).ln() - t[k]);
         [
-            z * (logarithm[0] - logarithm[1]) - r[0] + r[1],
+            omega[0] - omega[1],
             z * local.nz - h * local.zz,
-            t[0] * logarithm[0] - t[0] - t[1] * logarithm[1] + t[1] + z * local.zz + h * local.nz,
+            lengthwise[0] - lengthwise[1] + z * local.zz + h * local.nz,
         ]
     }
 }
 
-impl Group {
-    /// Four sides, or fewer and some without load.
-    fn new(edges: &[Edge]) -> Self {
-        let of = |value: fn(&Edge) -> f64, none: f64| {
-            Lanes::from_fn(|i| edges.get(i).map_or(none, value))
-        };
-        Self {
-            start: [of(|edge| edge.start[0], 0.0), of(|edge| edge.start[1], 0.0)],
-            along: [of(|edge| edge.along[0], 1.0), of(|edge| edge.along[1], 0.0)],
-            length: of(|edge| edge.length, 1.0),
-            load: [
-                of(|edge| edge.load[0], 0.0),
-                of(|edge| edge.load[1], 0.0),
-                of(|edge| edge.load[2], 0.0),
-            ],
-        }
-    }
+/// A divisor of the size of both.
+fn size(x: f64, y: f64) -> f64 {
+    (x.abs() + y.abs()).max(f64::MIN_POSITIVE)
+}
 
-    #[inline(always)]
-    fn normal(&self) -> [Lanes; 2] {
+/// A divisor that is never zero.
+fn nonzero(value: f64) -> f64 {
+    value.max(f64::MIN_POSITIVE)
+}
+
+impl Edge {
+    fn normal(&self) -> [f64; 2] {
         [self.along[1], -self.along[0]]
     }
 
-    #[inline(always)]
-    fn seen(&self, point: [f64; 3]) -> Seen {
-        let [x, y, z] = point.map(Lanes::all);
+    fn seen(&self, [x, y, z]: [f64; 3]) -> Seen {
         let ([dx, dy], [tx, ty]) = ([x - self.start[0], y - self.start[1]], self.along);
         let first = dx * tx + dy * ty;
         let (t, h) = ([first, first - self.length], dx * ty - dy * tx);
-        let r = t.map(|t| (t * t + h * h + z * z).sqrt());
-        Seen { t, h, z, r, per_r: r.map(|r| r.nonzero().recip()) }
+        Seen { t, h, z, r: t.map(|t| (t * t + h * h + z * z).sqrt()) }
     }
 
     /// Integrals along the side of the second derivatives of `Omega`, and `z` times those of its
     /// derivative by `z`.
-    #[inline(always)]
     fn second_derivatives(&self, seen: &Seen) -> [Local; 2] {
-        let Seen { t, h, z, r, per_r } = *seen;
+        let Seen { t, h, z, r } = *seen;
         let (inverse, angle) = (seen.inverse(self.length), seen.angle());
-        let sums = r.map(|r| (r + z).nonzero());
-        let per_sum = sums.map(Lanes::recip);
-        let tt = t[1] * per_sum[1] - t[0] * per_sum[0];
+        let sums = [nonzero(r[0] + z), nonzero(r[1] + z)];
+        let tt = t[1] / sums[1] - t[0] / sums[0];
         let shallow = Local {
             tt,
-            nt: h * (per_sum[1] - per_sum[0]),
+            nt: h / sums[1] - h / sums[0],
             zz: inverse,
             nn: -tt - inverse,
             nz: angle,
-            tz: (sums[0] * per_sum[1]).ln(),
+            tz: (sums[0] / sums[1]).ln(),
         };
-        let per = [0, 1].map(|k| z * per_r[k] * per_sum[k]);
-        let reach = z / (h * h + z * z).nonzero() * (t[0] * per_r[0] - t[1] * per_r[1]);
+        let per = [0, 1].map(|k| z / nonzero(r[k] * sums[k]));
+        let slant = z / nonzero(h * h + z * z);
+        let reach = slant * (t[0] / nonzero(r[0]) - t[1] / nonzero(r[1]));
         let tt = t[0] * per[0] - t[1] * per[1];
         let deep = Local {
             tt,
@@ -231,18 +194,17 @@ impl Group {
             zz: -z * reach,
             nn: z * reach - tt,
             nz: -h * reach,
-            tz: z * (per_r[0] - per_r[1]),
+            tz: z / nonzero(r[0]) - z / nonzero(r[1]),
         };
         [shallow, deep]
     }
 
-    #[inline(always)]
     fn axes(&self, local: &Local) -> Axes {
         let ([tx, ty], [nx, ny]) = (self.along, self.normal());
         let Local { nn, nt, tt, nz, tz, zz } = *local;
         Axes {
-            xx: nx * nx * nn + 2.0 * (nx * tx * nt) + tx * tx * tt,
-            yy: ny * ny * nn + 2.0 * (ny * ty * nt) + ty * ty * tt,
+            xx: nx * nx * nn + 2.0 * nx * tx * nt + tx * tx * tt,
+            yy: ny * ny * nn + 2.0 * ny * ty * nt + ty * ty * tt,
             xy: nx * ny * nn + (nx * ty + ny * tx) * nt + tx * ty * tt,
             xz: nx * nz + tx * tz,
             yz: ny * nz + ty * tz,
@@ -250,36 +212,33 @@ impl Group {
         }
     }
 
-    /// With `psi = X_x + Y_y + Z_z` of the potentials of the three tractions, the in-plane stress is
-    /// `2 (T_k,jzz + T_j,kzz) - 2 Z_jkz + 4 sigma (psi_jk + delta_jk psi_zz) - 2 z psi_jkz`; of the
-    /// others the first term (of `zz` half of it) and the last are left.
-    #[inline(always)]
-    fn stress(&self, point: [f64; 3], poisson: f64) -> [Lanes; 6] {
+    /// With `psi = X_x + Y_y + Z_z` of the potentials of the three tractions, the stress is
+    /// `2 (T_k,jzz + T_j,kzz) - 2 Z_jkz + 4 sigma psi_jk ... - 2 z psi_jkz`.
+    fn stress(&self, point: [f64; 3], poisson: f64) -> [f64; 6] {
         let seen = self.seen(point);
         let [local, deep_local] = self.second_derivatives(&seen);
         let (i, j) = (self.axes(&local), self.axes(&deep_local));
         let ([nx, ny], [x, y, z]) = (self.normal(), self.load);
-        let (across, nu) = (nx * x + ny * y, 4.0 * poisson);
+        let across = nx * x + ny * y;
+        let (four, nu) = (2.0 * i.zz, 4.0 * poisson);
         let psi_xx = -across * i.xx - z * nx * i.xz;
         let psi_yy = -across * i.yy - z * ny * i.yz;
         let psi_xy = -across * i.xy - z * nx * i.yz;
-        let deep = |own: Lanes, n: Lanes, below: Lanes| across * own + z * n * below;
-        let twice = [
-            -2.0 * (nx * x * i.zz) + z * nx * i.xz + deep(j.xx, nx, j.xz),
-            -2.0 * (ny * y * i.zz) + z * ny * i.yz + deep(j.yy, ny, j.yz),
-            z * local.nz + across * j.zz - z * deep_local.nz,
-            -(nx * y + ny * x) * i.zz + z * nx * i.yz + deep(j.xy, nx, j.yz),
-            y * local.nz + deep(j.yz, ny, j.zz),
-            x * local.nz + deep(j.xz, nx, j.zz),
-        ];
-        let [xx, yy, zz, xy, yz, xz] = twice.map(|value| 2.0 * value);
-        [xx - nu * psi_yy, yy - nu * psi_xx, zz, xy + nu * psi_xy, yz, xz]
+        let deep = |own: f64, n: f64, below: f64| 2.0 * (across * own + z * n * below);
+        [
+            -2.0 * nx * x * four + 2.0 * z * nx * i.xz - nu * psi_yy + deep(j.xx, nx, j.xz),
+            -2.0 * ny * y * four + 2.0 * z * ny * i.yz - nu * psi_xx + deep(j.yy, ny, j.yz),
+            2.0 * z * local.nz + 2.0 * (across * j.zz - z * deep_local.nz),
+            -(nx * y + ny * x) * four + 2.0 * z * nx * i.yz + nu * psi_xy + deep(j.xy, nx, j.yz),
+            2.0 * y * local.nz + deep(j.yz, ny, j.zz),
+            2.0 * x * local.nz + deep(j.xz, nx, j.zz),
+        ]
     }
 
-    #[inline(always)]
-    fn displacement(&self, point: [f64; 3], poisson: f64) -> [Lanes; 3] {
+    fn displacement(&self, point: [f64; 3], poisson: f64) -> [f64; 3] {
         let seen = self.seen(point);
         let [local, _] = self.second_derivatives(&seen);
+        let depth = seen.z;
         let ([nx, ny], [tx, ty], [x, y, z]) = (self.normal(), self.along, self.load);
         let across = nx * x + ny * y;
         let [in_t, in_n, in_z] = seen.first_derivatives(&local);
@@ -298,9 +257,9 @@ impl Group {
         ];
         let nu = 2.0 * poisson;
         [
-            2.0 * (x * in_n) + z * nx * in_z + nu * psi[0] - seen.z * deep[0],
-            2.0 * (y * in_n) + z * ny * in_z + nu * psi[1] - seen.z * deep[1],
-            z * in_n + (1.0 - nu) * psi[2] - seen.z * deep[2],
+            2.0 * x * in_n + z * nx * in_z + nu * psi[0] - depth * deep[0],
+            2.0 * y * in_n + z * ny * in_z + nu * psi[1] - depth * deep[1],
+            z * in_n + (1.0 - nu) * psi[2] - depth * deep[2],
         ]
     }
 }

@@ -47,7 +47,7 @@ pub enum InteriorError {
 ///
 /// Error beside the largest traction: below 1e-12 for polynomial tractions on ellipses down to
 /// `a/b = 1e-3`, rounding for elements. A point costs some 10 us for a polynomial traction (some
-/// 100 us close to its edge), and some 50 ns a side for elements.
+/// 100 us close to its edge), and some 60 ns a side for elements.
 #[derive(Debug, Clone)]
 pub struct Interior {
     solid: Solid,

@@ -37,7 +37,6 @@ mod edges;
 mod element;
 mod grid;
 mod interior;
-mod lanes;
 mod largest;
 mod legendre;
 mod near_edge;

@@ -45,7 +45,7 @@ pub(super) struct Ball {
     pub radius: f64,
 }
 
-const STEPS: usize = 4000;
+const STEPS: usize = 1000;
 
 /// The smallest ball around `states` whose centre has zeros beyond its first `free` coordinates.
 pub(super) fn smallest(states: &[Deviator], free: usize) -> Ball {

@@ -31,11 +31,11 @@ pub struct ShakedownBlock {
 }
 
 impl ShakedownBlock {
-    /// A contact with these half-lengths, to a depth of its shorter one: 6 lines a side, 21 depths, 61
+    /// A contact with these half-lengths, to a depth of its shorter one: 3 lines a side, 16 depths, 61
     /// states; a result to about one per cent.
     #[must_use]
     pub fn of(half: [f64; 2]) -> Self {
-        Self { half, depth: half[0].min(half[1]), lines: 6, depths: 21, states: 61 }
+        Self { half, depth: half[0].min(half[1]), lines: 3, depths: 16, states: 61 }
     }
 }
 
