@@ -167,7 +167,7 @@ fn signs_do_not_matter_to_t_gamma() {
 /// nearly can.
 #[test]
 fn the_shakedown_limit_of_a_circle() {
-    let block = ShakedownBlock { lines: 3, ..ShakedownBlock::of([1.0; 2]) };
+    let block = ShakedownBlock { lines: 3, depths: 21, ..ShakedownBlock::of([1.0; 2]) };
     let interior = circle(0.0);
     let limit = shakedown(&interior, &block).unwrap();
     let passage = Passage::below(&interior, 1.0, limit.place, 61).unwrap();
