@@ -1,6 +1,7 @@
 //! A profile: a curve that is a wheel's or a rail's.
 
 use crate::curve::{self, Curve, CurvePoint, SplineError};
+use crate::search::threshold;
 
 /// What a profile belongs to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -135,16 +136,8 @@ impl Profile {
             let [a, b] = [pair[0], pair[1]].map(|s| excess(self.curve.at(s)));
             a == 0.0 || b == 0.0 || (a < 0.0) != (b < 0.0)
         })?;
-        let (mut low, mut high) = (bracket[0], bracket[1]);
-        let rising = excess(self.curve.at(low)) < excess(self.curve.at(high));
-        for _ in 0..60 {
-            let middle = 0.5 * (low + high);
-            if (excess(self.curve.at(middle)) < 0.0) == rising {
-                low = middle;
-            } else {
-                high = middle;
-            }
-        }
-        Some(self.curve.at(0.5 * (low + high)))
+        let rising = excess(self.curve.at(bracket[0])) < excess(self.curve.at(bracket[1]));
+        let before = |s: f64| (excess(self.curve.at(s)) < 0.0) == rising;
+        Some(self.curve.at(threshold([bracket[0], bracket[1]], before)[1]))
     }
 }

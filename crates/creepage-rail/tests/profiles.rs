@@ -1,5 +1,7 @@
 //! Profiles of the standards: joints, closure, thickness, and curves sampled from them.
 
+#![allow(clippy::unwrap_used, clippy::panic)]
+
 use creepage_rail::curve::turn;
 use creepage_rail::{Piece, Profile, RailHead, Role, Standard};
 use proptest::prelude::*;
@@ -252,6 +254,7 @@ fn smoothing_halves_the_wave_of_its_wavelength() {
 }
 
 proptest! {
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
     /// Whatever the points: a curve with finite values, or an error.
     #[test]
     fn splines_never_panic(

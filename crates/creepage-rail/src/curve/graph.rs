@@ -11,8 +11,8 @@ pub struct Graph {
     /// Coefficients of rising powers of `y - centre`.
     coefficients: Vec<f64>,
     centre: f64,
-    /// `y` at evenly spaced arc lengths.
-    nodes: Vec<f64>,
+    /// `y` at evenly spaced arc lengths, and its change over a spacing there.
+    nodes: Vec<[f64; 2]>,
     spacing: f64,
     sense: f64,
 }
@@ -25,7 +25,9 @@ impl Graph {
         let sense = (end - start).signum();
         let mut graph = Self { coefficients, centre, nodes: Vec::new(), spacing: 0.0, sense };
         graph.spacing = graph.measure(start, end) / NODES as f64;
-        graph.nodes = graph.walk(start, end);
+        let nodes = graph.walk(start, end);
+        let rate = |y: f64| sense * graph.spacing / graph.value(y)[1].hypot(1.0);
+        graph.nodes = nodes.into_iter().map(|y| [y, rate(y)]).collect();
         Piece::Graph(graph)
     }
 
@@ -72,10 +74,9 @@ impl Graph {
     pub(super) fn at(&self, s: f64) -> CurvePoint {
         let place = (s / self.spacing).clamp(0.0, NODES as f64);
         let index = super::whole(place).min(NODES - 1);
-        let node = |i: usize| self.nodes.get(i).copied().unwrap_or(self.centre);
-        let (a, b) = (node(index), node(index + 1));
-        let slope = |y: f64| self.sense * self.spacing / self.value(y)[1].hypot(1.0);
-        let y = super::cubic::hermite(place - index as f64, [a, b], [slope(a), slope(b)]);
+        let node = |i: usize| self.nodes.get(i).copied().unwrap_or([self.centre, 0.0]);
+        let ([a, rate_a], [b, rate_b]) = (node(index), node(index + 1));
+        let y = super::cubic::hermite(place - index as f64, [a, b], [rate_a, rate_b]);
         let [z, first, second] = self.value(y);
         let stretch = first.hypot(1.0);
         CurvePoint {
