@@ -27,6 +27,7 @@
 mod conicity;
 mod contact;
 pub mod curve;
+pub mod file;
 mod frame;
 mod geometry_error;
 mod meeting;

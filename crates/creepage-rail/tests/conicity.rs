@@ -1,6 +1,6 @@
 //! EN 15302: the standard's own tables of radius difference and conicity.
 
-#![allow(clippy::unwrap_used, clippy::panic)]
+#![allow(clippy::unwrap_used, clippy::panic, clippy::float_cmp)]
 
 use creepage_rail::{Place, RadiusDifference, Running, Standard, Track, Wheel, Wheelset};
 
