@@ -114,10 +114,12 @@ pub fn read(name: &str, content: &[u8], wanted: &Wanted) -> Result<Reading, File
 /// Brings points to the house's form, repairs them and lays a curve through.
 fn finish(raw: Raw, format: Format, role: Role, wanted: &Wanted) -> Result<Reading, FileError> {
     let mut actions = raw.actions.clone();
-    let points = orientation::turned(raw, role, wanted, &mut actions)?;
+    let (points, unit) = orientation::turned(raw, role, wanted, &mut actions)?;
     let points = repair::repaired(points, &mut actions)?;
     let corners = repair::corners(&points, &mut actions);
     let line = points.first().map_or(0, |point| point.line);
+    // What was dropped may have been most of it.
+    orientation::check_length(orientation::length(&points), unit, line)?;
     let places: Vec<[f64; 2]> = points.iter().map(|point| point.at).collect();
     let profile = match wanted.smoothing {
         Some(wavelength) => {

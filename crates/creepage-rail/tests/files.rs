@@ -117,6 +117,26 @@ fn senses_order_and_unit_are_found() {
     assert!((found.profile.at_z(0.010).unwrap().y + 0.0375).abs() < 1e-7);
 }
 
+/// A scan of a whole wheel, from the rim's face to the back of the flange, its origin there.
+#[test]
+fn whole_wheels_with_their_faces() {
+    let wheel = write(&Standard::S1002.profile(), Format::Columns, 5e-4);
+    let tread = wheel.lines().skip(1).map(|line| {
+        let mut numbers = line.split(' ').map(|number| number.parse::<f64>().unwrap());
+        [numbers.next().unwrap() + 70.0, numbers.next().unwrap()]
+    });
+    let tread: Vec<[f64; 2]> = tread.collect();
+    let rim = (1..40).rev().map(|i| [130.0 + 0.01 * f64::from(i), -2.6 - 0.5 * f64::from(i)]);
+    let back = (1..40).map(|i| [0.005 - 0.001 * f64::from(i), 9.5 - 0.4 * f64::from(i)]);
+    let points: Vec<[f64; 2]> = rim.chain(tread).chain(back).collect();
+    let text = format!("#MINIWHEELPROF\nMINIPROF 2020\n\n{}", columns(&points));
+    let found = read("x.whl", text.as_bytes(), &Wanted::default()).unwrap();
+    assert!(!found.actions.contains(&Action::TurnedOver));
+    assert!(!found.actions.contains(&Action::Mirrored));
+    let height = found.profile.at_y(0.015).unwrap().z;
+    assert!((height - 0.028).abs() < 1e-6, "{height}");
+}
+
 #[test]
 fn simpack_applies_its_keys_in_order() {
     let points = head();
@@ -163,6 +183,8 @@ fn miniprof_in_its_layouts() {
         assert!(found.actions.contains(&Action::TurnedOver));
         assert!(apart(&found.profile, &Standard::Uic60.profile(), [-0.020, 0.020]) < 100e-9);
     }
+    let last = newer.replace("\n\nrest", " \" remark\n\nrest");
+    assert!(read("a.ban", last.as_bytes(), &Wanted::default()).is_ok());
     let deselected = newer.replacen("0.5,", "\" 0.5,", 2);
     let found = read("a.ban", deselected.as_bytes(), &Wanted::default()).unwrap();
     assert!(found.actions.contains(&Action::Skipped { count: 2 }));
@@ -190,6 +212,27 @@ fn faults_of_scans_are_repaired_and_told() {
     points.swap(120, 121);
     let found = read_rail(&points).unwrap();
     assert!(found.actions.contains(&Action::ZigZag { line: 121 }), "{:?}", found.actions);
+    assert!(apart(&found.profile, &clean, [-0.033, 0.033]) < 1e-6);
+
+    // One that goes back over several points, as at a seam of two scans.
+    let mut points = head();
+    let seam: Vec<[f64; 2]> = points[118..121].iter().map(|[y, z]| [y + 0.1, z + 0.05]).collect();
+    points.splice(121..121, seam);
+    let found = read_rail(&points).unwrap();
+    let at_seam = |a: &&Action| {
+        matches!(a, Action::TurnedBack { line: 119..=125 } | Action::ZigZag { line: 119..=125 })
+    };
+    assert!(found.actions.iter().any(|a| at_seam(&a)));
+    // No further off than the seam itself.
+    let off = apart(&found.profile, &clean, [-0.033, 0.033]);
+    assert!(off < 112e-6, "{off}");
+
+    // One point far off.
+    let mut points = head();
+    points[150] = [-36.0, 25.0];
+    let down = Wanted { down: Some(true), ..wanted(Role::Rail) };
+    let found = read("r.txt", columns(&points).as_bytes(), &down).unwrap();
+    assert!(found.actions.contains(&Action::TurnedBack { line: 151 }));
     assert!(apart(&found.profile, &clean, [-0.033, 0.033]) < 1e-6);
 
     let mut points = head();
@@ -220,11 +263,6 @@ fn what_makes_no_sense_names_its_line() {
     let points = head();
     let swapped: Vec<[f64; 2]> = (0..60).map(f64::from).map(|y| [0.01 * y * y, y]).collect();
     assert!(matches!(read_rail(&swapped), Err(FileError::Axes { line: 1, .. })));
-    let mut looped = points.clone();
-    looped[150] = [-36.0, 25.0];
-    let down = Wanted { down: Some(true), ..wanted(Role::Rail) };
-    let found = read("r.txt", columns(&looped).as_bytes(), &down);
-    assert!(matches!(found, Err(FileError::TurnsBack { line: 150, .. })), "{found:?}");
     let round: Vec<[f64; 2]> = (0..200)
         .map(|i| f64::from(i) * 0.05)
         .map(|a: f64| [8.0 * a - 20.0 * a.sin(), 14.0 * a.cos()])

@@ -1,6 +1,6 @@
 //! `MiniProf`: `Key=Value` lines or an older heading, an empty line, then columns, in mm.
 
-use super::rows::{Point, Raw, last_line, lines, numbers};
+use super::rows::{Point, Raw, last_line, lines, numbers, uncommented};
 use super::{Action, FileError};
 use crate::Role;
 
@@ -58,7 +58,7 @@ fn points<'a>(
             skipped += usize::from(row.starts_with('"'));
             continue;
         }
-        let row = numbers(line, row)?;
+        let row = numbers(line, uncommented(row, &['"', '!', '%']))?;
         let [Some(y), Some(z)] = columns.map(|column| row.get(column).copied()) else {
             let wanted = columns.into_iter().max().unwrap_or(0) + 1;
             return Err(FileError::Columns { line, found: row.len(), wanted });

@@ -14,12 +14,13 @@ const UNITS: [(f64, std::ops::RangeInclusive<f64>); 3] =
 /// Points that a profile may have.
 const POINTS: std::ops::RangeInclusive<usize> = 3..=20_000;
 
+/// The points in the house's form, and the length of their unit (m).
 pub(super) fn turned(
     raw: Raw,
     role: Role,
     wanted: &Wanted,
     actions: &mut Vec<Action>,
-) -> Result<Vec<Point>, FileError> {
+) -> Result<(Vec<Point>, f64), FileError> {
     let mut points = raw.points;
     let (first, last) = (line(points.first()), line(points.last()));
     if !POINTS.contains(&points.len()) {
@@ -44,7 +45,7 @@ pub(super) fn turned(
         points.reverse();
         actions.push(Action::Reversed);
     }
-    Ok(points)
+    Ok((points, unit))
 }
 
 fn line(point: Option<&Point>) -> usize {
@@ -58,17 +59,26 @@ fn unit(
     line: usize,
     actions: &mut Vec<Action>,
 ) -> Result<f64, FileError> {
-    let length: f64 = points.windows(2).map(|pair| distance(&pair[0], &pair[1])).sum();
+    let length = length(points);
     let unit = known.unwrap_or_else(|| {
         let found = UNITS.iter().find(|(_, lengths)| lengths.contains(&length));
         let metres = found.map_or(1.0, |&(unit, _)| unit);
         actions.push(Action::UnitFound { metres });
         metres
     });
-    if SANE.contains(&(unit * length)) {
-        return Ok(unit);
+    check_length(unit * length, unit, line).map(|()| unit)
+}
+
+/// The length of a profile (m) must be sane.
+pub(super) fn check_length(length: f64, unit: f64, line: usize) -> Result<(), FileError> {
+    if SANE.contains(&length) {
+        return Ok(());
     }
-    Err(FileError::Length { line, length: unit * length, unit })
+    Err(FileError::Length { line, length, unit })
+}
+
+pub(super) fn length(points: &[Point]) -> f64 {
+    points.windows(2).map(|pair| distance(&pair[0], &pair[1])).sum()
 }
 
 pub(super) fn distance(a: &Point, b: &Point) -> f64 {
@@ -82,14 +92,13 @@ fn extent(points: &[Point], axis: usize) -> [f64; 2] {
         .fold(start, |[low, high], point| [low.min(point.at[axis]), high.max(point.at[axis])])
 }
 
-/// Whether `z` points down. The running surface is wide and level; what departs from it far is
-/// the sides of a rail or the flange of a wheel, and both go down.
+/// Whether `z` points down. The running surface is wide and level; what departs from it far and
+/// has some width is the corners of a rail or the flange of a wheel, and both go down.
 fn down(points: &[Point], known: Option<bool>) -> Result<bool, FileError> {
     if let Some(known) = known {
         return Ok(known);
     }
-    let [low, high] = extent(points, 1);
-    let level = level(points);
+    let [low, level, high] = [0.03, 0.5, 0.97].map(|part| level(points, part));
     let (above, below) = (level - low, high - level);
     if below > 1.5 * above {
         return Ok(true);
@@ -100,20 +109,20 @@ fn down(points: &[Point], known: Option<bool>) -> Result<bool, FileError> {
     Err(FileError::Ask { what: "whether z points up or down" })
 }
 
-/// The median of `z`, each stretch counted by its width.
-fn level(points: &[Point]) -> f64 {
+/// The `z` below which a part of the profile lies, each stretch counted by its width.
+fn level(points: &[Point], part: f64) -> f64 {
     let mut stretches: Vec<(f64, f64)> = points
         .windows(2)
-        .map(|pair| (0.5 * (pair[0].at[1] + pair[1].at[1]), (pair[1].at[0] - pair[0].at[0]).abs()))
+        .map(|pair| (pair[0].at[1].midpoint(pair[1].at[1]), (pair[1].at[0] - pair[0].at[0]).abs()))
         .collect();
     stretches.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let half = 0.5 * stretches.iter().map(|stretch| stretch.1).sum::<f64>();
+    let wanted = part * stretches.iter().map(|stretch| stretch.1).sum::<f64>();
     let mut passed = 0.0;
-    let middle = stretches.iter().find(|stretch| {
+    let found = stretches.iter().find(|stretch| {
         passed += stretch.1;
-        passed >= half
+        passed >= wanted
     });
-    middle.map_or(0.0, |stretch| stretch.0)
+    found.map_or(0.0, |stretch| stretch.0)
 }
 
 /// Whether `y` grows to the field side: a wheel shows by its flange where the track is; a rail
@@ -139,7 +148,7 @@ fn to_field_side(
     let tip = tip.map_or([0.0; 2], |point| point.at);
     let [inner, outer] = extent(points, 0);
     let part = (tip[0] - inner) / (outer - inner);
-    let flange = tip[1] - level(points) > 0.010;
+    let flange = tip[1] - level(points, 0.5) > 0.010;
     match convention {
         _ if flange && part < 0.4 => Ok(true),
         _ if flange && part > 0.6 => Ok(false),

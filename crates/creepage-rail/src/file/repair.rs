@@ -28,12 +28,8 @@ pub(super) fn repaired(
 ) -> Result<Vec<Point>, FileError> {
     without_repeated(&mut points, actions);
     without_zig_zags(&mut points, actions);
+    without_turns_back(&mut points, actions)?;
     without_repeated(&mut points, actions);
-    let back =
-        (1..points.len().saturating_sub(1)).find(|&i| turn_at(&points, i).abs() > LARGEST_TURN);
-    if let Some((index, point)) = back.and_then(|i| Some((i, points.get(i)?))) {
-        return Err(FileError::TurnsBack { line: point.line, turn: turn_at(&points, index) });
-    }
     match crossing(&points) {
         Some((line, other)) => Err(FileError::Crosses { line, other }),
         None if points.len() < 3 => {
@@ -71,6 +67,42 @@ fn without_zig_zags(points: &mut Vec<Point>, actions: &mut Vec<Action>) {
             actions.push(Action::ZigZag { line: first.line });
         }
     }
+}
+
+/// Scans go back here and there: of the points about a turn back the one without which the rest
+/// turns least is dropped, as long as that closes no more than a short gap.
+fn without_turns_back(points: &mut Vec<Point>, actions: &mut Vec<Action>) -> Result<(), FileError> {
+    let most = 10 + points.len() / 50;
+    for _ in 0..=most {
+        let inner = 1..points.len().saturating_sub(1);
+        let Some(index) = inner.clone().find(|&i| turn_at(points, i).abs() > LARGEST_TURN) else {
+            return Ok(());
+        };
+        let near = |i: &usize| inner.contains(i) && reach(points, *i) < REACH;
+        let dropped = (index.saturating_sub(1)..=index + 1).filter(near);
+        let sharpest = |i: usize| sharpest_without(points, i);
+        let dropped = dropped.min_by(|&i, &j| sharpest(i).total_cmp(&sharpest(j)));
+        let Some((i, point)) = dropped.and_then(|i| Some((i, *points.get(i)?))) else { break };
+        actions.push(Action::TurnedBack { line: point.line });
+        points.remove(i);
+    }
+    let back = (1..points.len()).find(|&i| turn_at(points, i).abs() > LARGEST_TURN).unwrap_or(0);
+    let line = points.get(back).map_or(1, |point| point.line);
+    Err(FileError::TurnsBack { line, turn: turn_at(points, back) })
+}
+
+/// Distance between the neighbours of a point.
+fn reach(points: &[Point], index: usize) -> f64 {
+    let neighbours = points.get(index.wrapping_sub(1)).zip(points.get(index + 1));
+    neighbours.map_or(f64::INFINITY, |(a, b)| distance(a, b))
+}
+
+/// The sharpest turn about a point when it is left out.
+fn sharpest_without(points: &[Point], index: usize) -> f64 {
+    let start = index.saturating_sub(3);
+    let around = points.iter().enumerate().skip(start).take(7);
+    let left: Vec<Point> = around.filter(|(i, _)| *i != index).map(|(_, point)| *point).collect();
+    (0..left.len()).map(|i| turn_at(&left, i).abs()).fold(0.0, f64::max)
 }
 
 /// Turn at an inner point (rad).

@@ -49,6 +49,11 @@ pub enum Action {
         /// Line of the first.
         line: usize,
     },
+    /// A point at which a scan went back was dropped.
+    TurnedBack {
+        /// Line.
+        line: usize,
+    },
     /// A true corner, kept.
     Corner {
         /// Line.
@@ -95,6 +100,9 @@ impl fmt::Display for Action {
             Self::Repeated { line } => write!(formatter, "line {line}: repeated point dropped"),
             Self::ZigZag { line } => {
                 write!(formatter, "line {line}: zig-zag of two points, replaced by their mean")
+            }
+            Self::TurnedBack { line } => {
+                write!(formatter, "line {line}: the scan goes back, point dropped")
             }
             Self::Corner { line, turn } => {
                 write!(formatter, "line {line}: corner of {:.1} degrees kept", turn.to_degrees())
