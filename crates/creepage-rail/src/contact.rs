@@ -7,7 +7,7 @@ use crate::search::least;
 use crate::{GeometryError, Side};
 
 /// Points at which an overlap is weighed.
-const POINTS: usize = 128;
+const POINTS: usize = 64;
 
 /// A place of contact in the plane through its reference point, tilted by its angle.
 ///
@@ -68,7 +68,7 @@ impl<'a> Contact<'a> {
             return Err(GeometryError::End { side, y: side.sense() * y });
         }
         let Some([x, y, angle]) = centre(&pair, overlap) else { return Ok(None) };
-        let Some((rail_s, point)) = pair.rail.at_y(y, 1e-14) else { return Ok(None) };
+        let Some((rail_s, point)) = pair.rail.at_y(y) else { return Ok(None) };
         let frame = Frame::new(x, point, rail_s, angle);
         let mut contact = Self {
             side,

@@ -10,6 +10,7 @@ mod smoothing;
 mod spline;
 
 pub use cubic::Cubic;
+pub(crate) use cubic::hermite;
 pub use graph::Graph;
 pub use piece::{Arc, Line, Piece};
 pub use smoothing::smooth;

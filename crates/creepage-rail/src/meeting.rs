@@ -5,9 +5,11 @@ use crate::search::threshold;
 use crate::track::Rail;
 use crate::wheel::{Outline, Posed};
 
-/// Rounding of a gap, and how well gaps at stations are known (m).
+/// Rounding of a gap, how well gaps at stations are known, and how far they may fall between
+/// two stations (m).
 const ROUNDING: f64 = 1e-13;
 const SLOPPY: f64 = 1e-8;
+const BETWEEN: f64 = 2e-5;
 
 /// A point of the outline and the rail's point below it.
 #[derive(Debug, Clone, Copy)]
@@ -51,87 +53,97 @@ impl std::fmt::Debug for Pair<'_> {
     }
 }
 
+/// The gap at a station of the wheel, to nanometres.
+#[derive(Debug, Clone, Copy)]
+struct Clearance {
+    s: f64,
+    y: f64,
+    gap: f64,
+}
+
 impl Pair<'_> {
     pub(crate) fn meeting(&self, s: f64) -> Option<Meeting> {
         let outline = self.posed.outline(s)?;
-        let (rail_s, rail) = self.rail.at_y(outline.y, 1e-14)?;
+        let (rail_s, rail) = self.rail.at_y(outline.y)?;
         Some(Meeting { outline, rail_s, rail })
     }
 
-    /// Meetings at all stations, to a nanometre across.
-    fn meetings(&self) -> Vec<Option<Meeting>> {
+    fn gaps(&self) -> Vec<Option<Clearance>> {
         let [low, high] = self.rail.range();
-        let near = |outline: &Outline| outline.y >= low && outline.y <= high;
         let stations = self.posed.wheel.stations().iter();
         stations
             .map(|&(s, point)| {
-                let outline = self.posed.outline_at(s, point).filter(near)?;
-                let (rail_s, rail) = self.rail.at_y(outline.y, 0.1 * SLOPPY)?;
-                Some(Meeting { outline, rail_s, rail })
+                let outline = self.posed.outline_at(s, point)?;
+                let near = outline.y >= low && outline.y <= high;
+                let rail = near.then(|| self.rail.height(outline.y))??;
+                Some(Clearance { s, y: outline.y, gap: rail - outline.z })
             })
             .collect()
     }
 
     /// Where the gap is least of all, unless that is where a profile ends.
     pub(crate) fn lowest(&self) -> Option<Meeting> {
-        let meetings = self.meetings();
-        let bound = meetings.iter().flatten().map(Meeting::gap).fold(f64::INFINITY, f64::min);
-        let refined = least(&meetings).map(|[a, b, c]| self.refined(a, b, c));
-        refined.min_by(|a, b| a.gap().total_cmp(&b.gap())).filter(|m| m.gap() <= bound + SLOPPY)
+        let gaps = self.gaps();
+        let bound = gaps.iter().flatten().map(|place| place.gap).fold(f64::INFINITY, f64::min);
+        let low = least(&gaps).filter(|[_, place, _]| place.gap < bound + BETWEEN);
+        let refined = low.filter_map(|three| self.refined(three));
+        let lowest = refined.min_by(|a, b| a.gap().total_cmp(&b.gap()));
+        lowest.filter(|meeting| meeting.gap() <= bound + SLOPPY)
     }
 
     /// The least gap between two neighbours of a station: there its slope changes sign.
-    fn refined(&self, before: Meeting, station: Meeting, after: Meeting) -> Meeting {
-        // The station itself was met to a nanometre only.
-        let station = self.meeting(station.outline.s).unwrap_or(station);
+    fn refined(&self, [before, station, after]: [Clearance; 3]) -> Option<Meeting> {
+        let station = self.meeting(station.s)?;
         // Along the wheel's profile `y` falls.
         let falls = |s: f64| self.meeting(s).is_some_and(|meeting| meeting.slope() > 0.0);
-        let [s, _] = threshold([before.outline.s, after.outline.s], falls);
-        let found = self.meeting(s).unwrap_or(station);
+        let [s, _] = threshold([before.s, after.s], falls);
         // Where the outline folds the slope misleads.
-        if found.gap() <= station.gap() + ROUNDING { found } else { station }
+        let better = |found: &Meeting| found.gap() <= station.gap() + ROUNDING;
+        Some(self.meeting(s).filter(better).unwrap_or(station))
     }
 
     /// Stretches on which the bodies overlap, from the field side.
     pub(crate) fn overlaps(&self) -> Vec<Overlap> {
-        let meetings = self.meetings();
+        let gaps = self.gaps();
         let mut overlaps: Vec<Overlap> = Vec::new();
-        for [before, lowest, after] in least(&meetings) {
-            let lowest = self.refined(before, lowest, after);
-            let known = overlaps.last().is_some_and(|last| lowest.outline.s <= last.to);
-            if lowest.gap() < 0.0 && !known {
-                overlaps.push(self.around(&meetings, lowest));
+        for three in least(&gaps).filter(|[_, place, _]| place.gap < BETWEEN) {
+            let known = overlaps.last().is_some_and(|last| three[1].s <= last.to);
+            let lowest = if known { None } else { self.refined(three) };
+            if let Some(lowest) = lowest.filter(|lowest| lowest.gap() < 0.0) {
+                overlaps.push(self.around(&gaps, lowest));
             }
         }
-        overlaps.extend(cut_off(&meetings, &overlaps));
+        overlaps.extend(cut_off(&gaps, &overlaps));
         overlaps
     }
 
     /// The overlap that holds a place.
-    fn around(&self, meetings: &[Option<Meeting>], inside: Meeting) -> Overlap {
-        let s = inside.outline.s;
-        let here = self.posed.wheel.stations().partition_point(|station| station.0 <= s);
-        let (before, after) = meetings.split_at(here.min(meetings.len()));
+    fn around(&self, gaps: &[Option<Clearance>], inside: Meeting) -> Overlap {
+        let Meeting { outline, .. } = inside;
+        let inside = Clearance { s: outline.s, y: outline.y, gap: inside.gap() };
+        let stations = self.posed.wheel.stations();
+        let here = stations.partition_point(|station| station.0 <= inside.s);
+        let (before, after) = gaps.split_at(here.min(gaps.len()));
         let (from, first) = self.edge(before.iter().rev(), inside);
         let (to, last) = self.edge(after.iter(), inside);
         Overlap { from, to, end: first.or(last) }
     }
 
     /// Walks outwards until the gap opens; the `y` of the last place where it never does.
-    fn edge<'m>(
+    fn edge<'g>(
         &self,
-        walk: impl Iterator<Item = &'m Option<Meeting>>,
-        inside: Meeting,
+        walk: impl Iterator<Item = &'g Option<Clearance>>,
+        inside: Clearance,
     ) -> (f64, Option<f64>) {
         let mut held = inside;
         for next in walk {
             match next {
-                Some(next) if next.gap() < 0.0 => held = *next,
-                Some(next) => return (self.opening(held.outline.s, next.outline.s), None),
+                Some(next) if next.gap < 0.0 => held = *next,
+                Some(next) => return (self.opening(held.s, next.s), None),
                 None => break,
             }
         }
-        (held.outline.s, Some(held.outline.y))
+        (held.s, Some(held.y))
     }
 
     /// Where the gap opens between a place inside and one outside.
@@ -142,17 +154,17 @@ impl Pair<'_> {
 }
 
 /// An overlap that deepens up to the end of a profile and so has no lowest place.
-fn cut_off(meetings: &[Option<Meeting>], overlaps: &[Overlap]) -> Option<Overlap> {
+fn cut_off(gaps: &[Option<Clearance>], overlaps: &[Overlap]) -> Option<Overlap> {
     let known = |s: f64| overlaps.iter().any(|overlap| overlap.from <= s && s <= overlap.to);
-    let outside = |m: &&Meeting| m.gap() < -SLOPPY && !known(m.outline.s);
-    let Meeting { outline, .. } = meetings.iter().flatten().find(outside)?;
-    Some(Overlap { from: outline.s, to: outline.s, end: Some(outline.y) })
+    let outside = |place: &&Clearance| place.gap < -SLOPPY && !known(place.s);
+    let place = gaps.iter().flatten().find(outside)?;
+    Some(Overlap { from: place.s, to: place.s, end: Some(place.y) })
 }
 
 /// Stations lower than their neighbours, with these.
-fn least(meetings: &[Option<Meeting>]) -> impl Iterator<Item = [Meeting; 3]> {
-    meetings.windows(3).filter_map(|three| {
+fn least(gaps: &[Option<Clearance>]) -> impl Iterator<Item = [Clearance; 3]> {
+    gaps.windows(3).filter_map(|three| {
         let [Some(a), Some(b), Some(c)] = *three else { return None };
-        (b.gap() <= a.gap() && b.gap() < c.gap()).then_some([a, b, c])
+        (b.gap <= a.gap && b.gap < c.gap).then_some([a, b, c])
     })
 }

@@ -6,7 +6,7 @@ pub(crate) fn threshold(
     [mut inside, mut outside]: [f64; 2],
     holds: impl Fn(f64) -> bool,
 ) -> [f64; 2] {
-    for _ in 0..48 {
+    for _ in 0..36 {
         let middle = inside.midpoint(outside);
         if holds(middle) {
             inside = middle;

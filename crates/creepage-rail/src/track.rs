@@ -2,7 +2,7 @@
 //!
 //! A side is held as a right-hand one: `y` to the field side. The left side is its mirror image.
 
-use crate::curve::CurvePoint;
+use crate::curve::{CurvePoint, hermite};
 use crate::search::threshold;
 use crate::{GeometryError, Profile, Role};
 
@@ -38,8 +38,24 @@ pub struct Rail {
     profile: Profile,
     rotation: (f64, f64),
     shift: [f64; 2],
-    /// Arc lengths and `y` of the part that a wheel can see from above, `y` rising.
-    visible: Vec<(f64, f64)>,
+    /// The part that a wheel can see from above, `y` rising.
+    visible: Vec<Station>,
+}
+
+/// A station of a rail in its place.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Station {
+    s: f64,
+    y: f64,
+    z: f64,
+    /// `dz/dy`.
+    slope: f64,
+}
+
+impl Station {
+    fn new(s: f64, point: CurvePoint) -> Self {
+        Self { s, y: point.y, z: point.z, slope: point.tangent[1] / point.tangent[0] }
+    }
 }
 
 impl Rail {
@@ -92,25 +108,40 @@ impl Rail {
 
     /// `y` of the visible part (m), from the track side to the field side.
     pub(crate) fn range(&self) -> [f64; 2] {
-        let y = |end: Option<&(f64, f64)>| end.map_or(0.0, |&(_, y)| y);
+        let y = |end: Option<&Station>| end.map_or(0.0, |station| station.y);
         [y(self.visible.first()), y(self.visible.last())]
     }
 
-    /// The visible point at `y`, to a tolerance: its arc length and itself. `None` beyond the
-    /// visible part.
-    pub(crate) fn at_y(&self, y: f64, tolerance: f64) -> Option<(f64, CurvePoint)> {
-        let after = self.visible.partition_point(|&(_, known)| known <= y);
-        let &(mut low, start) = self.visible.get(after.checked_sub(1)?)?;
-        let &(mut high, end) = self.visible.get(after).or_else(|| self.visible.last())?;
-        if y > end || y < start {
-            return None;
+    /// The stations about `y`; none beyond the visible part.
+    fn about(&self, y: f64) -> Option<[&Station; 2]> {
+        let after = self.visible.partition_point(|station| station.y <= y);
+        let low = self.visible.get(after.checked_sub(1)?)?;
+        let high = self.visible.get(after).or_else(|| self.visible.last())?;
+        (y <= high.y).then_some([low, high])
+    }
+
+    /// Height of the visible part at `y`, by cubics between stations: to nanometres but on walls.
+    pub(crate) fn height(&self, y: f64) -> Option<f64> {
+        let [low, high] = self.about(y)?;
+        let width = high.y - low.y;
+        let steep = low.slope.abs().max(high.slope.abs()) > 4.0;
+        if steep || width <= 0.0 {
+            return self.at_y(y).map(|(_, point)| point.z);
         }
-        let mut s =
-            if end > start { low + (high - low) * (y - start) / (end - start) } else { low };
+        let slopes = [width * low.slope, width * high.slope];
+        Some(hermite((y - low.y) / width, [low.z, high.z], slopes))
+    }
+
+    /// The visible point at `y`: its arc length and itself. `None` beyond the visible part.
+    pub(crate) fn at_y(&self, y: f64) -> Option<(f64, CurvePoint)> {
+        let [start, end] = self.about(y)?;
+        let (mut low, mut high) = (start.s, end.s);
+        let part = if end.y > start.y { (y - start.y) / (end.y - start.y) } else { 0.0 };
+        let mut s = low + part * (high - low);
         let mut point = self.at(s);
         for _ in 0..60 {
             let excess = point.y - y;
-            if excess.abs() < tolerance {
+            if excess.abs() < 1e-14 {
                 break;
             }
             if excess > 0.0 {
@@ -119,7 +150,7 @@ impl Rail {
                 low = s;
             }
             let step = s - excess / point.tangent[0];
-            let next = if step > low && step < high { step } else { 0.5 * (low + high) };
+            let next = if step > low && step < high { step } else { low.midpoint(high) };
             if (next - s).abs() < f64::EPSILON * s.abs() {
                 break;
             }
@@ -187,41 +218,27 @@ impl Rail {
     }
 
     /// From the highest station outwards, as long as `y` goes on.
-    fn seen_from_above(&self, stations: &[f64]) -> Vec<(f64, f64)> {
+    fn seen_from_above(&self, stations: &[f64]) -> Vec<Station> {
         let points: Vec<(f64, CurvePoint)> = stations.iter().map(|&s| (s, self.at(s))).collect();
-        let higher = |best: usize, i: usize| {
-            let z = |i: usize| points.get(i).map_or(f64::INFINITY, |p| p.1.z);
-            if z(i) < z(best) { i } else { best }
-        };
-        let top = (0..points.len()).fold(0, higher);
-        let (inner, outer) = points.split_at(top.min(points.len()));
-        let mut bound = f64::INFINITY;
-        let mut seen: Vec<(f64, f64)> = outer
-            .first()
-            .into_iter()
-            .chain(inner.iter().rev())
-            .take_while(|(_, p)| {
-                let goes_on = p.y < bound && p.tangent[0] > 0.0;
-                bound = p.y;
-                goes_on
-            })
-            .map(|(s, p)| (*s, p.y))
-            .collect();
+        let heights = points.iter().map(|(_, point)| point.z).enumerate();
+        let top = heights.min_by(|a, b| a.1.total_cmp(&b.1)).map_or(0, |(index, _)| index);
+        let (inner, outer) = points.split_at(top);
+        let mut seen = onwards(outer.first().into_iter().chain(inner.iter().rev()), -1.0);
         seen.reverse();
-        let mut bound = seen.last().map_or(f64::NEG_INFINITY, |&(_, y)| y);
-        seen.extend(
-            outer
-                .iter()
-                .skip(1)
-                .take_while(|(_, p)| {
-                    let goes_on = p.y > bound && p.tangent[0] > 0.0;
-                    bound = p.y;
-                    goes_on
-                })
-                .map(|(s, p)| (*s, p.y)),
-        );
+        seen.extend(onwards(outer.iter(), 1.0).into_iter().skip(1));
         seen
     }
+}
+
+/// Stations as long as `y` grows in the given sense and the surface looks upwards.
+fn onwards<'a>(walk: impl Iterator<Item = &'a (f64, CurvePoint)>, sense: f64) -> Vec<Station> {
+    let mut reached = f64::NEG_INFINITY;
+    let goes_on = |(_, point): &&(f64, CurvePoint)| {
+        let further = sense * point.y > reached && point.tangent[0] > 0.0;
+        reached = sense * point.y;
+        further
+    };
+    walk.take_while(goes_on).map(|&(s, point)| Station::new(s, point)).collect()
 }
 
 /// Two rails.

@@ -63,7 +63,7 @@ pub(super) fn gauss(f: impl Fn(f64) -> f64) -> f64 {
 }
 
 /// Cubic over 0 to 1 from values and slopes at both ends.
-pub(super) fn hermite(t: f64, [a, b]: [f64; 2], [da, db]: [f64; 2]) -> f64 {
+pub(crate) fn hermite(t: f64, [a, b]: [f64; 2], [da, db]: [f64; 2]) -> f64 {
     let u = 1.0 - t;
     u * u * ((1.0 + 2.0 * t) * a + t * da) + t * t * ((1.0 + 2.0 * u) * b - u * db)
 }
