@@ -38,6 +38,7 @@ mod running;
 mod search;
 mod side;
 mod standard;
+mod surfaces;
 mod track;
 mod wheel;
 

@@ -74,28 +74,39 @@ impl Pair<'_> {
         stations
             .map(|&(s, point)| {
                 let outline = self.posed.outline_at(s, point)?;
-                let near = outline.y >= low && outline.y <= high;
-                let rail = near.then(|| self.rail.height(outline.y))??;
-                Some(Clearance { s, y: outline.y, gap: rail - outline.z })
+                let y = outline.y;
+                if self.rail.beyond_wall(y) {
+                    return Some(Clearance { s, y, gap: f64::INFINITY });
+                }
+                let near = y >= low && y <= high;
+                let rail = near.then(|| self.rail.height(y))??;
+                Some(Clearance { s, y, gap: rail - outline.z })
             })
             .collect()
     }
 
-    /// Where the gap is least of all, unless that is where a profile ends.
-    pub(crate) fn lowest(&self) -> Option<Meeting> {
+    /// Where the gap is least of all.
+    ///
+    /// # Errors
+    /// The `y` of a profile's end where it is least there; `None` where the profiles do not meet.
+    pub(crate) fn lowest(&self) -> Result<Meeting, Option<f64>> {
         let gaps = self.gaps();
-        let bound = gaps.iter().flatten().map(|place| place.gap).fold(f64::INFINITY, f64::min);
-        let low = least(&gaps).filter(|[_, place, _]| place.gap < bound + BETWEEN);
+        let bound = gaps.iter().flatten().min_by(|a, b| a.gap.total_cmp(&b.gap)).ok_or(None)?;
+        let low = least(&gaps).filter(|[_, place, _]| place.gap < bound.gap + BETWEEN);
         let refined = low.filter_map(|three| self.refined(three));
         let lowest = refined.min_by(|a, b| a.gap().total_cmp(&b.gap()));
-        lowest.filter(|meeting| meeting.gap() <= bound + SLOPPY)
+        lowest.filter(|meeting| meeting.gap() <= bound.gap + SLOPPY).ok_or(Some(bound.y))
     }
 
     /// The least gap between two neighbours of a station: there its slope changes sign.
     fn refined(&self, [before, station, after]: [Clearance; 3]) -> Option<Meeting> {
         let station = self.meeting(station.s)?;
         // Along the wheel's profile `y` falls.
-        let falls = |s: f64| self.meeting(s).is_some_and(|meeting| meeting.slope() > 0.0);
+        let field_side = self.rail.range()[1];
+        let falls = |s: f64| match self.meeting(s) {
+            Some(meeting) => meeting.slope() > 0.0,
+            None => self.posed.outline(s).is_some_and(|outline| outline.y > field_side),
+        };
         let [s, _] = threshold([before.s, after.s], falls);
         // Where the outline folds the slope misleads.
         let better = |found: &Meeting| found.gap() <= station.gap() + ROUNDING;

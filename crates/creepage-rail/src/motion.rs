@@ -39,14 +39,14 @@ impl Contact<'_> {
     pub fn creepage(&self, motion: &Motion) -> Option<RollingCreepage> {
         let [x, _, z] = self.reference;
         let y = self.side.sense() * self.reference[1];
-        let [ny, nz] = self.frame.normal();
+        let [ny, nz] = self.surfaces.frame.normal();
         let point = [x, y + self.approach * ny, z + self.approach * nz];
         let motion = motion.on(self.side);
         let [vx, vy, vz] = self.velocity(motion, point);
         let spin = self.turning(motion);
         let sense = self.side.sense();
         let upper = SurfaceMotion {
-            velocity: [vx - motion.speed, sense * self.frame.facing_tangent([vy, vz])],
+            velocity: [vx - motion.speed, sense * self.surfaces.frame.facing_tangent([vy, vz])],
             turn: sense * (ny * spin[1] + nz * spin[2]),
         };
         let lower = SurfaceMotion { velocity: [-motion.speed, 0.0], turn: 0.0 };
@@ -70,14 +70,14 @@ impl Contact<'_> {
 
     /// Angular velocity of the wheelset, on the right-hand image.
     fn turning(&self, motion: Motion) -> [f64; 3] {
-        let [x, y, z] = self.pair.posed.turned([0.0, -motion.pitch_rate, 0.0]);
+        let [x, y, z] = self.surfaces.pair.posed.turned([0.0, -motion.pitch_rate, 0.0]);
         [x, y, z + motion.yaw_rate]
     }
 
     /// Velocity of the wheel's material at a place of the right-hand image.
     fn velocity(&self, motion: Motion, point: [f64; 3]) -> [f64; 3] {
         let [wx, wy, wz] = self.turning(motion);
-        let [x, y, z] = [0, 1, 2].map(|i| point[i] - self.pair.posed.centre[i]);
+        let [x, y, z] = [0, 1, 2].map(|i| point[i] - self.surfaces.pair.posed.centre[i]);
         [motion.speed + wy * z - wz * y, motion.lateral_velocity + wz * x - wx * z, wx * y - wy * x]
     }
 }

@@ -64,11 +64,15 @@ impl Running {
     /// Where one wheel touches when the wheelset comes down at `y` (m), `roll` and `yaw` (rad).
     ///
     /// # Errors
-    /// [`GeometryError::Apart`] where the profiles do not meet, [`GeometryError::Value`].
+    /// [`GeometryError::Apart`] where the profiles do not meet, [`GeometryError::End`] where they
+    /// would meet at the end of one, [`GeometryError::Value`].
     pub fn touch(&self, side: Side, y: f64, roll: f64, yaw: f64) -> Result<Touch, GeometryError> {
         let position = Position { y, z: 0.0, roll, yaw }.check()?;
         let pair = self.pair(side, position);
-        let lowest = pair.lowest().ok_or(GeometryError::Apart { side, y })?;
+        let lowest = pair.lowest().map_err(|end| match end {
+            Some(end) => GeometryError::End { side, y: side.sense() * end },
+            None => GeometryError::Apart { side, y },
+        })?;
         Ok(touch(side, &pair, &lowest))
     }
 

@@ -40,6 +40,8 @@ pub struct Rail {
     shift: [f64; 2],
     /// The part that a wheel can see from above, `y` rising.
     visible: Vec<Station>,
+    /// Whether it ends at walls, on the track side and on the field side.
+    walls: [bool; 2],
 }
 
 /// A station of a rail in its place.
@@ -78,11 +80,12 @@ impl Rail {
             rotation: (cos, sin),
             shift: [0.0; 2],
             visible: vec![],
+            walls: [false; 2],
         };
         let stations = rail.profile.curve().stations(STEP);
         rail.shift[1] = -rail.highest(&stations).z;
         rail.shift[0] = rail.offset(&stations, place)?;
-        rail.visible = rail.seen_from_above(&stations);
+        (rail.visible, rail.walls) = rail.seen_from_above(&stations);
         if rail.visible.len() < 2 {
             return Err(GeometryError::Hidden);
         }
@@ -110,6 +113,12 @@ impl Rail {
     pub(crate) fn range(&self) -> [f64; 2] {
         let y = |end: Option<&Station>| end.map_or(0.0, |station| station.y);
         [y(self.visible.first()), y(self.visible.last())]
+    }
+
+    /// Whether `y` lies beyond a wall: nothing is met there.
+    pub(crate) fn beyond_wall(&self, y: f64) -> bool {
+        let [low, high] = self.range();
+        (self.walls[0] && y < low) || (self.walls[1] && y > high)
     }
 
     /// The stations about `y`; none beyond the visible part.
@@ -217,28 +226,48 @@ impl Rail {
         nearest
     }
 
-    /// From the highest station outwards, as long as `y` goes on.
-    fn seen_from_above(&self, stations: &[f64]) -> Vec<Station> {
+    /// From the highest station outwards, as long as `y` goes on; and on which ends it stops at
+    /// a wall before the profile ends.
+    fn seen_from_above(&self, stations: &[f64]) -> (Vec<Station>, [bool; 2]) {
         let points: Vec<(f64, CurvePoint)> = stations.iter().map(|&s| (s, self.at(s))).collect();
         let heights = points.iter().map(|(_, point)| point.z).enumerate();
         let top = heights.min_by(|a, b| a.1.total_cmp(&b.1)).map_or(0, |(index, _)| index);
         let (inner, outer) = points.split_at(top);
-        let mut seen = onwards(outer.first().into_iter().chain(inner.iter().rev()), -1.0);
+        let (mut seen, inner_wall) =
+            self.onwards(outer.first().into_iter().chain(inner.iter().rev()), -1.0);
+        let (outwards, outer_wall) = self.onwards(outer.iter(), 1.0);
         seen.reverse();
-        seen.extend(onwards(outer.iter(), 1.0).into_iter().skip(1));
-        seen
+        seen.extend(outwards.into_iter().skip(1));
+        (seen, [inner_wall, outer_wall])
     }
-}
 
-/// Stations as long as `y` grows in the given sense and the surface looks upwards.
-fn onwards<'a>(walk: impl Iterator<Item = &'a (f64, CurvePoint)>, sense: f64) -> Vec<Station> {
-    let mut reached = f64::NEG_INFINITY;
-    let goes_on = |(_, point): &&(f64, CurvePoint)| {
-        let further = sense * point.y > reached && point.tangent[0] > 0.0;
-        reached = sense * point.y;
-        further
-    };
-    walk.take_while(goes_on).map(|&(s, point)| Station::new(s, point)).collect()
+    /// Stations as long as `y` grows in the given sense and the surface looks upwards; at a wall
+    /// its foot is the last.
+    fn onwards<'p>(
+        &self,
+        walk: impl Iterator<Item = &'p (f64, CurvePoint)>,
+        sense: f64,
+    ) -> (Vec<Station>, bool) {
+        let mut seen: Vec<Station> = Vec::new();
+        let looks_up = |s: f64| self.at(s).tangent[0] > 1e-6;
+        for &(s, point) in walk {
+            let Some(&last) = seen.last() else {
+                seen.push(Station::new(s, point));
+                continue;
+            };
+            if sense * point.y > sense * last.y && looks_up(s) {
+                seen.push(Station::new(s, point));
+                continue;
+            }
+            let [foot, _] = threshold([last.s, s], looks_up);
+            let point = self.at(foot);
+            if sense * point.y > sense * last.y {
+                seen.push(Station::new(foot, point));
+            }
+            return (seen, true);
+        }
+        (seen, false)
+    }
 }
 
 /// Two rails.

@@ -136,6 +136,8 @@ fn locus_and_rolling_radius_are_those_of_the_surface() {
             let gap = |dx: f64| contact.gap(across.x + dx, across.s).unwrap();
             let (a, b, c) = (gap(-h), gap(0.0), gap(h));
             assert!((b - across.gap).abs() < 1e-13);
+            let row = contact.row(across.s, &[across.x - h, across.x, across.x + h]).unwrap();
+            assert!(row.iter().zip([a, b, c]).all(|(row, gap)| (row - gap).abs() < 1e-13));
             let bend = (a - 2.0 * b + c) / (h * h);
             // The locus: no slope; the difference across is of third order.
             assert!((c - a).abs() / (2.0 * h) < 3e-5 * h / 5e-4, "{y} {across:?}");
