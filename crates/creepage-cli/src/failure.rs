@@ -4,8 +4,8 @@ use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 
 use creepage::InvalidValue;
+use creepage_1967::GalleryError;
 use creepage_case::{CaseError, StaticsError};
-use creepage_gallery::GalleryError;
 use creepage_report::ReportError;
 use creepage_table::{BuildError, FileError};
 use creepage_theories::{ChoiceError, FindError, TheoryError, UnknownTheory};

@@ -4,7 +4,7 @@ use std::io::{self, IsTerminal};
 use std::path::PathBuf;
 
 use clap::builder::{PossibleValue, PossibleValuesParser};
-use creepage_gallery::{File, Item, Made, agreement_text, files, gallery, registry, reproduce};
+use creepage_1967::{File, Item, Made, agreement_text, files, gallery, registry, reproduce};
 use creepage_report::write_all;
 use indicatif::ProgressBar;
 

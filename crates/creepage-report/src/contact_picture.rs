@@ -1,117 +1,190 @@
-//! The picture of one contact, seen from above: what goes where on the sheet.
+//! The picture of one contact, seen from above: areas, tractions and spin pole.
 
+use creepage::Hertz;
 use creepage::rolling::Status;
+use creepage_plot::format::{Scale, fixed, quantity, significant};
+use creepage_plot::theme::RED;
+use creepage_plot::{
+    Arrows, Cell, Fill, Label, Mark, Panel, Pen, Point, Sample, Shape, Table, TopView, ellipse,
+};
 
-use crate::caption;
-use crate::contact_view::View;
-use crate::legend;
-use crate::report::Report;
-use crate::scene::{Point, Scene};
-use crate::sheet::{Area, MARGIN, WIDTH};
+use crate::report::{Report, disc_to_theory};
+use crate::text::status_words;
 
-/// Contacts longer than this, along over across, have the legend below instead of beside.
-const WIDE: f64 = 1.7;
-/// Ratio of axes up to which the ellipse is drawn to scale; beyond, its short axis is widened
-/// so that areas and arrows stay readable, and the picture says so.
-const LARGEST_RATIO: f64 = 6.0;
-/// Room around the ellipse for axes, rolling direction and scale.
-const ROOM: f64 = 66.0;
+/// Tractions below this share of their bound are rounding errors, and not drawn.
+const NOISE: f64 = 1e-9;
+/// Longer names of theories are cut: the sheet has an edge.
+const LONGEST_NAME: usize = 40;
+/// Where rigid bodies do not slip; where a load acts.
+pub(crate) const TARGET: Mark = Mark { size: 7.0, ..Mark::open(Shape::Target, RED) };
 
 impl Report<'_> {
     /// The contact seen from above, as SVG.
     #[must_use]
     pub fn contact_svg(&self) -> String {
-        let layout = Layout::of(self);
-        let view = View::new(self, layout.centre, layout.semi_axes);
-        let mut scene = Scene::new();
-        caption::title(&mut scene, self);
-        view.draw(&mut scene, self, layout.plot);
-        legend::key(&mut scene, layout.key, self, &view);
-        legend::orientation(&mut scene, layout.orientation, view.plane());
-        caption::table(&mut scene, layout.table, self);
-        let description = format!("Rolling contact, theory {}", self.answer.theory_name);
-        scene.finish([WIDTH, layout.table + caption::TABLE_HEIGHT], &description)
+        self.top_view().svg(&format!("Rolling contact, theory {}", self.answer.theory_name))
+    }
+
+    fn top_view(&self) -> TopView {
+        let name: String = self.answer.theory_name.chars().take(LONGEST_NAME).collect();
+        let ellipse = self.contact.ellipse();
+        let title = "Adhesion, slip and traction in rolling contact";
+        let mut view = TopView::new(title, [ellipse.a(), ellipse.b()])
+            .aside(&format!("theory: {name}"))
+            .note(setting(self.contact, self.friction))
+            .rolling();
+        let status = self.answer.solution.status;
+        if status != Status::Solved {
+            view = view.banner(status_words(status));
+        }
+        let arrows = view.arrows(self.tractions(&view.lattice()));
+        let mut figure = arrows.draw(TopView::panel());
+        if let Some(pole) = self.spin_pole() {
+            figure = figure.marks(vec![pole], TARGET);
+        }
+        let view = self.key(view.ground(self.areas_panel()).figure(figure), &arrows);
+        view.table(self.table())
+    }
+
+    fn areas_panel(&self) -> Panel {
+        let (edge, adhesion) = ([ellipse([1.0, 1.0])], &self.adhesion.polygons);
+        let mut panel = TopView::panel().area(edge.to_vec(), Fill::SLIP);
+        if !adhesion.is_empty() {
+            panel = panel.area(adhesion.clone(), Fill::ADHESION);
+        }
+        panel.outlines(adhesion, Pen::OUTLINE.wide(1.2)).outlines(&edge, Pen::OUTLINE.wide(2.0))
+    }
+
+    /// The tractions at places `(x/a, y/b)`; nothing where there is no traction.
+    fn tractions(&self, places: &[Point]) -> Vec<(Point, [f64; 2])> {
+        let unit = disc_to_theory(self.contact);
+        let positions: Vec<_> = places.iter().map(|p| [p[0] * unit[0], p[1] * unit[1]]).collect();
+        let field = self.answer.theory.field(self.answer.creepage, &positions);
+        let mut tractions: Vec<_> =
+            places.iter().copied().zip(field.iter().map(|point| point.traction)).collect();
+        tractions.retain(|(_, traction)| traction.iter().all(|component| component.is_finite()));
+        if tractions.iter().all(|(_, [x, y])| x.hypot(*y) < NOISE) {
+            tractions.clear();
+        }
+        tractions
+    }
+
+    /// The zero of the rigid slip, `(-eta, xi)/chi` in units of `c`, as `(x/a, y/b)`; none where it
+    /// lies outside the contact.
+    fn spin_pole(&self) -> Option<Point> {
+        let (creepage, unit) = (self.answer.creepage, disc_to_theory(self.contact));
+        let pole = [-creepage.eta / creepage.chi / unit[0], creepage.xi / creepage.chi / unit[1]];
+        (pole[0].hypot(pole[1]) < 1.0).then_some(pole)
+    }
+
+    fn key(&self, view: TopView, arrows: &Arrows) -> TopView {
+        let share = self.adhesion_share();
+        let area = |name: &str, share: f64| {
+            Label::new(&format!("{name}, {} % of area", fixed(100.0 * share, 1)))
+        };
+        let view = view
+            .key(Fill::ADHESION, area("adhesion", share))
+            .key(Fill::SLIP, area("slip", 1.0 - share));
+        let view = match arrows.sample(self.scaling.traction) {
+            Some((sample, traction)) => view
+                .key(sample, Label::default().number(&quantity(traction, "Pa", 3)))
+                .key(Sample::Blank, Label::new("traction on the lower body")),
+            None => view.key(Sample::Blank, Label::new("no traction")),
+        };
+        match self.spin_pole() {
+            Some(_) => view.key(TARGET, Label::new("spin pole: no rigid slip")),
+            None => view,
+        }
+    }
+
+    /// Creepages and forces, in SI units and dimensionless.
+    fn table(&self) -> Table {
+        let row = |name: Label, cells: [Label; 3]| {
+            [Cell::Name(name)].into_iter().chain(cells.map(Cell::Number)).collect()
+        };
+        let heads = ["", "longitudinal", "lateral", "spin"];
+        let [creepage, xi] = self.creepages();
+        let [force, shares] = self.forces();
+        let units = Label::new("in units of ").symbol("μN").plain(", ").symbol("μNc");
+        Table::new(&[0.0, 182.0, 424.0, 670.0])
+            .row(14.0, heads.map(|head| Cell::Name(Label::new(head))).to_vec())
+            .row(30.0, row(Label::new("creepage"), creepage))
+            .row(24.0, row(Label::new("dimensionless"), xi))
+            .row(34.0, row(Label::new("force on the lower body"), force))
+            .row(24.0, row(units, shares))
+    }
+
+    /// The SI row and the dimensionless row.
+    fn creepages(&self) -> [[Label; 3]; 2] {
+        let creepage = self.answer.creepage;
+        let si = self.scaling.si_creepage(creepage);
+        let is = |label: Label, value: f64| label.plain(" = ").number(&significant(value, 4));
+        let symbol = |symbol: &str| Label::default().symbol(symbol);
+        let indexed = |index: &str| Label::default().indexed("υ", index);
+        [
+            [
+                is(indexed("x"), si.longitudinal),
+                is(indexed("y"), si.lateral),
+                is(symbol("φ"), si.spin).plain(" rad/m"),
+            ],
+            [
+                is(symbol("ξ"), creepage.xi),
+                is(symbol("η"), creepage.eta),
+                is(symbol("χ"), creepage.chi),
+            ],
+        ]
+    }
+
+    /// The SI row and the dimensionless row.
+    fn forces(&self) -> [[Label; 3]; 2] {
+        let (force, scaling) = (self.answer.solution.force, &self.scaling);
+        let si = scaling.si_force(force);
+        let newton = Scale::of(scaling.force, "N", 4);
+        let newton_metre = Scale::of(scaling.force * scaling.length, "N m", 4);
+        let is = |symbol: &str, index: &str, value: String| {
+            Label::default().indexed(symbol, index).plain(" = ").number(&value)
+        };
+        [
+            [
+                is("F", "x", newton.write(si.longitudinal)),
+                is("F", "y", newton.write(si.lateral)),
+                is("M", "z", newton_metre.write(si.moment)),
+            ],
+            [
+                is("f", "x", fixed(force.fx, 4)),
+                is("f", "y", fixed(force.fy, 4)),
+                is("m", "z", fixed(force.mz, 4)),
+            ],
+        ]
     }
 }
 
-/// What goes where on a sheet with one ellipse, a legend, and a table at the foot.
-pub(crate) struct Layout {
-    pub(crate) centre: Point,
-    pub(crate) semi_axes: [f64; 2],
-    pub(crate) plot: Area,
-    pub(crate) key: Point,
-    pub(crate) orientation: Point,
-    pub(crate) table: f64,
-}
-
-impl Layout {
-    fn of(report: &Report) -> Self {
-        let solved = report.answer.solution.status == Status::Solved;
-        let top = if solved { caption::TITLE_HEIGHT } else { caption::BANNER_BOTTOM };
-        Self::new(report.contact.ellipse().ratio(), top, legend::key_height(report))
-    }
-
-    /// For an ellipse of ratio `a_over_b`, below `top`, with a key of that height.
-    pub(crate) fn new(a_over_b: f64, top: f64, key_height: f64) -> Self {
-        let ratio = a_over_b.clamp(1.0 / LARGEST_RATIO, LARGEST_RATIO);
-        if ratio > WIDE {
-            Self::wide(ratio, top, key_height)
-        } else {
-            Self::beside(ratio, top, key_height)
-        }
-    }
-
-    /// Ellipse on the left, legend on the right.
-    fn beside(ratio: f64, top: f64, key_height: f64) -> Self {
-        let tallest = 210.0 + 60.0 * (1.0 - ratio).max(0.0);
-        let semi_x = f64::min(250.0, tallest * ratio);
-        let legend_height = key_height + legend::GAP + legend::ORIENTATION_HEIGHT;
-        let height = (2.0 * (semi_x / ratio + ROOM)).max(legend_height);
-        let plot = Area { from: [MARGIN, top], to: [700.0, top + height] };
-        let legend = plot.to[0] + 20.0;
-        let middle = f64::midpoint(plot.from[1], plot.to[1]);
-        let key = middle - 0.5 * legend_height;
-        Self {
-            centre: [f64::midpoint(plot.from[0], plot.to[0]), middle],
-            semi_axes: [semi_x, semi_x / ratio],
-            plot,
-            key: [legend, key],
-            orientation: [legend, key + key_height + legend::GAP],
-            table: plot.to[1] + 8.0,
-        }
-    }
-
-    /// Ellipse on top, legend below.
-    fn wide(ratio: f64, top: f64, key_height: f64) -> Self {
-        let semi_x = f64::min(370.0, 190.0 * ratio);
-        let height = 2.0 * (semi_x / ratio + ROOM);
-        let plot = Area { from: [MARGIN, top], to: [WIDTH - MARGIN, top + height] };
-        let legend = plot.to[1] + legend::GAP;
-        Self {
-            centre: [f64::midpoint(plot.from[0], plot.to[0]), top + 0.5 * height],
-            semi_axes: [semi_x, semi_x / ratio],
-            plot,
-            key: [MARGIN + 60.0, legend],
-            orientation: [0.5 * WIDTH + 60.0, legend],
-            table: legend + key_height.max(legend::ORIENTATION_HEIGHT) + 8.0,
-        }
-    }
+/// Load, friction, semi-axes and pressure, below a title.
+pub(crate) fn setting(contact: &Hertz, friction: f64) -> Label {
+    let ellipse = contact.ellipse();
+    let gap = "\u{2003}";
+    let is = |label: Label, value: &str| label.plain(" = ").number(value);
+    let label = is(Label::default().symbol("N"), &quantity(contact.normal_force(), "N", 4));
+    let label = is(label.plain(gap).symbol("μ"), &significant(friction, 4));
+    let label = is(label.plain(gap).symbol("a"), &quantity(ellipse.a(), "m", 4));
+    let label = is(label.plain(gap).symbol("b"), &quantity(ellipse.b(), "m", 4));
+    let label = label.plain(gap).plain("peak pressure ");
+    label.number(&quantity(contact.peak_pressure(), "Pa", 4))
 }
 
 #[cfg(test)]
 mod tests {
     use creepage::rolling::Creepage;
+    use creepage_plot::png;
     use resvg::tiny_skia::{Pixmap, PremultipliedColorU8};
 
     use super::*;
-    use crate::raster;
-    use crate::sheet::RED;
-    use crate::testing::{CURVE, Free, Sliding, check_sheet, contact, report, sliding, sticking};
+    use crate::testing::{CURVE, Free, Sliding, check_view, contact, report, sliding, sticking};
 
     const RATIOS: [f64; 9] = [1e-4, 0.05, 0.3, 1.0, 1.5, 1.9, 6.0, 20.0, 1e4];
 
     fn check(report: &Report) {
-        check_sheet(&report.contact_svg(), &Layout::of(report));
+        check_view(&report.contact_svg(), report.top_view().on_the_sheet());
     }
 
     #[test]
@@ -144,11 +217,11 @@ mod tests {
         };
         assert_eq!(red(CURVE), 2); // in the contact and in the key
         assert_eq!(red(Creepage { xi: 2.0, ..CURVE }), 0);
-        let svg = report(&contact, &theory, CURVE).contact_svg();
-        let Layout { centre, semi_axes, .. } = Layout::of(&report(&contact, &theory, CURVE));
+        let report = report(&contact, &theory, CURVE);
+        let (svg, [centre, semi_axes]) = (report.contact_svg(), report.top_view().on_the_sheet());
         // (-eta, xi)/chi, y downwards.
         let [x, y] = [0, 1].map(|i| centre[i] + semi_axes[i] * 0.1 / 1.5);
-        let number = |value: f64| crate::format::significant((value * 100.0).round() / 100.0, 9);
+        let number = |value: f64| significant((value * 100.0).round() / 100.0, 9);
         let mark = format!("<ellipse cx=\"{}\" cy=\"{}\" rx=\"7\"", number(x), number(y));
         assert!(svg.contains(&mark), "{mark}");
     }
@@ -170,9 +243,9 @@ mod tests {
     fn the_pixels_show_both_areas_apart_in_grey() {
         let (contact, theory) = (contact(1.5), sticking(1.5));
         let report = report(&contact, &theory, CURVE);
-        let pixels = Pixmap::decode_png(&raster::png(&report.contact_svg()).unwrap()).unwrap();
+        let pixels = Pixmap::decode_png(&png(&report.contact_svg()).unwrap()).unwrap();
         assert_eq!(pixels.width(), 2000);
-        let Layout { centre, semi_axes, .. } = Layout::of(&report);
+        let [centre, semi_axes] = report.top_view().on_the_sheet();
         let at = |disc: Point| [0, 1].map(|i| centre[i] + semi_axes[i] * disc[i]);
         let slip = tone(&pixels, at([-0.57, 0.48]));
         let adhesion = tone(&pixels, at([0.53, 0.23]));

@@ -1,66 +1,100 @@
-//! The picture of creep-force curves: what goes where on the sheet.
+//! The picture of creep-force curves: a panel for each component of the force.
 
 use std::f64::consts::PI;
 
-use creepage::rolling::Force;
+use creepage::rolling::{Force, Status};
+use creepage_plot::format::{Scale, floor_log10, significant};
+use creepage_plot::theme::DARK;
+use creepage_plot::{Axis, Label, Panel, Pen, Point, Sheet};
 
-use crate::axis::Axis;
-use crate::caption;
-use crate::curve_legend;
-use crate::curve_panel::Panel;
-use crate::curves::{Component, Curves};
-use crate::format::significant;
-use crate::label::Label;
-use crate::scene::{Scene, Type};
-use crate::sheet::{Area, DARK, GREY, MARGIN, WIDTH};
+use crate::contact_picture::setting;
+use crate::curves::{Component, Curve, Curves};
 
-/// Where the curves start and end.
-const SIDES: [f64; 2] = [112.0, 888.0];
-/// Where the legend starts.
-const LEGEND: f64 = 138.0;
-/// From the legend to the first frame: its heading and the upper axis.
-const ABOVE: f64 = 62.0;
-/// Between two frames: the lower one's heading.
-const BETWEEN: f64 = 48.0;
-/// Below the last frame: the lower axis.
-const BELOW: f64 = 84.0;
 /// A component that stays below this, in parts of its unit, has no panel.
 const NEGLIGIBLE: f64 = 0.01;
+/// White above and below the curves, in parts of their range.
+const AIR: f64 = 0.06;
+/// Width of a line that is not to be trusted.
+const THIN: f64 = 0.9;
+/// Longer names of theories are cut.
+const LONGEST_NAME: usize = 21;
+
+/// One component of the force over the range.
+#[derive(Debug, Clone, Copy)]
+struct Shown {
+    words: &'static str,
+    /// Dimensionless, and with its dimension.
+    symbols: [&'static str; 2],
+    index: &'static str,
+    /// Symbol of the unit, its SI value, and the SI unit of that.
+    unit: (&'static str, f64, &'static str),
+    /// Friction allows no more: theories that do not know are cut off.
+    limit: f64,
+    of: fn(Force) -> f64,
+}
 
 impl Curves<'_> {
     /// The curves as SVG: a panel for each component of the force that is not negligible.
     #[must_use]
     pub fn svg(&self) -> String {
-        let mut scene = Scene::new();
-        let title = Label::new("Creep-force curves");
-        scene.text([MARGIN, 54.0], Type::new(25.0, DARK).bold(), &title);
-        let small = Type::new(15.5, GREY);
-        scene.text([MARGIN, 82.0], small, &caption::contact(self.contact, self.friction));
-        scene.text([MARGIN, 106.0], small, &self.held());
-        let legend_height = curve_legend::draw(&mut scene, [MARGIN, LEGEND], self);
-        let panels = self.panels();
-        let height = [420.0, 300.0, 230.0][panels.len().clamp(1, 3) - 1];
-        let x = Axis::new(self.values.first().copied().unwrap_or(0.0), self.last_value());
-        let mut top = LEGEND + legend_height + ABOVE;
-        for (k, panel) in panels.iter().enumerate() {
-            let frame = Area { from: [SIDES[0], top], to: [SIDES[1], top + height] };
-            let heading = top - if k == 0 { 36.0 } else { 14.0 };
-            panel.draw(&mut scene, frame, heading, x, self);
-            if k == 0 {
-                self.upper_axis(&mut scene, frame, heading, x);
-            }
-            if k + 1 == panels.len() {
-                self.lower_axis(&mut scene, frame, x);
-            }
-            top += height + BETWEEN;
+        let shown = self.shown();
+        let height = [420.0, 300.0, 230.0][shown.len().clamp(1, 3) - 1];
+        let mut sheet = Sheet::new("Creep-force curves")
+            .width(1000.0)
+            .note(setting(self.contact, self.friction))
+            .note(self.held());
+        for (k, one) in shown.iter().enumerate() {
+            let panel = self.panel(one, k + 1 == shown.len()).height(height);
+            sheet = sheet.panel(if k == 0 { panel.top(self.si_axis()) } else { panel });
         }
-        let names: Vec<_> = self.lines.iter().map(|curve| &curve.theory[..]).collect();
-        let description = format!("Creep-force curves: {}", names.join(", "));
-        scene.finish([WIDTH, top - BETWEEN + BELOW], &description)
+        self.keyed(sheet).svg()
     }
 
-    fn last_value(&self) -> f64 {
-        self.values.last().copied().unwrap_or(1.0)
+    /// One component with its curves and its axes.
+    fn panel(&self, shown: &Shown, is_last: bool) -> Panel {
+        let x = Axis::new(self.range(), self.x_label());
+        let x = if is_last { x } else { x.shared() };
+        let range = shown.range(self);
+        let mut panel = Panel::new(x, Axis::new(range, shown.label())).right(shown.si_axis(range));
+        let case = self.vary.of(self.case);
+        if self.reach(case) {
+            panel = panel.curve(range.map(|y| [case, y]).to_vec(), Pen::GUIDE);
+        }
+        for (k, curve) in self.lines.iter().enumerate() {
+            let solutions = self.values.iter().zip(&curve.solutions);
+            let points = solutions.map(|(x, solution)| {
+                ([*x, (shown.of)(solution.force)], solution.status == Status::Solved)
+            });
+            for (solved, part) in parts(&points.collect::<Vec<_>>()) {
+                let pen = if solved { Pen::of(k) } else { Pen::of(k).wide(THIN) };
+                panel = panel.curve(part, pen);
+            }
+        }
+        panel
+    }
+
+    /// Which line is which.
+    fn keyed(&self, mut sheet: Sheet) -> Sheet {
+        for (k, curve) in self.lines.iter().enumerate() {
+            let name: String = curve.theory.chars().take(LONGEST_NAME).collect();
+            sheet = sheet.key(Pen::of(k), Label::new(&name));
+        }
+        let case = self.vary.of(self.case);
+        if self.reach(case) {
+            let label = Label::new("the case: ").symbol(self.vary.symbol()).plain(" = ");
+            sheet = sheet.key(Pen::GUIDE, label.number(&significant(case, 4)));
+        }
+        let mut solutions = self.lines.iter().flat_map(|curve| &curve.solutions);
+        if solutions.any(|solution| solution.status != Status::Solved) {
+            let pen = Pen { colour: DARK, dashes: "", width: THIN };
+            sheet = sheet.key(pen, Label::new("thin: out of the theory's range"));
+        }
+        sheet
+    }
+
+    fn range(&self) -> [f64; 2] {
+        let (first, last) = (self.values.first().copied(), self.values.last().copied());
+        [first.unwrap_or(0.0), last.unwrap_or(1.0)]
     }
 
     /// The components that stay as they are.
@@ -80,52 +114,134 @@ impl Curves<'_> {
     }
 
     /// SI unit of a component over its dimensionless unit.
-    pub(crate) fn unit(&self, component: Component) -> f64 {
+    fn unit(&self, component: Component) -> f64 {
         match component {
             Component::Longitudinal | Component::Lateral => self.scaling.slip,
             Component::Spin => self.scaling.slip / self.scaling.length,
         }
     }
 
-    /// The panels, at least one.
-    fn panels(&self) -> Vec<Panel> {
+    /// The varied component without dimension.
+    fn x_label(&self) -> Label {
+        let label = Label::default().symbol(self.vary.symbol()).plain(" = ");
+        let label = self.vary.si_symbol(label).symbol("ρ").plain("/");
+        match self.vary {
+            Component::Spin => label.symbol("μ"),
+            _ => label.plain("(").symbol("μc").plain(")"),
+        }
+    }
+
+    /// The varied component in SI units.
+    fn si_axis(&self) -> Axis {
+        let range = self.range().map(|value| value * self.unit(self.vary));
+        let largest = range[0].abs().max(range[1].abs());
+        let (factor, unit) = match self.vary {
+            Component::Spin => {
+                let scale = Scale::of(largest, "rad/m", 4);
+                (scale.factor, format!(" [{}]", scale.unit))
+            }
+            _ if (0.1..100.0).contains(&largest) => (1.0, String::new()),
+            _ => {
+                let power = floor_log10(largest).div_euclid(3) * 3;
+                (10f64.powi(power), format!(" [10{}]", raised(power)))
+            }
+        };
+        let label = self.vary.si_symbol(Label::new(self.vary.words())).plain(&unit);
+        Axis::new(range.map(|value| value / factor), label)
+    }
+
+    /// The components to be shown, at least one.
+    fn shown(&self) -> Vec<Shown> {
         let force = self.scaling.force;
         let ellipse = self.contact.ellipse();
         // No traction has a larger moment than that of pure spin, which this bounds.
         let moment = 3.0 * PI / 16.0 * ellipse.major() / ellipse.c();
-        let all = [
-            Panel {
-                words: "longitudinal force ",
-                symbols: ["f", "F"],
-                index: "x",
-                unit: ("μN", force, "N"),
-                limit: 1.0,
-                of: |force: Force| force.fx,
-            },
-            Panel {
-                words: "lateral force ",
-                symbols: ["f", "F"],
-                index: "y",
-                unit: ("μN", force, "N"),
-                limit: 1.0,
-                of: |force: Force| force.fy,
-            },
-            Panel {
-                words: "spin moment ",
-                symbols: ["m", "M"],
-                index: "z",
-                unit: ("μNc", force * self.scaling.length, "N m"),
-                limit: moment,
-                of: |force: Force| force.mz,
-            },
-        ];
-        let some: Vec<_> = all.into_iter().filter(|p| p.largest(self) > NEGLIGIBLE).collect();
-        if some.is_empty() { all[..1].to_vec() } else { some }
+        let along = Shown {
+            words: "longitudinal force ",
+            symbols: ["f", "F"],
+            index: "x",
+            unit: ("μN", force, "N"),
+            limit: 1.0,
+            of: |force: Force| force.fx,
+        };
+        let across =
+            Shown { words: "lateral force ", index: "y", of: |force: Force| force.fy, ..along };
+        let about = Shown {
+            words: "spin moment ",
+            symbols: ["m", "M"],
+            index: "z",
+            unit: ("μNc", force * self.scaling.length, "N m"),
+            limit: moment,
+            of: |force: Force| force.mz,
+        };
+        let mut shown = vec![along, across, about];
+        shown.retain(|one| one.largest(self) > NEGLIGIBLE);
+        if shown.is_empty() { vec![along] } else { shown }
     }
 }
 
+impl Shown {
+    fn values(self, curve: &Curve) -> impl Iterator<Item = f64> {
+        curve.solutions.iter().map(move |solution| (self.of)(solution.force))
+    }
+
+    /// Largest size of this component on any curve.
+    fn largest(self, curves: &Curves) -> f64 {
+        curves.lines.iter().flat_map(|curve| self.values(curve)).fold(0.0, |m, v| m.max(v.abs()))
+    }
+
+    /// The range of the curves, zero included.
+    fn range(self, curves: &Curves) -> [f64; 2] {
+        let values = curves.lines.iter().flat_map(|curve| self.values(curve));
+        let (low, high) = values.fold((0.0, 0.0), |(low, high): (f64, f64), value| {
+            (low.min(value.max(-self.limit)), high.max(value.min(self.limit)))
+        });
+        let air = AIR * (high - low).max(f64::MIN_POSITIVE);
+        // What only rounding has put on the other side of zero needs none.
+        let low = if low < -1e-3 * air { low - air } else { 0.0 };
+        let high = if high > 1e-3 * air || low >= 0.0 { high + air } else { 0.0 };
+        [low, high]
+    }
+
+    fn label(self) -> Label {
+        let [small, large] = self.symbols;
+        let label = Label::new(self.words).indexed(small, self.index).plain(" = ");
+        label.indexed(large, self.index).plain("/").symbol(self.unit.0)
+    }
+
+    /// The same range in SI units.
+    fn si_axis(self, range: [f64; 2]) -> Axis {
+        let (_, unit, name) = self.unit;
+        let scale = Scale::of(range[0].abs().max(range[1].abs()) * unit, name, 4);
+        let label = Label::default().indexed(self.symbols[1], self.index);
+        let label = label.plain(&format!(" [{}]", scale.unit));
+        Axis::new(range.map(|value| value * unit / scale.factor), label)
+    }
+}
+
+/// A line in parts that are each solved or not throughout.
+fn parts(points: &[(Point, bool)]) -> Vec<(bool, Vec<Point>)> {
+    let mut parts: Vec<(bool, Vec<Point>)> = Vec::new();
+    for pair in points.windows(2) {
+        let solved = pair[0].1 && pair[1].1;
+        match parts.last_mut() {
+            Some((kind, part)) if *kind == solved => part.push(pair[1].0),
+            _ => parts.push((solved, vec![pair[0].0, pair[1].0])),
+        }
+    }
+    parts
+}
+
 impl Component {
-    pub(crate) fn symbol(self) -> &'static str {
+    fn words(self) -> &'static str {
+        match self {
+            Self::Longitudinal => "longitudinal creepage ",
+            Self::Lateral => "lateral creepage ",
+            Self::Spin => "spin ",
+        }
+    }
+
+    fn symbol(self) -> &'static str {
         match self {
             Self::Longitudinal => "ξ",
             Self::Lateral => "η",
@@ -134,7 +250,7 @@ impl Component {
     }
 
     /// Adds the symbol of the quantity with its dimension.
-    pub(crate) fn si_symbol(self, label: Label) -> Label {
+    fn si_symbol(self, label: Label) -> Label {
         match self {
             Self::Longitudinal => label.indexed("υ", "x"),
             Self::Lateral => label.indexed("υ", "y"),
@@ -148,6 +264,16 @@ impl Component {
             Self::Spin => " rad/m",
         }
     }
+}
+
+/// A power as raised digits.
+fn raised(power: i32) -> String {
+    let digits = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
+    let raise = |character: char| {
+        let digit = character.to_digit(10).and_then(|digit| usize::try_from(digit).ok());
+        digit.and_then(|digit| digits.get(digit)).copied().unwrap_or('⁻')
+    };
+    power.to_string().chars().map(raise).collect()
 }
 
 #[cfg(test)]
@@ -181,8 +307,8 @@ mod tests {
     }
 
     fn check(svg: &str) {
-        let (texts, shapes) = check_legible(svg);
-        assert!(texts.len() > 20 && shapes.len() > 20);
+        let boxes = check_legible(svg);
+        assert!(boxes.texts.len() > 20 && boxes.shapes.len() > 20);
     }
 
     #[test]
@@ -220,8 +346,23 @@ mod tests {
     fn what_a_theory_does_not_hold_for_is_thin() {
         let thin = |chi| {
             let case = Creepage { chi, ..CURVE };
-            svg(1.0, case, Component::Longitudinal, [0.1, 3.0]).contains("thin: beyond")
+            svg(1.0, case, Component::Longitudinal, [0.1, 3.0]).contains("thin: out of")
         };
         assert!(thin(0.5) && !thin(0.0));
+    }
+
+    #[test]
+    fn powers_are_raised() {
+        assert_eq!([raised(-3), raised(12)], ["⁻³", "¹²"]);
+    }
+
+    #[test]
+    fn doubtful_points_make_parts_of_their_own() {
+        let line = [true, true, false, true, true];
+        let line: Vec<_> =
+            line.iter().enumerate().map(|(x, solved)| ([x as f64, 1.0], *solved)).collect();
+        let parts = parts(&line);
+        let kinds: Vec<_> = parts.iter().map(|(solved, part)| (*solved, part.len())).collect();
+        assert_eq!(kinds, [(true, 2), (false, 3), (true, 2)]);
     }
 }

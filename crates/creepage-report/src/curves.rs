@@ -6,7 +6,7 @@ use creepage::rolling::{Creepage, Force, Scaling, Solution, Theory};
 use creepage::{Hertz, InvalidValue};
 
 use crate::error::ReportError;
-use crate::{raster, write};
+use crate::write;
 
 /// A component of creepage and spin.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -179,7 +179,7 @@ impl<'a> Curves<'a> {
     /// [`ReportError`]; what was made until then is removed.
     pub fn write(&self, directory: &Path) -> Result<Vec<PathBuf>, ReportError> {
         let svg = self.svg();
-        let png = raster::png(&svg)?;
+        let png = creepage_plot::png(&svg)?;
         let files: [(&str, &[u8]); 3] =
             [("curve.csv", &self.csv()?), ("curve.svg", svg.as_bytes()), ("curve.png", &png)];
         write::write_all(directory, &files)

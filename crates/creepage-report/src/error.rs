@@ -3,7 +3,7 @@
 use std::io;
 use std::path::PathBuf;
 
-use resvg::usvg;
+use creepage_plot::PlotError;
 
 /// Why a report could not be written.
 #[derive(Debug, thiserror::Error)]
@@ -32,17 +32,9 @@ pub enum ReportError {
     /// The columns of a series do not fit their NetCDF file.
     #[error("cannot write the NetCDF file: {0:?}")]
     NetCdf(netcdf3::WriteError),
-    /// The picture could not be read back for rasterising.
-    #[error("cannot read the picture back: {0}")]
-    Picture(#[from] usvg::Error),
     /// The picture could not be turned into pixels.
-    #[error("cannot make a picture of {width} x {height} pixels")]
-    Pixels {
-        /// Width (pixels).
-        width: u32,
-        /// Height (pixels).
-        height: u32,
-    },
+    #[error(transparent)]
+    Picture(#[from] PlotError),
 }
 
 impl From<netcdf3::InvalidDataSet> for ReportError {

@@ -46,32 +46,15 @@
 //! # Ok::<(), creepage::InvalidValue>(())
 //! ```
 
-mod areas;
-mod axis;
-mod caption;
-mod clip;
 mod contact_json;
 mod contact_picture;
-mod contact_view;
-mod curve_axes;
-mod curve_legend;
-mod curve_panel;
 mod curve_picture;
 mod curves;
 mod error;
-mod format;
 mod json;
-mod label;
-mod legend;
-mod page;
-mod plane;
-pub mod plot;
 mod points;
-mod raster;
 mod report;
-mod scene;
 mod series;
-mod sheet;
 mod statics;
 #[cfg(test)]
 mod testing;
@@ -79,15 +62,11 @@ mod text;
 mod vtk;
 mod write;
 
-pub use areas::Areas;
-pub use creepage_theories::Detail;
-
 pub use contact_json::{HertzJson, SolidJson, hertz_json};
+pub use creepage_theories::Detail;
 pub use curves::{Component, Curves};
 pub use error::ReportError;
 pub use json::{AreasJson, CreepageJson, DetailJson, DimensionlessJson, ForceJson, ReportJson};
-pub use page::{Page, PageStyle};
-pub use raster::{png, tree as picture};
 pub use report::{Answer, Extras, Report};
 pub use series::{SeriesHead, SeriesRow, series_csv, series_json, series_netcdf};
 pub use statics::StaticsReport;

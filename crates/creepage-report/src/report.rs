@@ -3,11 +3,10 @@
 use std::fmt;
 
 use creepage::rolling::exact::Known;
-use creepage::rolling::{Creepage, FieldPoint, Scaling, Solution, Theory};
+use creepage::rolling::{Creepage, FieldPoint, Region, Scaling, Solution, Theory};
 use creepage::{Hertz, InvalidValue};
+use creepage_plot::Contour;
 use creepage_theories::{Detail, LeftOut, SolvedCase, find};
-
-use crate::areas::Areas;
 
 /// What one theory says to one creepage.
 pub struct Answer<'a> {
@@ -62,7 +61,7 @@ pub struct Report<'a> {
     pub(crate) friction: f64,
     pub(crate) scaling: Scaling,
     pub(crate) answer: Answer<'a>,
-    pub(crate) areas: Areas,
+    pub(crate) adhesion: Contour,
     pub(crate) extras: Extras,
 }
 
@@ -81,11 +80,12 @@ impl<'a> Report<'a> {
     ) -> Result<Self, InvalidValue> {
         let scaling = Scaling::new(contact, friction)?;
         let unit = disc_to_theory(contact);
-        let areas = Areas::trace(|disc| {
+        let adhesion = Contour::trace(|disc| {
             let positions: Vec<_> = disc.iter().map(|d| [d[0] * unit[0], d[1] * unit[1]]).collect();
-            answer.theory.field(answer.creepage, &positions).iter().map(|p| p.region).collect()
+            let field = answer.theory.field(answer.creepage, &positions);
+            field.iter().map(|point| point.region == Region::Adhesion).collect()
         });
-        Ok(Self { contact, friction, scaling, answer, areas, extras: Extras::default() })
+        Ok(Self { contact, friction, scaling, answer, adhesion, extras: Extras::default() })
     }
 
     /// The report of a case that the theory of that name solved.
@@ -121,7 +121,7 @@ impl<'a> Report<'a> {
     /// Share of the contact area that sticks, from 0 to 1.
     #[must_use]
     pub fn adhesion_share(&self) -> f64 {
-        self.areas.adhesion_share
+        self.adhesion.share
     }
 
     /// Energy turned to heat per metre rolled (J/m), from force and creepage.

@@ -2,11 +2,9 @@
 
 use creepage::rolling::{Creepage, FieldPoint, Force, Region, Solution, Status, Theory};
 use creepage::{Ellipse, Hertz, Solid, SolidPair};
+use creepage_plot::Boxes;
 use creepage_theories::Detail;
-use resvg::usvg::{Group, Node, Rect};
 
-use crate::contact_picture::Layout;
-use crate::raster;
 use crate::report::{Answer, Report};
 
 /// Creepage along, across, and a spin whose pole lies inside every contact of [`contact`].
@@ -108,43 +106,21 @@ impl Theory for Free {
     }
 }
 
-/// Checks that nothing leaves the sheet, and that no two texts touch; gives the boxes of the texts
-/// and of the shapes.
-pub(crate) fn check_legible(svg: &str) -> (Vec<Rect>, Vec<Rect>) {
-    let tree = raster::tree(svg).unwrap();
-    let (texts, shapes) = boxes(tree.root());
-    let size = tree.size();
-    for b in texts.iter().chain(&shapes) {
-        assert!(b.left() >= 0.0 && b.right() <= size.width(), "{b:?}");
-        assert!(b.top() >= 0.0 && b.bottom() <= size.height(), "{b:?}");
-    }
-    for (k, b) in texts.iter().enumerate() {
-        // Ascenders and descenders may share a pixel row.
-        let touches = |c: &&Rect| {
-            b.left() < c.right()
-                && c.left() < b.right()
-                && b.top() + 2.0 < c.bottom()
-                && c.top() + 2.0 < b.bottom()
-        };
-        let touching = texts[k + 1..].iter().find(touches);
-        assert!(touching.is_none(), "{b:?} {touching:?}");
-    }
-    (texts, shapes)
+/// Checks that nothing leaves the sheet, and that no two texts touch.
+pub(crate) fn check_legible(svg: &str) -> Boxes {
+    let boxes = Boxes::of(svg).unwrap();
+    assert_eq!((boxes.off_the_sheet(), boxes.touching()), (None, None));
+    boxes
 }
 
 /// Checks the same, and that no text covers the ellipse.
-pub(crate) fn check_sheet(svg: &str, layout: &Layout) {
-    let (texts, shapes) = check_legible(svg);
-    assert!(texts.len() > 15 && shapes.len() > 20);
-    for b in &texts {
-        for (x, y) in [
-            (b.left(), b.top()),
-            (b.left(), b.bottom()),
-            (b.right(), b.top()),
-            (b.right(), b.bottom()),
-        ] {
-            let place = [f64::from(x), f64::from(y)];
-            let [u, v] = [0, 1].map(|i| (place[i] - layout.centre[i]) / layout.semi_axes[i]);
+pub(crate) fn check_view(svg: &str, [centre, semi_axes]: [[f64; 2]; 2]) {
+    let boxes = check_legible(svg);
+    assert!(boxes.texts.len() > 15 && boxes.shapes.len() > 20);
+    for b in &boxes.texts {
+        let [[left, top], [right, bottom]] = [b.from, b.to];
+        for place in [[left, top], [left, bottom], [right, top], [right, bottom]] {
+            let [u, v] = [0, 1].map(|i| (place[i] - centre[i]) / semi_axes[i]);
             assert!(u.hypot(v) > 1.0, "{b:?}");
         }
     }
@@ -170,21 +146,4 @@ pub(crate) fn report<'a>(
         ],
     };
     Report::new(contact, 0.3, answer).unwrap()
-}
-
-/// What a group draws: the boxes of its texts, and those of its shapes.
-fn boxes(group: &Group) -> (Vec<Rect>, Vec<Rect>) {
-    let (mut texts, mut shapes) = (Vec::new(), Vec::new());
-    for node in group.children() {
-        match node {
-            Node::Group(group) => {
-                let (t, s) = boxes(group);
-                texts.extend(t);
-                shapes.extend(s);
-            }
-            Node::Text(text) => texts.push(text.abs_bounding_box()),
-            other => shapes.push(other.abs_stroke_bounding_box()),
-        }
-    }
-    (texts, shapes)
 }

@@ -3,8 +3,8 @@
 use creepage::Hertz;
 use creepage::rolling::exact::Known;
 use creepage::rolling::{SiForce, Status};
+use creepage_plot::format::{Scale, fixed, quantity, significant};
 
-use crate::format::{Scale, fixed, quantity, significant};
 use crate::report::Report;
 
 impl Report<'_> {

@@ -5,7 +5,6 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use crate::error::ReportError;
-use crate::raster;
 use crate::report::Report;
 
 impl Report<'_> {
@@ -35,7 +34,7 @@ pub(crate) fn write_contact(
     svg: &str,
     others: &[(&str, &[u8])],
 ) -> Result<Vec<PathBuf>, ReportError> {
-    let png = raster::png(svg)?;
+    let png = creepage_plot::png(svg)?;
     let files: [(&str, &[u8]); 4] = [
         ("report.json", json.as_bytes()),
         ("points.csv", points),

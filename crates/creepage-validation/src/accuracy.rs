@@ -1,6 +1,6 @@
 //! The error of a theory over a set of cases.
 
-use creepage::rolling::{Status, Theory};
+use creepage::{Contact, Status, Theory};
 use serde::Serialize;
 
 use crate::ReferenceCase;
@@ -53,17 +53,17 @@ pub struct Accuracy {
     pub moment: Spread,
 }
 
-/// Measures a theory over `cases`; `prepare` takes `a/b` and Poisson's ratio.
+/// Measures a theory over `cases`; `prepare` gives it for a contact.
 ///
 /// # Errors
 /// What `prepare` returns, should a case be out of the theory's range.
 pub fn measure<E>(
     cases: &[ReferenceCase],
-    prepare: impl Fn(f64, f64) -> Result<Box<dyn Theory>, E>,
+    prepare: impl Fn(&Contact) -> Result<Box<dyn Theory>, E>,
 ) -> Result<Accuracy, E> {
     let (mut force, mut moment, mut doubtful) = (Vec::new(), Vec::new(), 0);
-    for alike in cases.chunk_by(|one, two| shape(one) == shape(two)) {
-        let theory = prepare(alike[0].a_over_b, alike[0].poisson)?;
+    for alike in cases.chunk_by(|one, two| one.contact == two.contact) {
+        let theory = prepare(&alike[0].contact)?;
         for case in alike {
             let solution = theory.solve(case.creepage);
             let found = solution.force;
@@ -74,11 +74,6 @@ pub fn measure<E>(
     }
     let (force, moment) = (Spread::new(force), Spread::new(moment));
     Ok(Accuracy { cases: cases.len(), doubtful, force, moment })
-}
-
-/// What a theory is prepared for, to compare without rounding.
-fn shape(case: &ReferenceCase) -> [u64; 2] {
-    [case.a_over_b.to_bits(), case.poisson.to_bits()]
 }
 
 #[cfg(test)]

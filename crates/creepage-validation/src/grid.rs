@@ -1,6 +1,6 @@
 //! A grid of cases that leaves no corner of creepage and spin out, for a full theory to answer.
 
-use creepage::rolling::{Creepage, Theory};
+use creepage::{Contact, Creepage, Ellipse, InvalidValue, Theory};
 use rayon::prelude::*;
 
 use crate::ReferenceCase;
@@ -25,20 +25,20 @@ fn magnitudes() -> impl Iterator<Item = f64> {
 /// magnitudes evenly spaced to 10, not by decades, FASTSIM's root mean square error is a quarter
 /// less with blended flexibilities, and a sixth more with those of 1982.
 ///
-/// `full` prepares the theory for `a/b` and Poisson's ratio.
+/// `full` gives the theory for a contact.
 ///
 /// # Errors
 /// What `full` returns, should it not reach all of the grid.
-pub fn grid<E>(
-    full: impl Fn(f64, f64) -> Result<Box<dyn Theory>, E>,
+pub fn grid<E: From<InvalidValue>>(
+    full: impl Fn(&Contact) -> Result<Box<dyn Theory>, E>,
 ) -> Result<Vec<ReferenceCase>, E> {
     let mut cases = Vec::new();
     for a_over_b in RATIOS {
-        let theory = full(a_over_b, POISSON)?;
-        let creepages: Vec<Creepage> = creepages().collect();
+        let contact = Contact::new(Ellipse::from_ratio(a_over_b)?, POISSON)?;
+        let theory = full(&contact)?;
+        let creepages = creepages().collect::<Result<Vec<_>, _>>()?;
         cases.par_extend(creepages.into_par_iter().map(|creepage| ReferenceCase {
-            a_over_b,
-            poisson: POISSON,
+            contact,
             creepage,
             force: theory.solve(creepage).force,
             uncertainty: None,
@@ -47,39 +47,36 @@ pub fn grid<E>(
     Ok(cases)
 }
 
-fn creepages() -> impl Iterator<Item = Creepage> {
+fn creepages() -> impl Iterator<Item = Result<Creepage, InvalidValue>> {
     let directions = SPINS.into_iter().flat_map(|chi| ANGLES.map(|angle| (chi, angle)));
     directions.flat_map(|(chi, angle)| {
         let (sin, cos) = angle.to_radians().sin_cos();
-        magnitudes().map(move |size| Creepage { xi: size * cos, eta: size * sin, chi })
+        magnitudes().map(move |size| Creepage::new(size * cos, size * sin, chi))
     })
 }
 
 #[cfg(test)]
 mod tests {
-    use creepage::InvalidValue;
-    use creepage::rolling::fastsim::{Fastsim, Settings};
-    use creepage::rolling::linear::CreepageCoefficients;
-    use creepage::rolling::saturated::Saturated;
+    use creepage::approximate::fastsim::{Fastsim, Settings};
+    use creepage::approximate::saturated::Saturated;
 
     use super::*;
     use crate::measure;
 
-    fn fastsim(a_over_b: f64, poisson: f64, cells: usize) -> Result<Box<dyn Theory>, InvalidValue> {
-        let coefficients = CreepageCoefficients::new(a_over_b, poisson)?;
+    fn fastsim(contact: &Contact, cells: usize) -> Result<Box<dyn Theory>, InvalidValue> {
         let settings = Settings { grid: [cells; 2], ..Settings::default() };
-        Ok(Box::new(Fastsim::new(a_over_b, poisson, &coefficients, settings)?))
+        Ok(Box::new(Fastsim::new(contact, settings)?))
     }
 
     #[test]
     fn a_theory_is_as_far_from_another_as_they_are_alike() {
-        let cases = grid(|ratio, poisson| fastsim(ratio, poisson, 20)).unwrap();
+        let cases = grid(|contact| fastsim(contact, 20)).unwrap();
         assert_eq!(cases.len(), 3220);
-        let itself = measure(&cases, |ratio, poisson| fastsim(ratio, poisson, 20)).unwrap();
+        let itself = measure(&cases, |contact| fastsim(contact, 20)).unwrap();
         assert!(itself.force.worst < 1e-15 && itself.moment.worst < 1e-15);
-        let finer = measure(&cases, |ratio, poisson| fastsim(ratio, poisson, 40)).unwrap();
-        let saturated = measure(&cases, |ratio, _| {
-            Ok::<Box<dyn Theory>, InvalidValue>(Box::new(Saturated::new(ratio)?))
+        let finer = measure(&cases, |contact| fastsim(contact, 40)).unwrap();
+        let saturated = measure(&cases, |contact| {
+            Ok::<Box<dyn Theory>, InvalidValue>(Box::new(Saturated::new(contact)?))
         });
         // The 20 x 20 grid errs by half a per cent or so; without elasticity it is many.
         assert!(finer.force.rms < 0.01 && saturated.unwrap().force.rms > 0.1);
@@ -87,7 +84,10 @@ mod tests {
 
     #[test]
     fn a_theory_that_does_not_reach_the_grid_says_so() {
-        let short = |ratio, poisson| fastsim(1e4 * ratio, poisson, 10);
+        let short = |contact: &Contact| {
+            let ellipse = Ellipse::from_ratio(1e4 * contact.ellipse().ratio())?;
+            fastsim(&Contact::new(ellipse, contact.poisson())?, 10)
+        };
         assert_eq!(grid(short).unwrap_err().quantity, "a_over_b");
     }
 }

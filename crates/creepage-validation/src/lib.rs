@@ -1,13 +1,10 @@
 //! How far each theory of rolling contact is from the full one.
 //!
 //! ```
-//! use creepage::rolling::Theory;
-//! use creepage::rolling::variational::{Settings, Variational, VariationalError};
+//! use creepage::TheorySpec;
 //! use creepage_validation::{measure, steady_rolling};
-//! let prepare = |a_over_b, poisson| -> Result<Box<dyn Theory>, VariationalError> {
-//!     Ok(Box::new(Variational::new(a_over_b, poisson, Settings::default())?))
-//! };
-//! let accuracy = measure(&steady_rolling()?, prepare)?;
+//! let theory = TheorySpec::named("variational")?;
+//! let accuracy = measure(&steady_rolling()?, |contact| theory.prepare(contact))?;
 //! // Chapter 5 with its degree 3: a median error of two per cent of mu N.
 //! assert!(accuracy.force.median < 0.02);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
@@ -15,18 +12,10 @@
 
 mod accuracy;
 mod grid;
-mod printed;
 mod reference;
 mod square_grid;
-mod table1;
-mod table2;
-mod table3;
 
 pub use accuracy::{Accuracy, Spread, measure};
 pub use grid::grid;
-pub use printed::{Entry, TableError, Verdict};
 pub use reference::{ReferenceCase, ReferenceError, steady_rolling};
 pub use square_grid::SquareGrid;
-pub use table1::table1;
-pub use table2::{Table2Error, table2};
-pub use table3::{Coefficient, Table3Error, table3};

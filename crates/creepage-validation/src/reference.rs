@@ -1,15 +1,13 @@
 //! Cases of the full theory of steady rolling to measure others by.
 
-use creepage::rolling::{Creepage, Force};
+use creepage::{Contact, Creepage, Ellipse, Force, InvalidValue};
 use serde::Deserialize;
 
 /// A case whose forces are known, each with its uncertainty.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ReferenceCase {
-    /// Ratio of the contact's semi-axes.
-    pub a_over_b: f64,
-    /// Combined Poisson's ratio.
-    pub poisson: f64,
+    /// Shape and Poisson's ratio; like bodies.
+    pub contact: Contact,
     /// Creepage and spin.
     pub creepage: Creepage,
     /// Force and moment on the lower body.
@@ -20,8 +18,14 @@ pub struct ReferenceCase {
 
 /// The reference cases cannot be read: the file was changed by hand.
 #[derive(Debug, thiserror::Error)]
-#[error("the reference cases cannot be read")]
-pub struct ReferenceError(#[from] csv::Error);
+pub enum ReferenceError {
+    /// Not a table of numbers.
+    #[error("the reference cases cannot be read")]
+    Table(#[from] csv::Error),
+    /// A number out of range.
+    #[error("the reference cases cannot be read: {0}")]
+    Number(#[from] InvalidValue),
+}
 
 #[derive(Deserialize)]
 struct Row {
@@ -38,25 +42,26 @@ struct Row {
     u_mz: f64,
 }
 
-impl From<Row> for ReferenceCase {
-    fn from(row: Row) -> Self {
-        Self {
-            a_over_b: row.a_over_b,
-            poisson: row.poisson,
-            creepage: Creepage { xi: row.xi, eta: row.eta, chi: row.chi },
+impl TryFrom<Row> for ReferenceCase {
+    type Error = InvalidValue;
+
+    fn try_from(row: Row) -> Result<Self, InvalidValue> {
+        Ok(Self {
+            contact: Contact::new(Ellipse::from_ratio(row.a_over_b)?, row.poisson)?,
+            creepage: Creepage::new(row.xi, row.eta, row.chi)?,
             force: Force { fx: row.fx, fy: row.fy, mz: row.mz },
             uncertainty: Some(Force { fx: row.u_fx, fy: row.u_fy, mz: row.u_mz }),
-        }
+        })
     }
 }
 
 /// 132 cases: `a/b` from 0.2 to 5, spin to 10, computed on square grids and extrapolated; their
-/// origin is told in `data/README.md`.
+/// origin is in `data/README.md`.
 ///
 /// # Errors
 /// [`ReferenceError`] when the table that the library was built with is damaged.
 pub fn steady_rolling() -> Result<Vec<ReferenceCase>, ReferenceError> {
     let table = include_str!("../data/steady_rolling.csv");
     let rows = csv::Reader::from_reader(table.as_bytes()).into_deserialize::<Row>();
-    Ok(rows.map(|row| row.map(ReferenceCase::from)).collect::<Result<_, _>>()?)
+    rows.map(|row| Ok(ReferenceCase::try_from(row?)?)).collect()
 }

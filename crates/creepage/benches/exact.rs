@@ -4,9 +4,9 @@
 
 use std::time::Instant;
 
-use creepage::rolling::exact::{Exact, ExactSolution, Resolution, Workspace};
-use creepage::rolling::{Creepage, Status};
-use creepage_validation::SquareGrid;
+use creepage::coulomb::{Exact, Resolution};
+use creepage::theory::Solved;
+use creepage::{Contact, Creepage, Ellipse, Jacobian, Solution, Status, Theory};
 use divan::{Bencher, black_box};
 
 fn main() {
@@ -22,7 +22,12 @@ const RESOLUTIONS: [(&str, Resolution); 3] =
 
 fn theory(name: &str) -> Exact {
     let (_, resolution) = RESOLUTIONS.iter().find(|(known, _)| *known == name).unwrap();
-    Exact::new(black_box(0.5), black_box(0.28), *resolution).unwrap()
+    exact(black_box(0.5), black_box(0.28), *resolution)
+}
+
+fn exact(a_over_b: f64, poisson: f64, resolution: Resolution) -> Exact {
+    let contact = Contact::new(Ellipse::from_ratio(a_over_b).unwrap(), poisson).unwrap();
+    Exact::new(&contact, resolution).unwrap()
 }
 
 /// The spin of Fig. 12 of the thesis and creepage of the given size at -30 degrees.
@@ -39,36 +44,26 @@ fn prepare(name: &str) -> Exact {
 #[divan::bench(args = ["fast", "standard", "fine"], sample_count = 20)]
 fn solve(bencher: Bencher, name: &str) {
     let theory = theory(name);
-    let mut workspace = theory.workspace();
-    bencher.bench_local(|| -> ExactSolution {
-        theory.solve_with(black_box(figure_12(1.7)), &mut workspace)
-    });
-}
-
-/// The same case on a plain grid of 40 x 40 equal cells, to the same tolerance.
-#[divan::bench(sample_count = 20)]
-fn solve_on_a_square_grid(bencher: Bencher) {
-    let grid = SquareGrid::new(black_box(0.5), black_box(0.28), 40).unwrap();
-    bencher.bench_local(|| grid.force(black_box(figure_12(1.7))).unwrap());
+    bencher.bench_local(|| -> Solution { theory.solve(black_box(figure_12(1.7))) });
 }
 
 #[divan::bench(args = ["fast", "standard", "fine"], sample_count = 20)]
 fn solve_a_neighbour(bencher: Bencher, name: &str) {
     let theory = theory(name);
-    let mut workspace = theory.workspace();
+    let mut solved = Some(theory.solve_contact(figure_12(1.7)));
     let mut step = 0.0;
-    bencher.bench_local(|| -> ExactSolution {
+    bencher.bench_local(|| {
         step = 0.01 - step;
-        theory.solve_next(black_box(figure_12(1.7 + step)), &mut workspace)
+        let last = solved.take().unwrap();
+        solved.insert(last.next(black_box(figure_12(1.7 + step)))).solution()
     });
 }
 
 #[divan::bench(args = ["fast", "standard", "fine"], sample_count = 20)]
 fn derivative(bencher: Bencher, name: &str) {
     let theory = theory(name);
-    let mut workspace = theory.workspace();
-    theory.solve_with(figure_12(1.7), &mut workspace);
-    bencher.bench_local(|| theory.derivative(&mut workspace));
+    let mut solved = theory.solve_contact(figure_12(1.7));
+    bencher.bench_local(|| -> Option<Jacobian> { solved.jacobian() });
 }
 
 /// A small generator of random numbers, the same on every machine.
@@ -122,16 +117,15 @@ struct Cost {
 }
 
 /// Other work on the machine disturbs single runs: the smallest of two counts, of six for the
-/// hundred dearest.
+/// hundred of highest cost.
 fn random_cases(count: usize) {
     for (name, resolution) in &RESOLUTIONS[..2] {
         let (mut costs, failures) = costs(count, *resolution);
         costs.sort_by(|a, b| a.milliseconds.total_cmp(&b.milliseconds));
         for cost in costs.iter_mut().rev().take(100) {
-            let theory = Exact::new(cost.contact.0, cost.contact.1, *resolution).unwrap();
-            let mut workspace = theory.workspace();
+            let theory = exact(cost.contact.0, cost.contact.1, *resolution);
             for _ in 0..4 {
-                let again = timed(&theory, cost.creepage, &mut workspace).1;
+                let again = timed(&theory, cost.creepage).1;
                 cost.milliseconds = cost.milliseconds.min(again);
             }
         }
@@ -161,13 +155,12 @@ fn costs(count: usize, resolution: Resolution) -> (Vec<Cost>, usize) {
     let (mut costs, mut failures) = (Vec::with_capacity(count), 0);
     for _ in 0..count.div_ceil(PER_CONTACT) {
         let contact = (random.of_any_size(0.02, 50.0).abs(), 0.5 * random.uniform());
-        let theory = Exact::new(contact.0, contact.1, resolution).unwrap();
-        let mut workspace = theory.workspace();
+        let theory = exact(contact.0, contact.1, resolution);
         for _ in 0..PER_CONTACT {
             let creepage = random.creepage(contact.0);
-            let (solution, first) = timed(&theory, creepage, &mut workspace);
-            let second = timed(&theory, creepage, &mut workspace).1;
-            let (sweeps, milliseconds) = (solution.sweeps[1], first.min(second));
+            let (solution, first) = timed(&theory, creepage);
+            let second = timed(&theory, creepage).1;
+            let (sweeps, milliseconds) = (solution.statistics.iterations, first.min(second));
             costs.push(Cost { contact, creepage, sweeps, milliseconds });
             let force = solution.force;
             let finite = (force.fx + force.fy + force.mz).is_finite();
@@ -178,8 +171,8 @@ fn costs(count: usize, resolution: Resolution) -> (Vec<Cost>, usize) {
 }
 
 /// A solution and its cost in milliseconds.
-fn timed(theory: &Exact, creepage: Creepage, workspace: &mut Workspace) -> (ExactSolution, f64) {
+fn timed(theory: &Exact, creepage: Creepage) -> (Solution, f64) {
     let start = Instant::now();
-    let solution = theory.solve_with(creepage, workspace);
+    let solution = theory.solve(creepage);
     (solution, start.elapsed().as_secs_f64() * 1e3)
 }

@@ -1,65 +1,70 @@
 //! Cost of the limiting theories and of the laws in closed form.
 
-use creepage::rolling::linear::{CreepageCoefficients, Linear};
-use creepage::rolling::polach::Polach;
-use creepage::rolling::saturated::Saturated;
-use creepage::rolling::shen_hedrick_elkins::ShenHedrickElkins;
-use creepage::rolling::vermeulen_johnson::VermeulenJohnson;
-use creepage::rolling::{Creepage, Theory};
+use creepage::Theory;
+use creepage::approximate::linear::{CreepageCoefficients, Linear};
+use creepage::approximate::polach::Polach;
+use creepage::approximate::saturated::Saturated;
+use creepage::approximate::shen_hedrick_elkins::ShenHedrickElkins;
+use creepage::approximate::vermeulen_johnson::VermeulenJohnson;
 use divan::{Bencher, black_box};
+
+#[path = "../tests/common/mod.rs"]
+mod common;
+use common::{at, contact};
 
 fn main() {
     divan::main();
 }
 
 const POISSON: f64 = 0.28;
-const CREEPAGE: Creepage = Creepage { xi: 0.4, eta: 0.3, chi: 0.2 };
+const CREEPAGE: [f64; 3] = [0.4, 0.3, 0.2];
 /// The spin pole in the contact.
-const SPIN: Creepage = Creepage { xi: 0.02, eta: 0.01, chi: 2.0 };
+const SPIN: [f64; 3] = [0.02, 0.01, 2.0];
 
 /// Preparation: the coefficients of one shape.
 #[divan::bench(args = [1e-3, 0.1, 1.0, 10.0, 1e3])]
 fn coefficients(bencher: Bencher<'_, '_>, a_over_b: f64) {
-    bencher.bench(|| CreepageCoefficients::new(black_box(a_over_b), black_box(POISSON)));
+    bencher.bench(|| CreepageCoefficients::new(&contact(black_box(a_over_b), black_box(POISSON))));
 }
 
 /// The thesis's own calculation.
 #[divan::bench]
 fn coefficients_of_degree_5() -> Option<CreepageCoefficients> {
-    CreepageCoefficients::of_degree(black_box(0.5), black_box(POISSON), 5).ok()
+    CreepageCoefficients::of_degree(&contact(black_box(0.5), black_box(POISSON)), 5).ok()
 }
 
 #[divan::bench]
 fn linear(bencher: Bencher<'_, '_>) {
-    force(bencher, Linear::new(1.5, POISSON).ok(), CREEPAGE);
+    force(bencher, Linear::new(&contact(1.5, POISSON)).ok(), CREEPAGE);
 }
 
 #[divan::bench]
 fn vermeulen_johnson(bencher: Bencher<'_, '_>) {
-    force(bencher, VermeulenJohnson::new(1.5, POISSON).ok(), CREEPAGE);
+    force(bencher, VermeulenJohnson::new(&contact(1.5, POISSON)).ok(), CREEPAGE);
 }
 
 #[divan::bench]
 fn shen_hedrick_elkins(bencher: Bencher<'_, '_>) {
-    force(bencher, ShenHedrickElkins::new(1.5, POISSON).ok(), CREEPAGE);
+    force(bencher, ShenHedrickElkins::new(&contact(1.5, POISSON)).ok(), CREEPAGE);
 }
 
 #[divan::bench]
 fn polach(bencher: Bencher<'_, '_>) {
-    force(bencher, Polach::new(1.5, POISSON).ok(), CREEPAGE);
+    force(bencher, Polach::new(&contact(1.5, POISSON)).ok(), CREEPAGE);
 }
 
 #[divan::bench(args = [1e-3, 0.1, 1.0, 10.0, 1e3])]
 fn saturated_pole_outside(bencher: Bencher<'_, '_>, a_over_b: f64) {
-    force(bencher, Saturated::new(a_over_b).ok(), Creepage { chi: 1e-4, ..CREEPAGE });
+    force(bencher, Saturated::new(&contact(a_over_b, 0.28)).ok(), [0.4, 0.3, 1e-4]);
 }
 
 #[divan::bench]
 fn saturated_pole_inside(bencher: Bencher<'_, '_>) {
-    force(bencher, Saturated::new(1.5).ok(), SPIN);
+    force(bencher, Saturated::new(&contact(1.5, 0.28)).ok(), SPIN);
 }
 
-fn force<T: Theory>(bencher: Bencher<'_, '_>, theory: Option<T>, creepage: Creepage) {
+fn force<T: Theory>(bencher: Bencher<'_, '_>, theory: Option<T>, creepage: [f64; 3]) {
+    let creepage = at(creepage);
     if let Some(theory) = theory {
         bencher.bench_local(|| theory.solve(black_box(creepage)).force);
     }

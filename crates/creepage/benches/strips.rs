@@ -2,41 +2,37 @@
 
 #![allow(clippy::unwrap_used)] // the inputs are constants
 
-use creepage::rolling::fastrip::{Fastrip, Variant};
-use creepage::rolling::fastsim::{Fastsim, Settings};
-use creepage::rolling::linear::CreepageCoefficients;
-use creepage::rolling::strip::StripTheory;
-use creepage::rolling::{Creepage, Theory};
+use creepage::Theory;
+use creepage::approximate::fastrip::{Fastrip, Variant};
+use creepage::approximate::fastsim::{Fastsim, Settings};
+use creepage::approximate::strip::StripTheory;
 use divan::{Bencher, black_box};
+
+#[path = "../tests/common/mod.rs"]
+mod common;
+use common::{at, contact};
 
 fn main() {
     divan::main();
 }
 
-/// Circle, Poisson's ratio 0.25.
-const COEFFICIENTS: CreepageCoefficients =
-    CreepageCoefficients { c11: 4.1128, c22: 3.6683, c23: 1.4661, c32: -1.4661, c33: 1.1843 };
-
 /// Longitudinal, lateral and spin; pure longitudinal; small; with the spin pole inside.
-const CREEPAGES: [Creepage; 4] = [
-    Creepage { xi: 0.5, eta: 0.3, chi: 0.5 },
-    Creepage { xi: 0.7, eta: 0.0, chi: 0.0 },
-    Creepage { xi: 0.01, eta: 0.02, chi: 0.01 },
-    Creepage { xi: 0.5, eta: -0.8, chi: 2.0 },
-];
+const CREEPAGES: [[f64; 3]; 4] =
+    [[0.5, 0.3, 0.5], [0.7, 0.0, 0.0], [0.01, 0.02, 0.01], [0.5, -0.8, 2.0]];
 
 fn solve(bencher: Bencher, theory: &impl Theory, case: usize) {
-    bencher.bench_local(|| theory.solve(black_box(CREEPAGES[case])));
+    let creepage = at(CREEPAGES[case]);
+    bencher.bench_local(|| theory.solve(black_box(creepage)));
 }
 
 #[divan::bench(args = [0, 1, 2, 3])]
 fn strip_theory(bencher: Bencher, case: usize) {
-    solve(bencher, &StripTheory::new(1.0, 0.25).unwrap(), case);
+    solve(bencher, &StripTheory::new(&contact(1.0, 0.25)), case);
 }
 
 fn fastsim(n: usize) -> Fastsim {
     let settings = Settings { grid: [n, n], ..Settings::default() };
-    Fastsim::new(1.0, 0.25, &COEFFICIENTS, settings).unwrap()
+    Fastsim::new(&contact(1.0, 0.25), settings).unwrap()
 }
 
 #[divan::bench(args = [10, 50])]
@@ -47,11 +43,12 @@ fn fastsim_of_size(bencher: Bencher, n: usize) {
 #[divan::bench(args = [10, 50])]
 fn fastsim_derivative(bencher: Bencher, n: usize) {
     let theory = fastsim(n);
-    bencher.bench_local(|| theory.derivative(black_box(CREEPAGES[0])));
+    let creepage = at(CREEPAGES[0]);
+    bencher.bench_local(|| theory.jacobian(black_box(creepage)));
 }
 
 #[divan::bench(args = [10, 50])]
 fn fastrip_of_size(bencher: Bencher, n: usize) {
-    let theory = Fastrip::new(1.0, 0.25, &COEFFICIENTS, Variant::default(), [n, n]).unwrap();
+    let theory = Fastrip::new(&contact(1.0, 0.25), Variant::default(), [n, n]).unwrap();
     solve(bencher, &theory, 0);
 }

@@ -1,9 +1,13 @@
 //! Cost of the numerical theory of chapter 5.
 #![allow(missing_docs, clippy::unwrap_used)]
 
-use creepage::rolling::Creepage;
-use creepage::rolling::variational::{Settings, Start, Variational, VariationalSolution};
+use creepage::Creepage;
+use creepage::variational::{Settings, Start, Variational, VariationalSolution};
 use divan::{Bencher, black_box};
+
+#[path = "../tests/common/mod.rs"]
+mod common;
+use common::contact;
 
 fn main() {
     divan::main();
@@ -17,7 +21,8 @@ fn figure_12(size: f64) -> Creepage {
 
 #[divan::bench(args = [3, 4, 8])]
 fn prepare(degree: usize) -> Variational {
-    Variational::new(black_box(0.5), black_box(0.28), Settings::of_degree(degree)).unwrap()
+    Variational::new(&contact(black_box(0.5), black_box(0.28)), Settings::of_degree(degree))
+        .unwrap()
 }
 
 #[divan::bench(args = [2, 3, 4, 8])]

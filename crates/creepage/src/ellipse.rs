@@ -79,7 +79,7 @@ impl Ellipse {
         self.minor() / self.major()
     }
 
-    /// `|e| = sqrt(1 - g^2)`, the numerical excentricity.
+    /// `|e| = sqrt(1 - g^2)`, the eccentricity.
     #[must_use]
     pub fn e(&self) -> f64 {
         let g = self.g();
@@ -100,11 +100,6 @@ impl Ellipse {
 }
 
 fn check_ratio(ratio: f64) -> Result<f64, InvalidValue> {
-    let [low, high] = Ellipse::RATIO_RANGE;
-    check::require(
-        (low..=high).contains(&ratio),
-        "a_over_b",
-        ratio,
-        "between 1e-6 and 1e6 (beyond, the contact is a line)",
-    )
+    let valid = "between 1e-6 and 1e6 (beyond, the contact is a line)";
+    check::ratio(ratio, Ellipse::RATIO_RANGE, valid)
 }

@@ -3,14 +3,17 @@
 // A theory that cannot be prepared fails the test.
 #![allow(clippy::unwrap_used)]
 
+mod common;
+
 use std::sync::LazyLock;
 
-use creepage::rolling::linear::Linear;
-use creepage::rolling::polach::Polach;
-use creepage::rolling::saturated::Saturated;
-use creepage::rolling::shen_hedrick_elkins::ShenHedrickElkins;
-use creepage::rolling::vermeulen_johnson::VermeulenJohnson;
-use creepage::rolling::{Creepage, Force, Theory};
+use common::{contact, creepage};
+use creepage::approximate::linear::Linear;
+use creepage::approximate::polach::Polach;
+use creepage::approximate::saturated::Saturated;
+use creepage::approximate::shen_hedrick_elkins::ShenHedrickElkins;
+use creepage::approximate::vermeulen_johnson::VermeulenJohnson;
+use creepage::{Creepage, Force, Theory};
 use proptest::prelude::*;
 
 const RATIOS: [f64; 7] = [1e-3, 0.02, 0.3, 1.0, 1.7, 40.0, 1e3];
@@ -25,42 +28,42 @@ struct Subject {
 }
 
 fn subjects(a_over_b: f64, poisson: f64) -> Vec<Subject> {
-    let linear = Linear::new(a_over_b, poisson).unwrap();
-    let saturated = Saturated::new(a_over_b).unwrap();
-    let vermeulen_johnson = VermeulenJohnson::new(a_over_b, poisson).unwrap();
-    let shen = ShenHedrickElkins::new(a_over_b, poisson).unwrap();
-    let polach = Polach::new(a_over_b, poisson).unwrap();
+    let linear = Linear::new(&contact(a_over_b, poisson)).unwrap();
+    let saturated = Saturated::new(&contact(a_over_b, 0.28)).unwrap();
+    let vermeulen_johnson = VermeulenJohnson::new(&contact(a_over_b, poisson)).unwrap();
+    let shen = ShenHedrickElkins::new(&contact(a_over_b, poisson)).unwrap();
+    let polach = Polach::new(&contact(a_over_b, poisson)).unwrap();
     let reduced = polach.clone().with_reduction(0.7, 0.3).unwrap();
     vec![
         Subject {
             name: "linear",
             theory: Box::new(linear.clone()),
-            derivative: Box::new(move |c| linear.derivative(c)),
+            derivative: Box::new(move |c| linear.jacobian(c).unwrap()),
         },
         Subject {
             name: "saturated",
             theory: Box::new(saturated.clone()),
-            derivative: Box::new(move |c| saturated.derivative(c)),
+            derivative: Box::new(move |c| saturated.jacobian(c).unwrap()),
         },
         Subject {
             name: "vermeulen_johnson",
             theory: Box::new(vermeulen_johnson.clone()),
-            derivative: Box::new(move |c| vermeulen_johnson.derivative(c)),
+            derivative: Box::new(move |c| vermeulen_johnson.jacobian(c).unwrap()),
         },
         Subject {
             name: "shen_hedrick_elkins",
             theory: Box::new(shen.clone()),
-            derivative: Box::new(move |c| shen.derivative(c)),
+            derivative: Box::new(move |c| shen.jacobian(c).unwrap()),
         },
         Subject {
             name: "polach",
             theory: Box::new(polach.clone()),
-            derivative: Box::new(move |c| polach.derivative(c)),
+            derivative: Box::new(move |c| polach.jacobian(c).unwrap()),
         },
         Subject {
             name: "polach, reduced",
             theory: Box::new(reduced.clone()),
-            derivative: Box::new(move |c| reduced.derivative(c)),
+            derivative: Box::new(move |c| reduced.jacobian(c).unwrap()),
         },
     ]
 }
@@ -197,7 +200,7 @@ proptest! {
         x in -1.1..1.1,
         y in -1.1..1.1,
     ) {
-        let creepage = Creepage { xi, eta, chi };
+        let creepage = creepage(xi, eta, chi);
         let (a_over_b, subjects) = &ALL[shape];
         let position = [x * a_over_b.sqrt(), y / a_over_b.sqrt()];
         for Subject { name, theory, derivative } in subjects {

@@ -4,24 +4,23 @@
 // A theory that cannot be prepared fails the test.
 #![allow(clippy::unwrap_used)]
 
+mod common;
+
 use std::f64::consts::PI;
 
-use creepage::rolling::saturated::Saturated;
-use creepage::rolling::{Creepage, Force, Region, Status, Theory};
+use common::{contact, creepage, try_contact};
+use creepage::approximate::saturated::Saturated;
+use creepage::{Creepage, Force, Region, Status, Theory};
 use serde_json::Value;
 
 const REFERENCE: &str = include_str!("data/saturated.json");
-
-fn creepage(xi: f64, eta: f64, chi: f64) -> Creepage {
-    Creepage::new(xi, eta, chi).unwrap()
-}
 
 fn array(force: Force) -> [f64; 3] {
     [force.fx, force.fy, force.mz]
 }
 
 fn force(a_over_b: f64, creepage: Creepage) -> [f64; 3] {
-    array(Saturated::new(a_over_b).unwrap().solve(creepage).force)
+    array(Saturated::new(&contact(a_over_b, 0.28)).unwrap().solve(creepage).force)
 }
 
 fn assert_close(actual: [f64; 3], expected: [f64; 3], tolerance: f64, case: &str) {
@@ -103,7 +102,7 @@ fn continuous_where_the_pole_leaves_the_contact() {
 fn tractions_add_up_to_the_force() {
     let rule = gauss_quad::GaussLegendre::new(60.try_into().unwrap());
     for (a_over_b, xi, eta) in [(0.5, 2.5, 1.0), (1.0, -1.0, 1.5), (3.0, 1.5, 2.0)] {
-        let theory = Saturated::new(a_over_b).unwrap();
+        let theory = Saturated::new(&contact(a_over_b, 0.28)).unwrap();
         let (a, b) = (f64::sqrt(a_over_b), f64::sqrt(1.0 / a_over_b));
         let case = creepage(xi, eta, -1.0);
         let mut total = [0.0; 3];
@@ -128,9 +127,9 @@ fn tractions_add_up_to_the_force() {
 /// symmetric, and vanishes along the creepage itself.
 #[test]
 fn derivative_is_a_hessian() {
-    let theory = Saturated::new(0.6).unwrap();
+    let theory = Saturated::new(&contact(0.6, 0.28)).unwrap();
     for at in [[0.2, 0.3, 1.0], [2.0, -1.0, 0.5], [1.0, 0.4, 0.0], [0.0, 0.0, -2.0]] {
-        let matrix = theory.derivative(creepage(at[0], at[1], at[2]));
+        let matrix = theory.jacobian(creepage(at[0], at[1], at[2])).unwrap();
         for (i, row) in matrix.iter().enumerate() {
             let along: f64 = row.iter().zip(at).map(|(entry, x)| entry * x).sum();
             assert!(along.abs() < 1e-13, "{at:?}");
@@ -144,7 +143,7 @@ fn derivative_is_a_hessian() {
 
 #[test]
 fn no_creepage_has_no_direction() {
-    let solution = Saturated::new(2.0).unwrap().solve(Creepage::default());
+    let solution = Saturated::new(&contact(2.0, 0.28)).unwrap().solve(Creepage::default());
     assert_eq!(solution.status, Status::CreepageTooSmall);
     assert_close(array(solution.force), [0.0; 3], 0.0, "rest");
 }
@@ -164,6 +163,7 @@ fn pole_at_infinity() {
 #[test]
 fn nonsense_is_an_error() {
     for a_over_b in [0.0, -1.0, f64::NAN, f64::INFINITY, 1e-4, 1e4] {
-        assert_eq!(Saturated::new(a_over_b).unwrap_err().quantity, "a_over_b");
+        let found = try_contact(a_over_b, 0.28).and_then(|c| Saturated::new(&c));
+        assert_eq!(found.unwrap_err().quantity, "a_over_b");
     }
 }

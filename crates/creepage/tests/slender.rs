@@ -2,15 +2,16 @@
 //! loss of power keeps tractions within their bound, and has one minimum.
 #![allow(clippy::unwrap_used)]
 
-use creepage::rolling::exact::{Exact, Resolution};
-use creepage::rolling::variational::{
-    Chain, Procedure, Settings, Start, TractionBound, Variational,
-};
-use creepage::rolling::{Creepage, Status};
+mod common;
+
+use common::contact;
+use creepage::coulomb::{Exact, Resolution};
+use creepage::variational::{Chain, Procedure, Settings, Start, TractionBound, Variational};
+use creepage::{Creepage, Status, Theory};
 use proptest::prelude::*;
 
 fn of_degree(degree: usize, a_over_b: f64) -> Variational {
-    Variational::new(a_over_b, 0.28, Settings::of_degree(degree)).unwrap()
+    Variational::new(&contact(a_over_b, 0.28), Settings::of_degree(degree)).unwrap()
 }
 
 fn spin(chi: f64) -> Creepage {
@@ -35,7 +36,7 @@ fn pure_spin_is_one_curve_from_three_starts() {
         for k in 1..=200 {
             let creepage = spin(0.05 * f64::from(k));
             let found = theory.solve_from(creepage, &Start::FullSliding);
-            let place = format!("a/b {a_over_b}, M {degree}, chi {}", creepage.chi);
+            let place = format!("a/b {a_over_b}, M {degree}, chi {}", creepage.chi());
             assert_ne!(found.solution.status, Status::NotConverged, "{place}");
             let force = found.solution.force;
             assert!(force.fy > 0.0 && force.fy < 0.95, "{place}: {force:?}");
@@ -55,8 +56,8 @@ fn pure_spin_is_one_curve_from_three_starts() {
 /// curve steeper than the full theory is at its steepest, which is at the beginning.
 #[test]
 fn the_curve_of_pure_spin_is_continuous() {
-    let exact = Exact::new(5.0, 0.28, Resolution::STANDARD).unwrap();
-    let steepest = exact.solve_with(spin(0.05), &mut exact.workspace()).force.fy;
+    let exact = Exact::new(&contact(5.0, 0.28), Resolution::STANDARD).unwrap();
+    let steepest = exact.solve(spin(0.05)).force.fy;
     for degree in [3, 4] {
         let theory = of_degree(degree, 5.0);
         let [coarse, fine] = [largest_step(&theory, 0.05, 60), largest_step(&theory, 0.005, 600)];
@@ -83,18 +84,16 @@ fn errors(theory: &Variational, exact: &[[f64; 2]]) -> [f64; 2] {
 /// contact, which polynomials of degree 3 do not resolve; more degree does.
 #[test]
 fn pure_spin_approaches_the_full_theory() {
-    let full = Exact::new(5.0, 0.28, Resolution::STANDARD).unwrap();
+    let full = Exact::new(&contact(5.0, 0.28), Resolution::STANDARD).unwrap();
     let low = (1..=20).map(|k| 0.05 * f64::from(k));
     let spins = low.chain([1.25, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 7.0, 10.0]);
-    let exact: Vec<_> = spins
-        .map(|chi| [chi, full.solve_with(spin(chi), &mut full.workspace()).force.fy])
-        .collect();
+    let exact: Vec<_> = spins.map(|chi| [chi, full.solve(spin(chi)).force.fy]).collect();
     for (degree, bounds) in [(3, [0.05, 0.22]), (6, [0.06, 0.08]), (8, [0.05, 0.06])] {
         let kept = errors(&of_degree(degree, 5.0), &exact);
         // A fifth above what was measured.
         assert!(kept[0] < bounds[0] && kept[1] < bounds[1], "M {degree}: {kept:?}");
         let settings = Settings { bound: TractionBound::Unchecked, ..Settings::of_degree(degree) };
-        let unchecked = errors(&Variational::new(5.0, 0.28, settings).unwrap(), &exact);
+        let unchecked = errors(&Variational::new(&contact(5.0, 0.28), settings).unwrap(), &exact);
         assert!(kept[0] < unchecked[0], "M {degree}: {kept:?}, {unchecked:?}");
     }
 }

@@ -3,9 +3,12 @@
 #![allow(clippy::unwrap_used)]
 #![allow(clippy::print_stdout)] // the table is for people
 
-use creepage::rolling::exact::{Exact, Resolution};
-use creepage::rolling::variational::{Settings, Start, Variational};
-use creepage::rolling::{Creepage, Force, Status};
+mod common;
+
+use common::contact;
+use creepage::coulomb::{Exact, Resolution};
+use creepage::variational::{Settings, Start, Variational};
+use creepage::{Creepage, Force, Status, Theory};
 
 const DEGREES: std::ops::RangeInclusive<usize> = 2..=12;
 const POISSON: f64 = 0.28;
@@ -26,15 +29,15 @@ fn cases() -> [(&'static str, f64, Creepage); 6] {
 
 /// Error of the force against the full theory, and the mean of `W T S`, of every degree.
 fn by_degree(a_over_b: f64, creepage: Creepage) -> Vec<[f64; 2]> {
-    let exact = Exact::new(a_over_b, POISSON, Resolution::FINE).unwrap();
-    let exact = exact.solve_with(creepage, &mut exact.workspace());
+    let exact = Exact::new(&contact(a_over_b, POISSON), Resolution::FINE).unwrap();
+    let exact = exact.solve(creepage);
     // The full theory is better than the best of these by a factor.
-    assert!(exact.error.fx.max(exact.error.fy) < 0.005);
+    assert!(exact.error.is_some_and(|error| error.fx.max(error.fy) < 0.005));
     let distance = |force: Force| (force.fx - exact.force.fx).hypot(force.fy - exact.force.fy);
     DEGREES
         .map(|degree| {
             let settings = Settings::of_degree(degree);
-            let theory = Variational::new(a_over_b, POISSON, settings).unwrap();
+            let theory = Variational::new(&contact(a_over_b, POISSON), settings).unwrap();
             let found = theory.solve_from(creepage, &Start::FullSliding);
             assert_eq!(found.solution.status, Status::Solved);
             [distance(found.solution.force), found.mean_integrand]

@@ -1,16 +1,19 @@
 //! Series of the numerical theory: chains, starts, formulations and integrands.
 #![allow(clippy::panic, clippy::unwrap_used)]
 
+mod common;
+
+use common::contact;
 use creepage::halfspace::Polynomial;
-use creepage::rolling::variational::{
+use creepage::variational::{
     Chain, IntegrandArguments, IntegrandTerms, Limits, Method, NewtonStep, Procedure, Settings,
     Start, Variational, VariationalError, Weight,
 };
-use creepage::rolling::{Creepage, Force, Status};
+use creepage::{Creepage, Force, Status};
 use serde_json::Value;
 
 fn prepared(a_over_b: f64, settings: Settings) -> Variational {
-    Variational::new(a_over_b, 0.28, settings).unwrap()
+    Variational::new(&contact(a_over_b, 0.28), settings).unwrap()
 }
 
 /// Creepage `size` at `angle` degrees from the rolling direction (5.16).
@@ -36,8 +39,8 @@ fn figure_12_through_its_chain() {
         steps.clear();
         let case = chain.solve(at_angle(size, -30.0, 2.0), Some(&mut steps));
         assert_eq!(case.steps_from_previous, 1);
-        assert_eq!(case.found.iterations, steps.len());
-        iterations.push(case.found.iterations);
+        assert_eq!(case.found.iterations(), steps.len());
+        iterations.push(case.found.iterations());
         last = Some(case.found);
     }
     assert_eq!(iterations, [6, 4, 4]);
@@ -86,7 +89,7 @@ fn iterations_per_case(degree: usize, mesh: [usize; 2]) -> f64 {
             let case = chain.solve(creepage, None);
             assert_ne!(case.found.solution.status, Status::NotConverged);
             assert_eq!(case.steps_from_previous, 1, "{creepage:?}");
-            iterations += case.found.iterations;
+            iterations += case.found.iterations();
         }
     }
     iterations as f64 / (lateral.len() + spin.len()) as f64
@@ -142,7 +145,7 @@ fn saturating(factor: f64, at: IntegrandArguments) -> IntegrandTerms {
 fn an_integrand_of_the_users_own_is_checked_and_minimized() {
     let build = |factor| {
         let settings = Settings::default();
-        Variational::with_integrand(1.0, 0.28, settings, move |at| saturating(factor, at))
+        Variational::with_integrand(&contact(1.0, 0.28), settings, move |at| saturating(factor, at))
     };
     let wrong = build(1.01).unwrap_err();
     assert!(matches!(wrong, VariationalError::Derivative { name: "f*", .. }), "{wrong}");
@@ -168,7 +171,7 @@ fn the_weight_may_be_part_of_the_users_integrand() {
         IntegrandTerms { f: w * t * s, t: w * s, s: w * t, ts: w, ..IntegrandTerms::default() }
     };
     let uniform = Settings { weight: Weight::Uniform, ..Settings::default() };
-    let own = Variational::with_integrand(0.5, 0.28, uniform, weighted).unwrap();
+    let own = Variational::with_integrand(&contact(0.5, 0.28), uniform, weighted).unwrap();
     let creepage = at_angle(1.7, -30.0, 2.0);
     let [one, two] = [&own, &prepared(0.5, Settings::default())]
         .map(|theory| theory.solve_from(creepage, &Start::FullSliding));

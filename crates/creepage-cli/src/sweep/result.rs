@@ -6,10 +6,9 @@ use std::path::Path;
 
 use creepage::rolling::Status;
 use creepage::rolling::variational::Variational;
+use creepage_1967::{Page, PageStyle};
 use creepage_case::Sweep;
-use creepage_report::{
-    Page, PageStyle, ReportError, SeriesHead, SeriesRow, series_csv, series_json, series_netcdf,
-};
+use creepage_report::{ReportError, SeriesHead, SeriesRow, series_csv, series_json, series_netcdf};
 
 use super::chains;
 use super::journal::Journal;

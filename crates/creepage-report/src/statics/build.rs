@@ -6,10 +6,9 @@ use creepage::statics::{Bonded, Die, DieError, PartialSlip};
 use creepage::{Ellipse, Hertz, Solid, SolidPair};
 
 use super::StaticsReport;
-use super::field::Field;
+use super::field::{Field, magnitude};
 use super::quantity::Quantity;
 use super::slip_angle::Slip;
-use crate::plane::magnitude;
 
 impl<'a> StaticsReport<'a> {
     /// A rigid die with base `base` (m) on the half-space `solid`, under `normal_force` (N) at

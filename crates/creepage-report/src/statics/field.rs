@@ -2,20 +2,22 @@
 
 use creepage::statics::{Bonded, Die, PartialSlip};
 
-use crate::plane::magnitude;
-use crate::scene::Point;
+/// Length of a vector.
+pub(super) fn magnitude([x, y]: [f64; 2]) -> f64 {
+    x.hypot(y)
+}
 
 /// The solution whose field is shown.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Field<'a> {
-    Die { die: &'a Die, offset: Point },
+    Die { die: &'a Die, offset: [f64; 2] },
     Bonded(&'a Bonded),
     PartialSlip(&'a PartialSlip),
 }
 
 impl Field<'_> {
     /// Pressure of the die, or magnitude of the traction (Pa).
-    pub(super) fn intensity(&self, point: Point) -> f64 {
+    pub(super) fn intensity(&self, point: [f64; 2]) -> f64 {
         match self {
             Self::Die { die, .. } => die.pressure(point),
             Self::Bonded(_) | Self::PartialSlip(_) => magnitude(self.traction(point)),
@@ -23,7 +25,7 @@ impl Field<'_> {
     }
 
     /// Tangential traction on the lower body (Pa); the die has none.
-    pub(super) fn traction(&self, point: Point) -> [f64; 2] {
+    pub(super) fn traction(&self, point: [f64; 2]) -> [f64; 2] {
         match self {
             Self::Die { .. } => [0.0; 2],
             Self::Bonded(bonded) => bonded.traction(point),
@@ -64,7 +66,7 @@ impl Field<'_> {
     }
 
     /// The field at a point inside the contact; NaN where a number does not exist.
-    pub(super) fn row(&self, point: Point) -> Vec<f64> {
+    pub(super) fn row(&self, point: [f64; 2]) -> Vec<f64> {
         let [x, y] = self.traction(point);
         match self {
             Self::Die { die, .. } => {

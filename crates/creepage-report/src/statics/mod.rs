@@ -1,12 +1,7 @@
 //! Problems without rolling: text, JSON, points, picture.
 
-mod arrows;
-mod bands;
 mod build;
-mod caption;
 mod field;
-mod key;
-mod levels;
 mod of_case;
 mod output;
 mod picture;

@@ -1,52 +1,104 @@
 //! The picture of a problem without rolling, seen from above.
 
-use super::arrows::Arrows;
+use creepage_plot::format::quantity;
+use creepage_plot::theme::DARK;
+use creepage_plot::{Arrows, Bands, Cell, Label, Panel, Pen, Sample, Table, TopView, ellipse};
+
 use super::field::Field;
-use super::{StaticsReport, bands, caption, key};
-use crate::contact_picture::Layout;
-use crate::contact_view::pole_mark;
-use crate::legend;
-use crate::plane::Plane;
-use crate::scene::{Ink, Scene};
-use crate::sheet::{DARK, WIDTH};
+use super::{Quantity, StaticsReport};
+use crate::contact_picture::TARGET;
+
+/// The line of a die's lift-off limit.
+const LIMIT: Pen = Pen { colour: DARK, dashes: "6 4", width: 1.8 };
+/// The edge of the adhesion area.
+const ADHESION: Pen = Pen { colour: DARK, dashes: "", width: 2.6 };
+const ROW: f64 = 25.0;
 
 impl StaticsReport<'_> {
     /// The contact seen from above, as SVG.
     #[must_use]
     pub fn svg(&self) -> String {
-        let levels = self.levels();
-        let height = key::height(self, levels.len());
-        let layout = Layout::new(self.ellipse.ratio(), caption::TITLE_HEIGHT, height);
-        let plane = Plane::new(layout.centre, layout.semi_axes, self.ellipse);
-        let arrows = Arrows::new(self, &plane);
-        let mut scene = Scene::new();
-        caption::title(&mut scene, self);
-        bands::draw(&mut scene, self, &plane, &levels);
-        plane.axes(&mut scene);
-        self.marks(&mut scene, &plane);
-        arrows.draw(&mut scene, &plane);
-        plane.scale_bars(&mut scene, [layout.plot.from[0] + 6.0, layout.plot.to[1] - 14.0]);
-        key::draw(&mut scene, layout.key, self, &levels, &arrows);
-        legend::orientation(&mut scene, layout.orientation, &plane);
-        caption::table(&mut scene, layout.table, self);
-        scene.finish([WIDTH, layout.table + caption::table_height(self)], self.title)
+        self.top_view().svg(self.title)
+    }
+
+    fn top_view(&self) -> TopView {
+        let axes = [self.ellipse.a(), self.ellipse.b()];
+        let at = |disc: [f64; 2]| [0, 1].map(|i| axes[i] * disc[i]);
+        let view = TopView::new(self.title, axes).aside(self.source()).note(self.setting());
+        let bands = Bands::new(|disc| self.field.intensity(at(disc)), self.field.is_singular());
+        let tractions =
+            view.lattice().into_iter().map(|disc| (disc, self.field.traction(at(disc))));
+        let arrows = view.arrows(tractions.collect());
+        let figure = arrows.draw(self.marks(TopView::panel()));
+        let view = view.ground(bands.draw(TopView::panel())).figure(figure).table(self.table());
+        self.key(view, &bands, &arrows)
+    }
+
+    fn source(&self) -> &'static str {
+        match self.field {
+            Field::Die { .. } => "Kalker 1967, section 3.211",
+            Field::Bonded(_) => "Cattaneo, Mindlin; Kalker 1967, section 3.212",
+            Field::PartialSlip(_) => "Cattaneo, Mindlin; Kalker 1967, section 3.222",
+        }
+    }
+
+    /// What is given, below the title.
+    fn setting(&self) -> Label {
+        let equations = self.given.iter().filter_map(Quantity::equation);
+        let line = equations.reduce(|line, next| line.plain("\u{2003}").joined(&next));
+        line.unwrap_or_default()
     }
 
     /// The lift-off limit and the load of a die, or the adhesion ellipse.
-    fn marks(&self, scene: &mut Scene, plane: &Plane) {
-        let scaled = |factor: f64| plane.semi_axes.map(|axis| factor * axis);
+    fn marks(&self, panel: Panel) -> Panel {
         match self.field {
             Field::Die { offset, .. } => {
-                scene.ellipse(plane.centre, scaled(1.0 / 3.0), key::LIMIT);
                 let place = [offset[0] / self.ellipse.a(), offset[1] / self.ellipse.b()];
-                pole_mark(scene, plane.at(place));
+                panel.curve(ellipse([1.0 / 3.0; 2]), LIMIT).marks(vec![place], TARGET)
             }
-            Field::Bonded(_) => {}
+            Field::Bonded(_) => panel,
             Field::PartialSlip(partial) => {
-                let factor = partial.adhesion().a() / self.ellipse.a();
-                scene.ellipse(plane.centre, scaled(factor), Ink::line(DARK, 2.6));
+                panel.curve(ellipse([partial.adhesion().a() / self.ellipse.a(); 2]), ADHESION)
             }
         }
+    }
+
+    fn key(&self, view: TopView, bands: &Bands, arrows: &Arrows) -> TopView {
+        let name = match self.field {
+            Field::Die { .. } => "pressure",
+            Field::Bonded(_) | Field::PartialSlip(_) => "traction on the lower body",
+        };
+        let mut view = bands.key(view.key(Sample::Blank, Label::new(name)), "Pa");
+        if self.field.is_singular() {
+            view = view.key(Sample::Blank, Label::new("without bound at the edge"));
+        }
+        if let Some((sample, traction)) = arrows.sample(1.0) {
+            view = view.key(sample, Label::default().number(&quantity(traction, "Pa", 3)));
+        }
+        match self.field {
+            Field::Die { .. } => {
+                view.key(TARGET, Label::new("the load")).key(LIMIT, Label::new("limit of lift-off"))
+            }
+            Field::Bonded(_) => view,
+            Field::PartialSlip(_) => view.key(ADHESION, Label::new("edge of the adhesion area")),
+        }
+    }
+
+    /// What was found, in two columns.
+    fn table(&self) -> Table {
+        let rows = self.found.len().div_ceil(2);
+        let (left, right) = self.found.split_at(rows.min(self.found.len()));
+        let cells = |quantity: &Quantity| {
+            let name = Label::new(&quantity.name.replace("mu N", "μN"));
+            let number = Label::default().number(&quantity.written(4));
+            [Cell::Name(name), Cell::Number(number)]
+        };
+        let table = Table::new(&[0.0, 242.0, 486.0, 728.0]);
+        left.iter().enumerate().fold(table, |table, (row, quantity)| {
+            let both =
+                cells(quantity).into_iter().chain(right.get(row).into_iter().flat_map(cells));
+            table.row(ROW, both.collect())
+        })
     }
 }
 
@@ -57,14 +109,12 @@ mod tests {
     use creepage::{Ellipse, Hertz, Solid, SolidPair};
 
     use super::*;
-    use crate::testing::{check_sheet, contact};
+    use crate::testing::{check_view, contact};
 
     const RATIOS: [f64; 7] = [1e-3, 0.05, 0.6, 1.0, 1.6, 6.0, 1e3];
 
     fn check(report: &StaticsReport) {
-        let height = key::height(report, report.levels().len());
-        let layout = Layout::new(report.ellipse.ratio(), caption::TITLE_HEIGHT, height);
-        check_sheet(&report.svg(), &layout);
+        check_view(&report.svg(), report.top_view().on_the_sheet());
     }
 
     fn rubber() -> Solid {

@@ -1,7 +1,7 @@
 //! A number with its names and its unit.
 
-use crate::format::{fixed, quantity, significant};
-use crate::label::Label;
+use creepage_plot::Label;
+use creepage_plot::format::{fixed, quantity, significant};
 
 /// A number with its names and its unit.
 #[derive(Debug, Clone, Copy)]

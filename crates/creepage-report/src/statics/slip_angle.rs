@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use creepage::Ellipse;
 use creepage::statics::PartialSlip;
 
-use crate::plane::magnitude;
+use super::field::magnitude;
 
 /// Rings in the area of slip, and points on each.
 const RINGS: u32 = 24;

@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use creepage::Ellipse;
-use creepage::rolling::Force;
+use creepage::Force;
 
 /// Cells `(row, column)`: rows from negative `y`, columns from the trailing edge; those inside the
 /// contact are counted row by row.

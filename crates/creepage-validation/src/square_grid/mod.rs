@@ -4,8 +4,7 @@ mod cells;
 mod response;
 mod row;
 
-use creepage::rolling::{Creepage, Force};
-use creepage::{Ellipse, InvalidValue};
+use creepage::{Contact, Creepage, Force};
 
 use cells::Cells;
 use response::Responses;
@@ -20,12 +19,13 @@ const ROUNDS: usize = 300;
 /// cell upstream, over rigid slip taken between the two places where it belongs (the step's middle,
 /// and the centre, where friction is): over the reference cases 40 x 40 cells then err by 0.35 %
 /// (median) to 1.05 % of `mu N`. Rows of cells are solved by Newton in sweeps up and down, as in
-/// [`Exact`](creepage::rolling::exact::Exact).
+/// [`Exact`](creepage::coulomb::Exact).
 ///
 /// ```
-/// use creepage::rolling::Creepage;
+/// use creepage::{Contact, Creepage, Ellipse};
 /// use creepage_validation::SquareGrid;
-/// let grid = SquareGrid::new(1.0, 0.28, 16)?;
+/// let circle = Contact::new(Ellipse::from_ratio(1.0)?, 0.28)?;
+/// let grid = SquareGrid::new(&circle, 16);
 /// let force = grid.force(Creepage::new(0.9, 0.0, 0.0)?).unwrap();
 /// // On 16 x 16 cells the border of the ellipse is a staircase, and the force off by some per cent.
 /// assert!((force.fx - 0.733).abs() < 0.05);
@@ -38,16 +38,12 @@ pub struct SquareGrid {
 }
 
 impl SquareGrid {
-    /// Prepares `n` by `n` cells, two at least, for a ratio of semi-axes and a combined Poisson's
-    /// ratio.
-    ///
-    /// # Errors
-    /// [`InvalidValue`] when `a_over_b` is no positive number.
-    pub fn new(a_over_b: f64, poisson: f64, n: usize) -> Result<Self, InvalidValue> {
-        let ellipse = Ellipse::from_ratio(a_over_b)?;
-        let cells = Cells::new(ellipse, n.max(2));
-        let responses = Responses::new(ellipse, poisson, &cells);
-        Ok(Self { cells, responses })
+    /// Prepares `n` by `n` cells, two at least, for a contact.
+    #[must_use]
+    pub fn new(contact: &Contact, n: usize) -> Self {
+        let cells = Cells::new(contact.ellipse(), n.max(2));
+        let responses = Responses::new(contact.ellipse(), contact.poisson(), &cells);
+        Self { cells, responses }
     }
 
     /// Cells inside the contact.
@@ -96,7 +92,8 @@ impl SquareGrid {
 mod tests {
     use super::*;
     use crate::steady_rolling;
-    use creepage::rolling::exact::{Exact, Resolution};
+    use creepage::coulomb::{Exact, Resolution};
+    use creepage::{Ellipse, Theory};
 
     /// A staircase of cells errs by parts of a cell's width: at 20 x 20 by a per cent or two, and
     /// the mean error falls with the cells' width. Every fourth of the reference cases.
@@ -106,7 +103,7 @@ mod tests {
         let error = |n: usize| {
             let mut sum = 0.0;
             for case in cases.iter().step_by(4) {
-                let grid = SquareGrid::new(case.a_over_b, case.poisson, n).unwrap();
+                let grid = SquareGrid::new(&case.contact, n);
                 let force = grid.force(case.creepage).unwrap();
                 sum += (force.fx - case.force.fx).hypot(force.fy - case.force.fy);
             }
@@ -121,9 +118,9 @@ mod tests {
     #[test]
     fn it_agrees_with_the_fitted_elements() {
         let creepage = Creepage::new(0.7, -0.5, 1.0).unwrap();
-        let exact = Exact::new(0.5, 0.3, Resolution::STANDARD).unwrap();
-        let exact = exact.solve_with(creepage, &mut exact.workspace()).force;
-        let plain = SquareGrid::new(0.5, 0.3, 30).unwrap().force(creepage).unwrap();
+        let contact = Contact::new(Ellipse::from_ratio(0.5).unwrap(), 0.3).unwrap();
+        let exact = Exact::new(&contact, Resolution::STANDARD).unwrap().solve(creepage).force;
+        let plain = SquareGrid::new(&contact, 30).force(creepage).unwrap();
         // The staircase at 30 x 30; see above.
         assert!((plain.fx - exact.fx).hypot(plain.fy - exact.fy) < 0.01, "{plain:?} {exact:?}");
     }

@@ -3,10 +3,10 @@
 use std::f64::consts::PI;
 
 use super::shift_compliances;
+use crate::SiForce;
 use crate::check;
 use crate::ellipse::Ellipse;
 use crate::halfspace::{DisplacementField, LoadDisplacement, Polynomial, ResponseError, Traction};
-use crate::rolling::SiForce;
 use crate::solid::SolidPair;
 
 /// Cattaneo's and Mindlin's contact without slip: a tangential force and a torsional moment on
@@ -16,7 +16,7 @@ use crate::solid::SolidPair;
 /// [`PartialSlip`](super::PartialSlip). The influence of the pressure is left out.
 ///
 /// ```
-/// use creepage::rolling::SiForce;
+/// use creepage::SiForce;
 /// use creepage::statics::Bonded;
 /// use creepage::{Ellipse, Solid, SolidPair};
 /// let steel = Solid::new(82e9, 0.28)?;

@@ -1,13 +1,13 @@
 //! Two bodies in contact, shifted against each other, with slip at the edge (3.222).
 
 use super::shift_compliances;
+use crate::Region;
 use crate::check::{self, InvalidValue};
 use crate::ellipse::Ellipse;
 use crate::halfspace::{
     DisplacementField, Edge, Polynomial, PolynomialError, ResponseError, Traction, coefficients,
 };
 use crate::hertz::Hertz;
-use crate::rolling::Region;
 
 /// Why there is no contact with partial slip.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]

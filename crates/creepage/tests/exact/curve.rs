@@ -1,13 +1,13 @@
 //! One creepage after another: warm starts, and no jumps.
 
-use creepage::rolling::exact::{Exact, Resolution};
-use creepage::rolling::{Creepage, Status, Theory};
+use creepage::coulomb::Resolution;
+use creepage::{Creepage, Status, Theory};
 
-use crate::support::components;
+use crate::support::{components, exact};
 
 #[test]
 fn warm_starts_find_the_same_solutions() {
-    let theory = Exact::new(1.0, 0.28, Resolution::STANDARD).unwrap();
+    let theory = exact(1.0, 0.28, Resolution::STANDARD);
     let curve: Vec<_> =
         (0..40).map(|k| Creepage::new(0.4, -0.2, 0.1 * f64::from(k)).unwrap()).collect();
     for (warm, creepage) in theory.curve(&curve).into_iter().zip(&curve) {
@@ -23,7 +23,7 @@ fn warm_starts_find_the_same_solutions() {
 #[test]
 fn a_curve_may_come_down_to_nothing() {
     for ratio in [0.05, 1.0, 40.0] {
-        let theory = Exact::new(ratio, 0.28, Resolution::FAST).unwrap();
+        let theory = exact(ratio, 0.28, Resolution::FAST);
         for size in [0.0, 1e-300, 1e-20, 1e-9, 1e-3] {
             let [from, to] = [2.0, size].map(|s| Creepage::new(s, -0.3 * s, 0.2 * s).unwrap());
             let warm = theory.curve(&[from, to])[1];
@@ -44,7 +44,7 @@ fn a_curve_may_come_down_to_nothing() {
 /// steps shrink with those of the creepage.
 #[test]
 fn the_force_is_continuous() {
-    let theory = Exact::new(1.3, 0.28, Resolution::FAST).unwrap();
+    let theory = exact(1.3, 0.28, Resolution::FAST);
     let largest_step = |count: u32| {
         let curve: Vec<_> = (0..=count)
             .map(|k| {

@@ -1,9 +1,10 @@
 //! The error bars: what they promise holds.
 
-use creepage::rolling::Creepage;
-use creepage::rolling::exact::{Automatic, Exact, Resolution};
+use creepage::Theory;
+use creepage::coulomb::{Automatic, Resolution};
 
-use crate::support::{components, solve};
+use crate::common::{at, contact};
+use crate::support::{components, exact, solve};
 
 /// The error bar of the fast resolution against the fine one, which is ten times as accurate, on
 /// contacts and creepages of every kind. The bar is made for 95 %.
@@ -14,7 +15,7 @@ fn the_error_bar_holds() {
         [(0.2, 0.1), (0.6, 0.45), (1.0, 0.28), (1.7, 0.0), (3.0, 0.35), (5.0, 0.2)]
     {
         let [fast, fine] = [Resolution::FAST, Resolution::FINE]
-            .map(|resolution| Exact::new(ratio, poisson, resolution).unwrap());
+            .map(|resolution| exact(ratio, poisson, resolution));
         for k in 0..30 {
             let t = f64::from(k) + ratio;
             let case = [3.0 * (1.3 * t).sin(), 3.0 * (2.1 * t).cos(), 8.0 * (0.7 * t).sin()];
@@ -35,9 +36,8 @@ fn the_error_bar_holds() {
 fn refined_values_agree_within_their_bars() {
     let (mut inside, mut all) = (0, 0);
     for (ratio, poisson) in [(0.25, 0.4), (0.7, 0.0), (1.0, 0.28), (2.2, 0.15), (5.0, 0.28)] {
-        let [coarse, fine] = [(12, 10), (24, 20)].map(|(along, across)| {
-            Exact::new(ratio, poisson, Resolution::new(along, across).unwrap()).unwrap()
-        });
+        let [coarse, fine] = [(12, 10), (24, 20)]
+            .map(|(along, across)| exact(ratio, poisson, Resolution::new(along, across).unwrap()));
         for k in 0..24 {
             let t = f64::from(k) - ratio;
             let case = [3.0 * (1.9 * t).cos(), 3.0 * (1.1 * t).sin(), 8.0 * (2.3 * t).sin()];
@@ -55,9 +55,9 @@ fn refined_values_agree_within_their_bars() {
 
 #[test]
 fn automatic_refines_until_the_bar_is_small() {
-    let theory = Automatic::new(1.0, 0.28, 0.004).unwrap();
+    let theory = Automatic::new(&contact(1.0, 0.28), 0.004).unwrap();
     for case in [[3.0, 0.0, 0.0], [0.5, 0.5, 1.0], [0.0, 0.0, 2.0]] {
-        let found = theory.solve_to_accuracy(Creepage::new(case[0], case[1], case[2]).unwrap());
-        assert!(found.error.fx.max(found.error.fy) <= 0.004, "{case:?} {found:?}");
+        let error = theory.solve(at(case)).error.unwrap();
+        assert!(error.fx.max(error.fy) <= 0.004, "{case:?} {error:?}");
     }
 }

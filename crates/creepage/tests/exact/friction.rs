@@ -1,10 +1,12 @@
 //! Coulomb's law and the symmetries, on contacts and creepages at random.
 
-use creepage::rolling::exact::{Exact, Resolution};
-use creepage::rolling::{Creepage, Region, Status};
+use creepage::coulomb::Resolution;
+use creepage::theory::Solved;
+use creepage::{Region, Status};
 use proptest::prelude::*;
 
-use crate::support::solve;
+use crate::common::at;
+use crate::support::{exact, solve};
 
 fn contact() -> impl Strategy<Value = (f64, f64)> {
     ((-1.9..1.8_f64).prop_map(f64::exp), 0.0..0.5_f64)
@@ -20,7 +22,7 @@ proptest! {
     /// (4.28): reversing all, or mirroring at y = 0.
     #[test]
     fn symmetries((ratio, poisson) in contact(), [xi, eta, chi] in creepage()) {
-        let theory = Exact::new(ratio, poisson, Resolution::FAST).unwrap();
+        let theory = exact(ratio, poisson, Resolution::FAST);
         let force = solve(&theory, [xi, eta, chi]).force;
         let reversed = solve(&theory, [-xi, -eta, -chi]).force;
         let mirrored = solve(&theory, [xi, -eta, -chi]).force;
@@ -37,12 +39,10 @@ proptest! {
     /// below; no element gives energy back.
     #[test]
     fn coulombs_law_holds((ratio, poisson) in contact(), [xi, eta, chi] in creepage()) {
-        let theory = Exact::new(ratio, poisson, Resolution::FAST).unwrap();
-        let mut workspace = theory.workspace();
-        let creepage = Creepage::new(xi, eta, chi).unwrap();
-        let found = theory.solve_with(creepage, &mut workspace);
-        prop_assert_eq!(found.status, Status::Solved);
-        let elements = theory.element_fields(&workspace);
+        let theory = exact(ratio, poisson, Resolution::FAST);
+        let solved = theory.solve_contact(at([xi, eta, chi]));
+        prop_assert_eq!(solved.solution().status, Status::Solved);
+        let elements = solved.elements();
         prop_assert!((elements.iter().map(|e| e.share).sum::<f64>() - 1.0).abs() < 1e-12);
         for element in &elements {
             let ([p, q], [u, v]) = (element.point.traction, element.point.slip);
@@ -60,7 +60,7 @@ proptest! {
         }
         // Between the elements' middles the field is interpolated, and stays below the bound.
         let positions: Vec<_> = elements.iter().map(|e| e.point.position).collect();
-        for point in theory.field_of(&workspace, &positions) {
+        for point in solved.field(&positions) {
             let [x, y] = point.position;
             let bound = (1.0 - x * x / ratio - y * y * ratio).sqrt();
             prop_assert!(point.traction[0].hypot(point.traction[1]) <= bound * (1.0 + 1e-6));
@@ -75,12 +75,9 @@ proptest! {
     #[test]
     fn the_elements_give_all_the_heat(poisson in 0.0..0.5_f64, creepage in creepage()) {
         let heat = |along, across| {
-            let theory = Exact::new(1.0, poisson, Resolution::new(along, across).unwrap()).unwrap();
-            let mut workspace = theory.workspace();
-            let [xi, eta, chi] = creepage;
-            let found = theory.solve_with(Creepage::new(xi, eta, chi).unwrap(), &mut workspace);
-            let elements = theory.element_fields(&workspace);
-            (found.dissipation, elements.iter().map(|e| e.power).sum::<f64>())
+            let theory = exact(1.0, poisson, Resolution::new(along, across).unwrap());
+            let solved = theory.solve_contact(at(creepage));
+            (solved.dissipation().unwrap(), solved.elements().iter().map(|e| e.power).sum::<f64>())
         };
         let ((_, coarse), (dissipation, fine)) = (heat(12, 8), heat(24, 16));
         // Tractions are iterated to 1e-8, from different starts, and slip is up to ten.

@@ -1,15 +1,16 @@
 //! The limits: linear theory, full sliding, strips.
 
-use creepage::rolling::exact::{Exact, Resolution};
-use creepage::rolling::linear::Linear;
-use creepage::rolling::saturated::Saturated;
-use creepage::rolling::{Creepage, Status, Theory};
+use creepage::approximate::linear::Linear;
+use creepage::approximate::saturated::Saturated;
+use creepage::coulomb::Resolution;
+use creepage::{Creepage, Status, Theory};
 
-use crate::support::{components, solve};
+use crate::common::contact;
+use crate::support::{components, exact, solve};
 
 #[test]
 fn no_creepage_no_force() {
-    let theory = Exact::new(2.0, 0.3, Resolution::FAST).unwrap();
+    let theory = exact(2.0, 0.3, Resolution::FAST);
     let found = solve(&theory, [0.0; 3]);
     assert_eq!(found.status, Status::Solved);
     assert!(components(found.force).iter().all(|f| *f == 0.0));
@@ -21,8 +22,9 @@ fn small_creepage_is_linear() {
     for (ratio, poisson) in
         [(0.1, 0.28), (0.3, 0.5), (1.0, 0.0), (1.0, 0.5), (3.0, 0.28), (10.0, 0.28), (10.0, 0.0)]
     {
-        let theory = Exact::new(ratio, poisson, Resolution::FINE).unwrap();
-        let gains = Linear::new(ratio, poisson).unwrap().derivative(Creepage::default());
+        let theory = exact(ratio, poisson, Resolution::FINE);
+        let gains =
+            Linear::new(&contact(ratio, poisson)).unwrap().jacobian(Creepage::default()).unwrap();
         // No element slides yet.
         let small = 1e-7;
         for column in 0..3 {
@@ -45,21 +47,20 @@ fn small_creepage_is_linear() {
 /// Large creepage: full sliding, with the pole of the spin anywhere, to 0.05 %.
 #[test]
 fn large_creepage_saturates() {
-    let theory = Exact::new(1.0, 0.28, Resolution::FINE).unwrap();
+    let theory = exact(1.0, 0.28, Resolution::FINE);
     let found = solve(&theory, [6e3, 8e3, 0.0]).force;
     // Elastic slip is 1e-4 of the rigid slip.
     assert!((found.fx - 0.6).abs() < 1e-4 && (found.fy - 0.8).abs() < 1e-4);
     for ratio in [0.1_f64, 0.4, 1.0, 3.0, 10.0] {
-        let theory = Exact::new(ratio, 0.28, Resolution::FINE).unwrap();
-        let mut workspace = theory.workspace();
-        let saturated = Saturated::new(ratio).unwrap();
+        let theory = exact(ratio, 0.28, Resolution::FINE);
+        let saturated = Saturated::new(&contact(ratio, 0.28)).unwrap();
         for k in 0..24 {
             // The pole goes outwards in a spiral from the middle, to twice the semi-axes.
             let (sin, cos) = (1.3 * f64::from(k)).sin_cos();
             let distance = f64::from(k) / 12.0;
             let (x, y) = (distance * cos * ratio.sqrt(), distance * sin / ratio.sqrt());
             let creepage = Creepage::new(1e5 * y, -1e5 * x, 1e5).unwrap();
-            let found = components(theory.solve_with(creepage, &mut workspace).force);
+            let found = components(theory.solve(creepage).force);
             let expected = components(saturated.solve(creepage).force);
             for (found, expected) in found.into_iter().zip(expected) {
                 assert!((found - expected).abs() < 5e-4, "{ratio} {k}: {found} {expected}");
@@ -73,7 +74,7 @@ fn large_creepage_saturates() {
 #[test]
 fn slender_strips_are_carters() {
     let ratio = 1.0 / 50.0_f64;
-    let theory = Exact::new(ratio, 0.28, Resolution::STANDARD).unwrap();
+    let theory = exact(ratio, 0.28, Resolution::STANDARD);
     for xi in [0.1, 0.3, 0.5] {
         let shorter = 0.25 * xi / ratio.sqrt();
         let steps = 20_000;

@@ -2,6 +2,9 @@
 // Tests may fail by unwrapping and by panicking.
 #![allow(clippy::panic, clippy::unwrap_used)]
 
+#[path = "../common/mod.rs"]
+mod common;
+mod cost;
 mod curve;
 mod derivative;
 mod error_bar;

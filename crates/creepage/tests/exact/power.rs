@@ -1,8 +1,8 @@
 //! Creepage times force is the power turned to heat in the slip area.
 
-use creepage::rolling::exact::{Exact, Resolution};
+use creepage::coulomb::Resolution;
 
-use crate::support::solve;
+use crate::support::{exact, solve};
 
 /// Creepage times force is the power turned to heat in the slip area. Both are extrapolated from
 /// two grids; what is left of their difference is heat in slip areas narrower than an element.
@@ -13,7 +13,7 @@ fn both_powers_agree() {
     let mut worst = [0.0_f64; 2];
     for ratio in [0.3, 1.0, 4.0] {
         for (worst, resolution) in worst.iter_mut().zip([Resolution::FAST, Resolution::FINE]) {
-            let theory = Exact::new(ratio, 0.28, resolution).unwrap();
+            let theory = exact(ratio, 0.28, resolution);
             for case in cases {
                 let found = solve(&theory, case);
                 *worst = worst.max((found.power - found.dissipation).abs() / found.power);
@@ -29,7 +29,7 @@ fn both_powers_agree() {
 fn powers_agree_where_friction_is_used() {
     let mut apart = Vec::new();
     for (ratio, poisson) in [(0.2, 0.1), (0.6, 0.45), (1.0, 0.28), (1.7, 0.0), (4.0, 0.3)] {
-        let theory = Exact::new(ratio, poisson, Resolution::STANDARD).unwrap();
+        let theory = exact(ratio, poisson, Resolution::STANDARD);
         for k in 0..24 {
             let t = f64::from(k) + ratio;
             let found = solve(

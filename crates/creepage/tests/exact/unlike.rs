@@ -3,22 +3,23 @@
 use std::f64::consts::PI;
 
 use creepage::Ellipse;
+use creepage::coulomb::{Automatic, Exact, Resolution};
 use creepage::halfspace::{DisplacementField, Edge, Polynomial, Traction};
-use creepage::rolling::exact::{Automatic, Exact, Resolution};
-use creepage::rolling::{Creepage, Force, Region, Status, Theory};
+use creepage::theory::Solved;
+use creepage::{Contact, Creepage, Force, Region, Status, Theory};
 use proptest::prelude::*;
 
-use crate::support::{components, solve};
+use crate::common::at;
+use crate::support::{self, components, exact, solve};
 
 fn unlike(ratio: f64, poisson: f64, resolution: Resolution, kappa_over_mu: f64) -> Exact {
-    let like = Exact::new(ratio, poisson, resolution).unwrap();
-    like.with_unlikeness(kappa_over_mu).unwrap()
+    Exact::new(&support::unlike(ratio, poisson, kappa_over_mu), resolution).unwrap()
 }
 
 #[test]
 fn like_bodies_are_a_case_of_unlike_ones_to_the_bit() {
-    let like = Exact::new(0.7, 0.3, Resolution::FAST).unwrap();
-    let same = like.clone().with_unlikeness(0.0).unwrap();
+    let like = exact(0.7, 0.3, Resolution::FAST);
+    let same = unlike(0.7, 0.3, Resolution::FAST, 0.0);
     for case in [[0.4, 0.0, 0.0], [-0.3, 0.5, 1.2], [0.0, 0.0, -2.0], [1e3, -1.0, 3.0]] {
         assert_eq!(solve(&like, case), solve(&same, case));
     }
@@ -29,7 +30,7 @@ fn free_rolling(ratio: f64, poisson: f64) -> f64 {
     // No element slides yet, and the force is linear in both.
     let small = 1e-7;
     let by_pressure = solve(&unlike(ratio, poisson, Resolution::FINE, small), [0.0; 3]).force.fx;
-    let like = Exact::new(ratio, poisson, Resolution::FINE).unwrap();
+    let like = exact(ratio, poisson, Resolution::FINE);
     -by_pressure / solve(&like, [small, 0.0, 0.0]).force.fx
 }
 
@@ -89,10 +90,8 @@ fn nothing_jumps_where_the_mirror_changes() {
         let [above, below] = [1e-8, -1e-8].map(|step| {
             let mut case = base;
             case[axis] = step;
-            let mut workspace = theory.workspace();
-            let creepage = Creepage::new(case[0], case[1], case[2]).unwrap();
-            let force = components(theory.solve_with(creepage, &mut workspace).force);
-            (force, theory.field_of(&workspace, &places))
+            let solved = theory.solve_contact(at(case));
+            (components(solved.solution().force), solved.field(&places))
         });
         // Tractions are iterated to 1e-8 and change by as much as the creepage.
         for k in 0..3 {
@@ -110,7 +109,7 @@ fn nothing_jumps_where_the_mirror_changes() {
 #[test]
 fn full_sliding_is_that_of_like_bodies() {
     for case in [[8e3, 0.0, 0.0], [3e3, -4e3, 0.0], [0.0, 0.0, 2e4]] {
-        let like = solve(&Exact::new(1.3, 0.28, Resolution::FAST).unwrap(), case).force;
+        let like = solve(&exact(1.3, 0.28, Resolution::FAST), case).force;
         let found = solve(&unlike(1.3, 0.28, Resolution::FAST, 0.3), case).force;
         for (found, like) in components(found).into_iter().zip(components(like)) {
             // Near the pole of the spin slip is small: an area of a thousandth.
@@ -124,12 +123,11 @@ fn full_sliding_is_that_of_like_bodies() {
 #[test]
 fn strong_unlikeness_slides_all_over() {
     let theory = unlike(1.0, 0.25, Resolution::STANDARD, 1e3);
-    let mut workspace = theory.workspace();
-    let found = theory.solve_with(Creepage::default(), &mut workspace);
-    assert_eq!(found.status, Status::Solved);
-    assert!(theory.element_fields(&workspace).iter().all(|e| e.point.region == Region::Slip));
+    let solved = theory.solve_contact(Creepage::default());
+    assert_eq!(solved.solution().status, Status::Solved);
+    assert!(solved.elements().iter().all(|e| e.point.region == Region::Slip));
     // On the axis, in the middle, `d u / d x = -kappa f00`.
-    let [x, y] = theory.field_of(&workspace, &[[0.0, 0.0]])[0].slip;
+    let [x, y] = solved.field(&[[0.0, 0.0]])[0].slip;
     let slip_unit = (1.0 - 0.25) * PI / 4.0;
     // Elastic slip by tractions is a thousandth; interpolation between elements the rest.
     assert!((x * slip_unit / 1e3 + 1.0).abs() < 0.01 && y.abs() < 1.0, "{x} {y}");
@@ -156,9 +154,7 @@ fn both_powers_agree() {
 fn the_derivative_is_that_of_the_force() {
     let theory = unlike(0.8, 0.28, Resolution::FAST, -0.3);
     let (case, step) = ([-0.4, 0.3, 0.5], 1e-5);
-    let mut workspace = theory.workspace();
-    theory.solve_with(Creepage::new(case[0], case[1], case[2]).unwrap(), &mut workspace);
-    let derivative = theory.derivative(&mut workspace);
+    let derivative = theory.jacobian(at(case)).unwrap();
     for k in 0..3 {
         let [ahead, behind] = [step, -step].map(|step| {
             let mut moved = case;
@@ -195,21 +191,24 @@ fn the_error_bar_holds() {
 }
 
 #[test]
-fn finer_levels_know_of_the_unlikeness() {
-    let automatic = Automatic::new(1.0, 0.28, 0.002).unwrap().with_unlikeness(0.4).unwrap();
-    let creepage = Creepage::new(0.3, 0.2, 0.6).unwrap();
-    let (level, found) = automatic.level(creepage);
-    assert!(level.elements()[0] > 14);
-    let fine = solve(&unlike(1.0, 0.28, Resolution::FINE, 0.4), [0.3, 0.2, 0.6]).force;
-    assert!((found.force.fx - fine.fx).abs() < 0.002, "{found:?} {fine:?}");
+fn finer_levels_know_of_the_dissimilarity() {
+    let automatic = Automatic::new(&support::unlike(1.0, 0.28, 0.4), 0.002).unwrap();
+    let creepage = at([0.3, 0.2, 0.6]);
+    let solved = automatic.solve_contact(creepage);
+    assert!(solved.theory().elements()[0] > 14);
+    let (found, fine) = (
+        solved.solution().force,
+        solve(&unlike(1.0, 0.28, Resolution::FINE, 0.4), [0.3, 0.2, 0.6]).force,
+    );
+    assert!((found.fx - fine.fx).abs() < 0.002, "{found:?} {fine:?}");
     assert!((automatic.solve(creepage).force.fy - fine.fy).abs() < 0.002);
 }
 
 #[test]
-fn senseless_unlikeness_is_refused() {
+fn senseless_dissimilarity_is_refused() {
+    let like = Contact::new(Ellipse::from_ratio(1.0).unwrap(), 0.3).unwrap();
     for kappa_over_mu in [f64::NAN, f64::INFINITY, 1e9] {
-        let like = Exact::new(1.0, 0.3, Resolution::FAST).unwrap();
-        assert!(like.with_unlikeness(kappa_over_mu).is_err());
+        assert!(like.with_kappa_over_mu(kappa_over_mu).is_err());
     }
 }
 

@@ -1,6 +1,6 @@
 //! Shift and twist without slip (3.212).
 
-use creepage::rolling::SiForce;
+use creepage::SiForce;
 use creepage::statics::Bonded;
 use creepage::{Ellipse, Solid, SolidPair};
 

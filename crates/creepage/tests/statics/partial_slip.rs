@@ -3,9 +3,9 @@
 use std::f64::consts::PI;
 
 use creepage::halfspace::{Edge, LoadDisplacement, Polynomial, Traction};
-use creepage::rolling::{Region, SiForce};
 use creepage::statics::{Bonded, PartialSlip, PartialSlipError};
 use creepage::{Ellipse, Hertz};
+use creepage::{Region, SiForce};
 use gauss_quad::GaussLegendre;
 use proptest::prelude::*;
 
@@ -43,6 +43,7 @@ proptest! {
                     prop_assert!(sx.hypot(sy) < 1e-10 * unit, "slip {sx} {sy} of {unit}");
                     prop_assert!(partial.disagreement(p).is_none());
                 }
+                Region::Outside => prop_assert!(false, "{p:?} is inside"),
                 Region::Slip => {
                     prop_assert!((x.hypot(y) / bound - 1.0).abs() < 1e-14);
                     // Slip has the sense of the traction, but for the angle.

@@ -3,9 +3,12 @@
 // Where the theory's value is exact, so is the comparison.
 #![allow(clippy::float_cmp)]
 // Helpers of tests fail as tests do.
-#![allow(clippy::unwrap_used)]
+#![allow(clippy::unwrap_used, clippy::panic)]
 // Rows and columns are the plainest names for the entries of a matrix.
 #![allow(clippy::needless_range_loop)]
+
+#[path = "../common/mod.rs"]
+mod common;
 
 mod carter;
 mod cases;

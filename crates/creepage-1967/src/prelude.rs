@@ -1,0 +1,16 @@
+//! What every table and figure is made with.
+
+pub(crate) use creepage_plot::{
+    Anchor, Axis, Fill, Label, Mark, Panel, Pen, Sample, Shape, Sheet, closed,
+};
+
+pub(crate) use crate::axes;
+pub(crate) use crate::comparison::{Comparison, Verdict};
+pub(crate) use crate::contact::{self, Field, Polygon};
+pub(crate) use crate::data::Data;
+pub(crate) use crate::error::GalleryError;
+pub(crate) use crate::inks::{FULL, FULL_MARK, OF_1967, PRINTED, SECOND, TANGENT, THIRD};
+pub(crate) use crate::item::{EXPERIMENTS, Item, Reproduction};
+pub(crate) use crate::theories::{
+    Curve, STEEL, chained, chapter_5, farthest, full, like_bodies, points, rolling_at, spaced,
+};

@@ -1,0 +1,11 @@
+//! A file a table.
+
+pub(crate) mod coefficients;
+mod entries;
+mod printed;
+pub(crate) mod table1;
+pub(crate) mod table2;
+pub(crate) mod table3;
+pub(crate) mod table4;
+pub(crate) mod table5;
+mod weights;

@@ -1,9 +1,0 @@
-//! A file a table.
-
-mod entries;
-pub(crate) mod table1;
-pub(crate) mod table2;
-pub(crate) mod table3;
-pub(crate) mod table4;
-pub(crate) mod table5;
-mod weights;

@@ -1,0 +1,20 @@
+//! Why a picture could not be made.
+
+use resvg::usvg;
+
+/// Why an SVG could not be turned into pixels.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum PlotError {
+    /// The picture could not be read back for rasterising.
+    #[error("cannot read the picture back: {0}")]
+    Picture(#[from] usvg::Error),
+    /// The picture could not be turned into pixels.
+    #[error("cannot make a picture of {width} x {height} pixels")]
+    Pixels {
+        /// Width (pixels).
+        width: u32,
+        /// Height (pixels).
+        height: u32,
+    },
+}

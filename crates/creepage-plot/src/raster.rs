@@ -1,0 +1,73 @@
+//! SVG to PNG, with the font carried along: the same bytes on every machine.
+
+use std::sync::Arc;
+
+use resvg::tiny_skia::{Pixmap, Transform};
+use resvg::usvg::{Options, Tree, fontdb};
+
+use crate::error::PlotError;
+
+/// Family that the scenes ask for; one of its faces.
+pub(crate) const FONT_FAMILY: &str = "DejaVu Sans";
+
+/// Pixels for each unit of the scene.
+const PIXELS_PER_UNIT: u16 = 2;
+
+/// Renders an SVG of this crate as PNG at twice its size, as screens and print want it. The font is
+/// carried along: the same bytes on every machine.
+///
+/// # Errors
+/// [`PlotError::Picture`] when it is not an SVG, [`PlotError::Pixels`] when it is too large.
+pub fn png(svg: &str) -> Result<Vec<u8>, PlotError> {
+    let tree = tree(svg)?;
+    let size = tree.size().to_int_size();
+    let side = |units: u32| units.saturating_mul(u32::from(PIXELS_PER_UNIT));
+    let (width, height) = (side(size.width()), side(size.height()));
+    let error = PlotError::Pixels { width, height };
+    let Some(mut pixels) = Pixmap::new(width, height) else { return Err(error) };
+    let zoom = f32::from(PIXELS_PER_UNIT);
+    resvg::render(&tree, Transform::from_scale(zoom, zoom), &mut pixels.as_mut());
+    pixels.encode_png().map_err(|_| error)
+}
+
+/// The parsed picture, its text laid out in the bundled font.
+pub(crate) fn tree(svg: &str) -> Result<Tree, PlotError> {
+    let mut fonts = fontdb::Database::new();
+    for face in [
+        dejavu::sans_condensed::regular(),
+        dejavu::sans_condensed::oblique(),
+        dejavu::sans_condensed::bold(),
+    ] {
+        fonts.load_font_data(face.to_vec());
+    }
+    fonts.set_sans_serif_family(FONT_FAMILY);
+    let options =
+        Options { font_family: FONT_FAMILY.into(), fontdb: Arc::new(fonts), ..Options::default() };
+    Ok(Tree::from_str(svg, &options)?)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::label::Label;
+    use crate::mark::Ink;
+    use crate::scene::{Scene, Type};
+
+    #[test]
+    fn text_is_drawn_without_any_installed_font() {
+        let mut scene = Scene::new();
+        let label = Label::default().symbol("ξηχμυφ").plain("N").indexed("F", "x");
+        scene.text([5.0, 30.0], Type::new(24.0, "#000000"), &label);
+        let pixels = Pixmap::decode_png(&png(&scene.finish([200.0, 40.0], "")).unwrap()).unwrap();
+        assert_eq!((pixels.width(), pixels.height()), (400, 80));
+        assert!(pixels.pixels().iter().filter(|pixel| pixel.red() < 128).count() > 500);
+    }
+
+    #[test]
+    fn a_sheet_without_size_is_an_error() {
+        let mut scene = Scene::new();
+        scene.line(&[[0.0, 0.0], [1.0, 1.0]], Ink::line("#000000", 1.0));
+        let svg = scene.finish([0.0, 10.0], "");
+        assert!(matches!(png(&svg), Err(PlotError::Picture(_))));
+    }
+}

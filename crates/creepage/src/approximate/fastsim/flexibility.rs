@@ -1,0 +1,116 @@
+//! The flexibilities `L`, and the slopes of the traction that they give.
+
+use std::f64::consts::PI;
+
+use super::Flexibility;
+use crate::Ellipse;
+use crate::approximate::dual::Real;
+use crate::approximate::linear::CreepageCoefficients;
+use crate::check::{self, InvalidValue};
+
+/// The flexibilities that reproduce the linear theory; `c`, `G` and `mu N` are the units.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Flexibilities {
+    /// `L1`, `L2`, `L3`.
+    values: [f64; 3],
+    /// Creepage and spin in those units, per `xi`, `eta`, `chi`.
+    kappa: f64,
+    /// `C11` and `C22`: the reciprocals of the creepages at which the linear force is `mu N`.
+    coefficients: [f64; 2],
+    /// Weight of the spin beside the creepages when blending: `3 pi a / 32`.
+    spin_weight: f64,
+}
+
+/// How fast the traction grows in adhesion, in the direction of the march:
+/// `(x - spin * y', y + spin * x')` at `(x', y')`.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Slopes<R> {
+    pub(crate) x: R,
+    pub(crate) y: R,
+    pub(crate) spin: R,
+}
+
+impl<R: Real> Slopes<R> {
+    /// The slopes at a position.
+    #[inline]
+    pub(crate) fn at(&self, [x, y]: [f64; 2]) -> [R; 2] {
+        [self.x - self.spin * y, self.y + self.spin * x]
+    }
+}
+
+impl Flexibilities {
+    /// `strip_slope` is that of [`strip_slope`](crate::approximate::strip::strip_slope).
+    pub(crate) fn new(
+        ellipse: &Ellipse,
+        strip_slope: f64,
+        coefficients: &CreepageCoefficients,
+    ) -> Result<Self, InvalidValue> {
+        let c11 = coefficient("c11", coefficients.c11)?;
+        let c22 = coefficient("c22", coefficients.c22)?;
+        let c23 = coefficient("c23", coefficients.c23)?;
+        let a = ellipse.a();
+        Ok(Self {
+            values: [8.0 * a / (3.0 * c11), 8.0 * a / (3.0 * c22), PI * a * a / (4.0 * c23)],
+            kappa: 3.0 / PI * strip_slope,
+            coefficients: [c11, c22],
+            spin_weight: 3.0 * PI / 32.0 * a,
+        })
+    }
+
+    pub(crate) fn kappa(&self) -> f64 {
+        self.kappa
+    }
+
+    pub(crate) fn slopes<R: Real>(&self, use_of: Flexibility, creepage: [R; 3]) -> Slopes<R> {
+        let [l1, l2, l3] = self.effective(use_of, creepage);
+        let [x, y, spin] = creepage.map(|v| v * self.kappa);
+        Slopes { x: x / l1, y: y / l2, spin: spin / l3 }
+    }
+
+    /// The three flexibilities in use at a creepage.
+    pub(crate) fn effective<R: Real>(&self, use_of: Flexibility, creepage: [R; 3]) -> [R; 3] {
+        let three = self.values.map(R::constant);
+        let largest = creepage.iter().fold(0.0_f64, |m, v| m.max(v.value().abs()));
+        // All are ratios of creepages: scaled, no square of them underflows.
+        let scaled = creepage.map(|v| v * largest.recip());
+        match use_of {
+            Flexibility::Three => three,
+            _ if !(largest > 0.0 && largest.recip().is_finite()) => three,
+            Flexibility::One => [self.one(scaled); 3],
+            Flexibility::Blended => {
+                let (common, share) = (self.common(scaled), self.share(creepage));
+                three.map(|l| l + (common - l) * share)
+            }
+        }
+    }
+
+    /// Kalker's single flexibility.
+    fn one<R: Real>(&self, [x, y, spin]: [R; 3]) -> R {
+        let [l1, l2, l3] = self.values;
+        let norm = (x * x + y * y + spin * spin).sqrt();
+        (x.abs() * l1 + y.abs() * l2 + spin.abs() * l3) / norm
+    }
+
+    /// The common flexibility of Vollebregt and Voltr, a harmonic mean.
+    fn common<R: Real>(&self, [x, y, spin]: [R; 3]) -> R {
+        let [l1, l2, l3] = self.values.map(f64::recip);
+        let spin = spin * self.spin_weight;
+        let squares = [x * x, y * y, spin * spin];
+        (squares[0] + squares[1] + squares[2])
+            / (squares[0] * l1 + squares[1] * l2 + squares[2] * l3)
+    }
+
+    /// Share of the common flexibility: grows with the creepages, not with the spin, and is one
+    /// from three times the creepages at which linear theory reaches `mu N`.
+    fn share<R: Real>(&self, [x, y, _]: [R; 3]) -> R {
+        let [c11, c22] = self.coefficients;
+        let unit = (c11.powi(-2) + c22.powi(-2)).sqrt();
+        let share = (x * x + y * y).sqrt() * (self.kappa / (3.0 * unit));
+        if share.value() < 1.0 { share } else { R::constant(1.0) }
+    }
+}
+
+/// No ellipse has coefficients that come near these limits.
+fn coefficient(name: &'static str, value: f64) -> Result<f64, InvalidValue> {
+    check::require((1e-12..=1e12).contains(&value), name, value, "between 1e-12 and 1e12")
+}

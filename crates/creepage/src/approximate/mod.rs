@@ -1,0 +1,29 @@
+//! Approximate theories of rolling: nanoseconds to microseconds a force.
+//!
+//! | theory | what it assumes |
+//! |---|---|
+//! | [`fastrip`] | strips stick, springs slide |
+//! | [`fastsim`] | a bed of springs |
+//! | [`strip`] | plane strips, `a << b` |
+//! | [`polach`] | a traction that grows steadily |
+//! | [`shen_hedrick_elkins`] | linear forces, cubic saturation |
+//! | [`vermeulen_johnson`] | no spin, adhesion in an ellipse |
+//! | [`linear`] | no slip anywhere |
+//! | [`saturated`] | slip everywhere |
+//! | [`carter`] | two cylinders: exact, in two dimensions |
+//!
+//! What each is good for, and how far it is off: [`TheoryFacts`](crate::theory::TheoryFacts).
+
+pub mod carter;
+pub mod fastrip;
+pub mod fastsim;
+pub mod linear;
+pub mod polach;
+pub mod saturated;
+pub mod shen_hedrick_elkins;
+pub mod strip;
+pub mod vermeulen_johnson;
+
+mod cubic;
+mod dual;
+mod outside_chords;

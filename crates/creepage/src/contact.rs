@@ -1,0 +1,119 @@
+//! What a theory of rolling is prepared for.
+
+use crate::check::{self, InvalidValue};
+use crate::ellipse::Ellipse;
+use crate::hertz::Hertz;
+use crate::scaling::Scaling;
+
+/// Everything that a theory of rolling is prepared for: the shape of the contact, the combined
+/// Poisson's ratio, how dissimilar the bodies are, and the units of its quantities.
+///
+/// ```
+/// use creepage::{Contact, Ellipse};
+/// let contact = Contact::new(Ellipse::from_ratio(1.5)?, 0.28)?; // dimensionless, like bodies
+/// assert_eq!((contact.poisson(), contact.kappa_over_mu()), (0.28, 0.0));
+/// # Ok::<(), creepage::InvalidValue>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Contact {
+    ellipse: Ellipse,
+    poisson: f64,
+    kappa_over_mu: f64,
+    scaling: Scaling,
+}
+
+impl Contact {
+    /// A dimensionless contact of like bodies: only the ratio of the ellipse's semi-axes matters,
+    /// and the units of [`Contact::scaling`] are one.
+    ///
+    /// # Errors
+    /// [`InvalidValue`] unless `poisson` lies between 0 and 0.5.
+    pub fn new(ellipse: Ellipse, poisson: f64) -> Result<Self, InvalidValue> {
+        check::poisson(poisson)?;
+        let ellipse = Ellipse::from_ratio(ellipse.ratio())?;
+        Ok(Self { ellipse, poisson, kappa_over_mu: 0.0, scaling: Scaling::DIMENSIONLESS })
+    }
+
+    /// The same between dissimilar bodies, whose pressure adds to the slip (6.4): `kappa` of
+    /// [`SolidPair::kappa`](crate::SolidPair::kappa) over the coefficient of friction. `exact` counts
+    /// it, the other theories neglect it.
+    ///
+    /// # Errors
+    /// [`InvalidValue`] unless `kappa_over_mu` lies between -1e6 and 1e6: `kappa` is at most 0.5,
+    /// and friction is not as small as a millionth.
+    pub fn with_kappa_over_mu(self, kappa_over_mu: f64) -> Result<Self, InvalidValue> {
+        let valid = "between -1e6 and 1e6";
+        check::require(kappa_over_mu.abs() <= 1e6, "kappa_over_mu", kappa_over_mu, valid)?;
+        Ok(Self { kappa_over_mu, ..self })
+    }
+
+    /// The contact ellipse, whose `c = sqrt(a b)` is the unit of length.
+    #[must_use]
+    pub fn ellipse(&self) -> Ellipse {
+        self.ellipse
+    }
+
+    /// Combined Poisson's ratio.
+    #[must_use]
+    pub fn poisson(&self) -> f64 {
+        self.poisson
+    }
+
+    /// How dissimilar the bodies are: `kappa` of (2.10) over the coefficient of friction.
+    #[must_use]
+    pub fn kappa_over_mu(&self) -> f64 {
+        self.kappa_over_mu
+    }
+
+    /// The units of creepage and force.
+    #[must_use]
+    pub fn scaling(&self) -> Scaling {
+        self.scaling
+    }
+}
+
+impl Hertz {
+    /// The contact for a theory of rolling, with coefficient of friction `friction`.
+    ///
+    /// # Errors
+    /// [`InvalidValue`] unless `friction` is finite and positive, and not below a millionth between
+    /// dissimilar bodies.
+    ///
+    /// ```
+    /// use creepage::{Ellipse, Hertz, Solid, SolidPair};
+    /// let (steel, aluminium) = (Solid::new(82e9, 0.28)?, Solid::new(26e9, 0.33)?);
+    /// let ellipse = Ellipse::new(6e-3, 4e-3)?;
+    /// let hertz = Hertz::from_ellipse(SolidPair::new(steel, aluminium), ellipse, 80e3)?;
+    /// let contact = hertz.with_friction(0.3)?;
+    /// assert!((contact.kappa_over_mu() - hertz.pair().kappa() / 0.3).abs() < 1e-15);
+    /// assert_eq!(contact.scaling().force, 24e3); // mu N
+    /// # Ok::<(), creepage::InvalidValue>(())
+    /// ```
+    pub fn with_friction(&self, friction: f64) -> Result<Contact, InvalidValue> {
+        let scaling = Scaling::new(self, friction)?;
+        let contact = Contact::new(self.ellipse(), self.pair().poisson())?;
+        Contact { scaling, ..contact }.with_kappa_over_mu(self.pair().kappa() / friction)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_the_ratio_of_a_dimensionless_ellipse_counts() {
+        let contact = Contact::new(Ellipse::new(6e-3, 3e-3).unwrap(), 0.3).unwrap();
+        assert!((contact.ellipse().c() - 1.0).abs() < 1e-15);
+        assert!((contact.ellipse().ratio() - 2.0).abs() < 1e-15);
+    }
+
+    #[test]
+    fn nonsense_is_an_error_that_names_the_quantity() {
+        let circle = Ellipse::from_ratio(1.0).unwrap();
+        assert_eq!(Contact::new(circle, f64::NAN).unwrap_err().quantity, "poisson");
+        let contact = Contact::new(circle, 0.3).unwrap();
+        for kappa in [f64::NAN, f64::INFINITY, 2e6] {
+            assert_eq!(contact.with_kappa_over_mu(kappa).unwrap_err().quantity, "kappa_over_mu");
+        }
+    }
+}

@@ -1,0 +1,111 @@
+//! As fine as a prescribed accuracy needs.
+
+use std::sync::OnceLock;
+
+use super::{Constraints, Exact, ExactSolved, InverseError, InverseSolution, Resolution};
+use crate::check::{self, InvalidValue};
+use crate::theory::{Jacobian, Solved};
+use crate::{Contact, Creepage, FieldPoint, Force, Solution, Theory};
+
+/// The full theory at the first of the three named resolutions whose error bar of the force is
+/// small enough; each is prepared when a case first needs it.
+///
+/// ```
+/// use creepage::coulomb::Automatic;
+/// use creepage::{Contact, Creepage, Ellipse, Theory};
+/// let theory = Automatic::new(&Contact::new(Ellipse::from_ratio(1.0)?, 0.28)?, 0.005)?;
+/// let solution = theory.solve(Creepage::new(3.0, 0.0, 0.0)?);
+/// assert!(solution.error.is_some_and(|error| error.fx < 0.005));
+/// # Ok::<(), creepage::InvalidValue>(())
+/// ```
+#[derive(Debug, Clone)]
+pub struct Automatic {
+    accuracy: f64,
+    fast: Exact,
+    finer: [OnceLock<Exact>; 2],
+}
+
+impl Automatic {
+    /// The accuracy of `fx` and `fy` where none is asked for, in parts of `mu N`.
+    pub const DEFAULT_ACCURACY: f64 = 1e-3;
+
+    /// Prepares for a contact and the prescribed accuracy of `fx` and `fy`.
+    ///
+    /// # Errors
+    /// [`InvalidValue`] as [`Exact::new`], and unless `accuracy` is finite and positive.
+    pub fn new(contact: &Contact, accuracy: f64) -> Result<Self, InvalidValue> {
+        check::positive("accuracy", accuracy)?;
+        let fast = Exact::new(contact, Resolution::FAST)?;
+        let finer = [OnceLock::new(), OnceLock::new()];
+        Ok(Self { accuracy, fast, finer })
+    }
+
+    /// Solves, refining until the error bars of `fx` and `fy` are below the prescribed accuracy or
+    /// the finest resolution is reached; the error bars show which.
+    #[must_use]
+    pub fn solve_contact(&self, creepage: Creepage) -> ExactSolved<'_> {
+        self.refine(
+            |theory| theory.solve_contact(creepage),
+            |solved| solved.solution().error.unwrap_or_default(),
+        )
+    }
+
+    /// As [`Exact::find`], refining until the error bars of `fx` and `fy` at the creepage found
+    /// are below the prescribed accuracy or the finest resolution is reached.
+    ///
+    /// ```
+    /// use creepage::coulomb::{Automatic, Constraints};
+    /// use creepage::{Contact, Ellipse};
+    /// let theory = Automatic::new(&Contact::new(Ellipse::from_ratio(1.0)?, 0.28)?, 0.004)?;
+    /// let constraints =
+    ///     Constraints { eta: Some(0.0), chi: Some(0.2), fx: Some(0.5), ..Constraints::default() };
+    /// let solution = theory.find(constraints)?.solution();
+    /// assert!((solution.force.fx - 0.5).abs() < 1e-6);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`InverseError`] as [`Exact::find`], at the finest resolution.
+    pub fn find(&self, constraints: Constraints) -> Result<InverseSolution<'_>, InverseError> {
+        const UNKNOWN: Force = Force { fx: f64::INFINITY, fy: f64::INFINITY, mz: f64::INFINITY };
+        self.refine(
+            |theory| theory.find(constraints),
+            |found| found.as_ref().map_or(UNKNOWN, |f| f.solution().error.unwrap_or_default()),
+        )
+    }
+
+    /// The answer of the first resolution at which its error bars are small enough.
+    fn refine<'t, T>(&'t self, answer: impl Fn(&'t Exact) -> T, error: impl Fn(&T) -> Force) -> T {
+        let mut found = answer(&self.fast);
+        for (cell, resolution) in self.finer.iter().zip([Resolution::STANDARD, Resolution::FINE]) {
+            let Force { fx, fy, .. } = error(&found);
+            if fx.max(fy) <= self.accuracy {
+                break;
+            }
+            found = answer(cell.get_or_init(|| Exact::prepare(&self.fast.contact, resolution)));
+        }
+        found
+    }
+}
+
+impl Theory for Automatic {
+    fn contact(&self) -> &Contact {
+        self.fast.contact()
+    }
+
+    fn solve(&self, creepage: Creepage) -> Solution {
+        self.solve_contact(creepage).solution()
+    }
+
+    fn jacobian(&self, creepage: Creepage) -> Option<Jacobian> {
+        self.solve_contact(creepage).jacobian()
+    }
+
+    fn field(&self, creepage: Creepage, positions: &[[f64; 2]]) -> Vec<FieldPoint> {
+        self.solve_contact(creepage).field(positions)
+    }
+
+    fn solved(&self, creepage: Creepage) -> Box<dyn Solved + '_> {
+        Box::new(self.solve_contact(creepage))
+    }
+}

@@ -1,0 +1,180 @@
+//! The inverse problem: any three of the six quantities in, the other three out.
+
+use nalgebra::{DMatrix, DVector};
+
+use super::{Exact, ExactSolved};
+use crate::check::{self, InvalidValue};
+use crate::theory::Solved;
+use crate::{Creepage, Force, Solution};
+
+/// Largest difference from a prescribed force, in parts of `mu N`; the forces themselves are solved
+/// to some 1e-8.
+const TOLERANCE: f64 = 1e-7;
+const STEPS: usize = 60;
+/// Creepage beyond which a force has come as near to saturation as it will.
+const LARGEST: f64 = 1e3;
+
+/// Prescribed components of creepage and force; exactly three are `Some`.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Constraints {
+    /// Longitudinal creepage.
+    pub xi: Option<f64>,
+    /// Lateral creepage.
+    pub eta: Option<f64>,
+    /// Spin.
+    pub chi: Option<f64>,
+    /// Longitudinal force.
+    pub fx: Option<f64>,
+    /// Lateral force.
+    pub fy: Option<f64>,
+    /// Moment.
+    pub mz: Option<f64>,
+}
+
+/// The contact solved at the creepage that meets the constraints.
+#[derive(Debug)]
+pub struct InverseSolution<'t> {
+    /// Creepage and force, and all that can be asked of a solved contact.
+    pub solved: ExactSolved<'t>,
+    /// Newton steps.
+    pub steps: usize,
+}
+
+impl InverseSolution<'_> {
+    /// The creepage, prescribed or found.
+    #[must_use]
+    pub fn creepage(&self) -> Creepage {
+        self.solved.creepage()
+    }
+
+    /// Its solution.
+    #[must_use]
+    pub fn solution(&self) -> Solution {
+        self.solved.solution()
+    }
+}
+
+/// Why an inverse problem has no answer.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum InverseError {
+    /// Three quantities determine the other three; more contradict, fewer leave them open.
+    #[error("{given} of the six quantities are given: exactly three must be")]
+    NotThree {
+        /// How many are given.
+        given: usize,
+    },
+    /// A given quantity is not a finite number.
+    #[error(transparent)]
+    InvalidValue(#[from] InvalidValue),
+    /// No creepage gives the prescribed force.
+    #[error(
+        "the force is not reachable: at most fx = {}, fy = {}, mz = {} was reached, at xi = {}, \
+         eta = {}, chi = {}", .nearest.fx, .nearest.fy, .nearest.mz, .at.xi, .at.eta, .at.chi
+    )]
+    NotReachable {
+        /// The force that came nearest.
+        nearest: Force,
+        /// Its creepage.
+        at: Creepage,
+    },
+}
+
+impl Exact {
+    /// Finds the creepage at which the constraints hold, by Newton's method from zero.
+    ///
+    /// ```
+    /// use creepage::coulomb::{Constraints, Exact, Resolution};
+    /// use creepage::{Contact, Ellipse};
+    /// // A ball that rolls freely: spin given, no force across.
+    /// let theory = Exact::new(&Contact::new(Ellipse::from_ratio(1.0)?, 0.28)?, Resolution::FAST)?;
+    /// let free =
+    ///     Constraints { xi: Some(0.0), chi: Some(0.5), fy: Some(0.0), ..Constraints::default() };
+    /// let found = theory.find(free)?;
+    /// assert!(found.creepage().eta() < 0.0 && found.solution().force.fy.abs() < 1e-6);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`InverseError`] unless three quantities are prescribed, all finite, and within reach.
+    pub fn find(&self, constraints: Constraints) -> Result<InverseSolution<'_>, InverseError> {
+        let problem = Problem::new(constraints)?;
+        let mut solved = self.solve_contact(problem.start);
+        for steps in 0..STEPS {
+            if problem.is_solved(&solved) {
+                return Ok(InverseSolution { solved, steps });
+            }
+            let Some(next) = problem.step(&mut solved) else {
+                break;
+            };
+            solved = next;
+        }
+        Err(InverseError::NotReachable { nearest: solved.solution().force, at: solved.creepage() })
+    }
+}
+
+/// The unknown components of the creepage, and the forces prescribed in exchange.
+struct Problem {
+    start: Creepage,
+    unknown: Vec<usize>,
+    prescribed: Vec<(usize, f64)>,
+}
+
+impl Problem {
+    fn new(constraints: Constraints) -> Result<Self, InverseError> {
+        let Constraints { xi, eta, chi, fx, fy, mz } = constraints;
+        let creepage = [("xi", xi), ("eta", eta), ("chi", chi)];
+        let force = [("fx", fx), ("fy", fy), ("mz", mz)];
+        let given = creepage.iter().chain(&force).filter(|(_, value)| value.is_some()).count();
+        if given != 3 {
+            return Err(InverseError::NotThree { given });
+        }
+        for (name, value) in creepage.iter().chain(&force) {
+            check::finite(name, value.unwrap_or(0.0))?;
+        }
+        let [xi, eta, chi] = creepage.map(|(_, value)| value.unwrap_or(0.0));
+        let unknown = (0..3).filter(|k| creepage[*k].1.is_none()).collect();
+        let prescribed = (0..3).filter_map(|k| force[k].1.map(|value| (k, value))).collect();
+        Ok(Self { start: Creepage::new(xi, eta, chi)?, unknown, prescribed })
+    }
+
+    /// Prescribed forces less those of a solution.
+    fn residual(&self, solved: &ExactSolved) -> DVector<f64> {
+        let force = solved.solution().force.components();
+        let components = self.prescribed.iter().map(|(k, value)| value - force[*k]);
+        DVector::from_iterator(self.prescribed.len(), components)
+    }
+
+    /// More than `mu N` is out of reach, whatever the rounding of the force says.
+    fn is_solved(&self, solved: &ExactSolved) -> bool {
+        let tangential = self.prescribed.iter().filter(|(k, _)| *k < 2);
+        let size = tangential.fold(0.0, |size: f64, (_, value)| size.hypot(*value));
+        size <= 1.0 && self.residual(solved).amax() <= TOLERANCE
+    }
+
+    /// A Newton step, shortened until it comes nearer; `None` when none does.
+    fn step<'t>(&self, from: &mut ExactSolved<'t>) -> Option<ExactSolved<'t>> {
+        let (residual, at) = (self.residual(from), from.creepage().components());
+        let jacobian = from.jacobian()?;
+        let n = residual.len();
+        let entry = |i: usize, k: usize| jacobian[self.prescribed[i].0][self.unknown[k]];
+        let step = DMatrix::from_fn(n, n, entry).lu().solve(&residual);
+        let step = step.filter(|step| step.iter().all(|s| s.is_finite()))?;
+        let size = at.iter().fold(0.0, |size: f64, component| size.max(component.abs()));
+        let mut length = (size.max(1.0) / step.amax()).min(1.0);
+        for _ in 0..8 {
+            let mut to = at;
+            for (k, step) in self.unknown.iter().zip(step.iter()) {
+                to[*k] += length * step;
+            }
+            let [xi, eta, chi] = to;
+            let next = from.theory().solve_contact(Creepage { xi, eta, chi });
+            let within = self.unknown.iter().all(|k| to[*k].abs() <= LARGEST);
+            if within && self.residual(&next).norm() < residual.norm() {
+                return Some(next);
+            }
+            length *= 0.4;
+        }
+        None
+    }
+}

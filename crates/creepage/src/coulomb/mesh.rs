@@ -1,0 +1,234 @@
+//! Elements: strips along the rolling direction, each cut along its own length.
+//!
+//! A strip has its own ends, borders and number of elements. An element is a quadrilateral between
+//! the cuts of its strip's two borders, for the ends of a strip are not the same on both:
+//! rectangles would make the trailing edge a staircase, and the error of first order in the width
+//! of a strip. Elements are counted strip by strip, each strip from its leading edge.
+
+use std::f64::consts::FRAC_PI_2;
+use std::ops::Range;
+
+use crate::ellipse::Ellipse;
+
+/// Subcells of an element, along and across; see [`super::quadrature`].
+pub(crate) const SUBCELLS: usize = 4;
+/// Largest `a/b` with elements that are fitted all the way.
+const LONG: f64 = 10.0;
+
+/// One strip. Lengths are in the unit of length of the contact.
+#[derive(Debug, Clone)]
+pub(crate) struct Strip {
+    /// `y` from the lower to the upper border, in between where its elements are cut into subcells.
+    pub across: [f64; SUBCELLS + 1],
+    /// `x` of the middle between its ends, on the lower and on the upper border.
+    pub middle: [f64; 2],
+    /// Half-length on the lower and on the upper border.
+    pub half_length: [f64; 2],
+    /// Cuts over the half-length, from 1 at the leading edge to -1: those between subcells, and
+    /// every [`SUBCELLS`]th one between elements.
+    pub along: Vec<f64>,
+    /// The strips that are side by side with this one, itself included.
+    pub patch: Range<usize>,
+}
+
+impl Strip {
+    /// Number of elements.
+    pub(crate) fn len(&self) -> usize {
+        (self.along.len() - 1) / SUBCELLS
+    }
+
+    /// Cut `i` of the elements over the half-length.
+    pub(crate) fn cut(&self, i: usize) -> f64 {
+        self.along[SUBCELLS * i]
+    }
+
+    /// Middle between the cuts of an element, over the half-length.
+    pub(crate) fn element_middle(&self, i: usize) -> f64 {
+        0.5 * (self.cut(i) + self.cut(i + 1))
+    }
+
+    /// `y` of the lower and the upper border.
+    pub(crate) fn borders(&self) -> [f64; 2] {
+        [self.across[0], self.across[SUBCELLS]]
+    }
+
+    /// `y` of the middle line.
+    pub(crate) fn y(&self) -> f64 {
+        0.5 * (self.across[0] + self.across[SUBCELLS])
+    }
+
+    /// Ends of cut `i` on the lower and the upper border.
+    pub(crate) fn cut_ends(&self, i: usize) -> [[f64; 2]; 2] {
+        let (cut, borders) = (self.cut(i), self.borders());
+        [0, 1].map(|end| [self.middle[end] + self.half_length[end] * cut, borders[end]])
+    }
+
+    /// Where cut `i` crosses the middle line.
+    pub(crate) fn middle_cut(&self, i: usize) -> [f64; 2] {
+        let [[x0, y0], [x1, y1]] = self.cut_ends(i);
+        [0.5 * (x0 + x1), 0.5 * (y0 + y1)]
+    }
+
+    /// The element that holds an `x` over the half-length.
+    pub(crate) fn element_at(&self, along: f64) -> usize {
+        let last = self.len().saturating_sub(1);
+        (0..last).find(|i| self.cut(i + 1) < along).unwrap_or(last)
+    }
+
+    /// The two elements next to an `x` over the half-length, with the weights of interpolation in
+    /// the angle whose sine it is.
+    fn around(&self, along: f64) -> [(usize, f64); 2] {
+        let middle = |i: usize| -0.5 * (self.cut(i).asin() + self.cut(i + 1).asin());
+        beside(self.element_at(along), self.len(), -along.asin(), middle)
+    }
+
+    /// Corners of an element, all around.
+    pub(crate) fn corners(&self, i: usize) -> [[f64; 2]; 4] {
+        let ([front, beside], [rear, across]) = (self.cut_ends(i), self.cut_ends(i + 1));
+        [front, beside, across, rear]
+    }
+}
+
+/// The elements of a contact.
+#[derive(Debug, Clone)]
+pub(crate) struct Mesh {
+    pub strips: Vec<Strip>,
+    /// First element of every strip, and the number of all.
+    offsets: Vec<usize>,
+    /// The strips in opposite order are their mirror images about the `x` axis.
+    pub mirrored: bool,
+}
+
+impl Mesh {
+    /// The elements of any strips.
+    pub(crate) fn new(strips: Vec<Strip>) -> Self {
+        let mut offsets = vec![0];
+        offsets.extend(strips.iter().scan(0, |end, strip| {
+            *end += strip.len();
+            Some(*end)
+        }));
+        Self { strips, offsets, mirrored: false }
+    }
+
+    /// `strips` strips of `along` elements that fit an ellipse.
+    ///
+    /// Small creepage makes the traction infinite all along the trailing half of the edge, so the
+    /// cuts are clustered towards it: along as cosines; across less, for the strips in the middle,
+    /// where the pole of the spin turns the slip around, must not become wide.
+    pub(crate) fn ellipse(ellipse: Ellipse, along: usize, strips: usize) -> Self {
+        let fit = fit(ellipse.ratio());
+        let broken = |piece: usize| piece as f64 / SUBCELLS as f64;
+        let cuts: Vec<f64> = (0..=SUBCELLS * along).map(|p| cut(broken(p), along)).collect();
+        let strip = |j: usize| {
+            let borders: [f64; SUBCELLS + 1] =
+                std::array::from_fn(|k| border(broken(SUBCELLS * j + k), strips, fit));
+            Strip {
+                across: borders.map(|t| ellipse.b() * t),
+                middle: [0.0; 2],
+                half_length: half_lengths(ellipse, borders[0], borders[SUBCELLS]),
+                along: cuts.clone(),
+                patch: 0..strips,
+            }
+        };
+        Self { mirrored: true, ..Self::new((0..strips).map(strip).collect()) }
+    }
+
+    /// Number of elements.
+    pub(crate) fn len(&self) -> usize {
+        self.offsets[self.strips.len()]
+    }
+
+    pub(crate) fn offsets(&self) -> &[usize] {
+        &self.offsets
+    }
+
+    /// The elements of a strip, from the leading edge.
+    pub(crate) fn elements(&self, strip: usize) -> Range<usize> {
+        self.offsets[strip]..self.offsets[strip + 1]
+    }
+
+    /// Every element as `(strip, number in the strip)`, in order.
+    pub(crate) fn all(&self) -> impl Iterator<Item = (usize, usize)> {
+        let strips = self.strips.iter().enumerate();
+        strips.flat_map(|(strip, own)| (0..own.len()).map(move |i| (strip, i)))
+    }
+
+    /// The four elements around a position in the contact, given as its `y` and its `x` over the
+    /// half-length, with the weights of interpolation between their middles, along in the angle
+    /// whose sine is cut; at the edge of the contact the outermost counts on.
+    pub(crate) fn around(&self, y: f64, along: f64) -> [(usize, f64); 4] {
+        let below = |strip: &Strip| strip.borders()[1] <= y;
+        let own = self.strips.partition_point(below).min(self.strips.len().saturating_sub(1));
+        let patch = self.strips.get(own).map_or(0..0, |own| own.patch.clone());
+        let middle = |j: usize| self.strips[patch.start + j].y();
+        let strips = beside(own - patch.start, patch.len(), y, middle);
+        let along = along.clamp(-1.0, 1.0);
+        let around = strips.map(|(j, by_strip)| {
+            let strip = patch.start + j;
+            let elements = self.strips[strip].around(along);
+            elements.map(|(i, by_element)| (self.offsets[strip] + i, by_strip * by_element))
+        });
+        [around[0][0], around[0][1], around[1][0], around[1][1]]
+    }
+}
+
+/// How far strips narrow towards the sides and cuts follow the edge, from 0 to 1.
+///
+/// On contacts very long in the rolling direction such elements would act far ahead of and behind
+/// their middles, and sweeps would not settle; there strips become equal, elements rectangles.
+fn fit(a_over_b: f64) -> f64 {
+    (LONG / a_over_b).min(1.0).powi(3)
+}
+
+/// Half-lengths of a strip at its lower and its upper border, `low` and `high` over `b`.
+fn half_lengths(ellipse: Ellipse, low: f64, high: f64) -> [f64; 2] {
+    let root = |t: f64| (1.0 - t * t).max(0.0).sqrt();
+    let area = |t: f64| 0.5 * (t * root(t) + t.asin());
+    let (fit, mean) = (fit(ellipse.ratio()), (area(high) - area(low)) / (high - low));
+    [low, high].map(|y| ellipse.a() * (fit * root(y) + (1.0 - fit) * mean))
+}
+
+/// Of `count` rising middles the two next to a position, which belongs to `own`, with their weights.
+fn beside(
+    own: usize,
+    count: usize,
+    position: f64,
+    middle: impl Fn(usize) -> f64,
+) -> [(usize, f64); 2] {
+    let above = if middle(own) > position { own } else { own + 1 };
+    if above == 0 || above == count {
+        return [(own, 1.0), (own, 0.0)];
+    }
+    let [low, high] = [middle(above - 1), middle(above)];
+    let weight = (position - low) / (high - low);
+    [(above - 1, 1.0 - weight), (above, weight)]
+}
+
+/// Cut `i` of `n` from 1 to -1; with a broken `i` a cut between subcells.
+pub(crate) fn cut(i: f64, n: usize) -> f64 {
+    (FRAC_PI_2 * (1.0 - 2.0 * i / n as f64)).sin()
+}
+
+/// Border `j` of `n` from -1 to 1, or with a broken `j` one between subcells: fully fitted,
+/// their density is as `1 / (1 - t^4)`, in the middle four fifths of that of equal strips.
+fn border(j: f64, n: usize, fit: f64) -> f64 {
+    let t = 2.0 * j / n as f64 - 1.0;
+    t + 0.25 * fit * (t - t.powi(5))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The middle of an element, in the angle whose sine is cut, belongs to that element alone.
+    #[test]
+    fn every_middle_lies_in_its_element() {
+        let mesh = Mesh::ellipse(Ellipse::from_ratio(0.4).unwrap(), 10, 14);
+        for (element, (strip, i)) in mesh.all().enumerate() {
+            let around = mesh.around(mesh.strips[strip].y(), cut(i as f64 + 0.5, 10));
+            let own = around.iter().filter(|(e, _)| *e == element).map(|(_, weight)| weight);
+            // Rounding of the arc sine, over an angle of a twentieth.
+            assert!((own.sum::<f64>() - 1.0).abs() < 1e-12, "{element}: {around:?}");
+        }
+    }
+}

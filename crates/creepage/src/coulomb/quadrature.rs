@@ -1,0 +1,184 @@
+//! Force, moment and frictional power of solved tractions, by subcell quadrature.
+//!
+//! Near the pole of the spin the slip turns around within a few elements. Each sliding element is
+//! therefore cut into subcells: at the centroid of the pressure in each the slip is interpolated
+//! between elements, and the traction has its direction. For large creepage this is the integral
+//! of the saturated theory.
+
+use super::mesh::{Mesh, SUBCELLS};
+use super::pressure::{Moments, Pressure};
+use crate::Force;
+
+/// Slip that counts as far from the border of adhesion; elastic slip is of order one. Near the
+/// border the element's own direction rules, so that nothing jumps when an element starts to slide.
+const FAR: f64 = 1.0;
+
+/// A quadrature point: where the pressure of a subcell acts.
+#[derive(Debug, Clone, Copy)]
+struct Subcell {
+    share: f64,
+    at: [f64; 2],
+    /// The four elements to interpolate between, with their weights.
+    around: [(usize, f64); 4],
+}
+
+/// Pressure moments of all elements and of their subcells.
+#[derive(Debug, Clone)]
+pub(crate) struct Quadrature {
+    subcells: Vec<[[Subcell; SUBCELLS]; SUBCELLS]>,
+    shares: Vec<f64>,
+    centroids: Vec<[f64; 2]>,
+}
+
+/// Fields that are linear in the tractions and may be differentiated with them.
+#[derive(Clone, Copy)]
+pub(crate) struct Fields<'a> {
+    /// Where the slip of each element is.
+    pub places: &'a [[f64; 2]],
+    pub traction: &'a [Vec<f64>; 2],
+    pub slip: &'a [Vec<f64>; 2],
+    pub spin: f64,
+}
+
+impl Fields<'_> {
+    fn at(pair: &[Vec<f64>; 2], element: usize) -> [f64; 2] {
+        [pair[0][element], pair[1][element]]
+    }
+
+    /// Slip of a subcell: interpolated, and the rigid rotation that interpolation leaves out.
+    fn slip_in(&self, subcell: &Subcell) -> [f64; 2] {
+        let ([mut u, mut v], [mut x, mut y]) = ([0.0; 2], subcell.at);
+        for (element, weight) in subcell.around {
+            u += weight * self.slip[0][element];
+            v += weight * self.slip[1][element];
+            x -= weight * self.places[element][0];
+            y -= weight * self.places[element][1];
+        }
+        [u - self.spin * y, v + self.spin * x]
+    }
+}
+
+/// What the tractions of a grid add up to.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct Sum {
+    pub force: Force,
+    /// Frictional power.
+    pub dissipation: f64,
+    /// Power of the tractions on the slip that the pressure causes.
+    pub by_pressure: f64,
+}
+
+impl Sum {
+    fn add(&mut self, share: f64, [x, y]: [f64; 2], [p, q]: [f64; 2]) {
+        self.force.fx += share * p;
+        self.force.fy += share * q;
+        self.force.mz += share * (x * q - y * p);
+    }
+}
+
+impl Quadrature {
+    pub(crate) fn new(mesh: &Mesh, pressure: &Pressure) -> Self {
+        let elements = mesh.all().zip(&pressure.subcells);
+        Self {
+            subcells: elements
+                .map(|((strip, i), cells)| {
+                    cells.map(|row| row.map(|moments| Subcell::new(mesh, strip, i, moments)))
+                })
+                .collect(),
+            shares: pressure.shares.clone(),
+            centroids: pressure.centroids.clone(),
+        }
+    }
+
+    /// Adds force and frictional power of one element.
+    pub(crate) fn add(&self, fields: Fields, element: usize, slides: bool, sum: &mut Sum) {
+        let own = Fields::at(fields.traction, element);
+        if !slides {
+            return sum.add(self.shares[element], self.centroids[element], own);
+        }
+        let slip = Fields::at(fields.slip, element);
+        let speed = dot(own, slip).max(0.0);
+        let turn = speed / (speed * speed + FAR * FAR);
+        for subcell in self.subcells[element].as_flattened() {
+            let there = fields.slip_in(subcell);
+            let bent = [0, 1].map(|k| own[k] + turn * (there[k] - slip[k]));
+            let size = bent[0].hypot(bent[1]);
+            sum.dissipation += subcell.share * speed * size;
+            sum.add(subcell.share, subcell.at, direction(bent, size));
+        }
+    }
+
+    /// Adds the change of an element's force with its fields.
+    pub(crate) fn add_change(
+        &self,
+        [fields, change]: [Fields; 2],
+        element: usize,
+        slides: bool,
+        sum: &mut Sum,
+    ) {
+        let [own, d_own] = [fields, change].map(|f| Fields::at(f.traction, element));
+        if !slides {
+            return sum.add(self.shares[element], self.centroids[element], d_own);
+        }
+        let [slip, d_slip] = [fields, change].map(|f| Fields::at(f.slip, element));
+        let speed = dot(own, slip).max(0.0);
+        let d_speed = dot(own, d_slip) + dot(d_own, slip);
+        let square = speed * speed + FAR * FAR;
+        let (turn, d_turn) =
+            (speed / square, d_speed * (FAR * FAR - speed * speed) / (square * square));
+        for subcell in self.subcells[element].as_flattened() {
+            let [there, d_there] = [fields, change].map(|f| f.slip_in(subcell));
+            let bent = [0, 1].map(|k| own[k] + turn * (there[k] - slip[k]));
+            let d_bent = [0, 1].map(|k| {
+                d_own[k] + d_turn * (there[k] - slip[k]) + turn * (d_there[k] - d_slip[k])
+            });
+            let size = bent[0].hypot(bent[1]);
+            let unit = direction(bent, size);
+            let along = dot(unit, d_bent);
+            let d_unit = direction([0, 1].map(|k| d_bent[k] - along * unit[k]), size);
+            sum.add(subcell.share, subcell.at, d_unit);
+        }
+    }
+}
+
+impl Subcell {
+    /// Between its own element, the next along, and the same two in the strip beside.
+    fn new(mesh: &Mesh, strip: usize, i: usize, moments: Moments) -> Self {
+        let Moments { share, centroid, along } = moments;
+        let own = &mesh.strips[strip];
+        let first = own.patch.start;
+        let y = |j: usize| mesh.strips[first + j].y();
+        let (beside, across) = next(strip - first, own.patch.len(), centroid[1], y);
+        let pair = |strip: usize, factor: f64| {
+            let there = &mesh.strips[strip];
+            let alike = i < there.len() && there.cut(i) >= along && along >= there.cut(i + 1);
+            let i = if alike { i } else { there.element_at(along) };
+            let (other, weight) = next(i, there.len(), along, |i| there.element_middle(i));
+            let start = mesh.elements(strip).start;
+            [(start + i, factor * (1.0 - weight)), (start + other, factor * weight)]
+        };
+        let ([a, b], [c, d]) = (pair(strip, 1.0 - across), pair(first + beside, across));
+        Self { share, at: centroid, around: [a, b, c, d] }
+    }
+}
+
+/// The neighbour of piece `own` of `count` on the side of a position, and its weight in linear
+/// interpolation, or extrapolation, between their middles.
+fn next(own: usize, count: usize, position: f64, middle: impl Fn(usize) -> f64) -> (usize, f64) {
+    if count < 2 {
+        return (own, 0.0);
+    }
+    let off = position - middle(own);
+    let later = own == 0 || off * (middle(own) - middle(own - 1)) > 0.0;
+    let other = if later && own + 1 < count { own + 1 } else { own - 1 };
+    (other, off / (middle(other) - middle(own)))
+}
+
+fn dot(a: [f64; 2], b: [f64; 2]) -> f64 {
+    a[0] * b[0] + a[1] * b[1]
+}
+
+/// A vector over a size, which is its own or that of another; zero over zero.
+fn direction(vector: [f64; 2], size: f64) -> [f64; 2] {
+    if size > 0.0 { vector.map(|v| v / size) } else { [0.0; 2] }
+}

@@ -1,0 +1,121 @@
+//! Newton in all strips at once, with a search along each step.
+
+use super::{Equations, State};
+use crate::coulomb::friction::project;
+use crate::coulomb::grid::Grid;
+
+const STEPS: usize = 12;
+/// Largest and smallest forcing term of Eisenstat and Walker (1996), the relative accuracy of the
+/// linear equations: nearer to the solution it pays to solve them better.
+const FORCING_TERMS: [f64; 2] = [0.05, 1e-6];
+/// Forcing term after a step that led nowhere, for the last one may be to blame.
+const SAFE_FORCING_TERM: f64 = 1e-3;
+/// Fraction of the residual allowed at the end that the linear equations may leave.
+const FINAL_FRACTION: f64 = 0.3;
+/// A strip's factors that were left after a larger step are made anew.
+const STALE: f64 = 0.1;
+/// Halvings of a step until it makes the tractions better.
+const HALVINGS: usize = 5;
+
+/// By how much friction is not obeyed, in parts of the bound: `traction - projection`.
+#[derive(Debug, Clone, Copy, Default)]
+struct Norms {
+    /// Root of the sum of squares over all elements.
+    total: f64,
+    largest: f64,
+}
+
+impl State {
+    /// Improves tractions that are near the solution; the slip must be theirs. Whether they obey
+    /// friction then; with `full_steps_only` it ends as soon as a step must be shortened.
+    pub(super) fn newton(
+        &mut self,
+        grid: &Grid,
+        equations: &mut Equations,
+        tolerance: f64,
+        full_steps_only: bool,
+    ) -> bool {
+        let [largest_term, smallest_term] = FORCING_TERMS;
+        equations.clear();
+        let mut residual = self.residual_after(grid, equations, 0.0);
+        let mut term = largest_term;
+        for _ in 0..STEPS {
+            if !self.linearize(grid, equations) {
+                break;
+            }
+            if residual.largest <= tolerance {
+                return true;
+            }
+            equations.solve(grid, self, term.max(FINAL_FRACTION * tolerance / residual.largest));
+            let Some((length, next)) = self.search(grid, equations, residual) else {
+                if term <= SAFE_FORCING_TERM {
+                    break;
+                }
+                term = SAFE_FORCING_TERM;
+                continue;
+            };
+            self.advance(equations, length);
+            term = (0.5 * (next.total / residual.total).powi(2)).clamp(smallest_term, largest_term);
+            residual = next;
+            if full_steps_only && length < 1.0 {
+                return false;
+            }
+        }
+        self.last_step.fill(f64::INFINITY);
+        false
+    }
+
+    /// Newton's equations at the present tractions; false when a strip's are singular.
+    fn linearize(&mut self, grid: &Grid, equations: &mut Equations) -> bool {
+        for strip in 0..grid.mesh.strips.len() {
+            let switched = self.choose_branches(grid, strip);
+            if (switched || self.last_step[strip] > STALE) && !self.factor(grid, strip) {
+                return false;
+            }
+            self.last_step[strip] = 0.0;
+        }
+        for (element, right) in equations.right.chunks_exact_mut(2).enumerate() {
+            right.copy_from_slice(&self.residual(element));
+        }
+        true
+    }
+
+    /// The longest of the step's halves that makes the tractions better, and the residual then.
+    fn search(&self, grid: &Grid, equations: &Equations, residual: Norms) -> Option<(f64, Norms)> {
+        let mut length = 1.0;
+        for _ in 0..=HALVINGS {
+            let next = self.residual_after(grid, equations, length);
+            if next.total < (1.0 - 0.1 * length) * residual.total {
+                return Some((length, next));
+            }
+            length *= 0.5;
+        }
+        None
+    }
+
+    /// The residual after a step of some length.
+    fn residual_after(&self, grid: &Grid, equations: &Equations, length: f64) -> Norms {
+        let mut norms = Norms::default();
+        for element in 0..grid.mesh.len() {
+            let (t, s) = (self.traction.at(element), self.slip(element));
+            let (dt, weight) = (equations.change.at(element), grid.weights[element]);
+            let traction = [0, 1].map(|k| t[k] + length * dt[k]);
+            let slip = [0, 1].map(|k| s[k] + length * equations.slip[k][element]);
+            let [x, y] = match project(traction, slip, weight) {
+                None => slip.map(|s| weight * s),
+                Some(sliding) => [0, 1].map(|k| sliding.traction[k] - traction[k]),
+            };
+            norms.total += x * x + y * y;
+            norms.largest = norms.largest.max(x.hypot(y));
+        }
+        norms.total = norms.total.sqrt();
+        norms
+    }
+
+    fn advance(&mut self, equations: &Equations, length: f64) {
+        self.traction.add_times(length, &equations.change);
+        for (slip, change) in self.slip.iter_mut().zip(&equations.slip) {
+            slip.iter_mut().zip(change).for_each(|(slip, change)| *slip += length * change);
+        }
+    }
+}

@@ -1,0 +1,113 @@
+//! Room to solve one case on two grids, and a pool of such rooms.
+
+use std::sync::{Mutex, PoisonError};
+
+use super::extrapolation::extrapolate_force;
+use super::forcing::SlipForcing;
+use super::grid::Grid;
+use super::quadrature::Sum;
+use super::solver::{Equations, Outcome, State};
+use crate::Force;
+use crate::theory::{Solution, Statistics, Status};
+
+/// The state of one grid.
+#[derive(Debug, Clone, Default)]
+struct Level {
+    state: State,
+    equations: Equations,
+    outcome: Outcome,
+}
+
+/// The states of the coarser and the finer grid.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Workspace {
+    levels: [Level; 2],
+}
+
+impl Workspace {
+    fn new(grids: &[Grid; 2]) -> Self {
+        let level = |grid: &Grid| Level {
+            state: State::new(grid),
+            equations: Equations::new(grid),
+            outcome: Outcome::default(),
+        };
+        Self { levels: [level(&grids[0]), level(&grids[1])] }
+    }
+
+    /// Solves from scratch, or from the tractions of the last case; `force` sets what drives the
+    /// slip of a grid.
+    pub(super) fn solve(
+        &mut self,
+        grids: &[Grid; 2],
+        warm: bool,
+        force: impl Fn(&Grid, &mut SlipForcing),
+    ) {
+        for (level, grid) in self.levels.iter_mut().zip(grids) {
+            force(grid, &mut level.state.forcing);
+        }
+        let [coarse, fine] = &mut self.levels;
+        if !warm {
+            coarse.state.reset();
+        }
+        coarse.outcome = coarse.state.solve(&grids[0], &mut coarse.equations);
+        if !warm {
+            fine.state.refine(&grids[1], &coarse.state, &grids[0]);
+        }
+        fine.outcome = fine.state.solve(&grids[1], &mut fine.equations);
+    }
+
+    /// What the tractions of each grid add up to; `side` is the sign of the pressure's part in what
+    /// drives the slip.
+    pub(super) fn sums(&self, grids: &[Grid; 2], side: f64) -> [Sum; 2] {
+        [0, 1].map(|k| self.levels[k].state.sum(&grids[k], side))
+    }
+
+    /// A force and its error bars, with the outcome and the cost of both grids.
+    pub(super) fn solution(&self, force: Force, error: Force) -> Solution {
+        let count = |of: fn(&Outcome) -> usize| self.levels.iter().map(|l| of(&l.outcome)).sum();
+        let converged = self.levels.iter().all(|level| level.outcome.converged);
+        Solution {
+            force,
+            error: Some(error),
+            status: if converged { Status::Solved } else { Status::NotConverged },
+            statistics: Statistics {
+                iterations: count(|outcome| outcome.sweeps),
+                factorizations: count(|outcome| outcome.factorizations),
+            },
+        }
+    }
+
+    /// Derivatives of the extrapolated force by `xi`, `eta` and `chi`.
+    pub(super) fn derivative(&mut self, grids: &[Grid; 2]) -> [Force; 3] {
+        let [coarse, fine] = &mut self.levels;
+        let coarse = coarse.equations.derivative(&grids[0], &coarse.state);
+        let fine = fine.equations.derivative(&grids[1], &fine.state);
+        [0, 1, 2].map(|k| extrapolate_force(coarse[k], fine[k]))
+    }
+
+    /// The state of the finer grid.
+    pub(super) fn fine(&self) -> &State {
+        &self.levels[1].state
+    }
+}
+
+/// Workspaces that are not in use; a clone has none.
+#[derive(Debug, Default)]
+pub(super) struct Pool(Mutex<Vec<Workspace>>);
+
+impl Clone for Pool {
+    fn clone(&self) -> Self {
+        Self::default()
+    }
+}
+
+impl Pool {
+    pub(super) fn take(&self, grids: &[Grid; 2]) -> Workspace {
+        let kept = self.0.lock().unwrap_or_else(PoisonError::into_inner).pop();
+        kept.unwrap_or_else(|| Workspace::new(grids))
+    }
+
+    pub(super) fn give_back(&self, workspace: Workspace) {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner).push(workspace);
+    }
+}

@@ -1,0 +1,217 @@
+//! Traction and slip at the mesh points as linear functions of the unknowns (5.10).
+
+use std::f64::consts::{PI, TAU};
+
+use super::Settings;
+use super::integrand::State;
+use crate::check::InvalidValue;
+use crate::contact::Contact;
+use crate::ellipse::Ellipse;
+use crate::halfspace::{LoadDisplacement, harmonics, vanishing};
+use crate::{Creepage, Force};
+
+/// A set of points with what the traction polynomials do there.
+///
+/// The unknowns are the coefficients of `X'` and then of `Y'` in the polynomials of
+/// [`harmonics::even_indices`]: orthonormal, so that any degree is well conditioned.
+#[derive(Debug, Clone)]
+pub(super) struct Discretization {
+    /// Polynomials in each of `X'` and `Y'`.
+    polynomials: usize,
+    /// Points in units of `c`.
+    positions: Vec<[f64; 2]>,
+    /// `1 - (x/a)^2 - (y/b)^2` at the points.
+    bound_squared: Vec<f64>,
+    /// Rows a point, `polynomials` long each: see [`Rows`].
+    rows: Vec<f64>,
+    /// `A = (1 - sigma) E / (2 sqrt g)`: slip in units of `mu f00` over that in `mu c / rho`.
+    slip_scale: f64,
+}
+
+/// What each polynomial contributes at one point.
+pub(super) struct Rows<'a> {
+    /// Its value: to `X'` from `X'`, to `Y'` from `Y'`.
+    pub(super) value: &'a [f64],
+    /// To `P = du/dx` from `X'`.
+    pub(super) px: &'a [f64],
+    /// To `P` from `Y'`, and to `Q = dv/dx` from `X'`.
+    pub(super) py: &'a [f64],
+    /// To `Q` from `Y'`.
+    pub(super) qy: &'a [f64],
+}
+
+impl<'a> Rows<'a> {
+    /// What the `X'` unknowns from the `first` on bring to `X'`, `P`, `Q`.
+    pub(super) fn of_x(&self, first: usize) -> [&'a [f64]; 3] {
+        [&self.value[first..], &self.px[first..], &self.py[first..]]
+    }
+
+    /// What the `Y'` unknowns from the `first` on bring to `Y'`, `P`, `Q`.
+    pub(super) fn of_y(&self, first: usize) -> [&'a [f64]; 3] {
+        [&self.value[first..], &self.py[first..], &self.qy[first..]]
+    }
+}
+
+/// The part of a discretization that does not depend on the points.
+#[derive(Debug, Clone)]
+pub(super) struct SlipResponse {
+    ellipse: Ellipse,
+    degree: usize,
+    slip_scale: f64,
+    /// Harmonics of `du/dx` by `X'`, `du/dx` by `Y'`, `dv/dx` by `Y'`: a row a polynomial.
+    harmonics: [Vec<Vec<f64>>; 3],
+    /// `f_x` by `X'` and `f_y` by `Y'`.
+    force: Vec<f64>,
+    /// `m_z` by `X'`, `m_z` by `Y'`.
+    moment: [Vec<f64>; 2],
+}
+
+impl SlipResponse {
+    pub(super) fn new(contact: &Contact, degree: usize) -> Result<Self, InvalidValue> {
+        let (ellipse, poisson) = (contact.ellipse(), contact.poisson());
+        let response = LoadDisplacement::new(ellipse, poisson, degree + 1)?;
+        let polynomials = harmonics::polynomial_count(degree);
+        let mut rows = [const { Vec::new() }; 3];
+        let (mut force, mut moment) = (Vec::new(), [const { Vec::new() }; 2]);
+        for j in 0..polynomials {
+            let mut unit = vec![0.0; polynomials];
+            unit[j] = 1.0;
+            let gradient = vanishing::x_derivative(degree, &unit);
+            let [px, qx] = response.tangential([&gradient, &[]]);
+            let [_, qy] = response.tangential([&[], &gradient]);
+            for (row, harmonics) in rows.iter_mut().zip([px, qx, qy]) {
+                row.push(harmonics.iter().map(|h| h / ellipse.a()).collect::<Vec<_>>());
+            }
+            let [mean, x, y] = moments(degree, &unit);
+            force.push(mean);
+            moment[0].push(-ellipse.b() * y);
+            moment[1].push(ellipse.a() * x);
+        }
+        let slip_scale = (1.0 - poisson) * ellipse.integrals().e / (2.0 * ellipse.g().sqrt());
+        Ok(Self { ellipse, degree, slip_scale, harmonics: rows, force, moment })
+    }
+
+    pub(super) fn ellipse(&self) -> Ellipse {
+        self.ellipse
+    }
+
+    pub(super) fn degree(&self) -> usize {
+        self.degree
+    }
+
+    /// Resultants of the traction polynomials.
+    pub(super) fn force(&self, tau: &[f64]) -> Force {
+        let (x, y) = tau.split_at(self.force.len());
+        Force {
+            fx: dot(&self.force, x),
+            fy: dot(&self.force, y),
+            mz: dot(&self.moment[0], x) + dot(&self.moment[1], y),
+        }
+    }
+
+    /// Harmonics of `P` and `Q`, without the rigid slip.
+    pub(super) fn slip(&self, tau: &[f64]) -> [Vec<f64>; 2] {
+        let mut slip = [(); 2].map(|()| vec![0.0; harmonics::polynomial_count(self.degree + 1)]);
+        let [px, py, qy] = &self.harmonics;
+        let half = self.force.len();
+        for (rows, tau) in [([px, py], &tau[..half]), ([py, qy], &tau[half..])] {
+            for (slip, rows) in slip.iter_mut().zip(rows) {
+                for (row, unknown) in rows.iter().zip(tau) {
+                    slip.iter_mut().zip(row).for_each(|(sum, value)| *sum += unknown * value);
+                }
+            }
+        }
+        slip
+    }
+
+    /// The midpoints of the mesh that lie inside the ellipse, line by line from `-y`.
+    pub(super) fn mesh(&self, settings: &Settings) -> Vec<[f64; 2]> {
+        let [nx, ny] = settings.mesh;
+        let middle = |i: usize, n: usize| (2 * i + 1) as f64 / n as f64 - 1.0;
+        let points = (0..ny).flat_map(|j| (0..nx).map(move |i| [middle(i, nx), middle(j, ny)]));
+        points
+            .filter(|[x, y]| x * x + y * y < 1.0)
+            .map(|[x, y]| [x * self.ellipse.a(), y * self.ellipse.b()])
+            .collect()
+    }
+
+    /// The discretization on `positions` in units of `c`, all inside the ellipse.
+    pub(super) fn at(&self, positions: Vec<[f64; 2]>) -> Discretization {
+        let polynomials = harmonics::polynomial_count(self.degree);
+        let mut rows = Vec::with_capacity(4 * polynomials * positions.len());
+        let mut bound_squared = Vec::with_capacity(positions.len());
+        let mut table = vec![0.0; harmonics::count(self.degree + 1)];
+        for position in &positions {
+            let (x, y) = (position[0] / self.ellipse.a(), position[1] / self.ellipse.b());
+            bound_squared.push((1.0 - x * x - y * y).max(0.0));
+            harmonics::evaluate(self.degree + 1, x, y, &mut table);
+            let values: Vec<f64> =
+                harmonics::even_indices(self.degree + 1).map(|index| table[index]).collect();
+            rows.extend_from_slice(&values[..polynomials]);
+            for by_polynomial in &self.harmonics {
+                rows.extend(by_polynomial.iter().map(|harmonics| {
+                    harmonics.iter().zip(&values).map(|(h, value)| h * value).sum::<f64>()
+                }));
+            }
+        }
+        Discretization { polynomials, positions, bound_squared, rows, slip_scale: self.slip_scale }
+    }
+}
+
+impl Discretization {
+    /// Number of unknowns, `(M+1)(M+2)`.
+    pub(super) fn unknowns(&self) -> usize {
+        2 * self.polynomials
+    }
+
+    pub(super) fn positions(&self) -> &[[f64; 2]] {
+        &self.positions
+    }
+
+    pub(super) fn bound_squared(&self) -> &[f64] {
+        &self.bound_squared
+    }
+
+    pub(super) fn slip_scale(&self) -> f64 {
+        self.slip_scale
+    }
+
+    pub(super) fn rows(&self, point: usize) -> Rows<'_> {
+        let n = self.polynomials;
+        let (value, rest) = self.rows[4 * n * point..4 * n * (point + 1)].split_at(n);
+        let (px, rest) = rest.split_at(n);
+        let (py, qy) = rest.split_at(n);
+        Rows { value, px, py, qy }
+    }
+
+    /// Slip of the bodies as if rigid, in units of `mu f00`.
+    pub(super) fn rigid_slip(&self, creepage: Creepage, point: usize) -> [f64; 2] {
+        creepage.rigid_slip(self.positions[point]).map(|slip| self.slip_scale * slip)
+    }
+
+    /// `X', Y', P, Q` at a point.
+    pub(super) fn state(&self, creepage: Creepage, tau: &[f64], point: usize) -> State {
+        let rows = self.rows(point);
+        let (x, y) = tau.split_at(self.polynomials);
+        let [p, q] = self.rigid_slip(creepage, point);
+        [
+            dot(rows.value, x),
+            dot(rows.value, y),
+            p + dot(rows.px, x) + dot(rows.py, y),
+            q + dot(rows.py, x) + dot(rows.qy, y),
+        ]
+    }
+}
+
+/// `3/(2 pi)` times the integrals over the unit circle of `(1 - r^2)^(1/2) P {1, x, y}`: the
+/// share of `mu N` that the polynomial `P` brings, and its moments.
+fn moments(degree: usize, polynomial: &[f64]) -> [f64; 3] {
+    let singular = vanishing::as_singular(degree, polynomial);
+    // The polynomials 1, y, x are these harmonics over their norm.
+    let norm = |n: f64| 1.5 / PI * ((TAU / (2.0 * n + 1.0)).sqrt());
+    [norm(0.0) * singular[0], norm(1.0) * singular[2], norm(1.0) * singular[1]]
+}
+
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}

@@ -1,0 +1,33 @@
+//! The cost of the full theory in sweeps and factorizations, which no machine disturbs.
+
+use creepage::Theory;
+use creepage::coulomb::Resolution;
+
+use crate::common::steady_rolling;
+use crate::support::exact;
+
+/// Sweeps over the strips and strips' matrices factored, on both grids, a case on average of the 132
+/// reference cases.
+fn cost(resolution: Resolution) -> [f64; 2] {
+    let cases = steady_rolling();
+    let mut sum = [0.0; 2];
+    for alike in cases.chunk_by(|one, two| one.contact() == two.contact()) {
+        let theory = exact(alike[0].a_over_b, alike[0].poisson, resolution);
+        for case in alike {
+            let statistics = theory.solve(case.creepage()).statistics;
+            sum[0] += statistics.iterations as f64 / cases.len() as f64;
+            sum[1] += statistics.factorizations as f64 / cases.len() as f64;
+        }
+    }
+    sum
+}
+
+/// A fifth more than when this test was written fails.
+#[test]
+fn sweeps_and_factorizations_stay() {
+    let found = [Resolution::FAST, Resolution::STANDARD].map(cost);
+    let expected = [[28.9, 67.5], [34.2, 101.8]];
+    for (now, then) in found.as_flattened().iter().zip(expected.as_flattened()) {
+        assert!(*now <= 1.2 * then, "{found:?} {expected:?}");
+    }
+}
