@@ -114,9 +114,10 @@ pub struct Position {
     pub y: f64,
     /// Its centre downwards (m); at 0 the nominal circle touches the track plane.
     pub z: f64,
-    /// Turn about `x` (rad), applied before yaw; positive lowers the right wheel.
+    /// Turn about the track's `x` (rad); positive lowers the right wheel.
     pub roll: f64,
-    /// Turn about `z` (rad); positive turns the axle's right end back.
+    /// Turn about the wheelset's own `z`, which rolls with it (rad); positive turns the axle's
+    /// right end back. The axle points along `(-sin yaw, cos yaw cos roll, cos yaw sin roll)`.
     pub yaw: f64,
 }
 
@@ -183,8 +184,8 @@ impl<'a> Posed<'a> {
 
     /// A vector of the wheelset's axes in those of the track.
     pub(crate) fn turned(&self, [x, y, z]: [f64; 3]) -> [f64; 3] {
-        let (y, z) = (y * self.roll.1 - z * self.roll.0, y * self.roll.0 + z * self.roll.1);
-        [x * self.yaw.1 - y * self.yaw.0, x * self.yaw.0 + y * self.yaw.1, z]
+        let (x, y) = (x * self.yaw.1 - y * self.yaw.0, x * self.yaw.0 + y * self.yaw.1);
+        [x, y * self.roll.1 - z * self.roll.0, y * self.roll.0 + z * self.roll.1]
     }
 
     /// The point of the surface at an arc length of the profile and an angle around the axle.
@@ -216,13 +217,12 @@ impl<'a> Posed<'a> {
         if nz <= 0.0 {
             return None;
         }
-        let ((sin_roll, cos_roll), (sin_yaw, cos_yaw)) = (self.roll, self.yaw);
-        let (a, b) = (nz * cos_yaw, nz * sin_roll * sin_yaw);
-        let part = ny * cos_roll * sin_yaw / a.hypot(b);
-        if part.abs() >= 1.0 {
+        // The normal (n_z sin, n_y, n_z cos), yawed, has the part n_z sin cos_yaw - n_y sin_yaw.
+        let sine = ny * self.yaw.0 / (nz * self.yaw.1);
+        if sine.abs() >= 1.0 {
             return None;
         }
-        let around = part.asin() - b.atan2(a);
+        let around = sine.asin();
         let [x, y, z] = self.surface(point, around);
         let (sin, cos) = around.sin_cos();
         let [_, normal_y, normal_z] = self.turned([nz * sin, ny, nz * cos]);

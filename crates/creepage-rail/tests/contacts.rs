@@ -40,7 +40,8 @@ fn only(running: &Running, side: Side, position: Position) -> Contact<'_> {
 
 /// 26 positions of the program CONTACT, extrapolated over its grids. The reference point is the
 /// same kind of mean there, taken in another direction on steep flanges; the tolerances beyond
-/// the printed uncertainty are what that and its profile splines leave.
+/// the printed uncertainty are what that and its profile splines leave, most where the reference
+/// joins two lobes.
 #[test]
 fn contacts_are_those_of_the_reference() {
     let running = manchester();
@@ -60,7 +61,7 @@ fn contacts_are_those_of_the_reference() {
             (creepage.lateral - v[11]).abs() - v[17],
             (creepage.spin * MM - v[12]).abs() - v[18],
         ];
-        let limits = [1.5e-4, 1e-7, 5e-6, 5e-6, 3e-7];
+        let limits = [1e-4, 3e-8, 2.1e-6, 5e-7, 1e-7];
         assert!(misses.iter().zip(limits).all(|(miss, limit)| *miss < limit), "{line} {misses:?}");
     }
 }
