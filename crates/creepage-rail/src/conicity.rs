@@ -99,6 +99,12 @@ impl RadiusDifference {
         [self.from, self.from + STEP * (self.values.len().saturating_sub(1)) as f64]
     }
 
+    /// Lateral position and difference (m), right less left, every .1 mm.
+    pub fn rows(&self) -> impl Iterator<Item = (f64, f64)> {
+        let place = |i: usize| self.from + STEP * i as f64;
+        self.values.iter().enumerate().map(move |(i, &value)| (place(i), value))
+    }
+
     /// The difference (m), right less left, at lateral position `y` (m). `None` out of range.
     #[must_use]
     pub fn at(&self, y: f64) -> Option<f64> {

@@ -107,7 +107,7 @@ pub fn read(name: &str, content: &[u8], wanted: &Wanted) -> Result<Reading, File
         Format::Columns => columns::parse(&text)?,
     };
     let role = wanted.role.or(raw.role).or_else(|| by_ending(name));
-    let role = role.ok_or(FileError::Ask { what: "whether it is a wheel or a rail" })?;
+    let role = role.ok_or(FileError::Ask { line: 1, what: "whether it is a wheel or a rail" })?;
     finish(raw, format, role, wanted)
 }
 

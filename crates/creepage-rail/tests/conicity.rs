@@ -123,6 +123,9 @@ fn the_difference_is_odd_for_like_wheels() {
         let y = f64::from(i) * 1e-4;
         assert!((curve.at(y).unwrap() + curve.at(-y).unwrap()).abs() < 1e-12);
     }
+    let rows: Vec<(f64, f64)> = curve.rows().collect();
+    assert!(rows.len() > 140 && (rows[0].0 - curve.range()[0]).abs() < 1e-15);
+    assert!(rows.iter().all(|&(y, value)| (curve.at(y).unwrap() - value).abs() < 1e-9));
     assert_eq!(curve.at(1.0), None);
     assert!(curve.conicity(f64::NAN).is_err() && curve.conicity(0.5).is_err());
 }

@@ -98,8 +98,10 @@ pub enum FileError {
         other: usize,
     },
     /// The file does not say, and its shape does not show.
-    #[error("the file does not show {what}: say it")]
+    #[error("the file, from line {line}, does not show {what}: say it")]
     Ask {
+        /// First line that should show it.
+        line: usize,
         /// What must be said.
         what: &'static str,
     },

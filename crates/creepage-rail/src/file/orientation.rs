@@ -106,7 +106,8 @@ fn down(points: &[Point], known: Option<bool>) -> Result<bool, FileError> {
     if above > 1.5 * below {
         return Ok(false);
     }
-    Err(FileError::Ask { what: "whether z points up or down" })
+    let line = line(points.first());
+    Err(FileError::Ask { line, what: "whether z points up or down" })
 }
 
 /// The `z` below which a part of the profile lies, each stretch counted by its width.
@@ -153,6 +154,9 @@ fn to_field_side(
         _ if flange && part < 0.4 => Ok(true),
         _ if flange && part > 0.6 => Ok(false),
         Some(known) => Ok(known),
-        None => Err(FileError::Ask { what: "on which side of the wheel the flange is" }),
+        None => {
+            let line = line(points.first());
+            Err(FileError::Ask { line, what: "on which side of the wheel the flange is" })
+        }
     }
 }

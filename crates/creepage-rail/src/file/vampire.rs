@@ -5,7 +5,8 @@ use super::{Action, FileError};
 use crate::{Role, Side};
 
 pub(super) fn parse(text: &str, side: Option<Side>) -> Result<Raw, FileError> {
-    let side = side.ok_or(FileError::Ask { what: "which side of the two in it is wanted" })?;
+    let side =
+        side.ok_or(FileError::Ask { line: 5, what: "which side of the two in it is wanted" })?;
     let mut rows = lines(text);
     let role = match rows.next().map_or("", |(_, first)| first.trim()) {
         first if first.starts_with("WHEELPROFILE") => Role::Wheel,
