@@ -15,8 +15,8 @@ presence of dry friction, thesis, Delft, 1967.
 """
 
 from ._batch import batch
-from ._case import Case
-from ._contact import Body, Hertz, LineContact, hertz, line_contact
+from ._case import Case, Curve
+from ._contact import Body, Hertz, hertz
 from ._creepage import (
     Automatic,
     DifferentiableTheory,
@@ -33,10 +33,8 @@ from ._creepage import (
     Variational,
     VermeulenJohnson,
     __version__,
-    carter,
     coefficients,
 )
-from ._curve import Curve
 from ._errors import (
     CaseError,
     CreepageError,
@@ -47,8 +45,8 @@ from ._errors import (
     UnknownTheory,
     UnlikeBodiesWarning,
 )
+from ._line_contact import CarterSolution, LineContact, carter, line_contact
 from ._results import (
-    CarterSolution,
     CreepageCoefficients,
     ElementField,
     ExactForce,

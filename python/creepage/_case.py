@@ -5,19 +5,25 @@ from __future__ import annotations
 import json
 import warnings
 from collections.abc import Mapping, Sequence
-from typing import Any
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, Literal, get_args
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _creepage
 from ._contact import Body, Hertz, sections
-from ._curve import COMPONENTS, Component, Curve
 from ._errors import UnlikeBodiesWarning
 from ._results import Floats
 from ._solution import SiCreepage, Solution
-from ._theories import find, options_of, resolved
+from ._theories import chosen, prepared
 from ._toml import Source, dumps, read
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+Component = Literal["longitudinal", "lateral", "spin"]
+COMPONENTS: tuple[Component, ...] = get_args(Component)
 
 
 class Case:
@@ -93,7 +99,6 @@ class Case:
         self._read(dumps(file))
 
     def _read(self, text: str) -> None:
-        self._text = text
         self._data = _creepage.CaseData(text)
 
     @classmethod
@@ -115,10 +120,10 @@ class Case:
 
     def to_toml(self) -> str:
         """The text of its case file."""
-        return self._text
+        return self._data.text
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return type(self).from_toml, (self._text,)
+        return type(self).from_toml, (self.to_toml(),)
 
     def __repr__(self) -> str:
         contact = self.contact
@@ -151,37 +156,26 @@ class Case:
     @property
     def theory_name(self) -> str:
         """The theory that the case asks for; "exact" by default."""
-        return str(self._data.options().get("theory", "exact"))
+        return chosen(self._data, None, {})[0]
 
     def theory(self, name: str | None = None, **options: Any) -> _creepage.Theory:
         """A theory prepared for this contact: by default the case's own with its options.
 
-        Options of the case that another theory does not have are left out. "exact" with
-        resolution="auto" is an Automatic, for accuracy=0.001 unless another is given. Raises
-        UnknownTheory, TypeError for an option in the call that the theory does not have, and what
-        its class raises; warns with UnlikeBodiesWarning where the bodies are so unlike that leaving
-        it out matters, and the theory does.
+        Another theory than the case's has its usual options. "exact" with resolution="auto" is an
+        Automatic, for accuracy=0.001 unless another is given. Raises UnknownTheory, TypeError for an
+        option that the theory does not have, and what its class raises; warns with
+        UnlikeBodiesWarning where the bodies are so unlike that neglecting it matters, and the theory
+        does.
         """
-        return self._prepared(name, options)
+        return prepared(self._data, *self._chosen(name, options))
 
-    def _prepared(self, name: str | None, options: Mapping[str, Any]) -> _creepage.Theory:
-        """The theory; warns the caller's caller of what it leaves out."""
-        given = self._data.options()
-        own = str(given.pop("theory", "exact"))
-        if name is not None and find(name) is not find(own):
-            taken = options_of(name, given).items()
-            named = name.replace("_", "-")
-            given = {key: value for key, value in taken if self._data.takes(named, key)}
-        make, together = resolved(find(name or own), given, options)
-        if make in (_creepage.Exact, _creepage.Automatic) and self._data.kappa_over_mu != 0.0:
-            together = {"kappa_over_mu": self._data.kappa_over_mu, **together}
-        theory: _creepage.Theory = make(
-            a_over_b=self._data.a_over_b, poisson=self._data.poisson, **together
-        )
-        left_out = self._data.left_out(theory.name)
-        if left_out is not None:
-            warnings.warn(left_out, UnlikeBodiesWarning, stacklevel=3)
-        return theory
+    def _chosen(self, name: str | None, options: Mapping[str, Any]) -> tuple[str, dict[str, Any]]:
+        """The theory and its options; warns the caller's caller of what it neglects."""
+        name, together = chosen(self._data, name, options)
+        neglected = self._data.neglects(name)
+        if neglected is not None:
+            warnings.warn(neglected, UnlikeBodiesWarning, stacklevel=3)
+        return name, together
 
     def solve(self, theory: str | None = None, **options: Any) -> Solution:
         """Solves the case by its own theory, or by the one of that name.
@@ -189,9 +183,7 @@ class Case:
         Where forces are wanted, the creepage is found first. Raises as theory; NotReachable where
         no creepage gives the wanted forces, CaseError by a theory that does not find creepages.
         """
-        prepared = self._prepared(theory, options)
-        solved = self._data.solve(prepared)
-        return Solution.from_report(json.loads(solved.json()), prepared, solved)
+        return Solution(self._data, *self._chosen(theory, options))
 
     def curve(
         self,
@@ -217,7 +209,7 @@ class Case:
         creepage[k] = chosen / units[k]
         forces = {}
         for name in names:
-            force = self._prepared(name, {}).force(*creepage)
+            force = prepared(self._data, *self._chosen(name, {})).force(*creepage)
             forces[name] = np.stack(
                 [force.fx * newtons, force.fy * newtons, force.mz * newtons * length]
             )
@@ -230,3 +222,44 @@ class Case:
         own = self.dimensionless[component]
         end = max(4.0 / float(gain), 1.25 * abs(own))
         return np.linspace(0.0, end if own >= 0.0 else -end, 101)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Curve:
+    """Creep-force curves of one or several theories, in SI units."""
+
+    vary: Component
+    values: Floats
+    """Of the component that varies; spin in rad/m."""
+    forces: dict[str, Floats]
+    """By theory: rows longitudinal force (N), lateral force (N), moment (N m)."""
+    case: Case
+
+    def to_dict(self) -> dict[str, Any]:
+        """A row a point and theory; pandas.DataFrame takes it as it is."""
+        creepage = self.case.creepage._asdict()
+        count = len(self.values)
+        columns: dict[str, Any] = {
+            "theory": np.repeat(np.array(list(self.forces)), count),
+            **{name: np.full(count * len(self.forces), creepage[name]) for name in COMPONENTS},
+        }
+        columns[self.vary] = np.tile(self.values, len(self.forces))
+        table = np.concatenate(list(self.forces.values()), axis=1)
+        names = ("longitudinal_n", "lateral_n", "moment_n_m")
+        return {**columns, **dict(zip(names, table, strict=True))}
+
+    def plot(self, ax: Axes | None = None) -> Axes:
+        """The force that the component makes, a line a theory; the case itself is marked. Needs
+        matplotlib."""
+        from ._plot import plot_lines
+
+        row, force = (0, "longitudinal") if self.vary == "longitudinal" else (1, "lateral")
+        creepage = "spin (rad/m)" if self.vary == "spin" else f"{self.vary} creepage"
+        return plot_lines(
+            self.values,
+            {name: forces[row] for name, forces in self.forces.items()},
+            getattr(self.case.creepage, self.vary),
+            self.case.friction * self.case.contact.normal_force,
+            (creepage, f"{force} force on the lower body (kN)"),
+            ax,
+        )

@@ -9,7 +9,6 @@ from dataclasses import asdict, dataclass
 from typing import Any, Literal, TypeAlias
 
 from . import _creepage
-from ._results import CarterSolution
 from ._toml import dumps
 
 Radius: TypeAlias = float | Literal["flat"]
@@ -135,47 +134,3 @@ def hertz(
     }
     text = dumps(sections(upper, lower, contact))
     return Hertz.from_report(json.loads(_creepage.hertz(text)))
-
-
-@dataclass(frozen=True, slots=True)
-class LineContact:
-    """Two cylinders with parallel axes pressed together: Hertz's line contact."""
-
-    half_width: float
-    """a (m)."""
-    peak_pressure: float
-    """Pa."""
-    rho: float
-    """Characteristic length of (1.2) (m): the diameter, for equal cylinders."""
-    load: float
-    """N per m of the cylinders' length."""
-
-    def to_dict(self) -> dict[str, float]:
-        """The numbers by name, in SI units."""
-        return asdict(self)
-
-    def carter(self, creepage: Any, friction: float) -> CarterSolution[Any]:
-        """Carter's theory at the longitudinal creepage upsilon_x, a float or an array.
-
-        The force is in units of `friction * load`. Raises ValueError unless friction is positive,
-        InvalidValue where the creepage is not finite.
-        """
-        if not (friction > 0.0 and math.isfinite(friction)):
-            raise ValueError(f"friction = {friction} is not valid: it must be finite and positive")
-        return _creepage.carter(creepage * (self.rho / (friction * self.half_width)))
-
-
-def line_contact(upper: Body, lower: Body, load: float) -> LineContact:
-    """Presses two cylinders together by their radius_rolling; load in N per m of their length.
-
-    Raises InvalidValue for numbers out of range and cylinders that do not touch along a line.
-    """
-    radii = []
-    for body in (upper, lower):
-        flat = body.radius_rolling in (None, "flat")
-        radii.append(math.inf if flat else float(body.radius_rolling or 0.0))
-    moduli = (upper.modulus(), lower.modulus())
-    found = _creepage.line_contact(
-        moduli, (upper.poisson, lower.poisson), (radii[0], radii[1]), load
-    )
-    return LineContact(*found, load)

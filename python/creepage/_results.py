@@ -9,8 +9,6 @@ from typing import TYPE_CHECKING, Any, Generic, TypeAlias, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from . import _creepage
-
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
@@ -42,7 +40,7 @@ class Region(enum.IntEnum):
     OUTSIDE = 2
 
 
-def _by_name(record: Any) -> dict[str, Any]:
+def by_name(record: Any) -> dict[str, Any]:
     """The fields of a dataclass."""
     return {field.name: getattr(record, field.name) for field in fields(record)}
 
@@ -80,7 +78,7 @@ class Force(Generic[Number, Outcome]):
 
     def to_dict(self) -> dict[str, Any]:
         """The numbers by name, and the status in words; pandas.DataFrame takes it as it is."""
-        return {**_by_name(self), "status": _names(self.status)}
+        return {**by_name(self), "status": _names(self.status)}
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -144,7 +142,7 @@ class Field:
         """Areas of adhesion and slip, and the traction as arrows. Needs matplotlib."""
         from ._plot import plot_field
 
-        return plot_field(self, ax)
+        return plot_field(self.position, self.region, self.traction, self.semi_axes, ax)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -193,32 +191,4 @@ class CreepageCoefficients(Generic[Number]):
 
     def to_dict(self) -> dict[str, Any]:
         """The coefficients by name."""
-        return _by_name(self)
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class CarterSolution(Generic[Number]):
-    """Carter's theory of two cylinders; lengths in units of the half-width, leading edge at 1."""
-
-    creepage: Number
-    """Dimensionless, upsilon_x rho / (mu a)."""
-    force: Number
-    """Per length of the cylinders, in units of mu N."""
-    derivative: Number
-    """Of the force by the creepage."""
-    adhesion_half_width: Number
-    """1 in free rolling, 0 in gross sliding."""
-    trailing_edge: Number
-    """Of the adhesion area: -1 in free rolling, 1 in gross sliding."""
-
-    def field(self, x: Any) -> tuple[Any, Any, Any]:
-        """Traction, slip and Region numbers at x, which broadcasts against the creepage.
-
-        Traction is in units of mu times the peak pressure, slip in units of mu a V / rho.
-        Raises InvalidValue where x is not finite.
-        """
-        return _creepage.carter_field(self.creepage, x)
-
-    def to_dict(self) -> dict[str, Any]:
-        """The numbers by name."""
-        return _by_name(self)
+        return by_name(self)

@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 import json
-from dataclasses import dataclass
+import math
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-import numpy as np
-
 from . import _creepage
 from ._contact import Hertz
-from ._results import Field, Force, ScalarForce, Status
+from ._results import Field, ScalarForce, Status
+from ._theories import prepared
 
 if TYPE_CHECKING:
     import os
@@ -39,92 +38,130 @@ class SiForce(NamedTuple):
     """N m."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
 class Solution:
-    """One case solved by one theory, in SI units."""
+    """One case solved by one theory, in SI units.
 
-    theory: _creepage.Theory
-    """The theory, prepared for this contact; ask it for more."""
-    status: Status
-    caution: str | None
-    """What the theory leaves out of the case though it matters, in words."""
-    force: SiForce
-    """On the lower body; the upper body feels the reverse."""
-    dimensionless: ScalarForce
-    """The same in units of mu N and mu N c."""
-    creepage: SiCreepage
-    contact: Hertz
-    friction: float
-    adhesion_share: float
-    """Adhesion area over contact area, 0 to 1."""
-    adhesion_area: float
-    """m^2."""
-    slip_area: float
-    """m^2."""
-    heat_per_metre: float
-    """Energy turned to heat per metre rolled, from force and creepage (J/m)."""
-    heat_per_metre_by_slip: float | None
-    """The same from traction and slip over the contact (J/m), where the theory gives it; the two
-    differ by the error of its discretization."""
-    speed: float | None
-    """Rolling velocity (m/s), where the case has it."""
-    power: float | None
-    """Frictional power (W), where the rolling velocity is known."""
-    known: tuple[str, ...] | None
-    """Which of xi, eta, chi, fx, fy, mz were given, where forces were wanted."""
-    details: dict[str, float]
-    """What only this theory says, such as error bars, by name."""
-    _report: dict[str, Any]
-    _solved: _creepage.SolvedCase
+    Force, creepage and heat are at hand; the areas of adhesion and slip, the field, the report and
+    the pictures are computed when they are asked for.
+    """
 
-    @classmethod
-    def from_report(
-        cls, report: dict[str, Any], theory: _creepage.Theory, solved: _creepage.SolvedCase
-    ) -> Solution:
-        """From what `report.json` holds."""
-        status = Status[report["status"].upper()]
-        force, creepage = report["lower_body"], report["creepage"]
-        own, areas = report["dimensionless"], report["areas"]
-        names = ("longitudinal_n", "lateral_n", "moment_n_m")
-        return cls(
-            theory=theory,
-            status=status,
-            caution=report["caution"],
-            force=SiForce(*(force[name] for name in names)),
-            dimensionless=Force(own["fx"], own["fy"], own["mz"], status),
-            creepage=SiCreepage(
-                creepage["longitudinal"], creepage["lateral"], creepage["spin_rad_per_m"]
-            ),
-            contact=Hertz.from_report(report["contact"]),
-            friction=report["friction"],
-            adhesion_share=areas["adhesion_share"],
-            adhesion_area=areas["adhesion_m2"],
-            slip_area=areas["slip_m2"],
-            heat_per_metre=report["frictional_power_per_metre_j_per_m"],
-            heat_per_metre_by_slip=report["frictional_power_per_metre_by_slip_j_per_m"],
-            speed=report["rolling_velocity_m_per_s"],
-            power=report["frictional_power_w"],
-            known=None if report["known"] is None else tuple(report["known"]),
-            details={name: detail["value"] for name, detail in report["details"].items()},
-            _report=report,
-            _solved=solved,
-        )
+    __slots__ = ("_data", "_name", "_options", "_solved")
+
+    def __init__(self, data: _creepage.CaseData, name: str, options: dict[str, Any]) -> None:
+        """Solves: made by `Case.solve`."""
+        self._data, self._name, self._options = data, name, options
+        self._solved = data.solve(name, options)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self), (self._data, self._name, self._options)
+
+    def __repr__(self) -> str:
+        return f"<creepage.Solution {self._name}: {self.status.name.lower()}, {self.force}>"
+
+    def __str__(self) -> str:
+        return self.text()
+
+    @property
+    def theory(self) -> _creepage.Theory:
+        """The theory, prepared for this contact; ask it for more."""
+        return prepared(self._data, self._name, self._options)
+
+    @property
+    def status(self) -> Status:
+        """Whether the force may be trusted."""
+        return self.dimensionless.status
+
+    @property
+    def caution(self) -> str | None:
+        """What is to be held against the solution, in words: a status other than solved, what the
+        theory neglects though it matters, a wanted accuracy that was not reached."""
+        return self._solved.caution
+
+    @property
+    def force(self) -> SiForce:
+        """On the lower body; the upper body feels the reverse."""
+        return SiForce(*self._solved.force)
+
+    @property
+    def dimensionless(self) -> ScalarForce:
+        """The same in units of mu N and mu N c; an ExactForce where there are error bars."""
+        return self._solved.dimensionless
+
+    @property
+    def creepage(self) -> SiCreepage:
+        """Given or found."""
+        return SiCreepage(*self._solved.creepage)
+
+    @property
+    def contact(self) -> Hertz:
+        """The contact ellipse and its pressure."""
+        return Hertz.from_report(json.loads(self._data.hertz()))
+
+    @property
+    def friction(self) -> float:
+        """Coefficient of friction mu."""
+        return self._data.friction
+
+    @property
+    def adhesion_share(self) -> float:
+        """Adhesion area over contact area, 0 to 1; traced when it is first asked for."""
+        return self._solved.adhesion_share
+
+    @property
+    def adhesion_area(self) -> float:
+        """m^2."""
+        return self.adhesion_share * math.pi * self.length**2
+
+    @property
+    def slip_area(self) -> float:
+        """m^2."""
+        return (1.0 - self.adhesion_share) * math.pi * self.length**2
+
+    @property
+    def heat_per_metre(self) -> float:
+        """Energy turned to heat per metre rolled, from force and creepage (J/m)."""
+        return self._solved.heat_per_metre
+
+    @property
+    def heat_per_metre_by_slip(self) -> float | None:
+        """The same from traction and slip over the contact (J/m), where the theory gives it; the
+        two differ by the error of its discretization."""
+        return self._solved.heat_per_metre_by_slip
+
+    @property
+    def speed(self) -> float | None:
+        """Rolling velocity (m/s), where the case has it."""
+        return self._data.speed
+
+    @property
+    def power(self) -> float | None:
+        """Frictional power (W), where the rolling velocity is known."""
+        return self._solved.power
+
+    @property
+    def known(self) -> tuple[str, ...] | None:
+        """Which of xi, eta, chi, fx, fy, mz were given, where forces were wanted."""
+        known = self._solved.known
+        return None if known is None else tuple(known)
+
+    @property
+    def details(self) -> dict[str, float]:
+        """What only this theory says, such as error bars, by name."""
+        return self._solved.details
 
     @property
     def length(self) -> float:
         """The unit of length, c = sqrt(a b) (m)."""
-        contact = self.contact
-        return float(np.sqrt(contact.semi_axis_rolling * contact.semi_axis_lateral))
+        return self._data.units[0]
 
     def to_dict(self) -> dict[str, Any]:
         """What `report.json` holds; the names carry their units."""
-        report: dict[str, Any] = json.loads(json.dumps(self._report))
+        report: dict[str, Any] = json.loads(self._solved.json())
         return report
 
     def field(self, points: int = 50) -> Field:
         """Traction and slip at points x points cells, dimensionless."""
-        creepage = self._report["creepage"]
-        return self.theory.field(creepage["xi"], creepage["eta"], creepage["chi"], points=points)
+        return self._solved.field(points)
 
     def points(self) -> Field:
         """Traction and slip at the theory's own points, dimensionless."""
@@ -150,6 +187,17 @@ class Solution:
 
     def plot(self, ax: Axes | None = None) -> Axes:
         """Areas of adhesion and slip and the traction, in millimetres. Needs matplotlib."""
-        from ._plot import plot_solution
+        from ._plot import plot_field
 
-        return plot_solution(self, ax)
+        field, force, scale = self.field(), self.force, 1e3 * self.length
+        a, b = field.semi_axes
+        axes = (scale * a, scale * b)
+        ax = plot_field(scale * field.position, field.region, field.traction, axes, ax, "mm")
+        ax.set_title(
+            f"{self._name}: {1e-3 * force.longitudinal:.3f} kN along, "
+            f"{1e-3 * force.lateral:.3f} kN across,\n"
+            f"{100 * self.adhesion_share:.0f} % adhesion, {self.heat_per_metre:.3g} J/m",
+            fontsize="medium",
+            pad=22,
+        )
+        return ax

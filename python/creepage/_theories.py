@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import difflib
-import inspect
+import json
 from collections.abc import Mapping
 from typing import Any
 
 from . import _creepage
-from ._errors import InvalidOption, UnknownTheory
+from ._errors import UnknownTheory
 
 THEORIES: dict[str, type[_creepage.Theory]] = {
     "exact": _creepage.Exact,
@@ -47,29 +47,30 @@ def find(name: str) -> type[Any]:
     return known
 
 
-def resolved(
-    make: type[Any], given: Mapping[str, Any], options: Mapping[str, Any]
-) -> tuple[type[Any], dict[str, Any]]:
-    """The class for options of a case and of a call, and all of them.
-
-    The full theory that is as fine as an accuracy needs is a class of its own here.
+def chosen(
+    data: _creepage.CaseData, name: str | None, options: Mapping[str, Any]
+) -> tuple[str, dict[str, Any]]:
+    """The theory of a case and its options: the case's own theory with the options of the case, any
+    other with its usual ones; those of a call go before both.
     """
-    together = {**given, **options}
-    if make is not _creepage.Exact:
-        return make, together
-    if together.get("resolution") == "auto":
-        return _creepage.Automatic, {
-            "accuracy": 1e-3,
-            **{name: value for name, value in together.items() if name != "resolution"},
-        }
-    if "accuracy" in given and "resolution" in options:
-        del together["accuracy"]  # that of the resolution which the call replaces
-    if "accuracy" in together:
-        raise InvalidOption('accuracy: needs resolution = "auto"', "accuracy")
-    return make, together
+    given = json.loads(data.theory())
+    own = given.pop("theory")
+    if name is not None and find(name) is not find(own):
+        return name, dict(options)
+    if "resolution" in options:
+        given.pop("accuracy", None)  # that of the resolution which the call replaces
+    return own, {**given, **options}
 
 
-def options_of(name: str, given: Mapping[str, Any]) -> dict[str, Any]:
-    """Those of the given options that the theory has."""
-    known = inspect.signature(find(name)).parameters
-    return {option: value for option, value in given.items() if option in known}
+def prepared(
+    data: _creepage.CaseData, name: str, options: Mapping[str, Any]
+) -> _creepage.Theory:
+    """The theory of that name for the contact of a case."""
+    make, together = find(name), dict(options)
+    if make is _creepage.Exact and together.get("resolution") == "auto":
+        make = _creepage.Automatic
+        del together["resolution"]
+    if make in (_creepage.Exact, _creepage.Automatic) and data.kappa_over_mu != 0.0:
+        together = {"kappa_over_mu": data.kappa_over_mu, **together}
+    theory: _creepage.Theory = make(a_over_b=data.a_over_b, poisson=data.poisson, **together)
+    return theory

@@ -1,8 +1,8 @@
 //! `creepage accuracy`: every theory against the full one.
 
-use creepage_case::{Bound, Flexibility, Resolution, Solve, Variant};
-use creepage_theories::{ENTRIES, Entry, find};
-use creepage_validation::{Accuracy, ReferenceCase, Spread, grid, measure, steady_rolling};
+use creepage::TheorySpec;
+use creepage_study::theory_spec;
+use creepage_study::{Accuracy, ReferenceCase, Spread, grid, measure, steady_rolling};
 use rayon::prelude::*;
 use serde::Serialize;
 
@@ -12,10 +12,9 @@ use crate::output::{print, to_json};
 
 /// A theory with options of its own.
 struct Contestant {
-    theory: &'static Entry,
+    theory: TheorySpec,
     /// What sets it apart from the theory as it is by default.
     manner: &'static str,
-    solve: Solve,
 }
 
 /// How a theory did.
@@ -28,13 +27,17 @@ struct Standing {
 }
 
 pub(crate) fn run(args: &AccuracyArgs) -> Result<(), Failure> {
-    let theories: Vec<&Entry> = if args.theory.is_empty() {
-        ENTRIES.iter().collect()
+    let named = || args.theory.iter().map(|name| TheorySpec::named(name));
+    let theories = if args.theory.is_empty() {
+        TheorySpec::all().to_vec()
     } else {
-        args.theory.iter().map(|name| find(name)).collect::<Result<_, _>>()?
+        named().collect::<Result<_, _>>()?
     };
+    let mut contestants = Vec::new();
+    for theory in theories {
+        contestants.extend(contestants_of(theory)?);
+    }
     let cases = if args.grid { exact_grid()? } else { steady_rolling()? };
-    let contestants: Vec<_> = theories.into_iter().flat_map(contestants).collect();
     let results = contestants
         .par_iter()
         .map(|contestant| contestant.measure(&cases))
@@ -44,46 +47,41 @@ pub(crate) fn run(args: &AccuracyArgs) -> Result<(), Failure> {
 
 /// The grid of cases as the full theory has them.
 fn exact_grid() -> Result<Vec<ReferenceCase>, Failure> {
-    let full = find("exact")?;
-    let fine = Solve { resolution: Some(Resolution::Fine), ..Solve::default() };
-    let theory = full.name;
-    grid(|a_over_b, poisson| full.boxed(a_over_b, poisson, &fine))
-        .map_err(|source| Failure::Theory { theory, source })
+    let fine = theory_spec("exact", &["resolution=fine"]).map_err(Failure::Option)?;
+    let theory = fine.facts().name;
+    grid(|contact| fine.prepare(contact)).map_err(|source| Failure::Theory { theory, source })
 }
 
 /// The theory by default, and as it is or was in use otherwise.
-fn contestants(theory: &'static Entry) -> Vec<Contestant> {
-    let usual = Solve::default;
-    let of_1982 = |flexibility| Solve {
-        flexibility: Some(flexibility),
-        bound: Some(Bound::Parabolic),
-        ..usual()
-    };
-    let variant = |variant| Solve { variant: Some(variant), ..usual() };
-    let others = match theory.name {
-        "exact" => vec![("fast", Solve { resolution: Some(Resolution::Fast), ..usual() })],
-        "variational" => vec![("degree 5", Solve { degree: Some(5), ..usual() })],
-        "fastrip" => {
-            vec![("modified", variant(Variant::Modified)), ("original", variant(Variant::Original))]
+fn contestants_of(theory: TheorySpec) -> Result<Vec<Contestant>, Failure> {
+    let name = theory.facts().name;
+    let others: &[(&str, &[&str])] = match theory {
+        TheorySpec::Exact(_) => &[("fast", &["resolution=fast"])],
+        TheorySpec::Variational(_) => &[("degree 5", &["degree=5"])],
+        TheorySpec::Fastrip(_) => {
+            &[("modified", &["variant=modified"]), ("original", &["variant=original"])]
         }
-        "fastsim" => vec![
-            ("parabolic", Solve { bound: Some(Bound::Parabolic), ..usual() }),
-            ("three flexibilities, parabolic: 1982", of_1982(Flexibility::Three)),
-            ("one flexibility, parabolic: 1982", of_1982(Flexibility::One)),
-            ("grid 10 x 10", Solve { grid: Some([10, 10]), ..usual() }),
+        TheorySpec::Fastsim(_) => &[
+            ("parabolic", &["bound=parabolic"]),
+            ("three flexibilities, parabolic: 1982", &["flexibility=three", "bound=parabolic"]),
+            ("one flexibility, parabolic: 1982", &["flexibility=one", "bound=parabolic"]),
+            ("grid 10 x 10", &["grid=[10, 10]"]),
         ],
-        _ => vec![],
+        _ => &[],
     };
-    let all = [("", usual())].into_iter().chain(others);
-    all.map(|(manner, solve)| Contestant { theory, manner, solve }).collect()
+    let mut all = vec![Contestant { theory, manner: "" }];
+    for (manner, options) in others {
+        let theory = theory_spec(name, options).map_err(Failure::Option)?;
+        all.push(Contestant { theory, manner });
+    }
+    Ok(all)
 }
 
 impl Contestant {
     fn measure(&self, cases: &[ReferenceCase]) -> Result<Standing, Failure> {
-        let prepare = |a_over_b, poisson| self.theory.boxed(a_over_b, poisson, &self.solve);
-        let theory = self.theory.name;
-        let accuracy =
-            measure(cases, prepare).map_err(|source| Failure::Theory { theory, source })?;
+        let theory = self.theory.facts().name;
+        let accuracy = measure(cases, |contact| self.theory.prepare(contact))
+            .map_err(|source| Failure::Theory { theory, source })?;
         Ok(Standing { theory, options: self.manner, accuracy })
     }
 }
@@ -154,12 +152,13 @@ mod tests {
     #[test]
     fn the_error_that_each_theory_is_listed_with_is_the_measured_one() {
         let cases = steady_rolling().unwrap();
-        for theory in ENTRIES {
-            let usual = &contestants(theory)[0];
+        for theory in TheorySpec::all() {
+            let (name, listed) = (theory.facts().name, theory.facts().error_percent);
+            let usual = Contestant { theory, manner: "" };
             let rms = 100.0 * usual.measure(&cases).unwrap().accuracy.force.rms;
             // Listed with one digit after the point; from 100 on with none.
-            let rounding = if theory.error < 100.0 { 0.05 } else { 0.5 };
-            assert!((rms - theory.error).abs() <= rounding, "{}: {rms}", theory.name);
+            let rounding = if listed < 100.0 { 0.05 } else { 0.5 };
+            assert!((rms - listed).abs() <= rounding, "{name}: {rms}");
         }
     }
 

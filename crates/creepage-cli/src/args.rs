@@ -78,7 +78,7 @@ pub(crate) enum Command {
     /// and the table of agreement (agreement.csv, agreement.md).
     Reproduce(ReproduceArgs),
     /// List the theories: what each assumes, costs, errs by, and is good for.
-    Theories,
+    Theories(TheoriesArgs),
     /// Creepage and spin coefficients of linear theory.
     ///
     /// Forces and moment for vanishing creepage and spin, of the upper body on the lower:
@@ -102,6 +102,13 @@ pub(crate) enum Command {
     Init(InitArgs),
     /// Print the JSON schema of case, statics or sweep files, for editors and validators.
     Schema(SchemaArgs),
+}
+
+#[derive(Debug, clap::Args)]
+pub(crate) struct TheoriesArgs {
+    /// Print what is known of each theory as JSON.
+    #[arg(long)]
+    pub(crate) json: bool,
 }
 
 #[derive(Debug, clap::Args)]
@@ -132,8 +139,9 @@ pub(crate) struct BatchArgs {
     /// given several times.
     #[arg(long = "option", value_name = "KEY=VALUE")]
     pub(crate) options: Vec<String>,
-    /// CSV file for the results; it appears when it is whole. Standard output if not given. What
-    /// is left of a run that was interrupted, .FILE.partial, the next run replaces.
+    /// CSV file for the results; it appears when it is whole, and a pipe or a device is written to in
+    /// place. Standard output if not given. A run that is killed may leave a hidden
+    /// .FILE.*.partial.
     #[arg(long, value_name = "FILE")]
     pub(crate) out: Option<PathBuf>,
 }
@@ -293,9 +301,9 @@ impl FileKind {
     /// The schema of these files.
     pub(crate) fn schema(self) -> serde_json::Value {
         match self {
-            Self::Case => creepage_case::json_schema(),
-            Self::Statics => creepage_case::statics_json_schema(),
-            Self::Sweep => creepage_case::sweep_json_schema(),
+            Self::Case => creepage_study::json_schema(),
+            Self::Statics => creepage_study::statics_json_schema(),
+            Self::Sweep => creepage_study::sweep_json_schema(),
         }
     }
 }

@@ -1,65 +1,34 @@
 //! Commands on one case file: `solve` and `hertz`.
 
-use std::sync::Arc;
-
-use creepage::Hertz;
-use creepage::rolling::Status;
-use creepage_case::{Case, CaseError, InverseCase, Solve};
-use creepage_report::{Report, hertz_json, hertz_text};
-use creepage_theories::{Answered, Entry, PreparedTheory, SolvedCase, wanted_accuracy};
+use creepage::Status;
+use creepage_study::{hertz_json, hertz_text, solve as solve_case};
 
 use crate::args::{HertzArgs, SolveArgs};
-use crate::caution::caution;
 use crate::failure::Failure;
-use crate::input::{choose, read_case};
+use crate::input::{read_case, theories};
 use crate::outcome::Outcome;
 use crate::output::{print, say, say_written, to_json};
 
 /// `creepage solve`: the files first, then the report, so that a wrong `--out` prints nothing.
 pub(crate) fn solve(args: &SolveArgs) -> Result<Outcome, Failure> {
-    let wrong = |source| Failure::Case { path: args.case.clone(), source };
-    let file = read_case(&args.case)?;
-    let (theory, solved) = if file.is_inverse() {
-        find_creepage(file.inverse().map_err(wrong)?, args)?
-    } else {
-        solve_case(file.case().map_err(wrong)?, args)?
-    };
-    let report = Report::of_case(&solved, theory.name)
-        .map_err(|invalid| wrong(CaseError::Invalid { section: "contact", invalid }))?;
+    let case = read_case(&args.case)?
+        .case()
+        .map_err(|source| Failure::Case { path: args.case.clone(), source })?;
+    let theories = theories(args.theory.as_slice(), &case)?;
+    let solved = solve_case(&case, theories.first())
+        .map_err(|source| Failure::Solve { path: args.case.clone(), source })?;
     if let Some(directory) = &args.out {
-        say_written(&report.write(directory)?);
+        say_written(&solved.write(directory)?);
     }
-    print(&if args.json { to_json(&report.json())? } else { report.text() })?;
-    if let Some(left_out) = solved.left_out(theory) {
-        say(&format!("caution: {left_out}"));
+    print(&if args.json { to_json(&solved.json())? } else { solved.text() })?;
+    for caution in &solved.cautions {
+        say(&format!("caution: {caution}"));
     }
-    Ok(judge(&solved.found.answered, &solved.case.solve))
+    Ok(outcome(solved.solution().status))
 }
 
-/// A case solved, and the theory that solved it.
-type Solved = (&'static Entry, SolvedCase);
-
-fn solve_case(case: Case, args: &SolveArgs) -> Result<Solved, Failure> {
-    let (theory, prepared) = prepare((&case.contact, case.friction), &case.solve, args)?;
-    Ok((theory, SolvedCase::forces(case, prepared)))
-}
-
-fn find_creepage(case: InverseCase, args: &SolveArgs) -> Result<Solved, Failure> {
-    let (theory, prepared) = prepare((&case.contact, case.friction), &case.solve, args)?;
-    let solved = SolvedCase::creepage(case, theory.name, prepared)
-        .map_err(|source| Failure::Find { path: args.case.clone(), source })?;
-    Ok((theory, solved))
-}
-
-/// The theory of the command line or of the case, prepared for its contact.
-fn prepare(
-    (contact, friction): (&Hertz, f64),
-    solve: &Solve,
-    args: &SolveArgs,
-) -> Result<(&'static Entry, Arc<PreparedTheory>), Failure> {
-    let theory = choose(args.theory.as_slice(), solve, &args.case)?[0];
-    let failed = |source| Failure::Options { path: args.case.clone(), source };
-    Ok((theory, theory.for_contact(contact, friction, solve).map(Arc::new).map_err(failed)?))
+fn outcome(status: Status) -> Outcome {
+    if status == Status::NotConverged { Outcome::Doubtful } else { Outcome::Done }
 }
 
 /// `creepage hertz`.
@@ -70,34 +39,14 @@ pub(crate) fn hertz(args: &HertzArgs) -> Result<(), Failure> {
     print(&if args.json { to_json(&hertz_json(&contact))? } else { hertz_text(&contact) })
 }
 
-/// Says aloud what is to be held against the solution.
-fn judge(answered: &Answered, solve: &Solve) -> Outcome {
-    let status = answered.solution.status;
-    if let Some(words) = caution(status) {
-        say(&format!("caution: {words}"));
-    }
-    if let (Some(accuracy), Some(error)) = (wanted_accuracy(solve), answered.error)
-        && error.fx.max(error.fy) > accuracy
-    {
-        say("caution: at the finest resolution the error bars are above the wanted accuracy");
-    }
-    if status == Status::NotConverged { Outcome::Doubtful } else { Outcome::Done }
-}
-
 #[cfg(test)]
 mod tests {
-    use creepage::rolling::{Force, Solution};
-
     use super::*;
 
     #[test]
     fn only_a_solution_that_did_not_converge_is_doubtful() {
-        let judge = |status| {
-            let solution = Solution { force: Force::default(), status };
-            judge(&Answered { solution, error: None }, &Solve::default())
-        };
-        assert_eq!(judge(Status::Solved), Outcome::Done);
-        assert_eq!(judge(Status::CreepageTooSmall), Outcome::Done);
-        assert_eq!(judge(Status::NotConverged), Outcome::Doubtful);
+        assert_eq!(outcome(Status::Solved), Outcome::Done);
+        assert_eq!(outcome(Status::CreepageTooSmall), Outcome::Done);
+        assert_eq!(outcome(Status::NotConverged), Outcome::Doubtful);
     }
 }

@@ -1,31 +1,29 @@
 //! `creepage curve`: creep-force curves of several theories.
 
-use creepage::InvalidValue;
-use creepage::rolling::Scaling;
-use creepage::rolling::linear::Linear;
-use creepage_case::Case;
-use creepage_report::{Component, Curves};
-use creepage_theories::kappa_over_mu;
+use creepage::approximate::linear::Linear;
+use creepage::{Creepage, InvalidValue, Scaling, Theory};
+use creepage_study::{Case, Caution, Component, Curves};
 
 use crate::args::{CurveArgs, Quantity};
 use crate::failure::Failure;
-use crate::input::{choose, read_case};
+use crate::input::{read_case, theories};
 use crate::output::{print, say, say_written};
 
 pub(crate) fn run(args: &CurveArgs) -> Result<(), Failure> {
     let wrong = |source| Failure::Case { path: args.case.clone(), source };
     let case = read_case(&args.case)?.case().map_err(wrong)?;
-    let theories = choose(&args.theory, &case.solve, &args.case)?;
-    let (vary, [from, to]) = range(args, &case)?;
-    let values = spaced(from, to, args.points);
-    let mut curves = Curves::new(&case.contact, case.friction, case.creepage, vary, values)?;
+    let creepage = case.creepage().map_err(wrong)?;
+    let theories = theories(&args.theory, &case)?;
+    let (vary, [from, to]) = range(args, &case, creepage)?;
+    let mut curves = Curves::new(&case, vary, spaced(from, to, args.points)).map_err(wrong)?;
     for theory in theories {
+        let name = theory.facts().name;
         let prepared = theory
-            .for_contact(&case.contact, case.friction, &case.solve)
-            .map_err(|source| Failure::Options { path: args.case.clone(), source })?;
-        curves.add(theory.name, &prepared);
-        if let Some(left_out) = theory.leaves_out(kappa_over_mu(&case.contact, case.friction)) {
-            say(&format!("caution: {left_out}"));
+            .prepare(&case.contact)
+            .map_err(|source| Failure::Solve { path: args.case.clone(), source: source.into() })?;
+        curves.add(name, &*prepared);
+        if let Some(caution) = Caution::dissimilar(&theory, case.contact.kappa_over_mu()) {
+            say(&format!("caution: {caution}"));
         }
     }
     let Some(directory) = &args.out else {
@@ -36,15 +34,19 @@ pub(crate) fn run(args: &CurveArgs) -> Result<(), Failure> {
 }
 
 /// What to vary, and its first and last value, dimensionless.
-fn range(args: &CurveArgs, case: &Case) -> Result<(Component, [f64; 2]), Failure> {
-    let vary = args.vary.map_or_else(|| most(case), |quantity| Ok(quantity.component()))?;
-    let scaling = Scaling::new(&case.contact, case.friction)?;
-    let unit = args.vary.map_or(1.0, |quantity| quantity.unit(&scaling));
+fn range(
+    args: &CurveArgs,
+    case: &Case,
+    creepage: Creepage,
+) -> Result<(Component, [f64; 2]), Failure> {
+    let gains = gains(case, creepage)?;
+    let vary = args.vary.map_or_else(|| most(gains, creepage), Quantity::component);
+    let unit = args.vary.map_or(1.0, |quantity| quantity.unit(&case.contact.scaling()));
     let given = |name, value: Option<f64>| value.map(|value| finite(name, value)).transpose();
     let from = given("from", args.from)?.unwrap_or(0.0) / unit;
     let to = match given("to", args.to)? {
         Some(value) => value / unit,
-        None => usual_end(case, vary)?,
+        None => usual_end(gains, vary, creepage),
     };
     if (to - from).abs() <= f64::EPSILON * from.abs() {
         let valid = "another than that of --from";
@@ -61,27 +63,25 @@ fn finite(quantity: &'static str, value: f64) -> Result<f64, InvalidValue> {
 const COMPONENTS: [Component; 3] = [Component::Longitudinal, Component::Lateral, Component::Spin];
 
 /// The component that makes the largest force in linear theory.
-fn most(case: &Case) -> Result<Component, InvalidValue> {
-    let gains = gains(case)?;
-    let force = |k: usize| (gains[k] * COMPONENTS[k].of(case.creepage)).abs();
+fn most(gains: [f64; 3], creepage: Creepage) -> Component {
+    let force = |k: usize| (gains[k] * COMPONENTS[k].of(creepage)).abs();
     let largest = (0..3).reduce(|one, two| if force(two) > force(one) { two } else { one });
-    Ok(COMPONENTS[largest.unwrap_or(0)])
+    COMPONENTS[largest.unwrap_or(0)]
 }
 
 /// Four times the value at which linear theory reaches `mu N`, rounded up, on the side where the
 /// case lies; beyond the case itself.
-fn usual_end(case: &Case, vary: Component) -> Result<f64, InvalidValue> {
-    let gain = gains(case)?[COMPONENTS.iter().position(|one| *one == vary).unwrap_or(0)];
-    let value = vary.of(case.creepage);
+fn usual_end(gains: [f64; 3], vary: Component, creepage: Creepage) -> f64 {
+    let gain = gains[COMPONENTS.iter().position(|one| *one == vary).unwrap_or(0)];
+    let value = vary.of(creepage);
     let end = f64::max(4.0 / gain, 1.25 * value.abs());
     let power = 10_f64.powf(end.log10().floor());
-    Ok(((2.0 * end / power).ceil() * 0.5 * power).copysign(value))
+    ((2.0 * end / power).ceil() * 0.5 * power).copysign(value)
 }
 
 /// Linear theory's force by each component alone; of the spin the lateral one.
-fn gains(case: &Case) -> Result<[f64; 3], InvalidValue> {
-    let (ratio, poisson) = (case.contact.ellipse().ratio(), case.contact.pair().poisson());
-    let [along, across, _] = Linear::new(ratio, poisson)?.derivative(case.creepage);
+fn gains(case: &Case, creepage: Creepage) -> Result<[f64; 3], InvalidValue> {
+    let [along, across, _] = Linear::new(&case.contact)?.jacobian(creepage).unwrap_or_default();
     Ok([along[0], across[1], across[2]])
 }
 

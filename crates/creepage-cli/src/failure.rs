@@ -4,15 +4,13 @@ use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 
 use creepage::InvalidValue;
+use creepage::table::{BuildError, FileError};
+use creepage::theory::{TheoryError, UnknownTheory};
 use creepage_1967::GalleryError;
-use creepage_case::{CaseError, StaticsError};
-use creepage_report::ReportError;
-use creepage_table::{BuildError, FileError};
-use creepage_theories::{ChoiceError, FindError, TheoryError, UnknownTheory};
-use creepage_validation::ReferenceError;
+use creepage_study::{CaseError, ReportError, SolveError, SpecError, StaticsError};
+use creepage_study::ReferenceError;
 
 use crate::batch::columns::ColumnError;
-use crate::batch::options::OptionError;
 
 /// Why the command could not do its work.
 #[derive(Debug, thiserror::Error)]
@@ -27,14 +25,12 @@ pub(crate) enum Failure {
     Reproduce(#[from] GalleryError),
     #[error(transparent)]
     UnknownTheory(#[from] UnknownTheory),
-    #[error("{}: [solve] {source}", path.display())]
-    Choice { path: PathBuf, source: ChoiceError },
-    #[error("{}: [solve] {source}", path.display())]
-    Options { path: PathBuf, source: TheoryError },
     #[error("{}: {source}", path.display())]
-    Find { path: PathBuf, source: FindError },
+    Solve { path: PathBuf, source: SolveError },
     #[error("--option: {0}")]
-    Option(OptionError),
+    Option(SpecError),
+    #[error("--option: {source}")]
+    Value { source: TheoryError },
     #[error("{theory}: {source}")]
     Theory { theory: &'static str, source: TheoryError },
     #[error(transparent)]

@@ -3,8 +3,8 @@
 use std::fs;
 use std::path::Path;
 
-use creepage_case::{CaseFile, Solve};
-use creepage_theories::Entry;
+use creepage::TheorySpec;
+use creepage_study::{Case, CaseFile};
 
 use crate::failure::Failure;
 use crate::output::say;
@@ -20,16 +20,17 @@ pub(crate) fn read_text(path: &Path) -> Result<String, Failure> {
     fs::read_to_string(path).map_err(|source| Failure::Read { path: path.into(), source })
 }
 
-/// The theories to use for a case, at least one; says which options have no effect.
-pub(crate) fn choose(
-    names: &[String],
-    solve: &Solve,
-    path: &Path,
-) -> Result<Vec<&'static Entry>, Failure> {
-    let choice = creepage_theories::choose(names, solve)
-        .map_err(|source| Failure::Choice { path: path.into(), source })?;
-    if let Some(note) = choice.note() {
-        say(&note);
+/// The theories of these names for a case, its own where there are none; says when the options of
+/// the case file have no effect.
+pub(crate) fn theories(names: &[String], case: &Case) -> Result<Vec<TheorySpec>, Failure> {
+    if names.is_empty() {
+        return Ok(vec![case.theory.clone()]);
     }
-    Ok(choice.theories)
+    let theories =
+        names.iter().map(|name| case.theory_named(name)).collect::<Result<Vec<_>, _>>()?;
+    if case.gives_up_options(&theories) {
+        let own = case.theory.facts().name;
+        say(&format!("note: the options in [solve] are those of {own}, and have no effect"));
+    }
+    Ok(theories)
 }

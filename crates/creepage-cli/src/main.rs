@@ -4,7 +4,6 @@ mod accuracy;
 mod args;
 mod batch;
 mod cases;
-mod caution;
 mod coefficients;
 mod curve;
 mod failure;
@@ -12,7 +11,6 @@ mod init;
 mod input;
 mod outcome;
 mod output;
-mod partial_file;
 mod reproduce;
 mod statics;
 mod sweep;
@@ -47,7 +45,7 @@ fn run(command: &Command) -> Result<Outcome, Failure> {
         Command::Hertz(args) => cases::hertz(args)?,
         Command::Statics(args) => statics::run(args)?,
         Command::Reproduce(args) => reproduce::run(args)?,
-        Command::Theories => output::print(&theories::table())?,
+        Command::Theories(args) => theories::run(args)?,
         Command::Coefficients(args) => coefficients::run(args)?,
         Command::Curve(args) => curve::run(args)?,
         Command::Accuracy(args) => accuracy::run(args)?,

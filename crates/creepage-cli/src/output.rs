@@ -3,7 +3,7 @@
 use std::io::{self, Write};
 use std::path::PathBuf;
 
-use creepage_report::ReportError;
+use creepage_study::ReportError;
 use indicatif::ProgressStyle;
 use serde::Serialize;
 

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use clap::builder::{PossibleValue, PossibleValuesParser};
 use creepage_1967::{File, Item, Made, agreement_text, files, gallery, registry, reproduce};
-use creepage_report::write_all;
+use creepage_study::write_all;
 use indicatif::ProgressBar;
 
 use crate::failure::Failure;

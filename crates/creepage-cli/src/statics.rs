@@ -1,7 +1,6 @@
 //! `creepage statics`: a contact without rolling.
 
-use creepage_case::{StaticsError, StaticsFile};
-use creepage_report::StaticsReport;
+use creepage_study::{StaticsError, StaticsFile, StaticsReport};
 
 use crate::args::StaticsArgs;
 use crate::failure::Failure;

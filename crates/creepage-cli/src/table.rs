@@ -1,11 +1,12 @@
 //! `creepage table`: tables of creep force, built once and looked up.
 
 use std::fmt::Write;
+use std::fs;
 use std::path::{Path, PathBuf};
 
 use clap::{Args, Subcommand};
-use creepage::rolling::{Creepage, Force};
-use creepage_table::{Axis, Spread, Table};
+use creepage::table::{Axis, Spread, Table};
+use creepage::{Creepage, Force};
 use serde::Serialize;
 
 use crate::failure::Failure;
@@ -78,7 +79,8 @@ pub(crate) fn run(args: &TableArgs) -> Result<(), Failure> {
 }
 
 fn read(path: &Path) -> Result<Table, Failure> {
-    Table::read(path).map_err(|source| Failure::Table { path: path.into(), source })
+    let bytes = fs::read(path).map_err(|source| Failure::Read { path: path.into(), source })?;
+    Table::from_bytes(bytes).map_err(|source| Failure::Table { path: path.into(), source })
 }
 
 /// One look-up.
@@ -110,7 +112,7 @@ fn eval(args: &EvalArgs) -> Result<(), Failure> {
     let poisson = value(args.poisson, table.poisson());
     let creepage = Creepage::new(args.xi, args.eta, args.chi)?;
     let (force, derivative) = table.at(a_over_b, poisson)?.force_and_derivative(creepage);
-    let (Creepage { xi, eta, chi }, Force { fx, fy, mz }) = (creepage, force);
+    let ([xi, eta, chi], Force { fx, fy, mz }) = (creepage.components(), force);
     let accuracy = table.accuracy();
     let [force_error, moment_error] = [accuracy.force.worst, accuracy.moment.worst];
     let found = Found {

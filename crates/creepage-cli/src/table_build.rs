@@ -1,16 +1,17 @@
 //! `creepage table build`.
 
+use std::io::Write;
 use std::path::PathBuf;
 use std::time::Duration;
 
-use creepage_case::{Resolution, Solve};
-use creepage_table::{Axis, Intervals, Provenance, Spec, build};
-use creepage_theories::{Entry, find};
+use creepage::TheorySpec;
+use creepage::table::{Axis, Intervals, Provenance, Spec, build};
+use creepage::theory::{ExactOptions, NamedResolution, ResolutionSpec};
+use creepage_study::WholeFile;
 use indicatif::{ProgressBar, ProgressStyle};
 
 use crate::failure::Failure;
 use crate::output::say;
-use crate::partial_file::PartialFile;
 
 #[derive(Debug, clap::Args)]
 pub(crate) struct BuildArgs {
@@ -58,20 +59,19 @@ enum Elements {
 }
 
 pub(crate) fn run(args: &BuildArgs) -> Result<(), Failure> {
-    let theory = find(&args.theory)?;
+    let theory = theory(args)?;
+    let name = theory.facts().name;
     let failed = |source| Failure::writing(Some(&args.out), source);
     // A wrong place is told before the work.
-    drop(PartialFile::create(&args.out).map_err(failed)?);
-    let (spec, solve) = (spec(args, theory), solve(args, theory));
+    let mut file = WholeFile::create(&args.out).map_err(failed)?;
+    let spec = spec(args, &theory);
     let bar = bar(&spec);
-    let prepare = |a_over_b, poisson| theory.boxed(a_over_b, poisson, &solve);
-    let table = build(&spec, prepare, &|| bar.inc(1));
+    let table = build(&spec, |contact| theory.prepare(contact), &|| bar.inc(1));
     bar.finish_and_clear();
-    let table = table.map_err(|source| Failure::Build { theory: theory.name, source })?;
-    let mut partial = PartialFile::create(&args.out).map_err(failed)?;
-    let unwritten = |source| Failure::Table { path: args.out.clone(), source };
-    table.write(partial.path()).map_err(unwritten)?;
-    partial.finish().map_err(failed)?;
+    let table = table.map_err(|source| Failure::Build { theory: name, source })?;
+    let bytes =
+        table.to_bytes().map_err(|source| Failure::Table { path: args.out.clone(), source })?;
+    file.write_all(&bytes).and_then(|()| file.finish()).map_err(failed)?;
     let worst = 100.0 * table.accuracy().force.worst;
     let places = table.accuracy().places + table.accuracy().hard_places;
     say(&format!(
@@ -81,8 +81,8 @@ pub(crate) fn run(args: &BuildArgs) -> Result<(), Failure> {
     Ok(())
 }
 
-fn spec(args: &BuildArgs, theory: &Entry) -> Spec {
-    let options = if takes_resolution(theory) {
+fn spec(args: &BuildArgs, theory: &TheorySpec) -> Spec {
+    let options = if matches!(theory, TheorySpec::Exact(_)) {
         format!("resolution = {:?}", args.resolution).to_lowercase()
     } else {
         String::new()
@@ -93,7 +93,7 @@ fn spec(args: &BuildArgs, theory: &Entry) -> Spec {
         intervals: args.intervals,
         places: args.places,
         provenance: Provenance {
-            theory: theory.name.into(),
+            theory: theory.facts().name.into(),
             options,
             program: format!("creepage {}", env!("CARGO_PKG_VERSION")),
         },
@@ -124,18 +124,17 @@ fn axis((first, last): Numbers, nodes: usize) -> Axis {
     last.map_or(Axis::fixed(first), |last| Axis { low: first, high: last, nodes })
 }
 
-fn takes_resolution(theory: &Entry) -> bool {
-    theory.options.contains(&"resolution")
-}
-
-fn solve(args: &BuildArgs, theory: &Entry) -> Solve {
-    let resolution = match args.resolution {
-        Elements::Fast => Resolution::Fast,
-        Elements::Standard => Resolution::Standard,
-        Elements::Fine => Resolution::Fine,
-    };
-    let resolution = takes_resolution(theory).then_some(resolution);
-    Solve { resolution, ..Solve::default() }
+/// The theory that fills the table.
+fn theory(args: &BuildArgs) -> Result<TheorySpec, Failure> {
+    let resolution = ResolutionSpec::Named(match args.resolution {
+        Elements::Fast => NamedResolution::Fast,
+        Elements::Standard => NamedResolution::Standard,
+        Elements::Fine => NamedResolution::Fine,
+    });
+    Ok(match TheorySpec::named(&args.theory)? {
+        TheorySpec::Exact(usual) => TheorySpec::Exact(ExactOptions { resolution, ..usual }),
+        other => other,
+    })
 }
 
 /// Lines of nodes done and the time left; on a terminal only.

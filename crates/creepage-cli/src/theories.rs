@@ -1,8 +1,13 @@
 //! `creepage theories`: the theories and their options as a person reads them.
 
-use creepage_case::json_schema;
-use creepage_theories::{ENTRIES, Entry};
+use creepage::TheorySpec;
+use creepage::theory::TheoryFacts;
+use creepage_study::json_schema;
 use serde_json::Value;
+
+use crate::args::TheoriesArgs;
+use crate::failure::Failure;
+use crate::output::{print, to_json};
 
 const NOTES: &str = "\
 COST is that of one force on one core, once the theory is prepared for its contact. ERROR is the
@@ -13,22 +18,32 @@ Only exact counts how unlike the bodies are; the others say so where that matter
 /// Longest line.
 const WIDTH: usize = 110;
 
+pub(crate) fn run(args: &TheoriesArgs) -> Result<(), Failure> {
+    print(&if args.json { to_json(&facts())? } else { table() })
+}
+
+/// All theories, the general ones first.
+fn facts() -> [&'static TheoryFacts; 10] {
+    TheorySpec::all().map(|theory| theory.facts())
+}
+
 /// The theories, a line each, and the options in `[solve]`.
-pub(crate) fn table() -> String {
-    let width =
-        |text: fn(&Entry) -> &str| ENTRIES.iter().map(|entry| text(entry).len()).max().unwrap_or(0);
-    let name = width(|entry| entry.name);
-    let assumes = width(|entry| entry.assumes);
+fn table() -> String {
+    let width = |text: fn(&TheoryFacts) -> &str| {
+        facts().into_iter().map(|facts| text(facts).len()).max().unwrap_or(0)
+    };
+    let name = width(|facts| facts.name);
+    let assumes = width(|facts| facts.assumes);
     let heads = ["THEORY", "YEAR", "ASSUMES", "COST", "ERROR", "GOOD FOR"];
     let mut table = row(heads.map(str::to_owned), [name, assumes]);
-    for entry in ENTRIES {
+    for facts in facts() {
         let cells = [
-            entry.name.into(),
-            entry.year.to_string(),
-            entry.assumes.into(),
-            entry.cost.into(),
-            percent(entry.error),
-            entry.good_for.into(),
+            facts.name.into(),
+            facts.year.to_string(),
+            facts.assumes.into(),
+            facts.cost.into(),
+            percent(facts.error_percent),
+            facts.good_for.into(),
         ];
         table += &row(cells, [name, assumes]);
     }
@@ -45,23 +60,33 @@ fn percent(error: f64) -> String {
     if error < 100.0 { format!("{error:.1} %") } else { format!("{error:.0} %") }
 }
 
-/// The options as the schema of case files describes them.
+/// The options of each theory as the schema of case files describes them.
 fn options() -> String {
     let schema = json_schema();
-    let known = schema["properties"]["solve"]["properties"].as_object();
+    let theories = schema["properties"]["solve"]["oneOf"].as_array();
     let mut text = String::new();
-    for (name, option) in known.into_iter().flatten().filter(|(name, _)| *name != "theory") {
-        text += &wrapped(&format!("  {name:11}  "), description(option));
-        for choice in option["anyOf"][0]["oneOf"].as_array().into_iter().flatten() {
-            let value = choice["title"].as_str().map_or(choice["const"].to_string(), str::to_owned);
-            text += &wrapped(&format!("{:17}{value}: ", ""), description(choice));
+    for theory in theories.into_iter().flatten() {
+        let name = theory["properties"]["theory"]["const"].as_str().unwrap_or_default();
+        let options = theory["properties"].as_object().into_iter().flatten();
+        for (option, form) in options.filter(|(option, _)| *option != "theory") {
+            let head = format!("  {name:11}  {option:11}  ");
+            let mut words = form["description"].as_str().unwrap_or_default().to_owned();
+            let choices = choices(form);
+            if !choices.is_empty() {
+                words += &format!(" Words: {}.", choices.join(", "));
+            }
+            text += &wrapped(&head, &words);
         }
     }
     text
 }
 
-fn description(schema: &Value) -> &str {
-    schema["description"].as_str().unwrap_or_default()
+/// The words that an option takes.
+fn choices(form: &Value) -> Vec<&str> {
+    let own = form["const"].as_str();
+    let listed = form["enum"].as_array().into_iter().flatten().filter_map(Value::as_str);
+    let nested = ["anyOf", "oneOf"].into_iter().filter_map(|key| form[key].as_array()).flatten();
+    own.into_iter().chain(listed).chain(nested.flat_map(choices)).collect()
 }
 
 /// `words` after `head`, in lines that fit a terminal; the head's width is the indent.
@@ -91,17 +116,12 @@ mod tests {
     }
 
     #[test]
-    fn the_schema_names_the_theories_of_each_option() {
-        let schema = json_schema();
-        let known = schema["properties"]["solve"]["properties"].as_object().unwrap();
-        for (name, option) in known.iter().filter(|(name, _)| *name != "theory") {
-            let words = option["description"].as_str().unwrap();
-            for entry in ENTRIES {
-                let told = words.contains(&format!("\"{}\"", entry.name));
-                assert_eq!(told, entry.options.contains(&&name[..]), "{name} {}", entry.name);
+    fn every_option_of_every_theory_is_described() {
+        let options = options();
+        for facts in facts() {
+            for option in facts.options {
+                assert!(options.contains(&format!("  {:11}  {option:11}  ", facts.name)));
             }
         }
-        let all = ENTRIES.iter().flat_map(|entry| entry.options);
-        assert!(all.into_iter().all(|option| known.contains_key(*option)));
     }
 }

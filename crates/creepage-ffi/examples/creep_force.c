@@ -50,9 +50,10 @@ static void curve(void)
     double creepages[3 * CASES] = {0}, forces[3 * CASES], middle[3];
     for (int k = 0; k < CASES; k++)
         creepages[3 * k] = 0.05 * k;
-    check(creepage_theory_new("fastsim", "grid = [30, 30]", 1.5, 0.28, &theory, message,
+    check(creepage_theory_new("fastsim", "grid = [30, 30]", 1.5, 0.28, 0.0, &theory, message,
                               sizeof message));
-    check(creepage_theory_force(theory, CASES, creepages, forces, NULL, message, sizeof message));
+    check(creepage_theory_force(theory, CASES, creepages, forces, NULL, NULL, NULL, message,
+                                sizeof message));
     creepage_theory_free(theory);
     for (int k = 0; k < 3; k++)
         middle[k] = forces[3 * (CASES / 2) + k];
@@ -65,10 +66,10 @@ static void exact(void)
     CreepageTheory *theory;
     const double creepage[3] = {0.9, -0.3, 0.5};
     double force[3], error[3], derivative[9];
-    check(creepage_theory_new("exact", "resolution = 'fast'", 1.5, 0.28, &theory, message,
+    check(creepage_theory_new("exact", "resolution = 'fast'", 1.5, 0.28, 0.0, &theory, message,
                               sizeof message));
-    check(creepage_exact_force(theory, 1, creepage, force, error, derivative, NULL, message,
-                               sizeof message));
+    check(creepage_theory_force(theory, 1, creepage, force, error, derivative, NULL, message,
+                                sizeof message));
     creepage_theory_free(theory);
     print("exact", force, 3);
     print("error", error, 3);
@@ -82,7 +83,7 @@ static void table(const char *path)
     const double creepage[3] = {0.9, -0.3, 0.5};
     double force[3], error[2];
     check(creepage_table_read(path, &table, message, sizeof message));
-    check(creepage_table_force(table, 1.0, 0.28, 1, creepage, force, NULL, message,
+    check(creepage_table_force(table, 1.0, 0.28, 0.0, 1, creepage, force, NULL, NULL, message,
                                sizeof message));
     check(creepage_table_error(table, error, message, sizeof message));
     creepage_table_free(table);
@@ -94,7 +95,7 @@ static void table(const char *path)
 static void mistake(void)
 {
     CreepageTheory *theory;
-    int32_t code = creepage_theory_new("exactly", NULL, 1.0, 0.28, &theory, message,
+    int32_t code = creepage_theory_new("exactly", NULL, 1.0, 0.28, 0.0, &theory, message,
                                        sizeof message);
     printf("mistake %d %s\n", (int)code, message);
 }

@@ -9,12 +9,12 @@ module creepage
   integer(c_int32_t), parameter :: creepage_ok = 0
 
   interface
-    ! name, options: texts that end with c_null_char; a_over_b, poisson (1).
-    function creepage_theory_new(name, options, a_over_b, poisson, theory, message, message_size) &
-        bind(c) result(code)
+    ! name, options: texts that end with c_null_char; a_over_b, poisson, kappa_over_mu (1).
+    function creepage_theory_new(name, options, a_over_b, poisson, kappa_over_mu, theory, message, &
+        message_size) bind(c) result(code)
       import
       character(kind=c_char), intent(in) :: name(*), options(*)
-      real(c_double), value :: a_over_b, poisson
+      real(c_double), value :: a_over_b, poisson, kappa_over_mu
       type(c_ptr), intent(out) :: theory
       character(kind=c_char), intent(out) :: message(*)
       integer(c_size_t), value :: message_size
@@ -26,11 +26,12 @@ module creepage
       type(c_ptr), value :: theory
     end subroutine
 
-    ! creepages(3, n): xi, eta, chi (1); forces(3, n): f_x, f_y, m_z (1); statuses(n).
-    function creepage_theory_force(theory, count, creepages, forces, statuses, message, &
-        message_size) bind(c) result(code)
+    ! creepages(3, n): xi, eta, chi (1); forces(3, n): f_x, f_y, m_z (1); statuses(n). errors of
+    ! 3 n and derivatives of 9 n numbers: their addresses, or c_null_ptr.
+    function creepage_theory_force(theory, count, creepages, forces, errors, derivatives, statuses, &
+        message, message_size) bind(c) result(code)
       import
-      type(c_ptr), value :: theory
+      type(c_ptr), value :: theory, errors, derivatives
       integer(c_size_t), value :: count
       real(c_double), intent(in) :: creepages(3, *)
       real(c_double), intent(out) :: forces(3, *)
@@ -77,9 +78,9 @@ program creep_force
   creepages = 0
   creepages(1, :) = [(0.5_c_double * k, k = 1, cases)]
   call check(creepage_theory_new('exact'//c_null_char, "resolution = 'fast'"//c_null_char, &
-      1.5_c_double, 0.28_c_double, theory, message, room))
-  call check(creepage_theory_force(theory, int(cases, c_size_t), creepages, forces, statuses, &
-      message, room))
+      1.5_c_double, 0.28_c_double, 0.0_c_double, theory, message, room))
+  call check(creepage_theory_force(theory, int(cases, c_size_t), creepages, forces, c_null_ptr, &
+      c_null_ptr, statuses, message, room))
   call creepage_theory_free(theory)
   do k = 1, cases
     print '(a, 4(1x, es24.16e3))', 'curve', creepages(1, k), forces(:, k)

@@ -6,9 +6,9 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::PathBuf;
 
 use creepage::InvalidValue;
-use creepage_case::CaseError;
-use creepage_table::FileError;
-use creepage_theories::{ChoiceError, FindError, TheoryError};
+use creepage::table::FileError;
+use creepage::theory::{TheoryError, UnknownTheory};
+use creepage_study::{CaseError, SolveError, SpecError};
 
 /// Done.
 pub const CREEPAGE_OK: i32 = 0;
@@ -43,21 +43,23 @@ pub(crate) enum Failure {
     #[error("{0} is not UTF-8")]
     Text(&'static str),
     #[error(transparent)]
-    Choice(#[from] ChoiceError),
+    Unknown(#[from] UnknownTheory),
     #[error("options: {0}")]
-    Options(#[from] toml::de::Error),
+    Options(SpecError),
     #[error("cannot read {}: {source}", path.display())]
     Read { path: PathBuf, source: io::Error },
     #[error("{}: {source}", path.display())]
     CaseFile { path: PathBuf, source: CaseError },
     #[error("{}: {source}", path.display())]
-    Find { path: PathBuf, source: FindError },
+    Solve { path: PathBuf, source: SolveError },
     #[error("{}: {source}", path.display())]
     Table { path: PathBuf, source: FileError },
     #[error("the arrays of {0} cases do not fit into memory")]
     Count(usize),
     #[error("the theory {0} has no error bars")]
-    Unsupported(&'static str),
+    NoErrorBars(&'static str),
+    #[error("the theory {0} has no derivative")]
+    NoDerivative(&'static str),
 }
 
 impl Failure {
@@ -65,18 +67,27 @@ impl Failure {
         match self {
             Self::Null(_) => CREEPAGE_NULL,
             Self::Text(_)
-            | Self::Choice(_)
+            | Self::Unknown(_)
             | Self::Options(_)
             | Self::Theory(TheoryError::AccuracyOfFixed) => CREEPAGE_TEXT,
             Self::Read { .. } | Self::CaseFile { .. } | Self::Table { .. } => CREEPAGE_FILE,
             Self::Count(_) => CREEPAGE_COUNT,
-            Self::Unsupported(_) | Self::Find { source: FindError::Theory { .. }, .. } => {
-                CREEPAGE_UNSUPPORTED
-            }
-            Self::Find { source: FindError::Unreachable(_), .. } => CREEPAGE_NOT_REACHABLE,
-            Self::Invalid(_) | Self::Case { .. } | Self::Theory(_) | Self::Find { .. } => {
+            Self::NoErrorBars(_)
+            | Self::NoDerivative(_)
+            | Self::Solve { source: SolveError::FindsNothing { .. }, .. } => CREEPAGE_UNSUPPORTED,
+            Self::Solve { source: SolveError::Unreachable(_), .. } => CREEPAGE_NOT_REACHABLE,
+            Self::Invalid(_) | Self::Case { .. } | Self::Theory(_) | Self::Solve { .. } => {
                 CREEPAGE_INVALID
             }
+        }
+    }
+}
+
+impl From<SpecError> for Failure {
+    fn from(error: SpecError) -> Self {
+        match error {
+            SpecError::UnknownTheory(unknown) => Self::Unknown(unknown),
+            other => Self::Options(other),
         }
     }
 }

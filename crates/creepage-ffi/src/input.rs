@@ -3,7 +3,7 @@
 use std::ffi::{CStr, c_char};
 use std::{ptr, slice};
 
-use creepage::rolling::Creepage;
+use creepage::Creepage;
 
 use crate::failure::Failure;
 
@@ -12,12 +12,24 @@ use crate::failure::Failure;
 /// # Safety
 /// `text` is NULL or points to bytes that end with a zero, and stay as they are while it is used.
 pub(crate) unsafe fn text<'a>(name: &'static str, text: *const c_char) -> Result<&'a str, Failure> {
+    // SAFETY: the caller's promise is ours.
+    unsafe { optional_text(name, text) }?.ok_or(Failure::Null(name))
+}
+
+/// A text that may be NULL.
+///
+/// # Safety
+/// As of [`text`].
+pub(crate) unsafe fn optional_text<'a>(
+    name: &'static str,
+    text: *const c_char,
+) -> Result<Option<&'a str>, Failure> {
     if text.is_null() {
-        return Err(Failure::Null(name));
+        return Ok(None);
     }
     // SAFETY: not NULL, and the caller promises the rest.
     let text = unsafe { CStr::from_ptr(text) };
-    text.to_str().map_err(|_| Failure::Text(name))
+    text.to_str().map(Some).map_err(|_| Failure::Text(name))
 }
 
 /// What a handle holds.
@@ -54,86 +66,63 @@ pub(crate) unsafe fn release<T>(handle: *mut T) {
     }
 }
 
-/// An array of `per_case` numbers a case.
+/// An array to write to, of `W` elements a case.
 ///
 /// # Safety
-/// `array` is NULL or holds `count * per_case` numbers that stay as they are while it is used.
-unsafe fn array<'a>(
-    name: &'static str,
-    array: *const f64,
-    count: usize,
-    per_case: usize,
-) -> Result<&'a [f64], Failure> {
-    if array.is_null() {
-        return Err(Failure::Null(name));
-    }
-    let length = length::<f64>(count, per_case)?;
-    // SAFETY: not NULL, of a size that can be, and the caller promises the rest.
-    Ok(unsafe { slice::from_raw_parts(array, length) })
-}
-
-/// An array to write to, of `per_case` numbers a case.
-///
-/// # Safety
-/// `array` is NULL or has room for `count * per_case` numbers that nobody else uses meanwhile.
-pub(crate) unsafe fn array_mut<'a, T>(
+/// `array` is NULL or has room for `count * W` elements that nobody else uses meanwhile.
+pub(crate) unsafe fn array_mut<'a, T, const W: usize>(
     name: &'static str,
     array: *mut T,
     count: usize,
-    per_case: usize,
-) -> Result<&'a mut [T], Failure> {
+) -> Result<&'a mut [[T; W]], Failure> {
     // SAFETY: the caller's promise is ours.
-    unsafe { optional(array, count, per_case) }?.ok_or(Failure::Null(name))
+    unsafe { optional(array, count) }?.ok_or(Failure::Null(name))
 }
 
 /// An array to write to that may be NULL.
 ///
 /// # Safety
 /// As of [`array_mut`].
-pub(crate) unsafe fn optional<'a, T>(
+pub(crate) unsafe fn optional<'a, T, const W: usize>(
     array: *mut T,
     count: usize,
-    per_case: usize,
-) -> Result<Option<&'a mut [T]>, Failure> {
-    let length = length::<T>(count, per_case)?;
+) -> Result<Option<&'a mut [[T; W]]>, Failure> {
+    fits::<[T; W]>(count)?;
     if array.is_null() {
         return Ok(None);
     }
     // SAFETY: not NULL, of a size that can be, and the caller promises the rest.
-    Ok(Some(unsafe { slice::from_raw_parts_mut(array, length) }))
+    Ok(Some(unsafe { slice::from_raw_parts_mut(array.cast(), count) }))
 }
 
-/// Number of elements, if so many can be.
-fn length<T>(count: usize, per_case: usize) -> Result<usize, Failure> {
-    let length = count.checked_mul(per_case);
-    length
-        .filter(|length| *length <= isize::MAX.unsigned_abs() / size_of::<T>())
-        .ok_or(Failure::Count(count))
+/// Whether so many cases can be.
+fn fits<T>(count: usize) -> Result<(), Failure> {
+    let most = isize::MAX.unsigned_abs() / size_of::<T>();
+    if count <= most { Ok(()) } else { Err(Failure::Count(count)) }
 }
 
-/// The creepage of every case, and where its force goes.
+/// The creepage of every case, and where its force goes. All are checked before any is solved;
+/// nothing is allocated, which for huge arrays might fail.
 ///
 /// # Safety
-/// `creepages` and `forces` are NULL or hold three numbers a case, as of [`array`] and
-/// [`array_mut`].
+/// `creepages` and `forces` are NULL or hold three numbers a case; those of `creepages` stay as
+/// they are, and those of `forces` are used by nobody else meanwhile.
 pub(crate) unsafe fn cases<'a>(
     count: usize,
     creepages: *const f64,
     forces: *mut f64,
 ) -> Result<impl Iterator<Item = (Creepage, &'a mut [f64; 3])>, Failure> {
-    // SAFETY: the caller's promise is ours, here and below.
-    let asked = self::creepages(unsafe { array("creepages", creepages, count, 3) }?)?;
-    // SAFETY: as before.
-    let forces = unsafe { array_mut("forces", forces, count, 3) }?;
-    Ok(asked.zip(forces.as_chunks_mut().0))
-}
-
-/// The creepage of every case, all checked before any is solved. Nothing is allocated, which for
-/// huge arrays might fail.
-fn creepages(flat: &[f64]) -> Result<impl Iterator<Item = Creepage>, Failure> {
-    let cases = flat.as_chunks::<3>().0;
-    for (index, &[xi, eta, chi]) in cases.iter().enumerate() {
-        Creepage::new(xi, eta, chi).map_err(|source| Failure::Case { index, source })?;
+    fits::<[f64; 3]>(count)?;
+    if creepages.is_null() {
+        return Err(Failure::Null("creepages"));
     }
-    Ok(cases.iter().map(|&[xi, eta, chi]| Creepage { xi, eta, chi }))
+    // SAFETY: not NULL, of a size that can be, and the caller promises the rest.
+    let creepages: &[[f64; 3]] = unsafe { slice::from_raw_parts(creepages.cast(), count) };
+    // SAFETY: the caller's promise is ours.
+    let forces: &mut [[f64; 3]] = unsafe { array_mut("forces", forces, count) }?;
+    let checked = |&[xi, eta, chi]: &[f64; 3]| Creepage::new(xi, eta, chi);
+    for (index, creepage) in creepages.iter().enumerate() {
+        checked(creepage).map_err(|source| Failure::Case { index, source })?;
+    }
+    Ok(creepages.iter().map(move |one| checked(one).unwrap_or_default()).zip(forces))
 }

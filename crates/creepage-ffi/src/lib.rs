@@ -7,7 +7,7 @@
 mod case;
 mod failure;
 mod input;
-mod prepare;
+mod status;
 mod table;
 mod theory;
 
@@ -18,14 +18,16 @@ pub use failure::{
     CREEPAGE_COUNT, CREEPAGE_DEFECT, CREEPAGE_FILE, CREEPAGE_INVALID, CREEPAGE_NOT_REACHABLE,
     CREEPAGE_NULL, CREEPAGE_OK, CREEPAGE_TEXT, CREEPAGE_UNSUPPORTED,
 };
+pub use status::{
+    CREEPAGE_ACCURACY_NOT_REACHED, CREEPAGE_CREEPAGE_TOO_SMALL, CREEPAGE_DOUBTFUL,
+    CREEPAGE_NOT_CONVERGED, CREEPAGE_SOLVED, CREEPAGE_SPIN_TOO_LARGE, CREEPAGE_UNLIKE_BODIES,
+};
 pub use table::{
     CreepageTable, creepage_table_error, creepage_table_force, creepage_table_free,
     creepage_table_read,
 };
 pub use theory::{
-    CREEPAGE_CREEPAGE_TOO_SMALL, CREEPAGE_DOUBTFUL, CREEPAGE_NOT_CONVERGED, CREEPAGE_SOLVED,
-    CREEPAGE_SPIN_TOO_LARGE, CREEPAGE_UNLIKE_BODIES, CreepageTheory, creepage_exact_force,
-    creepage_theory_force, creepage_theory_free, creepage_theory_new,
+    CreepageTheory, creepage_theory_force, creepage_theory_free, creepage_theory_new,
 };
 
 /// The version of the library, as "0.1.0"; the text is the library's own.

@@ -1,12 +1,16 @@
 //! Tables of creep force.
 
 use std::ffi::c_char;
+use std::fs;
 use std::path::Path;
 
-use creepage_table::Table;
+use creepage::table::Table;
+use creepage::{Contact, Ellipse};
+use creepage_study::Caution;
 
 use crate::failure::{Failure, guard};
 use crate::input::{array_mut, cases, handle, optional, place, release, text};
+use crate::status::{CREEPAGE_SOLVED, CREEPAGE_UNLIKE_BODIES};
 
 /// A table of creep force, as `creepage table build` makes it.
 #[derive(Debug)]
@@ -34,8 +38,9 @@ pub unsafe extern "C" fn creepage_table_read(
         let place = unsafe { place("table", table) }?;
         // SAFETY: as before.
         let path = Path::new(unsafe { text("path", path) }?);
-        let table =
-            Table::read(path).map_err(|source| Failure::Table { path: path.into(), source })?;
+        let bytes = fs::read(path).map_err(|source| Failure::Read { path: path.into(), source })?;
+        let table = Table::from_bytes(bytes)
+            .map_err(|source| Failure::Table { path: path.into(), source })?;
         *place = Box::into_raw(Box::new(CreepageTable { table }));
         Ok(())
     };
@@ -74,24 +79,28 @@ pub unsafe extern "C" fn creepage_table_error(
         // SAFETY: the caller's promise of the function's documentation, here and below.
         let accuracy = unsafe { handle("table", table) }?.table.accuracy();
         // SAFETY: as before.
-        let errors = unsafe { array_mut("errors", errors, 1, 2) }?;
-        errors.copy_from_slice(&[accuracy.force.worst, accuracy.moment.worst]);
+        let errors = unsafe { array_mut("errors", errors, 1) }?;
+        errors[0] = [accuracy.force.worst, accuracy.moment.worst];
         Ok(())
     };
     // SAFETY: as before.
     unsafe { guard(message, message_size, work) }
 }
 
-/// Looks many forces up, for one shape of the contact.
+/// Looks many forces up, for one contact.
 ///
 /// a_over_b: semi-axis along over semi-axis across the rolling direction, within the table's
 ///   range (1).
 /// poisson: combined Poisson's ratio, within the table's range (1).
+/// kappa_over_mu: how dissimilar the bodies are, as of creepage_theory_new. A table neglects it;
+///   status says where it matters.
 /// count: number of cases.
 /// creepages: 3 count numbers, xi, eta, chi of each case (1).
 /// forces: room for 3 count numbers, f_x, f_y, m_z of each case (1).
 /// derivatives: room for 9 count numbers; or NULL. Of each case the derivative of f_x by xi, by
 ///   eta and by chi, then of f_y, then of m_z (1).
+/// status: room for one number, that of all cases: CREEPAGE_SOLVED or CREEPAGE_UNLIKE_BODIES; or
+///   NULL.
 ///
 /// # Safety
 /// The handle is alive; arrays and message point to as much room as said.
@@ -101,29 +110,39 @@ pub unsafe extern "C" fn creepage_table_force(
     table: *const CreepageTable,
     a_over_b: f64,
     poisson: f64,
+    kappa_over_mu: f64,
     count: usize,
     creepages: *const f64,
     forces: *mut f64,
     derivatives: *mut f64,
+    status: *mut i32,
     message: *mut c_char,
     message_size: usize,
 ) -> i32 {
     let work = || {
         // SAFETY: the caller's promise of the function's documentation, here and below.
         let slice = unsafe { handle("table", table) }?.table.at(a_over_b, poisson)?;
+        let contact = Contact::new(Ellipse::from_ratio(a_over_b)?, poisson)?;
+        let contact = contact.with_kappa_over_mu(kappa_over_mu)?;
         // SAFETY: as before.
         let cases = unsafe { cases(count, creepages, forces) }?;
         // SAFETY: as before.
-        let mut derivatives = unsafe { optional(derivatives, count, 9) }?;
+        let mut derivatives = unsafe { optional::<_, 9>(derivatives, count) }?;
+        // SAFETY: as before.
+        let status = unsafe { optional::<_, 1>(status, 1) }?;
         for (case, (creepage, out)) in cases.enumerate() {
             let force = if let Some(derivatives) = &mut derivatives {
                 let (force, derivative) = slice.force_and_derivative(creepage);
-                derivatives[9 * case..9 * case + 9].copy_from_slice(derivative.as_flattened());
+                derivatives[case].copy_from_slice(derivative.as_flattened());
                 force
             } else {
                 slice.force(creepage)
             };
-            *out = [force.fx, force.fy, force.mz];
+            *out = force.components();
+        }
+        if let Some(status) = status {
+            let matters = contact.kappa_over_mu().abs() >= Caution::DISSIMILAR;
+            status[0] = [if matters { CREEPAGE_UNLIKE_BODIES } else { CREEPAGE_SOLVED }];
         }
         Ok(())
     };

@@ -7,12 +7,12 @@ use std::ffi::{CStr, CString, c_char};
 use std::ptr::{null, null_mut};
 use std::thread;
 
-use creepage::InvalidValue;
-use creepage::rolling::exact::{Automatic, Exact, Resolution};
-use creepage::rolling::polach::Polach;
-use creepage::rolling::{Creepage, Theory};
+use creepage::approximate::polach::Polach;
+use creepage::coulomb::{Automatic, Exact, Resolution};
+use creepage::table::{Axis, Intervals, Provenance, Spec, build};
+use creepage::theory::Solved as _;
+use creepage::{Contact, Creepage, Ellipse, InvalidValue, Theory, TheorySpec};
 use creepage_ffi::*;
-use creepage_table::{Axis, Intervals, Provenance, Spec, build};
 
 /// Room for a message, and what was written to it.
 struct Message([c_char; 256]);
@@ -29,7 +29,26 @@ impl Message {
     }
 }
 
+/// The contact of most tests.
+fn contact() -> Contact {
+    Contact::new(Ellipse::from_ratio(1.5).unwrap(), 0.28).unwrap()
+}
+
+/// The creepages of an array.
+fn creepages(cases: &[f64]) -> impl Iterator<Item = Creepage> {
+    cases.as_chunks().0.iter().map(|&[xi, eta, chi]| Creepage::new(xi, eta, chi).unwrap())
+}
+
 fn new(name: &str, options: &str, a_over_b: f64) -> (i32, *mut CreepageTheory, String) {
+    between(name, options, a_over_b, 0.0)
+}
+
+fn between(
+    name: &str,
+    options: &str,
+    a_over_b: f64,
+    kappa_over_mu: f64,
+) -> (i32, *mut CreepageTheory, String) {
     let (name, options) = (CString::new(name).unwrap(), CString::new(options).unwrap());
     let (mut theory, mut message) = (null_mut(), Message::new());
     // SAFETY: all point to what they should.
@@ -40,6 +59,7 @@ fn new(name: &str, options: &str, a_over_b: f64) -> (i32, *mut CreepageTheory, S
             options,
             a_over_b,
             0.28,
+            kappa_over_mu,
             &raw mut theory,
             message.0.as_mut_ptr(),
             256,
@@ -56,7 +76,11 @@ unsafe impl Sync for Owned {}
 
 impl Owned {
     fn new(name: &str, options: &str) -> Self {
-        let (code, theory, message) = new(name, options, 1.5);
+        Self::between(name, options, 0.0)
+    }
+
+    fn between(name: &str, options: &str, kappa_over_mu: f64) -> Self {
+        let (code, theory, message) = between(name, options, 1.5, kappa_over_mu);
         assert_eq!((code, &message[..]), (CREEPAGE_OK, ""));
         assert!(!theory.is_null());
         Self(theory)
@@ -73,6 +97,8 @@ impl Owned {
                 count,
                 creepages.as_ptr(),
                 forces.as_mut_ptr(),
+                null_mut(),
+                null_mut(),
                 statuses.as_mut_ptr(),
                 message.0.as_mut_ptr(),
                 256,
@@ -100,11 +126,10 @@ fn many_cases_get_the_forces_of_the_library() {
         assert!(forces.iter().all(|f| f.abs() <= 1.01), "{name} {forces:?}");
         assert_eq!(forces[6..], [0.0; 3], "{name}");
     }
-    let theory = Exact::new(1.5, 0.28, Resolution::FAST).unwrap();
+    let theory = Exact::new(&contact(), Resolution::FAST).unwrap();
     let (_, forces, ..) = Owned::new("exact", "resolution = 'fast'").force(&CASES);
-    for (case, found) in CASES.as_chunks::<3>().0.iter().zip(forces.as_chunks::<3>().0) {
-        let force = theory.solve(Creepage::new(case[0], case[1], case[2]).unwrap()).force;
-        assert_eq!([force.fx, force.fy, force.mz], *found);
+    for (creepage, found) in creepages(&CASES).zip(forces.as_chunks::<3>().0) {
+        assert_eq!(theory.solve(creepage).force.components(), *found);
     }
     for name in ["variational", "strip", "linear", "saturated", "vermeulen-johnson"] {
         assert_eq!(Owned::new(name, "").force(&CASES).0, CREEPAGE_OK, "{name}");
@@ -113,66 +138,87 @@ fn many_cases_get_the_forces_of_the_library() {
     assert_eq!(doubts, [CREEPAGE_SPIN_TOO_LARGE, CREEPAGE_SPIN_TOO_LARGE, CREEPAGE_SOLVED]);
 }
 
-#[test]
-fn the_full_theory_tells_errors_and_derivatives() {
-    let theory = Owned::new("exact", "");
+/// Forces of [`CASES`], error bars and derivatives.
+type Full = ([f64; 9], [f64; 9], [f64; 27]);
+
+/// All that a theory can be asked; error bars and derivatives where they are wanted.
+fn ask(theory: &Owned, bars: bool, slopes: bool) -> (i32, Full) {
     let (mut forces, mut errors, mut derivatives) = ([0.0; 9], [0.0; 9], [0.0; 27]);
-    let exact = |theory: &Owned, errors: *mut f64, derivatives: *mut f64, forces: *mut f64| {
-        // SAFETY: all point to what they should, or to nothing where that is allowed.
-        unsafe {
-            let cases = CASES.as_ptr();
-            creepage_exact_force(
-                theory.0,
-                3,
-                cases,
-                forces,
-                errors,
-                derivatives,
-                null_mut(),
-                null_mut(),
-                0,
-            )
-        }
+    let (out, cases) = (forces.as_mut_ptr(), CASES.as_ptr());
+    let bars = if bars { errors.as_mut_ptr() } else { null_mut() };
+    let slopes = if slopes { derivatives.as_mut_ptr() } else { null_mut() };
+    // SAFETY: all point to what they should, or to nothing where that is allowed.
+    let code = unsafe {
+        creepage_theory_force(theory.0, 3, cases, out, bars, slopes, null_mut(), null_mut(), 0)
     };
-    let (bars, slopes) = (errors.as_mut_ptr(), derivatives.as_mut_ptr());
-    assert_eq!(exact(&theory, bars, slopes, forces.as_mut_ptr()), CREEPAGE_OK);
-    let library = Exact::new(1.5, 0.28, Resolution::STANDARD).unwrap();
-    let mut workspace = library.workspace();
-    let right = library.solve_with(Creepage::new(0.5, 0.2, 0.1).unwrap(), &mut workspace);
-    assert_eq!(forces[..3], [right.force.fx, right.force.fy, right.force.mz]);
-    assert_eq!(errors[..3], [right.error.fx, right.error.fy, right.error.mz]);
-    assert_eq!(&derivatives[..9], library.derivative(&mut workspace).as_flattened());
-    assert_eq!(exact(&theory, null_mut(), null_mut(), forces.as_mut_ptr()), CREEPAGE_OK);
-    assert_eq!(exact(&theory, bars, slopes, null_mut()), CREEPAGE_NULL);
-    let other = Owned::new("fastsim", "");
-    assert_eq!(exact(&other, bars, slopes, forces.as_mut_ptr()), CREEPAGE_UNSUPPORTED);
+    (code, (forces, errors, derivatives))
+}
+
+#[test]
+fn the_full_theory_gives_errors_and_derivatives() {
+    let theory = Owned::new("exact", "");
+    let (code, (forces, errors, derivatives)) = ask(&theory, true, true);
+    assert_eq!(code, CREEPAGE_OK);
+    let library = Exact::new(&contact(), Resolution::STANDARD).unwrap();
+    let mut right = library.solve_contact(Creepage::new(0.5, 0.2, 0.1).unwrap());
+    assert_eq!(forces[..3], right.solution().force.components());
+    assert_eq!(errors[..3], right.solution().error.unwrap().components());
+    assert_eq!(&derivatives[..9], right.jacobian().unwrap().as_flattened());
+    assert_eq!(ask(&theory, false, false), (CREEPAGE_OK, (forces, [0.0; 9], [0.0; 27])));
+}
+
+#[test]
+fn every_theory_gives_the_derivative_that_it_has() {
+    for spec in TheorySpec::all() {
+        let (facts, library) = (spec.facts(), spec.prepare(&contact()).unwrap());
+        let theory = Owned::new(facts.name, "");
+        let code = |has| if has { CREEPAGE_OK } else { CREEPAGE_UNSUPPORTED };
+        assert_eq!(ask(&theory, true, false).0, code(facts.error_bars), "{}", facts.name);
+        let (found, (forces, _, derivatives)) = ask(&theory, false, true);
+        assert_eq!(found, code(facts.derivative), "{}", facts.name);
+        for (k, creepage) in creepages(&CASES).enumerate().filter(|_| facts.derivative) {
+            assert_eq!(forces[3 * k..3 * k + 3], library.solve(creepage).force.components());
+            let slope = library.jacobian(creepage).unwrap();
+            assert_eq!(&derivatives[9 * k..9 * k + 9], slope.as_flattened(), "{}", facts.name);
+        }
+    }
 }
 
 #[test]
 fn the_full_theory_refines_by_itself() {
     let theory = Owned::new("exact", "resolution = 'auto'\naccuracy = 0.004");
-    let (mut forces, mut errors, mut derivatives) = ([0.0; 9], [0.0; 9], [0.0; 27]);
-    let mut statuses = [9; 3];
-    // SAFETY: all point to what they should.
-    let code = unsafe {
-        let [out, bars, slopes] =
-            [&mut forces[..], &mut errors, &mut derivatives].map(<[f64]>::as_mut_ptr);
-        let told = statuses.as_mut_ptr();
-        creepage_exact_force(theory.0, 3, CASES.as_ptr(), out, bars, slopes, told, null_mut(), 0)
-    };
-    assert_eq!((code, statuses), (CREEPAGE_OK, [CREEPAGE_SOLVED; 3]));
-    let library = Automatic::new(1.5, 0.28, 0.004).unwrap();
-    for (k, case) in CASES.as_chunks::<3>().0.iter().enumerate() {
-        let creepage = Creepage { xi: case[0], eta: case[1], chi: case[2] };
-        let (level, right) = library.level(creepage);
-        assert_eq!(forces[3 * k..3 * k + 3], [right.force.fx, right.force.fy, right.force.mz]);
-        assert_eq!(errors[3 * k..3 * k + 3], [right.error.fx, right.error.fy, right.error.mz]);
-        let mut workspace = level.workspace();
-        level.solve_with(creepage, &mut workspace);
-        let slope = level.derivative(&mut workspace);
-        assert_eq!(&derivatives[9 * k..9 * k + 9], slope.as_flattened());
+    let (code, (forces, errors, derivatives)) = ask(&theory, true, true);
+    assert_eq!((code, theory.force(&CASES).2), (CREEPAGE_OK, vec![CREEPAGE_SOLVED; 3]));
+    let library = Automatic::new(&contact(), 0.004).unwrap();
+    for (k, creepage) in creepages(&CASES).enumerate() {
+        let mut right = library.solved(creepage);
+        assert_eq!(forces[3 * k..3 * k + 3], right.solution().force.components());
+        assert_eq!(errors[3 * k..3 * k + 3], right.solution().error.unwrap().components());
+        assert_eq!(&derivatives[9 * k..9 * k + 9], right.jacobian().unwrap().as_flattened());
     }
     assert!(errors[..2].iter().all(|bar| *bar <= 0.004), "{errors:?}");
+    // No resolution has such error bars.
+    let theory = Owned::new("exact", "resolution = 'auto'\naccuracy = 1e-9");
+    assert_eq!(theory.force(&CASES[..3]).2, [CREEPAGE_ACCURACY_NOT_REACHED]);
+}
+
+#[test]
+fn the_full_theory_counts_dissimilar_bodies_and_others_say_that_they_do_not() {
+    let exact = |kappa| Owned::between("exact", "resolution = 'fast'", kappa).force(&CASES);
+    let contact = contact().with_kappa_over_mu(-0.3).unwrap();
+    let library = Exact::new(&contact, Resolution::FAST).unwrap();
+    let (_, forces, statuses, _) = exact(-0.3);
+    assert_eq!(statuses, [CREEPAGE_SOLVED; 3]);
+    assert_ne!(forces, exact(0.0).1);
+    for (creepage, force) in creepages(&CASES).zip(forces.as_chunks::<3>().0) {
+        assert_eq!(library.solve(creepage).force.components(), *force);
+    }
+    let polach = |kappa| Owned::between("polach", "", kappa).force(&CASES);
+    assert_eq!(polach(-0.3).1, polach(0.0).1);
+    assert_eq!(polach(-0.3).2, [CREEPAGE_UNLIKE_BODIES; 3]);
+    assert_eq!(polach(1e-3).2, [CREEPAGE_SOLVED; 3]);
+    let (code, theory, message) = between("exact", "", 1.5, f64::NAN);
+    assert!(code == CREEPAGE_INVALID && theory.is_null() && message.starts_with("kappa_over_mu"));
 }
 
 const WHEEL: &str = r#"
@@ -303,6 +349,7 @@ fn wrong_words_and_numbers_get_their_codes() {
             CREEPAGE_TEXT,
             "`degree` is an option of variational, not of exact",
         ),
+        ("exact", "theory = 'linear'", 1.0, CREEPAGE_TEXT, "`theory` is given beside"),
         ("exact", "accuracy = 0.01", 1.0, CREEPAGE_TEXT, "`accuracy` needs resolution"),
         ("exact", "", -1.0, CREEPAGE_INVALID, "a_over_b = -1"),
         ("polach", "", f64::NAN, CREEPAGE_INVALID, "NaN"),
@@ -333,7 +380,7 @@ fn nothing_and_too_much_get_their_codes() {
     // SAFETY: pointers are right, NULL, or seen to be of no use before they are read.
     unsafe {
         let new = |name: *const c_char, options: *const c_char, theory| {
-            creepage_theory_new(name, options, 1.0, 0.28, theory, null_mut(), 0)
+            creepage_theory_new(name, options, 1.0, 0.28, 0.0, theory, null_mut(), 0)
         };
         assert_eq!(new(null(), null(), &raw mut theory), CREEPAGE_NULL);
         assert_eq!(new(name.as_ptr(), null(), null_mut()), CREEPAGE_NULL);
@@ -341,7 +388,17 @@ fn nothing_and_too_much_get_their_codes() {
         assert_eq!(new(name.as_ptr(), bad.as_ptr().cast(), &raw mut theory), CREEPAGE_TEXT);
         assert!(theory.is_null());
         let force = |theory: *const CreepageTheory, count, creepages, forces| {
-            creepage_theory_force(theory, count, creepages, forces, none, null_mut(), 0)
+            creepage_theory_force(
+                theory,
+                count,
+                creepages,
+                forces,
+                null_mut(),
+                null_mut(),
+                none,
+                null_mut(),
+                0,
+            )
         };
         assert_eq!(force(null(), 1, one, out), CREEPAGE_NULL);
         assert_eq!(force(made.0, 1, null(), out), CREEPAGE_NULL);
@@ -356,7 +413,9 @@ fn nothing_and_too_much_get_their_codes() {
             CREEPAGE_FILE
         );
         assert!(table.is_null());
-        let look = creepage_table_force(null(), 1.0, 0.28, 1, one, out, null_mut(), null_mut(), 0);
+        let slopes = null_mut();
+        let look =
+            creepage_table_force(null(), 1.0, 0.28, 0.0, 1, one, out, slopes, none, null_mut(), 0);
         assert_eq!(look, CREEPAGE_NULL);
         assert_eq!(creepage_table_error(null(), out, null_mut(), 0), CREEPAGE_NULL);
         let slip = null_mut();
@@ -377,13 +436,13 @@ fn a_table_gives_what_it_gives_in_rust() {
         places: 20,
         provenance: Provenance::default(),
     };
-    let prepare = |ratio, poisson| -> Result<Box<dyn Theory>, InvalidValue> {
-        Ok(Box::new(Polach::new(ratio, poisson)?))
+    let prepare = |contact: &Contact| -> Result<Box<dyn Theory>, InvalidValue> {
+        Ok(Box::new(Polach::new(contact)?))
     };
     let right = build(&spec, prepare, &|| {}).unwrap();
     let place = tempfile::tempdir().unwrap();
     let path = place.path().join("table.nc");
-    right.write(&path).unwrap();
+    std::fs::write(&path, right.to_bytes().unwrap()).unwrap();
     let path = CString::new(path.to_str().unwrap()).unwrap();
     let (mut table, mut message) = (null_mut(), Message::new());
     let (mut forces, mut derivatives, mut errors) = ([0.0; 9], [0.0; 27], [0.0; 2]);
@@ -392,20 +451,27 @@ fn a_table_gives_what_it_gives_in_rust() {
         let words = message.0.as_mut_ptr();
         assert_eq!(creepage_table_read(path.as_ptr(), &raw mut table, words, 256), CREEPAGE_OK);
         let (cases, out, slopes) = (CASES.as_ptr(), forces.as_mut_ptr(), derivatives.as_mut_ptr());
-        let ask = |ratio, slopes| {
-            creepage_table_force(table, ratio, 0.28, 3, cases, out, slopes, words, 256)
+        let ask = |ratio, kappa, slopes| {
+            let mut told = 9;
+            let status = &raw mut told;
+            let code = creepage_table_force(
+                table, ratio, 0.28, kappa, 3, cases, out, slopes, status, words, 256,
+            );
+            (code, told)
         };
-        assert_eq!(ask(3.0, null_mut()), CREEPAGE_INVALID);
+        assert_eq!(ask(3.0, 0.0, null_mut()).0, CREEPAGE_INVALID);
         assert!(message.text().starts_with("a_over_b = 3"));
-        assert_eq!([ask(1.3, null_mut()), ask(1.3, slopes)], [CREEPAGE_OK; 2]);
+        assert_eq!(ask(1.3, f64::NAN, null_mut()).0, CREEPAGE_INVALID);
+        assert!(message.text().starts_with("kappa_over_mu = NaN"));
+        assert_eq!(ask(1.3, 0.3, null_mut()), (CREEPAGE_OK, CREEPAGE_UNLIKE_BODIES));
+        assert_eq!(ask(1.3, 0.0, slopes), (CREEPAGE_OK, CREEPAGE_SOLVED));
         assert_eq!(creepage_table_error(table, errors.as_mut_ptr(), words, 256), CREEPAGE_OK);
         creepage_table_free(table);
     }
     let slice = right.at(1.3, 0.28).unwrap();
-    for (k, case) in CASES.as_chunks::<3>().0.iter().enumerate() {
-        let creepage = Creepage { xi: case[0], eta: case[1], chi: case[2] };
+    for (k, creepage) in creepages(&CASES).enumerate() {
         let (force, derivative) = slice.force_and_derivative(creepage);
-        assert_eq!(forces[3 * k..3 * k + 3], [force.fx, force.fy, force.mz]);
+        assert_eq!(forces[3 * k..3 * k + 3], force.components());
         assert_eq!(&derivatives[9 * k..9 * k + 9], derivative.as_flattened());
     }
     assert_eq!(errors, [right.accuracy().force.worst, right.accuracy().moment.worst]);

@@ -33,28 +33,19 @@ struct Piece<'a, const W: usize> {
     codes: &'a mut [u8],
 }
 
-/// Solves every element; `cost` is that of one element in seconds, `prepare` makes what a thread
-/// needs for itself.
-pub(crate) fn solve_all<'py, const N: usize, const W: usize, S>(
+/// Solves every element; `cost` is that of one element in seconds.
+pub(crate) fn solve_all<'py, const N: usize, const W: usize>(
     py: Python<'py>,
     inputs: &Inputs<'py, N>,
     cost: f64,
-    prepare: impl Fn() -> S + Sync,
-    solve: impl Fn(&mut S, [f64; N]) -> Result<Row<W>, InvalidValue> + Sync,
+    solve: impl Fn([f64; N]) -> Result<Row<W>, InvalidValue> + Sync,
 ) -> PyResult<Answers<'py, W>> {
     let columns = inputs.columns()?;
-    let arguments = |index: usize| columns.each_ref().map(|column| column.at(index));
+    let solve = |index: usize| solve(columns.each_ref().map(|column| column.at(index)));
     let answers = Answers::<W>::new(py, &inputs.shape)?;
-    let invalid = AtomicUsize::new(usize::MAX);
-    let fill = |own: &mut S, piece: Piece<W>| {
-        if piece.first > invalid.load(Ordering::Relaxed) {
-            return;
-        }
-        let bad = piece.fill(|index| solve(own, arguments(index)).ok());
-        invalid.fetch_min(bad.unwrap_or(usize::MAX), Ordering::Relaxed);
-    };
-    answers
-        .fill(py, cost, &invalid, prepare, fill, |index, own| solve(own, arguments(index)).err())?;
+    if let Some(index) = answers.fill(py, cost, |index| solve(index).ok())? {
+        return Err(errors::invalid_element(py, solve(index).err(), index, &inputs.shape));
+    }
     Ok(answers)
 }
 
@@ -68,17 +59,14 @@ impl<'py, const W: usize> Answers<'py, W> {
         Ok(Self { numbers, codes: zeros(py, shape, "uint8")? })
     }
 
-    /// Runs the pieces in groups short enough for signals to be answered. `complain` tells what
-    /// is wrong with the first invalid element, which ends the run.
-    fn fill<S>(
+    /// Runs the pieces in groups short enough for signals to be answered. The first element without
+    /// an answer, if there is one, ends the run and is given.
+    fn fill(
         &self,
         py: Python<'py>,
         cost: f64,
-        invalid: &AtomicUsize,
-        prepare: impl Fn() -> S + Sync,
-        fill: impl Fn(&mut S, Piece<W>) + Sync,
-        complain: impl Fn(usize, &mut S) -> Option<InvalidValue>,
-    ) -> PyResult<()> {
+        solve: impl Fn(usize) -> Option<Row<W>> + Sync,
+    ) -> PyResult<Option<usize>> {
         let mut numbers = Vec::with_capacity(W);
         for column in &self.numbers {
             numbers.push(column.try_readwrite()?);
@@ -89,21 +77,28 @@ impl<'py, const W: usize> Answers<'py, W> {
             slices.push(column.as_slice_mut()?);
         }
         let slices = slices.try_into().map_err(|_| errors::internal("columns"))?;
-        let (pool, size) = (pool()?, at_least_one(GRAIN / cost).min(4096));
+        let codes = codes.as_slice_mut()?;
+        let size = at_least_one(GRAIN / cost).min(4096);
+        if codes.len() <= size {
+            let all = Piece { first: 0, numbers: slices, codes };
+            return Ok(py.detach(|| all.fill(&solve)));
+        }
+        let pool = pool()?;
         let group = at_least_one(PATIENCE * pool.current_num_threads() as f64 / cost) / size;
-        let mut pieces = pieces(slices, codes.as_slice_mut()?, size);
+        let (bad, mut pieces) = (AtomicUsize::new(usize::MAX), pieces(slices, codes, size));
+        let fill = |piece: Piece<W>| {
+            if piece.first <= bad.load(Ordering::Relaxed) {
+                bad.fetch_min(piece.fill(&solve).unwrap_or(usize::MAX), Ordering::Relaxed);
+            }
+        };
         loop {
             let some: Vec<_> = pieces.by_ref().take(group.max(1)).collect();
-            if some.is_empty() {
-                return Ok(());
+            let first_bad = bad.load(Ordering::Relaxed);
+            if some.is_empty() || first_bad < usize::MAX {
+                return Ok(Some(first_bad).filter(|index| *index < usize::MAX));
             }
-            py.detach(|| pool.install(|| some.into_par_iter().for_each_init(&prepare, &fill)));
+            py.detach(|| pool.install(|| some.into_par_iter().for_each(&fill)));
             py.check_signals()?;
-            let index = invalid.load(Ordering::Relaxed);
-            if let Some(error) = (index < usize::MAX).then(|| complain(index, &mut prepare())) {
-                let shape = self.codes.getattr("shape")?.cast_into::<PyTuple>()?.extract()?;
-                return Err(errors::invalid_element(py, error, index, shape));
-            }
         }
     }
 
@@ -117,7 +112,7 @@ impl<'py, const W: usize> Answers<'py, W> {
 
 impl<const W: usize> Piece<'_, W> {
     /// Fills it up to the first element without an answer, whose index is given.
-    fn fill(mut self, mut solve: impl FnMut(usize) -> Option<Row<W>>) -> Option<usize> {
+    fn fill(mut self, solve: impl Fn(usize) -> Option<Row<W>>) -> Option<usize> {
         for k in 0..self.codes.len() {
             let Some((row, code)) = solve(self.first + k) else {
                 return Some(self.first + k);

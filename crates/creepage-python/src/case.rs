@@ -1,252 +1,247 @@
 //! A case in SI units, from the text of a case file to its report.
 
 use std::path::PathBuf;
-use std::sync::Arc;
 
-use creepage::Hertz;
-use creepage::rolling::{Creepage, Scaling};
-use creepage_case::{Case, CaseError, CaseFile, InverseCase, Solve};
-use creepage_report::{Report, hertz_json};
-use creepage_theories::{Entry, PreparedTheory, find, kappa_over_mu};
+use creepage::Creepage;
+use creepage_study::{Case, CaseFile, Caution, Given, hertz_json, solve};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
+use serde::Serialize;
 
-use crate::theory::Theory;
-use crate::{errors, results};
-
-/// What a case file asks for.
-#[derive(Clone)]
-enum Question {
-    Forces(Case),
-    /// The creepage that gives wanted forces.
-    Creepage(InverseCase),
-}
+use crate::{errors, mesh, options, results};
 
 /// The text of a case file, read and checked.
 #[pyclass(frozen, module = "creepage._creepage")]
 #[allow(missing_debug_implementations)] // Python has its own
 pub struct CaseData {
-    question: Question,
-    scaling: Scaling,
-    options: toml::Table,
+    text: String,
+    case: Case,
 }
 
 /// A case solved by one theory.
 #[pyclass(frozen, module = "creepage._creepage")]
 #[allow(missing_debug_implementations)] // Python has its own
 pub struct SolvedCase {
-    solved: creepage_theories::SolvedCase,
-    theory: Py<Theory>,
+    solved: creepage_study::SolvedCase,
 }
 
-impl Question {
-    fn read(text: &str) -> Result<Self, CaseError> {
-        let file = CaseFile::read(text)?;
-        if file.is_inverse() {
-            return file.inverse().map(Self::Creepage);
-        }
-        file.case().map(Self::Forces)
-    }
-
-    fn contact(&self) -> &Hertz {
-        match self {
-            Self::Forces(case) => &case.contact,
-            Self::Creepage(case) => &case.contact,
-        }
-    }
-
-    fn friction(&self) -> f64 {
-        match self {
-            Self::Forces(case) => case.friction,
-            Self::Creepage(case) => case.friction,
-        }
-    }
-
-    fn solve(&self) -> &Solve {
-        match self {
-            Self::Forces(case) => &case.solve,
-            Self::Creepage(case) => &case.solve,
-        }
-    }
-
-    /// The case, unless its creepage is yet to be found.
-    fn forces(&self, py: Python) -> PyResult<&Case> {
-        match self {
-            Self::Forces(case) => Ok(case),
-            Self::Creepage(_) => Err(errors::case(py, CaseError::Wanted)),
-        }
-    }
+fn json(value: &impl Serialize) -> PyResult<String> {
+    serde_json::to_string(value).map_err(|_| errors::internal("JSON"))
 }
 
 /// The contact of a case file as JSON; needs neither friction nor creepage.
 #[pyfunction]
 pub(crate) fn hertz(py: Python, text: &str) -> PyResult<String> {
     let contact = CaseFile::read(text).and_then(|file| file.hertz());
-    let contact = contact.map_err(|error| errors::case(py, error))?;
-    serde_json::to_string(&hertz_json(&contact)).map_err(|_| errors::internal("JSON"))
+    json(&hertz_json(&contact.map_err(|error| errors::case(py, error))?))
+}
+
+impl CaseData {
+    fn given(&self, py: Python) -> PyResult<Creepage> {
+        self.case.creepage().map_err(|error| errors::case(py, error))
+    }
 }
 
 #[pymethods]
 impl CaseData {
     #[new]
-    fn new(py: Python, text: &str) -> PyResult<Self> {
-        let question = Question::read(text).map_err(|error| errors::case(py, error))?;
-        let scaling = Scaling::new(question.contact(), question.friction())
-            .map_err(|error| errors::invalid(py, error))?;
-        let mut file: toml::Table = text.parse().map_err(|_| errors::internal("TOML"))?;
-        let options = match file.remove("solve") {
-            Some(toml::Value::Table(options)) => options,
-            _ => toml::Table::new(),
-        };
-        Ok(Self { question, scaling, options })
+    fn new(py: Python, text: String) -> PyResult<Self> {
+        let case = CaseFile::read(&text).and_then(|file| file.case());
+        let case = case.map_err(|error| errors::case(py, error))?;
+        Ok(Self { text, case })
+    }
+
+    fn __getnewargs__(&self) -> (&str,) {
+        (&self.text,)
+    }
+
+    /// The text.
+    #[getter]
+    fn text(&self) -> &str {
+        &self.text
     }
 
     /// Ratio of the semi-axes.
     #[getter]
     fn a_over_b(&self) -> f64 {
-        self.question.contact().ellipse().ratio()
+        self.case.contact.ellipse().ratio()
     }
 
     /// Combined Poisson's ratio.
     #[getter]
     fn poisson(&self) -> f64 {
-        self.question.contact().pair().poisson()
+        self.case.contact.poisson()
     }
 
     /// Coefficient of friction.
     #[getter]
     fn friction(&self) -> f64 {
-        self.question.friction()
+        self.case.friction
+    }
+
+    /// Rolling velocity (m/s), where it is given.
+    #[getter]
+    fn speed(&self) -> Option<f64> {
+        self.case.speed
     }
 
     /// How unlike the bodies are: kappa of (2.10) over the coefficient of friction.
     #[getter]
     fn kappa_over_mu(&self) -> f64 {
-        kappa_over_mu(self.question.contact(), self.question.friction())
-    }
-
-    /// Whether the option of that name, as the case has it, is one of the theory's.
-    fn takes(&self, theory: &str, option: &str) -> PyResult<bool> {
-        Ok(entry(theory)?.takes(option, self.question.solve()))
-    }
-
-    /// What the theory leaves out of this case though it matters, in words.
-    fn left_out(&self, theory: &str) -> PyResult<Option<String>> {
-        Ok(entry(theory)?.leaves_out(self.kappa_over_mu()).map(|left_out| left_out.to_string()))
+        self.case.contact.kappa_over_mu()
     }
 
     /// Whether forces are wanted and the creepage is to be found.
     #[getter]
     fn finds_creepage(&self) -> bool {
-        matches!(self.question, Question::Creepage(_))
+        matches!(self.case.given, Given::Constraints(_))
     }
 
     /// (xi, eta, chi). Raises CaseError where the creepage is to be found.
     #[getter]
     fn dimensionless(&self, py: Python) -> PyResult<(f64, f64, f64)> {
-        let Creepage { xi, eta, chi } = self.question.forces(py)?.creepage;
-        Ok((xi, eta, chi))
+        Ok(self.given(py)?.components().into())
     }
 
     /// (longitudinal, lateral, spin (rad/m)). Raises CaseError where they are to be found.
     #[getter]
     fn creepage(&self, py: Python) -> PyResult<(f64, f64, f64)> {
-        let si = self.question.forces(py)?.si_creepage;
+        let si = self.case.contact.scaling().si_creepage(self.given(py)?);
         Ok((si.longitudinal, si.lateral, si.spin))
     }
 
     /// Units of length c (m), creepage, force mu N (N) and traction (Pa).
     #[getter]
     fn units(&self) -> (f64, f64, f64, f64) {
-        (self.scaling.length, self.scaling.slip, self.scaling.force, self.scaling.traction)
+        let scaling = self.case.contact.scaling();
+        (scaling.length, scaling.slip, scaling.force, scaling.traction)
     }
 
     /// The contact as JSON.
     fn hertz(&self) -> PyResult<String> {
-        serde_json::to_string(&hertz_json(self.question.contact()))
-            .map_err(|_| errors::internal("JSON"))
+        json(&hertz_json(&self.case.hertz))
     }
 
-    /// The section [solve]: the theory's name and its options.
-    fn options<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        let options = PyDict::new(py);
-        for (name, value) in &self.options {
-            match value {
-                toml::Value::String(word) => options.set_item(name, word)?,
-                toml::Value::Integer(count) => options.set_item(name, count)?,
-                toml::Value::Float(number) => options.set_item(name, number)?,
-                toml::Value::Array(counts) if counts.iter().all(toml::Value::is_integer) => {
-                    let counts: Vec<_> = counts.iter().map(toml::Value::as_integer).collect();
-                    options.set_item(name, counts)?;
-                }
-                // As counts and numbers mixed read too.
-                toml::Value::Array(_) => options.set_item(name, self.question.solve().reduction)?,
-                _ => return Err(errors::internal("[solve]")),
-            }
-        }
-        Ok(options)
+    /// The section [solve] as JSON: the theory's name and its options.
+    fn theory(&self) -> PyResult<String> {
+        json(&self.case.theory)
     }
 
-    /// Solves by a theory that was prepared for this contact. Raises NotReachable where no creepage
+    /// What the theory of that name neglects in this case though it matters, in words.
+    fn neglects(&self, py: Python, theory: &str) -> PyResult<Option<String>> {
+        let spec = options::spec(py, theory, None)?;
+        let caution = Caution::dissimilar(&spec, self.kappa_over_mu());
+        Ok(caution.map(|caution| caution.to_string()))
+    }
+
+    /// Solves by the theory of that name with those options. Raises NotReachable where no creepage
     /// gives the wanted forces, CaseError where the theory does not find creepages.
-    fn solve(&self, py: Python, theory: Py<Theory>) -> PyResult<SolvedCase> {
-        let Theory { model, name, .. } = theory.get();
-        let model = Arc::clone(model);
-        let solve = || match self.question.clone() {
-            Question::Forces(case) => Ok(creepage_theories::SolvedCase::forces(case, model)),
-            Question::Creepage(case) => creepage_theories::SolvedCase::creepage(case, name, model),
-        };
-        let solved = py.detach(solve).map_err(|error| errors::find(py, error))?;
-        Ok(SolvedCase { solved, theory })
+    fn solve(&self, py: Python, theory: &str, options: &Bound<PyDict>) -> PyResult<SolvedCase> {
+        let spec = options::spec(py, theory, Some(options))?;
+        let solved = py.detach(|| solve(&self.case, Some(&spec)));
+        Ok(SolvedCase { solved: solved.map_err(|error| errors::solve(py, error))? })
     }
 }
 
-/// The theory of a class's name.
-fn entry(name: &str) -> PyResult<&'static Entry> {
-    let name = if name == "automatic" { "exact" } else { name };
-    find(name).map_err(|_| errors::internal(name))
-}
-
-impl SolvedCase {
-    /// Makes the report, which traces the areas of adhesion and slip, and uses it.
-    fn report<T: Send>(&self, py: Python, with: impl FnOnce(&Report) -> T + Send) -> PyResult<T> {
-        let Theory { model, name, .. } = self.theory.get();
-        // As in case files.
-        let theory_name =
-            if matches!(**model, PreparedTheory::Automatic(_)) { "exact" } else { name };
-        let used = py.detach(|| Report::of_case(&self.solved, theory_name).map(|r| with(&r)));
-        used.map_err(|error| errors::invalid(py, error))
-    }
-}
-
-// A method of all reports is not general enough for its lifetimes.
-#[allow(clippy::redundant_closure_for_method_calls)]
 #[pymethods]
 impl SolvedCase {
+    /// Force, with error bars where the theory has them, and status: a Force.
+    #[getter]
+    fn dimensionless<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        results::force(py, &self.solved.solution())
+    }
+
+    /// What is to be held against the solution, in words.
+    #[getter]
+    fn caution(&self) -> Option<String> {
+        let cautions = &self.solved.cautions;
+        (!cautions.is_empty()).then(|| Caution::words(cautions))
+    }
+
+    /// On the lower body: longitudinal and lateral (N), moment (N m).
+    #[getter]
+    fn force(&self) -> (f64, f64, f64) {
+        let force = self.solved.scaling().si_force(self.solved.solution().force);
+        (force.longitudinal, force.lateral, force.moment)
+    }
+
+    /// Given or found: longitudinal, lateral, spin (rad/m).
+    #[getter]
+    fn creepage(&self) -> (f64, f64, f64) {
+        let si = self.solved.scaling().si_creepage(self.solved.creepage());
+        (si.longitudinal, si.lateral, si.spin)
+    }
+
+    /// Adhesion area over contact area.
+    #[getter]
+    fn adhesion_share(&self, py: Python) -> f64 {
+        py.detach(|| self.solved.adhesion_share())
+    }
+
+    /// Frictional power per metre rolled (J/m), from force and creepage.
+    #[getter]
+    fn heat_per_metre(&self) -> f64 {
+        self.solved.power_per_metre()
+    }
+
+    /// The same from traction and slip, where the theory gives it.
+    #[getter]
+    fn heat_per_metre_by_slip(&self) -> Option<f64> {
+        self.solved.dissipation_per_metre()
+    }
+
+    /// Frictional power (W), where the rolling velocity is known.
+    #[getter]
+    fn power(&self) -> Option<f64> {
+        self.solved.power()
+    }
+
+    /// Which of xi, eta, chi, fx, fy, mz were given, where forces were wanted.
+    #[getter]
+    fn known(&self) -> Option<Vec<&'static str>> {
+        self.solved.known()
+    }
+
+    /// The theory's own figures by name.
+    #[getter]
+    fn details<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let details = PyDict::new(py);
+        for diagnostic in self.solved.diagnostics() {
+            details.set_item(diagnostic.key, diagnostic.value)?;
+        }
+        Ok(details)
+    }
+
     /// `report.json` as text.
     fn json(&self, py: Python) -> PyResult<String> {
-        let json = self.report(py, |report| serde_json::to_string(&report.json()))?;
-        json.map_err(|_| errors::internal("JSON"))
+        json(&py.detach(|| self.solved.json()))
     }
 
     /// A short report for a terminal.
-    fn text(&self, py: Python) -> PyResult<String> {
-        self.report(py, |report| report.text())
+    fn text(&self, py: Python) -> String {
+        py.detach(|| self.solved.text())
     }
 
     /// The contact seen from above.
-    fn svg(&self, py: Python) -> PyResult<String> {
-        self.report(py, |report| report.contact_svg())
+    fn svg(&self, py: Python) -> String {
+        py.detach(|| self.solved.contact_svg())
     }
 
     /// Writes the files of the report.
     fn write(&self, py: Python, directory: PathBuf) -> PyResult<Vec<PathBuf>> {
-        self.report(py, |report| report.write(&directory))?.map_err(errors::report)
+        py.detach(|| self.solved.write(&directory)).map_err(errors::report)
+    }
+
+    /// The field at the middles of points x points cells of the box around the ellipse: a Field.
+    fn field<'py>(&self, py: Python<'py>, points: usize) -> PyResult<Bound<'py, PyAny>> {
+        let ellipse = self.solved.case.contact.ellipse();
+        let (shape, positions) = mesh::cells(py, ellipse, points)?;
+        results::field(py, &shape, ellipse, &py.detach(|| self.solved.field(&positions)))
     }
 
     /// The field at the theory's own points, or at those of a usual mesh: a Field.
     fn points<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        let (points, ellipse) = (&self.solved.found.points, self.theory.get().ellipse);
-        results::field(py, &[points.len()], ellipse, points)
+        let points = py.detach(|| self.solved.points());
+        results::field(py, &[points.len()], self.solved.case.contact.ellipse(), &points)
     }
 }

@@ -1,14 +1,13 @@
 //! Functions of numbers that broadcast: creepage coefficients, Carter's theory, line contacts.
 
-use creepage::rolling::carter::{Carter, LineContact};
-use creepage::rolling::linear::CreepageCoefficients;
-use creepage::rolling::{FieldPoint, Region};
+use creepage::approximate::carter::{Carter, LineContact};
+use creepage::approximate::linear::CreepageCoefficients;
 use creepage::{InvalidValue, Solid, SolidPair};
 use pyo3::prelude::*;
 
-use crate::batch::{Answers, Row, solve_all};
+use crate::batch::{Answers, solve_all};
 use crate::number::{Inputs, Number};
-use crate::{errors, results};
+use crate::{errors, options, results};
 
 /// Columns as floats where all arguments are, else as arrays.
 fn columns<'py, const W: usize>(
@@ -43,43 +42,31 @@ pub(crate) fn coefficients<'py>(
     degree: Option<usize>,
 ) -> PyResult<Bound<'py, PyAny>> {
     let inputs = Inputs::new(py, ["a_over_b", "poisson"], [a_over_b, poisson])?;
-    let answers = solve_all(
-        py,
-        &inputs,
-        1e-3,
-        || (),
-        |(), [a_over_b, poisson]| {
-            let found = match degree {
-                Some(degree) => CreepageCoefficients::of_degree(a_over_b, poisson, degree)?,
-                None => CreepageCoefficients::new(a_over_b, poisson)?,
-            };
-            Ok(([found.c11, found.c22, found.c23, found.c32, found.c33], 0))
-        },
-    )?;
+    let answers = solve_all(py, &inputs, 1e-3, |[a_over_b, poisson]| {
+        let contact = options::contact(a_over_b, poisson, 0.0)?;
+        let found = match degree {
+            Some(degree) => CreepageCoefficients::of_degree(&contact, degree)?,
+            None => CreepageCoefficients::new(&contact)?,
+        };
+        Ok(([found.c11, found.c22, found.c23, found.c32, found.c33], 0))
+    })?;
     results::make(py, "CreepageCoefficients", pyo3::types::PyTuple::new(py, columns(py, answers)?)?)
 }
 
-/// Carter's theory (1926) of two cylinders with parallel axes. Gives a CarterSolution.
-///
-/// creepage: dimensionless, upsilon_x rho / (mu a) with a the half-width of the contact; gross
-/// sliding sets in at 4. A float or an array.
-///
-/// Raises InvalidValue where it is not finite.
+/// Carter's theory at a dimensionless creepage: creepage, force, derivative, half-width and trailing
+/// edge of the adhesion area.
 #[pyfunction]
-pub(crate) fn carter<'py>(py: Python<'py>, creepage: Number<'py>) -> PyResult<Bound<'py, PyAny>> {
+pub(crate) fn carter<'py>(
+    py: Python<'py>,
+    creepage: Number<'py>,
+) -> PyResult<[Bound<'py, PyAny>; 5]> {
     let inputs = Inputs::new(py, ["creepage"], [creepage])?;
-    let answers = solve_all(
-        py,
-        &inputs,
-        1e-8,
-        || (),
-        |(), [creepage]| {
-            let found = Carter::new(creepage)?;
-            let edges = [found.adhesion_half_width(), found.trailing_edge()];
-            Ok(([creepage, found.force(), found.derivative(), edges[0], edges[1]], 0))
-        },
-    )?;
-    results::make(py, "CarterSolution", pyo3::types::PyTuple::new(py, columns(py, answers)?)?)
+    let answers = solve_all(py, &inputs, 1e-8, |[creepage]| {
+        let found = Carter::new(creepage)?;
+        let edges = [found.adhesion_half_width(), found.trailing_edge()];
+        Ok(([creepage, found.force(), found.derivative(), edges[0], edges[1]], 0))
+    })?;
+    columns(py, answers)
 }
 
 /// Traction and slip of Carter's theory at x (in units of the half-width, leading edge at 1):
@@ -92,28 +79,13 @@ pub(crate) fn carter_field<'py>(
     x: Number<'py>,
 ) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyAny>, Bound<'py, PyAny>)> {
     let inputs = Inputs::new(py, ["creepage", "x"], [creepage, x])?;
-    let answers = solve_all(
-        py,
-        &inputs,
-        1e-8,
-        || (),
-        |(), [creepage, x]| {
-            let point = Carter::new(creepage)?.at(finite("x", x)?);
-            Ok(carter_row(&point))
-        },
-    )?;
+    let answers = solve_all(py, &inputs, 1e-8, |[creepage, x]| {
+        let point = Carter::new(creepage)?.at(finite("x", x)?);
+        Ok(([point.traction[0], point.slip[0]], results::region(point.region)))
+    })?;
     let codes = answers.codes.clone().into_any();
     let [traction, slip] = columns(py, answers)?;
     Ok((traction, slip, codes))
-}
-
-fn carter_row(point: &FieldPoint) -> Row<2> {
-    let region = match point.region {
-        _ if point.position[0].abs() > 1.0 => 2,
-        Region::Adhesion => 0,
-        Region::Slip => 1,
-    };
-    ([point.traction[0], point.slip[0]], region)
 }
 
 fn finite(quantity: &'static str, value: f64) -> Result<f64, InvalidValue> {

@@ -1,19 +1,18 @@
 //! The library's errors as Python's exceptions, with their messages and fields.
 
+use std::io;
 use std::path::PathBuf;
 
-use creepage::InvalidValue;
-use creepage::rolling::exact::InverseError;
-use creepage::rolling::variational::VariationalError;
-use creepage::rolling::{Creepage, Force};
-use creepage_case::{CaseError, StaticsError};
-use creepage_report::ReportError;
-use creepage_table::FileError;
-use creepage_theories::{ChoiceError, FindError, TheoryError, Unreachable};
+use creepage::coulomb::InverseError;
+use creepage::theory::{TheoryError, UnknownTheory};
+use creepage::variational::VariationalError;
+use creepage::{Creepage, Force, InvalidValue};
+use creepage_study::{CaseError, ReportError, SolveError, SpecError, StaticsError, Unreachable};
 use pyo3::BoundObject;
-use pyo3::exceptions::{PyOSError, PyRuntimeError};
+use pyo3::exceptions::{PyOSError, PyOverflowError, PyRuntimeError, PyTypeError};
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
+use toml::Value;
 
 /// An exception of `creepage._errors`.
 fn exception<'py>(
@@ -43,23 +42,16 @@ pub(crate) fn invalid(py: Python, error: InvalidValue) -> PyErr {
 pub(crate) fn invalid_element(
     py: Python,
     error: Option<InvalidValue>,
-    index: usize,
-    shape: Vec<usize>,
+    mut index: usize,
+    shape: &[usize],
 ) -> PyErr {
     let Some(error) = error else {
         return internal("an element changed while it was used");
     };
-    let mut rest = index;
-    let mut place: Vec<usize> = shape
-        .iter()
-        .rev()
-        .map(|size| {
-            let along = rest % size;
-            rest /= size;
-            along
-        })
-        .collect();
-    place.reverse();
+    let mut place = vec![0; shape.len()];
+    for (along, size) in place.iter_mut().zip(shape).rev() {
+        (*along, index) = (index % size, index / size);
+    }
     let message = format!("{error}, at index {place:?}");
     match PyTuple::new(py, place) {
         Ok(place) => {
@@ -70,13 +62,24 @@ pub(crate) fn invalid_element(
     }
 }
 
-pub(crate) fn option(py: Python, name: &str, reason: &str) -> PyErr {
-    exception(py, "InvalidOption", (format!("{name}: {reason}"), name))
-}
-
-/// An option that the theory does not take: of those that its class has, a bound.
-pub(crate) fn choice(py: Python, error: &ChoiceError) -> PyErr {
-    exception(py, "InvalidOption", (error.to_string(), "bound"))
+/// What is wrong with the name or an option of a theory.
+pub(crate) fn spec(py: Python, error: SpecError) -> PyErr {
+    let message = error.to_string();
+    match error {
+        SpecError::UnknownTheory(UnknownTheory { name, .. }) => {
+            exception(py, "UnknownTheory", (message, name))
+        }
+        SpecError::Value { option, value: Value::String(_), .. } => {
+            exception(py, "InvalidOption", (message, option))
+        }
+        SpecError::Value { value: Value::Integer(count), .. } if count < 0 => {
+            PyOverflowError::new_err(message)
+        }
+        SpecError::UnknownOption { key, .. } => {
+            PyTypeError::new_err(format!("got an unexpected keyword argument '{key}'"))
+        }
+        _ => PyTypeError::new_err(message),
+    }
 }
 
 pub(crate) fn theory(py: Python, error: TheoryError) -> PyErr {
@@ -97,20 +100,21 @@ fn variational(py: Python, error: VariationalError) -> PyErr {
     }
 }
 
-pub(crate) fn find(py: Python, error: FindError) -> PyErr {
+/// Why a case was not solved.
+pub(crate) fn solve(py: Python, error: SolveError) -> PyErr {
     let message = error.to_string();
     match error {
-        FindError::Unreachable(Unreachable { nearest, at, .. }) => {
+        SolveError::Theory(error) => theory(py, error),
+        SolveError::Unreachable(Unreachable { nearest, at, .. }) => {
             not_reachable(py, message, nearest, at)
         }
-        FindError::Inverse(error) => inverse(py, error),
+        SolveError::Inverse(error) => inverse(py, error),
         _ => exception(py, "CaseError", (message, Some("wanted"))),
     }
 }
 
 fn not_reachable(py: Python, message: String, nearest: Force, at: Creepage) -> PyErr {
-    let nearest = (nearest.fx, nearest.fy, nearest.mz);
-    exception(py, "NotReachable", (message, nearest, (at.xi, at.eta, at.chi)))
+    exception(py, "NotReachable", (message, tuple(nearest.components()), tuple(at.components())))
 }
 
 pub(crate) fn inverse(py: Python, error: InverseError) -> PyErr {
@@ -118,14 +122,20 @@ pub(crate) fn inverse(py: Python, error: InverseError) -> PyErr {
     match error {
         InverseError::InvalidValue(error) => invalid(py, error),
         InverseError::NotReachable { nearest, at } => not_reachable(py, message, nearest, at),
-        _ => pyo3::exceptions::PyTypeError::new_err(message),
+        _ => PyTypeError::new_err(message),
     }
 }
 
 /// Message, section, key and value, as far as the error has them.
 pub(crate) fn case(py: Python, error: CaseError) -> PyErr {
     let message = error.to_string();
-    let (section, key, value) = place(error);
+    let (section, key, value) = match error {
+        CaseError::Spec(
+            error
+            @ (SpecError::UnknownTheory(_) | SpecError::Value { value: Value::String(_), .. }),
+        ) => return spec(py, error),
+        other => place(other),
+    };
     exception(py, "CaseError", (message, section, key, value))
 }
 
@@ -150,6 +160,7 @@ fn place(error: CaseError) -> (Option<String>, Option<String>, Option<f64>) {
         CaseError::TooManyCases { key, cases, .. } => {
             (Some("creepage".into()), Some(key.into()), Some(cases))
         }
+        CaseError::Spec(SpecError::UnknownOption { key, .. }) => (None, Some(key), None),
         CaseError::Tilted { angle, .. } => {
             (Some("contact".into()), Some("angle".into()), Some(angle))
         }
@@ -166,26 +177,21 @@ pub(crate) fn statics(py: Python, error: StaticsError) -> PyErr {
 
 pub(crate) fn report(error: ReportError) -> PyErr {
     match error {
-        ReportError::Write { path, source } => {
-            let code = source.raw_os_error();
-            let reason = source.to_string();
-            match code {
-                Some(code) => PyOSError::new_err((code, reason, path)),
-                None => source.into(),
-            }
-        }
+        ReportError::Write { path, source } => os(source, path),
         other => PyRuntimeError::new_err(other.to_string()),
     }
 }
 
-pub(crate) fn table(py: Python, error: FileError, path: PathBuf) -> PyErr {
-    match error {
-        FileError::Io(source) => match source.raw_os_error() {
-            Some(code) => PyOSError::new_err((code, source.to_string(), path)),
-            None => source.into(),
-        },
-        other => no_table(py, &format!("{}: {other}", path.display())),
+/// OSError, with the path where the system gave a number.
+pub(crate) fn os(error: io::Error, path: PathBuf) -> PyErr {
+    match error.raw_os_error() {
+        Some(code) => PyOSError::new_err((code, error.to_string(), path)),
+        None => error.into(),
     }
+}
+
+fn tuple([x, y, z]: [f64; 3]) -> (f64, f64, f64) {
+    (x, y, z)
 }
 
 pub(crate) fn no_table(py: Python, message: &str) -> PyErr {

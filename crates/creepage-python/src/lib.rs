@@ -6,6 +6,7 @@ mod batch;
 mod case;
 mod closed_forms;
 mod errors;
+mod exact;
 mod mesh;
 mod number;
 mod options;
@@ -26,6 +27,8 @@ mod _creepage {
     #[pymodule_export]
     use crate::closed_forms::{carter, carter_field, coefficients, line_contact};
     #[pymodule_export]
+    use crate::exact::Exact;
+    #[pymodule_export]
     use crate::statics::SolvedStatics;
     #[pymodule_export]
     use crate::sweep::SweepData;
@@ -33,7 +36,7 @@ mod _creepage {
     use crate::table::Table;
     #[pymodule_export]
     use crate::theories::{
-        Automatic, Exact, Fastrip, Fastsim, Linear, Polach, Saturated, ShenHedrickElkins, Strip,
+        Automatic, Fastrip, Fastsim, Linear, Polach, Saturated, ShenHedrickElkins, Strip,
         Variational, VermeulenJohnson,
     };
     #[pymodule_export]

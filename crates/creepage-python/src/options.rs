@@ -1,52 +1,62 @@
-//! Options of the theories, by the words of case files.
+//! What a theory is made with: a contact and a specification, by the words of case files.
 
-use pyo3::exceptions::PyTypeError;
+use creepage::{Contact, Ellipse, InvalidValue, TheorySpec};
+use creepage_study::theory_spec;
+use pyo3::exceptions::{PyOverflowError, PyTypeError};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyString};
-use serde::Deserialize;
-use serde::de::IntoDeserializer;
-use serde::de::value::{Error, StrDeserializer};
+use toml::Value;
 
 use crate::errors;
 
-/// What a theory is made with: those that are not None.
-pub(crate) fn arguments<'py>(
-    py: Python<'py>,
+/// A contact without dimensions.
+pub(crate) fn contact(
     a_over_b: f64,
     poisson: f64,
-    options: &[(&str, Option<&Bound<'py, PyAny>>)],
-) -> PyResult<Bound<'py, PyDict>> {
-    let arguments = PyDict::new(py);
-    arguments.set_item("a_over_b", a_over_b)?;
-    arguments.set_item("poisson", poisson)?;
-    for (name, value) in options {
-        if let Some(value) = value {
-            arguments.set_item(name, value)?;
-        }
-    }
-    Ok(arguments)
+    kappa_over_mu: f64,
+) -> Result<Contact, InvalidValue> {
+    let ellipse = Ellipse::from_ratio(a_over_b)?;
+    Contact::new(ellipse, poisson)?.with_kappa_over_mu(kappa_over_mu)
 }
 
-/// An option that is one of several words.
-pub(crate) fn word<T: for<'de> Deserialize<'de>>(
+/// The theory of that name with the options that are not None. `automatic` is the full theory that
+/// is as fine as an accuracy needs; underscores do for hyphens.
+///
+/// Raises UnknownTheory, TypeError for an option that it does not have and for a value of another
+/// kind, InvalidOption for another word.
+pub(crate) fn spec(
+    py: Python,
     name: &str,
-    value: Option<&Bound<'_, PyAny>>,
-) -> PyResult<Option<T>> {
-    let Some(value) = value else {
-        return Ok(None);
+    options: Option<&Bound<PyDict>>,
+) -> PyResult<TheorySpec> {
+    let mut lines = Vec::new();
+    for (option, value) in options.into_iter().flatten().filter(|(_, value)| !value.is_none()) {
+        let option: String = option.extract()?;
+        lines.push(format!("{option} = {}", read(&option, &value)?));
+    }
+    let name = match name {
+        "automatic" => {
+            lines.push("resolution = \"auto\"".into());
+            "exact"
+        }
+        other => &other.replace('_', "-"),
     };
-    let Ok(text) = value.cast::<PyString>() else {
-        let message = format!("{name} must be a word, not {}", value.get_type().name()?);
-        return Err(PyTypeError::new_err(message));
-    };
-    let text = text.to_cow()?;
-    let deserializer: StrDeserializer<'_, Error> = text.as_ref().into_deserializer();
-    let read = T::deserialize(deserializer);
-    read.map(Some).map_err(|error| errors::option(value.py(), name, &error.to_string()))
+    theory_spec(name, &lines).map_err(|error| errors::spec(py, error))
 }
 
-/// An option that is two counts.
-pub(crate) fn pair(name: &str, value: Option<&Bound<'_, PyAny>>) -> PyResult<Option<[usize; 2]>> {
-    let read = value.map(PyAnyMethods::extract::<[usize; 2]>);
-    read.transpose().map_err(|_| PyTypeError::new_err(format!("{name} must be two counts")))
+/// A word, a number, or several.
+fn read(option: &str, value: &Bound<PyAny>) -> PyResult<Value> {
+    if let Ok(word) = value.cast::<PyString>() {
+        return Ok(Value::from(word.to_cow()?.as_ref()));
+    }
+    if let Ok(items) = value.try_iter() {
+        return items.map(|item| read(option, &item?)).collect::<PyResult<_>>().map(Value::Array);
+    }
+    match value.extract::<i64>() {
+        Ok(count) => Ok(count.into()),
+        Err(error) if error.is_instance_of::<PyOverflowError>(value.py()) => Err(error),
+        Err(_) => value.extract::<f64>().map(Value::Float).map_err(|_| {
+            PyTypeError::new_err(format!("{option} must be a word, a number, or several"))
+        }),
+    }
 }

@@ -1,8 +1,6 @@
 //! The dataclasses of `creepage._results`, made from Rust.
 
-use creepage::Ellipse;
-use creepage::rolling::exact::ExactSolution;
-use creepage::rolling::{FieldPoint, Region, Solution, Status};
+use creepage::{Ellipse, FieldPoint, Force, Jacobian, Region, Solution, Status};
 use numpy::{IntoPyArray, PyArrayMethods};
 use pyo3::BoundObject;
 use pyo3::prelude::*;
@@ -22,14 +20,21 @@ static STATUSES: PyOnceLock<Vec<Py<PyAny>>> = PyOnceLock::new();
 const ORDER: [Status; 4] =
     [Status::Solved, Status::NotConverged, Status::CreepageTooSmall, Status::SpinTooLarge];
 
-pub(crate) fn plain_row(solution: Solution) -> Row<3> {
-    let force = solution.force;
-    ([force.fx, force.fy, force.mz], code(solution.status))
+pub(crate) fn row(solution: &Solution) -> Row<3> {
+    (solution.force.components(), code(solution.status))
 }
 
-pub(crate) fn exact_row(solution: ExactSolution) -> Row<6> {
-    let (force, error) = (solution.force, solution.error);
-    ([force.fx, force.fy, force.mz, error.fx, error.fy, error.mz], code(solution.status))
+pub(crate) fn row_with_errors(solution: &Solution) -> Row<6> {
+    let nothing = Force { fx: f64::NAN, fy: f64::NAN, mz: f64::NAN };
+    let [fx, fy, mz] = solution.force.components();
+    let [ex, ey, ez] = solution.error.unwrap_or(nothing).components();
+    ([fx, fy, mz, ex, ey, ez], code(solution.status))
+}
+
+pub(crate) fn matrix_row(matrix: &Jacobian) -> Row<9> {
+    let mut row = [0.0; 9];
+    row.copy_from_slice(matrix.as_flattened());
+    (row, 0)
 }
 
 /// A status that Python does not know yet counts as not converged.
@@ -38,25 +43,26 @@ fn code(status: Status) -> u8 {
     ORDER.iter().position(|known| *known == status).unwrap_or(1) as u8
 }
 
-fn status(py: Python, code: u8) -> PyResult<Bound<PyAny>> {
+fn status(py: Python, status: Status) -> PyResult<Bound<PyAny>> {
     let all = STATUSES.get_or_try_init(py, || {
         let class = py.import(MODULE)?.getattr("Status")?;
         class.try_iter()?.map(|member| Ok(member?.unbind())).collect::<PyResult<_>>()
     })?;
-    all.get(usize::from(code))
+    all.get(usize::from(code(status)))
         .map(|one| one.bind(py).clone())
         .ok_or_else(|| errors::internal("status"))
 }
 
-pub(crate) fn force(py: Python, row: Row<3>) -> PyResult<Bound<PyAny>> {
-    let ([fx, fy, mz], code) = row;
-    FORCE.import(py, MODULE, "Force")?.call1((fx, fy, mz, status(py, code)?))
-}
-
-pub(crate) fn exact_force(py: Python, row: Row<6>) -> PyResult<Bound<PyAny>> {
-    let ([fx, fy, mz, ex, ey, ez], code) = row;
-    let class = EXACT_FORCE.import(py, MODULE, "ExactForce")?;
-    class.call1((fx, fy, mz, status(py, code)?, ex, ey, ez))
+/// A Force, or an ExactForce where there are error bars.
+pub(crate) fn force<'py>(py: Python<'py>, solution: &Solution) -> PyResult<Bound<'py, PyAny>> {
+    let (Force { fx, fy, mz }, status) = (solution.force, status(py, solution.status)?);
+    match solution.error {
+        None => FORCE.import(py, MODULE, "Force")?.call1((fx, fy, mz, status)),
+        Some(error) => {
+            let class = EXACT_FORCE.import(py, MODULE, "ExactForce")?;
+            class.call1((fx, fy, mz, status, error.fx, error.fy, error.mz))
+        }
+    }
 }
 
 pub(crate) fn forces<'py>(
@@ -67,7 +73,7 @@ pub(crate) fn forces<'py>(
     FORCE.import(py, MODULE, "Force")?.call1((fx, fy, mz, answers.codes))
 }
 
-pub(crate) fn exact_forces<'py>(
+pub(crate) fn forces_with_errors<'py>(
     py: Python<'py>,
     answers: Answers<'py, 6>,
 ) -> PyResult<Bound<'py, PyAny>> {
@@ -77,18 +83,16 @@ pub(crate) fn exact_forces<'py>(
 }
 
 /// Position, traction, slip and region as arrays, the vectors in a last dimension of two.
-/// Region 2 is outside the ellipse.
 pub(crate) fn field_arrays<'py>(
     py: Python<'py>,
     shape: &[usize],
-    ellipse: Ellipse,
     points: &[FieldPoint],
 ) -> PyResult<[Bound<'py, PyAny>; 4]> {
     let vectors = |of: fn(&FieldPoint) -> [f64; 2]| {
         let values: Vec<[f64; 2]> = points.iter().map(of).collect();
         values.into_flattened().into_pyarray(py).reshape([shape, &[2]].concat())
     };
-    let regions: Vec<u8> = points.iter().map(|point| region(ellipse, point)).collect();
+    let regions: Vec<u8> = points.iter().map(|point| region(point.region)).collect();
     Ok([
         vectors(|point| point.position)?.into_any(),
         vectors(|point| point.traction)?.into_any(),
@@ -97,13 +101,12 @@ pub(crate) fn field_arrays<'py>(
     ])
 }
 
-fn region(ellipse: Ellipse, point: &FieldPoint) -> u8 {
-    let [x, y] = point.position;
-    let inside = (x / ellipse.a()).hypot(y / ellipse.b()) < 1.0;
-    match point.region {
-        _ if !inside => 2,
+/// As in `creepage.Region`.
+pub(crate) fn region(region: Region) -> u8 {
+    match region {
         Region::Adhesion => 0,
         Region::Slip => 1,
+        Region::Outside => 2,
     }
 }
 
@@ -114,7 +117,7 @@ pub(crate) fn field<'py>(
     ellipse: Ellipse,
     points: &[FieldPoint],
 ) -> PyResult<Bound<'py, PyAny>> {
-    let [position, traction, slip, region] = field_arrays(py, shape, ellipse, points)?;
+    let [position, traction, slip, region] = field_arrays(py, shape, points)?;
     let semi_axes = (ellipse.a(), ellipse.b());
     make(py, "Field", (position, traction, slip, region, semi_axes))
 }

@@ -2,8 +2,7 @@
 
 use std::path::PathBuf;
 
-use creepage_case::{StaticsCase, StaticsError, StaticsFile};
-use creepage_report::StaticsReport;
+use creepage_study::{StaticsCase, StaticsError, StaticsFile, StaticsReport};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
@@ -30,7 +29,7 @@ impl SolvedStatics {
         at: impl Fn([f64; 2]) -> [f64; W] + Sync,
     ) -> PyResult<Bound<'py, PyAny>> {
         let inputs = Inputs::new(py, ["x", "y"], points)?;
-        solve_all(py, &inputs, 1e-5, || (), |(), point| Ok((at(point), 0)))?.stacked(py, &[W])
+        solve_all(py, &inputs, 1e-5, |point| Ok((at(point), 0)))?.stacked(py, &[W])
     }
 }
 

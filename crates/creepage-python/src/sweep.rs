@@ -2,9 +2,8 @@
 
 use std::ops::Range;
 
-use creepage::rolling::variational::{Chain, Variational};
-use creepage_case::Sweep;
-use creepage_report::{SeriesHead, SeriesRow, series_csv};
+use creepage::variational::{Chain, Variational};
+use creepage_study::{SeriesHead, SeriesRow, Sweep, series_csv};
 use pyo3::exceptions::PyIndexError;
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;

@@ -1,18 +1,19 @@
 //! Tables of creep force: built, kept in a file, looked up.
 
 use std::fs;
+use std::io::Write;
 use std::path::PathBuf;
 
-use creepage::InvalidValue;
-use creepage::rolling::{Creepage, Solution, Status};
-use creepage_table::{Axis, FileError, Intervals, Provenance, Slice, Spec, Spread};
+use creepage::table::{Axis, FileError, Intervals, Provenance, Slice, Spec, Spread};
+use creepage::{Creepage, InvalidValue, Solution, Statistics, Status, table};
+use creepage_study::WholeFile;
 use pyo3::prelude::*;
-use pyo3::types::{PyDict, PyString};
+use pyo3::types::{PyBytes, PyDict};
 
 use crate::batch::solve_all;
 use crate::number::{Inputs, Number};
 use crate::table_build::{self, Range};
-use crate::{errors, results};
+use crate::{errors, options, results};
 
 const NAMES: [&str; 5] = ["xi", "eta", "chi", "a_over_b", "poisson"];
 /// Seconds of one look-up, roughly.
@@ -25,7 +26,7 @@ const COST: f64 = 2e-7;
 #[pyclass(frozen, module = "creepage")]
 #[allow(missing_debug_implementations)] // Python has its own
 pub struct Table {
-    table: creepage_table::Table,
+    table: table::Table,
 }
 
 #[pymethods]
@@ -33,21 +34,38 @@ impl Table {
     /// Reads a table. Raises OSError, or TableError where the file is none or is damaged.
     #[staticmethod]
     fn read(py: Python, path: PathBuf) -> PyResult<Self> {
-        let table = py.detach(|| creepage_table::Table::read(&path));
-        let table = table.map_err(|error| errors::table(py, error, path))?;
-        Ok(Self { table })
+        let bytes =
+            py.detach(|| fs::read(&path)).map_err(|error| errors::os(error, path.clone()))?;
+        let named =
+            |error: FileError| errors::no_table(py, &format!("{}: {error}", path.display()));
+        Ok(Self { table: py.detach(|| table::Table::from_bytes(bytes)).map_err(named)? })
     }
 
     /// Writes the table to a file of NetCDF, which xarray opens too; the file appears when it is
     /// whole. Raises OSError.
     fn write(&self, py: Python, path: PathBuf) -> PyResult<()> {
-        let mut partial = path.clone().into_os_string();
-        partial.push(".partial");
-        let write = || -> Result<(), FileError> {
-            self.table.write(partial.as_ref())?;
-            Ok(fs::rename(&partial, &path)?)
+        let bytes = self.bytes(py)?;
+        let write = || {
+            let mut file = WholeFile::create(&path)?;
+            file.write_all(&bytes)?;
+            file.finish()
         };
-        py.detach(write).map_err(|error| errors::table(py, error, path.clone()))
+        py.detach(write).map_err(|error| errors::os(error, path.clone()))
+    }
+
+    /// A table of the bytes of its file.
+    #[staticmethod]
+    fn from_bytes(py: Python, bytes: Vec<u8>) -> PyResult<Self> {
+        let table = table::Table::from_bytes(bytes);
+        Ok(Self { table: table.map_err(|error| errors::no_table(py, &error.to_string()))? })
+    }
+
+    fn __reduce__<'py>(
+        &self,
+        py: Python<'py>,
+    ) -> PyResult<(Bound<'py, PyAny>, (Bound<'py, PyBytes>,))> {
+        let make = py.get_type::<Self>().getattr("from_bytes")?;
+        Ok((make, (PyBytes::new(py, &self.bytes(py)?),)))
     }
 
     /// Builds the table of a theory, on all cores, and measures its error.
@@ -66,7 +84,7 @@ impl Table {
     #[allow(clippy::too_many_arguments)] // by name in Python
     fn build(
         py: Python,
-        theory: &Bound<PyString>,
+        theory: &str,
         a_over_b: Range,
         poisson: Range,
         intervals: [usize; 3],
@@ -75,19 +93,19 @@ impl Table {
         places: usize,
         options: Option<&Bound<PyDict>>,
     ) -> PyResult<Self> {
-        let [theta, phi, t] = intervals;
+        let ([theta, phi, t], of) = (intervals, options::spec(py, theory, options)?);
         let spec = Spec {
             a_over_b: a_over_b.axis(shapes),
             poisson: poisson.axis(materials),
             intervals: Intervals { theta, phi, t },
             places,
             provenance: Provenance {
-                theory: theory.to_cow()?.replace('_', "-"),
+                theory: theory.replace('_', "-"),
                 options: table_build::words(options)?,
                 program: format!("creepage {}", env!("CARGO_PKG_VERSION")),
             },
         };
-        Ok(Self { table: table_build::build(py, &spec, theory, options)? })
+        Ok(Self { table: table_build::build(py, &spec, &of)? })
     }
 
     /// Name of the theory.
@@ -147,16 +165,15 @@ impl Table {
         poisson: Option<Number<'py>>,
     ) -> PyResult<Bound<'py, PyAny>> {
         let inputs = self.inputs(py, [xi, eta, chi], a_over_b, poisson)?;
-        let force = |at: [f64; 5]| {
+        let solve = |at: [f64; 5]| {
             let (creepage, slice) = self.place(at)?;
-            let solution = Solution { force: slice.force(creepage), status: Status::Solved };
-            Ok(results::plain_row(solution))
+            let (status, statistics) = (Status::Solved, Statistics::default());
+            Ok(Solution { force: slice.force(creepage), error: None, status, statistics })
         };
         if let Some(at) = inputs.scalars() {
-            let row = force(at).map_err(|error| errors::invalid(py, error))?;
-            return results::force(py, row);
+            return results::force(py, &solve(at).map_err(|error| errors::invalid(py, error))?);
         }
-        results::forces(py, solve_all(py, &inputs, COST, || (), |(), at| force(at))?)
+        results::forces(py, solve_all(py, &inputs, COST, |at| Ok(results::row(&solve(at)?)))?)
     }
 
     /// Derivative of (fx, fy, mz) (rows) by (xi, eta, chi) (columns), that of the interpolation:
@@ -174,19 +191,10 @@ impl Table {
         poisson: Option<Number<'py>>,
     ) -> PyResult<Bound<'py, PyAny>> {
         let inputs = self.inputs(py, [xi, eta, chi], a_over_b, poisson)?;
-        let answers = solve_all(
-            py,
-            &inputs,
-            2.0 * COST,
-            || (),
-            |(), at| {
-                let (creepage, slice) = self.place(at)?;
-                let (_, derivative) = slice.force_and_derivative(creepage);
-                let mut row = [0.0; 9];
-                row.copy_from_slice(derivative.as_flattened());
-                Ok((row, 0))
-            },
-        )?;
+        let answers = solve_all(py, &inputs, 2.0 * COST, |at| {
+            let (creepage, slice) = self.place(at)?;
+            Ok(results::matrix_row(&slice.force_and_derivative(creepage).1))
+        })?;
         answers.stacked(py, &[3, 3])
     }
 
@@ -202,6 +210,11 @@ impl Table {
 }
 
 impl Table {
+    fn bytes(&self, py: Python) -> PyResult<Vec<u8>> {
+        let bytes = py.detach(|| self.table.to_bytes());
+        bytes.map_err(|error| errors::no_table(py, &error.to_string()))
+    }
+
     fn inputs<'py>(
         &self,
         py: Python<'py>,

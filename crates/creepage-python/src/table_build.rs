@@ -1,18 +1,20 @@
-//! Building a table of a theory that Python prepares.
+//! Building a table, open to Ctrl-C.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread;
 use std::time::Duration;
 
-use creepage::rolling::{self, Creepage, FieldPoint, Force, Solution, Status};
-use creepage_table::{Axis, BuildError, Spec, Table};
+use creepage::table::{self, Axis, BuildError, Spec, Table};
+use creepage::theory::{Jacobian, Solved};
+use creepage::{
+    Contact, Creepage, FieldPoint, Force, Solution, Statistics, Status, Theory, TheorySpec,
+};
 use pyo3::prelude::*;
-use pyo3::types::{PyDict, PyString};
+use pyo3::types::PyDict;
 
 use crate::errors;
 use crate::pool::pool;
-use crate::theory::Theory;
 
 /// Time between two looks at Python's signals.
 const PATIENCE: Duration = Duration::from_millis(20);
@@ -42,51 +44,52 @@ pub(crate) fn words(options: Option<&Bound<PyDict>>) -> PyResult<String> {
     Ok(words.join(", "))
 }
 
-/// The table of `creepage.theory(name, a_over_b, poisson, **options)`.
-pub(crate) fn build(
-    py: Python,
-    spec: &Spec,
-    name: &Bound<PyString>,
-    options: Option<&Bound<PyDict>>,
-) -> PyResult<Table> {
-    let make = py.import("creepage")?.getattr("theory")?.unbind();
-    let (name, options) = (name.clone().unbind(), options.map(|given| given.clone().unbind()));
+/// The table of a theory.
+pub(crate) fn build(py: Python, spec: &Spec, theory: &TheorySpec) -> PyResult<Table> {
     let pool = pool()?;
     let built = interruptible(py, |stop| {
-        let prepare = |a_over_b: f64, poisson: f64| -> PyResult<Box<dyn rolling::Theory>> {
-            Python::attach(|py| {
-                let options = options.as_ref().map(|given| given.bind(py));
-                let made = make.bind(py).call((&name, a_over_b, poisson), options)?;
-                let theory = made.cast_into::<Theory>()?.unbind();
-                Ok(Box::new(Asked { theory, stop: stop.clone() }) as Box<_>)
-            })
+        let prepare = |contact: &Contact| {
+            let stop = stop.clone();
+            Ok(Box::new(Asked { theory: theory.prepare(contact)?, stop }) as Box<_>)
         };
-        pool.install(|| creepage_table::build(spec, prepare, &|| {}))
+        pool.install(|| table::build(spec, prepare, &|| {}))
     })?;
     built.map_err(|error| match error {
-        BuildError::Theory(error) => error,
+        BuildError::Theory(error) => errors::theory(py, error),
         BuildError::Invalid(error) => errors::invalid(py, error),
         other => errors::no_table(py, &other.to_string()),
     })
 }
 
-/// A theory that Python prepared, asked without Python; once stopped, answered with nothing.
+/// A theory that, once stopped, answers with nothing.
 struct Asked {
-    theory: Py<Theory>,
+    theory: Box<dyn Theory>,
     stop: Arc<AtomicBool>,
 }
 
-impl rolling::Theory for Asked {
+impl Theory for Asked {
+    fn contact(&self) -> &Contact {
+        self.theory.contact()
+    }
+
     fn solve(&self, creepage: Creepage) -> Solution {
         if self.stop.load(Ordering::Relaxed) {
-            let force = Force { fx: 0.0, fy: 0.0, mz: 0.0 };
-            return Solution { force, status: Status::NotConverged };
+            let (status, statistics) = (Status::NotConverged, Statistics::default());
+            return Solution { force: Force::default(), error: None, status, statistics };
         }
-        self.theory.get().model.theory().solve(creepage)
+        self.theory.solve(creepage)
+    }
+
+    fn jacobian(&self, creepage: Creepage) -> Option<Jacobian> {
+        self.theory.jacobian(creepage)
     }
 
     fn field(&self, creepage: Creepage, positions: &[[f64; 2]]) -> Vec<FieldPoint> {
-        self.theory.get().model.theory().field(creepage, positions)
+        self.theory.field(creepage, positions)
+    }
+
+    fn solved(&self, creepage: Creepage) -> Box<dyn Solved + '_> {
+        self.theory.solved(creepage)
     }
 }
 

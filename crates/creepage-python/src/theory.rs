@@ -2,17 +2,13 @@
 
 use std::sync::Arc;
 
-use creepage::Ellipse;
-use creepage::rolling::{Creepage, Solution};
-use creepage_case::Solve;
-use creepage_theories::{PreparedTheory, TheoryError, choose};
+use creepage::{Contact, Creepage, Solution, TheorySpec};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 
-use crate::batch::solve_all;
+use crate::batch::{Answers, Row, solve_all};
 use crate::number::{Inputs, Number};
-use crate::options::arguments;
-use crate::{errors, mesh, results};
+use crate::{errors, mesh, options, results};
 
 const NAMES: [&str; 3] = ["xi", "eta", "chi"];
 /// Seconds below which letting other threads run costs more than it gives.
@@ -28,10 +24,11 @@ const QUICK: f64 = 2e-6;
 #[pyclass(frozen, subclass, module = "creepage")]
 #[allow(missing_debug_implementations)] // Python has its own
 pub struct Theory {
-    pub(crate) model: Arc<PreparedTheory>,
+    theory: Arc<dyn creepage::Theory>,
     /// As the class, in lower case.
-    pub(crate) name: &'static str,
-    pub(crate) ellipse: Ellipse,
+    name: &'static str,
+    /// Whether its forces come with error bars.
+    error_bars: bool,
     /// What it was made with, for pickle and repr.
     arguments: Py<PyDict>,
     /// Seconds of one force, roughly.
@@ -43,34 +40,83 @@ pub struct Theory {
 #[allow(missing_debug_implementations)] // Python has its own
 pub struct DifferentiableTheory;
 
-/// The theory of that name in case files, prepared from options of case files. Raises InvalidOption
-/// for a word that only another theory's option has.
-pub(crate) fn prepare(
-    py: Python,
-    name: &str,
-    a_over_b: f64,
-    poisson: f64,
-    solve: &Solve,
-) -> PyResult<Result<PreparedTheory, TheoryError>> {
-    let solve = &Solve { theory: Some(name.into()), ..solve.clone() };
-    let choice = choose(&[], solve).map_err(|error| errors::choice(py, &error))?;
-    let entry = choice.theories[0];
-    Ok(py.detach(|| entry.prepare(a_over_b, poisson, solve)))
+/// The arguments of a theory's class, read.
+pub(crate) struct Call<'py> {
+    pub(crate) contact: Contact,
+    pub(crate) spec: TheorySpec,
+    arguments: Bound<'py, PyDict>,
+}
+
+impl<'py> Call<'py> {
+    pub(crate) fn read(
+        py: Python<'py>,
+        name: &str,
+        (a_over_b, poisson): (f64, f64),
+        options: Option<&Bound<'py, PyDict>>,
+    ) -> PyResult<Self> {
+        let arguments = PyDict::new(py);
+        arguments.set_item("a_over_b", a_over_b)?;
+        arguments.set_item("poisson", poisson)?;
+        let own = options.map_or_else(|| Ok(PyDict::new(py)), |given| given.copy())?;
+        let mut kappa_over_mu = 0.0;
+        // Other theories would not count it.
+        if let ("exact" | "automatic", Some(given)) = (name, own.get_item("kappa_over_mu")?) {
+            kappa_over_mu = given.extract()?;
+            own.del_item("kappa_over_mu")?;
+        }
+        let spec = options::spec(py, name, Some(&own))?;
+        for (option, value) in own.iter().filter(|(_, value)| !value.is_none()) {
+            arguments.set_item(option, value)?;
+        }
+        if let Some(accuracy) = spec.prescribed_accuracy() {
+            arguments.set_item("accuracy", accuracy)?;
+        }
+        if kappa_over_mu != 0.0 {
+            arguments.set_item("kappa_over_mu", kappa_over_mu)?;
+        }
+        let contact = options::contact(a_over_b, poisson, kappa_over_mu);
+        let contact = contact.map_err(|error| errors::invalid(py, error))?;
+        Ok(Self { contact, spec, arguments })
+    }
+
+    /// The theory of a class.
+    pub(crate) fn prepare(self, py: Python, name: &'static str) -> PyResult<Theory> {
+        let made = py.detach(|| self.spec.prepare(&self.contact));
+        let (theory, cost) = (made.map_err(|error| errors::theory(py, error))?, cost(&self.spec));
+        Ok(self.theory(name, theory.into(), cost))
+    }
+
+    pub(crate) fn theory(
+        self,
+        name: &'static str,
+        theory: Arc<dyn creepage::Theory>,
+        cost: f64,
+    ) -> Theory {
+        let error_bars = self.spec.facts().error_bars;
+        Theory { theory, name, error_bars, arguments: self.arguments.unbind(), cost }
+    }
+}
+
+/// Seconds of one force, roughly.
+fn cost(spec: &TheorySpec) -> f64 {
+    let cells = |[along, across]: [usize; 2]| (along as f64) * (across as f64);
+    match spec {
+        TheorySpec::Exact(_) => 4e-3,
+        TheorySpec::Variational(options) => {
+            let settings = options.settings();
+            let unknowns = ((settings.degree + 1) * (settings.degree + 2)) as f64;
+            3e-9 * cells(settings.mesh) * unknowns * unknowns
+        }
+        TheorySpec::Fastrip(options) => 7e-9 * cells(options.grid),
+        TheorySpec::Fastsim(settings) => 2.2e-9 * cells(settings.grid),
+        TheorySpec::Strip(_) | TheorySpec::Saturated(_) => 9e-7,
+        _ => 3e-8,
+    }
 }
 
 impl Theory {
-    pub(crate) fn new(
-        py: Python,
-        name: &'static str,
-        a_over_b: f64,
-        arguments: Bound<PyDict>,
-        cost: f64,
-        made: Result<PreparedTheory, TheoryError>,
-    ) -> PyResult<PyClassInitializer<Self>> {
-        let model = Arc::new(made.map_err(|error| errors::theory(py, error))?);
-        let ellipse = Ellipse::from_ratio(a_over_b).map_err(|error| errors::invalid(py, error))?;
-        let arguments = arguments.unbind();
-        Ok(PyClassInitializer::from(Self { model, name, ellipse, arguments, cost }))
+    pub(crate) fn contact(&self) -> &Contact {
+        self.theory.contact()
     }
 
     fn solve_one<'py>(
@@ -79,26 +125,9 @@ impl Theory {
         [xi, eta, chi]: [f64; 3],
     ) -> PyResult<Bound<'py, PyAny>> {
         let creepage = Creepage::new(xi, eta, chi).map_err(|error| errors::invalid(py, error))?;
-        match &*self.model {
-            PreparedTheory::Exact(theory) => {
-                let found = py.detach(|| theory.solve_with(creepage, &mut theory.workspace()));
-                results::exact_force(py, results::exact_row(found))
-            }
-            PreparedTheory::Automatic(theory) => {
-                let found = py.detach(|| theory.solve_to_accuracy(creepage));
-                results::exact_force(py, results::exact_row(found))
-            }
-            _ => results::force(py, results::plain_row(self.solve_plain(py, creepage))),
-        }
-    }
-
-    fn solve_plain(&self, py: Python, creepage: Creepage) -> Solution {
-        let theory = self.model.theory();
-        if self.cost < QUICK {
-            theory.solve(creepage)
-        } else {
-            py.detach(|| theory.solve(creepage))
-        }
+        let solve = || self.theory.solve(creepage);
+        let solution = if self.cost < QUICK { solve() } else { py.detach(solve) };
+        results::force(py, &solution)
     }
 
     fn solve_many<'py>(
@@ -106,59 +135,22 @@ impl Theory {
         py: Python<'py>,
         inputs: &Inputs<'py, 3>,
     ) -> PyResult<Bound<'py, PyAny>> {
-        let creepage = |[xi, eta, chi]: [f64; 3]| Creepage::new(xi, eta, chi);
-        match &*self.model {
-            PreparedTheory::Exact(theory) => {
-                let prepare = || theory.workspace();
-                let answers = solve_all(py, inputs, self.cost, prepare, |workspace, at| {
-                    Ok(results::exact_row(theory.solve_with(creepage(at)?, workspace)))
-                })?;
-                results::exact_forces(py, answers)
-            }
-            PreparedTheory::Automatic(theory) => {
-                let answers = solve_all(
-                    py,
-                    inputs,
-                    self.cost,
-                    || (),
-                    |(), at| Ok(results::exact_row(theory.solve_to_accuracy(creepage(at)?))),
-                )?;
-                results::exact_forces(py, answers)
-            }
-            PreparedTheory::Linear(theory) => self.solve_by(py, inputs, theory),
-            model => self.solve_by(py, inputs, model.theory()),
+        if self.error_bars {
+            let answers = self.rows(py, inputs, results::row_with_errors)?;
+            return results::forces_with_errors(py, answers);
         }
+        results::forces(py, self.rows(py, inputs, results::row)?)
     }
 
-    fn solve_by<'py, T: creepage::rolling::Theory + ?Sized>(
+    fn rows<'py, const W: usize>(
         &self,
         py: Python<'py>,
         inputs: &Inputs<'py, 3>,
-        theory: &T,
-    ) -> PyResult<Bound<'py, PyAny>> {
-        let answers = solve_all(
-            py,
-            inputs,
-            self.cost,
-            || (),
-            |(), [xi, eta, chi]| Ok(results::plain_row(theory.solve(Creepage::new(xi, eta, chi)?))),
-        )?;
-        results::forces(py, answers)
-    }
-}
-
-impl DifferentiableTheory {
-    /// A theory that has no options.
-    pub(crate) fn plain(
-        py: Python,
-        name: &'static str,
-        a_over_b: f64,
-        poisson: f64,
-        cost: f64,
-    ) -> PyResult<PyClassInitializer<Self>> {
-        let given = arguments(py, a_over_b, poisson, &[])?;
-        let made = prepare(py, name, a_over_b, poisson, &Solve::default())?;
-        Ok(Theory::new(py, name, a_over_b, given, cost, made)?.add_subclass(Self))
+        row: impl Fn(&Solution) -> Row<W> + Sync,
+    ) -> PyResult<Answers<'py, W>> {
+        solve_all(py, inputs, self.cost, |[xi, eta, chi]| {
+            Ok(row(&self.theory.solve(Creepage::new(xi, eta, chi)?)))
+        })
     }
 }
 
@@ -173,7 +165,8 @@ impl Theory {
     /// Semi-axes (a, b) of the contact in units of c = sqrt(a b): sqrt(a/b) and sqrt(b/a).
     #[getter]
     fn semi_axes(&self) -> (f64, f64) {
-        (self.ellipse.a(), self.ellipse.b())
+        let ellipse = self.contact().ellipse();
+        (ellipse.a(), ellipse.b())
     }
 
     /// Force and moment on the lower body.
@@ -224,14 +217,15 @@ impl Theory {
         points: usize,
     ) -> PyResult<Bound<'py, PyAny>> {
         let creepage = Creepage::new(xi, eta, chi).map_err(|error| errors::invalid(py, error))?;
+        let ellipse = self.contact().ellipse();
         let (shape, positions) = if x.is_none() && y.is_none() {
-            mesh::cells(py, self.ellipse, points)?
+            mesh::cells(py, ellipse, points)?
         } else {
             let zero = Number::One(0.0);
             mesh::given(py, [x.unwrap_or(zero), y.unwrap_or(Number::One(0.0))])?
         };
-        let found = py.detach(|| self.model.theory().field(creepage, &positions));
-        results::field(py, &shape, self.ellipse, &found)
+        let found = py.detach(|| self.theory.field(creepage, &positions));
+        results::field(py, &shape, ellipse, &found)
     }
 
     fn __repr__(&self, py: Python) -> PyResult<String> {
@@ -263,21 +257,13 @@ impl DifferentiableTheory {
         eta: Number<'py>,
         chi: Number<'py>,
     ) -> PyResult<Bound<'py, PyAny>> {
-        let theory: &Theory = slf.as_super();
+        let Theory { theory, cost, .. } = &**slf.as_super();
         let inputs = Inputs::new(py, NAMES, [xi, eta, chi])?;
         // A derivative costs a few forces.
-        let answers = solve_all(
-            py,
-            &inputs,
-            5.0 * theory.cost,
-            || (),
-            |(), [xi, eta, chi]| {
-                let matrix = theory.model.derivative(Creepage::new(xi, eta, chi)?);
-                let mut row = [f64::NAN; 9];
-                row.copy_from_slice(matrix.unwrap_or([[f64::NAN; 3]; 3]).as_flattened());
-                Ok((row, 0))
-            },
-        )?;
+        let answers = solve_all(py, &inputs, 5.0 * cost, |[xi, eta, chi]| {
+            let matrix = theory.jacobian(Creepage::new(xi, eta, chi)?);
+            Ok(results::matrix_row(&matrix.unwrap_or([[f64::NAN; 3]; 3])))
+        })?;
         answers.stacked(py, &[3, 3])
     }
 }

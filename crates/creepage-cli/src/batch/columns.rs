@@ -1,8 +1,7 @@
 //! Where in a row the question stands, and how it is read.
 
-use creepage::InvalidValue;
-use creepage::rolling::Creepage;
-use creepage_theories::TheoryError;
+use creepage::theory::TheoryError;
+use creepage::{Contact, Creepage, Ellipse, InvalidValue};
 use csv::ByteRecord;
 
 const QUESTION_COLUMNS: [&str; 5] = ["a_over_b", "poisson", "xi", "eta", "chi"];
@@ -20,9 +19,7 @@ pub(super) struct Columns {
 /// What a row asks.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Question {
-    pub(super) a_over_b: f64,
-    pub(super) poisson: f64,
-    pub(super) kappa_over_mu: f64,
+    pub(super) contact: Contact,
     pub(super) creepage: Creepage,
 }
 
@@ -84,7 +81,7 @@ impl Columns {
         Ok(Self { places: found, unlikeness: one(UNLIKENESS)?, count: header.len() })
     }
 
-    /// What a row asks; the theory itself judges the contact.
+    /// What a row asks.
     pub(super) fn question(&self, row: &ByteRecord) -> Result<Question, RowError> {
         if row.len() != self.count {
             return Err(RowError::FieldCount { found: row.len(), expected: self.count });
@@ -96,7 +93,9 @@ impl Columns {
         let [a_over_b, poisson, xi, eta, chi] = numbers;
         let unlikeness = self.unlikeness.map(|place| parse(UNLIKENESS, &row[place]));
         let kappa_over_mu = unlikeness.transpose()?.unwrap_or(0.0);
-        Ok(Question { a_over_b, poisson, kappa_over_mu, creepage: Creepage::new(xi, eta, chi)? })
+        let like = Contact::new(Ellipse::from_ratio(a_over_b)?, poisson)?;
+        let contact = like.with_kappa_over_mu(kappa_over_mu)?;
+        Ok(Question { contact, creepage: Creepage::new(xi, eta, chi)? })
     }
 }
 

@@ -2,11 +2,11 @@
 
 use std::io::{self, Write};
 
+use creepage_study::Caution;
 use csv::{ByteRecord, Writer, WriterBuilder};
 
 use super::solver::{Answer, Reply};
 use super::tally::Tally;
-use crate::caution::caution;
 
 /// What is appended to each row.
 const PLAIN: [&str; 5] = ["fx", "fy", "mz", "status", "message"];
@@ -57,13 +57,10 @@ impl<W: Write> Rows<W> {
     fn fields(&self, answer: &Answer) -> Vec<String> {
         let numbers = if self.error_bars { 6 } else { 3 };
         match answer {
-            Ok(Reply { answered, left_out }) => {
-                let forces = [Some(answered.solution.force), answered.error];
-                let numbers = forces.into_iter().flatten().flat_map(|f| [f.fx, f.fy, f.mz]);
-                let status = answered.solution.status;
-                let cautions = [caution(status).map(String::from), left_out.map(|l| l.to_string())];
-                let cautions: Vec<_> = cautions.into_iter().flatten().collect();
-                let words = [status.name().into(), cautions.join("; ")];
+            Ok(Reply { solution, cautions }) => {
+                let forces = [Some(solution.force), solution.error];
+                let numbers = forces.into_iter().flatten().flat_map(|f| f.components());
+                let words = [solution.status.name().into(), Caution::words(cautions)];
                 numbers.map(|f| format!("{f:?}")).chain(words).collect()
             }
             Err(error) => {

@@ -3,24 +3,25 @@
 use std::collections::VecDeque;
 use std::sync::{Arc, Mutex, PoisonError};
 
-use creepage_case::Solve;
-use creepage_theories::{Answered, Entry, LeftOut, PreparedTheory, TheoryError};
+use creepage::theory::TheoryError;
+use creepage::{Contact, Solution, Theory, TheorySpec};
+use creepage_study::Caution;
 use rayon::prelude::*;
 
 use super::columns::{Question, RowError};
 
 /// What a theory is prepared for: the bits of `a/b`, of Poisson's ratio and of `kappa/mu`.
 type Key = [u64; 3];
-type Prepared = Arc<PreparedTheory>;
+type Prepared = Arc<dyn Theory>;
 
 /// The force that a row asks for, or why it asks for none.
 pub(super) type Answer = Result<Reply, RowError>;
 
-/// A force, and what the theory leaves out of the row's question.
-#[derive(Debug, Clone, Copy, PartialEq)]
+/// A force, and what is to be held against it.
+#[derive(Debug, Clone, PartialEq)]
 pub(super) struct Reply {
-    pub(super) answered: Answered,
-    pub(super) left_out: Option<LeftOut>,
+    pub(super) solution: Solution,
+    pub(super) cautions: Vec<Caution>,
 }
 
 struct Asked {
@@ -32,8 +33,7 @@ struct Asked {
 
 /// One theory, prepared for the last few kinds of contact that were asked about.
 pub(super) struct Solver {
-    theory: &'static Entry,
-    options: Solve,
+    theory: TheorySpec,
     prepared: Mutex<VecDeque<(Key, Prepared)>>,
 }
 
@@ -42,8 +42,8 @@ impl Solver {
     /// prepared theory may be some megabytes.
     const KEPT: usize = 64;
 
-    pub(super) fn new(theory: &'static Entry, options: Solve) -> Self {
-        Self { theory, options, prepared: Mutex::default() }
+    pub(super) fn new(theory: TheorySpec) -> Self {
+        Self { theory, prepared: Mutex::default() }
     }
 
     /// The answers in the order of the questions, the same on any number of cores.
@@ -52,7 +52,7 @@ impl Solver {
         let mut asked = Vec::with_capacity(questions.len());
         for (place, question) in questions.into_iter().enumerate() {
             match question {
-                Ok(question) => asked.push(Asked { key: key(&question), place, question }),
+                Ok(question) => asked.push(Asked { key: key(&question.contact), place, question }),
                 Err(error) => answers.push((place, Err(error))),
             }
         }
@@ -65,25 +65,24 @@ impl Solver {
 
     /// Answers questions of one key, each with its place.
     fn solve_group(&self, group: &[Asked]) -> Vec<(usize, Answer)> {
-        let theory = self.prepare(&group[0].question);
+        let theory = self.prepare(&group[0].question.contact);
         let answer = |asked: &Asked| {
-            let reply = |theory: &Prepared| Reply {
-                answered: theory.answer(asked.question.creepage),
-                left_out: self.theory.leaves_out(asked.question.kappa_over_mu),
+            let reply = |theory: &Prepared| {
+                let Question { contact, creepage } = asked.question;
+                let solution = theory.solve(creepage);
+                Reply { solution, cautions: Caution::all(&self.theory, &contact, &solution) }
             };
             (asked.place, theory.as_ref().map(reply).map_err(|error| error.clone().into()))
         };
         group.par_iter().map(answer).collect()
     }
 
-    fn prepare(&self, question: &Question) -> Result<Prepared, TheoryError> {
-        let key = key(question);
+    fn prepare(&self, contact: &Contact) -> Result<Prepared, TheoryError> {
+        let key = key(contact);
         if let Some(theory) = self.recall(key) {
             return Ok(theory);
         }
-        let Question { a_over_b, poisson, kappa_over_mu, .. } = *question;
-        let like = self.theory.prepare(a_over_b, poisson, &self.options)?;
-        let theory = Arc::new(like.with_unlikeness(kappa_over_mu)?);
+        let theory = Arc::from(self.theory.prepare(contact)?);
         self.keep(key, &theory);
         Ok(theory)
     }
@@ -107,24 +106,23 @@ impl Solver {
     }
 }
 
-fn key(question: &Question) -> Key {
-    [question.a_over_b, question.poisson, question.kappa_over_mu].map(f64::to_bits)
+fn key(contact: &Contact) -> Key {
+    [contact.ellipse().ratio(), contact.poisson(), contact.kappa_over_mu()].map(f64::to_bits)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use creepage::rolling::Creepage;
-    use creepage_theories::find;
+    use creepage::{Creepage, Ellipse};
 
     fn question(a_over_b: f64, xi: f64) -> Question {
-        let creepage = Creepage { xi, eta: 0.0, chi: 0.5 };
-        Question { a_over_b, poisson: 0.28, kappa_over_mu: 0.0, creepage }
+        let contact = Contact::new(Ellipse::from_ratio(a_over_b).unwrap(), 0.28).unwrap();
+        Question { contact, creepage: Creepage::new(xi, 0.0, 0.5).unwrap() }
     }
 
     #[test]
     fn prepared_theories_do_not_pile_up() {
-        let solver = Solver::new(find("variational").unwrap(), Solve::default());
+        let solver = Solver::new(TheorySpec::named("variational").unwrap());
         let many = (0..3 * Solver::KEPT).map(|i| Ok(question(1.0 + i as f64, 1.0))).collect();
         assert_eq!(solver.solve(many).len(), 3 * Solver::KEPT);
         assert_eq!(solver.prepared.lock().unwrap().len(), Solver::KEPT);
@@ -132,7 +130,7 @@ mod tests {
 
     #[test]
     fn answers_come_in_the_order_of_the_questions() {
-        let solver = Solver::new(find("variational").unwrap(), Solve::default());
+        let solver = Solver::new(TheorySpec::named("variational").unwrap());
         let questions: Vec<_> =
             (0..40).map(|i| question([2.0, 0.5, 1.0][i % 3], 0.5 + 0.1 * i as f64)).collect();
         let together = solver.solve(questions.iter().copied().map(Ok).collect());

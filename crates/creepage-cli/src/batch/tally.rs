@@ -2,7 +2,8 @@
 
 use std::fmt;
 
-use creepage::rolling::Status;
+use creepage::Status;
+use creepage_study::Caution;
 
 use super::solver::{Answer, Reply};
 use crate::outcome::Outcome;
@@ -14,15 +15,17 @@ pub(super) struct Tally {
     solved: usize,
     not_converged: usize,
     invalid: usize,
-    /// Rows of unlike bodies, which the theory takes for like ones.
-    left_out: usize,
+    /// Rows of dissimilar bodies, which the theory neglects.
+    dissimilar: usize,
 }
 
 impl Tally {
     pub(super) fn count(&mut self, answer: &Answer) {
         self.rows += 1;
-        self.left_out += usize::from(matches!(answer, Ok(Reply { left_out: Some(_), .. })));
-        match answer.as_ref().map(|reply| reply.answered.solution.status) {
+        let dissimilar = |caution: &Caution| matches!(caution, Caution::Dissimilar { .. });
+        let is_so = |reply: &Reply| reply.cautions.iter().any(dissimilar);
+        self.dissimilar += usize::from(answer.as_ref().is_ok_and(is_so));
+        match answer.as_ref().map(|reply| reply.solution.status) {
             Ok(Status::Solved) => self.solved += 1,
             Ok(Status::NotConverged) => self.not_converged += 1,
             Ok(_) => {}
@@ -36,12 +39,12 @@ impl Tally {
 
     /// Words of caution about rows of unlike bodies.
     pub(super) fn caution(&self) -> Option<String> {
-        let rows = if self.left_out == 1 { "row is" } else { "rows are" };
-        (self.left_out > 0).then(|| {
+        let rows = if self.dissimilar == 1 { "row is" } else { "rows are" };
+        (self.dissimilar > 0).then(|| {
             format!(
                 "caution: {} {rows} of unlike bodies, which the theory takes for like ones: \
                  `message` tells how far the force may be off",
-                self.left_out
+                self.dissimilar
             )
         })
     }
@@ -73,8 +76,7 @@ impl fmt::Display for Tally {
 mod tests {
     use super::*;
     use crate::batch::columns::RowError;
-    use creepage::rolling::{Force, Solution};
-    use creepage_theories::{Answered, find};
+    use creepage::{Force, Solution, Statistics, TheorySpec};
 
     fn tally(answers: &[Answer]) -> Tally {
         let mut tally = Tally::default();
@@ -85,8 +87,8 @@ mod tests {
     }
 
     fn with(status: Status) -> Reply {
-        let solution = Solution { force: Force::default(), status };
-        Reply { answered: Answered { solution, error: None }, left_out: None }
+        let (force, statistics) = (Force::default(), Statistics::default());
+        Reply { solution: Solution { force, error: None, status, statistics }, cautions: vec![] }
     }
 
     #[test]
@@ -103,8 +105,9 @@ mod tests {
 
     #[test]
     fn what_is_left_out_is_counted() {
-        let left_out = find("polach").unwrap().leaves_out(0.3);
-        let tally = tally(&[Ok(Reply { left_out, ..with(Status::Solved) })]);
+        let polach = TheorySpec::named("polach").unwrap();
+        let cautions = Caution::dissimilar(&polach, 0.3).into_iter().collect();
+        let tally = tally(&[Ok(Reply { cautions, ..with(Status::Solved) })]);
         assert_eq!(tally.outcome(), Outcome::Done);
         assert!(tally.caution().unwrap().starts_with("caution: 1 row is of unlike bodies"));
     }

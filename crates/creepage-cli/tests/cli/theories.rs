@@ -31,6 +31,27 @@ fn ten_theories_and_their_options_fit_a_terminal() {
 }
 
 #[test]
+fn the_facts_of_every_theory_are_there_for_programs() {
+    let place = Place::new();
+    let facts = json(&place.run(&["theories", "--json"]).done());
+    let told: Vec<_> = facts.as_array().unwrap().iter().map(|one| &one["name"]).collect();
+    assert_eq!(told, names(&place).iter().collect::<Vec<_>>());
+    assert_eq!(facts[0]["dissimilar_bodies"], true);
+}
+
+#[test]
+fn another_theory_has_its_default_options_whatever_the_case_file_says() {
+    let place = Place::new();
+    let force = |options: &str| {
+        place.write("case.toml", plain_case() + "[solve]\n" + options);
+        let command = ["solve", "case.toml", "--theory", "fastrip", "--json"];
+        json(&place.run(&command).done())["lower_body"].clone()
+    };
+    assert_eq!(force("theory = \"fastsim\"\ngrid = [4, 4]"), force(""));
+    assert_ne!(force("theory = \"fastrip\"\ngrid = [4, 4]"), force(""));
+}
+
+#[test]
 fn every_theory_solves_a_case_with_all_files() {
     let place = Place::new();
     place.write("case.toml", plain_case());
@@ -116,15 +137,15 @@ fn an_option_of_another_theory_is_refused() {
     };
     let words = ["case.toml: [solve] `grid` is an option of fastrip and fastsim, not of linear"];
     refused("theory = \"linear\"\ngrid = [9, 9]", &[], &words);
-    refused("grid = [9, 9]", &["--theory", "linear"], &words);
+    let words = ["`grid` is an option of fastrip and fastsim, not of exact"];
+    refused("grid = [9, 9]", &["--theory", "fastsim"], &words);
     let words = ["`bound` is an option of variational and fastsim, not of exact"];
     refused("bound = \"elliptic\"", &[], &words);
-    let words =
-        ["bound = \"kept\" is not valid for fastsim: it must be \"elliptic\" or \"parabolic\""];
+    let words = ["[solve] bound = \"kept\" is not valid for fastsim", "`parabolic` or `elliptic`"];
     refused("theory = \"fastsim\"\nbound = \"kept\"", &[], &words);
-    let words = ["[solve] bound = \"elliptic\" is not valid for variational", "\"unchecked\""];
+    let words = ["[solve] bound = \"elliptic\" is not valid for variational", "`unchecked`"];
     refused("theory = \"variational\"\nbound = \"elliptic\"", &[], &words);
-    refused("bound = \"round\"", &[], &["round", "`automatic`"]);
+    refused("theory = \"variational\"\nbound = \"round\"", &[], &["round", "`automatic`"]);
     for (reduction, value) in
         [("[1.5, 1]", "1.5"), ("[0.5, 0.7]", "0.7"), ("[0.5, 0]", "0"), ("[nan, 1]", "NaN")]
     {
@@ -132,10 +153,10 @@ fn an_option_of_another_theory_is_refused() {
         let options = format!("theory = \"polach\"\nreduction = {reduction}");
         refused(&options, &[], &[&value, "[adhesion, slip] with 0 < slip <= adhesion <= 1"]);
     }
-    refused("theory = \"polach\"\nreduction = [1]", &[], &["reduction = [1]", "two numbers"]);
+    refused("theory = \"polach\"\nreduction = [1]", &[], &["reduction = [1]", "length 2"]);
     refused("theory = \"fastsim\"\ngrid = [0, 9]", &[], &["[solve]", "grid", "0"]);
     refused("resolution = [3, 20]", &[], &["[solve] resolution = 3", "between 4 and 200"]);
-    refused("resolution = \"coarse\"", &[], &["coarse", "`standard`"]);
+    refused("resolution = \"coarse\"", &[], &["coarse", "\"standard\""]);
     refused("accuracy = 0.01", &[], &["[solve] `accuracy` needs resolution = \"auto\""]);
     refused("resolution = \"auto\"\naccuracy = 0", &[], &["[solve] accuracy = 0", "than zero"]);
     refused("theory = \"fastsim\"\nflexibility = \"two\"", &[], &["two", "blended"]);
@@ -146,7 +167,10 @@ fn options_of_a_theory_that_is_replaced_are_ignored_aloud() {
     let place = Place::new();
     place.write("case.toml", CASE);
     let ran = place.run(&["solve", "case.toml", "--theory", "fastsim"]);
-    assert!(ran.stderr.contains("note: [solve] degree has no meaning for fastsim"), "{ran:?}");
+    assert!(
+        ran.stderr.contains("note: the options in [solve] are those of variational"),
+        "{ran:?}"
+    );
     assert!(ran.done().contains("fastsim"));
     assert_eq!(place.run(&["solve", "case.toml", "--theory", "variational"]).stderr, "");
 }

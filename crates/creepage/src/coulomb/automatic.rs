@@ -108,4 +108,11 @@ impl Theory for Automatic {
     fn solved(&self, creepage: Creepage) -> Box<dyn Solved + '_> {
         Box::new(self.solve_contact(creepage))
     }
+
+    fn solved_for(
+        &self,
+        constraints: Constraints,
+    ) -> Option<Result<Box<dyn Solved + '_>, InverseError>> {
+        Some(self.find(constraints).map(|found| -> Box<dyn Solved> { Box::new(found.solved) }))
+    }
 }

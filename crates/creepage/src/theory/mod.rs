@@ -15,6 +15,7 @@ pub use spec::{
 };
 
 use crate::contact::Contact;
+use crate::coulomb::{Constraints, InverseError};
 use crate::creepage::{Creepage, Force};
 
 /// Whether a force may be trusted.
@@ -96,8 +97,27 @@ pub trait Theory: Send + Sync {
     /// [`Region::Outside`].
     fn field(&self, creepage: Creepage, positions: &[[f64; 2]]) -> Vec<FieldPoint>;
 
+    /// Stick, slip or outside at `positions`, as [`Theory::field`] has it: for a theory that tells
+    /// them without a traction.
+    fn regions(&self, creepage: Creepage, positions: &[[f64; 2]]) -> Vec<Region> {
+        self.field(creepage, positions).iter().map(|point| point.region).collect()
+    }
+
     /// The contact solved at `creepage`, for further questions.
     fn solved(&self, creepage: Creepage) -> Box<dyn Solved + '_>;
+
+    /// The contact solved at the creepage that meets the constraints; `None` for a theory that does
+    /// not find creepages.
+    ///
+    /// # Errors
+    /// [`InverseError`] within the `Option`, unless three quantities are given, all finite, and
+    /// within reach.
+    fn solved_for(
+        &self,
+        _: Constraints,
+    ) -> Option<Result<Box<dyn Solved + '_>, InverseError>> {
+        None
+    }
 }
 
 /// A number that only one theory gives, such as the value of its functional.
@@ -112,7 +132,7 @@ pub struct Diagnostic {
 }
 
 /// One contact solved: what can be asked after a solve, of that solve and no other.
-pub trait Solved {
+pub trait Solved: Send + Sync {
     /// The creepage.
     fn creepage(&self) -> Creepage;
 
@@ -124,6 +144,11 @@ pub trait Solved {
 
     /// As [`Theory::field`].
     fn field(&self, positions: &[[f64; 2]]) -> Vec<FieldPoint>;
+
+    /// As [`Theory::regions`].
+    fn regions(&self, positions: &[[f64; 2]]) -> Vec<Region> {
+        self.field(positions).iter().map(|point| point.region).collect()
+    }
 
     /// Traction and slip at the points of the theory's own mesh; `None` for a theory without one.
     fn points(&self) -> Option<Vec<FieldPoint>> {
@@ -180,5 +205,9 @@ impl<T: Theory> Solved for Evaluated<'_, T> {
 
     fn field(&self, positions: &[[f64; 2]]) -> Vec<FieldPoint> {
         self.theory.field(self.creepage, positions)
+    }
+
+    fn regions(&self, positions: &[[f64; 2]]) -> Vec<Region> {
+        self.theory.regions(self.creepage, positions)
     }
 }

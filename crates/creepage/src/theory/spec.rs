@@ -269,20 +269,30 @@ impl TheorySpec {
 }
 
 impl ExactOptions {
-    fn prepare(self, contact: &Contact) -> Result<Box<dyn Theory>, TheoryError> {
-        let resolution = match self.resolution {
-            ResolutionSpec::Named(NamedResolution::Auto) => {
-                let accuracy = self.accuracy.unwrap_or(Automatic::DEFAULT_ACCURACY);
-                return Ok(Box::new(Automatic::new(contact, accuracy)?));
-            }
+    /// The resolution; `None` where the accuracy decides.
+    ///
+    /// # Errors
+    /// [`TheoryError`] for numbers of elements out of range, and for an accuracy besides them.
+    pub fn fixed_resolution(&self) -> Result<Option<Resolution>, TheoryError> {
+        Ok(Some(match self.resolution {
+            ResolutionSpec::Named(NamedResolution::Auto) => return Ok(None),
             _ if self.accuracy.is_some() => return Err(TheoryError::AccuracyOfFixed),
             ResolutionSpec::Named(NamedResolution::Fast) => Resolution::FAST,
             ResolutionSpec::Named(NamedResolution::Standard) => Resolution::STANDARD,
             ResolutionSpec::Named(NamedResolution::Fine) => Resolution::FINE,
             ResolutionSpec::Elements([along, across]) => Resolution::new(along, across)
                 .map_err(|invalid| InvalidValue { quantity: "resolution", ..invalid })?,
-        };
-        Ok(Box::new(Exact::new(contact, resolution)?))
+        }))
+    }
+
+    fn prepare(self, contact: &Contact) -> Result<Box<dyn Theory>, TheoryError> {
+        Ok(match self.fixed_resolution()? {
+            Some(resolution) => Box::new(Exact::new(contact, resolution)?),
+            None => {
+                let accuracy = self.accuracy.unwrap_or(Automatic::DEFAULT_ACCURACY);
+                Box::new(Automatic::new(contact, accuracy)?)
+            }
+        })
     }
 }
 

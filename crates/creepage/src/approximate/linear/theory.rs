@@ -99,6 +99,16 @@ impl Theory for Linear {
         positions.iter().map(point).collect()
     }
 
+    /// No slip anywhere.
+    fn regions(&self, _: Creepage, positions: &[[f64; 2]]) -> Vec<Region> {
+        let [a, b] = [self.contact.ellipse().a(), self.contact.ellipse().b()];
+        let region = |[x, y]: &[f64; 2]| {
+            let inside = (x / a) * (x / a) + (y / b) * (y / b) < 1.0;
+            if inside { Region::Adhesion } else { Region::Outside }
+        };
+        positions.iter().map(region).collect()
+    }
+
     /// The same everywhere: `3 (1 - sigma) E/(4 pi sqrt g) C_ij` (4.87).
     fn jacobian(&self, _: Creepage) -> Option<Jacobian> {
         Some(self.gains)

@@ -1,0 +1,178 @@
+//! A whole case file, and the case that it describes.
+
+use creepage::coulomb::Constraints;
+use creepage::theory::UnknownTheory;
+use creepage::{Contact, Creepage, Hertz, TheorySpec};
+use schemars::JsonSchema;
+use serde::Deserialize;
+use serde_json::Value;
+use toml::Table;
+
+use super::body::Body;
+use super::contact::ContactSection;
+use super::creepage::CreepageSection;
+use super::error::CaseError;
+use super::keys;
+use super::schema::schema_of;
+use super::solve;
+use super::wanted::WantedSection;
+
+/// A rolling-contact case, in SI units: two elastic bodies, what presses them together, and
+/// how they creep.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(title = "creepage case file")]
+pub struct CaseFile {
+    /// The upper body, such as a wheel.
+    upper: Body,
+    /// The lower body, such as a rail.
+    lower: Body,
+    /// The contact of the two.
+    contact: ContactSection,
+    /// Creepage and spin. Needed for rolling, not for the contact alone.
+    #[serde(default)]
+    creepage: CreepageSection,
+    /// Forces that are wanted in place of creepages.
+    #[serde(default)]
+    wanted: WantedSection,
+    /// The theory that solves the case, "exact" by default, and its options.
+    #[serde(default)]
+    #[schemars(with = "TheorySpec")]
+    solve: Table,
+}
+
+/// The JSON schema (draft 2020-12) of a case file, for editors and validators.
+///
+/// ```
+/// let schema = creepage_study::json_schema();
+/// assert!(schema["properties"]["contact"]["properties"]["normal_force"].is_object());
+/// ```
+#[must_use]
+pub fn json_schema() -> Value {
+    let mut schema = schema_of::<CaseFile>();
+    let theories = schema["properties"]["solve"]["oneOf"].as_array_mut();
+    for theory in theories.into_iter().flatten() {
+        if theory["properties"]["theory"]["const"] == TheorySpec::default().facts().name {
+            theory["required"] = Value::Array(Vec::new());
+        }
+    }
+    schema
+}
+
+/// One case, every number of it checked.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Case {
+    /// The contact ellipse and its pressure.
+    pub hertz: Hertz,
+    /// Coefficient of friction `mu`.
+    pub friction: f64,
+    /// The two together: what a theory is prepared for.
+    pub contact: Contact,
+    /// The creepage, or what determines it.
+    pub given: Given,
+    /// Rolling velocity (m/s), where it is given.
+    pub speed: Option<f64>,
+    /// The theory and its options.
+    pub theory: TheorySpec,
+}
+
+/// What is given of creepage and force.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Given {
+    /// The creepage; the force is to be found.
+    Creepage(Creepage),
+    /// Three of the six quantities; the others are to be found.
+    Constraints(Constraints),
+}
+
+impl Case {
+    /// The creepage, where it is given.
+    ///
+    /// # Errors
+    /// [`CaseError::Wanted`] where it is to be found.
+    pub fn creepage(&self) -> Result<Creepage, CaseError> {
+        match self.given {
+            Given::Creepage(creepage) => Ok(creepage),
+            Given::Constraints(_) => Err(CaseError::Wanted),
+        }
+    }
+
+    /// The theory of that name for this case: the case's own with the options that it gives, any
+    /// other with its default options.
+    ///
+    /// # Errors
+    /// [`UnknownTheory`], with the nearest name if one is near.
+    pub fn theory_named(&self, name: &str) -> Result<TheorySpec, UnknownTheory> {
+        if self.theory.facts().name == name {
+            return Ok(self.theory.clone());
+        }
+        TheorySpec::named(name)
+    }
+
+    /// Whether the options of the case's own theory are given up for those of `theories`.
+    #[must_use]
+    pub fn gives_up_options(&self, theories: &[TheorySpec]) -> bool {
+        let own = self.theory.facts().name;
+        let is_default = TheorySpec::named(own).is_ok_and(|default| default == self.theory);
+        !is_default && !theories.iter().any(|theory| theory.facts().name == own)
+    }
+}
+
+impl CaseFile {
+    /// Reads the text of a case file and checks its form: TOML, sections, keys and kinds of
+    /// values.
+    ///
+    /// # Errors
+    /// [`CaseError`] that says where the text is not a case file.
+    pub fn read(text: &str) -> Result<Self, CaseError> {
+        keys::check(&text.parse()?, &json_schema())?;
+        Ok(toml::from_str(text)?)
+    }
+
+    /// The contact alone; needs neither friction nor creepage.
+    ///
+    /// # Errors
+    /// [`CaseError`] for numbers out of range, contradictions, and bodies without a contact
+    /// ellipse.
+    pub fn hertz(&self) -> Result<Hertz, CaseError> {
+        self.contact.hertz(&self.upper, &self.lower)
+    }
+
+    /// The case for a theory of rolling.
+    ///
+    /// # Errors
+    /// As [`CaseFile::hertz`]; also when friction or creepage is missing or out of range, when the
+    /// ellipse stands askew to the rolling direction, when forces are wanted and not three
+    /// quantities are given by `[creepage]` and `[wanted]` together, and for options that the
+    /// theory does not have.
+    pub fn case(&self) -> Result<Case, CaseError> {
+        let hertz = self.hertz()?;
+        self.check_aligned(&hertz)?;
+        let friction = self.contact.friction.ok_or_else(|| CaseError::Missing {
+            section: "contact".into(),
+            key: "friction".into(),
+        })?;
+        let contact = hertz.with_friction(friction).map_err(CaseError::invalid("contact"))?;
+        let scaling = contact.scaling();
+        let given = if self.wanted.names().next().is_some() {
+            Given::Constraints(self.wanted.constraints(&self.creepage, hertz.ellipse(), scaling)?)
+        } else {
+            Given::Creepage(self.creepage.resolve(scaling)?)
+        };
+        let (speed, theory) = (self.creepage.speed()?, solve::from_table(&self.solve)?);
+        Ok(Case { hertz, friction, contact, given, speed, theory })
+    }
+
+    fn check_aligned(&self, contact: &Hertz) -> Result<(), CaseError> {
+        // Rounding of an angle of 90 degrees, or of a circle's axes, is not a tilt.
+        const TOLERANCE: f64 = 1e-9;
+        let circular = 1.0 - contact.ellipse().g() < TOLERANCE;
+        if circular || contact.angle().abs() < TOLERANCE {
+            return Ok(());
+        }
+        Err(CaseError::Tilted {
+            angle: self.contact.angle.unwrap_or(0.0),
+            ellipse_angle: contact.angle().to_degrees(),
+        })
+    }
+}

@@ -1,0 +1,22 @@
+//! Files in TOML: cases, problems of statics, sweeps.
+//!
+//! Reading checks the form (sections and keys); every error names the section and the key.
+
+mod body;
+mod contact;
+mod creepage;
+mod error;
+mod file;
+mod keys;
+mod radius;
+mod schema;
+mod solve;
+mod statics;
+mod sweep;
+mod wanted;
+
+pub use error::CaseError;
+pub use file::{Case, CaseFile, Given, json_schema};
+pub use solve::{SpecError, theory_spec};
+pub use statics::{StaticsCase, StaticsError, StaticsFile, statics_json_schema};
+pub use sweep::{SecondStart, Sweep, SweepCase, sweep_json_schema};

@@ -1,0 +1,91 @@
+//! What can be wrong with a problem of statics.
+
+use creepage::halfspace::ResponseError;
+use creepage::statics::{DieError, PartialSlipError};
+
+use crate::case::error::CaseError;
+
+/// Why a statics file has no solution; every message names the section and the key.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum StaticsError {
+    /// As in any case file.
+    #[error(transparent)]
+    Case(#[from] CaseError),
+    /// A load that belongs to another problem.
+    #[error("[statics] {key} is no load of problem \"{problem}\": it takes {}", keys.join(", "))]
+    ForeignKey {
+        /// The key.
+        key: &'static str,
+        /// The problem's name.
+        problem: &'static str,
+        /// The keys that the problem takes.
+        keys: &'static [&'static str],
+    },
+    /// An upper body where the problem has none.
+    #[error("section [upper] has no place in problem \"die\": the die is rigid")]
+    DieWithUpper,
+    /// The load lies so far out that the die lifts off on the opposite side (3.27b).
+    #[error(
+        "[statics] offset_x = {:?}, offset_y = {:?}: the die lifts off, for the load lies {:?} \
+         times too far out; all of the base has contact up to offset_x = {:?}, offset_y = {:?}",
+        offset[0], offset[1], five_digits(*excess), limit[0], limit[1]
+    )]
+    LiftOff {
+        /// Offset of the load (m).
+        offset: [f64; 2],
+        /// Offset over the largest in that direction.
+        excess: f64,
+        /// The largest offset in that direction, a hair inside (m).
+        limit: [f64; 2],
+    },
+    /// The tangential force reaches the limit of friction.
+    #[error(
+        "[statics] force_x, force_y: the bodies slide, for the tangential force of {force} N \
+         reaches the limit of friction, mu N = {limit} N"
+    )]
+    Sliding {
+        /// Magnitude of the tangential force (N).
+        force: f64,
+        /// Coefficient of friction times normal force (N).
+        limit: f64,
+    },
+    /// The die has no solution.
+    #[error(transparent)]
+    Die(#[from] DieError),
+    /// The shift with slip has no solution.
+    #[error(transparent)]
+    PartialSlip(#[from] PartialSlipError),
+    /// The half-space gives no answer.
+    #[error(transparent)]
+    Response(#[from] ResponseError),
+}
+
+impl StaticsError {
+    pub(crate) fn die(offset: [f64; 2], source: DieError) -> Self {
+        match source {
+            DieError::LiftOff { excess, .. } => {
+                // Written to five digits, the limit must still lie within the limit.
+                let limit = offset.map(|part| five_digits((1.0 - 1e-4) * part / excess));
+                Self::LiftOff { offset, excess, limit }
+            }
+            DieError::Invalid(invalid) if invalid.quantity == "normal_force" => {
+                CaseError::invalid("contact")(invalid).into()
+            }
+            DieError::Invalid(invalid) => CaseError::invalid("statics")(invalid).into(),
+            other => other.into(),
+        }
+    }
+
+    pub(crate) fn partial_slip(source: PartialSlipError) -> Self {
+        match source {
+            PartialSlipError::Sliding { force, limit } => Self::Sliding { force, limit },
+            PartialSlipError::Invalid(invalid) => CaseError::invalid("contact")(invalid).into(),
+            other => other.into(),
+        }
+    }
+}
+
+fn five_digits(value: f64) -> f64 {
+    format!("{value:.4e}").parse().unwrap_or(value)
+}

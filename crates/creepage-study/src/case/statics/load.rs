@@ -1,0 +1,110 @@
+//! `[statics]`: which problem, and its load.
+
+use creepage::InvalidValue;
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+use super::error::StaticsError;
+use crate::case::error::CaseError;
+
+/// The problem, and the load that the upper body exerts on the lower; each problem takes its own
+/// keys.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Statics {
+    /// "die": a rigid die under an offset load; "shift" and "twist": without slip;
+    /// "partial-slip": a shift with slip at the edge (Cattaneo, Mindlin).
+    pub(crate) problem: Problem,
+    /// Problem "die": offset of the normal force from the centre, along x (m); 0 by default.
+    offset_x: Option<f64>,
+    /// Problem "die": offset of the normal force from the centre, along y (m); 0 by default.
+    offset_y: Option<f64>,
+    /// Problems "shift" and "partial-slip": tangential force along x (N).
+    force_x: Option<f64>,
+    /// Problems "shift" and "partial-slip": tangential force along y (N).
+    force_y: Option<f64>,
+    /// Problem "twist": moment about z, positive from x to y (N m).
+    moment: Option<f64>,
+}
+
+/// The problems by name.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub(crate) enum Problem {
+    Die,
+    Shift,
+    Twist,
+    PartialSlip,
+}
+
+impl Problem {
+    fn name(self) -> &'static str {
+        match self {
+            Self::Die => "die",
+            Self::Shift => "shift",
+            Self::Twist => "twist",
+            Self::PartialSlip => "partial-slip",
+        }
+    }
+
+    /// The keys of its load.
+    fn keys(self) -> &'static [&'static str] {
+        match self {
+            Self::Die => &["offset_x", "offset_y"],
+            Self::Shift | Self::PartialSlip => &["force_x", "force_y"],
+            Self::Twist => &["moment"],
+        }
+    }
+}
+
+impl Statics {
+    /// A load of another problem must not be dropped in silence.
+    pub(crate) fn reject_foreign_keys(&self) -> Result<(), StaticsError> {
+        let keys = self.problem.keys();
+        let given = [
+            ("offset_x", self.offset_x),
+            ("offset_y", self.offset_y),
+            ("force_x", self.force_x),
+            ("force_y", self.force_y),
+            ("moment", self.moment),
+        ];
+        let foreign = given.iter().find(|(key, value)| value.is_some() && !keys.contains(key));
+        foreign.map_or(Ok(()), |&(key, _)| {
+            Err(StaticsError::ForeignKey { key, problem: self.problem.name(), keys })
+        })
+    }
+
+    pub(crate) fn offset(&self) -> [f64; 2] {
+        [self.offset_x.unwrap_or(0.0), self.offset_y.unwrap_or(0.0)]
+    }
+
+    pub(crate) fn tangential_force(&self) -> Result<[f64; 2], CaseError> {
+        let first = self.force_x.map(|_| "force_x").or(self.force_y.map(|_| "force_y"));
+        let keys = ["force_x", "force_y"];
+        let first = first.ok_or(CaseError::MissingEither { section: "statics", keys })?;
+        let x = finite("force_x", self.force_x.unwrap_or(0.0))?;
+        let y = finite("force_y", self.force_y.unwrap_or(0.0))?;
+        if x == 0.0 && y == 0.0 {
+            return Err(invalid(first, 0.0, "other than zero, unless the other force is"));
+        }
+        Ok([x, y])
+    }
+
+    pub(crate) fn moment(&self) -> Result<f64, CaseError> {
+        let missing = || CaseError::Missing { section: "statics".into(), key: "moment".into() };
+        let moment = finite("moment", self.moment.ok_or_else(missing)?)?;
+        if moment == 0.0 {
+            return Err(invalid("moment", moment, "other than zero"));
+        }
+        Ok(moment)
+    }
+}
+
+fn finite(key: &'static str, value: f64) -> Result<f64, CaseError> {
+    if value.is_finite() { Ok(value) } else { Err(invalid(key, value, "a finite number")) }
+}
+
+/// An [`InvalidValue`] of `[statics]`.
+fn invalid(quantity: &'static str, value: f64, valid: &'static str) -> CaseError {
+    CaseError::invalid("statics")(InvalidValue { quantity, value, valid })
+}

@@ -1,0 +1,200 @@
+//! A statics file: two bodies in contact without rolling, or a die on one.
+
+mod contact;
+mod error;
+mod load;
+
+use creepage::statics::{Bonded, Die, PartialSlip};
+use creepage::{Ellipse, Hertz, SiForce, Solid, SolidPair};
+use schemars::JsonSchema;
+use serde::Deserialize;
+use serde_json::Value;
+
+use crate::case::body::Body;
+use crate::case::error::CaseError;
+use crate::case::keys;
+use crate::case::schema::schema_of;
+
+use contact::StaticsContact;
+pub use error::StaticsError;
+use load::{Problem, Statics};
+
+/// A contact without rolling, in SI units: the bodies, what presses them together, and the load.
+///
+/// `x` and `y` are along the axes of the contact ellipse, which are those of the bodies' radii;
+/// `z` points into the lower body.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(title = "creepage statics file")]
+pub struct StaticsFile {
+    /// The upper body. Problem "die": left out, since the die is rigid.
+    upper: Option<Body>,
+    /// The lower body. Problem "die": the half-space under the die.
+    lower: Body,
+    /// The contact of the two.
+    #[serde(default)]
+    contact: StaticsContact,
+    /// The problem and its load.
+    statics: Statics,
+}
+
+/// One problem of statics, solved; every number of it is checked.
+#[derive(Debug, Clone)]
+pub enum StaticsCase {
+    /// A rigid die under an offset load (3.211).
+    Die {
+        /// The half-space.
+        solid: Solid,
+        /// The base of the die (m).
+        base: Ellipse,
+        /// Force that presses the die down (N).
+        normal_force: f64,
+        /// Where it acts, `[x, y]` from the centre (m).
+        offset: [f64; 2],
+        /// The solution.
+        die: Box<Die>,
+    },
+    /// A shift without slip (3.212).
+    Shift {
+        /// The equivalent solid of the two bodies.
+        pair: SolidPair,
+        /// The contact (m).
+        ellipse: Ellipse,
+        /// Tangential force `[F_x, F_y]` of the upper body on the lower (N).
+        force: [f64; 2],
+        /// The solution.
+        bonded: Box<Bonded>,
+    },
+    /// A twist without slip (3.212).
+    Twist {
+        /// The equivalent solid of the two bodies.
+        pair: SolidPair,
+        /// The contact (m).
+        ellipse: Ellipse,
+        /// Moment `M_z` of the upper body on the lower (N m).
+        moment: f64,
+        /// The solution.
+        bonded: Box<Bonded>,
+    },
+    /// A shift with slip at the edge (3.222).
+    PartialSlip {
+        /// The contact, by Hertz.
+        contact: Box<Hertz>,
+        /// Coefficient of friction.
+        friction: f64,
+        /// Tangential force `[F_x, F_y]` of the upper body on the lower (N).
+        force: [f64; 2],
+        /// The solution.
+        partial: Box<PartialSlip>,
+    },
+}
+
+/// The JSON schema (draft 2020-12) of a statics file, for editors and validators.
+///
+/// ```
+/// let schema = creepage_study::statics_json_schema();
+/// assert!(schema["properties"]["statics"]["properties"]["problem"].is_object());
+/// ```
+#[must_use]
+pub fn statics_json_schema() -> Value {
+    schema_of::<StaticsFile>()
+}
+
+impl StaticsFile {
+    /// Reads the text of a statics file and checks its form: TOML, sections, keys and kinds of
+    /// values.
+    ///
+    /// # Errors
+    /// [`CaseError`] that says where the text is not a statics file.
+    pub fn read(text: &str) -> Result<Self, CaseError> {
+        keys::check(&text.parse()?, &statics_json_schema())?;
+        Ok(toml::from_str(text)?)
+    }
+
+    /// Solves the problem.
+    ///
+    /// # Errors
+    /// [`StaticsError`] for numbers out of range, contradictions, a die that lifts off, and a
+    /// tangential force beyond friction.
+    ///
+    /// ```
+    /// let file = creepage_study::StaticsFile::read(
+    ///     r#"
+    ///     [lower]
+    ///     shear_modulus = 82e9
+    ///     poisson = 0.28
+    ///     [contact]
+    ///     normal_force = 20e3
+    ///     semi_axis_rolling = 5e-3
+    ///     semi_axis_lateral = 10e-3
+    ///     [statics]
+    ///     problem = "die"
+    ///     offset_x = 2e-3
+    ///     "#,
+    /// )?;
+    /// let error = file.solve().unwrap_err(); // beyond a third of the semi-axis
+    /// assert!(error.to_string().starts_with("[statics] offset_x = 0.002, offset_y = 0"));
+    /// # Ok::<(), creepage_study::CaseError>(())
+    /// ```
+    pub fn solve(&self) -> Result<StaticsCase, StaticsError> {
+        self.statics.reject_foreign_keys()?;
+        match self.statics.problem {
+            Problem::Die => self.die(),
+            Problem::Shift => self.shift(),
+            Problem::Twist => self.twist(),
+            Problem::PartialSlip => self.partial_slip(),
+        }
+    }
+
+    fn die(&self) -> Result<StaticsCase, StaticsError> {
+        if self.upper.is_some() {
+            return Err(StaticsError::DieWithUpper);
+        }
+        let solid = self.lower.solid("lower")?;
+        let base = self.contact.base(&self.lower)?;
+        let normal_force = self.contact.normal_force()?;
+        let offset = self.statics.offset();
+        let die = Die::new(solid, base, normal_force, offset)
+            .map_err(|source| StaticsError::die(offset, source))?;
+        Ok(StaticsCase::Die { solid, base, normal_force, offset, die: Box::new(die) })
+    }
+
+    fn shift(&self) -> Result<StaticsCase, StaticsError> {
+        let force @ [longitudinal, lateral] = self.statics.tangential_force()?;
+        let (pair, ellipse) = self.touching_bodies()?;
+        let load = SiForce { longitudinal, lateral, moment: 0.0 };
+        let bonded = Box::new(Bonded::new(pair, ellipse, load)?);
+        Ok(StaticsCase::Shift { pair, ellipse, force, bonded })
+    }
+
+    fn twist(&self) -> Result<StaticsCase, StaticsError> {
+        let moment = self.statics.moment()?;
+        let (pair, ellipse) = self.touching_bodies()?;
+        let load = SiForce { moment, ..SiForce::default() };
+        let bonded = Box::new(Bonded::new(pair, ellipse, load)?);
+        Ok(StaticsCase::Twist { pair, ellipse, moment, bonded })
+    }
+
+    fn touching_bodies(&self) -> Result<(SolidPair, Ellipse), CaseError> {
+        let upper = self.upper()?;
+        let pair = SolidPair::new(upper.solid("upper")?, self.lower.solid("lower")?);
+        Ok((pair, self.contact.ellipse(upper, &self.lower)?))
+    }
+
+    fn partial_slip(&self) -> Result<StaticsCase, StaticsError> {
+        let contact = self.contact.hertz(self.upper()?, &self.lower)?;
+        let friction = self.contact.friction()?;
+        let force = self.statics.tangential_force()?;
+        let partial =
+            PartialSlip::new(&contact, friction, force).map_err(StaticsError::partial_slip)?;
+        let (contact, partial) = (Box::new(contact), Box::new(partial));
+        Ok(StaticsCase::PartialSlip { contact, friction, force, partial })
+    }
+
+    fn upper(&self) -> Result<&Body, CaseError> {
+        let needs = || "shear_modulus or young_modulus, and poisson".into();
+        self.upper
+            .as_ref()
+            .ok_or_else(|| CaseError::MissingSection { section: "upper".into(), needs: needs() })
+    }
+}

@@ -1,0 +1,236 @@
+//! Creep-force curves: several theories over a range of one component of the creepage.
+
+use std::path::{Path, PathBuf};
+
+use creepage::{Creepage, Force, InvalidValue, Solution, Theory};
+
+use crate::error::ReportError;
+use crate::whole_file::write_all;
+use crate::{Case, CaseError};
+
+/// A component of creepage and spin.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Component {
+    /// `xi`, along the rolling direction.
+    Longitudinal,
+    /// `eta`, across it.
+    Lateral,
+    /// `chi`, about the normal.
+    Spin,
+}
+
+impl Component {
+    /// This component of `creepage`.
+    #[must_use]
+    pub fn of(self, creepage: Creepage) -> f64 {
+        match self {
+            Self::Longitudinal => creepage.xi(),
+            Self::Lateral => creepage.eta(),
+            Self::Spin => creepage.chi(),
+        }
+    }
+
+    /// `creepage` with this component replaced.
+    ///
+    /// # Errors
+    /// [`InvalidValue`] for a value that is no creepage.
+    pub fn replaced(self, creepage: Creepage, value: f64) -> Result<Creepage, InvalidValue> {
+        let [xi, eta, chi] = creepage.components();
+        match self {
+            Self::Longitudinal => Creepage::new(value, eta, chi),
+            Self::Lateral => Creepage::new(xi, value, chi),
+            Self::Spin => Creepage::new(xi, eta, value),
+        }
+    }
+}
+
+/// What one theory says along the range.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Curve {
+    pub(crate) theory: String,
+    pub(crate) solutions: Vec<Solution>,
+}
+
+/// Forces by several theories while one component of the creepage varies.
+///
+/// ```
+/// use creepage::TheorySpec;
+/// use creepage_study::{CaseFile, Component, Curves};
+/// # let text = "
+/// # upper = { shear_modulus = 82e9, poisson = 0.28, radius_rolling = 0.46, radius_lateral = 'flat' }
+/// # lower = { shear_modulus = 82e9, poisson = 0.28, radius_rolling = 'flat', radius_lateral = 0.3 }
+/// # contact = { normal_force = 80e3, friction = 0.3 }
+/// # creepage = { longitudinal = 1e-3 }
+/// # ";
+/// let case = CaseFile::read(text)?.case()?;
+/// let mut curves = Curves::new(&case, Component::Longitudinal, vec![0.0, 0.5, 1.0])?;
+/// for name in ["linear", "saturated"] {
+///     curves.add(name, &*TheorySpec::named(name)?.prepare(&case.contact)?);
+/// }
+/// assert_eq!(curves.csv()?.iter().filter(|byte| **byte == b'\n').count(), 7);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug)]
+pub struct Curves<'a> {
+    pub(crate) case: &'a Case,
+    /// That of the case: its varied component is marked, the others hold on all curves.
+    pub(crate) creepage: Creepage,
+    pub(crate) vary: Component,
+    /// Dimensionless, ascending.
+    pub(crate) values: Vec<f64>,
+    creepages: Vec<Creepage>,
+    pub(crate) lines: Vec<Curve>,
+}
+
+const HEADER: [&str; 14] = [
+    "theory",
+    "status",
+    "xi",
+    "eta",
+    "chi",
+    "fx",
+    "fy",
+    "mz",
+    "longitudinal",
+    "lateral",
+    "spin_rad_per_m",
+    "longitudinal_n",
+    "lateral_n",
+    "moment_n_m",
+];
+
+impl<'a> Curves<'a> {
+    /// The question: creepage as in `case` but for the component `vary`, which takes the
+    /// dimensionless `values`, in ascending order.
+    ///
+    /// # Errors
+    /// [`CaseError`] unless the case has a creepage, and every value makes one.
+    pub fn new(case: &'a Case, vary: Component, mut values: Vec<f64>) -> Result<Self, CaseError> {
+        let creepage = case.creepage()?;
+        values.sort_unstable_by(f64::total_cmp);
+        let creepages = values.iter().map(|value| vary.replaced(creepage, *value));
+        let creepages =
+            creepages.collect::<Result<_, _>>().map_err(CaseError::invalid("creepage"))?;
+        Ok(Self { case, creepage, vary, values, creepages, lines: Vec::new() })
+    }
+
+    /// Adds the answers of a theory, prepared for the contact of the case.
+    pub fn add(&mut self, name: &str, theory: &dyn Theory) {
+        let solutions = self.creepages.iter().map(|creepage| theory.solve(*creepage)).collect();
+        self.lines.push(Curve { theory: name.into(), solutions });
+    }
+
+    /// Does the range reach `value`?
+    pub(crate) fn reach(&self, value: f64) -> bool {
+        self.values.first().is_some_and(|first| *first <= value)
+            && self.values.last().is_some_and(|last| value <= *last)
+    }
+
+    /// A row for each point of each curve: dimensionless, then in SI units; forces and moment are
+    /// those on the lower body.
+    ///
+    /// # Errors
+    /// [`ReportError::Points`], should memory not suffice.
+    pub fn csv(&self) -> Result<Vec<u8>, ReportError> {
+        let mut writer = csv::Writer::from_writer(Vec::new());
+        writer.write_record(HEADER)?;
+        for curve in &self.lines {
+            for (creepage, solution) in self.creepages.iter().zip(&curve.solutions) {
+                writer.write_field(&curve.theory)?;
+                writer.write_field(solution.status.name())?;
+                writer.write_record(self.numbers(*creepage, solution.force))?;
+            }
+        }
+        writer.into_inner().map_err(|error| csv::Error::from(error.into_error()).into())
+    }
+
+    /// In the shortest form that reads back as the same number.
+    fn numbers(&self, creepage: Creepage, force: Force) -> [String; 12] {
+        let scaling = self.case.contact.scaling();
+        let (si, si_force) = (scaling.si_creepage(creepage), scaling.si_force(force));
+        let ([xi, eta, chi], [fx, fy, mz]) = (creepage.components(), force.components());
+        [
+            xi,
+            eta,
+            chi,
+            fx,
+            fy,
+            mz,
+            si.longitudinal,
+            si.lateral,
+            si.spin,
+            si_force.longitudinal,
+            si_force.lateral,
+            si_force.moment,
+        ]
+        .map(|number| format!("{number:e}"))
+    }
+
+    /// Writes `curve.csv`, `curve.svg` and `curve.png` into `directory`, which is made when
+    /// missing: all of them or none. Files of those names are replaced. Gives the paths written.
+    ///
+    /// # Errors
+    /// [`ReportError`]; what was made until then is removed.
+    pub fn write(&self, directory: &Path) -> Result<Vec<PathBuf>, ReportError> {
+        let svg = self.svg();
+        let png = creepage_plot::png(&svg)?;
+        let files: [(&str, &[u8]); 3] =
+            [("curve.csv", &self.csv()?), ("curve.svg", svg.as_bytes()), ("curve.png", &png)];
+        write_all(directory, &files)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use creepage::approximate::saturated::Saturated;
+
+    use super::*;
+    use crate::testing::{CURVE, case, creepage};
+
+    fn curves(case: &Case) -> Curves<'_> {
+        let values = vec![1.0, -2.0, 0.5];
+        let mut curves = Curves::new(case, Component::Lateral, values).unwrap();
+        curves.add("one, two", &Saturated::new(&case.contact).unwrap());
+        curves
+    }
+
+    #[test]
+    fn rows_are_ascending_and_in_both_units() {
+        let case = case(1.0, CURVE);
+        let curves = curves(&case);
+        let csv = curves.csv().unwrap();
+        let mut reader = csv::Reader::from_reader(&csv[..]);
+        let rows: Vec<_> = reader.records().map(Result::unwrap).collect();
+        assert_eq!(rows.len(), 3);
+        let number = |row: usize, column: usize| rows[row][column].parse::<f64>().unwrap();
+        let theory = Saturated::new(&case.contact).unwrap();
+        for (row, eta) in [-2.0, 0.5, 1.0].into_iter().enumerate() {
+            assert_eq!((&rows[row][0], &rows[row][1]), ("one, two", "solved"));
+            let [xi, _, chi] = CURVE;
+            let force = theory.solve(creepage([xi, eta, chi])).force;
+            let printed = [2, 3, 4, 5, 6, 7].map(|column| number(row, column).to_bits());
+            assert_eq!(printed, [xi, eta, chi, force.fx, force.fy, force.mz].map(f64::to_bits));
+            let si = case.contact.scaling().si_force(force);
+            assert_eq!(number(row, 12).to_bits(), si.lateral.to_bits());
+        }
+    }
+
+    #[test]
+    fn a_value_that_is_no_creepage_is_refused() {
+        let case = case(1.0, CURVE);
+        let error = Curves::new(&case, Component::Spin, vec![0.0, f64::NAN]).unwrap_err();
+        assert!(error.to_string().starts_with("[creepage] chi"), "{error}");
+    }
+
+    #[test]
+    fn three_files_the_same_each_time() {
+        let root = tempfile::tempdir().unwrap();
+        let case = case(1.0, CURVE);
+        let [one, two] = ["one", "two"].map(|name| {
+            let paths = curves(&case).write(&root.path().join(name)).unwrap();
+            assert_eq!(paths.len(), 3);
+            paths.iter().map(|path| std::fs::read(path).unwrap()).collect::<Vec<_>>()
+        });
+        assert!(one == two && one.iter().all(|contents| contents.len() > 100));
+    }
+}

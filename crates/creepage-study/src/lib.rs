@@ -1,0 +1,78 @@
+//! Studies of rolling contact: a case file is read, solved and reported.
+//!
+//! The map of this room, in the order in which data flows through it:
+//!
+//! | | |
+//! |---|---|
+//! | case files | [`CaseFile`], [`StaticsFile`], [`Sweep`], their schemas |
+//! | cases | [`Case`] and its [`TheorySpec`](creepage::TheorySpec), [`theory_spec`] |
+//! | solved | [`solve`] gives a [`SolvedCase`]; [`StaticsCase`], [`SweepRun`], [`Curves`] |
+//! | reported | [`SolvedCase::text`], [`SolvedCase::json`], [`SolvedCase::write`]; [`Caution`] |
+//! | measured | [`measure`]: how far a theory is from the full one over [`steady_rolling`] or a [`grid()`]; [`SquareGrid`] |
+//! | written | [`WholeFile`] and [`write_all`]: files that appear when they are whole |
+//!
+//! ```
+//! use creepage_study::CaseFile;
+//! let text = r#"
+//!     [upper]                  # a wheel
+//!     shear_modulus = 82e9
+//!     poisson = 0.28
+//!     radius_rolling = 0.46
+//!     radius_lateral = "flat"
+//!     [lower]                  # a rail
+//!     shear_modulus = 82e9
+//!     poisson = 0.28
+//!     radius_rolling = "flat"
+//!     radius_lateral = 0.30
+//!     [contact]
+//!     normal_force = 80e3
+//!     friction = 0.3
+//!     [creepage]
+//!     longitudinal = -1.5e-3
+//! "#;
+//! let case = CaseFile::read(text)?.case()?;
+//! assert!((case.creepage()?.xi() + 0.62).abs() < 0.01);
+//!
+//! let error = CaseFile::read(&text.replace("friction", "fricton")).unwrap_err();
+//! assert_eq!(error.to_string(), "unknown key `fricton` in [contact]: did you mean `friction`?");
+//! # Ok::<(), creepage_study::CaseError>(())
+//! ```
+
+mod accuracy;
+mod case;
+mod caution;
+mod contact_json;
+mod contact_picture;
+mod curve_picture;
+mod curves;
+mod error;
+mod json;
+mod points;
+mod series;
+mod solve;
+mod statics;
+#[cfg(test)]
+mod testing;
+mod text;
+mod vtk;
+mod whole_file;
+mod write;
+
+pub use accuracy::{
+    Accuracy, ReferenceCase, ReferenceError, SquareGrid, Spread, grid, measure, steady_rolling,
+};
+pub use case::{
+    Case, CaseError, CaseFile, Given, SecondStart, SpecError, StaticsCase, StaticsError,
+    StaticsFile, Sweep, SweepCase, json_schema, statics_json_schema, sweep_json_schema,
+    theory_spec,
+};
+pub use caution::Caution;
+pub use contact_json::{HertzJson, SolidJson, hertz_json};
+pub use curves::{Component, Curves};
+pub use error::ReportError;
+pub use json::{AreasJson, CreepageJson, DetailJson, DimensionlessJson, ForceJson, ReportJson};
+pub use series::{SeriesHead, SeriesRow, SweepRun, Tally, series_csv, series_json, series_netcdf};
+pub use solve::{SolveError, SolvedCase, Unreachable, solve};
+pub use statics::StaticsReport;
+pub use text::hertz_text;
+pub use whole_file::{WholeFile, write_all};

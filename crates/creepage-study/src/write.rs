@@ -1,0 +1,99 @@
+//! The report as files: all of them or none.
+
+use std::path::{Path, PathBuf};
+
+use crate::SolvedCase;
+use crate::error::ReportError;
+use crate::whole_file::write_all;
+
+impl SolvedCase {
+    /// Writes `report.json`, `points.csv`, `contact.vtk`, `contact.svg` and `contact.png` into
+    /// `directory`, which is made when missing; files of those names are replaced. Gives the paths
+    /// written.
+    ///
+    /// # Errors
+    /// [`ReportError`]; what was made until then is removed.
+    pub fn write(&self, directory: &Path) -> Result<Vec<PathBuf>, ReportError> {
+        let mut json = serde_json::to_string_pretty(&self.json())?;
+        json.push('\n');
+        let vtk = self.vtk();
+        let field = [("contact.vtk", vtk.as_bytes())];
+        write_contact(directory, &json, &self.points_csv()?, &self.contact_svg(), &field)
+    }
+}
+
+/// The files of one contact: `report.json`, `points.csv`, the picture as SVG and PNG, and others.
+pub(crate) fn write_contact(
+    directory: &Path,
+    json: &str,
+    points: &[u8],
+    svg: &str,
+    others: &[(&str, &[u8])],
+) -> Result<Vec<PathBuf>, ReportError> {
+    let png = creepage_plot::png(svg)?;
+    let files: [(&str, &[u8]); 4] = [
+        ("report.json", json.as_bytes()),
+        ("points.csv", points),
+        ("contact.svg", svg.as_bytes()),
+        ("contact.png", &png),
+    ];
+    write_all(directory, &[&files, others].concat())
+}
+
+#[cfg(test)]
+mod tests {
+    use std::error::Error as _;
+    use std::{fs, io};
+
+    use super::*;
+    use crate::testing::{CURVE, Trial, report};
+
+    fn names(directory: &Path) -> Vec<String> {
+        let entries = fs::read_dir(directory).unwrap();
+        let mut names: Vec<_> =
+            entries.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
+        names.sort();
+        names
+    }
+
+    #[test]
+    fn five_files_in_a_new_directory_the_same_each_time() {
+        let root = tempfile::tempdir().unwrap();
+        let report = report(1.5, Trial::Sticking, CURVE);
+        let directories = ["one", "two/deeper"].map(|name| root.path().join(name));
+        for directory in &directories {
+            let paths = report.write(directory).unwrap();
+            assert_eq!(paths.len(), 5);
+            assert!(paths.iter().all(|path| path.is_file()));
+            assert_eq!(
+                names(directory),
+                ["contact.png", "contact.svg", "contact.vtk", "points.csv", "report.json"]
+            );
+        }
+        report.write(&directories[0]).unwrap(); // replaces what is there
+        for name in names(&directories[0]) {
+            let [one, two] = [0, 1].map(|k| fs::read(directories[k].join(&name)).unwrap());
+            assert!(one == two && !one.is_empty(), "{name}");
+        }
+    }
+
+    #[test]
+    fn a_directory_that_cannot_be_made_is_named_with_its_cause() {
+        let root = tempfile::tempdir().unwrap();
+        let file = root.path().join("file");
+        fs::write(&file, "in the way").unwrap();
+        let error = report(1.0, Trial::Sticking, CURVE).write(&file.join("out")).unwrap_err();
+        assert!(error.to_string().contains("file"), "{error}");
+        assert!(error.source().unwrap().is::<io::Error>());
+        assert_eq!(names(root.path()), ["file"]);
+    }
+
+    #[test]
+    fn what_was_made_before_a_failure_is_removed() {
+        let root = tempfile::tempdir().unwrap();
+        fs::create_dir(root.path().join("contact.png")).unwrap();
+        let error = report(1.0, Trial::Sticking, CURVE).write(root.path()).unwrap_err();
+        assert!(matches!(error, ReportError::Write { path, .. } if path.ends_with("contact.png")));
+        assert_eq!(names(root.path()), ["contact.png"]);
+    }
+}

@@ -1,0 +1,98 @@
+"""Two cylinders: Hertz's line contact, and Carter's theory of its rolling."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import asdict, dataclass
+from typing import Any, Generic, overload
+
+from numpy.typing import ArrayLike
+
+from . import _creepage
+from ._contact import Body
+from ._results import Floats, Number, by_name
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class CarterSolution(Generic[Number]):
+    """Carter's theory of two cylinders; lengths in units of the half-width, leading edge at 1."""
+
+    creepage: Number
+    """Dimensionless, upsilon_x rho / (mu a)."""
+    force: Number
+    """Per length of the cylinders, in units of mu N."""
+    derivative: Number
+    """Of the force by the creepage."""
+    adhesion_half_width: Number
+    """1 in free rolling, 0 in gross sliding."""
+    trailing_edge: Number
+    """Of the adhesion area: -1 in free rolling, 1 in gross sliding."""
+
+    def field(self, x: Any) -> tuple[Any, Any, Any]:
+        """Traction, slip and Region numbers at x, which broadcasts against the creepage.
+
+        Traction is in units of mu times the peak pressure, slip in units of mu a V / rho.
+        Raises InvalidValue where x is not finite.
+        """
+        return _creepage.carter_field(self.creepage, x)
+
+    def to_dict(self) -> dict[str, Any]:
+        """The numbers by name."""
+        return by_name(self)
+
+
+@overload
+def carter(creepage: float) -> CarterSolution[float]: ...
+@overload
+def carter(creepage: ArrayLike) -> CarterSolution[Floats]: ...
+def carter(creepage: Any) -> CarterSolution[Any]:
+    """Carter's theory (1926) of two cylinders with parallel axes.
+
+    creepage: dimensionless, upsilon_x rho / (mu a) with a the half-width of the contact; gross
+    sliding sets in at 4. A float or an array. Raises InvalidValue where it is not finite.
+    """
+    return CarterSolution(*_creepage.carter(creepage))
+
+
+@dataclass(frozen=True, slots=True)
+class LineContact:
+    """Two cylinders with parallel axes pressed together: Hertz's line contact."""
+
+    half_width: float
+    """a (m)."""
+    peak_pressure: float
+    """Pa."""
+    rho: float
+    """Characteristic length of (1.2) (m): the diameter, for equal cylinders."""
+    load: float
+    """N per m of the cylinders' length."""
+
+    def to_dict(self) -> dict[str, float]:
+        """The numbers by name, in SI units."""
+        return asdict(self)
+
+    def carter(self, creepage: Any, friction: float) -> CarterSolution[Any]:
+        """Carter's theory at the longitudinal creepage upsilon_x, a float or an array.
+
+        The force is in units of `friction * load`. Raises ValueError unless friction is positive,
+        InvalidValue where the creepage is not finite.
+        """
+        if not (friction > 0.0 and math.isfinite(friction)):
+            raise ValueError(f"friction = {friction} is not valid: it must be finite and positive")
+        return carter(creepage * (self.rho / (friction * self.half_width)))
+
+
+def line_contact(upper: Body, lower: Body, load: float) -> LineContact:
+    """Presses two cylinders together by their radius_rolling; load in N per m of their length.
+
+    Raises InvalidValue for numbers out of range and cylinders that do not touch along a line.
+    """
+    radii = []
+    for body in (upper, lower):
+        flat = body.radius_rolling in (None, "flat")
+        radii.append(math.inf if flat else float(body.radius_rolling or 0.0))
+    moduli = (upper.modulus(), lower.modulus())
+    found = _creepage.line_contact(
+        moduli, (upper.poisson, lower.poisson), (radii[0], radii[1]), load
+    )
+    return LineContact(*found, load)
