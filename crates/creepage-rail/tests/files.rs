@@ -277,6 +277,9 @@ fn what_makes_no_sense_names_its_line() {
     let asked = Wanted { unit: Some(1e-3), ..wanted(Role::Rail) };
     let found = read("r.txt", columns(&inches).as_bytes(), &asked);
     assert!(matches!(found, Err(FileError::Length { line: 1, .. })), "{found:?}");
+    let headed = format!("y,z\n{}", columns(&points).replace(' ', ","));
+    let found = read("r.csv", headed.as_bytes(), &wanted(Role::Rail)).unwrap();
+    assert!(found.actions.contains(&Action::Ignored { line: 1, what: "heading" }));
     let text = columns(&points);
     let bad = [
         (text.replacen(' ', " x", 1), FileError::NotANumber { line: 1, column: 2 }),

@@ -3,14 +3,20 @@
 use super::rows::{Point, Raw, lines, numbers, uncommented};
 use super::{Action, FileError};
 
-/// Two columns `y z`; `#`, `%`, `!` begin comments. Nothing is known of units and senses.
+/// Two columns `y z`, perhaps with a heading; `#`, `%`, `!` begin comments. Nothing is known of units and senses.
 pub(super) fn parse(text: &str) -> Result<Raw, FileError> {
     let mut raw = Raw::default();
     for (line, row) in lines(text) {
         let row = uncommented(row, &['#', '%', '!']);
-        if !row.is_empty() {
-            raw.points.push(pair(line, &numbers(line, row)?)?);
+        if row.is_empty() {
+            continue;
         }
+        let heads = raw.points.is_empty() && raw.actions.is_empty();
+        if heads && row.chars().all(|c| !c.is_ascii_digit()) {
+            raw.actions.push(Action::Ignored { line, what: "heading" });
+            continue;
+        }
+        raw.points.push(pair(line, &numbers(line, row)?)?);
     }
     Ok(raw)
 }
