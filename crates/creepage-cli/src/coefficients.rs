@@ -3,6 +3,7 @@
 use std::fmt::Write;
 
 use creepage::approximate::linear::CreepageCoefficients;
+use creepage::{Contact, Ellipse};
 use serde::Serialize;
 
 use crate::args::CoefficientsArgs;
@@ -25,9 +26,10 @@ struct Coefficients {
 
 pub(crate) fn run(args: &CoefficientsArgs) -> Result<(), Failure> {
     let CoefficientsArgs { a_over_b, poisson, degree, json } = *args;
+    let contact = Contact::new(Ellipse::from_ratio(a_over_b)?, poisson)?;
     let CreepageCoefficients { c11, c22, c23, c32, c33 } = match degree {
-        Some(degree) => CreepageCoefficients::of_degree(a_over_b, poisson, degree)?,
-        None => CreepageCoefficients::new(a_over_b, poisson)?,
+        Some(degree) => CreepageCoefficients::of_degree(&contact, degree)?,
+        None => CreepageCoefficients::new(&contact)?,
     };
     let found = Coefficients { a_over_b, poisson, degree, c11, c22, c23, c32, c33 };
     print(&if json { to_json(&found)? } else { found.text() })

@@ -4,7 +4,7 @@ use std::error::Error;
 use std::fmt;
 use std::sync::OnceLock;
 
-use creepage::coulomb::{InverseError, Constraints};
+use creepage::coulomb::{Constraints, InverseError};
 use creepage::theory::{Diagnostic, TheoryError, TheoryFacts};
 use creepage::{
     Creepage, Ellipse, FieldPoint, Force, Region, Scaling, Solution, Solved, Theory, TheorySpec,

@@ -2,9 +2,9 @@
 
 use std::fmt::Write;
 
-use creepage::rolling::exact::{Exact, Resolution};
-use creepage::rolling::variational::{Settings, Variational};
-use creepage::rolling::{Creepage, Theory};
+use creepage::coulomb::{Exact, Resolution};
+use creepage::variational::{Settings, Variational};
+use creepage::{Contact, Creepage, Ellipse, Theory};
 
 use crate::place::{Place, Ran};
 
@@ -33,13 +33,17 @@ fn forces_are_those_of_the_library_to_the_last_bit() {
     assert_eq!(rows.len(), 10);
     for row in &rows[1..] {
         let number = |i: usize| row[i].parse::<f64>().unwrap();
-        let theory = Variational::new(number(0), number(1), Settings::default()).unwrap();
+        let theory = Variational::new(&contact(number(0), number(1)), Settings::default()).unwrap();
         let creepage = Creepage::new(number(2), number(3), number(4)).unwrap();
         let force = theory.solve(creepage).force;
         let printed = [number(5), number(6), number(7)].map(f64::to_bits);
         assert_eq!(printed, [force.fx, force.fy, force.mz].map(f64::to_bits));
         assert_eq!(row[8..], ["solved", ""]);
     }
+}
+
+fn contact(a_over_b: f64, poisson: f64) -> Contact {
+    Contact::new(Ellipse::from_ratio(a_over_b).unwrap(), poisson).unwrap()
 }
 
 /// The same ratio and material, like and unlike.
@@ -55,11 +59,11 @@ fn the_full_theory_counts_unlike_bodies() {
     let ran = Place::new().run_on(&command, UNLIKE);
     assert_eq!(ran.stderr, "4 rows: 4 solved\n");
     let output = ran.done();
-    let like = Exact::new(1.3, 0.28, Resolution::FAST).unwrap();
     for row in &table(&output)[1..] {
         let number = |i: usize| row[i].parse::<f64>().unwrap();
-        let theory = like.clone().with_unlikeness(number(0)).unwrap();
-        let found = theory.solve(Creepage { xi: 0.4, eta: 0.1, chi: 0.2 }).force;
+        let unlike = contact(1.3, 0.28).with_kappa_over_mu(number(0)).unwrap();
+        let theory = Exact::new(&unlike, Resolution::FAST).unwrap();
+        let found = theory.solve(Creepage::new(0.4, 0.1, 0.2).unwrap()).force;
         let printed = [number(6), number(7), number(8)].map(f64::to_bits);
         assert_eq!(printed, [found.fx, found.fy, found.mz].map(f64::to_bits));
         assert_eq!(row[12..], ["solved", ""]);
@@ -255,10 +259,10 @@ fn the_full_theory_adds_its_error_bars() {
     let rows = table(&ran.stdout);
     let errors = ["fx_error", "fy_error", "mz_error"];
     assert_eq!(rows[0][5..], [&["fx", "fy", "mz"], &errors[..], &["status", "message"]].concat());
-    let theory = Exact::new(1.5, 0.28, Resolution::FAST).unwrap();
+    let theory = Exact::new(&contact(1.5, 0.28), Resolution::FAST).unwrap();
     let creepage = Creepage::new(0.4, -0.2, 0.7).unwrap();
-    let found = theory.solve_with(creepage, &mut theory.workspace());
-    let expected = [found.force, found.error].map(|f| [f.fx, f.fy, f.mz]).concat();
+    let found = theory.solve(creepage);
+    let expected = [found.force, found.error.unwrap()].map(|f| f.components()).concat();
     for (cell, expected) in rows[1][5..11].iter().zip(expected) {
         assert_eq!(cell.parse::<f64>().unwrap().to_bits(), expected.to_bits());
     }

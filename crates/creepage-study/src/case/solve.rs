@@ -163,7 +163,7 @@ mod tests {
         assert!(refused("xyz = 1").contains("known are resolution, accuracy"));
         let bound = refused("theory = 'fastsim'\nbound = 'kept'");
         assert!(bound.starts_with("bound = \"kept\" is not valid for fastsim"), "{bound}");
-        assert!(bound.contains("`elliptic` or `parabolic`"), "{bound}");
+        assert!(bound.contains("`parabolic` or `elliptic`"), "{bound}");
         for grid in ["[1, 2, 3]", "[1]", "9", "[-1, 2]"] {
             let words = refused(&format!("theory = 'fastsim'\ngrid = {grid}"));
             assert!(words.starts_with("grid = "), "{words}");
