@@ -7,6 +7,7 @@ import json
 import math
 import pickle
 import time
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -182,7 +183,7 @@ def test_as_fine_as_an_accuracy_needs() -> None:
     elements = [case.solve(accuracy=wanted).details["elements"] for wanted in (0.9, 1e-9)]
     assert elements[0] < elements[1]
     caution = case.solve(accuracy=1e-9).caution
-    assert caution is not None and "wanted accuracy" in caution
+    assert caution is not None and "above the prescribed accuracy" in caution
     assert solution.caution is None
     assert repr(case.theory(resolution="fast")).startswith("creepage.exact(")
     assert "accuracy=0.001" in repr(wheel(xi=1.0, resolution="auto").theory())
@@ -329,14 +330,18 @@ def test_a_solution_is_pickled_by_its_question() -> None:
 @pytest.mark.parametrize("name", ["linear", "polach", "fastsim"])
 def test_a_solution_computes_only_what_is_asked_for(name: str) -> None:
     case = wheel(longitudinal=1e-3, spin=0.1)
+    shape = case.contact.a_over_b, case.contact.poisson
 
-    def seconds() -> float:
-        start = time.process_time()
-        assert case.solve(name).force.longitudinal > 0.0
-        return time.process_time() - start
+    def least(work: Callable[[], object]) -> float:
+        def seconds() -> float:
+            start = time.process_time()
+            work()
+            return time.process_time() - start
 
-    # Of processor; tracing the areas of adhesion alone takes a hundred times as long.
-    assert min(seconds() for _ in range(20)) < 1e-3
+        return min(seconds() for _ in range(20))
+
+    # Most of it prepares the theory; tracing the areas of adhesion would cost a hundred times that.
+    assert least(lambda: case.solve(name).force) < 3.0 * least(lambda: creepage.theory(name, *shape))
 
 
 def test_numpy_numbers_do_for_a_case() -> None:
