@@ -43,10 +43,8 @@ def printed(*arguments):
 
 @functools.cache
 def known():
-    """A row of `creepage theories` by theory: year, assumption, cost, error, use."""
-    lines = printed("theories").split("\n\n")[0].splitlines()[1:]
-    rows = [re.split(r"\s{2,}", line) for line in lines]
-    return {row[0]: row[1:] for row in rows}
+    """What the program knows of each theory, by its name."""
+    return {theory["name"]: theory for theory in json.loads(printed("theories", "--json"))}
 
 
 @functools.cache
@@ -56,11 +54,9 @@ def measured():
 
 
 def facts(name):
-    year, assumes, cost, _, use = known()[name]
-    return table(
-        ["year", "assumes", "one force", "good for"],
-        [[year, assumes, units(cost), use]],
-    )
+    theory = known()[name]
+    cells = [str(theory["year"]), theory["assumes"], units(theory["cost"]), theory["good_for"]]
+    return table(["year", "assumes", "one force", "good for"], [cells])
 
 
 def accuracy(name=None):
@@ -86,8 +82,15 @@ def theories(directory):
     pages = posixpath.relpath("theories", directory)
     rms = {row["theory"]: row["force"]["rms"] for row in measured() if not row["options"]}
     rows = [
-        [f"[`{name}`]({pages}/{name}.md)", year, assumes, units(cost), percent(rms[name]), use]
-        for name, (year, assumes, cost, _, use) in known().items()
+        [
+            f"[`{name}`]({pages}/{name}.md)",
+            str(theory["year"]),
+            theory["assumes"],
+            units(theory["cost"]),
+            percent(rms[name]),
+            theory["good_for"],
+        ]
+        for name, theory in known().items()
     ]
     heads = ["theory", "year", "assumes", "one force", "rms error, %", "good for"]
     return table(heads, rows)

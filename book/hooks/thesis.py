@@ -1,11 +1,12 @@
 """The thesis, figure by figure: what the page's own command `creepage reproduce all --out thesis`
 computed and drew, in place of the mark `<!-- thesis -->`.
 
-Titles and captions are those of its page `index.html`; the comparisons are in `agreement.csv`.
+Titles and captions are in its `items.json`; the comparisons are in `agreement.csv`.
 """
 
 import csv
 import html
+import json
 import re
 from collections import Counter
 
@@ -13,10 +14,6 @@ from commands import room
 
 MARK = "<!-- thesis -->"
 MADE = "thesis"
-SECTION = re.compile(
-    r'<section id="(?P<name>[^"]+)">\s*<h2>(?P<title>.*?)</h2>.*?<p class="caption">(?P<caption>.*?)</p>',
-    re.DOTALL,
-)
 
 
 def on_files(files, config):
@@ -31,10 +28,10 @@ def on_files(files, config):
 def gallery(directory, beside):
     compared = comparisons(directory)
     parts = [summary(compared)]
-    for page in directory.glob("index.html"):
-        for section in SECTION.finditer(page.read_text(encoding="utf-8")):
-            mine = [line for line in compared if line["item"] == section["name"]]
-            parts += [*item(directory, beside, **section.groupdict()), table(mine)]
+    for items in directory.glob("items.json"):
+        for made in json.loads(items.read_text(encoding="utf-8")):
+            mine = [line for line in compared if line["item"] == made["name"]]
+            parts += [*item(directory, beside, **made), table(mine)]
     return "\n\n".join(part for part in parts if part)
 
 
@@ -55,10 +52,10 @@ def summary(compared):
 
 def item(directory, beside, name, title, caption):
     """Heading, picture, caption, and the table in words, folded."""
-    yield f"## {title} {{#{name}}}"
+    yield f"## {html.escape(title, quote=False)} {{#{name}}}"
     if (directory / f"{name}.svg").exists():
-        yield f"![{html.unescape(title)}]({beside}/{name}.svg)"
-    yield caption
+        yield f"![{title}]({beside}/{name}.svg)"
+    yield html.escape(caption, quote=False)
     for words in directory.glob(f"{name}.txt"):
         text = f"```text\n{words.read_text(encoding='utf-8').rstrip()}\n```"
         yield '??? note "In words"\n\n' + "\n".join(f"    {line}".rstrip() for line in text.splitlines())

@@ -2,7 +2,7 @@
 
 use creepage::TheorySpec;
 use creepage_study::theory_spec;
-use creepage_validation::{Accuracy, ReferenceCase, Spread, grid, measure, steady_rolling};
+use creepage_study::{Accuracy, ReferenceCase, Spread, grid, measure, steady_rolling};
 use rayon::prelude::*;
 use serde::Serialize;
 

@@ -8,6 +8,7 @@
 //! | cases | [`Case`] and its [`TheorySpec`](creepage::TheorySpec), [`theory_spec`] |
 //! | solved | [`solve`] gives a [`SolvedCase`]; [`StaticsCase`], [`SweepRun`], [`Curves`] |
 //! | reported | [`SolvedCase::text`], [`SolvedCase::json`], [`SolvedCase::write`]; [`Caution`] |
+//! | measured | [`measure`]: how far a theory is from the full one over [`steady_rolling`] or a [`grid()`]; [`SquareGrid`] |
 //! | written | [`WholeFile`] and [`write_all`]: files that appear when they are whole |
 //!
 //! ```
@@ -37,6 +38,7 @@
 //! # Ok::<(), creepage_study::CaseError>(())
 //! ```
 
+mod accuracy;
 mod case;
 mod caution;
 mod contact_json;
@@ -56,6 +58,9 @@ mod vtk;
 mod whole_file;
 mod write;
 
+pub use accuracy::{
+    Accuracy, ReferenceCase, ReferenceError, SquareGrid, Spread, grid, measure, steady_rolling,
+};
 pub use case::{
     Case, CaseError, CaseFile, Given, SecondStart, SpecError, StaticsCase, StaticsError,
     StaticsFile, Sweep, SweepCase, json_schema, statics_json_schema, sweep_json_schema,

@@ -1,5 +1,5 @@
 //! Creepage and spin coefficients against closed forms and a converged solution. Table 3 itself is
-//! compared in `creepage-validation`.
+//! compared in `creepage-1967`.
 
 mod common;
 

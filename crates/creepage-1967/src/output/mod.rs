@@ -36,18 +36,28 @@ pub fn files(made: &[Made]) -> Result<Vec<File>, GalleryError> {
     Ok(parts.concat())
 }
 
-/// What shows all items together: `agreement.csv`, `agreement.md` and `index.html`, a page that
-/// needs nothing beside it.
+/// What shows all items together: `items.json`, their titles and captions; `agreement.csv`,
+/// `agreement.md`; and `index.html`, a page that needs nothing beside it.
 ///
 /// # Errors
 /// [`GalleryError::Csv`], should memory not suffice.
 pub fn gallery(made: &[Made]) -> Result<Vec<File>, GalleryError> {
     let file = |name: &str, contents| File { name: name.into(), contents };
     Ok(vec![
+        file("items.json", serde_json::to_vec_pretty(&items(made))?),
         file("agreement.csv", agreement::csv(made)?),
         file("agreement.md", agreement::markdown(made).into()),
         file("index.html", page::html(made).into()),
     ])
+}
+
+/// Name, title and caption of every item.
+fn items(made: &[Made]) -> serde_json::Value {
+    let item = |made: &Made| {
+        let (item, caption) = (made.item, &made.reproduction.caption);
+        serde_json::json!({ "name": item.name, "title": item.title, "caption": caption })
+    };
+    made.iter().map(item).collect()
 }
 
 fn of_item(made: &Made) -> Result<Vec<File>, GalleryError> {

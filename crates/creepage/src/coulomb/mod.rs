@@ -45,7 +45,7 @@ use workspace::Pool;
 /// The full theory, prepared for one contact.
 ///
 /// Error of `(fx, fy)` in parts of `mu N` beyond the uncertainty of the 132 reference cases of
-/// `creepage-validation`, and the cost of a case and of preparation on one core:
+/// `creepage-study`, and the cost of a case and of preparation on one core:
 ///
 /// | resolution | median | rms | worst | case | preparation |
 /// |---|---|---|---|---|---|

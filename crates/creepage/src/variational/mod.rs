@@ -14,7 +14,7 @@
 //! minima. There the least loss of power, which has one, takes its place: see [`TractionBound`].
 //!
 //! Error of the force in per cent of `mu N` over the 132 reference cases of
-//! `creepage-validation`; it is largest at small creepage and in strong pure spin:
+//! `creepage-study`; it is largest at small creepage and in strong pure spin:
 //!
 //! | `M` | median | rms | worst |
 //! |---|---|---|---|

@@ -48,7 +48,7 @@ impl ReferenceCase {
 
 /// 132 cases, `a/b` from 0.2 to 5, spin to 10.
 pub(crate) fn steady_rolling() -> Vec<ReferenceCase> {
-    let table = include_str!("../../../creepage-validation/data/steady_rolling.csv");
+    let table = include_str!("../../../creepage-study/data/steady_rolling.csv");
     let rows = csv::Reader::from_reader(table.as_bytes()).into_deserialize();
     rows.collect::<Result<_, _>>().unwrap()
 }

@@ -3,7 +3,7 @@
 use creepage::{Contact, Creepage, Ellipse, InvalidValue, Theory};
 use rayon::prelude::*;
 
-use crate::ReferenceCase;
+use super::ReferenceCase;
 
 /// Steel, as in most of the literature.
 const POISSON: f64 = 0.28;
@@ -61,7 +61,7 @@ mod tests {
     use creepage::approximate::saturated::Saturated;
 
     use super::*;
-    use crate::measure;
+    use crate::accuracy::measure;
 
     fn fastsim(contact: &Contact, cells: usize) -> Result<Box<dyn Theory>, InvalidValue> {
         let settings = Settings { grid: [cells; 2], ..Settings::default() };

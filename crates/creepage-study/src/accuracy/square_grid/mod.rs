@@ -23,7 +23,7 @@ const ROUNDS: usize = 300;
 ///
 /// ```
 /// use creepage::{Contact, Creepage, Ellipse};
-/// use creepage_validation::SquareGrid;
+/// use creepage_study::SquareGrid;
 /// let circle = Contact::new(Ellipse::from_ratio(1.0)?, 0.28)?;
 /// let grid = SquareGrid::new(&circle, 16);
 /// let force = grid.force(Creepage::new(0.9, 0.0, 0.0)?).unwrap();
@@ -91,7 +91,7 @@ impl SquareGrid {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::steady_rolling;
+    use crate::accuracy::steady_rolling;
     use creepage::coulomb::{Exact, Resolution};
     use creepage::{Ellipse, Theory};
 

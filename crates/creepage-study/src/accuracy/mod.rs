@@ -2,7 +2,7 @@
 //!
 //! ```
 //! use creepage::TheorySpec;
-//! use creepage_validation::{measure, steady_rolling};
+//! use creepage_study::{measure, steady_rolling};
 //! let theory = TheorySpec::named("variational")?;
 //! let accuracy = measure(&steady_rolling()?, |contact| theory.prepare(contact))?;
 //! // Chapter 5 with its degree 3: a median error of two per cent of mu N.
@@ -10,12 +10,12 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-mod accuracy;
 mod grid;
 mod reference;
+mod spread;
 mod square_grid;
 
-pub use accuracy::{Accuracy, Spread, measure};
 pub use grid::grid;
 pub use reference::{ReferenceCase, ReferenceError, steady_rolling};
+pub use spread::{Accuracy, Spread, measure};
 pub use square_grid::SquareGrid;

@@ -61,7 +61,7 @@ impl TryFrom<Row> for ReferenceCase {
 /// # Errors
 /// [`ReferenceError`] when the table that the library was built with is damaged.
 pub fn steady_rolling() -> Result<Vec<ReferenceCase>, ReferenceError> {
-    let table = include_str!("../data/steady_rolling.csv");
+    let table = include_str!("../../data/steady_rolling.csv");
     let rows = csv::Reader::from_reader(table.as_bytes()).into_deserialize::<Row>();
     rows.map(|row| Ok(ReferenceCase::try_from(row?)?)).collect()
 }

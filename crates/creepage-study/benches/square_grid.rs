@@ -2,7 +2,7 @@
 #![allow(missing_docs, clippy::unwrap_used)]
 
 use creepage::{Contact, Creepage, Ellipse};
-use creepage_validation::SquareGrid;
+use creepage_study::SquareGrid;
 use divan::{Bencher, black_box};
 
 fn main() {

@@ -3,7 +3,7 @@
 use creepage::{Contact, Status, Theory};
 use serde::Serialize;
 
-use crate::ReferenceCase;
+use super::ReferenceCase;
 
 /// Distribution of an error.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
