@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import ast
+import graphlib
 import inspect
 import os
 import re
@@ -37,6 +39,17 @@ def test_every_public_name_is_documented() -> None:
             for member, value in vars(thing).items():
                 if callable(value) and not member.startswith("_"):
                     assert inspect.getdoc(value), f"{name}.{member}"
+
+
+def test_the_modules_import_one_another_in_no_circle() -> None:
+    imports = {}
+    for path in (ROOT / "python" / "creepage").glob("*.py*"):
+        nodes = list(ast.walk(ast.parse(path.read_text())))
+        froms = [node for node in nodes if isinstance(node, ast.ImportFrom) and node.level == 1]
+        named = {node.module or alias.name for node in froms for alias in node.names}
+        imports[path.stem] = named
+    assert len(imports) > 10
+    assert list(graphlib.TopologicalSorter(imports).static_order())[-1] == "__init__"
 
 
 def test_the_version_is_the_workspaces() -> None:

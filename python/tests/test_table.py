@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import errno
+import pickle
 import signal
 import sys
 import time
@@ -64,6 +65,7 @@ def test_a_file_keeps_every_bit(polach: creepage.Table, tmp_path: Path) -> None:
     again = creepage.Table.read(path)
     assert repr(again) == repr(polach)
     assert (again.theory, again.a_over_b, again.poisson) == ("polach", (0.5, 2.0), (0.2, 0.4))
+    assert repr(pickle.loads(pickle.dumps(polach))) == repr(polach)
     shape = {"a_over_b": 1.1, "poisson": 0.25}
     assert (again.force(XI, ETA, CHI, **shape).fx == polach.force(XI, ETA, CHI, **shape).fx).all()
     with xr.open_dataset(path, engine="scipy") as cube:

@@ -73,7 +73,7 @@ fn options() -> String {
             let mut words = form["description"].as_str().unwrap_or_default().to_owned();
             let choices = choices(form);
             if !choices.is_empty() {
-                words += &format!(" Words: {}.", choices.join(", "));
+                words = format!("{words} Words: {}.", choices.join(", "));
             }
             text += &wrapped(&head, &words);
         }

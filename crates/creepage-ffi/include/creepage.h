@@ -103,12 +103,17 @@
 #define CREEPAGE_UNLIKE_BODIES 5
 
 /*
+ Solved, but the error bars of the force are larger than the accuracy that was asked for.
+ */
+#define CREEPAGE_ACCURACY_NOT_REACHED 6
+
+/*
  A table of creep force, as `creepage table build` makes it.
  */
 typedef struct CreepageTable CreepageTable;
 
 /*
- A theory, prepared for one shape of the contact and one Poisson's ratio.
+ A theory, prepared for one contact.
  */
 typedef struct CreepageTheory CreepageTheory;
 
@@ -125,13 +130,15 @@ const char *creepage_version(void);
  Solves a case file: creepages to forces, or with a section `wanted` forces to creepages.
 
  path: the file, in TOML; `creepage init` writes an example.
- theory: the theory to use, with its usual options; NULL for the file's own.
+ theory: the theory to use, with its usual options unless it is the file's own; NULL for the
+   file's own.
  creepage: room for 3 numbers, those of the upper body relative to the lower, given or found:
    longitudinal creepage, lateral creepage, spin (rad/m); or NULL.
  force: room for 3 numbers, those of the upper body on the lower: longitudinal force (N),
    lateral force (N), moment (N m).
  status: room for one number, CREEPAGE_SOLVED and so on; or NULL. CREEPAGE_UNLIKE_BODIES where
-   the theory takes bodies for alike whose difference matters.
+   the theory takes bodies for alike whose difference matters, CREEPAGE_ACCURACY_NOT_REACHED
+   where no resolution has error bars within the accuracy of the file.
 
  CREEPAGE_NOT_REACHABLE where no creepage gives the wanted forces; CREEPAGE_UNSUPPORTED where
  forces are wanted of another theory than "exact".
@@ -185,16 +192,20 @@ int32_t creepage_table_error(const struct CreepageTable *table,
                              size_t message_size);
 
 /*
- Looks many forces up, for one shape of the contact.
+ Looks many forces up, for one contact.
 
  a_over_b: semi-axis along over semi-axis across the rolling direction, within the table's
    range (1).
  poisson: combined Poisson's ratio, within the table's range (1).
+ kappa_over_mu: how dissimilar the bodies are, as of creepage_theory_new. A table neglects it;
+   status says where it matters.
  count: number of cases.
  creepages: 3 count numbers, xi, eta, chi of each case (1).
  forces: room for 3 count numbers, f_x, f_y, m_z of each case (1).
  derivatives: room for 9 count numbers; or NULL. Of each case the derivative of f_x by xi, by
    eta and by chi, then of f_y, then of m_z (1).
+ status: room for one number, that of all cases: CREEPAGE_SOLVED or CREEPAGE_UNLIKE_BODIES; or
+   NULL.
 
  You promise:
  The handle is alive; arrays and message point to as much room as said.
@@ -202,10 +213,12 @@ int32_t creepage_table_error(const struct CreepageTable *table,
 int32_t creepage_table_force(const struct CreepageTable *table,
                              double a_over_b,
                              double poisson,
+                             double kappa_over_mu,
                              size_t count,
                              const double *creepages,
                              double *forces,
                              double *derivatives,
+                             int32_t *status,
                              char *message,
                              size_t message_size);
 
@@ -217,6 +230,8 @@ int32_t creepage_table_force(const struct CreepageTable *table,
    "resolution = 'fine'"; NULL or "" for the usual ones.
  a_over_b: semi-axis along over semi-axis across the rolling direction (1).
  poisson: combined Poisson's ratio, 0 to 0.5 (1).
+ kappa_over_mu: how dissimilar the bodies are, kappa over the coefficient of friction; 0 for like
+   bodies (1). Theories other than "exact" neglect it, and say so where it matters.
  theory: becomes the handle, to be freed with creepage_theory_free; NULL if the call fails.
 
  You promise:
@@ -226,6 +241,7 @@ int32_t creepage_theory_new(const char *name,
                             const char *options,
                             double a_over_b,
                             double poisson,
+                            double kappa_over_mu,
                             struct CreepageTheory **theory,
                             char *message,
                             size_t message_size);
@@ -244,9 +260,13 @@ void creepage_theory_free(struct CreepageTheory *theory);
  count: number of cases.
  creepages: 3 count numbers, xi, eta, chi of each case (1).
  forces: room for 3 count numbers, f_x, f_y, m_z of each case (1).
+ errors: room for 3 count numbers, the error bars of f_x, f_y, m_z (1); or NULL.
+ derivatives: room for 9 count numbers; or NULL. Of each case the derivative of f_x by xi, by
+   eta and by chi, then of f_y, then of m_z (1); one-sided where the force has a kink.
  statuses: room for count numbers, CREEPAGE_SOLVED and so on; or NULL.
 
- All creepages are checked before any case is solved.
+ All creepages are checked before any case is solved. CREEPAGE_UNSUPPORTED where errors are not
+ NULL and the theory is not "exact", and where derivatives are not NULL and it is "variational".
 
  You promise:
  The handle is alive; arrays and message point to as much room as said.
@@ -255,36 +275,11 @@ int32_t creepage_theory_force(const struct CreepageTheory *theory,
                               size_t count,
                               const double *creepages,
                               double *forces,
+                              double *errors,
+                              double *derivatives,
                               int32_t *statuses,
                               char *message,
                               size_t message_size);
-
-/*
- Forces of many cases by the theory "exact", with error bars and derivatives.
-
- count: number of cases.
- creepages: 3 count numbers, xi, eta, chi of each case (1).
- forces: room for 3 count numbers, f_x, f_y, m_z of each case (1).
- errors: room for 3 count numbers, the error bars of f_x, f_y, m_z (1); or NULL.
- derivatives: room for 9 count numbers; or NULL. Of each case the derivative of f_x by xi, by
-   eta and by chi, then of f_y, then of m_z (1); with resolution = "auto", that at the resolution
-   which sufficed for the case.
- statuses: room for count numbers, CREEPAGE_SOLVED and so on; or NULL.
-
- All creepages are checked before any case is solved. CREEPAGE_UNSUPPORTED for other theories.
-
- You promise:
- The handle is alive; arrays and message point to as much room as said.
- */
-int32_t creepage_exact_force(const struct CreepageTheory *theory,
-                             size_t count,
-                             const double *creepages,
-                             double *forces,
-                             double *errors,
-                             double *derivatives,
-                             int32_t *statuses,
-                             char *message,
-                             size_t message_size);
 
 #ifdef __cplusplus
 }  // extern "C"

@@ -349,7 +349,7 @@ fn wrong_words_and_numbers_get_their_codes() {
             CREEPAGE_TEXT,
             "`degree` is an option of variational, not of exact",
         ),
-        ("exact", "theory = 'linear'", 1.0, CREEPAGE_TEXT, "`theory` is given beside"),
+        ("exact", "theory = 'linear'", 1.0, CREEPAGE_TEXT, "`theory` is not an option"),
         ("exact", "accuracy = 0.01", 1.0, CREEPAGE_TEXT, "`accuracy` needs resolution"),
         ("exact", "", -1.0, CREEPAGE_INVALID, "a_over_b = -1"),
         ("polach", "", f64::NAN, CREEPAGE_INVALID, "NaN"),

@@ -6,29 +6,32 @@ use std::error::Error;
 use std::hint::black_box;
 use std::time::Instant;
 
-use creepage::rolling::fastsim::{Fastsim, Settings};
-use creepage::rolling::linear::{CreepageCoefficients, Linear};
-use creepage::rolling::{Creepage, Theory};
+use creepage::{Contact, Creepage, Ellipse, Theory, TheorySpec};
 use rayon::prelude::*;
 
 const CASES: usize = 100_000;
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let (a_over_b, poisson) = (1.5, 0.28);
-    let linear = Linear::new(a_over_b, poisson)?;
-    let coefficients = CreepageCoefficients::new(a_over_b, poisson)?;
-    let fastsim = Fastsim::new(a_over_b, poisson, &coefficients, Settings::default())?;
-    report("linear", &linear, 100_000, 100);
-    report("fastsim", &fastsim, 1000, 2);
+    let contact = Contact::new(Ellipse::from_ratio(1.5)?, 0.28)?;
+    for (name, calls, batches) in [("linear", 100_000, 100), ("fastsim", 1000, 2)] {
+        report(name, &*TheorySpec::named(name)?.prepare(&contact)?, calls, batches)?;
+    }
     Ok(())
 }
 
 #[allow(clippy::print_stdout)] // the program's purpose
-fn report<T: Theory>(name: &str, theory: &T, calls: u32, batches: usize) {
+fn report(
+    name: &str,
+    theory: &dyn Theory,
+    calls: u32,
+    batches: usize,
+) -> Result<(), Box<dyn Error>> {
+    let creepages: Vec<_> = (0..calls)
+        .map(|k| Creepage::new(f64::from(k) / f64::from(calls), 0.1, 0.2))
+        .collect::<Result<_, _>>()?;
     let one = best(20, || {
-        for k in 0..calls {
-            let xi = black_box(f64::from(k) / f64::from(calls));
-            black_box(theory.solve(Creepage { xi, eta: 0.1, chi: 0.2 }));
+        for creepage in &creepages {
+            black_box(theory.solve(black_box(*creepage)));
         }
     });
     println!("{name} one {:e}", one / f64::from(calls));
@@ -36,10 +39,11 @@ fn report<T: Theory>(name: &str, theory: &T, calls: u32, batches: usize) {
         .map(|scale| (0..CASES).map(|k| scale * (k as f64 / CASES as f64 - 0.5)).collect());
     let many = best(batches, || batch(theory, &columns));
     println!("{name} many {many:e}");
+    Ok(())
 }
 
 /// Forces and statuses of all cases as columns, by all cores; invalid creepage is looked for.
-fn batch<T: Theory>(theory: &T, [xi, eta, chi]: &[Vec<f64>; 3]) -> Option<[Vec<f64>; 3]> {
+fn batch(theory: &dyn Theory, [xi, eta, chi]: &[Vec<f64>; 3]) -> Option<[Vec<f64>; 3]> {
     const PIECE: usize = 1024;
     let mut columns = [(); 3].map(|()| vec![0.0; xi.len()]);
     let mut statuses = vec![0_u8; xi.len()];

@@ -1,4 +1,5 @@
 //! What a case file may say, and what comes of it.
+#![allow(clippy::unwrap_used)]
 
 use creepage::coulomb::Constraints;
 use creepage::theory::{NamedResolution, ResolutionSpec, VariationalOptions};

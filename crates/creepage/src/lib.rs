@@ -13,6 +13,8 @@
 //! | [`theory`] | what every theory can be asked; every theory by name, [`TheorySpec`] |
 //! | [`coulomb`] | the full theory, `exact` |
 //! | [`approximate`], [`variational`], [`table`] | the other theories |
+//! | [`below`], [`damage`] | stresses inside the bodies; wear, fatigue and shakedown |
+//! | [`friction_law`] | friction that depends on the speed of slip |
 //! | [`statics`] | the classical problems without rolling |
 //! | [`halfspace`], [`special`] | the elastic answer to tractions, and the elliptic integrals, on which all rest |
 //!
@@ -72,7 +74,10 @@
 //! ```
 
 pub mod approximate;
+pub mod below;
 pub mod coulomb;
+pub mod damage;
+pub mod friction_law;
 pub mod gap;
 pub mod halfspace;
 pub mod normal;

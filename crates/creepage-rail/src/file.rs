@@ -1,0 +1,170 @@
+//! Profile files: what is in them, what had to be done to them.
+//!
+//! The format is told by the content, then by the name's ending. Units, senses of the axes and
+//! the order of points are those of the format; what it leaves open is found in the shape, and
+//! what the shape leaves open is an error that asks for it ([`Wanted`]) or, for the lateral sense
+//! of rails, the format's convention. All of it stands in the report.
+//!
+//! | format | lengths | `y` of rails | `z` |
+//! |---|---|---|---|
+//! | Simpack `.prr`, `.prw` | `units.len.f` | to the field side after its mirrors | down after its mirrors |
+//! | `MiniProf` `.ban`, `.whl` | mm | to the track side | found |
+//! | VAMPIRE `.rai`, `.whe` | mm | to the right | found |
+//! | GENSYS `.rail`, `.wheel` | mm | to the track side | down |
+//! | two columns | found | to the field side | found |
+//!
+//! Wheels show by their flange where the track is.
+//!
+//! ```
+//! use creepage_rail::file::{Format, Wanted, read, write};
+//! use creepage_rail::Standard;
+//!
+//! let text = write(&Standard::S1002.profile(), Format::Simpack, 5e-4);
+//! let read = read("wheel.prw", text.as_bytes(), &Wanted::default())?;
+//! assert_eq!(read.format, Format::Simpack);
+//! assert!((read.profile.at_z(0.010).unwrap().y + 0.0375).abs() < 1e-8);
+//! # Ok::<(), creepage_rail::file::FileError>(())
+//! ```
+
+mod columns;
+mod error;
+mod miniprof;
+mod orientation;
+mod repair;
+mod report;
+mod rows;
+mod simpack;
+mod vampire;
+mod writing;
+
+pub use error::FileError;
+pub use report::Action;
+pub use writing::write;
+
+use rows::{Raw, lines};
+
+use crate::{Profile, Role, Side};
+
+/// A profile file's format.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Format {
+    /// Simpack `.prr`, `.prw`.
+    Simpack,
+    /// `MiniProf` `.ban`, `.whl`, the newer and the older text.
+    MiniProf,
+    /// VAMPIRE `.rai`, `.whe`: left and right side by side.
+    Vampire,
+    /// GENSYS `.rail`, `.wheel`.
+    Gensys,
+    /// Two columns `y z`.
+    Columns,
+}
+
+/// What is asked for in place of what would be found.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Wanted {
+    /// The format.
+    pub format: Option<Format>,
+    /// Wheel or rail.
+    pub role: Option<Role>,
+    /// The side to take from a file that holds both.
+    pub side: Option<Side>,
+    /// Length of the file's unit (m).
+    pub unit: Option<f64>,
+    /// Whether `y` grows to the field side.
+    pub field_side: Option<bool>,
+    /// Whether `z` grows downwards.
+    pub down: Option<bool>,
+    /// Waves of this length (m) keep half of their amplitude.
+    pub smoothing: Option<f64>,
+}
+
+/// A profile read from a file.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Reading {
+    /// The profile.
+    pub profile: Profile,
+    /// The file's format.
+    pub format: Format,
+    /// Number of points from which the profile is made.
+    pub points: usize,
+    /// What was found, assumed and done, in order.
+    pub actions: Vec<Action>,
+}
+
+/// Reads a profile. `name` is the file's, its ending tells what the content leaves open.
+///
+/// # Errors
+/// [`FileError`]: each names its line, or what must be asked for.
+pub fn read(name: &str, content: &[u8], wanted: &Wanted) -> Result<Reading, FileError> {
+    let text = String::from_utf8_lossy(content);
+    let format = wanted.format.map_or_else(|| recognised(name, &text), Ok)?;
+    let raw = match format {
+        Format::Simpack => simpack::parse(&text)?,
+        Format::MiniProf => miniprof::parse(&text)?,
+        Format::Vampire => vampire::parse(&text, wanted.side)?,
+        Format::Gensys => columns::gensys(&text)?,
+        Format::Columns => columns::parse(&text)?,
+    };
+    let role = wanted.role.or(raw.role).or_else(|| by_ending(name));
+    let role = role.ok_or(FileError::Ask { line: 1, what: "whether it is a wheel or a rail" })?;
+    finish(raw, format, role, wanted)
+}
+
+/// Brings points to the house's form, repairs them and lays a curve through.
+fn finish(raw: Raw, format: Format, role: Role, wanted: &Wanted) -> Result<Reading, FileError> {
+    let mut actions = raw.actions.clone();
+    let (points, unit) = orientation::turned(raw, role, wanted, &mut actions)?;
+    let points = repair::repaired(points, &mut actions)?;
+    let corners = repair::corners(&points, &mut actions);
+    let line = points.first().map_or(0, |point| point.line);
+    // What was dropped may have been most of it.
+    orientation::check_length(orientation::length(&points), unit, line)?;
+    let places: Vec<[f64; 2]> = points.iter().map(|point| point.at).collect();
+    let profile = match wanted.smoothing {
+        Some(wavelength) => {
+            actions.push(Action::Smoothed { wavelength });
+            Profile::smoothed(role, &places, &corners, wavelength)
+        }
+        None => Profile::through(role, &places, &corners),
+    };
+    let profile = profile.map_err(|source| FileError::Profile { line, source })?;
+    Ok(Reading { profile, format, points: places.len(), actions })
+}
+
+/// The format by the content, else by the name's ending.
+fn recognised(name: &str, text: &str) -> Result<Format, FileError> {
+    let head: Vec<&str> = lines(text).map(|(_, line)| line).take(60).collect();
+    let starts = |word: &str| head.iter().any(|line| line.trim_start().starts_with(word));
+    let first = head.first().map_or("", |line| line.trim());
+    if head.iter().take(3).any(|line| line.contains("[FileInfo]")) {
+        return Err(FileError::Unsupported { line: 1, what: "MiniProf files of several profiles" });
+    }
+    if starts("header.begin") || starts("spline.begin") {
+        return Ok(Format::Simpack);
+    }
+    if first.starts_with("WHEELPROFILE") || first.starts_with("RAILPROFILE") {
+        return Ok(Format::Vampire);
+    }
+    let old = head.iter().take(3).any(|line| line.to_uppercase().contains("MINI"));
+    if old || head.iter().take(3).any(|line| miniprof::is_key(line)) {
+        return Ok(Format::MiniProf);
+    }
+    match ending(name).as_str() {
+        "rail" | "wheel" => Ok(Format::Gensys),
+        "slcs" | "slcw" => Err(FileError::Unsupported { line: 1, what: "profiles in slices" }),
+        _ => Ok(Format::Columns),
+    }
+}
+
+fn ending(name: &str) -> String {
+    name.rsplit_once('.').map_or(String::new(), |(_, ending)| ending.to_lowercase())
+}
+
+fn by_ending(name: &str) -> Option<Role> {
+    match ending(name).as_str() {
+        "prr" | "ban" | "rai" | "rail" => Some(Role::Rail),
+        "prw" | "whl" | "whe" | "wheel" => Some(Role::Wheel),
+        _ => None,
+    }
+}

@@ -1,0 +1,64 @@
+//! Lines and numbers.
+
+use super::{Action, FileError};
+use crate::Role;
+
+/// The largest number that may stand for a length, in any unit.
+const LARGEST: f64 = 1e5;
+
+/// A point with the line that it comes from.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Point {
+    pub(super) line: usize,
+    pub(super) at: [f64; 2],
+}
+
+/// What a file says, before anything is done to it.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(super) struct Raw {
+    pub(super) role: Option<Role>,
+    pub(super) points: Vec<Point>,
+    /// Length of the unit (m).
+    pub(super) unit: Option<f64>,
+    /// Whether `y` grows to the field side and `z` downwards.
+    pub(super) field_side: Option<bool>,
+    pub(super) down: Option<bool>,
+    pub(super) actions: Vec<Action>,
+}
+
+/// Moves every point.
+pub(super) fn move_all(points: &mut [Point], moved: impl Fn([f64; 2]) -> [f64; 2]) {
+    for point in points {
+        point.at = moved(point.at);
+    }
+}
+
+/// Lines, counted from 1.
+pub(super) fn lines(text: &str) -> impl Iterator<Item = (usize, &str)> {
+    text.lines().enumerate().map(|(index, line)| (index + 1, line))
+}
+
+/// Number of the last line.
+pub(super) fn last_line(text: &str) -> usize {
+    text.lines().count().max(1)
+}
+
+/// The part of a line before a comment that begins with one of `marks`.
+pub(super) fn uncommented<'a>(line: &'a str, marks: &[char]) -> &'a str {
+    line.split(marks).next().unwrap_or("").trim()
+}
+
+/// The numbers of a line, parted by blanks, commas or semicolons.
+pub(super) fn numbers(line: usize, text: &str) -> Result<Vec<f64>, FileError> {
+    let parted = |c: char| c.is_whitespace() || c == ',' || c == ';';
+    let fields = text.split(parted).filter(|field| !field.is_empty());
+    fields.enumerate().map(|(index, field)| number(line, index + 1, field)).collect()
+}
+
+fn number(line: usize, column: usize, field: &str) -> Result<f64, FileError> {
+    let value: f64 = field.parse().map_err(|_| FileError::NotANumber { line, column })?;
+    if value.abs() <= LARGEST {
+        return Ok(value);
+    }
+    Err(FileError::NotALength { line, column, value })
+}

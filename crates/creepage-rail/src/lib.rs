@@ -1,0 +1,56 @@
+//! Wheel and rail: profiles, their files, the geometry of contact and the creepage of a wheelset.
+//!
+//! No contact theory here. A [`Wheelset`] on a [`Track`] in a [`Position`] hands out, for every
+//! place of contact, the undeformed distance in the plane of contact and the rigid slip in it:
+//! what a theory of contact takes.
+//!
+//! Axes of the track are right-handed: `x` forward, `y` to the right, `z` down; roll is about
+//! `x`, yaw about `z`. A profile has its own coordinates: `y` to the **field side** on both sides
+//! of the track, `z` down. Everything is in SI units: m, rad, s.
+//!
+//! ```
+//! use creepage_rail::{Place, Position, Side, Standard, Track, Wheelset};
+//!
+//! let rail = Standard::Uic60.profile();
+//! let wheel = Standard::S1002.profile();
+//! let track = Track::new(&rail, 0.025f64.atan(), Place::gauge(1.435, 0.014))?;
+//! let running = Wheelset::like(&wheel, 0.46, 1.360)?.on(track);
+//!
+//! let touching = running.resting(0.003, 0.0, None)?;
+//! let pressed = Position { z: touching.z + 20e-6, ..touching };
+//! let contacts = running.contacts(&pressed)?;
+//! assert_eq!(contacts.len(), 2);
+//! assert!(contacts.iter().any(|contact| contact.side == Side::Right && contact.angle < -0.09));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod conicity;
+mod contact;
+pub mod curve;
+pub mod file;
+mod frame;
+mod geometry_error;
+mod meeting;
+mod motion;
+mod profile;
+mod rolling;
+mod running;
+mod search;
+mod side;
+mod standard;
+mod surfaces;
+mod track;
+mod wheel;
+
+pub use conicity::{ConicityError, RadiusDifference};
+pub use contact::{Across, Contact};
+pub use curve::{Curve, CurvePoint, Piece, SplineError};
+pub use geometry_error::GeometryError;
+pub use motion::Motion;
+pub use profile::{Profile, ProfileError, Role};
+pub use rolling::{Revolving, RollingCreepage, SurfaceMotion};
+pub use running::{Running, Touch};
+pub use side::Side;
+pub use standard::{RailHead, Standard};
+pub use track::{Place, Rail, Track};
+pub use wheel::{Position, Wheel, Wheelset};

@@ -1,0 +1,143 @@
+//! A profile: a curve that is a wheel's or a rail's.
+
+use crate::curve::{self, Curve, CurvePoint, SplineError};
+use crate::search::threshold;
+
+/// What a profile belongs to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Role {
+    /// A wheel: the curve runs from the field side to the flange.
+    Wheel,
+    /// A rail: the curve runs from the track side to the field side.
+    Rail,
+}
+
+/// A wheel's or rail's profile in its own coordinates (m): `y` to the field side, `z` down.
+///
+/// A wheel's `y = z = 0` is the nominal tape circle, where the radius is the nominal one. The
+/// material lies on the right hand of the curve.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Profile {
+    role: Role,
+    curve: Curve,
+}
+
+/// Curves that are no profile.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum ProfileError {
+    /// No curve goes through the points.
+    #[error(transparent)]
+    Spline(#[from] SplineError),
+    /// A rail must run towards the field side (`y` rising), a wheel towards the flange.
+    #[error("the {role:?}'s curve runs from y = {from} to {to} m: material on its left hand")]
+    WrongSense {
+        /// What the curve is for.
+        role: Role,
+        /// `y` of its start (m).
+        from: f64,
+        /// `y` of its end (m).
+        to: f64,
+    },
+    /// The smoothing wavelength must be positive and finite.
+    #[error("smoothing wavelength = {value} m: must be positive and finite")]
+    Wavelength {
+        /// What was given (m).
+        value: f64,
+    },
+    /// The arcs of a rail head do not fit together.
+    #[error("arc {index} of the head, radius {radius} m, cannot end at half width {half_width} m")]
+    Head {
+        /// Index from the crown, from 0.
+        index: usize,
+        /// Its radius (m).
+        radius: f64,
+        /// Half width at which it should end (m).
+        half_width: f64,
+    },
+}
+
+impl Profile {
+    /// A profile from its curve.
+    ///
+    /// # Errors
+    /// [`ProfileError::WrongSense`] where the curve's ends lie the wrong way round.
+    pub fn new(role: Role, curve: Curve) -> Result<Self, ProfileError> {
+        let (from, to) = (curve.at(0.0).y, curve.before(curve.length()).y);
+        let forward = if role == Role::Rail { to - from } else { from - to };
+        if forward > 0.0 {
+            Ok(Self { role, curve })
+        } else {
+            Err(ProfileError::WrongSense { role, from, to })
+        }
+    }
+
+    /// A profile known to run the right way.
+    pub(crate) fn known(role: Role, curve: Curve) -> Self {
+        Self { role, curve }
+    }
+
+    /// A profile through points `(y, z)` (m), with continuous slope and curvature but at the
+    /// `corners` (indices).
+    ///
+    /// # Errors
+    /// [`ProfileError`] for points that make no curve or run the wrong way.
+    pub fn through(
+        role: Role,
+        points: &[[f64; 2]],
+        corners: &[usize],
+    ) -> Result<Self, ProfileError> {
+        Self::new(role, curve::interpolate(points, corners)?)
+    }
+
+    /// The same, smoothed: waves of length `wavelength` (m) keep half of their amplitude.
+    ///
+    /// # Errors
+    /// [`ProfileError`] as by [`Profile::through`], and for a wavelength that is not positive.
+    pub fn smoothed(
+        role: Role,
+        points: &[[f64; 2]],
+        corners: &[usize],
+        wavelength: f64,
+    ) -> Result<Self, ProfileError> {
+        if !(wavelength > 0.0 && wavelength.is_finite()) {
+            return Err(ProfileError::Wavelength { value: wavelength });
+        }
+        Self::new(role, curve::smooth(points, corners, wavelength)?)
+    }
+
+    /// Wheel or rail.
+    #[must_use]
+    pub fn role(&self) -> Role {
+        self.role
+    }
+
+    /// The curve.
+    #[must_use]
+    pub fn curve(&self) -> &Curve {
+        &self.curve
+    }
+
+    /// The first point along the curve at which `y` has the given value (m).
+    #[must_use]
+    pub fn at_y(&self, y: f64) -> Option<CurvePoint> {
+        self.crossing(|point| point.y - y)
+    }
+
+    /// The first point along the curve at which `z` has the given value (m).
+    #[must_use]
+    pub fn at_z(&self, z: f64) -> Option<CurvePoint> {
+        self.crossing(|point| point.z - z)
+    }
+
+    fn crossing(&self, excess: impl Fn(CurvePoint) -> f64) -> Option<CurvePoint> {
+        let stations = self.curve.stations(5e-4);
+        let bracket = stations.windows(2).find(|pair| {
+            let [a, b] = [pair[0], pair[1]].map(|s| excess(self.curve.at(s)));
+            a == 0.0 || b == 0.0 || (a < 0.0) != (b < 0.0)
+        })?;
+        let rising = excess(self.curve.at(bracket[0])) < excess(self.curve.at(bracket[1]));
+        let before = |s: f64| (excess(self.curve.at(s)) < 0.0) == rising;
+        Some(self.curve.at(threshold([bracket[0], bracket[1]], before)[1]))
+    }
+}

@@ -1,0 +1,191 @@
+//! A wheelset in its track: rest, rolling radii, contacts.
+
+use crate::meeting::{Meeting, Overlap, Pair};
+use crate::wheel::Posed;
+use crate::{Contact, GeometryError, Position, Side, Track, Wheelset};
+
+/// Overlaps nearer than this on the wheel's profile make one contact (m).
+const TOGETHER: f64 = 0.010;
+
+/// A wheelset on its track.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Running {
+    wheelset: Wheelset,
+    track: Track,
+}
+
+/// Where a wheel touches its rail without load.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Touch {
+    /// Height of the wheelset (m, down) at which it touches.
+    pub z: f64,
+    /// Radius of the wheel where it touches (m).
+    pub radius: f64,
+    /// The place in track axes (m).
+    pub place: [f64; 3],
+    /// `y` in the rail's and in the wheel's profile (m), to the field side.
+    pub y_rail: f64,
+    /// See [`Touch::y_rail`].
+    pub y_wheel: f64,
+    /// Rotation about `x` from the track's `z` to the normal into the rail (rad).
+    pub angle: f64,
+}
+
+impl Wheelset {
+    /// The wheelset on a track.
+    #[must_use]
+    pub fn on(self, track: Track) -> Running {
+        Running { wheelset: self, track }
+    }
+}
+
+impl Running {
+    /// The wheelset.
+    #[must_use]
+    pub fn wheelset(&self) -> &Wheelset {
+        &self.wheelset
+    }
+
+    /// The track.
+    #[must_use]
+    pub fn track(&self) -> &Track {
+        &self.track
+    }
+
+    /// One side as a right-hand one.
+    pub(crate) fn pair(&self, side: Side, position: Position) -> Pair<'_> {
+        let (wheel, rail, position) = match side {
+            Side::Right => (&self.wheelset.right, &self.track.right, position),
+            Side::Left => (&self.wheelset.left, &self.track.left, position.mirrored()),
+        };
+        Pair { posed: Posed::new(wheel, &self.wheelset, position), rail }
+    }
+
+    /// Where one wheel touches when the wheelset comes down at `y` (m), `roll` and `yaw` (rad).
+    ///
+    /// # Errors
+    /// [`GeometryError::Apart`] where the profiles do not meet, [`GeometryError::End`] where they
+    /// would meet at the end of one, [`GeometryError::Value`].
+    pub fn touch(&self, side: Side, y: f64, roll: f64, yaw: f64) -> Result<Touch, GeometryError> {
+        let position = Position { y, z: 0.0, roll, yaw }.check()?;
+        let pair = self.pair(side, position);
+        let lowest = pair.lowest().map_err(|end| match end {
+            Some(end) => GeometryError::End { side, y: side.sense() * end },
+            None => GeometryError::Apart { side, y },
+        })?;
+        Ok(touch(side, &pair, &lowest))
+    }
+
+    /// The position in which the wheelset rests on the track without load.
+    ///
+    /// With `roll` (rad) given it rests on one wheel or, by chance, on both; with `None` it rolls
+    /// until both touch.
+    ///
+    /// # Errors
+    /// [`GeometryError`] where the profiles do not meet.
+    pub fn resting(&self, y: f64, yaw: f64, roll: Option<f64>) -> Result<Position, GeometryError> {
+        let roll = match roll {
+            Some(roll) => roll,
+            None => self.free_roll(y, yaw)?,
+        };
+        let height = |side| self.touch(side, y, roll, yaw).map(|touch| touch.z);
+        let z = height(Side::Left)?.min(height(Side::Right)?);
+        Ok(Position { y, z, roll, yaw })
+    }
+
+    /// The roll at which both wheels touch at one height: chords, kept in a bracket.
+    fn free_roll(&self, y: f64, yaw: f64) -> Result<f64, GeometryError> {
+        let tilt = |roll: f64| -> Result<f64, GeometryError> {
+            let height = |side| self.touch(side, y, roll, yaw).map(|touch| touch.z);
+            Ok(height(Side::Right)? - height(Side::Left)?)
+        };
+        // The first chord: both wheels on level rails.
+        let mut fall = -self.wheelset.tape_distance();
+        let (mut roll, mut bracket) = (0.0, [-0.05f64, 0.05]);
+        let mut excess = tilt(roll)?;
+        for _ in 0..60 {
+            bracket[usize::from(excess < 0.0)] = roll;
+            let chord = roll - excess / fall;
+            let inside = chord > bracket[0] && chord < bracket[1];
+            let next = if inside { chord } else { bracket[0].midpoint(bracket[1]) };
+            let step = next - roll;
+            if step.abs() < 1e-12 {
+                break;
+            }
+            let before = excess;
+            (roll, excess) = (next, tilt(next)?);
+            fall = (excess - before) / step;
+        }
+        Ok(roll)
+    }
+
+    /// Rolling radius of the right wheel less that of the left (m) at `y` (m), without yaw.
+    ///
+    /// EN 15302 leaves roll out (`Some(0.0)`); `None` lets the wheelset roll until both touch.
+    ///
+    /// # Errors
+    /// [`GeometryError`] where the profiles do not meet.
+    pub fn radius_difference(&self, y: f64, roll: Option<f64>) -> Result<f64, GeometryError> {
+        let roll = match roll {
+            Some(roll) => roll,
+            None => self.free_roll(y, 0.0)?,
+        };
+        let radius = |side| self.touch(side, y, roll, 0.0).map(|touch| touch.radius);
+        Ok(radius(Side::Right)? - radius(Side::Left)?)
+    }
+
+    /// All contacts of both wheels: the stretches on which the undeformed bodies overlap, the
+    /// left wheel's first, each side's from the field side to the flange. Overlaps less than
+    /// 10 mm apart on the wheel make one contact of several areas.
+    ///
+    /// # Errors
+    /// [`GeometryError::End`] where an overlap reaches the end of a profile, and
+    /// [`GeometryError::Value`].
+    pub fn contacts(&self, position: &Position) -> Result<Vec<Contact<'_>>, GeometryError> {
+        let mut contacts = self.contacts_of(Side::Left, position)?;
+        contacts.extend(self.contacts_of(Side::Right, position)?);
+        Ok(contacts)
+    }
+
+    /// The contacts of one wheel.
+    ///
+    /// # Errors
+    /// As by [`Running::contacts`].
+    pub fn contacts_of(
+        &self,
+        side: Side,
+        position: &Position,
+    ) -> Result<Vec<Contact<'_>>, GeometryError> {
+        let pair = self.pair(side, position.check()?);
+        let overlaps = joined(pair.overlaps()).into_iter();
+        overlaps.filter_map(|overlap| Contact::of(side, pair, overlap).transpose()).collect()
+    }
+}
+
+/// Neighbours joined.
+fn joined(overlaps: Vec<Overlap>) -> Vec<Overlap> {
+    let mut joined: Vec<Overlap> = Vec::new();
+    for overlap in overlaps {
+        match joined.last_mut() {
+            Some(last) if overlap.from - last.to < TOGETHER => {
+                (last.to, last.end) = (overlap.to, last.end.or(overlap.end));
+            }
+            _ => joined.push(overlap),
+        }
+    }
+    joined
+}
+
+fn touch(side: Side, pair: &Pair, lowest: &Meeting) -> Touch {
+    let Meeting { outline, rail_s, rail } = lowest;
+    let sense = side.sense();
+    let wheel = pair.posed.wheel.profile().curve().at(outline.s);
+    Touch {
+        z: lowest.gap(),
+        radius: pair.posed.wheel.radius() + wheel.z,
+        place: [outline.x, sense * rail.y, rail.z],
+        y_rail: pair.rail.profile().curve().at(*rail_s).y,
+        y_wheel: wheel.y,
+        angle: sense * rail.tangent[1].atan2(rail.tangent[0]),
+    }
+}

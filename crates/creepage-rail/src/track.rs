@@ -1,0 +1,291 @@
+//! Rails in place.
+//!
+//! A side is held as a right-hand one: `y` to the field side. The left side is its mirror image.
+
+use crate::curve::{CurvePoint, hermite};
+use crate::search::threshold;
+use crate::{GeometryError, Profile, Role};
+
+/// Spacing of the stations between which a rail is looked up (m).
+const STEP: f64 = 2.5e-4;
+
+/// Where a rail stands across the track.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Place {
+    /// The head's nearest point to the track centre, down to `height` (m) below its highest
+    /// point, lies at half of `gauge` (m).
+    Gauge {
+        /// Distance between the two rails' nearest points (m).
+        gauge: f64,
+        /// Depth down to which they are looked for (m).
+        height: f64,
+    },
+    /// The profile's origin lies that far from the track centre (m).
+    Origin(f64),
+}
+
+impl Place {
+    /// By the gauge (m) and the depth (m) above which it is measured.
+    #[must_use]
+    pub fn gauge(gauge: f64, height: f64) -> Self {
+        Self::Gauge { gauge, height }
+    }
+}
+
+/// A rail, canted and set in place, raised until its highest point touches the plane `z = 0`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Rail {
+    profile: Profile,
+    rotation: (f64, f64),
+    shift: [f64; 2],
+    /// The part that a wheel can see from above, `y` rising.
+    visible: Vec<Station>,
+    /// Whether it ends at walls, on the track side and on the field side.
+    walls: [bool; 2],
+}
+
+/// A station of a rail in its place.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Station {
+    s: f64,
+    y: f64,
+    z: f64,
+    /// `dz/dy`.
+    slope: f64,
+}
+
+impl Station {
+    fn new(s: f64, point: CurvePoint) -> Self {
+        Self { s, y: point.y, z: point.z, slope: point.tangent[1] / point.tangent[0] }
+    }
+}
+
+impl Rail {
+    /// Sets a rail's `profile` in place. A positive `cant` (rad) inclines the head towards the
+    /// track centre.
+    ///
+    /// # Errors
+    /// [`GeometryError`] for a wheel's profile, values not finite, and a head too low or too
+    /// short for its gauge to be measured.
+    pub fn new(profile: &Profile, cant: f64, place: Place) -> Result<Self, GeometryError> {
+        if profile.role() != Role::Rail {
+            return Err(GeometryError::NotA { role: Role::Rail });
+        }
+        if cant.is_nan() || cant.abs() >= 1.0 {
+            return Err(GeometryError::Value { name: "cant", value: cant, range: "-1 to 1 rad" });
+        }
+        let (sin, cos) = (-cant).sin_cos();
+        let mut rail = Self {
+            profile: profile.clone(),
+            rotation: (cos, sin),
+            shift: [0.0; 2],
+            visible: vec![],
+            walls: [false; 2],
+        };
+        let stations = rail.profile.curve().stations(STEP);
+        rail.shift[1] = -rail.highest(&stations).z;
+        rail.shift[0] = rail.offset(&stations, place)?;
+        (rail.visible, rail.walls) = rail.seen_from_above(&stations);
+        if rail.visible.len() < 2 {
+            return Err(GeometryError::Hidden);
+        }
+        Ok(rail)
+    }
+
+    /// The profile as given.
+    #[must_use]
+    pub fn profile(&self) -> &Profile {
+        &self.profile
+    }
+
+    /// Distance of the profile's origin from the track centre, and its `z` in the track (m).
+    #[must_use]
+    pub fn origin(&self) -> [f64; 2] {
+        self.shift
+    }
+
+    /// The point at arc length `s`, in track coordinates of a right-hand rail.
+    pub(crate) fn at(&self, s: f64) -> CurvePoint {
+        self.profile.curve().at(s).moved(self.rotation, self.shift)
+    }
+
+    /// `y` of the visible part (m), from the track side to the field side.
+    pub(crate) fn range(&self) -> [f64; 2] {
+        let y = |end: Option<&Station>| end.map_or(0.0, |station| station.y);
+        [y(self.visible.first()), y(self.visible.last())]
+    }
+
+    /// Whether `y` lies beyond a wall: nothing is met there.
+    pub(crate) fn beyond_wall(&self, y: f64) -> bool {
+        let [low, high] = self.range();
+        (self.walls[0] && y < low) || (self.walls[1] && y > high)
+    }
+
+    /// The stations about `y`; none beyond the visible part.
+    fn about(&self, y: f64) -> Option<[&Station; 2]> {
+        let after = self.visible.partition_point(|station| station.y <= y);
+        let low = self.visible.get(after.checked_sub(1)?)?;
+        let high = self.visible.get(after).or_else(|| self.visible.last())?;
+        (y <= high.y).then_some([low, high])
+    }
+
+    /// Height of the visible part at `y`, by cubics between stations: to nanometres but on walls.
+    pub(crate) fn height(&self, y: f64) -> Option<f64> {
+        let [low, high] = self.about(y)?;
+        let width = high.y - low.y;
+        let steep = low.slope.abs().max(high.slope.abs()) > 4.0;
+        if steep || width <= 0.0 {
+            return self.at_y(y).map(|(_, point)| point.z);
+        }
+        let slopes = [width * low.slope, width * high.slope];
+        Some(hermite((y - low.y) / width, [low.z, high.z], slopes))
+    }
+
+    /// The visible point at `y`: its arc length and itself. `None` beyond the visible part.
+    pub(crate) fn at_y(&self, y: f64) -> Option<(f64, CurvePoint)> {
+        let [start, end] = self.about(y)?;
+        let (mut low, mut high) = (start.s, end.s);
+        let part = if end.y > start.y { (y - start.y) / (end.y - start.y) } else { 0.0 };
+        let mut s = low + part * (high - low);
+        let mut point = self.at(s);
+        for _ in 0..60 {
+            let excess = point.y - y;
+            if excess.abs() < 1e-14 {
+                break;
+            }
+            if excess > 0.0 {
+                high = s;
+            } else {
+                low = s;
+            }
+            let step = s - excess / point.tangent[0];
+            let next = if step > low && step < high { step } else { low.midpoint(high) };
+            if (next - s).abs() < f64::EPSILON * s.abs() {
+                break;
+            }
+            s = next;
+            point = self.at(s);
+        }
+        Some((s, point))
+    }
+
+    /// The highest point: where the tangent is level, else the highest station.
+    fn highest(&self, stations: &[f64]) -> CurvePoint {
+        let lowest = |a: CurvePoint, b: CurvePoint| if b.z < a.z { b } else { a };
+        let level = stations.windows(2).filter_map(|pair| {
+            let rises = |s: f64| self.at(s).tangent[1] < 0.0;
+            let inside = rises(pair[0]) && !rises(pair[1]);
+            inside.then(|| self.at(threshold([pair[0], pair[1]], rises)[1]))
+        });
+        stations.iter().map(|&s| self.at(s)).chain(level).fold(self.at(0.0), lowest)
+    }
+
+    /// How far the origin stands from the track centre.
+    fn offset(&self, stations: &[f64], place: Place) -> Result<f64, GeometryError> {
+        let (gauge, height) = match place {
+            Place::Origin(y) if y.is_finite() => return Ok(y),
+            Place::Origin(value) => {
+                return Err(GeometryError::Value { name: "rail_position", value, range: "finite" });
+            }
+            Place::Gauge { gauge, height } => (gauge, height),
+        };
+        if !(gauge > 0.0 && gauge.is_finite()) {
+            return Err(GeometryError::Value { name: "gauge", value: gauge, range: "above 0 m" });
+        }
+        if !(height > 0.0 && height.is_finite()) {
+            let range = "above 0 m";
+            return Err(GeometryError::Value { name: "gauge_height", value: height, range });
+        }
+        let lowest = stations.first().map_or(0.0, |&s| self.at(s).z);
+        if lowest < height {
+            return Err(GeometryError::HeadTooLow { depth: lowest, height });
+        }
+        Ok(0.5 * gauge - self.nearest(stations, height))
+    }
+
+    /// Least `y` down to the given depth, on the track side of the highest point.
+    fn nearest(&self, stations: &[f64], height: f64) -> f64 {
+        let deep = |s: f64| self.at(s).z > height;
+        let overhangs = |s: f64| self.at(s).tangent[0] < 0.0;
+        let mut nearest = f64::INFINITY;
+        for pair in stations.windows(2) {
+            let ends = [pair[0], pair[1]];
+            let mut count = |s: f64| {
+                if !deep(s) {
+                    nearest = nearest.min(self.at(s).y);
+                }
+            };
+            count(ends[1]);
+            if deep(ends[0]) && !deep(ends[1]) {
+                count(threshold(ends, deep)[1]);
+            }
+            if overhangs(ends[0]) && !overhangs(ends[1]) {
+                count(threshold(ends, overhangs)[1]);
+            }
+        }
+        nearest
+    }
+
+    /// From the highest station outwards, as long as `y` goes on; and on which ends it stops at
+    /// a wall before the profile ends.
+    fn seen_from_above(&self, stations: &[f64]) -> (Vec<Station>, [bool; 2]) {
+        let points: Vec<(f64, CurvePoint)> = stations.iter().map(|&s| (s, self.at(s))).collect();
+        let heights = points.iter().map(|(_, point)| point.z).enumerate();
+        let top = heights.min_by(|a, b| a.1.total_cmp(&b.1)).map_or(0, |(index, _)| index);
+        let (inner, outer) = points.split_at(top);
+        let (mut seen, inner_wall) =
+            self.onwards(outer.first().into_iter().chain(inner.iter().rev()), -1.0);
+        let (outwards, outer_wall) = self.onwards(outer.iter(), 1.0);
+        seen.reverse();
+        seen.extend(outwards.into_iter().skip(1));
+        (seen, [inner_wall, outer_wall])
+    }
+
+    /// Stations as long as `y` grows in the given sense and the surface looks upwards; at a wall
+    /// its foot is the last.
+    fn onwards<'p>(
+        &self,
+        walk: impl Iterator<Item = &'p (f64, CurvePoint)>,
+        sense: f64,
+    ) -> (Vec<Station>, bool) {
+        let mut seen: Vec<Station> = Vec::new();
+        let looks_up = |s: f64| self.at(s).tangent[0] > 1e-6;
+        for &(s, point) in walk {
+            let Some(&last) = seen.last() else {
+                seen.push(Station::new(s, point));
+                continue;
+            };
+            if sense * point.y > sense * last.y && looks_up(s) {
+                seen.push(Station::new(s, point));
+                continue;
+            }
+            let [foot, _] = threshold([last.s, s], looks_up);
+            let point = self.at(foot);
+            if sense * point.y > sense * last.y {
+                seen.push(Station::new(foot, point));
+            }
+            return (seen, true);
+        }
+        (seen, false)
+    }
+}
+
+/// Two rails.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Track {
+    /// The left rail, as its mirror image on the right.
+    pub left: Rail,
+    /// The right rail.
+    pub right: Rail,
+}
+
+impl Track {
+    /// Two like rails.
+    ///
+    /// # Errors
+    /// [`GeometryError`] as by [`Rail::new`].
+    pub fn new(profile: &Profile, cant: f64, place: Place) -> Result<Self, GeometryError> {
+        let right = Rail::new(profile, cant, place)?;
+        Ok(Self { left: right.clone(), right })
+    }
+}

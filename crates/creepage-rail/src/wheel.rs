@@ -1,0 +1,231 @@
+//! Wheels on an axle, and the outline of a wheel that is turned against the rail.
+
+use crate::curve::CurvePoint;
+use crate::{GeometryError, Profile, Role};
+
+/// Spacing of the stations at which the outline is looked at (m).
+const STEP: f64 = 2.5e-4;
+
+/// A wheel.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Wheel {
+    profile: Profile,
+    radius: f64,
+    flange_back: f64,
+    stations: Vec<(f64, CurvePoint)>,
+}
+
+impl Wheel {
+    /// A wheel from its profile and nominal radius (m); its flange back lies at the profile's
+    /// `y = -0.070`.
+    ///
+    /// # Errors
+    /// [`GeometryError`] for a rail's profile or a radius too small for it.
+    pub fn new(profile: &Profile, radius: f64) -> Result<Self, GeometryError> {
+        if profile.role() != Role::Wheel {
+            return Err(GeometryError::NotA { role: Role::Wheel });
+        }
+        let stations = profile.curve().stations(STEP).into_iter();
+        let stations: Vec<_> = stations.map(|s| (s, profile.curve().at(s))).collect();
+        let least = stations.iter().map(|(_, point)| point.z).fold(0.0, f64::min);
+        if !(radius + least > 0.0 && radius.is_finite()) {
+            let range = "large enough for the profile";
+            return Err(GeometryError::Value { name: "radius", value: radius, range });
+        }
+        Ok(Self { profile: profile.clone(), radius, flange_back: -0.070, stations })
+    }
+
+    /// The same with its flange back at another `y` of the profile (m).
+    ///
+    /// # Errors
+    /// [`GeometryError::Value`] unless finite.
+    pub fn with_flange_back(self, flange_back: f64) -> Result<Self, GeometryError> {
+        if flange_back.is_finite() {
+            return Ok(Self { flange_back, ..self });
+        }
+        Err(GeometryError::Value { name: "flange_back", value: flange_back, range: "finite" })
+    }
+
+    /// Its profile.
+    #[must_use]
+    pub fn profile(&self) -> &Profile {
+        &self.profile
+    }
+
+    /// Its nominal radius (m).
+    #[must_use]
+    pub fn radius(&self) -> f64 {
+        self.radius
+    }
+
+    /// Arc lengths at which the outline is looked at, with the points there.
+    pub(crate) fn stations(&self) -> &[(f64, CurvePoint)] {
+        &self.stations
+    }
+}
+
+/// Two wheels on an axle.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Wheelset {
+    pub(crate) left: Wheel,
+    pub(crate) right: Wheel,
+    pub(crate) back_to_back: f64,
+}
+
+impl Wheelset {
+    /// Two wheels whose flange backs stand `back_to_back` (m) apart.
+    ///
+    /// # Errors
+    /// [`GeometryError::Value`] unless `back_to_back` is positive and finite.
+    pub fn new(left: Wheel, right: Wheel, back_to_back: f64) -> Result<Self, GeometryError> {
+        if back_to_back >= 0.0 && back_to_back.is_finite() {
+            return Ok(Self { left, right, back_to_back });
+        }
+        let range = "0 m and above";
+        Err(GeometryError::Value { name: "back_to_back", value: back_to_back, range })
+    }
+
+    /// Two like wheels.
+    ///
+    /// # Errors
+    /// [`GeometryError`] as by [`Wheel::new`] and [`Wheelset::new`].
+    pub fn like(profile: &Profile, radius: f64, back_to_back: f64) -> Result<Self, GeometryError> {
+        let wheel = Wheel::new(profile, radius)?;
+        Self::new(wheel.clone(), wheel, back_to_back)
+    }
+
+    /// Mean of the two nominal radii (m): the height of the axle over the track at `z = 0`.
+    #[must_use]
+    pub fn radius(&self) -> f64 {
+        0.5 * (self.left.radius + self.right.radius)
+    }
+
+    /// Distance between the tape circles (m).
+    #[must_use]
+    pub fn tape_distance(&self) -> f64 {
+        self.back_to_back - self.left.flange_back - self.right.flange_back
+    }
+}
+
+/// Where a wheelset stands in the track.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Position {
+    /// Its centre to the right of the track centre (m).
+    pub y: f64,
+    /// Its centre downwards (m); at 0 the nominal circle touches the track plane.
+    pub z: f64,
+    /// Turn about the track's `x` (rad); positive lowers the right wheel.
+    pub roll: f64,
+    /// Turn about the wheelset's own `z`, which rolls with it (rad); positive turns the axle's
+    /// right end back. The axle points along `(-sin yaw, cos yaw cos roll, cos yaw sin roll)`.
+    pub yaw: f64,
+}
+
+impl Position {
+    /// Seen in a mirror along the track.
+    pub(crate) fn mirrored(self) -> Self {
+        Self { y: -self.y, roll: -self.roll, yaw: -self.yaw, ..self }
+    }
+
+    /// # Errors
+    /// [`GeometryError::Value`] names what is not finite or turned too far.
+    pub(crate) fn check(self) -> Result<Self, GeometryError> {
+        let lengths = [("y", self.y), ("z", self.z)];
+        if let Some(&(name, value)) = lengths.iter().find(|(_, value)| !value.is_finite()) {
+            return Err(GeometryError::Value { name, value, range: "finite" });
+        }
+        let turns = [("roll", self.roll), ("yaw", self.yaw)];
+        match turns.iter().find(|(_, value)| value.is_nan() || value.abs() > 0.5) {
+            Some(&(name, value)) => {
+                Err(GeometryError::Value { name, value, range: "-0.5 to 0.5 rad" })
+            }
+            None => Ok(self),
+        }
+    }
+}
+
+/// A right-hand wheel in its position: a surface of revolution in track axes.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Posed<'a> {
+    pub(crate) wheel: &'a Wheel,
+    /// The axle's centre (m).
+    pub(crate) centre: [f64; 3],
+    /// The tape circle's distance from it along the axle (m).
+    arm: f64,
+    /// Sine and cosine.
+    roll: (f64, f64),
+    yaw: (f64, f64),
+}
+
+/// A point of the outline: seen along the track, the wheel ends there.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Outline {
+    /// Arc length on the wheel's profile, and the angle around the axle (rad).
+    pub(crate) s: f64,
+    pub(crate) around: f64,
+    /// Place in track axes (m).
+    pub(crate) x: f64,
+    pub(crate) y: f64,
+    pub(crate) z: f64,
+    /// Slope `dz/dy` of the outline.
+    pub(crate) slope: f64,
+}
+
+impl<'a> Posed<'a> {
+    pub(crate) fn new(wheel: &'a Wheel, wheelset: &Wheelset, position: Position) -> Self {
+        Self {
+            wheel,
+            centre: [0.0, position.y, position.z - wheelset.radius()],
+            arm: 0.5 * wheelset.back_to_back - wheel.flange_back,
+            roll: position.roll.sin_cos(),
+            yaw: position.yaw.sin_cos(),
+        }
+    }
+
+    /// A vector of the wheelset's axes in those of the track.
+    pub(crate) fn turned(&self, [x, y, z]: [f64; 3]) -> [f64; 3] {
+        let (x, y) = (x * self.yaw.1 - y * self.yaw.0, x * self.yaw.0 + y * self.yaw.1);
+        [x, y * self.roll.1 - z * self.roll.0, y * self.roll.0 + z * self.roll.1]
+    }
+
+    /// The point of the surface at an arc length of the profile and an angle around the axle.
+    pub(crate) fn surface(&self, point: CurvePoint, around: f64) -> [f64; 3] {
+        let (sin, cos) = around.sin_cos();
+        let radius = self.wheel.radius + point.z;
+        let turned = self.turned([radius * sin, self.arm + point.y, radius * cos]);
+        [0, 1, 2].map(|i| turned[i] + self.centre[i])
+    }
+
+    /// Derivatives of [`Posed::surface`] by arc length and by the angle.
+    pub(crate) fn tangents(&self, point: CurvePoint, around: f64) -> [[f64; 3]; 2] {
+        let (sin, cos) = around.sin_cos();
+        let radius = self.wheel.radius + point.z;
+        let [ty, tz] = point.tangent;
+        [self.turned([tz * sin, ty, tz * cos]), self.turned([radius * cos, 0.0, -radius * sin])]
+    }
+
+    /// The outline at arc length `s`: where the surface's normal has no part along the track.
+    ///
+    /// `None` where the surface looks upwards, or turns its side to the track at all angles.
+    pub(crate) fn outline(&self, s: f64) -> Option<Outline> {
+        self.outline_at(s, self.wheel.profile.curve().at(s))
+    }
+
+    /// The same where the profile's point is known.
+    pub(crate) fn outline_at(&self, s: f64, point: CurvePoint) -> Option<Outline> {
+        let [ny, nz] = point.normal();
+        if nz <= 0.0 {
+            return None;
+        }
+        // The normal (n_z sin, n_y, n_z cos), yawed, has the part n_z sin cos_yaw - n_y sin_yaw.
+        let sine = ny * self.yaw.0 / (nz * self.yaw.1);
+        if sine.abs() >= 1.0 {
+            return None;
+        }
+        let around = sine.asin();
+        let [x, y, z] = self.surface(point, around);
+        let (sin, cos) = around.sin_cos();
+        let [_, normal_y, normal_z] = self.turned([nz * sin, ny, nz * cos]);
+        (normal_z > 0.0).then_some(Outline { s, around, x, y, z, slope: -normal_y / normal_z })
+    }
+}
