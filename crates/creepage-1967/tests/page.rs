@@ -1,8 +1,8 @@
 //! The page of Fig. 12. Its numbers are compared with the print in `gallery.rs`.
 #![allow(clippy::unwrap_used)]
 
-use creepage::{Contact, Creepage, Ellipse};
 use creepage::variational::{Chain, Procedure, Settings, Variational};
+use creepage::{Contact, Creepage, Ellipse};
 use creepage_1967::{Page, PageStyle};
 
 /// The page after the chain of creepages 2.5, 2.0, 1.7.

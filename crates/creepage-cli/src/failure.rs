@@ -7,8 +7,8 @@ use creepage::InvalidValue;
 use creepage::table::{BuildError, FileError};
 use creepage::theory::{TheoryError, UnknownTheory};
 use creepage_1967::GalleryError;
-use creepage_study::{CaseError, ReportError, SolveError, SpecError, StaticsError};
 use creepage_study::ReferenceError;
+use creepage_study::{CaseError, ReportError, SolveError, SpecError, StaticsError};
 
 use crate::batch::columns::ColumnError;
 

@@ -59,7 +59,7 @@ mod whole_file;
 mod write;
 
 pub use accuracy::{
-    Accuracy, ReferenceCase, ReferenceError, SquareGrid, Spread, grid, measure, steady_rolling,
+    Accuracy, ReferenceCase, ReferenceError, Spread, SquareGrid, grid, measure, steady_rolling,
 };
 pub use case::{
     Case, CaseError, CaseFile, Given, SecondStart, SpecError, StaticsCase, StaticsError,

@@ -112,10 +112,7 @@ pub trait Theory: Send + Sync {
     /// # Errors
     /// [`InverseError`] within the `Option`, unless three quantities are given, all finite, and
     /// within reach.
-    fn solved_for(
-        &self,
-        _: Constraints,
-    ) -> Option<Result<Box<dyn Solved + '_>, InverseError>> {
+    fn solved_for(&self, _: Constraints) -> Option<Result<Box<dyn Solved + '_>, InverseError>> {
         None
     }
 }
