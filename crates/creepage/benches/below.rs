@@ -3,8 +3,8 @@
 
 use creepage::below::{Body, Element, Grid, Interior, Stress};
 use creepage::damage::{ShakedownBlock, TGamma, Usfd, Wlrm, shakedown, surface_index};
-use creepage::rolling::{SiCreepage, SiForce};
 use creepage::{Ellipse, Hertz, Solid, SolidPair};
+use creepage::{SiCreepage, SiForce};
 use divan::{Bencher, black_box};
 
 fn main() {

@@ -3,12 +3,12 @@
 #![allow(clippy::float_cmp, clippy::unwrap_used)]
 
 use creepage::below::{Body, Interior, Stress};
+use creepage::coulomb::{Exact, Resolution};
 use creepage::damage::{
     Archard, Bre, DamageConstants, DangVan, Ekberg, ElementState, Passage, ShakedownBlock, TGamma,
     Usfd, WearZone, Wlrm, local_surface_index, shakedown, surface_index,
 };
-use creepage::rolling::exact::{Exact, Resolution};
-use creepage::rolling::{Creepage, Scaling, SiCreepage, SiForce};
+use creepage::{Contact, Creepage, Scaling, SiCreepage, SiForce, Solved};
 use creepage::{Ellipse, Hertz, Solid, SolidPair};
 use proptest::prelude::*;
 
@@ -119,11 +119,12 @@ fn published_points() {
 fn t_gamma_is_the_frictional_power_per_metre() {
     let (contact, _) = contact(6e-3, 5e-3, 80e3);
     let scaling = Scaling::new(&contact, 0.3).unwrap();
-    let theory = Exact::new(1.2, 0.3, Resolution::FINE).unwrap();
-    let mut workspace = theory.workspace();
+    let shape = Contact::new(Ellipse::from_ratio(1.2).unwrap(), 0.3).unwrap();
+    let theory = Exact::new(&shape, Resolution::FINE).unwrap();
     for (xi, eta, chi) in [(1.5, 0.0, 0.0), (0.9, 0.8, 0.0), (1.0, 1.5, 1.0), (0.2, 2.0, 1.5)] {
         let creepage = Creepage::new(xi, eta, chi).unwrap();
-        let solution = theory.solve_with(creepage, &mut workspace);
+        let solved = theory.solve_contact(creepage);
+        let solution = solved.solution();
         let (force, si) = (scaling.si_force(solution.force), scaling.si_creepage(creepage));
         let work = TGamma::new(force, si);
         let power = scaling.power_per_metre(solution.force, creepage);
@@ -131,8 +132,8 @@ fn t_gamma_is_the_frictional_power_per_metre() {
         // Every force has the sense of its creepage here.
         assert!((work.with_spin / power - 1.0).abs() < 1e-13, "{force:?} {si:?}");
         let c = scaling.length;
-        let elements: Vec<_> = theory
-            .element_fields(&workspace)
+        let elements: Vec<_> = solved
+            .elements()
             .iter()
             .map(|element| {
                 let [p, q, r, s] = element.corners;

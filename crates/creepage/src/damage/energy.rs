@@ -1,6 +1,6 @@
 //! The energy that friction takes per metre rolled.
 
-use crate::rolling::{SiCreepage, SiForce};
+use crate::{SiCreepage, SiForce};
 
 /// T gamma of a whole contact (N = J/m): forces times creepages, each product by its size.
 ///
@@ -19,7 +19,7 @@ impl TGamma {
     ///
     /// ```
     /// use creepage::damage::TGamma;
-    /// use creepage::rolling::{SiCreepage, SiForce};
+    /// use creepage::{SiCreepage, SiForce};
     /// let force = SiForce { longitudinal: -10e3, lateral: 5e3, moment: 10.0 };
     /// let creepage = SiCreepage { longitudinal: -2e-3, lateral: 1e-3, spin: 0.1 };
     /// let work = TGamma::new(force, creepage);

@@ -1,8 +1,8 @@
 //! Below rolling contacts: the tractions of the full theory as elements.
 
 use creepage::below::{Body, Element, Interior, Stress};
-use creepage::rolling::Creepage;
-use creepage::rolling::exact::{Exact, Resolution};
+use creepage::coulomb::{Exact, Resolution};
+use creepage::{Contact, Creepage, Ellipse, Solved};
 
 use crate::support::{contact, rows};
 
@@ -10,18 +10,17 @@ use crate::support::{contact, rows};
 /// its two grids as the theory does its forces, in quarters of the finer grid's elements.
 fn interior(a_over_b: f64, creepage: Creepage) -> Interior {
     let (contact, solid) = contact(a_over_b, 0.28);
-    let theory = Exact::new(a_over_b, 0.28, Resolution::FINE).unwrap();
-    let coarser = Exact::new(a_over_b, 0.28, Resolution::new(20, 16).unwrap()).unwrap();
-    let [mut fine, mut coarse] = [theory.workspace(), coarser.workspace()];
-    theory.solve_with(creepage, &mut fine);
-    coarser.solve_with(creepage, &mut coarse);
-    let fields = theory.element_fields(&fine);
-    let quarters: Vec<_> = fields.iter().flat_map(|element| quarters(element.corners)).collect();
+    let shape = Contact::new(Ellipse::from_ratio(a_over_b).unwrap(), 0.28).unwrap();
+    let theory = Exact::new(&shape, Resolution::FINE).unwrap();
+    let coarser = Exact::new(&shape, Resolution::new(20, 16).unwrap()).unwrap();
+    let [fine, coarse] = [&theory, &coarser].map(|theory| theory.solve_contact(creepage));
+    let quarters: Vec<_> =
+        fine.elements().iter().flat_map(|element| quarters(element.corners)).collect();
     let middles: Vec<_> = quarters.iter().map(|corners| mean(corners)).collect();
-    let tractions = theory.field_of(&fine, &middles).into_iter();
+    let tractions = fine.field(&middles).into_iter();
     let c = contact.ellipse().c();
     let elements: Vec<_> = tractions
-        .zip(coarser.field_of(&coarse, &middles))
+        .zip(coarse.field(&middles))
         .zip(&quarters)
         .map(|((fine, coarse), corners)| {
             let beyond = |k: usize| (4.0 * fine.traction[k] - coarse.traction[k]) / 3.0;
