@@ -97,7 +97,7 @@ impl<'py, const W: usize> Answers<'py, W> {
             if some.is_empty() || first_bad < usize::MAX {
                 return Ok(Some(first_bad).filter(|index| *index < usize::MAX));
             }
-            py.detach(|| pool.install(|| some.into_par_iter().for_each(&fill)));
+            py.detach(|| pool.install(|| some.into_par_iter().for_each(fill)));
             py.check_signals()?;
         }
     }

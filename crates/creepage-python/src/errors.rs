@@ -155,12 +155,12 @@ fn place(error: CaseError) -> (Option<String>, Option<String>, Option<f64>) {
         CaseError::Conflict { first: (section, key), .. } => {
             (Some(section.into()), Some(key.into()), None)
         }
-        CaseError::UnknownKey { key, .. } => (None, Some(key), None),
+        CaseError::UnknownKey { key, .. }
+        | CaseError::Spec(SpecError::UnknownOption { key, .. }) => (None, Some(key), None),
         CaseError::Variational { section, .. } => (Some(section.into()), None, None),
         CaseError::TooManyCases { key, cases, .. } => {
             (Some("creepage".into()), Some(key.into()), Some(cases))
         }
-        CaseError::Spec(SpecError::UnknownOption { key, .. }) => (None, Some(key), None),
         CaseError::Tilted { angle, .. } => {
             (Some("contact".into()), Some("angle".into()), Some(angle))
         }

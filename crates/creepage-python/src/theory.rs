@@ -24,7 +24,7 @@ const QUICK: f64 = 2e-6;
 #[pyclass(frozen, subclass, module = "creepage")]
 #[allow(missing_debug_implementations)] // Python has its own
 pub struct Theory {
-    theory: Arc<dyn creepage::Theory>,
+    prepared: Arc<dyn creepage::Theory>,
     /// As the class, in lower case.
     name: &'static str,
     /// Whether its forces come with error bars.
@@ -57,7 +57,7 @@ impl<'py> Call<'py> {
         let arguments = PyDict::new(py);
         arguments.set_item("a_over_b", a_over_b)?;
         arguments.set_item("poisson", poisson)?;
-        let own = options.map_or_else(|| Ok(PyDict::new(py)), |given| given.copy())?;
+        let own = options.map_or_else(|| Ok(PyDict::new(py)), PyDictMethods::copy)?;
         let mut kappa_over_mu = 0.0;
         // Other theories would not count it.
         if let ("exact" | "automatic", Some(given)) = (name, own.get_item("kappa_over_mu")?) {
@@ -93,7 +93,7 @@ impl<'py> Call<'py> {
         cost: f64,
     ) -> Theory {
         let error_bars = self.spec.facts().error_bars;
-        Theory { theory, name, error_bars, arguments: self.arguments.unbind(), cost }
+        Theory { prepared: theory, name, error_bars, arguments: self.arguments.unbind(), cost }
     }
 }
 
@@ -116,7 +116,7 @@ fn cost(spec: &TheorySpec) -> f64 {
 
 impl Theory {
     pub(crate) fn contact(&self) -> &Contact {
-        self.theory.contact()
+        self.prepared.contact()
     }
 
     fn solve_one<'py>(
@@ -125,7 +125,7 @@ impl Theory {
         [xi, eta, chi]: [f64; 3],
     ) -> PyResult<Bound<'py, PyAny>> {
         let creepage = Creepage::new(xi, eta, chi).map_err(|error| errors::invalid(py, error))?;
-        let solve = || self.theory.solve(creepage);
+        let solve = || self.prepared.solve(creepage);
         let solution = if self.cost < QUICK { solve() } else { py.detach(solve) };
         results::force(py, &solution)
     }
@@ -149,7 +149,7 @@ impl Theory {
         row: impl Fn(&Solution) -> Row<W> + Sync,
     ) -> PyResult<Answers<'py, W>> {
         solve_all(py, inputs, self.cost, |[xi, eta, chi]| {
-            Ok(row(&self.theory.solve(Creepage::new(xi, eta, chi)?)))
+            Ok(row(&self.prepared.solve(Creepage::new(xi, eta, chi)?)))
         })
     }
 }
@@ -224,7 +224,7 @@ impl Theory {
             let zero = Number::One(0.0);
             mesh::given(py, [x.unwrap_or(zero), y.unwrap_or(Number::One(0.0))])?
         };
-        let found = py.detach(|| self.theory.field(creepage, &positions));
+        let found = py.detach(|| self.prepared.field(creepage, &positions));
         results::field(py, &shape, ellipse, &found)
     }
 
@@ -257,11 +257,11 @@ impl DifferentiableTheory {
         eta: Number<'py>,
         chi: Number<'py>,
     ) -> PyResult<Bound<'py, PyAny>> {
-        let Theory { theory, cost, .. } = &**slf.as_super();
+        let Theory { prepared, cost, .. } = &**slf.as_super();
         let inputs = Inputs::new(py, NAMES, [xi, eta, chi])?;
         // A derivative costs a few forces.
         let answers = solve_all(py, &inputs, 5.0 * cost, |[xi, eta, chi]| {
-            let matrix = theory.jacobian(Creepage::new(xi, eta, chi)?);
+            let matrix = prepared.jacobian(Creepage::new(xi, eta, chi)?);
             Ok(results::matrix_row(&matrix.unwrap_or([[f64::NAN; 3]; 3])))
         })?;
         answers.stacked(py, &[3, 3])

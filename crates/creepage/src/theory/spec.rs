@@ -286,13 +286,11 @@ impl ExactOptions {
     }
 
     fn prepare(self, contact: &Contact) -> Result<Box<dyn Theory>, TheoryError> {
-        Ok(match self.fixed_resolution()? {
-            Some(resolution) => Box::new(Exact::new(contact, resolution)?),
-            None => {
-                let accuracy = self.accuracy.unwrap_or(Automatic::DEFAULT_ACCURACY);
-                Box::new(Automatic::new(contact, accuracy)?)
-            }
-        })
+        if let Some(resolution) = self.fixed_resolution()? {
+            return Ok(Box::new(Exact::new(contact, resolution)?));
+        }
+        let accuracy = self.accuracy.unwrap_or(Automatic::DEFAULT_ACCURACY);
+        Ok(Box::new(Automatic::new(contact, accuracy)?))
     }
 }
 
@@ -336,12 +334,10 @@ impl std::error::Error for UnknownTheory {}
 impl fmt::Display for UnknownTheory {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "unknown theory `{}`: ", self.name)?;
-        match self.nearest {
-            Some(nearest) => write!(f, "did you mean `{nearest}`?"),
-            None => {
-                let names = TheorySpec::all().map(|theory| theory.facts().name);
-                write!(f, "known are {}", names.join(", "))
-            }
+        if let Some(nearest) = self.nearest {
+            return write!(f, "did you mean `{nearest}`?");
         }
+        let names = TheorySpec::all().map(|theory| theory.facts().name);
+        write!(f, "known are {}", names.join(", "))
     }
 }
