@@ -5,9 +5,9 @@ use crate::{Contact, Ellipse, Theory};
 use super::accuracy::Accuracy;
 use super::coordinates::Coordinates;
 use super::error::BuildError;
+use super::in_memory::Table;
 use super::measure::Measure;
 use super::spec::Spec;
-use super::table::Table;
 use super::values::Values;
 
 /// Builds a table, on all cores, and measures its error.

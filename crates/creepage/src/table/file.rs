@@ -12,8 +12,8 @@ use netcdf3::{DataSet, FileReader, FileWriter, InvalidDataSet, ReadError, Versio
 
 use super::accuracy::{Accuracy, Spread};
 use super::axis::Axis;
+use super::in_memory::{Provenance, Table};
 use super::spec::Spec;
-use super::table::{Provenance, Table};
 use super::values::{Intervals, Values};
 
 /// Why bytes are not a table, or a table cannot be laid out as bytes.

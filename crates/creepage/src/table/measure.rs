@@ -8,8 +8,8 @@ use super::bends;
 
 use super::coordinates::Coordinates;
 use super::error::BuildError;
+use super::in_memory::Table;
 use super::spec::Spec;
-use super::table::Table;
 
 /// How many random places share a theory, where each must be prepared for its shape and Poisson's
 /// ratio.

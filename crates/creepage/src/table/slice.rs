@@ -6,8 +6,8 @@ use crate::{Creepage, Force};
 use super::axis::Window;
 use super::coordinates::{Coordinates, Place};
 use super::hermite::{Weights, cubic};
+use super::in_memory::Table;
 use super::slopes::Node;
-use super::table::Table;
 use super::values::{MIRROR_X, MIRROR_Y};
 
 /// A table at one ratio `a/b` and one Poisson's ratio.

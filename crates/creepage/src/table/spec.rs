@@ -3,7 +3,7 @@
 use crate::InvalidValue;
 
 use super::axis::Axis;
-use super::table::Provenance;
+use super::in_memory::Provenance;
 use super::values::{Intervals, Values};
 
 /// What table to build.
@@ -22,7 +22,7 @@ pub struct Spec {
 }
 
 impl Spec {
-    /// Number of steps of which [`build`](super::table::build()) tells; none where the specification
+    /// Number of steps of which [`build`](super::in_memory::build()) tells; none where the specification
     /// makes no sense.
     #[must_use]
     pub fn steps(&self) -> usize {

@@ -1,7 +1,7 @@
 //! A table at one contact, as a theory.
 
+use super::in_memory::Table;
 use super::slice::Slice;
-use super::table::Table;
 use crate::check::InvalidValue;
 use crate::theory::{Evaluated, Jacobian, Solved};
 use crate::{Contact, Creepage, FieldPoint, Region, Solution, Status, Theory};
