@@ -14,7 +14,7 @@ pub struct Made {
     pub reproduction: Reproduction,
 }
 
-/// Makes `items` on all cores, in the order given; `done` is told of each as it is finished.
+/// Makes `items` on all cores, in the order given; `done` is called after each.
 ///
 /// The result is the same, bit for bit, on any number of cores.
 ///

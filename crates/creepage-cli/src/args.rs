@@ -44,7 +44,7 @@ pub(crate) enum Command {
     ///
     /// The input needs the columns `a_over_b`, poisson, xi, eta, chi, in any order: the ratio of
     /// the contact's semi-axes (along over across the rolling direction), the combined
-    /// Poisson's ratio, and the dimensionless creepages. A column `kappa_over_mu` may tell how
+    /// Poisson's ratio, and the dimensionless creepages. A column `kappa_over_mu` may say how
     /// unlike the bodies are (kappa over the coefficient of friction): the theory `exact` counts
     /// it; of others `message` says what leaving it out may cost. Further columns pass through.
     /// Appended are fx, fy (in units of mu N), mz (mu N c), by a theory with error bars also
@@ -154,7 +154,7 @@ pub(crate) struct SweepArgs {
     /// File for the results; it appears when it is whole.
     #[arg(long, value_name = "FILE")]
     pub(crate) out: PathBuf,
-    /// Format of the file; by default its name tells: .csv, .json, .nc or .txt.
+    /// Format of the file; by default as its name ends: .csv, .json, .nc or .txt.
     #[arg(long)]
     pub(crate) format: Option<SeriesFormat>,
 }

@@ -41,7 +41,7 @@ pub(crate) enum Failure {
     Columns { input: String, source: ColumnError },
     #[error("cannot read rows from {input}: {source}")]
     Rows { input: String, source: csv::Error },
-    #[error("{}: its name tells no format: give --format", path.display())]
+    #[error("{}: its name shows no format: give --format", path.display())]
     Format { path: PathBuf },
     #[error("{} is being written by another run", path.display())]
     Busy { path: PathBuf },

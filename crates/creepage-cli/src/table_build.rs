@@ -62,7 +62,7 @@ pub(crate) fn run(args: &BuildArgs) -> Result<(), Failure> {
     let theory = theory(args)?;
     let name = theory.facts().name;
     let failed = |source| Failure::writing(Some(&args.out), source);
-    // A wrong place is told before the work.
+    // A wrong place is reported before the work.
     let mut file = WholeFile::create(&args.out).map_err(failed)?;
     let spec = spec(args, &theory);
     let bar = bar(&spec);

@@ -12,7 +12,7 @@ use crate::output::{print, to_json};
 const NOTES: &str = "\
 COST is that of one force on one core, once the theory is prepared for its contact. ERROR is the
 root mean square of the force's error over 132 cases of the full theory, in parts of mu N; linear,
-saturated, strip and vermeulen-johnson are meant for few of these. `creepage accuracy` tells more.
+saturated, strip and vermeulen-johnson are meant for few of these. `creepage accuracy` says more.
 Only exact counts how unlike the bodies are; the others say so where that matters.";
 
 /// Longest line.

@@ -58,7 +58,7 @@
 #define CREEPAGE_COUNT 5
 
 /*
- The theory does not tell what was asked for.
+ The theory does not give what was asked for.
  */
 #define CREEPAGE_UNSUPPORTED 6
 

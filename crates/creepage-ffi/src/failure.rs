@@ -22,7 +22,7 @@ pub const CREEPAGE_TEXT: i32 = 3;
 pub const CREEPAGE_FILE: i32 = 4;
 /// So many cases that their arrays would not fit into memory.
 pub const CREEPAGE_COUNT: i32 = 5;
-/// The theory does not tell what was asked for.
+/// The theory does not give what was asked for.
 pub const CREEPAGE_UNSUPPORTED: i32 = 6;
 /// A defect of the library; nothing can be said of what was written.
 pub const CREEPAGE_DEFECT: i32 = 7;
@@ -108,7 +108,7 @@ pub(crate) unsafe fn guard(
         Err(_) => (CREEPAGE_DEFECT, "a defect of the library: please report it".into()),
     };
     // SAFETY: the caller's promise is ours.
-    unsafe { tell(message, size, &words) };
+    unsafe { write_words(message, size, &words) };
     code
 }
 
@@ -116,7 +116,7 @@ pub(crate) unsafe fn guard(
 ///
 /// # Safety
 /// `message` is NULL or has room for `size` bytes.
-unsafe fn tell(message: *mut c_char, size: usize, words: &str) {
+unsafe fn write_words(message: *mut c_char, size: usize, words: &str) {
     if message.is_null() || size == 0 {
         return;
     }
@@ -138,7 +138,7 @@ mod tests {
     fn message(size: usize, words: &str) -> Vec<u8> {
         let mut buffer = vec![0x7f_u8; 40];
         // SAFETY: `size` is at most the buffer's.
-        unsafe { tell(buffer.as_mut_ptr().cast(), size, words) };
+        unsafe { write_words(buffer.as_mut_ptr().cast(), size, words) };
         buffer
     }
 

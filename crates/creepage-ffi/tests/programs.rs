@@ -2,9 +2,9 @@
 //! numbers held against the command's, to the last digit.
 //!
 //! A C compiler and pkg-config are needed; gfortran and valgrind are used where they are, and
-//! missed aloud where not (`./test` installs them if it can).
+//! reported as not run where not (`./test` installs them if it can).
 
-// Helpers of tests fail like tests: by panicking. What was left out must be told.
+// Helpers of tests fail like tests: by panicking. What was not run must be reported.
 #![allow(clippy::unwrap_used, clippy::panic, clippy::print_stderr)]
 
 use std::env;

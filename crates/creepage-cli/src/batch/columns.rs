@@ -6,13 +6,13 @@ use csv::ByteRecord;
 
 const QUESTION_COLUMNS: [&str; 5] = ["a_over_b", "poisson", "xi", "eta", "chi"];
 /// May be missing: the bodies are like ones then.
-const UNLIKENESS: &str = "kappa_over_mu";
+const DISSIMILARITY: &str = "kappa_over_mu";
 
 /// The places of `a_over_b`, `poisson`, `xi`, `eta`, `chi` in a row, and of `kappa_over_mu`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Columns {
     places: [usize; 5],
-    unlikeness: Option<usize>,
+    dissimilarity: Option<usize>,
     count: usize,
 }
 
@@ -78,7 +78,7 @@ impl Columns {
         for (place, name) in found.iter_mut().zip(QUESTION_COLUMNS) {
             *place = one(name)?.ok_or(ColumnError::Missing(name))?;
         }
-        Ok(Self { places: found, unlikeness: one(UNLIKENESS)?, count: header.len() })
+        Ok(Self { places: found, dissimilarity: one(DISSIMILARITY)?, count: header.len() })
     }
 
     /// What a row asks.
@@ -91,8 +91,8 @@ impl Columns {
             *number = parse(column, &row[place])?;
         }
         let [a_over_b, poisson, xi, eta, chi] = numbers;
-        let unlikeness = self.unlikeness.map(|place| parse(UNLIKENESS, &row[place]));
-        let kappa_over_mu = unlikeness.transpose()?.unwrap_or(0.0);
+        let dissimilarity = self.dissimilarity.map(|place| parse(DISSIMILARITY, &row[place]));
+        let kappa_over_mu = dissimilarity.transpose()?.unwrap_or(0.0);
         let like = Contact::new(Ellipse::from_ratio(a_over_b)?, poisson)?;
         let contact = like.with_kappa_over_mu(kappa_over_mu)?;
         Ok(Question { contact, creepage: Creepage::new(xi, eta, chi)? })

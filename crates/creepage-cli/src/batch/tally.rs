@@ -43,7 +43,7 @@ impl Tally {
         (self.dissimilar > 0).then(|| {
             format!(
                 "caution: {} {rows} of unlike bodies, which the theory takes for like ones: \
-                 `message` tells how far the force may be off",
+                 `message` says how far the force may be off",
                 self.dissimilar
             )
         })

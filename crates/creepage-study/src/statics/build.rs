@@ -23,7 +23,7 @@ impl<'a> StaticsReport<'a> {
         offset: [f64; 2],
         die: &'a Die,
     ) -> Result<Self, DieError> {
-        // Stiffness does not depend on the load: any offset below the limit tells it.
+        // Stiffness does not depend on the load: any offset below the limit gives it.
         let trial = [base.a() / 6.0, base.b() / 6.0];
         let tilt = Die::new(solid, base, normal_force, trial)?.tilt();
         let stiffness = [0, 1].map(|i| normal_force * trial[i] / tilt[i]);
@@ -275,7 +275,7 @@ fn solid_numbers(shear_modulus: f64, poisson: f64) -> Vec<Quantity> {
 
 fn pair_numbers(pair: SolidPair) -> Vec<Quantity> {
     let mut numbers = solid_numbers(pair.shear_modulus(), pair.poisson());
-    numbers.push(Quantity::new("kappa", "unlikeness kappa", pair.kappa(), ""));
+    numbers.push(Quantity::new("kappa", "dissimilarity kappa", pair.kappa(), ""));
     numbers
 }
 

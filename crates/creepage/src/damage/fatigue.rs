@@ -37,7 +37,7 @@ impl Wlrm {
         self.scale * if t_gamma <= self.worst { rise.max(0.0) } else { fall }
     }
 
-    /// The same with the direction of the force heeded: cracks grow under wheels that drive, which
+    /// The same with the direction of the force taken into account: cracks grow under wheels that drive, which
     /// push the rail backwards, `F_x < 0` on the lower body; wear counts either way.
     #[must_use]
     pub fn directed_damage(&self, t_gamma: f64, longitudinal_force: f64) -> f64 {

@@ -40,7 +40,7 @@ pub struct DisplacementField {
 
 impl DisplacementField {
     /// The field of `traction` on bodies with the combined Poisson's ratio `poisson` and the
-    /// measure of unlikeness `kappa` of (2.10).
+    /// measure of dissimilarity `kappa` of (2.10).
     ///
     /// With `kappa` not zero, pressure adds to `u` and `v` by (2.11a,b) and tangential traction
     /// to `w` by (2.15c). Of [`Traction::x_derivative`] of Hertz's pressure that is (6.4).

@@ -1,7 +1,7 @@
 //! A table as a file: NetCDF (classic format), which xarray, MATLAB and ncdump open.
 //!
 //! The last variable, `checksum`, is the CRC-32 of all bytes before it: a file that was cut
-//! short, changed, or saved again by another program is told from a whole one before any of it
+//! short, changed, or saved again by another program is distinguished from a whole one before any of it
 //! is believed.
 
 use std::cell::RefCell;

@@ -22,7 +22,7 @@ pub struct Spec {
 }
 
 impl Spec {
-    /// Number of steps of which [`build`](super::in_memory::build()) tells; none where the specification
+    /// Number of steps of which [`build`](crate::table::build()) tells; none where the specification
     /// makes no sense.
     #[must_use]
     pub fn steps(&self) -> usize {

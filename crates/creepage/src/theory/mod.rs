@@ -97,7 +97,7 @@ pub trait Theory: Send + Sync {
     /// [`Region::Outside`].
     fn field(&self, creepage: Creepage, positions: &[[f64; 2]]) -> Vec<FieldPoint>;
 
-    /// Stick, slip or outside at `positions`, as [`Theory::field`] has it: for a theory that tells
+    /// Stick, slip or outside at `positions`, as [`Theory::field`] has it: for a theory that knows
     /// them without a traction.
     fn regions(&self, creepage: Creepage, positions: &[[f64; 2]]) -> Vec<Region> {
         self.field(creepage, positions).iter().map(|point| point.region).collect()

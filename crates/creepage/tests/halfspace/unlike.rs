@@ -12,7 +12,7 @@ use super::support::{Random, largest};
 
 const KAPPA: f64 = 0.3;
 
-/// What unlikeness adds to the displacement at a point, over kappa.
+/// What dissimilar bodies add to the displacement at a point, over kappa.
 fn addition(traction: &Traction, point: [f64; 2]) -> [f64; 3] {
     let like = DisplacementField::new(traction, 0.28, 0.0).unwrap().at(point);
     let unlike = DisplacementField::new(traction, 0.28, KAPPA).unwrap().at(point);

@@ -12,7 +12,7 @@ use crate::ellipse::Ellipse;
 /// leave a rest of the strength `k = (X', Y')`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Criterion {
-    /// The integral of `k k` over the excentric angle (4.36).
+    /// The integral of `k k` over the eccentric angle (4.36).
     Thesis,
     /// The integral of `(x/a)^2 k W k`. `k W k` is the energy that the edge would release, and
     /// with this weight the strengths of `P_n(y/b)` of one kind are orthogonal: the rest
