@@ -110,3 +110,8 @@ pub use theory::{
 #[cfg(doctest)]
 #[doc = include_str!("../../../book/pages/how-to/rust.md")]
 struct Guide;
+
+/// The guide's page on the half-space.
+#[cfg(doctest)]
+#[doc = include_str!("../../../book/pages/theories/half-space.md")]
+struct HalfSpacePage;

@@ -41,7 +41,7 @@
 pub mod closed_forms;
 pub mod coefficients;
 pub mod harmonics;
-pub mod vanishing;
+pub(crate) mod vanishing;
 
 mod coupling;
 mod displacement_field;

@@ -7,7 +7,7 @@ use super::{harmonics, products};
 
 /// Coefficients of `(1 - r^2) P`, of two degrees more than `P`.
 #[must_use]
-pub fn as_singular(degree: usize, polynomial: &[f64]) -> Vec<f64> {
+pub(crate) fn as_singular(degree: usize, polynomial: &[f64]) -> Vec<f64> {
     let once = products::times_z(degree, &spread(degree, polynomial));
     gather(degree + 2, &products::times_z(degree + 1, &once))
 }
@@ -17,17 +17,17 @@ pub fn as_singular(degree: usize, polynomial: &[f64]) -> Vec<f64> {
 /// The response to this singular traction is `a du/dx` of the response to
 /// `(1 - r^2)^(1/2) P`, since a traction that vanishes at the edge may be shifted.
 #[must_use]
-pub fn x_derivative(degree: usize, polynomial: &[f64]) -> Vec<f64> {
+pub(crate) fn x_derivative(degree: usize, polynomial: &[f64]) -> Vec<f64> {
     let once = products::times_z(degree, &spread(degree, polynomial));
     gather(degree + 1, &products::times_z_ddx(degree + 1, &once))
 }
 
 /// Coefficients of `P` from those of `(1 - r^2) P`, of two degrees more than `P`.
 ///
-/// A given polynomial need not be such a product: [`as_singular`] of the result tells by how
+/// A given polynomial need not be such a product: [`as_singular`] of the result shows by how
 /// much it is not. Below degree two no polynomial but zero is, and the result is `[0]`.
 #[must_use]
-pub fn from_singular(degree: usize, product: &[f64]) -> Vec<f64> {
+pub(crate) fn from_singular(degree: usize, product: &[f64]) -> Vec<f64> {
     if degree < 2 {
         return vec![0.0];
     }
