@@ -3,9 +3,9 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::{Exact, ExactSolved};
-use crate::check::{self, InvalidValue};
-use crate::theory::Solved;
-use crate::{Creepage, Force, Solution};
+use crate::check;
+use crate::theory::{Constraints, InverseError, Solved};
+use crate::{Creepage, Solution};
 
 /// Largest difference from a prescribed force, in parts of `mu N`; the forces themselves are solved
 /// to some 1e-8.
@@ -13,23 +13,6 @@ const TOLERANCE: f64 = 1e-7;
 const STEPS: usize = 60;
 /// Creepage beyond which a force has come as near to saturation as it will.
 const LARGEST: f64 = 1e3;
-
-/// Prescribed components of creepage and force; exactly three are `Some`.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Constraints {
-    /// Longitudinal creepage.
-    pub xi: Option<f64>,
-    /// Lateral creepage.
-    pub eta: Option<f64>,
-    /// Spin.
-    pub chi: Option<f64>,
-    /// Longitudinal force.
-    pub fx: Option<f64>,
-    /// Lateral force.
-    pub fy: Option<f64>,
-    /// Moment.
-    pub mz: Option<f64>,
-}
 
 /// The contact solved at the creepage that meets the constraints.
 #[derive(Debug)]
@@ -52,32 +35,6 @@ impl InverseSolution<'_> {
     pub fn solution(&self) -> Solution {
         self.solved.solution()
     }
-}
-
-/// Why an inverse problem has no answer.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-#[non_exhaustive]
-pub enum InverseError {
-    /// Three quantities determine the other three; more contradict, fewer leave them open.
-    #[error("{given} of the six quantities are given: exactly three must be")]
-    NotThree {
-        /// How many are given.
-        given: usize,
-    },
-    /// A given quantity is not a finite number.
-    #[error(transparent)]
-    InvalidValue(#[from] InvalidValue),
-    /// No creepage gives the prescribed force.
-    #[error(
-        "the force is not reachable: at most fx = {}, fy = {}, mz = {} was reached, at xi = {}, \
-         eta = {}, chi = {}", .nearest.fx, .nearest.fy, .nearest.mz, .at.xi, .at.eta, .at.chi
-    )]
-    NotReachable {
-        /// The force that came nearest.
-        nearest: Force,
-        /// Its creepage.
-        at: Creepage,
-    },
 }
 
 impl Exact {

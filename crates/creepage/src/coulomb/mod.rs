@@ -34,8 +34,9 @@ mod solver;
 mod stencil;
 mod workspace;
 
+pub use crate::theory::{Constraints, InverseError};
 pub use automatic::Automatic;
-pub use inverse::{Constraints, InverseError, InverseSolution};
+pub use inverse::InverseSolution;
 pub use non_hertzian::{NonHertzian, NonHertzianSolved};
 pub use resolution::Resolution;
 pub use solution::{ElementField, ExactSolved};

@@ -3,10 +3,12 @@
 //! A theory is prepared once for a [`Contact`] and asked many times: [`Theory::solve`] gives a
 //! [`Solution`], [`Theory::solved`] keeps the solved contact for further questions ([`Solved`]).
 
+mod constraints;
 mod facts;
 mod field;
 mod spec;
 
+pub use constraints::{Constraints, InverseError};
 pub use facts::TheoryFacts;
 pub use field::{FieldPoint, Region};
 pub use spec::{
@@ -15,7 +17,6 @@ pub use spec::{
 };
 
 use crate::contact::Contact;
-use crate::coulomb::{Constraints, InverseError};
 use crate::creepage::{Creepage, Force};
 
 /// Whether a force may be trusted.
