@@ -30,7 +30,7 @@ impl File {
 /// The files of each item: SVG and PNG of a picture, CSV, text of a table.
 ///
 /// # Errors
-/// [`GalleryError::Report`] and [`GalleryError::Csv`], should memory not suffice.
+/// [`GalleryError::Plot`] and [`GalleryError::Csv`], should memory not suffice.
 pub fn files(made: &[Made]) -> Result<Vec<File>, GalleryError> {
     let parts: Vec<_> = made.par_iter().map(of_item).collect::<Result<_, _>>()?;
     Ok(parts.concat())
