@@ -5,6 +5,7 @@ mod args;
 mod batch;
 mod cases;
 mod coefficients;
+mod conicity;
 mod curve;
 mod failure;
 mod init;
@@ -42,6 +43,7 @@ fn run(command: &Command) -> Result<Outcome, Failure> {
         Command::Solve(args) => return cases::solve(args),
         Command::Batch(args) => return batch::run(args),
         Command::Sweep(args) => return sweep::run(args),
+        Command::Conicity(args) => return conicity::run(args),
         Command::Hertz(args) => cases::hertz(args)?,
         Command::Statics(args) => statics::run(args)?,
         Command::Reproduce(args) => reproduce::run(args)?,
