@@ -98,6 +98,11 @@ pub(crate) enum Command {
     /// amplitudes of 1.0 to 7.5 mm, an amplitude being half of what the wheelset swings from side
     /// to side. Where contact ends before, the conicity is left empty, and the exit code is 3.
     Conicity(ConicityArgs),
+    /// Read profile files of wheels and rails: what they are, what was found, assumed, repaired.
+    ///
+    /// With --out, a picture of each profile (SVG and PNG) goes into a directory, with --convert
+    /// also the profile in another format.
+    Profile(ProfileArgs),
     /// Measure how far each theory is from the full one.
     ///
     /// Prints a table in Markdown: the distribution of the error of the force `(f_x, f_y)` in
@@ -278,6 +283,37 @@ pub(crate) struct ConicityArgs {
     /// Let the wheelset roll until both wheels touch; the standard leaves roll out.
     #[arg(long)]
     pub(crate) roll: bool,
+}
+
+#[derive(Debug, clap::Args)]
+pub(crate) struct ProfileArgs {
+    /// Profile files.
+    #[arg(value_name = "FILE", required = true)]
+    pub(crate) files: Vec<PathBuf>,
+    /// Print JSON.
+    #[arg(long)]
+    pub(crate) json: bool,
+    /// Directory for the pictures and the converted files; made if need be.
+    #[arg(long, value_name = "DIR")]
+    pub(crate) out: Option<PathBuf>,
+    /// Write each profile in this format too.
+    #[arg(long, value_name = "FORMAT", requires = "out")]
+    pub(crate) convert: Option<ProfileFormat>,
+}
+
+/// Formats of profile files.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+pub(crate) enum ProfileFormat {
+    /// Simpack: .prr, .prw
+    Simpack,
+    /// `MiniProf`: .ban, .whl
+    Miniprof,
+    /// VAMPIRE: .rai, .whe
+    Vampire,
+    /// GENSYS: .rail, .wheel
+    Gensys,
+    /// Two columns in millimetres: .txt
+    Columns,
 }
 
 #[derive(Debug, clap::Args)]

@@ -23,6 +23,8 @@ pub(crate) enum Failure {
     Statics { path: PathBuf, source: StaticsError },
     #[error("{}: {source}", path.display())]
     Wheelset { path: PathBuf, source: WheelsetError },
+    #[error("{}: {source}", path.display())]
+    Profile { path: PathBuf, source: creepage_rail::file::FileError },
     #[error(transparent)]
     Reproduce(#[from] GalleryError),
     #[error(transparent)]

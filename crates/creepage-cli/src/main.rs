@@ -12,6 +12,7 @@ mod init;
 mod input;
 mod outcome;
 mod output;
+mod profile;
 mod reproduce;
 mod statics;
 mod sweep;
@@ -44,6 +45,7 @@ fn run(command: &Command) -> Result<Outcome, Failure> {
         Command::Batch(args) => return batch::run(args),
         Command::Sweep(args) => return sweep::run(args),
         Command::Conicity(args) => return conicity::run(args),
+        Command::Profile(args) => profile::run(args)?,
         Command::Hertz(args) => cases::hertz(args)?,
         Command::Statics(args) => statics::run(args)?,
         Command::Reproduce(args) => reproduce::run(args)?,

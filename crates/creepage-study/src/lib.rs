@@ -79,6 +79,6 @@ pub use statics::StaticsReport;
 pub use text::hertz_text;
 pub use wheelset::{
     ConicityTable, Load, ProfileNote, Stance, Travel, WheelsetCase, WheelsetError, WheelsetFile,
-    conicity, radius_difference_csv, wheelset_json_schema,
+    conicity, profile_pictures, radius_difference_csv, wheelset_json_schema,
 };
 pub use whole_file::{WholeFile, write_all};

@@ -10,6 +10,7 @@ mod file;
 mod free;
 mod position;
 mod profile;
+mod profile_picture;
 mod sections;
 
 pub use case::{Load, Stance, Travel, WheelsetCase};
@@ -17,3 +18,4 @@ pub use conicity::{ConicityTable, conicity, radius_difference_csv};
 pub use error::WheelsetError;
 pub use file::{WheelsetFile, wheelset_json_schema};
 pub use profile::ProfileNote;
+pub use profile_picture::profile_pictures;
