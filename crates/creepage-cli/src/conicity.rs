@@ -13,7 +13,7 @@ use crate::outcome::Outcome;
 use crate::output::{print, say};
 
 pub(crate) fn run(args: &ConicityArgs) -> Result<Outcome, Failure> {
-    let wrong = |source| Failure::Wheelset { path: args.case.clone(), source };
+    let wrong = |source| Failure::Wheelset { path: args.case.clone(), source: Box::new(source) };
     let case = read(&args.case)?;
     let difference = case.radius_difference(args.roll).map_err(wrong)?;
     case.notes.iter().for_each(say_found);
@@ -35,7 +35,7 @@ fn read(path: &Path) -> Result<WheelsetCase, Failure> {
     WheelsetFile::read(&text)
         .map_err(WheelsetError::from)
         .and_then(|file| file.case(directory))
-        .map_err(|source| Failure::Wheelset { path: path.into(), source })
+        .map_err(|source| Failure::Wheelset { path: path.into(), source: Box::new(source) })
 }
 
 /// Says what was found in a profile file: nothing is guessed silently.

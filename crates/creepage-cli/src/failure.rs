@@ -22,7 +22,7 @@ pub(crate) enum Failure {
     #[error("{}: {source}", path.display())]
     Statics { path: PathBuf, source: StaticsError },
     #[error("{}: {source}", path.display())]
-    Wheelset { path: PathBuf, source: WheelsetError },
+    Wheelset { path: PathBuf, source: Box<WheelsetError> },
     #[error("{}: {source}", path.display())]
     Profile { path: PathBuf, source: creepage_rail::file::FileError },
     #[error(transparent)]
