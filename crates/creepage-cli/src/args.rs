@@ -91,6 +91,18 @@ pub(crate) enum Command {
     /// The CSV goes to standard output; with --out, curve.csv, curve.svg and curve.png go into a
     /// directory.
     Curve(CurveArgs),
+    /// Equivalent conicity of a wheelset on its track by EN 15302, over the amplitude.
+    ///
+    /// The wheelset file needs [wheel], [rail], [track], and `back_to_back` of [wheelset]; profiles
+    /// are names or files beside it. CSV goes to standard output: `amplitude_m`, conicity for
+    /// amplitudes of 1.0 to 7.5 mm, an amplitude being half of what the wheelset swings from side
+    /// to side. Where contact ends before, the conicity is left empty, and the exit code is 3.
+    Conicity(ConicityArgs),
+    /// Read profile files of wheels and rails: what they are, what was found, assumed, repaired.
+    ///
+    /// With --out, a picture of each profile (SVG and PNG) goes into a directory, with --convert
+    /// also the profile in another format.
+    Profile(ProfileArgs),
     /// Measure how far each theory is from the full one.
     ///
     /// Prints a table in Markdown: the distribution of the error of the force `(f_x, f_y)` in
@@ -100,7 +112,7 @@ pub(crate) enum Command {
     Table(TableArgs),
     /// Write a commented example of a case file; an existing file is left alone.
     Init(InitArgs),
-    /// Print the JSON schema of case, statics or sweep files, for editors and validators.
+    /// Print the JSON schema of case, statics, sweep or wheelset files, for editors and validators.
     Schema(SchemaArgs),
 }
 
@@ -260,6 +272,51 @@ pub(crate) struct AccuracyArgs {
 }
 
 #[derive(Debug, clap::Args)]
+pub(crate) struct ConicityArgs {
+    /// Wheelset file.
+    #[arg(value_name = "CASE.toml")]
+    pub(crate) case: PathBuf,
+    /// Print the difference of rolling radii, right less left, over the lateral position instead:
+    /// `y_m`, `radius_difference_m` by .1 mm as far as contact exists.
+    #[arg(long)]
+    pub(crate) radius_difference: bool,
+    /// Let the wheelset roll until both wheels touch; the standard leaves roll out.
+    #[arg(long)]
+    pub(crate) roll: bool,
+}
+
+#[derive(Debug, clap::Args)]
+pub(crate) struct ProfileArgs {
+    /// Profile files.
+    #[arg(value_name = "FILE", required = true)]
+    pub(crate) files: Vec<PathBuf>,
+    /// Print JSON.
+    #[arg(long)]
+    pub(crate) json: bool,
+    /// Directory for the pictures and the converted files; made if need be.
+    #[arg(long, value_name = "DIR")]
+    pub(crate) out: Option<PathBuf>,
+    /// Write each profile in this format too.
+    #[arg(long, value_name = "FORMAT", requires = "out")]
+    pub(crate) convert: Option<ProfileFormat>,
+}
+
+/// Formats of profile files.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+pub(crate) enum ProfileFormat {
+    /// Simpack: .prr, .prw
+    Simpack,
+    /// `MiniProf`: .ban, .whl
+    Miniprof,
+    /// VAMPIRE: .rai, .whe
+    Vampire,
+    /// GENSYS: .rail, .wheel
+    Gensys,
+    /// Two columns in millimetres: .txt
+    Columns,
+}
+
+#[derive(Debug, clap::Args)]
 pub(crate) struct StaticsArgs {
     /// Statics file.
     #[arg(value_name = "CASE.toml")]
@@ -295,6 +352,8 @@ pub(crate) enum FileKind {
     Statics,
     /// Sweep files: `sweep`.
     Sweep,
+    /// Wheelset files: `conicity`.
+    Wheelset,
 }
 
 impl FileKind {
@@ -304,6 +363,7 @@ impl FileKind {
             Self::Case => creepage_study::json_schema(),
             Self::Statics => creepage_study::statics_json_schema(),
             Self::Sweep => creepage_study::sweep_json_schema(),
+            Self::Wheelset => creepage_study::wheelset_json_schema(),
         }
     }
 }

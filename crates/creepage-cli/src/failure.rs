@@ -8,7 +8,7 @@ use creepage::table::{BuildError, FileError};
 use creepage::theory::{TheoryError, UnknownTheory};
 use creepage_1967::GalleryError;
 use creepage_study::ReferenceError;
-use creepage_study::{CaseError, ReportError, SolveError, SpecError, StaticsError};
+use creepage_study::{CaseError, ReportError, SolveError, SpecError, StaticsError, WheelsetError};
 
 use crate::batch::columns::ColumnError;
 
@@ -21,6 +21,10 @@ pub(crate) enum Failure {
     Case { path: PathBuf, source: CaseError },
     #[error("{}: {source}", path.display())]
     Statics { path: PathBuf, source: StaticsError },
+    #[error("{}: {source}", path.display())]
+    Wheelset { path: PathBuf, source: Box<WheelsetError> },
+    #[error("{}: {source}", path.display())]
+    Profile { path: PathBuf, source: creepage_rail::file::FileError },
     #[error(transparent)]
     Reproduce(#[from] GalleryError),
     #[error(transparent)]

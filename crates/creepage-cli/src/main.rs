@@ -5,12 +5,14 @@ mod args;
 mod batch;
 mod cases;
 mod coefficients;
+mod conicity;
 mod curve;
 mod failure;
 mod init;
 mod input;
 mod outcome;
 mod output;
+mod profile;
 mod reproduce;
 mod statics;
 mod sweep;
@@ -42,6 +44,8 @@ fn run(command: &Command) -> Result<Outcome, Failure> {
         Command::Solve(args) => return cases::solve(args),
         Command::Batch(args) => return batch::run(args),
         Command::Sweep(args) => return sweep::run(args),
+        Command::Conicity(args) => return conicity::run(args),
+        Command::Profile(args) => profile::run(args)?,
         Command::Hertz(args) => cases::hertz(args)?,
         Command::Statics(args) => statics::run(args)?,
         Command::Reproduce(args) => reproduce::run(args)?,

@@ -6,6 +6,7 @@
 //! |---|---|
 //! | case files | [`CaseFile`], [`StaticsFile`], [`Sweep`], their schemas |
 //! | cases | [`Case`] and its [`TheorySpec`](creepage::TheorySpec), [`theory_spec`] |
+//! | wheelsets | [`WheelsetFile`] gives a [`WheelsetCase`]; [`conicity`] |
 //! | solved | [`solve`] gives a [`SolvedCase`]; [`StaticsCase`], [`SweepRun`], [`Curves`] |
 //! | reported | [`SolvedCase::text`], [`SolvedCase::json`], [`SolvedCase::write`]; [`Caution`] |
 //! | measured | [`measure`]: how far a theory is from the full one over [`steady_rolling`] or a [`grid()`]; [`SquareGrid`] |
@@ -55,6 +56,7 @@ mod statics;
 mod testing;
 mod text;
 mod vtk;
+mod wheelset;
 mod whole_file;
 mod write;
 
@@ -75,4 +77,8 @@ pub use series::{SeriesHead, SeriesRow, SweepRun, Tally, series_csv, series_json
 pub use solve::{SolveError, SolvedCase, Unreachable, solve};
 pub use statics::StaticsReport;
 pub use text::hertz_text;
+pub use wheelset::{
+    ConicityTable, Load, ProfileNote, Stance, Travel, WheelsetCase, WheelsetError, WheelsetFile,
+    conicity, profile_pictures, radius_difference_csv, wheelset_json_schema,
+};
 pub use whole_file::{WholeFile, write_all};

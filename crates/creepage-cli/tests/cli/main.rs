@@ -5,6 +5,7 @@
 mod bad_input;
 mod batch;
 mod commands;
+mod conicity;
 mod curve;
 mod examples;
 #[cfg(unix)]

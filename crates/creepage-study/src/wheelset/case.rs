@@ -1,0 +1,64 @@
+//! What the file of a wheelset describes, every number of it checked.
+
+use creepage::{SolidPair, TheorySpec};
+use creepage_rail::{Running, Side};
+
+use super::profile::ProfileNote;
+
+/// A wheelset in its track.
+#[derive(Debug, Clone)]
+pub struct WheelsetCase {
+    /// Wheels and rails.
+    pub running: Running,
+    /// Where the wheelset stands.
+    pub stance: Stance,
+    /// How it moves, where that is given.
+    pub travel: Option<Travel>,
+    /// Wheel and rail, where their materials are given.
+    pub solids: Option<SolidPair>,
+    /// Coefficient of friction, where it is given.
+    pub friction: Option<f64>,
+    /// The theory and its options.
+    pub theory: TheorySpec,
+    /// Profile files, and what had to be found in them.
+    pub notes: Vec<ProfileNote>,
+}
+
+/// Where a wheelset stands, as far as it is given.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Stance {
+    /// One wheel alone; both where `None`.
+    pub side: Option<Side>,
+    /// Its centre to the right of the track centre (m).
+    pub y: f64,
+    /// Turn about `z` (rad), positive turns the axle's right end back.
+    pub yaw: f64,
+    /// Turn about `x` (rad), positive lowers the right wheel; free where `None`.
+    pub roll: Option<f64>,
+    /// What holds it down.
+    pub load: Option<Load>,
+}
+
+/// What holds a wheelset down.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Load {
+    /// Vertical force of the wheelset on the track (N).
+    Axle(f64),
+    /// Vertical force of a wheel on its rail (N).
+    Wheel(f64),
+    /// Its height (m, down); at 0 the nominal circle touches the track plane.
+    Height(f64),
+}
+
+/// How a wheelset moves, as far as it is given.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Travel {
+    /// Speed along the track (m/s).
+    pub speed: f64,
+    /// Angular velocity about the axle (rad/s); free where `None`.
+    pub pitch_rate: Option<f64>,
+    /// Velocity to the right (m/s).
+    pub lateral_velocity: f64,
+    /// Angular velocity about `z` (rad/s).
+    pub yaw_rate: f64,
+}

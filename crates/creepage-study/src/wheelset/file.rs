@@ -1,0 +1,248 @@
+//! The whole file of a wheelset, and the case that it describes.
+
+use std::path::Path;
+
+use creepage::{SolidPair, TheorySpec};
+use creepage_rail::{Place, Rail, Role, Running, Side, Track, Wheel, Wheelset};
+use schemars::JsonSchema;
+use serde::Deserialize;
+use serde_json::Value;
+use toml::Table;
+
+use super::case::WheelsetCase;
+use super::error::{WheelsetError, checked, needed};
+use super::profile::{Asked, ProfileNote};
+use super::sections::{
+    FrictionSection, MaterialSection, MotionSection, RailSection, TrackSection, WheelSection,
+    WheelsetSection,
+};
+use crate::case::schema::schema_of;
+use crate::case::{CaseError, keys, solve};
+
+/// A wheelset in its track, in SI units: wheels and rails by their profiles, where the wheelset
+/// stands, how it moves.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(title = "creepage wheelset file")]
+pub struct WheelsetFile {
+    /// Both wheels, or what they have in common.
+    #[serde(default)]
+    wheel: WheelSection,
+    /// Where the left wheel differs.
+    #[serde(default)]
+    wheel_left: WheelSection,
+    /// Where the right wheel differs.
+    #[serde(default)]
+    wheel_right: WheelSection,
+    /// Both rails, or what they have in common.
+    #[serde(default)]
+    rail: RailSection,
+    /// Where the left rail differs.
+    #[serde(default)]
+    rail_left: RailSection,
+    /// Where the right rail differs.
+    #[serde(default)]
+    rail_right: RailSection,
+    /// Where the rails stand.
+    track: TrackSection,
+    /// The wheelset and where it stands.
+    wheelset: WheelsetSection,
+    /// How it moves.
+    #[serde(default)]
+    #[schemars(with = "MotionSection")]
+    motion: Option<MotionSection>,
+    /// The friction.
+    #[serde(default)]
+    #[schemars(with = "FrictionSection")]
+    contact: Option<FrictionSection>,
+    /// The material of wheel and rail.
+    #[serde(default)]
+    #[schemars(with = "MaterialSection")]
+    materials: Option<MaterialSection>,
+    /// The wheel's material, where it differs from the rail's.
+    #[serde(default)]
+    #[schemars(with = "MaterialSection")]
+    upper: Option<MaterialSection>,
+    /// The rail's material.
+    #[serde(default)]
+    #[schemars(with = "MaterialSection")]
+    lower: Option<MaterialSection>,
+    /// The theory, "exact" by default, and its options.
+    #[serde(default)]
+    #[schemars(with = "TheorySpec")]
+    solve: Table,
+}
+
+/// The JSON schema (draft 2020-12) of a wheelset file, for editors and validators.
+///
+/// ```
+/// let schema = creepage_study::wheelset_json_schema();
+/// assert!(schema["properties"]["wheelset"]["properties"]["back_to_back"].is_object());
+/// ```
+#[must_use]
+pub fn wheelset_json_schema() -> Value {
+    let mut schema = schema_of::<WheelsetFile>();
+    let theories = schema["properties"]["solve"]["oneOf"].as_array_mut();
+    for theory in theories.into_iter().flatten() {
+        if theory["properties"]["theory"]["const"] == TheorySpec::default().facts().name {
+            theory["required"] = Value::Array(Vec::new());
+        }
+    }
+    schema
+}
+
+impl WheelsetFile {
+    /// Reads the text of a wheelset file and checks its form: TOML, sections, keys and kinds of
+    /// values.
+    ///
+    /// # Errors
+    /// [`CaseError`] that says where the text is not a wheelset file.
+    pub fn read(text: &str) -> Result<Self, CaseError> {
+        keys::check(&text.parse()?, &wheelset_json_schema())?;
+        Ok(toml::from_str(text)?)
+    }
+
+    /// The case, its profile files in `directory`. Only wheels, rails, `[track]` and
+    /// `back_to_back` are needed; what else is there is checked.
+    ///
+    /// # Errors
+    /// [`WheelsetError`] for profiles that cannot be read, numbers out of range, contradictions.
+    pub fn case(&self, directory: &Path) -> Result<WheelsetCase, WheelsetError> {
+        let mut notes = Vec::new();
+        let running = self.running(directory, &mut notes)?;
+        let friction = self.contact.as_ref().map(|section| {
+            let value = section.friction;
+            checked(
+                "contact",
+                "friction",
+                value,
+                value > 0.0 && value.is_finite(),
+                "positive and finite",
+            )
+        });
+        Ok(WheelsetCase {
+            running,
+            stance: self.wheelset.stance()?,
+            travel: self.motion.as_ref().map(MotionSection::travel).transpose()?,
+            solids: self.solids()?,
+            friction: friction.transpose()?,
+            theory: solve::from_table(&self.solve).map_err(CaseError::from)?,
+            notes,
+        })
+    }
+
+    fn running(
+        &self,
+        directory: &Path,
+        notes: &mut Vec<ProfileNote>,
+    ) -> Result<Running, WheelsetError> {
+        let mut wheel = |side| self.wheel(side, directory, notes);
+        let (left, right) = (wheel(Side::Left)?, wheel(Side::Right)?);
+        let wheelset = Wheelset::new(left, right, self.wheelset.back_to_back)
+            .map_err(WheelsetError::geometry("wheelset"))?;
+        let place = self.track.place()?;
+        let mut rail = |side| self.rail(side, place, directory, notes);
+        Ok(wheelset.on(Track { left: rail(Side::Left)?, right: rail(Side::Right)? }))
+    }
+
+    fn wheel(
+        &self,
+        side: Side,
+        directory: &Path,
+        notes: &mut Vec<ProfileNote>,
+    ) -> Result<Wheel, WheelsetError> {
+        let (own, section) = match side {
+            Side::Left => (&self.wheel_left, "wheel_left"),
+            Side::Right => (&self.wheel_right, "wheel_right"),
+        };
+        let section = if *own == WheelSection::default() { "wheel" } else { section };
+        let wheel = own.or(&self.wheel);
+        let name = needed(section, "profile", wheel.profile.as_deref())?;
+        let radius = needed(section, "radius", wheel.radius)?;
+        let asked = Asked { section, name, role: Role::Wheel, side };
+        let profile = noted(asked.load(directory)?, notes);
+        let made = Wheel::new(&profile, radius);
+        wheel
+            .flange_back
+            .map_or(made.clone(), |back| made?.with_flange_back(back))
+            .map_err(WheelsetError::geometry(section))
+    }
+
+    fn rail(
+        &self,
+        side: Side,
+        place: Place,
+        directory: &Path,
+        notes: &mut Vec<ProfileNote>,
+    ) -> Result<Rail, WheelsetError> {
+        let (own, section) = match side {
+            Side::Left => (&self.rail_left, "rail_left"),
+            Side::Right => (&self.rail_right, "rail_right"),
+        };
+        let section = if *own == RailSection::default() { "rail" } else { section };
+        let rail = own.or(&self.rail);
+        let name = needed(section, "profile", rail.profile.as_deref())?;
+        let asked = Asked { section, name, role: Role::Rail, side };
+        let profile = noted(asked.load(directory)?, notes);
+        Rail::new(&profile, rail.cant.unwrap_or(0.0), place)
+            .map_err(WheelsetError::geometry(section))
+    }
+
+    /// `[materials]` for both bodies, or one section for each.
+    fn solids(&self) -> Result<Option<SolidPair>, CaseError> {
+        match (&self.materials, &self.upper, &self.lower) {
+            (None, None, None) => Ok(None),
+            (Some(both), None, None) => {
+                let solid = both.solid("materials")?;
+                Ok(Some(SolidPair::new(solid, solid)))
+            }
+            (None, Some(upper), Some(lower)) => {
+                Ok(Some(SolidPair::new(upper.solid("upper")?, lower.solid("lower")?)))
+            }
+            (Some(_), upper, _) => {
+                let other = if upper.is_some() { "upper" } else { "lower" };
+                let [first, second] = ["materials", other].map(|section| (section, "poisson"));
+                Err(CaseError::Conflict { first, second })
+            }
+            (None, upper, _) => {
+                let missing = if upper.is_some() { "lower" } else { "upper" };
+                let needs = "shear_modulus or young_modulus, poisson".into();
+                Err(CaseError::MissingSection { section: missing.into(), needs })
+            }
+        }
+    }
+}
+
+impl TrackSection {
+    fn place(&self) -> Result<Place, CaseError> {
+        const TRACK: &str = "track";
+        let positive = |key, value: f64| {
+            checked(TRACK, key, value, value > 0.0 && value.is_finite(), "positive and finite")
+        };
+        let gauge = self.gauge.map(|_| "gauge").or(self.gauge_height.map(|_| "gauge_height"));
+        match (self.rail_position, gauge) {
+            (Some(y), None) => Ok(Place::Origin(positive("rail_position", y)?)),
+            (Some(_), Some(key)) => {
+                let first = (TRACK, "rail_position");
+                Err(CaseError::Conflict { first, second: (TRACK, key) })
+            }
+            (None, None) => {
+                let keys = ["gauge (with gauge_height)", "rail_position"];
+                Err(CaseError::MissingEither { section: TRACK, keys })
+            }
+            (None, Some(_)) => Ok(Place::Gauge {
+                gauge: positive("gauge", needed(TRACK, "gauge", self.gauge)?)?,
+                height: positive(
+                    "gauge_height",
+                    needed(TRACK, "gauge_height", self.gauge_height)?,
+                )?,
+            }),
+        }
+    }
+}
+
+/// Keeps the note of a profile, once.
+fn noted<T>((profile, note): (T, Option<ProfileNote>), notes: &mut Vec<ProfileNote>) -> T {
+    notes.extend(note.filter(|note| !notes.contains(note)));
+    profile
+}

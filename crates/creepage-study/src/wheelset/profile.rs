@@ -1,0 +1,77 @@
+//! A profile that a case names: a standard one, or a file beside the case.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use creepage_rail::file::{Action, FileError, Reading, Wanted, read};
+use creepage_rail::{Profile, Role, Side, Standard};
+
+use super::error::WheelsetError;
+
+/// A profile's file, and what was found in it that nobody had said.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ProfileNote {
+    /// The file.
+    pub path: PathBuf,
+    /// What was found, assumed and done.
+    pub actions: Vec<Action>,
+}
+
+/// A profile that a section asks for.
+pub(super) struct Asked<'a> {
+    pub(super) section: &'static str,
+    pub(super) name: &'a str,
+    pub(super) role: Role,
+    pub(super) side: Side,
+}
+
+impl Asked<'_> {
+    /// The profile, with a note where it comes from a file.
+    pub(super) fn load(
+        &self,
+        directory: &Path,
+    ) -> Result<(Profile, Option<ProfileNote>), WheelsetError> {
+        if let Some(standard) = Standard::named(self.name) {
+            self.check(standard.role())?;
+            return Ok((standard.profile(), None));
+        }
+        let path = directory.join(self.name);
+        let content = fs::read(&path).map_err(|source| self.nowhere(&path, source))?;
+        let reading = self.reading(&content).map_err(|source| WheelsetError::Profile {
+            section: self.section,
+            path: path.clone(),
+            source,
+        })?;
+        self.check(reading.profile.role())?;
+        Ok((reading.profile, Some(ProfileNote { path, actions: reading.actions })))
+    }
+
+    /// What the file says it is goes before what the section is for.
+    fn reading(&self, content: &[u8]) -> Result<Reading, FileError> {
+        let wanted = Wanted { side: Some(self.side), ..Wanted::default() };
+        match read(self.name, content, &wanted) {
+            Err(FileError::Ask { .. }) => {
+                read(self.name, content, &Wanted { role: Some(self.role), ..wanted })
+            }
+            known => known,
+        }
+    }
+
+    fn check(&self, found: Role) -> Result<(), WheelsetError> {
+        if found == self.role {
+            return Ok(());
+        }
+        Err(WheelsetError::Role { section: self.section, profile: self.name.into(), found })
+    }
+
+    fn nowhere(&self, path: &Path, source: std::io::Error) -> WheelsetError {
+        let fitting = Standard::NAMES.iter().filter(|(_, standard)| standard.role() == self.role);
+        WheelsetError::NoProfile {
+            section: self.section,
+            profile: self.name.into(),
+            names: fitting.map(|&(name, _)| name).collect(),
+            path: path.into(),
+            source,
+        }
+    }
+}
