@@ -9,6 +9,7 @@ use creepage::theory::{TheoryError, UnknownTheory};
 use creepage_1967::GalleryError;
 use creepage_study::ReferenceError;
 use creepage_study::{CaseError, ReportError, SolveError, SpecError, StaticsError};
+use creepage_study::{PointsError, StressError};
 
 use crate::batch::columns::ColumnError;
 
@@ -21,6 +22,10 @@ pub(crate) enum Failure {
     Case { path: PathBuf, source: CaseError },
     #[error("{}: {source}", path.display())]
     Statics { path: PathBuf, source: StaticsError },
+    #[error("{}: {source}", path.display())]
+    Points { path: PathBuf, source: PointsError },
+    #[error("{}: {source}", path.display())]
+    Stresses { path: PathBuf, source: StressError },
     #[error(transparent)]
     Reproduce(#[from] GalleryError),
     #[error(transparent)]

@@ -13,6 +13,7 @@ mod outcome;
 mod output;
 mod reproduce;
 mod statics;
+mod stresses;
 mod sweep;
 mod table;
 mod table_build;
@@ -42,6 +43,7 @@ fn run(command: &Command) -> Result<Outcome, Failure> {
         Command::Solve(args) => return cases::solve(args),
         Command::Batch(args) => return batch::run(args),
         Command::Sweep(args) => return sweep::run(args),
+        Command::Stresses(args) => return stresses::run(args),
         Command::Hertz(args) => cases::hertz(args)?,
         Command::Statics(args) => statics::run(args)?,
         Command::Reproduce(args) => reproduce::run(args)?,

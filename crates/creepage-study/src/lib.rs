@@ -6,7 +6,7 @@
 //! |---|---|
 //! | case files | [`CaseFile`], [`StaticsFile`], [`Sweep`], their schemas |
 //! | cases | [`Case`] and its [`TheorySpec`](creepage::TheorySpec), [`theory_spec`] |
-//! | solved | [`solve`] gives a [`SolvedCase`]; [`StaticsCase`], [`SweepRun`], [`Curves`] |
+//! | solved | [`solve`] gives a [`SolvedCase`]; [`StaticsCase`], [`SweepRun`], [`Curves`], [`Stresses`] |
 //! | reported | [`SolvedCase::text`], [`SolvedCase::json`], [`SolvedCase::write`]; [`Caution`] |
 //! | measured | [`measure`]: how far a theory is from the full one over [`steady_rolling`] or a [`grid()`]; [`SquareGrid`] |
 //! | written | [`WholeFile`] and [`write_all`]: files that appear when they are whole |
@@ -51,6 +51,9 @@ mod points;
 mod series;
 mod solve;
 mod statics;
+mod stress_picture;
+mod stress_points;
+mod stresses;
 #[cfg(test)]
 mod testing;
 mod text;
@@ -74,5 +77,7 @@ pub use json::{AreasJson, CreepageJson, DetailJson, DimensionlessJson, ForceJson
 pub use series::{SeriesHead, SeriesRow, SweepRun, Tally, series_csv, series_json, series_netcdf};
 pub use solve::{SolveError, SolvedCase, Unreachable, solve};
 pub use statics::StaticsReport;
+pub use stress_points::{PointsError, read_points};
+pub use stresses::{StressError, StressPoint, Stresses, stress_csv};
 pub use text::hertz_text;
 pub use whole_file::{WholeFile, write_all};

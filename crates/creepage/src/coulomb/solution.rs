@@ -2,8 +2,11 @@
 
 use super::Exact;
 use super::extrapolation::{error_bar, extrapolate, extrapolate_force};
+use super::grid::Grid;
+use super::solver::State;
 use super::workspace::Workspace;
-use crate::theory::{Diagnostic, FieldPoint, Jacobian, Region, Solution, Solved};
+use crate::theory::field::mean;
+use crate::theory::{Diagnostic, FieldPoint, Jacobian, Patch, Region, Solution, Solved};
 use crate::{Creepage, Force};
 
 /// What happens in one element.
@@ -129,7 +132,7 @@ impl<'a> ExactSolved<'a> {
     }
 
     fn element(&self, strip: usize, i: usize) -> ElementField {
-        let (grid, state) = (&self.exact.grids[1], self.workspace.fine());
+        let [_, (grid, state)] = self.levels();
         let (pressure, mirror) = (&grid.pressure, self.answer.mirror);
         let element = grid.mesh.elements(strip).start + i;
         let bound = pressure.bounds[element];
@@ -137,7 +140,7 @@ impl<'a> ExactSolved<'a> {
             point: FieldPoint {
                 position: mirror.position(pressure.centroids[element]),
                 traction: mirror.vector(state.traction.at(element).map(|t| bound * t)),
-                slip: mirror.vector(self.slip(element)),
+                slip: mirror.vector(slip(state, element)),
                 region: if state.slides(element) { Region::Slip } else { Region::Adhesion },
             },
             bound,
@@ -147,17 +150,17 @@ impl<'a> ExactSolved<'a> {
         }
     }
 
-    /// Slip of an element in the mirror; zero in adhesion, where the computed one is rounding.
-    fn slip(&self, element: usize) -> [f64; 2] {
-        let state = self.workspace.fine();
-        if state.slides(element) { state.slip(element) } else { [0.0; 2] }
+    /// The coarser and the finer grid, each with its state.
+    fn levels(&self) -> [(&Grid, &State); 2] {
+        let ([coarse, fine], states) = (&self.exact.grids, self.workspace.states());
+        [(coarse, states[0]), (fine, states[1])]
     }
 
     /// Between the middles of elements the traction over its bound, and how far a point is from
     /// the border of the adhesion area, are interpolated; the law of Coulomb then picks the
     /// region, and the slip and the size of the traction that go with it.
-    fn at(&self, position: [f64; 2]) -> FieldPoint {
-        let (mirror, state) = (self.answer.mirror, self.workspace.fine());
+    fn at(&self, (grid, state): (&Grid, &State), position: [f64; 2]) -> FieldPoint {
+        let mirror = self.answer.mirror;
         let ellipse = self.exact.contact.ellipse();
         let [x, y] = mirror.position(position);
         let left = 1.0 - (x / ellipse.a()).powi(2) - (y / ellipse.b()).powi(2);
@@ -169,8 +172,8 @@ impl<'a> ExactSolved<'a> {
         let mut point =
             FieldPoint { position, traction: [0.0; 2], slip: [0.0; 2], region: Region::Slip };
         let mut beyond_adhesion = 0.0;
-        for (element, weight) in self.exact.grids[1].mesh.around(y, along) {
-            let (traction, slip) = (state.traction.at(element), self.slip(element));
+        for (element, weight) in grid.mesh.around(y, along) {
+            let (traction, slip) = (state.traction.at(element), slip(state, element));
             for k in 0..2 {
                 point.traction[k] += weight * traction[k];
                 point.slip[k] += weight * slip[k];
@@ -187,6 +190,17 @@ impl<'a> ExactSolved<'a> {
         point.slip = mirror.vector(point.slip);
         point
     }
+}
+
+/// Slip of an element in the mirror; zero in adhesion, where the computed one is rounding.
+fn slip(state: &State, element: usize) -> [f64; 2] {
+    if state.slides(element) { state.slip(element) } else { [0.0; 2] }
+}
+
+/// A quadrilateral cut at the middles of its sides.
+fn quarters(corners: [[f64; 2]; 4]) -> [[[f64; 2]; 4]; 4] {
+    let side = |k: usize| mean(&[corners[k % 4], corners[(k + 1) % 4]]);
+    [0, 1, 2, 3].map(|k| [corners[k], side(k), mean(&corners), side(k + 3)])
 }
 
 impl Drop for ExactSolved<'_> {
@@ -213,7 +227,20 @@ impl Solved for ExactSolved<'_> {
     }
 
     fn field(&self, positions: &[[f64; 2]]) -> Vec<FieldPoint> {
-        positions.iter().map(|at| self.at(*at)).collect()
+        let [_, fine] = self.levels();
+        positions.iter().map(|at| self.at(fine, *at)).collect()
+    }
+
+    /// The quarters of the finer grid's elements. The traction is extrapolated from the two grids, as
+    /// the force is.
+    fn patches(&self) -> Option<Vec<Patch>> {
+        let levels = self.levels();
+        let quarters = self.elements().into_iter().flat_map(|element| quarters(element.corners));
+        let patch = |corners: [[f64; 2]; 4]| {
+            let [coarse, fine] = levels.map(|level| self.at(level, mean(&corners)).traction);
+            Patch { corners, traction: [0, 1].map(|k| extrapolate(coarse[k], fine[k])) }
+        };
+        Some(quarters.map(patch).collect())
     }
 
     fn points(&self) -> Option<Vec<FieldPoint>> {
