@@ -170,7 +170,8 @@ impl Stresses {
         // Writing to a String cannot fail.
         let _ = writeln!(text, "\nLargest equivalent stress in the {} body", self.body());
         for (name, value) in rows {
-            let _ = writeln!(text, "{}", format!("  {name:<26}{}", aligned(&value)).trim_end());
+            let line = format!("  {name:<26}{}", aligned(&value));
+            let _ = writeln!(text, "{}", line.trim_end());
         }
         if self.settled > 0.0 {
             let depth = quantity(self.settled, "m", 3);
