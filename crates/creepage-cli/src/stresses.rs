@@ -70,8 +70,8 @@ fn warn(stresses: &Stresses, points: &[StressPoint]) {
     let shallow = points.iter().filter(|at| at.point[2] < settled).count();
     if shallow > 0 {
         say(&format!(
-            "caution: {shallow} of the points lie less than {settled:.2e} m deep, where stresses \
-             depend on the elements"
+            "caution: points less than {settled:.2e} m deep: {shallow}; stresses there depend on the \
+             elements"
         ));
     }
 }
