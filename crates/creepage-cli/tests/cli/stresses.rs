@@ -115,11 +115,11 @@ fn full_sliding_is_that_of_the_point_forces() {
     for (axes, friction, points) in REFERENCE {
         let place = Place::new();
         place.write("case.toml", case(axes, friction, 1e-3, "saturated"));
-        let mut table = String::from("note,z,y,x\n");
-        for [x, y, z, ..] in points {
-            let z = z * axes[0].min(axes[1]);
-            table += &format!("some,{z:e},{:e},{:e}\n", y * axes[1], x * axes[0]);
-        }
+        let minor = axes[0].min(axes[1]);
+        let lines = points.iter().map(|[x, y, z, ..]| {
+            format!("some,{:e},{:e},{:e}\n", z * minor, y * axes[1], x * axes[0])
+        });
+        let table = ["note,z,y,x\n".into()].into_iter().chain(lines).collect::<String>();
         place.write("points.csv", table);
         let found = rows(&place.run(&["stresses", "case.toml", "--points", "points.csv"]).done());
         assert_eq!(found.len(), points.len());
