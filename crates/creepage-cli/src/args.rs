@@ -71,6 +71,14 @@ pub(crate) enum Command {
     /// "partial-slip" (`force_x`, `force_y`), in SI units. The report goes to standard output; with
     /// --out, also report.json, points.csv, contact.svg and contact.png into a directory.
     Statics(StaticsArgs),
+    /// Stresses inside one of the two bodies of a case.
+    ///
+    /// With --points, CSV goes to standard output, rows as in P.csv: x, y, z [m], sxx, syy, szz, sxy,
+    /// syz, sxz [Pa], positive in tension, the equivalent stresses `von_mises` and tresca, the principal
+    /// stresses s1, s2, s3. Without, a report on the largest equivalent stress. With --out, also
+    /// stresses.csv (the points, or the section y = 0) and a picture of that section,
+    /// stresses.svg and stresses.png, into a directory.
+    Stresses(StressesArgs),
     /// Compute the tables and figures of Kalker's thesis of 1967 again, beside what was printed.
     ///
     /// What was compared goes to standard output. With --out, each figure goes into a directory as
@@ -327,6 +335,37 @@ pub(crate) struct StaticsArgs {
     /// Print the report as JSON.
     #[arg(long)]
     pub(crate) json: bool,
+}
+
+#[derive(Debug, clap::Args)]
+pub(crate) struct StressesArgs {
+    /// Case file; `creepage init` writes an example.
+    #[arg(value_name = "CASE.toml")]
+    pub(crate) case: PathBuf,
+    /// CSV file with columns x, y, z [m], z from the surface into the body.
+    #[arg(long, value_name = "P.csv")]
+    pub(crate) points: Option<PathBuf>,
+    /// The body.
+    #[arg(long, default_value = "lower")]
+    pub(crate) body: BodyName,
+    /// Theory to use in place of the case file's; `creepage theories` lists them.
+    #[arg(long, value_name = "NAME")]
+    pub(crate) theory: Option<String>,
+    /// Directory for the stresses and the picture; made if need be.
+    #[arg(long, value_name = "DIR")]
+    pub(crate) out: Option<PathBuf>,
+    /// Print JSON.
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+/// One of the two bodies, as case files name it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+pub(crate) enum BodyName {
+    /// Such as a rail.
+    Lower,
+    /// Such as a wheel.
+    Upper,
 }
 
 #[derive(Debug, clap::Args)]

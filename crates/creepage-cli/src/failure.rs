@@ -9,6 +9,7 @@ use creepage::theory::{TheoryError, UnknownTheory};
 use creepage_1967::GalleryError;
 use creepage_study::ReferenceError;
 use creepage_study::{CaseError, ReportError, SolveError, SpecError, StaticsError, WheelsetError};
+use creepage_study::{PointsError, StressError};
 
 use crate::batch::columns::ColumnError;
 
@@ -25,6 +26,10 @@ pub(crate) enum Failure {
     Wheelset { path: PathBuf, source: Box<WheelsetError> },
     #[error("{}: {source}", path.display())]
     Profile { path: PathBuf, source: creepage_rail::file::FileError },
+    #[error("{}: {source}", path.display())]
+    Points { path: PathBuf, source: PointsError },
+    #[error("{}: {source}", path.display())]
+    Stresses { path: PathBuf, source: StressError },
     #[error(transparent)]
     Reproduce(#[from] GalleryError),
     #[error(transparent)]

@@ -15,6 +15,7 @@ mod output;
 mod profile;
 mod reproduce;
 mod statics;
+mod stresses;
 mod sweep;
 mod table;
 mod table_build;
@@ -46,6 +47,7 @@ fn run(command: &Command) -> Result<Outcome, Failure> {
         Command::Sweep(args) => return sweep::run(args),
         Command::Conicity(args) => return conicity::run(args),
         Command::Profile(args) => profile::run(args)?,
+        Command::Stresses(args) => return stresses::run(args),
         Command::Hertz(args) => cases::hertz(args)?,
         Command::Statics(args) => statics::run(args)?,
         Command::Reproduce(args) => reproduce::run(args)?,

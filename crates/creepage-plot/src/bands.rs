@@ -1,4 +1,4 @@
-//! A quantity over an ellipse in shades between round levels: the darker, the more.
+//! A quantity over an ellipse or a rectangle in shades between round levels: the darker, the more.
 
 use std::f64::consts::TAU;
 
@@ -8,6 +8,7 @@ use crate::label::Label;
 use crate::mark::{Fill, Pen};
 use crate::panel::Panel;
 use crate::scene::Point;
+use crate::sheet::Sheet;
 use crate::top_view::TopView;
 
 /// Most levels; there is one band more.
@@ -28,6 +29,7 @@ const SHOWN: f64 = 0.9;
 pub struct Bands {
     levels: Vec<f64>,
     above: Vec<Vec<Vec<Point>>>,
+    edge: Vec<Point>,
 }
 
 impl Bands {
@@ -35,17 +37,41 @@ impl Bands {
     /// grows there without bound.
     #[must_use]
     pub fn new(quantity: impl Fn(Point) -> f64, is_singular: bool) -> Self {
-        let levels = levels(&quantity, is_singular);
+        let levels = levels(rings().map(&quantity), is_singular);
         let above = |level: &f64| {
             Contour::trace(|points| points.iter().map(|p| quantity(*p) > *level).collect()).polygons
         };
-        Self { above: levels.iter().map(above).collect(), levels }
+        let edge = ellipse([1.0, 1.0]);
+        Self { above: levels.iter().map(above).collect(), levels, edge }
     }
 
-    /// Fills the ellipse of a panel in units of its semi-axes.
+    /// The bands of a quantity at points of the rectangle between two corners.
+    #[must_use]
+    pub fn over([from, to]: [Point; 2], quantity: impl Fn(Point) -> f64) -> Self {
+        let at =
+            |square: Point| [0, 1].map(|i| from[i] + 0.5 * (1.0 + square[i]) * (to[i] - from[i]));
+        let side = |k: u32| 2.0 * f64::from(k) / f64::from(POINTS) - 1.0;
+        let places = (0..=POINTS).flat_map(|j| (0..=POINTS).map(move |i| [side(i), side(j)]));
+        let mut values: Vec<_> = places.map(|place| quantity(at(place))).collect();
+        values.sort_unstable_by(f64::total_cmp);
+        let levels = match (values.first(), values.last()) {
+            (Some(&low), Some(&high)) => round_levels(low, high),
+            _ => vec![],
+        };
+        let above = |level: &f64| -> Vec<Vec<Point>> {
+            let is_above =
+                |points: &[Point]| points.iter().map(|p| quantity(at(*p)) > *level).collect();
+            let polygons = Contour::trace_square(is_above).polygons.into_iter();
+            polygons.map(|polygon| polygon.into_iter().map(at).collect()).collect()
+        };
+        let edge = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]].map(at).to_vec();
+        Self { above: levels.iter().map(above).collect(), levels, edge }
+    }
+
+    /// Fills the ellipse of a panel in units of its semi-axes, or the rectangle of a panel.
     #[must_use]
     pub fn draw(&self, panel: Panel) -> Panel {
-        let edge = vec![ellipse([1.0, 1.0])];
+        let edge = vec![self.edge.clone()];
         let panel = panel.area(edge.clone(), Fill::plain(self.shade(0)));
         let bands = self.above.iter().enumerate().fold(panel, |panel, (k, polygons)| {
             let fill = Fill::plain(self.shade(k + 1));
@@ -58,6 +84,16 @@ impl Bands {
     /// first.
     #[must_use]
     pub fn key(&self, view: TopView, unit: &str) -> TopView {
+        self.names(unit).into_iter().fold(view, |view, (fill, name)| view.key(fill, name))
+    }
+
+    /// The same for a sheet.
+    #[must_use]
+    pub fn key_below(&self, sheet: Sheet, unit: &str) -> Sheet {
+        self.names(unit).into_iter().fold(sheet, |sheet, (fill, name)| sheet.key(fill, name))
+    }
+
+    fn names(&self, unit: &str) -> Vec<(Fill, Label)> {
         let scale = Scale::of(self.levels.last().copied().unwrap_or(0.0), unit, 3);
         let number = |words: &str, level: &f64| Label::new(words).number(&scale.write(*level));
         let name = |band: usize| match (self.levels.get(band.wrapping_sub(1)), self.levels.first())
@@ -67,7 +103,7 @@ impl Bands {
             (None, None) => Label::new("the same everywhere"),
         };
         let bands = (0..=self.levels.len()).rev();
-        bands.fold(view, |view, band| view.key(Fill::plain(self.shade(band)), name(band)))
+        bands.map(|band| (Fill::plain(self.shade(band)), name(band))).collect()
     }
 
     /// The shade of a band, spread over all shades.
@@ -77,8 +113,8 @@ impl Bands {
 }
 
 /// Round levels in ascending order, at most [`MOST`].
-fn levels(quantity: impl Fn(Point) -> f64, is_singular: bool) -> Vec<f64> {
-    let mut values: Vec<f64> = rings().map(quantity).filter(|value| value.is_finite()).collect();
+fn levels(values: impl Iterator<Item = f64>, is_singular: bool) -> Vec<f64> {
+    let mut values: Vec<f64> = values.filter(|value| value.is_finite()).collect();
     values.sort_unstable_by(f64::total_cmp);
     // What has a largest value vanishes at the edge.
     let (least, share) = if is_singular { (1.0, SHOWN) } else { (0.0, 1.0) };

@@ -1,7 +1,6 @@
-//! Areas of the unit disc, traced to a smooth boundary by marching squares.
+//! Areas of the unit disc or of a square, traced to a smooth boundary by marching squares.
 //!
-//! Everything here lives in the unit disc `(x/a, y/b)`. A square lattice is bent onto the disc,
-//! edge to edge, so that no area needs clipping. Where the boundary crosses a lattice edge is
+//! A square lattice is bent onto the disc `(x/a, y/b)`, edge to edge, so that no area needs clipping. Where the boundary crosses a lattice edge is
 //! found by bisection, since a point is known to be inside or outside only.
 
 use std::collections::BTreeMap;
@@ -18,12 +17,12 @@ const HALVINGS: usize = 10;
 /// Points are asked for a hair inside the disc, where a field is defined.
 const INSIDE: f64 = 0.9995;
 
-/// The boundary of an area in the unit disc.
+/// The boundary of an area in the unit disc, or in a square.
 #[derive(Debug, Clone)]
 pub struct Contour {
-    /// Closed loops in the unit disc `(x/a, y/b)`, counter-clockwise about the area.
+    /// Closed loops, counter-clockwise about the area.
     pub polygons: Vec<Vec<Point>>,
-    /// Area of the loops over that of the disc.
+    /// Area of the loops over that of the disc or the square.
     pub share: f64,
 }
 
@@ -32,15 +31,24 @@ impl Contour {
     /// once, some fifteen thousand in all.
     #[must_use]
     pub fn trace(is_inside: impl Fn(&[Point]) -> Vec<bool>) -> Self {
-        let is_inside = |points: &[Point]| -> Vec<bool> {
+        Self::on(disc_point, |points| {
             is_inside(&points.iter().map(|p| [p[0] * INSIDE, p[1] * INSIDE]).collect::<Vec<_>>())
-        };
-        let lattice = Lattice::sample(is_inside);
+        })
+    }
+
+    /// The same in the square from -1 to 1.
+    #[must_use]
+    pub fn trace_square(is_inside: impl Fn(&[Point]) -> Vec<bool>) -> Self {
+        Self::on(square_point, is_inside)
+    }
+
+    fn on(place: Place, is_inside: impl Fn(&[Point]) -> Vec<bool>) -> Self {
+        let lattice = Lattice::sample(place, &is_inside);
         let successors = lattice.successors();
         let crossings = lattice.crossings(&successors, is_inside);
         let polygons = loops(&successors, &crossings);
         let area = polygons.iter().fold(0.0, |sum, polygon| sum + signed_area(polygon));
-        let share = (area / signed_area(&rim())).clamp(0.0, 1.0);
+        let share = (area / signed_area(&rim(place))).clamp(0.0, 1.0);
         Self { polygons, share }
     }
 }
@@ -59,18 +67,25 @@ pub fn closed(mut polygon: Vec<Point>) -> Vec<Point> {
     polygon
 }
 
-/// The point of the disc at node `(i, j)`; the outermost nodes repeat those next to them.
+/// Where node `(i, j)` of the lattice lies.
+type Place = fn(usize, usize) -> Point;
+
+/// The point of the square at node `(i, j)`; the outermost nodes repeat those next to them.
+fn square_point(i: usize, j: usize) -> Point {
+    [i, j].map(|k| 2.0 * (k.clamp(1, CELLS + 1) - 1) as f64 / CELLS as f64 - 1.0)
+}
+
+/// The same on the disc.
 fn disc_point(i: usize, j: usize) -> Point {
-    let unit = |k: usize| 2.0 * (k.clamp(1, CELLS + 1) - 1) as f64 / CELLS as f64 - 1.0;
-    let (u, v) = (unit(i), unit(j));
+    let [u, v] = square_point(i, j);
     [u * (1.0 - 0.5 * v * v).sqrt(), v * (1.0 - 0.5 * u * u).sqrt()]
 }
 
-/// The disc's edge as the lattice has it, counter-clockwise.
-fn rim() -> Vec<Point> {
+/// The edge as the lattice has it, counter-clockwise.
+fn rim(place: Place) -> Vec<Point> {
     let (low, high) = (1, CELLS + 1);
     let side = |at: fn(usize) -> (usize, usize)| {
-        (low..high).map(at).map(|(i, j)| disc_point(i, j)).collect::<Vec<_>>()
+        (low..high).map(at).map(|(i, j)| place(i, j)).collect::<Vec<_>>()
     };
     [
         side(|k| (k, 1)),
@@ -105,14 +120,15 @@ impl Edge {
 
 /// Which nodes are inside.
 struct Lattice {
+    place: Place,
     inside: Vec<bool>,
 }
 
 impl Lattice {
-    fn sample(is_inside: impl Fn(&[Point]) -> Vec<bool>) -> Self {
+    fn sample(place: Place, is_inside: impl Fn(&[Point]) -> Vec<bool>) -> Self {
         let inner = || (1..=CELLS + 1).flat_map(|j| (1..=CELLS + 1).map(move |i| (i, j)));
-        let points: Vec<_> = inner().map(|(i, j)| disc_point(i, j)).collect();
-        let mut lattice = Self { inside: vec![false; NODES * NODES] };
+        let points: Vec<_> = inner().map(|(i, j)| place(i, j)).collect();
+        let mut lattice = Self { place, inside: vec![false; NODES * NODES] };
         for ((i, j), inside) in inner().zip(is_inside(&points)) {
             lattice.inside[i + NODES * j] = inside;
         }
@@ -158,7 +174,7 @@ impl Lattice {
             .keys()
             .map(|edge| {
                 let [start, end] = edge.nodes();
-                let points = (disc_point(start.0, start.1), disc_point(end.0, end.1));
+                let points = ((self.place)(start.0, start.1), (self.place)(end.0, end.1));
                 if self.is_inside(start) { points } else { (points.1, points.0) }
             })
             .unzip();
@@ -235,6 +251,15 @@ mod tests {
         let contour = trace(|p| (0.3..0.8).contains(&p[0].hypot(p[1])));
         assert_eq!(contour.polygons.len(), 2);
         assert!((contour.share - (0.64 - 0.09)).abs() < 2e-3);
+    }
+
+    #[test]
+    fn half_a_square_is_traced_to_its_corners() {
+        let half =
+            Contour::trace_square(|points| points.iter().map(|[x, y]| x + y > 0.0).collect());
+        // A straight border, known to a thousandth of a cell.
+        assert!((half.share - 0.5).abs() < 1e-4, "{}", half.share);
+        assert_eq!(half.polygons.len(), 1);
     }
 
     #[test]

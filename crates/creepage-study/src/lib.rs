@@ -7,7 +7,7 @@
 //! | case files | [`CaseFile`], [`StaticsFile`], [`Sweep`], their schemas |
 //! | cases | [`Case`] and its [`TheorySpec`](creepage::TheorySpec), [`theory_spec`] |
 //! | wheelsets | [`WheelsetFile`] gives a [`WheelsetCase`]; [`conicity`] |
-//! | solved | [`solve`] gives a [`SolvedCase`]; [`StaticsCase`], [`SweepRun`], [`Curves`] |
+//! | solved | [`solve`] gives a [`SolvedCase`]; [`StaticsCase`], [`SweepRun`], [`Curves`], [`Stresses`] |
 //! | reported | [`SolvedCase::text`], [`SolvedCase::json`], [`SolvedCase::write`]; [`Caution`] |
 //! | measured | [`measure`]: how far a theory is from the full one over [`steady_rolling`] or a [`grid()`]; [`SquareGrid`] |
 //! | written | [`WholeFile`] and [`write_all`]: files that appear when they are whole |
@@ -52,6 +52,9 @@ mod points;
 mod series;
 mod solve;
 mod statics;
+mod stress_picture;
+mod stress_points;
+mod stresses;
 #[cfg(test)]
 mod testing;
 mod text;
@@ -76,6 +79,8 @@ pub use json::{AreasJson, CreepageJson, DetailJson, DimensionlessJson, ForceJson
 pub use series::{SeriesHead, SeriesRow, SweepRun, Tally, series_csv, series_json, series_netcdf};
 pub use solve::{SolveError, SolvedCase, Unreachable, solve};
 pub use statics::StaticsReport;
+pub use stress_points::{PointsError, read_points};
+pub use stresses::{StressError, StressPoint, Stresses, stress_csv};
 pub use text::hertz_text;
 pub use wheelset::{
     ConicityTable, Load, ProfileNote, Stance, Travel, WheelsetCase, WheelsetError, WheelsetFile,

@@ -285,7 +285,7 @@ impl SolvedCase {
         [ellipse.a() / ellipse.c(), ellipse.b() / ellipse.c()]
     }
 
-    fn solved(&self) -> &dyn Solved {
+    pub(crate) fn solved(&self) -> &dyn Solved {
         &**self.held.borrow_dependent()
     }
 }

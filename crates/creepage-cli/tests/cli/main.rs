@@ -14,6 +14,7 @@ mod inverse;
 mod place;
 mod reproduce;
 mod statics;
+mod stresses;
 mod sweep;
 mod table;
 mod theories;

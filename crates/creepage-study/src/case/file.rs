@@ -2,7 +2,7 @@
 
 use creepage::coulomb::Constraints;
 use creepage::theory::UnknownTheory;
-use creepage::{Contact, Creepage, Hertz, TheorySpec};
+use creepage::{Contact, Creepage, Hertz, Solid, TheorySpec};
 use schemars::JsonSchema;
 use serde::Deserialize;
 use serde_json::Value;
@@ -136,6 +136,14 @@ impl CaseFile {
     /// ellipse.
     pub fn hertz(&self) -> Result<Hertz, CaseError> {
         self.contact.hertz(&self.upper, &self.lower)
+    }
+
+    /// The materials of the upper and the lower body.
+    ///
+    /// # Errors
+    /// [`CaseError`] for moduli out of range, none, or two of them.
+    pub fn solids(&self) -> Result<[Solid; 2], CaseError> {
+        Ok([self.upper.solid("upper")?, self.lower.solid("lower")?])
     }
 
     /// The case for a theory of rolling.

@@ -43,7 +43,7 @@ pub use solution::{ElementField, ExactSolved};
 
 use crate::check::{self, InvalidValue};
 use crate::theory::{Jacobian, Solved};
-use crate::{Contact, Creepage, FieldPoint, Solution, Theory};
+use crate::{Contact, Creepage, Ellipse, FieldPoint, Solution, Theory};
 use grid::Grid;
 use workspace::Pool;
 
@@ -158,6 +158,13 @@ impl Exact {
         };
         creepages.iter().map(&mut next).collect()
     }
+}
+
+/// The quadrilaterals of the fine resolution that fill an ellipse, in its unit of length.
+pub(crate) fn quadrilaterals(ellipse: Ellipse) -> impl Iterator<Item = [[f64; 2]; 4]> {
+    let [along, strips] = Resolution::FINE.coarse(ellipse.ratio());
+    let strips = mesh::Mesh::ellipse(ellipse, 2 * along, 2 * strips).strips.into_iter();
+    strips.flat_map(|strip| (0..strip.len()).map(move |i| strip.corners(i)))
 }
 
 impl Theory for Exact {

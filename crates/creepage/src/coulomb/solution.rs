@@ -2,9 +2,11 @@
 
 use super::Exact;
 use super::extrapolation::{error_bar, extrapolate, extrapolate_force};
+use super::grid::Grid;
 use super::solver::State;
 use super::workspace::Workspace;
-use crate::theory::{Diagnostic, FieldPoint, Jacobian, Region, Solution, Solved};
+use crate::theory::field::mean;
+use crate::theory::{Diagnostic, FieldPoint, Jacobian, Patch, Region, Solution, Solved};
 use crate::{Creepage, Force};
 
 /// What happens in one element.
@@ -130,7 +132,7 @@ impl<'a> ExactSolved<'a> {
     }
 
     fn element(&self, strip: usize, i: usize) -> ElementField {
-        let (grid, state) = (&self.exact.grids[1], self.workspace.fine());
+        let [_, (grid, state)] = self.levels();
         let (pressure, mirror) = (&grid.pressure, self.answer.mirror);
         let element = grid.mesh.elements(strip).start + i;
         let bound = pressure.bounds[element];
@@ -148,8 +150,14 @@ impl<'a> ExactSolved<'a> {
         }
     }
 
-    fn at(&self, position: [f64; 2]) -> FieldPoint {
-        let (mirror, mesh) = (self.answer.mirror, &self.exact.grids[1].mesh);
+    /// The coarser and the finer grid, each with its state.
+    fn levels(&self) -> [(&Grid, &State); 2] {
+        let ([coarse, fine], states) = (&self.exact.grids, self.workspace.states());
+        [(coarse, states[0]), (fine, states[1])]
+    }
+
+    fn at(&self, (grid, state): (&Grid, &State), position: [f64; 2]) -> FieldPoint {
+        let (mirror, mesh) = (self.answer.mirror, &grid.mesh);
         let ellipse = self.exact.contact.ellipse();
         let [x, y] = mirror.position(position);
         let left = 1.0 - (x / ellipse.a()).powi(2) - (y / ellipse.b()).powi(2);
@@ -160,7 +168,7 @@ impl<'a> ExactSolved<'a> {
         let along = x / length.max(f64::MIN_POSITIVE);
         let below = mesh.strips.partition_point(|strip| strip.borders()[1] <= y);
         let around = mesh.around(below.min(mesh.strips.len() - 1), y, along);
-        let point = between(self.workspace.fine(), around, position, left.sqrt());
+        let point = between(state, around, position, left.sqrt());
         let (traction, slip) = (mirror.vector(point.traction), mirror.vector(point.slip));
         FieldPoint { traction, slip, ..point }
     }
@@ -191,6 +199,12 @@ pub(super) fn between(
     FieldPoint { position, traction: [bound * p, bound * q], slip, region }
 }
 
+/// A quadrilateral cut at the middles of its sides.
+fn quarters(corners: [[f64; 2]; 4]) -> [[[f64; 2]; 4]; 4] {
+    let side = |k: usize| mean(&[corners[k % 4], corners[(k + 1) % 4]]);
+    [0, 1, 2, 3].map(|k| [corners[k], side(k), mean(&corners), side(k + 3)])
+}
+
 impl Drop for ExactSolved<'_> {
     fn drop(&mut self) {
         self.exact.pool.give_back(std::mem::take(&mut self.workspace));
@@ -215,7 +229,20 @@ impl Solved for ExactSolved<'_> {
     }
 
     fn field(&self, positions: &[[f64; 2]]) -> Vec<FieldPoint> {
-        positions.iter().map(|at| self.at(*at)).collect()
+        let [_, fine] = self.levels();
+        positions.iter().map(|at| self.at(fine, *at)).collect()
+    }
+
+    /// The quarters of the finer grid's elements. The traction is extrapolated from the two grids, as
+    /// the force is.
+    fn patches(&self) -> Option<Vec<Patch>> {
+        let levels = self.levels();
+        let quarters = self.elements().into_iter().flat_map(|element| quarters(element.corners));
+        let patch = |corners: [[f64; 2]; 4]| {
+            let [coarse, fine] = levels.map(|level| self.at(level, mean(&corners)).traction);
+            Patch { corners, traction: [0, 1].map(|k| extrapolate(coarse[k], fine[k])) }
+        };
+        Some(quarters.map(patch).collect())
     }
 
     fn points(&self) -> Option<Vec<FieldPoint>> {

@@ -85,9 +85,9 @@ impl Workspace {
         [0, 1, 2].map(|k| extrapolate_force(coarse[k], fine[k]))
     }
 
-    /// The state of the finer grid.
-    pub(super) fn fine(&self) -> &State {
-        &self.levels[1].state
+    /// The states of the coarser and the finer grid.
+    pub(super) fn states(&self) -> [&State; 2] {
+        [&self.levels[0].state, &self.levels[1].state]
     }
 }
 

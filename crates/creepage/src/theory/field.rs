@@ -45,3 +45,17 @@ impl FieldPoint {
         Self { position, traction: [0.0; 2], slip: [0.0; 2], region: Region::Outside }
     }
 }
+
+/// A quadrilateral of the contact with a constant tangential traction.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Patch {
+    /// Corners, all around, in units of `c`.
+    pub corners: [[f64; 2]; 4],
+    /// Traction on the lower body, in the unit of [`FieldPoint::traction`].
+    pub traction: [f64; 2],
+}
+
+/// The middle of some points.
+pub(crate) fn mean(points: &[[f64; 2]]) -> [f64; 2] {
+    [0, 1].map(|k| points.iter().map(|point| point[k]).sum::<f64>() / points.len() as f64)
+}

@@ -5,12 +5,12 @@
 
 mod constraints;
 mod facts;
-mod field;
+pub(crate) mod field;
 mod spec;
 
 pub use constraints::{Constraints, InverseError};
 pub use facts::TheoryFacts;
-pub use field::{FieldPoint, Region};
+pub use field::{FieldPoint, Patch, Region};
 pub use spec::{
     ExactOptions, FastripOptions, NamedResolution, NoOptions, PolachOptions, ResolutionSpec,
     TheoryError, TheorySpec, UnknownTheory, VariationalOptions,
@@ -150,6 +150,12 @@ pub trait Solved: Send + Sync {
 
     /// Traction and slip at the points of the theory's own mesh; `None` for a theory without one.
     fn points(&self) -> Option<Vec<FieldPoint>> {
+        None
+    }
+
+    /// The traction as constant on quadrilaterals that fill the contact, for the stresses below; `None`
+    /// for a theory without elements.
+    fn patches(&self) -> Option<Vec<Patch>> {
         None
     }
 

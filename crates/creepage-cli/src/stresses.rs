@@ -1,0 +1,77 @@
+//! `creepage stresses`: stresses inside a body.
+
+use creepage::Status;
+use creepage_study::{StressPoint, Stresses, read_points, solve, stress_csv};
+
+use crate::args::{BodyName, StressesArgs};
+use crate::failure::Failure;
+use crate::input::{read_case, read_text, theories};
+use crate::outcome::Outcome;
+use crate::output::{print, say, say_written, to_json};
+
+/// The files first, then the stresses, so that a wrong `--out` prints nothing.
+pub(crate) fn run(args: &StressesArgs) -> Result<Outcome, Failure> {
+    let points = points(args)?;
+    let stresses = prepare(args)?;
+    let failed = |source| Failure::Stresses { path: args.case.clone(), source };
+    let asked = points.map(|points| stresses.at(&points)).transpose().map_err(failed)?;
+    if let Some(directory) = &args.out {
+        let section = stresses.section().map_err(failed)?;
+        let points = asked.as_ref().unwrap_or(&section);
+        say_written(&stresses.write(directory, points, &section)?);
+    }
+    match &asked {
+        Some(points) if args.json => print(&to_json(&stresses.json("points", points))?)?,
+        Some(points) => print(&String::from_utf8_lossy(&stress_csv(points)?))?,
+        None => {
+            let largest = stresses.largest().map_err(failed)?;
+            let point = StressPoint { point: largest.point, stress: largest.stress };
+            print(&if args.json {
+                to_json(&stresses.json("largest_von_mises", &[point]))?
+            } else {
+                stresses.text(&largest)
+            })?;
+        }
+    }
+    warn(&stresses, asked.as_deref().unwrap_or_default());
+    let status = stresses.solved.solution().status;
+    Ok(if status == Status::NotConverged { Outcome::Doubtful } else { Outcome::Done })
+}
+
+fn points(args: &StressesArgs) -> Result<Option<Vec<[f64; 3]>>, Failure> {
+    let Some(path) = &args.points else {
+        return Ok(None);
+    };
+    let wrong = |source| Failure::Points { path: path.clone(), source };
+    read_points(&read_text(path)?).map(Some).map_err(wrong)
+}
+
+fn prepare(args: &StressesArgs) -> Result<Stresses, Failure> {
+    let wrong = |source| Failure::Case { path: args.case.clone(), source };
+    let file = read_case(&args.case)?;
+    let (case, [upper, lower]) = (file.case().map_err(wrong)?, file.solids().map_err(wrong)?);
+    let theories = theories(args.theory.as_slice(), &case)?;
+    let solved = solve(&case, theories.first())
+        .map_err(|source| Failure::Solve { path: args.case.clone(), source })?;
+    let (solid, body) = match args.body {
+        BodyName::Lower => (lower, creepage::below::Body::Lower),
+        BodyName::Upper => (upper, creepage::below::Body::Upper),
+    };
+    Stresses::new(solved, solid, body)
+        .map_err(|source| Failure::Stresses { path: args.case.clone(), source })
+}
+
+/// Says what is to be held against the numbers.
+fn warn(stresses: &Stresses, points: &[StressPoint]) {
+    for caution in &stresses.solved.cautions {
+        say(&format!("caution: {caution}"));
+    }
+    let settled = stresses.settled_depth();
+    let shallow = points.iter().filter(|at| at.point[2] < settled).count();
+    if shallow > 0 {
+        say(&format!(
+            "caution: points less than {settled:.2e} m deep: {shallow}; stresses there depend on the \
+             elements"
+        ));
+    }
+}

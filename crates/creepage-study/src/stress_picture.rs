@@ -1,0 +1,75 @@
+//! The picture of the stresses in the section `y = 0`.
+
+use creepage_plot::format::{quantity, significant};
+use creepage_plot::{Axis, Bands, Label, Mark, Panel, Pen, Shape, Sheet};
+
+use crate::stresses::{STEPS, StressPoint, Stresses};
+
+/// The contact, seen from the side.
+const CONTACT: Pen = Pen { colour: "#c62828", dashes: "", width: 5.0 };
+const LARGEST: Mark = Mark { size: 6.0, ..Mark::open(Shape::Target, "#c62828") };
+
+impl Stresses {
+    /// Equivalent stress by von Mises in the section, in shades, as SVG.
+    #[must_use]
+    pub fn svg(&self, section: &[StressPoint]) -> String {
+        let values: Vec<f64> = section.iter().map(|at| at.stress.von_mises()).collect();
+        let a = 1e3 * self.solved.case.hertz.ellipse().a();
+        let bands = Bands::over([[-2.0 * a, 0.0], [2.0 * a, 2.0 * a]], |[x, z]| {
+            between(&values, [(x / a + 2.0) / 4.0, 0.5 * z / a])
+        });
+        let panel = bands.draw(Panel::new(
+            Axis::new([-2.0 * a, 2.0 * a], Label::default().symbol("x").plain(", mm")),
+            Axis::new([2.0 * a, 0.0], Label::default().symbol("z").plain(", mm")),
+        ));
+        let panel = panel.to_scale().curve(vec![[-a, 0.0], [a, 0.0]], CONTACT);
+        let largest = section
+            .iter()
+            .max_by(|one, two| one.stress.von_mises().total_cmp(&two.stress.von_mises()));
+        let mark = largest.map(|at| [1e3 * at.point[0], 1e3 * at.point[2]]);
+        let sheet = Sheet::new(&format!("Stresses in the {} body", self.body()))
+            .note(self.setting())
+            .panel(panel.marks(mark.into_iter().collect(), LARGEST))
+            .key(CONTACT, Label::new("contact"));
+        let sheet = match largest {
+            Some(at) => {
+                let value = quantity(at.stress.von_mises(), "Pa", 3);
+                sheet.key(LARGEST, Label::new("largest here: ").number(&value))
+            }
+            None => sheet,
+        };
+        bands.key_below(sheet, "Pa").svg()
+    }
+
+    fn setting(&self) -> Label {
+        let case = &self.solved.case;
+        Label::new("equivalent stress by von Mises in the plane ")
+            .symbol("y")
+            .plain(" = 0\u{2003}theory ")
+            .plain(self.solved.theory.name)
+            .plain("\u{2003}")
+            .symbol("μ")
+            .plain(" = ")
+            .number(&significant(case.friction, 4))
+            .plain("\u{2003}")
+            .indexed("p", "0")
+            .plain(" = ")
+            .number(&quantity(case.hertz.peak_pressure(), "Pa", 4))
+    }
+}
+
+/// The value at shares of the section's sides, interpolated between its points.
+#[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a few dozen steps
+fn between(values: &[f64], shares: [f64; 2]) -> f64 {
+    let cell = |i: usize| {
+        let place = (shares[i] * f64::from(STEPS[i])).clamp(0.0, f64::from(STEPS[i]));
+        let low = place.floor().min(f64::from(STEPS[i] - 1));
+        (low as usize, place - low)
+    };
+    let ((i, right), (j, down)) = (cell(0), cell(1));
+    let value = |i: usize, j: usize| {
+        values.get(j * (STEPS[0] as usize + 1) + i).copied().unwrap_or(f64::NAN)
+    };
+    let row = |j: usize| (1.0 - right) * value(i, j) + right * value(i + 1, j);
+    (1.0 - down) * row(j) + down * row(j + 1)
+}

@@ -1,0 +1,245 @@
+//! Stresses inside the bodies of a solved case.
+
+use std::fmt::{self, Write as _};
+use std::path::{Path, PathBuf};
+
+use creepage::InvalidValue;
+use creepage::Solid;
+use creepage::below::{Body, Interior, InteriorError, Largest, RollingError, Stress, largest};
+use creepage_plot::format::{quantity, significant};
+use rayon::prelude::*;
+use serde_json::{Value, json};
+
+use crate::SolvedCase;
+use crate::error::ReportError;
+use crate::text::{aligned, status_words};
+use crate::whole_file::write_all;
+
+/// From this depth on, over the smaller semi-axis, the stresses below elements have settled: half of
+/// an element of the coarsest resolution.
+const SETTLED: f64 = 0.05;
+/// Steps of the section along and down.
+pub(crate) const STEPS: [u32; 2] = [80, 40];
+/// Where the largest stress is sought, over the semi-axes, and down over the smaller of them.
+const SOUGHT: f64 = 1.5;
+const HEADER: [&str; 14] = [
+    "x",
+    "y",
+    "z",
+    "sxx",
+    "syy",
+    "szz",
+    "sxy",
+    "syz",
+    "sxz",
+    "von_mises",
+    "tresca",
+    "s1",
+    "s2",
+    "s3",
+];
+
+/// A place in a body and the stress there.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct StressPoint {
+    /// `[x, y, z]` (m), `z` into the body.
+    pub point: [f64; 3],
+    /// Its stress (Pa), positive in tension.
+    pub stress: Stress,
+}
+
+/// Why there are no stresses.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum StressError {
+    /// The tractions in closed form.
+    #[error(transparent)]
+    Interior(#[from] InteriorError),
+    /// The tractions on elements.
+    #[error(transparent)]
+    Rolling(#[from] RollingError),
+    /// A point.
+    #[error(transparent)]
+    Point(#[from] InvalidValue),
+}
+
+/// The stresses in one body of a solved case.
+pub struct Stresses {
+    /// The case.
+    pub solved: SolvedCase,
+    interior: Interior,
+    settled: f64,
+}
+
+impl Stresses {
+    /// In the body of this material. Full sliding without spin is in closed form (theory
+    /// `saturated`), any other theory's tangential traction on elements ([`Interior::rolling`]).
+    ///
+    /// # Errors
+    /// [`StressError`] for tractions that are not finite.
+    pub fn new(solved: SolvedCase, solid: Solid, body: Body) -> Result<Self, StressError> {
+        let (case, creepage) = (&solved.case, solved.creepage());
+        let is_closed = solved.theory.name == "saturated" && creepage.chi() == 0.0;
+        let (interior, settled) = if is_closed {
+            let size = creepage.xi().hypot(creepage.eta()).max(f64::MIN_POSITIVE);
+            let friction =
+                [creepage.xi(), creepage.eta()].map(|part| case.friction * (part / size));
+            (Interior::sliding(&case.hertz, friction, solid, body)?, 0.0)
+        } else {
+            let ellipse = case.hertz.ellipse();
+            let interior =
+                Interior::rolling(&case.hertz, &case.contact, solved.solved(), solid, body)?;
+            (interior, SETTLED * ellipse.a().min(ellipse.b()))
+        };
+        Ok(Self { solved, interior, settled })
+    }
+
+    /// From this depth on (m) the stresses have settled: above, those below elements grow
+    /// logarithmically towards the sides of elements. Zero in closed form.
+    #[must_use]
+    pub fn settled_depth(&self) -> f64 {
+        self.settled
+    }
+
+    /// The stresses at points, in their order.
+    ///
+    /// # Errors
+    /// [`StressError`] unless the points are finite and in the body.
+    pub fn at(&self, points: &[[f64; 3]]) -> Result<Vec<StressPoint>, StressError> {
+        let at = |point: &[f64; 3]| {
+            Ok(StressPoint { point: *point, stress: self.interior.stress(*point)? })
+        };
+        points.par_iter().map(at).collect()
+    }
+
+    /// The section `y = 0` from `-2a` to `2a` and down to `2a`, row by row downwards from the depth
+    /// where the stresses have settled.
+    ///
+    /// # Errors
+    /// As [`Stresses::at`]; none.
+    pub fn section(&self) -> Result<Vec<StressPoint>, StressError> {
+        let a = self.solved.case.hertz.ellipse().a();
+        let at = |k: u32, steps: u32| f64::from(k) / f64::from(steps);
+        let [along, down] = STEPS;
+        let row = |j: u32| {
+            let z = (2.0 * a * at(j, down)).max(self.settled);
+            (0..=along).map(move |i| [a * (4.0 * at(i, along) - 2.0), 0.0, z])
+        };
+        self.at(&(0..=down).flat_map(row).collect::<Vec<_>>())
+    }
+
+    /// The largest equivalent stress by von Mises in the body, and where.
+    ///
+    /// # Errors
+    /// As [`Stresses::at`]; none.
+    pub fn largest(&self) -> Result<Largest, StressError> {
+        let ellipse = self.solved.case.hertz.ellipse();
+        let [x, y] = [ellipse.a(), ellipse.b()].map(|axis| SOUGHT * axis);
+        let block = [[-x, -y, self.settled], [x, y, x.min(y)]];
+        Ok(largest(&self.interior, block, Stress::von_mises)?)
+    }
+
+    /// The body as case files name it.
+    pub(crate) fn body(&self) -> &'static str {
+        match self.interior.body() {
+            Body::Lower => "lower",
+            Body::Upper => "upper",
+        }
+    }
+
+    /// A short report on the largest equivalent stress.
+    #[must_use]
+    pub fn text(&self, largest: &Largest) -> String {
+        let (theory, status) = (self.solved.theory.name, self.solved.solution().status);
+        let mut text = format!("Theory {theory}: {}\n", status_words(status));
+        let peak = self.solved.case.hertz.peak_pressure();
+        let [x, y, z] = largest.point.map(|length| quantity(length, "m", 5));
+        let [first, second, third] =
+            largest.stress.principal().map(|value| quantity(value, "Pa", 5));
+        let rows = [
+            ("von Mises", quantity(largest.value, "Pa", 5)),
+            ("over the peak pressure", significant(largest.value / peak, 5)),
+            ("at x", x),
+            ("at y", y),
+            ("at depth z", z),
+            ("Tresca", quantity(largest.stress.tresca(), "Pa", 5)),
+            ("first principal stress", first),
+            ("second", second),
+            ("third", third),
+        ];
+        // Writing to a String cannot fail.
+        let _ = writeln!(text, "\nLargest equivalent stress in the {} body", self.body());
+        for (name, value) in rows {
+            let line = format!("  {name:<26}{}", aligned(&value));
+            let _ = writeln!(text, "{}", line.trim_end());
+        }
+        if self.settled > 0.0 {
+            let depth = quantity(self.settled, "m", 3);
+            let _ = writeln!(text, "\nSought from the depth {depth} on.");
+        }
+        text
+    }
+
+    /// Points for programs.
+    #[must_use]
+    pub fn json(&self, key: &str, points: &[StressPoint]) -> Value {
+        json!({
+            "creepage_version": env!("CARGO_PKG_VERSION"),
+            "theory": self.solved.theory.name,
+            "status": self.solved.solution().status.name(),
+            "body": self.body(),
+            "peak_pressure_pa": self.solved.case.hertz.peak_pressure(),
+            "settled_depth_m": self.settled,
+            key: points.iter().map(object).collect::<Vec<_>>(),
+        })
+    }
+
+    /// Writes `stresses.csv` with `points`, and the picture of the section as `stresses.svg` and
+    /// `stresses.png`, into `directory`, which is made when missing.
+    ///
+    /// # Errors
+    /// [`ReportError`]; what was made until then is removed.
+    pub fn write(
+        &self,
+        directory: &Path,
+        points: &[StressPoint],
+        section: &[StressPoint],
+    ) -> Result<Vec<PathBuf>, ReportError> {
+        let (csv, svg) = (stress_csv(points)?, self.svg(section));
+        let png = creepage_plot::png(&svg)?;
+        let files: [(&str, &[u8]); 3] =
+            [("stresses.csv", &csv), ("stresses.svg", svg.as_bytes()), ("stresses.png", &png)];
+        write_all(directory, &files)
+    }
+}
+
+impl fmt::Debug for Stresses {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Stresses").field("settled", &self.settled).finish_non_exhaustive()
+    }
+}
+
+/// The fourteen numbers of a row.
+fn numbers(at: &StressPoint) -> [f64; 14] {
+    let ([x, y, z], [xx, yy, zz, xy, yz, xz]) = (at.point, at.stress.components());
+    let [first, second, third] = at.stress.principal();
+    let (von_mises, tresca) = (at.stress.von_mises(), at.stress.tresca());
+    [x, y, z, xx, yy, zz, xy, yz, xz, von_mises, tresca, first, second, third]
+}
+
+fn object(at: &StressPoint) -> Value {
+    HEADER.iter().zip(numbers(at)).map(|(name, value)| (*name, json!(value))).collect()
+}
+
+/// Points and stresses as CSV, in full precision.
+///
+/// # Errors
+/// [`ReportError`] as of the writer of CSV.
+pub fn stress_csv(points: &[StressPoint]) -> Result<Vec<u8>, ReportError> {
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    writer.write_record(HEADER)?;
+    for point in points {
+        writer.write_record(numbers(point).map(|value| format!("{value:e}")))?;
+    }
+    writer.into_inner().map_err(|error| csv::Error::from(error.into_error()).into())
+}
