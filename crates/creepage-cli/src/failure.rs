@@ -7,8 +7,9 @@ use creepage::InvalidValue;
 use creepage::table::{BuildError, FileError};
 use creepage::theory::{TheoryError, UnknownTheory};
 use creepage_1967::GalleryError;
-use creepage_study::ReferenceError;
-use creepage_study::{CaseError, ReportError, SolveError, SpecError, StaticsError};
+use creepage_study::{
+    CaseError, GapCaseError, ReferenceError, ReportError, SolveError, SpecError, StaticsError,
+};
 
 use crate::batch::columns::ColumnError;
 
@@ -21,6 +22,8 @@ pub(crate) enum Failure {
     Case { path: PathBuf, source: CaseError },
     #[error("{}: {source}", path.display())]
     Statics { path: PathBuf, source: StaticsError },
+    #[error("{}: {source}", path.display())]
+    Gap { path: PathBuf, source: GapCaseError },
     #[error(transparent)]
     Reproduce(#[from] GalleryError),
     #[error(transparent)]

@@ -11,8 +11,12 @@ use crate::output::say;
 
 /// A case file, its form checked.
 pub(crate) fn read_case(path: &Path) -> Result<CaseFile, Failure> {
-    let text = read_text(path)?;
-    CaseFile::read(&text).map_err(|source| Failure::Case { path: path.into(), source })
+    parse_case(path, &read_text(path)?)
+}
+
+/// A case file of which the text is known.
+pub(crate) fn parse_case(path: &Path, text: &str) -> Result<CaseFile, Failure> {
+    CaseFile::read(text).map_err(|source| Failure::Case { path: path.into(), source })
 }
 
 /// The text of a file of any kind.

@@ -7,6 +7,7 @@ mod cases;
 mod coefficients;
 mod curve;
 mod failure;
+mod gap;
 mod init;
 mod input;
 mod outcome;

@@ -8,6 +8,7 @@
 //! | cases | [`Case`] and its [`TheorySpec`](creepage::TheorySpec), [`theory_spec`] |
 //! | solved | [`solve`] gives a [`SolvedCase`]; [`StaticsCase`], [`SweepRun`], [`Curves`] |
 //! | reported | [`SolvedCase::text`], [`SolvedCase::json`], [`SolvedCase::write`]; [`Caution`] |
+//! | any shape | [`GapFile`], [`GapCase`], [`solve_gap`], [`SolvedGap`]: the same from `[gap]` |
 //! | measured | [`measure`]: how far a theory is from the full one over [`steady_rolling`] or a [`grid()`]; [`SquareGrid`] |
 //! | written | [`WholeFile`] and [`write_all`]: files that appear when they are whole |
 //!
@@ -46,6 +47,7 @@ mod contact_picture;
 mod curve_picture;
 mod curves;
 mod error;
+mod gap;
 mod json;
 mod points;
 mod series;
@@ -70,6 +72,11 @@ pub use caution::Caution;
 pub use contact_json::{HertzJson, SolidJson, hertz_json};
 pub use curves::{Component, Curves};
 pub use error::ReportError;
+pub use gap::{
+    ExtentJson, GapCase, GapCaseError, GapCaution, GapContactJson, GapCreepageJson, GapFile,
+    GapFileError, GapForceJson, GapReportJson, PatchJson, Pressed, SiGiven, SolvedGap,
+    gap_json_schema, solve_gap,
+};
 pub use json::{AreasJson, CreepageJson, DetailJson, DimensionlessJson, ForceJson, ReportJson};
 pub use series::{SeriesHead, SeriesRow, SweepRun, Tally, series_csv, series_json, series_netcdf};
 pub use solve::{SolveError, SolvedCase, Unreachable, solve};

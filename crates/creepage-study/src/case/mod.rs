@@ -2,15 +2,15 @@
 //!
 //! Reading checks the form (sections and keys); every error names the section and the key.
 
-mod body;
+pub(crate) mod body;
 mod contact;
-mod creepage;
+pub(crate) mod creepage;
 mod error;
 mod file;
-mod keys;
+pub(crate) mod keys;
 mod radius;
-mod schema;
-mod solve;
+pub(crate) mod schema;
+pub(crate) mod solve;
 mod statics;
 mod sweep;
 mod wanted;

@@ -84,7 +84,7 @@ fn quoted(option: &str) -> String {
 }
 
 /// The theory of `[solve]`; `exact` where it names none.
-pub(super) fn from_table(table: &Table) -> Result<TheorySpec, SpecError> {
+pub(crate) fn from_table(table: &Table) -> Result<TheorySpec, SpecError> {
     let named = match table.get("theory") {
         None => TheorySpec::default(),
         Some(Value::String(name)) => TheorySpec::named(name)?,
