@@ -42,22 +42,40 @@ impl Bands {
         Self { above: levels.iter().map(above).collect(), levels }
     }
 
+    /// From round levels between zero and the largest value, and the areas above a level.
+    #[must_use]
+    pub fn up_to(largest: f64, above: impl Fn(f64) -> Vec<Vec<Point>>) -> Self {
+        let levels = round_levels(0.0, largest);
+        Self { above: levels.iter().map(|level| above(*level)).collect(), levels }
+    }
+
     /// Fills the ellipse of a panel in units of its semi-axes.
     #[must_use]
     pub fn draw(&self, panel: Panel) -> Panel {
         let edge = vec![ellipse([1.0, 1.0])];
-        let panel = panel.area(edge.clone(), Fill::plain(self.shade(0)));
-        let bands = self.above.iter().enumerate().fold(panel, |panel, (k, polygons)| {
+        self.fill(panel, &edge).outlines(&edge, Pen::OUTLINE.wide(2.0))
+    }
+
+    /// Fills areas of a panel, without their outlines.
+    #[must_use]
+    pub fn fill(&self, panel: Panel, areas: &[Vec<Point>]) -> Panel {
+        let panel = panel.area(areas.to_vec(), Fill::plain(self.shade(0)));
+        self.above.iter().enumerate().fold(panel, |panel, (k, polygons)| {
             let fill = Fill::plain(self.shade(k + 1));
             panel.area(polygons.clone(), fill).outlines(polygons, CONTOUR)
-        });
-        bands.outlines(&edge, Pen::OUTLINE.wide(2.0))
+        })
     }
 
     /// Adds each shade with the levels that it lies between, in a unit, to a legend; the highest
     /// first.
     #[must_use]
     pub fn key(&self, view: TopView, unit: &str) -> TopView {
+        self.entries(unit).into_iter().fold(view, |view, (fill, name)| view.key(fill, name))
+    }
+
+    /// Each shade with the levels that it lies between, in a unit; the highest first.
+    #[must_use]
+    pub fn entries(&self, unit: &str) -> Vec<(Fill, Label)> {
         let scale = Scale::of(self.levels.last().copied().unwrap_or(0.0), unit, 3);
         let number = |words: &str, level: &f64| Label::new(words).number(&scale.write(*level));
         let name = |band: usize| match (self.levels.get(band.wrapping_sub(1)), self.levels.first())
@@ -67,7 +85,7 @@ impl Bands {
             (None, None) => Label::new("the same everywhere"),
         };
         let bands = (0..=self.levels.len()).rev();
-        bands.fold(view, |view, band| view.key(Fill::plain(self.shade(band)), name(band)))
+        bands.map(|band| (Fill::plain(self.shade(band)), name(band))).collect()
     }
 
     /// The shade of a band, spread over all shades.

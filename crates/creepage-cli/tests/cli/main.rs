@@ -7,6 +7,7 @@ mod batch;
 mod commands;
 mod curve;
 mod examples;
+mod gap;
 #[cfg(unix)]
 mod guide;
 mod inverse;

@@ -10,9 +10,12 @@ mod creepage;
 mod error;
 mod file;
 mod json;
+mod picture;
+mod points;
 mod shape;
 mod solve;
 mod text;
+mod write;
 
 pub use caution::GapCaution;
 pub use creepage::SiGiven;
