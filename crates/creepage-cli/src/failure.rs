@@ -24,6 +24,8 @@ pub(crate) enum Failure {
     Statics { path: PathBuf, source: StaticsError },
     #[error("{}: {source}", path.display())]
     Gap { path: PathBuf, source: GapCaseError },
+    #[error("{}: [gap] goes through `creepage solve` alone, today", path.display())]
+    OnlySolve { path: PathBuf },
     #[error(transparent)]
     Reproduce(#[from] GalleryError),
     #[error(transparent)]

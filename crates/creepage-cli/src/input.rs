@@ -4,14 +4,18 @@ use std::fs;
 use std::path::Path;
 
 use creepage::TheorySpec;
-use creepage_study::{Case, CaseFile};
+use creepage_study::{Case, CaseFile, GapFile};
 
 use crate::failure::Failure;
 use crate::output::say;
 
-/// A case file, its form checked.
+/// A case file of an ellipse, its form checked.
 pub(crate) fn read_case(path: &Path) -> Result<CaseFile, Failure> {
-    parse_case(path, &read_text(path)?)
+    let text = read_text(path)?;
+    if GapFile::is_one(&text) {
+        return Err(Failure::OnlySolve { path: path.into() });
+    }
+    parse_case(path, &text)
 }
 
 /// A case file of which the text is known.

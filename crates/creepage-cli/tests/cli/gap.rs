@@ -92,7 +92,8 @@ fn grid(half: f64) -> String {
 #[test]
 fn an_ellipse_agrees_with_the_same_case_by_radii() {
     let place = Place::new();
-    let report = solved(&place, CASE);
+    let standard = CASE.replace("\"fast\"", "\"standard\"");
+    let report = solved(&place, &standard);
     let by_radii = CASE
         .replacen(
             "poisson = 0.28",
@@ -125,8 +126,8 @@ fn an_ellipse_agrees_with_the_same_case_by_radii() {
         assert!((one - other).abs() < bar, "{key}: {one} {other} +- {bar}");
     }
     let shares = [&report, &hertz].map(|report| number(report, "areas", "adhesion_share"));
-    // Counted by 168 elements: those on the boundary are half of it.
-    assert!((shares[0] - shares[1]).abs() < 0.06, "{shares:?}");
+    // Counted by some 400 elements: the boundary passes through 20 of them, each half wrong.
+    assert!((shares[0] - shares[1]).abs() < 0.025, "{shares:?}");
 }
 
 #[test]
@@ -138,10 +139,11 @@ fn section_grid_and_polynomial_are_the_same_bodies() {
     let section = "section = 'section.csv'\nradius_rolling = 0.46";
     for shape in [section, "grid = 'grid.csv'"] {
         let report = solved(&place, &CASE.replace(POLYNOMIAL, shape));
-        for key in ["longitudinal_n", "lateral_n", "moment_n_m"] {
+        for (key, full) in [("longitudinal_n", 24e3), ("lateral_n", 24e3), ("moment_n_m", 139.0)] {
             let [one, other] = [&polynomial, &report].map(|r| number(r, "lower_body", key));
-            // Parabolas through points are parabolas; a grid is solved by sections of degree 4.
-            assert!((one - other).abs() < 2e-3 * one.abs(), "{shape} {key}: {one} {other}");
+            // In parts of mu N and mu N c: cubics through points of a parabola are this parabola,
+            // but for a grid the pressure along x is solved with more terms.
+            assert!((one - other).abs() < 2e-3 * full, "{shape} {key}: {one} {other}");
         }
     }
 }
@@ -173,10 +175,11 @@ fn a_wanted_force_is_met() {
     place
         .run(&["solve", "case.toml"])
         .refused(&["[wanted] longitudinal_force = 25000", "at most 24000"]);
-    place.write("case.toml", wanted.replace("9000", "23.999e3"));
-    place
-        .run(&["solve", "case.toml"])
-        .refused(&["[wanted] is not reachable", "longitudinal_force"]);
+    let both = "longitudinal_force = 20e3\nlateral_force = 20e3";
+    let beyond = wanted.replace("lateral = 1e-3\n", "");
+    place.write("case.toml", beyond.replace("longitudinal_force = 9000", both));
+    let parts = ["[wanted] is not reachable", "longitudinal_force", "lateral_force"];
+    place.run(&["solve", "case.toml"]).refused(&parts);
 }
 
 #[test]
@@ -243,6 +246,17 @@ fn keys_of_other_case_files() {
     let place = Place::new();
     place.write("case.toml", CASE);
     place.run(&["solve", "case.toml", "--theory", "polach"]).refused(&["polach", "needs exact"]);
+}
+
+#[test]
+fn other_commands_refuse_and_the_schema_knows() {
+    let place = Place::new();
+    place.write("case.toml", CASE);
+    place.run(&["hertz", "case.toml"]).refused(&["[gap]", "`creepage solve` alone"]);
+    let schema = json(&place.run(&["schema", "--of", "gap"]).done());
+    assert!(schema["properties"]["gap"]["properties"]["section"].is_object());
+    let theories = schema["properties"]["solve"]["oneOf"].as_array().unwrap();
+    assert_eq!(theories.len(), 1);
 }
 
 #[test]
