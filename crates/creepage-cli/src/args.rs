@@ -37,8 +37,12 @@ pub(crate) enum Command {
     /// A case file with a section [wanted] gives forces in place of creepages; the creepages
     /// are found. Forces beyond friction's reach are refused, with the most that was reached.
     ///
-    /// The report goes to standard output; with --out, also report.json, points.csv,
-    /// contact.vtk (the field for VTK programs), contact.svg and contact.png into a directory.
+    /// A case file with a section [gap] gives the undeformed distance of bodies of any shape in
+    /// place of their radii.
+    ///
+    /// The report goes to standard output; with --out, also report.json, points.csv, contact.svg
+    /// and contact.png into a directory, and for an ellipse contact.vtk (the field for VTK
+    /// programs).
     Solve(SolveArgs),
     /// Solve many cases: CSV in, the same rows with forces appended out.
     ///
@@ -387,6 +391,8 @@ pub(crate) struct SchemaArgs {
 pub(crate) enum FileKind {
     /// Case files: `solve`, `curve`, `hertz`.
     Case,
+    /// Case files with [gap]: `solve`.
+    Gap,
     /// Statics files: `statics`.
     Statics,
     /// Sweep files: `sweep`.
@@ -400,6 +406,7 @@ impl FileKind {
     pub(crate) fn schema(self) -> serde_json::Value {
         match self {
             Self::Case => creepage_study::json_schema(),
+            Self::Gap => creepage_study::gap_json_schema(),
             Self::Statics => creepage_study::statics_json_schema(),
             Self::Sweep => creepage_study::sweep_json_schema(),
             Self::Wheelset => creepage_study::wheelset_json_schema(),

@@ -1,17 +1,22 @@
 //! Commands on one case file: `solve` and `hertz`.
 
 use creepage::Status;
-use creepage_study::{hertz_json, hertz_text, solve as solve_case};
+use creepage_study::{GapFile, hertz_json, hertz_text, solve as solve_case};
 
 use crate::args::{HertzArgs, SolveArgs};
 use crate::failure::Failure;
-use crate::input::{read_case, theories};
+use crate::gap;
+use crate::input::{parse_case, read_case, read_text, theories};
 use crate::outcome::Outcome;
 use crate::output::{print, say, say_written, to_json};
 
 /// `creepage solve`: the files first, then the report, so that a wrong `--out` prints nothing.
 pub(crate) fn solve(args: &SolveArgs) -> Result<Outcome, Failure> {
-    let case = read_case(&args.case)?
+    let text = read_text(&args.case)?;
+    if GapFile::is_one(&text) {
+        return gap::solve(args, &text);
+    }
+    let case = parse_case(&args.case, &text)?
         .case()
         .map_err(|source| Failure::Case { path: args.case.clone(), source })?;
     let theories = theories(args.theory.as_slice(), &case)?;

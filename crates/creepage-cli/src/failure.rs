@@ -7,9 +7,10 @@ use creepage::InvalidValue;
 use creepage::table::{BuildError, FileError};
 use creepage::theory::{TheoryError, UnknownTheory};
 use creepage_1967::GalleryError;
-use creepage_study::ReferenceError;
-use creepage_study::{CaseError, ReportError, SolveError, SpecError, StaticsError, WheelsetError};
-use creepage_study::{PointsError, StressError};
+use creepage_study::{
+    CaseError, GapCaseError, PointsError, ReferenceError, ReportError, SolveError, SpecError,
+    StaticsError, StressError, WheelsetError,
+};
 
 use crate::batch::columns::ColumnError;
 
@@ -30,6 +31,10 @@ pub(crate) enum Failure {
     Points { path: PathBuf, source: PointsError },
     #[error("{}: {source}", path.display())]
     Stresses { path: PathBuf, source: StressError },
+    #[error("{}: {source}", path.display())]
+    Gap { path: PathBuf, source: GapCaseError },
+    #[error("{}: [gap] goes through `creepage solve` alone, today", path.display())]
+    OnlySolve { path: PathBuf },
     #[error(transparent)]
     Reproduce(#[from] GalleryError),
     #[error(transparent)]

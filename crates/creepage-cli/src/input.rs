@@ -4,15 +4,23 @@ use std::fs;
 use std::path::Path;
 
 use creepage::TheorySpec;
-use creepage_study::{Case, CaseFile};
+use creepage_study::{Case, CaseFile, GapFile};
 
 use crate::failure::Failure;
 use crate::output::say;
 
-/// A case file, its form checked.
+/// A case file of an ellipse, its form checked.
 pub(crate) fn read_case(path: &Path) -> Result<CaseFile, Failure> {
     let text = read_text(path)?;
-    CaseFile::read(&text).map_err(|source| Failure::Case { path: path.into(), source })
+    if GapFile::is_one(&text) {
+        return Err(Failure::OnlySolve { path: path.into() });
+    }
+    parse_case(path, &text)
+}
+
+/// A case file of which the text is known.
+pub(crate) fn parse_case(path: &Path, text: &str) -> Result<CaseFile, Failure> {
+    CaseFile::read(text).map_err(|source| Failure::Case { path: path.into(), source })
 }
 
 /// The text of a file of any kind.

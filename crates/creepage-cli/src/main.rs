@@ -8,6 +8,7 @@ mod coefficients;
 mod conicity;
 mod curve;
 mod failure;
+mod gap;
 mod init;
 mod input;
 mod outcome;

@@ -68,32 +68,47 @@ impl Bands {
         Self { above: levels.iter().map(above).collect(), levels, edge }
     }
 
+    /// From round levels between zero and the largest value, and the areas above a level; the edge is the
+    /// caller's, for [`Bands::fill`].
+    #[must_use]
+    pub fn up_to(largest: f64, above: impl Fn(f64) -> Vec<Vec<Point>>) -> Self {
+        let levels = round_levels(0.0, largest);
+        Self { above: levels.iter().map(|level| above(*level)).collect(), levels, edge: vec![] }
+    }
+
     /// Fills the ellipse of a panel in units of its semi-axes, or the rectangle of a panel.
     #[must_use]
     pub fn draw(&self, panel: Panel) -> Panel {
         let edge = vec![self.edge.clone()];
-        let panel = panel.area(edge.clone(), Fill::plain(self.shade(0)));
-        let bands = self.above.iter().enumerate().fold(panel, |panel, (k, polygons)| {
+        self.fill(panel, &edge).outlines(&edge, Pen::OUTLINE.wide(2.0))
+    }
+
+    /// Fills areas of a panel, without their outlines.
+    #[must_use]
+    pub fn fill(&self, panel: Panel, areas: &[Vec<Point>]) -> Panel {
+        let panel = panel.area(areas.to_vec(), Fill::plain(self.shade(0)));
+        self.above.iter().enumerate().fold(panel, |panel, (k, polygons)| {
             let fill = Fill::plain(self.shade(k + 1));
             panel.area(polygons.clone(), fill).outlines(polygons, CONTOUR)
-        });
-        bands.outlines(&edge, Pen::OUTLINE.wide(2.0))
+        })
     }
 
     /// Adds each shade with the levels that it lies between, in a unit, to a legend; the highest
     /// first.
     #[must_use]
     pub fn key(&self, view: TopView, unit: &str) -> TopView {
-        self.names(unit).into_iter().fold(view, |view, (fill, name)| view.key(fill, name))
+        self.entries(unit).into_iter().fold(view, |view, (fill, name)| view.key(fill, name))
     }
 
     /// The same for a sheet.
     #[must_use]
     pub fn key_below(&self, sheet: Sheet, unit: &str) -> Sheet {
-        self.names(unit).into_iter().fold(sheet, |sheet, (fill, name)| sheet.key(fill, name))
+        self.entries(unit).into_iter().fold(sheet, |sheet, (fill, name)| sheet.key(fill, name))
     }
 
-    fn names(&self, unit: &str) -> Vec<(Fill, Label)> {
+    /// Each shade with the levels that it lies between, in a unit; the highest first.
+    #[must_use]
+    pub fn entries(&self, unit: &str) -> Vec<(Fill, Label)> {
         let scale = Scale::of(self.levels.last().copied().unwrap_or(0.0), unit, 3);
         let number = |words: &str, level: &f64| Label::new(words).number(&scale.write(*level));
         let name = |band: usize| match (self.levels.get(band.wrapping_sub(1)), self.levels.first())

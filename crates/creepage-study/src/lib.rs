@@ -9,6 +9,7 @@
 //! | wheelsets | [`WheelsetFile`] gives a [`WheelsetCase`]; [`conicity`] |
 //! | solved | [`solve`] gives a [`SolvedCase`]; [`StaticsCase`], [`SweepRun`], [`Curves`], [`Stresses`] |
 //! | reported | [`SolvedCase::text`], [`SolvedCase::json`], [`SolvedCase::write`]; [`Caution`] |
+//! | any shape | [`GapFile`], [`GapCase`], [`solve_gap`], [`SolvedGap`]: the same from `[gap]` |
 //! | measured | [`measure`]: how far a theory is from the full one over [`steady_rolling`] or a [`grid()`]; [`SquareGrid`] |
 //! | written | [`WholeFile`] and [`write_all`]: files that appear when they are whole |
 //!
@@ -47,6 +48,7 @@ mod contact_picture;
 mod curve_picture;
 mod curves;
 mod error;
+mod gap;
 mod json;
 mod points;
 mod series;
@@ -75,6 +77,11 @@ pub use caution::Caution;
 pub use contact_json::{HertzJson, SolidJson, hertz_json};
 pub use curves::{Component, Curves};
 pub use error::ReportError;
+pub use gap::{
+    ExtentJson, GapCase, GapCaseError, GapCaution, GapContactJson, GapCreepageJson, GapFile,
+    GapFileError, GapForceJson, GapReportJson, PatchJson, Pressed, SiGiven, SolvedGap,
+    gap_json_schema, solve_gap,
+};
 pub use json::{AreasJson, CreepageJson, DetailJson, DimensionlessJson, ForceJson, ReportJson};
 pub use series::{SeriesHead, SeriesRow, SweepRun, Tally, series_csv, series_json, series_netcdf};
 pub use solve::{SolveError, SolvedCase, Unreachable, solve};

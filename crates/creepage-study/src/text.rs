@@ -14,7 +14,7 @@ impl SolvedCase {
     /// A short report of one screen: contact, creepage, forces on both bodies, status.
     #[must_use]
     pub fn text(&self) -> String {
-        let mut lines = Lines(String::new());
+        let mut lines = Lines::default();
         lines.status(self);
         lines.cautions(self);
         lines.contact(&self.case.hertz);
@@ -30,7 +30,7 @@ impl SolvedCase {
 /// The contact ellipse and its pressure as a short text.
 #[must_use]
 pub fn hertz_text(contact: &Hertz) -> String {
-    let mut lines = Lines(String::new());
+    let mut lines = Lines::default();
     lines.contact(contact);
     let [along, across] = contact.relative_curvatures();
     lines.row("relative curvature along", &format!("{} 1/m", significant(along, 5)));
@@ -59,24 +59,26 @@ pub(crate) fn aligned(value: &str) -> String {
     format!("{number:>11} {unit:<5}")
 }
 
-struct Lines(String);
+/// Lines of a report.
+#[derive(Debug, Default)]
+pub(crate) struct Lines(String);
 
 impl Lines {
-    fn line(&mut self, line: &str) {
+    pub(crate) fn line(&mut self, line: &str) {
         self.0.push_str(line.trim_end());
         self.0.push('\n');
     }
 
-    fn heading(&mut self, heading: &str) {
+    pub(crate) fn heading(&mut self, heading: &str) {
         self.line("");
         self.line(heading);
     }
 
-    fn row(&mut self, name: &str, value: &str) {
+    pub(crate) fn row(&mut self, name: &str, value: &str) {
         self.line(&format!("  {name:<26}{}", aligned(value)));
     }
 
-    fn columns(&mut self, name: &str, values: [&str; 3]) {
+    pub(crate) fn columns(&mut self, name: &str, values: [&str; 3]) {
         let mut line = format!("  {name:<26}");
         for value in values {
             line.push_str(&aligned(value));
@@ -86,32 +88,44 @@ impl Lines {
 
     fn status(&mut self, report: &SolvedCase) {
         let status = report.solution().status;
-        let line = format!("Theory {}: {}", report.theory.name, status_words(status));
+        self.headline(&format!("Theory {}: {}", report.theory.name, status_words(status)), status);
+    }
+
+    /// The first line, between rules where it is a warning.
+    pub(crate) fn headline(&mut self, line: &str, status: Status) {
         if status == Status::Solved {
-            self.line(&line);
-        } else {
-            let rule = "!".repeat(line.chars().count());
-            self.line(&rule);
-            self.line(&line);
-            self.line(&rule);
+            return self.line(line);
         }
+        let rule = "!".repeat(line.chars().count());
+        self.line(&rule);
+        self.line(line);
+        self.line(&rule);
     }
 
     /// All cautions but that of the status, which stands above.
     fn cautions(&mut self, report: &SolvedCase) {
         let of_status = |caution: &&Caution| matches!(caution, Caution::Status(_));
         for caution in report.cautions.iter().filter(|caution| !of_status(caution)) {
-            let mut line = String::from("CAUTION:");
-            for word in caution.to_string().split(' ') {
-                if line.chars().count() + word.chars().count() >= WIDTH {
-                    self.line(&line);
-                    line.clear();
-                }
-                let gap = if line.is_empty() { "" } else { " " };
-                line = line + gap + word;
-            }
-            self.line(&line);
+            self.caution(&caution.to_string());
         }
+    }
+
+    /// A caution, broken into lines.
+    pub(crate) fn caution(&mut self, words: &str) {
+        let mut line = String::from("CAUTION:");
+        for word in words.split(' ') {
+            if line.chars().count() + word.chars().count() >= WIDTH {
+                self.line(&line);
+                line.clear();
+            }
+            let gap = if line.is_empty() { "" } else { " " };
+            line = line + gap + word;
+        }
+        self.line(&line);
+    }
+
+    pub(crate) fn into_text(self) -> String {
+        self.0
     }
 
     fn contact(&mut self, contact: &Hertz) {

@@ -8,6 +8,7 @@ mod commands;
 mod conicity;
 mod curve;
 mod examples;
+mod gap;
 #[cfg(unix)]
 mod guide;
 mod inverse;

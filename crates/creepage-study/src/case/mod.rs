@@ -4,7 +4,7 @@
 
 pub(crate) mod body;
 mod contact;
-mod creepage;
+pub(crate) mod creepage;
 mod error;
 mod file;
 pub(crate) mod keys;

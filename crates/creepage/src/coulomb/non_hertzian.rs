@@ -203,7 +203,7 @@ impl<'a> NonHertzianSolved<'a> {
     }
 
     fn element(&self, element: usize, (strip, i): (usize, usize)) -> ElementField {
-        let (grid, state) = (&self.theory.grids[1], self.workspace.fine());
+        let (grid, state) = (&self.theory.grids[1], self.workspace.states()[1]);
         let (slides, bound) = (state.slides(element), grid.pressure.bounds[element]);
         ElementField {
             point: FieldPoint {
@@ -229,7 +229,7 @@ impl<'a> NonHertzianSolved<'a> {
             Some((strip, along)) if pressure > 0.0 => {
                 let around = theory.grids[1].mesh.around(strip, inward[1], along);
                 let bound = pressure / theory.contact.peak_pressure().value;
-                between(self.workspace.fine(), around, position, bound)
+                between(self.workspace.states()[1], around, position, bound)
             }
             _ => FieldPoint::outside(position),
         }

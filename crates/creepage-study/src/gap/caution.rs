@@ -1,0 +1,80 @@
+//! What is to be held against a solution.
+
+use std::fmt;
+
+use creepage::Status;
+use creepage::normal::{self, NormalContact};
+
+use crate::Caution;
+
+/// What is to be held against the solution of a contact of any shape; in words by
+/// [`Display`](fmt::Display).
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub enum GapCaution {
+    /// The equations of rolling were not solved.
+    Rolling(Caution),
+    /// The equations of the pressure were solved only up to a residual.
+    Pressure {
+        /// Largest distance of a pressed point from touching, over the greatest depth.
+        residual: f64,
+    },
+    /// Few points of the given gap lie in a contact area.
+    CoarseGap {
+        /// The fewest points across an area.
+        points: usize,
+        /// `x` or `y`.
+        along: &'static str,
+    },
+    /// The slip that the pressure causes between unlike bodies is left out.
+    Dissimilar {
+        /// How unlike the bodies are.
+        kappa_over_mu: f64,
+    },
+}
+
+impl GapCaution {
+    /// With fewer points across an area, it depends on how one interpolates.
+    const POINTS: usize = 10;
+
+    pub(super) fn all(contact: &NormalContact, friction: f64, status: Status) -> Vec<Self> {
+        let rolling = (status != Status::Solved).then_some(Self::Rolling(Caution::Status(status)));
+        let pressure = match contact.status() {
+            normal::Status::Converged => None,
+            normal::Status::NotConverged { residual } => Some(Self::Pressure { residual }),
+        };
+        let kappa_over_mu = contact.pair().kappa() / friction;
+        let unlike = (kappa_over_mu.abs() >= Caution::DISSIMILAR)
+            .then_some(Self::Dissimilar { kappa_over_mu });
+        let coarse = ["x", "y"].into_iter().zip(contact.gap_points()).filter_map(|(along, n)| {
+            n.filter(|n| *n < Self::POINTS).map(|points| Self::CoarseGap { points, along })
+        });
+        rolling.into_iter().chain(pressure).chain(unlike).chain(coarse).collect()
+    }
+}
+
+impl fmt::Display for GapCaution {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::Rolling(caution) => caution.fmt(f),
+            Self::Pressure { residual } => write!(
+                f,
+                "the pressure did not converge: pressed points are up to {residual:.1e} of the \
+                 depth from touching"
+            ),
+            Self::CoarseGap { points, along } => write!(
+                f,
+                "[gap] has only {points} points along {along} across a contact area: with fewer \
+                 than {} the area depends on the interpolation",
+                Self::POINTS
+            ),
+            Self::Dissimilar { kappa_over_mu } => write!(
+                f,
+                "with [gap] the bodies are taken for like ones (kappa/mu = {kappa_over_mu:.3}): \
+                 the slip by the pressure is left out, and for that the force may be off by some \
+                 {:.0} % of mu N",
+                100.0 * kappa_over_mu.abs().min(1.0)
+            ),
+        }
+    }
+}

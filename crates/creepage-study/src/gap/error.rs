@@ -1,0 +1,140 @@
+//! What can be wrong with a case of any shape.
+
+use std::io;
+
+use creepage::coulomb::InverseError;
+use creepage::gap::GapError;
+use creepage::normal::NormalError;
+
+use crate::{CaseError, Unreachable};
+
+/// Why a case with `[gap]` is not solved; every message names the section and the key.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum GapCaseError {
+    /// What any case file may have wrong.
+    #[error(transparent)]
+    Case(#[from] CaseError),
+    /// A key that other case files have.
+    #[error("[{section}] {key} has no meaning beside [gap]: {instead}")]
+    Foreign {
+        /// The section's name.
+        section: &'static str,
+        /// The key.
+        key: &'static str,
+        /// What to give in its place.
+        instead: &'static str,
+    },
+    /// Not one shape.
+    #[error(
+        "[gap] needs exactly one of polynomial, section and grid: {}",
+        if given.is_empty() { "none is given".into() } else { format!("given are {}", given.join(" and ")) }
+    )]
+    NotOneShape {
+        /// Those that are given.
+        given: Vec<&'static str>,
+    },
+    /// A radius where the shape has its own opening along x.
+    #[error("[gap] radius_rolling goes with section alone: {shape} opens along x by itself")]
+    RadiusBeside {
+        /// `polynomial` or `grid`.
+        shape: &'static str,
+    },
+    /// A section without a radius along x.
+    #[error(
+        "[gap] section = {file:?} needs a rolling radius: [gap] radius_rolling, or a column \
+         radius_rolling in the file"
+    )]
+    NoRadius {
+        /// The file.
+        file: String,
+    },
+    /// Two radii along x.
+    #[error("[gap] radius_rolling and the column radius_rolling of {file:?} exclude each other")]
+    TwoRadii {
+        /// The file.
+        file: String,
+    },
+    /// A file beside the case that cannot be read.
+    #[error("[gap] {key} = {file:?}: {source}")]
+    File {
+        /// `section` or `grid`.
+        key: &'static str,
+        /// The file.
+        file: String,
+        /// What is wrong with it.
+        source: GapFileError,
+    },
+    /// Numbers that are no undeformed distance.
+    #[error("[gap] {shape}: {source}")]
+    Gap {
+        /// The key, and the file if there is one.
+        shape: String,
+        /// What is wrong with them.
+        source: GapError,
+    },
+    /// The bodies have no contact area that can be computed.
+    #[error("[gap] {shape}, [contact] {pressed}: {source}")]
+    Normal {
+        /// The key, and the file if there is one.
+        shape: String,
+        /// The load or the approach.
+        pressed: String,
+        /// Why.
+        source: NormalError,
+    },
+    /// Another theory than the full one.
+    #[error("theory = {name:?}: [gap] needs exact, today; other theories need an ellipse")]
+    Theory {
+        /// Its name.
+        name: String,
+    },
+    /// No creepage gives the wanted forces.
+    #[error(transparent)]
+    Unreachable(#[from] Unreachable),
+    /// The wanted forces make no sense.
+    #[error("[wanted] {0}")]
+    Inverse(#[from] InverseError),
+}
+
+/// Why a file of points cannot be read.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum GapFileError {
+    /// The system cannot read it.
+    #[error("cannot read it: {0}")]
+    Read(io::Error),
+    /// Not CSV: rows of different lengths.
+    #[error("{0}")]
+    Csv(#[from] csv::Error),
+    /// A column is missing.
+    #[error("column {name} is missing from its first line")]
+    NoColumn {
+        /// The column.
+        name: &'static str,
+    },
+    /// A column that means nothing here.
+    #[error("unknown column `{name}`: known are {}", known.join(", "))]
+    UnknownColumn {
+        /// The column.
+        name: String,
+        /// Those that there may be.
+        known: Vec<&'static str>,
+    },
+    /// A column twice.
+    #[error("column {name} stands there twice")]
+    ColumnTwice {
+        /// The column.
+        name: String,
+    },
+    /// A cell that is not a finite number.
+    #[error("line {line}: {column} = {cell:?} is not valid: it must be a finite number")]
+    NotANumber {
+        /// Line of the file, from 1.
+        line: u64,
+        /// The column.
+        column: String,
+        /// What stands there.
+        cell: String,
+    },
+}

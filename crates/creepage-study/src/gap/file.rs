@@ -1,0 +1,208 @@
+//! A case file with `[gap]`, and the case that it describes.
+
+use std::path::Path;
+
+use creepage::gap::Gap;
+use creepage::theory::ExactOptions;
+use creepage::{InvalidValue, SolidPair, TheorySpec};
+use schemars::JsonSchema;
+use serde::Deserialize;
+use serde_json::Value;
+use toml::Table;
+
+use super::creepage::{SiCreepageSection, SiGiven, SiWantedSection};
+use super::error::GapCaseError;
+use super::shape::GapSection;
+use crate::CaseError;
+use crate::case::body::Body;
+use crate::case::schema::schema_of;
+use crate::case::{keys, solve};
+
+/// A rolling-contact case of two bodies of any shape, in SI units.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(title = "creepage case file with [gap]")]
+pub struct GapFile {
+    upper: Material,
+    lower: Material,
+    gap: GapSection,
+    contact: PressedSection,
+    #[serde(default)]
+    creepage: SiCreepageSection,
+    #[serde(default)]
+    wanted: SiWantedSection,
+    #[serde(default)]
+    #[schemars(with = "TheorySpec")]
+    solve: Table,
+}
+
+/// One body's material; [gap] has the shape of both.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+struct Material {
+    /// Shear modulus G (Pa). Give this or `young_modulus`.
+    shear_modulus: Option<f64>,
+    /// Young's modulus E (Pa). Give this or `shear_modulus`.
+    young_modulus: Option<f64>,
+    /// Poisson's ratio, 0 to 0.5.
+    poisson: f64,
+}
+
+/// What presses the bodies together, exactly one of `normal_force` and `approach`, and the friction.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+struct PressedSection {
+    /// Normal force N (N).
+    normal_force: Option<f64>,
+    /// Approach of the bodies (m), counted like the gap: they penetrate by the approach less h.
+    approach: Option<f64>,
+    /// Coefficient of friction mu.
+    friction: f64,
+}
+
+/// What presses the bodies together.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Pressed {
+    /// A normal force (N).
+    Load(f64),
+    /// An approach (m).
+    Approach(f64),
+}
+
+/// One case of bodies of any shape, every number of it checked.
+#[derive(Debug, Clone)]
+pub struct GapCase {
+    /// The undeformed distance.
+    pub gap: Gap,
+    /// The key that gave it, with its file.
+    pub shape: String,
+    /// The equivalent solid of both bodies.
+    pub pair: SolidPair,
+    /// Load or approach.
+    pub pressed: Pressed,
+    /// Coefficient of friction `mu`.
+    pub friction: f64,
+    /// Creepages and wanted forces.
+    pub given: SiGiven,
+    /// Rolling velocity (m/s), where it is known.
+    pub speed: Option<f64>,
+    /// How finely it is to be solved.
+    pub options: ExactOptions,
+}
+
+/// The JSON schema (draft 2020-12) of a case file with `[gap]`.
+///
+/// ```
+/// let schema = creepage_study::gap_json_schema();
+/// assert!(schema["properties"]["gap"]["properties"]["polynomial"].is_object());
+/// ```
+#[must_use]
+pub fn gap_json_schema() -> Value {
+    let mut schema = schema_of::<GapFile>();
+    if let Some(theories) = schema["properties"]["solve"]["oneOf"].as_array_mut() {
+        theories.retain(|theory| theory["properties"]["theory"]["const"] == "exact");
+        for theory in theories {
+            theory["required"] = Value::Array(Vec::new());
+        }
+    }
+    schema
+}
+
+/// Keys of other case files, and what stands in their place.
+const FOREIGN: [(&str, &[&str], &str); 5] = [
+    ("upper", &["radius_rolling", "radius_lateral"], SHAPE),
+    ("lower", &["radius_rolling", "radius_lateral"], SHAPE),
+    ("contact", &["semi_axis_rolling", "semi_axis_lateral", "angle"], SHAPE),
+    ("creepage", &["xi", "eta", "chi"], "give longitudinal, lateral, spin (SI units)"),
+    ("wanted", &["fx", "fy", "mz"], "give longitudinal_force, lateral_force (N), moment (N m)"),
+];
+const SHAPE: &str = "the shape of both bodies is in [gap], [upper] and [lower] give materials only";
+
+impl GapFile {
+    /// Whether a text is a case file with `[gap]`; what is not TOML is not.
+    #[must_use]
+    pub fn is_one(text: &str) -> bool {
+        text.parse::<Table>().is_ok_and(|table| table.contains_key("gap"))
+    }
+
+    /// Reads the text of a case file and checks its form.
+    ///
+    /// # Errors
+    /// [`GapCaseError`] for a text that is not TOML, unknown or missing keys, values of the wrong
+    /// kind.
+    pub fn read(text: &str) -> Result<Self, GapCaseError> {
+        let table: Table = text.parse().map_err(CaseError::from)?;
+        for (section, keys, instead) in FOREIGN {
+            let content = table.get(section).and_then(toml::Value::as_table);
+            let key = keys.iter().find(|key| content.is_some_and(|c| c.contains_key(**key)));
+            if let Some(key) = key {
+                return Err(GapCaseError::Foreign { section, key, instead });
+            }
+        }
+        keys::check(&table, &gap_json_schema())?;
+        Ok(toml::from_str(text).map_err(CaseError::from)?)
+    }
+
+    /// Checks the numbers; files of points stand in `directory`.
+    ///
+    /// # Errors
+    /// [`GapCaseError`] with section, key and value.
+    pub fn case(&self, directory: &Path) -> Result<GapCase, GapCaseError> {
+        let (upper, lower) = (self.upper.body(), self.lower.body());
+        let pair = SolidPair::new(upper.solid("upper")?, lower.solid("lower")?);
+        let (gap, shape) = (self.gap.gap(directory)?, self.gap.shape());
+        let pressed = self.contact.pressed()?;
+        let friction = positive("friction", self.contact.friction)?;
+        let given = self.creepage.given(&self.wanted)?;
+        let (speed, options) = (self.creepage.speed()?, self.options()?);
+        Ok(GapCase { gap, shape, pair, pressed, friction, given, speed, options })
+    }
+
+    fn options(&self) -> Result<ExactOptions, GapCaseError> {
+        match solve::from_table(&self.solve).map_err(CaseError::from)? {
+            TheorySpec::Exact(options) => Ok(options),
+            other => Err(GapCaseError::Theory { name: other.facts().name.into() }),
+        }
+    }
+}
+
+impl Material {
+    /// As a body without a shape.
+    fn body(&self) -> Body {
+        let Self { shear_modulus, young_modulus, poisson } = *self;
+        Body { shear_modulus, young_modulus, poisson, radius_rolling: None, radius_lateral: None }
+    }
+}
+
+impl PressedSection {
+    fn pressed(&self) -> Result<Pressed, CaseError> {
+        let section = "contact";
+        match (self.normal_force, self.approach) {
+            (Some(load), None) => Ok(Pressed::Load(positive("normal_force", load)?)),
+            (None, Some(value)) if value.is_finite() => Ok(Pressed::Approach(value)),
+            (None, Some(value)) => {
+                let valid = "a finite number";
+                Err(CaseError::invalid(section)(InvalidValue {
+                    quantity: "approach",
+                    value,
+                    valid,
+                }))
+            }
+            (None, None) => {
+                Err(CaseError::MissingEither { section, keys: ["normal_force", "approach"] })
+            }
+            (Some(_), Some(_)) => Err(CaseError::Conflict {
+                first: (section, "normal_force"),
+                second: (section, "approach"),
+            }),
+        }
+    }
+}
+
+fn positive(quantity: &'static str, value: f64) -> Result<f64, CaseError> {
+    if value.is_finite() && value > 0.0 {
+        return Ok(value);
+    }
+    let valid = "finite and greater than zero";
+    Err(CaseError::invalid("contact")(InvalidValue { quantity, value, valid }))
+}

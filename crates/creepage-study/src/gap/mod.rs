@@ -1,0 +1,27 @@
+//! Contact areas of any shape: a case file with `[gap]` is read, solved and reported.
+//!
+//! [`GapFile`] is the file, [`GapCase`] its checked numbers, [`SolvedGap`] its solution. The
+//! ellipse's way through the same rooms is [`CaseFile`](crate::CaseFile), [`Case`](crate::Case),
+//! [`SolvedCase`](crate::SolvedCase).
+
+mod caution;
+mod columns;
+mod creepage;
+mod error;
+mod file;
+mod json;
+mod picture;
+mod points;
+mod shape;
+mod solve;
+mod text;
+mod write;
+
+pub use caution::GapCaution;
+pub use creepage::SiGiven;
+pub use error::{GapCaseError, GapFileError};
+pub use file::{GapCase, GapFile, Pressed, gap_json_schema};
+pub use json::{
+    ExtentJson, GapContactJson, GapCreepageJson, GapForceJson, GapReportJson, PatchJson,
+};
+pub use solve::{SolvedGap, solve_gap};

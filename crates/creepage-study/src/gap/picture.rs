@@ -1,0 +1,281 @@
+//! The picture of contact areas of any shape, seen from above: pressure in one panel; adhesion,
+//! slip and traction in the other.
+
+use creepage::Region;
+use creepage::SiForce;
+use creepage::Status;
+use creepage::coulomb::ElementField;
+use creepage::normal::{Band, Patch};
+use creepage_plot::format::{Scale, fixed, quantity, round_below, significant};
+use creepage_plot::theme::ARROW;
+use creepage_plot::{Axis, Bands, Contour, Fill, Label, Panel, Pen, Point, Sample, Sheet};
+
+use super::solve::SolvedGap;
+use crate::text::status_words;
+
+/// Millimetres to a metre: the unit of the axes.
+const MM: f64 = 1e3;
+/// Tractions below this share of their bound are rounding errors, and not drawn.
+const NOISE: f64 = 1e-9;
+const EDGE: Pen = Pen::OUTLINE;
+
+/// How the areas lie on the sheet.
+struct View {
+    /// Ranges of x and y (mm).
+    range: [[f64; 2]; 2],
+    /// Panels side by side.
+    columns: usize,
+    /// Units of the sheet to a millimetre, along x and y.
+    scale: [f64; 2],
+    height: f64,
+}
+
+impl View {
+    /// Width of a frame in a sheet of one or two columns, and the heights that a frame may have.
+    const WIDTH: [f64; 2] = [632.0, 285.0];
+    const HEIGHT: [f64; 2] = [150.0, 700.0];
+    /// White around the areas, over their extent.
+    const MARGIN: f64 = 0.08;
+
+    fn new(patches: &[Patch]) -> Self {
+        let union = |one: [f64; 2], other: [f64; 2]| [one[0].min(other[0]), one[1].max(other[1])];
+        let all = patches
+            .iter()
+            .map(Patch::extent)
+            .fold([[f64::INFINITY, f64::NEG_INFINITY]; 2], |[x, y], extent| {
+                [union(x, extent.x), union(y, extent.y)]
+            });
+        let range = all.map(|[low, high]| {
+            let margin = Self::MARGIN * (high - low);
+            [MM * (low - margin), MM * (high + margin)]
+        });
+        let span = range.map(|[low, high]| high - low);
+        let columns = if span[1] > 0.8 * span[0] { 2 } else { 1 };
+        let width = Self::WIDTH[columns - 1];
+        let [least, most] = Self::HEIGHT;
+        let height = (width * span[1] / span[0]).clamp(least, most);
+        Self { range, columns, scale: [width / span[0], height / span[1]], height }
+    }
+
+    /// `x` forward to the right, `y` to the right of that, down the sheet.
+    fn panel(&self, heading: &str) -> Panel {
+        let [x, [low, high]] = self.range;
+        let name = |symbol: &str| Label::default().symbol(symbol).plain(" (mm)");
+        let panel = Panel::new(Axis::new(x, name("x")), Axis::new([high, low], name("y")));
+        panel.height(self.height).heading(Label::new(heading))
+    }
+
+    /// How many times larger `x` is drawn than `y`.
+    fn stretch(&self) -> f64 {
+        self.scale[0] / self.scale[1]
+    }
+
+    fn note(&self) -> Label {
+        let label = Label::new("seen from above: ").symbol("x").plain(" forward (rolling), ");
+        let label = label.symbol("y").plain(" to the right");
+        let stretch = self.stretch();
+        if (stretch - 1.0).abs() < 1e-6 {
+            return label;
+        }
+        let (axis, times) = if stretch > 1.0 { ("x", stretch) } else { ("y", stretch.recip()) };
+        let label = label.plain("; ").symbol(axis).plain(" enlarged ");
+        label.number(&significant(times, 3)).plain(" times")
+    }
+}
+
+impl SolvedGap {
+    /// The contact areas seen from above, as SVG.
+    #[must_use]
+    pub fn contact_svg(&self) -> String {
+        self.sheet().svg()
+    }
+
+    fn sheet(&self) -> Sheet {
+        let view = View::new(self.contact.patches());
+        let mut sheet = Sheet::new("Rolling contact on areas of any shape").columns(view.columns);
+        if self.solution.status != Status::Solved {
+            sheet = sheet.note(Label::new(status_words(self.solution.status)));
+        }
+        sheet = sheet.note(self.setting()).note(self.result()).note(view.note());
+        let bands = self.pressure();
+        let pressure = bands.fill(view.panel("pressure"), &self.areas());
+        sheet = sheet.panel(self.edges(pressure));
+        let regions = self.edges(self.regions(view.panel("adhesion, slip, traction")));
+        let (traction, sample) = self.arrows(regions, &view);
+        sheet = sheet.panel(traction);
+        sheet = bands
+            .entries("Pa")
+            .into_iter()
+            .fold(sheet, |sheet, (fill, name)| sheet.key(fill, name));
+        self.key(sheet, sample)
+    }
+
+    fn key(&self, sheet: Sheet, sample: Option<(Sample, f64)>) -> Sheet {
+        let share = self.adhesion_share();
+        let area =
+            |name: &str, share: f64| Label::new(&format!("{name}, {} %", fixed(100.0 * share, 1)));
+        let sheet = sheet
+            .key(Fill::ADHESION, area("adhesion", share))
+            .key(Fill::SLIP, area("slip", 1.0 - share));
+        match sample {
+            Some((sample, traction)) => {
+                let size = quantity(traction, "Pa", 3);
+                sheet.key(sample, Label::new("traction ").number(&size))
+            }
+            None => sheet.key(Sample::Blank, Label::new("no traction")),
+        }
+    }
+
+    /// Load, friction, area and pressure.
+    fn setting(&self) -> Label {
+        let gap = "\u{2003}";
+        let is = |label: Label, value: &str| label.plain(" = ").number(value);
+        let contact = &self.contact;
+        let load = quantity(contact.load().value, "N", 4);
+        let label = is(Label::default().symbol("N"), &load);
+        let label = is(label.plain(gap).symbol("μ"), &significant(self.case.friction, 4));
+        let area = format!("{} mm²", significant(MM * MM * contact.area().value, 4));
+        let label = label.plain(gap).plain("area ").number(&area);
+        let label = label.plain(gap).plain("peak pressure ");
+        label.number(&quantity(contact.peak_pressure().value, "Pa", 4))
+    }
+
+    /// The force on the lower body.
+    fn result(&self) -> Label {
+        let newton = Scale::of(self.scaling.force, "N", 4);
+        let newton_metre = Scale::of(self.scaling.force * self.scaling.length, "N m", 4);
+        let SiForce { longitudinal, lateral, moment } = self.force();
+        let is = |label: Label, symbol: &str, index: &str, value: &str| {
+            label.plain("\u{2003}").indexed(symbol, index).plain(" = ").number(value)
+        };
+        let label = is(Label::new("on the lower body"), "F", "x", &newton.write(longitudinal));
+        let label = is(label, "F", "y", &newton.write(lateral));
+        is(label, "M", "z", &newton_metre.write(moment))
+    }
+
+    /// The area of each band.
+    fn areas(&self) -> Vec<Vec<Point>> {
+        self.bands().map(|band| closed_sides(&sides(band))).collect()
+    }
+
+    fn bands(&self) -> impl Iterator<Item = &Band> {
+        self.contact.patches().iter().flat_map(Patch::bands)
+    }
+
+    /// The two sides of each band; where one goes over into others there is no edge.
+    fn edges(&self, panel: Panel) -> Panel {
+        self.bands().fold(panel, |panel, band| panel.curves(&sides(band), EDGE))
+    }
+
+    fn pressure(&self) -> Bands {
+        Bands::up_to(self.contact.peak_pressure().value, |level| {
+            self.bands().flat_map(|band| above(band, level)).collect()
+        })
+    }
+
+    /// The elements that slide, on a ground of adhesion.
+    fn regions(&self, panel: Panel) -> Panel {
+        let millimetres = |corner: Point| corner.map(|at| MM * self.scaling.length * at);
+        let of = |region: Region| -> Vec<Vec<Point>> {
+            let elements = self.elements.iter().filter(|e| e.point.region == region);
+            elements.map(|element| element.corners.map(millimetres).to_vec()).collect()
+        };
+        let [slip, adhesion] = [of(Region::Slip), of(Region::Adhesion)];
+        // Neighbours leave a hairline between them unless they overlap.
+        let seam = |fill: Fill| Pen { colour: fill.colour, dashes: "", width: 0.8 };
+        let panel = panel.outlines(&slip, seam(Fill::SLIP)).area(slip, Fill::SLIP);
+        panel.outlines(&adhesion, seam(Fill::ADHESION)).area(adhesion, Fill::ADHESION)
+    }
+
+    /// Tractions as arrows, one for each cell of a lattice over the areas, and a sample of a round
+    /// traction.
+    fn arrows(&self, panel: Panel, view: &View) -> (Panel, Option<(Sample, f64)>) {
+        const LENGTH: f64 = 0.92;
+        let pitch = self.pitch(view);
+        let size =
+            |element: &ElementField| element.point.traction[0].hypot(element.point.traction[1]);
+        let largest = self.elements.iter().map(size).fold(0.0, f64::max);
+        if largest < NOISE {
+            return (panel, None);
+        }
+        let unit = LENGTH * pitch / largest;
+        let panel = self.chosen(view, pitch).fold(panel, |panel, element| {
+            let end = |sign: f64| {
+                [0, 1].map(|k: usize| {
+                    let middle = MM * self.scaling.length * element.point.position[k];
+                    middle + 0.5 * sign * unit * element.point.traction[k] / view.scale[k]
+                })
+            };
+            panel.arrow(end(-1.0), end(1.0), 1.6, ARROW)
+        });
+        let round = round_below(largest * self.scaling.traction);
+        let length = unit * round / self.scaling.traction;
+        (panel, Some((Sample::Arrow { colour: ARROW, length }, round)))
+    }
+
+    /// Distance between arrows on the sheet: some ninety of them in all.
+    fn pitch(&self, view: &View) -> f64 {
+        const ARROWS: f64 = 90.0;
+        const RANGE: [f64; 2] = [14.0, 40.0];
+        let area = MM * MM * self.contact.area().value * view.scale[0] * view.scale[1];
+        (area / ARROWS).sqrt().clamp(RANGE[0], RANGE[1])
+    }
+
+    /// The element nearest to the middle of each cell of the lattice.
+    fn chosen(&self, view: &View, pitch: f64) -> impl Iterator<Item = &ElementField> {
+        let mut cells = std::collections::BTreeMap::new();
+        for element in &self.elements {
+            let cell = [0, 1].map(|k: usize| {
+                MM * self.scaling.length * element.point.position[k] * view.scale[k] / pitch
+            });
+            let key = cell.map(|at| quantized(at.round()));
+            let off = (cell[0] - cell[0].round()).hypot(cell[1] - cell[1].round());
+            let best = cells.entry(key).or_insert((off, element));
+            if off < best.0 {
+                *best = (off, element);
+            }
+        }
+        cells.into_values().map(|(_, element)| element)
+    }
+}
+
+#[allow(clippy::cast_possible_truncation)] // a few hundred cells
+fn quantized(at: f64) -> i64 {
+    at as i64
+}
+
+/// The trailing and the leading side of a band (mm), from low to high y.
+fn sides(band: &Band) -> [Vec<Point>; 2] {
+    const POINTS: u32 = 120;
+    let [low, high] = band.y();
+    // Closer together towards the ends, where the sides turn.
+    let places = (0..=POINTS).map(|k| {
+        let share = 0.5 - 0.5 * (std::f64::consts::PI * f64::from(k) / f64::from(POINTS)).cos();
+        (low + (high - low) * share).clamp(low, high)
+    });
+    let rows: Vec<_> = places.filter_map(|y| band.ends(y).map(|ends| (y, ends))).collect();
+    [0, 1].map(|side: usize| rows.iter().map(|(y, ends)| [MM * ends[side], MM * y]).collect())
+}
+
+fn closed_sides([trailing, leading]: &[Vec<Point>; 2]) -> Vec<Point> {
+    trailing.iter().chain(leading.iter().rev()).copied().collect()
+}
+
+/// The part of a band with a pressure above a level (mm): traced on the unit disc, each line of
+/// which goes over into a line of the band.
+fn above(band: &Band, level: f64) -> Vec<Vec<Point>> {
+    let [low, high] = band.y();
+    let at = |[u, v]: Point| {
+        let y = (f64::midpoint(low, high) + 0.5 * (high - low) * v).clamp(low, high);
+        let [from, to] = band.ends(y).unwrap_or_default();
+        let share = u / (1.0 - v * v).max(1e-12).sqrt();
+        [f64::midpoint(from, to) + 0.5 * (to - from) * share, y]
+    };
+    let is_above = |place: &Point| {
+        let [x, y] = at(*place);
+        band.pressure(x, y) > level
+    };
+    let contour = Contour::trace(|places| places.iter().map(is_above).collect());
+    let millimetres = |place: Point| at(place).map(|metres| MM * metres);
+    contour.polygons.into_iter().map(|p| p.into_iter().map(millimetres).collect()).collect()
+}

@@ -1,0 +1,20 @@
+//! The report as files: all of them or none.
+
+use std::path::{Path, PathBuf};
+
+use super::solve::SolvedGap;
+use crate::error::ReportError;
+use crate::write::write_contact;
+
+impl SolvedGap {
+    /// Writes `report.json`, `points.csv`, `contact.svg` and `contact.png` into `directory`, which
+    /// is made when missing; files of those names are replaced. Gives the paths written.
+    ///
+    /// # Errors
+    /// [`ReportError`]; what was made until then is removed.
+    pub fn write(&self, directory: &Path) -> Result<Vec<PathBuf>, ReportError> {
+        let mut json = serde_json::to_string_pretty(&self.json())?;
+        json.push('\n');
+        write_contact(directory, &json, &self.points_csv()?, &self.contact_svg(), &[])
+    }
+}
