@@ -23,7 +23,7 @@ pub(crate) enum Failure {
     #[error("{}: {source}", path.display())]
     Statics { path: PathBuf, source: StaticsError },
     #[error("{}: {source}", path.display())]
-    Gap { path: PathBuf, source: GapCaseError },
+    Gap { path: PathBuf, source: Box<GapCaseError> },
     #[error("{}: [gap] goes through `creepage solve` alone, today", path.display())]
     OnlySolve { path: PathBuf },
     #[error(transparent)]
