@@ -32,7 +32,7 @@ pub(crate) enum Failure {
     #[error("{}: {source}", path.display())]
     Stresses { path: PathBuf, source: StressError },
     #[error("{}: {source}", path.display())]
-    Gap { path: PathBuf, source: GapCaseError },
+    Gap { path: PathBuf, source: Box<GapCaseError> },
     #[error("{}: [gap] goes through `creepage solve` alone, today", path.display())]
     OnlySolve { path: PathBuf },
     #[error(transparent)]

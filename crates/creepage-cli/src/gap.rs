@@ -13,7 +13,7 @@ use crate::output::{print, say, say_written, to_json};
 
 /// The files first, then the report, so that a wrong `--out` prints nothing.
 pub(crate) fn solve(args: &SolveArgs, text: &str) -> Result<Outcome, Failure> {
-    let wrong = |source| Failure::Gap { path: args.case.clone(), source };
+    let wrong = |source| Failure::Gap { path: args.case.clone(), source: Box::new(source) };
     if let Some(name) = args.theory.as_ref().filter(|name| *name != "exact") {
         return Err(wrong(GapCaseError::Theory { name: name.clone() }));
     }
