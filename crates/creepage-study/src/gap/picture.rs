@@ -175,16 +175,41 @@ impl SolvedGap {
 
     /// The elements that slide, on a ground of adhesion.
     fn regions(&self, panel: Panel) -> Panel {
-        let millimetres = |corner: Point| corner.map(|at| MM * self.scaling.length * at);
         let of = |region: Region| -> Vec<Vec<Point>> {
             let elements = self.elements.iter().filter(|e| e.point.region == region);
-            elements.map(|element| element.corners.map(millimetres).to_vec()).collect()
+            elements.map(|element| self.within_band(element)).collect()
         };
         let [slip, adhesion] = [of(Region::Slip), of(Region::Adhesion)];
         // Neighbours leave a hairline between them unless they overlap.
         let seam = |fill: Fill| Pen { colour: fill.colour, dashes: "", width: 0.8 };
         let panel = panel.outlines(&slip, seam(Fill::SLIP)).area(slip, Fill::SLIP);
         panel.outlines(&adhesion, seam(Fill::ADHESION)).area(adhesion, Fill::ADHESION)
+    }
+
+    /// An element (mm), bent along with its band: its own straight sides leave a band that is
+    /// curved as sharply as near a blunt tip.
+    fn within_band(&self, element: &ElementField) -> Vec<Point> {
+        const ROWS: u32 = 6;
+        let mut corners = element.corners.map(|corner| corner.map(|at| self.scaling.length * at));
+        corners.sort_by(|one, other| one[1].total_cmp(&other[1]));
+        let [a, b, c, d] = corners;
+        let [low, high] = [f64::midpoint(a[1], b[1]), f64::midpoint(c[1], d[1])];
+        let sides = [
+            f64::midpoint(a[0].min(b[0]), c[0].min(d[0])),
+            f64::midpoint(a[0].max(b[0]), c[0].max(d[0])),
+        ];
+        let (x, y) = (f64::midpoint(sides[0], sides[1]), f64::midpoint(low, high));
+        let ends_here = |band: &Band| band.ends(y).filter(|[from, to]| (*from..=*to).contains(&x));
+        let Some((band, [from, to])) = self.bands().find_map(|b| Some((b, ends_here(b)?))) else {
+            return [a, b, d, c].map(|corner| corner.map(|at| MM * at)).to_vec();
+        };
+        let shares = sides.map(|side| ((side - from) / (to - from)).clamp(0.0, 1.0));
+        let row = |k: u32, share: f64| {
+            let y = low + (high - low) * f64::from(k) / f64::from(ROWS);
+            band.ends(y).map(|[from, to]| [MM * (from + share * (to - from)), MM * y])
+        };
+        let up = (0..=ROWS).filter_map(|k| row(k, shares[0]));
+        up.chain((0..=ROWS).rev().filter_map(|k| row(k, shares[1]))).collect()
     }
 
     /// Tractions as arrows, one for each cell of a lattice over the areas, and a sample of a round
