@@ -29,15 +29,13 @@ pub(crate) fn finite(quantity: &'static str, value: f64) -> Result<f64, InvalidV
     require(value.is_finite(), quantity, value, "a finite number")
 }
 
-/// A ratio of semi-axes within a range; rounding of its ends counts as within.
+/// A ratio of semi-axes within a range.
 pub(crate) fn ratio(
     value: f64,
     [low, high]: [f64; 2],
     valid: &'static str,
 ) -> Result<f64, InvalidValue> {
-    const ROUNDING: f64 = 1e-14;
-    let within = value >= low * (1.0 - ROUNDING) && value <= high * (1.0 + ROUNDING);
-    require(within, "a_over_b", value, valid)
+    require((low..=high).contains(&value), "a_over_b", value, valid)
 }
 
 pub(crate) fn poisson(value: f64) -> Result<f64, InvalidValue> {

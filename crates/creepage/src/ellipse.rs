@@ -10,6 +10,8 @@ use crate::special::CompleteIntegrals;
 pub struct Ellipse {
     a: f64,
     b: f64,
+    /// Kept, for the roots of [`Ellipse::from_ratio`] do not give it back to the last bit.
+    ratio: f64,
 }
 
 impl Ellipse {
@@ -25,7 +27,7 @@ impl Ellipse {
         check::positive("semi_axis_rolling", a)?;
         check::positive("semi_axis_lateral", b)?;
         check_ratio(a / b)?;
-        Ok(Self { a, b })
+        Ok(Self { a, b, ratio: a / b })
     }
 
     /// The ellipse of ratio `a/b` whose `c = sqrt(a b)` is the unit of length.
@@ -34,7 +36,7 @@ impl Ellipse {
     /// [`InvalidValue`] unless `a_over_b` lies within [`Ellipse::RATIO_RANGE`].
     pub fn from_ratio(a_over_b: f64) -> Result<Self, InvalidValue> {
         check_ratio(a_over_b)?;
-        Ok(Self { a: a_over_b.sqrt(), b: a_over_b.sqrt().recip() })
+        Ok(Self { a: a_over_b.sqrt(), b: a_over_b.sqrt().recip(), ratio: a_over_b })
     }
 
     /// Semi-axis in the rolling direction.
@@ -52,7 +54,7 @@ impl Ellipse {
     /// The ratio `a/b`.
     #[must_use]
     pub fn ratio(&self) -> f64 {
-        self.a / self.b
+        self.ratio
     }
 
     /// `c = sqrt(a b)`, the thesis's unit of length for creepage, spin and moment.
