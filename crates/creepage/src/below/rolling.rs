@@ -29,14 +29,14 @@ impl Interior {
     /// semi-axis downwards are right to 1e-3 of the peak pressure.
     ///
     /// ```
-    /// use creepage::approximate::fastsim::Fastsim;
+    /// use creepage::approximate::fastsim::{Fastsim, Settings};
     /// use creepage::below::{Body, Interior};
     /// use creepage::{Creepage, Ellipse, Hertz, Solid, SolidPair, Theory};
     /// let steel = Solid::new(82e9, 0.28)?;
     /// let ellipse = Ellipse::new(6e-3, 4e-3)?;
     /// let hertz = Hertz::from_ellipse(SolidPair::new(steel, steel), ellipse, 80e3)?;
     /// let contact = hertz.with_friction(0.3)?;
-    /// let theory = Fastsim::new(&contact)?;
+    /// let theory = Fastsim::new(&contact, Settings::default())?;
     /// let solved = theory.solved(Creepage::new(0.5, 0.0, 0.0)?);
     /// let rail = Interior::rolling(&hertz, &contact, &*solved, steel, Body::Lower)?;
     /// assert!(rail.stress([0.0, 0.0, 1e-3])?.xz < 0.0); // pushed forwards from above

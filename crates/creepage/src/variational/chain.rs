@@ -9,9 +9,10 @@ use crate::{Creepage, Status};
 /// A case that fails is tried again by 2, 4, 8 and 16 smaller steps from the previous one.
 ///
 /// ```
-/// use creepage::Creepage;
+/// use creepage::{Contact, Creepage, Ellipse};
 /// use creepage::variational::{Chain, Procedure, Settings, Variational};
-/// let theory = Variational::new(1.0, 0.28, Settings::default())?;
+/// let circle = Contact::new(Ellipse::from_ratio(1.0)?, 0.28)?;
+/// let theory = Variational::new(&circle, Settings::default())?;
 /// let mut chain = Chain::new(&theory, Procedure::default());
 /// for chi in [4.0, 3.0, 2.0] {
 ///     let case = chain.solve(Creepage::new(0.0, 0.0, chi)?, None);
