@@ -147,21 +147,23 @@ fn gap_of(case: &Value) -> Gap {
     }
 }
 
-/// Forces `[fx, fy]` over `mu N` and the moment over `N` in mm: apart by no more than the reference's
-/// uncertainty and 0.3 % of `mu N`, for the moment over 5 mm, or the own error bar where that is
-/// larger.
-fn compare(theory: &NonHertzian, solved: &NonHertzianSolved, reference: &Value, case: &str) {
+/// Which of the forces `[fx, fy]` over `mu N` and of the moment over `N` in mm are apart from the
+/// reference by more than its uncertainty and 0.3 % of `mu N`, for the moment over 5 mm.
+fn misses(
+    theory: &NonHertzian,
+    solved: &NonHertzianSolved,
+    reference: &Value,
+    case: &str,
+) -> Vec<String> {
     assert_eq!(solved.solution().status, Status::Solved, "{case}");
     let found = in_print(theory, solved.solution().force);
-    let bars = in_print(theory, solved.solution().error.unwrap());
-    for (k, (key, tolerance)) in
-        [("fx", 0.003), ("fy", 0.003), ("Mz", 0.003 * FRICTION * 5.0)].into_iter().enumerate()
-    {
-        let Some(best) = reference["best"][key].as_f64() else { continue };
-        let apart = (found[k] - best).abs();
-        let uncertainty = reference["unc"][key].as_f64().unwrap();
-        assert!(apart <= uncertainty + bars[k].max(tolerance), "{case} {key}: {} {best}", found[k]);
-    }
+    let tolerances = [("fx", 0.003), ("fy", 0.003), ("Mz", 0.003 * FRICTION * 5.0)];
+    let missed = tolerances.into_iter().zip(found).filter(|((key, tolerance), found)| {
+        let Some(best) = reference["best"][*key].as_f64() else { return false };
+        let uncertainty = reference["unc"][*key].as_f64().unwrap();
+        (found - best).abs() > uncertainty + tolerance
+    });
+    missed.map(|((key, _), _)| format!("{case} {key}")).collect()
 }
 
 fn in_print(theory: &NonHertzian, Force { fx, fy, mz }: Force) -> [f64; 3] {
@@ -186,6 +188,7 @@ fn si(row: &Value) -> SiCreepage {
 
 #[test]
 fn shapes_of_another_program() {
+    let mut missed = Vec::new();
     for case in reference()["approach_prescribed"].as_array().unwrap() {
         let approach = 1e-3 * number(&case["approach_mm"]);
         let resolution = normal::Resolution::FINE;
@@ -194,9 +197,12 @@ fn shapes_of_another_program() {
         let theory = NonHertzian::new(&contact, FRICTION, Resolution::STANDARD).unwrap();
         for row in case["rolling"].as_array().unwrap() {
             let solved = theory.solve(theory.scaling().creepage(si(row)).unwrap());
-            compare(&theory, &solved, row, &case["id"].to_string());
+            missed.extend(misses(&theory, &solved, row, case["id"].as_str().unwrap()));
         }
     }
+    // Known to fall short: much spin and little creepage on the quartic's flat middle, where f_y is
+    // off by .008 of mu N, within the sum of both error bars.
+    assert_eq!(missed, ["P3_quartic_ellipse fy"]);
 }
 
 /// The load prescribed, and in two cases the longitudinal force.
@@ -212,7 +218,8 @@ fn prescribed_forces_of_another_program() {
                 theory.find(Constraints { eta, chi, fx, ..Constraints::default() }).unwrap()
             }
         };
-        compare(&theory, &solved, case, &case["id"].to_string());
+        let missed = misses(&theory, &solved, case, case["id"].as_str().unwrap());
+        assert!(missed.is_empty(), "{missed:?}");
         if let Some(best) = case["best"]["upsilon_x"].as_f64() {
             let found = theory.scaling().si_creepage(solved.creepage()).longitudinal;
             let uncertainty = number(&case["unc"]["upsilon_x"]);
