@@ -24,7 +24,7 @@ function tex(html) {
 function render(html, displayMode) {
   const options = { displayMode, throwOnError: true, strict: "error" };
   const formula = katex.renderToString(tex(html), options);
-  return displayMode ? `<div class="formula">${formula}</div>` : formula;
+  return displayMode ? `<div class="formula" tabindex="0">${formula}</div>` : formula;
 }
 
 function page(file) {

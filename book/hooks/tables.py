@@ -19,6 +19,7 @@ from pathlib import Path, PurePosixPath
 from mkdocs.exceptions import PluginError
 
 ROOT = Path(__file__).resolve().parents[2]
+CREEPAGE = os.environ["CREEPAGE"]
 MARK = re.compile(r"^<!-- (facts|accuracy|theories|file)(?: ([^:\n]*?))?(?:: (.*?))? -->$", re.MULTILINE)
 UNITS = "\n\n*In per cent of $\\mu N$ and of $\\mu N c$, over [132 cases](../accuracy.md) of the full theory.*"
 MEASURES = ["median", "mean", "rms", "p95", "worst"]
@@ -37,7 +38,7 @@ def on_page_markdown(markdown, page, **_):
 
 def printed(*arguments):
     """What the command prints."""
-    ran = subprocess.run([os.environ["CREEPAGE"], *arguments], capture_output=True, text=True, check=True)
+    ran = subprocess.run([CREEPAGE, *arguments], capture_output=True, text=True, check=True)
     return ran.stdout
 
 

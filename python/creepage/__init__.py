@@ -15,6 +15,7 @@ presence of dry friction, thesis, Delft, 1967.
 """
 
 from ._batch import batch
+from ._bulk import CaseForce
 from ._case import Case, Curve
 from ._contact import Body, Hertz, hertz
 from ._creepage import (
@@ -42,6 +43,7 @@ from ._errors import (
     InvalidValue,
     NotReachable,
     TableError,
+    UnitsWarning,
     UnknownTheory,
     UnlikeBodiesWarning,
 )
@@ -58,6 +60,7 @@ from ._results import (
     Region,
     ScalarExactForce,
     ScalarForce,
+    SiField,
     Status,
 )
 from ._solution import SiCreepage, SiForce, Solution
@@ -84,6 +87,7 @@ __all__ = [
     "CarterSolution",
     "Case",
     "CaseError",
+    "CaseForce",
     "CreepageCoefficients",
     "CreepageError",
     "Curve",
@@ -111,6 +115,7 @@ __all__ = [
     "ScalarForce",
     "ShenHedrickElkins",
     "SiCreepage",
+    "SiField",
     "SiForce",
     "Solution",
     "StaticsSolution",
@@ -119,6 +124,7 @@ __all__ = [
     "Table",
     "TableError",
     "Theory",
+    "UnitsWarning",
     "UnknownTheory",
     "UnlikeBodiesWarning",
     "Variational",

@@ -6,15 +6,16 @@ import json
 import warnings
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Literal, get_args
+from typing import TYPE_CHECKING, Any, Literal, get_args, overload
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _creepage
-from ._contact import Body, Hertz, sections
-from ._errors import UnlikeBodiesWarning
-from ._results import Floats
+from ._bulk import CaseForce, case_force
+from ._contact import Body, Hertz, number, sections
+from ._errors import UnitsWarning, UnlikeBodiesWarning
+from ._results import Codes, Floats, Status
 from ._solution import SiCreepage, Solution
 from ._theories import chosen, prepared
 from ._toml import Source, dumps, read
@@ -24,6 +25,33 @@ if TYPE_CHECKING:
 
 Component = Literal["longitudinal", "lateral", "spin"]
 COMPONENTS: tuple[Component, ...] = get_args(Component)
+QUANTITIES = (
+    "longitudinal",
+    "lateral",
+    "spin",
+    "normal_force",
+    "friction",
+    "upper_radius_rolling",
+    "upper_radius_lateral",
+    "lower_radius_rolling",
+    "lower_radius_lateral",
+    "semi_axis_rolling",
+    "semi_axis_lateral",
+    "speed",
+)
+"""What may differ from row to row."""
+
+
+def by_dimension(quantities: dict[str, Any]) -> dict[str, Any]:
+    """Arrays of xarray broadcast against each other by the names of their dimensions."""
+    named = [name for name, value in quantities.items() if hasattr(value, "dims")]
+    if len(named) < 2:
+        return quantities
+    import xarray as xr
+
+    together = xr.broadcast(*(quantities[name] for name in named))
+    arrays = (np.asarray(array) for array in together)
+    return {**quantities, **dict(zip(named, arrays, strict=True))}
 
 
 class Case:
@@ -68,6 +96,16 @@ class Case:
         from the upper body's rolling section to the lower's (degrees). Both semi-axes (m) replace
         the bodies' radii. theory and its options are those of `solve`.
         """
+        numbers = {
+            "normal_force": normal_force, "friction": friction, "longitudinal": longitudinal,
+            "lateral": lateral, "spin": spin, "xi": xi, "eta": eta, "chi": chi, "speed": speed,
+            "longitudinal_force": longitudinal_force, "lateral_force": lateral_force,
+            "moment": moment, "fx": fx, "fy": fy, "mz": mz, "angle": angle,
+            "semi_axis_rolling": semi_axis_rolling, "semi_axis_lateral": semi_axis_lateral,
+        }  # fmt: skip
+        for name, value in numbers.items():
+            if value is not None:
+                number(name, value)
         contact = {
             "normal_force": normal_force,
             "friction": friction,
@@ -125,6 +163,15 @@ class Case:
     def __reduce__(self) -> tuple[Any, ...]:
         return type(self).from_toml, (self.to_toml(),)
 
+    def __eq__(self, other: object) -> bool:
+        """The same contact, creepage or wanted forces, and theory."""
+        if not isinstance(other, Case):
+            return NotImplemented
+        return self._data == other._data
+
+    def __hash__(self) -> int:
+        return hash(self._data)
+
     def __repr__(self) -> str:
         contact = self.contact
         creepage = "forces wanted" if self._data.finds_creepage else str(self.creepage)
@@ -172,10 +219,76 @@ class Case:
     def _chosen(self, name: str | None, options: Mapping[str, Any]) -> tuple[str, dict[str, Any]]:
         """The theory and its options; warns the caller's caller of what it neglects."""
         name, together = chosen(self._data, name, options)
-        neglected = self._data.neglects(name)
-        if neglected is not None:
-            warnings.warn(neglected, UnlikeBodiesWarning, stacklevel=3)
+        for words, kind in (
+            (self._data.neglects(name), UnlikeBodiesWarning),
+            (self._data.units_in_doubt, UnitsWarning),
+        ):
+            if words is not None:
+                warnings.warn(words, kind, stacklevel=3)
         return name, together
+
+    @overload
+    def force(
+        self,
+        *,
+        longitudinal: float | None = None,
+        lateral: float | None = None,
+        spin: float | None = None,
+        normal_force: float | None = None,
+        friction: float | None = None,
+        upper_radius_rolling: float | None = None,
+        upper_radius_lateral: float | None = None,
+        lower_radius_rolling: float | None = None,
+        lower_radius_lateral: float | None = None,
+        semi_axis_rolling: float | None = None,
+        semi_axis_lateral: float | None = None,
+        speed: float | None = None,
+        theory: str | _creepage.Table | None = None,
+        **options: Any,
+    ) -> CaseForce[float, Status]: ...
+    @overload
+    def force(
+        self,
+        *,
+        longitudinal: ArrayLike | None = None,
+        lateral: ArrayLike | None = None,
+        spin: ArrayLike | None = None,
+        normal_force: ArrayLike | None = None,
+        friction: ArrayLike | None = None,
+        upper_radius_rolling: ArrayLike | None = None,
+        upper_radius_lateral: ArrayLike | None = None,
+        lower_radius_rolling: ArrayLike | None = None,
+        lower_radius_lateral: ArrayLike | None = None,
+        semi_axis_rolling: ArrayLike | None = None,
+        semi_axis_lateral: ArrayLike | None = None,
+        speed: ArrayLike | None = None,
+        theory: str | _creepage.Table | None = None,
+        **options: Any,
+    ) -> CaseForce[Floats, Codes]: ...
+    def force(
+        self,
+        *,
+        theory: str | _creepage.Table | None = None,
+        **given: Any,
+    ) -> CaseForce[Any, Any]:
+        """Forces in SI units where some quantities differ from the case's: floats or arrays, which
+        broadcast, such as a measured history.
+
+        longitudinal, lateral: creepages. spin (rad/m). normal_force (N). friction. Radii and
+        semi-axes (m); a radius is infinite where flat, semi-axes replace the case's radii. speed
+        (m/s), for the frictional power. theory: by name, or a Table; the case's own if not given, with
+        its options. An element that is no case, such as one with NaN, has NaN and the status INVALID;
+        `messages` says why. The numbers are those of `creepage batch --case` to the last bit.
+
+        xarray's DataArrays broadcast by the names of their dimensions. Raises as solve; ValueError for
+        shapes that do not broadcast, TypeError for what is no number.
+        """
+        quantities = {name: given.pop(name) for name in QUANTITIES if name in given}
+        quantities = {name: value for name, value in quantities.items() if value is not None}
+        table = theory if isinstance(theory, _creepage.Table) else None
+        name, options = self._chosen(None if isinstance(theory, _creepage.Table) else theory, given)
+        aligned = by_dimension(quantities)
+        return case_force(_creepage.case_forces(self._data, name, options, table, aligned))
 
     def solve(self, theory: str | None = None, **options: Any) -> Solution:
         """Solves the case by its own theory, or by the one of that name.
@@ -198,6 +311,8 @@ class Case:
         Raises InvalidValue where a value is not finite, CaseError where forces are wanted, and as
         theory.
         """
+        if vary not in COMPONENTS:
+            raise ValueError(f"vary = {vary!r} is not valid: it must be one of {COMPONENTS}")
         k = COMPONENTS.index(vary)
         names = tuple(theories) or (self.theory_name,)
         length, unit, newtons, _ = self._data.units

@@ -4,17 +4,21 @@ from __future__ import annotations
 
 import json
 import math
+import warnings
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass
 from typing import Any, Literal, TypeAlias
 
+import numpy as np
+
 from . import _creepage
+from ._errors import CaseError, UnitsWarning
 from ._toml import dumps
 
 Radius: TypeAlias = float | Literal["flat"]
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Body:
     """One body: its material, and its radii of curvature at the contact."""
 
@@ -29,6 +33,23 @@ class Body:
     where convex, negative where hollow; "flat", infinity or None where straight."""
     radius_lateral: Radius | None = None
     """Radius of the section across the rolling direction (m): a rail head's."""
+
+    def __post_init__(self) -> None:
+        """Checked at once. Raises CaseError."""
+        for name in ("poisson", "shear_modulus", "young_modulus"):
+            value = getattr(self, name)
+            if value is None and name != "poisson":
+                continue
+            number(name, value)
+            good = 0.0 <= value <= 0.5 if name == "poisson" else 0.0 < value < math.inf
+            valid = "between 0 and 0.5" if name == "poisson" else "finite and greater than zero"
+            if not good:
+                message = f"{name} = {value} is not valid: it must be {valid}"
+                raise CaseError(message, None, name, value)
+        for name in ("radius_rolling", "radius_lateral"):
+            value = getattr(self, name)
+            if value is not None and value != "flat":
+                number(name, value)
 
     def section(self, shaped: bool) -> dict[str, Any]:
         """Its section of a case file; `shaped` where the contact follows from the radii."""
@@ -45,6 +66,17 @@ class Body:
         if self.young_modulus is not None and self.shear_modulus is None:
             return self.young_modulus / (2.0 * (1.0 + self.poisson))
         raise ValueError("give either shear_modulus or young_modulus")
+
+
+def number(name: str, value: object) -> None:
+    """Raises TypeError for what is no real number."""
+    if isinstance(value, np.ndarray) and value.ndim > 0:
+        raise TypeError(
+            f"{name} must be one number, not an array of shape {value.shape}: many cases at once "
+            "are Case.force(...) and creepage.batch(...)"
+        )
+    if isinstance(value, bool) or not isinstance(value, (int, float, np.number, np.ndarray)):
+        raise TypeError(f"{name} must be a number, not {type(value).__name__}")
 
 
 def sections(upper: Body, lower: Body, contact: Mapping[str, Any]) -> dict[str, dict[str, Any]]:
@@ -124,7 +156,8 @@ def hertz(
 
     normal_force: N (N). angle: from the upper body's rolling section to the lower's (degrees).
     Both semi-axes (m) replace the bodies' radii. Raises CaseError for numbers out of range,
-    contradictions, and bodies without a contact ellipse.
+    contradictions, and bodies without a contact ellipse; warns with UnitsWarning of numbers that look
+    like ones in other units.
     """
     contact = {
         "normal_force": normal_force,
@@ -133,4 +166,7 @@ def hertz(
         "semi_axis_lateral": semi_axis_lateral,
     }
     text = dumps(sections(upper, lower, contact))
-    return Hertz.from_report(json.loads(_creepage.hertz(text)))
+    report = json.loads(_creepage.hertz(text))
+    if report["caution"] is not None:
+        warnings.warn(report["caution"], UnitsWarning, stacklevel=2)
+    return Hertz.from_report(report)

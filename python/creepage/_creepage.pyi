@@ -42,9 +42,12 @@ __all__ = [
     "__version__",
     "carter",
     "carter_field",
+    "case_forces",
     "coefficients",
+    "command",
     "hertz",
     "line_contact",
+    "row_forces",
 ]
 
 __version__: Final[str]
@@ -300,6 +303,8 @@ class Table:
         """A table of the bytes of its file."""
 
     def write(self, path: str | PathLike[str]) -> None: ...
+    def __eq__(self, other: object) -> bool: ...
+    def __hash__(self) -> int: ...
     @staticmethod
     def build(
         theory: str,
@@ -375,6 +380,20 @@ def line_contact(
     load: float,
 ) -> tuple[float, float, float]: ...
 def hertz(text: str) -> str: ...
+def command(arguments: Sequence[str]) -> int: ...
+def case_forces(
+    case: CaseData,
+    theory: str,
+    options: dict[str, Any],
+    table: Table | None,
+    quantities: dict[str, Any],
+) -> dict[str, Any]: ...
+def row_forces(
+    theory: str,
+    options: dict[str, Any],
+    table: Table | None,
+    columns: Sequence[ArrayLike],
+) -> dict[str, Any]: ...
 
 @final
 class CaseData:
@@ -382,6 +401,8 @@ class CaseData:
 
     def __new__(cls, text: str) -> CaseData: ...
     def __getnewargs__(self) -> tuple[str]: ...
+    def __eq__(self, other: object) -> bool: ...
+    def __hash__(self) -> int: ...
     @property
     def text(self) -> str: ...
     @property
@@ -405,6 +426,8 @@ class CaseData:
     def hertz(self) -> str: ...
     def theory(self) -> str: ...
     def neglects(self, theory: str) -> str | None: ...
+    @property
+    def units_in_doubt(self) -> str | None: ...
     def solve(self, theory: str, options: dict[str, Any]) -> SolvedCase: ...
 
 @final

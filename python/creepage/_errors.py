@@ -85,3 +85,7 @@ class TableError(CreepageError, ValueError):
 
 class UnlikeBodiesWarning(UserWarning):
     """Bodies whose difference matters to the force, and a theory that leaves it out."""
+
+
+class UnitsWarning(UserWarning):
+    """A number that looks like one in another unit, such as MPa for Pa or degrees for radians."""

@@ -41,11 +41,17 @@ def ranges(count: int, parts: int) -> Iterator[tuple[int, int]]:
     return pairwise(edges)
 
 
-def frame(solve: Solve, pieces: list[tuple[Any, ...]], client: Client | None) -> pd.DataFrame:
+def frame(
+    solve: Solve,
+    pieces: list[tuple[Any, ...]],
+    client: Client | None,
+    *,
+    keep_index: bool = False,
+) -> pd.DataFrame:
     """The tables of all pieces, one below the other."""
     import pandas as pd
 
-    table: pd.DataFrame = pd.concat(_run(solve, pieces, client), ignore_index=True)
+    table: pd.DataFrame = pd.concat(_run(solve, pieces, client), ignore_index=not keep_index)
     return table
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import enum
+from collections.abc import Iterator
 from dataclasses import dataclass, fields
 from typing import TYPE_CHECKING, Any, Generic, TypeAlias, TypeVar
 
@@ -30,6 +31,8 @@ class Status(enum.IntEnum):
     """Solved, but the creepage is too small for the theory's resolution. Use linear theory."""
     SPIN_TOO_LARGE = 3
     """Solved, but the spin is beyond the bound up to which the theory holds."""
+    INVALID = 4
+    """In a table only: the row is no case, such as one with NaN; its numbers are NaN."""
 
 
 class Region(enum.IntEnum):
@@ -45,7 +48,8 @@ def by_name(record: Any) -> dict[str, Any]:
     return {field.name: getattr(record, field.name) for field in fields(record)}
 
 
-def _names(codes: Status | Codes) -> str | NDArray[np.str_]:
+def names(codes: Status | Codes) -> str | NDArray[np.str_]:
+    """Statuses in words."""
     if isinstance(codes, Status):
         return codes.name.lower()
     return np.array([status.name.lower() for status in Status])[codes]
@@ -64,6 +68,19 @@ class Force(Generic[Number, Outcome]):
     status: Outcome
     """A Status, or an array of their numbers: `force.status == Status.SOLVED`."""
 
+    def __iter__(self) -> Iterator[Number]:
+        """fx, fy, mz: `fx, fy, mz = force`."""
+        return iter((self.fx, self.fy, self.mz))
+
+    def __eq__(self, other: object) -> bool:
+        """The same numbers, of the same kind."""
+        if type(other) is not type(self):
+            return NotImplemented
+        pairs = zip(by_name(self).values(), by_name(other).values(), strict=True)
+        return all(np.array_equal(one, two, equal_nan=True) for one, two in pairs)
+
+    __hash__ = None  # type: ignore[assignment]
+
     @property
     def magnitude(self) -> Number:
         """The used share of the friction force mu N."""
@@ -78,7 +95,7 @@ class Force(Generic[Number, Outcome]):
 
     def to_dict(self) -> dict[str, Any]:
         """The numbers by name, and the status in words; pandas.DataFrame takes it as it is."""
-        return {**by_name(self), "status": _names(self.status)}
+        return {**by_name(self), "status": names(self.status)}
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -143,6 +160,39 @@ class Field:
         from ._plot import plot_field
 
         return plot_field(self.position, self.region, self.traction, self.semi_axes, ax)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class SiField:
+    """Pressure, traction and slip in SI units. Vectors have x and y in a last dimension."""
+
+    position: Floats
+    """From the middle of the contact (m), shape (..., 2)."""
+    pressure: Floats
+    """Pa, shape (...)."""
+    traction: Floats
+    """Of the upper body on the lower (Pa), shape (..., 2)."""
+    slip: Floats
+    """Velocity of the upper body relative to the lower over the rolling velocity, shape (..., 2);
+    NaN where the theory does not give it."""
+    region: Codes
+    """Numbers of Region, shape (...)."""
+    semi_axes: tuple[float, float]
+    """Of the contact, along and across (m)."""
+
+    def to_dict(self) -> dict[str, Any]:
+        """A column for each component, flat; pandas.DataFrame takes it as it is."""
+        words = np.array([region.name.lower() for region in Region])
+        return {
+            "x_m": self.position[..., 0].ravel(),
+            "y_m": self.position[..., 1].ravel(),
+            "pressure_pa": self.pressure.ravel(),
+            "traction_x_pa": self.traction[..., 0].ravel(),
+            "traction_y_pa": self.traction[..., 1].ravel(),
+            "slip_x": self.slip[..., 0].ravel(),
+            "slip_y": self.slip[..., 1].ravel(),
+            "region": words[self.region].ravel(),
+        }
 
 
 @dataclass(frozen=True, slots=True, eq=False)

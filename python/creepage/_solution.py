@@ -7,9 +7,11 @@ import math
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+import numpy as np
+
 from . import _creepage
 from ._contact import Hertz
-from ._results import Field, ScalarForce, Status
+from ._results import Field, ScalarForce, SiField, Status
 from ._theories import prepared
 
 if TYPE_CHECKING:
@@ -60,6 +62,18 @@ class Solution:
 
     def __str__(self) -> str:
         return self.text()
+
+    def __eq__(self, other: object) -> bool:
+        """The same case solved by the same theory with the same options."""
+        if not isinstance(other, Solution):
+            return NotImplemented
+        return (self._data, self._question()) == (other._data, other._question())
+
+    def __hash__(self) -> int:
+        return hash((self._data, self._name))
+
+    def _question(self) -> tuple[str, list[tuple[str, str]]]:
+        return self._name, sorted((name, repr(value)) for name, value in self._options.items())
 
     @property
     def theory(self) -> _creepage.Theory:
@@ -162,6 +176,18 @@ class Solution:
     def field(self, points: int = 50) -> Field:
         """Traction and slip at points x points cells, dimensionless."""
         return self._solved.field(points)
+
+    def si_field(self, points: int = 50) -> SiField:
+        """Pressure, traction and slip at points x points cells, in SI units."""
+        field, data = self.field(points), self._data
+        length, slip, _, traction = data.units
+        a, b = (semi_axis * length for semi_axis in field.semi_axes)
+        position = length * field.position
+        height = 1.0 - (position[..., 0] / a) ** 2 - (position[..., 1] / b) ** 2
+        pressure = self.contact.peak_pressure * np.sqrt(np.maximum(height, 0.0))
+        return SiField(
+            position, pressure, traction * field.traction, slip * field.slip, field.region, (a, b)
+        )
 
     def points(self) -> Field:
         """Traction and slip at the theory's own points, dimensionless."""

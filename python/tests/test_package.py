@@ -44,6 +44,8 @@ def test_every_public_name_is_documented() -> None:
 def test_the_modules_import_one_another_in_no_circle() -> None:
     imports = {}
     for path in (ROOT / "python" / "creepage").glob("*.py*"):
+        if path.stem == "__main__":  # which nothing imports
+            continue
         nodes = list(ast.walk(ast.parse(path.read_text())))
         froms = [node for node in nodes if isinstance(node, ast.ImportFrom) and node.level == 1]
         named = {node.module or alias.name for node in froms for alias in node.names}

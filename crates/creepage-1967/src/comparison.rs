@@ -11,6 +11,8 @@ pub enum Verdict {
     Misprint,
     /// It is not found; the note says why.
     NotReproduced,
+    /// There is nothing to compare with: the thesis has the experiment's points in a picture only.
+    NoData,
 }
 
 impl Verdict {
@@ -22,6 +24,7 @@ impl Verdict {
             Self::Close => "close",
             Self::Misprint => "misprint",
             Self::NotReproduced => "not reproduced",
+            Self::NoData => "no data",
         }
     }
 }
@@ -78,6 +81,18 @@ impl Comparison {
             verdict: if holds { Verdict::Agrees } else { Verdict::NotReproduced },
             note: String::new(),
         }
+    }
+
+    /// Something said of an experiment whose numbers are not in the text.
+    #[must_use]
+    pub fn without_data(
+        quantity: impl Into<String>,
+        printed: impl Into<String>,
+        ours: impl Into<String>,
+        reason: &str,
+    ) -> Self {
+        let claim = Self::claim(quantity, printed, ours, false);
+        Self { verdict: Verdict::NoData, note: reason.into(), ..claim }
     }
 
     /// Calls a number that does not agree close, when it is within `tolerance` of the print; the

@@ -5,7 +5,7 @@ use crate::figures::{
     fig15, fig16, fig17, fig18, fig19, fig20, fig21, fig22, fig23, fig24, islands, judgement,
 };
 use crate::item::Item;
-use crate::tables::{table1, table2, table3, table4, table5};
+use crate::tables::{claims, table1, table2, table3, table4, table5};
 
 const ITEMS: &[Item] = &[
     fig2::ITEM,
@@ -37,6 +37,7 @@ const ITEMS: &[Item] = &[
     fig24::B,
     fig24::C,
     angles::ITEM,
+    claims::ITEM,
     judgement::ITEM,
     islands::ITEM,
     convergence::ITEM,

@@ -4,6 +4,8 @@ use std::path::PathBuf;
 
 use clap::{Parser, Subcommand};
 
+use crate::about::{CompletionsArgs, InitArgs, ManArgs, SchemaArgs};
+use crate::batch_args::BatchArgs;
 use crate::reproduce::ReproduceArgs;
 use crate::table::TableArgs;
 
@@ -12,6 +14,9 @@ use crate::table::TableArgs;
 #[derive(Debug, Parser)]
 #[command(name = "creepage", version, arg_required_else_help = true, after_help = AFTER_HELP)]
 pub(crate) struct Args {
+    /// Say nothing but what went wrong: no cautions, notes, bars or names of files.
+    #[arg(long, short, global = true)]
+    pub(crate) quiet: bool,
     #[command(subcommand)]
     pub(crate) command: Command,
 }
@@ -41,20 +46,28 @@ pub(crate) enum Command {
     /// place of their radii.
     ///
     /// The report goes to standard output; with --out, also report.json, points.csv, contact.svg
-    /// and contact.png into a directory, and for an ellipse contact.vtk (the field for VTK
-    /// programs).
+    /// and contact.png into a directory, and contact.vtk (the field for VTK programs).
     Solve(SolveArgs),
     /// Solve many cases: CSV in, the same rows with forces appended out.
     ///
-    /// The input needs the columns `a_over_b`, poisson, xi, eta, chi, in any order: the ratio of
-    /// the contact's semi-axes (along over across the rolling direction), the combined
-    /// Poisson's ratio, and the dimensionless creepages. A column `kappa_over_mu` may say how
-    /// unlike the bodies are (kappa over the coefficient of friction): the theory `exact` counts
-    /// it; of others `message` says what leaving it out may cost. Further columns pass through.
-    /// Appended are fx, fy (in units of mu N), mz (mu N c), by a theory with error bars also
-    /// `fx_error`, `fy_error`, `mz_error`, then status and message. A row that is no case gets the
-    /// status `invalid` and the reason in `message`; the others are solved, and the exit code is
-    /// then 3.
+    /// Without --case the input needs the columns `a_over_b`, poisson, xi, eta, chi, in any order:
+    /// the ratio of the contact's semi-axes (along over across the rolling direction), the combined
+    /// Poisson's ratio, and the dimensionless creepages. A column `kappa_over_mu` may say how unlike
+    /// the bodies are (kappa over the coefficient of friction): the theory `exact` counts it; of
+    /// others `message` says what leaving it out may cost. Appended are fx, fy (in units of mu N), mz
+    /// (mu N c), by a theory with error bars also `fx_error`, `fy_error`, `mz_error`, then status and
+    /// message.
+    ///
+    /// With --case the rows are in SI units: columns longitudinal, lateral, spin, `normal_force`,
+    /// friction, `upper_radius_rolling`, `upper_radius_lateral`, `lower_radius_rolling`,
+    /// `lower_radius_lateral`, `semi_axis_rolling`, `semi_axis_lateral`, speed. A quantity without a
+    /// column is the case file's, and so is the theory unless --theory is given. Appended before the
+    /// columns above are `longitudinal_n`, `lateral_n`, `moment_n_m` (of the upper body on the lower),
+    /// `frictional_power_per_metre_j_per_m`, and with a speed `frictional_power_w`.
+    ///
+    /// Further columns pass through. Columns may be separated by semicolons or tabs, and lines that
+    /// begin with # may stand above the header. A row that is no case gets the status `invalid` and
+    /// the reason in `message`; the others are solved, and the exit code is then 3.
     Batch(BatchArgs),
     /// Solve a series of cases of the numerical theory (Kalker 1967, chapter 5).
     ///
@@ -66,6 +79,20 @@ pub(crate) enum Command {
     /// time the disk takes. The result is the same, bit for bit, on any number of cores,
     /// interrupted or not. The exit code is 3 when a case did not converge.
     Sweep(SweepArgs),
+    /// Roll a contact as a table says: creepages or forces over the distance, from any start.
+    ///
+    /// The case file has [upper], [lower] and [contact] as for `solve`, or [contact] `line_load` for
+    /// cylinders; [start] traction = "none", "steady" or "shift"; no [creepage]. The history, CSV, has
+    /// `distance` [m] and of each component of the motion one column: longitudinal, lateral, spin; or
+    /// xi, eta, chi; or `longitudinal_force`, `lateral_force`, moment; what has no column is zero
+    /// creepage. `normal_force` may change too. The motion of a row acts from the distance of the row
+    /// before, or zero, to its own; finer steps in between are the program's affair.
+    ///
+    /// The result, one row a row of the history, has `distance_m`, xi, eta, chi, fx, fy, mz,
+    /// `longitudinal_n`, `lateral_n`, `moment_n_m`, `adhesion_share` and status. It goes to standard
+    /// output as it comes; with --out into DIR/history.csv, with pictures, and a run that was
+    /// interrupted goes on where it was. The exit code is 3 when a row did not converge.
+    Roll(RollArgs),
     /// The contact ellipse and the pressure of a case, without rolling.
     Hertz(HertzArgs),
     /// Solve a contact without rolling: a die, a shift, a twist, or a shift with partial slip.
@@ -80,8 +107,8 @@ pub(crate) enum Command {
     /// With --points, CSV goes to standard output, rows as in P.csv: x, y, z [m], sxx, syy, szz, sxy,
     /// syz, sxz [Pa], positive in tension, the equivalent stresses `von_mises` and tresca, the principal
     /// stresses s1, s2, s3. Without, a report on the largest equivalent stress. With --out, also
-    /// stresses.csv (the points, or the section y = 0) and a picture of that section,
-    /// stresses.svg and stresses.png, into a directory.
+    /// stresses.csv (the points, or the section y = 0), a picture of that section, stresses.svg and
+    /// stresses.png, and without --points a block of the body, stresses.vtk, into a directory.
     Stresses(StressesArgs),
     /// Compute the tables and figures of Kalker's thesis of 1967 again, beside what was printed.
     ///
@@ -103,6 +130,13 @@ pub(crate) enum Command {
     /// The CSV goes to standard output; with --out, curve.csv, curve.svg and curve.png go into a
     /// directory.
     Curve(CurveArgs),
+    /// Solve the contacts of a wheelset on its track: where wheels and rails touch, and the forces
+    /// there.
+    ///
+    /// The wheelset file has wheels and rails by their profiles, names or files beside it, the
+    /// wheelset's position, its load or height, and its motion. The report goes to standard output;
+    /// with --out, also report.json and pictures into a directory.
+    Wheelset(WheelsetArgs),
     /// Equivalent conicity of a wheelset on its track by EN 15302, over the amplitude.
     ///
     /// The wheelset file needs [wheel], [rail], [track], and `back_to_back` of [wheelset]; profiles
@@ -124,6 +158,10 @@ pub(crate) enum Command {
     Table(TableArgs),
     /// Write a commented example of a case file; an existing file is left alone.
     Init(InitArgs),
+    /// Print the script by which a shell completes the command.
+    Completions(CompletionsArgs),
+    /// Print the manual page, or write those of all subcommands.
+    Man(ManArgs),
     /// Print the JSON schema of case, statics, sweep or wheelset files, for editors and validators.
     Schema(SchemaArgs),
 }
@@ -135,11 +173,15 @@ pub(crate) struct TheoriesArgs {
     pub(crate) json: bool,
 }
 
-#[derive(Debug, clap::Args)]
+#[derive(Debug, Clone, clap::Args)]
 pub(crate) struct SolveArgs {
-    /// Case file; `creepage init` writes an example.
+    /// Case file, or - for standard input; `creepage init` writes an example.
     #[arg(value_name = "CASE.toml")]
     pub(crate) case: PathBuf,
+    /// Further case files, whose reports follow; with --out each file has a directory of its own,
+    /// named as the file.
+    #[arg(value_name = "MORE.toml")]
+    pub(crate) more: Vec<PathBuf>,
     /// Theory to use in place of the case file's; `creepage theories` lists them.
     #[arg(long, value_name = "NAME")]
     pub(crate) theory: Option<String>,
@@ -149,25 +191,6 @@ pub(crate) struct SolveArgs {
     /// Print the report as JSON.
     #[arg(long)]
     pub(crate) json: bool,
-}
-
-#[derive(Debug, clap::Args)]
-pub(crate) struct BatchArgs {
-    /// Theory to use; `creepage theories` lists them.
-    #[arg(long, value_name = "NAME")]
-    pub(crate) theory: String,
-    /// CSV file with the cases; standard input if not given.
-    #[arg(long = "in", value_name = "FILE")]
-    pub(crate) input: Option<PathBuf>,
-    /// Option of the theory, as in [solve] of a case file: resolution=fine, grid=[20,20]; may be
-    /// given several times.
-    #[arg(long = "option", value_name = "KEY=VALUE")]
-    pub(crate) options: Vec<String>,
-    /// CSV file for the results; it appears when it is whole, and a pipe or a device is written to in
-    /// place. Standard output if not given. A run that is killed may leave a hidden
-    /// .FILE.*.partial.
-    #[arg(long, value_name = "FILE")]
-    pub(crate) out: Option<PathBuf>,
 }
 
 #[derive(Debug, clap::Args)]
@@ -197,6 +220,19 @@ pub(crate) enum SeriesFormat {
     /// The page as it was printed in 1967, in Dutch.
     #[value(name = "page-1967")]
     Page1967,
+}
+
+#[derive(Debug, clap::Args)]
+pub(crate) struct RollArgs {
+    /// Case file.
+    #[arg(value_name = "CASE.toml")]
+    pub(crate) case: PathBuf,
+    /// How the bodies move, in CSV.
+    #[arg(long, value_name = "H.csv")]
+    pub(crate) history: PathBuf,
+    /// Directory for history.csv and the pictures; made if need be.
+    #[arg(long, value_name = "DIR")]
+    pub(crate) out: Option<PathBuf>,
 }
 
 #[derive(Debug, clap::Args)]
@@ -284,6 +320,31 @@ pub(crate) struct AccuracyArgs {
 }
 
 #[derive(Debug, clap::Args)]
+pub(crate) struct WheelsetArgs {
+    /// Wheelset file.
+    #[arg(value_name = "CASE.toml")]
+    pub(crate) case: PathBuf,
+    /// Directory for the report and the pictures; made if need be.
+    #[arg(long, value_name = "DIR", conflicts_with = "table")]
+    pub(crate) out: Option<PathBuf>,
+    /// Print the report as JSON.
+    #[arg(long, conflicts_with = "table")]
+    pub(crate) json: bool,
+    /// NetCDF file for a table over lateral position and yaw in place of the file's own; it appears
+    /// when it is whole.
+    #[arg(long, value_name = "FILE.nc", requires = "y")]
+    pub(crate) table: Option<PathBuf>,
+    /// Lateral positions of the table: first, last (m), and how many.
+    #[arg(long, num_args = 3, value_names = ["FROM", "TO", "COUNT"], requires = "table",
+          allow_negative_numbers = true)]
+    pub(crate) y: Option<Vec<f64>>,
+    /// Yaws of the table: first, last (rad), and how many; the file's own if not given.
+    #[arg(long, num_args = 3, value_names = ["FROM", "TO", "COUNT"], requires = "table",
+          allow_negative_numbers = true)]
+    pub(crate) yaw: Option<Vec<f64>>,
+}
+
+#[derive(Debug, clap::Args)]
 pub(crate) struct ConicityArgs {
     /// Wheelset file.
     #[arg(value_name = "CASE.toml")]
@@ -295,6 +356,10 @@ pub(crate) struct ConicityArgs {
     /// Let the wheelset roll until both wheels touch; the standard leaves roll out.
     #[arg(long)]
     pub(crate) roll: bool,
+    /// Directory for conicity.csv, `radius_difference.csv` and a picture of radius difference and
+    /// places of contact, geometry.svg and geometry.png; made if need be.
+    #[arg(long, value_name = "DIR")]
+    pub(crate) out: Option<PathBuf>,
 }
 
 #[derive(Debug, clap::Args)]
@@ -311,6 +376,61 @@ pub(crate) struct ProfileArgs {
     /// Write each profile in this format too.
     #[arg(long, value_name = "FORMAT", requires = "out")]
     pub(crate) convert: Option<ProfileFormat>,
+    /// What the profile belongs to, where the file does not say.
+    #[arg(long)]
+    pub(crate) role: Option<RoleName>,
+    /// The side to take from a file that holds both.
+    #[arg(long)]
+    pub(crate) side: Option<SideName>,
+    /// Length of the file's unit (m), such as 0.001 or 0.0254; as the format has it, else found by
+    /// the profile's size, if not given.
+    #[arg(long, value_name = "METRES")]
+    pub(crate) unit: Option<f64>,
+    /// Where y grows to in the file.
+    #[arg(long)]
+    pub(crate) y: Option<LateralSense>,
+    /// Where z grows to in the file.
+    #[arg(long)]
+    pub(crate) z: Option<UprightSense>,
+    /// Smooth the profile: waves of this length (m) keep half of their amplitude.
+    #[arg(long, value_name = "METRES")]
+    pub(crate) smooth: Option<f64>,
+}
+
+/// What a profile belongs to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+pub(crate) enum RoleName {
+    /// A wheel's profile
+    Wheel,
+    /// A rail's profile
+    Rail,
+}
+
+/// A side of the track, in the direction of travel.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+pub(crate) enum SideName {
+    /// The left wheel or rail
+    Left,
+    /// The right wheel or rail
+    Right,
+}
+
+/// A sense of the lateral axis.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+pub(crate) enum LateralSense {
+    /// Away from the track's centre
+    FieldSide,
+    /// To the track's centre
+    TrackSide,
+}
+
+/// A sense of the upright axis.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+pub(crate) enum UprightSense {
+    /// Into the rail
+    Down,
+    /// Into the wheel
+    Up,
 }
 
 /// Formats of profile files.
@@ -370,46 +490,4 @@ pub(crate) enum BodyName {
     Lower,
     /// Such as a wheel.
     Upper,
-}
-
-#[derive(Debug, clap::Args)]
-pub(crate) struct InitArgs {
-    /// File to write; standard output if not given.
-    #[arg(long, value_name = "FILE")]
-    pub(crate) out: Option<PathBuf>,
-}
-
-#[derive(Debug, clap::Args)]
-pub(crate) struct SchemaArgs {
-    /// The files to describe.
-    #[arg(long, value_name = "FILES", default_value = "case")]
-    pub(crate) of: FileKind,
-}
-
-/// The files that the commands read.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
-pub(crate) enum FileKind {
-    /// Case files: `solve`, `curve`, `hertz`.
-    Case,
-    /// Case files with [gap]: `solve`.
-    Gap,
-    /// Statics files: `statics`.
-    Statics,
-    /// Sweep files: `sweep`.
-    Sweep,
-    /// Wheelset files: `conicity`.
-    Wheelset,
-}
-
-impl FileKind {
-    /// The schema of these files.
-    pub(crate) fn schema(self) -> serde_json::Value {
-        match self {
-            Self::Case => creepage_study::json_schema(),
-            Self::Gap => creepage_study::gap_json_schema(),
-            Self::Statics => creepage_study::statics_json_schema(),
-            Self::Sweep => creepage_study::sweep_json_schema(),
-            Self::Wheelset => creepage_study::wheelset_json_schema(),
-        }
-    }
 }

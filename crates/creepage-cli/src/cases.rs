@@ -1,7 +1,7 @@
 //! Commands on one case file: `solve` and `hertz`.
 
-use creepage::Status;
-use creepage_study::{GapFile, hertz_json, hertz_text, solve as solve_case};
+use creepage::{SiCreepage, Status};
+use creepage_study::{Caution, GapFile, HertzReportJson, hertz_text, solve as solve_case};
 
 use crate::args::{HertzArgs, SolveArgs};
 use crate::failure::Failure;
@@ -10,8 +10,26 @@ use crate::input::{parse_case, read_case, read_text, theories};
 use crate::outcome::Outcome;
 use crate::output::{print, say, say_written, to_json};
 
-/// `creepage solve`: the files first, then the report, so that a wrong `--out` prints nothing.
+/// `creepage solve`: one file after the other.
 pub(crate) fn solve(args: &SolveArgs) -> Result<Outcome, Failure> {
+    if args.more.is_empty() {
+        return solve_one(args);
+    }
+    let mut outcome = Outcome::Done;
+    for case in [&args.case].into_iter().chain(&args.more) {
+        let name = case.file_stem().unwrap_or(case.as_os_str());
+        let out = args.out.as_ref().map(|directory| directory.join(name));
+        let one = SolveArgs { case: case.clone(), more: Vec::new(), out, ..args.clone() };
+        if !args.json {
+            print(&format!("== {}", case.display()))?;
+        }
+        outcome = outcome.or(solve_one(&one)?);
+    }
+    Ok(outcome)
+}
+
+/// The files first, then the report, so that a wrong `--out` prints nothing.
+fn solve_one(args: &SolveArgs) -> Result<Outcome, Failure> {
     let text = read_text(&args.case)?;
     if GapFile::is_one(&text) {
         return gap::solve(args, &text);
@@ -38,10 +56,16 @@ fn outcome(status: Status) -> Outcome {
 
 /// `creepage hertz`.
 pub(crate) fn hertz(args: &HertzArgs) -> Result<(), Failure> {
-    let contact = read_case(&args.case)?
-        .hertz()
-        .map_err(|source| Failure::Case { path: args.case.clone(), source })?;
-    print(&if args.json { to_json(&hertz_json(&contact))? } else { hertz_text(&contact) })
+    let file = read_case(&args.case)?;
+    let wrong = |source| Failure::Case { path: args.case.clone(), source };
+    let contact = file.hertz().map_err(wrong)?;
+    let cautions = Caution::units(&contact, file.smallest_radius(), SiCreepage::default());
+    let report = HertzReportJson::new(&contact, &cautions);
+    print(&if args.json { to_json(&report)? } else { hertz_text(&contact, &cautions) })?;
+    for caution in cautions {
+        say(&format!("caution: {caution}"));
+    }
+    Ok(())
 }
 
 #[cfg(test)]

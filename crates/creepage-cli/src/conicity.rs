@@ -1,46 +1,41 @@
 //! `creepage conicity`: equivalent conicity of a wheelset on its track.
 
-use std::path::Path;
-
-use creepage_study::{
-    ProfileNote, WheelsetCase, WheelsetError, WheelsetFile, conicity, radius_difference_csv,
-};
+use creepage_study::{conicity, radius_difference_csv, write_all};
 
 use crate::args::ConicityArgs;
 use crate::failure::Failure;
-use crate::input::read_text;
 use crate::outcome::Outcome;
-use crate::output::{print, say};
+use crate::output::{print, say, say_written};
+use crate::wheelset::{read, say_found};
 
+/// The files first, then the table, so that a wrong `--out` prints nothing.
 pub(crate) fn run(args: &ConicityArgs) -> Result<Outcome, Failure> {
     let wrong = |source| Failure::Wheelset { path: args.case.clone(), source: Box::new(source) };
     let case = read(&args.case)?;
     let difference = case.radius_difference(args.roll).map_err(wrong)?;
     case.notes.iter().for_each(say_found);
-    if args.radius_difference {
-        print(&radius_difference_csv(&difference))?;
+    let radii = radius_difference_csv(&difference);
+    if args.radius_difference && args.out.is_none() {
+        print(&radii)?;
         return Ok(Outcome::Done);
     }
     let table = conicity(&difference);
+    if let Some(directory) = &args.out {
+        let [svg, png] = case.geometry_pictures(&difference, args.roll)?;
+        let files: [(&str, &[u8]); 4] = [
+            ("conicity.csv", table.csv.as_bytes()),
+            ("radius_difference.csv", radii.as_bytes()),
+            ("geometry.svg", &svg),
+            ("geometry.png", &png),
+        ];
+        say_written(&write_all(directory, &files)?);
+    }
+    if args.radius_difference {
+        print(&radii)?;
+        return Ok(Outcome::Done);
+    }
     print(&table.csv)?;
     let Some((amplitude, why)) = table.lacking else { return Ok(Outcome::Done) };
     say(&format!("note: no conicity from amplitude {amplitude:.4} m on: {why}"));
     Ok(Outcome::Doubtful)
-}
-
-/// The case of a wheelset file, its profile files beside it.
-fn read(path: &Path) -> Result<WheelsetCase, Failure> {
-    let text = read_text(path)?;
-    let directory = path.parent().unwrap_or(Path::new(""));
-    WheelsetFile::read(&text)
-        .map_err(WheelsetError::from)
-        .and_then(|file| file.case(directory))
-        .map_err(|source| Failure::Wheelset { path: path.into(), source: Box::new(source) })
-}
-
-/// Says what was found in a profile file: nothing is guessed silently.
-fn say_found(note: &ProfileNote) {
-    for action in &note.actions {
-        say(&format!("note: {}: {action}", note.path.display()));
-    }
 }

@@ -16,6 +16,10 @@ pub(crate) fn run(args: &CurveArgs) -> Result<(), Failure> {
     let theories = theories(&args.theory, &case)?;
     let (vary, [from, to]) = range(args, &case, creepage)?;
     let mut curves = Curves::new(&case, vary, spaced(from, to, args.points)).map_err(wrong)?;
+    let si = case.contact.scaling().si_creepage(creepage);
+    for caution in Caution::units(&case.hertz, case.smallest_radius, si) {
+        say(&format!("caution: {caution}"));
+    }
     for theory in theories {
         let name = theory.facts().name;
         let prepared = theory
@@ -25,6 +29,14 @@ pub(crate) fn run(args: &CurveArgs) -> Result<(), Failure> {
         if let Some(caution) = Caution::dissimilar(&theory, case.contact.kappa_over_mu()) {
             say(&format!("caution: {caution}"));
         }
+        for caution in Caution::between_surfaces(&theory, &case.contact).into_iter().flatten() {
+            say(&format!("caution: {caution}"));
+        }
+    }
+    for (theory, largest) in curves.largest() {
+        let (force, value) =
+            (largest.force.magnitude(), shown(vary, largest.at, &case.contact.scaling()));
+        say(&format!("{theory}: largest force {force:.5} of mu N at {value}"));
     }
     let Some(directory) = &args.out else {
         return print(&String::from_utf8_lossy(&curves.csv()?));
@@ -89,6 +101,16 @@ fn gains(case: &Case, creepage: Creepage) -> Result<[f64; 3], InvalidValue> {
 fn spaced(from: f64, to: f64, count: u16) -> Vec<f64> {
     let last = f64::from(count - 1);
     (0..count).map(|k| from + (to - from) * (f64::from(k) / last)).collect()
+}
+
+/// A value of the component that varies, in both kinds of units.
+fn shown(vary: Component, value: f64, scaling: &Scaling) -> String {
+    let (name, si) = match vary {
+        Component::Longitudinal => ("xi", Quantity::Longitudinal),
+        Component::Lateral => ("eta", Quantity::Lateral),
+        Component::Spin => ("chi", Quantity::Spin),
+    };
+    format!("{name} = {value:.5} ({:.5e} in SI units)", value * si.unit(scaling))
 }
 
 impl Quantity {

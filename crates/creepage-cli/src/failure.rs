@@ -8,8 +8,8 @@ use creepage::table::{BuildError, FileError};
 use creepage::theory::{TheoryError, UnknownTheory};
 use creepage_1967::GalleryError;
 use creepage_study::{
-    CaseError, GapCaseError, PointsError, ReferenceError, ReportError, SolveError, SpecError,
-    StaticsError, StressError, WheelsetError,
+    CaseError, GapCaseError, HistoryError, PointsError, ReferenceError, ReportError, SolveError,
+    SpecError, StaticsError, StressError, WheelsetError,
 };
 
 use crate::batch::columns::ColumnError;
@@ -25,6 +25,8 @@ pub(crate) enum Failure {
     Statics { path: PathBuf, source: StaticsError },
     #[error("{}: {source}", path.display())]
     Wheelset { path: PathBuf, source: Box<WheelsetError> },
+    #[error("{}: {source}", path.display())]
+    History { path: PathBuf, source: Box<HistoryError> },
     #[error("{}: {source}", path.display())]
     Profile { path: PathBuf, source: creepage_rail::file::FileError },
     #[error("{}: {source}", path.display())]
@@ -63,6 +65,8 @@ pub(crate) enum Failure {
     Table { path: PathBuf, source: FileError },
     #[error("{theory}: {source}")]
     Build { theory: &'static str, source: BuildError<TheoryError> },
+    #[error("{option} is needed: the table has values from {low} to {high}")]
+    Needed { option: &'static str, low: f64, high: f64 },
     #[error("cannot write {}: {source}", path.display())]
     Write { path: PathBuf, source: io::Error },
     #[error("cannot write to standard output: {0}")]

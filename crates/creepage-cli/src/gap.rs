@@ -4,7 +4,7 @@ use std::path::Path;
 
 use creepage::Status;
 use creepage::normal;
-use creepage_study::{GapCaseError, GapFile, solve_gap};
+use creepage_study::{GapFile, solve_gap};
 
 use crate::args::SolveArgs;
 use crate::failure::Failure;
@@ -14,11 +14,12 @@ use crate::output::{print, say, say_written, to_json};
 /// The files first, then the report, so that a wrong `--out` prints nothing.
 pub(crate) fn solve(args: &SolveArgs, text: &str) -> Result<Outcome, Failure> {
     let wrong = |source| Failure::Gap { path: args.case.clone(), source: Box::new(source) };
-    if let Some(name) = args.theory.as_ref().filter(|name| *name != "exact") {
-        return Err(wrong(GapCaseError::Theory { name: name.clone() }));
-    }
     let directory = args.case.parent().unwrap_or(Path::new(""));
     let case = GapFile::read(text).and_then(|file| file.case(directory)).map_err(wrong)?;
+    let case = match &args.theory {
+        Some(name) => case.by_theory(name).map_err(wrong)?,
+        None => case,
+    };
     let solved = solve_gap(&case).map_err(wrong)?;
     if let Some(directory) = &args.out {
         say_written(&solved.write(directory)?);

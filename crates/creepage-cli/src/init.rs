@@ -1,9 +1,10 @@
 //! `creepage init`: a commented case file to start from.
 
-use std::fs::File;
-use std::io::Write;
+use std::io::{ErrorKind, Write};
 
-use crate::args::InitArgs;
+use creepage_study::WholeFile;
+
+use crate::about::InitArgs;
 use crate::failure::Failure;
 use crate::output::{print, say};
 
@@ -13,9 +14,13 @@ pub(crate) fn run(args: &InitArgs) -> Result<(), Failure> {
     let Some(path) = &args.out else {
         return print(EXAMPLE);
     };
-    File::create_new(path)
-        .and_then(|mut file| file.write_all(EXAMPLE.as_bytes()))
-        .map_err(|source| Failure::Write { path: path.clone(), source })?;
+    let failed = |source| Failure::Write { path: path.clone(), source };
+    if path.exists() {
+        return Err(failed(ErrorKind::AlreadyExists.into()));
+    }
+    // It appears when it is whole, so that a full disk leaves nothing in the way of the next try.
+    let mut file = WholeFile::create(path).map_err(failed)?;
+    file.write_all(EXAMPLE.as_bytes()).and_then(|()| file.finish()).map_err(failed)?;
     say(&format!("wrote {}; next: creepage solve {}", path.display(), path.display()));
     Ok(())
 }

@@ -1,9 +1,11 @@
 //! The files that commands read, and the theories that these ask for.
 
 use std::fs;
+use std::io;
 use std::path::Path;
 
 use creepage::TheorySpec;
+use creepage::table::Table;
 use creepage_study::{Case, CaseFile, GapFile};
 
 use crate::failure::Failure;
@@ -23,9 +25,14 @@ pub(crate) fn parse_case(path: &Path, text: &str) -> Result<CaseFile, Failure> {
     CaseFile::read(text).map_err(|source| Failure::Case { path: path.into(), source })
 }
 
-/// The text of a file of any kind.
+/// The text of a file of any kind; that of standard input where the path is `-`.
 pub(crate) fn read_text(path: &Path) -> Result<String, Failure> {
-    fs::read_to_string(path).map_err(|source| Failure::Read { path: path.into(), source })
+    let read = if path == Path::new("-") {
+        io::read_to_string(io::stdin())
+    } else {
+        fs::read_to_string(path)
+    };
+    read.map_err(|source| Failure::Read { path: path.into(), source })
 }
 
 /// The theories of these names for a case, its own where there are none; says when the options of
@@ -41,4 +48,10 @@ pub(crate) fn theories(names: &[String], case: &Case) -> Result<Vec<TheorySpec>,
         say(&format!("note: the options in [solve] are those of {own}, and have no effect"));
     }
     Ok(theories)
+}
+
+/// The table of creep force of a file.
+pub(crate) fn read_table(path: &Path) -> Result<Table, Failure> {
+    let bytes = fs::read(path).map_err(|source| Failure::Read { path: path.into(), source })?;
+    Table::from_bytes(bytes).map_err(|source| Failure::Table { path: path.into(), source })
 }

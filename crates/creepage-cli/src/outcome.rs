@@ -8,3 +8,10 @@ pub(crate) enum Outcome {
     /// Some of it says of itself that it cannot be used.
     Doubtful,
 }
+
+impl Outcome {
+    /// That of two works together.
+    pub(crate) fn or(self, other: Self) -> Self {
+        if self == Self::Done { other } else { self }
+    }
+}

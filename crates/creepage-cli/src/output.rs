@@ -2,9 +2,11 @@
 
 use std::io::{self, Write};
 use std::path::PathBuf;
+use std::sync::atomic::{AtomicBool, Ordering};
 
+use clap::builder::Styles;
 use creepage_study::ReportError;
-use indicatif::ProgressStyle;
+use indicatif::{HumanDuration, ProgressBar, ProgressState, ProgressStyle};
 use serde::Serialize;
 
 use crate::failure::Failure;
@@ -24,9 +26,30 @@ pub(crate) fn to_json(data: &impl Serialize) -> Result<String, Failure> {
     serde_json::to_string_pretty(data).map_err(|error| ReportError::from(error).into())
 }
 
+/// Whether `--quiet` was given: set once, before the work.
+static QUIET: AtomicBool = AtomicBool::new(false);
+
+/// Says nothing but errors from here on.
+pub(crate) fn be_quiet() {
+    QUIET.store(true, Ordering::Relaxed);
+}
+
+pub(crate) fn is_quiet() -> bool {
+    QUIET.load(Ordering::Relaxed)
+}
+
 /// Tells the user something; a closed standard error is no reason to stop.
 pub(crate) fn say(words: &str) {
-    let _ = writeln!(io::stderr().lock(), "{words}");
+    if !is_quiet() {
+        let _ = writeln!(io::stderr().lock(), "{words}");
+    }
+}
+
+/// Tells the user what went wrong, in the colours of wrong command lines.
+pub(crate) fn complain(words: &str) {
+    let styles = Styles::styled();
+    let red = styles.get_error();
+    let _ = writeln!(anstream::stderr().lock(), "{red}error:{red:#} {words}");
 }
 
 /// Tells which files were written.
@@ -36,7 +59,24 @@ pub(crate) fn say_written(paths: &[PathBuf]) {
     }
 }
 
-/// How a bar looks that shows progress on a terminal.
+/// A bar over so many steps, on a terminal only.
+pub(crate) fn bar(steps: u64, template: &str) -> ProgressBar {
+    if is_quiet() {
+        return ProgressBar::hidden();
+    }
+    ProgressBar::new(steps).with_style(bar_style(template))
+}
+
+/// How a bar looks that shows progress on a terminal; `{left}` is the time left, once there is
+/// progress to tell it by.
 pub(crate) fn bar_style(template: &str) -> ProgressStyle {
-    ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_bar())
+    let left = |state: &ProgressState, text: &mut dyn std::fmt::Write| {
+        if state.pos() > 0 {
+            // A bar that cannot be drawn is no failure.
+            let _ = write!(text, "{:#} left", HumanDuration(state.eta()));
+        }
+    };
+    ProgressStyle::with_template(template)
+        .unwrap_or_else(|_| ProgressStyle::default_bar())
+        .with_key("left", left)
 }

@@ -3,12 +3,12 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use creepage_rail::Role;
 use creepage_rail::file::{Format, Reading, Wanted, read, write};
+use creepage_rail::{Role, Side};
 use creepage_study::{profile_pictures, write_all};
 use serde_json::{Value, json};
 
-use crate::args::{ProfileArgs, ProfileFormat};
+use crate::args::{LateralSense, ProfileArgs, ProfileFormat, RoleName, SideName, UprightSense};
 use crate::failure::Failure;
 use crate::output::{print, say_written, to_json};
 
@@ -20,7 +20,7 @@ pub(crate) fn run(args: &ProfileArgs) -> Result<(), Failure> {
     let readings: Vec<(&Path, Reading)> = args
         .files
         .iter()
-        .map(|path| Ok((path.as_path(), reading(path)?)))
+        .map(|path| Ok((path.as_path(), reading(path, &args.wanted())?)))
         .collect::<Result<_, Failure>>()?;
     if let Some(directory) = &args.out {
         for (path, reading) in &readings {
@@ -35,9 +35,9 @@ pub(crate) fn run(args: &ProfileArgs) -> Result<(), Failure> {
     print(&texts.join("\n"))
 }
 
-fn reading(path: &Path) -> Result<Reading, Failure> {
+fn reading(path: &Path, wanted: &Wanted) -> Result<Reading, Failure> {
     let content = fs::read(path).map_err(|source| Failure::Read { path: path.into(), source })?;
-    read(&path.to_string_lossy(), &content, &Wanted::default())
+    read(&path.to_string_lossy(), &content, wanted)
         .map_err(|source| Failure::Profile { path: path.into(), source })
 }
 
@@ -99,6 +99,27 @@ fn facts(path: &Path, reading: &Reading) -> Value {
         "length_m": reading.profile.curve().length(),
         "actions": actions,
     })
+}
+
+impl ProfileArgs {
+    /// What is asked for in place of what would be found.
+    fn wanted(&self) -> Wanted {
+        Wanted {
+            format: None,
+            role: self.role.map(|role| match role {
+                RoleName::Wheel => Role::Wheel,
+                RoleName::Rail => Role::Rail,
+            }),
+            side: self.side.map(|side| match side {
+                SideName::Left => Side::Left,
+                SideName::Right => Side::Right,
+            }),
+            unit: self.unit,
+            field_side: self.y.map(|sense| sense == LateralSense::FieldSide),
+            down: self.z.map(|sense| sense == UprightSense::Down),
+            smoothing: self.smooth,
+        }
+    }
 }
 
 impl From<ProfileFormat> for Format {

@@ -1,7 +1,7 @@
 //! `creepage stresses`: stresses inside a body.
 
 use creepage::Status;
-use creepage_study::{StressPoint, Stresses, read_points, solve, stress_csv};
+use creepage_study::{StressFileError, StressPoint, Stresses, read_points, solve, stress_csv};
 
 use crate::args::{BodyName, StressesArgs};
 use crate::failure::Failure;
@@ -16,9 +16,11 @@ pub(crate) fn run(args: &StressesArgs) -> Result<Outcome, Failure> {
     let failed = |source| Failure::Stresses { path: args.case.clone(), source };
     let asked = points.map(|points| stresses.at(&points)).transpose().map_err(failed)?;
     if let Some(directory) = &args.out {
-        let section = stresses.section().map_err(failed)?;
-        let points = asked.as_ref().unwrap_or(&section);
-        say_written(&stresses.write(directory, points, &section)?);
+        let written = stresses.write(directory, asked.as_deref()).map_err(|error| match error {
+            StressFileError::Report(error) => error.into(),
+            StressFileError::Stress(source) => failed(source),
+        })?;
+        say_written(&written);
     }
     match &asked {
         Some(points) if args.json => print(&to_json(&stresses.json("points", points))?)?,

@@ -15,7 +15,7 @@ use crate::args::{SeriesFormat, SweepArgs};
 use crate::failure::Failure;
 use crate::input::read_text;
 use crate::outcome::Outcome;
-use crate::output::{bar_style, say};
+use crate::output::{self, say};
 
 pub(crate) fn run(args: &SweepArgs) -> Result<Outcome, Failure> {
     let path = &args.sweep;
@@ -117,8 +117,8 @@ fn bar(sweep: &Sweep, run: &SweepRun) -> ProgressBar {
     if run.resumed() {
         say("going on with the sweep that was interrupted");
     }
-    let style = bar_style("{wide_bar} {pos}/{len} cases  {per_sec}  {eta} left");
-    let bar = ProgressBar::new(sweep.cases() as u64).with_style(style);
+    let style = "{wide_bar} {pos}/{len} cases  {per_sec}  {left}";
+    let bar = output::bar(sweep.cases() as u64, style);
     bar.enable_steady_tick(Duration::from_millis(200));
     bar
 }

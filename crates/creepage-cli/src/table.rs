@@ -1,15 +1,18 @@
 //! `creepage table`: tables of creep force, built once and looked up.
 
 use std::fmt::Write;
-use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use clap::{Args, Subcommand};
 use creepage::table::{Axis, Spread, Table};
 use creepage::{Creepage, Force};
 use serde::Serialize;
 
+use crate::batch;
+use crate::batch_args::BatchArgs;
 use crate::failure::Failure;
+use crate::input::read_table;
+use crate::outcome::Outcome;
 use crate::output::{print, to_json};
 use crate::table_build::{self, BuildArgs};
 
@@ -55,6 +58,14 @@ struct EvalArgs {
     /// Print JSON.
     #[arg(long)]
     json: bool,
+    /// CSV file of many look-ups, or - for standard input: columns xi, eta, chi, and `a_over_b` and
+    /// poisson unless the table has but one. Appended are the columns of `batch`.
+    #[arg(long = "in", value_name = "FILE", conflicts_with_all =
+          ["xi", "eta", "chi", "a_over_b", "poisson", "json"])]
+    input: Option<PathBuf>,
+    /// CSV file for the forces of many look-ups; standard output if not given.
+    #[arg(long, value_name = "FILE", requires = "input")]
+    out: Option<PathBuf>,
 }
 
 #[derive(Debug, Args)]
@@ -67,20 +78,20 @@ struct InfoArgs {
     json: bool,
 }
 
-pub(crate) fn run(args: &TableArgs) -> Result<(), Failure> {
+pub(crate) fn run(args: &TableArgs) -> Result<Outcome, Failure> {
     match &args.command {
-        TableCommand::Build(args) => table_build::run(args),
-        TableCommand::Eval(args) => eval(args),
+        TableCommand::Build(args) => table_build::run(args)?,
+        TableCommand::Eval(EvalArgs { table, input: Some(input), out, .. }) => {
+            let (table, input, out) = (Some(table.clone()), Some(input.clone()), out.clone());
+            return batch::run(&BatchArgs { table, input, out, ..BatchArgs::default() });
+        }
+        TableCommand::Eval(args) => eval(args)?,
         TableCommand::Info(args) => {
-            let info = Info::of(&read(&args.table)?);
-            print(&if args.json { to_json(&info)? } else { info.text() })
+            let info = Info::of(&read_table(&args.table)?);
+            print(&if args.json { to_json(&info)? } else { info.text() })?;
         }
     }
-}
-
-fn read(path: &Path) -> Result<Table, Failure> {
-    let bytes = fs::read(path).map_err(|source| Failure::Read { path: path.into(), source })?;
-    Table::from_bytes(bytes).map_err(|source| Failure::Table { path: path.into(), source })
+    Ok(Outcome::Done)
 }
 
 /// One look-up.
@@ -103,13 +114,14 @@ struct Found {
 }
 
 fn eval(args: &EvalArgs) -> Result<(), Failure> {
-    let table = read(&args.table)?;
+    let table = read_table(&args.table)?;
     // Without a value the first node serves, if it is the only one.
-    let value = |given: Option<f64>, axis: Axis| {
-        given.unwrap_or(if axis.nodes == 1 { axis.low } else { f64::NAN })
+    let value = |option, given: Option<f64>, Axis { low, high, nodes }: Axis| {
+        let only = given.or((nodes == 1).then_some(low));
+        only.ok_or(Failure::Needed { option, low, high })
     };
-    let a_over_b = value(args.a_over_b, table.a_over_b());
-    let poisson = value(args.poisson, table.poisson());
+    let a_over_b = value("--a-over-b", args.a_over_b, table.a_over_b())?;
+    let poisson = value("--poisson", args.poisson, table.poisson())?;
     let creepage = Creepage::new(args.xi, args.eta, args.chi)?;
     let (force, derivative) = table.at(a_over_b, poisson)?.force_and_derivative(creepage);
     let ([xi, eta, chi], Force { fx, fy, mz }) = (creepage.components(), force);

@@ -6,22 +6,24 @@ use std::time::Duration;
 
 use creepage::TheorySpec;
 use creepage::table::{Axis, Intervals, Provenance, Spec, build};
-use creepage::theory::{ExactOptions, NamedResolution, ResolutionSpec};
-use creepage_study::WholeFile;
-use indicatif::{ProgressBar, ProgressStyle};
+use creepage_study::{WholeFile, theory_spec};
+use indicatif::ProgressBar;
 
 use crate::failure::Failure;
-use crate::output::say;
+use crate::output::{self, say};
 
 #[derive(Debug, clap::Args)]
 pub(crate) struct BuildArgs {
     /// Theory; `creepage theories` lists them. It must be linear near zero and bounded.
     #[arg(long, value_name = "NAME", default_value = "exact")]
     theory: String,
-    /// Elements of the theory `exact`. The ripple of coarse elements under strong spin is most of
-    /// a table's error.
-    #[arg(long, default_value = "fine")]
-    resolution: Elements,
+    /// Elements of the theory `exact`, by default fine ones: the ripple of coarse elements under
+    /// strong spin is most of a table's error.
+    #[arg(long)]
+    resolution: Option<Elements>,
+    /// Option of the theory, as in [solve] of a case file: grid=[20,20]; may be given several times.
+    #[arg(long = "option", value_name = "KEY=VALUE")]
+    options: Vec<String>,
     /// Ratio of the contact's semi-axes, along over across the rolling direction; or the first
     /// and the last of a range, as 0.2,5.
     #[arg(long, value_name = "RATIO[,RATIO]", default_value = "1", value_parser = numbers,
@@ -59,12 +61,13 @@ enum Elements {
 }
 
 pub(crate) fn run(args: &BuildArgs) -> Result<(), Failure> {
-    let theory = theory(args)?;
+    let options = options(args)?;
+    let theory = theory_spec(&args.theory, &options).map_err(Failure::Option)?;
     let name = theory.facts().name;
     let failed = |source| Failure::writing(Some(&args.out), source);
     // A wrong place is reported before the work.
     let mut file = WholeFile::create(&args.out).map_err(failed)?;
-    let spec = spec(args, &theory);
+    let spec = spec(args, &theory, &options);
     let bar = bar(&spec);
     let table = build(&spec, |contact| theory.prepare(contact), &|| bar.inc(1));
     bar.finish_and_clear();
@@ -81,12 +84,7 @@ pub(crate) fn run(args: &BuildArgs) -> Result<(), Failure> {
     Ok(())
 }
 
-fn spec(args: &BuildArgs, theory: &TheorySpec) -> Spec {
-    let options = if matches!(theory, TheorySpec::Exact(_)) {
-        format!("resolution = {:?}", args.resolution).to_lowercase()
-    } else {
-        String::new()
-    };
+fn spec(args: &BuildArgs, theory: &TheorySpec, options: &[String]) -> Spec {
     Spec {
         a_over_b: axis(args.a_over_b, args.shapes),
         poisson: axis(args.poisson, args.materials),
@@ -94,7 +92,7 @@ fn spec(args: &BuildArgs, theory: &TheorySpec) -> Spec {
         places: args.places,
         provenance: Provenance {
             theory: theory.facts().name.into(),
-            options,
+            options: options.join(", "),
             program: format!("creepage {}", env!("CARGO_PKG_VERSION")),
         },
     }
@@ -124,24 +122,26 @@ fn axis((first, last): Numbers, nodes: usize) -> Axis {
     last.map_or(Axis::fixed(first), |last| Axis { low: first, high: last, nodes })
 }
 
-/// The theory that fills the table.
-fn theory(args: &BuildArgs) -> Result<TheorySpec, Failure> {
-    let resolution = ResolutionSpec::Named(match args.resolution {
-        Elements::Fast => NamedResolution::Fast,
-        Elements::Standard => NamedResolution::Standard,
-        Elements::Fine => NamedResolution::Fine,
-    });
-    Ok(match TheorySpec::named(&args.theory)? {
-        TheorySpec::Exact(usual) => TheorySpec::Exact(ExactOptions { resolution, ..usual }),
-        other => other,
-    })
+/// The options of the theory that fills the table, each `key = value`.
+fn options(args: &BuildArgs) -> Result<Vec<String>, Failure> {
+    let spaced = |option: &String| match option.split_once('=') {
+        Some((key, value)) => format!("{} = {}", key.trim(), value.trim()),
+        None => option.clone(),
+    };
+    let mut options: Vec<_> = args.options.iter().map(spaced).collect();
+    let is_given = options.iter().any(|option| option.starts_with("resolution ="));
+    let is_exact = matches!(TheorySpec::named(&args.theory)?, TheorySpec::Exact(_));
+    if let Some(elements) = args.resolution {
+        options.push(format!("resolution = {elements:?}").to_lowercase());
+    } else if is_exact && !is_given {
+        options.push("resolution = fine".into());
+    }
+    Ok(options)
 }
 
 /// Lines of nodes done and the time left; on a terminal only.
 fn bar(spec: &Spec) -> ProgressBar {
-    let style = ProgressStyle::with_template("{wide_bar} {percent:>3} %  {eta} left");
-    let bar = ProgressBar::new(spec.steps() as u64)
-        .with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
+    let bar = output::bar(spec.steps() as u64, "{wide_bar} {percent:>3} %  {left}");
     bar.enable_steady_tick(Duration::from_millis(200));
     bar
 }

@@ -1,10 +1,11 @@
 /*
- * The C interface at work: a case file, one theory over many creepages, the full theory with
- * error bars and derivatives, a table.
+ * The C interface at work: a case file, a history in SI units, Hertz, one theory over many
+ * creepages, the full theory with error bars and derivatives, a table.
  *
  *   cc creep_force.c $(pkg-config --cflags --libs creepage) -o creep_force
- *   ./creep_force CASE.toml [TABLE.nc]
+ *   ./creep_force CASE.toml [TABLE.nc [CASE.toml]]
  */
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -41,6 +42,32 @@ static void case_file(const char *path)
     print("creepage", creepage, 3);
     print("case", force, 3);
     printf("status %d\n", (int)status);
+}
+
+/* A history: creepages, spin and normal force of their own in each case, the rest as in the file. */
+static void history(const char *path)
+{
+    CreepageCase *made;
+    const double values[] = {-1e-3, 5e-4, 0.1, 70e3, /* longitudinal, lateral, spin, normal force */
+                             -2e-3, 0.0,  0.2, 90e3};
+    double forces[6], powers[4];
+    int32_t statuses[2];
+    check(creepage_case_new(path, "fastsim", &made, message, sizeof message));
+    check(creepage_case_force(made, NULL, "longitudinal,lateral,spin,normal_force", 2, values, forces,
+                              NULL, NULL, powers, statuses, message, sizeof message));
+    creepage_case_free(made);
+    print("history", forces, 6);
+    print("power", powers, 4);
+    printf("statuses %d %d\n", (int)statuses[0], (int)statuses[1]);
+}
+
+/* The contact ellipse of a wheel on a rail, and its pressure. */
+static void hertz(void)
+{
+    const double wheel[4] = {82e9, 0.28, 0.46, HUGE_VAL}, rail[4] = {82e9, 0.28, HUGE_VAL, 0.30};
+    double contact[9];
+    check(creepage_hertz(wheel, rail, 0.0, 80e3, contact, NULL, message, sizeof message));
+    print("hertz", contact, 9);
 }
 
 /* A creep-force curve by FASTSIM: many cases in one call. */
@@ -103,15 +130,21 @@ static void mistake(void)
 int main(int count, char **arguments)
 {
     if (count < 2) {
-        fprintf(stderr, "usage: creep_force CASE.toml [TABLE.nc]\n");
+        fprintf(stderr, "usage: creep_force CASE.toml [TABLE.nc [CASE.toml]]\n");
         return 2;
     }
     printf("version %s\n", creepage_version());
+#if CREEPAGE_VERSION_MAJOR == 0 && CREEPAGE_VERSION_MINOR < 1
+#error "a later creepage.h is needed"
+#endif
     case_file(arguments[1]);
+    hertz();
     curve();
     exact();
     if (count > 2)
         table(arguments[2]);
+    if (count > 3)
+        history(arguments[3]);
     mistake();
     return 0;
 }

@@ -28,6 +28,21 @@
 #include <stdint.h>
 
 /*
+ The version of this header: major, minor, patch. That of the library is creepage_version().
+ */
+#define CREEPAGE_VERSION_MAJOR 0
+
+/*
+ See CREEPAGE_VERSION_MAJOR.
+ */
+#define CREEPAGE_VERSION_MINOR 1
+
+/*
+ See CREEPAGE_VERSION_MAJOR.
+ */
+#define CREEPAGE_VERSION_PATCH 0
+
+/*
  Done.
  */
 #define CREEPAGE_OK 0
@@ -73,6 +88,21 @@
 #define CREEPAGE_NOT_REACHABLE 8
 
 /*
+ The surfaces stick.
+ */
+#define CREEPAGE_ADHESION 0
+
+/*
+ The surfaces slip.
+ */
+#define CREEPAGE_SLIP 1
+
+/*
+ Outside the contact.
+ */
+#define CREEPAGE_OUTSIDE 2
+
+/*
  The theory's equations are solved.
  */
 #define CREEPAGE_SOLVED 0
@@ -108,6 +138,22 @@
 #define CREEPAGE_ACCURACY_NOT_REACHED 6
 
 /*
+ Solved, but a number looks like one in another unit: the contact is too large for its bodies, the
+ pressure above the shear modulus, or a creepage above 0.3.
+ */
+#define CREEPAGE_CHECK_UNITS 7
+
+/*
+ The values are no case, such as NaN; their numbers are NaN.
+ */
+#define CREEPAGE_NO_CASE 8
+
+/*
+ A case file, read and checked.
+ */
+typedef struct CreepageCase CreepageCase;
+
+/*
  A table of creep force, as `creepage table build` makes it.
  */
 typedef struct CreepageTable CreepageTable;
@@ -125,6 +171,71 @@ extern "C" {
  The version of the library, as "0.1.0"; the text is the library's own.
  */
 const char *creepage_version(void);
+
+/*
+ Reads a case file and keeps it.
+
+ path: the file, in TOML; or the text of one, if it has a line break.
+ theory: the theory to use, with its usual options unless it is the file's own; NULL for the
+   file's own.
+ made: becomes the handle, to be freed with creepage_case_free; NULL if the call fails.
+
+ You promise:
+ Texts end with a zero byte; made and message point to as much room as said.
+ */
+int32_t creepage_case_new(const char *path,
+                          const char *theory,
+                          struct CreepageCase **made,
+                          char *message,
+                          size_t message_size);
+
+/*
+ Frees a case. NULL is left alone.
+
+ You promise:
+ made is NULL, or of creepage_case_new, and not used again.
+ */
+void creepage_case_free(struct CreepageCase *made);
+
+/*
+ Forces in SI units of many cases that differ from the one of a file in some quantities, such as
+ a measured history; one after the other.
+
+ table: the table by which to look forces up; NULL for the case's theory.
+ quantities: what differs, by names with commas: longitudinal, lateral, spin (rad/m),
+   normal_force (N), friction, upper_radius_rolling, upper_radius_lateral,
+   lower_radius_rolling, lower_radius_lateral, semi_axis_rolling, semi_axis_lateral (m), speed
+   (m/s). A radius is infinite where the body is flat.
+ count: number of cases.
+ values: count times as many numbers as there are quantities, those of a case together.
+ forces: room for 3 count numbers, those of the upper body on the lower: longitudinal (N), lateral
+   (N), moment (N m).
+ dimensionless: room for 3 count numbers, f_x, f_y, m_z (1); or NULL.
+ errors: room for 3 count numbers, the error bars of f_x, f_y, m_z (1); or NULL.
+ powers: room for 2 count numbers, the energy turned to heat per metre rolled (J/m) and the
+   frictional power (W), which is NaN without a speed; or NULL.
+ statuses: room for count numbers, CREEPAGE_SOLVED and so on; or NULL.
+
+ Values that are no case, such as NaN, have NaN for numbers and the status CREEPAGE_NO_CASE; the
+ others are solved, the call does not fail, and message says what is wrong with the first.
+ CREEPAGE_UNSUPPORTED where errors are not NULL and there are no error bars.
+
+ You promise:
+ Handles are alive; quantities ends with a zero byte; arrays and message point to as much room as
+ said.
+ */
+int32_t creepage_case_force(const struct CreepageCase *made,
+                            const struct CreepageTable *table,
+                            const char *quantities,
+                            size_t count,
+                            const double *values,
+                            double *forces,
+                            double *dimensionless,
+                            double *errors,
+                            double *powers,
+                            int32_t *statuses,
+                            char *message,
+                            size_t message_size);
 
 /*
  Solves a case file: creepages to forces, or with a section `wanted` forces to creepages.
@@ -155,6 +266,57 @@ int32_t creepage_case_solve(const char *path,
                             size_t message_size);
 
 /*
+ The contact ellipse of two bodies and its pressure, by Hertz.
+
+ upper, lower: 4 numbers each: shear modulus (Pa), Poisson's ratio (1), radii of curvature along and
+   across the rolling direction (m), positive where convex, negative where hollow, infinite where
+   flat.
+ angle: from the upper body's rolling section to the lower's (degrees).
+ normal_force: N (N).
+ contact: room for 9 numbers: semi-axes along and across (m), peak pressure (Pa), approach (m),
+   curvature length rho (m), angle from the upper body's rolling direction to the first semi-axis
+   (degrees), combined shear modulus (Pa), combined Poisson's ratio (1), kappa (1).
+ status: room for one number, CREEPAGE_SOLVED, or CREEPAGE_CHECK_UNITS where a number looks like one
+   in another unit; or NULL.
+
+ You promise:
+ Arrays and message point to as much room as said.
+ */
+int32_t creepage_hertz(const double *upper,
+                       const double *lower,
+                       double angle,
+                       double normal_force,
+                       double *contact,
+                       int32_t *status,
+                       char *message,
+                       size_t message_size);
+
+/*
+ Pressure, traction and slip in the contact of a case, in SI units.
+
+ count: number of positions.
+ positions: 2 count numbers, x and y of each from the middle of the contact (m).
+ pressures: room for count numbers (Pa); or NULL.
+ tractions: room for 2 count numbers, along and across, of the upper body on the lower (Pa); or
+   NULL.
+ slips: room for 2 count numbers, velocity of the upper body relative to the lower over the rolling
+   velocity (1), NaN where the theory does not give it; or NULL.
+ regions: room for count numbers, CREEPAGE_ADHESION, CREEPAGE_SLIP, CREEPAGE_OUTSIDE; or NULL.
+
+ You promise:
+ The handle is alive; arrays and message point to as much room as said.
+ */
+int32_t creepage_case_field(const struct CreepageCase *made,
+                            size_t count,
+                            const double *positions,
+                            double *pressures,
+                            double *tractions,
+                            double *slips,
+                            int32_t *regions,
+                            char *message,
+                            size_t message_size);
+
+/*
  Reads a table.
 
  path: the file.
@@ -169,10 +331,49 @@ int32_t creepage_table_read(const char *path,
                             size_t message_size);
 
 /*
+ Builds a table of a theory, on all cores, and measures its error.
+
+ theory, options: as of creepage_theory_new.
+ a_over_b: 2 numbers, the first and the last ratio of the semi-axes (1); the same for one only.
+ shapes: number of ratios, in equal steps of their logarithm; 1 for one only.
+ poisson: 2 numbers, the first and the last of Poisson's ratios (1).
+ materials: number of Poisson's ratios; 1 for one only.
+ intervals: 3 numbers, along theta, phi (even) and t; NULL for the usual 20, 16, 48.
+ places: at how many random places the error is measured, and at about as many where the force bends
+   most; 500 is usual.
+ table: becomes the handle, to be freed with creepage_table_free; NULL if the call fails.
+
+ You promise:
+ Texts end with a zero byte; arrays, table and message point to as much room as said.
+ */
+int32_t creepage_table_build(const char *theory,
+                             const char *options,
+                             const double *a_over_b,
+                             size_t shapes,
+                             const double *poisson,
+                             size_t materials,
+                             const size_t *intervals,
+                             size_t places,
+                             struct CreepageTable **table,
+                             char *message,
+                             size_t message_size);
+
+/*
+ Writes a table to a file, which appears when it is whole.
+
+ You promise:
+ The handle is alive; path ends with a zero byte; message points to as much room as said.
+ */
+int32_t creepage_table_write(const struct CreepageTable *table,
+                             const char *path,
+                             char *message,
+                             size_t message_size);
+
+/*
  Frees a table. NULL is left alone.
 
  You promise:
- table is NULL, or of creepage_table_read, and not used again.
+ table is NULL, or of creepage_table_read or creepage_table_build, and not used again.
  */
 void creepage_table_free(struct CreepageTable *table);
 

@@ -5,10 +5,10 @@ use std::io;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::PathBuf;
 
-use creepage::InvalidValue;
-use creepage::table::FileError;
+use creepage::table::{BuildError, FileError};
 use creepage::theory::{TheoryError, UnknownTheory};
-use creepage_study::{CaseError, SolveError, SpecError};
+use creepage::{HertzError, InvalidValue};
+use creepage_study::{CaseError, RowError, SolveError, SpecError, Varied};
 
 /// Done.
 pub const CREEPAGE_OK: i32 = 0;
@@ -60,6 +60,19 @@ pub(crate) enum Failure {
     NoErrorBars(&'static str),
     #[error("the theory {0} has no derivative")]
     NoDerivative(&'static str),
+    #[error(transparent)]
+    Hertz(HertzError),
+    #[error("{0}")]
+    Bulk(RowError),
+    #[error(
+        "`{name}` is not a quantity that varies: there are {}",
+        Varied::ALL.map(Varied::name).join(", ")
+    )]
+    Quantity { name: String },
+    #[error("no table of {theory}: {source}")]
+    Build { theory: &'static str, source: BuildError<TheoryError> },
+    #[error("cannot write {}: {source}", path.display())]
+    Write { path: PathBuf, source: io::Error },
 }
 
 impl Failure {
@@ -67,18 +80,27 @@ impl Failure {
         match self {
             Self::Null(_) => CREEPAGE_NULL,
             Self::Text(_)
+            | Self::Quantity { .. }
             | Self::Unknown(_)
             | Self::Options(_)
-            | Self::Theory(TheoryError::AccuracyOfFixed) => CREEPAGE_TEXT,
-            Self::Read { .. } | Self::CaseFile { .. } | Self::Table { .. } => CREEPAGE_FILE,
+            | Self::Theory(TheoryError::AccuracyOfFixed | TheoryError::PrescribedOneWay) => {
+                CREEPAGE_TEXT
+            }
+            Self::Read { .. } | Self::Write { .. } | Self::CaseFile { .. } | Self::Table { .. } => {
+                CREEPAGE_FILE
+            }
             Self::Count(_) => CREEPAGE_COUNT,
             Self::NoErrorBars(_)
             | Self::NoDerivative(_)
             | Self::Solve { source: SolveError::FindsNothing { .. }, .. } => CREEPAGE_UNSUPPORTED,
             Self::Solve { source: SolveError::Unreachable(_), .. } => CREEPAGE_NOT_REACHABLE,
-            Self::Invalid(_) | Self::Case { .. } | Self::Theory(_) | Self::Solve { .. } => {
-                CREEPAGE_INVALID
-            }
+            Self::Invalid(_)
+            | Self::Case { .. }
+            | Self::Hertz(_)
+            | Self::Bulk(_)
+            | Self::Build { .. }
+            | Self::Theory(_)
+            | Self::Solve { .. } => CREEPAGE_INVALID,
         }
     }
 }
@@ -101,9 +123,22 @@ pub(crate) unsafe fn guard(
     size: usize,
     work: impl FnOnce() -> Result<(), Failure>,
 ) -> i32 {
+    // SAFETY: the caller's promise is ours.
+    unsafe { guard_words(message, size, || work().map(|()| String::new())) }
+}
+
+/// The same for work that ends with words.
+///
+/// # Safety
+/// As of [`guard`].
+pub(crate) unsafe fn guard_words(
+    message: *mut c_char,
+    size: usize,
+    work: impl FnOnce() -> Result<String, Failure>,
+) -> i32 {
     // What a panic may leave half-done is the caller's arrays only.
     let (code, words) = match catch_unwind(AssertUnwindSafe(work)) {
-        Ok(Ok(())) => (CREEPAGE_OK, String::new()),
+        Ok(Ok(words)) => (CREEPAGE_OK, words),
         Ok(Err(failure)) => (failure.code(), failure.to_string()),
         Err(_) => (CREEPAGE_DEFECT, "a defect of the library: please report it".into()),
     };

@@ -66,6 +66,25 @@ pub(crate) unsafe fn release<T>(handle: *mut T) {
     }
 }
 
+/// An array to read from, of `width` numbers a case.
+///
+/// # Safety
+/// `array` is NULL or points to `count * width` numbers that stay as they are while it is used.
+pub(crate) unsafe fn array<'a>(
+    name: &'static str,
+    array: *const f64,
+    count: usize,
+    width: usize,
+) -> Result<&'a [f64], Failure> {
+    let length = count.checked_mul(width).ok_or(Failure::Count(count))?;
+    fits::<f64>(length).map_err(|_| Failure::Count(count))?;
+    if array.is_null() {
+        return Err(Failure::Null(name));
+    }
+    // SAFETY: not NULL, of a size that can be, and the caller promises the rest.
+    Ok(unsafe { slice::from_raw_parts(array, length) })
+}
+
 /// An array to write to, of `W` elements a case.
 ///
 /// # Safety

@@ -4,8 +4,10 @@
 //! `install.sh` builds the libraries and puts them, the header and a file for pkg-config in place.
 //! Handles are opaque and may be shared between threads; nothing is global; no panic gets out.
 
+mod bulk;
 mod case;
 mod failure;
+mod hertz;
 mod input;
 mod status;
 mod table;
@@ -13,22 +15,37 @@ mod theory;
 
 use std::ffi::c_char;
 
+pub use bulk::{CreepageCase, creepage_case_force, creepage_case_free, creepage_case_new};
 pub use case::creepage_case_solve;
 pub use failure::{
     CREEPAGE_COUNT, CREEPAGE_DEFECT, CREEPAGE_FILE, CREEPAGE_INVALID, CREEPAGE_NOT_REACHABLE,
     CREEPAGE_NULL, CREEPAGE_OK, CREEPAGE_TEXT, CREEPAGE_UNSUPPORTED,
 };
+pub use hertz::{
+    CREEPAGE_ADHESION, CREEPAGE_OUTSIDE, CREEPAGE_SLIP, creepage_case_field, creepage_hertz,
+};
 pub use status::{
-    CREEPAGE_ACCURACY_NOT_REACHED, CREEPAGE_CREEPAGE_TOO_SMALL, CREEPAGE_DOUBTFUL,
-    CREEPAGE_NOT_CONVERGED, CREEPAGE_SOLVED, CREEPAGE_SPIN_TOO_LARGE, CREEPAGE_UNLIKE_BODIES,
+    CREEPAGE_ACCURACY_NOT_REACHED, CREEPAGE_CHECK_UNITS, CREEPAGE_CREEPAGE_TOO_SMALL,
+    CREEPAGE_DOUBTFUL, CREEPAGE_NO_CASE, CREEPAGE_NOT_CONVERGED, CREEPAGE_SOLVED,
+    CREEPAGE_SPIN_TOO_LARGE, CREEPAGE_UNLIKE_BODIES,
 };
 pub use table::{
-    CreepageTable, creepage_table_error, creepage_table_force, creepage_table_free,
-    creepage_table_read,
+    CreepageTable, creepage_table_build, creepage_table_error, creepage_table_force,
+    creepage_table_free, creepage_table_read, creepage_table_write,
 };
 pub use theory::{
     CreepageTheory, creepage_theory_force, creepage_theory_free, creepage_theory_new,
 };
+
+#[allow(clippy::doc_markdown)] // the words are for C
+/// The version of this header: major, minor, patch. That of the library is creepage_version().
+pub const CREEPAGE_VERSION_MAJOR: i32 = 0;
+/// See CREEPAGE_VERSION_MAJOR.
+#[allow(clippy::doc_markdown)] // the words are for C
+pub const CREEPAGE_VERSION_MINOR: i32 = 1;
+/// See CREEPAGE_VERSION_MAJOR.
+#[allow(clippy::doc_markdown)] // the words are for C
+pub const CREEPAGE_VERSION_PATCH: i32 = 0;
 
 /// The version of the library, as "0.1.0"; the text is the library's own.
 #[unsafe(no_mangle)]

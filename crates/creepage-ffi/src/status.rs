@@ -18,6 +18,12 @@ pub const CREEPAGE_UNLIKE_BODIES: i32 = 5;
 /// Solved, but the error bars of the force are larger than the accuracy that was asked for.
 pub const CREEPAGE_ACCURACY_NOT_REACHED: i32 = 6;
 
+/// Solved, but a number looks like one in another unit: the contact is too large for its bodies, the
+/// pressure above the shear modulus, or a creepage above 0.3.
+pub const CREEPAGE_CHECK_UNITS: i32 = 7;
+/// The values are no case, such as NaN; their numbers are NaN.
+pub const CREEPAGE_NO_CASE: i32 = 8;
+
 /// The first of what is to be held against a solution; there is one number for each case.
 pub(crate) fn status(cautions: &[Caution]) -> i32 {
     match cautions.first() {
@@ -25,8 +31,9 @@ pub(crate) fn status(cautions: &[Caution]) -> i32 {
         Some(Caution::Status(Status::NotConverged)) => CREEPAGE_NOT_CONVERGED,
         Some(Caution::Status(Status::CreepageTooSmall)) => CREEPAGE_CREEPAGE_TOO_SMALL,
         Some(Caution::Status(Status::SpinTooLarge)) => CREEPAGE_SPIN_TOO_LARGE,
-        Some(Caution::Dissimilar { .. }) => CREEPAGE_UNLIKE_BODIES,
+        Some(Caution::Dissimilar { .. } | Caution::OneWay { .. }) => CREEPAGE_UNLIKE_BODIES,
         Some(Caution::Accuracy { .. }) => CREEPAGE_ACCURACY_NOT_REACHED,
+        Some(caution) if caution.is_of_units() => CREEPAGE_CHECK_UNITS,
         Some(_) => CREEPAGE_DOUBTFUL,
     }
 }

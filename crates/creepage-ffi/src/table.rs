@@ -2,20 +2,24 @@
 
 use std::ffi::c_char;
 use std::fs;
+use std::io::Write;
 use std::path::Path;
+use std::sync::Arc;
 
-use creepage::table::Table;
+use creepage::table::{Axis, Intervals, Provenance, Spec, Table, build};
 use creepage::{Contact, Ellipse};
-use creepage_study::Caution;
+use creepage_study::{Caution, WholeFile, theory_spec};
 
 use crate::failure::{Failure, guard};
-use crate::input::{array_mut, cases, handle, optional, place, release, text};
+use crate::input::{
+    array, array_mut, cases, handle, optional, optional_text, place, release, text,
+};
 use crate::status::{CREEPAGE_SOLVED, CREEPAGE_UNLIKE_BODIES};
 
 /// A table of creep force, as `creepage table build` makes it.
 #[derive(Debug)]
 pub struct CreepageTable {
-    table: Table,
+    pub(crate) table: Arc<Table>,
 }
 
 /// Reads a table.
@@ -41,8 +45,107 @@ pub unsafe extern "C" fn creepage_table_read(
         let bytes = fs::read(path).map_err(|source| Failure::Read { path: path.into(), source })?;
         let table = Table::from_bytes(bytes)
             .map_err(|source| Failure::Table { path: path.into(), source })?;
-        *place = Box::into_raw(Box::new(CreepageTable { table }));
+        *place = Box::into_raw(Box::new(CreepageTable { table: Arc::new(table) }));
         Ok(())
+    };
+    // SAFETY: as before.
+    unsafe { guard(message, message_size, work) }
+}
+
+/// Builds a table of a theory, on all cores, and measures its error.
+///
+/// theory, options: as of creepage_theory_new.
+/// a_over_b: 2 numbers, the first and the last ratio of the semi-axes (1); the same for one only.
+/// shapes: number of ratios, in equal steps of their logarithm; 1 for one only.
+/// poisson: 2 numbers, the first and the last of Poisson's ratios (1).
+/// materials: number of Poisson's ratios; 1 for one only.
+/// intervals: 3 numbers, along theta, phi (even) and t; NULL for the usual 20, 16, 48.
+/// places: at how many random places the error is measured, and at about as many where the force bends
+///   most; 500 is usual.
+/// table: becomes the handle, to be freed with creepage_table_free; NULL if the call fails.
+///
+/// # Safety
+/// Texts end with a zero byte; arrays, table and message point to as much room as said.
+#[allow(clippy::doc_markdown)] // the words are for C
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn creepage_table_build(
+    theory: *const c_char,
+    options: *const c_char,
+    a_over_b: *const f64,
+    shapes: usize,
+    poisson: *const f64,
+    materials: usize,
+    intervals: *const usize,
+    places: usize,
+    table: *mut *mut CreepageTable,
+    message: *mut c_char,
+    message_size: usize,
+) -> i32 {
+    let work =
+        || {
+            // SAFETY: the caller's promise of the function's documentation, here and below.
+            let place = unsafe { place("table", table) }?;
+            // SAFETY: as before.
+            let name = unsafe { text("theory", theory) }?;
+            // SAFETY: as before.
+            let options = unsafe { optional_text("options", options) }?.unwrap_or_default();
+            // SAFETY: as before.
+            let (a_over_b, poisson) =
+                unsafe { (array("a_over_b", a_over_b, 1, 2)?, array("poisson", poisson, 1, 2)?) };
+            // SAFETY: as before; NULL is seen to.
+            let intervals = unsafe { intervals.cast::<[usize; 3]>().as_ref() };
+            let intervals = intervals
+                .map_or_else(Intervals::default, |&[theta, phi, t]| Intervals { theta, phi, t });
+            let theory = theory_spec(name, &[options])?;
+            let provenance = Provenance {
+                theory: theory.facts().name.into(),
+                options: options.into(),
+                program: format!("creepage {}", env!("CARGO_PKG_VERSION")),
+            };
+            let (a_over_b, poisson) = (axis(a_over_b, shapes), axis(poisson, materials));
+            let spec = Spec { a_over_b, poisson, intervals, places, provenance };
+            let built = build(&spec, |contact| theory.prepare(contact), &|| {});
+            let built =
+                built.map_err(|source| Failure::Build { theory: theory.facts().name, source })?;
+            *place = Box::into_raw(Box::new(CreepageTable { table: Arc::new(built) }));
+            Ok(())
+        };
+    // SAFETY: as before.
+    unsafe { guard(message, message_size, work) }
+}
+
+/// The nodes from the first to the last of two numbers.
+fn axis(ends: &[f64], nodes: usize) -> Axis {
+    let (low, high) = (ends.first(), ends.last());
+    let [low, high] = [low, high].map(|end| end.copied().unwrap_or(f64::NAN));
+    Axis { low, high, nodes }
+}
+
+/// Writes a table to a file, which appears when it is whole.
+///
+/// # Safety
+/// The handle is alive; path ends with a zero byte; message points to as much room as said.
+#[allow(clippy::doc_markdown)] // the words are for C
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn creepage_table_write(
+    table: *const CreepageTable,
+    path: *const c_char,
+    message: *mut c_char,
+    message_size: usize,
+) -> i32 {
+    let work = || {
+        // SAFETY: the caller's promise of the function's documentation, here and below.
+        let table = &unsafe { handle("table", table) }?.table;
+        // SAFETY: as before.
+        let path = Path::new(unsafe { text("path", path) }?);
+        let bytes =
+            table.to_bytes().map_err(|source| Failure::Table { path: path.into(), source })?;
+        let write = || {
+            let mut file = WholeFile::create(path)?;
+            file.write_all(&bytes)?;
+            file.finish()
+        };
+        write().map_err(|source| Failure::Write { path: path.into(), source })
     };
     // SAFETY: as before.
     unsafe { guard(message, message_size, work) }
@@ -51,7 +154,7 @@ pub unsafe extern "C" fn creepage_table_read(
 /// Frees a table. NULL is left alone.
 ///
 /// # Safety
-/// table is NULL, or of creepage_table_read, and not used again.
+/// table is NULL, or of creepage_table_read or creepage_table_build, and not used again.
 #[allow(clippy::doc_markdown)] // the words are for C
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn creepage_table_free(table: *mut CreepageTable) {

@@ -1,7 +1,7 @@
 //! The words above a picture.
 
+use crate::ink::Ink;
 use crate::label::Label;
-use crate::mark::Ink;
 use crate::scene::{Anchor, Scene, Type};
 use crate::theme::{DARK, GREY, MARGIN, RED};
 

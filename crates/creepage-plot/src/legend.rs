@@ -1,7 +1,8 @@
 //! The legend: what each line, mark and area stands for.
 
+use crate::ink::Ink;
 use crate::label::Label;
-use crate::mark::{Fill, Ink, Mark, Pen};
+use crate::mark::{Fill, Mark, Pen};
 use crate::scene::{Point, Scene, Type};
 use crate::theme::DARK;
 

@@ -27,6 +27,7 @@ mod contour;
 mod error;
 pub mod format;
 mod head;
+mod ink;
 mod label;
 mod layout;
 mod legend;

@@ -3,8 +3,9 @@
 use crate::axis::Axis;
 use crate::clip::{Frame, clip};
 use crate::contour::closed;
+use crate::ink::Ink;
 use crate::label::Label;
-use crate::mark::{Fill, Ink, Mark, Pen};
+use crate::mark::{Fill, Mark, Pen};
 use crate::scene::{Anchor, Point, Scene, Type};
 use crate::theme::{DARK, GREY, PALE};
 

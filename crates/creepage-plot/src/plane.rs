@@ -2,10 +2,10 @@
 
 use crate::clip::Frame;
 use crate::format::{round_below, significant};
+use crate::ink::Ink;
 use crate::label::Label;
 use crate::layout::drawn;
 use crate::legend::Sample;
-use crate::mark::Ink;
 use crate::panel::Panel;
 use crate::scene::{Point, Scene, Type};
 use crate::theme::{ARROW, DARK, GREY};

@@ -49,8 +49,8 @@ pub(crate) fn tree(svg: &str) -> Result<Tree, PlotError> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::ink::Ink;
     use crate::label::Label;
-    use crate::mark::Ink;
     use crate::scene::{Scene, Type};
 
     #[test]

@@ -3,8 +3,8 @@
 use std::fmt::Write as _;
 
 use crate::format::fixed;
+use crate::ink::Ink;
 use crate::label::Label;
-use crate::mark::Ink;
 use crate::raster::FONT_FAMILY;
 
 /// A place on the sheet with `y` downwards, or in units of a panel's axes.

@@ -1,7 +1,7 @@
 //! The table at the foot of a picture.
 
+use crate::ink::Ink;
 use crate::label::Label;
-use crate::mark::Ink;
 use crate::scene::{Scene, Type};
 use crate::theme::{DARK, GREY, MARGIN, PALE};
 

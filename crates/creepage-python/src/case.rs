@@ -1,9 +1,10 @@
 //! A case in SI units, from the text of a case file to its report.
 
+use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::PathBuf;
 
-use creepage::Creepage;
-use creepage_study::{Case, CaseFile, Caution, Given, hertz_json, solve};
+use creepage::{Creepage, SiCreepage};
+use creepage_study::{Case, CaseFile, Caution, Given, HertzReportJson, hertz_json, solve};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use serde::Serialize;
@@ -15,6 +16,7 @@ use crate::{errors, mesh, options, results};
 #[allow(missing_debug_implementations)] // Python has its own
 pub struct CaseData {
     text: String,
+    file: CaseFile,
     case: Case,
 }
 
@@ -32,11 +34,17 @@ fn json(value: &impl Serialize) -> PyResult<String> {
 /// The contact of a case file as JSON; needs neither friction nor creepage.
 #[pyfunction]
 pub(crate) fn hertz(py: Python, text: &str) -> PyResult<String> {
-    let contact = CaseFile::read(text).and_then(|file| file.hertz());
-    json(&hertz_json(&contact.map_err(|error| errors::case(py, error))?))
+    let file = CaseFile::read(text).map_err(|error| errors::case(py, error))?;
+    let contact = file.hertz().map_err(|error| errors::case(py, error))?;
+    let cautions = Caution::units(&contact, file.smallest_radius(), SiCreepage::default());
+    json(&HertzReportJson::new(&contact, &cautions))
 }
 
 impl CaseData {
+    pub(crate) fn file(&self) -> &CaseFile {
+        &self.file
+    }
+
     fn given(&self, py: Python) -> PyResult<Creepage> {
         self.case.creepage().map_err(|error| errors::case(py, error))
     }
@@ -46,13 +54,27 @@ impl CaseData {
 impl CaseData {
     #[new]
     fn new(py: Python, text: String) -> PyResult<Self> {
-        let case = CaseFile::read(&text).and_then(|file| file.case());
-        let case = case.map_err(|error| errors::case(py, error))?;
-        Ok(Self { text, case })
+        let wrong = |error| errors::case(py, error);
+        let file = CaseFile::read(&text).map_err(wrong)?;
+        let case = file.case().map_err(wrong)?;
+        Ok(Self { text, file, case })
     }
 
     fn __getnewargs__(&self) -> (&str,) {
         (&self.text,)
+    }
+
+    /// The same case, however its file is written.
+    fn __eq__(&self, other: &Bound<PyAny>) -> bool {
+        other.cast::<Self>().is_ok_and(|other| other.get().case == self.case)
+    }
+
+    fn __hash__(&self) -> u64 {
+        let contact = &self.case.contact;
+        let numbers = [contact.ellipse().ratio(), contact.poisson(), contact.scaling().force];
+        let mut hasher = DefaultHasher::new();
+        numbers.map(f64::to_bits).hash(&mut hasher);
+        hasher.finish()
     }
 
     /// The text.
@@ -125,6 +147,16 @@ impl CaseData {
     /// The section [solve] as JSON: the theory's name and its options.
     fn theory(&self) -> PyResult<String> {
         json(&self.case.theory)
+    }
+
+    /// What looks like a number in another unit, in words.
+    #[getter]
+    fn units_in_doubt(&self) -> Option<String> {
+        let case = &self.case;
+        let given = case.creepage().unwrap_or_default();
+        let creepage = case.contact.scaling().si_creepage(given);
+        let cautions = Caution::units(&case.hertz, case.smallest_radius, creepage);
+        (!cautions.is_empty()).then(|| Caution::words(&cautions))
     }
 
     /// What the theory of that name neglects in this case though it matters, in words.

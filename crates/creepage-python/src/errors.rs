@@ -86,6 +86,9 @@ pub(crate) fn theory(py: Python, error: TheoryError) -> PyErr {
     match error {
         TheoryError::Invalid(error) => invalid(py, error),
         TheoryError::Variational(error) => variational(py, error),
+        other @ TheoryError::PrescribedOneWay => {
+            exception(py, "InvalidOption", (other.to_string(), "prescribed"))
+        }
         other => exception(py, "InvalidOption", (other.to_string(), "accuracy")),
     }
 }

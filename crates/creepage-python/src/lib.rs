@@ -3,8 +3,10 @@
 //! `python/creepage` holds the rest: dataclasses, pictures, type stubs.
 
 mod batch;
+mod bulk;
 mod case;
 mod closed_forms;
+mod command;
 mod errors;
 mod exact;
 mod mesh;
@@ -23,9 +25,13 @@ mod theory;
 #[pyo3::pymodule]
 mod _creepage {
     #[pymodule_export]
+    use crate::bulk::{case_forces, row_forces};
+    #[pymodule_export]
     use crate::case::{CaseData, SolvedCase, hertz};
     #[pymodule_export]
     use crate::closed_forms::{carter, carter_field, coefficients, line_contact};
+    #[pymodule_export]
+    use crate::command::command;
     #[pymodule_export]
     use crate::exact::Exact;
     #[pymodule_export]

@@ -1,7 +1,7 @@
 //! Positions in the contact at which a field is asked for.
 
 use creepage::Ellipse;
-use pyo3::exceptions::PyValueError;
+use pyo3::exceptions::{PyMemoryError, PyValueError};
 use pyo3::prelude::*;
 
 use crate::number::{Inputs, Number};
@@ -18,9 +18,21 @@ pub(crate) fn cells(py: Python, ellipse: Ellipse, count: usize) -> PyResult<Mesh
         let message = format!("points = {count} is not valid: it must be between 1 and {MOST}");
         return Err(PyValueError::new_err(message));
     }
+    fits(count * count)?;
     let place = |k: usize| (2.0 * k as f64 + 1.0) / count as f64 - 1.0;
     let line = |j| (0..count).map(move |i| [ellipse.a() * place(i), ellipse.b() * place(j)]);
     Ok((vec![count, count], py.detach(|| (0..count).flat_map(line).collect())))
+}
+
+/// Raises MemoryError where there is no room for a field of so many points: what the library and the
+/// arrays take is tried for, because the library itself cannot fail so gently.
+fn fits(count: usize) -> PyResult<()> {
+    const BYTES: usize = 240;
+    let mut room = Vec::<[u8; BYTES]>::new();
+    room.try_reserve_exact(count).map_err(|error| PyMemoryError::new_err(error.to_string()))?;
+    // Else the attempt might be optimized away.
+    std::hint::black_box(&room);
+    Ok(())
 }
 
 /// The positions of arrays `x` and `y`.
@@ -28,11 +40,8 @@ pub(crate) fn given<'py>(py: Python<'py>, numbers: [Number<'py>; 2]) -> PyResult
     let inputs = Inputs::new(py, ["x", "y"], numbers)?;
     let [x, y] = inputs.columns()?;
     let count = inputs.shape.iter().product();
-    let mut positions = Vec::new();
-    positions
-        .try_reserve_exact(count)
-        .map_err(|error| pyo3::exceptions::PyMemoryError::new_err(error.to_string()))?;
-    positions.extend((0..count).map(|k| [x.at(k), y.at(k)]));
+    fits(count)?;
+    let positions: Vec<_> = (0..count).map(|k| [x.at(k), y.at(k)]).collect();
     if let Some([x, y]) = positions.iter().find(|[x, y]| !(x.is_finite() && y.is_finite())) {
         let message = format!("position ({x}, {y}) is not valid: it must be finite");
         return Err(PyValueError::new_err(message));

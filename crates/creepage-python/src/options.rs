@@ -4,7 +4,7 @@ use creepage::{Contact, Ellipse, InvalidValue, TheorySpec};
 use creepage_study::theory_spec;
 use pyo3::exceptions::{PyOverflowError, PyTypeError};
 use pyo3::prelude::*;
-use pyo3::types::{PyDict, PyString};
+use pyo3::types::{PyBool, PyDict, PyString};
 use toml::Value;
 
 use crate::errors;
@@ -44,8 +44,11 @@ pub(crate) fn spec(
     theory_spec(name, &lines).map_err(|error| errors::spec(py, error))
 }
 
-/// A word, a number, or several.
+/// A word, a yes or no, a number, or several.
 fn read(option: &str, value: &Bound<PyAny>) -> PyResult<Value> {
+    if let Ok(flag) = value.cast::<PyBool>() {
+        return Ok(flag.is_true().into());
+    }
     if let Ok(word) = value.cast::<PyString>() {
         return Ok(Value::from(word.to_cow()?.as_ref()));
     }

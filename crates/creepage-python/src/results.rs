@@ -39,7 +39,7 @@ pub(crate) fn matrix_row(matrix: &Jacobian) -> Row<9> {
 
 /// A status that Python does not know yet counts as not converged.
 #[allow(clippy::cast_possible_truncation)] // of four
-fn code(status: Status) -> u8 {
+pub(crate) fn code(status: Status) -> u8 {
     ORDER.iter().position(|known| *known == status).unwrap_or(1) as u8
 }
 

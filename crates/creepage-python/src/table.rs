@@ -1,8 +1,10 @@
 //! Tables of creep force: built, kept in a file, looked up.
 
 use std::fs;
+use std::hash::{DefaultHasher, Hash, Hasher};
 use std::io::Write;
 use std::path::PathBuf;
+use std::sync::Arc;
 
 use creepage::table::{Axis, FileError, Intervals, Provenance, Slice, Spec, Spread};
 use creepage::{Creepage, InvalidValue, Solution, Statistics, Status, table};
@@ -26,7 +28,7 @@ const COST: f64 = 2e-7;
 #[pyclass(frozen, module = "creepage")]
 #[allow(missing_debug_implementations)] // Python has its own
 pub struct Table {
-    table: table::Table,
+    table: Arc<table::Table>,
 }
 
 #[pymethods]
@@ -38,7 +40,8 @@ impl Table {
             py.detach(|| fs::read(&path)).map_err(|error| errors::os(error, path.clone()))?;
         let named =
             |error: FileError| errors::no_table(py, &format!("{}: {error}", path.display()));
-        Ok(Self { table: py.detach(|| table::Table::from_bytes(bytes)).map_err(named)? })
+        let table = py.detach(|| table::Table::from_bytes(bytes)).map_err(named)?;
+        Ok(Self { table: Arc::new(table) })
     }
 
     /// Writes the table to a file of NetCDF, which xarray opens too; the file appears when it is
@@ -57,7 +60,8 @@ impl Table {
     #[staticmethod]
     fn from_bytes(py: Python, bytes: Vec<u8>) -> PyResult<Self> {
         let table = table::Table::from_bytes(bytes);
-        Ok(Self { table: table.map_err(|error| errors::no_table(py, &error.to_string()))? })
+        let table = table.map_err(|error| errors::no_table(py, &error.to_string()))?;
+        Ok(Self { table: Arc::new(table) })
     }
 
     fn __reduce__<'py>(
@@ -105,7 +109,7 @@ impl Table {
                 program: format!("creepage {}", env!("CARGO_PKG_VERSION")),
             },
         };
-        Ok(Self { table: table_build::build(py, &spec, &of)? })
+        Ok(Self { table: Arc::new(table_build::build(py, &spec, &of)?) })
     }
 
     /// Name of the theory.
@@ -198,6 +202,18 @@ impl Table {
         answers.stacked(py, &[3, 3])
     }
 
+    /// The same numbers of the same theory.
+    fn __eq__(&self, py: Python, other: &Bound<PyAny>) -> PyResult<bool> {
+        let Ok(other) = other.cast::<Self>() else { return Ok(false) };
+        Ok(self.bytes(py)? == other.get().bytes(py)?)
+    }
+
+    fn __hash__(&self, py: Python) -> PyResult<u64> {
+        let mut hasher = DefaultHasher::new();
+        self.bytes(py)?.hash(&mut hasher);
+        Ok(hasher.finish())
+    }
+
     fn __repr__(&self) -> String {
         let [a_over_b, poisson] = [self.a_over_b(), self.poisson()];
         let worst = self.table.accuracy().force.worst;
@@ -210,6 +226,11 @@ impl Table {
 }
 
 impl Table {
+    /// The table, for a solver to keep.
+    pub(crate) fn shared(&self) -> Arc<table::Table> {
+        Arc::clone(&self.table)
+    }
+
     fn bytes(&self, py: Python) -> PyResult<Vec<u8>> {
         let bytes = py.detach(|| self.table.to_bytes());
         bytes.map_err(|error| errors::no_table(py, &error.to_string()))

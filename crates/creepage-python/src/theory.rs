@@ -98,7 +98,7 @@ impl<'py> Call<'py> {
 }
 
 /// Seconds of one force, roughly.
-fn cost(spec: &TheorySpec) -> f64 {
+pub(crate) fn cost(spec: &TheorySpec) -> f64 {
     let cells = |[along, across]: [usize; 2]| (along as f64) * (across as f64);
     match spec {
         TheorySpec::Exact(_) => 4e-3,

@@ -4,8 +4,10 @@ use crate::meeting::{Meeting, Overlap, Pair};
 use crate::wheel::Posed;
 use crate::{Contact, GeometryError, Position, Side, Track, Wheelset};
 
-/// Overlaps nearer than this on the wheel's profile make one contact (m).
+/// Overlaps nearer than this on the wheel's profile make one contact (m),
 const TOGETHER: f64 = 0.010;
+/// unless the rail turns by more from one to the other (rad): no plane is that of both.
+const TURN: f64 = 0.35;
 
 /// A wheelset on its track.
 #[derive(Debug, Clone, PartialEq)]
@@ -136,7 +138,8 @@ impl Running {
 
     /// All contacts of both wheels: the stretches on which the undeformed bodies overlap, the
     /// left wheel's first, each side's from the field side to the flange. Overlaps less than
-    /// 10 mm apart on the wheel make one contact of several areas.
+    /// 10 mm apart on the wheel, and inclined to each other by less than .35 rad, make one contact
+    /// of several areas.
     ///
     /// # Errors
     /// [`GeometryError::End`] where an overlap reaches the end of a profile, and
@@ -145,6 +148,32 @@ impl Running {
         let mut contacts = self.contacts_of(Side::Left, position)?;
         contacts.extend(self.contacts_of(Side::Right, position)?);
         Ok(contacts)
+    }
+
+    /// What is seen along the track: the wheel's outline and the rail's profile as points `(y, z)`
+    /// in track axes (m), at most `spacing` (m) apart.
+    ///
+    /// # Errors
+    /// [`GeometryError::Value`].
+    pub fn outlines(
+        &self,
+        side: Side,
+        position: &Position,
+        spacing: f64,
+    ) -> Result<[Vec<[f64; 2]>; 2], GeometryError> {
+        let Pair { posed, rail } = self.pair(side, position.check()?);
+        let track = |y: f64, z: f64| [side.sense() * y, z];
+        let wheel = posed.wheel.profile().curve();
+        let wheel = wheel.stations(spacing).into_iter().map(|s| {
+            if let Some(outline) = posed.outline(s) {
+                return track(outline.y, outline.z);
+            }
+            let [_, y, z] = posed.surface(wheel.at(s), 0.0);
+            track(y, z)
+        });
+        let stations = rail.profile().curve().stations(spacing).into_iter();
+        let rail = stations.map(|s| rail.at(s)).map(|point| track(point.y, point.z));
+        Ok([wheel.collect(), rail.collect()])
     }
 
     /// The contacts of one wheel.
@@ -157,17 +186,25 @@ impl Running {
         position: &Position,
     ) -> Result<Vec<Contact<'_>>, GeometryError> {
         let pair = self.pair(side, position.check()?);
-        let overlaps = joined(pair.overlaps()).into_iter();
+        let overlaps = joined(&pair, pair.overlaps()).into_iter();
         overlaps.filter_map(|overlap| Contact::of(side, pair, overlap).transpose()).collect()
     }
 }
 
 /// Neighbours joined.
-fn joined(overlaps: Vec<Overlap>) -> Vec<Overlap> {
+fn joined(pair: &Pair<'_>, overlaps: Vec<Overlap>) -> Vec<Overlap> {
+    let slope = |overlap: &Overlap| {
+        let middle = pair.meeting(overlap.from.midpoint(overlap.to))?;
+        Some(middle.rail.tangent[1].atan2(middle.rail.tangent[0]))
+    };
     let mut joined: Vec<Overlap> = Vec::new();
+    let mut before = None;
     for overlap in overlaps {
+        let here = slope(&overlap);
+        let turn = here.zip(before).map_or(0.0, |(here, before): (f64, f64)| (here - before).abs());
+        before = here;
         match joined.last_mut() {
-            Some(last) if overlap.from - last.to < TOGETHER => {
+            Some(last) if overlap.from - last.to < TOGETHER && turn < TURN => {
                 (last.to, last.end) = (overlap.to, last.end.or(overlap.end));
             }
             _ => joined.push(overlap),

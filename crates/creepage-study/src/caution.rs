@@ -2,7 +2,9 @@
 
 use std::fmt;
 
-use creepage::{Contact, Solution, Status, TheorySpec};
+use creepage::theory::ExactOptions;
+use creepage::{Contact, Hertz, SiCreepage, Solution, Status, TheorySpec};
+use creepage_plot::format::{quantity, significant};
 
 /// What is to be held against a solution; in words by [`Display`](fmt::Display). Text, JSON,
 /// `batch`, Python and C all show it.
@@ -30,12 +32,48 @@ pub enum Caution {
         /// How dissimilar the bodies are.
         kappa_over_mu: f64,
     },
+    /// The theory takes friction as constant, though it falls with the speed of slip.
+    ConstantFriction {
+        /// The theory.
+        theory: &'static str,
+    },
+    /// The theory neglects the layer between the bodies.
+    NoLayer {
+        /// The theory.
+        theory: &'static str,
+    },
+    /// Pressure and contact area are taken to be Hertz's, though what tractions change about them matters.
+    OneWay {
+        /// By how much that may move the force, in parts of `mu N`.
+        moved: f64,
+    },
     /// The error bars are above the prescribed accuracy at the finest resolution.
     Accuracy {
         /// The prescribed accuracy of the forces, in parts of `mu N`.
         prescribed: f64,
         /// The larger error bar of both forces.
         reached: f64,
+    },
+    /// The contact is too large for bodies of that radius: a number may be in another unit.
+    LargeContact {
+        /// The larger semi-axis (m).
+        semi_axis: f64,
+        /// The smallest radius of the bodies (m); that of the contact where none is given.
+        radius: f64,
+    },
+    /// No solid bears the pressure: a number may be in another unit.
+    HighPressure {
+        /// The peak pressure (Pa).
+        peak_pressure: f64,
+        /// The combined shear modulus (Pa).
+        shear_modulus: f64,
+    },
+    /// A creepage that a wheel does not have: it may be in per cent or in degrees.
+    LargeCreepage {
+        /// `longitudinal` or `lateral`.
+        component: &'static str,
+        /// Relative velocity over rolling velocity.
+        value: f64,
     },
 }
 
@@ -44,11 +82,16 @@ impl Caution {
     /// then, about the median error of the best of the theories that neglect it.
     pub const DISSIMILAR: f64 = 0.01;
 
+    /// By how much coupling moves a force, in parts of `mu N`, over `|q|`, `q = kappa mu/(1 - sigma)`:
+    /// 0.05 to 0.17 in steel on aluminium and on a polymer, friction 0.05 and 0.3, `a/b` 0.5 and 1.
+    const MOVED_BY_COUPLING: f64 = 0.15;
+
     /// All that is to be held against a solution of `theory` for `contact`.
     #[must_use]
     pub fn all(theory: &TheorySpec, contact: &Contact, solution: &Solution) -> Vec<Self> {
         let status = (solution.status != Status::Solved).then_some(Self::Status(solution.status));
         let dissimilar = Self::dissimilar(theory, contact.kappa_over_mu());
+        let one_way = Self::one_way(theory, contact, solution);
         let accuracy =
             theory.prescribed_accuracy().zip(solution.error).map(|(prescribed, error)| {
                 Self::Accuracy { prescribed, reached: error.fx.max(error.fy) }
@@ -56,15 +99,125 @@ impl Caution {
         let accuracy = accuracy.filter(|caution| {
             matches!(caution, Self::Accuracy { prescribed, reached } if reached > prescribed)
         });
-        [status, dissimilar, accuracy].into_iter().flatten().collect()
+        let [friction, layer] = Self::between_surfaces(theory, contact);
+        [status, dissimilar, one_way, friction, layer, accuracy].into_iter().flatten().collect()
+    }
+
+    /// What a theory neglects between the surfaces: a law of friction, a layer.
+    #[must_use]
+    pub fn between_surfaces(theory: &TheorySpec, contact: &Contact) -> [Option<Self>; 2] {
+        let facts = theory.facts();
+        let theory = facts.name;
+        let falls = contact.rolling_friction().is_some_and(|friction| friction.falls());
+        let friction = falls.then_some(Self::ConstantFriction { theory });
+        let layer = contact.layer().map(|_| Self::NoLayer { theory });
+        [friction, layer].map(|caution| caution.filter(|_| !facts.friction_laws))
     }
 
     /// What a theory neglects between bodies that are so dissimilar, if that matters.
     #[must_use]
     pub fn dissimilar(theory: &TheorySpec, kappa_over_mu: f64) -> Option<Self> {
         let facts = theory.facts();
-        let matters = !facts.dissimilar_bodies && kappa_over_mu.abs() >= Self::DISSIMILAR;
-        matters.then_some(Self::Dissimilar { theory: facts.name, kappa_over_mu })
+        if facts.dissimilar_bodies { None } else { Self::dissimilar_for(facts.name, kappa_over_mu) }
+    }
+
+    /// The same of anything that neglects the dissimilarity, such as a table.
+    #[must_use]
+    pub fn dissimilar_for(theory: &'static str, kappa_over_mu: f64) -> Option<Self> {
+        let matters = kappa_over_mu.abs() >= Self::DISSIMILAR;
+        matters.then_some(Self::Dissimilar { theory, kappa_over_mu })
+    }
+
+    /// All that a table neglects in a contact.
+    #[must_use]
+    pub fn all_of_table(contact: &Contact) -> Vec<Self> {
+        let theory = "a table";
+        let dissimilar = Self::dissimilar_for(theory, contact.kappa_over_mu());
+        let falls = contact.rolling_friction().is_some_and(|friction| friction.falls());
+        let friction = falls.then_some(Self::ConstantFriction { theory });
+        let layer = contact.layer().map(|_| Self::NoLayer { theory });
+        [dissimilar, friction, layer].into_iter().flatten().collect()
+    }
+
+    /// A semi-axis above this part of the smallest radius, and creepage above it, are cautions: the
+    /// bodies are no half-spaces then, and steel does not get there without yielding.
+    pub const LARGE: f64 = 0.3;
+
+    /// What looks like a number in another unit, such as megapascals for pascals or degrees for radians.
+    ///
+    /// ```
+    /// use creepage::{Hertz, Radii, SiCreepage, Solid, SolidPair};
+    /// use creepage_study::Caution;
+    /// let [ball, flat] = [6e-3, f64::INFINITY].map(|r| Radii { rolling: r, lateral: r });
+    /// for (shear_modulus, count) in [(82e9, 0), (82e3, 2)] {
+    ///     let steel = Solid::new(shear_modulus, 0.28)?; // in MPa: too soft
+    ///     let contact = Hertz::new(SolidPair::new(steel, steel), ball, flat, 0.0, 500.0)?;
+    ///     let cautions = Caution::units(&contact, Some(6e-3), SiCreepage::default());
+    ///     assert_eq!(cautions.len(), count);
+    /// }
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub fn units(hertz: &Hertz, smallest_radius: Option<f64>, creepage: SiCreepage) -> Vec<Self> {
+        let semi_axis = hertz.ellipse().major();
+        let [along, across] = hertz.relative_curvatures();
+        let radius = smallest_radius.unwrap_or(0.5 / along.max(across));
+        let contact =
+            (semi_axis > Self::LARGE * radius).then_some(Self::LargeContact { semi_axis, radius });
+        let (peak_pressure, shear_modulus) = (hertz.peak_pressure(), hertz.pair().shear_modulus());
+        let pressure = (peak_pressure > shear_modulus)
+            .then_some(Self::HighPressure { peak_pressure, shear_modulus });
+        let SiCreepage { longitudinal, lateral, .. } = creepage;
+        let creepage = [("longitudinal", longitudinal), ("lateral", lateral)];
+        let large = creepage.into_iter().filter(|(_, value)| value.abs() > Self::LARGE);
+        let large = large.map(|(component, value)| Self::LargeCreepage { component, value });
+        contact.into_iter().chain(pressure).chain(large).collect()
+    }
+
+    /// Whether it is one of [`Caution::units`].
+    #[must_use]
+    pub fn is_of_units(&self) -> bool {
+        matches!(
+            self,
+            Self::LargeContact { .. } | Self::HighPressure { .. } | Self::LargeCreepage { .. }
+        )
+    }
+
+    /// Whether coupling would move the force of `exact` by more than its error bars, by a cheap
+    /// estimate.
+    fn one_way(theory: &TheorySpec, contact: &Contact, solution: &Solution) -> Option<Self> {
+        let TheorySpec::Exact(ExactOptions { coupled: false, .. }) = theory else { return None };
+        let (friction, error) = (contact.friction()?, solution.error?);
+        let q = contact.kappa_over_mu() * friction * friction / (1.0 - contact.poisson());
+        let moved = Self::MOVED_BY_COUPLING * q.abs();
+        (moved > error.fx.max(error.fy)).then_some(Self::OneWay { moved })
+    }
+
+    /// Those of [`Caution::units`] in words.
+    fn write_units(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::LargeContact { semi_axis, radius } => write!(
+                f,
+                "the contact's semi-axis of {} m is more than 0.3 of the smallest radius, {} m: \
+                 check the units of moduli, radii and load (Pa, m, N)",
+                significant(semi_axis, 4),
+                significant(radius, 4)
+            ),
+            Self::HighPressure { peak_pressure, shear_modulus } => write!(
+                f,
+                "the peak pressure of {} exceeds the shear modulus of {}: check the units of \
+                 moduli, radii and load (Pa, m, N)",
+                quantity(peak_pressure, "Pa", 4),
+                quantity(shear_modulus, "Pa", 4)
+            ),
+            Self::LargeCreepage { component, value } => write!(
+                f,
+                "the {component} creepage of {} is above 0.3: it is a ratio of velocities, not per \
+                 cent or degrees",
+                significant(value, 4)
+            ),
+            _ => Ok(()),
+        }
     }
 
     /// All of them in words, one after the other.
@@ -86,6 +239,10 @@ impl fmt::Display for Caution {
             Self::Status(Status::SpinTooLarge) => {
                 f.write_str("the spin is beyond the bound up to which the theory holds")
             }
+            Self::Status(Status::SeveralSolutions) => f.write_str(
+                "friction falls so steeply that another solution, with more slip, exists; this one \
+                 is reached from friction at rest",
+            ),
             Self::Status(other) => f.write_str(other.name()),
             // The pressure's slip changes the force most where there is no creepage. On a circle
             // with Poisson's ratio 0.28 the change is 1.0 times kappa/mu there; 0.4 to 2.1 times
@@ -96,11 +253,29 @@ impl fmt::Display for Caution {
                  that the force may be off by some {:.0} % of mu N; exact counts it",
                 100.0 * kappa_over_mu.abs().min(1.0)
             ),
+            Self::ConstantFriction { theory } => write!(
+                f,
+                "{theory} takes friction as constant at its value at rest; exact and fastsim heed its \
+                 fall with the speed of slip"
+            ),
+            Self::NoLayer { theory } => write!(
+                f,
+                "{theory} leaves out the layer between the bodies; exact and fastsim count it"
+            ),
+            Self::OneWay { moved } => write!(
+                f,
+                "pressure and contact area are those without friction: what tractions change about \
+                 them may move the force by some {:.1} % of mu N; coupled = true counts it",
+                100.0 * moved
+            ),
             Self::Accuracy { prescribed, reached } => write!(
                 f,
                 "at the finest resolution the error bars reach {reached:.2e} of mu N, above the \
                  prescribed accuracy of {prescribed:e}"
             ),
+            Self::LargeContact { .. } | Self::HighPressure { .. } | Self::LargeCreepage { .. } => {
+                self.write_units(f)
+            }
         }
     }
 }
@@ -149,13 +324,39 @@ mod tests {
         for theory in TheorySpec::all() {
             for kappa_over_mu in [-5.0, -0.01, 0.01, 0.4] {
                 let caution = Caution::dissimilar(&theory, kappa_over_mu);
-                assert_eq!(caution.is_some(), theory.facts().name != "exact");
+                let counts = ["exact", "variational"].contains(&theory.facts().name);
+                assert_eq!(caution.is_some(), !counts);
             }
             assert_eq!(Caution::dissimilar(&theory, -0.009), None);
         }
         let polach = TheorySpec::named("polach").unwrap();
         let words = Caution::dissimilar(&polach, -0.37).unwrap().to_string();
         assert!(words.contains("kappa/mu = -0.370") && words.contains("37 % of mu N"), "{words}");
+    }
+
+    #[test]
+    fn numbers_in_other_units_are_cautions_from_their_bounds_on() {
+        let steel = creepage::Solid::new(1e9, 0.25).unwrap();
+        let ellipse = Ellipse::new(3e-3, 2e-3).unwrap();
+        let hertz = |load| {
+            Hertz::from_ellipse(creepage::SolidPair::new(steel, steel), ellipse, load).unwrap()
+        };
+        let units = |load, radius, longitudinal, lateral| {
+            let creepage = SiCreepage { longitudinal, lateral, spin: 9.0 };
+            Caution::units(&hertz(load), radius, creepage)
+        };
+        assert_eq!(units(1e3, Some(10.1e-3), 0.3, -0.3), []);
+        assert_eq!(units(1e3, Some(9.9e-3), 0.0, 0.0).len(), 1);
+        assert_eq!(units(1e3, None, 0.31, -0.31).len(), 2);
+        // Peak pressure 3N / (2 pi a b), with the modulus of 1 GPa: from 12.57 kN on. The ellipse
+        // then belongs to bodies of its own size.
+        assert_eq!(units(12.5e3, Some(1.0), 0.0, 0.0), []);
+        assert_eq!(units(12.6e3, Some(1.0), 0.0, 0.0).len(), 1);
+        let words = Caution::words(&units(12.6e3, None, 2.0, 0.0));
+        for part in ["0.003 m is more", "1.003 GPa exceeds", "longitudinal creepage of 2 "] {
+            assert!(words.contains(part), "{part} is not in {words}");
+        }
+        assert!(units(12.6e3, None, 2.0, 0.0).iter().all(Caution::is_of_units));
     }
 
     #[test]

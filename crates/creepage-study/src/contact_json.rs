@@ -3,6 +3,8 @@
 use creepage::{Hertz, SolidPair};
 use serde::Serialize;
 
+use crate::Caution;
+
 /// The contact of two bodies, as [`hertz_json`] gives it.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct HertzJson {
@@ -39,6 +41,25 @@ pub struct SolidJson {
     pub poisson: f64,
     /// Measure of how unlike the bodies are.
     pub kappa: f64,
+}
+
+/// The contact alone as a report.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct HertzReportJson {
+    /// The contact.
+    #[serde(flatten)]
+    pub contact: HertzJson,
+    /// What looks like a number in another unit, in words; else `null`.
+    pub caution: Option<String>,
+}
+
+impl HertzReportJson {
+    /// The contact and what is to be held against it.
+    #[must_use]
+    pub fn new(contact: &Hertz, cautions: &[Caution]) -> Self {
+        let caution = (!cautions.is_empty()).then(|| Caution::words(cautions));
+        Self { contact: hertz_json(contact), caution }
+    }
 }
 
 /// The contact alone, ready for `serde_json`.

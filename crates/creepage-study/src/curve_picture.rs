@@ -3,9 +3,9 @@
 use std::f64::consts::PI;
 
 use creepage::{Force, Status};
-use creepage_plot::format::{Scale, floor_log10, significant};
+use creepage_plot::format::{Scale, fixed, floor_log10, significant};
 use creepage_plot::theme::DARK;
-use creepage_plot::{Axis, Label, Panel, Pen, Point, Sheet};
+use creepage_plot::{Axis, Label, Mark, Panel, Pen, Point, Shape, Sheet};
 
 use crate::contact_picture::setting;
 use crate::curves::{Component, Curve, Curves};
@@ -16,6 +16,7 @@ const NEGLIGIBLE: f64 = 0.01;
 const AIR: f64 = 0.06;
 /// Width of a line that is not to be trusted.
 const THIN: f64 = 0.9;
+const LARGEST: Mark = Mark { size: 6.0, ..Mark::open(Shape::Target, "#c62828") };
 /// Longer names of theories are cut.
 const LONGEST_NAME: usize = 21;
 
@@ -69,6 +70,8 @@ impl Curves<'_> {
                 let pen = if solved { Pen::of(k) } else { Pen::of(k).wide(THIN) };
                 panel = panel.curve(part, pen);
             }
+            let largest = curve.largest.map(|largest| [largest.at, (shown.of)(largest.force)]);
+            panel = panel.marks(largest.into_iter().collect(), LARGEST);
         }
         panel
     }
@@ -83,6 +86,11 @@ impl Curves<'_> {
         if self.reach(case) {
             let label = Label::new("the case: ").symbol(self.vary.symbol()).plain(" = ");
             sheet = sheet.key(Pen::GUIDE, label.number(&significant(case, 4)));
+        }
+        if let Some((_, largest)) = self.largest().next() {
+            let label = Label::new("largest force: ").number(&fixed(largest.force.magnitude(), 4));
+            let label = label.plain(" at ").symbol(self.vary.symbol()).plain(" = ");
+            sheet = sheet.key(LARGEST, label.number(&significant(largest.at, 4)));
         }
         let mut solutions = self.lines.iter().flat_map(|curve| &curve.solutions);
         if solutions.any(|solution| solution.status != Status::Solved) {

@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use creepage::friction_law::RollingFriction;
 use creepage::{Creepage, Force, InvalidValue, Solution, Theory};
 
 use crate::error::ReportError;
@@ -49,6 +50,16 @@ impl Component {
 pub(crate) struct Curve {
     pub(crate) theory: String,
     pub(crate) solutions: Vec<Solution>,
+    pub(crate) largest: Option<LargestForce>,
+}
+
+/// The largest tangential force along a curve, where friction falls and with it the force beyond.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LargestForce {
+    /// Value of the component that varies.
+    pub at: f64,
+    /// Force and moment there.
+    pub force: Force,
 }
 
 /// Forces by several theories while one component of the creepage varies.
@@ -116,8 +127,43 @@ impl<'a> Curves<'a> {
 
     /// Adds the answers of a theory, prepared for the contact of the case.
     pub fn add(&mut self, name: &str, theory: &dyn Theory) {
-        let solutions = self.creepages.iter().map(|creepage| theory.solve(*creepage)).collect();
-        self.lines.push(Curve { theory: name.into(), solutions });
+        let solutions: Vec<_> =
+            self.creepages.iter().map(|creepage| theory.solve(*creepage)).collect();
+        let largest = self.largest_of(theory, &solutions);
+        self.lines.push(Curve { theory: name.into(), solutions, largest });
+    }
+
+    /// The largest tangential force of each theory that has one inside the range, in the order in which
+    /// they were added: only where friction falls with the speed of slip.
+    pub fn largest(&self) -> impl Iterator<Item = (&str, LargestForce)> {
+        self.lines.iter().filter_map(|line| Some((&line.theory[..], line.largest?)))
+    }
+
+    /// Between the neighbours of the largest of the solutions, by the golden section.
+    fn largest_of(&self, theory: &dyn Theory, solutions: &[Solution]) -> Option<LargestForce> {
+        const SECTIONS: u8 = 30;
+        const GOLDEN: f64 = 0.618_033_988_749_895;
+        self.case.contact.rolling_friction().filter(RollingFriction::falls)?;
+        let size = |k: &usize| solutions[*k].force.magnitude();
+        let top = (0..solutions.len()).max_by(|one, two| size(one).total_cmp(&size(two)))?;
+        let (mut low, mut high) =
+            (*self.values.get(top.checked_sub(1)?)?, *self.values.get(top + 1)?);
+        let at = |value: f64| {
+            let creepage = self.vary.replaced(self.creepage, value).ok()?;
+            Some(LargestForce { at: value, force: theory.solve(creepage).force })
+        };
+        let inner = |low: f64, high: f64| high - GOLDEN * (high - low);
+        let (mut left, mut right) = (at(inner(low, high))?, at(inner(high, low))?);
+        for _ in 0..SECTIONS {
+            if left.force.magnitude() > right.force.magnitude() {
+                (high, right) = (right.at, left);
+                left = at(inner(low, high))?;
+            } else {
+                (low, left) = (left.at, right);
+                right = at(inner(high, low))?;
+            }
+        }
+        Some(left)
     }
 
     /// Does the range reach `value`?

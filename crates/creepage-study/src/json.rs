@@ -3,11 +3,12 @@
 use std::collections::BTreeMap;
 
 use creepage::coulomb::Constraints;
+use creepage::friction_law::RollingFriction;
 use creepage::{Creepage, Force, SiCreepage, SiForce};
 use serde::Serialize;
 
 use crate::contact_json::{HertzJson, hertz_json};
-use crate::{Caution, SolvedCase};
+use crate::{Caution, Damage, SolvedCase};
 
 /// `report.json`.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -45,8 +46,40 @@ pub struct ReportJson {
     pub rolling_velocity_m_per_s: Option<f64>,
     /// Frictional power (W), where the rolling velocity is known.
     pub frictional_power_w: Option<f64>,
+    /// The law of friction by the speed of slip, where there is one; else `null`.
+    pub friction_law: Option<FrictionLawJson>,
+    /// Wear and fatigue numbers, where `[damage]` asks for them; else `null`.
+    pub damage: Option<Damage>,
     /// What only this theory says, by key.
     pub details: BTreeMap<&'static str, DetailJson>,
+}
+
+/// A law of friction by the speed of slip.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct FrictionLawJson {
+    /// Coefficient at rest, the `mu` of all quantities.
+    pub at_rest: f64,
+    /// Coefficient at very high speed.
+    pub kinetic: f64,
+    /// `[drop, half speed (m/s)]` of each term.
+    pub terms: Vec<[f64; 2]>,
+    /// Distance of slip over which friction follows the speed (m), where it does.
+    pub memory_distance_m: Option<f64>,
+    /// The least speed that slip counts as in that (m/s).
+    pub memory_speed_m_per_s: Option<f64>,
+}
+
+impl From<RollingFriction> for FrictionLawJson {
+    fn from(friction: RollingFriction) -> Self {
+        let (law, memory) = (friction.law(), friction.memory());
+        Self {
+            at_rest: law.at_rest(),
+            kinetic: law.kinetic(),
+            terms: law.terms().iter().map(|term| [term.drop, term.half_speed]).collect(),
+            memory_distance_m: memory.map(|memory| memory.distance()),
+            memory_speed_m_per_s: memory.map(|memory| memory.speed()),
+        }
+    }
 }
 
 /// Creepage and spin in both kinds of units.
@@ -136,6 +169,9 @@ impl SolvedCase {
             frictional_power_per_metre_by_slip_j_per_m: self.dissipation_per_metre(),
             rolling_velocity_m_per_s: self.case.speed,
             frictional_power_w: self.power(),
+            friction_law: self.case.contact.rolling_friction().map(Into::into),
+            // Tractions of a solved case are finite.
+            damage: self.damage().ok().flatten().cloned(),
             details: self
                 .diagnostics()
                 .iter()
@@ -153,7 +189,7 @@ impl SolvedCase {
     }
 
     fn areas_json(&self) -> AreasJson {
-        let (share, area) = (self.adhesion_share(), self.case.hertz.ellipse().area());
+        let (share, area) = (self.adhesion_share(), self.contact_area());
         AreasJson {
             adhesion_share: share,
             adhesion_m2: share * area,

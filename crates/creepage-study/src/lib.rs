@@ -6,8 +6,10 @@
 //! |---|---|
 //! | case files | [`CaseFile`], [`StaticsFile`], [`Sweep`], their schemas |
 //! | cases | [`Case`] and its [`TheorySpec`](creepage::TheorySpec), [`theory_spec`] |
-//! | wheelsets | [`WheelsetFile`] gives a [`WheelsetCase`]; [`conicity`] |
+//! | histories | [`RollFile`] gives a [`RollCase`], which a [`History`] moves: [`HistoryRun`] |
+//! | wheelsets | [`WheelsetFile`] gives a [`WheelsetCase`], this a [`SolvedWheelset`]; [`conicity`], [`WheelsetTable`] |
 //! | solved | [`solve`] gives a [`SolvedCase`]; [`StaticsCase`], [`SweepRun`], [`Curves`], [`Stresses`] |
+//! | many | [`BulkCase`]: one case with [`Varied`] quantities in rows; [`Solver`]: many [`Question`]s |
 //! | reported | [`SolvedCase::text`], [`SolvedCase::json`], [`SolvedCase::write`]; [`Caution`] |
 //! | any shape | [`GapFile`], [`GapCase`], [`solve_gap`], [`SolvedGap`]: the same from `[gap]` |
 //! | measured | [`measure`]: how far a theory is from the full one over [`steady_rolling`] or a [`grid()`]; [`SquareGrid`] |
@@ -41,14 +43,19 @@
 //! ```
 
 mod accuracy;
+mod bulk;
 mod case;
 mod caution;
 mod contact_json;
 mod contact_picture;
 mod curve_picture;
 mod curves;
+mod damage;
 mod error;
+#[cfg(test)]
+mod fuzz;
 mod gap;
+mod history;
 mod json;
 mod points;
 mod series;
@@ -56,6 +63,7 @@ mod solve;
 mod statics;
 mod stress_picture;
 mod stress_points;
+mod stress_vtk;
 mod stresses;
 #[cfg(test)]
 mod testing;
@@ -68,29 +76,39 @@ mod write;
 pub use accuracy::{
     Accuracy, ReferenceCase, ReferenceError, Spread, SquareGrid, grid, measure, steady_rolling,
 };
+pub use bulk::{BulkAnswer, BulkCase, BulkRow, Question, Reply, RowError, Solver, Varied};
 pub use case::{
     Case, CaseError, CaseFile, Given, SecondStart, SpecError, StaticsCase, StaticsError,
     StaticsFile, Sweep, SweepCase, json_schema, statics_json_schema, sweep_json_schema,
     theory_spec,
 };
 pub use caution::Caution;
-pub use contact_json::{HertzJson, SolidJson, hertz_json};
-pub use curves::{Component, Curves};
+pub use contact_json::{HertzJson, HertzReportJson, SolidJson, hertz_json};
+pub use curves::{Component, Curves, LargestForce};
+pub use damage::{Damage, DamageWanted, WearRow};
 pub use error::ReportError;
 pub use gap::{
     ExtentJson, GapCase, GapCaseError, GapCaution, GapContactJson, GapCreepageJson, GapFile,
-    GapFileError, GapForceJson, GapReportJson, PatchJson, Pressed, SiGiven, SolvedGap,
+    GapFileError, GapForceJson, GapReportJson, GapTheory, PatchJson, Pressed, SiGiven, SolvedGap,
     gap_json_schema, solve_gap,
 };
-pub use json::{AreasJson, CreepageJson, DetailJson, DimensionlessJson, ForceJson, ReportJson};
+pub use history::{
+    HISTORY_COLUMNS, History, HistoryError, HistoryMotion, HistoryRow, HistoryRun, HistoryWriter,
+    RollCase, RollFile, history_picture, roll_json_schema, to_png,
+};
+pub use json::{
+    AreasJson, CreepageJson, DetailJson, DimensionlessJson, ForceJson, FrictionLawJson, ReportJson,
+};
 pub use series::{SeriesHead, SeriesRow, SweepRun, Tally, series_csv, series_json, series_netcdf};
 pub use solve::{SolveError, SolvedCase, Unreachable, solve};
 pub use statics::StaticsReport;
 pub use stress_points::{PointsError, read_points};
-pub use stresses::{StressError, StressPoint, Stresses, stress_csv};
+pub use stresses::{StressError, StressFileError, StressPoint, Stresses, stress_csv};
 pub use text::hertz_text;
 pub use wheelset::{
-    ConicityTable, Load, ProfileNote, Stance, Travel, WheelsetCase, WheelsetError, WheelsetFile,
-    conicity, profile_pictures, radius_difference_csv, wheelset_json_schema,
+    ConicityTable, Load, ProfileNote, RailForceJson, Resultant, RigidSlip, SolvedContact,
+    SolvedWheel, SolvedWheelset, Stance, Travel, WheelJson, WheelPatchJson, WheelsetCase,
+    WheelsetError, WheelsetFile, WheelsetReportJson, WheelsetSolver, WheelsetTable, conicity,
+    profile_pictures, radius_difference_csv, wheelset_json_schema,
 };
 pub use whole_file::{WholeFile, write_all};

@@ -12,7 +12,8 @@ use creepage::{
 use creepage_plot::Contour;
 use self_cell::self_cell;
 
-use crate::{Case, Caution, Given};
+use crate::stresses::StressError;
+use crate::{Case, Caution, Damage, Given};
 
 /// Solves a case by its own theory, or by another one.
 ///
@@ -42,8 +43,11 @@ pub fn solve(case: &Case, other: Option<&TheorySpec>) -> Result<SolvedCase, Solv
     let spec = other.unwrap_or(&case.theory);
     let theory = spec.prepare(&case.contact)?;
     let held = Held::try_new(theory, |theory| meet(&**theory, case, spec.facts().name))?;
-    Ok(SolvedCase::new(case, spec.facts(), held, |solution| {
-        Caution::all(spec, &case.contact, solution)
+    Ok(SolvedCase::new(case, spec.facts(), held, |solution, creepage| {
+        let mut cautions = Caution::all(spec, &case.contact, solution);
+        let creepage = case.contact.scaling().si_creepage(creepage);
+        cautions.extend(Caution::units(&case.hertz, case.smallest_radius, creepage));
+        cautions
     }))
 }
 
@@ -160,6 +164,7 @@ pub struct SolvedCase {
     creepage: Creepage,
     held: Held,
     adhesion: OnceLock<Contour>,
+    pub(crate) damage: OnceLock<Result<Option<Damage>, StressError>>,
 }
 
 impl SolvedCase {
@@ -167,13 +172,13 @@ impl SolvedCase {
         case: &Case,
         theory: &'static TheoryFacts,
         held: Held,
-        cautions: impl Fn(&Solution) -> Vec<Caution>,
+        cautions: impl Fn(&Solution, Creepage) -> Vec<Caution>,
     ) -> Self {
         let solved = held.borrow_dependent();
         let (solution, creepage) = (solved.solution(), solved.creepage());
-        let cautions = cautions(&solution);
-        let (case, adhesion) = (case.clone(), OnceLock::new());
-        Self { case, theory, cautions, solution, creepage, held, adhesion }
+        let cautions = cautions(&solution, creepage);
+        let (case, adhesion, damage) = (case.clone(), OnceLock::new(), OnceLock::new());
+        Self { case, theory, cautions, solution, creepage, held, adhesion, damage }
     }
 
     /// Force, error bars, status.
@@ -246,6 +251,12 @@ impl SolvedCase {
         })
     }
 
+    /// Contact area (m^2).
+    #[must_use]
+    pub fn contact_area(&self) -> f64 {
+        self.solved().relative_area() * self.case.hertz.ellipse().area()
+    }
+
     /// Energy turned to heat per metre rolled (J/m), from force and creepage.
     #[must_use]
     pub fn power_per_metre(&self) -> f64 {
@@ -273,10 +284,11 @@ impl SolvedCase {
         (x * u + y * v) * self.scaling().traction * self.scaling().slip
     }
 
-    /// Places `(x/a, y/b)` in units of `c`, as a theory takes them.
+    /// Places `(x/a, y/b)` in units of `c`, as a theory takes them; moved with the contact area, where it
+    /// moves.
     pub(crate) fn positions(&self, disc: &[[f64; 2]]) -> Vec<[f64; 2]> {
         let [a, b] = self.semi_axes();
-        disc.iter().map(|[x, y]| [a * x, b * y]).collect()
+        disc.iter().map(|[x, y]| self.solved().moved([a * x, b * y])).collect()
     }
 
     /// Semi-axes in units of `c`.

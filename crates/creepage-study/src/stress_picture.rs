@@ -1,6 +1,6 @@
 //! The picture of the stresses in the section `y = 0`.
 
-use creepage_plot::format::{quantity, significant};
+use creepage_plot::format::{Scale, quantity, significant};
 use creepage_plot::{Axis, Bands, Label, Mark, Panel, Pen, Shape, Sheet};
 
 use crate::stresses::{STEPS, StressPoint, Stresses};
@@ -10,9 +10,10 @@ const CONTACT: Pen = Pen { colour: "#c62828", dashes: "", width: 5.0 };
 const LARGEST: Mark = Mark { size: 6.0, ..Mark::open(Shape::Target, "#c62828") };
 
 impl Stresses {
-    /// Equivalent stress by von Mises in the section, in shades, as SVG.
+    /// Equivalent stress by von Mises in the section, in shades, and stresses by depth at the place of
+    /// `beneath`, as SVG.
     #[must_use]
-    pub fn svg(&self, section: &[StressPoint]) -> String {
+    pub fn svg(&self, section: &[StressPoint], beneath: &[StressPoint]) -> String {
         let values: Vec<f64> = section.iter().map(|at| at.stress.von_mises()).collect();
         let a = 1e3 * self.solved.case.hertz.ellipse().a();
         let bands = Bands::over([[-2.0 * a, 0.0], [2.0 * a, 2.0 * a]], |[x, z]| {
@@ -30,7 +31,10 @@ impl Stresses {
         let sheet = Sheet::new(&format!("Stresses in the {} body", self.body()))
             .note(self.setting())
             .panel(panel.marks(mark.into_iter().collect(), LARGEST))
-            .key(CONTACT, Label::new("contact"));
+            .panel(Self::by_depth(beneath))
+            .key(CONTACT, Label::new("contact"))
+            .key(Pen::of(0), Label::new("von Mises"))
+            .key(Pen::of(1), Label::new("Tresca"));
         let sheet = match largest {
             Some(at) => {
                 let value = quantity(at.stress.von_mises(), "Pa", 3);
@@ -39,6 +43,26 @@ impl Stresses {
             None => sheet,
         };
         bands.key_below(sheet, "Pa").svg()
+    }
+
+    /// Equivalent stresses over the depth.
+    fn by_depth(beneath: &[StressPoint]) -> Panel {
+        let largest = beneath.iter().map(|at| at.stress.tresca()).fold(f64::MIN_POSITIVE, f64::max);
+        let scale = Scale::of(largest, "Pa", 3);
+        let curve = |of: fn(&StressPoint) -> f64| {
+            beneath.iter().map(|at| [1e3 * at.point[2], of(at) / scale.factor]).collect()
+        };
+        let deepest = beneath.last().map_or(1.0, |at| 1e3 * at.point[2]);
+        let place = beneath.first().map_or([0.0; 2], |at| [at.point[0], at.point[1]]);
+        let [x, y] = place.map(|at| format!("{} mm", significant(1e3 * at, 3)));
+        let stress =
+            Label::new(&format!("below the largest, x = {x}, y = {y}: stress, {}", scale.unit));
+        let panel = Panel::new(
+            Axis::new([0.0, deepest], Label::default().symbol("z").plain(", mm")),
+            Axis::new([0.0, 1.05 * largest / scale.factor], stress),
+        );
+        let panel = panel.height(260.0).curve(curve(|at| at.stress.von_mises()), Pen::of(0));
+        panel.curve(curve(|at| at.stress.tresca()), Pen::of(1))
     }
 
     fn setting(&self) -> Label {

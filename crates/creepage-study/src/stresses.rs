@@ -63,6 +63,17 @@ pub enum StressError {
     Point(#[from] InvalidValue),
 }
 
+/// Why stresses were not written.
+#[derive(Debug, thiserror::Error)]
+pub enum StressFileError {
+    /// There are none.
+    #[error(transparent)]
+    Stress(#[from] StressError),
+    /// The files.
+    #[error(transparent)]
+    Report(#[from] ReportError),
+}
+
 /// The stresses in one body of a solved case.
 pub struct Stresses {
     /// The case.
@@ -78,9 +89,19 @@ impl Stresses {
     /// # Errors
     /// [`StressError`] for tractions that are not finite.
     pub fn new(solved: SolvedCase, solid: Solid, body: Body) -> Result<Self, StressError> {
+        let (interior, settled) = Self::interior(&solved, solid, body)?;
+        Ok(Self { solved, interior, settled })
+    }
+
+    /// The field inside the body, and the depth from which on it has settled (m).
+    pub(crate) fn interior(
+        solved: &SolvedCase,
+        solid: Solid,
+        body: Body,
+    ) -> Result<(Interior, f64), StressError> {
         let (case, creepage) = (&solved.case, solved.creepage());
         let is_closed = solved.theory.name == "saturated" && creepage.chi() == 0.0;
-        let (interior, settled) = if is_closed {
+        Ok(if is_closed {
             let size = creepage.xi().hypot(creepage.eta()).max(f64::MIN_POSITIVE);
             let friction =
                 [creepage.xi(), creepage.eta()].map(|part| case.friction * (part / size));
@@ -90,8 +111,7 @@ impl Stresses {
             let interior =
                 Interior::rolling(&case.hertz, &case.contact, solved.solved(), solid, body)?;
             (interior, SETTLED * ellipse.a().min(ellipse.b()))
-        };
-        Ok(Self { solved, interior, settled })
+        })
     }
 
     /// From this depth on (m) the stresses have settled: above, those below elements grow
@@ -194,22 +214,43 @@ impl Stresses {
         })
     }
 
-    /// Writes `stresses.csv` with `points`, and the picture of the section as `stresses.svg` and
-    /// `stresses.png`, into `directory`, which is made when missing.
+    /// Down to `2a` below a point of the surface, from the depth where the stresses have settled.
     ///
     /// # Errors
-    /// [`ReportError`]; what was made until then is removed.
+    /// As [`Stresses::at`].
+    pub fn beneath(&self, [x, y]: [f64; 2]) -> Result<Vec<StressPoint>, StressError> {
+        const STEPS: u32 = 80;
+        let deepest = 2.0 * self.solved.case.hertz.ellipse().a();
+        let depth = |k: u32| {
+            self.settled + (deepest - self.settled) * (f64::from(k) / f64::from(STEPS)).powi(2)
+        };
+        self.at(&(0..=STEPS).map(|k| [x, y, depth(k)]).collect::<Vec<_>>())
+    }
+
+    /// Writes `stresses.csv` with `points` (without points the section), and a picture of the section and
+    /// of the stresses beneath the largest as `stresses.svg` and `stresses.png`, into `directory`, which is
+    /// made when missing; without points also a block of the body, `stresses.vtk`.
+    ///
+    /// # Errors
+    /// [`StressFileError`]; what was made until then is removed.
     pub fn write(
         &self,
         directory: &Path,
-        points: &[StressPoint],
-        section: &[StressPoint],
-    ) -> Result<Vec<PathBuf>, ReportError> {
-        let (csv, svg) = (stress_csv(points)?, self.svg(section));
-        let png = creepage_plot::png(&svg)?;
-        let files: [(&str, &[u8]); 3] =
-            [("stresses.csv", &csv), ("stresses.svg", svg.as_bytes()), ("stresses.png", &png)];
-        write_all(directory, &files)
+        points: Option<&[StressPoint]>,
+    ) -> Result<Vec<PathBuf>, StressFileError> {
+        let section = self.section()?;
+        let [x, y, _] = self.largest()?.point;
+        let beneath = self.beneath([x, y])?;
+        let csv = stress_csv(points.unwrap_or(&section))?;
+        let svg = self.svg(&section, &beneath);
+        let png = creepage_plot::png(&svg).map_err(ReportError::from)?;
+        let mut files: Vec<(&str, &[u8])> =
+            vec![("stresses.csv", &csv), ("stresses.svg", svg.as_bytes()), ("stresses.png", &png)];
+        let vtk = if points.is_none() { self.vtk(&self.block()?) } else { String::new() };
+        if points.is_none() {
+            files.push(("stresses.vtk", vtk.as_bytes()));
+        }
+        Ok(write_all(directory, &files)?)
     }
 }
 

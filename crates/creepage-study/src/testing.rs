@@ -27,8 +27,11 @@ pub(crate) fn case(a_over_b: f64, given: [f64; 3]) -> Case {
         hertz,
         friction: 0.3,
         contact: hertz.with_friction(0.3).unwrap(),
+        solids: [steel; 2],
         given: Given::Creepage(creepage(given)),
         speed: None,
+        smallest_radius: None,
+        damage: None,
         theory: TheorySpec::default(),
     }
 }
@@ -62,6 +65,7 @@ const FACTS: TheoryFacts = TheoryFacts {
     error_bars: false,
     derivative: false,
     dissimilar_bodies: false,
+    friction_laws: false,
 };
 
 /// A case solved by a trial.
@@ -69,7 +73,7 @@ pub(crate) fn solved(case: &Case, trial: Trial) -> SolvedCase {
     let theory: Box<dyn Theory> = Box::new(Tried { contact: case.contact, trial });
     let given = case.creepage().unwrap_or(creepage(CURVE));
     let held = Held::new(theory, |theory| theory.solved(given));
-    SolvedCase::new(case, &FACTS, held, |_| {
+    SolvedCase::new(case, &FACTS, held, |_, _| {
         let neglecting = TheorySpec::named("polach").unwrap();
         Caution::dissimilar(&neglecting, case.contact.kappa_over_mu()).into_iter().collect()
     })

@@ -19,18 +19,27 @@ impl SolvedCase {
         lines.cautions(self);
         lines.contact(&self.case.hertz);
         lines.row("friction mu", &significant(self.case.friction, 5));
+        if let Some(friction) = self.case.contact.rolling_friction() {
+            lines.row("  kinetic", &significant(friction.law().kinetic(), 5));
+        }
         lines.creepage(self);
         lines.forces(self);
         lines.use_of_friction(self);
+        if let Ok(Some(damage)) = self.damage() {
+            damage.lines(&mut lines);
+        }
         lines.diagnostics(self);
         lines.0
     }
 }
 
-/// The contact ellipse and its pressure as a short text.
+/// The contact ellipse and its pressure as a short text, cautions first.
 #[must_use]
-pub fn hertz_text(contact: &Hertz) -> String {
+pub fn hertz_text(contact: &Hertz, cautions: &[Caution]) -> String {
     let mut lines = Lines::default();
+    for caution in cautions {
+        lines.caution(&caution.to_string());
+    }
     lines.contact(contact);
     let [along, across] = contact.relative_curvatures();
     lines.row("relative curvature along", &format!("{} 1/m", significant(along, 5)));
@@ -49,6 +58,9 @@ pub(crate) fn status_words(status: Status) -> &'static str {
             "CREEPAGE TOO SMALL for this theory's resolution: the forces may be far off"
         }
         Status::SpinTooLarge => "SPIN TOO LARGE: beyond the bound up to which this theory holds",
+        Status::SeveralSolutions => {
+            "SEVERAL SOLUTIONS: this one has the least slip, friction at rest led to it"
+        }
         _ => "NOT SOLVED: for a reason that this report has no words for",
     }
 }
@@ -112,7 +124,12 @@ impl Lines {
 
     /// A caution, broken into lines.
     pub(crate) fn caution(&mut self, words: &str) {
-        let mut line = String::from("CAUTION:");
+        self.words(&format!("CAUTION: {words}"));
+    }
+
+    /// Words, broken into lines.
+    pub(crate) fn words(&mut self, words: &str) {
+        let mut line = String::new();
         for word in words.split(' ') {
             if line.chars().count() + word.chars().count() >= WIDTH {
                 self.line(&line);
@@ -298,7 +315,7 @@ mod tests {
 
     #[test]
     fn hertz_alone() {
-        let text = hertz_text(&case(2.25, CURVE).hertz);
+        let text = hertz_text(&case(2.25, CURVE).hertz, &[]);
         assert_eq!(line(&text, "normal force N"), ["80", "kN"]);
         assert_eq!(line(&text, "a/b"), ["2.25"]);
         assert!(!text.contains("angle"));

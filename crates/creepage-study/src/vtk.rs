@@ -67,25 +67,26 @@ fn grid() -> impl Iterator<Item = [f64; 2]> {
     })
 }
 
-struct Vtk(String);
+/// A file of VTK's legacy format.
+pub(crate) struct Vtk(pub(crate) String);
 
 impl Vtk {
-    fn line(&mut self, line: &str) {
+    pub(crate) fn line(&mut self, line: &str) {
         self.0.push_str(line);
         self.0.push('\n');
     }
 
-    fn scalars(&mut self, name: &str, values: impl Iterator<Item = f64>) {
+    pub(crate) fn scalars(&mut self, name: &str, values: impl Iterator<Item = f64>) {
         self.line(&format!("SCALARS {name} float 1\nLOOKUP_TABLE default"));
         self.rows(values.map(|value| [value]));
     }
 
-    fn vectors(&mut self, name: &str, values: impl Iterator<Item = [f64; 2]>) {
+    pub(crate) fn vectors(&mut self, name: &str, values: impl Iterator<Item = [f64; 2]>) {
         self.line(&format!("VECTORS {name} float"));
         self.rows(values.map(|[x, y]| [x, y, 0.0]));
     }
 
-    fn rows<const N: usize>(&mut self, rows: impl Iterator<Item = [f64; N]>) {
+    pub(crate) fn rows<const N: usize>(&mut self, rows: impl Iterator<Item = [f64; N]>) {
         for row in rows {
             for (k, value) in row.into_iter().enumerate() {
                 let gap = if k == 0 { "" } else { " " };

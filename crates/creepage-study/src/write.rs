@@ -2,14 +2,14 @@
 
 use std::path::{Path, PathBuf};
 
-use crate::SolvedCase;
 use crate::error::ReportError;
 use crate::whole_file::write_all;
+use crate::{Damage, SolvedCase};
 
 impl SolvedCase {
-    /// Writes `report.json`, `points.csv`, `contact.vtk`, `contact.svg` and `contact.png` into
-    /// `directory`, which is made when missing; files of those names are replaced. Gives the paths
-    /// written.
+    /// Writes `report.json`, `points.csv`, `contact.vtk`, `contact.svg` and `contact.png`, and where
+    /// `[damage]` asks for them `wear.csv`, `wear.svg` and `wear.png`, into `directory`, which is
+    /// made when missing; files of those names are replaced. Gives the paths written.
     ///
     /// # Errors
     /// [`ReportError`]; what was made until then is removed.
@@ -17,8 +17,12 @@ impl SolvedCase {
         let mut json = serde_json::to_string_pretty(&self.json())?;
         json.push('\n');
         let vtk = self.vtk();
-        let field = [("contact.vtk", vtk.as_bytes())];
-        write_contact(directory, &json, &self.points_csv()?, &self.contact_svg(), &field)
+        let wear = self.damage().ok().flatten().map(Damage::files).transpose()?;
+        let mut others = vec![("contact.vtk", vtk.as_bytes())];
+        for (name, contents) in wear.iter().flatten() {
+            others.push((*name, &contents[..]));
+        }
+        write_contact(directory, &json, &self.points_csv()?, &self.contact_svg(), &others)
     }
 }
 

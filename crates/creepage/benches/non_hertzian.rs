@@ -1,6 +1,7 @@
 //! Cost of the full theory on contact areas of any shape.
 #![allow(missing_docs, clippy::unwrap_used)]
 
+use creepage::approximate::non_hertzian::{NonHertzianSimplified, Simplified};
 use creepage::coulomb::{NonHertzian, Resolution};
 use creepage::gap::{Gap, Term};
 use creepage::normal::{self, NormalContact};
@@ -36,4 +37,26 @@ fn solve(bencher: Bencher, name: &str) {
     let theory = NonHertzian::new(&contact(), 0.3, resolution(name)).unwrap();
     let creepage = Creepage::new(0.6, -0.3, 1.0).unwrap();
     bencher.bench_local(|| theory.solve(black_box(creepage)).solution());
+}
+
+/// FASTSIM on the same pressure, 50 x 50 cells.
+#[divan::bench(sample_count = 20)]
+fn prepare_fastsim(bencher: Bencher) {
+    let contact = contact();
+    let cells = [50, 50];
+    bencher.bench_local(|| {
+        NonHertzianSimplified::new(black_box(&contact), 0.3, Simplified::Fastsim, cells).unwrap()
+    });
+}
+
+/// Force, and force with its derivatives.
+#[divan::bench(args = [false, true], sample_count = 20)]
+fn solve_fastsim(bencher: Bencher, with_derivatives: bool) {
+    let contact = contact();
+    let theory = NonHertzianSimplified::new(&contact, 0.3, Simplified::Fastsim, [50, 50]).unwrap();
+    let creepage = Creepage::new(0.6, -0.3, 1.0).unwrap();
+    bencher.bench_local(|| {
+        let mut solved = theory.solve(black_box(creepage));
+        (solved.solution(), with_derivatives.then(|| solved.jacobian()))
+    });
 }

@@ -2,7 +2,7 @@
 
 /// A number outside the range in which a theory is defined.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
-#[error("{quantity} = {value} is not valid: it must be {valid}")]
+#[error("{quantity} = {} is not valid: it must be {valid}", short(*value))]
 pub struct InvalidValue {
     /// The quantity's name, as in the function's signature.
     pub quantity: &'static str,
@@ -10,6 +10,12 @@ pub struct InvalidValue {
     pub value: f64,
     /// What the value must be, in words that follow "it must be".
     pub valid: &'static str,
+}
+
+/// A number as a person writes it: without hundreds of digits.
+fn short(value: f64) -> String {
+    let plain = !value.is_finite() || value == 0.0 || (1e-5..1e16).contains(&value.abs());
+    if plain { value.to_string() } else { format!("{value:e}") }
 }
 
 pub(crate) fn require(

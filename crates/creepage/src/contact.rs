@@ -2,11 +2,14 @@
 
 use crate::check::{self, InvalidValue};
 use crate::ellipse::Ellipse;
+use crate::friction_law::RollingFriction;
 use crate::hertz::Hertz;
+use crate::layer::Layer;
 use crate::scaling::Scaling;
 
 /// Everything that a theory of rolling is prepared for: the shape of the contact, the combined
-/// Poisson's ratio, how dissimilar the bodies are, and the units of its quantities.
+/// Poisson's ratio, how dissimilar the bodies are, and the units of its quantities; where friction
+/// depends on the speed of slip its law, and a layer between the bodies.
 ///
 /// ```
 /// use creepage::{Contact, Ellipse};
@@ -19,7 +22,10 @@ pub struct Contact {
     ellipse: Ellipse,
     poisson: f64,
     kappa_over_mu: f64,
+    friction: Option<f64>,
     scaling: Scaling,
+    friction_law: Option<RollingFriction>,
+    layer: Option<Layer>,
 }
 
 impl Contact {
@@ -31,7 +37,15 @@ impl Contact {
     pub fn new(ellipse: Ellipse, poisson: f64) -> Result<Self, InvalidValue> {
         check::poisson(poisson)?;
         let ellipse = Ellipse::from_ratio(ellipse.ratio())?;
-        Ok(Self { ellipse, poisson, kappa_over_mu: 0.0, scaling: Scaling::DIMENSIONLESS })
+        Ok(Self {
+            ellipse,
+            poisson,
+            kappa_over_mu: 0.0,
+            friction: None,
+            scaling: Scaling::DIMENSIONLESS,
+            friction_law: None,
+            layer: None,
+        })
     }
 
     /// The same between dissimilar bodies, whose pressure adds to the slip (6.4): `kappa` of
@@ -45,6 +59,33 @@ impl Contact {
         let valid = "between -1e6 and 1e6";
         check::require(kappa_over_mu.abs() <= 1e6, "kappa_over_mu", kappa_over_mu, valid)?;
         Ok(Self { kappa_over_mu, ..self })
+    }
+
+    /// The same with friction that depends on the speed of slip: `mu` of all units and quantities is
+    /// that at rest. `exact` and `fastsim` heed it, the other theories take `mu` as constant. The
+    /// speed of slip is in the units of [`Contact::scaling`].
+    #[must_use]
+    pub fn with_rolling_friction(self, friction: RollingFriction) -> Self {
+        Self { friction_law: Some(friction), ..self }
+    }
+
+    /// The same with a layer between the bodies, in the units of [`Contact::scaling`]. `exact` and
+    /// `fastsim` heed it.
+    #[must_use]
+    pub fn with_layer(self, layer: Layer) -> Self {
+        Self { layer: Some(layer), ..self }
+    }
+
+    /// The law of friction, where it is not constant.
+    #[must_use]
+    pub fn rolling_friction(&self) -> Option<RollingFriction> {
+        self.friction_law
+    }
+
+    /// The layer between the bodies.
+    #[must_use]
+    pub fn layer(&self) -> Option<Layer> {
+        self.layer
     }
 
     /// The contact ellipse, whose `c = sqrt(a b)` is the unit of length.
@@ -63,6 +104,12 @@ impl Contact {
     #[must_use]
     pub fn kappa_over_mu(&self) -> f64 {
         self.kappa_over_mu
+    }
+
+    /// The coefficient of friction, where it is known: one-way, only `kappa/mu` counts.
+    #[must_use]
+    pub fn friction(&self) -> Option<f64> {
+        self.friction
     }
 
     /// The units of creepage and force.
@@ -92,7 +139,18 @@ impl Hertz {
     pub fn with_friction(&self, friction: f64) -> Result<Contact, InvalidValue> {
         let scaling = Scaling::new(self, friction)?;
         let contact = Contact::new(self.ellipse(), self.pair().poisson())?;
-        Contact { scaling, ..contact }.with_kappa_over_mu(self.pair().kappa() / friction)
+        Contact { scaling, friction: Some(friction), ..contact }
+            .with_kappa_over_mu(self.pair().kappa() / friction)
+    }
+
+    /// The contact for a theory of rolling where friction depends on the speed of slip; its value at
+    /// rest is the `mu` of all units and quantities.
+    ///
+    /// # Errors
+    /// As [`Hertz::with_friction`].
+    pub fn with_friction_law(&self, friction: RollingFriction) -> Result<Contact, InvalidValue> {
+        let contact = self.with_friction(friction.law().at_rest())?;
+        Ok(contact.with_rolling_friction(friction))
     }
 }
 

@@ -39,6 +39,13 @@ impl Ellipse {
         Ok(Self { a: a_over_b.sqrt(), b: a_over_b.sqrt().recip(), ratio: a_over_b })
     }
 
+    /// The ellipse of ratio `a/b` and size `c = sqrt(a b)`, of any unit: of all sizes the same ratio,
+    /// to the last bit.
+    pub(crate) fn of_size(c: f64, a_over_b: f64) -> Result<Self, InvalidValue> {
+        let root = check_ratio(a_over_b)?.sqrt();
+        Ok(Self { ratio: a_over_b, ..Self::new(c * root, c / root)? })
+    }
+
     /// Semi-axis in the rolling direction.
     #[must_use]
     pub fn a(&self) -> f64 {

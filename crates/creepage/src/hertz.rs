@@ -125,10 +125,9 @@ impl Hertz {
         let c = (3.0 * normal_force * (1.0 - pair.poisson()) * rho * integrals.e
             / (4.0 * PI * pair.shear_modulus() * g.sqrt()))
         .cbrt();
-        let (major, minor) = (c / g.sqrt(), c * g.sqrt());
         // The ellipse is longer where the bodies curve less.
-        let (a, b) = if relative.along > relative.across { (minor, major) } else { (major, minor) };
-        let ellipse = Ellipse::new(a, b)?;
+        let a_over_b = if relative.along > relative.across { g } else { g.recip() };
+        let ellipse = Ellipse::of_size(c, a_over_b)?;
         Ok(Self { pair, normal_force, ellipse, angle: relative.angle, rho, integrals })
     }
 

@@ -15,6 +15,7 @@
 //! | [`approximate`], [`variational`], [`table`] | the other theories |
 //! | [`below`], [`damage`] | stresses inside the bodies; wear, fatigue and shakedown |
 //! | [`friction_law`] | friction that depends on the speed of slip |
+//! | [`unsteady`] | rolling that is not steady: a contact that remembers |
 //! | [`statics`] | the classical problems without rolling |
 //! | [`halfspace`], [`special`] | the elastic answer to tractions, and the elliptic integrals, on which all rest |
 //!
@@ -85,6 +86,7 @@ pub mod special;
 pub mod statics;
 pub mod table;
 pub mod theory;
+pub mod unsteady;
 pub mod variational;
 
 mod check;
@@ -92,6 +94,7 @@ mod contact;
 mod creepage;
 mod ellipse;
 mod hertz;
+mod layer;
 mod scaling;
 mod solid;
 
@@ -100,6 +103,7 @@ pub use contact::Contact;
 pub use creepage::{Creepage, Force};
 pub use ellipse::Ellipse;
 pub use hertz::{Hertz, HertzError, Radii};
+pub use layer::{Layer, Plasticity};
 pub use scaling::{Scaling, SiCreepage, SiForce};
 pub use solid::{Solid, SolidPair};
 pub use theory::{
@@ -108,10 +112,15 @@ pub use theory::{
 
 /// The guide's page on calling this library, whose programs run with the documentation tests.
 #[cfg(doctest)]
-#[doc = include_str!("../../../book/pages/how-to/rust.md")]
+#[doc = include_str!("../pages/rust.md")]
 struct Guide;
+
+/// The README, for its lines of Rust.
+#[cfg(doctest)]
+#[doc = include_str!("../../../README.md")]
+struct Readme;
 
 /// The guide's page on the half-space.
 #[cfg(doctest)]
-#[doc = include_str!("../../../book/pages/theories/half-space.md")]
+#[doc = include_str!("../pages/half-space.md")]
 struct HalfSpacePage;

@@ -67,15 +67,15 @@ impl Scaling {
     /// The units of `contact` with coefficient of friction `friction`.
     ///
     /// # Errors
-    /// [`InvalidValue`] unless `friction` is finite and positive.
+    /// [`InvalidValue`] unless `friction` is finite and positive, and so are the units.
     pub fn new(contact: &Hertz, friction: f64) -> Result<Self, InvalidValue> {
         check::positive("friction", friction)?;
         let length = contact.ellipse().c();
         Ok(Self {
-            length,
-            slip: friction * length / contact.rho(),
-            force: friction * contact.normal_force(),
-            traction: friction * contact.peak_pressure(),
+            length: check::positive("unit of length c", length)?,
+            slip: check::positive("unit of slip mu c / rho", friction * length / contact.rho())?,
+            force: check::positive("unit of force mu N", friction * contact.normal_force())?,
+            traction: check::positive("unit of traction", friction * contact.peak_pressure())?,
         })
     }
 

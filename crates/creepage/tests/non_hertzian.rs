@@ -205,6 +205,58 @@ fn shapes_of_another_program() {
     assert_eq!(missed, ["P3_quartic_ellipse fy"]);
 }
 
+/// A kink of curvature, a crowned roller, a quartic of revolution: the same program, five grids.
+#[test]
+fn more_shapes_of_another_program() {
+    let arcs = |y: f64| {
+        if y < -2.0 {
+            4.0 / 600.0 - (2.0 / 300.0) * (y + 2.0) + (y + 2.0).powi(2) / 160.0
+        } else if y > 3.0 {
+            9.0 / 600.0 + (3.0 / 300.0) * (y - 3.0) + (y - 3.0).powi(2) / 60.0
+        } else {
+            y * y / 600.0
+        }
+    };
+    let quartic = gap_mm(4.4, |x, y| 1e-4 * (x * x + y * y).powi(2));
+    let kinked = gap_mm(7.0, move |x, y| x * x / 920.0 + arcs(y));
+    let crowned = gap_mm(7.0, |x, y| x * x / 920.0 + y.powi(4) / 20_000.0);
+    // Approach (um), creepage and spin (1/mm); f_x, f_y, M_z/N (mm) and their uncertainties.
+    let cases = [
+        (quartic, 30.0, [2e-3, 0.0, 0.0], [0.864_464, 0.0, 0.0], [3.46e-3, 5e-4, 1e-3]),
+        (
+            kinked,
+            50.0,
+            [1e-3, 0.0, 3e-4],
+            [0.497_976, 0.342_488, 0.131_379],
+            [2.48e-3, 3.98e-3, 1.92e-3],
+        ),
+        (
+            crowned,
+            50.0,
+            [7e-4, 7e-4, -1e-4],
+            [0.391_443, 0.238_926, -0.233_049],
+            [3.86e-3, 9.4e-4, 1.5e-3],
+        ),
+    ];
+    for (gap, approach, [longitudinal, lateral, spin], expected, scatter) in cases {
+        let resolution = normal::Resolution::FINE;
+        let contact =
+            NormalContact::at_approach(&gap, steel(), 1e-6 * approach, resolution).unwrap();
+        let theory = NonHertzian::new(&contact, FRICTION, Resolution::STANDARD).unwrap();
+        let si = SiCreepage { longitudinal, lateral, spin: 1e3 * spin };
+        let solved = theory.solve(theory.scaling().creepage(si).unwrap());
+        let found = in_print(&theory, solved.solution().force);
+        for k in 0..3 {
+            // .3 % of mu N, for the moment over 5 mm.
+            let most = scatter[k] + [0.003, 0.003, 0.003 * FRICTION * 5.0][k];
+            assert!(
+                (found[k] - expected[k]).abs() < most,
+                "{approach} {k}: {found:?} {expected:?}"
+            );
+        }
+    }
+}
+
 /// The load prescribed, and in two cases the longitudinal force.
 #[test]
 fn prescribed_forces_of_another_program() {
@@ -263,8 +315,8 @@ fn creepage_along_y_is_as_spin() {
     let gap = Gap::polynomial(&[term(2, 0, 1.0), term(0, 2, 2.0), term(1, 1, 0.7)]).unwrap();
     let theory = pressed(&gap, 30e3);
     let spin = theory.solve(creepage(0.4, 0.2, 0.8)).solution().force.components();
-    let curved = theory.solve_curved(creepage(0.4, 0.2, 0.0), |y| [-0.8 * y, 0.0]);
-    let lateral = theory.solve_curved(creepage(0.4, 0.2, 0.8), |y| [0.8 * y, 0.0]);
+    let curved = theory.solve_curved(creepage(0.4, 0.2, 0.0), |[_, y]| [-0.8 * y, 0.0]);
+    let lateral = theory.solve_curved(creepage(0.4, 0.2, 0.8), |[_, y]| [0.8 * y, 0.0]);
     // Not the same, for the spin has a part in y; but the two parts change the force in proportion.
     let none = theory.solve(creepage(0.4, 0.2, 0.0)).solution().force.components();
     let [curved, lateral] = [curved, lateral].map(|s| s.solution().force.components());

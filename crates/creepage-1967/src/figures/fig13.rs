@@ -9,7 +9,7 @@ pub(crate) const ITEM: Item =
     Item::new("fig13", "Fig. 13. Force due to longitudinal and lateral creepage", make);
 
 const DEGREES: [usize; 3] = [2, 3, 4];
-const PENS: [Pen; 3] = [OF_1967, SECOND, THIRD];
+const PENS: [Pen; 3] = [SECOND, OF_1967, THIRD];
 const CREEPAGES: [fn(f64) -> Creepage; 2] =
     [|xi| rolling_at([xi, 0.0, 0.0]), |eta| rolling_at([0.0, eta, 0.0])];
 

@@ -73,7 +73,8 @@ fn claims(apart: &[f64]) -> Vec<Comparison> {
         worst < 0.11,
     );
     let reason = "the thesis measures by Johnson's points, which are not in its text; the worst is \
-        on curve 3, where creepage and spin oppose each other";
+        on curve 3, where creepage and spin oppose each other; over the catalogue's circle and its \
+        other ellipses: the item chapter-5";
     vec![line.because(reason)]
 }
 

@@ -178,7 +178,7 @@ fn sheet(circle: Ellipse, views: &[View]) -> Sheet {
 }
 
 fn panel(circle: Ellipse, (size, _, direction): (f64, f64, &str), view: &View) -> Panel {
-    let heading = Label::new(direction).plain(", ").symbol("ν").plain(" = ");
+    let heading = Label::new(direction).plain(", ").symbol("υ").plain(" = ");
     let panel = contact::panel(circle, heading.number(&size.to_string()));
     let mut panel = contact::edge(panel, circle);
     for (areas, pen) in view.areas.iter().zip([SECOND, OF_1967]) {

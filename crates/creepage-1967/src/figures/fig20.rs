@@ -114,7 +114,11 @@ fn agreement(
     for (k, (expected, words)) in printed.into_iter().enumerate() {
         let (ours, full) = (on_the_mesh[k], contact::pieces(circle, &today[k].adhesion));
         let quantity = format!("areas of adhesion at χ = {}", SPINS[k]);
-        let found = format!("{ours} on chapter 5's mesh, {full} by the full theory");
+        let full = match full {
+            0 => "the island, below resolution here, see the item islands".to_owned(),
+            _ => full.to_string(),
+        };
+        let found = format!("{ours} on chapter 5's mesh; full theory: {full}");
         let doubtful = "the points on the right are four in a row at x/a = 0.9, aberrations all; \
             whether they are one part or two depends on how T = S is drawn between them";
         lines.push(Comparison::claim(quantity, words, found, ours == expected).because(doubtful));

@@ -130,7 +130,7 @@ fn agreement(theory: &Variational, [_, today]: &[Curve; 2]) -> Vec<Comparison> {
     };
     vec![
         line(0, "none", ours[0].is_none()),
-        line(1, "has entered", ours[1].is_some()),
+        line(1, "enters", ours[1].is_some()),
         line(2, "nearer to the centre", ours[2] > ours[1]),
     ]
 }

@@ -17,14 +17,14 @@ const SIZES: [f64; 7] = [0.3, 0.5, 0.7, 0.9, 1.1, 1.3, 1.7];
 
 /// The forces along a line.
 struct Line {
-    /// `nu` of a ring, `alpha` in degrees of a ray.
+    /// `upsilon` of a ring, `alpha` in degrees of a ray.
     value: f64,
     creepages: Vec<Creepage>,
     /// By chapter 5, by the full theory.
     forces: [Vec<Force>; 2],
 }
 
-/// Rings of constant `nu` and rays of constant `alpha` at one spin.
+/// Rings of constant `upsilon` and rays of constant `alpha` at one spin.
 struct Net {
     chi: f64,
     rings: Vec<Line>,
@@ -36,16 +36,19 @@ impl Net {
         let theory = chapter_5(1.0, STEEL, 3, Weight::Elliptic)?;
         let line = |value: f64, polar: Vec<(f64, f64)>| -> Result<Line, GalleryError> {
             let creepages: Vec<_> =
-                polar.into_iter().map(|(nu, alpha)| at(chi, nu, alpha)).collect();
+                polar.into_iter().map(|(upsilon, alpha)| at(chi, upsilon, alpha)).collect();
             let forces = [chained(&theory, &creepages), full(1.0, STEEL, &creepages)?];
             Ok(Line { value, creepages, forces })
         };
-        let ring = |nu: f64| {
-            line(nu, spaced(lowest(chi), 90.0, 36).into_iter().map(|alpha| (nu, alpha)).collect())
+        let ring = |upsilon: f64| {
+            line(
+                upsilon,
+                spaced(lowest(chi), 90.0, 36).into_iter().map(|alpha| (upsilon, alpha)).collect(),
+            )
         };
         // To a creepage of 12, crowded below 1.
         let sizes = || spaced(0.0, 1.0, 64).into_iter().map(|s| 0.05 + 0.95 * s + 11.0 * s.powi(5));
-        let ray = |alpha: f64| line(alpha, sizes().map(|nu| (nu, alpha)).collect());
+        let ray = |alpha: f64| line(alpha, sizes().map(|upsilon| (upsilon, alpha)).collect());
         let rings = SIZES.into_iter().map(ring).collect::<Result<_, _>>()?;
         let rays = angles(chi).iter().map(|alpha| ray(*alpha)).collect::<Result<_, _>>()?;
         Ok(Self { chi, rings, rays })
@@ -59,7 +62,7 @@ impl Net {
 
     fn data(&self) -> Data {
         let mut data = Data::new(["curve", "xi", "eta", "fx", "fy"]);
-        for (kind, lines) in [("nu", &self.rings), ("alpha", &self.rays)] {
+        for (kind, lines) in [("upsilon", &self.rings), ("alpha", &self.rays)] {
             for line in lines {
                 for (theory, forces) in ["M = 3", "full theory"].into_iter().zip(&line.forces) {
                     let name = format!("{kind} = {}, {theory}", line.value);
@@ -78,9 +81,9 @@ impl Net {
 }
 
 /// (5.30), the angle in degrees.
-fn at(chi: f64, nu: f64, alpha: f64) -> Creepage {
+fn at(chi: f64, upsilon: f64, alpha: f64) -> Creepage {
     let (sin, cos) = alpha.to_radians().sin_cos();
-    rolling_at([nu * cos, nu * sin, chi])
+    rolling_at([upsilon * cos, upsilon * sin, chi])
 }
 
 /// The lowest direction in degrees: without spin, one quarter tells all.
@@ -98,7 +101,7 @@ fn make(title: &str, chi: f64) -> Result<Reproduction, GalleryError> {
     let words = match chi {
         0.0 => {
             "Symmetric about both axes: a quarter is enough. In the full theory the rays are \
-            straight from ν = 0 on"
+            straight from υ = 0 on"
         }
         2.0 => {
             "The rays of α = −30° and −60° are wavy in chapter 5, and the thesis doubts that \
@@ -111,7 +114,7 @@ fn make(title: &str, chi: f64) -> Result<Reproduction, GalleryError> {
     };
     let caption = format!(
         "Circular contact, σ = 0.28; chapter 5 with M = 3, W = W₁. Left the lines of constant \
-         creepage ν, right those of constant direction α, with the circle of full sliding, ν = ∞. \
+         creepage υ, right those of constant direction α, with the circle of full sliding, υ = ∞. \
          {words}. Chapter 5 is within {:.3} of μN of the full theory on all rings.",
         net.apart()
     );
@@ -134,11 +137,11 @@ fn without_spin(net: &Net) -> Vec<Comparison> {
     let mut lines = Vec::new();
     for ray in &net.rays {
         let [[low, high], [from, to]] = [0, 1].map(|theory| directions(ray, theory));
-        let ours = format!("direction of the force from {low:.1}° to {high:.1}°, ν = 0.3 to 1.7");
+        let ours = format!("direction of the force from {low:.1}° to {high:.1}°, υ = 0.3 to 1.7");
         // As many degrees as (5.31a) allows for.
         let line = Comparison::claim(
             format!("line α = {}°", ray.value),
-            "nearly straight up to ν = 1.7",
+            "nearly straight up to υ = 1.7",
             ours,
             high - low < 3.7,
         );
@@ -151,9 +154,9 @@ fn with_spin(net: &Net) -> Result<Vec<Comparison>, GalleryError> {
     let ring = &net.rings[3];
     let [top, bottom] = [ring.creepages.len() - 1, 0].map(|end| roundness(&ring.forces[0], end));
     let flat = Comparison::claim(
-        "lines of constant ν",
+        "lines of constant υ",
         "egg-shaped, with the flat end up",
-        format!("radius of curvature {top:.2} at the top, {bottom:.2} at the bottom, ν = 0.9"),
+        format!("radius of curvature {top:.2} at the top, {bottom:.2} at the bottom, υ = 0.9"),
         top > bottom,
     );
     let narrow = |chi: f64| -> Result<f64, GalleryError> {
@@ -162,10 +165,10 @@ fn with_spin(net: &Net) -> Result<Vec<Comparison>, GalleryError> {
     };
     let widths = [narrow(0.0)?, narrow(2.0)?, narrow(5.0)?];
     let tube = Comparison::claim(
-        "radius of the tube ν = constant with growing χ",
+        "radius of the tube υ = constant with growing χ",
         "diminishes",
         format!(
-            "f_x = {:.3}, {:.3}, {:.3} at χ = 0, 2, 5, ν = 0.9, α = 0",
+            "f_x = {:.3}, {:.3}, {:.3} at χ = 0, 2, 5, υ = 0.9, α = 0",
             widths[0], widths[1], widths[2]
         ),
         widths[0] > widths[1] && widths[1] > widths[2],
@@ -223,7 +226,7 @@ fn sheet(title: &str, net: &Net) -> Sheet {
         .note(note)
         .note(
             Label::default()
-                .symbol("ν")
+                .symbol("υ")
                 .plain(" = 0.3, 0.5, 0.7, 0.9, 1.1, 1.3, 1.7 from the inside out"),
         )
         .columns(2)
@@ -231,7 +234,7 @@ fn sheet(title: &str, net: &Net) -> Sheet {
         .panel(rays(net))
         .key(OF_1967, axes::degree(3))
         .key(FULL.wide(1.7), Label::new("full theory"))
-        .key(Pen::THIN, Label::new("full sliding, ").symbol("ν").plain(" = ∞"))
+        .key(Pen::THIN, Label::new("full sliding, ").symbol("υ").plain(" = ∞"))
 }
 
 fn frame(net: &Net, heading: Label) -> Panel {
@@ -253,7 +256,7 @@ fn curves(panel: Panel, line: &Line) -> Panel {
 }
 
 fn rings(net: &Net) -> Panel {
-    let panel = frame(net, Label::new("constant ").symbol("ν"));
+    let panel = frame(net, Label::new("constant ").symbol("υ"));
     net.rings.iter().fold(panel, curves)
 }
 

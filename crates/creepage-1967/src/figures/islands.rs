@@ -134,7 +134,10 @@ fn agreement(areas: &[(Vec<Polygon>, f64)], islands: &[Vec<Island>]) -> Vec<Comp
     for (k, chi) in CLOSE.into_iter().enumerate() {
         let ours = islands.iter().map(|islands| {
             let ([length, width], count) = (size(&islands[k]), islands[k].elements.len());
-            format!("{length:.2} a by {width:.2} a ({count} elements)")
+            match count {
+                0 => "below resolution".to_owned(),
+                _ => format!("{length:.2} a by {width:.2} a ({count} elements)"),
+            }
         });
         let ours: Vec<_> = ours.collect();
         let holds = !islands[0][k].elements.is_empty();

@@ -62,11 +62,11 @@ fn row(cells: &[String]) -> String {
 pub(super) fn summary(made: &[Made]) -> String {
     let lines = || made.iter().flat_map(|made| &made.reproduction.agreement);
     let count = |verdict| lines().filter(|line| line.verdict == verdict).count();
-    let [agree, close, misprints, not] =
-        [Verdict::Agrees, Verdict::Close, Verdict::Misprint, Verdict::NotReproduced].map(count);
+    let [agree, close, misprints] = [Verdict::Agrees, Verdict::Close, Verdict::Misprint].map(count);
+    let [not, no_data] = [Verdict::NotReproduced, Verdict::NoData].map(count);
     format!(
         "{} comparisons: {agree} agree, {close} are close, {misprints} are misprints, {not} are \
-         not reproduced.",
+         not reproduced, {no_data} have no data to be compared with.",
         lines().count()
     )
 }

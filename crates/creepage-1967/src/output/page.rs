@@ -35,7 +35,8 @@ pub(super) fn html(made: &[Made]) -> String {
         "</main>\n<footer>Made by <code>creepage reproduce</code>. Agrees: ours, rounded as the \
          print is, is the print, or what is claimed holds. Close: within a tolerance that the \
          note gives a reason for. Misprint: the print is wrong, for a reason found elsewhere. Not \
-         reproduced: the note says why. {SKETCHES}</footer>\n</body>\n</html>\n"
+         reproduced: the note says why. No data: the experiment's numbers are not in the text. \
+         {SKETCHES}</footer>\n</body>\n</html>\n"
     );
     page
 }

@@ -1,5 +1,6 @@
 //! A file a table.
 
+pub(crate) mod claims;
 pub(crate) mod coefficients;
 mod entries;
 mod printed;

@@ -2,7 +2,7 @@
 
 use creepage::variational::Weight;
 
-use super::weights::{Spread, compared, forces, heading, row, spread, variants};
+use super::weights::{MESH_OF_3, Spread, compared, forces, heading, row, spread, variants};
 use crate::prelude::*;
 
 pub(crate) const ITEM: Item =
@@ -22,11 +22,11 @@ fn make() -> Result<Reproduction, GalleryError> {
     for (kind, (name, printed)) in PRINTED.into_iter().enumerate() {
         for ((weight, words), printed) in WEIGHTS.into_iter().zip(printed) {
             let variants = variants(kind, |mesh, creepages| {
-                let of = |degree, weight| forces(mesh, degree, weight, creepages);
-                let (one, two) = (of(4, Weight::Uniform)?, of(4, Weight::Elliptic)?);
+                let of = |weight| forces(mesh, 4, weight, creepages);
+                let (one, two) = (of(Weight::Uniform)?, of(Weight::Elliptic)?);
                 let conjectured: Vec<_> =
                     one.iter().zip(&two).map(|(a, b)| 0.5 * (a + b)).collect();
-                Ok(spread(&conjectured, &of(3, weight)?))
+                Ok(spread(&conjectured, &forces(MESH_OF_3, 3, weight, creepages)?))
             })?;
             let name = format!("{name}, {words}");
             let [max, mean] = variants[0];

@@ -1,8 +1,10 @@
 //! Where in a row the question stands, and how it is read.
 
-use creepage::theory::TheoryError;
-use creepage::{Contact, Creepage, Ellipse, InvalidValue};
+use creepage::{Contact, Creepage, Ellipse};
+use creepage_study::{CaseError, Question, Varied};
 use csv::ByteRecord;
+
+use super::field::{NoCase, parse};
 
 const QUESTION_COLUMNS: [&str; 5] = ["a_over_b", "poisson", "xi", "eta", "chi"];
 /// May be missing: the bodies are like ones then.
@@ -11,16 +13,17 @@ const DISSIMILARITY: &str = "kappa_over_mu";
 /// The places of `a_over_b`, `poisson`, `xi`, `eta`, `chi` in a row, and of `kappa_over_mu`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Columns {
-    places: [usize; 5],
+    places: [Place; 5],
     dissimilarity: Option<usize>,
     count: usize,
 }
 
-/// What a row asks.
+/// Where a number of a row comes from.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Question {
-    pub(super) contact: Contact,
-    pub(super) creepage: Creepage,
+enum Place {
+    Column(usize),
+    /// The same in all rows.
+    Value(f64),
 }
 
 /// Why a table is no table of cases.
@@ -30,65 +33,51 @@ pub(crate) enum ColumnError {
         "the input is empty: its first line must name the columns a_over_b, poisson, xi, eta, chi"
     )]
     Empty,
-    #[error("column {0} is missing: a_over_b, poisson, xi, eta, chi are needed")]
-    Missing(&'static str),
+    #[error(
+        "column {column} is missing: a_over_b, poisson, xi, eta, chi are needed, but found are \
+         {found} (rows in SI units need --case)"
+    )]
+    Missing { column: &'static str, found: String },
+    #[error(
+        "none of the columns differs from the case file: there may be {}, but found are {found}",
+        Varied::ALL.map(Varied::name).join(", ")
+    )]
+    NothingVaries { found: String },
+    #[error("its rows are in UTF-16: save it as UTF-8")]
+    Utf16,
+    #[error(transparent)]
+    Case(Box<CaseError>),
     #[error("column {0} is there twice")]
     Twice(&'static str),
     #[error("column {0} is there already: it is one of those to be appended")]
     Taken(&'static str),
 }
 
-/// Why a row is no case.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-pub(super) enum RowError {
-    #[error("the row has {found} fields, but the header {expected}")]
-    FieldCount { found: usize, expected: usize },
-    #[error("{column} is empty")]
-    EmptyField { column: &'static str },
-    #[error("{column} = `{text}` is not a number")]
-    NotANumber { column: &'static str, text: String },
-    #[error(transparent)]
-    Invalid(#[from] InvalidValue),
-    #[error(transparent)]
-    Theory(#[from] TheoryError),
-}
-
 impl Columns {
-    /// The columns of a header that leaves room for those that are to be appended.
-    pub(super) fn find(
-        header: &ByteRecord,
-        appended: &'static [&'static str],
-    ) -> Result<Self, ColumnError> {
-        if header.is_empty() {
-            return Err(ColumnError::Empty);
+    /// The columns of a header; `only` are the values that need no column.
+    pub(super) fn find(header: &ByteRecord, only: [Option<f64>; 2]) -> Result<Self, ColumnError> {
+        let mut found = [Place::Value(f64::NAN); 5];
+        for (k, column) in QUESTION_COLUMNS.into_iter().enumerate() {
+            let only = only.get(k).copied().flatten();
+            let place = place_of(header, column)?.map(Place::Column).or(only.map(Place::Value));
+            let missing = || ColumnError::Missing { column, found: names(header) };
+            found[k] = place.ok_or_else(missing)?;
         }
-        let places = |name: &'static str| {
-            let name = name.as_bytes();
-            (0..header.len()).filter(move |i| header[*i].trim_ascii() == name)
-        };
-        if let Some(taken) = appended.iter().find(|name| places(name).next().is_some()) {
-            return Err(ColumnError::Taken(taken));
-        }
-        let one = |name: &'static str| {
-            let mut places = places(name);
-            let first = places.next();
-            if places.next().is_some() { Err(ColumnError::Twice(name)) } else { Ok(first) }
-        };
-        let mut found = [0; 5];
-        for (place, name) in found.iter_mut().zip(QUESTION_COLUMNS) {
-            *place = one(name)?.ok_or(ColumnError::Missing(name))?;
-        }
-        Ok(Self { places: found, dissimilarity: one(DISSIMILARITY)?, count: header.len() })
+        let dissimilarity = place_of(header, DISSIMILARITY)?;
+        Ok(Self { places: found, dissimilarity, count: header.len() })
     }
 
     /// What a row asks.
-    pub(super) fn question(&self, row: &ByteRecord) -> Result<Question, RowError> {
+    pub(super) fn question(&self, row: &ByteRecord) -> Result<Question, NoCase> {
         if row.len() != self.count {
-            return Err(RowError::FieldCount { found: row.len(), expected: self.count });
+            return Err(NoCase::FieldCount { found: row.len(), expected: self.count });
         }
         let mut numbers = [0.0; 5];
         for ((number, place), column) in numbers.iter_mut().zip(self.places).zip(QUESTION_COLUMNS) {
-            *number = parse(column, &row[place])?;
+            *number = match place {
+                Place::Column(place) => parse(column, &row[place])?,
+                Place::Value(value) => value,
+            };
         }
         let [a_over_b, poisson, xi, eta, chi] = numbers;
         let dissimilarity = self.dissimilarity.map(|place| parse(DISSIMILARITY, &row[place]));
@@ -99,10 +88,18 @@ impl Columns {
     }
 }
 
-fn parse(column: &'static str, field: &[u8]) -> Result<f64, RowError> {
-    let text = String::from_utf8_lossy(field.trim_ascii());
-    if text.is_empty() {
-        return Err(RowError::EmptyField { column });
-    }
-    text.parse().map_err(|_| RowError::NotANumber { column, text: text.into_owned() })
+/// Where a column stands, if it is there.
+pub(super) fn place_of(
+    header: &ByteRecord,
+    name: &'static str,
+) -> Result<Option<usize>, ColumnError> {
+    let mut places = (0..header.len()).filter(|i| header[*i].trim_ascii() == name.as_bytes());
+    let first = places.next();
+    if places.next().is_some() { Err(ColumnError::Twice(name)) } else { Ok(first) }
+}
+
+/// The names of all columns.
+pub(super) fn names(header: &ByteRecord) -> String {
+    let names = header.iter().map(|name| String::from_utf8_lossy(name.trim_ascii()));
+    names.collect::<Vec<_>>().join(", ")
 }

@@ -1,118 +1,130 @@
 //! `creepage batch`: CSV in, the same rows with forces appended out.
 
+mod case_columns;
 pub(crate) mod columns;
+mod field;
 mod progress;
+mod question;
 mod rows;
-mod solver;
+mod sink;
+mod stream;
 mod table;
 mod tally;
 
-use std::io::{self, Stdout, Write};
-use std::path::Path;
+use std::io::{self, Write};
+use std::sync::Arc;
 
 use creepage::{Contact, Ellipse, TheorySpec};
-use creepage_study::{WholeFile, theory_spec};
-use rows::{Rows, answer_columns};
-use solver::Solver;
+use creepage_study::{CaseFile, Question, Solver, theory_spec};
+use rayon::prelude::*;
+
+use case_columns::CaseColumns;
+use columns::{ColumnError, Columns};
+use field::NoCase;
+use question::{Ask, Asked};
+use rows::Rows;
+use sink::Sink;
+use stream::Stream;
 use table::Table;
 use tally::Tally;
 
-use crate::args::BatchArgs;
+use crate::batch_args::BatchArgs;
 use crate::failure::Failure;
+use crate::input::{read_case, read_table};
 use crate::outcome::Outcome;
 use crate::output::say;
 
-/// Rows in memory at a time: enough to keep all cores busy.
-const CHUNK: usize = 4096;
-
 pub(crate) fn run(args: &BatchArgs) -> Result<Outcome, Failure> {
-    let theory = theory(args)?;
-    let error_bars = theory.facts().error_bars;
-    let table = Table::open(args.input.as_deref(), answer_columns(error_bars))?;
+    let case = args.case.as_deref().map(read_case).transpose()?;
+    let solver = solver(args, case.as_ref())?;
+    let table = Table::open(args.input.as_deref())?;
+    let ask = ask(&table, case.as_ref(), &solver)?;
+    let appended = appended(&table, &ask, solver.error_bars())?;
     let failed = |source: io::Error| Failure::writing(args.out.as_deref(), source);
     let mut sink = Sink::open(args.out.as_deref()).map_err(failed)?;
-    let rows = Rows::start(&mut sink, table.header(), error_bars).map_err(failed)?;
-    let tally = fill(rows, table, &Solver::new(theory), args)?;
+    sink.write_all(&table.comments).map_err(failed)?;
+    let rows = Rows::start(&mut sink, &table.header, &appended, table.delimiter).map_err(failed)?;
+    let tally = fill(rows, table, &ask, &solver, args)?;
     sink.finish().map_err(failed)?;
     say(&tally.to_string());
-    if let Some(caution) = tally.caution() {
-        say(&caution);
-    }
+    tally.cautions().iter().for_each(|caution| say(caution));
     Ok(tally.outcome())
 }
 
-/// The theory with its options, of values that it takes.
-fn theory(args: &BatchArgs) -> Result<TheorySpec, Failure> {
-    let name = TheorySpec::named(&args.theory)?.facts().name;
-    let theory = theory_spec(name, &args.options).map_err(Failure::Option)?;
+/// The theory with its options, of values that it takes; or the table.
+fn solver(args: &BatchArgs, case: Option<&CaseFile>) -> Result<Solver, Failure> {
+    if let Some(path) = &args.table {
+        return Ok(Solver::of_table(Arc::new(read_table(path)?)));
+    }
+    let of_file = |path, source| Failure::Case { path, source };
+    let spec = match (&args.theory, case, &args.case) {
+        (None, Some(file), Some(path)) => {
+            file.theory().map_err(|error| of_file(path.clone(), error))?
+        }
+        (name, ..) => {
+            let name = TheorySpec::named(name.as_deref().unwrap_or("exact"))?.facts().name;
+            theory_spec(name, &args.options).map_err(Failure::Option)?
+        }
+    };
     if !args.options.is_empty() {
         // No row could be answered if the theory took its options not even for a circle.
         let circle = Contact::new(Ellipse::from_ratio(1.0)?, 0.25)?;
         let failed = |source| Failure::Value { source };
-        theory.prepare(&circle).map_err(failed)?;
+        spec.prepare(&circle).map_err(failed)?;
     }
-    Ok(theory)
+    Ok(Solver::new(spec))
 }
 
-/// Where rows go.
-enum Sink {
-    Stdout(Stdout),
-    File(WholeFile),
-}
-
-impl Sink {
-    fn open(out: Option<&Path>) -> io::Result<Self> {
-        out.map_or_else(
-            || Ok(Self::Stdout(io::stdout())),
-            |path| WholeFile::create(path).map(Self::File),
-        )
-    }
-
-    fn finish(self) -> io::Result<()> {
-        match self {
-            Self::Stdout(mut stdout) => stdout.flush(),
-            Self::File(file) => file.finish(),
+/// How the columns of the table ask.
+fn ask(table: &Table, case: Option<&CaseFile>, solver: &Solver) -> Result<Ask, Failure> {
+    let found = match case {
+        None => Columns::find(&table.header, solver.only_contact()).map(Ask::Dimensionless),
+        Some(file) => {
+            CaseColumns::find(&table.header, file).map(|columns| Ask::Case(Box::new(columns)))
         }
-    }
-
-    fn writer(&mut self) -> &mut dyn Write {
-        match self {
-            Self::Stdout(stdout) => stdout,
-            Self::File(file) => file,
-        }
-    }
+    };
+    found.map_err(|source| Failure::Columns { input: table.name.clone(), source })
 }
 
-impl Write for Sink {
-    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        self.writer().write(bytes)
+/// The columns that are to be appended; none of them may be there already.
+fn appended(table: &Table, ask: &Ask, error_bars: bool) -> Result<Vec<&'static str>, Failure> {
+    let appended = ask.appended(error_bars);
+    let there = |name: &&&str| table.header.iter().any(|own| own.trim_ascii() == name.as_bytes());
+    if let Some(taken) = appended.iter().find(there) {
+        let source = ColumnError::Taken(taken);
+        return Err(Failure::Columns { input: table.name.clone(), source });
     }
-
-    fn flush(&mut self) -> io::Result<()> {
-        self.writer().flush()
-    }
+    Ok(appended)
 }
 
-/// Answers the table chunk by chunk, so that memory does not grow with its length.
+/// Answers the table portion by portion, so that memory does not grow with its length.
 fn fill(
     mut out: Rows<&mut Sink>,
-    mut table: Table,
+    table: Table,
+    ask: &Ask,
     solver: &Solver,
     args: &BatchArgs,
 ) -> Result<Tally, Failure> {
     let failed = |source: io::Error| Failure::writing(args.out.as_deref(), source);
-    let bar = progress::bar(args);
+    let bar = progress::of(args);
+    let (mut stream, name) = (Stream::start(table.reader), table.name);
     loop {
-        let rows = table.next_rows(CHUNK)?;
+        let rows = stream.next().map_err(|source| Failure::Rows { input: name.clone(), source })?;
         if rows.is_empty() {
             bar.finish_and_clear();
             return out.finish().map_err(failed);
         }
-        let questions = rows.iter().map(|row| table.columns().question(row)).collect();
-        for (row, answer) in rows.into_iter().zip(solver.solve(questions)) {
-            out.write(row, &answer).map_err(failed)?;
+        let asked: Vec<_> = rows.par_iter().map(|row| ask.of(row)).collect();
+        let replies = solver.solve(asked.iter().map(question).collect());
+        for ((row, asked), reply) in rows.into_iter().zip(asked).zip(replies) {
+            out.write(row, asked.and_then(|asked| Ok((asked, reply?)))).map_err(failed)?;
         }
-        bar.set_position(table.position());
+        out.flush().map_err(failed)?;
+        bar.set_position(stream.position());
         bar.set_message(format!("{} rows", out.tally().rows()));
     }
+}
+
+fn question(asked: &Result<Asked, NoCase>) -> Result<Question, NoCase> {
+    asked.as_ref().map(Asked::question).map_err(Clone::clone)
 }

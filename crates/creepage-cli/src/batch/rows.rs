@@ -1,73 +1,89 @@
-//! Rows that go out: as they came, with the answer appended.
+//! The table that goes out: the rows that came in, each with its answer appended.
 
 use std::io::{self, Write};
 
-use creepage_study::Caution;
+use creepage_study::{BulkAnswer, Caution, Reply};
 use csv::{ByteRecord, Writer, WriterBuilder};
 
-use super::solver::{Answer, Reply};
+use super::field::NoCase;
+use super::question::Asked;
 use super::tally::Tally;
 
-/// What is appended to each row.
-const PLAIN: [&str; 5] = ["fx", "fy", "mz", "status", "message"];
-/// The same for a theory with error bars.
-const WITH_ERRORS: [&str; 8] =
-    ["fx", "fy", "mz", "fx_error", "fy_error", "mz_error", "status", "message"];
-
-/// The columns that are appended for a theory with or without error bars.
-pub(super) fn answer_columns(error_bars: bool) -> &'static [&'static str] {
-    if error_bars { &WITH_ERRORS } else { &PLAIN }
-}
+/// A row's answer: the reply to what it asked.
+pub(super) type Answer = Result<(Asked, Reply), NoCase>;
 
 /// Writes rows and counts them.
 pub(super) struct Rows<W: Write> {
     writer: Writer<W>,
     /// Columns of the input.
     columns: usize,
-    error_bars: bool,
+    /// Columns that are appended.
+    appended: usize,
     tally: Tally,
 }
 
 impl<W: Write> Rows<W> {
     /// Starts the table with its header.
-    pub(super) fn start(sink: W, header: &ByteRecord, error_bars: bool) -> io::Result<Self> {
-        let mut writer = WriterBuilder::new().buffer_capacity(1 << 16).from_writer(sink);
-        let names =
-            header.iter().chain(answer_columns(error_bars).iter().map(|name| name.as_bytes()));
+    pub(super) fn start(
+        sink: W,
+        header: &ByteRecord,
+        appended: &[&str],
+        delimiter: u8,
+    ) -> io::Result<Self> {
+        let mut builder = WriterBuilder::new();
+        let mut writer = builder.buffer_capacity(1 << 16).delimiter(delimiter).from_writer(sink);
+        let names = header.iter().chain(appended.iter().map(|name| name.as_bytes()));
         writer.write_record(names).map_err(into_io)?;
-        Ok(Self { writer, columns: header.len(), error_bars, tally: Tally::default() })
+        let (columns, appended) = (header.len(), appended.len());
+        Ok(Self { writer, columns, appended, tally: Tally::default() })
     }
 
     /// Writes one row. One of a wrong length is filled up or cut, so that the answer stands in
     /// its columns.
-    pub(super) fn write(&mut self, mut row: ByteRecord, answer: &Answer) -> io::Result<()> {
+    pub(super) fn write(&mut self, mut row: ByteRecord, answer: Answer) -> io::Result<()> {
         row.truncate(self.columns);
         while row.len() < self.columns {
             row.push_field(b"");
         }
-        for field in self.fields(answer) {
-            row.push_field(field.as_bytes());
+        match answer {
+            Ok((asked, reply)) => self.push_reply(&mut row, &asked, reply),
+            Err(error) => {
+                for _ in 0..self.appended.saturating_sub(2) {
+                    row.push_field(b"");
+                }
+                row.push_field(b"invalid");
+                row.push_field(error.to_string().as_bytes());
+                self.tally.count(Err(&error));
+            }
         }
-        self.writer.write_byte_record(&row).map_err(into_io)?;
-        self.tally.count(answer);
-        Ok(())
+        self.writer.write_byte_record(&row).map_err(into_io)
     }
 
     /// The answer's fields; numbers in the shortest form that reads back as the same number.
-    fn fields(&self, answer: &Answer) -> Vec<String> {
-        let numbers = if self.error_bars { 6 } else { 3 };
-        match answer {
-            Ok(Reply { solution, cautions }) => {
-                let forces = [Some(solution.force), solution.error];
-                let numbers = forces.into_iter().flatten().flat_map(|f| f.components());
-                let words = [solution.status.name().into(), Caution::words(cautions)];
-                numbers.map(|f| format!("{f:?}")).chain(words).collect()
+    fn push_reply(&mut self, row: &mut ByteRecord, asked: &Asked, reply: Reply) {
+        let mut number = |value: f64| row.push_field(format!("{value:?}").as_bytes());
+        let reply = match asked {
+            Asked::Dimensionless(_) => reply,
+            Asked::Case(asked) => {
+                let answer = BulkAnswer::new(*asked, reply);
+                let force = answer.force();
+                let si = [force.longitudinal, force.lateral, force.moment];
+                si.into_iter().for_each(&mut number);
+                number(answer.power_per_metre());
+                answer.power().into_iter().for_each(&mut number);
+                answer.reply
             }
-            Err(error) => {
-                let words = ["invalid".into(), error.to_string()];
-                vec![String::new(); numbers].into_iter().chain(words).collect()
-            }
-        }
+        };
+        let forces = [Some(reply.solution.force), reply.solution.error];
+        forces.into_iter().flatten().flat_map(|force| force.components()).for_each(number);
+        row.push_field(reply.solution.status.name().as_bytes());
+        row.push_field(Caution::words(&reply.cautions).as_bytes());
+        self.tally.count(Ok(&reply));
+    }
+
+    /// Hands over what was written.
+    pub(super) fn flush(&mut self) -> io::Result<()> {
+        self.writer.flush()
     }
 
     /// What has been written so far.

@@ -1,65 +1,72 @@
 //! The table of cases that comes in.
 
 use std::fs::File;
-use std::io::{self, Read};
+use std::io::{self, BufRead, BufReader, Cursor, Read};
 use std::path::{Path, PathBuf};
 
 use csv::{ByteRecord, Reader, ReaderBuilder};
 
-use super::columns::Columns;
+use super::columns::ColumnError;
 use crate::failure::Failure;
 
-/// A CSV table whose columns have been found to ask for forces.
+type Input = Box<dyn Read + Send>;
+
+/// A CSV table of which the header is read.
 pub(super) struct Table {
-    name: String,
-    reader: Reader<Box<dyn Read>>,
-    header: ByteRecord,
-    columns: Columns,
+    pub(super) name: String,
+    /// Lines that begin with #, above the header.
+    pub(super) comments: Vec<u8>,
+    pub(super) header: ByteRecord,
+    pub(super) delimiter: u8,
+    /// The rows; those of a wrong length are answered each, not an end to the table.
+    pub(super) reader: Reader<Input>,
 }
 
 impl Table {
-    /// Opens a file, or standard input, and reads its header, to which columns are to be appended.
-    pub(super) fn open(
-        path: Option<&Path>,
-        appended: &'static [&'static str],
-    ) -> Result<Self, Failure> {
-        let (name, input): (String, Box<dyn Read>) = match path {
+    /// Opens a file, or standard input, and reads its header.
+    pub(super) fn open(path: Option<&Path>) -> Result<Self, Failure> {
+        let (name, input): (String, Input) = match path.filter(|path| *path != Path::new("-")) {
             None => ("standard input".into(), Box::new(io::stdin())),
             Some(path) => (path.display().to_string(), Box::new(open(path)?)),
         };
-        // Rows of a wrong length are answered each, not an end to the table.
-        let mut reader = ReaderBuilder::new().flexible(true).from_reader(input);
+        let mut input = BufReader::with_capacity(1 << 16, input);
+        let read = |source: io::Error| Failure::Rows { input: name.clone(), source: source.into() };
+        let (comments, first) = first_lines(&mut input).map_err(read)?;
+        let wrong = |source| Failure::Columns { input: name.clone(), source };
+        if first.contains(&0) || first.starts_with(&[0xff, 0xfe]) {
+            return Err(wrong(ColumnError::Utf16));
+        }
+        let delimiter = delimiter(&first);
+        let mut builder = ReaderBuilder::new();
+        let whole: Input = Box::new(Cursor::new(first).chain(input));
+        let mut reader = builder.flexible(true).delimiter(delimiter).from_reader(whole);
         let header = match reader.byte_headers() {
             Ok(header) => header.clone(),
             Err(source) => return Err(Failure::Rows { input: name, source }),
         };
-        match Columns::find(&header, appended) {
-            Ok(columns) => Ok(Self { name, reader, header, columns }),
-            Err(source) => Err(Failure::Columns { input: name, source }),
+        if header.is_empty() {
+            return Err(wrong(ColumnError::Empty));
         }
+        Ok(Self { name, comments, header, delimiter, reader })
     }
+}
 
-    pub(super) fn header(&self) -> &ByteRecord {
-        &self.header
+/// The comments above the header, and its first line.
+fn first_lines(input: &mut impl BufRead) -> io::Result<(Vec<u8>, Vec<u8>)> {
+    let mut comments = Vec::new();
+    loop {
+        let mut line = Vec::new();
+        input.read_until(b'\n', &mut line)?;
+        if !line.starts_with(b"#") {
+            return Ok((comments, line));
+        }
+        comments.append(&mut line);
     }
+}
 
-    pub(super) fn columns(&self) -> Columns {
-        self.columns
-    }
-
-    /// Bytes read so far.
-    pub(super) fn position(&self) -> u64 {
-        self.reader.position().byte()
-    }
-
-    /// The next rows, at most `count`; none at the end.
-    pub(super) fn next_rows(&mut self, count: usize) -> Result<Vec<ByteRecord>, Failure> {
-        self.reader
-            .byte_records()
-            .take(count)
-            .collect::<Result<_, _>>()
-            .map_err(|source| Failure::Rows { input: self.name.clone(), source })
-    }
+/// What separates the columns: a comma, or where the header has none, a semicolon or a tab.
+fn delimiter(header: &[u8]) -> u8 {
+    [b',', b';', b'\t'].into_iter().find(|delimiter| header.contains(delimiter)).unwrap_or(b',')
 }
 
 fn open(path: &Path) -> Result<File, Failure> {

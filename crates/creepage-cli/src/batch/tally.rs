@@ -3,9 +3,9 @@
 use std::fmt;
 
 use creepage::Status;
-use creepage_study::Caution;
+use creepage_study::{Caution, Reply};
 
-use super::solver::{Answer, Reply};
+use super::field::NoCase;
 use crate::outcome::Outcome;
 
 /// Counts of rows by what became of them.
@@ -17,19 +17,24 @@ pub(super) struct Tally {
     invalid: usize,
     /// Rows of dissimilar bodies, which the theory neglects.
     dissimilar: usize,
+    /// Rows with a number that may be in another unit.
+    units: usize,
 }
 
 impl Tally {
-    pub(super) fn count(&mut self, answer: &Answer) {
+    pub(super) fn count(&mut self, answer: Result<&Reply, &NoCase>) {
         self.rows += 1;
-        let dissimilar = |caution: &Caution| matches!(caution, Caution::Dissimilar { .. });
-        let is_so = |reply: &Reply| reply.cautions.iter().any(dissimilar);
-        self.dissimilar += usize::from(answer.as_ref().is_ok_and(is_so));
-        match answer.as_ref().map(|reply| reply.solution.status) {
-            Ok(Status::Solved) => self.solved += 1,
-            Ok(Status::NotConverged) => self.not_converged += 1,
-            Ok(_) => {}
-            Err(_) => self.invalid += 1,
+        let Ok(Reply { solution, cautions, .. }) = answer else {
+            self.invalid += 1;
+            return;
+        };
+        let any = |is: fn(&Caution) -> bool| usize::from(cautions.iter().any(is));
+        self.dissimilar += any(|caution| matches!(caution, Caution::Dissimilar { .. }));
+        self.units += any(Caution::is_of_units);
+        match solution.status {
+            Status::Solved => self.solved += 1,
+            Status::NotConverged => self.not_converged += 1,
+            _ => {}
         }
     }
 
@@ -37,16 +42,19 @@ impl Tally {
         self.rows
     }
 
-    /// Words of caution about rows of unlike bodies.
-    pub(super) fn caution(&self) -> Option<String> {
-        let rows = if self.dissimilar == 1 { "row is" } else { "rows are" };
-        (self.dissimilar > 0).then(|| {
-            format!(
-                "caution: {} {rows} of unlike bodies, which the theory takes for like ones: \
-                 `message` says how far the force may be off",
-                self.dissimilar
-            )
-        })
+    /// Words of caution about many rows.
+    pub(super) fn cautions(&self) -> Vec<String> {
+        let of = |rows: usize, words: &str| {
+            let are = if rows == 1 { "row is" } else { "rows are" };
+            (rows > 0).then(|| format!("caution: {rows} {are} {words}"))
+        };
+        let dissimilar = of(
+            self.dissimilar,
+            "of unlike bodies, which the theory takes for like ones: `message` says how far the \
+             force may be off",
+        );
+        let units = of(self.units, "beyond any real contact: `message` says which unit to check");
+        dissimilar.into_iter().chain(units).collect()
     }
 
     pub(super) fn outcome(&self) -> Outcome {
@@ -75,20 +83,20 @@ impl fmt::Display for Tally {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::batch::columns::RowError;
     use creepage::{Force, Solution, Statistics, TheorySpec};
 
-    fn tally(answers: &[Answer]) -> Tally {
+    fn tally(answers: &[Result<Reply, NoCase>]) -> Tally {
         let mut tally = Tally::default();
         for answer in answers {
-            tally.count(answer);
+            tally.count(answer.as_ref());
         }
         tally
     }
 
     fn with(status: Status) -> Reply {
         let (force, statistics) = (Force::default(), Statistics::default());
-        Reply { solution: Solution { force, error: None, status, statistics }, cautions: vec![] }
+        let solution = Solution { force, error: None, status, statistics };
+        Reply { solution, power: 0.0, cautions: vec![] }
     }
 
     #[test]
@@ -96,19 +104,24 @@ mod tests {
         assert_eq!(tally(&[]).outcome(), Outcome::Done);
         assert_eq!(tally(&[Ok(with(Status::SpinTooLarge))]).outcome(), Outcome::Done);
         assert_eq!(tally(&[Ok(with(Status::NotConverged))]).outcome(), Outcome::Doubtful);
-        let invalid = Err(RowError::EmptyField { column: "xi" });
+        let invalid = Err(NoCase::EmptyField { column: "xi" });
         let tally = tally(&[Ok(with(Status::Solved)), Ok(with(Status::SpinTooLarge)), invalid]);
         assert_eq!(tally.outcome(), Outcome::Doubtful);
         assert_eq!(tally.to_string(), "3 rows: 1 solved, 1 beyond the theory's range, 1 invalid");
-        assert_eq!(tally.caution(), None);
+        assert!(tally.cautions().is_empty());
     }
 
     #[test]
-    fn what_is_left_out_is_counted() {
+    fn what_is_left_out_and_what_looks_wrong_is_counted() {
         let polach = TheorySpec::named("polach").unwrap();
         let cautions = Caution::dissimilar(&polach, 0.3).into_iter().collect();
-        let tally = tally(&[Ok(Reply { cautions, ..with(Status::Solved) })]);
+        let unlike = Reply { cautions, ..with(Status::Solved) };
+        let degrees = Caution::LargeCreepage { component: "lateral", value: 2.0 };
+        let large = || Reply { cautions: vec![degrees], ..with(Status::Solved) };
+        let tally = tally(&[Ok(unlike), Ok(large()), Ok(large())]);
         assert_eq!(tally.outcome(), Outcome::Done);
-        assert!(tally.caution().unwrap().starts_with("caution: 1 row is of unlike bodies"));
+        let [unlike, large] = &tally.cautions()[..] else { panic!("two") };
+        assert!(unlike.starts_with("caution: 1 row is of unlike bodies"));
+        assert!(large.starts_with("caution: 2 rows are beyond any real contact"));
     }
 }

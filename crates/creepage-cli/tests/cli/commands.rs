@@ -56,8 +56,8 @@ fn unlike_bodies_add_the_slip_by_the_pressure() {
     let [by_force, by_slip] =
         ["frictional_power_per_metre_j_per_m", "frictional_power_per_metre_by_slip_j_per_m"]
             .map(power);
-    // Heat in slip areas narrower than an element, at the standard resolution.
-    assert!((by_force - by_slip).abs() < 0.06 * by_force, "{by_force} {by_slip}");
+    // Heat in slip areas narrower than an element is counted.
+    assert!((by_force - by_slip).abs() < 0.002 * by_force, "{by_force} {by_slip}");
 }
 
 /// The same bodies by theories that take them for like ones.
@@ -75,11 +75,13 @@ fn what_is_left_out_between_unlike_bodies_is_told() {
     assert!(caution.starts_with(&format!("fastsim {words}")), "{caution}");
     let text = place.run(&["solve", "unlike.toml", "--theory", "fastsim"]).done();
     assert!(text.contains("\nCAUTION: fastsim takes the bodies for like ones"), "{text}");
-    for (case, theory) in [("unlike.toml", "exact"), ("nearly-like.toml", "fastsim")] {
-        let ran = solve(case, theory);
-        assert!(!ran.stderr.contains("caution"), "{}", ran.stderr);
-        assert!(json(&ran.done())["caution"].is_null());
-    }
+    let ran = solve("nearly-like.toml", "fastsim");
+    assert!(!ran.stderr.contains("caution"), "{}", ran.stderr);
+    assert!(json(&ran.done())["caution"].is_null());
+    // `exact` counts the slip by the pressure, and leaves out what tractions do to the pressure.
+    let caution =
+        json(&solve("unlike.toml", "exact").done())["caution"].as_str().unwrap().to_owned();
+    assert!(!caution.contains(words) && caution.contains("coupled = true counts it"), "{caution}");
     let curve = ["curve", "unlike.toml", "--theory", "exact,linear,polach", "--points", "2"];
     let said = place.run(&curve).stderr;
     assert_eq!(said.matches(words).count(), 2, "{said}");

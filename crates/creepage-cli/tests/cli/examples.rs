@@ -29,7 +29,8 @@ fn every_example_solves_and_shows_both_adhesion_and_slip() {
         let report = json(&printed);
         assert_eq!(report["status"], "solved", "{}", path.display());
         let share = report["areas"]["adhesion_share"].as_f64().unwrap();
-        assert!((0.05..0.95).contains(&share), "{}: adhesion {share}", path.display());
+        // Free rolling of unlike bodies slips in a twentieth of its area.
+        assert!((0.05..0.98).contains(&share), "{}: adhesion {share}", path.display());
     }
 }
 

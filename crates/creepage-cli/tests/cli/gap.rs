@@ -182,12 +182,46 @@ fn a_wanted_force_is_met() {
     place.run(&["solve", "case.toml"]).refused(&parts);
 }
 
+/// Each of them on the ellipse of the case, near its own result by radii; `report.json` has no error
+/// bars for them, and the picture and the field are written.
+#[test]
+fn simplified_theories_take_a_gap() {
+    let place = Place::new();
+    let by_radii = CASE
+        .replacen(
+            "poisson = 0.28",
+            "poisson = 0.28\nradius_rolling = 0.46\nradius_lateral = 'flat'",
+            1,
+        )
+        .replace("\n\n[gap]", "\nradius_rolling = 'flat'\nradius_lateral = 0.3\n\n[gap]")
+        .replace(&format!("[gap]\n{POLYNOMIAL}\n"), "");
+    for theory in ["fastsim", "fastrip", "linear", "saturated"] {
+        let with = |case: &str| {
+            let theory = format!("theory = '{theory}'");
+            solved(&place, &case.replace("resolution = \"fast\"", &theory))
+        };
+        let [report, hertz] = [CASE, &by_radii].map(with);
+        assert_eq!(report["theory"], theory);
+        assert!(report["lower_body"]["longitudinal_error_n"].is_null());
+        for key in ["longitudinal_n", "lateral_n"] {
+            let [one, other] = [&report, &hertz].map(|report| number(report, "lower_body", key));
+            // One flexibility in place of the blended three makes fastsim and fastrip differ.
+            let most = if matches!(theory, "fastsim" | "fastrip") { 0.05 } else { 0.003 };
+            assert!((one - other).abs() < most * 24e3, "{theory} {key}: {one} {other}");
+        }
+        place.write("case.toml", CASE);
+        place.run(&["solve", "case.toml", "--theory", theory, "--out", "out"]).done();
+        let vtk = place.read("out/contact.vtk");
+        assert!(vtk.contains("DATASET POLYDATA") && vtk.contains("VECTORS traction_pa"));
+    }
+}
+
 #[test]
 fn two_patches_carry_the_load_together() {
     let example = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/gap/two-patches.toml");
     let place = Place::new();
     let report = json(&place.run(&["solve", example, "--json", "--out", "out"]).done());
-    let files = ["contact.png", "contact.svg", "points.csv", "report.json"];
+    let files = ["contact.png", "contact.svg", "contact.vtk", "points.csv", "report.json"];
     assert_eq!(place.files_in("out"), files);
     assert_eq!(json(&place.read("out/report.json")), report);
     let patches = report["contact"]["patches"].as_array().unwrap();
@@ -242,10 +276,17 @@ fn keys_of_other_case_files() {
     refused("friction", "angle = 1\nfriction", &["[contact] angle", "[gap]"]);
     refused("spin = 0.2", "xi = 1.0", &["[creepage] xi has no meaning", "longitudinal"]);
     refused("[solve]", "[wanted]\nfx = 0.5\n[solve]", &["[wanted] fx has no meaning", "(N)"]);
-    refused("resolution = \"fast\"", "theory = 'fastsim'", &["fastsim", "[gap] needs exact"]);
+    let strip = ["strip", "needs an ellipse", "exact, fastsim, fastrip, linear, saturated"];
+    refused("resolution = \"fast\"", "theory = 'strip'", &strip);
+    let three = "theory = 'fastsim'\nflexibility = 'three'";
+    refused("resolution = \"fast\"", three, &["flexibility of fastsim", "one flexibility"]);
+    let parabolic = "theory = 'fastsim'\nbound = 'parabolic'";
+    refused("resolution = \"fast\"", parabolic, &["bound of fastsim", "true pressure"]);
     let place = Place::new();
     place.write("case.toml", CASE);
-    place.run(&["solve", "case.toml", "--theory", "polach"]).refused(&["polach", "needs exact"]);
+    place
+        .run(&["solve", "case.toml", "--theory", "polach"])
+        .refused(&["polach", "needs an ellipse"]);
 }
 
 #[test]
@@ -256,7 +297,8 @@ fn other_commands_refuse_and_the_schema_knows() {
     let schema = json(&place.run(&["schema", "--of", "gap"]).done());
     assert!(schema["properties"]["gap"]["properties"]["section"].is_object());
     let theories = schema["properties"]["solve"]["oneOf"].as_array().unwrap();
-    assert_eq!(theories.len(), 1);
+    // exact, and four on its pressure.
+    assert_eq!(theories.len(), 5);
 }
 
 #[test]

@@ -181,7 +181,12 @@ fn without_points_the_largest_is_reported_and_drawn() {
     place.write("case.toml", case([5e-3, 5e-3], 1e-9, 1e-3, "saturated"));
     let text = place.run(&["stresses", "case.toml", "--out", "out"]).done();
     assert!(text.contains("Largest equivalent stress in the lower body"), "{text}");
-    assert_eq!(place.files_in("out"), ["stresses.csv", "stresses.png", "stresses.svg"]);
+    let files = ["stresses.csv", "stresses.png", "stresses.svg", "stresses.vtk"];
+    assert_eq!(place.files_in("out"), files);
+    let vtk = place.read("out/stresses.vtk");
+    assert!(vtk.contains("DIMENSIONS 41 21 21\n") && vtk.contains("TENSORS stress_pa float\n"));
+    // Nine lines of head, two of each scalar, one of the tensors.
+    assert_eq!(vtk.lines().count(), 8 + 5 + (1 + 1 + 3) * 41 * 21 * 21);
     let section = rows(&place.read("out/stresses.csv"));
     assert_eq!(section.len(), 81 * 41);
     let report = json(&place.run(&["stresses", "case.toml", "--json"]).done());

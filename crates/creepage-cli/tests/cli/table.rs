@@ -40,7 +40,7 @@ fn a_table_tells_what_it_is_and_gives_the_force() {
 fn a_table_of_shapes_must_be_told_the_shape() {
     let place = Place::new();
     build(&place, &["--a-over-b", "0.5,2", "--shapes", "3"]);
-    place.run(&["table", "eval", "t.nc", "--xi", "1"]).refused(&["a_over_b"]);
+    place.run(&["table", "eval", "t.nc", "--xi", "1"]).refused(&["--a-over-b is needed"]);
     let found = printed(&place, &["table", "eval", "t.nc", "--xi", "1", "--a-over-b", "1.3"]);
     assert_eq!(found["a_over_b"], 1.3);
     place.run(&["table", "eval", "t.nc", "--a-over-b", "3"]).refused(&["a_over_b = 3"]);

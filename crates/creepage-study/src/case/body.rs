@@ -8,7 +8,7 @@ use crate::case::error::CaseError;
 use crate::case::radius::Radius;
 
 /// One body: its material, and its radii of curvature at the contact.
-#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Body {
     /// Shear modulus G (Pa). Give this or `young_modulus`.
@@ -55,6 +55,12 @@ impl Body {
             rolling: metres("radius_rolling", self.radius_rolling)?,
             lateral: metres("radius_lateral", self.radius_lateral)?,
         })
+    }
+
+    /// The smaller of the radii that are given (m), its size; none of a flat body.
+    pub(crate) fn smallest_radius(&self) -> Option<f64> {
+        let radii = [self.radius_rolling, self.radius_lateral].into_iter().flatten();
+        radii.filter_map(|radius| radius.metres().ok()).map(f64::abs).reduce(f64::min)
     }
 
     /// The name of a radius that is given, if one is.

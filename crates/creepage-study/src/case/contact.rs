@@ -6,6 +6,7 @@ use serde::Deserialize;
 
 use crate::case::body::Body;
 use crate::case::error::CaseError;
+use crate::case::friction::FrictionValue;
 
 /// The load and the friction, and the contact ellipse where it is known beforehand.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
@@ -13,8 +14,9 @@ use crate::case::error::CaseError;
 pub(crate) struct ContactSection {
     /// Normal force N that presses the bodies together (N).
     pub(crate) normal_force: f64,
-    /// Coefficient of friction mu. Needed for rolling, not for the contact alone.
-    pub(crate) friction: Option<f64>,
+    /// Coefficient of friction mu, or a law by the speed of slip, whose value at rest is mu. Needed for
+    /// rolling, not for the contact alone.
+    pub(crate) friction: Option<FrictionValue>,
     /// Angle from the upper body's rolling section to the lower body's (degrees); 0 by default.
     pub(crate) angle: Option<f64>,
     /// Semi-axis of the contact ellipse along the rolling direction (m). Both semi-axes

@@ -9,23 +9,24 @@ use crate::case::error::CaseError;
 /// Velocity of the upper body relative to the lower, over the rolling velocity: either
 /// `longitudinal`, `lateral`, `spin` or the dimensionless `xi`, `eta`, `chi`. What is left out
 /// is zero, unless [wanted] asks for it.
-#[derive(Debug, Clone, PartialEq, Default, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct CreepageSection {
     /// Longitudinal creepage, positive along the rolling direction.
-    longitudinal: Option<f64>,
+    pub(crate) longitudinal: Option<f64>,
     /// Lateral creepage, positive to the right of the rolling direction.
-    lateral: Option<f64>,
+    pub(crate) lateral: Option<f64>,
     /// Spin (rad/m), positive from the rolling direction to the right.
-    spin: Option<f64>,
+    pub(crate) spin: Option<f64>,
     /// Dimensionless longitudinal creepage.
-    xi: Option<f64>,
+    pub(crate) xi: Option<f64>,
     /// Dimensionless lateral creepage.
-    eta: Option<f64>,
+    pub(crate) eta: Option<f64>,
     /// Dimensionless spin.
-    chi: Option<f64>,
-    /// Rolling velocity (m/s), for the frictional power in watts. Nothing else depends on it.
-    speed: Option<f64>,
+    pub(crate) chi: Option<f64>,
+    /// Rolling velocity (m/s), for the frictional power in watts; a law of friction by the speed of slip
+    /// needs it.
+    pub(crate) speed: Option<f64>,
 }
 
 const SECTION: &str = "creepage";

@@ -13,6 +13,14 @@ pub enum CaseError {
     /// Not TOML, or a value of the wrong kind, such as text for a number.
     #[error(transparent)]
     Toml(#[from] toml::de::Error),
+    /// A word without quotes.
+    #[error("{key} = {word} is not valid: words are written in quotes, as {key} = \"{word}\"")]
+    BareWord {
+        /// The key.
+        key: String,
+        /// The word.
+        word: String,
+    },
     /// A key or section that the format does not have.
     #[error("unknown key `{key}` in {place}: {hint}")]
     UnknownKey {
@@ -91,6 +99,12 @@ pub enum CaseError {
         /// The key, its value, and what it must be.
         invalid: InvalidValue,
     },
+    /// A law of friction by the speed of slip, without the speed of rolling.
+    #[error("[creepage] speed is missing: [contact] friction depends on the speed of slip")]
+    SpeedOfLaw,
+    /// A constant that falls.
+    #[error("[contact] friction: law = \"constant\" has no terms")]
+    TermsOfConstant,
     /// `[solve]` names no theory, or options that the theory does not have.
     #[error("[solve] {0}")]
     Spec(#[from] SpecError),

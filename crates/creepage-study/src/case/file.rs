@@ -13,9 +13,12 @@ use super::contact::ContactSection;
 use super::creepage::CreepageSection;
 use super::error::CaseError;
 use super::keys;
+use super::layer::LayerSection;
 use super::schema::schema_of;
+use super::sections::{Sections, Touching};
 use super::solve;
 use super::wanted::WantedSection;
+use crate::damage::{DamageSection, DamageWanted};
 
 /// A rolling-contact case, in SI units: two elastic bodies, what presses them together, and
 /// how they creep.
@@ -29,12 +32,16 @@ pub struct CaseFile {
     lower: Body,
     /// The contact of the two.
     contact: ContactSection,
+    /// A layer between the bodies.
+    layer: Option<LayerSection>,
     /// Creepage and spin. Needed for rolling, not for the contact alone.
     #[serde(default)]
     creepage: CreepageSection,
     /// Forces that are wanted in place of creepages.
     #[serde(default)]
     wanted: WantedSection,
+    /// Wear and fatigue numbers.
+    damage: Option<DamageSection>,
     /// The theory that solves the case, "exact" by default, and its options.
     #[serde(default)]
     #[schemars(with = "TheorySpec")]
@@ -64,14 +71,20 @@ pub fn json_schema() -> Value {
 pub struct Case {
     /// The contact ellipse and its pressure.
     pub hertz: Hertz,
-    /// Coefficient of friction `mu`.
+    /// Coefficient of friction `mu`, at rest where it depends on the slip.
     pub friction: f64,
-    /// The two together: what a theory is prepared for.
+    /// The two together, with a law of friction and a layer: what a theory is prepared for.
     pub contact: Contact,
+    /// The materials of the upper and the lower body.
+    pub solids: [Solid; 2],
     /// The creepage, or what determines it.
     pub given: Given,
     /// Rolling velocity (m/s), where it is given.
     pub speed: Option<f64>,
+    /// The smallest of the bodies' radii (m), where they are given.
+    pub smallest_radius: Option<f64>,
+    /// What is wanted of wear and fatigue, if anything is.
+    pub damage: Option<DamageWanted>,
     /// The theory and its options.
     pub theory: TheorySpec,
 }
@@ -125,7 +138,7 @@ impl CaseFile {
     /// # Errors
     /// [`CaseError`] that says where the text is not a case file.
     pub fn read(text: &str) -> Result<Self, CaseError> {
-        keys::check(&text.parse()?, &json_schema())?;
+        keys::check(&keys::parse(text)?, &json_schema())?;
         Ok(toml::from_str(text)?)
     }
 
@@ -135,7 +148,32 @@ impl CaseFile {
     /// [`CaseError`] for numbers out of range, contradictions, and bodies without a contact
     /// ellipse.
     pub fn hertz(&self) -> Result<Hertz, CaseError> {
-        self.contact.hertz(&self.upper, &self.lower)
+        self.sections().hertz()
+    }
+
+    /// The smallest of the bodies' radii (m), its size, where one is given.
+    #[must_use]
+    pub fn smallest_radius(&self) -> Option<f64> {
+        self.sections().smallest_radius()
+    }
+
+    /// What touches, and how it creeps.
+    pub(crate) fn sections(&self) -> Sections {
+        let Self { upper, lower, creepage, layer, .. } = *self;
+        Sections { upper, lower, contact: self.contact.clone(), layer, creepage }
+    }
+
+    /// Whether forces are wanted.
+    pub(crate) fn wants(&self) -> bool {
+        self.wanted.names().next().is_some()
+    }
+
+    /// The theory of `[solve]`.
+    ///
+    /// # Errors
+    /// [`CaseError`] for a theory that is none, and for options that it does not have.
+    pub fn theory(&self) -> Result<TheorySpec, CaseError> {
+        Ok(solve::from_table(&self.solve)?)
     }
 
     /// The materials of the upper and the lower body.
@@ -154,33 +192,17 @@ impl CaseFile {
     /// quantities are given by `[creepage]` and `[wanted]` together, and for options that the
     /// theory does not have.
     pub fn case(&self) -> Result<Case, CaseError> {
-        let hertz = self.hertz()?;
-        self.check_aligned(&hertz)?;
-        let friction = self.contact.friction.ok_or_else(|| CaseError::Missing {
-            section: "contact".into(),
-            key: "friction".into(),
-        })?;
-        let contact = hertz.with_friction(friction).map_err(CaseError::invalid("contact"))?;
+        let sections = self.sections();
+        let Touching { hertz, friction, contact, speed } = sections.touching()?;
         let scaling = contact.scaling();
-        let given = if self.wanted.names().next().is_some() {
+        let given = if self.wants() {
             Given::Constraints(self.wanted.constraints(&self.creepage, hertz.ellipse(), scaling)?)
         } else {
             Given::Creepage(self.creepage.resolve(scaling)?)
         };
-        let (speed, theory) = (self.creepage.speed()?, solve::from_table(&self.solve)?);
-        Ok(Case { hertz, friction, contact, given, speed, theory })
-    }
-
-    fn check_aligned(&self, contact: &Hertz) -> Result<(), CaseError> {
-        // Rounding of an angle of 90 degrees, or of a circle's axes, is not a tilt.
-        const TOLERANCE: f64 = 1e-9;
-        let circular = 1.0 - contact.ellipse().g() < TOLERANCE;
-        if circular || contact.angle().abs() < TOLERANCE {
-            return Ok(());
-        }
-        Err(CaseError::Tilted {
-            angle: self.contact.angle.unwrap_or(0.0),
-            ellipse_angle: contact.angle().to_degrees(),
-        })
+        let (theory, solids) = (self.theory()?, self.solids()?);
+        let smallest_radius = sections.smallest_radius();
+        let damage = self.damage.as_ref().map(DamageSection::wanted).transpose()?;
+        Ok(Case { hertz, friction, contact, solids, given, speed, smallest_radius, damage, theory })
     }
 }

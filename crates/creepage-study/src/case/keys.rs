@@ -4,6 +4,24 @@ use serde_json::Value;
 use toml::Table;
 
 use crate::case::error::CaseError;
+use crate::case::similar::similar;
+
+/// The sections of a text.
+pub(crate) fn parse(text: &str) -> Result<Table, CaseError> {
+    text.parse().map_err(|error| bare_word(text, &error).unwrap_or(CaseError::Toml(error)))
+}
+
+/// A word without quotes at the place of an error, which TOML takes for the beginning of `false`.
+fn bare_word(text: &str, error: &toml::de::Error) -> Option<CaseError> {
+    let start = error.span()?.start.min(text.len());
+    let before = text.get(..start)?;
+    let line = text.lines().nth(before.matches('\n').count())?;
+    let (key, value) = line.split_once('=')?;
+    let (key, word) = (key.trim(), value.split('#').next()?.trim());
+    let is_word = word.starts_with(|c: char| c.is_ascii_alphabetic())
+        && word.chars().all(|c| c.is_ascii_alphanumeric() || "-_".contains(c));
+    is_word.then(|| CaseError::BareWord { key: key.into(), word: word.into() })
+}
 
 /// Every key must be one of those of `schema`, and none that is required may be missing.
 pub(crate) fn check(file: &Table, schema: &Value) -> Result<(), CaseError> {
@@ -14,7 +32,7 @@ pub(crate) fn check(file: &Table, schema: &Value) -> Result<(), CaseError> {
     }
     for section in required(schema) {
         if !file.contains_key(section) {
-            let needs = names(&schema["properties"][section]).join(", ");
+            let needs = needs(&schema["properties"][section]);
             return Err(CaseError::MissingSection { section: section.into(), needs });
         }
     }
@@ -52,7 +70,9 @@ fn names(form: &Value) -> Vec<&str> {
 fn unknown(key: &str, section: &str, schema: &Value) -> CaseError {
     let form = if section.is_empty() { schema } else { &schema["properties"][section] };
     let here = names(form);
-    let hint = if let Some(name) = similar(key, &here) {
+    let hint = if let Some(kind) = other_kind(key, section) {
+        kind.into()
+    } else if let Some(name) = similar(key, &here) {
         format!("did you mean `{name}`?")
     } else if let Some((other, name)) = elsewhere(key, schema) {
         format!("did you mean `{name}` in [{other}]?")
@@ -63,21 +83,34 @@ fn unknown(key: &str, section: &str, schema: &Value) -> CaseError {
     CaseError::UnknownKey { key: key.into(), place, hint }
 }
 
+/// What a section needs, in words.
+fn needs(form: &Value) -> String {
+    let mut needed: Vec<_> = required(form).map(ToOwned::to_owned).collect();
+    if names(form).contains(&"shear_modulus") {
+        needed.push("shear_modulus or young_modulus".into());
+    }
+    if needed.is_empty() { names(form).join(", ") } else { needed.join(", ") }
+}
+
+/// Where a section belongs that this kind of file does not have.
+fn other_kind(key: &str, section: &str) -> Option<&'static str> {
+    match key {
+        _ if !section.is_empty() => None,
+        "statics" => Some("it belongs to statics files, for `creepage statics`"),
+        "chain" | "page" => Some("it belongs to sweep files, for `creepage sweep`"),
+        "wheel" | "rail" | "track" | "wheelset" => {
+            Some("it belongs to wheelset files, for `creepage conicity`")
+        }
+        "creepage" | "wanted" | "solve" | "gap" => {
+            Some("it belongs to case files, for `creepage solve`")
+        }
+        _ => None,
+    }
+}
+
 fn elsewhere<'a>(key: &str, schema: &'a Value) -> Option<(&'a str, &'a str)> {
     names(schema).into_iter().find_map(|section| {
         let known = names(&schema["properties"][section]);
         similar(key, &known).map(|name| (section, name))
     })
-}
-
-/// The name most like `key`, if any is like it at all.
-pub(crate) fn similar<'a>(key: &str, names: &[&'a str]) -> Option<&'a str> {
-    // Separates slips of the keys and plurals (above 0.85) from other words (below 0.75).
-    const ALIKE: f64 = 0.8;
-    names
-        .iter()
-        .map(|name| (strsim::jaro_winkler(key, name), *name))
-        .filter(|(likeness, _)| *likeness > ALIKE)
-        .max_by(|one, other| one.0.total_cmp(&other.0))
-        .map(|(_, name)| name)
 }

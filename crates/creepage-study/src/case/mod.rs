@@ -3,13 +3,17 @@
 //! Reading checks the form (sections and keys); every error names the section and the key.
 
 pub(crate) mod body;
-mod contact;
+pub(crate) mod contact;
 pub(crate) mod creepage;
 mod error;
-mod file;
+pub(crate) mod file;
+pub(crate) mod friction;
 pub(crate) mod keys;
-mod radius;
+pub(crate) mod layer;
+pub(crate) mod radius;
 pub(crate) mod schema;
+pub(crate) mod sections;
+pub(crate) mod similar;
 pub(crate) mod solve;
 mod statics;
 mod sweep;

@@ -4,7 +4,7 @@ use creepage::TheorySpec;
 use creepage::theory::UnknownTheory;
 use toml::{Table, Value};
 
-use super::keys::similar;
+use super::similar::similar;
 
 /// Why `[solve]`, or options that stand outside a case file, name no theory.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]

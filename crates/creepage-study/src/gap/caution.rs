@@ -37,7 +37,7 @@ impl GapCaution {
     /// With fewer points across an area, it depends on how one interpolates.
     const POINTS: usize = 10;
 
-    pub(super) fn all(contact: &NormalContact, friction: f64, status: Status) -> Vec<Self> {
+    pub(crate) fn all(contact: &NormalContact, friction: f64, status: Status) -> Vec<Self> {
         let rolling = (status != Status::Solved).then_some(Self::Rolling(Caution::Status(status)));
         let pressure = match contact.status() {
             normal::Status::Converged => None,

@@ -19,7 +19,8 @@ pub(super) struct SiCreepageSection {
     lateral: Option<f64>,
     /// Spin (rad/m), positive from the rolling direction to the right.
     spin: Option<f64>,
-    /// Rolling velocity (m/s), for the frictional power in watts. Nothing else depends on it.
+    /// Rolling velocity (m/s), for the frictional power in watts; a law of friction by the speed of slip
+    /// needs it.
     speed: Option<f64>,
 }
 

@@ -6,6 +6,7 @@ use creepage::coulomb::InverseError;
 use creepage::gap::GapError;
 use creepage::normal::NormalError;
 
+use super::theory::GapTheory;
 use crate::{CaseError, Unreachable};
 
 /// Why a case with `[gap]` is not solved; every message names the section and the key.
@@ -83,11 +84,26 @@ pub enum GapCaseError {
         /// Why.
         source: NormalError,
     },
-    /// Another theory than the full one.
-    #[error("theory = {name:?}: [gap] needs exact, today; other theories need an ellipse")]
+    /// A theory that needs an ellipse.
+    #[error(
+        "theory = {name:?} needs an ellipse in place of [gap], for {why}: {} take any shape",
+        GapTheory::NAMES.join(", ")
+    )]
     Theory {
         /// Its name.
-        name: String,
+        name: &'static str,
+        /// Why.
+        why: &'static str,
+    },
+    /// An option that has no meaning for areas of any shape.
+    #[error("[solve] {key} of {name} has no meaning beside [gap]: {why}")]
+    Option {
+        /// The theory's name.
+        name: &'static str,
+        /// The option.
+        key: &'static str,
+        /// Why.
+        why: &'static str,
     },
     /// No creepage gives the wanted forces.
     #[error(transparent)]

@@ -2,9 +2,9 @@
 
 use std::path::Path;
 
+use creepage::friction_law::RollingFriction;
 use creepage::gap::Gap;
-use creepage::theory::ExactOptions;
-use creepage::{InvalidValue, SolidPair, TheorySpec};
+use creepage::{InvalidValue, Layer, SolidPair, TheorySpec};
 use schemars::JsonSchema;
 use serde::Deserialize;
 use serde_json::Value;
@@ -13,10 +13,14 @@ use toml::Table;
 use super::creepage::{SiCreepageSection, SiGiven, SiWantedSection};
 use super::error::GapCaseError;
 use super::shape::GapSection;
+use super::theory::GapTheory;
 use crate::CaseError;
 use crate::case::body::Body;
+use crate::case::friction::FrictionValue;
+use crate::case::layer::LayerSection;
 use crate::case::schema::schema_of;
 use crate::case::{keys, solve};
+use crate::damage::{DamageSection, DamageWanted};
 
 /// A rolling-contact case of two bodies of any shape, in SI units.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
@@ -27,6 +31,8 @@ pub struct GapFile {
     lower: Material,
     gap: GapSection,
     contact: PressedSection,
+    layer: Option<LayerSection>,
+    damage: Option<DamageSection>,
     #[serde(default)]
     creepage: SiCreepageSection,
     #[serde(default)]
@@ -56,8 +62,8 @@ struct PressedSection {
     normal_force: Option<f64>,
     /// Approach of the bodies (m), counted like the gap: they penetrate by the approach less h.
     approach: Option<f64>,
-    /// Coefficient of friction mu.
-    friction: f64,
+    /// Coefficient of friction mu, or a law by the speed of slip, whose value at rest is mu.
+    friction: FrictionValue,
 }
 
 /// What presses the bodies together.
@@ -80,14 +86,33 @@ pub struct GapCase {
     pub pair: SolidPair,
     /// Load or approach.
     pub pressed: Pressed,
-    /// Coefficient of friction `mu`.
+    /// Coefficient of friction `mu`, at rest where it depends on the slip.
     pub friction: f64,
+    /// The law of friction by the speed of slip, where it is not constant.
+    pub rolling_friction: Option<RollingFriction>,
+    /// The layer between the bodies.
+    pub layer: Option<Layer>,
+    /// What is wanted of wear and fatigue, if anything is.
+    pub damage: Option<DamageWanted>,
     /// Creepages and wanted forces.
     pub given: SiGiven,
     /// Rolling velocity (m/s), where it is known.
     pub speed: Option<f64>,
-    /// How finely it is to be solved.
-    pub options: ExactOptions,
+    /// The theory of rolling.
+    pub theory: GapTheory,
+}
+
+impl GapCase {
+    /// The same case by the theory of another name, with its default options.
+    ///
+    /// # Errors
+    /// [`GapCaseError`] for a name that is unknown, or of a theory that needs an ellipse.
+    pub fn by_theory(self, name: &str) -> Result<Self, GapCaseError> {
+        let spec = TheorySpec::named(name).map_err(|unknown| {
+            GapCaseError::Case(CaseError::from(solve::SpecError::from(unknown)))
+        })?;
+        Ok(Self { theory: GapTheory::new(&spec)?, ..self })
+    }
 }
 
 /// The JSON schema (draft 2020-12) of a case file with `[gap]`.
@@ -100,8 +125,9 @@ pub struct GapCase {
 pub fn gap_json_schema() -> Value {
     let mut schema = schema_of::<GapFile>();
     if let Some(theories) = schema["properties"]["solve"]["oneOf"].as_array_mut() {
-        theories.retain(|theory| theory["properties"]["theory"]["const"] == "exact");
-        for theory in theories {
+        let name = |theory: &Value| theory["properties"]["theory"]["const"].clone();
+        theories.retain(|theory| GapTheory::NAMES.iter().any(|known| name(theory) == **known));
+        for theory in theories.iter_mut().filter(|theory| name(theory) == "exact") {
             theory["required"] = Value::Array(Vec::new());
         }
     }
@@ -152,17 +178,25 @@ impl GapFile {
         let pair = SolidPair::new(upper.solid("upper")?, lower.solid("lower")?);
         let (gap, shape) = (self.gap.gap(directory)?, self.gap.shape());
         let pressed = self.contact.pressed()?;
-        let friction = positive("friction", self.contact.friction)?;
-        let given = self.creepage.given(&self.wanted)?;
-        let (speed, options) = (self.creepage.speed()?, self.options()?);
-        Ok(GapCase { gap, shape, pair, pressed, friction, given, speed, options })
+        let (speed, theory) = (self.creepage.speed()?, self.theory()?);
+        let friction = positive("friction", self.contact.friction.at_rest()?)?;
+        Ok(GapCase {
+            gap,
+            shape,
+            pair,
+            pressed,
+            friction,
+            rolling_friction: self.contact.friction.rolling(speed)?,
+            layer: self.layer.as_ref().map(LayerSection::layer).transpose()?,
+            damage: self.damage.as_ref().map(DamageSection::wanted).transpose()?,
+            given: self.creepage.given(&self.wanted)?,
+            speed,
+            theory,
+        })
     }
 
-    fn options(&self) -> Result<ExactOptions, GapCaseError> {
-        match solve::from_table(&self.solve).map_err(CaseError::from)? {
-            TheorySpec::Exact(options) => Ok(options),
-            other => Err(GapCaseError::Theory { name: other.facts().name.into() }),
-        }
+    fn theory(&self) -> Result<GapTheory, GapCaseError> {
+        GapTheory::new(&solve::from_table(&self.solve).map_err(CaseError::from)?)
     }
 }
 

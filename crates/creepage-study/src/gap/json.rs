@@ -6,8 +6,9 @@ use creepage::normal::{Method, Patch, Status};
 use serde::Serialize;
 
 use super::solve::SolvedGap;
+use crate::Damage;
 use crate::contact_json::SolidJson;
-use crate::json::{AreasJson, ForceJson};
+use crate::json::{AreasJson, ForceJson, FrictionLawJson};
 
 /// `report.json` of a contact of any shape.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -45,6 +46,10 @@ pub struct GapReportJson {
     pub rolling_velocity_m_per_s: Option<f64>,
     /// Frictional power (W), where the rolling velocity is known.
     pub frictional_power_w: Option<f64>,
+    /// The law of friction by the speed of slip, where there is one; else `null`.
+    pub friction_law: Option<FrictionLawJson>,
+    /// Wear and fatigue numbers, where `[damage]` asks for them; else `null`.
+    pub damage: Option<Damage>,
 }
 
 /// Contact areas and pressure; an error bar of zero stands by what was prescribed.
@@ -118,16 +123,16 @@ pub struct GapCreepageJson {
 pub struct GapForceJson {
     /// Along the rolling direction (N).
     pub longitudinal_n: f64,
-    /// Its error bar (N).
-    pub longitudinal_error_n: f64,
+    /// Its error bar (N), where the theory has one.
+    pub longitudinal_error_n: Option<f64>,
     /// Across (N).
     pub lateral_n: f64,
-    /// Its error bar (N).
-    pub lateral_error_n: f64,
+    /// Its error bar (N), where the theory has one.
+    pub lateral_error_n: Option<f64>,
     /// About the normal through the origin of coordinates (N m).
     pub moment_n_m: f64,
-    /// Its error bar (N m).
-    pub moment_error_n_m: f64,
+    /// Its error bar (N m), where the theory has one.
+    pub moment_error_n_m: Option<f64>,
 }
 
 impl SolvedGap {
@@ -138,7 +143,7 @@ impl SolvedGap {
         let words = self.cautions.iter().map(ToString::to_string).collect::<Vec<_>>().join("; ");
         GapReportJson {
             creepage_version: env!("CARGO_PKG_VERSION"),
-            theory: "exact",
+            theory: self.case.theory.name(),
             status: self.solution.status.name(),
             caution: (!words.is_empty()).then_some(words),
             contact: self.contact_json(),
@@ -157,6 +162,8 @@ impl SolvedGap {
             frictional_power_per_metre_by_slip_j_per_m: self.dissipation_per_metre(),
             rolling_velocity_m_per_s: self.case.speed,
             frictional_power_w: self.case.speed.map(|speed| speed * self.power_per_metre()),
+            friction_law: self.case.rolling_friction.map(Into::into),
+            damage: self.damage(),
         }
     }
 
@@ -217,14 +224,14 @@ impl PatchJson {
 }
 
 impl GapForceJson {
-    fn new(force: SiForce, error: SiForce) -> Self {
+    fn new(force: SiForce, error: Option<SiForce>) -> Self {
         Self {
             longitudinal_n: force.longitudinal,
-            longitudinal_error_n: error.longitudinal,
+            longitudinal_error_n: error.map(|error| error.longitudinal),
             lateral_n: force.lateral,
-            lateral_error_n: error.lateral,
+            lateral_error_n: error.map(|error| error.lateral),
             moment_n_m: force.moment,
-            moment_error_n_m: error.moment,
+            moment_error_n_m: error.map(|error| error.moment),
         }
     }
 }

@@ -15,6 +15,8 @@ mod points;
 mod shape;
 mod solve;
 mod text;
+mod theory;
+mod vtk;
 mod write;
 
 pub use caution::GapCaution;
@@ -24,4 +26,7 @@ pub use file::{GapCase, GapFile, Pressed, gap_json_schema};
 pub use json::{
     ExtentJson, GapContactJson, GapCreepageJson, GapForceJson, GapReportJson, PatchJson,
 };
+pub(crate) use picture::AreasPicture;
+pub(crate) use solve::resolutions;
 pub use solve::{SolvedGap, solve_gap};
+pub use theory::GapTheory;

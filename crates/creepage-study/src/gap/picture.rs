@@ -3,9 +3,9 @@
 
 use creepage::Region;
 use creepage::SiForce;
-use creepage::Status;
 use creepage::coulomb::ElementField;
-use creepage::normal::{Band, Patch};
+use creepage::normal::{Band, NormalContact, Patch};
+use creepage::{Scaling, Status};
 use creepage_plot::format::{Scale, fixed, quantity, round_below, significant};
 use creepage_plot::theme::ARROW;
 use creepage_plot::{Axis, Bands, Contour, Fill, Label, Panel, Pen, Point, Sample, Sheet};
@@ -87,14 +87,47 @@ impl SolvedGap {
     /// The contact areas seen from above, as SVG.
     #[must_use]
     pub fn contact_svg(&self) -> String {
+        let share = self.adhesion_share();
+        AreasPicture {
+            title: "Rolling contact on areas of any shape",
+            contact: &self.contact,
+            elements: &self.elements,
+            scaling: self.scaling,
+            status: self.solution.status,
+            friction: self.case.friction,
+            force: self.force(),
+            share,
+        }
+        .svg()
+    }
+}
+
+/// Contact areas of any shape, rolled.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct AreasPicture<'a> {
+    pub(crate) title: &'a str,
+    pub(crate) contact: &'a NormalContact,
+    pub(crate) elements: &'a [ElementField],
+    pub(crate) scaling: Scaling,
+    pub(crate) status: Status,
+    pub(crate) friction: f64,
+    /// On the lower body.
+    pub(crate) force: SiForce,
+    /// Adhesion area over contact area.
+    pub(crate) share: f64,
+}
+
+impl AreasPicture<'_> {
+    /// The areas seen from above.
+    pub(crate) fn svg(&self) -> String {
         self.sheet().svg()
     }
 
     fn sheet(&self) -> Sheet {
         let view = View::new(self.contact.patches());
-        let mut sheet = Sheet::new("Rolling contact on areas of any shape").columns(view.columns);
-        if self.solution.status != Status::Solved {
-            sheet = sheet.note(Label::new(status_words(self.solution.status)));
+        let mut sheet = Sheet::new(self.title).columns(view.columns);
+        if self.status != Status::Solved {
+            sheet = sheet.note(Label::new(status_words(self.status)));
         }
         sheet = sheet.note(self.setting()).note(self.result()).note(view.note());
         let bands = self.pressure();
@@ -111,7 +144,7 @@ impl SolvedGap {
     }
 
     fn key(&self, sheet: Sheet, sample: Option<(Sample, f64)>) -> Sheet {
-        let share = self.adhesion_share();
+        let share = self.share;
         let area =
             |name: &str, share: f64| Label::new(&format!("{name}, {} %", fixed(100.0 * share, 1)));
         let sheet = sheet
@@ -130,10 +163,10 @@ impl SolvedGap {
     fn setting(&self) -> Label {
         let gap = "\u{2003}";
         let is = |label: Label, value: &str| label.plain(" = ").number(value);
-        let contact = &self.contact;
+        let contact = self.contact;
         let load = quantity(contact.load().value, "N", 4);
         let label = is(Label::default().symbol("N"), &load);
-        let label = is(label.plain(gap).symbol("μ"), &significant(self.case.friction, 4));
+        let label = is(label.plain(gap).symbol("μ"), &significant(self.friction, 4));
         let area = format!("{} mm²", significant(MM * MM * contact.area().value, 4));
         let label = label.plain(gap).plain("area ").number(&area);
         let label = label.plain(gap).plain("peak pressure ");
@@ -144,7 +177,7 @@ impl SolvedGap {
     fn result(&self) -> Label {
         let newton = Scale::of(self.scaling.force, "N", 4);
         let newton_metre = Scale::of(self.scaling.force * self.scaling.length, "N m", 4);
-        let SiForce { longitudinal, lateral, moment } = self.force();
+        let SiForce { longitudinal, lateral, moment } = self.force;
         let is = |label: Label, symbol: &str, index: &str, value: &str| {
             label.plain("\u{2003}").indexed(symbol, index).plain(" = ").number(value)
         };
@@ -249,7 +282,7 @@ impl SolvedGap {
     /// The element nearest to the middle of each cell of the lattice.
     fn chosen(&self, view: &View, pitch: f64) -> impl Iterator<Item = &ElementField> {
         let mut cells = std::collections::BTreeMap::new();
-        for element in &self.elements {
+        for element in self.elements {
             let cell = [0, 1].map(|k: usize| {
                 MM * self.scaling.length * element.point.position[k] * view.scale[k] / pitch
             });

@@ -1,7 +1,9 @@
 //! A case of any shape, solved.
 
-use creepage::coulomb::{ElementField, InverseError, NonHertzian, NonHertzianSolved, Resolution};
+use creepage::approximate::non_hertzian::{NonHertzianSimplified, Simplified};
+use creepage::coulomb::{ElementField, InverseError, NonHertzian, Resolution};
 use creepage::normal::{self, NormalContact};
+use creepage::theory::Constraints;
 use creepage::theory::{ExactOptions, NamedResolution, ResolutionSpec};
 use creepage::{Creepage, Force, Region, Scaling, SiForce, Solution, Solved};
 use creepage_plot::signed_area;
@@ -9,7 +11,9 @@ use creepage_plot::signed_area;
 use super::caution::GapCaution;
 use super::error::GapCaseError;
 use super::file::{GapCase, Pressed};
-use crate::{CaseError, Unreachable};
+use super::theory::GapTheory;
+use crate::damage::{Ground, of_elements};
+use crate::{CaseError, Damage, Unreachable};
 
 /// A case of any shape and its solution, ready to be shown.
 #[derive(Debug, Clone)]
@@ -33,8 +37,22 @@ pub struct SolvedGap {
 /// # Errors
 /// [`GapCaseError`] for bodies without a contact area, and for wanted forces out of reach.
 pub fn solve_gap(case: &GapCase) -> Result<SolvedGap, GapCaseError> {
-    let contact = pressed(case)?;
-    let (resolutions, accuracy) = resolutions(case.options)?;
+    let options = match case.theory {
+        GapTheory::Exact(options) => options,
+        GapTheory::Simplified(kind, cells) => {
+            if case.rolling_friction.is_some() || case.layer.is_some() {
+                let why = "a law of friction or a layer is counted on other areas by exact alone";
+                return Err(GapCaseError::Theory { name: case.theory.name(), why });
+            }
+            let contact = pressed(case, normal::Resolution::STANDARD)?;
+            return simplified(case, &contact, kind, cells);
+        }
+    };
+    let contact = match options.resolution {
+        ResolutionSpec::Named(NamedResolution::Fast) => pressed(case, normal::Resolution::FAST)?,
+        _ => pressed(case, normal::Resolution::FINE)?,
+    };
+    let (resolutions, accuracy) = resolutions(options)?;
     let (last, first) = resolutions.split_last().unwrap_or((&Resolution::STANDARD, &[]));
     for resolution in first {
         let solved = rolled(case, &contact, *resolution)?;
@@ -46,11 +64,7 @@ pub fn solve_gap(case: &GapCase) -> Result<SolvedGap, GapCaseError> {
     rolled(case, &contact, *last)
 }
 
-fn pressed(case: &GapCase) -> Result<NormalContact, GapCaseError> {
-    let resolution = match case.options.resolution {
-        ResolutionSpec::Named(NamedResolution::Fast) => normal::Resolution::FAST,
-        _ => normal::Resolution::FINE,
-    };
+fn pressed(case: &GapCase, resolution: normal::Resolution) -> Result<NormalContact, GapCaseError> {
     let (contact, pressed) = match case.pressed {
         Pressed::Load(load) => (
             NormalContact::under_load(&case.gap, case.pair, load, resolution),
@@ -65,7 +79,12 @@ fn pressed(case: &GapCase) -> Result<NormalContact, GapCaseError> {
 }
 
 /// The resolutions to be tried, the coarsest first, until this accuracy is met.
-fn resolutions(options: ExactOptions) -> Result<(Vec<Resolution>, f64), CaseError> {
+pub(crate) fn resolutions(options: ExactOptions) -> Result<(Vec<Resolution>, f64), CaseError> {
+    if options.coupled {
+        let valid = "left out with [gap], whose bodies are taken for like ones";
+        let invalid = creepage::InvalidValue { quantity: "coupled", value: 1.0, valid };
+        return Err(CaseError::invalid("solve")(invalid));
+    }
     let valid = "finite and greater than zero";
     let accuracy = options.accuracy.unwrap_or(creepage::coulomb::Automatic::DEFAULT_ACCURACY);
     if !(accuracy.is_finite() && accuracy > 0.0) {
@@ -92,19 +111,52 @@ fn rolled(
     resolution: Resolution,
 ) -> Result<SolvedGap, GapCaseError> {
     let theory = NonHertzian::new(contact, case.friction, resolution)
-        .map_err(CaseError::invalid("contact"))?;
-    let scaling = theory.scaling();
-    let solved = if case.given.is_creepage() {
-        theory.solve(case.given.creepage(scaling)?)
-    } else {
-        let constraints = case.given.constraints(scaling, reach(contact))?;
-        let prescribed = case.given.force.map(|force| force.is_some());
-        theory.find(constraints).map_err(|error| unreachable(error, prescribed, scaling))?
+        .map_err(CaseError::invalid("contact"))?
+        .with_resistance(case.rolling_friction, case.layer);
+    let asked = Asked::new(case, contact, theory.scaling())?;
+    let solved = match asked {
+        Asked::At(creepage) => theory.solve(creepage),
+        Asked::For(constraints) => {
+            theory.find(constraints).map_err(|error| unreachable(error, case, theory.scaling()))?
+        }
     };
-    Ok(SolvedGap::new(case, contact, scaling, &solved))
+    Ok(SolvedGap::new(case, contact, theory.scaling(), &solved, solved.elements()))
 }
 
-fn unreachable(error: InverseError, prescribed: [bool; 3], scaling: Scaling) -> GapCaseError {
+fn simplified(
+    case: &GapCase,
+    contact: &NormalContact,
+    kind: Simplified,
+    cells: [usize; 2],
+) -> Result<SolvedGap, GapCaseError> {
+    let theory = NonHertzianSimplified::new(contact, case.friction, kind, cells)
+        .map_err(CaseError::invalid("solve"))?;
+    let solved = match Asked::new(case, contact, theory.scaling())? {
+        Asked::At(creepage) => theory.solve(creepage),
+        Asked::For(constraints) => {
+            theory.find(constraints).map_err(|error| unreachable(error, case, theory.scaling()))?
+        }
+    };
+    Ok(SolvedGap::new(case, contact, theory.scaling(), &solved, solved.elements()))
+}
+
+/// What is asked of a theory, in the contact's units.
+enum Asked {
+    At(Creepage),
+    For(Constraints),
+}
+
+impl Asked {
+    fn new(case: &GapCase, contact: &NormalContact, scaling: Scaling) -> Result<Self, CaseError> {
+        if case.given.is_creepage() {
+            return Ok(Self::At(case.given.creepage(scaling)?));
+        }
+        Ok(Self::For(case.given.constraints(scaling, reach(contact))?))
+    }
+}
+
+fn unreachable(error: InverseError, case: &GapCase, scaling: Scaling) -> GapCaseError {
+    let prescribed = case.given.force.map(|force| force.is_some());
     match error {
         InverseError::NotReachable { nearest, at } => {
             Unreachable { prescribed, nearest, at, scaling }.into()
@@ -125,7 +177,8 @@ impl SolvedGap {
         case: &GapCase,
         contact: &NormalContact,
         scaling: Scaling,
-        solved: &NonHertzianSolved<'_>,
+        solved: &dyn Solved,
+        elements: Vec<ElementField>,
     ) -> Self {
         let solution = solved.solution();
         Self {
@@ -135,10 +188,29 @@ impl SolvedGap {
             scaling,
             solution,
             creepage: solved.creepage(),
-            elements: solved.elements(),
+            elements,
             power: solved.power(),
             dissipation: solved.dissipation(),
         }
+    }
+
+    /// Wear and fatigue numbers by the laws that `[damage]` sets; no shakedown limit. `None` where the case
+    /// has none.
+    #[must_use]
+    pub fn damage(&self) -> Option<Damage> {
+        let wanted = self.case.damage.as_ref()?;
+        let normal = self.contact.load().value;
+        let rows = of_elements(&self.elements, self.scaling, normal);
+        let ground = Ground {
+            force: self.force(),
+            creepage: self.scaling.si_creepage(self.creepage),
+            normal,
+            area: self.contact.area().value,
+            peak: self.contact.peak_pressure().value,
+            speed: self.case.speed,
+            rows: Some(&rows),
+        };
+        Some(Damage::new(wanted, &ground, None))
     }
 
     /// Force in units of [`Scaling`], error bars, status.
@@ -153,17 +225,18 @@ impl SolvedGap {
         self.scaling.si_force(self.solution.force)
     }
 
-    /// Error bars of the force: those of rolling, and the load's in proportion.
+    /// Error bars of the force: those of rolling, where the theory has them, and the load's in
+    /// proportion.
     #[must_use]
-    pub fn force_error(&self) -> SiForce {
+    pub fn force_error(&self) -> Option<SiForce> {
         let load = self.contact.load();
         let part = load.error / load.value;
-        let (force, error) = (self.solution.force, self.solution.error.unwrap_or_default());
-        self.scaling.si_force(Force {
+        let (force, error) = (self.solution.force, self.solution.error?);
+        Some(self.scaling.si_force(Force {
             fx: error.fx + part * force.fx.abs(),
             fy: error.fy + part * force.fy.abs(),
             mz: error.mz + part * force.mz.abs(),
-        })
+        }))
     }
 
     /// Adhesion area over contact area, 0 to 1, counted by elements.

@@ -13,7 +13,8 @@ impl SolvedGap {
     pub fn text(&self) -> String {
         let mut lines = Lines::default();
         let status = self.solution.status;
-        lines.headline(&format!("Theory exact: {}", status_words(status)), status);
+        let name = self.case.theory.name();
+        lines.headline(&format!("Theory {name}: {}", status_words(status)), status);
         for caution in &self.cautions {
             lines.caution(&caution.to_string());
         }
@@ -22,6 +23,9 @@ impl SolvedGap {
         self.creepage_lines(&mut lines);
         self.force_lines(&mut lines);
         self.friction_lines(&mut lines);
+        if let Some(damage) = self.damage() {
+            damage.lines(&mut lines);
+        }
         lines.into_text()
     }
 
@@ -87,7 +91,9 @@ impl SolvedGap {
             lines.columns(name, [&x, &y, &newton_metre.write(force.moment)]);
         };
         row("on the lower body", self.force());
-        row("  error bar", self.force_error());
+        if let Some(error) = self.force_error() {
+            row("  error bar", error);
+        }
         row("on the upper body", -self.force());
         if !self.case.given.is_creepage() {
             let word = |wanted: Option<f64>| if wanted.is_some() { "wanted" } else { "found" };

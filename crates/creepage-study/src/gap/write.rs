@@ -7,14 +7,19 @@ use crate::error::ReportError;
 use crate::write::write_contact;
 
 impl SolvedGap {
-    /// Writes `report.json`, `points.csv`, `contact.svg` and `contact.png` into `directory`, which
-    /// is made when missing; files of those names are replaced. Gives the paths written.
+    /// Writes `report.json`, `points.csv`, `contact.vtk`, `contact.svg` and `contact.png`, and
+    /// where `[damage]` asks for them `wear.csv`, `wear.svg` and `wear.png`, into `directory`,
+    /// which is made when missing; files of those names are replaced. Gives the paths written.
     ///
     /// # Errors
     /// [`ReportError`]; what was made until then is removed.
     pub fn write(&self, directory: &Path) -> Result<Vec<PathBuf>, ReportError> {
         let mut json = serde_json::to_string_pretty(&self.json())?;
         json.push('\n');
-        write_contact(directory, &json, &self.points_csv()?, &self.contact_svg(), &[])
+        let vtk = self.vtk();
+        let wear = self.damage().map(|damage| damage.files()).transpose()?.unwrap_or_default();
+        let mut others = vec![("contact.vtk", vtk.as_bytes())];
+        others.extend(wear.iter().map(|(name, contents)| (*name, &contents[..])));
+        write_contact(directory, &json, &self.points_csv()?, &self.contact_svg(), &others)
     }
 }

@@ -2,6 +2,8 @@
 
 use creepage::{SolidPair, TheorySpec};
 use creepage_rail::{Running, Side};
+use schemars::JsonSchema;
+use serde::Deserialize;
 
 use super::profile::ProfileNote;
 
@@ -18,10 +20,25 @@ pub struct WheelsetCase {
     pub solids: Option<SolidPair>,
     /// Coefficient of friction, where it is given.
     pub friction: Option<f64>,
+    /// What the surfaces slide by before they deform.
+    pub slip: RigidSlip,
     /// The theory and its options.
     pub theory: TheorySpec,
     /// Profile files, and what had to be found in them.
     pub notes: Vec<ProfileNote>,
+}
+
+/// How the rigid slip of a contact follows from the wheelset's motion.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum RigidSlip {
+    /// Creepage and spin at the reference point, all over the contact: what programs of contact
+    /// mechanics mostly do.
+    #[default]
+    Flat,
+    /// The rolling radius and the direction of the surface at every place of the contact: across
+    /// a curved contact spin varies.
+    Curved,
 }
 
 /// Where a wheelset stands, as far as it is given.
@@ -37,6 +54,13 @@ pub struct Stance {
     pub roll: Option<f64>,
     /// What holds it down.
     pub load: Option<Load>,
+}
+
+impl Stance {
+    /// Whether nothing but the height is left to be given.
+    pub(super) fn is_fixed(&self) -> bool {
+        self.side.is_some() || self.roll.is_some()
+    }
 }
 
 /// What holds a wheelset down.

@@ -4,8 +4,10 @@ use std::io;
 use std::path::PathBuf;
 
 use creepage::InvalidValue;
+use creepage::gap::GapError;
+use creepage::normal::NormalError;
 use creepage_rail::file::FileError;
-use creepage_rail::{GeometryError, Role};
+use creepage_rail::{GeometryError, Role, Side};
 
 use crate::case::CaseError;
 
@@ -71,6 +73,71 @@ pub enum WheelsetError {
         /// What to give.
         instead: &'static str,
     },
+    /// Nothing holds the wheelset down.
+    #[error("[wheelset] needs one of axle_load, wheel_load and z")]
+    NoLoad,
+    /// Another theory than those that solve contacts of any shape.
+    #[error("[solve] theory = \"{name}\": contacts of a wheelset need exact, today")]
+    Theory {
+        /// Its name.
+        name: &'static str,
+    },
+    /// A position in which wheel and rail do not meet as they should.
+    #[error("[wheelset] {source}")]
+    Position {
+        /// The side.
+        side: Side,
+        /// Why.
+        source: GeometryError,
+    },
+    /// A position in which the wheelset does not come to rest on both rails.
+    #[error("[wheelset] roll = \"free\": {0}")]
+    Resting(GeometryError),
+    /// Surfaces that make no undeformed distance.
+    #[error("{} wheel: {source}", side_word(*side))]
+    Shape {
+        /// The side.
+        side: Side,
+        /// Why.
+        source: GapError,
+    },
+    /// A contact without a pressure that can be computed.
+    #[error("{} wheel: {source}", side_word(*side))]
+    Pressure {
+        /// The side.
+        side: Side,
+        /// Why.
+        source: NormalError,
+    },
+    /// No height carries the load.
+    #[error("[wheelset] no height was found at which the rails carry {load} N")]
+    LoadNotFound {
+        /// The load (N).
+        load: f64,
+    },
+    /// No roll gives both rails the same load.
+    #[error(
+        "[wheelset] roll = \"free\": none was found at which both rails carry the same with z = {z} m"
+    )]
+    RollNotFound {
+        /// The height (m).
+        z: f64,
+    },
+    /// The wheel slides through faster than it rolls.
+    #[error(
+        "[motion] speed and pitch_rate: the {} wheel and its rail do not roll forward at a \
+         contact", side_word(*side)
+    )]
+    NotForward {
+        /// The side.
+        side: Side,
+    },
+    /// No pitch rate without a moment about the axle.
+    #[error("[motion] pitch_rate = \"free\": none was found without a moment about the axle")]
+    PitchNotFound,
+    /// Load and friction did not come to rest.
+    #[error("[wheelset] the share of friction in the vertical load did not settle")]
+    NotSettled,
     /// No amplitude, or no place, at which the wheelset runs.
     #[error("wheels and rails do not meet with the wheelset in the middle of the track: {0}")]
     Apart(GeometryError),
@@ -81,6 +148,18 @@ fn word(role: Role) -> &'static str {
         Role::Wheel => "wheel",
         Role::Rail => "rail",
     }
+}
+
+pub(super) fn side_word(side: Side) -> &'static str {
+    match side {
+        Side::Left => "left",
+        Side::Right => "right",
+    }
+}
+
+/// A whole section that must be there.
+pub(super) fn section(section: &str, needs: &str) -> CaseError {
+    CaseError::MissingSection { section: section.into(), needs: needs.into() }
 }
 
 impl WheelsetError {

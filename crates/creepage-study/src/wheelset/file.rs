@@ -13,8 +13,8 @@ use super::case::WheelsetCase;
 use super::error::{WheelsetError, checked, needed};
 use super::profile::{Asked, ProfileNote};
 use super::sections::{
-    FrictionSection, MaterialSection, MotionSection, RailSection, TrackSection, WheelSection,
-    WheelsetSection,
+    FrictionSection, MaterialSection, MotionSection, RailSection, SideName, TrackSection,
+    WheelSection, WheelsetSection,
 };
 use crate::case::schema::schema_of;
 use crate::case::{CaseError, keys, solve};
@@ -126,6 +126,7 @@ impl WheelsetFile {
             travel: self.motion.as_ref().map(MotionSection::travel).transpose()?,
             solids: self.solids()?,
             friction: friction.transpose()?,
+            slip: self.contact.as_ref().and_then(|section| section.slip).unwrap_or_default(),
             theory: solve::from_table(&self.solve).map_err(CaseError::from)?,
             notes,
         })
@@ -151,12 +152,14 @@ impl WheelsetFile {
         directory: &Path,
         notes: &mut Vec<ProfileNote>,
     ) -> Result<Wheel, WheelsetError> {
-        let (own, section) = match side {
-            Side::Left => (&self.wheel_left, "wheel_left"),
-            Side::Right => (&self.wheel_right, "wheel_right"),
+        let (own, section, other) = match side {
+            Side::Left => (&self.wheel_left, "wheel_left", &self.wheel_right),
+            Side::Right => (&self.wheel_right, "wheel_right", &self.wheel_left),
         };
         let section = if *own == WheelSection::default() { "wheel" } else { section };
         let wheel = own.or(&self.wheel);
+        // Of one wheel alone the other may be left out.
+        let wheel = if self.is_idle(side) { wheel.or(other) } else { wheel };
         let name = needed(section, "profile", wheel.profile.as_deref())?;
         let radius = needed(section, "radius", wheel.radius)?;
         let asked = Asked { section, name, role: Role::Wheel, side };
@@ -175,17 +178,27 @@ impl WheelsetFile {
         directory: &Path,
         notes: &mut Vec<ProfileNote>,
     ) -> Result<Rail, WheelsetError> {
-        let (own, section) = match side {
-            Side::Left => (&self.rail_left, "rail_left"),
-            Side::Right => (&self.rail_right, "rail_right"),
+        let (own, section, other) = match side {
+            Side::Left => (&self.rail_left, "rail_left", &self.rail_right),
+            Side::Right => (&self.rail_right, "rail_right", &self.rail_left),
         };
         let section = if *own == RailSection::default() { "rail" } else { section };
         let rail = own.or(&self.rail);
+        let rail = if self.is_idle(side) { rail.or(other) } else { rail };
         let name = needed(section, "profile", rail.profile.as_deref())?;
         let asked = Asked { section, name, role: Role::Rail, side };
         let profile = noted(asked.load(directory)?, notes);
         Rail::new(&profile, rail.cant.unwrap_or(0.0), place)
             .map_err(WheelsetError::geometry(section))
+    }
+
+    /// Whether the other wheel is solved alone.
+    fn is_idle(&self, side: Side) -> bool {
+        match self.wheelset.side {
+            Some(SideName::Left) => side == Side::Right,
+            Some(SideName::Right) => side == Side::Left,
+            None => false,
+        }
     }
 
     /// `[materials]` for both bodies, or one section for each.
@@ -221,7 +234,11 @@ impl TrackSection {
         };
         let gauge = self.gauge.map(|_| "gauge").or(self.gauge_height.map(|_| "gauge_height"));
         match (self.rail_position, gauge) {
-            (Some(y), None) => Ok(Place::Origin(positive("rail_position", y)?)),
+            (Some(y), None) => {
+                let is_valid = y >= 0.0 && y.is_finite();
+                let valid = "zero, or positive and finite";
+                Ok(Place::Origin(checked(TRACK, "rail_position", y, is_valid, valid)?))
+            }
             (Some(_), Some(key)) => {
                 let first = (TRACK, "rail_position");
                 Err(CaseError::Conflict { first, second: (TRACK, key) })

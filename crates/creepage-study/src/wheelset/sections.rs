@@ -4,6 +4,7 @@ use creepage::Solid;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
+use super::case::RigidSlip;
 use super::free::Freely;
 use crate::case::CaseError;
 use crate::case::body::Body;
@@ -121,6 +122,9 @@ pub(super) struct MotionSection {
 pub(super) struct FrictionSection {
     /// Coefficient of friction.
     pub(super) friction: f64,
+    /// "flat" (the default): creepage and spin at each contact's reference point hold all over it;
+    /// "curved": the rolling radius and the direction of the surface at every place.
+    pub(super) slip: Option<RigidSlip>,
 }
 
 /// An elastic material.

@@ -10,14 +10,18 @@
 //! | [`vermeulen_johnson`] | no spin, adhesion in an ellipse |
 //! | [`linear`] | no slip anywhere |
 //! | [`saturated`] | slip everywhere |
+//! | [`non_hertzian`] | four of these on areas of any shape |
 //! | [`carter`] | two cylinders: exact, in two dimensions |
+//! | [`free_rolling`] | unlike bodies roll freely without slip: exact, on a circle |
 //!
 //! What each is good for, and how far it is off: [`TheoryFacts`](crate::theory::TheoryFacts).
 
 pub mod carter;
 pub mod fastrip;
 pub mod fastsim;
+pub mod free_rolling;
 pub mod linear;
+pub mod non_hertzian;
 pub mod polach;
 pub mod saturated;
 pub mod shen_hedrick_elkins;

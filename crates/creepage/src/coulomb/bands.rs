@@ -141,20 +141,20 @@ impl<'a> Bands<'a> {
         let (middle, half) = (f64::midpoint(low, high), 0.5 * (high - low));
         let lines = [-GAUSS, GAUSS].map(|t| {
             let y = middle + half * t;
-            (y, self.section(band, y))
+            (y, self.section(band, y), band.line(y))
         });
         let least = LEAST * self.contact.peak_pressure().value;
         let cell = |ends: &[f64]| {
             let (front, rear) = (ends[0].asin(), ends[1].asin());
             let (middle, turn) = (f64::midpoint(front, rear), 0.5 * (front - rear));
             let mut sum = Cell::default();
-            for (y, [centre, length]) in lines {
+            for (y, [centre, length], line) in &lines {
                 for t in [-GAUSS, GAUSS] {
                     // x = centre + length sin(angle)
                     let (s, cos) = (middle + turn * t).sin_cos();
                     let (x, area) = (centre + length * s, half * turn * length * cos);
-                    let force = area * band.pressure(x, y).max(least);
-                    let [at_x, at_y] = self.frame.inward([x, y]);
+                    let force = area * line.pressure(s).max(least);
+                    let [at_x, at_y] = self.frame.inward([x, *y]);
                     let by = [at_x, at_y, s].map(|at| force * at);
                     sum.add(&Cell { area, force, by });
                 }

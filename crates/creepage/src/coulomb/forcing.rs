@@ -64,6 +64,14 @@ pub(crate) fn by_hertz_pressure(ellipse: Ellipse, stencils: &[SlipStencil]) -> V
     stencils.iter().flat_map(|stencil| stencil.slip(|at| displacement(ellipse, at))).collect()
 }
 
+/// The derivatives `[du/dx, dv/dx]` of (6.4), over `kappa f00`, at a position inside the ellipse: central
+/// differences of the closed form, with an error of some 1e-8.
+pub(crate) fn hertz_slip(ellipse: Ellipse, [x, y]: [f64; 2]) -> [f64; 2] {
+    let step = 1e-4 * ellipse.a();
+    let [ahead, behind] = [step, -step].map(|step| displacement(ellipse, [x + step, y]));
+    [0, 1].map(|k| (ahead[k] - behind[k]) / (2.0 * step))
+}
+
 /// The displacement differences `[u, v]` by Hertz's pressure, over `kappa f00`, at a position inside
 /// the ellipse.
 pub(crate) fn displacement(ellipse: Ellipse, [x, y]: [f64; 2]) -> [f64; 2] {

@@ -8,12 +8,18 @@ use super::influence::Influence;
 use super::mesh::Mesh;
 use super::pressure::Pressure;
 use super::quadrature::Quadrature;
+use super::resistance::Resistance;
 use super::stencil::SlipStencil;
-use crate::Creepage;
 use crate::ellipse::Ellipse;
+use crate::friction_law::RollingFriction;
+use crate::layer::Layer;
+use crate::{Creepage, Scaling};
 
 /// Of the traction that an element's own slip asks for.
 const WEIGHT: f64 = 0.3;
+/// Half-width of the rounded corner of Coulomb's law, in parts of the traction bound: times the root
+/// of the number of elements, and at most.
+const ROUNDING: [f64; 2] = [3.0, 0.15];
 
 /// Everything that is prepared for one resolution.
 ///
@@ -34,9 +40,31 @@ pub(crate) struct Grid {
     /// solution; with a fraction of the traction that its own slip asks for the iteration neither
     /// cycles nor crawls.
     pub weights: Vec<f64>,
+    /// Half-width of the rounded corner of [`project`](super::friction::project).
+    pub rounding: f64,
+    /// For each element, those of the coarser grid to interpolate between, with their weights.
+    pub coarser: Vec<[(usize, f64); 4]>,
+    /// Where the traction bound depends on the slip.
+    pub resistance: Option<Resistance>,
 }
 
 impl Grid {
+    /// The coarser grid and the finer with twice its elements along and across, by how many times
+    /// there are as many.
+    pub(crate) fn pair(make: impl Fn(usize) -> Self) -> [Self; 2] {
+        let [mut coarse, mut fine] = [1, 2].map(make);
+        coarse.rounding = 2.0 * fine.rounding;
+        let strips = fine.mesh.strips.iter().enumerate();
+        fine.coarser = strips
+            .flat_map(|(j, strip)| {
+                let coarse = &coarse.mesh;
+                (0..strip.len())
+                    .map(move |i| coarse.around(j / 2, strip.y(), strip.element_middle(i)))
+            })
+            .collect();
+        [coarse, fine]
+    }
+
     /// Hertz's contact, in units of `c`, of the largest traction bound, and of `mu c / rho`.
     pub(crate) fn hertz(
         ellipse: Ellipse,
@@ -74,12 +102,51 @@ impl Grid {
         let strips = (0..mesh.strips.len()).flat_map(|s| mesh.elements(s).map(move |e| (s, e)));
         Self {
             weights: strips.map(|(strip, e)| WEIGHT / influence.own(strip, e)).collect(),
+            resistance: None,
             places: stencils.iter().flat_map(|s| s.places.iter().copied()).collect(),
             pressure_slip: vec![[0.0; 2]; mesh.len()],
             quadrature: Quadrature::new(&mesh, &pressure),
+            rounding: (ROUNDING[0] / (mesh.len() as f64).sqrt()).min(ROUNDING[1]),
+            coarser: Vec::new(),
             mesh,
             pressure,
             influence,
+        }
+    }
+
+    /// The same with friction that depends on the slip and with a layer, in the units `scaling`.
+    pub(crate) fn with_resistance(
+        mut self,
+        friction: Option<RollingFriction>,
+        layer: Option<Layer>,
+        scaling: Scaling,
+    ) -> Self {
+        if friction.is_none() && layer.is_none() {
+            return self;
+        }
+        let stencils: Vec<_> = self.mesh.strips.iter().map(SlipStencil::steady).collect();
+        self.resistance = Resistance::new(friction, layer, scaling, &stencils);
+        let Some(layer) = layer else { return self };
+        let flexibility = layer.dimensionless_flexibility(scaling);
+        let own: Vec<f64> = self.pressure.bounds.iter().map(|bound| flexibility * bound).collect();
+        self.influence = self.influence.with_own_displacements(&stencils, &own);
+        let own_slip = |weights: &[f64]| weights.iter().map(|weight| weight.recip()).sum::<f64>();
+        let bare = own_slip(&self.weights);
+        for (element, (strip, _)) in self.mesh.all().enumerate() {
+            self.weights[element] = WEIGHT / self.influence.own(strip, element);
+        }
+        // On springs the slip grows slowly from the border of adhesion: a rounded corner reaches far.
+        self.rounding *= (bare / own_slip(&self.weights)).sqrt();
+        self
+    }
+
+    /// Makes the slip of every element another combination of displacements: rows and factors.
+    pub(crate) fn combine(&mut self, displacements: &Influence, weights: &[[(usize, f64); 3]]) {
+        displacements.combine(&self.mesh, weights, &mut self.influence);
+        self.weights.clear();
+        for strip in 0..self.mesh.strips.len() {
+            let own = self.mesh.elements(strip).map(|e| WEIGHT / self.influence.own(strip, e));
+            self.weights.extend(own);
         }
     }
 
@@ -137,18 +204,17 @@ mod tests {
         }
     }
 
-    /// Gauss points err by 4e-5 of the slip by an element's own traction, and not all to one side.
+    /// Gauss points err by 1e-6 of the slip by an element's own traction, and not all to one side.
     #[test]
     fn far_elements_by_gauss_points_change_little() {
-        let mesh = Mesh::new(Mesh::ellipse(ellipse(), 16, 14).strips);
-        let mut far = on(mesh);
-        let closed = far.clone();
+        let far = on(Mesh::new(Mesh::ellipse(ellipse(), 16, 14).strips));
+        let mut closed = far.clone();
         let stencils: Vec<_> = far.mesh.strips.iter().map(SlipStencil::steady).collect();
-        let influence = Influence::with_far_field(&far.mesh, POISSON, &stencils);
-        far = Grid::new(far.mesh, far.pressure, influence, slip_unit(), &stencils);
+        let influence = Influence::in_closed_form(&far.mesh, POISSON, &stencils);
+        closed = Grid::new(closed.mesh, closed.pressure, influence, slip_unit(), &stencils);
         for case in CASES {
             for (far, closed) in force(&far, case).into_iter().zip(force(&closed, case)) {
-                assert!((far - closed).abs() < 1e-4, "{case:?}: {far} {closed}");
+                assert!((far - closed).abs() < 1e-6, "{case:?}: {far} {closed}");
             }
         }
     }

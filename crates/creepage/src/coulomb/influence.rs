@@ -4,6 +4,8 @@
 //! upper half are those of the lower by the tractions in mirrored order: only half is computed and
 //! kept. Nothing outside of this file and of [`Tractions`] depends on that.
 
+mod points;
+
 use std::ops::Range;
 
 use super::far::FarField;
@@ -12,11 +14,20 @@ use super::polygon::{Response, edge};
 use super::product::Row;
 use super::stencil::SlipStencil;
 
+/// How precisely slip is needed: sweeps only come near a solution, with half the memory to read.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(crate) enum Precision {
+    #[default]
+    Single,
+    Double,
+}
+
 /// Coefficients of the slip of each element, row by row.
 #[derive(Debug, Clone)]
 pub(crate) struct Influence {
     /// Slip in `x` by `x`; in `x` by `y` and in `y` by `x`; in `y` by `y`.
     coefficients: [Vec<f64>; 3],
+    single: [Vec<f32>; 3],
     rows: Vec<Place>,
     /// First element of every strip, and the number of all.
     offsets: Vec<usize>,
@@ -34,17 +45,18 @@ struct Place {
 }
 
 impl Influence {
-    /// Slip by tractions in units of `pi G`, on any mesh, in closed form; `stencils` are those of its
-    /// strips.
+    /// Slip by tractions in units of `pi G`, on any mesh: in closed form for near elements, by Gauss
+    /// points for far ones. `stencils` are those of the strips.
     pub(crate) fn new(mesh: &Mesh, poisson: f64, stencils: &[SlipStencil]) -> Self {
-        let all = |at: [f64; 2], by: &mut [Vec<f64>; 3]| displace(mesh, poisson, at, by);
+        let far = FarField::new(mesh);
+        let all = |at: [f64; 2], by: &mut [Vec<f64>; 3]| displace(mesh, poisson, &far, at, by);
         Self::assemble(mesh, stencils, all)
     }
 
-    /// The same, in closed form for near elements only.
-    pub(crate) fn with_far_field(mesh: &Mesh, poisson: f64, stencils: &[SlipStencil]) -> Self {
-        let far = FarField::new(mesh);
-        let all = |at: [f64; 2], by: &mut [Vec<f64>; 3]| displace_near(mesh, poisson, &far, at, by);
+    /// The same in closed form for all.
+    #[cfg(test)]
+    pub(crate) fn in_closed_form(mesh: &Mesh, poisson: f64, stencils: &[SlipStencil]) -> Self {
+        let all = |at: [f64; 2], by: &mut [Vec<f64>; 3]| displace_closed(mesh, poisson, at, by);
         Self::assemble(mesh, stencils, all)
     }
 
@@ -69,7 +81,8 @@ impl Influence {
             }
         }
         let rows = mesh.all().map(|(strip, i)| place(mesh, stored, strip, i)).collect();
-        Self { coefficients, rows, offsets: mesh.offsets().to_vec(), mirrored: mesh.mirrored }
+        let (single, offsets) = (Default::default(), mesh.offsets().to_vec());
+        Self { coefficients, single, rows, offsets, mirrored: mesh.mirrored }
     }
 
     /// The same by tractions over `factors`, one an element.
@@ -77,14 +90,59 @@ impl Influence {
         for row in self.coefficients.iter_mut().flat_map(|c| c.chunks_exact_mut(factors.len())) {
             row.iter_mut().zip(factors).for_each(|(entry, factor)| *entry *= factor);
         }
+        self.copy_to_single();
+        self
+    }
+
+    #[allow(clippy::cast_possible_truncation)] // single precision is meant
+    fn copy_to_single(&mut self) {
+        for (single, double) in self.single.iter_mut().zip(&self.coefficients) {
+            single.clear();
+            single.extend(double.iter().map(|entry| *entry as f32));
+        }
+    }
+
+    /// The same where every element moves the surface at itself, and nowhere else, by `own` more.
+    pub(crate) fn with_own_displacements(mut self, stencils: &[SlipStencil], own: &[f64]) -> Self {
+        for (strip, stencil) in stencils.iter().enumerate() {
+            let elements = self.offsets[strip]..self.offsets[strip + 1];
+            for (element, weights) in elements.clone().zip(&stencil.weights) {
+                let Place { start, sign, .. } = self.rows[element];
+                if sign < 0.0 {
+                    continue;
+                }
+                // Point 0 is the leading edge, then comes the centre of each element.
+                for (point, weight) in weights.iter().filter(|(point, _)| *point > 0) {
+                    let by = elements.start + point - 1;
+                    self.coefficients[0][start + by] += weight * own[by];
+                    self.coefficients[2][start + by] += weight * own[by];
+                }
+            }
+        }
+        self.copy_to_single();
         self
     }
 
     /// Slip of an element.
-    pub(crate) fn apply(&self, element: usize, tractions: &Tractions) -> [f64; 2] {
+    pub(crate) fn apply(
+        &self,
+        precision: Precision,
+        element: usize,
+        tractions: &Tractions,
+    ) -> [f64; 2] {
         let Place { start, sign, .. } = self.rows[element];
-        let [x, y] = if sign > 0.0 { &tractions.own } else { &tractions.mirrored };
-        self.row(start..start + x.len()).apply(sign, x, y)
+        let (image, range) = (usize::from(sign < 0.0), start..start + self.columns());
+        match precision {
+            Precision::Single => {
+                let [x, y] = &tractions.single[image];
+                let [xx, xy, yy] = self.single.each_ref().map(|c| &c[range.clone()]);
+                Row { xx, xy, yy }.apply(sign, x, y)
+            }
+            Precision::Double => {
+                let [x, y] = if image == 0 { &tractions.own } else { &tractions.mirrored };
+                self.row(range).apply(sign, x, y)
+            }
+        }
     }
 
     /// Coefficients of an element by the tractions of its own strip, and the sign of `xy`.
@@ -97,6 +155,11 @@ impl Influence {
     pub(crate) fn own(&self, strip: usize, element: usize) -> f64 {
         let (row, k) = (self.strip_block(element).0, element - self.offsets[strip]);
         row.xx[k].abs().max(row.yy[k].abs())
+    }
+
+    /// The number of elements; there may be more rows.
+    fn columns(&self) -> usize {
+        self.offsets.last().copied().unwrap_or_default()
     }
 
     fn row(&self, range: Range<usize>) -> Row<'_> {
@@ -112,9 +175,14 @@ fn place(mesh: &Mesh, stored: usize, strip: usize, i: usize) -> Place {
     Place { start: (block.start + i) * mesh.len(), block, sign }
 }
 
-/// Adds the displacements at a point by every element. Neighbours in a strip share the cut between
-/// them, and what it adds.
-pub(super) fn displace(mesh: &Mesh, poisson: f64, at: [f64; 2], displacements: &mut [Vec<f64>; 3]) {
+/// Adds the displacements at a point by every element, in closed form.
+#[cfg(test)]
+pub(super) fn displace_closed(
+    mesh: &Mesh,
+    poisson: f64,
+    at: [f64; 2],
+    displacements: &mut [Vec<f64>; 3],
+) {
     for strip in &mesh.strips {
         each_in_strip(strip, poisson, at, 0..strip.len(), |_, own| {
             displacements.iter_mut().zip(own).for_each(|(by, own)| by.push(own));
@@ -123,36 +191,38 @@ pub(super) fn displace(mesh: &Mesh, poisson: f64, at: [f64; 2], displacements: &
 }
 
 /// The same, of far elements by Gauss points.
-fn displace_near(
+fn displace(
     mesh: &Mesh,
     poisson: f64,
     far: &FarField,
     at: [f64; 2],
     displacements: &mut [Vec<f64>; 3],
 ) {
-    let (start, n) = (displacements[0].len(), mesh.len());
+    let start = displacements[0].len();
     for by in displacements.iter_mut() {
-        by.resize(start + n, 0.0);
+        by.resize(start + mesh.len(), 0.0);
     }
-    let [xx, xy, yy] = displacements.each_mut().map(|by| &mut by[start..]);
-    far.displace(poisson, at, [xx, xy, yy]);
+    let mut by = displacements.each_mut().map(|by| &mut by[start..]);
+    far.displace(poisson, at, &mut by);
     for (strip, elements) in mesh.strips.iter().zip(mesh.offsets().windows(2)) {
-        let first = elements[0];
-        let is_near = |i: &usize| !far.is_far(first + i, at);
-        let (Some(from), Some(to)) =
-            ((0..strip.len()).find(is_near), (0..strip.len()).rfind(is_near))
-        else {
+        let near = far.near(elements[0]..elements[1], at);
+        if near.is_empty() {
             continue;
-        };
-        each_in_strip(strip, poisson, at, from..to + 1, |i, own| {
-            for (by, own) in displacements.iter_mut().zip(own) {
-                by[start + first + i] = own;
-            }
-        });
+        }
+        each_in_strip(
+            strip,
+            poisson,
+            at,
+            near.start - elements[0]..near.end - elements[0],
+            |i, own| {
+                by.iter_mut().zip(own).for_each(|(by, own)| by[elements[0] + i] = own);
+            },
+        );
     }
 }
 
-/// Calls for each of some elements of a strip with the displacement at a point by it.
+/// Calls for each of some elements of a strip with the displacement at a point by it. Neighbours
+/// share the cut between them, and what it adds.
 fn each_in_strip(
     strip: &Strip,
     poisson: f64,
@@ -189,19 +259,29 @@ pub(crate) struct Tractions {
     pub own: [Vec<f64>; 2],
     /// The same with the strips in opposite order, where a mirrored [`Influence`] needs it.
     mirrored: [Vec<f64>; 2],
+    /// Both in single precision.
+    single: [[Vec<f32>; 2]; 2],
     offsets: Vec<usize>,
 }
 
 impl Tractions {
     pub(crate) fn zeros(influence: &Influence) -> Self {
-        let n = influence.rows.len();
+        let n = influence.columns();
         let kept = if influence.mirrored { n } else { 0 };
         let zeros = |n: usize| [0, 1].map(|_| vec![0.0; n]);
-        Self { own: zeros(n), mirrored: zeros(kept), offsets: influence.offsets.clone() }
+        Self {
+            own: zeros(n),
+            mirrored: zeros(kept),
+            single: [n, kept].map(|n| [0, 1].map(|_| vec![0.0; n])),
+            offsets: influence.offsets.clone(),
+        }
     }
 
     pub(crate) fn clear(&mut self) {
         for values in self.own.iter_mut().chain(&mut self.mirrored) {
+            values.fill(0.0);
+        }
+        for values in self.single.as_flattened_mut() {
             values.fill(0.0);
         }
     }
@@ -220,7 +300,7 @@ impl Tractions {
         for (k, change) in change.chunks_exact(elements.len()).enumerate() {
             let own = &mut self.own[k][elements.clone()];
             own.iter_mut().zip(change).for_each(|(own, change)| *own += change);
-            self.mirror(strip, k);
+            self.copy(strip, k);
         }
     }
 
@@ -229,10 +309,8 @@ impl Tractions {
         let half = self.own[0].len();
         for (k, vector) in vector.chunks_exact(half).enumerate() {
             self.own[k].copy_from_slice(vector);
-            for strip in 0..self.offsets.len() - 1 {
-                self.mirror(strip, k);
-            }
         }
+        self.copy_all();
     }
 
     /// Puts all `x`, then all `y`, into one vector.
@@ -244,19 +322,40 @@ impl Tractions {
 
     /// Adds `factor` times other tractions.
     pub(crate) fn add_times(&mut self, factor: f64, other: &Self) {
-        let to = self.own.iter_mut().chain(&mut self.mirrored).flatten();
-        let from = other.own.iter().chain(&other.mirrored).flatten();
-        to.zip(from).for_each(|(to, from)| *to += factor * from);
+        let to = self.own.iter_mut().flatten();
+        to.zip(other.own.iter().flatten()).for_each(|(to, from)| *to += factor * from);
+        self.copy_all();
     }
 
-    /// Copies a strip to its place in the opposite order.
-    fn mirror(&mut self, strip: usize, k: usize) {
-        if self.mirrored[k].is_empty() {
-            return;
+    /// Sets every element.
+    pub(crate) fn set(&mut self, at: impl Fn(usize) -> [f64; 2]) {
+        let [x, y] = &mut self.own;
+        for (element, (x, y)) in x.iter_mut().zip(y).enumerate() {
+            [*x, *y] = at(element);
         }
-        let elements = self.offsets[strip]..self.offsets[strip + 1];
-        let start = self.offsets[self.offsets.len() - 2 - strip];
-        self.mirrored[k][start..start + elements.len()].copy_from_slice(&self.own[k][elements]);
+        self.copy_all();
+    }
+
+    fn copy_all(&mut self) {
+        for strip in 0..self.offsets.len() - 1 {
+            self.copy(strip, 0);
+            self.copy(strip, 1);
+        }
+    }
+
+    /// Copies a strip to single precision, and to its place in the opposite order.
+    #[allow(clippy::cast_possible_truncation)] // single precision is meant
+    fn copy(&mut self, strip: usize, k: usize) {
+        let Self { own, mirrored, single: [single, mirrored_single], offsets } = self;
+        let elements = offsets[strip]..offsets[strip + 1];
+        let (own, n) = (&own[k][elements.clone()], elements.len());
+        let copied = &mut single[k][elements];
+        copied.iter_mut().zip(own).for_each(|(copied, own)| *copied = *own as f32);
+        if !mirrored[k].is_empty() {
+            let start = offsets[offsets.len() - 2 - strip];
+            mirrored[k][start..start + n].copy_from_slice(own);
+            mirrored_single[k][start..start + n].copy_from_slice(copied);
+        }
     }
 }
 
@@ -270,8 +369,9 @@ mod tests {
     fn the_upper_half_mirrors_the_lower() {
         let mesh = Mesh::ellipse(Ellipse::from_ratio(0.7).unwrap(), 5, 4);
         let stencils: Vec<_> = mesh.strips.iter().map(SlipStencil::steady).collect();
-        let half = Influence::new(&mesh, 0.3, &stencils);
-        let all = Influence::new(&Mesh::new(mesh.strips), 0.3, &stencils);
+        let one = [1.0; 20];
+        let half = Influence::new(&mesh, 0.3, &stencils).with_columns_times(&one);
+        let all = Influence::new(&Mesh::new(mesh.strips), 0.3, &stencils).with_columns_times(&one);
         let vector: Vec<f64> = (0..40).map(|k| f64::from(k).sin()).collect();
         let [of_half, of_all] = [&half, &all].map(|influence| {
             let mut tractions = Tractions::zeros(influence);
@@ -279,10 +379,13 @@ mod tests {
             tractions
         });
         for element in 0..20 {
-            let (found, expected) = (half.apply(element, &of_half), all.apply(element, &of_all));
+            let [found, single] = [Precision::Double, Precision::Single]
+                .map(|precision| half.apply(precision, element, &of_half));
+            let expected = all.apply(Precision::Double, element, &of_all);
             for k in 0..2 {
                 // Rounding of sums of 40 terms of order one.
                 assert!((found[k] - expected[k]).abs() < 1e-12);
+                assert!((single[k] - expected[k]).abs() < 1e-5);
             }
         }
     }

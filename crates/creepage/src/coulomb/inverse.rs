@@ -8,10 +8,10 @@ use crate::theory::{Constraints, InverseError, Solved};
 use crate::{Creepage, Solution};
 
 /// Largest difference from a prescribed force, in parts of `mu N`; the forces themselves are solved
-/// to some 1e-8.
+/// to some 5e-8.
 const TOLERANCE: f64 = 1e-7;
 const STEPS: usize = 60;
-/// Creepage beyond which a force has come as near to saturation as it will.
+/// Creepage beyond which a force has come as near to saturation as it will, over its scale.
 const LARGEST: f64 = 1e3;
 
 /// The contact solved at the creepage that meets the constraints.
@@ -55,13 +55,15 @@ impl Exact {
     /// # Errors
     /// [`InverseError`] unless three quantities are prescribed, all finite, and within reach.
     pub fn find(&self, constraints: Constraints) -> Result<InverseSolution<'_>, InverseError> {
-        let (solved, steps) = search(constraints, |creepage| self.solve_contact(creepage))?;
+        // Between dissimilar bodies the creepage of free rolling grows with kappa/mu.
+        let scale = 1.0 + self.contact.kappa_over_mu().abs();
+        let (solved, steps) = search(constraints, scale, |creepage| self.solve_contact(creepage))?;
         Ok(InverseSolution { solved, steps })
     }
 }
 
 /// A contact solved at one creepage, and again at others.
-pub(super) trait Trial: Solved + Sized {
+pub(crate) trait Trial: Solved + Sized {
     /// The same contact at another creepage.
     fn again(&self, creepage: Creepage) -> Self;
 }
@@ -73,12 +75,13 @@ impl Trial for ExactSolved<'_> {
 }
 
 /// The contact solved where the constraints hold, and the steps taken; from `solve` at the
-/// prescribed creepages, the others zero.
-pub(super) fn search<T: Trial>(
+/// prescribed creepages, the others zero. `scale` is the size of creepage that makes a difference.
+pub(crate) fn search<T: Trial>(
     constraints: Constraints,
+    scale: f64,
     solve: impl Fn(Creepage) -> T,
 ) -> Result<(T, usize), InverseError> {
-    let problem = Problem::new(constraints)?;
+    let problem = Problem::new(constraints, scale)?;
     let mut solved = solve(problem.start);
     for steps in 0..STEPS {
         if problem.is_solved(&solved) {
@@ -97,10 +100,11 @@ struct Problem {
     start: Creepage,
     unknown: Vec<usize>,
     prescribed: Vec<(usize, f64)>,
+    scale: f64,
 }
 
 impl Problem {
-    fn new(constraints: Constraints) -> Result<Self, InverseError> {
+    fn new(constraints: Constraints, scale: f64) -> Result<Self, InverseError> {
         let Constraints { xi, eta, chi, fx, fy, mz } = constraints;
         let creepage = [("xi", xi), ("eta", eta), ("chi", chi)];
         let force = [("fx", fx), ("fy", fy), ("mz", mz)];
@@ -114,7 +118,7 @@ impl Problem {
         let [xi, eta, chi] = creepage.map(|(_, value)| value.unwrap_or(0.0));
         let unknown = (0..3).filter(|k| creepage[*k].1.is_none()).collect();
         let prescribed = (0..3).filter_map(|k| force[k].1.map(|value| (k, value))).collect();
-        Ok(Self { start: Creepage::new(xi, eta, chi)?, unknown, prescribed })
+        Ok(Self { start: Creepage::new(xi, eta, chi)?, unknown, prescribed, scale })
     }
 
     /// Prescribed forces less those of a solution.
@@ -140,7 +144,7 @@ impl Problem {
         let step = DMatrix::from_fn(n, n, entry).lu().solve(&residual);
         let step = step.filter(|step| step.iter().all(|s| s.is_finite()))?;
         let size = at.iter().fold(0.0, |size: f64, component| size.max(component.abs()));
-        let mut length = (size.max(1.0) / step.amax()).min(1.0);
+        let mut length = (size.max(self.scale) / step.amax()).min(1.0);
         for _ in 0..8 {
             let mut to = at;
             for (k, step) in self.unknown.iter().zip(step.iter()) {
@@ -148,7 +152,7 @@ impl Problem {
             }
             let [xi, eta, chi] = to;
             let next = from.again(Creepage { xi, eta, chi });
-            let within = self.unknown.iter().all(|k| to[*k].abs() <= LARGEST);
+            let within = self.unknown.iter().all(|k| to[*k].abs() <= LARGEST * self.scale);
             if within && self.residual(&next).norm() < residual.norm() {
                 return Some(next);
             }

@@ -82,6 +82,13 @@ impl Strip {
         beside(self.element_at(along), self.len(), -along.asin(), middle)
     }
 
+    /// Area of an element.
+    pub(crate) fn area(&self, i: usize) -> f64 {
+        let [low, high] = self.borders();
+        let mean = 0.5 * (self.half_length[0] + self.half_length[1]);
+        mean * (self.cut(i) - self.cut(i + 1)) * (high - low)
+    }
+
     /// Corners of an element, all around.
     pub(crate) fn corners(&self, i: usize) -> [[f64; 2]; 4] {
         let ([front, beside], [rear, across]) = (self.cut_ends(i), self.cut_ends(i + 1));

@@ -4,7 +4,9 @@
 //! Elements fit the ellipse, the slip of each is an upstream difference of displacements of
 //! second order, friction is a projection, and Newton solves it, strip by strip at first, then in
 //! all strips at once. Every force and the frictional power come from two grids: their difference
-//! gives the extrapolated value and its error bar.
+//! gives the extrapolated value and its error bar. Forces are smooth in creepage and spin: the
+//! projection's corner, where an element changes between adhesion and slip, is rounded over a width
+//! that shrinks with the elements.
 //!
 //! With `P` the projection on the disc whose radius is the traction bound, Coulomb's law for a
 //! traction `p` and slip `s` is one equation, for any `r > 0`:
@@ -15,31 +17,40 @@
 
 mod automatic;
 mod bands;
-mod extrapolation;
+mod coupled;
+mod cylinders;
+pub(crate) mod extrapolation;
 mod far;
-mod forcing;
+pub(crate) mod forcing;
 mod friction;
-mod grid;
-mod influence;
+pub(crate) mod grid;
+pub(crate) mod influence;
 mod inverse;
-mod mesh;
+pub(crate) mod mesh;
+mod mixing;
 mod non_hertzian;
 mod polygon;
-mod pressure;
+pub(crate) mod pressure;
 mod product;
-mod quadrature;
-mod resolution;
+pub(crate) mod quadrature;
+mod resistance;
+pub(crate) mod resolution;
 mod solution;
-mod solver;
-mod stencil;
+pub(crate) mod solver;
+pub(crate) mod stencil;
 mod workspace;
 
 pub use crate::theory::{Constraints, InverseError};
 pub use automatic::Automatic;
+pub use coupled::{Coupled, CoupledSolved, GrossSliding, Prescribed, SlidingError};
+pub use cylinders::{Cylinders, CylindersSolved};
+pub(crate) use forcing::hertz_slip;
 pub use inverse::InverseSolution;
 pub use non_hertzian::{NonHertzian, NonHertzianSolved};
 pub use resolution::Resolution;
 pub use solution::{ElementField, ExactSolved};
+
+pub(crate) use inverse::{Trial, search};
 
 use crate::check::{self, InvalidValue};
 use crate::theory::{Jacobian, Solved};
@@ -54,8 +65,8 @@ use workspace::Pool;
 ///
 /// | resolution | median | rms | worst | case | preparation |
 /// |---|---|---|---|---|---|
-/// | [`Resolution::FAST`] | 0.03 % | 0.22 % | 1.2 % | 0.5 ms | 2 ms |
-/// | [`Resolution::STANDARD`] | 0.00 % | 0.06 % | 0.32 % | 2 ms | 10 ms |
+/// | [`Resolution::FAST`] | 0.03 % | 0.19 % | 1.2 % | 0.5 ms | 2 ms |
+/// | [`Resolution::STANDARD`] | 0.00 % | 0.05 % | 0.29 % | 2 ms | 10 ms |
 /// | [`Resolution::FINE`] | 0.00 % | 0.01 % | 0.03 % | 25 ms | 0.1 s |
 ///
 /// Errors are largest with a pole of strong spin inside the contact. At the fine resolution the
@@ -93,6 +104,11 @@ impl Exact {
     /// makes a difference whether the upper body pulls or brakes. For large creepage the pressure's
     /// slip does not matter.
     ///
+    /// Where friction depends on the speed of slip ([`Contact::with_rolling_friction`]) or a layer
+    /// yields, the bound of each element follows its slip, and the solution is the one that is reached
+    /// from friction at rest; [`Status::SeveralSolutions`](crate::Status::SeveralSolutions) says where
+    /// kinetic friction leads to another one.
+    ///
     /// ```
     /// use creepage::coulomb::{Exact, Resolution};
     /// use creepage::{Contact, Creepage, Ellipse, Theory};
@@ -114,8 +130,9 @@ impl Exact {
     fn prepare(contact: &Contact, resolution: Resolution) -> Self {
         let (ellipse, poisson) = (contact.ellipse(), contact.poisson());
         let [along, across] = resolution.coarse(ellipse.ratio());
-        let grids = [1, 2].map(|k| {
+        let grids = Grid::pair(|k| {
             Grid::hertz(ellipse, poisson, contact.kappa_over_mu(), [k * along, k * across])
+                .with_resistance(contact.rolling_friction(), contact.layer(), contact.scaling())
         });
         Self { contact: *contact, grids, pool: Pool::default() }
     }

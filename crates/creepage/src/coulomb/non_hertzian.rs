@@ -1,7 +1,7 @@
 //! The full theory on contact areas of any shape.
 
 use super::bands::{Bands, Frame};
-use super::extrapolation::{error_bar, extrapolate, extrapolate_force};
+use super::extrapolation::{Extrapolation, error_bar, extrapolate};
 use super::grid::Grid;
 use super::influence::Influence;
 use super::inverse::{Trial, search};
@@ -10,13 +10,15 @@ use super::solution::{ElementField, between};
 use super::stencil::SlipStencil;
 use super::workspace::{Pool, Workspace};
 use super::{Constraints, InverseError};
-use crate::check::{self, InvalidValue};
-use crate::normal::NormalContact;
-use crate::theory::{FieldPoint, Jacobian, Region, Solution, Solved};
+use crate::check::InvalidValue;
+use crate::friction_law::RollingFriction;
+use crate::layer::Layer;
+use crate::normal::{NormalContact, SLIP_UNIT};
+use crate::theory::{FieldPoint, Jacobian, Region, Solution, Solved, Status, differences};
 use crate::{Creepage, Force, Scaling};
 
-/// Unit of slip over the largest traction bound in units of `G`: the elastic slip is of order one.
-const SLIP_UNIT: f64 = 0.5;
+/// Change of the creepage to differentiate by, where friction depends on the slip.
+const STEP: f64 = 1e-4;
 
 /// The full theory of steady rolling, prepared for a contact of any shape: one or more areas, all
 /// in one half-space.
@@ -64,26 +66,31 @@ impl NonHertzian {
         friction: f64,
         resolution: Resolution,
     ) -> Result<Self, InvalidValue> {
-        check::positive("friction", friction)?;
-        let length = (contact.area().value / 3.0).sqrt();
-        let frame = Frame { origin: contact.centroid(), length };
+        let scaling = contact.scaling(friction)?;
+        let frame = Frame { origin: contact.centroid(), length: scaling.length };
         let bands = Bands::new(contact, frame, resolution);
-        let grids = [1, 2].map(|times| {
+        let grids = Grid::pair(|times| {
             let mesh = bands.mesh(times);
             let pressure = bands.pressure(&mesh);
             let stencils: Vec<_> = mesh.strips.iter().map(SlipStencil::steady).collect();
             let poisson = contact.pair().poisson();
-            let influence = Influence::with_far_field(&mesh, poisson, &stencils);
+            let influence = Influence::new(&mesh, poisson, &stencils);
             Grid::new(mesh, pressure, influence, SLIP_UNIT, &stencils)
         });
-        let traction = friction * contact.peak_pressure().value;
-        let scaling = Scaling {
-            length,
-            slip: SLIP_UNIT * traction / contact.pair().shear_modulus(),
-            force: friction * contact.load().value,
-            traction,
-        };
         Ok(Self { contact: contact.clone(), frame, scaling, grids, pool: Pool::default() })
+    }
+
+    /// The same with friction that depends on the speed of slip, whose value at rest is the friction
+    /// given, and with a layer between the bodies.
+    #[must_use]
+    pub fn with_resistance(
+        mut self,
+        friction: Option<RollingFriction>,
+        layer: Option<Layer>,
+    ) -> Self {
+        let scaling = self.scaling;
+        self.grids = self.grids.map(|grid| grid.with_resistance(friction, layer, scaling));
+        self
     }
 
     /// The units of creepage, force and position.
@@ -104,16 +111,16 @@ impl NonHertzian {
         self.solve_curved(creepage, |_| [0.0; 2])
     }
 
-    /// Solves for creepage and spin, to which `more` adds creepages `[xi, eta]` that vary with `y`:
-    /// on curved contact areas neither the rolling radius nor the direction of the tangent plane is
-    /// the same everywhere.
+    /// Solves for creepage and spin, to which `more` adds creepages `[xi, eta]` that vary with the
+    /// position `[x, y]`: on curved contact areas neither the rolling radius nor the direction of
+    /// the tangent plane is the same everywhere.
     #[must_use]
     pub fn solve_curved(
         &self,
         creepage: Creepage,
-        more: impl Fn(f64) -> [f64; 2],
+        more: impl Fn([f64; 2]) -> [f64; 2],
     ) -> NonHertzianSolved<'_> {
-        let at = |place: &[f64; 2]| more(self.outward(*place)[1]);
+        let at = |place: &[f64; 2]| more(self.outward(*place));
         let more = [0, 1].map(|k: usize| self.grids[k].places.iter().map(at).collect());
         NonHertzianSolved::new(self, creepage, more)
     }
@@ -123,7 +130,7 @@ impl NonHertzian {
     /// # Errors
     /// [`InverseError`] unless three quantities are prescribed, all finite, and within reach.
     pub fn find(&self, constraints: Constraints) -> Result<NonHertzianSolved<'_>, InverseError> {
-        Ok(search(constraints, |creepage| self.solve(creepage))?.0)
+        Ok(search(constraints, 1.0, |creepage| self.solve(creepage))?.0)
     }
 
     /// The frame's origin.
@@ -181,9 +188,12 @@ impl<'a> NonHertzianSolved<'a> {
             }
         });
         let [coarse, fine] = workspace.sums(grids, 0.0);
-        let force = theory.moved(extrapolate_force(coarse.force, fine.force));
+        let force = theory.moved(Extrapolation::PLAIN.force([coarse.force, fine.force]));
         let error = error_bar(coarse.force, fine.force, theory.elements());
-        let solution = workspace.solution(force, theory.moved_error(error));
+        let mut solution = workspace.solution(force, theory.moved_error(error));
+        if solution.status == Status::Solved && workspace.has_another(grids, 0.0) {
+            solution.status = Status::SeveralSolutions;
+        }
         let dissipation = extrapolate(coarse.dissipation, fine.dissipation).max(0.0);
         Self { theory, workspace, creepage, more, solution, dissipation }
     }
@@ -204,13 +214,14 @@ impl<'a> NonHertzianSolved<'a> {
 
     fn element(&self, element: usize, (strip, i): (usize, usize)) -> ElementField {
         let (grid, state) = (&self.theory.grids[1], self.workspace.states()[1]);
-        let (slides, bound) = (state.slides(element), grid.pressure.bounds[element]);
+        let bound = grid.pressure.bounds[element];
+        let (traction, slip) = state.visible(grid, element);
         ElementField {
             point: FieldPoint {
                 position: self.theory.outward(grid.pressure.centroids[element]),
-                traction: state.traction.at(element).map(|t| bound * t),
-                slip: state.visible_slip(element),
-                region: if slides { Region::Slip } else { Region::Adhesion },
+                traction: traction.map(|t| bound * t),
+                slip: slip.unwrap_or_default(),
+                region: if slip.is_some() { Region::Slip } else { Region::Adhesion },
             },
             bound,
             share: grid.pressure.shares[element],
@@ -229,7 +240,7 @@ impl<'a> NonHertzianSolved<'a> {
             Some((strip, along)) if pressure > 0.0 => {
                 let around = theory.grids[1].mesh.around(strip, inward[1], along);
                 let bound = pressure / theory.contact.peak_pressure().value;
-                between(self.workspace.states()[1], around, position, bound)
+                between(&theory.grids[1], self.workspace.states()[1], around, position, bound)
             }
             _ => FieldPoint::outside(position),
         }
@@ -253,7 +264,12 @@ impl Solved for NonHertzianSolved<'_> {
 
     fn jacobian(&mut self) -> Option<Jacobian> {
         let theory = self.theory;
-        let columns = self.workspace.derivative(&theory.grids);
+        if theory.grids[1].resistance.is_some() {
+            let force = |creepage| self.again(creepage).solution.force.components();
+            return Some(differences(self.creepage, STEP, force));
+        }
+        let by = self.workspace.derivatives(&theory.grids);
+        let columns = Extrapolation::PLAIN.derivative([Force::default(); 2], by);
         let unit = |k: usize| [0, 1, 2].map(|i| if i == k { 1.0 } else { 0.0 });
         let by = [0, 1, 2].map(|k| {
             let [xi, eta, chi] = unit(k);

@@ -37,6 +37,8 @@ pub(crate) struct Fields<'a> {
     pub places: &'a [[f64; 2]],
     pub traction: &'a [Vec<f64>; 2],
     pub slip: &'a [Vec<f64>; 2],
+    /// Size of the traction of each element that slides.
+    pub limits: &'a [f64],
     pub spin: f64,
 }
 
@@ -96,15 +98,18 @@ impl Quadrature {
         if !slides {
             return sum.add(self.shares[element], self.centroids[element], own);
         }
+        let limit = fields.limits[element];
+        let own = own.map(|t| t / limit);
         let slip = Fields::at(fields.slip, element);
-        let speed = dot(own, slip).max(0.0);
+        let (traction, speed) = (norm(own), dot(own, slip));
         let turn = speed / (speed * speed + FAR * FAR);
         for subcell in self.subcells[element].as_flattened() {
             let there = fields.slip_in(subcell);
             let bent = [0, 1].map(|k| own[k] + turn * (there[k] - slip[k]));
-            let size = bent[0].hypot(bent[1]);
-            sum.dissipation += subcell.share * speed * size;
-            sum.add(subcell.share, subcell.at, direction(bent, size));
+            let size = norm(bent);
+            let share = limit * subcell.share;
+            sum.dissipation += share * speed.max(0.0) * size;
+            sum.add(share, subcell.at, direction(bent, size).map(|d| traction * d));
         }
     }
 
@@ -121,7 +126,8 @@ impl Quadrature {
             return sum.add(self.shares[element], self.centroids[element], d_own);
         }
         let [slip, d_slip] = [fields, change].map(|f| Fields::at(f.slip, element));
-        let speed = dot(own, slip).max(0.0);
+        let (traction, speed) = (norm(own), dot(own, slip));
+        let d_traction = dot(direction(own, traction), d_own);
         let d_speed = dot(own, d_slip) + dot(d_own, slip);
         let square = speed * speed + FAR * FAR;
         let (turn, d_turn) =
@@ -132,11 +138,12 @@ impl Quadrature {
             let d_bent = [0, 1].map(|k| {
                 d_own[k] + d_turn * (there[k] - slip[k]) + turn * (d_there[k] - d_slip[k])
             });
-            let size = bent[0].hypot(bent[1]);
+            let size = norm(bent);
             let unit = direction(bent, size);
             let along = dot(unit, d_bent);
             let d_unit = direction([0, 1].map(|k| d_bent[k] - along * unit[k]), size);
-            sum.add(subcell.share, subcell.at, d_unit);
+            let d_there = [0, 1].map(|k| traction * d_unit[k] + d_traction * unit[k]);
+            sum.add(subcell.share, subcell.at, d_there);
         }
     }
 }
@@ -172,6 +179,10 @@ fn next(own: usize, count: usize, position: f64, middle: impl Fn(usize) -> f64) 
     let later = own == 0 || off * (middle(own) - middle(own - 1)) > 0.0;
     let other = if later && own + 1 < count { own + 1 } else { own - 1 };
     (other, off / (middle(other) - middle(own)))
+}
+
+fn norm(a: [f64; 2]) -> f64 {
+    dot(a, a).sqrt()
 }
 
 fn dot(a: [f64; 2], b: [f64; 2]) -> f64 {

@@ -38,7 +38,7 @@ impl Resolution {
     /// Elements along and across of the coarser of the two grids for an ellipse; the finer has
     /// twice as many of each.
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // small and positive
-    pub(super) fn coarse(self, a_over_b: f64) -> [usize; 2] {
+    pub(crate) fn coarse(self, a_over_b: f64) -> [usize; 2] {
         let stretch = a_over_b.powf(0.4).clamp(0.4, 2.5);
         let half = |n: f64| (0.5 * n).round().max(4.0) as usize;
         [half(self.along * stretch), half(self.across / stretch.min(2.0))]

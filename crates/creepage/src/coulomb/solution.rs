@@ -1,12 +1,14 @@
 //! One contact solved, kept for further questions.
 
 use super::Exact;
-use super::extrapolation::{error_bar, extrapolate, extrapolate_force};
+use super::extrapolation::{Extrapolation, extrapolate};
 use super::grid::Grid;
 use super::solver::State;
 use super::workspace::Workspace;
 use crate::theory::field::mean;
-use crate::theory::{Diagnostic, FieldPoint, Jacobian, Patch, Region, Solution, Solved};
+use crate::theory::{
+    Diagnostic, FieldPoint, Jacobian, Patch, Region, Solution, Solved, Status, differences,
+};
 use crate::{Creepage, Force};
 
 /// What happens in one element.
@@ -14,7 +16,7 @@ use crate::{Creepage, Force};
 pub struct ElementField {
     /// Traction at the centroid of the pressure, and slip.
     pub point: FieldPoint,
-    /// Mean over the element of the traction bound over its largest value.
+    /// Mean over the element of the traction bound over its largest value, both at rest.
     pub bound: f64,
     /// Share of the normal force that the element carries.
     pub share: f64,
@@ -27,49 +29,57 @@ pub struct ElementField {
 /// The reflections that make `xi` and `chi` (or `eta`, without spin) positive: the contact has
 /// the symmetries (4.22)-(4.28), and with these they hold to the last bit. The one that changes the
 /// sign of `xi` turns all vectors about and leaves the pressure, and so exchanges dissimilar bodies.
-#[derive(Debug, Clone, Copy)]
-struct Mirror {
-    x: f64,
-    y: f64,
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Mirror {
+    pub(super) x: f64,
+    pub(super) y: f64,
 }
 
 impl Mirror {
-    fn of(creepage: Creepage) -> Self {
+    pub(super) fn of(creepage: Creepage) -> Self {
         let negative = creepage.chi < 0.0 || (creepage.chi == 0.0 && creepage.eta < 0.0);
         let sign = |negative| if negative { -1.0 } else { 1.0 };
         Self { x: sign(creepage.xi < 0.0), y: sign(negative) }
     }
 
     /// Signs of `xi`, `eta`, `chi`, and of `fx`, `fy`, `mz`.
-    fn signs(self) -> [f64; 3] {
+    pub(super) fn signs(self) -> [f64; 3] {
         [self.x, self.y, self.y]
     }
 
-    fn creepage(self, Creepage { xi, eta, chi }: Creepage) -> Creepage {
+    pub(super) fn creepage(self, Creepage { xi, eta, chi }: Creepage) -> Creepage {
         Creepage { xi: self.x * xi, eta: self.y * eta, chi: self.y * chi }
     }
 
-    fn force(self, Force { fx, fy, mz }: Force) -> Force {
+    pub(super) fn force(self, Force { fx, fy, mz }: Force) -> Force {
         Force { fx: self.x * fx, fy: self.y * fy, mz: self.y * mz }
     }
 
-    fn vector(self, [x, y]: [f64; 2]) -> [f64; 2] {
+    pub(super) fn vector(self, [x, y]: [f64; 2]) -> [f64; 2] {
         [self.x * x, self.y * y]
     }
 
-    fn position(self, [x, y]: [f64; 2]) -> [f64; 2] {
+    pub(super) fn position(self, [x, y]: [f64; 2]) -> [f64; 2] {
         [x, self.x * self.y * y]
     }
 }
+
+/// Change of the creepage to differentiate by, where friction depends on the slip.
+const STEP: f64 = 1e-4;
 
 /// What a solve gives.
 #[derive(Debug, Clone, Copy)]
 struct Answer {
     creepage: Creepage,
     mirror: Mirror,
+    extrapolation: Extrapolation,
+    /// Those of the coarser and the finer grid, mirrored.
+    forces: [Force; 2],
     solution: Solution,
     power: f64,
     dissipation: f64,
+    /// What the tractions of the finer grid's elements give of it.
+    by_elements: f64,
 }
 
 impl Answer {
@@ -81,15 +91,47 @@ impl Answer {
             exact.grids[k].set_forcing(mirrored, mirror.x, forcing);
         });
         let [coarse, fine] = workspace.sums(&exact.grids, mirror.x);
-        let force = mirror.force(extrapolate_force(coarse.force, fine.force));
-        let error = error_bar(coarse.force, fine.force, exact.grids[1].mesh.len());
-        let power = force.fx * creepage.xi
-            + force.fy * creepage.eta
-            + force.mz * creepage.chi
-            + extrapolate(coarse.by_pressure, fine.by_pressure);
-        let dissipation = extrapolate(coarse.dissipation, fine.dissipation).max(0.0);
-        Self { creepage, mirror, solution: workspace.solution(force, error), power, dissipation }
+        let extrapolation = Extrapolation::new(&exact.contact, mirrored);
+        let forces = [coarse.force, fine.force];
+        let force = mirror.force(extrapolation.force(forces));
+        let error = extrapolation.error_bar(forces, exact.grids[1].mesh.len());
+        let power = power_of(force, creepage) + extrapolate(coarse.by_pressure, fine.by_pressure);
+        // Of the finer grid: where negative, it is the heat that slip does not resolve.
+        let beyond = fine.dissipation - power_of(fine.force, mirrored) - fine.by_pressure;
+        let dissipation = (power + beyond.max(0.0)).max(0.0);
+        let by_elements = fine.dissipation;
+        let solution = workspace.solution(force, error);
+        Self { creepage, mirror, extrapolation, forces, solution, power, dissipation, by_elements }
     }
+
+    /// The same with a look at what kinetic friction leads to, on the coarser grid.
+    fn with_other(
+        exact: &Exact,
+        workspace: &mut Workspace,
+        creepage: Creepage,
+        warm: bool,
+    ) -> Self {
+        let mut answer = Self::new(exact, workspace, creepage, warm);
+        let is_solved = answer.solution.status == Status::Solved;
+        if is_solved && workspace.has_another(&exact.grids, answer.mirror.x) {
+            answer.solution.status = Status::SeveralSolutions;
+        }
+        answer
+    }
+
+    /// The derivative where the bounds follow the slip, by differences of solutions.
+    fn differences(&self, exact: &Exact, workspace: &Workspace) -> Jacobian {
+        differences(self.creepage, STEP, |creepage| {
+            // Another mirror image would be a start from the wrong side.
+            let warm = Mirror::of(creepage) == self.mirror;
+            let answer = Self::new(exact, &mut workspace.clone(), creepage, warm);
+            answer.solution.force.components()
+        })
+    }
+}
+
+fn power_of(Force { fx, fy, mz }: Force, Creepage { xi, eta, chi }: Creepage) -> f64 {
+    fx * xi + fy * eta + mz * chi
 }
 
 /// One contact solved by [`Exact`]; made by [`Exact::solve_contact`].
@@ -103,7 +145,7 @@ pub struct ExactSolved<'a> {
 impl<'a> ExactSolved<'a> {
     pub(super) fn new(exact: &'a Exact, creepage: Creepage) -> Self {
         let mut workspace = exact.pool.take(&exact.grids);
-        let answer = Answer::new(exact, &mut workspace, creepage, false);
+        let answer = Answer::with_other(exact, &mut workspace, creepage, false);
         Self { exact, workspace, answer }
     }
 
@@ -116,7 +158,7 @@ impl<'a> ExactSolved<'a> {
     /// Solves for another creepage, from these tractions: quicker along a curve.
     #[must_use]
     pub fn next(mut self, creepage: Creepage) -> Self {
-        self.answer = Answer::new(self.exact, &mut self.workspace, creepage, true);
+        self.answer = Answer::with_other(self.exact, &mut self.workspace, creepage, true);
         self
     }
 
@@ -128,24 +170,49 @@ impl<'a> ExactSolved<'a> {
         let (strips, mirror) = (mesh.strips.len(), self.answer.mirror);
         let flips = mirror.x * mirror.y < 0.0;
         let place = |strip: usize| if flips { strips - 1 - strip } else { strip };
-        mesh.all().map(|(strip, i)| self.element(place(strip), i)).collect()
+        let unresolved = self.unresolved_heat();
+        mesh.all().map(|(strip, i)| self.element(place(strip), i, &unresolved)).collect()
     }
 
-    fn element(&self, strip: usize, i: usize) -> ElementField {
+    /// By what each strip's last element is heated beyond what it resolves, and a factor for all.
+    ///
+    /// At the trailing edge the traction of adhesion grows as `K` over the root of the distance, and a
+    /// slip area much narrower than an element turns to heat what is proportional to `K^2`.
+    fn unresolved_heat(&self) -> (Vec<f64>, f64) {
+        let [_, (grid, state)] = self.levels();
+        let Answer { dissipation, by_elements, .. } = self.answer;
+        if dissipation <= by_elements {
+            let factor = if by_elements > 0.0 { dissipation / by_elements } else { 1.0 };
+            return (vec![0.0; grid.mesh.strips.len()], factor);
+        }
+        let strips = grid.mesh.strips.iter().enumerate();
+        let weights = strips.map(|(j, strip)| {
+            let last = grid.mesh.elements(j).end - 1;
+            let traction = state.traction.at(last).map(|t| t * grid.pressure.bounds[last]);
+            strip.area(strip.len() - 1) * (traction[0].powi(2) + traction[1].powi(2))
+        });
+        let weights: Vec<f64> = weights.collect();
+        let each = (dissipation - by_elements) / weights.iter().sum::<f64>().max(f64::MIN_POSITIVE);
+        (weights.iter().map(|weight| each * weight).collect(), 1.0)
+    }
+
+    fn element(&self, strip: usize, i: usize, unresolved: &(Vec<f64>, f64)) -> ElementField {
         let [_, (grid, state)] = self.levels();
         let (pressure, mirror) = (&grid.pressure, self.answer.mirror);
         let element = grid.mesh.elements(strip).start + i;
         let bound = pressure.bounds[element];
+        let (traction, slip) = state.visible(grid, element);
         ElementField {
             point: FieldPoint {
                 position: mirror.position(pressure.centroids[element]),
-                traction: mirror.vector(state.traction.at(element).map(|t| bound * t)),
-                slip: mirror.vector(state.visible_slip(element)),
-                region: if state.slides(element) { Region::Slip } else { Region::Adhesion },
+                traction: mirror.vector(traction.map(|t| bound * t)),
+                slip: mirror.vector(slip.unwrap_or_default()),
+                region: if slip.is_some() { Region::Slip } else { Region::Adhesion },
             },
             bound,
             share: pressure.shares[element],
-            power: state.power(grid, element),
+            power: unresolved.1 * state.power(grid, element)
+                + if i + 1 == grid.mesh.strips[strip].len() { unresolved.0[strip] } else { 0.0 },
             corners: grid.mesh.strips[strip].corners(i).map(|c| mirror.position(c)),
         }
     }
@@ -168,7 +235,7 @@ impl<'a> ExactSolved<'a> {
         let along = x / length.max(f64::MIN_POSITIVE);
         let below = mesh.strips.partition_point(|strip| strip.borders()[1] <= y);
         let around = mesh.around(below.min(mesh.strips.len() - 1), y, along);
-        let point = between(state, around, position, left.sqrt());
+        let point = between(grid, state, around, position, left.sqrt());
         let (traction, slip) = (mirror.vector(point.traction), mirror.vector(point.slip));
         FieldPoint { traction, slip, ..point }
     }
@@ -178,6 +245,7 @@ impl<'a> ExactSolved<'a> {
 /// border of the adhesion area, are interpolated; the law of Coulomb then picks the region, and the
 /// slip and the size of the traction that go with it. `bound` is that at the position.
 pub(super) fn between(
+    grid: &Grid,
     state: &State,
     around: [(usize, f64); 4],
     position: [f64; 2],
@@ -185,14 +253,16 @@ pub(super) fn between(
 ) -> FieldPoint {
     let ([mut p, mut q], [mut u, mut v], mut beyond_adhesion) = ([0.0; 2], [0.0; 2], 0.0);
     for (element, weight) in around {
-        let (traction, slip) = (state.traction.at(element), state.visible_slip(element));
+        let (traction, sliding) = state.visible(grid, element);
+        let slip = sliding.unwrap_or_default();
         p += weight * traction[0];
         q += weight * traction[1];
         u += weight * slip[0];
         v += weight * slip[1];
         let size = |[x, y]: [f64; 2]| x.hypot(y);
+        let limit = state.limit(element);
         beyond_adhesion +=
-            weight * if state.slides(element) { size(slip) } else { size(traction) - 1.0 };
+            weight * if sliding.is_some() { size(slip) } else { size(traction) - limit };
     }
     let (region, slip) =
         if beyond_adhesion <= 0.0 { (Region::Adhesion, [0.0; 2]) } else { (Region::Slip, [u, v]) };
@@ -200,7 +270,7 @@ pub(super) fn between(
 }
 
 /// A quadrilateral cut at the middles of its sides.
-fn quarters(corners: [[f64; 2]; 4]) -> [[[f64; 2]; 4]; 4] {
+pub(super) fn quarters(corners: [[f64; 2]; 4]) -> [[[f64; 2]; 4]; 4] {
     let side = |k: usize| mean(&[corners[k % 4], corners[(k + 1) % 4]]);
     [0, 1, 2, 3].map(|k| [corners[k], side(k), mean(&corners), side(k + 3)])
 }
@@ -220,10 +290,15 @@ impl Solved for ExactSolved<'_> {
         self.answer.solution
     }
 
-    /// That of the extrapolated force.
+    /// That of the extrapolated force; where friction depends on the slip by differences, to some 1e-3.
     fn jacobian(&mut self) -> Option<Jacobian> {
-        let columns = self.workspace.derivative(&self.exact.grids).map(|force| force.components());
-        let signs = self.answer.mirror.signs();
+        if self.exact.grids[1].resistance.is_some() {
+            return Some(self.answer.differences(self.exact, &self.workspace));
+        }
+        let Answer { mirror, extrapolation, forces, .. } = self.answer;
+        let by = self.workspace.derivatives(&self.exact.grids);
+        let columns = extrapolation.derivative(forces, by).map(|force| force.components());
+        let signs = mirror.signs();
         let entry = |i: usize, k: usize| signs[i] * signs[k] * columns[k][i];
         Some(std::array::from_fn(|i| std::array::from_fn(|k| entry(i, k))))
     }
@@ -255,10 +330,9 @@ impl Solved for ExactSolved<'_> {
         self.answer.power
     }
 
-    /// Extrapolated from two grids. It lacks the heat of slip areas narrower than an element:
-    /// where half of friction is used it and the power differed by 1 % in nine of ten random cases
-    /// at the standard resolution, and by 6 % in the worst of 138; for vanishing creepage this is
-    /// zero.
+    /// The power, and what traction times slip gives beyond it on the finer grid. What it falls short
+    /// there is the heat of slip areas narrower than an element, along the trailing edge, and is added
+    /// there.
     fn dissipation(&self) -> Option<f64> {
         Some(self.answer.dissipation)
     }

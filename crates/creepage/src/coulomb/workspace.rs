@@ -2,13 +2,16 @@
 
 use std::sync::{Mutex, PoisonError};
 
-use super::extrapolation::extrapolate_force;
 use super::forcing::SlipForcing;
 use super::grid::Grid;
 use super::quadrature::Sum;
+use super::resistance::Resistance;
 use super::solver::{Equations, Outcome, State};
 use crate::Force;
 use crate::theory::{Solution, Statistics, Status};
+
+/// Forces of two solutions at one creepage differ by more, in parts of `mu N`.
+const ANOTHER: f64 = 1e-3;
 
 /// The state of one grid.
 #[derive(Debug, Clone, Default)]
@@ -51,7 +54,7 @@ impl Workspace {
         }
         coarse.outcome = coarse.state.solve(&grids[0], &mut coarse.equations);
         if !warm {
-            fine.state.refine(&grids[1], &coarse.state, &grids[0]);
+            fine.state.refine(&grids[1], &coarse.state);
         }
         fine.outcome = fine.state.solve(&grids[1], &mut fine.equations);
     }
@@ -60,6 +63,22 @@ impl Workspace {
     /// drives the slip.
     pub(super) fn sums(&self, grids: &[Grid; 2], side: f64) -> [Sum; 2] {
         [0, 1].map(|k| self.levels[k].state.sum(&grids[k], side))
+    }
+
+    /// Whether kinetic friction everywhere leads to another solution on the coarser grid; not where
+    /// friction does not depend on the slip.
+    pub(super) fn has_another(&self, grids: &[Grid; 2], side: f64) -> bool {
+        let Some(lowest) = grids[0].resistance.as_ref().and_then(Resistance::lowest) else {
+            return false;
+        };
+        let Level { mut state, mut equations, .. } = self.levels[0].clone();
+        state.reset_to(lowest);
+        if !state.solve(&grids[0], &mut equations).converged {
+            return false;
+        }
+        let [one, two] = [&self.levels[0].state, &state].map(|s| s.sum(&grids[0], side).force);
+        let apart = one.components().into_iter().zip(two.components());
+        apart.fold(0.0, |most: f64, (one, two)| most.max((one - two).abs())) > ANOTHER
     }
 
     /// A force and its error bars, with the outcome and the cost of both grids.
@@ -77,12 +96,13 @@ impl Workspace {
         }
     }
 
-    /// Derivatives of the extrapolated force by `xi`, `eta` and `chi`.
-    pub(super) fn derivative(&mut self, grids: &[Grid; 2]) -> [Force; 3] {
+    /// Derivatives of the force of each grid by `xi`, `eta` and `chi`.
+    pub(super) fn derivatives(&mut self, grids: &[Grid; 2]) -> [[Force; 3]; 2] {
         let [coarse, fine] = &mut self.levels;
-        let coarse = coarse.equations.derivative(&grids[0], &coarse.state);
-        let fine = fine.equations.derivative(&grids[1], &fine.state);
-        [0, 1, 2].map(|k| extrapolate_force(coarse[k], fine[k]))
+        [
+            coarse.equations.derivative(&grids[0], &coarse.state),
+            fine.equations.derivative(&grids[1], &fine.state),
+        ]
     }
 
     /// The states of the coarser and the finer grid.

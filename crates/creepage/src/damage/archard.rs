@@ -6,6 +6,9 @@ use super::ElementState;
 /// *Unverified*: ranges from memory, 1 to 10, 30 to 40 and 300 to 400 times 1e-4; the defaults are their
 /// middles. The coefficient steps from zone to zone, so every result says in which it is.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Archard {
     /// Hardness of the softer metal (Pa): 3e9.
     pub hardness: f64,
@@ -45,6 +48,19 @@ pub enum WearZone {
     Severe,
     /// Pressure near the hardness.
     Seizure,
+}
+
+impl WearZone {
+    /// `"mild"`, `"mild, fast"`, `"severe"` or `"seizure"`.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Mild => "mild",
+            Self::MildFast => "mild, fast",
+            Self::Severe => "severe",
+            Self::Seizure => "seizure",
+        }
+    }
 }
 
 /// Wear of one row of elements.

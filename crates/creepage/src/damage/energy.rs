@@ -58,6 +58,17 @@ pub struct ElementState {
     pub length: f64,
 }
 
+/// The elements through which the material at one place across runs, from the leading edge or to it.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Row {
+    /// Place across, `y` (m).
+    pub y: f64,
+    /// Width (m).
+    pub width: f64,
+    /// Its elements.
+    pub elements: Vec<ElementState>,
+}
+
 impl ElementState {
     /// Size of the tangential traction (Pa).
     #[must_use]

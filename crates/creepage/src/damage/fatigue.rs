@@ -10,6 +10,9 @@ use super::ElementState;
 /// Damage by T gamma: none below 15 N, rising to 1 at 65 N, falling to zero at 175 N and on, for
 /// there wear removes more than cracks grow.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Wlrm {
     /// T gamma below which cracks do not start (N): 15.
     pub start: f64,
@@ -68,6 +71,9 @@ pub fn local_surface_index(elements: &[ElementState], shear_yield: f64) -> Optio
 /// Fatigue of wheels below the surface: A. Ekberg, E. Kabo, H. Andersson, Fatigue & Fracture of
 /// Engineering Materials & Structures 25 (2002) 899-909. *Unverified.*
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Ekberg {
     /// Weight of the hydrostatic residual stress: 1/3.
     pub residual_weight: f64,

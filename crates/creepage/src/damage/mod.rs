@@ -8,6 +8,8 @@
 //! documentation names the source. *Unverified* marks constants that were taken down from memory and not
 //! compared with the printed source: check them before a decision rests on them.
 
+use crate::check::{self, InvalidValue};
+
 mod archard;
 mod ball;
 mod energy;
@@ -17,7 +19,7 @@ mod shakedown;
 mod wear;
 
 pub use archard::{Archard, ArchardWear, WearZone};
-pub use energy::{ElementState, TGamma};
+pub use energy::{ElementState, Row, TGamma};
 pub use fatigue::{Ekberg, Wlrm, local_surface_index, surface_index};
 pub use passage::{DangVan, Passage};
 pub use shakedown::{Shakedown, ShakedownBlock, shakedown};
@@ -42,6 +44,50 @@ pub struct DamageConstants {
     pub shear_yield: f64,
     /// Density that turns the mass worn into a depth (kg/m3): 7850, steel.
     pub density: f64,
+}
+
+impl DamageConstants {
+    /// What the numbers are divided by, and what must not be negative, is so.
+    ///
+    /// # Errors
+    /// [`InvalidValue`] that names the constant.
+    pub fn checked(self) -> Result<Self, InvalidValue> {
+        let Self { usfd, bre, archard, wlrm, ekberg, dang_van, shear_yield, density } = self;
+        for (name, value) in [
+            ("shear_yield", shear_yield),
+            ("density", density),
+            ("archard.hardness", archard.hardness),
+            ("ekberg.limit", ekberg.limit),
+            ("dang_van.limit", dang_van.limit),
+        ] {
+            check::positive(name, value)?;
+        }
+        for (name, value) in [
+            ("usfd.mild_slope", usfd.mild_slope),
+            ("usfd.severe_rate", usfd.severe_rate),
+            ("usfd.catastrophic_from", usfd.catastrophic_from),
+            ("usfd.catastrophic_slope", usfd.catastrophic_slope),
+            ("bre.mild_slope", bre.mild_slope),
+            ("archard.mild", archard.mild),
+            ("archard.severe", archard.severe),
+            ("archard.seizure", archard.seizure),
+            ("archard.seizure_from", archard.seizure_from),
+            ("wlrm.scale", wlrm.scale),
+            ("dang_van.mean_weight", dang_van.mean_weight),
+        ] {
+            let is_valid = value.is_finite() && value >= 0.0;
+            check::require(is_valid, name, value, "finite and not negative")?;
+        }
+        let finite = [bre.severe, bre.plateau, archard.severe_between];
+        for value in finite.as_flattened().iter().chain([&ekberg.residual, &ekberg.residual_weight])
+        {
+            check::finite("a constant of [damage]", *value)?;
+        }
+        let Wlrm { start, worst, balance, .. } = wlrm;
+        let rising = start < worst && worst < balance && balance.is_finite();
+        check::require(rising, "wlrm.worst", worst, "between wlrm.start and wlrm.balance")?;
+        Ok(self)
+    }
 }
 
 impl Default for DamageConstants {

@@ -55,6 +55,9 @@ impl Passage {
 ///
 /// *Unverified*: `c = 1/3`, the limit in pure shear 186e6 Pa, as of [`super::Ekberg`].
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct DangVan {
     /// Weight `c` of the mean stress.
     pub mean_weight: f64,

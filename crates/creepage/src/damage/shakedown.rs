@@ -10,6 +10,8 @@
 //! No residual stress of this kind changes `xz` and `yz`: the limit is at most the shear yield stress over
 //! the largest of these.
 
+use rayon::prelude::*;
+
 use super::ball::{self, Deviator};
 use super::passage::Passage;
 use crate::below::Interior;
@@ -20,6 +22,8 @@ use crate::check::{self, InvalidValue};
 pub struct ShakedownBlock {
     /// Half the length and half the width of the contact.
     pub half: [f64; 2],
+    /// The least depth (same unit): the surface, unless stresses settle below it.
+    pub top: f64,
     /// How deep (same unit).
     pub depth: f64,
     /// Lines across, on each side of the middle one.
@@ -35,7 +39,7 @@ impl ShakedownBlock {
     /// states; a result to about one per cent.
     #[must_use]
     pub fn of(half: [f64; 2]) -> Self {
-        Self { half, depth: half[0].min(half[1]), lines: 3, depths: 16, states: 61 }
+        Self { half, top: 0.0, depth: half[0].min(half[1]), lines: 3, depths: 16, states: 61 }
     }
 }
 
@@ -84,21 +88,24 @@ pub fn shakedown(interior: &Interior, block: &ShakedownBlock) -> Result<Shakedow
     check::positive("half_length", length)?;
     check::positive("half_width", width)?;
     check::positive("depth", block.depth)?;
+    check::require(block.top >= 0.0, "top", block.top, "not negative: into the body")?;
     let within = |name, count: usize, low: usize| {
         let valid = "at most 1000, and one depth at least";
         check::require((low..=1000).contains(&count), name, count as f64, valid)
     };
     within("depths", block.depths, 1)?;
     within("lines", block.lines, 0)?;
-    let mut worst = Shakedown { amplitude: 0.0, place: [0.0; 2], residual: [0.0; 3] };
-    for k in 0..block.depths {
-        let z = block.depth * k as f64 / (block.depths - 1).max(1) as f64;
-        let at_depth = at_depth(interior, block, z)?;
-        if at_depth.amplitude > worst.amplitude {
-            worst = at_depth;
-        }
-    }
-    Ok(worst)
+    let depth = |k: usize| block.top + block.depth * k as f64 / (block.depths - 1).max(1) as f64;
+    let depths = (0..block.depths).into_par_iter().map(|k| at_depth(interior, block, depth(k)));
+    let found = depths.collect::<Result<Vec<_>, _>>()?;
+    let none = Shakedown { amplitude: 0.0, place: [0.0; 2], residual: [0.0; 3] };
+    // The shallower of equals, on any number of cores.
+    Ok(found.into_iter().fold(
+        none,
+        |worst, next| {
+            if next.amplitude > worst.amplitude { next } else { worst }
+        },
+    ))
 }
 
 /// The governing line at one depth. Of all lines, the one that would be worst by itself chooses `yy` and

@@ -14,6 +14,9 @@ const RATE: f64 = 1e-3;
 /// `61.9 I - 4778.7`, which is -0.02 at `I = 77.2`: a misprint, for the measurements join. Here it is
 /// `61.9 I - 4723.7`, and the first part ends where it meets the second, at 10.38 (10.4 in print).
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Usfd {
     /// Rate over `I` of mild wear (ug/(m mm2) over N/mm2): 5.3.
     pub mild_slope: f64,
@@ -68,6 +71,9 @@ impl Usfd {
 /// Area lost of the section times the wheel's diameter in mm, per km rolled: `0.25 T`, then 25 from
 /// 100 N, then `1.19 T - 154` from 200 N, where it **jumps** from 25 to 84 mm2 as published.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Bre {
     /// Area times diameter over T gamma of mild wear (mm3/km/N): 0.25.
     pub mild_slope: f64,

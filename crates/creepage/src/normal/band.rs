@@ -15,6 +15,8 @@ use std::f64::consts::FRAC_PI_2;
 
 use crate::gap::Cubic;
 
+use super::lattice::whole;
+
 /// Force on a part of the area and its moments about the axes through the origin.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Moments {
@@ -34,39 +36,70 @@ impl std::ops::AddAssign for Moments {
     }
 }
 
-/// The section of a band at one y: half length, centre, and `rho` at some `s`, increasing.
+/// Places in `s` at which a chord knows `rho`: equal steps from -1 to 1, straight lines between.
+pub(super) const PLACES: usize = 65;
+
+/// `rho` at the places of a chord.
+pub(super) type Density = [f64; PLACES];
+
+/// The place number `i` in `s`.
+pub(super) fn place(i: usize) -> f64 {
+    2.0 * i as f64 / (PLACES - 1) as f64 - 1.0
+}
+
+/// The section of a band at one y.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Chord {
     pub(super) y: f64,
     pub(super) half: f64,
     pub(super) centre: f64,
-    pub(super) density: Vec<[f64; 2]>,
+    pub(super) density: Density,
 }
 
 impl Chord {
-    fn density(&self, s: f64) -> f64 {
-        let after = self.density.partition_point(|node| node[0] <= s);
-        let (Some(first), Some(last)) = (self.density.first(), self.density.last()) else {
-            return 0.0;
-        };
-        match (after.checked_sub(1).and_then(|i| self.density.get(i)), self.density.get(after)) {
-            (Some(low), Some(high)) => {
-                low[1] + (high[1] - low[1]) * (s - low[0]) / (high[0] - low[0])
-            }
-            (None, _) => first[1],
-            (_, None) => last[1],
-        }
-    }
-
     /// Force per length across (N/m).
     pub(super) fn line_load(&self) -> f64 {
-        self.half.powi(2) * arc_nodes([-1.0, 1.0]).map(|(s, w)| w * self.density(s)).sum::<f64>()
+        let Self { half, centre, density, .. } = *self;
+        Line { centre, half, density }.load([-1.0, 1.0]).0
     }
 
     pub(super) fn scale(&mut self, factor: f64) {
-        for node in &mut self.density {
-            node[1] *= factor;
-        }
+        self.density.iter_mut().for_each(|density| *density *= factor);
+    }
+}
+
+/// A band along one y: where it lies, and the pressure on it.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Line {
+    /// Middle between the ends (m).
+    pub(crate) centre: f64,
+    /// Half of its length (m).
+    pub(crate) half: f64,
+    density: Density,
+}
+
+impl Line {
+    /// `rho` at `s`.
+    pub(crate) fn density(&self, s: f64) -> f64 {
+        const LAST: f64 = (PLACES - 1) as f64;
+        let at = (0.5 * LAST * (s + 1.0)).clamp(0.0, LAST);
+        let low = whole(at).min(PLACES - 2);
+        let part = at - low as f64;
+        (1.0 - part) * self.density[low] + part * self.density[low + 1]
+    }
+
+    /// Pressure at `s` (Pa).
+    pub(crate) fn pressure(&self, s: f64) -> f64 {
+        self.half * (1.0 - s * s).max(0.0).sqrt() * self.density(s)
+    }
+
+    /// Force per length across between two `s`, and the same times `s` (N/m).
+    fn load(&self, s: [f64; 2]) -> (f64, f64) {
+        let square = self.half * self.half;
+        arc_nodes(s).fold((0.0, 0.0), |(force, moment), (s, weight)| {
+            let part = weight * square * self.density(s);
+            (force + part, moment + part * s)
+        })
     }
 }
 
@@ -142,23 +175,30 @@ impl Band {
         if !(self.y[0]..=self.y[1]).contains(&y) {
             return 0.0;
         }
-        let (centre, half) = self.section(y);
-        let s = (x - centre) / half;
-        if s.abs() < 1.0 { half * (1.0 - s * s).sqrt() * self.density(s, y) } else { 0.0 }
+        let line = self.line(y);
+        let s = (x - line.centre) / line.half;
+        if s.abs() < 1.0 { line.pressure(s) } else { 0.0 }
     }
 
-    /// `rho`, straight from chord to chord.
-    fn density(&self, s: f64, y: f64) -> f64 {
+    /// The band along one y: `rho` goes as a cubic through the four chords around it, and beyond
+    /// the outermost it stays.
+    pub(crate) fn line(&self, y: f64) -> Line {
+        let (centre, half) = self.section(y);
         let after = self.chords.partition_point(|chord| chord.y <= y);
-        let low = after.checked_sub(1).and_then(|i| self.chords.get(i));
-        match (low, self.chords.get(after)) {
-            (Some(low), Some(high)) => {
-                let t = (y - low.y) / (high.y - low.y);
-                (1.0 - t) * low.density(s) + t * high.density(s)
+        let first = after.saturating_sub(2);
+        let last = (after + 2).min(self.chords.len());
+        let around = &self.chords[first..last];
+        let within = around.first().zip(around.last()).map_or(y, |(a, b)| y.clamp(a.y, b.y));
+        let mut density = [0.0; PLACES];
+        for (k, chord) in around.iter().enumerate() {
+            let others = around.iter().enumerate().filter(|(i, _)| *i != k);
+            let weight: f64 =
+                others.map(|(_, other)| (within - other.y) / (chord.y - other.y)).product();
+            for (sum, rho) in density.iter_mut().zip(&chord.density) {
+                *sum += weight * rho;
             }
-            (Some(only), None) | (None, Some(only)) => only.density(s),
-            (None, None) => 0.0,
         }
+        Line { centre, half, density }
     }
 
     /// Force and its moments on the element between two `y` and between two parts `s` of the
@@ -167,12 +207,10 @@ impl Band {
     pub fn moments(&self, y: [f64; 2], s: [f64; 2]) -> Moments {
         let mut sum = Moments::default();
         for (y, weight) in self.rows_between(y) {
-            let (centre, half) = self.section(y);
-            for (s, share) in arc_nodes(s) {
-                let force = weight * share * half * half * self.density(s, y);
-                let by_x = force * (centre + half * s);
-                sum += Moments { force, by_x, by_y: force * y };
-            }
+            let line = self.line(y);
+            let (load, by_s) = line.load(s);
+            let (force, by_x) = (weight * load, weight * (line.centre * load + line.half * by_s));
+            sum += Moments { force, by_x, by_y: force * y };
         }
         sum
     }

@@ -4,7 +4,7 @@ use crate::gap::{Gap, Rectangle};
 
 use super::error::{NormalError, Side};
 use super::lattice::{Lattice, mean_chords, whole};
-use super::level::{Level, Task};
+use super::level::{Accuracy, Level, Task};
 use super::overlap::{Overlap, widened};
 
 /// Cells that a lattice may have at most.
@@ -14,7 +14,7 @@ const MOST_CELLS: f64 = 250_000.0;
 pub(super) fn first(task: Task<'_>, overlap: &Overlap) -> Result<Level, NormalError> {
     const PER_CHORD: f64 = 8.0;
     let lattice = spanning(&overlap.rectangle, overlap.chords, PER_CHORD);
-    Level::solve(task, lattice, None, false)
+    Level::solve(task, lattice, None, Accuracy::LOOK)
 }
 
 /// A lattice closely about the contact of another, with `per_chord` cells in its mean chord.
@@ -22,7 +22,7 @@ pub(super) fn refined(
     task: Task<'_>,
     level: &Level,
     per_chord: f64,
-    with_stiffness: bool,
+    accuracy: Accuracy,
 ) -> Result<Level, NormalError> {
     let none = || NormalError::NoContact { approach: task.approach, least_gap: task.approach };
     let [columns, rows] = level.bounds().ok_or_else(none)?;
@@ -31,7 +31,7 @@ pub(super) fn refined(
     let count = level.lattice.count;
     let rectangle = level.lattice.rectangle(widened(columns, count[0]), widened(rows, count[1]));
     let lattice = spanning(&rectangle, chords, per_chord);
-    Level::solve(task, lattice, Some(level), with_stiffness)
+    Level::solve(task, lattice, Some(level), accuracy)
 }
 
 /// Divides a rectangle so that a chord has the given number of cells, within the limit of cells.

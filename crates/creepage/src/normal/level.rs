@@ -30,23 +30,38 @@ pub(super) struct Task<'a> {
     pub(super) approach: f64,
 }
 
-impl Level {
-    /// Residual, in parts of the greatest depth, at which a level counts as solved.
-    pub(super) const TOLERANCE: f64 = 1e-6;
+/// How well a level is solved.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Accuracy {
+    /// Largest residual, in parts of the greatest depth.
+    pub(super) residual: f64,
+    /// Largest residual of the stiffness's own equations; `None`: the stiffness is not asked for.
+    pub(super) stiffness: Option<f64>,
+}
 
+impl Accuracy {
+    /// To find out where contact is.
+    pub(super) const LOOK: Self = Self { residual: 1e-2, stiffness: None };
+    /// To begin with.
+    pub(super) const START: Self = Self { residual: 1e-3, stiffness: Some(1e-2) };
+    /// To give as the answer.
+    pub(super) const ANSWER: Self = Self { residual: 1e-6, stiffness: Some(1e-4) };
+}
+
+impl Level {
     /// Solves on a lattice, looking at the cells near the contact of a coarser one, or at all.
     pub(super) fn solve(
         task: Task<'_>,
         lattice: Lattice,
         coarser: Option<&Self>,
-        with_stiffness: bool,
+        accuracy: Accuracy,
     ) -> Result<Self, NormalError> {
         let depths = lattice.depths(task.gap, task.approach)?;
         let mut looked_at: Vec<bool> = (0..lattice.cells())
             .map(|cell| coarser.is_none_or(|c| c.is_near(&lattice, cell)))
             .collect();
         loop {
-            let level = Self::on(task, &lattice, &depths, &looked_at, coarser, with_stiffness);
+            let level = Self::on(task, &lattice, &depths, &looked_at, coarser, accuracy);
             if !level.grow(&depths, &mut looked_at) {
                 return Ok(level);
             }
@@ -59,7 +74,7 @@ impl Level {
         all_depths: &[f64],
         looked_at: &[bool],
         coarser: Option<&Self>,
-        with_stiffness: bool,
+        accuracy: Accuracy,
     ) -> Self {
         let cells: Vec<usize> = (0..lattice.cells())
             .filter(|&cell| looked_at[cell] && all_depths[cell] > 0.0)
@@ -73,13 +88,11 @@ impl Level {
             None => depths.clone(),
         };
         let start = if start.iter().any(|&p| p > 0.0) { start } else { depths.clone() };
-        let pressed = complementarity::solve(&mut product, &depths, start, Self::TOLERANCE);
+        let pressed = complementarity::solve(&mut product, &depths, start, accuracy.residual);
         let unit = task.modulus * scale / length;
-        let stiffness = if with_stiffness {
-            flat_response(&mut product, &pressed.pressures) * task.modulus * length
-        } else {
-            f64::NAN
-        };
+        let stiffness = accuracy.stiffness.map_or(f64::NAN, |enough| {
+            flat_response(&mut product, &pressed.pressures, enough) * task.modulus * length
+        });
         let mut level = Self {
             lattice: *lattice,
             pressures: vec![0.0; lattice.cells()],
@@ -182,8 +195,7 @@ impl Level {
 const NEAR: f64 = 0.03;
 
 /// Sum of the pressures that displace all pressed cells by one: conjugate gradients.
-fn flat_response(product: &mut Product, pressed: &[f64]) -> f64 {
-    const TOLERANCE: f64 = 1e-4;
+fn flat_response(product: &mut Product, pressed: &[f64], tolerance: f64) -> f64 {
     const MOST: usize = 300;
     let free = |values: &mut [f64]| {
         for (value, &p) in values.iter_mut().zip(pressed) {
@@ -195,7 +207,7 @@ fn flat_response(product: &mut Product, pressed: &[f64]) -> f64 {
     // Contact pressures fall towards the edge where these rise: start from what is uniform.
     let (mut direction, mut image) = (rest.clone(), vec![0.0; pressed.len()]);
     let (mut sum, mut square) = (0.0, dot(&rest, &rest));
-    let enough = TOLERANCE * TOLERANCE * square;
+    let enough = tolerance * tolerance * square;
     for _ in 0..MOST {
         if square <= enough {
             break;

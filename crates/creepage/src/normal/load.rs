@@ -4,7 +4,7 @@ use crate::gap::Gap;
 
 use super::elements;
 use super::error::NormalError;
-use super::level::{Level, Task};
+use super::level::{Accuracy, Level, Task};
 use super::overlap::Overlap;
 use super::solve::Asked;
 
@@ -104,18 +104,19 @@ pub(super) fn corrected(
     mut task: Task<'_>,
     asked: Asked,
     mut level: Level,
+    accuracy: Accuracy,
 ) -> Result<(Task<'_>, Level), NormalError> {
     const STEPS: usize = 8;
-    const ENOUGH: f64 = 1e-5;
+    let enough = 10.0 * accuracy.residual;
     let Asked::Load(load) = asked else { return Ok((task, level)) };
     for _ in 0..STEPS {
         let carried = level.load();
-        if (carried / load - 1.0).abs() < ENOUGH {
+        if (carried / load - 1.0).abs() < enough {
             break;
         }
         let change = (load - carried) / level.stiffness;
         task.approach += change;
-        level = Level::solve(task, level.lattice, Some(&level), true)?;
+        level = Level::solve(task, level.lattice, Some(&level), accuracy)?;
     }
     Ok((task, level))
 }

@@ -21,7 +21,10 @@ mod overlap;
 mod product;
 mod solve;
 mod strips;
+mod units;
 
 pub use band::{Band, Moments};
 pub use contact::{Estimate, Method, NormalContact, Patch, Resolution, Status};
 pub use error::{NormalError, Side};
+
+pub(crate) use units::SLIP_UNIT;

@@ -4,7 +4,7 @@
 //! if pressure rises as a root over the distance `D` to the true end; so `D` follows from both.
 //! A tip is found in the same way from the column through it.
 
-use super::band::{Band, Chord};
+use super::band::{Band, Chord, place};
 use super::level::Level;
 
 /// A run of pressed cells in one row.
@@ -220,18 +220,28 @@ fn chord(level: &Level, run: &Run) -> Chord {
     let (centre, half) = (f64::midpoint(low, high), 0.5 * (high - low));
     // The outermost cells are covered in part: their values say little of the profile.
     let skip = usize::from(count > 4);
-    let density = (skip..count - skip).filter_map(|i| {
-        let s = (lattice.x(run.first + i) - centre) / half;
-        let root = (1.0 - s * s).max(0.0).sqrt();
-        (root > 0.2).then(|| [s, values[i] / (half * root)])
-    });
-    let mut chord = Chord { y: lattice.y(run.row), half, centre, density: density.collect() };
-    if chord.density.is_empty() {
-        chord.density.push([0.0, 1.0]);
-    }
+    let known: Vec<[f64; 2]> = (skip..count - skip)
+        .filter_map(|i| {
+            let s = (lattice.x(run.first + i) - centre) / half;
+            let root = (1.0 - s * s).max(0.0).sqrt();
+            (root > 0.2).then(|| [s, values[i] / (half * root)])
+        })
+        .collect();
+    let density = std::array::from_fn(|i| between(&known, place(i)));
+    let mut chord = Chord { y: lattice.y(run.row), half, centre, density };
     let (wanted, found) = (run_sum(level, run) * step, chord.line_load());
     if found > 0.0 {
         chord.scale(wanted / found);
     }
     chord
+}
+
+/// Straight lines through points of increasing `s`, level beyond them; one without any.
+fn between(known: &[[f64; 2]], s: f64) -> f64 {
+    let after = known.partition_point(|point| point[0] <= s);
+    match (after.checked_sub(1).and_then(|i| known.get(i)), known.get(after)) {
+        (Some(low), Some(high)) => low[1] + (high[1] - low[1]) * (s - low[0]) / (high[0] - low[0]),
+        (Some(only), None) | (None, Some(only)) => only[1],
+        (None, None) => 1.0,
+    }
 }

@@ -7,7 +7,7 @@ use crate::solid::SolidPair;
 use super::contact::{Estimate, Method, NormalContact, Patch, Resolution, Status};
 use super::elements;
 use super::error::NormalError;
-use super::level::{Level, Task};
+use super::level::{Accuracy, Level, Task};
 use super::load;
 use super::outline;
 use super::overlap::Overlap;
@@ -24,15 +24,21 @@ pub(super) enum Asked {
 #[derive(Debug, Clone)]
 pub(super) struct Found {
     pub(super) patches: Vec<Patch>,
+    pub(super) approach: f64,
     pub(super) load: f64,
     pub(super) peak: f64,
     pub(super) stiffness: f64,
 }
 
 impl Found {
-    fn by_elements(level: &Level) -> Self {
-        let patches = outline::patches(level).into_iter().map(Patch::new).collect();
-        Self { patches, load: level.load(), peak: peak(level), stiffness: level.stiffness }
+    fn by_elements(task: Task<'_>, level: &Level) -> Self {
+        Self {
+            patches: outline::patches(level).into_iter().map(Patch::new).collect(),
+            approach: task.approach,
+            load: level.load(),
+            peak: peak(level),
+            stiffness: level.stiffness,
+        }
     }
 
     fn area(&self) -> f64 {
@@ -43,15 +49,15 @@ impl Found {
     /// an element is off by a tenth and more.
     fn agrees_with(&self, other: &Self) -> bool {
         let near = |one: f64, other: f64, part: f64| (one / other - 1.0).abs() < part;
-        near(self.load, other.load, 0.02)
+        let load = self.load + self.stiffness * (other.approach - self.approach);
+        near(load, other.load, 0.02)
             && near(self.peak, other.peak, 0.25)
-            && near(self.area(), other.area(), 0.08)
+            && near(self.area(), other.area(), 0.15)
     }
 }
 
 /// A solution, a coarser one, and what they belong to.
-struct Pair<'a> {
-    task: Task<'a>,
+struct Pair {
     coarse: Found,
     fine: Found,
     method: Method,
@@ -73,78 +79,69 @@ pub(super) fn solve(
         }
         Asked::Load(load) => load::first(gap, modulus, load)?,
     };
-    let coarse = elements::refined(task, &first, COARSE, true)?;
-    let (task, coarse) = load::corrected(task, asked, coarse)?;
+    let coarse = elements::refined(task, &first, COARSE, Accuracy::START)?;
+    let (task, coarse) = load::corrected(task, asked, coarse, Accuracy::START)?;
     if let Some(side) = coarse.side_reached(gap) {
         return Err(elements::edge_error(task, &coarse, side));
     }
-    let found = match by_strips(task, asked, &Found::by_elements(&coarse), resolution) {
+    let found = match by_strips(task, asked, &Found::by_elements(task, &coarse), resolution) {
         Some(found) => found,
         None => by_elements(task, asked, &coarse, resolution)?,
     };
-    Ok(contact(pair, asked, found))
+    Ok(contact(gap, pair, asked, found))
 }
 
-fn by_elements<'a>(
-    task: Task<'a>,
+fn by_elements(
+    task: Task<'_>,
     asked: Asked,
     coarse: &Level,
     resolution: Resolution,
-) -> Result<Pair<'a>, NormalError> {
+) -> Result<Pair, NormalError> {
     const COARSER: f64 = 0.6;
     let count = resolution.count as f64;
-    let coarse = elements::refined(task, coarse, COARSER * count, true)?;
-    let (task, coarse) = load::corrected(task, asked, coarse)?;
-    let fine = elements::refined(task, &coarse, count, true)?;
-    let (task, fine) = load::corrected(task, asked, fine)?;
+    let accuracy = Accuracy::ANSWER;
+    let coarse = elements::refined(task, coarse, COARSER * count, accuracy)?;
+    let (task, coarse) = load::corrected(task, asked, coarse, accuracy)?;
+    let coarse_found = Found::by_elements(task, &coarse);
+    let fine = elements::refined(task, &coarse, count, accuracy)?;
+    let (task, fine) = load::corrected(task, asked, fine, accuracy)?;
     if let Some(side) = fine.side_reached(task.gap) {
         return Err(elements::edge_error(task, &fine, side));
     }
     Ok(Pair {
-        task,
-        coarse: Found::by_elements(&coarse),
-        fine: Found::by_elements(&fine),
+        coarse: coarse_found,
+        fine: Found::by_elements(task, &fine),
         method: Method::Elements,
         residual: fine.residual,
     })
 }
 
 /// `None` when a strip vanishes, the equations stay unsolved, or elements disagree.
-fn by_strips<'a>(
-    mut task: Task<'a>,
+fn by_strips(
+    task: Task<'_>,
     asked: Asked,
     elements: &Found,
     resolution: Resolution,
-) -> Option<Pair<'a>> {
-    const CORRECTIONS: usize = 4;
+) -> Option<Pair> {
     /// A peak pressure that still changes by more has a summit as narrow as the strips.
     const UNEVEN: f64 = 0.02;
-    const ENOUGH: f64 = 1e-6;
+    const ENOUGH: [f64; 2] = [1e-5, 1e-6];
     let terms = if task.gap.is_parabola_along() { 2 } else { 4 };
-    let mut count = resolution.count;
-    let mut coarse = strips::solve(task, &elements.patches, count.div_ceil(2), terms)?;
-    let mut fine = strips::solve(task, &coarse.patches, count, terms)?;
-    if (fine.peak / coarse.peak - 1.0).abs() > UNEVEN {
-        let more = count * 8 / 5;
-        if let Some(finer) = strips::solve(task, &fine.patches, more, terms) {
-            (coarse, fine, count) = (fine, finer, more);
-        }
+    let load = if let Asked::Load(load) = asked { Some(load) } else { None };
+    let count = resolution.count;
+    let next = |from: &Found, count: usize, enough: f64| {
+        let task = Task { approach: from.approach, ..task };
+        strips::solve(task, load, &from.patches, [count, terms], enough)
+    };
+    let mut coarse = next(elements, count.div_ceil(2), ENOUGH[0])?;
+    let mut fine = next(&coarse, count, ENOUGH[1])?;
+    if (fine.peak / coarse.peak - 1.0).abs() > UNEVEN
+        && let Some(finer) = next(&fine, count * 8 / 5, ENOUGH[1])
+    {
+        (coarse, fine) = (fine, finer);
     }
-    if !fine.agrees_with(elements) {
-        return None;
-    }
-    let limit = limit(fine.load, coarse.load) - fine.load;
-    if let Asked::Load(load) = asked {
-        for _ in 0..CORRECTIONS {
-            let lacking = load - fine.load - limit;
-            if lacking.abs() < ENOUGH * load {
-                break;
-            }
-            task.approach += lacking / fine.stiffness;
-            fine = strips::solve(task, &fine.patches, count, terms)?;
-        }
-    }
-    Some(Pair { task, coarse, fine, method: Method::Strips, residual: 0.0 })
+    let agree = fine.agrees_with(elements);
+    agree.then_some(Pair { coarse, fine, method: Method::Strips, residual: 0.0 })
 }
 
 /// The limit of a quantity whose error falls with the square of the number of strips.
@@ -152,33 +149,43 @@ fn limit(fine: f64, coarse: f64) -> f64 {
     fine + (fine - coarse) / 3.0
 }
 
-fn contact(pair: SolidPair, asked: Asked, found: Pair<'_>) -> NormalContact {
-    let Pair { task, coarse, mut fine, method, residual } = found;
+fn contact(gap: &Gap, pair: SolidPair, asked: Asked, found: Pair) -> NormalContact {
+    let Pair { coarse, mut fine, method, residual } = found;
     let error = |fine: f64, coarse: f64, least: f64| error(method, fine, coarse, least);
     let area = fine.area();
     let peak_error = error(fine.peak, coarse.peak, 1e-3);
     let area_error = error(area, coarse.area(), 3e-3);
-    let load_error = error(fine.load, coarse.load, 3e-4);
-    let (approach_error, load_error, load) = match (asked, method) {
-        (Asked::Load(load), _) => (load_error / fine.stiffness, 0.0, load),
-        (_, Method::Strips) => (0.0, load_error, limit(fine.load, coarse.load)),
-        (_, Method::Elements) => (0.0, load_error, fine.load),
+    // What the coarser would carry at the finer one's approach.
+    let carried = coarse.load + fine.stiffness * (fine.approach - coarse.approach);
+    let load_error = error(fine.load, carried, 3e-4);
+    let at_limit = if method == Method::Strips { limit(fine.load, carried) } else { fine.load };
+    let (approach, load) = match asked {
+        Asked::Load(load) => {
+            let value = fine.approach + (fine.load - at_limit) / fine.stiffness;
+            (
+                Estimate { value, error: load_error / fine.stiffness },
+                Estimate { value: load, error: 0.0 },
+            )
+        }
+        Asked::Approach(value) => {
+            (Estimate { value, error: 0.0 }, Estimate { value: at_limit, error: load_error })
+        }
     };
     let carried: f64 = fine.patches.iter().map(Patch::load).sum();
     for band in fine.patches.iter_mut().flat_map(Patch::bands_mut) {
-        band.scale(load / carried);
+        band.scale(load.value / carried);
     }
-    let converged = residual <= Level::TOLERANCE;
+    let converged = residual <= Accuracy::ANSWER.residual;
     NormalContact {
         pair,
-        approach: Estimate { value: task.approach, error: approach_error },
-        load: Estimate { value: load, error: load_error },
+        approach,
+        load,
         peak: Estimate { value: fine.peak, error: peak_error },
         area: Estimate { value: area, error: area_error },
         stiffness: fine.stiffness,
         status: if converged { Status::Converged } else { Status::NotConverged { residual } },
         method,
-        gap_points: gap_points(task.gap, &fine.patches),
+        gap_points: gap_points(gap, &fine.patches),
         patches: fine.patches,
     }
 }

@@ -6,15 +6,18 @@
 //! | [`Bonded`] | two bodies shifted and twisted against each other without slip | 3.212 |
 //! | [`Hertz`](crate::Hertz) | two bodies pressed together | 3.221 |
 //! | [`PartialSlip`] | two bodies shifted against each other with slip (Cattaneo, Mindlin) | 3.222 |
+//! | [`Compression`] | two unlike bodies pressed together with friction (Spence), step by step | 6.2 |
 //!
 //! `x` and `y` are along the semi-axes `a` and `b` of the contact ellipse, `z` points into the
 //! lower body. Forces and tractions are exerted by the upper body on the lower.
 
 mod bonded;
+mod compression;
 mod die;
 mod partial_slip;
 
 pub use bonded::Bonded;
+pub use compression::Compression;
 pub use die::{Die, DieError};
 pub use partial_slip::{PartialSlip, PartialSlipError};
 

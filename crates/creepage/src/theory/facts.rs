@@ -4,6 +4,7 @@
 /// What a user should know of a theory.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[allow(clippy::struct_excessive_bools)] // facts that do not depend on one another
 pub struct TheoryFacts {
     /// As in case files: `vermeulen-johnson`.
     pub name: &'static str,
@@ -26,6 +27,8 @@ pub struct TheoryFacts {
     pub derivative: bool,
     /// Whether it counts the slip by the pressure between dissimilar bodies (6.4).
     pub dissimilar_bodies: bool,
+    /// Whether it heeds friction that depends on the speed of slip, and a layer between the bodies.
+    pub friction_laws: bool,
 }
 
 const CLOSED_FORM: TheoryFacts = TheoryFacts {
@@ -39,6 +42,7 @@ const CLOSED_FORM: TheoryFacts = TheoryFacts {
     error_bars: false,
     derivative: true,
     dissimilar_bodies: false,
+    friction_laws: false,
 };
 
 pub(super) const EXACT: TheoryFacts = TheoryFacts {
@@ -48,9 +52,10 @@ pub(super) const EXACT: TheoryFacts = TheoryFacts {
     cost: "2 ms",
     error_percent: 0.1,
     good_for: "any case, with error bars",
-    options: &["resolution", "accuracy"],
+    options: &["resolution", "accuracy", "coupled", "prescribed"],
     error_bars: true,
     dissimilar_bodies: true,
+    friction_laws: true,
     ..CLOSED_FORM
 };
 
@@ -62,6 +67,7 @@ pub(super) const VARIATIONAL: TheoryFacts = TheoryFacts {
     good_for: "any but the smallest creepage",
     options: &["degree", "mesh", "weight", "bound"],
     derivative: false,
+    dissimilar_bodies: true,
     ..CLOSED_FORM
 };
 
@@ -84,6 +90,7 @@ pub(super) const FASTSIM: TheoryFacts = TheoryFacts {
     error_percent: 3.5,
     good_for: "any creepage and spin, fast",
     options: &["grid", "flexibility", "bound"],
+    friction_laws: true,
     ..CLOSED_FORM
 };
 

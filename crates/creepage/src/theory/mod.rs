@@ -4,11 +4,13 @@
 //! [`Solution`], [`Theory::solved`] keeps the solved contact for further questions ([`Solved`]).
 
 mod constraints;
+mod differences;
 mod facts;
 pub(crate) mod field;
 mod spec;
 
 pub use constraints::{Constraints, InverseError};
+pub(crate) use differences::differences;
 pub use facts::TheoryFacts;
 pub use field::{FieldPoint, Patch, Region};
 pub use spec::{
@@ -32,10 +34,14 @@ pub enum Status {
     CreepageTooSmall,
     /// Solved, but the spin is beyond the bound up to which the theory holds.
     SpinTooLarge,
+    /// Solved from friction at rest, but friction falls with the speed of slip so steeply that another
+    /// solution exists, with more slip and less force.
+    SeveralSolutions,
 }
 
 impl Status {
-    /// One word for tables: `solved`, `not_converged`, `creepage_too_small`, `spin_too_large`.
+    /// One word for tables: `solved`, `not_converged`, `creepage_too_small`, `spin_too_large`,
+    /// `several_solutions`.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -43,6 +49,7 @@ impl Status {
             Self::NotConverged => "not_converged",
             Self::CreepageTooSmall => "creepage_too_small",
             Self::SpinTooLarge => "spin_too_large",
+            Self::SeveralSolutions => "several_solutions",
         }
     }
 }
@@ -170,6 +177,16 @@ pub trait Solved: Send + Sync {
     /// has it.
     fn dissipation(&self) -> Option<f64> {
         None
+    }
+
+    /// Contact area over `pi a b`: one unless the theory finds the area.
+    fn relative_area(&self) -> f64 {
+        1.0
+    }
+
+    /// Where a position of the ellipse has moved with the contact area.
+    fn moved(&self, position: [f64; 2]) -> [f64; 2] {
+        position
     }
 
     /// The theory's own figures.

@@ -14,7 +14,7 @@ use crate::approximate::strip::StripTheory;
 use crate::approximate::vermeulen_johnson::VermeulenJohnson;
 use crate::check::InvalidValue;
 use crate::contact::Contact;
-use crate::coulomb::{Automatic, Exact, Resolution};
+use crate::coulomb::{Automatic, Coupled, Exact, Prescribed, Resolution};
 use crate::variational::{self, Settings, Variational, VariationalError};
 
 /// A theory and its options. With the feature `serde` it is read and written as a table whose key
@@ -74,6 +74,13 @@ pub struct ExactOptions {
     /// default.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub accuracy: Option<f64>,
+    /// Between unlike bodies, whether tractions act back on pressure and contact area; false by
+    /// default.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "std::ops::Not::not"))]
+    pub coupled: bool,
+    /// With coupled = true: what stays as it is without friction, "load" (the default) or "approach".
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Prescribed::is_load"))]
+    pub prescribed: Prescribed,
 }
 
 /// Elements of `exact`: a word, or the numbers of elements along and across.
@@ -237,7 +244,7 @@ impl TheorySpec {
     /// depends on it.
     #[must_use]
     pub fn prescribed_accuracy(&self) -> Option<f64> {
-        let Self::Exact(ExactOptions { resolution, accuracy }) = self else { return None };
+        let Self::Exact(ExactOptions { resolution, accuracy, .. }) = self else { return None };
         let automatic = *resolution == ResolutionSpec::Named(NamedResolution::Auto);
         automatic.then(|| accuracy.unwrap_or(Automatic::DEFAULT_ACCURACY))
     }
@@ -286,11 +293,25 @@ impl ExactOptions {
     }
 
     fn prepare(self, contact: &Contact) -> Result<Box<dyn Theory>, TheoryError> {
+        if self.coupled && contact.kappa_over_mu() != 0.0 {
+            return self.prepare_coupled(contact);
+        }
+        if !self.coupled && self.prescribed != Prescribed::Load {
+            return Err(TheoryError::PrescribedOneWay);
+        }
         if let Some(resolution) = self.fixed_resolution()? {
             return Ok(Box::new(Exact::new(contact, resolution)?));
         }
         let accuracy = self.accuracy.unwrap_or(Automatic::DEFAULT_ACCURACY);
         Ok(Box::new(Automatic::new(contact, accuracy)?))
+    }
+
+    fn prepare_coupled(self, contact: &Contact) -> Result<Box<dyn Theory>, TheoryError> {
+        if let Some(resolution) = self.fixed_resolution()? {
+            return Ok(Box::new(Coupled::new(contact, resolution, self.prescribed)?));
+        }
+        let accuracy = self.accuracy.unwrap_or(Automatic::DEFAULT_ACCURACY);
+        Ok(Box::new(Coupled::automatic(contact, accuracy, self.prescribed)?))
     }
 }
 
@@ -307,6 +328,9 @@ pub enum TheoryError {
     /// An accuracy is prescribed, but the resolution is fixed.
     #[error("`accuracy` needs resolution = \"auto\"")]
     AccuracyOfFixed,
+    /// The approach is prescribed, but one-way the pressure is that of Hertz.
+    #[error("`prescribed` needs coupled = true")]
+    PrescribedOneWay,
 }
 
 /// A name that no theory has.

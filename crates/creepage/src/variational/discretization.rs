@@ -6,6 +6,7 @@ use super::Settings;
 use super::integrand::State;
 use crate::check::InvalidValue;
 use crate::contact::Contact;
+use crate::coulomb::hertz_slip;
 use crate::ellipse::Ellipse;
 use crate::halfspace::{LoadDisplacement, harmonics, vanishing};
 use crate::{Creepage, Force};
@@ -24,6 +25,8 @@ pub(super) struct Discretization {
     bound_squared: Vec<f64>,
     /// Rows a point, `polynomials` long each: see [`Rows`].
     rows: Vec<f64>,
+    /// Slip at the points by the pressure of dissimilar bodies (6.4), in units of `mu f00`.
+    pressure_slip: Vec<[f64; 2]>,
     /// `A = (1 - sigma) E / (2 sqrt g)`: slip in units of `mu f00` over that in `mu c / rho`.
     slip_scale: f64,
 }
@@ -58,6 +61,7 @@ pub(super) struct SlipResponse {
     ellipse: Ellipse,
     degree: usize,
     slip_scale: f64,
+    kappa_over_mu: f64,
     /// Harmonics of `du/dx` by `X'`, `du/dx` by `Y'`, `dv/dx` by `Y'`: a row a polynomial.
     harmonics: [Vec<Vec<f64>>; 3],
     /// `f_x` by `X'` and `f_y` by `Y'`.
@@ -88,7 +92,8 @@ impl SlipResponse {
             moment[1].push(ellipse.a() * x);
         }
         let slip_scale = (1.0 - poisson) * ellipse.integrals().e / (2.0 * ellipse.g().sqrt());
-        Ok(Self { ellipse, degree, slip_scale, harmonics: rows, force, moment })
+        let kappa_over_mu = contact.kappa_over_mu();
+        Ok(Self { ellipse, degree, slip_scale, kappa_over_mu, harmonics: rows, force, moment })
     }
 
     pub(super) fn ellipse(&self) -> Ellipse {
@@ -135,6 +140,14 @@ impl SlipResponse {
             .collect()
     }
 
+    /// The known function of (6.6), in units of `mu f00`.
+    fn by_pressure(&self, at: [f64; 2]) -> [f64; 2] {
+        if self.kappa_over_mu == 0.0 {
+            return [0.0; 2];
+        }
+        hertz_slip(self.ellipse, at).map(|slip| self.kappa_over_mu * slip)
+    }
+
     /// The discretization on `positions` in units of `c`, all inside the ellipse.
     pub(super) fn at(&self, positions: Vec<[f64; 2]>) -> Discretization {
         let polynomials = harmonics::polynomial_count(self.degree);
@@ -154,7 +167,9 @@ impl SlipResponse {
                 }));
             }
         }
-        Discretization { polynomials, positions, bound_squared, rows, slip_scale: self.slip_scale }
+        let pressure_slip = positions.iter().map(|at| self.by_pressure(*at)).collect();
+        let slip_scale = self.slip_scale;
+        Discretization { polynomials, positions, bound_squared, rows, pressure_slip, slip_scale }
     }
 }
 
@@ -184,9 +199,12 @@ impl Discretization {
         Rows { value, px, py, qy }
     }
 
-    /// Slip of the bodies as if rigid, in units of `mu f00`.
+    /// Slip before any traction acts, in units of `mu f00`: of the bodies as if rigid, and by the
+    /// pressure (6.6).
     pub(super) fn rigid_slip(&self, creepage: Creepage, point: usize) -> [f64; 2] {
-        creepage.rigid_slip(self.positions[point]).map(|slip| self.slip_scale * slip)
+        let [x, y] = creepage.rigid_slip(self.positions[point]);
+        let [by_x, by_y] = self.pressure_slip[point];
+        [self.slip_scale * x + by_x, self.slip_scale * y + by_y]
     }
 
     /// `X', Y', P, Q` at a point.

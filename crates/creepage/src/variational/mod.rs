@@ -10,6 +10,9 @@
 //! T S = \big| |s| (X', Y') - s \big|^2
 //! ```
 //!
+//! Between dissimilar bodies the slip has the known function of (6.6) added to it, as 6.2 proposes: the
+//! slip by Hertz's pressure.
+//!
 //! Where the contact is long in the rolling direction, `a/b >= 3`, the mean of `W T S` has several
 //! minima. There the least loss of power, which has one, takes its place: see [`TractionBound`].
 //!
@@ -208,6 +211,23 @@ impl Variational {
         solution::mesh_points(self, &self.response.at(positions.to_vec()), creepage, &tau)
     }
 
+    /// Whether anything slips without traction.
+    fn is_driven(&self, creepage: Creepage) -> bool {
+        creepage != Creepage::default() || self.contact.kappa_over_mu() != 0.0
+    }
+
+    /// Power of the tractions on the slip by the pressure, over `mu N mu c V / rho`.
+    fn power_by_pressure(&self, tau: &[f64]) -> f64 {
+        let still = Creepage::default();
+        let scale = 1.5 / self.mesh.slip_scale();
+        let power = |(point, weight): (usize, &f64)| {
+            let [x, y, ..] = self.mesh.state(still, tau, point);
+            let [p, q] = self.mesh.rigid_slip(still, point);
+            scale * weight * (x * p + y * q)
+        };
+        self.power_weights.iter().enumerate().map(power).sum()
+    }
+
     fn functional_of<'a>(&'a self, creepage: Creepage, form: Form<'a>) -> Functional<'a> {
         let is_power = matches!(form, Form::Power { .. });
         let weights = if is_power { &self.power_weights } else { &self.weights };
@@ -267,6 +287,12 @@ impl Solved for SolvedVariational<'_> {
             if inside { point.field } else { FieldPoint::outside(point.field.position) }
         };
         field.into_iter().zip(points.bound_squared()).map(clipped).collect()
+    }
+
+    fn power(&self) -> f64 {
+        let force = self.found.solution.force.components().into_iter();
+        let rigid = force.zip(self.creepage.components()).map(|(force, creepage)| force * creepage);
+        rigid.sum::<f64>() + self.theory.power_by_pressure(&self.found.tau)
     }
 
     fn points(&self) -> Option<Vec<FieldPoint>> {

@@ -55,8 +55,7 @@ impl VariationalSolution {
             points.iter().map(|point| point.integrand).sum::<f64>() / points.len() as f64;
         let status = if !minimum.converged {
             Status::NotConverged
-        } else if creepage != Creepage::default()
-            && !slip_is_resolved(&points, theory.response.degree())
+        } else if theory.is_driven(creepage) && !slip_is_resolved(&points, theory.response.degree())
         {
             Status::CreepageTooSmall
         } else {

@@ -13,7 +13,7 @@ fn warm_starts_find_the_same_solutions() {
     for (warm, creepage) in theory.curve(&curve).into_iter().zip(&curve) {
         let cold = theory.solve(*creepage).force;
         for (warm, cold) in components(warm.force).into_iter().zip(components(cold)) {
-            // Both are iterated to tractions of 1e-8.
+            // Both are iterated to tractions of 1e-6, forces to 5e-8.
             assert!((warm - cold).abs() < 1e-6, "{creepage:?}");
         }
     }
@@ -30,7 +30,7 @@ fn a_curve_may_come_down_to_nothing() {
             assert_eq!(warm.status, Status::Solved, "{ratio} {size:e}");
             let cold = theory.solve(to).force;
             for (warm, cold) in components(warm.force).into_iter().zip(components(cold)) {
-                // Both are iterated to 1e-8 of tractions that are of the size of the creepage.
+                // Both are iterated to 1e-6 of tractions that are of the size of the creepage.
                 assert!(
                     (warm - cold).abs() <= 1e-6 * size && cold.abs() <= 100.0 * size,
                     "{ratio} {size:e} {warm} {cold}"

@@ -6,8 +6,8 @@ use creepage::coulomb::{Constraints, Exact, InverseError, Resolution};
 use crate::common::at;
 use crate::support::{components, exact};
 
-/// Small, for a difference must not reach over a kink.
-const STEP: f64 = 1e-4;
+/// Large enough for forces from tractions that are iterated to 1e-6, which leaves some 1e-8.
+const STEP: f64 = 5e-4;
 
 /// Central differences of the fourth order and the derivative, the largest difference over the
 /// largest entry.
@@ -29,7 +29,8 @@ fn disagreement(theory: &Exact, case: [f64; 3]) -> f64 {
     worst / derivative.iter().flatten().fold(0.0, |m: f64, d| m.max(d.abs()))
 }
 
-/// 40 cases, none with a kink (an element that changes between adhesion and slip) in its step.
+/// 40 cases, through signs, mirror images and extrapolation. The solver's own derivative is held to
+/// 1e-6 beside it, where it may iterate further.
 #[test]
 fn the_derivative_is_that_of_the_solver() {
     for (ratio, poisson) in [(0.3, 0.3), (1.0, 0.0), (1.0, 0.28), (4.0, 0.45)] {
@@ -38,8 +39,8 @@ fn the_derivative_is_that_of_the_solver() {
             let t = f64::from(k);
             let case = [(1.7 * t).sin(), 0.9 * (2.3 * t + 1.0).cos(), 2.5 * (0.9 * t).sin()];
             let found = disagreement(&theory, case);
-            // Tractions solved to 1e-8 leave some 1e-11 in forces, 1e-7 in their differences.
-            assert!(found < 1e-6, "{case:?}: {found}");
+            // 5e-8 over the step, and the ends of rounded corners within it.
+            assert!(found < 5e-4, "{case:?}: {found}");
         }
     }
 }

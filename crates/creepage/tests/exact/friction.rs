@@ -47,13 +47,13 @@ proptest! {
         for element in &elements {
             let ([p, q], [u, v]) = (element.point.traction, element.point.slip);
             let (size, slip) = (p.hypot(q), u.hypot(v));
-            // Tractions are iterated to 1e-8 of the bound.
-            prop_assert!(size <= element.bound * (1.0 + 1e-6));
+            // Rounding: the law holds to the last bits at what the solver leaves as residual.
+            prop_assert!(size <= element.bound * (1.0 + 1e-12));
             prop_assert!(element.power >= -1e-9);
             if element.point.region == Region::Slip {
-                prop_assert!(size >= element.bound * (1.0 - 1e-6));
-                prop_assert!((p * v - q * u).abs() <= 1e-6 * (1.0 + slip), "{p} {q} {u} {v}");
-                prop_assert!(p * u + q * v >= -1e-6);
+                prop_assert!(size >= element.bound * (1.0 - 1e-12));
+                prop_assert!((p * v - q * u).abs() <= 1e-12 * (1.0 + slip), "{p} {q} {u} {v}");
+                prop_assert!(p * u + q * v >= 0.0);
             } else {
                 prop_assert!(slip <= 0.0);
             }
@@ -70,17 +70,14 @@ proptest! {
         }
     }
 
-    /// On a circle the coarser of a theory's two grids is the finer one of a theory with half the
-    /// elements. The heat of the elements of both, extrapolated, is the dissipation.
+    /// What is turned to heat is so in some element.
     #[test]
-    fn the_elements_give_all_the_heat(poisson in 0.0..0.5_f64, creepage in creepage()) {
-        let heat = |along, across| {
-            let theory = exact(1.0, poisson, Resolution::new(along, across).unwrap());
-            let solved = theory.solve_contact(at(creepage));
-            (solved.dissipation().unwrap(), solved.elements().iter().map(|e| e.power).sum::<f64>())
-        };
-        let ((_, coarse), (dissipation, fine)) = (heat(12, 8), heat(24, 16));
-        // Tractions are iterated to 1e-8, from different starts, and slip is up to ten.
-        prop_assert!((dissipation - (fine + (fine - coarse) / 3.0)).abs() < 1e-6 * fine.max(0.1));
+    fn the_elements_give_all_the_heat((ratio, poisson) in contact(), creepage in creepage()) {
+        let theory = exact(ratio, poisson, Resolution::FAST);
+        let solved = theory.solve_contact(at(creepage));
+        let dissipation = solved.dissipation().unwrap();
+        let sum: f64 = solved.elements().iter().map(|e| e.power).sum();
+        // Rounding.
+        prop_assert!((dissipation - sum).abs() < 1e-12 * dissipation.max(1.0));
     }
 }

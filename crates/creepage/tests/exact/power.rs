@@ -1,47 +1,46 @@
 //! Creepage times force is the power turned to heat in the slip area.
 
-use creepage::coulomb::Resolution;
+use creepage::coulomb::{ElementField, Resolution};
+use creepage::theory::Solved;
 
+use crate::common::at;
 use crate::support::{exact, solve};
 
-/// Creepage times force is the power turned to heat in the slip area. Both are extrapolated from
-/// two grids; what is left of their difference is heat in slip areas narrower than an element.
+/// The heat of slip areas narrower than an element is what the forces' power has beyond traction
+/// times slip; nowhere does traction times slip turn more to heat than that, beyond the error of
+/// extrapolation. The documentation says 0.2 %, at any creepage.
 #[test]
 fn both_powers_agree() {
-    let cases =
-        [[0.0, -0.6, 0.0], [0.5, 0.3, 1.0], [1.0, -1.0, 2.0], [0.0, 0.0, 2.0], [2.0, 0.5, 0.3]];
-    let mut worst = [0.0_f64; 2];
-    for ratio in [0.3, 1.0, 4.0] {
-        for (worst, resolution) in worst.iter_mut().zip([Resolution::FAST, Resolution::FINE]) {
-            let theory = exact(ratio, 0.28, resolution);
-            for case in cases {
-                let found = solve(&theory, case);
-                *worst = worst.max((found.power - found.dissipation).abs() / found.power);
-            }
-        }
-    }
-    assert!(worst[1] < 0.02 && worst[1] < 0.5 * worst[0], "{worst:?}");
-}
-
-/// Beyond small creepage (half of friction is used) the powers agree within 1 % at the standard
-/// resolution in nine of ten cases, and within 5 % in all of these; 6 % has been seen in others.
-#[test]
-fn powers_agree_where_friction_is_used() {
-    let mut apart = Vec::new();
     for (ratio, poisson) in [(0.2, 0.1), (0.6, 0.45), (1.0, 0.28), (1.7, 0.0), (4.0, 0.3)] {
         let theory = exact(ratio, poisson, Resolution::STANDARD);
         for k in 0..24 {
             let t = f64::from(k) + ratio;
-            let found = solve(
-                &theory,
-                [3.0 * (1.7 * t).sin(), 3.0 * (2.9 * t).cos(), 8.0 * (0.9 * t).sin()],
-            );
-            if found.force.magnitude() > 0.5 || found.force.mz.abs() > 0.3 {
-                apart.push((found.power - found.dissipation).abs() / found.power);
-            }
+            let size = (0.25 * (f64::from(k) - 20.0)).exp();
+            let directions = [3.0 * (1.7 * t).sin(), 3.0 * (2.9 * t).cos(), 8.0 * (0.9 * t).sin()];
+            let found = solve(&theory, directions.map(|direction| size * direction));
+            let apart = (found.power - found.dissipation).abs() / found.power;
+            assert!(apart < 0.002, "{ratio} {k} {found:?}");
         }
     }
-    apart.sort_by(f64::total_cmp);
-    assert!(apart.len() > 60);
-    assert!(apart[apart.len() * 9 / 10] < 0.01 && apart[apart.len() - 1] < 0.05, "{apart:?}");
+}
+
+/// What traction times slip gives in the elements approaches the whole with the elements' size:
+/// what is added along the trailing edge for narrower slip areas vanishes.
+#[test]
+fn heat_of_the_trailing_edge_vanishes_with_the_elements() {
+    let resolved = |resolution| {
+        let theory = exact(1.0, 0.28, resolution);
+        let solved = theory.solve_contact(at([0.5, 0.3, 1.0]));
+        let elements = solved.elements();
+        let from_slip = |e: &ElementField| {
+            let ([p, q], [u, v]) = (e.point.traction, e.point.slip);
+            e.share / e.bound * (p * u + q * v)
+        };
+        elements.iter().map(from_slip).sum::<f64>() / solved.power()
+    };
+    let [fast, fine] = [Resolution::FAST, Resolution::FINE].map(resolved);
+    assert!(
+        (1.0 - fine).abs() < 0.03 && (1.0 - fine).abs() < 0.6 * (1.0 - fast).abs(),
+        "{fast} {fine}"
+    );
 }

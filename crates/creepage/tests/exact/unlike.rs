@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use creepage::Ellipse;
-use creepage::coulomb::{Automatic, Exact, Resolution};
+use creepage::coulomb::{Automatic, Constraints, Exact, Resolution};
 use creepage::halfspace::{DisplacementField, Edge, Polynomial, Traction};
 use creepage::theory::Solved;
 use creepage::{Contact, Creepage, Force, Region, Status, Theory};
@@ -133,8 +133,7 @@ fn strong_unlikeness_slides_all_over() {
     assert!((x * slip_unit / 1e3 + 1.0).abs() < 0.01 && y.abs() < 1.0, "{x} {y}");
 }
 
-/// Force times creepage and the power of the tractions on the pressure's slip make the heat, as
-/// for like bodies up to slip areas narrower than an element.
+/// Force times creepage and the power of the tractions on the pressure's slip make the heat.
 #[test]
 fn both_powers_agree() {
     for (ratio, kappa_over_mu) in [(0.3, 0.4), (1.0, 0.5), (1.0, -0.5), (4.0, -0.3)] {
@@ -143,8 +142,8 @@ fn both_powers_agree() {
             let found = solve(&theory, case);
             let apart = (found.power - found.dissipation).abs();
             assert!(found.dissipation > 0.0);
-            // That of like bodies at this resolution, and as much of the force as small heat lacks.
-            assert!(apart < 0.02 * found.power + 0.002, "{ratio} {case:?} {found:?}");
+            // As for like bodies; without creepage twice that is seen.
+            assert!(apart < 0.004 * found.power, "{ratio} {case:?} {found:?}");
         }
     }
 }
@@ -202,6 +201,21 @@ fn finer_levels_know_of_the_dissimilarity() {
     );
     assert!((found.fx - fine.fx).abs() < 0.002, "{found:?} {fine:?}");
     assert!((automatic.solve(creepage).force.fy - fine.fy).abs() < 0.002);
+}
+
+/// A prescribed force is found for whatever `kappa/mu` is accepted: free rolling creeps the more the
+/// more dissimilar bodies are.
+#[test]
+fn any_dissimilarity_rolls_freely_at_some_creepage() {
+    for kappa_over_mu in [0.1, 10.0, 1e3, 1e5, -1e6] {
+        let theory = unlike(1.0, 0.3, Resolution::FAST, kappa_over_mu);
+        let free =
+            Constraints { fx: Some(0.0), eta: Some(0.0), chi: Some(0.0), ..Constraints::default() };
+        let found = theory.find(free).unwrap();
+        assert!(found.solution().force.fx.abs() < 1e-6);
+        let over = found.creepage().xi() / kappa_over_mu;
+        assert!(over > 0.1 && over < 10.0, "{kappa_over_mu} {over}");
+    }
 }
 
 #[test]

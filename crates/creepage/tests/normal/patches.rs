@@ -10,7 +10,8 @@ use creepage::normal::{NormalContact, Resolution};
 use crate::support::{MM, function, steel};
 
 /// Lateral shift, height, roll and yaw of the wheelset, a point of the plane and its angle;
-/// penetration, load and peak pressure found; half the width looked at (lengths in mm, angles in rad, forces in N, pressures in N/mm^2).
+/// penetration, load and peak pressure found; the width looked at (lengths in mm, angles in rad,
+/// forces in N, pressures in N/mm^2).
 #[derive(Clone, Copy)]
 struct Pose {
     wheelset: [f64; 4],
@@ -18,7 +19,7 @@ struct Pose {
     penetration: f64,
     load: f64,
     peak: f64,
-    half_width: f64,
+    width: [f64; 2],
 }
 
 fn horner(coefficients: &[f64], y: f64) -> f64 {
@@ -38,7 +39,7 @@ fn wheel_profile(y: f64) -> f64 {
         arc(16.446, -26.210_665, 13.0, -1.0)
     } else if y < -26.0 {
         const C: [f64; 8] = [
-            -2.255_527_540e-7,
+            -2.252_755_540e-7,
             -4.687_195_829e-5,
             -4.169_739_389e-3,
             -2.054_332_446e-1,
@@ -149,25 +150,54 @@ impl Pose {
     }
 
     fn least(&self) -> f64 {
-        let s = |i: i32| self.half_width * f64::from(i) / 120.0;
-        let row = |i: i32| (-4..=4).map(move |k| self.height(0.05 * f64::from(k), s(i)));
-        (-120..=120).flat_map(row).fold(f64::INFINITY, f64::min)
+        // The gauge corner's curvature of 1/13 mm between places 20 um apart hides 4 nm.
+        const PLACES: i32 = 700;
+        let [low, high] = self.width;
+        let s = |i: i32| low + (high - low) * f64::from(i) / f64::from(PLACES);
+        // A contact turned against the plane is nearest away from x = 0.
+        let row = |i: i32| (-10..=10).map(move |k| self.height(0.1 * f64::from(k), s(i)));
+        (0..=PLACES).flat_map(row).fold(f64::INFINITY, f64::min)
     }
 
     fn gap(self) -> Gap {
-        let half = self.half_width;
-        function([-12.0, 12.0], [-half, half], move |x, s| self.height(x, s))
+        function([-12.0, 12.0], self.width, move |x, s| self.height(x, s))
     }
 }
 
-const POSES: [Pose; 8] = [
+const POSES: [Pose; 11] = [
+    Pose {
+        wheelset: [0.0, 0.1981, 0.0, 0.0],
+        plane: [0.0, 751.8726, 0.1252, -0.029],
+        penetration: 0.015_965_9,
+        load: 10_002.25,
+        peak: 338.32,
+        width: [-14.0, 14.0],
+    },
+    Pose {
+        wheelset: [5.0, 0.0015, -0.000_355_4, 0.012],
+        plane: [-6.9999, 727.0855, 3.0041, -0.2905],
+        // From squares of 0.2 and 0.1 mm, whose errors fall with the square of their size: the
+        // penetration is that at the deepest middle of a square, 27.1845 and 27.3302 um.
+        penetration: 0.027_378_8,
+        load: 9_093.6,
+        peak: 1_579.5,
+        width: [-3.0, 15.0],
+    },
+    Pose {
+        wheelset: [6.0, -0.1961, -0.000_627_2, 0.0144],
+        plane: [-7.3822, 725.1371, 3.6882, -0.4176],
+        penetration: 0.027_301_2,
+        load: 9_628.73,
+        peak: 1_146.94,
+        width: [-2.5, 5.0],
+    },
     Pose {
         wheelset: [1.0, 0.1839, -5.049e-5, 0.0024],
         plane: [-1.7013, 741.9908, 0.5753, -0.0696],
         penetration: 0.024_496_2,
         load: 9_817.12,
         peak: 741.90,
-        half_width: 11.0,
+        width: [-11.0, 11.0],
     },
     Pose {
         wheelset: [2.0, 0.1529, -0.000_112_8, 0.0048],
@@ -175,7 +205,7 @@ const POSES: [Pose; 8] = [
         penetration: 0.024_827_3,
         load: 9_809.10,
         peak: 745.01,
-        half_width: 11.0,
+        width: [-11.0, 11.0],
     },
     Pose {
         wheelset: [3.0, 0.1143, -0.000_180_3, 0.0072],
@@ -183,7 +213,7 @@ const POSES: [Pose; 8] = [
         penetration: 0.024_413_0,
         load: 9_782.35,
         peak: 713.72,
-        half_width: 11.0,
+        width: [-11.0, 11.0],
     },
     Pose {
         wheelset: [4.0, 0.0676, -0.000_255_7, 0.0096],
@@ -191,7 +221,7 @@ const POSES: [Pose; 8] = [
         penetration: 0.023_718_9,
         load: 9_741.90,
         peak: 664.79,
-        half_width: 7.0,
+        width: [-7.0, 7.0],
     },
     Pose {
         wheelset: [7.0, -4.5809, -0.006_393, 0.0168],
@@ -199,7 +229,7 @@ const POSES: [Pose; 8] = [
         penetration: 0.035_939_3,
         load: 14_131.35,
         peak: 2_599.22,
-        half_width: 2.0,
+        width: [-2.0, 2.0],
     },
     Pose {
         wheelset: [8.0, -6.2615, -0.008_606, 0.0192],
@@ -207,7 +237,7 @@ const POSES: [Pose; 8] = [
         penetration: 0.035_144_1,
         load: 12_800.35,
         peak: 2_600.36,
-        half_width: 2.0,
+        width: [-2.0, 2.0],
     },
     Pose {
         wheelset: [9.0, -7.3919, -0.0101, 0.0216],
@@ -215,7 +245,7 @@ const POSES: [Pose; 8] = [
         penetration: 0.034_539_7,
         load: 11_996.33,
         peak: 2_596.31,
-        half_width: 2.0,
+        width: [-2.0, 2.0],
     },
     Pose {
         wheelset: [10.0, -8.2668, -0.011_26, 0.024],
@@ -223,7 +253,7 @@ const POSES: [Pose; 8] = [
         penetration: 0.034_427_7,
         load: 11_611.61,
         peak: 2_605.60,
-        half_width: 2.0,
+        width: [-2.0, 2.0],
     },
 ];
 
@@ -236,8 +266,12 @@ fn a_real_wheel_on_a_real_rail() {
             NormalContact::at_approach(&pose.gap(), steel(), approach, Resolution::STANDARD)
                 .unwrap();
         let (found, load) = (contact.load().value, pose.load);
-        assert!((found / load - 1.0).abs() < 1e-3, "{shift} mm: {found} N for {load}");
+        // Of the pose with two lobes the squares give the load to .16 %, and are 0.1 mm wide where
+        // a lobe is 1.4 mm wide.
+        let two_lobes = (shift - 5.0).abs() < 1e-9;
+        let [by_load, by_peak] = if two_lobes { [3e-3, 0.02] } else { [1e-3, 5e-3] };
+        assert!((found / load - 1.0).abs() < by_load, "{shift} mm: {found} N for {load}");
         let (found, peak) = (contact.peak_pressure().value / 1e6, pose.peak);
-        assert!((found / peak - 1.0).abs() < 5e-3, "{shift} mm: {found} MPa for {peak}");
+        assert!((found / peak - 1.0).abs() < by_peak, "{shift} mm: {found} MPa for {peak}");
     }
 }

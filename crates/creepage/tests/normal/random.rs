@@ -55,7 +55,7 @@ fn check(seed: u64, contact: &NormalContact) {
     assert!(contact.peak_pressure().value > mean, "{seed}");
 }
 
-/// A skew ellipse to 30:1 with higher terms, one to four bumps, or a section of arcs.
+/// A skew ellipse to 50:1 with higher terms, one to four bumps, or a section of arcs.
 fn random_gap(sequence: &mut Sequence) -> Gap {
     match (sequence.next() * 3.0) as u32 {
         0 => random_polynomial(sequence),
@@ -65,7 +65,8 @@ fn random_gap(sequence: &mut Sequence) -> Gap {
 }
 
 fn random_polynomial(sequence: &mut Sequence) -> Gap {
-    let ratio = 30.0_f64.powf(sequence.between(-1.0, 1.0));
+    // The axes' ratio is about the curvatures' to the power 2/3.
+    let ratio = 500.0_f64.powf(sequence.between(-1.0, 1.0));
     let (along, across) = (2e-3 * ratio.sqrt(), 2e-3 / ratio.sqrt());
     let (sin, cos) = sequence.between(-0.7, 0.7).sin_cos();
     let quartic = 1e-5 * sequence.next();

@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used)] // Tests may fail by unwrapping.
 
 mod bonded;
+mod compression;
 mod die;
 mod partial_slip;
 mod support;

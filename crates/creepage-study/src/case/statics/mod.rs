@@ -107,7 +107,7 @@ impl StaticsFile {
     /// # Errors
     /// [`CaseError`] that says where the text is not a statics file.
     pub fn read(text: &str) -> Result<Self, CaseError> {
-        keys::check(&text.parse()?, &statics_json_schema())?;
+        keys::check(&keys::parse(text)?, &statics_json_schema())?;
         Ok(toml::from_str(text)?)
     }
 

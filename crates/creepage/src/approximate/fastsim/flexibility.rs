@@ -3,6 +3,7 @@
 use std::f64::consts::PI;
 
 use super::Flexibility;
+use super::profile::Profile;
 use crate::Ellipse;
 use crate::approximate::dual::Real;
 use crate::approximate::linear::CreepageCoefficients;
@@ -55,6 +56,12 @@ impl Flexibilities {
             coefficients: [c11, c22],
             spin_weight: 3.0 * PI / 32.0 * a,
         })
+    }
+
+    /// The same with a layer on the bed of springs, in units of slip times length over traction.
+    pub(crate) fn with_layer(self, flexibility: f64) -> Self {
+        let layer = self.kappa * flexibility / Profile::HERTZ_PEAK;
+        Self { values: self.values.map(|value| value + layer), ..self }
     }
 
     pub(crate) fn kappa(&self) -> f64 {

@@ -25,6 +25,12 @@
 //! of 1982 by 4.9 % and 13 %. The moment is not that of the linear theory even for small creepage:
 //! `C32 = -(3 pi / 32) C22 sqrt(a/b)` and `C33 = 32 / (15 pi) C23 (b/a)^(3/2)`.
 //!
+//! # Friction and layers
+//! Where friction depends on the speed of slip ([`Contact::with_rolling_friction`]) it is that of the
+//! rigid slip, as in Polach's law of 2005: the springs' own slip would make the traction jump from
+//! cell to cell. A [`Layer`](crate::Layer) adds its flexibility to all three, and bounds the traction
+//! where it yields.
+//!
 //! # Grid
 //! `ny` strips of equal width, each cut into `nx` cells over its own length; traction at the
 //! cells' centres, so that the first step is half a cell; spin at the middle of each step. Of
@@ -36,6 +42,7 @@ mod flexibility;
 mod grid;
 mod march;
 mod profile;
+mod resistance;
 mod settings;
 mod sums;
 mod trace;
@@ -45,13 +52,14 @@ use super::linear::CreepageCoefficients;
 use crate::approximate::strip::strip_slope;
 use crate::check::InvalidValue;
 use crate::contact::Contact;
-use crate::theory::{Evaluated, Jacobian, Solved};
-use crate::{Creepage, FieldPoint, Region, Solution, Status, Theory};
+use crate::theory::{Evaluated, Jacobian, Solved, differences};
+use crate::{Creepage, FieldPoint, Force, Region, Solution, Status, Theory};
 
 pub(crate) use flexibility::{Flexibilities, Slopes};
 pub(crate) use grid::{Block, Grid, LANES, Lanes};
 pub(crate) use march::{Increments, State, march};
 pub(crate) use profile::Profile;
+use resistance::{Resistance, Step, Walk};
 pub use settings::{Flexibility, Settings, TractionBound};
 pub(crate) use sums::{Sums, Totals};
 pub(crate) use trace::{Place, Trace};
@@ -74,6 +82,7 @@ pub struct Fastsim {
     flexibility: Flexibility,
     bound: TractionBound,
     grid: Grid,
+    resistance: Option<Resistance>,
 }
 
 impl Fastsim {
@@ -86,10 +95,18 @@ impl Fastsim {
         let coefficients = CreepageCoefficients::new(contact)?;
         let (ellipse, poisson) = (contact.ellipse(), contact.poisson());
         let grid = Grid::new(&ellipse, settings.grid, settings.bound.profile(1.0))?;
+        let layer = contact.layer().map(|l| l.dimensionless_flexibility(contact.scaling()));
         let flexibilities =
-            Flexibilities::new(&ellipse, strip_slope(&ellipse, poisson), &coefficients)?;
-        let (flexibility, bound) = (settings.flexibility, settings.bound);
-        Ok(Self { contact: *contact, flexibilities, flexibility, bound, grid })
+            Flexibilities::new(&ellipse, strip_slope(&ellipse, poisson), &coefficients)?
+                .with_layer(layer.unwrap_or(0.0));
+        Ok(Self {
+            contact: *contact,
+            flexibilities,
+            flexibility: settings.flexibility,
+            bound: settings.bound,
+            grid,
+            resistance: Resistance::new(contact),
+        })
     }
 
     /// Force, and its derivative by each of the `K` tangents of `slopes`.
@@ -104,10 +121,71 @@ impl Fastsim {
         totals
     }
 
+    /// Force where the bound depends on the slip.
+    fn resisted_force(&self, resistance: &Resistance, creepage: Creepage) -> Force {
+        let plain = dual::plain(creepage);
+        let slopes = self.flexibilities.slopes(self.flexibility, plain);
+        let mut force = Force::default();
+        let lanes = self.grid.blocks.iter().flat_map(|block| (0..LANES).map(move |l| (block, l)));
+        for (block, l) in lanes.filter(|(block, l)| block.weight[*l] > 0.0) {
+            let (y, half_length) = (block.y[l], block.half_length[l]);
+            let peak = half_length / block.gain[l];
+            // The weight is the cell's area times the peak.
+            let weight = block.weight[l] / peak;
+            let mut walk = Walk::start();
+            for cell in &self.grid.cells {
+                let ends = [cell.middle + 0.5 * cell.step, cell.x].map(|x| half_length * x);
+                let step = self.step(&slopes, plain, ends, y, peak * cell.bound);
+                resistance.advance(&mut walk, &step);
+                let [p, q] = walk.traction.map(|t| weight * t);
+                force.fx += p;
+                force.fy += q;
+                force.mz += half_length * cell.x * q - y * p;
+            }
+        }
+        force
+    }
+
+    fn step(
+        &self,
+        slopes: &Slopes<f64>,
+        creepage: [f64; 3],
+        [from, to]: [f64; 2],
+        y: f64,
+        bound: f64,
+    ) -> Step {
+        let length = from - to;
+        let [l1, l2, _] = self.flexibilities.effective(self.flexibility, creepage);
+        let [xi, eta, chi] = creepage;
+        Step {
+            length,
+            growth: slopes.at([0.5 * (from + to), y]).map(|slope| length * slope),
+            bound,
+            rigid_slip: [xi - chi * y, eta + chi * to],
+            flexibility: 0.5 * (l1 + l2) / self.flexibilities.kappa(),
+        }
+    }
+
+    /// The end of the march to a place, and what its last step lost by length.
+    fn trace(&self, slopes: &Slopes<f64>, plain: [f64; 3], place: &Place) -> Trace {
+        let profile = self.bound.profile(1.0);
+        let Some(resistance) = &self.resistance else {
+            return Trace::new(&self.grid, profile, slopes, place);
+        };
+        let (peak, mut walk, mut length) = (profile.peak(place.s), Walk::start(), 1.0);
+        for (from, to) in self.grid.walk(place.along) {
+            let ends = [from, to].map(|x| place.half_length * x);
+            let step = self.step(slopes, plain, ends, place.y, peak * profile.along(to));
+            resistance.advance(&mut walk, &step);
+            length = step.length;
+        }
+        Trace { traction: walk.traction, lost: walk.lost.map(|lost| lost / length) }
+    }
+
     fn field_point(&self, slopes: &Slopes<f64>, plain: [f64; 3], position: [f64; 2]) -> FieldPoint {
         let outside = FieldPoint::outside(position);
         let Some(place) = Place::new(&self.contact.ellipse(), position) else { return outside };
-        let trace = Trace::new(&self.grid, self.bound.profile(1.0), slopes, &place);
+        let trace = self.trace(slopes, plain, &place);
         let [l1, l2, _] = self.flexibilities.effective(self.flexibility, plain);
         let kappa = self.flexibilities.kappa();
         FieldPoint {
@@ -125,6 +203,10 @@ impl Theory for Fastsim {
     }
 
     fn solve(&self, creepage: Creepage) -> Solution {
+        if let Some(resistance) = &self.resistance {
+            let force = self.resisted_force(resistance, creepage);
+            return Solution::closed_form(force, Status::Solved);
+        }
         let slopes = self.flexibilities.slopes(self.flexibility, dual::plain(creepage));
         let totals = self.force::<f64, 0>(slopes);
         Solution::closed_form(dual::force(totals.force), Status::Solved)
@@ -143,8 +225,13 @@ impl Theory for Fastsim {
     ///
     /// At a kink (a cell that just begins to slip; the end of the blending; zero creepage, where
     /// [`Flexibility::One`] has no derivative) it is one of the one-sided values, at zero
-    /// creepage that of [`Flexibility::Three`].
+    /// creepage that of [`Flexibility::Three`]. Where the bound depends on the slip the force jumps
+    /// as cells begin to slide: differences over a hundredth of the creepage are given.
     fn jacobian(&self, creepage: Creepage) -> Option<Jacobian> {
+        if let Some(resistance) = &self.resistance {
+            let force = |creepage| self.resisted_force(resistance, creepage).components();
+            return Some(differences(creepage, 0.01, force));
+        }
         let slopes = self.flexibilities.slopes(self.flexibility, dual::variables(creepage));
         Some(self.force::<Dual, 3>(slopes).jacobian())
     }

@@ -5,7 +5,7 @@ use super::State;
 use super::gmres::{Gmres, Part};
 use crate::coulomb::friction::Sliding;
 use crate::coulomb::grid::Grid;
-use crate::coulomb::influence::Tractions;
+use crate::coulomb::influence::{Precision, Tractions};
 use crate::coulomb::quadrature::{Fields, Sum};
 use crate::{Creepage, Force};
 
@@ -43,16 +43,29 @@ impl Equations {
     }
 
     /// Finds the change that a sweep moves by `accuracy` times as much as it moves zero change.
-    pub(super) fn solve(&mut self, grid: &Grid, state: &State, accuracy: f64) {
+    pub(super) fn solve(
+        &mut self,
+        grid: &Grid,
+        state: &State,
+        accuracy: f64,
+        precision: Precision,
+    ) {
         let Self { right, change, slip, sweeps, solution, residual, gmres } = self;
         solution.fill(0.0);
         gmres.fixed_point(solution, accuracy, |part, from, to| {
             *sweeps += 1;
             change.copy_from(from);
             for strip in 0..grid.mesh.strips.len() {
-                let right = if part == Part::Whole { Some(&*right) } else { None };
+                let right = if part == Part::Whole { Some(&**right) } else { None };
                 let residual = &mut residual[..2 * grid.mesh.elements(strip).len()];
-                residual_of(grid, state, change, strip, right, residual);
+                for (i, element) in grid.mesh.elements(strip).enumerate() {
+                    let slip = grid.influence.apply(precision, element, change);
+                    let left = left_side(grid, state, change.at(element), slip, element);
+                    for k in 0..2 {
+                        let right = right.map_or(0.0, |right| right[2 * element + k]);
+                        residual[2 * i + k] = right - left[k];
+                    }
+                }
                 state.factors[strip].solve(residual);
                 change.add(strip, residual);
             }
@@ -61,7 +74,7 @@ impl Equations {
         change.copy_from(solution);
         let [u, v] = slip;
         for (element, (u, v)) in u.iter_mut().zip(v).enumerate() {
-            [*u, *v] = grid.influence.apply(element, change);
+            [*u, *v] = grid.influence.apply(Precision::Double, element, change);
         }
     }
 
@@ -83,23 +96,35 @@ impl Equations {
         ];
         directions.map(|direction| {
             let rigid = |element: usize| direction.rigid_slip(grid.places[element]);
-            for (element, right) in self.right.chunks_exact_mut(2).enumerate() {
-                right.copy_from_slice(&by_rigid_slip(grid, state, rigid(element), element));
-            }
-            self.solve(grid, state, ACCURACY);
-            for element in 0..grid.mesh.len() {
-                let rigid = rigid(element);
-                self.slip[0][element] += rigid[0];
-                self.slip[1][element] += rigid[1];
-            }
-            self.change_of_force(grid, state, direction)
+            self.derivative_along(grid, state, rigid, direction.chi)
         })
     }
 
-    fn change_of_force(&self, grid: &Grid, state: &State, direction: Creepage) -> Force {
+    /// Derivative of `(fx, fy, mz)` of a converged state by what changes the slip that drives each
+    /// element by `slip` and the spin by `spin`.
+    pub(crate) fn derivative_along(
+        &mut self,
+        grid: &Grid,
+        state: &State,
+        slip: impl Fn(usize) -> [f64; 2],
+        spin: f64,
+    ) -> Force {
+        for (element, right) in self.right.chunks_exact_mut(2).enumerate() {
+            right.copy_from_slice(&by_rigid_slip(grid, state, slip(element), element));
+        }
+        self.solve(grid, state, ACCURACY, Precision::Double);
+        for element in 0..grid.mesh.len() {
+            let own = slip(element);
+            self.slip[0][element] += own[0];
+            self.slip[1][element] += own[1];
+        }
+        self.change_of_force(grid, state, spin)
+    }
+
+    fn change_of_force(&self, grid: &Grid, state: &State, spin: f64) -> Force {
         let fields = state.fields(grid);
         let (traction, slip) = (&self.change.own, &self.slip);
-        let change = Fields { traction, slip, spin: direction.chi, ..fields };
+        let change = Fields { traction, slip, spin, ..fields };
         let mut sum = Sum::default();
         for element in 0..grid.mesh.len() {
             let slides = state.slides(element);
@@ -119,31 +144,66 @@ fn by_rigid_slip(grid: &Grid, state: &State, slip: [f64; 2], element: usize) -> 
     }
 }
 
-/// Fills `residual` with that of a strip's equations.
-fn residual_of(
+/// Left-hand side of the equations of an element by the change of its traction and slip: the slip in
+/// adhesion, `traction - projection` in slip, as in [`State::residual`].
+fn left_side(
     grid: &Grid,
     state: &State,
-    change: &Tractions,
-    strip: usize,
-    right: Option<&Vec<f64>>,
-    residual: &mut [f64],
-) {
-    for (i, element) in grid.mesh.elements(strip).enumerate() {
-        let left = left_side(grid, state, change, element);
-        for k in 0..2 {
-            residual[2 * i + k] = right.map_or(0.0, |right| right[2 * element + k]) - left[k];
-        }
-    }
-}
-
-/// Left-hand side of the equations of an element: the slip in adhesion, `traction - projection`
-/// in slip, as in [`State::residual`].
-fn left_side(grid: &Grid, state: &State, change: &Tractions, element: usize) -> [f64; 2] {
-    let slip = grid.influence.apply(element, change);
+    own: [f64; 2],
+    slip: [f64; 2],
+    element: usize,
+) -> [f64; 2] {
     let Some(Sliding { derivative, .. }) = state.sliding[element] else {
         return slip;
     };
-    let (own, weight) = (change.at(element), grid.weights[element]);
+    let weight = grid.weights[element];
     let trial = [own[0] + weight * slip[0], own[1] + weight * slip[1]];
     [0, 1].map(|k| own[k] - derivative[k][0] * trial[0] - derivative[k][1] * trial[1])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::ellipse::Ellipse;
+
+    /// Small, for a difference must not reach over the end of a rounded corner.
+    const STEP: f64 = 1e-4;
+
+    fn force(grid: &Grid, [xi, eta, chi]: [f64; 3]) -> (State, Equations, Force) {
+        let (mut state, mut equations) = (State::new(grid), Equations::new(grid));
+        grid.set_forcing(Creepage::new(xi, eta, chi).unwrap(), 1.0, &mut state.forcing);
+        assert!(state.solve_to(1e-11, grid, &mut equations).converged);
+        let force = state.sum(grid, 1.0).force;
+        (state, equations, force)
+    }
+
+    /// Central differences of the fourth order, over the largest derivative; 40 cases.
+    #[test]
+    fn the_derivative_is_that_of_the_force() {
+        for (ratio, poisson) in [(0.3, 0.3), (1.0, 0.0), (1.0, 0.28), (4.0, 0.45)] {
+            let ellipse = Ellipse::from_ratio(ratio).unwrap();
+            let grid = Grid::hertz(ellipse, poisson, 0.0, [10, 8]);
+            for k in 0..10 {
+                let t = f64::from(k);
+                let case = [(1.7 * t).sin(), 0.9 * (2.3 * t + 1.0).cos(), 2.5 * (0.9 * t).sin()];
+                let (state, mut equations, _) = force(&grid, case);
+                let derivative = equations.derivative(&grid, &state).map(|d| d.components());
+                let largest = derivative.iter().flatten().fold(0.0, |m: f64, d| m.max(d.abs()));
+                for column in 0..3 {
+                    let at = |steps: f64| {
+                        let mut moved = case;
+                        moved[column] += STEP * steps;
+                        force(&grid, moved).2.components()
+                    };
+                    let [near, back, far, far_back] = [at(1.0), at(-1.0), at(2.0), at(-2.0)];
+                    for row in 0..3 {
+                        let difference = 8.0 * (near[row] - back[row]) - (far[row] - far_back[row]);
+                        let apart = difference / (12.0 * STEP) - derivative[column][row];
+                        // Tractions solved to 1e-11 leave some 1e-12 in forces.
+                        assert!(apart.abs() < 1e-6 * largest, "{case:?} {row} {column}: {apart:e}");
+                    }
+                }
+            }
+        }
+    }
 }

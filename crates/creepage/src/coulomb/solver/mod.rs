@@ -7,6 +7,7 @@
 
 mod equations;
 mod gmres;
+mod limits;
 mod lu;
 mod newton;
 mod sweeps;
@@ -14,19 +15,21 @@ mod sweeps;
 pub(crate) use equations::Equations;
 
 use super::forcing::SlipForcing;
-use super::friction::{Sliding, project};
+use super::friction::{Sliding, project_within};
 use super::grid::Grid;
-use super::influence::Tractions;
+use super::influence::{Precision, Tractions};
 use super::quadrature::{Fields, Sum};
 use lu::Lu;
 
 /// Largest residual of friction's equation `p = P(p + r s)` in a solution, over the traction bound,
 /// or over the creepage where that is smaller than one: then tractions are as small as the creepage.
-const TOLERANCE: f64 = 1e-8;
+const TOLERANCE: f64 = 1e-6;
 /// Tractions so many times larger than the slip that drives them are no start: they are dropped.
 const LARGEST_START: f64 = 1e6;
 /// Slip whose square is lost to rounding counts as zero.
 const SMALLEST_SLIP: f64 = 1e-140;
+/// Below this slip, single precision loses tractions of its size.
+const SMALLEST_SINGLE: f64 = 1e-20;
 const ROUNDS: usize = 60;
 /// Rounds in which Newton is left as soon as one of its steps must be shortened.
 const ROUNDS_OF_FULL_STEPS: usize = 3;
@@ -47,6 +50,8 @@ pub(crate) struct State {
     pub forcing: SlipForcing,
     pub traction: Tractions,
     slip: [Vec<f64>; 2],
+    /// The largest traction that each element bears, over its bound at rest.
+    limits: Vec<f64>,
     /// The sliding branch of the elements that slide, as last chosen.
     sliding: Vec<Option<Sliding>>,
     /// Newton's matrix of each strip, factored.
@@ -56,6 +61,8 @@ pub(crate) struct State {
     /// Room for the change of a strip, `x` before `y`.
     step: Vec<f64>,
     factorizations: usize,
+    /// That of sweeps.
+    precision: Precision,
 }
 
 impl State {
@@ -66,39 +73,53 @@ impl State {
             forcing: SlipForcing::default(),
             traction: Tractions::zeros(&grid.influence),
             slip: [vec![0.0; n], vec![0.0; n]],
+            limits: vec![1.0; n],
             sliding: vec![None; n],
             factors: strips.iter().map(|strip| Lu::new(2 * strip.len())).collect(),
             last_step: vec![f64::INFINITY; strips.len()],
             step: vec![0.0; 2 * longest],
             factorizations: 0,
+            precision: Precision::Single,
         }
     }
 
     pub(crate) fn reset(&mut self) {
         self.traction.clear();
+        self.limits.fill(1.0);
         self.sliding.fill(None);
         self.last_step.fill(f64::INFINITY);
     }
 
-    /// Starts from the tractions of a grid with half the strips and half the elements in each.
-    pub(crate) fn refine(&mut self, grid: &Grid, coarse: &Self, coarse_grid: &Grid) {
-        self.reset();
-        for strip in 0..grid.mesh.strips.len() {
-            let (parents, own) = (coarse_grid.mesh.elements(strip / 2), grid.mesh.elements(strip));
-            let n = own.len();
-            for (i, element) in own.enumerate() {
-                let parent = (parents.start + i / 2).min(parents.end - 1);
-                self.sliding[element] = coarse.sliding[parent];
-                let traction = coarse.traction.at(parent);
-                self.step[i] = traction[0];
-                self.step[n + i] = traction[1];
-            }
-            self.traction.add(strip, &self.step[..2 * n]);
-        }
+    /// Keeps the tractions as a start and forgets how they were found, so that what follows depends
+    /// on them alone.
+    pub(crate) fn forget(&mut self) {
+        self.sliding.fill(None);
+        self.last_step.fill(f64::INFINITY);
     }
 
-    /// Improves the tractions until they obey friction at the slip that [`State::forcing`] causes.
-    pub(crate) fn solve(&mut self, grid: &Grid, equations: &mut Equations) -> Outcome {
+    /// Starts from the tractions of the coarser grid.
+    pub(crate) fn refine(&mut self, grid: &Grid, coarse: &Self) {
+        self.reset();
+        for (limit, from) in self.limits.iter_mut().zip(&grid.coarser) {
+            *limit = from.iter().map(|(from, weight)| weight * coarse.limits[*from]).sum();
+        }
+        self.traction.set(|element| {
+            let mut sum = [0.0; 2];
+            for (from, weight) in grid.coarser[element] {
+                let [x, y] = coarse.traction.at(from);
+                sum = [sum[0] + weight * x, sum[1] + weight * y];
+            }
+            sum
+        });
+    }
+
+    /// Improves the tractions until they obey friction within the limits of the elements.
+    pub(crate) fn solve_to(
+        &mut self,
+        tolerance: f64,
+        grid: &Grid,
+        equations: &mut Equations,
+    ) -> Outcome {
         let strips = grid.mesh.strips.len();
         let mut scale = self.forcing.largest();
         if scale < SMALLEST_SLIP {
@@ -108,13 +129,15 @@ impl State {
         if self.traction.largest() > LARGEST_START * scale {
             self.reset();
         }
-        let tolerance = TOLERANCE * scale.min(1.0);
+        let tolerance = tolerance * scale.min(1.0);
+        self.precision =
+            if scale > SMALLEST_SINGLE { Precision::Single } else { Precision::Double };
         (equations.sweeps, self.factorizations) = (0, 0);
         for round in 1..=ROUNDS {
             for strip in (0..strips).chain((0..strips).rev()) {
                 self.solve_strip(grid, strip, tolerance);
             }
-            self.update_slip(grid, 0..grid.mesh.len());
+            self.update_slip(grid, Precision::Double, 0..grid.mesh.len());
             let full_steps_only = round <= ROUNDS_OF_FULL_STEPS;
             if self.newton(grid, equations, tolerance, full_steps_only) {
                 return self.outcome(true, 2 * round + equations.sweeps);
@@ -127,17 +150,36 @@ impl State {
         Outcome { converged, sweeps, factorizations: self.factorizations }
     }
 
+    /// Whether an element's corner of Coulomb's law, rounded as it is, is passed.
     pub(crate) fn slides(&self, element: usize) -> bool {
         self.sliding[element].is_some()
     }
 
-    pub(crate) fn slip(&self, element: usize) -> [f64; 2] {
-        [self.slip[0][element], self.slip[1][element]]
+    /// Traction and slip of an element by Coulomb's law without its corner rounded: those with the
+    /// same sum. `None` for the slip in adhesion.
+    pub(crate) fn visible(&self, grid: &Grid, element: usize) -> ([f64; 2], Option<[f64; 2]>) {
+        let trial = self.trial(grid, element);
+        let Some(Sliding { traction, .. }) = project_within(self.limits[element], trial, 0.0)
+        else {
+            return (trial, None);
+        };
+        let weight = grid.weights[element];
+        (traction, Some([0, 1].map(|k| (trial[k] - traction[k]) / weight)))
     }
 
-    /// Slip of an element; zero in adhesion, where the computed one is rounding.
-    pub(crate) fn visible_slip(&self, element: usize) -> [f64; 2] {
-        if self.slides(element) { self.slip(element) } else { [0.0; 2] }
+    /// The largest traction that an element bears, over its bound at rest.
+    pub(crate) fn limit(&self, element: usize) -> f64 {
+        self.limits[element]
+    }
+
+    /// The sum of an element's traction and weighted slip that friction projects.
+    fn trial(&self, grid: &Grid, element: usize) -> [f64; 2] {
+        let (traction, slip) = (self.traction.at(element), self.slip(element));
+        [0, 1].map(|k| traction[k] + grid.weights[element] * slip[k])
+    }
+
+    fn slip(&self, element: usize) -> [f64; 2] {
+        [self.slip[0][element], self.slip[1][element]]
     }
 
     pub(crate) fn fields<'a>(&'a self, grid: &'a Grid) -> Fields<'a> {
@@ -145,6 +187,7 @@ impl State {
             places: &grid.places,
             traction: &self.traction.own,
             slip: &self.slip,
+            limits: &self.limits,
             spin: self.forcing.spin,
         }
     }
@@ -168,10 +211,15 @@ impl State {
     }
 
     /// Computes the slip of some elements from the tractions.
-    fn update_slip(&mut self, grid: &Grid, elements: impl Iterator<Item = usize>) {
+    fn update_slip(
+        &mut self,
+        grid: &Grid,
+        precision: Precision,
+        elements: impl Iterator<Item = usize>,
+    ) {
         for element in elements {
             let driven = self.forcing.slip[element];
-            let elastic = grid.influence.apply(element, &self.traction);
+            let elastic = grid.influence.apply(precision, element, &self.traction);
             self.slip[0][element] = driven[0] + elastic[0];
             self.slip[1][element] = driven[1] + elastic[1];
         }
@@ -181,8 +229,8 @@ impl State {
     fn choose_branches(&mut self, grid: &Grid, strip: usize) -> bool {
         let mut switched = false;
         for element in grid.mesh.elements(strip) {
-            let (traction, slip) = (self.traction.at(element), self.slip(element));
-            let sliding = project(traction, slip, grid.weights[element]);
+            let sliding =
+                project_within(self.limits[element], self.trial(grid, element), grid.rounding);
             switched |= sliding.is_some() != self.slides(element);
             self.sliding[element] = sliding;
         }

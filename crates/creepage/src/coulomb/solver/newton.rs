@@ -1,7 +1,7 @@
 //! Newton in all strips at once, with a search along each step.
 
 use super::{Equations, State};
-use crate::coulomb::friction::project;
+use crate::coulomb::friction::project_within;
 use crate::coulomb::grid::Grid;
 
 const STEPS: usize = 12;
@@ -46,7 +46,8 @@ impl State {
             if residual.largest <= tolerance {
                 return true;
             }
-            equations.solve(grid, self, term.max(FINAL_FRACTION * tolerance / residual.largest));
+            let accuracy = term.max(FINAL_FRACTION * tolerance / residual.largest);
+            equations.solve(grid, self, accuracy, self.precision);
             let Some((length, next)) = self.search(grid, equations, residual) else {
                 if term <= SAFE_FORCING_TERM {
                     break;
@@ -101,14 +102,15 @@ impl State {
             let (dt, weight) = (equations.change.at(element), grid.weights[element]);
             let traction = [0, 1].map(|k| t[k] + length * dt[k]);
             let slip = [0, 1].map(|k| s[k] + length * equations.slip[k][element]);
-            let [x, y] = match project(traction, slip, weight) {
+            let trial = [0, 1].map(|k| traction[k] + weight * slip[k]);
+            let [x, y] = match project_within(self.limits[element], trial, grid.rounding) {
                 None => slip.map(|s| weight * s),
                 Some(sliding) => [0, 1].map(|k| sliding.traction[k] - traction[k]),
             };
             norms.total += x * x + y * y;
-            norms.largest = norms.largest.max(x.hypot(y));
+            norms.largest = norms.largest.max(x * x + y * y);
         }
-        norms.total = norms.total.sqrt();
+        norms = Norms { total: norms.total.sqrt(), largest: norms.largest.sqrt() };
         norms
     }
 

@@ -14,7 +14,7 @@ const CHORD: f64 = 0.02;
 impl State {
     /// Makes a strip obey friction, as far as `tolerance` or until it is as near as a sweep needs.
     pub(super) fn solve_strip(&mut self, grid: &Grid, strip: usize, tolerance: f64) {
-        self.update_slip(grid, grid.mesh.elements(strip));
+        self.update_slip(grid, self.precision, grid.mesh.elements(strip));
         let mut last = f64::INFINITY;
         for k in 0..STEPS {
             let switched = self.choose_branches(grid, strip);

@@ -13,23 +13,29 @@
 //! that place, it is smooth in `v` (Johnston & Elliott 2005). On the strip itself the logarithm
 //! of `|X - s|` has a closed form.
 
+// So that all is compiled for each kind of processor; loops over lanes index several arrays at once.
+#![allow(clippy::inline_always, clippy::needless_range_loop)]
+
 use std::f64::consts::{FRAC_PI_2, LN_2, PI};
 use std::sync::LazyLock;
 
 use gauss_quad::GaussLegendre;
 
+use super::lanes::{LANES, Lanes, each, exp, ln, sin};
+
 /// Most polynomials in a strip's pressure.
 pub(super) const MOST: usize = 4;
 
-/// The integrals and their derivatives for one strip and one point.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub(super) struct Integrals {
+/// The integrals of one strip at one point with `T` polynomials, and the derivatives of their sum
+/// weighted with the strip's pressures.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Integrals<const T: usize> {
     /// `I_k`.
-    pub(super) value: [f64; MOST],
+    pub(super) value: [f64; T],
     /// By `X`; zero on the strip itself, whose points move with it.
-    pub(super) by_x: [f64; MOST],
+    pub(super) by_x: f64,
     /// By the logarithm of a common factor of both `e`.
-    pub(super) by_e: [f64; MOST],
+    pub(super) by_e: f64,
 }
 
 /// Where the two sides of a strip are seen from a point, in half lengths of the strip.
@@ -42,8 +48,40 @@ pub(super) struct View {
     pub(super) own: bool,
 }
 
+/// What a sum over the strip's points adds up.
+struct Sums<const T: usize> {
+    value: [Lanes; T],
+    by_x: Lanes,
+    by_e: Lanes,
+}
+
+impl<const T: usize> Sums<T> {
+    /// `SLOPES` asks for the derivatives too.
+    #[inline(always)]
+    fn add<const SLOPES: bool>(
+        &mut self,
+        [log, ratio, slope]: &[Lanes; 3],
+        weights: &[Lanes; T],
+        pressure: &[f64],
+    ) {
+        for k in 0..T {
+            for l in 0..LANES {
+                self.value[k][l] += weights[k][l] * log[l];
+            }
+        }
+        if SLOPES {
+            let weight = each(|l| (0..T).map(|k| pressure[k] * weights[k][l]).sum());
+            for l in 0..LANES {
+                self.by_x[l] += weight[l] * slope[l];
+                self.by_e[l] += weight[l] * ratio[l];
+            }
+        }
+    }
+}
+
 impl View {
     /// Seen from the side on which both are as far up as possible: the integrals are the same.
+    #[inline(always)]
     fn upright(self) -> Self {
         if self.low.abs() > self.high.abs() {
             Self { low: -self.high, high: -self.low, ..self }
@@ -52,83 +90,112 @@ impl View {
         }
     }
 
-    pub(super) fn integrals(self) -> Integrals {
+    /// The integrals; with `SLOPES` also their derivatives, for the strip's pressures.
+    #[inline(always)]
+    pub(super) fn integrals<const T: usize, const SLOPES: bool>(
+        self,
+        rules: &Rules,
+        pressure: &[f64],
+    ) -> Integrals<T> {
         let view = self.upright();
         let nearest = if view.own { view.high } else { view.low.max(0.0) };
-        let (left, right) = ((view.x + 1.0).hypot(nearest), (view.x - 1.0).hypot(nearest));
+        let [left, right] =
+            [1.0, -1.0].map(|end| ((view.x + end).powi(2) + nearest * nearest).sqrt());
         let mean = (0.5 * (left + right)).max(1.0);
-        let depth = (mean + ((mean - 1.0) * (mean + 1.0)).sqrt()).ln();
-        let mut sum = Integrals::default();
-        if let Some(rule) = Rule::reaching(depth) {
-            for node in &rule.nodes {
-                view.add(&mut sum, node.s, &node.weights);
+        let zero = [0.0; LANES];
+        let mut sums = Sums { value: [zero; T], by_x: zero, by_e: zero };
+        if let Some(blocks) = rules.reaching(mean) {
+            for block in blocks {
+                let weights = std::array::from_fn(|k| block.weights[k]);
+                let seen = view.seen::<SLOPES>(&block.s);
+                sums.add::<SLOPES>(&seen, &weights, pressure);
             }
         } else {
             let angle = (0.5 * (left - right)).clamp(-1.0, 1.0).asin();
-            view.add_near(&mut sum, angle, depth.max(1e-7));
+            let depth = ln(mean + ((mean - 1.0) * (mean + 1.0)).sqrt()).max(1e-7);
+            view.add_near::<T, SLOPES>(&mut sums, rules, [angle, depth], pressure);
         }
+        let total = |lanes: Lanes| lanes.iter().sum::<f64>();
+        let mut value = sums.value.map(total);
         if view.own {
-            for (value, log) in sum.value.iter_mut().zip(log_integrals(view.x)) {
+            for (value, log) in value.iter_mut().zip(log_integrals(view.x)) {
                 *value -= 2.0 * log;
             }
         }
-        sum
+        Integrals { value, by_x: total(sums.by_x), by_e: total(sums.by_e) }
     }
 
-    fn add_near(&self, sum: &mut Integrals, angle: f64, depth: f64) {
-        let [from, to] = [-FRAC_PI_2 - angle, FRAC_PI_2 - angle].map(|side| (side / depth).asinh());
+    #[inline(always)]
+    fn add_near<const T: usize, const SLOPES: bool>(
+        &self,
+        sums: &mut Sums<T>,
+        rules: &Rules,
+        [angle, depth]: [f64; 2],
+        pressure: &[f64],
+    ) {
+        let [from, to] = [-FRAC_PI_2 - angle, FRAC_PI_2 - angle].map(|side| {
+            let ratio = (side / depth).abs();
+            ln(ratio + (ratio * ratio + 1.0).sqrt()).copysign(side)
+        });
         let (middle, half) = (f64::midpoint(from, to), 0.5 * (to - from));
-        let rule = if half < 2.5 { &LEGENDRE[0] } else { &LEGENDRE[usize::from(half > 4.5) + 1] };
-        for &(t, w) in rule {
-            let v = middle + half * t;
-            let grown = v.exp();
-            let (sinh, cosh) = (0.5 * (grown - 1.0 / grown), 0.5 * (grown + 1.0 / grown));
-            let (s, cos) = (angle + depth * sinh).sin_cos();
-            let weight = w * half * depth * cosh * cos * cos;
-            self.add(sum, s, &polynomials(s).map(|u| u * weight));
+        for (nodes, shares) in rules.legendre(half) {
+            let grown = each(|l| exp(middle + half * nodes[l]));
+            let s = each(|l| sin(angle + depth * 0.5 * (grown[l] - 1.0 / grown[l])));
+            let scale = half * depth * 0.5;
+            let weight = each(|l| {
+                let spread = grown[l] + 1.0 / grown[l];
+                shares[l] * scale * spread * (1.0 - s[l]) * (1.0 + s[l])
+            });
+            let mut weights = [[0.0; LANES]; T];
+            for l in 0..LANES {
+                let u = polynomials(s[l]);
+                for k in 0..T {
+                    weights[k][l] = weight[l] * u[k];
+                }
+            }
+            let seen = self.seen::<SLOPES>(&s);
+            sums.add::<SLOPES>(&seen, &weights, pressure);
         }
     }
 
-    fn add(&self, sum: &mut Integrals, s: f64, weights: &[f64; MOST]) {
-        let d = self.x - s;
-        let high = self.high.hypot_fast(d);
-        let (log, ratio, slope) = if self.own {
-            (2.0 * (self.high + high).ln(), 2.0 * self.high / high, 0.0)
-        } else {
-            let low = self.low.hypot_fast(d);
-            let ratio = self.high / high - self.low / low;
-            let log = if self.low >= 0.0 {
-                ((self.high + high) / (self.low + low)).ln()
-            } else {
-                ((self.high + high) * (low - self.low) / (d * d)).ln()
-            };
-            (log, ratio, if d == 0.0 { 0.0 } else { -ratio / d })
-        };
-        for (k, weight) in weights.iter().enumerate() {
-            sum.value[k] += weight * log;
-            sum.by_x[k] += weight * slope;
-            sum.by_e[k] += weight * ratio;
+    /// The difference of the inverse hyperbolic sines, its derivative by a common factor of both
+    /// `e`, and that by `X`.
+    #[inline(always)]
+    fn seen<const SLOPES: bool>(&self, s: &Lanes) -> [Lanes; 3] {
+        let Self { x, low, high, own } = *self;
+        let d = each(|l| x - s[l]);
+        let above = each(|l| (high * high + d[l] * d[l]).sqrt());
+        if own {
+            let log = each(|l| 2.0 * ln(high + above[l]));
+            let ratio = each(|l| if SLOPES { 2.0 * high / above[l] } else { 0.0 });
+            return [log, ratio, [0.0; LANES]];
         }
+        // Nothing of size is as small as this; it keeps a point on a corner finite.
+        let below = each(|l| (low * low + d[l] * d[l] + 1e-200).sqrt());
+        if low < 0.0 {
+            let log = each(|l| ln((high + above[l]) * (below[l] - low) / (d[l] * d[l] + 1e-200)));
+            let ratio = each(|l| high / above[l] - low / below[l]);
+            return [log, ratio, each(|l| -ratio[l] / d[l])];
+        }
+        let log = each(|l| ln((high + above[l]) / (low + below[l])));
+        if !SLOPES {
+            return [log, [0.0; LANES], [0.0; LANES]];
+        }
+        // high/above - low/below over d, where nothing cancels.
+        let square = (high - low) * (high + low);
+        let slope = each(|l| {
+            let product = above[l] * below[l] * (high * below[l] + low * above[l]);
+            d[l] * square / (product + 1e-200)
+        });
+        [log, each(|l| d[l] * slope[l]), each(|l| -slope[l])]
     }
 }
 
-/// The root of a sum of squares where neither over- nor underflows.
-trait Hypot {
-    fn hypot_fast(self, other: Self) -> Self;
-}
-
-impl Hypot for f64 {
-    fn hypot_fast(self, other: Self) -> Self {
-        (self * self + other * other).sqrt()
-    }
-}
-
+#[inline(always)]
 fn polynomials(s: f64) -> [f64; MOST] {
-    let mut values = [1.0, 2.0 * s, 0.0, 0.0];
-    for k in 2..MOST {
-        values[k] = 2.0 * s * values[k - 1] - values[k - 2];
-    }
-    values
+    let twice = 2.0 * s;
+    let second = twice * twice - 1.0;
+    [1.0, twice, second, twice * (second - 1.0)]
 }
 
 /// `U_k(s)`, weighted by coefficients.
@@ -149,46 +216,70 @@ fn log_integrals(x: f64) -> [f64; MOST] {
     logs
 }
 
+/// Points of quadrature on the strip, and weights with each polynomial.
 #[derive(Debug, Clone)]
-struct Node {
-    s: f64,
-    weights: [f64; MOST],
-}
-
-/// Gauss-Chebyshev points of the second kind, and the depth of singularity they can bear.
-#[derive(Debug, Clone)]
-struct Rule {
-    depth: f64,
-    nodes: Vec<Node>,
-}
-
-static RULES: LazyLock<Vec<Rule>> = LazyLock::new(|| [4, 6, 8, 12, 16, 24].map(Rule::new).into());
-
-impl Rule {
-    fn new(count: usize) -> Self {
-        // The error falls as exp(-2 count depth).
-        const DIGITS: f64 = 15.0;
-        let nodes = (1..=count).map(|k| {
-            let angle = PI * k as f64 / (count + 1) as f64;
-            let (sin, s) = angle.sin_cos();
-            let weight = PI / (count + 1) as f64 * sin * sin;
-            Node { s, weights: polynomials(s).map(|u| u * weight) }
-        });
-        Self { depth: DIGITS / (2 * count) as f64, nodes: nodes.collect() }
-    }
-
-    fn reaching(depth: f64) -> Option<&'static Self> {
-        RULES.iter().find(|rule| depth >= rule.depth)
-    }
+struct Block {
+    s: Lanes,
+    weights: [Lanes; MOST],
 }
 
 /// Gauss-Legendre points and weights on (-1, 1).
-static LEGENDRE: LazyLock<[Vec<(f64, f64)>; 3]> = LazyLock::new(|| [16, 24, 36].map(legendre));
+type Legendre = Vec<(Lanes, Lanes)>;
 
-fn legendre(count: usize) -> Vec<(f64, f64)> {
-    std::num::NonZeroUsize::new(count)
-        .map(|count| GaussLegendre::new(count).as_node_weight_pairs().to_vec())
-        .unwrap_or_default()
+/// All rules of quadrature.
+#[derive(Debug)]
+pub(super) struct Rules {
+    /// Gauss-Chebyshev rules of the second kind, each from a hyperbolic cosine of the depth of the
+    /// singularity on.
+    chebyshev: Vec<(f64, Vec<Block>)>,
+    /// Up to half ranges in the variable `v`.
+    legendre: Vec<(f64, Legendre)>,
+}
+
+pub(super) static RULES: LazyLock<Rules> = LazyLock::new(|| Rules {
+    chebyshev: [8, 16, 24].map(chebyshev).into(),
+    legendre: [(16, 3.0), (24, 5.0), (40, f64::INFINITY)].map(|(n, to)| (to, legendre(n))).into(),
+});
+
+impl Rules {
+    /// The smallest rule good for a mean distance from the two ends.
+    #[inline(always)]
+    fn reaching(&self, mean: f64) -> Option<&[Block]> {
+        self.chebyshev.iter().find(|(least, _)| mean >= *least).map(|(_, blocks)| &blocks[..])
+    }
+
+    #[inline(always)]
+    fn legendre(&self, half: f64) -> &[(Lanes, Lanes)] {
+        let found = self.legendre.iter().find(|(most, _)| half <= *most);
+        found.or(self.legendre.last()).map_or(&[], |(_, points)| points)
+    }
+}
+
+/// Gauss-Chebyshev points of the second kind; the error falls as `exp(-2 count depth)`.
+fn chebyshev(count: usize) -> (f64, Vec<Block>) {
+    const DIGITS: f64 = 13.0;
+    let node = |k: usize| {
+        let angle = PI * (k + 1) as f64 / (count + 1) as f64;
+        let (sin, s) = angle.sin_cos();
+        (s, PI / (count + 1) as f64 * sin * sin)
+    };
+    let block = |first: usize| Block {
+        s: each(|l| node(first + l).0),
+        weights: std::array::from_fn(|k| {
+            each(|l| {
+                let (s, weight) = node(first + l);
+                weight * polynomials(s)[k]
+            })
+        }),
+    };
+    ((DIGITS / (2 * count) as f64).cosh(), (0..count).step_by(LANES).map(block).collect())
+}
+
+fn legendre(count: usize) -> Legendre {
+    let Some(count) = std::num::NonZeroUsize::new(count) else { return Vec::new() };
+    let rule = GaussLegendre::new(count);
+    let pairs: Vec<(f64, f64)> = rule.as_node_weight_pairs().to_vec();
+    pairs.chunks_exact(LANES).map(|c| (each(|l| c[l].0), each(|l| c[l].1))).collect()
 }
 
 #[cfg(test)]
@@ -224,7 +315,7 @@ mod tests {
             (0.2, 30.0, 31.0, false),
         ] {
             let view = View { x, low, high, own };
-            let found = view.integrals();
+            let found = view.integrals::<MOST, false>(&RULES, &[]);
             for k in 0..MOST {
                 let expected = brute(view, k);
                 let difference = (found.value[k] - expected).abs();
@@ -241,16 +332,19 @@ mod tests {
             [(0.7, 0.02, 0.09, false), (1.4, -0.3, 0.2, false), (0.3, -0.05, 0.05, true)]
         {
             let at = |dx: f64, factor: f64| {
-                View { x: x + dx, low: low * factor, high: high * factor, own }.integrals().value
+                let view = View { x: x + dx, low: low * factor, high: high * factor, own };
+                view.integrals::<MOST, false>(&RULES, &[]).value
             };
-            let found = View { x, low, high, own }.integrals();
             let (ahead, behind) = (at(STEP, 1.0), at(-STEP, 1.0));
             let (more, less) = (at(0.0, STEP.exp()), at(0.0, (-STEP).exp()));
             for k in 0..MOST {
+                let pressure: [f64; MOST] = std::array::from_fn(|i| f64::from(u8::from(i == k)));
+                let view = View { x, low, high, own };
+                let found = view.integrals::<MOST, true>(&RULES, &pressure);
                 let by_e = (more[k] - less[k]) / (2.0 * STEP);
-                assert!((found.by_e[k] - by_e).abs() < 2e-5, "{k}: {} {by_e}", found.by_e[k]);
+                assert!((found.by_e - by_e).abs() < 2e-5, "{k}: {} {by_e}", found.by_e);
                 let by_x = (ahead[k] - behind[k]) / (2.0 * STEP);
-                assert!(own || (found.by_x[k] - by_x).abs() < 1e-4, "{k}: {by_x}");
+                assert!(own || (found.by_x - by_x).abs() < 1e-4, "{k}: {by_x}");
             }
         }
     }

@@ -3,6 +3,7 @@
 //! which the elements give, and says so when Newton's method does not arrive.
 
 mod kernel;
+mod lanes;
 mod newton;
 mod strip;
 
@@ -11,42 +12,116 @@ use super::contact::Patch;
 use super::lattice::whole;
 use super::level::Task;
 use super::solve::Found;
-use newton::Touching;
+use newton::{Question, Stopped, Touching};
 use strip::{Strip, Units};
 
-/// Solves with `count` strips across the widest patch, from patches close by.
+/// Solves with `count` strips across the widest patch, from patches close by, until the residual is
+/// below `enough` of the depth.
 ///
 /// A tip laid too far out leaves its strip nothing to touch: the strip shrinks to nothing, and
-/// the strips are laid anew with the tip drawn in.
-pub(super) fn solve(task: Task<'_>, start: &[Patch], count: usize, terms: usize) -> Option<Found> {
-    const ATTEMPTS: usize = 8;
+/// the strips are laid anew with the tip drawn in. Where the ends found put a tip elsewhere than it
+/// was laid, they are laid anew too.
+pub(super) fn solve(
+    task: Task<'_>,
+    load: Option<f64>,
+    start: &[Patch],
+    [count, terms]: [usize; 2],
+    enough: f64,
+) -> Option<Found> {
+    const ATTEMPTS: usize = 6;
     let (units, depth) = units(task, start)?;
+    let force = units.pressure * units.length * units.length;
     let gap = |x: f64, y: f64| {
         let place = [x, y].map(|at| at * units.length);
         let h = task.gap.at(units.origin[0] + place[0], units.origin[1] + place[1]);
         (task.approach - h) / depth
     };
-    let mut start = start.to_vec();
+    let question = Question { depth: &gap, load: load.map(|load| load / force), enough };
+    let (mut start, mut settled) = (start.to_vec(), 0);
     for _ in 0..ATTEMPTS {
         let laid = laid(&start, count, terms, units)?;
-        match newton::solve(laid.clone(), terms, &gap) {
+        match newton::solve(laid.clone(), terms, question) {
             Ok(touching) if touching.strips.iter().all(is_pressed) => {
-                let force = units.pressure * units.length * units.length;
+                let patches = patches(&start, &touching.strips, units);
+                if settled < SETTLED && moved(&start, &patches, &laid, units) {
+                    settled += 1;
+                    start = patches;
+                    continue;
+                }
                 return Some(Found {
-                    patches: patches(&start, &touching.strips, units),
+                    patches,
+                    approach: task.approach + depth * touching.deeper,
                     load: force * touching.strips.iter().map(Strip::load).sum::<f64>(),
                     peak: units.pressure * peak(&touching.strips),
                     stiffness: force / depth * touching.stiffness,
                 });
             }
-            Ok(Touching { strips: stopped, .. }) | Err(stopped) => {
-                if !draw_in(&mut start, &laid, &stopped, units) {
-                    return None;
-                }
+            Ok(Touching { strips, .. }) => {
+                let pressed = without_pulled_tips(&start, &strips)?;
+                start = patches(&start, &pressed, units);
+                end_at_pulled(&mut start, &strips, units);
             }
+            Err(stopped) => draw_in(&mut start, &laid, &stopped, units)?,
         }
     }
     None
+}
+
+/// The strips without those outermost ones at a tip that are pulled; `None` if there are none, or
+/// hardly any other ones.
+fn without_pulled_tips(start: &[Patch], strips: &[Strip]) -> Option<Vec<Strip>> {
+    let tips: Vec<[bool; 2]> = start.iter().flat_map(Patch::bands).map(Band::tips).collect();
+    let own = |i: usize, other: Option<usize>| {
+        other.and_then(|i| strips.get(i)).is_some_and(|other| other.band == strips[i].band)
+    };
+    let is_kept = |i: &usize| {
+        let outermost = [!own(*i, i.checked_sub(1)), !own(*i, Some(i + 1))];
+        let at_tip = (0..2).any(|side| outermost[side] && tips[strips[*i].band][side]);
+        is_pressed(&strips[*i]) || !at_tip
+    };
+    let kept: Vec<Strip> = (0..strips.len()).filter(is_kept).map(|i| strips[i]).collect();
+    let enough = (0..tips.len()).all(|band| {
+        let left = kept.iter().filter(|strip| strip.band == band);
+        left.count() >= FEWEST
+    });
+    (enough && kept.len() < strips.len()).then_some(kept)
+}
+
+/// Draws in tips to the middle of the outermost strip where that is pulled.
+fn end_at_pulled(start: &mut [Patch], strips: &[Strip], units: Units) {
+    for (index, band) in start.iter_mut().flat_map(Patch::bands_mut).enumerate() {
+        let mut own = strips.iter().filter(|strip| strip.band == index);
+        let outer = [own.next(), own.next_back()];
+        let (tips, [low, high]) = (band.tips(), band.y());
+        let by = [0, 1].map(|side: usize| match outer[side] {
+            Some(strip) if tips[side] && !is_pressed(strip) => {
+                let middle = units.origin[1] + strip.y * units.length;
+                if side == 0 { middle - low } else { high - middle }
+            }
+            _ => 0.0,
+        });
+        *band = band.drawn_in(by.map(|by| by.max(0.0)));
+    }
+}
+
+/// How often strips are laid anew because a tip lies elsewhere.
+const SETTLED: usize = 2;
+
+/// Whether a tip that was found lies away from where it was laid by a part of its strip's width.
+fn moved(start: &[Patch], found: &[Patch], laid: &[Strip], units: Units) -> bool {
+    const PART: f64 = 0.4;
+    let bands = |patches: &[Patch]| -> Vec<[f64; 2]> {
+        patches.iter().flat_map(Patch::bands).map(Band::y).collect()
+    };
+    bands(start).into_iter().zip(bands(found)).enumerate().any(|(index, (start, found))| {
+        let mut own = laid.iter().filter(|strip| strip.band == index);
+        let outer = [own.next(), own.next_back()];
+        (0..2).any(|side| {
+            outer[side].is_some_and(|strip| {
+                (found[side] - start[side]).abs() > PART * 2.0 * strip.width * units.length
+            })
+        })
+    })
 }
 
 /// Strips in all bands, more in the wider ones; `None` if they are too many.
@@ -63,25 +138,29 @@ fn laid(start: &[Patch], count: usize, terms: usize, units: Units) -> Option<Vec
     usable.then_some(strips)
 }
 
-/// Draws in the tips whose outermost strip has shrunk, by a part of its width; false if there
-/// are none.
-fn draw_in(start: &mut [Patch], laid: &[Strip], stopped: &[Strip], units: Units) -> bool {
+/// Draws in the tips whose outermost strip has shrunk, is about to, or is pulled, by a part of its
+/// width; `None` if there are none.
+fn draw_in(start: &mut [Patch], laid: &[Strip], stopped: &Stopped, units: Units) -> Option<()> {
     const SHRUNK: f64 = 0.6;
+    const SHRINKING: f64 = 0.5;
     const PART: f64 = 0.6;
-    let mut drawn = false;
+    let shrinks = |i: usize| {
+        let shrinking = stopped.shrinking.get(i).is_some_and(|by| *by > SHRINKING);
+        let shrunk = stopped.strips[i].half < SHRUNK * laid[i].half;
+        shrinking || shrunk || !is_pressed(&stopped.strips[i])
+    };
+    let mut drawn = None;
     for (index, band) in start.iter_mut().flat_map(Patch::bands_mut).enumerate() {
-        let own = || laid.iter().zip(stopped).filter(|(strip, _)| strip.band == index);
+        let mut own = (0..laid.len()).filter(|i| laid[*i].band == index);
+        let outer = [own.next(), own.next_back()];
         let tips = band.tips();
-        let drawn_by = |end: Option<(&Strip, &Strip)>, tip: bool| match end {
-            Some((laid, stopped)) if tip && stopped.half < SHRUNK * laid.half => {
-                PART * 2.0 * laid.width * units.length
-            }
+        let by = [0, 1].map(|side: usize| match outer[side] {
+            Some(i) if tips[side] && shrinks(i) => PART * 2.0 * laid[i].width * units.length,
             _ => 0.0,
-        };
-        let by = [drawn_by(own().next(), tips[0]), drawn_by(own().next_back(), tips[1])];
+        });
         if by.iter().sum::<f64>() > 0.0 {
             *band = band.drawn_in(by);
-            drawn = true;
+            drawn = Some(());
         }
     }
     drawn

@@ -1,6 +1,6 @@
 //! Strips laid into bands, and bands made of strips.
 
-use crate::normal::band::{Band, Chord};
+use crate::normal::band::{Band, Chord, place};
 
 use super::kernel::{MOST, profile};
 
@@ -69,7 +69,7 @@ pub(super) fn lay(
                 width: 0.5 * (to - from) / units.length,
                 centre: (centre - units.origin[0]) / units.length,
                 half: half / units.length,
-                pressure: projected(band, centre, half, y, terms).map(|p| p / units.pressure),
+                pressure: projected(band, y, terms).map(|p| p / units.pressure),
                 band: index,
             }
         })
@@ -77,13 +77,14 @@ pub(super) fn lay(
 }
 
 /// The band's pressure at a y in the first of Chebyshev's polynomials.
-fn projected(band: &Band, centre: f64, half: f64, y: f64, terms: usize) -> [f64; MOST] {
+fn projected(band: &Band, y: f64, terms: usize) -> [f64; MOST] {
     const POINTS: u32 = 24;
     let mut coefficients = [0.0; MOST];
+    let line = band.line(y);
     for i in 1..=POINTS {
         let angle = std::f64::consts::PI * f64::from(i) / f64::from(POINTS + 1);
         let (sin, s) = angle.sin_cos();
-        let pressure = band.pressure(centre + half * s, y);
+        let pressure = line.pressure(s);
         for (k, coefficient) in coefficients.iter_mut().take(terms).enumerate() {
             // U_k(cos t) = sin((k+1) t) / sin t.
             let sine = ((k + 1) as f64 * angle).sin();
@@ -95,21 +96,16 @@ fn projected(band: &Band, centre: f64, half: f64, y: f64, terms: usize) -> [f64;
 
 /// The band that strips make; tips lie where the squared half length reaches zero.
 pub(super) fn band(strips: &[Strip], units: Units, laid: &Band, tips: [bool; 2]) -> Band {
-    const POINTS: i32 = 8;
     let chords: Vec<Chord> = strips
         .iter()
         .map(|strip| {
             let half = strip.half * units.length;
             let scale = units.pressure / half;
-            let node = |i: i32| {
-                let s = f64::from(i) / f64::from(POINTS);
-                [s, profile(&strip.pressure, s) * scale]
-            };
             Chord {
                 y: units.origin[1] + strip.y * units.length,
                 half,
                 centre: units.origin[0] + strip.centre * units.length,
-                density: (-POINTS..=POINTS).map(node).collect(),
+                density: std::array::from_fn(|i| profile(&strip.pressure, place(i)) * scale),
             }
         })
         .collect();

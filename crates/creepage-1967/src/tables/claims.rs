@@ -1,0 +1,150 @@
+//! Claims of the text that no table or figure has.
+
+use std::fmt::Write;
+
+use creepage::Theory;
+use creepage::approximate::strip::StripTheory;
+use creepage::variational::{
+    Chain, IntegrandArguments, IntegrandTerms, Procedure, Settings, Start, Variational, Weight,
+};
+use creepage::{Creepage, Solved, Status};
+
+use crate::prelude::*;
+
+pub(crate) const ITEM: Item = Item::new("claims", "What else the text claims", make);
+
+fn make() -> Result<Reproduction, GalleryError> {
+    let mut agreement = iterations()?;
+    agreement.push(strip_in_pure_spin()?);
+    agreement.push(no_symmetry_about_y()?);
+    agreement.push(root_of_ts()?);
+    agreement.push(Comparison::without_data(
+        "forces by (5.12) and by (5.15)",
+        "(5.12) compared better with the experiment",
+        "not compared",
+        "the experiments' points are not in the text",
+    ));
+    agreement.push(Comparison::without_data(
+        "moment M_z",
+        "agreed badly with the experiments",
+        "not compared",
+        "the thesis gives Johnson's reason: in the experiments the moment of elastic hysteresis is as \
+         large as that of friction, or larger; its numbers are not in the text",
+    ));
+    let mut data = Data::new(["claim", "printed", "ours", "verdict"]);
+    let mut text = String::from("Claims of the text\n");
+    for line in &agreement {
+        let Comparison { quantity, printed, ours, verdict, .. } = line;
+        data.push([quantity.into(), printed.into(), ours.into(), verdict.words().into()]);
+        // Writing to a String cannot fail.
+        let _ = write!(text, "\n{quantity}: printed {printed}; ours {ours}");
+    }
+    let caption = "What the text of the thesis says in passing, of its iteration, of strip theory, of \
+        symmetries and of other functionals, each computed.";
+    Ok(Reproduction::table(text, caption, data, agreement))
+}
+
+/// (5.12): 33 cases of lateral creepage and spin on a circle, each slowly increased in a chain.
+fn iterations() -> Result<Vec<Comparison>, GalleryError> {
+    const LATERAL: [f64; 17] =
+        [0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0, 1.1, 1.2, 1.3, 1.4, 1.6, 1.8, 2.0, 2.5];
+    const SPIN: [f64; 16] =
+        [0.25, 0.5, 0.75, 1.0, 1.25, 1.5, 1.75, 2.0, 2.5, 3.0, 3.5, 4.0, 5.0, 6.0, 8.0, 10.0];
+    let lateral = LATERAL.map(|eta| rolling_at([0.0, eta, 0.0]));
+    let spin = SPIN.map(|chi| rolling_at([0.0, 0.0, chi]));
+    let mut lines = Vec::new();
+    for (degree, cells, printed) in [(2, 10, "3.9"), (3, 10, "4.4"), (4, 11, "4.7")] {
+        let settings = Settings { mesh: [cells; 2], ..Settings::of_degree(degree) };
+        let theory = Variational::new(&like_bodies(1.0, STEEL)?, settings)?;
+        let count = |cases: &[Creepage]| -> usize {
+            let mut chain = Chain::new(&theory, Procedure::OF_1967);
+            cases.iter().map(|case| chain.solve(*case, None).found.iterations()).sum()
+        };
+        let mean = (count(&lateral) + count(&spin)) as f64 / (LATERAL.len() + SPIN.len()) as f64;
+        let reason =
+            "the thesis does not state its 33 creepages, which a chain's iterations depend on";
+        lines.push(
+            Comparison::number(format!("iterations a case, M = {degree}"), printed, mean)
+                .within(0.5, reason),
+        );
+    }
+    Ok(lines)
+}
+
+/// Chapter 1 of strip theory: "in pure spin there are relative errors of up to 20 %".
+fn strip_in_pure_spin() -> Result<Comparison, GalleryError> {
+    let contact = like_bodies(0.2, STEEL)?;
+    let strip = StripTheory::new(&contact);
+    let spins: Vec<_> = spaced(0.25, 10.0, 39);
+    let creepages: Vec<_> = spins.iter().map(|chi| rolling_at([0.0, 0.0, *chi])).collect();
+    let numerical = chained(&chapter_5(0.2, STEEL, 3, Weight::Elliptic)?, &creepages);
+    let today = full(0.2, STEEL, &creepages)?;
+    let (mut worst, mut within) = ([0.0_f64; 2], 0.0);
+    for (creepage, (of_1967, today)) in creepages.iter().zip(numerical.iter().zip(&today)) {
+        let solution = strip.solve(*creepage);
+        if solution.status == Status::Solved {
+            let off = |force: f64| (solution.force.fy / force - 1.0).abs();
+            worst = [worst[0].max(off(of_1967.fy)), worst[1].max(off(today.fy))];
+            within = if worst[0] <= 0.2 { creepage.chi() } else { within };
+        }
+    }
+    let [by_1967, by_full] = worst.map(|share| 100.0 * share);
+    let line = Comparison::claim(
+        "strip theory from chapter 5, f_y in pure spin, a/b = 0.2",
+        "relative errors of up to 20 %",
+        format!(
+            "below 20 % up to χ = {within}; up to {by_1967:.0} % where strip theory holds, {by_full:.0} \
+             % from the full theory"
+        ),
+        (10.0..30.0).contains(&by_1967),
+    );
+    Ok(line.because("the thesis states neither the ellipse nor the spins that it compared"))
+}
+
+/// End of 4.2: symmetries about the `y`-axis do not hold.
+fn no_symmetry_about_y() -> Result<Comparison, GalleryError> {
+    let theory = creepage::coulomb::Exact::new(
+        &like_bodies(1.0, STEEL)?,
+        creepage::coulomb::Resolution::STANDARD,
+    )?;
+    let solved = theory.solve_contact(rolling_at([0.5, 0.0, 0.0]));
+    let [ahead, behind] = [0.6, -0.6].map(|x| solved.field(&[[x, 0.0]])[0].traction[0]);
+    Ok(Comparison::claim(
+        "traction at x/a = 0.6 and -0.6, ξ = 0.5",
+        "no symmetry about the y-axis",
+        format!("{ahead:.2} and {behind:.2} of the largest bound"),
+        (ahead - behind).abs() > 0.1,
+    ))
+}
+
+/// 5.14: with the root of `T S` "the iteration did not converge".
+fn root_of_ts() -> Result<Comparison, GalleryError> {
+    let contact = like_bodies(1.0, STEEL)?;
+    let root = Variational::with_integrand(&contact, Settings::default(), root_terms)?;
+    let product = chapter_5(1.0, STEEL, 3, Weight::Elliptic)?;
+    let cases = [[0.9, 0.0, 0.0], [0.0, 0.9, 0.0], [0.0, 0.0, 1.0], [0.5, -0.5, 0.7]];
+    let converges = |at: &&[f64; 3]| {
+        let start = product.solve_from(rolling_at(**at), &Start::FullSliding).tau;
+        let found = root.solve_by(Procedure::OF_1967, rolling_at(**at), &Start::From(&start), None);
+        found.solution.status != Status::NotConverged
+    };
+    let converged = cases.iter().filter(converges).count();
+    Ok(Comparison::claim(
+        "Newton's method for the root of T S in place of T S",
+        "did not converge, in a single case",
+        format!("converges in {converged} of {} cases", cases.len()),
+        converged == 0,
+    ))
+}
+
+fn root_terms(IntegrandArguments { t, s, .. }: IntegrandArguments) -> IntegrandTerms {
+    let (t, s) = (t.max(f64::MIN_POSITIVE), s.max(f64::MIN_POSITIVE));
+    IntegrandTerms {
+        f: (t * s).sqrt(),
+        t: 0.5 * (s / t).sqrt(),
+        s: 0.5 * (t / s).sqrt(),
+        tt: -0.25 * (s / t).sqrt() / t,
+        ts: 0.25 / (t * s).sqrt(),
+        ss: -0.25 * (t / s).sqrt() / s,
+    }
+}

@@ -1,0 +1,61 @@
+//! What a row asks, and why one asks nothing.
+
+use creepage_study::{BulkRow, Question};
+use csv::ByteRecord;
+
+use super::case_columns::CaseColumns;
+use super::columns::Columns;
+use super::field::NoCase;
+
+/// How the columns of a table ask.
+#[derive(Debug, Clone)]
+pub(super) enum Ask {
+    /// Without dimensions.
+    Dimensionless(Columns),
+    /// By what differs from a case, in SI units.
+    Case(Box<CaseColumns>),
+}
+
+/// What a row asks.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Asked {
+    Dimensionless(Question),
+    Case(BulkRow),
+}
+
+impl Ask {
+    /// What a row asks.
+    pub(super) fn of(&self, row: &ByteRecord) -> Result<Asked, NoCase> {
+        match self {
+            Self::Dimensionless(columns) => columns.question(row).map(Asked::Dimensionless),
+            Self::Case(columns) => columns.row(row).map(Asked::Case),
+        }
+    }
+
+    /// The columns that are appended for a theory with or without error bars.
+    pub(super) fn appended(&self, error_bars: bool) -> Vec<&'static str> {
+        let si: &[&str] = match self {
+            Self::Dimensionless(_) => &[],
+            Self::Case(columns) => columns.appended(),
+        };
+        [si, answer_columns(error_bars)].concat()
+    }
+}
+
+impl Asked {
+    pub(super) fn question(&self) -> Question {
+        match self {
+            Self::Dimensionless(question) => *question,
+            Self::Case(row) => row.question(),
+        }
+    }
+}
+
+/// What is appended to each row of any kind.
+fn answer_columns(error_bars: bool) -> &'static [&'static str] {
+    if error_bars {
+        &["fx", "fy", "mz", "fx_error", "fy_error", "mz_error", "status", "message"]
+    } else {
+        &["fx", "fy", "mz", "status", "message"]
+    }
+}

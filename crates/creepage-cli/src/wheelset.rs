@@ -1,0 +1,94 @@
+//! `creepage wheelset`: the contacts of a wheelset on its track.
+
+use std::path::Path;
+
+use creepage::InvalidValue;
+use creepage_study::{
+    ProfileNote, WheelsetCase, WheelsetError, WheelsetFile, WheelsetTable, WholeFile,
+};
+use indicatif::ProgressBar;
+
+use crate::args::WheelsetArgs;
+use crate::failure::Failure;
+use crate::input::read_text;
+use crate::outcome::Outcome;
+use crate::output::{bar_style, print, say, say_written, to_json};
+
+/// The files first, then the report, so that a wrong `--out` prints nothing.
+pub(crate) fn run(args: &WheelsetArgs) -> Result<Outcome, Failure> {
+    let case = read(&args.case)?;
+    if let Some(file) = &args.table {
+        return table(args, &case, file);
+    }
+    let wrong = |source| Failure::Wheelset { path: args.case.clone(), source: Box::new(source) };
+    let solved = case.solve().map_err(wrong)?;
+    case.notes.iter().for_each(say_found);
+    if let Some(directory) = &args.out {
+        say_written(&solved.write(&case.running, directory)?);
+    }
+    print(&if args.json { to_json(&solved.json())? } else { solved.text() })?;
+    for words in solved.caution_words() {
+        say(&format!("caution: {words}"));
+    }
+    let is_done = solved.status() != creepage::Status::NotConverged;
+    Ok(if is_done { Outcome::Done } else { Outcome::Doubtful })
+}
+
+/// A table over lateral position and yaw; what could not be solved is left out of it.
+fn table(args: &WheelsetArgs, case: &WheelsetCase, file: &Path) -> Result<Outcome, Failure> {
+    let wrong = |source| Failure::Wheelset { path: args.case.clone(), source: Box::new(source) };
+    let failed = |source| Failure::Write { path: file.into(), source };
+    let y = even("--y", args.y.as_deref(), case.stance.y)?;
+    let yaw = even("--yaw", args.yaw.as_deref(), case.stance.yaw)?;
+    let mut whole = WholeFile::create(file).map_err(failed)?;
+    let style = bar_style("{wide_bar} {pos}/{len} positions  {per_sec}  {eta} left");
+    let bar = ProgressBar::new((y.len() * yaw.len()) as u64).with_style(style);
+    let table = WheelsetTable::solve(case, &y, &yaw, || bar.inc(1)).map_err(wrong)?;
+    bar.finish_and_clear();
+    case.notes.iter().for_each(say_found);
+    whole.fill(|path| table.netcdf(path))?;
+    whole.finish().map_err(failed)?;
+    say_written(&[file.into()]);
+    match table.lacking() {
+        0 => Ok(Outcome::Done),
+        lacking => {
+            say(&format!("note: {lacking} positions could not be solved: NaN in the table"));
+            Ok(Outcome::Doubtful)
+        }
+    }
+}
+
+/// Even values: first, last, count; the case's own where none are given.
+fn even(name: &'static str, given: Option<&[f64]>, own: f64) -> Result<Vec<f64>, Failure> {
+    const MOST: f64 = 1e5;
+    let Some(&[from, to, count]) = given else { return Ok(vec![own]) };
+    let wrong = |value, valid| InvalidValue { quantity: name, value, valid };
+    for value in [from, to] {
+        if !value.is_finite() {
+            return Err(wrong(value, "finite").into());
+        }
+    }
+    if !((1.0..=MOST).contains(&count) && count.fract().abs() < f64::EPSILON) {
+        return Err(wrong(count, "a whole COUNT, 1 to 100000").into());
+    }
+    let step = if count > 1.0 { (to - from) / (count - 1.0) } else { 0.0 };
+    let places = std::iter::successors(Some(0.0), |k| Some(k + 1.0)).take_while(|k| *k < count);
+    Ok(places.map(|k| from + k * step).collect())
+}
+
+/// The case of a wheelset file, its profile files beside it.
+pub(crate) fn read(path: &Path) -> Result<WheelsetCase, Failure> {
+    let text = read_text(path)?;
+    let directory = path.parent().unwrap_or(Path::new(""));
+    WheelsetFile::read(&text)
+        .map_err(WheelsetError::from)
+        .and_then(|file| file.case(directory))
+        .map_err(|source| Failure::Wheelset { path: path.into(), source: Box::new(source) })
+}
+
+/// Says what was found in a profile file: nothing is guessed silently.
+pub(crate) fn say_found(note: &ProfileNote) {
+    for action in &note.actions {
+        say(&format!("note: {}: {action}", note.path.display()));
+    }
+}

@@ -1,0 +1,86 @@
+//! `creepage profile` on good and bad input.
+
+use std::fs;
+use std::path::Path;
+
+use crate::place::{Place, json};
+
+/// A sample of the reader's own tests.
+fn sample(name: &str) -> Vec<u8> {
+    let samples = Path::new(env!("CARGO_MANIFEST_DIR")).join("../creepage-rail/samples");
+    fs::read(samples.join(name)).unwrap()
+}
+
+fn with(names: &[&str]) -> Place {
+    let place = Place::new();
+    for name in names {
+        place.write(name, sample(name));
+    }
+    place
+}
+
+#[test]
+fn what_a_file_holds_is_said_in_words_and_in_json() {
+    let place = with(&["s1002.prw", "worn_rail.ban"]);
+    let text = place.run(&["profile", "s1002.prw", "worn_rail.ban"]).done();
+    assert!(text.contains("s1002.prw: wheel, Simpack, ") && text.contains("zig-zag"), "{text}");
+    let printed = place.run(&["profile", "--json", "s1002.prw", "worn_rail.ban"]).done();
+    let facts = json(&printed);
+    assert_eq!((&facts[0]["role"], &facts[1]["role"]), (&"wheel".into(), &"rail".into()));
+    assert_eq!(facts[1]["format"], "MiniProf");
+    // 130 mm wide, and down and up the flange.
+    let length = facts[0]["length_m"].as_f64().unwrap();
+    assert!((0.14..0.17).contains(&length), "{length}");
+}
+
+/// Out to another format with a picture, and in again: the same points.
+#[test]
+fn conversions_are_read_back() {
+    let place = with(&["uic60.rail"]);
+    for (format, name, more) in [
+        ("simpack", "uic60.prr", &[][..]),
+        ("miniprof", "uic60.ban", &[]),
+        ("vampire", "uic60.rai", &["--side", "left"]),
+        ("gensys", "uic60.rail", &[]),
+        ("columns", "uic60.txt", &["--role", "rail"]),
+    ] {
+        place.run(&["profile", "uic60.rail", "--convert", format, "--out", "out"]).done();
+        let file = format!("out/{name}");
+        let printed = place.run(&[&["profile", "--json", &file], more].concat()).done();
+        let length = |printed: &str| json(printed)[0]["length_m"].as_f64().unwrap();
+        let given = place.run(&["profile", "--json", "uic60.rail"]).done();
+        assert!((length(&printed) - length(&given)).abs() < 1e-7, "{format}");
+    }
+    let files = place.files_in("out");
+    assert!(files.contains(&"uic60.svg".to_owned()) && files.contains(&"uic60.png".to_owned()));
+}
+
+#[test]
+fn what_the_file_does_not_say_can_be_said() {
+    let place = with(&["s1002.txt", "s1002.whe"]);
+    place.run(&["profile", "s1002.txt"]).refused(&["s1002.txt", "a wheel or a rail"]);
+    place.run(&["profile", "s1002.whe"]).refused(&["which side of the two"]);
+    let text = place.run(&["profile", "s1002.txt", "--role", "wheel", "--unit", "0.001"]).done();
+    assert!(!text.contains("unit found"), "{text}");
+    let smooth = ["profile", "s1002.txt", "--role", "wheel", "--smooth", "0.003"];
+    assert!(place.run(&smooth).done().contains("waves of 3.00 mm halved"));
+    let wrong = ["profile", "s1002.txt", "--role", "wheel", "--unit", "1.0"];
+    place.run(&wrong).refused(&["line 2", "m long"]);
+    let negative = ["profile", "s1002.txt", "--role", "wheel", "--smooth=-1"];
+    place.run(&negative).refused(&["smoothing wavelength = -1 m"]);
+    // z is said to point up, and so the flange to lie above the tread.
+    let over = ["profile", "s1002.txt", "--role", "wheel", "--z", "up", "--y", "field-side"];
+    assert!(place.run(&over).done().contains("turned over"));
+    place.run(&["profile", "no-such.prw"]).refused(&["cannot read no-such.prw"]);
+}
+
+/// A bad file among good ones: nothing is printed, nothing written.
+#[test]
+fn nothing_is_half_written() {
+    let place = with(&["s1002.prw"]);
+    place.write("bad.prw", "spline.begin\npoint.begin\n1 2\n3 x\npoint.end\n");
+    place
+        .run(&["profile", "s1002.prw", "bad.prw", "--out", "out"])
+        .refused(&["bad.prw: line 4: column 2 is not a number"]);
+    assert_eq!(place.files(), ["bad.prw", "s1002.prw"]);
+}

@@ -1,0 +1,157 @@
+//! `creepage roll` on good and bad input.
+
+use std::fs;
+use std::path::Path;
+
+use crate::place::{CASE, Place};
+
+const COLUMNS: &str = "distance_m,xi,eta,chi,fx,fy,mz,longitudinal_n,lateral_n,moment_n_m,\
+                       adhesion_share,status";
+
+fn example(name: &str) -> String {
+    let examples = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/roll");
+    fs::read_to_string(examples.join(name)).unwrap()
+}
+
+/// The case of the other commands without its creepage, and few elements.
+fn case() -> String {
+    let end = CASE.find("[creepage]").unwrap();
+    format!("{}[solve]\nresolution = [8, 8]\n", &CASE[..end])
+}
+
+/// A column of the result.
+fn column(csv: &str, name: &str) -> Vec<f64> {
+    let mut lines = csv.lines();
+    assert_eq!(lines.next(), Some(COLUMNS));
+    let place = COLUMNS.split(',').position(|column| column == name).unwrap();
+    lines.map(|line| line.split(',').nth(place).unwrap().parse().unwrap()).collect()
+}
+
+fn rolled(case: &str, history: &str) -> String {
+    let place = Place::new();
+    place.write("case.toml", case);
+    place.write("h.csv", history);
+    place.run(&["roll", "case.toml", "--history", "h.csv"]).done()
+}
+
+#[test]
+fn one_row_a_row_of_the_history() {
+    let csv = rolled(&case(), "distance,longitudinal,eta\n0.002,-1e-3,0.1\n0.02,-1e-3,0.1\n");
+    assert_eq!(column(&csv, "distance_m"), [0.002, 0.02]);
+    let (fx, newtons) = (column(&csv, "fx"), column(&csv, "longitudinal_n"));
+    assert!(fx[1] < fx[0] && fx[0] < 0.0, "{csv}");
+    // mu N.
+    assert!((newtons[1] / fx[1] - 24e3).abs() < 1e-6 * 24e3);
+    assert!(csv.lines().skip(1).all(|line| line.ends_with(",solved")), "{csv}");
+}
+
+/// It does not hold today: after a force that jumps, here from no traction, the creepage has the wrong
+/// sign for about half a contact length (0.20 at 3 mm); forces are met.
+#[test]
+#[ignore = "does not hold: creepage after a jump of a force"]
+fn a_history_of_forces_gives_creepages() {
+    let history = "distance,longitudinal_force,lateral_force\n0.003,-9e3,1e3\n0.06,-9e3,1e3\n";
+    let csv = rolled(&case(), history);
+    assert!(column(&csv, "longitudinal_n").iter().all(|force| (force + 9e3).abs() < 1.0), "{csv}");
+    assert!(column(&csv, "xi").iter().all(|xi| *xi < 0.0), "{csv}");
+}
+
+/// What is steady stays so; the forces of a shift fade without creepage.
+#[test]
+fn starts_differ() {
+    let history = "distance,xi\n0.001,0.4\n0.004,0.4\n";
+    let with = |start: &str| format!("{}\n[start]\n{start}\n", case());
+    let steady = column(&rolled(&with("traction = \"steady\""), history), "fx");
+    assert!((steady[0] - steady[1]).abs() < 1e-6, "{steady:?}");
+    let shift = with("traction = \"shift\"\nlongitudinal_force = 12e3");
+    let fading = column(&rolled(&shift, "distance\n0.0001\n0.01\n0.1\n"), "fx");
+    assert!(fading[0] > 0.45 && fading[1] < 0.4 && fading[2].abs() < 0.01, "{fading:?}");
+}
+
+#[test]
+fn the_load_goes_to_zero_and_back() {
+    let history = "distance,xi,normal_force\n0.005,0.5,80e3\n0.006,0.5,0\n0.011,0.5,80e3\n";
+    let fx = column(&rolled(&case(), history), "fx");
+    assert!(fx[1] == 0.0 && (fx[0] - fx[2]).abs() < 0.01, "{fx:?}");
+}
+
+#[test]
+fn the_examples_roll() {
+    for (name, history) in [("wheel-pulls.toml", "pulls.csv"), ("cylinders.toml", "cylinders.csv")]
+    {
+        let csv = rolled(&example(name), &example(history));
+        assert!(csv.lines().skip(1).all(|line| line.ends_with(",solved")), "{name}: {csv}");
+    }
+}
+
+#[test]
+fn a_directory_gets_the_table_and_the_pictures() {
+    let place = Place::new();
+    place.write("case.toml", case());
+    place.write("h.csv", "distance,xi\n0.002,0.4\n0.004,0.4\n");
+    let printed = place.run(&["roll", "case.toml", "--history", "h.csv"]).done();
+    place.run(&["roll", "case.toml", "--history", "h.csv", "--out", "out"]).done();
+    assert_eq!(place.read("out/history.csv"), printed);
+    let files = ["adhesion.png", "adhesion.svg", "history.csv", "history.png", "history.svg"];
+    assert_eq!(place.files_in("out"), files);
+}
+
+#[track_caller]
+fn refused(case: &str, history: &str, parts: &[&str]) {
+    let place = Place::new();
+    place.write("case.toml", case);
+    place.write("h.csv", history);
+    place.run(&["roll", "case.toml", "--history", "h.csv", "--out", "out"]).refused(parts);
+    assert!(!place.path("out").exists());
+}
+
+#[test]
+fn wrong_tables_are_refused_and_nothing_is_written() {
+    let case = case();
+    for (history, parts) in [
+        ("", &["distance"][..]),
+        ("distance,xi\n", &["no rows"]),
+        ("xi\n1\n", &["distance is missing"]),
+        ("distance,xi,longitudinal\n1,1,1\n", &["xi", "longitudinal", "exclude"]),
+        ("distance,xi,xi\n1,1,1\n", &["xi", "exclude"]),
+        ("distance,lateral_force,lateral\n1,1,1\n", &["lateral_force", "lateral"]),
+        ("distance,latteral\n1,1\n", &["latteral", "did you mean `lateral`"]),
+        ("distance,xi\n1\n", &["row 1", "fields"]),
+        ("distance,xi\n1,a\n", &["row 1", "xi", "`a`"]),
+        ("distance,xi\n1,nan\n", &["row 1", "xi"]),
+        ("distance,xi\n1,0\n1,0\n", &["row 2", "distance = 1", "greater than 1"]),
+        ("distance,xi\n-1,0\n", &["row 1", "distance = -1"]),
+        ("distance,longitudinal_force\n1,25e3\n", &["row 1", "24000"]),
+        ("distance,normal_force\n1,-1\n", &["row 1", "normal_force = -1"]),
+    ] {
+        refused(&case, history, parts);
+    }
+}
+
+#[test]
+fn wrong_cases_are_refused() {
+    let history = "distance,xi\n1,0\n";
+    refused(CASE, history, &["[creepage]"]);
+    let with = |text: &str| format!("{}\n{text}\n", case());
+    refused(&with("[wanted]\nfx = 0.1"), history, &["[wanted]"]);
+    refused(&with("[start]\ntraction = \"some\""), history, &["some"]);
+    refused(&with("[start]\nlongitudinal_force = 1"), history, &["[start]", "longitudinal_force"]);
+    let far = with("[start]\ntraction = \"shift\"\nlateral_force = 25e3");
+    refused(&far, history, &["[start]", "24000"]);
+    let other = case().replace("resolution = [8, 8]", "theory = \"polach\"");
+    refused(&other, history, &["polach"]);
+    let both = case().replace("friction", "line_load = 1e6\nfriction");
+    refused(&both, history, &["normal_force", "line_load"]);
+    let line = example("cylinders.toml").replace("length = 0.2", "");
+    refused(&line, history, &["xi", "length"]);
+    refused(&example("cylinders.toml"), "distance,spin\n1,0\n", &["spin", "line contact"]);
+}
+
+/// Forces do not ask for a length.
+#[test]
+fn a_line_without_length_rolls_at_a_force() {
+    let line = example("cylinders.toml").replace("length = 0.2", "");
+    let csv = rolled(&line, "distance,longitudinal_force\n0.05,192e3\n");
+    // Carter: fx = xi (8 - xi) / 16 at .64.
+    assert!((column(&csv, "xi")[0] - 1.6).abs() < 0.01, "{csv}");
+}

@@ -1,0 +1,18 @@
+//! The C interface as its callers see it: one program of tests, which is linked once.
+
+// Helpers of tests fail like tests: by panicking. Equal bits are meant where numbers are compared.
+// What was not run must be reported.
+#![allow(
+    clippy::unwrap_used,
+    clippy::panic,
+    clippy::print_stderr,
+    clippy::float_cmp,
+    clippy::cast_precision_loss
+)]
+
+mod bulk;
+mod fuzz;
+mod header;
+mod interface;
+#[cfg(unix)]
+mod programs;

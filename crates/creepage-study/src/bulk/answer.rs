@@ -1,0 +1,68 @@
+//! The force of a row in SI units.
+
+use creepage::SiForce;
+use rayon::prelude::*;
+
+use super::case::{BulkCase, BulkRow};
+use super::solver::{Reply, RowError, Solver};
+
+/// A row answered, in SI units.
+#[derive(Debug, Clone, PartialEq)]
+pub struct BulkAnswer {
+    /// What was asked.
+    pub row: BulkRow,
+    /// The dimensionless answer, with all that is to be held against it.
+    pub reply: Reply,
+}
+
+impl BulkAnswer {
+    /// The answer to a row, with the row's own cautions.
+    #[must_use]
+    pub fn new(row: BulkRow, mut reply: Reply) -> Self {
+        reply.cautions.extend(row.cautions());
+        Self { row, reply }
+    }
+
+    /// Force of the upper body on the lower.
+    #[must_use]
+    pub fn force(&self) -> SiForce {
+        self.row.contact.scaling().si_force(self.reply.solution.force)
+    }
+
+    /// Energy turned to heat per metre rolled (J/m), from force and creepage.
+    #[must_use]
+    pub fn power_per_metre(&self) -> f64 {
+        let scaling = self.row.contact.scaling();
+        scaling.force * scaling.slip * self.reply.power
+    }
+
+    /// Frictional power (W), where the rolling velocity is known.
+    #[must_use]
+    pub fn power(&self) -> Option<f64> {
+        self.row.speed.map(|speed| speed * self.power_per_metre())
+    }
+}
+
+impl BulkCase {
+    /// The answer to one row of values.
+    ///
+    /// # Errors
+    /// [`RowError`] for values that are no case.
+    pub fn solve_one(&self, solver: &Solver, values: &[f64]) -> Result<BulkAnswer, RowError> {
+        let row = self.row(values)?;
+        Ok(BulkAnswer::new(row, solver.solve_one(&row.question())?))
+    }
+
+    /// The answers to rows of values, in their order; the same on any number of cores.
+    #[must_use]
+    pub fn solve(&self, solver: &Solver, rows: &[&[f64]]) -> Vec<Result<BulkAnswer, RowError>> {
+        let row = |values: &&[f64]| self.row(values).map_err(RowError::from);
+        let rows: Vec<_> = rows.par_iter().map(row).collect();
+        let question = |row: &Result<BulkRow, RowError>| {
+            row.as_ref().map(BulkRow::question).map_err(Clone::clone)
+        };
+        let replies = solver.solve(rows.iter().map(question).collect());
+        let together = |(row, reply): (_, _)| Ok(BulkAnswer::new(row?, reply?));
+        rows.into_par_iter().zip(replies).map(together).collect()
+    }
+}

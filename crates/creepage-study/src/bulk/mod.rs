@@ -1,0 +1,16 @@
+//! One case many times: some of its quantities have a value of their own in every row, such as a
+//! measured history of creepages and normal forces.
+//!
+//! A [`BulkCase`] is prepared from a case file and the quantities that vary ([`Varied`]); it makes a
+//! [`BulkRow`] of the values of a row, which asks a [`Question`]. A [`Solver`] answers many questions
+//! at a time. The command, Python and C all come this way, so that their numbers are the same.
+
+mod answer;
+mod case;
+mod solver;
+mod varied;
+
+pub use answer::BulkAnswer;
+pub use case::{BulkCase, BulkRow};
+pub use solver::{Question, Reply, RowError, Solver};
+pub use varied::Varied;

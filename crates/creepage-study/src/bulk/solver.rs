@@ -1,0 +1,296 @@
+//! Many questions at once: grouped by what a theory is prepared for, on all cores.
+
+use std::collections::VecDeque;
+use std::ops::Deref;
+use std::sync::{Arc, Mutex, PoisonError};
+
+use creepage::table::{Table, TableTheory};
+use creepage::theory::TheoryError;
+use creepage::{Contact, Creepage, InvalidValue, Solution, Theory, TheorySpec};
+use rayon::prelude::*;
+
+use crate::{CaseError, Caution};
+
+/// What a row asks.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Question {
+    /// The contact.
+    pub contact: Contact,
+    /// How it creeps.
+    pub creepage: Creepage,
+}
+
+/// A force, and what is to be held against it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Reply {
+    /// Force, error bars, status.
+    pub solution: Solution,
+    /// Frictional power, dimensionless: [`Solved::power`](creepage::Solved::power).
+    pub power: f64,
+    /// What is to be held against it.
+    pub cautions: Vec<Caution>,
+}
+
+/// Why a row has no answer.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum RowError {
+    /// Its values are no case.
+    #[error(transparent)]
+    Case(Box<CaseError>),
+    /// The contact is out of the theory's range.
+    #[error(transparent)]
+    Theory(#[from] TheoryError),
+    /// A number is out of its range, or out of that of a table.
+    #[error(transparent)]
+    Invalid(#[from] InvalidValue),
+}
+
+impl From<CaseError> for RowError {
+    fn from(error: CaseError) -> Self {
+        Self::Case(Box::new(error))
+    }
+}
+
+/// What a theory is prepared for: the bits of `a/b`, of Poisson's ratio and of `kappa/mu`.
+type Key = [u64; 3];
+
+/// One theory, prepared for the last few kinds of contact that were asked about, or a table.
+pub struct Solver(Asked);
+
+enum Asked {
+    Theory { spec: TheorySpec, prepared: Mutex<VecDeque<(Key, Arc<dyn Theory>)>> },
+    Table(Arc<Table>),
+}
+
+/// A theory for one contact.
+enum Ready<'a> {
+    Theory(Arc<dyn Theory>),
+    Table(Box<TableTheory<'a>>),
+}
+
+impl<'a> Deref for Ready<'a> {
+    type Target = dyn Theory + 'a;
+
+    fn deref(&self) -> &Self::Target {
+        match self {
+            Self::Theory(theory) => &**theory,
+            Self::Table(table) => &**table,
+        }
+    }
+}
+
+/// A question and its place among those asked together.
+struct Placed {
+    key: Key,
+    place: usize,
+    question: Question,
+}
+
+impl Solver {
+    /// Prepared theories that are kept: tables mostly run through a few ratios in turn, and a
+    /// prepared theory may be some megabytes.
+    const KEPT: usize = 64;
+
+    /// By a theory with its options.
+    #[must_use]
+    pub fn new(spec: TheorySpec) -> Self {
+        Self(Asked::Theory { spec, prepared: Mutex::default() })
+    }
+
+    /// By a table.
+    #[must_use]
+    pub fn of_table(table: Arc<Table>) -> Self {
+        Self(Asked::Table(table))
+    }
+
+    /// Whether its forces come with error bars.
+    #[must_use]
+    pub fn error_bars(&self) -> bool {
+        matches!(&self.0, Asked::Theory { spec, .. } if spec.facts().error_bars)
+    }
+
+    /// The ratio `a/b` and Poisson's ratio, where it is a table that has but one of them.
+    #[must_use]
+    pub fn only_contact(&self) -> [Option<f64>; 2] {
+        let Asked::Table(table) = &self.0 else { return [None; 2] };
+        [table.a_over_b(), table.poisson()].map(|axis| (axis.nodes == 1).then_some(axis.low))
+    }
+
+    /// The answers in the order of the questions, the same on any number of cores. A question that
+    /// is none is answered by its error.
+    pub fn solve<E: From<RowError> + Send>(
+        &self,
+        questions: Vec<Result<Question, E>>,
+    ) -> Vec<Result<Reply, E>> {
+        let mut answers = Vec::with_capacity(questions.len());
+        let mut asked = Vec::with_capacity(questions.len());
+        for (place, question) in questions.into_iter().enumerate() {
+            match question {
+                Ok(question) => {
+                    asked.push(Placed { key: self.key(&question.contact), place, question });
+                }
+                Err(error) => answers.push((place, Err(error))),
+            }
+        }
+        asked.sort_unstable_by_key(|asked| (asked.key, asked.place));
+        let together = |one: &Placed, two: &Placed| {
+            one.key == two.key
+                && (self.is_shared(&one.question.contact)
+                    || one.question.contact == two.question.contact)
+        };
+        let groups: Vec<_> = asked.chunk_by(together).collect();
+        answers.par_extend(groups.into_par_iter().flat_map(|group| self.solve_group(group)));
+        answers.sort_unstable_by_key(|(place, _)| *place);
+        answers.into_iter().map(|(_, answer)| answer).collect()
+    }
+
+    /// The answer to one question.
+    ///
+    /// # Errors
+    /// [`RowError`] for a contact out of the theory's range.
+    pub fn solve_one(&self, question: &Question) -> Result<Reply, RowError> {
+        let theory = self.ready(self.key(&question.contact), &question.contact)?;
+        Ok(self.reply(&*theory, question))
+    }
+
+    /// Answers questions of one key, each with its place.
+    fn solve_group<E: From<RowError> + Send>(
+        &self,
+        group: &[Placed],
+    ) -> Vec<(usize, Result<Reply, E>)> {
+        let Some(first) = group.first() else { return Vec::new() };
+        let theory = self.ready(first.key, &first.question.contact);
+        let answer = |asked: &Placed| {
+            let reply = |theory: &Ready<'_>| self.reply(&**theory, &asked.question);
+            (asked.place, theory.as_ref().map(reply).map_err(|error| E::from(error.clone())))
+        };
+        group.par_iter().map(answer).collect()
+    }
+
+    fn reply(&self, theory: &(dyn Theory + '_), question: &Question) -> Reply {
+        let solved = theory.solved(question.creepage);
+        let (solution, power) = (solved.solution(), solved.power());
+        let contact = &question.contact;
+        let cautions = match &self.0 {
+            Asked::Theory { spec, .. } => Caution::all(spec, contact, &solution),
+            Asked::Table(_) => Caution::all_of_table(contact),
+        };
+        Reply { solution, power, cautions }
+    }
+
+    fn ready(&self, key: Key, contact: &Contact) -> Result<Ready<'_>, RowError> {
+        match &self.0 {
+            Asked::Theory { spec, .. } if !self.is_shared(contact) => {
+                Ok(Ready::Theory(Arc::from(spec.prepare(contact)?)))
+            }
+            Asked::Theory { spec, prepared } => {
+                if let Some(theory) = recall(prepared, key) {
+                    return Ok(Ready::Theory(theory));
+                }
+                let theory = Arc::from(spec.prepare(contact)?);
+                keep(prepared, key, &theory);
+                Ok(Ready::Theory(theory))
+            }
+            Asked::Table(table) => Ok(Ready::Table(Box::new(table.prepare(contact)?))),
+        }
+    }
+
+    /// A theory that neglects how dissimilar the bodies are is one for all of them.
+    fn key(&self, contact: &Contact) -> Key {
+        let counts =
+            matches!(&self.0, Asked::Theory { spec, .. } if spec.facts().dissimilar_bodies);
+        let kappa_over_mu = if counts { contact.kappa_over_mu() } else { 0.0 };
+        [contact.ellipse().ratio(), contact.poisson(), kappa_over_mu].map(f64::to_bits)
+    }
+
+    /// Whether a theory for this contact serves all of its key: a law of friction and a layer are in
+    /// units of their own contact, and coupled bodies need the coefficient of friction by itself.
+    fn is_shared(&self, contact: &Contact) -> bool {
+        let coupled = matches!(
+            &self.0,
+            Asked::Theory { spec: TheorySpec::Exact(options), .. } if options.coupled
+        );
+        !coupled && contact.rolling_friction().is_none() && contact.layer().is_none()
+    }
+}
+
+type Prepared = Mutex<VecDeque<(Key, Arc<dyn Theory>)>>;
+
+/// A theory that was kept; it is then the last to be dropped.
+fn recall(prepared: &Prepared, key: Key) -> Option<Arc<dyn Theory>> {
+    let mut prepared = prepared.lock().unwrap_or_else(PoisonError::into_inner);
+    let place = prepared.iter().position(|(known, _)| *known == key)?;
+    let entry = prepared.remove(place)?;
+    let theory = Arc::clone(&entry.1);
+    prepared.push_back(entry);
+    Some(theory)
+}
+
+fn keep(prepared: &Prepared, key: Key, theory: &Arc<dyn Theory>) {
+    let mut prepared = prepared.lock().unwrap_or_else(PoisonError::into_inner);
+    if prepared.len() == Solver::KEPT {
+        prepared.pop_front();
+    }
+    prepared.push_back((key, Arc::clone(theory)));
+}
+
+impl std::fmt::Debug for Solver {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match &self.0 {
+            Asked::Theory { spec, .. } => f.debug_tuple("Solver").field(spec).finish(),
+            Asked::Table(table) => f.debug_tuple("Solver").field(table.provenance()).finish(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use creepage::Ellipse;
+
+    fn question(a_over_b: f64, xi: f64) -> Question {
+        let contact = Contact::new(Ellipse::from_ratio(a_over_b).unwrap(), 0.28).unwrap();
+        Question { contact, creepage: Creepage::new(xi, 0.0, 0.5).unwrap() }
+    }
+
+    fn solve(solver: &Solver, questions: Vec<Question>) -> Vec<Result<Reply, RowError>> {
+        solver.solve(questions.into_iter().map(Ok).collect())
+    }
+
+    #[test]
+    fn prepared_theories_do_not_pile_up() {
+        let solver = Solver::new(TheorySpec::named("polach").unwrap());
+        let many = (0..3 * Solver::KEPT).map(|i| question(1.0 + i as f64, 1.0)).collect();
+        assert_eq!(solve(&solver, many).len(), 3 * Solver::KEPT);
+        let Asked::Theory { prepared, .. } = &solver.0 else { panic!("a theory") };
+        assert_eq!(prepared.lock().unwrap().len(), Solver::KEPT);
+    }
+
+    #[test]
+    fn answers_come_in_the_order_of_the_questions() {
+        let solver = Solver::new(TheorySpec::named("variational").unwrap());
+        let questions: Vec<_> =
+            (0..40).map(|i| question([2.0, 0.5, 1.0][i % 3], 0.5 + 0.1 * i as f64)).collect();
+        let together = solve(&solver, questions.clone());
+        for (question, answer) in questions.into_iter().zip(together) {
+            assert_eq!(solve(&solver, vec![question]), vec![answer.clone()]);
+            assert_eq!(solver.solve_one(&question), answer);
+        }
+    }
+
+    #[test]
+    fn one_theory_serves_all_dissimilarities_that_it_neglects() {
+        let unlike = question(1.0, 0.5).contact.with_kappa_over_mu(0.3).unwrap();
+        let unlike = Question { contact: unlike, ..question(1.0, 0.5) };
+        for (name, kinds) in [("polach", 1), ("exact", 2)] {
+            let solver = Solver::new(TheorySpec::named(name).unwrap());
+            let replies = solve(&solver, vec![question(1.0, 0.5), unlike]);
+            let Asked::Theory { prepared, .. } = &solver.0 else { panic!("a theory") };
+            assert_eq!(prepared.lock().unwrap().len(), kinds, "{name}");
+            let forces = replies.iter().map(|reply| reply.as_ref().unwrap().solution.force);
+            let forces: Vec<_> = forces.collect();
+            assert_eq!(forces[0] == forces[1], kinds == 1);
+        }
+    }
+}

@@ -1,0 +1,154 @@
+//! `[contact] friction`: a number, or a law by the speed of slip.
+
+use std::borrow::Cow;
+
+use creepage::friction_law::{FrictionLaw, FrictionMemory, RollingFriction, Shape, Term};
+use creepage::{Contact, Hertz};
+use schemars::{JsonSchema, Schema, SchemaGenerator};
+use serde::de::{Deserialize, Deserializer, Error};
+use toml::Value;
+
+use super::error::CaseError;
+
+const SECTION: &str = "contact";
+
+/// Friction as a case file has it.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) enum FrictionValue {
+    /// Coulomb's.
+    Constant(f64),
+    /// By the speed of slip.
+    Law(LawTable),
+}
+
+/// How friction depends on the absolute speed of slip: from kinetic plus all drops, at rest, down to
+/// kinetic.
+#[derive(Debug, Clone, PartialEq, serde::Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct LawTable {
+    /// How the terms fall.
+    law: LawName,
+    /// Coefficient at very high speed.
+    kinetic: f64,
+    /// Up to four falling terms; none where the law is "constant".
+    #[serde(default)]
+    terms: Vec<TermTable>,
+    /// Distance of slip over which friction follows the speed (m). Give this and `memory_speed`, or
+    /// neither.
+    memory_distance: Option<f64>,
+    /// The least speed that slip counts as in that (m/s).
+    memory_speed: Option<f64>,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+enum LawName {
+    /// The same at every speed.
+    Constant,
+    /// Each term `drop 2^(-s/half_speed)`.
+    Exponential,
+    /// Each term `drop max(0, 1 - s/(2 half_speed))`.
+    Linear,
+    /// Term number i `drop/(1 + (s/half_speed)^i)`.
+    Rational,
+}
+
+/// One falling part of a law.
+#[derive(Debug, Clone, Copy, PartialEq, serde::Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+struct TermTable {
+    /// What the term adds at rest.
+    drop: f64,
+    /// Speed of slip at which half of it is left (m/s).
+    half_speed: f64,
+}
+
+impl FrictionValue {
+    /// The contact with this friction, for bodies that roll at `speed` (m/s).
+    pub(crate) fn contact(&self, hertz: &Hertz, speed: Option<f64>) -> Result<Contact, CaseError> {
+        let contact = hertz.with_friction(self.at_rest()?).map_err(CaseError::invalid(SECTION))?;
+        Ok(match self.rolling(speed)? {
+            Some(friction) => contact.with_rolling_friction(friction),
+            None => contact,
+        })
+    }
+
+    /// The coefficient at rest, the `mu` of all quantities.
+    pub(crate) fn at_rest(&self) -> Result<f64, CaseError> {
+        match self {
+            Self::Constant(friction) => Ok(*friction),
+            Self::Law(table) => Ok(table.law()?.at_rest()),
+        }
+    }
+
+    /// The law, where friction is not constant.
+    pub(crate) fn rolling(&self, speed: Option<f64>) -> Result<Option<RollingFriction>, CaseError> {
+        let Self::Law(table) = self else { return Ok(None) };
+        let (law, memory) = (table.law()?, table.memory()?);
+        if table.law == LawName::Constant {
+            return Ok(None);
+        }
+        let speed = speed.ok_or(CaseError::SpeedOfLaw)?;
+        let rolling = RollingFriction::new(law, memory, speed);
+        rolling.map(Some).map_err(CaseError::invalid("creepage"))
+    }
+}
+
+impl LawTable {
+    fn law(&self) -> Result<FrictionLaw, CaseError> {
+        let shape = match self.law {
+            LawName::Constant if self.terms.is_empty() => Shape::Linear,
+            LawName::Constant => return Err(CaseError::TermsOfConstant),
+            LawName::Exponential => Shape::Exponential,
+            LawName::Linear => Shape::Linear,
+            LawName::Rational => Shape::Rational,
+        };
+        let term = |term: &TermTable| Term { drop: term.drop, half_speed: term.half_speed };
+        let terms: Vec<_> = self.terms.iter().map(term).collect();
+        FrictionLaw::new(shape, self.kinetic, &terms)
+            .map_err(CaseError::invalid("contact friction"))
+    }
+
+    fn memory(&self) -> Result<Option<FrictionMemory>, CaseError> {
+        let missing = |key: &str| CaseError::Missing {
+            section: "contact".into(),
+            key: format!("friction: {key}"),
+        };
+        match (self.memory_distance, self.memory_speed) {
+            (None, None) => Ok(None),
+            (Some(distance), Some(speed)) => FrictionMemory::new(distance, speed)
+                .map(Some)
+                .map_err(CaseError::invalid("contact friction")),
+            (Some(_), None) => Err(missing("memory_speed")),
+            (None, Some(_)) => Err(missing("memory_distance")),
+        }
+    }
+}
+
+impl<'de> Deserialize<'de> for FrictionValue {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        match Value::deserialize(deserializer)? {
+            Value::Float(friction) => Ok(Self::Constant(friction)),
+            Value::Integer(friction) => Ok(Self::Constant(friction as f64)),
+            Value::Table(table) => {
+                let law = table.try_into();
+                law.map(Self::Law)
+                    .map_err(|error| D::Error::custom(format!("friction: {}", error.message())))
+            }
+            other => Err(D::Error::custom(format!(
+                "friction = {other}: expected a number, or a table with law, kinetic and terms"
+            ))),
+        }
+    }
+}
+
+impl JsonSchema for FrictionValue {
+    fn schema_name() -> Cow<'static, str> {
+        "Friction".into()
+    }
+
+    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
+        let law = LawTable::json_schema(generator);
+        schemars::json_schema!({ "anyOf": [{ "type": "number" }, law] })
+    }
+}

@@ -1,0 +1,72 @@
+//! The sections of a case file that say what touches and how it creeps: numbers, cheap to clone.
+
+use creepage::{Contact, Hertz};
+
+use super::body::Body;
+use super::contact::ContactSection;
+use super::creepage::CreepageSection;
+use super::error::CaseError;
+use super::layer::LayerSection;
+
+/// Two bodies, what presses them together, and how they creep.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Sections {
+    pub(crate) upper: Body,
+    pub(crate) lower: Body,
+    pub(crate) contact: ContactSection,
+    pub(crate) layer: Option<LayerSection>,
+    pub(crate) creepage: CreepageSection,
+}
+
+/// Two bodies pressed together, with friction.
+pub(crate) struct Touching {
+    pub(crate) hertz: Hertz,
+    pub(crate) friction: f64,
+    pub(crate) contact: Contact,
+    /// Rolling velocity (m/s), where it is given.
+    pub(crate) speed: Option<f64>,
+}
+
+impl Sections {
+    /// The contact alone.
+    pub(crate) fn hertz(&self) -> Result<Hertz, CaseError> {
+        self.contact.hertz(&self.upper, &self.lower)
+    }
+
+    /// The contact as a theory of rolling needs it.
+    pub(crate) fn touching(&self) -> Result<Touching, CaseError> {
+        let hertz = self.hertz()?;
+        check_aligned(self.contact.angle, &hertz)?;
+        let friction = self.contact.friction.as_ref().ok_or_else(|| CaseError::Missing {
+            section: "contact".into(),
+            key: "friction".into(),
+        })?;
+        let speed = self.creepage.speed()?;
+        let contact = friction.contact(&hertz, speed)?;
+        let contact = match &self.layer {
+            Some(layer) => contact.with_layer(layer.layer()?),
+            None => contact,
+        };
+        Ok(Touching { hertz, friction: friction.at_rest()?, contact, speed })
+    }
+
+    /// The smallest of the bodies' radii (m), its size, where one is given.
+    pub(crate) fn smallest_radius(&self) -> Option<f64> {
+        let radii = [self.upper, self.lower].map(|body| body.smallest_radius());
+        radii.into_iter().flatten().reduce(f64::min).filter(|radius| radius.is_finite())
+    }
+}
+
+/// The axes of the ellipse must lie along and across the rolling direction.
+pub(crate) fn check_aligned(angle: Option<f64>, contact: &Hertz) -> Result<(), CaseError> {
+    // Rounding of an angle of 90 degrees, or of a circle's axes, is not a tilt.
+    const TOLERANCE: f64 = 1e-9;
+    let circular = 1.0 - contact.ellipse().g() < TOLERANCE;
+    if circular || contact.angle().abs() < TOLERANCE {
+        return Ok(());
+    }
+    Err(CaseError::Tilted {
+        angle: angle.unwrap_or(0.0),
+        ellipse_angle: contact.angle().to_degrees(),
+    })
+}

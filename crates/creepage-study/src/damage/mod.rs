@@ -1,0 +1,58 @@
+//! Wear and fatigue numbers of a solved case.
+
+mod csv;
+mod numbers;
+mod picture;
+mod rows;
+mod section;
+mod text;
+
+pub(crate) use numbers::Ground;
+pub use numbers::{Damage, WearRow};
+pub(crate) use rows::of_elements;
+pub(crate) use section::DamageSection;
+pub use section::DamageWanted;
+
+use creepage::below::Body;
+use creepage::damage::{Shakedown, ShakedownBlock, shakedown};
+
+use crate::stresses::StressError;
+use crate::{SolvedCase, Stresses};
+
+impl SolvedCase {
+    /// Wear and fatigue numbers by the laws that the case's `[damage]` sets, computed when they are first
+    /// asked for; `None` where it has none.
+    ///
+    /// # Errors
+    /// [`StressError`] for tractions that are not finite, where the shakedown limit is wanted.
+    pub fn damage(&self) -> Result<Option<&Damage>, StressError> {
+        let damage = self.damage.get_or_init(|| self.compute_damage());
+        damage.as_ref().map(Option::as_ref).map_err(Clone::clone)
+    }
+
+    fn compute_damage(&self) -> Result<Option<Damage>, StressError> {
+        let Some(wanted) = &self.case.damage else { return Ok(None) };
+        let (hertz, scaling, rows) = (&self.case.hertz, self.scaling(), self.rows());
+        let ground = Ground {
+            force: scaling.si_force(self.solution().force),
+            creepage: scaling.si_creepage(self.creepage()),
+            normal: hertz.normal_force(),
+            area: hertz.ellipse().area(),
+            peak: hertz.peak_pressure(),
+            speed: self.case.speed,
+            rows: rows.as_deref(),
+        };
+        let limit = wanted.shakedown.then(|| self.shakedown()).transpose()?;
+        Ok(Some(Damage::new(wanted, &ground, limit)))
+    }
+
+    /// Melan's bound for the lower body.
+    fn shakedown(&self) -> Result<Shakedown, StressError> {
+        let ellipse = self.case.hertz.ellipse();
+        let [_, lower] = self.case.solids;
+        let (interior, settled) = Stresses::interior(self, lower, Body::Lower)?;
+        let block =
+            ShakedownBlock { top: settled, ..ShakedownBlock::of([ellipse.a(), ellipse.b()]) };
+        Ok(shakedown(&interior, &block)?)
+    }
+}

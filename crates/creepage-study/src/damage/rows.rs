@@ -1,0 +1,77 @@
+//! The elements through which the material runs, row by row across the contact.
+
+use creepage::coulomb::ElementField;
+use creepage::damage::{ElementState, Row};
+use creepage::{Region, Scaling};
+
+use crate::SolvedCase;
+
+/// Rows across, and elements along each.
+const ROWS: u8 = 60;
+const ELEMENTS: u8 = 80;
+
+impl SolvedCase {
+    /// Rows of equal width, each of elements of equal length over its own. `None` where the theory
+    /// gives no slip.
+    pub(super) fn rows(&self) -> Option<Vec<Row>> {
+        (0..ROWS).map(|j| self.wear_row(middle(j, ROWS))).collect()
+    }
+
+    /// The row at `t` of the half-width.
+    fn wear_row(&self, t: f64) -> Option<Row> {
+        let (ellipse, scaling) = (self.case.hertz.ellipse(), self.scaling());
+        let root = ((1.0 - t) * (1.0 + t)).sqrt();
+        let places: Vec<_> = (0..ELEMENTS).map(|i| [root * middle(i, ELEMENTS), t]).collect();
+        let width = 2.0 * ellipse.b() / f64::from(ROWS);
+        let length = 2.0 * ellipse.a() * root / f64::from(ELEMENTS);
+        let field = self.field(&self.positions(&places));
+        let element = |(point, [x, y]): (&creepage::FieldPoint, &[f64; 2])| {
+            let slides = point.region == Region::Slip;
+            let slip = if slides { point.slip } else { [0.0; 2] };
+            let known = slip.iter().all(|s| s.is_finite());
+            known.then(|| ElementState {
+                pressure: (1.0 - x * x - y * y).max(0.0).sqrt() * self.case.hertz.peak_pressure(),
+                traction: point.traction.map(|t| t * scaling.traction),
+                slip: slip.map(|s| s * scaling.slip),
+                area: length * width,
+                length,
+            })
+        };
+        let elements = field.iter().zip(&places).map(element).collect::<Option<_>>()?;
+        Some(Row { y: t * ellipse.b(), width, elements })
+    }
+}
+
+/// Middle of piece `k` of `count` between -1 and 1.
+fn middle(k: u8, count: u8) -> f64 {
+    (2.0 * f64::from(k) + 1.0) / f64::from(count) - 1.0
+}
+
+/// The rows of elements that come strip by strip; `normal` is the load (N).
+pub(crate) fn of_elements(elements: &[ElementField], scaling: Scaling, normal: f64) -> Vec<Row> {
+    let borders = |element: &ElementField| element.corners.map(|[_, y]| y.to_bits());
+    let same = |one: &ElementField, two: &ElementField| borders(one) == borders(two);
+    let rows = elements.chunk_by(same).map(|row| {
+        let states: Vec<_> = row.iter().map(|element| state(element, scaling, normal)).collect();
+        let [low, high] = row.first().map_or([0.0; 2], |first| [0, 1].map(|k| first.corners[k][1]));
+        Row {
+            y: scaling.length * 0.5 * (low + high),
+            width: scaling.length * (high - low).abs(),
+            elements: states,
+        }
+    });
+    rows.collect()
+}
+
+fn state(element: &ElementField, scaling: Scaling, normal: f64) -> ElementState {
+    let [p, q, r, s] = element.corners;
+    let cross = (r[0] - p[0]) * (s[1] - q[1]) - (s[0] - q[0]) * (r[1] - p[1]);
+    let area = 0.5 * cross.abs() * scaling.length * scaling.length;
+    ElementState {
+        pressure: element.share * normal / area,
+        traction: element.point.traction.map(|t| t * scaling.traction),
+        slip: element.point.slip.map(|s| s * scaling.slip),
+        area,
+        length: scaling.length * 0.5 * (p[0] + q[0] - r[0] - s[0]).abs(),
+    }
+}

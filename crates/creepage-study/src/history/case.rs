@@ -1,0 +1,267 @@
+//! A contact that rolls, every number of it checked.
+
+use creepage::approximate::carter::LineContact;
+use creepage::coulomb::Resolution;
+use creepage::unsteady::{Motion, Prescribed, Rolled, Rolling};
+use creepage::{Contact, InvalidValue, Scaling, SolidPair, TheorySpec};
+
+use super::error::HistoryError;
+use super::file::{RollFile, StartTraction};
+use crate::CaseError;
+use crate::case::contact::ContactSection;
+use crate::case::sections::check_aligned;
+use crate::case::solve;
+
+/// A contact that rolls by a history.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RollCase {
+    /// The units of its nominal load.
+    pub scaling: Scaling,
+    /// Normal force (N), or load of the line (N/m).
+    pub load: f64,
+    /// Coefficient of friction.
+    pub friction: f64,
+    pub(super) kind: Kind,
+    pub(super) start: Start,
+}
+
+#[allow(clippy::large_enum_variant)] // one a case
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Kind {
+    Ellipse {
+        contact: Contact,
+        resolution: Resolution,
+    },
+    /// Length over the half-width, where it is given.
+    Line {
+        length: Option<f64>,
+        poisson: f64,
+    },
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Start {
+    None,
+    Steady,
+    /// Forces over `mu N`.
+    Shift([f64; 2]),
+}
+
+/// How the bodies move up to some distance.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct HistoryMotion {
+    /// Dimensionless in the units of the nominal load.
+    pub motion: Motion,
+    /// Normal force over the nominal one.
+    pub load: f64,
+}
+
+/// Of a line whose length does not matter.
+const LONG: f64 = 1000.0;
+
+impl RollFile {
+    /// The case, every number of it checked.
+    ///
+    /// # Errors
+    /// [`HistoryError`] for numbers out of range, contradictions, bodies without such a contact, and
+    /// theories of steady rolling.
+    pub fn case(&self) -> Result<RollCase, HistoryError> {
+        let resolution = self.resolution()?;
+        let case = match (self.contact.normal_force, self.contact.line_load) {
+            (Some(_), Some(_)) => {
+                let (first, second) = (("contact", "normal_force"), ("contact", "line_load"));
+                return Err(CaseError::Conflict { first, second }.into());
+            }
+            (None, None) => {
+                let keys = ["normal_force", "line_load"];
+                return Err(CaseError::MissingEither { section: "contact", keys }.into());
+            }
+            (Some(force), None) => self.ellipse(force, resolution)?,
+            (None, Some(load)) => self.line(load)?,
+        };
+        let start = self.starting(case.scaling.force)?;
+        Ok(RollCase { start, ..case })
+    }
+
+    fn resolution(&self) -> Result<Resolution, HistoryError> {
+        let spec = solve::from_table(&self.solve).map_err(CaseError::Spec)?;
+        let TheorySpec::Exact(options) = &spec else {
+            return Err(HistoryError::Theory { theory: spec.facts().name });
+        };
+        let invalid = |error| match error {
+            creepage::theory::TheoryError::Invalid(invalid) => CaseError::invalid("solve")(invalid),
+            _ => CaseError::Invalid {
+                section: "solve",
+                invalid: InvalidValue {
+                    quantity: "accuracy",
+                    value: options.accuracy.unwrap_or(f64::NAN),
+                    valid: "left out with a fixed resolution",
+                },
+            },
+        };
+        options.fixed_resolution().map_err(invalid)?.ok_or(HistoryError::Automatic)
+    }
+
+    fn ellipse(&self, normal_force: f64, resolution: Resolution) -> Result<RollCase, HistoryError> {
+        let own = &self.contact;
+        let only_of_lines =
+            [("length", own.length.is_some()), ("radius_rolling", own.radius_rolling.is_some())];
+        if let Some((key, _)) = only_of_lines.into_iter().find(|(_, given)| *given) {
+            let why = "goes with line_load alone";
+            return Err(HistoryError::Foreign { section: "contact", key, why });
+        }
+        let section = ContactSection {
+            normal_force,
+            friction: None,
+            angle: own.angle,
+            semi_axis_rolling: own.semi_axis_rolling,
+            semi_axis_lateral: own.semi_axis_lateral,
+        };
+        let hertz = section.hertz(&self.upper, &self.lower)?;
+        check_aligned(own.angle, &hertz)?;
+        let contact = hertz.with_friction(own.friction).map_err(CaseError::invalid("contact"))?;
+        let (scaling, kind) = (contact.scaling(), Kind::Ellipse { contact, resolution });
+        Ok(RollCase {
+            scaling,
+            load: normal_force,
+            friction: own.friction,
+            kind,
+            start: Start::None,
+        })
+    }
+
+    fn line(&self, load: f64) -> Result<RollCase, HistoryError> {
+        let (own, invalid) = (&self.contact, CaseError::invalid("contact"));
+        let only_of_ellipses = [
+            ("angle", own.angle.is_some()),
+            ("semi_axis_rolling", own.semi_axis_rolling.is_some()),
+            ("semi_axis_lateral", own.semi_axis_lateral.is_some()),
+        ];
+        if let Some((key, _)) = only_of_ellipses.into_iter().find(|(_, given)| *given) {
+            let why = "goes with normal_force alone";
+            return Err(HistoryError::Foreign { section: "contact", key, why });
+        }
+        let pair = SolidPair::new(self.upper.solid("upper")?, self.lower.solid("lower")?);
+        if !(own.friction.is_finite() && own.friction > 0.0) {
+            let valid = "finite and greater than zero";
+            let friction = InvalidValue { quantity: "friction", value: own.friction, valid };
+            return Err(invalid(friction).into());
+        }
+        let line = LineContact::new(pair, self.radii()?, load).map_err(&invalid)?;
+        let length = own.length.map(|length| length / line.half_width());
+        let poisson = pair.poisson();
+        let scaling = Scaling {
+            length: line.half_width(),
+            slip: own.friction * line.half_width() / line.rho(),
+            force: own.friction * load,
+            traction: own.friction * line.peak_pressure(),
+        };
+        let kind = Kind::Line { length, poisson };
+        Ok(RollCase { scaling, load, friction: own.friction, kind, start: Start::None })
+    }
+
+    /// Radii along the rolling direction, those of the bodies or the one of both.
+    fn radii(&self) -> Result<[f64; 2], CaseError> {
+        let metres = |section: &'static str, radius: crate::case::radius::Radius| {
+            radius.metres().map_err(|value| {
+                let valid = crate::case::radius::Radius::VALID;
+                CaseError::Radius { section, key: "radius_rolling", value, valid }
+            })
+        };
+        if let Some(radius) = self.contact.radius_rolling {
+            let bodies = [("upper", &self.upper), ("lower", &self.lower)];
+            let other = bodies.into_iter().find(|(_, body)| body.radius_rolling.is_some());
+            if let Some((section, _)) = other {
+                let (first, key) = (("contact", "radius_rolling"), "radius_rolling");
+                return Err(CaseError::Conflict { first, second: (section, key) });
+            }
+            return Ok([metres("contact", radius)?, f64::INFINITY]);
+        }
+        let of = |section: &'static str, radius: Option<crate::case::radius::Radius>| {
+            let missing =
+                || CaseError::Missing { section: section.into(), key: "radius_rolling".into() };
+            metres(section, radius.ok_or_else(missing)?)
+        };
+        Ok([of("upper", self.upper.radius_rolling)?, of("lower", self.lower.radius_rolling)?])
+    }
+
+    fn starting(&self, most: f64) -> Result<Start, HistoryError> {
+        let own = &self.start;
+        let given =
+            [("longitudinal_force", own.longitudinal_force), ("lateral_force", own.lateral_force)];
+        if own.traction == StartTraction::Shift {
+            let force = given.map(|(_, value)| value.unwrap_or(0.0));
+            let size = force[0].hypot(force[1]);
+            // Written so that a force that is no number is refused too.
+            if size < most {
+                return Ok(Start::Shift(force.map(|force| force / most)));
+            }
+            return Err(HistoryError::Start { force: size, most });
+        }
+        if let Some((key, _)) = given.into_iter().find(|(_, value)| value.is_some()) {
+            let why = "goes with traction = \"shift\"";
+            return Err(HistoryError::Foreign { section: "start", key, why });
+        }
+        Ok(if own.traction == StartTraction::Steady { Start::Steady } else { Start::None })
+    }
+}
+
+impl RollCase {
+    /// The contact in its starting state; `first` is the motion of steady rolling if that is it.
+    ///
+    /// # Errors
+    /// [`HistoryError::Contact`] when the contact cannot be prepared.
+    pub fn begin(&self, first: &HistoryMotion) -> Result<Rolling, HistoryError> {
+        let mut rolling = self.prepared().map_err(HistoryError::Contact)?;
+        match self.start {
+            Start::None => rolling.start_with_load(first.load),
+            Start::Steady => rolling
+                .start_with_load(first.load)
+                .and_then(|()| rolling.start_steady(&first.motion).map(drop)),
+            Start::Shift([fx, fy]) => rolling.shift(fx, fy).map(drop),
+        }
+        .map_err(HistoryError::Contact)?;
+        Ok(rolling)
+    }
+
+    /// The contact just pressed together.
+    pub(super) fn prepared(&self) -> Result<Rolling, InvalidValue> {
+        match self.kind {
+            Kind::Ellipse { contact, resolution } => Rolling::new(&contact, resolution),
+            Kind::Line { length, poisson } => Rolling::line(length.unwrap_or(LONG), poisson),
+        }
+    }
+
+    /// Rolls on to a distance (m).
+    ///
+    /// # Errors
+    /// [`InvalidValue`] as [`Rolling::step`].
+    pub fn roll(
+        &self,
+        rolling: &mut Rolling,
+        length: f64,
+        motion: &HistoryMotion,
+    ) -> Result<Rolled, InvalidValue> {
+        rolling.press(motion.load)?;
+        rolling.step(length / self.scaling.length, &motion.motion)
+    }
+
+    /// Whether it is a line contact.
+    #[must_use]
+    pub fn is_line(&self) -> bool {
+        matches!(self.kind, Kind::Line { .. })
+    }
+
+    /// Whether it is a line contact without a length.
+    pub(super) fn lacks_length(&self) -> bool {
+        matches!(self.kind, Kind::Line { length: None, .. })
+    }
+}
+
+/// A force in SI units over its unit.
+pub(super) fn over(prescribed: Prescribed, unit: f64) -> Prescribed {
+    match prescribed {
+        Prescribed::Creepage(value) => Prescribed::Creepage(value / unit),
+        Prescribed::Force(value) => Prescribed::Force(value / unit),
+    }
+}

@@ -1,0 +1,203 @@
+//! The table of how the bodies move.
+
+use std::io::Read;
+
+use creepage::InvalidValue;
+use creepage::unsteady::{Motion, Prescribed};
+
+use super::case::{HistoryMotion, RollCase, over};
+use super::error::HistoryError;
+use crate::case::similar::similar;
+
+/// One row: a distance, and how the bodies move up to it from that of the row before.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct HistoryRow {
+    /// Distance rolled at its end (m).
+    pub distance: f64,
+    /// Motion and load.
+    pub motion: HistoryMotion,
+}
+
+/// All rows, every number of them checked.
+#[derive(Debug, Clone, PartialEq)]
+pub struct History {
+    /// In order of the distance.
+    pub rows: Vec<HistoryRow>,
+}
+
+/// What a column holds.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Kind {
+    Distance,
+    NormalForce,
+    /// The creepage of a component, in SI units.
+    Si(usize),
+    Dimensionless(usize),
+    Force(usize),
+}
+
+const COLUMNS: [(&str, Kind); 11] = [
+    ("distance", Kind::Distance),
+    ("normal_force", Kind::NormalForce),
+    ("longitudinal", Kind::Si(0)),
+    ("lateral", Kind::Si(1)),
+    ("spin", Kind::Si(2)),
+    ("xi", Kind::Dimensionless(0)),
+    ("eta", Kind::Dimensionless(1)),
+    ("chi", Kind::Dimensionless(2)),
+    ("longitudinal_force", Kind::Force(0)),
+    ("lateral_force", Kind::Force(1)),
+    ("moment", Kind::Force(2)),
+];
+
+type Column = (&'static str, Kind);
+
+impl Kind {
+    /// The component that it moves.
+    fn component(self) -> Option<usize> {
+        match self {
+            Self::Si(k) | Self::Dimensionless(k) | Self::Force(k) => Some(k),
+            Self::Distance | Self::NormalForce => None,
+        }
+    }
+
+    fn is_creepage(self) -> bool {
+        matches!(self, Self::Si(_) | Self::Dimensionless(_))
+    }
+}
+
+impl History {
+    /// Reads a table in CSV: `distance` (m); of each component of the motion the creepage in SI units
+    /// (`longitudinal`, `lateral`, `spin`), the dimensionless one (`xi`, `eta`, `chi`) or the force
+    /// (`longitudinal_force`, `lateral_force`, `moment`), zero creepage if none; `normal_force`.
+    ///
+    /// # Errors
+    /// [`HistoryError`] that names the column, and the row.
+    pub fn read(input: impl Read, case: &RollCase) -> Result<Self, HistoryError> {
+        let mut reader = csv::ReaderBuilder::new()
+            .flexible(true)
+            .trim(csv::Trim::All)
+            .comment(Some(b'#'))
+            .from_reader(input);
+        let columns = columns(reader.headers()?, case)?;
+        let mut rows: Vec<HistoryRow> = Vec::new();
+        for (index, record) in reader.records().enumerate() {
+            let before = rows.last().map_or(0.0, |row| row.distance);
+            rows.push(row(index + 1, &record?, &columns, case, before)?);
+        }
+        if rows.is_empty() { Err(HistoryError::Empty) } else { Ok(Self { rows }) }
+    }
+}
+
+fn columns(header: &csv::StringRecord, case: &RollCase) -> Result<Vec<Column>, HistoryError> {
+    let found = header.iter().map(|name| named(name.trim_start_matches('\u{feff}')));
+    let found = found.collect::<Result<Vec<_>, _>>()?;
+    for (index, (first, kind)) in found.iter().enumerate() {
+        let is_same = |other: &Kind| {
+            other == kind || kind.component().is_some_and(|k| other.component() == Some(k))
+        };
+        if let Some((second, _)) = found[index + 1..].iter().find(|(_, other)| is_same(other)) {
+            return Err(HistoryError::TwoColumns { first, second });
+        }
+        let foreign = *kind == Kind::NormalForce || kind.component() == Some(2);
+        if foreign && case.is_line() {
+            return Err(HistoryError::NotOfALine { column: first });
+        }
+        if kind.is_creepage() && case.lacks_length() {
+            return Err(HistoryError::NoLength { column: first });
+        }
+    }
+    let has_distance = found.iter().any(|(_, kind)| *kind == Kind::Distance);
+    let is_held = found.iter().any(|(_, kind)| *kind == Kind::Force(0));
+    if !has_distance {
+        return Err(HistoryError::NoDistance);
+    }
+    if case.lacks_length() && !is_held {
+        return Err(HistoryError::NoLength { column: "longitudinal" });
+    }
+    Ok(found)
+}
+
+fn named(name: &str) -> Result<Column, HistoryError> {
+    COLUMNS.into_iter().find(|(known, _)| *known == name).ok_or_else(|| {
+        let names = COLUMNS.map(|(known, _)| known);
+        let hint = match similar(name, &names) {
+            Some(likely) => format!("did you mean `{likely}`?"),
+            None => format!("known are {}", names.join(", ")),
+        };
+        HistoryError::UnknownColumn { name: name.into(), hint }
+    })
+}
+
+fn row(
+    number: usize,
+    record: &csv::StringRecord,
+    columns: &[Column],
+    case: &RollCase,
+    before: f64,
+) -> Result<HistoryRow, HistoryError> {
+    let (found, expected) = (record.len(), columns.len());
+    if found != expected {
+        return Err(HistoryError::Fields { row: number, found, expected });
+    }
+    let units = &case.scaling;
+    let mut distance = f64::NAN;
+    let mut load = 1.0;
+    let mut parts = [Prescribed::Creepage(0.0); 3];
+    for (text, (column, kind)) in record.iter().zip(columns) {
+        let value = value(number, column, text)?;
+        match *kind {
+            Kind::Distance => distance = value,
+            Kind::NormalForce => load = normal(number, value, case.load)?,
+            Kind::Si(k) => {
+                let unit = [units.slip, units.slip, units.slip / units.length][k];
+                parts[k] = over(Prescribed::Creepage(value), unit);
+            }
+            Kind::Dimensionless(k) => parts[k] = Prescribed::Creepage(value),
+            Kind::Force(k) => {
+                let unit = [units.force, units.force, units.force * units.length][k];
+                parts[k] = over(Prescribed::Force(value), unit);
+            }
+        }
+    }
+    if distance.is_nan() || distance <= before {
+        return Err(HistoryError::Distance { row: number, value: distance, before });
+    }
+    let [longitudinal, lateral, spin] = parts;
+    let motion = HistoryMotion { motion: Motion { longitudinal, lateral, spin }, load };
+    within(number, &motion, units.force)?;
+    Ok(HistoryRow { distance, motion })
+}
+
+fn value(row: usize, column: &'static str, text: &str) -> Result<f64, HistoryError> {
+    let not_a_number = || HistoryError::NotANumber { row, column, text: text.into() };
+    let value: f64 = text.parse().map_err(|_| not_a_number())?;
+    // As large as any creepage may be, and safe to square.
+    if value.abs() <= 1e100 {
+        return Ok(value);
+    }
+    let invalid = InvalidValue { quantity: column, value, valid: "between -1e100 and 1e100" };
+    Err(HistoryError::value(row)(invalid))
+}
+
+/// A normal force over the nominal one.
+fn normal(row: usize, value: f64, nominal: f64) -> Result<f64, HistoryError> {
+    let valid = "between zero and a million times that of the case";
+    let load = value / nominal;
+    let invalid = InvalidValue { quantity: "normal_force", value, valid };
+    if (0.0..=1e6).contains(&load) { Ok(load) } else { Err(HistoryError::value(row)(invalid)) }
+}
+
+/// Friction must be able to give the forces of a row.
+fn within(row: usize, motion: &HistoryMotion, unit: f64) -> Result<(), HistoryError> {
+    let parts = [motion.motion.longitudinal, motion.motion.lateral];
+    let [fx, fy] = parts.map(|part| match part {
+        Prescribed::Force(value) => value,
+        Prescribed::Creepage(_) => 0.0,
+    });
+    let force = fx.hypot(fy);
+    if force <= motion.load {
+        return Ok(());
+    }
+    Err(HistoryError::BeyondFriction { row, force: force * unit, most: motion.load * unit })
+}

@@ -1,0 +1,121 @@
+//! The case file of a contact that rolls by a history.
+
+use creepage::TheorySpec;
+use schemars::JsonSchema;
+use serde::Deserialize;
+use serde_json::Value;
+use toml::Table;
+
+use super::error::HistoryError;
+use crate::CaseError;
+use crate::case::body::Body;
+use crate::case::keys;
+use crate::case::radius::Radius;
+use crate::case::schema::schema_of;
+
+/// A contact that rolls as a table says, in SI units: two elastic bodies, what presses them together,
+/// and the state in which they start.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(title = "creepage case file of a history")]
+pub struct RollFile {
+    /// The upper body, such as a wheel.
+    pub(super) upper: Body,
+    /// The lower body, such as a rail.
+    pub(super) lower: Body,
+    /// The contact of the two: an ellipse by `normal_force`, or a line by `line_load`.
+    pub(super) contact: ContactSection,
+    /// The state in which rolling starts.
+    #[serde(default)]
+    pub(super) start: StartSection,
+    /// The theory, "exact", and its options.
+    #[serde(default)]
+    #[schemars(with = "TheorySpec")]
+    pub(super) solve: Table,
+}
+
+/// The load and the friction, and what is known of the contact area.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(super) struct ContactSection {
+    /// Normal force N (N); of all rows that have none of their own. Give this or `line_load`.
+    pub(super) normal_force: Option<f64>,
+    /// Coefficient of friction mu.
+    pub(super) friction: f64,
+    /// Angle from the upper body's rolling section to the lower body's (degrees); 0 by default.
+    pub(super) angle: Option<f64>,
+    /// Semi-axis of the contact ellipse along the rolling direction (m). Both semi-axes replace the
+    /// bodies' radii.
+    pub(super) semi_axis_rolling: Option<f64>,
+    /// Semi-axis of the contact ellipse across the rolling direction (m).
+    pub(super) semi_axis_lateral: Option<f64>,
+    /// Normal force per length of two cylinders with parallel axes (N/m), by whose `radius_rolling` the
+    /// contact is a line. Forces are then per length too.
+    pub(super) line_load: Option<f64>,
+    /// With `line_load`: radius of one cylinder on a plane that is curved as the two together (m), in
+    /// place of the bodies' radii.
+    pub(super) radius_rolling: Option<Radius>,
+    /// With `line_load`: length of the cylinders (m), needed where a creepage is prescribed.
+    pub(super) length: Option<f64>,
+}
+
+/// How the traction is distributed before rolling.
+#[derive(Debug, Clone, PartialEq, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(super) struct StartSection {
+    /// "none" by default; "steady": rolling has been steady, with the motion of the first row; "shift":
+    /// the bodies were shifted against each other by the forces below.
+    #[serde(default)]
+    pub(super) traction: StartTraction,
+    /// With "shift": longitudinal force on the lower body (N), held while shifting.
+    pub(super) longitudinal_force: Option<f64>,
+    /// With "shift": lateral force on the lower body (N), held while shifting.
+    pub(super) lateral_force: Option<f64>,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub(super) enum StartTraction {
+    /// No traction.
+    #[default]
+    None,
+    /// That of steady rolling with the motion of the first row.
+    Steady,
+    /// That of a shift.
+    Shift,
+}
+
+impl RollFile {
+    /// Reads the text of a case file and checks its form: TOML, sections, keys and kinds of values.
+    ///
+    /// # Errors
+    /// [`HistoryError`] that says where the text is not such a case file.
+    pub fn read(text: &str) -> Result<Self, HistoryError> {
+        let table: Table = text.parse().map_err(CaseError::Toml)?;
+        for section in ["creepage", "wanted"] {
+            if table.contains_key(section) {
+                return Err(HistoryError::Section { section });
+            }
+        }
+        keys::check(&table, &roll_json_schema())?;
+        Ok(toml::from_str(text).map_err(CaseError::Toml)?)
+    }
+}
+
+/// The JSON schema (draft 2020-12) of the case file of a history, for editors and validators.
+///
+/// ```
+/// let schema = creepage_study::roll_json_schema();
+/// assert!(schema["properties"]["start"]["properties"]["traction"].is_object());
+/// ```
+#[must_use]
+pub fn roll_json_schema() -> Value {
+    let mut schema = schema_of::<RollFile>();
+    let theories = schema["properties"]["solve"]["oneOf"].as_array_mut();
+    for theory in theories.into_iter().flatten() {
+        if theory["properties"]["theory"]["const"] == TheorySpec::default().facts().name {
+            theory["required"] = Value::Array(Vec::new());
+        }
+    }
+    schema
+}

@@ -1,0 +1,145 @@
+//! A history on its way: a row of results for each of its rows.
+
+use creepage::Region;
+use creepage::unsteady::{Rolled, Rolling, Saved};
+
+use super::case::RollCase;
+use super::columns::History;
+use super::error::HistoryError;
+
+/// The columns of the results.
+pub const HISTORY_COLUMNS: [&str; 12] = [
+    "distance_m",
+    "xi",
+    "eta",
+    "chi",
+    "fx",
+    "fy",
+    "mz",
+    "longitudinal_n",
+    "lateral_n",
+    "moment_n_m",
+    "adhesion_share",
+    "status",
+];
+
+/// Contacts that are kept for the picture.
+const STATIONS: usize = 6;
+
+/// The contact at some distance.
+#[derive(Debug, Clone)]
+pub(super) struct Station {
+    /// Distance rolled (m).
+    pub distance: f64,
+    /// Corners of each element over the unit of length, and whether it slides.
+    pub elements: Vec<([[f64; 2]; 4], bool)>,
+}
+
+/// A history that is being rolled.
+#[derive(Debug)]
+pub struct HistoryRun<'a> {
+    case: &'a RollCase,
+    history: &'a History,
+    rolling: Rolling,
+    done: usize,
+    /// Results so far.
+    results: Vec<(f64, Rolled)>,
+    stations: Vec<Station>,
+}
+
+impl<'a> HistoryRun<'a> {
+    /// Prepares the contact in its starting state.
+    ///
+    /// # Errors
+    /// [`HistoryError::Contact`] when the contact cannot be prepared.
+    pub fn new(case: &'a RollCase, history: &'a History) -> Result<Self, HistoryError> {
+        let first = history.rows.first().ok_or(HistoryError::Empty)?;
+        let rolling = case.begin(&first.motion)?;
+        Ok(Self { case, history, rolling, done: 0, results: Vec::new(), stations: Vec::new() })
+    }
+
+    /// Goes on after `done` rows from the bytes of [`HistoryRun::state`]; false when they are of no use.
+    #[must_use]
+    pub fn resume(&mut self, done: usize, bytes: &[u8]) -> bool {
+        let saved = Saved::from_bytes(bytes, &self.rolling);
+        let restored = saved.and_then(|saved| self.rolling.restore(&saved));
+        let is_resumed = restored.is_ok() && done <= self.history.rows.len();
+        if is_resumed {
+            self.done = done;
+        }
+        is_resumed
+    }
+
+    /// Number of rows that are done.
+    #[must_use]
+    pub fn done(&self) -> usize {
+        self.done
+    }
+
+    /// The state after the last row, for [`HistoryRun::resume`].
+    #[must_use]
+    pub fn state(&self) -> Vec<u8> {
+        self.rolling.save().to_bytes()
+    }
+
+    /// Rolls to the end of the next row: its distance (m) and what it leads to; `None` at the end.
+    ///
+    /// # Errors
+    /// [`HistoryError::Value`]; none for a history that was read for the case.
+    pub fn next_row(&mut self) -> Result<Option<(f64, Rolled)>, HistoryError> {
+        let Some(row) = self.history.rows.get(self.done) else { return Ok(None) };
+        let before = self.done.checked_sub(1).and_then(|last| self.history.rows.get(last));
+        let length = row.distance - before.map_or(0.0, |row| row.distance);
+        let rolled = self
+            .case
+            .roll(&mut self.rolling, length, &row.motion)
+            .map_err(HistoryError::value(self.done + 1))?;
+        self.done += 1;
+        self.results.push((row.distance, rolled));
+        if self.is_station() {
+            self.keep(row.distance);
+        }
+        Ok(Some((row.distance, rolled)))
+    }
+
+    /// Whether the row just done is one of those evenly spread over the history.
+    fn is_station(&self) -> bool {
+        let rows = self.history.rows.len();
+        let station = |done: usize| done * STATIONS.min(rows) / rows;
+        station(self.done) > station(self.done - 1)
+    }
+
+    fn keep(&mut self, distance: f64) {
+        let slides = |region: Region| region == Region::Slip;
+        let elements = self.rolling.elements().into_iter();
+        let elements = elements.map(|one| (one.corners, slides(one.point.region))).collect();
+        self.stations.push(Station { distance, elements });
+    }
+
+    /// The results of one row as they stand in the table.
+    #[must_use]
+    pub fn record(&self, distance: f64, rolled: &Rolled) -> [String; 12] {
+        let force = self.case.scaling.si_force(rolled.solution.force);
+        let [xi, eta, chi] = rolled.creepage.components();
+        let [fx, fy, mz] = rolled.solution.force.components();
+        let (longitudinal, lateral, moment) = (force.longitudinal, force.lateral, force.moment);
+        let share = rolled.adhesion_share;
+        let numbers =
+            [distance, xi, eta, chi, fx, fy, mz, longitudinal, lateral, moment, share, 0.0];
+        let mut record = numbers.map(|number| format!("{number:?}"));
+        record[11] = rolled.solution.status.name().into();
+        record
+    }
+
+    pub(super) fn results(&self) -> &[(f64, Rolled)] {
+        &self.results
+    }
+
+    pub(super) fn stations(&self) -> &[Station] {
+        &self.stations
+    }
+
+    pub(super) fn case(&self) -> &RollCase {
+        self.case
+    }
+}

@@ -1,0 +1,270 @@
+//! A wheelset solved: its contacts, what they do to the rails, what may be off.
+
+use creepage::coulomb::ElementField;
+use creepage::normal::NormalContact;
+use creepage::theory::Solved;
+use creepage::{Force, Region, Scaling, SiForce, Status, normal};
+use creepage_plot::signed_area;
+use creepage_rail::{Motion, Position, RollingCreepage, Running, Side};
+
+use super::case::RigidSlip;
+use super::resultant::Resultant;
+use super::solver::{Pressed, PressedWheel, Rolled};
+use crate::GapCaution;
+
+/// A wheelset whose contacts are solved.
+#[derive(Debug, Clone)]
+pub struct SolvedWheelset {
+    /// The left wheel; `None` where the right one was solved alone.
+    pub left: Option<SolvedWheel>,
+    /// The right wheel; `None` where the left one was solved alone.
+    pub right: Option<SolvedWheel>,
+    /// How it moves, with the pitch rate that was given or found.
+    pub motion: Motion,
+    /// Coefficient of friction.
+    pub friction: f64,
+    /// What the surfaces slide by before they deform.
+    pub slip: RigidSlip,
+}
+
+/// One wheel of a solved wheelset.
+#[derive(Debug, Clone)]
+pub struct SolvedWheel {
+    /// Its side of the track.
+    pub side: Side,
+    /// Where the wheelset stands for it.
+    pub position: Position,
+    /// How far it was brought down from first touch to carry its load (m); zero where its height
+    /// was given.
+    pub(super) depth: f64,
+    /// Origin of the rail's profile in track axes (m).
+    pub rail_origin: [f64; 3],
+    contacts: Vec<SolvedContact>,
+}
+
+/// One place of contact, in one plane: mostly one area, several where they lie close together.
+///
+/// Its axes are `x` forward, `s = (cos angle, sin angle)` in the track's `(y, z)`, and the normal
+/// into the rail; its forces are those of the wheel on the rail.
+#[derive(Debug, Clone)]
+pub struct SolvedContact {
+    /// Its side of the track.
+    pub side: Side,
+    /// The reference point in track axes (m), on the rail.
+    pub reference: [f64; 3],
+    /// Rotation about `x` from the track's `z` to the normal into the rail (rad).
+    pub angle: f64,
+    /// `y` of the reference point in the rail's profile (m), to the field side.
+    pub y_rail: f64,
+    /// `y` of the reference point in the wheel's profile (m), to the field side.
+    pub y_wheel: f64,
+    /// Pressure and areas, in the contact plane about the reference point.
+    pub normal: NormalContact,
+    /// Creepage and spin at the reference point.
+    pub creepage: RollingCreepage,
+    /// Tangential force, with the moment about the normal through the reference point.
+    pub force: SiForce,
+    /// Its error bars.
+    pub force_error: SiForce,
+    /// Whether rolling was solved.
+    pub status: Status,
+    /// Energy turned to heat per metre rolled (J/m), from traction and slip.
+    pub dissipation: Option<f64>,
+    /// The units of what its elements hold.
+    pub scaling: Scaling,
+    /// Its elements.
+    pub elements: Vec<ElementField>,
+    pub(super) friction: f64,
+}
+
+impl SolvedContact {
+    pub(super) fn new(pressed: &Pressed<'_>, rolled: &Rolled<'_>, friction: f64) -> Self {
+        let (contact, scaling) = (&pressed.contact, rolled.scaling);
+        let solution = rolled.solved.solution();
+        let load = pressed.normal.load();
+        // The load's error bar makes the force err in proportion.
+        let part = load.error / load.value;
+        let (force, error) = (solution.force, solution.error.unwrap_or_default());
+        let heat = scaling.force * scaling.slip;
+        Self {
+            side: contact.side,
+            reference: contact.reference,
+            angle: contact.angle,
+            y_rail: contact.y_rail,
+            y_wheel: contact.y_wheel,
+            normal: pressed.normal.clone(),
+            creepage: rolled.creepage,
+            force: rolled.force,
+            force_error: scaling.si_force(Force {
+                fx: error.fx + part * force.fx.abs(),
+                fy: error.fy + part * force.fy.abs(),
+                mz: error.mz + part * force.mz.abs(),
+            }),
+            status: solution.status,
+            dissipation: rolled.solved.dissipation().map(|power| heat * power),
+            scaling,
+            elements: rolled.solved.elements(),
+            friction,
+        }
+    }
+
+    /// Normal force (N).
+    #[must_use]
+    pub fn load(&self) -> f64 {
+        self.normal.load().value
+    }
+
+    /// Adhesion area over contact area, 0 to 1, counted by elements.
+    #[must_use]
+    pub fn adhesion_share(&self) -> f64 {
+        let area = |element: &ElementField| signed_area(&element.corners).abs();
+        let all: f64 = self.elements.iter().map(area).sum();
+        let adhesion = |element: &&ElementField| element.point.region == Region::Adhesion;
+        self.elements.iter().filter(adhesion).map(area).sum::<f64>() / all
+    }
+
+    /// What is to be held against its solution.
+    #[must_use]
+    pub fn cautions(&self) -> Vec<GapCaution> {
+        let all = GapCaution::all(&self.normal, self.friction, self.status).into_iter();
+        // Its points across are as many as are looked up.
+        all.filter(|caution| !matches!(caution, GapCaution::CoarseGap { .. })).collect()
+    }
+
+    /// Extent of its areas along `x` and along `s` (m), from the reference point.
+    #[must_use]
+    pub fn extent(&self) -> [[f64; 2]; 2] {
+        let union = |one: [f64; 2], other: [f64; 2]| [one[0].min(other[0]), one[1].max(other[1])];
+        let nothing = [f64::INFINITY, f64::NEG_INFINITY];
+        self.normal
+            .patches()
+            .iter()
+            .map(normal::Patch::extent)
+            .fold([nothing; 2], |[x, s], area| [union(x, area.x), union(s, area.y)])
+    }
+
+    /// A place of the contact plane in track axes (m).
+    #[must_use]
+    pub fn in_track(&self, [x, s]: [f64; 2]) -> [f64; 3] {
+        let (sin, cos) = self.angle.sin_cos();
+        let [a, b, c] = self.reference;
+        [a + x, b + s * cos, c + s * sin]
+    }
+}
+
+impl SolvedWheel {
+    pub(super) fn new(
+        wheel: &PressedWheel<'_>,
+        running: &Running,
+        mut contacts: Vec<SolvedContact>,
+    ) -> Self {
+        let PressedWheel { side, position, depth, .. } = *wheel;
+        let rail = match side {
+            Side::Left => &running.track().left,
+            Side::Right => &running.track().right,
+        };
+        let [y, z] = rail.origin();
+        contacts.sort_by(|a, b| b.load().total_cmp(&a.load()));
+        Self { side, position, depth, rail_origin: [0.0, side.sense() * y, z], contacts }
+    }
+
+    /// Its places of contact, the most loaded first; none where it hangs above its rail.
+    #[must_use]
+    pub fn contacts(&self) -> &[SolvedContact] {
+        &self.contacts
+    }
+
+    /// Force on the rail in track axes, with its moment about the origin of the rail's profile.
+    #[must_use]
+    pub fn on_rail(&self) -> Resultant {
+        let none = Resultant::default();
+        self.contacts
+            .iter()
+            .fold(none, |sum, contact| sum + Resultant::of(contact, self.rail_origin))
+    }
+}
+
+impl SolvedWheelset {
+    pub(super) fn new(
+        wheels: Vec<SolvedWheel>,
+        motion: Motion,
+        friction: f64,
+        slip: RigidSlip,
+    ) -> Self {
+        let mut solved = Self { left: None, right: None, motion, friction, slip };
+        for wheel in wheels {
+            match wheel.side {
+                Side::Left => solved.left = Some(wheel),
+                Side::Right => solved.right = Some(wheel),
+            }
+        }
+        solved
+    }
+
+    /// The wheels that were solved, the left one first.
+    pub fn wheels(&self) -> impl Iterator<Item = &SolvedWheel> {
+        self.left.iter().chain(&self.right)
+    }
+
+    /// Where the wheelset stands; at the mean height where each wheel was pressed on by itself.
+    #[must_use]
+    pub fn position(&self) -> Position {
+        let count = self.wheels().count().max(1) as f64;
+        let z = self.wheels().map(|wheel| wheel.position.z).sum::<f64>() / count;
+        self.wheels()
+            .next()
+            .map_or_else(Position::default, |wheel| Position { z, ..wheel.position })
+    }
+
+    /// The worst status of its contacts.
+    #[must_use]
+    pub fn status(&self) -> Status {
+        let statuses = self.wheels().flat_map(SolvedWheel::contacts).map(|contact| {
+            match contact.normal.status() {
+                normal::Status::Converged => contact.status,
+                normal::Status::NotConverged { .. } => Status::NotConverged,
+            }
+        });
+        statuses.fold(
+            Status::Solved,
+            |worst, status| {
+                if worst == Status::Solved { status } else { worst }
+            },
+        )
+    }
+
+    /// What is to be held against the solution, each with its side.
+    #[must_use]
+    pub fn cautions(&self) -> Vec<(Side, GapCaution)> {
+        let contacts = self.wheels().flat_map(SolvedWheel::contacts);
+        let mut all: Vec<(Side, GapCaution)> = Vec::new();
+        for (side, caution) in
+            contacts.flat_map(|c| c.cautions().into_iter().map(|caution| (c.side, caution)))
+        {
+            if !all.contains(&(side, caution)) {
+                all.push((side, caution));
+            }
+        }
+        all
+    }
+
+    /// The same in words.
+    #[must_use]
+    pub fn caution_words(&self) -> Vec<String> {
+        let words = |(side, caution): &(Side, GapCaution)| match side {
+            Side::Left => format!("left wheel: {caution}"),
+            Side::Right => format!("right wheel: {caution}"),
+        };
+        self.cautions().iter().map(words).collect()
+    }
+
+    /// The largest error bar of a force, in parts of its contact's `mu N`.
+    pub(super) fn worst_error(&self) -> f64 {
+        let contacts = self.wheels().flat_map(SolvedWheel::contacts);
+        let errors = contacts.map(|contact| {
+            let SiForce { longitudinal, lateral, .. } = contact.force_error;
+            longitudinal.max(lateral) / contact.scaling.force
+        });
+        errors.fold(0.0, f64::max)
+    }
+}

@@ -1,0 +1,106 @@
+//! The report of a wheelset for a terminal.
+
+use creepage_plot::format::{fixed, quantity, significant};
+use creepage_rail::Side;
+
+use super::solved::{SolvedContact, SolvedWheel, SolvedWheelset};
+use crate::text::{Lines, status_words};
+
+impl SolvedWheelset {
+    /// A short report: position and motion, forces on both rails, every contact.
+    #[must_use]
+    pub fn text(&self) -> String {
+        let mut lines = Lines::default();
+        let status = self.status();
+        lines.headline(&format!("Theory exact: {}", status_words(status)), status);
+        for words in self.caution_words() {
+            lines.caution(&words);
+        }
+        self.position_lines(&mut lines);
+        for wheel in self.wheels() {
+            wheel_lines(wheel, &mut lines);
+        }
+        lines.into_text()
+    }
+
+    fn position_lines(&self, lines: &mut Lines) {
+        let (position, motion) = (self.position(), self.motion);
+        lines.heading("Wheelset in track axes: x forward, y right, z down");
+        lines.columns("", ["y", "z", ""]);
+        lines.columns("centre", [&mm(position.y), &mm(position.z), ""]);
+        lines.columns("", ["roll", "yaw", ""]);
+        lines.columns("", [&mrad(position.roll), &mrad(position.yaw), ""]);
+        lines.row("speed", &quantity(motion.speed, "m/s", 5));
+        lines.row("pitch rate", &format!("{} rad/s", significant(motion.pitch_rate, 8)));
+        if motion.lateral_velocity.abs() > 0.0 {
+            lines.row("lateral velocity", &quantity(motion.lateral_velocity, "m/s", 5));
+        }
+        if motion.yaw_rate.abs() > 0.0 {
+            lines.row("yaw rate", &format!("{} rad/s", significant(motion.yaw_rate, 5)));
+        }
+        lines.row("friction mu", &significant(self.friction, 5));
+    }
+}
+
+fn mm(value: f64) -> String {
+    format!("{} mm", fixed(1e3 * value, 4))
+}
+
+fn mrad(value: f64) -> String {
+    format!("{} mrad", fixed(1e3 * value, 4))
+}
+
+fn newton(value: f64) -> String {
+    format!("{} N", fixed(value, 1))
+}
+
+fn wheel_lines(wheel: &SolvedWheel, lines: &mut Lines) {
+    let name = if wheel.side == Side::Left { "Left" } else { "Right" };
+    if wheel.contacts().is_empty() {
+        return lines.heading(&format!("{name} wheel: hangs above its rail"));
+    }
+    lines.heading(&format!("{name} wheel: force on the rail"));
+    let on_rail = wheel.on_rail();
+    lines.columns("", ["longitudinal", "lateral", "vertical"]);
+    let [x, y, z] = on_rail.force.map(newton);
+    lines.columns("in track axes", [&x, &y, &z]);
+    let [x, y, z] = on_rail.force_error.map(|error| format!("{} N", significant(error, 2)));
+    lines.columns("  error bar", [&x, &y, &z]);
+    let [x, y, z] = on_rail.moment.map(|moment| format!("{} N m", fixed(moment, 3)));
+    lines.columns("moment about its origin", [&x, &y, &z]);
+    for contact in wheel.contacts() {
+        contact_lines(contact, lines);
+    }
+}
+
+fn contact_lines(contact: &SolvedContact, lines: &mut Lines) {
+    let normal = &contact.normal;
+    let areas = match normal.patches().len() {
+        1 => String::new(),
+        count => format!(", {count} areas"),
+    };
+    lines.heading(&format!("  contact at y = {} of the rail{areas}", mm(contact.y_rail)));
+    lines.row("y on the wheel", &mm(contact.y_wheel));
+    lines.row("x in the track", &mm(contact.reference[0]));
+    let angle = format!("{} degrees", fixed(contact.angle.to_degrees(), 4));
+    lines.row("contact angle", &angle);
+    lines.row("normal force", &newton(contact.load()));
+    lines.row("approach", &format!("{} µm", significant(1e6 * normal.approach().value, 5)));
+    lines.row("peak pressure", &quantity(normal.peak_pressure().value, "Pa", 5));
+    let area = significant(1e6 * normal.area().value, 5);
+    lines.row("area", &format!("{area} mm²"));
+    lines.columns("", ["longitudinal", "lateral", "spin"]);
+    let creepage = contact.creepage;
+    let [x, y] = [creepage.longitudinal, creepage.lateral].map(|value| significant(value, 5));
+    lines.columns("creepage", [&x, &y, &format!("{} rad/m", significant(creepage.spin, 5))]);
+    let force = contact.force;
+    let moment = format!("{} N m", fixed(force.moment, 4));
+    lines.columns("force", [&newton(force.longitudinal), &newton(force.lateral), &moment]);
+    lines.row(
+        "adhesion, share of area",
+        &format!("{} %", fixed(100.0 * contact.adhesion_share(), 2)),
+    );
+    if let Some(power) = contact.dissipation {
+        lines.row("heat per metre rolled", &quantity(power, "J/m", 5));
+    }
+}

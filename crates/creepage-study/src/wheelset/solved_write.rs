@@ -1,0 +1,33 @@
+//! The report of a wheelset as files: all of them or none.
+
+use std::path::{Path, PathBuf};
+
+use creepage_rail::Running;
+
+use super::solved::SolvedWheelset;
+use crate::error::ReportError;
+use crate::whole_file::write_all;
+
+impl SolvedWheelset {
+    /// Writes `report.json`, the picture `wheelset.svg` and `.png` of the wheels on their rails,
+    /// and one of each place of contact, `left_1.svg` and so on, into `directory`, which is made
+    /// when missing; files of those names are replaced. Gives the paths written.
+    ///
+    /// # Errors
+    /// [`ReportError`]; what was made until then is removed.
+    pub fn write(&self, running: &Running, directory: &Path) -> Result<Vec<PathBuf>, ReportError> {
+        let mut json = serde_json::to_string_pretty(&self.json())?;
+        json.push('\n');
+        let mut files = vec![("report.json".to_owned(), json.into_bytes())];
+        // A solved position is one on this track.
+        let whole = self.svg(running).map(|svg| ("wheelset".to_owned(), svg)).ok();
+        for (name, svg) in whole.into_iter().chain(self.contact_svgs()) {
+            let png = creepage_plot::png(&svg)?;
+            files.push((format!("{name}.svg"), svg.into_bytes()));
+            files.push((format!("{name}.png"), png));
+        }
+        let files: Vec<(&str, &[u8])> =
+            files.iter().map(|(name, content)| (&name[..], &content[..])).collect();
+        write_all(directory, &files)
+    }
+}

@@ -1,0 +1,194 @@
+//! The height and the roll at which the rails carry the load.
+//!
+//! Loads rise with the height, and a wheel's height under its load falls with the other's: every
+//! unknown is the root of a rising function, found inside a bracket.
+
+use creepage_rail::{Position, Side};
+
+use super::pressed::{Press, PressedWheel, Shares};
+use super::root::Root;
+use crate::{Load, Stance, WheelsetError};
+
+/// A bracket narrower than this, of a logarithm or a roll, has nothing left to search.
+const NARROW: f64 = 1e-9;
+/// Depths below the height of first touch (m).
+const DEPTHS: [f64; 2] = [1e-9, 0.02];
+/// Roll to either side of the start (rad).
+const ROLL: f64 = 0.05;
+const STEPS: usize = 80;
+
+/// To which part a load is met: pressures found by elements scatter by more than those found by
+/// strips, and a search that does not end soon meets their scatter.
+pub(super) fn enough(step: usize) -> f64 {
+    if step < 8 { 1e-6 } else { 1e-4 }
+}
+
+/// Where a search may begin.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Guess {
+    pub(super) roll: Option<f64>,
+    /// Depths of the left and the right wheel below the height of first touch (m).
+    pub(super) depths: [f64; 2],
+}
+
+impl Default for Guess {
+    fn default() -> Self {
+        Self { roll: None, depths: [40e-6; 2] }
+    }
+}
+
+/// A wheelset that is to be put on its track.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Balance<'s, 'a> {
+    pub(super) press: &'s Press<'a>,
+    pub(super) stance: &'s Stance,
+    pub(super) shares: &'s Shares,
+    pub(super) guess: Guess,
+}
+
+impl<'a> Balance<'_, 'a> {
+    /// The wheels that there are, in their positions.
+    pub(super) fn wheels(&self, load: Load) -> Result<Vec<PressedWheel<'a>>, WheelsetError> {
+        const BOTH: [Side; 2] = [Side::Left, Side::Right];
+        let Stance { side, roll, .. } = *self.stance;
+        match (side, roll, load) {
+            (Some(side), roll, Load::Height(z)) => self.at(&[side], z, roll.unwrap_or(0.0)),
+            (Some(side), roll, Load::Wheel(load) | Load::Axle(load)) => {
+                self.lowered(&[side], roll.unwrap_or(0.0), load)
+            }
+            (None, Some(roll), Load::Height(z)) => self.at(&BOTH, z, roll),
+            (None, Some(roll), Load::Axle(load)) => self.lowered(&BOTH, roll, load),
+            (None, Some(roll), Load::Wheel(load)) => {
+                let [left, right] = BOTH.map(|side| self.lowered(&[side], roll, load));
+                Ok([left?, right?].concat())
+            }
+            (None, None, Load::Height(z)) => self.evened(z),
+            (None, None, Load::Axle(load)) => self.level(0.5 * load),
+            (None, None, Load::Wheel(load)) => self.level(load),
+        }
+    }
+
+    fn at(
+        &self,
+        sides: &[Side],
+        z: f64,
+        roll: f64,
+    ) -> Result<Vec<PressedWheel<'a>>, WheelsetError> {
+        let Stance { y, yaw, .. } = *self.stance;
+        let position = Position { y, z, roll, yaw };
+        sides.iter().map(|&side| self.press.wheel(side, position)).collect()
+    }
+
+    /// The height at which the first of some wheels touches.
+    fn touch(&self, sides: &[Side], roll: f64) -> Result<f64, WheelsetError> {
+        let Stance { y, yaw, .. } = *self.stance;
+        let mut rest = f64::INFINITY;
+        for &side in sides {
+            let touch = self.press.running.touch(side, y, roll, yaw);
+            rest = rest.min(touch.map_err(|source| WheelsetError::Position { side, source })?.z);
+        }
+        Ok(rest)
+    }
+
+    /// Wheels at a roll, brought down from first touch until they carry `load` together. The search
+    /// goes by the logarithm of the depth, in which that of the load is nearly linear.
+    fn lowered(
+        &self,
+        sides: &[Side],
+        roll: f64,
+        load: f64,
+    ) -> Result<Vec<PressedWheel<'a>>, WheelsetError> {
+        let rest = self.touch(sides, roll)?;
+        let [left, right] = self.guess.depths;
+        let start = if sides == [Side::Left] { left } else { right };
+        let mut search = Root::new(start.ln(), DEPTHS.map(f64::ln));
+        let mut refused = None;
+        for step in 0..STEPS {
+            let depth = search.at.exp();
+            let mut wheels = match self.at(sides, rest + depth, roll) {
+                Ok(wheels) => wheels,
+                // Too deep for the profiles: the height, if there is one, lies above.
+                Err(error @ WheelsetError::Position { .. }) => {
+                    refused = Some(error);
+                    search.next(f64::INFINITY, None);
+                    if search.is_spent(NARROW) {
+                        break;
+                    }
+                    continue;
+                }
+                Err(error) => return Err(error),
+            };
+            let carried: f64 = wheels.iter().map(|wheel| wheel.expected(self.shares)).sum();
+            let excess = if carried > 0.0 { (carried / load).ln() } else { f64::NEG_INFINITY };
+            if excess.abs() < enough(step) || (search.is_spent(NARROW) && refused.is_none()) {
+                for wheel in &mut wheels {
+                    wheel.depth = depth;
+                }
+                return Ok(wheels);
+            }
+            let fall = |_: &creepage_rail::Contact<'_>| 1.0;
+            let stiffness: f64 =
+                wheels.iter().map(|wheel| wheel.stiffness(self.shares, fall)).sum();
+            search.next(excess, Some(stiffness * depth / carried));
+        }
+        Err(refused.unwrap_or(WheelsetError::LoadNotFound { load }))
+    }
+
+    /// The roll at which each wheel carries `load` at one height.
+    fn level(&self, load: f64) -> Result<Vec<PressedWheel<'a>>, WheelsetError> {
+        let start = self.start_of_roll()?;
+        let mut search = Root::new(start, [start - ROLL, start + ROLL]);
+        let mut balance = *self;
+        for step in 0..STEPS {
+            let [left, right] =
+                [Side::Left, Side::Right].map(|side| balance.lowered(&[side], search.at, load));
+            let wheels = [left?, right?].concat();
+            let Some([left, right]) = pair(&wheels) else { break };
+            balance.guess.depths = [left.depth, right.depth];
+            let tilt = left.position.z - right.position.z;
+            let depth = left.depth.min(right.depth);
+            if tilt.abs() < enough(step) * depth || search.is_spent(NARROW * depth) {
+                return Ok(wheels);
+            }
+            let arm = right.y().zip(left.y()).map(|(right, left)| right - left);
+            search.next(tilt, arm);
+        }
+        Err(WheelsetError::LoadNotFound { load })
+    }
+
+    /// The roll at which both wheels carry the same at a height.
+    fn evened(&self, z: f64) -> Result<Vec<PressedWheel<'a>>, WheelsetError> {
+        let start = self.start_of_roll()?;
+        let mut search = Root::new(start, [start - ROLL, start + ROLL]);
+        for step in 0..STEPS {
+            let wheels = self.at(&[Side::Left, Side::Right], z, search.at)?;
+            let Some([left, right]) = pair(&wheels) else { break };
+            let [low, high] = [left, right].map(|wheel| wheel.expected(self.shares));
+            let (excess, sum) = (high - low, high + low);
+            if excess.abs() <= enough(step) * sum || search.is_spent(1e-13) {
+                return Ok(wheels);
+            }
+            let arm = |contact: &creepage_rail::Contact<'_>| contact.reference[1];
+            let slope = right.stiffness(self.shares, arm) - left.stiffness(self.shares, arm);
+            search.next(excess, Some(slope));
+        }
+        Err(WheelsetError::RollNotFound { z })
+    }
+
+    /// The roll at which both wheels touch.
+    fn start_of_roll(&self) -> Result<f64, WheelsetError> {
+        let Stance { y, yaw, .. } = *self.stance;
+        if let Some(roll) = self.guess.roll {
+            return Ok(roll);
+        }
+        let resting = self.press.running.resting(y, yaw, None);
+        Ok(resting.map_err(WheelsetError::Resting)?.roll)
+    }
+}
+
+fn pair<'w, 'a>(wheels: &'w [PressedWheel<'a>]) -> Option<[&'w PressedWheel<'a>; 2]> {
+    match wheels {
+        [left, right] => Some([left, right]),
+        _ => None,
+    }
+}

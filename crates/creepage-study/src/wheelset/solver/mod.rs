@@ -1,0 +1,241 @@
+//! The contacts of a wheelset solved: where it stands under its load, what presses on each
+//! contact, how it rolls there.
+
+mod apart;
+mod balance;
+mod curving;
+mod pressed;
+mod rolled;
+mod root;
+
+use creepage::coulomb::Resolution;
+use creepage::normal;
+use creepage::theory::{ExactOptions, NamedResolution, ResolutionSpec};
+use creepage::{SolidPair, TheorySpec};
+use creepage_rail::{Motion, Running, Side};
+
+use self::balance::{Balance, Guess, enough};
+use self::pressed::{Press, Shares};
+use self::rolled::Rolling;
+use super::case::{Load, RigidSlip, Stance, Travel, WheelsetCase};
+use super::error::{WheelsetError, section};
+use super::solved::{SolvedContact, SolvedWheel, SolvedWheelset};
+use crate::case::CaseError;
+use crate::gap::resolutions;
+
+pub(super) use self::pressed::{Pressed, PressedWheel};
+pub(super) use self::rolled::Rolled;
+
+/// A wheelset on its track, prepared to be solved in many positions.
+#[derive(Debug, Clone)]
+pub struct WheelsetSolver<'a> {
+    press: Press<'a>,
+    /// For the search of the position.
+    coarse: normal::Resolution,
+    friction: f64,
+    slip: RigidSlip,
+    rolling: Vec<Resolution>,
+    accuracy: f64,
+}
+
+impl WheelsetCase {
+    /// Prepares to solve this wheelset in its position and others.
+    ///
+    /// # Errors
+    /// [`WheelsetError`] where materials or friction are missing, or the theory is not one that
+    /// solves contacts of any shape.
+    pub fn solver(&self) -> Result<WheelsetSolver<'_>, WheelsetError> {
+        let TheorySpec::Exact(options) = self.theory else {
+            return Err(WheelsetError::Theory { name: self.theory.facts().name });
+        };
+        let pair = self.solids.ok_or_else(|| section("materials", "shear_modulus, poisson"))?;
+        let friction = self.friction.ok_or_else(|| section("contact", "friction"))?;
+        let solver = WheelsetSolver::new(&self.running, pair, friction, options)?;
+        Ok(WheelsetSolver { slip: self.slip, ..solver })
+    }
+
+    /// Solves this wheelset.
+    ///
+    /// # Errors
+    /// As [`WheelsetCase::solver`] and [`WheelsetSolver::solve`], and where load or motion are
+    /// missing.
+    pub fn solve(&self) -> Result<SolvedWheelset, WheelsetError> {
+        let travel = self.travel.ok_or_else(|| section("motion", "speed"))?;
+        self.solver()?.solve(&self.stance, &travel)
+    }
+}
+
+impl<'a> WheelsetSolver<'a> {
+    /// Prepares wheels and rails of materials `pair` (wheel above rail) and a coefficient of
+    /// friction.
+    ///
+    /// # Errors
+    /// [`CaseError`] for options out of range.
+    pub fn new(
+        running: &'a Running,
+        pair: SolidPair,
+        friction: f64,
+        options: ExactOptions,
+    ) -> Result<Self, CaseError> {
+        // Peak pressures on profiles of arcs need more strips than forces do.
+        let (coarse, resolution) = match options.resolution {
+            ResolutionSpec::Named(NamedResolution::Fast) => {
+                (normal::Resolution::FAST, normal::Resolution::FAST)
+            }
+            _ => (normal::Resolution::FAST, normal::Resolution::FINE),
+        };
+        let (rolling, accuracy) = resolutions(options)?;
+        let press = Press { running, pair, resolution };
+        Ok(Self { press, coarse, friction, slip: RigidSlip::Flat, rolling, accuracy })
+    }
+
+    /// Solves the wheelset where it stands, as it moves.
+    ///
+    /// # Errors
+    /// [`WheelsetError`] where no load is given, wheels and rails do not meet, or nothing carries
+    /// the load.
+    pub fn solve(&self, stance: &Stance, travel: &Travel) -> Result<SolvedWheelset, WheelsetError> {
+        self.from(stance, travel, &Start::default())
+    }
+
+    /// The same from a position nearby that was solved before: quicker.
+    ///
+    /// # Errors
+    /// As [`WheelsetSolver::solve`].
+    pub fn next(
+        &self,
+        before: &SolvedWheelset,
+        stance: &Stance,
+        travel: &Travel,
+    ) -> Result<SolvedWheelset, WheelsetError> {
+        self.from(stance, travel, &Start::after(before))
+    }
+
+    fn from(
+        &self,
+        stance: &Stance,
+        travel: &Travel,
+        start: &Start,
+    ) -> Result<SolvedWheelset, WheelsetError> {
+        let load = stance.load.ok_or(WheelsetError::NoLoad)?;
+        let (last, first) = self.rolling.split_last().unwrap_or((&Resolution::STANDARD, &[]));
+        for resolution in first {
+            let solved = self.at(stance, travel, load, start.clone(), *resolution)?;
+            if solved.worst_error() <= self.accuracy {
+                return Ok(solved);
+            }
+        }
+        self.at(stance, travel, load, start.clone(), *last)
+    }
+
+    /// The position is sought with coarse pressures. At each position found fine ones and rolling
+    /// say how much more the wheels carry, until they carry what was expected.
+    fn at(
+        &self,
+        stance: &Stance,
+        travel: &Travel,
+        load: Load,
+        mut start: Start,
+        resolution: Resolution,
+    ) -> Result<SolvedWheelset, WheelsetError> {
+        const ROUNDS: usize = 40;
+        let is_given = matches!(load, Load::Height(_)) && stance.is_fixed();
+        let coarse = Press { resolution: self.coarse, ..self.press };
+        let sought = if is_given { &self.press } else { &coarse };
+        let radius = self.press.running.wheelset().radius();
+        for round in 0..ROUNDS {
+            let Start { shares, guess, pitch_rate } = &start;
+            let found = Balance { press: sought, stance, shares, guess: *guess }.wheels(load)?;
+            let wheels = if is_given { found.clone() } else { self.refined(&found)? };
+            let rollings = Rolling::all(&wheels, self.friction, self.slip, resolution)?;
+            let motion = rolled::motion(&rollings, travel, radius, *pitch_rate)?;
+            let next = Start::of(&found, &wheels, &rollings, &motion, guess)?;
+            let carried: f64 = wheels.iter().map(|wheel| wheel.vertical(&next.shares)).sum();
+            let missed = found.iter().zip(&wheels).map(|(found, wheel)| {
+                (wheel.vertical(&next.shares) - found.expected(shares)).abs()
+            });
+            if is_given || missed.sum::<f64>() <= enough(round) * carried {
+                return self.solved(&wheels, &rollings, &motion);
+            }
+            start = next;
+        }
+        Err(WheelsetError::NotSettled)
+    }
+
+    /// The same wheels with fine pressures.
+    fn refined(&self, found: &[PressedWheel<'a>]) -> Result<Vec<PressedWheel<'a>>, WheelsetError> {
+        let fine = |wheel: &PressedWheel<'a>| {
+            let PressedWheel { side, position, depth, .. } = *wheel;
+            Ok(PressedWheel { depth, ..self.press.wheel(side, position)? })
+        };
+        found.iter().map(fine).collect()
+    }
+
+    fn solved(
+        &self,
+        wheels: &[PressedWheel<'_>],
+        rollings: &[Rolling<'_, '_>],
+        motion: &Motion,
+    ) -> Result<SolvedWheelset, WheelsetError> {
+        let solved = |wheel: &PressedWheel<'_>| -> Result<SolvedWheel, WheelsetError> {
+            let own = rollings.iter().filter(|rolling| rolling.wheel.side == wheel.side);
+            let contacts = own.map(|rolling| {
+                let rolled = rolling.roll(motion)?;
+                Ok(SolvedContact::new(rolling.pressed, &rolled, self.friction))
+            });
+            let contacts = contacts.collect::<Result<Vec<_>, WheelsetError>>()?;
+            Ok(SolvedWheel::new(wheel, self.press.running, contacts))
+        };
+        let wheels = wheels.iter().map(solved).collect::<Result<Vec<_>, _>>()?;
+        Ok(SolvedWheelset::new(wheels, *motion, self.friction, self.slip))
+    }
+}
+
+/// What a solved position tells of those nearby.
+#[derive(Debug, Clone, Default)]
+struct Start {
+    shares: Shares,
+    guess: Guess,
+    pitch_rate: Option<f64>,
+}
+
+impl Start {
+    fn of(
+        found: &[PressedWheel<'_>],
+        wheels: &[PressedWheel<'_>],
+        rollings: &[Rolling<'_, '_>],
+        motion: &Motion,
+        guess: &Guess,
+    ) -> Result<Self, WheelsetError> {
+        let mut shares = Shares::default();
+        for rolling in rollings {
+            let contact = &rolling.pressed.contact;
+            let force = rolling.roll(motion)?.force;
+            shares.push(contact.side, contact.y_rail, force.lateral / rolling.pressed.load());
+        }
+        let mut guess = Guess { roll: wheels.first().map(|wheel| wheel.position.roll), ..*guess };
+        for (coarse, fine) in found.iter().zip(wheels) {
+            let scale = fine.vertical(&shares) / coarse.vertical(&shares);
+            shares.set_scale(fine.side, scale);
+        }
+        for wheel in wheels.iter().filter(|wheel| wheel.depth > 0.0) {
+            guess.depths[usize::from(wheel.side == Side::Right)] = wheel.depth;
+        }
+        Ok(Self { shares, guess, pitch_rate: Some(motion.pitch_rate) })
+    }
+
+    fn after(before: &SolvedWheelset) -> Self {
+        let mut shares = Shares::default();
+        for contact in before.wheels().flat_map(SolvedWheel::contacts) {
+            shares.push(contact.side, contact.y_rail, contact.force.lateral / contact.load());
+        }
+        let mut guess = Guess::default();
+        for wheel in before.wheels() {
+            guess.roll = Some(wheel.position.roll);
+            if wheel.depth > 0.0 {
+                guess.depths[usize::from(wheel.side == Side::Right)] = wheel.depth;
+            }
+        }
+        Self { shares, guess, pitch_rate: Some(before.motion.pitch_rate) }
+    }
+}

@@ -1,0 +1,146 @@
+//! Rolling on the contacts of a wheelset whose pressure is known.
+
+use creepage::coulomb::{NonHertzian, NonHertzianSolved, Resolution};
+use creepage::theory::Solved;
+use creepage::{Scaling, SiCreepage, SiForce};
+use creepage_rail::{Motion, RollingCreepage};
+
+use super::apart::in_track;
+use super::curving::Curving;
+use super::pressed::{Pressed, PressedWheel};
+use super::root::Root;
+use crate::case::CaseError;
+use crate::wheelset::RigidSlip;
+use crate::{Travel, WheelsetError};
+
+/// A contact prepared for rolling.
+#[derive(Debug)]
+pub(super) struct Rolling<'w, 'a> {
+    pub(super) wheel: &'w PressedWheel<'a>,
+    pub(super) pressed: &'w Pressed<'a>,
+    pub(super) theory: NonHertzian,
+    slip: RigidSlip,
+}
+
+/// The same, rolled.
+#[derive(Debug)]
+pub(in crate::wheelset) struct Rolled<'r> {
+    pub(in crate::wheelset) creepage: RollingCreepage,
+    pub(in crate::wheelset) scaling: Scaling,
+    pub(in crate::wheelset) solved: NonHertzianSolved<'r>,
+    /// The force with its moment about the reference point.
+    pub(in crate::wheelset) force: SiForce,
+}
+
+impl<'w, 'a> Rolling<'w, 'a> {
+    pub(super) fn all(
+        wheels: &'w [PressedWheel<'a>],
+        friction: f64,
+        slip: RigidSlip,
+        resolution: Resolution,
+    ) -> Result<Vec<Self>, WheelsetError> {
+        let contacts =
+            wheels.iter().flat_map(|wheel| wheel.contacts.iter().map(move |one| (wheel, one)));
+        contacts
+            .map(|(wheel, pressed)| {
+                let theory = NonHertzian::new(&pressed.normal, friction, resolution);
+                let theory = theory.map_err(CaseError::invalid("contact"))?;
+                Ok(Self { wheel, pressed, theory, slip })
+            })
+            .collect()
+    }
+
+    pub(super) fn roll(&self, motion: &Motion) -> Result<Rolled<'_>, WheelsetError> {
+        let contact = &self.pressed.contact;
+        let side = contact.side;
+        let creepage = contact.creepage(motion).ok_or(WheelsetError::NotForward { side })?;
+        let RollingCreepage { longitudinal, lateral, spin, .. } = creepage;
+        let scaling = self.theory.scaling();
+        let given = scaling.creepage(SiCreepage { longitudinal, lateral, spin });
+        let given = given.map_err(CaseError::invalid("motion"))?;
+        let solved = match self.slip {
+            RigidSlip::Flat => self.theory.solve(given),
+            RigidSlip::Curved => {
+                let curving = Curving::new(contact, motion, creepage);
+                let unit = scaling.length;
+                let more = |at: [f64; 2]| curving.at(at.map(|at| at * unit));
+                self.theory.solve_curved(given, |at| more(at).map(|slip| slip / scaling.slip))
+            }
+        };
+        let force = scaling.si_force(solved.solution().force);
+        Ok(Rolled { creepage, scaling, solved, force })
+    }
+
+    /// Moment of the friction about the axle (N m), positive when it turns the wheelset forward
+    /// seen from the rail: pressure has none, for a wheel's normals meet its axle.
+    fn axle_moment(&self, force: SiForce) -> f64 {
+        let contact = &self.pressed.contact;
+        let (sin, cos) = contact.angle.sin_cos();
+        let [x, y, z] = in_track(contact, [0.0; 2]);
+        let arm = [x, y - self.wheel.position.y, z - self.centre_height()];
+        let [fx, fy, fz] = [force.longitudinal, force.lateral * cos, force.lateral * sin];
+        let moment = [
+            arm[1] * fz - arm[2] * fy,
+            arm[2] * fx - arm[0] * fz - force.moment * sin,
+            arm[0] * fy - arm[1] * fx + force.moment * cos,
+        ];
+        let axle = self.axle();
+        moment.iter().zip(axle).map(|(m, a)| m * a).sum()
+    }
+
+    fn centre_height(&self) -> f64 {
+        self.wheel.position.z - self.wheel.radius
+    }
+
+    /// Direction of the axle, to the right.
+    fn axle(&self) -> [f64; 3] {
+        let position = self.wheel.position;
+        let ((sin, cos), (sin_roll, cos_roll)) = (position.yaw.sin_cos(), position.roll.sin_cos());
+        [-sin, cos * cos_roll, cos * sin_roll]
+    }
+}
+
+/// The motion of a wheelset with its pitch rate: the given one, or that at which friction has no
+/// moment about the axle.
+pub(super) fn motion(
+    rollings: &[Rolling<'_, '_>],
+    travel: &Travel,
+    radius: f64,
+    guess: Option<f64>,
+) -> Result<Motion, WheelsetError> {
+    const STEPS: usize = 60;
+    /// Of the moment of all friction.
+    const ENOUGH: f64 = 1e-8;
+    /// Of the rate of a wheel that rolls on its nominal circle.
+    const NARROW: f64 = 1e-13;
+    let Travel { speed, pitch_rate, lateral_velocity, yaw_rate } = *travel;
+    let with = |pitch_rate| Motion { speed, pitch_rate, lateral_velocity, yaw_rate };
+    let nominal = speed / radius;
+    if let Some(rate) = pitch_rate {
+        return Ok(with(rate));
+    }
+    if rollings.is_empty() {
+        return Ok(with(nominal));
+    }
+    let most: f64 = rollings.iter().map(|r| r.theory.scaling().force * radius).sum();
+    // A slip unit of creepage is about what it takes for a force unit.
+    let slope: f64 = rollings
+        .iter()
+        .map(|r| 2.0 * r.theory.scaling().force / r.theory.scaling().slip * radius * radius / speed)
+        .sum();
+    let mut search = Root::new(guess.unwrap_or(nominal), [0.2 * nominal, 5.0 * nominal]);
+    for _ in 0..STEPS {
+        let motion = with(search.at);
+        // A wheel that turns faster drags the rail back.
+        let moment = rollings.iter().map(|rolling| {
+            let rolled = rolling.roll(&motion)?;
+            Ok(-rolling.axle_moment(rolled.force))
+        });
+        let moment = moment.sum::<Result<f64, WheelsetError>>()?;
+        if moment.abs() < ENOUGH * most || search.is_spent(NARROW * nominal) {
+            return Ok(motion);
+        }
+        search.next_by_chord(moment, slope);
+    }
+    Err(WheelsetError::PitchNotFound)
+}

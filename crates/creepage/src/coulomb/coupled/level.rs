@@ -1,0 +1,210 @@
+//! One grid: friction and normal contact solved in turn until both hold.
+
+use std::f64::consts::PI;
+
+use super::Prescribed;
+use super::attraction::Attraction;
+use super::normal::{Normal, Pressed};
+use super::shape::Shape;
+use crate::coulomb::grid::Grid;
+use crate::coulomb::influence::Influence;
+use crate::coulomb::mesh::Mesh;
+use crate::coulomb::pressure::Pressure;
+use crate::coulomb::solver::{Equations, Outcome, State};
+use crate::coulomb::stencil::SlipStencil;
+use crate::{Contact, Creepage};
+
+/// Largest change from turn to turn in a solution, over `c` and the peak pressure: twenty times
+/// the tolerance of the normal problem.
+const TOLERANCE: f64 = 2e-7;
+/// What is left of rounding in slender contacts: enough when the changes fall no more.
+const ROUGH: f64 = 2e-6;
+const TURNS: usize = 60;
+/// A change that falls by less than this is damped more.
+const SLOW: f64 = 0.9;
+const LEAST_STEP: f64 = 0.2;
+
+/// How pressure and tangential traction act on each other.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Coupling {
+    pub poisson: f64,
+    /// Slip in units of `mu c / rho` over that in units of `kappa f00`.
+    slip: f64,
+    /// Slip in units of `mu c / rho` over `mu f00`.
+    slip_unit: f64,
+    /// `q = kappa mu / (1 - sigma)`.
+    pub q: f64,
+}
+
+impl Coupling {
+    pub(super) fn new(contact: &Contact, friction: f64) -> Self {
+        let (ellipse, poisson) = (contact.ellipse(), contact.poisson());
+        let slip_unit = (1.0 - poisson) * ellipse.integrals().e / (2.0 * ellipse.g().sqrt());
+        let kappa_over_mu = contact.kappa_over_mu();
+        let q = kappa_over_mu * friction * friction / (1.0 - poisson);
+        Self { poisson, slip: kappa_over_mu / slip_unit, slip_unit, q }
+    }
+}
+
+/// What is prepared once for a grid.
+#[derive(Debug, Clone)]
+pub(super) struct Level {
+    pub normal: Normal,
+    /// Slip of the elements on the ellipse by Hertz's pressure as constant on each, over `kappa f00`.
+    slip_by_elements: Vec<[f64; 2]>,
+}
+
+/// One grid solved.
+#[derive(Debug, Clone)]
+pub(super) struct Settled {
+    pub grid: Grid,
+    pub state: State,
+    pub equations: Equations,
+    pub shape: Shape,
+    pub pressed: Pressed,
+    /// The same by strips without friction.
+    pub frictionless: Pressed,
+    pub converged: bool,
+    pub turns: usize,
+    pub sweeps: usize,
+    pub factorizations: usize,
+}
+
+impl Level {
+    /// `None` when the strips do not find Hertz's contact.
+    pub(super) fn new(contact: &Contact, hertz: &Grid) -> Option<Self> {
+        const STRIPS: [usize; 2] = [8, 24];
+        let stencils: Vec<_> = hertz.mesh.strips.iter().map(SlipStencil::steady).collect();
+        let attraction = Attraction::new(&hertz.mesh);
+        let count = hertz.mesh.strips.len().clamp(STRIPS[0], STRIPS[1]);
+        Some(Self {
+            normal: Normal::new(contact.ellipse(), count)?,
+            slip_by_elements: slip_by(&attraction, &hertz.pressure, &stencils),
+        })
+    }
+
+    /// Solves at a creepage, `side` the sign with which the bodies are unlike, from a start.
+    pub(super) fn settle(
+        &self,
+        hertz: &Grid,
+        coupling: Coupling,
+        prescribed: Prescribed,
+        (creepage, side): (Creepage, f64),
+        start: Pressed,
+    ) -> Settled {
+        let factor = -side * coupling.q / PI;
+        let (mut settled, mut attraction) = self.start(hertz, coupling, start);
+        let (mut step, mut last) = (1.0_f64, f64::INFINITY);
+        loop {
+            let outcome = settled.rub(creepage, side);
+            let tractions = settled.tractions();
+            let more = |at: [f64; 2]| factor * attraction.by_traction(at, &tractions);
+            let Some(next) = self.normal.solve(&settled.pressed, more, prescribed) else {
+                return settled;
+            };
+            let change = settled.pressed.apart(&next);
+            if change <= TOLERANCE || (settled.turns > TURNS / 2 && change <= ROUGH) {
+                settled.converged = outcome.converged;
+                return settled;
+            }
+            if settled.turns >= TURNS || !change.is_finite() {
+                return settled;
+            }
+            if change > SLOW * last {
+                step = (0.6 * step).max(LEAST_STEP);
+            }
+            last = change;
+            settled.pressed.go(step, &next);
+            attraction = self.press(hertz, coupling, &mut settled);
+        }
+    }
+
+    fn start(&self, hertz: &Grid, coupling: Coupling, start: Pressed) -> (Settled, Attraction) {
+        let shape = Shape::new(&self.normal, &start);
+        let (grid, attraction) = self.grid(hertz, coupling, &shape, &start);
+        let (state, equations) = (State::new(&grid), Equations::new(&grid));
+        let settled = Settled {
+            grid,
+            state,
+            equations,
+            shape,
+            pressed: start,
+            frictionless: self.normal.frictionless.clone(),
+            converged: false,
+            turns: 0,
+            sweeps: 0,
+            factorizations: 0,
+        };
+        (settled, attraction)
+    }
+
+    /// Lays the elements into the area, and the pressure on them.
+    fn press(&self, hertz: &Grid, coupling: Coupling, settled: &mut Settled) -> Attraction {
+        settled.shape = Shape::new(&self.normal, &settled.pressed);
+        let (grid, attraction) = self.grid(hertz, coupling, &settled.shape, &settled.pressed);
+        settled.grid = grid;
+        attraction
+    }
+
+    /// The mesh and the pressure of a shape.
+    pub(super) fn elements(
+        &self,
+        hertz: &Grid,
+        shape: &Shape,
+        pressed: &Pressed,
+    ) -> (Mesh, Pressure) {
+        let load = pressed.load / self.normal.frictionless.load;
+        (shape.mesh(&hertz.mesh), shape.pressed(&hertz.pressure, load))
+    }
+
+    fn grid(
+        &self,
+        hertz: &Grid,
+        coupling: Coupling,
+        shape: &Shape,
+        pressed: &Pressed,
+    ) -> (Grid, Attraction) {
+        let (mesh, pressure) = self.elements(hertz, shape, pressed);
+        let stencils: Vec<_> = mesh.strips.iter().map(SlipStencil::steady).collect();
+        let attraction = Attraction::new(&mesh);
+        let influence = Influence::new(&mesh, coupling.poisson, &stencils);
+        // Hertz's own in closed form, and by elements only how much it changes.
+        let changed = slip_by(&attraction, &pressure, &stencils);
+        let before = hertz.pressure_slip.iter().zip(&self.slip_by_elements);
+        let slip = before.zip(&changed).map(|((hertz, by_elements), changed)| {
+            [0, 1].map(|k| hertz[k] + coupling.slip * (changed[k] - by_elements[k]))
+        });
+        let slip = slip.collect();
+        let grid = Grid::new(mesh, pressure, influence, coupling.slip_unit, &stencils);
+        (Grid { pressure_slip: slip, rounding: hertz.rounding, ..grid }, attraction)
+    }
+}
+
+/// Slip of the elements by pressure that is constant on each, over `kappa f00`.
+fn slip_by(
+    attraction: &Attraction,
+    pressure: &Pressure,
+    stencils: &[SlipStencil],
+) -> Vec<[f64; 2]> {
+    let displacement =
+        |at: [f64; 2]| attraction.by_pressure(at, &pressure.bounds).map(|sum| sum / PI);
+    stencils.iter().flat_map(|stencil| stencil.slip(displacement)).collect()
+}
+
+impl Settled {
+    /// Solves the tangential problem under the present pressure.
+    fn rub(&mut self, creepage: Creepage, side: f64) -> Outcome {
+        self.grid.set_forcing(creepage, side, &mut self.state.forcing);
+        let outcome = self.state.solve(&self.grid, &mut self.equations);
+        self.turns += 1;
+        self.sweeps += outcome.sweeps;
+        self.factorizations += outcome.factorizations;
+        outcome
+    }
+
+    /// Tractions over `mu p_0`.
+    fn tractions(&self) -> Vec<[f64; 2]> {
+        let bounds = self.grid.pressure.bounds.iter().enumerate();
+        bounds.map(|(element, bound)| self.state.traction.at(element).map(|t| bound * t)).collect()
+    }
+}

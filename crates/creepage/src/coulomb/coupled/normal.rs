@@ -1,0 +1,262 @@
+//! The normal problem: strips whose pressure vanishes as a root at ends that move, pressed into a
+//! paraboloid to which the tangential tractions add.
+//!
+//! Lengths are in units of `c`, pressures in units of the frictionless peak, displacements in
+//! units of `(1 - sigma) p_0 c / G`.
+
+use std::f64::consts::FRAC_PI_2;
+
+use super::Prescribed;
+use super::along::Along;
+use super::shape::Shape;
+use super::strips::kernel::MOST;
+use super::strips::{Strip, newton};
+use crate::ellipse::Ellipse;
+
+/// Borders are sines of equal parts of so much of a right angle: narrower strips at the tips.
+const CLUSTER: f64 = 0.8 * FRAC_PI_2;
+
+/// An area and its pressure.
+#[derive(Debug, Clone)]
+pub(super) struct Pressed {
+    pub strips: Vec<Strip>,
+    /// `y` halfway between the tips.
+    pub middle: f64,
+    /// Half the distance between the tips, over `b`.
+    pub stretch: f64,
+    pub approach: f64,
+    pub load: f64,
+}
+
+impl Pressed {
+    /// The largest difference from another.
+    pub(super) fn apart(&self, other: &Self) -> f64 {
+        let own = [
+            self.middle - other.middle,
+            self.stretch - other.stretch,
+            self.approach - other.approach,
+        ];
+        let strips = self.strips.iter().zip(&other.strips).flat_map(|(one, two)| {
+            let pressure = one.pressure.into_iter().zip(two.pressure).map(|(p, q)| p - q);
+            pressure.chain([one.centre - two.centre, one.half - two.half])
+        });
+        strips
+            .chain(own)
+            .fold(0.0, |largest: f64, d| if d.is_nan() { d } else { largest.max(d.abs()) })
+    }
+
+    /// Goes a part of the way to another.
+    pub(super) fn go(&mut self, part: f64, to: &Self) {
+        let go = |from: &mut f64, to: f64| *from += part * (to - *from);
+        go(&mut self.middle, to.middle);
+        go(&mut self.stretch, to.stretch);
+        go(&mut self.approach, to.approach);
+        go(&mut self.load, to.load);
+        for (from, to) in self.strips.iter_mut().zip(&to.strips) {
+            go(&mut from.centre, to.centre);
+            go(&mut from.half, to.half);
+            from.pressure.iter_mut().zip(to.pressure).for_each(|(from, to)| go(from, to));
+        }
+    }
+}
+
+/// What is prepared once.
+#[derive(Debug, Clone)]
+pub(super) struct Normal {
+    pub ellipse: Ellipse,
+    /// Of the paraboloid, along and across.
+    curvatures: [f64; 2],
+    /// Of the strips, from -1 to 1.
+    borders: Vec<f64>,
+    /// Without friction; strips of finite width differ a little from Hertz.
+    pub frictionless: Pressed,
+}
+
+impl Normal {
+    /// `None` when the strips do not find Hertz's contact.
+    pub(super) fn new(ellipse: Ellipse, count: usize) -> Option<Self> {
+        let integrals = ellipse.integrals();
+        let root = ellipse.g().sqrt();
+        let (tight, slack) = (integrals.b / root, ellipse.g().powi(2) * integrals.d / root);
+        let along_is_tight = ellipse.a() <= ellipse.b();
+        let curvatures = if along_is_tight { [tight, slack] } else { [slack, tight] };
+        let border =
+            |i: usize| (CLUSTER * (2.0 * i as f64 / count as f64 - 1.0)).sin() / CLUSTER.sin();
+        let borders: Vec<f64> = (0..=count).map(border).collect();
+        let hertz = Pressed {
+            strips: borders
+                .windows(2)
+                .map(|pair| hertz_strip(ellipse, [pair[0], pair[1]]))
+                .collect(),
+            middle: 0.0,
+            stretch: 1.0,
+            approach: ellipse.minor() * integrals.k,
+            load: f64::NAN,
+        };
+        let mut normal = Self { ellipse, curvatures, borders, frictionless: hertz };
+        let none: Vec<Along> = normal.middles().map(|_| Along::default()).collect();
+        let (strips, _) = normal.touching(&normal.frictionless, &none).ok()?;
+        normal.frictionless.load = strips.iter().map(Strip::load).sum();
+        normal.frictionless.strips = strips;
+        Some(normal)
+    }
+
+    /// Middles of the strips, from -1 to 1.
+    pub(super) fn middles(&self) -> impl Iterator<Item = f64> {
+        self.borders.windows(2).map(|pair| f64::midpoint(pair[0], pair[1]))
+    }
+
+    /// A start of the shape that other strips found.
+    pub(super) fn shaped(&self, shape: &Shape, pressed: &Pressed, without: &Pressed) -> Pressed {
+        let own = &self.frictionless;
+        let strips = own.strips.iter().zip(self.middles());
+        Pressed {
+            strips: strips.map(|(strip, t)| shape.strip(strip, t)).collect(),
+            approach: own.approach + pressed.approach - without.approach,
+            load: own.load * pressed.load / without.load,
+            ..*pressed
+        }
+    }
+
+    /// The area and its pressure when `more` is added to the normal displacement, from a start close by.
+    /// Tips move once, and the approach twice: near a solution the rest is for the next turn. `None` when
+    /// the strips do not settle.
+    pub(super) fn solve(
+        &self,
+        start: &Pressed,
+        more: impl Fn([f64; 2]) -> f64,
+        prescribed: Prescribed,
+    ) -> Option<Pressed> {
+        const PARTS: u32 = 8;
+        if let Some(found) = self.step(start, &more, prescribed) {
+            return Some(found);
+        }
+        // Too far at once: from the frictionless contact, bit by bit.
+        let mut found = self.frictionless.clone();
+        for part in 1..=PARTS {
+            let part = f64::from(part) / f64::from(PARTS);
+            found = self.step(&found, &|at: [f64; 2]| part * more(at), prescribed)?;
+        }
+        Some(found)
+    }
+
+    fn step(
+        &self,
+        start: &Pressed,
+        more: &impl Fn([f64; 2]) -> f64,
+        prescribed: Prescribed,
+    ) -> Option<Pressed> {
+        const ATTEMPTS: usize = 6;
+        let mut pressed = self.laid(start);
+        for _ in 0..ATTEMPTS {
+            let along =
+                |strip: &Strip| Along::new([strip.centre, strip.half], |x| more([x, strip.y]));
+            let more: Vec<Along> = pressed.strips.iter().map(along).collect();
+            match self.loaded(pressed.clone(), &more, prescribed) {
+                Ok(mut found) => {
+                    self.move_tips(&mut found);
+                    return Some(found);
+                }
+                Err(stopped) => pressed = self.drawn_in(&pressed, &stopped)?,
+            }
+        }
+        None
+    }
+
+    /// Strips that touch all along and nearly carry the load, or those where that failed.
+    fn loaded(
+        &self,
+        mut pressed: Pressed,
+        more: &[Along],
+        prescribed: Prescribed,
+    ) -> Result<Pressed, Vec<Strip>> {
+        const CORRECTIONS: usize = 2;
+        for _ in 0..CORRECTIONS {
+            let (strips, stiffness) = self.touching(&pressed, more)?;
+            pressed.load = strips.iter().map(Strip::load).sum();
+            pressed.strips = strips;
+            if prescribed == Prescribed::Approach {
+                break;
+            }
+            pressed.approach += (self.frictionless.load - pressed.load) / stiffness;
+        }
+        Ok(pressed)
+    }
+
+    /// Draws in the tips whose outermost strip has shrunk, for it touches nothing; `None` if there are
+    /// none.
+    fn drawn_in(&self, pressed: &Pressed, stopped: &[Strip]) -> Option<Pressed> {
+        const SHRUNK: f64 = 0.6;
+        const PART: f64 = 0.6;
+        let by = |end: Option<(&Strip, &Strip)>| match end {
+            Some((laid, stopped)) if stopped.half < SHRUNK * laid.half => 2.0 * PART * laid.width,
+            _ => 0.0,
+        };
+        let mut pairs = pressed.strips.iter().zip(stopped);
+        let (low, high) = (by(pairs.next()), by(pairs.next_back()));
+        if low + high == 0.0 {
+            return None;
+        }
+        let mut drawn = pressed.clone();
+        drawn.middle += 0.5 * (low - high);
+        drawn.stretch -= 0.5 * (low + high) / self.ellipse.b();
+        Some(self.laid(&drawn))
+    }
+
+    /// The strips laid anew between the tips.
+    fn laid(&self, start: &Pressed) -> Pressed {
+        let mut pressed = start.clone();
+        for (strip, borders) in pressed.strips.iter_mut().zip(self.borders.windows(2)) {
+            let half = start.stretch * self.ellipse.b();
+            strip.y = start.middle + half * f64::midpoint(borders[0], borders[1]);
+            strip.width = 0.5 * half * (borders[1] - borders[0]);
+        }
+        pressed
+    }
+
+    /// The strips that touch all along, and the change of the load with the approach.
+    fn touching(&self, pressed: &Pressed, more: &[Along]) -> Result<(Vec<Strip>, f64), Vec<Strip>> {
+        let middles: Vec<f64> = pressed.strips.iter().map(|strip| strip.y).collect();
+        let [along, across] = self.curvatures;
+        let depth = |x: f64, y: f64| {
+            let strip = middles.partition_point(|middle| *middle < y);
+            let more = more.get(strip).map_or(f64::NAN, |more| more.at(x));
+            pressed.approach - along * x * x - across * y * y - more
+        };
+        let found = newton::solve(pressed.strips.clone(), MOST, &depth)?;
+        let sound = found.stiffness.is_finite() && found.stiffness > 0.0;
+        if sound { Ok((found.strips, found.stiffness)) } else { Err(found.strips) }
+    }
+
+    /// Moves the tips to where the squared half-lengths go to zero as those of an ellipse do: the
+    /// outermost two strips are then as much longer than without friction.
+    fn move_tips(&self, pressed: &mut Pressed) {
+        const FARTHEST: f64 = 0.05;
+        let middles: Vec<f64> = self.middles().collect();
+        let longer = |k: usize| (pressed.strips[k].half / self.frictionless.strips[k].half).powi(2);
+        let beyond = |outer: usize, inner: usize| {
+            let ratio = longer(outer) / longer(inner);
+            let [u, v] = [outer, inner].map(|k| 1.0 - middles[k] * middles[k]);
+            let moved = 0.5 * u * v * (1.0 - ratio) / (ratio * u - v);
+            if moved.is_finite() { moved.clamp(-FARTHEST, FARTHEST) } else { 0.0 }
+        };
+        let last = middles.len() - 1;
+        let [low, high] = [beyond(0, 1), beyond(last, last - 1)];
+        pressed.middle += 0.5 * pressed.stretch * self.ellipse.b() * (high - low);
+        pressed.stretch *= 1.0 + 0.5 * (high + low);
+    }
+}
+
+fn hertz_strip(ellipse: Ellipse, [low, high]: [f64; 2]) -> Strip {
+    let middle = f64::midpoint(low, high);
+    let root = ((1.0 - middle) * (1.0 + middle)).sqrt();
+    let mut pressure = [0.0; MOST];
+    pressure[0] = root;
+    Strip {
+        y: ellipse.b() * middle,
+        width: 0.5 * ellipse.b() * (high - low),
+        centre: 0.0,
+        half: ellipse.a() * root,
+        pressure,
+    }
+}

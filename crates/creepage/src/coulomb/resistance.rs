@@ -1,0 +1,89 @@
+//! What an element bears where friction depends on the slip, or where a layer yields.
+
+use super::mesh::Mesh;
+use super::stencil::SlipStencil;
+use crate::Scaling;
+use crate::friction_law::RollingFriction;
+use crate::layer::{Layer, Plasticity};
+
+/// Least of the bound that is ever left, over that at rest: tractions are divided by it.
+pub(crate) const LEAST: f64 = 1e-6;
+
+/// The law of friction and the yield of the layer, prepared for the elements of a mesh.
+#[derive(Debug, Clone)]
+pub(crate) struct Resistance {
+    friction: Option<RollingFriction>,
+    plasticity: Option<Plasticity>,
+    scaling: Scaling,
+    /// From where the slip of the element before is taken, or from the leading edge, to where that of
+    /// each element is.
+    steps: Vec<f64>,
+}
+
+impl Resistance {
+    /// `None` where Coulomb's constant friction is all that bounds the traction.
+    pub(crate) fn new(
+        friction: Option<RollingFriction>,
+        layer: Option<Layer>,
+        scaling: Scaling,
+        stencils: &[SlipStencil],
+    ) -> Option<Self> {
+        let friction = friction.filter(RollingFriction::falls);
+        let plasticity = layer.and_then(|layer| layer.plasticity());
+        if friction.is_none() && plasticity.is_none() {
+            return None;
+        }
+        let steps = stencils.iter().flat_map(|stencil| {
+            let before = stencil.points.first().into_iter().chain(&stencil.places);
+            before.zip(&stencil.places).map(|(before, at)| before[0] - at[0])
+        });
+        let plasticity = plasticity.map(|plasticity| plasticity.dimensionless(scaling));
+        Some(Self { friction, plasticity, scaling, steps: steps.collect() })
+    }
+
+    /// Friction at high speed over that at rest.
+    pub(crate) fn lowest(&self) -> Option<f64> {
+        self.friction.map(|friction| friction.lowest().max(LEAST))
+    }
+
+    /// Whether a layer yields, which may answer a step by a larger one back.
+    pub(crate) fn yields(&self) -> bool {
+        self.plasticity.is_some()
+    }
+
+    /// The bound of every element over that at rest, strip by strip from the leading edge, where the
+    /// surfaces move over each other by `slip`; `bounds` are those at rest.
+    pub(crate) fn limits(
+        &self,
+        mesh: &Mesh,
+        bounds: &[f64],
+        slip: impl Fn(usize) -> f64,
+        limits: &mut [f64],
+    ) {
+        for strip in 0..mesh.strips.len() {
+            let (mut friction, mut last, mut plastic) = (1.0, 0.0, 0.0);
+            for element in mesh.elements(strip) {
+                let (slip, step) = (slip(element), self.steps[element]);
+                friction = self.friction_after(friction, [last, slip], step);
+                let moved = plastic + 0.5 * (last + slip) * step;
+                let yields = self.yield_bound(moved) / bounds[element];
+                if yields < friction {
+                    plastic = moved;
+                }
+                limits[element] = friction.min(yields).clamp(LEAST, 1.0);
+                last = slip;
+            }
+        }
+    }
+
+    fn friction_after(&self, before: f64, slips: [f64; 2], step: f64) -> f64 {
+        let Some(friction) = &self.friction else { return 1.0 };
+        let slips = slips.map(|slip| self.scaling.slip * slip);
+        friction.after(before, slips, self.scaling.length * step)
+    }
+
+    /// The layer's shear yield stress after a plastic displacement.
+    fn yield_bound(&self, plastic: f64) -> f64 {
+        self.plasticity.map_or(f64::INFINITY, |p| p.yield_stress + p.slope * plastic)
+    }
+}

@@ -1,0 +1,121 @@
+//! What does not change while the contact rolls: elements, and the displacements by their tractions.
+
+use std::f64::consts::PI;
+
+use crate::Ellipse;
+use crate::coulomb::forcing;
+use crate::coulomb::grid::Grid;
+use crate::coulomb::influence::Influence;
+use crate::coulomb::stencil::SlipStencil;
+
+/// One element of a strip, in units of `c`.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Element {
+    pub strip: usize,
+    /// Centre.
+    pub x: f64,
+    pub y: f64,
+    /// Points of displacement: that at the centre, the next upstream and the one after it.
+    pub nodes: [usize; 3],
+    /// Steps upstream between these; the first element has one only, to the leading edge.
+    pub steps: [f64; 2],
+    pub area: f64,
+}
+
+/// The points of displacement of a strip, from its leading edge.
+#[derive(Debug, Clone)]
+pub(crate) struct Row {
+    pub first: usize,
+    pub x: Vec<f64>,
+    pub y: f64,
+    /// Half-length on the middle line.
+    pub half_length: f64,
+}
+
+/// Elements, points of displacement, and the displacements there by tractions and pressure.
+#[derive(Debug)]
+pub(crate) struct Elements {
+    /// With the slip of steady rolling.
+    pub steady: Grid,
+    pub all: Vec<Element>,
+    pub rows: Vec<Row>,
+    /// Of all points, by tractions over their bounds.
+    pub displacements: Influence,
+    /// Of all points, by the pressure of dissimilar bodies.
+    pub by_pressure: Vec<[f64; 2]>,
+    /// The contact, for particles that enter it from the side; a line contact has no sides.
+    pub semi_axes: [f64; 2],
+}
+
+impl Elements {
+    /// The elements of a grid, whose unit of slip over the largest traction bound is `slip_unit` in
+    /// units of `G`.
+    pub(crate) fn new(steady: Grid, poisson: f64, slip_unit: f64, semi_axes: [f64; 2]) -> Self {
+        // From step to step a rounded corner would let adhering elements creep.
+        let steady = Grid { rounding: 0.0, ..steady };
+        let mesh = &steady.mesh;
+        let points: Vec<_> = mesh.strips.iter().map(|s| SlipStencil::steady(s).points).collect();
+        let scale = 1.0 / (PI * slip_unit);
+        let factors: Vec<f64> = steady.pressure.bounds.iter().map(|bound| scale * bound).collect();
+        let displacements =
+            Influence::displacements(mesh, poisson, &points).with_columns_times(&factors);
+        let mut first = 0;
+        let mut rows = Vec::with_capacity(points.len());
+        for (strip, points) in mesh.strips.iter().zip(&points) {
+            let (x, y) = (points.iter().map(|point| point[0]).collect(), strip.y());
+            let half_length = 0.5 * (strip.half_length[0] + strip.half_length[1]);
+            rows.push(Row { first, x, y, half_length });
+            first += points.len();
+        }
+        let all = mesh.all().map(|(strip, i)| {
+            Element::new(strip, &rows[strip], i, area(mesh.strips[strip].corners(i)))
+        });
+        let all = all.collect();
+        let by_pressure = vec![[0.0; 2]; first];
+        Self { steady, all, rows, displacements, by_pressure, semi_axes }
+    }
+
+    /// Hertz's contact in the units of [`Grid::hertz`].
+    pub(crate) fn hertz(
+        ellipse: Ellipse,
+        poisson: f64,
+        kappa_over_mu: f64,
+        counts: [usize; 2],
+    ) -> Self {
+        let slip_unit = (1.0 - poisson) * ellipse.integrals().e / (2.0 * ellipse.g().sqrt());
+        let grid = Grid::hertz(ellipse, poisson, kappa_over_mu, counts);
+        let mut elements = Self::new(grid, poisson, slip_unit, [ellipse.a(), ellipse.b()]);
+        if kappa_over_mu != 0.0 {
+            let factor = kappa_over_mu / slip_unit;
+            let at = |[x, y]: [f64; 2]| forcing::displacement(ellipse, [x, y]).map(|u| factor * u);
+            let points = elements.rows.iter().flat_map(|row| row.x.iter().map(|x| [*x, row.y]));
+            elements.by_pressure = points.map(at).collect();
+        }
+        elements
+    }
+
+    /// Number of points of displacement.
+    pub(crate) fn points(&self) -> usize {
+        self.by_pressure.len()
+    }
+}
+
+impl Element {
+    fn new(strip: usize, row: &Row, i: usize, area: f64) -> Self {
+        let second = i.max(1) - 1;
+        let step = |k: usize| row.x[k] - row.x[k + 1];
+        Self {
+            strip,
+            x: row.x[i + 1],
+            y: row.y,
+            nodes: [row.first + i + 1, row.first + i, row.first + second],
+            steps: [step(i), if i == 0 { 0.0 } else { step(i - 1) }],
+            area,
+        }
+    }
+}
+
+/// Area of a trapezium between two lines of constant `y`.
+fn area([a, b, c, d]: [[f64; 2]; 4]) -> f64 {
+    0.5 * ((c[0] - a[0]) * (d[1] - b[1]) - (d[0] - b[0]) * (c[1] - a[1])).abs()
+}

@@ -1,0 +1,71 @@
+//! Two cylinders with parallel axes, Carter's contact: one strip of elements as long as the
+//! cylinders, its displacements taken in the middle.
+//!
+//! How far two bodies are shifted by a force along a line depends on its length, by a logarithm: so
+//! do forces while they change at a prescribed creepage, until they are steady, and creepages at a
+//! prescribed force do not.
+
+use super::elements::Elements;
+use super::rolling::Rolling;
+use crate::Ellipse;
+use crate::check::{self, InvalidValue};
+use crate::coulomb::grid::Grid;
+use crate::coulomb::influence::Influence;
+use crate::coulomb::mesh::{Mesh, SUBCELLS, Strip, cut};
+use crate::coulomb::pressure::Pressure;
+use crate::coulomb::stencil::SlipStencil;
+
+/// Elements of the coarser grid.
+const ELEMENTS: usize = 50;
+/// An ellipse so many times wider than the line is long has its pressure, to 1e-6.
+const WIDER: f64 = 1e3;
+
+impl Rolling {
+    /// A line contact whose length is `length` times its half-width `a`, between bodies of combined
+    /// Poisson's ratio `poisson`.
+    ///
+    /// The unit of length is `a`, that of creepage `mu a / rho` with `1/rho = (1/R+ + 1/R-)/4`, as in
+    /// [`Carter`](crate::approximate::carter::Carter); that of force `mu N`, `N` over the whole length.
+    /// There is no spin in it.
+    ///
+    /// ```
+    /// use creepage::approximate::carter::Carter;
+    /// use creepage::unsteady::{Motion, Rolling};
+    /// let mut rolling = Rolling::line(1000.0, 0.28)?;
+    /// rolling.shift(0.5, 0.0)?;
+    /// let end = rolling.step(8.0, &Motion::forces(0.5, 0.0))?;
+    /// assert!((Carter::new(end.creepage.xi())?.force() - 0.5).abs() < 2e-3);
+    /// # Ok::<(), creepage::InvalidValue>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`InvalidValue`] unless `length` lies between 10 and 1e6 and `poisson` between 0 and 0.5.
+    pub fn line(length: f64, poisson: f64) -> Result<Self, InvalidValue> {
+        let valid = "between 10 and 1e6 half-widths";
+        check::require((10.0..=1e6).contains(&length), "length", length, valid)?;
+        check::poisson(poisson)?;
+        let pressed = Ellipse::new(1.0, (WIDER * length).min(1e6))?;
+        Ok(Self::of([1, 2].map(|k| elements(pressed, length, poisson, k * ELEMENTS))))
+    }
+}
+
+fn elements(pressed: Ellipse, length: f64, poisson: f64, count: usize) -> Elements {
+    let across = |k: usize| length * (k as f64 / SUBCELLS as f64 - 0.5);
+    let along = |piece: usize| cut(piece as f64 / SUBCELLS as f64, count);
+    let strip = Strip {
+        across: std::array::from_fn(across),
+        middle: [0.0; 2],
+        half_length: [1.0; 2],
+        along: (0..=SUBCELLS * count).map(along).collect(),
+        patch: 0..1,
+    };
+    let mesh = Mesh::new(vec![strip]);
+    let mut pressure = Pressure::hertz(pressed, &mesh);
+    pressure.scale(pressure.shares.iter().sum::<f64>().recip(), 1.0);
+    let stencils: Vec<_> = mesh.strips.iter().map(SlipStencil::steady).collect();
+    let influence = Influence::new(&mesh, poisson, &stencils);
+    // (1.2): the unit of slip mu a / rho over the largest traction mu p0, in units of G.
+    let slip_unit = 0.5 * (1.0 - poisson);
+    let grid = Grid::new(mesh, pressure, influence, slip_unit, &stencils);
+    Elements::new(grid, poisson, slip_unit, [1.0, f64::INFINITY])
+}

@@ -1,0 +1,331 @@
+//! The full theory of rolling that is not steady: a state that rolls on.
+
+use std::sync::Arc;
+
+use super::control::{Control, Watched};
+use super::elements::Elements;
+use super::motion::Motion;
+use super::track::{self, Stage, Track};
+use crate::check::{self, InvalidValue};
+use crate::coulomb::extrapolation::{Extrapolation, error_bar, extrapolate};
+use crate::coulomb::{ElementField, Exact, Resolution};
+use crate::theory::{Solution, Statistics, Status};
+use crate::{Contact, Creepage, FieldPoint, Region};
+
+/// What a step leads to, dimensionless in the units of the contact's nominal load.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Rolled {
+    /// Distance rolled since the beginning, in units of `c`.
+    pub distance: f64,
+    /// Creepage at the end of the step, prescribed or found.
+    pub creepage: Creepage,
+    /// Force at the end of the step, its error bars, outcome and cost.
+    pub solution: Solution,
+    /// Share of the contact area that adheres.
+    pub adhesion_share: f64,
+    /// Frictional energy per distance at the end of the step, over `mu N mu c / rho`.
+    pub dissipation: f64,
+}
+
+/// A contact that rolls on: its past decides with the motion what comes.
+///
+/// ```
+/// use creepage::coulomb::Resolution;
+/// use creepage::unsteady::{Motion, Rolling};
+/// use creepage::{Contact, Creepage, Ellipse};
+/// let contact = Contact::new(Ellipse::from_ratio(1.0)?, 0.28)?;
+/// let mut rolling = Rolling::new(&contact, Resolution::FAST)?;
+/// let motion = Motion::from(Creepage::new(0.5, 0.0, 0.0)?);
+/// let quarter = rolling.step(0.25, &motion)?.solution.force;
+/// assert!((quarter.fx - 0.075).abs() < 0.002); // nearly a sticking disc, .0785
+/// # Ok::<(), creepage::InvalidValue>(())
+/// ```
+#[derive(Debug, Clone)]
+pub struct Rolling {
+    pub(super) tracks: [Track; 2],
+    pub(super) control: Control,
+    pub(super) travel: Travel,
+}
+
+/// Where the contact is, how it is loaded and how it last moved.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Travel {
+    pub distance: f64,
+    /// Normal force over the nominal one, now and from the next step on.
+    pub load: f64,
+    pub next_load: f64,
+    /// The last motion, after the first.
+    pub motion: Option<Motion>,
+}
+
+/// A change of the load by more than this fraction is a jump.
+const SMOOTH_LOAD: f64 = 0.05;
+
+impl Rolling {
+    /// The contact just pressed together, without traction; with half as many elements more along the
+    /// rolling direction than [`Exact`] has, for borders travel that way.
+    ///
+    /// # Errors
+    /// [`InvalidValue`] as [`Exact::new`].
+    pub fn new(contact: &Contact, resolution: Resolution) -> Result<Self, InvalidValue> {
+        let ellipse = contact.ellipse();
+        check::ratio(ellipse.ratio(), Exact::RATIO_RANGE, "between 1/64 and 64")?;
+        let [along, across] = resolution.coarse(ellipse.ratio());
+        let along = along + along / 2;
+        let (poisson, kappa_over_mu) = (contact.poisson(), contact.kappa_over_mu());
+        Ok(Self::of(
+            [1, 2]
+                .map(|k| Elements::hertz(ellipse, poisson, kappa_over_mu, [k * along, k * across])),
+        ))
+    }
+
+    pub(super) fn of(elements: [Elements; 2]) -> Self {
+        let control = Control::new(elements[0].semi_axes[0]);
+        let tracks = elements.map(|elements| Track::new(Arc::new(elements)));
+        let travel = Travel { distance: 0.0, load: 1.0, next_load: 1.0, motion: None };
+        Self { tracks, control, travel }
+    }
+
+    /// Starts anew under another normal force, over the nominal one, without traction.
+    ///
+    /// # Errors
+    /// [`InvalidValue`] as [`Rolling::press`].
+    pub fn start_with_load(&mut self, load: f64) -> Result<(), InvalidValue> {
+        self.press(load)?;
+        let scale = if load > 0.0 { load.cbrt() } else { 1.0 };
+        self.tracks.iter_mut().for_each(|track| track.begin(scale));
+        self.travel = Travel { distance: 0.0, load, next_load: load, motion: None };
+        self.control.restart();
+        Ok(())
+    }
+
+    /// Presses with another normal force, over the nominal one, from the next step on; the area
+    /// grows or shrinks with its third root over the first of the steps into which that one is cut. At
+    /// zero the bodies part, and what they remember is lost.
+    ///
+    /// # Errors
+    /// [`InvalidValue`] unless `load` lies between 0 and a million, and for line contacts, whose load
+    /// stays as it is.
+    pub fn press(&mut self, load: f64) -> Result<(), InvalidValue> {
+        let is_line = self.tracks[0].elements.semi_axes[1].is_infinite();
+        check::require(
+            !is_line || (load - 1.0).abs() < 1e-12,
+            "load",
+            load,
+            "1 for a line contact",
+        )?;
+        let valid = "between 0 and 1e6";
+        self.travel.next_load = check::require((0.0..=1e6).contains(&load), "load", load, valid)?;
+        Ok(())
+    }
+
+    /// Shifts the bodies against each other by a force, before they roll: Cattaneo's and Mindlin's
+    /// problem, on any ellipse in any direction.
+    ///
+    /// `creepage` of what is given back is the shift of the upper body, in units of `mu c^2 / rho`.
+    ///
+    /// # Errors
+    /// [`InvalidValue`] unless the force is below that of friction.
+    pub fn shift(&mut self, fx: f64, fy: f64) -> Result<Rolled, InvalidValue> {
+        let valid = "below the force of friction, mu N";
+        let size = check::require(fx.hypot(fy) < self.travel.load, "force", fx.hypot(fy), valid)?;
+        check::finite("force", size)?;
+        let rolled = self.start(Stage::Shift, &Motion::forces(fx, fy));
+        let [coarse, fine] = self.tracks.each_ref().map(|track| track.creep);
+        let [xi, eta, chi] = [0, 1, 2].map(|k| extrapolate(coarse[k], fine[k]));
+        Ok(Rolled { creepage: Creepage { xi, eta, chi }, ..rolled })
+    }
+
+    /// Starts from steady rolling with a motion.
+    ///
+    /// # Errors
+    /// [`InvalidValue`] when a number of the motion is not finite.
+    pub fn start_steady(&mut self, motion: &Motion) -> Result<Rolled, InvalidValue> {
+        motion.check()?;
+        let rolled = self.start(Stage::Steady { scale: self.travel.load.cbrt() }, motion);
+        self.travel.motion = Some(*motion);
+        Ok(rolled)
+    }
+
+    fn start(&mut self, stage: Stage, motion: &Motion) -> Rolled {
+        let solved = self.solve(stage, motion);
+        for track in &mut self.tracks {
+            track.remember(stage);
+        }
+        self.control.restart();
+        self.rolled(solved)
+    }
+
+    /// Rolls on, in steps as short as the forces ask for.
+    ///
+    /// # Errors
+    /// [`InvalidValue`] unless the distance is positive and all numbers are finite.
+    pub fn step(&mut self, distance: f64, motion: &Motion) -> Result<Rolled, InvalidValue> {
+        self.check(distance, motion)?;
+        let mut smooth = self.goes_on(motion);
+        if !smooth {
+            self.control.restart();
+        }
+        let mut remaining = distance;
+        let mut cost = Statistics::default();
+        loop {
+            let (length, is_last) = self.control.length(remaining);
+            let Some(rolled) = self.try_step(length, motion, smooth, true) else { continue };
+            cost.iterations += rolled.solution.statistics.iterations;
+            cost.factorizations += rolled.solution.statistics.factorizations;
+            smooth = true;
+            remaining -= length;
+            if is_last {
+                let solution = Solution { statistics: cost, ..rolled.solution };
+                return Ok(Rolled { solution, ..rolled });
+            }
+        }
+    }
+
+    /// Rolls on in a single step of the scheme, whatever its length.
+    ///
+    /// # Errors
+    /// As [`Rolling::step`].
+    pub fn advance(&mut self, distance: f64, motion: &Motion) -> Result<Rolled, InvalidValue> {
+        self.check(distance, motion)?;
+        let smooth = self.goes_on(motion);
+        let rolled = self.try_step(distance, motion, smooth, false);
+        Ok(rolled.unwrap_or_else(|| self.rolled(false)))
+    }
+
+    /// The elements of the finer grid as the last step left them, strip by strip from negative `y`, each
+    /// from the leading edge: positions in units of `c`, tractions in that of the nominal load.
+    #[must_use]
+    pub fn elements(&self) -> Vec<ElementField> {
+        let track = &self.tracks[1];
+        let (grid, scale) = (&track.grid, self.travel.load.cbrt());
+        let place = |at: [f64; 2]| at.map(|x| scale * x);
+        let element = |(index, (strip, i)): (usize, (usize, usize))| {
+            let bound = scale * grid.pressure.bounds[index];
+            let (traction, slip) = track.state.visible(grid, index);
+            let point = FieldPoint {
+                position: place(grid.pressure.centroids[index]),
+                traction: traction.map(|t| bound * t),
+                slip: slip.unwrap_or_default().map(|s| scale * s),
+                region: if slip.is_some() { Region::Slip } else { Region::Adhesion },
+            };
+            ElementField {
+                point,
+                bound,
+                share: scale.powi(3) * grid.pressure.shares[index],
+                power: scale.powi(4) * track.state.power(grid, index),
+                corners: grid.mesh.strips[strip].corners(i).map(place),
+            }
+        };
+        grid.mesh.all().enumerate().map(element).collect()
+    }
+
+    fn check(&self, distance: f64, motion: &Motion) -> Result<(), InvalidValue> {
+        check::positive("distance", distance)?;
+        motion.check()?;
+        let limit = self.travel.next_load;
+        let [fx, fy, _] = motion.components().map(|one| one.force().unwrap_or(0.0));
+        let size = fx.hypot(fy);
+        check::require(size <= limit, "force", size, "at most the force of friction, mu N")?;
+        Ok(())
+    }
+
+    /// Whether motion and load go on without a jump.
+    fn goes_on(&self, motion: &Motion) -> bool {
+        let Travel { load, next_load, motion: last, .. } = self.travel;
+        let is_smooth = (next_load - load).abs() <= SMOOTH_LOAD * load;
+        is_smooth && last.is_some_and(|last| motion.continues(&last))
+    }
+
+    /// One step; `None` when it is to be tried with a shorter one.
+    fn try_step(
+        &mut self,
+        length: f64,
+        motion: &Motion,
+        smooth: bool,
+        controlled: bool,
+    ) -> Option<Rolled> {
+        let Travel { load, next_load, .. } = self.travel;
+        if next_load == 0.0 {
+            return Some(self.part(length, motion));
+        }
+        let scale = next_load.cbrt();
+        if load == 0.0 {
+            self.tracks.iter_mut().for_each(|track| track.begin(scale));
+        }
+        let stage = Stage::Step { length, scale, smooth };
+        let before =
+            self.tracks.each_ref().map(|track| (track.state.traction.clone(), track.creep));
+        let solved = self.solve(stage, motion);
+        if controlled && !self.control.accepts(length, self.watched(motion)) {
+            for (track, (traction, creep)) in self.tracks.iter_mut().zip(before) {
+                (track.state.traction, track.creep) = (traction, creep);
+            }
+            return None;
+        }
+        for track in &mut self.tracks {
+            track.remember(stage);
+        }
+        self.travel.load = next_load;
+        self.travel.distance += length;
+        self.travel.motion = Some(*motion);
+        Some(self.rolled(solved))
+    }
+
+    /// The bodies are apart.
+    fn part(&mut self, length: f64, motion: &Motion) -> Rolled {
+        self.tracks.iter_mut().for_each(|track| track.begin(1.0));
+        self.control.restart();
+        self.travel.load = 0.0;
+        self.travel.distance += length;
+        self.travel.motion = Some(*motion);
+        let [xi, eta, chi] = motion.components().map(|one| one.creepage().unwrap_or(0.0));
+        Rolled {
+            distance: self.travel.distance,
+            creepage: Creepage { xi, eta, chi },
+            solution: Solution::closed_form(crate::Force::default(), Status::Solved),
+            adhesion_share: 0.0,
+            dissipation: 0.0,
+        }
+    }
+
+    fn solve(&mut self, stage: Stage, motion: &Motion) -> bool {
+        let solved = self.tracks.each_mut().map(|track| {
+            track.prepare(stage);
+            track.solve(motion)
+        });
+        solved == [true; 2]
+    }
+
+    /// What step control looks at: forces, and creepages that are found.
+    fn watched(&self, motion: &Motion) -> Watched {
+        let track::Result { creep, force, .. } = self.tracks[1].result();
+        let found = |k: usize| motion.components()[k].force().map_or(0.0, |_| creep[k]);
+        let force = force.components().map(|part| part / self.travel.next_load);
+        Watched { force, found: [0, 1, 2].map(found) }
+    }
+
+    /// Both grids together.
+    fn rolled(&self, solved: bool) -> Rolled {
+        let [coarse, fine] = self.tracks.each_ref().map(Track::result);
+        let count = |of: fn(&Track) -> usize| self.tracks.iter().map(of).sum();
+        // Creepages that are found go up and down as the border of adhesion crosses elements, those of
+        // the coarser grid most: extrapolation would add to it.
+        let [xi, eta, chi] = fine.creep;
+        Rolled {
+            distance: self.travel.distance,
+            creepage: Creepage { xi, eta, chi },
+            solution: Solution {
+                force: Extrapolation::PLAIN.force([coarse.force, fine.force]),
+                error: Some(error_bar(coarse.force, fine.force, self.tracks[1].elements.all.len())),
+                status: if solved { Status::Solved } else { Status::NotConverged },
+                statistics: Statistics {
+                    iterations: count(|track| track.outcome.sweeps),
+                    factorizations: count(|track| track.outcome.factorizations),
+                },
+            },
+            adhesion_share: fine.adhesion_share,
+            dissipation: extrapolate(coarse.dissipation, fine.dissipation).max(0.0),
+        }
+    }
+}

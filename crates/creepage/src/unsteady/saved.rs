@@ -1,0 +1,224 @@
+//! The state of a contact, kept to go on from it again: for a step that a larger program rejects, or
+//! as bytes for a run that is interrupted.
+
+use std::collections::VecDeque;
+
+use super::control::{Control, Trend, Watched};
+use super::motion::{Motion, Prescribed};
+use super::past::{Level, Past};
+use super::rolling::{Rolling, Travel};
+
+/// What a contact remembers.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Saved {
+    tracks: [SavedTrack; 2],
+    control: Control,
+    travel: Travel,
+}
+
+#[derive(Debug, Clone, PartialEq)]
+struct SavedTrack {
+    past: Past,
+    creep: [f64; 3],
+    traction: Vec<f64>,
+}
+
+/// Why bytes are no state of a contact.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum SavedError {
+    /// They are damaged, cut off, or of another kind.
+    #[error("these bytes hold no state of a rolling contact")]
+    NoState,
+    /// They are those of a contact with other elements.
+    #[error("the state is that of a contact with other elements")]
+    OtherElements,
+}
+
+const MAGIC: &[u8; 8] = b"rolling1";
+
+impl Rolling {
+    /// What the contact remembers: going on from it gives the same, to the last bit.
+    #[must_use]
+    pub fn save(&self) -> Saved {
+        let track = |track: &super::track::Track| {
+            let mut traction = vec![0.0; 2 * track.elements.all.len()];
+            track.state.traction.copy_to(&mut traction);
+            SavedTrack { past: track.past.clone(), creep: track.creep, traction }
+        };
+        let tracks = self.tracks.each_ref().map(track);
+        Saved { tracks, control: self.control, travel: self.travel }
+    }
+
+    /// Goes back, or on, to what was saved.
+    ///
+    /// # Errors
+    /// [`SavedError::OtherElements`] unless it was saved by a contact with as many elements.
+    pub fn restore(&mut self, saved: &Saved) -> Result<(), SavedError> {
+        let fits = |(track, saved): (&super::track::Track, &SavedTrack)| {
+            let (elements, points) = (track.elements.all.len(), track.elements.points());
+            let whole = |level: &Level| level.displacement.iter().all(|u| u.len() == points);
+            saved.traction.len() == 2 * elements
+                && !saved.past.0.is_empty()
+                && saved.past.0.iter().all(whole)
+        };
+        if !self.tracks.iter().zip(&saved.tracks).all(fits) {
+            return Err(SavedError::OtherElements);
+        }
+        for (track, saved) in self.tracks.iter_mut().zip(&saved.tracks) {
+            track.state.traction.copy_from(&saved.traction);
+            track.past.clone_from(&saved.past);
+            track.creep = saved.creep;
+        }
+        (self.control, self.travel) = (saved.control, saved.travel);
+        Ok(())
+    }
+}
+
+impl Saved {
+    /// As bytes, which [`Saved::from_bytes`] reads on any machine.
+    #[must_use]
+    pub fn to_bytes(&self) -> Vec<u8> {
+        let mut out = Numbers::default();
+        let Travel { distance, load, next_load, motion } = self.travel;
+        out.all(&[distance, load, next_load]);
+        out.some(motion.map(|motion| motion.components()), |out, parts| {
+            for part in parts {
+                let kind = f64::from(u8::from(part.force().is_some()));
+                let value = part.force().or(part.creepage()).unwrap_or(0.0);
+                out.all(&[kind, value]);
+            }
+        });
+        out.all(&[self.control.next]);
+        out.some(self.control.trend, |out, trend| {
+            out.all(&trend.watched.force);
+            out.all(&trend.watched.found);
+            out.some(trend.rate, |out, rate| out.all(&rate));
+        });
+        for track in &self.tracks {
+            track.write(&mut out);
+        }
+        let body: Vec<u8> = out.0.iter().flat_map(|value| value.to_le_bytes()).collect();
+        [&MAGIC[..], &crc32fast::hash(&body).to_le_bytes(), &body].concat()
+    }
+
+    /// Reads what [`Saved::to_bytes`] wrote; `like` is a contact with the same elements.
+    ///
+    /// # Errors
+    /// [`SavedError`] when the bytes are damaged.
+    pub fn from_bytes(bytes: &[u8], like: &Rolling) -> Result<Self, SavedError> {
+        let body = bytes.strip_prefix(MAGIC).and_then(|rest| rest.split_at_checked(4));
+        let (sum, body) = body.ok_or(SavedError::NoState)?;
+        if sum != crc32fast::hash(body).to_le_bytes() || body.len() % 8 != 0 {
+            return Err(SavedError::NoState);
+        }
+        let numbers = body.chunks_exact(8).map(|chunk| {
+            let mut bytes = [0; 8];
+            bytes.copy_from_slice(chunk);
+            f64::from_le_bytes(bytes)
+        });
+        Self::read(numbers, like.control).ok_or(SavedError::NoState)
+    }
+
+    fn read(mut numbers: impl Iterator<Item = f64>, control: Control) -> Option<Self> {
+        let from = &mut numbers;
+        let [distance, load, next_load] = several(from)?;
+        let motion = if flag(from)? { Some(motion(from)?) } else { None };
+        let next = from.next()?;
+        let trend = if flag(from)? { Some(trend(from)?) } else { None };
+        let tracks = [SavedTrack::read(from)?, SavedTrack::read(from)?];
+        let travel = Travel { distance, load, next_load, motion };
+        Some(Self { tracks, control: Control { next, trend, ..control }, travel })
+    }
+}
+
+impl SavedTrack {
+    fn write(&self, out: &mut Numbers) {
+        out.all(&self.creep);
+        out.list(&self.traction);
+        out.all(&[self.past.0.len() as f64]);
+        for level in &self.past.0 {
+            out.all(&[level.length, level.scale, f64::from(u8::from(level.smooth))]);
+            out.all(&level.creep);
+            level.displacement.iter().for_each(|values| out.list(values));
+        }
+    }
+
+    fn read(from: &mut impl Iterator<Item = f64>) -> Option<Self> {
+        let creep = several(from)?;
+        let traction = list(from)?;
+        let levels = count(from)?;
+        let mut past = VecDeque::new();
+        for _ in 0..levels {
+            let [length, scale, smooth, xi, eta, chi] = several(from)?;
+            past.push_back(Level {
+                length,
+                scale,
+                creep: [xi, eta, chi],
+                smooth: smooth != 0.0,
+                displacement: [list(from)?, list(from)?],
+            });
+        }
+        Some(Self { past: Past(past), creep, traction })
+    }
+}
+
+/// Numbers in a row.
+#[derive(Default)]
+struct Numbers(Vec<f64>);
+
+impl Numbers {
+    fn all(&mut self, values: &[f64]) {
+        self.0.extend_from_slice(values);
+    }
+
+    fn list(&mut self, values: &[f64]) {
+        self.0.push(values.len() as f64);
+        self.all(values);
+    }
+
+    fn some<T>(&mut self, value: Option<T>, write: impl FnOnce(&mut Self, T)) {
+        self.0.push(f64::from(u8::from(value.is_some())));
+        if let Some(value) = value {
+            write(self, value);
+        }
+    }
+}
+
+fn several<const N: usize>(from: &mut impl Iterator<Item = f64>) -> Option<[f64; N]> {
+    let mut values = [0.0; N];
+    for value in &mut values {
+        *value = from.next()?;
+    }
+    Some(values)
+}
+
+fn flag(from: &mut impl Iterator<Item = f64>) -> Option<bool> {
+    from.next().map(|value| value != 0.0)
+}
+
+#[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // checked
+fn count(from: &mut impl Iterator<Item = f64>) -> Option<usize> {
+    let value = from.next()?;
+    ((0.0..1e9).contains(&value) && value.fract() == 0.0).then_some(value as usize)
+}
+
+fn list(from: &mut impl Iterator<Item = f64>) -> Option<Vec<f64>> {
+    let length = count(from)?;
+    let values: Vec<f64> = from.take(length).collect();
+    (values.len() == length).then_some(values)
+}
+
+fn motion(from: &mut impl Iterator<Item = f64>) -> Option<Motion> {
+    let mut part = || {
+        let [kind, value] = several(from)?;
+        Some(if kind == 0.0 { Prescribed::Creepage(value) } else { Prescribed::Force(value) })
+    };
+    Some(Motion { longitudinal: part()?, lateral: part()?, spin: part()? })
+}
+
+fn trend(from: &mut impl Iterator<Item = f64>) -> Option<Trend> {
+    let watched = Watched { force: several(from)?, found: several(from)? };
+    let rate = if flag(from)? { Some(several(from)?) } else { None };
+    Some(Trend { watched, rate })
+}

@@ -1,0 +1,12 @@
+//! Rolling that is not steady.
+
+#![allow(clippy::unwrap_used)]
+
+mod cases;
+mod line;
+mod load;
+mod order;
+mod physics;
+mod random;
+mod reference;
+mod support;
