@@ -14,7 +14,7 @@ PAGE = "explorer.md"
 SCRIPT = "explorer/engine-wasm.js"
 # With all that the page loads, below 2 MB.
 LARGEST = 1_900_000
-LEFT_OUT = """# Explorer
+PAGE_WITHOUT_ENGINE = """# Explorer
 
 This copy of the guide was built without the explorer: the compiler's target `wasm32-unknown-unknown` was not at hand.
 """
@@ -23,7 +23,7 @@ This copy of the guide was built without the explorer: the compiler's target `wa
 def on_files(files, config):
     wasm = os.environ.get("CREEPAGE_WASM")
     if not wasm:
-        files.get_file_from_path(PAGE).content_string = LEFT_OUT
+        files.get_file_from_path(PAGE).content_string = PAGE_WITHOUT_ENGINE
         return files
     text = base64.b64encode(Path(wasm).read_bytes()).decode()
     assert len(text) < LARGEST, f"the explorer's engine has {len(text)} bytes"

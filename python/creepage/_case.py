@@ -68,7 +68,7 @@ class Case:
         upper: Body,
         lower: Body,
         normal_force: float,
-        friction: float,
+        friction: float | Mapping[str, Any],
         longitudinal: float | None = None,
         lateral: float | None = None,
         spin: float | None = None,
@@ -85,16 +85,20 @@ class Case:
         angle: float | None = None,
         semi_axis_rolling: float | None = None,
         semi_axis_lateral: float | None = None,
+        layer: Mapping[str, float] | None = None,
+        damage: Mapping[str, Any] | None = None,
         theory: str = "exact",
         **options: Any,
     ) -> None:
-        """normal_force: N (N). friction: mu. Creepage either in SI units, longitudinal and
+        """normal_force: N (N). friction: mu, or a law of it by the speed of slip or across the
+        contact as a case file has it. Creepage either in SI units, longitudinal and
         lateral (relative velocity over rolling velocity) and spin (rad/m), or dimensionless, xi,
         eta, chi; what is left out is zero. speed: rolling velocity (m/s), for the frictional
         power. Forces on the lower body (N, N m), or dimensionless, are wanted in place of
         creepages, which are then found; exactly three quantities are given, zeros too. angle:
         from the upper body's rolling section to the lower's (degrees). Both semi-axes (m) replace
-        the bodies' radii. theory and its options are those of `solve`.
+        the bodies' radii. layer: `thickness` (m), `shear_modulus` (Pa) and what else `[layer]` of a
+        case file has. damage: `{}`, or constants as in `[damage]`, for `Solution.damage`. theory and its options are those of `solve`.
         """
         numbers = {
             "normal_force": normal_force, "friction": friction, "longitudinal": longitudinal,
@@ -104,7 +108,7 @@ class Case:
             "semi_axis_rolling": semi_axis_rolling, "semi_axis_lateral": semi_axis_lateral,
         }  # fmt: skip
         for name, value in numbers.items():
-            if value is not None:
+            if value is not None and not (name == "friction" and isinstance(value, Mapping)):
                 number(name, value)
         contact = {
             "normal_force": normal_force,
@@ -133,6 +137,11 @@ class Case:
         file = sections(upper, lower, contact)
         file["creepage"] = creepage
         file["wanted"] = forces
+        file |= {
+            name: dict(section)
+            for name, section in (("layer", layer), ("damage", damage))
+            if section is not None
+        }
         file["solve"] = {"theory": theory, **options}
         self._read(dumps(file))
 

@@ -164,6 +164,13 @@ class Solution:
         return self._solved.details
 
     @property
+    def damage(self) -> dict[str, Any] | None:
+        """Wear and fatigue numbers as `damage` of `report.json` has them, the names with their units;
+        None where the case asks for none."""
+        damage: dict[str, Any] | None = self.to_dict()["damage"]
+        return damage
+
+    @property
     def length(self) -> float:
         """The unit of length, c = sqrt(a b) (m)."""
         return self._data.units[0]

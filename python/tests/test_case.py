@@ -22,6 +22,7 @@ from creepage import Body, Case
 STEEL: dict[str, Any] = {"shear_modulus": 82e9, "poisson": 0.28}
 WHEEL = Body(**STEEL, radius_rolling=0.46)
 RAIL = Body(**STEEL, radius_rolling="flat", radius_lateral=0.30)
+STEEL_WHEEL: dict[str, Any] = {"upper": WHEEL, "lower": RAIL, "normal_force": 80e3}
 LOAD: dict[str, Any] = {"normal_force": 80e3, "friction": 0.3}
 
 
@@ -301,6 +302,25 @@ def test_errors_name_section_and_key(
         Case(**{**given, **change})
     assert (caught.value.section, caught.value.key) == (section, key)
     assert str(pickle.loads(pickle.dumps(caught.value))) == str(caught.value)
+
+
+def test_a_law_of_friction_a_layer_and_damage() -> None:
+    law = {"law": "exponential", "kinetic": 0.18, "terms": [{"drop": 0.12, "half_speed": 0.1}]}
+    grease = {"thickness": 20e-6, "shear_modulus": 106e6}
+    contact = {**STEEL_WHEEL, "friction": law, "longitudinal": 2e-3, "speed": 30.0}
+    solution = Case(**contact, layer=grease, damage={}, theory="fastsim").solve()
+    assert solution.friction == pytest.approx(0.30, abs=1e-15)
+    numbers = solution.damage
+    assert numbers is not None
+    assert numbers["t_gamma_with_spin_n"] == pytest.approx(solution.heat_per_metre, rel=1e-12)
+    assert Case(**contact, theory="fastsim").solve().damage is None
+    # Greased on one side: less force than without, and a moment.
+    across = {"across": [[-5e-3, 0.1], [5e-3, 0.3]]}
+    greased = Case(**STEEL_WHEEL, friction=across, xi=50.0, theory="fastsim").solve()
+    assert greased.dimensionless.fx < 0.9
+    assert greased.dimensionless.mz < 0.0
+    with pytest.raises(creepage.CaseError, match="two to eight"):
+        Case(**STEEL_WHEEL, friction={"across": [[0.0, 0.3]]})
 
 
 def test_what_is_no_file_is_refused(tmp_path: Path) -> None:

@@ -32,7 +32,8 @@ pub enum Caution {
         /// How dissimilar the bodies are.
         kappa_over_mu: f64,
     },
-    /// The theory takes friction as constant, though it falls with the speed of slip.
+    /// The theory takes friction as constant, though it falls with the speed of slip or differs across
+    /// the contact.
     ConstantFriction {
         /// The theory.
         theory: &'static str,
@@ -108,8 +109,8 @@ impl Caution {
     pub fn between_surfaces(theory: &TheorySpec, contact: &Contact) -> [Option<Self>; 2] {
         let facts = theory.facts();
         let theory = facts.name;
-        let falls = contact.rolling_friction().is_some_and(|friction| friction.falls());
-        let friction = falls.then_some(Self::ConstantFriction { theory });
+        let varies = contact.rolling_friction().is_some_and(|friction| friction.varies());
+        let friction = varies.then_some(Self::ConstantFriction { theory });
         let layer = contact.layer().map(|_| Self::NoLayer { theory });
         [friction, layer].map(|caution| caution.filter(|_| !facts.friction_laws))
     }
@@ -133,8 +134,8 @@ impl Caution {
     pub fn all_of_table(contact: &Contact) -> Vec<Self> {
         let theory = "a table";
         let dissimilar = Self::dissimilar_for(theory, contact.kappa_over_mu());
-        let falls = contact.rolling_friction().is_some_and(|friction| friction.falls());
-        let friction = falls.then_some(Self::ConstantFriction { theory });
+        let varies = contact.rolling_friction().is_some_and(|friction| friction.varies());
+        let friction = varies.then_some(Self::ConstantFriction { theory });
         let layer = contact.layer().map(|_| Self::NoLayer { theory });
         [dissimilar, friction, layer].into_iter().flatten().collect()
     }
@@ -255,8 +256,8 @@ impl fmt::Display for Caution {
             ),
             Self::ConstantFriction { theory } => write!(
                 f,
-                "{theory} takes friction as constant at its value at rest; exact and fastsim heed its \
-                 fall with the speed of slip"
+                "{theory} takes friction as constant at its largest value; exact and fastsim follow it \
+                 with the speed of slip and across the contact"
             ),
             Self::NoLayer { theory } => write!(
                 f,

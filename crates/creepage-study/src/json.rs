@@ -46,7 +46,7 @@ pub struct ReportJson {
     pub rolling_velocity_m_per_s: Option<f64>,
     /// Frictional power (W), where the rolling velocity is known.
     pub frictional_power_w: Option<f64>,
-    /// The law of friction by the speed of slip, where there is one; else `null`.
+    /// How friction varies, where it is not constant; else `null`.
     pub friction_law: Option<FrictionLawJson>,
     /// Wear and fatigue numbers, where `[damage]` asks for them; else `null`.
     pub damage: Option<Damage>,
@@ -54,7 +54,7 @@ pub struct ReportJson {
     pub details: BTreeMap<&'static str, DetailJson>,
 }
 
-/// A law of friction by the speed of slip.
+/// How friction varies: by the speed of slip, or across the contact.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct FrictionLawJson {
     /// Coefficient at rest, the `mu` of all quantities.
@@ -67,6 +67,8 @@ pub struct FrictionLawJson {
     pub memory_distance_m: Option<f64>,
     /// The least speed that slip counts as in that (m/s).
     pub memory_speed_m_per_s: Option<f64>,
+    /// `[y (m), coefficient]` where friction differs across the contact; else `null`.
+    pub across: Option<Vec<[f64; 2]>>,
 }
 
 impl From<RollingFriction> for FrictionLawJson {
@@ -78,6 +80,7 @@ impl From<RollingFriction> for FrictionLawJson {
             terms: law.terms().iter().map(|term| [term.drop, term.half_speed]).collect(),
             memory_distance_m: memory.map(|memory| memory.distance()),
             memory_speed_m_per_s: memory.map(|memory| memory.speed()),
+            across: friction.by_place().map(|across| across.points().to_vec()),
         }
     }
 }

@@ -68,6 +68,7 @@ mod stresses;
 #[cfg(test)]
 mod testing;
 mod text;
+mod unreachable;
 mod vtk;
 mod wheelset;
 mod whole_file;
@@ -100,11 +101,12 @@ pub use json::{
     AreasJson, CreepageJson, DetailJson, DimensionlessJson, ForceJson, FrictionLawJson, ReportJson,
 };
 pub use series::{SeriesHead, SeriesRow, SweepRun, Tally, series_csv, series_json, series_netcdf};
-pub use solve::{SolveError, SolvedCase, Unreachable, solve};
+pub use solve::{SolveError, SolvedCase, solve};
 pub use statics::StaticsReport;
 pub use stress_points::{PointsError, read_points};
 pub use stresses::{StressError, StressFileError, StressPoint, Stresses, stress_csv};
 pub use text::hertz_text;
+pub use unreachable::Unreachable;
 pub use wheelset::{
     ConicityTable, Load, ProfileNote, RailForceJson, Resultant, RigidSlip, SolvedContact,
     SolvedWheel, SolvedWheelset, Stance, Travel, WheelJson, WheelPatchJson, WheelsetCase,

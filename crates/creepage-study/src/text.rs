@@ -2,6 +2,7 @@
 
 use creepage::Hertz;
 use creepage::coulomb::Constraints;
+use creepage::friction_law::RollingFriction;
 use creepage::{SiForce, Status};
 use creepage_plot::format::{Scale, fixed, quantity, significant};
 
@@ -20,7 +21,7 @@ impl SolvedCase {
         lines.contact(&self.case.hertz);
         lines.row("friction mu", &significant(self.case.friction, 5));
         if let Some(friction) = self.case.contact.rolling_friction() {
-            lines.row("  kinetic", &significant(friction.law().kinetic(), 5));
+            lines.friction(friction);
         }
         lines.creepage(self);
         lines.forces(self);
@@ -79,6 +80,18 @@ impl Lines {
     pub(crate) fn line(&mut self, line: &str) {
         self.0.push_str(line.trim_end());
         self.0.push('\n');
+    }
+
+    /// Between what friction varies.
+    fn friction(&mut self, friction: RollingFriction) {
+        match friction.by_place() {
+            Some(across) => {
+                let least =
+                    across.points().iter().fold(f64::INFINITY, |least, [_, mu]| least.min(*mu));
+                self.row("  least, across", &significant(least, 5));
+            }
+            None => self.row("  kinetic", &significant(friction.law().kinetic(), 5)),
+        }
     }
 
     pub(crate) fn heading(&mut self, heading: &str) {

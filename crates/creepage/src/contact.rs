@@ -61,8 +61,8 @@ impl Contact {
         Ok(Self { kappa_over_mu, ..self })
     }
 
-    /// The same with friction that depends on the speed of slip: `mu` of all units and quantities is
-    /// that at rest. `exact` and `fastsim` heed it, the other theories take `mu` as constant. The
+    /// The same with friction that depends on the speed of slip or on the place across the contact: `mu`
+    /// of all units and quantities is that at rest, and the largest. `exact` and `fastsim` follow it, the other theories take `mu` as constant. The
     /// speed of slip is in the units of [`Contact::scaling`].
     #[must_use]
     pub fn with_rolling_friction(self, friction: RollingFriction) -> Self {
@@ -70,7 +70,7 @@ impl Contact {
     }
 
     /// The same with a layer between the bodies, in the units of [`Contact::scaling`]. `exact` and
-    /// `fastsim` heed it.
+    /// `fastsim` follow it.
     #[must_use]
     pub fn with_layer(self, layer: Layer) -> Self {
         Self { layer: Some(layer), ..self }
@@ -143,8 +143,8 @@ impl Hertz {
             .with_kappa_over_mu(self.pair().kappa() / friction)
     }
 
-    /// The contact for a theory of rolling where friction depends on the speed of slip; its value at
-    /// rest is the `mu` of all units and quantities.
+    /// The contact for a theory of rolling where friction depends on the speed of slip or on the place;
+    /// its largest value is the `mu` of all units and quantities.
     ///
     /// # Errors
     /// As [`Hertz::with_friction`].

@@ -26,6 +26,10 @@ fn solve(text: &str) -> Value {
     json(&place.run(&["solve", "case.toml", "--json"]).done())
 }
 
+fn number(value: &Value) -> f64 {
+    value.as_f64().unwrap()
+}
+
 const LAW: &str =
     "{ law = \"exponential\", kinetic = 0.18, terms = [{ drop = 0.12, half_speed = 0.1 }]";
 
@@ -53,6 +57,19 @@ fn a_constant_law_is_a_number() {
     assert!(number["friction_law"].is_null());
 }
 
+/// Friction that differs across the contact: the largest is the unit, full sliding is the mean, and it
+/// turns about the normal.
+#[test]
+fn friction_across_the_contact() {
+    let report = solve(&case("{ across = [[-5e-3, 0.1], [5e-3, 0.4]] }", "xi = 50", ""));
+    assert!((number(&report["friction"]) - 0.4).abs() < 1e-15);
+    assert_eq!(report["friction_law"]["across"][0][1], 0.1);
+    let used = number(&report["dimensionless"]["fx"]);
+    // Strips take friction at their middle, exact for a linear one but for the strips' own ends.
+    assert!((used - 0.625).abs() < 2e-3, "{used}");
+    assert!(number(&report["dimensionless"]["mz"]) < -0.07);
+}
+
 #[test]
 fn what_is_wrong_with_a_law_is_named() {
     let place = Place::new();
@@ -73,6 +90,9 @@ fn what_is_wrong_with_a_law_is_named() {
     let half = format!("{LAW}, memory_distance = 1e-5 }}");
     refused(&half, at_speed, "", &["memory_speed is missing"]);
     refused("\"dry\"", at_speed, "", &["friction = \"dry\"", "a number"]);
+    let across = "{ across = [[1e-3, 0.3], [0.0, 0.4]] }";
+    refused(across, at_speed, "", &["y of friction across = 0", "above the one before"]);
+    refused("{ across = [[0.0, 0.3]] }", at_speed, "", &["across = 1", "two to eight"]);
     let layer = "[layer]\nthickness = -1e-6\nshear_modulus = 1e9";
     refused("0.3", at_speed, layer, &["[layer] thickness = -1e-6"]);
     let layer = "[layer]\nthickness = 1e-6\nshear_modulus = 1e9\nslope = 1e9";
@@ -91,7 +111,7 @@ fn cautions() {
         let run = place.run(&["solve", "case.toml", "--theory", theory, "--json"]);
         let caution = json(&run.done())["caution"].clone();
         let words = caution.as_str().unwrap_or_default();
-        assert_eq!(words.contains("constant at its value at rest"), cautious, "{theory}: {words}");
+        assert_eq!(words.contains("constant at its largest value"), cautious, "{theory}: {words}");
         assert_eq!(words.contains("leaves out the layer"), cautious, "{theory}: {words}");
     }
 }
@@ -129,7 +149,7 @@ fn wear_and_fatigue_numbers() {
     place.write("case.toml", case("0.3", creepage, wanted));
     let printed = place.run(&["solve", "case.toml", "--json", "--out", "out"]).done();
     let report = json(&printed);
-    let (damage, number) = (&report["damage"], |value: &Value| value.as_f64().unwrap());
+    let damage = &report["damage"];
     let power = number(&report["frictional_power_per_metre_j_per_m"]);
     assert!((number(&damage["t_gamma_with_spin_n"]) / power - 1.0).abs() < 1e-12);
     let used = number(&report["dimensionless"]["friction_used"]);

@@ -14,8 +14,8 @@ use crate::case::friction::FrictionValue;
 pub(crate) struct ContactSection {
     /// Normal force N that presses the bodies together (N).
     pub(crate) normal_force: f64,
-    /// Coefficient of friction mu, or a law by the speed of slip, whose value at rest is mu. Needed for
-    /// rolling, not for the contact alone.
+    /// Coefficient of friction mu, or a law by the speed of slip or across the contact, whose largest
+    /// value is mu. Needed for rolling, not for the contact alone.
     pub(crate) friction: Option<FrictionValue>,
     /// Angle from the upper body's rolling section to the lower body's (degrees); 0 by default.
     pub(crate) angle: Option<f64>,

@@ -1,8 +1,10 @@
-//! `[contact] friction`: a number, or a law by the speed of slip.
+//! `[contact] friction`: a number, or a law by the speed of slip or by the place.
 
 use std::borrow::Cow;
 
-use creepage::friction_law::{FrictionLaw, FrictionMemory, RollingFriction, Shape, Term};
+use creepage::friction_law::{
+    FrictionAcross, FrictionLaw, FrictionMemory, RollingFriction, Shape, Term,
+};
 use creepage::{Contact, Hertz};
 use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::de::{Deserialize, Deserializer, Error};
@@ -19,6 +21,16 @@ pub(crate) enum FrictionValue {
     Constant(f64),
     /// By the speed of slip.
     Law(LawTable),
+    /// By the place across the contact.
+    Across(AcrossTable),
+}
+
+/// How friction differs across the contact: linear between the places, constant beyond them.
+#[derive(Debug, Clone, PartialEq, serde::Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct AcrossTable {
+    /// Two to eight pairs of y (m), rising, and the coefficient there.
+    across: Vec<[f64; 2]>,
 }
 
 /// How friction depends on the absolute speed of slip: from kinetic plus all drops, at rest, down to
@@ -78,12 +90,17 @@ impl FrictionValue {
         match self {
             Self::Constant(friction) => Ok(*friction),
             Self::Law(table) => Ok(table.law()?.at_rest()),
+            Self::Across(table) => Ok(table.friction()?.largest()),
         }
     }
 
-    /// The law, where friction is not constant.
+    /// How friction varies, where it is not constant.
     pub(crate) fn rolling(&self, speed: Option<f64>) -> Result<Option<RollingFriction>, CaseError> {
-        let Self::Law(table) = self else { return Ok(None) };
+        let table = match self {
+            Self::Constant(_) => return Ok(None),
+            Self::Across(table) => return table.rolling().map(Some),
+            Self::Law(table) => table,
+        };
         let (law, memory) = (table.law()?, table.memory()?);
         if table.law == LawName::Constant {
             return Ok(None);
@@ -91,6 +108,16 @@ impl FrictionValue {
         let speed = speed.ok_or(CaseError::SpeedOfLaw)?;
         let rolling = RollingFriction::new(law, memory, speed);
         rolling.map(Some).map_err(CaseError::invalid("creepage"))
+    }
+}
+
+impl AcrossTable {
+    fn friction(&self) -> Result<FrictionAcross, CaseError> {
+        FrictionAcross::new(&self.across).map_err(CaseError::invalid("contact friction"))
+    }
+
+    fn rolling(&self) -> Result<RollingFriction, CaseError> {
+        RollingFriction::across(self.friction()?).map_err(CaseError::invalid("contact friction"))
     }
 }
 
@@ -131,12 +158,16 @@ impl<'de> Deserialize<'de> for FrictionValue {
             Value::Float(friction) => Ok(Self::Constant(friction)),
             Value::Integer(friction) => Ok(Self::Constant(friction as f64)),
             Value::Table(table) => {
-                let law = table.try_into();
-                law.map(Self::Law)
-                    .map_err(|error| D::Error::custom(format!("friction: {}", error.message())))
+                let read = if table.contains_key("across") {
+                    table.try_into().map(Self::Across)
+                } else {
+                    table.try_into().map(Self::Law)
+                };
+                read.map_err(|error| D::Error::custom(format!("friction: {}", error.message())))
             }
             other => Err(D::Error::custom(format!(
-                "friction = {other}: expected a number, or a table with law, kinetic and terms"
+                "friction = {other}: expected a number, or a table with law, kinetic and terms, or with \
+                 across"
             ))),
         }
     }
@@ -148,7 +179,7 @@ impl JsonSchema for FrictionValue {
     }
 
     fn json_schema(generator: &mut SchemaGenerator) -> Schema {
-        let law = LawTable::json_schema(generator);
-        schemars::json_schema!({ "anyOf": [{ "type": "number" }, law] })
+        let (law, across) = (LawTable::json_schema(generator), AcrossTable::json_schema(generator));
+        schemars::json_schema!({ "anyOf": [{ "type": "number" }, law, across] })
     }
 }

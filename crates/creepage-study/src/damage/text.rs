@@ -13,7 +13,7 @@ impl Damage {
         self.wear_lines(lines);
         let four = |value: f64| significant(value, 4);
         lines.row("WLRM damage of the rail", &four(self.wlrm_damage));
-        lines.row("  direction heeded", &four(self.wlrm_directed_damage));
+        lines.row("  by direction", &four(self.wlrm_directed_damage));
         lines.row("surface fatigue index", &four(self.surface_fatigue_index));
         if let Some(index) = self.local_surface_fatigue_index {
             lines.row("  largest of an element", &four(index));

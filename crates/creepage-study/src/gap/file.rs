@@ -62,7 +62,8 @@ struct PressedSection {
     normal_force: Option<f64>,
     /// Approach of the bodies (m), counted like the gap: they penetrate by the approach less h.
     approach: Option<f64>,
-    /// Coefficient of friction mu, or a law by the speed of slip, whose value at rest is mu.
+    /// Coefficient of friction mu, or a law by the speed of slip or across the contact, whose largest
+    /// value is mu.
     friction: FrictionValue,
 }
 
@@ -88,7 +89,7 @@ pub struct GapCase {
     pub pressed: Pressed,
     /// Coefficient of friction `mu`, at rest where it depends on the slip.
     pub friction: f64,
-    /// The law of friction by the speed of slip, where it is not constant.
+    /// How friction varies, where it is not constant.
     pub rolling_friction: Option<RollingFriction>,
     /// The layer between the bodies.
     pub layer: Option<Layer>,

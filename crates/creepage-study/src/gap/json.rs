@@ -46,7 +46,7 @@ pub struct GapReportJson {
     pub rolling_velocity_m_per_s: Option<f64>,
     /// Frictional power (W), where the rolling velocity is known.
     pub frictional_power_w: Option<f64>,
-    /// The law of friction by the speed of slip, where there is one; else `null`.
+    /// How friction varies, where it is not constant; else `null`.
     pub friction_law: Option<FrictionLawJson>,
     /// Wear and fatigue numbers, where `[damage]` asks for them; else `null`.
     pub damage: Option<Damage>,

@@ -80,15 +80,16 @@ impl NonHertzian {
         Ok(Self { contact: contact.clone(), frame, scaling, grids, pool: Pool::default() })
     }
 
-    /// The same with friction that depends on the speed of slip, whose value at rest is the friction
-    /// given, and with a layer between the bodies.
+    /// The same with friction that depends on the speed of slip or on the place, whose largest value is
+    /// the friction given, and with a layer between the bodies.
     #[must_use]
     pub fn with_resistance(
         mut self,
         friction: Option<RollingFriction>,
         layer: Option<Layer>,
     ) -> Self {
-        let scaling = self.scaling;
+        let (scaling, [_, y]) = (self.scaling, self.frame.origin);
+        let friction = friction.map(|friction| friction.seen_from(y));
         self.grids = self.grids.map(|grid| grid.with_resistance(friction, layer, scaling));
         self
     }

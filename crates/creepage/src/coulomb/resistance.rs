@@ -1,4 +1,4 @@
-//! What an element bears where friction depends on the slip, or where a layer yields.
+//! What an element bears where friction depends on the slip or the place, or where a layer yields.
 
 use super::mesh::Mesh;
 use super::stencil::SlipStencil;
@@ -18,6 +18,8 @@ pub(crate) struct Resistance {
     /// From where the slip of the element before is taken, or from the leading edge, to where that of
     /// each element is.
     steps: Vec<f64>,
+    /// Friction of each strip over the largest.
+    shares: Vec<f64>,
 }
 
 impl Resistance {
@@ -26,9 +28,10 @@ impl Resistance {
         friction: Option<RollingFriction>,
         layer: Option<Layer>,
         scaling: Scaling,
+        mesh: &Mesh,
         stencils: &[SlipStencil],
     ) -> Option<Self> {
-        let friction = friction.filter(RollingFriction::falls);
+        let friction = friction.filter(RollingFriction::varies);
         let plasticity = layer.and_then(|layer| layer.plasticity());
         if friction.is_none() && plasticity.is_none() {
             return None;
@@ -38,12 +41,15 @@ impl Resistance {
             before.zip(&stencil.places).map(|(before, at)| before[0] - at[0])
         });
         let plasticity = plasticity.map(|plasticity| plasticity.dimensionless(scaling));
-        Some(Self { friction, plasticity, scaling, steps: steps.collect() })
+        let share = |y: f64| friction.map_or(1.0, |friction| friction.share(scaling.length * y));
+        let shares = mesh.strips.iter().map(|strip| share(strip.y())).collect();
+        Some(Self { friction, plasticity, scaling, steps: steps.collect(), shares })
     }
 
-    /// Friction at high speed over that at rest.
+    /// Friction at high speed over that at rest, where it falls with the speed.
     pub(crate) fn lowest(&self) -> Option<f64> {
-        self.friction.map(|friction| friction.lowest().max(LEAST))
+        let falling = self.friction.filter(RollingFriction::falls);
+        falling.map(|friction| friction.lowest().max(LEAST))
     }
 
     /// Whether a layer yields, which may answer a step by a larger one back.
@@ -60,17 +66,17 @@ impl Resistance {
         slip: impl Fn(usize) -> f64,
         limits: &mut [f64],
     ) {
-        for strip in 0..mesh.strips.len() {
+        for (strip, share) in self.shares.iter().enumerate() {
             let (mut friction, mut last, mut plastic) = (1.0, 0.0, 0.0);
             for element in mesh.elements(strip) {
                 let (slip, step) = (slip(element), self.steps[element]);
                 friction = self.friction_after(friction, [last, slip], step);
                 let moved = plastic + 0.5 * (last + slip) * step;
                 let yields = self.yield_bound(moved) / bounds[element];
-                if yields < friction {
+                if yields < share * friction {
                     plastic = moved;
                 }
-                limits[element] = friction.min(yields).clamp(LEAST, 1.0);
+                limits[element] = (share * friction).min(yields).clamp(LEAST, 1.0);
                 last = slip;
             }
         }

@@ -9,7 +9,7 @@ use crate::theory::field::mean;
 use crate::theory::{
     Diagnostic, FieldPoint, Jacobian, Patch, Region, Solution, Solved, Status, differences,
 };
-use crate::{Creepage, Force};
+use crate::{Contact, Creepage, Force};
 
 /// What happens in one element.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -36,6 +36,14 @@ pub(super) struct Mirror {
 }
 
 impl Mirror {
+    /// Friction that differs across the contact leaves none of the symmetries.
+    fn in_contact(contact: &Contact, creepage: Creepage) -> Self {
+        match contact.rolling_friction().and_then(|friction| friction.by_place()) {
+            Some(_) => Self { x: 1.0, y: 1.0 },
+            None => Self::of(creepage),
+        }
+    }
+
     pub(super) fn of(creepage: Creepage) -> Self {
         let negative = creepage.chi < 0.0 || (creepage.chi == 0.0 && creepage.eta < 0.0);
         let sign = |negative| if negative { -1.0 } else { 1.0 };
@@ -85,7 +93,7 @@ struct Answer {
 impl Answer {
     /// Solves from scratch, or from the tractions of the last case.
     fn new(exact: &Exact, workspace: &mut Workspace, creepage: Creepage, warm: bool) -> Self {
-        let mirror = Mirror::of(creepage);
+        let mirror = Mirror::in_contact(&exact.contact, creepage);
         let mirrored = mirror.creepage(creepage);
         workspace.solve(&exact.grids, warm, |k, forcing| {
             exact.grids[k].set_forcing(mirrored, mirror.x, forcing);
@@ -123,7 +131,7 @@ impl Answer {
     fn differences(&self, exact: &Exact, workspace: &Workspace) -> Jacobian {
         differences(self.creepage, STEP, |creepage| {
             // Another mirror image would be a start from the wrong side.
-            let warm = Mirror::of(creepage) == self.mirror;
+            let warm = Mirror::in_contact(&exact.contact, creepage) == self.mirror;
             let answer = Self::new(exact, &mut workspace.clone(), creepage, warm);
             answer.solution.force.components()
         })

@@ -1,4 +1,4 @@
-//! Coefficients of friction that depend on the speed of slip.
+//! Coefficients of friction that depend on the speed of slip, or on the place across the contact.
 //!
 //! Measured friction falls as the surfaces slip faster. With `s` the absolute slip velocity, the
 //! speed at which the upper body's surface moves over the lower's (m/s), a [`FrictionLaw`] is a
@@ -22,9 +22,11 @@
 //! # Ok::<(), creepage::InvalidValue>(())
 //! ```
 
+mod across;
 mod memory;
 mod rolling;
 
+pub use across::FrictionAcross;
 pub use memory::FrictionMemory;
 pub use rolling::RollingFriction;
 

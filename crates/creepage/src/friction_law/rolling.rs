@@ -1,15 +1,16 @@
 //! A law of friction in a contact that rolls.
 
-use super::{FrictionLaw, FrictionMemory};
+use super::{FrictionAcross, FrictionLaw, FrictionMemory};
 use crate::check::{self, InvalidValue};
 
-/// Friction by the speed of slip where bodies roll at a given speed: theories know the slip over the
-/// rolling velocity only.
+/// Friction that is not the same everywhere: by the speed of slip where bodies roll at a given speed
+/// (theories know the slip over the rolling velocity only), or by the place across the contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RollingFriction {
     law: FrictionLaw,
     memory: Option<FrictionMemory>,
     speed: f64,
+    across: Option<FrictionAcross>,
 }
 
 impl RollingFriction {
@@ -23,7 +24,22 @@ impl RollingFriction {
         speed: f64,
     ) -> Result<Self, InvalidValue> {
         check::positive("speed", speed)?;
-        Ok(Self { law, memory, speed })
+        Ok(Self { law, memory, speed, across: None })
+    }
+
+    /// Friction that differs across the contact, at any speed.
+    ///
+    /// # Errors
+    /// None that [`FrictionAcross::new`] lets pass.
+    pub fn across(across: FrictionAcross) -> Result<Self, InvalidValue> {
+        let law = FrictionLaw::constant(across.largest())?;
+        Ok(Self { across: Some(across), ..Self::new(law, None, 1.0)? })
+    }
+
+    /// How friction differs across the contact, where it does.
+    #[must_use]
+    pub fn by_place(&self) -> Option<FrictionAcross> {
+        self.across
     }
 
     /// The law.
@@ -48,6 +64,22 @@ impl RollingFriction {
     #[must_use]
     pub fn falls(&self) -> bool {
         self.lowest() < 1.0
+    }
+
+    /// Whether friction depends on anything: on the speed of slip or on the place.
+    #[must_use]
+    pub fn varies(&self) -> bool {
+        self.falls() || self.across.is_some()
+    }
+
+    /// Friction at `y` (m) over the largest, where friction differs across the contact.
+    pub(crate) fn share(&self, y: f64) -> f64 {
+        self.across.map_or(1.0, |across| across.at(y) / across.largest())
+    }
+
+    /// The same seen from an origin at `y` (m).
+    pub(crate) fn seen_from(self, y: f64) -> Self {
+        Self { across: self.across.map(|across| across.seen_from(y)), ..self }
     }
 
     /// The kinetic value over that at rest.

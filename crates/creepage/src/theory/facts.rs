@@ -27,7 +27,7 @@ pub struct TheoryFacts {
     pub derivative: bool,
     /// Whether it counts the slip by the pressure between dissimilar bodies (6.4).
     pub dissimilar_bodies: bool,
-    /// Whether it heeds friction that depends on the speed of slip, and a layer between the bodies.
+    /// Whether it follows friction that depends on the speed of slip, and a layer between the bodies.
     pub friction_laws: bool,
 }
 

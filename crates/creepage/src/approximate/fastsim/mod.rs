@@ -130,12 +130,13 @@ impl Fastsim {
         for (block, l) in lanes.filter(|(block, l)| block.weight[*l] > 0.0) {
             let (y, half_length) = (block.y[l], block.half_length[l]);
             let peak = half_length / block.gain[l];
+            let share = resistance.share(y);
             // The weight is the cell's area times the peak.
             let weight = block.weight[l] / peak;
             let mut walk = Walk::start();
             for cell in &self.grid.cells {
                 let ends = [cell.middle + 0.5 * cell.step, cell.x].map(|x| half_length * x);
-                let step = self.step(&slopes, plain, ends, y, peak * cell.bound);
+                let step = self.step(&slopes, plain, ends, y, share * peak * cell.bound);
                 resistance.advance(&mut walk, &step);
                 let [p, q] = walk.traction.map(|t| weight * t);
                 force.fx += p;
@@ -172,7 +173,8 @@ impl Fastsim {
         let Some(resistance) = &self.resistance else {
             return Trace::new(&self.grid, profile, slopes, place);
         };
-        let (peak, mut walk, mut length) = (profile.peak(place.s), Walk::start(), 1.0);
+        let peak = resistance.share(place.y) * profile.peak(place.s);
+        let (mut walk, mut length) = (Walk::start(), 1.0);
         for (from, to) in self.grid.walk(place.along) {
             let ends = [from, to].map(|x| place.half_length * x);
             let step = self.step(slopes, plain, ends, place.y, peak * profile.along(to));

@@ -56,7 +56,7 @@ impl Walk {
 impl Resistance {
     /// `None` where Coulomb's constant friction is all that bounds the traction.
     pub(crate) fn new(contact: &Contact) -> Option<Self> {
-        let friction = contact.rolling_friction().filter(RollingFriction::falls);
+        let friction = contact.rolling_friction().filter(RollingFriction::varies);
         let scaling = contact.scaling();
         let plasticity = contact.layer().and_then(|layer| layer.plasticity());
         let plasticity = plasticity.map(|plasticity| {
@@ -66,6 +66,11 @@ impl Resistance {
         });
         let bounds = friction.is_some() || plasticity.is_some();
         bounds.then_some(Self { friction, plasticity, scaling })
+    }
+
+    /// Friction at `y`, in units of `c`, over the largest.
+    pub(crate) fn share(&self, y: f64) -> f64 {
+        self.friction.map_or(1.0, |friction| friction.share(self.scaling.length * y))
     }
 
     /// Takes a step.
