@@ -8,8 +8,8 @@ use crate::{Damage, SolvedCase};
 
 impl SolvedCase {
     /// Writes `report.json`, `points.csv`, `contact.vtk`, `contact.svg` and `contact.png`, and where
-    /// `[damage]` asks for them `wear.csv`, `wear.svg` and `wear.png`, into `directory`, which is
-    /// made when missing; files of those names are replaced. Gives the paths written.
+    /// `[damage]` asks for them `wear.csv`, `wear.svg`, `shakedown.svg` and their `.png`, into
+    /// `directory`, which is made when missing; files of those names are replaced. Gives the paths written.
     ///
     /// # Errors
     /// [`ReportError`]; what was made until then is removed.

@@ -165,7 +165,11 @@ fn wear_and_fatigue_numbers() {
     let table = std::fs::read_to_string(place.path("out/wear.csv")).unwrap();
     assert!(table.starts_with("y,usfd_depth,archard_depth,archard_zone\n"));
     assert_eq!(table.lines().count(), 61);
-    assert!(place.path("out/wear.svg").is_file() && place.path("out/wear.png").is_file());
+    for file in ["wear.svg", "wear.png", "shakedown.png"] {
+        assert!(place.path(&format!("out/{file}")).is_file(), "{file}");
+    }
+    let map = std::fs::read_to_string(place.path("out/shakedown.svg")).unwrap();
+    assert!(map.contains("Melan") && map.contains("ratchets"));
     let text = place.run(&["solve", "case.toml"]).done();
     assert!(text.contains("UNVERIFIED") && text.contains("T gamma"), "{text}");
 }

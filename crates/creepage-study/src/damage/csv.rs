@@ -6,9 +6,13 @@ use crate::error::ReportError;
 const HEADER: [&str; 4] = ["y", "usfd_depth", "archard_depth", "archard_zone"];
 
 impl Damage {
-    /// `wear.csv`, and where there is wear to show `wear.svg` and `wear.png`.
+    /// `wear.csv`, the shakedown map as `shakedown.svg` and `.png`, and where there is wear to show
+    /// `wear.svg` and `wear.png`.
     pub(crate) fn files(&self) -> Result<Vec<(&'static str, Vec<u8>)>, ReportError> {
         let mut files = vec![("wear.csv", self.csv()?)];
+        let map = self.map_svg();
+        let png = creepage_plot::png(&map)?;
+        files.extend([("shakedown.svg", map.into_bytes()), ("shakedown.png", png)]);
         if let Some(svg) = self.svg() {
             let png = creepage_plot::png(&svg)?;
             files.extend([("wear.svg", svg.into_bytes()), ("wear.png", png)]);

@@ -1,6 +1,7 @@
 //! Wear and fatigue numbers of a solved case.
 
 mod csv;
+mod map;
 mod numbers;
 mod picture;
 mod rows;

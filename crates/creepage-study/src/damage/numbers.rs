@@ -52,6 +52,10 @@ pub struct Damage {
     pub wlrm_damage: f64,
     /// The same where only wheels that drive grow cracks.
     pub wlrm_directed_damage: f64,
+    /// Tangential force over the load.
+    pub traction_coefficient: f64,
+    /// Peak pressure over the shear yield stress `k`.
+    pub peak_over_shear_yield: f64,
     /// Surface fatigue index, force over load less `k/p0`: positive where the surface ratchets.
     pub surface_fatigue_index: f64,
     /// The largest of `(|p_t| - k)/p_n` over the elements.
@@ -119,6 +123,8 @@ impl Damage {
             archard_zone: across.iter().filter_map(|row| row.zone).max().map(WearZone::name),
             wlrm_damage: constants.wlrm.damage(work.with_spin),
             wlrm_directed_damage: constants.wlrm.directed_damage(work.with_spin, drives),
+            traction_coefficient: traction / ground.normal,
+            peak_over_shear_yield: ground.peak / constants.shear_yield,
             surface_fatigue_index: surface_index(
                 traction,
                 ground.normal,
