@@ -54,6 +54,13 @@ pub(super) struct Level {
     slip_by_elements: Vec<[f64; 2]>,
 }
 
+/// What a grid is solved from.
+pub(super) struct Start<'a> {
+    pub pressed: Pressed,
+    /// The tractions of the coarser grid, if there is one.
+    pub coarser: Option<&'a State>,
+}
+
 /// One grid solved.
 #[derive(Debug, Clone)]
 pub(super) struct Settled {
@@ -90,7 +97,7 @@ impl Level {
         coupling: Coupling,
         prescribed: Prescribed,
         (creepage, side): (Creepage, f64),
-        start: Pressed,
+        start: Start,
     ) -> Settled {
         let factor = -side * coupling.q / PI;
         let (mut settled, mut attraction) = self.start(hertz, coupling, start);
@@ -119,16 +126,20 @@ impl Level {
         }
     }
 
-    fn start(&self, hertz: &Grid, coupling: Coupling, start: Pressed) -> (Settled, Attraction) {
-        let shape = Shape::new(&self.normal, &start);
-        let (grid, attraction) = self.grid(hertz, coupling, &shape, &start);
-        let (state, equations) = (State::new(&grid), Equations::new(&grid));
+    fn start(&self, hertz: &Grid, coupling: Coupling, start: Start) -> (Settled, Attraction) {
+        let Start { pressed, coarser } = start;
+        let shape = Shape::new(&self.normal, &pressed);
+        let (grid, attraction) = self.grid(hertz, coupling, &shape, &pressed);
+        let (mut state, equations) = (State::new(&grid), Equations::new(&grid));
+        if let Some(coarser) = coarser {
+            state.refine(hertz, coarser);
+        }
         let settled = Settled {
             grid,
             state,
             equations,
             shape,
-            pressed: start,
+            pressed,
             frictionless: self.normal.frictionless.clone(),
             converged: false,
             turns: 0,
@@ -164,6 +175,9 @@ impl Level {
         shape: &Shape,
         pressed: &Pressed,
     ) -> (Grid, Attraction) {
+        if pressed.is(&self.normal.frictionless) {
+            return (hertz.clone(), Attraction::new(&hertz.mesh));
+        }
         let (mesh, pressure) = self.elements(hertz, shape, pressed);
         let stencils: Vec<_> = mesh.strips.iter().map(SlipStencil::steady).collect();
         let attraction = Attraction::new(&mesh);
