@@ -9,6 +9,7 @@ use super::shape::Shape;
 use crate::coulomb::grid::Grid;
 use crate::coulomb::influence::Influence;
 use crate::coulomb::mesh::Mesh;
+use crate::coulomb::mixing::Mixing;
 use crate::coulomb::pressure::Pressure;
 use crate::coulomb::solver::{Equations, Outcome, State};
 use crate::coulomb::stencil::SlipStencil;
@@ -20,9 +21,6 @@ const TOLERANCE: f64 = 2e-7;
 /// What is left of rounding in slender contacts: enough when the changes fall no more.
 const ROUGH: f64 = 2e-6;
 const TURNS: usize = 60;
-/// A change that falls by less than this is damped more.
-const SLOW: f64 = 0.9;
-const LEAST_STEP: f64 = 0.2;
 
 /// How pressure and tangential traction act on each other.
 #[derive(Debug, Clone, Copy)]
@@ -101,7 +99,7 @@ impl Level {
     ) -> Settled {
         let factor = -side * coupling.q / PI;
         let (mut settled, mut attraction) = self.start(hertz, coupling, start);
-        let (mut step, mut last) = (1.0_f64, f64::INFINITY);
+        let mut mixing = Mixing::default();
         loop {
             let outcome = settled.rub(creepage, side);
             let tractions = settled.tractions();
@@ -117,11 +115,7 @@ impl Level {
             if settled.turns >= TURNS || !change.is_finite() {
                 return settled;
             }
-            if change > SLOW * last {
-                step = (0.6 * step).max(LEAST_STEP);
-            }
-            last = change;
-            settled.pressed.go(step, &next);
+            settled.pressed.go(&mut mixing, &next);
             attraction = self.press(hertz, coupling, &mut settled);
         }
     }

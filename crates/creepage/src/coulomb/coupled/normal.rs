@@ -9,11 +9,14 @@ use std::f64::consts::FRAC_PI_2;
 use super::Prescribed;
 use super::along::Along;
 use super::shape::Shape;
+use crate::coulomb::mixing::Mixing;
 use crate::ellipse::Ellipse;
 use crate::normal::strips::{self, MOST, Question, Strip};
 
 /// Borders are sines of equal parts of so much of a right angle: narrower strips at the tips.
 const CLUSTER: f64 = 0.8 * FRAC_PI_2;
+/// Least half-length of a strip, over that of the longest, from which it is solved.
+const SHORTEST: f64 = 1e-3;
 /// Largest residual of the strips' displacements, and of the load over itself.
 const ENOUGH: f64 = 1e-8;
 
@@ -30,20 +33,27 @@ pub(super) struct Pressed {
 }
 
 impl Pressed {
+    fn numbers(&self) -> impl Iterator<Item = f64> {
+        let strips = self
+            .strips
+            .iter()
+            .flat_map(|strip| strip.pressure.into_iter().chain([strip.centre, strip.half]));
+        [self.middle, self.stretch, self.approach, self.load].into_iter().chain(strips)
+    }
+
+    fn numbers_mut(&mut self) -> impl Iterator<Item = &mut f64> {
+        let strips = self.strips.iter_mut().flat_map(|strip| {
+            strip.pressure.iter_mut().chain([&mut strip.centre, &mut strip.half])
+        });
+        [&mut self.middle, &mut self.stretch, &mut self.approach, &mut self.load]
+            .into_iter()
+            .chain(strips)
+    }
+
     /// The largest difference from another.
     pub(super) fn apart(&self, other: &Self) -> f64 {
-        let own = [
-            self.middle - other.middle,
-            self.stretch - other.stretch,
-            self.approach - other.approach,
-        ];
-        let strips = self.strips.iter().zip(&other.strips).flat_map(|(one, two)| {
-            let pressure = one.pressure.into_iter().zip(two.pressure).map(|(p, q)| p - q);
-            pressure.chain([one.centre - two.centre, one.half - two.half])
-        });
-        strips
-            .chain(own)
-            .fold(0.0, |largest: f64, d| if d.is_nan() { d } else { largest.max(d.abs()) })
+        let apart = self.numbers().zip(other.numbers()).map(|(one, two)| one - two);
+        apart.fold(0.0, |largest: f64, d| if d.is_nan() { d } else { largest.max(d.abs()) })
     }
 
     /// Whether it is another one to the last bit.
@@ -51,17 +61,17 @@ impl Pressed {
         self.apart(other) == 0.0
     }
 
-    /// Goes a part of the way to another.
-    pub(super) fn go(&mut self, part: f64, to: &Self) {
-        let go = |from: &mut f64, to: f64| *from += part * (to - *from);
-        go(&mut self.middle, to.middle);
-        go(&mut self.stretch, to.stretch);
-        go(&mut self.approach, to.approach);
-        go(&mut self.load, to.load);
-        for (from, to) in self.strips.iter_mut().zip(&to.strips) {
-            go(&mut from.centre, to.centre);
-            go(&mut from.half, to.half);
-            from.pressure.iter_mut().zip(to.pressure).for_each(|(from, to)| go(from, to));
+    /// Goes where the last turns lead to, given where this one led.
+    pub(super) fn go(&mut self, mixing: &mut Mixing, image: &Self) {
+        let mut numbers: Vec<f64> = self.numbers().collect();
+        mixing.improve(&mut numbers, &image.numbers().collect::<Vec<f64>>());
+        self.clone_from(image);
+        let shortest = SHORTEST * image.strips.iter().fold(0.0, |most, s| s.half.max(most));
+        for (own, number) in self.numbers_mut().zip(numbers) {
+            *own = number;
+        }
+        for strip in &mut self.strips {
+            strip.half = strip.half.max(shortest);
         }
     }
 }
