@@ -88,6 +88,35 @@ fn height_and_load_are_two_ways_to_say_one_thing() {
     }
 }
 
+/// Wear of a wheelset: T gamma is the frictional power, and the depths written add up to the mass.
+#[test]
+fn wear_of_a_wheelset_lies_on_its_profiles() {
+    let place = Place::new();
+    place.write("case.toml", one_wheel() + "[damage]\n");
+    let report = json(&place.run(&["wheelset", "case.toml", "--json", "--out", "out"]).done());
+    let patch = &report["right"]["patches"][0];
+    let (damage, y_wheel) = (&patch["damage"], number(&patch["y_wheel_m"]));
+    // By forces and by slip, which differ by the error of the elements.
+    let power = number(&patch["frictional_power_per_metre_j_per_m"]);
+    assert!((number(&damage["t_gamma_with_spin_n"]) / power - 1.0).abs() < 0.05, "{damage}");
+    assert!((number(&damage["bre_area_m2_per_m"])) > 0.0);
+    let csv = fs::read_to_string(place.path("out/wear.csv")).unwrap();
+    let mut rows = csv::Reader::from_reader(csv.as_bytes());
+    let depths = rows.records().map(|row| {
+        let row = row.unwrap();
+        assert_eq!(&row[0], "right");
+        [&row[3], &row[4]].map(|cell| cell.parse::<f64>().unwrap())
+    });
+    let depths: Vec<_> = depths.collect();
+    assert!(depths.iter().all(|[y, depth]| (y - y_wheel).abs() < 0.02 && *depth >= 0.0));
+    let deepest = depths.iter().fold(0.0, |most: f64, [_, depth]| depth.max(most));
+    assert!((deepest / number(&damage["usfd_depth_m"]) - 1.0).abs() < 1e-12);
+    assert!(place.path("out/right_1_wear.png").is_file());
+    place.write("case.toml", one_wheel() + "[damage]\nshakedown = true\n");
+    let run = place.run(&["wheelset", "case.toml"]);
+    run.refused(&["[damage] shakedown", "contact ellipses only"]);
+}
+
 /// Free roll: both rails carry the same; free pitch: friction has no moment about the axle.
 #[test]
 fn a_free_wheelset_is_in_balance_and_its_pictures_are_written() {

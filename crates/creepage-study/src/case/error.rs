@@ -66,6 +66,9 @@ pub enum CaseError {
         /// Section and key.
         second: (&'static str, &'static str),
     },
+    /// The shakedown limit of a contact that is not Hertz's.
+    #[error("[damage] shakedown is computed for contact ellipses only: leave it out")]
+    ShakedownOfAnyShape,
     /// The creepage is wanted where it must be given.
     #[error(
         "section [wanted] asks for a creepage, which `solve` finds: what needs a creepage to \

@@ -83,6 +83,13 @@ impl DamageSection {
     }
 }
 
+impl DamageSection {
+    /// What is wanted of a contact whose shakedown limit is not computed.
+    pub(crate) fn wanted_without_limit(&self) -> Result<DamageWanted, CaseError> {
+        if self.shakedown { Err(CaseError::ShakedownOfAnyShape) } else { self.wanted() }
+    }
+}
+
 impl DamageWanted {
     /// The laws whose constants are those from memory, which were not compared with the print.
     #[must_use]

@@ -189,7 +189,7 @@ impl GapFile {
             friction,
             rolling_friction: self.contact.friction.rolling(speed)?,
             layer: self.layer.as_ref().map(LayerSection::layer).transpose()?,
-            damage: self.damage.as_ref().map(DamageSection::wanted).transpose()?,
+            damage: self.damage.as_ref().map(DamageSection::wanted_without_limit).transpose()?,
             given: self.creepage.given(&self.wanted)?,
             speed,
             theory,

@@ -6,6 +6,7 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 
 use super::profile::ProfileNote;
+use crate::DamageWanted;
 
 /// A wheelset in its track.
 #[derive(Debug, Clone)]
@@ -22,6 +23,8 @@ pub struct WheelsetCase {
     pub friction: Option<f64>,
     /// What the surfaces slide by before they deform.
     pub slip: RigidSlip,
+    /// The laws of wear and fatigue, where their numbers are wanted.
+    pub damage: Option<DamageWanted>,
     /// The theory and its options.
     pub theory: TheorySpec,
     /// Profile files, and what had to be found in them.

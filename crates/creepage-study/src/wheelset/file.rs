@@ -18,6 +18,7 @@ use super::sections::{
 };
 use crate::case::schema::schema_of;
 use crate::case::{CaseError, keys, solve};
+use crate::damage::DamageSection;
 
 /// A wheelset in its track, in SI units: wheels and rails by their profiles, where the wheelset
 /// stands, how it moves.
@@ -67,6 +68,10 @@ pub struct WheelsetFile {
     #[serde(default)]
     #[schemars(with = "MaterialSection")]
     lower: Option<MaterialSection>,
+    /// That wear and fatigue numbers are wanted, and their constants.
+    #[serde(default)]
+    #[schemars(with = "DamageSection")]
+    damage: Option<DamageSection>,
     /// The theory, "exact" by default, and its options.
     #[serde(default)]
     #[schemars(with = "TheorySpec")]
@@ -127,6 +132,7 @@ impl WheelsetFile {
             solids: self.solids()?,
             friction: friction.transpose()?,
             slip: self.contact.as_ref().and_then(|section| section.slip).unwrap_or_default(),
+            damage: self.damage.as_ref().map(DamageSection::wanted_without_limit).transpose()?,
             theory: solve::from_table(&self.solve).map_err(CaseError::from)?,
             notes,
         })

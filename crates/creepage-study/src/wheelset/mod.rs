@@ -21,6 +21,7 @@ mod solved_text;
 mod solved_write;
 mod solver;
 mod table;
+mod wear;
 
 pub use case::{Load, RigidSlip, Stance, Travel, WheelsetCase};
 pub use conicity::{ConicityTable, conicity, radius_difference_csv};

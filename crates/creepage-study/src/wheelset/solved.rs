@@ -10,7 +10,7 @@ use creepage_rail::{Motion, Position, RollingCreepage, Running, Side};
 use super::case::RigidSlip;
 use super::resultant::Resultant;
 use super::solver::{Pressed, PressedWheel, Rolled};
-use crate::GapCaution;
+use crate::{Damage, GapCaution};
 
 /// A wheelset whose contacts are solved.
 #[derive(Debug, Clone)]
@@ -74,6 +74,8 @@ pub struct SolvedContact {
     pub scaling: Scaling,
     /// Its elements.
     pub elements: Vec<ElementField>,
+    /// Wear and fatigue numbers, where `[damage]` asks for them.
+    pub damage: Option<Damage>,
     pub(super) friction: f64,
 }
 
@@ -104,6 +106,7 @@ impl SolvedContact {
             dissipation: rolled.solved.dissipation().map(|power| heat * power),
             scaling,
             elements: rolled.solved.elements(),
+            damage: None,
             friction,
         }
     }
@@ -172,6 +175,10 @@ impl SolvedWheel {
     #[must_use]
     pub fn contacts(&self) -> &[SolvedContact] {
         &self.contacts
+    }
+
+    pub(super) fn contacts_mut(&mut self) -> &mut [SolvedContact] {
+        &mut self.contacts
     }
 
     /// Force on the rail in track axes, with its moment about the origin of the rail's profile.

@@ -7,6 +7,7 @@ use serde::Serialize;
 use super::case::RigidSlip;
 use super::resultant::Resultant;
 use super::solved::{SolvedContact, SolvedWheel, SolvedWheelset};
+use crate::Damage;
 
 /// `report.json` of a wheelset, in track axes: `x` forward, `y` right, `z` down.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -147,6 +148,8 @@ pub struct WheelPatchJson {
     pub method: &'static str,
     /// One word.
     pub status: &'static str,
+    /// Wear and fatigue numbers, where `[damage]` asks for them; else `null`.
+    pub damage: Option<Damage>,
 }
 
 impl SolvedWheelset {
@@ -249,6 +252,7 @@ impl WheelPatchJson {
                 Method::Elements => "elements",
             },
             status: contact.status.name(),
+            damage: contact.damage.clone(),
         }
     }
 }

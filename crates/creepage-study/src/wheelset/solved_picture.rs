@@ -6,6 +6,7 @@ use creepage_plot::theme::{ARROW, RED};
 use creepage_plot::{Axis, Label, Panel, Pen, Point, Sample, Sheet};
 use creepage_rail::{GeometryError, Running, Side};
 
+use super::error::side_word;
 use super::solved::{SolvedContact, SolvedWheel, SolvedWheelset};
 use crate::gap::AreasPicture;
 
@@ -66,6 +67,18 @@ impl SolvedWheelset {
             pictures.collect::<Vec<_>>()
         };
         self.wheels().flat_map(of).collect()
+    }
+
+    /// The depth of wear across each place of contact, by the name of its file, `left_1_wear` and so on.
+    pub(super) fn wear_svgs(&self) -> Vec<(String, String)> {
+        let pictures = self.wheels().flat_map(|wheel| {
+            let named = wheel.contacts().iter().zip(1..);
+            named.filter_map(|(contact, k): (_, usize)| {
+                let svg = contact.damage.as_ref()?.svg()?;
+                Some((format!("{}_{k}_wear", side_word(wheel.side)), svg))
+            })
+        });
+        pictures.collect()
     }
 
     fn contacts(&self) -> impl Iterator<Item = &SolvedContact> {
@@ -166,13 +179,6 @@ fn across(contact: &SolvedContact) -> [f64; 2] {
     let (sin, cos) = contact.angle.sin_cos();
     let (s, n) = (contact.force.lateral, contact.load());
     [s * cos - n * sin, s * sin + n * cos]
-}
-
-fn side_word(side: Side) -> &'static str {
-    match side {
-        Side::Left => "left",
-        Side::Right => "right",
-    }
 }
 
 impl SolvedContact {

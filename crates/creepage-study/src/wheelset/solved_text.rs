@@ -103,4 +103,7 @@ fn contact_lines(contact: &SolvedContact, lines: &mut Lines) {
     if let Some(power) = contact.dissipation {
         lines.row("heat per metre rolled", &quantity(power, "J/m", 5));
     }
+    if let Some(damage) = &contact.damage {
+        damage.lines(lines);
+    }
 }

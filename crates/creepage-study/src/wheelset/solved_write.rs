@@ -10,8 +10,9 @@ use crate::whole_file::write_all;
 
 impl SolvedWheelset {
     /// Writes `report.json`, the picture `wheelset.svg` and `.png` of the wheels on their rails,
-    /// and one of each place of contact, `left_1.svg` and so on, into `directory`, which is made
-    /// when missing; files of those names are replaced. Gives the paths written.
+    /// and one of each place of contact, `left_1.svg` and so on, and where `[damage]` asks for them
+    /// `wear.csv` and the depth of wear, `left_1_wear.svg`, into `directory`, which is made when
+    /// missing; files of those names are replaced. Gives the paths written.
     ///
     /// # Errors
     /// [`ReportError`]; what was made until then is removed.
@@ -21,7 +22,8 @@ impl SolvedWheelset {
         let mut files = vec![("report.json".to_owned(), json.into_bytes())];
         // A solved position is one on this track.
         let whole = self.svg(running).map(|svg| ("wheelset".to_owned(), svg)).ok();
-        for (name, svg) in whole.into_iter().chain(self.contact_svgs()) {
+        files.extend(self.wear_csv()?.map(|csv| ("wear.csv".to_owned(), csv)));
+        for (name, svg) in whole.into_iter().chain(self.contact_svgs()).chain(self.wear_svgs()) {
             let png = creepage_plot::png(&svg)?;
             files.push((format!("{name}.svg"), svg.into_bytes()));
             files.push((format!("{name}.png"), png));

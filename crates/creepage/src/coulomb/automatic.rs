@@ -4,8 +4,8 @@ use std::sync::OnceLock;
 
 use super::{Constraints, Exact, ExactSolved, InverseError, InverseSolution, Resolution};
 use crate::check::{self, InvalidValue};
-use crate::theory::{Jacobian, Solved};
-use crate::{Contact, Creepage, FieldPoint, Force, Solution, Theory};
+use crate::theory::Solved;
+use crate::{Contact, Creepage, Force, Theory};
 
 /// The full theory at the first of the three named resolutions whose error bar of the force is
 /// small enough; each is prepared when a case first needs it.
@@ -20,9 +20,57 @@ use crate::{Contact, Creepage, FieldPoint, Force, Solution, Theory};
 /// ```
 #[derive(Debug, Clone)]
 pub struct Automatic {
+    contact: Contact,
+    resolutions: Resolutions<Exact>,
+}
+
+/// What is prepared for one resolution, and for finer ones when a case first needs them.
+#[derive(Debug, Clone)]
+pub(super) struct Resolutions<P> {
+    /// Error bar of the forces from which a finer resolution is taken.
     accuracy: f64,
-    fast: Exact,
-    finer: [OnceLock<Exact>; 2],
+    first: P,
+    finer: [OnceLock<P>; 2],
+}
+
+impl<P> Resolutions<P> {
+    /// Finer than the first, [`Resolution::FAST`], where error bars of `fx` and `fy` are above
+    /// `accuracy`.
+    pub(super) fn new(accuracy: f64, first: P) -> Self {
+        Self { accuracy, first, finer: [OnceLock::new(), OnceLock::new()] }
+    }
+
+    /// That one only.
+    pub(super) fn only(first: P) -> Self {
+        Self::new(f64::INFINITY, first)
+    }
+
+    /// The answer of the first resolution at which its error bars are small enough.
+    pub(super) fn answer<'p, A>(
+        &'p self,
+        prepare: impl Fn(Resolution) -> P,
+        answer: impl Fn(&'p P) -> A,
+        error: impl Fn(&A) -> Force,
+    ) -> A {
+        let mut found = answer(&self.first);
+        for (cell, resolution) in self.finer.iter().zip([Resolution::STANDARD, Resolution::FINE]) {
+            let Force { fx, fy, .. } = error(&found);
+            if fx.max(fy) <= self.accuracy {
+                break;
+            }
+            found = answer(cell.get_or_init(|| prepare(resolution)));
+        }
+        found
+    }
+}
+
+/// Error bars of what was found; infinite where nothing was.
+pub(super) fn error_bars<'a, S: 'a>(
+    found: &'a Result<S, InverseError>,
+    solved: impl Fn(&'a S) -> &'a dyn Solved,
+) -> Force {
+    const UNKNOWN: Force = Force { fx: f64::INFINITY, fy: f64::INFINITY, mz: f64::INFINITY };
+    found.as_ref().map_or(UNKNOWN, |found| solved(found).solution().error.unwrap_or_default())
 }
 
 impl Automatic {
@@ -36,15 +84,15 @@ impl Automatic {
     pub fn new(contact: &Contact, accuracy: f64) -> Result<Self, InvalidValue> {
         check::positive("accuracy", accuracy)?;
         let fast = Exact::new(contact, Resolution::FAST)?;
-        let finer = [OnceLock::new(), OnceLock::new()];
-        Ok(Self { accuracy, fast, finer })
+        Ok(Self { contact: *contact, resolutions: Resolutions::new(accuracy, fast) })
     }
 
     /// Solves, refining until the error bars of `fx` and `fy` are below the prescribed accuracy or
     /// the finest resolution is reached; the error bars show which.
     #[must_use]
     pub fn solve_contact(&self, creepage: Creepage) -> ExactSolved<'_> {
-        self.refine(
+        self.resolutions.answer(
+            |resolution| Exact::prepare(&self.contact, resolution),
             |theory| theory.solve_contact(creepage),
             |solved| solved.solution().error.unwrap_or_default(),
         )
@@ -67,42 +115,17 @@ impl Automatic {
     /// # Errors
     /// [`InverseError`] as [`Exact::find`], at the finest resolution.
     pub fn find(&self, constraints: Constraints) -> Result<InverseSolution<'_>, InverseError> {
-        const UNKNOWN: Force = Force { fx: f64::INFINITY, fy: f64::INFINITY, mz: f64::INFINITY };
-        self.refine(
+        self.resolutions.answer(
+            |resolution| Exact::prepare(&self.contact, resolution),
             |theory| theory.find(constraints),
-            |found| found.as_ref().map_or(UNKNOWN, |f| f.solution().error.unwrap_or_default()),
+            |found| error_bars(found, |found| &found.solved),
         )
-    }
-
-    /// The answer of the first resolution at which its error bars are small enough.
-    fn refine<'t, T>(&'t self, answer: impl Fn(&'t Exact) -> T, error: impl Fn(&T) -> Force) -> T {
-        let mut found = answer(&self.fast);
-        for (cell, resolution) in self.finer.iter().zip([Resolution::STANDARD, Resolution::FINE]) {
-            let Force { fx, fy, .. } = error(&found);
-            if fx.max(fy) <= self.accuracy {
-                break;
-            }
-            found = answer(cell.get_or_init(|| Exact::prepare(&self.fast.contact, resolution)));
-        }
-        found
     }
 }
 
 impl Theory for Automatic {
     fn contact(&self) -> &Contact {
-        self.fast.contact()
-    }
-
-    fn solve(&self, creepage: Creepage) -> Solution {
-        self.solve_contact(creepage).solution()
-    }
-
-    fn jacobian(&self, creepage: Creepage) -> Option<Jacobian> {
-        self.solve_contact(creepage).jacobian()
-    }
-
-    fn field(&self, creepage: Creepage, positions: &[[f64; 2]]) -> Vec<FieldPoint> {
-        self.solve_contact(creepage).field(positions)
+        &self.contact
     }
 
     fn solved(&self, creepage: Creepage) -> Box<dyn Solved + '_> {

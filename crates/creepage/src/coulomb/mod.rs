@@ -53,8 +53,8 @@ pub use solution::{ElementField, ExactSolved};
 pub(crate) use inverse::{Trial, search};
 
 use crate::check::{self, InvalidValue};
-use crate::theory::{Jacobian, Solved};
-use crate::{Contact, Creepage, Ellipse, FieldPoint, Solution, Theory};
+use crate::theory::Solved;
+use crate::{Contact, Creepage, Ellipse, Solution, Theory};
 use grid::Grid;
 use workspace::Pool;
 
@@ -129,6 +129,7 @@ impl Exact {
     /// [`Exact::new`] for a contact that has been checked.
     fn prepare(contact: &Contact, resolution: Resolution) -> Self {
         let (ellipse, poisson) = (contact.ellipse(), contact.poisson());
+        let resolution = resolution.between_bodies(contact.kappa_over_mu());
         let [along, across] = resolution.coarse(ellipse.ratio());
         let grids = Grid::pair(|k| {
             Grid::hertz(ellipse, poisson, contact.kappa_over_mu(), [k * along, k * across])
@@ -187,18 +188,6 @@ pub(crate) fn quadrilaterals(ellipse: Ellipse) -> impl Iterator<Item = [[f64; 2]
 impl Theory for Exact {
     fn contact(&self) -> &Contact {
         &self.contact
-    }
-
-    fn solve(&self, creepage: Creepage) -> Solution {
-        self.solve_contact(creepage).solution()
-    }
-
-    fn jacobian(&self, creepage: Creepage) -> Option<Jacobian> {
-        self.solve_contact(creepage).jacobian()
-    }
-
-    fn field(&self, creepage: Creepage, positions: &[[f64; 2]]) -> Vec<FieldPoint> {
-        self.solve_contact(creepage).field(positions)
     }
 
     fn solved(&self, creepage: Creepage) -> Box<dyn Solved + '_> {

@@ -4,7 +4,9 @@ use crate::check::{self, InvalidValue};
 
 /// How finely the contact is cut: the number of elements along and across a circle. On an ellipse
 /// the elements become more nearly square: `along s` by `across / s` with `s = (a/b)^0.4`, held
-/// between 0.4 and 2.5 (2 across), and at least 8 of each.
+/// between 0.4 and 2.5 (2 across), and at least 8 of each. Between unlike bodies, from
+/// `|kappa|/mu = 0.1` on, traction is steeper at the leading edge: there are half as many more along,
+/// up to 40 on a circle.
 ///
 /// Errors of the force in parts of `mu N` and costs are in the documentation of
 /// [`Exact`](super::Exact).
@@ -33,6 +35,16 @@ impl Resolution {
         let valid = "between 4 and 200";
         let check = |name, n: usize| check::require((4..=200).contains(&n), name, n as f64, valid);
         Ok(Self { along: check("along", along)?, across: check("across", across)? })
+    }
+
+    /// For bodies so unlike: [`Resolution::STANDARD`] is off by 1 % rms with its own elements (60 random
+    /// cases with `kappa/mu` to 3), and by 0.16 % with half as many more along.
+    pub(crate) fn between_bodies(self, kappa_over_mu: f64) -> Self {
+        const UNLIKE: f64 = 0.1;
+        if kappa_over_mu.abs() < UNLIKE {
+            return self;
+        }
+        Self { along: (1.5 * self.along).min(self.along.max(Self::FINE.along)), ..self }
     }
 
     /// Elements along and across of the coarser of the two grids for an ellipse; the finer has

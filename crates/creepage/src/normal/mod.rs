@@ -20,7 +20,7 @@ mod outline;
 mod overlap;
 mod product;
 mod solve;
-mod strips;
+pub(crate) mod strips;
 mod units;
 
 pub use band::{Band, Moments};

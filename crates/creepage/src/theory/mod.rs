@@ -90,20 +90,30 @@ pub type Jacobian = [[f64; 3]; 3];
 /// A theory prepared for one contact.
 ///
 /// Prepare once, ask many times; a theory is shared freely between threads.
+///
+/// [`Theory::solve`], [`Theory::jacobian`] and [`Theory::field`] ask the contact that [`Theory::solved`]
+/// solves. A theory that keeps nothing from a solve gives these three, and [`Evaluated::boxed`] for
+/// [`Theory::solved`].
 pub trait Theory: Send + Sync {
     /// The contact that the theory is prepared for.
     fn contact(&self) -> &Contact;
 
     /// Force and moment at `creepage`.
-    fn solve(&self, creepage: Creepage) -> Solution;
+    fn solve(&self, creepage: Creepage) -> Solution {
+        self.solved(creepage).solution()
+    }
 
     /// Derivative of the force at `creepage`, one-sided where the force has a kink; `None` for a
     /// theory without a derivative.
-    fn jacobian(&self, creepage: Creepage) -> Option<Jacobian>;
+    fn jacobian(&self, creepage: Creepage) -> Option<Jacobian> {
+        self.solved(creepage).jacobian()
+    }
 
     /// Traction and slip at `positions` `(x, y)` in units of `c`; those outside the contact are
     /// [`Region::Outside`].
-    fn field(&self, creepage: Creepage, positions: &[[f64; 2]]) -> Vec<FieldPoint>;
+    fn field(&self, creepage: Creepage, positions: &[[f64; 2]]) -> Vec<FieldPoint> {
+        self.solved(creepage).field(positions)
+    }
 
     /// Stick, slip or outside at `positions`, as [`Theory::field`] has it: for a theory that knows
     /// them without a traction.

@@ -79,11 +79,10 @@ fn one_way_forces_are_met() {
 }
 
 /// The bound is half a per cent of `mu N` beyond twice the uncertainty, for the moment in `mu N c` twice
-/// that. It takes more than the standard elements: one-way, they miss a polymer without creepage by 1 %
-/// already. A summit of pressure at the border of adhesion is narrower than the strips of the normal
+/// that. A summit of pressure at the border of adhesion is narrower than the strips of the normal
 /// problem, which cut off up to 0.8 % of the peak.
 fn is_met(case: &Case) {
-    let theory = coupled(&case_contact(case), Resolution::new(32, 26).unwrap());
+    let theory = coupled(&case_contact(case), Resolution::STANDARD);
     let solved = theory.solve_contact(at(case.creepage));
     assert_eq!(solved.solution().status, Status::Solved, "{}", case.name);
     let (found, [value, unc]) = (components(solved.solution().force), case.coupled);

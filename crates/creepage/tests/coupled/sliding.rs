@@ -28,11 +28,9 @@ fn proposition_iii() {
 
 /// The strips lie along `x`; what they find must not depend on it.
 #[test]
-#[ignore = "a known gap: at q = .2 across the strips the iteration does not settle"]
 fn any_direction_is_alike() {
-    let along = circle(0.2, 0.0);
-    for angle in [FRAC_PI_2, 0.7, -2.0] {
-        let turned = circle(0.2, angle);
+    for (q, angle) in [(0.2, FRAC_PI_2), (0.2, 0.7), (0.2, -2.0), (0.5, FRAC_PI_2)] {
+        let (along, turned) = (circle(q, 0.0), circle(q, angle));
         let [x, y] = turned.shift();
         let (sin, cos) = angle.sin_cos();
         let across = y * cos - x * sin;
@@ -40,7 +38,8 @@ fn any_direction_is_alike() {
         assert!((x * cos + y * sin - along.shift()[0]).abs() < 4e-3, "{angle}: {x} {y}");
         assert!(across.abs() < 4e-3, "{angle}: {across}");
         assert!((turned.approach() - along.approach()).abs() < 1e-4, "{angle}");
-        assert!((turned.peak() - along.peak()).abs() < 1e-3, "{angle}");
+        // Thirty-two strips: what they miss grows with q.
+        assert!((turned.peak() - along.peak()).abs() < 5e-3 * q, "{angle}");
     }
 }
 

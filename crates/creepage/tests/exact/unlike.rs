@@ -121,7 +121,7 @@ fn full_sliding_is_that_of_like_bodies() {
 /// Very unlike bodies with little friction: the pressure's slip alone makes everything slide, and
 /// the traction has its direction, inwards in the lower body for `kappa > 0`.
 #[test]
-fn strong_unlikeness_slides_all_over() {
+fn very_unlike_bodies_slide_all_over() {
     let theory = unlike(1.0, 0.25, Resolution::STANDARD, 1e3);
     let solved = theory.solve_contact(Creepage::default());
     assert_eq!(solved.solution().status, Status::Solved);

@@ -61,7 +61,11 @@ impl WheelsetCase {
     /// missing.
     pub fn solve(&self) -> Result<SolvedWheelset, WheelsetError> {
         let travel = self.travel.ok_or_else(|| section("motion", "speed"))?;
-        self.solver()?.solve(&self.stance, &travel)
+        let mut solved = self.solver()?.solve(&self.stance, &travel)?;
+        if let Some(wanted) = &self.damage {
+            solved.add_damage(wanted, self.running.wheelset().radius());
+        }
+        Ok(solved)
     }
 }
 

@@ -9,6 +9,7 @@ use super::shape::Shape;
 use crate::coulomb::grid::Grid;
 use crate::coulomb::influence::Influence;
 use crate::coulomb::mesh::Mesh;
+use crate::coulomb::mixing::Mixing;
 use crate::coulomb::pressure::Pressure;
 use crate::coulomb::solver::{Equations, Outcome, State};
 use crate::coulomb::stencil::SlipStencil;
@@ -20,9 +21,6 @@ const TOLERANCE: f64 = 2e-7;
 /// What is left of rounding in slender contacts: enough when the changes fall no more.
 const ROUGH: f64 = 2e-6;
 const TURNS: usize = 60;
-/// A change that falls by less than this is damped more.
-const SLOW: f64 = 0.9;
-const LEAST_STEP: f64 = 0.2;
 
 /// How pressure and tangential traction act on each other.
 #[derive(Debug, Clone, Copy)]
@@ -52,6 +50,13 @@ pub(super) struct Level {
     pub normal: Normal,
     /// Slip of the elements on the ellipse by Hertz's pressure as constant on each, over `kappa f00`.
     slip_by_elements: Vec<[f64; 2]>,
+}
+
+/// What a grid is solved from.
+pub(super) struct Start<'a> {
+    pub pressed: Pressed,
+    /// The tractions of the coarser grid, if there is one.
+    pub coarser: Option<&'a State>,
 }
 
 /// One grid solved.
@@ -90,11 +95,11 @@ impl Level {
         coupling: Coupling,
         prescribed: Prescribed,
         (creepage, side): (Creepage, f64),
-        start: Pressed,
+        start: Start,
     ) -> Settled {
         let factor = -side * coupling.q / PI;
         let (mut settled, mut attraction) = self.start(hertz, coupling, start);
-        let (mut step, mut last) = (1.0_f64, f64::INFINITY);
+        let mut mixing = Mixing::default();
         loop {
             let outcome = settled.rub(creepage, side);
             let tractions = settled.tractions();
@@ -110,25 +115,25 @@ impl Level {
             if settled.turns >= TURNS || !change.is_finite() {
                 return settled;
             }
-            if change > SLOW * last {
-                step = (0.6 * step).max(LEAST_STEP);
-            }
-            last = change;
-            settled.pressed.go(step, &next);
+            settled.pressed.go(&mut mixing, &next);
             attraction = self.press(hertz, coupling, &mut settled);
         }
     }
 
-    fn start(&self, hertz: &Grid, coupling: Coupling, start: Pressed) -> (Settled, Attraction) {
-        let shape = Shape::new(&self.normal, &start);
-        let (grid, attraction) = self.grid(hertz, coupling, &shape, &start);
-        let (state, equations) = (State::new(&grid), Equations::new(&grid));
+    fn start(&self, hertz: &Grid, coupling: Coupling, start: Start) -> (Settled, Attraction) {
+        let Start { pressed, coarser } = start;
+        let shape = Shape::new(&self.normal, &pressed);
+        let (grid, attraction) = self.grid(hertz, coupling, &shape, &pressed);
+        let (mut state, equations) = (State::new(&grid), Equations::new(&grid));
+        if let Some(coarser) = coarser {
+            state.refine(hertz, coarser);
+        }
         let settled = Settled {
             grid,
             state,
             equations,
             shape,
-            pressed: start,
+            pressed,
             frictionless: self.normal.frictionless.clone(),
             converged: false,
             turns: 0,
@@ -164,6 +169,9 @@ impl Level {
         shape: &Shape,
         pressed: &Pressed,
     ) -> (Grid, Attraction) {
+        if pressed.is(&self.normal.frictionless) {
+            return (hertz.clone(), Attraction::new(&hertz.mesh));
+        }
         let (mesh, pressure) = self.elements(hertz, shape, pressed);
         let stencils: Vec<_> = mesh.strips.iter().map(SlipStencil::steady).collect();
         let attraction = Attraction::new(&mesh);

@@ -21,18 +21,16 @@ mod normal;
 mod shape;
 mod sliding;
 mod solved;
-mod strips;
 
 pub use sliding::{GrossSliding, SlidingError};
 pub use solved::CoupledSolved;
 
-use std::sync::OnceLock;
-
+use super::automatic::{Resolutions, error_bars};
 use super::inverse::search;
 use super::{Constraints, Exact, InverseError, Resolution};
 use crate::check::{self, InvalidValue};
-use crate::theory::{Jacobian, Solved};
-use crate::{Contact, Creepage, FieldPoint, Force, Solution, Theory};
+use crate::theory::Solved;
+use crate::{Contact, Creepage, Theory};
 use level::{Coupling, Level};
 
 /// What stays as it is without friction.
@@ -77,10 +75,7 @@ pub struct Coupled {
     contact: Contact,
     coupling: Coupling,
     prescribed: Prescribed,
-    /// Error bar of the forces from which a finer resolution is taken.
-    accuracy: f64,
-    first: Prepared,
-    finer: Vec<(Resolution, OnceLock<Prepared>)>,
+    resolutions: Resolutions<Prepared>,
 }
 
 /// One resolution: Hertz's contact, and what is coupled to it.
@@ -114,17 +109,7 @@ impl Coupled {
         resolution: Resolution,
         prescribed: Prescribed,
     ) -> Result<Self, InvalidValue> {
-        check::ratio(contact.ellipse().ratio(), Self::RATIO_RANGE, "between 1/20 and 20")?;
-        let friction = contact.friction().unwrap_or(f64::NAN);
-        check::require(friction > 0.0, "friction", friction, "known, for a coupled solution")?;
-        Ok(Self {
-            contact: *contact,
-            coupling: Coupling::new(contact, friction),
-            prescribed,
-            accuracy: f64::INFINITY,
-            first: Prepared::new(contact, resolution),
-            finer: Vec::new(),
-        })
+        Self::prepare(contact, prescribed, || Resolutions::only(Prepared::new(contact, resolution)))
     }
 
     /// The same at the first of the three named resolutions whose error bars of `fx` and `fy` are below
@@ -138,14 +123,28 @@ impl Coupled {
         prescribed: Prescribed,
     ) -> Result<Self, InvalidValue> {
         check::positive("accuracy", accuracy)?;
-        let finer = [Resolution::STANDARD, Resolution::FINE].map(|r| (r, OnceLock::new())).into();
-        Ok(Self { accuracy, finer, ..Self::new(contact, Resolution::FAST, prescribed)? })
+        Self::prepare(contact, prescribed, || {
+            Resolutions::new(accuracy, Prepared::new(contact, Resolution::FAST))
+        })
+    }
+
+    fn prepare(
+        contact: &Contact,
+        prescribed: Prescribed,
+        resolutions: impl FnOnce() -> Resolutions<Prepared>,
+    ) -> Result<Self, InvalidValue> {
+        check::ratio(contact.ellipse().ratio(), Self::RATIO_RANGE, "between 1/20 and 20")?;
+        let friction = contact.friction().unwrap_or(f64::NAN);
+        check::require(friction > 0.0, "friction", friction, "known, for a coupled solution")?;
+        let coupling = Coupling::new(contact, friction);
+        Ok(Self { contact: *contact, coupling, prescribed, resolutions: resolutions() })
     }
 
     /// Solves, and keeps what was solved.
     #[must_use]
     pub fn solve_contact(&self, creepage: Creepage) -> CoupledSolved<'_> {
-        self.refine(
+        self.resolutions.answer(
+            |resolution| Prepared::new(&self.contact, resolution),
             |prepared| CoupledSolved::new(self, prepared, creepage, None),
             |solved| solved.solution().error.unwrap_or_default(),
         )
@@ -156,53 +155,21 @@ impl Coupled {
     /// # Errors
     /// [`InverseError`] unless three quantities are prescribed, all finite, and within reach.
     pub fn find(&self, constraints: Constraints) -> Result<CoupledSolved<'_>, InverseError> {
-        const UNKNOWN: Force = Force { fx: f64::INFINITY, fy: f64::INFINITY, mz: f64::INFINITY };
         let scale = 1.0 + self.contact.kappa_over_mu().abs();
-        self.refine(
+        self.resolutions.answer(
+            |resolution| Prepared::new(&self.contact, resolution),
             |prepared| {
                 let solve = |creepage| CoupledSolved::new(self, prepared, creepage, None);
                 search(constraints, scale, solve).map(|(solved, _)| solved)
             },
-            |found| {
-                let error = |solved: &CoupledSolved| solved.solution().error.unwrap_or_default();
-                found.as_ref().map_or(UNKNOWN, error)
-            },
+            |found| error_bars(found, |found| found),
         )
-    }
-
-    fn refine<'a, A>(
-        &'a self,
-        answer: impl Fn(&'a Prepared) -> A,
-        error: impl Fn(&A) -> Force,
-    ) -> A {
-        let mut found = answer(&self.first);
-        for (resolution, cell) in &self.finer {
-            let Force { fx, fy, .. } = error(&found);
-            if fx.max(fy) <= self.accuracy {
-                break;
-            }
-            found = answer(cell.get_or_init(|| Prepared::new(&self.contact, *resolution)));
-        }
-        found
     }
 }
 
 impl Theory for Coupled {
     fn contact(&self) -> &Contact {
         &self.contact
-    }
-
-    fn solve(&self, creepage: Creepage) -> Solution {
-        self.solve_contact(creepage).solution()
-    }
-
-    /// With the pressure held; see [`CoupledSolved`].
-    fn jacobian(&self, creepage: Creepage) -> Option<Jacobian> {
-        self.solve_contact(creepage).jacobian()
-    }
-
-    fn field(&self, creepage: Creepage, positions: &[[f64; 2]]) -> Vec<FieldPoint> {
-        self.solve_contact(creepage).field(positions)
     }
 
     fn solved(&self, creepage: Creepage) -> Box<dyn Solved + '_> {

@@ -9,12 +9,16 @@ use std::f64::consts::FRAC_PI_2;
 use super::Prescribed;
 use super::along::Along;
 use super::shape::Shape;
-use super::strips::kernel::MOST;
-use super::strips::{Strip, newton};
+use crate::coulomb::mixing::Mixing;
 use crate::ellipse::Ellipse;
+use crate::normal::strips::{self, MOST, Question, Strip};
 
 /// Borders are sines of equal parts of so much of a right angle: narrower strips at the tips.
 const CLUSTER: f64 = 0.8 * FRAC_PI_2;
+/// Least half-length of a strip, over that of the longest, from which it is solved.
+const SHORTEST: f64 = 1e-3;
+/// Largest residual of the strips' displacements, and of the load over itself.
+const ENOUGH: f64 = 1e-8;
 
 /// An area and its pressure.
 #[derive(Debug, Clone)]
@@ -29,33 +33,45 @@ pub(super) struct Pressed {
 }
 
 impl Pressed {
-    /// The largest difference from another.
-    pub(super) fn apart(&self, other: &Self) -> f64 {
-        let own = [
-            self.middle - other.middle,
-            self.stretch - other.stretch,
-            self.approach - other.approach,
-        ];
-        let strips = self.strips.iter().zip(&other.strips).flat_map(|(one, two)| {
-            let pressure = one.pressure.into_iter().zip(two.pressure).map(|(p, q)| p - q);
-            pressure.chain([one.centre - two.centre, one.half - two.half])
-        });
-        strips
-            .chain(own)
-            .fold(0.0, |largest: f64, d| if d.is_nan() { d } else { largest.max(d.abs()) })
+    fn numbers(&self) -> impl Iterator<Item = f64> {
+        let strips = self
+            .strips
+            .iter()
+            .flat_map(|strip| strip.pressure.into_iter().chain([strip.centre, strip.half]));
+        [self.middle, self.stretch, self.approach, self.load].into_iter().chain(strips)
     }
 
-    /// Goes a part of the way to another.
-    pub(super) fn go(&mut self, part: f64, to: &Self) {
-        let go = |from: &mut f64, to: f64| *from += part * (to - *from);
-        go(&mut self.middle, to.middle);
-        go(&mut self.stretch, to.stretch);
-        go(&mut self.approach, to.approach);
-        go(&mut self.load, to.load);
-        for (from, to) in self.strips.iter_mut().zip(&to.strips) {
-            go(&mut from.centre, to.centre);
-            go(&mut from.half, to.half);
-            from.pressure.iter_mut().zip(to.pressure).for_each(|(from, to)| go(from, to));
+    fn numbers_mut(&mut self) -> impl Iterator<Item = &mut f64> {
+        let strips = self.strips.iter_mut().flat_map(|strip| {
+            strip.pressure.iter_mut().chain([&mut strip.centre, &mut strip.half])
+        });
+        [&mut self.middle, &mut self.stretch, &mut self.approach, &mut self.load]
+            .into_iter()
+            .chain(strips)
+    }
+
+    /// The largest difference from another.
+    pub(super) fn apart(&self, other: &Self) -> f64 {
+        let apart = self.numbers().zip(other.numbers()).map(|(one, two)| one - two);
+        apart.fold(0.0, |largest: f64, d| if d.is_nan() { d } else { largest.max(d.abs()) })
+    }
+
+    /// Whether it is another one to the last bit.
+    pub(super) fn is(&self, other: &Self) -> bool {
+        self.apart(other) == 0.0
+    }
+
+    /// Goes where the last turns lead to, given where this one led.
+    pub(super) fn go(&mut self, mixing: &mut Mixing, image: &Self) {
+        let mut numbers: Vec<f64> = self.numbers().collect();
+        mixing.improve(&mut numbers, &image.numbers().collect::<Vec<f64>>());
+        self.clone_from(image);
+        let shortest = SHORTEST * image.strips.iter().fold(0.0, |most, s| s.half.max(most));
+        for (own, number) in self.numbers_mut().zip(numbers) {
+            *own = number;
+        }
+        for strip in &mut self.strips {
+            strip.half = strip.half.max(shortest);
         }
     }
 }
@@ -95,9 +111,8 @@ impl Normal {
         };
         let mut normal = Self { ellipse, curvatures, borders, frictionless: hertz };
         let none: Vec<Along> = normal.middles().map(|_| Along::default()).collect();
-        let (strips, _) = normal.touching(&normal.frictionless, &none).ok()?;
-        normal.frictionless.load = strips.iter().map(Strip::load).sum();
-        normal.frictionless.strips = strips;
+        normal.frictionless =
+            normal.touching(&normal.frictionless, &none, Prescribed::Approach).ok()?;
         Some(normal)
     }
 
@@ -109,6 +124,9 @@ impl Normal {
     /// A start of the shape that other strips found.
     pub(super) fn shaped(&self, shape: &Shape, pressed: &Pressed, without: &Pressed) -> Pressed {
         let own = &self.frictionless;
+        if pressed.is(without) {
+            return own.clone();
+        }
         let strips = own.strips.iter().zip(self.middles());
         Pressed {
             strips: strips.map(|(strip, t)| shape.strip(strip, t)).collect(),
@@ -119,8 +137,8 @@ impl Normal {
     }
 
     /// The area and its pressure when `more` is added to the normal displacement, from a start close by.
-    /// Tips move once, and the approach twice: near a solution the rest is for the next turn. `None` when
-    /// the strips do not settle.
+    /// Tips move once: near a solution the rest is for the next turn. `None` when the strips do not
+    /// settle.
     pub(super) fn solve(
         &self,
         start: &Pressed,
@@ -152,7 +170,7 @@ impl Normal {
             let along =
                 |strip: &Strip| Along::new([strip.centre, strip.half], |x| more([x, strip.y]));
             let more: Vec<Along> = pressed.strips.iter().map(along).collect();
-            match self.loaded(pressed.clone(), &more, prescribed) {
+            match self.touching(&pressed, &more, prescribed) {
                 Ok(mut found) => {
                     self.move_tips(&mut found);
                     return Some(found);
@@ -161,26 +179,6 @@ impl Normal {
             }
         }
         None
-    }
-
-    /// Strips that touch all along and nearly carry the load, or those where that failed.
-    fn loaded(
-        &self,
-        mut pressed: Pressed,
-        more: &[Along],
-        prescribed: Prescribed,
-    ) -> Result<Pressed, Vec<Strip>> {
-        const CORRECTIONS: usize = 2;
-        for _ in 0..CORRECTIONS {
-            let (strips, stiffness) = self.touching(&pressed, more)?;
-            pressed.load = strips.iter().map(Strip::load).sum();
-            pressed.strips = strips;
-            if prescribed == Prescribed::Approach {
-                break;
-            }
-            pressed.approach += (self.frictionless.load - pressed.load) / stiffness;
-        }
-        Ok(pressed)
     }
 
     /// Draws in the tips whose outermost strip has shrunk, for it touches nothing; `None` if there are
@@ -214,8 +212,13 @@ impl Normal {
         pressed
     }
 
-    /// The strips that touch all along, and the change of the load with the approach.
-    fn touching(&self, pressed: &Pressed, more: &[Along]) -> Result<(Vec<Strip>, f64), Vec<Strip>> {
+    /// The strips that touch all along, or those where that failed.
+    fn touching(
+        &self,
+        pressed: &Pressed,
+        more: &[Along],
+        prescribed: Prescribed,
+    ) -> Result<Pressed, Vec<Strip>> {
         let middles: Vec<f64> = pressed.strips.iter().map(|strip| strip.y).collect();
         let [along, across] = self.curvatures;
         let depth = |x: f64, y: f64| {
@@ -223,9 +226,17 @@ impl Normal {
             let more = more.get(strip).map_or(f64::NAN, |more| more.at(x));
             pressed.approach - along * x * x - across * y * y - more
         };
-        let found = newton::solve(pressed.strips.clone(), MOST, &depth)?;
-        let sound = found.stiffness.is_finite() && found.stiffness > 0.0;
-        if sound { Ok((found.strips, found.stiffness)) } else { Err(found.strips) }
+        let load = (prescribed == Prescribed::Load).then_some(self.frictionless.load);
+        let question = Question { depth: &depth, load, enough: ENOUGH };
+        let found = strips::touching(pressed.strips.clone(), MOST, question)
+            .map_err(|stopped| stopped.strips)?;
+        if found.stiffness > 0.0 && found.deeper.is_finite() {
+            let load = found.strips.iter().map(Strip::load).sum();
+            let approach = pressed.approach + found.deeper;
+            Ok(Pressed { strips: found.strips, approach, load, ..*pressed })
+        } else {
+            Err(found.strips)
+        }
     }
 
     /// Moves the tips to where the squared half-lengths go to zero as those of an ellipse do: the
@@ -258,5 +269,6 @@ fn hertz_strip(ellipse: Ellipse, [low, high]: [f64; 2]) -> Strip {
         centre: 0.0,
         half: ellipse.a() * root,
         pressure,
+        band: 0,
     }
 }

@@ -1,14 +1,11 @@
 //! How area and pressure differ from Hertz's: smooth functions of the place.
 
 use super::normal::{Normal, Pressed};
-use super::strips::{
-    self,
-    kernel::{MOST, profile},
-};
 use crate::coulomb::mesh::{Mesh, SUBCELLS, Strip};
 use crate::coulomb::pressure::{Moments, Pressure};
 use crate::ellipse::Ellipse;
 use crate::gap::Cubic;
+use crate::normal::strips::{self, MOST, profile};
 
 /// A map of the ellipse on the area: lines along `x` are shifted and stretched, each by itself, and
 /// moved and spread across. A place is `(s, t)`, `t` from tip to tip and `s` from the trailing to

@@ -38,11 +38,12 @@ use std::f64::consts::PI;
 
 use super::Prescribed;
 use super::attraction::Attraction;
-use super::normal::Normal;
+use super::normal::{Normal, Pressed};
 use super::shape::Shape;
 use crate::check::{self, InvalidValue};
 use crate::coulomb::extrapolation::extrapolate;
 use crate::coulomb::mesh::Mesh;
+use crate::coulomb::mixing::Mixing;
 use crate::coulomb::pressure::Pressure;
 use crate::coulomb::resolution::Resolution;
 use crate::ellipse::Ellipse;
@@ -86,7 +87,8 @@ pub struct GrossSliding {
 #[derive(Debug, Clone)]
 struct Slid {
     shape: Shape,
-    approach: f64,
+    pressed: Pressed,
+    frictionless: Pressed,
 }
 
 impl GrossSliding {
@@ -111,11 +113,13 @@ impl GrossSliding {
         let (sin, cos) = check::finite("angle", angle)?.sin_cos();
         let ellipse = Ellipse::from_ratio(ellipse.ratio())?;
         let [along, across] = Resolution::FINE.coarse(ellipse.ratio());
-        let slid = |times: usize| {
-            let mesh = Mesh::ellipse(ellipse, times * along, times * across);
-            slid(ellipse, &mesh, [q * cos, q * sin])
-        };
-        Ok(Self { coarse: slid(1)?, fine: slid(2)? })
+        let q = [q * cos, q * sin];
+        let [coarse, fine] =
+            [1, 2].map(|times| Mesh::ellipse(ellipse, times * along, times * across));
+        let coarse = Sliding::new(ellipse, &coarse)?.by_steps(q)?;
+        let fine = Sliding::new(ellipse, &fine)?;
+        let fine = fine.refined(&coarse, q).or_else(|_| fine.by_steps(q))?;
+        Ok(Self { coarse, fine })
     }
 
     fn value(&self, of: impl Fn(&Slid) -> f64) -> f64 {
@@ -144,7 +148,7 @@ impl GrossSliding {
     /// Approach over that of the frictionless contact.
     #[must_use]
     pub fn approach(&self) -> f64 {
-        self.value(|slid| slid.approach)
+        self.value(|slid| slid.pressed.approach / slid.frictionless.approach)
     }
 
     /// Area over that of the frictionless contact.
@@ -166,30 +170,70 @@ impl GrossSliding {
     }
 }
 
-/// Pressure and area in turn until both hold; `q` along and across.
-fn slid(ellipse: Ellipse, hertz: &Mesh, q: [f64; 2]) -> Result<Slid, SlidingError> {
-    const STRIPS: usize = 32;
-    const TURNS: usize = 60;
-    // Ten times what the normal problem leaves in slender contacts.
-    const TOLERANCE: f64 = 2e-6;
-    let not_settled = |change: f64| SlidingError::NotSettled { change };
-    let count = hertz.strips.len().min(STRIPS);
-    let normal = Normal::new(ellipse, count).ok_or(not_settled(f64::NAN))?;
-    let pressure = Pressure::hertz(ellipse, hertz);
-    let mut pressed = normal.frictionless.clone();
-    let mut change = f64::INFINITY;
-    for _ in 0..TURNS {
-        let shape = Shape::new(&normal, &pressed);
-        let attraction = Attraction::new(&shape.mesh(hertz));
-        let bounds = shape.pressed(&pressure, 1.0).bounds;
-        let tractions: Vec<_> = bounds.iter().map(|bound| q.map(|q| -q * bound / PI)).collect();
-        let more = |at: [f64; 2]| attraction.by_traction(at, &tractions);
-        let next = normal.solve(&pressed, more, Prescribed::Load).ok_or(not_settled(change))?;
-        change = pressed.apart(&next);
-        if change <= TOLERANCE {
-            return Ok(Slid { shape, approach: pressed.approach / normal.frictionless.approach });
-        }
-        pressed = next;
+/// Largest change of a turn in a solution: ten times what the normal problem leaves in slender contacts.
+const TOLERANCE: f64 = 2e-6;
+/// The same on the way there.
+const ROUGH: f64 = 1e-3;
+
+/// One mesh, prepared.
+struct Sliding<'a> {
+    hertz: &'a Mesh,
+    pressure: Pressure,
+    normal: Normal,
+}
+
+impl<'a> Sliding<'a> {
+    fn new(ellipse: Ellipse, hertz: &'a Mesh) -> Result<Self, SlidingError> {
+        const STRIPS: usize = 32;
+        let count = hertz.strips.len().min(STRIPS);
+        let normal = Normal::new(ellipse, count);
+        let normal = normal.ok_or(SlidingError::NotSettled { change: f64::NAN })?;
+        Ok(Self { hertz, pressure: Pressure::hertz(ellipse, hertz), normal })
     }
-    Err(not_settled(change))
+
+    /// From the frictionless contact, by as many steps of `q` along and across as it takes.
+    fn by_steps(&self, [along, across]: [f64; 2]) -> Result<Slid, SlidingError> {
+        const LONGEST: f64 = 0.08;
+        let steps = (along.hypot(across) / LONGEST).ceil().max(1.0);
+        let mut pressed = self.normal.frictionless.clone();
+        let mut step = 1.0;
+        while step < steps {
+            let q = [along, across].map(|q| q * step / steps);
+            pressed = self.settle(pressed, q, ROUGH)?.pressed;
+            step += 1.0;
+        }
+        self.settle(pressed, [along, across], TOLERANCE)
+    }
+
+    /// From another mesh.
+    fn refined(&self, coarse: &Slid, q: [f64; 2]) -> Result<Slid, SlidingError> {
+        let start = self.normal.shaped(&coarse.shape, &coarse.pressed, &coarse.frictionless);
+        self.settle(start, q, TOLERANCE)
+    }
+
+    /// Pressure and area in turn until both hold.
+    fn settle(
+        &self,
+        mut pressed: Pressed,
+        q: [f64; 2],
+        tolerance: f64,
+    ) -> Result<Slid, SlidingError> {
+        const TURNS: usize = 60;
+        let (mut change, mut mixing) = (f64::INFINITY, Mixing::default());
+        for _ in 0..TURNS {
+            let shape = Shape::new(&self.normal, &pressed);
+            let attraction = Attraction::new(&shape.mesh(self.hertz));
+            let bounds = shape.pressed(&self.pressure, 1.0).bounds;
+            let tractions: Vec<_> = bounds.iter().map(|bound| q.map(|q| -q * bound / PI)).collect();
+            let more = |at: [f64; 2]| attraction.by_traction(at, &tractions);
+            let Some(next) = self.normal.solve(&pressed, more, Prescribed::Load) else { break };
+            change = pressed.apart(&next);
+            if change <= tolerance {
+                let frictionless = self.normal.frictionless.clone();
+                return Ok(Slid { shape, pressed, frictionless });
+            }
+            pressed.go(&mut mixing, &next);
+        }
+        Err(SlidingError::NotSettled { change })
+    }
 }

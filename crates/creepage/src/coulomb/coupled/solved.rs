@@ -1,6 +1,6 @@
 //! One coupled contact solved, kept for further questions.
 
-use super::level::Settled;
+use super::level::{Settled, Start};
 use super::{Coupled, Prepared};
 use crate::coulomb::extrapolation::{Extrapolation, extrapolate};
 use crate::coulomb::inverse::Trial;
@@ -202,12 +202,14 @@ fn settle(
     let at = (mirror.creepage(creepage), mirror.x);
     let [hertz, hertz_fine] = &exact.grids;
     let (coupling, prescribed) = (theory.coupling, theory.prescribed);
-    let start = near.map_or(&coarse.normal.frictionless, |near| &near[0].pressed);
-    let first = coarse.settle(hertz, coupling, prescribed, at, start.clone());
-    let start = match near {
+    let pressed = near.map_or(&coarse.normal.frictionless, |near| &near[0].pressed).clone();
+    let start = Start { pressed, coarser: None };
+    let first = coarse.settle(hertz, coupling, prescribed, at, start);
+    let pressed = match near {
         Some(near) => near[1].pressed.clone(),
         None => fine.normal.shaped(&first.shape, &first.pressed, &first.frictionless),
     };
+    let start = Start { pressed, coarser: Some(&first.state) };
     let second = fine.settle(hertz_fine, coupling, prescribed, at, start);
     Some([first, second])
 }

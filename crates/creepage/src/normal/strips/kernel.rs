@@ -24,7 +24,9 @@ use gauss_quad::GaussLegendre;
 use super::lanes::{LANES, Lanes, each, exp, ln, sin};
 
 /// Most polynomials in a strip's pressure.
-pub(super) const MOST: usize = 4;
+pub(crate) const MOST: usize = 8;
+/// So many do with fewer points of quadrature.
+const FEW: usize = 4;
 
 /// The integrals of one strip at one point with `T` polynomials, and the derivatives of their sum
 /// weighted with the strip's pressures.
@@ -104,7 +106,7 @@ impl View {
         let mean = (0.5 * (left + right)).max(1.0);
         let zero = [0.0; LANES];
         let mut sums = Sums { value: [zero; T], by_x: zero, by_e: zero };
-        if let Some(blocks) = rules.reaching(mean) {
+        if let Some(blocks) = rules.reaching::<T>(mean) {
             for block in blocks {
                 let weights = std::array::from_fn(|k| block.weights[k]);
                 let seen = view.seen::<SLOPES>(&block.s);
@@ -118,7 +120,7 @@ impl View {
         let total = |lanes: Lanes| lanes.iter().sum::<f64>();
         let mut value = sums.value.map(total);
         if view.own {
-            for (value, log) in value.iter_mut().zip(log_integrals(view.x)) {
+            for (value, log) in value.iter_mut().zip(log_integrals::<T>(view.x)) {
                 *value -= 2.0 * log;
             }
         }
@@ -138,7 +140,7 @@ impl View {
             ln(ratio + (ratio * ratio + 1.0).sqrt()).copysign(side)
         });
         let (middle, half) = (f64::midpoint(from, to), 0.5 * (to - from));
-        for (nodes, shares) in rules.legendre(half) {
+        for (nodes, shares) in rules.legendre::<T>(half) {
             let grown = each(|l| exp(middle + half * nodes[l]));
             let s = each(|l| sin(angle + depth * 0.5 * (grown[l] - 1.0 / grown[l])));
             let scale = half * depth * 0.5;
@@ -148,7 +150,7 @@ impl View {
             });
             let mut weights = [[0.0; LANES]; T];
             for l in 0..LANES {
-                let u = polynomials(s[l]);
+                let u = polynomials::<T>(s[l]);
                 for k in 0..T {
                     weights[k][l] = weight[l] * u[k];
                 }
@@ -191,29 +193,33 @@ impl View {
     }
 }
 
+/// `U_k(s)`.
 #[inline(always)]
-fn polynomials(s: f64) -> [f64; MOST] {
-    let twice = 2.0 * s;
-    let second = twice * twice - 1.0;
-    [1.0, twice, second, twice * (second - 1.0)]
+fn polynomials<const T: usize>(s: f64) -> [f64; T] {
+    let (mut before, mut last) = (0.0, 1.0);
+    std::array::from_fn(|_| {
+        let own = last;
+        (before, last) = (last, 2.0 * s * last - before);
+        own
+    })
 }
 
 /// `U_k(s)`, weighted by coefficients.
-pub(super) fn profile(coefficients: &[f64], s: f64) -> f64 {
-    polynomials(s).iter().zip(coefficients).map(|(u, c)| u * c).sum()
+pub(crate) fn profile(coefficients: &[f64; MOST], s: f64) -> f64 {
+    polynomials::<MOST>(s).iter().zip(coefficients).map(|(u, c)| u * c).sum()
 }
 
 /// `int sqrt(1 - s^2) U_k(s) ln|x - s| ds` inside the interval: its derivative is `pi T_(k+1)`.
-fn log_integrals(x: f64) -> [f64; MOST] {
-    let mut t = [1.0, x, 0.0, 0.0, 0.0, 0.0];
-    for k in 2..t.len() {
-        t[k] = 2.0 * x * t[k - 1] - t[k - 2];
-    }
-    let mut logs = [PI * (0.25 * t[2] - 0.5 * LN_2), 0.0, 0.0, 0.0];
-    for k in 1..MOST {
-        logs[k] = FRAC_PI_2 * (t[k + 2] / (k + 2) as f64 - t[k] / k as f64);
-    }
-    logs
+#[inline(always)]
+fn log_integrals<const T: usize>(x: f64) -> [f64; T] {
+    let mut t = [1.0, x, 2.0 * x * x - 1.0];
+    std::array::from_fn(|k| {
+        if k == 0 {
+            return PI * (0.25 * t[2] - 0.5 * LN_2);
+        }
+        t = [t[1], t[2], 2.0 * x * t[2] - t[1]];
+        FRAC_PI_2 * (t[2] / (k + 2) as f64 - t[0] / k as f64)
+    })
 }
 
 /// Points of quadrature on the strip, and weights with each polynomial.
@@ -230,33 +236,36 @@ type Legendre = Vec<(Lanes, Lanes)>;
 #[derive(Debug)]
 pub(super) struct Rules {
     /// Gauss-Chebyshev rules of the second kind, each from a hyperbolic cosine of the depth of the
-    /// singularity on.
-    chebyshev: Vec<(f64, Vec<Block>)>,
-    /// Up to half ranges in the variable `v`.
-    legendre: Vec<(f64, Legendre)>,
+    /// singularity on: with few polynomials, and with many.
+    chebyshev: Vec<([f64; 2], Vec<Block>)>,
+    /// Of rising order.
+    legendre: Vec<Legendre>,
 }
 
 pub(super) static RULES: LazyLock<Rules> = LazyLock::new(|| Rules {
     chebyshev: [8, 16, 24].map(chebyshev).into(),
-    legendre: [(16, 3.0), (24, 5.0), (40, f64::INFINITY)].map(|(n, to)| (to, legendre(n))).into(),
+    legendre: [16, 24, 40, 56].map(legendre).into(),
 });
 
 impl Rules {
     /// The smallest rule good for a mean distance from the two ends.
     #[inline(always)]
-    fn reaching(&self, mean: f64) -> Option<&[Block]> {
-        self.chebyshev.iter().find(|(least, _)| mean >= *least).map(|(_, blocks)| &blocks[..])
+    fn reaching<const T: usize>(&self, mean: f64) -> Option<&[Block]> {
+        let many = usize::from(T > FEW);
+        self.chebyshev.iter().find(|(least, _)| mean >= least[many]).map(|(_, blocks)| &blocks[..])
     }
 
+    /// A rule good for half a range in the variable `v`.
     #[inline(always)]
-    fn legendre(&self, half: f64) -> &[(Lanes, Lanes)] {
-        let found = self.legendre.iter().find(|(most, _)| half <= *most);
-        found.or(self.legendre.last()).map_or(&[], |(_, points)| points)
+    fn legendre<const T: usize>(&self, half: f64) -> &[(Lanes, Lanes)] {
+        let order = usize::from(half > 3.0) + usize::from(half > 5.0) + usize::from(T > FEW);
+        self.legendre.get(order).map_or(&[], |points| points)
     }
 }
 
-/// Gauss-Chebyshev points of the second kind; the error falls as `exp(-2 count depth)`.
-fn chebyshev(count: usize) -> (f64, Vec<Block>) {
+/// Gauss-Chebyshev points of the second kind; the error falls as `exp(-2 count depth)`, and a
+/// polynomial of high degree takes as many points as it has waves.
+fn chebyshev(count: usize) -> ([f64; 2], Vec<Block>) {
     const DIGITS: f64 = 13.0;
     let node = |k: usize| {
         let angle = PI * (k + 1) as f64 / (count + 1) as f64;
@@ -268,11 +277,12 @@ fn chebyshev(count: usize) -> (f64, Vec<Block>) {
         weights: std::array::from_fn(|k| {
             each(|l| {
                 let (s, weight) = node(first + l);
-                weight * polynomials(s)[k]
+                weight * polynomials::<MOST>(s)[k]
             })
         }),
     };
-    ((DIGITS / (2 * count) as f64).cosh(), (0..count).step_by(LANES).map(block).collect())
+    let least = [0, MOST].map(|lost| (DIGITS / (2 * count - lost) as f64).cosh());
+    (least, (0..count).step_by(LANES).map(block).collect())
 }
 
 fn legendre(count: usize) -> Legendre {
@@ -296,7 +306,7 @@ mod tests {
                 let (s, cos) = (-FRAC_PI_2 + (f64::from(i) + 0.5) * step).sin_cos();
                 let d = (view.x - s).abs();
                 let kernel = (view.high / d).asinh() - (view.low / d).asinh();
-                step * cos * cos * polynomials(s)[k] * kernel
+                step * cos * cos * polynomials::<MOST>(s)[k] * kernel
             })
             .sum()
     }

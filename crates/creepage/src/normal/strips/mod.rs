@@ -12,8 +12,10 @@ use super::contact::Patch;
 use super::lattice::whole;
 use super::level::Task;
 use super::solve::Found;
-use newton::{Question, Stopped, Touching};
-use strip::{Strip, Units};
+pub(crate) use kernel::{MOST, profile};
+pub(crate) use newton::{Question, Stopped, Touching, solve as touching};
+pub(crate) use strip::Strip;
+use strip::Units;
 
 /// Solves with `count` strips across the widest patch, from patches close by, until the residual is
 /// below `enough` of the depth.
@@ -40,7 +42,7 @@ pub(super) fn solve(
     let (mut start, mut settled) = (start.to_vec(), 0);
     for _ in 0..ATTEMPTS {
         let laid = laid(&start, count, terms, units)?;
-        match newton::solve(laid.clone(), terms, question) {
+        match touching(laid.clone(), terms, question) {
             Ok(touching) if touching.strips.iter().all(is_pressed) => {
                 let patches = patches(&start, &touching.strips, units);
                 if settled < SETTLED && moved(&start, &patches, &laid, units) {
@@ -194,8 +196,7 @@ fn units(task: Task<'_>, start: &[Patch]) -> Option<(Units, f64)> {
 /// No tension anywhere in a strip.
 fn is_pressed(strip: &Strip) -> bool {
     const POINTS: i32 = 8;
-    (-POINTS..=POINTS)
-        .all(|i| kernel::profile(&strip.pressure, f64::from(i) / f64::from(POINTS)) >= 0.0)
+    (-POINTS..=POINTS).all(|i| profile(&strip.pressure, f64::from(i) / f64::from(POINTS)) >= 0.0)
 }
 
 fn patches(start: &[Patch], strips: &[Strip], units: Units) -> Vec<Patch> {

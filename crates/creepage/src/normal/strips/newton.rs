@@ -5,20 +5,20 @@ use std::f64::consts::PI;
 use nalgebra::{DMatrix, DVector, Dyn, LU};
 use pulp::{Arch, Simd, WithSimd};
 
-use super::kernel::{RULES, Rules, View};
+use super::kernel::{MOST, RULES, Rules, View};
 use super::strip::Strip;
 
 /// The depth of undeformed penetration, at x and y in the solver's units.
-pub(super) type Depth<'a> = &'a dyn Fn(f64, f64) -> f64;
+pub(crate) type Depth<'a> = &'a dyn Fn(f64, f64) -> f64;
 
 /// What is to be solved, in the solver's units.
 #[derive(Clone, Copy)]
-pub(super) struct Question<'a> {
-    pub(super) depth: Depth<'a>,
+pub(crate) struct Question<'a> {
+    pub(crate) depth: Depth<'a>,
     /// The load, where that is prescribed and not the approach.
-    pub(super) load: Option<f64>,
+    pub(crate) load: Option<f64>,
     /// Largest residual.
-    pub(super) enough: f64,
+    pub(crate) enough: f64,
 }
 
 impl Question<'_> {
@@ -31,24 +31,24 @@ impl Question<'_> {
 
 /// Strips that touch all along, in the solver's units.
 #[derive(Debug, Clone)]
-pub(super) struct Touching {
-    pub(super) strips: Vec<Strip>,
+pub(crate) struct Touching {
+    pub(crate) strips: Vec<Strip>,
     /// What was added to the depth for the sake of the load.
-    pub(super) deeper: f64,
+    pub(crate) deeper: f64,
     /// How the load follows the depth.
-    pub(super) stiffness: f64,
+    pub(crate) stiffness: f64,
 }
 
 /// Where the iteration stopped, and by how much it would next have the logarithms of the half
 /// lengths fall.
 #[derive(Debug, Clone)]
-pub(super) struct Stopped {
-    pub(super) strips: Vec<Strip>,
-    pub(super) shrinking: Vec<f64>,
+pub(crate) struct Stopped {
+    pub(crate) strips: Vec<Strip>,
+    pub(crate) shrinking: Vec<f64>,
 }
 
-/// Solves from a start close by.
-pub(super) fn solve(
+/// Solves from a start close by, with 2, 4 or [`MOST`] polynomials a strip.
+pub(crate) fn solve(
     strips: Vec<Strip>,
     terms: usize,
     question: Question<'_>,
@@ -227,12 +227,11 @@ impl System {
         let mut residual = DVector::zeros(self.strips.len() * self.size());
         let (system, out) = (self, residual.as_mut_slice());
         let arch = Arch::new();
-        if self.terms == 2 {
-            let rows = &mut [];
-            arch.dispatch(Evaluate::<2, false> { system, depth, residual: out, rows });
-        } else {
-            let rows = &mut [];
-            arch.dispatch(Evaluate::<4, false> { system, depth, residual: out, rows });
+        let rows = &mut [][..];
+        match self.terms {
+            2 => arch.dispatch(Evaluate::<2, false> { system, depth, residual: out, rows }),
+            4 => arch.dispatch(Evaluate::<4, false> { system, depth, residual: out, rows }),
+            _ => arch.dispatch(Evaluate::<MOST, false> { system, depth, residual: out, rows }),
         }
         residual
     }
@@ -244,10 +243,10 @@ impl System {
         let mut matrix = DMatrix::zeros(total, total);
         let (system, residual, rows) = (self, &mut residual[..], matrix.as_mut_slice());
         let arch = Arch::new();
-        if self.terms == 2 {
-            arch.dispatch(Evaluate::<2, true> { system, depth, residual, rows });
-        } else {
-            arch.dispatch(Evaluate::<4, true> { system, depth, residual, rows });
+        match self.terms {
+            2 => arch.dispatch(Evaluate::<2, true> { system, depth, residual, rows }),
+            4 => arch.dispatch(Evaluate::<4, true> { system, depth, residual, rows }),
+            _ => arch.dispatch(Evaluate::<MOST, true> { system, depth, residual, rows }),
         }
         matrix.transpose_mut();
         matrix

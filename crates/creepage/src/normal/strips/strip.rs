@@ -6,20 +6,20 @@ use super::kernel::{MOST, profile};
 
 /// A strip along rolling: lengths and pressures in the solver's units.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Strip {
-    pub(super) y: f64,
+pub(crate) struct Strip {
+    pub(crate) y: f64,
     /// Half its width across rolling.
-    pub(super) width: f64,
-    pub(super) centre: f64,
-    pub(super) half: f64,
+    pub(crate) width: f64,
+    pub(crate) centre: f64,
+    pub(crate) half: f64,
     /// The pressure is `sqrt(1 - s^2)` times these of Chebyshev's polynomials `U_k(s)`.
-    pub(super) pressure: [f64; MOST],
+    pub(crate) pressure: [f64; MOST],
     /// Which band it belongs to.
-    pub(super) band: usize,
+    pub(crate) band: usize,
 }
 
 impl Strip {
-    pub(super) fn load(&self) -> f64 {
+    pub(crate) fn load(&self) -> f64 {
         std::f64::consts::PI * self.width * self.half * self.pressure[0]
     }
 
