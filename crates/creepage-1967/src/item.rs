@@ -7,8 +7,8 @@ use crate::data::Data;
 use crate::error::GalleryError;
 
 /// What is said of experiments whose points are in the thesis's pictures only.
-pub const EXPERIMENTS: &str = "The experiments' points stand in the picture of 1967 only, not in \
-    its text: here are the theoretical curves alone.";
+pub const EXPERIMENTS: &str = "The points of the experiments are only in the picture of 1967, not in \
+    its text; here are the theoretical curves alone.";
 
 /// A table or figure of the thesis.
 #[derive(Debug, Clone, Copy)]

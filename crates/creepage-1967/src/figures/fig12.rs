@@ -95,9 +95,7 @@ fn agreement(numbers: &[Number]) -> Vec<Comparison> {
             ours: format!("{:.9}", number.ours),
             difference: Some(number.ours - number.printed),
             verdict: if right { Verdict::Misprint } else { Verdict::NotReproduced },
-            note: "a slip of the print or of the scan: computed again from the printed TAU it is \
-                ours"
-                .into(),
+            note: "an error of the print or of the scan: the printed TAU gives our number".into(),
         });
     }
     lines

@@ -73,7 +73,7 @@ fn claims(by_degree: &[Curve], full: &Curve) -> Vec<Comparison> {
         "M = 4 against experiment from χ = 0.7 to 2",
         "still above the experimental values",
         format!("the full theory is above M = 4 by {low:.3} to {high:.3}"),
-        "that the experiments are lower must have another cause than the method",
+        "the method does not explain why the experiments are lower",
     );
     vec![lower, same, not_in_text]
 }

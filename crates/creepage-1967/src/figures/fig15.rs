@@ -72,9 +72,9 @@ fn claims(apart: &[f64]) -> Vec<Comparison> {
         format!("{:.1} % against the full theory", 100.0 * worst),
         worst < 0.11,
     );
-    let reason = "the thesis measures by Johnson's points, which are not in its text; the worst is \
-        on curve 3, where creepage and spin oppose each other; over the catalogue's circle and its \
-        other ellipses: the item chapter-5";
+    let reason = "the thesis compares with Johnson's points, which are not in its text; the error is \
+        largest on curve 3, where creepage and spin oppose each other; for the circle and the other \
+        ellipses of the catalogue see the item chapter-5";
     vec![line.because(reason)]
 }
 

@@ -119,8 +119,8 @@ fn agreement(
             _ => full.to_string(),
         };
         let found = format!("{ours} on chapter 5's mesh; full theory: {full}");
-        let doubtful = "the points on the right are four in a row at x/a = 0.9, aberrations all; \
-            whether they are one part or two depends on how T = S is drawn between them";
+        let doubtful = "on the right four points adhere, in a row at x/a = 0.9, all of them \
+            aberrations; how T = S is drawn between them decides whether they are one part or two";
         lines.push(Comparison::claim(quantity, words, found, ours == expected).because(doubtful));
     }
     lines.push(zeros(on_the_axis));

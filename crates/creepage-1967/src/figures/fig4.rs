@@ -28,7 +28,7 @@ fn make() -> Result<Reproduction, GalleryError> {
     let [one, two] = cases;
     let cases = [one?, two?];
     let caption = "Circular contact, σ = 0.28, pure longitudinal creepage. Johnson's area of adhesion is an \
-         ellipse similar to the contact that touches it at its foremost point. Shaded dark: slip \
+         ellipse similar to the contact and touches its edge at the foremost point. Shaded dark: slip \
          and traction point in opposite directions, against the law of friction. By the full \
          theory (dashed) adhesion reaches all of the leading edge. The creepages are ours: the \
          thesis states none.";

@@ -112,9 +112,8 @@ fn caption(islands: &[Vec<Island>]) -> String {
          island, and thinks a jump of the traction and a simple zero of the slip possible instead. \
          The island exists: if the traction turned at its full strength about a single point, the \
          displacement's gradient would have no bound there, and the slip could not vanish. But it \
-         is small and thin, {}, {} and {}, an element or two even here: half as many strips do not \
-         see the first, and of its size no more is known than that. It goes towards the middle as \
-         the spin grows.",
+         is small and thin, {}, {} and {}: one or two elements wide even on this fine grid, so its \
+         size is known only roughly. It moves towards the middle as the spin grows.",
         FINE[0],
         FINE[1],
         words(0),

@@ -153,10 +153,10 @@ fn caption(cases: &[Case]) -> String {
         "{} cases of the catalogue (5.29), σ = 0.28, with W = W₁; the mesh has 10 by 10 cells for \
          M = 3, as in 1967, and 20 by 20 for M = 8. Error of (fx, fy) against the full theory: \
          median {:.1} %, 95 of 100 below {:.1} %, worst {:.1} % of μN for M = 3; {:.1}, {:.1} and \
-         {:.1} % for M = 8. Of the circle alone, by which the thesis judged (Fig. 15), M = 3 errs by \
-         {:.1} % at worst, and by more than 10 % in {} of {} cases. It is worst with \
-         strong spin, where the traction turns about a point of the contact faster than its \
-         polynomials can, and best where all slides.",
+         {:.1} % for M = 8. For the circle alone, as in the thesis (Fig. 15), M = 3 errs by \
+         {:.1} % at worst, and by more than 10 % in {} of {} cases. The error is largest with \
+         strong spin, where the traction turns about a point of the contact faster than \
+         polynomials can follow, and smallest where all slides.",
         cases.len(),
         three.median,
         three.p95,

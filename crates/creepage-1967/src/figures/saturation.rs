@@ -178,9 +178,9 @@ pub(super) fn picture(title: &str, diagrams: &[Diagram]) -> (Sheet, Data) {
 pub(super) fn caption(first: &str, diagrams: &[Diagram]) -> String {
     let apart = diagrams.iter().map(Diagram::apart).fold(0.0, f64::max);
     format!(
-        "{first} Elastic deformation is neglected: all of the contact slides about the spin pole, \
-         ξ/χ = υ cos α, η/χ = υ sin α (4.104). The points are the full theory at χ = {LARGE}, at \
-         most {apart:.3} of μN from there: elasticity still adds a force towards +y. Which \
-         lines the thesis draws is not in its text; these are ours."
+        "{first} Elastic deformation is neglected: the whole contact slides about the spin pole, \
+         ξ/χ = υ cos α, η/χ = υ sin α (4.104). The points are the full theory at χ = {LARGE}. They \
+         differ by at most {apart:.3} μN, because elasticity still adds a force towards +y. The \
+         text of the thesis does not say which lines it draws; these are ours."
     )
 }

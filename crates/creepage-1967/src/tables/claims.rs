@@ -62,7 +62,7 @@ fn iterations() -> Result<Vec<Comparison>, GalleryError> {
         };
         let mean = (count(&lateral) + count(&spin)) as f64 / (LATERAL.len() + SPIN.len()) as f64;
         let reason =
-            "the thesis does not state its 33 creepages, which a chain's iterations depend on";
+            "the thesis does not state its 33 creepages; the number of iterations depends on them";
         lines.push(
             Comparison::number(format!("iterations a case, M = {degree}"), printed, mean)
                 .within(0.5, reason),

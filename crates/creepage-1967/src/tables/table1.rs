@@ -11,8 +11,8 @@ pub(crate) const ITEM: Item = Item::new("table1", "Table 1. C and D as functions
 fn make() -> Result<Reproduction, GalleryError> {
     let block = Block { argument: "g", columns: 6, entries: entries()? };
     let table = Table { item: ITEM, key: "g", blocks: vec![block] };
-    let caption = "The complete elliptic integrals that chapters 3 and 4 are written in. At g = 0 \
-        stand the limits of slender ellipses.";
+    let caption = "The complete elliptic integrals of chapters 3 and 4. The row g = 0 has the \
+        limits of slender ellipses.";
     Ok(table.reproduction(caption, ""))
 }
 

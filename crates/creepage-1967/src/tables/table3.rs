@@ -11,7 +11,7 @@ use crate::prelude::*;
 pub(crate) const ITEM: Item =
     Item::new("table3", "Table 3. The creepage and spin coefficients", make);
 
-const KNOWN: &str = "by the thesis's own method, of degree 5, which gives the 222 others";
+const KNOWN: &str = "by the thesis's own method with degree 5, which reproduces the other 222";
 
 fn make() -> Result<Reproduction, GalleryError> {
     let printed = table3()?;
@@ -104,9 +104,9 @@ fn reciprocity(printed: &[Vec<Coefficient>; 2]) -> Result<Comparison, GalleryErr
     let ours = format!("C32/C23 + 1 is {worst:.0e} at most, each computed by itself");
     let line = Comparison::claim("C23 = −C32", "curious and unexplained", ours, worst < 1e-2);
     Ok(line.remark(
-        "it is reciprocity: rolling backwards exchanges leading and trailing edge, and by Betti's \
-         theorem the work of one solution's tractions on the other's slip is the same both ways, \
-         which leaves F_y of spin equal to −M_z of lateral creepage",
+        "the reason is reciprocity: rolling backwards exchanges leading and trailing edge; by Betti's \
+         theorem the tractions of each solution do the same work on the slip of the other; therefore \
+         F_y of spin equals −M_z of lateral creepage",
     ))
 }
 
@@ -114,7 +114,7 @@ fn reciprocity(printed: &[Vec<Coefficient>; 2]) -> Result<Comparison, GalleryErr
 fn in_the_text() -> Result<Vec<Comparison>, GalleryError> {
     let ours = CreepageCoefficients::of_degree(&like_bodies(1.0, STEEL)?, 5)?;
     let reason = "one unit of the last digit; a straight line between the entries for σ = 1/4 and 1/2 \
-        of Table 3 gives the print, but 4.25 for C11, and so is not where it comes from";
+        of Table 3 gives this print too, but 4.25 for C11: the thesis did not use it";
     let line = |name: &str, printed, ours| {
         Comparison::number(format!("{name} of the circle, σ = 0.28"), printed, ours)
             .within(0.01, reason)

@@ -37,7 +37,7 @@ fn make() -> Result<Reproduction, GalleryError> {
         agreement.extend(compared(name, printed, &variants));
     }
     let caption = "The difference of the lateral force between the weights W = 1 and W = W₁ of \
-        chapter 5, circle, σ = 0.28: a measure of what degree 4 leaves undecided. The mean is a \
-        property of the method; the largest depends on which creepages are tried.";
+        chapter 5, circle, σ = 0.28: it measures the uncertainty of degree 4. The mean is a \
+        property of the method; the largest difference depends on the creepages tried.";
     Ok(Reproduction::table(text.trim_end().to_owned(), caption, data, agreement))
 }
