@@ -37,6 +37,8 @@ pub(crate) struct Row {
 pub(crate) struct Elements {
     /// With the slip of steady rolling.
     pub steady: Grid,
+    /// Half-width of the rounded corner of Coulomb's law where nothing is remembered.
+    pub rounding: f64,
     pub all: Vec<Element>,
     pub rows: Vec<Row>,
     /// Of all points, by tractions over their bounds.
@@ -51,6 +53,7 @@ impl Elements {
     /// The elements of a grid, whose unit of slip over the largest traction bound is `slip_unit` in
     /// units of `G`.
     pub(crate) fn new(steady: Grid, poisson: f64, slip_unit: f64, semi_axes: [f64; 2]) -> Self {
+        let rounding = steady.rounding;
         // From step to step a rounded corner would let adhering elements creep.
         let steady = Grid { rounding: 0.0, ..steady };
         let mesh = &steady.mesh;
@@ -72,7 +75,7 @@ impl Elements {
         });
         let all = all.collect();
         let by_pressure = vec![[0.0; 2]; first];
-        Self { steady, all, rows, displacements, by_pressure, semi_axes }
+        Self { steady, rounding, all, rows, displacements, by_pressure, semi_axes }
     }
 
     /// Hertz's contact in the units of [`Grid::hertz`].

@@ -57,6 +57,21 @@ impl Motion {
         [self.longitudinal, self.lateral, self.spin]
     }
 
+    /// Size of the prescribed forces along and across the rolling direction.
+    pub(crate) fn force(&self) -> f64 {
+        let [fx, fy] = [self.longitudinal, self.lateral].map(|one| one.force().unwrap_or(0.0));
+        fx.hypot(fy)
+    }
+
+    /// The same forces, and no creepage where that is prescribed.
+    pub(crate) fn without_creepage(&self) -> Self {
+        let [longitudinal, lateral, spin] = self.components().map(|one| match one {
+            Prescribed::Creepage(_) => Prescribed::Creepage(0.0),
+            Prescribed::Force(_) => one,
+        });
+        Self { longitudinal, lateral, spin }
+    }
+
     /// Every number is finite.
     pub(crate) fn check(&self) -> Result<(), InvalidValue> {
         let names = [["xi", "fx"], ["eta", "fy"], ["chi", "mz"]];

@@ -30,6 +30,12 @@ pub(crate) struct Past(pub VecDeque<Level>);
 pub(crate) struct Weights {
     pub present: f64,
     pub levels: [(usize, f64); 3],
+    /// Whether three are needed.
+    pub is_curved: bool,
+}
+
+impl Weights {
+    pub(crate) const PRESENT: Self = Self { present: 1.0, levels: [(0, 0.0); 3], is_curved: false };
 }
 
 /// The past seen from the end of a step that is being solved.
@@ -43,6 +49,9 @@ pub(crate) struct Ages {
     smooth: Vec<bool>,
 }
 
+/// Where the contact changes its size by more than this fraction, displacements change by all of
+/// themselves.
+const RESIZED: f64 = 0.02;
 /// A step so much shorter than the one after it does not tell how that curves.
 const TOO_SHORT: f64 = 0.3;
 
@@ -102,13 +111,23 @@ impl Ages {
         let t = (age - near) / (far - near);
         let Some(&before) = self.back.get(k + 2) else { return self.linear(k, t) };
         let is_short = before - far < TOO_SHORT * (far - near);
-        if is_short || !self.smooth[k] || (k == 0 && age > far) {
+        if is_short || !self.is_smooth(k) || (k == 0 && age > far) {
             return self.linear(k, t);
         }
         let own = (age - far) * (age - before) / ((near - far) * (near - before));
         let next = (age - near) * (age - before) / ((far - near) * (far - before));
         let third = (age - near) * (age - far) / ((before - near) * (before - far));
-        self.of(k, [own, next, third])
+        Weights { is_curved: true, ..self.of(k, [own, next, third]) }
+    }
+
+    /// Whether both steps from age `k` on back are one smooth way: of the motion, and of the load.
+    fn is_smooth(&self, k: usize) -> bool {
+        self.smooth[k] && is_alike(&self.scales[k..=k + 2])
+    }
+
+    /// Whether the contact kept its size, but for a smooth change, all the way back to some distance.
+    pub(crate) fn keeps_size(&self, age: f64) -> bool {
+        is_alike(&self.scales[..=self.interval(age) + 1])
     }
 
     fn linear(&self, k: usize, t: f64) -> Weights {
@@ -118,10 +137,11 @@ impl Ages {
     /// Ages `k`, `k + 1`, `k + 2` are those of the levels `k - 1`, `k`, `k + 1`.
     fn of(&self, k: usize, [a, b, c]: [f64; 3]) -> Weights {
         let oldest = self.back.len() - 2;
-        match k {
-            0 => Weights { present: a, levels: [(0, b), (oldest.min(1), c), (0, 0.0)] },
-            k => Weights { present: 0.0, levels: [(k - 1, a), (k, b), (oldest.min(k + 1), c)] },
-        }
+        let (present, levels) = match k {
+            0 => (a, [(0, b), (oldest.min(1), c), (0, 0.0)]),
+            k => (0.0, [(k - 1, a), (k, b), (oldest.min(k + 1), c)]),
+        };
+        Weights { present, levels, is_curved: false }
     }
 
     /// The interval between two ages that holds one; the last beyond the origin.
@@ -129,4 +149,10 @@ impl Ages {
         let later = self.back.partition_point(|known| *known <= age);
         later.clamp(1, self.back.len().max(2) - 1) - 1
     }
+}
+
+/// Whether sizes differ little from the first.
+fn is_alike(scales: &[f64]) -> bool {
+    let [now, before @ ..] = scales else { return true };
+    before.iter().all(|scale| (scale - now).abs() <= RESIZED * now)
 }

@@ -56,10 +56,16 @@ pub(super) struct Travel {
     pub next_load: f64,
     /// The last motion, after the first.
     pub motion: Option<Motion>,
+    /// The last force and moment of the finer grid.
+    pub force: [f64; 3],
 }
 
-/// A change of the load by more than this fraction is a jump.
-const SMOOTH_LOAD: f64 = 0.05;
+impl Travel {
+    /// Nothing rolled, no traction.
+    fn begin(load: f64) -> Self {
+        Self { distance: 0.0, load, next_load: load, motion: None, force: [0.0; 3] }
+    }
+}
 
 impl Rolling {
     /// The contact just pressed together, without traction; with half as many elements more along the
@@ -82,8 +88,7 @@ impl Rolling {
     pub(super) fn of(elements: [Elements; 2]) -> Self {
         let control = Control::new(elements[0].semi_axes[0]);
         let tracks = elements.map(|elements| Track::new(Arc::new(elements)));
-        let travel = Travel { distance: 0.0, load: 1.0, next_load: 1.0, motion: None };
-        Self { tracks, control, travel }
+        Self { tracks, control, travel: Travel::begin(1.0) }
     }
 
     /// Starts anew under another normal force, over the nominal one, without traction.
@@ -94,7 +99,7 @@ impl Rolling {
         self.press(load)?;
         let scale = if load > 0.0 { load.cbrt() } else { 1.0 };
         self.tracks.iter_mut().for_each(|track| track.begin(scale));
-        self.travel = Travel { distance: 0.0, load, next_load: load, motion: None };
+        self.travel = Travel::begin(load);
         self.control.restart();
         Ok(())
     }
@@ -130,7 +135,8 @@ impl Rolling {
         let valid = "below the force of friction, mu N";
         let size = check::require(fx.hypot(fy) < self.travel.load, "force", fx.hypot(fy), valid)?;
         check::finite("force", size)?;
-        let rolled = self.start(Stage::Shift, &Motion::forces(fx, fy));
+        let rolled =
+            self.start(Stage::Shift { begins: self.is_at_rest() }, &Motion::forces(fx, fy));
         let [coarse, fine] = self.tracks.each_ref().map(|track| track.creep);
         let [xi, eta, chi] = [0, 1, 2].map(|k| extrapolate(coarse[k], fine[k]));
         Ok(Rolled { creepage: Creepage { xi, eta, chi }, ..rolled })
@@ -153,16 +159,20 @@ impl Rolling {
             track.remember(stage);
         }
         self.control.restart();
+        self.travel.force = self.tracks[1].result().force.components();
         self.rolled(solved)
     }
 
     /// Rolls on, in steps as short as the forces ask for.
     ///
+    /// Where a prescribed force differs from the present one by more than a twentieth of `mu N`, the
+    /// bodies are shifted first, at rest; smaller differences are part of the first step.
+    ///
     /// # Errors
     /// [`InvalidValue`] unless the distance is positive and all numbers are finite.
     pub fn step(&mut self, distance: f64, motion: &Motion) -> Result<Rolled, InvalidValue> {
         self.check(distance, motion)?;
-        let mut smooth = self.goes_on(motion);
+        let mut smooth = self.go_on(motion);
         if !smooth {
             self.control.restart();
         }
@@ -188,7 +198,7 @@ impl Rolling {
     /// As [`Rolling::step`].
     pub fn advance(&mut self, distance: f64, motion: &Motion) -> Result<Rolled, InvalidValue> {
         self.check(distance, motion)?;
-        let smooth = self.goes_on(motion);
+        let smooth = self.go_on(motion);
         let rolled = self.try_step(distance, motion, smooth, false);
         Ok(rolled.unwrap_or_else(|| self.rolled(false)))
     }
@@ -223,18 +233,9 @@ impl Rolling {
     fn check(&self, distance: f64, motion: &Motion) -> Result<(), InvalidValue> {
         check::positive("distance", distance)?;
         motion.check()?;
-        let limit = self.travel.next_load;
-        let [fx, fy, _] = motion.components().map(|one| one.force().unwrap_or(0.0));
-        let size = fx.hypot(fy);
+        let (limit, size) = (self.travel.next_load, motion.force());
         check::require(size <= limit, "force", size, "at most the force of friction, mu N")?;
         Ok(())
-    }
-
-    /// Whether motion and load go on without a jump.
-    fn goes_on(&self, motion: &Motion) -> bool {
-        let Travel { load, next_load, motion: last, .. } = self.travel;
-        let is_smooth = (next_load - load).abs() <= SMOOTH_LOAD * load;
-        is_smooth && last.is_some_and(|last| motion.continues(&last))
     }
 
     /// One step; `None` when it is to be tried with a shorter one.
@@ -249,18 +250,14 @@ impl Rolling {
         if next_load == 0.0 {
             return Some(self.part(length, motion));
         }
-        let scale = next_load.cbrt();
         if load == 0.0 {
-            self.tracks.iter_mut().for_each(|track| track.begin(scale));
+            self.press_together(next_load);
         }
-        let stage = Stage::Step { length, scale, smooth };
-        let before =
-            self.tracks.each_ref().map(|track| (track.state.traction.clone(), track.creep));
+        let stage = Stage::Step { length, scale: next_load.cbrt(), smooth };
+        let before = self.keep();
         let solved = self.solve(stage, motion);
         if controlled && !self.control.accepts(length, self.watched(motion)) {
-            for (track, (traction, creep)) in self.tracks.iter_mut().zip(before) {
-                (track.state.traction, track.creep) = (traction, creep);
-            }
+            self.go_back(before);
             return None;
         }
         for track in &mut self.tracks {
@@ -269,6 +266,7 @@ impl Rolling {
         self.travel.load = next_load;
         self.travel.distance += length;
         self.travel.motion = Some(*motion);
+        self.travel.force = self.tracks[1].result().force.components();
         Some(self.rolled(solved))
     }
 
@@ -276,9 +274,8 @@ impl Rolling {
     fn part(&mut self, length: f64, motion: &Motion) -> Rolled {
         self.tracks.iter_mut().for_each(|track| track.begin(1.0));
         self.control.restart();
-        self.travel.load = 0.0;
-        self.travel.distance += length;
-        self.travel.motion = Some(*motion);
+        let distance = self.travel.distance + length;
+        self.travel = Travel { distance, motion: Some(*motion), ..Travel::begin(0.0) };
         let [xi, eta, chi] = motion.components().map(|one| one.creepage().unwrap_or(0.0));
         Rolled {
             distance: self.travel.distance,
@@ -289,7 +286,7 @@ impl Rolling {
         }
     }
 
-    fn solve(&mut self, stage: Stage, motion: &Motion) -> bool {
+    pub(super) fn solve(&mut self, stage: Stage, motion: &Motion) -> bool {
         let solved = self.tracks.each_mut().map(|track| {
             track.prepare(stage);
             track.solve(motion)
@@ -325,7 +322,13 @@ impl Rolling {
                 },
             },
             adhesion_share: fine.adhesion_share,
-            dissipation: extrapolate(coarse.dissipation, fine.dissipation).max(0.0),
+            dissipation: positive(coarse.dissipation, fine.dissipation),
         }
     }
+}
+
+/// Extrapolation of what cannot be negative: where the finer grid has less, by the third root of the
+/// ratio, which is the same to first order in the difference.
+fn positive(coarse: f64, fine: f64) -> f64 {
+    if fine < coarse { fine * (fine / coarse).cbrt() } else { extrapolate(coarse, fine) }
 }

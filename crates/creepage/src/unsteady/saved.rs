@@ -35,7 +35,7 @@ pub enum SavedError {
     OtherElements,
 }
 
-const MAGIC: &[u8; 8] = b"rolling1";
+const MAGIC: &[u8; 8] = b"rolling2";
 
 impl Rolling {
     /// What the contact remembers: going on from it gives the same, to the last bit.
@@ -80,8 +80,9 @@ impl Saved {
     #[must_use]
     pub fn to_bytes(&self) -> Vec<u8> {
         let mut out = Numbers::default();
-        let Travel { distance, load, next_load, motion } = self.travel;
+        let Travel { distance, load, next_load, motion, force } = self.travel;
         out.all(&[distance, load, next_load]);
+        out.all(&force);
         out.some(motion.map(|motion| motion.components()), |out, parts| {
             for part in parts {
                 let kind = f64::from(u8::from(part.force().is_some()));
@@ -123,11 +124,12 @@ impl Saved {
     fn read(mut numbers: impl Iterator<Item = f64>, control: Control) -> Option<Self> {
         let from = &mut numbers;
         let [distance, load, next_load] = several(from)?;
+        let force = several(from)?;
         let motion = if flag(from)? { Some(motion(from)?) } else { None };
         let next = from.next()?;
         let trend = if flag(from)? { Some(trend(from)?) } else { None };
         let tracks = [SavedTrack::read(from)?, SavedTrack::read(from)?];
-        let travel = Travel { distance, load, next_load, motion };
+        let travel = Travel { distance, load, next_load, motion, force };
         Some(Self { tracks, control: Control { next, trend, ..control }, travel })
     }
 }

@@ -14,6 +14,7 @@
 use super::elements::{Element, Elements};
 use super::particle::{Particles, Sample};
 use super::past::{Ages, Creep, Level, Past, Weights};
+use super::rigid::{RigidMotion, Way};
 
 /// The equations of one step, in the units of the contact's present size.
 #[derive(Debug, Clone, Default)]
@@ -28,9 +29,6 @@ pub(crate) struct System {
     pub scale: f64,
 }
 
-/// The rigid motion along a way, integrated: `xi`, `eta`, `chi`, and `chi` times the distance back.
-type Way = [f64; 4];
-
 impl System {
     /// A step of `length` that brings the contact to the size `scale`; an infinite one is steady
     /// rolling.
@@ -42,7 +40,13 @@ impl System {
         smooth: bool,
     ) -> Self {
         let ages = past.seen_after(length, scale, smooth);
-        let step = Step { elements, past, ages: &ages, length, scale };
+        let step = Step {
+            elements,
+            past,
+            ages: &ages,
+            motion: RigidMotion::new(past, &ages, length),
+            scale,
+        };
         let mut system = Self { scale, ..Self::default() };
         for element in &elements.all {
             step.add(element, &mut system);
@@ -84,7 +88,7 @@ struct Step<'a> {
     elements: &'a Elements,
     past: &'a Past,
     ages: &'a Ages,
-    length: f64,
+    motion: RigidMotion<'a>,
     scale: f64,
 }
 
@@ -96,10 +100,10 @@ impl Step<'_> {
         let (g1, to) = (first.age, second.as_ref().map_or(first.age, |second| second.age));
         let [correction, by_second] = self.correction(element, g1, second.as_ref());
         let by_first = (1.0 + correction) / g1;
-        let [way, ahead] = [self.way(0.0, g1), self.way(g1, to)];
-        let moved: Way = std::array::from_fn(|k| by_first * way[k] - by_second * ahead[k]);
-        let [own, spin] = [self.present_way(0.0, g1), self.present_way(g1, to)];
-        let present = [0, 1].map(|k| (by_first * own[k] - by_second * spin[k]) / self.scale);
+        let [(way, own), (whole, both)] = [g1, to].map(|age| self.motion.back_to(age));
+        let by_way = by_first + by_second;
+        let moved: Way = std::array::from_fn(|k| by_way * way[k] - by_second * whole[k]);
+        let present = [0, 1].map(|k| (by_way * own[k] - by_second * both[k]) / self.scale);
         system.present.push(present);
         let mut slip = self.rigid(element, moved);
         let mut weights = element.nodes.map(|node| (node, 0.0));
@@ -113,38 +117,18 @@ impl Step<'_> {
         system.past.push(slip);
     }
 
-    /// Factor of the difference of both slips, and that over the second way's length.
+    /// Factor of the difference of both slips, and that over the second way's length. None where the
+    /// load jumps on the way: displacements then change by all of themselves.
     fn correction(&self, element: &Element, g1: f64, second: Option<&Sample>) -> [f64; 2] {
         let Some(second) = second else { return [0.0; 2] };
+        if !self.ages.keeps_size(second.age) {
+            return [0.0; 2];
+        }
         let g2 = second.age - g1;
         let whole = if second.is_whole { g2 } else { element.steps[1] * self.scale };
         let factor = g1 / (g1 + whole);
         let part = (g2 / whole).min(1.0);
         [factor * part, if g2 > whole { factor / g2 } else { factor / whole }]
-    }
-
-    /// Past motion over a way between two distances back.
-    fn way(&self, from: f64, to: f64) -> Way {
-        let mut sums = [0.0; 4];
-        for (level, start) in self.past.0.iter().zip(&self.ages.back[1..]) {
-            if *start >= to {
-                break;
-            }
-            let (low, high) = (start.max(from), (start + level.length).min(to));
-            if high > low {
-                let [xi, eta, chi] = level.creep;
-                let (length, moment) = (high - low, 0.5 * (high * high - low * low));
-                let own = [xi * length, eta * length, chi * length, chi * moment];
-                sums.iter_mut().zip(own).for_each(|(sum, own)| *sum += own);
-            }
-        }
-        sums
-    }
-
-    /// Length and moment of the part of a way that lies in the present step.
-    fn present_way(&self, from: f64, to: f64) -> [f64; 2] {
-        let to = to.min(self.length);
-        if to > from { [to - from, 0.5 * (to * to - from * from)] } else { [0.0; 2] }
     }
 
     /// Slip by rigid motion that is known.
@@ -166,11 +150,7 @@ impl Step<'_> {
         // From distances to those over the contact's size, in which tractions act.
         let (factor, unit) = (factor * self.scale, (self.scale * self.scale).recip());
         let (age, ahead) = sample.map_or((0.0, 0.0), |sample| (sample.age, sample.ahead));
-        let at = if sample.is_some() {
-            self.ages.weights(age)
-        } else {
-            Weights { present: 1.0, levels: [(0, 0.0); 3] }
-        };
+        let at = if sample.is_some() { self.ages.weights(age) } else { Weights::PRESENT };
         let up = (down + 1).min(2);
         let now = [(down, 1.0 - ahead), (up, ahead)];
         for (node, weight) in now {

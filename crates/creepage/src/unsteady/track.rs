@@ -29,8 +29,8 @@ pub(crate) struct Track {
 /// Which equations hold.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Stage {
-    /// The contact is shifted and does not roll.
-    Shift,
+    /// The contact is shifted and does not roll; `begins` without traction.
+    Shift { begins: bool },
     /// It has rolled for ever.
     Steady { scale: f64 },
     /// It rolls on for `length` to the size `scale`.
@@ -78,8 +78,10 @@ impl Track {
     /// Makes the equations of a stage those to be solved.
     pub(crate) fn prepare(&mut self, stage: Stage) {
         let elements = &self.elements;
+        let begins = stage == Stage::Shift { begins: true };
+        self.grid.rounding = if begins { elements.rounding } else { 0.0 };
         let system = match stage {
-            Stage::Shift => System::of_shift(elements, &self.past.0[0]),
+            Stage::Shift { .. } => System::of_shift(elements, &self.past.0[0]),
             Stage::Step { length, scale, smooth } => {
                 System::of_step(elements, &self.past, length, scale, smooth)
             }
@@ -154,7 +156,7 @@ impl Track {
                 self.past.forget_beyond(self.reach(scale));
                 self.past.0.push_front(self.level(length, scale, smooth));
             }
-            Stage::Shift => {
+            Stage::Shift { .. } => {
                 let level = self.level(0.0, self.system.scale, false);
                 self.past.0.clear();
                 self.past.0.push_front(level);

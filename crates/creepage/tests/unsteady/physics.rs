@@ -145,3 +145,23 @@ fn unlike_bodies_end_in_steady_rolling() {
     assert!((end.force.fx - steady.force.fx).abs() <= bars, "{end:?} {steady:?}");
     assert!(steady.force.fx.abs() > 0.05);
 }
+
+/// What forces do on the creepage is dissipated, but for what is stored: nothing after rolling freely
+/// for eight semi-axes. Elements lose some: 7 % with 10 by 8 on a circle, 1 % with 22 by 18.
+#[test]
+fn work_is_dissipated() {
+    const STEP: f64 = 0.05;
+    let mut rolling = circle(Resolution::FAST);
+    let (mut work, mut dissipated, mut before) = (0.0, 0.0, [0.0; 3]);
+    for (creep, steps) in [([0.8, 0.0, 0.0], 40), ([-0.6, 0.5, 0.2], 80), ([0.0; 3], 160)] {
+        let [xi, eta, chi] = creep;
+        for _ in 0..steps {
+            let rolled = rolling.step(STEP, &creeping(xi, eta, chi)).unwrap();
+            let force = rolled.solution.force.components();
+            work += 0.5 * STEP * (0..3).map(|k| creep[k] * (force[k] + before[k])).sum::<f64>();
+            dissipated += STEP * rolled.dissipation;
+            before = force;
+        }
+    }
+    assert!((dissipated / work - 1.0).abs() < 0.04, "{work} {dissipated}");
+}
