@@ -1,5 +1,6 @@
 //! Why an item cannot be made.
 
+use creepage::coulomb::{InverseError, SlidingError};
 use creepage::variational::VariationalError;
 use creepage::{HertzError, InvalidValue};
 use creepage_plot::PlotError;
@@ -18,6 +19,12 @@ pub enum GalleryError {
     /// A contact that is none.
     #[error(transparent)]
     Hertz(#[from] HertzError),
+    /// A creepage that is not found.
+    #[error(transparent)]
+    Inverse(#[from] InverseError),
+    /// Bodies whose gross sliding is not found.
+    #[error(transparent)]
+    Sliding(#[from] SlidingError),
     /// A printed entry that is not a number, or a row of which nothing is known.
     #[error("the printed table has an entry that means nothing: {quantity} = {printed}")]
     Entry {

@@ -2,7 +2,8 @@
 
 use crate::figures::{
     angles, convergence, fig2, fig3, fig3a, fig3b, fig4, fig5, fig10, fig11, fig12, fig13, fig14,
-    fig15, fig16, fig17, fig18, fig19, fig20, fig21, fig22, fig23, fig24, islands, judgement,
+    fig15, fig16, fig17, fig18, fig19, fig20, fig21, fig22, fig23, fig24, free_rolling, islands,
+    judgement, sliding_with_kappa,
 };
 use crate::item::Item;
 use crate::tables::{claims, table1, table2, table3, table4, table5};
@@ -38,6 +39,8 @@ const ITEMS: &[Item] = &[
     fig24::C,
     angles::ITEM,
     claims::ITEM,
+    sliding_with_kappa::ITEM,
+    free_rolling::ITEM,
     judgement::ITEM,
     islands::ITEM,
     convergence::ITEM,
