@@ -11,8 +11,11 @@
 )]
 
 mod bulk;
+mod caller;
+mod case;
 mod fuzz;
 mod header;
 mod interface;
 #[cfg(unix)]
 mod programs;
+mod wrong;
