@@ -28,6 +28,8 @@ class StaticsSolution:
     """What the problem was given, by names that carry their units."""
     found: dict[str, float]
     """What an engineer wants to know of it, by names that carry their units."""
+    caution: str | None
+    """What looks like a number in another unit; else None."""
     _solved: _creepage.SolvedStatics
 
     def to_dict(self) -> dict[str, Any]:
@@ -76,4 +78,6 @@ def statics(source: Source | Mapping[str, Mapping[str, Any]]) -> StaticsSolution
     """
     solved = _creepage.SolvedStatics(text_of(source))
     report = json.loads(solved.json())
-    return StaticsSolution(report["problem"], report["given"], report["found"], solved)
+    return StaticsSolution(
+        report["problem"], report["given"], report["found"], report["caution"], solved
+    )

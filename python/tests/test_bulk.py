@@ -23,7 +23,7 @@ from creepage import Body, Case, Status
 
 WHEEL_ON_RAIL = ROOT / "examples" / "wheel-on-rail.toml"
 CASE = Case.from_toml(WHEEL_ON_RAIL)
-ROWS = 300
+ROWS = 1000
 RANDOM = np.random.default_rng(1967)
 HISTORY = {
     "longitudinal": RANDOM.uniform(-2e-3, 2e-3, ROWS),

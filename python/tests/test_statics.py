@@ -85,3 +85,9 @@ def test_errors() -> None:
     assert (caught.value.section, caught.value.key) == ("contact", "normal_force")
     with pytest.raises(creepage.CaseError, match="unknown key"):
         creepage.statics(DIE + "ofset = 3\n")
+
+
+def test_numbers_in_other_units_are_told() -> None:
+    assert creepage.statics(DIE).caution is None
+    caution = creepage.statics(DIE.replace("82e9", "82e3")).caution
+    assert caution is not None and "exceeds the shear modulus" in caution

@@ -6,6 +6,7 @@ use clap::{Parser, Subcommand};
 
 use crate::about::{CompletionsArgs, InitArgs, ManArgs, SchemaArgs};
 use crate::batch_args::BatchArgs;
+use crate::rail_args::{ConicityArgs, ProfileArgs, WheelsetArgs};
 use crate::reproduce::ReproduceArgs;
 use crate::table::TableArgs;
 
@@ -317,135 +318,6 @@ pub(crate) struct AccuracyArgs {
     /// Print JSON, with errors as parts of one.
     #[arg(long)]
     pub(crate) json: bool,
-}
-
-#[derive(Debug, clap::Args)]
-pub(crate) struct WheelsetArgs {
-    /// Wheelset file.
-    #[arg(value_name = "CASE.toml")]
-    pub(crate) case: PathBuf,
-    /// Directory for the report and the pictures; made if need be.
-    #[arg(long, value_name = "DIR", conflicts_with = "table")]
-    pub(crate) out: Option<PathBuf>,
-    /// Print the report as JSON.
-    #[arg(long, conflicts_with = "table")]
-    pub(crate) json: bool,
-    /// NetCDF file for a table over lateral position and yaw in place of the file's own; it appears
-    /// when it is whole.
-    #[arg(long, value_name = "FILE.nc", requires = "y")]
-    pub(crate) table: Option<PathBuf>,
-    /// Lateral positions of the table: first, last (m), and how many.
-    #[arg(long, num_args = 3, value_names = ["FROM", "TO", "COUNT"], requires = "table",
-          allow_negative_numbers = true)]
-    pub(crate) y: Option<Vec<f64>>,
-    /// Yaws of the table: first, last (rad), and how many; the file's own if not given.
-    #[arg(long, num_args = 3, value_names = ["FROM", "TO", "COUNT"], requires = "table",
-          allow_negative_numbers = true)]
-    pub(crate) yaw: Option<Vec<f64>>,
-}
-
-#[derive(Debug, clap::Args)]
-pub(crate) struct ConicityArgs {
-    /// Wheelset file.
-    #[arg(value_name = "CASE.toml")]
-    pub(crate) case: PathBuf,
-    /// Print the difference of rolling radii, right less left, over the lateral position instead:
-    /// `y_m`, `radius_difference_m` by .1 mm as far as contact exists.
-    #[arg(long)]
-    pub(crate) radius_difference: bool,
-    /// Let the wheelset roll until both wheels touch; the standard leaves roll out.
-    #[arg(long)]
-    pub(crate) roll: bool,
-    /// Directory for conicity.csv, `radius_difference.csv` and a picture of radius difference and
-    /// places of contact, geometry.svg and geometry.png; made if need be.
-    #[arg(long, value_name = "DIR")]
-    pub(crate) out: Option<PathBuf>,
-}
-
-#[derive(Debug, clap::Args)]
-pub(crate) struct ProfileArgs {
-    /// Profile files.
-    #[arg(value_name = "FILE", required = true)]
-    pub(crate) files: Vec<PathBuf>,
-    /// Print JSON.
-    #[arg(long)]
-    pub(crate) json: bool,
-    /// Directory for the pictures and the converted files; made if need be.
-    #[arg(long, value_name = "DIR")]
-    pub(crate) out: Option<PathBuf>,
-    /// Write each profile in this format too.
-    #[arg(long, value_name = "FORMAT", requires = "out")]
-    pub(crate) convert: Option<ProfileFormat>,
-    /// What the profile belongs to, where the file does not say.
-    #[arg(long)]
-    pub(crate) role: Option<RoleName>,
-    /// The side to take from a file that holds both.
-    #[arg(long)]
-    pub(crate) side: Option<SideName>,
-    /// Length of the file's unit (m), such as 0.001 or 0.0254; as the format has it, else found by
-    /// the profile's size, if not given.
-    #[arg(long, value_name = "METRES")]
-    pub(crate) unit: Option<f64>,
-    /// Where y grows to in the file.
-    #[arg(long)]
-    pub(crate) y: Option<LateralSense>,
-    /// Where z grows to in the file.
-    #[arg(long)]
-    pub(crate) z: Option<UprightSense>,
-    /// Smooth the profile: waves of this length (m) keep half of their amplitude.
-    #[arg(long, value_name = "METRES")]
-    pub(crate) smooth: Option<f64>,
-}
-
-/// What a profile belongs to.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
-pub(crate) enum RoleName {
-    /// A wheel's profile
-    Wheel,
-    /// A rail's profile
-    Rail,
-}
-
-/// A side of the track, in the direction of travel.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
-pub(crate) enum SideName {
-    /// The left wheel or rail
-    Left,
-    /// The right wheel or rail
-    Right,
-}
-
-/// A sense of the lateral axis.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
-pub(crate) enum LateralSense {
-    /// Away from the track's centre
-    FieldSide,
-    /// To the track's centre
-    TrackSide,
-}
-
-/// A sense of the upright axis.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
-pub(crate) enum UprightSense {
-    /// Into the rail
-    Down,
-    /// Into the wheel
-    Up,
-}
-
-/// Formats of profile files.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
-pub(crate) enum ProfileFormat {
-    /// Simpack: .prr, .prw
-    Simpack,
-    /// `MiniProf`: .ban, .whl
-    Miniprof,
-    /// VAMPIRE: .rai, .whe
-    Vampire,
-    /// GENSYS: .rail, .wheel
-    Gensys,
-    /// Two columns in millimetres: .txt
-    Columns,
 }
 
 #[derive(Debug, clap::Args)]

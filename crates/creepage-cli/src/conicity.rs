@@ -2,10 +2,10 @@
 
 use creepage_study::{conicity, radius_difference_csv, write_all};
 
-use crate::args::ConicityArgs;
 use crate::failure::Failure;
 use crate::outcome::Outcome;
 use crate::output::{print, say, say_written};
+use crate::rail_args::ConicityArgs;
 use crate::wheelset::{read, say_found};
 
 /// The files first, then the table, so that a wrong `--out` prints nothing.

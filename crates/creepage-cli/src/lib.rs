@@ -18,6 +18,7 @@ mod input;
 mod outcome;
 mod output;
 mod profile;
+mod rail_args;
 mod reproduce;
 mod roll;
 mod statics;

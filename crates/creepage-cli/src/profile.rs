@@ -8,9 +8,11 @@ use creepage_rail::{Role, Side};
 use creepage_study::{profile_pictures, write_all};
 use serde_json::{Value, json};
 
-use crate::args::{LateralSense, ProfileArgs, ProfileFormat, RoleName, SideName, UprightSense};
 use crate::failure::Failure;
 use crate::output::{print, say_written, to_json};
+use crate::rail_args::{
+    LateralSense, ProfileArgs, ProfileFormat, RoleName, SideName, UprightSense,
+};
 
 /// Points of a converted file lie at most this far apart (m).
 const SPACING: f64 = 5e-4;

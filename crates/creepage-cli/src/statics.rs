@@ -5,7 +5,7 @@ use creepage_study::{StaticsError, StaticsFile, StaticsReport};
 use crate::args::StaticsArgs;
 use crate::failure::Failure;
 use crate::input::read_text;
-use crate::output::{print, say_written, to_json};
+use crate::output::{print, say, say_written, to_json};
 
 /// The files first, then the report, so that a wrong `--out` prints nothing.
 pub(crate) fn run(args: &StaticsArgs) -> Result<(), Failure> {
@@ -19,5 +19,9 @@ pub(crate) fn run(args: &StaticsArgs) -> Result<(), Failure> {
     if let Some(directory) = &args.out {
         say_written(&report.write(directory)?);
     }
-    print(&if args.json { to_json(&report.json())? } else { report.text() })
+    print(&if args.json { to_json(&report.json())? } else { report.text() })?;
+    for caution in &case.cautions {
+        say(&format!("caution: {caution}"));
+    }
+    Ok(())
 }

@@ -8,11 +8,11 @@ use creepage_study::{
 };
 use indicatif::ProgressBar;
 
-use crate::args::WheelsetArgs;
 use crate::failure::Failure;
 use crate::input::read_text;
 use crate::outcome::Outcome;
 use crate::output::{bar_style, print, say, say_written, to_json};
+use crate::rail_args::WheelsetArgs;
 
 /// The files first, then the report, so that a wrong `--out` prints nothing.
 pub(crate) fn run(args: &WheelsetArgs) -> Result<Outcome, Failure> {

@@ -127,29 +127,14 @@ fn columns_of<'py>(
 ) -> PyResult<(Vec<Varied>, Inputs<'py, 12>)> {
     let mut varied = Vec::new();
     let mut numbers = [const { Number::One(f64::NAN) }; 12];
-    for ((quantity, number), name) in Varied::ALL.iter().zip(&mut numbers).zip(NAMES) {
-        if let Some(value) = quantities.get_item(name)? {
+    for (quantity, number) in Varied::ALL.iter().zip(&mut numbers) {
+        if let Some(value) = quantities.get_item(quantity.name())? {
             varied.push(*quantity);
             *number = value.extract()?;
         }
     }
-    Ok((varied, Inputs::new(py, NAMES, numbers)?))
+    Ok((varied, Inputs::new(py, Varied::ALL.map(Varied::name), numbers)?))
 }
-
-const NAMES: [&str; 12] = [
-    "longitudinal",
-    "lateral",
-    "spin",
-    "normal_force",
-    "friction",
-    "upper_radius_rolling",
-    "upper_radius_lateral",
-    "lower_radius_rolling",
-    "lower_radius_lateral",
-    "semi_axis_rolling",
-    "semi_axis_lateral",
-    "speed",
-];
 
 /// The answers to so many rows: here where that is quick, else by all threads, in portions short
 /// enough for signals to be answered.

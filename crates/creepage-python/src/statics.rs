@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use creepage_study::{StaticsCase, StaticsError, StaticsFile, StaticsReport};
+use creepage_study::{StaticsCase, StaticsError, StaticsFile, StaticsProblem, StaticsReport};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
@@ -69,14 +69,14 @@ impl SolvedStatics {
         x: Number<'py>,
         y: Number<'py>,
     ) -> PyResult<Bound<'py, PyAny>> {
-        match &self.case {
-            StaticsCase::Die { .. } => {
+        match &self.case.problem {
+            StaticsProblem::Die { .. } => {
                 Err(PyValueError::new_err("a die has no tangential traction: ask its pressure"))
             }
-            StaticsCase::Shift { bonded, .. } | StaticsCase::Twist { bonded, .. } => {
+            StaticsProblem::Shift { bonded, .. } | StaticsProblem::Twist { bonded, .. } => {
                 Self::vectors(py, [x, y], |point| bonded.traction(point))
             }
-            StaticsCase::PartialSlip { partial, .. } => {
+            StaticsProblem::PartialSlip { partial, .. } => {
                 Self::vectors(py, [x, y], |point| partial.traction(point))
             }
         }
@@ -89,8 +89,8 @@ impl SolvedStatics {
         x: Number<'py>,
         y: Number<'py>,
     ) -> PyResult<Bound<'py, PyAny>> {
-        match &self.case {
-            StaticsCase::Die { die, .. } => {
+        match &self.case.problem {
+            StaticsProblem::Die { die, .. } => {
                 Self::vectors(py, [x, y], |point| [die.pressure(point)])?
                     .call_method1("__getitem__", ((py.Ellipsis(), 0),))
             }
@@ -106,14 +106,14 @@ impl SolvedStatics {
         x: Number<'py>,
         y: Number<'py>,
     ) -> PyResult<Bound<'py, PyAny>> {
-        match &self.case {
-            StaticsCase::Die { die, .. } => {
+        match &self.case.problem {
+            StaticsProblem::Die { die, .. } => {
                 Self::vectors(py, [x, y], |point| die.displacement(point))
             }
-            StaticsCase::Shift { bonded, .. } | StaticsCase::Twist { bonded, .. } => {
+            StaticsProblem::Shift { bonded, .. } | StaticsProblem::Twist { bonded, .. } => {
                 Self::vectors(py, [x, y], |point| bonded.displacement(point))
             }
-            StaticsCase::PartialSlip { partial, .. } => {
+            StaticsProblem::PartialSlip { partial, .. } => {
                 Self::vectors(py, [x, y], |point| partial.displacement(point))
             }
         }

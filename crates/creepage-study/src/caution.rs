@@ -160,19 +160,30 @@ impl Caution {
     /// ```
     #[must_use]
     pub fn units(hertz: &Hertz, smallest_radius: Option<f64>, creepage: SiCreepage) -> Vec<Self> {
-        let semi_axis = hertz.ellipse().major();
         let [along, across] = hertz.relative_curvatures();
         let radius = smallest_radius.unwrap_or(0.5 / along.max(across));
-        let contact =
-            (semi_axis > Self::LARGE * radius).then_some(Self::LargeContact { semi_axis, radius });
-        let (peak_pressure, shear_modulus) = (hertz.peak_pressure(), hertz.pair().shear_modulus());
-        let pressure = (peak_pressure > shear_modulus)
-            .then_some(Self::HighPressure { peak_pressure, shear_modulus });
+        let contact = Self::large_contact(hertz.ellipse().major(), radius);
+        let pressure = Self::high_pressure(hertz.peak_pressure(), hertz.pair().shear_modulus());
+        contact.into_iter().chain(pressure).chain(Self::large_creepage(creepage)).collect()
+    }
+
+    /// A contact (m) that is large beside the bodies' radius (m).
+    pub(crate) fn large_contact(semi_axis: f64, radius: f64) -> Option<Self> {
+        (semi_axis > Self::LARGE * radius).then_some(Self::LargeContact { semi_axis, radius })
+    }
+
+    /// A pressure (Pa) above the shear modulus (Pa).
+    pub(crate) fn high_pressure(peak_pressure: f64, shear_modulus: f64) -> Option<Self> {
+        (peak_pressure > shear_modulus)
+            .then_some(Self::HighPressure { peak_pressure, shear_modulus })
+    }
+
+    /// The components of a creepage that no wheel has.
+    pub(crate) fn large_creepage(creepage: SiCreepage) -> impl Iterator<Item = Self> {
         let SiCreepage { longitudinal, lateral, .. } = creepage;
-        let creepage = [("longitudinal", longitudinal), ("lateral", lateral)];
-        let large = creepage.into_iter().filter(|(_, value)| value.abs() > Self::LARGE);
-        let large = large.map(|(component, value)| Self::LargeCreepage { component, value });
-        contact.into_iter().chain(pressure).chain(large).collect()
+        let components = [("longitudinal", longitudinal), ("lateral", lateral)];
+        let large = components.into_iter().filter(|(_, value)| value.abs() > Self::LARGE);
+        large.map(|(component, value)| Self::LargeCreepage { component, value })
     }
 
     /// Whether it is one of [`Caution::units`].

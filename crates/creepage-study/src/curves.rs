@@ -6,7 +6,7 @@ use creepage::friction_law::RollingFriction;
 use creepage::{Creepage, Force, InvalidValue, Solution, Theory};
 
 use crate::error::ReportError;
-use crate::whole_file::write_all;
+use crate::file_set::write_all;
 use crate::{Case, CaseError};
 
 /// A component of creepage and spin.

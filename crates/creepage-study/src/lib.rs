@@ -42,6 +42,7 @@
 //! # Ok::<(), creepage_study::CaseError>(())
 //! ```
 
+mod abandoned;
 mod accuracy;
 mod bulk;
 mod case;
@@ -52,6 +53,7 @@ mod curve_picture;
 mod curves;
 mod damage;
 mod error;
+mod file_set;
 #[cfg(test)]
 mod fuzz;
 mod gap;
@@ -80,14 +82,15 @@ pub use accuracy::{
 pub use bulk::{BulkAnswer, BulkCase, BulkRow, Question, Reply, RowError, Solver, Varied};
 pub use case::{
     Case, CaseError, CaseFile, Given, SecondStart, SpecError, StaticsCase, StaticsError,
-    StaticsFile, Sweep, SweepCase, json_schema, statics_json_schema, sweep_json_schema,
-    theory_spec,
+    StaticsFile, StaticsProblem, Sweep, SweepCase, json_schema, statics_json_schema,
+    sweep_json_schema, theory_spec,
 };
 pub use caution::Caution;
 pub use contact_json::{HertzJson, HertzReportJson, SolidJson, hertz_json};
 pub use curves::{Component, Curves, LargestForce};
 pub use damage::{Damage, DamageWanted, WearRow};
 pub use error::ReportError;
+pub use file_set::write_all;
 pub use gap::{
     ExtentJson, GapCase, GapCaseError, GapCaution, GapContactJson, GapCreepageJson, GapFile,
     GapFileError, GapForceJson, GapReportJson, GapTheory, PatchJson, Pressed, SiGiven, SolvedGap,
@@ -113,4 +116,4 @@ pub use wheelset::{
     WheelsetError, WheelsetFile, WheelsetReportJson, WheelsetSolver, WheelsetTable, conicity,
     profile_pictures, radius_difference_csv, wheelset_json_schema,
 };
-pub use whole_file::{WholeFile, write_all};
+pub use whole_file::WholeFile;

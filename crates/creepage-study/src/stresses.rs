@@ -12,8 +12,8 @@ use serde_json::{Value, json};
 
 use crate::SolvedCase;
 use crate::error::ReportError;
+use crate::file_set::write_all;
 use crate::text::{aligned, status_words};
-use crate::whole_file::write_all;
 
 /// From this depth on, over the smaller semi-axis, the stresses below elements have settled: half of
 /// an element of the coarsest resolution.

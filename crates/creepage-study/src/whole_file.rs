@@ -2,15 +2,15 @@
 //!
 //! A file is written beside its target and renamed when it is on the disk, so that an earlier
 //! result stays until the new one is complete. A run that is killed leaves a hidden
-//! `.NAME.*.partial`. Devices, pipes and sockets are written to in place.
+//! `.NAME.*.partial`, which the next one removes. Devices, pipes and sockets are written to in place.
 
 use std::fs::{self, File, FileType};
 use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
-use tempfile::{Builder, NamedTempFile, TempPath};
+use tempfile::{Builder, NamedTempFile};
 
-use crate::error::ReportError;
+use crate::abandoned;
 
 /// A file that appears under its name when it is whole; dropped before [`WholeFile::finish`], it
 /// leaves nothing.
@@ -80,15 +80,31 @@ impl WholeFile {
     /// Those of the system; the target is then as it was.
     pub fn finish(mut self) -> io::Result<()> {
         self.sync()?;
-        if let Place::Beside { file, target } = self.0 {
-            file.persist(&target).map_err(|failed| failed.error)?;
-            sync_directory_of(&target)?;
+        self.name()?.map_or(Ok(()), |target| sync_directory_of(&target))
+    }
+
+    /// Gives the file its name, which is not yet on the disk; that name, where it has one of its own.
+    pub(crate) fn name(self) -> io::Result<Option<PathBuf>> {
+        let Place::Beside { file, target } = self.0 else { return Ok(None) };
+        file.persist(&target).map_err(|failed| failed.error)?;
+        Ok(Some(target))
+    }
+
+    /// The file that it replaces, where there is one.
+    pub(crate) fn earlier(&self) -> Option<&Path> {
+        match &self.0 {
+            Place::Beside { target, .. } if target.exists() => Some(target),
+            _ => None,
         }
-        Ok(())
+    }
+
+    /// Whether it is written in place, so that nothing of it can be undone.
+    pub(crate) fn is_in_place(&self) -> bool {
+        matches!(self.0, Place::Special(_))
     }
 
     /// Puts on the disk what was written.
-    fn sync(&mut self) -> io::Result<()> {
+    pub(crate) fn sync(&mut self) -> io::Result<()> {
         match &mut self.0 {
             Place::Beside { file, .. } => file.as_file().sync_all(),
             Place::Special(file) => file.flush(),
@@ -125,16 +141,19 @@ fn temporary(target: &Path) -> io::Result<NamedTempFile> {
     let name = target.file_name().ok_or(ErrorKind::InvalidFilename)?.to_string_lossy();
     let prefix = format!(".{name}.");
     let mut builder = Builder::new();
-    builder.prefix(&prefix).suffix(".partial");
+    builder.prefix(&prefix).suffix(abandoned::PARTIAL);
     #[cfg(unix)]
     builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
     let directory = directory_of(target);
     // Its own error names only the directory, not a file that nobody asked for.
     fs::metadata(directory)?;
-    builder.tempfile_in(directory)
+    abandoned::remove(directory, &prefix, abandoned::AGE);
+    let file = builder.tempfile_in(directory)?;
+    abandoned::hold(file.as_file());
+    Ok(file)
 }
 
-fn directory_of(path: &Path) -> &Path {
+pub(crate) fn directory_of(path: &Path) -> &Path {
     path.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."))
 }
 
@@ -148,107 +167,6 @@ pub(crate) fn sync_directory_of(path: &Path) -> io::Result<()> {
         return Ok(());
     }
     File::open(directory_of(path))?.sync_all()
-}
-
-/// Writes files, by name and contents, into `directory`, which is made when missing: all of them
-/// or none. Files of those names are replaced. Gives the paths written.
-///
-/// # Errors
-/// [`ReportError::Write`]; what was there before is there again, as far as the file system has
-/// hard links.
-pub fn write_all(directory: &Path, files: &[(&str, &[u8])]) -> Result<Vec<PathBuf>, ReportError> {
-    let mut made = Made::default();
-    made.directory(directory).map_err(failure(directory))?;
-    let mut whole = Vec::new();
-    for (name, contents) in files {
-        let path = directory.join(name);
-        whole.push((written(&path, contents).map_err(failure(&path))?, path));
-    }
-    let mut paths = Vec::new();
-    for (file, path) in whole {
-        made.file(file, &path).map_err(failure(&path))?;
-        paths.push(path);
-    }
-    made.keep();
-    Ok(paths)
-}
-
-fn failure(path: &Path) -> impl FnOnce(io::Error) -> ReportError {
-    move |source| ReportError::Write { path: path.into(), source }
-}
-
-/// A file with these contents, on the disk but for its name.
-fn written(path: &Path, contents: &[u8]) -> io::Result<WholeFile> {
-    let mut file = WholeFile::create(path)?;
-    file.write_all(contents)?;
-    file.sync()?;
-    Ok(file)
-}
-
-/// What [`write_all`] has made so far; dropped before [`Made::keep`], it is undone.
-#[derive(Default)]
-struct Made {
-    directories: Vec<PathBuf>,
-    /// Each new file, and a second name of the one that it replaced.
-    files: Vec<(PathBuf, Earlier)>,
-}
-
-/// What stood where a new file stands now.
-enum Earlier {
-    Nothing,
-    File(TempPath),
-    /// A file on a system without hard links, or a device.
-    Lost,
-}
-
-impl Made {
-    fn directory(&mut self, directory: &Path) -> io::Result<()> {
-        let missing =
-            directory.ancestors().take_while(|d| !d.as_os_str().is_empty() && !d.exists());
-        self.directories = missing.map(Path::to_path_buf).collect();
-        fs::create_dir_all(directory)
-    }
-
-    fn file(&mut self, file: WholeFile, path: &Path) -> io::Result<()> {
-        let earlier = Earlier::at(&file);
-        file.finish()?;
-        self.files.push((path.into(), earlier));
-        Ok(())
-    }
-
-    fn keep(mut self) {
-        self.files.clear();
-        self.directories.clear();
-    }
-}
-
-impl Earlier {
-    fn at(file: &WholeFile) -> Self {
-        match &file.0 {
-            Place::Beside { target, .. } if target.exists() => Builder::new()
-                .prefix(".earlier.")
-                .make_in(directory_of(target), |link| fs::hard_link(target, link))
-                .map_or(Self::Lost, |link| Self::File(link.into_temp_path())),
-            Place::Beside { .. } => Self::Nothing,
-            Place::Special(_) => Self::Lost,
-        }
-    }
-}
-
-impl Drop for Made {
-    fn drop(&mut self) {
-        // Best effort: what cannot be undone is in use by others.
-        for (path, earlier) in self.files.drain(..) {
-            let _ = match earlier {
-                Earlier::File(link) => link.persist(path).map_err(|failed| failed.error),
-                Earlier::Nothing => fs::remove_file(path),
-                Earlier::Lost => Ok(()),
-            };
-        }
-        for directory in &self.directories {
-            let _ = fs::remove_dir(directory);
-        }
-    }
 }
 
 #[cfg(test)]
@@ -283,57 +201,6 @@ mod tests {
         two.finish().unwrap();
         assert_eq!(fs::read_to_string(&path).unwrap(), "two");
         assert_eq!(names(place.path()), ["out"]);
-    }
-
-    #[test]
-    fn several_files_are_all_replaced_or_none() {
-        let place = tempfile::tempdir().unwrap();
-        let files: [(&str, &[u8]); 2] = [("one", b"1"), ("two", b"2")];
-        write_all(place.path(), &files).unwrap();
-        fs::create_dir(place.path().join("way")).unwrap();
-        let failing: [(&str, &[u8]); 3] = [("one", b"new"), ("three", b"3"), ("way", b"")];
-        assert!(write_all(place.path(), &failing).is_err());
-        // The directory comes in the way after the files were written, before they are named.
-        let mut made = Made::default();
-        let late = place.path().join("late");
-        let path = |name: &str| place.path().join(name);
-        for (name, contents) in &failing[..2] {
-            made.file(written(&path(name), contents).unwrap(), &path(name)).unwrap();
-        }
-        assert_eq!(fs::read(path("one")).unwrap(), b"new");
-        let file = written(&late, b"late").unwrap();
-        fs::create_dir(&late).unwrap();
-        assert!(made.file(file, &late).is_err());
-        drop(made);
-        assert_eq!(names(place.path()), ["late", "one", "two", "way"]);
-        assert_eq!(fs::read(path("one")).unwrap(), b"1");
-    }
-
-    #[test]
-    fn new_directories_go_again_after_a_failure() {
-        let place = tempfile::tempdir().unwrap();
-        let new = place.path().join("new/deep");
-        let bad: [(&str, &[u8]); 2] = [("good", b"1"), ("no/such", b"2")];
-        let error = write_all(&new, &bad).unwrap_err();
-        assert!(matches!(error, ReportError::Write { path, .. } if path.ends_with("no/such")));
-        assert!(names(place.path()).is_empty());
-    }
-
-    #[cfg(unix)]
-    #[test]
-    fn permissions_and_links_are_those_of_any_file() {
-        use std::os::unix::fs::{PermissionsExt, symlink};
-        let place = tempfile::tempdir().unwrap();
-        let path = |name: &str| place.path().join(name);
-        fs::write(path("plain"), "").unwrap();
-        symlink("target", path("link")).unwrap();
-        fs::write(path("target"), "earlier").unwrap();
-        write_all(place.path(), &[("link", b"new")]).unwrap();
-        assert!(fs::symlink_metadata(path("link")).unwrap().is_symlink());
-        assert_eq!(fs::read(path("target")).unwrap(), b"new");
-        let [plain, ours] =
-            ["plain", "target"].map(|name| fs::metadata(path(name)).unwrap().permissions().mode());
-        assert_eq!(plain, ours);
     }
 
     #[cfg(unix)]

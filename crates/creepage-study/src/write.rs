@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use crate::error::ReportError;
-use crate::whole_file::write_all;
+use crate::file_set::write_all;
 use crate::{Damage, SolvedCase};
 
 impl SolvedCase {

@@ -3,7 +3,7 @@
 // Helpers of tests fail like tests: by panicking.
 #![allow(clippy::unwrap_used)]
 
-use creepage_study::{StaticsCase, StaticsFile, statics_json_schema};
+use creepage_study::{StaticsCase, StaticsFile, StaticsProblem, statics_json_schema};
 
 const BODIES: &str = r#"
 [upper]
@@ -61,20 +61,20 @@ fn refused(text: &str, parts: &[&str]) {
 
 #[test]
 fn each_problem_is_solved() {
-    let StaticsCase::Die { offset, die, .. } = solved(DIE) else { panic!("not a die") };
+    let StaticsProblem::Die { offset, die, .. } = solved(DIE).problem else { panic!("not a die") };
     assert!(offset[0] > 0.0 && offset[1] < 0.0);
     assert!(die.tilt()[0] > 0.0 && die.tilt()[1] < 0.0);
 
     let shift = solved(&with("normal_force = 80e3", "problem = \"shift\"\nforce_y = -2e3"));
-    let StaticsCase::Shift { force, bonded, .. } = shift else { panic!("not a shift") };
+    let StaticsProblem::Shift { force, bonded, .. } = shift.problem else { panic!("not a shift") };
     assert!(force[0].abs() < 1e-9 && (force[1] + 2e3).abs() < 1e-9);
     assert!(bonded.shift()[1] < 0.0);
 
     let twist = solved(&with("normal_force = 80e3", "problem = \"twist\"\nmoment = 5.0"));
-    let StaticsCase::Twist { bonded, .. } = twist else { panic!("not a twist") };
+    let StaticsProblem::Twist { bonded, .. } = twist.problem else { panic!("not a twist") };
     assert!(bonded.twist() > 0.0);
 
-    let StaticsCase::PartialSlip { contact, partial, .. } = solved(&slip()) else {
+    let StaticsProblem::PartialSlip { contact, partial, .. } = solved(&slip()).problem else {
         panic!("no partial slip")
     };
     // Half of the limit of friction leaves the cube root of a half.
@@ -88,11 +88,15 @@ fn given_semi_axes_need_no_load_where_nothing_slips() {
     let bodies = bodies.join("\n");
     let axes = "semi_axis_rolling = 5e-3\nsemi_axis_lateral = 4e-3";
     let text = format!("{bodies}\n[contact]\n{axes}\n[statics]\nproblem = \"shift\"\nforce_x = 1");
-    let StaticsCase::Shift { ellipse, .. } = solved(&text) else { panic!("not a shift") };
+    let StaticsProblem::Shift { ellipse, .. } = solved(&text).problem else {
+        panic!("not a shift")
+    };
     assert!((ellipse.a() - 5e-3).abs() < 1e-18 && (ellipse.b() - 4e-3).abs() < 1e-18);
     // With a load they say the same.
     let loaded = text.replace("[contact]", "[contact]\nnormal_force = 1e3");
-    let StaticsCase::Shift { ellipse: same, .. } = solved(&loaded) else { panic!("not a shift") };
+    let StaticsProblem::Shift { ellipse: same, .. } = solved(&loaded).problem else {
+        panic!("not a shift")
+    };
     assert_eq!(ellipse, same);
     refused(
         &text.replace("[lower]", "[lower]\nradius_rolling = 1.0"),
@@ -156,7 +160,7 @@ fn the_lift_off_limit_can_be_used() {
     let message = StaticsFile::read(&text).unwrap().solve().unwrap_err().to_string();
     let limit = &message[message.find("up to ").unwrap() + 6..].replace(", ", "\n");
     let (lines, _) = text.split_once("offset_x").unwrap();
-    let StaticsCase::Die { die, .. } = solved(&format!("{lines}{limit}\n")) else {
+    let StaticsProblem::Die { die, .. } = solved(&format!("{lines}{limit}\n")).problem else {
         panic!("not a die")
     };
     // Five digits of the offset.

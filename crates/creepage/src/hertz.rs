@@ -82,6 +82,8 @@ pub struct Hertz {
     ellipse: Ellipse,
     angle: f64,
     rho: f64,
+    /// `g` as it was found: the ellipse's own is a quotient of rounded semi-axes.
+    g: f64,
     integrals: CompleteIntegrals,
 }
 
@@ -121,14 +123,37 @@ impl Hertz {
         let g = axis_ratio(relative.ratio());
         let rho = 2.0 / (relative.along + relative.across);
         let integrals = CompleteIntegrals::new(g);
-        // (3.50): 3 N (1 - sigma) rho E = 4 pi c^3 G sqrt(g).
-        let c = (3.0 * normal_force * (1.0 - pair.poisson()) * rho * integrals.e
-            / (4.0 * PI * pair.shear_modulus() * g.sqrt()))
-        .cbrt();
         // The ellipse is longer where the bodies curve less.
         let a_over_b = if relative.along > relative.across { g } else { g.recip() };
-        let ellipse = Ellipse::of_size(c, a_over_b)?;
-        Ok(Self { pair, normal_force, ellipse, angle: relative.angle, rho, integrals })
+        let ellipse = Ellipse::from_ratio(a_over_b)?;
+        let angle = relative.angle;
+        let bodies = Self { pair, normal_force, ellipse, angle, rho, g, integrals };
+        Ok(bodies.under(normal_force)?)
+    }
+
+    /// The same bodies under another load: the ellipse keeps its shape and grows as the cube root of
+    /// the load, by (3.50). The same numbers as of [`Hertz::new`], without its elliptic integrals.
+    ///
+    /// # Errors
+    /// [`InvalidValue`] unless `normal_force` (N) is finite and positive.
+    ///
+    /// ```
+    /// use creepage::{Hertz, Radii, Solid, SolidPair};
+    /// let steel = Solid::new(82e9, 0.28)?;
+    /// let ball = Radii { rolling: 6e-3, lateral: 6e-3 };
+    /// let contact = |load| Hertz::new(SolidPair::new(steel, steel), ball, ball, 0.0, load);
+    /// assert_eq!(contact(10.0)?.under(80.0)?, contact(80.0)?);
+    /// # Ok::<(), creepage::HertzError>(())
+    /// ```
+    pub fn under(&self, normal_force: f64) -> Result<Self, InvalidValue> {
+        check::positive("normal_force", normal_force)?;
+        let (pair, rho, g) = (self.pair, self.rho, self.g);
+        // (3.50): 3 N (1 - sigma) rho E = 4 pi c^3 G sqrt(g).
+        let c = (3.0 * normal_force * (1.0 - pair.poisson()) * rho * self.integrals.e
+            / (4.0 * PI * pair.shear_modulus() * g.sqrt()))
+        .cbrt();
+        let ellipse = Ellipse::of_size(c, self.ellipse.ratio())?;
+        Ok(Self { normal_force, ellipse, ..*self })
     }
 
     /// The contact whose ellipse is known, as from a measurement or another program; the
@@ -146,7 +171,7 @@ impl Hertz {
         let rho = 4.0 * PI * ellipse.c().powi(3) * pair.shear_modulus() * ellipse.g().sqrt()
             / (3.0 * normal_force * (1.0 - pair.poisson()) * integrals.e);
         check::positive("curvature radius rho of that ellipse and force", rho)?;
-        Ok(Self { pair, normal_force, ellipse, angle: 0.0, rho, integrals })
+        Ok(Self { pair, normal_force, ellipse, angle: 0.0, rho, g: ellipse.g(), integrals })
     }
 
     /// The equivalent solid.

@@ -66,6 +66,54 @@ fn numbers_in_other_units_are_cautions_everywhere() {
     assert!(plain["caution"].is_null() && plain["approach_m"].is_number());
 }
 
+/// Two balls of 6 mm, whose modulus is in MPa by mistake.
+const SOFT_BALLS: &str = "
+[upper]
+shear_modulus = 82e3
+poisson = 0.28
+radius_rolling = 6e-3
+radius_lateral = 6e-3
+[lower]
+shear_modulus = 82e3
+poisson = 0.28
+radius_rolling = 6e-3
+radius_lateral = 6e-3
+[contact]
+normal_force = 500
+friction = 0.3
+";
+
+#[test]
+fn statics_in_other_units_has_cautions() {
+    let place = Place::new();
+    let caution = |text: &str| {
+        place.write("case.toml", text);
+        let ran = place.run(&["statics", "case.toml", "--json"]);
+        let report = json(&ran.stdout);
+        let words = report["caution"].as_str().unwrap_or_default().to_owned();
+        assert_eq!(ran.stderr.contains("caution: "), !words.is_empty(), "{}", ran.stderr);
+        let text = place.run(&["statics", "case.toml"]).done();
+        assert_eq!(text.contains("CAUTION: "), !words.is_empty(), "{text}");
+        words
+    };
+    let problem =
+        |words: &str| format!("{SOFT_BALLS}[statics]\n{words}\n").replace("friction = 0.3", "");
+    for words in [
+        &format!("{SOFT_BALLS}[statics]\nproblem = \"partial-slip\"\nforce_x = 50\n"),
+        &problem("problem = \"shift\"\nforce_x = 1e3"),
+        &problem("problem = \"twist\"\nmoment = 1"),
+    ] {
+        let found = caution(words);
+        assert!(found.contains("of the smallest radius, 0.006 m: check the units"), "{found}");
+        assert_eq!(caution(&words.replace("82e3", "82e9")), "");
+    }
+    let die = "[lower]\nshear_modulus = 82e3\npoisson = 0.28\n[contact]\nnormal_force = 1e4\n\
+               semi_axis_rolling = 5e-3\nsemi_axis_lateral = 1e-2\n[statics]\nproblem = \"die\"\n";
+    let found = caution(die);
+    assert!(found.contains("exceeds the shear modulus of 82 kPa: check the units"), "{found}");
+    assert_eq!(caution(&die.replace("82e3", "82e9")), "");
+}
+
 #[test]
 fn shells_and_manuals_know_every_command() {
     let place = Place::new();

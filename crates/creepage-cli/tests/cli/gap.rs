@@ -359,3 +359,33 @@ fn files_of_points() {
     let hole = "x,y,gap\n0,0,0\n1,0,0\n0,1,0\n";
     refused_beside(hole, POLYNOMIAL, "grid = 'gap.csv'", &["[gap] grid"]);
 }
+
+#[test]
+fn numbers_in_other_units_are_cautions() {
+    let place = Place::new();
+    // A ball of 6 mm on a plane: h = (x^2 + y^2)/(2 R).
+    let case = |modulus: &str, lateral: &str| {
+        format!(
+            "[upper]\nshear_modulus = {modulus}\npoisson = 0.28\n[lower]\nshear_modulus = {modulus}\n\
+             poisson = 0.28\n[gap]\npolynomial = [[2, 0, 83.33], [0, 2, 83.33]]\n[contact]\n\
+             normal_force = 500\nfriction = 0.3\n[creepage]\nlateral = {lateral}\n\
+             [solve]\nresolution = \"fast\"\n"
+        )
+    };
+    for (modulus, lateral, expected) in [
+        ("82e9", "1e-3", &[][..]),
+        ("82e3", "1e-3", &["of the smallest radius, 0.006 m", "exceeds the shear modulus"][..]),
+        ("82e9", "2.0", &["the lateral creepage of 2 is above 0.3"][..]),
+    ] {
+        place.write("case.toml", case(modulus, lateral));
+        let ran = place.run(&["solve", "case.toml", "--json"]);
+        let report = json(&ran.stdout);
+        let caution = report["caution"].as_str().unwrap_or_default();
+        assert_eq!(caution.is_empty(), expected.is_empty(), "{caution}");
+        let text = place.run(&["solve", "case.toml"]).stdout.replace('\n', " ");
+        for words in expected {
+            assert!(caution.contains(words) && ran.stderr.contains(words), "{caution}");
+            assert!(text.contains("CAUTION: ") && text.contains(words), "{text}");
+        }
+    }
+}

@@ -9,6 +9,8 @@ mod conicity;
 mod curve;
 mod doors;
 mod examples;
+#[cfg(unix)]
+mod faults;
 mod friction_laws;
 mod gap;
 #[cfg(unix)]

@@ -11,9 +11,12 @@
 )]
 
 mod bulk;
+mod caller;
+mod case;
 mod fuzz;
 mod header;
 mod interface;
 #[cfg(unix)]
 mod programs;
 mod wheelset;
+mod wrong;

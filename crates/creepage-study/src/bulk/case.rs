@@ -32,6 +32,8 @@ use crate::{CaseError, CaseFile, Caution};
 #[derive(Debug, Clone)]
 pub struct BulkCase {
     base: Sections,
+    /// The bodies pressed together, where rows differ in nothing but the load.
+    bodies: Option<Hertz>,
     varied: Vec<Varied>,
     theory: TheorySpec,
 }
@@ -64,7 +66,8 @@ impl BulkCase {
         }
         let (mut base, theory) = (file.sections(), file.theory()?);
         Varied::make_room(&varied, &mut base);
-        let case = Self { base, varied, theory };
+        let bodies = bodies(&base, &varied);
+        let case = Self { base, bodies, varied, theory };
         case.check()?;
         Ok(case)
     }
@@ -110,11 +113,32 @@ impl BulkCase {
         for (varied, value) in self.varied.iter().zip(values) {
             varied.set(*value, &mut sections);
         }
-        let Touching { hertz, contact, speed, .. } = sections.touching()?;
+        let hertz = match &self.bodies {
+            Some(bodies) => {
+                let load = sections.contact.normal_force;
+                bodies.under(load).map_err(CaseError::invalid("contact"))?
+            }
+            None => sections.hertz()?,
+        };
+        let Touching { hertz, contact, speed, .. } = sections.touching_by(hertz)?;
         let creepage = sections.creepage.resolve(contact.scaling())?;
         let smallest_radius = sections.smallest_radius();
         Ok(BulkRow { hertz, contact, creepage, speed, smallest_radius })
     }
+}
+
+/// Bodies by their radii, where all rows have the same. An ellipse that is given does not grow with
+/// the load.
+fn bodies(base: &Sections, varied: &[Varied]) -> Option<Hertz> {
+    let by_ellipse = base.contact.semi_axis_rolling.is_some();
+    if by_ellipse || varied.iter().any(|quantity| quantity.is_of_shape()) {
+        return None;
+    }
+    let mut base = base.clone();
+    if varied.contains(&Varied::NormalForce) {
+        base.contact.normal_force = 1.0;
+    }
+    base.hertz().ok()
 }
 
 impl BulkRow {

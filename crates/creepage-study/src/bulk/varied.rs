@@ -87,6 +87,11 @@ impl Varied {
         )
     }
 
+    /// Whether another value of it is another shape of contact.
+    pub(super) fn is_of_shape(self) -> bool {
+        self.is_radius() || self.is_semi_axis()
+    }
+
     fn is_semi_axis(self) -> bool {
         matches!(self, Self::SemiAxisRolling | Self::SemiAxisLateral)
     }

@@ -22,5 +22,5 @@ mod wanted;
 pub use error::CaseError;
 pub use file::{Case, CaseFile, Given, json_schema};
 pub use solve::{SpecError, theory_spec};
-pub use statics::{StaticsCase, StaticsError, StaticsFile, statics_json_schema};
+pub use statics::{StaticsCase, StaticsError, StaticsFile, StaticsProblem, statics_json_schema};
 pub use sweep::{SecondStart, Sweep, SweepCase, sweep_json_schema};

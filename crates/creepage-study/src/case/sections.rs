@@ -35,7 +35,11 @@ impl Sections {
 
     /// The contact as a theory of rolling needs it.
     pub(crate) fn touching(&self) -> Result<Touching, CaseError> {
-        let hertz = self.hertz()?;
+        self.touching_by(self.hertz()?)
+    }
+
+    /// The same where the pressure is known beforehand.
+    pub(crate) fn touching_by(&self, hertz: Hertz) -> Result<Touching, CaseError> {
         check_aligned(self.contact.angle, &hertz)?;
         let friction = self.contact.friction.as_ref().ok_or_else(|| CaseError::Missing {
             section: "contact".into(),
@@ -52,9 +56,14 @@ impl Sections {
 
     /// The smallest of the bodies' radii (m), its size, where one is given.
     pub(crate) fn smallest_radius(&self) -> Option<f64> {
-        let radii = [self.upper, self.lower].map(|body| body.smallest_radius());
-        radii.into_iter().flatten().reduce(f64::min).filter(|radius| radius.is_finite())
+        smallest_radius([&self.upper, &self.lower])
     }
+}
+
+/// The smallest of the bodies' radii (m), where one is given.
+pub(crate) fn smallest_radius(bodies: [&Body; 2]) -> Option<f64> {
+    let radii = bodies.into_iter().filter_map(Body::smallest_radius);
+    radii.reduce(f64::min).filter(|radius| radius.is_finite())
 }
 
 /// The axes of the ellipse must lie along and across the rolling direction.

@@ -2,8 +2,9 @@
 
 use std::fmt;
 
-use creepage::Status;
-use creepage::normal::{self, NormalContact};
+use creepage::gap::Gap;
+use creepage::normal::{self, NormalContact, Patch};
+use creepage::{SiCreepage, Status};
 
 use crate::Caution;
 
@@ -12,8 +13,9 @@ use crate::Caution;
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum GapCaution {
-    /// The equations of rolling were not solved.
-    Rolling(Caution),
+    /// What may be held against any contact: the equations of rolling were not solved, or a number
+    /// looks like one in another unit.
+    Common(Caution),
     /// The equations of the pressure were solved only up to a residual.
     Pressure {
         /// Largest distance of a pressed point from touching, over the greatest depth.
@@ -37,8 +39,16 @@ impl GapCaution {
     /// With fewer points across an area, it depends on how one interpolates.
     const POINTS: usize = 10;
 
-    pub(crate) fn all(contact: &NormalContact, friction: f64, status: Status) -> Vec<Self> {
-        let rolling = (status != Status::Solved).then_some(Self::Rolling(Caution::Status(status)));
+    pub(crate) fn all(
+        contact: &NormalContact,
+        friction: f64,
+        creepage: SiCreepage,
+        status: Status,
+    ) -> Vec<Self> {
+        let rolling = (status != Status::Solved).then_some(Caution::Status(status));
+        let (peak, shear_modulus) = (contact.peak_pressure().value, contact.pair().shear_modulus());
+        let common = rolling.into_iter().chain(Caution::high_pressure(peak, shear_modulus));
+        let common = common.chain(Caution::large_creepage(creepage)).map(Self::Common);
         let pressure = match contact.status() {
             normal::Status::Converged => None,
             normal::Status::NotConverged { residual } => Some(Self::Pressure { residual }),
@@ -49,14 +59,36 @@ impl GapCaution {
         let coarse = ["x", "y"].into_iter().zip(contact.gap_points()).filter_map(|(along, n)| {
             n.filter(|n| *n < Self::POINTS).map(|points| Self::CoarseGap { points, along })
         });
-        rolling.into_iter().chain(pressure).chain(unlike).chain(coarse).collect()
+        common.chain(pressure).chain(unlike).chain(coarse).collect()
     }
+
+    /// Contact areas that are large beside the radius of the gap in them.
+    pub(super) fn large_areas(gap: &Gap, contact: &NormalContact) -> Option<Self> {
+        let widths = contact.patches().iter().flat_map(|patch| half_widths(gap, patch));
+        let mut large = widths.filter_map(|(width, radius)| Caution::large_contact(width, radius));
+        large.next().map(Self::Common)
+    }
+}
+
+/// Along and across, half the width of an area and the radius of the gap in it: that of the parabola
+/// through the middle and both ends.
+fn half_widths(gap: &Gap, patch: &Patch) -> [(f64, f64); 2] {
+    let extent = patch.extent();
+    let [x, y] = [extent.x, extent.y].map(|[low, high]| f64::midpoint(low, high));
+    let middle = gap.at(x, y);
+    let [along, across] =
+        [extent.x.map(|end| gap.at(end, y) - middle), extent.y.map(|end| gap.at(x, end) - middle)];
+    [(extent.size()[0], along), (extent.size()[1], across)].map(|(size, [one, other])| {
+        let half = 0.5 * size;
+        // A gap that is hollow there has none.
+        (half, half * half / (one + other).max(0.0))
+    })
 }
 
 impl fmt::Display for GapCaution {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
-            Self::Rolling(caution) => caution.fmt(f),
+            Self::Common(caution) => caution.fmt(f),
             Self::Pressure { residual } => write!(
                 f,
                 "the pressure did not converge: pressed points are up to {residual:.1e} of the \

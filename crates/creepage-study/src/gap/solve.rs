@@ -180,14 +180,17 @@ impl SolvedGap {
         solved: &dyn Solved,
         elements: Vec<ElementField>,
     ) -> Self {
-        let solution = solved.solution();
+        let (solution, creepage) = (solved.solution(), solved.creepage());
+        let si = scaling.si_creepage(creepage);
+        let mut cautions = GapCaution::all(contact, case.friction, si, solution.status);
+        cautions.extend(GapCaution::large_areas(&case.gap, contact));
         Self {
-            cautions: GapCaution::all(contact, case.friction, solution.status),
+            cautions,
             case: case.clone(),
             contact: contact.clone(),
             scaling,
             solution,
-            creepage: solved.creepage(),
+            creepage,
             elements,
             power: solved.power(),
             dissipation: solved.dissipation(),

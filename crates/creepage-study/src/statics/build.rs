@@ -70,6 +70,7 @@ impl<'a> StaticsReport<'a> {
             Quantity::new("lift_off_y_m", "lift-off limit along y", base.b() / 3.0, "m"),
         ];
         Ok(Self {
+            cautions: Vec::new(),
             problem: "die",
             title: "Rigid die on an elastic half-space",
             ellipse: base,
@@ -117,6 +118,7 @@ impl<'a> StaticsReport<'a> {
             ),
         ];
         Ok(Self {
+            cautions: Vec::new(),
             problem: "shift",
             title: "Shift without slip",
             ellipse,
@@ -156,6 +158,7 @@ impl<'a> StaticsReport<'a> {
             ),
         ];
         Ok(Self {
+            cautions: Vec::new(),
             problem: "twist",
             title: "Twist without slip",
             ellipse,
@@ -184,6 +187,7 @@ impl<'a> StaticsReport<'a> {
         let peak =
             Quantity::new("peak_pressure_pa", "peak pressure", contact.peak_pressure(), "Pa");
         Ok(Self {
+            cautions: Vec::new(),
             problem: "partial-slip",
             title: "Shift with slip at the edge",
             ellipse,

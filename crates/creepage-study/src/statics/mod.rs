@@ -10,6 +10,8 @@ mod slip_angle;
 
 use creepage::Ellipse;
 
+use crate::Caution;
+
 use field::Field;
 use quantity::Quantity;
 
@@ -35,4 +37,5 @@ pub struct StaticsReport<'a> {
     given: Vec<Quantity>,
     found: Vec<Quantity>,
     field: Field<'a>,
+    cautions: Vec<Caution>,
 }

@@ -1,6 +1,6 @@
 //! The report of a statics file.
 
-use crate::{StaticsCase, StaticsError};
+use crate::{StaticsCase, StaticsError, StaticsProblem};
 
 use super::StaticsReport;
 
@@ -10,19 +10,20 @@ impl<'a> StaticsReport<'a> {
     /// # Errors
     /// As of the four problems; none for a case that was solved.
     pub fn new(case: &'a StaticsCase) -> Result<Self, StaticsError> {
-        Ok(match case {
-            StaticsCase::Die { solid, base, normal_force, offset, die } => {
+        let report = match &case.problem {
+            StaticsProblem::Die { solid, base, normal_force, offset, die } => {
                 Self::die(*solid, *base, *normal_force, *offset, die)?
             }
-            StaticsCase::Shift { pair, ellipse, force, bonded } => {
+            StaticsProblem::Shift { pair, ellipse, force, bonded } => {
                 Self::shift(*pair, *ellipse, *force, bonded)?
             }
-            StaticsCase::Twist { pair, ellipse, moment, bonded } => {
+            StaticsProblem::Twist { pair, ellipse, moment, bonded } => {
                 Self::twist(*pair, *ellipse, *moment, bonded)?
             }
-            StaticsCase::PartialSlip { contact, friction, force, partial } => {
+            StaticsProblem::PartialSlip { contact, friction, force, partial } => {
                 Self::partial_slip(contact, *friction, *force, partial)?
             }
-        })
+        };
+        Ok(Self { cautions: case.cautions.clone(), ..report })
     }
 }

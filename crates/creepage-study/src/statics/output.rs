@@ -7,8 +7,9 @@ use serde_json::{Map, Value, json};
 
 use super::StaticsReport;
 use super::quantity::Quantity;
+use crate::Caution;
 use crate::error::ReportError;
-use crate::text::aligned;
+use crate::text::{Lines, aligned};
 use crate::write::write_contact;
 
 /// Cells across the box around the contact; each whose centre is in the contact is a point.
@@ -19,7 +20,12 @@ impl StaticsReport<'_> {
     #[must_use]
     pub fn text(&self) -> String {
         // Writing to a String cannot fail.
-        let mut text = format!("{}\n", self.title);
+        let mut lines = Lines::default();
+        lines.line(self.title);
+        for caution in &self.cautions {
+            lines.caution(&caution.to_string());
+        }
+        let mut text = lines.into_text();
         for (heading, quantities) in [("Given", &self.given), ("Found", &self.found)] {
             let _ = writeln!(text, "\n{heading}");
             for quantity in quantities {
@@ -40,9 +46,11 @@ impl StaticsReport<'_> {
         let object = |quantities: &[Quantity]| -> Map<String, Value> {
             quantities.iter().map(|q| (q.key.into(), json!(q.value))).collect()
         };
+        let caution = (!self.cautions.is_empty()).then(|| Caution::words(&self.cautions));
         json!({
             "creepage_version": env!("CARGO_PKG_VERSION"),
             "problem": self.problem,
+            "caution": caution,
             "given": object(&self.given),
             "found": object(&self.found),
         })

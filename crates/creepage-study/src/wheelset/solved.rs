@@ -3,7 +3,7 @@
 use creepage::coulomb::ElementField;
 use creepage::normal::NormalContact;
 use creepage::theory::Solved;
-use creepage::{Force, Region, Scaling, SiForce, Status, normal};
+use creepage::{Force, Region, Scaling, SiCreepage, SiForce, Status, normal};
 use creepage_plot::signed_area;
 use creepage_rail::{Motion, Position, RollingCreepage, Running, Side};
 
@@ -129,7 +129,9 @@ impl SolvedContact {
     /// What is to be held against its solution.
     #[must_use]
     pub fn cautions(&self) -> Vec<GapCaution> {
-        let all = GapCaution::all(&self.normal, self.friction, self.status).into_iter();
+        let RollingCreepage { longitudinal, lateral, spin, .. } = self.creepage;
+        let creepage = SiCreepage { longitudinal, lateral, spin };
+        let all = GapCaution::all(&self.normal, self.friction, creepage, self.status).into_iter();
         // Its points across are as many as are looked up.
         all.filter(|caution| !matches!(caution, GapCaution::CoarseGap { .. })).collect()
     }

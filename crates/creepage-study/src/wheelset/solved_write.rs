@@ -6,7 +6,7 @@ use creepage_rail::Running;
 
 use super::solved::SolvedWheelset;
 use crate::error::ReportError;
-use crate::whole_file::write_all;
+use crate::file_set::write_all;
 
 impl SolvedWheelset {
     /// Writes `report.json`, the picture `wheelset.svg` and `.png` of the wheels on their rails,

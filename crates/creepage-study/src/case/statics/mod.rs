@@ -5,15 +5,17 @@ mod error;
 mod load;
 
 use creepage::statics::{Bonded, Die, PartialSlip};
-use creepage::{Ellipse, Hertz, SiForce, Solid, SolidPair};
+use creepage::{Ellipse, Hertz, SiCreepage, SiForce, Solid, SolidPair};
 use schemars::JsonSchema;
 use serde::Deserialize;
 use serde_json::Value;
 
+use crate::Caution;
 use crate::case::body::Body;
 use crate::case::error::CaseError;
 use crate::case::keys;
 use crate::case::schema::schema_of;
+use crate::case::sections::smallest_radius;
 
 use contact::StaticsContact;
 pub use error::StaticsError;
@@ -38,9 +40,18 @@ pub struct StaticsFile {
     statics: Statics,
 }
 
+/// A statics file, solved.
+#[derive(Debug, Clone)]
+pub struct StaticsCase {
+    /// The problem with its solution.
+    pub problem: StaticsProblem,
+    /// What is to be held against it.
+    pub cautions: Vec<Caution>,
+}
+
 /// One problem of statics, solved; every number of it is checked.
 #[derive(Debug, Clone)]
-pub enum StaticsCase {
+pub enum StaticsProblem {
     /// A rigid die under an offset load (3.211).
     Die {
         /// The half-space.
@@ -138,15 +149,36 @@ impl StaticsFile {
     /// ```
     pub fn solve(&self) -> Result<StaticsCase, StaticsError> {
         self.statics.reject_foreign_keys()?;
-        match self.statics.problem {
-            Problem::Die => self.die(),
-            Problem::Shift => self.shift(),
-            Problem::Twist => self.twist(),
-            Problem::PartialSlip => self.partial_slip(),
-        }
+        let problem = match self.statics.problem {
+            Problem::Die => self.die()?,
+            Problem::Shift => self.shift()?,
+            Problem::Twist => self.twist()?,
+            Problem::PartialSlip => self.partial_slip()?,
+        };
+        Ok(StaticsCase { cautions: self.cautions(&problem), problem })
     }
 
-    fn die(&self) -> Result<StaticsCase, StaticsError> {
+    /// What looks like a number in another unit.
+    fn cautions(&self, problem: &StaticsProblem) -> Vec<Caution> {
+        let (upper, hertz) = match (problem, &self.upper) {
+            (StaticsProblem::Die { solid, die, .. }, _) => {
+                let pressure = die.pressure([0.0; 2]);
+                return Caution::high_pressure(pressure, solid.shear_modulus())
+                    .into_iter()
+                    .collect();
+            }
+            (StaticsProblem::PartialSlip { contact, .. }, Some(upper)) => (upper, **contact),
+            // Without a load there is no pressure, and the ellipse is given by itself.
+            (_, Some(upper)) => match self.contact.hertz(upper, &self.lower) {
+                Ok(hertz) => (upper, hertz),
+                Err(_) => return Vec::new(),
+            },
+            (_, None) => return Vec::new(),
+        };
+        Caution::units(&hertz, smallest_radius([upper, &self.lower]), SiCreepage::default())
+    }
+
+    fn die(&self) -> Result<StaticsProblem, StaticsError> {
         if self.upper.is_some() {
             return Err(StaticsError::DieWithUpper);
         }
@@ -156,23 +188,23 @@ impl StaticsFile {
         let offset = self.statics.offset();
         let die = Die::new(solid, base, normal_force, offset)
             .map_err(|source| StaticsError::die(offset, source))?;
-        Ok(StaticsCase::Die { solid, base, normal_force, offset, die: Box::new(die) })
+        Ok(StaticsProblem::Die { solid, base, normal_force, offset, die: Box::new(die) })
     }
 
-    fn shift(&self) -> Result<StaticsCase, StaticsError> {
+    fn shift(&self) -> Result<StaticsProblem, StaticsError> {
         let force @ [longitudinal, lateral] = self.statics.tangential_force()?;
         let (pair, ellipse) = self.touching_bodies()?;
         let load = SiForce { longitudinal, lateral, moment: 0.0 };
         let bonded = Box::new(Bonded::new(pair, ellipse, load)?);
-        Ok(StaticsCase::Shift { pair, ellipse, force, bonded })
+        Ok(StaticsProblem::Shift { pair, ellipse, force, bonded })
     }
 
-    fn twist(&self) -> Result<StaticsCase, StaticsError> {
+    fn twist(&self) -> Result<StaticsProblem, StaticsError> {
         let moment = self.statics.moment()?;
         let (pair, ellipse) = self.touching_bodies()?;
         let load = SiForce { moment, ..SiForce::default() };
         let bonded = Box::new(Bonded::new(pair, ellipse, load)?);
-        Ok(StaticsCase::Twist { pair, ellipse, moment, bonded })
+        Ok(StaticsProblem::Twist { pair, ellipse, moment, bonded })
     }
 
     fn touching_bodies(&self) -> Result<(SolidPair, Ellipse), CaseError> {
@@ -181,14 +213,14 @@ impl StaticsFile {
         Ok((pair, self.contact.ellipse(upper, &self.lower)?))
     }
 
-    fn partial_slip(&self) -> Result<StaticsCase, StaticsError> {
+    fn partial_slip(&self) -> Result<StaticsProblem, StaticsError> {
         let contact = self.contact.hertz(self.upper()?, &self.lower)?;
         let friction = self.contact.friction()?;
         let force = self.statics.tangential_force()?;
         let partial =
             PartialSlip::new(&contact, friction, force).map_err(StaticsError::partial_slip)?;
         let (contact, partial) = (Box::new(contact), Box::new(partial));
-        Ok(StaticsCase::PartialSlip { contact, friction, force, partial })
+        Ok(StaticsProblem::PartialSlip { contact, friction, force, partial })
     }
 
     fn upper(&self) -> Result<&Body, CaseError> {
