@@ -67,6 +67,7 @@ from ._solution import SiCreepage, SiForce, Solution
 from ._statics import StaticsSolution, statics
 from ._sweep import sweep
 from ._theories import THEORIES, theory
+from ._wheelset import Wheelset, WheelsetSolution
 
 exact = Exact
 automatic = Automatic
@@ -129,6 +130,8 @@ __all__ = [
     "UnlikeBodiesWarning",
     "Variational",
     "VermeulenJohnson",
+    "Wheelset",
+    "WheelsetSolution",
     "__version__",
     "automatic",
     "batch",

@@ -8,7 +8,7 @@ use std::path::PathBuf;
 use creepage::table::{BuildError, FileError};
 use creepage::theory::{TheoryError, UnknownTheory};
 use creepage::{HertzError, InvalidValue};
-use creepage_study::{CaseError, RowError, SolveError, SpecError, Varied};
+use creepage_study::{CaseError, RowError, SolveError, SpecError, Varied, WheelsetError};
 
 /// Done.
 pub const CREEPAGE_OK: i32 = 0;
@@ -71,6 +71,8 @@ pub(crate) enum Failure {
     Quantity { name: String },
     #[error("no table of {theory}: {source}")]
     Build { theory: &'static str, source: BuildError<TheoryError> },
+    #[error(transparent)]
+    Wheelset(Box<WheelsetError>),
     #[error("cannot write {}: {source}", path.display())]
     Write { path: PathBuf, source: io::Error },
 }
@@ -99,6 +101,7 @@ impl Failure {
             | Self::Hertz(_)
             | Self::Bulk(_)
             | Self::Build { .. }
+            | Self::Wheelset(_)
             | Self::Theory(_)
             | Self::Solve { .. } => CREEPAGE_INVALID,
         }

@@ -12,6 +12,7 @@ mod input;
 mod status;
 mod table;
 mod theory;
+mod wheelset;
 
 use std::ffi::c_char;
 
@@ -35,6 +36,9 @@ pub use table::{
 };
 pub use theory::{
     CreepageTheory, creepage_theory_force, creepage_theory_free, creepage_theory_new,
+};
+pub use wheelset::{
+    CreepageWheelset, creepage_wheelset_force, creepage_wheelset_free, creepage_wheelset_new,
 };
 
 #[allow(clippy::doc_markdown)] // the words are for C

@@ -7,7 +7,9 @@ use creepage::coulomb::InverseError;
 use creepage::theory::{TheoryError, UnknownTheory};
 use creepage::variational::VariationalError;
 use creepage::{Creepage, Force, InvalidValue};
-use creepage_study::{CaseError, ReportError, SolveError, SpecError, StaticsError, Unreachable};
+use creepage_study::{
+    CaseError, ReportError, SolveError, SpecError, StaticsError, Unreachable, WheelsetError,
+};
 use pyo3::BoundObject;
 use pyo3::exceptions::{PyOSError, PyOverflowError, PyRuntimeError, PyTypeError};
 use pyo3::prelude::*;
@@ -175,6 +177,13 @@ pub(crate) fn statics(py: Python, error: StaticsError) -> PyErr {
     match error {
         StaticsError::Case(error) => case(py, error),
         other => exception(py, "CaseError", (other.to_string(), Some("statics"))),
+    }
+}
+
+pub(crate) fn wheelset(py: Python, error: WheelsetError) -> PyErr {
+    match error {
+        WheelsetError::Case(error) => case(py, error),
+        other => exception(py, "CaseError", (other.to_string(), Some("wheelset"))),
     }
 }
 

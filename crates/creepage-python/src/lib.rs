@@ -20,6 +20,7 @@ mod table;
 mod table_build;
 mod theories;
 mod theory;
+mod wheelset;
 
 /// Rolling contact of two elastic bodies with dry friction.
 #[pyo3::pymodule]
@@ -47,6 +48,8 @@ mod _creepage {
     };
     #[pymodule_export]
     use crate::theory::{DifferentiableTheory, Theory};
+    #[pymodule_export]
+    use crate::wheelset::{SolvedWheelset, WheelsetData};
 
     #[pymodule_export]
     #[allow(non_upper_case_globals)] // Python's name for it

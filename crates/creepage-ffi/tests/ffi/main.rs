@@ -16,3 +16,4 @@ mod header;
 mod interface;
 #[cfg(unix)]
 mod programs;
+mod wheelset;

@@ -115,16 +115,22 @@ impl WheelsetTable {
         file.set_def(&definition, Version::Offset64Bit, 0)?;
         file.write_var_f64("y", &self.y)?;
         file.write_var_f64("yaw", &self.yaw)?;
-        for (name, _, value) in WHOLE {
-            file.write_var_f64(name, &self.column(value))?;
-        }
-        for (index, side) in SIDES.into_iter().enumerate() {
-            for (k, (name, _)) in COLUMNS.iter().enumerate() {
-                let value = |cell: &Cell| cell.wheels[index][k];
-                file.write_var_f64(&format!("{side}_{name}"), &self.column(value))?;
-            }
+        for (name, values) in self.columns() {
+            file.write_var_f64(&name, &values)?;
         }
         Ok(file.close()?)
+    }
+
+    /// What the table holds, by name: by yaw, then by lateral position; NaN where the position could
+    /// not be solved.
+    pub fn columns(&self) -> impl Iterator<Item = (String, Vec<f64>)> {
+        let whole = WHOLE.into_iter().map(|(name, _, value)| (name.to_owned(), self.column(value)));
+        let of_wheels = SIDES.into_iter().enumerate().flat_map(move |(index, side)| {
+            COLUMNS.iter().enumerate().map(move |(k, (name, _))| {
+                (format!("{side}_{name}"), self.column(|cell: &Cell| cell.wheels[index][k]))
+            })
+        });
+        whole.chain(of_wheels)
     }
 
     fn column(&self, value: impl Fn(&Cell) -> f64) -> Vec<f64> {

@@ -1,0 +1,109 @@
+//! Wheelsets by their files.
+
+use std::path::PathBuf;
+
+use creepage_study::{WheelsetCase, WheelsetError, WheelsetFile, WheelsetTable};
+use numpy::{PyArray1, PyArrayMethods, PyReadonlyArray1};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+use crate::errors;
+
+/// A wheelset in its track, read and checked.
+#[pyclass(frozen, module = "creepage._creepage")]
+#[allow(missing_debug_implementations)] // Python has its own
+pub struct WheelsetData {
+    case: WheelsetCase,
+}
+
+/// A wheelset, solved.
+#[pyclass(frozen, module = "creepage._creepage")]
+#[allow(missing_debug_implementations)] // Python has its own
+pub struct SolvedWheelset {
+    solved: creepage_study::SolvedWheelset,
+    case: WheelsetCase,
+}
+
+#[pymethods]
+impl WheelsetData {
+    /// From the text of a wheelset file whose profiles are in a directory.
+    #[new]
+    fn new(py: Python, text: &str, directory: PathBuf) -> PyResult<Self> {
+        let read = || {
+            let file = WheelsetFile::read(text).map_err(WheelsetError::from)?;
+            file.case(&directory)
+        };
+        let case = py.detach(read).map_err(|error| errors::wheelset(py, error))?;
+        Ok(Self { case })
+    }
+
+    /// What was found in the profile files and repaired.
+    fn notes(&self) -> Vec<String> {
+        let notes = self.case.notes.iter();
+        let words = notes.flat_map(|note| {
+            note.actions.iter().map(|action| format!("{}: {action}", note.path.display()))
+        });
+        words.collect()
+    }
+
+    fn solve(&self, py: Python) -> PyResult<SolvedWheelset> {
+        let solved = py.detach(|| self.case.solve()).map_err(|e| errors::wheelset(py, e))?;
+        Ok(SolvedWheelset { solved, case: self.case.clone() })
+    }
+
+    /// Columns over yaw and lateral position, each as one flat array.
+    fn table<'py>(
+        &self,
+        py: Python<'py>,
+        y: PyReadonlyArray1<'py, f64>,
+        yaw: PyReadonlyArray1<'py, f64>,
+    ) -> PyResult<Bound<'py, PyDict>> {
+        let [y, yaw] = [y, yaw].map(|values| values.to_vec());
+        let (y, yaw) = (y?, yaw?);
+        let solve = || WheelsetTable::solve(&self.case, &y, &yaw, || {});
+        let table = py.detach(solve).map_err(|error| errors::wheelset(py, error))?;
+        let columns = PyDict::new(py);
+        for (name, values) in table.columns() {
+            columns.set_item(name, PyArray1::from_vec(py, values))?;
+        }
+        Ok(columns)
+    }
+
+    /// `y` and the right wheel's rolling radius less the left's (m).
+    fn radius_difference(&self, py: Python, rolls: bool) -> PyResult<Vec<(f64, f64)>> {
+        let found = py.detach(|| self.case.radius_difference(rolls));
+        Ok(found.map_err(|error| errors::wheelset(py, error))?.rows().collect())
+    }
+
+    /// The equivalent conicity at amplitudes (m); NaN where there is none.
+    fn conicity(&self, py: Python, amplitudes: Vec<f64>, rolls: bool) -> PyResult<Vec<f64>> {
+        let found = py.detach(|| self.case.radius_difference(rolls));
+        let difference = found.map_err(|error| errors::wheelset(py, error))?;
+        let at = |amplitude: &f64| difference.conicity(*amplitude).unwrap_or(f64::NAN);
+        Ok(amplitudes.iter().map(at).collect())
+    }
+}
+
+#[pymethods]
+impl SolvedWheelset {
+    /// `report.json` as text.
+    fn json(&self) -> PyResult<String> {
+        serde_json::to_string(&self.solved.json()).map_err(|e| errors::internal(&e.to_string()))
+    }
+
+    /// A short report for a terminal.
+    fn text(&self) -> String {
+        self.solved.text()
+    }
+
+    /// Both wheels on their rails.
+    fn svg(&self) -> PyResult<String> {
+        let picture = self.solved.svg(&self.case.running);
+        picture.map_err(|error| errors::internal(&error.to_string()))
+    }
+
+    /// Writes the files of the report.
+    fn write(&self, directory: PathBuf) -> PyResult<Vec<PathBuf>> {
+        self.solved.write(&self.case.running, &directory).map_err(errors::report)
+    }
+}

@@ -1,0 +1,193 @@
+"""Wheelsets on their rails: profiles and a load in, contacts and forces out."""
+
+from __future__ import annotations
+
+import json
+import os
+import warnings
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from . import _creepage
+from ._results import Floats
+from ._toml import Source, dumps, read
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class WheelsetSolution:
+    """A wheelset, solved. Track axes: x forward, y right, z down; all in SI units."""
+
+    status: str
+    """ "solved", or why not."""
+    caution: str | None
+    """What is to be held against the solution, in words."""
+    left: dict[str, Any] | None
+    """The left wheel as in report.json: `force` on the rail, `patches` by falling load."""
+    right: dict[str, Any] | None
+    """The right wheel."""
+    _solved: _creepage.SolvedWheelset
+
+    def to_dict(self) -> dict[str, Any]:
+        """What `report.json` holds; the names carry their units."""
+        report: dict[str, Any] = json.loads(self._solved.json())
+        return report
+
+    def text(self) -> str:
+        """A short report for a terminal."""
+        return self._solved.text()
+
+    __str__ = text
+
+    def svg(self) -> str:
+        """Both wheels on their rails, with areas and forces."""
+        return self._solved.svg()
+
+    _repr_svg_ = svg
+
+    def save(self, directory: str | os.PathLike[str]) -> list[Path]:
+        """Writes report.json and the pictures into a directory. Raises OSError."""
+        return [Path(path) for path in self._solved.write(Path(directory))]
+
+
+class Wheelset:
+    """Two wheels and two rails by their profiles, where the wheelset stands, how it moves.
+
+    Profiles are names of standard ones ("S1002", "UIC60") or files. Raises CaseError, which names
+    section and key, OSError for files that cannot be read.
+    """
+
+    def __init__(
+        self,
+        *,
+        wheel: str | os.PathLike[str],
+        rail: str | os.PathLike[str],
+        axle_load: float | None = None,
+        z: float | None = None,
+        radius: float = 0.46,
+        cant: float = 0.0,
+        gauge: float = 1.435,
+        gauge_height: float = 0.014,
+        back_to_back: float = 1.360,
+        y: float = 0.0,
+        yaw: float = 0.0,
+        roll: float | Literal["free"] = "free",
+        speed: float = 30.0,
+        pitch_rate: float | Literal["free"] = "free",
+        lateral_velocity: float = 0.0,
+        yaw_rate: float = 0.0,
+        friction: float = 0.3,
+        shear_modulus: float = 82e9,
+        poisson: float = 0.28,
+        directory: str | os.PathLike[str] = ".",
+        **options: Any,
+    ) -> None:
+        """axle_load (N) presses it on its rails, or z (m, down) is its height. radius of the
+        wheels at the tape circle, gauge, gauge_height, back_to_back and y in metres; cant of the
+        rails, yaw and roll in radians; speed and lateral_velocity in m/s, pitch_rate and yaw_rate
+        in rad/s; shear_modulus in Pa. Profile files are looked for in directory. options are those
+        of `[solve]`. What this leaves out, `from_toml` and `from_dict` know.
+        """
+        sections: dict[str, Mapping[str, Any]] = {
+            "wheel": {"profile": os.fspath(wheel), "radius": radius},
+            "rail": {"profile": os.fspath(rail), "cant": cant},
+            "track": {"gauge": gauge, "gauge_height": gauge_height},
+            "wheelset": {
+                "back_to_back": back_to_back,
+                "y": y,
+                "yaw": yaw,
+                "roll": roll,
+                "axle_load": axle_load,
+                "z": z,
+            },
+            "motion": {
+                "speed": speed,
+                "pitch_rate": pitch_rate,
+                "lateral_velocity": lateral_velocity,
+                "yaw_rate": yaw_rate,
+            },
+            "contact": {"friction": friction},
+            "materials": {"shear_modulus": shear_modulus, "poisson": poisson},
+        }
+        if options:
+            sections["solve"] = {"theory": "exact", **options}
+        self._read(dumps(sections), directory)
+
+    def _read(self, text: str, directory: str | os.PathLike[str]) -> None:
+        self._text, self._directory = text, Path(directory)
+        self._data = _creepage.WheelsetData(text, self._directory)
+
+    @classmethod
+    def from_toml(
+        cls, source: Source, directory: str | os.PathLike[str] | None = None
+    ) -> Wheelset:
+        """From a wheelset file: a path, or its text (a string with line breaks). Profile files are
+        looked for in directory, by default the file's own.
+        """
+        text = read(source)
+        if directory is None:
+            directory = "." if text is source else Path(source).parent
+        wheelset = cls.__new__(cls)
+        wheelset._read(text, directory)
+        return wheelset
+
+    @classmethod
+    def from_dict(
+        cls, file: Mapping[str, Mapping[str, Any]], directory: str | os.PathLike[str] = "."
+    ) -> Wheelset:
+        """From the sections of a wheelset file as a mapping."""
+        wheelset = cls.__new__(cls)
+        wheelset._read(dumps(file), directory)
+        return wheelset
+
+    def to_toml(self) -> str:
+        """The text of its file."""
+        return self._text
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self).from_toml, (self._text, self._directory)
+
+    @property
+    def notes(self) -> list[str]:
+        """What was found in the profile files and repaired: nothing is guessed silently."""
+        return self._data.notes()
+
+    def solve(self) -> WheelsetSolution:
+        """Finds the contacts and solves them. Raises CaseError where the wheelset cannot rest on
+        its rails. A caution is warned of."""
+        solved = self._data.solve()
+        report = json.loads(solved.json())
+        if report["caution"] is not None:
+            warnings.warn(report["caution"], UserWarning, stacklevel=2)
+        return WheelsetSolution(
+            report["status"], report["caution"], report["left"], report["right"], solved
+        )
+
+    def table(self, y: ArrayLike, yaw: ArrayLike = 0.0) -> dict[str, Floats]:
+        """Forces over lateral positions (m) and yaws (rad), solved on all cores.
+
+        Arrays of shape (yaw, y) by the names of `creepage wheelset --table`, such as
+        `left_lateral_n`; NaN where a position could not be solved.
+        """
+        places, turns = (np.atleast_1d(np.asarray(a, dtype=float)) for a in (y, yaw))
+        columns = self._data.table(places, turns)
+        shape = (turns.size, places.size)
+        return {name: column.reshape(shape) for name, column in columns.items()}
+
+    def radius_difference(self, *, roll: bool = False) -> tuple[Floats, Floats]:
+        """(y, right wheel's rolling radius less the left's), both in metres, as far as contact
+        exists; roll: with the wheelset rolled until both wheels touch, else as EN 15302 has it.
+        """
+        y, difference = np.array(self._data.radius_difference(roll)).reshape(-1, 2).T
+        return y, difference
+
+    def conicity(self, amplitude: ArrayLike, *, roll: bool = False) -> Floats:
+        """Equivalent conicity of EN 15302 at amplitudes (m), half of y_max - y_min; NaN where
+        there is none."""
+        amplitudes = np.asarray(amplitude, dtype=float)
+        found = self._data.conicity(amplitudes.ravel().tolist(), roll)
+        return np.array(found).reshape(amplitudes.shape)

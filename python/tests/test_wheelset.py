@@ -1,0 +1,68 @@
+"""Wheelsets from Python: the command's numbers, symmetry, arrays, errors."""
+
+from __future__ import annotations
+
+import json
+import pickle
+from pathlib import Path
+
+import creepage
+import numpy as np
+import pytest
+from conftest import ROOT
+from creepage import Wheelset
+
+EXAMPLES = ROOT / "examples" / "wheelset"
+
+
+def s1002(**more: float) -> Wheelset:
+    cant = 0.02499479
+    return Wheelset(wheel="S1002", rail="UIC60", cant=cant, resolution="fast", **more)
+
+
+def test_three_lines_from_profiles_to_a_picture(tmp_path: Path) -> None:
+    solution = s1002(axle_load=200e3).solve()
+    written = solution.save(tmp_path / "out")
+    assert tmp_path / "out" / "wheelset.png" in written
+    assert solution.svg().startswith("<svg") and solution.status == "solved"
+    assert solution.left is not None and solution.right is not None
+    for side, sign in ((solution.left, 1.0), (solution.right, -1.0)):
+        # The axle's load in halves, to the balance's end; in the middle the sides are alike.
+        assert side["force"]["vertical_n"] == pytest.approx(100e3, abs=10.0)
+        mirrored = sign * solution.left["force"]["lateral_n"]
+        assert side["force"]["lateral_n"] == pytest.approx(mirrored, abs=10.0)
+    assert json.loads((tmp_path / "out" / "report.json").read_text()) == solution.to_dict()
+
+
+def test_a_file_is_the_same_case() -> None:
+    wheelset = Wheelset.from_toml(EXAMPLES / "s1002-on-uic60.toml")
+    again = pickle.loads(pickle.dumps(wheelset))
+    for one in (wheelset, again):
+        y, difference = one.radius_difference()
+        middle = np.argmin(abs(y))
+        assert abs(difference[middle]) < 1e-6
+    found = wheelset.conicity([3e-3, 4e-3])
+    alone = s1002(axle_load=1.0).conicity(3e-3)
+    # The cant with eight digits for sixteen.
+    assert found[0] == pytest.approx(float(alone), rel=1e-4)
+    assert 0.005 < found[0] < 0.5
+
+
+def test_a_table_is_the_forces_at_its_places() -> None:
+    wheelset = s1002(axle_load=200e3)
+    table = wheelset.table(y=[0.0, 1e-3], yaw=[0.0])
+    assert table["left_lateral_n"].shape == (1, 2)
+    right = s1002(axle_load=200e3, y=1e-3).solve().right
+    assert right is not None
+    # From the neighbour and from nothing: the balance's end and the sweeps', in parts of mu N.
+    force = right["force"]["lateral_n"]
+    assert table["right_lateral_n"][0, 1] == pytest.approx(force, abs=1e-3 * 0.3 * 100e3)
+
+
+def test_errors_name_the_place() -> None:
+    with pytest.raises(creepage.CaseError, match="profile"):
+        Wheelset(wheel="S1003", rail="UIC60", axle_load=1e5)
+    with pytest.raises(creepage.CaseError, match="friction"):
+        s1002(axle_load=1e5, friction=-0.1)
+    with pytest.raises(creepage.CaseError, match="axle_load"):
+        s1002().solve()
