@@ -258,6 +258,10 @@ pub(crate) struct CoefficientsArgs {
     /// is of degree 5. Converged to 1e-6 if not given.
     #[arg(long, value_name = "M")]
     pub(crate) degree: Option<usize>,
+    /// Of creepage that varies with the distance rolled as a wave of this length, in semi-axes along
+    /// the rolling direction, 0.5 at least: complex numbers, whose angle is how far the force is ahead.
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, conflicts_with = "degree")]
+    pub(crate) wavelength: Option<f64>,
     /// Print JSON.
     #[arg(long)]
     pub(crate) json: bool,

@@ -3,6 +3,7 @@
 use std::fmt::Write;
 
 use creepage::approximate::linear::CreepageCoefficients;
+use creepage::unsteady::{Harmonic, HarmonicCoefficients, HarmonicCreepage};
 use creepage::{Contact, Ellipse};
 use serde::Serialize;
 
@@ -25,14 +26,61 @@ struct Coefficients {
 }
 
 pub(crate) fn run(args: &CoefficientsArgs) -> Result<(), Failure> {
-    let CoefficientsArgs { a_over_b, poisson, degree, json } = *args;
+    let CoefficientsArgs { a_over_b, poisson, degree, wavelength, json } = *args;
     let contact = Contact::new(Ellipse::from_ratio(a_over_b)?, poisson)?;
+    if let Some(wavelength) = wavelength {
+        let of = HarmonicCreepage::new(&contact)?.coefficients(wavelength)?;
+        let found = Waves::new(a_over_b, poisson, wavelength, of);
+        return print(&if json { to_json(&found)? } else { found.text() });
+    }
     let CreepageCoefficients { c11, c22, c23, c32, c33 } = match degree {
         Some(degree) => CreepageCoefficients::of_degree(&contact, degree)?,
         None => CreepageCoefficients::new(&contact)?,
     };
     let found = Coefficients { a_over_b, poisson, degree, c11, c22, c23, c32, c33 };
     print(&if json { to_json(&found)? } else { found.text() })
+}
+
+/// Those of creepage that varies as a wave: real and imaginary parts.
+#[derive(Serialize)]
+struct Waves {
+    a_over_b: f64,
+    poisson: f64,
+    wavelength: f64,
+    c11: [f64; 2],
+    c22: [f64; 2],
+    c23: [f64; 2],
+    c32: [f64; 2],
+    c33: [f64; 2],
+}
+
+impl Waves {
+    fn new(a_over_b: f64, poisson: f64, wavelength: f64, found: HarmonicCoefficients) -> Self {
+        let HarmonicCoefficients { c11, c22, c23, c32, c33 } = found;
+        let [c11, c22, c23, c32, c33] =
+            [c11, c22, c23, c32, c33].map(|Harmonic { real, imaginary }| [real, imaginary]);
+        Self { a_over_b, poisson, wavelength, c11, c22, c23, c32, c33 }
+    }
+
+    /// Four digits: errors are below one per cent.
+    fn text(&self) -> String {
+        let mut text = format!(
+            "Creepage and spin coefficients for a/b = {}, Poisson's ratio {}, creepage that varies over \
+             {} semi-axes: real, imaginary\n\n",
+            self.a_over_b, self.poisson, self.wavelength
+        );
+        for (name, [real, imaginary]) in [
+            ("C11", self.c11),
+            ("C22", self.c22),
+            ("C23", self.c23),
+            ("C32", self.c32),
+            ("C33", self.c33),
+        ] {
+            // Writing to a string cannot fail.
+            let _ = writeln!(text, "{name}  {real:>9.4}  {imaginary:>9.4}");
+        }
+        text
+    }
 }
 
 impl Coefficients {

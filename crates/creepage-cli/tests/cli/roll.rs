@@ -153,3 +153,38 @@ fn a_line_without_length_rolls_at_a_force() {
     // Carter: fx = xi (8 - xi) / 16 at .64.
     assert!((column(&csv, "xi")[0] - 1.6).abs() < 0.01, "{csv}");
 }
+
+/// Killed once its state is on the disk, and run again: all files have the bytes of a run that was not.
+#[test]
+fn a_killed_history_goes_on_to_the_same_bytes() {
+    let place = Place::new();
+    place.write("case.toml", case());
+    let row =
+        |k: u32| format!("{},{}\n", 2e-5 * f64::from(k), 0.4 + 0.3 * (0.01 * f64::from(k)).sin());
+    let rows: String = (1..=4000).map(row).collect();
+    place.write("h.csv", format!("distance,xi\n{rows}"));
+    let arguments = |out| ["roll", "case.toml", "--history", "h.csv", "--out", out];
+    let mut child = std::process::Command::new(env!("CARGO_BIN_EXE_creepage"))
+        .current_dir(place.path(""))
+        .args(arguments("out"))
+        .stdout(std::process::Stdio::null())
+        .stderr(std::process::Stdio::null())
+        .spawn()
+        .unwrap();
+    while !place.path("out/history.state").exists() && child.try_wait().unwrap().is_none() {
+        std::thread::sleep(std::time::Duration::from_millis(5));
+    }
+    child.kill().unwrap();
+    child.wait().unwrap();
+    assert!(
+        place.path("out/history.csv.partial").exists() && place.path("out/history.state").exists()
+    );
+    place.run(&arguments("out")).done();
+    place.run(&arguments("undisturbed")).done();
+    let files = place.files_in("undisturbed");
+    assert_eq!(place.files_in("out"), files);
+    for name in files {
+        let [one, other] = ["out", "undisturbed"].map(|dir| fs::read(place.path(dir).join(&name)));
+        assert!(one.unwrap() == other.unwrap(), "{name}");
+    }
+}

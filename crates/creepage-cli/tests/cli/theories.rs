@@ -266,3 +266,22 @@ fn accuracy_of_some_theories_in_json() {
     assert!(rows[1]["force"]["rms"].as_f64().unwrap() < 0.5);
     place.run(&["accuracy", "--theory", "linear,magic"]).refused(&["unknown theory `magic`"]);
 }
+
+/// Long waves have the steady coefficients; those shorter than elements are refused.
+#[test]
+fn coefficients_of_waves() {
+    let run = |wavelength: &str| {
+        let command = ["coefficients", "--a-over-b", "1", "--poisson", "0.28", "--json"];
+        Place::new().run(&[&command[..], &["--wavelength", wavelength]].concat())
+    };
+    let (long, short) = (json(&run("1000").done()), json(&run("2").done()));
+    let part = |found: &Value, k: usize| found["c11"][k].as_f64().unwrap();
+    let steady =
+        Place::new().run(&["coefficients", "--a-over-b", "1", "--poisson", "0.28", "--json"]);
+    let steady = json(&steady.done())["c11"].as_f64().unwrap();
+    assert!((part(&long, 0) / steady - 1.0).abs() < 1e-3, "{long} {steady}");
+    assert!(part(&short, 0) < 0.05 * steady && part(&short, 1) < 0.0, "{short}");
+    for wavelength in ["0.1", "-1", "nan"] {
+        run(wavelength).refused(&["wavelength", "half a semi-axis"]);
+    }
+}

@@ -5,6 +5,7 @@ mod columns;
 mod error;
 mod file;
 mod picture;
+mod progress;
 mod run;
 mod writer;
 

@@ -2,7 +2,8 @@
 
 use creepage_plot::{Axis, Fill, Label, Panel, Pen, Point, Sheet};
 
-use super::run::{HistoryRun, Station};
+use super::progress::{Moment, Station};
+use super::run::HistoryRun;
 use crate::error::ReportError;
 
 /// White above and below curves, in parts of their range.
@@ -11,9 +12,10 @@ const AIR: f64 = 0.06;
 /// The pictures of a history as SVG, with their names: `history` and, for an ellipse, `adhesion`.
 #[must_use]
 pub fn history_picture(run: &HistoryRun) -> Vec<(&'static str, String)> {
-    let mut pictures = vec![("history", forces(run))];
-    if !run.case().is_line() && !run.stations().is_empty() {
-        pictures.push(("adhesion", areas(run.stations())));
+    let mut pictures = vec![("history", forces(&run.progress().moments))];
+    let stations = &run.progress().stations;
+    if !run.case().is_line() && !stations.is_empty() {
+        pictures.push(("adhesion", areas(stations)));
     }
     pictures
 }
@@ -26,24 +28,21 @@ pub fn to_png(svg: &str) -> Result<Vec<u8>, ReportError> {
     Ok(creepage_plot::png(svg)?)
 }
 
-fn forces(run: &HistoryRun) -> String {
-    let distance = run.results().iter().map(|(distance, _)| 1e3 * distance);
-    let distances: Vec<f64> = distance.collect();
-    let x = [0.0, distances.last().copied().unwrap_or(1.0)];
-    let of = |value: fn(&creepage::unsteady::Rolled) -> f64| -> Vec<Point> {
-        let values = run.results().iter().map(|(_, rolled)| value(rolled));
-        distances.iter().copied().zip(values).map(|(x, y)| [x, y]).collect()
+fn forces(moments: &[Moment]) -> String {
+    let x = [0.0, moments.last().map_or(1.0, |last| 1e3 * last.distance)];
+    let of = |value: fn(&Moment) -> f64| -> Vec<Point> {
+        moments.iter().map(|moment| [1e3 * moment.distance, value(moment)]).collect()
     };
     let label = |name: &str| Label::new(name);
     let forces = [
-        (of(|rolled| rolled.solution.force.fx), Label::default().indexed("f", "x")),
-        (of(|rolled| rolled.solution.force.fy), Label::default().indexed("f", "y")),
-        (of(|rolled| rolled.solution.force.mz), Label::default().indexed("m", "z")),
+        (of(|moment| moment.force[0]), Label::default().indexed("f", "x")),
+        (of(|moment| moment.force[1]), Label::default().indexed("f", "y")),
+        (of(|moment| moment.force[2]), Label::default().indexed("m", "z")),
     ];
     let creepages = [
-        (of(|rolled| rolled.creepage.xi()), Label::default().symbol("ξ")),
-        (of(|rolled| rolled.creepage.eta()), Label::default().symbol("η")),
-        (of(|rolled| rolled.creepage.chi()), Label::default().symbol("χ")),
+        (of(|moment| moment.creepage[0]), Label::default().symbol("ξ")),
+        (of(|moment| moment.creepage[1]), Label::default().symbol("η")),
+        (of(|moment| moment.creepage[2]), Label::default().symbol("χ")),
     ];
     let panel = |lines: &[(Vec<Point>, Label)], first: usize, name: &str, is_last: bool| {
         let values = lines.iter().flat_map(|(points, _)| points.iter().map(|point| point[1]));

@@ -1,11 +1,11 @@
 //! A history on its way: a row of results for each of its rows.
 
-use creepage::Region;
 use creepage::unsteady::{Rolled, Rolling, Saved};
 
 use super::case::RollCase;
 use super::columns::History;
 use super::error::HistoryError;
+use super::progress::{Moment, Progress, Station};
 
 /// The columns of the results.
 pub const HISTORY_COLUMNS: [&str; 12] = [
@@ -26,15 +26,6 @@ pub const HISTORY_COLUMNS: [&str; 12] = [
 /// Contacts that are kept for the picture.
 const STATIONS: usize = 6;
 
-/// The contact at some distance.
-#[derive(Debug, Clone)]
-pub(super) struct Station {
-    /// Distance rolled (m).
-    pub distance: f64,
-    /// Corners of each element over the unit of length, and whether it slides.
-    pub elements: Vec<([[f64; 2]; 4], bool)>,
-}
-
 /// A history that is being rolled.
 #[derive(Debug)]
 pub struct HistoryRun<'a> {
@@ -42,9 +33,7 @@ pub struct HistoryRun<'a> {
     history: &'a History,
     rolling: Rolling,
     done: usize,
-    /// Results so far.
-    results: Vec<(f64, Rolled)>,
-    stations: Vec<Station>,
+    progress: Progress,
 }
 
 impl<'a> HistoryRun<'a> {
@@ -55,19 +44,28 @@ impl<'a> HistoryRun<'a> {
     pub fn new(case: &'a RollCase, history: &'a History) -> Result<Self, HistoryError> {
         let first = history.rows.first().ok_or(HistoryError::Empty)?;
         let rolling = case.begin(&first.motion)?;
-        Ok(Self { case, history, rolling, done: 0, results: Vec::new(), stations: Vec::new() })
+        Ok(Self { case, history, rolling, done: 0, progress: Progress::default() })
     }
 
     /// Goes on after `done` rows from the bytes of [`HistoryRun::state`]; false when they are of no use.
     #[must_use]
     pub fn resume(&mut self, done: usize, bytes: &[u8]) -> bool {
-        let saved = Saved::from_bytes(bytes, &self.rolling);
-        let restored = saved.and_then(|saved| self.rolling.restore(&saved));
-        let is_resumed = restored.is_ok() && done <= self.history.rows.len();
-        if is_resumed {
-            self.done = done;
-        }
-        is_resumed
+        self.read(bytes).is_some_and(|(saved, progress)| {
+            let is_resumed = done == progress.moments.len()
+                && done <= self.history.rows.len()
+                && self.rolling.restore(&saved).is_ok();
+            if is_resumed {
+                (self.done, self.progress) = (done, progress);
+            }
+            is_resumed
+        })
+    }
+
+    fn read(&self, bytes: &[u8]) -> Option<(Saved, Progress)> {
+        let (length, rest) = bytes.split_first_chunk()?;
+        let length = usize::try_from(u64::from_le_bytes(*length)).ok()?;
+        let (saved, progress) = rest.split_at_checked(length)?;
+        Some((Saved::from_bytes(saved, &self.rolling).ok()?, Progress::from_bytes(progress)?))
     }
 
     /// Number of rows that are done.
@@ -79,7 +77,8 @@ impl<'a> HistoryRun<'a> {
     /// The state after the last row, for [`HistoryRun::resume`].
     #[must_use]
     pub fn state(&self) -> Vec<u8> {
-        self.rolling.save().to_bytes()
+        let saved = self.rolling.save().to_bytes();
+        [&(saved.len() as u64).to_le_bytes(), &saved[..], &self.progress.to_bytes()].concat()
     }
 
     /// Rolls to the end of the next row: its distance (m) and what it leads to; `None` at the end.
@@ -95,9 +94,9 @@ impl<'a> HistoryRun<'a> {
             .roll(&mut self.rolling, length, &row.motion)
             .map_err(HistoryError::value(self.done + 1))?;
         self.done += 1;
-        self.results.push((row.distance, rolled));
+        self.progress.moments.push(Moment::new(row.distance, &rolled));
         if self.is_station() {
-            self.keep(row.distance);
+            self.progress.stations.push(Station::new(row.distance, &self.rolling));
         }
         Ok(Some((row.distance, rolled)))
     }
@@ -107,13 +106,6 @@ impl<'a> HistoryRun<'a> {
         let rows = self.history.rows.len();
         let station = |done: usize| done * STATIONS.min(rows) / rows;
         station(self.done) > station(self.done - 1)
-    }
-
-    fn keep(&mut self, distance: f64) {
-        let slides = |region: Region| region == Region::Slip;
-        let elements = self.rolling.elements().into_iter();
-        let elements = elements.map(|one| (one.corners, slides(one.point.region))).collect();
-        self.stations.push(Station { distance, elements });
     }
 
     /// The results of one row as they stand in the table.
@@ -131,12 +123,8 @@ impl<'a> HistoryRun<'a> {
         record
     }
 
-    pub(super) fn results(&self) -> &[(f64, Rolled)] {
-        &self.results
-    }
-
-    pub(super) fn stations(&self) -> &[Station] {
-        &self.stations
+    pub(super) fn progress(&self) -> &Progress {
+        &self.progress
     }
 
     pub(super) fn case(&self) -> &RollCase {

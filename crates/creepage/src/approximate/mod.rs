@@ -15,6 +15,12 @@
 //! | [`free_rolling`] | unlike bodies roll freely without slip: exact, on a circle |
 //!
 //! What each is good for, and how far it is off: [`TheoryFacts`](crate::theory::TheoryFacts).
+//!
+//! # Sources
+//! The original papers of FASTSIM, FaStrip, strip theory, Polach's law and the law of Shen, Hedrick
+//! and Elkins were not at hand. These theories follow later descriptions; where those disagree,
+//! limits and closed forms decided. Their forces are verified against linear theory, full sliding
+//! and the full theory, but a detail of an original paper may differ from ours.
 
 pub mod carter;
 pub mod fastrip;

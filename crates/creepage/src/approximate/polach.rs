@@ -29,7 +29,7 @@ use crate::{Creepage, FieldPoint, Force, Region, Solution, Status, Theory};
 /// the lateral force is too small by a factor, however small both are. It is continuous but has
 /// kinks, where `s_y` takes over from `s_y + p a`. The law has no moment: `m_z` is zero.
 ///
-/// The original paper could not be consulted; two transcriptions by others agree on the constants.
+/// Two transcriptions by others agree on the constants ([sources](crate::approximate)).
 /// Verified are the limits (linear theory for `xi`, `eta` or `chi` alone, and for `eta` and `chi`
 /// together; `mu N` for large creepage), and the identity with FASTSIM. Friction that falls with
 /// speed (2005) is left out, since nothing was found to verify it by.

@@ -14,10 +14,10 @@ use crate::{Creepage, FieldPoint, Force, Region, Solution, Status, Theory};
 /// linear theory it reaches `mu N`. It is the best formula of its kind for little spin, and poor
 /// beyond `chi` of about .5: for large spin it tends to `f_y = 1`, where the true force vanishes.
 ///
-/// The moment is no part of the law. Given is linear theory's, reduced by the same factor as the
-/// force: right for small creepage and spin, a makeshift otherwise.
+/// The law has no moment. The library gives linear theory's moment, reduced by the same factor as
+/// the force: right for small creepage and spin, a rough estimate otherwise.
 ///
-/// The original paper could not be consulted. The law agrees with linear theory for small creepage
+/// [Sources](crate::approximate). The law agrees with linear theory for small creepage
 /// and spin, and with that of Vermeulen and Johnson in form; a second implementation gives
 /// the same forces.
 ///

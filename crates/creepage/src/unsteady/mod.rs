@@ -27,8 +27,10 @@ mod rolling;
 mod saved;
 mod system;
 mod track;
+mod wave;
 
 pub use fastsim::RollingFastsim;
 pub use motion::{Motion, Prescribed};
 pub use rolling::{Rolled, Rolling};
 pub use saved::{Saved, SavedError};
+pub use wave::{Harmonic, HarmonicCoefficients, HarmonicCreepage};

@@ -10,3 +10,4 @@ mod physics;
 mod random;
 mod reference;
 mod support;
+mod wave;

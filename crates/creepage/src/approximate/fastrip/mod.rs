@@ -6,7 +6,7 @@
 //! theory's `C11`, `C22` and `C23` come out; in the slip area the traction is `mu` times the
 //! Hertz pressure, in the direction of FASTSIM's.
 //!
-//! The paper was not at hand: [`Variant::Original`] follows its usual coding. Verified by strip
+//! [`Variant::Original`] follows the usual code ([sources](crate::approximate)). Verified by strip
 //! theory, with which the adhesion area agrees for the strips' coefficients, by the linear theory's
 //! derivatives at zero creepage, and by independent implementations.
 //!

