@@ -163,6 +163,11 @@ typedef struct CreepageTable CreepageTable;
  */
 typedef struct CreepageTheory CreepageTheory;
 
+/*
+ A wheelset file, read and checked, and the position solved last.
+ */
+typedef struct CreepageWheelset CreepageWheelset;
+
 #ifdef __cplusplus
 extern "C" {
 #endif // __cplusplus
@@ -481,6 +486,54 @@ int32_t creepage_theory_force(const struct CreepageTheory *theory,
                               int32_t *statuses,
                               char *message,
                               size_t message_size);
+
+/*
+ Reads a wheelset file and keeps it.
+
+ path: the file, in TOML, its profiles beside it; or the text of one, if it has a line break.
+ made: becomes the handle, to be freed with creepage_wheelset_free; NULL if the call fails.
+
+ You promise:
+ path ends with a zero byte; made and message point to as much room as said.
+ */
+int32_t creepage_wheelset_new(const char *path,
+                              struct CreepageWheelset **made,
+                              char *message,
+                              size_t message_size);
+
+/*
+ Frees a wheelset. NULL is left alone.
+
+ You promise:
+ made is NULL, or of creepage_wheelset_new, and not used again.
+ */
+void creepage_wheelset_free(struct CreepageWheelset *made);
+
+/*
+ Forces on the rails where the wheelset stands and as it moves. Each call starts from the position
+ that the handle solved last: a near one is quicker.
+
+ position: 2 numbers, y (m, positive right) and yaw (rad, positive turns the axle's right end back);
+   what presses the wheelset on its rails is the file's.
+ motion: 4 numbers, speed (m/s), pitch rate (rad/s; NaN where it is free of torque), lateral velocity
+   (m/s), yaw rate (rad/s).
+ forces: room for 12 numbers in track axes, x forward, y right, z down: force (N) and moment about the
+   origin of the rail's profile (N m) on the left rail, then on the right; NaN for a side that is not
+   solved.
+ found: room for 3 numbers, height z (m), roll (rad), pitch rate (rad/s); or NULL.
+ statuses: room for one number, CREEPAGE_SOLVED and so on; or NULL.
+
+ You promise:
+ The handle is alive; arrays and message point to as much room as said.
+ */
+int32_t creepage_wheelset_force(const struct CreepageWheelset *made,
+                                const double *position,
+                                const double *motion,
+                                double *forces,
+                                double *found,
+                                int32_t *statuses,
+                                char *message,
+                                size_t message_size);
 
 #ifdef __cplusplus
 }  // extern "C"

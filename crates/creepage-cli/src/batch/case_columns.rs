@@ -1,10 +1,34 @@
 //! Columns in SI units, by which rows differ from a case.
 
-use creepage_study::{BulkCase, BulkRow, CaseFile, Varied};
+use creepage_study::{BulkCase, BulkRow, CaseFile, Damage, DamageWanted, Varied};
 use csv::ByteRecord;
 
 use super::columns::{ColumnError, names, place_of};
 use super::field::{NoCase, parse};
+
+/// Names of wear and fatigue numbers, as in report.json.
+const DAMAGE: [&str; 7] = [
+    "t_gamma_n",
+    "t_gamma_with_spin_n",
+    "usfd_rate_ug_per_m_mm2",
+    "wlrm_damage",
+    "wlrm_directed_damage",
+    "surface_fatigue_index",
+    "subsurface_fatigue_index_pa",
+];
+
+/// The numbers of these names.
+pub(super) fn damage_numbers(damage: &Damage) -> [f64; 7] {
+    [
+        damage.t_gamma_n,
+        damage.t_gamma_with_spin_n,
+        damage.usfd_rate_ug_per_m_mm2,
+        damage.wlrm_damage,
+        damage.wlrm_directed_damage,
+        damage.surface_fatigue_index,
+        damage.subsurface_fatigue_index_pa,
+    ]
+}
 
 /// The case, and the places of what varies.
 #[derive(Debug, Clone)]
@@ -33,7 +57,7 @@ impl CaseColumns {
     }
 
     /// What is appended besides the dimensionless answer.
-    pub(super) fn appended(&self) -> &'static [&'static str] {
+    pub(super) fn appended(&self) -> Vec<&'static str> {
         const SI: [&str; 5] = [
             "longitudinal_n",
             "lateral_n",
@@ -41,7 +65,14 @@ impl CaseColumns {
             "frictional_power_per_metre_j_per_m",
             "frictional_power_w",
         ];
-        if self.case.has_speed() { &SI } else { SI.split_at(4).0 }
+        let si = if self.case.has_speed() { &SI[..] } else { &SI[..4] };
+        let damage = self.damage().map_or(&[][..], |_| &DAMAGE[..]);
+        [si, damage].concat()
+    }
+
+    /// The laws of wear and fatigue, where their numbers are wanted.
+    pub(super) fn damage(&self) -> Option<&DamageWanted> {
+        self.case.damage()
     }
 
     /// What a row asks.

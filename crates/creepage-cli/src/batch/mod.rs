@@ -44,6 +44,7 @@ pub(crate) fn run(args: &BatchArgs) -> Result<Outcome, Failure> {
     let mut sink = Sink::open(args.out.as_deref()).map_err(failed)?;
     sink.write_all(&table.comments).map_err(failed)?;
     let rows = Rows::start(&mut sink, &table.header, &appended, table.delimiter).map_err(failed)?;
+    let rows = rows.with_damage(ask.damage());
     let tally = fill(rows, table, &ask, &solver, args)?;
     sink.finish().map_err(failed)?;
     say(&tally.to_string());

@@ -1,6 +1,6 @@
 //! What a row asks, and why one asks nothing.
 
-use creepage_study::{BulkRow, Question};
+use creepage_study::{BulkRow, DamageWanted, Question};
 use csv::ByteRecord;
 
 use super::case_columns::CaseColumns;
@@ -34,11 +34,19 @@ impl Ask {
 
     /// The columns that are appended for a theory with or without error bars.
     pub(super) fn appended(&self, error_bars: bool) -> Vec<&'static str> {
-        let si: &[&str] = match self {
-            Self::Dimensionless(_) => &[],
+        let si = match self {
+            Self::Dimensionless(_) => Vec::new(),
             Self::Case(columns) => columns.appended(),
         };
-        [si, answer_columns(error_bars)].concat()
+        [&si[..], answer_columns(error_bars)].concat()
+    }
+
+    /// The laws of wear and fatigue, where their numbers are wanted.
+    pub(super) fn damage(&self) -> Option<DamageWanted> {
+        match self {
+            Self::Dimensionless(_) => None,
+            Self::Case(columns) => columns.damage().copied(),
+        }
     }
 }
 

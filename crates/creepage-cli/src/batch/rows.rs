@@ -2,9 +2,10 @@
 
 use std::io::{self, Write};
 
-use creepage_study::{BulkAnswer, Caution, Reply};
+use creepage_study::{BulkAnswer, Caution, DamageWanted, Reply};
 use csv::{ByteRecord, Writer, WriterBuilder};
 
+use super::case_columns::damage_numbers;
 use super::field::NoCase;
 use super::question::Asked;
 use super::tally::Tally;
@@ -19,6 +20,7 @@ pub(super) struct Rows<W: Write> {
     columns: usize,
     /// Columns that are appended.
     appended: usize,
+    damage: Option<DamageWanted>,
     tally: Tally,
 }
 
@@ -35,7 +37,12 @@ impl<W: Write> Rows<W> {
         let names = header.iter().chain(appended.iter().map(|name| name.as_bytes()));
         writer.write_record(names).map_err(into_io)?;
         let (columns, appended) = (header.len(), appended.len());
-        Ok(Self { writer, columns, appended, tally: Tally::default() })
+        Ok(Self { writer, columns, appended, damage: None, tally: Tally::default() })
+    }
+
+    /// The same with wear and fatigue numbers by these laws.
+    pub(super) fn with_damage(self, damage: Option<DamageWanted>) -> Self {
+        Self { damage, ..self }
     }
 
     /// Writes one row. One of a wrong length is filled up or cut, so that the answer stands in
@@ -71,6 +78,8 @@ impl<W: Write> Rows<W> {
                 si.into_iter().for_each(&mut number);
                 number(answer.power_per_metre());
                 answer.power().into_iter().for_each(&mut number);
+                let damage = self.damage.iter().map(|wanted| answer.damage(wanted));
+                damage.for_each(|damage| damage_numbers(&damage).into_iter().for_each(&mut number));
                 answer.reply
             }
         };

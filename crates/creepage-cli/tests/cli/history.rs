@@ -81,6 +81,21 @@ fn rows_are_cases_to_the_last_bit() {
     }
 }
 
+/// A case that wants wear and fatigue numbers has them row by row, as `solve` gives them.
+#[test]
+fn wear_and_fatigue_row_by_row() {
+    let place = place();
+    place.write("case.toml", CASE.to_owned() + "\n[damage]\n");
+    let table = rows(&place.run_on(&FASTSIM, "longitudinal\n-2e-3\nnan\n").done());
+    let change = ("longitudinal = -1.5e-3", "longitudinal = -2e-3");
+    let with = ("[solve]", "[damage]\n[solve]");
+    let damage = &solved(&place, &[change, with], "fastsim")["damage"];
+    for name in ["t_gamma_n", "usfd_rate_ug_per_m_mm2", "wlrm_damage", "surface_fatigue_index"] {
+        assert_eq!(number(&table, 0, name), damage[name].as_f64().unwrap().to_bits(), "{name}");
+        assert_eq!(cell(&table, 1, name), "");
+    }
+}
+
 #[test]
 fn the_theory_is_the_files_unless_another_is_given() {
     let place = place();

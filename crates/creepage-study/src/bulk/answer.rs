@@ -5,6 +5,8 @@ use rayon::prelude::*;
 
 use super::case::{BulkCase, BulkRow};
 use super::solver::{Reply, RowError, Solver};
+use crate::damage::Ground;
+use crate::{Damage, DamageWanted};
 
 /// A row answered, in SI units.
 #[derive(Debug, Clone, PartialEq)]
@@ -34,6 +36,22 @@ impl BulkAnswer {
     pub fn power_per_metre(&self) -> f64 {
         let scaling = self.row.contact.scaling();
         scaling.force * scaling.slip * self.reply.power
+    }
+
+    /// Wear and fatigue numbers by the laws that are wanted, of forces and creepage alone.
+    #[must_use]
+    pub fn damage(&self, wanted: &DamageWanted) -> Damage {
+        let (hertz, scaling) = (&self.row.hertz, self.row.contact.scaling());
+        let ground = Ground {
+            force: self.force(),
+            creepage: scaling.si_creepage(self.row.creepage),
+            normal: hertz.normal_force(),
+            area: hertz.ellipse().area(),
+            peak: hertz.peak_pressure(),
+            speed: self.row.speed,
+            rows: None,
+        };
+        Damage::new(wanted, &ground, None)
     }
 
     /// Frictional power (W), where the rolling velocity is known.

@@ -5,7 +5,7 @@ use creepage::{Contact, Creepage, Hertz, TheorySpec};
 use super::solver::Question;
 use super::varied::Varied;
 use crate::case::sections::{Sections, Touching};
-use crate::{CaseError, CaseFile, Caution};
+use crate::{CaseError, CaseFile, Caution, DamageWanted};
 
 /// A case some of whose quantities have values of their own in every row.
 ///
@@ -36,6 +36,7 @@ pub struct BulkCase {
     bodies: Option<Hertz>,
     varied: Vec<Varied>,
     theory: TheorySpec,
+    damage: Option<DamageWanted>,
 }
 
 /// A row: a contact and how it creeps.
@@ -67,7 +68,7 @@ impl BulkCase {
         let (mut base, theory) = (file.sections(), file.theory()?);
         Varied::make_room(&varied, &mut base);
         let bodies = bodies(&base, &varied);
-        let case = Self { base, bodies, varied, theory };
+        let case = Self { base, bodies, varied, theory, damage: file.damage()? };
         case.check()?;
         Ok(case)
     }
@@ -90,6 +91,12 @@ impl BulkCase {
     #[must_use]
     pub fn theory(&self) -> &TheorySpec {
         &self.theory
+    }
+
+    /// The laws of wear and fatigue, where their numbers are wanted.
+    #[must_use]
+    pub fn damage(&self) -> Option<&DamageWanted> {
+        self.damage.as_ref()
     }
 
     /// What differs from row to row.

@@ -202,7 +202,12 @@ impl CaseFile {
         };
         let (theory, solids) = (self.theory()?, self.solids()?);
         let smallest_radius = sections.smallest_radius();
-        let damage = self.damage.as_ref().map(DamageSection::wanted).transpose()?;
+        let damage = self.damage()?;
         Ok(Case { hertz, friction, contact, solids, given, speed, smallest_radius, damage, theory })
+    }
+
+    /// The laws of wear and fatigue, where their numbers are wanted.
+    pub(crate) fn damage(&self) -> Result<Option<DamageWanted>, CaseError> {
+        self.damage.as_ref().map(DamageSection::wanted).transpose()
     }
 }
