@@ -61,7 +61,7 @@ impl Curves<'_> {
         if self.reach(case) {
             panel = panel.curve(range.map(|y| [case, y]).to_vec(), Pen::GUIDE);
         }
-        for (k, curve) in self.lines.iter().enumerate() {
+        for (k, curve) in self.lines.iter().enumerate().filter(|(_, curve)| shown.is_of(curve)) {
             let solutions = self.values.iter().zip(&curve.solutions);
             let points = solutions.map(|(x, solution)| {
                 ([*x, (shown.of)(solution.force)], solution.status == Status::Solved)
@@ -191,6 +191,11 @@ impl Curves<'_> {
 }
 
 impl Shown {
+    /// Whether the curve's theory has this component.
+    fn is_of(self, curve: &Curve) -> bool {
+        self.index != "z" || curve.has_moment()
+    }
+
     fn values(self, curve: &Curve) -> impl Iterator<Item = f64> {
         curve.solutions.iter().map(move |solution| (self.of)(solution.force))
     }

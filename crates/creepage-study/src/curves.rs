@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use creepage::friction_law::RollingFriction;
-use creepage::{Creepage, Force, InvalidValue, Solution, Theory};
+use creepage::{Creepage, Force, InvalidValue, Solution, Theory, TheorySpec};
 
 use crate::error::ReportError;
 use crate::file_set::write_all;
@@ -51,6 +51,13 @@ pub(crate) struct Curve {
     pub(crate) theory: String,
     pub(crate) solutions: Vec<Solution>,
     pub(crate) largest: Option<LargestForce>,
+}
+
+impl Curve {
+    /// Whether the theory has a moment about the normal; what is none of the theories, as a table, has.
+    pub(crate) fn has_moment(&self) -> bool {
+        TheorySpec::named(&self.theory).map_or(true, |spec| spec.facts().moment)
+    }
 }
 
 /// The largest tangential force along a curve, where friction falls and with it the force beyond.
@@ -173,7 +180,7 @@ impl<'a> Curves<'a> {
     }
 
     /// A row for each point of each curve: dimensionless, then in SI units; forces and moment are
-    /// those on the lower body.
+    /// those on the lower body, the moment empty where the theory has none.
     ///
     /// # Errors
     /// [`ReportError::Points`], should memory not suffice.
@@ -184,7 +191,11 @@ impl<'a> Curves<'a> {
             for (creepage, solution) in self.creepages.iter().zip(&curve.solutions) {
                 writer.write_field(&curve.theory)?;
                 writer.write_field(solution.status.name())?;
-                writer.write_record(self.numbers(*creepage, solution.force))?;
+                let mut numbers = self.numbers(*creepage, solution.force);
+                if !curve.has_moment() {
+                    [numbers[5], numbers[11]] = Default::default();
+                }
+                writer.write_record(numbers)?;
             }
         }
         writer.into_inner().map_err(|error| csv::Error::from(error.into_error()).into())

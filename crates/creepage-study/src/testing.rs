@@ -65,6 +65,7 @@ const FACTS: TheoryFacts = TheoryFacts {
     error_bars: false,
     derivative: false,
     dissimilar_bodies: false,
+    moment: true,
     friction_laws: false,
 };
 

@@ -179,7 +179,11 @@ fn tractions(views: &[View; 3], k: usize) -> Panel {
     let heading = Label::default().symbol("y").plain("/").symbol("a").plain(" = ");
     let y = Axis::new(
         [0.0, 1.05],
-        Label::new("traction ").plain("|").symbol("X").plain(", ").symbol("Y").plain("|"),
+        Label::new("traction |(")
+            .symbol("X")
+            .plain(", ")
+            .symbol("Y")
+            .plain(")| over its largest bound"),
     );
     let bound = |[x, y]: [f64; 2]| [x, (1.0 - x * x - y * y).max(0.0).sqrt()];
     let bound = along(LINES[k]).into_iter().map(bound).collect();
@@ -192,7 +196,8 @@ fn tractions(views: &[View; 3], k: usize) -> Panel {
 }
 
 fn slips(views: &[View; 3]) -> Panel {
-    let y = Axis::new([-0.2, 1.2], Label::new("slip ").symbol("P"));
+    let y =
+        Axis::new([-0.2, 1.2], Label::new("slip ").symbol("P").plain(" over ").indexed("μf", "00"));
     let heading = Label::default().symbol("y").plain("/").symbol("a").plain(" = 0");
     let panel = Panel::new(over_a(), y).height(210.0).heading(heading);
     // Strip theory's slip is that of a plane: of another kind than the others'.

@@ -27,6 +27,8 @@ pub struct TheoryFacts {
     pub derivative: bool,
     /// Whether it counts the slip by the pressure between dissimilar bodies (6.4).
     pub dissimilar_bodies: bool,
+    /// Whether it has a moment about the normal; else `mz` is zero without being a result.
+    pub moment: bool,
     /// Whether it follows friction that depends on the speed of slip, and a layer between the bodies.
     pub friction_laws: bool,
 }
@@ -42,6 +44,7 @@ const CLOSED_FORM: TheoryFacts = TheoryFacts {
     error_bars: false,
     derivative: true,
     dissimilar_bodies: false,
+    moment: true,
     friction_laws: false,
 };
 
@@ -111,6 +114,7 @@ pub(super) const POLACH: TheoryFacts = TheoryFacts {
     error_percent: 13.9,
     good_for: "vehicle dynamics with little spin",
     options: &["reduction"],
+    moment: false,
     ..CLOSED_FORM
 };
 
@@ -131,6 +135,7 @@ pub(super) const VERMEULEN_JOHNSON: TheoryFacts = TheoryFacts {
     cost: "7.5 ns",
     error_percent: 41.0,
     good_for: "creepage without spin",
+    moment: false,
     ..CLOSED_FORM
 };
 
