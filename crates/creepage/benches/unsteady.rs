@@ -1,5 +1,5 @@
 //! Cost of a step of rolling that is not steady, beside that of a steady solution.
-#![allow(missing_docs, clippy::unwrap_used)]
+#![allow(missing_docs, clippy::unwrap_used, clippy::print_stdout)]
 
 use creepage::coulomb::{Exact, Resolution};
 use creepage::unsteady::{HarmonicCreepage, Motion, Rolling};
