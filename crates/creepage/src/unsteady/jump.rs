@@ -56,7 +56,7 @@ impl Rolling {
 
     /// Whether there is no traction yet.
     pub(super) fn is_at_rest(&self) -> bool {
-        self.travel.force == [0.0; 3] && self.tracks[0].past.0.len() == 1
+        self.travel.force.iter().all(|part| *part == 0.0) && self.tracks[0].past.0.len() == 1
     }
 
     /// The bodies touch again, without traction.

@@ -165,3 +165,26 @@ fn work_is_dissipated() {
     }
     assert!((dissipated / work - 1.0).abs() < 0.04, "{work} {dissipated}");
 }
+
+/// Proposition IV on circles and ellipses: at constant force transients have died out within two contact
+/// lengths, to 2 % of the creepage; elements that begin to slide one by one move it by 1 %.
+#[test]
+fn transients_at_constant_force_die_out_within_two_contact_lengths() {
+    for a_over_b in [0.5, 1.0, 2.0] {
+        let contact = contact(a_over_b, 0.28);
+        let length = 2.0 * contact.ellipse().a();
+        let mut rolling = Rolling::new(&contact, Resolution::FAST).unwrap();
+        rolling.shift(0.5, 0.0).unwrap();
+        let motion = Motion::forces(0.5, 0.0);
+        let mut creepages = Vec::new();
+        for _ in 0..60 {
+            creepages.push(rolling.step(length / 20.0, &motion).unwrap().creepage.xi());
+        }
+        let steady = rolling.step(4.0 * length, &motion).unwrap().creepage.xi();
+        let off = |part: &[f64]| {
+            part.iter().fold(0.0, |most: f64, xi| most.max((xi / steady - 1.0).abs()))
+        };
+        let [first, third] = [off(&creepages[..20]), off(&creepages[40..])];
+        assert!(first > 0.1 && third < 0.03, "{a_over_b}: {first} {third}");
+    }
+}
