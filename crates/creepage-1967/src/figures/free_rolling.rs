@@ -70,7 +70,7 @@ fn sheet(curves: Vec<Curve>, marks: Curve) -> Sheet {
     let x = Label::default().symbol("κ").plain("/").symbol("μ");
     let y = Label::new("creepage over 2").symbol("κp").plain("₀/(3").symbol("G").plain(")");
     let level = |ratio: f64| vec![[0.0, ratio], [LARGEST, ratio]];
-    let panel = Panel::new(Axis::new([0.0, LARGEST], x), Axis::new([0.6, 1.4], y))
+    let panel = Panel::new(Axis::new([0.0, LARGEST], x), Axis::new([0.4, 1.5], y))
         .curve(level(FreeRolling::RATIO), TANGENT)
         .curve(level(ALL_SLIPS), TANGENT);
     let panel = ELLIPSES

@@ -35,8 +35,8 @@ fn make() -> Result<Reproduction, GalleryError> {
         data.curve(&format!("pressure, q = {}", Q[*k]), curve);
     }
     let caption = "Unlike bodies that slide over each other under a constant load, their frictionless \
-        contact a circle, the traction on the lower body towards +x, q = κμ/(1 - σ). Left: the \
-        pressure along the sliding direction. Right: shift of the area, growth of its semi-axis along \
+        contact a circle, the traction on the lower body towards +x, q = κμ/(1 - σ). Above: the \
+        pressure along the sliding direction. Below: shift of the area, growth of its semi-axis along \
         the sliding direction and of the approach, by the full solution (points) and by the first term \
         of proposition III's expansion, worked out (lines): -q/π, (1/9 + 1/(3π²)) q², (1/9 - 1/(6π²)) q². \
         Across, the area does not grow.";
