@@ -194,6 +194,11 @@ impl Gap {
         }
     }
 
+    /// Of a section at `y`: its height at the locus, half the curvature along, the locus.
+    pub(crate) fn parabola(&self, y: f64) -> Option<[f64; 3]> {
+        if let Shape::Section(section) = &self.shape { Some(section.row(y)) } else { None }
+    }
+
     /// How many of the given points lie in a rectangle, along x and along y; `None` for a
     /// formula, which has as many as are wanted.
     #[must_use]

@@ -22,15 +22,24 @@ pub struct Estimate {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Resolution {
     pub(super) count: usize,
+    /// Whether a solution with half as many strips tells the error.
+    pub(super) with_errors: bool,
 }
 
 impl Resolution {
     /// 12 strips, or some 170 elements in a compact area.
-    pub const FAST: Self = Self { count: 12 };
+    pub const FAST: Self = Self::of(12);
     /// 20 strips, or some 450 elements in a compact area.
-    pub const STANDARD: Self = Self { count: 20 };
+    pub const STANDARD: Self = Self::of(20);
     /// 32 strips, or some 1,200 elements in a compact area.
-    pub const FINE: Self = Self { count: 32 };
+    pub const FINE: Self = Self::of(32);
+    /// 12 strips at once: the load errs by less than one per cent, and no error bar knows by how
+    /// much. For searches.
+    pub const COARSE: Self = Self { with_errors: false, ..Self::FAST };
+
+    const fn of(count: usize) -> Self {
+        Self { count, with_errors: true }
+    }
 
     /// A number of strips across, or of elements along a chord, from 6 to 100.
     ///
@@ -38,7 +47,7 @@ impl Resolution {
     /// [`crate::InvalidValue`] outside that range.
     pub fn new(count: usize) -> Result<Self, crate::InvalidValue> {
         check::require((6..=100).contains(&count), "resolution", count as f64, "from 6 to 100")?;
-        Ok(Self { count })
+        Ok(Self::of(count))
     }
 }
 
@@ -182,7 +191,7 @@ impl NormalContact {
         resolution: Resolution,
     ) -> Result<Self, NormalError> {
         check::finite("approach", approach)?;
-        solve::solve(gap, pair, Asked::Approach(approach), resolution)
+        solve::solve(gap, pair, Asked::Approach(approach), None, resolution)
     }
 
     /// Presses the bodies together by a load (N).
@@ -196,7 +205,23 @@ impl NormalContact {
         resolution: Resolution,
     ) -> Result<Self, NormalError> {
         check::positive("normal_force", load)?;
-        solve::solve(gap, pair, Asked::Load(load), resolution)
+        solve::solve(gap, pair, Asked::Load(load), None, resolution)
+    }
+
+    /// The same bodies in a position close by, at an approach (m): quicker than
+    /// [`NormalContact::at_approach`], for it starts from these contact areas.
+    ///
+    /// # Errors
+    /// As [`NormalContact::at_approach`].
+    pub fn next(
+        &self,
+        gap: &Gap,
+        approach: f64,
+        resolution: Resolution,
+    ) -> Result<Self, NormalError> {
+        check::finite("approach", approach)?;
+        let asked = Asked::Approach(approach);
+        solve::solve(gap, self.pair, asked, Some(&self.patches), resolution)
     }
 
     /// The equivalent solid.

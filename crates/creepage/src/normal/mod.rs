@@ -20,6 +20,7 @@ mod outline;
 mod overlap;
 mod product;
 mod solve;
+mod start;
 pub(crate) mod strips;
 mod units;
 

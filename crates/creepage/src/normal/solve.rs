@@ -11,7 +11,8 @@ use super::level::{Accuracy, Level, Task};
 use super::load;
 use super::outline;
 use super::overlap::Overlap;
-use super::strips;
+use super::start;
+use super::strips::{self, Wanted};
 
 /// What is prescribed.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -64,14 +65,28 @@ struct Pair {
     residual: f64,
 }
 
+impl Pair {
+    /// Strips that nothing is held against.
+    fn alone(found: Found) -> Self {
+        Self { coarse: found.clone(), fine: found, method: Method::Strips, residual: 0.0 }
+    }
+}
+
+/// `near` are the areas of a contact close by, if one is known.
 pub(super) fn solve(
     gap: &Gap,
     pair: SolidPair,
     asked: Asked,
+    near: Option<&[Patch]>,
     resolution: Resolution,
 ) -> Result<NormalContact, NormalError> {
     const COARSE: f64 = 10.0;
     let modulus = pair.shear_modulus() / (1.0 - pair.poisson());
+    if let Asked::Approach(approach) = asked
+        && let Some(found) = without_elements(Task { gap, modulus, approach }, near, resolution)
+    {
+        return Ok(contact(gap, pair, asked, found));
+    }
     let (task, first) = match asked {
         Asked::Approach(approach) => {
             let task = Task { gap, modulus, approach };
@@ -84,11 +99,27 @@ pub(super) fn solve(
     if let Some(side) = coarse.side_reached(gap) {
         return Err(elements::edge_error(task, &coarse, side));
     }
-    let found = match by_strips(task, asked, &Found::by_elements(task, &coarse), resolution) {
+    let elements = Found::by_elements(task, &coarse);
+    let by_strips = by_strips(task, asked, &elements.patches, resolution, false);
+    let found = match by_strips.filter(|found| found.fine.agrees_with(&elements)) {
         Some(found) => found,
         None => by_elements(task, asked, &coarse, resolution)?,
     };
     Ok(contact(gap, pair, asked, found))
+}
+
+/// By strips laid into areas close by or guessed, where these turn out to be all: strips that are
+/// pressed everywhere and nowhere overlapped beyond solve the problem, whatever they began with.
+fn without_elements(
+    task: Task<'_>,
+    near: Option<&[Patch]>,
+    resolution: Resolution,
+) -> Option<Pair> {
+    let asked = Asked::Approach(task.approach);
+    let from = |start: &[Patch]| by_strips(task, asked, start, resolution, true);
+    // A guess lays the tips less well than elements do: good enough to search with.
+    let guess = || if resolution.with_errors { None } else { start::by_virtual_penetration(task) };
+    near.and_then(from).or_else(|| from(&guess()?))
 }
 
 fn by_elements(
@@ -116,12 +147,14 @@ fn by_elements(
     })
 }
 
-/// `None` when a strip vanishes, the equations stay unsolved, or elements disagree.
+/// `None` when a strip vanishes, the equations stay unsolved, or, where they are to be `complete`,
+/// the bodies overlap elsewhere.
 fn by_strips(
     task: Task<'_>,
     asked: Asked,
-    elements: &Found,
+    start: &[Patch],
     resolution: Resolution,
+    complete: bool,
 ) -> Option<Pair> {
     /// A peak pressure that still changes by more has a summit as narrow as the strips.
     const UNEVEN: f64 = 0.02;
@@ -129,19 +162,24 @@ fn by_strips(
     let terms = if task.gap.is_parabola_along() { 2 } else { 4 };
     let load = if let Asked::Load(load) = asked { Some(load) } else { None };
     let count = resolution.count;
-    let next = |from: &Found, count: usize, enough: f64| {
-        let task = Task { approach: from.approach, ..task };
-        strips::solve(task, load, &from.patches, [count, terms], enough)
+    let next = |start: &[Patch], approach: f64, wanted: Wanted| {
+        strips::solve(Task { approach, ..task }, start, wanted)
     };
-    let mut coarse = next(elements, count.div_ceil(2), ENOUGH[0])?;
-    let mut fine = next(&coarse, count, ENOUGH[1])?;
+    let half = Wanted { load, count: count.div_ceil(2), terms, enough: ENOUGH[0], complete: false };
+    let whole = Wanted { count, enough: ENOUGH[1], complete, ..half };
+    if !resolution.with_errors {
+        let only = next(start, task.approach, whole)?;
+        return Some(Pair::alone(only));
+    }
+    let mut coarse = next(start, task.approach, half)?;
+    let mut fine = next(&coarse.patches, coarse.approach, whole)?;
+    let more = Wanted { count: count * 8 / 5, ..whole };
     if (fine.peak / coarse.peak - 1.0).abs() > UNEVEN
-        && let Some(finer) = next(&fine, count * 8 / 5, ENOUGH[1])
+        && let Some(finer) = next(&fine.patches, fine.approach, more)
     {
         (coarse, fine) = (fine, finer);
     }
-    let agree = fine.agrees_with(elements);
-    agree.then_some(Pair { coarse, fine, method: Method::Strips, residual: 0.0 })
+    Some(Pair { coarse, fine, method: Method::Strips, residual: 0.0 })
 }
 
 /// The limit of a quantity whose error falls with the square of the number of strips.

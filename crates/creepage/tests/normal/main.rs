@@ -4,6 +4,7 @@
 
 mod bad_input;
 mod hertz;
+mod next;
 mod patches;
 mod physics;
 mod random;

@@ -6,34 +6,43 @@
 
 use std::f64::consts::PI;
 
-use creepage::normal::{Band, Moments};
+use creepage::normal::{Band, Moments, NormalContact, Patch};
 use creepage_rail::Contact;
-
-use super::pressed::Pressed;
 
 /// Parts of a band, whose load is taken at its centre.
 const PARTS: u32 = 12;
 
-/// How much the distance at `(x, s)` of a contact has grown (m) under the load of others.
-pub(super) fn sunk(contact: &Contact<'_>, place: [f64; 2], others: &[Pressed<'_>]) -> f64 {
-    let here = in_track(contact, place);
-    others.iter().map(|other| by(other, here) * (other.contact.angle - contact.angle).cos()).sum()
+/// The loads of contacts, as points in track axes.
+#[derive(Debug, Clone, Default)]
+pub(super) struct PointLoads {
+    /// Force over `pi E*` (m^2), place (m) and angle of its contact (rad).
+    loads: Vec<(f64, [f64; 3], f64)>,
+    /// Their sum (N).
+    pub(super) total: f64,
 }
 
-/// The same along the other's normal.
-fn by(other: &Pressed<'_>, here: [f64; 3]) -> f64 {
-    let pair = other.normal.pair();
-    let modulus = pair.shear_modulus() / (1.0 - pair.poisson());
-    let bands = other.normal.patches().iter().flat_map(creepage::normal::Patch::bands);
-    let sum: f64 = bands
-        .flat_map(loads)
-        .map(|(force, place)| {
-            let there = in_track(&other.contact, place);
+impl PointLoads {
+    pub(super) fn add(&mut self, contact: &Contact<'_>, normal: &NormalContact) {
+        let pair = normal.pair();
+        let unit = (1.0 - pair.poisson()) / (PI * pair.shear_modulus());
+        let bands = normal.patches().iter().flat_map(Patch::bands);
+        self.loads.extend(
+            bands
+                .flat_map(loads)
+                .map(|(force, place)| (force * unit, in_track(contact, place), contact.angle)),
+        );
+        self.total += normal.load().value;
+    }
+
+    /// How much the distance at `(x, s)` of a contact has grown (m) under these loads.
+    pub(super) fn sunk(&self, contact: &Contact<'_>, place: [f64; 2]) -> f64 {
+        let here = in_track(contact, place);
+        let by = |(force, there, angle): &(f64, [f64; 3], f64)| {
             let distance = (0..3).map(|i| (here[i] - there[i]).powi(2)).sum::<f64>().sqrt();
-            force / distance
-        })
-        .sum();
-    sum / (PI * modulus)
+            force / distance * (angle - contact.angle).cos()
+        };
+        self.loads.iter().map(by).sum()
+    }
 }
 
 /// Parts of a band as point loads `(N, [x, s])`.

@@ -33,6 +33,33 @@ pub(in crate::wheelset) struct PressedWheel<'a> {
     pub(super) contacts: Vec<Pressed<'a>>,
 }
 
+/// The pressure of a contact in a position close by, from which others are found quickly.
+#[derive(Debug, Clone)]
+pub(super) struct Known {
+    side: Side,
+    y_rail: f64,
+    normal: NormalContact,
+}
+
+impl Known {
+    pub(super) fn new(side: Side, y_rail: f64, normal: &NormalContact) -> Self {
+        Self { side, y_rail, normal: normal.clone() }
+    }
+
+    /// Those of some wheels.
+    pub(super) fn of(wheels: &[PressedWheel<'_>]) -> Vec<Self> {
+        let contacts = wheels.iter().flat_map(|wheel| &wheel.contacts);
+        contacts.map(|one| Self::new(one.contact.side, one.contact.y_rail, &one.normal)).collect()
+    }
+
+    /// The one next to a contact.
+    fn next_to<'k>(contact: &Contact<'_>, all: &'k [Self]) -> Option<&'k NormalContact> {
+        let own = all.iter().filter(|known| known.side == contact.side);
+        let distance = |known: &Self| (known.y_rail - contact.y_rail).abs();
+        own.min_by(|a, b| distance(a).total_cmp(&distance(b))).map(|known| &known.normal)
+    }
+}
+
 /// What pressing needs to know besides the position.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Press<'a> {
@@ -42,7 +69,8 @@ pub(super) struct Press<'a> {
 }
 
 impl<'a> Press<'a> {
-    /// One wheel in a position; without contacts where it hangs above its rail.
+    /// One wheel in a position, from what is known close by; without contacts where it hangs above
+    /// its rail.
     ///
     /// Contacts in one plane are one system; those in planes of their own feel each other as
     /// [`apart`] has it.
@@ -50,62 +78,90 @@ impl<'a> Press<'a> {
         &self,
         side: Side,
         position: Position,
+        known: &[Known],
     ) -> Result<PressedWheel<'a>, WheelsetError> {
-        const ROUNDS: usize = 12;
-        const SETTLED: f64 = 1e-7;
         let geometry = |source| WheelsetError::Position { side, source };
         let contacts = self.running.contacts_of(side, &position).map_err(geometry)?;
-        let alone = |contact: &Contact<'a>| self.pressed(contact, &[]);
-        let mut pressed = contacts.iter().map(alone).collect::<Result<Vec<_>, _>>()?;
+        let near = |contact: &Contact<'a>| Known::next_to(contact, known).cloned();
+        let mut pressed: Vec<Beside<'a>> =
+            contacts.into_iter().map(|contact| Beside::new(contact, near(&contact))).collect();
+        self.press_beside(&mut pressed)?;
+        let radius = self.running.wheelset().radius();
+        let contacts = pressed.into_iter().filter_map(Beside::pressed).collect();
+        Ok(PressedWheel { side, position, radius, depth: 0.0, contacts })
+    }
+
+    /// Presses each contact under the load of the others until nothing changes.
+    fn press_beside(&self, all: &mut [Beside<'a>]) -> Result<(), WheelsetError> {
+        const ROUNDS: usize = 16;
+        const SETTLED: f64 = 1e-6;
         for _ in 0..ROUNDS {
-            if pressed.iter().flatten().count() < 2 {
-                break;
+            let mut is_settled = true;
+            for i in 0..all.len() {
+                let mut others = apart::PointLoads::default();
+                for (_, other) in all.iter().enumerate().filter(|(j, _)| *j != i) {
+                    other.normal.iter().for_each(|normal| others.add(&other.contact, normal));
+                }
+                let Some(own) = all.get_mut(i) else { continue };
+                let change = own.beside.map_or(f64::INFINITY, |load| (load - others.total).abs());
+                if change > SETTLED * own.load().max(others.total) {
+                    own.normal = self.pressed(&own.contact, &others, own.normal.as_ref())?;
+                    own.beside = Some(others.total);
+                    is_settled = false;
+                }
             }
-            let mut change = 0.0f64;
-            for i in 0..contacts.len() {
-                let others: Vec<Pressed<'a>> = (0..contacts.len())
-                    .filter(|&j| j != i)
-                    .filter_map(|j| pressed.get(j).cloned().flatten())
-                    .collect();
-                let (Some(contact), Some(known)) = (contacts.get(i), pressed.get_mut(i)) else {
-                    continue;
-                };
-                let load = |one: &Option<Pressed>| one.as_ref().map_or(0.0, Pressed::load);
-                let again = self.pressed(contact, &others)?;
-                change = change
-                    .max((load(&again) - load(known)).abs() / load(known).max(f64::MIN_POSITIVE));
-                *known = again;
-            }
-            if change < SETTLED {
+            if is_settled {
                 break;
             }
         }
-        let radius = self.running.wheelset().radius();
-        Ok(PressedWheel {
-            side,
-            position,
-            radius,
-            depth: 0.0,
-            contacts: pressed.into_iter().flatten().collect(),
-        })
+        Ok(())
     }
 
-    /// A contact beside others; `None` where these, or its own smallness, leave no pressure.
+    /// A contact under the loads of others; `None` where these, or its own smallness, leave no
+    /// pressure.
     fn pressed(
         &self,
         contact: &Contact<'a>,
-        others: &[Pressed<'a>],
-    ) -> Result<Option<Pressed<'a>>, WheelsetError> {
+        others: &apart::PointLoads,
+        near: Option<&NormalContact>,
+    ) -> Result<Option<NormalContact>, WheelsetError> {
         let side = contact.side;
-        let wrong = |source| WheelsetError::Pressure { side, source };
-        let gap = gap(contact, |s, x| apart::sunk(contact, [x, s], others));
+        let gap = gap(contact, |s, x| others.sunk(contact, [x, s]));
         let gap = gap.map_err(|source| WheelsetError::Shape { side, source })?;
         let approach = contact.approach;
-        match NormalContact::at_approach(&gap, self.pair, approach, self.resolution) {
-            Ok(normal) => Ok(Some(Pressed { contact: *contact, normal })),
+        let normal = match near {
+            Some(near) => near.next(&gap, approach, self.resolution),
+            None => NormalContact::at_approach(&gap, self.pair, approach, self.resolution),
+        };
+        match normal {
+            Ok(normal) => Ok(Some(normal)),
             Err(NormalError::NoContact { .. }) => Ok(None),
-            Err(source) => Err(wrong(source)),
+            Err(source) => Err(WheelsetError::Pressure { side, source }),
         }
+    }
+}
+
+/// A contact among others, as far as it is known.
+struct Beside<'a> {
+    contact: Contact<'a>,
+    /// The pressure; at first that of a position close by.
+    normal: Option<NormalContact>,
+    /// The load of the others (N) under which it was found, once it was.
+    beside: Option<f64>,
+}
+
+impl<'a> Beside<'a> {
+    fn new(contact: Contact<'a>, near: Option<NormalContact>) -> Self {
+        Self { contact, normal: near, beside: None }
+    }
+
+    fn load(&self) -> f64 {
+        self.normal.as_ref().map_or(0.0, |normal| normal.load().value)
+    }
+
+    fn pressed(self) -> Option<Pressed<'a>> {
+        let Self { contact, normal, .. } = self;
+        normal.map(|normal| Pressed { contact, normal })
     }
 }
 
@@ -162,14 +218,25 @@ impl Shares {
         }
     }
 
+    /// Takes the mean with another.
+    pub(super) fn halfway_from(&mut self, other: &Self) {
+        for (side, y_rail, share) in &mut self.lateral {
+            *share = share.midpoint(other.near(*side, *y_rail));
+        }
+    }
+
     fn scale(&self, side: Side) -> f64 {
         self.scale[usize::from(side == Side::Right)]
     }
 
-    /// That of the contact nearest on the rail; nothing where none is known.
     fn of(&self, contact: &Contact<'_>) -> f64 {
-        let own = self.lateral.iter().filter(|(side, ..)| *side == contact.side);
-        let distance = |y: f64| (y - contact.y_rail).abs();
+        self.near(contact.side, contact.y_rail)
+    }
+
+    /// That of the contact nearest on the rail; nothing where none is known.
+    fn near(&self, side: Side, y_rail: f64) -> f64 {
+        let own = self.lateral.iter().filter(|known| known.0 == side);
+        let distance = |y: f64| (y - y_rail).abs();
         own.min_by(|a, b| distance(a.1).total_cmp(&distance(b.1))).map_or(0.0, |&(.., share)| share)
     }
 }
@@ -185,22 +252,28 @@ impl PressedWheel<'_> {
         shares.scale(self.side) * self.vertical(shares)
     }
 
-    /// Change of the expected force (N/m) when every contact goes down by `fall` times what the
-    /// wheelset does.
-    pub(super) fn stiffness(&self, shares: &Shares, fall: impl Fn(&Contact<'_>) -> f64) -> f64 {
-        let of = |one: &Pressed<'_>| {
-            let along = one.contact.angle.cos() * fall(&one.contact);
-            one.normal.stiffness() * along * one.rise(shares.of(&one.contact))
-        };
-        shares.scale(self.side) * self.contacts.iter().map(of).sum::<f64>()
+    /// Change of the expected force (N/m) when the wheelset goes down.
+    pub(super) fn stiffness(&self, shares: &Shares) -> f64 {
+        self.change(shares, |contact| contact.angle.cos())
     }
 
-    /// Where its load stands across the track (m), weighed by vertical force.
-    pub(super) fn y(&self) -> Option<f64> {
-        let force = |one: &Pressed<'_>| one.load() * one.contact.angle.cos();
-        let total: f64 = self.contacts.iter().map(force).sum();
-        let moment: f64 =
-            self.contacts.iter().map(|one| force(one) * one.contact.reference[1]).sum();
-        (total > 0.0).then_some(moment / total)
+    /// Change of the expected force (N/rad) when the wheelset rolls about its centre: on a flange
+    /// the sideways part of that counts as much as the fall.
+    pub(super) fn stiffness_by_roll(&self, shares: &Shares) -> f64 {
+        let Position { y, z, .. } = self.position;
+        let centre = [y, z - self.radius];
+        self.change(shares, |contact| {
+            let (sin, cos) = contact.angle.sin_cos();
+            let [_, y, z] = contact.reference;
+            (y - centre[0]) * cos + (z - centre[1]) * sin
+        })
+    }
+
+    /// Change of the expected force when every contact comes nearer by `approach`.
+    fn change(&self, shares: &Shares, approach: impl Fn(&Contact<'_>) -> f64) -> f64 {
+        let of = |one: &Pressed<'_>| {
+            one.normal.stiffness() * approach(&one.contact) * one.rise(shares.of(&one.contact))
+        };
+        shares.scale(self.side) * self.contacts.iter().map(of).sum::<f64>()
     }
 }

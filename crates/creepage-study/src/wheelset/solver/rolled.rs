@@ -101,13 +101,13 @@ impl<'w, 'a> Rolling<'w, 'a> {
 }
 
 /// The motion of a wheelset with its pitch rate: the given one, or that at which friction has no
-/// moment about the axle.
-pub(super) fn motion(
-    rollings: &[Rolling<'_, '_>],
+/// moment about the axle; and how its contacts roll then.
+pub(super) fn motion<'r>(
+    rollings: &'r [Rolling<'_, '_>],
     travel: &Travel,
     radius: f64,
     guess: Option<f64>,
-) -> Result<Motion, WheelsetError> {
+) -> Result<(Motion, Vec<Rolled<'r>>), WheelsetError> {
     const STEPS: usize = 60;
     /// Of the moment of all friction.
     const ENOUGH: f64 = 1e-8;
@@ -115,12 +115,16 @@ pub(super) fn motion(
     const NARROW: f64 = 1e-13;
     let Travel { speed, pitch_rate, lateral_velocity, yaw_rate } = *travel;
     let with = |pitch_rate| Motion { speed, pitch_rate, lateral_velocity, yaw_rate };
+    let at = |motion: Motion| {
+        let rolled = rollings.iter().map(|rolling| rolling.roll(&motion));
+        Ok((motion, rolled.collect::<Result<Vec<_>, WheelsetError>>()?))
+    };
     let nominal = speed / radius;
     if let Some(rate) = pitch_rate {
-        return Ok(with(rate));
+        return at(with(rate));
     }
     if rollings.is_empty() {
-        return Ok(with(nominal));
+        return at(with(nominal));
     }
     let most: f64 = rollings.iter().map(|r| r.theory.scaling().force * radius).sum();
     // A slip unit of creepage is about what it takes for a force unit.
@@ -130,15 +134,12 @@ pub(super) fn motion(
         .sum();
     let mut search = Root::new(guess.unwrap_or(nominal), [0.2 * nominal, 5.0 * nominal]);
     for _ in 0..STEPS {
-        let motion = with(search.at);
+        let (motion, rolled) = at(with(search.at))?;
         // A wheel that turns faster drags the rail back.
-        let moment = rollings.iter().map(|rolling| {
-            let rolled = rolling.roll(&motion)?;
-            Ok(-rolling.axle_moment(rolled.force))
-        });
-        let moment = moment.sum::<Result<f64, WheelsetError>>()?;
+        let moments = rollings.iter().zip(&rolled);
+        let moment: f64 = moments.map(|(one, rolled)| -one.axle_moment(rolled.force)).sum();
         if moment.abs() < ENOUGH * most || search.is_spent(NARROW * nominal) {
-            return Ok(motion);
+            return Ok((motion, rolled));
         }
         search.next_by_chord(moment, slope);
     }

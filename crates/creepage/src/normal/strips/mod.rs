@@ -5,6 +5,7 @@
 mod kernel;
 mod lanes;
 mod newton;
+mod outside;
 mod strip;
 
 use super::band::Band;
@@ -17,20 +18,29 @@ pub(crate) use newton::{Question, Stopped, Touching, solve as touching};
 pub(crate) use strip::Strip;
 use strip::Units;
 
-/// Solves with `count` strips across the widest patch, from patches close by, until the residual is
-/// below `enough` of the depth.
+/// What is asked of strips.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Wanted {
+    /// The load (N), where that is prescribed and not the approach.
+    pub(super) load: Option<f64>,
+    /// Strips across the widest patch.
+    pub(super) count: usize,
+    /// Polynomials in a strip's pressure.
+    pub(super) terms: usize,
+    /// Largest residual over the depth.
+    pub(super) enough: f64,
+    /// Whether the bodies must nowhere overlap beyond the strips.
+    pub(super) complete: bool,
+}
+
+/// Solves from patches close by.
 ///
 /// A tip laid too far out leaves its strip nothing to touch: the strip shrinks to nothing, and
 /// the strips are laid anew with the tip drawn in. Where the ends found put a tip elsewhere than it
 /// was laid, they are laid anew too.
-pub(super) fn solve(
-    task: Task<'_>,
-    load: Option<f64>,
-    start: &[Patch],
-    [count, terms]: [usize; 2],
-    enough: f64,
-) -> Option<Found> {
+pub(super) fn solve(task: Task<'_>, start: &[Patch], wanted: Wanted) -> Option<Found> {
     const ATTEMPTS: usize = 6;
+    let Wanted { count, terms, enough, .. } = wanted;
     let (units, depth) = units(task, start)?;
     let force = units.pressure * units.length * units.length;
     let gap = |x: f64, y: f64| {
@@ -38,7 +48,7 @@ pub(super) fn solve(
         let h = task.gap.at(units.origin[0] + place[0], units.origin[1] + place[1]);
         (task.approach - h) / depth
     };
-    let question = Question { depth: &gap, load: load.map(|load| load / force), enough };
+    let question = Question { depth: &gap, load: wanted.load.map(|load| load / force), enough };
     let (mut start, mut settled) = (start.to_vec(), 0);
     for _ in 0..ATTEMPTS {
         let laid = laid(&start, count, terms, units)?;
@@ -50,13 +60,15 @@ pub(super) fn solve(
                     start = patches;
                     continue;
                 }
-                return Some(Found {
+                let found = Found {
                     patches,
                     approach: task.approach + depth * touching.deeper,
                     load: force * touching.strips.iter().map(Strip::load).sum::<f64>(),
                     peak: units.pressure * peak(&touching.strips),
                     stiffness: force / depth * touching.stiffness,
-                });
+                };
+                let is_all = || outside::stays_open(task, &touching, units, terms, &gap);
+                return (!wanted.complete || is_all()).then_some(found);
             }
             Ok(Touching { strips, .. }) => {
                 let pressed = without_pulled_tips(&start, &strips)?;

@@ -1,0 +1,57 @@
+//! A first guess of the contact areas from a section alone.
+
+use std::f64::consts::FRAC_2_PI;
+
+use super::band::{Band, Chord, PLACES};
+use super::contact::Patch;
+use super::level::Task;
+
+/// Rows at which the section is looked at, and the fewest in an area.
+const ROWS: u32 = 160;
+const FEWEST: usize = 6;
+/// Contact is where the undeformed bodies come nearer than this part of the approach (Kik and
+/// Piotrowski 1996).
+const VIRTUAL: f64 = 0.55;
+
+/// Where a section and a radius along rolling would touch by virtual penetration; `None` for other
+/// gaps, at the end of the section, and where an area has few rows.
+pub(super) fn by_virtual_penetration(task: Task<'_>) -> Option<Vec<Patch>> {
+    let [low, high] = task.gap.domain().y;
+    let y = |row: u32| low + (high - low) * f64::from(row) / f64::from(ROWS);
+    let rows = (0..=ROWS).map(|row| Some((y(row), task.gap.parabola(y(row))?)));
+    let rows: Vec<(f64, [f64; 3])> = rows.collect::<Option<_>>()?;
+    let least = rows.iter().map(|(_, row)| row[0]).fold(f64::INFINITY, f64::min);
+    let depth = task.approach - least;
+    let inside = |(_, [height, ..]): &(f64, [f64; 3])| least + VIRTUAL * depth - height;
+    if rows.first().or(rows.last()).is_none_or(|row| inside(row) > 0.0) || depth <= 0.0 {
+        return None;
+    }
+    let mut patches = Vec::new();
+    for run in rows.chunk_by(|a, b| (inside(a) > 0.0) == (inside(b) > 0.0)) {
+        if run.first().is_some_and(|row| inside(row) > 0.0) {
+            patches.push(patch(run, &inside, task.modulus * depth)?);
+        }
+    }
+    (!patches.is_empty()).then_some(patches)
+}
+
+/// An area on neighbouring rows, with pressures about those of Hertz.
+fn patch(
+    run: &[(f64, [f64; 3])],
+    inside: &impl Fn(&(f64, [f64; 3])) -> f64,
+    force: f64,
+) -> Option<Patch> {
+    let [(first, _), .., (last, _)] = run else { return None };
+    let half = |row: &(f64, [f64; 3])| (inside(row) / row.1[1]).sqrt();
+    let longest = run.iter().map(half).fold(0.0, f64::max);
+    let step = (last - first) / (run.len() - 1) as f64;
+    let width = 0.5 * (last - first + step);
+    let density = [FRAC_2_PI * force / (longest * width).sqrt() / longest; PLACES];
+    let chord = |row: &(f64, [f64; 3])| {
+        let (y, [_, _, centre]) = *row;
+        Chord { y, half: half(row), centre, density }
+    };
+    let sides = [first - 0.5 * step, last + 0.5 * step];
+    let usable = run.len() >= FEWEST && longest.is_finite();
+    usable.then(|| Patch::new(vec![Band::new(run.iter().map(chord).collect(), sides, [true; 2])]))
+}

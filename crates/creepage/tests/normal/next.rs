@@ -1,0 +1,46 @@
+//! Contacts found from those of a position close by.
+
+use creepage::gap::{Gap, Rolling};
+use creepage::normal::{NormalContact, Resolution};
+
+use crate::support::{MM, steel};
+
+/// Two bumps of radius 0.3 m, 12 mm apart, the second one higher by `more` (m): `h` is the lower.
+fn bumps(more: f64) -> Gap {
+    let y: Vec<f64> = (-240..=240).map(|i| f64::from(i) * 0.05 * MM).collect();
+    let bump = |y: f64, at: f64| (y - at).powi(2) / 0.6;
+    let h: Vec<f64> =
+        y.iter().map(|y| bump(*y, -6.0 * MM).min(bump(*y, 6.0 * MM) + more)).collect();
+    Gap::section(&y, &h, Rolling::Radius(0.46)).unwrap()
+}
+
+/// The road does not matter beyond the error bars, and a second area that appears is not lost.
+#[test]
+fn a_neighbour_leads_to_the_same_contact() {
+    let resolution = Resolution::STANDARD;
+    let at = |gap: &Gap, approach| NormalContact::at_approach(gap, steel(), approach, resolution);
+    let mut known = at(&bumps(15e-6), 14e-6).unwrap();
+    assert_eq!(known.patches().len(), 1);
+    for approach in [15e-6, 20e-6, 30e-6, 31e-6] {
+        let gap = bumps(15e-6);
+        known = known.next(&gap, approach, resolution).unwrap();
+        let alone = at(&gap, approach).unwrap();
+        let (load, cold) = (known.load(), alone.load());
+        let apart = (load.value - cold.value).abs();
+        assert!(apart < load.error + cold.error, "{approach}: {load:?} {cold:?}");
+        assert_eq!(known.patches().len(), alone.patches().len(), "{approach}");
+    }
+    assert_eq!(known.patches().len(), 2);
+}
+
+/// A coarse contact carries the load to a percent.
+#[test]
+fn a_coarse_contact_is_near() {
+    for more in [0.0, 4e-6, 40e-6] {
+        let gap = bumps(more);
+        let [coarse, fine] = [Resolution::COARSE, Resolution::FINE]
+            .map(|resolution| NormalContact::at_approach(&gap, steel(), 30e-6, resolution));
+        let [coarse, fine] = [coarse.unwrap(), fine.unwrap()].map(|contact| contact.load().value);
+        assert!((coarse / fine - 1.0).abs() < 0.01, "{more}: {coarse} {fine}");
+    }
+}
