@@ -14,9 +14,11 @@ from types import FrameType
 import creepage
 import numpy as np
 import pytest
+from conftest import ROOT
 
 EXACT = creepage.exact(1.3, 0.28, resolution="fast")
 FASTSIM = creepage.fastsim(1.3, 0.28, grid=(20, 20))
+CASE = creepage.Case.from_toml(ROOT / "examples" / "wheel-on-rail.toml")
 XI, ETA, CHI = np.random.default_rng(1967).uniform(-2.0, 2.0, (3, 400))
 
 
@@ -82,8 +84,12 @@ def long_chain() -> None:
     )
 
 
+def long_case() -> None:
+    CASE.solve(resolution=(80, 80))
+
+
 @pytest.mark.skipif(sys.platform == "win32", reason="Windows has no alarms")
-@pytest.mark.parametrize("minutes", [long_array, long_chain])
+@pytest.mark.parametrize("minutes", [long_array, long_chain, long_case])
 def test_an_interrupt_ends_long_work(minutes: Callable[[], None]) -> None:
     def ring(_number: int, _frame: FrameType | None) -> None:
         raise Alarm

@@ -9,7 +9,8 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use serde::Serialize;
 
-use crate::{errors, mesh, options, results};
+use crate::theory::{LONG, cost};
+use crate::{errors, mesh, options, results, signals};
 
 /// The text of a case file, read and checked.
 #[pyclass(frozen, module = "creepage._creepage")]
@@ -170,7 +171,12 @@ impl CaseData {
     /// gives the wanted forces, CaseError where the theory does not find creepages.
     fn solve(&self, py: Python, theory: &str, options: &Bound<PyDict>) -> PyResult<SolvedCase> {
         let spec = options::spec(py, theory, Some(options))?;
-        let solved = py.detach(|| solve(&self.case, Some(&spec)));
+        let solved = if cost(&spec) < LONG {
+            py.detach(|| solve(&self.case, Some(&spec)))
+        } else {
+            let case = self.case.clone();
+            signals::answered(py, move || solve(&case, Some(&spec)))?
+        };
         Ok(SolvedCase { solved: solved.map_err(|error| errors::solve(py, error))? })
     }
 }

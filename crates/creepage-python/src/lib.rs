@@ -14,6 +14,7 @@ mod number;
 mod options;
 mod pool;
 mod results;
+mod signals;
 mod statics;
 mod sweep;
 mod table;

@@ -8,11 +8,13 @@ use pyo3::types::{PyDict, PyTuple};
 
 use crate::batch::{Answers, Row, solve_all};
 use crate::number::{Inputs, Number};
-use crate::{errors, mesh, options, results};
+use crate::{errors, mesh, options, results, signals};
 
 const NAMES: [&str; 3] = ["xi", "eta", "chi"];
 /// Seconds below which letting other threads run costs more than it gives.
 const QUICK: f64 = 2e-6;
+/// Seconds of a force from which a single call answers signals.
+pub(crate) const LONG: f64 = 1e-3;
 
 /// A theory of steady rolling, prepared for one ratio of semi-axes and one Poisson's ratio.
 ///
@@ -125,8 +127,13 @@ impl Theory {
         [xi, eta, chi]: [f64; 3],
     ) -> PyResult<Bound<'py, PyAny>> {
         let creepage = Creepage::new(xi, eta, chi).map_err(|error| errors::invalid(py, error))?;
-        let solve = || self.prepared.solve(creepage);
-        let solution = if self.cost < QUICK { solve() } else { py.detach(solve) };
+        let prepared = Arc::clone(&self.prepared);
+        let solve = move || prepared.solve(creepage);
+        let solution = match self.cost {
+            ..QUICK => solve(),
+            QUICK..LONG => py.detach(solve),
+            _ => signals::answered(py, solve)?,
+        };
         results::force(py, &solution)
     }
 
