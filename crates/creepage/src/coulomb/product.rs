@@ -57,16 +57,21 @@ macro_rules! products {
                         simd.$multiply_add(yy, y, sums[3]),
                     ]
                 };
-                // Two sets of sums, for an addition waits for the one before.
+                // Two sets of sums, for an addition waits for the one before; zipped pairs, for an index
+                // is checked.
                 let mut sums = [[simd.$splat(0.0); 4]; 2];
-                let half = x.len() / 2;
-                for k in 0..half {
-                    sums[0] = add(sums[0], [xx[2 * k], xy[2 * k], yy[2 * k], x[2 * k], y[2 * k]]);
-                    let k = 2 * k + 1;
-                    sums[1] = add(sums[1], [xx[k], xy[k], yy[k], x[k], y[k]]);
+                let (xx, xx_odd) = xx.as_chunks::<2>();
+                let (xy, xy_odd) = xy.as_chunks::<2>();
+                let (yy, yy_odd) = yy.as_chunks::<2>();
+                let (x, x_odd) = x.as_chunks::<2>();
+                let (y, y_odd) = y.as_chunks::<2>();
+                for ((((xx, xy), yy), x), y) in xx.iter().zip(xy).zip(yy).zip(x).zip(y) {
+                    sums[0] = add(sums[0], [xx[0], xy[0], yy[0], x[0], y[0]]);
+                    sums[1] = add(sums[1], [xx[1], xy[1], yy[1], x[1], y[1]]);
                 }
-                if let Some(k) = (2 * half..x.len()).next() {
-                    sums[0] = add(sums[0], [xx[k], xy[k], yy[k], x[k], y[k]]);
+                let odd = xx_odd.iter().zip(xy_odd).zip(yy_odd).zip(x_odd).zip(y_odd);
+                for ((((xx, xy), yy), x), y) in odd {
+                    sums[0] = add(sums[0], [*xx, *xy, *yy, *x, *y]);
                 }
                 let last = |rest: &[$float]| simd.$load(rest);
                 let rest =

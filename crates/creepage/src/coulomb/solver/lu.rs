@@ -3,24 +3,34 @@
 
 use pulp::{Arch, Simd, WithSimd};
 
+/// Rows are this much longer at most: a whole number of registers on every processor.
+const REGISTER: usize = 8;
+
 /// `P A = L U` with partial pivoting; the diagonal holds its reciprocals. One value is filled and
 /// factored again and again, which the owning decompositions of the linear algebra library do not offer.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Lu {
     n: usize,
+    /// Length of a row; its end is zero.
+    stride: usize,
     entries: Vec<f64>,
     pivots: Vec<usize>,
+    /// Room for the rest of a row.
+    room: Vec<f64>,
 }
 
 impl Lu {
     pub(super) fn new(n: usize) -> Self {
-        Self { n, entries: vec![0.0; n * n], pivots: vec![0; n] }
+        let stride = n.next_multiple_of(REGISTER);
+        let entries = vec![0.0; n * stride];
+        Self { n, stride, entries, pivots: vec![0; n], room: vec![0.0; stride] }
     }
 
     /// Two rows of the matrix, `first` and the next, to be filled before [`Self::factor`].
     pub(super) fn two_rows(&mut self, first: usize) -> (&mut [f64], &mut [f64]) {
-        let n = self.n;
-        self.entries[first * n..(first + 2) * n].split_at_mut(n)
+        let (n, stride) = (self.n, self.stride);
+        let (one, two) = self.entries[first * stride..(first + 2) * stride].split_at_mut(stride);
+        (&mut one[..n], &mut two[..n])
     }
 
     /// Factors the matrix in place; false when it is singular or not finite.
@@ -34,14 +44,20 @@ impl Lu {
     }
 
     fn largest_below(&self, k: usize) -> usize {
-        let size = |row: usize| self.entries[row * self.n + k].abs();
-        (k + 1..self.n).fold(k, |best, row| if size(row) > size(best) { row } else { best })
+        let (mut best, mut size) = (k, -1.0);
+        for (row, entries) in self.entries.chunks_exact(self.stride).enumerate().skip(k) {
+            if entries[k].abs() > size {
+                (best, size) = (row, entries[k].abs());
+            }
+        }
+        best
     }
 
     fn swap_rows(&mut self, k: usize, later: usize) {
         if later != k {
-            let (above, below) = self.entries.split_at_mut(later * self.n);
-            above[k * self.n..(k + 1) * self.n].swap_with_slice(&mut below[..self.n]);
+            let (above, below) = self.entries.split_at_mut(later * self.stride);
+            above[k * self.stride..(k + 1) * self.stride]
+                .swap_with_slice(&mut below[..self.stride]);
         }
     }
 }
@@ -52,21 +68,28 @@ impl WithSimd for Factor<'_> {
     type Output = bool;
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) -> bool {
-        let n = self.0.n;
+        let Self(lu) = self;
+        let (n, stride) = (lu.n, lu.stride);
         for k in 0..n {
-            let pivot = self.0.largest_below(k);
-            self.0.pivots[k] = pivot;
-            self.0.swap_rows(k, pivot);
-            let (done, below) = self.0.entries.split_at_mut((k + 1) * n);
-            let (diagonal, pivot_row) = done[k * n + k..].split_at_mut(1);
-            diagonal[0] = diagonal[0].recip();
-            if !diagonal[0].is_finite() {
+            let pivot = lu.largest_below(k);
+            lu.pivots[k] = pivot;
+            lu.swap_rows(k, pivot);
+            let (done, below) = lu.entries.split_at_mut((k + 1) * stride);
+            let pivot_row = &mut done[k * stride..];
+            let reciprocal = pivot_row[k].recip();
+            if !reciprocal.is_finite() {
                 return false;
             }
-            for row in below.chunks_exact_mut(n) {
-                row[k] *= diagonal[0];
-                let (left, right) = row.split_at_mut(k + 1);
-                add_times(simd, right, -left[k], pivot_row);
+            // Whole registers from the one with entry k + 1; what is done before it is not moved.
+            let start = (k + 1) / S::F64_LANES * S::F64_LANES;
+            let room = &mut lu.room[start..];
+            room.copy_from_slice(&pivot_row[start..]);
+            room[..k + 1 - start].fill(0.0);
+            pivot_row[k] = reciprocal;
+            for row in below.chunks_exact_mut(stride) {
+                let factor = row[k] * reciprocal;
+                row[k] = factor;
+                add_times(simd, &mut row[start..], -factor, room);
             }
         }
         true
@@ -79,43 +102,45 @@ impl WithSimd for Solve<'_> {
     type Output = ();
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) {
-        let Self(Lu { n, entries, pivots }, x) = self;
+        let Self(Lu { stride, entries, pivots, .. }, x) = self;
         for (k, pivot) in pivots.iter().enumerate() {
             x.swap(k, *pivot);
         }
-        for (k, row) in entries.chunks_exact(*n).enumerate() {
+        let n = x.len();
+        for (k, row) in entries.chunks_exact(*stride).enumerate() {
             let (known, rest) = x.split_at_mut(k);
             rest[0] -= dot(simd, &row[..k], known);
         }
-        for (k, row) in entries.chunks_exact(*n).enumerate().rev() {
+        for (k, row) in entries.chunks_exact(*stride).enumerate().rev() {
             let (rest, known) = x.split_at_mut(k + 1);
-            rest[k] = (rest[k] - dot(simd, &row[k + 1..], known)) * row[k];
+            rest[k] = (rest[k] - dot(simd, &row[k + 1..n], known)) * row[k];
         }
     }
 }
 
-/// `to + factor * by`.
+/// `to + factor * by`, of whole registers.
 #[inline(always)]
 fn add_times<S: Simd>(simd: S, to: &mut [f64], factor: f64, by: &[f64]) {
     let factor = simd.splat_f64s(factor);
-    let (by, by_rest) = S::as_simd_f64s(by);
-    let (to, to_rest) = S::as_mut_simd_f64s(to);
+    let (by, _) = S::as_simd_f64s(by);
+    let (to, _) = S::as_mut_simd_f64s(to);
     for (to, by) in to.iter_mut().zip(by) {
         *to = simd.mul_add_e_f64s(factor, *by, *to);
     }
-    let [to, by] = [simd.partial_load_f64s(to_rest), simd.partial_load_f64s(by_rest)];
-    simd.partial_store_f64s(to_rest, simd.mul_add_e_f64s(factor, by, to));
 }
 
 #[inline(always)]
 fn dot<S: Simd>(simd: S, a: &[f64], b: &[f64]) -> f64 {
     let ((a, a_rest), (b, b_rest)) = (S::as_simd_f64s(a), S::as_simd_f64s(b));
-    let [a_rest, b_rest] = [simd.partial_load_f64s(a_rest), simd.partial_load_f64s(b_rest)];
-    let mut sum = simd.mul_f64s(a_rest, b_rest);
+    let mut sum = simd.splat_f64s(0.0);
     for (a, b) in a.iter().zip(b) {
         sum = simd.mul_add_e_f64s(*a, *b, sum);
     }
-    simd.reduce_sum_f64s(sum)
+    let mut rest = 0.0;
+    for (a, b) in a_rest.iter().zip(b_rest) {
+        rest += a * b;
+    }
+    simd.reduce_sum_f64s(sum) + rest
 }
 
 #[cfg(test)]
@@ -129,7 +154,7 @@ mod tests {
         let mut lu = Lu::new(n);
         for i in 0..n {
             for j in 0..n {
-                lu.entries[i * n + j] = entry(i, j);
+                lu.entries[i * lu.stride + j] = entry(i, j);
             }
         }
         let expected: Vec<f64> = (0..n).map(|i| (i as f64).cos()).collect();
