@@ -30,7 +30,9 @@ fn make() -> Result<Reproduction, GalleryError> {
         spaced(-1.0, 1.0, 80).into_iter().map(|x| [x, (1.0 - x * x).max(0.0).sqrt()]).collect();
     let pressures = DRAWN.map(|(k, _)| pressures(&solved[k]));
     let mut data = Data::new(["curve", "q or x over a", "value"]);
-    changes.iter().for_each(|(name, curve)| data.curve(name, curve));
+    for (name, curve) in &changes {
+        data.curve(name, curve);
+    }
     for ((k, _), curve) in DRAWN.iter().zip(&pressures) {
         data.curve(&format!("pressure, q = {}", Q[*k]), curve);
     }

@@ -66,7 +66,7 @@ fn numbers_in_other_units_are_cautions_everywhere() {
     assert!(plain["caution"].is_null() && plain["approach_m"].is_number());
 }
 
-/// Two balls of 6 mm, whose modulus is in MPa by mistake.
+/// Two balls of 6 mm, whose modulus is in megapascals by mistake.
 const SOFT_BALLS: &str = "
 [upper]
 shear_modulus = 82e3

@@ -29,7 +29,7 @@ pub(crate) enum FrictionValue {
 #[derive(Debug, Clone, PartialEq, serde::Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct AcrossTable {
-    /// Two to eight pairs of y (m), rising, and the coefficient there.
+    /// Two to six pairs of y (m), rising, and the coefficient there.
     across: Vec<[f64; 2]>,
 }
 

@@ -156,7 +156,7 @@ impl<'a> WheelsetSolver<'a> {
             let grid = if is_close { resolution } else { Resolution::FAST };
             let rollings = Rolling::all(&wheels, self.friction, self.slip, grid)?;
             let (motion, rolled) = rolled::motion(&rollings, travel, radius, pitch_rate)?;
-            let next = Start::of(&found, &wheels, &rolled, &motion, guess);
+            let next = Start::of(&found, &wheels, &rolled, &motion, &guess);
             let carried: f64 = wheels.iter().map(|wheel| wheel.vertical(&next.shares)).sum();
             let missed = found.iter().zip(&wheels).map(|(found, wheel)| {
                 (wheel.vertical(&next.shares) - found.expected(&shares)).abs()
@@ -229,7 +229,7 @@ impl Start {
         wheels: &[PressedWheel<'_>],
         rolled: &[Rolled<'_>],
         motion: &Motion,
-        guess: Guess,
+        guess: &Guess,
     ) -> Self {
         let mut shares = Shares::default();
         for (one, rolled) in wheels.iter().flat_map(|wheel| &wheel.contacts).zip(rolled) {
@@ -237,7 +237,7 @@ impl Start {
             shares.push(contact.side, contact.y_rail, rolled.force.lateral / one.load());
         }
         let roll = wheels.first().map(|wheel| wheel.position.roll);
-        let mut guess = Guess { roll, known: Known::of(found), ..guess };
+        let mut guess = Guess { roll, known: Known::of(found), ..guess.clone() };
         for (coarse, fine) in found.iter().zip(wheels) {
             let scale = fine.vertical(&shares) / coarse.vertical(&shares);
             shares.set_scale(fine.side, scale);

@@ -103,10 +103,11 @@ impl<'a> Press<'a> {
                     other.normal.iter().for_each(|normal| others.add(&other.contact, normal));
                 }
                 let Some(own) = all.get_mut(i) else { continue };
-                let change = own.beside.map_or(f64::INFINITY, |load| (load - others.total).abs());
+                let change =
+                    own.load_of_others.map_or(f64::INFINITY, |load| (load - others.total).abs());
                 if change > SETTLED * own.load().max(others.total) {
                     own.normal = self.pressed(&own.contact, &others, own.normal.as_ref())?;
-                    own.beside = Some(others.total);
+                    own.load_of_others = Some(others.total);
                     is_settled = false;
                 }
             }
@@ -147,12 +148,12 @@ struct Beside<'a> {
     /// The pressure; at first that of a position close by.
     normal: Option<NormalContact>,
     /// The load of the others (N) under which it was found, once it was.
-    beside: Option<f64>,
+    load_of_others: Option<f64>,
 }
 
 impl<'a> Beside<'a> {
     fn new(contact: Contact<'a>, near: Option<NormalContact>) -> Self {
-        Self { contact, normal: near, beside: None }
+        Self { contact, normal: near, load_of_others: None }
     }
 
     fn load(&self) -> f64 {
