@@ -179,11 +179,7 @@ fn tractions(views: &[View; 3], k: usize) -> Panel {
     let heading = Label::default().symbol("y").plain("/").symbol("a").plain(" = ");
     let y = Axis::new(
         [0.0, 1.05],
-        Label::new("traction |(")
-            .symbol("X")
-            .plain(", ")
-            .symbol("Y")
-            .plain(")| over its largest bound"),
+        Label::new("|(").symbol("X").plain(", ").symbol("Y").plain(")|/").indexed("μp", "0"),
     );
     let bound = |[x, y]: [f64; 2]| [x, (1.0 - x * x - y * y).max(0.0).sqrt()];
     let bound = along(LINES[k]).into_iter().map(bound).collect();

@@ -86,7 +86,7 @@ fn rows_are_cases_to_the_last_bit() {
 fn wear_and_fatigue_row_by_row() {
     let place = place();
     place.write("case.toml", CASE.to_owned() + "\n[damage]\n");
-    let table = rows(&place.run_on(&FASTSIM, "longitudinal\n-2e-3\nnan\n").done());
+    let table = rows(&place.run_on(&FASTSIM, "longitudinal\n-2e-3\nnan\n").stdout);
     let change = ("longitudinal = -1.5e-3", "longitudinal = -2e-3");
     let with = ("[solve]", "[damage]\n[solve]");
     let damage = &solved(&place, &[change, with], "fastsim")["damage"];
