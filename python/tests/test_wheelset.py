@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import pickle
 from pathlib import Path
+from typing import Any
 
 import creepage
 import numpy as np
@@ -15,7 +16,7 @@ from creepage import Wheelset
 EXAMPLES = ROOT / "examples" / "wheelset"
 
 
-def s1002(**more: float) -> Wheelset:
+def s1002(**more: Any) -> Wheelset:
     cant = 0.02499479
     return Wheelset(wheel="S1002", rail="UIC60", cant=cant, resolution="fast", **more)
 
