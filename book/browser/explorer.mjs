@@ -5,9 +5,8 @@ import { execFileSync } from "node:child_process";
 import { existsSync, readdirSync, readFileSync, statSync } from "node:fs";
 import path from "node:path";
 
-// The same iteration in other arithmetic: a browser has no fused multiply and add. Sweeps in single
-// precision make a rest of 2e-12 of that in components that are zero by symmetry.
-const TOLERANCE = 1e-10;
+// The same iteration in other arithmetic: a browser has no fused multiply and add.
+const TOLERANCE = 1e-12;
 const LARGEST_PAGE = 2_000_000; // bytes of the engine, the scripts and the style
 const CASES = [
   "#ab=1&xi=0&chi=2",

@@ -102,6 +102,7 @@ impl Answer {
         let extrapolation = Extrapolation::new(&exact.contact, mirrored);
         let forces = [coarse.force, fine.force];
         let force = mirror.force(extrapolation.force(forces));
+        let force = without_rounding(&exact.contact, creepage, force);
         let error = extrapolation.error_bar(forces, exact.grids[1].mesh.len());
         let power = power_of(force, creepage) + extrapolate(coarse.by_pressure, fine.by_pressure);
         // Of the finer grid: where negative, it is the heat that slip does not resolve.
@@ -136,6 +137,22 @@ impl Answer {
             answer.solution.force.components()
         })
     }
+}
+
+/// The force, what the symmetries (4.22)-(4.28) make vanish being zero rather than the rounding of sums.
+fn without_rounding(contact: &Contact, creepage: Creepage, force: Force) -> Force {
+    let vanish = |components: &[f64]| components.iter().all(|component| *component == 0.0);
+    let Creepage { xi, eta, chi } = creepage;
+    let differs_across =
+        contact.rolling_friction().is_some_and(|friction| friction.by_place().is_some());
+    let mut force = force;
+    if vanish(&[eta, chi]) && !differs_across {
+        (force.fy, force.mz) = (0.0, 0.0);
+    }
+    if vanish(&[xi, contact.kappa_over_mu()]) && !differs_across {
+        force.fx = 0.0;
+    }
+    force
 }
 
 fn power_of(Force { fx, fy, mz }: Force, Creepage { xi, eta, chi }: Creepage) -> f64 {
