@@ -63,6 +63,7 @@ from ._results import (
     SiField,
     Status,
 )
+from ._rolling import Rolling, RollingStep, roll
 from ._solution import SiCreepage, SiForce, Solution
 from ._statics import StaticsSolution, statics
 from ._sweep import sweep
@@ -111,6 +112,8 @@ __all__ = [
     "NotReachable",
     "Polach",
     "Region",
+    "Rolling",
+    "RollingStep",
     "Saturated",
     "ScalarExactForce",
     "ScalarForce",
@@ -144,6 +147,7 @@ __all__ = [
     "line_contact",
     "linear",
     "polach",
+    "roll",
     "saturated",
     "shen_hedrick_elkins",
     "statics",

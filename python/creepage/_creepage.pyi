@@ -29,6 +29,7 @@ __all__ = [
     "Fastsim",
     "Linear",
     "Polach",
+    "RollingData",
     "Saturated",
     "ShenHedrickElkins",
     "SolvedCase",
@@ -49,6 +50,7 @@ __all__ = [
     "command",
     "hertz",
     "line_contact",
+    "roll",
     "row_forces",
 ]
 
@@ -496,6 +498,25 @@ class SolvedWheelset:
     def svg(self) -> str: ...
     def write(self, directory: str | PathLike[str]) -> list[str]: ...
 
+@final
+class RollingData:
+    """A contact that rolls step by step."""
+
+    def __new__(
+        cls, text: str, is_case: bool, start: bool | tuple[float, float] | None
+    ) -> RollingData: ...
+    def step(
+        self, given: Sequence[tuple[str, float]]
+    ) -> tuple[float, list[float], list[float], float, int]: ...
+    def save(self) -> bytes: ...
+    def restore(self, state: bytes) -> None: ...
+
+def roll(
+    text: str,
+    is_case: bool,
+    start: bool | tuple[float, float] | None,
+    columns: Sequence[tuple[str, Floats]],
+) -> dict[str, Floats | Codes]: ...
 @final
 class SweepData:
     """The text of a sweep file, read and checked."""

@@ -88,6 +88,11 @@
 #define CREEPAGE_NOT_REACHABLE 8
 
 /*
+ There is less room than needed; nothing was written to it.
+ */
+#define CREEPAGE_ROOM 9
+
+/*
  The surfaces stick.
  */
 #define CREEPAGE_ADHESION 0
@@ -152,6 +157,11 @@
  A case file, read and checked.
  */
 typedef struct CreepageCase CreepageCase;
+
+/*
+ A contact and what it remembers.
+ */
+typedef struct CreepageRolling CreepageRolling;
 
 /*
  A table of creep force, as `creepage table build` makes it.
@@ -320,6 +330,91 @@ int32_t creepage_case_field(const struct CreepageCase *made,
                             int32_t *regions,
                             char *message,
                             size_t message_size);
+
+/*
+ Prepares a contact that rolls, in the state that its case file names.
+
+ path: the file, in TOML, as of the command creepage roll; or the text of one, if it has a line break.
+ made: becomes the handle, to be freed with creepage_rolling_free; NULL if the call fails.
+
+ You promise:
+ path ends with a zero byte; made and message point to as much room as said.
+ */
+int32_t creepage_rolling_new(const char *path,
+                             struct CreepageRolling **made,
+                             char *message,
+                             size_t message_size);
+
+/*
+ Frees a contact that rolls. NULL is left alone.
+
+ You promise:
+ made is NULL, or of creepage_rolling_new, and not used again.
+ */
+void creepage_rolling_free(struct CreepageRolling *made);
+
+/*
+ Rolls on. If the call fails, the contact is as it was.
+
+ distance: length of the step (m), positive; finer steps in between are the library's affair.
+ motion: 3 numbers, longitudinal, lateral and spin: each a creepage (spin in rad/m) or the force on the
+   lower body (N; moment N m) that it is to have.
+ held: 3 numbers, not zero where that of motion is a force; or NULL if all are creepages. A line
+   contact has no spin: its number is 0, and a creepage.
+ normal_force: in the step (N), zero where the bodies separate; NaN for that of the case file.
+ forces: room for 3 numbers, longitudinal and lateral force (N) and moment (N m) on the lower body at
+   the end of the step; of a line contact per metre.
+ creepages: room for 3 numbers, those of the end of the step, given or found; or NULL.
+ adhesion: room for one number, the share of the contact area that adheres; or NULL.
+ statuses: room for one number, CREEPAGE_SOLVED and so on; or NULL.
+
+ You promise:
+ The handle is alive; arrays and message point to as much room as said.
+ */
+int32_t creepage_rolling_step(const struct CreepageRolling *made,
+                              double distance,
+                              const double *motion,
+                              const int32_t *held,
+                              double normal_force,
+                              double *forces,
+                              double *creepages,
+                              double *adhesion,
+                              int32_t *statuses,
+                              char *message,
+                              size_t message_size);
+
+/*
+ Writes what the contact remembers, to go back to it with creepage_rolling_restore: for a step that is
+ rejected later, or to go on in another run.
+
+ state: room for size bytes; or NULL to ask for needed only.
+ needed: becomes the number of bytes that the state has now; it changes from step to step. If size is
+   smaller, nothing is written to state and CREEPAGE_ROOM is returned.
+
+ You promise:
+ The handle is alive; state, needed and message point to as much room as said.
+ */
+int32_t creepage_rolling_save(const struct CreepageRolling *made,
+                              uint8_t *state,
+                              size_t size,
+                              size_t *needed,
+                              char *message,
+                              size_t message_size);
+
+/*
+ Goes back, or on, to what creepage_rolling_save wrote: the steps after it are the same to the last
+ bit. If the call fails, the contact is as it was.
+
+ state: the bytes, as many as needed said.
+
+ You promise:
+ The handle is alive; state and message point to as much as said.
+ */
+int32_t creepage_rolling_restore(const struct CreepageRolling *made,
+                                 const uint8_t *state,
+                                 size_t size,
+                                 char *message,
+                                 size_t message_size);
 
 /*
  Reads a table.

@@ -7,8 +7,11 @@ use std::path::PathBuf;
 
 use creepage::table::{BuildError, FileError};
 use creepage::theory::{TheoryError, UnknownTheory};
+use creepage::unsteady::SavedError;
 use creepage::{HertzError, InvalidValue};
-use creepage_study::{CaseError, RowError, SolveError, SpecError, Varied, WheelsetError};
+use creepage_study::{
+    CaseError, HistoryError, RowError, SolveError, SpecError, Varied, WheelsetError,
+};
 
 /// Done.
 pub const CREEPAGE_OK: i32 = 0;
@@ -28,6 +31,8 @@ pub const CREEPAGE_UNSUPPORTED: i32 = 6;
 pub const CREEPAGE_DEFECT: i32 = 7;
 /// No creepage gives the forces that are wanted.
 pub const CREEPAGE_NOT_REACHABLE: i32 = 8;
+/// There is less room than needed; nothing was written to it.
+pub const CREEPAGE_ROOM: i32 = 9;
 
 /// Why a call fails.
 #[derive(Debug, thiserror::Error)]
@@ -73,6 +78,12 @@ pub(crate) enum Failure {
     Build { theory: &'static str, source: BuildError<TheoryError> },
     #[error(transparent)]
     Wheelset(Box<WheelsetError>),
+    #[error(transparent)]
+    History(Box<HistoryError>),
+    #[error(transparent)]
+    Saved(#[from] SavedError),
+    #[error("the state has {needed} bytes: there is room for {size}")]
+    Room { size: usize, needed: usize },
     #[error("cannot write {}: {source}", path.display())]
     Write { path: PathBuf, source: io::Error },
 }
@@ -96,7 +107,11 @@ impl Failure {
             | Self::NoDerivative(_)
             | Self::Solve { source: SolveError::FindsNothing { .. }, .. } => CREEPAGE_UNSUPPORTED,
             Self::Solve { source: SolveError::Unreachable(_), .. } => CREEPAGE_NOT_REACHABLE,
-            Self::Invalid(_)
+            Self::History(source) if source.is_beyond_friction() => CREEPAGE_NOT_REACHABLE,
+            Self::Room { .. } => CREEPAGE_ROOM,
+            Self::History(_)
+            | Self::Saved(_)
+            | Self::Invalid(_)
             | Self::Case { .. }
             | Self::Hertz(_)
             | Self::Bulk(_)
@@ -105,6 +120,12 @@ impl Failure {
             | Self::Theory(_)
             | Self::Solve { .. } => CREEPAGE_INVALID,
         }
+    }
+}
+
+impl From<HistoryError> for Failure {
+    fn from(error: HistoryError) -> Self {
+        Self::History(Box::new(error))
     }
 }
 

@@ -9,6 +9,7 @@ mod case;
 mod failure;
 mod hertz;
 mod input;
+mod rolling;
 mod status;
 mod table;
 mod theory;
@@ -20,10 +21,14 @@ pub use bulk::{CreepageCase, creepage_case_force, creepage_case_free, creepage_c
 pub use case::creepage_case_solve;
 pub use failure::{
     CREEPAGE_COUNT, CREEPAGE_DEFECT, CREEPAGE_FILE, CREEPAGE_INVALID, CREEPAGE_NOT_REACHABLE,
-    CREEPAGE_NULL, CREEPAGE_OK, CREEPAGE_TEXT, CREEPAGE_UNSUPPORTED,
+    CREEPAGE_NULL, CREEPAGE_OK, CREEPAGE_ROOM, CREEPAGE_TEXT, CREEPAGE_UNSUPPORTED,
 };
 pub use hertz::{
     CREEPAGE_ADHESION, CREEPAGE_OUTSIDE, CREEPAGE_SLIP, creepage_case_field, creepage_hertz,
+};
+pub use rolling::{
+    CreepageRolling, creepage_rolling_free, creepage_rolling_new, creepage_rolling_restore,
+    creepage_rolling_save, creepage_rolling_step,
 };
 pub use status::{
     CREEPAGE_ACCURACY_NOT_REACHED, CREEPAGE_CHECK_UNITS, CREEPAGE_CREEPAGE_TOO_SMALL,

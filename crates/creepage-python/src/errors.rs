@@ -5,13 +5,15 @@ use std::path::PathBuf;
 
 use creepage::coulomb::InverseError;
 use creepage::theory::{TheoryError, UnknownTheory};
+use creepage::unsteady::SavedError;
 use creepage::variational::VariationalError;
 use creepage::{Creepage, Force, InvalidValue};
 use creepage_study::{
-    CaseError, ReportError, SolveError, SpecError, StaticsError, Unreachable, WheelsetError,
+    CaseError, HistoryError, MotionError, ReportError, SolveError, SpecError, StaticsError,
+    Unreachable, WheelsetError,
 };
 use pyo3::BoundObject;
-use pyo3::exceptions::{PyOSError, PyOverflowError, PyRuntimeError, PyTypeError};
+use pyo3::exceptions::{PyOSError, PyOverflowError, PyRuntimeError, PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
 use toml::Value;
@@ -185,6 +187,34 @@ pub(crate) fn wheelset(py: Python, error: WheelsetError) -> PyErr {
         WheelsetError::Case(error) => case(py, error),
         other => exception(py, "CaseError", (other.to_string(), Some("wheelset"))),
     }
+}
+
+/// A case that does not roll, or a motion that is none.
+pub(crate) fn history(py: Python, error: HistoryError) -> PyErr {
+    let message = error.to_string();
+    match error {
+        HistoryError::Case(error) => case(py, error),
+        HistoryError::Contact(error) => {
+            exception(py, "CaseError", (message, Some("contact"), error.quantity, error.value))
+        }
+        HistoryError::Step(MotionError::Value(error)) => invalid(py, error),
+        HistoryError::Row { source: MotionError::Value(error), .. } => {
+            exception(py, "InvalidValue", (message, error.quantity, error.value, error.valid))
+        }
+        HistoryError::Theory { .. } | HistoryError::Automatic => {
+            exception(py, "CaseError", (message, Some("solve")))
+        }
+        HistoryError::Foreign { section, key, .. } => {
+            exception(py, "CaseError", (message, Some(section), Some(key)))
+        }
+        HistoryError::Section { section } => exception(py, "CaseError", (message, Some(section))),
+        HistoryError::Start { .. } => exception(py, "CaseError", (message, Some("start"))),
+        _ => PyValueError::new_err(message),
+    }
+}
+
+pub(crate) fn no_state(error: SavedError) -> PyErr {
+    PyValueError::new_err(error.to_string())
 }
 
 pub(crate) fn report(error: ReportError) -> PyErr {

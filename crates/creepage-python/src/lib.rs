@@ -14,6 +14,7 @@ mod number;
 mod options;
 mod pool;
 mod results;
+mod rolling;
 mod signals;
 mod statics;
 mod sweep;
@@ -36,6 +37,8 @@ mod _creepage {
     use crate::command::command;
     #[pymodule_export]
     use crate::exact::Exact;
+    #[pymodule_export]
+    use crate::rolling::{RollingData, roll};
     #[pymodule_export]
     use crate::statics::SolvedStatics;
     #[pymodule_export]

@@ -6,7 +6,7 @@
 //! |---|---|
 //! | case files | [`CaseFile`], [`StaticsFile`], [`Sweep`], their schemas |
 //! | cases | [`Case`] and its [`TheorySpec`](creepage::TheorySpec), [`theory_spec`] |
-//! | histories | [`RollFile`] gives a [`RollCase`], which a [`History`] moves: [`HistoryRun`] |
+//! | histories | [`RollFile`] gives a [`RollCase`], which a [`History`] moves: [`HistoryRun`]; [`RollStepper`] |
 //! | wheelsets | [`WheelsetFile`] gives a [`WheelsetCase`], this a [`SolvedWheelset`]; [`conicity`], [`WheelsetTable`] |
 //! | solved | [`solve`] gives a [`SolvedCase`]; [`StaticsCase`], [`SweepRun`], [`Curves`], [`Stresses`] |
 //! | many | [`BulkCase`]: one case with [`Varied`] quantities in rows; [`Solver`]: many [`Question`]s |
@@ -98,7 +98,8 @@ pub use gap::{
 };
 pub use history::{
     HISTORY_COLUMNS, History, HistoryError, HistoryMotion, HistoryRow, HistoryRun, HistoryWriter,
-    RollCase, RollFile, history_picture, roll_json_schema, to_png,
+    MotionError, RollCase, RollFile, RollStart, RollStepper, history_picture, roll_json_schema,
+    to_png,
 };
 pub use json::{
     AreasJson, CreepageJson, DetailJson, DimensionlessJson, ForceJson, FrictionLawJson, ReportJson,

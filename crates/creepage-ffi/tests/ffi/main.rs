@@ -18,5 +18,6 @@ mod header;
 mod interface;
 #[cfg(unix)]
 mod programs;
+mod rolling;
 mod wheelset;
 mod wrong;

@@ -213,15 +213,24 @@ impl RollCase {
     /// [`HistoryError::Contact`] when the contact cannot be prepared.
     pub fn begin(&self, first: &HistoryMotion) -> Result<Rolling, HistoryError> {
         let mut rolling = self.prepared().map_err(HistoryError::Contact)?;
+        self.start(&mut rolling, first).map_err(HistoryError::Contact)?;
+        Ok(rolling)
+    }
+
+    /// Takes a contact just pressed together to its starting state.
+    pub(super) fn start(
+        &self,
+        rolling: &mut Rolling,
+        first: &HistoryMotion,
+    ) -> Result<(), InvalidValue> {
         match self.start {
             Start::None => rolling.start_with_load(first.load),
-            Start::Steady => rolling
-                .start_with_load(first.load)
-                .and_then(|()| rolling.start_steady(&first.motion).map(drop)),
+            Start::Steady => {
+                rolling.start_with_load(first.load)?;
+                rolling.start_steady(&first.motion).map(drop)
+            }
             Start::Shift([fx, fy]) => rolling.shift(fx, fy).map(drop),
         }
-        .map_err(HistoryError::Contact)?;
-        Ok(rolling)
     }
 
     /// The contact just pressed together.

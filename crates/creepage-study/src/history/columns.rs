@@ -6,7 +6,7 @@ use creepage::InvalidValue;
 use creepage::unsteady::{Motion, Prescribed};
 
 use super::case::{HistoryMotion, RollCase, over};
-use super::error::HistoryError;
+use super::error::{HistoryError, MotionError};
 use crate::case::similar::similar;
 
 /// One row: a distance, and how the bodies move up to it from that of the row before.
@@ -79,19 +79,72 @@ impl History {
             .trim(csv::Trim::All)
             .comment(Some(b'#'))
             .from_reader(input);
-        let columns = columns(reader.headers()?, case)?;
-        let mut rows: Vec<HistoryRow> = Vec::new();
+        let header = reader.headers()?.clone();
+        let columns = columns(header.iter().map(|name| name.trim_start_matches('\u{feff}')), case)?;
+        let mut rows = Rows::new(&columns, case);
         for (index, record) in reader.records().enumerate() {
-            let before = rows.last().map_or(0.0, |row| row.distance);
-            rows.push(row(index + 1, &record?, &columns, case, before)?);
+            rows.push(&numbers(index + 1, &record?, &columns)?)?;
         }
-        if rows.is_empty() { Err(HistoryError::Empty) } else { Ok(Self { rows }) }
+        rows.whole()
+    }
+
+    /// The same from columns by their names, of one length.
+    ///
+    /// # Errors
+    /// As [`History::read`].
+    pub fn from_columns(given: &[(&str, &[f64])], case: &RollCase) -> Result<Self, HistoryError> {
+        let columns = columns(given.iter().map(|(name, _)| *name), case)?;
+        let mut rows = Rows::new(&columns, case);
+        for index in 0..given.iter().map(|(_, values)| values.len()).min().unwrap_or(0) {
+            let values: Vec<f64> = given.iter().map(|(_, values)| values[index]).collect();
+            rows.push(&values)?;
+        }
+        rows.whole()
     }
 }
 
-fn columns(header: &csv::StringRecord, case: &RollCase) -> Result<Vec<Column>, HistoryError> {
-    let found = header.iter().map(|name| named(name.trim_start_matches('\u{feff}')));
-    let found = found.collect::<Result<Vec<_>, _>>()?;
+impl HistoryRow {
+    /// A single step: `distance` is its own length, all by the names of a history's columns.
+    ///
+    /// # Errors
+    /// [`HistoryError`] that names the column.
+    pub(super) fn of_step(given: &[(&str, f64)], case: &RollCase) -> Result<Self, HistoryError> {
+        let columns = columns(given.iter().map(|(name, _)| *name), case)?;
+        let values: Vec<f64> = given.iter().map(|(_, value)| *value).collect();
+        row(&values, &columns, case, 0.0).map_err(HistoryError::Step)
+    }
+}
+
+/// Rows as they are read.
+struct Rows<'a> {
+    columns: &'a [Column],
+    case: &'a RollCase,
+    read: Vec<HistoryRow>,
+}
+
+impl<'a> Rows<'a> {
+    fn new(columns: &'a [Column], case: &'a RollCase) -> Self {
+        Self { columns, case, read: Vec::new() }
+    }
+
+    fn push(&mut self, values: &[f64]) -> Result<(), HistoryError> {
+        let before = self.read.last().map_or(0.0, |row| row.distance);
+        let row = row(values, self.columns, self.case, before);
+        self.read.push(row.map_err(HistoryError::in_row(self.read.len() + 1))?);
+        Ok(())
+    }
+
+    fn whole(self) -> Result<History, HistoryError> {
+        let rows = self.read;
+        if rows.is_empty() { Err(HistoryError::Empty) } else { Ok(History { rows }) }
+    }
+}
+
+fn columns<'a>(
+    names: impl Iterator<Item = &'a str>,
+    case: &RollCase,
+) -> Result<Vec<Column>, HistoryError> {
+    let found = names.map(named).collect::<Result<Vec<_>, _>>()?;
     for (index, (first, kind)) in found.iter().enumerate() {
         let is_same = |other: &Kind| {
             other == kind || kind.component().is_some_and(|k| other.component() == Some(k))
@@ -129,26 +182,37 @@ fn named(name: &str) -> Result<Column, HistoryError> {
     })
 }
 
-fn row(
-    number: usize,
+/// The fields of a row as numbers.
+fn numbers(
+    row: usize,
     record: &csv::StringRecord,
+    columns: &[Column],
+) -> Result<Vec<f64>, HistoryError> {
+    let (found, expected) = (record.len(), columns.len());
+    if found != expected {
+        return Err(HistoryError::Fields { row, found, expected });
+    }
+    let number = |(text, (column, _)): (&str, &Column)| {
+        text.parse().map_err(|_| HistoryError::NotANumber { row, column, text: text.into() })
+    };
+    record.iter().zip(columns).map(number).collect()
+}
+
+fn row(
+    values: &[f64],
     columns: &[Column],
     case: &RollCase,
     before: f64,
-) -> Result<HistoryRow, HistoryError> {
-    let (found, expected) = (record.len(), columns.len());
-    if found != expected {
-        return Err(HistoryError::Fields { row: number, found, expected });
-    }
+) -> Result<HistoryRow, MotionError> {
     let units = &case.scaling;
     let mut distance = f64::NAN;
     let mut load = 1.0;
     let mut parts = [Prescribed::Creepage(0.0); 3];
-    for (text, (column, kind)) in record.iter().zip(columns) {
-        let value = value(number, column, text)?;
+    for (value, (column, kind)) in values.iter().zip(columns) {
+        let value = in_range(column, *value)?;
         match *kind {
             Kind::Distance => distance = value,
-            Kind::NormalForce => load = normal(number, value, case.load)?,
+            Kind::NormalForce => load = normal(value, case.load)?,
             Kind::Si(k) => {
                 let unit = [units.slip, units.slip, units.slip / units.length][k];
                 parts[k] = over(Prescribed::Creepage(value), unit);
@@ -161,35 +225,30 @@ fn row(
         }
     }
     if distance.is_nan() || distance <= before {
-        return Err(HistoryError::Distance { row: number, value: distance, before });
+        return Err(MotionError::Distance { value: distance, before });
     }
     let [longitudinal, lateral, spin] = parts;
     let motion = HistoryMotion { motion: Motion { longitudinal, lateral, spin }, load };
-    within(number, &motion, units.force)?;
+    within(&motion, units.force)?;
     Ok(HistoryRow { distance, motion })
 }
 
-fn value(row: usize, column: &'static str, text: &str) -> Result<f64, HistoryError> {
-    let not_a_number = || HistoryError::NotANumber { row, column, text: text.into() };
-    let value: f64 = text.parse().map_err(|_| not_a_number())?;
-    // As large as any creepage may be, and safe to square.
-    if value.abs() <= 1e100 {
-        return Ok(value);
-    }
-    let invalid = InvalidValue { quantity: column, value, valid: "between -1e100 and 1e100" };
-    Err(HistoryError::value(row)(invalid))
+/// As large as any creepage may be, and safe to square.
+fn in_range(quantity: &'static str, value: f64) -> Result<f64, InvalidValue> {
+    let valid = "between -1e100 and 1e100";
+    if value.abs() <= 1e100 { Ok(value) } else { Err(InvalidValue { quantity, value, valid }) }
 }
 
 /// A normal force over the nominal one.
-fn normal(row: usize, value: f64, nominal: f64) -> Result<f64, HistoryError> {
+fn normal(value: f64, nominal: f64) -> Result<f64, InvalidValue> {
     let valid = "between zero and a million times that of the case";
     let load = value / nominal;
     let invalid = InvalidValue { quantity: "normal_force", value, valid };
-    if (0.0..=1e6).contains(&load) { Ok(load) } else { Err(HistoryError::value(row)(invalid)) }
+    if (0.0..=1e6).contains(&load) { Ok(load) } else { Err(invalid) }
 }
 
 /// Friction must be able to give the forces of a row.
-fn within(row: usize, motion: &HistoryMotion, unit: f64) -> Result<(), HistoryError> {
+fn within(motion: &HistoryMotion, unit: f64) -> Result<(), MotionError> {
     let parts = [motion.motion.longitudinal, motion.motion.lateral];
     let [fx, fy] = parts.map(|part| match part {
         Prescribed::Force(value) => value,
@@ -199,5 +258,5 @@ fn within(row: usize, motion: &HistoryMotion, unit: f64) -> Result<(), HistoryEr
     if force <= motion.load {
         return Ok(());
     }
-    Err(HistoryError::BeyondFriction { row, force: force * unit, most: motion.load * unit })
+    Err(MotionError::BeyondFriction { force: force * unit, most: motion.load * unit })
 }

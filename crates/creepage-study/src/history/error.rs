@@ -107,34 +107,17 @@ pub enum HistoryError {
         /// What stands there.
         text: String,
     },
-    /// A number out of its range.
-    #[error("row {row}: {invalid}")]
-    Value {
+    /// A row whose numbers are no motion.
+    #[error("row {row}: {source}")]
+    Row {
         /// Number of the row, from 1.
         row: usize,
-        /// The column, its value, and what it must be.
-        invalid: InvalidValue,
+        /// What is wrong with it.
+        source: MotionError,
     },
-    /// Distances that do not grow.
-    #[error("row {row}: distance = {value} is not valid: it must be greater than {before}")]
-    Distance {
-        /// Number of the row, from 1.
-        row: usize,
-        /// The distance.
-        value: f64,
-        /// That of the row before, or zero.
-        before: f64,
-    },
-    /// A force that friction cannot give.
-    #[error("row {row}: the force, {force} N, is not reachable: friction gives at most {most} N")]
-    BeyondFriction {
-        /// Number of the row, from 1.
-        row: usize,
-        /// Its size.
-        force: f64,
-        /// `mu N` of the row.
-        most: f64,
-    },
+    /// A single step whose numbers are no motion.
+    #[error(transparent)]
+    Step(MotionError),
     /// The contact cannot be prepared.
     #[error("[contact] {0}")]
     Contact(InvalidValue),
@@ -143,9 +126,45 @@ pub enum HistoryError {
     Busy,
 }
 
+/// Why numbers do not say how bodies move.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum MotionError {
+    /// A number out of its range.
+    #[error(transparent)]
+    Value(#[from] InvalidValue),
+    /// Distances that do not grow.
+    #[error("distance = {value} is not valid: it must be greater than {before}")]
+    Distance {
+        /// The distance.
+        value: f64,
+        /// That of the row before, or zero.
+        before: f64,
+    },
+    /// A force that friction cannot give.
+    #[error("the force, {force} N, is not reachable: friction gives at most {most} N")]
+    BeyondFriction {
+        /// Its size.
+        force: f64,
+        /// `mu N` of the moment.
+        most: f64,
+    },
+}
+
 impl HistoryError {
-    /// Places an [`InvalidValue`] in a row.
-    pub(super) fn value(row: usize) -> impl Fn(InvalidValue) -> Self {
-        move |invalid| Self::Value { row, invalid }
+    /// Whether it is a force, of a start, a row or a step, that friction cannot give.
+    #[must_use]
+    pub fn is_beyond_friction(&self) -> bool {
+        let beyond = |source: &MotionError| matches!(source, MotionError::BeyondFriction { .. });
+        match self {
+            Self::Start { .. } => true,
+            Self::Row { source, .. } | Self::Step(source) => beyond(source),
+            _ => false,
+        }
+    }
+
+    /// Places a [`MotionError`] in a row.
+    pub(super) fn in_row(row: usize) -> impl Fn(MotionError) -> Self {
+        move |source| Self::Row { row, source }
     }
 }

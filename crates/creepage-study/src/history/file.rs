@@ -73,6 +73,17 @@ pub(super) struct StartSection {
     pub(super) lateral_force: Option<f64>,
 }
 
+/// The state in which rolling starts.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum RollStart {
+    /// No traction.
+    None,
+    /// Steady rolling with the motion of the first row or step.
+    Steady,
+    /// A shift by a longitudinal and a lateral force on the lower body (N).
+    Shift([f64; 2]),
+}
+
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub(super) enum StartTraction {
@@ -85,6 +96,9 @@ pub(super) enum StartTraction {
     Shift,
 }
 
+/// Sections that say how the bodies move, whose place the history takes.
+const MOTION: [&str; 2] = ["creepage", "wanted"];
+
 impl RollFile {
     /// Reads the text of a case file and checks its form: TOML, sections, keys and kinds of values.
     ///
@@ -92,13 +106,37 @@ impl RollFile {
     /// [`HistoryError`] that says where the text is not such a case file.
     pub fn read(text: &str) -> Result<Self, HistoryError> {
         let table: Table = text.parse().map_err(CaseError::Toml)?;
-        for section in ["creepage", "wanted"] {
-            if table.contains_key(section) {
-                return Err(HistoryError::Section { section });
-            }
+        let section = MOTION.into_iter().find(|section| table.contains_key(*section));
+        if let Some(section) = section {
+            return Err(HistoryError::Section { section });
         }
         keys::check(&table, &roll_json_schema())?;
         Ok(toml::from_str(text).map_err(CaseError::Toml)?)
+    }
+
+    /// The contact of a case file of steady rolling: its creepage, or the forces wanted of it, are not
+    /// used.
+    ///
+    /// # Errors
+    /// As [`RollFile::read`].
+    pub fn of_case(text: &str) -> Result<Self, HistoryError> {
+        let mut table: Table = text.parse().map_err(CaseError::Toml)?;
+        for section in MOTION {
+            table.remove(section);
+        }
+        Self::read(&table.to_string())
+    }
+
+    /// The same with another start.
+    #[must_use]
+    pub fn with_start(self, start: RollStart) -> Self {
+        let (traction, force) = match start {
+            RollStart::None => (StartTraction::None, None),
+            RollStart::Steady => (StartTraction::Steady, None),
+            RollStart::Shift(force) => (StartTraction::Shift, Some(force)),
+        };
+        let [longitudinal_force, lateral_force] = [0, 1].map(|k| force.map(|force| force[k]));
+        Self { start: StartSection { traction, longitudinal_force, lateral_force }, ..self }
     }
 }
 

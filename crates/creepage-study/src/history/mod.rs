@@ -7,12 +7,14 @@ mod file;
 mod picture;
 mod progress;
 mod run;
+mod stepper;
 mod writer;
 
 pub use case::{HistoryMotion, RollCase};
 pub use columns::{History, HistoryRow};
-pub use error::HistoryError;
-pub use file::{RollFile, roll_json_schema};
+pub use error::{HistoryError, MotionError};
+pub use file::{RollFile, RollStart, roll_json_schema};
 pub use picture::{history_picture, to_png};
 pub use run::{HISTORY_COLUMNS, HistoryRun};
+pub use stepper::RollStepper;
 pub use writer::HistoryWriter;

@@ -84,7 +84,7 @@ impl<'a> HistoryRun<'a> {
     /// Rolls to the end of the next row: its distance (m) and what it leads to; `None` at the end.
     ///
     /// # Errors
-    /// [`HistoryError::Value`]; none for a history that was read for the case.
+    /// [`HistoryError::Row`]; none for a history that was read for the case.
     pub fn next_row(&mut self) -> Result<Option<(f64, Rolled)>, HistoryError> {
         let Some(row) = self.history.rows.get(self.done) else { return Ok(None) };
         let before = self.done.checked_sub(1).and_then(|last| self.history.rows.get(last));
@@ -92,7 +92,7 @@ impl<'a> HistoryRun<'a> {
         let rolled = self
             .case
             .roll(&mut self.rolling, length, &row.motion)
-            .map_err(HistoryError::value(self.done + 1))?;
+            .map_err(|error| HistoryError::in_row(self.done + 1)(error.into()))?;
         self.done += 1;
         self.progress.moments.push(Moment::new(row.distance, &rolled));
         if self.is_station() {
@@ -108,18 +108,23 @@ impl<'a> HistoryRun<'a> {
         station(self.done) > station(self.done - 1)
     }
 
-    /// The results of one row as they stand in the table.
+    /// The numbers of one row in the order of [`HISTORY_COLUMNS`], all but the status.
     #[must_use]
-    pub fn record(&self, distance: f64, rolled: &Rolled) -> [String; 12] {
+    pub fn numbers(&self, distance: f64, rolled: &Rolled) -> [f64; 11] {
         let force = self.case.scaling.si_force(rolled.solution.force);
         let [xi, eta, chi] = rolled.creepage.components();
         let [fx, fy, mz] = rolled.solution.force.components();
         let (longitudinal, lateral, moment) = (force.longitudinal, force.lateral, force.moment);
         let share = rolled.adhesion_share;
-        let numbers =
-            [distance, xi, eta, chi, fx, fy, mz, longitudinal, lateral, moment, share, 0.0];
-        let mut record = numbers.map(|number| format!("{number:?}"));
-        record[11] = rolled.solution.status.name().into();
+        [distance, xi, eta, chi, fx, fy, mz, longitudinal, lateral, moment, share]
+    }
+
+    /// The results of one row as they stand in the table.
+    #[must_use]
+    pub fn record(&self, distance: f64, rolled: &Rolled) -> Vec<String> {
+        let numbers = self.numbers(distance, rolled);
+        let mut record: Vec<String> = numbers.iter().map(|number| format!("{number:?}")).collect();
+        record.push(rolled.solution.status.name().into());
         record
     }
 

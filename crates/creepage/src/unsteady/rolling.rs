@@ -124,6 +124,12 @@ impl Rolling {
         Ok(())
     }
 
+    /// Distance rolled since the beginning, in units of `c`; zero before the first step.
+    #[must_use]
+    pub fn distance(&self) -> f64 {
+        self.travel.distance
+    }
+
     /// Shifts the bodies against each other by a force, before they roll: Cattaneo's and Mindlin's
     /// problem, on any ellipse in any direction.
     ///

@@ -33,6 +33,9 @@ pub enum SavedError {
     /// They are those of a contact with other elements.
     #[error("the state is that of a contact with other elements")]
     OtherElements,
+    /// They are those of a contact of another case.
+    #[error("the state is that of another contact")]
+    OtherContact,
 }
 
 const MAGIC: &[u8; 8] = b"rolling2";
