@@ -103,6 +103,33 @@ fn refused(case: &str, history: &str, parts: &[&str]) {
     assert!(!place.path("out").exists());
 }
 
+/// FASTSIM forgets within a contact length, and ends at its steady force.
+#[test]
+fn fastsim_ends_at_its_steady_force() {
+    let fastsim = case().replace("resolution = [8, 8]", "theory = \"fastsim\"\ngrid = [50, 50]");
+    let history = "distance,longitudinal,spin\n1e-3,-1e-3,0.2\n0.04,-1e-3,0.2\n0.05,-1e-3,0.2\n";
+    let csv = rolled(&fastsim, history);
+    let place = Place::new();
+    let steady =
+        fastsim.replace("[solve]", "[creepage]\nlongitudinal = -1e-3\nspin = 0.2\n[solve]");
+    place.write("case.toml", steady);
+    let report: serde_json::Value =
+        serde_json::from_str(&place.run(&["solve", "case.toml", "--json"]).done()).unwrap();
+    for name in ["fx", "fy", "mz"] {
+        let (rolled, steady) =
+            (column(&csv, name), report["dimensionless"][name].as_f64().unwrap());
+        // Steps of finite length: one part in a thousand of mu N, as its own documentation has it.
+        assert!((rolled[1] - steady).abs() < 1e-3, "{name} {rolled:?} {steady}");
+        assert!((rolled[1] - rolled[2]).abs() < 1e-9, "{name} {rolled:?}");
+    }
+    let fx = column(&csv, "fx");
+    assert!(fx[0] < 0.0 && fx[0] > 0.8 * fx[1], "{fx:?}");
+    refused(&fastsim, "distance,longitudinal_force\n1,1\n", &["longitudinal_force", "fastsim"]);
+    refused(&fastsim, "distance,normal_force\n1,1\n", &["normal_force", "fastsim"]);
+    let shift = format!("{fastsim}[start]\ntraction = \"shift\"\n");
+    refused(&shift, "distance\n1\n", &["shift", "fastsim"]);
+}
+
 #[test]
 fn wrong_tables_are_refused_and_nothing_is_written() {
     let case = case();

@@ -1,12 +1,14 @@
 //! A contact that rolls, every number of it checked.
 
 use creepage::approximate::carter::LineContact;
+use creepage::approximate::fastsim::Settings;
 use creepage::coulomb::Resolution;
-use creepage::unsteady::{Motion, Prescribed, Rolled, Rolling};
+use creepage::unsteady::{Motion, Prescribed, Rolled, Rolling, RollingFastsim};
 use creepage::{Contact, InvalidValue, Scaling, SolidPair, TheorySpec};
 
 use super::error::HistoryError;
 use super::file::{RollFile, StartTraction};
+use super::roller::Roller;
 use crate::CaseError;
 use crate::case::contact::ContactSection;
 use crate::case::sections::check_aligned;
@@ -30,13 +32,20 @@ pub struct RollCase {
 pub(super) enum Kind {
     Ellipse {
         contact: Contact,
-        resolution: Resolution,
+        method: Method,
     },
     /// Length over the half-width, where it is given.
     Line {
         length: Option<f64>,
         poisson: f64,
     },
+}
+
+/// By which theory.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Method {
+    Exact(Resolution),
+    Fastsim(Settings),
 }
 
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -66,7 +75,7 @@ impl RollFile {
     /// [`HistoryError`] for numbers out of range, contradictions, bodies without such a contact, and
     /// theories of steady rolling.
     pub fn case(&self) -> Result<RollCase, HistoryError> {
-        let resolution = self.resolution()?;
+        let method = self.method()?;
         let case = match (self.contact.normal_force, self.contact.line_load) {
             (Some(_), Some(_)) => {
                 let (first, second) = (("contact", "normal_force"), ("contact", "line_load"));
@@ -76,17 +85,25 @@ impl RollFile {
                 let keys = ["normal_force", "line_load"];
                 return Err(CaseError::MissingEither { section: "contact", keys }.into());
             }
-            (Some(force), None) => self.ellipse(force, resolution)?,
+            (Some(force), None) => self.ellipse(force, method)?,
+            (None, Some(_)) if matches!(method, Method::Fastsim(_)) => {
+                return Err(HistoryError::NotOfFastsim { what: "[contact] line_load" });
+            }
             (None, Some(load)) => self.line(load)?,
         };
         let start = self.starting(case.scaling.force)?;
+        if matches!((method, start), (Method::Fastsim(_), Start::Shift(_))) {
+            return Err(HistoryError::NotOfFastsim { what: "[start] traction = \"shift\"" });
+        }
         Ok(RollCase { start, ..case })
     }
 
-    fn resolution(&self) -> Result<Resolution, HistoryError> {
+    fn method(&self) -> Result<Method, HistoryError> {
         let spec = solve::from_table(&self.solve).map_err(CaseError::Spec)?;
-        let TheorySpec::Exact(options) = &spec else {
-            return Err(HistoryError::Theory { theory: spec.facts().name });
+        let options = match &spec {
+            TheorySpec::Exact(options) => options,
+            TheorySpec::Fastsim(settings) => return Ok(Method::Fastsim(*settings)),
+            _ => return Err(HistoryError::Theory { theory: spec.facts().name }),
         };
         let invalid = |error| match error {
             creepage::theory::TheoryError::Invalid(invalid) => CaseError::invalid("solve")(invalid),
@@ -99,10 +116,11 @@ impl RollFile {
                 },
             },
         };
-        options.fixed_resolution().map_err(invalid)?.ok_or(HistoryError::Automatic)
+        let resolution = options.fixed_resolution().map_err(invalid)?;
+        resolution.map(Method::Exact).ok_or(HistoryError::Automatic)
     }
 
-    fn ellipse(&self, normal_force: f64, resolution: Resolution) -> Result<RollCase, HistoryError> {
+    fn ellipse(&self, normal_force: f64, method: Method) -> Result<RollCase, HistoryError> {
         let own = &self.contact;
         let only_of_lines =
             [("length", own.length.is_some()), ("radius_rolling", own.radius_rolling.is_some())];
@@ -120,7 +138,7 @@ impl RollFile {
         let hertz = section.hertz(&self.upper, &self.lower)?;
         check_aligned(own.angle, &hertz)?;
         let contact = hertz.with_friction(own.friction).map_err(CaseError::invalid("contact"))?;
-        let (scaling, kind) = (contact.scaling(), Kind::Ellipse { contact, resolution });
+        let (scaling, kind) = (contact.scaling(), Kind::Ellipse { contact, method });
         Ok(RollCase {
             scaling,
             load: normal_force,
@@ -208,10 +226,7 @@ impl RollFile {
 
 impl RollCase {
     /// The contact in its starting state; `first` is the motion of steady rolling if that is it.
-    ///
-    /// # Errors
-    /// [`HistoryError::Contact`] when the contact cannot be prepared.
-    pub fn begin(&self, first: &HistoryMotion) -> Result<Rolling, HistoryError> {
+    pub(super) fn begin(&self, first: &HistoryMotion) -> Result<Roller, HistoryError> {
         let mut rolling = self.prepared().map_err(HistoryError::Contact)?;
         self.start(&mut rolling, first).map_err(HistoryError::Contact)?;
         Ok(rolling)
@@ -220,39 +235,44 @@ impl RollCase {
     /// Takes a contact just pressed together to its starting state.
     pub(super) fn start(
         &self,
-        rolling: &mut Rolling,
+        rolling: &mut Roller,
         first: &HistoryMotion,
     ) -> Result<(), InvalidValue> {
         match self.start {
             Start::None => rolling.start_with_load(first.load),
-            Start::Steady => {
-                rolling.start_with_load(first.load)?;
-                rolling.start_steady(&first.motion).map(drop)
-            }
-            Start::Shift([fx, fy]) => rolling.shift(fx, fy).map(drop),
+            Start::Steady => rolling.start_steady(first),
+            Start::Shift(force) => rolling.shift(force),
         }
     }
 
     /// The contact just pressed together.
-    pub(super) fn prepared(&self) -> Result<Rolling, InvalidValue> {
-        match self.kind {
-            Kind::Ellipse { contact, resolution } => Rolling::new(&contact, resolution),
-            Kind::Line { length, poisson } => Rolling::line(length.unwrap_or(LONG), poisson),
-        }
+    pub(super) fn prepared(&self) -> Result<Roller, InvalidValue> {
+        Ok(match self.kind {
+            Kind::Ellipse { contact, method: Method::Exact(resolution) } => {
+                Roller::Exact(Rolling::new(&contact, resolution)?)
+            }
+            Kind::Ellipse { contact, method: Method::Fastsim(settings) } => {
+                Roller::Fastsim(RollingFastsim::new(&contact, settings)?)
+            }
+            Kind::Line { length, poisson } => {
+                Roller::Exact(Rolling::line(length.unwrap_or(LONG), poisson)?)
+            }
+        })
     }
 
-    /// Rolls on to a distance (m).
-    ///
-    /// # Errors
-    /// [`InvalidValue`] as [`Rolling::step`].
-    pub fn roll(
+    /// Rolls on by a length (m).
+    pub(super) fn roll(
         &self,
-        rolling: &mut Rolling,
+        rolling: &mut Roller,
         length: f64,
         motion: &HistoryMotion,
     ) -> Result<Rolled, InvalidValue> {
-        rolling.press(motion.load)?;
-        rolling.step(length / self.scaling.length, &motion.motion)
+        rolling.step(length / self.scaling.length, motion)
+    }
+
+    /// Whether it rolls by FASTSIM.
+    pub(super) fn is_fastsim(&self) -> bool {
+        matches!(self.kind, Kind::Ellipse { method: Method::Fastsim(_), .. })
     }
 
     /// Whether it is a line contact.

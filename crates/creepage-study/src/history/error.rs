@@ -18,7 +18,9 @@ pub enum HistoryError {
         section: &'static str,
     },
     /// A theory of steady rolling only.
-    #[error("[solve] theory = \"{theory}\" is one of steady rolling: a history needs \"exact\"")]
+    #[error(
+        "[solve] theory = \"{theory}\" is one of steady rolling: a history needs \"exact\" or \"fastsim\""
+    )]
     Theory {
         /// Its name.
         theory: &'static str,
@@ -26,6 +28,15 @@ pub enum HistoryError {
     /// A resolution that depends on a solution.
     #[error("[solve] resolution = \"auto\" does not go with a history: name one")]
     Automatic,
+    /// What FASTSIM does not do.
+    #[error(
+        "{what} does not go with theory = \"fastsim\", which rolls ellipses at creepages under the \
+         constant normal force of the case: use \"exact\""
+    )]
+    NotOfFastsim {
+        /// A column or a key.
+        what: &'static str,
+    },
     /// A key that goes with another kind of contact or start.
     #[error("[{section}] {key} {why}")]
     Foreign {

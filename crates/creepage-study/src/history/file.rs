@@ -28,7 +28,7 @@ pub struct RollFile {
     /// The state in which rolling starts.
     #[serde(default)]
     pub(super) start: StartSection,
-    /// The theory, "exact", and its options.
+    /// The theory, "exact" or "fastsim", and its options.
     #[serde(default)]
     #[schemars(with = "TheorySpec")]
     pub(super) solve: Table,

@@ -6,6 +6,7 @@ mod error;
 mod file;
 mod picture;
 mod progress;
+mod roller;
 mod run;
 mod stepper;
 mod writer;

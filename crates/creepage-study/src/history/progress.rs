@@ -1,7 +1,8 @@
 //! What a history has come to so far: what its pictures need, and bytes of it to go on from.
 
 use creepage::Region;
-use creepage::unsteady::{Rolled, Rolling};
+use creepage::coulomb::ElementField;
+use creepage::unsteady::Rolled;
 
 /// Distance (m), creepage and force at the end of a row, dimensionless.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -34,8 +35,8 @@ impl Moment {
 }
 
 impl Station {
-    pub(super) fn new(distance: f64, rolling: &Rolling) -> Self {
-        let elements = rolling.elements().into_iter();
+    pub(super) fn new(distance: f64, elements: Vec<ElementField>) -> Self {
+        let elements = elements.into_iter();
         let elements =
             elements.map(|one| (one.corners, one.point.region == Region::Slip)).collect();
         Self { distance, elements }

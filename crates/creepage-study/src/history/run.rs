@@ -1,11 +1,12 @@
 //! A history on its way: a row of results for each of its rows.
 
-use creepage::unsteady::{Rolled, Rolling, Saved};
+use creepage::unsteady::Rolled;
 
 use super::case::RollCase;
 use super::columns::History;
 use super::error::HistoryError;
 use super::progress::{Moment, Progress, Station};
+use super::roller::Roller;
 
 /// The columns of the results.
 pub const HISTORY_COLUMNS: [&str; 12] = [
@@ -31,7 +32,7 @@ const STATIONS: usize = 6;
 pub struct HistoryRun<'a> {
     case: &'a RollCase,
     history: &'a History,
-    rolling: Rolling,
+    rolling: Roller,
     done: usize,
     progress: Progress,
 }
@@ -50,22 +51,15 @@ impl<'a> HistoryRun<'a> {
     /// Goes on after `done` rows from the bytes of [`HistoryRun::state`]; false when they are of no use.
     #[must_use]
     pub fn resume(&mut self, done: usize, bytes: &[u8]) -> bool {
-        self.read(bytes).is_some_and(|(saved, progress)| {
+        parts(bytes).is_some_and(|(saved, progress)| {
             let is_resumed = done == progress.moments.len()
                 && done <= self.history.rows.len()
-                && self.rolling.restore(&saved).is_ok();
+                && self.rolling.restore(saved).is_ok();
             if is_resumed {
                 (self.done, self.progress) = (done, progress);
             }
             is_resumed
         })
-    }
-
-    fn read(&self, bytes: &[u8]) -> Option<(Saved, Progress)> {
-        let (length, rest) = bytes.split_first_chunk()?;
-        let length = usize::try_from(u64::from_le_bytes(*length)).ok()?;
-        let (saved, progress) = rest.split_at_checked(length)?;
-        Some((Saved::from_bytes(saved, &self.rolling).ok()?, Progress::from_bytes(progress)?))
     }
 
     /// Number of rows that are done.
@@ -77,7 +71,7 @@ impl<'a> HistoryRun<'a> {
     /// The state after the last row, for [`HistoryRun::resume`].
     #[must_use]
     pub fn state(&self) -> Vec<u8> {
-        let saved = self.rolling.save().to_bytes();
+        let saved = self.rolling.save();
         [&(saved.len() as u64).to_le_bytes(), &saved[..], &self.progress.to_bytes()].concat()
     }
 
@@ -96,7 +90,8 @@ impl<'a> HistoryRun<'a> {
         self.done += 1;
         self.progress.moments.push(Moment::new(row.distance, &rolled));
         if self.is_station() {
-            self.progress.stations.push(Station::new(row.distance, &self.rolling));
+            let station = self.rolling.elements().map(|all| Station::new(row.distance, all));
+            self.progress.stations.extend(station);
         }
         Ok(Some((row.distance, rolled)))
     }
@@ -135,4 +130,12 @@ impl<'a> HistoryRun<'a> {
     pub(super) fn case(&self) -> &RollCase {
         self.case
     }
+}
+
+/// The two parts of a state: the contact's, and what has come of it so far.
+fn parts(bytes: &[u8]) -> Option<(&[u8], Progress)> {
+    let (length, rest) = bytes.split_first_chunk()?;
+    let length = usize::try_from(u64::from_le_bytes(*length)).ok()?;
+    let (saved, progress) = rest.split_at_checked(length)?;
+    Some((saved, Progress::from_bytes(progress)?))
 }

@@ -1,10 +1,11 @@
 //! A contact that rolls step by step, as a larger program asks.
 
-use creepage::unsteady::{Rolled, Rolling, Saved, SavedError};
+use creepage::unsteady::{Rolled, SavedError};
 
 use super::case::RollCase;
 use super::columns::HistoryRow;
 use super::error::{HistoryError, MotionError};
+use super::roller::Roller;
 
 /// A contact that rolls step by step, in SI units, from the start that its case names.
 ///
@@ -27,7 +28,7 @@ use super::error::{HistoryError, MotionError};
 #[derive(Debug, Clone)]
 pub struct RollStepper {
     case: RollCase,
-    rolling: Rolling,
+    rolling: Roller,
 }
 
 impl RollStepper {
@@ -57,7 +58,7 @@ impl RollStepper {
     /// What the contact remembers, for [`RollStepper::restore`]: as many bytes as its elements ask for.
     #[must_use]
     pub fn save(&self) -> Vec<u8> {
-        [&self.key()[..], &self.rolling.save().to_bytes()].concat()
+        [&self.key()[..], &self.rolling.save()].concat()
     }
 
     /// Goes back, or on, to what was saved: all is then as it was, to the last bit.
@@ -66,11 +67,10 @@ impl RollStepper {
     /// [`SavedError`] for bytes that are no state of a contact of the same case.
     pub fn restore(&mut self, bytes: &[u8]) -> Result<(), SavedError> {
         let (key, saved) = bytes.split_at_checked(4).ok_or(SavedError::NoState)?;
-        let saved = Saved::from_bytes(saved, &self.rolling)?;
         if key != self.key() {
             return Err(SavedError::OtherContact);
         }
-        self.rolling.restore(&saved)
+        self.rolling.restore(saved)
     }
 
     /// The contact that rolls.

@@ -41,9 +41,9 @@ pub struct RollingFastsim {
     strips: Vec<Strip>,
     cells: usize,
     semi_axis: f64,
-    past: Past,
-    distance: f64,
-    creep: Creep,
+    pub(super) past: Past,
+    pub(super) distance: f64,
+    pub(super) creep: Creep,
 }
 
 #[derive(Debug, Clone)]
@@ -129,6 +129,27 @@ impl RollingFastsim {
         }
     }
 
+    /// Starts from steady rolling with a motion: a particle is in the contact for one contact length.
+    ///
+    /// # Errors
+    /// As [`RollingFastsim::step`].
+    pub fn start_steady(&mut self, motion: &Motion) -> Result<Rolled, InvalidValue> {
+        let rolled = self.step(2.5 * self.semi_axis, motion)?;
+        self.distance = 0.0;
+        Ok(Rolled { distance: 0.0, ..rolled })
+    }
+
+    /// Distance rolled since the beginning, in units of `c`; zero before the first step.
+    #[must_use]
+    pub fn distance(&self) -> f64 {
+        self.distance
+    }
+
+    /// Number of cells.
+    pub(super) fn size(&self) -> usize {
+        self.cells * self.strips.len()
+    }
+
     fn rolled(&self, sum: &Sum, solved: bool) -> Rolled {
         let [xi, eta, chi] = self.creep;
         let [fx, fy, mz] = sum.force;
@@ -197,7 +218,7 @@ impl RollingFastsim {
     /// A step at a creepage.
     fn march(&self, length: f64, creep: Creep) -> (Level, Sum) {
         let ages = self.past.seen_after(length, 1.0, true);
-        let n = self.cells * self.strips.len();
+        let n = self.size();
         let displacement = [vec![0.0; n], vec![0.0; n]];
         let mut level = Level { length, scale: 1.0, creep, smooth: true, displacement };
         let mut sum = Sum::default();

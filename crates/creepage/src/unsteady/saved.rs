@@ -4,6 +4,7 @@
 use std::collections::VecDeque;
 
 use super::control::{Control, Trend, Watched};
+use super::fastsim::RollingFastsim;
 use super::motion::{Motion, Prescribed};
 use super::past::{Level, Past};
 use super::rolling::{Rolling, Travel};
@@ -38,7 +39,7 @@ pub enum SavedError {
     OtherContact,
 }
 
-const MAGIC: &[u8; 8] = b"rolling2";
+const MAGIC: [u8; 8] = *b"rolling2";
 
 impl Rolling {
     /// What the contact remembers: going on from it gives the same, to the last bit.
@@ -102,8 +103,7 @@ impl Saved {
         for track in &self.tracks {
             track.write(&mut out);
         }
-        let body: Vec<u8> = out.0.iter().flat_map(|value| value.to_le_bytes()).collect();
-        [&MAGIC[..], &crc32fast::hash(&body).to_le_bytes(), &body].concat()
+        out.sealed(MAGIC)
     }
 
     /// Reads what [`Saved::to_bytes`] wrote; `like` is a contact with the same elements.
@@ -111,16 +111,7 @@ impl Saved {
     /// # Errors
     /// [`SavedError`] when the bytes are damaged.
     pub fn from_bytes(bytes: &[u8], like: &Rolling) -> Result<Self, SavedError> {
-        let body = bytes.strip_prefix(MAGIC).and_then(|rest| rest.split_at_checked(4));
-        let (sum, body) = body.ok_or(SavedError::NoState)?;
-        if sum != crc32fast::hash(body).to_le_bytes() || body.len() % 8 != 0 {
-            return Err(SavedError::NoState);
-        }
-        let numbers = body.chunks_exact(8).map(|chunk| {
-            let mut bytes = [0; 8];
-            bytes.copy_from_slice(chunk);
-            f64::from_le_bytes(bytes)
-        });
+        let numbers = numbers(bytes, MAGIC).ok_or(SavedError::NoState)?;
         Self::read(numbers, like.control).ok_or(SavedError::NoState)
     }
 
@@ -134,6 +125,35 @@ impl Saved {
         let tracks = [SavedTrack::read(from)?, SavedTrack::read(from)?];
         let travel = Travel { distance, load, next_load, motion, force };
         Some(Self { tracks, control: Control { next, trend, ..control }, travel })
+    }
+}
+
+const FASTSIM: [u8; 8] = *b"rollfas1";
+
+impl RollingFastsim {
+    /// What the contact remembers, as bytes.
+    #[must_use]
+    pub fn save(&self) -> Vec<u8> {
+        let track = SavedTrack { past: self.past.clone(), creep: self.creep, traction: Vec::new() };
+        let mut out = Numbers(vec![self.distance]);
+        track.write(&mut out);
+        out.sealed(FASTSIM)
+    }
+
+    /// Goes back, or on, to what was saved, to the last bit.
+    ///
+    /// # Errors
+    /// [`SavedError`] for damaged bytes, and those of a contact with another number of cells.
+    pub fn restore(&mut self, bytes: &[u8]) -> Result<(), SavedError> {
+        let from = &mut numbers(bytes, FASTSIM).ok_or(SavedError::NoState)?;
+        let distance = from.next().ok_or(SavedError::NoState)?;
+        let SavedTrack { past, creep, .. } = SavedTrack::read(from).ok_or(SavedError::NoState)?;
+        let whole = |level: &Level| level.displacement.iter().all(|u| u.len() == self.size());
+        if past.0.is_empty() || !past.0.iter().all(whole) {
+            return Err(SavedError::OtherElements);
+        }
+        (self.distance, self.past, self.creep) = (distance, past, creep);
+        Ok(())
     }
 }
 
@@ -182,12 +202,25 @@ impl Numbers {
         self.all(values);
     }
 
+    /// As bytes after a mark of their kind and a check sum.
+    fn sealed(&self, magic: [u8; 8]) -> Vec<u8> {
+        let body: Vec<u8> = self.0.iter().flat_map(|value| value.to_le_bytes()).collect();
+        [&magic[..], &crc32fast::hash(&body).to_le_bytes(), &body].concat()
+    }
+
     fn some<T>(&mut self, value: Option<T>, write: impl FnOnce(&mut Self, T)) {
         self.0.push(f64::from(u8::from(value.is_some())));
         if let Some(value) = value {
             write(self, value);
         }
     }
+}
+
+/// What [`Numbers::sealed`] wrote; `None` for bytes that are damaged or of another kind.
+fn numbers(bytes: &[u8], magic: [u8; 8]) -> Option<impl Iterator<Item = f64>> {
+    let (sum, body) = bytes.strip_prefix(&magic)?.split_at_checked(4)?;
+    let is_whole = sum == crc32fast::hash(body).to_le_bytes() && body.len() % 8 == 0;
+    is_whole.then(|| body.as_chunks::<8>().0.iter().map(|chunk| f64::from_le_bytes(*chunk)))
 }
 
 fn several<const N: usize>(from: &mut impl Iterator<Item = f64>) -> Option<[f64; N]> {

@@ -1,0 +1,89 @@
+//! A contact on its way, by the full theory or by FASTSIM.
+
+use creepage::InvalidValue;
+use creepage::coulomb::ElementField;
+use creepage::unsteady::{Rolled, Rolling, RollingFastsim, Saved, SavedError};
+
+use super::case::HistoryMotion;
+
+/// What rolls.
+#[allow(clippy::large_enum_variant)] // one a history
+#[derive(Debug, Clone)]
+pub(super) enum Roller {
+    Exact(Rolling),
+    Fastsim(RollingFastsim),
+}
+
+impl Roller {
+    /// Starts from steady rolling.
+    pub(super) fn start_steady(&mut self, first: &HistoryMotion) -> Result<(), InvalidValue> {
+        match self {
+            Self::Exact(rolling) => {
+                rolling.start_with_load(first.load)?;
+                rolling.start_steady(&first.motion).map(drop)
+            }
+            Self::Fastsim(rolling) => rolling.start_steady(&first.motion).map(drop),
+        }
+    }
+
+    /// Starts without traction.
+    pub(super) fn start_with_load(&mut self, load: f64) -> Result<(), InvalidValue> {
+        match self {
+            Self::Exact(rolling) => rolling.start_with_load(load),
+            Self::Fastsim(_) => Ok(()),
+        }
+    }
+
+    /// Starts from a shift by a force, which is for the full theory.
+    pub(super) fn shift(&mut self, [fx, fy]: [f64; 2]) -> Result<(), InvalidValue> {
+        match self {
+            Self::Exact(rolling) => rolling.shift(fx, fy).map(drop),
+            Self::Fastsim(_) => Ok(()),
+        }
+    }
+
+    /// Rolls on; the load of FASTSIM is the nominal one.
+    pub(super) fn step(
+        &mut self,
+        length: f64,
+        motion: &HistoryMotion,
+    ) -> Result<Rolled, InvalidValue> {
+        match self {
+            Self::Exact(rolling) => {
+                rolling.press(motion.load)?;
+                rolling.step(length, &motion.motion)
+            }
+            Self::Fastsim(rolling) => rolling.step(length, &motion.motion),
+        }
+    }
+
+    /// Distance rolled, dimensionless.
+    pub(super) fn distance(&self) -> f64 {
+        match self {
+            Self::Exact(rolling) => rolling.distance(),
+            Self::Fastsim(rolling) => rolling.distance(),
+        }
+    }
+
+    pub(super) fn save(&self) -> Vec<u8> {
+        match self {
+            Self::Exact(rolling) => rolling.save().to_bytes(),
+            Self::Fastsim(rolling) => rolling.save(),
+        }
+    }
+
+    pub(super) fn restore(&mut self, bytes: &[u8]) -> Result<(), SavedError> {
+        match self {
+            Self::Exact(rolling) => rolling.restore(&Saved::from_bytes(bytes, rolling)?),
+            Self::Fastsim(rolling) => rolling.restore(bytes),
+        }
+    }
+
+    /// Elements for a picture, if there are any.
+    pub(super) fn elements(&self) -> Option<Vec<ElementField>> {
+        match self {
+            Self::Exact(rolling) => Some(rolling.elements()),
+            Self::Fastsim(_) => None,
+        }
+    }
+}
