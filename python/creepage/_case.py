@@ -334,6 +334,7 @@ class Case:
         forces = {}
         for name in names:
             known, options = self._chosen(name, {})
+            force: Any
             if options.get("coupled"):
                 force = self._coupled_force(known, options, vary, chosen)
             else:

@@ -171,7 +171,12 @@ def test_coupled_bodies() -> None:
     assert abs(coupled.force.longitudinal - one_way.force.longitudinal) > 0.5
     with pytest.raises(creepage.InvalidValue):
         case.curve("longitudinal", [0.0, math.nan])
-    for ask in (case.theory, lambda: creepage.exact(1.0, 0.3, kappa_over_mu=0.5, coupled=True)):
+    unlike_bodies = {"kappa_over_mu": 0.5, "coupled": True}
+    asks: tuple[Callable[[], object], ...] = (
+        case.theory,
+        lambda: creepage.theory("exact", 1.0, 0.3, **unlike_bodies),
+    )
+    for ask in asks:
         with pytest.raises(creepage.InvalidOption, match="`coupled` needs a case") as caught:
             ask()
         assert caught.value.option == "coupled"
