@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike
 from . import _creepage
 from ._bulk import CaseForce, case_force
 from ._contact import Body, Hertz, number, sections
-from ._errors import UnitsWarning, UnlikeBodiesWarning
+from ._errors import InvalidValue, UnitsWarning, UnlikeBodiesWarning
 from ._results import Codes, Floats, Status
 from ._solution import SiCreepage, Solution
 from ._theories import chosen, prepared
@@ -333,11 +333,25 @@ class Case:
         creepage[k] = chosen / units[k]
         forces = {}
         for name in names:
-            force = prepared(self._data, *self._chosen(name, {})).force(*creepage)
+            known, options = self._chosen(name, {})
+            force: Any
+            if options.get("coupled"):
+                force = self._coupled_force(known, options, vary, chosen)
+            else:
+                force = prepared(self._data, known, options).force(*creepage)
             forces[name] = np.stack(
                 [force.fx * newtons, force.fy * newtons, force.mz * newtons * length]
             )
         return Curve(vary, chosen, forces, self)
+
+    def _coupled_force(
+        self, name: str, options: dict[str, Any], vary: Component, values: Floats
+    ) -> CaseForce[Any, Any]:
+        """Forces of coupled bodies, which depend on friction by itself. Raises InvalidValue where a value is not finite."""
+        if not np.isfinite(values).all():
+            worst = float(values[~np.isfinite(values)][0])
+            raise InvalidValue(f"{vary} = {worst} must be finite", vary, worst, "finite")
+        return case_force(_creepage.case_forces(self._data, name, options, None, {vary: values}))
 
     def _range(self, component: int) -> Floats:
         """The usual values of a component, dimensionless."""

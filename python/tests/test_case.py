@@ -157,6 +157,31 @@ def test_other_theories_warn_between_unlike_bodies() -> None:
     assert wheel(longitudinal=-1e-3).solve("fastsim").caution is None
 
 
+def test_coupled_bodies() -> None:
+    text = (ROOT / "examples" / "steel-on-polymer-coupled.toml").read_text()
+    start, end = text.index("[wanted]"), text.index("[solve]")
+    text = text[:start] + "longitudinal = 1e-3\n" + text[end:]
+    case = Case.from_toml(text)
+    coupled, one_way = case.solve(), case.solve(coupled=False)
+    assert coupled.details["peak_over_hertz"] > 1.05 and "peak_over_hertz" not in one_way.details
+    assert coupled.caution is None and "coupled = true" in str(one_way.caution)
+    curve = case.curve("longitudinal", [0.0, case.creepage.longitudinal])
+    # Creepage goes to SI and back: rounding; about half a newton of 195 N is what coupling moves.
+    assert curve.forces["exact"][:, 1] == pytest.approx(list(coupled.force), rel=1e-6, abs=1e-6)
+    assert abs(coupled.force.longitudinal - one_way.force.longitudinal) > 0.5
+    with pytest.raises(creepage.InvalidValue):
+        case.curve("longitudinal", [0.0, math.nan])
+    unlike_bodies = {"kappa_over_mu": 0.5, "coupled": True}
+    asks: tuple[Callable[[], object], ...] = (
+        case.theory,
+        lambda: creepage.theory("exact", 1.0, 0.3, **unlike_bodies),
+    )
+    for ask in asks:
+        with pytest.raises(creepage.InvalidOption, match="`coupled` needs a case") as caught:
+            ask()
+        assert caught.value.option == "coupled"
+
+
 def test_heat_by_force_and_by_slip() -> None:
     case = wheel(longitudinal=-1.5e-3, spin=0.1, speed=20.0)
     solution = case.solve(resolution="fast")

@@ -96,9 +96,11 @@ impl Failure {
             | Self::Quantity { .. }
             | Self::Unknown(_)
             | Self::Options(_)
-            | Self::Theory(TheoryError::AccuracyOfFixed | TheoryError::PrescribedOneWay) => {
-                CREEPAGE_TEXT
-            }
+            | Self::Theory(
+                TheoryError::AccuracyOfFixed
+                | TheoryError::PrescribedOneWay
+                | TheoryError::CoupledWithoutFriction,
+            ) => CREEPAGE_TEXT,
             Self::Read { .. } | Self::Write { .. } | Self::CaseFile { .. } | Self::Table { .. } => {
                 CREEPAGE_FILE
             }

@@ -93,6 +93,9 @@ pub(crate) fn theory(py: Python, error: TheoryError) -> PyErr {
         other @ TheoryError::PrescribedOneWay => {
             exception(py, "InvalidOption", (other.to_string(), "prescribed"))
         }
+        other @ TheoryError::CoupledWithoutFriction => {
+            exception(py, "InvalidOption", (other.to_string(), "coupled"))
+        }
         other => exception(py, "InvalidOption", (other.to_string(), "accuracy")),
     }
 }

@@ -50,6 +50,8 @@ impl Exact {
         let TheorySpec::Exact(given) = &call.spec else {
             return Err(errors::internal("theory"));
         };
+        // Its contact has no friction by itself: coupled bodies are an error.
+        given.is_coupled(&call.contact).map_err(|error| errors::theory(py, error))?;
         let resolution = given.fixed_resolution().map_err(|error| errors::theory(py, error))?;
         let Some(resolution) = resolution else {
             return Err(PyValueError::new_err("resolution: `auto` is the theory `automatic`"));

@@ -5,7 +5,7 @@ use std::ptr::{null, null_mut};
 
 use creepage_ffi::*;
 
-use crate::caller::{CASES, Owned, new};
+use crate::caller::{CASES, Owned, between, new};
 
 #[test]
 fn wrong_words_and_numbers_get_their_codes() {
@@ -96,4 +96,13 @@ fn nothing_and_too_much_get_their_codes() {
         creepage_theory_free(null_mut());
         creepage_table_free(null_mut());
     }
+}
+
+#[test]
+fn coupled_bodies_are_those_of_a_case() {
+    let (code, theory, message) = between("exact", "coupled = true", 1.0, 0.3);
+    assert!((code, theory.is_null()) == (CREEPAGE_TEXT, true), "{message}");
+    assert!(message.contains("`coupled` needs a case with bodies and friction"), "{message}");
+    // Like bodies have nothing to couple.
+    assert_eq!(Owned::new("exact", "coupled = true").force(&[]).0, CREEPAGE_OK);
 }

@@ -292,8 +292,20 @@ impl ExactOptions {
         }))
     }
 
+    /// Whether a contact is solved coupled: one of unlike bodies, where that is asked for.
+    ///
+    /// # Errors
+    /// [`TheoryError::CoupledWithoutFriction`] where only `kappa/mu` is known of it.
+    pub fn is_coupled(&self, contact: &Contact) -> Result<bool, TheoryError> {
+        let coupled = self.coupled && contact.kappa_over_mu() != 0.0;
+        if coupled && contact.friction().is_none() {
+            return Err(TheoryError::CoupledWithoutFriction);
+        }
+        Ok(coupled)
+    }
+
     fn prepare(self, contact: &Contact) -> Result<Box<dyn Theory>, TheoryError> {
-        if self.coupled && contact.kappa_over_mu() != 0.0 {
+        if self.is_coupled(contact)? {
             return self.prepare_coupled(contact);
         }
         if !self.coupled && self.prescribed != Prescribed::Load {
@@ -331,6 +343,9 @@ pub enum TheoryError {
     /// The approach is prescribed, but one-way the pressure is that of Hertz.
     #[error("`prescribed` needs coupled = true")]
     PrescribedOneWay,
+    /// Both ways is asked for, but what acts back depends on the coefficient of friction itself.
+    #[error("`coupled` needs a case with bodies and friction: kappa/mu alone does not give both")]
+    CoupledWithoutFriction,
 }
 
 /// A name that no theory has.
