@@ -47,7 +47,7 @@ use crate::check::{self, InvalidValue};
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FreeRolling {
     /// `kappa / (mu (1 - sigma))`.
-    unlikeness: f64,
+    dissimilarity: f64,
 }
 
 impl FreeRolling {
@@ -60,13 +60,13 @@ impl FreeRolling {
     /// [`InvalidValue`] unless `kappa_over_mu` is finite, and `poisson` between 0 and 0.5.
     pub fn new(kappa_over_mu: f64, poisson: f64) -> Result<Self, InvalidValue> {
         check::finite("kappa_over_mu", kappa_over_mu)?;
-        Ok(Self { unlikeness: kappa_over_mu / (1.0 - check::poisson(poisson)?) })
+        Ok(Self { dissimilarity: kappa_over_mu / (1.0 - check::poisson(poisson)?) })
     }
 
     /// The creepage `xi` with which the bodies roll freely.
     #[must_use]
     pub fn creepage(&self) -> f64 {
-        std::f64::consts::FRAC_2_PI * self.unlikeness
+        std::f64::consts::FRAC_2_PI * self.dissimilarity
     }
 
     /// Traction away from the axis on the lower body, at `r` in units of `a`; zero outside.
@@ -87,7 +87,7 @@ impl FreeRolling {
                 * most
                 * integrand(t, most * most * (1.0 - (1.0 - y.powi(3)).powi(2)))
         };
-        self.unlikeness * r / std::f64::consts::PI * POINTS.iter().map(term).sum::<f64>()
+        self.dissimilarity * r / std::f64::consts::PI * POINTS.iter().map(term).sum::<f64>()
     }
 }
 
