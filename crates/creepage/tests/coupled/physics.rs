@@ -132,20 +132,6 @@ fn random_cases_settle() {
     assert!(turns.len() * 100 >= cases * 98, "{failures} of {cases}");
 }
 
-/// Turns that stray from all contacts end in the uncoupled one, which is not called solved.
-#[test]
-fn what_does_not_settle_has_numbers() {
-    const STRAYS: usize = 602;
-    let mut dice = Dice(11);
-    for _ in 0..STRAYS {
-        random(&mut dice);
-    }
-    let (contact, creepage) = random(&mut dice);
-    let balance = balance(&contact, creepage);
-    assert!(balance.status == Status::NotConverged, "{:?}", balance.status);
-    assert!(balance.work.is_finite() && balance.heat > 0.0, "{} {}", balance.work, balance.heat);
-}
-
 #[test]
 fn like_bodies_are_the_limit() {
     let theory = |soft: f64| {

@@ -22,8 +22,7 @@ pub struct CoupledSolved<'a> {
     prepared: &'a Prepared,
     creepage: Creepage,
     mirror: Mirror,
-    /// On the coarser and the finer grid; `None` where the strips of the normal problem fail, or
-    /// turns between friction and normal contact lead to no numbers.
+    /// On the coarser and the finer grid; `None` where the strips of the normal problem fail.
     settled: Option<[Settled; 2]>,
     solution: Solution,
     power: f64,
@@ -42,8 +41,7 @@ impl<'a> CoupledSolved<'a> {
         let near =
             near.filter(|near| near.mirror.x * mirror.x > 0.0 && near.mirror.y * mirror.y > 0.0);
         let near = near.and_then(|near| near.settled.as_ref());
-        let settled = settle(theory, prepared, (creepage, mirror), near)
-            .filter(|levels| levels.iter().all(|level| is_finite(level, mirror)));
+        let settled = settle(theory, prepared, (creepage, mirror), near);
         let Some(levels) = &settled else {
             return Self::one_way(theory, prepared, creepage, mirror);
         };
@@ -214,12 +212,6 @@ fn settle(
     let start = Start { pressed, coarser: Some(&first.state) };
     let second = fine.settle(hertz_fine, coupling, prescribed, at, start);
     Some([first, second])
-}
-
-fn is_finite(level: &Settled, mirror: Mirror) -> bool {
-    let Sum { force, by_pressure, dissipation } = level.state.sum(&level.grid, mirror.x);
-    let mut numbers = force.components().into_iter().chain([by_pressure, dissipation]);
-    numbers.all(f64::is_finite) && level.shape.area().is_finite()
 }
 
 fn solution(force: Force, error: Force, levels: &[Settled; 2]) -> Solution {
