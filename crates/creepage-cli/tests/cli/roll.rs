@@ -215,3 +215,43 @@ fn a_killed_history_goes_on_to_the_same_bytes() {
         assert!(one.unwrap() == other.unwrap(), "{name}");
     }
 }
+
+/// `[contact] friction` with a law in place of the number; `[creepage] speed` where it is given.
+fn falling(memory: &str, speed: &str) -> String {
+    let law = format!(
+        "friction = {{ law = \"exponential\", kinetic = 0.18, \
+         terms = [{{ drop = 0.12, half_speed = 0.1 }}]{memory} }}"
+    );
+    format!("{}{speed}", case().replace("friction = 0.3", &law))
+}
+
+/// Cold rail: where slip goes on, friction falls, and the force ends below Coulomb's.
+#[test]
+fn friction_falls_while_it_rolls() {
+    let history = "distance,longitudinal\n0.002,-3e-3\n0.03,-3e-3\n";
+    let memory = ", memory_distance = 2e-6, memory_speed = 1e-3";
+    let falling = falling(memory, "[creepage]\nspeed = 30.0\n");
+    let forces = [case(), falling].map(|case| column(&rolled(&case, history), "longitudinal_n"));
+    assert!(forces[1][1].abs() < 0.95 * forces[0][1].abs(), "{forces:?}");
+}
+
+#[test]
+fn falling_friction_needs_speed_and_memory() {
+    let history = "distance,longitudinal\n0.002,-3e-3\n";
+    let memory = ", memory_distance = 2e-6, memory_speed = 1e-3";
+    let speed = "[creepage]\nspeed = 30.0\n";
+    for (case, word) in [
+        (falling(memory, ""), "[creepage] speed is missing"),
+        (falling("", speed), "memory_distance"),
+        (falling(memory, "[creepage]\nspeed = 30.0\nlongitudinal = 1e-3\n"), "[creepage]"),
+        (
+            falling(memory, &format!("{speed}[layer]\nthickness = 1e-5\nshear_modulus = 1e9\n")),
+            "layer",
+        ),
+    ] {
+        let place = Place::new();
+        place.write("case.toml", &case);
+        place.write("h.csv", history);
+        place.run(&["roll", "case.toml", "--history", "h.csv"]).refused(&[word]);
+    }
+}

@@ -3,6 +3,7 @@
 use creepage::approximate::carter::LineContact;
 use creepage::approximate::fastsim::Settings;
 use creepage::coulomb::Resolution;
+use creepage::friction_law::RollingFriction;
 use creepage::unsteady::{Motion, Prescribed, Rolled, Rolling, RollingFastsim};
 use creepage::{Contact, InvalidValue, Scaling, SolidPair, TheorySpec};
 
@@ -21,7 +22,7 @@ pub struct RollCase {
     pub scaling: Scaling,
     /// Normal force (N), or load of the line (N/m).
     pub load: f64,
-    /// Coefficient of friction.
+    /// Coefficient of friction, the largest.
     pub friction: f64,
     pub(super) kind: Kind,
     pub(super) start: Start,
@@ -38,6 +39,7 @@ pub(super) enum Kind {
     Line {
         length: Option<f64>,
         poisson: f64,
+        friction: Option<RollingFriction>,
     },
 }
 
@@ -137,15 +139,10 @@ impl RollFile {
         };
         let hertz = section.hertz(&self.upper, &self.lower)?;
         check_aligned(own.angle, &hertz)?;
-        let contact = hertz.with_friction(own.friction).map_err(CaseError::invalid("contact"))?;
+        let contact = own.friction.contact(&hertz, self.creepage.speed)?;
+        let friction = own.friction.at_rest()?;
         let (scaling, kind) = (contact.scaling(), Kind::Ellipse { contact, method });
-        Ok(RollCase {
-            scaling,
-            load: normal_force,
-            friction: own.friction,
-            kind,
-            start: Start::None,
-        })
+        Ok(RollCase { scaling, load: normal_force, friction, kind, start: Start::None })
     }
 
     fn line(&self, load: f64) -> Result<RollCase, HistoryError> {
@@ -160,22 +157,28 @@ impl RollFile {
             return Err(HistoryError::Foreign { section: "contact", key, why });
         }
         let pair = SolidPair::new(self.upper.solid("upper")?, self.lower.solid("lower")?);
-        if !(own.friction.is_finite() && own.friction > 0.0) {
+        let (friction, law) = (own.friction.at_rest()?, own.friction.rolling(self.creepage.speed)?);
+        if law.is_some_and(|law| law.by_place().is_some()) {
+            let why = "across a line does not differ";
+            return Err(HistoryError::Foreign { section: "contact", key: "friction", why });
+        }
+        if !(friction.is_finite() && friction > 0.0) {
             let valid = "finite and greater than zero";
-            let friction = InvalidValue { quantity: "friction", value: own.friction, valid };
-            return Err(invalid(friction).into());
+            return Err(
+                invalid(InvalidValue { quantity: "friction", value: friction, valid }).into()
+            );
         }
         let line = LineContact::new(pair, self.radii()?, load).map_err(&invalid)?;
         let length = own.length.map(|length| length / line.half_width());
         let poisson = pair.poisson();
         let scaling = Scaling {
             length: line.half_width(),
-            slip: own.friction * line.half_width() / line.rho(),
-            force: own.friction * load,
-            traction: own.friction * line.peak_pressure(),
+            slip: friction * line.half_width() / line.rho(),
+            force: friction * load,
+            traction: friction * line.peak_pressure(),
         };
-        let kind = Kind::Line { length, poisson };
-        Ok(RollCase { scaling, load, friction: own.friction, kind, start: Start::None })
+        let kind = Kind::Line { length, poisson, friction: law };
+        Ok(RollCase { scaling, load, friction, kind, start: Start::None })
     }
 
     /// Radii along the rolling direction, those of the bodies or the one of both.
@@ -254,8 +257,12 @@ impl RollCase {
             Kind::Ellipse { contact, method: Method::Fastsim(settings) } => {
                 Roller::Fastsim(RollingFastsim::new(&contact, settings)?)
             }
-            Kind::Line { length, poisson } => {
-                Roller::Exact(Rolling::line(length.unwrap_or(LONG), poisson)?)
+            Kind::Line { length, poisson, friction } => {
+                let length = length.unwrap_or(LONG);
+                Roller::Exact(match friction {
+                    None => Rolling::line(length, poisson)?,
+                    Some(law) => Rolling::line_with_friction(length, poisson, law, self.scaling)?,
+                })
             }
         })
     }

@@ -12,7 +12,10 @@ pub enum HistoryError {
     #[error(transparent)]
     Case(#[from] CaseError),
     /// A section whose place the history takes.
-    #[error("section [{section}] does not go with a history: the table says how the bodies move")]
+    #[error(
+        "section [{section}] does not go with a history: the table says how the bodies move, and \
+         [creepage] may hold speed alone"
+    )]
     Section {
         /// `creepage` or `wanted`.
         section: &'static str,

@@ -3,12 +3,12 @@
 use creepage::TheorySpec;
 use schemars::JsonSchema;
 use serde::Deserialize;
-use serde_json::Value;
-use toml::Table;
+use toml::{Table, Value};
 
 use super::error::HistoryError;
 use crate::CaseError;
 use crate::case::body::Body;
+use crate::case::friction::FrictionValue;
 use crate::case::keys;
 use crate::case::radius::Radius;
 use crate::case::schema::schema_of;
@@ -25,6 +25,9 @@ pub struct RollFile {
     pub(super) lower: Body,
     /// The contact of the two: an ellipse by `normal_force`, or a line by `line_load`.
     pub(super) contact: ContactSection,
+    /// The rolling velocity, for friction that depends on the speed of slip; the table says the rest.
+    #[serde(default)]
+    pub(super) creepage: SpeedSection,
     /// The state in which rolling starts.
     #[serde(default)]
     pub(super) start: StartSection,
@@ -40,8 +43,8 @@ pub struct RollFile {
 pub(super) struct ContactSection {
     /// Normal force N (N); of all rows that have none of their own. Give this or `line_load`.
     pub(super) normal_force: Option<f64>,
-    /// Coefficient of friction mu.
-    pub(super) friction: f64,
+    /// Coefficient of friction mu, or how it depends on the speed of slip or on the place.
+    pub(super) friction: FrictionValue,
     /// Angle from the upper body's rolling section to the lower body's (degrees); 0 by default.
     pub(super) angle: Option<f64>,
     /// Semi-axis of the contact ellipse along the rolling direction (m). Both semi-axes replace the
@@ -57,6 +60,14 @@ pub(super) struct ContactSection {
     pub(super) radius_rolling: Option<Radius>,
     /// With `line_load`: length of the cylinders (m), needed where a creepage is prescribed.
     pub(super) length: Option<f64>,
+}
+
+/// How fast the contact rolls.
+#[derive(Debug, Clone, PartialEq, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(super) struct SpeedSection {
+    /// Rolling velocity V (m/s).
+    pub(super) speed: Option<f64>,
 }
 
 /// How the traction is distributed before rolling.
@@ -99,6 +110,11 @@ pub(super) enum StartTraction {
 /// Sections that say how the bodies move, whose place the history takes.
 const MOTION: [&str; 2] = ["creepage", "wanted"];
 
+/// Whether a section holds the rolling velocity alone.
+fn is_speed(section: &Value) -> bool {
+    section.as_table().is_some_and(|table| table.keys().all(|key| key == "speed"))
+}
+
 impl RollFile {
     /// Reads the text of a case file and checks its form: TOML, sections, keys and kinds of values.
     ///
@@ -106,8 +122,10 @@ impl RollFile {
     /// [`HistoryError`] that says where the text is not such a case file.
     pub fn read(text: &str) -> Result<Self, HistoryError> {
         let table: Table = text.parse().map_err(CaseError::Toml)?;
-        let section = MOTION.into_iter().find(|section| table.contains_key(*section));
-        if let Some(section) = section {
+        let is_motion = |section: &&str| {
+            table.get(*section).is_some_and(|value| *section == "wanted" || !is_speed(value))
+        };
+        if let Some(section) = MOTION.into_iter().find(is_motion) {
             return Err(HistoryError::Section { section });
         }
         keys::check(&table, &roll_json_schema())?;
@@ -115,14 +133,15 @@ impl RollFile {
     }
 
     /// The contact of a case file of steady rolling: its creepage, or the forces wanted of it, are not
-    /// used.
+    /// used, only its rolling velocity.
     ///
     /// # Errors
     /// As [`RollFile::read`].
     pub fn of_case(text: &str) -> Result<Self, HistoryError> {
         let mut table: Table = text.parse().map_err(CaseError::Toml)?;
-        for section in MOTION {
-            table.remove(section);
+        table.remove("wanted");
+        if let Some(Value::Table(creepage)) = table.get_mut("creepage") {
+            creepage.retain(|key, _| key == "speed");
         }
         Self::read(&table.to_string())
     }
@@ -147,12 +166,12 @@ impl RollFile {
 /// assert!(schema["properties"]["start"]["properties"]["traction"].is_object());
 /// ```
 #[must_use]
-pub fn roll_json_schema() -> Value {
+pub fn roll_json_schema() -> serde_json::Value {
     let mut schema = schema_of::<RollFile>();
     let theories = schema["properties"]["solve"]["oneOf"].as_array_mut();
     for theory in theories.into_iter().flatten() {
         if theory["properties"]["theory"]["const"] == TheorySpec::default().facts().name {
-            theory["required"] = Value::Array(Vec::new());
+            theory["required"] = serde_json::Value::Array(Vec::new());
         }
     }
     schema

@@ -15,7 +15,7 @@ pub(super) struct Cubic {
 
 impl Cubic {
     pub(super) fn new(linear: [f64; 2]) -> Self {
-        let tau = linear[0].hypot(linear[1]);
+        let tau = (linear[0] * linear[0] + linear[1] * linear[1]).sqrt();
         let factor = if tau < 3.0 { 1.0 - tau / 3.0 + tau * tau / 27.0 } else { tau.recip() };
         Self { linear, tau, factor }
     }

@@ -125,7 +125,7 @@ impl Grid {
             return self;
         }
         let stencils: Vec<_> = self.mesh.strips.iter().map(SlipStencil::steady).collect();
-        self.resistance = Resistance::new(friction, layer, scaling, &self.mesh, &stencils);
+        self.resistance = Resistance::new(friction, layer, scaling, &stencils);
         let Some(layer) = layer else { return self };
         let flexibility = layer.dimensionless_flexibility(scaling);
         let own: Vec<f64> = self.pressure.bounds.iter().map(|bound| flexibility * bound).collect();

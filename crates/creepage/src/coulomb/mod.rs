@@ -33,7 +33,7 @@ mod polygon;
 pub(crate) mod pressure;
 mod product;
 pub(crate) mod quadrature;
-mod resistance;
+pub(crate) mod resistance;
 pub(crate) mod resolution;
 mod solution;
 pub(crate) mod solver;

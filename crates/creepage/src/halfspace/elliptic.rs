@@ -98,7 +98,7 @@ impl Jacobi {
             square = ratio * ratio / a;
             dn = next;
         }
-        let sn = 1.0 / ratio.hypot(1.0);
+        let sn = 1.0 / (1.0 + ratio * ratio).sqrt();
         Node { sn, cn: ratio * sn, dn }
     }
 }

@@ -189,13 +189,14 @@ impl Directions {
     fn integrals(&self, n: usize) -> [DMatrix<f64>; 3] {
         let start = if n == 0 { 0 } else { harmonics::polynomial_count(n - 1) };
         let edge = self.edge.rows(start, n + 1);
+        let transposed = edge.transpose();
         let factor = 2.0 * PI / (2.0 * n as f64 + 1.0) * self.weight;
         let integral = |kernel: &dyn Fn(usize) -> f64| {
             let mut weighted = edge.into_owned();
             for (node, mut column) in weighted.column_iter_mut().enumerate() {
                 column *= factor * kernel(node);
             }
-            weighted * edge.transpose()
+            weighted * &transposed
         };
         [
             integral(&|_| 1.0),

@@ -2,11 +2,12 @@
 
 use std::f64::consts::PI;
 
-use crate::Ellipse;
 use crate::coulomb::forcing;
 use crate::coulomb::grid::Grid;
 use crate::coulomb::influence::Influence;
 use crate::coulomb::stencil::SlipStencil;
+use crate::friction_law::RollingFriction;
+use crate::{Ellipse, Scaling};
 
 /// One element of a strip, in units of `c`.
 #[derive(Debug, Clone, Copy)]
@@ -95,6 +96,11 @@ impl Elements {
             elements.by_pressure = points.map(at).collect();
         }
         elements
+    }
+
+    /// The same with friction that depends on the slip or the place, in the units `scaling`.
+    pub(crate) fn with_friction(self, friction: Option<RollingFriction>, scaling: Scaling) -> Self {
+        Self { steady: self.steady.with_resistance(friction, None, scaling), ..self }
     }
 
     /// Number of points of displacement.

@@ -7,7 +7,8 @@
 
 use super::motion::{Motion, Prescribed};
 use super::past::{Ages, Creep, Level, Past};
-use super::rolling::Rolled;
+use super::rolling::{Rolled, no_layer};
+use crate::approximate::fastsim::resistance::{Resistance, Step, Walk};
 use crate::approximate::fastsim::{Flexibilities, Flexibility, Settings};
 use crate::approximate::linear::CreepageCoefficients;
 use crate::approximate::strip::strip_slope;
@@ -41,6 +42,8 @@ pub struct RollingFastsim {
     strips: Vec<Strip>,
     cells: usize,
     semi_axis: f64,
+    /// Where friction depends on the slip or the place.
+    resistance: Option<Resistance>,
     pub(super) past: Past,
     pub(super) distance: f64,
     pub(super) creep: Creep,
@@ -62,8 +65,10 @@ impl RollingFastsim {
     /// The contact just pressed together, without traction.
     ///
     /// # Errors
-    /// [`InvalidValue`] as [`Fastsim::new`](crate::approximate::fastsim::Fastsim::new).
+    /// [`InvalidValue`] as [`Fastsim::new`](crate::approximate::fastsim::Fastsim::new), and for a contact
+    /// with a layer.
     pub fn new(contact: &Contact, settings: Settings) -> Result<Self, InvalidValue> {
+        no_layer(contact)?;
         let coefficients = CreepageCoefficients::new(contact)?;
         let (ellipse, [cells, across]) = (contact.ellipse(), settings.grid);
         for (name, number) in [("grid along", cells), ("grid across", across)] {
@@ -87,15 +92,15 @@ impl RollingFastsim {
             }
         };
         let slope = strip_slope(&ellipse, contact.poisson());
-        let zeros = || vec![0.0; cells * across];
-        let displacement = [zeros(), zeros()];
-        let begin = Level { length: 0.0, scale: 1.0, creep: [0.0; 3], smooth: false, displacement };
+        let resistance = Resistance::new(contact);
+        let begin = level(0.0, [0.0; 3], cells * across, resistance.is_some());
         Ok(Self {
             flexibilities: Flexibilities::new(&ellipse, slope, &coefficients)?,
             flexibility: settings.flexibility,
             strips: (0..across).map(strip).collect(),
             cells,
             semi_axis: ellipse.a(),
+            resistance,
             past: Past(std::iter::once(begin).collect()),
             distance: 0.0,
             creep: [0.0; 3],
@@ -218,9 +223,8 @@ impl RollingFastsim {
     /// A step at a creepage.
     fn march(&self, length: f64, creep: Creep) -> (Level, Sum) {
         let ages = self.past.seen_after(length, 1.0, true);
-        let n = self.size();
-        let displacement = [vec![0.0; n], vec![0.0; n]];
-        let mut level = Level { length, scale: 1.0, creep, smooth: true, displacement };
+        let mut level = self::level(length, creep, self.size(), self.resistance.is_some());
+        level.smooth = true;
         let mut sum = Sum::default();
         for (j, strip) in self.strips.iter().enumerate() {
             self.march_strip(j * self.cells, strip, &ages, &mut level, &mut sum);
@@ -241,23 +245,75 @@ impl RollingFastsim {
             let way = if i == 0 { 0.5 * step } else { step };
             let back = way.min(ages.origin());
             let x = strip.half_length - (i as f64 + 0.5) * step;
-            let before = self.before(first, i, back / way, ages, level, back);
+            let mut walk = self.friction_before(first, i, ages, level, back);
+            walk.traction = self.before(first, i, back / way, ages, level, back);
             let creep = self.mean(ages, level, back);
-            let slopes = self.flexibilities.slopes(self.flexibility, creep);
-            let growth = slopes.at([x + 0.5 * back, strip.y]);
-            let trial = [0, 1].map(|k| before[k] + back * growth[k]);
-            let (bound, size) = (strip.peak * strip.along[i], trial[0].hypot(trial[1]));
-            let slides = size > bound;
-            let traction = if slides { trial.map(|t| t * bound / size) } else { trial };
+            let slides = self.advance(&mut walk, strip, [x, back], strip.along[i], creep);
+            let Walk { traction, lost, friction, slip, .. } = walk;
             (0..2).for_each(|k| level.displacement[k][first + i] = traction[k]);
-            let lost = [0, 1].map(|k| (trial[k] - traction[k]) / back);
+            for (values, value) in level.friction.iter_mut().zip([friction, slip]) {
+                values.get_mut(first + i).into_iter().for_each(|known| *known = value);
+            }
             sum.add(strip, x, traction, slides);
             if slides {
                 let [l1, l2, _] = self.flexibilities.effective(self.flexibility, creep);
-                let slip = [l1 * lost[0], l2 * lost[1]].map(|s| s / self.flexibilities.kappa());
+                let factor = (self.flexibilities.kappa() * back).recip();
+                let slip = [l1 * lost[0], l2 * lost[1]].map(|s| factor * s);
                 sum.dissipation += strip.area * (traction[0] * slip[0] + traction[1] * slip[1]);
             }
         }
+    }
+
+    /// Takes a particle over the last `back` of its way to `x`; whether it slides then.
+    fn advance(
+        &self,
+        walk: &mut Walk,
+        strip: &Strip,
+        [x, back]: [f64; 2],
+        along: f64,
+        creep: Creep,
+    ) -> bool {
+        let slopes = self.flexibilities.slopes(self.flexibility, creep);
+        let growth = slopes.at([x + 0.5 * back, strip.y]).map(|slope| back * slope);
+        let bound = strip.peak * along;
+        let Some(resistance) = &self.resistance else {
+            let trial = [0, 1].map(|k| walk.traction[k] + growth[k]);
+            let size = trial[0].hypot(trial[1]);
+            let part = if size > bound { bound / size } else { 1.0 };
+            walk.traction = trial.map(|t| t * part);
+            walk.lost = [0, 1].map(|k| trial[k] - walk.traction[k]);
+            return size > bound;
+        };
+        let [xi, eta, chi] = creep;
+        let rigid_slip = [xi - chi * strip.y, eta + chi * x];
+        let bound = resistance.share(strip.y) * bound;
+        let step = Step { length: back, growth, bound, rigid_slip, flexibility: 0.0 };
+        resistance.advance(walk, &step);
+        walk.slip > 0.0
+    }
+
+    /// A particle some distance back, at the cell upstream: its friction and slip.
+    fn friction_before(
+        &self,
+        first: usize,
+        i: usize,
+        ages: &Ages,
+        present: &Level,
+        back: f64,
+    ) -> Walk {
+        let mut walk = Walk::start();
+        if self.resistance.is_none() || i == 0 {
+            return walk;
+        }
+        let upstream = |level: &Level| [0, 1].map(|k| level.friction[k][first + i - 1]);
+        let weights = ages.weights(back);
+        let [mut friction, mut slip] = upstream(present).map(|value| weights.present * value);
+        for (level, weight) in weights.levels {
+            let known = upstream(&self.past.0[level]);
+            (friction, slip) = (friction + weight * known[0], slip + weight * known[1]);
+        }
+        (walk.friction, walk.slip) = (friction.clamp(0.0, 1.0), slip.max(0.0));
+        walk
     }
 
     /// Traction of a particle some distance back, at the cell upstream or a part of the way to it.
@@ -301,6 +357,19 @@ impl RollingFastsim {
             }
         }
         sums.map(|sum| sum / back)
+    }
+}
+
+/// No traction, friction at rest; that of each cell where it depends on something.
+fn level(length: f64, creep: Creep, cells: usize, varies: bool) -> Level {
+    let remembered = if varies { cells } else { 0 };
+    Level {
+        length,
+        scale: 1.0,
+        creep,
+        smooth: false,
+        displacement: [vec![0.0; cells], vec![0.0; cells]],
+        friction: [vec![1.0; remembered], vec![0.0; remembered]],
     }
 }
 

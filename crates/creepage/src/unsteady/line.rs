@@ -6,14 +6,15 @@
 //! prescribed force do not.
 
 use super::elements::Elements;
-use super::rolling::Rolling;
-use crate::Ellipse;
+use super::rolling::{Rolling, remembered};
 use crate::check::{self, InvalidValue};
 use crate::coulomb::grid::Grid;
 use crate::coulomb::influence::Influence;
 use crate::coulomb::mesh::{Mesh, SUBCELLS, Strip, cut};
 use crate::coulomb::pressure::Pressure;
 use crate::coulomb::stencil::SlipStencil;
+use crate::friction_law::RollingFriction;
+use crate::{Ellipse, Scaling};
 
 /// Elements of the coarser grid.
 const ELEMENTS: usize = 50;
@@ -41,11 +42,33 @@ impl Rolling {
     /// # Errors
     /// [`InvalidValue`] unless `length` lies between 10 and 1e6 and `poisson` between 0 and 0.5.
     pub fn line(length: f64, poisson: f64) -> Result<Self, InvalidValue> {
+        Self::line_of(length, poisson, |elements| elements)
+    }
+
+    /// The same with friction that depends on the slip, in the units `scaling`.
+    ///
+    /// # Errors
+    /// As [`Rolling::line`], and for falling friction without a memory.
+    pub fn line_with_friction(
+        length: f64,
+        poisson: f64,
+        friction: RollingFriction,
+        scaling: Scaling,
+    ) -> Result<Self, InvalidValue> {
+        remembered(friction)?;
+        Self::line_of(length, poisson, |elements| elements.with_friction(Some(friction), scaling))
+    }
+
+    fn line_of(
+        length: f64,
+        poisson: f64,
+        with: impl Fn(Elements) -> Elements,
+    ) -> Result<Self, InvalidValue> {
         let valid = "between 10 and 1e6 half-widths";
         check::require((10.0..=1e6).contains(&length), "length", length, valid)?;
         check::poisson(poisson)?;
         let pressed = Ellipse::new(1.0, (WIDER * length).min(1e6))?;
-        Ok(Self::of([1, 2].map(|k| elements(pressed, length, poisson, k * ELEMENTS))))
+        Ok(Self::of([1, 2].map(|k| with(elements(pressed, length, poisson, k * ELEMENTS)))))
     }
 }
 

@@ -17,6 +17,7 @@ mod control;
 mod elements;
 mod fastsim;
 mod find;
+mod friction;
 mod jump;
 mod line;
 mod motion;

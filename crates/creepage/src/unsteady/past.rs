@@ -18,6 +18,8 @@ pub(crate) struct Level {
     pub smooth: bool,
     /// Displacements of all points: all `x`, all `y`.
     pub displacement: [Vec<f64>; 2],
+    /// Of all elements, where friction remembers: friction over that at rest, and the size of the slip.
+    pub friction: [Vec<f64>; 2],
 }
 
 /// Levels from the latest to the oldest, at which the past begins.

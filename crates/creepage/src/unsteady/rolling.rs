@@ -9,6 +9,7 @@ use super::track::{self, Stage, Track};
 use crate::check::{self, InvalidValue};
 use crate::coulomb::extrapolation::{Extrapolation, error_bar, extrapolate};
 use crate::coulomb::{ElementField, Exact, Resolution};
+use crate::friction_law::RollingFriction;
 use crate::theory::{Solution, Statistics, Status};
 use crate::{Contact, Creepage, FieldPoint, Region};
 
@@ -71,18 +72,27 @@ impl Rolling {
     /// The contact just pressed together, without traction; with half as many elements more along the
     /// rolling direction than [`Exact`] has, for borders travel that way.
     ///
+    /// Friction may depend on the slip and the place as [`Contact::with_rolling_friction`] has it; one
+    /// that falls with the speed needs a memory, for without it the tractions jump from step to step.
+    /// Bodies that are shifted have friction at rest.
+    ///
     /// # Errors
-    /// [`InvalidValue`] as [`Exact::new`].
+    /// [`InvalidValue`] as [`Exact::new`], for a contact with a layer, and for falling friction without
+    /// a memory.
     pub fn new(contact: &Contact, resolution: Resolution) -> Result<Self, InvalidValue> {
+        no_layer(contact)?;
+        if let Some(friction) = contact.rolling_friction() {
+            remembered(friction)?;
+        }
         let ellipse = contact.ellipse();
         check::ratio(ellipse.ratio(), Exact::RATIO_RANGE, "between 1/64 and 64")?;
         let [along, across] = resolution.coarse(ellipse.ratio());
         let along = along + along / 2;
         let (poisson, kappa_over_mu) = (contact.poisson(), contact.kappa_over_mu());
-        Ok(Self::of(
-            [1, 2]
-                .map(|k| Elements::hertz(ellipse, poisson, kappa_over_mu, [k * along, k * across])),
-        ))
+        Ok(Self::of([1, 2].map(|k| {
+            Elements::hertz(ellipse, poisson, kappa_over_mu, [k * along, k * across])
+                .with_friction(contact.rolling_friction(), contact.scaling())
+        })))
     }
 
     pub(super) fn of(elements: [Elements; 2]) -> Self {
@@ -331,6 +341,20 @@ impl Rolling {
             dissipation: positive(coarse.dissipation, fine.dissipation),
         }
     }
+}
+
+/// Rolling that is not steady knows no third body.
+pub(super) fn no_layer(contact: &Contact) -> Result<(), InvalidValue> {
+    let thickness = contact.layer().map_or(0.0, |layer| layer.thickness());
+    let valid = "none: rolling that is not steady has no third body";
+    check::require(contact.layer().is_none(), "layer thickness", thickness, valid).map(drop)
+}
+
+/// Falling friction that follows the slip at once makes the tractions jump from step to step.
+pub(super) fn remembered(friction: RollingFriction) -> Result<(), InvalidValue> {
+    let valid = "given where friction falls with the speed of slip and rolling is not steady";
+    let is_remembered = !friction.falls() || friction.memory().is_some();
+    check::require(is_remembered, "memory_distance", 0.0, valid).map(drop)
 }
 
 /// Extrapolation of what cannot be negative: where the finer grid has less, by the third root of the

@@ -22,6 +22,8 @@ struct SavedTrack {
     past: Past,
     creep: [f64; 3],
     traction: Vec<f64>,
+    /// From which the limits of friction that depends on the slip go on.
+    limits: Vec<f64>,
 }
 
 /// Why bytes are no state of a contact.
@@ -39,7 +41,7 @@ pub enum SavedError {
     OtherContact,
 }
 
-const MAGIC: [u8; 8] = *b"rolling2";
+const MAGIC: [u8; 8] = *b"rolling3";
 
 impl Rolling {
     /// What the contact remembers: going on from it gives the same, to the last bit.
@@ -48,7 +50,8 @@ impl Rolling {
         let track = |track: &super::track::Track| {
             let mut traction = vec![0.0; 2 * track.elements.all.len()];
             track.state.traction.copy_to(&mut traction);
-            SavedTrack { past: track.past.clone(), creep: track.creep, traction }
+            let limits = track.state.limits.clone();
+            SavedTrack { past: track.past.clone(), creep: track.creep, traction, limits }
         };
         let tracks = self.tracks.each_ref().map(track);
         Saved { tracks, control: self.control, travel: self.travel }
@@ -61,8 +64,9 @@ impl Rolling {
     pub fn restore(&mut self, saved: &Saved) -> Result<(), SavedError> {
         let fits = |(track, saved): (&super::track::Track, &SavedTrack)| {
             let (elements, points) = (track.elements.all.len(), track.elements.points());
-            let whole = |level: &Level| level.displacement.iter().all(|u| u.len() == points);
+            let whole = |level: &Level| level.fits(points, elements);
             saved.traction.len() == 2 * elements
+                && saved.limits.len() == elements
                 && !saved.past.0.is_empty()
                 && saved.past.0.iter().all(whole)
         };
@@ -71,6 +75,7 @@ impl Rolling {
         }
         for (track, saved) in self.tracks.iter_mut().zip(&saved.tracks) {
             track.state.traction.copy_from(&saved.traction);
+            track.state.limits.clone_from(&saved.limits);
             track.past.clone_from(&saved.past);
             track.creep = saved.creep;
         }
@@ -128,13 +133,14 @@ impl Saved {
     }
 }
 
-const FASTSIM: [u8; 8] = *b"rollfas1";
+const FASTSIM: [u8; 8] = *b"rollfas2";
 
 impl RollingFastsim {
     /// What the contact remembers, as bytes.
     #[must_use]
     pub fn save(&self) -> Vec<u8> {
-        let track = SavedTrack { past: self.past.clone(), creep: self.creep, traction: Vec::new() };
+        let (past, creep) = (self.past.clone(), self.creep);
+        let track = SavedTrack { past, creep, traction: vec![], limits: vec![] };
         let mut out = Numbers(vec![self.distance]);
         track.write(&mut out);
         out.sealed(FASTSIM)
@@ -148,7 +154,7 @@ impl RollingFastsim {
         let from = &mut numbers(bytes, FASTSIM).ok_or(SavedError::NoState)?;
         let distance = from.next().ok_or(SavedError::NoState)?;
         let SavedTrack { past, creep, .. } = SavedTrack::read(from).ok_or(SavedError::NoState)?;
-        let whole = |level: &Level| level.displacement.iter().all(|u| u.len() == self.size());
+        let whole = |level: &Level| level.fits(self.size(), self.size());
         if past.0.is_empty() || !past.0.iter().all(whole) {
             return Err(SavedError::OtherElements);
         }
@@ -157,21 +163,30 @@ impl RollingFastsim {
     }
 }
 
+impl Level {
+    /// Whether it has so many points of displacement, and friction of so many elements if of any.
+    fn fits(&self, points: usize, elements: usize) -> bool {
+        self.displacement.iter().all(|u| u.len() == points)
+            && self.friction.iter().all(|values| [0, elements].contains(&values.len()))
+    }
+}
+
 impl SavedTrack {
     fn write(&self, out: &mut Numbers) {
         out.all(&self.creep);
         out.list(&self.traction);
+        out.list(&self.limits);
         out.all(&[self.past.0.len() as f64]);
         for level in &self.past.0 {
             out.all(&[level.length, level.scale, f64::from(u8::from(level.smooth))]);
             out.all(&level.creep);
-            level.displacement.iter().for_each(|values| out.list(values));
+            level.displacement.iter().chain(&level.friction).for_each(|values| out.list(values));
         }
     }
 
     fn read(from: &mut impl Iterator<Item = f64>) -> Option<Self> {
         let creep = several(from)?;
-        let traction = list(from)?;
+        let (traction, limits) = (list(from)?, list(from)?);
         let levels = count(from)?;
         let mut past = VecDeque::new();
         for _ in 0..levels {
@@ -182,9 +197,10 @@ impl SavedTrack {
                 creep: [xi, eta, chi],
                 smooth: smooth != 0.0,
                 displacement: [list(from)?, list(from)?],
+                friction: [list(from)?, list(from)?],
             });
         }
-        Some(Self { past: Past(past), creep, traction })
+        Some(Self { past: Past(past), creep, traction, limits })
     }
 }
 

@@ -9,6 +9,7 @@ use super::system::System;
 use crate::Force;
 use crate::coulomb::grid::Grid;
 use crate::coulomb::influence::Precision;
+use crate::coulomb::resistance::Moment;
 use crate::coulomb::solver::{Equations, Outcome, State};
 
 /// One grid and what it remembers.
@@ -89,11 +90,24 @@ impl Track {
                 let zeros = || vec![0.0; elements.points()];
                 let displacement = [zeros(), zeros()];
                 let creep = [0.0; 3];
-                let level = Level { length: 0.0, scale, creep, smooth: false, displacement };
+                let friction = [vec![], vec![]];
+                let level =
+                    Level { length: 0.0, scale, creep, smooth: false, displacement, friction };
                 let past = Past(std::iter::once(level).collect());
                 System::of_step(elements, &past, f64::INFINITY, scale, false)
             }
         };
+        if let Some(resistance) = &mut self.grid.resistance {
+            let remembers = resistance.remembers();
+            let arriving = match stage {
+                Stage::Step { length, .. } if remembers => {
+                    elements.arriving(&self.past, length, system.scale)
+                }
+                _ => Vec::new(),
+            };
+            let rolls = !matches!(stage, Stage::Shift { .. });
+            resistance.at_moment(Moment { size: system.scale, rolls }, arriving);
+        }
         if system.weights != self.system.weights {
             self.grid.combine(&elements.displacements, &system.weights);
         }
@@ -178,6 +192,20 @@ impl Track {
         1.6 * before * (largest(0) + largest(1))
     }
 
+    /// Friction over that at rest and the size of the slip, in the units of the nominal load, where
+    /// they are remembered.
+    fn friction(&self) -> [Vec<f64>; 2] {
+        let remembers = self.grid.resistance.as_ref().filter(|resistance| resistance.remembers());
+        if remembers.is_none() {
+            return [vec![], vec![]];
+        }
+        let slip = |element: usize| {
+            let [x, y] = self.state.visible(&self.grid, element).1.unwrap_or_default();
+            self.system.scale * x.hypot(y)
+        };
+        [self.state.limits.clone(), (0..self.elements.all.len()).map(slip).collect()]
+    }
+
     /// The present displacements.
     fn level(&self, length: f64, scale: f64, smooth: bool) -> Level {
         let unit = scale * scale;
@@ -189,6 +217,7 @@ impl Track {
                 displacement[k].push(unit * (by_traction[k] + pressure[k]));
             }
         }
-        Level { length, scale, creep: self.creep, smooth, displacement }
+        let (creep, friction) = (self.creep, self.friction());
+        Level { length, scale, creep, smooth, displacement, friction }
     }
 }

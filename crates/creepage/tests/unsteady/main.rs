@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used)]
 
 mod cases;
+mod friction;
 mod line;
 mod load;
 mod order;

@@ -42,7 +42,7 @@ mod flexibility;
 mod grid;
 mod march;
 mod profile;
-mod resistance;
+pub(crate) mod resistance;
 mod settings;
 mod sums;
 mod trace;

@@ -40,9 +40,9 @@ pub(crate) struct Walk {
     /// Traction that the last step would have added, had there been no bound.
     pub(crate) lost: [f64; 2],
     /// Friction over that at rest.
-    friction: f64,
+    pub(crate) friction: f64,
     /// Slip after the last step; zero in adhesion.
-    slip: f64,
+    pub(crate) slip: f64,
     /// Plastic displacement.
     plastic: f64,
 }

@@ -51,7 +51,7 @@ pub(crate) struct State {
     pub traction: Tractions,
     slip: [Vec<f64>; 2],
     /// The largest traction that each element bears, over its bound at rest.
-    limits: Vec<f64>,
+    pub(crate) limits: Vec<f64>,
     /// The sliding branch of the elements that slide, as last chosen.
     sliding: Vec<Option<Sliding>>,
     /// Newton's matrix of each strip, factored.
