@@ -90,8 +90,8 @@ def batch(
     whose contact all rows then have; with `case` its own if not given. A prepared theory may also
     stand first.
 
-    Appended are fx, fy, mz (with `case` first longitudinal_n, lateral_n, moment_n_m and the
-    frictional power), error bars where the theory has them, status and message, as by the command
+    Appended are fx, fy, mz (with `case` first longitudinal_n, lateral_n, moment_n_m, the frictional
+    power and, of a case with `damage`, wear and fatigue numbers), error bars where the theory has them, status and message, as by the command
     `creepage batch`. Index and columns of the frame are kept. A row that is no case, such as one with
     NaN, has NaN, the status "invalid", and the reason for a message.
 
@@ -169,7 +169,7 @@ def check(question: Question, columns: list[Any]) -> None:
                 f"cases have a column {fixed[0]!r}, but the theory is prepared for one contact: "
                 "give its name"
             )
-    ours = [*COLUMNS.values()] if data is not None else []
+    ours = [*COLUMNS.values(), *data.damage_columns] if data is not None else []
     for name in (*ours, "fx", "fy", "mz", "fx_error", "fy_error", "mz_error", "status", "message"):
         if name in columns:
             raise ValueError(f"column {name!r} is there already: it is one of those to be appended")

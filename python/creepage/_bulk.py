@@ -51,6 +51,8 @@ class CaseForce(Generic[Number, Outcome]):
     """Error bar of fy."""
     mz_error: Number | None
     """Error bar of mz, in units of mu N c."""
+    damage: dict[str, Number]
+    """Of a case with `damage`: wear and fatigue numbers by their names in report.json, T gamma first."""
     status: Outcome
     """A Status, or an array of their numbers; INVALID where the values are no case, such as NaN."""
     messages: dict[int, str]
@@ -64,12 +66,13 @@ class CaseForce(Generic[Number, Outcome]):
         and the messages; pandas.DataFrame takes it as it is."""
         own = {COLUMNS.get(name, name): value for name, value in by_name(self).items()}
         del own["messages"], own["status"]
+        own |= own.pop("damage")
         columns = {name: np.ravel(value) for name, value in own.items() if value is not None}
         return {**columns, **words(np.ravel(self.status).astype(np.uint8), self.messages)}
 
 
-def case_force(found: dict[str, Any]) -> CaseForce[Any, Any]:
-    """Of the columns that the compiled part gives."""
+def case_force(found: dict[str, Any], damage: list[str]) -> CaseForce[Any, Any]:
+    """Of the columns that the compiled part gives; `damage` are the wear and fatigue numbers."""
     messages = dict(found.pop("messages"))
     status = found.pop("status")
     fields = ("power", *ERRORS)
@@ -77,7 +80,8 @@ def case_force(found: dict[str, Any]) -> CaseForce[Any, Any]:
     if status.ndim == 0:
         columns = {name: v if v is None else float(v) for name, v in columns.items()}
         status = Status(int(status))
-    return CaseForce(**columns, status=status, messages=messages)
+    by_law = {name: columns.pop(name) for name in damage}
+    return CaseForce(**columns, damage=by_law, status=status, messages=messages)
 
 
 def words(codes: NDArray[np.uint8], messages: Mapping[int, str]) -> dict[str, Any]:

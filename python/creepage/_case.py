@@ -297,7 +297,8 @@ class Case:
         table = theory if isinstance(theory, _creepage.Table) else None
         name, options = self._chosen(None if isinstance(theory, _creepage.Table) else theory, given)
         aligned = by_dimension(quantities)
-        return case_force(_creepage.case_forces(self._data, name, options, table, aligned))
+        found = _creepage.case_forces(self._data, name, options, table, aligned)
+        return case_force(found, self._data.damage_columns)
 
     def solve(self, theory: str | None = None, **options: Any) -> Solution:
         """Solves the case by its own theory, or by the one of that name.
@@ -351,7 +352,8 @@ class Case:
         if not np.isfinite(values).all():
             worst = float(values[~np.isfinite(values)][0])
             raise InvalidValue(f"{vary} = {worst} must be finite", vary, worst, "finite")
-        return case_force(_creepage.case_forces(self._data, name, options, None, {vary: values}))
+        found = _creepage.case_forces(self._data, name, options, None, {vary: values})
+        return case_force(found, self._data.damage_columns)
 
     def _range(self, component: int) -> Floats:
         """The usual values of a component, dimensionless."""

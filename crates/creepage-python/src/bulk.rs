@@ -4,7 +4,9 @@
 use std::ops::Range;
 
 use creepage::Creepage;
-use creepage_study::{BulkAnswer, BulkCase, Caution, Question, Reply, RowError, Solver, Varied};
+use creepage_study::{
+    BulkAnswer, BulkCase, Caution, Damage, Question, Reply, RowError, Solver, Varied,
+};
 use numpy::{IntoPyArray, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -68,23 +70,25 @@ pub(crate) fn case_forces<'py>(
         bulk.solve(&solver, &values.iter().map(Vec::as_slice).collect::<Vec<_>>())
     };
     let answers = run(py, inputs.shape.iter().product(), cost + ROW, one, many)?;
+    let damage = bulk.damage().map_or(&[][..], |_| &Damage::OF_ROWS[..]);
     let names = if bulk.has_speed() { &SI[..] } else { &SI[..4] };
-    let mut found = Columns::new(names, solver.error_bars());
+    let mut found = Columns::new(&[names, damage].concat(), solver.error_bars());
     for answer in answers {
-        found.push(answer.map(|answer| {
-            let force = answer.force();
-            let si = [
-                force.longitudinal,
-                force.lateral,
-                force.moment,
-                answer.power_per_metre(),
-                answer.power().unwrap_or(f64::NAN),
-            ];
-            let BulkAnswer { reply, .. } = answer;
-            (si, reply)
-        }));
+        found.push(answer.map(|answer| (si_numbers(&bulk, &answer), answer.reply)));
     }
     found.into_dict(py, &inputs.shape)
+}
+
+/// What a row in SI units has besides its dimensionless answer, in the order of the columns.
+fn si_numbers(bulk: &BulkCase, answer: &BulkAnswer) -> Vec<f64> {
+    let force = answer.force();
+    let mut numbers = vec![force.longitudinal, force.lateral, force.moment];
+    numbers.push(answer.power_per_metre());
+    if bulk.has_speed() {
+        numbers.push(answer.power().unwrap_or(f64::NAN));
+    }
+    numbers.extend(bulk.damage().into_iter().flat_map(|wanted| answer.damage(wanted).of_rows()));
+    numbers
 }
 
 const SI: [&str; 5] = ["longitudinal", "lateral", "moment", "heat_per_metre", "power"];
@@ -115,7 +119,7 @@ pub(crate) fn row_forces<'py>(
     let answers = run(py, inputs.shape.iter().product(), cost, one, many)?;
     let mut found = Columns::new(&[], solver.error_bars());
     for answer in answers {
-        found.push(answer.map(|reply| ([f64::NAN; 5], reply)));
+        found.push(answer.map(|reply| (Vec::new(), reply)));
     }
     found.into_dict(py, &inputs.shape)
 }
@@ -165,8 +169,6 @@ fn run<A: Send>(
 /// Columns as they fill.
 struct Columns {
     names: Vec<&'static str>,
-    /// How many of them are in SI units.
-    si: usize,
     error_bars: bool,
     numbers: Vec<Vec<f64>>,
     codes: Vec<u8>,
@@ -179,17 +181,16 @@ impl Columns {
         let errors = if error_bars { &errors[..] } else { &[] };
         let names = [si, &["fx", "fy", "mz"], errors].concat();
         let numbers = vec![Vec::new(); names.len()];
-        let (si, codes, messages) = (si.len(), Vec::new(), Vec::new());
-        Self { names, si, error_bars, numbers, codes, messages }
+        Self { names, error_bars, numbers, codes: Vec::new(), messages: Vec::new() }
     }
 
-    fn push(&mut self, answer: Result<([f64; 5], Reply), RowError>) {
+    fn push(&mut self, answer: Result<(Vec<f64>, Reply), RowError>) {
         let (row, code, words) = match answer {
             Ok((si, Reply { solution, cautions, .. })) => {
                 let error = solution.error.filter(|_| self.error_bars);
                 let forces = [Some(solution.force), error].into_iter().flatten();
                 let forces = forces.flat_map(|force| force.components());
-                let row: Vec<_> = si.into_iter().take(self.si).chain(forces).collect();
+                let row: Vec<_> = si.into_iter().chain(forces).collect();
                 (row, results::code(solution.status), Caution::words(&cautions))
             }
             Err(error) => (Vec::new(), INVALID, error.to_string()),

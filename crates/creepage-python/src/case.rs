@@ -4,7 +4,7 @@ use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::PathBuf;
 
 use creepage::{Creepage, SiCreepage};
-use creepage_study::{Case, CaseFile, Caution, Given, HertzReportJson, hertz_json, solve};
+use creepage_study::{Case, CaseFile, Caution, Damage, Given, HertzReportJson, hertz_json, solve};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use serde::Serialize;
@@ -76,6 +76,12 @@ impl CaseData {
         let mut hasher = DefaultHasher::new();
         numbers.map(f64::to_bits).hash(&mut hasher);
         hasher.finish()
+    }
+
+    /// Names of the wear and fatigue numbers that rows of the case have; none without `[damage]`.
+    #[getter]
+    fn damage_columns(&self) -> Vec<&'static str> {
+        if self.file.has_damage() { Damage::OF_ROWS.to_vec() } else { Vec::new() }
     }
 
     /// The text.

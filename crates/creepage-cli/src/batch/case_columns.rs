@@ -6,30 +6,6 @@ use csv::ByteRecord;
 use super::columns::{ColumnError, names, place_of};
 use super::field::{NoCase, parse};
 
-/// Names of wear and fatigue numbers, as in report.json.
-const DAMAGE: [&str; 7] = [
-    "t_gamma_n",
-    "t_gamma_with_spin_n",
-    "usfd_rate_ug_per_m_mm2",
-    "wlrm_damage",
-    "wlrm_directed_damage",
-    "surface_fatigue_index",
-    "subsurface_fatigue_index_pa",
-];
-
-/// The numbers of these names.
-pub(super) fn damage_numbers(damage: &Damage) -> [f64; 7] {
-    [
-        damage.t_gamma_n,
-        damage.t_gamma_with_spin_n,
-        damage.usfd_rate_ug_per_m_mm2,
-        damage.wlrm_damage,
-        damage.wlrm_directed_damage,
-        damage.surface_fatigue_index,
-        damage.subsurface_fatigue_index_pa,
-    ]
-}
-
 /// The case, and the places of what varies.
 #[derive(Debug, Clone)]
 pub(super) struct CaseColumns {
@@ -66,7 +42,7 @@ impl CaseColumns {
             "frictional_power_w",
         ];
         let si = if self.case.has_speed() { &SI[..] } else { &SI[..4] };
-        let damage = self.damage().map_or(&[][..], |_| &DAMAGE[..]);
+        let damage = self.damage().map_or(&[][..], |_| &Damage::OF_ROWS[..]);
         [si, damage].concat()
     }
 

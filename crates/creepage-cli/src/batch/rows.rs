@@ -5,7 +5,6 @@ use std::io::{self, Write};
 use creepage_study::{BulkAnswer, Caution, DamageWanted, Reply};
 use csv::{ByteRecord, Writer, WriterBuilder};
 
-use super::case_columns::damage_numbers;
 use super::field::NoCase;
 use super::question::Asked;
 use super::tally::Tally;
@@ -79,7 +78,7 @@ impl<W: Write> Rows<W> {
                 number(answer.power_per_metre());
                 answer.power().into_iter().for_each(&mut number);
                 let damage = self.damage.iter().map(|wanted| answer.damage(wanted));
-                damage.for_each(|damage| damage_numbers(&damage).into_iter().for_each(&mut number));
+                damage.for_each(|damage| damage.of_rows().into_iter().for_each(&mut number));
                 answer.reply
             }
         };

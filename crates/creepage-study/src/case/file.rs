@@ -206,6 +206,12 @@ impl CaseFile {
         Ok(Case { hertz, friction, contact, solids, given, speed, smallest_radius, damage, theory })
     }
 
+    /// Whether wear and fatigue numbers are wanted.
+    #[must_use]
+    pub fn has_damage(&self) -> bool {
+        self.damage.is_some()
+    }
+
     /// The laws of wear and fatigue, where their numbers are wanted.
     pub(crate) fn damage(&self) -> Result<Option<DamageWanted>, CaseError> {
         self.damage.as_ref().map(DamageSection::wanted).transpose()

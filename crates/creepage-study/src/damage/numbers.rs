@@ -87,6 +87,31 @@ pub struct WearRow {
 }
 
 impl Damage {
+    /// Names of the numbers that every row of many cases has, as in `report.json`.
+    pub const OF_ROWS: [&str; 7] = [
+        "t_gamma_n",
+        "t_gamma_with_spin_n",
+        "usfd_rate_ug_per_m_mm2",
+        "wlrm_damage",
+        "wlrm_directed_damage",
+        "surface_fatigue_index",
+        "subsurface_fatigue_index_pa",
+    ];
+
+    /// The numbers named by [`Damage::OF_ROWS`].
+    #[must_use]
+    pub fn of_rows(&self) -> [f64; 7] {
+        [
+            self.t_gamma_n,
+            self.t_gamma_with_spin_n,
+            self.usfd_rate_ug_per_m_mm2,
+            self.wlrm_damage,
+            self.wlrm_directed_damage,
+            self.surface_fatigue_index,
+            self.subsurface_fatigue_index_pa,
+        ]
+    }
+
     pub(crate) fn new(
         wanted: &DamageWanted,
         ground: &Ground,
