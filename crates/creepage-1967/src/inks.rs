@@ -1,12 +1,14 @@
 //! Colours that mean the same in every picture.
 
-use creepage_plot::{Mark, Pen, Shape};
+use creepage_plot::{Fill, Mark, Pen, Shape};
 
 const DARK: &str = "#10243a";
 const RED: &str = "#c62828";
 
 /// The full theory: what 1967 is held against.
 pub(crate) const FULL: Pen = Pen { colour: RED, dashes: "11 4", width: 2.3 };
+/// Its error bars.
+pub(crate) const BAND: Fill = Fill::plain("#f3c9c9");
 /// The same where it is points.
 pub(crate) const FULL_MARK: Mark = Mark::full(Shape::Circle, RED);
 /// What was printed in 1967, number by number.

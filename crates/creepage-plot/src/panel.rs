@@ -100,11 +100,18 @@ impl Panel {
     /// right side. Names that would touch are moved apart; where a frame is too low for all of
     /// them, they go to the legend.
     #[must_use]
-    pub fn named(mut self, points: Vec<Point>, pen: Pen, label: Label) -> Self {
-        if let Some(end) = points.last() {
-            self.names.push((Name { label, pen }, *end));
+    pub fn named(self, points: Vec<Point>, pen: Pen, label: Label) -> Self {
+        match points.last().copied() {
+            Some(end) => self.curve(points, pen).name(end, pen, label),
+            None => self,
         }
-        self.curve(points, pen)
+    }
+
+    /// Adds the name of what ends at a place, as [`Panel::named`] does.
+    #[must_use]
+    pub fn name(mut self, end: Point, pen: Pen, label: Label) -> Self {
+        self.names.push((Name { label, pen }, end));
+        self
     }
 
     /// Adds the borders of closed polygons, in one pen.
