@@ -1,6 +1,6 @@
 """The compiled part: the theories, and the data behind Case, Solution, statics and sweep."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from os import PathLike
 from typing import Any, Final, Literal, TypeAlias, final, overload
 

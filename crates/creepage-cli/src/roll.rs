@@ -6,8 +6,8 @@ use std::time::Duration;
 
 use creepage::Status;
 use creepage_study::{
-    HISTORY_COLUMNS, History, HistoryError, HistoryRun, HistoryWriter, RollFile,
-    history_animation, history_picture, write_all,
+    HISTORY_COLUMNS, History, HistoryError, HistoryRun, HistoryWriter, RollFile, history_animation,
+    history_picture, write_all,
 };
 use indicatif::ProgressBar;
 

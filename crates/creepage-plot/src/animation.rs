@@ -122,7 +122,9 @@ mod tests {
         for (number, (shown, delay)) in played.iter().enumerate() {
             assert_eq!(*delay, frames.milliseconds(number));
             let real = pixels(&frames.svg(number), PIXELS_PER_UNIT).unwrap();
-            let far = |(shown, real): (&[u8; 3], [u8; 3])| (0..3).any(|i| shown[i].abs_diff(real[i]) > 24);
+            let far = |(shown, real): (&[u8; 3], [u8; 3])| {
+                (0..3).any(|i| shown[i].abs_diff(real[i]) > 24)
+            };
             let real = real.pixels().iter().map(|p| [p.red(), p.green(), p.blue()]);
             // A tenth of the tones: what an eye takes for the same colour in so small a spot.
             assert_eq!(shown.iter().zip(real).filter(|pair| far(*pair)).count(), 0, "{number}");

@@ -50,7 +50,7 @@ impl Palette {
         let distance = |other: &Colour| -> u32 {
             (0..3).map(|i| u32::from(colour[i].abs_diff(other[i])).pow(2)).sum()
         };
-        let all = (1..).zip(&self.colours);
+        let all = (1..=u8::MAX).zip(&self.colours);
         let number = all.min_by_key(|(_, other)| distance(other)).map_or(1, |(number, _)| number);
         self.numbers.insert(colour, number);
         number

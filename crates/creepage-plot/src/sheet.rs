@@ -102,7 +102,8 @@ impl Sheet {
     /// Draws panels side by side; gives their height.
     fn row(&self, scene: &mut Scene, top: f64, row: &[Panel]) -> f64 {
         let columns = self.columns as f64;
-        let right = row.iter().map(Panel::right_margin).fold(0.0, f64::max);
+        // One for all rows: panels below each other share an axis.
+        let right = self.panels.iter().map(Panel::right_margin).fold(0.0, f64::max);
         let room = (self.width - 2.0 * MARGIN + BETWEEN) / columns - BETWEEN;
         let width = room - NUMBERS - right;
         let above = row.iter().map(|panel| panel.margins()[0]).fold(0.0, f64::max);

@@ -99,7 +99,8 @@ impl<'py> Call<'py> {
         let cost = cost(&self.spec);
         if let (TheorySpec::Variational(options), Some(function)) = (&self.spec, &self.integrand) {
             let function = function.clone_ref(py);
-            let (made, raised) = integrand::prepare(py, &self.contact, options.settings(), function);
+            let (made, raised) =
+                integrand::prepare(py, &self.contact, options.settings(), function);
             integrand::check(&raised)?;
             let made = made.map_err(|error| errors::theory(py, error.into()))?;
             return Ok(Theory { raised, ..self.theory(name, Arc::new(made), cost) });

@@ -19,12 +19,14 @@ fn make() -> Result<Reproduction, GalleryError> {
     }
     let most = cases.iter().flatten().map(parts).max().unwrap_or(0);
     let claim = |printed: &str, least: usize| {
-        Comparison::claim(format!("area of adhesion, cylinders, {least} parts or more"), printed, format!("up to {most} parts at a time"), most >= least)
+        Comparison::claim(
+            format!("area of adhesion, cylinders, {least} parts or more"),
+            printed,
+            format!("up to {most} parts at a time"),
+            most >= least,
+        )
     };
-    let agreement = vec![
-        claim("can split into two parts", 2),
-        claim("or into more", 3),
-    ];
+    let agreement = vec![claim("can split into two parts", 2), claim("or into more", 3)];
     let caption = "Two cylinders. Above, shifted by 0.64 μN and then rolled with a creepage ξ = 6, \
         one and a half times that of bodily sliding: a slip area opens in the middle of what adheres. \
         Below, a force of 0.8 μN that changes sign each 0.25 a: what the leading edge takes in under one \

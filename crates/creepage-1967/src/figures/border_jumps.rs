@@ -57,8 +57,7 @@ fn sheet(stations: &[Station], at: usize) -> Sheet {
     // Carter's border: the share of adhesion is the root of 1 - F.
     let carter = 1.0 - 2.0 * (1.0 - FORCE).sqrt();
     let last = STEP * STEPS as f64;
-    let areas = rolling_on::panel(stations)
-        .curve(vec![[0.0, carter], [last, carter]], CARTER);
+    let areas = rolling_on::panel(stations).curve(vec![[0.0, carter], [last, carter]], CARTER);
     let chosen = [(at.saturating_sub(2), OF_1967), (at + 2, FULL)];
     let x = Axis::new([-1.0, 1.0], Label::default().symbol("x").plain("/").symbol("a"));
     let y = Axis::new([0.0, 1.05], Label::default().symbol("X").plain("/").indexed("μp", "0"));

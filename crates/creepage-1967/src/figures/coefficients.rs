@@ -53,7 +53,11 @@ pub(super) fn picture(
         for (k, (poisson, name)) in POISSON.iter().enumerate() {
             let curve = curve(shown, *poisson)?;
             push(&mut data, &format!("C{}", shown.index), *poisson, &curve);
-            panel = panel.named(curve, PENS[k], Label::default().symbol("σ").plain(&format!(" = {name}")));
+            panel = panel.named(
+                curve,
+                PENS[k],
+                Label::default().symbol("σ").plain(&format!(" = {name}")),
+            );
         }
         for (k, (poisson, _)) in POISSON.iter().enumerate() {
             let points = points(printed, shown, *poisson);

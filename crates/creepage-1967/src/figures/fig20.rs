@@ -175,7 +175,12 @@ fn on_the_axis(of_1967: &View, today: &View) -> Panel {
     let chi = SPINS[ON_THE_AXIS].to_string();
     let heading = Label::new("f)  ").symbol("χ").plain(" = ").number(&chi);
     let x = Axis::new([-1.0, 1.0], Label::default().symbol("x").plain("/").symbol("a"));
-    let y = Label::default().symbol("Y/").indexed("μp", "0").plain(", ").symbol("Q/").indexed("μf", "00");
+    let y = Label::default()
+        .symbol("Y/")
+        .indexed("μp", "0")
+        .plain(", ")
+        .symbol("Q/")
+        .indexed("μf", "00");
     let y = Axis::new([-1.0, 2.0], y);
     Panel::new(x, y)
         .height(150.0)

@@ -7,17 +7,14 @@ use rayon::prelude::*;
 use super::rolling_on;
 use crate::prelude::*;
 
-pub(crate) const ITEM: Item = Item::new(
-    "iv-3-transients",
-    "Proposition IV, 3. Transients at constant force die out",
-    make,
-);
+pub(crate) const ITEM: Item =
+    Item::new("iv-3-transients", "Proposition IV, 3. Transients at constant force die out", make);
 
 const FORCE: f64 = 0.64;
 /// Contact widths rolled; in the last of them what there is counts as steady.
 const WIDTHS: usize = 3;
 /// Steps a contact width.
-const STEPS: usize = 16;
+const STEPS: usize = 24;
 
 /// A contact and the direction of its force: `None` for cylinders.
 struct Case {
@@ -98,7 +95,7 @@ fn make() -> Result<Reproduction, GalleryError> {
 fn sheet(curves: &[Curve]) -> Sheet {
     let x = Label::new("distance rolled in contact widths, ").symbol("q").plain("/2").symbol("a");
     let y = Label::new("creepage over the steady one");
-    let mut panel = Panel::new(Axis::new([0.0, WIDTHS as f64], x), Axis::new([0.0, 1.3], y))
+    let mut panel = Panel::new(Axis::new([0.0, WIDTHS as f64], x), Axis::new([0.4, 1.3], y))
         .height(380.0)
         .curve(vec![[0.0, 1.0], [WIDTHS as f64, 1.0]], Pen::GUIDE);
     let mut sheet = Sheet::new(ITEM.title);

@@ -32,7 +32,7 @@ impl<'a> Animation<'a> {
     pub(super) fn new(run: &'a HistoryRun) -> Option<Self> {
         let (frames, moments) = (&run.progress().frames[..], &run.progress().moments[..]);
         let (view, is_line) = (View::new(run), run.case().is_line());
-        let arrows = view.arrows();
+        let arrows = if is_line { Default::default() } else { view.arrows() };
         (!frames.is_empty()).then_some(Self { frames, moments, view, is_line, arrows })
     }
 

@@ -46,7 +46,9 @@ impl<'a> View<'a> {
     pub(super) fn panel(&self, frame: &Frame) -> Panel {
         let axis = |k: usize, name: &str| {
             let label = Label::default().symbol(name).plain("/").symbol("c");
-            Axis::new([-self.reach[k], self.reach[k]], label)
+            // Seen from above, y is to the right of the rolling direction.
+            let sign = if k == 0 { 1.0 } else { -1.0 };
+            Axis::new([-sign * self.reach[k], sign * self.reach[k]], label)
         };
         let of = |slides: bool| {
             let own = self.corners.iter().zip(&frame.slides).filter(|(_, one)| **one == slides);
@@ -61,33 +63,48 @@ impl<'a> View<'a> {
 
     /// The middle of an element.
     pub(super) fn middle(&self, frame: &Frame, element: usize) -> Point {
-        let corners = &self.corners[element];
-        let mean = |k: usize| 0.25 * corners.iter().map(|corner| corner[k]).sum::<f64>();
-        [0, 1].map(|k| frame.scale * mean(k))
+        centre(&self.corners[element]).map(|x| frame.scale * x)
     }
 
-    /// Elements evenly spread over the contact, and how far apart they are.
+    /// Elements evenly spread over the contact, and the length of an arrow over the traction: along
+    /// the rolling direction the largest ones just do not touch.
     pub(super) fn arrows(&self) -> (Vec<usize>, f64) {
-        let half = |k: usize| {
+        let half = [0, 1].map(|k| {
             self.corners.as_flattened().iter().map(|corner| corner[k].abs()).fold(0.0, f64::max)
-        };
-        let pitch = (half(0) * half(1)).sqrt() / ARROWS;
-        let nearest = |x: f64, y: f64| {
-            let far = |corners: &[Point; 4]| {
-                let mean = |k: usize| 0.25 * corners.iter().map(|corner| corner[k]).sum::<f64>();
-                (mean(0) - x).hypot(mean(1) - y)
-            };
-            let all = self.corners.iter().map(far).enumerate();
-            all.min_by(|one, two| one.1.total_cmp(&two.1)).map(|(element, _)| element)
-        };
-        let steps = |k: usize| {
-            let most = (half(k) / pitch).floor();
-            (0..).map(move |step| pitch * (f64::from(step) - most)).take_while(move |at| *at <= half(k))
-        };
-        let places = steps(1).flat_map(|y| steps(0).map(move |x| [x, y]));
-        let inside = |at: &Point| (at[0] / half(0)).hypot(at[1] / half(1)) < 0.97;
-        let mut places: Vec<_> = places.filter(inside).filter_map(|[x, y]| nearest(x, y)).collect();
-        places.dedup();
-        (places, 0.95 * pitch)
+        });
+        let pitch = (half[0] * half[1]).sqrt() / ARROWS;
+        let mut elements: Vec<usize> = Vec::new();
+        for element in lattice(half, pitch).filter_map(|place| self.nearest(place)) {
+            let here = centre(&self.corners[element]);
+            let is_near = |other: &usize| far(centre(&self.corners[*other]), here) < 0.75 * pitch;
+            if !elements.iter().any(is_near) {
+                elements.push(element);
+            }
+        }
+        (elements, 0.75 * pitch)
     }
+
+    fn nearest(&self, place: Point) -> Option<usize> {
+        let all = self.corners.iter().map(|corners| far(centre(corners), place)).enumerate();
+        all.min_by(|one, two| one.1.total_cmp(&two.1)).map(|(element, _)| element)
+    }
+}
+
+fn centre(corners: &[Point; 4]) -> Point {
+    [0, 1].map(|k| 0.25 * corners.iter().map(|corner| corner[k]).sum::<f64>())
+}
+
+fn far([x, y]: Point, [u, v]: Point) -> f64 {
+    (x - u).hypot(y - v)
+}
+
+/// Places a pitch apart inside an ellipse.
+fn lattice(half: [f64; 2], pitch: f64) -> impl Iterator<Item = Point> {
+    let steps = move |k: usize| {
+        let most = (half[k] / pitch).floor();
+        let all = (0_u32..).map(move |step| pitch * (f64::from(step) - most));
+        all.take_while(move |at| *at <= half[k])
+    };
+    let places = steps(1).flat_map(move |y| steps(0).map(move |x| [x, y]));
+    places.filter(move |[x, y]| (x / half[0]).hypot(y / half[1]) < 0.97)
 }
