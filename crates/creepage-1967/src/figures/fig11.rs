@@ -21,7 +21,7 @@ fn make() -> Result<Reproduction, GalleryError> {
         turned < 1e-9,
     );
     let agreement = vec![direction, diagram.quadrature()];
-    let sheet = sheet.columns(2).panel(simpler(&diagram));
+    let sheet = sheet.columns(2).width(856.0).panel(simpler(&diagram));
     Ok(Reproduction::figure(&sheet, caption, data, agreement))
 }
 

@@ -254,7 +254,10 @@ fn rings(net: &Net) -> Panel {
     let panel = frame(net, Label::new("constant ").symbol("υ"));
     let panel = net.rings.iter().fold(panel, curves);
     net.rings.iter().fold(panel, |panel, ring| {
-        let end = ring.forces[0].last().map_or([0.0; 2], |force| [force.fx, force.fy]);
+        // With spin the rings are farthest apart where creepage and spin oppose each other.
+        let forces = &ring.forces[0];
+        let end = if net.chi > 0.0 { forces.first() } else { forces.last() };
+        let end = end.map_or([0.0; 2], |force| [force.fx, force.fy]);
         panel.name(end, OF_1967, Label::default().number(&ring.value.to_string()))
     })
 }

@@ -139,8 +139,8 @@ fn claims(cuts: &[Cut]) -> Vec<Comparison> {
             round.iter().all(|[low, high]| *low > 0.75 && *high < 1.0 / 0.75),
         )
         .because(
-            "round while there is little spin, and at any spin for the circle; \
-            the slender ones' tubes are flattened by spin",
+            "“roughly” has no number in the thesis; with spin the tubes of a/b = 2 and 1 become \
+            lower than they are wide, that of a/b = 0.2 higher",
         ),
     ]
 }

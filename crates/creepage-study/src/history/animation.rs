@@ -14,6 +14,8 @@ const EACH: [f64; 2] = [40.0, 1000.0];
 /// How long the last one stays (milliseconds).
 const LAST: u16 = 1500;
 const WIDTH: f64 = 600.0;
+/// Tractions below this part of the largest bound are not drawn.
+const LEAST: f64 = 0.01;
 /// The traction along a line contact.
 const TRACTION: Pen = Pen { colour: ARROW, dashes: "", width: 2.2 };
 
@@ -40,9 +42,14 @@ impl<'a> Animation<'a> {
     fn ellipse(&self, frame: &Frame) -> Panel {
         let (places, length) = &self.arrows;
         places.iter().fold(self.view.panel(frame), |panel, place| {
-            let (middle, traction) = (self.view.middle(frame, *place), frame.tractions[*place]);
-            let end = |sign: f64| [0, 1].map(|i| middle[i] + sign * 0.5 * length * traction[i]);
-            if traction == [0.0; 2] { panel } else { panel.arrow(end(-1.0), end(1.0), 1.6, ARROW) }
+            let (middle, [x, y]) = (self.view.middle(frame, *place), frame.tractions[*place]);
+            let end = |sign: f64| {
+                let half = 0.5 * sign * length;
+                [middle[0] + half * x, middle[1] + half * y]
+            };
+            // What is no arrow on the sheet is no point either.
+            let is_drawn = x.hypot(y) > LEAST;
+            if is_drawn { panel.arrow(end(-1.0), end(1.0), 1.6, ARROW) } else { panel }
         })
     }
 
