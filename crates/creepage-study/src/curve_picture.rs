@@ -8,6 +8,7 @@ use creepage_plot::theme::DARK;
 use creepage_plot::{Axis, Fill, Label, Mark, Panel, Pen, Point, Shape, Sheet};
 
 use crate::contact_picture::setting;
+use crate::curve_words::raised;
 use crate::curves::{Component, Curve, Curves};
 
 /// A component that stays below this, in parts of its unit, has no panel.
@@ -286,50 +287,6 @@ fn parts(points: &[(Point, bool)]) -> Vec<(bool, Vec<Point>)> {
     parts
 }
 
-impl Component {
-    fn words(self) -> &'static str {
-        match self {
-            Self::Longitudinal => "longitudinal creepage ",
-            Self::Lateral => "lateral creepage ",
-            Self::Spin => "spin ",
-        }
-    }
-
-    fn symbol(self) -> &'static str {
-        match self {
-            Self::Longitudinal => "ξ",
-            Self::Lateral => "η",
-            Self::Spin => "χ",
-        }
-    }
-
-    /// Adds the symbol of the quantity with its dimension.
-    fn si_symbol(self, label: Label) -> Label {
-        match self {
-            Self::Longitudinal => label.indexed("υ", "x"),
-            Self::Lateral => label.indexed("υ", "y"),
-            Self::Spin => label.symbol("φ"),
-        }
-    }
-
-    fn unit(self) -> &'static str {
-        match self {
-            Self::Longitudinal | Self::Lateral => "",
-            Self::Spin => " rad/m",
-        }
-    }
-}
-
-/// A power as raised digits.
-fn raised(power: i32) -> String {
-    let digits = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
-    let raise = |character: char| {
-        let digit = character.to_digit(10).and_then(|digit| usize::try_from(digit).ok());
-        digit.and_then(|digit| digits.get(digit)).copied().unwrap_or('⁻')
-    };
-    power.to_string().chars().map(raise).collect()
-}
-
 #[cfg(test)]
 mod tests {
     use creepage::TheorySpec;
@@ -399,11 +356,6 @@ mod tests {
             svg(1.0, case, Component::Longitudinal, [0.1, 3.0]).contains("thin: out of")
         };
         assert!(thin(0.5) && !thin(0.0));
-    }
-
-    #[test]
-    fn powers_are_raised() {
-        assert_eq!([raised(-3), raised(12)], ["⁻³", "¹²"]);
     }
 
     #[test]

@@ -50,6 +50,7 @@ mod caution;
 mod contact_json;
 mod contact_picture;
 mod curve_picture;
+mod curve_words;
 mod curves;
 mod damage;
 mod error;
