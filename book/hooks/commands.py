@@ -19,6 +19,8 @@ from mkdocs.structure.files import File
 
 # The gallery of the thesis as its test has just made it, where `./test` says so.
 GALLERY = os.environ.get("CREEPAGE_GALLERY")
+# The only picture that is no SVG.
+ANIMATION = "rolling.png"
 MAKES_GALLERY = ["creepage", "reproduce", "all", "--out"]
 ROOT = Path(__file__).resolve().parents[2]
 CREEPAGE = Path(os.environ["CREEPAGE"])
@@ -33,7 +35,7 @@ def on_files(files, config):
     for page, printed in zip(pages, outputs):
         place = room(page)
         page.content_string = show(page.content_string, printed)
-        for picture in sorted(place.rglob("*.svg")):
+        for picture in sorted([*place.rglob("*.svg"), *place.rglob(ANIMATION)]):
             uri = Path(page.src_uri).with_suffix("") / picture.relative_to(place)
             files.append(File.generated(config, uri.as_posix(), abs_src_path=str(picture)))
     return files

@@ -1,6 +1,6 @@
 """The compiled part: the theories, and the data behind Case, Solution, statics and sweep."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from os import PathLike
 from typing import Any, Final, Literal, TypeAlias, final, overload
 
@@ -206,6 +206,8 @@ class Variational(Theory):
     degree: of the polynomials, 0 to 12 (3). mesh: cells (along, across) of the box around the
     ellipse, (10, 10) up to degree 3. bound: whether tractions are kept within it, "automatic" by
     default (where a/b >= 3), "unchecked" (as in the thesis: looked at afterwards), "kept".
+    integrand: a function of (x, y, a, b, t, s), lengths in units of c, in place of T S (5.22): it
+    gives f, f_t, f_s, f_tt, f_ts, f_ss.
     """
 
     def __new__(
@@ -217,6 +219,8 @@ class Variational(Theory):
         mesh: _Pair | None = None,
         weight: Literal["elliptic", "uniform", "root-elliptic"] | None = None,
         bound: Literal["automatic", "unchecked", "kept"] | None = None,
+        integrand: Callable[[float, float, float, float, float, float], Sequence[float]]
+        | None = None,
     ) -> Variational: ...
 
 @final

@@ -45,6 +45,11 @@ pub(crate) fn setting(parts: &[(&str, &str)]) -> Label {
     label
 }
 
+/// What a curve of chapter 5 is called at its end.
+pub(crate) fn short_degree(degree: usize) -> Label {
+    Label::default().symbol("M").plain(&format!(" = {degree}"))
+}
+
 /// What a curve of chapter 5 is called in a key.
 pub(crate) fn degree(degree: usize) -> Label {
     Label::new("chapter 5, ").symbol("M").plain(&format!(" = {degree}"))

@@ -1,6 +1,7 @@
 //! A contact seen from above, as in the thesis's sketches, and the fields in it.
 
-use crate::theories::like_bodies;
+use crate::inks::RING;
+use crate::theories::{like_bodies, spaced};
 use creepage::coulomb::{Exact, Resolution};
 use creepage::variational::{Start, Variational};
 use creepage::{Creepage, FieldPoint, Region, Solved, Theory};
@@ -139,6 +140,16 @@ pub(crate) fn separatrix(ellipse: Ellipse, adhesion: &[Polygon]) -> Vec<Polygon>
 /// The same by the full theory, whose elements leave steps in the line.
 pub(crate) fn full_separatrix(ellipse: Ellipse, adhesion: &[Polygon]) -> Vec<Polygon> {
     smooth(parts(adhesion, |point| radius(ellipse, point) < EDGE_OF_ELEMENTS))
+}
+
+/// A ring that points out a small area.
+pub(crate) fn ringed(panel: Panel, area: &[[f64; 2]]) -> Panel {
+    let mean = |k: usize| area.iter().map(|point| point[k]).sum::<f64>() / area.len() as f64;
+    let [x, y] = [mean(0), mean(1)];
+    let far = area.iter().map(|point| (point[0] - x).hypot(point[1] - y)).fold(0.0, f64::max);
+    let radius = far + 0.08;
+    let ring = spaced(0.0, std::f64::consts::TAU, 60).into_iter().map(f64::sin_cos);
+    panel.curve(ring.map(|(sin, cos)| [x + radius * cos, y + radius * sin]).collect(), RING)
 }
 
 /// A hair off the contact's edge.

@@ -1,6 +1,7 @@
 //! Why an item cannot be made.
 
 use creepage::coulomb::{InverseError, SlidingError};
+use creepage::halfspace::{PolynomialError, ResponseError};
 use creepage::variational::VariationalError;
 use creepage::{HertzError, InvalidValue};
 use creepage_plot::PlotError;
@@ -19,6 +20,12 @@ pub enum GalleryError {
     /// A contact that is none.
     #[error(transparent)]
     Hertz(#[from] HertzError),
+    /// Tractions or displacements without the other.
+    #[error(transparent)]
+    Response(#[from] ResponseError),
+    /// Numbers that are no polynomial.
+    #[error(transparent)]
+    Polynomial(#[from] PolynomialError),
     /// A creepage that is not found.
     #[error(transparent)]
     Inverse(#[from] InverseError),

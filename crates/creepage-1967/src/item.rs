@@ -61,7 +61,8 @@ impl Reproduction {
         data: Data,
         agreement: Vec<Comparison>,
     ) -> Self {
-        let svg = Some(sheet.svg());
+        // The page has the title as its heading.
+        let svg = Some(sheet.clone().without_title().svg());
         Self { caption: caption.into(), svg, text: None, data, agreement }
     }
 

@@ -9,8 +9,11 @@ pub(crate) use crate::comparison::{Comparison, Verdict};
 pub(crate) use crate::contact::{self, Field, Polygon};
 pub(crate) use crate::data::Data;
 pub(crate) use crate::error::GalleryError;
-pub(crate) use crate::inks::{FULL, FULL_MARK, OF_1967, PRINTED, SECOND, TANGENT, THIRD};
+pub(crate) use crate::inks::{
+    BAND, FULL, FULL_MARK, OF_1967, PRINTED, RING, SECOND, TANGENT, THIRD,
+};
 pub(crate) use crate::item::{EXPERIMENTS, Item, Reproduction};
 pub(crate) use crate::theories::{
-    Curve, STEEL, chained, chapter_5, farthest, full, like_bodies, points, rolling_at, spaced,
+    Curve, STEEL, band, chained, chapter_5, farthest, full, full_solutions, like_bodies, points,
+    rolling_at, spaced,
 };

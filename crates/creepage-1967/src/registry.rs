@@ -1,9 +1,10 @@
 //! What can be reproduced, in the order of the thesis, and then what it could not know.
 
 use crate::figures::{
-    angles, convergence, fig2, fig3, fig3a, fig3b, fig4, fig5, fig10, fig11, fig12, fig13, fig14,
-    fig15, fig16, fig17, fig18, fig19, fig20, fig21, fig22, fig23, fig24, free_rolling, islands,
-    judgement, sliding_with_kappa,
+    adhesion_splits, angles, border_jumps, convergence, fig2, fig3, fig3a, fig3b, fig4, fig5,
+    fig10, fig11, fig12, fig13, fig14, fig15, fig16, fig17, fig18, fig19, fig20, fig21, fig22,
+    fig23, fig24, free_rolling, islands, judgement, sliding_with_kappa, transients, tubes,
+    wide_contact,
 };
 use crate::item::Item;
 use crate::tables::{claims, table1, table2, table3, table4, table5};
@@ -34,6 +35,8 @@ const ITEMS: &[Item] = &[
     fig21::ITEM,
     fig22::ITEM,
     fig23::ITEM,
+    wide_contact::ITEM,
+    tubes::ITEM,
     fig24::A,
     fig24::B,
     fig24::C,
@@ -41,6 +44,9 @@ const ITEMS: &[Item] = &[
     claims::ITEM,
     sliding_with_kappa::ITEM,
     free_rolling::ITEM,
+    border_jumps::ITEM,
+    adhesion_splits::ITEM,
+    transients::ITEM,
     judgement::ITEM,
     islands::ITEM,
     convergence::ITEM,

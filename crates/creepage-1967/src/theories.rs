@@ -3,7 +3,7 @@
 use creepage::InvalidValue;
 use creepage::coulomb::{Exact, Resolution};
 use creepage::variational::{Chain, Procedure, Settings, Variational, VariationalError, Weight};
-use creepage::{Contact, Creepage, Ellipse, Force};
+use creepage::{Contact, Creepage, Ellipse, Force, Solution};
 
 /// Like bodies in a contact of this shape.
 pub(crate) fn like_bodies(a_over_b: f64, poisson: f64) -> Result<Contact, InvalidValue> {
@@ -49,8 +49,35 @@ pub(crate) fn full(
     poisson: f64,
     creepages: &[Creepage],
 ) -> Result<Vec<Force>, InvalidValue> {
+    Ok(full_solutions(a_over_b, poisson, creepages)?.iter().map(|found| found.force).collect())
+}
+
+/// The same with error bars.
+pub(crate) fn full_solutions(
+    a_over_b: f64,
+    poisson: f64,
+    creepages: &[Creepage],
+) -> Result<Vec<Solution>, InvalidValue> {
     let theory = Exact::new(&like_bodies(a_over_b, poisson)?, Resolution::STANDARD)?;
-    Ok(theory.curve(creepages).iter().map(|solution| solution.force).collect())
+    Ok(theory.curve(creepages))
+}
+
+/// Between the ends of the error bars of a component of the force, within a frame.
+pub(crate) fn band(
+    x: &[f64],
+    found: &[Solution],
+    of: fn(&Force) -> f64,
+    [low, high]: [f64; 2],
+) -> Curve {
+    let end = |sign: f64| {
+        x.iter().zip(found).map(move |(x, found)| {
+            let bar = found.error.as_ref().map_or(0.0, of);
+            [*x, (of(&found.force) + sign * bar).clamp(low, high)]
+        })
+    };
+    let mut band: Curve = end(1.0).collect();
+    band.extend(end(-1.0).rev());
+    band
 }
 
 /// `count + 1` values from `from` to `to`.

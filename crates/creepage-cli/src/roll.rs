@@ -6,8 +6,8 @@ use std::time::Duration;
 
 use creepage::Status;
 use creepage_study::{
-    HISTORY_COLUMNS, History, HistoryError, HistoryRun, HistoryWriter, RollFile, history_picture,
-    write_all,
+    HISTORY_COLUMNS, History, HistoryError, HistoryRun, HistoryWriter, RollFile, history_animation,
+    history_picture, write_all,
 };
 use indicatif::ProgressBar;
 
@@ -104,6 +104,9 @@ fn write_pictures(run: &HistoryRun, directory: &Path) -> Result<(), Failure> {
         let png = creepage_study::to_png(&svg)?;
         files.push((format!("{name}.png"), png));
         files.push((format!("{name}.svg"), svg.into_bytes()));
+    }
+    if let Some(bytes) = history_animation(run)? {
+        files.push(("rolling.png".into(), bytes));
     }
     let files: Vec<_> = files.iter().map(|(name, bytes)| (&name[..], &bytes[..])).collect();
     say_written(&write_all(directory, &files)?);

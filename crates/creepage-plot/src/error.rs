@@ -17,4 +17,10 @@ pub enum PlotError {
         /// Height (pixels).
         height: u32,
     },
+    /// An animation has no pictures.
+    #[error("an animation needs a picture")]
+    NoPicture,
+    /// An animation could not be put together.
+    #[error("cannot put the pictures of an animation together: {0}")]
+    Animation(#[from] png::EncodingError),
 }

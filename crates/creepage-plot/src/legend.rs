@@ -69,6 +69,13 @@ impl Legend {
         self.entries.push((sample.into(), label));
     }
 
+    /// The same unless it is there already.
+    pub(crate) fn push_new(&mut self, sample: impl Into<Sample>, label: &Label) {
+        if !self.entries.iter().any(|(_, known)| known.svg() == label.svg()) {
+            self.push(sample, label.clone());
+        }
+    }
+
     /// As many columns as fit into `room`, but no more than the rows that this takes need.
     fn columns(&self, room: f64) -> usize {
         let count = self.entries.len();

@@ -19,6 +19,7 @@
 //! # Ok::<(), creepage_plot::PlotError>(())
 //! ```
 
+mod animation;
 mod axis;
 mod bands;
 mod boxes;
@@ -32,6 +33,8 @@ mod label;
 mod layout;
 mod legend;
 mod mark;
+mod names;
+mod palette;
 mod panel;
 mod plane;
 mod raster;
@@ -41,6 +44,7 @@ mod table;
 pub mod theme;
 mod top_view;
 
+pub use animation::{Frames, animated_png};
 pub use axis::Axis;
 pub use bands::Bands;
 pub use boxes::Boxes;

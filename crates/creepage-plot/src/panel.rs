@@ -6,12 +6,15 @@ use crate::contour::closed;
 use crate::ink::Ink;
 use crate::label::Label;
 use crate::mark::{Fill, Mark, Pen};
+use crate::names::{self, Name};
 use crate::scene::{Anchor, Point, Scene, Type};
 use crate::theme::{DARK, GREY, PALE};
 
 const NUMBERS: Type = Type { size: 15.5, colour: DARK, bold: false, anchor: Anchor::Middle };
 const WORDS: Type = Type { size: 17.0, colour: DARK, bold: false, anchor: Anchor::Middle };
 const TICK: f64 = 5.0;
+/// Room for the numbers of an axis on the right.
+const RIGHT: f64 = 62.0;
 
 /// A frame with two axes, and what is drawn over it, in the order in which it is added. What
 /// leaves the frame is cut, but for texts.
@@ -26,6 +29,8 @@ pub struct Panel {
     to_scale: bool,
     bare: bool,
     items: Vec<Item>,
+    /// Names of curves, and the places at which these end.
+    names: Vec<(Name, Point)>,
 }
 
 #[derive(Debug, Clone)]
@@ -41,8 +46,9 @@ impl Panel {
     /// An empty panel.
     #[must_use]
     pub fn new(x: Axis, y: Axis) -> Self {
-        let (top, right, heading, items) = (None, None, None, Vec::new());
-        Self { x, y, top, right, heading, height: 380.0, to_scale: false, bare: false, items }
+        let (top, right, heading, items, names) = (None, None, None, Vec::new(), Vec::new());
+        let (height, to_scale, bare) = (380.0, false, false);
+        Self { x, y, top, right, heading, height, to_scale, bare, items, names }
     }
 
     /// With another axis above, in place of a heading: the same range in another unit.
@@ -88,6 +94,24 @@ impl Panel {
     #[must_use]
     pub fn curve(self, points: Vec<Point>, pen: Pen) -> Self {
         self.with(Item::Curve(points, pen))
+    }
+
+    /// Adds a line with its name beside its last point, outside of the frame where it ends near its
+    /// right side. Names that would touch are moved apart; where a frame is too low for all of
+    /// them, they go to the legend.
+    #[must_use]
+    pub fn named(self, points: Vec<Point>, pen: Pen, label: Label) -> Self {
+        match points.last().copied() {
+            Some(end) => self.curve(points, pen).name(end, pen, label),
+            None => self,
+        }
+    }
+
+    /// Adds the name of what ends at a place, as [`Panel::named`] does.
+    #[must_use]
+    pub fn name(mut self, end: Point, pen: Pen, label: Label) -> Self {
+        self.names.push((Name { label, pen }, end));
+        self
     }
 
     /// Adds the borders of closed polygons, in one pen.
@@ -146,7 +170,28 @@ impl Panel {
 
     /// Room on the right of the frame.
     pub(crate) fn right_margin(&self) -> f64 {
-        if self.right.is_some() { 62.0 } else { 0.0 }
+        let names = self.names.iter().filter(|(_, end)| self.has_room() && self.ends_right(*end));
+        self.axis_margin() + names::room(names.map(|(name, _)| name))
+    }
+
+    fn axis_margin(&self) -> f64 {
+        if self.right.is_some() { RIGHT } else { 0.0 }
+    }
+
+    /// Whether a curve ends near the frame's right side.
+    fn ends_right(&self, end: Point) -> bool {
+        names::is_outside(self.x.share(end[0]))
+    }
+
+    /// Whether all names of curves have their place; a panel to scale is tall enough.
+    fn has_room(&self) -> bool {
+        self.to_scale || names::fit(self.names.len(), self.height)
+    }
+
+    /// Names that are to go to the legend.
+    pub(crate) fn names_without_room(&self) -> impl Iterator<Item = (Pen, &Label)> {
+        let without = self.names.iter().filter(|_| !self.has_room());
+        without.map(|(name, _)| (name.pen, &name.label))
     }
 
     /// Height of the frame in a sheet that leaves it this width.
@@ -164,6 +209,9 @@ impl Panel {
         }
         if !self.bare {
             view.axes(scene);
+        }
+        if self.has_room() {
+            view.names(scene);
         }
         if let Some(heading) = &self.heading {
             let (x, anchor) = if self.bare {
@@ -231,9 +279,24 @@ impl View<'_> {
         if let Some(axis) = &self.panel.right {
             let numbers = right + TICK + 4.0;
             self.upright(scene, axis, [right, right + TICK], numbers, Anchor::Start);
-            let at = [right + self.panel.right_margin(), names];
+            let at = [right + RIGHT, names];
             scene.text(at, WORDS.anchored(Anchor::End), axis.label());
         }
+    }
+
+    /// Names of curves, inside the frame and beside it.
+    fn names(&self, scene: &mut Scene) {
+        let Frame { from, to } = self.frame;
+        let place = |(name, end)| -> (&Name, Point) {
+            let [x, y]: Point = self.at(end);
+            (name, [x, y.clamp(from[1], to[1])])
+        };
+        let all = self.panel.names.iter().map(|(name, end)| (name, *end));
+        let (right, inside): (Vec<_>, Vec<_>) =
+            all.partition(|(_, end)| self.panel.ends_right(*end));
+        names::inside(scene, &inside.into_iter().map(place).collect::<Vec<_>>());
+        let right: Vec<_> = right.into_iter().map(place).collect();
+        names::outside(scene, self.frame, self.panel.axis_margin(), &right);
     }
 
     /// Ticks and numbers of an axis above or below.

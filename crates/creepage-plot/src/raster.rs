@@ -19,15 +19,21 @@ const PIXELS_PER_UNIT: u16 = 2;
 /// # Errors
 /// [`PlotError::Picture`] when it is not an SVG, [`PlotError::Pixels`] when it is too large.
 pub fn png(svg: &str) -> Result<Vec<u8>, PlotError> {
+    let pixels = pixels(svg, PIXELS_PER_UNIT)?;
+    let (width, height) = (pixels.width(), pixels.height());
+    pixels.encode_png().map_err(|_| PlotError::Pixels { width, height })
+}
+
+/// An SVG of this crate in pixels, so many for each unit of the scene.
+pub(crate) fn pixels(svg: &str, pixels_per_unit: u16) -> Result<Pixmap, PlotError> {
     let tree = tree(svg)?;
     let size = tree.size().to_int_size();
-    let side = |units: u32| units.saturating_mul(u32::from(PIXELS_PER_UNIT));
+    let side = |units: u32| units.saturating_mul(u32::from(pixels_per_unit));
     let (width, height) = (side(size.width()), side(size.height()));
-    let error = PlotError::Pixels { width, height };
-    let Some(mut pixels) = Pixmap::new(width, height) else { return Err(error) };
-    let zoom = f32::from(PIXELS_PER_UNIT);
+    let mut pixels = Pixmap::new(width, height).ok_or(PlotError::Pixels { width, height })?;
+    let zoom = f32::from(pixels_per_unit);
     resvg::render(&tree, Transform::from_scale(zoom, zoom), &mut pixels.as_mut());
-    pixels.encode_png().map_err(|_| error)
+    Ok(pixels)
 }
 
 /// The parsed picture, its text laid out in the bundled font.

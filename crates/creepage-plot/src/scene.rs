@@ -161,8 +161,18 @@ impl Scene {
         self.area(&[outline], Ink::fill(colour));
     }
 
+    /// A label whose baseline passes through `at`, white around its letters.
+    pub(crate) fn haloed_text(&mut self, at: Point, style: Type, label: &Label) {
+        let halo = " stroke=\"#ffffff\" stroke-width=\"3.5\" stroke-linejoin=\"round\" paint-order=\"stroke\"";
+        self.styled_text(at, style, label, halo);
+    }
+
     /// A label whose baseline passes through `at`.
     pub(crate) fn text(&mut self, at: Point, style: Type, label: &Label) {
+        self.styled_text(at, style, label, "");
+    }
+
+    fn styled_text(&mut self, at: Point, style: Type, label: &Label, more: &str) {
         let anchor = match style.anchor {
             Anchor::Start => "start",
             Anchor::Middle => "middle",
@@ -171,7 +181,7 @@ impl Scene {
         let weight = if style.bold { " font-weight=\"bold\"" } else { "" };
         let _ = writeln!(
             self.body,
-            "<text x=\"{}\" y=\"{}\" font-size=\"{}\" fill=\"{}\" text-anchor=\"{anchor}\"{weight}>\
+            "<text x=\"{}\" y=\"{}\" font-size=\"{}\" fill=\"{}\" text-anchor=\"{anchor}\"{weight}{more}>\
              {}</text>",
             number(at[0]),
             number(at[1]),

@@ -33,6 +33,14 @@ impl Sheet {
         Self { head, width: WIDTH, columns: 1, panels: Vec::new(), legend: Legend::default() }
     }
 
+    /// The same without its title, which is then only said to those who cannot see the picture: for
+    /// where it stands above the picture already.
+    #[must_use]
+    pub fn without_title(mut self) -> Self {
+        self.head.hides_title = true;
+        self
+    }
+
     /// Adds a line of small words below the title.
     #[must_use]
     pub fn note(mut self, note: Label) -> Self {
@@ -77,14 +85,25 @@ impl Sheet {
             top += self.row(&mut scene, top, row);
         }
         let room = self.width - 2.0 * MARGIN;
-        self.legend.draw(&mut scene, [MARGIN, top + 4.0], room);
-        scene.finish([self.width, top + self.legend.height(room) + 24.0], &self.head.title)
+        let legend = self.whole_legend();
+        legend.draw(&mut scene, [MARGIN, top + 4.0], room);
+        scene.finish([self.width, top + legend.height(room) + 24.0], &self.head.title)
+    }
+
+    /// The legend, and the names for which panels have no room, each once.
+    fn whole_legend(&self) -> Legend {
+        let mut legend = self.legend.clone();
+        for (pen, label) in self.panels.iter().flat_map(Panel::names_without_room) {
+            legend.push_new(pen, label);
+        }
+        legend
     }
 
     /// Draws panels side by side; gives their height.
     fn row(&self, scene: &mut Scene, top: f64, row: &[Panel]) -> f64 {
         let columns = self.columns as f64;
-        let right = row.iter().map(Panel::right_margin).fold(0.0, f64::max);
+        // One for all rows: panels below each other share an axis.
+        let right = self.panels.iter().map(Panel::right_margin).fold(0.0, f64::max);
         let room = (self.width - 2.0 * MARGIN + BETWEEN) / columns - BETWEEN;
         let width = room - NUMBERS - right;
         let above = row.iter().map(|panel| panel.margins()[0]).fold(0.0, f64::max);

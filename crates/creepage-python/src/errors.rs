@@ -106,6 +106,9 @@ fn variational(py: Python, error: VariationalError) -> PyErr {
         VariationalError::Degree { .. } => {
             exception(py, "InvalidOption", (error.to_string(), "degree"))
         }
+        VariationalError::Derivative { .. } => {
+            exception(py, "InvalidOption", (error.to_string(), "integrand"))
+        }
         other => exception(py, "InvalidOption", (other.to_string(), "mesh")),
     }
 }

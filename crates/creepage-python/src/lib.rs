@@ -9,6 +9,7 @@ mod closed_forms;
 mod command;
 mod errors;
 mod exact;
+mod integrand;
 mod mesh;
 mod number;
 mod options;

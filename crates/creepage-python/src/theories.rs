@@ -71,11 +71,14 @@ theory! {
     /// (10, 10) up to degree 3. weight: "elliptic" (default), "uniform", "root-elliptic". bound:
     /// whether tractions are kept within it, "automatic" (default: where a/b >= 3), "unchecked" (as
     /// in the thesis: looked at afterwards), "kept" (the least loss of power, whatever the weight).
+    /// integrand: a function of (x, y, a, b, t, s), lengths in units of c, in place of T S (5.22); it
+    /// gives f and its derivatives by T and S (f, f_t, f_s, f_tt, f_ts, f_ss), f not negative; the bound is then
+    /// unchecked.
     ///
-    /// Raises InvalidValue for numbers out of range, InvalidOption for degree, mesh, weight and
-    /// bound.
+    /// Raises InvalidValue for numbers out of range and derivatives that are not those of f,
+    /// InvalidOption for degree, mesh, weight and bound; what integrand raises.
     Variational: Theory, "variational",
-    "(a_over_b, poisson, *, degree=None, mesh=None, weight=None, bound=None)", poisson
+    "(a_over_b, poisson, *, degree=None, mesh=None, weight=None, bound=None, integrand=None)", poisson
 }
 
 theory! {

@@ -7,6 +7,7 @@ use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 
 use crate::batch::{Answers, Row, solve_all};
+use crate::integrand::{self, Raised};
 use crate::number::{Inputs, Number};
 use crate::{errors, mesh, options, results, signals};
 
@@ -35,6 +36,8 @@ pub struct Theory {
     arguments: Py<PyDict>,
     /// Seconds of one force, roughly.
     cost: f64,
+    /// What an integrand of the user's own has raised.
+    raised: Raised,
 }
 
 /// A theory that gives the derivative of its force.
@@ -46,6 +49,8 @@ pub struct DifferentiableTheory;
 pub(crate) struct Call<'py> {
     pub(crate) contact: Contact,
     pub(crate) spec: TheorySpec,
+    /// A function in place of the integrand of chapter 5.
+    integrand: Option<Py<PyAny>>,
     arguments: Bound<'py, PyDict>,
 }
 
@@ -66,6 +71,14 @@ impl<'py> Call<'py> {
             kappa_over_mu = given.extract()?;
             own.del_item("kappa_over_mu")?;
         }
+        let mut integrand = None;
+        if let ("variational", Some(given)) = (name, own.get_item("integrand")?) {
+            own.del_item("integrand")?;
+            if !given.is_none() {
+                arguments.set_item("integrand", &given)?;
+                integrand = Some(given.unbind());
+            }
+        }
         let spec = options::spec(py, name, Some(&own))?;
         for (option, value) in own.iter().filter(|(_, value)| !value.is_none()) {
             arguments.set_item(option, value)?;
@@ -78,13 +91,22 @@ impl<'py> Call<'py> {
         }
         let contact = options::contact(a_over_b, poisson, kappa_over_mu);
         let contact = contact.map_err(|error| errors::invalid(py, error))?;
-        Ok(Self { contact, spec, arguments })
+        Ok(Self { contact, spec, integrand, arguments })
     }
 
     /// The theory of a class.
     pub(crate) fn prepare(self, py: Python, name: &'static str) -> PyResult<Theory> {
+        let cost = cost(&self.spec);
+        if let (TheorySpec::Variational(options), Some(function)) = (&self.spec, &self.integrand) {
+            let function = function.clone_ref(py);
+            let (made, raised) =
+                integrand::prepare(py, &self.contact, options.settings(), function);
+            integrand::check(&raised)?;
+            let made = made.map_err(|error| errors::theory(py, error.into()))?;
+            return Ok(Theory { raised, ..self.theory(name, Arc::new(made), cost) });
+        }
         let made = py.detach(|| self.spec.prepare(&self.contact));
-        let (theory, cost) = (made.map_err(|error| errors::theory(py, error))?, cost(&self.spec));
+        let theory = made.map_err(|error| errors::theory(py, error))?;
         Ok(self.theory(name, theory.into(), cost))
     }
 
@@ -95,7 +117,8 @@ impl<'py> Call<'py> {
         cost: f64,
     ) -> Theory {
         let error_bars = self.spec.facts().error_bars;
-        Theory { prepared: theory, name, error_bars, arguments: self.arguments.unbind(), cost }
+        let (arguments, raised) = (self.arguments.unbind(), Raised::default());
+        Theory { prepared: theory, name, error_bars, arguments, cost, raised }
     }
 }
 
@@ -134,6 +157,7 @@ impl Theory {
             QUICK..LONG => py.detach(solve),
             _ => signals::answered(py, solve)?,
         };
+        integrand::check(&self.raised)?;
         results::force(py, &solution)
     }
 
@@ -146,7 +170,9 @@ impl Theory {
             let answers = self.rows(py, inputs, results::row_with_errors)?;
             return results::forces_with_errors(py, answers);
         }
-        results::forces(py, self.rows(py, inputs, results::row)?)
+        let rows = self.rows(py, inputs, results::row)?;
+        integrand::check(&self.raised)?;
+        results::forces(py, rows)
     }
 
     fn rows<'py, const W: usize>(
@@ -232,6 +258,7 @@ impl Theory {
             mesh::given(py, [x.unwrap_or(zero), y.unwrap_or(Number::One(0.0))])?
         };
         let found = py.detach(|| self.prepared.field(creepage, &positions));
+        integrand::check(&self.raised)?;
         results::field(py, &shape, ellipse, &found)
     }
 

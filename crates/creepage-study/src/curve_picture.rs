@@ -5,9 +5,10 @@ use std::f64::consts::PI;
 use creepage::{Force, Status};
 use creepage_plot::format::{Scale, fixed, floor_log10, significant};
 use creepage_plot::theme::DARK;
-use creepage_plot::{Axis, Label, Mark, Panel, Pen, Point, Shape, Sheet};
+use creepage_plot::{Axis, Fill, Label, Mark, Panel, Pen, Point, Shape, Sheet};
 
 use crate::contact_picture::setting;
+use crate::curve_words::raised;
 use crate::curves::{Component, Curve, Curves};
 
 /// A component that stays below this, in parts of its unit, has no panel.
@@ -17,6 +18,9 @@ const AIR: f64 = 0.06;
 /// Width of a line that is not to be trusted.
 const THIN: f64 = 0.9;
 const LARGEST: Mark = Mark { size: 6.0, ..Mark::open(Shape::Target, "#c62828") };
+/// Error bars, and the part of a panel's height from which they are drawn.
+const BAND: Fill = Fill::plain("#dfe4e9");
+const VISIBLE: f64 = 0.004;
 /// Longer names of theories are cut.
 const LONGEST_NAME: usize = 21;
 
@@ -61,14 +65,21 @@ impl Curves<'_> {
         if self.reach(case) {
             panel = panel.curve(range.map(|y| [case, y]).to_vec(), Pen::GUIDE);
         }
+        let bands = self.lines.iter().filter_map(|curve| self.band(curve, *shown, range));
+        panel = bands.fold(panel, |panel, band| panel.area(vec![band], BAND));
         for (k, curve) in self.lines.iter().enumerate().filter(|(_, curve)| shown.is_of(curve)) {
             let solutions = self.values.iter().zip(&curve.solutions);
             let points = solutions.map(|(x, solution)| {
                 ([*x, (shown.of)(solution.force)], solution.status == Status::Solved)
             });
-            for (solved, part) in parts(&points.collect::<Vec<_>>()) {
+            let points: Vec<_> = points.collect();
+            for (solved, part) in parts(&points) {
                 let pen = if solved { Pen::of(k) } else { Pen::of(k).wide(THIN) };
                 panel = panel.curve(part, pen);
+            }
+            let end = points.last().map(|(end, _)| *end);
+            if let Some(end) = end {
+                panel = panel.name(end, Pen::of(k), curve.name());
             }
             let largest = curve.largest.map(|largest| [largest.at, (shown.of)(largest.force)]);
             panel = panel.marks(largest.into_iter().collect(), LARGEST);
@@ -76,12 +87,31 @@ impl Curves<'_> {
         panel
     }
 
-    /// Which line is which.
+    /// Between the ends of a curve's error bars, where an eye can tell them from the line.
+    fn band(&self, curve: &Curve, shown: Shown, [low, high]: [f64; 2]) -> Option<Vec<Point>> {
+        let bar = |found: &creepage::Solution| found.error.as_ref().map(|bars| (shown.of)(*bars));
+        let widest = curve.solutions.iter().filter_map(bar).fold(0.0, f64::max);
+        let end = |sign: f64| {
+            self.values.iter().zip(&curve.solutions).map(move |(x, found)| {
+                let y = (shown.of)(found.force) + sign * bar(found).unwrap_or(0.0);
+                [*x, y.clamp(low, high)]
+            })
+        };
+        let is_wide = shown.is_of(curve) && widest > VISIBLE * (high - low);
+        is_wide.then(|| end(1.0).chain(end(-1.0).rev()).collect())
+    }
+
+    /// Whether a panel has such a band.
+    fn has_band(&self) -> bool {
+        let has = |shown: &Shown| {
+            let range = shown.range(self);
+            self.lines.iter().any(|curve| self.band(curve, *shown, range).is_some())
+        };
+        self.shown().iter().any(has)
+    }
+
+    /// What is beside the lines.
     fn keyed(&self, mut sheet: Sheet) -> Sheet {
-        for (k, curve) in self.lines.iter().enumerate() {
-            let name: String = curve.theory.chars().take(LONGEST_NAME).collect();
-            sheet = sheet.key(Pen::of(k), Label::new(&name));
-        }
         let case = self.vary.of(self.creepage);
         if self.reach(case) {
             let label = Label::new("the case: ").symbol(self.vary.symbol()).plain(" = ");
@@ -91,6 +121,9 @@ impl Curves<'_> {
             let label = Label::new("largest force: ").number(&fixed(largest.force.magnitude(), 4));
             let label = label.plain(" at ").symbol(self.vary.symbol()).plain(" = ");
             sheet = sheet.key(LARGEST, label.number(&significant(largest.at, 4)));
+        }
+        if self.has_band() {
+            sheet = sheet.key(BAND, Label::new("error bars"));
         }
         let mut solutions = self.lines.iter().flat_map(|curve| &curve.solutions);
         if solutions.any(|solution| solution.status != Status::Solved) {
@@ -190,6 +223,13 @@ impl Curves<'_> {
     }
 }
 
+impl Curve {
+    /// What it is called at its end.
+    fn name(&self) -> Label {
+        Label::new(&self.theory.chars().take(LONGEST_NAME).collect::<String>())
+    }
+}
+
 impl Shown {
     /// Whether the curve's theory has this component.
     fn is_of(self, curve: &Curve) -> bool {
@@ -245,50 +285,6 @@ fn parts(points: &[(Point, bool)]) -> Vec<(bool, Vec<Point>)> {
         }
     }
     parts
-}
-
-impl Component {
-    fn words(self) -> &'static str {
-        match self {
-            Self::Longitudinal => "longitudinal creepage ",
-            Self::Lateral => "lateral creepage ",
-            Self::Spin => "spin ",
-        }
-    }
-
-    fn symbol(self) -> &'static str {
-        match self {
-            Self::Longitudinal => "ξ",
-            Self::Lateral => "η",
-            Self::Spin => "χ",
-        }
-    }
-
-    /// Adds the symbol of the quantity with its dimension.
-    fn si_symbol(self, label: Label) -> Label {
-        match self {
-            Self::Longitudinal => label.indexed("υ", "x"),
-            Self::Lateral => label.indexed("υ", "y"),
-            Self::Spin => label.symbol("φ"),
-        }
-    }
-
-    fn unit(self) -> &'static str {
-        match self {
-            Self::Longitudinal | Self::Lateral => "",
-            Self::Spin => " rad/m",
-        }
-    }
-}
-
-/// A power as raised digits.
-fn raised(power: i32) -> String {
-    let digits = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
-    let raise = |character: char| {
-        let digit = character.to_digit(10).and_then(|digit| usize::try_from(digit).ok());
-        digit.and_then(|digit| digits.get(digit)).copied().unwrap_or('⁻')
-    };
-    power.to_string().chars().map(raise).collect()
 }
 
 #[cfg(test)]
@@ -360,11 +356,6 @@ mod tests {
             svg(1.0, case, Component::Longitudinal, [0.1, 3.0]).contains("thin: out of")
         };
         assert!(thin(0.5) && !thin(0.0));
-    }
-
-    #[test]
-    fn powers_are_raised() {
-        assert_eq!([raised(-3), raised(12)], ["⁻³", "¹²"]);
     }
 
     #[test]

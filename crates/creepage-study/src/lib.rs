@@ -50,6 +50,7 @@ mod caution;
 mod contact_json;
 mod contact_picture;
 mod curve_picture;
+mod curve_words;
 mod curves;
 mod damage;
 mod error;
@@ -98,8 +99,8 @@ pub use gap::{
 };
 pub use history::{
     HISTORY_COLUMNS, History, HistoryError, HistoryMotion, HistoryRow, HistoryRun, HistoryWriter,
-    MotionError, RollCase, RollFile, RollStart, RollStepper, history_picture, roll_json_schema,
-    to_png,
+    MotionError, RollCase, RollFile, RollStart, RollStepper, history_animation, history_picture,
+    roll_json_schema, to_png,
 };
 pub use json::{
     AreasJson, CreepageJson, DetailJson, DimensionlessJson, ForceJson, FrictionLawJson, ReportJson,

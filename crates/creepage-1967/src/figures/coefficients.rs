@@ -47,13 +47,17 @@ pub(super) fn picture(
     printed: &[Coefficient],
 ) -> Result<(Sheet, Data), InvalidValue> {
     let mut data = Data::new(["curve", "poisson", "a_over_b", "value"]);
-    let mut sheet = Sheet::new(title).columns(all.len().min(2));
+    let mut sheet = Sheet::new(title).columns(all.len().min(2)).width(900.0);
     for shown in all {
         let mut panel = Panel::new(axis(), scale(shown)).height(380.0);
-        for (k, (poisson, _)) in POISSON.iter().enumerate() {
+        for (k, (poisson, name)) in POISSON.iter().enumerate() {
             let curve = curve(shown, *poisson)?;
             push(&mut data, &format!("C{}", shown.index), *poisson, &curve);
-            panel = panel.curve(curve, PENS[k]);
+            panel = panel.named(
+                curve,
+                PENS[k],
+                Label::default().symbol("σ").plain(&format!(" = {name}")),
+            );
         }
         for (k, (poisson, _)) in POISSON.iter().enumerate() {
             let points = points(printed, shown, *poisson);
@@ -61,10 +65,6 @@ pub(super) fn picture(
             panel = panel.marks(points, MARKS[k]);
         }
         sheet = sheet.panel(panel);
-    }
-    for (k, (_, name)) in POISSON.iter().enumerate() {
-        sheet = sheet
-            .key(PENS[k], Label::default().symbol("σ").plain(&format!(" = {name}, converged")));
     }
     for (k, (_, name)) in POISSON.iter().enumerate() {
         sheet =

@@ -21,11 +21,7 @@ fn make() -> Result<Reproduction, GalleryError> {
         turned < 1e-9,
     );
     let agreement = vec![direction, diagram.quadrature()];
-    let sheet = sheet
-        .columns(2)
-        .panel(simpler(&diagram))
-        .key(THIRD, Label::new("force"))
-        .key(MOMENT, Label::new("moment"));
+    let sheet = sheet.columns(2).width(856.0).panel(simpler(&diagram));
     Ok(Reproduction::figure(&sheet, caption, data, agreement))
 }
 
@@ -37,10 +33,18 @@ fn simpler(diagram: &Diagram) -> Panel {
     let curve = |of: fn(&Force) -> f64| {
         distances.iter().map(|upsilon| [*upsilon, of(&diagram.at(*upsilon, 0.0))]).collect()
     };
-    let x = Label::new("distance of the spin pole ").symbol("υ");
-    let y = Label::default().symbol("f").plain(" and ").indexed("m", "z");
+    let x = Label::new("distance of the spin pole over ").symbol("c").plain(", ").symbol("υ");
+    let y = Label::default()
+        .symbol("f")
+        .plain(" = ")
+        .symbol("F/μN")
+        .plain(", ")
+        .indexed("m", "z")
+        .plain(" = ")
+        .indexed("M", "z")
+        .symbol("/μNc");
     Panel::new(Axis::new([0.0, 3.0], x), Axis::new([0.0, 1.12], y))
-        .curve(curve(|force| force.fx), THIRD)
-        .curve(curve(|force| force.mz), MOMENT)
+        .named(curve(|force| force.fx), THIRD, Label::default().symbol("f"))
+        .named(curve(|force| force.mz), MOMENT, Label::default().indexed("m", "z"))
         .height(saturation::SIDE)
 }

@@ -76,17 +76,16 @@ fn coincidence(sides: &[Side; 2]) -> Comparison {
 fn sheet(sides: &[Side; 2]) -> Sheet {
     let mut sheet = Sheet::new(ITEM.title)
         .note(axes::setting(&[("a/b", "1"), ("σ", "0.28"), ("χ", "0"), ("W", "1")]))
-        .columns(2);
+        .columns(2)
+        .width(920.0);
     let names = [(axes::xi(), axes::fx()), (axes::eta(), axes::fy())];
     for (side, (x, y)) in sides.iter().zip(names) {
         let mut panel = Panel::new(Axis::new([0.0, 3.0], x), Axis::new([0.0, 1.05], y));
-        for (curve, pen) in side.by_degree.iter().zip(PENS).rev() {
-            panel = panel.curve(curve.clone(), pen);
+        for (degree, (curve, pen)) in DEGREES.iter().zip(side.by_degree.iter().zip(PENS)).rev() {
+            panel = panel.named(curve.clone(), pen, axes::short_degree(*degree));
         }
-        sheet = sheet.panel(panel.curve(side.full.clone(), FULL).height(340.0));
+        let full = Label::new("full theory");
+        sheet = sheet.panel(panel.named(side.full.clone(), FULL, full).height(340.0));
     }
-    for (degree, pen) in DEGREES.iter().zip(PENS) {
-        sheet = sheet.key(pen, axes::degree(*degree));
-    }
-    sheet.key(FULL, Label::new("full theory"))
+    sheet
 }

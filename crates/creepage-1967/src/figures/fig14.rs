@@ -19,7 +19,9 @@ fn make() -> Result<Reproduction, GalleryError> {
         let theory = chapter_5(1.0, STEEL, degree, Weight::Elliptic)?;
         by_degree.push(points(&spins[1..], &chained(&theory, &creepages[1..]), |f| f.fy));
     }
-    let full = points(&spins, &full(1.0, STEEL, &creepages)?, |force| force.fy);
+    let found = full_solutions(1.0, STEEL, &creepages)?;
+    let full: Curve = spins.iter().zip(&found).map(|(chi, found)| [*chi, found.force.fy]).collect();
+    let band = band(&spins, &found, |force| force.fy, [0.0, 0.7]);
     let mut data = Data::new(["curve", "chi", "fy"]);
     for (degree, curve) in DEGREES.iter().zip(&by_degree) {
         data.curve(&format!("M = {degree}"), curve);
@@ -35,7 +37,7 @@ fn make() -> Result<Reproduction, GalleryError> {
     );
     let linear = Linear::new(&like_bodies(1.0, STEEL)?)?;
     let slope = linear.solve(rolling_at([0.0, 0.0, 0.5])).force.fy / 0.5;
-    let sheet = sheet(&by_degree, &full, slope);
+    let sheet = sheet(&by_degree, &full, band, slope);
     Ok(Reproduction::figure(&sheet, caption, data, claims(&by_degree, &full)))
 }
 
@@ -78,18 +80,17 @@ fn claims(by_degree: &[Curve], full: &Curve) -> Vec<Comparison> {
     vec![lower, same, not_in_text]
 }
 
-fn sheet(by_degree: &[Curve], full: &Curve, slope: f64) -> Sheet {
+fn sheet(by_degree: &[Curve], full: &Curve, band: Curve, slope: f64) -> Sheet {
     let x = Axis::new([0.0, 8.0], axes::chi());
     let y = Axis::new([0.0, 0.7], axes::fy());
-    let mut panel = Panel::new(x, y).curve(vec![[0.0, 0.0], [8.0, 8.0 * slope]], TANGENT);
-    for (curve, pen) in by_degree.iter().zip(PENS) {
-        panel = panel.curve(curve.clone(), pen);
+    let linear = vec![[0.0, 0.0], [8.0, 8.0 * slope]];
+    let mut panel = Panel::new(x, y).area(vec![band], BAND).curve(linear, TANGENT);
+    for (degree, (curve, pen)) in DEGREES.iter().zip(by_degree.iter().zip(PENS)) {
+        panel = panel.named(curve.clone(), pen, axes::short_degree(*degree));
     }
-    let mut sheet = Sheet::new(ITEM.title)
+    Sheet::new(ITEM.title)
         .note(axes::setting(&[("a/b", "1"), ("σ", "0.28"), ("ξ", "0"), ("η", "0")]))
-        .panel(panel.curve(full.clone(), FULL));
-    for (degree, pen) in DEGREES.iter().zip(PENS) {
-        sheet = sheet.key(pen, axes::degree(*degree));
-    }
-    sheet.key(FULL, Label::new("full theory")).key(TANGENT, Label::new("linear theory"))
+        .panel(panel.named(full.clone(), FULL, Label::new("full theory")))
+        .key(TANGENT, Label::new("linear theory"))
+        .key(BAND, Label::new("error bars of the full theory"))
 }

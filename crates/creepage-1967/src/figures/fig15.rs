@@ -83,21 +83,19 @@ fn sheet(curves: &[Curve], fulls: &[Curve]) -> Sheet {
     let y = Axis::new([-1.05, 1.05], axes::fy());
     let mut panel = Panel::new(x, y).height(440.0);
     for (k, (curve, full)) in curves.iter().zip(fulls).enumerate() {
-        panel = panel.curve(curve.clone(), PENS[k]).curve(full.clone(), FULL.wide(1.5));
+        let name = Label::new(&format!("{}: ", k + 1)).symbol("χ").plain(" = ");
+        let name = name.number(&SPINS[k].to_string());
+        panel = panel.named(curve.clone(), PENS[k], name).curve(full.clone(), FULL.wide(1.5));
     }
-    let mut sheet = Sheet::new(ITEM.title)
+    Sheet::new(ITEM.title)
         .note(
             axes::setting(&[("a/b", "1"), ("σ", "0.28"), ("ξ", "0")])
                 .plain(", chapter 5 with ")
                 .symbol("M")
                 .plain(" = 3"),
         )
-        .panel(panel);
-    for (k, chi) in SPINS.iter().enumerate() {
-        let label = Label::new(&format!("{}: ", k + 1)).symbol("χ").plain(" = ");
-        sheet = sheet.key(PENS[k], label.number(&chi.to_string()));
-    }
-    sheet.key(FULL.wide(1.5), Label::new("full theory"))
+        .panel(panel)
+        .key(FULL.wide(1.5), Label::new("full theory"))
 }
 
 /// Unlike the full theory's red dashes.

@@ -154,6 +154,9 @@ fn sheet(circle: Ellipse, of_1967: &[View], today: &[View]) -> Sheet {
         let heading = Label::new(letter).plain(")  ").symbol("χ").plain(" = ");
         let panel = contact::panel(circle, heading.number(&SPINS[k].to_string()));
         let panel = contact::areas(panel, circle, &of_1967[k].adhesion);
+        let island = |area: &&Polygon| k >= ON_THE_AXIS && area.iter().all(|point| point[0] < 0.0);
+        let islands = of_1967[k].adhesion.iter().filter(island);
+        let panel = islands.fold(panel, |panel, island| contact::ringed(panel, island));
         let panel = contact::edge(panel, circle);
         let separatrix = contact::full_separatrix(circle, &today[k].adhesion);
         sheet = sheet.panel(panel.curves(&separatrix, FULL));
@@ -162,6 +165,7 @@ fn sheet(circle: Ellipse, of_1967: &[View], today: &[View]) -> Sheet {
         .panel(on_the_axis(&of_1967[ON_THE_AXIS], &today[ON_THE_AXIS]))
         .key(Fill::ADHESION, Label::new("adhesion, chapter 5"))
         .key(Fill::SLIP, Label::new("slip, chapter 5"))
+        .key(RING, Label::new("around the island, chapter 5"))
         .key(FULL, Label::new("full theory; f) dotted: ").symbol("Q"))
         .key(OF_1967, Label::new("f) traction ").symbol("Y").plain(", chapter 5"))
         .key(SECOND, Label::new("f) slip ").symbol("Q").plain(", chapter 5"))
@@ -175,7 +179,13 @@ fn on_the_axis(of_1967: &View, today: &View) -> Panel {
     let chi = SPINS[ON_THE_AXIS].to_string();
     let heading = Label::new("f)  ").symbol("χ").plain(" = ").number(&chi);
     let x = Axis::new([-1.0, 1.0], Label::default().symbol("x").plain("/").symbol("a"));
-    let y = Axis::new([-1.0, 2.0], Label::default().symbol("Y").plain(", ").symbol("Q"));
+    let y = Label::default()
+        .symbol("Y/")
+        .indexed("μp", "0")
+        .plain(", ")
+        .symbol("Q/")
+        .indexed("μf", "00");
+    let y = Axis::new([-1.0, 2.0], y);
     Panel::new(x, y)
         .height(150.0)
         .heading(heading)

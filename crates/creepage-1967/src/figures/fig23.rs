@@ -17,15 +17,16 @@ fn make() -> Result<Reproduction, GalleryError> {
     // Denser where the peaks are.
     let spins: Vec<_> = spaced(0.05, 1.0, 158).into_iter().map(|s| 10.0 * s.powf(1.7)).collect();
     let creepages: Vec<_> = spins.iter().map(|&chi| rolling_at([0.0, 0.0, chi])).collect();
-    let (mut curves, mut fulls) = (Vec::new(), Vec::new());
+    let (mut curves, mut fulls, mut bands) = (Vec::new(), Vec::<Curve>::new(), Vec::new());
     // The full theory's curves have no waves: half the points are enough.
-    let few = || spins.iter().copied().step_by(2);
+    let few: Vec<_> = spins.iter().copied().step_by(2).collect();
     let every_second: Vec<_> = creepages.iter().copied().step_by(2).collect();
     for (ratio, ..) in RATIOS {
         let theory = chapter_5(ratio, STEEL, 3, Weight::Elliptic)?;
         curves.push(points(&spins, &chained(&theory, &creepages), |force| force.fy));
-        let forces = full(ratio, STEEL, &every_second)?;
-        fulls.push(points(&few().collect::<Vec<_>>(), &forces, |force| force.fy));
+        let found = full_solutions(ratio, STEEL, &every_second)?;
+        bands.push(band(&few, &found, |force| force.fy, [0.0, 0.85]));
+        fulls.push(few.iter().zip(&found).map(|(chi, found)| [*chi, found.force.fy]).collect());
     }
     let mut data = Data::new(["curve", "chi", "fy"]);
     for ((_, ratio, _), (curve, full)) in RATIOS.iter().zip(curves.iter().zip(&fulls)) {
@@ -33,7 +34,8 @@ fn make() -> Result<Reproduction, GalleryError> {
         data.curve(&format!("a/b = {ratio}, full theory"), full);
     }
     let agreement = agreement(&curves, &fulls);
-    Ok(Reproduction::figure(&sheet(&curves, &fulls), caption(&curves, &fulls), data, agreement))
+    let sheet = sheet(&curves, &fulls, bands);
+    Ok(Reproduction::figure(&sheet, caption(&curves, &fulls), data, agreement))
 }
 
 fn caption(curves: &[Curve], fulls: &[Curve]) -> String {
@@ -130,11 +132,12 @@ fn half(curve: &Curve, full: &Curve) -> Comparison {
         .remark(&format!("full theory: {:.2}", share(full)))
 }
 
-fn sheet(curves: &[Curve], fulls: &[Curve]) -> Sheet {
+fn sheet(curves: &[Curve], fulls: &[Curve], bands: Vec<Curve>) -> Sheet {
     let panel = Panel::new(Axis::new([0.0, 10.0], axes::chi()), Axis::new([0.0, 0.85], axes::fy()));
-    let mut panel = panel.height(420.0);
-    for (curve, (_, _, pen)) in curves.iter().zip(RATIOS) {
-        panel = panel.curve(curve.clone(), pen);
+    let mut panel = panel.height(420.0).area(bands, BAND);
+    for (curve, (_, ratio, pen)) in curves.iter().zip(RATIOS) {
+        let name = Label::default().symbol("a/b").plain(" = ").number(ratio);
+        panel = panel.named(curve.clone(), pen, name);
     }
     for full in fulls {
         panel = panel.curve(full.clone(), FULL.wide(1.5));
@@ -144,20 +147,14 @@ fn sheet(curves: &[Curve], fulls: &[Curve]) -> Sheet {
     {
         panel = panel.text(at, Anchor::Start, Label::default().number(ratio));
     }
-    let mut sheet = Sheet::new(ITEM.title)
+    Sheet::new(ITEM.title)
         .note(
             axes::setting(&[("σ", "0.28"), ("ξ", "0"), ("η", "0")])
                 .plain(", chapter 5 with ")
                 .symbol("M")
                 .plain(" = 3"),
         )
-        .panel(panel);
-    for (_, ratio, pen) in RATIOS {
-        let label = Label::default().symbol("a").plain("/").symbol("b").plain(" = ");
-        sheet = sheet.key(pen, label.number(ratio));
-    }
-    sheet.key(
-        FULL.wide(1.5),
-        Label::new("full theory, with its ").symbol("a").plain("/").symbol("b"),
-    )
+        .panel(panel)
+        .key(FULL.wide(1.5), Label::new("full theory, with its ").symbol("a/b"))
+        .key(BAND, Label::new("error bars of the full theory"))
 }

@@ -224,11 +224,6 @@ fn sheet(title: &str, net: &Net) -> Sheet {
     let note = axes::setting(&[("a/b", "1"), ("σ", "0.28"), ("χ", &net.chi.to_string())]);
     Sheet::new(title)
         .note(note)
-        .note(
-            Label::default()
-                .symbol("υ")
-                .plain(" = 0.3, 0.5, 0.7, 0.9, 1.1, 1.3, 1.7 from the inside out"),
-        )
         .columns(2)
         .panel(rings(net))
         .panel(rays(net))
@@ -257,7 +252,14 @@ fn curves(panel: Panel, line: &Line) -> Panel {
 
 fn rings(net: &Net) -> Panel {
     let panel = frame(net, Label::new("constant ").symbol("υ"));
-    net.rings.iter().fold(panel, curves)
+    let panel = net.rings.iter().fold(panel, curves);
+    net.rings.iter().fold(panel, |panel, ring| {
+        // With spin the rings are farthest apart where creepage and spin oppose each other.
+        let forces = &ring.forces[0];
+        let end = if net.chi > 0.0 { forces.first() } else { forces.last() };
+        let end = end.map_or([0.0; 2], |force| [force.fx, force.fy]);
+        panel.name(end, OF_1967, Label::default().number(&ring.value.to_string()))
+    })
 }
 
 fn rays(net: &Net) -> Panel {

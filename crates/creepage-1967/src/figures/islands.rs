@@ -170,6 +170,11 @@ fn sheet(
             circle,
             &contact::smooth_area(area),
         );
+        let island = islands.iter().filter(|island| (island.chi - chi).abs() < 1e-9);
+        let elements = island.map(|island| island.elements.concat());
+        let panel = elements
+            .filter(|corners| !corners.is_empty())
+            .fold(panel, |panel, corners| contact::ringed(panel, &corners));
         sheet = sheet.panel(contact::edge(panel, circle));
     }
     for island in islands {
@@ -179,6 +184,7 @@ fn sheet(
         .key(Fill::ADHESION, Label::new("adhesion, full theory"))
         .key(Fill::SLIP, Label::new("slip, full theory"))
         .key(OF_1967, Label::new("chapter 5’s island"))
+        .key(RING, Label::new("around the island, full theory"))
 }
 
 /// The neighbourhood of an island.

@@ -1,6 +1,8 @@
 //! A file a figure.
 
+pub(crate) mod adhesion_splits;
 pub(crate) mod angles;
+pub(crate) mod border_jumps;
 mod coefficients;
 pub(crate) mod convergence;
 pub(crate) mod fig10;
@@ -28,7 +30,11 @@ pub(crate) mod free_rolling;
 pub(crate) mod islands;
 pub(crate) mod judgement;
 mod printed_page;
+mod rolling_on;
 mod saturation;
 mod slender;
 pub(crate) mod sliding_with_kappa;
 mod tractions;
+pub(crate) mod transients;
+pub(crate) mod tubes;
+pub(crate) mod wide_contact;

@@ -109,7 +109,8 @@ impl Diagram {
         }
         for upsilon in UPSILONS {
             let arc = spaced(0.0, 90.0, 60).into_iter().map(|alpha| point(self.at(upsilon, alpha)));
-            panel = panel.curve(arc.collect(), OF_1967.wide(1.9));
+            let name = Label::default().number(&upsilon.to_string());
+            panel = panel.named(arc.collect(), OF_1967.wide(1.9), name);
         }
         let rim =
             spaced(0.0, FRAC_PI_2, 60).iter().map(|angle| [angle.cos(), angle.sin()]).collect();
@@ -162,14 +163,10 @@ pub(super) fn picture(title: &str, diagrams: &[Diagram]) -> (Sheet, Data) {
         let heading = Label::default().symbol("g").plain(&format!(" = {}", diagram.g));
         sheet = sheet.panel(diagram.panel().heading(heading));
     }
-    let upsilons = UPSILONS.map(|upsilon| upsilon.to_string()).join(", ");
-    let note =
-        Label::default().symbol("υ").plain(&format!(" = {upsilons}, ∞ from the origin outwards"));
     let full = Label::new("full theory, ").symbol("χ").plain(&format!(" = {LARGE}"));
     let sheet = sheet
-        .note(note)
-        .key(OF_1967.wide(1.9), Label::default().symbol("υ").plain(" constant"))
-        .key(SECOND.wide(1.9), Label::default().symbol("α").plain(" constant"))
+        .key(OF_1967.wide(1.9), Label::default().symbol("υ").plain(" constant: number at its end"))
+        .key(SECOND.wide(1.9), Label::default().symbol("α").plain(" constant: angle at its end"))
         .key(FULL_MARK, full);
     (sheet, data)
 }

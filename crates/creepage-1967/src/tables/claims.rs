@@ -4,10 +4,11 @@ use std::fmt::Write;
 
 use creepage::Theory;
 use creepage::approximate::strip::StripTheory;
+use creepage::halfspace::{LoadDisplacement, Polynomial};
 use creepage::variational::{
     Chain, IntegrandArguments, IntegrandTerms, Procedure, Settings, Start, Variational, Weight,
 };
-use creepage::{Creepage, Solved, Status};
+use creepage::{Creepage, Ellipse, Solved, Status};
 
 use crate::prelude::*;
 
@@ -18,6 +19,7 @@ fn make() -> Result<Reproduction, GalleryError> {
     agreement.push(strip_in_pure_spin()?);
     agreement.push(no_symmetry_about_y()?);
     agreement.push(root_of_ts()?);
+    agreement.push(tractions_of_chapter_2()?);
     agreement.push(Comparison::without_data(
         "forces by (5.12) and by (5.15)",
         "(5.12) compared better with the experiment",
@@ -149,4 +151,39 @@ fn root_terms(IntegrandArguments { t, s, .. }: IntegrandArguments) -> IntegrandT
         ts: 0.25 / (t * s).sqrt(),
         ss: -0.25 * (t / s).sqrt() / s,
     }
+}
+
+/// End of 5.23: with the tractions of chapter 2, infinite at the edge, nothing slips and I = 0.
+fn tractions_of_chapter_2() -> Result<Comparison, GalleryError> {
+    let (circle, theory) = (Ellipse::from_ratio(1.0)?, chapter_5(1.0, STEEL, 3, Weight::Elliptic)?);
+    // Creepage and spin in units of mu f00.
+    let [xi, eta, chi] = [0.5, -0.5, 0.7].map(|part| part * theory.slip_scale());
+    let u = Polynomial::new(vec![0.0, -xi, 0.0, 0.0, chi, 0.0])?;
+    let v = Polynomial::new(vec![0.0, -eta, 0.0, -0.5 * chi, 0.0, 0.0])?;
+    let forwards = LoadDisplacement::new(circle, STEEL, 2)?;
+    let traction = forwards.inverse()?.singular([&u, &v, &Polynomial::zero(2)])?;
+    let [u, v, _] = forwards.displacement(&traction)?;
+    let (mut integral, mut most, mut beyond) = (0.0, 0.0_f64, 0);
+    for [x, y] in theory.mesh() {
+        let slope = |p: &Polynomial| {
+            p.coefficient(1, 0) + 2.0 * p.coefficient(2, 0) * x + p.coefficient(1, 1) * y
+        };
+        let slip = [xi - chi * y + slope(&u), eta + chi * x + slope(&v)];
+        let ([tx, ty, _], bound) = (traction.at([*x, *y]), (1.0 - x * x - y * y).sqrt());
+        let over = tx.hypot(ty) / bound;
+        // T is (|(X', Y')| + 1)^2 at most, and W = 1 - x^2 - y^2.
+        integral += bound * bound * (over + 1.0).powi(2) * (slip[0].powi(2) + slip[1].powi(2));
+        (most, beyond) = (most.max(over), beyond + usize::from(over > 1.0));
+    }
+    let integral = integral / theory.mesh().len() as f64;
+    Ok(Comparison::claim(
+        "I of (5.9) with the tractions of chapter 2, ξ = 0.5, η = −0.5, χ = 0.7",
+        "vanishes, though |(X, Y)| ≫ μZ near the edge",
+        format!(
+            "I below {integral:.0e}; the traction is above its bound at {beyond} of {} points, up to {most:.0} \
+             times",
+            theory.mesh().len()
+        ),
+        integral < 1e-20 && most > 2.0,
+    ))
 }

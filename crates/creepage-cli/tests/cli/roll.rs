@@ -90,8 +90,42 @@ fn a_directory_gets_the_table_and_the_pictures() {
     let printed = place.run(&["roll", "case.toml", "--history", "h.csv"]).done();
     place.run(&["roll", "case.toml", "--history", "h.csv", "--out", "out"]).done();
     assert_eq!(place.read("out/history.csv"), printed);
-    let files = ["adhesion.png", "adhesion.svg", "history.csv", "history.png", "history.svg"];
-    assert_eq!(place.files_in("out"), files);
+    let pictures = ["adhesion.png", "adhesion.svg", "history.csv", "history.png", "history.svg"];
+    assert_eq!(place.files_in("out"), [&pictures[..], &["rolling.png"]].concat());
+}
+
+/// The animation's number of pictures and of rounds, by the chunk that an APNG has.
+fn animation(png: &[u8]) -> [u32; 2] {
+    let at = png.windows(4).position(|four| four == b"acTL").unwrap() + 4;
+    [at, at + 4].map(|at| u32::from_be_bytes(png[at..at + 4].try_into().unwrap()))
+}
+
+#[test]
+fn the_animation_has_the_start_and_a_hundred_rows_at_most() {
+    let place = Place::new();
+    place.write("case.toml", case());
+    for (rows, pictures) in [(3, 4), (100, 101), (150, 101)] {
+        let row = |k: u32| format!("{},{}\n", 1e-4 * f64::from(k), 0.1 * f64::from(k % 9));
+        place.write("h.csv", format!("distance,xi\n{}", (1..=rows).map(row).collect::<String>()));
+        place.run(&["roll", "case.toml", "--history", "h.csv", "--out", "out"]).done();
+        let png = fs::read(place.path("out").join("rolling.png")).unwrap();
+        assert_eq!(animation(&png), [pictures, 0]); // round and round
+        assert!(png.len() < 1_000_000, "{}", png.len());
+    }
+}
+
+/// A line contact has its traction as a curve; FASTSIM has no elements to show.
+#[test]
+fn a_line_is_animated_too() {
+    let place = Place::new();
+    place.write("case.toml", example("cylinders.toml"));
+    place.write("h.csv", example("cylinders.csv"));
+    place.run(&["roll", "case.toml", "--history", "h.csv", "--out", "out"]).done();
+    assert_eq!(animation(&fs::read(place.path("out").join("rolling.png")).unwrap()), [5, 0]);
+    place.write("case.toml", case().replace("resolution = [8, 8]", "theory = \"fastsim\""));
+    place.write("h.csv", "distance,xi\n0.002,0.4\n");
+    place.run(&["roll", "case.toml", "--history", "h.csv", "--out", "fast"]).done();
+    assert_eq!(place.files_in("fast"), ["history.csv", "history.png", "history.svg"]);
 }
 
 #[track_caller]

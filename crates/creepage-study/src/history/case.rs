@@ -228,14 +228,8 @@ impl RollFile {
 }
 
 impl RollCase {
-    /// The contact in its starting state; `first` is the motion of steady rolling if that is it.
-    pub(super) fn begin(&self, first: &HistoryMotion) -> Result<Roller, HistoryError> {
-        let mut rolling = self.prepared().map_err(HistoryError::Contact)?;
-        self.start(&mut rolling, first).map_err(HistoryError::Contact)?;
-        Ok(rolling)
-    }
-
-    /// Takes a contact just pressed together to its starting state.
+    /// Takes a contact just pressed together to its starting state; `first` is the motion of steady
+    /// rolling if that is it.
     pub(super) fn start(
         &self,
         rolling: &mut Roller,

@@ -2,22 +2,42 @@
 
 use creepage_plot::{Axis, Fill, Label, Panel, Pen, Point, Sheet};
 
-use super::progress::{Moment, Station};
+use super::animation::Animation;
+use super::progress::{Frame, Moment};
 use super::run::HistoryRun;
+use super::view::{View, is_there, range};
 use crate::error::ReportError;
 
-/// White above and below curves, in parts of their range.
-const AIR: f64 = 0.06;
+/// Contacts in the picture of areas.
+const STATIONS: usize = 6;
 
 /// The pictures of a history as SVG, with their names: `history` and, for an ellipse, `adhesion`.
 #[must_use]
 pub fn history_picture(run: &HistoryRun) -> Vec<(&'static str, String)> {
     let mut pictures = vec![("history", forces(&run.progress().moments))];
-    let stations = &run.progress().stations;
-    if !run.case().is_line() && !stations.is_empty() {
-        pictures.push(("adhesion", areas(stations)));
+    // The first is the start.
+    if let Some((_, frames)) = run.progress().frames.split_first()
+        && !run.case().is_line()
+    {
+        pictures.push(("adhesion", areas(run, &stations(frames))));
     }
     pictures
+}
+
+/// The contact on its way as an animated PNG; `None` by FASTSIM, which has no such elements.
+///
+/// # Errors
+/// [`ReportError::Picture`] where it does not turn into pixels.
+pub fn history_animation(run: &HistoryRun) -> Result<Option<Vec<u8>>, ReportError> {
+    Animation::new(run).map(|one| Ok(creepage_plot::animated_png(&one)?)).transpose()
+}
+
+/// Some of the contacts that were kept, evenly spread.
+fn stations(frames: &[Frame]) -> Vec<&Frame> {
+    let (all, stations) = (frames.len(), STATIONS.min(frames.len()));
+    let station = |k: usize| k * stations / all;
+    let last = (1..=all).filter(|k| station(*k) > station(k - 1));
+    last.filter_map(|k| frames.get(k - 1)).collect()
 }
 
 /// A picture as PNG.
@@ -63,35 +83,12 @@ fn forces(moments: &[Moment]) -> String {
     sheet.svg()
 }
 
-fn is_there(points: &[Point]) -> bool {
-    points.iter().any(|point| point[1].abs() > 1e-6)
-}
-
-fn range(values: impl Iterator<Item = f64>) -> [f64; 2] {
-    let [low, high] = values.fold([0.0_f64; 2], |[low, high], y| [low.min(y), high.max(y)]);
-    let air = (AIR * (high - low)).max(1e-3);
-    [low - air, high + air]
-}
-
-fn areas(stations: &[Station]) -> String {
-    let corners = || stations.iter().flat_map(|s| s.elements.iter().flat_map(|(c, _)| c.iter()));
-    let most = |axis: usize| 1.08 * corners().map(|c| c[axis].abs()).fold(0.1, f64::max);
+fn areas(run: &HistoryRun, stations: &[&Frame]) -> String {
     let sheet = Sheet::new("Adhesion and slip while the contact rolls to the right").columns(3);
-    let sheet = stations.iter().fold(sheet, |sheet, station| {
-        let axis = |most: f64, name: &str| {
-            Axis::new([-most, most], Label::default().symbol(name).plain("/").symbol("c"))
-        };
-        let of = |slides: bool| {
-            let own = station.elements.iter().filter(move |(_, one)| *one == slides);
-            own.map(|(corners, _)| corners.to_vec()).collect::<Vec<_>>()
-        };
-        let heading = format!("{:.4} m", station.distance);
-        let panel = Panel::new(axis(most(0), "x"), axis(most(1), "y"))
-            .to_scale()
-            .heading(Label::new(&heading))
-            .area(of(true), Fill::SLIP)
-            .area(of(false), Fill::ADHESION);
-        sheet.panel(panel)
+    let view = View::new(run);
+    let sheet = stations.iter().fold(sheet, |sheet, frame| {
+        let heading = Label::new(&format!("{:.4} m", frame.distance));
+        sheet.panel(view.panel(frame).heading(heading))
     });
     sheet.key(Fill::ADHESION, Label::new("adhesion")).key(Fill::SLIP, Label::new("slip")).svg()
 }

@@ -12,19 +12,23 @@ pub(super) struct Moment {
     pub force: [f64; 3],
 }
 
-/// The contact at some distance.
+/// The contact at some distance, element by element.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Station {
+pub(super) struct Frame {
     /// Distance rolled (m).
     pub distance: f64,
-    /// Corners of each element over the unit of length, and whether it slides.
-    pub elements: Vec<([[f64; 2]; 4], bool)>,
+    /// Size of the contact over that under the nominal load.
+    pub scale: f64,
+    /// Whether an element slides.
+    pub slides: Vec<bool>,
+    /// Tractions in the unit of the nominal load.
+    pub tractions: Vec<[f64; 2]>,
 }
 
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(super) struct Progress {
     pub moments: Vec<Moment>,
-    pub stations: Vec<Station>,
+    pub frames: Vec<Frame>,
 }
 
 impl Moment {
@@ -34,12 +38,11 @@ impl Moment {
     }
 }
 
-impl Station {
-    pub(super) fn new(distance: f64, elements: Vec<ElementField>) -> Self {
-        let elements = elements.into_iter();
-        let elements =
-            elements.map(|one| (one.corners, one.point.region == Region::Slip)).collect();
-        Self { distance, elements }
+impl Frame {
+    pub(super) fn new(distance: f64, scale: f64, elements: &[ElementField]) -> Self {
+        let slides = elements.iter().map(|one| one.point.region == Region::Slip).collect();
+        let tractions = elements.iter().map(|one| one.point.traction).collect();
+        Self { distance, scale, slides, tractions }
     }
 }
 
@@ -51,12 +54,12 @@ impl Progress {
             numbers.push(*distance);
             numbers.extend(creepage.iter().chain(force));
         }
-        numbers.push(self.stations.len() as f64);
-        for Station { distance, elements } in &self.stations {
-            numbers.extend([*distance, elements.len() as f64]);
-            for (corners, slides) in elements {
-                numbers.extend(corners.as_flattened());
+        numbers.push(self.frames.len() as f64);
+        for Frame { distance, scale, slides, tractions } in &self.frames {
+            numbers.extend([*distance, *scale, slides.len() as f64]);
+            for (slides, traction) in slides.iter().zip(tractions) {
                 numbers.push(f64::from(u8::from(*slides)));
+                numbers.extend(traction);
             }
         }
         numbers.iter().flat_map(|number| number.to_le_bytes()).collect()
@@ -73,12 +76,14 @@ impl Progress {
             progress.moments.push(Moment { distance, creepage, force });
         }
         for _ in 0..count(from)? {
-            let mut station = Station { distance: from.next()?, elements: Vec::new() };
+            let [distance, scale] = several(from)?;
+            let (mut slides, mut tractions) = (Vec::new(), Vec::new());
             for _ in 0..count(from)? {
-                let [a, b, c, d, e, f, g, h, slides] = several(from)?;
-                station.elements.push(([[a, b], [c, d], [e, f], [g, h]], slides != 0.0));
+                let [one, x, y] = several(from)?;
+                slides.push(one != 0.0);
+                tractions.push([x, y]);
             }
-            progress.stations.push(station);
+            progress.frames.push(Frame { distance, scale, slides, tractions });
         }
         Some(progress)
     }

@@ -5,7 +5,7 @@ use creepage::unsteady::Rolled;
 use super::case::RollCase;
 use super::columns::History;
 use super::error::HistoryError;
-use super::progress::{Moment, Progress, Station};
+use super::progress::{Frame, Moment, Progress};
 use super::roller::Roller;
 
 /// The columns of the results.
@@ -24,8 +24,8 @@ pub const HISTORY_COLUMNS: [&str; 12] = [
     "status",
 ];
 
-/// Contacts that are kept for the picture.
-const STATIONS: usize = 6;
+/// Contacts that are kept for the pictures, beside the one at the start.
+const FRAMES: usize = 100;
 
 /// A history that is being rolled.
 #[derive(Debug)]
@@ -33,6 +33,8 @@ pub struct HistoryRun<'a> {
     case: &'a RollCase,
     history: &'a History,
     rolling: Roller,
+    /// Corners of the elements under the nominal load, over the unit of length; none for FASTSIM.
+    corners: Vec<[[f64; 2]; 4]>,
     done: usize,
     progress: Progress,
 }
@@ -44,8 +46,14 @@ impl<'a> HistoryRun<'a> {
     /// [`HistoryError::Contact`] when the contact cannot be prepared.
     pub fn new(case: &'a RollCase, history: &'a History) -> Result<Self, HistoryError> {
         let first = history.rows.first().ok_or(HistoryError::Empty)?;
-        let rolling = case.begin(&first.motion)?;
-        Ok(Self { case, history, rolling, done: 0, progress: Progress::default() })
+        let mut rolling = case.prepared().map_err(HistoryError::Contact)?;
+        let elements = rolling.elements().unwrap_or_default();
+        let corners = elements.into_iter().map(|element| element.corners).collect();
+        case.start(&mut rolling, &first.motion).map_err(HistoryError::Contact)?;
+        let mut run =
+            Self { case, history, rolling, corners, done: 0, progress: Progress::default() };
+        run.keep(0.0, first.motion.load);
+        Ok(run)
     }
 
     /// Goes on after `done` rows from the bytes of [`HistoryRun::state`]; false when they are of no use.
@@ -89,18 +97,23 @@ impl<'a> HistoryRun<'a> {
             .map_err(|error| HistoryError::in_row(self.done + 1)(error.into()))?;
         self.done += 1;
         self.progress.moments.push(Moment::new(row.distance, &rolled));
-        if self.is_station() {
-            let station = self.rolling.elements().map(|all| Station::new(row.distance, all));
-            self.progress.stations.extend(station);
+        if self.is_frame() {
+            self.keep(row.distance, row.motion.load);
         }
         Ok(Some((row.distance, rolled)))
     }
 
     /// Whether the row just done is one of those evenly spread over the history.
-    fn is_station(&self) -> bool {
+    fn is_frame(&self) -> bool {
         let rows = self.history.rows.len();
-        let station = |done: usize| done * STATIONS.min(rows) / rows;
-        station(self.done) > station(self.done - 1)
+        let frame = |done: usize| done * FRAMES.min(rows) / rows;
+        frame(self.done) > frame(self.done - 1)
+    }
+
+    /// Keeps the contact as it is, for the pictures.
+    fn keep(&mut self, distance: f64, load: f64) {
+        let frame = self.rolling.elements().map(|all| Frame::new(distance, load.cbrt(), &all));
+        self.progress.frames.extend(frame);
     }
 
     /// The numbers of one row in the order of [`HISTORY_COLUMNS`], all but the status.
@@ -125,6 +138,11 @@ impl<'a> HistoryRun<'a> {
 
     pub(super) fn progress(&self) -> &Progress {
         &self.progress
+    }
+
+    /// Corners of the elements under the nominal load.
+    pub(super) fn corners(&self) -> &[[[f64; 2]; 4]] {
+        &self.corners
     }
 
     pub(super) fn case(&self) -> &RollCase {
