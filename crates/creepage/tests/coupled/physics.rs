@@ -157,13 +157,12 @@ fn long_contacts_with_strong_spin_settle() {
 #[test]
 fn what_does_not_settle_has_numbers() {
     let (soft, hard) = (Solid::new(1.0, 0.0).unwrap(), Solid::new(1e3, 0.3).unwrap());
-    for friction in [2.0, 5.0, 20.0] {
-        let theory = coupled(&contact(hard, soft, 3.0, friction), Resolution::FAST);
-        let solved = theory.solve_contact(at([1.0, -0.5, 2.5]));
-        let (force, heat) = (components(solved.solution().force), solved.dissipation().unwrap());
-        assert!(force.iter().all(|f| f.abs() <= 1.5) && heat.is_finite(), "{friction} {force:?}");
-        assert!(solved.area().is_finite() && solved.peak_error().is_finite(), "{friction}");
-    }
+    let theory = coupled(&contact(hard, soft, 3.0, 20.0), Resolution::FAST);
+    let solved = theory.solve_contact(at([1.0, -0.5, 2.5]));
+    let (force, heat) = (components(solved.solution().force), solved.dissipation().unwrap());
+    // A force of `mu N` and a moment of `mu N` times the longer semi-axis.
+    assert!(force.iter().all(|f| f.abs() <= 3.0_f64.sqrt()) && heat.is_finite(), "{force:?}");
+    assert!(solved.area().is_finite() && solved.peak_error().is_finite());
 }
 
 /// With small creepage heat arises in slip areas narrower than an element, and is not in its traction

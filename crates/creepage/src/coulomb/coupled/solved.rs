@@ -6,7 +6,6 @@ use super::{Coupled, Prepared};
 use crate::coulomb::extrapolation::{Extrapolation, extrapolate};
 use crate::coulomb::heat::{self, Unresolved};
 use crate::coulomb::inverse::Trial;
-use crate::coulomb::quadrature::Sum;
 use crate::coulomb::solution::{ElementField, Mirror, between, power_of, quarters};
 use crate::theory::field::mean;
 use crate::theory::{
