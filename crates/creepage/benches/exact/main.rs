@@ -76,3 +76,23 @@ fn derivative(bencher: Bencher, name: &str) {
     let mut solved = theory.solve_contact(figure_12(1.7));
     bencher.bench_local(|| -> Option<Jacobian> { solved.jacobian() });
 }
+
+/// Just below and just above the `kappa/mu` from which there are half as many more elements along.
+const UNLIKE: [f64; 2] = [0.09, 0.11];
+
+fn unlike(kappa_over_mu: f64) -> Exact {
+    let contact = Contact::new(Ellipse::from_ratio(0.5).unwrap(), 0.28).unwrap();
+    let contact = contact.with_kappa_over_mu(kappa_over_mu).unwrap();
+    Exact::new(&contact, Resolution::STANDARD).unwrap()
+}
+
+#[divan::bench(args = UNLIKE, sample_count = 20)]
+fn prepare_unlike(kappa_over_mu: f64) -> Exact {
+    unlike(kappa_over_mu)
+}
+
+#[divan::bench(args = UNLIKE, sample_count = 20)]
+fn solve_unlike(bencher: Bencher, kappa_over_mu: f64) {
+    let theory = unlike(kappa_over_mu);
+    bencher.bench_local(|| -> Solution { theory.solve(black_box(figure_12(1.7))) });
+}

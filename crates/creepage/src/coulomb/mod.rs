@@ -24,6 +24,7 @@ mod far;
 pub(crate) mod forcing;
 mod friction;
 pub(crate) mod grid;
+mod heat;
 pub(crate) mod influence;
 mod inverse;
 pub(crate) mod mesh;

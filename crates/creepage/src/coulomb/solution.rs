@@ -3,6 +3,7 @@
 use super::Exact;
 use super::extrapolation::{Extrapolation, extrapolate};
 use super::grid::Grid;
+use super::heat::{self, Unresolved};
 use super::solver::State;
 use super::workspace::Workspace;
 use crate::theory::field::mean;
@@ -105,9 +106,7 @@ impl Answer {
         let force = without_rounding(&exact.contact, creepage, force);
         let error = extrapolation.error_bar(forces, exact.grids[1].mesh.len());
         let power = power_of(force, creepage) + extrapolate(coarse.by_pressure, fine.by_pressure);
-        // Of the finer grid: where negative, it is the heat that slip does not resolve.
-        let beyond = fine.dissipation - power_of(fine.force, mirrored) - fine.by_pressure;
-        let dissipation = (power + beyond.max(0.0)).max(0.0);
+        let dissipation = heat::dissipation(power, &fine, power_of(fine.force, mirrored));
         let by_elements = fine.dissipation;
         let solution = workspace.solution(force, error);
         Self { creepage, mirror, extrapolation, forces, solution, power, dissipation, by_elements }
@@ -155,7 +154,7 @@ fn without_rounding(contact: &Contact, creepage: Creepage, force: Force) -> Forc
     force
 }
 
-fn power_of(Force { fx, fy, mz }: Force, Creepage { xi, eta, chi }: Creepage) -> f64 {
+pub(super) fn power_of(Force { fx, fy, mz }: Force, Creepage { xi, eta, chi }: Creepage) -> f64 {
     fx * xi + fy * eta + mz * chi
 }
 
@@ -199,29 +198,13 @@ impl<'a> ExactSolved<'a> {
         mesh.all().map(|(strip, i)| self.element(place(strip), i, &unresolved)).collect()
     }
 
-    /// By what each strip's last element is heated beyond what it resolves, and a factor for all.
-    ///
-    /// At the trailing edge the traction of adhesion grows as `K` over the root of the distance, and a
-    /// slip area much narrower than an element turns to heat what is proportional to `K^2`.
-    fn unresolved_heat(&self) -> (Vec<f64>, f64) {
+    /// By what elements are heated beyond what they resolve.
+    fn unresolved_heat(&self) -> Unresolved {
         let [_, (grid, state)] = self.levels();
-        let Answer { dissipation, by_elements, .. } = self.answer;
-        if dissipation <= by_elements {
-            let factor = if by_elements > 0.0 { dissipation / by_elements } else { 1.0 };
-            return (vec![0.0; grid.mesh.strips.len()], factor);
-        }
-        let strips = grid.mesh.strips.iter().enumerate();
-        let weights = strips.map(|(j, strip)| {
-            let last = grid.mesh.elements(j).end - 1;
-            let traction = state.traction.at(last).map(|t| t * grid.pressure.bounds[last]);
-            strip.area(strip.len() - 1) * (traction[0].powi(2) + traction[1].powi(2))
-        });
-        let weights: Vec<f64> = weights.collect();
-        let each = (dissipation - by_elements) / weights.iter().sum::<f64>().max(f64::MIN_POSITIVE);
-        (weights.iter().map(|weight| each * weight).collect(), 1.0)
+        Unresolved::new(grid, state, self.answer.dissipation, self.answer.by_elements)
     }
 
-    fn element(&self, strip: usize, i: usize, unresolved: &(Vec<f64>, f64)) -> ElementField {
+    fn element(&self, strip: usize, i: usize, unresolved: &Unresolved) -> ElementField {
         let [_, (grid, state)] = self.levels();
         let (pressure, mirror) = (&grid.pressure, self.answer.mirror);
         let element = grid.mesh.elements(strip).start + i;
@@ -236,8 +219,7 @@ impl<'a> ExactSolved<'a> {
             },
             bound,
             share: pressure.shares[element],
-            power: unresolved.1 * state.power(grid, element)
-                + if i + 1 == grid.mesh.strips[strip].len() { unresolved.0[strip] } else { 0.0 },
+            power: unresolved.power(grid, state, strip, i),
             corners: grid.mesh.strips[strip].corners(i).map(|c| mirror.position(c)),
         }
     }

@@ -1,6 +1,8 @@
 //! What must hold between unlike bodies whatever the numbers.
 
-use creepage::coulomb::{Coupled, Exact, GrossSliding, Prescribed, Resolution};
+use creepage::coulomb::{
+    Coupled, CoupledSolved, ElementField, Exact, GrossSliding, Prescribed, Resolution,
+};
 use creepage::theory::Solved;
 use creepage::{Contact, Ellipse, Hertz, Solid, SolidPair, Status, Theory};
 
@@ -41,7 +43,11 @@ fn random(dice: &mut Dice) -> (Contact, [f64; 3]) {
 /// paraboloid.
 fn balance(contact: &Contact, creepage: [f64; 3]) -> Balance {
     let theory = coupled(contact, Resolution::FAST);
-    let solved = theory.solve_contact(at(creepage));
+    balance_of(contact, &theory.solve_contact(at(creepage)))
+}
+
+fn balance_of(contact: &Contact, solved: &CoupledSolved) -> Balance {
+    let creepage = solved.creepage().components();
     let force = components(solved.solution().force);
     let rigid: f64 = force.iter().zip(creepage).map(|(f, c)| f * c).sum();
     let centre: f64 = solved.elements().iter().map(|e| e.share * e.point.position[0]).sum();
@@ -89,7 +95,7 @@ fn energy_is_kept(cases: usize) {
     }
     println!("{held} of {solved} solved of {cases}");
     // Error bars are made for 95 to 99 %.
-    assert!(held * 100 >= solved * 95 && solved * 100 >= cases * 95, "{held} {solved} {cases}");
+    assert!(held * 100 >= solved * 98 && solved * 100 >= cases * 98, "{held} {solved} {cases}");
 }
 
 /// How many random cases: `few`, or the number in the environment variable.
@@ -129,7 +135,60 @@ fn random_cases_settle() {
     let [middle, most] = [turns.len() / 2, turns.len() - 1].map(|k| turns[k]);
     let (late, failures) = (turns[turns.len() * 19 / 20], cases - turns.len());
     println!("{failures} failures; turns: median {middle}, 95 % {late}, most {most}");
-    assert!(turns.len() * 100 >= cases * 98, "{failures} of {cases}");
+    assert!(turns.len() * 100 >= cases * 99, "{failures} of {cases}");
+}
+
+/// Of the random cases, one where polynomials between strips dip below zero at a tip, and one whose
+/// finer grid does not touch all along in the coarser one's shape.
+#[test]
+fn long_contacts_with_strong_spin_settle() {
+    let (mut dice, chosen) = (Dice(11), [297, 340]);
+    for index in 0..=chosen[1] {
+        let (contact, creepage) = random(&mut dice);
+        if chosen.contains(&index) {
+            let balance = balance(&contact, creepage);
+            assert!(balance.status == Status::Solved && balance.holds(), "{index}");
+        }
+    }
+}
+
+/// Friction so high that pressure and traction may find no rest: then the numbers are those of a
+/// contact that is not coupled, and are not called solved.
+#[test]
+fn what_does_not_settle_has_numbers() {
+    let (soft, hard) = (Solid::new(1.0, 0.0).unwrap(), Solid::new(1e3, 0.3).unwrap());
+    let theory = coupled(&contact(hard, soft, 3.0, 20.0), Resolution::FAST);
+    let solved = theory.solve_contact(at([1.0, -0.5, 2.5]));
+    let (force, heat) = (components(solved.solution().force), solved.dissipation().unwrap());
+    // A force of `mu N` and a moment of `mu N` times the longer semi-axis.
+    assert!(force.iter().all(|f| f.abs() <= 3.0_f64.sqrt()) && heat.is_finite(), "{force:?}");
+    assert!(solved.area().is_finite() && solved.peak_error().is_finite());
+}
+
+/// With small creepage heat arises in slip areas narrower than an element, and is not in its traction
+/// times slip: what that lacks falls with the elements' size. Of the cases of `energy_is_kept` the one
+/// that lacks most.
+#[test]
+#[allow(clippy::print_stdout)]
+fn elements_find_the_heat_of_the_balance() {
+    const CASE: usize = 236;
+    let mut dice = Dice(7);
+    let cases: Vec<_> = (0..=CASE).map(|_| random(&mut dice)).collect();
+    let (contact, creepage) = &cases[CASE];
+    let lacks = [Resolution::FAST, Resolution::STANDARD, Resolution::FINE].map(|resolution| {
+        let theory = coupled(contact, resolution);
+        let solved = theory.solve_contact(at(*creepage));
+        let by_element = |e: &ElementField| {
+            let [[tx, ty], [sx, sy]] = [e.point.traction, e.point.slip];
+            e.share / e.bound * (tx * sx + ty * sy)
+        };
+        let heat: f64 = solved.elements().iter().map(by_element).sum();
+        let balance = balance_of(contact, &solved);
+        println!("work {:.5} heat {:.5} by elements {heat:.5}", balance.work, balance.heat);
+        assert!(balance.holds());
+        1.0 - heat / balance.work
+    });
+    assert!(lacks[2] < 0.6 * lacks[0], "{lacks:?}");
 }
 
 #[test]

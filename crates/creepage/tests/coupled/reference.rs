@@ -63,6 +63,7 @@ fn case_contact(case: &Case) -> Contact {
 }
 
 #[test]
+#[allow(clippy::print_stdout)]
 fn one_way_forces_are_met() {
     let (mut sum, mut count) = (0.0, 0.0);
     for case in &CASES {
@@ -75,12 +76,13 @@ fn one_way_forces_are_met() {
         }
     }
     let rms = f64::sqrt(sum / count);
+    println!("one way: rms {rms:.5} beyond the uncertainty");
     assert!(rms < 0.003, "{rms}");
 }
 
 /// The bound is half a per cent of `mu N` beyond twice the uncertainty, for the moment in `mu N c` twice
-/// that. A summit of pressure at the border of adhesion is narrower than the strips of the normal
-/// problem, which cut off up to 0.8 % of the peak.
+/// that. The peak is met within half a per cent too, and its error bar tells by how much.
+#[allow(clippy::print_stdout)]
 fn is_met(case: &Case) {
     let theory = coupled(&case_contact(case), Resolution::STANDARD);
     let solved = theory.solve_contact(at(case.creepage));
@@ -90,7 +92,18 @@ fn is_met(case: &Case) {
         let beyond = beyond(found[k], [value[k], unc[k]], 2.0);
         assert!(beyond < most, "{} {found:?}", case.name);
     }
-    assert!(beyond(solved.peak(), case.peak, 2.0) < 1e-2, "{} {}", case.name, solved.peak());
+    println!(
+        "{} {found:.5?} peak {:.5} +- {:.5}, {:?} area {:.5}, {:?}",
+        case.name,
+        solved.peak(),
+        solved.peak_error(),
+        case.peak,
+        solved.area(),
+        case.area
+    );
+    assert!(beyond(solved.peak(), case.peak, 2.0) < 5e-3, "{} {}", case.name, solved.peak());
+    let covered = [case.peak[0], solved.peak_error() + case.peak[1]];
+    assert!(beyond(solved.peak(), covered, 1.0) == 0.0, "{} {}", case.name, solved.peak());
     assert!(beyond(solved.area(), case.area, 2.0) < 2e-3, "{} {}", case.name, solved.area());
 }
 
@@ -105,6 +118,7 @@ fn steel_on_a_polymer_is_met() {
 }
 
 /// Creepage within a per cent beyond twice the uncertainty.
+#[allow(clippy::print_stdout)]
 fn rolls_freely(case: &Free) {
     let contact = contact(steel(), (case.lower)(), case.ratio, case.friction);
     let free =
@@ -116,7 +130,16 @@ fn rolls_freely(case: &Free) {
     let xi = solved.creepage().xi();
     assert!(beyond(one_way, case.one_way, 2.0) < 0.01 * case.one_way[0], "{one_way}");
     assert!(beyond(xi, case.coupled, 2.0) < 0.01 * case.coupled[0], "{xi}");
-    assert!(beyond(solved.peak(), case.peak, 2.0) < 1e-2, "{}", solved.peak());
+    println!(
+        "{} one way {one_way:.5}, {:?}; xi {xi:.5}, {:?}; peak {:.5} +- {:.5}, {:?}",
+        case.ratio,
+        case.one_way,
+        case.coupled,
+        solved.peak(),
+        solved.peak_error(),
+        case.peak
+    );
+    assert!(beyond(solved.peak(), case.peak, 2.0) < 5e-3, "{}", solved.peak());
     assert!(beyond(solved.area(), case.area, 2.0) < 2e-3, "{}", solved.area());
 }
 

@@ -52,6 +52,17 @@ pub(super) struct Level {
     slip_by_elements: Vec<[f64; 2]>,
 }
 
+/// What is solved on a grid.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Case<'a> {
+    pub hertz: &'a Grid,
+    pub coupling: Coupling,
+    pub prescribed: Prescribed,
+    pub creepage: Creepage,
+    /// The sign with which the bodies are unlike.
+    pub side: f64,
+}
+
 /// What a grid is solved from.
 pub(super) struct Start<'a> {
     pub pressed: Pressed,
@@ -88,23 +99,51 @@ impl Level {
         })
     }
 
-    /// Solves at a creepage, `side` the sign with which the bodies are unlike, from a start.
-    pub(super) fn settle(
-        &self,
-        hertz: &Grid,
-        coupling: Coupling,
-        prescribed: Prescribed,
-        (creepage, side): (Creepage, f64),
-        start: Start,
-    ) -> Settled {
-        let factor = -side * coupling.q / PI;
-        let (mut settled, mut attraction) = self.start(hertz, coupling, start);
+    /// Solves at a creepage, `side` the sign with which the bodies are unlike, from a start; where that
+    /// fails, from the frictionless contact, and then with the tractions' part in the normal problem
+    /// growing by steps.
+    pub(super) fn settle(&self, case: Case, start: Start) -> Settled {
+        const STEPS: [u32; 3] = [1, 4, 16];
+        let coarser = start.coarser;
+        let mut settled = self.take_turns(case, 1.0, start);
+        for steps in STEPS {
+            if settled.converged {
+                break;
+            }
+            let (turns, sweeps) = (settled.turns, settled.sweeps);
+            settled = self.by_steps(case, steps, coarser);
+            settled.turns += turns;
+            settled.sweeps += sweeps;
+        }
+        settled
+    }
+
+    /// Solves with ever larger parts of the coupling; ends where one of them fails.
+    fn by_steps(&self, case: Case, steps: u32, coarser: Option<&State>) -> Settled {
+        let part = |step: u32| f64::from(step) / f64::from(steps);
+        let pressed = self.normal.frictionless.clone();
+        let mut settled = self.take_turns(case, part(1), Start { pressed, coarser });
+        for step in 2..=steps {
+            if !settled.converged {
+                return settled;
+            }
+            let (turns, pressed) = (settled.turns, settled.pressed);
+            settled = self.take_turns(case, part(step), Start { pressed, coarser });
+            settled.turns += turns;
+        }
+        settled
+    }
+
+    /// Friction and normal contact in turn, with a part of what the tractions do to the pressure.
+    fn take_turns(&self, case: Case, part: f64, start: Start) -> Settled {
+        let factor = -case.side * part * case.coupling.q / PI;
+        let (mut settled, mut attraction) = self.start(case, start);
         let mut mixing = Mixing::default();
         loop {
-            let outcome = settled.rub(creepage, side);
+            let outcome = settled.rub(case);
             let tractions = settled.tractions();
             let more = |at: [f64; 2]| factor * attraction.by_traction(at, &tractions);
-            let Some(next) = self.normal.solve(&settled.pressed, more, prescribed) else {
+            let Some(next) = self.normal.solve(&settled.pressed, more, case.prescribed) else {
                 return settled;
             };
             let change = settled.pressed.apart(&next);
@@ -116,11 +155,12 @@ impl Level {
                 return settled;
             }
             settled.pressed.go(&mut mixing, &next);
-            attraction = self.press(hertz, coupling, &mut settled);
+            attraction = self.press(case, &mut settled);
         }
     }
 
-    fn start(&self, hertz: &Grid, coupling: Coupling, start: Start) -> (Settled, Attraction) {
+    fn start(&self, case: Case, start: Start) -> (Settled, Attraction) {
+        let Case { hertz, coupling, .. } = case;
         let Start { pressed, coarser } = start;
         let shape = Shape::new(&self.normal, &pressed);
         let (grid, attraction) = self.grid(hertz, coupling, &shape, &pressed);
@@ -144,9 +184,10 @@ impl Level {
     }
 
     /// Lays the elements into the area, and the pressure on them.
-    fn press(&self, hertz: &Grid, coupling: Coupling, settled: &mut Settled) -> Attraction {
+    fn press(&self, case: Case, settled: &mut Settled) -> Attraction {
         settled.shape = Shape::new(&self.normal, &settled.pressed);
-        let (grid, attraction) = self.grid(hertz, coupling, &settled.shape, &settled.pressed);
+        let (grid, attraction) =
+            self.grid(case.hertz, case.coupling, &settled.shape, &settled.pressed);
         settled.grid = grid;
         attraction
     }
@@ -201,8 +242,8 @@ fn slip_by(
 
 impl Settled {
     /// Solves the tangential problem under the present pressure.
-    fn rub(&mut self, creepage: Creepage, side: f64) -> Outcome {
-        self.grid.set_forcing(creepage, side, &mut self.state.forcing);
+    fn rub(&mut self, case: Case) -> Outcome {
+        self.grid.set_forcing(case.creepage, case.side, &mut self.state.forcing);
         let outcome = self.state.solve(&self.grid, &mut self.equations);
         self.turns += 1;
         self.sweeps += outcome.sweeps;

@@ -21,6 +21,7 @@ mod normal;
 mod shape;
 mod sliding;
 mod solved;
+mod summit;
 
 pub use sliding::{GrossSliding, SlidingError};
 pub use solved::CoupledSolved;

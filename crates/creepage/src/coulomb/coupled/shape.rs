@@ -7,6 +7,10 @@ use crate::ellipse::Ellipse;
 use crate::gap::Cubic;
 use crate::normal::strips::{self, MOST, profile};
 
+/// Least pressure over that of Hertz: polynomials between strips may dip below zero, and an element
+/// without any pressure has no traction to find.
+const LEAST: f64 = 1e-3;
+
 /// A map of the ellipse on the area: lines along `x` are shifted and stretched, each by itself, and
 /// moved and spread across. A place is `(s, t)`, `t` from tip to tip and `s` from the trailing to
 /// the leading end, both from -1 to 1.
@@ -78,7 +82,7 @@ impl Shape {
             let coefficients = curves.each_ref().map(|curve| curve.at(t));
             profile(&coefficients, s)
         });
-        (own / other).max(0.0)
+        (own / other).max(LEAST)
     }
 
     /// Where a position of the ellipse is moved.
@@ -89,10 +93,15 @@ impl Shape {
 
     /// The place of a position in the area; `None` outside.
     pub(super) fn place(&self, [x, y]: [f64; 2]) -> Option<[f64; 2]> {
-        let t = (y - self.middle) / (self.stretch * self.ellipse.b());
+        let t = self.across(y);
         let half = self.ellipse.a() * ((1.0 - t) * (1.0 + t)).max(0.0).sqrt() * self.longer(t);
         let s = (x - self.centre(t)) / half;
         (s.abs() < 1.0).then_some([s, t])
+    }
+
+    /// The place between the tips, from -1 to 1, of a `y`.
+    pub(super) fn across(&self, y: f64) -> f64 {
+        (y - self.middle) / (self.stretch * self.ellipse.b())
     }
 
     /// Pressure at a place over Hertz's peak.

@@ -1,11 +1,12 @@
 //! One coupled contact solved, kept for further questions.
 
-use super::level::{Settled, Start};
+use super::level::{Case, Settled, Start};
+use super::summit::{Summit, summit};
 use super::{Coupled, Prepared};
 use crate::coulomb::extrapolation::{Extrapolation, extrapolate};
+use crate::coulomb::heat::{self, Unresolved};
 use crate::coulomb::inverse::Trial;
-use crate::coulomb::quadrature::Sum;
-use crate::coulomb::solution::{ElementField, Mirror, between, quarters};
+use crate::coulomb::solution::{ElementField, Mirror, between, power_of, quarters};
 use crate::theory::field::mean;
 use crate::theory::{
     Diagnostic, FieldPoint, Jacobian, Patch, Region, Solution, Solved, Statistics, Status,
@@ -22,11 +23,14 @@ pub struct CoupledSolved<'a> {
     prepared: &'a Prepared,
     creepage: Creepage,
     mirror: Mirror,
-    /// On the coarser and the finer grid; `None` where the strips of the normal problem fail.
+    /// On the coarser and the finer grid; `None` where the strips of the normal problem fail, or
+    /// turns between friction and normal contact lead to no numbers.
     settled: Option<[Settled; 2]>,
     solution: Solution,
     power: f64,
     dissipation: f64,
+    /// What the tractions of the finer grid's elements give of it.
+    by_elements: f64,
 }
 
 impl<'a> CoupledSolved<'a> {
@@ -46,23 +50,28 @@ impl<'a> CoupledSolved<'a> {
             return Self::one_way(theory, prepared, creepage, mirror);
         };
         let sum = |k: usize| levels[k].state.sum(&levels[k].grid, mirror.x);
-        let [first, second] = [sum(0), sum(1)];
-        let extrapolation = Extrapolation::new(&theory.contact, mirror.creepage(creepage));
-        let forces = [first.force, second.force];
+        let (sums, mirrored) = ([0, 1].map(sum), mirror.creepage(creepage));
+        let extrapolation = Extrapolation::new(&theory.contact, mirrored);
+        let forces = sums.each_ref().map(|sum| sum.force);
         let force = mirror.force(extrapolation.force(forces));
-        let rigid = force.fx * creepage.xi + force.fy * creepage.eta + force.mz * creepage.chi;
-        let value = |of: fn(&Sum) -> f64| extrapolate(of(&first), of(&second));
-        let elements = levels[1].grid.mesh.len();
-        let error = extrapolation.error_bar(forces, elements);
+        let error = extrapolation.error_bar(forces, levels[1].grid.mesh.len());
+        let [coarse, fine] = sums;
+        let power = power_of(force, creepage) + extrapolate(coarse.by_pressure, fine.by_pressure);
+        let dissipation = heat::dissipation(power, &fine, power_of(fine.force, mirrored));
+        if !are_numbers(levels, &[power, dissipation], force, error) {
+            return Self::one_way(theory, prepared, creepage, mirror);
+        }
+        let (solution, by_elements) = (solution(force, error, levels), fine.dissipation);
         Self {
-            solution: solution(force, error, levels),
-            power: rigid + value(|sum| sum.by_pressure),
-            dissipation: value(|sum| sum.dissipation).max(0.0),
             theory,
             prepared,
             creepage,
             mirror,
             settled,
+            solution,
+            power,
+            dissipation,
+            by_elements,
         }
     }
 
@@ -75,9 +84,19 @@ impl<'a> CoupledSolved<'a> {
     ) -> Self {
         let solved = prepared.exact.solve_contact(creepage);
         let solution = Solution { status: Status::NotConverged, ..solved.solution() };
-        let (power, dissipation) = (solved.power(), solved.dissipation().unwrap_or(f64::NAN));
-        let settled = None;
-        Self { theory, prepared, creepage, mirror, settled, solution, power, dissipation }
+        let (power, dissipation) = (solved.power(), solved.dissipation().unwrap_or_default());
+        let (settled, by_elements) = (None, dissipation);
+        Self {
+            theory,
+            prepared,
+            creepage,
+            mirror,
+            settled,
+            solution,
+            power,
+            dissipation,
+            by_elements,
+        }
     }
 
     /// Elements on the finer grid, along and across.
@@ -119,7 +138,27 @@ impl<'a> CoupledSolved<'a> {
     /// Largest pressure over that of the frictionless contact.
     #[must_use]
     pub fn peak(&self) -> f64 {
-        self.value(|level| level.shape.peak())
+        let rise = self.summit().map_or(0.0, |(summit, polynomials)| summit.peak - polynomials);
+        self.value(|level| level.shape.peak()) + rise
+    }
+
+    /// Error bar of [`CoupledSolved::peak`]: half of what the strips' polynomials lack at the border of
+    /// adhesion, and half the difference of the grids. One where nothing is coupled.
+    #[must_use]
+    pub fn peak_error(&self) -> f64 {
+        const LEAST: f64 = 5e-4;
+        let (Some([coarse, _]), Some((summit, polynomials))) = (&self.settled, self.summit())
+        else {
+            return 1.0;
+        };
+        let apart = (polynomials - coarse.shape.peak()).abs();
+        LEAST + 0.5 * (summit.lacking + apart)
+    }
+
+    /// The finer grid's summit at the border of adhesion, and its peak by the strips' polynomials alone.
+    fn summit(&self) -> Option<(Summit, f64)> {
+        let q = self.mirror.x * self.theory.coupling.q;
+        self.settled.as_ref().map(|[_, fine]| (summit(fine, q), fine.shape.peak()))
     }
 
     /// The ends of the area along `x` at half its width, and its tips in `y`, in units of `c`.
@@ -142,7 +181,10 @@ impl<'a> CoupledSolved<'a> {
         let strips = fine.grid.mesh.strips.len();
         let flips = self.mirror.x * self.mirror.y < 0.0;
         let place = |strip: usize| if flips { strips - 1 - strip } else { strip };
-        fine.grid.mesh.all().map(|(strip, i)| self.element(fine, place(strip), i)).collect()
+        let unresolved =
+            Unresolved::new(&fine.grid, &fine.state, self.dissipation, self.by_elements);
+        let all = fine.grid.mesh.all();
+        all.map(|(strip, i)| self.element(fine, place(strip), i, &unresolved)).collect()
     }
 
     fn element(
@@ -150,6 +192,7 @@ impl<'a> CoupledSolved<'a> {
         Settled { grid, state, .. }: &Settled,
         strip: usize,
         i: usize,
+        unresolved: &Unresolved,
     ) -> ElementField {
         let (pressure, mirror) = (&grid.pressure, self.mirror);
         let element = grid.mesh.elements(strip).start + i;
@@ -164,7 +207,7 @@ impl<'a> CoupledSolved<'a> {
             },
             bound,
             share: pressure.shares[element],
-            power: state.power(grid, element),
+            power: unresolved.power(grid, state, strip, i),
             corners: grid.mesh.strips[strip].corners(i).map(|corner| mirror.position(corner)),
         }
     }
@@ -199,19 +242,30 @@ fn settle(
     near: Option<&[Settled; 2]>,
 ) -> Option<[Settled; 2]> {
     let [coarse, fine] = levels.as_ref()?;
-    let at = (mirror.creepage(creepage), mirror.x);
-    let [hertz, hertz_fine] = &exact.grids;
-    let (coupling, prescribed) = (theory.coupling, theory.prescribed);
+    let case = |level: usize| Case {
+        hertz: &exact.grids[level],
+        coupling: theory.coupling,
+        prescribed: theory.prescribed,
+        creepage: mirror.creepage(creepage),
+        side: mirror.x,
+    };
     let pressed = near.map_or(&coarse.normal.frictionless, |near| &near[0].pressed).clone();
     let start = Start { pressed, coarser: None };
-    let first = coarse.settle(hertz, coupling, prescribed, at, start);
+    let first = coarse.settle(case(0), start);
     let pressed = match near {
         Some(near) => near[1].pressed.clone(),
         None => fine.normal.shaped(&first.shape, &first.pressed, &first.frictionless),
     };
     let start = Start { pressed, coarser: Some(&first.state) };
-    let second = fine.settle(hertz_fine, coupling, prescribed, at, start);
+    let second = fine.settle(case(1), start);
     Some([first, second])
+}
+
+/// Whether a solution has numbers at all.
+fn are_numbers(levels: &[Settled; 2], powers: &[f64], force: Force, error: Force) -> bool {
+    let shapes = levels.iter().flat_map(|level| [level.shape.area(), level.pressed.approach]);
+    let forces = [force, error].into_iter().flat_map(|force| force.components());
+    powers.iter().copied().chain(shapes).chain(forces).all(f64::is_finite)
 }
 
 fn solution(force: Force, error: Force, levels: &[Settled; 2]) -> Solution {
@@ -313,6 +367,7 @@ impl Solved for CoupledSolved<'_> {
             ("approach_over_hertz", "approach over Hertz", self.approach()),
             ("area_over_hertz", "area over Hertz", self.area()),
             ("peak_over_hertz", "peak over Hertz", self.peak()),
+            ("peak_error", "error bar of the peak", self.peak_error()),
             ("shift_x", "area moved along, in c", along),
             ("shift_y", "area moved across, in c", across),
             ("fx_moved", "f_x moved by coupling", moved.fx),
