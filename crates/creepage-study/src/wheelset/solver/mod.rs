@@ -158,8 +158,6 @@ impl<'a> WheelsetSolver<'a> {
         /// A step that leaves more than this part of what was missed is followed by a search.
         const HELPS: f64 = 0.5;
         let is_given = matches!(load, Load::Height(_)) && stance.is_fixed();
-        let coarse = Press { resolution: normal::Resolution::COARSE, ..self.press };
-        let sought = if is_given { &self.press } else { &coarse };
         let radius = self.press.running.wheelset().radius();
         let mut is_close = is_given || !start.fine.is_empty();
         let (mut corrected, mut last) = (None, f64::INFINITY);
@@ -167,11 +165,7 @@ impl<'a> WheelsetSolver<'a> {
             let Start { shares, guess, pitch_rate, fine } = start;
             let sought = match corrected.take() {
                 Some(places) => Sought { places, coarse: Vec::new() },
-                None => {
-                    let guess = guess.clone();
-                    let balance = Balance { press: sought, stance, shares: &shares, guess };
-                    Sought::new(balance.wheels(load)?, &shares)
-                }
+                None => self.sought(stance, load, &shares, &guess)?,
             };
             let wheels =
                 if is_given { sought.coarse.clone() } else { self.refined(&sought, &fine)? };
@@ -202,6 +196,21 @@ impl<'a> WheelsetSolver<'a> {
             start = if round < FEW { next } else { next.halfway_from(&shares) };
         }
         Err(WheelsetError::NotSettled)
+    }
+
+    /// Where wheels carry the load, by coarse pressures unless nothing is to be sought.
+    fn sought(
+        &self,
+        stance: &Stance,
+        load: Load,
+        shares: &Shares,
+        guess: &Guess,
+    ) -> Result<Sought<'a>, WheelsetError> {
+        let coarse = Press { resolution: normal::Resolution::COARSE, ..self.press };
+        let is_given = matches!(load, Load::Height(_)) && stance.is_fixed();
+        let press = if is_given { &self.press } else { &coarse };
+        let balance = Balance { press, stance, shares, guess: guess.clone() };
+        Ok(Sought::new(balance.wheels(load)?, shares))
     }
 
     /// Wheels in their places with fine pressures.
