@@ -80,6 +80,24 @@ fn an_ellipse_is_hertzs_case() {
     }
 }
 
+/// From the tractions of one creepage to another: the same force as from nothing.
+#[test]
+fn going_on_leads_where_starting_anew_does() {
+    let gap = Gap::polynomial(&[term(2, 0, 0.5 / 0.4), term(0, 2, 0.5 / 0.3)]).unwrap();
+    let theory = pressed(&gap, 50e3);
+    let mut solved = theory.solve(creepage(0.3, -0.2, 0.5));
+    for [xi, eta, chi] in [[0.301, -0.2, 0.5], [0.5, 0.1, 0.4], [-2.0, 1.0, 0.0], [0.0; 3]] {
+        let at = creepage(xi, eta, chi);
+        solved.go_on(at, |_| [0.0; 2]);
+        assert_eq!(solved.creepage(), at);
+        let anew = theory.solve(at).solution();
+        assert_eq!(solved.solution().status, Status::Solved);
+        let pairs = solved.solution().force.components().into_iter().zip(anew.force.components());
+        // Tractions obey friction to 1e-6 of their bound by either road, forces to some 5e-8.
+        assert!(pairs.fold(0.0, |most: f64, (a, b)| most.max((a - b).abs())) < 2e-7, "{at:?}");
+    }
+}
+
 /// A gap in metres from one in millimetres.
 fn gap_mm(half: f64, h: impl Fn(f64, f64) -> f64 + Send + Sync + 'static) -> Gap {
     let domain = Rectangle { x: [-1e-3 * half, 1e-3 * half], y: [-1e-3 * half, 1e-3 * half] };

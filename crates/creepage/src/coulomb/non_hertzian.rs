@@ -121,9 +121,38 @@ impl NonHertzian {
         creepage: Creepage,
         more: impl Fn([f64; 2]) -> [f64; 2],
     ) -> NonHertzianSolved<'_> {
+        NonHertzianSolved::new(self, creepage, self.slips(more))
+    }
+
+    /// What is added to the creepage at the places of each grid.
+    fn slips(&self, more: impl Fn([f64; 2]) -> [f64; 2]) -> [Vec<[f64; 2]>; 2] {
         let at = |place: &[f64; 2]| more(self.outward(*place));
-        let more = [0, 1].map(|k: usize| self.grids[k].places.iter().map(at).collect());
-        NonHertzianSolved::new(self, creepage, more)
+        [0, 1].map(|k: usize| self.grids[k].places.iter().map(at).collect())
+    }
+
+    /// The solution and the frictional power, from nothing or from the tractions of the last one.
+    fn answer(
+        &self,
+        workspace: &mut Workspace,
+        warm: bool,
+        creepage: Creepage,
+        more: &[Vec<[f64; 2]>; 2],
+    ) -> (Solution, f64) {
+        let (grids, inward) = (&self.grids, self.inward(creepage));
+        workspace.solve(grids, warm, |k, forcing| {
+            grids[k].set_forcing(inward, 0.0, forcing);
+            for (slip, more) in forcing.slip.iter_mut().zip(&more[k]) {
+                *slip = [slip[0] + more[0], slip[1] + more[1]];
+            }
+        });
+        let [coarse, fine] = workspace.sums(grids, 0.0);
+        let force = self.moved(Extrapolation::PLAIN.force([coarse.force, fine.force]));
+        let error = error_bar(coarse.force, fine.force, self.elements());
+        let mut solution = workspace.solution(force, self.moved_error(error));
+        if solution.status == Status::Solved && workspace.has_another(grids, 0.0) {
+            solution.status = Status::SeveralSolutions;
+        }
+        (solution, extrapolate(coarse.dissipation, fine.dissipation).max(0.0))
     }
 
     /// Finds the creepage at which the constraints hold, as [`Exact::find`](super::Exact::find).
@@ -180,23 +209,24 @@ pub struct NonHertzianSolved<'a> {
 
 impl<'a> NonHertzianSolved<'a> {
     fn new(theory: &'a NonHertzian, creepage: Creepage, more: [Vec<[f64; 2]>; 2]) -> Self {
-        let (grids, inward) = (&theory.grids, theory.inward(creepage));
-        let mut workspace = theory.pool.take(grids);
-        workspace.solve(grids, false, |k, forcing| {
-            grids[k].set_forcing(inward, 0.0, forcing);
-            for (slip, more) in forcing.slip.iter_mut().zip(&more[k]) {
-                *slip = [slip[0] + more[0], slip[1] + more[1]];
-            }
-        });
-        let [coarse, fine] = workspace.sums(grids, 0.0);
-        let force = theory.moved(Extrapolation::PLAIN.force([coarse.force, fine.force]));
-        let error = error_bar(coarse.force, fine.force, theory.elements());
-        let mut solution = workspace.solution(force, theory.moved_error(error));
-        if solution.status == Status::Solved && workspace.has_another(grids, 0.0) {
-            solution.status = Status::SeveralSolutions;
-        }
-        let dissipation = extrapolate(coarse.dissipation, fine.dissipation).max(0.0);
+        let mut workspace = theory.pool.take(&theory.grids);
+        let (solution, dissipation) = theory.answer(&mut workspace, false, creepage, &more);
         Self { theory, workspace, creepage, more, solution, dissipation }
+    }
+
+    /// Goes on to a creepage nearby, with `more` as of [`NonHertzian::solve_curved`]: quicker than a
+    /// solution from nothing, for it starts from these tractions, and the same to the solver's
+    /// tolerance. Where friction depends on the slip and several solutions exist, it may stay
+    /// with this one.
+    pub fn go_on(&mut self, creepage: Creepage, more: impl Fn([f64; 2]) -> [f64; 2]) {
+        let theory = self.theory;
+        (self.creepage, self.more) = (creepage, theory.slips(more));
+        let (room, more) = (&mut self.workspace, &self.more);
+        let mut answer = theory.answer(room, true, creepage, more);
+        if answer.0.status == Status::NotConverged {
+            answer = theory.answer(room, false, creepage, more);
+        }
+        (self.solution, self.dissipation) = answer;
     }
 
     /// The force with its moment about a point.

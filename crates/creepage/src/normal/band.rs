@@ -267,6 +267,19 @@ impl Band {
         if chords.is_empty() { self.clone() } else { Self::new(chords, y, self.tips) }
     }
 
+    /// The same with all lengths and pressures grown about a centre.
+    pub(super) fn grown(&self, factor: f64, centre: [f64; 2]) -> Self {
+        let place = |at: f64, k: usize| centre[k] + factor * (at - centre[k]);
+        let chord = |chord: &Chord| Chord {
+            y: place(chord.y, 1),
+            half: factor * chord.half,
+            centre: place(chord.centre, 0),
+            density: chord.density,
+        };
+        let chords = self.chords.iter().map(chord).collect();
+        Self::new(chords, self.y.map(|y| place(y, 1)), self.tips)
+    }
+
     pub(super) fn scale(&mut self, factor: f64) {
         for chord in &mut self.chords {
             chord.scale(factor);

@@ -99,6 +99,12 @@ impl Patch {
         &mut self.bands
     }
 
+    /// With all lengths and pressures grown by a factor, about the centre of pressure.
+    fn grown(&self, factor: f64) -> Self {
+        let centre = self.centroid();
+        Self::new(self.bands.iter().map(|band| band.grown(factor, centre)).collect())
+    }
+
     /// The rectangle around it (m).
     #[must_use]
     pub fn extent(&self) -> Rectangle {
@@ -221,7 +227,16 @@ impl NormalContact {
     ) -> Result<Self, NormalError> {
         check::finite("approach", approach)?;
         let asked = Asked::Approach(approach);
-        solve::solve(gap, self.pair, asked, Some(&self.patches), resolution)
+        solve::solve(gap, self.pair, asked, Some(&self.grown(approach)), resolution)
+    }
+
+    /// The areas as they would be at another approach if they kept their shape: a load that goes
+    /// as the depth to the power 3/2 tells the depth, whose root lengths and pressures follow.
+    fn grown(&self, approach: f64) -> Vec<Patch> {
+        const LIMITS: [f64; 2] = [0.5, 2.0];
+        let more = self.stiffness * (approach - self.approach.value) / self.load.value;
+        let factor = (1.0 + 2.0 / 3.0 * more).max(0.0).sqrt().clamp(LIMITS[0], LIMITS[1]);
+        self.patches.iter().map(|patch| patch.grown(factor)).collect()
     }
 
     /// The equivalent solid.

@@ -100,7 +100,7 @@ pub(super) fn solve(
         return Err(elements::edge_error(task, &coarse, side));
     }
     let elements = Found::by_elements(task, &coarse);
-    let by_strips = by_strips(task, asked, &elements.patches, resolution, false);
+    let by_strips = by_strips(task, asked, &elements.patches, resolution, [false; 2]);
     let found = match by_strips.filter(|found| found.fine.agrees_with(&elements)) {
         Some(found) => found,
         None => by_elements(task, asked, &coarse, resolution)?,
@@ -116,10 +116,11 @@ fn without_elements(
     resolution: Resolution,
 ) -> Option<Pair> {
     let asked = Asked::Approach(task.approach);
-    let from = |start: &[Patch]| by_strips(task, asked, start, resolution, true);
+    let from =
+        |start: &[Patch], is_close| by_strips(task, asked, start, resolution, [true, is_close]);
     // A guess lays the tips less well than elements do: good enough to search with.
     let guess = || if resolution.with_errors { None } else { start::by_virtual_penetration(task) };
-    near.and_then(from).or_else(|| from(&guess()?))
+    near.and_then(|near| from(near, true)).or_else(|| from(&guess()?, false))
 }
 
 fn by_elements(
@@ -147,6 +148,8 @@ fn by_elements(
     })
 }
 
+/// From areas that are rough ones, or so close that the finer strips may begin there.
+///
 /// `None` when a strip vanishes, the equations stay unsolved, or, where they are to be `complete`,
 /// the bodies overlap elsewhere.
 fn by_strips(
@@ -154,25 +157,44 @@ fn by_strips(
     asked: Asked,
     start: &[Patch],
     resolution: Resolution,
-    complete: bool,
+    [complete, is_close]: [bool; 2],
 ) -> Option<Pair> {
     /// A peak pressure that still changes by more has a summit as narrow as the strips.
     const UNEVEN: f64 = 0.02;
     const ENOUGH: [f64; 2] = [1e-5, 1e-6];
+    /// Stiffness: of an answer, and where one only searches.
+    const NEARLY: [f64; 2] = [2e-3, 0.05];
     let terms = if task.gap.is_parabola_along() { 2 } else { 4 };
     let load = if let Asked::Load(load) = asked { Some(load) } else { None };
     let count = resolution.count;
     let next = |start: &[Patch], approach: f64, wanted: Wanted| {
         strips::solve(Task { approach, ..task }, start, wanted)
     };
-    let half = Wanted { load, count: count.div_ceil(2), terms, enough: ENOUGH[0], complete: false };
-    let whole = Wanted { count, enough: ENOUGH[1], complete, ..half };
+    let nearly = NEARLY[usize::from(!resolution.with_errors)];
+    let whole = Wanted { load, count, terms, enough: ENOUGH[1], nearly, complete };
+    // The stiffness of the coarser one is not used.
+    let half = Wanted {
+        count: count.div_ceil(2),
+        enough: ENOUGH[0],
+        nearly: f64::INFINITY,
+        complete: false,
+        ..whole
+    };
     if !resolution.with_errors {
         let only = next(start, task.approach, whole)?;
         return Some(Pair::alone(only));
     }
-    let mut coarse = next(start, task.approach, half)?;
-    let mut fine = next(&coarse.patches, coarse.approach, whole)?;
+    let ladder = || {
+        let coarse = next(start, task.approach, half)?;
+        let fine = next(&coarse.patches, coarse.approach, whole)?;
+        Some((coarse, fine))
+    };
+    let at_once = || {
+        let fine = next(start, task.approach, whole)?;
+        let coarse = next(&fine.patches, fine.approach, half)?;
+        Some((coarse, fine))
+    };
+    let (mut coarse, mut fine) = if is_close { at_once().or_else(ladder)? } else { ladder()? };
     let more = Wanted { count: count * 8 / 5, ..whole };
     if (fine.peak / coarse.peak - 1.0).abs() > UNEVEN
         && let Some(finer) = next(&fine.patches, fine.approach, more)

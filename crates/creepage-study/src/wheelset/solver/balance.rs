@@ -33,6 +33,16 @@ pub(super) struct Guess {
     pub(super) known: Vec<Known>,
 }
 
+impl Guess {
+    /// Depths of wheels that each carry `load` on a body of the modulus `E*` and a radius: about
+    /// those of Hertz.
+    pub(super) fn under_load(load: f64, modulus: f64, radius: f64) -> Self {
+        const FACTOR: f64 = 0.8;
+        let depth = FACTOR * (load / modulus).powf(2.0 / 3.0) / radius.cbrt();
+        Self { depths: [depth.clamp(DEPTHS[0], DEPTHS[1]); 2], ..Self::default() }
+    }
+}
+
 impl Default for Guess {
     fn default() -> Self {
         Self { roll: None, depths: [40e-6; 2], known: Vec::new() }

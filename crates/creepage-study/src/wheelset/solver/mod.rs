@@ -7,6 +7,7 @@ mod curving;
 mod pressed;
 mod rolled;
 mod root;
+mod step;
 
 use creepage::coulomb::Resolution;
 use creepage::normal;
@@ -17,6 +18,7 @@ use creepage_rail::{Motion, Running, Side};
 use self::balance::{Balance, Guess, enough};
 use self::pressed::{Known, Press, Shares};
 use self::rolled::Rolling;
+use self::step::Place;
 use super::case::{Load, RigidSlip, Stance, Travel, WheelsetCase};
 use super::error::{WheelsetError, section};
 use super::solved::{SolvedContact, SolvedWheel, SolvedWheelset};
@@ -95,7 +97,16 @@ impl<'a> WheelsetSolver<'a> {
     /// [`WheelsetError`] where no load is given, wheels and rails do not meet, or nothing carries
     /// the load.
     pub fn solve(&self, stance: &Stance, travel: &Travel) -> Result<SolvedWheelset, WheelsetError> {
-        self.from(stance, travel, &Start::default())
+        let load = match stance.load {
+            Some(Load::Wheel(load)) => Some(load),
+            Some(Load::Axle(load)) => Some(if stance.side.is_some() { load } else { 0.5 * load }),
+            Some(Load::Height(_)) | None => None,
+        };
+        let Press { running, pair, .. } = self.press;
+        let modulus = pair.shear_modulus() / (1.0 - pair.poisson());
+        let radius = running.wheelset().radius();
+        let guess = load.map(|load| Guess::under_load(load, modulus, radius)).unwrap_or_default();
+        self.from(stance, travel, &Start { guess, ..Start::default() })
     }
 
     /// The same from a position nearby that was solved before: quicker.
@@ -129,7 +140,8 @@ impl<'a> WheelsetSolver<'a> {
     }
 
     /// The position is sought with coarse pressures. At each position found fine ones and rolling
-    /// say how much more the wheels carry, until they carry what was expected.
+    /// say what the wheels carry, and their stiffness where to go on to, until they carry what was
+    /// expected.
     fn at(
         &self,
         stance: &Stance,
@@ -143,49 +155,76 @@ impl<'a> WheelsetSolver<'a> {
         const FEW: usize = 8;
         /// A part of the load missed that fast rolling is good enough for.
         const CLOSE: f64 = 1e-3;
+        /// A step that leaves more than this part of what was missed is followed by a search.
+        const HELPS: f64 = 0.5;
         let is_given = matches!(load, Load::Height(_)) && stance.is_fixed();
-        let coarse = Press { resolution: normal::Resolution::COARSE, ..self.press };
-        let sought = if is_given { &self.press } else { &coarse };
         let radius = self.press.running.wheelset().radius();
         let mut is_close = is_given || !start.fine.is_empty();
+        let (mut corrected, mut last) = (None, f64::INFINITY);
         for round in 0..ROUNDS {
             let Start { shares, guess, pitch_rate, fine } = start;
-            let balance = Balance { press: sought, stance, shares: &shares, guess: guess.clone() };
-            let found = balance.wheels(load)?;
-            let wheels = if is_given { found.clone() } else { self.refined(&found, &fine)? };
+            let sought = match corrected.take() {
+                Some(places) => Sought { places, coarse: Vec::new() },
+                None => self.sought(stance, load, &shares, &guess)?,
+            };
+            let wheels =
+                if is_given { sought.coarse.clone() } else { self.refined(&sought, &fine)? };
+            // Far from the load expected, with friction that is known nearly: no rolling yet.
+            if is_close && !is_given && round < FEW && sought.missed(&wheels, &shares) > CLOSE {
+                corrected = step::places(&wheels, stance, load, &shares);
+                if corrected.is_some() {
+                    start = Start { shares, guess, pitch_rate, fine: Known::of(&wheels) };
+                    continue;
+                }
+            }
             let grid = if is_close { resolution } else { Resolution::FAST };
             let rollings = Rolling::all(&wheels, self.friction, self.slip, grid)?;
             let (motion, rolled) = rolled::motion(&rollings, travel, radius, pitch_rate)?;
-            let next = Start::of(&found, &wheels, &rolled, &motion, &guess);
+            let next = Start::of(&sought.coarse, &wheels, &rolled, &motion, (&guess, &shares));
             let carried: f64 = wheels.iter().map(|wheel| wheel.vertical(&next.shares)).sum();
-            let missed = found.iter().zip(&wheels).map(|(found, wheel)| {
-                (wheel.vertical(&next.shares) - found.expected(&shares)).abs()
-            });
-            let missed = missed.sum::<f64>() / carried;
+            let missed = sought.missed(&wheels, &next.shares);
             // Fine pressures that depend on where they began scatter within their error bars.
             let within = if round < FEW { 0.0 } else { error_of_load(&wheels) / carried };
             if is_given || (is_close && missed <= enough(round).max(within)) {
                 return Ok(self.solved(&wheels, &rollings, &rolled, motion));
             }
-            is_close |= missed < CLOSE || round >= FEW;
+            if round < FEW && missed < HELPS * last {
+                corrected = step::places(&wheels, stance, load, &next.shares);
+            }
+            last = missed;
+            is_close |= corrected.is_some() || missed < CLOSE || round >= FEW;
             start = if round < FEW { next } else { next.halfway_from(&shares) };
         }
         Err(WheelsetError::NotSettled)
     }
 
-    /// The same wheels with fine pressures.
+    /// Where wheels carry the load, by coarse pressures unless nothing is to be sought.
+    fn sought(
+        &self,
+        stance: &Stance,
+        load: Load,
+        shares: &Shares,
+        guess: &Guess,
+    ) -> Result<Sought<'a>, WheelsetError> {
+        let coarse = Press { resolution: normal::Resolution::COARSE, ..self.press };
+        let is_given = matches!(load, Load::Height(_)) && stance.is_fixed();
+        let press = if is_given { &self.press } else { &coarse };
+        let balance = Balance { press, stance, shares, guess: guess.clone() };
+        Ok(Sought::new(balance.wheels(load)?, shares))
+    }
+
+    /// Wheels in their places with fine pressures.
     fn refined(
         &self,
-        found: &[PressedWheel<'a>],
+        sought: &Sought<'a>,
         known: &[Known],
     ) -> Result<Vec<PressedWheel<'a>>, WheelsetError> {
-        let coarse = Known::of(found);
+        let coarse = Known::of(&sought.coarse);
         let known = if known.is_empty() { &coarse } else { known };
-        let fine = |wheel: &PressedWheel<'a>| {
-            let PressedWheel { side, position, depth, .. } = *wheel;
+        let fine = |&Place { side, position, depth, .. }: &Place| {
             Ok(PressedWheel { depth, ..self.press.wheel(side, position, known)? })
         };
-        found.iter().map(fine).collect()
+        sought.places.iter().map(fine).collect()
     }
 
     fn solved(
@@ -213,6 +252,28 @@ fn error_of_load(wheels: &[PressedWheel<'_>]) -> f64 {
     contacts.map(|one| one.normal.load().error).sum()
 }
 
+/// Where the wheels should carry their load.
+struct Sought<'a> {
+    places: Vec<Place>,
+    /// What the search found there; nothing after a step.
+    coarse: Vec<PressedWheel<'a>>,
+}
+
+impl<'a> Sought<'a> {
+    fn new(coarse: Vec<PressedWheel<'a>>, shares: &Shares) -> Self {
+        Self { places: coarse.iter().map(|wheel| Place::of(wheel, shares)).collect(), coarse }
+    }
+
+    /// What wheels carry more or less than expected, in parts of what they carry.
+    fn missed(&self, wheels: &[PressedWheel<'_>], shares: &Shares) -> f64 {
+        let pairs = self.places.iter().zip(wheels);
+        let off = |(place, wheel): (&Place, &PressedWheel<'_>)| {
+            (wheel.vertical(shares) - place.expected).abs()
+        };
+        pairs.map(off).sum::<f64>() / wheels.iter().map(|one| one.vertical(shares)).sum::<f64>()
+    }
+}
+
 /// What a solved position tells of those nearby.
 #[derive(Debug, Clone, Default)]
 struct Start {
@@ -224,21 +285,26 @@ struct Start {
 }
 
 impl Start {
+    /// With coarse pressures where they were sought, and what was known before.
     fn of(
-        found: &[PressedWheel<'_>],
+        coarse: &[PressedWheel<'_>],
         wheels: &[PressedWheel<'_>],
         rolled: &[Rolled<'_>],
         motion: &Motion,
-        guess: &Guess,
+        (guess, before): (&Guess, &Shares),
     ) -> Self {
         let mut shares = Shares::default();
+        shares.scaled_as(before);
         for (one, rolled) in wheels.iter().flat_map(|wheel| &wheel.contacts).zip(rolled) {
             let contact = &one.contact;
             shares.push(contact.side, contact.y_rail, rolled.force.lateral / one.load());
         }
         let roll = wheels.first().map(|wheel| wheel.position.roll);
-        let mut guess = Guess { roll, known: Known::of(found), ..guess.clone() };
-        for (coarse, fine) in found.iter().zip(wheels) {
+        let mut guess = Guess { roll, ..guess.clone() };
+        if !coarse.is_empty() {
+            guess.known = Known::of(coarse);
+        }
+        for (coarse, fine) in coarse.iter().zip(wheels) {
             let scale = fine.vertical(&shares) / coarse.vertical(&shares);
             shares.set_scale(fine.side, scale);
         }

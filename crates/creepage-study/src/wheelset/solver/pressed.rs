@@ -219,6 +219,16 @@ impl Shares {
         }
     }
 
+    /// The same for fine solutions.
+    pub(super) fn of_fine(&self) -> Self {
+        Self { scale: [1.0; 2], ..self.clone() }
+    }
+
+    /// Takes the scale of another.
+    pub(super) fn scaled_as(&mut self, other: &Self) {
+        self.scale = other.scale;
+    }
+
     /// Takes the mean with another.
     pub(super) fn halfway_from(&mut self, other: &Self) {
         for (side, y_rail, share) in &mut self.lateral {

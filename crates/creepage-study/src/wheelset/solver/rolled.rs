@@ -50,7 +50,12 @@ impl<'w, 'a> Rolling<'w, 'a> {
             .collect()
     }
 
-    pub(super) fn roll(&self, motion: &Motion) -> Result<Rolled<'_>, WheelsetError> {
+    /// Rolls in a motion; from `before` in one nearby.
+    fn roll<'r>(
+        &'r self,
+        motion: &Motion,
+        before: Option<Rolled<'r>>,
+    ) -> Result<Rolled<'r>, WheelsetError> {
         let contact = &self.pressed.contact;
         let side = contact.side;
         let creepage = contact.creepage(motion).ok_or(WheelsetError::NotForward { side })?;
@@ -58,13 +63,21 @@ impl<'w, 'a> Rolling<'w, 'a> {
         let scaling = self.theory.scaling();
         let given = scaling.creepage(SiCreepage { longitudinal, lateral, spin });
         let given = given.map_err(CaseError::invalid("motion"))?;
-        let solved = match self.slip {
-            RigidSlip::Flat => self.theory.solve(given),
-            RigidSlip::Curved => {
-                let curving = Curving::new(contact, motion, creepage);
-                let unit = scaling.length;
-                let more = |at: [f64; 2]| curving.at(at.map(|at| at * unit));
-                self.theory.solve_curved(given, |at| more(at).map(|slip| slip / scaling.slip))
+        let curving = match self.slip {
+            RigidSlip::Flat => None,
+            RigidSlip::Curved => Some(Curving::new(contact, motion, creepage)),
+        };
+        let more = |at: [f64; 2]| match &curving {
+            None => [0.0; 2],
+            Some(curving) => {
+                curving.at(at.map(|at| at * scaling.length)).map(|slip| slip / scaling.slip)
+            }
+        };
+        let solved = match before {
+            None => self.theory.solve_curved(given, more),
+            Some(Rolled { mut solved, .. }) => {
+                solved.go_on(given, more);
+                solved
             }
         };
         let force = scaling.si_force(solved.solution().force);
@@ -109,22 +122,23 @@ pub(super) fn motion<'r>(
     guess: Option<f64>,
 ) -> Result<(Motion, Vec<Rolled<'r>>), WheelsetError> {
     const STEPS: usize = 60;
-    /// Of the moment of all friction.
-    const ENOUGH: f64 = 1e-8;
+    /// Of the moment of all friction; forces are solved to some 5e-8.
+    const ENOUGH: f64 = 1e-7;
     /// Of the rate of a wheel that rolls on its nominal circle.
     const NARROW: f64 = 1e-13;
     let Travel { speed, pitch_rate, lateral_velocity, yaw_rate } = *travel;
     let with = |pitch_rate| Motion { speed, pitch_rate, lateral_velocity, yaw_rate };
-    let at = |motion: Motion| {
-        let rolled = rollings.iter().map(|rolling| rolling.roll(&motion));
+    let at = |motion: Motion, before: Vec<Rolled<'r>>| {
+        let before = before.into_iter().map(Some).chain(std::iter::repeat_with(|| None));
+        let rolled = rollings.iter().zip(before).map(|(one, before)| one.roll(&motion, before));
         Ok((motion, rolled.collect::<Result<Vec<_>, WheelsetError>>()?))
     };
     let nominal = speed / radius;
     if let Some(rate) = pitch_rate {
-        return at(with(rate));
+        return at(with(rate), Vec::new());
     }
     if rollings.is_empty() {
-        return at(with(nominal));
+        return at(with(nominal), Vec::new());
     }
     let most: f64 = rollings.iter().map(|r| r.theory.scaling().force * radius).sum();
     // A slip unit of creepage is about what it takes for a force unit.
@@ -133,8 +147,9 @@ pub(super) fn motion<'r>(
         .map(|r| 2.0 * r.theory.scaling().force / r.theory.scaling().slip * radius * radius / speed)
         .sum();
     let mut search = Root::new(guess.unwrap_or(nominal), [0.2 * nominal, 5.0 * nominal]);
+    let mut before = Vec::new();
     for _ in 0..STEPS {
-        let (motion, rolled) = at(with(search.at))?;
+        let (motion, rolled) = at(with(search.at), before)?;
         // A wheel that turns faster drags the rail back.
         let moments = rollings.iter().zip(&rolled);
         let moment: f64 = moments.map(|(one, rolled)| -one.axle_moment(rolled.force)).sum();
@@ -142,6 +157,7 @@ pub(super) fn motion<'r>(
             return Ok((motion, rolled));
         }
         search.next_by_chord(moment, slope);
+        before = rolled;
     }
     Err(WheelsetError::PitchNotFound)
 }

@@ -227,7 +227,8 @@ impl Normal {
             pressed.approach - along * x * x - across * y * y - more
         };
         let load = (prescribed == Prescribed::Load).then_some(self.frictionless.load);
-        let question = Question { depth: &depth, load, enough: ENOUGH };
+        // Of the stiffness only the sign is asked.
+        let question = Question { depth: &depth, load, enough: ENOUGH, nearly: 0.1 };
         let found = strips::touching(pressed.strips.clone(), MOST, question)
             .map_err(|stopped| stopped.strips)?;
         if found.stiffness > 0.0 && found.deeper.is_finite() {

@@ -4,9 +4,11 @@
 
 mod kernel;
 mod lanes;
+mod matrix;
 mod newton;
 mod outside;
 mod strip;
+mod system;
 
 use super::band::Band;
 use super::contact::Patch;
@@ -29,6 +31,8 @@ pub(super) struct Wanted {
     pub(super) terms: usize,
     /// Largest residual over the depth.
     pub(super) enough: f64,
+    /// To which part the stiffness is wanted.
+    pub(super) nearly: f64,
     /// Whether the bodies must nowhere overlap beyond the strips.
     pub(super) complete: bool,
 }
@@ -40,7 +44,7 @@ pub(super) struct Wanted {
 /// was laid, they are laid anew too.
 pub(super) fn solve(task: Task<'_>, start: &[Patch], wanted: Wanted) -> Option<Found> {
     const ATTEMPTS: usize = 6;
-    let Wanted { count, terms, enough, .. } = wanted;
+    let Wanted { count, terms, enough, nearly, .. } = wanted;
     let (units, depth) = units(task, start)?;
     let force = units.pressure * units.length * units.length;
     let gap = |x: f64, y: f64| {
@@ -48,7 +52,8 @@ pub(super) fn solve(task: Task<'_>, start: &[Patch], wanted: Wanted) -> Option<F
         let h = task.gap.at(units.origin[0] + place[0], units.origin[1] + place[1]);
         (task.approach - h) / depth
     };
-    let question = Question { depth: &gap, load: wanted.load.map(|load| load / force), enough };
+    let load = wanted.load.map(|load| load / force);
+    let question = Question { depth: &gap, load, enough, nearly };
     let (mut start, mut settled) = (start.to_vec(), 0);
     for _ in 0..ATTEMPTS {
         let laid = laid(&start, count, terms, units)?;

@@ -1,0 +1,246 @@
+//! The equations of strips that touch: displacement less depth at their points, and its derivatives
+//! by the unknowns.
+
+use std::f64::consts::PI;
+
+use nalgebra::{DMatrix, DVector};
+use pulp::{Arch, Simd, WithSimd};
+
+use super::kernel::{MOST, RULES, Rules, View};
+use super::newton::{Depth, Question, Step};
+use super::strip::Strip;
+
+/// Strips in contact, their unknowns and equations.
+pub(super) struct System {
+    pub(super) strips: Vec<Strip>,
+    pub(super) terms: usize,
+    pub(super) points: Vec<f64>,
+    /// What is added to the depth.
+    pub(super) deeper: f64,
+}
+
+/// Zeros of Chebyshev's polynomial: as many as a strip has unknowns.
+pub(super) fn points(terms: usize) -> Vec<f64> {
+    let count = terms + 2;
+    (0..count).map(|i| -((2 * i + 1) as f64 * PI / (2 * count) as f64).cos()).collect()
+}
+
+/// Displacement less depth at the points of all strips, and with `SLOPES` its derivatives by the
+/// unknowns, a row a point.
+struct Evaluate<'a, const T: usize, const SLOPES: bool> {
+    system: &'a System,
+    depth: Depth<'a>,
+    residual: &'a mut [f64],
+    rows: &'a mut [f64],
+}
+
+impl<const T: usize, const SLOPES: bool> WithSimd for Evaluate<'_, T, SLOPES> {
+    type Output = ();
+
+    #[allow(clippy::inline_always)] // so that it is compiled for each kind of processor
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) {
+        let Self { system, depth, residual, rows } = self;
+        let (rules, total) = (&*RULES, residual.len());
+        for (i, strip) in system.strips.iter().enumerate() {
+            for (l, &s) in system.points.iter().enumerate() {
+                let at = i * system.size() + l;
+                let start = if SLOPES { at * total } else { 0 };
+                let row = if SLOPES { &mut rows[start..start + total] } else { &mut [][..] };
+                residual[at] = system.row::<T, SLOPES>(rules, [i, l], depth, row)
+                    - depth(strip.centre + strip.half * s, strip.y)
+                    - system.deeper;
+            }
+        }
+    }
+}
+
+impl System {
+    /// Unknowns of a strip: its pressures, its centre in half lengths, the logarithm of its half
+    /// length.
+    pub(super) fn size(&self) -> usize {
+        self.terms + 2
+    }
+
+    pub(super) fn residual(&self, depth: Depth<'_>) -> DVector<f64> {
+        let mut residual = DVector::zeros(self.strips.len() * self.size());
+        let (system, out) = (self, residual.as_mut_slice());
+        let arch = Arch::new();
+        let rows = &mut [][..];
+        match self.terms {
+            2 => arch.dispatch(Evaluate::<2, false> { system, depth, residual: out, rows }),
+            4 => arch.dispatch(Evaluate::<4, false> { system, depth, residual: out, rows }),
+            _ => arch.dispatch(Evaluate::<MOST, false> { system, depth, residual: out, rows }),
+        }
+        residual
+    }
+
+    /// Derivatives of the residual, a row a point.
+    pub(super) fn jacobian(&self, depth: Depth<'_>) -> Vec<f64> {
+        let total = self.strips.len() * self.size();
+        let mut residual = vec![0.0; total];
+        let mut matrix = vec![0.0; total * total];
+        let (system, residual, rows) = (self, &mut residual[..], &mut matrix[..]);
+        let arch = Arch::new();
+        match self.terms {
+            2 => arch.dispatch(Evaluate::<2, true> { system, depth, residual, rows }),
+            4 => arch.dispatch(Evaluate::<4, true> { system, depth, residual, rows }),
+            _ => arch.dispatch(Evaluate::<MOST, true> { system, depth, residual, rows }),
+        }
+        matrix
+    }
+
+    /// Displacement at point `l` of strip `i`; with `SLOPES` derivatives of the residual are added to
+    /// `row`.
+    #[allow(clippy::inline_always)] // so that it is compiled for each kind of processor
+    #[inline(always)]
+    fn row<const T: usize, const SLOPES: bool>(
+        &self,
+        rules: &Rules,
+        [i, l]: [usize; 2],
+        depth: Depth<'_>,
+        row: &mut [f64],
+    ) -> f64 {
+        let (strip, s) = (&self.strips[i], self.points[l]);
+        let x = strip.centre + strip.half * s;
+        let (mut displacement, mut slope) = (0.0, 0.0);
+        for (j, source) in self.strips.iter().enumerate() {
+            let view = view(strip, source, x, s, i == j);
+            let integrals = view.integrals::<T, SLOPES>(rules, &source.pressure);
+            let scale = source.half / PI;
+            let parts = integrals.value.iter().zip(&source.pressure);
+            let value: f64 = parts.map(|(value, pressure)| value * pressure).sum();
+            displacement += scale * value;
+            if SLOPES {
+                let own = &mut row[j * (T + 2)..(j + 1) * (T + 2)];
+                let by_x = integrals.by_x;
+                for (own, value) in own.iter_mut().zip(&integrals.value) {
+                    *own += scale * value;
+                }
+                let distance = (x - source.centre) / source.half;
+                slope += by_x / PI;
+                own[T] -= scale * by_x;
+                own[T + 1] += scale * (value - distance * by_x - integrals.by_e);
+            }
+        }
+        if SLOPES {
+            const STEP: f64 = 1e-3;
+            let h = STEP * strip.half;
+            slope -= (depth(x + h, strip.y) - depth(x - h, strip.y)) / (2.0 * h);
+            row[i * (T + 2) + T] += slope * strip.half;
+            row[i * (T + 2) + T + 1] += slope * strip.half * s;
+        }
+        displacement
+    }
+
+    /// Largest part by which a step changes a half length, a place, or a pressure over the largest.
+    pub(super) fn change(&self, step: &DVector<f64>) -> f64 {
+        let largest = self.strips.iter().fold(0.0, |most: f64, s| most.max(s.pressure[0].abs()));
+        let units = std::iter::repeat_n(largest, self.terms).chain([1.0; 2]).cycle();
+        step.iter()
+            .zip(units)
+            .fold(0.0, |most: f64, (change, unit)| most.max((change / unit).abs()))
+    }
+
+    /// How far a step may go: no half length changes by more than a third, no centre moves
+    /// further. `None` when the step is not a number.
+    fn longest(&self, step: &DVector<f64>) -> Option<f64> {
+        const MOST: f64 = 0.35;
+        let size = self.size();
+        let largest = (0..self.strips.len())
+            .flat_map(|j| [step[j * size + self.terms], step[j * size + self.terms + 1]])
+            .fold(0.0, |largest: f64, change| largest.max(change.abs()));
+        step.iter().all(|change| change.is_finite()).then(|| (MOST / largest).min(1.0))
+    }
+
+    /// The system after a step, its residual and the size of that, the step halved until it falls.
+    pub(super) fn improved(
+        &self,
+        step: &Step,
+        size: f64,
+        question: Question<'_>,
+    ) -> Option<(Self, DVector<f64>, f64)> {
+        const SHORTEST: f64 = 0.03;
+        let mut length = self.longest(&step.unknowns)?;
+        while length > SHORTEST {
+            let trial = self.moved(step, length);
+            let residual = trial.residual(question.depth);
+            let left = question.size(&trial, &residual);
+            if left < size * (1.0 - 0.1 * length) {
+                return Some((trial, residual, left));
+            }
+            length *= 0.5;
+        }
+        None
+    }
+
+    /// The system after a step that minimizes the square of the residual and, weighted, of the
+    /// change of ends (Levenberg and Marquardt), the weight raised until the square falls: for strips
+    /// whose ends hardly matter yet, such as those at a tip.
+    pub(super) fn damped(
+        &self,
+        residual: &DVector<f64>,
+        depth: Depth<'_>,
+    ) -> Option<(Self, DVector<f64>)> {
+        const WEIGHTS: [f64; 4] = [1e-4, 1e-3, 1e-2, 1e-1];
+        const ENOUGH: f64 = 0.98;
+        let total = residual.len();
+        let jacobian = DMatrix::from_row_slice(total, total, &self.jacobian(depth));
+        let (square, right) = (jacobian.tr_mul(&jacobian), jacobian.tr_mul(residual));
+        WEIGHTS.into_iter().find_map(|weight| {
+            let mut matrix = square.clone();
+            for (i, strip) in self.strips.iter().enumerate() {
+                let end = (i + 1) * self.size();
+                for at in end - 2..end {
+                    matrix[(at, at)] += weight * strip.pressure[0].powi(2);
+                }
+            }
+            let unknowns = matrix.cholesky()?.solve(&right);
+            let length = self.longest(&unknowns)?;
+            let trial = self.moved(&Step { unknowns, deeper: 0.0 }, length);
+            let after = trial.residual(depth);
+            (after.norm() < ENOUGH * residual.norm()).then_some((trial, after))
+        })
+    }
+
+    fn moved(&self, Step { unknowns: step, deeper }: &Step, length: f64) -> Self {
+        let size = self.size();
+        let strips = self.strips.iter().enumerate().map(|(j, strip)| {
+            let mut strip = *strip;
+            for k in 0..self.terms {
+                strip.pressure[k] -= length * step[j * size + k];
+            }
+            strip.centre -= length * step[j * size + self.terms] * strip.half;
+            strip.half *= (-length * step[j * size + self.terms + 1]).exp();
+            strip
+        });
+        let deeper = self.deeper + length * deeper;
+        Self { strips: strips.collect(), terms: self.terms, points: self.points.clone(), deeper }
+    }
+
+    pub(super) fn load(&self) -> f64 {
+        self.strips.iter().map(Strip::load).sum()
+    }
+
+    /// Change of load along a change of all unknowns.
+    pub(super) fn load_change(&self, change: &DVector<f64>) -> f64 {
+        let size = self.size();
+        let strips = self.strips.iter().enumerate();
+        strips
+            .map(|(j, strip)| {
+                let by_half = strip.pressure[0] * change[j * size + self.terms + 1];
+                PI * strip.width * strip.half * (change[j * size] + by_half)
+            })
+            .sum()
+    }
+}
+
+fn view(strip: &Strip, source: &Strip, x: f64, s: f64, own: bool) -> View {
+    let across = strip.y - source.y;
+    View {
+        x: if own { s } else { (x - source.centre) / source.half },
+        low: (across - source.width) / source.half,
+        high: (across + source.width) / source.half,
+        own,
+    }
+}
