@@ -2,7 +2,7 @@
 //! sum of the error bars. `CREEPAGE_RANDOM_ELLIPSES=200` asks for more; the largest difference over that
 //! sum is printed, and the worst time.
 // Tests may fail by unwrapping.
-#![allow(clippy::unwrap_used)]
+#![allow(clippy::unwrap_used, clippy::print_stdout)]
 
 mod common;
 
