@@ -23,7 +23,8 @@ pub trait Frames {
 }
 
 /// Renders pictures as one animated PNG that begins again when it has ended: the same bytes on every
-/// machine. Each picture holds what differs from the one before it alone.
+/// machine. Each picture holds what differs from the one before it alone, in 255 colours of some of
+/// the pictures: blends at the borders of lines may be a little off.
 ///
 /// # Errors
 /// [`PlotError`] for pictures that are no SVG or too large, or differ in size, and if there are none.
@@ -126,8 +127,10 @@ mod tests {
                 (0..3).any(|i| shown[i].abs_diff(real[i]) > 24)
             };
             let real = real.pixels().iter().map(|p| [p.red(), p.green(), p.blue()]);
-            // A tenth of the tones: what an eye takes for the same colour in so small a spot.
-            assert_eq!(shown.iter().zip(real).filter(|pair| far(*pair)).count(), 0, "{number}");
+            // A tenth of the tones: what an eye takes for the same colour in so small a spot. Blends
+            // that are in none of the pictures that colours are taken from may be further off.
+            let apart = shown.iter().zip(real).filter(|pair| far(*pair)).count();
+            assert!(10_000 * apart < shown.len(), "{number}: {apart} of {}", shown.len());
         }
     }
 
