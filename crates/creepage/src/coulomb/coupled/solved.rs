@@ -57,7 +57,10 @@ impl<'a> CoupledSolved<'a> {
         let error = extrapolation.error_bar(forces, levels[1].grid.mesh.len());
         let [coarse, fine] = sums;
         let power = power_of(force, creepage) + extrapolate(coarse.by_pressure, fine.by_pressure);
-        let dissipation = heat::dissipation(power, &fine, power_of(fine.force, mirrored));
+        // Rolling freely, power is a small difference of large parts: the elements' heat is the least.
+        let slipping = extrapolate(coarse.dissipation, fine.dissipation);
+        let dissipation =
+            heat::dissipation(power, &fine, power_of(fine.force, mirrored)).max(slipping);
         if !are_numbers(levels, &[power, dissipation], force, error) {
             return Self::one_way(theory, prepared, creepage, mirror);
         }
