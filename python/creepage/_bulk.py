@@ -9,6 +9,7 @@ from typing import Any, Generic
 import numpy as np
 from numpy.typing import NDArray
 
+from . import _creepage
 from ._results import Number, Outcome, Status, by_name, names
 
 ERRORS = ("fx_error", "fy_error", "mz_error")
@@ -71,8 +72,15 @@ class CaseForce(Generic[Number, Outcome]):
         return {**columns, **words(np.ravel(self.status).astype(np.uint8), self.messages)}
 
 
-def case_force(found: dict[str, Any], damage: list[str]) -> CaseForce[Any, Any]:
-    """Of the columns that the compiled part gives; `damage` are the wear and fatigue numbers."""
+def case_force(
+    data: _creepage.CaseData,
+    theory: str,
+    options: dict[str, Any],
+    table: _creepage.Table | None,
+    quantities: dict[str, Any],
+) -> CaseForce[Any, Any]:
+    """Forces of a case some of whose quantities are arrays."""
+    found = _creepage.case_forces(data, theory, options, table, quantities)
     messages = dict(found.pop("messages"))
     status = found.pop("status")
     fields = ("power", *ERRORS)
@@ -80,8 +88,20 @@ def case_force(found: dict[str, Any], damage: list[str]) -> CaseForce[Any, Any]:
     if status.ndim == 0:
         columns = {name: v if v is None else float(v) for name, v in columns.items()}
         status = Status(int(status))
-    by_law = {name: columns.pop(name) for name in damage}
+    by_law = {name: columns.pop(name) for name in data.damage_columns}
     return CaseForce(**columns, damage=by_law, status=status, messages=messages)
+
+
+def by_dimension(quantities: dict[str, Any]) -> dict[str, Any]:
+    """Arrays of xarray broadcast against each other by the names of their dimensions."""
+    named = [name for name, value in quantities.items() if hasattr(value, "dims")]
+    if len(named) < 2:
+        return quantities
+    import xarray as xr
+
+    together = xr.broadcast(*(quantities[name] for name in named))
+    arrays = (np.asarray(array) for array in together)
+    return {**quantities, **dict(zip(named, arrays, strict=True))}
 
 
 def words(codes: NDArray[np.uint8], messages: Mapping[int, str]) -> dict[str, Any]:

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _creepage
-from ._bulk import CaseForce, case_force
+from ._bulk import CaseForce, by_dimension, case_force
 from ._contact import Body, Hertz, number, sections
 from ._errors import InvalidValue, UnitsWarning, UnlikeBodiesWarning
 from ._results import Codes, Floats, Status
@@ -40,18 +40,6 @@ QUANTITIES = (
     "speed",
 )
 """What may differ from row to row."""
-
-
-def by_dimension(quantities: dict[str, Any]) -> dict[str, Any]:
-    """Arrays of xarray broadcast against each other by the names of their dimensions."""
-    named = [name for name, value in quantities.items() if hasattr(value, "dims")]
-    if len(named) < 2:
-        return quantities
-    import xarray as xr
-
-    together = xr.broadcast(*(quantities[name] for name in named))
-    arrays = (np.asarray(array) for array in together)
-    return {**quantities, **dict(zip(named, arrays, strict=True))}
 
 
 class Case:
@@ -296,9 +284,7 @@ class Case:
         quantities = {name: value for name, value in quantities.items() if value is not None}
         table = theory if isinstance(theory, _creepage.Table) else None
         name, options = self._chosen(None if isinstance(theory, _creepage.Table) else theory, given)
-        aligned = by_dimension(quantities)
-        found = _creepage.case_forces(self._data, name, options, table, aligned)
-        return case_force(found, self._data.damage_columns)
+        return case_force(self._data, name, options, table, by_dimension(quantities))
 
     def solve(self, theory: str | None = None, **options: Any) -> Solution:
         """Solves the case by its own theory, or by the one of that name.
@@ -352,8 +338,7 @@ class Case:
         if not np.isfinite(values).all():
             worst = float(values[~np.isfinite(values)][0])
             raise InvalidValue(f"{vary} = {worst} must be finite", vary, worst, "finite")
-        found = _creepage.case_forces(self._data, name, options, None, {vary: values})
-        return case_force(found, self._data.damage_columns)
+        return case_force(self._data, name, options, None, {vary: values})
 
     def _range(self, component: int) -> Floats:
         """The usual values of a component, dimensionless."""

@@ -12,6 +12,16 @@ import pytest
 mpl.use("Agg")
 
 ROOT = Path(__file__).parents[2]
+STEEL: dict[str, Any] = {"shear_modulus": 82e9, "poisson": 0.28}
+WHEEL = creepage.Body(**STEEL, radius_rolling=0.46)
+RAIL = creepage.Body(**STEEL, radius_rolling="flat", radius_lateral=0.30)
+STEEL_WHEEL: dict[str, Any] = {"upper": WHEEL, "lower": RAIL, "normal_force": 80e3}
+LOAD: dict[str, Any] = {"normal_force": 80e3, "friction": 0.3}
+
+
+def wheel(**more: Any) -> creepage.Case:
+    """The wheel of the examples with another motion, theory or option."""
+    return creepage.Case(upper=WHEEL, lower=RAIL, **LOAD, **more)
 
 
 @pytest.fixture(scope="session")

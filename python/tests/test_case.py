@@ -16,18 +16,8 @@ import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
 import pytest
-from conftest import ROOT
+from conftest import LOAD, RAIL, ROOT, STEEL, WHEEL, wheel
 from creepage import Body, Case
-
-STEEL: dict[str, Any] = {"shear_modulus": 82e9, "poisson": 0.28}
-WHEEL = Body(**STEEL, radius_rolling=0.46)
-RAIL = Body(**STEEL, radius_rolling="flat", radius_lateral=0.30)
-STEEL_WHEEL: dict[str, Any] = {"upper": WHEEL, "lower": RAIL, "normal_force": 80e3}
-LOAD: dict[str, Any] = {"normal_force": 80e3, "friction": 0.3}
-
-
-def wheel(**more: Any) -> Case:
-    return Case(upper=WHEEL, lower=RAIL, **LOAD, **more)
 
 
 def test_the_front_door_and_the_file_are_one_case(wheel_on_rail: Case) -> None:
@@ -60,142 +50,6 @@ def test_every_example_solves(path: Path) -> None:
     assert heat is not None and heat > 0.0
     assert (solution.known is not None) == ("\n[wanted]" in path.read_text())
     assert repr(case).startswith("<creepage.Case N = ")
-
-
-def test_a_wanted_force_is_found() -> None:
-    # The creepage of a force is found again from that force.
-    given = wheel(longitudinal=-1.5e-3, lateral=4e-4, spin=0.1).solve(resolution="fast")
-    wanted = wheel(
-        longitudinal_force=given.force.longitudinal,
-        lateral_force=given.force.lateral,
-        spin=0.1,
-        speed=20.0,
-        resolution="fast",
-    )
-    found = wanted.solve()
-    # Forces to 1e-7 of mu N by the library's tolerance, over slopes of some 1e-4 here.
-    assert found.creepage == pytest.approx(given.creepage, rel=1e-4)
-    assert found.force == pytest.approx(given.force, rel=1e-4)
-    assert found.known == ("chi", "fx", "fy")
-    assert "finds" not in repr(wanted) and "wanted" in repr(wanted)
-    assert found.field(points=3).traction.shape == (3, 3, 2)
-    assert pickle.loads(pickle.dumps(wanted)).solve().force == found.force
-    for ask in (lambda: wanted.creepage, lambda: wanted.dimensionless, wanted.curve):
-        with pytest.raises(creepage.CaseError, match=r"\[wanted\] asks for a creepage"):
-            ask()
-
-
-def test_a_wanted_force_that_cannot_be() -> None:
-    # Sliding that turns about the middle of a circle gives 3 pi / 16 of mu N c, and no more.
-    with pytest.raises(creepage.NotReachable, match="moment = ") as caught:
-        wheel(mz=0.9, xi=0.0, eta=0.0).solve(resolution="fast")
-    assert 0.3 < caught.value.nearest[2] < 0.65
-    with pytest.raises(creepage.CaseError, match="at most 24000"):
-        wheel(longitudinal_force=26e3, lateral=0.0, spin=0.0)
-    with pytest.raises(creepage.CaseError, match="needs the theory exact") as refused:
-        wheel(fx=0.5, eta=0.0, chi=0.0).solve("fastsim")
-    assert refused.value.section == "wanted"
-    with pytest.raises(creepage.CaseError, match="three"):
-        wheel(fx=0.5, eta=0.0)
-
-
-def unlike(**more: Any) -> Case:
-    """An upper body as soft as aluminium: kappa/mu = -0.37."""
-    soft = Body(shear_modulus=27e9, poisson=0.28, radius_rolling=0.46)
-    return Case(upper=soft, lower=RAIL, **LOAD, longitudinal=-1e-3, resolution="fast", **more)
-
-
-def test_the_full_theory_counts_unlike_bodies() -> None:
-    case = unlike()
-    kappa_over_mu = case.contact.kappa / case.friction
-    theory = case.theory()
-    assert f"kappa_over_mu={kappa_over_mu}" in repr(theory)
-    like = creepage.exact(case.contact.a_over_b, case.contact.poisson, resolution="fast")
-    at = case.dimensionless
-    solution = case.solve()
-    assert solution.caution is None
-    assert solution.details["kappa_over_mu"] == pytest.approx(kappa_over_mu, rel=1e-12)
-    assert solution.dimensionless.fx == theory.force(*at).fx
-    # Both ways of the pressure's slip, and none.
-    shape = (case.contact.a_over_b, case.contact.poisson)
-    other = creepage.exact(*shape, resolution="fast", kappa_over_mu=-kappa_over_mu)
-    assert abs(theory.force(*at).fx - like.force(*at).fx) > 0.05
-    assert abs(other.force(*at).fx - theory.force(*at).fx) > 0.1
-    # What the solution is asked for beyond its force is of the same bodies.
-    field = solution.field(points=4)
-    np.testing.assert_array_equal(field.traction, theory.field(*at, points=4).traction)
-    assert (field.traction != like.field(*at, points=4).traction).any()
-    curve = case.curve("longitudinal", [case.creepage.longitudinal])
-    # Creepage goes to SI and back: rounding.
-    assert curve.forces["exact"][:, 0] == pytest.approx(list(solution.force), rel=1e-9, abs=1e-6)
-    assert pickle.loads(pickle.dumps(theory)).force(*at).fx == theory.force(*at).fx
-    auto = case.solve(resolution="auto", accuracy=0.05)
-    assert auto.details["kappa_over_mu"] == solution.details["kappa_over_mu"]
-    for value in (math.nan, math.inf, 1e9):
-        with pytest.raises(creepage.InvalidValue, match="kappa_over_mu"):
-            creepage.exact(1.0, 0.28, kappa_over_mu=value)
-        with pytest.raises(creepage.InvalidValue, match="kappa_over_mu"):
-            creepage.automatic(1.0, 0.28, kappa_over_mu=value)
-
-
-def test_other_theories_warn_between_unlike_bodies() -> None:
-    case = unlike()
-    words = r"fastsim takes the bodies for like ones \(kappa/mu = -0\.370\)"
-    for ask in (
-        lambda: case.theory("fastsim"),
-        lambda: case.curve(theories=["fastsim"]),
-        lambda: case.solve("fastsim"),
-    ):
-        with pytest.warns(creepage.UnlikeBodiesWarning, match=words) as caught:
-            ask()
-        assert [warning.filename for warning in caught] == [__file__]
-    with pytest.warns(creepage.UnlikeBodiesWarning):
-        solution = case.solve("fastsim")
-    assert solution.caution is not None and solution.caution.startswith("fastsim takes")
-    assert solution.to_dict()["caution"] == solution.caution
-    assert "CAUTION" in solution.text()
-    assert wheel(longitudinal=-1e-3).solve("fastsim").caution is None
-
-
-def test_coupled_bodies() -> None:
-    text = (ROOT / "examples" / "steel-on-polymer-coupled.toml").read_text()
-    start, end = text.index("[wanted]"), text.index("[solve]")
-    text = text[:start] + "longitudinal = 1e-3\n" + text[end:]
-    case = Case.from_toml(text)
-    coupled, one_way = case.solve(), case.solve(coupled=False)
-    assert coupled.details["peak_over_hertz"] > 1.05 and "peak_over_hertz" not in one_way.details
-    assert coupled.caution is None and "coupled = true" in str(one_way.caution)
-    curve = case.curve("longitudinal", [0.0, case.creepage.longitudinal])
-    # Creepage goes to SI and back: rounding; about half a newton of 195 N is what coupling moves.
-    assert curve.forces["exact"][:, 1] == pytest.approx(list(coupled.force), rel=1e-6, abs=1e-6)
-    assert abs(coupled.force.longitudinal - one_way.force.longitudinal) > 0.5
-    with pytest.raises(creepage.InvalidValue):
-        case.curve("longitudinal", [0.0, math.nan])
-    unlike_bodies = {"kappa_over_mu": 0.5, "coupled": True}
-    asks: tuple[Callable[[], object], ...] = (
-        case.theory,
-        lambda: creepage.theory("exact", 1.0, 0.3, **unlike_bodies),
-    )
-    for ask in asks:
-        with pytest.raises(creepage.InvalidOption, match="`coupled` needs a case") as caught:
-            ask()
-        assert caught.value.option == "coupled"
-
-
-def test_heat_by_force_and_by_slip() -> None:
-    case = wheel(longitudinal=-1.5e-3, spin=0.1, speed=20.0)
-    solution = case.solve(resolution="fast")
-    report = solution.to_dict()
-    assert solution.speed == report["rolling_velocity_m_per_s"] == 20.0
-    assert solution.power == report["frictional_power_w"]
-    assert solution.power == pytest.approx(20.0 * solution.heat_per_metre, rel=1e-12)
-    by_slip = solution.heat_per_metre_by_slip
-    assert by_slip == report["frictional_power_per_metre_by_slip_j_per_m"]
-    # Documented: within 0.2 % of each other.
-    assert by_slip == pytest.approx(solution.heat_per_metre, rel=2e-3)
-    plain = wheel(longitudinal=-1.5e-3).solve("linear")
-    assert plain.speed is None and plain.power is None
-    assert plain.known is None and plain.heat_per_metre_by_slip is None
 
 
 def test_as_fine_as_an_accuracy_needs() -> None:
@@ -327,37 +181,6 @@ def test_errors_name_section_and_key(
         Case(**{**given, **change})
     assert (caught.value.section, caught.value.key) == (section, key)
     assert str(pickle.loads(pickle.dumps(caught.value))) == str(caught.value)
-
-
-def test_a_law_of_friction_a_layer_and_damage() -> None:
-    law = {"law": "exponential", "kinetic": 0.18, "terms": [{"drop": 0.12, "half_speed": 0.1}]}
-    grease = {"thickness": 20e-6, "shear_modulus": 106e6}
-    contact = {**STEEL_WHEEL, "friction": law, "longitudinal": 2e-3, "speed": 30.0}
-    solution = Case(**contact, layer=grease, damage={}, theory="fastsim").solve()
-    assert solution.friction == pytest.approx(0.30, abs=1e-15)
-    numbers = solution.damage
-    assert numbers is not None
-    assert numbers["t_gamma_with_spin_n"] == pytest.approx(solution.heat_per_metre, rel=1e-12)
-    assert Case(**contact, theory="fastsim").solve().damage is None
-    # Row by row too, the same numbers.
-    worn = Case(**contact, damage={}, theory="fastsim")
-    rows = worn.force(longitudinal=np.array([1e-3, 2e-3]))
-    alone = worn.solve().damage
-    assert alone is not None and rows.damage["t_gamma_n"].shape == (2,)
-    for name, values in rows.damage.items():
-        assert values[1] == pytest.approx(alone[name], rel=1e-12), name
-    table = creepage.batch({"longitudinal": [1e-3, 2e-3]}, case=worn)
-    assert list(table["t_gamma_n"]) == list(rows.damage["t_gamma_n"])
-    assert list(rows.to_dict()["wlrm_damage"]) == list(table["wlrm_damage"])
-    with pytest.raises(ValueError, match="t_gamma_n"):
-        creepage.batch({"longitudinal": [1e-3], "t_gamma_n": [0.0]}, case=worn)
-    # Greased on one side: less force than without, and a moment.
-    across = {"across": [[-5e-3, 0.1], [5e-3, 0.3]]}
-    greased = Case(**STEEL_WHEEL, friction=across, xi=50.0, theory="fastsim").solve()
-    assert greased.dimensionless.fx < 0.9
-    assert greased.dimensionless.mz < 0.0
-    with pytest.raises(creepage.CaseError, match="two to six"):
-        Case(**STEEL_WHEEL, friction={"across": [[0.0, 0.3]]})
 
 
 def test_what_is_no_file_is_refused(tmp_path: Path) -> None:

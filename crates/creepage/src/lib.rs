@@ -95,6 +95,7 @@ mod creepage;
 mod ellipse;
 mod hertz;
 mod layer;
+mod lu;
 mod scaling;
 mod solid;
 

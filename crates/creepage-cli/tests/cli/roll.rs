@@ -276,11 +276,11 @@ fn falling_friction_needs_speed_and_memory() {
     let speed = "[creepage]\nspeed = 30.0\n";
     for (case, word) in [
         (falling(memory, ""), "[creepage] speed is missing"),
-        (falling("", speed), "memory_distance"),
+        (falling("", speed), "needs its memory_distance (m) and memory_speed (m/s)"),
         (falling(memory, "[creepage]\nspeed = 30.0\nlongitudinal = 1e-3\n"), "[creepage]"),
         (
             falling(memory, &format!("{speed}[layer]\nthickness = 1e-5\nshear_modulus = 1e9\n")),
-            "layer",
+            "[layer] does not go with a history",
         ),
     ] {
         let place = Place::new();

@@ -93,6 +93,9 @@ impl RollFile {
             }
             (None, Some(load)) => self.line(load)?,
         };
+        if case.lacks_memory() {
+            return Err(HistoryError::NoMemory);
+        }
         let start = self.starting(case.scaling.force)?;
         if matches!((method, start), (Method::Fastsim(_), Start::Shift(_))) {
             return Err(HistoryError::NotOfFastsim { what: "[start] traction = \"shift\"" });
@@ -228,6 +231,16 @@ impl RollFile {
 }
 
 impl RollCase {
+    /// Whether friction falls with the slip at once, which the full theory does not roll with.
+    fn lacks_memory(&self) -> bool {
+        let friction = match &self.kind {
+            Kind::Ellipse { contact, method: Method::Exact(_) } => contact.rolling_friction(),
+            Kind::Ellipse { .. } => None,
+            Kind::Line { friction, .. } => *friction,
+        };
+        friction.is_some_and(|friction| friction.falls() && friction.memory().is_none())
+    }
+
     /// Takes a contact just pressed together to its starting state; `first` is the motion of steady
     /// rolling if that is it.
     pub(super) fn start(

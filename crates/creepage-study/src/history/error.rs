@@ -20,6 +20,15 @@ pub enum HistoryError {
         /// `creepage` or `wanted`.
         section: &'static str,
     },
+    /// A layer between the bodies.
+    #[error("[layer] does not go with a history: rolling that is not steady has no third body")]
+    Layer,
+    /// Friction that follows the slip at once: tractions would jump from step to step.
+    #[error(
+        "[contact] friction falls with the speed of slip: a history needs its memory_distance (m) and \
+         memory_speed (m/s)"
+    )]
+    NoMemory,
     /// A theory of steady rolling only.
     #[error(
         "[solve] theory = \"{theory}\" is one of steady rolling: a history needs \"exact\" or \"fastsim\""

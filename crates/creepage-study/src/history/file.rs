@@ -128,18 +128,23 @@ impl RollFile {
         if let Some(section) = MOTION.into_iter().find(is_motion) {
             return Err(HistoryError::Section { section });
         }
+        if table.contains_key("layer") {
+            return Err(HistoryError::Layer);
+        }
         keys::check(&table, &roll_json_schema())?;
         Ok(toml::from_str(text).map_err(CaseError::Toml)?)
     }
 
-    /// The contact of a case file of steady rolling: its creepage, or the forces wanted of it, are not
-    /// used, only its rolling velocity.
+    /// The contact of a case file of steady rolling: its creepage, or the forces wanted of it, and what
+    /// it asks of damage are not used, only its rolling velocity.
     ///
     /// # Errors
     /// As [`RollFile::read`].
     pub fn of_case(text: &str) -> Result<Self, HistoryError> {
         let mut table: Table = text.parse().map_err(CaseError::Toml)?;
-        table.remove("wanted");
+        for unused in ["wanted", "damage"] {
+            table.remove(unused);
+        }
         if let Some(Value::Table(creepage)) = table.get_mut("creepage") {
             creepage.retain(|key, _| key == "speed");
         }

@@ -8,7 +8,6 @@
 mod equations;
 mod gmres;
 mod limits;
-mod lu;
 mod newton;
 mod sweeps;
 
@@ -19,7 +18,7 @@ use super::friction::{Sliding, project_within};
 use super::grid::Grid;
 use super::influence::{Precision, Tractions};
 use super::quadrature::{Fields, Sum};
-use lu::Lu;
+use crate::lu::Lu;
 
 /// Largest residual of friction's equation `p = P(p + r s)` in a solution, over the traction bound,
 /// or over the creepage where that is smaller than one: then tractions are as small as the creepage.

@@ -4,7 +4,6 @@
 
 mod kernel;
 mod lanes;
-mod matrix;
 mod newton;
 mod outside;
 mod strip;

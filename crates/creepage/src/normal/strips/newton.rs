@@ -2,9 +2,9 @@
 
 use nalgebra::DVector;
 
-use super::matrix::Lu;
 use super::strip::Strip;
 use super::system::{System, points};
+use crate::lu::Lu;
 
 /// The depth of undeformed penetration, at x and y in the solver's units.
 pub(crate) type Depth<'a> = &'a dyn Fn(f64, f64) -> f64;
@@ -168,14 +168,16 @@ struct Factors {
 impl Factors {
     fn new(system: &System, depth: Depth<'_>) -> Option<Self> {
         let total = system.strips.len() * system.size();
-        let lu = Lu::new(system.jacobian(depth), total)?;
-        let by_depth = lu.solve(&DVector::from_element(total, 1.0));
+        let lu = Lu::of_rows(&system.jacobian(depth), total)?;
+        let mut by_depth = DVector::from_element(total, 1.0);
+        lu.solve(by_depth.as_mut_slice());
         let stiffness = system.load_change(&by_depth);
         Some(Self { lu, by_depth, stiffness, moved: 0.0 })
     }
 
     fn step(&self, system: &System, residual: &DVector<f64>, load: Option<f64>) -> Option<Step> {
-        let unknowns = self.lu.solve(residual);
+        let mut unknowns = residual.clone();
+        self.lu.solve(unknowns.as_mut_slice());
         let Some(load) = load else { return Some(Step { unknowns, deeper: 0.0 }) };
         let lacking = load - system.load() + system.load_change(&unknowns);
         let deeper = lacking / self.stiffness;
