@@ -3,9 +3,10 @@
 
 use std::f64::consts::TAU;
 
-use nalgebra::{DMatrix, Matrix2, Vector2};
+use nalgebra::{DMatrix, Matrix2};
 
 use super::edge::{self, Node, Strength};
+use super::waves::Waves;
 use crate::ellipse::Ellipse;
 
 /// What is made as small as possible on the leading edge, where polynomials of finite degree
@@ -21,7 +22,7 @@ pub(super) enum Criterion {
 }
 
 impl Criterion {
-    /// The matrix by which a strength is multiplied, so that its square is integrated.
+    /// The upper triangle by which a strength is multiplied, so that its square is integrated.
     fn root(self, node: &Node) -> Matrix2<f64> {
         let factor = node.weight.sqrt();
         match self {
@@ -107,6 +108,7 @@ impl Compensated {
 pub(super) struct Edge {
     ellipse: Ellipse,
     nodes: Vec<Node>,
+    waves: Waves,
     moments: Vec<Matrix2<f64>>,
     of_y: Vec<Vec<Matrix2<f64>>>,
 }
@@ -115,15 +117,16 @@ impl Edge {
     /// For `f` and `g` of `degree`, at least 2.
     pub(super) fn new(ellipse: Ellipse, poisson: f64, degree: usize) -> Self {
         let nodes = edge::nodes(ellipse, poisson, degree);
-        let moments = edge::moments(&nodes, degree);
+        let waves = Waves::new(&nodes, 2 * degree);
+        let moments = edge::moments(&nodes, &waves, degree);
         let of_y = edge::strengths_of_y(&moments);
-        Self { ellipse, nodes, moments, of_y }
+        Self { ellipse, nodes, waves, moments, of_y }
     }
 
     pub(super) fn compensate(&self, symmetry: Symmetry, criterion: Criterion) -> Compensated {
         let free = self.free(symmetry);
         let columns = self.sample(symmetry, criterion, &free);
-        let gram = columns.tr_mul(&columns).cholesky();
+        let gram = (columns.transpose() * &columns).cholesky();
         let mut problems = symmetry.rigid(self.ellipse, &self.moments);
         for problem in &mut problems {
             let rest = self.sample(symmetry, criterion, problem).column_sum();
@@ -152,39 +155,26 @@ impl Edge {
         self.of_y.iter().enumerate().map(pick).collect()
     }
 
-    /// Strengths along the leading edge, two rows a node and one column a degree, weighted so
-    /// that the sum of squares is the criterion's integral.
+    /// Strengths along the leading edge, one column a degree: above the first component at all
+    /// nodes, below the second, weighted so that the sum of squares is the criterion's integral.
     fn sample(
         &self,
         symmetry: Symmetry,
         criterion: Criterion,
         strengths: &[Strength],
     ) -> DMatrix<f64> {
-        let mut samples = DMatrix::zeros(2 * self.nodes.len(), strengths.len());
-        for (i, node) in self.nodes.iter().enumerate() {
-            let waves: Vec<_> =
-                (0..strengths.len()).map(|m| (m as f64 * node.angle).sin_cos()).collect();
-            let weight = criterion.root(node);
-            for (n, strength) in strengths.iter().enumerate() {
-                let value = weight * at(strength, symmetry.u_even_in_x(n), &waves);
-                samples.fixed_view_mut::<2, 1>(2 * i, n).copy_from(&value);
+        let count = self.nodes.len();
+        let roots: Vec<_> = self.nodes.iter().map(|node| criterion.root(node)).collect();
+        let mut samples = DMatrix::zeros(2 * count, strengths.len());
+        for (n, (strength, mut column)) in
+            strengths.iter().zip(samples.column_iter_mut()).enumerate()
+        {
+            let (first, second) = column.as_mut_slice().split_at_mut(count);
+            self.waves.add(strength, symmetry.u_even_in_x(n), [first, second]);
+            for ((x, y), root) in first.iter_mut().zip(second).zip(&roots) {
+                (*x, *y) = (root.m11 * *x + root.m12 * *y, root.m22 * *y);
             }
         }
         samples
     }
-}
-
-/// `(X', Y')` at a point of the edge, given `(sin mt, cos mt)` there.
-fn at(strength: &Strength, u_even_in_x: bool, waves: &[(f64, f64)]) -> Vector2<f64> {
-    let degree = strength.len().saturating_sub(1);
-    let (mut even, mut odd) = ([0.0; 2], [0.0; 2]);
-    for (l, k) in strength.iter().enumerate() {
-        let (sin, cos) = waves[(2 * l).abs_diff(degree)];
-        let sin = if 2 * l < degree { -sin } else { sin };
-        for i in [0, 1] {
-            even[i] += k[i] * cos;
-            odd[i] += k[i] * sin;
-        }
-    }
-    if u_even_in_x { Vector2::new(even[0], -odd[1]) } else { Vector2::new(odd[0], even[1]) }
 }

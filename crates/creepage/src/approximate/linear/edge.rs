@@ -24,6 +24,7 @@ use std::num::NonZeroUsize;
 use gauss_quad::GaussLegendre;
 use nalgebra::{DMatrix, DVector, Matrix2};
 
+use super::waves::Waves;
 use crate::ellipse::Ellipse;
 
 /// Coefficients `k_m` of the strength of `(X, Y)` of one degree, `m = -n, -n + 2, ..., n`.
@@ -69,14 +70,13 @@ fn compliance(ellipse: Ellipse, poisson: f64, angle: f64) -> Matrix2<f64> {
 
 /// Fourier coefficients `W_2j` over half the edge, `j` from 0 to `degree`; `W_-2j` is the
 /// transpose.
-pub(super) fn moments(nodes: &[Node], degree: usize) -> Vec<Matrix2<f64>> {
+pub(super) fn moments(nodes: &[Node], waves: &Waves, degree: usize) -> Vec<Matrix2<f64>> {
     let moment = |j: usize| {
-        let part = |node: &Node| {
-            let (sin, cos) = (2.0 * j as f64 * node.angle).sin_cos();
+        let part = |(node, (sin, cos)): (&Node, (f64, f64))| {
             let w = node.compliance * (2.0 * node.weight);
             Matrix2::new(w.m11 * cos, w.m12 * sin, -w.m12 * sin, w.m22 * cos)
         };
-        nodes.iter().map(part).sum()
+        nodes.iter().zip(waves.of(2 * j)).map(part).sum()
     };
     (0..=degree).map(moment).collect()
 }

@@ -24,6 +24,7 @@ mod compensation;
 mod edge;
 mod theory;
 mod traction;
+mod waves;
 
 use compensation::{Compensated, Criterion, Edge, Symmetry};
 

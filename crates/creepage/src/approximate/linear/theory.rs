@@ -3,6 +3,7 @@
 use std::f64::consts::PI;
 
 use super::compensation::{Criterion, Edge, Symmetry};
+use super::edge::Strength;
 use super::traction::Traction;
 use super::{CreepageCoefficients, bounded, checked, sufficient_degree};
 use crate::check::InvalidValue;
@@ -30,11 +31,11 @@ pub struct Linear {
     coefficients: CreepageCoefficients,
     gains: [[f64; 3]; 3],
     /// Of unit `xi`, `eta`, `chi`.
-    tractions: [Traction; 3],
+    strengths: [Vec<Strength>; 3],
 }
 
 impl Linear {
-    /// Prepares the coefficients and the tractions; costs as much as
+    /// Prepares the coefficients; costs as much as
     /// [`CreepageCoefficients::new`].
     ///
     /// # Errors
@@ -46,18 +47,25 @@ impl Linear {
         let lateral = edge.compensate(Symmetry::Lateral, Criterion::Energy);
         let coefficients =
             CreepageCoefficients::from_solutions(&longitudinal, &lateral).reciprocal();
-        let slip = slip_unit(ellipse, poisson);
-        let [along, across] = [&longitudinal, &lateral];
+        let (along, across) = (longitudinal.problems, lateral.problems);
+        let mut strengths = along.into_iter().chain(across);
         Ok(Self {
             contact: *contact,
             coefficients,
             gains: coefficients.gains(ellipse, poisson),
-            tractions: [
-                Traction::new(&along.problems[0], Symmetry::Longitudinal, slip),
-                Traction::new(&across.problems[0], Symmetry::Lateral, slip),
-                Traction::new(&across.problems[1], Symmetry::Lateral, slip),
-            ],
+            strengths: std::array::from_fn(|_| strengths.next().unwrap_or_default()),
         })
+    }
+
+    /// Of unit `xi`, `eta`, `chi`, in units of the scaling.
+    fn tractions(&self) -> [Traction; 3] {
+        let slip = slip_unit(self.contact.ellipse(), self.contact.poisson());
+        let [xi, eta, chi] = &self.strengths;
+        [
+            Traction::new(xi, Symmetry::Longitudinal, slip),
+            Traction::new(eta, Symmetry::Lateral, slip),
+            Traction::new(chi, Symmetry::Lateral, slip),
+        ]
     }
 
     /// The creepage and spin coefficients.
@@ -81,7 +89,7 @@ impl Theory for Linear {
     /// zero on the leading edge; both edges count as outside. There is no slip.
     fn field(&self, creepage: Creepage, positions: &[[f64; 2]]) -> Vec<FieldPoint> {
         let Creepage { xi, eta, chi } = bounded(creepage);
-        let traction = Traction::sum(&self.tractions, [xi, eta, chi]);
+        let traction = Traction::sum(&self.tractions(), [xi, eta, chi]);
         let mut evaluate = traction.evaluator();
         let point = |&position: &[f64; 2]| {
             let [x, y] = [
