@@ -63,6 +63,7 @@ from ._results import (
     SiField,
     Status,
 )
+from ._gap import Gap, GapCase, GapSolution
 from ._rolling import Rolling, RollingStep, roll
 from ._solution import SiCreepage, SiForce, Solution
 from ._statics import StaticsSolution, statics
@@ -104,6 +105,9 @@ __all__ = [
     "Force",
     "ForceArray",
     "Found",
+    "Gap",
+    "GapCase",
+    "GapSolution",
     "Hertz",
     "InvalidOption",
     "InvalidValue",

@@ -27,12 +27,14 @@ __all__ = [
     "Exact",
     "Fastrip",
     "Fastsim",
+    "GapData",
     "Linear",
     "Polach",
     "RollingData",
     "Saturated",
     "ShenHedrickElkins",
     "SolvedCase",
+    "SolvedGapData",
     "SolvedStatics",
     "SolvedWheelset",
     "Strip",
@@ -52,6 +54,7 @@ __all__ = [
     "line_contact",
     "roll",
     "row_forces",
+    "solve_gaps",
 ]
 
 __version__: Final[str]
@@ -504,6 +507,25 @@ class SolvedWheelset:
     def svg(self) -> str: ...
     def write(self, directory: str | PathLike[str]) -> list[str]: ...
 
+@final
+class GapData:
+    """A contact of any shape, read and checked."""
+
+    def __new__(cls, text: str, directory: str | PathLike[str]) -> GapData: ...
+    def solve(self, theory: str | None) -> SolvedGapData: ...
+
+@final
+class SolvedGapData:
+    """A contact of any shape, solved."""
+
+    def json(self) -> str: ...
+    def text(self) -> str: ...
+    def svg(self) -> str: ...
+    def write(self, directory: str | PathLike[str]) -> list[str]: ...
+
+def solve_gaps(
+    cases: Sequence[GapData], theory: str | None
+) -> list[SolvedGapData | Exception]: ...
 @final
 class RollingData:
     """A contact that rolls step by step."""

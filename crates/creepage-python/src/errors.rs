@@ -9,8 +9,8 @@ use creepage::unsteady::SavedError;
 use creepage::variational::VariationalError;
 use creepage::{Creepage, Force, InvalidValue};
 use creepage_study::{
-    CaseError, HistoryError, MotionError, ReportError, SolveError, SpecError, StaticsError,
-    Unreachable, WheelsetError,
+    CaseError, GapCaseError, HistoryError, MotionError, ReportError, SolveError, SpecError,
+    StaticsError, Unreachable, WheelsetError,
 };
 use pyo3::BoundObject;
 use pyo3::exceptions::{PyOSError, PyOverflowError, PyRuntimeError, PyTypeError, PyValueError};
@@ -193,6 +193,23 @@ pub(crate) fn wheelset(py: Python, error: WheelsetError) -> PyErr {
         WheelsetError::Case(error) => case(py, error),
         other => exception(py, "CaseError", (other.to_string(), Some("wheelset"))),
     }
+}
+
+/// A contact of any shape that is none, or wanted forces out of reach.
+pub(crate) fn gap(py: Python, error: GapCaseError) -> PyErr {
+    let message = error.to_string();
+    let section = match error {
+        GapCaseError::Case(error) => return case(py, error),
+        GapCaseError::Unreachable(Unreachable { nearest, at, .. }) => {
+            return not_reachable(py, message, nearest, at);
+        }
+        GapCaseError::Inverse(error) => return inverse(py, error),
+        GapCaseError::Foreign { section, .. } => section,
+        GapCaseError::Normal { .. } => "contact",
+        GapCaseError::Theory { .. } | GapCaseError::Option { .. } => "solve",
+        _ => "gap",
+    };
+    exception(py, "CaseError", (message, Some(section)))
 }
 
 /// A case that does not roll, or a motion that is none.

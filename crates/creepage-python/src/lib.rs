@@ -9,6 +9,7 @@ mod closed_forms;
 mod command;
 mod errors;
 mod exact;
+mod gap;
 mod integrand;
 mod mesh;
 mod number;
@@ -38,6 +39,8 @@ mod _creepage {
     use crate::command::command;
     #[pymodule_export]
     use crate::exact::Exact;
+    #[pymodule_export]
+    use crate::gap::{GapData, SolvedGapData, solve_gaps};
     #[pymodule_export]
     use crate::rolling::{RollingData, roll};
     #[pymodule_export]

@@ -1,7 +1,7 @@
 //! Where in a row the question stands, and how it is read.
 
 use creepage::{Contact, Creepage, Ellipse};
-use creepage_study::{CaseError, Question, Varied};
+use creepage_study::{CaseError, GapVaried, Question, Varied};
 use csv::ByteRecord;
 
 use super::field::{NoCase, parse};
@@ -43,6 +43,11 @@ pub(crate) enum ColumnError {
         Varied::ALL.map(Varied::name).join(", ")
     )]
     NothingVaries { found: String },
+    #[error(
+        "none of the columns differs from the case file: with [gap] there may be {}, but found are {found}",
+        GapVaried::ALL.map(GapVaried::name).join(", ")
+    )]
+    NoGapVaries { found: String },
     #[error("its rows are in UTF-16: save it as UTF-8")]
     Utf16,
     #[error(transparent)]

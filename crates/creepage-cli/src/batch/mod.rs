@@ -3,6 +3,7 @@
 mod case_columns;
 pub(crate) mod columns;
 mod field;
+mod gaps;
 mod progress;
 mod question;
 mod rows;
@@ -15,7 +16,7 @@ use std::io::{self, Write};
 use std::sync::Arc;
 
 use creepage::{Contact, Ellipse, TheorySpec};
-use creepage_study::{CaseFile, Question, Solver, theory_spec};
+use creepage_study::{CaseFile, GapFile, Question, Solver, theory_spec};
 use rayon::prelude::*;
 
 use case_columns::CaseColumns;
@@ -30,11 +31,17 @@ use tally::Tally;
 
 use crate::batch_args::BatchArgs;
 use crate::failure::Failure;
-use crate::input::{read_case, read_table};
+use crate::input::{read_case, read_table, read_text};
 use crate::outcome::Outcome;
 use crate::output::say;
 
 pub(crate) fn run(args: &BatchArgs) -> Result<Outcome, Failure> {
+    if let Some(path) = &args.case {
+        let text = read_text(path)?;
+        if GapFile::is_one(&text) {
+            return gaps::run(args, path, &text);
+        }
+    }
     let case = args.case.as_deref().map(read_case).transpose()?;
     let solver = solver(args, case.as_ref())?;
     let table = Table::open(args.input.as_deref())?;
@@ -90,12 +97,17 @@ fn ask(table: &Table, case: Option<&CaseFile>, solver: &Solver) -> Result<Ask, F
 /// The columns that are to be appended; none of them may be there already.
 fn appended(table: &Table, ask: &Ask, error_bars: bool) -> Result<Vec<&'static str>, Failure> {
     let appended = ask.appended(error_bars);
+    free(table, &appended)?;
+    Ok(appended)
+}
+
+fn free(table: &Table, appended: &[&'static str]) -> Result<(), Failure> {
     let there = |name: &&&str| table.header.iter().any(|own| own.trim_ascii() == name.as_bytes());
     if let Some(taken) = appended.iter().find(there) {
         let source = ColumnError::Taken(taken);
         return Err(Failure::Columns { input: table.name.clone(), source });
     }
-    Ok(appended)
+    Ok(())
 }
 
 /// Answers the table portion by portion, so that memory does not grow with its length.

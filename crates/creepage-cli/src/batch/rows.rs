@@ -1,11 +1,13 @@
 //! The table that goes out: the rows that came in, each with its answer appended.
 
+use std::error::Error;
 use std::io::{self, Write};
 
 use creepage_study::{BulkAnswer, Caution, DamageWanted, Reply};
 use csv::{ByteRecord, Writer, WriterBuilder};
 
 use super::field::NoCase;
+use super::gaps::{GapAnswer, GapRowError};
 use super::question::Asked;
 use super::tally::Tally;
 
@@ -47,22 +49,47 @@ impl<W: Write> Rows<W> {
     /// Writes one row. One of a wrong length is filled up or cut, so that the answer stands in
     /// its columns.
     pub(super) fn write(&mut self, mut row: ByteRecord, answer: Answer) -> io::Result<()> {
+        self.fit(&mut row);
+        match answer {
+            Ok((asked, reply)) => self.push_reply(&mut row, &asked, reply),
+            Err(error) => self.push_error(&mut row, &error),
+        }
+        self.writer.write_byte_record(&row).map_err(into_io)
+    }
+
+    /// The same for a contact of any shape.
+    pub(super) fn write_gap(
+        &mut self,
+        mut row: ByteRecord,
+        answer: Result<GapAnswer, GapRowError>,
+    ) -> io::Result<()> {
+        self.fit(&mut row);
+        match answer {
+            Ok(GapAnswer { numbers, status, message }) => {
+                numbers.iter().for_each(|number| row.push_field(format!("{number:?}").as_bytes()));
+                row.push_field(status.name().as_bytes());
+                row.push_field(message.as_bytes());
+                self.tally.count_status(Some(status));
+            }
+            Err(error) => self.push_error(&mut row, &error),
+        }
+        self.writer.write_byte_record(&row).map_err(into_io)
+    }
+
+    fn fit(&self, row: &mut ByteRecord) {
         row.truncate(self.columns);
         while row.len() < self.columns {
             row.push_field(b"");
         }
-        match answer {
-            Ok((asked, reply)) => self.push_reply(&mut row, &asked, reply),
-            Err(error) => {
-                for _ in 0..self.appended.saturating_sub(2) {
-                    row.push_field(b"");
-                }
-                row.push_field(b"invalid");
-                row.push_field(error.to_string().as_bytes());
-                self.tally.count(Err(&error));
-            }
+    }
+
+    fn push_error(&mut self, row: &mut ByteRecord, error: &dyn Error) {
+        for _ in 0..self.appended.saturating_sub(2) {
+            row.push_field(b"");
         }
-        self.writer.write_byte_record(&row).map_err(into_io)
+        row.push_field(b"invalid");
+        row.push_field(error.to_string().as_bytes());
+        self.tally.count_status(None);
     }
 
     /// The answer's fields; numbers in the shortest form that reads back as the same number.

@@ -23,18 +23,24 @@ pub(super) struct Tally {
 
 impl Tally {
     pub(super) fn count(&mut self, answer: Result<&Reply, &NoCase>) {
-        self.rows += 1;
         let Ok(Reply { solution, cautions, .. }) = answer else {
-            self.invalid += 1;
+            self.count_status(None);
             return;
         };
         let any = |is: fn(&Caution) -> bool| usize::from(cautions.iter().any(is));
         self.dissimilar += any(|caution| matches!(caution, Caution::Dissimilar { .. }));
         self.units += any(Caution::is_of_units);
-        match solution.status {
-            Status::Solved => self.solved += 1,
-            Status::NotConverged => self.not_converged += 1,
-            _ => {}
+        self.count_status(Some(solution.status));
+    }
+
+    /// A row with that status; none where the row is no case.
+    pub(super) fn count_status(&mut self, status: Option<Status>) {
+        self.rows += 1;
+        match status {
+            None => self.invalid += 1,
+            Some(Status::Solved) => self.solved += 1,
+            Some(Status::NotConverged) => self.not_converged += 1,
+            Some(_) => {}
         }
     }
 

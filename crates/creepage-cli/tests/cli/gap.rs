@@ -293,7 +293,7 @@ fn keys_of_other_case_files() {
 fn other_commands_refuse_and_the_schema_knows() {
     let place = Place::new();
     place.write("case.toml", CASE);
-    place.run(&["hertz", "case.toml"]).refused(&["[gap]", "`creepage solve` alone"]);
+    place.run(&["hertz", "case.toml"]).refused(&["[gap]", "this needs an ellipse"]);
     let schema = json(&place.run(&["schema", "--of", "gap"]).done());
     assert!(schema["properties"]["gap"]["properties"]["section"].is_object());
     let theories = schema["properties"]["solve"]["oneOf"].as_array().unwrap();

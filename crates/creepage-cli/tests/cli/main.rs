@@ -13,6 +13,7 @@ mod examples;
 mod faults;
 mod friction_laws;
 mod gap;
+mod gap_batch;
 #[cfg(unix)]
 mod guide;
 mod history;

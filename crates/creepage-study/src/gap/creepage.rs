@@ -14,14 +14,14 @@ use crate::case::creepage::given;
 #[serde(deny_unknown_fields)]
 pub(super) struct SiCreepageSection {
     /// Longitudinal creepage, positive along the rolling direction.
-    longitudinal: Option<f64>,
+    pub(super) longitudinal: Option<f64>,
     /// Lateral creepage, positive to the right of the rolling direction.
-    lateral: Option<f64>,
+    pub(super) lateral: Option<f64>,
     /// Spin (rad/m), positive from the rolling direction to the right.
-    spin: Option<f64>,
+    pub(super) spin: Option<f64>,
     /// Rolling velocity (m/s), for the frictional power in watts; a law of friction by the speed of slip
     /// needs it.
-    speed: Option<f64>,
+    pub(super) speed: Option<f64>,
 }
 
 /// Forces of the upper body on the lower that are wanted. Together with [creepage] exactly three
@@ -30,11 +30,11 @@ pub(super) struct SiCreepageSection {
 #[serde(deny_unknown_fields)]
 pub(super) struct SiWantedSection {
     /// Longitudinal force (N).
-    longitudinal_force: Option<f64>,
+    pub(super) longitudinal_force: Option<f64>,
     /// Lateral force (N).
-    lateral_force: Option<f64>,
+    pub(super) lateral_force: Option<f64>,
     /// Moment about the normal through the origin of coordinates (N m).
-    moment: Option<f64>,
+    pub(super) moment: Option<f64>,
 }
 
 /// What is given of creepage and force, in SI units: three creepages, or three of six.

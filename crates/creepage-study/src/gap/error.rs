@@ -43,26 +43,24 @@ pub enum GapCaseError {
     },
     /// A section without a radius along x.
     #[error(
-        "[gap] section = {file:?} needs a rolling radius: [gap] radius_rolling, or a column \
-         radius_rolling in the file"
+        "[gap] {shape} needs a rolling radius: [gap] radius_rolling, or a column radius_rolling beside y \
+         and gap"
     )]
     NoRadius {
-        /// The file.
-        file: String,
+        /// The key, and the file if there is one.
+        shape: String,
     },
     /// Two radii along x.
-    #[error("[gap] radius_rolling and the column radius_rolling of {file:?} exclude each other")]
+    #[error("[gap] radius_rolling and the column radius_rolling of {shape} exclude each other")]
     TwoRadii {
-        /// The file.
-        file: String,
+        /// The key, and the file if there is one.
+        shape: String,
     },
-    /// A file beside the case that cannot be read.
-    #[error("[gap] {key} = {file:?}: {source}")]
-    File {
-        /// `section` or `grid`.
-        key: &'static str,
-        /// The file.
-        file: String,
+    /// Points that cannot be read.
+    #[error("[gap] {shape}: {source}")]
+    Points {
+        /// The key, and the file if there is one.
+        shape: String,
         /// What is wrong with it.
         source: GapFileError,
     },
@@ -113,7 +111,7 @@ pub enum GapCaseError {
     Inverse(#[from] InverseError),
 }
 
-/// Why a file of points cannot be read.
+/// Why points, of a file or of the case itself, cannot be read.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum GapFileError {
@@ -124,7 +122,7 @@ pub enum GapFileError {
     #[error("{0}")]
     Csv(#[from] csv::Error),
     /// A column is missing.
-    #[error("column {name} is missing from its first line")]
+    #[error("column {name} is missing")]
     NoColumn {
         /// The column.
         name: &'static str,
@@ -142,6 +140,18 @@ pub enum GapFileError {
     ColumnTwice {
         /// The column.
         name: String,
+    },
+    /// Columns of different lengths.
+    #[error("column {name} has {found} numbers, but column {other} has {expected}")]
+    Lengths {
+        /// A column.
+        name: String,
+        /// Its numbers.
+        found: usize,
+        /// Another column.
+        other: String,
+        /// The numbers of that.
+        expected: usize,
     },
     /// A cell that is not a finite number.
     #[error("line {line}: {column} = {cell:?} is not valid: it must be a finite number")]

@@ -14,6 +14,7 @@ use super::creepage::{SiCreepageSection, SiGiven, SiWantedSection};
 use super::error::GapCaseError;
 use super::shape::GapSection;
 use super::theory::GapTheory;
+use super::vary::{GapValue, GapVaried};
 use crate::CaseError;
 use crate::case::body::Body;
 use crate::case::friction::FrictionValue;
@@ -112,7 +113,15 @@ impl GapCase {
         let spec = TheorySpec::named(name).map_err(|unknown| {
             GapCaseError::Case(CaseError::from(solve::SpecError::from(unknown)))
         })?;
-        Ok(Self { theory: GapTheory::new(&spec)?, ..self })
+        self.by_spec(&spec)
+    }
+
+    /// The same case by another theory.
+    ///
+    /// # Errors
+    /// [`GapCaseError`] for a theory or an option that needs an ellipse.
+    pub fn by_spec(self, spec: &TheorySpec) -> Result<Self, GapCaseError> {
+        Ok(Self { theory: GapTheory::new(spec)?, ..self })
     }
 }
 
@@ -196,7 +205,41 @@ impl GapFile {
         })
     }
 
-    fn theory(&self) -> Result<GapTheory, GapCaseError> {
+    /// Whether it has a rolling velocity.
+    pub(super) fn has_speed(&self) -> bool {
+        self.creepage.speed.is_some()
+    }
+
+    /// Puts a row's value into its place; a shape or what presses replaces the other forms of it.
+    pub(super) fn set(&mut self, varied: GapVaried, value: &GapValue) {
+        let Self { gap, contact, creepage, wanted, .. } = self;
+        let number = match value {
+            GapValue::File(name) => return gap.replace(varied, name),
+            GapValue::Number(number) => *number,
+        };
+        match varied {
+            GapVaried::Section | GapVaried::Grid => {}
+            GapVaried::RadiusRolling => gap.radius_rolling = Some(number),
+            GapVaried::NormalForce => {
+                (contact.normal_force, contact.approach) = (Some(number), None);
+            }
+            GapVaried::Approach => (contact.normal_force, contact.approach) = (None, Some(number)),
+            GapVaried::Friction => contact.friction = FrictionValue::Constant(number),
+            GapVaried::Longitudinal => creepage.longitudinal = Some(number),
+            GapVaried::Lateral => creepage.lateral = Some(number),
+            GapVaried::Spin => creepage.spin = Some(number),
+            GapVaried::Speed => creepage.speed = Some(number),
+            GapVaried::LongitudinalForce => wanted.longitudinal_force = Some(number),
+            GapVaried::LateralForce => wanted.lateral_force = Some(number),
+            GapVaried::Moment => wanted.moment = Some(number),
+        }
+    }
+
+    /// The theory of `[solve]`.
+    ///
+    /// # Errors
+    /// [`GapCaseError`] for a theory or an option that needs an ellipse.
+    pub fn theory(&self) -> Result<GapTheory, GapCaseError> {
         GapTheory::new(&solve::from_table(&self.solve).map_err(CaseError::from)?)
     }
 }

@@ -16,6 +16,7 @@ mod shape;
 mod solve;
 mod text;
 mod theory;
+mod vary;
 mod vtk;
 mod write;
 
@@ -30,3 +31,4 @@ pub(crate) use picture::AreasPicture;
 pub(crate) use solve::resolutions;
 pub use solve::{SolvedGap, solve_gap};
 pub use theory::GapTheory;
+pub use vary::{GapRows, GapValue, GapVaried};

@@ -1,5 +1,6 @@
 //! `[gap]`: the undeformed distance of the two bodies.
 
+use std::collections::BTreeMap;
 use std::path::Path;
 
 use creepage::gap::{Gap, GapError, Rolling, Term};
@@ -8,23 +9,57 @@ use serde::Deserialize;
 
 use super::columns::Columns;
 use super::error::{GapCaseError, GapFileError};
+use super::vary::GapVaried;
 
 /// The undeformed distance h(x, y) of the bodies in the plane of contact, in metres: exactly one
 /// of `polynomial`, `section` and `grid`. Pressed together by an approach, undeformed bodies would
 /// penetrate by the approach less h.
-#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(super) struct GapSection {
     /// Terms [i, j, coefficient] of h = sum coefficient x^i y^j, in metres throughout.
     pub(super) polynomial: Option<Vec<(u32, u32, f64)>>,
     /// CSV file beside the case file with the columns y, gap (m); also `radius_rolling` (m) for a
     /// radius that varies, and x (m) for the place along x of the least distance.
-    pub(super) section: Option<String>,
+    pub(super) section: Option<Points>,
     /// CSV file beside the case file with the columns x, y, gap (m): the points of a rectangular
     /// grid, in any order.
-    pub(super) grid: Option<String>,
+    pub(super) grid: Option<Points>,
     /// With `section`: radius R (m) along the rolling direction, h = h(y) + x^2/(2 R).
     pub(super) radius_rolling: Option<f64>,
+}
+
+/// Points of a shape: the name of a CSV file, or its columns, each a list of numbers by its name.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(
+    untagged,
+    expecting = "expected the name of a file, or lists of numbers by the names of its columns"
+)]
+pub(super) enum Points {
+    File(String),
+    Columns(BTreeMap<String, Vec<f64>>),
+}
+
+impl Points {
+    fn read(
+        &self,
+        directory: &Path,
+        needed: &[&'static str],
+        allowed: &[&'static str],
+    ) -> Result<Columns, GapFileError> {
+        match self {
+            Self::File(file) => Columns::read(&directory.join(file), needed, allowed),
+            Self::Columns(columns) => Columns::of(columns, needed, allowed),
+        }
+    }
+
+    /// The key that gave them, with the file.
+    fn shape(&self, key: &str) -> String {
+        match self {
+            Self::File(file) => format!("{key} = {file:?}"),
+            Self::Columns(_) => key.into(),
+        }
+    }
 }
 
 impl GapSection {
@@ -35,10 +70,10 @@ impl GapSection {
                 self.no_radius("polynomial")?;
                 polynomial(terms)
             }
-            (None, Some(file), None) => self.section(directory, file)?,
-            (None, None, Some(file)) => {
+            (None, Some(points), None) => self.section(directory, points)?,
+            (None, None, Some(points)) => {
                 self.no_radius("grid")?;
-                grid(directory, file)?
+                self.grid(directory, points)?
             }
             _ => return Err(GapCaseError::NotOneShape { given: self.given() }),
         };
@@ -48,9 +83,21 @@ impl GapSection {
     /// The key that gives the shape, with its file.
     pub(super) fn shape(&self) -> String {
         match (&self.section, &self.grid) {
-            (Some(file), _) => format!("section = {file:?}"),
-            (_, Some(file)) => format!("grid = {file:?}"),
+            (Some(points), _) => points.shape("section"),
+            (_, Some(points)) => points.shape("grid"),
             _ => "polynomial".into(),
+        }
+    }
+
+    /// Takes the shape from another file.
+    pub(super) fn replace(&mut self, varied: GapVaried, file: &str) {
+        let points = Some(Points::File(file.into()));
+        match varied {
+            GapVaried::Grid => *self = Self { grid: points, ..Self::default() },
+            _ => {
+                let radius_rolling = self.radius_rolling;
+                *self = Self { section: points, radius_rolling, ..Self::default() };
+            }
         }
     }
 
@@ -67,15 +114,20 @@ impl GapSection {
         self.radius_rolling.map_or(Ok(()), |_| Err(GapCaseError::RadiusBeside { shape }))
     }
 
-    fn section(&self, directory: &Path, file: &str) -> Result<Result<Gap, GapError>, GapCaseError> {
-        let columns = Columns::read(&directory.join(file), &["y", "gap"], &["radius_rolling", "x"])
-            .map_err(in_file("section", file))?;
+    fn section(
+        &self,
+        directory: &Path,
+        points: &Points,
+    ) -> Result<Result<Gap, GapError>, GapCaseError> {
+        let columns = points
+            .read(directory, &["y", "gap"], &["radius_rolling", "x"])
+            .map_err(|source| self.unread(source))?;
         let (y, gap) = (columns.column("y"), columns.column("gap"));
         let locus = columns.column("x");
         let same: Vec<f64>;
         let radius = match (self.radius_rolling, columns.find("radius_rolling")) {
-            (None, None) => return Err(GapCaseError::NoRadius { file: file.into() }),
-            (Some(_), Some(_)) => return Err(GapCaseError::TwoRadii { file: file.into() }),
+            (None, None) => return Err(GapCaseError::NoRadius { shape: self.shape() }),
+            (Some(_), Some(_)) => return Err(GapCaseError::TwoRadii { shape: self.shape() }),
             (Some(radius), None) if locus.is_empty() => {
                 return Ok(Gap::section(y, gap, Rolling::Radius(radius)));
             }
@@ -87,21 +139,26 @@ impl GapSection {
         };
         Ok(Gap::section(y, gap, Rolling::Varying { radius, locus }))
     }
+
+    fn grid(
+        &self,
+        directory: &Path,
+        points: &Points,
+    ) -> Result<Result<Gap, GapError>, GapCaseError> {
+        let columns = points
+            .read(directory, &["x", "y", "gap"], &[])
+            .map_err(|source| self.unread(source))?;
+        let [x, y, gap] = ["x", "y", "gap"].map(|name| columns.column(name));
+        let points: Vec<_> = x.iter().zip(y).zip(gap).map(|((&x, &y), &gap)| [x, y, gap]).collect();
+        Ok(Gap::grid(&points))
+    }
+
+    fn unread(&self, source: GapFileError) -> GapCaseError {
+        GapCaseError::Points { shape: self.shape(), source }
+    }
 }
 
 fn polynomial(terms: &[(u32, u32, f64)]) -> Result<Gap, GapError> {
     let term = |&(x, y, coefficient): &(u32, u32, f64)| Term { x, y, coefficient };
     Gap::polynomial(&terms.iter().map(term).collect::<Vec<_>>())
-}
-
-fn grid(directory: &Path, file: &str) -> Result<Result<Gap, GapError>, GapCaseError> {
-    let columns = Columns::read(&directory.join(file), &["x", "y", "gap"], &[])
-        .map_err(in_file("grid", file))?;
-    let [x, y, gap] = ["x", "y", "gap"].map(|name| columns.column(name));
-    let points: Vec<_> = x.iter().zip(y).zip(gap).map(|((&x, &y), &gap)| [x, y, gap]).collect();
-    Ok(Gap::grid(&points))
-}
-
-fn in_file(key: &'static str, file: &str) -> impl Fn(GapFileError) -> GapCaseError {
-    move |source| GapCaseError::File { key, file: file.into(), source }
 }

@@ -5,7 +5,7 @@ use creepage::coulomb::{ElementField, InverseError, NonHertzian, Resolution};
 use creepage::normal::{self, NormalContact};
 use creepage::theory::Constraints;
 use creepage::theory::{ExactOptions, NamedResolution, ResolutionSpec};
-use creepage::{Creepage, Force, Region, Scaling, SiForce, Solution, Solved};
+use creepage::{Creepage, Force, Region, Scaling, SiCreepage, SiForce, Solution, Solved};
 use creepage_plot::signed_area;
 
 use super::caution::GapCaution;
@@ -249,6 +249,12 @@ impl SolvedGap {
         let all: f64 = self.elements.iter().map(area).sum();
         let adhesion = |element: &&ElementField| element.point.region == Region::Adhesion;
         self.elements.iter().filter(adhesion).map(area).sum::<f64>() / all
+    }
+
+    /// Given or found.
+    #[must_use]
+    pub fn creepage(&self) -> SiCreepage {
+        self.scaling.si_creepage(self.creepage)
     }
 
     /// Energy turned to heat per metre rolled (J/m), from force and creepage.

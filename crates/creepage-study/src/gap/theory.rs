@@ -34,7 +34,10 @@ impl GapTheory {
     }
 
     /// The theory of `[solve]`, if it takes any shape, and its options mean something here.
-    pub(super) fn new(spec: &TheorySpec) -> Result<Self, GapCaseError> {
+    ///
+    /// # Errors
+    /// [`GapCaseError`] for a theory or an option that needs an ellipse.
+    pub fn new(spec: &TheorySpec) -> Result<Self, GapCaseError> {
         let name = spec.facts().name;
         let without = |key, why| Err(GapCaseError::Option { name, key, why });
         let usual = fastsim::Settings::default();

@@ -1,0 +1,183 @@
+//! Rows that differ from a case with `[gap]`: many contacts of any shape, on all cores.
+
+use std::io::{self, Write};
+use std::path::Path;
+
+use creepage::{SiForce, Status, TheorySpec};
+use creepage_study::{
+    GapCaseError, GapFile, GapRows, GapTheory, GapValue, GapVaried, SolvedGap, solve_gap,
+    theory_spec,
+};
+use csv::ByteRecord;
+use rayon::prelude::*;
+
+use super::columns::{ColumnError, names, place_of};
+use super::field::{NoCase, parse};
+use super::rows::Rows;
+use super::sink::Sink;
+use super::stream::Stream;
+use super::table::Table;
+use super::tally::Tally;
+use super::{free, progress};
+use crate::batch_args::BatchArgs;
+use crate::failure::Failure;
+use crate::outcome::Outcome;
+use crate::output::say;
+
+/// Why a row has no answer.
+#[derive(Debug, thiserror::Error)]
+pub(super) enum GapRowError {
+    #[error(transparent)]
+    Field(#[from] NoCase),
+    #[error(transparent)]
+    Case(#[from] GapCaseError),
+}
+
+/// What is appended to a row.
+pub(super) struct GapAnswer {
+    pub(super) numbers: Vec<f64>,
+    pub(super) status: Status,
+    pub(super) message: String,
+}
+
+/// The rows' case, the places of what varies, and the theory where another is asked for.
+struct Gaps {
+    rows: GapRows,
+    places: Vec<usize>,
+    count: usize,
+    theory: Option<TheorySpec>,
+    error_bars: bool,
+}
+
+pub(super) fn run(args: &BatchArgs, path: &Path, text: &str) -> Result<Outcome, Failure> {
+    if args.table.is_some() {
+        return Err(Failure::TableOfEllipses { path: path.into() });
+    }
+    let table = Table::open(args.input.as_deref())?;
+    let gaps = Gaps::new(args, path, text, &table)?;
+    let appended = gaps.appended();
+    free(&table, &appended)?;
+    let failed = |source: io::Error| Failure::writing(args.out.as_deref(), source);
+    let mut sink = Sink::open(args.out.as_deref()).map_err(failed)?;
+    sink.write_all(&table.comments).map_err(failed)?;
+    let rows = Rows::start(&mut sink, &table.header, &appended, table.delimiter).map_err(failed)?;
+    let tally = fill(rows, table, &gaps, args)?;
+    sink.finish().map_err(failed)?;
+    say(&tally.to_string());
+    Ok(tally.outcome())
+}
+
+/// Answers the table portion by portion, so that memory does not grow with its length.
+fn fill(
+    mut out: Rows<&mut Sink>,
+    table: Table,
+    gaps: &Gaps,
+    args: &BatchArgs,
+) -> Result<Tally, Failure> {
+    let failed = |source: io::Error| Failure::writing(args.out.as_deref(), source);
+    let bar = progress::of(args);
+    let (mut stream, name) = (Stream::start(table.reader), table.name);
+    loop {
+        let rows = stream.next().map_err(|source| Failure::Rows { input: name.clone(), source })?;
+        if rows.is_empty() {
+            bar.finish_and_clear();
+            return out.finish().map_err(failed);
+        }
+        let answers: Vec<_> = rows.par_iter().map(|row| gaps.answer(row)).collect();
+        for (row, answer) in rows.into_iter().zip(answers) {
+            out.write_gap(row, answer).map_err(failed)?;
+        }
+        out.flush().map_err(failed)?;
+        bar.set_position(stream.position());
+        bar.set_message(format!("{} rows", out.tally().rows()));
+    }
+}
+
+impl Gaps {
+    fn new(args: &BatchArgs, path: &Path, text: &str, table: &Table) -> Result<Self, Failure> {
+        let wrong = |source| Failure::Gap { path: path.into(), source: Box::new(source) };
+        let file = GapFile::read(text).map_err(wrong)?;
+        let theory = args.theory.as_ref().map(|name| {
+            let name = TheorySpec::named(name)?.facts().name;
+            theory_spec(name, &args.options).map_err(Failure::Option)
+        });
+        let theory = theory.transpose()?;
+        let known = match &theory {
+            Some(spec) => GapTheory::new(spec),
+            None => file.theory(),
+        };
+        let error_bars = matches!(known.map_err(wrong)?, GapTheory::Exact(_));
+        let (mut varied, mut places) = (Vec::new(), Vec::new());
+        let input = |source| Failure::Columns { input: table.name.clone(), source };
+        for quantity in GapVaried::ALL {
+            if let Some(place) = place_of(&table.header, quantity.name()).map_err(input)? {
+                varied.push(quantity);
+                places.push(place);
+            }
+        }
+        if varied.is_empty() {
+            return Err(input(ColumnError::NoGapVaries { found: names(&table.header) }));
+        }
+        let directory = path.parent().unwrap_or(Path::new("")).into();
+        let rows = GapRows::new(file, directory, varied);
+        Ok(Self { rows, places, count: table.header.len(), theory, error_bars })
+    }
+
+    /// The columns that are appended.
+    fn appended(&self) -> Vec<&'static str> {
+        const CONTACT: [&str; 7] = [
+            "normal_force_n",
+            "approach_m",
+            "area_m2",
+            "peak_pressure_pa",
+            "longitudinal_creepage",
+            "lateral_creepage",
+            "spin_rad_per_m",
+        ];
+        const FORCE: [&str; 3] = ["longitudinal_n", "lateral_n", "moment_n_m"];
+        const ERROR: [&str; 3] = ["longitudinal_error_n", "lateral_error_n", "moment_error_n_m"];
+        const POWER: [&str; 2] = ["frictional_power_per_metre_j_per_m", "frictional_power_w"];
+        let errors = if self.error_bars { &ERROR[..] } else { &[] };
+        let power = if self.rows.has_speed() { &POWER[..] } else { &POWER[..1] };
+        [&CONTACT[..], &FORCE[..], errors, power, &["status", "message"][..]].concat()
+    }
+
+    fn answer(&self, row: &ByteRecord) -> Result<GapAnswer, GapRowError> {
+        if row.len() != self.count {
+            return Err(NoCase::FieldCount { found: row.len(), expected: self.count }.into());
+        }
+        let value = |(quantity, place): (&GapVaried, &usize)| {
+            let (name, field) = (quantity.name(), &row[*place]);
+            match String::from_utf8_lossy(field.trim_ascii()) {
+                empty if empty.is_empty() => Err(NoCase::EmptyField { column: name }),
+                file if quantity.is_file() => Ok(GapValue::File(file.into_owned())),
+                _ => parse(name, field).map(GapValue::Number),
+            }
+        };
+        let varied = self.rows.varied().iter().zip(&self.places);
+        let values: Vec<_> = varied.map(value).collect::<Result<_, _>>()?;
+        let case = self.rows.case(&values)?;
+        let case = match &self.theory {
+            Some(spec) => case.by_spec(spec)?,
+            None => case,
+        };
+        Ok(self.numbers(&solve_gap(&case)?))
+    }
+
+    fn numbers(&self, solved: &SolvedGap) -> GapAnswer {
+        let (contact, creepage) = (&solved.contact, solved.creepage());
+        let three = |force: SiForce| [force.longitudinal, force.lateral, force.moment];
+        let estimates =
+            [contact.load(), contact.approach(), contact.area(), contact.peak_pressure()];
+        let mut numbers = estimates.map(|estimate| estimate.value).to_vec();
+        numbers.extend([creepage.longitudinal, creepage.lateral, creepage.spin]);
+        numbers.extend(three(solved.force()));
+        if self.error_bars {
+            numbers.extend(solved.force_error().map_or([f64::NAN; 3], three));
+        }
+        numbers.push(solved.power_per_metre());
+        numbers.extend(solved.case.speed.map(|speed| speed * solved.power_per_metre()));
+        let cautions: Vec<_> = solved.cautions.iter().map(ToString::to_string).collect();
+        GapAnswer { numbers, status: solved.solution().status, message: cautions.join("; ") }
+    }
+}

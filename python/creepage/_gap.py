@@ -1,0 +1,232 @@
+"""Contacts of any shape: the undeformed distance of two bodies in, contact areas and forces out."""
+
+from __future__ import annotations
+
+import json
+import os
+import warnings
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from . import _creepage
+from ._contact import Body
+from ._solution import SiForce
+from ._toml import Source, dumps, read
+
+
+class Gap:
+    """The undeformed distance h(x, y) of two bodies in the plane of contact, in metres.
+
+    x is the rolling direction. Pressed together by an approach, undeformed bodies would penetrate
+    by the approach less h.
+    """
+
+    def __init__(self, section: Mapping[str, Any]) -> None:
+        """section: as `[gap]` of a case file. Usually one of the class methods makes it."""
+        self._section = dict(section)
+
+    @classmethod
+    def polynomial(cls, terms: Sequence[tuple[int, int, float]]) -> Gap:
+        """h = sum of coefficient x^i y^j over the terms (i, j, coefficient)."""
+        return cls({"polynomial": [(int(i), int(j), float(c)) for i, j, c in terms]})
+
+    @classmethod
+    def section(
+        cls,
+        y: ArrayLike,
+        gap: ArrayLike,
+        *,
+        radius_rolling: ArrayLike,
+        x: ArrayLike | None = None,
+    ) -> Gap:
+        """h = gap(y) + (x - x(y))^2/(2 R): points across, and the radius along the rolling direction,
+        a number or one a point. x: place of the least distance along x, zero if not given."""
+        radius = np.asarray(radius_rolling, dtype=np.float64)
+        columns = {"y": y, "gap": gap} | ({} if x is None else {"x": x})
+        if radius.ndim == 0:
+            return cls({"section": _columns(columns), "radius_rolling": float(radius)})
+        return cls({"section": _columns({**columns, "radius_rolling": radius})})
+
+    @classmethod
+    def grid(cls, x: ArrayLike, y: ArrayLike, gap: ArrayLike) -> Gap:
+        """gap[i, j] at (x[i], y[j]): a rectangular grid, both axes rising."""
+        values = np.asarray(gap, dtype=np.float64)
+        places = np.meshgrid(np.asarray(x), np.asarray(y), indexing="ij")
+        if values.shape != places[0].shape:
+            raise ValueError(f"gap has the shape {values.shape}, x and y ask for {places[0].shape}")
+        columns = {"x": places[0], "y": places[1], "gap": values}
+        return cls({"grid": _columns({name: array.ravel() for name, array in columns.items()})})
+
+    def to_dict(self) -> dict[str, Any]:
+        """As `[gap]` of a case file has it."""
+        return dict(self._section)
+
+    def __repr__(self) -> str:
+        return f"<creepage.Gap by {next(iter(self._section), 'nothing')}>"
+
+
+def _columns(arrays: Mapping[str, ArrayLike]) -> dict[str, list[float]]:
+    """Lists of numbers, as a case file has them."""
+    columns = {}
+    for name, array in arrays.items():
+        values = np.asarray(array, dtype=np.float64)
+        if values.ndim != 1:
+            raise ValueError(f"{name} must be a list of numbers, not of shape {values.shape}")
+        columns[name] = values.tolist()
+    return columns
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class GapSolution:
+    """A contact of any shape, solved; all in SI units."""
+
+    status: str
+    """ "solved", or why not."""
+    caution: str | None
+    """What is to be held against the solution, in words."""
+    force: SiForce
+    """On the lower body, the moment about the origin of coordinates."""
+    force_error: SiForce | None
+    """Error bars of the force; None by a theory without."""
+    contact: dict[str, Any]
+    """Load, approach, area, peak pressure with error bars, and `patches`, as in report.json."""
+    _solved: _creepage.SolvedGapData
+
+    def to_dict(self) -> dict[str, Any]:
+        """What `report.json` holds; the names carry their units."""
+        report: dict[str, Any] = json.loads(self._solved.json())
+        return report
+
+    def text(self) -> str:
+        """A short report for a terminal."""
+        return self._solved.text()
+
+    __str__ = text
+
+    def svg(self) -> str:
+        """The contact areas with pressure, adhesion and slip, and traction."""
+        return self._solved.svg()
+
+    _repr_svg_ = svg
+
+    def save(self, directory: str | os.PathLike[str]) -> list[Path]:
+        """Writes report.json, points.csv, contact.svg, .png and .vtk. Raises OSError."""
+        return [Path(path) for path in self._solved.write(Path(directory))]
+
+
+class GapCase:
+    """One rolling contact of bodies of any shape, in SI units.
+
+    Creepages, spin and moment are those at the origin of the gap's coordinates. Raises CaseError,
+    which names section and key.
+    """
+
+    def __init__(
+        self,
+        *,
+        gap: Gap,
+        upper: Body,
+        lower: Body,
+        friction: float | Mapping[str, Any],
+        normal_force: float | None = None,
+        approach: float | None = None,
+        longitudinal: float | None = None,
+        lateral: float | None = None,
+        spin: float | None = None,
+        speed: float | None = None,
+        longitudinal_force: float | None = None,
+        lateral_force: float | None = None,
+        moment: float | None = None,
+        layer: Mapping[str, float] | None = None,
+        damage: Mapping[str, Any] | None = None,
+        theory: str = "exact",
+        **options: Any,
+    ) -> None:
+        """upper, lower: materials, without radii. Exactly one of normal_force (N) and approach (m).
+        What differs from Case is the shape alone; theory is one of exact, fastsim, fastrip,
+        linear, saturated.
+        """
+        bodies = (("upper", upper), ("lower", lower))
+        file: dict[str, Mapping[str, Any]] = {name: body.section(False) for name, body in bodies}
+        file["gap"] = gap.to_dict()
+        file["contact"] = {
+            "normal_force": normal_force,
+            "approach": approach,
+            "friction": friction,
+        }
+        file["creepage"] = {
+            "longitudinal": longitudinal,
+            "lateral": lateral,
+            "spin": spin,
+            "speed": speed,
+        }
+        file["wanted"] = {
+            "longitudinal_force": longitudinal_force,
+            "lateral_force": lateral_force,
+            "moment": moment,
+        }
+        more = (("layer", layer), ("damage", damage))
+        file |= {name: section for name, section in more if section is not None}
+        file["solve"] = {"theory": theory, **options}
+        self._read(dumps(file), ".")
+
+    def _read(self, text: str, directory: str | os.PathLike[str]) -> None:
+        self._text, self._directory = text, Path(directory)
+        self._data = _creepage.GapData(text, self._directory)
+
+    @classmethod
+    def from_toml(cls, source: Source, directory: str | os.PathLike[str] | None = None) -> GapCase:
+        """From a case file with `[gap]`: a path, or its text (a string with line breaks). Files of
+        points are looked for in directory, by default the file's own.
+        """
+        text = read(source)
+        if directory is None:
+            directory = "." if text is source else Path(source).parent
+        case = cls.__new__(cls)
+        case._read(text, directory)
+        return case
+
+    def to_toml(self) -> str:
+        """The text of its file."""
+        return self._text
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self).from_toml, (self._text, self._directory)
+
+    def solve(self, theory: str | None = None) -> GapSolution:
+        """Presses the bodies together and rolls them, by the case's own theory or by the one of that
+        name. Raises CaseError where there is no contact, NotReachable where no creepage gives the
+        wanted forces. A caution is warned of."""
+        return _solution(self._data.solve(theory), stacklevel=3)
+
+    @staticmethod
+    def solve_all(
+        cases: Sequence[GapCase], theory: str | None = None
+    ) -> list[GapSolution | Exception]:
+        """Many cases on all cores, in their order. What cannot be solved stands as the exception that
+        `solve` raises."""
+        answers = _creepage.solve_gaps([case._data for case in cases], theory)
+        return [
+            _solution(answer, stacklevel=4)
+            if isinstance(answer, _creepage.SolvedGapData)
+            else answer
+            for answer in answers
+        ]
+
+
+def _solution(solved: _creepage.SolvedGapData, stacklevel: int) -> GapSolution:
+    report = json.loads(solved.json())
+    if report["caution"] is not None:
+        warnings.warn(report["caution"], UserWarning, stacklevel=stacklevel)
+    lower = report["lower_body"]
+    names = ("longitudinal", "lateral", "moment")
+    units = ("n", "n", "n_m")
+    force = SiForce(*(lower[f"{name}_{unit}"] for name, unit in zip(names, units, strict=True)))
+    errors = [lower[f"{name}_error_{unit}"] for name, unit in zip(names, units, strict=True)]
+    error = None if None in errors else SiForce(*errors)
+    return GapSolution(report["status"], report["caution"], force, error, report["contact"], solved)
