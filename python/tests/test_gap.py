@@ -26,7 +26,7 @@ def case(gap: Gap = BALL, **more: Any) -> GapCase:
 
 
 def test_an_ellipse_is_the_case_of_hertz() -> None:
-    motion = {"longitudinal": 1e-3, "lateral": 4e-4, "spin": 0.1}
+    motion: dict[str, Any] = {"longitudinal": 1e-3, "lateral": 4e-4, "spin": 0.1}
     found = case(**motion).solve()
     hertz = wheel(**motion).solve(resolution="standard")
     assert found.status == "solved" and found.force_error is not None

@@ -281,6 +281,40 @@ int32_t creepage_case_solve(const char *path,
                             size_t message_size);
 
 /*
+ Presses two bodies of any shape together and rolls them: contact areas and forces.
+
+ path: the case file with a section gap, in TOML, files of points beside it; or the text of one, if
+   it has a line break.
+ points: 3 numbers a point, x, y and the undeformed distance there (m), of a rectangular grid in any
+   order, in place of the file's gap; NULL for the file's own.
+ point_count: their number.
+ creepage: 3 numbers, longitudinal and lateral creepage and spin (rad/m) at the origin of coordinates, in
+   place of what the file gives or wants; NULL for the file's own.
+ force: room for 3 numbers, those of the upper body on the lower: longitudinal force (N), lateral force
+   (N), moment about the origin (N m).
+ error: room for 3 numbers, the error bars of the force, NaN by a theory without; or NULL.
+ contact: room for 8 numbers, normal force (N), approach (m), area (m^2), largest pressure (Pa), then
+   their error bars; or NULL.
+ status: room for one number, CREEPAGE_SOLVED and so on; or NULL.
+
+ CREEPAGE_NOT_REACHABLE where no creepage gives the wanted forces; CREEPAGE_INVALID where the bodies
+ have no contact area.
+
+ You promise:
+ path ends with a zero byte; arrays and message point to as much room as said.
+ */
+int32_t creepage_gap_force(const char *path,
+                           const double *points,
+                           size_t point_count,
+                           const double *creepage,
+                           double *force,
+                           double *error,
+                           double *contact,
+                           int32_t *status,
+                           char *message,
+                           size_t message_size);
+
+/*
  The contact ellipse of two bodies and its pressure, by Hertz.
 
  upper, lower: 4 numbers each: shear modulus (Pa), Poisson's ratio (1), radii of curvature along and

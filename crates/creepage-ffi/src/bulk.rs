@@ -1,7 +1,6 @@
 //! A case in SI units, asked many times.
 
 use std::ffi::c_char;
-use std::fs;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -9,7 +8,7 @@ use creepage::TheorySpec;
 use creepage_study::{BulkAnswer, BulkCase, CaseFile, SolvedCase, Solver, Varied, solve};
 
 use crate::failure::{Failure, guard, guard_words};
-use crate::input::{array, array_mut, handle, optional, optional_text, place, release, text};
+use crate::input::{array, array_mut, file, handle, optional, optional_text, place, release, text};
 use crate::status::{CREEPAGE_NO_CASE, status};
 use crate::table::CreepageTable;
 
@@ -199,21 +198,16 @@ impl CreepageCase {
     fn read(path: &str, theory: Option<&str>) -> Result<Self, Failure> {
         let is_text = path.contains('\n');
         let named = Path::new(if is_text { "the text" } else { path });
-        let text = if is_text {
-            path.to_owned()
-        } else {
-            let failed = |source| Failure::Read { path: named.into(), source };
-            fs::read_to_string(named).map_err(failed)?
-        };
+        let (text, _) = file(path)?;
         let wrong = |source| Failure::CaseFile { path: named.into(), source };
-        let file = CaseFile::read(&text).map_err(wrong)?;
-        let own = file.theory().map_err(wrong)?;
+        let case = CaseFile::read(&text).map_err(wrong)?;
+        let own = case.theory().map_err(wrong)?;
         let theory = match theory {
             Some(name) if name != own.facts().name => TheorySpec::named(name)?,
             _ => own,
         };
         let solver = Solver::new(theory.clone());
-        Ok(Self { file, theory, solver })
+        Ok(Self { file: case, theory, solver })
     }
 
     /// The one case of the file, by the theory that was chosen.

@@ -10,7 +10,7 @@ use creepage::theory::{TheoryError, UnknownTheory};
 use creepage::unsteady::SavedError;
 use creepage::{HertzError, InvalidValue};
 use creepage_study::{
-    CaseError, HistoryError, RowError, SolveError, SpecError, Varied, WheelsetError,
+    CaseError, GapCaseError, HistoryError, RowError, SolveError, SpecError, Varied, WheelsetError,
 };
 
 /// Done.
@@ -79,6 +79,8 @@ pub(crate) enum Failure {
     #[error(transparent)]
     Wheelset(Box<WheelsetError>),
     #[error(transparent)]
+    Gap(Box<GapCaseError>),
+    #[error(transparent)]
     History(Box<HistoryError>),
     #[error(transparent)]
     Saved(#[from] SavedError),
@@ -110,6 +112,9 @@ impl Failure {
             | Self::Solve { source: SolveError::FindsNothing { .. }, .. } => CREEPAGE_UNSUPPORTED,
             Self::Solve { source: SolveError::Unreachable(_), .. } => CREEPAGE_NOT_REACHABLE,
             Self::History(source) if source.is_beyond_friction() => CREEPAGE_NOT_REACHABLE,
+            Self::Gap(source) if matches!(**source, GapCaseError::Unreachable(_)) => {
+                CREEPAGE_NOT_REACHABLE
+            }
             Self::Room { .. } => CREEPAGE_ROOM,
             Self::History(_)
             | Self::Saved(_)
@@ -119,6 +124,7 @@ impl Failure {
             | Self::Bulk(_)
             | Self::Build { .. }
             | Self::Wheelset(_)
+            | Self::Gap(_)
             | Self::Theory(_)
             | Self::Solve { .. } => CREEPAGE_INVALID,
         }
@@ -128,6 +134,12 @@ impl Failure {
 impl From<HistoryError> for Failure {
     fn from(error: HistoryError) -> Self {
         Self::History(Box::new(error))
+    }
+}
+
+impl From<GapCaseError> for Failure {
+    fn from(error: GapCaseError) -> Self {
+        Self::Gap(Box::new(error))
     }
 }
 

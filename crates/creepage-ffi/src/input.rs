@@ -1,7 +1,8 @@
 //! From C's pointers to Rust's references.
 
 use std::ffi::{CStr, c_char};
-use std::{ptr, slice};
+use std::path::Path;
+use std::{fs, ptr, slice};
 
 use creepage::Creepage;
 
@@ -30,6 +31,17 @@ pub(crate) unsafe fn optional_text<'a>(
     // SAFETY: not NULL, and the caller promises the rest.
     let text = unsafe { CStr::from_ptr(text) };
     text.to_str().map(Some).map_err(|_| Failure::Text(name))
+}
+
+/// The text of a file and its directory; a path with a line break is the text itself.
+pub(crate) fn file(path: &str) -> Result<(String, &Path), Failure> {
+    if path.contains('\n') {
+        return Ok((path.to_owned(), Path::new("")));
+    }
+    let place = Path::new(path);
+    let read = |source| Failure::Read { path: place.into(), source };
+    let text = fs::read_to_string(place).map_err(read)?;
+    Ok((text, place.parent().unwrap_or(Path::new(""))))
 }
 
 /// What a handle holds.

@@ -7,6 +7,7 @@
 mod bulk;
 mod case;
 mod failure;
+mod gap;
 mod hertz;
 mod input;
 mod rolling;
@@ -23,6 +24,7 @@ pub use failure::{
     CREEPAGE_COUNT, CREEPAGE_DEFECT, CREEPAGE_FILE, CREEPAGE_INVALID, CREEPAGE_NOT_REACHABLE,
     CREEPAGE_NULL, CREEPAGE_OK, CREEPAGE_ROOM, CREEPAGE_TEXT, CREEPAGE_UNSUPPORTED,
 };
+pub use gap::creepage_gap_force;
 pub use hertz::{
     CREEPAGE_ADHESION, CREEPAGE_OUTSIDE, CREEPAGE_SLIP, creepage_case_field, creepage_hertz,
 };

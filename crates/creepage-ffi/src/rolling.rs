@@ -1,7 +1,6 @@
 //! A contact that rolls unsteadily, step by step, and whose steps can be taken back.
 
 use std::ffi::c_char;
-use std::fs;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use creepage::Status;
@@ -9,7 +8,7 @@ use creepage::unsteady::Rolled;
 use creepage_study::{RollFile, RollStepper};
 
 use crate::failure::{Failure, guard};
-use crate::input::{array, array_mut, handle, optional, place, release, text};
+use crate::input::{array, array_mut, file, handle, optional, place, release, text};
 use crate::status::{CREEPAGE_DOUBTFUL, CREEPAGE_NOT_CONVERGED, CREEPAGE_SOLVED};
 
 /// A contact and what it remembers.
@@ -188,12 +187,7 @@ pub unsafe extern "C" fn creepage_rolling_restore(
 
 impl CreepageRolling {
     fn read(path: &str) -> Result<Self, Failure> {
-        let text = if path.contains('\n') {
-            path.to_owned()
-        } else {
-            fs::read_to_string(path)
-                .map_err(|source| Failure::Read { path: path.into(), source })?
-        };
+        let (text, _) = file(path)?;
         let stepper = RollFile::read(&text).and_then(|file| RollStepper::new(file.case()?))?;
         Ok(Self { stepper: Mutex::new(stepper) })
     }

@@ -1,8 +1,6 @@
 //! A wheelset on its rails, prepared once and asked position by position.
 
 use std::ffi::c_char;
-use std::fs;
-use std::path::Path;
 use std::sync::{Mutex, PoisonError};
 
 use creepage::Status;
@@ -11,7 +9,7 @@ use creepage_study::{
 };
 
 use crate::failure::{Failure, guard};
-use crate::input::{array, array_mut, handle, optional, place, release, text};
+use crate::input::{array, array_mut, file, handle, optional, place, release, text};
 use crate::status::{CREEPAGE_DOUBTFUL, CREEPAGE_NOT_CONVERGED, CREEPAGE_SOLVED};
 
 /// A wheelset file, read and checked, and the position solved last.
@@ -123,16 +121,9 @@ pub unsafe extern "C" fn creepage_wheelset_force(
 impl CreepageWheelset {
     fn read(path: &str) -> Result<Self, Failure> {
         let wrong = |source: WheelsetError| Failure::Wheelset(Box::new(source));
-        let (text, directory) = if path.contains('\n') {
-            (path.to_owned(), Path::new(""))
-        } else {
-            let place = Path::new(path);
-            let text = fs::read_to_string(place)
-                .map_err(|source| Failure::Read { path: place.into(), source })?;
-            (text, place.parent().unwrap_or(Path::new("")))
-        };
-        let file = WheelsetFile::read(&text).map_err(|error| wrong(error.into()))?;
-        let case = file.case(directory).map_err(wrong)?;
+        let (text, directory) = file(path)?;
+        let wheelset = WheelsetFile::read(&text).map_err(|error| wrong(error.into()))?;
+        let case = wheelset.case(directory).map_err(wrong)?;
         case.solver().map_err(wrong)?;
         Ok(Self { case, last: Mutex::default() })
     }

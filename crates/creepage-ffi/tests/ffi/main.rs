@@ -14,6 +14,7 @@ mod bulk;
 mod caller;
 mod case;
 mod fuzz;
+mod gap;
 mod header;
 mod interface;
 #[cfg(unix)]

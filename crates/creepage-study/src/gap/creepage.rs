@@ -98,6 +98,14 @@ fn check(names: [&'static str; 3], values: [Option<f64>; 3]) -> Result<(), Inval
 }
 
 impl SiGiven {
+    /// A creepage, and no force.
+    pub(super) fn at(creepage: SiCreepage) -> Result<Self, CaseError> {
+        let SiCreepage { longitudinal, lateral, spin } = creepage;
+        let creepage = [longitudinal, lateral, spin].map(Some);
+        check(CREEPAGES, creepage).map_err(CaseError::invalid("creepage"))?;
+        Ok(Self { creepage, force: [None; 3] })
+    }
+
     /// Whether the creepages are given, rather than to be found.
     pub(super) fn is_creepage(&self) -> bool {
         self.force == [None; 3]

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use creepage::friction_law::RollingFriction;
 use creepage::gap::Gap;
-use creepage::{InvalidValue, Layer, SolidPair, TheorySpec};
+use creepage::{InvalidValue, Layer, SiCreepage, SolidPair, TheorySpec};
 use schemars::JsonSchema;
 use serde::Deserialize;
 use serde_json::Value;
@@ -114,6 +114,25 @@ impl GapCase {
             GapCaseError::Case(CaseError::from(solve::SpecError::from(unknown)))
         })?;
         self.by_spec(&spec)
+    }
+
+    /// The same case with the undeformed distance at the points `[x, y, gap]` (m) of a rectangular grid,
+    /// in any order.
+    ///
+    /// # Errors
+    /// [`GapCaseError::Gap`] for points that are no grid.
+    pub fn with_grid(self, points: &[[f64; 3]]) -> Result<Self, GapCaseError> {
+        let shape = "grid".to_owned();
+        let wrong = |source| GapCaseError::Gap { shape: shape.clone(), source };
+        Ok(Self { gap: Gap::grid(points).map_err(wrong)?, shape, ..self })
+    }
+
+    /// The same case at this creepage, with no forces wanted.
+    ///
+    /// # Errors
+    /// [`GapCaseError`] for numbers that are not finite.
+    pub fn at(self, creepage: SiCreepage) -> Result<Self, GapCaseError> {
+        Ok(Self { given: SiGiven::at(creepage)?, ..self })
     }
 
     /// The same case by another theory.
