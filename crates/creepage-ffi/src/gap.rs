@@ -6,7 +6,7 @@ use creepage::{SiCreepage, SiForce, Status};
 use creepage_study::{GapCase, GapFile, SolvedGap, solve_gap};
 
 use crate::failure::{Failure, guard};
-use crate::input::{array, array_mut, file, optional, text};
+use crate::input::{array_mut, file, optional, optional_array, text};
 use crate::status::{CREEPAGE_DOUBTFUL, CREEPAGE_NOT_CONVERGED, CREEPAGE_SOLVED};
 
 /// Presses two bodies of any shape together and rolls them: contact areas and forces.
@@ -47,16 +47,10 @@ pub unsafe extern "C" fn creepage_gap_force(
     let work = || {
         // SAFETY: the caller's promise of the function's documentation, here and below.
         let path = unsafe { text("path", path) }?;
-        let points = match points.is_null() {
-            true => None,
-            // SAFETY: as before.
-            false => Some(unsafe { array("points", points, point_count, 3) }?),
-        };
-        let creepage = match creepage.is_null() {
-            true => None,
-            // SAFETY: as before.
-            false => Some(unsafe { array("creepage", creepage, 1, 3) }?),
-        };
+        // SAFETY: as before.
+        let points = unsafe { optional_array("points", points, point_count, 3) }?;
+        // SAFETY: as before.
+        let creepage = unsafe { optional_array("creepage", creepage, 1, 3) }?;
         // SAFETY: as before.
         let force: &mut [[f64; 3]] = unsafe { array_mut("force", force, 1) }?;
         // SAFETY: as before.

@@ -97,6 +97,23 @@ pub(crate) unsafe fn array<'a>(
     Ok(unsafe { slice::from_raw_parts(array, length) })
 }
 
+/// An array to read from that may be NULL.
+///
+/// # Safety
+/// As of [`array`].
+pub(crate) unsafe fn optional_array<'a>(
+    name: &'static str,
+    numbers: *const f64,
+    count: usize,
+    width: usize,
+) -> Result<Option<&'a [f64]>, Failure> {
+    if numbers.is_null() {
+        return Ok(None);
+    }
+    // SAFETY: the caller's promise is ours.
+    unsafe { array(name, numbers, count, width) }.map(Some)
+}
+
 /// An array to write to, of `W` elements a case.
 ///
 /// # Safety

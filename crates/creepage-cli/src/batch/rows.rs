@@ -66,7 +66,9 @@ impl<W: Write> Rows<W> {
         self.fit(&mut row);
         match answer {
             Ok(GapAnswer { numbers, status, message }) => {
-                numbers.iter().for_each(|number| row.push_field(format!("{number:?}").as_bytes()));
+                for number in numbers {
+                    row.push_field(format!("{number:?}").as_bytes());
+                }
                 row.push_field(status.name().as_bytes());
                 row.push_field(message.as_bytes());
                 self.tally.count_status(Some(status));

@@ -89,16 +89,14 @@ impl GapSection {
         }
     }
 
-    /// Takes the shape from another file.
+    /// Takes the shape from another file, which needs the radius along rolling if it is a section.
     pub(super) fn replace(&mut self, varied: GapVaried, file: &str) {
         let points = Some(Points::File(file.into()));
-        match varied {
-            GapVaried::Grid => *self = Self { grid: points, ..Self::default() },
-            _ => {
-                let radius_rolling = self.radius_rolling;
-                *self = Self { section: points, radius_rolling, ..Self::default() };
-            }
-        }
+        *self = if varied == GapVaried::Grid {
+            Self { grid: points, ..Self::default() }
+        } else {
+            Self { section: points, radius_rolling: self.radius_rolling, ..Self::default() }
+        };
     }
 
     fn given(&self) -> Vec<&'static str> {
