@@ -84,7 +84,7 @@ pub enum GapCaseError {
     },
     /// A theory that needs an ellipse.
     #[error(
-        "theory = {name:?} needs an ellipse in place of [gap], for {why}: {} take any shape",
+        "theory = {name:?} needs an ellipse, for {why}: {} take areas of any shape",
         GapTheory::NAMES.join(", ")
     )]
     Theory {
@@ -94,7 +94,7 @@ pub enum GapCaseError {
         why: &'static str,
     },
     /// An option that has no meaning for areas of any shape.
-    #[error("[solve] {key} of {name} has no meaning beside [gap]: {why}")]
+    #[error("[solve] {key} of {name} has no meaning on areas of any shape: {why}")]
     Option {
         /// The theory's name.
         name: &'static str,

@@ -10,6 +10,7 @@ use creepage_rail::file::FileError;
 use creepage_rail::{GeometryError, Role, Side};
 
 use crate::case::CaseError;
+use crate::gap::GapCaseError;
 
 /// Why a file is not that of a wheelset in its track.
 #[derive(Debug, thiserror::Error)]
@@ -76,12 +77,9 @@ pub enum WheelsetError {
     /// Nothing holds the wheelset down.
     #[error("[wheelset] needs one of axle_load, wheel_load and z")]
     NoLoad,
-    /// Another theory than those that solve contacts of any shape.
-    #[error("[solve] theory = \"{name}\": contacts of a wheelset need exact, today")]
-    Theory {
-        /// Its name.
-        name: &'static str,
-    },
+    /// A theory or an option that areas of any shape do not have.
+    #[error(transparent)]
+    Theory(Box<GapCaseError>),
     /// A position in which wheel and rail do not meet as they should.
     #[error("[wheelset] {source}")]
     Position {

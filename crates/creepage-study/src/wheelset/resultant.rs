@@ -5,24 +5,28 @@ use std::ops::Add;
 use super::solved::SolvedContact;
 
 /// A force in track axes with its moment about a point, and error bars of the force.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Resultant {
     /// Force along `x`, `y`, `z` (N).
     pub force: [f64; 3],
-    /// Its error bars (N).
-    pub force_error: [f64; 3],
+    /// Its error bars (N), where the theory has them.
+    pub force_error: Option<[f64; 3]>,
     /// Moment about `x`, `y`, `z` (N m).
     pub moment: [f64; 3],
 }
 
 impl Resultant {
+    /// No force.
+    pub(super) const NONE: Self =
+        Self { force: [0.0; 3], force_error: Some([0.0; 3]), moment: [0.0; 3] };
+
     /// What a contact does to the rail, with the moment about `point`.
     pub(super) fn of(contact: &SolvedContact, point: [f64; 3]) -> Self {
         let (sin, cos) = contact.angle.sin_cos();
         // From the contact's axes x, s, n.
         let track = |[x, s, n]: [f64; 3]| [x, s * cos - n * sin, s * sin + n * cos];
         let load = contact.normal.load();
-        let (tangential, error) = (contact.force, contact.force_error);
+        let tangential = contact.force;
         let force = track([tangential.longitudinal, tangential.lateral, load.value]);
         // Pressure acts at its centre.
         let [x, s] = contact.normal.centroid();
@@ -31,11 +35,13 @@ impl Resultant {
         let lever = cross(arm, force);
         Self {
             force,
-            force_error: [
-                error.longitudinal,
-                (error.lateral * cos).abs() + (load.error * sin).abs(),
-                (error.lateral * sin).abs() + (load.error * cos).abs(),
-            ],
+            force_error: contact.force_error.map(|error| {
+                [
+                    error.longitudinal,
+                    (error.lateral * cos).abs() + (load.error * sin).abs(),
+                    (error.lateral * sin).abs() + (load.error * cos).abs(),
+                ]
+            }),
             moment: [0, 1, 2].map(|i: usize| lever[i] + couple[i]),
         }
     }
@@ -52,7 +58,7 @@ impl Add for Resultant {
         let sum = |a: [f64; 3], b: [f64; 3]| [0, 1, 2].map(|i: usize| a[i] + b[i]);
         Self {
             force: sum(self.force, other.force),
-            force_error: sum(self.force_error, other.force_error),
+            force_error: self.force_error.zip(other.force_error).map(|(a, b)| sum(a, b)),
             moment: sum(self.moment, other.moment),
         }
     }

@@ -2,7 +2,6 @@
 
 use creepage::coulomb::ElementField;
 use creepage::normal::NormalContact;
-use creepage::theory::Solved;
 use creepage::{Force, Region, Scaling, SiCreepage, SiForce, Status, normal};
 use creepage_plot::signed_area;
 use creepage_rail::{Motion, Position, RollingCreepage, Running, Side};
@@ -10,7 +9,7 @@ use creepage_rail::{Motion, Position, RollingCreepage, Running, Side};
 use super::case::RigidSlip;
 use super::resultant::Resultant;
 use super::solver::{Pressed, PressedWheel, Rolled};
-use crate::{Damage, GapCaution};
+use crate::{Damage, GapCaution, GapTheory};
 
 /// A wheelset whose contacts are solved.
 #[derive(Debug, Clone)]
@@ -25,6 +24,8 @@ pub struct SolvedWheelset {
     pub friction: f64,
     /// What the surfaces slide by before they deform.
     pub slip: RigidSlip,
+    /// The theory of rolling.
+    pub theory: GapTheory,
 }
 
 /// One wheel of a solved wheelset.
@@ -64,8 +65,8 @@ pub struct SolvedContact {
     pub creepage: RollingCreepage,
     /// Tangential force, with the moment about the normal through the reference point.
     pub force: SiForce,
-    /// Its error bars.
-    pub force_error: SiForce,
+    /// Its error bars, where the theory has them.
+    pub force_error: Option<SiForce>,
     /// Whether rolling was solved.
     pub status: Status,
     /// Energy turned to heat per metre rolled (J/m), from traction and slip.
@@ -82,11 +83,11 @@ pub struct SolvedContact {
 impl SolvedContact {
     pub(super) fn new(pressed: &Pressed<'_>, rolled: &Rolled<'_>, friction: f64) -> Self {
         let (contact, scaling) = (&pressed.contact, rolled.scaling);
-        let solution = rolled.solved.solution();
+        let solution = rolled.solved.as_solved().solution();
         let load = pressed.normal.load();
         // The load's error bar makes the force err in proportion.
         let part = load.error / load.value;
-        let (force, error) = (solution.force, solution.error.unwrap_or_default());
+        let force = solution.force;
         let heat = scaling.force * scaling.slip;
         Self {
             side: contact.side,
@@ -97,13 +98,15 @@ impl SolvedContact {
             normal: pressed.normal.clone(),
             creepage: rolled.creepage,
             force: rolled.force,
-            force_error: scaling.si_force(Force {
-                fx: error.fx + part * force.fx.abs(),
-                fy: error.fy + part * force.fy.abs(),
-                mz: error.mz + part * force.mz.abs(),
+            force_error: solution.error.map(|error| {
+                scaling.si_force(Force {
+                    fx: error.fx + part * force.fx.abs(),
+                    fy: error.fy + part * force.fy.abs(),
+                    mz: error.mz + part * force.mz.abs(),
+                })
             }),
             status: solution.status,
-            dissipation: rolled.solved.dissipation().map(|power| heat * power),
+            dissipation: rolled.solved.as_solved().dissipation().map(|power| heat * power),
             scaling,
             elements: rolled.solved.elements(),
             damage: None,
@@ -186,10 +189,9 @@ impl SolvedWheel {
     /// Force on the rail in track axes, with its moment about the origin of the rail's profile.
     #[must_use]
     pub fn on_rail(&self) -> Resultant {
-        let none = Resultant::default();
         self.contacts
             .iter()
-            .fold(none, |sum, contact| sum + Resultant::of(contact, self.rail_origin))
+            .fold(Resultant::NONE, |sum, contact| sum + Resultant::of(contact, self.rail_origin))
     }
 }
 
@@ -199,8 +201,9 @@ impl SolvedWheelset {
         motion: Motion,
         friction: f64,
         slip: RigidSlip,
+        theory: GapTheory,
     ) -> Self {
-        let mut solved = Self { left: None, right: None, motion, friction, slip };
+        let mut solved = Self { left: None, right: None, motion, friction, slip, theory };
         for wheel in wheels {
             match wheel.side {
                 Side::Left => solved.left = Some(wheel),
@@ -270,9 +273,9 @@ impl SolvedWheelset {
     /// The largest error bar of a force, in parts of its contact's `mu N`.
     pub(super) fn worst_error(&self) -> f64 {
         let contacts = self.wheels().flat_map(SolvedWheel::contacts);
-        let errors = contacts.map(|contact| {
-            let SiForce { longitudinal, lateral, .. } = contact.force_error;
-            longitudinal.max(lateral) / contact.scaling.force
+        let errors = contacts.filter_map(|contact| {
+            let SiForce { longitudinal, lateral, .. } = contact.force_error?;
+            Some(longitudinal.max(lateral) / contact.scaling.force)
         });
         errors.fold(0.0, f64::max)
     }

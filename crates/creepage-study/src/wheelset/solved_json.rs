@@ -64,16 +64,16 @@ pub struct WheelJson {
 pub struct RailForceJson {
     /// Along `x` (N).
     pub longitudinal_n: f64,
-    /// Its error bar (N).
-    pub longitudinal_error_n: f64,
+    /// Its error bar (N); null by a theory without, here and below.
+    pub longitudinal_error_n: Option<f64>,
     /// Along `y` (N).
     pub lateral_n: f64,
     /// Its error bar (N).
-    pub lateral_error_n: f64,
+    pub lateral_error_n: Option<f64>,
     /// Along `z` (N).
     pub vertical_n: f64,
     /// Its error bar (N).
-    pub vertical_error_n: f64,
+    pub vertical_error_n: Option<f64>,
     /// About `x` through the origin of the rail's profile (N m).
     pub moment_x_n_m: f64,
     /// About `y` (N m).
@@ -108,16 +108,16 @@ pub struct WheelPatchJson {
     pub normal_force_error_n: f64,
     /// Force along `x` (N).
     pub longitudinal_n: f64,
-    /// Its error bar (N).
-    pub longitudinal_error_n: f64,
+    /// Its error bar (N); null by a theory without, here and below.
+    pub longitudinal_error_n: Option<f64>,
     /// Force along `s` (N).
     pub lateral_n: f64,
     /// Its error bar (N).
-    pub lateral_error_n: f64,
+    pub lateral_error_n: Option<f64>,
     /// Moment about the normal through the reference point (N m).
     pub moment_n_m: f64,
     /// Its error bar (N m).
-    pub moment_error_n_m: f64,
+    pub moment_error_n_m: Option<f64>,
     /// Largest pressure (Pa).
     pub peak_pressure_pa: f64,
     /// Its error bar (Pa).
@@ -160,7 +160,7 @@ impl SolvedWheelset {
         let words = self.caution_words().join("; ");
         WheelsetReportJson {
             creepage_version: env!("CARGO_PKG_VERSION"),
-            theory: "exact",
+            theory: self.theory.name(),
             status: self.status().name(),
             caution: (!words.is_empty()).then_some(words),
             y_m: position.y,
@@ -198,11 +198,11 @@ impl RailForceJson {
         let Resultant { force, force_error, moment } = *on_rail;
         Self {
             longitudinal_n: force[0],
-            longitudinal_error_n: force_error[0],
+            longitudinal_error_n: force_error.map(|error| error[0]),
             lateral_n: force[1],
-            lateral_error_n: force_error[1],
+            lateral_error_n: force_error.map(|error| error[1]),
             vertical_n: force[2],
-            vertical_error_n: force_error[2],
+            vertical_error_n: force_error.map(|error| error[2]),
             moment_x_n_m: moment[0],
             moment_y_n_m: moment[1],
             moment_z_n_m: moment[2],
@@ -229,11 +229,11 @@ impl WheelPatchJson {
             normal_force_n: load.value,
             normal_force_error_n: load.error,
             longitudinal_n: contact.force.longitudinal,
-            longitudinal_error_n: contact.force_error.longitudinal,
+            longitudinal_error_n: contact.force_error.map(|error| error.longitudinal),
             lateral_n: contact.force.lateral,
-            lateral_error_n: contact.force_error.lateral,
+            lateral_error_n: contact.force_error.map(|error| error.lateral),
             moment_n_m: contact.force.moment,
-            moment_error_n_m: contact.force_error.moment,
+            moment_error_n_m: contact.force_error.map(|error| error.moment),
             peak_pressure_pa: peak.value,
             peak_pressure_error_pa: peak.error,
             area_m2: area.value,

@@ -12,7 +12,7 @@ impl SolvedWheelset {
     pub fn text(&self) -> String {
         let mut lines = Lines::default();
         let status = self.status();
-        lines.headline(&format!("Theory exact: {}", status_words(status)), status);
+        lines.headline(&format!("Theory {}: {}", self.theory.name(), status_words(status)), status);
         for words in self.caution_words() {
             lines.caution(&words);
         }
@@ -64,8 +64,10 @@ fn wheel_lines(wheel: &SolvedWheel, lines: &mut Lines) {
     lines.columns("", ["longitudinal", "lateral", "vertical"]);
     let [x, y, z] = on_rail.force.map(newton);
     lines.columns("in track axes", [&x, &y, &z]);
-    let [x, y, z] = on_rail.force_error.map(|error| format!("{} N", significant(error, 2)));
-    lines.columns("  error bar", [&x, &y, &z]);
+    if let Some(error) = on_rail.force_error {
+        let [x, y, z] = error.map(|error| format!("{} N", significant(error, 2)));
+        lines.columns("  error bar", [&x, &y, &z]);
+    }
     let [x, y, z] = on_rail.moment.map(|moment| format!("{} N m", fixed(moment, 3)));
     lines.columns("moment about its origin", [&x, &y, &z]);
     for contact in wheel.contacts() {

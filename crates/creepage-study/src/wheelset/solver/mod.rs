@@ -9,21 +9,21 @@ mod rolled;
 mod root;
 mod step;
 
+use creepage::SolidPair;
 use creepage::coulomb::Resolution;
 use creepage::normal;
 use creepage::theory::{ExactOptions, NamedResolution, ResolutionSpec};
-use creepage::{SolidPair, TheorySpec};
 use creepage_rail::{Motion, Running, Side};
 
 use self::balance::{Balance, Guess, enough};
 use self::pressed::{Known, Press, Shares};
-use self::rolled::Rolling;
+use self::rolled::{Method, Rolling};
 use self::step::Place;
 use super::case::{Load, RigidSlip, Stance, Travel, WheelsetCase};
 use super::error::{WheelsetError, section};
 use super::solved::{SolvedContact, SolvedWheel, SolvedWheelset};
 use crate::case::CaseError;
-use crate::gap::resolutions;
+use crate::gap::{GapTheory, resolutions};
 
 pub(super) use self::pressed::{Pressed, PressedWheel};
 pub(super) use self::rolled::Rolled;
@@ -34,7 +34,8 @@ pub struct WheelsetSolver<'a> {
     press: Press<'a>,
     friction: f64,
     slip: RigidSlip,
-    rolling: Vec<Resolution>,
+    theory: GapTheory,
+    rolling: Vec<Method>,
     accuracy: f64,
 }
 
@@ -45,12 +46,11 @@ impl WheelsetCase {
     /// [`WheelsetError`] where materials or friction are missing, or the theory is not one that
     /// solves contacts of any shape.
     pub fn solver(&self) -> Result<WheelsetSolver<'_>, WheelsetError> {
-        let TheorySpec::Exact(options) = self.theory else {
-            return Err(WheelsetError::Theory { name: self.theory.facts().name });
-        };
+        let theory = GapTheory::new(&self.theory);
+        let theory = theory.map_err(|error| WheelsetError::Theory(Box::new(error)))?;
         let pair = self.solids.ok_or_else(|| section("materials", "shear_modulus, poisson"))?;
         let friction = self.friction.ok_or_else(|| section("contact", "friction"))?;
-        let solver = WheelsetSolver::new(&self.running, pair, friction, options)?;
+        let solver = WheelsetSolver::new(&self.running, pair, friction, theory)?;
         Ok(WheelsetSolver { slip: self.slip, ..solver })
     }
 
@@ -79,16 +79,20 @@ impl<'a> WheelsetSolver<'a> {
         running: &'a Running,
         pair: SolidPair,
         friction: f64,
-        options: ExactOptions,
+        theory: GapTheory,
     ) -> Result<Self, CaseError> {
-        let resolution = match options.resolution {
-            ResolutionSpec::Named(NamedResolution::Fast) => normal::Resolution::FAST,
-            ResolutionSpec::Named(NamedResolution::Fine) => normal::Resolution::FINE,
-            _ => normal::Resolution::STANDARD,
+        let (resolution, rolling, accuracy) = match theory {
+            GapTheory::Exact(options) => {
+                let (resolutions, accuracy) = resolutions(options)?;
+                let rolling = resolutions.into_iter().map(Method::Exact).collect();
+                (pressed_by(options), rolling, accuracy)
+            }
+            GapTheory::Simplified(kind, cells) => {
+                (normal::Resolution::STANDARD, vec![Method::Simplified(kind, cells)], 0.0)
+            }
         };
-        let (rolling, accuracy) = resolutions(options)?;
         let press = Press { running, pair, resolution };
-        Ok(Self { press, friction, slip: RigidSlip::Flat, rolling, accuracy })
+        Ok(Self { press, friction, slip: RigidSlip::Flat, theory, rolling, accuracy })
     }
 
     /// Solves the wheelset where it stands, as it moves.
@@ -129,9 +133,10 @@ impl<'a> WheelsetSolver<'a> {
         start: &Start,
     ) -> Result<SolvedWheelset, WheelsetError> {
         let load = stance.load.ok_or(WheelsetError::NoLoad)?;
-        let (last, first) = self.rolling.split_last().unwrap_or((&Resolution::STANDARD, &[]));
-        for resolution in first {
-            let solved = self.at(stance, travel, load, start.clone(), *resolution)?;
+        let usual = &Method::Exact(Resolution::STANDARD);
+        let (last, first) = self.rolling.split_last().unwrap_or((usual, &[]));
+        for method in first {
+            let solved = self.at(stance, travel, load, start.clone(), *method)?;
             if solved.worst_error() <= self.accuracy {
                 return Ok(solved);
             }
@@ -148,7 +153,7 @@ impl<'a> WheelsetSolver<'a> {
         travel: &Travel,
         load: Load,
         mut start: Start,
-        resolution: Resolution,
+        method: Method,
     ) -> Result<SolvedWheelset, WheelsetError> {
         const ROUNDS: usize = 24;
         /// Rounds after which they might swing to and fro.
@@ -177,8 +182,8 @@ impl<'a> WheelsetSolver<'a> {
                     continue;
                 }
             }
-            let grid = if is_close { resolution } else { Resolution::FAST };
-            let rollings = Rolling::all(&wheels, self.friction, self.slip, grid)?;
+            let method = if is_close { method } else { method.fast() };
+            let rollings = Rolling::all(&wheels, self.friction, self.slip, method)?;
             let (motion, rolled) = rolled::motion(&rollings, travel, radius, pitch_rate)?;
             let next = Start::of(&sought.coarse, &wheels, &rolled, &motion, (&guess, &shares));
             let carried: f64 = wheels.iter().map(|wheel| wheel.vertical(&next.shares)).sum();
@@ -242,7 +247,16 @@ impl<'a> WheelsetSolver<'a> {
             SolvedWheel::new(wheel, self.press.running, contacts.collect())
         };
         let wheels = wheels.iter().map(solved).collect();
-        SolvedWheelset::new(wheels, motion, self.friction, self.slip)
+        SolvedWheelset::new(wheels, motion, self.friction, self.slip, self.theory)
+    }
+}
+
+/// How finely bodies are pressed that roll by the full theory with these options.
+fn pressed_by(options: ExactOptions) -> normal::Resolution {
+    match options.resolution {
+        ResolutionSpec::Named(NamedResolution::Fast) => normal::Resolution::FAST,
+        ResolutionSpec::Named(NamedResolution::Fine) => normal::Resolution::FINE,
+        _ => normal::Resolution::STANDARD,
     }
 }
 

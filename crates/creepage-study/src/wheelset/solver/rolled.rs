@@ -1,8 +1,9 @@
 //! Rolling on the contacts of a wheelset whose pressure is known.
 
-use creepage::coulomb::{NonHertzian, NonHertzianSolved, Resolution};
+use creepage::approximate::non_hertzian::{NonHertzianSimplified, Simplified, SimplifiedSolved};
+use creepage::coulomb::{ElementField, NonHertzian, NonHertzianSolved, Resolution};
 use creepage::theory::Solved;
-use creepage::{Scaling, SiCreepage, SiForce};
+use creepage::{Creepage, Scaling, SiCreepage, SiForce};
 use creepage_rail::{Motion, RollingCreepage};
 
 use super::apart::in_track;
@@ -13,12 +14,105 @@ use crate::case::CaseError;
 use crate::wheelset::RigidSlip;
 use crate::{Travel, WheelsetError};
 
+/// By which theory contacts roll, and how finely.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Method {
+    Exact(Resolution),
+    /// With cells in each row along rolling and rows in the widest area.
+    Simplified(Simplified, [usize; 2]),
+}
+
+impl Method {
+    /// Good enough far from the load expected.
+    pub(super) fn fast(self) -> Self {
+        match self {
+            Self::Exact(_) => Self::Exact(Resolution::FAST),
+            simplified @ Self::Simplified(..) => simplified,
+        }
+    }
+}
+
+/// A theory prepared for a contact.
+#[derive(Debug)]
+pub(super) enum Prepared {
+    Exact(Box<NonHertzian>),
+    Simplified(Box<NonHertzianSimplified>),
+}
+
+/// A contact rolled.
+#[derive(Debug)]
+pub(in crate::wheelset) enum Answer<'r> {
+    Exact(Box<NonHertzianSolved<'r>>),
+    Simplified(SimplifiedSolved<'r>),
+}
+
+impl Prepared {
+    fn new(pressed: &Pressed<'_>, friction: f64, method: Method) -> Result<Self, CaseError> {
+        let normal = &pressed.normal;
+        Ok(match method {
+            Method::Exact(resolution) => {
+                let theory = NonHertzian::new(normal, friction, resolution);
+                Self::Exact(Box::new(theory.map_err(CaseError::invalid("contact"))?))
+            }
+            Method::Simplified(kind, cells) => {
+                let theory = NonHertzianSimplified::new(normal, friction, kind, cells);
+                Self::Simplified(Box::new(theory.map_err(CaseError::invalid("solve"))?))
+            }
+        })
+    }
+
+    fn scaling(&self) -> Scaling {
+        match self {
+            Self::Exact(theory) => theory.scaling(),
+            Self::Simplified(theory) => theory.scaling(),
+        }
+    }
+
+    /// With what `more` adds to the rigid slip at a place; from an answer nearby. Simplified theories
+    /// have one rigid slip in each row.
+    fn roll<'r>(
+        &'r self,
+        creepage: Creepage,
+        more: impl Fn([f64; 2]) -> [f64; 2],
+        before: Option<Answer<'r>>,
+    ) -> Answer<'r> {
+        match (self, before) {
+            (Self::Exact(_), Some(Answer::Exact(mut solved))) => {
+                solved.go_on(creepage, more);
+                Answer::Exact(solved)
+            }
+            (Self::Exact(theory), _) => {
+                Answer::Exact(Box::new(theory.solve_curved(creepage, more)))
+            }
+            (Self::Simplified(theory), _) => {
+                Answer::Simplified(theory.solve_curved(creepage, |y| more([0.0, y])))
+            }
+        }
+    }
+}
+
+impl Answer<'_> {
+    pub(in crate::wheelset) fn as_solved(&self) -> &dyn Solved {
+        match self {
+            Self::Exact(solved) => &**solved,
+            Self::Simplified(solved) => solved,
+        }
+    }
+
+    pub(in crate::wheelset) fn elements(&self) -> Vec<ElementField> {
+        match self {
+            Self::Exact(solved) => solved.elements(),
+            Self::Simplified(solved) => solved.elements(),
+        }
+    }
+}
+
 /// A contact prepared for rolling.
 #[derive(Debug)]
 pub(super) struct Rolling<'w, 'a> {
     pub(super) wheel: &'w PressedWheel<'a>,
     pub(super) pressed: &'w Pressed<'a>,
-    pub(super) theory: NonHertzian,
+    theory: Prepared,
     slip: RigidSlip,
 }
 
@@ -27,7 +121,7 @@ pub(super) struct Rolling<'w, 'a> {
 pub(in crate::wheelset) struct Rolled<'r> {
     pub(in crate::wheelset) creepage: RollingCreepage,
     pub(in crate::wheelset) scaling: Scaling,
-    pub(in crate::wheelset) solved: NonHertzianSolved<'r>,
+    pub(in crate::wheelset) solved: Answer<'r>,
     /// The force with its moment about the reference point.
     pub(in crate::wheelset) force: SiForce,
 }
@@ -37,14 +131,13 @@ impl<'w, 'a> Rolling<'w, 'a> {
         wheels: &'w [PressedWheel<'a>],
         friction: f64,
         slip: RigidSlip,
-        resolution: Resolution,
+        method: Method,
     ) -> Result<Vec<Self>, WheelsetError> {
         let contacts =
             wheels.iter().flat_map(|wheel| wheel.contacts.iter().map(move |one| (wheel, one)));
         contacts
             .map(|(wheel, pressed)| {
-                let theory = NonHertzian::new(&pressed.normal, friction, resolution);
-                let theory = theory.map_err(CaseError::invalid("contact"))?;
+                let theory = Prepared::new(pressed, friction, method)?;
                 Ok(Self { wheel, pressed, theory, slip })
             })
             .collect()
@@ -73,14 +166,8 @@ impl<'w, 'a> Rolling<'w, 'a> {
                 curving.at(at.map(|at| at * scaling.length)).map(|slip| slip / scaling.slip)
             }
         };
-        let solved = match before {
-            None => self.theory.solve_curved(given, more),
-            Some(Rolled { mut solved, .. }) => {
-                solved.go_on(given, more);
-                solved
-            }
-        };
-        let force = scaling.si_force(solved.solution().force);
+        let solved = self.theory.roll(given, more, before.map(|rolled| rolled.solved));
+        let force = scaling.si_force(solved.as_solved().solution().force);
         Ok(Rolled { creepage, scaling, solved, force })
     }
 
