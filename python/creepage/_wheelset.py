@@ -90,7 +90,7 @@ class Wheelset:
         wheels at the tape circle, gauge, gauge_height, back_to_back and y in metres; cant of the
         rails, yaw and roll in radians; speed and lateral_velocity in m/s, pitch_rate and yaw_rate
         in rad/s; shear_modulus in Pa. Profile files are looked for in directory. options are those
-        of `[solve]`. What this leaves out, `from_toml` and `from_dict` know.
+        of `[solve]`, theory among them. What this leaves out, `from_toml` and `from_dict` know.
         """
         sections: dict[str, Mapping[str, Any]] = {
             "wheel": {"profile": os.fspath(wheel), "radius": radius},
