@@ -70,10 +70,11 @@ impl<'a> Bands<'a> {
 
     fn strip(&self, band: &Band, j: usize, along: usize, patch: Range<usize>) -> Strip {
         let broken = |piece: usize| piece as f64 / SUBCELLS as f64;
-        let (fit, [low, high]) = (fit(ratio(band)), band.y());
+        let (ratio, [low, high]) = (ratio(band), band.y());
+        let fit = fit(ratio);
         let at = |t: f64| (f64::midpoint(low, high) + 0.5 * (high - low) * t).clamp(low, high);
         let y: [f64; SUBCELLS + 1] =
-            std::array::from_fn(|k| at(border(broken(SUBCELLS * j + k), patch.len(), fit)));
+            std::array::from_fn(|k| at(border(broken(SUBCELLS * j + k), patch.len(), ratio)));
         let ends = [y[0], y[SUBCELLS]].map(|y| self.section(band, y));
         let mean = 0.5 * band.area_between([y[0], y[SUBCELLS]]) / (y[SUBCELLS] - y[0]);
         Strip {

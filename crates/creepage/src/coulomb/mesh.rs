@@ -15,6 +15,10 @@ pub(crate) const SUBCELLS: usize = 4;
 /// Largest `a/b` with elements that are fitted all the way.
 const LONG: f64 = 10.0;
 
+/// The power `p` of [`border`] on a circle, and the least.
+const ENDS: f64 = 13.0;
+const LEAST_ENDS: f64 = 5.0;
+
 /// One strip. Lengths are in the unit of length of the contact.
 #[derive(Debug, Clone)]
 pub(crate) struct Strip {
@@ -120,15 +124,14 @@ impl Mesh {
     /// `strips` strips of `along` elements that fit an ellipse.
     ///
     /// Small creepage makes the traction infinite all along the trailing half of the edge, so the
-    /// cuts are clustered towards it: along as cosines; across less, for the strips in the middle,
-    /// where the pole of the spin turns the slip around, must not become wide.
+    /// cuts are clustered towards it: along as cosines; across at the ends only, for where the pole
+    /// of the spin turns the slip around strips must not become wide.
     pub(crate) fn ellipse(ellipse: Ellipse, along: usize, strips: usize) -> Self {
-        let fit = fit(ellipse.ratio());
         let broken = |piece: usize| piece as f64 / SUBCELLS as f64;
         let cuts: Vec<f64> = (0..=SUBCELLS * along).map(|p| cut(broken(p), along)).collect();
         let strip = |j: usize| {
             let borders: [f64; SUBCELLS + 1] =
-                std::array::from_fn(|k| border(broken(SUBCELLS * j + k), strips, fit));
+                std::array::from_fn(|k| border(broken(SUBCELLS * j + k), strips, ellipse.ratio()));
             Strip {
                 across: borders.map(|t| ellipse.b() * t),
                 middle: [0.0; 2],
@@ -226,11 +229,15 @@ pub(crate) fn cut(i: f64, n: usize) -> f64 {
     (FRAC_PI_2 * (1.0 - 2.0 * i / n as f64)).sin()
 }
 
-/// Border `j` of `n` from -1 to 1, or with a broken `j` one between subcells: fully fitted,
-/// their density is as `1 / (1 - t^4)`, in the middle four fifths of that of equal strips.
-pub(super) fn border(j: f64, n: usize, fit: f64) -> f64 {
+/// Border `j` of `n` from -1 to 1, or with a broken `j` one between subcells.
+///
+/// Fully fitted, the density of strips is as `1 / (1 - |t|^(p - 1))`: they are nearly equal, and
+/// narrow towards the sides, where small creepage is decided. Of contacts long in the rolling
+/// direction these are a larger part, and strips are fewer: the smaller is `p`.
+pub(super) fn border(j: f64, n: usize, a_over_b: f64) -> f64 {
     let t = 2.0 * j / n as f64 - 1.0;
-    t + 0.25 * fit * (t - t.powi(5))
+    let p = (ENDS / a_over_b.cbrt()).max(LEAST_ENDS);
+    t + fit(a_over_b) / (p - 1.0) * (t - t * t.abs().powf(p - 1.0))
 }
 
 #[cfg(test)]
@@ -248,5 +255,19 @@ mod tests {
             // Rounding of the arc sine, over an angle of a twentieth.
             assert!((own.sum::<f64>() - 1.0).abs() < 1e-12, "{element}: {around:?}");
         }
+    }
+
+    /// On a circle the strips of the middle three quarters are equal to ten per cent; towards the
+    /// sides strips only become narrower, on long contacts sooner.
+    #[test]
+    fn strips_narrow_at_the_sides_only() {
+        let widths = |a_over_b: f64| {
+            let borders: Vec<f64> = (0..=32).map(|j| border(f64::from(j), 32, a_over_b)).collect();
+            borders.windows(2).map(|pair| pair[1] - pair[0]).collect::<Vec<f64>>()
+        };
+        let [circle, long] = [widths(1.0), widths(5.0)];
+        assert!((circle.iter().sum::<f64>() - 2.0).abs() < 1e-14);
+        assert!(circle[..17].is_sorted() && long[..17].is_sorted());
+        assert!(circle[4] > 0.9 * circle[16] && long[0] < circle[0]);
     }
 }

@@ -66,9 +66,13 @@ use workspace::Pool;
 ///
 /// | resolution | median | rms | worst | case | preparation |
 /// |---|---|---|---|---|---|
-/// | [`Resolution::FAST`] | 0.03 % | 0.19 % | 1.2 % | 0.5 ms | 2 ms |
-/// | [`Resolution::STANDARD`] | 0.00 % | 0.05 % | 0.29 % | 2 ms | 10 ms |
-/// | [`Resolution::FINE`] | 0.00 % | 0.01 % | 0.03 % | 25 ms | 0.1 s |
+/// | [`Resolution::FAST`] | 0.04 % | 0.13 % | 0.64 % | 0.5 ms | 2 ms |
+/// | [`Resolution::STANDARD`] | 0.00 % | 0.03 % | 0.12 % | 2 ms | 10 ms |
+/// | [`Resolution::FINE`] | 0.00 % | 0.01 % | 0.06 % | 25 ms | 0.1 s |
+///
+/// Over random cases not chosen with (`a/b` .15 to 6, creepage to 3, spin to 8), against 96 x 80
+/// elements, each component errs by 0.19, 0.08 and 0.02 % rms at the three resolutions (104 cases),
+/// and between unlike bodies (`kappa/mu` to 3) by 0.26, 0.08 and 0.03 % (100 cases).
 ///
 /// Errors are largest with a pole of strong spin inside the contact. At the fine resolution the
 /// limit of small creepage is met to 0.2 % in every coefficient for `a/b` from 0.1 to 10, and full
@@ -130,7 +134,7 @@ impl Exact {
     /// [`Exact::new`] for a contact that has been checked.
     fn prepare(contact: &Contact, resolution: Resolution) -> Self {
         let (ellipse, poisson) = (contact.ellipse(), contact.poisson());
-        let resolution = resolution.between_bodies(contact.kappa_over_mu());
+        let resolution = resolution.between_bodies(contact.kappa_over_mu(), ellipse.ratio());
         let [along, across] = resolution.coarse(ellipse.ratio());
         let grids = Grid::pair(|k| {
             Grid::hertz(ellipse, poisson, contact.kappa_over_mu(), [k * along, k * across])
