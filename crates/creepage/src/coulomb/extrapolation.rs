@@ -19,16 +19,17 @@ pub(crate) fn extrapolate(coarse: f64, fine: f64) -> f64 {
     fine + BEYOND * (fine - coarse)
 }
 
-/// Error bars are this times a scale that falls with the elements' size, for like bodies, by which
-/// factor more with the pole inside, and for dissimilar ones: of `fx`, `fy` and `mz`.
+/// Error bars are this times a scale that falls with the elements' size, for like bodies at 400
+/// elements, by which factor more with the pole inside, and for dissimilar ones: of `fx`, `fy` and `mz`.
 ///
-/// Chosen so that each covers 95 to 99 % of the errors of 240 random cases of like and of 240 of
-/// dissimilar bodies (a/b .15-6, sigma 0-.5, creepage to 3, spin to 8, kappa/mu to 3) at the three
-/// named resolutions, against 64 x 54 elements; against 96 x 80, 95 to 100 % of those of 104 other
-/// like ones (of `fx` at the fine resolution 92 %) and 97 to 99 % of 100 other dissimilar ones.
-const LIKE: [f64; 3] = [1.9, 3.1, 1.7];
-const POLE: [f64; 3] = [1.65, 1.05, 1.4];
+/// Chosen so that they cover 96 to 98 % of the errors of 240 random cases of like and of 136 of
+/// dissimilar bodies (a/b .15-6, sigma 0-.5, creepage to 3, spin to 8, kappa/mu to 3) at each of the
+/// three named resolutions, against 96 x 80 elements.
+const LIKE: [f64; 3] = [1.8, 3.9, 1.7];
+const POLE: [f64; 3] = [1.9, 0.95, 1.5];
 const UNLIKE: [f64; 3] = [16.5, 8.5, 7.0];
+/// Power of the number of elements with which bars of like bodies fall less, or more, than the scale.
+const SLOWER: [f64; 3] = [0.2, -0.2, 0.1];
 /// Of `kappa/mu`, where bodies go from like to dissimilar.
 const DISSIMILAR: f64 = 0.3;
 /// Least part of a component's difference between the grids, and of the largest such difference:
@@ -49,13 +50,14 @@ pub(crate) struct Extrapolation {
     /// How strongly the pole of the spin disturbs, from 0 to 1, and its derivatives by `xi`, `eta`
     /// and `chi`.
     pole: [f64; 4],
-    /// Factors of the error bars.
-    bars: [f64; 3],
+    /// Factors of the error bars, of like and of dissimilar bodies.
+    bars: [[f64; 2]; 3],
 }
 
 impl Extrapolation {
     /// Without a look at the pole.
-    pub(crate) const PLAIN: Self = Self { beyond: [BEYOND; 3], pole: [0.0; 4], bars: [0.0; 3] };
+    pub(crate) const PLAIN: Self =
+        Self { beyond: [BEYOND; 3], pole: [0.0; 4], bars: [[0.0; 2]; 3] };
 
     /// On an ellipse. Between dissimilar bodies slip turns elsewhere than around the pole.
     pub(crate) fn new(contact: &Contact, creepage: Creepage) -> Self {
@@ -64,7 +66,7 @@ impl Extrapolation {
         let pole = pole(contact.ellipse(), creepage).map(|value| like * value);
         let bar = |k: usize| {
             let alike = LIKE[k] * POLE[k].powf(pole[0]) * (1.0 + creepage.chi.abs()).sqrt();
-            like * alike + (1.0 - like) * UNLIKE[k] * (1.0 + kappa).cbrt()
+            [like * alike, (1.0 - like) * UNLIKE[k] * (1.0 + kappa).cbrt()]
         };
         let beyond = LESS.map(|less| BEYOND * (1.0 - less * pole[0]));
         Self { beyond, pole, bars: [0, 1, 2].map(bar) }
@@ -83,7 +85,9 @@ impl Extrapolation {
         let least = LEAST[0] + ADHERING * (1.0 - size).max(0.0).powi(4);
         combine(apart, apart, |k, own, _| {
             let scale = (size * size * (own + CHANCE * most)).cbrt() / elements as f64;
-            (self.bars[k] * scale).max(least * own).max(LEAST[1] * most)
+            let [alike, unlike] = self.bars[k];
+            let factor = alike * (elements as f64 / 400.0).powf(SLOWER[k]) + unlike;
+            (factor * scale).max(least * own).max(LEAST[1] * most)
         })
     }
 

@@ -134,11 +134,15 @@ impl Exact {
     /// [`Exact::new`] for a contact that has been checked.
     fn prepare(contact: &Contact, resolution: Resolution) -> Self {
         let (ellipse, poisson) = (contact.ellipse(), contact.poisson());
-        let resolution = resolution.between_bodies(contact.kappa_over_mu(), ellipse.ratio());
+        let resolution = resolution.between_bodies(contact.kappa_over_mu());
         let [along, across] = resolution.coarse(ellipse.ratio());
         let grids = Grid::pair(|k| {
-            Grid::hertz(ellipse, poisson, contact.kappa_over_mu(), [k * along, k * across])
-                .with_resistance(contact.rolling_friction(), contact.layer(), contact.scaling())
+            let mesh = mesh::Mesh::ellipse(ellipse, k * along, k * across);
+            Grid::hertz(ellipse, poisson, contact.kappa_over_mu(), mesh).with_resistance(
+                contact.rolling_friction(),
+                contact.layer(),
+                contact.scaling(),
+            )
         });
         Self { contact: *contact, grids, pool: Pool::default() }
     }
@@ -186,7 +190,9 @@ impl Exact {
 /// The quadrilaterals of the fine resolution that fill an ellipse, in its unit of length.
 pub(crate) fn quadrilaterals(ellipse: Ellipse) -> impl Iterator<Item = [[f64; 2]; 4]> {
     let [along, strips] = Resolution::FINE.coarse(ellipse.ratio());
-    let strips = mesh::Mesh::ellipse(ellipse, 2 * along, 2 * strips).strips.into_iter();
+    let sides = mesh::Sides::NARROW;
+    let mesh = mesh::Mesh::with_sides(ellipse, 2 * along, 2 * strips, sides);
+    let strips = mesh.strips.into_iter();
     strips.flat_map(|strip| (0..strip.len()).map(move |i| strip.corners(i)))
 }
 

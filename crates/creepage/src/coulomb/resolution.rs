@@ -6,7 +6,7 @@ use crate::check::{self, InvalidValue};
 /// the elements become more nearly square: `along s` by `across / s` with `s = (a/b)^0.4`, held
 /// between 0.4 and 2.5 (2 across), and at least 8 of each. Between unlike bodies, from
 /// `|kappa|/mu = 0.1` on, traction is steeper at the leading edge: there are half as many more along,
-/// up to 40 on a circle, or on contacts long in the rolling direction across.
+/// up to 40 on a circle.
 ///
 /// Errors of the force in parts of `mu N` and costs are in the documentation of
 /// [`Exact`](super::Exact).
@@ -39,15 +39,12 @@ impl Resolution {
 
     /// For bodies so unlike: [`Resolution::STANDARD`] is off by 1 % rms with its own elements (60 random
     /// cases with `kappa/mu` to 3), and by 0.16 % with half as many more along.
-    /// Contacts long in the rolling direction need them across.
-    pub(crate) fn between_bodies(self, kappa_over_mu: f64, a_over_b: f64) -> Self {
+    pub(crate) fn between_bodies(self, kappa_over_mu: f64) -> Self {
         const UNLIKE: f64 = 0.1;
         if kappa_over_mu.abs() < UNLIKE {
             return self;
         }
-        let more = (Self::FINE.along / self.along).clamp(1.0, 1.5);
-        let across = a_over_b.powf(0.2).clamp(1.0, more);
-        Self { along: self.along * more / across, across: self.across * across }
+        Self { along: (1.5 * self.along).min(self.along.max(Self::FINE.along)), ..self }
     }
 
     /// Elements along and across of the coarser of the two grids for an ellipse; the finer has
