@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::mesh::{Mesh, SUBCELLS, Strip, border, cut, fit};
+use super::mesh::{Mesh, SUBCELLS, Sides, Strip, border, cut, fit};
 use super::pressure::{Moments, Pressure};
 use super::resolution::Resolution;
 use crate::normal::{Band, NormalContact, Patch};
@@ -72,8 +72,9 @@ impl<'a> Bands<'a> {
         let broken = |piece: usize| piece as f64 / SUBCELLS as f64;
         let (fit, [low, high]) = (fit(ratio(band)), band.y());
         let at = |t: f64| (f64::midpoint(low, high) + 0.5 * (high - low) * t).clamp(low, high);
-        let y: [f64; SUBCELLS + 1] =
-            std::array::from_fn(|k| at(border(broken(SUBCELLS * j + k), patch.len(), fit)));
+        let border =
+            |k: usize| at(border(broken(SUBCELLS * j + k), patch.len(), fit, Sides::NARROW));
+        let y: [f64; SUBCELLS + 1] = std::array::from_fn(border);
         let ends = [y[0], y[SUBCELLS]].map(|y| self.section(band, y));
         let mean = 0.5 * band.area_between([y[0], y[SUBCELLS]]) / (y[SUBCELLS] - y[0]);
         Strip {

@@ -8,7 +8,7 @@ use crate::{Contact, Creepage, Force};
 const BEYOND: f64 = 1.0 / 3.0;
 /// By how much less of `fx`, `fy` and `mz` is extrapolated with the pole of strong spin inside: its
 /// place among the strips decides on the error of `fx` then, and changes from grid to grid.
-const LESS: [f64; 3] = [1.0, 0.0, 0.5];
+const LESS: [f64; 3] = [1.0, 0.0, 0.35];
 /// Where the pole goes from inside to outside, by the square of its distance over the ellipse's.
 const EDGE: [f64; 2] = [0.64, 1.21];
 /// Where spin goes from weak to strong.
@@ -19,20 +19,25 @@ pub(crate) fn extrapolate(coarse: f64, fine: f64) -> f64 {
     fine + BEYOND * (fine - coarse)
 }
 
-/// Error bars are this times a scale that falls with the elements' size, for like bodies, by which
-/// factor more with the pole inside, and for dissimilar ones: of `fx`, `fy` and `mz`.
+/// Error bars are this times a scale that falls with the elements' size, for like bodies at 400
+/// elements, by which factor more with the pole inside, and for dissimilar ones: of `fx`, `fy` and `mz`.
 ///
-/// Chosen so that each covers 96 to 97 % of the errors of 240 random cases of like and of 240 of
-/// dissimilar bodies (a/b .15-6, sigma 0-.5, creepage to 3, spin to 8, kappa/mu to 3) at the three
-/// named resolutions, against 60 x 50 elements; 95 to 98 % of those of 120 other dissimilar ones.
-const LIKE: [f64; 3] = [1.8, 2.9, 1.6];
-const POLE: [f64; 3] = [1.9, 1.5, 2.1];
-const UNLIKE: [f64; 3] = [17.0, 10.5, 10.0];
+/// Chosen so that they cover 96 to 98 % of the errors of 240 random cases of like and of 136 of
+/// dissimilar bodies (a/b .15-6, sigma 0-.5, creepage to 3, spin to 8, kappa/mu to 3) at each of the
+/// three named resolutions, against 96 x 80 elements.
+const LIKE: [f64; 3] = [1.8, 3.9, 1.7];
+const POLE: [f64; 3] = [1.9, 0.95, 1.5];
+const UNLIKE: [f64; 3] = [16.5, 8.5, 7.0];
+/// Power of the number of elements with which bars of like bodies fall less, or more, than the scale.
+const SLOWER: [f64; 3] = [0.2, -0.2, 0.1];
 /// Of `kappa/mu`, where bodies go from like to dissimilar.
 const DISSIMILAR: f64 = 0.3;
 /// Least part of a component's difference between the grids, and of the largest such difference:
 /// where errors do not fall as fast as they should.
-const LEAST: [f64; 2] = [1.0 / 3.0, 0.1];
+const LEAST: [f64; 2] = [1.0 / 3.0, 0.05];
+/// How much more of the first that is as creepage vanishes: the traction of adhesion is infinite along
+/// the trailing edge, and errors fall more slowly than with the square of the elements' size.
+const ADHERING: f64 = 0.6;
 /// Part of the largest such difference that counts for each component: it may agree by chance.
 const CHANCE: f64 = 0.05;
 
@@ -45,13 +50,14 @@ pub(crate) struct Extrapolation {
     /// How strongly the pole of the spin disturbs, from 0 to 1, and its derivatives by `xi`, `eta`
     /// and `chi`.
     pole: [f64; 4],
-    /// Factors of the error bars.
-    bars: [f64; 3],
+    /// Factors of the error bars, of like and of dissimilar bodies.
+    bars: [[f64; 2]; 3],
 }
 
 impl Extrapolation {
     /// Without a look at the pole.
-    pub(crate) const PLAIN: Self = Self { beyond: [BEYOND; 3], pole: [0.0; 4], bars: [0.0; 3] };
+    pub(crate) const PLAIN: Self =
+        Self { beyond: [BEYOND; 3], pole: [0.0; 4], bars: [[0.0; 2]; 3] };
 
     /// On an ellipse. Between dissimilar bodies slip turns elsewhere than around the pole.
     pub(crate) fn new(contact: &Contact, creepage: Creepage) -> Self {
@@ -60,7 +66,7 @@ impl Extrapolation {
         let pole = pole(contact.ellipse(), creepage).map(|value| like * value);
         let bar = |k: usize| {
             let alike = LIKE[k] * POLE[k].powf(pole[0]) * (1.0 + creepage.chi.abs()).sqrt();
-            like * alike + (1.0 - like) * UNLIKE[k] * (1.0 + kappa).cbrt()
+            [like * alike, (1.0 - like) * UNLIKE[k] * (1.0 + kappa).cbrt()]
         };
         let beyond = LESS.map(|less| BEYOND * (1.0 - less * pole[0]));
         Self { beyond, pole, bars: [0, 1, 2].map(bar) }
@@ -76,9 +82,12 @@ impl Extrapolation {
     pub(crate) fn error_bar(&self, [coarse, fine]: [Force; 2], elements: usize) -> Force {
         let apart = combine(coarse, fine, |_, coarse, fine| (fine - coarse).abs());
         let (size, most) = (largest(fine), largest(apart));
+        let least = LEAST[0] + ADHERING * (1.0 - size).max(0.0).powi(4);
         combine(apart, apart, |k, own, _| {
             let scale = (size * size * (own + CHANCE * most)).cbrt() / elements as f64;
-            (self.bars[k] * scale).max(LEAST[0] * own).max(LEAST[1] * most)
+            let [alike, unlike] = self.bars[k];
+            let factor = alike * (elements as f64 / 400.0).powf(SLOWER[k]) + unlike;
+            (factor * scale).max(least * own).max(LEAST[1] * most)
         })
     }
 

@@ -65,14 +65,9 @@ impl Grid {
         [coarse, fine]
     }
 
-    /// Hertz's contact, in units of `c`, of the largest traction bound, and of `mu c / rho`.
-    pub(crate) fn hertz(
-        ellipse: Ellipse,
-        poisson: f64,
-        kappa_over_mu: f64,
-        [along, strips]: [usize; 2],
-    ) -> Self {
-        let mesh = Mesh::ellipse(ellipse, along, strips);
+    /// Hertz's contact, on a mesh of its ellipse, in units of `c`, of the largest traction bound, and
+    /// of `mu c / rho`.
+    pub(crate) fn hertz(ellipse: Ellipse, poisson: f64, kappa_over_mu: f64, mesh: Mesh) -> Self {
         let pressure = Pressure::hertz(ellipse, &mesh);
         // Slip in units of mu c / rho: (4.20) with the unit of slip mu f00.
         let slip_unit = (1.0 - poisson) * ellipse.integrals().e / (2.0 * ellipse.g().sqrt());
@@ -194,7 +189,7 @@ mod tests {
 
     #[test]
     fn the_mirror_image_is_a_saving_only() {
-        let half = Grid::hertz(ellipse(), POISSON, 0.0, [12, 10]);
+        let half = Grid::hertz(ellipse(), POISSON, 0.0, Mesh::ellipse(ellipse(), 12, 10));
         let dense = on(Mesh::new(Mesh::ellipse(ellipse(), 12, 10).strips));
         for case in CASES {
             for (half, dense) in force(&half, case).into_iter().zip(force(&dense, case)) {
@@ -234,7 +229,7 @@ mod tests {
     /// to a sixteenth; from case to case it depends on where the border of adhesion falls.
     #[test]
     fn strips_of_unequal_numbers_of_elements_converge() {
-        let truth = Grid::hertz(ellipse(), POISSON, 0.0, [56, 40]);
+        let truth = Grid::hertz(ellipse(), POISSON, 0.0, Mesh::ellipse(ellipse(), 56, 40));
         let grids = [(8, 6), (16, 12), (32, 24)].map(|(n, strips)| on(unequal(n, strips)));
         let mut errors = [0.0; 3];
         for case in CASES {

@@ -66,9 +66,18 @@ use workspace::Pool;
 ///
 /// | resolution | median | rms | worst | case | preparation |
 /// |---|---|---|---|---|---|
-/// | [`Resolution::FAST`] | 0.03 % | 0.19 % | 1.2 % | 0.5 ms | 2 ms |
-/// | [`Resolution::STANDARD`] | 0.00 % | 0.05 % | 0.29 % | 2 ms | 10 ms |
-/// | [`Resolution::FINE`] | 0.00 % | 0.01 % | 0.03 % | 25 ms | 0.1 s |
+/// | [`Resolution::FAST`] | 0.04 % | 0.13 % | 0.61 % | 0.5 ms | 2 ms |
+/// | [`Resolution::STANDARD`] | 0.00 % | 0.03 % | 0.12 % | 2 ms | 10 ms |
+/// | [`Resolution::FINE`] | 0.00 % | 0.01 % | 0.04 % | 25 ms | 0.1 s |
+///
+/// The worst at the fine resolution are at `a/b = 5` and `chi = 2`, where grids of up to 182 x 42 and
+/// 134 x 74 elements agree with each other, and the reference is off by 0.12 %, beyond its uncertainty.
+///
+/// Over 136 random cases that nothing was chosen with (`a/b` .15 to 6, creepage to 3, spin to 8),
+/// against 96 x 80 elements, `fx`, `fy` and `mz` err by 0.22, 0.07 and 0.02 % rms at the three
+/// resolutions, 0.8, 0.3 and 0.07 % at worst, and 97 to 98 % are inside their error bars, which are four
+/// times the error in the median. Between unlike bodies (`kappa/mu` to 3) it is 0.43, 0.12 and
+/// 0.04 %, 2.1, 0.7 and 0.2 %, 96 to 97 %, and five to six times.
 ///
 /// Errors are largest with a pole of strong spin inside the contact. At the fine resolution the
 /// limit of small creepage is met to 0.2 % in every coefficient for `a/b` from 0.1 to 10, and full
@@ -133,8 +142,12 @@ impl Exact {
         let resolution = resolution.between_bodies(contact.kappa_over_mu());
         let [along, across] = resolution.coarse(ellipse.ratio());
         let grids = Grid::pair(|k| {
-            Grid::hertz(ellipse, poisson, contact.kappa_over_mu(), [k * along, k * across])
-                .with_resistance(contact.rolling_friction(), contact.layer(), contact.scaling())
+            let mesh = mesh::Mesh::ellipse(ellipse, k * along, k * across);
+            Grid::hertz(ellipse, poisson, contact.kappa_over_mu(), mesh).with_resistance(
+                contact.rolling_friction(),
+                contact.layer(),
+                contact.scaling(),
+            )
         });
         Self { contact: *contact, grids, pool: Pool::default() }
     }
@@ -182,7 +195,9 @@ impl Exact {
 /// The quadrilaterals of the fine resolution that fill an ellipse, in its unit of length.
 pub(crate) fn quadrilaterals(ellipse: Ellipse) -> impl Iterator<Item = [[f64; 2]; 4]> {
     let [along, strips] = Resolution::FINE.coarse(ellipse.ratio());
-    let strips = mesh::Mesh::ellipse(ellipse, 2 * along, 2 * strips).strips.into_iter();
+    let sides = mesh::Sides::NARROW;
+    let mesh = mesh::Mesh::with_sides(ellipse, 2 * along, 2 * strips, sides);
+    let strips = mesh.strips.into_iter();
     strips.flat_map(|strip| (0..strip.len()).map(move |i| strip.corners(i)))
 }
 

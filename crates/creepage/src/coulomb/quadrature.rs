@@ -12,6 +12,8 @@ use crate::Force;
 /// Slip that counts as far from the border of adhesion; elastic slip is of order one. Near the
 /// border the element's own direction rules, so that nothing jumps when an element starts to slide.
 const FAR: f64 = 1.0;
+/// By how much its square grows, at most, where spin turns the slip about within an element.
+const TURNED: f64 = 2.0;
 
 /// A quadrature point: where the pressure of a subcell acts.
 #[derive(Debug, Clone, Copy)]
@@ -28,6 +30,8 @@ pub(crate) struct Quadrature {
     subcells: Vec<[[Subcell; SUBCELLS]; SUBCELLS]>,
     shares: Vec<f64>,
     centroids: Vec<[f64; 2]>,
+    /// Mean area of an element.
+    area: f64,
 }
 
 /// Fields that are linear in the tractions and may be differentiated with them.
@@ -81,7 +85,9 @@ impl Sum {
 impl Quadrature {
     pub(crate) fn new(mesh: &Mesh, pressure: &Pressure) -> Self {
         let elements = mesh.all().zip(&pressure.subcells);
+        let area: f64 = mesh.all().map(|(strip, i)| mesh.strips[strip].area(i)).sum();
         Self {
+            area: area / mesh.len() as f64,
             subcells: elements
                 .map(|((strip, i), cells)| {
                     cells.map(|row| row.map(|moments| Subcell::new(mesh, strip, i, moments)))
@@ -90,6 +96,15 @@ impl Quadrature {
             shares: pressure.shares.clone(),
             centroids: pressure.centroids.clone(),
         }
+    }
+
+    /// The square of the slip that counts as far, and its derivative by the spin. It grows with the
+    /// square of the difference that spin makes from one element to the next: near the pole the
+    /// elastic slip changes as fast, and what is interpolated between elements is less sure.
+    fn far(&self, spin: f64) -> (f64, f64) {
+        let difference = self.area * spin * spin;
+        let square = FAR * FAR + TURNED * difference / (1.0 + difference);
+        (square, 2.0 * TURNED * self.area * spin / (1.0 + difference).powi(2))
     }
 
     /// Adds force and frictional power of one element.
@@ -102,7 +117,7 @@ impl Quadrature {
         let own = own.map(|t| t / limit);
         let slip = Fields::at(fields.slip, element);
         let (traction, speed) = (norm(own), dot(own, slip));
-        let turn = speed / (speed * speed + FAR * FAR);
+        let turn = speed / (speed * speed + self.far(fields.spin).0);
         for subcell in self.subcells[element].as_flattened() {
             let there = fields.slip_in(subcell);
             let bent = [0, 1].map(|k| own[k] + turn * (there[k] - slip[k]));
@@ -129,9 +144,11 @@ impl Quadrature {
         let (traction, speed) = (norm(own), dot(own, slip));
         let d_traction = dot(direction(own, traction), d_own);
         let d_speed = dot(own, d_slip) + dot(d_own, slip);
-        let square = speed * speed + FAR * FAR;
+        let (far, d_far) = self.far(fields.spin);
+        let square = speed * speed + far;
+        let d_square = 2.0 * speed * d_speed + d_far * change.spin;
         let (turn, d_turn) =
-            (speed / square, d_speed * (FAR * FAR - speed * speed) / (square * square));
+            (speed / square, (d_speed * square - speed * d_square) / (square * square));
         for subcell in self.subcells[element].as_flattened() {
             let [there, d_there] = [fields, change].map(|f| f.slip_in(subcell));
             let bent = [0, 1].map(|k| own[k] + turn * (there[k] - slip[k]));

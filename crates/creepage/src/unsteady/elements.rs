@@ -5,6 +5,7 @@ use std::f64::consts::PI;
 use crate::coulomb::forcing;
 use crate::coulomb::grid::Grid;
 use crate::coulomb::influence::Influence;
+use crate::coulomb::mesh::{Mesh, Sides};
 use crate::coulomb::stencil::SlipStencil;
 use crate::friction_law::RollingFriction;
 use crate::{Ellipse, Scaling};
@@ -79,15 +80,17 @@ impl Elements {
         Self { steady, rounding, all, rows, displacements, by_pressure, semi_axes }
     }
 
-    /// Hertz's contact in the units of [`Grid::hertz`].
+    /// Hertz's contact in the units of [`Grid::hertz`]. Strips narrow towards the sides, for a shift
+    /// slips all around the edge.
     pub(crate) fn hertz(
         ellipse: Ellipse,
         poisson: f64,
         kappa_over_mu: f64,
-        counts: [usize; 2],
+        [along, strips]: [usize; 2],
     ) -> Self {
+        let mesh = Mesh::with_sides(ellipse, along, strips, Sides::NARROW);
         let slip_unit = (1.0 - poisson) * ellipse.integrals().e / (2.0 * ellipse.g().sqrt());
-        let grid = Grid::hertz(ellipse, poisson, kappa_over_mu, counts);
+        let grid = Grid::hertz(ellipse, poisson, kappa_over_mu, mesh);
         let mut elements = Self::new(grid, poisson, slip_unit, [ellipse.a(), ellipse.b()]);
         if kappa_over_mu != 0.0 {
             let factor = kappa_over_mu / slip_unit;

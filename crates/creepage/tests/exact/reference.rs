@@ -43,9 +43,9 @@ fn statistics(sorted: &[f64]) -> [f64; 3] {
 #[test]
 fn reference_cases() {
     for (resolution, printed, half_a_unit) in [
-        (Resolution::FAST, [0.03, 0.19, 1.2], [0.005, 0.005, 0.05]),
-        (Resolution::STANDARD, [0.00, 0.05, 0.29], [0.005, 0.005, 0.005]),
-        (Resolution::FINE, [0.00, 0.01, 0.03], [0.005, 0.005, 0.005]),
+        (Resolution::FAST, [0.04, 0.13, 0.61], [0.005, 0.005, 0.005]),
+        (Resolution::STANDARD, [0.00, 0.03, 0.12], [0.005, 0.005, 0.005]),
+        (Resolution::FINE, [0.00, 0.01, 0.04], [0.005, 0.005, 0.005]),
     ] {
         let [force, moment] = reference_errors(resolution);
         assert_eq!(force.len(), 132);

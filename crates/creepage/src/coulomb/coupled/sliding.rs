@@ -42,7 +42,7 @@ use super::normal::{Normal, Pressed};
 use super::shape::Shape;
 use crate::check::{self, InvalidValue};
 use crate::coulomb::extrapolation::extrapolate;
-use crate::coulomb::mesh::Mesh;
+use crate::coulomb::mesh::{Mesh, Sides};
 use crate::coulomb::mixing::Mixing;
 use crate::coulomb::pressure::Pressure;
 use crate::coulomb::resolution::Resolution;
@@ -114,8 +114,8 @@ impl GrossSliding {
         let ellipse = Ellipse::from_ratio(ellipse.ratio())?;
         let [along, across] = Resolution::FINE.coarse(ellipse.ratio());
         let q = [q * cos, q * sin];
-        let [coarse, fine] =
-            [1, 2].map(|times| Mesh::ellipse(ellipse, times * along, times * across));
+        let mesh = |times| Mesh::with_sides(ellipse, times * along, times * across, Sides::NARROW);
+        let [coarse, fine] = [1, 2].map(mesh);
         let coarse = Sliding::new(ellipse, &coarse)?.by_steps(q)?;
         let fine = Sliding::new(ellipse, &fine)?;
         let fine = fine.refined(&coarse, q).or_else(|_| fine.by_steps(q))?;
