@@ -20,6 +20,7 @@ mod find;
 mod friction;
 mod jump;
 mod line;
+mod load;
 mod motion;
 mod particle;
 mod past;
