@@ -2,6 +2,7 @@
 
 use std::ffi::c_char;
 use std::fs;
+use std::path::Path;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use creepage::Status;
@@ -188,13 +189,15 @@ pub unsafe extern "C" fn creepage_rolling_restore(
 
 impl CreepageRolling {
     fn read(path: &str) -> Result<Self, Failure> {
-        let text = if path.contains('\n') {
-            path.to_owned()
+        let (text, directory) = if path.contains('\n') {
+            (path.to_owned(), Path::new(""))
         } else {
-            fs::read_to_string(path)
-                .map_err(|source| Failure::Read { path: path.into(), source })?
+            let text = fs::read_to_string(path)
+                .map_err(|source| Failure::Read { path: path.into(), source })?;
+            (text, Path::new(path).parent().unwrap_or(Path::new("")))
         };
-        let stepper = RollFile::read(&text).and_then(|file| RollStepper::new(file.case()?))?;
+        let file = RollFile::read(&text)?;
+        let stepper = RollStepper::new(file.case(directory)?)?;
         Ok(Self { stepper: Mutex::new(stepper) })
     }
 

@@ -156,6 +156,9 @@ fn columns<'a>(
         if case.is_fastsim() && (is_held || *kind == Kind::NormalForce) {
             return Err(HistoryError::NotOfFastsim { what: first });
         }
+        if *kind == Kind::NormalForce && case.has_areas() {
+            return Err(HistoryError::NotOfAnArea { column: first });
+        }
         let foreign = *kind == Kind::NormalForce || kind.component() == Some(2);
         if foreign && case.is_line() {
             return Err(HistoryError::NotOfALine { column: first });

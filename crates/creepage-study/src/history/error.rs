@@ -3,6 +3,7 @@
 use creepage::InvalidValue;
 
 use crate::CaseError;
+use crate::gap::GapCaseError;
 
 /// Why a case does not roll, or a table is no history.
 #[derive(Debug, thiserror::Error)]
@@ -19,6 +20,26 @@ pub enum HistoryError {
     Section {
         /// `creepage` or `wanted`.
         section: &'static str,
+    },
+    /// A section of steady rolling only.
+    #[error(
+        "section [{section}] is for steady rolling: a contact that rolls by a history has none"
+    )]
+    Steady {
+        /// `layer` or `damage`.
+        section: &'static str,
+    },
+    /// What a case file with `[gap]` may have wrong.
+    #[error(transparent)]
+    Gap(Box<GapCaseError>),
+    /// A load that changes on areas of any shape.
+    #[error(
+        "column {column} does not go with [gap]: areas of any shape are solved for one load, the \
+         normal_force or approach of [contact]"
+    )]
+    NotOfAnArea {
+        /// Its name.
+        column: &'static str,
     },
     /// A theory of steady rolling only.
     #[error(
@@ -163,6 +184,15 @@ pub enum MotionError {
         /// `mu N` of the moment.
         most: f64,
     },
+}
+
+impl From<GapCaseError> for HistoryError {
+    fn from(error: GapCaseError) -> Self {
+        match error {
+            GapCaseError::Case(error) => Self::Case(error),
+            other => Self::Gap(Box::new(other)),
+        }
+    }
 }
 
 impl HistoryError {

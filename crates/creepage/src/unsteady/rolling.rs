@@ -120,16 +120,12 @@ impl Rolling {
     /// what they remember is lost.
     ///
     /// # Errors
-    /// [`InvalidValue`] unless `load` lies between 0 and a million, and for line contacts, whose load
-    /// stays as it is.
+    /// [`InvalidValue`] unless `load` lies between 0 and a million, and for line contacts and areas of
+    /// any shape, whose load stays as it is.
     pub fn press(&mut self, load: f64) -> Result<(), InvalidValue> {
-        let is_line = self.tracks[0].elements.semi_axes[1].is_infinite();
-        check::require(
-            !is_line || (load - 1.0).abs() < 1e-12,
-            "load",
-            load,
-            "1 for a line contact",
-        )?;
+        let stays = self.tracks[0].elements.semi_axes[1].is_infinite();
+        let valid = "1 for a line contact or an area of any shape";
+        check::require(!stays || (load - 1.0).abs() < 1e-12, "load", load, valid)?;
         let valid = "between 0 and 1e6";
         self.travel.next_load = check::require((0.0..=1e6).contains(&load), "load", load, valid)?;
         Ok(())

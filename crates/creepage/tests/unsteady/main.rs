@@ -2,6 +2,7 @@
 
 #![allow(clippy::unwrap_used)]
 
+mod area;
 mod cases;
 mod friction;
 mod line;
