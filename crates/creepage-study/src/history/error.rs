@@ -54,11 +54,11 @@ pub enum HistoryError {
     Automatic,
     /// What FASTSIM does not do.
     #[error(
-        "{what} does not go with theory = \"fastsim\", which rolls ellipses at creepages under the \
-         constant normal force of the case: use \"exact\""
+        "{what} does not go with theory = \"fastsim\", which rolls ellipses, from no traction or \
+         from steady rolling: use \"exact\""
     )]
     NotOfFastsim {
-        /// A column or a key.
+        /// A section or a key.
         what: &'static str,
     },
     /// A key that goes with another kind of contact or start.

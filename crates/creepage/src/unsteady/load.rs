@@ -3,7 +3,6 @@
 
 use super::jump::NEARLY_SLIDING;
 use super::motion::{Motion, Prescribed};
-use super::rolling::Travel;
 
 /// Largest change of the contact's size in a part.
 const GROWTH: f64 = 0.04;
@@ -23,10 +22,10 @@ pub(super) struct Course {
 }
 
 impl Course {
-    pub(super) fn new(travel: &Travel, distance: f64, motion: &Motion) -> Self {
-        let loads = [travel.load, travel.next_load];
+    /// From a load to another, with the forces that there are.
+    pub(super) fn new(loads: [f64; 2], force: [f64; 3], distance: f64, motion: &Motion) -> Self {
         let is_beyond = loads[1] > loads[0] && motion.force() >= NEARLY_SLIDING * loads[0];
-        let forces = is_beyond.then_some(travel.force);
+        let forces = is_beyond.then_some(force);
         Self { loads, distance, motion: *motion, forces }
     }
 

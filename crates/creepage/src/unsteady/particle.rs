@@ -91,7 +91,7 @@ impl Particles<'_> {
 }
 
 /// Where a condition that holds at `from` and not at `to` ends.
-fn bisect(mut from: f64, mut to: f64, holds: impl Fn(f64) -> bool) -> f64 {
+pub(crate) fn bisect(mut from: f64, mut to: f64, holds: impl Fn(f64) -> bool) -> f64 {
     for _ in 0..BISECTIONS {
         let middle = 0.5 * (from + to);
         if holds(middle) {

@@ -189,7 +189,12 @@ impl Rolling {
         if !smooth {
             self.control.restart();
         }
-        let course = Course::new(&self.travel, distance, motion);
+        let course = Course::new(
+            [self.travel.load, self.travel.next_load],
+            self.travel.force,
+            distance,
+            motion,
+        );
         let (mut rolled_on, mut cost) = (0.0, Statistics::default());
         loop {
             let longest = course.longest(rolled_on);

@@ -4,6 +4,7 @@
 
 mod area;
 mod cases;
+mod fastsim;
 mod friction;
 mod line;
 mod load;
