@@ -90,7 +90,7 @@ impl RollFile {
     pub fn case(&self, directory: &Path) -> Result<RollCase, HistoryError> {
         let case = match &self.bodies {
             Bodies::Smooth(file) => file.case()?,
-            Bodies::Shaped(file) => areas::case(&file.case(directory)?)?,
+            Bodies::Shaped(file) => areas::case(&file.case_at_rest(directory)?)?,
         };
         let start = self.start.checked(case.scaling.force)?;
         if case.is_fastsim() && matches!(start, Start::Shift(_)) {
