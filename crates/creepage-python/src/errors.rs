@@ -213,11 +213,12 @@ pub(crate) fn history(py: Python, error: HistoryError) -> PyErr {
         HistoryError::Foreign { section, key, .. } => {
             exception(py, "CaseError", (message, Some(section), Some(key)))
         }
-        HistoryError::Steady { section } => exception(py, "CaseError", (message, Some(section))),
         HistoryError::Gap(_) | HistoryError::NotOfAnArea { .. } => {
             exception(py, "CaseError", (message, Some("gap")))
         }
-        HistoryError::Section { section } => exception(py, "CaseError", (message, Some(section))),
+        HistoryError::Section { section } | HistoryError::Steady { section } => {
+            exception(py, "CaseError", (message, Some(section)))
+        }
         HistoryError::Start { .. } => exception(py, "CaseError", (message, Some("start"))),
         _ => PyValueError::new_err(message),
     }

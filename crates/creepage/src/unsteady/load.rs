@@ -57,7 +57,7 @@ impl Course {
     pub(super) fn longest(&self, rolled: f64) -> f64 {
         let ([from, to], load) = (self.loads, self.load(rolled));
         let touch = TOUCH * from.max(to);
-        let per_load = self.distance / (to - from).abs();
+        let whole = (to - from).abs();
         let volume = (1.0 + GROWTH).powi(3);
         let change = if to > from {
             (load * (volume - 1.0)).max(touch - load)
@@ -66,6 +66,6 @@ impl Course {
         } else {
             load
         };
-        if from == to { self.distance } else { change * per_load }
+        if whole > 0.0 { self.distance * (change / whole) } else { self.distance }
     }
 }

@@ -62,12 +62,11 @@ fn a_row_may_be_cut_into_many() {
         let end = |rows: u32| {
             let mut rolling = rolling(from);
             rolling.step(2.0, &motion).unwrap();
-            let mut row = |row: u32| {
+            let row = |row: u32| {
                 rolling.press(from + (to - from) * f64::from(row) / f64::from(rows)).unwrap();
-                rolling.step(1.0 / f64::from(rows), &motion).unwrap()
+                rolling.step(1.0 / f64::from(rows), &motion).unwrap().solution.force
             };
-            (1..rows).for_each(|k| drop(row(k)));
-            row(rows).solution.force
+            (1..=rows).map(row).last().unwrap()
         };
         let (once, often) = (end(1), end(40));
         let off = (once.fx - often.fx).hypot(once.fy - often.fy);
