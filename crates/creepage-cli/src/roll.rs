@@ -23,7 +23,9 @@ pub(crate) fn run(args: &RollArgs) -> Result<Outcome, Failure> {
         move |source: HistoryError| Failure::History { path, source: Box::new(source) }
     };
     let texts = [read_text(&args.case)?, read_text(&args.history)?];
-    let case = RollFile::read(&texts[0]).and_then(|file| file.case()).map_err(wrong(&args.case))?;
+    let directory = args.case.parent().unwrap_or(Path::new(""));
+    let case = RollFile::read(&texts[0]).and_then(|file| file.case(directory));
+    let case = case.map_err(wrong(&args.case))?;
     let history = History::read(texts[1].as_bytes(), &case).map_err(wrong(&args.history))?;
     let mut run = HistoryRun::new(&case, &history).map_err(wrong(&args.case))?;
     let not_converged = match &args.out {

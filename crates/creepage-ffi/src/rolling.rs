@@ -187,8 +187,9 @@ pub unsafe extern "C" fn creepage_rolling_restore(
 
 impl CreepageRolling {
     fn read(path: &str) -> Result<Self, Failure> {
-        let (text, _) = file(path)?;
-        let stepper = RollFile::read(&text).and_then(|file| RollStepper::new(file.case()?))?;
+        let (text, directory) = file(path)?;
+        let case = RollFile::read(&text)?.case(directory)?;
+        let stepper = RollStepper::new(case)?;
         Ok(Self { stepper: Mutex::new(stepper) })
     }
 

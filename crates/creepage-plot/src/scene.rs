@@ -163,7 +163,7 @@ impl Scene {
 
     /// A label whose baseline passes through `at`, white around its letters.
     pub(crate) fn haloed_text(&mut self, at: Point, style: Type, label: &Label) {
-        let halo = " stroke=\"#ffffff\" stroke-width=\"3.5\" stroke-linejoin=\"round\" paint-order=\"stroke\"";
+        let halo = " stroke=\"#ffffff\" stroke-width=\"10\" stroke-linejoin=\"round\" paint-order=\"stroke\"";
         self.styled_text(at, style, label, halo);
     }
 

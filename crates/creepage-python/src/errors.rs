@@ -230,7 +230,15 @@ pub(crate) fn history(py: Python, error: HistoryError) -> PyErr {
         HistoryError::Foreign { section, key, .. } => {
             exception(py, "CaseError", (message, Some(section), Some(key)))
         }
-        HistoryError::Section { section } => exception(py, "CaseError", (message, Some(section))),
+        HistoryError::Gap(_) | HistoryError::NotOfAnArea { .. } => {
+            exception(py, "CaseError", (message, Some("gap")))
+        }
+        HistoryError::Section { section } | HistoryError::Steady { section } => {
+            exception(py, "CaseError", (message, Some(section)))
+        }
+        HistoryError::NoMemory => {
+            exception(py, "CaseError", (message, Some("contact"), Some("friction")))
+        }
         HistoryError::Start { .. } => exception(py, "CaseError", (message, Some("start"))),
         _ => PyValueError::new_err(message),
     }

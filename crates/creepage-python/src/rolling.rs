@@ -43,7 +43,7 @@ pub(crate) enum Start {
 impl RollingData {
     #[new]
     fn new(py: Python, text: &str, is_case: bool, start: Option<Start>) -> PyResult<Self> {
-        let prepare = || RollStepper::new(file(text, is_case, start)?.case()?);
+        let prepare = || RollStepper::new(file(text, is_case, start)?.case(".".as_ref())?);
         let stepper = py.detach(prepare).map_err(|error| errors::history(py, error))?;
         Ok(Self { stepper: Mutex::new(stepper) })
     }
@@ -98,7 +98,7 @@ pub(crate) fn roll<'py>(
     let given: Vec<(String, Vec<f64>)> =
         columns.iter().map(|(name, values)| (name.clone(), values.as_array().to_vec())).collect();
     let columns: Vec<_> = given.iter().map(|(name, values)| (&name[..], &values[..])).collect();
-    let case = py.detach(|| file(text, is_case, start)?.case()).map_err(wrong)?;
+    let case = py.detach(|| file(text, is_case, start)?.case(".".as_ref())).map_err(wrong)?;
     let history = History::from_columns(&columns, &case).map_err(wrong)?;
     let mut run = py.detach(|| HistoryRun::new(&case, &history)).map_err(wrong)?;
     let mut found: [Vec<f64>; 11] = Default::default();

@@ -194,7 +194,7 @@ fn roll_files_and_histories() {
     let which = || any::<usize>();
     proptest!(config(150), |(which in (which(), which()), file in changes(), rows in changes())| {
         let text = changed(&corpus[which.0 % corpus.len()], &file);
-        match RollFile::read(&text).and_then(|file| file.case()) {
+        match RollFile::read(&text).and_then(|file| file.case(".".as_ref())) {
             Err(error) => readable(&error),
             Ok(case) => {
                 let rows = changed(&histories[which.1 % histories.len()], &rows);

@@ -12,15 +12,18 @@ pub(crate) const ITEM: Item =
 const SPINS: [f64; 5] = [0.0, -0.561, -2.25, -4.78, -9.58];
 /// Poisson's ratio as the caption has it, where all else of chapter 5 has 0.28.
 const OF_THE_CAPTION: f64 = 0.23;
+/// From the lowest to the highest force that is drawn.
+const FRAME: [f64; 2] = [-1.05, 1.05];
 
 fn make() -> Result<Reproduction, GalleryError> {
-    let [mut curves, mut others, mut fulls] = [const { Vec::new() }; 3];
+    let [mut curves, mut others, mut fulls, mut bands] = [const { Vec::new() }; 4];
     for chi in SPINS {
         let creepages = across(chi);
         curves.push(curve(&creepages, STEEL)?);
         others.push(curve(&creepages, OF_THE_CAPTION)?);
-        let forces = full(1.0, STEEL, &creepages)?;
-        fulls.push(points(&etas(), &forces, |force| force.fy));
+        let found = full_solutions(1.0, STEEL, &creepages)?;
+        bands.push(band(&etas(), &found, |force| force.fy, FRAME));
+        fulls.push(etas().iter().zip(&found).map(|(eta, found)| [*eta, found.force.fy]).collect());
     }
     let mut data = Data::new(["curve", "chi", "eta", "fy"]);
     for (name, set) in [("M = 3", &curves), ("full theory", &fulls)] {
@@ -40,7 +43,7 @@ fn make() -> Result<Reproduction, GalleryError> {
          force by more than {poisson:.3}. {EXPERIMENTS}",
         apart[0], apart[1], apart[2], apart[3], apart[4]
     );
-    Ok(Reproduction::figure(&sheet(&curves, &fulls), caption, data, claims(&apart)))
+    Ok(Reproduction::figure(&sheet(&curves, &fulls, bands), caption, data, claims(&apart)))
 }
 
 fn etas() -> Vec<f64> {
@@ -78,10 +81,10 @@ fn claims(apart: &[f64]) -> Vec<Comparison> {
     vec![line.because(reason)]
 }
 
-fn sheet(curves: &[Curve], fulls: &[Curve]) -> Sheet {
+fn sheet(curves: &[Curve], fulls: &[Curve], bands: Vec<Curve>) -> Sheet {
     let x = Axis::new([-3.0, 3.0], axes::eta());
-    let y = Axis::new([-1.05, 1.05], axes::fy());
-    let mut panel = Panel::new(x, y).height(440.0);
+    let y = Axis::new(FRAME, axes::fy());
+    let mut panel = Panel::new(x, y).height(440.0).area(bands, BAND);
     for (k, (curve, full)) in curves.iter().zip(fulls).enumerate() {
         let name = Label::new(&format!("{}: ", k + 1)).symbol("χ").plain(" = ");
         let name = name.number(&SPINS[k].to_string());
@@ -96,6 +99,7 @@ fn sheet(curves: &[Curve], fulls: &[Curve]) -> Sheet {
         )
         .panel(panel)
         .key(FULL.wide(1.5), Label::new("full theory"))
+        .key(BAND, Label::new("error bars of the full theory"))
 }
 
 /// Unlike the full theory's red dashes.

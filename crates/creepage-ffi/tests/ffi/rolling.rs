@@ -84,7 +84,8 @@ fn free(made: *mut CreepageRolling) {
 fn steps_are_the_library_s() {
     let (code, made) = made(TEXT);
     assert_eq!(code, CREEPAGE_OK);
-    let mut stepper = RollStepper::new(RollFile::read(TEXT).unwrap().case().unwrap()).unwrap();
+    let mut stepper =
+        RollStepper::new(RollFile::read(TEXT).unwrap().case(".".as_ref()).unwrap()).unwrap();
     let given = [("distance", 1e-3), ("longitudinal", -1e-3), ("lateral_force", 2e3)];
     let given = [&given[..], &[("spin", 0.1), ("normal_force", 70e3)]].concat();
     for _ in 0..3 {

@@ -98,6 +98,9 @@ fn check(names: [&'static str; 3], values: [Option<f64>; 3]) -> Result<(), Inval
 }
 
 impl SiGiven {
+    /// No creepage.
+    pub(super) const AT_REST: Self = Self { creepage: [Some(0.0); 3], force: [None; 3] };
+
     /// A creepage, and no force.
     pub(super) fn at(creepage: SiCreepage) -> Result<Self, CaseError> {
         let SiCreepage { longitudinal, lateral, spin } = creepage;

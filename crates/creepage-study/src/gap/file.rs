@@ -203,6 +203,12 @@ impl GapFile {
     /// # Errors
     /// [`GapCaseError`] with section, key and value.
     pub fn case(&self, directory: &Path) -> Result<GapCase, GapCaseError> {
+        let given = self.creepage.given(&self.wanted)?;
+        Ok(GapCase { given, ..self.case_at_rest(directory)? })
+    }
+
+    /// The same without creepage: how the bodies move is said elsewhere.
+    pub(crate) fn case_at_rest(&self, directory: &Path) -> Result<GapCase, GapCaseError> {
         let (upper, lower) = (self.upper.body(), self.lower.body());
         let pair = SolidPair::new(upper.solid("upper")?, lower.solid("lower")?);
         let (gap, shape) = (self.gap.gap(directory)?, self.gap.shape());
@@ -218,7 +224,7 @@ impl GapFile {
             rolling_friction: self.contact.friction.rolling(speed)?,
             layer: self.layer.as_ref().map(LayerSection::layer).transpose()?,
             damage: self.damage.as_ref().map(DamageSection::wanted_without_limit).transpose()?,
-            given: self.creepage.given(&self.wanted)?,
+            given: SiGiven::AT_REST,
             speed,
             theory,
         })

@@ -28,7 +28,7 @@ pub use json::{
     ExtentJson, GapContactJson, GapCreepageJson, GapForceJson, GapReportJson, PatchJson,
 };
 pub(crate) use picture::AreasPicture;
-pub(crate) use solve::resolutions;
 pub use solve::{SolvedGap, solve_gap};
+pub(crate) use solve::{pressed, resolutions};
 pub use theory::GapTheory;
 pub use vary::{GapRows, GapValue, GapVaried};

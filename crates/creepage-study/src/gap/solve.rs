@@ -64,7 +64,11 @@ pub fn solve_gap(case: &GapCase) -> Result<SolvedGap, GapCaseError> {
     rolled(case, &contact, *last)
 }
 
-fn pressed(case: &GapCase, resolution: normal::Resolution) -> Result<NormalContact, GapCaseError> {
+/// The bodies pressed together.
+pub(crate) fn pressed(
+    case: &GapCase,
+    resolution: normal::Resolution,
+) -> Result<NormalContact, GapCaseError> {
     let (contact, pressed) = match case.pressed {
         Pressed::Load(load) => (
             NormalContact::under_load(&case.gap, case.pair, load, resolution),

@@ -1,14 +1,19 @@
 //! A contact that rolls, every number of it checked.
 
+use std::path::Path;
+
 use creepage::approximate::carter::LineContact;
 use creepage::approximate::fastsim::Settings;
 use creepage::coulomb::Resolution;
 use creepage::friction_law::RollingFriction;
+use creepage::normal::NormalContact;
+use creepage::theory::ExactOptions;
 use creepage::unsteady::{Motion, Prescribed, Rolled, Rolling, RollingFastsim};
 use creepage::{Contact, InvalidValue, Scaling, SolidPair, TheorySpec};
 
+use super::areas;
 use super::error::HistoryError;
-use super::file::{RollFile, StartTraction};
+use super::file::{Bodies, RollFile, SmoothFile, StartSection, StartTraction};
 use super::roller::Roller;
 use crate::CaseError;
 use crate::case::contact::ContactSection;
@@ -29,7 +34,7 @@ pub struct RollCase {
 }
 
 #[allow(clippy::large_enum_variant)] // one a case
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub(super) enum Kind {
     Ellipse {
         contact: Contact,
@@ -39,6 +44,12 @@ pub(super) enum Kind {
     Line {
         length: Option<f64>,
         poisson: f64,
+        friction: Option<RollingFriction>,
+    },
+    /// Of any shape.
+    Areas {
+        contact: NormalContact,
+        resolution: Resolution,
         friction: Option<RollingFriction>,
     },
 }
@@ -71,58 +82,54 @@ pub struct HistoryMotion {
 const LONG: f64 = 1000.0;
 
 impl RollFile {
-    /// The case, every number of it checked.
+    /// The case, every number of it checked; files of points stand in `directory`.
     ///
     /// # Errors
     /// [`HistoryError`] for numbers out of range, contradictions, bodies without such a contact, and
     /// theories of steady rolling.
-    pub fn case(&self) -> Result<RollCase, HistoryError> {
-        let method = self.method()?;
-        let case = match (self.contact.normal_force, self.contact.line_load) {
-            (Some(_), Some(_)) => {
-                let (first, second) = (("contact", "normal_force"), ("contact", "line_load"));
-                return Err(CaseError::Conflict { first, second }.into());
-            }
-            (None, None) => {
-                let keys = ["normal_force", "line_load"];
-                return Err(CaseError::MissingEither { section: "contact", keys }.into());
-            }
-            (Some(force), None) => self.ellipse(force, method)?,
-            (None, Some(_)) if matches!(method, Method::Fastsim(_)) => {
-                return Err(HistoryError::NotOfFastsim { what: "[contact] line_load" });
-            }
-            (None, Some(load)) => self.line(load)?,
+    pub fn case(&self, directory: &Path) -> Result<RollCase, HistoryError> {
+        let case = match &self.bodies {
+            Bodies::Smooth(file) => file.case()?,
+            Bodies::Shaped(file) => areas::case(&file.case_at_rest(directory)?)?,
         };
         if case.lacks_memory() {
             return Err(HistoryError::NoMemory);
         }
-        let start = self.starting(case.scaling.force)?;
-        if matches!((method, start), (Method::Fastsim(_), Start::Shift(_))) {
+        let start = self.start.checked(case.scaling.force)?;
+        if case.is_fastsim() && matches!(start, Start::Shift(_)) {
             return Err(HistoryError::NotOfFastsim { what: "[start] traction = \"shift\"" });
         }
         Ok(RollCase { start, ..case })
     }
+}
+
+impl SmoothFile {
+    fn case(&self) -> Result<RollCase, HistoryError> {
+        let method = self.method()?;
+        match (self.contact.normal_force, self.contact.line_load) {
+            (Some(_), Some(_)) => {
+                let (first, second) = (("contact", "normal_force"), ("contact", "line_load"));
+                Err(CaseError::Conflict { first, second }.into())
+            }
+            (None, None) => {
+                let keys = ["normal_force", "line_load"];
+                Err(CaseError::MissingEither { section: "contact", keys }.into())
+            }
+            (Some(force), None) => self.ellipse(force, method),
+            (None, Some(_)) if matches!(method, Method::Fastsim(_)) => {
+                Err(HistoryError::NotOfFastsim { what: "[contact] line_load" })
+            }
+            (None, Some(load)) => self.line(load),
+        }
+    }
 
     fn method(&self) -> Result<Method, HistoryError> {
         let spec = solve::from_table(&self.solve).map_err(CaseError::Spec)?;
-        let options = match &spec {
-            TheorySpec::Exact(options) => options,
-            TheorySpec::Fastsim(settings) => return Ok(Method::Fastsim(*settings)),
-            _ => return Err(HistoryError::Theory { theory: spec.facts().name }),
-        };
-        let invalid = |error| match error {
-            creepage::theory::TheoryError::Invalid(invalid) => CaseError::invalid("solve")(invalid),
-            _ => CaseError::Invalid {
-                section: "solve",
-                invalid: InvalidValue {
-                    quantity: "accuracy",
-                    value: options.accuracy.unwrap_or(f64::NAN),
-                    valid: "left out with a fixed resolution",
-                },
-            },
-        };
-        let resolution = options.fixed_resolution().map_err(invalid)?;
-        resolution.map(Method::Exact).ok_or(HistoryError::Automatic)
+        match &spec {
+            TheorySpec::Exact(options) => resolution(options).map(Method::Exact),
+            TheorySpec::Fastsim(settings) => Ok(Method::Fastsim(*settings)),
+            _ => Err(HistoryError::Theory { theory: spec.facts().name }),
+        }
     }
 
     fn ellipse(&self, normal_force: f64, method: Method) -> Result<RollCase, HistoryError> {
@@ -208,12 +215,16 @@ impl RollFile {
         };
         Ok([of("upper", self.upper.radius_rolling)?, of("lower", self.lower.radius_rolling)?])
     }
+}
 
-    fn starting(&self, most: f64) -> Result<Start, HistoryError> {
-        let own = &self.start;
-        let given =
-            [("longitudinal_force", own.longitudinal_force), ("lateral_force", own.lateral_force)];
-        if own.traction == StartTraction::Shift {
+impl StartSection {
+    /// Its forces over the friction force `most` (N).
+    fn checked(&self, most: f64) -> Result<Start, HistoryError> {
+        let given = [
+            ("longitudinal_force", self.longitudinal_force),
+            ("lateral_force", self.lateral_force),
+        ];
+        if self.traction == StartTraction::Shift {
             let force = given.map(|(_, value)| value.unwrap_or(0.0));
             let size = force[0].hypot(force[1]);
             // Written so that a force that is no number is refused too.
@@ -226,8 +237,25 @@ impl RollFile {
             let why = "goes with traction = \"shift\"";
             return Err(HistoryError::Foreign { section: "start", key, why });
         }
-        Ok(if own.traction == StartTraction::Steady { Start::Steady } else { Start::None })
+        Ok(if self.traction == StartTraction::Steady { Start::Steady } else { Start::None })
     }
+}
+
+/// The resolution of the full theory, which a history keeps.
+pub(super) fn resolution(options: &ExactOptions) -> Result<Resolution, HistoryError> {
+    let invalid = |error| match error {
+        creepage::theory::TheoryError::Invalid(invalid) => CaseError::invalid("solve")(invalid),
+        _ => CaseError::Invalid {
+            section: "solve",
+            invalid: InvalidValue {
+                quantity: "accuracy",
+                value: options.accuracy.unwrap_or(f64::NAN),
+                valid: "left out with a fixed resolution",
+            },
+        },
+    };
+    let resolution = options.fixed_resolution().map_err(invalid)?;
+    resolution.ok_or(HistoryError::Automatic)
 }
 
 impl RollCase {
@@ -236,7 +264,7 @@ impl RollCase {
         let friction = match &self.kind {
             Kind::Ellipse { contact, method: Method::Exact(_) } => contact.rolling_friction(),
             Kind::Ellipse { .. } => None,
-            Kind::Line { friction, .. } => *friction,
+            Kind::Line { friction, .. } | Kind::Areas { friction, .. } => *friction,
         };
         friction.is_some_and(|friction| friction.falls() && friction.memory().is_none())
     }
@@ -257,19 +285,22 @@ impl RollCase {
 
     /// The contact just pressed together.
     pub(super) fn prepared(&self) -> Result<Roller, InvalidValue> {
-        Ok(match self.kind {
+        Ok(match &self.kind {
             Kind::Ellipse { contact, method: Method::Exact(resolution) } => {
-                Roller::Exact(Rolling::new(&contact, resolution)?)
+                Roller::Exact(Rolling::new(contact, *resolution)?)
             }
             Kind::Ellipse { contact, method: Method::Fastsim(settings) } => {
-                Roller::Fastsim(RollingFastsim::new(&contact, settings)?)
+                Roller::Fastsim(RollingFastsim::new(contact, *settings)?)
             }
             Kind::Line { length, poisson, friction } => {
                 let length = length.unwrap_or(LONG);
                 Roller::Exact(match friction {
-                    None => Rolling::line(length, poisson)?,
-                    Some(law) => Rolling::line_with_friction(length, poisson, law, self.scaling)?,
+                    None => Rolling::line(length, *poisson)?,
+                    Some(law) => Rolling::line_with_friction(length, *poisson, *law, self.scaling)?,
                 })
+            }
+            Kind::Areas { contact, resolution, friction } => {
+                Roller::Exact(Rolling::on_areas(contact, self.friction, *friction, *resolution)?)
             }
         })
     }
@@ -287,6 +318,11 @@ impl RollCase {
     /// Whether it rolls by FASTSIM.
     pub(super) fn is_fastsim(&self) -> bool {
         matches!(self.kind, Kind::Ellipse { method: Method::Fastsim(_), .. })
+    }
+
+    /// Whether its areas are of any shape.
+    pub(super) fn has_areas(&self) -> bool {
+        matches!(self.kind, Kind::Areas { .. })
     }
 
     /// Whether it is a line contact.

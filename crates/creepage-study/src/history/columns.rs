@@ -152,9 +152,8 @@ fn columns<'a>(
         if let Some((second, _)) = found[index + 1..].iter().find(|(_, other)| is_same(other)) {
             return Err(HistoryError::TwoColumns { first, second });
         }
-        let is_held = matches!(kind, Kind::Force(_));
-        if case.is_fastsim() && (is_held || *kind == Kind::NormalForce) {
-            return Err(HistoryError::NotOfFastsim { what: first });
+        if *kind == Kind::NormalForce && case.has_areas() {
+            return Err(HistoryError::NotOfAnArea { column: first });
         }
         let foreign = *kind == Kind::NormalForce || kind.component() == Some(2);
         if foreign && case.is_line() {

@@ -3,6 +3,7 @@
 use creepage::InvalidValue;
 
 use crate::CaseError;
+use crate::gap::GapCaseError;
 
 /// Why a case does not roll, or a table is no history.
 #[derive(Debug, thiserror::Error)]
@@ -20,15 +21,32 @@ pub enum HistoryError {
         /// `creepage` or `wanted`.
         section: &'static str,
     },
-    /// A layer between the bodies.
-    #[error("[layer] does not go with a history: rolling that is not steady has no third body")]
-    Layer,
     /// Friction that follows the slip at once: tractions would jump from step to step.
     #[error(
         "[contact] friction falls with the speed of slip: a history needs its memory_distance (m) and \
          memory_speed (m/s)"
     )]
     NoMemory,
+    /// A section of steady rolling only.
+    #[error(
+        "section [{section}] is for steady rolling: a contact that rolls by a history has none"
+    )]
+    Steady {
+        /// `layer` or `damage`.
+        section: &'static str,
+    },
+    /// What a case file with `[gap]` may have wrong.
+    #[error(transparent)]
+    Gap(Box<GapCaseError>),
+    /// A load that changes on areas of any shape.
+    #[error(
+        "column {column} does not go with [gap]: areas of any shape are solved for one load, the \
+         normal_force or approach of [contact]"
+    )]
+    NotOfAnArea {
+        /// Its name.
+        column: &'static str,
+    },
     /// A theory of steady rolling only.
     #[error(
         "[solve] theory = \"{theory}\" is one of steady rolling: a history needs \"exact\" or \"fastsim\""
@@ -42,11 +60,11 @@ pub enum HistoryError {
     Automatic,
     /// What FASTSIM does not do.
     #[error(
-        "{what} does not go with theory = \"fastsim\", which rolls ellipses at creepages under the \
-         constant normal force of the case: use \"exact\""
+        "{what} does not go with theory = \"fastsim\", which rolls ellipses, from no traction or \
+         from steady rolling: use \"exact\""
     )]
     NotOfFastsim {
-        /// A column or a key.
+        /// A section or a key.
         what: &'static str,
     },
     /// A key that goes with another kind of contact or start.
@@ -172,6 +190,15 @@ pub enum MotionError {
         /// `mu N` of the moment.
         most: f64,
     },
+}
+
+impl From<GapCaseError> for HistoryError {
+    fn from(error: GapCaseError) -> Self {
+        match error {
+            GapCaseError::Case(error) => Self::Case(error),
+            other => Self::Gap(Box::new(other)),
+        }
+    }
 }
 
 impl HistoryError {

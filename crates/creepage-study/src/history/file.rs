@@ -12,13 +12,30 @@ use crate::case::friction::FrictionValue;
 use crate::case::keys;
 use crate::case::radius::Radius;
 use crate::case::schema::schema_of;
+use crate::gap::GapFile;
+
+/// A case file of a contact that rolls as a table says.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RollFile {
+    pub(super) bodies: Bodies,
+    pub(super) start: StartSection,
+}
+
+/// The two bodies by their radii, or by their gap.
+#[allow(clippy::large_enum_variant)] // one a history
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum Bodies {
+    Smooth(SmoothFile),
+    Shaped(GapFile),
+}
 
 /// A contact that rolls as a table says, in SI units: two elastic bodies, what presses them together,
-/// and the state in which they start.
+/// and the state in which they start. Bodies of any shape have the sections [gap] and [contact] of
+/// steady rolling, and [start].
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(title = "creepage case file of a history")]
-pub struct RollFile {
+pub(super) struct SmoothFile {
     /// The upper body, such as a wheel.
     pub(super) upper: Body,
     /// The lower body, such as a rail.
@@ -110,6 +127,9 @@ pub(super) enum StartTraction {
 /// Sections that say how the bodies move, whose place the history takes.
 const MOTION: [&str; 2] = ["creepage", "wanted"];
 
+/// Sections that are for steady rolling.
+const STEADY: [&str; 2] = ["layer", "damage"];
+
 /// Whether a section holds the rolling velocity alone.
 fn is_speed(section: &Value) -> bool {
     section.as_table().is_some_and(|table| table.keys().all(|key| key == "speed"))
@@ -128,11 +148,25 @@ impl RollFile {
         if let Some(section) = MOTION.into_iter().find(is_motion) {
             return Err(HistoryError::Section { section });
         }
-        if table.contains_key("layer") {
-            return Err(HistoryError::Layer);
+        if let Some(section) = STEADY.into_iter().find(|section| table.contains_key(*section)) {
+            return Err(HistoryError::Steady { section });
+        }
+        if table.contains_key("gap") {
+            return Self::shaped(table);
         }
         keys::check(&table, &roll_json_schema())?;
-        Ok(toml::from_str(text).map_err(CaseError::Toml)?)
+        let file: SmoothFile = toml::from_str(text).map_err(CaseError::Toml)?;
+        Ok(Self { start: file.start.clone(), bodies: Bodies::Smooth(file) })
+    }
+
+    /// A file with `[gap]`: one of steady rolling, with the start besides.
+    fn shaped(mut table: Table) -> Result<Self, HistoryError> {
+        let start = match table.remove("start") {
+            None => StartSection::default(),
+            Some(section) => section.try_into().map_err(CaseError::Toml)?,
+        };
+        let file = GapFile::read(&table.to_string())?;
+        Ok(Self { start, bodies: Bodies::Shaped(file) })
     }
 
     /// The contact of a case file of steady rolling: its creepage, or the forces wanted of it, and what
@@ -172,7 +206,7 @@ impl RollFile {
 /// ```
 #[must_use]
 pub fn roll_json_schema() -> serde_json::Value {
-    let mut schema = schema_of::<RollFile>();
+    let mut schema = schema_of::<SmoothFile>();
     let theories = schema["properties"]["solve"]["oneOf"].as_array_mut();
     for theory in theories.into_iter().flatten() {
         if theory["properties"]["theory"]["const"] == TheorySpec::default().facts().name {

@@ -1,6 +1,7 @@
 //! Rolling that is not steady: a case file without a creepage, and a table of how the bodies move.
 
 mod animation;
+mod areas;
 mod case;
 mod columns;
 mod error;

@@ -22,7 +22,10 @@ impl Roller {
                 rolling.start_with_load(first.load)?;
                 rolling.start_steady(&first.motion).map(drop)
             }
-            Self::Fastsim(rolling) => rolling.start_steady(&first.motion).map(drop),
+            Self::Fastsim(rolling) => {
+                rolling.start_with_load(first.load)?;
+                rolling.start_steady(&first.motion).map(drop)
+            }
         }
     }
 
@@ -30,7 +33,7 @@ impl Roller {
     pub(super) fn start_with_load(&mut self, load: f64) -> Result<(), InvalidValue> {
         match self {
             Self::Exact(rolling) => rolling.start_with_load(load),
-            Self::Fastsim(_) => Ok(()),
+            Self::Fastsim(rolling) => rolling.start_with_load(load),
         }
     }
 
@@ -42,7 +45,7 @@ impl Roller {
         }
     }
 
-    /// Rolls on; the load of FASTSIM is the nominal one.
+    /// Rolls on.
     pub(super) fn step(
         &mut self,
         length: f64,
@@ -53,7 +56,10 @@ impl Roller {
                 rolling.press(motion.load)?;
                 rolling.step(length, &motion.motion)
             }
-            Self::Fastsim(rolling) => rolling.step(length, &motion.motion),
+            Self::Fastsim(rolling) => {
+                rolling.press(motion.load)?;
+                rolling.step(length, &motion.motion)
+            }
         }
     }
 

@@ -17,7 +17,7 @@ use super::roller::Roller;
 ///     contact = { normal_force = 80e3, friction = 0.3 }
 ///     solve = { resolution = [8, 8] }
 /// "#;
-/// let mut stepper = RollStepper::new(RollFile::read(text)?.case()?)?;
+/// let mut stepper = RollStepper::new(RollFile::read(text)?.case(".".as_ref())?)?;
 /// let before = stepper.save();
 /// let first = stepper.step(&[("distance", 1e-3), ("longitudinal", -1e-3)])?;
 /// // The larger program rejects the step, and tries it again.
@@ -28,6 +28,8 @@ use super::roller::Roller;
 #[derive(Debug, Clone)]
 pub struct RollStepper {
     case: RollCase,
+    /// Tells one case from another.
+    key: [u8; 4],
     rolling: Roller,
 }
 
@@ -38,7 +40,8 @@ impl RollStepper {
     /// [`HistoryError::Contact`] when it cannot be prepared.
     pub fn new(case: RollCase) -> Result<Self, HistoryError> {
         let rolling = case.prepared().map_err(HistoryError::Contact)?;
-        Ok(Self { case, rolling })
+        let key = crc32fast::hash(format!("{case:?}").as_bytes()).to_le_bytes();
+        Ok(Self { case, key, rolling })
     }
 
     /// Rolls on: `given` has numbers by the names of a history's columns, `distance` the length of
@@ -58,7 +61,7 @@ impl RollStepper {
     /// What the contact remembers, for [`RollStepper::restore`]: as many bytes as its elements ask for.
     #[must_use]
     pub fn save(&self) -> Vec<u8> {
-        [&self.key()[..], &self.rolling.save()].concat()
+        [&self.key[..], &self.rolling.save()].concat()
     }
 
     /// Goes back, or on, to what was saved: all is then as it was, to the last bit.
@@ -67,7 +70,7 @@ impl RollStepper {
     /// [`SavedError`] for bytes that are no state of a contact of the same case.
     pub fn restore(&mut self, bytes: &[u8]) -> Result<(), SavedError> {
         let (key, saved) = bytes.split_at_checked(4).ok_or(SavedError::NoState)?;
-        if key != self.key() {
+        if key != self.key {
             return Err(SavedError::OtherContact);
         }
         self.rolling.restore(saved)
@@ -77,10 +80,5 @@ impl RollStepper {
     #[must_use]
     pub fn case(&self) -> &RollCase {
         &self.case
-    }
-
-    /// Tells one case from another.
-    fn key(&self) -> [u8; 4] {
-        crc32fast::hash(format!("{:?}", self.case).as_bytes()).to_le_bytes()
     }
 }

@@ -2,10 +2,13 @@
 
 use std::ops::Range;
 
+use super::grid::Grid;
+use super::influence::Influence;
 use super::mesh::{Mesh, SUBCELLS, Sides, Strip, border, cut, fit};
 use super::pressure::{Moments, Pressure};
 use super::resolution::Resolution;
-use crate::normal::{Band, NormalContact, Patch};
+use super::stencil::SlipStencil;
+use crate::normal::{Band, NormalContact, Patch, SLIP_UNIT};
 
 /// Gauss's two points on (-1, 1), of weight one.
 const GAUSS: f64 = 0.577_350_269_189_625_8;
@@ -19,24 +22,24 @@ const FEWEST: f64 = 0.5;
 
 /// Origin and unit of the lengths of a mesh (m).
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Frame {
+pub(crate) struct Frame {
     pub origin: [f64; 2],
     pub length: f64,
 }
 
 impl Frame {
-    pub(super) fn inward(self, [x, y]: [f64; 2]) -> [f64; 2] {
+    pub(crate) fn inward(self, [x, y]: [f64; 2]) -> [f64; 2] {
         [(x - self.origin[0]) / self.length, (y - self.origin[1]) / self.length]
     }
 
-    pub(super) fn outward(self, [x, y]: [f64; 2]) -> [f64; 2] {
+    pub(crate) fn outward(self, [x, y]: [f64; 2]) -> [f64; 2] {
         [self.origin[0] + self.length * x, self.origin[1] + self.length * y]
     }
 }
 
 /// The bands of a contact and how many elements each has along and across.
 #[derive(Debug)]
-pub(super) struct Bands<'a> {
+pub(crate) struct Bands<'a> {
     contact: &'a NormalContact,
     frame: Frame,
     parts: Vec<(&'a Band, [usize; 2])>,
@@ -44,7 +47,7 @@ pub(super) struct Bands<'a> {
 
 impl<'a> Bands<'a> {
     /// The bands with the elements of the coarser grid.
-    pub(super) fn new(contact: &'a NormalContact, frame: Frame, resolution: Resolution) -> Self {
+    pub(crate) fn new(contact: &'a NormalContact, frame: Frame, resolution: Resolution) -> Self {
         let bands: Vec<&Band> = contact.patches().iter().flat_map(Patch::bands).collect();
         let load = |band: &Band| band.total().force;
         let largest = bands.iter().map(|band| load(band)).fold(0.0, f64::max);
@@ -56,8 +59,23 @@ impl<'a> Bands<'a> {
         Self { contact, frame, parts: bands.into_iter().map(counted).collect() }
     }
 
+    /// The same with half as many more elements along.
+    pub(crate) fn with_more_along(mut self) -> Self {
+        self.parts.iter_mut().for_each(|(_, [along, _])| *along += *along / 2);
+        self
+    }
+
+    /// The grid of [`Bands::mesh`].
+    pub(crate) fn grid(&self, times: usize) -> Grid {
+        let mesh = self.mesh(times);
+        let pressure = self.pressure(&mesh);
+        let stencils: Vec<_> = mesh.strips.iter().map(SlipStencil::steady).collect();
+        let influence = Influence::new(&mesh, self.contact.pair().poisson(), &stencils);
+        Grid::new(mesh, pressure, influence, SLIP_UNIT, &stencils)
+    }
+
     /// The elements, `times` as many along and across.
-    pub(super) fn mesh(&self, times: usize) -> Mesh {
+    pub(crate) fn mesh(&self, times: usize) -> Mesh {
         let mut strips = Vec::new();
         for (band, [along, across]) in &self.parts {
             let patch = strips.len()..strips.len() + times * across;
@@ -94,7 +112,7 @@ impl<'a> Bands<'a> {
     }
 
     /// The pressure on the elements of [`Bands::mesh`]; its unit is the largest.
-    pub(super) fn pressure(&self, mesh: &Mesh) -> Pressure {
+    pub(crate) fn pressure(&self, mesh: &Mesh) -> Pressure {
         let mut pressure = Pressure {
             bounds: Vec::with_capacity(mesh.len()),
             shares: Vec::with_capacity(mesh.len()),

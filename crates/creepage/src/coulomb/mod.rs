@@ -16,7 +16,7 @@
 //! ```
 
 mod automatic;
-mod bands;
+pub(crate) mod bands;
 mod coupled;
 mod cylinders;
 pub(crate) mod extrapolation;

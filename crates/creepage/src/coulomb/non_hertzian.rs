@@ -3,17 +3,15 @@
 use super::bands::{Bands, Frame};
 use super::extrapolation::{Extrapolation, error_bar, extrapolate};
 use super::grid::Grid;
-use super::influence::Influence;
 use super::inverse::{Trial, search};
 use super::resolution::Resolution;
 use super::solution::{ElementField, between};
-use super::stencil::SlipStencil;
 use super::workspace::{Pool, Workspace};
 use super::{Constraints, InverseError};
 use crate::check::InvalidValue;
 use crate::friction_law::RollingFriction;
 use crate::layer::Layer;
-use crate::normal::{NormalContact, SLIP_UNIT};
+use crate::normal::NormalContact;
 use crate::theory::{FieldPoint, Jacobian, Region, Solution, Solved, Status, differences};
 use crate::{Creepage, Force, Scaling};
 
@@ -69,14 +67,7 @@ impl NonHertzian {
         let scaling = contact.scaling(friction)?;
         let frame = Frame { origin: contact.centroid(), length: scaling.length };
         let bands = Bands::new(contact, frame, resolution);
-        let grids = Grid::pair(|times| {
-            let mesh = bands.mesh(times);
-            let pressure = bands.pressure(&mesh);
-            let stencils: Vec<_> = mesh.strips.iter().map(SlipStencil::steady).collect();
-            let poisson = contact.pair().poisson();
-            let influence = Influence::new(&mesh, poisson, &stencils);
-            Grid::new(mesh, pressure, influence, SLIP_UNIT, &stencils)
-        });
+        let grids = Grid::pair(|times| bands.grid(times));
         Ok(Self { contact: contact.clone(), frame, scaling, grids, pool: Pool::default() })
     }
 

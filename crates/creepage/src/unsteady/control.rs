@@ -51,9 +51,10 @@ impl Control {
         self.trend = None;
     }
 
-    /// Length of the next of the equal steps that cover a distance, and whether it is the last.
-    pub(crate) fn length(&self, remaining: f64) -> (f64, bool) {
-        let steps = (remaining / self.next - 1e-9).ceil().max(1.0);
+    /// Length of the next of the equal steps that cover a distance, none longer than `longest`, and
+    /// whether it is the last.
+    pub(crate) fn length(&self, remaining: f64, longest: f64) -> (f64, bool) {
+        let steps = (remaining / self.next.min(longest) - 1e-9).ceil().max(1.0);
         (remaining / steps, steps <= 1.0)
     }
 
@@ -67,7 +68,7 @@ impl Control {
         if let Some(rate) = rate {
             let off = largest(|k| change(k) - rate[k] * length);
             let shortest = SHORTEST * self.semi_axis;
-            if off > TOO_LARGE * TOLERANCE && length > shortest {
+            if off > TOO_LARGE * TOLERANCE && length > 1.001 * shortest {
                 self.next = (0.4 * length).max(shortest);
                 return false;
             }

@@ -12,19 +12,24 @@ const SMOOTH_LOAD: f64 = 0.05;
 /// one of the bodies at rest, smaller ones are part of the next step.
 const JUMP: f64 = 0.05;
 /// Forces beyond this part of `mu N` are not met by a shift, which grows without bound towards it.
-const NEARLY_SLIDING: f64 = 0.999;
+pub(super) const NEARLY_SLIDING: f64 = 0.999;
 
 impl Rolling {
     /// Whether motion and load go on without a jump; a prescribed force that jumps has shifted the
     /// bodies then.
     pub(super) fn go_on(&mut self, motion: &Motion) -> bool {
-        let Travel { load, next_load, motion: last, .. } = self.travel;
+        let Travel { next_load, motion: last, .. } = self.travel;
         if next_load > 0.0 && self.force_jumps(motion) {
             self.shift_on(motion);
             return false;
         }
-        let is_smooth = (next_load - load).abs() <= SMOOTH_LOAD * load;
-        is_smooth && last.is_some_and(|last| motion.continues(&last))
+        last.is_some_and(|last| motion.continues(&last))
+    }
+
+    /// Whether the next load follows without a jump.
+    pub(super) fn load_is_smooth(&self) -> bool {
+        let Travel { load, next_load, .. } = self.travel;
+        (next_load - load).abs() <= SMOOTH_LOAD * load
     }
 
     /// Whether a force is prescribed that differs by much from the present one.
@@ -37,12 +42,10 @@ impl Rolling {
 
     /// Shifts the bodies, without rolling, until the prescribed forces are met: what happens before
     /// the next step begins. Where friction under the present load cannot give them, they are met in
-    /// that step, in which the load changes.
-    fn shift_on(&mut self, motion: &Motion) {
-        let Travel { load, next_load, .. } = self.travel;
-        if load == 0.0 {
-            self.press_together(next_load);
-        } else if motion.force() >= NEARLY_SLIDING * load {
+    /// that step, in which the load grows.
+    pub(super) fn shift_on(&mut self, motion: &Motion) {
+        let force = motion.force();
+        if force == 0.0 && self.is_at_rest() || force >= NEARLY_SLIDING * self.travel.load {
             return;
         }
         let (before, stage) = (self.keep(), Stage::Shift { begins: self.is_at_rest() });

@@ -13,6 +13,7 @@
 //! with the displacements at all centres remembered. Where nothing changes any more it is steady
 //! rolling by [`Exact`](crate::coulomb::Exact), element by element.
 
+mod area;
 mod control;
 mod elements;
 mod fastsim;
@@ -20,6 +21,7 @@ mod find;
 mod friction;
 mod jump;
 mod line;
+mod load;
 mod motion;
 mod particle;
 mod past;

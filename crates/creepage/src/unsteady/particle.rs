@@ -25,8 +25,9 @@ pub(crate) struct Sample {
 
 /// A window is no longer than this, in steps of the elements.
 const LONGEST: f64 = 1.5;
-/// Nor shorter: what has just entered the contact counts from so far back.
-const SHORTEST: f64 = 0.05;
+/// Nor shorter, in the shorter of steps of the elements and of the contact: a particle that the contact
+/// has just grown over counts from where it entered, for its displacement is known at the edge alone.
+const SHORTEST: f64 = 0.01;
 const BISECTIONS: usize = 45;
 
 /// The particles of one step, on their way back.
@@ -62,7 +63,7 @@ impl Particles<'_> {
         if !is_inside(age) {
             age = bisect(from, age, is_inside);
         }
-        let age = age.max(from + SHORTEST * step).min(self.ages.origin());
+        let age = age.max(from + SHORTEST * step.min(self.ages.back[1])).min(self.ages.origin());
         Sample { is_whole: !is_behind(age + 1e-6 * step), ..self.between(element, second, age) }
     }
 
@@ -90,7 +91,7 @@ impl Particles<'_> {
 }
 
 /// Where a condition that holds at `from` and not at `to` ends.
-fn bisect(mut from: f64, mut to: f64, holds: impl Fn(f64) -> bool) -> f64 {
+pub(crate) fn bisect(mut from: f64, mut to: f64, holds: impl Fn(f64) -> bool) -> f64 {
     for _ in 0..BISECTIONS {
         let middle = 0.5 * (from + to);
         if holds(middle) {

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use super::control::{Control, Watched};
 use super::elements::Elements;
+use super::load::Course;
 use super::motion::Motion;
 use super::track::{self, Stage, Track};
 use crate::check::{self, InvalidValue};
@@ -114,21 +115,17 @@ impl Rolling {
         Ok(())
     }
 
-    /// Presses with another normal force, over the nominal one, from the next step on; the area
-    /// grows or shrinks with its third root over the first of the steps into which that one is cut. At
-    /// zero the bodies part, and what they remember is lost.
+    /// Presses with another normal force, over the nominal one: in the next step the force goes there in
+    /// a straight line, and the area grows or shrinks with its third root. At zero the bodies part, and
+    /// what they remember is lost.
     ///
     /// # Errors
-    /// [`InvalidValue`] unless `load` lies between 0 and a million, and for line contacts, whose load
-    /// stays as it is.
+    /// [`InvalidValue`] unless `load` lies between 0 and a million, and for line contacts and areas of
+    /// any shape, whose load stays as it is.
     pub fn press(&mut self, load: f64) -> Result<(), InvalidValue> {
-        let is_line = self.tracks[0].elements.semi_axes[1].is_infinite();
-        check::require(
-            !is_line || (load - 1.0).abs() < 1e-12,
-            "load",
-            load,
-            "1 for a line contact",
-        )?;
+        let stays = self.tracks[0].elements.semi_axes[1].is_infinite();
+        let valid = "1 for a line contact or an area of any shape";
+        check::require(!stays || (load - 1.0).abs() < 1e-12, "load", load, valid)?;
         let valid = "between 0 and 1e6";
         self.travel.next_load = check::require((0.0..=1e6).contains(&load), "load", load, valid)?;
         Ok(())
@@ -192,15 +189,23 @@ impl Rolling {
         if !smooth {
             self.control.restart();
         }
-        let mut remaining = distance;
-        let mut cost = Statistics::default();
+        let course = Course::new(
+            [self.travel.load, self.travel.next_load],
+            self.travel.force,
+            distance,
+            motion,
+        );
+        let (mut rolled_on, mut cost) = (0.0, Statistics::default());
         loop {
-            let (length, is_last) = self.control.length(remaining);
-            let Some(rolled) = self.try_step(length, motion, smooth, true) else { continue };
+            let longest = course.longest(rolled_on);
+            let (length, is_last) = self.control.length(distance - rolled_on, longest);
+            let end = if is_last { distance } else { rolled_on + length };
+            let (load, motion) = (course.load(end), course.motion(end));
+            let Some(rolled) = self.try_step(length, load, &motion, smooth, true) else { continue };
             cost.iterations += rolled.solution.statistics.iterations;
             cost.factorizations += rolled.solution.statistics.factorizations;
             smooth = true;
-            remaining -= length;
+            rolled_on = end;
             if is_last {
                 let solution = Solution { statistics: cost, ..rolled.solution };
                 return Ok(Rolled { solution, ..rolled });
@@ -208,14 +213,14 @@ impl Rolling {
         }
     }
 
-    /// Rolls on in a single step of the scheme, whatever its length.
+    /// Rolls on in a single step of the scheme, whatever its length and however much the load changes.
     ///
     /// # Errors
     /// As [`Rolling::step`].
     pub fn advance(&mut self, distance: f64, motion: &Motion) -> Result<Rolled, InvalidValue> {
         self.check(distance, motion)?;
-        let smooth = self.go_on(motion);
-        let rolled = self.try_step(distance, motion, smooth, false);
+        let smooth = self.go_on(motion) && self.load_is_smooth();
+        let rolled = self.try_step(distance, self.travel.next_load, motion, smooth, false);
         Ok(rolled.unwrap_or_else(|| self.rolled(false)))
     }
 
@@ -258,28 +263,29 @@ impl Rolling {
     fn try_step(
         &mut self,
         length: f64,
+        load: f64,
         motion: &Motion,
         smooth: bool,
         controlled: bool,
     ) -> Option<Rolled> {
-        let Travel { load, next_load, .. } = self.travel;
-        if next_load == 0.0 {
+        if load == 0.0 {
             return Some(self.part(length, motion));
         }
-        if load == 0.0 {
-            self.press_together(next_load);
+        if self.travel.load == 0.0 {
+            self.press_together(load);
+            self.shift_on(motion);
         }
-        let stage = Stage::Step { length, scale: next_load.cbrt(), smooth };
+        let stage = Stage::Step { length, scale: load.cbrt(), smooth };
         let before = self.keep();
         let solved = self.solve(stage, motion);
-        if controlled && !self.control.accepts(length, self.watched(motion)) {
+        if controlled && !self.control.accepts(length, self.watched(motion, load)) {
             self.go_back(before);
             return None;
         }
         for track in &mut self.tracks {
             track.remember(stage);
         }
-        self.travel.load = next_load;
+        self.travel.load = load;
         self.travel.distance += length;
         self.travel.motion = Some(*motion);
         self.travel.force = self.tracks[1].result().force.components();
@@ -291,7 +297,9 @@ impl Rolling {
         self.tracks.iter_mut().for_each(|track| track.begin(1.0));
         self.control.restart();
         let distance = self.travel.distance + length;
-        self.travel = Travel { distance, motion: Some(*motion), ..Travel::begin(0.0) };
+        let next_load = self.travel.next_load;
+        let begin = Travel::begin(0.0);
+        self.travel = Travel { distance, next_load, motion: Some(*motion), ..begin };
         let [xi, eta, chi] = motion.components().map(|one| one.creepage().unwrap_or(0.0));
         Rolled {
             distance: self.travel.distance,
@@ -311,10 +319,10 @@ impl Rolling {
     }
 
     /// What step control looks at: forces, and creepages that are found.
-    fn watched(&self, motion: &Motion) -> Watched {
+    fn watched(&self, motion: &Motion, load: f64) -> Watched {
         let track::Result { creep, force, .. } = self.tracks[1].result();
         let found = |k: usize| motion.components()[k].force().map_or(0.0, |_| creep[k]);
-        let force = force.components().map(|part| part / self.travel.next_load);
+        let force = force.components().map(|part| part / load);
         Watched { force, found: [0, 1, 2].map(found) }
     }
 

@@ -4,7 +4,7 @@
 use std::collections::VecDeque;
 
 use super::control::{Control, Trend, Watched};
-use super::fastsim::RollingFastsim;
+use super::fastsim::{self, RollingFastsim};
 use super::motion::{Motion, Prescribed};
 use super::past::{Level, Past};
 use super::rolling::{Rolling, Travel};
@@ -133,15 +133,18 @@ impl Saved {
     }
 }
 
-const FASTSIM: [u8; 8] = *b"rollfas2";
+const FASTSIM: [u8; 8] = *b"rollfas3";
 
 impl RollingFastsim {
     /// What the contact remembers, as bytes.
     #[must_use]
     pub fn save(&self) -> Vec<u8> {
-        let (past, creep) = (self.past.clone(), self.creep);
+        let fastsim::Travel { distance, loads, creep, force } = self.travel;
+        let past = self.past.clone();
         let track = SavedTrack { past, creep, traction: vec![], limits: vec![] };
-        let mut out = Numbers(vec![self.distance]);
+        let mut out = Numbers(vec![distance]);
+        out.all(&loads);
+        out.all(&force);
         track.write(&mut out);
         out.sealed(FASTSIM)
     }
@@ -152,13 +155,14 @@ impl RollingFastsim {
     /// [`SavedError`] for damaged bytes, and those of a contact with another number of cells.
     pub fn restore(&mut self, bytes: &[u8]) -> Result<(), SavedError> {
         let from = &mut numbers(bytes, FASTSIM).ok_or(SavedError::NoState)?;
-        let distance = from.next().ok_or(SavedError::NoState)?;
+        let [distance, now, next, fx, fy, mz] = several(from).ok_or(SavedError::NoState)?;
         let SavedTrack { past, creep, .. } = SavedTrack::read(from).ok_or(SavedError::NoState)?;
         let whole = |level: &Level| level.fits(self.size(), self.size());
         if past.0.is_empty() || !past.0.iter().all(whole) {
             return Err(SavedError::OtherElements);
         }
-        (self.distance, self.past, self.creep) = (distance, past, creep);
+        let (loads, force) = ([now, next], [fx, fy, mz]);
+        (self.past, self.travel) = (past, fastsim::Travel { distance, loads, creep, force });
         Ok(())
     }
 }

@@ -2,7 +2,9 @@
 
 #![allow(clippy::unwrap_used)]
 
+mod area;
 mod cases;
+mod fastsim;
 mod friction;
 mod line;
 mod load;

@@ -1,0 +1,62 @@
+//! The creepage at which FASTSIM gives the prescribed forces.
+
+use super::super::motion::{Motion, Prescribed};
+use super::super::past::Level;
+use super::RollingFastsim;
+use super::march::Sum;
+
+const NEWTON: usize = 40;
+/// Largest difference from a prescribed force, in parts of `mu N`.
+const TOLERANCE: f64 = 1e-9;
+
+impl RollingFastsim {
+    /// The step at the creepage that meets the prescribed forces, by Newton's method with differences.
+    pub(super) fn meet(&self, length: f64, scale: f64, motion: &Motion) -> (Level, Sum, bool) {
+        const DIFFERENCE: f64 = 1e-6;
+        let (prescribed, tolerance) = (motion.components(), TOLERANCE * scale.powi(3));
+        let mut creep = self.travel.creep;
+        for (creep, prescribed) in creep.iter_mut().zip(prescribed) {
+            *creep = prescribed.creepage().unwrap_or(*creep);
+        }
+        let unknown: Vec<usize> = (0..3).filter(|k| prescribed[*k].force().is_some()).collect();
+        let off = |sum: &Sum, k: usize| match prescribed[k] {
+            Prescribed::Force(value) => value - sum.force[k],
+            Prescribed::Creepage(_) => 0.0,
+        };
+        let (mut level, mut sum) = self.march([length, scale], creep);
+        for _ in 0..NEWTON {
+            if unknown.iter().all(|k| off(&sum, *k).abs() < tolerance) {
+                return (level, sum, true);
+            }
+            let n = unknown.len();
+            let columns = unknown.iter().map(|k| {
+                let mut moved = creep;
+                moved[*k] += DIFFERENCE;
+                self.march([length, scale], moved).1
+            });
+            let columns: Vec<Sum> = columns.collect();
+            let entry = |i: usize, k: usize| {
+                (columns[k].force[unknown[i]] - sum.force[unknown[i]]) / DIFFERENCE
+            };
+            let residual =
+                nalgebra::DVector::from_iterator(n, unknown.iter().map(|k| off(&sum, *k)));
+            let matrix = nalgebra::DMatrix::from_fn(n, n, entry);
+            let step = matrix.lu().solve(&residual);
+            let Some(step) = step.filter(|s| s.iter().all(|s| s.is_finite())) else { break };
+            let mut shorter = 1.0;
+            for _ in 0..NEWTON {
+                let mut moved = creep;
+                unknown.iter().zip(step.iter()).for_each(|(k, s)| moved[*k] += shorter * s);
+                (level, sum) = self.march([length, scale], moved);
+                let next = unknown.iter().map(|k| off(&sum, *k).powi(2)).sum::<f64>().sqrt();
+                if next < residual.norm() {
+                    creep = moved;
+                    break;
+                }
+                shorter *= 0.5;
+            }
+        }
+        let solved = unknown.iter().all(|k| off(&sum, *k).abs() < tolerance);
+        (level, sum, solved)
+    }
+}

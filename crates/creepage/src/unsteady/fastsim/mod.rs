@@ -1,0 +1,254 @@
+//! FASTSIM that is not steady: the traction of a particle grows on its way as its slip asks for,
+//! whatever others do, and is cut off at its bound.
+//!
+//! With the flexibilities `L` of steady FASTSIM, `s = w + L (dX/dx - dX/dq)`: from the centre of one
+//! cell to that of the next the traction grows by the rigid slip over `L` in between, averaged over the
+//! way. Tractions at all cells are remembered, as displacements are by [`Rolling`](super::Rolling).
+
+mod arriving;
+mod march;
+mod meet;
+
+use march::Sum;
+
+use super::load::Course;
+use super::motion::Motion;
+use super::past::{Creep, Level, Past};
+use super::rolling::{Rolled, no_layer};
+use crate::approximate::fastsim::resistance::Resistance;
+use crate::approximate::fastsim::{Flexibilities, Flexibility, Settings};
+use crate::approximate::linear::CreepageCoefficients;
+use crate::approximate::strip::strip_slope;
+use crate::check::{self, InvalidValue};
+use crate::theory::{Solution, Statistics, Status};
+use crate::{Contact, Creepage, Force};
+
+/// Longest step over the semi-axis under the load.
+const LONGEST: f64 = 0.05;
+/// Size of the contact from which on that counts.
+const SMALLEST: f64 = 0.1;
+
+/// FASTSIM with a memory, for one contact.
+///
+/// ```
+/// use creepage::approximate::fastsim::{Fastsim, Settings};
+/// use creepage::unsteady::{Motion, RollingFastsim};
+/// use creepage::{Contact, Creepage, Ellipse, Theory};
+/// let contact = Contact::new(Ellipse::from_ratio(1.0)?, 0.28)?;
+/// let creepage = Creepage::new(0.5, 0.2, 0.3)?;
+/// let mut rolling = RollingFastsim::new(&contact, Settings::default())?;
+/// let end = rolling.step(3.0, &Motion::from(creepage))?.solution.force;
+/// let steady = Fastsim::new(&contact, Settings::default())?.solve(creepage).force;
+/// assert!((end.fx - steady.fx).abs() < 1e-3); // after a contact length it forgets
+/// # Ok::<(), creepage::InvalidValue>(())
+/// ```
+#[derive(Debug, Clone)]
+pub struct RollingFastsim {
+    flexibilities: Flexibilities,
+    flexibility: Flexibility,
+    strips: Vec<Strip>,
+    cells: usize,
+    /// Under the nominal load, in units of `c`.
+    semi_axes: [f64; 2],
+    /// Where friction depends on the slip or the place.
+    resistance: Option<Resistance>,
+    pub(super) past: Past,
+    pub(super) travel: Travel,
+}
+
+/// Where the contact is, how it is loaded and how it last moved.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Travel {
+    pub distance: f64,
+    /// Normal force over the nominal one, now and at the end of the next step.
+    pub loads: [f64; 2],
+    pub creep: Creep,
+    pub force: [f64; 3],
+}
+
+#[derive(Debug, Clone)]
+struct Strip {
+    y: f64,
+    half_length: f64,
+    /// Largest traction bound.
+    peak: f64,
+    /// Bound of each cell, over that.
+    along: Vec<f64>,
+    /// Area of a cell.
+    area: f64,
+}
+
+impl RollingFastsim {
+    /// The contact just pressed together, without traction.
+    ///
+    /// # Errors
+    /// [`InvalidValue`] as [`Fastsim::new`](crate::approximate::fastsim::Fastsim::new), and for a contact
+    /// with a layer.
+    pub fn new(contact: &Contact, settings: Settings) -> Result<Self, InvalidValue> {
+        no_layer(contact)?;
+        let coefficients = CreepageCoefficients::new(contact)?;
+        let (ellipse, [cells, across]) = (contact.ellipse(), settings.grid);
+        for (name, number) in [("grid along", cells), ("grid across", across)] {
+            let valid = "at least 1 and no more than 10000";
+            let range = 1..=Settings::MAX_CELLS;
+            check::require(range.contains(&number), name, number as f64, valid)?;
+        }
+        let profile = settings.bound.profile(1.0);
+        let strip = |j: usize| {
+            let t = (2.0 * j as f64 + 1.0) / across as f64 - 1.0;
+            let s = (1.0 - t * t).sqrt();
+            let half_length = ellipse.a() * s;
+            let width = 2.0 * ellipse.b() / across as f64;
+            let at = |i: usize| profile.along(1.0 - (2.0 * i as f64 + 1.0) / cells as f64);
+            Strip {
+                y: ellipse.b() * t,
+                half_length,
+                peak: profile.peak(s),
+                along: (0..cells).map(at).collect(),
+                area: 2.0 * half_length / cells as f64 * width,
+            }
+        };
+        let slope = strip_slope(&ellipse, contact.poisson());
+        let resistance = Resistance::new(contact);
+        let begin = level(0.0, 1.0, cells * across, resistance.is_some());
+        Ok(Self {
+            flexibilities: Flexibilities::new(&ellipse, slope, &coefficients)?,
+            flexibility: settings.flexibility,
+            strips: (0..across).map(strip).collect(),
+            cells,
+            semi_axes: [ellipse.a(), ellipse.b()],
+            resistance,
+            past: Past(std::iter::once(begin).collect()),
+            travel: Travel { distance: 0.0, loads: [1.0; 2], creep: [0.0; 3], force: [0.0; 3] },
+        })
+    }
+
+    /// Presses with another normal force, over the nominal one: in the next step the force goes there in
+    /// a straight line, as in [`Rolling::press`](super::Rolling::press).
+    ///
+    /// # Errors
+    /// [`InvalidValue`] unless `load` lies between 0 and a million.
+    pub fn press(&mut self, load: f64) -> Result<(), InvalidValue> {
+        let valid = "between 0 and 1e6";
+        self.travel.loads[1] = check::require((0.0..=1e6).contains(&load), "load", load, valid)?;
+        Ok(())
+    }
+
+    /// Starts anew under another normal force, over the nominal one, without traction.
+    ///
+    /// # Errors
+    /// [`InvalidValue`] as [`RollingFastsim::press`].
+    pub fn start_with_load(&mut self, load: f64) -> Result<(), InvalidValue> {
+        self.press(load)?;
+        self.begin(load);
+        self.travel.distance = 0.0;
+        Ok(())
+    }
+
+    /// Rolls on.
+    ///
+    /// # Errors
+    /// [`InvalidValue`] unless the distance is positive, all numbers are finite, and the forces are
+    /// within friction's reach.
+    pub fn step(&mut self, distance: f64, motion: &Motion) -> Result<Rolled, InvalidValue> {
+        check::positive("distance", distance)?;
+        motion.check()?;
+        let (size, most) = (motion.force(), self.travel.loads[1]);
+        check::require(size <= most, "force", size, "at most the force of friction, mu N")?;
+        let course = Course::new(self.travel.loads, self.travel.force, distance, motion);
+        let mut rolled_on = 0.0;
+        loop {
+            let size = course.load(rolled_on).cbrt().max(SMALLEST);
+            let longest = course.longest(rolled_on).min(LONGEST * size * self.semi_axes[0]);
+            let remaining = distance - rolled_on;
+            let steps = (remaining / longest - 1e-9).ceil().max(1.0);
+            let end = if steps > 1.0 { rolled_on + remaining / steps } else { distance };
+            let (load, motion) = (course.load(end), course.motion(end));
+            let rolled = self.advance(end - rolled_on, load, &motion);
+            rolled_on = end;
+            if steps <= 1.0 {
+                return Ok(rolled);
+            }
+        }
+    }
+
+    /// One step to a load.
+    fn advance(&mut self, length: f64, load: f64, motion: &Motion) -> Rolled {
+        self.travel.distance += length;
+        if load == 0.0 {
+            self.begin(0.0);
+            self.travel.creep = motion.components().map(|one| one.creepage().unwrap_or(0.0));
+            return self.rolled(&Sum::default(), true);
+        }
+        if self.travel.loads[0] == 0.0 {
+            self.begin(load);
+        }
+        let (level, sum, solved) = self.meet(length, load.cbrt(), motion);
+        self.travel.creep = level.creep;
+        self.travel.force = sum.force;
+        self.travel.loads[0] = load;
+        let largest = self.past.0.iter().map(|level| level.scale).fold(level.scale, f64::max);
+        self.past.forget_beyond(largest * 2.0 * self.semi_axes[0] / self.cells as f64);
+        self.past.0.push_front(level);
+        self.rolled(&sum, solved)
+    }
+
+    /// The bodies touch under a load, without traction.
+    fn begin(&mut self, load: f64) {
+        let scale = if load > 0.0 { load.cbrt() } else { 1.0 };
+        self.past.0.clear();
+        self.past.0.push_front(level(0.0, scale, self.size(), self.resistance.is_some()));
+        self.travel.loads[0] = load;
+        (self.travel.creep, self.travel.force) = ([0.0; 3], [0.0; 3]);
+    }
+
+    /// Starts from steady rolling with a motion: a particle is in the contact for one contact length.
+    ///
+    /// # Errors
+    /// As [`RollingFastsim::step`].
+    pub fn start_steady(&mut self, motion: &Motion) -> Result<Rolled, InvalidValue> {
+        let size = self.travel.loads[0].cbrt().max(f64::MIN_POSITIVE);
+        let rolled = self.step(2.5 * self.semi_axes[0] * size, motion)?;
+        self.travel.distance = 0.0;
+        Ok(Rolled { distance: 0.0, ..rolled })
+    }
+
+    /// Distance rolled since the beginning, in units of `c`; zero before the first step.
+    #[must_use]
+    pub fn distance(&self) -> f64 {
+        self.travel.distance
+    }
+
+    /// Number of cells.
+    pub(super) fn size(&self) -> usize {
+        self.cells * self.strips.len()
+    }
+
+    fn rolled(&self, sum: &Sum, solved: bool) -> Rolled {
+        let [xi, eta, chi] = self.travel.creep;
+        let [fx, fy, mz] = sum.force;
+        let status = if solved { Status::Solved } else { Status::NotConverged };
+        let force = Force { fx, fy, mz };
+        let statistics = Statistics::default();
+        Rolled {
+            distance: self.travel.distance,
+            creepage: Creepage { xi, eta, chi },
+            solution: Solution { force, error: None, status, statistics },
+            adhesion_share: if sum.area > 0.0 { sum.adhesion / sum.area } else { 0.0 },
+            dissipation: sum.dissipation,
+        }
+    }
+}
+
+/// No traction, friction at rest; that of each cell where it depends on something.
+fn level(length: f64, scale: f64, cells: usize, varies: bool) -> Level {
+    let remembered = if varies { cells } else { 0 };
+    Level {
+        length,
+        scale,
+        creep: [0.0; 3],
+        smooth: false,
+        displacement: [vec![0.0; cells], vec![0.0; cells]],
+        friction: [vec![1.0; remembered], vec![0.0; remembered]],
+    }
+}
