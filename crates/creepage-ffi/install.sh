@@ -32,7 +32,8 @@ static() {
   local work
   work=$(mktemp -d)
   ld -r --whole-archive "$1" -o "$work/all.o"
-  objcopy --strip-debug --wildcard --keep-global-symbol='creepage_*' "$work/all.o"
+  objcopy --strip-debug --wildcard --keep-global-symbol='creepage_*' \
+    --remove-section=.llvmbc --remove-section=.llvmcmd "$work/all.o"
   rm -f "$2"
   ar crs "$2" "$work/all.o"
   rm -r "$work"
