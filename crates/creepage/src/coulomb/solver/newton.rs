@@ -12,6 +12,9 @@ const FORCING_TERMS: [f64; 2] = [0.05, 1e-6];
 const SAFE_FORCING_TERM: f64 = 1e-3;
 /// Fraction of the residual allowed at the end that the linear equations may leave.
 const FINAL_FRACTION: f64 = 0.3;
+/// Relative accuracy asked of one step: single precision leaves its noise, another on each processor, in
+/// proportion to the last, which should be a small one.
+const FINEST_OF_SINGLE: f64 = 1e-2;
 /// A strip's factors that were left after a larger step are made anew.
 const STALE: f64 = 0.1;
 /// Halvings of a step until it makes the tractions better.
@@ -47,7 +50,7 @@ impl State {
                 return true;
             }
             let accuracy = term.max(FINAL_FRACTION * tolerance / residual.largest);
-            equations.solve(grid, self, accuracy, self.precision);
+            equations.solve(grid, self, accuracy.max(FINEST_OF_SINGLE), self.precision);
             let Some((length, next)) = self.search(grid, equations, residual) else {
                 if term <= SAFE_FORCING_TERM {
                     break;
