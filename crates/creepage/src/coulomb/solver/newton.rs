@@ -14,7 +14,7 @@ const SAFE_FORCING_TERM: f64 = 1e-3;
 const FINAL_FRACTION: f64 = 0.3;
 /// Relative accuracy asked of one step: single precision leaves its noise, another on each processor, in
 /// proportion to the last, which should be a small one.
-const FINEST_OF_SINGLE: f64 = 1e-2;
+const FINEST_OF_SINGLE: f64 = 0.03;
 /// A strip's factors that were left after a larger step are made anew.
 const STALE: f64 = 0.1;
 /// Halvings of a step until it makes the tractions better.
