@@ -12,9 +12,9 @@ const FORCING_TERMS: [f64; 2] = [0.05, 1e-6];
 const SAFE_FORCING_TERM: f64 = 1e-3;
 /// Fraction of the residual allowed at the end that the linear equations may leave.
 const FINAL_FRACTION: f64 = 0.3;
-/// Finest accuracy asked of one step: single precision leaves its noise, another on each processor, in
-/// proportion to the last step, which should be a small one.
-const FINEST_OF_SINGLE: f64 = 0.01;
+/// Relative accuracy asked of one step: single precision leaves its noise, another on each processor, in
+/// proportion to the last, which should be a small one.
+const FINEST_OF_SINGLE: f64 = 0.015;
 /// A strip's factors that were left after a larger step are made anew.
 const STALE: f64 = 0.1;
 /// Halvings of a step until it makes the tractions better.
@@ -26,12 +26,6 @@ struct Norms {
     /// Root of the sum of squares over all elements.
     total: f64,
     largest: f64,
-}
-
-/// The relative accuracy of each of the equal steps that together reach one.
-fn of_one_step(accuracy: f64) -> f64 {
-    let steps = (accuracy.ln() / FINEST_OF_SINGLE.ln()).ceil().max(1.0);
-    accuracy.powf(steps.recip())
 }
 
 impl State {
@@ -55,8 +49,8 @@ impl State {
             if residual.largest <= tolerance {
                 return true;
             }
-            let accuracy = term.max(of_one_step(FINAL_FRACTION * tolerance / residual.largest));
-            equations.solve(grid, self, accuracy, self.precision);
+            let accuracy = term.max(FINAL_FRACTION * tolerance / residual.largest);
+            equations.solve(grid, self, accuracy.max(FINEST_OF_SINGLE), self.precision);
             let Some((length, next)) = self.search(grid, equations, residual) else {
                 if term <= SAFE_FORCING_TERM {
                     break;
