@@ -4,7 +4,7 @@ use super::{Equations, State};
 use crate::coulomb::friction::project_within;
 use crate::coulomb::grid::Grid;
 
-const STEPS: usize = 12;
+const STEPS: usize = 20;
 /// Largest and smallest forcing term of Eisenstat and Walker (1996), the relative accuracy of the
 /// linear equations: nearer to the solution it pays to solve them better.
 const FORCING_TERMS: [f64; 2] = [0.05, 1e-6];
