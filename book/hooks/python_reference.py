@@ -19,6 +19,9 @@ GROUPS = {
         "Found", "Region", "Status", "CreepageCoefficients",
     ],
     "Many cases": ["batch", "sweep", "Table"],
+    "Any shape, wheelsets, unsteady rolling": [
+        "Gap", "GapCase", "GapSolution", "Wheelset", "WheelsetSolution", "Rolling", "RollingStep", "roll",
+    ],
     "Other contacts": ["statics", "StaticsSolution", "carter", "CarterSolution", "line_contact", "LineContact"],
 }
 
@@ -30,6 +33,8 @@ def on_page_markdown(markdown, **_):
 def reference():
     known = definitions()
     exported = [name for name in exports() if name in known]
+    for name in exported:
+        inherit(known[name], known, exported)
     grouped = {name for names in GROUPS.values() for name in names}
     groups = GROUPS | {"Errors and the rest": [name for name in exported if name not in grouped]}
     parts = []
@@ -56,6 +61,15 @@ def definitions():
             if isinstance(node, ast.ClassDef | ast.FunctionDef):
                 known.setdefault(node.name, node)
     return known
+
+
+def inherit(node, known, exported):
+    """What a class has of bases that the package does not show becomes its own."""
+    for base in list(getattr(node, "bases", [])):
+        hidden = ast.unparse(base)
+        if hidden in known and hidden not in exported:
+            node.bases.remove(base)
+            node.body += known[hidden].body
 
 
 def shown(name, node):

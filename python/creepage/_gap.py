@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import os
 import warnings
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -15,8 +14,9 @@ from numpy.typing import ArrayLike
 
 from . import _creepage
 from ._contact import Body
+from ._report import FromFile, Reported
 from ._solution import SiForce
-from ._toml import Source, dumps, read
+from ._toml import dumps
 
 
 class Gap:
@@ -82,7 +82,7 @@ def _columns(arrays: Mapping[str, ArrayLike]) -> dict[str, list[float]]:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class GapSolution:
+class GapSolution(Reported):
     """A contact of any shape, solved; all in SI units."""
 
     status: str
@@ -97,29 +97,8 @@ class GapSolution:
     """Load, approach, area, peak pressure with error bars, and `patches`, as in report.json."""
     _solved: _creepage.SolvedGapData
 
-    def to_dict(self) -> dict[str, Any]:
-        """What `report.json` holds; the names carry their units."""
-        report: dict[str, Any] = json.loads(self._solved.json())
-        return report
 
-    def text(self) -> str:
-        """A short report for a terminal."""
-        return self._solved.text()
-
-    __str__ = text
-
-    def svg(self) -> str:
-        """The contact areas with pressure, adhesion and slip, and traction."""
-        return self._solved.svg()
-
-    _repr_svg_ = svg
-
-    def save(self, directory: str | os.PathLike[str]) -> list[Path]:
-        """Writes report.json, points.csv, contact.svg, .png and .vtk. Raises OSError."""
-        return [Path(path) for path in self._solved.write(Path(directory))]
-
-
-class GapCase:
+class GapCase(FromFile):
     """One rolling contact of bodies of any shape, in SI units.
 
     Creepages, spin and moment are those at the origin of the gap's coordinates. Raises CaseError,
@@ -173,30 +152,11 @@ class GapCase:
         more = (("layer", layer), ("damage", damage))
         file |= {name: section for name, section in more if section is not None}
         file["solve"] = {"theory": theory, **options}
-        self._read(dumps(file), ".")
+        self._read(dumps(file), Path())
 
-    def _read(self, text: str, directory: str | os.PathLike[str]) -> None:
-        self._text, self._directory = text, Path(directory)
-        self._data = _creepage.GapData(text, self._directory)
-
-    @classmethod
-    def from_toml(cls, source: Source, directory: str | os.PathLike[str] | None = None) -> GapCase:
-        """From a case file with `[gap]`: a path, or its text (a string with line breaks). Files of
-        points are looked for in directory, by default the file's own.
-        """
-        text = read(source)
-        if directory is None:
-            directory = "." if text is source else Path(source).parent
-        case = cls.__new__(cls)
-        case._read(text, directory)
-        return case
-
-    def to_toml(self) -> str:
-        """The text of its file."""
-        return self._text
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        return type(self).from_toml, (self._text, self._directory)
+    def _read(self, text: str, directory: Path) -> None:
+        super()._read(text, directory)
+        self._data = _creepage.GapData(text, directory)
 
     def solve(self, theory: str | None = None) -> GapSolution:
         """Presses the bodies together and rolls them, by the case's own theory or by the one of that

@@ -5,21 +5,19 @@ from __future__ import annotations
 import json
 from collections.abc import Mapping
 from dataclasses import dataclass
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from . import _creepage
+from ._report import Reported
 from ._results import Floats
 from ._toml import Source, text_of
 
 if TYPE_CHECKING:
-    import os
-
     from numpy.typing import ArrayLike
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class StaticsSolution:
+class StaticsSolution(Reported):
     """One problem without rolling, solved, in SI units; x and y are along the ellipse's axes."""
 
     problem: str
@@ -31,11 +29,6 @@ class StaticsSolution:
     caution: str | None
     """What looks like a number in another unit; else None."""
     _solved: _creepage.SolvedStatics
-
-    def to_dict(self) -> dict[str, Any]:
-        """What `report.json` holds."""
-        report: dict[str, Any] = json.loads(self._solved.json())
-        return report
 
     def traction(self, x: ArrayLike, y: ArrayLike) -> Floats:
         """Tangential traction on the lower body (Pa) at (x, y) (m), shape (..., 2).
@@ -53,20 +46,6 @@ class StaticsSolution:
         bodies relative to each other else.
         """
         return self._solved.displacement(x, y)
-
-    def text(self) -> str:
-        """A short report for a terminal."""
-        return self._solved.text()
-
-    def svg(self) -> str:
-        """The contact seen from above."""
-        return self._solved.svg()
-
-    _repr_svg_ = svg
-
-    def save(self, directory: str | os.PathLike[str]) -> list[Path]:
-        """Writes report.json, points.csv, contact.svg and contact.png. Raises OSError."""
-        return [Path(path) for path in self._solved.write(Path(directory))]
 
 
 def statics(source: Source | Mapping[str, Mapping[str, Any]]) -> StaticsSolution:

@@ -14,12 +14,13 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _creepage
+from ._report import FromFile, Reported
 from ._results import Floats
-from ._toml import Source, dumps, read
+from ._toml import dumps
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class WheelsetSolution:
+class WheelsetSolution(Reported):
     """A wheelset, solved. Track axes: x forward, y right, z down; all in SI units."""
 
     status: str
@@ -32,29 +33,8 @@ class WheelsetSolution:
     """The right wheel."""
     _solved: _creepage.SolvedWheelset
 
-    def to_dict(self) -> dict[str, Any]:
-        """What `report.json` holds; the names carry their units."""
-        report: dict[str, Any] = json.loads(self._solved.json())
-        return report
 
-    def text(self) -> str:
-        """A short report for a terminal."""
-        return self._solved.text()
-
-    __str__ = text
-
-    def svg(self) -> str:
-        """Both wheels on their rails, with areas and forces."""
-        return self._solved.svg()
-
-    _repr_svg_ = svg
-
-    def save(self, directory: str | os.PathLike[str]) -> list[Path]:
-        """Writes report.json and the pictures into a directory. Raises OSError."""
-        return [Path(path) for path in self._solved.write(Path(directory))]
-
-
-class Wheelset:
+class Wheelset(FromFile):
     """Two wheels and two rails by their profiles, where the wheelset stands, how it moves.
 
     Profiles are names of standard ones ("S1002", "UIC60") or files. Raises CaseError, which names
@@ -115,41 +95,11 @@ class Wheelset:
         }
         if options:
             sections["solve"] = {"theory": "exact", **options}
-        self._read(dumps(sections), directory)
+        self._read(dumps(sections), Path(directory))
 
-    def _read(self, text: str, directory: str | os.PathLike[str]) -> None:
-        self._text, self._directory = text, Path(directory)
-        self._data = _creepage.WheelsetData(text, self._directory)
-
-    @classmethod
-    def from_toml(
-        cls, source: Source, directory: str | os.PathLike[str] | None = None
-    ) -> Wheelset:
-        """From a wheelset file: a path, or its text (a string with line breaks). Profile files are
-        looked for in directory, by default the file's own.
-        """
-        text = read(source)
-        if directory is None:
-            directory = "." if text is source else Path(source).parent
-        wheelset = cls.__new__(cls)
-        wheelset._read(text, directory)
-        return wheelset
-
-    @classmethod
-    def from_dict(
-        cls, file: Mapping[str, Mapping[str, Any]], directory: str | os.PathLike[str] = "."
-    ) -> Wheelset:
-        """From the sections of a wheelset file as a mapping."""
-        wheelset = cls.__new__(cls)
-        wheelset._read(dumps(file), directory)
-        return wheelset
-
-    def to_toml(self) -> str:
-        """The text of its file."""
-        return self._text
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        return type(self).from_toml, (self._text, self._directory)
+    def _read(self, text: str, directory: Path) -> None:
+        super()._read(text, directory)
+        self._data = _creepage.WheelsetData(text, directory)
 
     @property
     def notes(self) -> list[str]:
