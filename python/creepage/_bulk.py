@@ -92,18 +92,6 @@ def case_force(
     return CaseForce(**columns, damage=by_law, status=status, messages=messages)
 
 
-def by_dimension(quantities: dict[str, Any]) -> dict[str, Any]:
-    """Arrays of xarray broadcast against each other by the names of their dimensions."""
-    named = [name for name, value in quantities.items() if hasattr(value, "dims")]
-    if len(named) < 2:
-        return quantities
-    import xarray as xr
-
-    together = xr.broadcast(*(quantities[name] for name in named))
-    arrays = (np.asarray(array) for array in together)
-    return {**quantities, **dict(zip(named, arrays, strict=True))}
-
-
 def words(codes: NDArray[np.uint8], messages: Mapping[int, str]) -> dict[str, Any]:
     """The last two columns of a table."""
     column = np.full(len(codes), "", dtype=object)

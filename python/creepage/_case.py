@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _creepage
-from ._bulk import CaseForce, by_dimension, case_force
+from ._bulk import CaseForce, case_force
 from ._contact import Body, Hertz, number, sections
 from ._errors import InvalidValue, UnitsWarning, UnlikeBodiesWarning
 from ._results import Codes, Floats, Status
@@ -284,7 +284,7 @@ class Case:
         quantities = {name: value for name, value in quantities.items() if value is not None}
         table = theory if isinstance(theory, _creepage.Table) else None
         name, options = self._chosen(None if isinstance(theory, _creepage.Table) else theory, given)
-        return case_force(self._data, name, options, table, by_dimension(quantities))
+        return case_force(self._data, name, options, table, quantities)
 
     def solve(self, theory: str | None = None, **options: Any) -> Solution:
         """Solves the case by its own theory, or by the one of that name.

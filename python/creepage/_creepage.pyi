@@ -85,9 +85,10 @@ class Theory:
         """Force and moment on the lower body.
 
         xi, eta, chi: dimensionless creepages and spin, floats or anything of which NumPy makes
-        arrays of real numbers; they broadcast against each other. For floats a Force of floats,
-        else a Force of arrays of the common shape. Arrays are solved by all cores with the GIL
-        released, and Ctrl-C ends them; do not write to them meanwhile.
+        arrays of real numbers; they broadcast against each other, those of xarray by the names of
+        their dimensions. For floats a Force of floats, else a Force of arrays of the common shape.
+        Arrays are solved by all cores with the GIL released, and Ctrl-C ends them; do not write to
+        them meanwhile.
 
         Raises InvalidValue where a component is not finite (or beyond 1e100), with the index of
         the first such element; TypeError for what is no real number, ValueError for shapes that

@@ -77,6 +77,9 @@ def test_arrays_broadcast_by_shape_and_by_dimension() -> None:
     time = xr.DataArray([0.0, 1e-3], dims="time")
     load = xr.DataArray([6e4, 7e4, 8e4], dims="load")
     assert CASE.force(lateral=time, normal_force=load, theory="polach").fx.shape == (2, 3)
+    polach = creepage.theory("polach", a_over_b=1.2, poisson=0.28)
+    by_name = polach.force(xi=1e3 * time, eta=1e-5 * load)
+    assert (by_name.fx == polach.force([[0.0], [1.0]], [0.6, 0.7, 0.8]).fx).all()
     with pytest.raises(ValueError, match="broadcast"):
         CASE.force(lateral=[0.0, 1.0], normal_force=[1.0, 2.0, 3.0])
     with pytest.raises(TypeError, match="real numbers"):

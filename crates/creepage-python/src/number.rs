@@ -58,8 +58,9 @@ impl<'py, const N: usize> Inputs<'py, N> {
     pub(crate) fn new(
         py: Python<'py>,
         names: [&'static str; N],
-        numbers: [Number<'py>; N],
+        mut numbers: [Number<'py>; N],
     ) -> PyResult<Self> {
+        by_dimension(py, &mut numbers)?;
         let mut arrays = Vec::with_capacity(N);
         for (name, number) in names.into_iter().zip(numbers) {
             arrays.push(match number {
@@ -105,6 +106,25 @@ impl<'py, const N: usize> Inputs<'py, N> {
         }
         Ok(columns)
     }
+}
+
+/// Arrays of xarray are broadcast against each other by the names of their dimensions.
+fn by_dimension<'py>(py: Python<'py>, numbers: &mut [Number<'py>]) -> PyResult<()> {
+    let mut named = Vec::new();
+    for number in numbers {
+        let Number::Many(value) = number else { continue };
+        if value.cast_exact::<PyArrayDyn<f64>>().is_err() && value.hasattr("dims")? {
+            named.push(value);
+        }
+    }
+    if named.len() > 1 {
+        let arrays = PyTuple::new(py, named.iter().map(|value| &**value))?;
+        let together = py.import("xarray")?.call_method1("broadcast", arrays)?;
+        for (value, array) in named.into_iter().zip(together.try_iter()?) {
+            *value = array?;
+        }
+    }
+    Ok(())
 }
 
 /// An array of floats; refuses what would lose its meaning, such as text and complex numbers.

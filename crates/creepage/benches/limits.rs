@@ -27,6 +27,12 @@ fn coefficients(bencher: Bencher<'_, '_>, a_over_b: f64) {
     bencher.bench(|| CreepageCoefficients::new(&contact(black_box(a_over_b), black_box(POISSON))));
 }
 
+/// The same by their series.
+#[divan::bench]
+fn interpolated_coefficients() -> Option<CreepageCoefficients> {
+    CreepageCoefficients::interpolated(&contact(black_box(1.5), black_box(POISSON))).ok()
+}
+
 /// The thesis's own calculation.
 #[divan::bench]
 fn coefficients_of_degree_5() -> Option<CreepageCoefficients> {

@@ -74,13 +74,13 @@ struct Point {
 }
 
 impl Polach {
-    /// The law of 1999: both reduction factors 1. Computes the creepage coefficients.
+    /// The law of 1999: both reduction factors 1. Interpolates the creepage coefficients.
     ///
     /// # Errors
     /// As [`CreepageCoefficients::new`].
     pub fn new(contact: &Contact) -> Result<Self, InvalidValue> {
         let (ellipse, poisson) = (checked(contact)?, contact.poisson());
-        let coefficients = CreepageCoefficients::new(contact)?;
+        let coefficients = CreepageCoefficients::interpolated(contact)?;
         let spin_weight = 1.0 - 6.3 * (-ellipse.ratio()).exp_m1();
         Ok(Self {
             contact: *contact,

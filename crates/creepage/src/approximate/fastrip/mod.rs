@@ -86,7 +86,7 @@ pub struct Fastrip {
 }
 
 impl Fastrip {
-    /// Prepares the theory for a contact and `[nx, ny]` cells; computes the creepage coefficients.
+    /// Prepares the theory for a contact and `[nx, ny]` cells; interpolates the creepage coefficients.
     ///
     /// # Errors
     /// [`InvalidValue`] as of [`Fastsim::new`](super::fastsim::Fastsim::new).
@@ -95,7 +95,12 @@ impl Fastrip {
         variant: Variant,
         grid: [usize; 2],
     ) -> Result<Self, InvalidValue> {
-        Self::with_coefficients(contact, &CreepageCoefficients::new(contact)?, variant, grid)
+        Self::with_coefficients(
+            contact,
+            &CreepageCoefficients::interpolated(contact)?,
+            variant,
+            grid,
+        )
     }
 
     fn with_coefficients(

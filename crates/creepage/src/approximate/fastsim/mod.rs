@@ -86,13 +86,13 @@ pub struct Fastsim {
 }
 
 impl Fastsim {
-    /// Prepares the theory; computes the creepage coefficients of the contact.
+    /// Prepares the theory; interpolates the creepage coefficients of the contact.
     ///
     /// # Errors
     /// [`InvalidValue`] unless the ratio `a/b` lies within [`CreepageCoefficients::RATIO_RANGE`],
     /// and the grid has at least one cell and no more than [`Settings::MAX_CELLS`] either way.
     pub fn new(contact: &Contact, settings: Settings) -> Result<Self, InvalidValue> {
-        let coefficients = CreepageCoefficients::new(contact)?;
+        let coefficients = CreepageCoefficients::interpolated(contact)?;
         let (ellipse, poisson) = (contact.ellipse(), contact.poisson());
         let grid = Grid::new(&ellipse, settings.grid, settings.bound.profile(1.0))?;
         let layer = contact.layer().map(|l| l.dimensionless_flexibility(contact.scaling()));

@@ -1,6 +1,7 @@
 //! The linear theory as a whole: forces by the coefficients, tractions by the strengths.
 
 use std::f64::consts::PI;
+use std::sync::OnceLock;
 
 use super::compensation::{Criterion, Edge, Symmetry};
 use super::edge::Strength;
@@ -30,37 +31,38 @@ pub struct Linear {
     contact: Contact,
     coefficients: CreepageCoefficients,
     gains: [[f64; 3]; 3],
-    /// Of unit `xi`, `eta`, `chi`.
-    strengths: [Vec<Strength>; 3],
+    /// Of unit `xi`, `eta`, `chi`, once they are asked for.
+    strengths: OnceLock<[Vec<Strength>; 3]>,
 }
 
 impl Linear {
-    /// Prepares the coefficients; costs as much as
-    /// [`CreepageCoefficients::new`].
+    /// Takes the interpolated coefficients; tractions are solved for when a field is asked for.
     ///
     /// # Errors
     /// As [`CreepageCoefficients::new`].
     pub fn new(contact: &Contact) -> Result<Self, InvalidValue> {
         let (ellipse, poisson) = (checked(contact)?, contact.poisson());
-        let edge = Edge::new(ellipse, poisson, sufficient_degree(ellipse));
-        let longitudinal = edge.compensate(Symmetry::Longitudinal, Criterion::Energy);
-        let lateral = edge.compensate(Symmetry::Lateral, Criterion::Energy);
-        let coefficients =
-            CreepageCoefficients::from_solutions(&longitudinal, &lateral).reciprocal();
-        let (along, across) = (longitudinal.problems, lateral.problems);
-        let mut strengths = along.into_iter().chain(across);
-        Ok(Self {
-            contact: *contact,
-            coefficients,
-            gains: coefficients.gains(ellipse, poisson),
-            strengths: std::array::from_fn(|_| strengths.next().unwrap_or_default()),
+        let coefficients = CreepageCoefficients::interpolated(contact)?;
+        let gains = coefficients.gains(ellipse, poisson);
+        Ok(Self { contact: *contact, coefficients, gains, strengths: OnceLock::new() })
+    }
+
+    /// Of unit `xi`, `eta`, `chi`.
+    fn strengths(&self) -> &[Vec<Strength>; 3] {
+        self.strengths.get_or_init(|| {
+            let (ellipse, poisson) = (self.contact.ellipse(), self.contact.poisson());
+            let edge = Edge::new(ellipse, poisson, sufficient_degree(ellipse));
+            let solved = |symmetry| edge.compensate(symmetry, Criterion::Energy).problems;
+            let along = solved(Symmetry::Longitudinal).into_iter();
+            let mut strengths = along.chain(solved(Symmetry::Lateral));
+            std::array::from_fn(|_| strengths.next().unwrap_or_default())
         })
     }
 
     /// Of unit `xi`, `eta`, `chi`, in units of the scaling.
     fn tractions(&self) -> [Traction; 3] {
         let slip = slip_unit(self.contact.ellipse(), self.contact.poisson());
-        let [xi, eta, chi] = &self.strengths;
+        let [xi, eta, chi] = self.strengths();
         [
             Traction::new(xi, Symmetry::Longitudinal, slip),
             Traction::new(eta, Symmetry::Lateral, slip),

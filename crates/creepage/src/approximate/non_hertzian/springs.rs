@@ -41,7 +41,7 @@ impl Springs {
         );
         let ratio = (longest / (high - low)).clamp(RATIO[0], RATIO[1]);
         let contact = Contact::new(Ellipse::from_ratio(ratio)?, poisson)?;
-        let coefficients = CreepageCoefficients::coarse(&contact)?;
+        let coefficients = CreepageCoefficients::interpolated(&contact)?;
         let radius = (patch.area() / PI).sqrt() / length;
         let CreepageCoefficients { c11, c22, c23, .. } = coefficients;
         let a = radius * ratio.sqrt();

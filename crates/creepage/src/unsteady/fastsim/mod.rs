@@ -86,7 +86,7 @@ impl RollingFastsim {
     /// with a layer.
     pub fn new(contact: &Contact, settings: Settings) -> Result<Self, InvalidValue> {
         no_layer(contact)?;
-        let coefficients = CreepageCoefficients::new(contact)?;
+        let coefficients = CreepageCoefficients::interpolated(contact)?;
         let (ellipse, [cells, across]) = (contact.ellipse(), settings.grid);
         for (name, number) in [("grid along", cells), ("grid across", across)] {
             let valid = "at least 1 and no more than 10000";
