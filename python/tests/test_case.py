@@ -209,7 +209,6 @@ def test_a_solution_is_pickled_by_its_question() -> None:
 @pytest.mark.parametrize("name", ["linear", "polach", "fastsim"])
 def test_a_solution_computes_only_what_is_asked_for(name: str) -> None:
     case = wheel(longitudinal=1e-3, spin=0.1)
-    shape = case.contact.a_over_b, case.contact.poisson
 
     def least(work: Callable[[], object]) -> float:
         def seconds() -> float:
@@ -219,8 +218,8 @@ def test_a_solution_computes_only_what_is_asked_for(name: str) -> None:
 
         return min(seconds() for _ in range(20))
 
-    # Most of it prepares the theory; tracing the areas of adhesion would cost a hundred times that.
-    assert least(lambda: case.solve(name).force) < 3.0 * least(lambda: creepage.theory(name, *shape))
+    # A report traces the areas of adhesion, which costs a hundred times as much as the force.
+    assert least(lambda: case.solve(name).force) < 0.1 * least(lambda: case.solve(name).text())
 
 
 def test_numpy_numbers_do_for_a_case() -> None:
