@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use creepage_study::{GapCase, GapCaseError, GapFile, SolvedGap, solve_gap};
+use creepage_study::{GapCase, GapCaseError, GapFile, GapSolver, SolvedGap};
 use pyo3::prelude::*;
 use rayon::prelude::*;
 
@@ -34,7 +34,7 @@ impl GapData {
 
     /// Solves it by its own theory, or by the one of that name.
     fn solve(&self, py: Python, theory: Option<&str>) -> PyResult<SolvedGapData> {
-        let solved = py.detach(|| solve(self.case.clone(), theory));
+        let solved = py.detach(|| solve(&GapSolver::default(), self.case.clone(), theory));
         Ok(SolvedGapData { solved: solved.map_err(|error| errors::gap(py, error))? })
     }
 }
@@ -48,7 +48,9 @@ pub(crate) fn solve_gaps(
     theory: Option<&str>,
 ) -> PyResult<Vec<Py<PyAny>>> {
     let cases: Vec<_> = cases.iter().map(|data| data.case.clone()).collect();
-    let all = || cases.into_par_iter().map(|case| solve(case, theory)).collect::<Vec<_>>();
+    let solver = GapSolver::default();
+    let one = |case| solve(&solver, case, theory);
+    let all = || cases.into_par_iter().map(one).collect::<Vec<_>>();
     let answers = py.detach(all).into_iter();
     let object = |answer| match answer {
         Ok(solved) => Ok(Py::new(py, SolvedGapData { solved })?.into_any()),
@@ -57,12 +59,16 @@ pub(crate) fn solve_gaps(
     answers.map(object).collect()
 }
 
-fn solve(case: GapCase, theory: Option<&str>) -> Result<SolvedGap, GapCaseError> {
+fn solve(
+    solver: &GapSolver,
+    case: GapCase,
+    theory: Option<&str>,
+) -> Result<SolvedGap, GapCaseError> {
     let case = match theory {
         Some(name) => case.by_theory(name)?,
         None => case,
     };
-    solve_gap(&case)
+    solver.solve(&case)
 }
 
 #[pymethods]

@@ -94,8 +94,8 @@ pub use error::ReportError;
 pub use file_set::write_all;
 pub use gap::{
     ExtentJson, GapCase, GapCaseError, GapCaution, GapContactJson, GapCreepageJson, GapFile,
-    GapFileError, GapForceJson, GapReportJson, GapRows, GapTheory, GapValue, GapVaried, PatchJson,
-    Pressed, SiGiven, SolvedGap, gap_json_schema, solve_gap,
+    GapFileError, GapForceJson, GapReportJson, GapRows, GapSolver, GapTheory, GapValue, GapVaried,
+    PatchJson, Pressed, SiGiven, SolvedGap, gap_json_schema, solve_gap,
 };
 pub use history::{
     HISTORY_COLUMNS, History, HistoryError, HistoryMotion, HistoryRow, HistoryRun, HistoryWriter,

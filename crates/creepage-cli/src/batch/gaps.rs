@@ -1,11 +1,10 @@
 //! Rows that differ from a case with `[gap]`: many contacts of any shape, on all cores.
 
-use std::io::{self, Write};
 use std::path::Path;
 
 use creepage::{SiForce, Status, TheorySpec};
 use creepage_study::{
-    GapCaseError, GapFile, GapRows, GapTheory, GapValue, GapVaried, SolvedGap, solve_gap,
+    GapCaseError, GapFile, GapRows, GapSolver, GapTheory, GapValue, GapVaried, SolvedGap,
     theory_spec,
 };
 use csv::ByteRecord;
@@ -13,16 +12,11 @@ use rayon::prelude::*;
 
 use super::columns::{ColumnError, names, place_of};
 use super::field::{NoCase, parse};
-use super::rows::Rows;
-use super::sink::Sink;
-use super::stream::Stream;
 use super::table::Table;
-use super::tally::Tally;
-use super::{free, progress};
+use super::{free, write_answers};
 use crate::batch_args::BatchArgs;
 use crate::failure::Failure;
 use crate::outcome::Outcome;
-use crate::output::say;
 
 /// Why a row has no answer.
 #[derive(Debug, thiserror::Error)]
@@ -46,6 +40,7 @@ struct Gaps {
     places: Vec<usize>,
     count: usize,
     theory: Option<TheorySpec>,
+    solver: GapSolver,
     error_bars: bool,
 }
 
@@ -57,40 +52,11 @@ pub(super) fn run(args: &BatchArgs, path: &Path, text: &str) -> Result<Outcome, 
     let gaps = Gaps::new(args, path, text, &table)?;
     let appended = gaps.appended();
     free(&table, &appended)?;
-    let failed = |source: io::Error| Failure::writing(args.out.as_deref(), source);
-    let mut sink = Sink::open(args.out.as_deref()).map_err(failed)?;
-    sink.write_all(&table.comments).map_err(failed)?;
-    let rows = Rows::start(&mut sink, &table.header, &appended, table.delimiter).map_err(failed)?;
-    let tally = fill(rows, table, &gaps, args)?;
-    sink.finish().map_err(failed)?;
-    say(&tally.to_string());
+    let answers = |rows: &[ByteRecord]| rows.par_iter().map(|row| gaps.answer(row)).collect();
+    let tally = write_answers(args, table, &appended, None, answers, |out, row, answer| {
+        out.write_gap(row, answer)
+    })?;
     Ok(tally.outcome())
-}
-
-/// Answers the table portion by portion, so that memory does not grow with its length.
-fn fill(
-    mut out: Rows<&mut Sink>,
-    table: Table,
-    gaps: &Gaps,
-    args: &BatchArgs,
-) -> Result<Tally, Failure> {
-    let failed = |source: io::Error| Failure::writing(args.out.as_deref(), source);
-    let bar = progress::of(args);
-    let (mut stream, name) = (Stream::start(table.reader), table.name);
-    loop {
-        let rows = stream.next().map_err(|source| Failure::Rows { input: name.clone(), source })?;
-        if rows.is_empty() {
-            bar.finish_and_clear();
-            return out.finish().map_err(failed);
-        }
-        let answers: Vec<_> = rows.par_iter().map(|row| gaps.answer(row)).collect();
-        for (row, answer) in rows.into_iter().zip(answers) {
-            out.write_gap(row, answer).map_err(failed)?;
-        }
-        out.flush().map_err(failed)?;
-        bar.set_position(stream.position());
-        bar.set_message(format!("{} rows", out.tally().rows()));
-    }
 }
 
 impl Gaps {
@@ -120,7 +86,8 @@ impl Gaps {
         }
         let directory = path.parent().unwrap_or(Path::new("")).into();
         let rows = GapRows::new(file, directory, varied);
-        Ok(Self { rows, places, count: table.header.len(), theory, error_bars })
+        let (count, solver) = (table.header.len(), GapSolver::default());
+        Ok(Self { rows, places, count, theory, solver, error_bars })
     }
 
     /// The columns that are appended.
@@ -161,7 +128,7 @@ impl Gaps {
             Some(spec) => case.by_spec(spec)?,
             None => case,
         };
-        Ok(self.numbers(&solve_gap(&case)?))
+        Ok(self.numbers(&self.solver.solve(&case)?))
     }
 
     fn numbers(&self, solved: &SolvedGap) -> GapAnswer {

@@ -16,14 +16,15 @@ use std::io::{self, Write};
 use std::sync::Arc;
 
 use creepage::{Contact, Ellipse, TheorySpec};
-use creepage_study::{CaseFile, GapFile, Question, Solver, theory_spec};
+use creepage_study::{CaseFile, DamageWanted, GapFile, Question, Solver, theory_spec};
+use csv::ByteRecord;
 use rayon::prelude::*;
 
 use case_columns::CaseColumns;
 use columns::{ColumnError, Columns};
 use field::NoCase;
 use question::{Ask, Asked};
-use rows::Rows;
+use rows::{Answer, Rows};
 use sink::Sink;
 use stream::Stream;
 use table::Table;
@@ -47,14 +48,11 @@ pub(crate) fn run(args: &BatchArgs) -> Result<Outcome, Failure> {
     let table = Table::open(args.input.as_deref())?;
     let ask = ask(&table, case.as_ref(), &solver)?;
     let appended = appended(&table, &ask, solver.error_bars())?;
-    let failed = |source: io::Error| Failure::writing(args.out.as_deref(), source);
-    let mut sink = Sink::open(args.out.as_deref()).map_err(failed)?;
-    sink.write_all(&table.comments).map_err(failed)?;
-    let rows = Rows::start(&mut sink, &table.header, &appended, table.delimiter).map_err(failed)?;
-    let rows = rows.with_damage(ask.damage());
-    let tally = fill(rows, table, &ask, &solver, args)?;
-    sink.finish().map_err(failed)?;
-    say(&tally.to_string());
+    let answers = |rows: &[ByteRecord]| replies(&ask, &solver, rows);
+    let tally =
+        write_answers(args, table, &appended, ask.damage(), answers, |out, row, answer| {
+            out.write(row, answer)
+        })?;
     tally.cautions().iter().for_each(|caution| say(caution));
     Ok(tally.outcome())
 }
@@ -110,13 +108,32 @@ fn free(table: &Table, appended: &[&'static str]) -> Result<(), Failure> {
     Ok(())
 }
 
+/// Writes the table with what `answers` has for each portion of its rows.
+fn write_answers<A>(
+    args: &BatchArgs,
+    table: Table,
+    appended: &[&str],
+    damage: Option<DamageWanted>,
+    answers: impl Fn(&[ByteRecord]) -> Vec<A>,
+    write: impl Fn(&mut Rows<&mut Sink>, ByteRecord, A) -> io::Result<()>,
+) -> Result<Tally, Failure> {
+    let failed = |source: io::Error| Failure::writing(args.out.as_deref(), source);
+    let mut sink = Sink::open(args.out.as_deref()).map_err(failed)?;
+    sink.write_all(&table.comments).map_err(failed)?;
+    let rows = Rows::start(&mut sink, &table.header, appended, table.delimiter).map_err(failed)?;
+    let tally = fill(rows.with_damage(damage), table, args, answers, write)?;
+    sink.finish().map_err(failed)?;
+    say(&tally.to_string());
+    Ok(tally)
+}
+
 /// Answers the table portion by portion, so that memory does not grow with its length.
-fn fill(
+fn fill<A>(
     mut out: Rows<&mut Sink>,
     table: Table,
-    ask: &Ask,
-    solver: &Solver,
     args: &BatchArgs,
+    answers: impl Fn(&[ByteRecord]) -> Vec<A>,
+    write: impl Fn(&mut Rows<&mut Sink>, ByteRecord, A) -> io::Result<()>,
 ) -> Result<Tally, Failure> {
     let failed = |source: io::Error| Failure::writing(args.out.as_deref(), source);
     let bar = progress::of(args);
@@ -127,15 +144,22 @@ fn fill(
             bar.finish_and_clear();
             return out.finish().map_err(failed);
         }
-        let asked: Vec<_> = rows.par_iter().map(|row| ask.of(row)).collect();
-        let replies = solver.solve(asked.iter().map(question).collect());
-        for ((row, asked), reply) in rows.into_iter().zip(asked).zip(replies) {
-            out.write(row, asked.and_then(|asked| Ok((asked, reply?)))).map_err(failed)?;
+        let answers = answers(&rows);
+        for (row, answer) in rows.into_iter().zip(answers) {
+            write(&mut out, row, answer).map_err(failed)?;
         }
         out.flush().map_err(failed)?;
         bar.set_position(stream.position());
         bar.set_message(format!("{} rows", out.tally().rows()));
     }
+}
+
+/// The answers to rows, in their order.
+fn replies(ask: &Ask, solver: &Solver, rows: &[ByteRecord]) -> Vec<Answer> {
+    let asked: Vec<_> = rows.par_iter().map(|row| ask.of(row)).collect();
+    let replies = solver.solve(asked.iter().map(question).collect());
+    let together = asked.into_iter().zip(replies);
+    together.map(|(asked, reply)| asked.and_then(|asked| Ok((asked, reply?)))).collect()
 }
 
 fn question(asked: &Result<Asked, NoCase>) -> Result<Question, NoCase> {

@@ -14,6 +14,7 @@ mod picture;
 mod points;
 mod shape;
 mod solve;
+mod solver;
 mod text;
 mod theory;
 mod vary;
@@ -30,5 +31,6 @@ pub use json::{
 pub(crate) use picture::AreasPicture;
 pub use solve::{SolvedGap, solve_gap};
 pub(crate) use solve::{pressed, resolutions};
+pub use solver::GapSolver;
 pub use theory::GapTheory;
 pub use vary::{GapRows, GapValue, GapVaried};

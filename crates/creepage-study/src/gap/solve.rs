@@ -2,15 +2,18 @@
 
 use creepage::approximate::non_hertzian::{NonHertzianSimplified, Simplified};
 use creepage::coulomb::{ElementField, InverseError, NonHertzian, Resolution};
-use creepage::normal::{self, NormalContact};
+use creepage::normal::{self, NormalContact, NormalError};
 use creepage::theory::Constraints;
 use creepage::theory::{ExactOptions, NamedResolution, ResolutionSpec};
-use creepage::{Creepage, Force, Region, Scaling, SiCreepage, SiForce, Solution, Solved};
+use creepage::{
+    Creepage, Force, InvalidValue, Region, Scaling, SiCreepage, SiForce, Solution, Solved,
+};
 use creepage_plot::signed_area;
 
 use super::caution::GapCaution;
 use super::error::GapCaseError;
 use super::file::{GapCase, Pressed};
+use super::solver::GapSolver;
 use super::theory::GapTheory;
 use crate::damage::{Ground, of_elements};
 use crate::{CaseError, Damage, Unreachable};
@@ -32,11 +35,16 @@ pub struct SolvedGap {
     dissipation: Option<f64>,
 }
 
-/// Solves a case of any shape: the pressure, then rolling.
+/// Solves a case of any shape: the pressure, then rolling. For many cases use [`GapSolver`].
 ///
 /// # Errors
 /// [`GapCaseError`] for bodies without a contact area, and for wanted forces out of reach.
 pub fn solve_gap(case: &GapCase) -> Result<SolvedGap, GapCaseError> {
+    GapSolver::default().solve(case)
+}
+
+/// Solves a case on a contact that the solver knows or presses.
+pub(super) fn by(solver: &GapSolver, case: &GapCase) -> Result<SolvedGap, GapCaseError> {
     let options = match case.theory {
         GapTheory::Exact(options) => options,
         GapTheory::Simplified(kind, cells) => {
@@ -44,24 +52,27 @@ pub fn solve_gap(case: &GapCase) -> Result<SolvedGap, GapCaseError> {
                 let why = "a law of friction or a layer is counted on other areas by exact alone";
                 return Err(GapCaseError::Theory { name: case.theory.name(), why });
             }
-            let contact = pressed(case, normal::Resolution::STANDARD)?;
-            return simplified(case, &contact, kind, cells);
+            let known = solver.pressed(case, normal::Resolution::STANDARD);
+            return simplified(case, known.contact(case)?, kind, cells);
         }
     };
-    let contact = match options.resolution {
-        ResolutionSpec::Named(NamedResolution::Fast) => pressed(case, normal::Resolution::FAST)?,
-        _ => pressed(case, normal::Resolution::FINE)?,
+    let fineness = match options.resolution {
+        ResolutionSpec::Named(NamedResolution::Fast) => normal::Resolution::FAST,
+        _ => normal::Resolution::FINE,
     };
+    let known = solver.pressed(case, fineness);
+    let contact = known.contact(case)?;
+    let rolled = |resolution| rolled(case, contact, known.theory(contact, case, resolution));
     let (resolutions, accuracy) = resolutions(options)?;
     let (last, first) = resolutions.split_last().unwrap_or((&Resolution::STANDARD, &[]));
     for resolution in first {
-        let solved = rolled(case, &contact, *resolution)?;
+        let solved = rolled(*resolution)?;
         let error = solved.solution.error.unwrap_or_default();
         if error.fx.max(error.fy) <= accuracy {
             return Ok(solved);
         }
     }
-    rolled(case, &contact, *last)
+    rolled(*last)
 }
 
 /// The bodies pressed together.
@@ -69,30 +80,41 @@ pub(crate) fn pressed(
     case: &GapCase,
     resolution: normal::Resolution,
 ) -> Result<NormalContact, GapCaseError> {
-    let (contact, pressed) = match case.pressed {
-        Pressed::Load(load) => (
-            NormalContact::under_load(&case.gap, case.pair, load, resolution),
-            format!("normal_force = {load}"),
-        ),
-        Pressed::Approach(approach) => (
-            NormalContact::at_approach(&case.gap, case.pair, approach, resolution),
-            format!("approach = {approach}"),
-        ),
+    pressed_together(case, resolution).map_err(|source| not_pressed(case, source))
+}
+
+pub(super) fn pressed_together(
+    case: &GapCase,
+    resolution: normal::Resolution,
+) -> Result<NormalContact, NormalError> {
+    match case.pressed {
+        Pressed::Load(load) => NormalContact::under_load(&case.gap, case.pair, load, resolution),
+        Pressed::Approach(approach) => {
+            NormalContact::at_approach(&case.gap, case.pair, approach, resolution)
+        }
+    }
+}
+
+/// The error of bodies that have no contact.
+pub(super) fn not_pressed(case: &GapCase, source: NormalError) -> GapCaseError {
+    let pressed = match case.pressed {
+        Pressed::Load(load) => format!("normal_force = {load}"),
+        Pressed::Approach(approach) => format!("approach = {approach}"),
     };
-    contact.map_err(|source| GapCaseError::Normal { shape: case.shape.clone(), pressed, source })
+    GapCaseError::Normal { shape: case.shape.clone(), pressed, source }
 }
 
 /// The resolutions to be tried, the coarsest first, until this accuracy is met.
 pub(crate) fn resolutions(options: ExactOptions) -> Result<(Vec<Resolution>, f64), CaseError> {
     if options.coupled {
         let valid = "left out with [gap], whose bodies are taken for like ones";
-        let invalid = creepage::InvalidValue { quantity: "coupled", value: 1.0, valid };
+        let invalid = InvalidValue { quantity: "coupled", value: 1.0, valid };
         return Err(CaseError::invalid("solve")(invalid));
     }
     let valid = "finite and greater than zero";
     let accuracy = options.accuracy.unwrap_or(creepage::coulomb::Automatic::DEFAULT_ACCURACY);
     if !(accuracy.is_finite() && accuracy > 0.0) {
-        let invalid = creepage::InvalidValue { quantity: "accuracy", value: accuracy, valid };
+        let invalid = InvalidValue { quantity: "accuracy", value: accuracy, valid };
         return Err(CaseError::invalid("solve")(invalid));
     }
     let resolutions = match options.resolution {
@@ -112,11 +134,9 @@ pub(crate) fn resolutions(options: ExactOptions) -> Result<(Vec<Resolution>, f64
 fn rolled(
     case: &GapCase,
     contact: &NormalContact,
-    resolution: Resolution,
+    theory: Result<NonHertzian, InvalidValue>,
 ) -> Result<SolvedGap, GapCaseError> {
-    let theory = NonHertzian::new(contact, case.friction, resolution)
-        .map_err(CaseError::invalid("contact"))?
-        .with_resistance(case.rolling_friction, case.layer);
+    let theory = theory.map_err(CaseError::invalid("contact"))?;
     let asked = Asked::new(case, contact, theory.scaling())?;
     let solved = match asked {
         Asked::At(creepage) => theory.solve(creepage),

@@ -91,7 +91,7 @@ impl GapVaried {
 }
 
 /// A case with `[gap]` some of whose quantities have values of their own in every row. Each row is
-/// pressed and rolled by itself.
+/// a case by itself; [`GapSolver`](super::GapSolver) presses anew only where it must.
 #[derive(Debug, Clone)]
 pub struct GapRows {
     file: GapFile,

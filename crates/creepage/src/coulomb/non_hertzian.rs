@@ -1,5 +1,7 @@
 //! The full theory on contact areas of any shape.
 
+use std::sync::Arc;
+
 use super::bands::{Bands, Frame};
 use super::extrapolation::{Extrapolation, error_bar, extrapolate};
 use super::grid::Grid;
@@ -50,7 +52,9 @@ pub struct NonHertzian {
     frame: Frame,
     scaling: Scaling,
     /// In the frame: its origin is the centre of pressure, for accuracy.
-    grids: [Grid; 2],
+    grids: Arc<[Grid; 2]>,
+    /// The same under constant friction without a layer: they depend on no coefficient of friction.
+    bare: Arc<[Grid; 2]>,
     pool: Pool,
 }
 
@@ -67,8 +71,9 @@ impl NonHertzian {
         let scaling = contact.scaling(friction)?;
         let frame = Frame { origin: contact.centroid(), length: scaling.length };
         let bands = Bands::new(contact, frame, resolution);
-        let grids = Grid::pair(|times| bands.grid(times));
-        Ok(Self { contact: contact.clone(), frame, scaling, grids, pool: Pool::default() })
+        let grids = Arc::new(Grid::pair(|times| bands.grid(times)));
+        let (contact, bare, pool) = (contact.clone(), Arc::clone(&grids), Pool::default());
+        Ok(Self { contact, frame, scaling, grids, bare, pool })
     }
 
     /// The same with friction that depends on the speed of slip or on the place, whose largest value is
@@ -81,8 +86,21 @@ impl NonHertzian {
     ) -> Self {
         let (scaling, [_, y]) = (self.scaling, self.frame.origin);
         let friction = friction.map(|friction| friction.seen_from(y));
-        self.grids = self.grids.map(|grid| grid.with_resistance(friction, layer, scaling));
+        if friction.is_some() || layer.is_some() {
+            let own = |grid: Grid| grid.with_resistance(friction, layer, scaling);
+            self.grids = Arc::new(self.bare.as_ref().clone().map(own));
+        }
         self
+    }
+
+    /// The same contact with another, constant coefficient of friction and without a layer, as
+    /// [`NonHertzian::new`] prepares it, at no cost: what is prepared depends on the areas alone.
+    ///
+    /// # Errors
+    /// [`InvalidValue`] unless `friction` is finite and positive.
+    pub fn with_friction(&self, friction: f64) -> Result<Self, InvalidValue> {
+        let scaling = self.contact.scaling(friction)?;
+        Ok(Self { scaling, grids: Arc::clone(&self.bare), ..self.clone() })
     }
 
     /// The units of creepage, force and position.

@@ -53,7 +53,8 @@ impl Rectangle {
     }
 }
 
-/// The undeformed distance of two bodies.
+/// The undeformed distance of two bodies. Two are equal if they are made of the same numbers;
+/// functions are known to be equal only if one is a clone of the other.
 ///
 /// ```
 /// use creepage::gap::{Gap, Rolling, Term};
@@ -67,12 +68,12 @@ impl Rectangle {
 /// assert!((exact.at(2e-3, 3e-3) - measured.at(2e-3, 3e-3)).abs() < 1e-15);
 /// # Ok::<(), creepage::gap::GapError>(())
 /// ```
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Gap {
     shape: Shape,
 }
 
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
 enum Shape {
     Polynomial(Polynomial),
     Section(Section),
@@ -84,6 +85,12 @@ enum Shape {
 struct Function {
     domain: Rectangle,
     at: Arc<dyn Fn(f64, f64) -> f64 + Send + Sync>,
+}
+
+impl PartialEq for Function {
+    fn eq(&self, other: &Self) -> bool {
+        self.domain == other.domain && Arc::ptr_eq(&self.at, &other.at)
+    }
 }
 
 impl fmt::Debug for Function {

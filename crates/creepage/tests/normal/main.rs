@@ -3,6 +3,7 @@
 #![allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
 
 mod bad_input;
+mod bars;
 mod hertz;
 mod next;
 mod patches;
