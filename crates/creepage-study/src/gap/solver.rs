@@ -136,8 +136,9 @@ mod tests {
     /// Friction, its law, a layer, creepage and theory change from case to case and back again.
     #[test]
     fn one_after_another_is_as_each_alone() {
-        let law = "friction = { law = \"rational\", static = 0.3, kinematic = 0.1, decay_velocity = 0.5 }";
-        let layer = "[layer]\nflexibility = 1e-14\n[creepage]";
+        let law = "friction = { law = \"rational\", kinetic = 0.1, \
+            terms = [{ drop = 0.2, half_speed = 0.5 }] }";
+        let layer = "[layer]\nthickness = 1e-5\nshear_modulus = 1e9\n[creepage]";
         let asked = [
             case(&[]),
             case(&[("friction = 0.3", "friction = 0.15")]),

@@ -19,9 +19,11 @@ fn check(gap: &Gap, expected: &Expected) {
     assert_eq!(contact.status(), Status::Converged);
     let [load, scatter] = expected.load;
     let off = (contact.load().value - load).abs();
+    println!("load {load:.1} by {:+.4}", contact.load().value / load - 1.0);
     assert!(off < scatter + 1e-3 * load, "load {} for {load}", contact.load().value);
     let [peak, scatter] = expected.peak;
     let found = contact.peak_pressure().value / 1e6;
+    println!("  peak {peak:.1} by {:+.4}", found / peak - 1.0);
     assert!((found - peak).abs() < scatter + 5e-3 * peak, "peak {found} for {peak}");
 }
 
