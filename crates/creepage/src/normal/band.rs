@@ -252,6 +252,14 @@ impl Band {
         })
     }
 
+    /// How far the centre moves from chord to chord, over the chords' length, both in the mean: a strip
+    /// is a rectangle, and one that ought to be skew by so much has stairs for ends.
+    pub(super) fn stairs(&self) -> f64 {
+        let moves = self.chords.windows(2).map(|pair| (pair[1].centre - pair[0].centre).abs());
+        let lengths = self.chords.iter().map(|chord| 2.0 * chord.half);
+        moves.sum::<f64>() / lengths.sum::<f64>()
+    }
+
     /// Whether it ends in a tip at least and greatest y; else it goes over into other bands.
     #[must_use]
     pub fn tips(&self) -> [bool; 2] {

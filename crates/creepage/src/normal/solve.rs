@@ -4,6 +4,7 @@
 use crate::gap::Gap;
 use crate::solid::SolidPair;
 
+use super::band::Band;
 use super::contact::{Estimate, Method, NormalContact, Patch, Resolution, Status};
 use super::elements;
 use super::error::NormalError;
@@ -42,6 +43,12 @@ impl Found {
         }
     }
 
+    /// [`Band::stairs`] of the worst band.
+    fn stairs(&self) -> f64 {
+        let bands = self.patches.iter().flat_map(Patch::bands);
+        bands.map(Band::stairs).fold(0.0, f64::max)
+    }
+
     fn area(&self) -> f64 {
         self.patches.iter().map(Patch::area).sum()
     }
@@ -62,13 +69,19 @@ struct Pair {
     coarse: Found,
     fine: Found,
     method: Method,
+    /// The finer one's number of strips or elements over the coarser one's.
+    finer: f64,
     residual: f64,
 }
 
 impl Pair {
-    /// Strips that nothing is held against.
-    fn alone(found: Found) -> Self {
-        Self { coarse: found.clone(), fine: found, method: Method::Strips, residual: 0.0 }
+    fn of_strips(coarse: Found, fine: Found, finer: f64) -> Self {
+        Self { coarse, fine, method: Method::Strips, finer, residual: 0.0 }
+    }
+
+    /// What the finer one lacks, over what it differs by, of what falls with the square of their number.
+    fn lacking(&self) -> f64 {
+        1.0 / (self.finer * self.finer - 1.0)
     }
 }
 
@@ -144,6 +157,7 @@ fn by_elements(
         coarse: coarse_found,
         fine: Found::by_elements(task, &fine),
         method: Method::Elements,
+        finer: 1.0 / COARSER,
         residual: fine.residual,
     })
 }
@@ -161,6 +175,8 @@ fn by_strips(
 ) -> Option<Pair> {
     /// A peak pressure that still changes by more has a summit as narrow as the strips.
     const UNEVEN: f64 = 0.02;
+    /// [`Found::stairs`] from which on there are more strips.
+    const SKEW: f64 = 0.1;
     const ENOUGH: [f64; 2] = [1e-5, 1e-6];
     /// Stiffness: of an answer, and where one only searches.
     const NEARLY: [f64; 2] = [2e-3, 0.05];
@@ -182,7 +198,7 @@ fn by_strips(
     };
     if !resolution.with_errors {
         let only = next(start, task.approach, whole)?;
-        return Some(Pair::alone(only));
+        return Some(Pair::of_strips(only.clone(), only, HALVES));
     }
     let ladder = || {
         let coarse = next(start, task.approach, half)?;
@@ -194,31 +210,30 @@ fn by_strips(
         let coarse = next(&fine.patches, fine.approach, half)?;
         Some((coarse, fine))
     };
-    let (mut coarse, mut fine) = if is_close { at_once().or_else(ladder)? } else { ladder()? };
+    let (coarse, fine) = if is_close { at_once().or_else(ladder)? } else { ladder()? };
     let more = Wanted { count: count * 8 / 5, ..whole };
-    if (fine.peak / coarse.peak - 1.0).abs() > UNEVEN
-        && let Some(finer) = next(&fine.patches, fine.approach, more)
-    {
-        (coarse, fine) = (fine, finer);
+    let is_uneven = (fine.peak / coarse.peak - 1.0).abs() > UNEVEN || fine.stairs() > SKEW;
+    if is_uneven && let Some(finer) = next(&fine.patches, fine.approach, more) {
+        return Some(Pair::of_strips(fine, finer, 1.6));
     }
-    Some(Pair { coarse, fine, method: Method::Strips, residual: 0.0 })
+    Some(Pair::of_strips(coarse, fine, HALVES))
 }
 
-/// The limit of a quantity whose error falls with the square of the number of strips.
-fn limit(fine: f64, coarse: f64) -> f64 {
-    fine + (fine - coarse) / 3.0
-}
+/// Strips of the finer solution for each of the coarser.
+const HALVES: f64 = 2.0;
 
 fn contact(gap: &Gap, pair: SolidPair, asked: Asked, found: Pair) -> NormalContact {
-    let Pair { coarse, mut fine, method, residual } = found;
-    let error = |fine: f64, coarse: f64, least: f64| error(method, fine, coarse, least);
+    let lacking = found.lacking();
+    let bars = Bars::new(&found);
+    let Pair { coarse, mut fine, method, residual, .. } = found;
     let area = fine.area();
-    let peak_error = error(fine.peak, coarse.peak, 1e-3);
-    let area_error = error(area, coarse.area(), 3e-3);
+    let peak_error = bars.peak.of(fine.peak, coarse.peak);
+    let area_error = bars.area.of(area, coarse.area());
     // What the coarser would carry at the finer one's approach.
     let carried = coarse.load + fine.stiffness * (fine.approach - coarse.approach);
-    let load_error = error(fine.load, carried, 3e-4);
-    let at_limit = if method == Method::Strips { limit(fine.load, carried) } else { fine.load };
+    let load_error = bars.load.of(fine.load, carried);
+    let by_strips = method == Method::Strips;
+    let at_limit = fine.load + if by_strips { lacking * (fine.load - carried) } else { 0.0 };
     let (approach, load) = match asked {
         Asked::Load(load) => {
             let value = fine.approach + (fine.load - at_limit) / fine.stiffness;
@@ -250,14 +265,44 @@ fn contact(gap: &Gap, pair: SolidPair, asked: Asked, found: Pair) -> NormalConta
     }
 }
 
-/// The error bar of a number known at two resolutions, and at least a part of it: strips differ
-/// by three times what the finer lack, elements scatter and may agree by chance.
-fn error(method: Method, fine: f64, coarse: f64, least: f64) -> f64 {
-    let difference = match method {
-        Method::Strips => 0.5 * (fine - coarse).abs(),
-        Method::Elements => (fine - coarse).abs(),
-    };
-    difference.max(least * fine.abs())
+/// How the error bar of a number follows from its value at two resolutions: a part of their
+/// difference, and a part of the number.
+#[derive(Clone, Copy)]
+struct Bar {
+    of_difference: f64,
+    least: f64,
+    stairs: f64,
+}
+
+impl Bar {
+    fn of(self, fine: f64, coarse: f64) -> f64 {
+        let by_difference = self.of_difference * (fine - coarse).abs();
+        by_difference.max(self.least * fine.abs()) + self.stairs * fine.abs()
+    }
+}
+
+/// Factors of the error bars, from random gaps against three times as many strips (`tests/normal/bars.rs`).
+struct Bars {
+    load: Bar,
+    peak: Bar,
+    area: Bar,
+}
+
+impl Bars {
+    fn new(found: &Pair) -> Self {
+        // Elements scatter, and may agree by chance.
+        let (of_difference, stairs) = match found.method {
+            Method::Strips => (found.lacking(), found.fine.stairs().powi(2)),
+            Method::Elements => (1.0, 0.0),
+        };
+        let is_strips = found.method == Method::Strips;
+        let bar = |safety: f64, least: f64, by_stairs: f64| Bar {
+            of_difference: of_difference * if is_strips { safety } else { 1.0 },
+            least,
+            stairs: by_stairs * stairs,
+        };
+        Self { load: bar(1.5, 3e-4, 0.03), peak: bar(3.0, 4e-3, 0.8), area: bar(3.0, 3e-3, 0.8) }
+    }
 }
 
 fn gap_points(gap: &Gap, patches: &[Patch]) -> [Option<usize>; 2] {

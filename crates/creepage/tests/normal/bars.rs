@@ -3,12 +3,12 @@
 //! `CREEPAGE_BARS_FROM` for others.
 
 use creepage::coulomb::{self, NonHertzian};
-use creepage::normal::{Estimate, NormalContact, Resolution};
+use creepage::normal::{NormalContact, Resolution};
 use creepage::theory::{Solved, Status};
 use creepage::{Creepage, Force, SiCreepage};
 
 use crate::random::random_gap;
-use crate::support::{Sequence, steel};
+use crate::support::{Sequence, number, steel};
 
 const FRICTION: f64 = 0.3;
 
@@ -36,52 +36,66 @@ impl Ratios {
             self.values.iter().filter(|(ratio, _)| *ratio >= 1.0).count() as f64 / count as f64;
         let worst = &self.values[..count.min(6)];
         let median = self.values[count / 2].0;
-        println!(
-            "{:10} {count:4} covered {share:.3} median {median:6.2} worst {worst:.2?}",
-            self.name
-        );
+        let name = self.name;
+        println!("{name:6} {count:4} covered {share:.3} median {median:.2} worst {worst:.2?}");
         share
     }
-}
-
-fn number(variable: &str, usual: u64) -> u64 {
-    std::env::var(variable).ok().and_then(|n| n.parse().ok()).unwrap_or(usual)
 }
 
 #[test]
 fn error_bars_cover() {
     let (from, count) = (number("CREEPAGE_BARS_FROM", 0), number("CREEPAGE_RANDOM_BARS", 12));
-    let names = ["load", "peak", "area", "force", "fx", "fy", "mz"];
-    let mut ratios = names.map(Ratios::new);
+    let mut ratios = ["load", "peak", "area", "force", "fx", "fy", "mz"].map(Ratios::new);
     for seed in from..from + count {
         // Other gaps than those of the random series.
         let mut sequence = Sequence(!seed.wrapping_mul(0x1234_5678_9ABC_DEF1));
         let gap = random_gap(&mut sequence);
         let approach = 1e-6 * 10.0_f64.powf(sequence.between(0.0, 2.0));
-        let at = |resolution| NormalContact::at_approach(&gap, steel(), approach, resolution);
-        let finest = Resolution::new(60).unwrap();
-        let (Ok(contact), Ok(fine)) = (at(Resolution::STANDARD), at(finest)) else { continue };
-        let numbers = |c: &NormalContact| [c.load(), c.peak_pressure(), c.area()];
-        for (k, (found, best)) in numbers(&contact).into_iter().zip(numbers(&fine)).enumerate() {
-            let Estimate { value, error } = found;
-            ratios[k].push(seed, error, value - best.value);
-        }
-        let Ok(between) = at(Resolution::FINE) else { continue };
-        let unit = between.scaling(FRICTION).unwrap();
-        let [xi, eta, chi] = [(); 3].map(|()| sequence.between(-1.0, 1.0));
-        let creepage = unit.si_creepage(Creepage::new(xi, eta, chi).unwrap());
-        let rolled = |contact, resolution| rolled(contact, resolution, creepage, unit.length);
-        let Some((found, bar)) = rolled(&between, coulomb::Resolution::STANDARD) else { continue };
-        let Some((best, _)) = rolled(&fine, coulomb::Resolution::FINE) else { continue };
-        let errors: Vec<f64> = (0..3).map(|k| found[k] - best[k]).collect();
-        ratios[3].push(seed, bar[0].hypot(bar[1]), errors[0].hypot(errors[1]));
-        for k in 0..3 {
-            ratios[4 + k].push(seed, bar[k], errors[k]);
-        }
+        let at = |count| {
+            let resolution = Resolution::new(count).unwrap();
+            NormalContact::at_approach(&gap, steel(), approach, resolution)
+        };
+        // Standard, fine, finest.
+        let [Ok(contact), Ok(fine), Ok(finest)] = [20, 32, 60].map(at) else { continue };
+        let (normal, forces) = ratios.split_at_mut(3);
+        push_normal(normal, seed, &contact, &finest);
+        let creepage = [(); 3].map(|()| sequence.between(-1.0, 1.0));
+        push_forces(forces, seed, [&fine, &finest], creepage);
     }
-    for ratios in &mut ratios {
-        let (name, share) = (ratios.name, ratios.covered());
-        assert!(share >= 0.75, "{name} {share}");
+    let shares = ratios.each_mut().map(Ratios::covered);
+    // 95 % of many; of twelve, two may lie outside.
+    assert!(shares.iter().all(|share| *share >= 0.8), "{shares:?}");
+}
+
+/// Load, peak pressure, area.
+fn push_normal(ratios: &mut [Ratios], seed: u64, found: &NormalContact, best: &NormalContact) {
+    let numbers = |c: &NormalContact| [c.load(), c.peak_pressure(), c.area()];
+    for (ratio, (found, best)) in
+        ratios.iter_mut().zip(numbers(found).into_iter().zip(numbers(best)))
+    {
+        ratio.push(seed, found.error, found.value - best.value);
+    }
+}
+
+/// The size of the force, its components, the moment; as the doors roll by `exact`.
+fn push_forces(
+    ratios: &mut [Ratios],
+    seed: u64,
+    [contact, finest]: [&NormalContact; 2],
+    [xi, eta, chi]: [f64; 3],
+) {
+    let unit = contact.scaling(FRICTION).unwrap();
+    let creepage = unit.si_creepage(Creepage::new(xi, eta, chi).unwrap());
+    let rolled = |contact, resolution| rolled(contact, resolution, creepage, unit.length);
+    let found = rolled(contact, coulomb::Resolution::STANDARD);
+    let Some(((found, bar), (best, _))) = found.zip(rolled(finest, coulomb::Resolution::FINE))
+    else {
+        return;
+    };
+    let [x, y, z] = [0, 1, 2].map(|k| found[k] - best[k]);
+    let pairs = [(bar[0].hypot(bar[1]), x.hypot(y)), (bar[0], x), (bar[1], y), (bar[2], z)];
+    for (ratio, (bar, error)) in ratios.iter_mut().zip(pairs) {
+        ratio.push(seed, bar, error);
     }
 }
 

@@ -50,3 +50,8 @@ impl Sequence {
         low + (high - low) * self.next()
     }
 }
+
+/// The number in a variable of the environment, or the usual one.
+pub(crate) fn number(variable: &str, usual: u64) -> u64 {
+    std::env::var(variable).ok().and_then(|n| n.parse().ok()).unwrap_or(usual)
+}
