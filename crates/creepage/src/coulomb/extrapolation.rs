@@ -134,7 +134,8 @@ fn ramp(at: f64, [from, to]: [f64; 2]) -> (f64, f64) {
 /// by chance, and for the same reason a fraction of the force that falls with the size of elements.
 /// Chosen on 96 random contacts and creepages (a/b .15-6, sigma 0-.5, creepage to 3, spin to 8)
 /// against a grid of four times the standard one's elements: 99 to 100 % of each component's errors
-/// are inside at the fast and at the standard resolution.
+/// are inside at the fast and at the standard resolution. On 208 random gaps and creepages to 1 (standard)
+/// 99.5 to 100 % are, and half of the bars are more than 19 times as long as the error.
 pub(crate) fn error_bar(coarse: Force, fine: Force, elements: usize) -> Force {
     let apart = combine(coarse, fine, |_, coarse, fine| (fine - coarse).abs());
     let common = 0.5 * largest(apart) + 0.5 / elements as f64 * largest(fine);
