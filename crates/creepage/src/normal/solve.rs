@@ -214,7 +214,7 @@ fn by_strips(
     let more = Wanted { count: count * 8 / 5, ..whole };
     let is_uneven = (fine.peak / coarse.peak - 1.0).abs() > UNEVEN || fine.stairs() > SKEW;
     if is_uneven && let Some(finer) = next(&fine.patches, fine.approach, more) {
-        return Some(Pair::of_strips(fine, finer, 1.6));
+        return Some(Pair::of_strips(fine, finer, more.count as f64 / count as f64));
     }
     Some(Pair::of_strips(coarse, fine, HALVES))
 }
