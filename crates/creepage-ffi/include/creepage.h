@@ -297,6 +297,9 @@ int32_t creepage_case_solve(const char *path,
    their error bars; or NULL.
  status: room for one number, CREEPAGE_SOLVED and so on; or NULL.
 
+ A call whose shape, materials and load or approach are those of one of the thread's last calls takes the
+ contact from there: it is much quicker, and its numbers are the same.
+
  CREEPAGE_NOT_REACHABLE where no creepage gives the wanted forces; CREEPAGE_INVALID where the bodies
  have no contact area.
 
