@@ -85,9 +85,9 @@ fn derivative_lines(derivatives: &WheelsetDerivatives, side: Side, lines: &mut L
     for by in By::ALL {
         if let Some(ForceDerivative { force, force_error, .. }) = derivatives.of(side, by) {
             let (name, unit) = name(by);
-            let [x, y, z] = force.map(|value| quantity(value, unit, 5));
-            lines.columns(&format!("by {name}"), [&x, &y, &z]);
-            let [x, y, z] = force_error.map(|error| quantity(error, unit, 2));
+            let [x, y, z] = force.map(|value| fixed(value, 1));
+            lines.columns(&format!("by {name}, {unit}"), [&x, &y, &z]);
+            let [x, y, z] = force_error.map(|error| fixed(error, 1));
             lines.columns("  error of differences", [&x, &y, &z]);
         }
     }

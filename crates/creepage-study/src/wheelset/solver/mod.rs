@@ -17,6 +17,7 @@ use creepage::SolidPair;
 use creepage::normal;
 use creepage::theory::{ExactOptions, NamedResolution, ResolutionSpec};
 use creepage_rail::{Motion, Running, Side};
+use rayon::prelude::*;
 
 use self::balance::{Balance, Guess, enough};
 use self::pressed::{Known, Press, Shares};
@@ -245,7 +246,7 @@ impl<'a> WheelsetSolver<'a> {
         let fine = |&Place { side, position, depth, .. }: &Place| {
             Ok(PressedWheel { depth, ..self.press.wheel(side, position, known)? })
         };
-        sought.places.iter().map(fine).collect()
+        sought.places.par_iter().map(fine).collect()
     }
 
     fn solved(

@@ -5,6 +5,7 @@ use creepage::coulomb::{ElementField, NonHertzian, NonHertzianSolved, Resolution
 use creepage::theory::{Jacobian, Solved};
 use creepage::{Creepage, Scaling, SiCreepage, SiForce};
 use creepage_rail::{Motion, RollingCreepage};
+use rayon::prelude::*;
 
 use super::apart::in_track;
 use super::curving::Curving;
@@ -146,6 +147,8 @@ impl<'w, 'a> Rolling<'w, 'a> {
         let contacts =
             wheels.iter().flat_map(|wheel| wheel.contacts.iter().map(move |one| (wheel, one)));
         contacts
+            .collect::<Vec<_>>()
+            .into_par_iter()
             .map(|(wheel, pressed)| {
                 let theory = Prepared::new(pressed, friction, method)?;
                 Ok(Self { wheel, pressed, theory, slip })
@@ -234,8 +237,10 @@ pub(super) fn motion<'r>(
     let Travel { speed, pitch_rate, lateral_velocity, yaw_rate } = *travel;
     let with = |pitch_rate| Motion { speed, pitch_rate, lateral_velocity, yaw_rate };
     let at = |motion: Motion, before: Vec<Rolled<'r>>| {
-        let before = before.into_iter().map(Some).chain(std::iter::repeat_with(|| None));
-        let rolled = rollings.iter().zip(before).map(|(one, before)| one.roll(&motion, before));
+        let mut before: Vec<_> = before.into_iter().map(Some).collect();
+        before.resize_with(rollings.len(), || None);
+        let pairs = rollings.par_iter().zip(before);
+        let rolled = pairs.map(|(one, before)| one.roll(&motion, before));
         Ok((motion, rolled.collect::<Result<Vec<_>, WheelsetError>>()?))
     };
     let nominal = speed / radius;
