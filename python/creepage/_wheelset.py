@@ -31,6 +31,12 @@ class WheelsetSolution(Reported):
     """The left wheel as in report.json: `force` on the rail, `patches` by falling load."""
     right: dict[str, Any] | None
     """The right wheel."""
+    derivatives: Floats | None
+    """Total derivatives of the forces on the rails, of shape (2, 6, 8), where they were asked for: of
+    the left and the right wheel; force along x, y, z and moment about x, y, z; by y, z, roll, yaw,
+    speed, pitch_rate, lateral_velocity, yaw_rate. NaN by what is found and not given."""
+    derivative_errors: Floats | None
+    """What the differences may have made of each."""
     _solved: _creepage.SolvedWheelset
 
 
@@ -106,15 +112,24 @@ class Wheelset(FromFile):
         """What was found in the profile files and repaired: nothing is guessed silently."""
         return self._data.notes()
 
-    def solve(self) -> WheelsetSolution:
-        """Finds the contacts and solves them. Raises CaseError where the wheelset cannot rest on
-        its rails. A caution is warned of."""
-        solved = self._data.solve()
+    def solve(self, *, derivatives: bool = False) -> WheelsetSolution:
+        """Finds the contacts and solves them; with derivatives by position and motion where they are
+        asked for, which take five to ten times as long. Raises CaseError where the wheelset cannot rest
+        on its rails. A caution is warned of."""
+        solved = self._data.solve(derivatives)
         report = json.loads(solved.json())
         if report["caution"] is not None:
             warnings.warn(report["caution"], UserWarning, stacklevel=2)
+        found = solved.derivatives()
+        values, errors = (None, None) if found is None else (a.reshape(2, 6, 8) for a in found)
         return WheelsetSolution(
-            report["status"], report["caution"], report["left"], report["right"], solved
+            report["status"],
+            report["caution"],
+            report["left"],
+            report["right"],
+            values,
+            errors,
+            solved,
         )
 
     def table(self, y: ArrayLike, yaw: ArrayLike = 0.0) -> dict[str, Floats]:

@@ -17,8 +17,8 @@ EXAMPLES = ROOT / "examples" / "wheelset"
 
 
 def s1002(**more: Any) -> Wheelset:
-    cant = 0.02499479
-    return Wheelset(wheel="S1002", rail="UIC60", cant=cant, resolution="fast", **more)
+    options = more if "theory" in more else {"resolution": "fast", **more}
+    return Wheelset(wheel="S1002", rail="UIC60", cant=0.02499479, **options)
 
 
 def test_three_lines_from_profiles_to_a_picture(tmp_path: Path) -> None:
@@ -58,6 +58,19 @@ def test_a_table_is_the_forces_at_its_places() -> None:
     # From the neighbour and from nothing: the balance's end and the sweeps', in parts of mu N.
     force = right["force"]["lateral_n"]
     assert table["right_lateral_n"][0, 1] == pytest.approx(force, abs=1e-3 * 0.3 * 100e3)
+
+
+def test_derivatives_are_those_of_the_report() -> None:
+    solution = s1002(axle_load=200e3, theory="fastsim").solve(derivatives=True)
+    assert solution.derivatives is not None and solution.derivative_errors is not None
+    assert solution.derivatives.shape == solution.derivative_errors.shape == (2, 6, 8)
+    # Height, roll and pitch rate are found: they have none.
+    assert np.isnan(solution.derivatives[:, :, [1, 2, 5]]).all()
+    assert np.isfinite(solution.derivatives[:, :, [0, 3, 4, 6, 7]]).all()
+    assert solution.right is not None
+    lateral = solution.right["derivatives"]["yaw_rad"]["lateral_n"]
+    assert solution.derivatives[1, 1, 3] == lateral < 0.0
+    assert s1002(axle_load=200e3, theory="fastsim").solve().derivatives is None
 
 
 def test_errors_name_the_place() -> None:

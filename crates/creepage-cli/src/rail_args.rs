@@ -13,6 +13,10 @@ pub(crate) struct WheelsetArgs {
     /// Print the report as JSON.
     #[arg(long, conflicts_with = "table")]
     pub(crate) json: bool,
+    /// Report how the forces change with the wheelset's position and motion too: total derivatives,
+    /// what is found following what is given.
+    #[arg(long, conflicts_with = "table")]
+    pub(crate) derivatives: bool,
     /// NetCDF file for a table over lateral position and yaw in place of the file's own; it appears
     /// when it is whole.
     #[arg(long, value_name = "FILE.nc", requires = "y")]

@@ -21,7 +21,10 @@ pub(crate) fn run(args: &WheelsetArgs) -> Result<Outcome, Failure> {
         return table(args, &case, file);
     }
     let wrong = |source| Failure::Wheelset { path: args.case.clone(), source: Box::new(source) };
-    let solved = case.solve().map_err(wrong)?;
+    let mut solved = case.solve().map_err(wrong)?;
+    if args.derivatives {
+        solved.derivatives = Some(case.derivatives(&solved).map_err(wrong)?);
+    }
     case.notes.iter().for_each(say_found);
     if let Some(directory) = &args.out {
         say_written(&solved.write(&case.running, directory)?);

@@ -667,6 +667,31 @@ int32_t creepage_wheelset_force(const struct CreepageWheelset *made,
                                 char *message,
                                 size_t message_size);
 
+/*
+ Forces on the rails and their derivatives. Total ones: what the file leaves free (height and roll
+ under a load, the pitch rate where it is NaN) follows what changes. By the position they are
+ differences over some micrometres, by the motion the theory's exact derivatives.
+
+ position, motion, forces: as of creepage_wheelset_force; forces may be NULL.
+ derivatives: room for 96 numbers, those of the first force by y, z (m), roll, yaw (rad), speed (m/s),
+   pitch rate (rad/s), lateral velocity (m/s), yaw rate (rad/s), then of the second, and so on; NaN by
+   what is free, and for a side that is not solved.
+ errors: room for as many, what the differences may have made of each; or NULL.
+ statuses: room for one number, CREEPAGE_SOLVED and so on; or NULL.
+
+ You promise:
+ The handle is alive; arrays and message point to as much room as said.
+ */
+int32_t creepage_wheelset_derivatives(const struct CreepageWheelset *made,
+                                      const double *position,
+                                      const double *motion,
+                                      double *forces,
+                                      double *derivatives,
+                                      double *errors,
+                                      int32_t *statuses,
+                                      char *message,
+                                      size_t message_size);
+
 #ifdef __cplusplus
 }  // extern "C"
 #endif  // __cplusplus

@@ -45,7 +45,8 @@ pub use theory::{
     CreepageTheory, creepage_theory_force, creepage_theory_free, creepage_theory_new,
 };
 pub use wheelset::{
-    CreepageWheelset, creepage_wheelset_force, creepage_wheelset_free, creepage_wheelset_new,
+    CreepageWheelset, creepage_wheelset_derivatives, creepage_wheelset_force,
+    creepage_wheelset_free, creepage_wheelset_new,
 };
 
 #[allow(clippy::doc_markdown)] // the words are for C

@@ -98,15 +98,77 @@ pub unsafe extern "C" fn creepage_wheelset_force(
         let found: Option<&mut [[f64; 3]]> = unsafe { optional(found, 1) }?;
         // SAFETY: as before.
         let statuses: Option<&mut [[i32; 1]]> = unsafe { optional(statuses, 1) }?;
-        let solved = wheelset.solve(position, motion)?;
-        for (place, wheel) in
-            forces.as_flattened_mut().chunks_exact_mut(6).zip([&solved.left, &solved.right])
-        {
-            place.copy_from_slice(&wheel.as_ref().map_or([f64::NAN; 6], on_rail));
-        }
+        let (stance, travel) = wheelset.asked(position, motion)?;
+        let solved = wheelset.solve(&stance, &travel)?;
+        forces.as_flattened_mut().copy_from_slice(&on_rails(&solved));
         if let Some([place]) = found {
             let at = solved.position();
             *place = [at.z, at.roll, solved.motion.pitch_rate];
+        }
+        if let Some([place]) = statuses {
+            *place = [status(&solved)];
+        }
+        wheelset.keep(solved);
+        Ok(())
+    };
+    // SAFETY: as before.
+    unsafe { guard(message, message_size, work) }
+}
+
+/// Forces on the rails and their derivatives. Total ones: what the file leaves free (height and roll
+/// under a load, the pitch rate where it is NaN) follows what changes. By the position they are
+/// differences over some micrometres, by the motion the theory's exact derivatives.
+///
+/// position, motion, forces: as of creepage_wheelset_force; forces may be NULL.
+/// derivatives: room for 96 numbers, those of the first force by y, z (m), roll, yaw (rad), speed (m/s),
+///   pitch rate (rad/s), lateral velocity (m/s), yaw rate (rad/s), then of the second, and so on; NaN by
+///   what is free, and for a side that is not solved.
+/// errors: room for as many, what the differences may have made of each; or NULL.
+/// statuses: room for one number, CREEPAGE_SOLVED and so on; or NULL.
+///
+/// # Safety
+/// The handle is alive; arrays and message point to as much room as said.
+#[allow(clippy::doc_markdown)] // the words are for C
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn creepage_wheelset_derivatives(
+    made: *const CreepageWheelset,
+    position: *const f64,
+    motion: *const f64,
+    forces: *mut f64,
+    derivatives: *mut f64,
+    errors: *mut f64,
+    statuses: *mut i32,
+    message: *mut c_char,
+    message_size: usize,
+) -> i32 {
+    let work = || {
+        // SAFETY: the caller's promise of the function's documentation, here and below.
+        let wheelset = unsafe { handle("made", made) }?;
+        // SAFETY: as before.
+        let position = unsafe { array("position", position, 1, 2) }?;
+        // SAFETY: as before.
+        let motion = unsafe { array("motion", motion, 1, 4) }?;
+        // SAFETY: as before.
+        let forces: Option<&mut [[f64; 12]]> = unsafe { optional(forces, 1) }?;
+        // SAFETY: as before.
+        let derivatives: &mut [[f64; 96]] = unsafe { array_mut("derivatives", derivatives, 1) }?;
+        // SAFETY: as before.
+        let errors: Option<&mut [[f64; 96]]> = unsafe { optional(errors, 1) }?;
+        // SAFETY: as before.
+        let statuses: Option<&mut [[i32; 1]]> = unsafe { optional(statuses, 1) }?;
+        let (stance, travel) = wheelset.asked(position, motion)?;
+        let solved = wheelset.solve(&stance, &travel)?;
+        let wrong = |source| Failure::Wheelset(Box::new(source));
+        let solver = wheelset.case.solver().map_err(wrong)?;
+        let found = solver.derivatives(&solved, &stance, &travel).map_err(wrong)?;
+        derivatives
+            .as_flattened_mut()
+            .copy_from_slice(found.values().as_flattened().as_flattened());
+        if let Some(place) = errors {
+            place.as_flattened_mut().copy_from_slice(found.errors().as_flattened().as_flattened());
+        }
+        if let Some([place]) = forces {
+            *place = on_rails(&solved);
         }
         if let Some([place]) = statuses {
             *place = [status(&solved)];
@@ -128,19 +190,22 @@ impl CreepageWheelset {
         Ok(Self { case, last: Mutex::default() })
     }
 
-    fn solve(&self, position: &[f64], motion: &[f64]) -> Result<SolvedWheelset, Failure> {
+    fn asked(&self, position: &[f64], motion: &[f64]) -> Result<(Stance, Travel), Failure> {
         let (&[y, yaw], &[speed, pitch_rate, lateral_velocity, yaw_rate]) = (position, motion)
         else {
             return Err(Failure::Count(1));
         };
         let stance = Stance { y, yaw, ..self.case.stance };
         let pitch_rate = (!pitch_rate.is_nan()).then_some(pitch_rate);
-        let travel = Travel { speed, pitch_rate, lateral_velocity, yaw_rate };
+        Ok((stance, Travel { speed, pitch_rate, lateral_velocity, yaw_rate }))
+    }
+
+    fn solve(&self, stance: &Stance, travel: &Travel) -> Result<SolvedWheelset, Failure> {
         let last = self.last.lock().unwrap_or_else(PoisonError::into_inner).take();
         let wrong = |source| Failure::Wheelset(Box::new(source));
         let solver = self.case.solver().map_err(wrong)?;
-        let near = last.as_ref().and_then(|last| solver.next(last, &stance, &travel).ok());
-        near.map_or_else(|| solver.solve(&stance, &travel).map_err(wrong), Ok)
+        let near = last.as_ref().and_then(|last| solver.next(last, stance, travel).ok());
+        near.map_or_else(|| solver.solve(stance, travel).map_err(wrong), Ok)
     }
 
     fn keep(&self, solved: SolvedWheelset) {
@@ -148,10 +213,15 @@ impl CreepageWheelset {
     }
 }
 
-fn on_rail(wheel: &SolvedWheel) -> [f64; 6] {
-    let on_rail = wheel.on_rail();
-    let ([x, y, z], [mx, my, mz]) = (on_rail.force, on_rail.moment);
-    [x, y, z, mx, my, mz]
+/// On the left and on the right rail; NaN for a wheel that is not solved.
+fn on_rails(solved: &SolvedWheelset) -> [f64; 12] {
+    let mut all = [f64::NAN; 12];
+    for (place, wheel) in all.chunks_exact_mut(6).zip([&solved.left, &solved.right]) {
+        if let Some(on_rail) = wheel.as_ref().map(SolvedWheel::on_rail) {
+            place.copy_from_slice([on_rail.force, on_rail.moment].as_flattened());
+        }
+    }
+    all
 }
 
 fn status(solved: &SolvedWheelset) -> i32 {

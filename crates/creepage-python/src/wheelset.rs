@@ -46,8 +46,16 @@ impl WheelsetData {
         words.collect()
     }
 
-    fn solve(&self, py: Python) -> PyResult<SolvedWheelset> {
-        let solved = py.detach(|| self.case.solve()).map_err(|e| errors::wheelset(py, e))?;
+    /// Solves; with derivatives by position and motion where they are asked for.
+    fn solve(&self, py: Python, derivatives: bool) -> PyResult<SolvedWheelset> {
+        let solve = || {
+            let mut solved = self.case.solve()?;
+            if derivatives {
+                solved.derivatives = Some(self.case.derivatives(&solved)?);
+            }
+            Ok(solved)
+        };
+        let solved = py.detach(solve).map_err(|error| errors::wheelset(py, error))?;
         Ok(SolvedWheelset { solved, case: self.case.clone() })
     }
 
@@ -89,6 +97,14 @@ impl SolvedWheelset {
     /// `report.json` as text.
     fn json(&self) -> PyResult<String> {
         serde_json::to_string(&self.solved.json()).map_err(|e| errors::internal(&e.to_string()))
+    }
+
+    /// Derivatives of the forces and their errors, each of 2 wheels, 6 forces, by 8 numbers.
+    fn derivatives<'py>(&self, py: Python<'py>) -> Option<[Bound<'py, PyArray1<f64>>; 2]> {
+        let found = self.solved.derivatives.as_ref()?;
+        let flat =
+            |all: [[[f64; 8]; 6]; 2]| PyArray1::from_slice(py, all.as_flattened().as_flattened());
+        Some([flat(found.values()), flat(found.errors())])
     }
 
     /// A short report for a terminal.

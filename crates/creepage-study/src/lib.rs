@@ -113,9 +113,10 @@ pub use stresses::{StressError, StressFileError, StressPoint, Stresses, stress_c
 pub use text::hertz_text;
 pub use unreachable::Unreachable;
 pub use wheelset::{
-    ConicityTable, Load, ProfileNote, RailForceJson, Resultant, RigidSlip, SolvedContact,
-    SolvedWheel, SolvedWheelset, Stance, Travel, WheelJson, WheelPatchJson, WheelsetCase,
-    WheelsetError, WheelsetFile, WheelsetReportJson, WheelsetSolver, WheelsetTable, conicity,
-    profile_pictures, radius_difference_csv, wheelset_json_schema,
+    By, ConicityTable, DerivativesJson, ForceDerivative, ForceDerivativeJson, Load, ProfileNote,
+    RailForceJson, Resultant, RigidSlip, SolvedContact, SolvedWheel, SolvedWheelset, Stance,
+    Travel, WheelJson, WheelPatchJson, WheelsetCase, WheelsetDerivatives, WheelsetError,
+    WheelsetFile, WheelsetReportJson, WheelsetSolver, WheelsetTable, conicity, profile_pictures,
+    radius_difference_csv, wheelset_json_schema,
 };
 pub use whole_file::WholeFile;

@@ -230,3 +230,23 @@ fn simplified_theories_roll_on_the_same_contacts() {
     // With spin the slip turns within the contact, which takes a part of the force.
     assert!((0.8..1.0 + 1e-9).contains(&slides), "{slides}");
 }
+
+/// Under its load a wheel's height follows, and so has no derivative; what has one is in the report.
+#[test]
+fn derivatives_are_in_the_report() {
+    let place = Place::new();
+    place.write("case.toml", one_wheel());
+    let report = json(&place.run(&["wheelset", "case.toml", "--json", "--derivatives"]).done());
+    let derivatives = &report["right"]["derivatives"];
+    assert!(derivatives["z_m"].is_null() && report["left"].is_null());
+    for key in ["y_m", "roll_rad", "yaw_rad", "pitch_rate_rad_per_s", "lateral_velocity_m_per_s"] {
+        // The load is kept to the rounding of stiffnesses of 1e9 N/m.
+        assert!(number(&derivatives[key]["vertical_n"]).abs() < 1e-3, "{key}: {derivatives}");
+        assert!(number(&derivatives[key]["lateral_n"]).abs() > 0.0, "{key}: {derivatives}");
+    }
+    // A wheel that turns faster pushes the rail back.
+    assert!(number(&derivatives["pitch_rate_rad_per_s"]["longitudinal_n"]) < 0.0);
+    assert!(solved(&one_wheel())["right"]["derivatives"].is_null());
+    let text = place.run(&["wheelset", "case.toml", "--derivatives"]).done();
+    assert!(text.contains("by lateral velocity") && !text.contains("by z "), "{text}");
+}

@@ -74,6 +74,43 @@ fn forces_are_the_library_s() {
 }
 
 #[test]
+fn derivatives_are_the_library_s() {
+    let (_, wheelset) = made(TEXT);
+    let (mut found, mut errors) = ([0.0; 96], [0.0; 96]);
+    let (position, mut forces, mut status) = ([1e-3, 0.0], [0.0; 12], -1);
+    // SAFETY: all point to what they should, or to nothing.
+    let code = unsafe {
+        creepage_wheelset_derivatives(
+            wheelset,
+            position.as_ptr(),
+            FREE.as_ptr(),
+            forces.as_mut_ptr(),
+            found.as_mut_ptr(),
+            errors.as_mut_ptr(),
+            &raw mut status,
+            null_mut(),
+            0,
+        )
+    };
+    assert_eq!((code, status), (CREEPAGE_OK, CREEPAGE_SOLVED));
+    let text = TEXT.replace("y = 0.0,", "y = 1e-3,");
+    let case = WheelsetFile::read(&text).unwrap().case(std::path::Path::new("")).unwrap();
+    let solved = case.solve().unwrap();
+    let right = case.derivatives(&solved).unwrap();
+    let same = |found: &[f64], right: [[[f64; 8]; 6]; 2]| {
+        let right = right.as_flattened().as_flattened();
+        found.iter().zip(right).all(|(a, b)| a.to_bits() == b.to_bits() || a.is_nan() && b.is_nan())
+    };
+    assert!(same(&found, right.values()) && same(&errors, right.errors()), "{found:?}");
+    assert_eq!(forces[..3], solved.left.unwrap().on_rail().force);
+    // Free of height, roll and torque: no derivative by those, and one by the rest.
+    let is_free = |k: usize| [1, 2, 5].contains(&k);
+    assert!(found.iter().enumerate().all(|(i, value)| value.is_nan() == is_free(i % 8)));
+    // SAFETY: it is not used again.
+    unsafe { creepage_wheelset_free(wheelset) };
+}
+
+#[test]
 fn what_is_wrong_has_a_code() {
     assert_eq!(made(&TEXT.replace("S1002", "S1003")).0, CREEPAGE_INVALID);
     assert_eq!(made("no/such/file.toml").0, CREEPAGE_FILE);

@@ -133,6 +133,9 @@ pub enum WheelsetError {
     /// No pitch rate without a moment about the axle.
     #[error("[motion] pitch_rate = \"free\": none was found without a moment about the axle")]
     PitchNotFound,
+    /// Height, roll or pitch rate do not follow from the rest.
+    #[error("[wheelset] no derivatives: what is found here does not follow what is given")]
+    NotDifferentiable,
     /// Load and friction did not come to rest.
     #[error("[wheelset] the share of friction in the vertical load did not settle")]
     NotSettled,

@@ -5,6 +5,8 @@
 
 mod case;
 mod conicity;
+mod derivatives;
+mod derivatives_json;
 mod error;
 mod file;
 mod free;
@@ -25,6 +27,8 @@ mod wear;
 
 pub use case::{Load, RigidSlip, Stance, Travel, WheelsetCase};
 pub use conicity::{ConicityTable, conicity, radius_difference_csv};
+pub use derivatives::{By, ForceDerivative, WheelsetDerivatives};
+pub use derivatives_json::{DerivativesJson, ForceDerivativeJson};
 pub use error::WheelsetError;
 pub use file::{WheelsetFile, wheelset_json_schema};
 pub use profile::ProfileNote;

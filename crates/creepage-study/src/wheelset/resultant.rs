@@ -2,6 +2,8 @@
 
 use std::ops::Add;
 
+use creepage::SiForce;
+
 use super::solved::SolvedContact;
 
 /// A force in track axes with its moment about a point, and error bars of the force.
@@ -23,16 +25,9 @@ impl Resultant {
     /// What a contact does to the rail, with the moment about `point`.
     pub(super) fn of(contact: &SolvedContact, point: [f64; 3]) -> Self {
         let (sin, cos) = contact.angle.sin_cos();
-        // From the contact's axes x, s, n.
-        let track = |[x, s, n]: [f64; 3]| [x, s * cos - n * sin, s * sin + n * cos];
         let load = contact.normal.load();
-        let tangential = contact.force;
-        let force = track([tangential.longitudinal, tangential.lateral, load.value]);
-        // Pressure acts at its centre.
-        let [x, s] = contact.normal.centroid();
-        let couple = track([s * load.value, -x * load.value, tangential.moment]);
-        let arm = [0, 1, 2].map(|i: usize| contact.reference[i] - point[i]);
-        let lever = cross(arm, force);
+        let acting = Acting::new(contact.force, load.value, contact.normal.centroid());
+        let (force, moment) = acting.about(contact.reference, contact.angle, point);
         Self {
             force,
             force_error: contact.force_error.map(|error| {
@@ -42,8 +37,42 @@ impl Resultant {
                     (error.lateral * sin).abs() + (load.error * cos).abs(),
                 ]
             }),
-            moment: [0, 1, 2].map(|i: usize| lever[i] + couple[i]),
+            moment,
         }
+    }
+}
+
+/// A force (N) and its couple (N m) at a contact's reference point, by the contact's axes `x`, `s`
+/// and the normal into the rail.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Acting {
+    force: [f64; 3],
+    couple: [f64; 3],
+}
+
+impl Acting {
+    /// Friction, and a load at the centre of pressure.
+    pub(super) fn new(friction: SiForce, load: f64, [x, s]: [f64; 2]) -> Self {
+        Self {
+            force: [friction.longitudinal, friction.lateral, load],
+            couple: [s * load, -x * load, friction.moment],
+        }
+    }
+
+    /// Force and moment about `point` in track axes, acting at `reference` where the contact is turned
+    /// by `angle`.
+    pub(super) fn about(
+        &self,
+        reference: [f64; 3],
+        angle: f64,
+        point: [f64; 3],
+    ) -> ([f64; 3], [f64; 3]) {
+        let (sin, cos) = angle.sin_cos();
+        let track = |[x, s, n]: [f64; 3]| [x, s * cos - n * sin, s * sin + n * cos];
+        let (force, couple) = (track(self.force), track(self.couple));
+        let arm = [0, 1, 2].map(|i: usize| reference[i] - point[i]);
+        let lever = cross(arm, force);
+        (force, [0, 1, 2].map(|i: usize| lever[i] + couple[i]))
     }
 }
 

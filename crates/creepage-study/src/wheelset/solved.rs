@@ -7,6 +7,7 @@ use creepage_plot::signed_area;
 use creepage_rail::{Motion, Position, RollingCreepage, Running, Side};
 
 use super::case::RigidSlip;
+use super::derivatives::WheelsetDerivatives;
 use super::resultant::Resultant;
 use super::solver::{Pressed, PressedWheel, Rolled};
 use crate::{Damage, GapCaution, GapTheory};
@@ -26,6 +27,9 @@ pub struct SolvedWheelset {
     pub slip: RigidSlip,
     /// The theory of rolling.
     pub theory: GapTheory,
+    /// How its forces change with its position and motion, where that was asked for:
+    /// [`WheelsetCase::derivatives`](crate::WheelsetCase::derivatives).
+    pub derivatives: Option<WheelsetDerivatives>,
 }
 
 /// One wheel of a solved wheelset.
@@ -203,7 +207,8 @@ impl SolvedWheelset {
         slip: RigidSlip,
         theory: GapTheory,
     ) -> Self {
-        let mut solved = Self { left: None, right: None, motion, friction, slip, theory };
+        let (left, right, derivatives) = (None, None, None);
+        let mut solved = Self { left, right, motion, friction, slip, theory, derivatives };
         for wheel in wheels {
             match wheel.side {
                 Side::Left => solved.left = Some(wheel),

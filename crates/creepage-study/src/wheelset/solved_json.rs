@@ -5,6 +5,7 @@ use creepage::normal::Method;
 use serde::Serialize;
 
 use super::case::RigidSlip;
+use super::derivatives_json::DerivativesJson;
 use super::resultant::Resultant;
 use super::solved::{SolvedContact, SolvedWheel, SolvedWheelset};
 use crate::Damage;
@@ -57,6 +58,8 @@ pub struct WheelJson {
     pub z_m: f64,
     /// Origin of the rail's profile `[x, y, z]` (m).
     pub rail_origin_m: [f64; 3],
+    /// How the force changes with the wheelset's position and motion; `null` where nobody asked.
+    pub derivatives: Option<DerivativesJson>,
 }
 
 /// A force on a rail in track axes.
@@ -176,19 +179,25 @@ impl SolvedWheelset {
                 RigidSlip::Flat => "flat",
                 RigidSlip::Curved => "curved",
             },
-            left: self.left.as_ref().map(WheelJson::new),
-            right: self.right.as_ref().map(WheelJson::new),
+            left: self.left.as_ref().map(|wheel| self.wheel_json(wheel)),
+            right: self.right.as_ref().map(|wheel| self.wheel_json(wheel)),
         }
+    }
+
+    fn wheel_json(&self, wheel: &SolvedWheel) -> WheelJson {
+        let derivatives = self.derivatives.as_ref().map(|all| all.json(wheel.side));
+        WheelJson::new(wheel, derivatives)
     }
 }
 
 impl WheelJson {
-    fn new(wheel: &SolvedWheel) -> Self {
+    fn new(wheel: &SolvedWheel, derivatives: Option<DerivativesJson>) -> Self {
         Self {
             force: RailForceJson::new(&wheel.on_rail()),
             patches: wheel.contacts().iter().map(WheelPatchJson::new).collect(),
             z_m: wheel.position.z,
             rail_origin_m: wheel.rail_origin,
+            derivatives,
         }
     }
 }

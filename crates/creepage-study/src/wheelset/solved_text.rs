@@ -3,6 +3,7 @@
 use creepage_plot::format::{fixed, quantity, significant};
 use creepage_rail::Side;
 
+use super::derivatives::{By, ForceDerivative, WheelsetDerivatives};
 use super::solved::{SolvedContact, SolvedWheel, SolvedWheelset};
 use crate::text::{Lines, status_words};
 
@@ -19,6 +20,9 @@ impl SolvedWheelset {
         self.position_lines(&mut lines);
         for wheel in self.wheels() {
             wheel_lines(wheel, &mut lines);
+            if let Some(derivatives) = &self.derivatives {
+                derivative_lines(derivatives, wheel.side, &mut lines);
+            }
         }
         lines.into_text()
     }
@@ -72,6 +76,33 @@ fn wheel_lines(wheel: &SolvedWheel, lines: &mut Lines) {
     lines.columns("moment about its origin", [&x, &y, &z]);
     for contact in wheel.contacts() {
         contact_lines(contact, lines);
+    }
+}
+
+fn derivative_lines(derivatives: &WheelsetDerivatives, side: Side, lines: &mut Lines) {
+    lines.heading("  derivatives of the force on the rail, with what is found following");
+    lines.columns("", ["longitudinal", "lateral", "vertical"]);
+    for by in By::ALL {
+        if let Some(ForceDerivative { force, force_error, .. }) = derivatives.of(side, by) {
+            let (name, unit) = name(by);
+            let [x, y, z] = force.map(|value| fixed(value, 1));
+            lines.columns(&format!("by {name}, {unit}"), [&x, &y, &z]);
+            let [x, y, z] = force_error.map(|error| fixed(error, 1));
+            lines.columns("  error of differences", [&x, &y, &z]);
+        }
+    }
+}
+
+fn name(by: By) -> (&'static str, &'static str) {
+    match by {
+        By::Y => ("y", "N/m"),
+        By::Z => ("z", "N/m"),
+        By::Roll => ("roll", "N/rad"),
+        By::Yaw => ("yaw", "N/rad"),
+        By::Speed => ("speed", "N s/m"),
+        By::PitchRate => ("pitch rate", "N s/rad"),
+        By::LateralVelocity => ("lateral velocity", "N s/m"),
+        By::YawRate => ("yaw rate", "N s/rad"),
     }
 }
 

@@ -4,6 +4,7 @@
 //! unknown is the root of a rising function, found inside a bracket.
 
 use creepage_rail::{Position, Side};
+use rayon::prelude::*;
 
 use super::pressed::{Known, Press, PressedWheel, Shares};
 use super::root::Root;
@@ -91,7 +92,7 @@ impl<'a> Balance<'_, 'a> {
     ) -> Result<Vec<PressedWheel<'a>>, WheelsetError> {
         let Stance { y, yaw, .. } = *self.stance;
         let position = Position { y, z, roll, yaw };
-        sides.iter().map(|&side| self.press.wheel(side, position, known)).collect()
+        sides.par_iter().map(|&side| self.press.wheel(side, position, known)).collect()
     }
 
     /// The height at which the first of some wheels touches.

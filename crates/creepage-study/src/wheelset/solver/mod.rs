@@ -3,23 +3,28 @@
 
 mod apart;
 mod balance;
+mod by_motion;
 mod curving;
+mod derivative;
+mod found;
+mod partial;
 mod pressed;
 mod rolled;
 mod root;
 mod step;
 
 use creepage::SolidPair;
-use creepage::coulomb::Resolution;
 use creepage::normal;
 use creepage::theory::{ExactOptions, NamedResolution, ResolutionSpec};
 use creepage_rail::{Motion, Running, Side};
+use rayon::prelude::*;
 
 use self::balance::{Balance, Guess, enough};
 use self::pressed::{Known, Press, Shares};
 use self::rolled::{Method, Rolling};
 use self::step::Place;
 use super::case::{Load, RigidSlip, Stance, Travel, WheelsetCase};
+use super::derivatives::WheelsetDerivatives;
 use super::error::{WheelsetError, section};
 use super::solved::{SolvedContact, SolvedWheel, SolvedWheelset};
 use crate::case::CaseError;
@@ -52,6 +57,19 @@ impl WheelsetCase {
         let friction = self.friction.ok_or_else(|| section("contact", "friction"))?;
         let solver = WheelsetSolver::new(&self.running, pair, friction, theory)?;
         Ok(WheelsetSolver { slip: self.slip, ..solver })
+    }
+
+    /// Derivatives of the forces on the rails where this wheelset was solved, by what the case gives
+    /// of its position and motion.
+    ///
+    /// # Errors
+    /// As [`WheelsetSolver::derivatives`].
+    pub fn derivatives(
+        &self,
+        solved: &SolvedWheelset,
+    ) -> Result<WheelsetDerivatives, WheelsetError> {
+        let travel = self.travel.ok_or_else(|| section("motion", "speed"))?;
+        self.solver()?.derivatives(solved, &self.stance, &travel)
     }
 
     /// Solves this wheelset.
@@ -133,8 +151,7 @@ impl<'a> WheelsetSolver<'a> {
         start: &Start,
     ) -> Result<SolvedWheelset, WheelsetError> {
         let load = stance.load.ok_or(WheelsetError::NoLoad)?;
-        let usual = &Method::Exact(Resolution::STANDARD);
-        let (last, first) = self.rolling.split_last().unwrap_or((usual, &[]));
+        let (last, first) = self.rolling.split_last().unwrap_or((&Method::STANDARD, &[]));
         for method in first {
             let solved = self.at(stance, travel, load, start.clone(), *method)?;
             if solved.worst_error() <= self.accuracy {
@@ -229,7 +246,7 @@ impl<'a> WheelsetSolver<'a> {
         let fine = |&Place { side, position, depth, .. }: &Place| {
             Ok(PressedWheel { depth, ..self.press.wheel(side, position, known)? })
         };
-        sought.places.iter().map(fine).collect()
+        sought.places.par_iter().map(fine).collect()
     }
 
     fn solved(

@@ -2,9 +2,10 @@
 
 use creepage::approximate::non_hertzian::{NonHertzianSimplified, Simplified, SimplifiedSolved};
 use creepage::coulomb::{ElementField, NonHertzian, NonHertzianSolved, Resolution};
-use creepage::theory::Solved;
+use creepage::theory::{Jacobian, Solved};
 use creepage::{Creepage, Scaling, SiCreepage, SiForce};
 use creepage_rail::{Motion, RollingCreepage};
+use rayon::prelude::*;
 
 use super::apart::in_track;
 use super::curving::Curving;
@@ -23,6 +24,8 @@ pub(super) enum Method {
 }
 
 impl Method {
+    pub(super) const STANDARD: Self = Self::Exact(Resolution::STANDARD);
+
     /// Good enough far from the load expected.
     pub(super) fn fast(self) -> Self {
         match self {
@@ -99,6 +102,14 @@ impl Answer<'_> {
         }
     }
 
+    /// The derivative of its force by the creepage.
+    pub(super) fn jacobian(&mut self) -> Option<Jacobian> {
+        match self {
+            Self::Exact(solved) => solved.jacobian(),
+            Self::Simplified(solved) => solved.jacobian(),
+        }
+    }
+
     pub(in crate::wheelset) fn elements(&self) -> Vec<ElementField> {
         match self {
             Self::Exact(solved) => solved.elements(),
@@ -113,7 +124,7 @@ pub(super) struct Rolling<'w, 'a> {
     pub(super) wheel: &'w PressedWheel<'a>,
     pub(super) pressed: &'w Pressed<'a>,
     theory: Prepared,
-    slip: RigidSlip,
+    pub(super) slip: RigidSlip,
 }
 
 /// The same, rolled.
@@ -136,6 +147,8 @@ impl<'w, 'a> Rolling<'w, 'a> {
         let contacts =
             wheels.iter().flat_map(|wheel| wheel.contacts.iter().map(move |one| (wheel, one)));
         contacts
+            .collect::<Vec<_>>()
+            .into_par_iter()
             .map(|(wheel, pressed)| {
                 let theory = Prepared::new(pressed, friction, method)?;
                 Ok(Self { wheel, pressed, theory, slip })
@@ -144,14 +157,13 @@ impl<'w, 'a> Rolling<'w, 'a> {
     }
 
     /// Rolls in a motion; from `before` in one nearby.
-    fn roll<'r>(
+    pub(super) fn roll<'r>(
         &'r self,
         motion: &Motion,
         before: Option<Rolled<'r>>,
     ) -> Result<Rolled<'r>, WheelsetError> {
         let contact = &self.pressed.contact;
-        let side = contact.side;
-        let creepage = contact.creepage(motion).ok_or(WheelsetError::NotForward { side })?;
+        let creepage = self.creepage(motion)?;
         let RollingCreepage { longitudinal, lateral, spin, .. } = creepage;
         let scaling = self.theory.scaling();
         let given = scaling.creepage(SiCreepage { longitudinal, lateral, spin });
@@ -171,9 +183,18 @@ impl<'w, 'a> Rolling<'w, 'a> {
         Ok(Rolled { creepage, scaling, solved, force })
     }
 
+    pub(super) fn creepage(&self, motion: &Motion) -> Result<RollingCreepage, WheelsetError> {
+        let contact = &self.pressed.contact;
+        contact.creepage(motion).ok_or(WheelsetError::NotForward { side: contact.side })
+    }
+
+    pub(super) fn scaling(&self) -> Scaling {
+        self.theory.scaling()
+    }
+
     /// Moment of the friction about the axle (N m), positive when it turns the wheelset forward
     /// seen from the rail: pressure has none, for a wheel's normals meet its axle.
-    fn axle_moment(&self, force: SiForce) -> f64 {
+    pub(super) fn axle_moment(&self, force: SiForce) -> f64 {
         let contact = &self.pressed.contact;
         let (sin, cos) = contact.angle.sin_cos();
         let [x, y, z] = in_track(contact, [0.0; 2]);
@@ -216,8 +237,10 @@ pub(super) fn motion<'r>(
     let Travel { speed, pitch_rate, lateral_velocity, yaw_rate } = *travel;
     let with = |pitch_rate| Motion { speed, pitch_rate, lateral_velocity, yaw_rate };
     let at = |motion: Motion, before: Vec<Rolled<'r>>| {
-        let before = before.into_iter().map(Some).chain(std::iter::repeat_with(|| None));
-        let rolled = rollings.iter().zip(before).map(|(one, before)| one.roll(&motion, before));
+        let mut before: Vec<_> = before.into_iter().map(Some).collect();
+        before.resize_with(rollings.len(), || None);
+        let pairs = rollings.par_iter().zip(before);
+        let rolled = pairs.map(|(one, before)| one.roll(&motion, before));
         Ok((motion, rolled.collect::<Result<Vec<_>, WheelsetError>>()?))
     };
     let nominal = speed / radius;

@@ -1,0 +1,104 @@
+//! What a wheelset finds for itself, and how it follows what is given.
+
+use nalgebra::{DMatrix, DVector};
+
+use super::partial::{AXLE, Partial, VERTICAL};
+use crate::{By, Load, Stance, Travel, WheelsetError};
+
+/// Both wheels, left and right; zeros for one that is not there.
+pub(super) type Pair = [Partial; 2];
+
+/// The parts of the left and the right wheel.
+type Share = [f64; 2];
+const BOTH: Share = [1.0, 1.0];
+const LEFT: Share = [1.0, 0.0];
+const RIGHT: Share = [0.0, 1.0];
+
+/// What is found, and what it keeps as it is.
+pub(super) struct Found {
+    /// Each with the wheels that it moves.
+    unknowns: Vec<(By, Share)>,
+    kept: Vec<Kept>,
+}
+
+/// A sum over both wheels of something that they do.
+struct Kept {
+    /// Its place among [`Acts`](super::partial::Acts).
+    what: usize,
+    share: Share,
+}
+
+impl Found {
+    pub(super) fn of(stance: &Stance, travel: &Travel) -> Result<Self, WheelsetError> {
+        let load = stance.load.ok_or(WheelsetError::NoLoad)?;
+        let mut found = match (stance.side, stance.roll, load) {
+            (Some(_), _, Load::Height(_)) | (None, Some(_), Load::Height(_)) => {
+                Self { unknowns: Vec::new(), kept: Vec::new() }
+            }
+            (Some(_), _, _) | (None, Some(_), Load::Axle(_)) => Self {
+                unknowns: vec![(By::Z, BOTH)],
+                kept: vec![Kept { what: VERTICAL, share: BOTH }],
+            },
+            (None, Some(_), Load::Wheel(_)) => Self {
+                unknowns: vec![(By::Z, LEFT), (By::Z, RIGHT)],
+                kept: vec![
+                    Kept { what: VERTICAL, share: LEFT },
+                    Kept { what: VERTICAL, share: RIGHT },
+                ],
+            },
+            (None, None, Load::Height(_)) => Self {
+                unknowns: vec![(By::Roll, BOTH)],
+                kept: vec![Kept { what: VERTICAL, share: [-1.0, 1.0] }],
+            },
+            (None, None, Load::Axle(_) | Load::Wheel(_)) => Self {
+                unknowns: vec![(By::Z, BOTH), (By::Roll, BOTH)],
+                kept: vec![
+                    Kept { what: VERTICAL, share: LEFT },
+                    Kept { what: VERTICAL, share: RIGHT },
+                ],
+            },
+        };
+        if travel.pitch_rate.is_none() {
+            found.unknowns.push((By::PitchRate, BOTH));
+            found.kept.push(Kept { what: AXLE, share: BOTH });
+        }
+        Ok(found)
+    }
+
+    pub(super) fn has(&self, by: By) -> bool {
+        self.unknowns.iter().any(|(own, _)| *own == by)
+    }
+
+    /// The derivatives when the unknowns follow.
+    pub(super) fn total(&self, partial: &Pair) -> Result<Pair, WheelsetError> {
+        if self.unknowns.is_empty() {
+            return Ok(*partial);
+        }
+        let by_unknowns = DMatrix::from_fn(self.kept.len(), self.unknowns.len(), |i, j| {
+            let (by, whose) = self.unknowns[j];
+            self.kept[i].change(partial, by, whose)
+        });
+        let by_unknowns = by_unknowns.lu();
+        let mut total = *partial;
+        for by in By::ALL {
+            let by_given = self.kept.iter().map(|kept| -kept.change(partial, by, [1.0; 2]));
+            let by_given = DVector::from_iterator(self.kept.len(), by_given);
+            let follow = by_unknowns.solve(&by_given).ok_or(WheelsetError::NotDifferentiable)?;
+            for (&(own, whose), follow) in self.unknowns.iter().zip(&follow) {
+                for (k, total) in total.iter_mut().enumerate() {
+                    let mut sum = total.column_mut(by.index());
+                    sum += partial[k].column(own.index()) * (whose[k] * follow);
+                }
+            }
+        }
+        Ok(total)
+    }
+}
+
+impl Kept {
+    /// How it changes by a number of some wheels.
+    fn change(&self, partial: &Pair, by: By, whose: Share) -> f64 {
+        let of = |k: usize| self.share[k] * whose[k] * partial[k][(self.what, by.index())];
+        of(0) + of(1)
+    }
+}

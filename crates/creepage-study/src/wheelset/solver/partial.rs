@@ -1,0 +1,121 @@
+//! How what one wheel does changes with one number of its position or motion, all others held.
+
+use creepage::SiForce;
+use creepage_rail::{Motion, Position};
+use nalgebra::{SMatrix, SVector};
+use rayon::prelude::*;
+
+use super::pressed::{Known, Pressed, PressedWheel};
+use super::rolled::{Method, Rolling};
+use super::{WheelsetSolver, by_motion};
+use crate::wheelset::resultant::Acting;
+use crate::wheelset::solved::SolvedWheel;
+use crate::{By, WheelsetError};
+
+/// Force (N) and moment (N m) on the rail, and the moment of friction about the axle (N m).
+pub(super) type Acts = SVector<f64, 7>;
+/// Where they have the vertical force.
+pub(super) const VERTICAL: usize = 2;
+/// Where they have the moment about the axle.
+pub(super) const AXLE: usize = 6;
+
+/// Their derivatives by [`By::ALL`].
+pub(super) type Partial = SMatrix<f64, 7, 8>;
+
+/// A part of the position that is moved, and by how much to either side (m, rad): less, and the
+/// pressures' scatter shows; more, and so do the kinks of the profiles' curvature.
+const STEPS: [(By, f64); 4] = [(By::Y, 5e-7), (By::Z, 5e-7), (By::Roll, 7.5e-7), (By::Yaw, 5e-6)];
+/// Of those steps: the second tells how far to believe the first.
+const TIMES: [f64; 2] = [1.0, 2.0];
+
+/// One wheel where it stands, as it moves.
+pub(super) struct Standing<'s, 'a> {
+    pub(super) solver: &'s WheelsetSolver<'a>,
+    pub(super) wheel: &'s SolvedWheel,
+    pub(super) known: &'s [Known],
+    pub(super) motion: Motion,
+    pub(super) method: Method,
+}
+
+impl<'a> Standing<'_, 'a> {
+    /// Its derivatives with the step, and with twice the step.
+    pub(super) fn partials(&self) -> Result<[Partial; 2], WheelsetError> {
+        let all: Vec<_> =
+            TIMES.iter().flat_map(|by| STEPS.iter().map(move |to| (by, to))).collect();
+        let differences = all.into_par_iter().map(|(times, &(by, step))| {
+            let difference = self.difference(by, times * step)?;
+            Ok((by, difference))
+        });
+        let differences = differences.collect::<Result<Vec<_>, WheelsetError>>()?;
+        let mut partials = [self.by_motion()?; 2];
+        for (partial, differences) in partials.iter_mut().zip(differences.chunks(STEPS.len())) {
+            for (by, difference) in differences {
+                partial.set_column(by.index(), difference);
+            }
+        }
+        Ok(partials)
+    }
+
+    fn difference(&self, by: By, step: f64) -> Result<Acts, WheelsetError> {
+        let [ahead, behind] =
+            [step, -step].map(|step| self.acts(moved(self.wheel.position, by, step)));
+        Ok((ahead? - behind?) / (2.0 * step))
+    }
+
+    /// What it does in a position.
+    fn acts(&self, position: Position) -> Result<Acts, WheelsetError> {
+        let wheels = self.pressed(position)?;
+        let mut sum = Acts::zeros();
+        for rolling in self.rollings(&wheels)? {
+            let friction = rolling.roll(&self.motion, None)?.force;
+            sum += self.acting(&rolling, friction, rolling.pressed.load());
+        }
+        Ok(sum)
+    }
+
+    fn by_motion(&self) -> Result<Partial, WheelsetError> {
+        let wheels = self.pressed(self.wheel.position)?;
+        let mut sum = Partial::zeros();
+        for rolling in self.rollings(&wheels)? {
+            for (by, friction) in by_motion::friction(&rolling, self.motion)? {
+                let mut column = sum.column_mut(by.index());
+                column += self.acting(&rolling, friction, 0.0);
+            }
+        }
+        Ok(sum)
+    }
+
+    /// Twice, for a pressure that is found from another keeps a hundredth part of the way to it.
+    fn pressed(&self, position: Position) -> Result<[PressedWheel<'a>; 1], WheelsetError> {
+        let first = self.solver.press.wheel(self.wheel.side, position, self.known)?;
+        Ok([self.solver.press.wheel(self.wheel.side, position, &Known::of(&[first]))?])
+    }
+
+    fn rollings<'w>(
+        &self,
+        wheels: &'w [PressedWheel<'a>],
+    ) -> Result<Vec<Rolling<'w, 'a>>, WheelsetError> {
+        let &WheelsetSolver { friction, slip, .. } = self.solver;
+        Rolling::all(wheels, friction, slip, self.method)
+    }
+
+    /// Friction and a load at a contact.
+    fn acting(&self, rolling: &Rolling<'_, '_>, friction: SiForce, load: f64) -> Acts {
+        let Pressed { contact, normal } = rolling.pressed;
+        let acting = Acting::new(friction, load, normal.centroid());
+        let origin = self.wheel.rail_origin;
+        let ([x, y, z], [mx, my, mz]) = acting.about(contact.reference, contact.angle, origin);
+        Acts::from([x, y, z, mx, my, mz, rolling.axle_moment(friction)])
+    }
+}
+
+fn moved(position: Position, by: By, step: f64) -> Position {
+    let Position { y, z, roll, yaw } = position;
+    match by {
+        By::Y => Position { y: y + step, ..position },
+        By::Z => Position { z: z + step, ..position },
+        By::Roll => Position { roll: roll + step, ..position },
+        By::Yaw => Position { yaw: yaw + step, ..position },
+        By::Speed | By::PitchRate | By::LateralVelocity | By::YawRate => position,
+    }
+}
