@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from itertools import cycle
 from typing import TYPE_CHECKING, Any
 
 import matplotlib.pyplot as plt
 import numpy as np
-from matplotlib.colors import ListedColormap
 from matplotlib.patches import Ellipse, Patch
 
 if TYPE_CHECKING:
@@ -17,6 +17,8 @@ ADHESION, SLIP = "#cfe3f5", "#f7d9b9"
 OUTSIDE = 2
 """Number of the region."""
 ARROWS = 16
+STYLES = ("-", "--", "-.", ":")
+"""Lines can be told apart without colours."""
 
 
 def plot_field(
@@ -31,15 +33,16 @@ def plot_field(
     if region.ndim != 2:
         raise ValueError("a field is drawn over a grid: ask it of the theory without x and y")
     if ax is None:
-        ax = plt.subplots()[1]
+        ax = plt.subplots(layout="constrained")[1]
     x, y = position[..., 0], position[..., 1]
-    areas = np.ma.masked_where(region == OUTSIDE, region)
-    colours = ListedColormap([ADHESION, SLIP])
-    ax.pcolormesh(x, y, areas, cmap=colours, vmin=0, vmax=1, shading="nearest", rasterized=True)
-    _arrows(ax, x, y, region != OUTSIDE, traction)
     a, b = semi_axes
-    ax.add_patch(Ellipse((0.0, 0.0), 2 * a, 2 * b, fill=False, color="#333333"))
-    ax.set_aspect("equal")
+    edge = Ellipse((0.0, 0.0), 2 * a, 2 * b, fill=False, color="#333333")
+    ax.add_patch(edge)
+    _areas(ax, x, y, region, edge)
+    _arrows(ax, x, y, region != OUTSIDE, traction)
+    ax.set(aspect="equal", xlim=(-1.05 * a, 1.05 * a), ylim=(-1.05 * b, 1.05 * b))
+    if a < 0.5 * b:
+        ax.locator_params(axis="x", nbins=1)
     ax.set_xlabel(f"x, rolling direction ({unit})")
     ax.set_ylabel(f"y ({unit})")
     ax.invert_yaxis()
@@ -54,6 +57,34 @@ def plot_field(
         bbox_to_anchor=above,
     )
     return ax
+
+
+def _areas(
+    ax: Axes,
+    x: np.ndarray[Any, Any],
+    y: np.ndarray[Any, Any],
+    region: np.ndarray[Any, Any],
+    edge: Ellipse,
+) -> None:
+    """Adhesion and slip up to the edge: beyond it each point is as the nearest one inside."""
+    if (region != OUTSIDE).any() and min(region.shape) > 1:
+        filled = _filled(_filled(region).T).T
+        x, y = (np.pad(at, 1, mode="reflect", reflect_type="odd") for at in (x, y))
+        areas = ax.contourf(
+            x, y, np.pad(filled, 1, mode="edge"), levels=[-1.0, 0.5, 2.0], colors=[ADHESION, SLIP]
+        )
+        areas.set_clip_path(edge)
+
+
+def _filled(region: np.ndarray[Any, Any]) -> np.ndarray[Any, Any]:
+    """Rows with points inside, each filled from these."""
+    filled = region.copy()
+    columns = np.arange(region.shape[1])
+    for row in filled:
+        inside = np.flatnonzero(row != OUTSIDE)
+        if inside.size:
+            row[:] = row[inside[np.abs(columns[:, None] - inside).argmin(axis=1)]]
+    return filled
 
 
 def _arrows(
@@ -91,9 +122,9 @@ def plot_lines(
 ) -> Axes:
     """Forces (N) over values, a line a theory; `at` is marked, and `limit` not far exceeded."""
     if ax is None:
-        ax = plt.subplots()[1]
-    for name, force in forces.items():
-        ax.plot(values, 1e-3 * force, label=name)
+        ax = plt.subplots(layout="constrained")[1]
+    for (name, force), style in zip(forces.items(), cycle(STYLES)):
+        ax.plot(values, 1e-3 * force, style, label=name)
     ax.axvline(at, color="#999999", lw=0.8, ls=":")
     ax.set_xlabel(labels[0])
     ax.set_ylabel(labels[1])
