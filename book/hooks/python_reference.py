@@ -7,6 +7,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 PACKAGE = ROOT / "python" / "creepage"
 MARK = "<!-- python -->"
+BLANK = ast.parse("")
 # What the guide groups, in a reader's order; the rest of what the package exports comes last.
 GROUPS = {
     "Cases in SI units": ["Case", "Body", "Solution", "SiCreepage", "SiForce", "Curve", "Hertz", "hertz"],
@@ -54,12 +55,12 @@ def exports():
 
 
 def definitions():
-    """Classes and functions by name, of the compiled part's stubs and of all modules."""
+    """Classes and functions by name, of the compiled part's stubs and of all modules; the first with words."""
     known = {}
     for path in [PACKAGE / "_creepage.pyi", *sorted(PACKAGE.glob("*.py"))]:
         for node in ast.parse(path.read_text(encoding="utf-8")).body:
-            if isinstance(node, ast.ClassDef | ast.FunctionDef):
-                known.setdefault(node.name, node)
+            if isinstance(node, ast.ClassDef | ast.FunctionDef) and not ast.get_docstring(known.get(node.name, BLANK)):
+                known[node.name] = node
     return known
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import difflib
 import json
 from collections.abc import Mapping
-from typing import Any
+from typing import Any, Literal, overload
 
 from . import _creepage
 from ._errors import UnknownTheory
@@ -26,6 +26,37 @@ THEORIES: dict[str, type[_creepage.Theory]] = {
 """The classes by the names of case files, the general ones first."""
 
 
+@overload
+def theory(
+    name: Literal["exact"], a_over_b: float, poisson: float, **options: Any
+) -> _creepage.Exact: ...
+@overload
+def theory(
+    name: Literal["automatic"], a_over_b: float, poisson: float, **options: Any
+) -> _creepage.Automatic: ...
+@overload
+def theory(
+    name: Literal["variational"], a_over_b: float, poisson: float, **options: Any
+) -> _creepage.Variational: ...
+@overload
+def theory(
+    name: Literal["fastsim"], a_over_b: float, poisson: float, **options: Any
+) -> _creepage.Fastsim: ...
+@overload
+def theory(
+    name: Literal["fastrip"], a_over_b: float, poisson: float, **options: Any
+) -> _creepage.Fastrip: ...
+@overload
+def theory(
+    name: Literal[
+        "strip", "polach", "shen-hedrick-elkins", "vermeulen-johnson", "linear", "saturated"
+    ],
+    a_over_b: float,
+    poisson: float,
+    **options: Any,
+) -> _creepage.DifferentiableTheory: ...
+@overload
+def theory(name: str, a_over_b: float, poisson: float, **options: Any) -> _creepage.Theory: ...
 def theory(name: str, a_over_b: float, poisson: float, **options: Any) -> _creepage.Theory:
     """The theory of that name, prepared: `theory("fastsim", 1.5, 0.28, grid=(10, 10))`.
 

@@ -224,3 +224,11 @@ LINEAR = creepage.linear(1.3, 0.28)
 FASTSIM = creepage.fastsim(1.3, 0.28, grid=(5, 5))
 POLACH = creepage.polach(1.3, 0.28)
 STRIP = creepage.strip(1.3, 0.28)
+
+
+def test_a_name_is_a_type() -> None:
+    """What a type checker knows of the class, a user need not ask."""
+    exact = creepage.theory("exact", a_over_b=1.0, poisson=0.28)
+    assert exact.force([0.1, 0.2]).fx_error.shape == (2,)
+    polach = creepage.theory("polach", a_over_b=1.0, poisson=0.28)
+    assert np.shape(polach.derivative(0.1, 0.0, 0.0)) == (3, 3)
