@@ -41,8 +41,8 @@ def plot_field(
     _areas(ax, x, y, region, edge)
     _arrows(ax, x, y, region != OUTSIDE, traction)
     ax.set(aspect="equal", xlim=(-1.05 * a, 1.05 * a), ylim=(-1.05 * b, 1.05 * b))
-    if a < 0.5 * b:
-        ax.locator_params(axis="x", nbins=1)
+    if a < 0.4 * b:
+        ax.set_xticks([0.0])  # there is no room for more, and the scale is that of y
     ax.set_xlabel(f"x, rolling direction ({unit})")
     ax.set_ylabel(f"y ({unit})")
     ax.invert_yaxis()
@@ -94,20 +94,23 @@ def _arrows(
     inside: np.ndarray[Any, Any],
     traction: np.ndarray[Any, Any],
 ) -> None:
-    """The traction at every few points."""
-    step = tuple(slice(max(n // ARROWS // 2, 0), None, max(n // ARROWS, 1)) for n in x.shape)
-    shown = inside[step]
-    arrows = traction[step][shown]
-    width = np.ptp(x) / ARROWS
+    """The traction at points as far from each other along x as across."""
+    width = max(np.ptp(x), np.ptp(y)) / ARROWS
+    spans = [np.hypot(np.ptp(x, axis=k).max(), np.ptp(y, axis=k).max()) for k in (0, 1)]
+    steps = [max(round(width * n / span), 1) if span > 0.0 else 1 for span, n in zip(spans, x.shape)]
+    chosen = tuple(slice((n - 1) % step // 2, None, step) for n, step in zip(x.shape, steps))
+    shown = inside[chosen]
+    arrows = traction[chosen][shown]
     ax.quiver(
-        x[step][shown],
-        y[step][shown],
+        x[chosen][shown],
+        y[chosen][shown],
         arrows[:, 0],
         arrows[:, 1],
         angles="xy",
         scale_units="xy",
         scale=1.0 / (1.5 * width) if width > 0.0 else None,
-        width=0.003,
+        units="inches",
+        width=0.016,
         color="#222222",
     )
 
