@@ -94,6 +94,7 @@ mod contact;
 mod creepage;
 mod ellipse;
 mod hertz;
+mod lanes;
 mod layer;
 mod lu;
 mod scaling;

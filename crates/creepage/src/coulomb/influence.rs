@@ -8,9 +8,8 @@ mod points;
 
 use std::ops::Range;
 
-use super::far::FarField;
-use super::mesh::{Mesh, Strip};
-use super::polygon::{Response, edge};
+use super::cuts::Cuts;
+use super::mesh::Mesh;
 use super::product::Row;
 use super::stencil::SlipStencil;
 
@@ -45,36 +44,18 @@ struct Place {
 }
 
 impl Influence {
-    /// Slip by tractions in units of `pi G`, on any mesh: in closed form for near elements, by Gauss
-    /// points for far ones. `stencils` are those of the strips.
+    /// Slip by tractions in units of `pi G`, on any mesh; `stencils` are those of the strips.
     pub(crate) fn new(mesh: &Mesh, poisson: f64, stencils: &[SlipStencil]) -> Self {
-        let far = FarField::new(mesh);
-        let all = |at: [f64; 2], by: &mut [Vec<f64>; 3]| displace(mesh, poisson, &far, at, by);
-        Self::assemble(mesh, stencils, all)
-    }
-
-    /// The same in closed form for all.
-    #[cfg(test)]
-    pub(crate) fn in_closed_form(mesh: &Mesh, poisson: f64, stencils: &[SlipStencil]) -> Self {
-        let all = |at: [f64; 2], by: &mut [Vec<f64>; 3]| displace_closed(mesh, poisson, at, by);
-        Self::assemble(mesh, stencils, all)
-    }
-
-    /// `displace` adds the displacements at a point by every element.
-    fn assemble(
-        mesh: &Mesh,
-        stencils: &[SlipStencil],
-        displace: impl Fn([f64; 2], &mut [Vec<f64>; 3]),
-    ) -> Self {
         let strips = stencils.len();
         let stored = if mesh.mirrored { strips.div_ceil(2) } else { strips };
         let size = mesh.offsets()[stored] * mesh.len();
+        let mut cuts = Cuts::new(mesh);
         let mut coefficients = std::array::from_fn(|_| Vec::with_capacity(size));
         let mut displacements: [Vec<f64>; 3] = std::array::from_fn(|_| Vec::new());
         for stencil in &stencils[..stored] {
             displacements.iter_mut().for_each(Vec::clear);
             for point in &stencil.points {
-                displace(*point, &mut displacements);
+                cuts.displace(poisson, *point, &mut displacements);
             }
             for (row, by) in coefficients.iter_mut().zip(&displacements) {
                 append(stencil, by, mesh.len(), row);
@@ -173,74 +154,6 @@ fn place(mesh: &Mesh, stored: usize, strip: usize, i: usize) -> Place {
         if strip < stored { (strip, 1.0) } else { (mesh.strips.len() - 1 - strip, -1.0) };
     let block = mesh.elements(strip);
     Place { start: (block.start + i) * mesh.len(), block, sign }
-}
-
-/// Adds the displacements at a point by every element, in closed form.
-#[cfg(test)]
-pub(super) fn displace_closed(
-    mesh: &Mesh,
-    poisson: f64,
-    at: [f64; 2],
-    displacements: &mut [Vec<f64>; 3],
-) {
-    for strip in &mesh.strips {
-        each_in_strip(strip, poisson, at, 0..strip.len(), |_, own| {
-            displacements.iter_mut().zip(own).for_each(|(by, own)| by.push(own));
-        });
-    }
-}
-
-/// The same, of far elements by Gauss points.
-fn displace(
-    mesh: &Mesh,
-    poisson: f64,
-    far: &FarField,
-    at: [f64; 2],
-    displacements: &mut [Vec<f64>; 3],
-) {
-    let start = displacements[0].len();
-    for by in displacements.iter_mut() {
-        by.resize(start + mesh.len(), 0.0);
-    }
-    let mut by = displacements.each_mut().map(|by| &mut by[start..]);
-    far.displace(poisson, at, &mut by);
-    for (strip, elements) in mesh.strips.iter().zip(mesh.offsets().windows(2)) {
-        let near = far.near(elements[0]..elements[1], at);
-        if near.is_empty() {
-            continue;
-        }
-        each_in_strip(
-            strip,
-            poisson,
-            at,
-            near.start - elements[0]..near.end - elements[0],
-            |i, own| {
-                by.iter_mut().zip(own).for_each(|(by, own)| by[elements[0] + i] = own);
-            },
-        );
-    }
-}
-
-/// Calls for each of some elements of a strip with the displacement at a point by it. Neighbours
-/// share the cut between them, and what it adds.
-fn each_in_strip(
-    strip: &Strip,
-    poisson: f64,
-    [x, y]: [f64; 2],
-    elements: Range<usize>,
-    mut call: impl FnMut(usize, Response),
-) {
-    let ends = |i: usize| strip.cut_ends(i).map(|[p, q]| [p - x, q - y]);
-    let mut front = ends(elements.start);
-    let mut ahead = edge(poisson, front[0], front[1]);
-    for i in elements {
-        let rear = ends(i + 1);
-        let behind = edge(poisson, rear[0], rear[1]);
-        let lower = edge(poisson, rear[0], front[0]);
-        let upper = edge(poisson, rear[1], front[1]);
-        call(i, std::array::from_fn(|k| ahead[k] - behind[k] + lower[k] - upper[k]));
-        (front, ahead) = (rear, behind);
-    }
 }
 
 /// Adds the rows of a strip's elements, from the displacements of all its points by `n` elements.

@@ -18,9 +18,9 @@
 mod automatic;
 pub(crate) mod bands;
 mod coupled;
+mod cuts;
 mod cylinders;
 pub(crate) mod extrapolation;
-mod far;
 pub(crate) mod forcing;
 mod friction;
 pub(crate) mod grid;
@@ -30,7 +30,6 @@ mod inverse;
 pub(crate) mod mesh;
 mod mixing;
 mod non_hertzian;
-mod polygon;
 pub(crate) mod pressure;
 mod product;
 pub(crate) mod quadrature;

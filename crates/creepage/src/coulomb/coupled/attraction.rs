@@ -10,7 +10,6 @@
 //! (2.11a,b) and (2.15c) are `(u, v) = kappa/(pi G) sum Z S` and
 //! `w = -kappa/(pi G) sum (X, Y) . S`.
 
-use crate::coulomb::far::map;
 use crate::coulomb::mesh::Mesh;
 
 /// Gauss's two points on (-1, 1).
@@ -120,6 +119,17 @@ fn edge(from: [f64; 2], to: [f64; 2]) -> [f64; 2] {
     let angle = (distance * length).atan2(distance * distance + start * end);
     let integral = logarithm(to, end) - logarithm(from, start) + distance * angle;
     [nx * integral, ny * integral]
+}
+
+/// Bilinear map of a square on a quadrilateral: the image, and a quarter of the area there.
+fn map([a, b, c, d]: [[f64; 2]; 4], s: f64, t: f64) -> ([f64; 2], f64) {
+    let part = |s: f64, t: f64| 0.25 * (1.0 + s) * (1.0 + t);
+    let weights = [part(-s, -t), part(s, -t), part(s, t), part(-s, t)];
+    let at = [0, 1]
+        .map(|k| weights[0] * a[k] + weights[1] * b[k] + weights[2] * c[k] + weights[3] * d[k]);
+    let along = [0, 1].map(|k| 0.25 * ((1.0 - t) * (b[k] - a[k]) + (1.0 + t) * (c[k] - d[k])));
+    let across = [0, 1].map(|k| 0.25 * ((1.0 - s) * (d[k] - a[k]) + (1.0 + s) * (c[k] - b[k])));
+    (at, (along[0] * across[1] - along[1] * across[0]).abs())
 }
 
 #[cfg(test)]

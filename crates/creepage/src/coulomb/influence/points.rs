@@ -1,19 +1,19 @@
 //! Displacements at points, kept for themselves, and slip as any combination of them: what rolling
 //! that is not steady needs, where the combination changes from step to step.
 
-use super::{Influence, Place, displace};
-use crate::coulomb::far::FarField;
+use super::{Influence, Place};
+use crate::coulomb::cuts::Cuts;
 use crate::coulomb::mesh::Mesh;
 
 impl Influence {
     /// Displacements by tractions in units of `pi G`, at `points` of every strip, a row a point in
     /// their order.
     pub(crate) fn displacements(mesh: &Mesh, poisson: f64, points: &[Vec<[f64; 2]>]) -> Self {
-        let (stored, far) = (stored(mesh), FarField::new(mesh));
+        let (stored, mut cuts) = (stored(mesh), Cuts::new(mesh));
         let count: usize = points[..stored].iter().map(Vec::len).sum();
         let mut coefficients = std::array::from_fn(|_| Vec::with_capacity(count * mesh.len()));
         for at in points[..stored].iter().flatten() {
-            displace(mesh, poisson, &far, *at, &mut coefficients);
+            cuts.displace(poisson, *at, &mut coefficients);
         }
         let mut starts = vec![0];
         starts.extend(points.iter().scan(0, |end, points| {

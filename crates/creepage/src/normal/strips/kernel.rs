@@ -21,7 +21,7 @@ use std::sync::LazyLock;
 
 use gauss_quad::GaussLegendre;
 
-use super::lanes::{LANES, Lanes, each, exp, ln, sin};
+use crate::lanes::{LANES, Lanes, each, exp, ln, sin};
 
 /// Most polynomials in a strip's pressure.
 pub(crate) const MOST: usize = 8;

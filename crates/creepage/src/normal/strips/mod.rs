@@ -3,7 +3,6 @@
 //! which the elements give, and says so when Newton's method does not arrive.
 
 mod kernel;
-mod lanes;
 mod newton;
 mod outside;
 mod strip;
