@@ -3,7 +3,6 @@
 use std::ops::Range;
 
 use super::grid::Grid;
-use super::influence::Influence;
 use super::mesh::{Mesh, SUBCELLS, Sides, Strip, border, cut, fit};
 use super::pressure::{Moments, Pressure};
 use super::resolution::Resolution;
@@ -70,8 +69,7 @@ impl<'a> Bands<'a> {
         let mesh = self.mesh(times);
         let pressure = self.pressure(&mesh);
         let stencils: Vec<_> = mesh.strips.iter().map(SlipStencil::steady).collect();
-        let influence = Influence::new(&mesh, self.contact.pair().poisson(), &stencils);
-        Grid::new(mesh, pressure, influence, SLIP_UNIT, &stencils)
+        Grid::new(mesh, pressure, self.contact.pair().poisson(), SLIP_UNIT, &stencils)
     }
 
     /// The elements, `times` as many along and across.
@@ -140,8 +138,9 @@ impl<'a> Bands<'a> {
     fn add_strip(&self, strip: &Strip, band: &Band, pressure: &mut Pressure) {
         let peak = self.contact.peak_pressure().value;
         let y = strip.across.map(|y| self.frame.outward([0.0, y])[1]);
+        let nodes: Vec<_> = strip.along.windows(2).map(nodes).collect();
         let rows: [Vec<Cell>; SUBCELLS] =
-            std::array::from_fn(|k| self.row(strip, band, [y[k], y[k + 1]]));
+            std::array::from_fn(|k| self.row(&nodes, band, [y[k], y[k + 1]]));
         for i in 0..strip.len() {
             let cells: [[Cell; SUBCELLS]; SUBCELLS] =
                 std::array::from_fn(|k| std::array::from_fn(|m| rows[k][SUBCELLS * i + m]));
@@ -155,33 +154,46 @@ impl<'a> Bands<'a> {
         }
     }
 
-    /// The subcells of a strip between two `y` (m).
-    fn row(&self, strip: &Strip, band: &Band, [low, high]: [f64; 2]) -> Vec<Cell> {
+    /// The subcells of a strip between two `y` (m), by their nodes along.
+    fn row(&self, nodes: &[[Node; 2]], band: &Band, [low, high]: [f64; 2]) -> Vec<Cell> {
         let (middle, half) = (f64::midpoint(low, high), 0.5 * (high - low));
         let lines = [-GAUSS, GAUSS].map(|t| {
             let y = middle + half * t;
             (y, self.section(band, y), band.line(y))
         });
         let least = LEAST * self.contact.peak_pressure().value;
-        let cell = |ends: &[f64]| {
-            let (front, rear) = (ends[0].asin(), ends[1].asin());
-            let (middle, turn) = (f64::midpoint(front, rear), 0.5 * (front - rear));
+        let cell = |nodes: &[Node; 2]| {
             let mut sum = Cell::default();
             for (y, [centre, length], line) in &lines {
-                for t in [-GAUSS, GAUSS] {
-                    // x = centre + length sin(angle)
-                    let (s, cos) = (middle + turn * t).sin_cos();
-                    let (x, area) = (centre + length * s, half * turn * length * cos);
-                    let force = area * line.pressure(s).max(least);
-                    let [at_x, at_y] = self.frame.inward([x, *y]);
-                    let by = [at_x, at_y, s].map(|at| force * at);
+                for Node { s, weight } in nodes {
+                    let area = half * length * weight;
+                    let force = area * line.pressure(*s).max(least);
+                    let [at_x, at_y] = self.frame.inward([centre + length * s, *y]);
+                    let by = [at_x, at_y, *s].map(|at| force * at);
                     sum.add(&Cell { area, force, by });
                 }
             }
             sum
         };
-        strip.along.windows(2).map(cell).collect()
+        nodes.iter().map(cell).collect()
     }
+}
+
+/// A point of quadrature along a strip: its position over the half-length, and its part of that.
+#[derive(Debug, Clone, Copy)]
+struct Node {
+    s: f64,
+    weight: f64,
+}
+
+/// Gauss's points between two cuts, in the angle whose sine is cut: there the pressure is smooth.
+fn nodes(ends: &[f64]) -> [Node; 2] {
+    let (front, rear) = (ends[0].asin(), ends[1].asin());
+    let (middle, turn) = (f64::midpoint(front, rear), 0.5 * (front - rear));
+    [-GAUSS, GAUSS].map(|t| {
+        let (s, cos) = (middle + turn * t).sin_cos();
+        Node { s, weight: turn * cos }
+    })
 }
 
 /// Area (m^2) and force (N) of a piece, and the force's moments by `x`, `y` and the position along

@@ -24,6 +24,8 @@ pub(crate) struct Cuts {
     tangent: Ends,
     /// First element of every strip, and the number of all.
     offsets: Vec<usize>,
+    /// Traction of each element.
+    tractions: Vec<f64>,
     /// Of each cut at one point: in `x` by `x`, in `x` by `y` and in `y` by `x`, in `y` by `y`.
     sums: [Vec<f64>; 3],
 }
@@ -43,7 +45,8 @@ impl Ends {
 }
 
 impl Cuts {
-    pub(crate) fn new(mesh: &Mesh) -> Self {
+    /// The elements of a mesh, each with the traction that acts on all of it.
+    pub(crate) fn new(mesh: &Mesh, tractions: Vec<f64>) -> Self {
         let [mut lower, mut upper, mut tangent] = [(); 3].map(|()| Ends::default());
         for strip in &mesh.strips {
             for i in 0..=strip.len() {
@@ -55,17 +58,19 @@ impl Cuts {
             }
         }
         let sums = std::array::from_fn(|_| vec![0.0; lower.x.len()]);
-        Self { lower, upper, tangent, offsets: mesh.offsets().to_vec(), sums }
+        Self { lower, upper, tangent, offsets: mesh.offsets().to_vec(), tractions, sums }
     }
 
-    /// Adds the displacements at a point by every element, in units of `traction * length / (pi G)`.
+    /// Adds the displacements at a point by every element, in units of `length / (pi G)`.
     pub(crate) fn displace(&mut self, poisson: f64, at: [f64; 2], by: &mut [Vec<f64>; 3]) {
-        let Self { lower, upper, tangent, offsets, sums } = self;
+        let Self { lower, upper, tangent, offsets, tractions, sums } = self;
         Arch::new().dispatch(Sums { lower, upper, tangent, poisson, at, sums });
         for (by, sums) in by.iter_mut().zip(sums) {
             for (strip, elements) in offsets.windows(2).enumerate() {
                 let cuts = &sums[elements[0] + strip..=elements[1] + strip];
-                by.extend(cuts.iter().zip(&cuts[1..]).map(|(front, rear)| front - rear));
+                let sides = cuts.iter().zip(&cuts[1..]).map(|(front, rear)| front - rear);
+                let tractions = &tractions[elements[0]..elements[1]];
+                by.extend(sides.zip(tractions).map(|(sides, traction)| traction * sides));
             }
         }
     }
@@ -165,7 +170,7 @@ mod tests {
 
     fn by_all(mesh: &Mesh, poisson: f64, at: [f64; 2]) -> [f64; 3] {
         let mut by: [Vec<f64>; 3] = std::array::from_fn(|_| Vec::new());
-        Cuts::new(mesh).displace(poisson, at, &mut by);
+        Cuts::new(mesh, vec![1.0; mesh.len()]).displace(poisson, at, &mut by);
         by.map(|by| by.iter().sum())
     }
 

@@ -1,7 +1,6 @@
 //! One resolution, prepared: elements, their pressure, and the slip of each by the traction of
 //! every other.
 
-use std::f64::consts::PI;
 
 use super::forcing::{self, SlipForcing};
 use super::influence::Influence;
@@ -72,8 +71,7 @@ impl Grid {
         // Slip in units of mu c / rho: (4.20) with the unit of slip mu f00.
         let slip_unit = (1.0 - poisson) * ellipse.integrals().e / (2.0 * ellipse.g().sqrt());
         let stencils: Vec<_> = mesh.strips.iter().map(SlipStencil::steady).collect();
-        let influence = Influence::new(&mesh, poisson, &stencils);
-        let mut grid = Self::new(mesh, pressure, influence, slip_unit, &stencils);
+        let mut grid = Self::new(mesh, pressure, poisson, slip_unit, &stencils);
         if kappa_over_mu != 0.0 {
             let factor = kappa_over_mu / slip_unit;
             let by_pressure = forcing::by_hertz_pressure(ellipse, &stencils);
@@ -82,18 +80,16 @@ impl Grid {
         grid
     }
 
-    /// Any mesh and pressure, with the slip by tractions in units of `pi G`; `slip_unit` is the unit of slip over the largest traction bound in
+    /// Any mesh and pressure; `slip_unit` is the unit of slip over the largest traction bound in
     /// units of `G`.
     pub(crate) fn new(
         mesh: Mesh,
         pressure: Pressure,
-        influence: Influence,
+        poisson: f64,
         slip_unit: f64,
         stencils: &[SlipStencil],
     ) -> Self {
-        let scale = 1.0 / (PI * slip_unit);
-        let factors: Vec<f64> = pressure.bounds.iter().map(|bound| scale * bound).collect();
-        let influence = influence.with_columns_times(&factors);
+        let influence = Influence::new(&mesh, poisson, stencils, pressure.units(slip_unit));
         let strips = (0..mesh.strips.len()).flat_map(|s| mesh.elements(s).map(move |e| (s, e)));
         Self {
             weights: strips.map(|(strip, e)| WEIGHT / influence.own(strip, e)).collect(),
@@ -172,8 +168,7 @@ mod tests {
     fn on(mesh: Mesh) -> Grid {
         let pressure = Pressure::hertz(ellipse(), &mesh);
         let stencils: Vec<_> = mesh.strips.iter().map(SlipStencil::steady).collect();
-        let influence = Influence::new(&mesh, POISSON, &stencils);
-        Grid::new(mesh, pressure, influence, slip_unit(), &stencils)
+        Grid::new(mesh, pressure, POISSON, slip_unit(), &stencils)
     }
 
     fn force(grid: &Grid, [xi, eta, chi]: [f64; 3]) -> [f64; 3] {

@@ -44,12 +44,18 @@ struct Place {
 }
 
 impl Influence {
-    /// Slip by tractions in units of `pi G`, on any mesh; `stencils` are those of the strips.
-    pub(crate) fn new(mesh: &Mesh, poisson: f64, stencils: &[SlipStencil]) -> Self {
+    /// Slip by tractions over `units`, one an element, in units of `pi G`; `stencils` are those of the
+    /// strips.
+    pub(crate) fn new(
+        mesh: &Mesh,
+        poisson: f64,
+        stencils: &[SlipStencil],
+        units: Vec<f64>,
+    ) -> Self {
         let strips = stencils.len();
         let stored = if mesh.mirrored { strips.div_ceil(2) } else { strips };
         let size = mesh.offsets()[stored] * mesh.len();
-        let mut cuts = Cuts::new(mesh);
+        let mut cuts = Cuts::new(mesh, units);
         let mut coefficients = std::array::from_fn(|_| Vec::with_capacity(size));
         let mut displacements: [Vec<f64>; 3] = std::array::from_fn(|_| Vec::new());
         for stencil in &stencils[..stored] {
@@ -63,16 +69,9 @@ impl Influence {
         }
         let rows = mesh.all().map(|(strip, i)| place(mesh, stored, strip, i)).collect();
         let (single, offsets) = (Default::default(), mesh.offsets().to_vec());
-        Self { coefficients, single, rows, offsets, mirrored: mesh.mirrored }
-    }
-
-    /// The same by tractions over `factors`, one an element.
-    pub(crate) fn with_columns_times(mut self, factors: &[f64]) -> Self {
-        for row in self.coefficients.iter_mut().flat_map(|c| c.chunks_exact_mut(factors.len())) {
-            row.iter_mut().zip(factors).for_each(|(entry, factor)| *entry *= factor);
-        }
-        self.copy_to_single();
-        self
+        let mut all = Self { coefficients, single, rows, offsets, mirrored: mesh.mirrored };
+        all.copy_to_single();
+        all
     }
 
     #[allow(clippy::cast_possible_truncation)] // single precision is meant
@@ -282,9 +281,9 @@ mod tests {
     fn the_upper_half_mirrors_the_lower() {
         let mesh = Mesh::ellipse(Ellipse::from_ratio(0.7).unwrap(), 5, 4);
         let stencils: Vec<_> = mesh.strips.iter().map(SlipStencil::steady).collect();
-        let one = [1.0; 20];
-        let half = Influence::new(&mesh, 0.3, &stencils).with_columns_times(&one);
-        let all = Influence::new(&Mesh::new(mesh.strips), 0.3, &stencils).with_columns_times(&one);
+        let one = vec![1.0; 20];
+        let half = Influence::new(&mesh, 0.3, &stencils, one.clone());
+        let all = Influence::new(&Mesh::new(mesh.strips), 0.3, &stencils, one);
         let vector: Vec<f64> = (0..40).map(|k| f64::from(k).sin()).collect();
         let [of_half, of_all] = [&half, &all].map(|influence| {
             let mut tractions = Tractions::zeros(influence);

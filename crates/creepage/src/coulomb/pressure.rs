@@ -61,6 +61,15 @@ impl Pressure {
         pressure
     }
 
+    /// The unit of each element's traction, its bound, that makes displacements by [`Cuts`] slip;
+    /// `slip_unit` is the unit of slip over the largest bound in units of `G`.
+    ///
+    /// [`Cuts`]: super::cuts::Cuts
+    pub(crate) fn units(&self, slip_unit: f64) -> Vec<f64> {
+        let scale = 1.0 / (PI * slip_unit);
+        self.bounds.iter().map(|bound| scale * bound).collect()
+    }
+
     /// Multiplies all loads and all bounds.
     pub(crate) fn scale(&mut self, loads: f64, bounds: f64) {
         let cells = self.subcells.iter_mut().flat_map(|cells| cells.as_flattened_mut());

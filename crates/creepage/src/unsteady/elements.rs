@@ -1,6 +1,5 @@
 //! What does not change while the contact rolls: elements, and the displacements by their tractions.
 
-use std::f64::consts::PI;
 
 use crate::coulomb::forcing;
 use crate::coulomb::grid::Grid;
@@ -60,10 +59,8 @@ impl Elements {
         let steady = Grid { rounding: 0.0, ..steady };
         let mesh = &steady.mesh;
         let points: Vec<_> = mesh.strips.iter().map(|s| SlipStencil::steady(s).points).collect();
-        let scale = 1.0 / (PI * slip_unit);
-        let factors: Vec<f64> = steady.pressure.bounds.iter().map(|bound| scale * bound).collect();
-        let displacements =
-            Influence::displacements(mesh, poisson, &points).with_columns_times(&factors);
+        let units = steady.pressure.units(slip_unit);
+        let displacements = Influence::displacements(mesh, poisson, &points, units);
         let mut first = 0;
         let mut rows = Vec::with_capacity(points.len());
         for (strip, points) in mesh.strips.iter().zip(&points) {

@@ -9,7 +9,6 @@ use super::elements::Elements;
 use super::rolling::{Rolling, remembered};
 use crate::check::{self, InvalidValue};
 use crate::coulomb::grid::Grid;
-use crate::coulomb::influence::Influence;
 use crate::coulomb::mesh::{Mesh, SUBCELLS, Strip, cut};
 use crate::coulomb::pressure::Pressure;
 use crate::coulomb::stencil::SlipStencil;
@@ -86,9 +85,8 @@ fn elements(pressed: Ellipse, length: f64, poisson: f64, count: usize) -> Elemen
     let mut pressure = Pressure::hertz(pressed, &mesh);
     pressure.scale(pressure.shares.iter().sum::<f64>().recip(), 1.0);
     let stencils: Vec<_> = mesh.strips.iter().map(SlipStencil::steady).collect();
-    let influence = Influence::new(&mesh, poisson, &stencils);
     // (1.2): the unit of slip mu a / rho over the largest traction mu p0, in units of G.
     let slip_unit = 0.5 * (1.0 - poisson);
-    let grid = Grid::new(mesh, pressure, influence, slip_unit, &stencils);
+    let grid = Grid::new(mesh, pressure, poisson, slip_unit, &stencils);
     Elements::new(grid, poisson, slip_unit, [1.0, f64::INFINITY])
 }

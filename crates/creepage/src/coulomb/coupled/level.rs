@@ -7,7 +7,6 @@ use super::attraction::Attraction;
 use super::normal::{Normal, Pressed};
 use super::shape::Shape;
 use crate::coulomb::grid::Grid;
-use crate::coulomb::influence::Influence;
 use crate::coulomb::mesh::Mesh;
 use crate::coulomb::mixing::Mixing;
 use crate::coulomb::pressure::Pressure;
@@ -216,7 +215,6 @@ impl Level {
         let (mesh, pressure) = self.elements(hertz, shape, pressed);
         let stencils: Vec<_> = mesh.strips.iter().map(SlipStencil::steady).collect();
         let attraction = Attraction::new(&mesh);
-        let influence = Influence::new(&mesh, coupling.poisson, &stencils);
         // Hertz's own in closed form, and by elements only how much it changes.
         let changed = slip_by(&attraction, &pressure, &stencils);
         let before = hertz.pressure_slip.iter().zip(&self.slip_by_elements);
@@ -224,7 +222,7 @@ impl Level {
             [0, 1].map(|k| hertz[k] + coupling.slip * (changed[k] - by_elements[k]))
         });
         let slip = slip.collect();
-        let grid = Grid::new(mesh, pressure, influence, coupling.slip_unit, &stencils);
+        let grid = Grid::new(mesh, pressure, coupling.poisson, coupling.slip_unit, &stencils);
         (Grid { pressure_slip: slip, rounding: hertz.rounding, ..grid }, attraction)
     }
 }

@@ -6,10 +6,15 @@ use crate::coulomb::cuts::Cuts;
 use crate::coulomb::mesh::Mesh;
 
 impl Influence {
-    /// Displacements by tractions in units of `pi G`, at `points` of every strip, a row a point in
-    /// their order.
-    pub(crate) fn displacements(mesh: &Mesh, poisson: f64, points: &[Vec<[f64; 2]>]) -> Self {
-        let (stored, mut cuts) = (stored(mesh), Cuts::new(mesh));
+    /// Displacements by tractions over `units`, one an element, in units of `pi G`, at `points` of
+    /// every strip, a row a point in their order.
+    pub(crate) fn displacements(
+        mesh: &Mesh,
+        poisson: f64,
+        points: &[Vec<[f64; 2]>],
+        units: Vec<f64>,
+    ) -> Self {
+        let (stored, mut cuts) = (stored(mesh), Cuts::new(mesh, units));
         let count: usize = points[..stored].iter().map(Vec::len).sum();
         let mut coefficients = std::array::from_fn(|_| Vec::with_capacity(count * mesh.len()));
         for at in points[..stored].iter().flatten() {
