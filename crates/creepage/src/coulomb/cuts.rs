@@ -217,7 +217,8 @@ mod tests {
         let x = [[-1.0, 1.0], [-0.4, 1.2]];
         let whole = quadrilateral(x, [-0.3, 0.5]);
         let mut pieces = whole.strips[0].clone();
-        pieces.along = (0..=5 * SUBCELLS).map(|k| 1.0 - k as f64 / (2.5 * SUBCELLS as f64)).collect();
+        pieces.along =
+            (0..=5 * SUBCELLS).map(|k| 1.0 - k as f64 / (2.5 * SUBCELLS as f64)).collect();
         let pieces = Mesh::new(vec![pieces]);
         let on_cut = pieces.strips[0].middle_cut(2);
         for at in [[0.1, 0.2], [0.3, -0.3], [1.0, -0.3], on_cut, [4.0, -3.0], [0.0, 0.5]] {

@@ -1,7 +1,6 @@
 //! One resolution, prepared: elements, their pressure, and the slip of each by the traction of
 //! every other.
 
-
 use super::forcing::{self, SlipForcing};
 use super::influence::Influence;
 use super::mesh::Mesh;

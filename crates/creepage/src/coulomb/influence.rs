@@ -4,6 +4,7 @@
 //! upper half are those of the lower by the tractions in mirrored order: only half is computed and
 //! kept. Nothing outside of this file and of [`Tractions`] depends on that.
 
+mod coefficients;
 mod points;
 
 use std::ops::Range;
@@ -12,6 +13,7 @@ use super::cuts::Cuts;
 use super::mesh::Mesh;
 use super::product::Row;
 use super::stencil::SlipStencil;
+use coefficients::Coefficients;
 
 /// How precisely slip is needed: sweeps only come near a solution, with half the memory to read.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -24,9 +26,7 @@ pub(crate) enum Precision {
 /// Coefficients of the slip of each element, row by row.
 #[derive(Debug, Clone)]
 pub(crate) struct Influence {
-    /// Slip in `x` by `x`; in `x` by `y` and in `y` by `x`; in `y` by `y`.
-    coefficients: [Vec<f64>; 3],
-    single: [Vec<f32>; 3],
+    coefficients: Coefficients,
     rows: Vec<Place>,
     /// First element of every strip, and the number of all.
     offsets: Vec<usize>,
@@ -56,30 +56,21 @@ impl Influence {
         let stored = if mesh.mirrored { strips.div_ceil(2) } else { strips };
         let size = mesh.offsets()[stored] * mesh.len();
         let mut cuts = Cuts::new(mesh, units);
-        let mut coefficients = std::array::from_fn(|_| Vec::with_capacity(size));
+        let mut coefficients = Coefficients::with_capacity(size);
         let mut displacements: [Vec<f64>; 3] = std::array::from_fn(|_| Vec::new());
         for stencil in &stencils[..stored] {
             displacements.iter_mut().for_each(Vec::clear);
             for point in &stencil.points {
                 cuts.displace(poisson, *point, &mut displacements);
             }
-            for (row, by) in coefficients.iter_mut().zip(&displacements) {
+            for (row, by) in coefficients.double.iter_mut().zip(&displacements) {
                 append(stencil, by, mesh.len(), row);
             }
         }
         let rows = mesh.all().map(|(strip, i)| place(mesh, stored, strip, i)).collect();
-        let (single, offsets) = (Default::default(), mesh.offsets().to_vec());
-        let mut all = Self { coefficients, single, rows, offsets, mirrored: mesh.mirrored };
-        all.copy_to_single();
-        all
-    }
-
-    #[allow(clippy::cast_possible_truncation)] // single precision is meant
-    fn copy_to_single(&mut self) {
-        for (single, double) in self.single.iter_mut().zip(&self.coefficients) {
-            single.clear();
-            single.extend(double.iter().map(|entry| *entry as f32));
-        }
+        coefficients.copy_to_single();
+        let offsets = mesh.offsets().to_vec();
+        Self { coefficients, rows, offsets, mirrored: mesh.mirrored }
     }
 
     /// The same where every element moves the surface at itself, and nowhere else, by `own` more.
@@ -94,12 +85,12 @@ impl Influence {
                 // Point 0 is the leading edge, then comes the centre of each element.
                 for (point, weight) in weights.iter().filter(|(point, _)| *point > 0) {
                     let by = elements.start + point - 1;
-                    self.coefficients[0][start + by] += weight * own[by];
-                    self.coefficients[2][start + by] += weight * own[by];
+                    self.coefficients.double[0][start + by] += weight * own[by];
+                    self.coefficients.double[2][start + by] += weight * own[by];
                 }
             }
         }
-        self.copy_to_single();
+        self.coefficients.copy_to_single();
         self
     }
 
@@ -115,7 +106,7 @@ impl Influence {
         match precision {
             Precision::Single => {
                 let [x, y] = &tractions.single[image];
-                let [xx, xy, yy] = self.single.each_ref().map(|c| &c[range.clone()]);
+                let [xx, xy, yy] = self.coefficients.single.each_ref().map(|c| &c[range.clone()]);
                 Row { xx, xy, yy }.apply(sign, x, y)
             }
             Precision::Double => {
@@ -143,8 +134,14 @@ impl Influence {
     }
 
     fn row(&self, range: Range<usize>) -> Row<'_> {
-        let [xx, xy, yy] = &self.coefficients;
+        let [xx, xy, yy] = &self.coefficients.double;
         Row { xx: &xx[range.clone()], xy: &xy[range.clone()], yy: &yy[range] }
+    }
+}
+
+impl Drop for Influence {
+    fn drop(&mut self) {
+        std::mem::take(&mut self.coefficients).keep();
     }
 }
 

@@ -1,6 +1,5 @@
 //! What does not change while the contact rolls: elements, and the displacements by their tractions.
 
-
 use crate::coulomb::forcing;
 use crate::coulomb::grid::Grid;
 use crate::coulomb::influence::Influence;

@@ -1,7 +1,7 @@
 //! Displacements at points, kept for themselves, and slip as any combination of them: what rolling
 //! that is not steady needs, where the combination changes from step to step.
 
-use super::{Influence, Place};
+use super::{Coefficients, Influence, Place};
 use crate::coulomb::cuts::Cuts;
 use crate::coulomb::mesh::Mesh;
 
@@ -16,9 +16,9 @@ impl Influence {
     ) -> Self {
         let (stored, mut cuts) = (stored(mesh), Cuts::new(mesh, units));
         let count: usize = points[..stored].iter().map(Vec::len).sum();
-        let mut coefficients = std::array::from_fn(|_| Vec::with_capacity(count * mesh.len()));
+        let mut coefficients = Coefficients::with_capacity(count * mesh.len());
         for at in points[..stored].iter().flatten() {
-            cuts.displace(poisson, *at, &mut coefficients);
+            cuts.displace(poisson, *at, &mut coefficients.double);
         }
         let mut starts = vec![0];
         starts.extend(points.iter().scan(0, |end, points| {
@@ -33,7 +33,6 @@ impl Influence {
         let rows = strips.flat_map(|(strip, at)| (0..at.len()).map(move |k| (strip, k))).map(row);
         Self {
             coefficients,
-            single: Default::default(),
             rows: rows.collect(),
             offsets: mesh.offsets().to_vec(),
             mirrored: mesh.mirrored,
@@ -44,7 +43,7 @@ impl Influence {
     /// factors.
     pub(crate) fn combine(&self, mesh: &Mesh, weights: &[[(usize, f64); 3]], slip: &mut Self) {
         let (n, stored) = (mesh.len(), stored(mesh));
-        for (to, from) in slip.coefficients.iter_mut().zip(&self.coefficients) {
+        for (to, from) in slip.coefficients.double.iter_mut().zip(&self.coefficients.double) {
             to.clear();
             for [(a, wa), (b, wb), (c, wc)] in &weights[..mesh.offsets()[stored]] {
                 let [a, b, c] = [*a, *b, *c].map(|row| {
@@ -55,7 +54,7 @@ impl Influence {
                 to.extend(rows.map(|((a, b), c)| wa * a + wb * b + wc * c));
             }
         }
-        slip.copy_to_single();
+        slip.coefficients.copy_to_single();
     }
 }
 
