@@ -279,22 +279,31 @@ impl AreasPicture<'_> {
         (area / ARROWS).sqrt().clamp(RANGE[0], RANGE[1])
     }
 
-    /// The element nearest to the middle of each cell of the lattice.
+    /// An element for each cell of the lattice: of the strip nearest to the cell's middle, so that rows
+    /// are straight, the nearest.
     fn chosen(&self, view: &View, pitch: f64) -> impl Iterator<Item = &ElementField> {
         let mut cells = std::collections::BTreeMap::new();
         for element in self.elements {
-            let cell = [0, 1].map(|k: usize| {
-                MM * self.scaling.length * element.point.position[k] * view.scale[k] / pitch
-            });
-            let key = cell.map(|at| quantized(at.round()));
-            let off = (cell[0] - cell[0].round()).hypot(cell[1] - cell[1].round());
-            let best = cells.entry(key).or_insert((off, element));
-            if off < best.0 {
-                *best = (off, element);
+            let middle = [element.point.position[0], strip_middle(element)];
+            let cell = [0, 1].map(|k| MM * self.scaling.length * middle[k] * view.scale[k] / pitch);
+            let [along, across] = cell.map(|at| (at - at.round()).abs());
+            let best = cells
+                .entry(cell.map(|at| quantized(at.round())))
+                .or_insert(([across, along], element));
+            if [across, along] < best.0 {
+                *best = ([across, along], element);
             }
         }
         cells.into_values().map(|(_, element)| element)
     }
+}
+
+/// `y` of the middle of an element's strip.
+fn strip_middle(element: &ElementField) -> f64 {
+    let y = element.corners.map(|[_, y]| y);
+    let [low, high] =
+        [y.iter().copied().fold(y[0], f64::min), y.iter().copied().fold(y[0], f64::max)];
+    f64::midpoint(low, high)
 }
 
 #[allow(clippy::cast_possible_truncation)] // a few hundred cells
