@@ -32,6 +32,16 @@ impl Cubic {
     }
 }
 
+impl Cubic {
+    /// Its value, where that is the same everywhere but for rounding of lengths like the abscissae.
+    pub(super) fn constant(&self) -> Option<f64> {
+        const ROUNDING: f64 = 1e-13;
+        let (first, span) = (*self.value.first()?, self.x.last()? - self.x.first()?);
+        let is_same = |value: &f64| (value - first).abs() <= ROUNDING * span;
+        self.value.iter().all(is_same).then_some(first)
+    }
+}
+
 /// A place inside one interval of the abscissae: the weights of values and slopes there.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Cell {

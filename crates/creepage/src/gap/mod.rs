@@ -201,9 +201,23 @@ impl Gap {
         }
     }
 
-    /// Of a section at `y`: its height at the locus, half the curvature along, the locus.
+    /// The section along x at `y`, where that is a parabola: its height at the locus, half its
+    /// curvature, the locus.
     pub(crate) fn parabola(&self, y: f64) -> Option<[f64; 3]> {
-        if let Shape::Section(section) = &self.shape { Some(section.row(y)) } else { None }
+        match &self.shape {
+            Shape::Polynomial(polynomial) => polynomial.parabola(y),
+            Shape::Section(section) => Some(section.row(y)),
+            Shape::Grid(_) | Shape::Function(_) => None,
+        }
+    }
+
+    /// The x about which parabolas along x are symmetric, where all have the same.
+    pub(crate) fn axis(&self) -> Option<f64> {
+        match &self.shape {
+            Shape::Polynomial(polynomial) => polynomial.is_even_parabola().then_some(0.0),
+            Shape::Section(section) => section.axis(),
+            Shape::Grid(_) | Shape::Function(_) => None,
+        }
     }
 
     /// How many of the given points lie in a rectangle, along x and along y; `None` for a

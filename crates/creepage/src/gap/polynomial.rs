@@ -70,6 +70,21 @@ impl Polynomial {
         self.columns.len().saturating_sub(1)
     }
 
+    /// At `y`, where it opens as a parabola: height at the locus, half the curvature, the locus.
+    pub(super) fn parabola(&self, y: f64) -> Option<[f64; 3]> {
+        let at = |power: usize| self.columns.get(power).map_or(0.0, |column| horner(column, y));
+        let [height, slope, bend] = [at(0), at(1), at(2)];
+        let locus = -0.5 * slope / bend;
+        let opens = self.power_of_x() == 2 && bend > 0.0;
+        opens.then_some([height + 0.5 * slope * locus, bend, locus])
+    }
+
+    /// Whether it is a parabola along x about x = 0 everywhere.
+    pub(super) fn is_even_parabola(&self) -> bool {
+        let slopes = self.columns.get(1).into_iter().flatten();
+        self.power_of_x() == 2 && slopes.into_iter().all(|coefficient| *coefficient == 0.0)
+    }
+
     /// The gap at the origin.
     pub(super) fn constant(&self) -> f64 {
         self.at(0.0, 0.0)

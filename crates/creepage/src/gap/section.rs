@@ -69,6 +69,14 @@ impl Section {
         }
     }
 
+    /// The locus, where it is the same everywhere.
+    pub(super) fn axis(&self) -> Option<f64> {
+        match &self.along {
+            Along::Constant(_) | Along::Varying { locus: None, .. } => Some(0.0),
+            Along::Varying { locus: Some(locus), .. } => locus.constant(),
+        }
+    }
+
     /// The points' y, increasing.
     pub(super) fn y(&self) -> &[f64] {
         &self.y

@@ -180,7 +180,7 @@ fn by_strips(
     const ENOUGH: [f64; 2] = [1e-5, 1e-6];
     /// Stiffness: of an answer, and where one only searches.
     const NEARLY: [f64; 2] = [2e-3, 0.05];
-    let terms = if task.gap.is_parabola_along() { 2 } else { 4 };
+    let terms = strips::terms(task.gap);
     let load = if let Asked::Load(load) = asked { Some(load) } else { None };
     let count = resolution.count;
     let next = |start: &[Patch], approach: f64, wanted: Wanted| {

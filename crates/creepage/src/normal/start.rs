@@ -17,6 +17,9 @@ const VIRTUAL: f64 = 0.55;
 /// gaps, at the end of the section, and where an area has few rows.
 pub(super) fn by_virtual_penetration(task: Task<'_>) -> Option<Vec<Patch>> {
     let [low, high] = task.gap.domain().y;
+    if !(high - low).is_finite() {
+        return None;
+    }
     let y = |row: u32| low + (high - low) * f64::from(row) / f64::from(ROWS);
     let rows = (0..=ROWS).map(|row| Some((y(row), task.gap.parabola(y(row))?)));
     let rows: Vec<(f64, [f64; 3])> = rows.collect::<Option<_>>()?;

@@ -13,10 +13,12 @@ use super::contact::Patch;
 use super::lattice::whole;
 use super::level::Task;
 use super::solve::Found;
+use crate::gap::Gap;
 pub(crate) use kernel::{MOST, profile};
 pub(crate) use newton::{Question, Stopped, Touching, solve as touching};
 pub(crate) use strip::Strip;
 use strip::Units;
+pub(crate) use system::CENTRED;
 
 /// What is asked of strips.
 #[derive(Debug, Clone, Copy)]
@@ -25,7 +27,7 @@ pub(super) struct Wanted {
     pub(super) load: Option<f64>,
     /// Strips across the widest patch.
     pub(super) count: usize,
-    /// Polynomials in a strip's pressure.
+    /// Polynomials in a strip's pressure; with one alone, strips stay where they are laid.
     pub(super) terms: usize,
     /// Largest residual over the depth.
     pub(super) enough: f64,
@@ -33,6 +35,16 @@ pub(super) struct Wanted {
     pub(super) nearly: f64,
     /// Whether the bodies must nowhere overlap beyond the strips.
     pub(super) complete: bool,
+}
+
+/// Polynomials that a strip's pressure needs: on a parabola along rolling two, on any other section four.
+/// Where all sections are symmetric about one x, so are the pressures.
+pub(super) fn terms(gap: &Gap) -> usize {
+    match (gap.is_parabola_along(), gap.axis()) {
+        (true, Some(_)) => CENTRED,
+        (true, None) => 2,
+        (false, _) => 4,
+    }
 }
 
 /// Solves from patches close by.
@@ -54,7 +66,13 @@ pub(super) fn solve(task: Task<'_>, start: &[Patch], wanted: Wanted) -> Option<F
     let question = Question { depth: &gap, load, enough, nearly };
     let (mut start, mut settled) = (start.to_vec(), 0);
     for _ in 0..ATTEMPTS {
-        let laid = laid(&start, count, terms, units)?;
+        let mut laid = laid(&start, count, terms, units)?;
+        if terms == CENTRED
+            && let Some(axis) = task.gap.axis()
+        {
+            let centre = (axis - units.origin[0]) / units.length;
+            laid.iter_mut().for_each(|strip| strip.centre = centre);
+        }
         match touching(laid.clone(), terms, question) {
             Ok(touching) if touching.strips.iter().all(is_pressed) => {
                 let patches = patches(&start, &touching.strips, units);

@@ -9,6 +9,7 @@ use crate::normal::level::Task;
 use super::kernel::{RULES, View};
 use super::newton::{Depth, Touching};
 use super::strip::{Strip, Units};
+use super::system::CENTRED;
 
 /// Rows, and columns where the gap is not a parabola along them.
 const ROWS: u32 = 160;
@@ -28,10 +29,10 @@ pub(super) fn stays_open(
     let Some(points) = points(task, &touching.strips, units) else { return false };
     let (strips, arch) = (&touching.strips[..], Arch::new());
     let places: Vec<[f64; 2]> = points.into_iter().filter(|[x, y]| depth(*x, *y) > LEAST).collect();
-    let displaced = if terms == 2 {
-        arch.dispatch(Displaced::<2> { strips, places: &places })
-    } else {
-        arch.dispatch(Displaced::<4> { strips, places: &places })
+    let displaced = match terms {
+        CENTRED => arch.dispatch(Displaced::<1> { strips, places: &places }),
+        2 => arch.dispatch(Displaced::<2> { strips, places: &places }),
+        _ => arch.dispatch(Displaced::<4> { strips, places: &places }),
     };
     places.iter().zip(displaced).all(|([x, y], by)| depth(*x, *y) - by < LEAST)
 }

@@ -14,15 +14,21 @@ use super::strip::Strip;
 pub(super) struct System {
     pub(super) strips: Vec<Strip>,
     pub(super) terms: usize,
+    /// Of each strip, over its half length.
     pub(super) points: Vec<f64>,
     /// What is added to the depth.
     pub(super) deeper: f64,
 }
 
-/// Zeros of Chebyshev's polynomial: as many as a strip has unknowns.
+/// So many polynomials are symmetric pressures about a centre that is known.
+pub(crate) const CENTRED: usize = 1;
+
+/// Zeros of Chebyshev's polynomial: as many as a strip has unknowns. Of a symmetric strip those to one
+/// side are enough.
 pub(super) fn points(terms: usize) -> Vec<f64> {
-    let count = terms + 2;
-    (0..count).map(|i| -((2 * i + 1) as f64 * PI / (2 * count) as f64).cos()).collect()
+    let count = if terms == CENTRED { 4 } else { terms + 2 };
+    let zeros = (0..count).map(|i| -((2 * i + 1) as f64 * PI / (2 * count) as f64).cos());
+    zeros.filter(|zero| terms != CENTRED || *zero > 0.0).collect()
 }
 
 /// Displacement less depth at the points of all strips, and with `SLOPES` its derivatives by the
@@ -56,10 +62,15 @@ impl<const T: usize, const SLOPES: bool> WithSimd for Evaluate<'_, T, SLOPES> {
 }
 
 impl System {
-    /// Unknowns of a strip: its pressures, its centre in half lengths, the logarithm of its half
-    /// length.
+    /// Unknowns of a strip: its pressures, its centre in half lengths unless that is known, the
+    /// logarithm of its half length.
     pub(super) fn size(&self) -> usize {
-        self.terms + 2
+        self.terms + self.lengths()
+    }
+
+    /// Those of the unknowns that are lengths.
+    fn lengths(&self) -> usize {
+        if self.terms == CENTRED { 1 } else { 2 }
     }
 
     pub(super) fn residual(&self, depth: Depth<'_>) -> DVector<f64> {
@@ -68,6 +79,7 @@ impl System {
         let arch = Arch::new();
         let rows = &mut [][..];
         match self.terms {
+            CENTRED => arch.dispatch(Evaluate::<1, false> { system, depth, residual: out, rows }),
             2 => arch.dispatch(Evaluate::<2, false> { system, depth, residual: out, rows }),
             4 => arch.dispatch(Evaluate::<4, false> { system, depth, residual: out, rows }),
             _ => arch.dispatch(Evaluate::<MOST, false> { system, depth, residual: out, rows }),
@@ -83,6 +95,7 @@ impl System {
         let (system, residual, rows) = (self, &mut residual[..], &mut matrix[..]);
         let arch = Arch::new();
         match self.terms {
+            CENTRED => arch.dispatch(Evaluate::<1, true> { system, depth, residual, rows }),
             2 => arch.dispatch(Evaluate::<2, true> { system, depth, residual, rows }),
             4 => arch.dispatch(Evaluate::<4, true> { system, depth, residual, rows }),
             _ => arch.dispatch(Evaluate::<MOST, true> { system, depth, residual, rows }),
@@ -101,7 +114,8 @@ impl System {
         depth: Depth<'_>,
         row: &mut [f64],
     ) -> f64 {
-        let (strip, s) = (&self.strips[i], self.points[l]);
+        let (strip, s, size) =
+            (&self.strips[i], self.points[l], T + if T == CENTRED { 1 } else { 2 });
         let x = strip.centre + strip.half * s;
         let (mut displacement, mut slope) = (0.0, 0.0);
         for (j, source) in self.strips.iter().enumerate() {
@@ -112,23 +126,27 @@ impl System {
             let value: f64 = parts.map(|(value, pressure)| value * pressure).sum();
             displacement += scale * value;
             if SLOPES {
-                let own = &mut row[j * (T + 2)..(j + 1) * (T + 2)];
+                let own = &mut row[j * size..(j + 1) * size];
                 let by_x = integrals.by_x;
                 for (own, value) in own.iter_mut().zip(&integrals.value) {
                     *own += scale * value;
                 }
                 let distance = (x - source.centre) / source.half;
                 slope += by_x / PI;
-                own[T] -= scale * by_x;
-                own[T + 1] += scale * (value - distance * by_x - integrals.by_e);
+                if T != CENTRED {
+                    own[T] -= scale * by_x;
+                }
+                own[size - 1] += scale * (value - distance * by_x - integrals.by_e);
             }
         }
         if SLOPES {
             const STEP: f64 = 1e-3;
             let h = STEP * strip.half;
             slope -= (depth(x + h, strip.y) - depth(x - h, strip.y)) / (2.0 * h);
-            row[i * (T + 2) + T] += slope * strip.half;
-            row[i * (T + 2) + T + 1] += slope * strip.half * s;
+            if T != CENTRED {
+                row[i * size + T] += slope * strip.half;
+            }
+            row[(i + 1) * size - 1] += slope * strip.half * s;
         }
         displacement
     }
@@ -136,7 +154,8 @@ impl System {
     /// Largest part by which a step changes a half length, a place, or a pressure over the largest.
     pub(super) fn change(&self, step: &DVector<f64>) -> f64 {
         let largest = self.strips.iter().fold(0.0, |most: f64, s| most.max(s.pressure[0].abs()));
-        let units = std::iter::repeat_n(largest, self.terms).chain([1.0; 2]).cycle();
+        let units = std::iter::repeat_n(largest, self.terms);
+        let units = units.chain(std::iter::repeat_n(1.0, self.lengths())).cycle();
         step.iter()
             .zip(units)
             .fold(0.0, |most: f64, (change, unit)| most.max((change / unit).abs()))
@@ -147,9 +166,8 @@ impl System {
     fn longest(&self, step: &DVector<f64>) -> Option<f64> {
         const MOST: f64 = 0.35;
         let size = self.size();
-        let largest = (0..self.strips.len())
-            .flat_map(|j| [step[j * size + self.terms], step[j * size + self.terms + 1]])
-            .fold(0.0, |largest: f64, change| largest.max(change.abs()));
+        let lengths = step.as_slice().chunks_exact(size).flat_map(|own| &own[self.terms..]);
+        let largest = lengths.fold(0.0, |largest: f64, change| largest.max(change.abs()));
         step.iter().all(|change| change.is_finite()).then(|| (MOST / largest).min(1.0))
     }
 
@@ -191,7 +209,7 @@ impl System {
             let mut matrix = square.clone();
             for (i, strip) in self.strips.iter().enumerate() {
                 let end = (i + 1) * self.size();
-                for at in end - 2..end {
+                for at in end - self.lengths()..end {
                     matrix[(at, at)] += weight * strip.pressure[0].powi(2);
                 }
             }
@@ -207,11 +225,14 @@ impl System {
         let size = self.size();
         let strips = self.strips.iter().enumerate().map(|(j, strip)| {
             let mut strip = *strip;
-            for k in 0..self.terms {
-                strip.pressure[k] -= length * step[j * size + k];
+            let step = &step.as_slice()[j * size..(j + 1) * size];
+            for (pressure, change) in strip.pressure.iter_mut().zip(&step[..self.terms]) {
+                *pressure -= length * change;
             }
-            strip.centre -= length * step[j * size + self.terms] * strip.half;
-            strip.half *= (-length * step[j * size + self.terms + 1]).exp();
+            if let [centre, _] = step[self.terms..] {
+                strip.centre -= length * centre * strip.half;
+            }
+            strip.half *= (-length * step[size - 1]).exp();
             strip
         });
         let deeper = self.deeper + length * deeper;
@@ -228,7 +249,7 @@ impl System {
         let strips = self.strips.iter().enumerate();
         strips
             .map(|(j, strip)| {
-                let by_half = strip.pressure[0] * change[j * size + self.terms + 1];
+                let by_half = strip.pressure[0] * change[(j + 1) * size - 1];
                 PI * strip.width * strip.half * (change[j * size] + by_half)
             })
             .sum()
