@@ -44,6 +44,7 @@
 
 mod abandoned;
 mod accuracy;
+mod adhesion;
 mod bulk;
 mod case;
 mod caution;

@@ -1,7 +1,6 @@
 //! The picture of contact areas of any shape, seen from above: pressure in one panel; adhesion,
 //! slip and traction in the other.
 
-use creepage::Region;
 use creepage::SiForce;
 use creepage::coulomb::ElementField;
 use creepage::normal::{Band, NormalContact, Patch};
@@ -206,43 +205,64 @@ impl AreasPicture<'_> {
         })
     }
 
-    /// The elements that slide, on a ground of adhesion.
+    /// What adheres, on a ground of slip.
     fn regions(&self, panel: Panel) -> Panel {
-        let of = |region: Region| -> Vec<Vec<Point>> {
-            let elements = self.elements.iter().filter(|e| e.point.region == region);
-            elements.map(|element| self.within_band(element)).collect()
-        };
-        let [slip, adhesion] = [of(Region::Slip), of(Region::Adhesion)];
+        let all = |element| self.within_band(element, |_| Some([0.0, 1.0]));
+        let slip: Vec<Vec<Point>> = self.elements.iter().map(all).collect();
+        let part = |element| self.within_band(element, |up| adhering(element, up));
+        let adhesion = self.elements.iter().map(part).filter(|polygon| !polygon.is_empty());
+        let adhesion: Vec<Vec<Point>> = adhesion.collect();
         // Neighbours leave a hairline between them unless they overlap.
         let seam = |fill: Fill| Pen { colour: fill.colour, dashes: "", width: 0.8 };
         let panel = panel.outlines(&slip, seam(Fill::SLIP)).area(slip, Fill::SLIP);
         panel.outlines(&adhesion, seam(Fill::ADHESION)).area(adhesion, Fill::ADHESION)
     }
 
-    /// An element (mm), bent along with its band: its own straight sides leave a band that is
-    /// curved as sharply as near a blunt tip.
-    fn within_band(&self, element: &ElementField) -> Vec<Point> {
+    /// An element (mm), or its `part` from the trailing side, 0, to the leading, 1, by how far up it is;
+    /// bent along with its band: its own straight sides leave a band that is curved as sharply as near
+    /// a blunt tip.
+    fn within_band(
+        &self,
+        element: &ElementField,
+        part: impl Fn(f64) -> Option<[f64; 2]>,
+    ) -> Vec<Point> {
         const ROWS: u32 = 6;
-        let mut corners = element.corners.map(|corner| corner.map(|at| self.scaling.length * at));
-        corners.sort_by(|one, other| one[1].total_cmp(&other[1]));
-        let [a, b, c, d] = corners;
+        let corners = rows(element).map(|row| row.map(|(corner, _)| self.metres(corner)));
+        let ends = self.sides_within_band(corners);
+        let row = |k: u32| {
+            let up = f64::from(k) / f64::from(ROWS);
+            let ([y, from, to], part) = (ends(up)?, part(up)?);
+            Some(part.map(|part| [MM * (from + part * (to - from)), MM * y]))
+        };
+        let rows: Vec<[Point; 2]> = (0..=ROWS).filter_map(row).collect();
+        let trailing = rows.iter().map(|row| row[0]);
+        trailing.chain(rows.iter().rev().map(|row| row[1])).collect()
+    }
+
+    fn metres(&self, [x, y]: Point) -> Point {
+        [self.scaling.length * x, self.scaling.length * y]
+    }
+
+    /// `y` and the sides' `x` of an element with these corners, by how far up it is.
+    fn sides_within_band(
+        &self,
+        [[a, b], [c, d]]: [[Point; 2]; 2],
+    ) -> impl Fn(f64) -> Option<[f64; 3]> {
+        let between = |from: f64, to: f64, up: f64| from + up * (to - from);
         let [low, high] = [f64::midpoint(a[1], b[1]), f64::midpoint(c[1], d[1])];
-        let sides = [
-            f64::midpoint(a[0].min(b[0]), c[0].min(d[0])),
-            f64::midpoint(a[0].max(b[0]), c[0].max(d[0])),
-        ];
+        let sides = [f64::midpoint(a[0], c[0]), f64::midpoint(b[0], d[0])];
         let (x, y) = (f64::midpoint(sides[0], sides[1]), f64::midpoint(low, high));
         let ends_here = |band: &Band| band.ends(y).filter(|[from, to]| (*from..=*to).contains(&x));
-        let Some((band, [from, to])) = self.bands().find_map(|b| Some((b, ends_here(b)?))) else {
-            return [a, b, d, c].map(|corner| corner.map(|at| MM * at)).to_vec();
-        };
-        let shares = sides.map(|side| ((side - from) / (to - from)).clamp(0.0, 1.0));
-        let row = |k: u32, share: f64| {
-            let y = low + (high - low) * f64::from(k) / f64::from(ROWS);
-            band.ends(y).map(|[from, to]| [MM * (from + share * (to - from)), MM * y])
-        };
-        let up = (0..=ROWS).filter_map(|k| row(k, shares[0]));
-        up.chain((0..=ROWS).rev().filter_map(|k| row(k, shares[1]))).collect()
+        let band = self.bands().find_map(|band| Some((band, ends_here(band)?)));
+        move |up| {
+            let y = between(low, high, up);
+            let Some((band, [from, to])) = band else {
+                return Some([y, between(a[0], c[0], up), between(b[0], d[0], up)]);
+            };
+            let [rear, front] = band.ends(y)?;
+            let [p, q] = sides.map(|side| ((side - from) / (to - from)).clamp(0.0, 1.0));
+            Some([y, between(rear, front, p), between(rear, front, q)])
+        }
     }
 
     /// Tractions as arrows, one for each cell of a lattice over the areas, and a sample of a round
@@ -309,6 +329,33 @@ fn strip_middle(element: &ElementField) -> f64 {
 #[allow(clippy::cast_possible_truncation)] // a few hundred cells
 fn quantized(at: f64) -> i64 {
     at as i64
+}
+
+/// The corners of an element with their distances from the border of adhesion: the lower two, then the
+/// upper, each from the trailing side.
+fn rows(element: &ElementField) -> [[(Point, f64); 2]; 2] {
+    let [a, b, c, d] = element.corners;
+    let [p, q, r, s] = element.beyond;
+    let mut corners = [(a, p), (b, q), (c, r), (d, s)];
+    corners.sort_by(|one, other| one.0[1].total_cmp(&other.0[1]));
+    let [a, b, c, d] = corners;
+    let from_trailing = |one: (Point, f64), other: (Point, f64)| {
+        if one.0[0] <= other.0[0] { [one, other] } else { [other, one] }
+    };
+    [from_trailing(a, b), from_trailing(c, d)]
+}
+
+/// The part of an element that adheres, from the trailing side, 0, to the leading, 1, by how far up it is.
+fn adhering(element: &ElementField, up: f64) -> Option<[f64; 2]> {
+    let [low, high] = rows(element).map(|row| row.map(|(_, beyond)| beyond));
+    let [rear, front] = [0, 1].map(|k| low[k] + up * (high[k] - low[k]));
+    let border = rear / (rear - front);
+    match (rear <= 0.0, front <= 0.0) {
+        (true, true) => Some([0.0, 1.0]),
+        (true, false) => Some([0.0, border]),
+        (false, true) => Some([border, 1.0]),
+        (false, false) => None,
+    }
 }
 
 /// The trailing and the leading side of a band (mm), from low to high y.

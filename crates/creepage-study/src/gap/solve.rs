@@ -5,10 +5,7 @@ use creepage::coulomb::{ElementField, InverseError, NonHertzian, Resolution};
 use creepage::normal::{self, NormalContact, NormalError};
 use creepage::theory::Constraints;
 use creepage::theory::{ExactOptions, NamedResolution, ResolutionSpec};
-use creepage::{
-    Creepage, Force, InvalidValue, Region, Scaling, SiCreepage, SiForce, Solution, Solved,
-};
-use creepage_plot::signed_area;
+use creepage::{Creepage, Force, InvalidValue, Scaling, SiCreepage, SiForce, Solution, Solved};
 
 use super::caution::GapCaution;
 use super::error::GapCaseError;
@@ -16,7 +13,7 @@ use super::file::{GapCase, Pressed};
 use super::solver::GapSolver;
 use super::theory::GapTheory;
 use crate::damage::{Ground, of_elements};
-use crate::{CaseError, Damage, Unreachable};
+use crate::{CaseError, Damage, Unreachable, adhesion};
 
 /// A case of any shape and its solution, ready to be shown.
 #[derive(Debug, Clone)]
@@ -266,13 +263,10 @@ impl SolvedGap {
         }))
     }
 
-    /// Adhesion area over contact area, 0 to 1, counted by elements.
+    /// Adhesion area over contact area, 0 to 1.
     #[must_use]
     pub fn adhesion_share(&self) -> f64 {
-        let area = |element: &ElementField| signed_area(&element.corners).abs();
-        let all: f64 = self.elements.iter().map(area).sum();
-        let adhesion = |element: &&ElementField| element.point.region == Region::Adhesion;
-        self.elements.iter().filter(adhesion).map(area).sum::<f64>() / all
+        adhesion::share(&self.elements)
     }
 
     /// Given or found.

@@ -2,15 +2,14 @@
 
 use creepage::coulomb::ElementField;
 use creepage::normal::NormalContact;
-use creepage::{Force, Region, Scaling, SiCreepage, SiForce, Status, normal};
-use creepage_plot::signed_area;
+use creepage::{Force, Scaling, SiCreepage, SiForce, Status, normal};
 use creepage_rail::{Motion, Position, RollingCreepage, Running, Side};
 
 use super::case::RigidSlip;
 use super::derivatives::WheelsetDerivatives;
 use super::resultant::Resultant;
 use super::solver::{Pressed, PressedWheel, Rolled};
-use crate::{Damage, GapCaution, GapTheory};
+use crate::{Damage, GapCaution, GapTheory, adhesion};
 
 /// A wheelset whose contacts are solved.
 #[derive(Debug, Clone)]
@@ -124,13 +123,10 @@ impl SolvedContact {
         self.normal.load().value
     }
 
-    /// Adhesion area over contact area, 0 to 1, counted by elements.
+    /// Adhesion area over contact area, 0 to 1.
     #[must_use]
     pub fn adhesion_share(&self) -> f64 {
-        let area = |element: &ElementField| signed_area(&element.corners).abs();
-        let all: f64 = self.elements.iter().map(area).sum();
-        let adhesion = |element: &&ElementField| element.point.region == Region::Adhesion;
-        self.elements.iter().filter(adhesion).map(area).sum::<f64>() / all
+        adhesion::share(&self.elements)
     }
 
     /// What is to be held against its solution.

@@ -3,10 +3,12 @@
 //!
 //! - `cargo bench --bench exact -- random 100000`: failures and costs over the whole range,
 //! - `cargo bench --bench exact -- accuracy 300`: errors and error bars against 96 x 80 elements,
-//! - `cargo bench --bench exact -- smoothness 50`: ripples along lines of creepage.
+//! - `cargo bench --bench exact -- smoothness 50`: ripples along lines of creepage,
+//! - `cargo bench --bench exact -- border 60`: the border of adhesion against 96 x 80 elements.
 #![allow(missing_docs, clippy::unwrap_used, clippy::print_stdout)]
 
 mod accuracy;
+mod border;
 mod cost;
 mod random;
 mod smoothness;
@@ -23,6 +25,7 @@ fn main() {
     match arguments.first().map(String::as_str) {
         Some("random") => cost::print(count()),
         Some("accuracy") => accuracy::print(count()),
+        Some("border") => border::print(count()),
         Some("smoothness") => smoothness::print(count()),
         _ => divan::main(),
     }

@@ -89,6 +89,17 @@ impl Strip {
         [0.5 * (x0 + x1), 0.5 * (y0 + y1)]
     }
 
+    /// The angle in the middle of an element, whose sine is an `x` over the half-length.
+    pub(crate) fn middle_angle(&self, i: usize) -> f64 {
+        0.5 * (self.cut(i).asin() + self.cut(i + 1).asin())
+    }
+
+    /// The `x` on the middle line at an `x` over the half-length.
+    pub(crate) fn middle_x(&self, along: f64) -> f64 {
+        let mean = |ends: [f64; 2]| 0.5 * (ends[0] + ends[1]);
+        mean(self.middle) + mean(self.half_length) * along
+    }
+
     /// The element that holds an `x` over the half-length.
     pub(crate) fn element_at(&self, along: f64) -> usize {
         let last = self.len().saturating_sub(1);
@@ -98,8 +109,7 @@ impl Strip {
     /// The two elements next to an `x` over the half-length, with the weights of interpolation in
     /// the angle whose sine it is.
     fn around(&self, along: f64) -> [(usize, f64); 2] {
-        let middle = |i: usize| -0.5 * (self.cut(i).asin() + self.cut(i + 1).asin());
-        beside(self.element_at(along), self.len(), -along.asin(), middle)
+        beside(self.element_at(along), self.len(), -along.asin(), |i| -self.middle_angle(i))
     }
 
     /// Area of an element.
@@ -196,6 +206,15 @@ impl Mesh {
         self.strips.iter().enumerate().find_map(inside)
     }
 
+    /// The two strips next to a `y` in a strip, or beyond its sides, with the weights of interpolation
+    /// between their middle lines; at the sides of the contact of extrapolation.
+    pub(crate) fn strips_across(&self, strip: usize, y: f64) -> [(usize, f64); 2] {
+        let patch = &self.strips[strip].patch;
+        let middle = |j: usize| self.strips[patch.start + j].y();
+        let (other, weight) = next(strip - patch.start, patch.len(), y, middle);
+        [(strip, 1.0 - weight), (patch.start + other, weight)]
+    }
+
     /// The four elements around a position in a strip, given as its `y` and its `x` over the
     /// half-length, with the weights of interpolation between their middles, along in the angle
     /// whose sine is cut; at the edge of the contact the outermost counts on.
@@ -243,6 +262,23 @@ fn beside(
     let [low, high] = [middle(above - 1), middle(above)];
     let weight = (position - low) / (high - low);
     [(above - 1, 1.0 - weight), (above, weight)]
+}
+
+/// The neighbour of piece `own` of `count` on the side of a position, and its weight in linear
+/// interpolation, or extrapolation, between their middles.
+pub(super) fn next(
+    own: usize,
+    count: usize,
+    position: f64,
+    middle: impl Fn(usize) -> f64,
+) -> (usize, f64) {
+    if count < 2 {
+        return (own, 0.0);
+    }
+    let off = position - middle(own);
+    let later = own == 0 || off * (middle(own) - middle(own - 1)) > 0.0;
+    let other = if later && own + 1 < count { own + 1 } else { own - 1 };
+    (other, off / (middle(other) - middle(own)))
 }
 
 /// Cut `i` of `n` from 1 to -1; with a broken `i` a cut between subcells.

@@ -8,6 +8,9 @@
 //! projection's corner, where an element changes between adhesion and slip, is rounded over a width
 //! that shrinks with the elements.
 //!
+//! Between elements the border of adhesion is found by how traction and slip near it, and fields
+//! follow it; an island of adhesion narrower than two elements is seen as one or not at all.
+//!
 //! With `P` the projection on the disc whose radius is the traction bound, Coulomb's law for a
 //! traction `p` and slip `s` is one equation, for any `r > 0`:
 //!
@@ -17,6 +20,7 @@
 
 mod automatic;
 pub(crate) mod bands;
+mod borders;
 mod coupled;
 mod cuts;
 mod cylinders;
@@ -38,6 +42,7 @@ pub(crate) mod resolution;
 mod solution;
 pub(crate) mod solver;
 pub(crate) mod stencil;
+mod view;
 mod workspace;
 
 pub use crate::theory::{Constraints, InverseError};
@@ -48,7 +53,8 @@ pub(crate) use forcing::hertz_slip;
 pub use inverse::InverseSolution;
 pub use non_hertzian::{NonHertzian, NonHertzianSolved};
 pub use resolution::Resolution;
-pub use solution::{ElementField, ExactSolved};
+pub use solution::ExactSolved;
+pub use view::ElementField;
 
 pub(crate) use inverse::{Trial, search};
 

@@ -7,14 +7,14 @@ use super::extrapolation::{Extrapolation, error_bar, extrapolate};
 use super::grid::Grid;
 use super::inverse::{Trial, search};
 use super::resolution::Resolution;
-use super::solution::{ElementField, between};
+use super::view::{ElementField, View};
 use super::workspace::{Pool, Workspace};
 use super::{Constraints, InverseError};
 use crate::check::InvalidValue;
 use crate::friction_law::RollingFriction;
 use crate::layer::Layer;
 use crate::normal::NormalContact;
-use crate::theory::{FieldPoint, Jacobian, Region, Solution, Solved, Status, differences};
+use crate::theory::{FieldPoint, Jacobian, Solution, Solved, Status, differences};
 use crate::{Creepage, Force, Scaling};
 
 /// Change of the creepage to differentiate by, where friction depends on the slip.
@@ -248,29 +248,20 @@ impl<'a> NonHertzianSolved<'a> {
     /// The elements of the finer grid, strip by strip, each from the leading edge.
     #[must_use]
     pub fn elements(&self) -> Vec<ElementField> {
-        let places = self.theory.grids[1].mesh.all();
-        places.enumerate().map(|(element, place)| self.element(element, place)).collect()
+        let (view, outward) = (self.view(), |at| self.theory.outward(at));
+        let element = |(strip, i)| {
+            let element = view.element(strip, i);
+            let point = FieldPoint { position: outward(element.point.position), ..element.point };
+            ElementField { point, corners: element.corners.map(outward), ..element }
+        };
+        self.theory.grids[1].mesh.all().map(element).collect()
     }
 
-    fn element(&self, element: usize, (strip, i): (usize, usize)) -> ElementField {
-        let (grid, state) = (&self.theory.grids[1], self.workspace.states()[1]);
-        let bound = grid.pressure.bounds[element];
-        let (traction, slip) = state.visible(grid, element);
-        ElementField {
-            point: FieldPoint {
-                position: self.theory.outward(grid.pressure.centroids[element]),
-                traction: traction.map(|t| bound * t),
-                slip: slip.unwrap_or_default(),
-                region: if slip.is_some() { Region::Slip } else { Region::Adhesion },
-            },
-            bound,
-            share: grid.pressure.shares[element],
-            power: state.power(grid, element),
-            corners: grid.mesh.strips[strip].corners(i).map(|c| self.theory.outward(c)),
-        }
+    fn view(&self) -> View<'_> {
+        View::new(&self.theory.grids[1], self.workspace.states()[1])
     }
 
-    fn at(&self, position: [f64; 2]) -> FieldPoint {
+    fn at(&self, view: &View, position: [f64; 2]) -> FieldPoint {
         let theory = self.theory;
         let [x, y] = position.map(|at| theory.scaling.length * at);
         let [a, b] = theory.origin();
@@ -278,9 +269,8 @@ impl<'a> NonHertzianSolved<'a> {
         let pressure = theory.contact.pressure(x, y);
         match theory.grids[1].mesh.locate(inward) {
             Some((strip, along)) if pressure > 0.0 => {
-                let around = theory.grids[1].mesh.around(strip, inward[1], along);
                 let bound = pressure / theory.contact.peak_pressure().value;
-                between(&theory.grids[1], self.workspace.states()[1], around, position, bound)
+                FieldPoint { position, ..view.at(strip, inward, along, bound) }
             }
             _ => FieldPoint::outside(position),
         }
@@ -326,7 +316,8 @@ impl Solved for NonHertzianSolved<'_> {
     }
 
     fn field(&self, positions: &[[f64; 2]]) -> Vec<FieldPoint> {
-        positions.iter().map(|at| self.at(*at)).collect()
+        let view = self.view();
+        positions.iter().map(|at| self.at(&view, *at)).collect()
     }
 
     fn points(&self) -> Option<Vec<FieldPoint>> {

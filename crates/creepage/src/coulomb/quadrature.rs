@@ -5,7 +5,7 @@
 //! between elements, and the traction has its direction. For large creepage this is the integral
 //! of the saturated theory.
 
-use super::mesh::{Mesh, SUBCELLS};
+use super::mesh::{Mesh, SUBCELLS, next};
 use super::pressure::{Moments, Pressure};
 use crate::Force;
 
@@ -184,18 +184,6 @@ impl Subcell {
         let ([a, b], [c, d]) = (pair(strip, 1.0 - across), pair(first + beside, across));
         Self { share, at: centroid, around: [a, b, c, d] }
     }
-}
-
-/// The neighbour of piece `own` of `count` on the side of a position, and its weight in linear
-/// interpolation, or extrapolation, between their middles.
-fn next(own: usize, count: usize, position: f64, middle: impl Fn(usize) -> f64) -> (usize, f64) {
-    if count < 2 {
-        return (own, 0.0);
-    }
-    let off = position - middle(own);
-    let later = own == 0 || off * (middle(own) - middle(own - 1)) > 0.0;
-    let other = if later && own + 1 < count { own + 1 } else { own - 1 };
-    (other, off / (middle(other) - middle(own)))
 }
 
 fn norm(a: [f64; 2]) -> f64 {

@@ -5,27 +5,13 @@ use super::extrapolation::{Extrapolation, extrapolate};
 use super::grid::Grid;
 use super::heat::{self, Unresolved};
 use super::solver::State;
+use super::view::{ElementField, View};
 use super::workspace::Workspace;
 use crate::theory::field::mean;
 use crate::theory::{
-    Diagnostic, FieldPoint, Jacobian, Patch, Region, Solution, Solved, Status, differences,
+    Diagnostic, FieldPoint, Jacobian, Patch, Solution, Solved, Status, differences,
 };
 use crate::{Contact, Creepage, Force};
-
-/// What happens in one element.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct ElementField {
-    /// Traction at the centroid of the pressure, and slip.
-    pub point: FieldPoint,
-    /// Mean over the element of the traction bound over its largest value, both at rest.
-    pub bound: f64,
-    /// Share of the normal force that the element carries.
-    pub share: f64,
-    /// Frictional power of the element over `mu N mu c V / rho`.
-    pub power: f64,
-    /// Corners of the element, all around, in units of `c`.
-    pub corners: [[f64; 2]; 4],
-}
 
 /// The reflections that make `xi` and `chi` (or `eta`, without spin) positive: the contact has
 /// the symmetries (4.22)-(4.28), and with these they hold to the last bit. The one that changes the
@@ -70,6 +56,17 @@ impl Mirror {
 
     pub(super) fn position(self, [x, y]: [f64; 2]) -> [f64; 2] {
         [x, self.x * self.y * y]
+    }
+
+    pub(super) fn element(self, element: ElementField) -> ElementField {
+        let point = FieldPoint {
+            position: self.position(element.point.position),
+            traction: self.vector(element.point.traction),
+            slip: self.vector(element.point.slip),
+            ..element.point
+        };
+        let corners = element.corners.map(|corner| self.position(corner));
+        ElementField { point, corners, ..element }
     }
 }
 
@@ -194,34 +191,15 @@ impl<'a> ExactSolved<'a> {
         let (strips, mirror) = (mesh.strips.len(), self.answer.mirror);
         let flips = mirror.x * mirror.y < 0.0;
         let place = |strip: usize| if flips { strips - 1 - strip } else { strip };
-        let unresolved = self.unresolved_heat();
-        mesh.all().map(|(strip, i)| self.element(place(strip), i, &unresolved)).collect()
-    }
-
-    /// By what elements are heated beyond what they resolve.
-    fn unresolved_heat(&self) -> Unresolved {
-        let [_, (grid, state)] = self.levels();
-        Unresolved::new(grid, state, self.answer.dissipation, self.answer.by_elements)
-    }
-
-    fn element(&self, strip: usize, i: usize, unresolved: &Unresolved) -> ElementField {
-        let [_, (grid, state)] = self.levels();
-        let (pressure, mirror) = (&grid.pressure, self.answer.mirror);
-        let element = grid.mesh.elements(strip).start + i;
-        let bound = pressure.bounds[element];
-        let (traction, slip) = state.visible(grid, element);
-        ElementField {
-            point: FieldPoint {
-                position: mirror.position(pressure.centroids[element]),
-                traction: mirror.vector(traction.map(|t| bound * t)),
-                slip: mirror.vector(slip.unwrap_or_default()),
-                region: if slip.is_some() { Region::Slip } else { Region::Adhesion },
-            },
-            bound,
-            share: pressure.shares[element],
-            power: unresolved.power(grid, state, strip, i),
-            corners: grid.mesh.strips[strip].corners(i).map(|c| mirror.position(c)),
-        }
+        let ([_, (grid, state)], [_, view]) = (self.levels(), self.views());
+        let unresolved =
+            Unresolved::new(grid, state, self.answer.dissipation, self.answer.by_elements);
+        let element = |(strip, i): (usize, usize)| {
+            let strip = place(strip);
+            let power = unresolved.power(grid, state, strip, i);
+            mirror.element(ElementField { power, ..view.element(strip, i) })
+        };
+        mesh.all().map(element).collect()
     }
 
     /// The coarser and the finer grid, each with its state.
@@ -230,8 +208,13 @@ impl<'a> ExactSolved<'a> {
         [(coarse, states[0]), (fine, states[1])]
     }
 
-    fn at(&self, (grid, state): (&Grid, &State), position: [f64; 2]) -> FieldPoint {
-        let (mirror, mesh) = (self.answer.mirror, &grid.mesh);
+    /// The same as they are seen.
+    fn views(&self) -> [View<'_>; 2] {
+        self.levels().map(|(grid, state)| View::new(grid, state))
+    }
+
+    fn at(&self, level: usize, view: &View, position: [f64; 2]) -> FieldPoint {
+        let (mirror, mesh) = (self.answer.mirror, &self.exact.grids[level].mesh);
         let ellipse = self.exact.contact.ellipse();
         let [x, y] = mirror.position(position);
         let left = 1.0 - (x / ellipse.a()).powi(2) - (y / ellipse.b()).powi(2);
@@ -241,39 +224,11 @@ impl<'a> ExactSolved<'a> {
         let length = ellipse.a() * (1.0 - (y / ellipse.b()).powi(2)).max(0.0).sqrt();
         let along = x / length.max(f64::MIN_POSITIVE);
         let below = mesh.strips.partition_point(|strip| strip.borders()[1] <= y);
-        let around = mesh.around(below.min(mesh.strips.len() - 1), y, along);
-        let point = between(grid, state, around, position, left.sqrt());
+        let strip = below.min(mesh.strips.len() - 1);
+        let point = view.at(strip, [x, y], along, left.sqrt());
         let (traction, slip) = (mirror.vector(point.traction), mirror.vector(point.slip));
-        FieldPoint { traction, slip, ..point }
+        FieldPoint { position, traction, slip, ..point }
     }
-}
-
-/// Between the middles of elements the traction over its bound, and how far a point is from the
-/// border of the adhesion area, are interpolated; the law of Coulomb then picks the region, and the
-/// slip and the size of the traction that go with it. `bound` is that at the position.
-pub(super) fn between(
-    grid: &Grid,
-    state: &State,
-    around: [(usize, f64); 4],
-    position: [f64; 2],
-    bound: f64,
-) -> FieldPoint {
-    let ([mut p, mut q], [mut u, mut v], mut beyond_adhesion) = ([0.0; 2], [0.0; 2], 0.0);
-    for (element, weight) in around {
-        let (traction, sliding) = state.visible(grid, element);
-        let slip = sliding.unwrap_or_default();
-        p += weight * traction[0];
-        q += weight * traction[1];
-        u += weight * slip[0];
-        v += weight * slip[1];
-        let size = |[x, y]: [f64; 2]| x.hypot(y);
-        let limit = state.limit(element);
-        beyond_adhesion +=
-            weight * if sliding.is_some() { size(slip) } else { size(traction) - limit };
-    }
-    let (region, slip) =
-        if beyond_adhesion <= 0.0 { (Region::Adhesion, [0.0; 2]) } else { (Region::Slip, [u, v]) };
-    FieldPoint { position, traction: [bound * p, bound * q], slip, region }
 }
 
 /// A quadrilateral cut at the middles of its sides.
@@ -311,17 +266,18 @@ impl Solved for ExactSolved<'_> {
     }
 
     fn field(&self, positions: &[[f64; 2]]) -> Vec<FieldPoint> {
-        let [_, fine] = self.levels();
-        positions.iter().map(|at| self.at(fine, *at)).collect()
+        let [_, fine] = self.views();
+        positions.iter().map(|at| self.at(1, &fine, *at)).collect()
     }
 
     /// The quarters of the finer grid's elements. The traction is extrapolated from the two grids, as
     /// the force is.
     fn patches(&self) -> Option<Vec<Patch>> {
-        let levels = self.levels();
+        let views = self.views();
         let quarters = self.elements().into_iter().flat_map(|element| quarters(element.corners));
         let patch = |corners: [[f64; 2]; 4]| {
-            let [coarse, fine] = levels.map(|level| self.at(level, mean(&corners)).traction);
+            let at = |k: usize| self.at(k, &views[k], mean(&corners)).traction;
+            let [coarse, fine] = [0, 1].map(at);
             Patch { corners, traction: [0, 1].map(|k| extrapolate(coarse[k], fine[k])) }
         };
         Some(quarters.map(patch).collect())

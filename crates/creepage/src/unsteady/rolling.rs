@@ -246,6 +246,7 @@ impl Rolling {
                 share: scale.powi(3) * grid.pressure.shares[index],
                 power: scale.powi(4) * track.state.power(grid, index),
                 corners: grid.mesh.strips[strip].corners(i).map(place),
+                beyond: ElementField::whole(point.region),
             }
         };
         grid.mesh.all().enumerate().map(element).collect()

@@ -278,17 +278,14 @@ impl<'a> SimplifiedSolved<'a> {
         let bound = self.theory.rows.bounds[row.cells.start + i];
         let Cell { traction, slip, slides } = cell;
         let power = row.weight * (traction[0] * slip[0] + traction[1] * slip[1]);
+        let region = if slides { Region::Slip } else { Region::Adhesion };
         ElementField {
-            point: FieldPoint {
-                position: [row.middle(i), row.y],
-                traction,
-                slip,
-                region: if slides { Region::Slip } else { Region::Adhesion },
-            },
+            point: FieldPoint { position: [row.middle(i), row.y], traction, slip, region },
             bound,
             share: row.weight * bound,
             power: if slides { power } else { 0.0 },
             corners: row.corners(i),
+            beyond: ElementField::whole(region),
         }
     }
 

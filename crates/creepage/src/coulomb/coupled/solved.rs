@@ -6,10 +6,11 @@ use super::{Coupled, Prepared};
 use crate::coulomb::extrapolation::{Extrapolation, extrapolate};
 use crate::coulomb::heat::{self, Unresolved};
 use crate::coulomb::inverse::Trial;
-use crate::coulomb::solution::{ElementField, Mirror, between, power_of, quarters};
+use crate::coulomb::solution::{Mirror, power_of, quarters};
+use crate::coulomb::view::{ElementField, View};
 use crate::theory::field::mean;
 use crate::theory::{
-    Diagnostic, FieldPoint, Jacobian, Patch, Region, Solution, Solved, Statistics, Status,
+    Diagnostic, FieldPoint, Jacobian, Patch, Solution, Solved, Statistics, Status,
 };
 use crate::{Creepage, Force, Theory};
 
@@ -186,47 +187,26 @@ impl<'a> CoupledSolved<'a> {
         let place = |strip: usize| if flips { strips - 1 - strip } else { strip };
         let unresolved =
             Unresolved::new(&fine.grid, &fine.state, self.dissipation, self.by_elements);
-        let all = fine.grid.mesh.all();
-        all.map(|(strip, i)| self.element(fine, place(strip), i, &unresolved)).collect()
+        let view = View::new(&fine.grid, &fine.state);
+        let element = |(strip, i): (usize, usize)| {
+            let strip = place(strip);
+            let power = unresolved.power(&fine.grid, &fine.state, strip, i);
+            self.mirror.element(ElementField { power, ..view.element(strip, i) })
+        };
+        fine.grid.mesh.all().map(element).collect()
     }
 
-    fn element(
-        &self,
-        Settled { grid, state, .. }: &Settled,
-        strip: usize,
-        i: usize,
-        unresolved: &Unresolved,
-    ) -> ElementField {
-        let (pressure, mirror) = (&grid.pressure, self.mirror);
-        let element = grid.mesh.elements(strip).start + i;
-        let bound = pressure.bounds[element];
-        let (traction, slip) = state.visible(grid, element);
-        ElementField {
-            point: FieldPoint {
-                position: mirror.position(pressure.centroids[element]),
-                traction: mirror.vector(traction.map(|t| bound * t)),
-                slip: mirror.vector(slip.unwrap_or_default()),
-                region: if slip.is_some() { Region::Slip } else { Region::Adhesion },
-            },
-            bound,
-            share: pressure.shares[element],
-            power: unresolved.power(grid, state, strip, i),
-            corners: grid.mesh.strips[strip].corners(i).map(|corner| mirror.position(corner)),
-        }
-    }
-
-    fn at(&self, level: &Settled, position: [f64; 2]) -> FieldPoint {
+    fn at(&self, level: &Settled, view: &View, position: [f64; 2]) -> FieldPoint {
         let (mirror, mesh) = (self.mirror, &level.grid.mesh);
         let there = mirror.position(position);
         let Some([s, t]) = level.shape.place(there) else {
             return FieldPoint::outside(position);
         };
         let below = mesh.strips.partition_point(|strip| strip.borders()[1] <= there[1]);
-        let around = mesh.around(below.min(mesh.strips.len() - 1), there[1], s);
-        let point =
-            between(&level.grid, &level.state, around, position, level.shape.pressure([s, t]));
+        let strip = below.min(mesh.strips.len() - 1);
+        let point = view.at(strip, there, s, level.shape.pressure([s, t]));
         let (traction, slip) = (mirror.vector(point.traction), mirror.vector(point.slip));
-        FieldPoint { traction, slip, ..point }
+        FieldPoint { position, traction, slip, ..point }
     }
 
     /// By how much coupling moved the force.
@@ -318,7 +298,10 @@ impl Solved for CoupledSolved<'_> {
 
     fn field(&self, positions: &[[f64; 2]]) -> Vec<FieldPoint> {
         match &self.settled {
-            Some([_, fine]) => positions.iter().map(|at| self.at(fine, *at)).collect(),
+            Some([_, fine]) => {
+                let view = View::new(&fine.grid, &fine.state);
+                positions.iter().map(|at| self.at(fine, &view, *at)).collect()
+            }
             None => self.prepared.exact.field(self.creepage, positions),
         }
     }
@@ -329,12 +312,14 @@ impl Solved for CoupledSolved<'_> {
 
     /// The quarters of the finer grid's elements, with its traction.
     fn patches(&self) -> Option<Vec<Patch>> {
-        let quarters = self.elements().into_iter().flat_map(|element| quarters(element.corners));
-        let patch = |corners: [[f64; 2]; 4]| {
-            let traction = self.field(&[mean(&corners)]).first().map_or([0.0; 2], |p| p.traction);
-            Patch { corners, traction }
+        let elements = self.elements().into_iter();
+        let quarters: Vec<_> = elements.flat_map(|element| quarters(element.corners)).collect();
+        let middles: Vec<_> = quarters.iter().map(|corners| mean(corners)).collect();
+        let patch = |(corners, point): ([[f64; 2]; 4], FieldPoint)| Patch {
+            corners,
+            traction: point.traction,
         };
-        Some(quarters.map(patch).collect())
+        Some(quarters.into_iter().zip(self.field(&middles)).map(patch).collect())
     }
 
     fn power(&self) -> f64 {

@@ -166,9 +166,16 @@ impl State {
         (traction, Some([0, 1].map(|k| (trial[k] - traction[k]) / weight)))
     }
 
-    /// The largest traction that an element bears, over its bound at rest.
-    pub(crate) fn limit(&self, element: usize) -> f64 {
-        self.limits[element]
+    /// By how much the sum that friction projects is larger than the limit, over it.
+    pub(crate) fn excess(&self, grid: &Grid, element: usize) -> f64 {
+        let [x, y] = self.trial(grid, element);
+        x.hypot(y) / self.limits[element] - 1.0
+    }
+
+    /// Size of an element's slip.
+    pub(crate) fn speed(&self, element: usize) -> f64 {
+        let [x, y] = self.slip(element);
+        x.hypot(y)
     }
 
     /// The sum of an element's traction and weighted slip that friction projects.

@@ -1,0 +1,77 @@
+//! The border of adhesion, against that of 96 x 80 elements.
+
+use creepage::coulomb::{Exact, Resolution};
+use creepage::theory::Solved;
+use creepage::{Contact, Creepage, Ellipse, Region};
+
+use crate::RESOLUTIONS;
+use crate::random::Random;
+
+/// Creepages of each contact, which is prepared once.
+const PER_CONTACT: usize = 6;
+/// Lines along the rolling direction, of equal distance.
+const LINES: usize = 24;
+/// Points of each.
+const POINTS: usize = 600;
+
+/// Prints by how much borders differ over so many random cases (a/b .15-6; half of them with creepage to
+/// 3 and spin to 8, half to 1.5 and 2), on lines with the same number of them.
+pub(crate) fn print(count: usize) {
+    let mut random = Random::new(0x5851_f42d_4c95_7f2d);
+    let mut errors: [(Vec<f64>, usize); 3] = Default::default();
+    for _ in 0..count.div_ceil(PER_CONTACT) {
+        measure(&mut random, &mut errors);
+    }
+    for ((name, _), (errors, others)) in RESOLUTIONS.iter().zip(&mut errors) {
+        errors.sort_by(f64::total_cmp);
+        let n = errors.len();
+        let square: f64 = errors.iter().map(|error| error * error).sum();
+        println!(
+            "{name}: {n} borders; error in c: median {:.4}, 90 % {:.4}, rms {:.4}; {others} lines with \
+             another number",
+            errors[n / 2],
+            errors[n * 9 / 10],
+            (square / n as f64).sqrt()
+        );
+    }
+}
+
+fn measure(random: &mut Random, errors: &mut [(Vec<f64>, usize); 3]) {
+    let ellipse = Ellipse::from_ratio(random.of_any_size(0.15, 6.0).abs()).unwrap();
+    let contact = Contact::new(ellipse, random.between(0.0, 0.5)).unwrap();
+    let theory = |resolution| Exact::new(&contact, resolution).unwrap();
+    let theories = RESOLUTIONS.map(|(_, resolution)| theory(resolution));
+    let finest = theory(Resolution::new(96, 80).unwrap());
+    for k in 0..PER_CONTACT {
+        let [creepage, spin] = if k % 2 == 0 { [3.0, 8.0] } else { [1.5, 2.0] };
+        let size = random.between(0.0, creepage);
+        let (sin, cos) = random.between(0.0, std::f64::consts::TAU).sin_cos();
+        let creepage = Creepage::new(size * cos, size * sin, random.between(-spin, spin)).unwrap();
+        let truth = borders(&finest, ellipse, creepage);
+        for (theory, (errors, others)) in theories.iter().zip(&mut *errors) {
+            for (found, truth) in borders(theory, ellipse, creepage).iter().zip(&truth) {
+                if found.len() == truth.len() {
+                    errors.extend(found.iter().zip(truth).map(|(a, b)| (a - b).abs()));
+                } else {
+                    *others += 1;
+                }
+            }
+        }
+    }
+}
+
+/// Where adhesion begins or ends along each line.
+fn borders(theory: &Exact, ellipse: Ellipse, creepage: Creepage) -> Vec<Vec<f64>> {
+    let solved = theory.solve_contact(creepage);
+    let line = |k: usize| {
+        let t = (2.0 * k as f64 + 1.0) / LINES as f64 - 1.0;
+        let half = ellipse.a() * (1.0 - t * t).sqrt();
+        let at = |i: usize| half * (1.0 - (2.0 * i as f64 + 1.0) / POINTS as f64);
+        let points: Vec<[f64; 2]> = (0..POINTS).map(|i| [at(i), ellipse.b() * t]).collect();
+        let adheres: Vec<bool> =
+            solved.field(&points).iter().map(|p| p.region == Region::Adhesion).collect();
+        let changes = (1..POINTS).filter(|i| adheres[i - 1] != adheres[*i]);
+        changes.map(|i| 0.5 * (at(i - 1) + at(i))).collect()
+    };
+    (0..LINES).map(line).collect()
+}
