@@ -113,16 +113,17 @@ pub(super) fn solve(
         return Err(elements::edge_error(task, &coarse, side));
     }
     let elements = Found::by_elements(task, &coarse);
-    let by_strips = by_strips(task, asked, &elements.patches, resolution, [false; 2]);
-    let found = match by_strips.filter(|found| found.fine.agrees_with(&elements)) {
+    // Elements across a slender area are too few to agree with.
+    let complete = task.gap.is_parabola_along();
+    let by_strips = by_strips(task, asked, &elements.patches, resolution, [complete, false]);
+    let found = match by_strips.filter(|found| complete || found.fine.agrees_with(&elements)) {
         Some(found) => found,
         None => by_elements(task, asked, &coarse, resolution)?,
     };
     Ok(contact(gap, pair, asked, found))
 }
 
-/// By strips laid into areas close by or guessed, where these turn out to be all: strips that are
-/// pressed everywhere and nowhere overlapped beyond solve the problem, whatever they began with.
+/// By strips laid into areas close by or guessed, where these turn out to be all.
 fn without_elements(
     task: Task<'_>,
     near: Option<&[Patch]>,
@@ -165,7 +166,8 @@ fn by_elements(
 /// From areas that are rough ones, or so close that the finer strips may begin there.
 ///
 /// `None` when a strip vanishes, the equations stay unsolved, or, where they are to be `complete`,
-/// the bodies overlap elsewhere.
+/// the bodies overlap elsewhere: strips that are pressed everywhere and nowhere overlapped beyond
+/// solve the problem, whatever they began with.
 fn by_strips(
     task: Task<'_>,
     asked: Asked,
@@ -182,7 +184,7 @@ fn by_strips(
     const NEARLY: [f64; 2] = [2e-3, 0.05];
     let terms = strips::terms(task.gap);
     let load = if let Asked::Load(load) = asked { Some(load) } else { None };
-    let count = resolution.count;
+    let count = resolution.count.min(strips::most(start));
     let next = |start: &[Patch], approach: f64, wanted: Wanted| {
         strips::solve(Task { approach, ..task }, start, wanted)
     };

@@ -159,6 +159,20 @@ fn moved(start: &[Patch], found: &[Patch], laid: &[Strip], units: Units) -> bool
     })
 }
 
+/// Strips across the widest band, so that none becomes so slender that its ends follow those of its
+/// neighbours by chance.
+pub(super) fn most(start: &[Patch]) -> usize {
+    const SLENDEREST: f64 = 200.0;
+    const LEAST: usize = 6;
+    let bands = || start.iter().flat_map(Patch::bands);
+    let widest = bands().map(width).fold(0.0, f64::max);
+    let most = bands().map(|band| {
+        let [from, to] = band.x();
+        SLENDEREST * (width(band) * widest).sqrt() / (0.5 * (to - from))
+    });
+    whole(most.fold(f64::INFINITY, f64::min).min(f64::from(u16::MAX))).max(LEAST)
+}
+
 /// Strips in all bands, more in the wider ones; `None` if they are too many.
 fn laid(start: &[Patch], count: usize, terms: usize, units: Units) -> Option<Vec<Strip>> {
     let bands: Vec<&Band> = start.iter().flat_map(Patch::bands).collect();
