@@ -12,7 +12,7 @@ use super::solver::State;
 /// Power of the part of an element at which traction and slip, taken as linear, meet the border where
 /// slip begins, and how far ahead of that it is, in elements: 2 and nothing by the root alone, which
 /// elements average, and whose corner the solver rounds. Chosen on 96 random cases against 96 x 80
-/// elements, where half of the borders then err by less than 0.05 elements.
+/// elements: of borders alone in their strip half then err by less than 0.05 elements.
 const BEGINS: [f64; 2] = [1.75, 0.12];
 /// Largest distance by which the end of slip is extrapolated beyond an element's middle, in elements.
 const REACH: f64 = 1.5;

@@ -84,6 +84,9 @@ use workspace::Pool;
 /// times the error in the median. Between unlike bodies (`kappa/mu` to 3) it is 0.43, 0.12 and
 /// 0.04 %, 2.1, 0.7 and 0.2 %, 96 to 97 %, and five to six times.
 ///
+/// Over 60 random cases of like bodies the border of adhesion errs along `x` by 0.013, 0.006 and 0.003 `c` in
+/// the median, and nine times in ten by less than 0.043, 0.024 and 0.010 `c`.
+///
 /// Errors are largest with a pole of strong spin inside the contact. At the fine resolution the
 /// limit of small creepage is met to 0.2 % in every coefficient for `a/b` from 0.1 to 10, and full
 /// sliding to 0.05 % of `mu N`; beyond `a/b = 10` small creepage is resolved less well, which
