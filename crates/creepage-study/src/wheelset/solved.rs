@@ -8,7 +8,7 @@ use creepage_rail::{Motion, Position, RollingCreepage, Running, Side};
 use super::case::RigidSlip;
 use super::derivatives::WheelsetDerivatives;
 use super::resultant::Resultant;
-use super::solver::{Pressed, PressedWheel, Rolled};
+use super::solver::{Pitch, Pressed, PressedWheel, Rolled};
 use crate::{Damage, GapCaution, GapTheory, adhesion};
 
 /// A wheelset whose contacts are solved.
@@ -29,6 +29,8 @@ pub struct SolvedWheelset {
     /// How its forces change with its position and motion, where that was asked for:
     /// [`WheelsetCase::derivatives`](crate::WheelsetCase::derivatives).
     pub derivatives: Option<WheelsetDerivatives>,
+    /// Where a position nearby finds its pitch rate.
+    pub(super) pitch: Pitch,
 }
 
 /// One wheel of a solved wheelset.
@@ -198,13 +200,13 @@ impl SolvedWheel {
 impl SolvedWheelset {
     pub(super) fn new(
         wheels: Vec<SolvedWheel>,
-        motion: Motion,
+        (motion, pitch): (Motion, Pitch),
         friction: f64,
         slip: RigidSlip,
         theory: GapTheory,
     ) -> Self {
         let (left, right, derivatives) = (None, None, None);
-        let mut solved = Self { left, right, motion, friction, slip, theory, derivatives };
+        let mut solved = Self { left, right, motion, friction, slip, theory, derivatives, pitch };
         for wheel in wheels {
             match wheel.side {
                 Side::Left => solved.left = Some(wheel),

@@ -64,7 +64,7 @@ impl Cuts {
     /// Adds the displacements at a point by every element, in units of `length / (pi G)`.
     pub(crate) fn displace(&mut self, poisson: f64, at: [f64; 2], by: &mut [Vec<f64>; 3]) {
         let Self { lower, upper, tangent, offsets, tractions, sums } = self;
-        Arch::new().dispatch(Sums { lower, upper, tangent, poisson, at, sums });
+        Arch::new().dispatch(Sums { lower, upper, tangent, poisson, at, by: sums });
         for (by, sums) in by.iter_mut().zip(sums) {
             for (strip, elements) in offsets.windows(2).enumerate() {
                 let cuts = &sums[elements[0] + strip..=elements[1] + strip];
@@ -82,7 +82,7 @@ struct Sums<'a> {
     tangent: &'a Ends,
     poisson: f64,
     at: [f64; 2],
-    sums: &'a mut [Vec<f64>; 3],
+    by: &'a mut [Vec<f64>; 3],
 }
 
 impl WithSimd for Sums<'_> {
@@ -91,8 +91,7 @@ impl WithSimd for Sums<'_> {
     #[allow(clippy::inline_always)] // so that it is compiled for each kind of processor
     #[inline(always)]
     fn with_simd<S: Simd>(self, _: S) {
-        let Self { lower, upper, tangent, poisson, at: [x, y], sums } = self;
-        let [xx, xy, yy] = sums;
+        let Self { lower, upper, tangent, poisson, at: [x, y], by: [xx, xy, yy] } = self;
         let sums = xx.iter_mut().zip(xy).zip(yy);
         let lower = lower.x.iter().zip(&lower.y);
         let ends = lower.zip(upper.x.iter().zip(&upper.y));

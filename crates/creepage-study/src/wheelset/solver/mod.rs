@@ -31,7 +31,7 @@ use crate::case::CaseError;
 use crate::gap::{GapTheory, resolutions};
 
 pub(super) use self::pressed::{Pressed, PressedWheel};
-pub(super) use self::rolled::Rolled;
+pub(super) use self::rolled::{Pitch, Rolled};
 
 /// A wheelset on its track, prepared to be solved in many positions.
 #[derive(Debug, Clone)]
@@ -184,7 +184,7 @@ impl<'a> WheelsetSolver<'a> {
         let mut is_close = is_given || !start.fine.is_empty();
         let (mut corrected, mut last) = (None, f64::INFINITY);
         for round in 0..ROUNDS {
-            let Start { shares, guess, pitch_rate, fine } = start;
+            let Start { shares, guess, pitch, fine } = start;
             let sought = match corrected.take() {
                 Some(places) => Sought { places, coarse: Vec::new() },
                 None => self.sought(stance, load, &shares, &guess)?,
@@ -195,20 +195,20 @@ impl<'a> WheelsetSolver<'a> {
             if is_close && !is_given && round < FEW && sought.missed(&wheels, &shares) > CLOSE {
                 corrected = step::places(&wheels, stance, load, &shares);
                 if corrected.is_some() {
-                    start = Start { shares, guess, pitch_rate, fine: Known::of(&wheels) };
+                    start = Start { shares, guess, pitch, fine: Known::of(&wheels) };
                     continue;
                 }
             }
             let method = if is_close { method } else { method.fast() };
             let rollings = Rolling::all(&wheels, self.friction, self.slip, method)?;
-            let (motion, rolled) = rolled::motion(&rollings, travel, radius, pitch_rate)?;
-            let next = Start::of(&sought.coarse, &wheels, &rolled, &motion, (&guess, &shares));
+            let (motion, rolled, pitch) = rolled::motion(&rollings, travel, radius, pitch)?;
+            let next = Start::of(&sought.coarse, &wheels, &rolled, pitch, (&guess, &shares));
             let carried: f64 = wheels.iter().map(|wheel| wheel.vertical(&next.shares)).sum();
             let missed = sought.missed(&wheels, &next.shares);
             // Fine pressures that depend on where they began scatter within their error bars.
             let within = if round < FEW { 0.0 } else { error_of_load(&wheels) / carried };
             if is_given || (is_close && missed <= enough(round).max(within)) {
-                return Ok(self.solved(&wheels, &rollings, &rolled, motion));
+                return Ok(self.solved(&wheels, &rollings, &rolled, (motion, pitch)));
             }
             if round < FEW && missed < HELPS * last {
                 corrected = step::places(&wheels, stance, load, &next.shares);
@@ -254,7 +254,7 @@ impl<'a> WheelsetSolver<'a> {
         wheels: &[PressedWheel<'_>],
         rollings: &[Rolling<'_, '_>],
         rolled: &[Rolled<'_>],
-        motion: Motion,
+        found: (Motion, Pitch),
     ) -> SolvedWheelset {
         let solved = |wheel: &PressedWheel<'_>| {
             let all = rollings.iter().zip(rolled);
@@ -264,7 +264,7 @@ impl<'a> WheelsetSolver<'a> {
             SolvedWheel::new(wheel, self.press.running, contacts.collect())
         };
         let wheels = wheels.iter().map(solved).collect();
-        SolvedWheelset::new(wheels, motion, self.friction, self.slip, self.theory)
+        SolvedWheelset::new(wheels, found, self.friction, self.slip, self.theory)
     }
 }
 
@@ -310,7 +310,7 @@ impl<'a> Sought<'a> {
 struct Start {
     shares: Shares,
     guess: Guess,
-    pitch_rate: Option<f64>,
+    pitch: Pitch,
     /// Fine pressures.
     fine: Vec<Known>,
 }
@@ -321,7 +321,7 @@ impl Start {
         coarse: &[PressedWheel<'_>],
         wheels: &[PressedWheel<'_>],
         rolled: &[Rolled<'_>],
-        motion: &Motion,
+        pitch: Pitch,
         (guess, before): (&Guess, &Shares),
     ) -> Self {
         let mut shares = Shares::default();
@@ -342,7 +342,7 @@ impl Start {
         for wheel in wheels.iter().filter(|wheel| wheel.depth > 0.0) {
             guess.depths[usize::from(wheel.side == Side::Right)] = wheel.depth;
         }
-        Self { shares, guess, pitch_rate: Some(motion.pitch_rate), fine: Known::of(wheels) }
+        Self { shares, guess, pitch, fine: Known::of(wheels) }
     }
 
     /// The same with friction halfway from what it was taken for.
@@ -365,6 +365,6 @@ impl Start {
                 guess.depths[usize::from(wheel.side == Side::Right)] = wheel.depth;
             }
         }
-        Self { shares, guess, pitch_rate: Some(before.motion.pitch_rate), fine }
+        Self { shares, guess, pitch: before.pitch, fine }
     }
 }

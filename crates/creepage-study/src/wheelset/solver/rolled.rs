@@ -221,14 +221,21 @@ impl<'w, 'a> Rolling<'w, 'a> {
     }
 }
 
+/// A pitch rate nearby, and how the moment about the axle rises with it (N m s/rad).
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(in crate::wheelset) struct Pitch {
+    pub(in crate::wheelset) rate: Option<f64>,
+    pub(in crate::wheelset) slope: Option<f64>,
+}
+
 /// The motion of a wheelset with its pitch rate: the given one, or that at which friction has no
-/// moment about the axle; and how its contacts roll then.
+/// moment about the axle; how its contacts roll then, and what a position nearby may start from.
 pub(super) fn motion<'r>(
     rollings: &'r [Rolling<'_, '_>],
     travel: &Travel,
     radius: f64,
-    guess: Option<f64>,
-) -> Result<(Motion, Vec<Rolled<'r>>), WheelsetError> {
+    guess: Pitch,
+) -> Result<(Motion, Vec<Rolled<'r>>, Pitch), WheelsetError> {
     const STEPS: usize = 60;
     /// Of the moment of all friction; forces are solved to some 5e-8.
     const ENOUGH: f64 = 1e-7;
@@ -241,7 +248,9 @@ pub(super) fn motion<'r>(
         before.resize_with(rollings.len(), || None);
         let pairs = rollings.par_iter().zip(before);
         let rolled = pairs.map(|(one, before)| one.roll(&motion, before));
-        Ok((motion, rolled.collect::<Result<Vec<_>, WheelsetError>>()?))
+        let rolled = rolled.collect::<Result<Vec<_>, WheelsetError>>()?;
+        let pitch = Pitch { rate: Some(motion.pitch_rate), slope: guess.slope };
+        Ok::<_, WheelsetError>((motion, rolled, pitch))
     };
     let nominal = speed / radius;
     if let Some(rate) = pitch_rate {
@@ -252,19 +261,19 @@ pub(super) fn motion<'r>(
     }
     let most: f64 = rollings.iter().map(|r| r.theory.scaling().force * radius).sum();
     // A slip unit of creepage is about what it takes for a force unit.
-    let slope: f64 = rollings
-        .iter()
-        .map(|r| 2.0 * r.theory.scaling().force / r.theory.scaling().slip * radius * radius / speed)
-        .sum();
-    let mut search = Root::new(guess.unwrap_or(nominal), [0.2 * nominal, 5.0 * nominal]);
+    let by_slip = |r: &Rolling<'_, '_>| {
+        2.0 * r.theory.scaling().force / r.theory.scaling().slip * radius * radius / speed
+    };
+    let slope = guess.slope.unwrap_or_else(|| rollings.iter().map(by_slip).sum());
+    let mut search = Root::new(guess.rate.unwrap_or(nominal), [0.2 * nominal, 5.0 * nominal]);
     let mut before = Vec::new();
     for _ in 0..STEPS {
-        let (motion, rolled) = at(with(search.at), before)?;
+        let (motion, rolled, pitch) = at(with(search.at), before)?;
         // A wheel that turns faster drags the rail back.
         let moments = rollings.iter().zip(&rolled);
         let moment: f64 = moments.map(|(one, rolled)| -one.axle_moment(rolled.force)).sum();
         if moment.abs() < ENOUGH * most || search.is_spent(NARROW * nominal) {
-            return Ok((motion, rolled));
+            return Ok((motion, rolled, Pitch { slope: search.slope().or(guess.slope), ..pitch }));
         }
         search.next_by_chord(moment, slope);
         before = rolled;

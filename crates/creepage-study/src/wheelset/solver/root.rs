@@ -7,6 +7,7 @@ pub(super) struct Root {
     pub(super) at: f64,
     bracket: [f64; 2],
     last: Option<[f64; 2]>,
+    slope: Option<f64>,
     steps: usize,
 }
 
@@ -18,7 +19,7 @@ impl Root {
     pub(super) fn new(start: f64, bracket: [f64; 2]) -> Self {
         let [low, high] = bracket;
         let at = if start > low && start < high { start } else { low.midpoint(high) };
-        Self { at, bracket, last: None, steps: 0 }
+        Self { at, bracket, last: None, slope: None, steps: 0 }
     }
 
     /// Moves on from the function's value, infinite where only its sign is known, and its slope,
@@ -27,7 +28,7 @@ impl Root {
         self.bracket[usize::from(value > 0.0)] = self.at;
         let chord = self.last.map(|[at, before]| (value - before) / (self.at - at));
         let slope = slope.or(chord).filter(|slope| *slope > 0.0 && slope.is_finite());
-        self.last = Some([self.at, value]);
+        (self.last, self.slope) = (Some([self.at, value]), slope);
         self.steps += 1;
         let [low, high] = self.bracket;
         let newton = slope.map_or(f64::NAN, |slope| self.at - value / slope);
@@ -39,6 +40,11 @@ impl Root {
     pub(super) fn next_by_chord(&mut self, value: f64, guess: f64) {
         let slope = self.last.is_none().then_some(guess);
         self.next(value, slope);
+    }
+
+    /// The slope of the last step, unless that halved the bracket.
+    pub(super) fn slope(&self) -> Option<f64> {
+        self.slope
     }
 
     /// Whether the bracket has no room left, of the size `least`: the function jumps there.

@@ -71,7 +71,9 @@ pub(super) fn solve(task: Task<'_>, start: &[Patch], wanted: Wanted) -> Option<F
             && let Some(axis) = task.gap.axis()
         {
             let centre = (axis - units.origin[0]) / units.length;
-            laid.iter_mut().for_each(|strip| strip.centre = centre);
+            for strip in &mut laid {
+                strip.centre = centre;
+            }
         }
         match touching(laid.clone(), terms, question) {
             Ok(touching) if touching.strips.iter().all(is_pressed) => {
