@@ -4,6 +4,8 @@
 //! `CREEPAGE_SQUARE_GRIDS=160 cargo test -p creepage-study --test square_grids -- --nocapture`
 //! goes on to 160 cells a side and prints the table of the guide's page on accuracy.
 
+#![allow(clippy::unwrap_used, clippy::print_stdout)]
+
 use creepage::coulomb::{Constraints, Exact, Resolution};
 use creepage::theory::Solved;
 use creepage::{Contact, Creepage, Ellipse, Force, Solution, Theory};
