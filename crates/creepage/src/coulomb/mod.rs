@@ -71,9 +71,9 @@ use workspace::Pool;
 ///
 /// | resolution | median | rms | worst | case | preparation |
 /// |---|---|---|---|---|---|
-/// | [`Resolution::FAST`] | 0.04 % | 0.13 % | 0.61 % | 0.5 ms | 2 ms |
-/// | [`Resolution::STANDARD`] | 0.00 % | 0.03 % | 0.12 % | 2 ms | 10 ms |
-/// | [`Resolution::FINE`] | 0.00 % | 0.01 % | 0.04 % | 25 ms | 0.1 s |
+/// | [`Resolution::FAST`] | 0.04 % | 0.13 % | 0.61 % | 0.5 ms | 0.6 ms |
+/// | [`Resolution::STANDARD`] | 0.00 % | 0.03 % | 0.12 % | 2 ms | 2 ms |
+/// | [`Resolution::FINE`] | 0.00 % | 0.01 % | 0.04 % | 25 ms | 30 ms |
 ///
 /// The worst at the fine resolution are at `a/b = 5` and `chi = 2`, where grids of up to 182 x 42 and
 /// 134 x 74 elements agree with each other, and the reference is off by 0.12 %, beyond its uncertainty.
