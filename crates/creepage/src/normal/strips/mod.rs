@@ -18,7 +18,7 @@ pub(crate) use kernel::{MOST, profile};
 pub(crate) use newton::{Question, Stopped, Touching, solve as touching};
 pub(crate) use strip::Strip;
 use strip::Units;
-pub(crate) use system::CENTRED;
+use system::CENTRED;
 
 /// What is asked of strips.
 #[derive(Debug, Clone, Copy)]
