@@ -15,13 +15,19 @@ fn steel() -> SolidPair {
     SolidPair::new(steel, steel)
 }
 
-/// Shapes by name, with an approach (m): a smooth ellipse, a crowned roller, two bumps, a flange
-/// contact of 15:1.
+/// Shapes by name, with an approach (m): a smooth ellipse, a ring, a crowned roller, two bumps, a
+/// flange contact of 15:1.
 fn shape(name: &str) -> (Gap, f64) {
     let term = |x, y, coefficient| Term { x, y, coefficient };
     match name {
         "ellipse" => {
             (Gap::polynomial(&[term(2, 0, 0.5 / 0.46), term(0, 2, 0.5 / 0.3)]).unwrap(), 50e-6)
+        }
+        // h = 1e5 (r^2 - 9 mm^2)^2 - 8.1 um
+        "ring" => {
+            let quartic = [term(4, 0, 1e5), term(2, 2, 2e5), term(0, 4, 1e5)];
+            let dip = [term(2, 0, -1.8), term(0, 2, -1.8)];
+            (Gap::polynomial(&[quartic.as_slice(), &dip].concat()).unwrap(), 20e-6)
         }
         "crowned" => (Gap::polynomial(&[term(2, 0, 0.5 / 0.46), term(0, 4, 5e4)]).unwrap(), 50e-6),
         "flange" => {
@@ -67,6 +73,13 @@ fn standard_under_load(bencher: Bencher, name: &str) {
 #[divan::bench(args = [8, 16, 32, 64], sample_count = 5)]
 fn strips(bencher: Bencher, count: usize) {
     at(bencher, "ellipse", Resolution::new(count).unwrap());
+}
+
+/// Growth with the number of elements, on a ring, which strips do not describe: 1.4 times the square of
+/// what is asked for.
+#[divan::bench(args = [10, 20, 40, 80, 100], sample_count = 5)]
+fn elements(bencher: Bencher, count: usize) {
+    at(bencher, "ring", Resolution::new(count).unwrap());
 }
 
 /// What a section of 200 points costs to prepare.
