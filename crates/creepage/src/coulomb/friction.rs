@@ -2,8 +2,46 @@
 //! traction plus a positive multiple of the slip projects on the unit disc as that traction.
 //!
 //! An element that changes between adhesion and slip bends the force as a function of creepage.
-//! So the solver rounds the projection's corner, over a width that shrinks with the elements: by a
-//! polynomial above the corner's middle and below its ends, whose mean error is zero.
+//! So the solver rounds the projection's corner, over a width that shrinks with the elements.
+
+/// How the corner of the projection is rounded, and over which half-width.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) enum Corner {
+    #[default]
+    Sharp,
+    /// By a polynomial above the corner's middle and below its ends, whose mean error is zero.
+    Unbiased(f64),
+    /// By a parabola below the corner. It nowhere falls, as the sharp one: then Newton's way does not end
+    /// between two solutions, which falling branches have.
+    Monotone(f64),
+}
+
+impl Corner {
+    fn half_width(self) -> f64 {
+        match self {
+            Self::Sharp => 0.0,
+            Self::Unbiased(half_width) | Self::Monotone(half_width) => half_width,
+        }
+    }
+
+    /// `min(size, 1)` rounded, and its slope. With `x = (size - 1)/half_width` it is
+    /// `1 + half_width (x - m)/2`, where `m` joins `|x|` smoothly at -1 and 1: `(1 + x^2)/2`, or
+    /// `3/16 + 9/8 x^2 - 5/16 x^4`, which has the mean of `|x|`.
+    fn rounded(self, size: f64) -> (f64, f64) {
+        let half_width = self.half_width();
+        if size >= 1.0 + half_width {
+            return (1.0, 0.0);
+        }
+        let x = (size - 1.0) / half_width;
+        let square = x * x;
+        let (m, slope) = if matches!(self, Self::Monotone(_)) {
+            (0.5 + 0.5 * square, x)
+        } else {
+            (0.1875 + square * (1.125 - 0.3125 * square), x * (2.25 - 1.25 * square))
+        };
+        (1.0 + 0.5 * half_width * (x - m), 0.5 - 0.5 * slope)
+    }
+}
 
 /// The sliding branch of the projection at one element.
 #[derive(Debug, Clone, Copy)]
@@ -15,13 +53,13 @@ pub(crate) struct Sliding {
 }
 
 /// The projection of `trial = traction + weight * slip`: `None` where it is the trial itself, in
-/// adhesion. `rounding` is the half-width of the rounded corner.
-pub(crate) fn project(trial: [f64; 2], rounding: f64) -> Option<Sliding> {
+/// adhesion.
+pub(crate) fn project(trial: [f64; 2], corner: Corner) -> Option<Sliding> {
     let size = (trial[0] * trial[0] + trial[1] * trial[1]).sqrt();
-    if size <= 1.0 - rounding {
+    if size <= 1.0 - corner.half_width() {
         return None;
     }
-    let (projected, slope) = rounded(size, rounding);
+    let (projected, slope) = corner.rounded(size);
     let [x, y] = [trial[0] / size, trial[1] / size];
     let turn = projected / size;
     let bend = slope - turn;
@@ -31,22 +69,9 @@ pub(crate) fn project(trial: [f64; 2], rounding: f64) -> Option<Sliding> {
     })
 }
 
-/// `min(size, 1)` with its corner rounded, and its slope. With `x = (size - 1)/rounding` it is
-/// `1 + rounding (x - m)/2`, where `m = 3/16 + 9/8 x^2 - 5/16 x^4` joins `|x|` smoothly at -1 and 1
-/// and has its mean.
-fn rounded(size: f64, rounding: f64) -> (f64, f64) {
-    if size >= 1.0 + rounding {
-        return (1.0, 0.0);
-    }
-    let x = (size - 1.0) / rounding;
-    let square = x * x;
-    let m = 0.1875 + square * (1.125 - 0.3125 * square);
-    (1.0 + 0.5 * rounding * (x - m), 0.5 - x * (1.125 - 0.625 * square))
-}
-
 /// The same on a disc of radius `limit`, greater than zero.
-pub(crate) fn project_within(limit: f64, trial: [f64; 2], rounding: f64) -> Option<Sliding> {
-    let sliding = project(trial.map(|t| t / limit), rounding)?;
+pub(crate) fn project_within(limit: f64, trial: [f64; 2], corner: Corner) -> Option<Sliding> {
+    let sliding = project(trial.map(|t| t / limit), corner)?;
     Some(Sliding { traction: sliding.traction.map(|t| limit * t), ..sliding })
 }
 
@@ -56,7 +81,7 @@ mod tests {
 
     #[test]
     fn small_trials_adhere() {
-        assert!(project([0.9, 0.0], 0.1).is_none());
+        assert!(project([0.9, 0.0], Corner::Monotone(0.1)).is_none());
     }
 
     /// Central differences of step 1e-6, in the rounded corner and beyond: their error is of order
@@ -64,32 +89,43 @@ mod tests {
     #[test]
     fn the_derivative_is_that_of_the_projection() {
         let h = 1e-6;
-        for trial in [[0.75, -0.6], [0.8, -0.7], [1.2, -0.7]] {
-            let sliding = project(trial, 0.1).unwrap();
-            for k in 0..2 {
-                let at = |h: f64| {
-                    let mut moved = trial;
-                    moved[k] += h;
-                    project(moved, 0.1).unwrap().traction
-                };
-                for row in 0..2 {
-                    let numeric = (at(h)[row] - at(-h)[row]) / (2.0 * h);
-                    assert!((numeric - sliding.derivative[row][k]).abs() < 1e-9);
+        for corner in [Corner::Sharp, Corner::Unbiased(0.1), Corner::Monotone(0.1)] {
+            for trial in [[0.75, -0.67], [0.8, -0.7], [1.2, -0.7]] {
+                let sliding = project(trial, corner).unwrap();
+                for k in 0..2 {
+                    let at = |h: f64| {
+                        let mut moved = trial;
+                        moved[k] += h;
+                        project(moved, corner).unwrap().traction
+                    };
+                    for row in 0..2 {
+                        let numeric = (at(h)[row] - at(-h)[row]) / (2.0 * h);
+                        assert!((numeric - sliding.derivative[row][k]).abs() < 1e-9);
+                    }
                 }
             }
         }
     }
 
-    /// The corner is joined with its slope, and its errors cancel; a midpoint sum of 2000 terms.
+    /// Both corners are joined with their slope. The errors of one cancel, a midpoint sum of 2000 terms;
+    /// the other nowhere falls nor exceeds the bound.
     #[test]
-    fn the_rounded_corner_has_no_bias() {
-        let (rounding, n) = (0.2, 2000);
+    fn rounded_corners_keep_what_they_promise() {
+        let (half_width, n) = (0.2, 2000);
         let at = |k: i32| 0.8 + 0.4 * (f64::from(k) + 0.5) / f64::from(n);
-        let error: f64 = (0..n).map(|k| rounded(at(k), rounding).0 - at(k).min(1.0)).sum();
+        let (unbiased, monotone) = (Corner::Unbiased(half_width), Corner::Monotone(half_width));
+        let error: f64 = (0..n).map(|k| unbiased.rounded(at(k)).0 - at(k).min(1.0)).sum();
         assert!((error / f64::from(n)).abs() < 1e-7);
+        assert!(
+            (0..n)
+                .map(|k| monotone.rounded(at(k)))
+                .all(|(value, slope)| value <= 1.0 && slope >= 0.0)
+        );
         for (size, slope) in [(0.8, 1.0), (1.2 - 1e-12, 0.0)] {
-            let (value, found) = rounded(size, rounding);
-            assert!((value - size.min(1.0)).abs() < 1e-11 && (found - slope).abs() < 1e-10);
+            for corner in [unbiased, monotone] {
+                let (value, found) = corner.rounded(size);
+                assert!((value - size.min(1.0)).abs() < 1e-11 && (found - slope).abs() < 1e-10);
+            }
         }
     }
 }

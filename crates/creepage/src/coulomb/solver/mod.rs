@@ -14,7 +14,7 @@ mod sweeps;
 pub(crate) use equations::Equations;
 
 use super::forcing::SlipForcing;
-use super::friction::{Sliding, project_within};
+use super::friction::{Corner, Sliding, project_within};
 use super::grid::Grid;
 use super::influence::{Precision, Tractions};
 use super::quadrature::{Fields, Sum};
@@ -29,7 +29,11 @@ const LARGEST_START: f64 = 1e6;
 const SMALLEST_SLIP: f64 = 1e-140;
 /// Below this slip, single precision loses tractions of its size.
 const SMALLEST_SINGLE: f64 = 1e-20;
-const ROUNDS: usize = 60;
+/// Rounds of sweeps and Newton until another corner of Coulomb's law is tried, and the most of them.
+const ROUNDS: [usize; 2] = [3, 60];
+/// The width of a monotone corner where the unbiased one leads nowhere, over its width: so narrow that
+/// its bias is small.
+const NARROW: f64 = 0.125;
 /// Rounds in which Newton is left as soon as one of its steps must be shortened.
 const ROUNDS_OF_FULL_STEPS: usize = 3;
 
@@ -60,6 +64,7 @@ pub(crate) struct State {
     /// Room for the change of a strip, `x` before `y`.
     step: Vec<f64>,
     factorizations: usize,
+    corner: Corner,
     /// That of sweeps.
     precision: Precision,
 }
@@ -78,6 +83,7 @@ impl State {
             last_step: vec![f64::INFINITY; strips.len()],
             step: vec![0.0; 2 * longest],
             factorizations: 0,
+            corner: Corner::default(),
             precision: Precision::Single,
         }
     }
@@ -119,7 +125,6 @@ impl State {
         grid: &Grid,
         equations: &mut Equations,
     ) -> Outcome {
-        let strips = grid.mesh.strips.len();
         let mut scale = self.forcing.largest();
         if scale < SMALLEST_SLIP {
             self.forcing.clear();
@@ -132,21 +137,42 @@ impl State {
         self.precision =
             if scale > SMALLEST_SINGLE { Precision::Single } else { Precision::Double };
         (equations.sweeps, self.factorizations) = (0, 0);
-        for round in 1..=ROUNDS {
+        let converged = self.iterate(tolerance, grid, equations);
+        Outcome { converged, sweeps: equations.sweeps, factorizations: self.factorizations }
+    }
+
+    /// Where the unbiased corner leads nowhere, a monotone one shows the way.
+    fn iterate(&mut self, tolerance: f64, grid: &Grid, equations: &mut Equations) -> bool {
+        let [few, many] = ROUNDS;
+        let unbiased = Corner::Unbiased(grid.rounding);
+        if self.obeys(unbiased, few, tolerance, grid, equations) {
+            return true;
+        }
+        self.obeys(Corner::Monotone(grid.rounding), many, tolerance, grid, equations);
+        let narrow = Corner::Monotone(NARROW * grid.rounding);
+        self.obeys(unbiased, few, tolerance, grid, equations)
+            || self.obeys(narrow, many, tolerance, grid, equations)
+    }
+
+    /// Some rounds of a pair of sweeps and Newton; whether the tractions obey friction then.
+    fn obeys(
+        &mut self,
+        corner: Corner,
+        rounds: usize,
+        tolerance: f64,
+        grid: &Grid,
+        equations: &mut Equations,
+    ) -> bool {
+        self.corner = corner;
+        let strips = grid.mesh.strips.len();
+        (1..=rounds).any(|round| {
             for strip in (0..strips).chain((0..strips).rev()) {
                 self.solve_strip(grid, strip, tolerance);
             }
+            equations.sweeps += 2;
             self.update_slip(grid, Precision::Double, 0..grid.mesh.len());
-            let full_steps_only = round <= ROUNDS_OF_FULL_STEPS;
-            if self.newton(grid, equations, tolerance, full_steps_only) {
-                return self.outcome(true, 2 * round + equations.sweeps);
-            }
-        }
-        self.outcome(false, 2 * ROUNDS + equations.sweeps)
-    }
-
-    fn outcome(&self, converged: bool, sweeps: usize) -> Outcome {
-        Outcome { converged, sweeps, factorizations: self.factorizations }
+            self.newton(grid, equations, tolerance, round <= ROUNDS_OF_FULL_STEPS)
+        })
     }
 
     /// Whether an element's corner of Coulomb's law, rounded as it is, is passed.
@@ -158,7 +184,8 @@ impl State {
     /// same sum. `None` for the slip in adhesion.
     pub(crate) fn visible(&self, grid: &Grid, element: usize) -> ([f64; 2], Option<[f64; 2]>) {
         let trial = self.trial(grid, element);
-        let Some(Sliding { traction, .. }) = project_within(self.limits[element], trial, 0.0)
+        let Some(Sliding { traction, .. }) =
+            project_within(self.limits[element], trial, Corner::Sharp)
         else {
             return (trial, None);
         };
@@ -236,7 +263,7 @@ impl State {
         let mut switched = false;
         for element in grid.mesh.elements(strip) {
             let sliding =
-                project_within(self.limits[element], self.trial(grid, element), grid.rounding);
+                project_within(self.limits[element], self.trial(grid, element), self.corner);
             switched |= sliding.is_some() != self.slides(element);
             self.sliding[element] = sliding;
         }

@@ -106,7 +106,7 @@ impl State {
             let traction = [0, 1].map(|k| t[k] + length * dt[k]);
             let slip = [0, 1].map(|k| s[k] + length * equations.slip[k][element]);
             let trial = [0, 1].map(|k| traction[k] + weight * slip[k]);
-            let [x, y] = match project_within(self.limits[element], trial, grid.rounding) {
+            let [x, y] = match project_within(self.limits[element], trial, self.corner) {
                 None => slip.map(|s| weight * s),
                 Some(sliding) => [0, 1].map(|k| sliding.traction[k] - traction[k]),
             };
