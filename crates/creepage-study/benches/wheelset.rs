@@ -15,22 +15,30 @@ const SHIFTS: [f64; 3] = [0.002, 0.0055, 0.0065];
 /// From one position to the next (m).
 const STEP: f64 = 1e-5;
 
-fn case() -> WheelsetCase {
+/// By the full theory, or by `fastsim` on the same pressure.
+const THEORIES: [&str; 2] = ["exact", "fastsim"];
+
+fn case(theory: &str) -> WheelsetCase {
     let examples = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/wheelset");
     let text = std::fs::read_to_string(examples.join("s1002-on-uic60.toml")).unwrap();
+    let text = format!("{text}\n[solve]\ntheory = \"{theory}\"\n");
     WheelsetFile::read(&text).unwrap().case(&examples).unwrap()
 }
 
-#[divan::bench(args = SHIFTS, sample_count = 10)]
-fn cold(bencher: Bencher, y: f64) {
-    let case = case();
+fn cases() -> impl Iterator<Item = (&'static str, f64)> {
+    THEORIES.into_iter().flat_map(|theory| SHIFTS.map(|y| (theory, y)))
+}
+
+#[divan::bench(args = cases(), sample_count = 10)]
+fn cold(bencher: Bencher, (theory, y): (&str, f64)) {
+    let case = case(theory);
     let (solver, travel) = (case.solver().unwrap(), case.travel.unwrap());
     bencher.bench_local(|| solver.solve(&Stance { y, ..case.stance }, &travel).unwrap());
 }
 
-#[divan::bench(args = SHIFTS, sample_count = 10)]
-fn from_the_neighbour(bencher: Bencher, y: f64) {
-    let case = case();
+#[divan::bench(args = cases(), sample_count = 10)]
+fn from_the_neighbour(bencher: Bencher, (theory, y): (&str, f64)) {
+    let case = case(theory);
     let (solver, travel) = (case.solver().unwrap(), case.travel.unwrap());
     let before = solver.solve(&Stance { y: y - STEP, ..case.stance }, &travel).unwrap();
     bencher.bench_local(|| solver.next(&before, &Stance { y, ..case.stance }, &travel).unwrap());

@@ -141,7 +141,7 @@ impl<'a> WheelsetSolver<'a> {
         stance: &Stance,
         travel: &Travel,
     ) -> Result<SolvedWheelset, WheelsetError> {
-        self.from(stance, travel, &Start::after(before))
+        self.from(stance, travel, &Start::after(before).beside(before, stance))
     }
 
     fn from(
@@ -161,9 +161,9 @@ impl<'a> WheelsetSolver<'a> {
         self.at(stance, travel, load, start.clone(), *last)
     }
 
-    /// The position is sought with coarse pressures. At each position found fine ones and rolling
-    /// say what the wheels carry, and their stiffness where to go on to, until they carry what was
-    /// expected.
+    /// The position is sought with coarse pressures, or taken from one nearby. At each position found fine
+    /// ones and rolling say what the wheels carry, and their stiffness where to go on to, until they
+    /// carry what was expected.
     fn at(
         &self,
         stance: &Stance,
@@ -177,32 +177,43 @@ impl<'a> WheelsetSolver<'a> {
         const FEW: usize = 8;
         /// A part of the load missed that fast rolling is good enough for.
         const CLOSE: f64 = 1e-3;
-        /// A step that leaves more than this part of what was missed is followed by a search.
+        /// A step that leaves more than this part of what was missed is followed by a search, or by
+        /// rolling.
         const HELPS: f64 = 0.5;
         let is_given = matches!(load, Load::Height(_)) && stance.is_fixed();
         let radius = self.press.running.wheelset().radius();
         let mut is_close = is_given || !start.fine.is_empty();
-        let (mut corrected, mut last) = (None, f64::INFINITY);
+        let mut places = std::mem::take(&mut start.places);
+        let (mut last, mut last_pressed) = (f64::INFINITY, f64::INFINITY);
         for round in 0..ROUNDS {
-            let Start { shares, guess, pitch, fine } = start;
-            let sought = match corrected.take() {
+            let is_beside = round == 0 && places.is_some();
+            let mut sought = match places.take() {
                 Some(places) => Sought { places, coarse: Vec::new() },
-                None => self.sought(stance, load, &shares, &guess)?,
+                None => self.sought(stance, load, &start.shares, &start.guess)?,
             };
-            let wheels =
-                if is_given { sought.coarse.clone() } else { self.refined(&sought, &fine)? };
+            let wheels = match (!is_given).then(|| self.refined(&sought, &start.fine)) {
+                None => sought.coarse.clone(),
+                Some(Err(_)) if is_beside => continue,
+                Some(wheels) => wheels?,
+            };
+            sought.learn(&wheels, &start.shares);
             // Far from the load expected, with friction that is known nearly: no rolling yet.
-            if is_close && !is_given && round < FEW && sought.missed(&wheels, &shares) > CLOSE {
-                corrected = step::places(&wheels, stance, load, &shares);
-                if corrected.is_some() {
-                    start = Start { shares, guess, pitch, fine: Known::of(&wheels) };
+            let missed = sought.missed(&wheels, &start.shares);
+            let is_worth_it = missed > enough(round) && missed < HELPS * last_pressed;
+            if is_close && !is_given && round < FEW && is_worth_it {
+                last_pressed = missed;
+                places = step::places((&sought.places, &wheels), stance, load, &start.shares);
+                if places.is_some() {
+                    start.fine = Known::of(&wheels);
+                }
+                if places.is_some() || is_beside {
                     continue;
                 }
             }
             let method = if is_close { method } else { method.fast() };
             let rollings = Rolling::all(&wheels, self.friction, self.slip, method)?;
-            let (motion, rolled, pitch) = rolled::motion(&rollings, travel, radius, pitch)?;
-            let next = Start::of(&sought.coarse, &wheels, &rolled, pitch, (&guess, &shares));
+            let (motion, rolled, pitch) = rolled::motion(&rollings, travel, radius, start.pitch)?;
+            let next = Start::of(&sought.coarse, &wheels, &rolled, pitch, &start);
             let carried: f64 = wheels.iter().map(|wheel| wheel.vertical(&next.shares)).sum();
             let missed = sought.missed(&wheels, &next.shares);
             // Fine pressures that depend on where they began scatter within their error bars.
@@ -211,11 +222,11 @@ impl<'a> WheelsetSolver<'a> {
                 return Ok(self.solved(&wheels, &rollings, &rolled, (motion, pitch)));
             }
             if round < FEW && missed < HELPS * last {
-                corrected = step::places(&wheels, stance, load, &next.shares);
+                places = step::places((&sought.places, &wheels), stance, load, &next.shares);
             }
-            last = missed;
-            is_close |= corrected.is_some() || missed < CLOSE || round >= FEW;
-            start = if round < FEW { next } else { next.halfway_from(&shares) };
+            (last, last_pressed) = (missed, f64::INFINITY);
+            is_close |= places.is_some() || missed < CLOSE || round >= FEW;
+            start = if round < FEW { next } else { next.halfway_from(&start.shares) };
         }
         Err(WheelsetError::NotSettled)
     }
@@ -295,6 +306,11 @@ impl<'a> Sought<'a> {
         Self { places: coarse.iter().map(|wheel| Place::of(wheel, shares)).collect(), coarse }
     }
 
+    fn learn(&mut self, wheels: &[PressedWheel<'_>], shares: &Shares) {
+        let pairs = self.places.iter_mut().zip(wheels);
+        pairs.for_each(|(place, wheel)| place.learn(wheel, shares));
+    }
+
     /// What wheels carry more or less than expected, in parts of what they carry.
     fn missed(&self, wheels: &[PressedWheel<'_>], shares: &Shares) -> f64 {
         let pairs = self.places.iter().zip(wheels);
@@ -313,6 +329,8 @@ struct Start {
     pitch: Pitch,
     /// Fine pressures.
     fine: Vec<Known>,
+    /// Where the wheels stand nearly.
+    places: Option<Vec<Place>>,
 }
 
 impl Start {
@@ -322,16 +340,16 @@ impl Start {
         wheels: &[PressedWheel<'_>],
         rolled: &[Rolled<'_>],
         pitch: Pitch,
-        (guess, before): (&Guess, &Shares),
+        before: &Self,
     ) -> Self {
         let mut shares = Shares::default();
-        shares.scaled_as(before);
+        shares.scaled_as(&before.shares);
         for (one, rolled) in wheels.iter().flat_map(|wheel| &wheel.contacts).zip(rolled) {
             let contact = &one.contact;
             shares.push(contact.side, contact.y_rail, rolled.force.lateral / one.load());
         }
         let roll = wheels.first().map(|wheel| wheel.position.roll);
-        let mut guess = Guess { roll, ..guess.clone() };
+        let mut guess = Guess { roll, ..before.guess.clone() };
         if !coarse.is_empty() {
             guess.known = Known::of(coarse);
         }
@@ -342,7 +360,7 @@ impl Start {
         for wheel in wheels.iter().filter(|wheel| wheel.depth > 0.0) {
             guess.depths[usize::from(wheel.side == Side::Right)] = wheel.depth;
         }
-        Self { shares, guess, pitch, fine: Known::of(wheels) }
+        Self { shares, guess, pitch, fine: Known::of(wheels), places: None }
     }
 
     /// The same with friction halfway from what it was taken for.
@@ -365,6 +383,12 @@ impl Start {
                 guess.depths[usize::from(wheel.side == Side::Right)] = wheel.depth;
             }
         }
-        Self { shares, guess, pitch: before.pitch, fine }
+        Self { shares, guess, pitch: before.pitch, fine, places: None }
+    }
+
+    /// The same where the wheels hardly go up or down since.
+    fn beside(mut self, before: &SolvedWheelset, stance: &Stance) -> Self {
+        self.places = step::beside(before, stance);
+        self
     }
 }

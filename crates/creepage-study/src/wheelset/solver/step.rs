@@ -4,6 +4,7 @@
 use creepage_rail::{Position, Side};
 
 use super::pressed::{PressedWheel, Shares};
+use crate::wheelset::{SolvedWheel, SolvedWheelset};
 use crate::{Load, Stance};
 
 /// A wheel's position and what it is expected to carry there.
@@ -15,14 +16,72 @@ pub(super) struct Place {
     pub(super) depth: f64,
     /// Vertical force on the rail (N).
     pub(super) expected: f64,
+    /// How far the step went down (m) and rolled (rad) that led here.
+    moved: [f64; 2],
+    /// How the force changes as the wheelset goes down (N/m) and rolls (N/rad), where that is known.
+    by: Option<[f64; 2]>,
 }
 
 impl Place {
     /// That of a wheel as it is.
     pub(super) fn of(wheel: &PressedWheel<'_>, shares: &Shares) -> Self {
         let &PressedWheel { side, position, depth, .. } = wheel;
-        Self { side, position, depth, expected: wheel.expected(shares) }
+        Self::new(side, position, depth, wheel.expected(shares))
     }
+
+    fn new(side: Side, position: Position, depth: f64, expected: f64) -> Self {
+        Self { side, position, depth, expected, moved: [0.0; 2], by: None }
+    }
+
+    /// Learns from the pressure here how the force changes: where a step led here, the change it was made
+    /// with and what it missed (Broyden 1965), for the plane of two areas turns as the load shifts; the
+    /// stiffness else.
+    pub(super) fn learn(&mut self, wheel: &PressedWheel<'_>, shares: &Shares) {
+        let shares = shares.of_fine();
+        let stiffness = || [wheel.stiffness(&shares), wheel.stiffness_by_roll(&shares)];
+        let [down, turn] = self.moved;
+        let [by_down, by_turn] = self.by.unwrap_or_else(stiffness);
+        // Rolling by an angle is as much as going down by it times the wheel's lever.
+        let square = (by_turn / by_down).powi(2);
+        let part = (wheel.vertical(&shares) - self.expected) / (down * down + square * turn * turn);
+        let learnt = [by_down + part * down, by_turn + part * square * turn];
+        let is_sound = learnt[0] > 0.5 * by_down && learnt[0] < 2.0 * by_down;
+        self.by = Some(if is_sound { learnt } else { stiffness() });
+    }
+}
+
+/// Where a wheelset stands nearly that was solved so near that it hardly goes up or down since, and what its
+/// wheels should carry; `None` where it was farther off, or nothing is to be sought.
+pub(super) fn beside(before: &SolvedWheelset, stance: &Stance) -> Option<Vec<Place>> {
+    /// Shift (m) and yaw (rad).
+    const NEAR: [f64; 2] = [1.001e-4, 1.001e-3];
+    let given = if let Some(Load::Height(z)) = stance.load { Some(z) } else { None };
+    if given.is_some() && stance.is_fixed() {
+        return None;
+    }
+    let wheels: Vec<_> = before.wheels().collect();
+    let sides: &[Side] = match &stance.side {
+        Some(side) => std::slice::from_ref(side),
+        None => &[Side::Left, Side::Right],
+    };
+    let vertical = |wheel: &SolvedWheel| wheel.on_rail().force[2];
+    let sum: f64 = wheels.iter().map(|wheel| vertical(wheel)).sum();
+    let place = |(wheel, side): (&&SolvedWheel, &Side)| {
+        let Position { y, z, roll, yaw } = wheel.position;
+        let shift = [stance.y - y, stance.yaw - yaw].map(f64::abs);
+        let is_near = shift[0] < NEAR[0] && shift[1] < NEAR[1] && wheel.side == *side;
+        let roll = stance.roll.unwrap_or(if stance.side.is_some() { 0.0 } else { roll });
+        let position = Position { y: stance.y, z: given.unwrap_or(z), roll, yaw: stance.yaw };
+        let expected = match stance.load? {
+            Load::Wheel(load) => load,
+            Load::Axle(load) if stance.roll.is_some() => load * vertical(wheel) / sum,
+            Load::Axle(load) => load / sides.len() as f64,
+            Load::Height(_) => sum / sides.len() as f64,
+        };
+        is_near.then(|| Place::new(*side, position, wheel.depth, expected))
+    };
+    let pairs = wheels.iter().zip(sides);
+    if wheels.len() == sides.len() { pairs.map(place).collect() } else { None }
 }
 
 /// Vertical forces (N), and how they change as the wheelset goes down (N/m) and rolls (N/rad).
@@ -34,7 +93,7 @@ struct Line {
 /// Where wheels with fine pressures should go, in a straight line; `None` where that is too far for
 /// one, or nothing presses.
 pub(super) fn places(
-    wheels: &[PressedWheel<'_>],
+    (here, wheels): (&[Place], &[PressedWheel<'_>]),
     stance: &Stance,
     load: Load,
     shares: &Shares,
@@ -42,13 +101,10 @@ pub(super) fn places(
     /// Of a wheel's load: beyond, a step has less left of it than a search.
     const FARTHEST: f64 = 0.1;
     let shares = shares.of_fine();
-    let lines: Vec<Line> = wheels
-        .iter()
-        .map(|wheel| Line {
-            force: wheel.vertical(&shares),
-            by: [wheel.stiffness(&shares), wheel.stiffness_by_roll(&shares)],
-        })
-        .collect();
+    let line = |(place, wheel): (&Place, &PressedWheel<'_>)| {
+        Some(Line { force: wheel.vertical(&shares), by: place.by? })
+    };
+    let lines: Vec<Line> = here.iter().zip(wheels).map(line).collect::<Option<_>>()?;
     let moves = moves(&lines, stance.roll.or(stance.side.map(|_| 0.0)), load)?;
     let place = |((wheel, line), [down, turn]): ((&PressedWheel<'_>, &Line), [f64; 2])| {
         let more = line.by[0] * down + line.by[1] * turn;
@@ -56,7 +112,11 @@ pub(super) fn places(
         let position = Position { y, z: z + down, roll: roll + turn, yaw };
         let depth = if wheel.depth > 0.0 { wheel.depth + more / line.by[0] } else { 0.0 };
         let is_near = more.abs() < FARTHEST * line.force && depth >= 0.0;
-        is_near.then_some(Place { side: wheel.side, position, depth, expected: line.force + more })
+        is_near.then(|| Place {
+            moved: [down, turn],
+            by: Some(line.by),
+            ..Place::new(wheel.side, position, depth, line.force + more)
+        })
     };
     wheels.iter().zip(&lines).zip(moves).map(place).collect()
 }
