@@ -8,6 +8,7 @@ use rayon::prelude::*;
 
 use super::pressed::{Known, Press, PressedWheel, Shares};
 use super::root::Root;
+use super::step::learnt;
 use crate::{Load, Stance, WheelsetError};
 
 /// A bracket narrower than this, of a logarithm or a roll, has nothing left to search.
@@ -17,6 +18,8 @@ const DEPTHS: [f64; 2] = [1e-9, 0.02];
 /// Roll to either side of the start (rad).
 const ROLL: f64 = 0.05;
 const STEPS: usize = 80;
+/// To which part both loads are met by coarse pressures, which err as much: fine ones go on from there.
+const ROUGH: f64 = 1e-3;
 
 /// To which part a load is met: pressures found by elements scatter by more than those found by
 /// strips, and a search that does not end soon meets their scatter.
@@ -149,8 +152,8 @@ impl<'a> Balance<'_, 'a> {
         Err(refused.unwrap_or(WheelsetError::LoadNotFound { load }))
     }
 
-    /// The roll and the height at which each wheel carries `load`: by Newton's method in both, and
-    /// where that leads nowhere, one inside the other.
+    /// The roll and the height at which each wheel carries `load`: by steps in both, and where those lead
+    /// nowhere, one inside the other.
     fn level(&self, load: f64) -> Result<Vec<PressedWheel<'a>>, WheelsetError> {
         const STEPS: usize = 20;
         let sides = [Side::Left, Side::Right];
@@ -158,48 +161,44 @@ impl<'a> Balance<'_, 'a> {
         let rest = [self.touch(&[Side::Left], roll)?, self.touch(&[Side::Right], roll)?];
         let [left, right] = self.guess.depths;
         let mut z = (rest[0] + left).midpoint(rest[1] + right);
-        let mut known = self.guess.known.clone();
+        let (mut known, mut last) = (self.guess.known.clone(), None);
         for _ in 0..STEPS {
             let Ok(mut wheels) = self.at(&sides, z, roll, &known) else { break };
-            let excess = self.excess(&wheels, load);
-            if excess.iter().all(|one| one.abs() < enough(0)) {
+            let Some(here) = self.lines(&wheels, load, last) else { break };
+            if here.iter().all(|line| line.excess.abs() < ROUGH) {
                 for wheel in &mut wheels {
                     wheel.depth = z - self.touch(&[wheel.side], roll)?;
                 }
                 return Ok(wheels);
             }
-            let Some([down, turn]) = self.step(&wheels, excess) else { break };
+            let Some([down, turn]) = step(&here) else { break };
             (z, roll) = (z + down, roll + turn);
-            known = Known::of(&wheels);
+            (known, last) = (Known::of(&wheels), Some((here, [down, turn])));
         }
         self.level_by_halving(load)
     }
 
-    /// The logarithms of what two wheels carry over `load`.
-    fn excess(&self, wheels: &[PressedWheel<'_>], load: f64) -> [f64; 2] {
-        let of = |wheel: Option<&PressedWheel<'_>>| {
-            wheel.map_or(f64::NAN, |wheel| (wheel.expected(self.shares) / load).ln())
-        };
-        [of(wheels.first()), of(wheels.get(1))]
-    }
-
-    /// Newton's step in height and roll, no longer than takes the loads to a third; `None` where
-    /// a wheel hangs in the air.
-    fn step(&self, wheels: &[PressedWheel<'_>], excess: [f64; 2]) -> Option<[f64; 2]> {
-        const LARGEST: f64 = 1.1;
-        let row = |wheel: &PressedWheel<'_>| {
+    /// What two wheels carry more than `load`, and how that changes: as learnt from the last step, where
+    /// there is one; by stiffness else. `None` where a wheel hangs in the air.
+    fn lines(
+        &self,
+        wheels: &[PressedWheel<'_>],
+        load: f64,
+        last: Option<([Line; 2], [f64; 2])>,
+    ) -> Option<[Line; 2]> {
+        let line = |wheel: &PressedWheel<'_>, before: Option<Line>| {
             let carried = wheel.expected(self.shares);
-            let by = [wheel.stiffness(self.shares), wheel.stiffness_by_roll(self.shares)];
-            by.map(|by| by / carried)
+            let stiffness = [wheel.stiffness(self.shares), wheel.stiffness_by_roll(self.shares)];
+            let by = stiffness.map(|by| by / carried);
+            let excess = (carried / load).ln();
+            let Some((before, (_, moved))) = before.zip(last) else { return Line { excess, by } };
+            let missed = excess - before.expected_after(moved);
+            Line { excess, by: learnt(before.by, moved, missed).unwrap_or(by) }
         };
-        let [left, right] = pair(wheels)?.map(row);
-        let largest = excess[0].abs().max(excess[1].abs());
-        let [a, b] = excess.map(|one| -one * (LARGEST / largest).min(1.0));
-        let determinant = left[0] * right[1] - left[1] * right[0];
-        let step = [a * right[1] - b * left[1], b * left[0] - a * right[0]];
-        let [down, turn] = step.map(|part| part / determinant);
-        let usable = down.abs() < DEPTHS[1] && turn.abs() < ROLL && largest.is_finite();
-        usable.then_some([down, turn])
+        let before = last.map_or([None; 2], |(before, _)| before.map(Some));
+        let [left, right] = pair(wheels)?;
+        let lines = [line(left, before[0]), line(right, before[1])];
+        lines.iter().all(|line| line.excess.is_finite()).then_some(lines)
     }
 
     /// The roll at which each wheel carries `load` at one height.
@@ -257,6 +256,33 @@ impl<'a> Balance<'_, 'a> {
         let resting = self.press.running.resting(y, yaw, None);
         Ok(resting.map_err(WheelsetError::Resting)?.roll)
     }
+}
+
+/// The logarithm of what a wheel carries over its load, and its change as the wheelset goes down (1/m) and
+/// rolls (1/rad).
+#[derive(Debug, Clone, Copy)]
+struct Line {
+    excess: f64,
+    by: [f64; 2],
+}
+
+impl Line {
+    fn expected_after(&self, [down, turn]: [f64; 2]) -> f64 {
+        self.excess + self.by[0] * down + self.by[1] * turn
+    }
+}
+
+/// The step in height and roll that makes both loads right, no longer than takes them to a third; `None`
+/// where that is too far.
+fn step(lines: &[Line; 2]) -> Option<[f64; 2]> {
+    const LARGEST: f64 = 1.1;
+    let [left, right] = lines;
+    let largest = left.excess.abs().max(right.excess.abs());
+    let [a, b] = [left, right].map(|line| -line.excess * (LARGEST / largest).min(1.0));
+    let determinant = left.by[0] * right.by[1] - left.by[1] * right.by[0];
+    let step = [a * right.by[1] - b * left.by[1], b * left.by[0] - a * right.by[0]];
+    let [down, turn] = step.map(|part| part / determinant);
+    (down.abs() < DEPTHS[1] && turn.abs() < ROLL).then_some([down, turn])
 }
 
 fn pair<'w, 'a>(wheels: &'w [PressedWheel<'a>]) -> Option<[&'w PressedWheel<'a>; 2]> {

@@ -172,45 +172,41 @@ impl<'a> WheelsetSolver<'a> {
         mut start: Start,
         method: Method,
     ) -> Result<SolvedWheelset, WheelsetError> {
-        const ROUNDS: usize = 24;
+        const ROUNDS: usize = 28;
         /// Rounds after which they might swing to and fro.
-        const FEW: usize = 8;
-        /// A part of the load missed that fast rolling is good enough for.
-        const CLOSE: f64 = 1e-3;
+        const FEW: usize = 12;
+        /// To which part a load is met: far within its error bar.
+        const MET: f64 = 3e-5;
         /// A step that leaves more than this part of what was missed is followed by a search, or by
         /// rolling.
         const HELPS: f64 = 0.5;
         let is_given = matches!(load, Load::Height(_)) && stance.is_fixed();
         let radius = self.press.running.wheelset().radius();
-        let mut is_close = is_given || !start.fine.is_empty();
+        let mut stages = method.stages();
+        let is_beside = start.places.is_some();
+        stages.drain(..if is_given || is_beside { stages.len() - 1 } else { 0 });
         let mut places = std::mem::take(&mut start.places);
-        let (mut last, mut last_pressed) = (f64::INFINITY, f64::INFINITY);
+        let (mut last, mut rolled_by) = (f64::INFINITY, None);
         for round in 0..ROUNDS {
-            let is_beside = round == 0 && places.is_some();
             let mut sought = match places.take() {
                 Some(places) => Sought { places, coarse: Vec::new() },
                 None => self.sought(stance, load, &start.shares, &start.guess)?,
             };
             let wheels = match (!is_given).then(|| self.refined(&sought, &start.fine)) {
                 None => sought.coarse.clone(),
-                Some(Err(_)) if is_beside => continue,
+                Some(Err(_)) if is_beside && round == 0 => continue,
                 Some(wheels) => wheels?,
             };
-            sought.learn(&wheels, &start.shares);
-            // Far from the load expected, with friction that is known nearly: no rolling yet.
+            // Friction is known nearly: no rolling before the load is met.
             let missed = sought.missed(&wheels, &start.shares);
-            let is_worth_it = missed > enough(round) && missed < HELPS * last_pressed;
-            if is_close && !is_given && round < FEW && is_worth_it {
-                last_pressed = missed;
+            if is_beside && rolled_by.is_none() && missed > MET && missed < HELPS * last {
+                last = missed;
+                sought.learn(&wheels, &start.shares, round > 0);
                 places = step::places((&sought.places, &wheels), stance, load, &start.shares);
-                if places.is_some() {
-                    start.fine = Known::of(&wheels);
-                }
-                if places.is_some() || is_beside {
-                    continue;
-                }
+                start.fine = Known::of(&wheels);
+                continue;
             }
-            let method = if is_close { method } else { method.fast() };
+            let (method, good_enough) = stages.first().copied().unwrap_or((method, 0.0));
             let rollings = Rolling::all(&wheels, self.friction, self.slip, method)?;
             let (motion, rolled, pitch) = rolled::motion(&rollings, travel, radius, start.pitch)?;
             let next = Start::of(&sought.coarse, &wheels, &rolled, pitch, &start);
@@ -218,14 +214,18 @@ impl<'a> WheelsetSolver<'a> {
             let missed = sought.missed(&wheels, &next.shares);
             // Fine pressures that depend on where they began scatter within their error bars.
             let within = if round < FEW { 0.0 } else { error_of_load(&wheels) / carried };
-            if is_given || (is_close && missed <= enough(round).max(within)) {
+            if is_given || (stages.len() == 1 && missed <= enough(round).max(MET).max(within)) {
                 return Ok(self.solved(&wheels, &rollings, &rolled, (motion, pitch)));
             }
-            if round < FEW && missed < HELPS * last {
+            sought.learn(&wheels, &next.shares, rolled_by == Some(stages.len()));
+            if round < FEW && (missed < HELPS * last || rolled_by.is_none()) {
                 places = step::places((&sought.places, &wheels), stance, load, &next.shares);
             }
-            (last, last_pressed) = (missed, f64::INFINITY);
-            is_close |= places.is_some() || missed < CLOSE || round >= FEW;
+            (last, rolled_by) = (missed, Some(stages.len()));
+            if stages.len() > 1 && (missed < good_enough || round >= FEW) {
+                stages.remove(0);
+                last = f64::INFINITY;
+            }
             start = if round < FEW { next } else { next.halfway_from(&start.shares) };
         }
         Err(WheelsetError::NotSettled)
@@ -243,7 +243,8 @@ impl<'a> WheelsetSolver<'a> {
         let is_given = matches!(load, Load::Height(_)) && stance.is_fixed();
         let press = if is_given { &self.press } else { &coarse };
         let balance = Balance { press, stance, shares, guess: guess.clone() };
-        Ok(Sought::new(balance.wheels(load)?, shares))
+        let coarse = balance.wheels(load)?;
+        Ok(Sought { places: Place::of(&coarse, stance, load, shares), coarse })
     }
 
     /// Wheels in their places with fine pressures.
@@ -301,14 +302,10 @@ struct Sought<'a> {
     coarse: Vec<PressedWheel<'a>>,
 }
 
-impl<'a> Sought<'a> {
-    fn new(coarse: Vec<PressedWheel<'a>>, shares: &Shares) -> Self {
-        Self { places: coarse.iter().map(|wheel| Place::of(wheel, shares)).collect(), coarse }
-    }
-
-    fn learn(&mut self, wheels: &[PressedWheel<'_>], shares: &Shares) {
+impl Sought<'_> {
+    fn learn(&mut self, wheels: &[PressedWheel<'_>], shares: &Shares, is_like: bool) {
         let pairs = self.places.iter_mut().zip(wheels);
-        pairs.for_each(|(place, wheel)| place.learn(wheel, shares));
+        pairs.for_each(|(place, wheel)| place.learn(wheel, shares, is_like));
     }
 
     /// What wheels carry more or less than expected, in parts of what they carry.

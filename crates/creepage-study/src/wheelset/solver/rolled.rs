@@ -26,11 +26,16 @@ pub(super) enum Method {
 impl Method {
     pub(super) const STANDARD: Self = Self::Exact(Resolution::STANDARD);
 
-    /// Good enough far from the load expected.
-    pub(super) fn fast(self) -> Self {
+    /// Methods that come nearer to this one, and down to which part of the load missed each is good enough:
+    /// the loads follow from friction, which `fastsim` tells a hundred times quicker than the full theory.
+    pub(super) fn stages(self) -> Vec<(Self, f64)> {
         match self {
-            Self::Exact(_) => Self::Exact(Resolution::FAST),
-            simplified @ Self::Simplified(..) => simplified,
+            Self::Exact(_) => vec![
+                (Self::Simplified(Simplified::Fastsim, [20, 10]), 2e-3),
+                (Self::Exact(Resolution::FAST), 3e-4),
+                (self, 0.0),
+            ],
+            Self::Simplified(..) => vec![(self, 0.0)],
         }
     }
 }

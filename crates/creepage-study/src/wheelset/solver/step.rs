@@ -23,31 +23,48 @@ pub(super) struct Place {
 }
 
 impl Place {
-    /// That of a wheel as it is.
-    pub(super) fn of(wheel: &PressedWheel<'_>, shares: &Shares) -> Self {
-        let &PressedWheel { side, position, depth, .. } = wheel;
-        Self::new(side, position, depth, wheel.expected(shares))
+    /// Those of wheels that nearly carry their load.
+    pub(super) fn of(
+        wheels: &[PressedWheel<'_>],
+        stance: &Stance,
+        load: Load,
+        shares: &Shares,
+    ) -> Vec<Self> {
+        let sum = wheels.iter().map(|wheel| wheel.expected(shares)).sum();
+        let place = |wheel: &PressedWheel<'_>| {
+            let &PressedWheel { side, position, depth, .. } = wheel;
+            let of = [sum, wheels.len() as f64];
+            Self::new(side, position, depth, wanted(stance, load, wheel.expected(shares), of))
+        };
+        wheels.iter().map(place).collect()
     }
 
     fn new(side: Side, position: Position, depth: f64, expected: f64) -> Self {
         Self { side, position, depth, expected, moved: [0.0; 2], by: None }
     }
 
-    /// Learns from the pressure here how the force changes: where a step led here, the change it was made
-    /// with and what it missed (Broyden 1965), for the plane of two areas turns as the load shifts; the
-    /// stiffness else.
-    pub(super) fn learn(&mut self, wheel: &PressedWheel<'_>, shares: &Shares) {
+    /// How the force changes here: what is known of it, changed by what the step that led here missed, if
+    /// that compares like with like; the stiffness where nothing is known.
+    pub(super) fn learn(&mut self, wheel: &PressedWheel<'_>, shares: &Shares, is_like: bool) {
         let shares = shares.of_fine();
+        let missed = wheel.vertical(&shares) - self.expected;
+        let change = |by| if is_like { learnt(by, self.moved, missed) } else { Some(by) };
         let stiffness = || [wheel.stiffness(&shares), wheel.stiffness_by_roll(&shares)];
-        let [down, turn] = self.moved;
-        let [by_down, by_turn] = self.by.unwrap_or_else(stiffness);
-        // Rolling by an angle is as much as going down by it times the wheel's lever.
-        let square = (by_turn / by_down).powi(2);
-        let part = (wheel.vertical(&shares) - self.expected) / (down * down + square * turn * turn);
-        let learnt = [by_down + part * down, by_turn + part * square * turn];
-        let is_sound = learnt[0] > 0.5 * by_down && learnt[0] < 2.0 * by_down;
-        self.by = Some(if is_sound { learnt } else { stiffness() });
+        self.by = Some(self.by.and_then(change).unwrap_or_else(stiffness));
     }
+}
+
+/// How a force changes as the wheelset goes down and rolls, from how it was thought to and what the step
+/// `moved` missed (Broyden 1965): the plane of two areas turns as the load shifts, and friction
+/// changes, which no stiffness knows. `None` where that makes it another change altogether.
+pub(super) fn learnt(by: [f64; 2], moved: [f64; 2], missed: f64) -> Option<[f64; 2]> {
+    let ([by_down, by_turn], [down, turn]) = (by, moved);
+    // Rolling by an angle is as much as going down by it times the wheel's lever.
+    let square = (by_turn / by_down).powi(2);
+    let part = missed / (down * down + square * turn * turn);
+    let changed = by_down + part * down;
+    let is_sound = changed > 0.5 * by_down && changed < 2.0 * by_down;
+    is_sound.then_some([changed, by_turn + part * square * turn])
 }
 
 /// Where a wheelset stands nearly that was solved so near that it hardly goes up or down since, and what its
@@ -72,16 +89,21 @@ pub(super) fn beside(before: &SolvedWheelset, stance: &Stance) -> Option<Vec<Pla
         let is_near = shift[0] < NEAR[0] && shift[1] < NEAR[1] && wheel.side == *side;
         let roll = stance.roll.unwrap_or(if stance.side.is_some() { 0.0 } else { roll });
         let position = Position { y: stance.y, z: given.unwrap_or(z), roll, yaw: stance.yaw };
-        let expected = match stance.load? {
-            Load::Wheel(load) => load,
-            Load::Axle(load) if stance.roll.is_some() => load * vertical(wheel) / sum,
-            Load::Axle(load) => load / sides.len() as f64,
-            Load::Height(_) => sum / sides.len() as f64,
-        };
+        let expected = wanted(stance, stance.load?, vertical(wheel), [sum, sides.len() as f64]);
         is_near.then(|| Place::new(*side, position, wheel.depth, expected))
     };
     let pairs = wheels.iter().zip(sides);
     if wheels.len() == sides.len() { pairs.map(place).collect() } else { None }
+}
+
+/// What a wheel should carry (N) that carries `own`, of the sum of some wheels.
+fn wanted(stance: &Stance, load: Load, own: f64, [sum, count]: [f64; 2]) -> f64 {
+    match load {
+        Load::Wheel(load) => load,
+        Load::Axle(load) if stance.roll.is_some() => load * own / sum,
+        Load::Axle(load) => load / count,
+        Load::Height(_) => sum / count,
+    }
 }
 
 /// Vertical forces (N), and how they change as the wheelset goes down (N/m) and rolls (N/rad).
