@@ -8,6 +8,8 @@ const POINTS: usize = 2000;
 /// Spacing of the radius difference that is integrated, linear between (m): the standard's own.
 /// Next to a jump of contact the conicity depends on it.
 const STEP: f64 = 1e-4;
+/// Rounding of the radius difference (m).
+const ROUNDING: f64 = 1e-12;
 
 /// The difference of rolling radii over the lateral position, and what follows from it.
 ///
@@ -170,7 +172,8 @@ impl RadiusDifference {
             return Err(ConicityError::TooFar { amplitude, from, to });
         }
         let [low, _] = threshold([left, right], |low| excess(low) <= 0.0);
-        let steered = self.potential_at(low) > self.potential_at(centre);
+        // Where wheels run on cylinders nothing steers: waves of any length, conicity zero.
+        let steered = self.potential_at(low) >= self.potential_at(centre) - ROUNDING * amplitude;
         steered.then_some([low, low + 2.0 * amplitude]).ok_or(ConicityError::Unstable)
     }
 

@@ -129,3 +129,14 @@ fn the_difference_is_odd_for_like_wheels() {
     assert_eq!(curve.at(1.0), None);
     assert!(curve.conicity(f64::NAN).is_err() && curve.conicity(0.5).is_err());
 }
+
+/// Wheels I have cylinders about the tape circle: in a swing that stays there nothing steers them.
+#[test]
+fn cylinders_have_no_conicity() {
+    let wheels = ["EN15302-I".to_owned(), "EN15302-I".to_owned()];
+    let curve = differences(&wheels, 0.0, Some(0.0));
+    assert!(curve.at(0.0015).unwrap().abs() < 1e-12 && curve.at(0.0020).unwrap() > 2e-3);
+    assert!(curve.conicity(0.001).unwrap().abs() < 1e-9);
+    // Computed before by other code from the same arcs, to three digits.
+    assert!((curve.conicity(0.003).unwrap() - 0.491).abs() < 1e-3);
+}

@@ -110,7 +110,8 @@ fn reach_of_section(section: &Section, height: f64, domain: &Rectangle) -> Optio
             high = high.max(locus + half);
         }
     }
-    let margin = MARGIN * (high - low);
+    // Where the gap is nowhere below the height, any stretch along rolling will do.
+    let margin = if high > low { MARGIN * (high - low) } else { domain.size()[1] };
     let x = [low - margin, high + margin];
-    (high > low && margin.is_finite()).then_some(Rectangle { x, ..*domain })
+    margin.is_finite().then_some(Rectangle { x, ..*domain })
 }

@@ -189,7 +189,8 @@ fn by_strips(
         strips::solve(Task { approach, ..task }, start, wanted)
     };
     let nearly = NEARLY[usize::from(!resolution.with_errors)];
-    let whole = Wanted { load, count, terms, enough: ENOUGH[1], nearly, complete };
+    let summit = resolution.with_errors;
+    let whole = Wanted { load, count, terms, enough: ENOUGH[1], nearly, complete, summit };
     // The stiffness of the coarser one is not used.
     let half = Wanted {
         count: count.div_ceil(2),

@@ -22,6 +22,20 @@ fn gaps_that_never_touch() {
     assert!(matches!(negative, Err(NormalError::NoContact { .. })), "{negative:?}");
 }
 
+/// A section on one locus, as of a wheel that others hold off its rail.
+#[test]
+fn sections_that_never_touch() {
+    let y: Vec<f64> = (-10..=10).map(|i| f64::from(i) * MM).collect();
+    let gap: Vec<f64> = y.iter().map(|y| 5e-6 + y * y).collect();
+    let gap = Gap::section(&y, &gap, Rolling::Radius(0.46)).unwrap();
+    match solve(&gap, 4e-6) {
+        Err(NormalError::NoContact { least_gap, .. }) => {
+            assert!((least_gap - 5e-6).abs() < 1e-9, "{least_gap}");
+        }
+        other => panic!("{other:?}"),
+    }
+}
+
 #[test]
 fn lines_and_conformal_bodies() {
     for gap in [

@@ -6,6 +6,7 @@ mod kernel;
 mod newton;
 mod outside;
 mod strip;
+mod summit;
 mod system;
 
 use super::band::Band;
@@ -35,6 +36,8 @@ pub(super) struct Wanted {
     pub(super) nearly: f64,
     /// Whether the bodies must nowhere overlap beyond the strips.
     pub(super) complete: bool,
+    /// Whether the peak pressure is wanted closer than the strips alone tell.
+    pub(super) summit: bool,
 }
 
 /// Polynomials that a strip's pressure needs: on a parabola along rolling two, on any other section four.
@@ -62,6 +65,10 @@ pub(super) fn solve(task: Task<'_>, start: &[Patch], wanted: Wanted) -> Option<F
         let h = task.gap.at(units.origin[0] + place[0], units.origin[1] + place[1]);
         (task.approach - h) / depth
     };
+    let peak = |touching: &Touching| match wanted.summit {
+        true => summit::peak(touching, terms, &gap),
+        false => strip::peak(&touching.strips),
+    };
     let load = wanted.load.map(|load| load / force);
     let question = Question { depth: &gap, load, enough, nearly };
     let (mut start, mut settled) = (start.to_vec(), 0);
@@ -87,7 +94,7 @@ pub(super) fn solve(task: Task<'_>, start: &[Patch], wanted: Wanted) -> Option<F
                     patches,
                     approach: task.approach + depth * touching.deeper,
                     load: force * touching.strips.iter().map(Strip::load).sum::<f64>(),
-                    peak: units.pressure * peak(&touching.strips),
+                    peak: units.pressure * peak(&touching),
                     stiffness: force / depth * touching.stiffness,
                 };
                 let is_all = || outside::stays_open(task, &touching, units, terms, &gap);
@@ -262,23 +269,4 @@ fn patches(start: &[Patch], strips: &[Strip], units: Units) -> Vec<Patch> {
             Patch::new(bands.collect())
         })
         .collect()
-}
-
-/// The top of the parabola across through the strip of greatest pressure and its neighbours.
-fn peak(strips: &[Strip]) -> f64 {
-    let peaks: Vec<f64> = strips.iter().map(Strip::peak).collect();
-    let top = (0..peaks.len()).max_by(|&i, &j| peaks[i].total_cmp(&peaks[j])).unwrap_or(0);
-    let highest = peaks.get(top).copied().unwrap_or(0.0);
-    let neighbour = |at: Option<usize>| {
-        let at = at.filter(|&at| at < strips.len() && strips[at].band == strips[top].band)?;
-        Some((strips[at].y - strips[top].y, peaks[at] - highest))
-    };
-    let (Some((low, below)), Some((high, above))) =
-        (neighbour(top.checked_sub(1)), neighbour(Some(top + 1)))
-    else {
-        return highest;
-    };
-    let bend = (above / high - below / low) / (high - low);
-    let slope = above / high - bend * high;
-    if bend < 0.0 { highest - 0.25 * slope * slope / bend } else { highest }
 }

@@ -133,3 +133,22 @@ fn tip(squares: &[(f64, f64)], laid: f64) -> f64 {
     let inside = root >= 0.0 && (distance / reach - 1.0).abs() < WITHIN;
     if inside { y0 + distance } else { laid }
 }
+
+/// The top of the parabola across through the strip of greatest pressure and its neighbours.
+pub(super) fn peak(strips: &[Strip]) -> f64 {
+    let peaks: Vec<f64> = strips.iter().map(Strip::peak).collect();
+    let top = (0..peaks.len()).max_by(|&i, &j| peaks[i].total_cmp(&peaks[j])).unwrap_or(0);
+    let highest = peaks.get(top).copied().unwrap_or(0.0);
+    let neighbour = |at: Option<usize>| {
+        let at = at.filter(|&at| at < strips.len() && strips[at].band == strips[top].band)?;
+        Some((strips[at].y - strips[top].y, peaks[at] - highest))
+    };
+    let (Some((low, below)), Some((high, above))) =
+        (neighbour(top.checked_sub(1)), neighbour(Some(top + 1)))
+    else {
+        return highest;
+    };
+    let bend = (above / high - below / low) / (high - low);
+    let slope = above / high - bend * high;
+    if bend < 0.0 { highest - 0.25 * slope * slope / bend } else { highest }
+}

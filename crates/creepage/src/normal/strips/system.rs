@@ -61,7 +61,63 @@ impl<const T: usize, const SLOPES: bool> WithSimd for Evaluate<'_, T, SLOPES> {
     }
 }
 
+/// Displacement less depth at the first point of the strips from `first` on, and its derivatives
+/// by factors on their pressures.
+struct ByFactors<'a, const T: usize> {
+    system: &'a System,
+    depth: Depth<'a>,
+    first: usize,
+}
+
+impl<const T: usize> WithSimd for ByFactors<'_, T> {
+    type Output = (DMatrix<f64>, DVector<f64>);
+
+    #[allow(clippy::inline_always)] // so that it is compiled for each kind of processor
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) -> Self::Output {
+        let Self { system, depth, first } = self;
+        let (rules, size) = (&*RULES, system.size());
+        let own = &system.strips[first..];
+        let mut matrix = DMatrix::zeros(own.len(), own.len());
+        let mut residual = DVector::zeros(own.len());
+        let mut row = vec![0.0; system.strips.len() * size];
+        for (i, strip) in own.iter().enumerate() {
+            row.fill(0.0);
+            let x = strip.centre + strip.half * system.points[0];
+            residual[i] = system.row::<T, true>(rules, [first + i, 0], depth, &mut row)
+                - depth(x, strip.y)
+                - system.deeper;
+            for (j, source) in own.iter().enumerate() {
+                let by_pressure = &row[(first + j) * size..][..T];
+                let parts = by_pressure.iter().zip(&source.pressure);
+                matrix[(i, j)] = parts.map(|(by, pressure)| by * pressure).sum::<f64>();
+            }
+        }
+        (matrix, residual)
+    }
+}
+
 impl System {
+    /// The strips from `first` on with pressures by which their first points sink as deep as they
+    /// should, those of the others held; `None` if any would pull, or press several times as much.
+    pub(super) fn scaled(&self, first: usize, depth: Depth<'_>) -> Option<Vec<Strip>> {
+        const RANGE: std::ops::Range<f64> = 0.0..4.0;
+        let (system, arch) = (self, Arch::new());
+        let (matrix, residual) = match self.terms {
+            CENTRED => arch.dispatch(ByFactors::<1> { system, depth, first }),
+            2 => arch.dispatch(ByFactors::<2> { system, depth, first }),
+            4 => arch.dispatch(ByFactors::<4> { system, depth, first }),
+            _ => arch.dispatch(ByFactors::<MOST> { system, depth, first }),
+        };
+        let less = matrix.lu().solve(&residual)?;
+        let scale = |(strip, less): (&Strip, &f64)| Strip {
+            pressure: strip.pressure.map(|pressure| pressure * (1.0 - less)),
+            ..*strip
+        };
+        let is_near = less.iter().all(|less| RANGE.contains(&(1.0 - less)));
+        is_near.then(|| self.strips[first..].iter().zip(less.iter()).map(scale).collect())
+    }
+
     /// Unknowns of a strip: its pressures, its centre in half lengths unless that is known, the
     /// logarithm of its half length.
     pub(super) fn size(&self) -> usize {
