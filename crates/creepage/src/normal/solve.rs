@@ -28,17 +28,24 @@ pub(super) struct Found {
     pub(super) patches: Vec<Patch>,
     pub(super) approach: f64,
     pub(super) load: f64,
+    /// The greatest pressure by the strips or elements as they are, and the summit between them.
     pub(super) peak: f64,
+    pub(super) summit: f64,
+    /// How much the pressure falls from the highest element to its neighbours: nothing for strips.
+    pub(super) fall: f64,
     pub(super) stiffness: f64,
 }
 
 impl Found {
     fn by_elements(task: Task<'_>, level: &Level) -> Self {
+        let [peak, fall] = summit(level);
         Self {
             patches: outline::patches(level).into_iter().map(Patch::new).collect(),
             approach: task.approach,
             load: level.load(),
-            peak: peak(level),
+            peak,
+            summit: peak,
+            fall,
             stiffness: level.stiffness,
         }
     }
@@ -230,7 +237,8 @@ fn contact(gap: &Gap, pair: SolidPair, asked: Asked, found: Pair) -> NormalConta
     let bars = Bars::new(&found);
     let Pair { coarse, mut fine, method, residual, .. } = found;
     let area = fine.area();
-    let peak_error = bars.peak.of(fine.peak, coarse.peak);
+    // A summit that falls steeply from one element to the next may be as narrow as they.
+    let peak_error = bars.peak.of(fine.summit, coarse.summit).max(0.5 * fine.fall);
     let area_error = bars.area.of(area, coarse.area());
     // What the coarser would carry at the finer one's approach.
     let carried = coarse.load + fine.stiffness * (fine.approach - coarse.approach);
@@ -258,7 +266,7 @@ fn contact(gap: &Gap, pair: SolidPair, asked: Asked, found: Pair) -> NormalConta
         pair,
         approach,
         load,
-        peak: Estimate { value: fine.peak, error: peak_error },
+        peak: Estimate { value: fine.summit, error: peak_error },
         area: Estimate { value: area, error: area_error },
         stiffness: fine.stiffness,
         status: if converged { Status::Converged } else { Status::NotConverged { residual } },
@@ -314,21 +322,23 @@ fn gap_points(gap: &Gap, patches: &[Patch]) -> [Option<usize>; 2] {
     [0, 1].map(|axis| counts.iter().filter_map(|count| count[axis]).min())
 }
 
-/// The top of the parabolas along x and y through the greatest pressure and its neighbours.
-fn peak(level: &Level) -> f64 {
+/// The top of the parabolas along x and y through the greatest pressure and its neighbours, and
+/// how much the lowest of these lacks.
+fn summit(level: &Level) -> [f64; 2] {
     let [columns, rows] = level.lattice.count;
-    let top = (0..level.pressures.len())
-        .max_by(|&one, &other| level.pressures[one].total_cmp(&level.pressures[other]))
-        .unwrap_or(0);
-    let rise = |step: usize, inside: bool| {
-        let (true, Some(below)) = (inside, top.checked_sub(step)) else { return 0.0 };
-        let [low, middle, high] =
-            [below, top, top + step].map(|at| level.pressures.get(at).copied().unwrap_or(0.0));
+    let at = |index: usize| level.pressures.get(index).copied().unwrap_or(0.0);
+    let highest = |&one: &usize, &other: &usize| at(one).total_cmp(&at(other));
+    let top = (0..level.pressures.len()).max_by(highest).unwrap_or(0);
+    let (column, row, middle) = (top % columns, top / columns, at(top));
+    let along = |step: usize, inside: bool| {
+        let (true, Some(below)) = (inside, top.checked_sub(step)) else { return [0.0, middle] };
+        let [low, high] = [below, top + step].map(at);
         let (slope, bend) = (0.5 * (high - low), low + high - 2.0 * middle);
-        if low > 0.0 && high > 0.0 && bend < 0.0 { -0.5 * slope * slope / bend } else { 0.0 }
+        let is_smooth = low > 0.0 && high > 0.0 && bend < 0.0;
+        let rise = if is_smooth { -0.5 * slope * slope / bend } else { 0.0 };
+        [rise, middle - low.min(high)]
     };
-    let (column, row) = (top % columns, top / columns);
-    level.pressures.get(top).copied().unwrap_or(0.0)
-        + rise(1, column > 0 && column + 1 < columns)
-        + rise(columns, row > 0 && row + 1 < rows)
+    let [x, y] =
+        [along(1, column > 0 && column + 1 < columns), along(columns, row > 0 && row + 1 < rows)];
+    [middle + x[0] + y[0], x[1].max(y[1])]
 }

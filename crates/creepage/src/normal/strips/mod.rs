@@ -65,9 +65,9 @@ pub(super) fn solve(task: Task<'_>, start: &[Patch], wanted: Wanted) -> Option<F
         let h = task.gap.at(units.origin[0] + place[0], units.origin[1] + place[1]);
         (task.approach - h) / depth
     };
-    let peak = |touching: &Touching| match wanted.summit {
-        true => summit::peak(touching, terms, &gap),
-        false => strip::peak(&touching.strips),
+    let summit = |touching: &Touching, peak: f64| match wanted.summit {
+        true => summit::height(touching, terms, &gap).unwrap_or(peak),
+        false => peak,
     };
     let load = wanted.load.map(|load| load / force);
     let question = Question { depth: &gap, load, enough, nearly };
@@ -90,11 +90,14 @@ pub(super) fn solve(task: Task<'_>, start: &[Patch], wanted: Wanted) -> Option<F
                     start = patches;
                     continue;
                 }
+                let peak = strip::peak(&touching.strips);
                 let found = Found {
                     patches,
                     approach: task.approach + depth * touching.deeper,
                     load: force * touching.strips.iter().map(Strip::load).sum::<f64>(),
-                    peak: units.pressure * peak(&touching),
+                    peak: units.pressure * peak,
+                    summit: units.pressure * summit(&touching, peak),
+                    fall: 0.0,
                     stiffness: force / depth * touching.stiffness,
                 };
                 let is_all = || outside::stays_open(task, &touching, units, terms, &gap);

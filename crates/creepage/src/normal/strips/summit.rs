@@ -1,19 +1,18 @@
 //! The peak pressure. Where curvature changes next to it, strips as wide as the load needs are too
 //! wide for the summit: about it they are cut into narrower ones, all others being held.
 
+use super::is_pressed;
 use super::newton::{Depth, Touching};
 use super::strip::{self, Strip};
-use super::system::System;
+use super::system::{System, zeros};
 
 /// Strips to either side of the highest that are cut, and into how many.
 const BESIDE: usize = 2;
 const PARTS: u32 = 3;
 
-/// The highest pressure of strips that touch.
-pub(super) fn peak(touching: &Touching, terms: usize, depth: Depth<'_>) -> f64 {
-    let strips = &touching.strips;
-    let by_strips = strip::peak(strips);
-    cut(touching, terms, depth).map_or(by_strips, |parts| strip::peak(&parts))
+/// The highest pressure of strips that touch; `None` at the end of a band.
+pub(super) fn height(touching: &Touching, terms: usize, depth: Depth<'_>) -> Option<f64> {
+    cut(touching, terms, depth).map(|parts| strip::peak(&parts))
 }
 
 /// The parts of the strips about the highest, in order of y; `None` where that ends a band.
@@ -30,7 +29,9 @@ fn cut(touching: &Touching, terms: usize, depth: Depth<'_>) -> Option<Vec<Strip>
     let held = strips[..first].iter().chain(&strips[last + 1..]);
     let count = strips.len() - (last + 1 - first);
     let strips = held.chain(&parts).copied().collect();
-    System { strips, terms, points: vec![0.0], deeper: touching.deeper }.scaled(count, depth)
+    let points = zeros(terms).collect();
+    let system = System { strips, terms, points, deeper: touching.deeper };
+    system.with_pressures(count, depth).filter(|parts| parts.iter().all(is_pressed))
 }
 
 /// A strip between its neighbours in the same band.

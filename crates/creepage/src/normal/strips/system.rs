@@ -27,8 +27,12 @@ pub(crate) const CENTRED: usize = 1;
 /// side are enough.
 pub(super) fn points(terms: usize) -> Vec<f64> {
     let count = if terms == CENTRED { 4 } else { terms + 2 };
-    let zeros = (0..count).map(|i| -((2 * i + 1) as f64 * PI / (2 * count) as f64).cos());
-    zeros.filter(|zero| terms != CENTRED || *zero > 0.0).collect()
+    zeros(count).filter(|zero| terms != CENTRED || *zero > 0.0).collect()
+}
+
+/// Zeros of Chebyshev's polynomial of a degree.
+pub(super) fn zeros(count: usize) -> impl Iterator<Item = f64> {
+    (0..count).map(move |i| -((2 * i + 1) as f64 * PI / (2 * count) as f64).cos())
 }
 
 /// Displacement less depth at the points of all strips, and with `SLOPES` its derivatives by the
@@ -61,15 +65,15 @@ impl<const T: usize, const SLOPES: bool> WithSimd for Evaluate<'_, T, SLOPES> {
     }
 }
 
-/// Displacement less depth at the first point of the strips from `first` on, and its derivatives
-/// by factors on their pressures.
-struct ByFactors<'a, const T: usize> {
+/// Displacement less depth at all points of the strips from `first` on, and its derivatives by
+/// their pressures.
+struct ByPressures<'a, const T: usize> {
     system: &'a System,
     depth: Depth<'a>,
     first: usize,
 }
 
-impl<const T: usize> WithSimd for ByFactors<'_, T> {
+impl<const T: usize> WithSimd for ByPressures<'_, T> {
     type Output = (DMatrix<f64>, DVector<f64>);
 
     #[allow(clippy::inline_always)] // so that it is compiled for each kind of processor
@@ -78,19 +82,21 @@ impl<const T: usize> WithSimd for ByFactors<'_, T> {
         let Self { system, depth, first } = self;
         let (rules, size) = (&*RULES, system.size());
         let own = &system.strips[first..];
-        let mut matrix = DMatrix::zeros(own.len(), own.len());
-        let mut residual = DVector::zeros(own.len());
+        let mut matrix = DMatrix::zeros(T * own.len(), T * own.len());
+        let mut residual = DVector::zeros(T * own.len());
         let mut row = vec![0.0; system.strips.len() * size];
         for (i, strip) in own.iter().enumerate() {
-            row.fill(0.0);
-            let x = strip.centre + strip.half * system.points[0];
-            residual[i] = system.row::<T, true>(rules, [first + i, 0], depth, &mut row)
-                - depth(x, strip.y)
-                - system.deeper;
-            for (j, source) in own.iter().enumerate() {
-                let by_pressure = &row[(first + j) * size..][..T];
-                let parts = by_pressure.iter().zip(&source.pressure);
-                matrix[(i, j)] = parts.map(|(by, pressure)| by * pressure).sum::<f64>();
+            for (l, &s) in system.points.iter().enumerate() {
+                row.fill(0.0);
+                let at = T * i + l;
+                residual[at] = system.row::<T, true>(rules, [first + i, l], depth, &mut row)
+                    - depth(strip.centre + strip.half * s, strip.y)
+                    - system.deeper;
+                for (j, by_source) in row[first * size..].chunks_exact(size).enumerate() {
+                    for (k, by_pressure) in by_source[..T].iter().enumerate() {
+                        matrix[(at, T * j + k)] = *by_pressure;
+                    }
+                }
             }
         }
         (matrix, residual)
@@ -98,24 +104,26 @@ impl<const T: usize> WithSimd for ByFactors<'_, T> {
 }
 
 impl System {
-    /// The strips from `first` on with pressures by which their first points sink as deep as they
-    /// should, those of the others held; `None` if any would pull, or press several times as much.
-    pub(super) fn scaled(&self, first: usize, depth: Depth<'_>) -> Option<Vec<Strip>> {
-        const RANGE: std::ops::Range<f64> = 0.0..4.0;
+    /// The strips from `first` on with pressures by which they sink as deep as they should at as
+    /// many points, all ends and the pressures of the other strips held.
+    pub(super) fn with_pressures(&self, first: usize, depth: Depth<'_>) -> Option<Vec<Strip>> {
         let (system, arch) = (self, Arch::new());
         let (matrix, residual) = match self.terms {
-            CENTRED => arch.dispatch(ByFactors::<1> { system, depth, first }),
-            2 => arch.dispatch(ByFactors::<2> { system, depth, first }),
-            4 => arch.dispatch(ByFactors::<4> { system, depth, first }),
-            _ => arch.dispatch(ByFactors::<MOST> { system, depth, first }),
+            CENTRED => arch.dispatch(ByPressures::<1> { system, depth, first }),
+            2 => arch.dispatch(ByPressures::<2> { system, depth, first }),
+            4 => arch.dispatch(ByPressures::<4> { system, depth, first }),
+            _ => arch.dispatch(ByPressures::<MOST> { system, depth, first }),
         };
         let less = matrix.lu().solve(&residual)?;
-        let scale = |(strip, less): (&Strip, &f64)| Strip {
-            pressure: strip.pressure.map(|pressure| pressure * (1.0 - less)),
-            ..*strip
-        };
-        let is_near = less.iter().all(|less| RANGE.contains(&(1.0 - less)));
-        is_near.then(|| self.strips[first..].iter().zip(less.iter()).map(scale).collect())
+        let own = self.strips[first..].iter().zip(less.as_slice().chunks_exact(self.terms));
+        let strips = own.map(|(strip, less)| {
+            let mut strip = *strip;
+            for (pressure, less) in strip.pressure.iter_mut().zip(less) {
+                *pressure -= less;
+            }
+            strip
+        });
+        Some(strips.collect())
     }
 
     /// Unknowns of a strip: its pressures, its centre in half lengths unless that is known, the
