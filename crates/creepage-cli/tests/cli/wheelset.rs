@@ -199,6 +199,17 @@ fn a_wheel_may_hang_above_its_rail() {
     assert!(number(&report["right"]["force"]["vertical_n"]).abs() < 1e-12);
 }
 
+/// Free to roll, it hangs too.
+#[test]
+fn a_wheelset_may_hang_above_its_rails() {
+    let text = example("s1002-on-uic60.toml").replace("axle_load = 200e3", "z = -0.01");
+    let report = solved(&text);
+    for side in ["left", "right"] {
+        assert!(number(&report[side]["force"]["vertical_n"]).abs() < 1e-12);
+        assert!(report[side]["patches"].as_array().unwrap().is_empty());
+    }
+}
+
 /// The simplified theories on the exact pressures: within what they err by of the full theory, sliding at
 /// the bound, and no error bars where a theory has none.
 #[test]

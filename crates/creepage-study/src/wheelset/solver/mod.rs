@@ -314,7 +314,13 @@ impl Sought<'_> {
         let off = |(place, wheel): (&Place, &PressedWheel<'_>)| {
             (wheel.vertical(shares) - place.expected).abs()
         };
-        pairs.map(off).sum::<f64>() / wheels.iter().map(|one| one.vertical(shares)).sum::<f64>()
+        let off: f64 = pairs.map(off).sum();
+        // A wheelset that hangs above its rails carries nothing and misses nothing.
+        if off > 0.0 {
+            off / wheels.iter().map(|one| one.vertical(shares)).sum::<f64>()
+        } else {
+            0.0
+        }
     }
 }
 
