@@ -65,9 +65,9 @@ pub(super) fn solve(task: Task<'_>, start: &[Patch], wanted: Wanted) -> Option<F
         let h = task.gap.at(units.origin[0] + place[0], units.origin[1] + place[1]);
         (task.approach - h) / depth
     };
-    let summit = |touching: &Touching, peak: f64| match wanted.summit {
-        true => summit::height(touching, terms, &gap).unwrap_or(peak),
-        false => peak,
+    let summit = |touching: &Touching, peak: f64| {
+        let height = wanted.summit.then(|| summit::height(touching, terms, &gap)).flatten();
+        height.unwrap_or(peak)
     };
     let load = wanted.load.map(|load| load / force);
     let question = Question { depth: &gap, load, enough, nearly };
