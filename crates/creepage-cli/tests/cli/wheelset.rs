@@ -121,13 +121,14 @@ fn wear_of_a_wheelset_lies_on_its_profiles() {
 #[test]
 fn a_free_wheelset_is_in_balance_and_its_pictures_are_written() {
     let place = Place::new();
-    let text = example("s1002-on-uic60.toml") + "\n[solve]\nresolution = \"fast\"\n";
+    let text = example("s1002-on-uic60.toml").replace("axle_load = 200e3", "axle_load = 160e3")
+        + "\n[solve]\nresolution = \"fast\"\n";
     place.write("case.toml", text);
     let printed = place.run(&["wheelset", "case.toml", "--json", "--out", "out"]).done();
     let report = json(&printed);
     let force = |side: &str, key: &str| number(&report[side]["force"][key]);
     for side in ["left", "right"] {
-        assert!((force(side, "vertical_n") - 100e3).abs() < 10.0, "{report}");
+        assert!((force(side, "vertical_n") - 80e3).abs() < 8.0, "{report}");
     }
     // No moment: the rails are pulled in opposite directions, nearly alike on like radii; spin
     // and sideways friction have some part in it.
@@ -146,6 +147,10 @@ fn a_free_wheelset_is_in_balance_and_its_pictures_are_written() {
         ]
     );
     assert_eq!(json(&place.read("out/report.json")), report);
+    // One contact a wheel: the longest arrow is the larger of two forces.
+    let across = |side| force(side, "lateral_n").hypot(force(side, "vertical_n"));
+    let words = format!("longest {:.0}", 1e-3 * across("left").max(across("right")));
+    assert!(place.read("out/wheelset.svg").contains(&words), "{words}");
 }
 
 #[test]

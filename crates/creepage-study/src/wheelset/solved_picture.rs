@@ -1,7 +1,7 @@
 //! Pictures of a solved wheelset: both wheels on their rails with areas and forces, and each place
 //! of contact seen from above.
 
-use creepage_plot::format::{fixed, quantity, round_below};
+use creepage_plot::format::{fixed, quantity};
 use creepage_plot::theme::{ARROW, RED};
 use creepage_plot::{Axis, Label, Panel, Pen, Point, Sample, Sheet};
 use creepage_rail::{GeometryError, Running, Side};
@@ -50,10 +50,9 @@ impl SolvedWheelset {
         }
         sheet = sheet.key(WHEEL, Label::new("wheel")).key(RAIL, Label::new("rail"));
         sheet = sheet.key(AREA, Label::new("contact area"));
-        let round = round_below(largest.max(f64::MIN_POSITIVE));
         let sample = Sample::Arrow { colour: ARROW, length: 40.0 };
         let words = Label::new("force of the wheel on the rail, longest ");
-        Ok(sheet.key(sample, words.number(&quantity(round, "N", 2))).svg())
+        Ok(sheet.key(sample, words.number(&quantity(largest, "N", 3))).svg())
     }
 
     /// One picture a place of contact, seen from above: a name and SVG.
