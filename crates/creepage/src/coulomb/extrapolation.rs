@@ -8,7 +8,7 @@ use crate::{Contact, Creepage, Force};
 const BEYOND: f64 = 1.0 / 3.0;
 /// By how much less of `fx`, `fy` and `mz` is extrapolated with the pole of strong spin inside: its
 /// place among the strips decides on the error of `fx` then, and changes from grid to grid.
-const LESS: [f64; 3] = [1.0, 0.0, 0.35];
+const LESS: [f64; 3] = [1.0, 0.15, 0.35];
 /// Where the pole goes from inside to outside, by the square of its distance over the ellipse's.
 const EDGE: [f64; 2] = [0.64, 1.21];
 /// Where spin goes from weak to strong.
@@ -25,16 +25,16 @@ pub(crate) fn extrapolate(coarse: f64, fine: f64) -> f64 {
 /// Chosen so that they cover 96 to 98 % of the errors of 240 random cases of like and of 136 of
 /// dissimilar bodies (a/b .15-6, sigma 0-.5, creepage to 3, spin to 8, kappa/mu to 3) at each of the
 /// three named resolutions, against 96 x 80 elements.
-const LIKE: [f64; 3] = [1.8, 3.9, 1.7];
-const POLE: [f64; 3] = [1.9, 0.95, 1.5];
-const UNLIKE: [f64; 3] = [16.5, 8.5, 7.0];
-/// Power of the number of elements with which bars of like bodies fall less, or more, than the scale.
-const SLOWER: [f64; 3] = [0.2, -0.2, 0.1];
+const LIKE: [f64; 3] = [0.77, 1.75, 0.76];
+const POLE: [f64; 3] = [2.3, 1.0, 1.5];
+const UNLIKE: [f64; 3] = [8.0, 4.0, 3.4];
+/// Power of the number of elements with which bars of like bodies fall less than the scale.
+const SLOWER: [f64; 3] = [0.1, 0.0, 0.0];
 /// Of `kappa/mu`, where bodies go from like to dissimilar.
 const DISSIMILAR: f64 = 0.3;
 /// Least part of a component's difference between the grids, and of the largest such difference:
 /// where errors do not fall as fast as they should.
-const LEAST: [f64; 2] = [1.0 / 3.0, 0.05];
+const LEAST: [f64; 2] = [0.2, 0.05];
 /// How much more of the first that is as creepage vanishes: the traction of adhesion is infinite along
 /// the trailing edge, and errors fall more slowly than with the square of the elements' size.
 const ADHERING: f64 = 0.6;
@@ -84,7 +84,7 @@ impl Extrapolation {
         let (size, most) = (largest(fine), largest(apart));
         let least = LEAST[0] + ADHERING * (1.0 - size).max(0.0).powi(4);
         combine(apart, apart, |k, own, _| {
-            let scale = (size * size * (own + CHANCE * most)).cbrt() / elements as f64;
+            let scale = (size * (own + CHANCE * most).sqrt()).sqrt() / elements as f64;
             let [alike, unlike] = self.bars[k];
             let factor = alike * (elements as f64 / 400.0).powf(SLOWER[k]) + unlike;
             (factor * scale).max(least * own).max(LEAST[1] * most)

@@ -2,9 +2,16 @@
 
 use crate::check::{self, InvalidValue};
 
+/// Of `a/b`, powers of the numbers of elements along and across, and how far they go: on contacts wider
+/// than long, and longer than wide. Chosen on 200 random cases (a/b .15-6, creepage to 3, spin to 8)
+/// against 96 x 80 elements, so that errors are about the same at every `a/b`.
+const WIDE: [(f64, [f64; 2]); 2] = [(0.2, [0.4, 1.0]), (-0.4, [1.0, 2.5])];
+const LONG: [(f64, [f64; 2]); 2] = [(0.6, [1.0, 2.5]), (-0.3, [0.5, 1.0])];
+
 /// How finely the contact is cut: the number of elements along and across a circle. On an ellipse
-/// the elements become more nearly square: `along s` by `across / s` with `s = (a/b)^0.4`, held
-/// between 0.4 and 2.5 (2 across), and at least 8 of each. Between unlike bodies, from
+/// that is longer in the rolling direction there are `(a/b)^0.6` times as many along, up to 2.5, and
+/// `(a/b)^0.3` times fewer across, up to 2; on a wider one `(b/a)^0.2` times fewer along and
+/// `(b/a)^0.4` times as many across, up to 2.5; at least 8 of each. Between unlike bodies, from
 /// `|kappa|/mu = 0.1` on, traction is steeper at the leading edge: there are half as many more along,
 /// up to 40 on a circle.
 ///
@@ -51,8 +58,9 @@ impl Resolution {
     /// twice as many of each.
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // small and positive
     pub(crate) fn coarse(self, a_over_b: f64) -> [usize; 2] {
-        let stretch = a_over_b.powf(0.4).clamp(0.4, 2.5);
         let half = |n: f64| (0.5 * n).round().max(4.0) as usize;
-        [half(self.along * stretch), half(self.across / stretch.min(2.0))]
+        let [more_along, more_across] = if a_over_b < 1.0 { WIDE } else { LONG }
+            .map(|(power, [least, most])| a_over_b.powf(power).clamp(least, most));
+        [half(self.along * more_along), half(self.across * more_across)]
     }
 }
