@@ -15,9 +15,9 @@ use crate::{Creepage, Scaling};
 
 /// Of the traction that an element's own slip asks for.
 const WEIGHT: f64 = 0.3;
-/// Half-width of the rounded corner of Coulomb's law, in parts of the traction bound: times the root
-/// of the number of elements, and at most.
-const ROUNDING: [f64; 2] = [3.0, 0.15];
+/// Half-width of the rounded corner of Coulomb's law, in parts of the traction bound: times the number
+/// of elements along, by which traction changes from one to the next, and at most.
+const ROUNDING: [f64; 2] = [4.0, 0.15];
 
 /// Everything that is prepared for one resolution.
 ///
@@ -96,7 +96,7 @@ impl Grid {
             places: stencils.iter().flat_map(|s| s.places.iter().copied()).collect(),
             pressure_slip: vec![[0.0; 2]; mesh.len()],
             quadrature: Quadrature::new(&mesh, &pressure),
-            rounding: (ROUNDING[0] / (mesh.len() as f64).sqrt()).min(ROUNDING[1]),
+            rounding: (ROUNDING[0] * mesh.strips.len() as f64 / mesh.len() as f64).min(ROUNDING[1]),
             coarser: Vec::new(),
             mesh,
             pressure,
