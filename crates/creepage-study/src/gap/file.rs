@@ -203,15 +203,30 @@ impl GapFile {
     /// # Errors
     /// [`GapCaseError`] with section, key and value.
     pub fn case(&self, directory: &Path) -> Result<GapCase, GapCaseError> {
+        self.case_with(|section| section.gap(directory))
+    }
+
+    /// The same where the gap comes from elsewhere than from a file just read.
+    pub(super) fn case_with(
+        &self,
+        gap: impl FnOnce(&GapSection) -> Result<Gap, GapCaseError>,
+    ) -> Result<GapCase, GapCaseError> {
         let given = self.creepage.given(&self.wanted)?;
-        Ok(GapCase { given, ..self.case_at_rest(directory)? })
+        Ok(GapCase { given, ..self.at_rest_with(gap)? })
     }
 
     /// The same without creepage: how the bodies move is said elsewhere.
     pub(crate) fn case_at_rest(&self, directory: &Path) -> Result<GapCase, GapCaseError> {
+        self.at_rest_with(|section| section.gap(directory))
+    }
+
+    fn at_rest_with(
+        &self,
+        gap: impl FnOnce(&GapSection) -> Result<Gap, GapCaseError>,
+    ) -> Result<GapCase, GapCaseError> {
         let (upper, lower) = (self.upper.body(), self.lower.body());
         let pair = SolidPair::new(upper.solid("upper")?, lower.solid("lower")?);
-        let (gap, shape) = (self.gap.gap(directory)?, self.gap.shape());
+        let (gap, shape) = (gap(&self.gap)?, self.gap.shape());
         let pressed = self.contact.pressed()?;
         let (speed, theory) = (self.creepage.speed()?, self.theory()?);
         let friction = positive("friction", self.contact.friction.at_rest()?)?;

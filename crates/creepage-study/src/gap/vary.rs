@@ -1,9 +1,14 @@
 //! Many contacts of any shape: what differs from row to row of a table.
 
+use std::collections::VecDeque;
 use std::path::PathBuf;
+use std::sync::{Arc, Mutex, PoisonError};
+
+use creepage::gap::Gap;
 
 use super::error::GapCaseError;
 use super::file::{GapCase, GapFile};
+use super::shape::GapSection;
 
 /// A quantity that may have a value of its own in every row, in SI units.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -97,15 +102,18 @@ pub struct GapRows {
     file: GapFile,
     directory: PathBuf,
     varied: Vec<GapVaried>,
+    /// Gaps of the latest rows, which rows that follow mostly share.
+    read: Arc<Mutex<VecDeque<(GapSection, Gap)>>>,
 }
 
 impl GapRows {
     /// The case of a file whose quantities `varied` differ from row to row; a row gives their values
     /// in that order. What does not vary is the file's; a shape, a load or an approach that varies
-    /// replaces the file's. Files of points stand in `directory`.
+    /// replaces the file's. Files of points stand in `directory`; one that many rows name is not read
+    /// again for each.
     #[must_use]
     pub fn new(file: GapFile, directory: PathBuf, varied: Vec<GapVaried>) -> Self {
-        Self { file, directory, varied }
+        Self { file, directory, varied, read: Arc::default() }
     }
 
     /// What differs from row to row.
@@ -129,6 +137,21 @@ impl GapRows {
         for (varied, value) in self.varied.iter().zip(values) {
             file.set(*varied, value);
         }
-        file.case(&self.directory)
+        file.case_with(|section| self.gap(section))
+    }
+
+    fn gap(&self, section: &GapSection) -> Result<Gap, GapCaseError> {
+        /// More than rows are worked at together.
+        const KEPT: usize = 32;
+        let read = || self.read.lock().unwrap_or_else(PoisonError::into_inner);
+        let known = read().iter().find(|(known, _)| known == section).map(|(_, gap)| gap.clone());
+        if let Some(gap) = known {
+            return Ok(gap);
+        }
+        let gap = section.gap(&self.directory)?;
+        let mut read = read();
+        read.truncate(KEPT - 1);
+        read.push_front((section.clone(), gap.clone()));
+        Ok(gap)
     }
 }

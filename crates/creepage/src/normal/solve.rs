@@ -40,7 +40,7 @@ impl Found {
     fn by_elements(task: Task<'_>, level: &Level) -> Self {
         let [peak, fall] = summit(level);
         Self {
-            patches: outline::patches(level).into_iter().map(Patch::new).collect(),
+            patches: areas(level),
             approach: task.approach,
             load: level.load(),
             peak,
@@ -69,6 +69,11 @@ impl Found {
             && near(self.peak, other.peak, 0.25)
             && near(self.area(), other.area(), 0.15)
     }
+}
+
+/// The areas that elements found.
+fn areas(level: &Level) -> Vec<Patch> {
+    outline::patches(level).into_iter().map(Patch::new).collect()
 }
 
 /// A solution, a coarser one, and what they belong to.
@@ -114,6 +119,12 @@ pub(super) fn solve(
         }
         Asked::Load(load) => load::first(gap, modulus, load)?,
     };
+    // Strips that prove to be all the contact there is may begin anywhere.
+    let complete = task.gap.is_parabola_along();
+    let at_first = || by_strips(task, asked, &areas(&first), resolution, Start::Rough);
+    if complete && let Some(found) = at_first() {
+        return Ok(contact(gap, pair, asked, found));
+    }
     let coarse = elements::refined(task, &first, COARSE, Accuracy::START)?;
     let (task, coarse) = load::corrected(task, asked, coarse, Accuracy::START)?;
     if let Some(side) = coarse.side_reached(gap) {
@@ -121,8 +132,8 @@ pub(super) fn solve(
     }
     let elements = Found::by_elements(task, &coarse);
     // Elements across a slender area are too few to agree with.
-    let complete = task.gap.is_parabola_along();
-    let by_strips = by_strips(task, asked, &elements.patches, resolution, [complete, false]);
+    let start = Start::Elements { complete };
+    let by_strips = by_strips(task, asked, &elements.patches, resolution, start);
     let found = match by_strips.filter(|found| complete || found.fine.agrees_with(&elements)) {
         Some(found) => found,
         None => by_elements(task, asked, &coarse, resolution)?,
@@ -137,11 +148,11 @@ fn without_elements(
     resolution: Resolution,
 ) -> Option<Pair> {
     let asked = Asked::Approach(task.approach);
-    let from =
-        |start: &[Patch], is_close| by_strips(task, asked, start, resolution, [true, is_close]);
+    let from = |areas: &[Patch], start| by_strips(task, asked, areas, resolution, start);
     // A guess lays the tips less well than elements do: good enough to search with.
     let guess = || if resolution.with_errors { None } else { start::by_virtual_penetration(task) };
-    near.and_then(|near| from(near, true)).or_else(|| from(&guess()?, false))
+    let guessed = || from(&guess()?, Start::Elements { complete: true });
+    near.and_then(|near| from(near, Start::Close)).or_else(guessed)
 }
 
 fn by_elements(
@@ -170,6 +181,17 @@ fn by_elements(
     })
 }
 
+/// Where the areas come from in which strips begin.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Start {
+    /// A first look, which is to be improved if strips do not settle at once.
+    Rough,
+    /// Elements or a guess; `complete` as in [`Wanted`].
+    Elements { complete: bool },
+    /// A contact so close by that the finer strips may begin there.
+    Close,
+}
+
 /// From areas that are rough ones, or so close that the finer strips may begin there.
 ///
 /// `None` when a strip vanishes, the equations stay unsolved, or, where they are to be `complete`,
@@ -180,10 +202,12 @@ fn by_strips(
     asked: Asked,
     start: &[Patch],
     resolution: Resolution,
-    [complete, is_close]: [bool; 2],
+    kind: Start,
 ) -> Option<Pair> {
     /// A peak pressure that still changes by more has a summit as narrow as the strips.
     const UNEVEN: f64 = 0.02;
+    /// Tips by a few strips decide where more are laid, so that these hardly depend on the start.
+    const SETTLED: [f64; 2] = [0.05, 0.4];
     /// [`Found::stairs`] from which on there are more strips.
     const SKEW: f64 = 0.1;
     const ENOUGH: [f64; 2] = [1e-5, 1e-6];
@@ -197,13 +221,28 @@ fn by_strips(
     };
     let nearly = NEARLY[usize::from(!resolution.with_errors)];
     let summit = resolution.with_errors;
-    let whole = Wanted { load, count, terms, enough: ENOUGH[1], nearly, complete, summit };
+    let (enough, attempts) = (ENOUGH[1], Wanted::ATTEMPTS);
+    let complete = !matches!(kind, Start::Elements { complete: false });
+    let whole = Wanted {
+        load,
+        count,
+        terms,
+        enough,
+        nearly,
+        complete,
+        summit,
+        attempts,
+        settled: SETTLED[1],
+    };
     // The stiffness of the coarser one is not used.
     let half = Wanted {
         count: count.div_ceil(2),
         enough: ENOUGH[0],
         nearly: f64::INFINITY,
         complete: false,
+        // Better areas cost less than many attempts.
+        attempts: if kind == Start::Rough { 1 } else { attempts },
+        settled: SETTLED[usize::from(kind != Start::Rough)],
         ..whole
     };
     if !resolution.with_errors {
@@ -220,7 +259,7 @@ fn by_strips(
         let coarse = next(&fine.patches, fine.approach, half)?;
         Some((coarse, fine))
     };
-    let (coarse, fine) = if is_close { at_once().or_else(ladder)? } else { ladder()? };
+    let (coarse, fine) = if kind == Start::Close { at_once().or_else(ladder)? } else { ladder()? };
     let more = Wanted { count: count * 8 / 5, ..whole };
     let is_uneven = (fine.peak / coarse.peak - 1.0).abs() > UNEVEN || fine.stairs() > SKEW;
     if is_uneven && let Some(finer) = next(&fine.patches, fine.approach, more) {

@@ -38,6 +38,15 @@ pub(super) struct Wanted {
     pub(super) complete: bool,
     /// Whether the peak pressure is wanted closer than the strips alone tell.
     pub(super) summit: bool,
+    /// How often strips may be laid that do not touch all along.
+    pub(super) attempts: usize,
+    /// Parts of its strip's width that a tip may lie away from where it was laid.
+    pub(super) settled: f64,
+}
+
+impl Wanted {
+    /// Attempts that are worth their cost.
+    pub(super) const ATTEMPTS: usize = 6;
 }
 
 /// Polynomials that a strip's pressure needs: on a parabola along rolling two, on any other section four.
@@ -56,8 +65,7 @@ pub(super) fn terms(gap: &Gap) -> usize {
 /// the strips are laid anew with the tip drawn in. Where the ends found put a tip elsewhere than it
 /// was laid, they are laid anew too.
 pub(super) fn solve(task: Task<'_>, start: &[Patch], wanted: Wanted) -> Option<Found> {
-    const ATTEMPTS: usize = 6;
-    let Wanted { count, terms, enough, nearly, .. } = wanted;
+    let Wanted { count, terms, enough, nearly, mut attempts, .. } = wanted;
     let (units, depth) = units(task, start)?;
     let force = units.pressure * units.length * units.length;
     let gap = |x: f64, y: f64| {
@@ -72,7 +80,7 @@ pub(super) fn solve(task: Task<'_>, start: &[Patch], wanted: Wanted) -> Option<F
     let load = wanted.load.map(|load| load / force);
     let question = Question { depth: &gap, load, enough, nearly };
     let (mut start, mut settled) = (start.to_vec(), 0);
-    for _ in 0..ATTEMPTS {
+    while attempts > 0 {
         let mut laid = laid(&start, count, terms, units)?;
         if terms == CENTRED
             && let Some(axis) = task.gap.axis()
@@ -85,7 +93,7 @@ pub(super) fn solve(task: Task<'_>, start: &[Patch], wanted: Wanted) -> Option<F
         match touching(laid.clone(), terms, question) {
             Ok(touching) if touching.strips.iter().all(is_pressed) => {
                 let patches = patches(&start, &touching.strips, units);
-                if settled < SETTLED && moved(&start, &patches, &laid, units) {
+                if settled < SETTLED && moved([&start, &patches], &laid, wanted.settled, units) {
                     settled += 1;
                     start = patches;
                     continue;
@@ -104,11 +112,15 @@ pub(super) fn solve(task: Task<'_>, start: &[Patch], wanted: Wanted) -> Option<F
                 return (!wanted.complete || is_all()).then_some(found);
             }
             Ok(Touching { strips, .. }) => {
+                attempts -= 1;
                 let pressed = without_pulled_tips(&start, &strips)?;
                 start = patches(&start, &pressed, units);
                 end_at_pulled(&mut start, &strips, units);
             }
-            Err(stopped) => draw_in(&mut start, &laid, &stopped, units)?,
+            Err(stopped) => {
+                attempts -= 1;
+                start = drawn_in(&start, &laid, &stopped, units)?;
+            }
         }
     }
     None
@@ -155,8 +167,7 @@ fn end_at_pulled(start: &mut [Patch], strips: &[Strip], units: Units) {
 const SETTLED: usize = 2;
 
 /// Whether a tip that was found lies away from where it was laid by a part of its strip's width.
-fn moved(start: &[Patch], found: &[Patch], laid: &[Strip], units: Units) -> bool {
-    const PART: f64 = 0.4;
+fn moved([start, found]: [&[Patch]; 2], laid: &[Strip], part: f64, units: Units) -> bool {
     let bands = |patches: &[Patch]| -> Vec<[f64; 2]> {
         patches.iter().flat_map(Patch::bands).map(Band::y).collect()
     };
@@ -165,7 +176,7 @@ fn moved(start: &[Patch], found: &[Patch], laid: &[Strip], units: Units) -> bool
         let outer = [own.next(), own.next_back()];
         (0..2).any(|side| {
             outer[side].is_some_and(|strip| {
-                (found[side] - start[side]).abs() > PART * 2.0 * strip.width * units.length
+                (found[side] - start[side]).abs() > part * 2.0 * strip.width * units.length
             })
         })
     })
@@ -199,32 +210,61 @@ fn laid(start: &[Patch], count: usize, terms: usize, units: Units) -> Option<Vec
     usable.then_some(strips)
 }
 
-/// Draws in the tips whose outermost strip has shrunk, is about to, or is pulled, by a part of its
-/// width; `None` if there are none.
-fn draw_in(start: &mut [Patch], laid: &[Strip], stopped: &Stopped, units: Units) -> Option<()> {
+/// With those tips drawn in by a part of a strip's width whose outermost strip has shrunk, is about
+/// to, or is pulled; `None` if there are none. Strips that had come closer are the start of the
+/// next ones.
+fn drawn_in(
+    start: &[Patch],
+    laid: &[Strip],
+    stopped: &Stopped,
+    units: Units,
+) -> Option<Vec<Patch>> {
+    const PART: f64 = 0.6;
+    let vanishes = vanishing(start, laid, stopped);
+    let strips = (0..laid.len()).filter(|i| !vanishes[*i]).map(|i| stopped.strips[i]);
+    let strips: Vec<Strip> = strips.collect();
+    let bands = start.iter().flat_map(Patch::bands).enumerate();
+    let wanted: Vec<[f64; 2]> = bands
+        .map(|(index, band)| {
+            let own = || (0..laid.len()).filter(|i| laid[*i].band == index);
+            let [low, high] = band.y();
+            let by = |i: Option<usize>| {
+                let i = i.filter(|i| vanishes[*i]);
+                i.map_or(0.0, |i| PART * 2.0 * laid[i].width * units.length)
+            };
+            [low + by(own().next()), high - by(own().next_back())]
+        })
+        .collect();
+    let left = |index: usize| strips.iter().filter(|strip| strip.band == index).count();
+    let usable = stopped.is_closer
+        && strips.iter().all(is_pressed)
+        && (0..wanted.len()).all(|index| left(index) >= FEWEST);
+    let mut next = if usable { patches(start, &strips, units) } else { start.to_vec() };
+    for (band, [low, high]) in next.iter_mut().flat_map(Patch::bands_mut).zip(wanted) {
+        let by = [low - band.y()[0], band.y()[1] - high].map(|by| by.max(0.0));
+        *band = band.drawn_in(by);
+    }
+    (strips.len() < laid.len()).then_some(next)
+}
+
+/// Which strips are outermost ones at a tip that have shrunk, are about to, or are pulled.
+fn vanishing(start: &[Patch], laid: &[Strip], stopped: &Stopped) -> Vec<bool> {
     const SHRUNK: f64 = 0.6;
     const SHRINKING: f64 = 0.5;
-    const PART: f64 = 0.6;
     let shrinks = |i: usize| {
         let shrinking = stopped.shrinking.get(i).is_some_and(|by| *by > SHRINKING);
         let shrunk = stopped.strips[i].half < SHRUNK * laid[i].half;
         shrinking || shrunk || !is_pressed(&stopped.strips[i])
     };
-    let mut drawn = None;
-    for (index, band) in start.iter_mut().flat_map(Patch::bands_mut).enumerate() {
-        let mut own = (0..laid.len()).filter(|i| laid[*i].band == index);
-        let outer = [own.next(), own.next_back()];
-        let tips = band.tips();
-        let by = [0, 1].map(|side: usize| match outer[side] {
-            Some(i) if tips[side] && shrinks(i) => PART * 2.0 * laid[i].width * units.length,
-            _ => 0.0,
-        });
-        if by.iter().sum::<f64>() > 0.0 {
-            *band = band.drawn_in(by);
-            drawn = Some(());
-        }
-    }
-    drawn
+    let tips: Vec<[bool; 2]> = start.iter().flat_map(Patch::bands).map(Band::tips).collect();
+    let own = |i: usize, other: Option<usize>| {
+        other.and_then(|other| laid.get(other)).is_some_and(|other| other.band == laid[i].band)
+    };
+    let vanishes = |i: usize| {
+        let outermost = [!own(i, i.checked_sub(1)), !own(i, Some(i + 1))];
+        (0..2).any(|side| outermost[side] && tips[laid[i].band][side]) && shrinks(i)
+    };
+    (0..laid.len()).map(vanishes).collect()
 }
 
 /// Strips of the narrowest band.

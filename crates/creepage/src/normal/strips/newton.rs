@@ -45,6 +45,8 @@ pub(crate) struct Touching {
 pub(crate) struct Stopped {
     pub(crate) strips: Vec<Strip>,
     pub(crate) shrinking: Vec<f64>,
+    /// Whether these strips touch better than those it began with.
+    pub(crate) is_closer: bool,
 }
 
 /// Solves from a start close by, with 2, 4 or [`MOST`] polynomials a strip.
@@ -54,8 +56,9 @@ pub(crate) fn solve(
     question: Question<'_>,
 ) -> Result<Touching, Stopped> {
     const STEPS: usize = 20;
+    const CLOSER: f64 = 0.7;
     let mut search = Search::new(strips, terms, question);
-    let mut end = Ok(());
+    let (mut end, first) = (Ok(()), search.size());
     for _ in 0..STEPS {
         let size = search.size();
         if size < question.enough
@@ -69,7 +72,9 @@ pub(crate) fn solve(
             break;
         }
     }
-    Err(Stopped { strips: search.system.strips, shrinking: end.err().unwrap_or_default() })
+    let is_closer = search.size() < CLOSER * first;
+    let shrinking = end.err().unwrap_or_default();
+    Err(Stopped { strips: search.system.strips, shrinking, is_closer })
 }
 
 /// An iteration. A matrix serves for several steps while each makes the residual much smaller.
@@ -78,16 +83,17 @@ struct Search<'a> {
     system: System,
     residual: DVector<f64>,
     factors: Option<Factors>,
-    /// Steps of the other kind, and steps that hardly helped.
+    /// Steps of the other kind, steps that hardly helped, and those on which a strip vanishes.
     damped: usize,
     slow: usize,
+    vanishing: usize,
 }
 
 impl<'a> Search<'a> {
     fn new(strips: Vec<Strip>, terms: usize, question: Question<'a>) -> Self {
         let system = System { strips, terms, points: points(terms), deeper: 0.0 };
         let residual = system.residual(question.depth);
-        Self { question, system, residual, factors: None, damped: 0, slow: 0 }
+        Self { question, system, residual, factors: None, damped: 0, slow: 0, vanishing: 0 }
     }
 
     fn size(&self) -> f64 {
@@ -104,18 +110,22 @@ impl<'a> Search<'a> {
 
     /// One step; where there is none, by how much it would have the half lengths shrink.
     fn advance(&mut self, size: f64) -> Result<(), Vec<f64>> {
-        const FAST: f64 = 0.15;
         const SLOW: f64 = 0.85;
         const SLOW_STEPS: usize = 3;
+        // A strip that is to shrink as far as this, again and again, has nothing to touch.
+        const FAR: f64 = 0.5;
+        const STILL: f64 = 0.4;
+        const VANISHING_STEPS: usize = 2;
         let Question { depth, load, .. } = self.question;
         let kept = self.factors.take();
         let fresh = kept.is_none();
         let mut factors =
             kept.or_else(|| Factors::new(&self.system, depth)).ok_or_else(Vec::new)?;
         let step = factors.step(&self.system, &self.residual, load).ok_or_else(Vec::new)?;
-        let shrinking = || {
-            let size = self.system.size();
-            step.unknowns.iter().skip(size - 1).step_by(size).copied().collect()
+        let size_of_strip = self.system.size();
+        let shrinking = || -> Vec<f64> {
+            let lengths = step.unknowns.iter().skip(size_of_strip - 1);
+            lengths.step_by(size_of_strip).copied().collect()
         };
         let Some((next, after, left)) = self.system.improved(&step, size, self.question) else {
             // An old matrix is given up first.
@@ -126,10 +136,24 @@ impl<'a> Search<'a> {
             return Err(shrinking());
         }
         self.slow += usize::from(left > SLOW * size);
+        self.vanishing +=
+            usize::from(left > STILL * size && shrinking().iter().any(|by| *by > FAR));
         factors.moved += self.system.change(&step.unknowns);
         (self.system, self.residual) = (next, after);
-        self.factors = (left < FAST * size).then_some(factors);
+        if self.vanishing >= VANISHING_STEPS {
+            return Err(shrinking());
+        }
+        self.factors = self.serves_again(size, left).then_some(factors);
         Ok(())
+    }
+
+    /// Whether steps with an old matrix are cheaper than a new one, which costs about as much as two
+    /// of them: after one that left so much.
+    fn serves_again(&self, size: f64, left: f64) -> bool {
+        const FAST: f64 = 0.15;
+        const OLD_STEPS: i32 = 2;
+        let part = left / size;
+        part < FAST || left * part.powi(OLD_STEPS) < self.question.enough
     }
 
     /// A damped step, where that helps; it is dear, so there are few.

@@ -119,9 +119,11 @@ pub(super) fn band(strips: &[Strip], units: Units, laid: &Band, tips: [bool; 2])
     Band::new(chords, y, tips)
 }
 
-/// Where the parabola through the first three squared half lengths reaches zero, near `laid`.
+/// Where the parabola through the first three squared half lengths reaches zero, near `laid`: a tip
+/// that lies further out is gone towards.
 fn tip(squares: &[(f64, f64)], laid: f64) -> f64 {
-    const WITHIN: f64 = 0.5;
+    const NEAR: [f64; 2] = [0.5, 1.5];
+    const FURTHEST: f64 = 3.0;
     let &[(y0, v0), (y1, v1), (y2, v2), ..] = squares else { return laid };
     let rise = (v1 - v0) / (y1 - y0);
     let bend = ((v2 - v1) / (y2 - y1) - rise) / (y2 - y0);
@@ -130,8 +132,9 @@ fn tip(squares: &[(f64, f64)], laid: f64) -> f64 {
     let root = slope * slope - 4.0 * bend * v0;
     let distance = -2.0 * v0 / (slope + root.max(0.0).sqrt().copysign(slope));
     let reach = laid - y0;
-    let inside = root >= 0.0 && (distance / reach - 1.0).abs() < WITHIN;
-    if inside { y0 + distance } else { laid }
+    let part = distance / reach;
+    let inside = root >= 0.0 && (NEAR[0]..FURTHEST).contains(&part);
+    if inside { y0 + part.min(NEAR[1]) * reach } else { laid }
 }
 
 /// The top of the parabola across through the strip of greatest pressure and its neighbours.

@@ -89,7 +89,7 @@ impl<const T: usize> WithSimd for ByPressures<'_, T> {
             for (l, &s) in system.points.iter().enumerate() {
                 row.fill(0.0);
                 let at = T * i + l;
-                residual[at] = system.row::<T, true>(rules, [first + i, l], depth, &mut row)
+                residual[at] = system.row::<T, false>(rules, [first + i, l], depth, &mut row)
                     - depth(strip.centre + strip.half * s, strip.y)
                     - system.deeper;
                 for (j, by_source) in row[first * size..].chunks_exact(size).enumerate() {
@@ -167,8 +167,8 @@ impl System {
         matrix
     }
 
-    /// Displacement at point `l` of strip `i`; with `SLOPES` derivatives of the residual are added to
-    /// `row`.
+    /// Displacement at point `l` of strip `i`. Its derivatives by the pressures are added to `row`
+    /// unless that is empty, and with `SLOPES` those of the residual by the lengths too.
     #[allow(clippy::inline_always)] // so that it is compiled for each kind of processor
     #[inline(always)]
     fn row<const T: usize, const SLOPES: bool>(
@@ -189,12 +189,12 @@ impl System {
             let parts = integrals.value.iter().zip(&source.pressure);
             let value: f64 = parts.map(|(value, pressure)| value * pressure).sum();
             displacement += scale * value;
+            let Some(own) = row.get_mut(j * size..(j + 1) * size) else { continue };
+            for (own, value) in own.iter_mut().zip(&integrals.value) {
+                *own += scale * value;
+            }
             if SLOPES {
-                let own = &mut row[j * size..(j + 1) * size];
                 let by_x = integrals.by_x;
-                for (own, value) in own.iter_mut().zip(&integrals.value) {
-                    *own += scale * value;
-                }
                 let distance = (x - source.centre) / source.half;
                 slope += by_x / PI;
                 if T != CENTRED {
