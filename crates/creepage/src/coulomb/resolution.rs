@@ -8,10 +8,13 @@ use crate::check::{self, InvalidValue};
 const WIDE: [(f64, [f64; 2]); 2] = [(0.2, [0.4, 1.0]), (-0.4, [1.0, 2.5])];
 const LONG: [(f64, [f64; 2]); 2] = [(0.6, [1.0, 2.5]), (-0.3, [0.5, 1.0])];
 
-/// How finely the contact is cut: the number of elements along and across a circle. On an ellipse
-/// that is longer in the rolling direction there are `(a/b)^0.6` times as many along, up to 2.5, and
-/// `(a/b)^0.3` times fewer across, up to 2; on a wider one `(b/a)^0.2` times fewer along and
-/// `(b/a)^0.4` times as many across, up to 2.5; at least 8 of each. Between unlike bodies, from
+/// How finely the contact is cut: the number of elements along and across a circle.
+///
+/// On an ellipse longer in the rolling direction [`Exact`](super::Exact) has `(a/b)^0.6` times as many
+/// along, up to 2.5, and `(a/b)^0.3` times fewer across, up to 2; on a wider one `(b/a)^0.2` times
+/// fewer along and `(b/a)^0.4` times as many across, up to 2.5. On areas of any shape and in unsteady
+/// rolling elements become more nearly square: `along s` by `across / s` with `s = (a/b)^0.4`, held
+/// between 0.4 and 2.5 (2 across). There are at least 8 of each. Between unlike bodies, from
 /// `|kappa|/mu = 0.1` on, traction is steeper at the leading edge: there are half as many more along,
 /// up to 40 on a circle.
 ///
@@ -54,13 +57,22 @@ impl Resolution {
         Self { along: (1.5 * self.along).min(self.along.max(Self::FINE.along)), ..self }
     }
 
-    /// Elements along and across of the coarser of the two grids for an ellipse; the finer has
-    /// twice as many of each.
-    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // small and positive
+    /// Elements along and across of the coarser of two grids, nearly square; the finer has twice as
+    /// many of each.
     pub(crate) fn coarse(self, a_over_b: f64) -> [usize; 2] {
-        let half = |n: f64| (0.5 * n).round().max(4.0) as usize;
-        let [more_along, more_across] = if a_over_b < 1.0 { WIDE } else { LONG }
-            .map(|(power, [least, most])| a_over_b.powf(power).clamp(least, most));
-        [half(self.along * more_along), half(self.across * more_across)]
+        let stretch = a_over_b.powf(0.4).clamp(0.4, 2.5);
+        self.halved([stretch, stretch.min(2.0).recip()])
+    }
+
+    /// The same for steady rolling on an ellipse.
+    pub(crate) fn coarse_steady(self, a_over_b: f64) -> [usize; 2] {
+        let powers = if a_over_b < 1.0 { WIDE } else { LONG };
+        self.halved(powers.map(|(power, [least, most])| a_over_b.powf(power).clamp(least, most)))
+    }
+
+    /// Half as many along and across, times `more`.
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // small and positive
+    fn halved(self, [along, across]: [f64; 2]) -> [usize; 2] {
+        [self.along * along, self.across * across].map(|n| (0.5 * n).round().max(4.0) as usize)
     }
 }
