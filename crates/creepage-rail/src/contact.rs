@@ -4,7 +4,7 @@ use crate::frame::Frame;
 use crate::meeting::{Meeting, Overlap, Pair};
 use crate::search::least;
 use crate::surfaces::Surfaces;
-use crate::{GeometryError, Side};
+use crate::{GeometryError, Role, Side, Waves};
 
 /// Points at which an overlap is weighed.
 const POINTS: usize = 64;
@@ -129,6 +129,26 @@ impl<'a> Contact<'a> {
         let wide = margin * (to - from);
         let spacing = (to - from + 2.0 * wide) / count.saturating_sub(1).max(1) as f64;
         (0..count).filter_map(|i| self.at(from - wide + i as f64 * spacing)).collect()
+    }
+
+    /// Waves of the wheel's or the rail's profile from `s` to `s` (m) of the contact plane, nearly,
+    /// that turn it by more than `least` (rad) to and fro; `None` without a whole one.
+    #[must_use]
+    pub fn waves(&self, role: Role, stretch: [f64; 2], least: f64) -> Option<Waves> {
+        let [one, other] = stretch.map(|s| self.side.sense() * s);
+        let (low, high) = (one.min(other), one.max(other));
+        match role {
+            Role::Rail => {
+                let at = self.surfaces.frame.rail_s();
+                Waves::of(self.surfaces.pair.rail.profile().curve(), [at + low, at + high], least)
+            }
+            Role::Wheel => {
+                let at = self.surfaces.at(0.0)?.0.along();
+                let wheel = self.surfaces.pair.posed.wheel;
+                // Its arc length falls as `s` grows.
+                Waves::of(wheel.profile().curve(), [at - high, at - low], least)
+            }
+        }
     }
 
     /// The undeformed distance (m) at `(x, s)` (m) of the contact plane, exactly; 0 where the

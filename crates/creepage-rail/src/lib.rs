@@ -40,6 +40,7 @@ mod side;
 mod standard;
 mod surfaces;
 mod track;
+mod waves;
 mod wheel;
 
 pub use conicity::{ConicityError, RadiusDifference};
@@ -53,4 +54,5 @@ pub use running::{Running, Touch};
 pub use side::Side;
 pub use standard::{RailHead, Standard};
 pub use track::{Place, Rail, Track};
+pub use waves::Waves;
 pub use wheel::{Position, Wheel, Wheelset};

@@ -12,6 +12,13 @@ pub(crate) struct Foot {
     around: f64,
 }
 
+impl Foot {
+    /// Arc length of the wheel's profile (m).
+    pub(crate) fn along(&self) -> f64 {
+        self.along
+    }
+}
+
 /// A pair seen from its contact plane.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Surfaces<'a> {

@@ -5,6 +5,8 @@ use std::fmt;
 use creepage::gap::Gap;
 use creepage::normal::{self, NormalContact, Patch};
 use creepage::{SiCreepage, Status};
+use creepage_plot::format::{quantity, significant};
+use creepage_rail::Role;
 
 use crate::Caution;
 
@@ -33,6 +35,17 @@ pub enum GapCaution {
         /// How unlike the bodies are.
         kappa_over_mu: f64,
     },
+    /// A measured profile has short waves where it touches.
+    Rough {
+        /// The wheel or the rail.
+        body: Role,
+        /// Mean length of the waves (m).
+        length: f64,
+        /// How far the profile turns from one side of a wave to the other (rad).
+        swing: f64,
+        /// Pressure on their crests that presses them flat (Pa).
+        pressure: f64,
+    },
 }
 
 impl GapCaution {
@@ -60,6 +73,14 @@ impl GapCaution {
             n.filter(|n| *n < Self::POINTS).map(|points| Self::CoarseGap { points, along })
         });
         common.chain(pressure).chain(unlike).chain(coarse).collect()
+    }
+
+    /// Whether it says what another does: the numbers of a rough profile matter once.
+    pub(crate) fn says(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Rough { body, .. }, Self::Rough { body: of, .. }) => body == of,
+            _ => self == other,
+        }
     }
 
     /// Contact areas that are large beside the radius of the gap in them.
@@ -106,6 +127,16 @@ impl fmt::Display for GapCaution {
                  the slip by the pressure is left out, and for that the force may be off by some \
                  {:.0} % of mu N",
                 100.0 * kappa_over_mu.abs().min(1.0)
+            ),
+            Self::Rough { body, length, swing, pressure } => write!(
+                f,
+                "the {}'s profile is rough: in the contact it turns to and fro by {} mrad in waves \
+                 of {} mm, which only {} would press flat, and its crests carry the load; unless it \
+                 is so, smooth it (creepage profile --smooth, 5 to 10 times that length)",
+                if body == Role::Wheel { "wheel" } else { "rail" },
+                significant(1e3 * swing, 2),
+                significant(1e3 * length, 2),
+                quantity(pressure, "Pa", 2)
             ),
         }
     }

@@ -15,6 +15,7 @@ mod position;
 mod profile;
 mod profile_picture;
 mod resultant;
+mod rough;
 mod sections;
 mod solved;
 mod solved_json;

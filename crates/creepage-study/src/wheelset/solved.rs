@@ -8,6 +8,7 @@ use creepage_rail::{Motion, Position, RollingCreepage, Running, Side};
 use super::case::RigidSlip;
 use super::derivatives::WheelsetDerivatives;
 use super::resultant::Resultant;
+use super::rough;
 use super::solver::{Pitch, Pressed, PressedWheel, Rolled};
 use crate::{Damage, GapCaution, GapTheory, adhesion};
 
@@ -83,6 +84,8 @@ pub struct SolvedContact {
     /// Wear and fatigue numbers, where `[damage]` asks for them.
     pub damage: Option<Damage>,
     pub(super) friction: f64,
+    /// What is to be held against the profiles.
+    rough: Vec<GapCaution>,
 }
 
 impl SolvedContact {
@@ -116,6 +119,7 @@ impl SolvedContact {
             elements: rolled.solved.elements(),
             damage: None,
             friction,
+            rough: rough::cautions(pressed),
         }
     }
 
@@ -138,7 +142,8 @@ impl SolvedContact {
         let creepage = SiCreepage { longitudinal, lateral, spin };
         let all = GapCaution::all(&self.normal, self.friction, creepage, self.status).into_iter();
         // Its points across are as many as are looked up.
-        all.filter(|caution| !matches!(caution, GapCaution::CoarseGap { .. })).collect()
+        let all = all.filter(|caution| !matches!(caution, GapCaution::CoarseGap { .. }));
+        all.chain(self.rough.iter().copied()).collect()
     }
 
     /// Extent of its areas along `x` and along `s` (m), from the reference point.
@@ -248,7 +253,8 @@ impl SolvedWheelset {
         )
     }
 
-    /// What is to be held against the solution, each with its side.
+    /// What is to be held against the solution, each with its side; of several contacts on a rough
+    /// profile the most loaded one says so.
     #[must_use]
     pub fn cautions(&self) -> Vec<(Side, GapCaution)> {
         let contacts = self.wheels().flat_map(SolvedWheel::contacts);
@@ -256,7 +262,7 @@ impl SolvedWheelset {
         for (side, caution) in
             contacts.flat_map(|c| c.cautions().into_iter().map(|caution| (c.side, caution)))
         {
-            if !all.contains(&(side, caution)) {
+            if !all.iter().any(|(known, said)| *known == side && said.says(&caution)) {
                 all.push((side, caution));
             }
         }
