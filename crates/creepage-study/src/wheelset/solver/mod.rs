@@ -11,6 +11,7 @@ mod partial;
 mod pressed;
 mod rolled;
 mod root;
+mod settle;
 mod step;
 
 use creepage::SolidPair;
@@ -19,9 +20,10 @@ use creepage::theory::{ExactOptions, NamedResolution, ResolutionSpec};
 use creepage_rail::{Motion, Running, Side};
 use rayon::prelude::*;
 
-use self::balance::{Balance, Guess, enough};
+use self::balance::{Balance, Guess};
 use self::pressed::{Known, Press, Shares};
 use self::rolled::{Method, Rolling};
+use self::settle::{Sought, settle};
 use self::step::Place;
 use super::case::{Load, RigidSlip, Stance, Travel, WheelsetCase};
 use super::derivatives::WheelsetDerivatives;
@@ -153,82 +155,12 @@ impl<'a> WheelsetSolver<'a> {
         let load = stance.load.ok_or(WheelsetError::NoLoad)?;
         let (last, first) = self.rolling.split_last().unwrap_or((&Method::STANDARD, &[]));
         for method in first {
-            let solved = self.at(stance, travel, load, start.clone(), *method)?;
+            let solved = settle(self, (stance, travel, load), start.clone(), *method)?;
             if solved.worst_error() <= self.accuracy {
                 return Ok(solved);
             }
         }
-        self.at(stance, travel, load, start.clone(), *last)
-    }
-
-    /// The position is sought with coarse pressures, or taken from one nearby. At each position found fine
-    /// ones and rolling say what the wheels carry, and their stiffness where to go on to, until they
-    /// carry what was expected.
-    fn at(
-        &self,
-        stance: &Stance,
-        travel: &Travel,
-        load: Load,
-        mut start: Start,
-        method: Method,
-    ) -> Result<SolvedWheelset, WheelsetError> {
-        const ROUNDS: usize = 28;
-        /// Rounds after which they might swing to and fro.
-        const FEW: usize = 12;
-        /// To which part a load is met: far within its error bar.
-        const MET: f64 = 3e-5;
-        /// A step that leaves more than this part of what was missed is followed by a search, or by
-        /// rolling.
-        const HELPS: f64 = 0.5;
-        let is_given = matches!(load, Load::Height(_)) && stance.is_fixed();
-        let radius = self.press.running.wheelset().radius();
-        let mut stages = method.stages();
-        let is_beside = start.places.is_some();
-        stages.drain(..if is_given || is_beside { stages.len() - 1 } else { 0 });
-        let mut places = std::mem::take(&mut start.places);
-        let (mut last, mut rolled_by) = (f64::INFINITY, None);
-        for round in 0..ROUNDS {
-            let mut sought = match places.take() {
-                Some(places) => Sought { places, coarse: Vec::new() },
-                None => self.sought(stance, load, &start.shares, &start.guess)?,
-            };
-            let wheels = match (!is_given).then(|| self.refined(&sought, &start.fine)) {
-                None => sought.coarse.clone(),
-                Some(Err(_)) if is_beside && round == 0 => continue,
-                Some(wheels) => wheels?,
-            };
-            // Friction is known nearly: no rolling before the load is met.
-            let missed = sought.missed(&wheels, &start.shares);
-            if is_beside && rolled_by.is_none() && missed > MET && missed < HELPS * last {
-                last = missed;
-                sought.learn(&wheels, &start.shares, round > 0);
-                places = step::places((&sought.places, &wheels), stance, load, &start.shares);
-                start.fine = Known::of(&wheels);
-                continue;
-            }
-            let (method, good_enough) = stages.first().copied().unwrap_or((method, 0.0));
-            let rollings = Rolling::all(&wheels, self.friction, self.slip, method)?;
-            let (motion, rolled, pitch) = rolled::motion(&rollings, travel, radius, start.pitch)?;
-            let next = Start::of(&sought.coarse, &wheels, &rolled, pitch, &start);
-            let carried: f64 = wheels.iter().map(|wheel| wheel.vertical(&next.shares)).sum();
-            let missed = sought.missed(&wheels, &next.shares);
-            // Fine pressures that depend on where they began scatter within their error bars.
-            let within = if round < FEW { 0.0 } else { error_of_load(&wheels) / carried };
-            if is_given || (stages.len() == 1 && missed <= enough(round).max(MET).max(within)) {
-                return Ok(self.solved(&wheels, &rollings, &rolled, (motion, pitch)));
-            }
-            sought.learn(&wheels, &next.shares, rolled_by == Some(stages.len()));
-            if round < FEW && (missed < HELPS * last || rolled_by.is_none()) {
-                places = step::places((&sought.places, &wheels), stance, load, &next.shares);
-            }
-            (last, rolled_by) = (missed, Some(stages.len()));
-            if stages.len() > 1 && (missed < good_enough || round >= FEW) {
-                stages.remove(0);
-                last = f64::INFINITY;
-            }
-            start = if round < FEW { next } else { next.halfway_from(&start.shares) };
-        }
-        Err(WheelsetError::NotSettled)
+        settle(self, (stance, travel, load), start.clone(), *last)
     }
 
     /// Where wheels carry the load, by coarse pressures unless nothing is to be sought.
@@ -286,41 +218,6 @@ fn pressed_by(options: ExactOptions) -> normal::Resolution {
         ResolutionSpec::Named(NamedResolution::Fast) => normal::Resolution::FAST,
         ResolutionSpec::Named(NamedResolution::Fine) => normal::Resolution::FINE,
         _ => normal::Resolution::STANDARD,
-    }
-}
-
-/// The error bar of the load of all contacts (N).
-fn error_of_load(wheels: &[PressedWheel<'_>]) -> f64 {
-    let contacts = wheels.iter().flat_map(|wheel| &wheel.contacts);
-    contacts.map(|one| one.normal.load().error).sum()
-}
-
-/// Where the wheels should carry their load.
-struct Sought<'a> {
-    places: Vec<Place>,
-    /// What the search found there; nothing after a step.
-    coarse: Vec<PressedWheel<'a>>,
-}
-
-impl Sought<'_> {
-    fn learn(&mut self, wheels: &[PressedWheel<'_>], shares: &Shares, is_like: bool) {
-        let pairs = self.places.iter_mut().zip(wheels);
-        pairs.for_each(|(place, wheel)| place.learn(wheel, shares, is_like));
-    }
-
-    /// What wheels carry more or less than expected, in parts of what they carry.
-    fn missed(&self, wheels: &[PressedWheel<'_>], shares: &Shares) -> f64 {
-        let pairs = self.places.iter().zip(wheels);
-        let off = |(place, wheel): (&Place, &PressedWheel<'_>)| {
-            (wheel.vertical(shares) - place.expected).abs()
-        };
-        let off: f64 = pairs.map(off).sum();
-        // A wheelset that hangs above its rails carries nothing and misses nothing.
-        if off > 0.0 {
-            off / wheels.iter().map(|one| one.vertical(shares)).sum::<f64>()
-        } else {
-            0.0
-        }
     }
 }
 

@@ -1,0 +1,228 @@
+//! The way to the position in which wheels carry their load, and roll there.
+//!
+//! The position is sought with coarse pressures, or taken from one nearby. At each position found
+//! fine ones and rolling say what the wheels carry, and their stiffness where to go on to, until
+//! they carry what was expected.
+
+use super::balance::enough;
+use super::pressed::{Known, PressedWheel, Shares};
+use super::rolled::{self, Method, Rolling};
+use super::step::{self, Place};
+use super::{Start, WheelsetSolver};
+use crate::wheelset::SolvedWheelset;
+use crate::{Load, Stance, Travel, WheelsetError};
+
+/// Rounds after which it is given up, and after which they might swing to and fro.
+const ROUNDS: usize = 28;
+const FEW: usize = 12;
+/// To which part a load is met: far within its error bar.
+const MET: f64 = 3e-5;
+/// A step that leaves more than this part of what was missed is followed by a search, or by rolling.
+const HELPS: f64 = 0.5;
+
+/// Solves a wheelset that stands, moves and is loaded like this, by one method.
+pub(super) fn settle(
+    solver: &WheelsetSolver<'_>,
+    (stance, travel, load): (&Stance, &Travel, Load),
+    start: Start,
+    method: Method,
+) -> Result<SolvedWheelset, WheelsetError> {
+    let mut way = Way::new(solver, (stance, travel, load), start, method);
+    for round in 0..ROUNDS {
+        if let Some(solved) = way.round(round)? {
+            return Ok(solved);
+        }
+    }
+    Err(WheelsetError::NotSettled)
+}
+
+/// How far the way has come.
+struct Way<'w, 'a> {
+    solver: &'w WheelsetSolver<'a>,
+    stance: &'w Stance,
+    travel: &'w Travel,
+    load: Load,
+    /// Whether the position is known, and nothing to be sought.
+    is_given: bool,
+    /// Whether it began at a position nearby.
+    is_beside: bool,
+    /// What the last round tells.
+    start: Start,
+    /// Where to look next; sought where `None`.
+    places: Option<Vec<Place>>,
+    method: Method,
+    /// Methods still to come, and down to which part of the load missed each is good enough.
+    stages: Vec<(Method, f64)>,
+    /// What the last round missed, and how many methods were to come when it rolled.
+    last: f64,
+    rolled_by: Option<usize>,
+}
+
+impl<'w, 'a> Way<'w, 'a> {
+    fn new(
+        solver: &'w WheelsetSolver<'a>,
+        (stance, travel, load): (&'w Stance, &'w Travel, Load),
+        mut start: Start,
+        method: Method,
+    ) -> Self {
+        let is_given = matches!(load, Load::Height(_)) && stance.is_fixed();
+        let places = std::mem::take(&mut start.places);
+        let is_beside = places.is_some();
+        let mut stages = method.stages();
+        stages.drain(..if is_given || is_beside { stages.len() - 1 } else { 0 });
+        let (last, rolled_by) = (f64::INFINITY, None);
+        Self {
+            solver,
+            stance,
+            travel,
+            load,
+            is_given,
+            is_beside,
+            start,
+            places,
+            method,
+            stages,
+            last,
+            rolled_by,
+        }
+    }
+
+    /// Presses, rolls and says whether the load is met; else where to go on.
+    fn round(&mut self, round: usize) -> Result<Option<SolvedWheelset>, WheelsetError> {
+        let mut sought = self.sought()?;
+        let Some(wheels) = self.pressed(&sought, round)? else { return Ok(None) };
+        if self.step_on_known_friction(&mut sought, &wheels, round) {
+            return Ok(None);
+        }
+        let method = self.stages.first().map_or(self.method, |stage| stage.0);
+        let WheelsetSolver { friction, slip, press, .. } = self.solver;
+        let radius = press.running.wheelset().radius();
+        let rollings = Rolling::all(&wheels, *friction, *slip, method)?;
+        let (motion, rolled, pitch) =
+            rolled::motion(&rollings, self.travel, radius, self.start.pitch)?;
+        let next = Start::of(&sought.coarse, &wheels, &rolled, pitch, &self.start);
+        let missed = sought.missed(&wheels, &next.shares);
+        if self.is_met(&wheels, &next.shares, missed, round) {
+            return Ok(Some(self.solver.solved(&wheels, &rollings, &rolled, (motion, pitch))));
+        }
+        self.go_on(&mut sought, &wheels, next, (missed, round));
+        Ok(None)
+    }
+
+    fn sought(&mut self) -> Result<Sought<'a>, WheelsetError> {
+        match self.places.take() {
+            Some(places) => Ok(Sought { places, coarse: Vec::new() }),
+            None => {
+                self.solver.sought(self.stance, self.load, &self.start.shares, &self.start.guess)
+            }
+        }
+    }
+
+    /// Wheels with fine pressures; `None` where what was taken from nearby is no place for them.
+    fn pressed(
+        &self,
+        sought: &Sought<'a>,
+        round: usize,
+    ) -> Result<Option<Vec<PressedWheel<'a>>>, WheelsetError> {
+        if self.is_given {
+            return Ok(Some(sought.coarse.clone()));
+        }
+        match self.solver.refined(sought, &self.start.fine) {
+            Err(_) if self.is_beside && round == 0 => Ok(None),
+            wheels => wheels.map(Some),
+        }
+    }
+
+    /// Beside a solved position friction is known nearly: no rolling before the load is met. Whether
+    /// it went on so.
+    fn step_on_known_friction(
+        &mut self,
+        sought: &mut Sought<'a>,
+        wheels: &[PressedWheel<'a>],
+        round: usize,
+    ) -> bool {
+        let shares = &self.start.shares;
+        let missed = sought.missed(wheels, shares);
+        let has_rolled = !self.is_beside || self.rolled_by.is_some();
+        if has_rolled || missed <= MET || missed >= HELPS * self.last {
+            return false;
+        }
+        self.last = missed;
+        sought.learn(wheels, shares, round > 0);
+        self.places = step::places((&sought.places, wheels), self.stance, self.load, shares);
+        self.start.fine = Known::of(wheels);
+        true
+    }
+
+    /// Whether the wheels carry what was expected, by the last method.
+    fn is_met(
+        &self,
+        wheels: &[PressedWheel<'_>],
+        shares: &Shares,
+        missed: f64,
+        round: usize,
+    ) -> bool {
+        let carried: f64 = wheels.iter().map(|wheel| wheel.vertical(shares)).sum();
+        // Fine pressures that depend on where they began scatter within their error bars.
+        let within = if round < FEW { 0.0 } else { error_of_load(wheels) / carried };
+        self.is_given || (self.stages.len() == 1 && missed <= enough(round).max(MET).max(within))
+    }
+
+    /// Where to look next, by which method, with what was learnt.
+    fn go_on(
+        &mut self,
+        sought: &mut Sought<'a>,
+        wheels: &[PressedWheel<'a>],
+        next: Start,
+        (missed, round): (f64, usize),
+    ) {
+        sought.learn(wheels, &next.shares, self.rolled_by == Some(self.stages.len()));
+        if round < FEW && (missed < HELPS * self.last || self.rolled_by.is_none()) {
+            let here = (&sought.places[..], wheels);
+            self.places = step::places(here, self.stance, self.load, &next.shares);
+        }
+        (self.last, self.rolled_by) = (missed, Some(self.stages.len()));
+        if let [(_, good_enough), _, ..] = self.stages[..]
+            && (missed < good_enough || round >= FEW)
+        {
+            self.stages.remove(0);
+            self.last = f64::INFINITY;
+        }
+        self.start = if round < FEW { next } else { next.halfway_from(&self.start.shares) };
+    }
+}
+
+/// The error bar of the load of all contacts (N).
+fn error_of_load(wheels: &[PressedWheel<'_>]) -> f64 {
+    let contacts = wheels.iter().flat_map(|wheel| &wheel.contacts);
+    contacts.map(|one| one.normal.load().error).sum()
+}
+
+/// Where the wheels should carry their load.
+pub(super) struct Sought<'a> {
+    pub(super) places: Vec<Place>,
+    /// What the search found there; nothing after a step.
+    pub(super) coarse: Vec<PressedWheel<'a>>,
+}
+
+impl Sought<'_> {
+    fn learn(&mut self, wheels: &[PressedWheel<'_>], shares: &Shares, is_like: bool) {
+        let pairs = self.places.iter_mut().zip(wheels);
+        pairs.for_each(|(place, wheel)| place.learn(wheel, shares, is_like));
+    }
+
+    /// What wheels carry more or less than expected, in parts of what they carry.
+    fn missed(&self, wheels: &[PressedWheel<'_>], shares: &Shares) -> f64 {
+        let pairs = self.places.iter().zip(wheels);
+        let off = |(place, wheel): (&Place, &PressedWheel<'_>)| {
+            (wheel.vertical(shares) - place.expected).abs()
+        };
+        let off: f64 = pairs.map(off).sum();
+        // A wheelset that hangs above its rails carries nothing and misses nothing.
+        if off > 0.0 {
+            off / wheels.iter().map(|one| one.vertical(shares)).sum::<f64>()
+        } else {
+            0.0
+        }
+    }
+}
