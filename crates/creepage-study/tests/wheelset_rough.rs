@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 
 use creepage_rail::file::{Format, Wanted, read, write};
 use creepage_rail::{Role, Side, Standard};
-use creepage_study::{GapCaution, SolvedWheelset, WheelsetFile};
+use creepage_study::{GapCaution, SolvedWheel, SolvedWheelset, WheelsetFile};
 
 fn examples() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/wheelset")
@@ -76,7 +76,7 @@ fn rough(solved: &SolvedWheelset) -> Vec<(Side, GapCaution)> {
 }
 
 fn peak(solved: &SolvedWheelset) -> f64 {
-    let contacts = solved.wheels().flat_map(|wheel| wheel.contacts());
+    let contacts = solved.wheels().flat_map(SolvedWheel::contacts);
     contacts.map(|contact| contact.normal.peak_pressure().value).fold(0.0, f64::max)
 }
 
