@@ -119,22 +119,24 @@ pub(super) fn band(strips: &[Strip], units: Units, laid: &Band, tips: [bool; 2])
     Band::new(chords, y, tips)
 }
 
-/// Where the parabola through the first three squared half lengths reaches zero, near `laid`: a tip
-/// that lies further out is gone towards.
+/// Where the parabola through the first three squared half lengths reaches zero, or comes nearest to
+/// it, within these parts of the way from the first to where the tip was laid: one that lies further
+/// is gone towards. It follows the half lengths without a jump.
 fn tip(squares: &[(f64, f64)], laid: f64) -> f64 {
     const NEAR: [f64; 2] = [0.5, 1.5];
-    const FURTHEST: f64 = 3.0;
     let &[(y0, v0), (y1, v1), (y2, v2), ..] = squares else { return laid };
-    let rise = (v1 - v0) / (y1 - y0);
-    let bend = ((v2 - v1) / (y2 - y1) - rise) / (y2 - y0);
-    let slope = rise - bend * (y1 - y0);
-    // v0 + slope d + bend d^2 = 0, the root next to zero.
+    let inward = (y1 - y0).signum();
+    let rise = (v1 - v0) / (y1 - y0).abs();
+    let bend = ((v2 - v1) / (y2 - y1).abs() - rise) / (y2 - y0).abs();
+    let slope = rise - bend * (y1 - y0).abs();
+    // v0 - slope d + bend d^2 = 0, the first root outwards.
     let root = slope * slope - 4.0 * bend * v0;
-    let distance = -2.0 * v0 / (slope + root.max(0.0).sqrt().copysign(slope));
-    let reach = laid - y0;
-    let part = distance / reach;
-    let inside = root >= 0.0 && (NEAR[0]..FURTHEST).contains(&part);
-    if inside { y0 + part.min(NEAR[1]) * reach } else { laid }
+    let denominator = slope + root.max(0.0).sqrt();
+    let distance = if root < 0.0 { slope / (2.0 * bend) } else { 2.0 * v0 / denominator };
+    let reach = (laid - y0).abs();
+    let most = NEAR[1] * reach;
+    let falls = distance > 0.0 && distance.is_finite();
+    y0 - inward * if falls { distance.clamp(NEAR[0] * reach, most) } else { most }
 }
 
 /// The top of the parabola across through the strip of greatest pressure and its neighbours.
