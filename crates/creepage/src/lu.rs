@@ -5,6 +5,8 @@ use pulp::{Arch, Simd, WithSimd};
 
 /// Rows are this much longer at most: a whole number of registers on every processor.
 const REGISTER: usize = 8;
+/// Columns that are factored before they are taken from the others at once.
+const PANEL: usize = 4;
 
 /// `P A = L U` with partial pivoting; the diagonal holds its reciprocals. One value is filled and
 /// factored again and again, which the owning decompositions of the linear algebra library do not offer.
@@ -15,15 +17,13 @@ pub(crate) struct Lu {
     stride: usize,
     entries: Vec<f64>,
     pivots: Vec<usize>,
-    /// Room for the rest of a row.
-    room: Vec<f64>,
 }
 
 impl Lu {
     pub(crate) fn new(n: usize) -> Self {
         let stride = n.next_multiple_of(REGISTER);
         let entries = vec![0.0; n * stride];
-        Self { n, stride, entries, pivots: vec![0; n], room: vec![0.0; stride] }
+        Self { n, stride, entries, pivots: vec![0; n] }
     }
 
     /// The factors of a matrix given row after row; `None` when it is singular or not finite.
@@ -78,30 +78,76 @@ impl WithSimd for Factor<'_> {
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) -> bool {
         let Self(lu) = self;
-        let (n, stride) = (lu.n, lu.stride);
-        for k in 0..n {
-            let pivot = lu.largest_below(k);
-            lu.pivots[k] = pivot;
-            lu.swap_rows(k, pivot);
-            let (done, below) = lu.entries.split_at_mut((k + 1) * stride);
-            let pivot_row = &mut done[k * stride..];
+        for first in (0..lu.n).step_by(PANEL) {
+            let end = lu.n.min(first + PANEL);
+            if !lu.factor_columns(first, end) {
+                return false;
+            }
+            if end < lu.n {
+                lu.eliminate(simd, first);
+            }
+        }
+        true
+    }
+}
+
+impl Lu {
+    /// Factors the columns of a panel, from its first row down; false when they are singular. Rows are
+    /// so long that a panel is always whole.
+    #[inline(always)]
+    fn factor_columns(&mut self, first: usize, end: usize) -> bool {
+        for k in first..end {
+            let pivot = self.largest_below(k);
+            self.pivots[k] = pivot;
+            self.swap_rows(k, pivot);
+            let (done, below) = self.entries.split_at_mut((k + 1) * self.stride);
+            let pivot_row = &mut done[k * self.stride..];
             let reciprocal = pivot_row[k].recip();
             if !reciprocal.is_finite() {
                 return false;
             }
-            // Whole registers from the one with entry k + 1; what is done before it is not moved.
-            let start = (k + 1) / S::F64_LANES * S::F64_LANES;
-            let room = &mut lu.room[start..];
-            room.copy_from_slice(&pivot_row[start..]);
-            room[..k + 1 - start].fill(0.0);
             pivot_row[k] = reciprocal;
-            for row in below.chunks_exact_mut(stride) {
+            let mut by = [0.0; PANEL];
+            by[k + 1 - first..].copy_from_slice(&pivot_row[k + 1..first + PANEL]);
+            for row in below.chunks_exact_mut(self.stride) {
                 let factor = row[k] * reciprocal;
-                row[k] = factor;
-                add_times(simd, &mut row[start..], -factor, room);
+                let Some(part) = row[first..].first_chunk_mut::<PANEL>() else { continue };
+                for j in 0..PANEL {
+                    part[j] -= factor * by[j];
+                }
+                part[k - first] = factor;
             }
         }
         true
+    }
+
+    /// Takes the rows of a factored panel from all rows below, beyond its columns.
+    #[inline(always)]
+    fn eliminate<S: Simd>(&mut self, simd: S, first: usize) {
+        let (stride, end) = (self.stride, first + PANEL);
+        let (done, below) = self.entries.split_at_mut(end * stride);
+        let panel = &mut done[first * stride..];
+        for k in 1..PANEL {
+            let (above, row) = panel.split_at_mut(k * stride);
+            let (factors, to) = row[..stride].split_at_mut(end);
+            for (above, factor) in above.chunks_exact(stride).zip(&factors[first..]) {
+                add_times(simd, to, -factor, &above[end..]);
+            }
+        }
+        let by = |k: usize| S::as_simd_f64s(&panel[k * stride + end..(k + 1) * stride]).0;
+        let (p, q, r, s) = (by(0), by(1), by(2), by(3));
+        for row in below.chunks_exact_mut(stride) {
+            let (factors, to) = row.split_at_mut(end);
+            let factor = |k: usize| simd.splat_f64s(-factors[first + k]);
+            let (a, b, c, d) = (factor(0), factor(1), factor(2), factor(3));
+            let (to, _) = S::as_mut_simd_f64s(to);
+            for ((((to, p), q), r), s) in to.iter_mut().zip(p).zip(q).zip(r).zip(s) {
+                let sum = simd.mul_add_e_f64s(a, *p, *to);
+                let sum = simd.mul_add_e_f64s(b, *q, sum);
+                let sum = simd.mul_add_e_f64s(c, *r, sum);
+                *to = simd.mul_add_e_f64s(d, *s, sum);
+            }
+        }
     }
 }
 
@@ -111,18 +157,82 @@ impl WithSimd for Solve<'_> {
     type Output = ();
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) {
-        let Self(Lu { stride, entries, pivots, .. }, x) = self;
+        let Self(Lu { n, stride, entries, pivots, .. }, x) = self;
         for (k, pivot) in pivots.iter().enumerate() {
             x.swap(k, *pivot);
         }
-        let n = x.len();
-        for (k, row) in entries.chunks_exact(*stride).enumerate() {
-            let (known, rest) = x.split_at_mut(k);
-            rest[0] -= dot(simd, &row[..k], known);
+        for (block, rows) in entries.chunks(PANEL * stride).enumerate() {
+            let first = PANEL * block;
+            let (known, x) = x.split_at_mut(first);
+            let x = &mut x[..PANEL.min(n - first)];
+            take(simd, x, rows, *stride, 0, known);
+            if let Some(x) = x.first_chunk_mut::<PANEL>() {
+                lower(x, rows, *stride, first);
+            } else {
+                lower(x, rows, *stride, first);
+            }
         }
-        for (k, row) in entries.chunks_exact(*stride).enumerate().rev() {
-            let (rest, known) = x.split_at_mut(k + 1);
-            rest[k] = (rest[k] - dot(simd, &row[k + 1..n], known)) * row[k];
+        for (block, rows) in entries.chunks(PANEL * stride).enumerate().rev() {
+            let first = PANEL * block;
+            let (x, known) = x.split_at_mut((*n).min(first + PANEL));
+            let x = &mut x[first..];
+            take(simd, x, rows, *stride, first + PANEL, known);
+            if let Some(x) = x.first_chunk_mut::<PANEL>() {
+                upper(x, rows, *stride, first);
+            } else {
+                upper(x, rows, *stride, first);
+            }
+        }
+    }
+}
+
+/// Solves with the factors of a panel's own columns; its length is often known when it is compiled.
+#[inline(always)]
+fn lower(x: &mut [f64], rows: &[f64], stride: usize, first: usize) {
+    for k in 1..x.len() {
+        let row = &rows[k * stride + first..][..x.len()];
+        for j in 0..k {
+            x[k] -= row[j] * x[j];
+        }
+    }
+}
+
+#[inline(always)]
+fn upper(x: &mut [f64], rows: &[f64], stride: usize, first: usize) {
+    for k in (0..x.len()).rev() {
+        let row = &rows[k * stride + first..][..x.len()];
+        for j in k + 1..x.len() {
+            x[k] -= row[j] * x[j];
+        }
+        x[k] *= row[k];
+    }
+}
+
+/// Takes from the values of some rows what columns from `start` on give with known values.
+#[inline(always)]
+fn take<S: Simd>(simd: S, x: &mut [f64], rows: &[f64], stride: usize, start: usize, known: &[f64]) {
+    let row = |k: usize| &rows[k * stride + start..][..known.len()];
+    if let [a, b, c, d] = x {
+        let (p, p_rest) = S::as_simd_f64s(row(0));
+        let (q, q_rest) = S::as_simd_f64s(row(1));
+        let (r, r_rest) = S::as_simd_f64s(row(2));
+        let (s, s_rest) = S::as_simd_f64s(row(3));
+        let (known, rest) = S::as_simd_f64s(known);
+        let mut sums = [simd.splat_f64s(0.0); 4];
+        for ((((p, q), r), s), x) in p.iter().zip(q).zip(r).zip(s).zip(known) {
+            sums[0] = simd.mul_add_e_f64s(*p, *x, sums[0]);
+            sums[1] = simd.mul_add_e_f64s(*q, *x, sums[1]);
+            sums[2] = simd.mul_add_e_f64s(*r, *x, sums[2]);
+            sums[3] = simd.mul_add_e_f64s(*s, *x, sums[3]);
+        }
+        let last = |row: &[f64]| row.iter().zip(rest).map(|(l, x)| l * x).sum::<f64>();
+        *a -= simd.reduce_sum_f64s(sums[0]) + last(p_rest);
+        *b -= simd.reduce_sum_f64s(sums[1]) + last(q_rest);
+        *c -= simd.reduce_sum_f64s(sums[2]) + last(r_rest);
+        *d -= simd.reduce_sum_f64s(sums[3]) + last(s_rest);
+    } else {
+        for (k, x) in x.iter_mut().enumerate() {
+            *x -= dot(simd, row(k), known);
         }
     }
 }

@@ -150,6 +150,7 @@ impl Grid {
 mod tests {
     use super::*;
     use crate::Force;
+    use crate::coulomb::influence::{Precision, Tractions};
     use crate::coulomb::mesh::{SUBCELLS, cut};
     use crate::coulomb::solver::{Equations, State};
 
@@ -185,12 +186,31 @@ mod tests {
     fn the_mirror_image_is_a_saving_only() {
         let half = Grid::hertz(ellipse(), POISSON, 0.0, Mesh::ellipse(ellipse(), 12, 10));
         let dense = on(Mesh::new(Mesh::ellipse(ellipse(), 12, 10).strips));
+        let [by_half, by_dense] = [&half, &dense].map(|grid| slips(&grid.influence));
+        for (half, dense) in by_half.iter().zip(&by_dense) {
+            // Rounding of coefficients and of sums of some hundred of them.
+            assert!((half - dense).abs() < 1e-12, "{half} {dense}");
+        }
         for case in CASES {
             for (half, dense) in force(&half, case).into_iter().zip(force(&dense, case)) {
-                // Rounding, over a condition number of some tens.
-                assert!((half - dense).abs() < 1e-12, "{case:?}: {half} {dense}");
+                // Where the solver stops: strips are solved in another order.
+                assert!((half - dense).abs() < 1e-6, "{case:?}: {half} {dense}");
             }
         }
+    }
+
+    /// Slip of every element by tractions without symmetry.
+    fn slips(influence: &Influence) -> Vec<f64> {
+        let n = influence.columns();
+        let mut tractions = Tractions::zeros(influence);
+        tractions.copy_from(&(0..2 * n).map(|k| (k as f64).sin()).collect::<Vec<_>>());
+        let mut slips = vec![0.0; 2 * n];
+        for strip in 0..influence.strips() {
+            influence.slip(Precision::Double, strip, &tractions, |element, slip| {
+                slips[2 * element..][..2].copy_from_slice(&slip);
+            });
+        }
+        slips
     }
 
     /// Strips with `n`, `n + 2` and `n + 4` elements by turns.

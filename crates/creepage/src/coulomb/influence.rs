@@ -116,10 +116,74 @@ impl Influence {
         }
     }
 
+    /// Strips that are to be gone through, each with its mirror image.
+    pub(crate) fn strips(&self) -> usize {
+        let strips = self.offsets.len() - 1;
+        if self.mirrored { strips.div_ceil(2) } else { strips }
+    }
+
+    /// The mirror image of a strip, where it is another strip and shares the coefficients.
+    pub(crate) fn image(&self, strip: usize) -> Option<usize> {
+        let image = self.offsets.len() - 2 - strip;
+        (self.mirrored && image != strip).then_some(image)
+    }
+
+    /// Slip of every element of a strip and of its mirror image, reading coefficients once.
+    pub(crate) fn slip(
+        &self,
+        precision: Precision,
+        strip: usize,
+        tractions: &Tractions,
+        mut take: impl FnMut(usize, [f64; 2]),
+    ) {
+        let elements = self.offsets[strip]..self.offsets[strip + 1];
+        let Some(image) = self.image(strip) else {
+            elements.for_each(|element| take(element, self.apply(precision, element, tractions)));
+            return;
+        };
+        for (element, other) in elements.zip(self.offsets[image]..) {
+            let [own, mirrored] = self.apply_to_both(precision, element, tractions);
+            take(element, own);
+            take(other, mirrored);
+        }
+    }
+
+    /// Slip of an element of the stored half, and of its mirror image.
+    fn apply_to_both(
+        &self,
+        precision: Precision,
+        element: usize,
+        tractions: &Tractions,
+    ) -> [[f64; 2]; 2] {
+        let start = self.rows[element].start;
+        let range = start..start + self.columns();
+        match precision {
+            Precision::Single => {
+                let [xx, xy, yy] = self.coefficients.single.each_ref().map(|c| &c[range.clone()]);
+                let tractions = tractions.single.each_ref().map(|of| of.each_ref().map(|t| &t[..]));
+                Row { xx, xy, yy }.apply_to_both(tractions)
+            }
+            Precision::Double => {
+                let tractions =
+                    [&tractions.own, &tractions.mirrored].map(|of| of.each_ref().map(|t| &t[..]));
+                self.row(range).apply_to_both(tractions)
+            }
+        }
+    }
+
     /// Coefficients of an element by the tractions of its own strip, and the sign of `xy`.
     pub(crate) fn strip_block(&self, element: usize) -> (Row<'_>, f64) {
         let Place { start, block, sign } = &self.rows[element];
         (self.row(start + block.start..start + block.end), *sign)
+    }
+
+    /// Coefficients of an element of a mirror image by the tractions of the strip that it is the
+    /// image of, and the sign of `xy`.
+    pub(crate) fn image_block(&self, image: usize, element: usize) -> (Row<'_>, f64) {
+        let Place { start, sign, .. } = self.rows[element];
+        // Tractions are in mirrored order.
+        let [from, to] = [image, image + 1].map(|strip| start + self.offsets[strip]);
+        (self.row(from..to), sign)
     }
 
     /// The larger of the coefficients by an element's own traction.
@@ -129,7 +193,7 @@ impl Influence {
     }
 
     /// The number of elements; there may be more rows.
-    fn columns(&self) -> usize {
+    pub(super) fn columns(&self) -> usize {
         self.offsets.last().copied().unwrap_or_default()
     }
 

@@ -55,26 +55,16 @@ impl Equations {
         accuracy: f64,
         precision: Precision,
     ) {
-        let Self { right, change, sweeps, solution, residual, gmres, .. } = self;
+        let Self { right, change, slip, sweeps, solution, residual, gmres, .. } = self;
         solution.fill(0.0);
+        let mut sweep = Sweep { grid, state, right, change, slip, residual, precision };
         gmres.fixed_point(solution, accuracy, |part, from, to| {
             *sweeps += 1;
-            change.copy_from(from);
-            for strip in 0..grid.mesh.strips.len() {
-                let right = if part == Part::Whole { Some(&**right) } else { None };
-                let residual = &mut residual[..2 * grid.mesh.elements(strip).len()];
-                for (i, element) in grid.mesh.elements(strip).enumerate() {
-                    let slip = grid.influence.apply(precision, element, change);
-                    let left = left_side(grid, state, change.at(element), slip, element);
-                    for k in 0..2 {
-                        let right = right.map_or(0.0, |right| right[2 * element + k]);
-                        residual[2 * i + k] = right - left[k];
-                    }
-                }
-                state.factors[strip].solve(residual);
-                change.add(strip, residual);
+            sweep.change.copy_from(from);
+            for strip in 0..grid.influence.strips() {
+                sweep.solve_both(part, strip);
             }
-            change.copy_to(to);
+            sweep.change.copy_to(to);
         });
         change.copy_from(solution);
         self.update_slip(grid);
@@ -104,9 +94,10 @@ impl Equations {
     }
 
     fn update_slip(&mut self, grid: &Grid) {
-        let [u, v] = &mut self.slip;
-        for (element, (u, v)) in u.iter_mut().zip(v).enumerate() {
-            [*u, *v] = grid.influence.apply(Precision::Double, element, &self.change);
+        for strip in 0..grid.influence.strips() {
+            grid.influence.slip(Precision::Double, strip, &self.change, |element, slip| {
+                [self.slip[0][element], self.slip[1][element]] = slip;
+            });
         }
     }
 
@@ -163,6 +154,55 @@ impl Equations {
             grid.quadrature.add_change([fields, change], element, slides, &mut sum);
         }
         sum.force
+    }
+}
+
+/// A sweep over the strips for the change of all tractions.
+struct Sweep<'a> {
+    grid: &'a Grid,
+    state: &'a State,
+    right: &'a [f64],
+    change: &'a mut Tractions,
+    slip: &'a mut [Vec<f64>; 2],
+    residual: &'a mut [f64],
+    precision: Precision,
+}
+
+impl Sweep<'_> {
+    /// Solves the equations of a strip, and then of its mirror image.
+    fn solve_both(&mut self, part: Part, strip: usize) {
+        let Self { grid, precision, .. } = *self;
+        grid.influence.slip(precision, strip, self.change, |element, slip| {
+            [self.slip[0][element], self.slip[1][element]] = slip;
+        });
+        self.solve(part, strip);
+        let Some(image) = grid.influence.image(strip) else { return };
+        let n = grid.mesh.elements(strip).len();
+        let (x, y) = self.residual[..2 * n].split_at(n);
+        for element in grid.mesh.elements(image) {
+            let (by_strip, sign) = grid.influence.image_block(image, element);
+            let by = by_strip.apply(sign, x, y);
+            self.slip[0][element] += by[0];
+            self.slip[1][element] += by[1];
+        }
+        self.solve(part, image);
+    }
+
+    /// Solves the equations of a strip at the slip as it is; its residual becomes its change.
+    fn solve(&mut self, part: Part, strip: usize) {
+        let elements = self.grid.mesh.elements(strip);
+        let residual = &mut self.residual[..2 * elements.len()];
+        for (element, residual) in elements.zip(residual.chunks_exact_mut(2)) {
+            let slip = [self.slip[0][element], self.slip[1][element]];
+            let own = self.change.at(element);
+            let left = left_side(self.grid, self.state, own, slip, element);
+            let right = &self.right[2 * element..][..2];
+            for k in 0..2 {
+                residual[k] = if part == Part::Whole { right[k] } else { 0.0 } - left[k];
+            }
+        }
+        self.state.factors[strip].solve(residual);
+        self.change.add(strip, residual);
     }
 }
 

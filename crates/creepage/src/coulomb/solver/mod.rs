@@ -61,8 +61,9 @@ pub(crate) struct State {
     factors: Vec<Lu>,
     /// Size of the last step with a strip's factors; infinite when they are of no use any more.
     last_step: Vec<f64>,
-    /// Room for the change of a strip, `x` before `y`.
+    /// Room for the change of a strip, `x` before `y`, and for the sum of its changes.
     step: Vec<f64>,
+    change: Vec<f64>,
     factorizations: usize,
     corner: Corner,
     /// That of sweeps.
@@ -82,6 +83,7 @@ impl State {
             factors: strips.iter().map(|strip| Lu::new(2 * strip.len())).collect(),
             last_step: vec![f64::INFINITY; strips.len()],
             step: vec![0.0; 2 * longest],
+            change: vec![0.0; 2 * longest],
             factorizations: 0,
             corner: Corner::default(),
             precision: Precision::Single,
@@ -164,13 +166,15 @@ impl State {
         equations: &mut Equations,
     ) -> bool {
         self.corner = corner;
-        let strips = grid.mesh.strips.len();
+        let strips = grid.influence.strips();
         (1..=rounds).any(|round| {
             for strip in (0..strips).chain((0..strips).rev()) {
-                self.solve_strip(grid, strip, tolerance);
+                self.solve_both(grid, strip, tolerance);
             }
             equations.sweeps += 2;
-            self.update_slip(grid, Precision::Double, 0..grid.mesh.len());
+            for strip in 0..strips {
+                self.update_slip(grid, Precision::Double, strip);
+            }
             self.newton(grid, equations, tolerance, round <= ROUNDS_OF_FULL_STEPS)
         })
     }
@@ -243,19 +247,14 @@ impl State {
         sum.dissipation
     }
 
-    /// Computes the slip of some elements from the tractions.
-    fn update_slip(
-        &mut self,
-        grid: &Grid,
-        precision: Precision,
-        elements: impl Iterator<Item = usize>,
-    ) {
-        for element in elements {
-            let driven = self.forcing.slip[element];
-            let elastic = grid.influence.apply(precision, element, &self.traction);
-            self.slip[0][element] = driven[0] + elastic[0];
-            self.slip[1][element] = driven[1] + elastic[1];
-        }
+    /// Computes the slip of a strip and of its mirror image from the tractions.
+    fn update_slip(&mut self, grid: &Grid, precision: Precision, strip: usize) {
+        let Self { forcing, traction, slip, .. } = self;
+        grid.influence.slip(precision, strip, traction, |element, elastic| {
+            let driven = forcing.slip[element];
+            slip[0][element] = driven[0] + elastic[0];
+            slip[1][element] = driven[1] + elastic[1];
+        });
     }
 
     /// Adhesion or slip for every element of a strip; true when one of them changed.

@@ -12,9 +12,24 @@ const FULL_STEPS: usize = 12;
 const CHORD: f64 = 0.02;
 
 impl State {
+    /// Makes a strip and then its mirror image obey friction.
+    pub(super) fn solve_both(&mut self, grid: &Grid, strip: usize, tolerance: f64) {
+        self.update_slip(grid, self.precision, strip);
+        self.solve_strip(grid, strip, tolerance);
+        let Some(image) = grid.influence.image(strip) else { return };
+        let (x, y) = self.change.split_at(grid.mesh.elements(strip).len());
+        for element in grid.mesh.elements(image) {
+            let (by_strip, sign) = grid.influence.image_block(image, element);
+            let by = by_strip.apply(sign, x, &y[..x.len()]);
+            self.slip[0][element] += by[0];
+            self.slip[1][element] += by[1];
+        }
+        self.solve_strip(grid, image, tolerance);
+    }
+
     /// Makes a strip obey friction, as far as `tolerance` or until it is as near as a sweep needs.
-    pub(super) fn solve_strip(&mut self, grid: &Grid, strip: usize, tolerance: f64) {
-        self.update_slip(grid, self.precision, grid.mesh.elements(strip));
+    fn solve_strip(&mut self, grid: &Grid, strip: usize, tolerance: f64) {
+        self.change.fill(0.0);
         let mut last = f64::INFINITY;
         for k in 0..STEPS {
             let switched = self.choose_branches(grid, strip);
@@ -43,6 +58,7 @@ impl State {
         let step = &mut self.step[..2 * n];
         self.factors[strip].solve(step);
         self.traction.add(strip, step);
+        self.change.iter_mut().zip(&*step).for_each(|(sum, step)| *sum += step);
         let (x, y) = step.split_at(n);
         for element in elements {
             let (own, sign) = grid.influence.strip_block(element);
