@@ -18,19 +18,33 @@ const TINY: f64 = 1e-140;
 /// The cuts of all strips, from the leading edge of each; there is one more than a strip has elements.
 #[derive(Debug, Clone)]
 pub(crate) struct Cuts {
-    lower: Ends,
-    upper: Ends,
-    /// From the lower to the upper end.
+    /// Ends of all cuts, border by border.
+    corners: Ends,
+    /// Strips one beside the other, in order.
+    runs: Vec<Run>,
+    /// Of each cut from its lower to its upper end.
     tangent: Ends,
     /// First element of every strip, and the number of all.
     offsets: Vec<usize>,
     /// Traction of each element.
     tractions: Vec<f64>,
+    seen: Seen,
     /// Of each cut at one point: in `x` by `x`, in `x` by `y` and in `y` by `x`, in `y` by `y`.
     sums: [Vec<f64>; 3],
 }
 
-/// A vector for every cut.
+/// Strips each of whose lower border is the upper one of the strip below, with the same ends of cuts.
+#[derive(Debug, Clone)]
+struct Run {
+    /// First corner.
+    corner: usize,
+    /// Corners on each border.
+    width: usize,
+    /// Cuts of all strips.
+    cuts: usize,
+}
+
+/// A vector for every cut, or for every corner.
 #[derive(Debug, Clone, Default)]
 struct Ends {
     x: Vec<f64>,
@@ -42,67 +56,129 @@ impl Ends {
         self.x.push(x);
         self.y.push(y);
     }
+
+    fn extend(&mut self, ends: &[[f64; 2]]) {
+        for end in ends {
+            self.push(*end);
+        }
+    }
+}
+
+/// All corners seen from a point: distances, and [`Corner::border`].
+#[derive(Debug, Clone)]
+struct Seen {
+    radius: Vec<f64>,
+    border: Vec<f64>,
 }
 
 impl Cuts {
     /// The elements of a mesh, each with the traction that acts on all of it.
     pub(crate) fn new(mesh: &Mesh, tractions: Vec<f64>) -> Self {
-        let [mut lower, mut upper, mut tangent] = [(); 3].map(|()| Ends::default());
+        let (mut corners, mut tangent) = (Ends::default(), Ends::default());
+        let (mut runs, mut border): (Vec<Run>, Vec<[f64; 2]>) = (Vec::new(), Vec::new());
         for strip in &mesh.strips {
-            for i in 0..=strip.len() {
-                let [[x0, y0], [x1, y1]] = strip.cut_ends(i);
+            let ends: Vec<_> = (0..=strip.len()).map(|i| strip.cut_ends(i)).collect();
+            let [lower, upper]: [Vec<[f64; 2]>; 2] =
+                [0, 1].map(|k| ends.iter().map(|ends| ends[k]).collect());
+            if border != lower {
+                let (corner, width) = (corners.x.len(), ends.len());
+                runs.push(Run { corner, width, cuts: 0 });
+                corners.extend(&lower);
+            }
+            corners.extend(&upper);
+            if let Some(run) = runs.last_mut() {
+                run.cuts += ends.len();
+            }
+            for [[x0, y0], [x1, y1]] in ends {
                 let length = (x1 - x0).hypot(y1 - y0);
-                lower.push([x0, y0]);
-                upper.push([x1, y1]);
                 tangent.push([(x1 - x0) / length, (y1 - y0) / length]);
             }
+            border = upper;
         }
-        let sums = std::array::from_fn(|_| vec![0.0; lower.x.len()]);
-        Self { lower, upper, tangent, offsets: mesh.offsets().to_vec(), tractions, sums }
+        let sums = std::array::from_fn(|_| vec![0.0; tangent.x.len()]);
+        let [radius, border] = [(); 2].map(|()| vec![0.0; corners.x.len()]);
+        let (offsets, seen) = (mesh.offsets().to_vec(), Seen { radius, border });
+        Self { corners, runs, tangent, offsets, tractions, seen, sums }
     }
 
-    /// Adds the displacements at a point by every element, in units of `length / (pi G)`.
-    pub(crate) fn displace(&mut self, poisson: f64, at: [f64; 2], by: &mut [Vec<f64>; 3]) {
-        let Self { lower, upper, tangent, offsets, tractions, sums } = self;
-        Arch::new().dispatch(Sums { lower, upper, tangent, poisson, at, by: sums });
-        for (by, sums) in by.iter_mut().zip(sums) {
-            for (strip, elements) in offsets.windows(2).enumerate() {
-                let cuts = &sums[elements[0] + strip..=elements[1] + strip];
-                let sides = cuts.iter().zip(&cuts[1..]).map(|(front, rear)| front - rear);
-                let tractions = &tractions[elements[0]..elements[1]];
-                by.extend(sides.zip(tractions).map(|(sides, traction)| traction * sides));
-            }
-        }
+    /// The displacements at a point by every element, in units of `length / (pi G)`.
+    pub(crate) fn displace(&mut self, poisson: f64, at: [f64; 2], by: [&mut [f64]; 3]) {
+        Arch::new().dispatch(Displace { cuts: self, poisson, at, by });
     }
 }
 
-struct Sums<'a> {
-    lower: &'a Ends,
-    upper: &'a Ends,
-    tangent: &'a Ends,
+struct Displace<'a> {
+    cuts: &'a mut Cuts,
     poisson: f64,
     at: [f64; 2],
-    by: &'a mut [Vec<f64>; 3],
+    by: [&'a mut [f64]; 3],
 }
 
-impl WithSimd for Sums<'_> {
+impl WithSimd for Displace<'_> {
     type Output = ();
 
     #[allow(clippy::inline_always)] // so that it is compiled for each kind of processor
     #[inline(always)]
     fn with_simd<S: Simd>(self, _: S) {
-        let Self { lower, upper, tangent, poisson, at: [x, y], by: [xx, xy, yy] } = self;
-        let sums = xx.iter_mut().zip(xy).zip(yy);
-        let lower = lower.x.iter().zip(&lower.y);
-        let ends = lower.zip(upper.x.iter().zip(&upper.y));
-        let cuts = ends.zip(tangent.x.iter().zip(&tangent.y));
-        for (((xx, xy), yy), (((x0, y0), (x1, y1)), (tx, ty))) in sums.zip(cuts) {
-            let ends = [Corner::new(x0 - x, y0 - y), Corner::new(x1 - x, y1 - y)];
-            let borders = ends[1].border() - ends[0].border();
-            let (own, bent) = along_cut(ends, [*tx, *ty]);
-            *xx = own - poisson * ty * bent[0] + borders;
-            *xy = -poisson * ty * bent[1];
-            *yy = own + poisson * tx * bent[1] + (1.0 - poisson) * borders;
+        let Self { cuts, poisson, at, by } = self;
+        cuts.see(at);
+        cuts.add_up(poisson, at);
+        for (by, sums) in by.into_iter().zip(&cuts.sums) {
+            for (strip, elements) in cuts.offsets.windows(2).enumerate() {
+                let sums = &sums[elements[0] + strip..=elements[1] + strip];
+                let elements = elements[0]..elements[1];
+                let sides = sums.iter().zip(&sums[1..]).zip(&cuts.tractions[elements.clone()]);
+                for (by, ((front, rear), traction)) in by[elements].iter_mut().zip(sides) {
+                    *by = traction * (front - rear);
+                }
+            }
+        }
+    }
+}
+
+#[allow(clippy::inline_always)]
+impl Cuts {
+    #[inline(always)]
+    fn see(&mut self, [x, y]: [f64; 2]) {
+        let Seen { radius, border } = &mut self.seen;
+        let corners = self.corners.x.iter().zip(&self.corners.y);
+        for ((radius, border), (px, py)) in radius.iter_mut().zip(border).zip(corners) {
+            let corner = Corner::new(px - x, py - y);
+            (*radius, *border) = (corner.radius, corner.border());
+        }
+    }
+
+    /// Sums of each cut, its corners seen.
+    #[inline(always)]
+    fn add_up(&mut self, poisson: f64, [x, y]: [f64; 2]) {
+        let Self { corners, runs, tangent, seen, sums: [xx, xy, yy], .. } = self;
+        let mut first = 0;
+        for run in runs {
+            let of_run = first..first + run.cuts;
+            let sums = xx[of_run.clone()].iter_mut().zip(&mut xy[of_run.clone()]);
+            let sums = sums.zip(&mut yy[of_run.clone()]);
+            let tangents = tangent.x[of_run.clone()].iter().zip(&tangent.y[of_run]);
+            let [lower, upper] = [0, run.width].map(|beside| {
+                let corner = run.corner + beside;
+                let ends = corner..corner + run.cuts;
+                let places = corners.x[ends.clone()].iter().zip(&corners.y[ends.clone()]);
+                places.zip(seen.radius[ends.clone()].iter().zip(&seen.border[ends]))
+            });
+            for ((((xx, xy), yy), (tx, ty)), (lower, upper)) in
+                sums.zip(tangents).zip(lower.zip(upper))
+            {
+                let ends = [lower, upper].map(|((px, py), (radius, _))| Corner {
+                    x: px - x,
+                    y: py - y,
+                    radius: *radius,
+                });
+                let borders = upper.1.1 - lower.1.1;
+                let (own, bent) = along_cut(ends, [*tx, *ty]);
+                *xx = own - poisson * ty * bent[0] + borders;
+                *xy = -poisson * ty * bent[1];
+                *yy = own + poisson * tx * bent[1] + (1.0 - poisson) * borders;
+            }
+            first += run.cuts;
         }
     }
 }
@@ -168,8 +244,9 @@ mod tests {
     }
 
     fn by_all(mesh: &Mesh, poisson: f64, at: [f64; 2]) -> [f64; 3] {
-        let mut by: [Vec<f64>; 3] = std::array::from_fn(|_| Vec::new());
-        Cuts::new(mesh, vec![1.0; mesh.len()]).displace(poisson, at, &mut by);
+        let mut by: [Vec<f64>; 3] = std::array::from_fn(|_| vec![0.0; mesh.len()]);
+        let rows = by.each_mut().map(Vec::as_mut_slice);
+        Cuts::new(mesh, vec![1.0; mesh.len()]).displace(poisson, at, rows);
         by.map(|by| by.iter().sum())
     }
 

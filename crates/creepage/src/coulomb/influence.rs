@@ -9,6 +9,8 @@ mod points;
 
 use std::ops::Range;
 
+use pulp::{Arch, Simd, WithSimd};
+
 use super::cuts::Cuts;
 use super::mesh::Mesh;
 use super::product::Row;
@@ -56,15 +58,18 @@ impl Influence {
         let stored = if mesh.mirrored { strips.div_ceil(2) } else { strips };
         let size = mesh.offsets()[stored] * mesh.len();
         let mut cuts = Cuts::new(mesh, units);
-        let mut coefficients = Coefficients::with_capacity(size);
-        let mut displacements: [Vec<f64>; 3] = std::array::from_fn(|_| Vec::new());
-        for stencil in &stencils[..stored] {
-            displacements.iter_mut().for_each(Vec::clear);
-            for point in &stencil.points {
-                cuts.displace(poisson, *point, &mut displacements);
+        let (mut coefficients, n) = (Coefficients::with_length(size), mesh.len());
+        let most = stencils.iter().map(|stencil| stencil.points.len()).max().unwrap_or(0);
+        let mut displacements: [Vec<f64>; 3] = std::array::from_fn(|_| vec![0.0; most * n]);
+        for (strip, stencil) in stencils[..stored].iter().enumerate() {
+            for (k, point) in stencil.points.iter().enumerate() {
+                let by = displacements.each_mut().map(|all| &mut all[k * n..(k + 1) * n]);
+                cuts.displace(poisson, *point, by);
             }
-            for (row, by) in coefficients.double.iter_mut().zip(&displacements) {
-                append(stencil, by, mesh.len(), row);
+            let elements = mesh.elements(strip);
+            for (all, by) in coefficients.double.iter_mut().zip(&displacements) {
+                let to = &mut all[elements.start * n..elements.end * n];
+                Arch::new().dispatch(Rows { stencil, by, n, to });
             }
         }
         let rows = mesh.all().map(|(strip, i)| place(mesh, stored, strip, i)).collect();
@@ -216,12 +221,28 @@ fn place(mesh: &Mesh, stored: usize, strip: usize, i: usize) -> Place {
     Place { start: (block.start + i) * mesh.len(), block, sign }
 }
 
-/// Adds the rows of a strip's elements, from the displacements of all its points by `n` elements.
-fn append(stencil: &SlipStencil, by: &[f64], n: usize, row: &mut Vec<f64>) {
-    for weights in &stencil.weights {
-        let [(a, wa), (b, wb), (c, wc)] = *weights;
-        let [a, b, c] = [a, b, c].map(|point| &by[point * n..(point + 1) * n]);
-        row.extend(a.iter().zip(b).zip(c).map(|((a, b), c)| wa * a + wb * b + wc * c));
+/// The rows of a strip's elements from the displacements of all its points, each of `n` numbers.
+struct Rows<'a> {
+    stencil: &'a SlipStencil,
+    by: &'a [f64],
+    n: usize,
+    to: &'a mut [f64],
+}
+
+impl WithSimd for Rows<'_> {
+    type Output = ();
+
+    #[allow(clippy::inline_always)] // so that it is compiled for each kind of processor
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) {
+        let Self { stencil, by, n, to } = self;
+        for (row, weights) in to.chunks_exact_mut(n).zip(&stencil.weights) {
+            let [(a, wa), (b, wb), (c, wc)] = *weights;
+            let [a, b, c] = [a, b, c].map(|point| &by[point * n..(point + 1) * n]);
+            for (row, ((a, b), c)) in row.iter_mut().zip(a.iter().zip(b).zip(c)) {
+                *row = wa * a + wb * b + wc * c;
+            }
+        }
     }
 }
 

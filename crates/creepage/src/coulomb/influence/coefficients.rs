@@ -22,8 +22,8 @@ pub(super) struct Coefficients {
 }
 
 impl Coefficients {
-    /// Empty, with room for so many of each.
-    pub(super) fn with_capacity(entries: usize) -> Self {
+    /// So many of each in double precision, of any value: all are to be written.
+    pub(super) fn with_length(entries: usize) -> Self {
         let fits = |kept: &Self| kept.capacity() >= entries;
         let take = |kept: &RefCell<Vec<Self>>| {
             let mut kept = kept.borrow_mut();
@@ -32,8 +32,11 @@ impl Coefficients {
         };
         let mut room = SPARE.try_with(take).ok().flatten().unwrap_or_default();
         for of in &mut room.double {
-            of.clear();
-            of.reserve(entries);
+            if of.capacity() < entries {
+                *of = vec![0.0; entries];
+            } else {
+                of.resize(entries, 0.0);
+            }
         }
         room
     }
@@ -51,7 +54,7 @@ impl Coefficients {
         }
     }
 
-    /// Keeps the memory for [`Coefficients::with_capacity`].
+    /// Keeps the memory for [`Coefficients::with_length`].
     pub(super) fn keep(self) {
         if !(1..=LARGEST).contains(&self.capacity()) {
             return;

@@ -16,9 +16,11 @@ impl Influence {
     ) -> Self {
         let (stored, mut cuts) = (stored(mesh), Cuts::new(mesh, units));
         let count: usize = points[..stored].iter().map(Vec::len).sum();
-        let mut coefficients = Coefficients::with_capacity(count * mesh.len());
-        for at in points[..stored].iter().flatten() {
-            cuts.displace(poisson, *at, &mut coefficients.double);
+        let mut coefficients = Coefficients::with_length(count * mesh.len());
+        for (row, at) in points[..stored].iter().flatten().enumerate() {
+            let row = row * mesh.len()..(row + 1) * mesh.len();
+            let by = coefficients.double.each_mut().map(|all| &mut all[row.clone()]);
+            cuts.displace(poisson, *at, by);
         }
         let mut starts = vec![0];
         starts.extend(points.iter().scan(0, |end, points| {
