@@ -5,8 +5,10 @@ import { execFileSync } from "node:child_process";
 import { existsSync, readdirSync, readFileSync, statSync } from "node:fs";
 import path from "node:path";
 
-// The same iteration in other arithmetic: a browser has no fused multiply and add.
-const TOLERANCE = 1e-12;
+// The same iteration in other arithmetic: a browser has no fused multiply and add. The full theory ends at a
+// residual of 1e-6, reached in single precision: of 3,000 random cases two arithmetics differed by
+// 6e-13 in the middle, 3e-12 in nine of ten and 1.3e-10 at most.
+const TOLERANCE = 1e-9;
 const LARGEST_PAGE = 2_000_000; // bytes of the engine, the scripts and the style
 const CASES = [
   "#ab=1&xi=0&chi=2",

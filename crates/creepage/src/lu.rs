@@ -124,6 +124,8 @@ impl Lu {
     /// Takes the rows of a factored panel from all rows below, beyond its columns.
     #[inline(always)]
     fn eliminate<S: Simd>(&mut self, simd: S, first: usize) {
+        // So that what is left of a row beside a panel is a whole number of registers.
+        const { assert!(PANEL.is_multiple_of(S::F64_LANES)) };
         let (stride, end) = (self.stride, first + PANEL);
         let (done, below) = self.entries.split_at_mut(end * stride);
         let panel = &mut done[first * stride..];

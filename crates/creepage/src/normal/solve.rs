@@ -194,9 +194,9 @@ enum Start {
 
 /// From areas that are rough ones, or so close that the finer strips may begin there.
 ///
-/// `None` when a strip vanishes, the equations stay unsolved, or, where they are to be `complete`,
-/// the bodies overlap elsewhere: strips that are pressed everywhere and nowhere overlapped beyond
-/// solve the problem, whatever they began with.
+/// `None` when waves along rolling are too short, a strip vanishes, the equations stay unsolved, or,
+/// where they are to be `complete`, the bodies overlap elsewhere: strips that are pressed everywhere
+/// and nowhere overlapped beyond solve the problem, whatever they began with.
 fn by_strips(
     task: Task<'_>,
     asked: Asked,
@@ -204,8 +204,9 @@ fn by_strips(
     resolution: Resolution,
     kind: Start,
 ) -> Option<Pair> {
-    /// A peak pressure that still changes by more has a summit as narrow as the strips.
-    const UNEVEN: f64 = 0.02;
+    /// A peak pressure that still changes by more with the number of strips, or where they are cut at
+    /// the summit, has a summit as narrow as the strips.
+    const UNEVEN: [f64; 2] = [0.02, 0.005];
     /// Tips by a few strips decide where more are laid, so that these hardly depend on the start.
     const SETTLED: [f64; 2] = [0.05, 0.4];
     /// [`Found::stairs`] from which on there are more strips.
@@ -213,7 +214,7 @@ fn by_strips(
     const ENOUGH: [f64; 2] = [1e-5, 1e-6];
     /// Stiffness: of an answer, and where one only searches.
     const NEARLY: [f64; 2] = [2e-3, 0.05];
-    let terms = strips::terms(task.gap);
+    let terms = strips::terms(task.gap, start)?;
     let load = if let Asked::Load(load) = asked { Some(load) } else { None };
     let count = resolution.count.min(strips::most(start));
     let next = |start: &[Patch], approach: f64, wanted: Wanted| {
@@ -261,7 +262,8 @@ fn by_strips(
     };
     let (coarse, fine) = if kind == Start::Close { at_once().or_else(ladder)? } else { ladder()? };
     let more = Wanted { count: count * 8 / 5, ..whole };
-    let is_uneven = (fine.peak / coarse.peak - 1.0).abs() > UNEVEN || fine.stairs() > SKEW;
+    let changes = [coarse.peak, fine.summit].map(|other| (fine.peak / other - 1.0).abs());
+    let is_uneven = changes[0] > UNEVEN[0] || changes[1] > UNEVEN[1] || fine.stairs() > SKEW;
     if is_uneven && let Some(finer) = next(&fine.patches, fine.approach, more) {
         return Some(Pair::of_strips(fine, finer, more.count as f64 / count as f64));
     }

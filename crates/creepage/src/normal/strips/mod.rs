@@ -8,18 +8,19 @@ mod outside;
 mod strip;
 mod summit;
 mod system;
+mod terms;
 
 use super::band::Band;
 use super::contact::Patch;
 use super::lattice::whole;
 use super::level::Task;
 use super::solve::Found;
-use crate::gap::Gap;
 pub(crate) use kernel::{MOST, profile};
 pub(crate) use newton::{Question, Stopped, Touching, solve as touching};
 pub(crate) use strip::Strip;
 use strip::Units;
 use system::CENTRED;
+pub(super) use terms::terms;
 
 /// What is asked of strips.
 #[derive(Debug, Clone, Copy)]
@@ -47,16 +48,6 @@ pub(super) struct Wanted {
 impl Wanted {
     /// Attempts that are worth their cost.
     pub(super) const ATTEMPTS: usize = 6;
-}
-
-/// Polynomials that a strip's pressure needs: on a parabola along rolling two, on any other section four.
-/// Where all sections are symmetric about one x, so are the pressures.
-pub(super) fn terms(gap: &Gap) -> usize {
-    match (gap.is_parabola_along(), gap.axis()) {
-        (true, Some(_)) => CENTRED,
-        (true, None) => 2,
-        (false, _) => 4,
-    }
 }
 
 /// Solves from patches close by.

@@ -6,7 +6,7 @@ use pulp::{Arch, Simd, WithSimd};
 
 use crate::normal::level::Task;
 
-use super::kernel::{RULES, View};
+use super::kernel::{MOST, RULES, View};
 use super::newton::{Depth, Touching};
 use super::strip::{Strip, Units};
 use super::system::CENTRED;
@@ -32,7 +32,8 @@ pub(super) fn stays_open(
     let displaced = match terms {
         CENTRED => arch.dispatch(Displaced::<1> { strips, places: &places }),
         2 => arch.dispatch(Displaced::<2> { strips, places: &places }),
-        _ => arch.dispatch(Displaced::<4> { strips, places: &places }),
+        4 => arch.dispatch(Displaced::<4> { strips, places: &places }),
+        _ => arch.dispatch(Displaced::<MOST> { strips, places: &places }),
     };
     places.iter().zip(displaced).all(|([x, y], by)| depth(*x, *y) - by < LEAST)
 }

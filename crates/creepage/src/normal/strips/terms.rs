@@ -1,0 +1,54 @@
+//! How many polynomials a strip's pressure needs.
+
+use std::f64::consts::PI;
+
+use super::CENTRED;
+use super::kernel::MOST;
+use crate::gap::Gap;
+use crate::normal::band::Band;
+use crate::normal::contact::Patch;
+
+/// Polynomials that a strip's pressure needs: on a parabola along rolling two, on other sections four
+/// or [`MOST`]; `None` where their waves are too short for that. Where all sections are symmetric
+/// about one x, so are the pressures.
+pub(in crate::normal) fn terms(gap: &Gap, areas: &[Patch]) -> Option<usize> {
+    match (gap.is_parabola_along(), gap.axis()) {
+        (true, Some(_)) => Some(CENTRED),
+        (true, None) => Some(2),
+        (false, _) => [4, MOST].into_iter().find(|terms| {
+            areas.iter().flat_map(Patch::bands).all(|band| missing(gap, band, *terms) < ENOUGH)
+        }),
+    }
+}
+
+/// The part of the largest pressure that may be missing: half of what is promised of the peak.
+const ENOUGH: f64 = 2.5e-3;
+
+/// The pressure that these polynomials miss, over the largest. A strip that sinks by `c T_m(s)`
+/// carries `m c/half`; with its ends the polynomials reach one degree further.
+fn missing(gap: &Gap, band: &Band, terms: usize) -> f64 {
+    let (mut missing, mut largest) = (0.0_f64, 0.0_f64);
+    for y in band.rows() {
+        let Some([trailing, leading]) = band.ends(y) else { continue };
+        let half = 0.5 * (leading - trailing);
+        let section = |s: f64| gap.at(f64::midpoint(trailing, leading) + half * s, y);
+        let carried = chebyshev(section).map(|(m, c)| m as f64 * c.abs() / half);
+        let (kept, lost): (Vec<_>, Vec<_>) = carried.enumerate().partition(|(m, _)| *m < terms + 2);
+        let sum = |parts: Vec<(usize, f64)>| parts.into_iter().map(|(_, part)| part).sum::<f64>();
+        missing = missing.max(sum(lost));
+        largest = largest.max(sum(kept));
+    }
+    missing / largest
+}
+
+/// Degrees and coefficients of Chebyshev's polynomials that give a function.
+fn chebyshev(of: impl Fn(f64) -> f64) -> impl Iterator<Item = (usize, f64)> {
+    const POINTS: usize = 24;
+    let angle = |i: usize| PI * (i as f64 + 0.5) / POINTS as f64;
+    let values: [f64; POINTS] = std::array::from_fn(|i| of(angle(i).cos()));
+    (0..POINTS).map(move |m| {
+        let parts = values.iter().enumerate();
+        let sum: f64 = parts.map(|(i, value)| value * (m as f64 * angle(i)).cos()).sum();
+        (m, 2.0 / POINTS as f64 * sum)
+    })
+}
