@@ -31,8 +31,8 @@ pub(super) struct Found {
     /// The greatest pressure by the strips or elements as they are, and the summit between them.
     pub(super) peak: f64,
     pub(super) summit: f64,
-    /// How much the pressure falls from the highest element to its neighbours: nothing for strips.
-    pub(super) fall: f64,
+    /// What a summit or waves as narrow as strips or elements may add to the greatest pressure.
+    pub(super) unseen: f64,
     pub(super) stiffness: f64,
 }
 
@@ -45,7 +45,7 @@ impl Found {
             load: level.load(),
             peak,
             summit: peak,
-            fall,
+            unseen: 0.5 * fall,
             stiffness: level.stiffness,
         }
     }
@@ -84,11 +84,13 @@ struct Pair {
     /// The finer one's number of strips or elements over the coarser one's.
     finer: f64,
     residual: f64,
+    /// By what part elements may carry too much in either solution: zero for strips.
+    excess: f64,
 }
 
 impl Pair {
     fn of_strips(coarse: Found, fine: Found, finer: f64) -> Self {
-        Self { coarse, fine, method: Method::Strips, finer, residual: 0.0 }
+        Self { coarse, fine, method: Method::Strips, finer, residual: 0.0, excess: 0.0 }
     }
 
     /// What the finer one lacks, over what it differs by, of what falls with the square of their number.
@@ -132,7 +134,7 @@ pub(super) fn solve(
     }
     let elements = Found::by_elements(task, &coarse);
     // Elements across a slender area are too few to agree with.
-    let start = Start::Elements { complete };
+    let start = Start::Elements;
     let by_strips = by_strips(task, asked, &elements.patches, resolution, start);
     let found = match by_strips.filter(|found| complete || found.fine.agrees_with(&elements)) {
         Some(found) => found,
@@ -151,7 +153,7 @@ fn without_elements(
     let from = |areas: &[Patch], start| by_strips(task, asked, areas, resolution, start);
     // A guess lays the tips less well than elements do: good enough to search with.
     let guess = || if resolution.with_errors { None } else { start::by_virtual_penetration(task) };
-    let guessed = || from(&guess()?, Start::Elements { complete: true });
+    let guessed = || from(&guess()?, Start::Elements);
     near.and_then(|near| from(near, Start::Close)).or_else(guessed)
 }
 
@@ -162,6 +164,8 @@ fn by_elements(
     resolution: Resolution,
 ) -> Result<Pair, NormalError> {
     const COARSER: f64 = 0.6;
+    /// Steps in place of pressures that end as a root carry too much: corrugated gaps, at worst.
+    const EXCESS: f64 = 0.25;
     let count = resolution.count as f64;
     let accuracy = Accuracy::ANSWER;
     let coarse = elements::refined(task, coarse, COARSER * count, accuracy)?;
@@ -178,6 +182,7 @@ fn by_elements(
         method: Method::Elements,
         finer: 1.0 / COARSER,
         residual: fine.residual,
+        excess: EXCESS / (count * count),
     })
 }
 
@@ -186,17 +191,17 @@ fn by_elements(
 enum Start {
     /// A first look, which is to be improved if strips do not settle at once.
     Rough,
-    /// Elements or a guess; `complete` as in [`Wanted`].
-    Elements { complete: bool },
+    /// Elements or a guess.
+    Elements,
     /// A contact so close by that the finer strips may begin there.
     Close,
 }
 
 /// From areas that are rough ones, or so close that the finer strips may begin there.
 ///
-/// `None` when waves along rolling are too short, a strip vanishes, the equations stay unsolved, or,
-/// where they are to be `complete`, the bodies overlap elsewhere: strips that are pressed everywhere
-/// and nowhere overlapped beyond solve the problem, whatever they began with.
+/// `None` when waves along rolling are too short, a strip vanishes, the equations stay unsolved, or the
+/// bodies overlap elsewhere: strips that are pressed everywhere and nowhere overlapped beyond solve the
+/// problem, whatever they began with.
 fn by_strips(
     task: Task<'_>,
     asked: Asked,
@@ -204,13 +209,10 @@ fn by_strips(
     resolution: Resolution,
     kind: Start,
 ) -> Option<Pair> {
-    /// A peak pressure that still changes by more with the number of strips, or where they are cut at
-    /// the summit, has a summit as narrow as the strips.
-    const UNEVEN: [f64; 2] = [0.02, 0.005];
     /// Tips by a few strips decide where more are laid, so that these hardly depend on the start.
     const SETTLED: [f64; 2] = [0.05, 0.4];
-    /// [`Found::stairs`] from which on there are more strips.
-    const SKEW: f64 = 0.1;
+    /// Of the peak pressure: with more between strips, waves across are too short for them.
+    const UNSEEN: f64 = 0.02;
     const ENOUGH: [f64; 2] = [1e-5, 1e-6];
     /// Stiffness: of an answer, and where one only searches.
     const NEARLY: [f64; 2] = [2e-3, 0.05];
@@ -223,14 +225,13 @@ fn by_strips(
     let nearly = NEARLY[usize::from(!resolution.with_errors)];
     let summit = resolution.with_errors;
     let (enough, attempts) = (ENOUGH[1], Wanted::ATTEMPTS);
-    let complete = !matches!(kind, Start::Elements { complete: false });
     let whole = Wanted {
         load,
         count,
         terms,
         enough,
         nearly,
-        complete,
+        complete: true,
         summit,
         attempts,
         settled: SETTLED[1],
@@ -262,12 +263,25 @@ fn by_strips(
     };
     let (coarse, fine) = if kind == Start::Close { at_once().or_else(ladder)? } else { ladder()? };
     let more = Wanted { count: count * 8 / 5, ..whole };
-    let changes = [coarse.peak, fine.summit].map(|other| (fine.peak / other - 1.0).abs());
-    let is_uneven = changes[0] > UNEVEN[0] || changes[1] > UNEVEN[1] || fine.stairs() > SKEW;
-    if is_uneven && let Some(finer) = next(&fine.patches, fine.approach, more) {
-        return Some(Pair::of_strips(fine, finer, more.count as f64 / count as f64));
+    if !is_uneven(&coarse, &fine) {
+        return Some(Pair::of_strips(coarse, fine, HALVES));
     }
-    Some(Pair::of_strips(coarse, fine, HALVES))
+    match next(&fine.patches, fine.approach, more) {
+        Some(finer) => Some(Pair::of_strips(fine, finer, more.count as f64 / count as f64)),
+        None if fine.unseen > UNSEEN * fine.peak => None,
+        None => Some(Pair::of_strips(coarse, fine, HALVES)),
+    }
+}
+
+/// Whether more strips are needed: the peak pressure changes with their number or where they are cut at
+/// the summit, waves across put a part of it between them, or the area is so skew that its edge is a
+/// stair.
+fn is_uneven(coarse: &Found, fine: &Found) -> bool {
+    let change = |other: f64| (fine.peak / other - 1.0).abs();
+    change(coarse.peak) > 0.02
+        || change(fine.summit) > 0.005
+        || fine.unseen > 0.005 * fine.peak
+        || fine.stairs() > 0.1
 }
 
 /// Strips of the finer solution for each of the coarser.
@@ -278,8 +292,7 @@ fn contact(gap: &Gap, pair: SolidPair, asked: Asked, found: Pair) -> NormalConta
     let bars = Bars::new(&found);
     let Pair { coarse, mut fine, method, residual, .. } = found;
     let area = fine.area();
-    // A summit that falls steeply from one element to the next may be as narrow as they.
-    let peak_error = bars.peak.of(fine.summit, coarse.summit).max(0.5 * fine.fall);
+    let peak_error = bars.peak.of(fine.summit, coarse.summit).max(fine.unseen);
     let area_error = bars.area.of(area, coarse.area());
     // What the coarser would carry at the finer one's approach.
     let carried = coarse.load + fine.stiffness * (fine.approach - coarse.approach);
@@ -353,7 +366,8 @@ impl Bars {
             least,
             stairs: by_stairs * stairs,
         };
-        Self { load: bar(1.5, 3e-4, 0.03), peak: bar(3.0, 4e-3, 0.8), area: bar(3.0, 3e-3, 0.8) }
+        let least = found.excess.max(3e-4);
+        Self { load: bar(1.5, least, 0.03), peak: bar(3.0, 4e-3, 0.8), area: bar(3.0, 3e-3, 0.8) }
     }
 }
 

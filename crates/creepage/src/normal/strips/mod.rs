@@ -8,19 +8,20 @@ mod outside;
 mod strip;
 mod summit;
 mod system;
-mod terms;
+mod waves;
 
 use super::band::Band;
 use super::contact::Patch;
 use super::lattice::whole;
 use super::level::Task;
 use super::solve::Found;
+use crate::gap::Gap;
 pub(crate) use kernel::{MOST, profile};
 pub(crate) use newton::{Question, Stopped, Touching, solve as touching};
 pub(crate) use strip::Strip;
 use strip::Units;
 use system::CENTRED;
-pub(super) use terms::terms;
+pub(super) use waves::terms;
 
 /// What is asked of strips.
 #[derive(Debug, Clone, Copy)]
@@ -73,13 +74,8 @@ pub(super) fn solve(task: Task<'_>, start: &[Patch], wanted: Wanted) -> Option<F
     let (mut start, mut settled) = (start.to_vec(), 0);
     while attempts > 0 {
         let mut laid = laid(&start, count, terms, units)?;
-        if terms == CENTRED
-            && let Some(axis) = task.gap.axis()
-        {
-            let centre = (axis - units.origin[0]) / units.length;
-            for strip in &mut laid {
-                strip.centre = centre;
-            }
+        if terms == CENTRED {
+            centre(&mut laid, task.gap, units);
         }
         match touching(laid.clone(), terms, question) {
             Ok(touching) if touching.strips.iter().all(is_pressed) => {
@@ -89,6 +85,9 @@ pub(super) fn solve(task: Task<'_>, start: &[Patch], wanted: Wanted) -> Option<F
                     start = patches;
                     continue;
                 }
+                if !fall_to_tips(&start, &touching.strips) {
+                    return None;
+                }
                 let peak = strip::peak(&touching.strips);
                 let found = Found {
                     patches,
@@ -96,7 +95,7 @@ pub(super) fn solve(task: Task<'_>, start: &[Patch], wanted: Wanted) -> Option<F
                     load: force * touching.strips.iter().map(Strip::load).sum::<f64>(),
                     peak: units.pressure * peak,
                     summit: units.pressure * summit(&touching, peak),
-                    fall: 0.0,
+                    unseen: units.pressure * peak * waves::missed_across(&touching.strips, &gap),
                     stiffness: force / depth * touching.stiffness,
                 };
                 let is_all = || outside::stays_open(task, &touching, units, terms, &gap);
@@ -173,6 +172,22 @@ fn moved([start, found]: [&[Patch]; 2], laid: &[Strip], part: f64, units: Units)
     })
 }
 
+/// Whether pressures fall towards tips: where one was laid too far inwards, as between two crests of a
+/// wave, the outermost strip bears what the edge of a punch does.
+fn fall_to_tips(start: &[Patch], strips: &[Strip]) -> bool {
+    start.iter().flat_map(Patch::bands).enumerate().all(|(index, band)| {
+        let own: Vec<&Strip> = strips.iter().filter(|strip| strip.band == index).collect();
+        let [tip, other_tip] = band.tips();
+        let falls = |outer: &Strip, inner: &Strip| outer.peak() < inner.peak();
+        match own[..] {
+            [low, above, .., below, high] => {
+                (!tip || falls(low, above)) && (!other_tip || falls(high, below))
+            }
+            _ => true,
+        }
+    })
+}
+
 /// Strips across the widest band, so that none becomes so slender that its ends follow those of its
 /// neighbours by chance.
 pub(super) fn most(start: &[Patch]) -> usize {
@@ -199,6 +214,14 @@ fn laid(start: &[Patch], count: usize, terms: usize, units: Units) -> Option<Vec
     let strips: Vec<Strip> = strips.collect();
     let usable = strips.len() <= MOST_STRIPS && strips.iter().all(|strip| strip.half > 0.0);
     usable.then_some(strips)
+}
+
+/// Lays strips about the x that all sections are symmetric about.
+fn centre(laid: &mut [Strip], gap: &Gap, units: Units) {
+    let Some(axis) = gap.axis() else { return };
+    for strip in laid {
+        strip.centre = (axis - units.origin[0]) / units.length;
+    }
 }
 
 /// With those tips drawn in by a part of a strip's width whose outermost strip has shrunk, is about

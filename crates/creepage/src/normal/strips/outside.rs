@@ -5,6 +5,7 @@ use std::f64::consts::PI;
 use pulp::{Arch, Simd, WithSimd};
 
 use crate::normal::level::Task;
+use crate::normal::overlap::Overlap;
 
 use super::kernel::{MOST, RULES, View};
 use super::newton::{Depth, Touching};
@@ -13,7 +14,7 @@ use super::system::CENTRED;
 
 /// Rows, and columns where the gap is not a parabola along them.
 const ROWS: u32 = 160;
-const COLUMNS: u32 = 40;
+const COLUMNS: usize = 40;
 /// An overlap in parts of the greatest depth that counts: strips end where the pressure does to
 /// about that.
 const LEAST: f64 = 2e-3;
@@ -26,36 +27,58 @@ pub(super) fn stays_open(
     terms: usize,
     depth: Depth<'_>,
 ) -> bool {
-    let Some(points) = points(task, &touching.strips, units) else { return false };
     let (strips, arch) = (&touching.strips[..], Arch::new());
-    let places: Vec<[f64; 2]> = points.into_iter().filter(|[x, y]| depth(*x, *y) > LEAST).collect();
+    let depth = |[x, y]: [f64; 2]| depth(x, y) + touching.deeper;
+    let Some(points) = points(task, strips, units, &depth) else { return false };
+    let places: Vec<[f64; 2]> = points.into_iter().filter(|at| depth(*at) > LEAST).collect();
     let displaced = match terms {
         CENTRED => arch.dispatch(Displaced::<1> { strips, places: &places }),
         2 => arch.dispatch(Displaced::<2> { strips, places: &places }),
         4 => arch.dispatch(Displaced::<4> { strips, places: &places }),
         _ => arch.dispatch(Displaced::<MOST> { strips, places: &places }),
     };
-    places.iter().zip(displaced).all(|([x, y], by)| depth(*x, *y) - by < LEAST)
+    places.iter().zip(displaced).all(|(at, by)| depth(*at) - by < LEAST)
 }
 
-/// Places beyond the strips where the bodies might touch, in the solver's units; `None` where
-/// strips leave the gap's domain.
-fn points(task: Task<'_>, strips: &[Strip], units: Units) -> Option<Vec<[f64; 2]>> {
-    let reach = task.gap.reach(task.approach)?;
+/// Places beyond the strips where the bodies might touch, in the solver's units: the deepest ones of
+/// each row. `None` where strips leave the gap's domain.
+fn points(
+    task: Task<'_>,
+    strips: &[Strip],
+    units: Units,
+    depth: &impl Fn([f64; 2]) -> f64,
+) -> Option<Vec<[f64; 2]>> {
+    let domain = task.gap.reach(task.approach)?;
     let inward = |at: f64, k: usize| (at - units.origin[k]) / units.length;
-    let [low, high] = reach.y.map(|y| inward(y, 1));
-    let [from, to] = reach.x.map(|x| inward(x, 0));
-    let known = |strip: &Strip| strip.y - strip.width > low && strip.y + strip.width < high;
-    let even = |[a, b]: [f64; 2], i: u32, count: u32| a + (b - a) * f64::from(i) / f64::from(count);
+    let known = |strip: &Strip| {
+        let [low, high] = domain.y.map(|y| inward(y, 1));
+        strip.y - strip.width > low && strip.y + strip.width < high
+    };
+    let along = task.gap.is_parabola_along();
+    let possible =
+        if along { domain } else { Overlap::find(task.gap, task.approach).ok()?.rectangle };
+    let [low, high] = possible.y.map(|y| inward(y, 1));
+    let [from, to] = possible.x.map(|x| inward(x, 0));
+    let rows = (0..=ROWS).map(|row| low + (high - low) * f64::from(row) / f64::from(ROWS));
+    let columns = std::array::from_fn(|i| from + (to - from) * (i as f64 + 0.5) / COLUMNS as f64);
     let mut points = Vec::new();
-    for y in (0..=ROWS).map(|row| even([low, high], row, ROWS)) {
+    for y in rows {
         match task.gap.parabola(units.origin[1] + y * units.length) {
             Some([_, _, locus]) => points.push([inward(locus, 0), y]),
-            None => points.extend((0..=COLUMNS).map(|i| [even([from, to], i, COLUMNS), y])),
+            None => points.extend(tops(&columns, |x| depth([x, y])).map(|x| [x, y])),
         }
     }
     points.retain(|place| !strips.iter().any(|strip| covers(strip, *place)));
     strips.iter().all(known).then_some(points)
+}
+
+/// The columns no less deep than those beside them.
+fn tops(columns: &[f64; COLUMNS], depth: impl Fn(f64) -> f64) -> impl Iterator<Item = f64> {
+    let depths = columns.map(depth);
+    (0..COLUMNS).filter_map(move |i| {
+        let beside = [i.saturating_sub(1), (i + 1).min(COLUMNS - 1)];
+        beside.into_iter().all(|other| depths[other] <= depths[i]).then_some(columns[i])
+    })
 }
 
 /// Whether a place lies in a strip, or no further from it than a strip is wide: the outermost ends

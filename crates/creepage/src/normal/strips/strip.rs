@@ -139,14 +139,19 @@ fn tip(squares: &[(f64, f64)], laid: f64) -> f64 {
     y0 - inward * if falls { distance.clamp(NEAR[0] * reach, most) } else { most }
 }
 
+/// The strip of greatest pressure; the first where there are none.
+pub(super) fn top(strips: &[Strip]) -> usize {
+    let highest = |i: &usize, j: &usize| strips[*i].peak().total_cmp(&strips[*j].peak());
+    (0..strips.len()).max_by(highest).unwrap_or(0)
+}
+
 /// The top of the parabola across through the strip of greatest pressure and its neighbours.
 pub(super) fn peak(strips: &[Strip]) -> f64 {
-    let peaks: Vec<f64> = strips.iter().map(Strip::peak).collect();
-    let top = (0..peaks.len()).max_by(|&i, &j| peaks[i].total_cmp(&peaks[j])).unwrap_or(0);
-    let highest = peaks.get(top).copied().unwrap_or(0.0);
+    let top = top(strips);
+    let highest = strips.get(top).map_or(0.0, Strip::peak);
     let neighbour = |at: Option<usize>| {
         let at = at.filter(|&at| at < strips.len() && strips[at].band == strips[top].band)?;
-        Some((strips[at].y - strips[top].y, peaks[at] - highest))
+        Some((strips[at].y - strips[top].y, strips[at].peak() - highest))
     };
     let (Some((low, below)), Some((high, above))) =
         (neighbour(top.checked_sub(1)), neighbour(Some(top + 1)))

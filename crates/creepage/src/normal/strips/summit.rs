@@ -18,8 +18,7 @@ pub(super) fn height(touching: &Touching, terms: usize, depth: Depth<'_>) -> Opt
 /// The parts of the strips about the highest, in order of y; `None` where that ends a band.
 fn cut(touching: &Touching, terms: usize, depth: Depth<'_>) -> Option<Vec<Strip>> {
     let strips = &touching.strips;
-    let highest = |&i: &usize, &j: &usize| strips[i].peak().total_cmp(&strips[j].peak());
-    let top = (0..strips.len()).max_by(highest)?;
+    let top = strip::top(strips);
     three(strips, top)?;
     let inside = |&i: &usize| strips[i].band == strips[top].band && three(strips, i).is_some();
     let first = (top.saturating_sub(BESIDE)..=top).rev().take_while(inside).last()?;

@@ -1,9 +1,11 @@
-//! How many polynomials a strip's pressure needs.
+//! Whether strips follow the waves of a gap: by enough polynomials along them, and closely enough across.
 
 use std::f64::consts::PI;
 
 use super::CENTRED;
 use super::kernel::MOST;
+use super::newton::Depth;
+use super::strip::{self, Strip};
 use crate::gap::Gap;
 use crate::normal::band::Band;
 use crate::normal::contact::Patch;
@@ -51,4 +53,34 @@ fn chebyshev(of: impl Fn(f64) -> f64) -> impl Iterator<Item = (usize, f64)> {
         let sum: f64 = parts.map(|(i, value)| value * (m as f64 * angle(i)).cos()).sum();
         (m, 2.0 / POINTS as f64 * sum)
     })
+}
+
+/// The part of the largest pressure, about, that waves across put between the strips at the summit and
+/// not into them: what the cubic through four strips lacks halfway between the middle two. Depths are
+/// over the greatest one.
+pub(super) fn missed_across(strips: &[Strip], depth: Depth<'_>) -> f64 {
+    let width: f64 = strips.iter().map(|strip| strip.width).sum();
+    let longest = strips.iter().map(|strip| strip.half).fold(0.0, f64::max);
+    let top = strip::top(strips);
+    let is_near = |four: &&[Strip]| {
+        let is_one_band = four[0].band == four[3].band;
+        is_one_band && (four[0].y..=four[3].y).contains(&strips[top].y)
+    };
+    let missed = strips.windows(4).filter(is_near).map(|four| {
+        let [low, high] = [four[1], four[2]];
+        let [x, y] = [f64::midpoint(low.centre, high.centre), f64::midpoint(low.y, high.y)];
+        let lacks = (depth(x, y) - cubic(four, y, |strip| depth(x, strip.y))).abs();
+        // Waves some three strips long beside a round summit.
+        2.0 * lacks * width.min(longest) / (high.y - low.y)
+    });
+    missed.fold(0.0, f64::max)
+}
+
+/// Lagrange's cubic.
+fn cubic(four: &[Strip], y: f64, value: impl Fn(&Strip) -> f64) -> f64 {
+    let weight = |own: usize| -> f64 {
+        let others = (0..four.len()).filter(|other| *other != own);
+        others.map(|other| (y - four[other].y) / (four[own].y - four[other].y)).product()
+    };
+    four.iter().enumerate().map(|(own, strip)| weight(own) * value(strip)).sum()
 }
