@@ -77,7 +77,7 @@ fn strips(bencher: Bencher, count: usize) {
 
 /// Growth with the number of elements, on a ring, which strips do not describe: 1.4 times the square of
 /// what is asked for.
-#[divan::bench(args = [10, 20, 40, 80, 100], sample_count = 5)]
+#[divan::bench(args = [10, 20, 40, 80, 120], sample_count = 5)]
 fn elements(bencher: Bencher, count: usize) {
     at(bencher, "ring", Resolution::new(count).unwrap());
 }

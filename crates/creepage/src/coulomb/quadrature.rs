@@ -20,14 +20,16 @@ const TURNED: f64 = 2.0;
 struct Subcell {
     share: f64,
     at: [f64; 2],
-    /// The four elements to interpolate between, with their weights.
-    around: [(usize, f64); 4],
+    /// The four elements to interpolate between, and their weights.
+    around: [usize; 4],
+    weights: [f64; 4],
 }
 
 /// Pressure moments of all elements and of their subcells.
 #[derive(Debug, Clone)]
 pub(crate) struct Quadrature {
-    subcells: Vec<[[Subcell; SUBCELLS]; SUBCELLS]>,
+    /// Those of an element after those of another.
+    subcells: Vec<Subcell>,
     shares: Vec<f64>,
     centroids: Vec<[f64; 2]>,
     /// Mean area of an element.
@@ -54,7 +56,7 @@ impl Fields<'_> {
     /// Slip of a subcell: interpolated, and the rigid rotation that interpolation leaves out.
     fn slip_in(&self, subcell: &Subcell) -> [f64; 2] {
         let ([mut u, mut v], [mut x, mut y]) = ([0.0; 2], subcell.at);
-        for (element, weight) in subcell.around {
+        for (element, weight) in subcell.around.into_iter().zip(subcell.weights) {
             u += weight * self.slip[0][element];
             v += weight * self.slip[1][element];
             x -= weight * self.places[element][0];
@@ -84,18 +86,23 @@ impl Sum {
 
 impl Quadrature {
     pub(crate) fn new(mesh: &Mesh, pressure: &Pressure) -> Self {
-        let elements = mesh.all().zip(&pressure.subcells);
+        let mut subcells = Vec::with_capacity(mesh.len() * SUBCELLS * SUBCELLS);
+        for ((strip, i), cells) in mesh.all().zip(&pressure.subcells) {
+            let moments = cells.as_flattened().iter();
+            subcells.extend(moments.map(|moments| Subcell::new(mesh, strip, i, moments)));
+        }
         let area: f64 = mesh.all().map(|(strip, i)| mesh.strips[strip].area(i)).sum();
         Self {
             area: area / mesh.len() as f64,
-            subcells: elements
-                .map(|((strip, i), cells)| {
-                    cells.map(|row| row.map(|moments| Subcell::new(mesh, strip, i, moments)))
-                })
-                .collect(),
+            subcells,
             shares: pressure.shares.clone(),
             centroids: pressure.centroids.clone(),
         }
+    }
+
+    fn subcells(&self, element: usize) -> &[Subcell] {
+        const OWN: usize = SUBCELLS * SUBCELLS;
+        &self.subcells[OWN * element..][..OWN]
     }
 
     /// The square of the slip that counts as far, and its derivative by the spin. It grows with the
@@ -118,7 +125,7 @@ impl Quadrature {
         let slip = Fields::at(fields.slip, element);
         let (traction, speed) = (norm(own), dot(own, slip));
         let turn = speed / (speed * speed + self.far(fields.spin).0);
-        for subcell in self.subcells[element].as_flattened() {
+        for subcell in self.subcells(element) {
             let there = fields.slip_in(subcell);
             let bent = [0, 1].map(|k| own[k] + turn * (there[k] - slip[k]));
             let size = norm(bent);
@@ -149,7 +156,7 @@ impl Quadrature {
         let d_square = 2.0 * speed * d_speed + d_far * change.spin;
         let (turn, d_turn) =
             (speed / square, (d_speed * square - speed * d_square) / (square * square));
-        for subcell in self.subcells[element].as_flattened() {
+        for subcell in self.subcells(element) {
             let [there, d_there] = [fields, change].map(|f| f.slip_in(subcell));
             let bent = [0, 1].map(|k| own[k] + turn * (there[k] - slip[k]));
             let d_bent = [0, 1].map(|k| {
@@ -167,8 +174,8 @@ impl Quadrature {
 
 impl Subcell {
     /// Between its own element, the next along, and the same two in the strip beside.
-    fn new(mesh: &Mesh, strip: usize, i: usize, moments: Moments) -> Self {
-        let Moments { share, centroid, along } = moments;
+    fn new(mesh: &Mesh, strip: usize, i: usize, moments: &Moments) -> Self {
+        let Moments { share, centroid, along } = *moments;
         let own = &mesh.strips[strip];
         let first = own.patch.start;
         let y = |j: usize| mesh.strips[first + j].y();
@@ -182,7 +189,13 @@ impl Subcell {
             [(start + i, factor * (1.0 - weight)), (start + other, factor * weight)]
         };
         let ([a, b], [c, d]) = (pair(strip, 1.0 - across), pair(first + beside, across));
-        Self { share, at: centroid, around: [a, b, c, d] }
+        let four = [a, b, c, d];
+        Self {
+            share,
+            at: centroid,
+            around: four.map(|(element, _)| element),
+            weights: four.map(|(_, weight)| weight),
+        }
     }
 }
 

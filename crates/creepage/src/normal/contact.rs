@@ -46,12 +46,12 @@ impl Resolution {
         Self { count, with_errors: true }
     }
 
-    /// A number of strips across, or of elements along a chord, from 6 to 100.
+    /// A number of strips across, or of elements along a chord, from 6 to 120.
     ///
     /// # Errors
     /// [`crate::InvalidValue`] outside that range.
     pub fn new(count: usize) -> Result<Self, crate::InvalidValue> {
-        check::require((6..=100).contains(&count), "resolution", count as f64, "from 6 to 100")?;
+        check::require((6..=120).contains(&count), "resolution", count as f64, "from 6 to 120")?;
         Ok(Self::of(count))
     }
 }

@@ -141,8 +141,8 @@ fn tip(squares: &[(f64, f64)], laid: f64) -> f64 {
 
 /// The strip of greatest pressure; the first where there are none.
 pub(super) fn top(strips: &[Strip]) -> usize {
-    let highest = |i: &usize, j: &usize| strips[*i].peak().total_cmp(&strips[*j].peak());
-    (0..strips.len()).max_by(highest).unwrap_or(0)
+    let peaks = strips.iter().map(Strip::peak).enumerate();
+    peaks.max_by(|(_, one), (_, other)| one.total_cmp(other)).map_or(0, |(top, _)| top)
 }
 
 /// The top of the parabola across through the strip of greatest pressure and its neighbours.
