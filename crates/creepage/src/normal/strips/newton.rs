@@ -61,11 +61,10 @@ pub(crate) fn solve(
     let (mut end, first) = (Ok(()), search.size());
     for _ in 0..STEPS {
         let size = search.size();
-        if size < question.enough
-            && let Some(stiffness) = search.stiffness()
+        if search.is_nearly_there(size)
+            && let Some(touching) = search.last_step()
         {
-            let System { strips, deeper, .. } = search.system;
-            return Ok(Touching { strips, deeper, stiffness });
+            return Ok(touching);
         }
         end = search.advance(size);
         if end.is_err() {
@@ -83,6 +82,8 @@ struct Search<'a> {
     system: System,
     residual: DVector<f64>,
     factors: Option<Factors>,
+    /// The part of the residual that the last step left.
+    left: f64,
     /// Steps of the other kind, steps that hardly helped, and those on which a strip vanishes.
     damped: usize,
     slow: usize,
@@ -92,20 +93,31 @@ struct Search<'a> {
 impl<'a> Search<'a> {
     fn new(strips: Vec<Strip>, terms: usize, question: Question<'a>) -> Self {
         let system = System { strips, terms, points: points(terms), deeper: 0.0 };
-        let residual = system.residual(question.depth);
-        Self { question, system, residual, factors: None, damped: 0, slow: 0, vanishing: 0 }
+        let (residual, matrix) = system.linearized(question.depth);
+        let factors = Factors::new(&system, &matrix);
+        Self { question, system, residual, factors, left: 1.0, damped: 0, slow: 0, vanishing: 0 }
     }
 
     fn size(&self) -> f64 {
         self.question.size(&self.system, &self.residual)
     }
 
-    /// How the load follows the depth: by the last matrix, if that is of a place near enough.
-    fn stiffness(&self) -> Option<f64> {
-        let near = |factors: &&Factors| factors.moved < self.question.nearly;
-        let of = |factors: &Factors| factors.stiffness;
-        let known = self.factors.as_ref().filter(near).map(of);
-        known.or_else(|| Factors::new(&self.system, self.question.depth).as_ref().map(of))
+    /// Whether one more step will be enough: it leaves about the same part as the last one.
+    fn is_nearly_there(&self, size: f64) -> bool {
+        const SAFETY: f64 = 10.0;
+        size.min(SAFETY * self.left * size) < self.question.enough
+    }
+
+    /// A step after which nothing is evaluated any more, and how the load follows the depth: by the last
+    /// matrix, if that is of a place near enough.
+    fn last_step(&mut self) -> Option<Touching> {
+        let Question { depth, load, nearly, .. } = self.question;
+        let known = self.factors.take().filter(|factors| factors.moved < nearly);
+        let factors =
+            known.or_else(|| Factors::new(&self.system, &self.system.linearized(depth).1))?;
+        let step = factors.step(&self.system, &self.residual, load)?;
+        let System { strips, deeper, .. } = self.system.after(&step)?;
+        Some(Touching { strips, deeper, stiffness: factors.stiffness })
     }
 
     /// One step; where there is none, by how much it would have the half lengths shrink.
@@ -118,9 +130,8 @@ impl<'a> Search<'a> {
         const VANISHING_STEPS: usize = 2;
         let Question { depth, load, .. } = self.question;
         let kept = self.factors.take();
-        let fresh = kept.is_none();
-        let mut factors =
-            kept.or_else(|| Factors::new(&self.system, depth)).ok_or_else(Vec::new)?;
+        let fresh = || Factors::new(&self.system, &self.system.linearized(depth).1);
+        let mut factors = kept.or_else(fresh).ok_or_else(Vec::new)?;
         let step = factors.step(&self.system, &self.residual, load).ok_or_else(Vec::new)?;
         let size_of_strip = self.system.size();
         let shrinking = || -> Vec<f64> {
@@ -130,7 +141,7 @@ impl<'a> Search<'a> {
         let Some((next, after, left)) = self.system.improved(&step, size, self.question) else {
             // An old matrix is given up first.
             let shrinking = shrinking();
-            return if !fresh || self.damp() { Ok(()) } else { Err(shrinking) };
+            return if factors.is_old() || self.damp() { Ok(()) } else { Err(shrinking) };
         };
         if left > SLOW * size && self.slow >= SLOW_STEPS {
             return Err(shrinking());
@@ -139,7 +150,7 @@ impl<'a> Search<'a> {
         self.vanishing +=
             usize::from(left > STILL * size && shrinking().iter().any(|by| *by > FAR));
         factors.moved += self.system.change(&step.unknowns);
-        (self.system, self.residual) = (next, after);
+        (self.system, self.residual, self.left) = (next, after, left / size);
         if self.vanishing >= VANISHING_STEPS {
             return Err(shrinking());
         }
@@ -168,6 +179,7 @@ impl<'a> Search<'a> {
         let helps = found.is_some();
         if let Some(next) = found {
             (self.system, self.residual) = next;
+            self.left = 1.0;
         }
         helps
     }
@@ -190,13 +202,17 @@ struct Factors {
 }
 
 impl Factors {
-    fn new(system: &System, depth: Depth<'_>) -> Option<Self> {
+    fn new(system: &System, matrix: &[f64]) -> Option<Self> {
         let total = system.strips.len() * system.size();
-        let lu = Lu::of_rows(&system.jacobian(depth), total)?;
+        let lu = Lu::of_rows(matrix, total)?;
         let mut by_depth = DVector::from_element(total, 1.0);
         lu.solve(by_depth.as_mut_slice());
         let stiffness = system.load_change(&by_depth);
         Some(Self { lu, by_depth, stiffness, moved: 0.0 })
+    }
+
+    fn is_old(&self) -> bool {
+        self.moved > 0.0
     }
 
     fn step(&self, system: &System, residual: &DVector<f64>, load: Option<f64>) -> Option<Step> {

@@ -151,20 +151,20 @@ impl System {
         residual
     }
 
-    /// Derivatives of the residual, a row a point.
-    pub(super) fn jacobian(&self, depth: Depth<'_>) -> Vec<f64> {
+    /// The residual and its derivatives, a row a point.
+    pub(super) fn linearized(&self, depth: Depth<'_>) -> (DVector<f64>, Vec<f64>) {
         let total = self.strips.len() * self.size();
-        let mut residual = vec![0.0; total];
+        let mut residual = DVector::zeros(total);
         let mut matrix = vec![0.0; total * total];
-        let (system, residual, rows) = (self, &mut residual[..], &mut matrix[..]);
+        let (system, out, rows) = (self, residual.as_mut_slice(), &mut matrix[..]);
         let arch = Arch::new();
         match self.terms {
-            CENTRED => arch.dispatch(Evaluate::<1, true> { system, depth, residual, rows }),
-            2 => arch.dispatch(Evaluate::<2, true> { system, depth, residual, rows }),
-            4 => arch.dispatch(Evaluate::<4, true> { system, depth, residual, rows }),
-            _ => arch.dispatch(Evaluate::<MOST, true> { system, depth, residual, rows }),
+            CENTRED => arch.dispatch(Evaluate::<1, true> { system, depth, residual: out, rows }),
+            2 => arch.dispatch(Evaluate::<2, true> { system, depth, residual: out, rows }),
+            4 => arch.dispatch(Evaluate::<4, true> { system, depth, residual: out, rows }),
+            _ => arch.dispatch(Evaluate::<MOST, true> { system, depth, residual: out, rows }),
         }
-        matrix
+        (residual, matrix)
     }
 
     /// Displacement at point `l` of strip `i`. Its derivatives by the pressures are added to `row`
@@ -235,6 +235,12 @@ impl System {
         step.iter().all(|change| change.is_finite()).then(|| (MOST / largest).min(1.0))
     }
 
+    /// The system after a whole step; `None` where that is too long.
+    pub(super) fn after(&self, step: &Step) -> Option<Self> {
+        let length = self.longest(&step.unknowns)?;
+        (length >= 1.0).then(|| self.moved(step, length))
+    }
+
     /// The system after a step, its residual and the size of that, the step halved until it falls.
     pub(super) fn improved(
         &self,
@@ -267,7 +273,7 @@ impl System {
         const WEIGHTS: [f64; 4] = [1e-4, 1e-3, 1e-2, 1e-1];
         const ENOUGH: f64 = 0.98;
         let total = residual.len();
-        let jacobian = DMatrix::from_row_slice(total, total, &self.jacobian(depth));
+        let jacobian = DMatrix::from_row_slice(total, total, &self.linearized(depth).1);
         let (square, right) = (jacobian.tr_mul(&jacobian), jacobian.tr_mul(residual));
         WEIGHTS.into_iter().find_map(|weight| {
             let mut matrix = square.clone();
