@@ -5,6 +5,7 @@
 mod kernel;
 mod newton;
 mod outside;
+mod side;
 mod strip;
 mod summit;
 mod system;
