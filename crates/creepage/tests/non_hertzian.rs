@@ -226,7 +226,8 @@ fn shapes_of_another_program() {
     }
     // Known to fall short at both: much spin and little creepage on the quartic's flat middle. f_y is
     // .4069 with 4,104 elements of ours (.4073 with 252), .0083 of mu N above the program's limit, .39863
-    // +- .00381: that lies below its own two finest grids, .40169 and .40226, which rise.
+    // +- .00381: that lies below its own two finest grids, .40169 and .40226, which rise. Square cells of
+    // our own fall to .4083 at 160 a side (`creepage-study`, tests/square_grids.rs).
     assert_eq!(missed, ["P3_quartic_ellipse fy"; 2]);
 }
 

@@ -2,14 +2,14 @@
 
 use std::ops::Range;
 
-use creepage::Ellipse;
 use creepage::Force;
 
 /// Cells `(row, column)`: rows from negative `y`, columns from the trailing edge; those inside the
 /// contact are counted row by row.
 #[derive(Debug, Clone)]
 pub(super) struct Cells {
-    ellipse: Ellipse,
+    /// Half the length and width of the box.
+    half: [f64; 2],
     pub n: usize,
     columns: Vec<Range<usize>>,
     starts: Vec<usize>,
@@ -18,22 +18,18 @@ pub(super) struct Cells {
 }
 
 impl Cells {
-    pub(super) fn new(ellipse: Ellipse, n: usize) -> Self {
-        let mut cells = Self { ellipse, n, columns: vec![], starts: vec![], bounds: vec![] };
+    /// `pressure` at a place, over its largest value.
+    pub(super) fn new(half: [f64; 2], n: usize, pressure: impl Fn([f64; 2]) -> f64) -> Self {
+        let mut cells = Self { half, n, columns: vec![], starts: vec![], bounds: vec![] };
         for j in 0..n {
-            let inside: Vec<_> = (0..n).filter(|i| cells.pressure(j, *i) > 0.0).collect();
-            let range = inside.first().map_or(0..0, |first| *first..first + inside.len());
+            let pressures = (0..n).map(|i| pressure(cells.place([j, i], 0.0)));
+            let inside: Vec<(usize, f64)> =
+                pressures.enumerate().filter(|(_, pressure)| *pressure > 0.0).collect();
+            cells.columns.push(inside.first().map_or(0..0, |(i, _)| *i..i + inside.len()));
             cells.starts.push(cells.bounds.len());
-            let pressures: Vec<_> = range.clone().map(|i| cells.pressure(j, i)).collect();
-            cells.bounds.extend(pressures);
-            cells.columns.push(range);
+            cells.bounds.extend(inside.iter().map(|(_, pressure)| pressure));
         }
         cells
-    }
-
-    fn pressure(&self, j: usize, i: usize) -> f64 {
-        let [x, y] = [i, j].map(|k| (2 * k + 1) as f64 / self.n as f64 - 1.0);
-        (1.0 - x * x - y * y).max(0.0).sqrt()
     }
 
     pub(super) fn len(&self) -> usize {
@@ -56,14 +52,14 @@ impl Cells {
 
     /// Length and width of a cell.
     pub(super) fn size(&self) -> [f64; 2] {
-        [self.ellipse.a(), self.ellipse.b()].map(|semi_axis| 2.0 * semi_axis / self.n as f64)
+        self.half.map(|half| 2.0 * half / self.n as f64)
     }
 
     /// The centre of a cell, moved along by parts of its length.
     fn place(&self, [j, i]: [usize; 2], ahead: f64) -> [f64; 2] {
         let [dx, dy] = self.size();
         let from_rear = i as f64 + 0.5 + ahead;
-        [from_rear * dx - self.ellipse.a(), (j as f64 + 0.5) * dy - self.ellipse.b()]
+        [from_rear * dx - self.half[0], (j as f64 + 0.5) * dy - self.half[1]]
     }
 
     /// Where the rigid slip of a cell is taken: half-way to the middle of its step upstream.

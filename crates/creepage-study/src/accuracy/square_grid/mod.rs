@@ -14,7 +14,7 @@ use row::Row;
 const TOLERANCE: f64 = 1e-8;
 const ROUNDS: usize = 300;
 
-/// Steady rolling on `n x n` equal cells over the box around the contact ellipse, of which those
+/// Steady rolling on `n x n` equal cells over the box around the contact, of which those
 /// count whose centres lie inside. The slip is the step of the displacement to the centre of the
 /// cell upstream, over rigid slip taken between the two places where it belongs (the step's middle,
 /// and the centre, where friction is): over the reference cases 40 x 40 cells then err by 0.35 %
@@ -41,9 +41,27 @@ impl SquareGrid {
     /// Prepares `n` by `n` cells, two at least, for a contact.
     #[must_use]
     pub fn new(contact: &Contact, n: usize) -> Self {
-        let cells = Cells::new(contact.ellipse(), n.max(2));
-        let responses = Responses::new(contact.ellipse(), contact.poisson(), &cells);
-        Self { cells, responses }
+        let (ellipse, poisson) = (contact.ellipse(), contact.poisson());
+        let [a, b] = [ellipse.a(), ellipse.b()];
+        let hertz = |[x, y]: [f64; 2]| (1.0 - (x / a).powi(2) - (y / b).powi(2)).max(0.0).sqrt();
+        // Slip in units of mu c / rho (4.20): 2 sqrt(g) / ((1 - sigma) E).
+        let unit = (1.0 - poisson) * ellipse.integrals().e / (2.0 * ellipse.g().sqrt());
+        let cells = Cells::new([a, b], n.max(2), hertz);
+        Self { responses: Responses::new(unit, poisson, &cells), cells }
+    }
+
+    /// Prepares cells in a box of half length and width `half` about the origin of one area of any shape
+    /// that is convex along rolling. `pressure` is over its largest value `p` there; creepage counts in
+    /// `mu p / G`, spin in that over the unit of length.
+    #[must_use]
+    pub fn under_pressure(
+        half: [f64; 2],
+        poisson: f64,
+        n: usize,
+        pressure: impl Fn([f64; 2]) -> f64,
+    ) -> Self {
+        let cells = Cells::new(half, n.max(2), pressure);
+        Self { responses: Responses::new(1.0, poisson, &cells), cells }
     }
 
     /// Cells inside the contact.
@@ -62,11 +80,12 @@ impl SquareGrid {
     #[must_use]
     pub fn force(&self, creepage: Creepage) -> Option<Force> {
         let mut tractions = [vec![0.0; self.len()], vec![0.0; self.len()]];
-        let mut rows: Vec<_> = (0..self.cells.rows()).map(|j| Row::new(&self.cells, j)).collect();
-        let count = rows.len();
+        let count = self.cells.rows();
+        let is_full = |j: &usize| !self.cells.columns(*j).is_empty();
+        let mut rows: Vec<_> = (0..count).map(|j| Row::new(&self.cells, j)).collect();
         for _ in 0..ROUNDS {
             let mut change = 0.0_f64;
-            for j in (0..count).chain((0..count).rev()) {
+            for j in (0..count).chain((0..count).rev()).filter(is_full) {
                 let slip = self.slip(creepage, j, &tractions);
                 change = change.max(rows[j].solve(&self.responses, slip, &mut tractions)?);
             }

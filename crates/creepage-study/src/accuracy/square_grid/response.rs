@@ -2,8 +2,6 @@
 
 use std::f64::consts::PI;
 
-use creepage::Ellipse;
-
 use super::cells::Cells;
 
 /// By unit tractions over their bound `mu Z_max`: `[u by X, u by Y = v by X, v by Y]`.
@@ -15,11 +13,11 @@ pub(super) struct Responses {
 }
 
 impl Responses {
-    pub(super) fn new(ellipse: Ellipse, poisson: f64, cells: &Cells) -> Self {
+    /// Slip counts in `unit` times the largest bound over the shear modulus.
+    pub(super) fn new(unit: f64, poisson: f64, cells: &Cells) -> Self {
         let n = cells.n;
         let [dx, dy] = cells.size();
-        // Slip in units of mu c / rho (4.20): 2 sqrt(g) / ((1 - sigma) E), and 1/pi of (2.11).
-        let unit = (1.0 - poisson) * ellipse.integrals().e / (2.0 * ellipse.g().sqrt());
+        // With 1/pi of (2.11).
         let scale = 1.0 / (PI * unit * dx);
         let apart = |k: usize| k as f64 - (n as f64 - 1.0);
         let mut table: [Vec<f64>; 3] = std::array::from_fn(|_| Vec::new());
