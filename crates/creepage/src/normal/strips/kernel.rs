@@ -337,8 +337,8 @@ impl Rules {
         let view = View { x, low: -e, high: e, own: true };
         let zero = [0.0; LANES];
         let mut sums = Sums { value: [zero; TABULATED], by_x: zero, by_e: zero };
-        let finest = self.legendre.last().map_or(&[][..], |points| points);
-        view.add_near::<TABULATED, false>(&mut sums, |_| finest, view.distances(), &[]);
+        let rule = |half| self.legendre::<MOST>(half);
+        view.add_near::<TABULATED, false>(&mut sums, rule, view.distances(), &[]);
         sums.value.map(|lanes| 0.5 * lanes.iter().sum::<f64>())
     }
 

@@ -135,19 +135,19 @@ impl Table {
         let first: [usize; 2] =
             from_fn(|axis| whole(steps[axis]).clamp(1, INTERVALS[axis] - 2) - 1);
         let [u, v] = [steps[0] - first[0] as f64, steps[1] - first[1] as f64];
-        let (across, along) = (weights(v), weights(u));
+        let (along, along_slopes) = (weights(u), slopes(u));
         let mut sums = [[0.0; T]; 3];
-        for i in 0..4 {
+        for (i, (across, across_slope)) in weights(v).into_iter().zip(slopes(v)).enumerate() {
             let start = (first[1] + i) * (INTERVALS[0] + 1) + first[0];
             let Some(points) = self.rest[start..].first_chunk::<4>() else { return sums };
             for k in 0..T {
                 let of =
-                    |weights: [f64; 4]| -> f64 { (0..4).map(|j| weights[j] * points[j][k]).sum() };
-                let value = of(along);
-                sums[0][k] += across[i] * value;
+                    |weights: &[f64; 4]| -> f64 { (0..4).map(|j| weights[j] * points[j][k]).sum() };
+                let value = of(&along);
+                sums[0][k] += across * value;
                 if SLOPES {
-                    sums[1][k] += across[i] * of(slopes(u)) / self.step[0];
-                    sums[2][k] += slopes(v)[i] * value / self.step[1];
+                    sums[1][k] += across * of(&along_slopes) / self.step[0];
+                    sums[2][k] += across_slope * value / self.step[1];
                 }
             }
         }
