@@ -52,6 +52,8 @@ class Wheelset(FromFile):
         *,
         wheel: str | os.PathLike[str],
         rail: str | os.PathLike[str],
+        wheel_reading: Mapping[str, Any] | None = None,
+        rail_reading: Mapping[str, Any] | None = None,
         axle_load: float | None = None,
         z: float | None = None,
         radius: float = 0.46,
@@ -76,11 +78,13 @@ class Wheelset(FromFile):
         wheels at the tape circle, gauge, gauge_height, back_to_back and y in metres; cant of the
         rails, yaw and roll in radians; speed and lateral_velocity in m/s, pitch_rate and yaw_rate
         in rad/s; shear_modulus in Pa. Profile files are looked for in directory. options are those
-        of `[solve]`, theory among them. What this leaves out, `from_toml` and `from_dict` know.
+        of `[solve]`, theory among them. wheel_reading and rail_reading say what a profile's file does
+        not show, and smooth it: {"unit": 0.001, "y": "field-side", "z": "up", "smooth": 0.006}, each
+        where it is needed. What this leaves out, `from_toml` and `from_dict` know.
         """
         sections: dict[str, Mapping[str, Any]] = {
-            "wheel": {"profile": os.fspath(wheel), "radius": radius},
-            "rail": {"profile": os.fspath(rail), "cant": cant},
+            "wheel": {"profile": os.fspath(wheel), "reading": wheel_reading, "radius": radius},
+            "rail": {"profile": os.fspath(rail), "reading": rail_reading, "cant": cant},
             "track": {"gauge": gauge, "gauge_height": gauge_height},
             "wheelset": {
                 "back_to_back": back_to_back,

@@ -80,3 +80,19 @@ def test_errors_name_the_place() -> None:
         s1002(axle_load=1e5, friction=-0.1)
     with pytest.raises(creepage.CaseError, match="axle_load"):
         s1002().solve()
+
+
+def test_what_a_file_does_not_show_is_said(tmp_path: Path) -> None:
+    y = np.arange(-60.0, 71.0)
+    np.savetxt(tmp_path / "cone.txt", np.column_stack([y, y / 20.0]))
+    options: dict[str, Any] = {"rail": "UIC60", "cant": 0.025, "directory": tmp_path}
+    with pytest.raises(creepage.CaseError, match="reading"):
+        Wheelset(wheel="cone.txt", axle_load=160e3, **options)
+    cone = {"z": "up", "y": "field-side"}
+    said = Wheelset(wheel="cone.txt", wheel_reading=cone, axle_load=160e3, theory="linear", **options)
+    named = Wheelset(wheel="cone-1:20", axle_load=160e3, theory="linear", **options)
+    said_right, named_right = said.solve().right, named.solve().right
+    assert said_right is not None and named_right is not None
+    lateral, standard = (right["force"]["lateral_n"] for right in (said_right, named_right))
+    # The file's first point is not the standard's, but both are the same cone at the contact.
+    assert lateral == pytest.approx(standard, rel=1e-3)

@@ -7,6 +7,7 @@ use creepage::InvalidValue;
 use creepage::table::{BuildError, FileError};
 use creepage::theory::{TheoryError, UnknownTheory};
 use creepage_1967::GalleryError;
+use creepage_rail::file::FileError as ProfileFileError;
 use creepage_study::{
     CaseError, GapCaseError, HistoryError, PointsError, ReferenceError, ReportError, SolveError,
     SpecError, StaticsError, StressError, WheelsetError,
@@ -27,8 +28,8 @@ pub(crate) enum Failure {
     Wheelset { path: PathBuf, source: Box<WheelsetError> },
     #[error("{}: {source}", path.display())]
     History { path: PathBuf, source: Box<HistoryError> },
-    #[error("{}: {source}", path.display())]
-    Profile { path: PathBuf, source: creepage_rail::file::FileError },
+    #[error("{}: {source}{}", path.display(), how_to_say(source))]
+    Profile { path: PathBuf, source: ProfileFileError },
     #[error("{}: {source}", path.display())]
     Points { path: PathBuf, source: PointsError },
     #[error("{}: {source}", path.display())]
@@ -109,6 +110,15 @@ impl Failure {
             | Self::Reproduce(_) => Some(1),
             _ => Some(2),
         }
+    }
+}
+
+/// The options that say what a profile's file does not show.
+fn how_to_say(error: &ProfileFileError) -> &'static str {
+    match error {
+        ProfileFileError::Ask { .. } => " (--role, --side, --y, --z)",
+        ProfileFileError::Length { .. } => " (--unit)",
+        _ => "",
     }
 }
 

@@ -62,13 +62,6 @@ fn written(
     Ok(write_all(directory, &files)?)
 }
 
-fn role(reading: &Reading) -> &'static str {
-    match reading.profile.role() {
-        Role::Wheel => "wheel",
-        Role::Rail => "rail",
-    }
-}
-
 fn name(format: Format) -> &'static str {
     match format {
         Format::Simpack => "Simpack",
@@ -84,7 +77,7 @@ fn words(path: &Path, reading: &Reading) -> String {
     let head = format!(
         "{}: {}, {}, {} points, {length:.1} mm long\n",
         path.display(),
-        role(reading),
+        reading.profile.role(),
         name(reading.format),
         reading.points
     );
@@ -95,7 +88,7 @@ fn facts(path: &Path, reading: &Reading) -> Value {
     let actions: Vec<String> = reading.actions.iter().map(ToString::to_string).collect();
     json!({
         "file": path,
-        "role": role(reading),
+        "role": reading.profile.role().to_string(),
         "format": name(reading.format),
         "points": reading.points,
         "length_m": reading.profile.curve().length(),

@@ -1,5 +1,7 @@
 //! A profile: a curve that is a wheel's or a rail's.
 
+use std::fmt;
+
 use crate::curve::{self, Curve, CurvePoint, SplineError};
 use crate::search::threshold;
 
@@ -10,6 +12,12 @@ pub enum Role {
     Wheel,
     /// A rail: the curve runs from the track side to the field side.
     Rail,
+}
+
+impl fmt::Display for Role {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(if *self == Self::Wheel { "wheel" } else { "rail" })
+    }
 }
 
 /// A wheel's or rail's profile in its own coordinates (m): `y` to the field side, `z` down.

@@ -48,10 +48,9 @@ fn simpack(role: Role, points: &[[f64; 2]]) -> String {
 }
 
 fn miniprof(role: Role, points: &[[f64; 2]]) -> String {
-    let title = if role == Role::Wheel { "wheel" } else { "rail" };
     let count = points.len();
     format!(
-        "ProgramName=creepage\nProfile={title}\nXYPoints={count}\nColumnDef=X,Y\n\n{}",
+        "ProgramName=creepage\nProfile={role}\nXYPoints={count}\nColumnDef=X,Y\n\n{}",
         rows(points, -1.0, -1.0)
     )
 }

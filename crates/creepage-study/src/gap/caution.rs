@@ -130,10 +130,9 @@ impl fmt::Display for GapCaution {
             ),
             Self::Rough { body, length, swing, pressure } => write!(
                 f,
-                "the {}'s profile is rough: in the contact it turns to and fro by {} mrad in waves \
+                "the {body}'s profile is rough: in the contact it turns to and fro by {} mrad in waves \
                  of {} mm, which only {} would press flat, and its crests carry the load; unless it \
-                 is so, smooth it (creepage profile --smooth, 5 to 10 times that length)",
-                if body == Role::Wheel { "wheel" } else { "rail" },
+                 is so, smooth it ([{body}] reading = {{ smooth = ... }}, 5 to 10 times that length)",
                 significant(1e3 * swing, 2),
                 significant(1e3 * length, 2),
                 quantity(pressure, "Pa", 2)

@@ -36,8 +36,8 @@ pub enum WheelsetError {
         /// What the system said.
         source: io::Error,
     },
-    /// A profile file that makes no sense.
-    #[error("[{section}] profile: {}: {source}", path.display())]
+    /// A profile file that makes no sense, or does not show what its section may say.
+    #[error("[{section}] profile: {}: {source}{}", path.display(), hint(source))]
     Profile {
         /// The section's name.
         section: &'static str,
@@ -46,8 +46,18 @@ pub enum WheelsetError {
         /// What is wrong with it.
         source: FileError,
     },
+    /// A standard profile has no file to be read.
+    #[error(
+        "[{section}] reading makes no sense with the standard profile \"{profile}\": leave it out"
+    )]
+    NoFile {
+        /// The section's name.
+        section: &'static str,
+        /// The profile's name.
+        profile: String,
+    },
     /// A rail's profile on a wheel, or the other way round.
-    #[error("[{section}] profile = \"{profile}\" is that of a {}", word(*found))]
+    #[error("[{section}] profile = \"{profile}\" is that of a {found}")]
     Role {
         /// The section's name.
         section: &'static str,
@@ -144,10 +154,13 @@ pub enum WheelsetError {
     Apart(GeometryError),
 }
 
-fn word(role: Role) -> &'static str {
-    match role {
-        Role::Wheel => "wheel",
-        Role::Rail => "rail",
+/// Where the section says what its file does not show.
+fn hint(error: &FileError) -> &'static str {
+    match error {
+        FileError::Ask { .. } | FileError::Length { .. } => {
+            " (reading = { unit = 0.001, y = \"field-side\", z = \"down\" })"
+        }
+        _ => "",
     }
 }
 

@@ -168,7 +168,7 @@ impl WheelsetFile {
         let wheel = if self.is_idle(side) { wheel.or(other) } else { wheel };
         let name = needed(section, "profile", wheel.profile.as_deref())?;
         let radius = needed(section, "radius", wheel.radius)?;
-        let asked = Asked { section, name, role: Role::Wheel, side };
+        let asked = Asked { section, name, role: Role::Wheel, side, reading: wheel.reading };
         let profile = noted(asked.load(directory)?, notes);
         let made = Wheel::new(&profile, radius);
         wheel
@@ -192,7 +192,7 @@ impl WheelsetFile {
         let rail = own.or(&self.rail);
         let rail = if self.is_idle(side) { rail.or(other) } else { rail };
         let name = needed(section, "profile", rail.profile.as_deref())?;
-        let asked = Asked { section, name, role: Role::Rail, side };
+        let asked = Asked { section, name, role: Role::Rail, side, reading: rail.reading };
         let profile = noted(asked.load(directory)?, notes);
         Rail::new(&profile, rail.cant.unwrap_or(0.0), place)
             .map_err(WheelsetError::geometry(section))

@@ -7,6 +7,7 @@ use creepage_rail::file::{Action, FileError, Reading, Wanted, read};
 use creepage_rail::{Profile, Role, Side, Standard};
 
 use super::error::WheelsetError;
+use super::sections::ReadingSection;
 
 /// A profile's file, and what was found in it that nobody had said.
 #[derive(Debug, Clone, PartialEq)]
@@ -23,6 +24,7 @@ pub(super) struct Asked<'a> {
     pub(super) name: &'a str,
     pub(super) role: Role,
     pub(super) side: Side,
+    pub(super) reading: Option<ReadingSection>,
 }
 
 impl Asked<'_> {
@@ -33,6 +35,10 @@ impl Asked<'_> {
     ) -> Result<(Profile, Option<ProfileNote>), WheelsetError> {
         if let Some(standard) = Standard::named(self.name) {
             self.check(standard.role())?;
+            if self.reading.is_some() {
+                let (section, profile) = (self.section, self.name.into());
+                return Err(WheelsetError::NoFile { section, profile });
+            }
             return Ok((standard.profile(), None));
         }
         let path = directory.join(self.name);
@@ -48,7 +54,8 @@ impl Asked<'_> {
 
     /// What the file says it is goes before what the section is for.
     fn reading(&self, content: &[u8]) -> Result<Reading, FileError> {
-        let wanted = Wanted { side: Some(self.side), ..Wanted::default() };
+        let wanted = self.reading.unwrap_or_default().wanted();
+        let wanted = Wanted { side: Some(self.side), ..wanted };
         match read(self.name, content, &wanted) {
             Err(FileError::Ask { .. }) => {
                 read(self.name, content, &Wanted { role: Some(self.role), ..wanted })

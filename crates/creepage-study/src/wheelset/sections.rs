@@ -1,6 +1,7 @@
 //! The sections of the file, as they are written.
 
 use creepage::Solid;
+use creepage_rail::file::Wanted;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -9,12 +10,60 @@ use super::free::Freely;
 use crate::case::CaseError;
 use crate::case::body::Body;
 
+/// What a profile's file does not show, or is to be read as, and how it is smoothed.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(super) struct ReadingSection {
+    /// Length of the file's unit (m), such as 0.001 or 0.0254.
+    unit: Option<f64>,
+    /// Where y grows to in the file.
+    #[schemars(with = "LateralSense")]
+    #[serde(default)]
+    y: Option<LateralSense>,
+    /// Where z grows to in the file.
+    #[schemars(with = "UprightSense")]
+    #[serde(default)]
+    z: Option<UprightSense>,
+    /// Waves of this length (m) keep half of their amplitude.
+    smooth: Option<f64>,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+enum LateralSense {
+    FieldSide,
+    TrackSide,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+enum UprightSense {
+    Down,
+    Up,
+}
+
+impl ReadingSection {
+    pub(super) fn wanted(&self) -> Wanted {
+        Wanted {
+            unit: self.unit,
+            field_side: self.y.map(|sense| sense == LateralSense::FieldSide),
+            down: self.z.map(|sense| sense == UprightSense::Down),
+            smoothing: self.smooth,
+            ..Wanted::default()
+        }
+    }
+}
+
 /// A wheel.
 #[derive(Debug, Clone, PartialEq, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(super) struct WheelSection {
     /// Name of a standard profile, such as "S1002", else a file beside the case file.
     pub(super) profile: Option<String>,
+    /// What the profile's file does not show, or is to be read as, and how it is smoothed.
+    #[schemars(with = "ReadingSection")]
+    #[serde(default)]
+    pub(super) reading: Option<ReadingSection>,
     /// Nominal radius, at the profile's y = z = 0 (m).
     pub(super) radius: Option<f64>,
     /// The flange back's y in profile coordinates (m); -0.070 by default.
@@ -22,10 +71,12 @@ pub(super) struct WheelSection {
 }
 
 impl WheelSection {
-    /// What this section leaves out as in another.
+    /// What this section leaves out as in another; the reading goes with the file.
     pub(super) fn or(&self, other: &Self) -> Self {
+        let file = if self.profile.is_some() { self } else { other };
         Self {
-            profile: self.profile.clone().or_else(|| other.profile.clone()),
+            profile: file.profile.clone(),
+            reading: self.reading.or(file.reading),
             radius: self.radius.or(other.radius),
             flange_back: self.flange_back.or(other.flange_back),
         }
@@ -38,16 +89,24 @@ impl WheelSection {
 pub(super) struct RailSection {
     /// Name of a standard profile, such as "UIC60", else a file beside the case file.
     pub(super) profile: Option<String>,
+    /// What the profile's file does not show, or is to be read as, and how it is smoothed.
+    #[schemars(with = "ReadingSection")]
+    #[serde(default)]
+    pub(super) reading: Option<ReadingSection>,
     /// Turn of the profile as given (rad), positive inclines the head to the track centre;
     /// 0 by default.
     pub(super) cant: Option<f64>,
 }
 
 impl RailSection {
-    /// What this section leaves out as in another.
+    /// What this section leaves out as in another; the reading goes with the file.
     pub(super) fn or(&self, other: &Self) -> Self {
-        let profile = self.profile.clone().or_else(|| other.profile.clone());
-        Self { profile, cant: self.cant.or(other.cant) }
+        let file = if self.profile.is_some() { self } else { other };
+        Self {
+            profile: file.profile.clone(),
+            reading: self.reading.or(file.reading),
+            cant: self.cant.or(other.cant),
+        }
     }
 }
 
