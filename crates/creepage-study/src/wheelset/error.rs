@@ -147,7 +147,10 @@ pub enum WheelsetError {
     #[error("[wheelset] no derivatives: what is found here does not follow what is given")]
     NotDifferentiable,
     /// Load and friction did not come to rest.
-    #[error("[wheelset] the share of friction in the vertical load did not settle")]
+    #[error(
+        "[wheelset] no position was settled on that carries the load, which can jump by some tenths \
+         of a per cent where two areas of contact join: try a position beside this one, or give z"
+    )]
     NotSettled,
     /// No amplitude, or no place, at which the wheelset runs.
     #[error("wheels and rails do not meet with the wheelset in the middle of the track: {0}")]

@@ -17,7 +17,7 @@ const ROUNDS: usize = 28;
 const FEW: usize = 12;
 /// To which part a load is met: far within its error bar.
 const MET: f64 = 3e-5;
-/// A step that leaves more than this part of what was missed is followed by a search, or by rolling.
+/// A step on known friction that leaves more than this part of what was missed is followed by rolling.
 const HELPS: f64 = 0.5;
 
 /// Solves a wheelset that stands, moves and is loaded like this, by one method.
@@ -177,7 +177,8 @@ impl<'w, 'a> Way<'w, 'a> {
         (missed, round): (f64, usize),
     ) {
         sought.learn(wheels, &next.shares, self.rolled_by == Some(self.stages.len()));
-        if round < FEW && (missed < HELPS * self.last || self.rolled_by.is_none()) {
+        // A step that helps, however little, tells how the next should go.
+        if round >= FEW || missed < self.last || self.rolled_by.is_none() {
             let here = (&sought.places[..], wheels);
             self.places = step::places(here, self.stance, self.load, &next.shares);
         }
