@@ -26,7 +26,11 @@ impl Cubic {
         if last == 0 {
             return self.value[0];
         }
-        let cell = Cell::new(&self.x, x);
+        self.in_cell(&Cell::new(&self.x, x))
+    }
+
+    /// At a place in a cell of its own abscissae.
+    pub(super) fn in_cell(&self, cell: &Cell) -> f64 {
         let (low, high) = (cell.index, cell.index + 1);
         cell.mix([self.value[low], self.value[high]], [self.slope[low], self.slope[high]])
     }

@@ -211,6 +211,14 @@ impl Gap {
         }
     }
 
+    /// Where the section along x at `y` is lowest, where that is a parabola.
+    pub(crate) fn locus(&self, y: f64) -> Option<f64> {
+        match &self.shape {
+            Shape::Section(section) => Some(section.locus(y)),
+            _ => self.parabola(y).map(|[_, _, locus]| locus),
+        }
+    }
+
     /// The x about which parabolas along x are symmetric, where all have the same.
     pub(crate) fn axis(&self) -> Option<f64> {
         match &self.shape {

@@ -1,6 +1,6 @@
 //! A section across rolling, and a radius along it.
 
-use super::cubic::Cubic;
+use super::cubic::{Cell, Cubic};
 use super::error::{GapError, all_finite};
 use crate::check;
 
@@ -60,12 +60,21 @@ impl Section {
 
     /// Height at the locus, half the curvature along, and the locus.
     pub(super) fn row(&self, y: f64) -> [f64; 3] {
-        let height = self.height.at(y);
+        let cell = Cell::new(&self.y, y);
+        let height = self.height.in_cell(&cell);
         match &self.along {
             Along::Constant(half) => [height, *half, 0.0],
             Along::Varying { curvature, locus } => {
-                [height, curvature.at(y), locus.as_ref().map_or(0.0, |locus| locus.at(y))]
+                let locus = locus.as_ref().map_or(0.0, |locus| locus.in_cell(&cell));
+                [height, curvature.in_cell(&cell), locus]
             }
+        }
+    }
+
+    pub(super) fn locus(&self, y: f64) -> f64 {
+        match &self.along {
+            Along::Varying { locus: Some(locus), .. } => locus.at(y),
+            _ => 0.0,
         }
     }
 

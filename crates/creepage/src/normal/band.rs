@@ -59,8 +59,16 @@ pub(super) struct Chord {
 impl Chord {
     /// Force per length across (N/m).
     pub(super) fn line_load(&self) -> f64 {
-        let Self { half, centre, density, .. } = *self;
-        Line { centre, half, density }.load([-1.0, 1.0]).0
+        self.half * self.half * self.load(&arc_nodes([-1.0, 1.0]))[0]
+    }
+
+    /// Force per length across over the square of the half length, between the two s of a quadrature,
+    /// and the same times `s`.
+    fn load(&self, nodes: &[(f64, f64)]) -> [f64; 2] {
+        nodes.iter().fold([0.0; 2], |[load, by_s], &(s, weight)| {
+            let part = weight * between(&self.density, s);
+            [load + part, by_s + part * s]
+        })
     }
 
     pub(super) fn scale(&mut self, factor: f64) {
@@ -81,26 +89,22 @@ pub(crate) struct Line {
 impl Line {
     /// `rho` at `s`.
     pub(crate) fn density(&self, s: f64) -> f64 {
-        const LAST: f64 = (PLACES - 1) as f64;
-        let at = (0.5 * LAST * (s + 1.0)).clamp(0.0, LAST);
-        let low = whole(at).min(PLACES - 2);
-        let part = at - low as f64;
-        (1.0 - part) * self.density[low] + part * self.density[low + 1]
+        between(&self.density, s)
     }
 
     /// Pressure at `s` (Pa).
     pub(crate) fn pressure(&self, s: f64) -> f64 {
         self.half * (1.0 - s * s).max(0.0).sqrt() * self.density(s)
     }
+}
 
-    /// Force per length across between two `s`, and the same times `s` (N/m).
-    fn load(&self, s: [f64; 2]) -> (f64, f64) {
-        let square = self.half * self.half;
-        arc_nodes(s).fold((0.0, 0.0), |(force, moment), (s, weight)| {
-            let part = weight * square * self.density(s);
-            (force + part, moment + part * s)
-        })
-    }
+/// `rho` at `s`, on straight lines between its places.
+fn between(density: &Density, s: f64) -> f64 {
+    const LAST: f64 = (PLACES - 1) as f64;
+    let at = (0.5 * LAST * (s + 1.0)).clamp(0.0, LAST);
+    let low = whole(at).min(PLACES - 2);
+    let part = at - low as f64;
+    (1.0 - part) * density[low] + part * density[low + 1]
 }
 
 /// A part of a contact area that every line along x crosses once.
@@ -184,32 +188,45 @@ impl Band {
     /// the outermost it stays.
     pub(crate) fn line(&self, y: f64) -> Line {
         let (centre, half) = self.section(y);
-        let after = self.chords.partition_point(|chord| chord.y <= y);
-        let first = after.saturating_sub(2);
-        let last = (after + 2).min(self.chords.len());
-        let around = &self.chords[first..last];
-        let within = around.first().zip(around.last()).map_or(y, |(a, b)| y.clamp(a.y, b.y));
         let mut density = [0.0; PLACES];
-        for (k, chord) in around.iter().enumerate() {
-            let others = around.iter().enumerate().filter(|(i, _)| *i != k);
-            let weight: f64 =
-                others.map(|(_, other)| (within - other.y) / (chord.y - other.y)).product();
-            for (sum, rho) in density.iter_mut().zip(&chord.density) {
+        for (weight, chord) in self.around(y) {
+            for (sum, rho) in density.iter_mut().zip(&self.chords[chord].density) {
                 *sum += weight * rho;
             }
         }
         Line { centre, half, density }
     }
 
+    /// The weights of the four chords around a y, and which they are.
+    fn around(&self, y: f64) -> impl Iterator<Item = (f64, usize)> {
+        let all = &self.chords;
+        let after = all.partition_point(|chord| chord.y <= y);
+        let (first, end) = (after.saturating_sub(2), (after + 2).min(all.len()));
+        let within = if first < end { y.clamp(all[first].y, all[end - 1].y) } else { y };
+        (first..end).map(move |k| {
+            let others = (first..end).filter(|other| *other != k);
+            let part = |other: usize| (within - all[other].y) / (all[k].y - all[other].y);
+            (others.map(part).product(), k)
+        })
+    }
+
     /// Force and its moments on the element between two `y` and between two parts `s` of the
     /// length, -1 at the trailing and +1 at the leading end.
     #[must_use]
     pub fn moments(&self, y: [f64; 2], s: [f64; 2]) -> Moments {
+        let nodes = arc_nodes(s);
+        let mut loads: Vec<Option<[f64; 2]>> = vec![None; self.chords.len()];
         let mut sum = Moments::default();
         for (y, weight) in self.rows_between(y) {
-            let line = self.line(y);
-            let (load, by_s) = line.load(s);
-            let (force, by_x) = (weight * load, weight * (line.centre * load + line.half * by_s));
+            let (centre, half) = self.section(y);
+            let [mut load, mut by_s] = [0.0; 2];
+            for (part, chord) in self.around(y) {
+                let own = || self.chords[chord].load(&nodes);
+                let [own_load, own_by_s] = *loads[chord].get_or_insert_with(own);
+                load += part * half * half * own_load;
+                by_s += part * half * half * own_by_s;
+            }
+            let (force, by_x) = (weight * load, weight * (centre * load + half * by_s));
             sum += Moments { force, by_x, by_y: force * y };
         }
         sum
@@ -310,16 +327,17 @@ const GAUSS: [(f64, f64); 4] = [
     (0.861_136_311_594_052_6, 0.347_854_845_137_453_85),
 ];
 
-/// Quadrature of `sqrt(1 - s^2) f(s)` between two s, by the angle whose sine is s.
-fn arc_nodes([low, high]: [f64; 2]) -> impl Iterator<Item = (f64, f64)> {
-    const PARTS: u32 = 3;
+/// Quadrature of `sqrt(1 - s^2) f(s)` between two s, by the angle whose sine is s: places and weights.
+fn arc_nodes([low, high]: [f64; 2]) -> [(f64, f64); ARC_PARTS * GAUSS.len()] {
     let (from, to) = (low.clamp(-1.0, 1.0).asin(), high.clamp(-1.0, 1.0).asin());
-    let half = 0.5 * (to - from) / f64::from(PARTS);
-    (0..PARTS).flat_map(move |part| {
-        let middle = from + half * (2.0 * f64::from(part) + 1.0);
-        GAUSS.into_iter().map(move |(t, w)| {
-            let (sin, cos) = (middle + half * t).sin_cos();
-            (sin, w * half * cos * cos)
-        })
+    let half = 0.5 * (to - from) / ARC_PARTS as f64;
+    std::array::from_fn(|i| {
+        let (t, weight) = GAUSS[i % GAUSS.len()];
+        let part = (i / GAUSS.len()) as f64;
+        let (sin, cos) = (from + half * (2.0 * part + 1.0 + t)).sin_cos();
+        (sin, weight * half * cos * cos)
     })
 }
+
+/// Parts of the angle with a Gauss rule each.
+const ARC_PARTS: usize = 3;

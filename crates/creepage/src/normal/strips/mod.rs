@@ -16,7 +16,7 @@ use super::contact::Patch;
 use super::lattice::whole;
 use super::level::Task;
 use super::solve::Found;
-use crate::gap::Gap;
+use crate::gap::{Gap, Rectangle};
 pub(crate) use kernel::{MOST, profile};
 pub(crate) use newton::{Question, Stopped, Touching, solve as touching};
 pub(crate) use strip::Strip;
@@ -294,7 +294,8 @@ fn width(band: &Band) -> f64 {
 /// Lengths by the root of the area, depths by the greatest at the strips.
 fn units(task: Task<'_>, start: &[Patch]) -> Option<(Units, f64)> {
     let area: f64 = start.iter().map(Patch::area).sum();
-    let origin = start.first()?.centroid();
+    let Rectangle { x, y } = start.first()?.extent();
+    let origin = [x, y].map(|[low, high]| f64::midpoint(low, high));
     let deepest = start
         .iter()
         .flat_map(Patch::bands)

@@ -48,7 +48,9 @@ fn points(
     units: Units,
     depth: &impl Fn([f64; 2]) -> f64,
 ) -> Option<Vec<[f64; 2]>> {
-    let domain = task.gap.reach(task.approach)?;
+    let domain = task.gap.domain();
+    let is_bounded = domain.y.iter().all(|end| end.is_finite());
+    let domain = if is_bounded { domain } else { task.gap.reach(task.approach)? };
     let inward = |at: f64, k: usize| (at - units.origin[k]) / units.length;
     let known = |strip: &Strip| {
         let [low, high] = domain.y.map(|y| inward(y, 1));
@@ -63,8 +65,8 @@ fn points(
     let columns = std::array::from_fn(|i| from + (to - from) * (i as f64 + 0.5) / COLUMNS as f64);
     let mut points = Vec::new();
     for y in rows {
-        match task.gap.parabola(units.origin[1] + y * units.length) {
-            Some([_, _, locus]) => points.push([inward(locus, 0), y]),
+        match task.gap.locus(units.origin[1] + y * units.length) {
+            Some(locus) => points.push([inward(locus, 0), y]),
             None => points.extend(tops(&columns, |x| depth([x, y])).map(|x| [x, y])),
         }
     }
