@@ -184,6 +184,16 @@ pub struct NormalContact {
     pub(super) method: Method,
     pub(super) patches: Vec<Patch>,
     pub(super) gap_points: [Option<usize>; 2],
+    pub(super) rule: Option<StripRule>,
+}
+
+/// How strips found a contact: so many across the widest area, and what load and greatest pressure at the
+/// limit of many are over theirs.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct StripRule {
+    pub(super) count: usize,
+    pub(super) load: f64,
+    pub(super) peak: f64,
 }
 
 impl NormalContact {
@@ -235,9 +245,19 @@ impl NormalContact {
         solve::solve(gap, self.pair, asked, Some(&self.grown(approach)), resolution)
     }
 
+    /// The same with as many strips as this one and no finer or coarser ones: what they lack, and the error
+    /// bars, are taken from here. For steps on the way to a position, and those of a thousandth part;
+    /// `None` where strips do not settle, and [`NormalContact::next`] tells more.
+    ///
+    /// It does not look for new places of contact beyond the areas.
+    #[must_use]
+    pub fn follow(&self, gap: &Gap, approach: f64) -> Option<Self> {
+        if approach.is_finite() { solve::follow(gap, self, approach) } else { None }
+    }
+
     /// The areas as they would be at another approach if they kept their shape: a load that goes
     /// as the depth to the power 3/2 tells the depth, whose root lengths and pressures follow.
-    fn grown(&self, approach: f64) -> Vec<Patch> {
+    pub(super) fn grown(&self, approach: f64) -> Vec<Patch> {
         const LIMITS: [f64; 2] = [0.5, 2.0];
         let more = self.stiffness * (approach - self.approach.value) / self.load.value;
         let factor = (1.0 + 2.0 / 3.0 * more).max(0.0).sqrt().clamp(LIMITS[0], LIMITS[1]);

@@ -5,7 +5,7 @@ use crate::gap::Gap;
 use crate::solid::SolidPair;
 
 use super::band::Band;
-use super::contact::{Estimate, Method, NormalContact, Patch, Resolution, Status};
+use super::contact::{Estimate, Method, NormalContact, Patch, Resolution, Status, StripRule};
 use super::elements;
 use super::error::NormalError;
 use super::level::{Accuracy, Level, Task};
@@ -81,7 +81,8 @@ struct Pair {
     coarse: Found,
     fine: Found,
     method: Method,
-    /// The finer one's number of strips or elements over the coarser one's.
+    /// The finer one's number of strips across or elements along, and the same over the coarser one's.
+    count: usize,
     finer: f64,
     residual: f64,
     /// By what part elements may carry too much in either solution: zero for strips.
@@ -89,8 +90,8 @@ struct Pair {
 }
 
 impl Pair {
-    fn of_strips(coarse: Found, fine: Found, finer: f64) -> Self {
-        Self { coarse, fine, method: Method::Strips, finer, residual: 0.0, excess: 0.0 }
+    fn of_strips(coarse: Found, (fine, count): (Found, usize), finer: f64) -> Self {
+        Self { coarse, fine, method: Method::Strips, count, finer, residual: 0.0, excess: 0.0 }
     }
 
     /// What the finer one lacks, over what it differs by, of what falls with the square of their number.
@@ -143,6 +144,57 @@ pub(super) fn solve(
     Ok(contact(gap, pair, asked, found))
 }
 
+/// By as many strips as a contact close by, which tells what they lack.
+pub(super) fn follow(gap: &Gap, near: &NormalContact, approach: f64) -> Option<NormalContact> {
+    let (rule, areas) = (near.rule?, near.grown(approach));
+    let modulus = near.pair.shear_modulus() / (1.0 - near.pair.poisson());
+    let wanted = Wanted {
+        load: None,
+        count: rule.count.min(strips::most(&areas)),
+        terms: strips::terms(gap, &areas)?,
+        enough: ENOUGH[1],
+        nearly: NEARLY[1],
+        complete: false,
+        summit: false,
+        attempts: Wanted::ATTEMPTS,
+        settled: 1.0,
+    };
+    let mut found = strips::solve(Task { gap, modulus, approach }, &areas, wanted)?;
+    let value = rule.load * found.load;
+    let scaled = |value: f64, near: Estimate| Estimate {
+        value,
+        error: near.error * (value / near.value).abs(),
+    };
+    let area = scaled(found.area(), near.area);
+    scale(&mut found.patches, value);
+    Some(NormalContact {
+        approach: Estimate { value: approach, error: 0.0 },
+        load: scaled(value, near.load),
+        peak: scaled(rule.peak * found.peak, near.peak),
+        area,
+        stiffness: found.stiffness,
+        gap_points: gap_points(gap, &found.patches),
+        patches: found.patches,
+        ..near.clone()
+    })
+}
+
+/// Scales the pressures of some areas to their load.
+fn scale(patches: &mut [Patch], load: f64) {
+    let carried: f64 = patches.iter().map(Patch::load).sum();
+    for band in patches.iter_mut().flat_map(Patch::bands_mut) {
+        band.scale(load / carried);
+    }
+}
+
+/// Tips by a few strips decide where more are laid, so that these hardly depend on the start: parts of a
+/// strip's width, coarse and fine.
+const SETTLED: [f64; 2] = [0.05, 0.4];
+/// Largest residual over the depth, coarse and fine.
+const ENOUGH: [f64; 2] = [1e-5, 1e-6];
+/// Stiffness: of an answer, and where one only searches.
+const NEARLY: [f64; 2] = [2e-3, 0.05];
+
 /// By strips laid into areas close by or guessed, where these turn out to be all.
 fn without_elements(
     task: Task<'_>,
@@ -180,6 +232,7 @@ fn by_elements(
         coarse: coarse_found,
         fine: Found::by_elements(task, &fine),
         method: Method::Elements,
+        count: resolution.count,
         finer: 1.0 / COARSER,
         residual: fine.residual,
         excess: EXCESS / (count * count),
@@ -209,13 +262,8 @@ fn by_strips(
     resolution: Resolution,
     kind: Start,
 ) -> Option<Pair> {
-    /// Tips by a few strips decide where more are laid, so that these hardly depend on the start.
-    const SETTLED: [f64; 2] = [0.05, 0.4];
     /// Of the peak pressure: with more between strips, waves across are too short for them.
     const UNSEEN: f64 = 0.02;
-    const ENOUGH: [f64; 2] = [1e-5, 1e-6];
-    /// Stiffness: of an answer, and where one only searches.
-    const NEARLY: [f64; 2] = [2e-3, 0.05];
     let terms = strips::terms(task.gap, start)?;
     let load = if let Asked::Load(load) = asked { Some(load) } else { None };
     let count = resolution.count.min(strips::most(start));
@@ -249,7 +297,7 @@ fn by_strips(
     };
     if !resolution.with_errors {
         let only = next(start, task.approach, whole)?;
-        return Some(Pair::of_strips(only.clone(), only, HALVES));
+        return Some(Pair::of_strips(only.clone(), (only, count), HALVES));
     }
     let ladder = || {
         let coarse = next(start, task.approach, half)?;
@@ -264,12 +312,15 @@ fn by_strips(
     let (coarse, fine) = if kind == Start::Close { at_once().or_else(ladder)? } else { ladder()? };
     let more = Wanted { count: count * 8 / 5, ..whole };
     if !is_uneven(&coarse, &fine) {
-        return Some(Pair::of_strips(coarse, fine, HALVES));
+        return Some(Pair::of_strips(coarse, (fine, count), HALVES));
     }
     match next(&fine.patches, fine.approach, more) {
-        Some(finer) => Some(Pair::of_strips(fine, finer, more.count as f64 / count as f64)),
+        Some(finer) => {
+            let times = more.count as f64 / count as f64;
+            Some(Pair::of_strips(fine, (finer, more.count), times))
+        }
         None if fine.unseen > UNSEEN * fine.peak => None,
-        None => Some(Pair::of_strips(coarse, fine, HALVES)),
+        None => Some(Pair::of_strips(coarse, (fine, count), HALVES)),
     }
 }
 
@@ -290,7 +341,7 @@ const HALVES: f64 = 2.0;
 fn contact(gap: &Gap, pair: SolidPair, asked: Asked, found: Pair) -> NormalContact {
     let lacking = found.lacking();
     let bars = Bars::new(&found);
-    let Pair { coarse, mut fine, method, residual, .. } = found;
+    let Pair { coarse, mut fine, method, residual, count, .. } = found;
     let area = fine.area();
     let peak_error = bars.peak.of(fine.summit, coarse.summit).max(fine.unseen);
     let area_error = bars.area.of(area, coarse.area());
@@ -299,6 +350,8 @@ fn contact(gap: &Gap, pair: SolidPair, asked: Asked, found: Pair) -> NormalConta
     let load_error = bars.load.of(fine.load, carried);
     let by_strips = method == Method::Strips;
     let at_limit = fine.load + if by_strips { lacking * (fine.load - carried) } else { 0.0 };
+    let rule = StripRule { count, load: at_limit / fine.load, peak: fine.summit / fine.peak };
+    let rule = by_strips.then_some(rule);
     let (approach, load) = match asked {
         Asked::Load(load) => {
             let value = fine.approach + (fine.load - at_limit) / fine.stiffness;
@@ -311,10 +364,7 @@ fn contact(gap: &Gap, pair: SolidPair, asked: Asked, found: Pair) -> NormalConta
             (Estimate { value, error: 0.0 }, Estimate { value: at_limit, error: load_error })
         }
     };
-    let carried: f64 = fine.patches.iter().map(Patch::load).sum();
-    for band in fine.patches.iter_mut().flat_map(Patch::bands_mut) {
-        band.scale(load.value / carried);
-    }
+    scale(&mut fine.patches, load.value);
     let converged = residual <= Accuracy::ANSWER.residual;
     NormalContact {
         pair,
@@ -327,6 +377,7 @@ fn contact(gap: &Gap, pair: SolidPair, asked: Asked, found: Pair) -> NormalConta
         method,
         gap_points: gap_points(gap, &fine.patches),
         patches: fine.patches,
+        rule,
     }
 }
 

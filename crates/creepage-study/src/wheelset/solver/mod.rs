@@ -3,6 +3,7 @@
 
 mod apart;
 mod balance;
+mod beside;
 mod by_motion;
 mod curving;
 mod derivative;
@@ -111,7 +112,7 @@ impl<'a> WheelsetSolver<'a> {
                 (normal::Resolution::STANDARD, vec![Method::Simplified(kind, cells)], 0.0)
             }
         };
-        let press = Press { running, pair, resolution };
+        let press = Press { running, pair, resolution, follows: false };
         Ok(Self { press, friction, slip: RigidSlip::Flat, theory, rolling, accuracy })
     }
 
@@ -143,7 +144,8 @@ impl<'a> WheelsetSolver<'a> {
         stance: &Stance,
         travel: &Travel,
     ) -> Result<SolvedWheelset, WheelsetError> {
-        self.from(stance, travel, &Start::after(before).beside(before, stance))
+        let places = beside::places(before, stance, self.press.running);
+        self.from(stance, travel, &Start { places, ..Start::after(before) })
     }
 
     fn from(
@@ -184,11 +186,13 @@ impl<'a> WheelsetSolver<'a> {
         &self,
         sought: &Sought<'a>,
         known: &[Known],
+        follows: bool,
     ) -> Result<Vec<PressedWheel<'a>>, WheelsetError> {
+        let press = Press { follows, ..self.press };
         let coarse = Known::of(&sought.coarse);
         let known = if known.is_empty() { &coarse } else { known };
         let fine = |&Place { side, position, depth, .. }: &Place| {
-            Ok(PressedWheel { depth, ..self.press.wheel(side, position, known)? })
+            Ok(PressedWheel { depth, ..press.wheel(side, position, known)? })
         };
         sought.places.par_iter().map(fine).collect()
     }
@@ -229,7 +233,7 @@ struct Start {
     pitch: Pitch,
     /// Fine pressures.
     fine: Vec<Known>,
-    /// Where the wheels stand nearly.
+    /// Where the wheels stand nearly, beside a position that was solved.
     places: Option<Vec<Place>>,
 }
 
@@ -286,9 +290,4 @@ impl Start {
         Self { shares, guess, pitch: before.pitch, fine, places: None }
     }
 
-    /// The same where the wheels hardly go up or down since.
-    fn beside(mut self, before: &SolvedWheelset, stance: &Stance) -> Self {
-        self.places = step::beside(before, stance);
-        self
-    }
 }

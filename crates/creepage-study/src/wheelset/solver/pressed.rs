@@ -66,6 +66,8 @@ pub(super) struct Press<'a> {
     pub(super) running: &'a Running,
     pub(super) pair: SolidPair,
     pub(super) resolution: normal::Resolution,
+    /// Whether it is enough to follow a pressure known close by, without error bars of its own.
+    pub(super) follows: bool,
 }
 
 impl<'a> Press<'a> {
@@ -95,6 +97,8 @@ impl<'a> Press<'a> {
     fn press_beside(&self, all: &mut [Beside<'a>]) -> Result<(), WheelsetError> {
         const ROUNDS: usize = 16;
         const SETTLED: f64 = 1e-6;
+        /// So little more or less from the others changes no error bar.
+        const SLIGHT: f64 = 1e-3;
         for _ in 0..ROUNDS {
             let mut is_settled = true;
             for i in 0..all.len() {
@@ -105,8 +109,10 @@ impl<'a> Press<'a> {
                 let Some(own) = all.get_mut(i) else { continue };
                 let change =
                     own.load_of_others.map_or(f64::INFINITY, |load| (load - others.total).abs());
-                if change > SETTLED * own.load().max(others.total) {
-                    own.normal = self.pressed(&own.contact, &others, own.normal.as_ref())?;
+                let load = own.load().max(others.total);
+                if change > SETTLED * load {
+                    let press = Press { follows: self.follows || change < SLIGHT * load, ..*self };
+                    own.normal = press.pressed(&own.contact, &others, own.normal.as_ref())?;
                     own.load_of_others = Some(others.total);
                     is_settled = false;
                 }
@@ -130,9 +136,13 @@ impl<'a> Press<'a> {
         let gap = gap(contact, |s, x| others.sunk(contact, [x, s]));
         let gap = gap.map_err(|source| WheelsetError::Shape { side, source })?;
         let approach = contact.approach;
-        let normal = match near {
-            Some(near) => near.next(&gap, approach, self.resolution),
-            None => NormalContact::at_approach(&gap, self.pair, approach, self.resolution),
+        let followed = near.filter(|_| self.follows).and_then(|near| near.follow(&gap, approach));
+        let normal = match (followed, near) {
+            (Some(followed), _) => Ok(followed),
+            (None, Some(near)) => near.next(&gap, approach, self.resolution),
+            (None, None) => {
+                NormalContact::at_approach(&gap, self.pair, approach, self.resolution)
+            }
         };
         match normal {
             Ok(normal) => Ok(Some(normal)),
@@ -184,11 +194,23 @@ impl Pressed<'_> {
         self.normal.load().value
     }
 
-    /// Vertical part of its force on the rail for a lateral force of `share` times the load.
     fn rise(&self, share: f64) -> f64 {
-        let (sin, cos) = self.contact.angle.sin_cos();
-        cos + share * sin
+        rise(self.contact.angle, share)
     }
+}
+
+/// Vertical part of a contact's force on the rail over its load, for a lateral force of `share` times
+/// the load.
+pub(super) fn rise(angle: f64, share: f64) -> f64 {
+    let (sin, cos) = angle.sin_cos();
+    cos + share * sin
+}
+
+/// How much nearer a contact comes when the wheelset rolls about its centre (m/rad).
+pub(super) fn lever(contact: &Contact<'_>, centre: [f64; 2]) -> f64 {
+    let (sin, cos) = contact.angle.sin_cos();
+    let [_, y, z] = contact.reference;
+    (y - centre[0]) * cos + (z - centre[1]) * sin
 }
 
 /// What is known of the vertical loads from a position that was solved before.
@@ -273,11 +295,7 @@ impl PressedWheel<'_> {
     pub(super) fn stiffness_by_roll(&self, shares: &Shares) -> f64 {
         let Position { y, z, .. } = self.position;
         let centre = [y, z - self.radius];
-        self.change(shares, |contact| {
-            let (sin, cos) = contact.angle.sin_cos();
-            let [_, y, z] = contact.reference;
-            (y - centre[0]) * cos + (z - centre[1]) * sin
-        })
+        self.change(shares, |contact| lever(contact, centre))
     }
 
     /// Change of the expected force when every contact comes nearer by `approach`.

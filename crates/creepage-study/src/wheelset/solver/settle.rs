@@ -46,6 +46,8 @@ struct Way<'w, 'a> {
     is_given: bool,
     /// Whether it began at a position nearby.
     is_beside: bool,
+    /// Whether pressures were found with error bars of their own.
+    has_bars: bool,
     /// What the last round tells.
     start: Start,
     /// Where to look next; sought where `None`.
@@ -78,6 +80,7 @@ impl<'w, 'a> Way<'w, 'a> {
             load,
             is_given,
             is_beside,
+            has_bars: is_given,
             start,
             places,
             method,
@@ -120,16 +123,32 @@ impl<'w, 'a> Way<'w, 'a> {
 
     /// Wheels with fine pressures; `None` where what was taken from nearby is no place for them.
     fn pressed(
-        &self,
+        &mut self,
         sought: &Sought<'a>,
         round: usize,
     ) -> Result<Option<Vec<PressedWheel<'a>>>, WheelsetError> {
         if self.is_given {
             return Ok(Some(sought.coarse.clone()));
         }
-        match self.solver.refined(sought, &self.start.fine) {
+        let follows = self.follows(round);
+        match self.solver.refined(sought, &self.start.fine, follows) {
             Err(_) if self.is_beside && round == 0 => Ok(None),
-            wheels => wheels.map(Some),
+            wheels => {
+                self.has_bars |= !follows;
+                wheels.map(Some)
+            }
+        }
+    }
+
+    /// Whether pressures that follow those known are enough: far from the position, and for the last
+    /// steps to it.
+    fn follows(&self, round: usize) -> bool {
+        const FAR: f64 = 0.02;
+        const SLIGHT: f64 = 1e-3;
+        if self.has_bars {
+            self.last < SLIGHT && round < FEW
+        } else {
+            self.is_beside && self.rolled_by.is_none() && self.last > FAR
         }
     }
 
@@ -144,10 +163,11 @@ impl<'w, 'a> Way<'w, 'a> {
         let shares = &self.start.shares;
         let missed = sought.missed(wheels, shares);
         let has_rolled = !self.is_beside || self.rolled_by.is_some();
-        if has_rolled || missed <= MET || missed >= HELPS * self.last {
+        let is_enough = missed <= MET || missed >= HELPS * self.last;
+        if has_rolled || (is_enough && self.has_bars) {
             return false;
         }
-        self.last = missed;
+        self.last = if is_enough { 0.0 } else { missed };
         sought.learn(wheels, shares, round > 0);
         self.places = step::places((&sought.places, wheels), self.stance, self.load, shares);
         self.start.fine = Known::of(wheels);

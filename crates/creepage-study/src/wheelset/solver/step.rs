@@ -4,7 +4,6 @@
 use creepage_rail::{Position, Side};
 
 use super::pressed::{PressedWheel, Shares};
-use crate::wheelset::{SolvedWheel, SolvedWheelset};
 use crate::{Load, Stance};
 
 /// A wheel's position and what it is expected to carry there.
@@ -39,7 +38,7 @@ impl Place {
         wheels.iter().map(place).collect()
     }
 
-    fn new(side: Side, position: Position, depth: f64, expected: f64) -> Self {
+    pub(super) fn new(side: Side, position: Position, depth: f64, expected: f64) -> Self {
         Self { side, position, depth, expected, moved: [0.0; 2], by: None }
     }
 
@@ -67,37 +66,8 @@ pub(super) fn learnt(by: [f64; 2], moved: [f64; 2], missed: f64) -> Option<[f64;
     is_sound.then_some([changed, by_turn + part * square * turn])
 }
 
-/// Where a wheelset stands nearly that was solved so near that it hardly goes up or down since, and what its
-/// wheels should carry; `None` where it was farther off, or nothing is to be sought.
-pub(super) fn beside(before: &SolvedWheelset, stance: &Stance) -> Option<Vec<Place>> {
-    /// Shift (m) and yaw (rad).
-    const NEAR: [f64; 2] = [1.001e-4, 1.001e-3];
-    let given = if let Some(Load::Height(z)) = stance.load { Some(z) } else { None };
-    if given.is_some() && stance.is_fixed() {
-        return None;
-    }
-    let wheels: Vec<_> = before.wheels().collect();
-    let sides: &[Side] = match &stance.side {
-        Some(side) => std::slice::from_ref(side),
-        None => &[Side::Left, Side::Right],
-    };
-    let vertical = |wheel: &SolvedWheel| wheel.on_rail().force[2];
-    let sum: f64 = wheels.iter().map(|wheel| vertical(wheel)).sum();
-    let place = |(wheel, side): (&&SolvedWheel, &Side)| {
-        let Position { y, z, roll, yaw } = wheel.position;
-        let shift = [stance.y - y, stance.yaw - yaw].map(f64::abs);
-        let is_near = shift[0] < NEAR[0] && shift[1] < NEAR[1] && wheel.side == *side;
-        let roll = stance.roll.unwrap_or(if stance.side.is_some() { 0.0 } else { roll });
-        let position = Position { y: stance.y, z: given.unwrap_or(z), roll, yaw: stance.yaw };
-        let expected = wanted(stance, stance.load?, vertical(wheel), [sum, sides.len() as f64]);
-        is_near.then(|| Place::new(*side, position, wheel.depth, expected))
-    };
-    let pairs = wheels.iter().zip(sides);
-    if wheels.len() == sides.len() { pairs.map(place).collect() } else { None }
-}
-
 /// What a wheel should carry (N) that carries `own`, of the sum of some wheels.
-fn wanted(stance: &Stance, load: Load, own: f64, [sum, count]: [f64; 2]) -> f64 {
+pub(super) fn wanted(stance: &Stance, load: Load, own: f64, [sum, count]: [f64; 2]) -> f64 {
     match load {
         Load::Wheel(load) => load,
         Load::Axle(load) if stance.roll.is_some() => load * own / sum,
@@ -107,9 +77,10 @@ fn wanted(stance: &Stance, load: Load, own: f64, [sum, count]: [f64; 2]) -> f64 
 }
 
 /// Vertical forces (N), and how they change as the wheelset goes down (N/m) and rolls (N/rad).
-struct Line {
-    force: f64,
-    by: [f64; 2],
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Line {
+    pub(super) force: f64,
+    pub(super) by: [f64; 2],
 }
 
 /// Where wheels with fine pressures should go, in a straight line; `None` where that is too far for
@@ -143,8 +114,8 @@ pub(super) fn places(
     wheels.iter().zip(&lines).zip(moves).map(place).collect()
 }
 
-/// How far each wheel goes down and rolls.
-fn moves(lines: &[Line], roll: Option<f64>, load: Load) -> Option<Vec<[f64; 2]>> {
+/// How far each wheel goes down and rolls; `roll` is the given one.
+pub(super) fn moves(lines: &[Line], roll: Option<f64>, load: Load) -> Option<Vec<[f64; 2]>> {
     let down = |line: &Line, load: f64| [(load - line.force) / line.by[0], 0.0];
     match (lines, roll, load) {
         ([line], _, Load::Axle(load) | Load::Wheel(load)) => Some(vec![down(line, load)]),

@@ -1,0 +1,93 @@
+//! Where a wheelset stands beside a position that was solved: what the undeformed bodies tell of it,
+//! before anything is pressed.
+
+use creepage_rail::{Contact, Position, Running, Side};
+
+use super::pressed::{lever, rise};
+use super::step::{Line, Place, moves, wanted};
+use crate::wheelset::{SolvedContact, SolvedWheel, SolvedWheelset};
+use crate::{Load, Stance};
+
+/// Shift (m) and yaw (rad) by which a position is near.
+const NEAR: [f64; 2] = [1.001e-4, 1.001e-3];
+
+/// The places of wheels that were solved nearby, and what they should carry; `None` where they were
+/// farther off, or nothing is to be sought.
+pub(super) fn places(
+    before: &SolvedWheelset,
+    stance: &Stance,
+    running: &Running,
+) -> Option<Vec<Place>> {
+    let load = stance.load?;
+    if matches!(load, Load::Height(_)) && stance.is_fixed() {
+        return None;
+    }
+    let sides: &[Side] = match &stance.side {
+        Some(side) => std::slice::from_ref(side),
+        None => &[Side::Left, Side::Right],
+    };
+    let wheels: Vec<&SolvedWheel> = before.wheels().collect();
+    let is_same = wheels.iter().map(|wheel| &wheel.side).eq(sides);
+    if !is_same || !wheels.iter().all(|wheel| is_near(wheel.position, stance)) {
+        return None;
+    }
+    let sum: f64 = wheels.iter().map(|wheel| vertical(wheel)).sum();
+    let place = |wheel: &&SolvedWheel| {
+        let expected = wanted(stance, load, vertical(wheel), [sum, sides.len() as f64]);
+        Place::new(wheel.side, shifted(wheel.position, stance), wheel.depth, expected)
+    };
+    let mut places: Vec<Place> = wheels.iter().map(place).collect();
+    let lines = wheels.iter().zip(&places).map(|(wheel, place)| line(wheel, place, running));
+    if let Some(lines) = lines.collect::<Option<Vec<Line>>>()
+        && let Some(moves) = moves(&lines, given_roll(stance), load)
+    {
+        for (place, [down, turn]) in places.iter_mut().zip(moves) {
+            place.position.z += down;
+            place.position.roll += turn;
+        }
+    }
+    Some(places)
+}
+
+fn is_near(position: Position, stance: &Stance) -> bool {
+    let shift = [stance.y - position.y, stance.yaw - position.yaw].map(f64::abs);
+    shift[0] < NEAR[0] && shift[1] < NEAR[1]
+}
+
+fn given_roll(stance: &Stance) -> Option<f64> {
+    stance.roll.or(stance.side.map(|_| 0.0))
+}
+
+/// A wheel's position carried along to another shift and yaw.
+fn shifted(Position { z, roll, .. }: Position, stance: &Stance) -> Position {
+    let z = if let Some(Load::Height(z)) = stance.load { z } else { z };
+    Position { y: stance.y, z, roll: given_roll(stance).unwrap_or(roll), yaw: stance.yaw }
+}
+
+fn vertical(wheel: &SolvedWheel) -> f64 {
+    wheel.on_rail().force[2]
+}
+
+/// What a wheel carries in its new place by the stiffness of its contacts and how much nearer the
+/// undeformed bodies are there; `None` where they touch in more or fewer places.
+fn line(wheel: &SolvedWheel, place: &Place, running: &Running) -> Option<Line> {
+    let contacts = running.contacts_of(wheel.side, &place.position).ok()?;
+    let Position { y, z, .. } = place.position;
+    let centre = [y, z - running.wheelset().radius()];
+    let mut line = Line { force: vertical(wheel), by: [0.0; 2] };
+    for own in wheel.contacts() {
+        let contact = nearest(own, &contacts)?;
+        let nearer = contact.approach - own.normal.approach().value;
+        let share = own.force.lateral / own.load();
+        let stiffness = own.normal.stiffness() * rise(contact.angle, share);
+        line.force += stiffness * nearer;
+        line.by[0] += stiffness * contact.angle.cos();
+        line.by[1] += stiffness * lever(contact, centre);
+    }
+    (contacts.len() == wheel.contacts().len()).then_some(line)
+}
+
+fn nearest<'c, 'a>(own: &SolvedContact, contacts: &'c [Contact<'a>]) -> Option<&'c Contact<'a>> {
+    let distance = |contact: &Contact<'_>| (contact.y_rail - own.y_rail).abs();
+    contacts.iter().min_by(|a, b| distance(a).total_cmp(&distance(b)))
+}
