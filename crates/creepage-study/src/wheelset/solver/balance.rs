@@ -19,7 +19,10 @@ const DEPTHS: [f64; 2] = [1e-9, 0.02];
 const ROLL: f64 = 0.05;
 const STEPS: usize = 80;
 /// To which part both loads are met by coarse pressures, which err as much: fine ones go on from there.
-const ROUGH: f64 = 1e-3;
+/// Where they scatter by more, a few steps find that out.
+fn rough(step: usize) -> f64 {
+    if step < 6 { 1e-3 } else { 5e-3 }
+}
 
 /// To which part a load is met: pressures found by elements scatter by more than those found by
 /// strips, and a search that does not end soon meets their scatter.
@@ -162,16 +165,16 @@ impl<'a> Balance<'_, 'a> {
         let [left, right] = self.guess.depths;
         let mut z = (rest[0] + left).midpoint(rest[1] + right);
         let (mut known, mut last) = (self.guess.known.clone(), None);
-        for _ in 0..STEPS {
+        for step in 0..STEPS {
             let Ok(mut wheels) = self.at(&sides, z, roll, &known) else { break };
             let Some(here) = self.lines(&wheels, load, last) else { break };
-            if here.iter().all(|line| line.excess.abs() < ROUGH) {
+            if here.iter().all(|line| line.excess.abs() < rough(step)) {
                 for wheel in &mut wheels {
                     wheel.depth = z - self.touch(&[wheel.side], roll)?;
                 }
                 return Ok(wheels);
             }
-            let Some([down, turn]) = step(&here) else { break };
+            let Some([down, turn]) = moves(&here) else { break };
             (z, roll) = (z + down, roll + turn);
             (known, last) = (Known::of(&wheels), Some((here, [down, turn])));
         }
@@ -274,7 +277,7 @@ impl Line {
 
 /// The step in height and roll that makes both loads right, no longer than takes them to a third; `None`
 /// where that is too far.
-fn step(lines: &[Line; 2]) -> Option<[f64; 2]> {
+fn moves(lines: &[Line; 2]) -> Option<[f64; 2]> {
     const LARGEST: f64 = 1.1;
     let [left, right] = lines;
     let largest = left.excess.abs().max(right.excess.abs());

@@ -17,6 +17,8 @@ const ROUNDS: usize = 28;
 const FEW: usize = 12;
 /// To which part a load is met: far within its error bar.
 const MET: f64 = 3e-5;
+/// To which part a search with coarse pressures may miss a load.
+const CLOSE: f64 = 5e-3;
 /// A step on known friction that leaves more than this part of what was missed is followed by rolling.
 const HELPS: f64 = 0.5;
 
@@ -121,7 +123,7 @@ impl<'w, 'a> Way<'w, 'a> {
         }
     }
 
-    /// Wheels with fine pressures; `None` where what was taken from nearby is no place for them.
+    /// Wheels with fine pressures; `None` where what a step led to is no place for them.
     fn pressed(
         &mut self,
         sought: &Sought<'a>,
@@ -132,7 +134,8 @@ impl<'w, 'a> Way<'w, 'a> {
         }
         let follows = self.follows(round);
         match self.solver.refined(sought, &self.start.fine, follows) {
-            Err(_) if self.is_beside && round == 0 => Ok(None),
+            // A step may lead too far: the search looks elsewhere.
+            Err(_) if sought.coarse.is_empty() => Ok(None),
             wheels => {
                 self.has_bars |= !follows;
                 wheels.map(Some)
@@ -197,8 +200,9 @@ impl<'w, 'a> Way<'w, 'a> {
         (missed, round): (f64, usize),
     ) {
         sought.learn(wheels, &next.shares, self.rolled_by == Some(self.stages.len()));
-        // A step that helps, however little, tells how the next should go.
-        if round >= FEW || missed < self.last || self.rolled_by.is_none() {
+        // A step that helps, however little, tells how the next should go; so close no search helps.
+        let is_close = missed < CLOSE;
+        if is_close || round >= FEW || missed < self.last || self.rolled_by.is_none() {
             let here = (&sought.places[..], wheels);
             self.places = step::places(here, self.stance, self.load, &next.shares);
         }

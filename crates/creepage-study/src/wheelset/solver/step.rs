@@ -100,11 +100,13 @@ pub(super) fn places(
     let lines: Vec<Line> = here.iter().zip(wheels).map(line).collect::<Option<_>>()?;
     let moves = moves(&lines, stance.roll.or(stance.side.map(|_| 0.0)), load)?;
     let place = |((wheel, line), [down, turn]): ((&PressedWheel<'_>, &Line), [f64; 2])| {
-        let more = line.by[0] * down + line.by[1] * turn;
+        let parts = [line.by[0] * down, line.by[1] * turn];
+        let more = parts[0] + parts[1];
         let Position { y, z, roll, yaw } = wheel.position;
         let position = Position { y, z: z + down, roll: roll + turn, yaw };
         let depth = if wheel.depth > 0.0 { wheel.depth + more / line.by[0] } else { 0.0 };
-        let is_near = more.abs() < FARTHEST * line.force && depth >= 0.0;
+        let is_sound = parts.iter().all(|part| part.abs() < line.force);
+        let is_near = more.abs() < FARTHEST * line.force && is_sound && depth >= 0.0;
         is_near.then(|| Place {
             moved: [down, turn],
             by: Some(line.by),
