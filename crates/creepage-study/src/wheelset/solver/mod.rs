@@ -289,5 +289,4 @@ impl Start {
         }
         Self { shares, guess, pitch: before.pitch, fine, places: None }
     }
-
 }

@@ -140,9 +140,7 @@ impl<'a> Press<'a> {
         let normal = match (followed, near) {
             (Some(followed), _) => Ok(followed),
             (None, Some(near)) => near.next(&gap, approach, self.resolution),
-            (None, None) => {
-                NormalContact::at_approach(&gap, self.pair, approach, self.resolution)
-            }
+            (None, None) => NormalContact::at_approach(&gap, self.pair, approach, self.resolution),
         };
         match normal {
             Ok(normal) => Ok(Some(normal)),
