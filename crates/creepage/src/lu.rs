@@ -13,6 +13,8 @@ const PANEL: usize = 4;
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Lu {
     n: usize,
+    /// So many first rows are those of the identity, and are not looked at: a whole number of panels.
+    known: usize,
     /// Length of a row; its end is zero.
     stride: usize,
     entries: Vec<f64>,
@@ -23,7 +25,7 @@ impl Lu {
     pub(crate) fn new(n: usize) -> Self {
         let stride = n.next_multiple_of(REGISTER);
         let entries = vec![0.0; n * stride];
-        Self { n, stride, entries, pivots: vec![0; n] }
+        Self { n, known: 0, stride, entries, pivots: vec![0; n] }
     }
 
     /// The factors of a matrix given row after row; `None` when it is singular or not finite.
@@ -32,18 +34,18 @@ impl Lu {
         for (to, row) in lu.entries.chunks_exact_mut(lu.stride).zip(rows.chunks_exact(n)) {
             to[..n].copy_from_slice(row);
         }
-        lu.factor().then_some(lu)
+        lu.factor(0).then_some(lu)
     }
 
-    /// Two rows of the matrix, `first` and the next, to be filled before [`Self::factor`].
-    pub(crate) fn two_rows(&mut self, first: usize) -> (&mut [f64], &mut [f64]) {
-        let (n, stride) = (self.n, self.stride);
-        let (one, two) = self.entries[first * stride..(first + 2) * stride].split_at_mut(stride);
-        (&mut one[..n], &mut two[..n])
+    /// A row of the matrix, to be filled before [`Self::factor`].
+    pub(crate) fn row(&mut self, row: usize) -> &mut [f64] {
+        &mut self.entries[row * self.stride..][..self.n]
     }
 
-    /// Factors the matrix in place; false when it is singular or not finite.
-    pub(crate) fn factor(&mut self) -> bool {
+    /// Factors the matrix in place; false when it is singular or not finite. Its first `known` rows
+    /// are those of the identity: they cost nothing.
+    pub(crate) fn factor(&mut self, known: usize) -> bool {
+        self.known = known - known % PANEL;
         Arch::new().dispatch(Factor(self))
     }
 
@@ -78,7 +80,7 @@ impl WithSimd for Factor<'_> {
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) -> bool {
         let Self(lu) = self;
-        for first in (0..lu.n).step_by(PANEL) {
+        for first in (lu.known..lu.n).step_by(PANEL) {
             let end = lu.n.min(first + PANEL);
             if !lu.factor_columns(first, end) {
                 return false;
@@ -159,11 +161,12 @@ impl WithSimd for Solve<'_> {
     type Output = ();
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) {
-        let Self(Lu { n, stride, entries, pivots, .. }, x) = self;
-        for (k, pivot) in pivots.iter().enumerate() {
+        let Self(Lu { n, known, stride, entries, pivots }, x) = self;
+        for (k, pivot) in pivots.iter().enumerate().skip(*known) {
             x.swap(k, *pivot);
         }
-        for (block, rows) in entries.chunks(PANEL * stride).enumerate() {
+        let blocks = || entries.chunks(PANEL * stride).enumerate().skip(known / PANEL);
+        for (block, rows) in blocks() {
             let first = PANEL * block;
             let (known, x) = x.split_at_mut(first);
             let x = &mut x[..PANEL.min(n - first)];
@@ -174,7 +177,7 @@ impl WithSimd for Solve<'_> {
                 lower(x, rows, *stride, first);
             }
         }
-        for (block, rows) in entries.chunks(PANEL * stride).enumerate().rev() {
+        for (block, rows) in blocks().rev() {
             let first = PANEL * block;
             let (x, known) = x.split_at_mut((*n).min(first + PANEL));
             let x = &mut x[first..];
@@ -288,9 +291,34 @@ mod tests {
         }
     }
 
+    /// The rows of the identity are left as they are, whether they fill panels or not.
+    #[test]
+    fn known_rows_need_not_be_filled() {
+        let n = 23;
+        for known in [0, 3, 4, 10, 23] {
+            let entry = |i: usize, j: usize| match i < known {
+                true => f64::from(u8::from(i == j)),
+                false => ((1 + 7 * i + 13 * j + i * j) as f64).sin(),
+            };
+            let expected: Vec<f64> = (0..n).map(|i| (i as f64).cos()).collect();
+            let mut lu = Lu::new(n);
+            for i in known - known % PANEL..n {
+                lu.row(i).iter_mut().enumerate().for_each(|(j, to)| *to = entry(i, j));
+            }
+            assert!(lu.factor(known));
+            let mut x: Vec<f64> =
+                (0..n).map(|i| (0..n).map(|j| entry(i, j) * expected[j]).sum()).collect();
+            lu.solve(&mut x);
+            for (x, expected) in x.iter().zip(&expected) {
+                // Rounding times a condition number of some thousands.
+                assert!((x - expected).abs() < 1e-11, "{known}: {x} {expected}");
+            }
+        }
+    }
+
     #[test]
     fn singular_matrices_and_no_numbers_are_refused() {
-        assert!(!Lu::new(3).factor());
+        assert!(!Lu::new(3).factor(0));
         assert!(Lu::of_rows(&[1.0, 2.0, 2.0, 4.0], 2).is_none());
         assert!(Lu::of_rows(&[1.0, f64::NAN, 2.0, 4.0], 2).is_none());
     }

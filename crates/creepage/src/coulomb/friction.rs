@@ -50,6 +50,8 @@ pub(crate) struct Sliding {
     pub traction: [f64; 2],
     /// Derivative of the projected traction by `traction + weight * slip`.
     pub derivative: [[f64; 2]; 2],
+    /// Beyond the rounded corner: the traction turns, its size stays.
+    pub at_bound: bool,
 }
 
 /// The projection of `trial = traction + weight * slip`: `None` where it is the trial itself, in
@@ -66,6 +68,7 @@ pub(crate) fn project(trial: [f64; 2], corner: Corner) -> Option<Sliding> {
     Some(Sliding {
         traction: [projected * x, projected * y],
         derivative: [[turn + bend * x * x, bend * x * y], [bend * x * y, turn + bend * y * y]],
+        at_bound: size >= 1.0 + corner.half_width(),
     })
 }
 

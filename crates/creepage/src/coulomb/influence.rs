@@ -13,7 +13,7 @@ use pulp::{Arch, Simd, WithSimd};
 
 use super::cuts::Cuts;
 use super::mesh::Mesh;
-use super::product::Row;
+use super::product::{Block, Row};
 use super::stencil::SlipStencil;
 use coefficients::Coefficients;
 
@@ -182,13 +182,26 @@ impl Influence {
         (self.row(start + block.start..start + block.end), *sign)
     }
 
-    /// Coefficients of an element of a mirror image by the tractions of the strip that it is the
-    /// image of, and the sign of `xy`.
-    pub(crate) fn image_block(&self, image: usize, element: usize) -> (Row<'_>, f64) {
-        let Place { start, sign, .. } = self.rows[element];
+    /// Coefficients of a strip's elements by its own tractions.
+    pub(crate) fn own_block(&self, strip: usize) -> Block<'_> {
+        self.block(strip, self.rows[self.offsets[strip]].block.clone())
+    }
+
+    /// Coefficients of the elements of a mirror image by the tractions of the strip that it is the
+    /// image of.
+    pub(crate) fn image_block(&self, image: usize) -> Block<'_> {
         // Tractions are in mirrored order.
-        let [from, to] = [image, image + 1].map(|strip| start + self.offsets[strip]);
-        (self.row(from..to), sign)
+        self.block(image, self.offsets[image]..self.offsets[image + 1])
+    }
+
+    /// Some columns of a strip's rows.
+    fn block(&self, strip: usize, columns: Range<usize>) -> Block<'_> {
+        let elements = self.offsets[strip]..self.offsets[strip + 1];
+        let Place { start, sign, .. } = self.rows[elements.start];
+        let stride = self.columns();
+        let end = start + (elements.len() - 1) * stride + columns.end;
+        let rows = self.row(start + columns.start..end);
+        Block { rows, stride, columns: columns.len(), sign, first: elements.start }
     }
 
     /// The larger of the coefficients by an element's own traction.

@@ -38,6 +38,52 @@ impl Row<'_, f32> {
     }
 }
 
+/// The rows of a strip's elements, by the tractions of one strip.
+#[derive(Clone, Copy)]
+pub(crate) struct Block<'a> {
+    /// From the first element's first coefficient on; the next element's is `stride` further.
+    pub rows: Row<'a>,
+    pub stride: usize,
+    pub columns: usize,
+    /// That of `xy`.
+    pub sign: f64,
+    /// First of the elements.
+    pub first: usize,
+}
+
+impl Block<'_> {
+    /// Adds to the slip of the strip's elements that by tractions `x` and `y`.
+    pub(crate) fn add_slip(&self, tractions: [&[f64]; 2], slip: &mut [Vec<f64>; 2]) {
+        Arch::new().dispatch(AddSlip { block: *self, tractions, slip });
+    }
+}
+
+struct AddSlip<'a> {
+    block: Block<'a>,
+    tractions: [&'a [f64]; 2],
+    slip: &'a mut [Vec<f64>; 2],
+}
+
+impl WithSimd for AddSlip<'_> {
+    type Output = ();
+
+    #[allow(clippy::inline_always)] // so that it is compiled for each kind of processor
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) {
+        let Self { block: Block { rows, stride, columns, sign, first }, tractions, slip } = self;
+        let chunks = |part| <[f64]>::chunks(part, stride);
+        let rows = chunks(rows.xx).zip(chunks(rows.xy)).zip(chunks(rows.yy));
+        let [u, v] = slip;
+        let slip = u[first..].iter_mut().zip(&mut v[first..]);
+        for (((xx, xy), yy), (u, v)) in rows.zip(slip) {
+            let row = Row { xx: &xx[..columns], xy: &xy[..columns], yy: &yy[..columns] };
+            let by = Slip { row, sign, tractions }.with_simd(simd);
+            *u += by[0];
+            *v += by[1];
+        }
+    }
+}
+
 /// Slip `xx x + sign xy y`, `sign xy x + yy y`.
 struct Slip<'a, T> {
     row: Row<'a, T>,

@@ -27,8 +27,9 @@ pub(crate) struct Equations {
     solution: Vec<f64>,
     /// What refinements have found before.
     found: Vec<f64>,
-    /// Residual of a strip.
-    residual: Vec<f64>,
+    /// Room for the change of a strip, `x` before `y`, and for its unknowns in the order of its factors.
+    step: Vec<f64>,
+    ordered: Vec<f64>,
     gmres: Gmres,
 }
 
@@ -42,7 +43,8 @@ impl Equations {
             sweeps: 0,
             solution: vec![0.0; 2 * n],
             found: vec![0.0; 2 * n],
-            residual: vec![0.0; 2 * n],
+            step: vec![0.0; 2 * n],
+            ordered: vec![0.0; 2 * n],
             gmres: Gmres::new(2 * n),
         }
     }
@@ -55,9 +57,9 @@ impl Equations {
         accuracy: f64,
         precision: Precision,
     ) {
-        let Self { right, change, slip, sweeps, solution, residual, gmres, .. } = self;
+        let Self { right, change, slip, sweeps, solution, step, ordered, gmres, .. } = self;
         solution.fill(0.0);
-        let mut sweep = Sweep { grid, state, right, change, slip, residual, precision };
+        let mut sweep = Sweep { grid, state, right, change, slip, step, ordered, precision };
         gmres.fixed_point(solution, accuracy, |part, from, to| {
             *sweeps += 1;
             sweep.change.copy_from(from);
@@ -164,7 +166,8 @@ struct Sweep<'a> {
     right: &'a [f64],
     change: &'a mut Tractions,
     slip: &'a mut [Vec<f64>; 2],
-    residual: &'a mut [f64],
+    step: &'a mut [f64],
+    ordered: &'a mut [f64],
     precision: Precision,
 }
 
@@ -178,31 +181,27 @@ impl Sweep<'_> {
         self.solve(part, strip);
         let Some(image) = grid.influence.image(strip) else { return };
         let n = grid.mesh.elements(strip).len();
-        let (x, y) = self.residual[..2 * n].split_at(n);
-        for element in grid.mesh.elements(image) {
-            let (by_strip, sign) = grid.influence.image_block(image, element);
-            let by = by_strip.apply(sign, x, y);
-            self.slip[0][element] += by[0];
-            self.slip[1][element] += by[1];
-        }
+        let (x, y) = self.step[..2 * n].split_at(n);
+        grid.influence.image_block(image).add_slip([x, y], self.slip);
         self.solve(part, image);
     }
 
-    /// Solves the equations of a strip at the slip as it is; its residual becomes its change.
+    /// Solves the equations of a strip at the slip as it is.
     fn solve(&mut self, part: Part, strip: usize) {
-        let elements = self.grid.mesh.elements(strip);
-        let residual = &mut self.residual[..2 * elements.len()];
-        for (element, residual) in elements.zip(residual.chunks_exact_mut(2)) {
-            let slip = [self.slip[0][element], self.slip[1][element]];
-            let own = self.change.at(element);
-            let left = left_side(self.grid, self.state, own, slip, element);
-            let right = &self.right[2 * element..][..2];
-            for k in 0..2 {
-                residual[k] = if part == Part::Whole { right[k] } else { 0.0 } - left[k];
+        let Self { grid, state, right, change, slip, step, ordered, .. } = self;
+        let elements = grid.mesh.elements(strip);
+        let residual = |i: usize| {
+            let element = elements.start + i;
+            let slip = [slip[0][element], slip[1][element]];
+            let left = left_side(grid, state, change.at(element), slip, element);
+            match part {
+                Part::Whole => [0, 1].map(|k| right[2 * element + k] - left[k]),
+                Part::Linear => left.map(|left| -left),
             }
-        }
-        self.state.factors[strip].solve(residual);
-        self.change.add(strip, residual);
+        };
+        let step = &mut step[..2 * elements.len()];
+        state.factors[strip].solve(residual, &mut ordered[..2 * elements.len()], step);
+        change.add(strip, step);
     }
 }
 

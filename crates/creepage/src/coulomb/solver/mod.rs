@@ -9,6 +9,7 @@ mod equations;
 mod gmres;
 mod limits;
 mod newton;
+mod strip_factors;
 mod sweeps;
 
 pub(crate) use equations::Equations;
@@ -18,7 +19,7 @@ use super::friction::{Corner, Sliding, project_within};
 use super::grid::Grid;
 use super::influence::{Precision, Tractions};
 use super::quadrature::{Fields, Sum};
-use crate::lu::Lu;
+use strip_factors::StripFactors;
 
 /// Largest residual of friction's equation `p = P(p + r s)` in a solution, over the traction bound,
 /// or over the creepage where that is smaller than one: then tractions are as small as the creepage.
@@ -58,9 +59,11 @@ pub(crate) struct State {
     /// The sliding branch of the elements that slide, as last chosen.
     sliding: Vec<Option<Sliding>>,
     /// Newton's matrix of each strip, factored.
-    factors: Vec<Lu>,
+    factors: Vec<StripFactors>,
     /// Size of the last step with a strip's factors; infinite when they are of no use any more.
     last_step: Vec<f64>,
+    /// Room for the unknowns of a strip in the order of its factors.
+    ordered: Vec<f64>,
     /// Room for the change of a strip, `x` before `y`, and for the sum of its changes.
     step: Vec<f64>,
     change: Vec<f64>,
@@ -80,8 +83,9 @@ impl State {
             slip: [vec![0.0; n], vec![0.0; n]],
             limits: vec![1.0; n],
             sliding: vec![None; n],
-            factors: strips.iter().map(|strip| Lu::new(2 * strip.len())).collect(),
+            factors: strips.iter().map(|strip| StripFactors::new(strip.len())).collect(),
             last_step: vec![f64::INFINITY; strips.len()],
+            ordered: vec![0.0; 2 * longest],
             step: vec![0.0; 2 * longest],
             change: vec![0.0; 2 * longest],
             factorizations: 0,

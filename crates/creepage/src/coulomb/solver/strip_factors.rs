@@ -1,0 +1,160 @@
+//! Newton's matrix of one strip, factored.
+//!
+//! An element that slides beyond the rounded corner keeps the size of its traction. Its equation
+//! along the traction gives the change in that direction at once, and only how far the traction turns is
+//! left: a strip that slides all along has half the unknowns, and its factors cost an eighth.
+
+use pulp::{Arch, Simd, WithSimd};
+
+use crate::coulomb::friction::Sliding;
+use crate::coulomb::grid::Grid;
+use crate::coulomb::product::Row;
+use crate::lu::Lu;
+
+/// The unknowns of an element are the changes of its traction in two directions: along the traction at
+/// its bound and across it, to the left, else along `x` and `y`. In the matrix come those along at the
+/// bound, then the others along, then all across.
+#[derive(Debug, Clone, Default)]
+pub(super) struct StripFactors {
+    lu: Lu,
+    /// `x` and `y` of each element's direction along.
+    directions: [Vec<f64>; 2],
+    /// Place of each element's unknown along.
+    places: Vec<usize>,
+    /// Room for a row by the unknowns along, in the order of elements.
+    along: Vec<f64>,
+}
+
+impl StripFactors {
+    /// Room for a strip of so many elements.
+    pub(super) fn new(elements: usize) -> Self {
+        let zeros = || vec![0.0; elements];
+        let directions = [zeros(), zeros()];
+        let places = vec![0; elements];
+        Self { lu: Lu::new(2 * elements), directions, places, along: zeros() }
+    }
+
+    /// Factors the equations of a strip: `slip' = 0` in adhesion, `traction - projection = 0` in
+    /// slip. `sliding` is that of all elements. False when the matrix is singular.
+    pub(super) fn factor(
+        &mut self,
+        grid: &Grid,
+        strip: usize,
+        sliding: &[Option<Sliding>],
+    ) -> bool {
+        let elements = grid.mesh.elements(strip);
+        let known = self.order(&sliding[elements.clone()]);
+        let n = elements.len();
+        for (i, element) in elements.enumerate() {
+            let (own, sign) = grid.influence.strip_block(element);
+            let [x, y] = self.direction(i);
+            let places = [self.places[i], n + i];
+            for (direction, place) in [[x, y], [-y, x]].into_iter().zip(places) {
+                if place < known {
+                    self.lu.row(place).fill(0.0);
+                    self.lu.row(place)[place] = 1.0;
+                    continue;
+                }
+                let Some(Sliding { derivative, .. }) = sliding[element] else {
+                    self.fill(place, direction, own, sign);
+                    continue;
+                };
+                let by_trial = derivative.map(|row| dot(row, direction));
+                self.fill(place, by_trial.map(|d| -grid.weights[element] * d), own, sign);
+                let by_traction = [0, 1].map(|k| direction[k] - by_trial[k]);
+                self.lu.row(place)[places[0]] += dot(by_traction, [x, y]);
+                self.lu.row(place)[places[1]] += dot(by_traction, [-y, x]);
+            }
+        }
+        self.lu.factor(known)
+    }
+
+    /// Chooses directions and places; how many unknowns are given at once.
+    fn order(&mut self, sliding: &[Option<Sliding>]) -> usize {
+        let known = sliding.iter().flatten().filter(|sliding| sliding.at_bound).count();
+        let [mut at_bound, mut other] = [0, known];
+        for (i, sliding) in sliding.iter().enumerate() {
+            let (place, [x, y]) = match sliding {
+                Some(Sliding { traction, at_bound: true, .. }) => (&mut at_bound, *traction),
+                _ => (&mut other, [1.0, 0.0]),
+            };
+            let size = x.hypot(y);
+            [self.directions[0][i], self.directions[1][i]] = [x / size, y / size];
+            self.places[i] = *place;
+            *place += 1;
+        }
+        known
+    }
+
+    fn direction(&self, i: usize) -> [f64; 2] {
+        [self.directions[0][i], self.directions[1][i]]
+    }
+
+    /// Fills a row with `by[0] * (slip in x) + by[1] * (slip in y)` by the unknowns.
+    fn fill(&mut self, place: usize, by: [f64; 2], own: Row, sign: f64) {
+        let Self { lu, directions, places, along } = self;
+        let row = lu.row(place);
+        let (ordered, across) = row.split_at_mut(places.len());
+        Arch::new().dispatch(Fill { by, own, sign, directions, along, across });
+        for (place, along) in places.iter().zip(along) {
+            ordered[*place] = *along;
+        }
+    }
+
+    /// Solves for the change of a strip's tractions, all `x` before all `y`, by the residual of each of
+    /// its elements; `ordered` is room.
+    pub(super) fn solve(
+        &self,
+        residual: impl Fn(usize) -> [f64; 2],
+        ordered: &mut [f64],
+        change: &mut [f64],
+    ) {
+        let n = self.places.len();
+        for (i, place) in self.places.iter().enumerate() {
+            let (residual, [x, y]) = (residual(i), self.direction(i));
+            ordered[*place] = dot([x, y], residual);
+            ordered[n + i] = dot([-y, x], residual);
+        }
+        self.lu.solve(ordered);
+        let (change_x, change_y) = change.split_at_mut(n);
+        for (i, place) in self.places.iter().enumerate() {
+            let ([along, across], [x, y]) = ([ordered[*place], ordered[n + i]], self.direction(i));
+            change_x[i] = along * x - across * y;
+            change_y[i] = along * y + across * x;
+        }
+    }
+}
+
+/// The slip of an element, combined, by the change of a strip's tractions along and across.
+struct Fill<'a> {
+    by: [f64; 2],
+    own: Row<'a>,
+    sign: f64,
+    directions: &'a [Vec<f64>; 2],
+    along: &'a mut [f64],
+    across: &'a mut [f64],
+}
+
+impl WithSimd for Fill<'_> {
+    type Output = ();
+
+    #[allow(clippy::inline_always)] // so that it is compiled for each kind of processor
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) {
+        let Self { by: [by_x, by_y], own: Row { xx, xy, yy }, sign, directions, along, across } =
+            self;
+        let n = along.len();
+        let ([xx, xy, yy], across) = ([&xx[..n], &xy[..n], &yy[..n]], &mut across[..n]);
+        let [x, y] = [&directions[0][..n], &directions[1][..n]];
+        for i in 0..n {
+            let by_tractions =
+                [by_x * xx[i] + sign * by_y * xy[i], sign * by_x * xy[i] + by_y * yy[i]];
+            along[i] = by_tractions[0] * x[i] + by_tractions[1] * y[i];
+            across[i] = by_tractions[1] * x[i] - by_tractions[0] * y[i];
+        }
+    }
+}
+
+fn dot(a: [f64; 2], b: [f64; 2]) -> f64 {
+    a[0] * b[0] + a[1] * b[1]
+}
