@@ -110,17 +110,20 @@ impl StripFactors {
         change: &mut [f64],
     ) {
         let n = self.places.len();
-        for (i, place) in self.places.iter().enumerate() {
-            let (residual, [x, y]) = (residual(i), self.direction(i));
-            ordered[*place] = dot([x, y], residual);
-            ordered[n + i] = dot([-y, x], residual);
+        let [x, y] = self.directions.each_ref().map(|of| of.iter());
+        for (i, ((x, y), place)) in x.zip(y).zip(&self.places).enumerate() {
+            let residual = residual(i);
+            ordered[*place] = dot([*x, *y], residual);
+            ordered[n + i] = dot([-y, *x], residual);
         }
         self.lu.solve(ordered);
+        let (along, across) = ordered.split_at(n);
         let (change_x, change_y) = change.split_at_mut(n);
-        for (i, place) in self.places.iter().enumerate() {
-            let ([along, across], [x, y]) = ([ordered[*place], ordered[n + i]], self.direction(i));
-            change_x[i] = along * x - across * y;
-            change_y[i] = along * y + across * x;
+        let changes = change_x.iter_mut().zip(change_y).zip(&self.places).zip(across);
+        let [x, y] = self.directions.each_ref().map(|of| of.iter());
+        for ((((change_x, change_y), place), across), (x, y)) in changes.zip(x.zip(y)) {
+            *change_x = along[*place] * x - across * y;
+            *change_y = along[*place] * y + across * x;
         }
     }
 }
