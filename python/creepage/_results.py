@@ -205,6 +205,11 @@ class ElementField(Field):
     """Share of the normal force that the element carries."""
     power: Floats
     """Frictional power of the element over mu N mu c V / rho."""
+    corners: Floats
+    """Corners of each element, all around, shape (n, 4, 2)."""
+    beyond: Floats
+    """How far each corner is from the border of adhesion along x, shape (n, 4): negative in adhesion,
+    positive in slip; -1 and 1 where elements adhere or slide as a whole."""
 
 
 @dataclass(frozen=True, slots=True)

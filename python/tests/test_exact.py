@@ -51,6 +51,12 @@ def test_the_elements_carry_force_and_load() -> None:
     assert total[1] == pytest.approx(force.fy, abs=1 / 14**2)
     assert field.power.min() >= -1e-9  # friction takes energy
     assert field.adhesion.any() and not field.adhesion.all()
+    # The quadrilaterals' area is that of the ellipse but for what their straight sides cut off.
+    x, y = np.moveaxis(field.corners, 2, 0)
+    area = np.abs((x * np.roll(y, -1, axis=1) - y * np.roll(x, -1, axis=1)).sum()) / 2
+    assert area == pytest.approx(np.pi * np.prod(field.semi_axes), rel=0.02)
+    assert field.adhesion[(field.beyond < 0).all(axis=1)].all()
+    assert not field.adhesion[(field.beyond > 0).all(axis=1)].any()
 
 
 def test_find_inverts_the_force() -> None:

@@ -89,8 +89,14 @@ impl Exact {
             elements.iter().map(of).collect::<Vec<_>>().into_pyarray(py)
         };
         let own = (column(|e| e.bound), column(|e| e.share), column(|e| e.power));
+        let count = elements.len();
+        let corners = elements.iter().flat_map(|e| e.corners).flatten().collect::<Vec<_>>();
+        let corners = corners.into_pyarray(py).reshape([count, 4, 2])?;
+        let beyond = elements.iter().flat_map(|e| e.beyond).collect::<Vec<_>>();
+        let beyond = beyond.into_pyarray(py).reshape([count, 4])?;
         let semi_axes = (ellipse.a(), ellipse.b());
-        let fields = (position, traction, slip, region, semi_axes, own.0, own.1, own.2);
+        let fields =
+            (position, traction, slip, region, semi_axes, own.0, own.1, own.2, corners, beyond);
         results::make(py, "ElementField", fields)
     }
 
