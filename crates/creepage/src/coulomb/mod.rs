@@ -88,9 +88,9 @@ use workspace::Pool;
 /// the median, and nine times in ten by less than 0.043, 0.024 and 0.010 `c`.
 ///
 /// Errors are largest with a pole of strong spin inside the contact. At the fine resolution the
-/// limit of small creepage is met to 0.2 % in every coefficient for `a/b` from 0.1 to 10, and full
-/// sliding to 0.05 % of `mu N`; beyond `a/b = 10` small creepage is resolved less well, which
-/// shows in the error bar.
+/// limit of small creepage is met for `a/b` from 0.1 to 10 to 0.1 % in every coefficient, but 0.15 % in
+/// `C33`, and 0.12 % in `C23` where `a/b = 0.1` and Poisson's ratio is 0.5; full sliding is met to 0.02 %
+/// of `mu N`. Beyond `a/b = 10` small creepage is resolved less well, which shows in the error bar.
 ///
 /// ```
 /// use creepage::coulomb::{Exact, Resolution};

@@ -16,7 +16,7 @@ fn no_creepage_no_force() {
     assert!(components(found.force).iter().all(|f| *f == 0.0));
 }
 
-/// Small creepage: all of Kalker's coefficients, to 0.3 %; and within the error bars.
+/// Small creepage: all of Kalker's coefficients to 0.1 %, `C33` to 0.15 %; and within the error bars.
 #[test]
 fn small_creepage_is_linear() {
     for (ratio, poisson) in
@@ -37,14 +37,15 @@ fn small_creepage_is_linear() {
                 let error = (force[row] - expected).abs();
                 let case = format!("{ratio} {poisson} [{row}][{column}] {force:?} {expected}");
                 // Symmetry makes the others vanish, but for the tolerance of the iteration.
-                assert!(error <= 0.003 * expected.abs() + 1e-6 * small, "{case}");
+                let part = if row == 2 && column == 2 { 0.0015 } else { 0.001 };
+                assert!(error <= part * expected.abs() + 1e-6 * small, "{case}");
                 assert!(error <= bars[row] + 1e-6 * small, "{case} {bars:?}");
             }
         }
     }
 }
 
-/// Large creepage: full sliding, with the pole of the spin anywhere, to 0.05 %.
+/// Large creepage: full sliding, with the pole of the spin anywhere, to 0.02 %.
 #[test]
 fn large_creepage_saturates() {
     let theory = exact(1.0, 0.28, Resolution::FINE);
@@ -63,7 +64,7 @@ fn large_creepage_saturates() {
             let found = components(theory.solve(creepage).force);
             let expected = components(saturated.solve(creepage).force);
             for (found, expected) in found.into_iter().zip(expected) {
-                assert!((found - expected).abs() < 5e-4, "{ratio} {k}: {found} {expected}");
+                assert!((found - expected).abs() < 2e-4, "{ratio} {k}: {found} {expected}");
             }
         }
     }
