@@ -15,28 +15,70 @@ const LINES: usize = 24;
 const POINTS: usize = 600;
 
 /// Prints by how much borders differ over so many random cases (a/b .15-6; half of them with creepage to
-/// 3 and spin to 8, half to 1.5 and 2), on lines with the same number of them.
+/// 3 and spin to 8, half to 1.5 and 2), on lines with the same number of them: along the lines, and normal
+/// to the border, for one that is nearly along a line moves far along it with little.
 pub(crate) fn print(count: usize) {
     let mut random = Random::new(0x5851_f42d_4c95_7f2d);
-    let mut errors: [(Vec<f64>, usize); 3] = Default::default();
+    let mut errors: [Errors; 3] = Default::default();
     for _ in 0..count.div_ceil(PER_CONTACT) {
         measure(&mut random, &mut errors);
     }
-    for ((name, _), (errors, others)) in RESOLUTIONS.iter().zip(&mut errors) {
-        errors.sort_by(f64::total_cmp);
-        let n = errors.len();
-        let square: f64 = errors.iter().map(|error| error * error).sum();
-        println!(
-            "{name}: {n} borders; error in c: median {:.4}, 90 % {:.4}, rms {:.4}; {others} lines with \
-             another number",
-            errors[n / 2],
-            errors[n * 9 / 10],
-            (square / n as f64).sqrt()
-        );
+    for ((name, _), errors) in RESOLUTIONS.iter().zip(&mut errors) {
+        let others = errors.others;
+        println!("{name}: {} borders; {others} lines with another number", errors.along.len());
+        print_one("along x", &mut errors.along);
+        print_one("normal to the border", &mut errors.normal);
     }
 }
 
-fn measure(random: &mut Random, errors: &mut [(Vec<f64>, usize); 3]) {
+fn print_one(name: &str, errors: &mut [f64]) {
+    errors.sort_by(f64::total_cmp);
+    let n = errors.len();
+    let square: f64 = errors.iter().map(|error| error * error).sum();
+    println!(
+        "  error in c {name}: median {:.4}, 90 % {:.4}, rms {:.4}",
+        errors[n / 2],
+        errors[n * 9 / 10],
+        (square / n as f64).sqrt()
+    );
+}
+
+/// By how much borders are off, along lines and normal to the border.
+#[derive(Default)]
+struct Errors {
+    along: Vec<f64>,
+    normal: Vec<f64>,
+    /// Lines with another number of borders.
+    others: usize,
+}
+
+impl Errors {
+    /// Borders of all lines, which are `apart`, against the true ones.
+    fn add(&mut self, found: &[Vec<f64>], truth: &[Vec<f64>], apart: f64) {
+        for (k, (own, there)) in found.iter().zip(truth).enumerate() {
+            if own.len() != there.len() {
+                self.others += 1;
+                continue;
+            }
+            for (i, (own, there)) in own.iter().zip(there).enumerate() {
+                let off = (own - there).abs();
+                self.along.push(off);
+                self.normal.push(off / slope(truth, k, i, apart).hypot(1.0));
+            }
+        }
+    }
+}
+
+/// The smaller slope, `x` by `y`, of a border towards the lines beside with as many of them; none where
+/// there is no such line.
+fn slope(borders: &[Vec<f64>], line: usize, i: usize, apart: f64) -> f64 {
+    let own = &borders[line];
+    let beside = [line.wrapping_sub(1), line + 1].into_iter().filter_map(|k| borders.get(k));
+    let alike = beside.filter(|other| other.len() == own.len());
+    alike.map(|other| (other[i] - own[i]).abs() / apart).reduce(f64::min).unwrap_or(0.0)
+}
+
+fn measure(random: &mut Random, errors: &mut [Errors; 3]) {
     let ellipse = Ellipse::from_ratio(random.of_any_size(0.15, 6.0).abs()).unwrap();
     let contact = Contact::new(ellipse, random.between(0.0, 0.5)).unwrap();
     let theory = |resolution| Exact::new(&contact, resolution).unwrap();
@@ -48,14 +90,9 @@ fn measure(random: &mut Random, errors: &mut [(Vec<f64>, usize); 3]) {
         let (sin, cos) = random.between(0.0, std::f64::consts::TAU).sin_cos();
         let creepage = Creepage::new(size * cos, size * sin, random.between(-spin, spin)).unwrap();
         let truth = borders(&finest, ellipse, creepage);
-        for (theory, (errors, others)) in theories.iter().zip(&mut *errors) {
-            for (found, truth) in borders(theory, ellipse, creepage).iter().zip(&truth) {
-                if found.len() == truth.len() {
-                    errors.extend(found.iter().zip(truth).map(|(a, b)| (a - b).abs()));
-                } else {
-                    *others += 1;
-                }
-            }
+        for (theory, errors) in theories.iter().zip(&mut *errors) {
+            let found = borders(theory, ellipse, creepage);
+            errors.add(&found, &truth, 2.0 * ellipse.b() / LINES as f64);
         }
     }
 }
