@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use creepage::coulomb::{self, Constraints};
 use creepage::{Creepage, FieldPoint, TheorySpec};
-use numpy::IntoPyArray;
+use numpy::{IntoPyArray, PyArrayMethods};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
