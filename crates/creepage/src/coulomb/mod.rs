@@ -81,8 +81,8 @@ use workspace::Pool;
 /// Over 300 random cases that nothing was chosen with (`a/b` .15 to 6, creepage to 3, spin to 8),
 /// against 96 x 80 elements, `fx`, `fy` and `mz` err by 0.15, 0.05 and 0.013 % rms at the three
 /// resolutions, 0.8, 0.21 and 0.06 % at worst (0.33 % at the standard one over 200 others), and 96 % are
-/// inside their error bars, which are four times the error in the median. Between unlike bodies (`kappa/mu` to 3) it is 0.27, 0.10 and
-/// 0.03 %, 1.6, 0.6 and 0.16 %, 92 to 97 %, and five times.
+/// inside their error bars, which are four times the error in the median. Between unlike bodies
+/// (`kappa/mu` to 3) it is 0.27, 0.10 and 0.03 %, 1.6, 0.6 and 0.16 %, 92 to 97 %, and five times.
 ///
 /// Over 60 random cases of like bodies the border of adhesion errs along `x` by 0.013, 0.006 and 0.003 `c` in
 /// the median, and nine times in ten by less than 0.043, 0.024 and 0.010 `c`.

@@ -44,26 +44,23 @@ impl StripFactors {
     ) -> bool {
         let elements = grid.mesh.elements(strip);
         let known = self.order(&sliding[elements.clone()]);
-        let n = elements.len();
         for (i, element) in elements.enumerate() {
             let (own, sign) = grid.influence.strip_block(element);
             let [x, y] = self.direction(i);
-            let places = [self.places[i], n + i];
+            let places = [self.places[i], self.places.len() + i];
             for (direction, place) in [[x, y], [-y, x]].into_iter().zip(places) {
                 if place < known {
                     self.lu.row(place).fill(0.0);
                     self.lu.row(place)[place] = 1.0;
-                    continue;
-                }
-                let Some(Sliding { derivative, .. }) = sliding[element] else {
+                } else if let Some(Sliding { derivative, .. }) = sliding[element] {
+                    let by_trial = derivative.map(|row| dot(row, direction));
+                    self.fill(place, by_trial.map(|d| -grid.weights[element] * d), own, sign);
+                    let by_traction = [0, 1].map(|k| direction[k] - by_trial[k]);
+                    self.lu.row(place)[places[0]] += dot(by_traction, [x, y]);
+                    self.lu.row(place)[places[1]] += dot(by_traction, [-y, x]);
+                } else {
                     self.fill(place, direction, own, sign);
-                    continue;
-                };
-                let by_trial = derivative.map(|row| dot(row, direction));
-                self.fill(place, by_trial.map(|d| -grid.weights[element] * d), own, sign);
-                let by_traction = [0, 1].map(|k| direction[k] - by_trial[k]);
-                self.lu.row(place)[places[0]] += dot(by_traction, [x, y]);
-                self.lu.row(place)[places[1]] += dot(by_traction, [-y, x]);
+                }
             }
         }
         self.lu.factor(known)
