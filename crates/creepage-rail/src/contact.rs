@@ -91,16 +91,16 @@ impl<'a> Contact<'a> {
 
     /// Approach, extent and the wheel's place; `None` where the surfaces turn away.
     fn measure(&mut self, overlap: Overlap) -> Option<()> {
-        let places: Vec<Across> = spread(overlap, POINTS)
-            .filter_map(|along| Some(self.surfaces.below(along)?.1))
-            .collect();
-        let lowest = places.iter().min_by(|a, b| a.gap.total_cmp(&b.gap))?.s;
+        let across = |along: f64| Some(self.surfaces.below(along)?.1);
+        let places: Vec<(f64, Across)> =
+            spread(overlap, POINTS).filter_map(|along| Some((along, across(along)?))).collect();
+        let lowest = places.iter().min_by(|a, b| a.1.gap.total_cmp(&b.1.gap))?.0;
         let spacing = (overlap.to - overlap.from) / POINTS as f64;
-        let gap = |s: f64| self.surfaces.at(s).map_or(f64::INFINITY, |(_, across)| across.gap);
+        let gap = |along: f64| across(along).map_or(f64::INFINITY, |across| across.gap);
         self.approach = -gap(least(gap, [lowest - 2.0 * spacing, lowest + 2.0 * spacing]));
         self.y_wheel = self.surfaces.at(0.0)?.1.y_wheel;
         let mut extent = [[f64::INFINITY, f64::NEG_INFINITY]; 2];
-        for place in places.iter().filter(|place| place.gap < 0.0) {
+        for (_, place) in places.iter().filter(|(_, place)| place.gap < 0.0) {
             let half = (-2.0 * place.rolling_radius * place.gap).max(0.0).sqrt();
             extent[0] = [extent[0][0].min(place.x - half), extent[0][1].max(place.x + half)];
             extent[1] = [extent[1][0].min(place.s - spacing), extent[1][1].max(place.s + spacing)];
@@ -117,18 +117,34 @@ impl<'a> Contact<'a> {
     /// `None` beyond the profiles, or where the rail's surface or the wheel's turns away.
     #[must_use]
     pub fn at(&self, s: f64) -> Option<Across> {
-        let sense = self.side.sense();
-        let (_, raw) = self.surfaces.at(sense * s)?;
-        Some(Across { s, gap: raw.gap + self.approach, tilt: sense * raw.tilt, ..raw })
+        let (_, raw) = self.surfaces.at(self.side.sense() * s)?;
+        Some(Across { s, ..self.sided(raw) })
     }
 
-    /// `count` even places across, over the extent widened by `margin` of itself on both sides.
+    /// What surfaces of the right-hand image tell, of this side.
+    fn sided(&self, raw: Across) -> Across {
+        let sense = self.side.sense();
+        Across { s: sense * raw.s, gap: raw.gap + self.approach, tilt: sense * raw.tilt, ..raw }
+    }
+
+    /// `count` places across, from low to high `s` and even along the wheel's profile, over the extent
+    /// widened by `margin` of itself on both sides; those beyond a profile's end are left out.
     #[must_use]
     pub fn section(&self, count: usize, margin: f64) -> Vec<Across> {
         let [from, to] = self.extent[1];
         let wide = margin * (to - from);
-        let spacing = (to - from + 2.0 * wide) / count.saturating_sub(1).max(1) as f64;
-        (0..count).filter_map(|i| self.at(from - wide + i as f64 * spacing)).collect()
+        let ends = [from - wide, to + wide];
+        let parts = (0..count).map(|i| i as f64 / count.saturating_sub(1).max(1) as f64);
+        let foot = |s: f64| Some(self.surfaces.at(self.side.sense() * s)?.0.along());
+        let [Some(first), Some(last)] = ends.map(foot) else {
+            return parts
+                .filter_map(|part| self.at(ends[0] + part * (ends[1] - ends[0])))
+                .collect();
+        };
+        parts
+            .filter_map(|part| self.surfaces.below(first + part * (last - first)))
+            .map(|(_, raw)| self.sided(raw))
+            .collect()
     }
 
     /// Waves of the wheel's or the rail's profile from `s` to `s` (m) of the contact plane, nearly,

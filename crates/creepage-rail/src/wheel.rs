@@ -190,7 +190,11 @@ impl<'a> Posed<'a> {
 
     /// The point of the surface at an arc length of the profile and an angle around the axle.
     pub(crate) fn surface(&self, point: CurvePoint, around: f64) -> [f64; 3] {
-        let (sin, cos) = around.sin_cos();
+        self.surface_towards(point, around.sin_cos())
+    }
+
+    /// The same with the angle's sine and cosine.
+    fn surface_towards(&self, point: CurvePoint, (sin, cos): (f64, f64)) -> [f64; 3] {
         let radius = self.wheel.radius + point.z;
         let turned = self.turned([radius * sin, self.arm + point.y, radius * cos]);
         [0, 1, 2].map(|i| turned[i] + self.centre[i])
@@ -218,13 +222,12 @@ impl<'a> Posed<'a> {
             return None;
         }
         // The normal (n_z sin, n_y, n_z cos), yawed, has the part n_z sin cos_yaw - n_y sin_yaw.
-        let sine = ny * self.yaw.0 / (nz * self.yaw.1);
-        if sine.abs() >= 1.0 {
+        let sin = ny * self.yaw.0 / (nz * self.yaw.1);
+        if sin.abs() >= 1.0 {
             return None;
         }
-        let around = sine.asin();
-        let [x, y, z] = self.surface(point, around);
-        let (sin, cos) = around.sin_cos();
+        let (around, cos) = (sin.asin(), ((1.0 - sin) * (1.0 + sin)).sqrt());
+        let [x, y, z] = self.surface_towards(point, (sin, cos));
         let [_, normal_y, normal_z] = self.turned([nz * sin, ny, nz * cos]);
         (normal_z > 0.0).then_some(Outline { s, around, x, y, z, slope: -normal_y / normal_z })
     }

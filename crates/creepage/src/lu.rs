@@ -10,7 +10,7 @@ const PANEL: usize = 4;
 
 /// `P A = L U` with partial pivoting; the diagonal holds its reciprocals. One value is filled and
 /// factored again and again, which the owning decompositions of the linear algebra library do not offer.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub(crate) struct Lu {
     n: usize,
     /// So many first rows are those of the identity, and are not looked at: a whole number of panels.

@@ -8,6 +8,7 @@ mod conicity;
 mod derivatives;
 mod derivatives_json;
 mod error;
+mod field;
 mod file;
 mod free;
 mod geometry_picture;

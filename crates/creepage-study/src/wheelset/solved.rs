@@ -1,12 +1,16 @@
 //! A wheelset solved: its contacts, what they do to the rails, what may be off.
 
-use creepage::coulomb::ElementField;
+use std::borrow::Cow;
+use std::sync::Arc;
+
+use creepage::coulomb::{ElementField, NearTractions};
 use creepage::normal::NormalContact;
 use creepage::{Force, Scaling, SiCreepage, SiForce, Status, normal};
 use creepage_rail::{Motion, Position, RollingCreepage, Running, Side};
 
 use super::case::RigidSlip;
 use super::derivatives::WheelsetDerivatives;
+use super::field::Field;
 use super::resultant::Resultant;
 use super::rough;
 use super::solver::{Pitch, Pressed, PressedWheel, Rolled};
@@ -79,11 +83,10 @@ pub struct SolvedContact {
     pub dissipation: Option<f64>,
     /// The units of what its elements hold.
     pub scaling: Scaling,
-    /// Its elements.
-    pub elements: Vec<ElementField>,
     /// Wear and fatigue numbers, where `[damage]` asks for them.
     pub damage: Option<Damage>,
     pub(super) friction: f64,
+    field: Field,
     /// What is to be held against the profiles.
     rough: Vec<GapCaution>,
 }
@@ -116,7 +119,7 @@ impl SolvedContact {
             status: solution.status,
             dissipation: rolled.solved.as_solved().dissipation().map(|power| heat * power),
             scaling,
-            elements: rolled.solved.elements(),
+            field: Field::of(rolled),
             damage: None,
             friction,
             rough: rough::cautions(pressed),
@@ -129,10 +132,21 @@ impl SolvedContact {
         self.normal.load().value
     }
 
+    /// Its elements.
+    #[must_use]
+    pub fn elements(&self) -> Cow<'_, [ElementField]> {
+        self.field.elements()
+    }
+
+    /// From which a position close by may start, where the theory has them.
+    pub(super) fn tractions(&self) -> Option<&Arc<NearTractions>> {
+        self.field.tractions()
+    }
+
     /// Adhesion area over contact area, 0 to 1.
     #[must_use]
     pub fn adhesion_share(&self) -> f64 {
-        adhesion::share(&self.elements)
+        adhesion::share(&self.elements())
     }
 
     /// What is to be held against its solution.

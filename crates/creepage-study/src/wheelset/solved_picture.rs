@@ -191,7 +191,7 @@ impl SolvedContact {
         AreasPicture {
             title: &format!("{side} wheel, contact {number}: at y = {y} mm of the rail"),
             contact: &self.normal,
-            elements: &self.elements,
+            elements: &self.elements(),
             scaling: self.scaling,
             status: self.status,
             friction: self.friction,

@@ -60,7 +60,7 @@ fn record(wheel: &SolvedWheel, k: usize, contact: &SolvedContact, row: &WearRow)
 impl SolvedContact {
     fn add_damage(&mut self, wanted: &DamageWanted, speed: f64) {
         let normal = self.load();
-        let rows = of_elements(&self.elements, self.scaling, normal);
+        let rows = of_elements(&self.elements(), self.scaling, normal);
         let (creepage, contact) = (self.creepage, &self.normal);
         let ground = Ground {
             force: self.force,

@@ -194,6 +194,26 @@ impl Mesh {
         strips.flat_map(|(strip, own)| (0..own.len()).map(move |i| (strip, i)))
     }
 
+    /// Whether every strip is its own mirror image fore and aft, all about one `x`, with what is given of
+    /// each element.
+    pub(crate) fn is_like_reversed(&self, of_elements: &[f64]) -> bool {
+        /// Of a half-length, or of the largest that is given: rounding.
+        const LEAST: f64 = 1e-11;
+        let largest = of_elements.iter().fold(0.0, |most: f64, of| most.max(of.abs()));
+        let axis = self.strips.first().map_or(0.0, |strip| strip.middle[0]);
+        self.strips.iter().zip(self.offsets.windows(2)).all(|(strip, ends)| {
+            let own = &of_elements[ends[0]..ends[1]];
+            let centred =
+                |end: usize| (strip.middle[end] - axis).abs() <= LEAST * strip.half_length[end];
+            let opposite = |(one, other): (&f64, &f64)| (one + other).abs() <= LEAST;
+            let like = |(one, other): (&f64, &f64)| (one - other).abs() <= LEAST * largest;
+            centred(0)
+                && centred(1)
+                && strip.along.iter().zip(strip.along.iter().rev()).all(opposite)
+                && own.iter().zip(own.iter().rev()).all(like)
+        })
+    }
+
     /// The strip that holds a position, and its `x` over the half-length there.
     pub(crate) fn locate(&self, [x, y]: [f64; 2]) -> Option<(usize, f64)> {
         let inside = |(k, strip): (usize, &Strip)| {

@@ -51,7 +51,7 @@ pub use coupled::{Coupled, CoupledSolved, GrossSliding, Prescribed, SlidingError
 pub use cylinders::{Cylinders, CylindersSolved};
 pub(crate) use forcing::hertz_slip;
 pub use inverse::InverseSolution;
-pub use non_hertzian::{NonHertzian, NonHertzianSolved};
+pub use non_hertzian::{NearTractions, NonHertzian, NonHertzianSolved};
 pub use resolution::Resolution;
 pub use solution::ExactSolved;
 pub use view::ElementField;

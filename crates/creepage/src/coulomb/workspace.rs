@@ -59,6 +59,13 @@ impl Workspace {
         fine.outcome = fine.state.solve(&grids[1], &mut fine.equations);
     }
 
+    /// Has the next case start from the tractions of a like contact.
+    pub(super) fn start_from(&mut self, tractions: &[Vec<[f64; 2]>; 2]) {
+        for (level, tractions) in self.levels.iter_mut().zip(tractions) {
+            level.state.start_from(tractions);
+        }
+    }
+
     /// What the tractions of each grid add up to; `side` is the sign of the pressure's part in what
     /// drives the slip.
     pub(super) fn sums(&self, grids: &[Grid; 2], side: f64) -> [Sum; 2] {

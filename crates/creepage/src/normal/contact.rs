@@ -1,5 +1,7 @@
 //! The contact of two bodies of any shape: its areas and the pressure in them.
 
+use std::sync::Arc;
+
 use crate::check;
 use crate::gap::{Gap, Rectangle};
 use crate::solid::SolidPair;
@@ -7,6 +9,7 @@ use crate::solid::SolidPair;
 use super::band::{Band, Moments};
 use super::error::NormalError;
 use super::solve::{self, Asked};
+use super::strips::Factors;
 
 /// A number and how far the true one may lie from it.
 ///
@@ -185,6 +188,8 @@ pub struct NormalContact {
     pub(super) patches: Vec<Patch>,
     pub(super) gap_points: [Option<usize>; 2],
     pub(super) rule: Option<StripRule>,
+    /// The matrix with which strips found it.
+    pub(super) factors: Option<Arc<Factors>>,
 }
 
 /// How strips found a contact: so many across the widest area, and what load and greatest pressure at the
@@ -194,6 +199,20 @@ pub(super) struct StripRule {
     pub(super) count: usize,
     pub(super) load: f64,
     pub(super) peak: f64,
+}
+
+/// What a contact close by tells of another: its areas, and the matrix of its strips.
+#[derive(Debug, Clone)]
+pub(super) struct Near<'a> {
+    pub(super) areas: Vec<Patch>,
+    pub(super) factors: Option<&'a Arc<Factors>>,
+}
+
+impl Near<'_> {
+    /// Areas alone.
+    pub(super) fn of(areas: Vec<Patch>) -> Self {
+        Self { areas, factors: None }
+    }
 }
 
 impl NormalContact {
@@ -242,22 +261,26 @@ impl NormalContact {
     ) -> Result<Self, NormalError> {
         check::finite("approach", approach)?;
         let asked = Asked::Approach(approach);
-        solve::solve(gap, self.pair, asked, Some(&self.grown(approach)), resolution)
+        solve::solve(gap, self.pair, asked, Some(&self.near(approach)), resolution)
     }
 
     /// The same with as many strips as this one and no finer or coarser ones: what they lack, and the error
-    /// bars, are taken from here. For steps on the way to a position, and those of a thousandth part;
-    /// `None` where strips do not settle, and [`NormalContact::next`] tells more.
-    ///
-    /// It does not look for new places of contact beyond the areas.
+    /// bars, are taken from here. For steps that change the load by some hundredths at most; `None`
+    /// where strips do not settle or the bodies meet beyond them, and [`NormalContact::next`] tells
+    /// more.
     #[must_use]
     pub fn follow(&self, gap: &Gap, approach: f64) -> Option<Self> {
         if approach.is_finite() { solve::follow(gap, self, approach) } else { None }
     }
 
+    /// What it tells of another approach close by.
+    pub(super) fn near(&self, approach: f64) -> Near<'_> {
+        Near { areas: self.grown(approach), factors: self.factors.as_ref() }
+    }
+
     /// The areas as they would be at another approach if they kept their shape: a load that goes
     /// as the depth to the power 3/2 tells the depth, whose root lengths and pressures follow.
-    pub(super) fn grown(&self, approach: f64) -> Vec<Patch> {
+    fn grown(&self, approach: f64) -> Vec<Patch> {
         const LIMITS: [f64; 2] = [0.5, 2.0];
         let more = self.stiffness * (approach - self.approach.value) / self.load.value;
         let factor = (1.0 + 2.0 / 3.0 * more).max(0.0).sqrt().clamp(LIMITS[0], LIMITS[1]);

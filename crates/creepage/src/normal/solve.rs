@@ -1,11 +1,13 @@
 //! From a gap to its contact: the overlap, elements on two lattices, and strips laid into what
 //! these find. Each way checks the other; where the strips do not settle, finer elements speak.
 
+use std::sync::Arc;
+
 use crate::gap::Gap;
 use crate::solid::SolidPair;
 
 use super::band::Band;
-use super::contact::{Estimate, Method, NormalContact, Patch, Resolution, Status, StripRule};
+use super::contact::{Estimate, Method, Near, NormalContact, Patch, Resolution, Status, StripRule};
 use super::elements;
 use super::error::NormalError;
 use super::level::{Accuracy, Level, Task};
@@ -13,7 +15,7 @@ use super::load;
 use super::outline;
 use super::overlap::Overlap;
 use super::start;
-use super::strips::{self, Wanted};
+use super::strips::{self, Factors, Wanted};
 
 /// What is prescribed.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -34,6 +36,8 @@ pub(super) struct Found {
     /// What a summit or waves as narrow as strips or elements may add to the greatest pressure.
     pub(super) unseen: f64,
     pub(super) stiffness: f64,
+    /// The matrix of strips.
+    pub(super) factors: Option<Arc<Factors>>,
 }
 
 impl Found {
@@ -47,6 +51,7 @@ impl Found {
             summit: peak,
             unseen: 0.5 * fall,
             stiffness: level.stiffness,
+            factors: None,
         }
     }
 
@@ -100,12 +105,12 @@ impl Pair {
     }
 }
 
-/// `near` are the areas of a contact close by, if one is known.
+/// `near` is what a contact close by tells, if one is known.
 pub(super) fn solve(
     gap: &Gap,
     pair: SolidPair,
     asked: Asked,
-    near: Option<&[Patch]>,
+    near: Option<&Near<'_>>,
     resolution: Resolution,
 ) -> Result<NormalContact, NormalError> {
     const COARSE: f64 = 10.0;
@@ -124,7 +129,7 @@ pub(super) fn solve(
     };
     // Strips that prove to be all the contact there is may begin anywhere.
     let complete = task.gap.is_parabola_along();
-    let at_first = || by_strips(task, asked, &areas(&first), resolution, Start::Rough);
+    let at_first = || by_strips(task, asked, &Near::of(areas(&first)), resolution, Start::Rough);
     if complete && let Some(found) = at_first() {
         return Ok(contact(gap, pair, asked, found));
     }
@@ -136,7 +141,8 @@ pub(super) fn solve(
     let elements = Found::by_elements(task, &coarse);
     // Elements across a slender area are too few to agree with.
     let start = Start::Elements;
-    let by_strips = by_strips(task, asked, &elements.patches, resolution, start);
+    let near = Near::of(elements.patches.clone());
+    let by_strips = by_strips(task, asked, &near, resolution, start);
     let found = match by_strips.filter(|found| complete || found.fine.agrees_with(&elements)) {
         Some(found) => found,
         None => by_elements(task, asked, &coarse, resolution)?,
@@ -146,7 +152,7 @@ pub(super) fn solve(
 
 /// By as many strips as a contact close by, which tells what they lack.
 pub(super) fn follow(gap: &Gap, near: &NormalContact, approach: f64) -> Option<NormalContact> {
-    let (rule, areas) = (near.rule?, near.grown(approach));
+    let (rule, Near { areas, factors }) = (near.rule?, near.near(approach));
     let modulus = near.pair.shear_modulus() / (1.0 - near.pair.poisson());
     let wanted = Wanted {
         load: None,
@@ -154,12 +160,12 @@ pub(super) fn follow(gap: &Gap, near: &NormalContact, approach: f64) -> Option<N
         terms: strips::terms(gap, &areas)?,
         enough: ENOUGH[1],
         nearly: NEARLY[1],
-        complete: false,
+        complete: true,
         summit: false,
         attempts: Wanted::ATTEMPTS,
         settled: 1.0,
     };
-    let mut found = strips::solve(Task { gap, modulus, approach }, &areas, wanted)?;
+    let mut found = strips::solve(Task { gap, modulus, approach }, &areas, factors, wanted)?;
     let value = rule.load * found.load;
     let scaled = |value: f64, near: Estimate| Estimate {
         value,
@@ -175,7 +181,11 @@ pub(super) fn follow(gap: &Gap, near: &NormalContact, approach: f64) -> Option<N
         stiffness: found.stiffness,
         gap_points: gap_points(gap, &found.patches),
         patches: found.patches,
-        ..near.clone()
+        factors: found.factors,
+        pair: near.pair,
+        status: near.status,
+        method: near.method,
+        rule: near.rule,
     })
 }
 
@@ -198,14 +208,14 @@ const NEARLY: [f64; 2] = [2e-3, 0.05];
 /// By strips laid into areas close by or guessed, where these turn out to be all.
 fn without_elements(
     task: Task<'_>,
-    near: Option<&[Patch]>,
+    near: Option<&Near<'_>>,
     resolution: Resolution,
 ) -> Option<Pair> {
     let asked = Asked::Approach(task.approach);
-    let from = |areas: &[Patch], start| by_strips(task, asked, areas, resolution, start);
+    let from = |near: &Near<'_>, start| by_strips(task, asked, near, resolution, start);
     // A guess lays the tips less well than elements do: good enough to search with.
     let guess = || if resolution.with_errors { None } else { start::by_virtual_penetration(task) };
-    let guessed = || from(&guess()?, Start::Elements);
+    let guessed = || from(&Near::of(guess()?), Start::Elements);
     near.and_then(|near| from(near, Start::Close)).or_else(guessed)
 }
 
@@ -258,7 +268,7 @@ enum Start {
 fn by_strips(
     task: Task<'_>,
     asked: Asked,
-    start: &[Patch],
+    Near { areas: start, factors }: &Near<'_>,
     resolution: Resolution,
     kind: Start,
 ) -> Option<Pair> {
@@ -268,7 +278,7 @@ fn by_strips(
     let load = if let Asked::Load(load) = asked { Some(load) } else { None };
     let count = resolution.count.min(strips::most(start));
     let next = |start: &[Patch], approach: f64, wanted: Wanted| {
-        strips::solve(Task { approach, ..task }, start, wanted)
+        strips::solve(Task { approach, ..task }, start, *factors, wanted)
     };
     let nearly = NEARLY[usize::from(!resolution.with_errors)];
     let summit = resolution.with_errors;
@@ -378,6 +388,7 @@ fn contact(gap: &Gap, pair: SolidPair, asked: Asked, found: Pair) -> NormalConta
         gap_points: gap_points(gap, &fine.patches),
         patches: fine.patches,
         rule,
+        factors: fine.factors,
     }
 }
 

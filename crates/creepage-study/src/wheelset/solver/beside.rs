@@ -65,7 +65,12 @@ fn shifted(Position { z, roll, .. }: Position, stance: &Stance) -> Position {
 }
 
 fn vertical(wheel: &SolvedWheel) -> f64 {
-    wheel.on_rail().force[2]
+    wheel.contacts().iter().map(|own| own.load() * rise(own.angle, share(own))).sum()
+}
+
+/// Lateral force over load.
+fn share(own: &SolvedContact) -> f64 {
+    own.force.lateral / own.load()
 }
 
 /// What a wheel carries in its new place by the stiffness of its contacts and how much nearer the
@@ -78,8 +83,7 @@ fn line(wheel: &SolvedWheel, place: &Place, running: &Running) -> Option<Line> {
     for own in wheel.contacts() {
         let contact = nearest(own, &contacts)?;
         let nearer = contact.approach - own.normal.approach().value;
-        let share = own.force.lateral / own.load();
-        let stiffness = own.normal.stiffness() * rise(contact.angle, share);
+        let stiffness = own.normal.stiffness() * rise(contact.angle, share(own));
         line.force += stiffness * nearer;
         line.by[0] += stiffness * contact.angle.cos();
         line.by[1] += stiffness * lever(contact, centre);

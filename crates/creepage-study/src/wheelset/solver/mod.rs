@@ -23,7 +23,7 @@ use rayon::prelude::*;
 
 use self::balance::{Balance, Guess};
 use self::pressed::{Known, Press, Shares};
-use self::rolled::{Method, Rolling};
+use self::rolled::{KnownTractions, Method, Rolling};
 use self::settle::{Sought, settle};
 use self::step::Place;
 use super::case::{Load, RigidSlip, Stance, Travel, WheelsetCase};
@@ -34,7 +34,7 @@ use crate::case::CaseError;
 use crate::gap::{GapTheory, resolutions};
 
 pub(super) use self::pressed::{Pressed, PressedWheel};
-pub(super) use self::rolled::{Pitch, Rolled};
+pub(super) use self::rolled::{Answer, Pitch, RigidMotion, Rolled};
 
 /// A wheelset on its track, prepared to be solved in many positions.
 #[derive(Debug, Clone)]
@@ -233,6 +233,7 @@ struct Start {
     pitch: Pitch,
     /// Fine pressures.
     fine: Vec<Known>,
+    tractions: Vec<KnownTractions>,
     /// Where the wheels stand nearly, beside a position that was solved.
     places: Option<Vec<Place>>,
 }
@@ -264,7 +265,8 @@ impl Start {
         for wheel in wheels.iter().filter(|wheel| wheel.depth > 0.0) {
             guess.depths[usize::from(wheel.side == Side::Right)] = wheel.depth;
         }
-        Self { shares, guess, pitch, fine: Known::of(wheels), places: None }
+        let tractions = KnownTractions::of(wheels, rolled);
+        Self { shares, guess, pitch, fine: Known::of(wheels), tractions, places: None }
     }
 
     /// The same with friction halfway from what it was taken for.
@@ -275,10 +277,11 @@ impl Start {
 
     fn after(before: &SolvedWheelset) -> Self {
         let mut shares = Shares::default();
-        let mut fine = Vec::new();
+        let (mut fine, mut tractions) = (Vec::new(), Vec::new());
         for contact in before.wheels().flat_map(SolvedWheel::contacts) {
             shares.push(contact.side, contact.y_rail, contact.force.lateral / contact.load());
             fine.push(Known::new(contact.side, contact.y_rail, &contact.normal));
+            tractions.extend(KnownTractions::of_contact(contact));
         }
         let mut guess = Guess { known: fine.clone(), ..Guess::default() };
         for wheel in before.wheels() {
@@ -287,6 +290,6 @@ impl Start {
                 guess.depths[usize::from(wheel.side == Side::Right)] = wheel.depth;
             }
         }
-        Self { shares, guess, pitch: before.pitch, fine, places: None }
+        Self { shares, guess, pitch: before.pitch, fine, tractions, places: None }
     }
 }

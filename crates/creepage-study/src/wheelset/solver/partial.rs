@@ -96,7 +96,7 @@ impl<'a> Standing<'_, 'a> {
         wheels: &'w [PressedWheel<'a>],
     ) -> Result<Vec<Rolling<'w, 'a>>, WheelsetError> {
         let &WheelsetSolver { friction, slip, .. } = self.solver;
-        Rolling::all(wheels, friction, slip, self.method)
+        Rolling::all(wheels, friction, slip, (self.method, &[]))
     }
 
     /// Friction and a load at a contact.

@@ -1,10 +1,12 @@
 //! Rolling on the contacts of a wheelset whose pressure is known.
 
+use std::sync::Arc;
+
 use creepage::approximate::non_hertzian::{NonHertzianSimplified, Simplified, SimplifiedSolved};
-use creepage::coulomb::{ElementField, NonHertzian, NonHertzianSolved, Resolution};
+use creepage::coulomb::{NearTractions, NonHertzian, NonHertzianSolved, Resolution};
 use creepage::theory::{Jacobian, Solved};
 use creepage::{Creepage, Scaling, SiCreepage, SiForce};
-use creepage_rail::{Motion, RollingCreepage};
+use creepage_rail::{Contact, Motion, RollingCreepage, Side};
 use rayon::prelude::*;
 
 use super::apart::in_track;
@@ -12,7 +14,7 @@ use super::curving::Curving;
 use super::pressed::{Pressed, PressedWheel};
 use super::root::Root;
 use crate::case::CaseError;
-use crate::wheelset::RigidSlip;
+use crate::wheelset::{RigidSlip, SolvedContact};
 use crate::{Travel, WheelsetError};
 
 /// By which theory contacts roll, and how finely.
@@ -44,14 +46,14 @@ impl Method {
 #[derive(Debug)]
 pub(super) enum Prepared {
     Exact(Box<NonHertzian>),
-    Simplified(Box<NonHertzianSimplified>),
+    Simplified(Arc<NonHertzianSimplified>),
 }
 
 /// A contact rolled.
 #[derive(Debug)]
 pub(in crate::wheelset) enum Answer<'r> {
     Exact(Box<NonHertzianSolved<'r>>),
-    Simplified(SimplifiedSolved<'r>),
+    Simplified(SimplifiedSolved<'r>, &'r Arc<NonHertzianSimplified>),
 }
 
 impl Prepared {
@@ -64,7 +66,7 @@ impl Prepared {
             }
             Method::Simplified(kind, cells) => {
                 let theory = NonHertzianSimplified::new(normal, friction, kind, cells);
-                Self::Simplified(Box::new(theory.map_err(CaseError::invalid("solve"))?))
+                Self::Simplified(Arc::new(theory.map_err(CaseError::invalid("solve"))?))
             }
         })
     }
@@ -76,26 +78,82 @@ impl Prepared {
         }
     }
 
-    /// With what `more` adds to the rigid slip at a place; from an answer nearby. Simplified theories
-    /// have one rigid slip in each row.
+    /// From an answer to another motion, or from tractions close by. Simplified theories have one rigid
+    /// slip in each row.
     fn roll<'r>(
         &'r self,
-        creepage: Creepage,
-        more: impl Fn([f64; 2]) -> [f64; 2],
+        motion: &RigidMotion,
         before: Option<Answer<'r>>,
+        near: Option<&NearTractions>,
     ) -> Answer<'r> {
-        match (self, before) {
-            (Self::Exact(_), Some(Answer::Exact(mut solved))) => {
+        let (creepage, more) = (motion.creepage, |at| motion.more(at));
+        let theory = match self {
+            Self::Exact(theory) => theory,
+            Self::Simplified(theory) => {
+                let solved = theory.solve_curved(creepage, |y| more([0.0, y]));
+                return Answer::Simplified(solved, theory);
+            }
+        };
+        Answer::Exact(match (before, near) {
+            (Some(Answer::Exact(mut solved)), _) => {
                 solved.go_on(creepage, more);
-                Answer::Exact(solved)
+                solved
             }
-            (Self::Exact(theory), _) => {
-                Answer::Exact(Box::new(theory.solve_curved(creepage, more)))
-            }
-            (Self::Simplified(theory), _) => {
-                Answer::Simplified(theory.solve_curved(creepage, |y| more([0.0, y])))
-            }
-        }
+            (_, Some(near)) => Box::new(theory.solve_near(creepage, more, near)),
+            (_, None) => Box::new(theory.solve_curved(creepage, more)),
+        })
+    }
+}
+
+/// Tractions of a contact in a position close by.
+#[derive(Debug, Clone)]
+pub(super) struct KnownTractions {
+    side: Side,
+    y_rail: f64,
+    tractions: Arc<NearTractions>,
+}
+
+impl KnownTractions {
+    /// Those of a solved contact, where the theory has them.
+    pub(super) fn of_contact(contact: &SolvedContact) -> Option<Self> {
+        let tractions = Arc::clone(contact.tractions()?);
+        Some(Self { side: contact.side, y_rail: contact.y_rail, tractions })
+    }
+
+    /// Those of some wheels.
+    pub(super) fn of(wheels: &[PressedWheel<'_>], rolled: &[Rolled<'_>]) -> Vec<Self> {
+        let contacts = wheels.iter().flat_map(|wheel| &wheel.contacts).zip(rolled);
+        let known = contacts.filter_map(|(Pressed { contact, .. }, rolled)| {
+            let Answer::Exact(solved) = &rolled.solved else { return None };
+            let tractions = Arc::new(solved.tractions());
+            Some(Self { side: contact.side, y_rail: contact.y_rail, tractions })
+        });
+        known.collect()
+    }
+
+    /// Those next to a contact.
+    fn next_to(contact: &Contact<'_>, all: &[Self]) -> Option<Arc<NearTractions>> {
+        let own = all.iter().filter(|known| known.side == contact.side);
+        let distance = |known: &Self| (known.y_rail - contact.y_rail).abs();
+        let nearest = own.min_by(|a, b| distance(a).total_cmp(&distance(b)))?;
+        Some(Arc::clone(&nearest.tractions))
+    }
+}
+
+/// What rolling is solved for, in a theory's units.
+#[derive(Debug, Clone)]
+pub(in crate::wheelset) struct RigidMotion {
+    pub(in crate::wheelset) creepage: Creepage,
+    scaling: Scaling,
+    curving: Option<Curving>,
+}
+
+impl RigidMotion {
+    /// What a curved contact adds to the rigid slip at a place.
+    pub(in crate::wheelset) fn more(&self, at: [f64; 2]) -> [f64; 2] {
+        let Self { scaling, curving, .. } = self;
+        let Some(curving) = curving else { return [0.0; 2] };
+        curving.at(at.map(|at| at * scaling.length)).map(|slip| slip / scaling.slip)
     }
 }
 
@@ -103,7 +161,7 @@ impl Answer<'_> {
     pub(in crate::wheelset) fn as_solved(&self) -> &dyn Solved {
         match self {
             Self::Exact(solved) => &**solved,
-            Self::Simplified(solved) => solved,
+            Self::Simplified(solved, _) => solved,
         }
     }
 
@@ -111,14 +169,7 @@ impl Answer<'_> {
     pub(super) fn jacobian(&mut self) -> Option<Jacobian> {
         match self {
             Self::Exact(solved) => solved.jacobian(),
-            Self::Simplified(solved) => solved.jacobian(),
-        }
-    }
-
-    pub(in crate::wheelset) fn elements(&self) -> Vec<ElementField> {
-        match self {
-            Self::Exact(solved) => solved.elements(),
-            Self::Simplified(solved) => solved.elements(),
+            Self::Simplified(solved, _) => solved.jacobian(),
         }
     }
 }
@@ -130,11 +181,13 @@ pub(super) struct Rolling<'w, 'a> {
     pub(super) pressed: &'w Pressed<'a>,
     theory: Prepared,
     pub(super) slip: RigidSlip,
+    near: Option<Arc<NearTractions>>,
 }
 
 /// The same, rolled.
 #[derive(Debug)]
 pub(in crate::wheelset) struct Rolled<'r> {
+    pub(in crate::wheelset) motion: RigidMotion,
     pub(in crate::wheelset) creepage: RollingCreepage,
     pub(in crate::wheelset) scaling: Scaling,
     pub(in crate::wheelset) solved: Answer<'r>,
@@ -147,7 +200,7 @@ impl<'w, 'a> Rolling<'w, 'a> {
         wheels: &'w [PressedWheel<'a>],
         friction: f64,
         slip: RigidSlip,
-        method: Method,
+        (method, known): (Method, &[KnownTractions]),
     ) -> Result<Vec<Self>, WheelsetError> {
         let contacts =
             wheels.iter().flat_map(|wheel| wheel.contacts.iter().map(move |one| (wheel, one)));
@@ -156,7 +209,8 @@ impl<'w, 'a> Rolling<'w, 'a> {
             .into_par_iter()
             .map(|(wheel, pressed)| {
                 let theory = Prepared::new(pressed, friction, method)?;
-                Ok(Self { wheel, pressed, theory, slip })
+                let near = KnownTractions::next_to(&pressed.contact, known);
+                Ok(Self { wheel, pressed, theory, slip, near })
             })
             .collect()
     }
@@ -177,15 +231,11 @@ impl<'w, 'a> Rolling<'w, 'a> {
             RigidSlip::Flat => None,
             RigidSlip::Curved => Some(Curving::new(contact, motion, creepage)),
         };
-        let more = |at: [f64; 2]| match &curving {
-            None => [0.0; 2],
-            Some(curving) => {
-                curving.at(at.map(|at| at * scaling.length)).map(|slip| slip / scaling.slip)
-            }
-        };
-        let solved = self.theory.roll(given, more, before.map(|rolled| rolled.solved));
+        let motion = RigidMotion { creepage: given, scaling, curving };
+        let before = before.map(|rolled| rolled.solved);
+        let solved = self.theory.roll(&motion, before, self.near.as_deref());
         let force = scaling.si_force(solved.as_solved().solution().force);
-        Ok(Rolled { creepage, scaling, solved, force })
+        Ok(Rolled { motion, creepage, scaling, solved, force })
     }
 
     pub(super) fn creepage(&self, motion: &Motion) -> Result<RollingCreepage, WheelsetError> {
@@ -242,8 +292,8 @@ pub(super) fn motion<'r>(
     guess: Pitch,
 ) -> Result<(Motion, Vec<Rolled<'r>>, Pitch), WheelsetError> {
     const STEPS: usize = 60;
-    /// Of the moment of all friction; forces are solved to some 5e-8.
-    const ENOUGH: f64 = 1e-7;
+    /// Of the moment of all friction: as small beside its error bar as what a load may miss.
+    const ENOUGH: f64 = 1e-5;
     /// Of the rate of a wheel that rolls on its nominal circle.
     const NARROW: f64 = 1e-13;
     let Travel { speed, pitch_rate, lateral_velocity, yaw_rate } = *travel;

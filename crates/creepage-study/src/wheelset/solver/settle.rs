@@ -102,7 +102,7 @@ impl<'w, 'a> Way<'w, 'a> {
         let method = self.stages.first().map_or(self.method, |stage| stage.0);
         let WheelsetSolver { friction, slip, press, .. } = self.solver;
         let radius = press.running.wheelset().radius();
-        let rollings = Rolling::all(&wheels, *friction, *slip, method)?;
+        let rollings = Rolling::all(&wheels, *friction, *slip, (method, &self.start.tractions))?;
         let (motion, rolled, pitch) =
             rolled::motion(&rollings, self.travel, radius, self.start.pitch)?;
         let next = Start::of(&sought.coarse, &wheels, &rolled, pitch, &self.start);
@@ -143,16 +143,10 @@ impl<'w, 'a> Way<'w, 'a> {
         }
     }
 
-    /// Whether pressures that follow those known are enough: far from the position, and for the last
-    /// steps to it.
+    /// Whether pressures that follow those known are enough: for the last steps to the position.
     fn follows(&self, round: usize) -> bool {
-        const FAR: f64 = 0.02;
-        const SLIGHT: f64 = 1e-3;
-        if self.has_bars {
-            self.last < SLIGHT && round < FEW
-        } else {
-            self.is_beside && self.rolled_by.is_none() && self.last > FAR
-        }
+        const NEAR: f64 = 0.02;
+        self.has_bars && self.last < NEAR && round < FEW
     }
 
     /// Beside a solved position friction is known nearly: no rolling before the load is met. Whether

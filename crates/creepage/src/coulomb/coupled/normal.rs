@@ -228,7 +228,7 @@ impl Normal {
         };
         let load = (prescribed == Prescribed::Load).then_some(self.frictionless.load);
         // Of the stiffness only the sign is asked.
-        let question = Question { depth: &depth, load, enough: ENOUGH, nearly: 0.1 };
+        let question = Question { depth: &depth, load, enough: ENOUGH, nearly: 0.1, known: None };
         let found = strips::touching(pressed.strips.clone(), MOST, question)
             .map_err(|stopped| stopped.strips)?;
         if found.stiffness > 0.0 && found.deeper.is_finite() {

@@ -108,6 +108,12 @@ impl State {
         self.last_step.fill(f64::INFINITY);
     }
 
+    /// Starts from some tractions.
+    pub(crate) fn start_from(&mut self, tractions: &[[f64; 2]]) {
+        self.reset();
+        self.traction.set(|element| tractions.get(element).copied().unwrap_or_default());
+    }
+
     /// Starts from the tractions of the coarser grid.
     pub(crate) fn refine(&mut self, grid: &Grid, coarse: &Self) {
         self.reset();

@@ -21,7 +21,7 @@ use std::sync::LazyLock;
 
 use gauss_quad::GaussLegendre;
 
-use super::side::{Place, TABLE, TABULATED};
+use super::side::TABULATED;
 use crate::lanes::{LANES, Lanes, each, exp, ln, sin};
 
 /// Most polynomials in a strip's pressure.
@@ -84,8 +84,8 @@ impl<const T: usize> Sums<T> {
 
 impl View {
     /// Seen from the side on which both are as far up as possible: the integrals are the same.
-    #[inline(always)]
-    fn upright(self) -> Self {
+    #[cfg(test)]
+    pub(super) fn upright(self) -> Self {
         if self.low.abs() > self.high.abs() {
             Self { low: -self.high, high: -self.low, ..self }
         } else {
@@ -93,24 +93,10 @@ impl View {
         }
     }
 
-    /// The integrals; with `SLOPES` also their derivatives, for the strip's pressures.
+    /// The integrals by quadrature, of an upright view; with `SLOPES` also their derivatives, for the
+    /// strip's pressures.
     #[inline(always)]
-    pub(super) fn integrals<const T: usize, const SLOPES: bool>(
-        self,
-        rules: &Rules,
-        pressure: &[f64],
-    ) -> Integrals<T> {
-        let view = self.upright();
-        if T <= TABULATED
-            && let Some(integrals) = view.tabulated::<T, SLOPES>(pressure)
-        {
-            return integrals;
-        }
-        view.by_quadrature::<T, SLOPES>(rules, pressure)
-    }
-
-    #[inline(always)]
-    fn by_quadrature<const T: usize, const SLOPES: bool>(
+    pub(super) fn by_quadrature<const T: usize, const SLOPES: bool>(
         self,
         rules: &Rules,
         pressure: &[f64],
@@ -143,43 +129,6 @@ impl View {
     fn distances(&self) -> [f64; 2] {
         let nearest = if self.own { self.high } else { self.low.max(0.0) };
         [1.0, -1.0].map(|end| ((self.x + end).powi(2) + nearest * nearest).sqrt())
-    }
-
-    /// From the table, where that reaches the farther side.
-    #[inline(always)]
-    fn tabulated<const T: usize, const SLOPES: bool>(
-        self,
-        pressure: &[f64],
-    ) -> Option<Integrals<T>> {
-        let Self { x, low, high, own } = self;
-        let far = Place::new(x, high);
-        if !far.is_tabulated() {
-            return None;
-        }
-        let table = &*TABLE;
-        // U_k is even or odd.
-        let sign: [f64; T] =
-            std::array::from_fn(|k| if x < 0.0 && k % 2 == 1 { -1.0 } else { 1.0 });
-        let pressure: [f64; T] =
-            std::array::from_fn(|k| if SLOPES { sign[k] * pressure[k] } else { 0.0 });
-        let far = table.side::<T, SLOPES>(far, &pressure);
-        let near = if own { far } else { table.side::<T, SLOPES>(Place::new(x, low), &pressure) };
-        let between = own || low < 0.0;
-        let side = if between { 1.0 } else { -1.0 };
-        let mut value: [f64; T] = std::array::from_fn(|k| far.value[k] + side * near.value[k]);
-        if between {
-            let logs = log_integrals::<T>(x.abs());
-            for k in 0..T {
-                value[k] -= 2.0 * logs[k];
-            }
-        }
-        let mut by_x = x.signum() * (far.by_x + side * near.by_x);
-        if between && SLOPES {
-            by_x -= 2.0 * x.signum() * log_slopes(x.abs(), &pressure);
-        }
-        let value = std::array::from_fn(|k| sign[k] * value[k]);
-        let by_x = if own { 0.0 } else { by_x };
-        Some(Integrals { value, by_x, by_e: far.by_e + side * near.by_e })
     }
 
     #[inline(always)]
@@ -290,7 +239,7 @@ pub(super) fn log_integrals<const T: usize>(x: f64) -> [f64; T] {
 
 /// The derivative of [`log_integrals`] weighted with pressures.
 #[inline(always)]
-fn log_slopes<const T: usize>(x: f64, pressure: &[f64; T]) -> f64 {
+pub(super) fn log_slopes<const T: usize>(x: f64, pressure: &[f64; T]) -> f64 {
     let first = beyond(x);
     let (mut before, mut last, mut sum) = (1.0, first, 0.0);
     for pressure in pressure {
@@ -322,12 +271,22 @@ pub(super) struct Rules {
     /// Gauss-Chebyshev rules of the second kind, each from a hyperbolic cosine of the depth of the
     /// singularity on: with few polynomials, and with many.
     chebyshev: Vec<([f64; 2], Vec<Block>)>,
+    /// The same for few polynomials, point by point.
+    few: Vec<(f64, Vec<Node>)>,
     /// Of rising order.
     legendre: Vec<Legendre>,
 }
 
+/// A point of quadrature, and its weight with each polynomial.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Node {
+    pub(super) s: f64,
+    pub(super) weights: [f64; TABULATED],
+}
+
 pub(super) static RULES: LazyLock<Rules> = LazyLock::new(|| Rules {
     chebyshev: [8, 16, 24].map(chebyshev).into(),
+    few: [4, 6, 8].map(few).into(),
     legendre: [16, 24, 40, 56].map(legendre).into(),
 });
 
@@ -349,6 +308,12 @@ impl Rules {
         self.chebyshev.iter().find(|(least, _)| mean >= least[many]).map(|(_, blocks)| &blocks[..])
     }
 
+    /// The points of the smallest rule good for a mean distance from the two ends, where few do.
+    #[inline(always)]
+    pub(super) fn few(&self, mean: f64) -> Option<&[Node]> {
+        self.few.iter().find(|(least, _)| mean >= *least).map(|(_, nodes)| &nodes[..])
+    }
+
     /// A rule good for half a range in the variable `v`.
     #[inline(always)]
     fn legendre<const T: usize>(&self, half: f64) -> &[(Lanes, Lanes)] {
@@ -360,23 +325,36 @@ impl Rules {
 /// Gauss-Chebyshev points of the second kind; the error falls as `exp(-2 count depth)`, and a
 /// polynomial of high degree takes as many points as it has waves.
 fn chebyshev(count: usize) -> ([f64; 2], Vec<Block>) {
-    const DIGITS: f64 = 13.0;
-    let node = |k: usize| {
-        let angle = PI * (k + 1) as f64 / (count + 1) as f64;
-        let (sin, s) = angle.sin_cos();
-        (s, PI / (count + 1) as f64 * sin * sin)
+    let block = |first: usize| {
+        let nodes: [(f64, [f64; MOST]); LANES] = std::array::from_fn(|l| node(first + l, count));
+        Block { s: each(|l| nodes[l].0), weights: std::array::from_fn(|k| each(|l| nodes[l].1[k])) }
     };
-    let block = |first: usize| Block {
-        s: each(|l| node(first + l).0),
-        weights: std::array::from_fn(|k| {
-            each(|l| {
-                let (s, weight) = node(first + l);
-                weight * polynomials::<MOST>(s)[k]
-            })
-        }),
-    };
-    let least = [0, MOST].map(|lost| (DIGITS / (2 * count - lost) as f64).cosh());
+    let least = [0, MOST].map(|lost| least(count, lost));
     (least, (0..count).step_by(LANES).map(block).collect())
+}
+
+/// The same for few polynomials.
+fn few(count: usize) -> (f64, Vec<Node>) {
+    let nodes = (0..count).map(|k| {
+        let (s, weights) = node(k, count);
+        Node { s, weights: std::array::from_fn(|k| weights[k]) }
+    });
+    (least(count, 0), nodes.collect())
+}
+
+/// Point `k` of so many, and its weights.
+fn node(k: usize, count: usize) -> (f64, [f64; MOST]) {
+    let angle = PI * (k + 1) as f64 / (count + 1) as f64;
+    let (sin, s) = angle.sin_cos();
+    let weight = PI / (count + 1) as f64 * sin * sin;
+    (s, polynomials::<MOST>(s).map(|u| weight * u))
+}
+
+/// The hyperbolic cosine of the depth of the singularity from which on so many points do, some of which
+/// waves take.
+fn least(count: usize, lost: usize) -> f64 {
+    const DIGITS: f64 = 13.0;
+    (DIGITS / (2 * count - lost) as f64).cosh()
 }
 
 fn legendre(count: usize) -> Legendre {
@@ -388,8 +366,6 @@ fn legendre(count: usize) -> Legendre {
 
 #[cfg(test)]
 mod tests {
-    use proptest::prelude::*;
-
     use super::*;
 
     /// By brute force: midpoints in the angle, whose clustering eases the ends; the logarithm
@@ -421,63 +397,13 @@ mod tests {
             (0.2, 30.0, 31.0, false),
         ] {
             let view = View { x, low, high, own };
-            let found = view.integrals::<MOST, false>(&RULES, &[]);
+            let found = view.upright().by_quadrature::<MOST, false>(&RULES, &[]);
             for k in 0..MOST {
                 let expected = brute(view, k);
                 let difference = (found.value[k] - expected).abs();
                 // Half a step of the brute sum is lost at the logarithm.
                 assert!(difference < 2e-6, "{view:?} {k}: {difference}");
             }
-        }
-    }
-
-    proptest! {
-        #![proptest_config(ProptestConfig::with_cases(2000))]
-
-        /// Random places, near and far: cubics err most in the table's cells next to a strip's ends,
-        /// where slopes are those of a root; they serve Newton's method only.
-        #[test]
-        fn the_table_is_the_integral(
-            x in -1.4..1.4_f64, own in 0..5, scale in -3.0..-0.3_f64, place in -1.0..5.0_f64, part in 0.0..1.0_f64,
-        ) {
-            let (own, width) = (own == 0, 10.0_f64.powf(scale));
-            let x = if own { x / 1.5 } else { x };
-            let low = if own { -width } else { width * place };
-            let high = if own { width } else { low + 2.0 * width * part };
-            let view = View { x, low, high, own }.upright();
-            let found = view.tabulated::<TABULATED, true>(&[0.7, 0.3, -0.2, 0.1]);
-            prop_assume!(found.is_some());
-            let (found, expected) = (found.unwrap(), view.by_quadrature::<MOST, true>(
-                &RULES,
-                &[0.7, 0.3, -0.2, 0.1, 0.0, 0.0, 0.0, 0.0],
-            ));
-            for (found, expected) in found.value.iter().zip(expected.value) {
-                prop_assert!((found - expected).abs() < 5e-6, "{view:?}: {found} {expected}");
-            }
-            prop_assert!((found.by_e - expected.by_e).abs() < 1e-3, "{view:?}");
-            // Between the sides quadrature finds no slope: it would be a principal value.
-            let is_near_end = (x.abs() - 1.0).hypot(view.low) < 0.05;
-            let size = expected.by_x.abs().max(1.0);
-            let by_x = (found.by_x - expected.by_x) / size;
-            prop_assert!(is_near_end || view.low < 0.0 || by_x.abs() < 1e-4, "{view:?}: {by_x:e}");
-        }
-    }
-
-    /// Between the sides of a strip of another band, beyond its end.
-    #[test]
-    fn slopes_of_the_table_are_those_of_its_values() {
-        const STEP: f64 = 1e-5;
-        let pressure = [0.7, 0.3, -0.2, 0.1];
-        for (x, low, high) in [(1.2, -0.1, 0.3), (-1.1, -0.2, 0.25), (0.4, 0.05, 0.2)] {
-            let at = |x: f64| {
-                let view = View { x, low, high, own: false };
-                let found = view.tabulated::<TABULATED, true>(&pressure).unwrap();
-                let sum: f64 = found.value.iter().zip(pressure).map(|(v, p)| v * p).sum();
-                (sum, found.by_x)
-            };
-            let by_x = (at(x + STEP).0 - at(x - STEP).0) / (2.0 * STEP);
-            // Within a cubic they are the same but for what the difference leaves out.
-            assert!((at(x).1 - by_x).abs() < 1e-7, "{x}: {} {by_x}", at(x).1);
         }
     }
 
@@ -489,14 +415,14 @@ mod tests {
         {
             let at = |dx: f64, factor: f64| {
                 let view = View { x: x + dx, low: low * factor, high: high * factor, own };
-                view.integrals::<MOST, false>(&RULES, &[]).value
+                view.upright().by_quadrature::<MOST, false>(&RULES, &[]).value
             };
             let (ahead, behind) = (at(STEP, 1.0), at(-STEP, 1.0));
             let (more, less) = (at(0.0, STEP.exp()), at(0.0, (-STEP).exp()));
             for k in 0..MOST {
                 let pressure: [f64; MOST] = std::array::from_fn(|i| f64::from(u8::from(i == k)));
                 let view = View { x, low, high, own };
-                let found = view.integrals::<MOST, true>(&RULES, &pressure);
+                let found = view.upright().by_quadrature::<MOST, true>(&RULES, &pressure);
                 let by_e = (more[k] - less[k]) / (2.0 * STEP);
                 assert!((found.by_e - by_e).abs() < 2e-5, "{k}: {} {by_e}", found.by_e);
                 let by_x = (ahead[k] - behind[k]) / (2.0 * STEP);

@@ -6,10 +6,13 @@ mod kernel;
 mod newton;
 mod outside;
 mod side;
+mod sources;
 mod strip;
 mod summit;
 mod system;
 mod waves;
+
+use std::sync::Arc;
 
 use super::band::Band;
 use super::contact::Patch;
@@ -18,7 +21,7 @@ use super::level::Task;
 use super::solve::Found;
 use crate::gap::{Gap, Rectangle};
 pub(crate) use kernel::{MOST, profile};
-pub(crate) use newton::{Question, Stopped, Touching, solve as touching};
+pub(crate) use newton::{Factors, Question, Stopped, Touching, solve as touching};
 pub(crate) use strip::Strip;
 use strip::Units;
 use system::CENTRED;
@@ -57,7 +60,13 @@ impl Wanted {
 /// A tip laid too far out leaves its strip nothing to touch: the strip shrinks to nothing, and
 /// the strips are laid anew with the tip drawn in. Where the ends found put a tip elsewhere than it
 /// was laid, they are laid anew too.
-pub(super) fn solve(task: Task<'_>, start: &[Patch], wanted: Wanted) -> Option<Found> {
+/// A matrix that is known of like strips close by is where Newton's method begins.
+pub(super) fn solve(
+    task: Task<'_>,
+    start: &[Patch],
+    known: Option<&Arc<Factors>>,
+    wanted: Wanted,
+) -> Option<Found> {
     let Wanted { count, terms, enough, nearly, mut attempts, .. } = wanted;
     let (units, depth) = units(task, start)?;
     let force = units.pressure * units.length * units.length;
@@ -71,7 +80,7 @@ pub(super) fn solve(task: Task<'_>, start: &[Patch], wanted: Wanted) -> Option<F
         height.unwrap_or(peak)
     };
     let load = wanted.load.map(|load| load / force);
-    let question = Question { depth: &gap, load, enough, nearly };
+    let question = Question { depth: &gap, load, enough, nearly, known };
     let (mut start, mut settled) = (start.to_vec(), 0);
     while attempts > 0 {
         let mut laid = laid(&start, count, terms, units)?;
@@ -98,6 +107,7 @@ pub(super) fn solve(task: Task<'_>, start: &[Patch], wanted: Wanted) -> Option<F
                     summit: units.pressure * summit(&touching, peak),
                     unseen: units.pressure * peak * waves::missed_across(&touching.strips, &gap),
                     stiffness: force / depth * touching.stiffness,
+                    factors: Some(touching.factors.clone()),
                 };
                 let is_all = || outside::stays_open(task, &touching, units, terms, &gap);
                 return (!wanted.complete || is_all()).then_some(found);

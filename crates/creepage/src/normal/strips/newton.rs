@@ -1,5 +1,7 @@
 //! Newton's method for the pressures, centres and half lengths of all strips at once.
 
+use std::sync::Arc;
+
 use nalgebra::DVector;
 
 use super::strip::Strip;
@@ -19,6 +21,8 @@ pub(crate) struct Question<'a> {
     pub(crate) enough: f64,
     /// To which part the stiffness is wanted.
     pub(crate) nearly: f64,
+    /// The matrix of like strips close by, to begin with.
+    pub(crate) known: Option<&'a Arc<Factors>>,
 }
 
 impl Question<'_> {
@@ -37,6 +41,7 @@ pub(crate) struct Touching {
     pub(crate) deeper: f64,
     /// How the load follows the depth.
     pub(crate) stiffness: f64,
+    pub(crate) factors: Arc<Factors>,
 }
 
 /// Where the iteration stopped, and by how much it would next have the logarithms of the half
@@ -81,7 +86,7 @@ struct Search<'a> {
     question: Question<'a>,
     system: System,
     residual: DVector<f64>,
-    factors: Option<Factors>,
+    factors: Option<Arc<Factors>>,
     /// The part of the residual that the last step left.
     left: f64,
     /// Steps of the other kind, steps that hardly helped, and those on which a strip vanishes.
@@ -93,8 +98,14 @@ struct Search<'a> {
 impl<'a> Search<'a> {
     fn new(strips: Vec<Strip>, terms: usize, question: Question<'a>) -> Self {
         let system = System { strips, terms, points: points(terms), deeper: 0.0 };
-        let (residual, matrix) = system.linearized(question.depth);
-        let factors = Factors::new(&system, &matrix);
+        let known = question.known.filter(|known| known.fit(&system)).cloned();
+        let (residual, factors) = match known {
+            Some(known) => (system.residual(question.depth), Some(known)),
+            None => {
+                let (residual, matrix) = system.linearized(question.depth);
+                (residual, Factors::new(&system, &matrix))
+            }
+        };
         Self { question, system, residual, factors, left: 1.0, damped: 0, slow: 0, vanishing: 0 }
     }
 
@@ -112,12 +123,12 @@ impl<'a> Search<'a> {
     /// matrix, if that is of a place near enough.
     fn last_step(&mut self) -> Option<Touching> {
         let Question { depth, load, nearly, .. } = self.question;
-        let known = self.factors.take().filter(|factors| factors.moved < nearly);
+        let known = self.factors.take().filter(|factors| factors.distance(&self.system) < nearly);
         let factors =
             known.or_else(|| Factors::new(&self.system, &self.system.linearized(depth).1))?;
         let step = factors.step(&self.system, &self.residual, load)?;
         let System { strips, deeper, .. } = self.system.after(&step)?;
-        Some(Touching { strips, deeper, stiffness: factors.stiffness })
+        Some(Touching { strips, deeper, stiffness: factors.stiffness, factors })
     }
 
     /// One step; where there is none, by how much it would have the half lengths shrink.
@@ -131,7 +142,7 @@ impl<'a> Search<'a> {
         let Question { depth, load, .. } = self.question;
         let kept = self.factors.take();
         let fresh = || Factors::new(&self.system, &self.system.linearized(depth).1);
-        let mut factors = kept.or_else(fresh).ok_or_else(Vec::new)?;
+        let factors = kept.or_else(fresh).ok_or_else(Vec::new)?;
         let step = factors.step(&self.system, &self.residual, load).ok_or_else(Vec::new)?;
         let size_of_strip = self.system.size();
         let shrinking = || -> Vec<f64> {
@@ -141,7 +152,11 @@ impl<'a> Search<'a> {
         let Some((next, after, left)) = self.system.improved(&step, size, self.question) else {
             // An old matrix is given up first.
             let shrinking = shrinking();
-            return if factors.is_old() || self.damp() { Ok(()) } else { Err(shrinking) };
+            return if factors.distance(&self.system) > 0.0 || self.damp() {
+                Ok(())
+            } else {
+                Err(shrinking)
+            };
         };
         if left > SLOW * size && self.slow >= SLOW_STEPS {
             return Err(shrinking());
@@ -149,7 +164,6 @@ impl<'a> Search<'a> {
         self.slow += usize::from(left > SLOW * size);
         self.vanishing +=
             usize::from(left > STILL * size && shrinking().iter().any(|by| *by > FAR));
-        factors.moved += self.system.change(&step.unknowns);
         (self.system, self.residual, self.left) = (next, after, left / size);
         if self.vanishing >= VANISHING_STEPS {
             return Err(shrinking());
@@ -192,27 +206,46 @@ pub(super) struct Step {
 }
 
 /// The factored matrix of some system.
-struct Factors {
+#[derive(Debug, PartialEq)]
+pub(crate) struct Factors {
     lu: Lu,
     /// Change of the unknowns, and of the load, with the depth.
     by_depth: DVector<f64>,
     stiffness: f64,
-    /// How far the system has gone from there, in parts of itself.
-    moved: f64,
+    /// Where it is the matrix.
+    strips: Vec<Strip>,
+    terms: usize,
 }
 
 impl Factors {
-    fn new(system: &System, matrix: &[f64]) -> Option<Self> {
+    fn new(system: &System, matrix: &[f64]) -> Option<Arc<Self>> {
         let total = system.strips.len() * system.size();
         let lu = Lu::of_rows(matrix, total)?;
         let mut by_depth = DVector::from_element(total, 1.0);
         lu.solve(by_depth.as_mut_slice());
         let stiffness = system.load_change(&by_depth);
-        Some(Self { lu, by_depth, stiffness, moved: 0.0 })
+        let strips = system.strips.clone();
+        Some(Arc::new(Self { lu, by_depth, stiffness, strips, terms: system.terms }))
     }
 
-    fn is_old(&self) -> bool {
-        self.moved > 0.0
+    /// Whether the unknowns of a system are those of the matrix.
+    fn fit(&self, system: &System) -> bool {
+        let bands = |strips: &[Strip]| strips.iter().map(|strip| strip.band).collect::<Vec<_>>();
+        self.terms == system.terms && bands(&self.strips) == bands(&system.strips)
+    }
+
+    /// How far a system is from there: the largest part by which a half length, a place, or a
+    /// pressure over the largest differs.
+    fn distance(&self, system: &System) -> f64 {
+        let largest = system.strips.iter().fold(0.0, |most: f64, s| most.max(s.pressure[0].abs()));
+        let pairs = self.strips.iter().zip(&system.strips);
+        let apart = pairs.map(|(one, other)| {
+            let pressures = one.pressure.iter().zip(&other.pressure).take(self.terms);
+            let lengths = [(one.centre - other.centre) / one.half, (one.half / other.half).ln()];
+            let pressures = pressures.map(|(one, other)| (one - other) / largest);
+            pressures.chain(lengths).fold(0.0, |most: f64, part| most.max(part.abs()))
+        });
+        apart.fold(0.0, f64::max)
     }
 
     fn step(&self, system: &System, residual: &DVector<f64>, load: Option<f64>) -> Option<Step> {

@@ -1,14 +1,13 @@
 //! Whether strips are all the contact there is: nowhere else may the deformed bodies overlap.
 
-use std::f64::consts::PI;
-
 use pulp::{Arch, Simd, WithSimd};
 
 use crate::normal::level::Task;
 use crate::normal::overlap::Overlap;
 
-use super::kernel::{MOST, RULES, View};
+use super::kernel::MOST;
 use super::newton::{Depth, Touching};
+use super::sources::Sources;
 use super::strip::{Strip, Units};
 use super::system::CENTRED;
 
@@ -103,20 +102,11 @@ impl<const T: usize> WithSimd for Displaced<'_, T> {
     #[allow(clippy::inline_always)] // so that it is compiled for each kind of processor
     #[inline(always)]
     fn with_simd<S: Simd>(self, _: S) -> Vec<f64> {
-        let rules = &*RULES;
+        let all = Sources::<T>::all(self.strips);
         let mut sums = vec![0.0; self.places.len()];
-        for (sum, [x, y]) in sums.iter_mut().zip(self.places) {
-            for strip in self.strips {
-                let across = y - strip.y;
-                let view = View {
-                    x: (x - strip.centre) / strip.half,
-                    low: (across - strip.width) / strip.half,
-                    high: (across + strip.width) / strip.half,
-                    own: false,
-                };
-                let integrals = view.integrals::<T, false>(rules, &strip.pressure);
-                let parts = integrals.value.iter().zip(&strip.pressure);
-                *sum += strip.half / PI * parts.map(|(value, p)| value * p).sum::<f64>();
+        for (sum, at) in sums.iter_mut().zip(self.places) {
+            for some in &all {
+                *sum += some.displacement(*at);
             }
         }
         sums

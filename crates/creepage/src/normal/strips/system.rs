@@ -6,9 +6,11 @@ use std::f64::consts::PI;
 use nalgebra::{DMatrix, DVector};
 use pulp::{Arch, Simd, WithSimd};
 
-use super::kernel::{MOST, RULES, Rules, View};
+use super::kernel::MOST;
 use super::newton::{Depth, Question, Step};
+use super::sources::Sources;
 use super::strip::Strip;
+use crate::lanes::LANES;
 
 /// Strips in contact, their unknowns and equations.
 pub(super) struct System {
@@ -51,13 +53,13 @@ impl<const T: usize, const SLOPES: bool> WithSimd for Evaluate<'_, T, SLOPES> {
     #[inline(always)]
     fn with_simd<S: Simd>(self, _: S) {
         let Self { system, depth, residual, rows } = self;
-        let (rules, total) = (&*RULES, residual.len());
+        let (all, total) = (Sources::all(&system.strips), residual.len());
         for (i, strip) in system.strips.iter().enumerate() {
             for (l, &s) in system.points.iter().enumerate() {
                 let at = i * system.size() + l;
                 let start = if SLOPES { at * total } else { 0 };
                 let row = if SLOPES { &mut rows[start..start + total] } else { &mut [][..] };
-                residual[at] = system.row::<T, SLOPES>(rules, [i, l], depth, row)
+                residual[at] = system.row::<T, SLOPES>(&all, [i, l], depth, row)
                     - depth(strip.centre + strip.half * s, strip.y)
                     - system.deeper;
             }
@@ -80,7 +82,7 @@ impl<const T: usize> WithSimd for ByPressures<'_, T> {
     #[inline(always)]
     fn with_simd<S: Simd>(self, _: S) -> Self::Output {
         let Self { system, depth, first } = self;
-        let (rules, size) = (&*RULES, system.size());
+        let (all, size) = (Sources::all(&system.strips), system.size());
         let own = &system.strips[first..];
         let mut matrix = DMatrix::zeros(T * own.len(), T * own.len());
         let mut residual = DVector::zeros(T * own.len());
@@ -89,7 +91,7 @@ impl<const T: usize> WithSimd for ByPressures<'_, T> {
             for (l, &s) in system.points.iter().enumerate() {
                 row.fill(0.0);
                 let at = T * i + l;
-                residual[at] = system.row::<T, false>(rules, [first + i, l], depth, &mut row)
+                residual[at] = system.row::<T, false>(&all, [first + i, l], depth, &mut row)
                     - depth(strip.centre + strip.half * s, strip.y)
                     - system.deeper;
                 for (j, by_source) in row[first * size..].chunks_exact(size).enumerate() {
@@ -173,7 +175,7 @@ impl System {
     #[inline(always)]
     fn row<const T: usize, const SLOPES: bool>(
         &self,
-        rules: &Rules,
+        all: &[Sources<T>],
         [i, l]: [usize; 2],
         depth: Depth<'_>,
         row: &mut [f64],
@@ -182,25 +184,13 @@ impl System {
             (&self.strips[i], self.points[l], T + if T == CENTRED { 1 } else { 2 });
         let x = strip.centre + strip.half * s;
         let (mut displacement, mut slope) = (0.0, 0.0);
-        for (j, source) in self.strips.iter().enumerate() {
-            let view = view(strip, source, x, s, i == j);
-            let integrals = view.integrals::<T, SLOPES>(rules, &source.pressure);
-            let scale = source.half / PI;
-            let parts = integrals.value.iter().zip(&source.pressure);
-            let value: f64 = parts.map(|(value, pressure)| value * pressure).sum();
-            displacement += scale * value;
-            let Some(own) = row.get_mut(j * size..(j + 1) * size) else { continue };
-            for (own, value) in own.iter_mut().zip(&integrals.value) {
-                *own += scale * value;
-            }
-            if SLOPES {
-                let by_x = integrals.by_x;
-                let distance = (x - source.centre) / source.half;
-                slope += by_x / PI;
-                if T != CENTRED {
-                    own[T] -= scale * by_x;
-                }
-                own[size - 1] += scale * (value - distance * by_x - integrals.by_e);
+        for (block, sources) in all.iter().enumerate() {
+            let first = block * LANES;
+            let own = i.checked_sub(first).filter(|own| *own < sources.count());
+            let found = sources.displacements::<SLOPES>([x, strip.y], own);
+            displacement += sources.sum(&found);
+            if !row.is_empty() {
+                slope += sources.add_to::<SLOPES>(&mut row[first * size..], x, &found);
             }
         }
         if SLOPES {
@@ -213,16 +203,6 @@ impl System {
             row[(i + 1) * size - 1] += slope * strip.half * s;
         }
         displacement
-    }
-
-    /// Largest part by which a step changes a half length, a place, or a pressure over the largest.
-    pub(super) fn change(&self, step: &DVector<f64>) -> f64 {
-        let largest = self.strips.iter().fold(0.0, |most: f64, s| most.max(s.pressure[0].abs()));
-        let units = std::iter::repeat_n(largest, self.terms);
-        let units = units.chain(std::iter::repeat_n(1.0, self.lengths())).cycle();
-        step.iter()
-            .zip(units)
-            .fold(0.0, |most: f64, (change, unit)| most.max((change / unit).abs()))
     }
 
     /// How far a step may go: no half length changes by more than a third, no centre moves
@@ -323,15 +303,5 @@ impl System {
                 PI * strip.width * strip.half * (change[j * size] + by_half)
             })
             .sum()
-    }
-}
-
-fn view(strip: &Strip, source: &Strip, x: f64, s: f64, own: bool) -> View {
-    let across = strip.y - source.y;
-    View {
-        x: if own { s } else { (x - source.centre) / source.half },
-        low: (across - source.width) / source.half,
-        high: (across + source.width) / source.half,
-        own,
     }
 }

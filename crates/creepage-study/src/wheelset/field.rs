@@ -1,0 +1,55 @@
+//! What happens in the elements of a contact: kept, or found when it is asked for.
+
+use std::borrow::Cow;
+use std::sync::Arc;
+
+use creepage::approximate::non_hertzian::NonHertzianSimplified;
+use creepage::coulomb::{ElementField, NearTractions};
+
+use super::solver::{Answer, RigidMotion, Rolled};
+
+/// Tractions and slip of a contact that is solved.
+#[derive(Debug, Clone)]
+pub(super) enum Field {
+    Exact(Vec<ElementField>, Arc<NearTractions>),
+    /// A simplified theory marches through its cells again, which costs less than to keep them.
+    Simplified(Box<March>),
+}
+
+/// A simplified theory and what it was solved for.
+#[derive(Debug, Clone)]
+pub(super) struct March {
+    theory: Arc<NonHertzianSimplified>,
+    motion: RigidMotion,
+}
+
+impl Field {
+    pub(super) fn of(rolled: &Rolled<'_>) -> Self {
+        match &rolled.solved {
+            Answer::Exact(solved) => Self::Exact(solved.elements(), Arc::new(solved.tractions())),
+            Answer::Simplified(_, theory) => {
+                let (theory, motion) = (Arc::clone(theory), rolled.motion.clone());
+                Self::Simplified(Box::new(March { theory, motion }))
+            }
+        }
+    }
+
+    /// From which a position close by may start.
+    pub(super) fn tractions(&self) -> Option<&Arc<NearTractions>> {
+        match self {
+            Self::Exact(_, tractions) => Some(tractions),
+            Self::Simplified(_) => None,
+        }
+    }
+
+    pub(super) fn elements(&self) -> Cow<'_, [ElementField]> {
+        match self {
+            Self::Exact(elements, _) => Cow::Borrowed(elements),
+            Self::Simplified(march) => {
+                let March { theory, motion } = &**march;
+                let solved = theory.solve_curved(motion.creepage, |y| motion.more([0.0, y]));
+                Cow::Owned(solved.elements())
+            }
+        }
+    }
+}
