@@ -28,6 +28,9 @@ pub(crate) struct SlipForcing {
     pub slip: Vec<[f64; 2]>,
     /// The spin in it, for positions between the elements.
     pub spin: f64,
+    /// How adhesion of each element gives way, and the derivative of that by the spin; none where it does
+    /// not: [`super::turning`].
+    pub give: Vec<[f64; 2]>,
 }
 
 impl SlipForcing {
@@ -50,7 +53,13 @@ impl SlipForcing {
     /// No slip.
     pub(crate) fn clear(&mut self) {
         self.slip.fill([0.0; 2]);
+        self.give.clear();
         self.spin = 0.0;
+    }
+
+    /// How adhesion of an element gives way, and the derivative of that by the spin.
+    pub(crate) fn give(&self, element: usize) -> [f64; 2] {
+        self.give.get(element).copied().unwrap_or_default()
     }
 
     /// The largest slip.

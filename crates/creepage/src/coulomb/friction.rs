@@ -52,6 +52,8 @@ pub(crate) struct Sliding {
     pub derivative: [[f64; 2]; 2],
     /// Beyond the rounded corner: the traction turns, its size stays.
     pub at_bound: bool,
+    /// Below the corner, where traction grows with what slip remains: [`project_within`].
+    pub holds: bool,
 }
 
 /// The projection of `trial = traction + weight * slip`: `None` where it is the trial itself, in
@@ -69,13 +71,34 @@ pub(crate) fn project(trial: [f64; 2], corner: Corner) -> Option<Sliding> {
         traction: [projected * x, projected * y],
         derivative: [[turn + bend * x * x, bend * x * y], [bend * x * y, turn + bend * y * y]],
         at_bound: size >= 1.0 + corner.half_width(),
+        holds: false,
     })
 }
 
-/// The same on a disc of radius `limit`, greater than zero.
-pub(crate) fn project_within(limit: f64, trial: [f64; 2], corner: Corner) -> Option<Sliding> {
-    let sliding = project(trial.map(|t| t / limit), corner)?;
-    Some(Sliding { traction: sliding.traction.map(|t| limit * t), ..sliding })
+/// The same on a disc of radius `limit`, greater than zero, where adhesion leaves a slip of `give` times
+/// the traction over the weight: the solution then is `weight * slip = give * traction` below the bound.
+pub(crate) fn project_within(
+    limit: f64,
+    give: f64,
+    trial: [f64; 2],
+    corner: Corner,
+) -> Option<Sliding> {
+    let part = 1.0 / (1.0 + give);
+    let shared = trial.map(|t| part * t / limit);
+    let sliding = match project(shared, corner) {
+        None if give > 0.0 => held(shared),
+        sliding => sliding?,
+    };
+    Some(Sliding {
+        traction: sliding.traction.map(|t| limit * t),
+        derivative: sliding.derivative.map(|row| row.map(|d| part * d)),
+        ..sliding
+    })
+}
+
+/// A traction below the corner.
+fn held(traction: [f64; 2]) -> Sliding {
+    Sliding { traction, derivative: [[1.0, 0.0], [0.0, 1.0]], at_bound: false, holds: true }
 }
 
 #[cfg(test)]
@@ -108,6 +131,28 @@ mod tests {
                 }
             }
         }
+    }
+
+    /// The same within a limit, below and beyond the corner, where adhesion gives way; below it the slip
+    /// that is left goes with the traction.
+    #[test]
+    fn adhesion_that_gives_way_is_a_smooth_law_too() {
+        let (h, limit, give, corner) = (1e-6, 0.8, 0.3, Corner::Unbiased(0.1));
+        for trial in [[0.4, -0.3], [0.8, -0.62], [1.2, -0.7]] {
+            let at = |trial| project_within(limit, give, trial, corner).unwrap();
+            let found = at(trial);
+            for k in 0..2 {
+                let moved = |h: f64| [0, 1].map(|i| trial[i] + if i == k { h } else { 0.0 });
+                let [ahead, behind] = [h, -h].map(|h| at(moved(h)).traction);
+                for row in 0..2 {
+                    let numeric = (ahead[row] - behind[row]) / (2.0 * h);
+                    assert!((numeric - found.derivative[row][k]).abs() < 1e-9);
+                }
+                let slip = trial[k] - found.traction[k];
+                assert!(!found.holds || (slip - give * found.traction[k]).abs() < 1e-15);
+            }
+        }
+        assert!(project_within(limit, 0.0, [0.4, -0.3], corner).is_none());
     }
 
     /// Both corners are joined with their slope. The errors of one cancel, a midpoint sum of 2000 terms;

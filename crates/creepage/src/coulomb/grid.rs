@@ -8,6 +8,7 @@ use super::pressure::Pressure;
 use super::quadrature::Quadrature;
 use super::resistance::Resistance;
 use super::stencil::SlipStencil;
+use super::turning;
 use crate::ellipse::Ellipse;
 use crate::friction_law::RollingFriction;
 use crate::layer::Layer;
@@ -42,6 +43,8 @@ pub(crate) struct Grid {
     pub rounding: f64,
     /// For each element, those of the coarser grid to interpolate between, with their weights.
     pub coarser: Vec<[(usize, f64); 4]>,
+    /// Half the width of each element's strip, where adhesion gives way to spin; else none.
+    pub half_widths: Vec<f64>,
     /// Where the traction bound depends on the slip.
     pub resistance: Option<Resistance>,
 }
@@ -98,10 +101,21 @@ impl Grid {
             quadrature: Quadrature::new(&mesh, &pressure),
             rounding: (ROUNDING[0] * mesh.strips.len() as f64 / mesh.len() as f64).min(ROUNDING[1]),
             coarser: Vec::new(),
+            half_widths: Vec::new(),
             mesh,
             pressure,
             influence,
         }
+    }
+
+    /// The same with adhesion that gives way where spin turns the slip about within an element.
+    pub(crate) fn with_turning(mut self) -> Self {
+        let half_width = |(strip, _): (usize, usize)| {
+            let [low, high] = self.mesh.strips[strip].borders();
+            0.5 * (high - low)
+        };
+        self.half_widths = self.mesh.all().map(half_width).collect();
+        self
     }
 
     /// The same with friction that depends on the slip and with a layer, in the units `scaling`.
@@ -143,6 +157,7 @@ impl Grid {
     /// Sets what drives the slip; `side` is the sign of the pressure's part.
     pub(crate) fn set_forcing(&self, creepage: Creepage, side: f64, forcing: &mut SlipForcing) {
         forcing.set(creepage, &self.places, side, &self.pressure_slip);
+        turning::set_give(&self.half_widths, &self.weights, forcing);
     }
 }
 

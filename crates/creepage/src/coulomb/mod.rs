@@ -6,7 +6,8 @@
 //! all strips at once. Every force and the frictional power come from two grids: their difference
 //! gives the extrapolated value and its error bar. Forces are smooth in creepage and spin: the
 //! projection's corner, where an element changes between adhesion and slip, is rounded over a width
-//! that shrinks with the elements.
+//! that shrinks with the elements. Where strong spin turns the slip about within an element, adhesion
+//! gives way to it, so that no element holds the pole of the spin.
 //!
 //! Between elements the border of adhesion is found by how traction and slip near it, and fields
 //! follow it; an island of adhesion narrower than two elements is seen as one or not at all.
@@ -42,6 +43,7 @@ pub(crate) mod resolution;
 mod solution;
 pub(crate) mod solver;
 pub(crate) mod stencil;
+mod turning;
 mod view;
 mod workspace;
 
@@ -71,18 +73,19 @@ use workspace::Pool;
 ///
 /// | resolution | median | rms | worst | case | preparation |
 /// |---|---|---|---|---|---|
-/// | [`Resolution::FAST`] | 0.00 % | 0.09 % | 0.44 % | 0.5 ms | 0.6 ms |
+/// | [`Resolution::FAST`] | 0.00 % | 0.09 % | 0.45 % | 0.5 ms | 0.6 ms |
 /// | [`Resolution::STANDARD`] | 0.00 % | 0.03 % | 0.20 % | 2 ms | 2 ms |
 /// | [`Resolution::FINE`] | 0.00 % | 0.01 % | 0.04 % | 25 ms | 30 ms |
 ///
 /// The worst at the fine resolution are at `a/b = 5` and `chi = 2`, where grids of up to 182 x 42 and
 /// 134 x 74 elements agree with each other, and the reference is off by 0.12 %, beyond its uncertainty.
 ///
-/// Over 300 random cases that nothing was chosen with (`a/b` .15 to 6, creepage to 3, spin to 8),
-/// against 96 x 80 elements, `fx`, `fy` and `mz` err by 0.15, 0.05 and 0.013 % rms at the three
-/// resolutions, 0.8, 0.21 and 0.06 % at worst (0.33 % at the standard one over 200 others), and 96 % are
-/// inside their error bars, which are four times the error in the median. Between unlike bodies
-/// (`kappa/mu` to 3) it is 0.27, 0.10 and 0.03 %, 1.6, 0.6 and 0.16 %, 92 to 97 %, and five times.
+/// Over 250 random cases that nothing was chosen with (`a/b` .15 to 6, creepage to 3, spin to 8),
+/// against 96 x 80 elements, `fx`, `fy` and `mz` err by 0.13, 0.05 and 0.013 % rms at the three
+/// resolutions, 0.5, 0.25 and 0.07 % at worst (0.23 % at the standard one over 550), and 96 % are
+/// inside their error bars, which are 3.4 to 4 times the error in the median. Between unlike bodies
+/// (`kappa/mu` to 3, 300 cases of any size) it is 0.21, 0.07 and 0.02 %, 1.9, 0.4 and 0.1 %, 94 to 97 %, and
+/// four times.
 ///
 /// Over 60 random cases of like bodies the border of adhesion errs along `x` by 0.013, 0.006 and 0.003 `c` in
 /// the median, and nine times in ten by less than 0.043, 0.024 and 0.010 `c`.
@@ -151,11 +154,9 @@ impl Exact {
         let [along, across] = resolution.coarse_steady(ellipse.ratio());
         let grids = Grid::pair(|k| {
             let mesh = mesh::Mesh::ellipse(ellipse, k * along, k * across);
-            Grid::hertz(ellipse, poisson, contact.kappa_over_mu(), mesh).with_resistance(
-                contact.rolling_friction(),
-                contact.layer(),
-                contact.scaling(),
-            )
+            let grid = Grid::hertz(ellipse, poisson, contact.kappa_over_mu(), mesh).with_turning();
+            let (friction, layer) = (contact.rolling_friction(), contact.layer());
+            grid.with_resistance(friction, layer, contact.scaling())
         });
         Self { contact: *contact, grids, pool: Pool::default() }
     }

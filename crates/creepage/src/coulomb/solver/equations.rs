@@ -135,7 +135,9 @@ impl Equations {
         spin: f64,
     ) -> Force {
         for (element, right) in self.right.chunks_exact_mut(2).enumerate() {
-            right.copy_from_slice(&by_rigid_slip(grid, state, slip(element), element));
+            let by_slip = by_rigid_slip(grid, state, slip(element), element);
+            let by_give = by_give(grid, state, element);
+            right.copy_from_slice(&[0, 1].map(|k| by_slip[k] + spin * by_give[k]));
         }
         self.solve_by_refinement(grid, state);
         for element in 0..grid.mesh.len() {
@@ -213,6 +215,16 @@ fn by_rigid_slip(grid: &Grid, state: &State, slip: [f64; 2], element: usize) -> 
             derivative.map(|[x, y]| grid.weights[element] * (x * slip[0] + y * slip[1]))
         }
     }
+}
+
+/// The change of an element's residual with the spin, by which its adhesion gives way.
+fn by_give(grid: &Grid, state: &State, element: usize) -> [f64; 2] {
+    let Some(Sliding { derivative, .. }) = state.sliding[element] else {
+        return [0.0; 2];
+    };
+    let [give, slope] = state.forcing.give(element);
+    let [x, y] = state.trial(grid, element);
+    derivative.map(|[by_x, by_y]| -slope / (1.0 + give) * (by_x * x + by_y * y))
 }
 
 /// Left-hand side of the equations of an element by the change of its traction and slip: the slip in

@@ -189,9 +189,20 @@ impl State {
         })
     }
 
-    /// Whether an element's corner of Coulomb's law, rounded as it is, is passed.
+    /// Whether an element's corner of Coulomb's law, rounded as it is, is passed, or its adhesion gives way.
     pub(crate) fn slides(&self, element: usize) -> bool {
         self.sliding[element].is_some()
+    }
+
+    /// Whether an element is below the corner.
+    fn holds(&self, element: usize) -> bool {
+        self.sliding[element].is_none_or(|sliding| sliding.holds)
+    }
+
+    /// Coulomb's law of an element with the corner as it is.
+    fn project(&self, element: usize, trial: [f64; 2]) -> Option<Sliding> {
+        let [give, _] = self.forcing.give(element);
+        project_within(self.limits[element], give, trial, self.corner)
     }
 
     /// Traction and slip of an element by Coulomb's law without its corner rounded: those with the
@@ -199,7 +210,7 @@ impl State {
     pub(crate) fn visible(&self, grid: &Grid, element: usize) -> ([f64; 2], Option<[f64; 2]>) {
         let trial = self.trial(grid, element);
         let Some(Sliding { traction, .. }) =
-            project_within(self.limits[element], trial, Corner::Sharp)
+            project_within(self.limits[element], 0.0, trial, Corner::Sharp)
         else {
             return (trial, None);
         };
@@ -271,10 +282,9 @@ impl State {
     fn choose_branches(&mut self, grid: &Grid, strip: usize) -> bool {
         let mut switched = false;
         for element in grid.mesh.elements(strip) {
-            let sliding =
-                project_within(self.limits[element], self.trial(grid, element), self.corner);
-            switched |= sliding.is_some() != self.slides(element);
-            self.sliding[element] = sliding;
+            let held = self.holds(element);
+            self.sliding[element] = self.project(element, self.trial(grid, element));
+            switched |= self.holds(element) != held;
         }
         switched
     }

@@ -1,7 +1,6 @@
 //! Newton in all strips at once, with a search along each step.
 
 use super::{Equations, State};
-use crate::coulomb::friction::project_within;
 use crate::coulomb::grid::Grid;
 
 const STEPS: usize = 20;
@@ -106,7 +105,7 @@ impl State {
             let traction = [0, 1].map(|k| t[k] + length * dt[k]);
             let slip = [0, 1].map(|k| s[k] + length * equations.slip[k][element]);
             let trial = [0, 1].map(|k| traction[k] + weight * slip[k]);
-            let [x, y] = match project_within(self.limits[element], trial, self.corner) {
+            let [x, y] = match self.project(element, trial) {
                 None => slip.map(|s| weight * s),
                 Some(sliding) => [0, 1].map(|k| sliding.traction[k] - traction[k]),
             };
