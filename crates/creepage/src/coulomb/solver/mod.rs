@@ -2,8 +2,9 @@
 //!
 //! Sweeps come near: a sweep solves the friction problem of each strip with the other strips
 //! held, for strips act on one another more weakly than elements of a strip do. Newton in all
-//! strips at once ends it; where one of its steps must be shortened, a pair of sweeps comes first
-//! again, but only in the first rounds: where sweeps swing between states, shortened steps go on.
+//! strips at once ends it; where one of its steps does not make the tractions better, sweeps come first
+//! again, more of them each time, but only in the first rounds: where sweeps swing between states,
+//! shortened steps go on.
 
 mod equations;
 mod gmres;
@@ -30,13 +31,13 @@ const LARGEST_START: f64 = 1e6;
 const SMALLEST_SLIP: f64 = 1e-140;
 /// Below this slip, single precision loses tractions of its size.
 const SMALLEST_SINGLE: f64 = 1e-20;
-/// Rounds of sweeps and Newton until another corner of Coulomb's law is tried, and the most of them.
-const ROUNDS: [usize; 2] = [3, 60];
+/// Rounds of sweeps and Newton until another corner of Coulomb's law is tried, at first and from that one's
+/// tractions, and the most of them. In the first ones Newton is left as soon as a whole step does not make
+/// the tractions better.
+const ROUNDS: [usize; 3] = [5, 3, 60];
 /// The width of a monotone corner where the unbiased one leads nowhere, over its width: so narrow that
 /// its bias is small.
 const NARROW: f64 = 0.125;
-/// Rounds in which Newton is left as soon as one of its steps must be shortened.
-const ROUNDS_OF_FULL_STEPS: usize = 3;
 
 /// How an iteration ended.
 #[derive(Debug, Clone, Copy, Default)]
@@ -155,18 +156,19 @@ impl State {
 
     /// Where the unbiased corner leads nowhere, a monotone one shows the way.
     fn iterate(&mut self, tolerance: f64, grid: &Grid, equations: &mut Equations) -> bool {
-        let [few, many] = ROUNDS;
+        let [few, fewer, many] = ROUNDS;
         let unbiased = Corner::Unbiased(grid.rounding);
         if self.obeys(unbiased, few, tolerance, grid, equations) {
             return true;
         }
         self.obeys(Corner::Monotone(grid.rounding), many, tolerance, grid, equations);
         let narrow = Corner::Monotone(NARROW * grid.rounding);
-        self.obeys(unbiased, few, tolerance, grid, equations)
+        self.obeys(unbiased, fewer, tolerance, grid, equations)
             || self.obeys(narrow, many, tolerance, grid, equations)
     }
 
-    /// Some rounds of a pair of sweeps and Newton; whether the tractions obey friction then.
+    /// Some rounds of sweeps and Newton; whether the tractions obey friction then. A Newton that fails costs
+    /// as much as ten sweeps, so there are two more pairs of sweeps in each round than in the one before.
     fn obeys(
         &mut self,
         corner: Corner,
@@ -176,17 +178,25 @@ impl State {
         equations: &mut Equations,
     ) -> bool {
         self.corner = corner;
-        let strips = grid.influence.strips();
         (1..=rounds).any(|round| {
-            for strip in (0..strips).chain((0..strips).rev()) {
-                self.solve_both(grid, strip, tolerance);
+            let pairs = 2 * round.min(ROUNDS[0]) - 1;
+            for _ in 0..pairs {
+                self.sweep_both_ways(grid, tolerance);
             }
-            equations.sweeps += 2;
-            for strip in 0..strips {
+            equations.sweeps += 2 * pairs;
+            for strip in 0..grid.influence.strips() {
                 self.update_slip(grid, Precision::Double, strip);
             }
-            self.newton(grid, equations, tolerance, round <= ROUNDS_OF_FULL_STEPS)
+            self.newton(grid, equations, tolerance, round <= ROUNDS[0])
         })
+    }
+
+    /// A pair of sweeps.
+    fn sweep_both_ways(&mut self, grid: &Grid, tolerance: f64) {
+        let strips = grid.influence.strips();
+        for strip in (0..strips).chain((0..strips).rev()) {
+            self.solve_both(grid, strip, tolerance);
+        }
     }
 
     /// Whether an element's corner of Coulomb's law, rounded as it is, is passed, or its adhesion gives way.

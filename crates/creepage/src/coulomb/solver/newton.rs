@@ -7,8 +7,6 @@ const STEPS: usize = 20;
 /// Largest and smallest forcing term of Eisenstat and Walker (1996), the relative accuracy of the
 /// linear equations: nearer to the solution it pays to solve them better.
 const FORCING_TERMS: [f64; 2] = [0.05, 1e-6];
-/// Forcing term after a step that led nowhere, for the last one may be to blame.
-const SAFE_FORCING_TERM: f64 = 1e-3;
 /// Fraction of the residual allowed at the end that the linear equations may leave.
 const FINAL_FRACTION: f64 = 0.3;
 /// Relative accuracy asked of one step: single precision leaves its noise, another on each processor, in
@@ -18,6 +16,9 @@ const FINEST_OF_SINGLE: f64 = 0.015;
 const STALE: f64 = 0.1;
 /// Halvings of a step until it makes the tractions better.
 const HALVINGS: usize = 5;
+/// Before sweeps a whole step may make the residual so many times larger: what it spoils, elements on the
+/// wrong side of the border of adhesion, sweeps mend, but short steps get nowhere.
+const GROWTH: f64 = 10.0;
 
 /// By how much friction is not obeyed, in parts of the bound: `traction - projection`.
 #[derive(Debug, Clone, Copy, Default)]
@@ -29,7 +30,7 @@ struct Norms {
 
 impl State {
     /// Improves tractions that are near the solution; the slip must be theirs. Whether they obey
-    /// friction then; with `full_steps_only` it ends as soon as a step must be shortened.
+    /// friction then; with `full_steps_only` it ends as soon as a whole step does not make them better.
     pub(super) fn newton(
         &mut self,
         grid: &Grid,
@@ -50,19 +51,17 @@ impl State {
             }
             let accuracy = term.max(FINAL_FRACTION * tolerance / residual.largest);
             equations.solve(grid, self, accuracy.max(FINEST_OF_SINGLE), self.precision);
-            let Some((length, next)) = self.search(grid, equations, residual) else {
-                if term <= SAFE_FORCING_TERM {
-                    break;
-                }
-                term = SAFE_FORCING_TERM;
-                continue;
+            let growth = if full_steps_only { GROWTH } else { progress(1.0) };
+            let Some((length, next)) = self.search(grid, equations, residual, growth) else {
+                break;
             };
             self.advance(equations, length);
-            term = (0.5 * (next.total / residual.total).powi(2)).clamp(smallest_term, largest_term);
-            residual = next;
-            if full_steps_only && length < 1.0 {
+            let fraction = next.total / residual.total;
+            if full_steps_only && (length < 1.0 || fraction >= progress(1.0)) {
                 return false;
             }
+            term = (0.5 * fraction.powi(2)).clamp(smallest_term, largest_term);
+            residual = next;
         }
         self.last_step.fill(f64::INFINITY);
         false
@@ -83,15 +82,23 @@ impl State {
         true
     }
 
-    /// The longest of the step's halves that makes the tractions better, and the residual then.
-    fn search(&self, grid: &Grid, equations: &Equations, residual: Norms) -> Option<(f64, Norms)> {
-        let mut length = 1.0;
+    /// The whole step if it makes the residual less than `growth` times as large, else the longest of its
+    /// halves that makes the tractions better; and the residual then.
+    fn search(
+        &self,
+        grid: &Grid,
+        equations: &Equations,
+        residual: Norms,
+        growth: f64,
+    ) -> Option<(f64, Norms)> {
+        let (mut length, mut largest) = (1.0, growth);
         for _ in 0..=HALVINGS {
             let next = self.residual_after(grid, equations, length);
-            if next.total < (1.0 - 0.1 * length) * residual.total {
+            if next.total < largest * residual.total {
                 return Some((length, next));
             }
             length *= 0.5;
+            largest = progress(length);
         }
         None
     }
@@ -122,4 +129,9 @@ impl State {
             slip.iter_mut().zip(change).for_each(|(slip, change)| *slip += length * change);
         }
     }
+}
+
+/// The fraction of the residual that a step of some length must come below.
+fn progress(length: f64) -> f64 {
+    1.0 - 0.1 * length
 }
