@@ -99,12 +99,11 @@ impl<'a> Search<'a> {
     fn new(strips: Vec<Strip>, terms: usize, question: Question<'a>) -> Self {
         let system = System { strips, terms, points: points(terms), deeper: 0.0 };
         let known = question.known.filter(|known| known.fit(&system)).cloned();
-        let (residual, factors) = match known {
-            Some(known) => (system.residual(question.depth), Some(known)),
-            None => {
-                let (residual, matrix) = system.linearized(question.depth);
-                (residual, Factors::new(&system, &matrix))
-            }
+        let (residual, factors) = if known.is_some() {
+            (system.residual(question.depth), known)
+        } else {
+            let (residual, matrix) = system.linearized(question.depth);
+            (residual, Factors::new(&system, &matrix))
         };
         Self { question, system, residual, factors, left: 1.0, damped: 0, slow: 0, vanishing: 0 }
     }

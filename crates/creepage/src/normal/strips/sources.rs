@@ -128,7 +128,7 @@ impl<const T: usize> Sources<T> {
             found = self.tabulated::<SLOPES>(&seen, &far);
         }
         let some_are_beyond = T <= TABULATED && reached.contains(&false);
-        if let Some(nodes) = some_are_beyond.then(|| seen.nodes(&reached)).flatten() {
+        if let Some(nodes) = some_are_beyond.then(|| seen.nodes(reached)).flatten() {
             let far = self.far::<SLOPES>(&seen, nodes);
             found.replace(&far, |l| !reached[l]);
         } else {
@@ -234,7 +234,7 @@ impl Seen {
     /// Points of quadrature that are enough for all sources the table does not reach; `None` where
     /// one is too near, or beside the point.
     #[inline(always)]
-    fn nodes(&self, reached: &[bool; LANES]) -> Option<&'static [Node]> {
+    fn nodes(&self, reached: [bool; LANES]) -> Option<&'static [Node]> {
         let near = Places::new(&self.x.map(f64::abs), &self.low).mean();
         let nearest = (0..LANES)
             .filter(|l| !reached[*l])
