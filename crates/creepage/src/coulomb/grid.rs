@@ -43,7 +43,7 @@ pub(crate) struct Grid {
     pub rounding: f64,
     /// For each element, those of the coarser grid to interpolate between, with their weights.
     pub coarser: Vec<[(usize, f64); 4]>,
-    /// Half the width of each element's strip, where adhesion gives way to spin; else none.
+    /// Half the width of each element's strip, where adhesion gives way to spin; empty elsewhere.
     pub half_widths: Vec<f64>,
     /// Where the traction bound depends on the slip.
     pub resistance: Option<Resistance>,
@@ -139,8 +139,12 @@ impl Grid {
         for (element, (strip, _)) in self.mesh.all().enumerate() {
             self.weights[element] = WEIGHT / self.influence.own(strip, element);
         }
+        let softer = own_slip(&self.weights) / bare;
         // On springs the slip grows slowly from the border of adhesion: a rounded corner reaches far.
-        self.rounding *= (bare / own_slip(&self.weights)).sqrt();
+        self.rounding /= softer.sqrt();
+        // What spin makes within an element counts by the slip that elements take up.
+        self.half_widths.iter_mut().for_each(|half_width| *half_width /= softer);
+        self.quadrature.set_elastic_slip(softer);
         self
     }
 

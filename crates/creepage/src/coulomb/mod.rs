@@ -80,12 +80,11 @@ use workspace::Pool;
 /// The worst at the fine resolution are at `a/b = 5` and `chi = 2`, where grids of up to 182 x 42 and
 /// 134 x 74 elements agree with each other, and the reference is off by 0.12 %, beyond its uncertainty.
 ///
-/// Over 250 random cases that nothing was chosen with (`a/b` .15 to 6, creepage to 3, spin to 8),
-/// against 96 x 80 elements, `fx`, `fy` and `mz` err by 0.13, 0.05 and 0.013 % rms at the three
-/// resolutions, 0.5, 0.25 and 0.07 % at worst (0.23 % at the standard one over 550), and 96 % are
-/// inside their error bars, which are 3.4 to 4 times the error in the median. Between unlike bodies
-/// (`kappa/mu` to 3, 300 cases of any size) it is 0.21, 0.07 and 0.02 %, 1.9, 0.4 and 0.1 %, 94 to 97 %, and
-/// four times.
+/// Over 300 random cases (`a/b` .15 to 6, creepage to 3, spin to 8), against 96 x 80 elements, `fx`, `fy` and
+/// `mz` err by 0.13, 0.05 and 0.012 % rms at the three resolutions, 0.8, 0.18 and 0.06 % at worst (0.23 % at the
+/// standard one over 550 others), and 95 to 96 % are inside their error bars, which are 4 times the error in
+/// the median. Between unlike bodies (`kappa/mu` to 3) it is 0.25, 0.09 and 0.024 %, 1.1, 0.5 and 0.13 %
+/// (1.9 % at the fast one over 300 others), 97 to 99 %, and five to six times.
 ///
 /// Over 60 random cases of like bodies the border of adhesion errs along `x` by 0.013, 0.006 and 0.003 `c` in
 /// the median, and nine times in ten by less than 0.043, 0.024 and 0.010 `c`.

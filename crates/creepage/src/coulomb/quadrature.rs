@@ -34,6 +34,8 @@ pub(crate) struct Quadrature {
     centroids: Vec<[f64; 2]>,
     /// Mean area of an element.
     area: f64,
+    /// What slip is to be compared with: 1, or more on a layer.
+    elastic_slip: f64,
 }
 
 /// Fields that are linear in the tractions and may be differentiated with them.
@@ -94,10 +96,16 @@ impl Quadrature {
         let area: f64 = mesh.all().map(|(strip, i)| mesh.strips[strip].area(i)).sum();
         Self {
             area: area / mesh.len() as f64,
+            elastic_slip: 1.0,
             subcells,
             shares: pressure.shares.clone(),
             centroids: pressure.centroids.clone(),
         }
+    }
+
+    /// On a layer elastic slip is so many times larger.
+    pub(crate) fn set_elastic_slip(&mut self, times: f64) {
+        self.elastic_slip = times;
     }
 
     fn subcells(&self, element: usize) -> &[Subcell] {
@@ -109,8 +117,9 @@ impl Quadrature {
     /// square of the difference that spin makes from one element to the next: near the pole the
     /// elastic slip changes as fast, and what is interpolated between elements is less sure.
     fn far(&self, spin: f64) -> (f64, f64) {
-        let difference = self.area * spin * spin;
-        let square = FAR * FAR + TURNED * difference / (1.0 + difference);
+        let unit = self.elastic_slip * self.elastic_slip;
+        let difference = self.area * spin * spin / unit;
+        let square = unit * (FAR * FAR + TURNED * difference / (1.0 + difference));
         (square, 2.0 * TURNED * self.area * spin / (1.0 + difference).powi(2))
     }
 
