@@ -98,6 +98,35 @@ fn going_on_leads_where_starting_anew_does() {
     }
 }
 
+/// From the tractions of a contact close by: the same force as from nothing, in fewer sweeps. One with other
+/// elements starts from nothing, to the last bit.
+#[test]
+fn a_contact_close_by_leads_where_starting_anew_does() {
+    let contact = |lateral: f64| {
+        let gap = Gap::polynomial(&[term(2, 0, 0.5 / 0.4), term(0, 2, 0.5 / lateral)]).unwrap();
+        NormalContact::under_load(&gap, steel(), 50e3, normal::Resolution::FINE).unwrap()
+    };
+    let theory = |lateral: f64, resolution: Resolution| {
+        NonHertzian::new(&contact(lateral), FRICTION, resolution).unwrap()
+    };
+    let [known, close] = [0.3, 0.301].map(|lateral| theory(lateral, Resolution::STANDARD));
+    let other = theory(0.301, Resolution::FAST);
+    for [xi, eta, chi] in [[0.3, -0.2, 0.5], [0.1, 0.4, -2.0], [2.0, 1.0, 0.0]] {
+        let at = creepage(xi, eta, chi);
+        let near = known.solve(at).tractions();
+        let (found, anew) = (close.solve_near(at, |_| [0.0; 2], &near), close.solve(at));
+        let (found, anew) = (found.solution(), anew.solution());
+        assert_eq!(found.status, Status::Solved);
+        let pairs = found.force.components().into_iter().zip(anew.force.components());
+        // As when it goes on from one creepage to another.
+        assert!(pairs.fold(0.0, |most: f64, (a, b)| most.max((a - b).abs())) < 2e-7, "{at:?}");
+        let [warm, cold] = [found, anew].map(|solution| solution.statistics.iterations);
+        assert!(warm < cold, "{at:?}: {warm} {cold}");
+        let found = other.solve_near(at, |_| [0.0; 2], &near).solution().force;
+        assert_eq!(found, other.solve(at).solution().force);
+    }
+}
+
 /// A gap in metres from one in millimetres.
 fn gap_mm(half: f64, h: impl Fn(f64, f64) -> f64 + Send + Sync + 'static) -> Gap {
     let domain = Rectangle { x: [-1e-3 * half, 1e-3 * half], y: [-1e-3 * half, 1e-3 * half] };

@@ -165,7 +165,7 @@ pub(super) struct MotionSection {
     /// Speed along the track (m/s).
     pub(super) speed: f64,
     /// Angular velocity about the axle (rad/s), positive when it rolls forward; or "free"
-    /// (the default): no net moment about the axle.
+    /// (the default): no net moment about the axle, to 1e-5 of what friction could have.
     #[schemars(with = "Freely")]
     #[serde(default)]
     pub(super) pitch_rate: Option<Freely>,

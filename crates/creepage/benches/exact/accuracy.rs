@@ -9,10 +9,10 @@ use crate::random::Random;
 /// Creepages of each contact, which is prepared once.
 const PER_CONTACT: usize = 10;
 
-/// Prints the statistics of so many cases of either kind.
-pub(crate) fn print(count: usize) {
-    print_kind("like", 0.0, 0xac40_4849_0d4f_655b, count);
-    print_kind("unlike", 3.0, 0x2309_5609_6379_fe33, count);
+/// Prints the statistics of so many cases of either kind; another `draw` has others.
+pub(crate) fn print(count: usize, draw: u64) {
+    print_kind("like", 0.0, 0xac40_4849_0d4f_655b ^ draw, count);
+    print_kind("unlike", 3.0, 0x2309_5609_6379_fe33 ^ draw, count);
 }
 
 /// Prints the statistics of cases with `kappa/mu` up to `dissimilarity`.

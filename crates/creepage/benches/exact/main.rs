@@ -3,6 +3,7 @@
 //!
 //! - `cargo bench --bench exact -- random 100000`: failures and costs over the whole range,
 //! - `cargo bench --bench exact -- accuracy 300`: errors and error bars against 96 x 80 elements,
+//!   of other cases with a further number,
 //! - `cargo bench --bench exact -- smoothness 50`: ripples along lines of creepage,
 //! - `cargo bench --bench exact -- border 60`: the border of adhesion against 96 x 80 elements.
 #![allow(missing_docs, clippy::unwrap_used, clippy::print_stdout)]
@@ -24,7 +25,10 @@ fn main() {
     let count = || arguments[1].parse().unwrap();
     match arguments.first().map(String::as_str) {
         Some("random") => cost::print(count()),
-        Some("accuracy") => accuracy::print(count()),
+        Some("accuracy") => {
+            let draw = arguments.get(2).map_or(0, |draw| draw.parse().unwrap());
+            accuracy::print(count(), draw);
+        }
         Some("border") => border::print(count()),
         Some("smoothness") => smoothness::print(count()),
         _ => divan::main(),

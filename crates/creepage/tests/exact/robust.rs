@@ -24,6 +24,14 @@ fn senseless_input_is_refused() {
     assert!(Creepage::new(f64::INFINITY, 0.0, 0.0).is_err());
 }
 
+/// A long contact with slight spin, on which Newton's steps get nowhere without many sweeps.
+#[test]
+fn a_long_contact_with_slight_spin_is_solved() {
+    let theory = exact(9.303_062_181_718_207, 0.483_015_682_733_850_45, Resolution::STANDARD);
+    let case = [-2.793_671_270_413_084_8e-5, 0.115_676_810_196_619_5, 1.687_957_098_504_991_4e-3];
+    assert_eq!(solve(&theory, case).status, Status::Solved);
+}
+
 /// Anything from next to nothing to full sliding, of either sign, or none.
 fn any_size() -> impl Strategy<Value = f64> {
     prop_oneof![

@@ -33,6 +33,24 @@ fn a_neighbour_leads_to_the_same_contact() {
     assert_eq!(known.patches().len(), 2);
 }
 
+/// A contact that follows another is the one found by itself, within the bars it takes over; not where
+/// the bodies meet beyond the areas.
+#[test]
+fn a_contact_follows_where_no_other_area_appears() {
+    let (gap, resolution) = (bumps(15e-6), Resolution::STANDARD);
+    let at = |approach| NormalContact::at_approach(&gap, steel(), approach, resolution).unwrap();
+    let known = at(14e-6);
+    for approach in [13.9e-6, 14.1e-6, 14.2e-6] {
+        let followed = known.follow(&gap, approach).unwrap();
+        let (load, alone) = (followed.load(), at(approach).load());
+        assert!((load.value - alone.value).abs() < load.error, "{approach}: {load:?} {alone:?}");
+        let stiffness = followed.stiffness() / at(approach).stiffness();
+        // What a search needs.
+        assert!((stiffness - 1.0).abs() < 0.05, "{approach}: {stiffness}");
+    }
+    assert_eq!(known.follow(&gap, 25e-6), None);
+}
+
 /// A coarse contact carries the load to a percent.
 #[test]
 fn a_coarse_contact_is_near() {

@@ -17,17 +17,9 @@
 #![allow(clippy::inline_always, clippy::needless_range_loop)]
 
 use std::f64::consts::{FRAC_PI_2, LN_2, PI};
-use std::sync::LazyLock;
 
-use gauss_quad::GaussLegendre;
-
-use super::side::TABULATED;
+use super::rules::{MOST, RULES, Rules, polynomials};
 use crate::lanes::{LANES, Lanes, each, exp, ln, sin};
-
-/// Most polynomials in a strip's pressure.
-pub(crate) const MOST: usize = 8;
-/// So many do with fewer points of quadrature.
-const FEW: usize = 4;
 
 /// The integrals of one strip at one point with `T` polynomials, and the derivatives of their sum
 /// weighted with the strip's pressures.
@@ -200,20 +192,19 @@ impl View {
     }
 }
 
+/// `G_k` for the table: half of what two sides give without the logarithm of the distance.
+pub(super) fn side<const T: usize>(x: f64, e: f64) -> [f64; T] {
+    let view = View { x, low: -e, high: e, own: true };
+    let zero = [0.0; LANES];
+    let mut sums = Sums { value: [zero; T], by_x: zero, by_e: zero };
+    let rule = |half| RULES.legendre::<MOST>(half);
+    view.add_near::<T, false>(&mut sums, rule, view.distances(), &[]);
+    sums.value.map(|lanes| 0.5 * lanes.iter().sum::<f64>())
+}
+
 #[inline(always)]
 fn mean([left, right]: [f64; 2]) -> f64 {
     (0.5 * (left + right)).max(1.0)
-}
-
-/// `U_k(s)`.
-#[inline(always)]
-fn polynomials<const T: usize>(s: f64) -> [f64; T] {
-    let (mut before, mut last) = (0.0, 1.0);
-    std::array::from_fn(|_| {
-        let own = last;
-        (before, last) = (last, 2.0 * s * last - before);
-        own
-    })
 }
 
 /// `U_k(s)`, weighted by coefficients.
@@ -253,115 +244,6 @@ pub(super) fn log_slopes<const T: usize>(x: f64, pressure: &[f64; T]) -> f64 {
 #[inline(always)]
 fn beyond(x: f64) -> f64 {
     if x > 1.0 { x - ((x - 1.0) * (x + 1.0)).sqrt() } else { x }
-}
-
-/// Points of quadrature on the strip, and weights with each polynomial.
-#[derive(Debug, Clone)]
-struct Block {
-    s: Lanes,
-    weights: [Lanes; MOST],
-}
-
-/// Gauss-Legendre points and weights on (-1, 1).
-type Legendre = Vec<(Lanes, Lanes)>;
-
-/// All rules of quadrature.
-#[derive(Debug)]
-pub(super) struct Rules {
-    /// Gauss-Chebyshev rules of the second kind, each from a hyperbolic cosine of the depth of the
-    /// singularity on: with few polynomials, and with many.
-    chebyshev: Vec<([f64; 2], Vec<Block>)>,
-    /// The same for few polynomials, point by point.
-    few: Vec<(f64, Vec<Node>)>,
-    /// Of rising order.
-    legendre: Vec<Legendre>,
-}
-
-/// A point of quadrature, and its weight with each polynomial.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Node {
-    pub(super) s: f64,
-    pub(super) weights: [f64; TABULATED],
-}
-
-pub(super) static RULES: LazyLock<Rules> = LazyLock::new(|| Rules {
-    chebyshev: [8, 16, 24].map(chebyshev).into(),
-    few: [4, 6, 8].map(few).into(),
-    legendre: [16, 24, 40, 56].map(legendre).into(),
-});
-
-impl Rules {
-    /// `G_k` for the table: half of what two sides give without the logarithm of the distance.
-    pub(super) fn side(&self, x: f64, e: f64) -> [f64; TABULATED] {
-        let view = View { x, low: -e, high: e, own: true };
-        let zero = [0.0; LANES];
-        let mut sums = Sums { value: [zero; TABULATED], by_x: zero, by_e: zero };
-        let rule = |half| self.legendre::<MOST>(half);
-        view.add_near::<TABULATED, false>(&mut sums, rule, view.distances(), &[]);
-        sums.value.map(|lanes| 0.5 * lanes.iter().sum::<f64>())
-    }
-
-    /// The smallest rule good for a mean distance from the two ends.
-    #[inline(always)]
-    fn reaching<const T: usize>(&self, mean: f64) -> Option<&[Block]> {
-        let many = usize::from(T > FEW);
-        self.chebyshev.iter().find(|(least, _)| mean >= least[many]).map(|(_, blocks)| &blocks[..])
-    }
-
-    /// The points of the smallest rule good for a mean distance from the two ends, where few do.
-    #[inline(always)]
-    pub(super) fn few(&self, mean: f64) -> Option<&[Node]> {
-        self.few.iter().find(|(least, _)| mean >= *least).map(|(_, nodes)| &nodes[..])
-    }
-
-    /// A rule good for half a range in the variable `v`.
-    #[inline(always)]
-    fn legendre<const T: usize>(&self, half: f64) -> &[(Lanes, Lanes)] {
-        let order = usize::from(half > 3.0) + usize::from(half > 5.0) + usize::from(T > FEW);
-        self.legendre.get(order).map_or(&[], |points| points)
-    }
-}
-
-/// Gauss-Chebyshev points of the second kind; the error falls as `exp(-2 count depth)`, and a
-/// polynomial of high degree takes as many points as it has waves.
-fn chebyshev(count: usize) -> ([f64; 2], Vec<Block>) {
-    let block = |first: usize| {
-        let nodes: [(f64, [f64; MOST]); LANES] = std::array::from_fn(|l| node(first + l, count));
-        Block { s: each(|l| nodes[l].0), weights: std::array::from_fn(|k| each(|l| nodes[l].1[k])) }
-    };
-    let least = [0, MOST].map(|lost| least(count, lost));
-    (least, (0..count).step_by(LANES).map(block).collect())
-}
-
-/// The same for few polynomials.
-fn few(count: usize) -> (f64, Vec<Node>) {
-    let nodes = (0..count).map(|k| {
-        let (s, weights) = node(k, count);
-        Node { s, weights: std::array::from_fn(|k| weights[k]) }
-    });
-    (least(count, 0), nodes.collect())
-}
-
-/// Point `k` of so many, and its weights.
-fn node(k: usize, count: usize) -> (f64, [f64; MOST]) {
-    let angle = PI * (k + 1) as f64 / (count + 1) as f64;
-    let (sin, s) = angle.sin_cos();
-    let weight = PI / (count + 1) as f64 * sin * sin;
-    (s, polynomials::<MOST>(s).map(|u| weight * u))
-}
-
-/// The hyperbolic cosine of the depth of the singularity from which on so many points do, some of which
-/// waves take.
-fn least(count: usize, lost: usize) -> f64 {
-    const DIGITS: f64 = 13.0;
-    (DIGITS / (2 * count - lost) as f64).cosh()
-}
-
-fn legendre(count: usize) -> Legendre {
-    let Some(count) = std::num::NonZeroUsize::new(count) else { return Vec::new() };
-    let rule = GaussLegendre::new(count);
-    let pairs: Vec<(f64, f64)> = rule.as_node_weight_pairs().to_vec();
-    pairs.chunks_exact(LANES).map(|c| (each(|l| c[l].0), each(|l| c[l].1))).collect()
 }
 
 #[cfg(test)]

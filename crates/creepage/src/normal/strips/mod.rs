@@ -5,6 +5,7 @@
 mod kernel;
 mod newton;
 mod outside;
+mod rules;
 mod side;
 mod sources;
 mod strip;
@@ -20,8 +21,9 @@ use super::lattice::whole;
 use super::level::Task;
 use super::solve::Found;
 use crate::gap::{Gap, Rectangle};
-pub(crate) use kernel::{MOST, profile};
+pub(crate) use kernel::profile;
 pub(crate) use newton::{Factors, Question, Stopped, Touching, solve as touching};
+pub(crate) use rules::MOST;
 pub(crate) use strip::Strip;
 use strip::Units;
 use system::CENTRED;

@@ -5,8 +5,8 @@ use pulp::{Arch, Simd, WithSimd};
 use crate::normal::level::Task;
 use crate::normal::overlap::Overlap;
 
-use super::kernel::MOST;
 use super::newton::{Depth, Touching};
+use super::rules::MOST;
 use super::sources::Sources;
 use super::strip::{Strip, Units};
 use super::system::CENTRED;

@@ -24,7 +24,7 @@
 use std::array::from_fn;
 use std::sync::LazyLock;
 
-use super::kernel::{RULES, Rules, log_integrals};
+use super::kernel::{self, log_integrals};
 use crate::lanes::{LANES, Lanes, each, ln};
 use crate::normal::lattice::whole;
 
@@ -33,9 +33,9 @@ pub(super) const TABULATED: usize = 4;
 /// Mean distance from the ends up to which the table reaches.
 const REACH: f64 = 1.5;
 /// Intervals of `tan(t/2)`, up to 1, and of `r`.
-const INTERVALS: [usize; 2] = [96, 48];
+const INTERVALS: [usize; 2] = [96, 72];
 
-pub(super) static TABLE: LazyLock<Table> = LazyLock::new(|| Table::new(&RULES));
+pub(super) static TABLE: LazyLock<Table> = LazyLock::new(Table::new);
 
 /// Where sides are seen from a point, in half lengths of their strips, on the positive side of both
 /// axes.
@@ -93,7 +93,7 @@ pub(super) struct Table {
 }
 
 impl Table {
-    fn new(rules: &Rules) -> Self {
+    fn new() -> Self {
         let [columns, rows] = INTERVALS;
         let step = [1.0 / columns as f64, (2.0 * (REACH - 1.0)).sqrt() / rows as f64];
         let at = |row: usize, column: usize| {
@@ -103,7 +103,8 @@ impl Table {
             if row == 0 {
                 return log_integrals(x);
             }
-            let value = if column == columns { log_integrals(x) } else { rules.side(x, e) };
+            let value: [f64; TABULATED] =
+                if column == columns { log_integrals(x) } else { kernel::side(x, e) };
             let all = |number: f64| [number; LANES];
             let harmonics = Harmonics::<TABULATED>::new(&all(sin), &all(cos));
             let with_log = harmonics.with_log(&all(e), &all(r));

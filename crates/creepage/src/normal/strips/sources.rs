@@ -7,7 +7,8 @@
 use std::array::from_fn;
 use std::f64::consts::PI;
 
-use super::kernel::{Integrals, Node, RULES, View, log_integrals, log_slopes};
+use super::kernel::{Integrals, View, log_integrals, log_slopes};
+use super::rules::{Node, RULES};
 use super::side::{Places, TABLE, TABULATED};
 use super::strip::Strip;
 use super::system::CENTRED;
@@ -278,7 +279,7 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
-    use crate::normal::strips::kernel::MOST;
+    use crate::normal::strips::rules::MOST;
 
     /// One strip of half length 1, seen from `(x, 0)`.
     fn one(low: f64, high: f64) -> Sources<TABULATED> {
@@ -324,6 +325,26 @@ mod tests {
             let size = expected.by_x.abs().max(1.0);
             let by_x = (by_x - expected.by_x) / size;
             prop_assert!(is_near_end || view.low < 0.0 || by_x.abs() < 1e-4, "{view:?}: {by_x:e}");
+        }
+    }
+
+    /// Where a root meets a logarithm, cubics err most.
+    #[test]
+    fn the_table_is_the_integral_next_to_an_end() {
+        let sizes = || (0..24).map(|k| 10.0_f64.powf(-6.0 + 0.25 * f64::from(k)));
+        for (beyond, high) in sizes().flat_map(|one| sizes().map(move |other| (one, other))) {
+            for (sign, part) in [(1.0, -0.9), (1.0, -0.2), (1.0, 0.5), (-1.0, -0.4), (-1.0, 0.7)] {
+                let view = View { x: 1.0 + sign * beyond, low: part * high, high, own: false };
+                if !is_tabulated(view.x, high) {
+                    continue;
+                }
+                let found = one(view.low, high).displacements::<false>([view.x, 0.0], None);
+                let expected = view.by_quadrature::<MOST, false>(&RULES, &[]);
+                for (found, expected) in found.value.iter().zip(expected.value) {
+                    let error = PI * found[0] - expected;
+                    assert!(error.abs() < 5e-6, "{view:?}: {error:e}");
+                }
+            }
         }
     }
 

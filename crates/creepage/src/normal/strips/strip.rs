@@ -2,7 +2,8 @@
 
 use crate::normal::band::{Band, Chord, place};
 
-use super::kernel::{MOST, profile};
+use super::kernel::profile;
+use super::rules::MOST;
 
 /// A strip along rolling: lengths and pressures in the solver's units.
 #[derive(Debug, Clone, Copy, PartialEq)]

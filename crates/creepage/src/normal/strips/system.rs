@@ -6,8 +6,8 @@ use std::f64::consts::PI;
 use nalgebra::{DMatrix, DVector};
 use pulp::{Arch, Simd, WithSimd};
 
-use super::kernel::MOST;
 use super::newton::{Depth, Question, Step};
+use super::rules::MOST;
 use super::sources::Sources;
 use super::strip::Strip;
 use crate::lanes::LANES;

@@ -3,8 +3,8 @@
 use std::f64::consts::PI;
 
 use super::CENTRED;
-use super::kernel::MOST;
 use super::newton::Depth;
+use super::rules::MOST;
 use super::strip::{self, Strip};
 use crate::gap::Gap;
 use crate::normal::band::Band;
