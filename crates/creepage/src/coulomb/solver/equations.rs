@@ -69,7 +69,6 @@ impl Equations {
             sweep.change.copy_to(to);
         });
         change.copy_from(solution);
-        self.update_slip(grid);
     }
 
     /// Solves to the accuracy of derivatives: single precision takes half the time.
@@ -79,11 +78,12 @@ impl Equations {
             self.solve(grid, state, ACCURACY, Precision::Single);
             self.found.iter_mut().zip(&self.solution).for_each(|(sum, part)| *sum += part);
             if refinement < REFINEMENTS {
+                self.update_slip(grid, Precision::Double);
                 self.leave_residual(grid, state);
             }
         }
         self.change.copy_from(&self.found);
-        self.update_slip(grid);
+        self.update_slip(grid, Precision::Double);
     }
 
     /// Takes from the right-hand side what the solution gives.
@@ -95,9 +95,10 @@ impl Equations {
         }
     }
 
-    fn update_slip(&mut self, grid: &Grid) {
+    /// Computes the change of the slip by that of the tractions.
+    pub(super) fn update_slip(&mut self, grid: &Grid, precision: Precision) {
         for strip in 0..grid.influence.strips() {
-            grid.influence.slip(Precision::Double, strip, &self.change, |element, slip| {
+            grid.influence.slip(precision, strip, &self.change, |element, slip| {
                 [self.slip[0][element], self.slip[1][element]] = slip;
             });
         }
@@ -303,6 +304,7 @@ mod tests {
                 .collect();
             equations.right.clone_from(&right);
             equations.solve(&grid, &state, 1e-13, Precision::Double);
+            equations.update_slip(&grid, Precision::Double);
             let expected = equations.slip.clone();
             equations.right.clone_from(&right);
             equations.solve_by_refinement(&grid, &state);

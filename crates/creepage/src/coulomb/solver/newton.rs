@@ -2,6 +2,7 @@
 
 use super::{Equations, State};
 use crate::coulomb::grid::Grid;
+use crate::coulomb::influence::Precision;
 
 const STEPS: usize = 20;
 /// Largest and smallest forcing term of Eisenstat and Walker (1996), the relative accuracy of the
@@ -12,6 +13,9 @@ const FINAL_FRACTION: f64 = 0.3;
 /// Relative accuracy asked of one step: single precision leaves its noise, another on each processor, in
 /// proportion to the last, which should be a small one.
 const FINEST_OF_SINGLE: f64 = 0.015;
+/// The slip by a change so many times larger than the residual allowed is wrong by a hundredth of that in
+/// single precision.
+const SMALL: f64 = 1e5;
 /// A strip's factors that were left after a larger step are made anew.
 const STALE: f64 = 0.1;
 /// Halvings of a step until it makes the tractions better.
@@ -51,6 +55,8 @@ impl State {
             }
             let accuracy = term.max(FINAL_FRACTION * tolerance / residual.largest);
             equations.solve(grid, self, accuracy.max(FINEST_OF_SINGLE), self.precision);
+            let is_small = equations.change.largest() <= SMALL * tolerance;
+            equations.update_slip(grid, if is_small { self.precision } else { Precision::Double });
             let growth = if full_steps_only { GROWTH } else { progress(1.0) };
             let Some((length, next)) = self.search(grid, equations, residual, growth) else {
                 break;
