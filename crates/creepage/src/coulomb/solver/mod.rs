@@ -35,6 +35,9 @@ const SMALLEST_SINGLE: f64 = 1e-20;
 /// tractions, and the most of them. In the first ones Newton is left as soon as a whole step does not make
 /// the tractions better.
 const ROUNDS: [usize; 3] = [5, 3, 60];
+/// Sweeps after which no more rounds are begun: up to the fine resolution 200 are rare, but elements much
+/// shorter than their strips are wide may swing for ever.
+const MOST_SWEEPS: usize = 1000;
 /// The width of a monotone corner where the unbiased one leads nowhere, over its width: so narrow that
 /// its bias is small.
 const NARROW: f64 = 0.125;
@@ -179,6 +182,9 @@ impl State {
     ) -> bool {
         self.corner = corner;
         (1..=rounds).any(|round| {
+            if equations.sweeps > MOST_SWEEPS {
+                return false;
+            }
             let pairs = 2 * round.min(ROUNDS[0]) - 1;
             for _ in 0..pairs {
                 self.sweep_both_ways(grid, tolerance);

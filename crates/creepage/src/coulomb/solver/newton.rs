@@ -13,8 +13,8 @@ const FINAL_FRACTION: f64 = 0.3;
 /// Relative accuracy asked of one step: single precision leaves its noise, another on each processor, in
 /// proportion to the last, which should be a small one.
 const FINEST_OF_SINGLE: f64 = 0.015;
-/// The slip by a change so many times larger than the residual allowed is wrong by a hundredth of that in
-/// single precision.
+/// A change of tractions up to so many times the residual allowed gives slip, in single precision, that is
+/// wrong by a hundredth of that residual.
 const SMALL: f64 = 1e5;
 /// A strip's factors that were left after a larger step are made anew.
 const STALE: f64 = 0.1;
