@@ -81,7 +81,7 @@ use workspace::Pool;
 /// 134 x 74 elements agree with each other, and the reference is off by 0.12 %, beyond its uncertainty.
 ///
 /// Over 600 random cases (`a/b` .15 to 6, creepage to 3, spin to 8), against 96 x 80 elements, `fx`, `fy` and
-/// `mz` err by 0.14, 0.05 and 0.012 % rms at the three resolutions, 0.8, 0.29 and 0.06 % at worst, and 95 to
+/// `mz` err by 0.14, 0.05 and 0.012 % rms at the three resolutions, 0.8, 0.31 and 0.06 % at worst, and 95 to
 /// 96 % are inside their error bars, which are four times the error in the median. Between unlike bodies
 /// (`kappa/mu` to 3) it is 0.26, 0.09 and 0.024 %, 2.2, 0.5 and 0.19 %, 96 to 98 %, and five to six times.
 ///
