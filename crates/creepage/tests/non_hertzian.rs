@@ -336,34 +336,6 @@ fn prescribed_forces_of_another_program() {
     }
 }
 
-/// Two areas far apart roll as each alone, but with the creepage that the spin gives there.
-#[test]
-fn areas_far_apart_add_up() {
-    let bumps = |centres: &'static [f64]| {
-        let domain = Rectangle { x: [-0.01, 0.01], y: [-0.12, 0.12] };
-        let gap = Gap::function(domain, move |x, y| {
-            let bump = |centre: &f64| (x * x + (y - centre).powi(2)) / 0.8;
-            centres.iter().map(bump).fold(f64::INFINITY, f64::min)
-        });
-        let contact =
-            NormalContact::at_approach(&gap.unwrap(), steel(), 2e-5, normal::Resolution::STANDARD);
-        NonHertzian::new(&contact.unwrap(), FRICTION, Resolution::STANDARD).unwrap()
-    };
-    let creepage = SiCreepage { longitudinal: 5e-4, lateral: 3e-4, spin: 0.02 };
-    let force = |theory: &NonHertzian| {
-        let solved = theory.solve(theory.scaling().creepage(creepage).unwrap());
-        let force = theory.scaling().si_force(solved.solution().force);
-        [force.longitudinal, force.lateral, force.moment]
-    };
-    let [both, one, other] =
-        [&[-0.1, 0.1] as &[f64], &[-0.1], &[0.1]].map(|centres| force(&bumps(centres)));
-    for k in 0..3 {
-        // Areas of 6 mm at 200 mm: each feels the other's load by 6/200 of its depth.
-        let (sum, size) = (one[k] + other[k], one[k].abs().max(other[k].abs()));
-        assert!((both[k] - sum).abs() < 0.05 * size, "{k}: {both:?} {one:?} {other:?}");
-    }
-}
-
 /// Creepage that varies as `-phi y` is the spin's part in `x`.
 #[test]
 fn creepage_along_y_is_as_spin() {

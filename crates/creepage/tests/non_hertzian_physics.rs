@@ -1,4 +1,5 @@
-//! What holds of rolling on any contact area: symmetries, scaling, reciprocity, order of convergence.
+//! What holds of rolling on any contact area: symmetries, scaling, superposition, reciprocity, order of
+//! convergence.
 // Tests may fail by unwrapping.
 #![allow(clippy::print_stdout, clippy::unwrap_used)]
 
@@ -6,10 +7,10 @@ mod common;
 
 use common::creepage;
 use creepage::coulomb::{NonHertzian, Resolution};
-use creepage::gap::{Gap, Term};
+use creepage::gap::{Gap, Rectangle, Term};
 use creepage::normal::{self, NormalContact};
 use creepage::theory::Solved;
-use creepage::{Solid, SolidPair};
+use creepage::{SiCreepage, Solid, SolidPair};
 
 const FRICTION: f64 = 0.3;
 const LOAD: f64 = 30e3;
@@ -20,12 +21,15 @@ const LOPSIDED: [(u32, u32, f64); 5] =
 const CASES: [[f64; 3]; 4] =
     [[0.5, 0.0, 0.0], [0.3, 0.6, 0.5], [0.0, -0.4, 2.0], [-1.5, 1.0, -0.6]];
 
+fn steel() -> SolidPair {
+    let steel = Solid::new(82e9, 0.28).unwrap();
+    SolidPair::new(steel, steel)
+}
+
 fn rolling(terms: &[(u32, u32, f64)], load: f64, resolution: Resolution) -> NonHertzian {
     let term = |&(x, y, coefficient): &(u32, u32, f64)| Term { x, y, coefficient };
     let gap = Gap::polynomial(&terms.iter().map(term).collect::<Vec<_>>()).unwrap();
-    let steel = Solid::new(82e9, 0.28).unwrap();
-    let pair = SolidPair::new(steel, steel);
-    let contact = NormalContact::under_load(&gap, pair, load, normal::Resolution::FINE).unwrap();
+    let contact = NormalContact::under_load(&gap, steel(), load, normal::Resolution::FINE).unwrap();
     NonHertzian::new(&contact, FRICTION, resolution).unwrap()
 }
 
@@ -105,4 +109,32 @@ fn forces_converge() {
     let [coarse, fine] = [error(12, 10), error(30, 26)];
     println!("{coarse:e} {fine:e}");
     assert!(fine < coarse / 2.5_f64.powf(1.3), "{coarse} {fine}");
+}
+
+/// Two areas far apart roll as each alone, but with the creepage that the spin gives there.
+#[test]
+fn areas_far_apart_add_up() {
+    let bumps = |centres: &'static [f64]| {
+        let domain = Rectangle { x: [-0.01, 0.01], y: [-0.12, 0.12] };
+        let gap = Gap::function(domain, move |x, y| {
+            let bump = |centre: &f64| (x * x + (y - centre).powi(2)) / 0.8;
+            centres.iter().map(bump).fold(f64::INFINITY, f64::min)
+        });
+        let contact =
+            NormalContact::at_approach(&gap.unwrap(), steel(), 2e-5, normal::Resolution::STANDARD);
+        NonHertzian::new(&contact.unwrap(), FRICTION, Resolution::STANDARD).unwrap()
+    };
+    let creepage = SiCreepage { longitudinal: 5e-4, lateral: 3e-4, spin: 0.02 };
+    let force = |theory: &NonHertzian| {
+        let solved = theory.solve(theory.scaling().creepage(creepage).unwrap());
+        let force = theory.scaling().si_force(solved.solution().force);
+        [force.longitudinal, force.lateral, force.moment]
+    };
+    let [both, one, other] =
+        [&[-0.1, 0.1] as &[f64], &[-0.1], &[0.1]].map(|centres| force(&bumps(centres)));
+    for k in 0..3 {
+        // Areas of 6 mm at 200 mm: each feels the other's load by 6/200 of its depth.
+        let (sum, size) = (one[k] + other[k], one[k].abs().max(other[k].abs()));
+        assert!((both[k] - sum).abs() < 0.05 * size, "{k}: {both:?} {one:?} {other:?}");
+    }
 }

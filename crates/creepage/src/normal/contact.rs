@@ -8,7 +8,8 @@ use crate::solid::SolidPair;
 
 use super::band::{Band, Moments};
 use super::error::NormalError;
-use super::solve::{self, Asked};
+use super::found::Asked;
+use super::solve;
 use super::strips::Factors;
 
 /// A number and how far the true one may lie from it.

@@ -4,9 +4,9 @@ use crate::gap::Gap;
 
 use super::elements;
 use super::error::NormalError;
+use super::found::Asked;
 use super::level::{Accuracy, Level, Task};
 use super::overlap::Overlap;
-use super::solve::Asked;
 
 /// The approach of a load to about a percent, and the coarse solution there.
 ///

@@ -12,6 +12,7 @@ mod complementarity;
 mod contact;
 mod elements;
 mod error;
+mod found;
 mod lattice;
 mod level;
 mod load;

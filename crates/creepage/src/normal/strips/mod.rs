@@ -17,9 +17,9 @@ use std::sync::Arc;
 
 use super::band::Band;
 use super::contact::Patch;
+use super::found::Found;
 use super::lattice::whole;
 use super::level::Task;
-use super::solve::Found;
 use crate::gap::{Gap, Rectangle};
 pub(crate) use kernel::profile;
 pub(crate) use newton::{Factors, Question, Stopped, Touching, solve as touching};
