@@ -94,9 +94,10 @@ impl Label {
         let _ = write!(self.spans, "<tspan {attributes}>{}</tspan>", escape(text));
     }
 
-    /// Smaller text moved down by `shift`; an invisible span moves what follows back.
+    /// Smaller text moved down by `shift`; an invisible span moves what follows back. Some converters take a
+    /// per cent of the font size for one of the picture.
     fn shifted(&mut self, shift: f64, text: &str) {
-        self.span(&format!("dy=\"{shift}\" font-size=\"72%\""), text);
+        self.span(&format!("dy=\"{shift}\" font-size=\"0.72em\""), text);
         self.span(&format!("dy=\"{}\"", -shift), "\u{200b}");
     }
 }
@@ -137,6 +138,6 @@ mod tests {
         assert_eq!(Label::default().number("-2.5 kN").svg(), "\u{2212}2.5\u{a0}kN");
         let power = Label::default().number("1.5e-7");
         assert!(power.svg().starts_with("1.5\u{2009}·\u{2009}10<tspan dy=\"-5\""));
-        assert!(power.svg().contains(">\u{2212}7</tspan>"));
+        assert!(power.svg().contains(" font-size=\"0.72em\">\u{2212}7</tspan>"));
     }
 }

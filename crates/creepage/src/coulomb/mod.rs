@@ -85,8 +85,8 @@ use workspace::Pool;
 /// 96 % are inside their error bars, which are four times the error in the median. Between unlike bodies
 /// (`kappa/mu` to 3) it is 0.26, 0.09 and 0.024 %, 2.2, 0.5 and 0.19 %, 96 to 98 %, and five to six times.
 ///
-/// Over 60 random cases of like bodies the border of adhesion errs along `x` by 0.013, 0.006 and 0.003 `c` in
-/// the median, and nine times in ten by less than 0.043, 0.024 and 0.010 `c`.
+/// Over 60 random cases of like bodies the border of adhesion errs along `x` by 0.011, 0.006 and 0.003 `c` in
+/// the median, and nine times in ten by less than 0.047, 0.026 and 0.010 `c` (`bench exact -- border 60`).
 ///
 /// Errors are largest with a pole of strong spin inside the contact. At the fine resolution the
 /// limit of small creepage is met for `a/b` from 0.1 to 10 to 0.1 % in every coefficient, but 0.15 % in
