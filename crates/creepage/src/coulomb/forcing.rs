@@ -50,6 +50,13 @@ impl SlipForcing {
         }));
     }
 
+    /// So many times the slip.
+    pub(crate) fn scale(&mut self, factor: f64) {
+        for slip in &mut self.slip {
+            *slip = slip.map(|s| factor * s);
+        }
+    }
+
     /// No slip.
     pub(crate) fn clear(&mut self) {
         self.slip.fill([0.0; 2]);

@@ -3,8 +3,7 @@
 //! Sweeps come near: a sweep solves the friction problem of each strip with the other strips
 //! held, for strips act on one another more weakly than elements of a strip do. Newton in all
 //! strips at once ends it; where one of its steps does not make the tractions better, sweeps come first
-//! again, more of them each time, but only in the first rounds: where sweeps swing between states,
-//! shortened steps go on.
+//! again, more of them each time.
 
 mod equations;
 mod gmres;
@@ -31,16 +30,14 @@ const LARGEST_START: f64 = 1e6;
 const SMALLEST_SLIP: f64 = 1e-140;
 /// Below this slip, single precision loses tractions of its size.
 const SMALLEST_SINGLE: f64 = 1e-20;
-/// Rounds of sweeps and Newton until another corner of Coulomb's law is tried, at first and from that one's
-/// tractions, and the most of them. In the first ones Newton is left as soon as a whole step does not make
-/// the tractions better.
-const ROUNDS: [usize; 3] = [5, 3, 60];
-/// Sweeps after which no more rounds are begun: of 100,000 random cases at the standard resolution none needs
-/// 400, but elements much shorter than their strips are wide may swing for ever.
-const MOST_SWEEPS: usize = 1000;
+/// Rounds of sweeps and Newton until another way is tried, at first and from tractions close by.
+const ROUNDS: [usize; 2] = [5, 3];
 /// The width of a monotone corner where the unbiased one leads nowhere, over its width: so narrow that
 /// its bias is small.
 const NARROW: f64 = 0.125;
+/// How many times the slip leads to tractions near those sought, where elements much shorter than their strips
+/// are wide make sweeps swing: the more of the contact slides, the less they do. Powers of two round nothing.
+const MORE_SLIP: [f64; 2] = [4.0, 2.0];
 
 /// How an iteration ended.
 #[derive(Debug, Clone, Copy, Default)]
@@ -157,35 +154,40 @@ impl State {
         Outcome { converged, sweeps: equations.sweeps, factorizations: self.factorizations }
     }
 
-    /// Where the unbiased corner leads nowhere, a monotone one shows the way.
+    /// Where the unbiased corner leads nowhere, a monotone one shows the way; where that does not, more slip.
     fn iterate(&mut self, tolerance: f64, grid: &Grid, equations: &mut Equations) -> bool {
-        let [few, fewer, many] = ROUNDS;
+        let [many, few] = ROUNDS;
+        let mut obeys = |state: &mut Self, corner: Corner, rounds: usize| {
+            state.corner = corner;
+            state.obeys(rounds, tolerance, grid, equations)
+        };
         let unbiased = Corner::Unbiased(grid.rounding);
-        if self.obeys(unbiased, few, tolerance, grid, equations) {
+        let [wide, narrow] = [1.0, NARROW].map(|part| Corner::Monotone(part * grid.rounding));
+        if obeys(self, unbiased, many)
+            || (obeys(self, wide, many)
+                && (obeys(self, unbiased, few) || obeys(self, narrow, many)))
+        {
             return true;
         }
-        self.obeys(Corner::Monotone(grid.rounding), many, tolerance, grid, equations);
-        let narrow = Corner::Monotone(NARROW * grid.rounding);
-        self.obeys(unbiased, fewer, tolerance, grid, equations)
-            || self.obeys(narrow, many, tolerance, grid, equations)
+        for times in MORE_SLIP {
+            self.forcing.scale(times);
+            obeys(self, unbiased, few);
+            self.forcing.scale(times.recip());
+        }
+        obeys(self, unbiased, few)
     }
 
     /// Some rounds of sweeps and Newton; whether the tractions obey friction then. A Newton that fails costs
     /// as much as ten sweeps, so there are two more pairs of sweeps in each round than in the one before.
     fn obeys(
         &mut self,
-        corner: Corner,
         rounds: usize,
         tolerance: f64,
         grid: &Grid,
         equations: &mut Equations,
     ) -> bool {
-        self.corner = corner;
-        (1..=rounds).any(|round| {
-            if equations.sweeps > MOST_SWEEPS {
-                return false;
-            }
-            let pairs = 2 * round.min(ROUNDS[0]) - 1;
+        (0..rounds).any(|round| {
+            let pairs = 2 * round + 1;
             for _ in 0..pairs {
                 self.sweep_both_ways(grid, tolerance);
             }
@@ -193,7 +195,7 @@ impl State {
             for strip in 0..grid.influence.strips() {
                 self.update_slip(grid, Precision::Double, strip);
             }
-            self.newton(grid, equations, tolerance, round <= ROUNDS[0])
+            self.newton(grid, equations, tolerance)
         })
     }
 

@@ -33,14 +33,13 @@ struct Norms {
 }
 
 impl State {
-    /// Improves tractions that are near the solution; the slip must be theirs. Whether they obey
-    /// friction then; with `full_steps_only` it ends as soon as a whole step does not make them better.
+    /// Improves tractions that are near the solution, until a whole step does not make them better; the
+    /// slip must be theirs. Whether they obey friction then.
     pub(super) fn newton(
         &mut self,
         grid: &Grid,
         equations: &mut Equations,
         tolerance: f64,
-        full_steps_only: bool,
     ) -> bool {
         let [largest_term, smallest_term] = FORCING_TERMS;
         equations.clear();
@@ -57,13 +56,10 @@ impl State {
             equations.solve(grid, self, accuracy.max(FINEST_OF_SINGLE), self.precision);
             let is_small = equations.change.largest() <= SMALL * tolerance;
             equations.update_slip(grid, if is_small { self.precision } else { Precision::Double });
-            let growth = if full_steps_only { GROWTH } else { progress(1.0) };
-            let Some((length, next)) = self.search(grid, equations, residual, growth) else {
-                break;
-            };
+            let Some((length, next)) = self.search(grid, equations, residual) else { break };
             self.advance(equations, length);
             let fraction = next.total / residual.total;
-            if full_steps_only && (length < 1.0 || fraction >= progress(1.0)) {
+            if length < 1.0 || fraction >= progress(1.0) {
                 return false;
             }
             term = (0.5 * fraction.powi(2)).clamp(smallest_term, largest_term);
@@ -88,16 +84,10 @@ impl State {
         true
     }
 
-    /// The whole step if it makes the residual less than `growth` times as large, else the longest of its
+    /// The whole step if it does not make the residual [`GROWTH`] times as large, else the longest of its
     /// halves that makes the tractions better; and the residual then.
-    fn search(
-        &self,
-        grid: &Grid,
-        equations: &Equations,
-        residual: Norms,
-        growth: f64,
-    ) -> Option<(f64, Norms)> {
-        let (mut length, mut largest) = (1.0, growth);
+    fn search(&self, grid: &Grid, equations: &Equations, residual: Norms) -> Option<(f64, Norms)> {
+        let (mut length, mut largest) = (1.0, GROWTH);
         for _ in 0..=HALVINGS {
             let next = self.residual_after(grid, equations, length);
             if next.total < largest * residual.total {
