@@ -200,6 +200,18 @@ pub(super) struct StripRule {
     pub(super) count: usize,
     pub(super) load: f64,
     pub(super) peak: f64,
+    /// The load and the area of the contact where that was found.
+    pub(super) origin: [f64; 2],
+}
+
+impl StripRule {
+    /// Whether it holds for a contact of a load and an area.
+    pub(super) fn reaches(&self, load: f64, area: f64) -> bool {
+        /// Of load or area: what strips lack and error bars change in proportion to either, or less.
+        const NEAR: f64 = 0.03;
+        let [own_load, own_area] = self.origin;
+        (load / own_load - 1.0).abs() < NEAR && (area / own_area - 1.0).abs() < NEAR
+    }
 }
 
 /// What a contact close by tells of another: its areas, and the matrix of its strips.
@@ -266,9 +278,9 @@ impl NormalContact {
     }
 
     /// The same with as many strips as this one and no finer or coarser ones: what they lack, and the error
-    /// bars, are taken from here. For steps that change the load by some hundredths at most; `None`
-    /// where strips do not settle or the bodies meet beyond them, and [`NormalContact::next`] tells
-    /// more.
+    /// bars, are taken from here. `None` where load or area differ by three hundredths from those of the
+    /// contact that found them, strips do not settle or the bodies meet beyond them;
+    /// [`NormalContact::next`] tells more then.
     #[must_use]
     pub fn follow(&self, gap: &Gap, approach: f64) -> Option<Self> {
         if approach.is_finite() { solve::follow(gap, self, approach) } else { None }

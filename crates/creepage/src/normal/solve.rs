@@ -67,7 +67,8 @@ pub(super) fn follow(gap: &Gap, near: &NormalContact, approach: f64) -> Option<N
         load: None,
         count: rule.count.min(strips::most(&areas)),
         terms: strips::terms(gap, &areas)?,
-        enough: ENOUGH[1],
+        // A step is taken from there, which leaves a tenth.
+        enough: ENOUGH[0],
         nearly: NEARLY[1],
         complete: true,
         summit: false,
@@ -76,6 +77,9 @@ pub(super) fn follow(gap: &Gap, near: &NormalContact, approach: f64) -> Option<N
     };
     let mut found = strips::solve(Task { gap, modulus, approach }, &areas, factors, wanted)?;
     let value = rule.load * found.load;
+    if !rule.reaches(value, found.area()) {
+        return None;
+    }
     let scaled = |value: f64, near: Estimate| Estimate {
         value,
         error: near.error * (value / near.value).abs(),

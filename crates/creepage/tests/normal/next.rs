@@ -33,8 +33,8 @@ fn a_neighbour_leads_to_the_same_contact() {
     assert_eq!(known.patches().len(), 2);
 }
 
-/// A contact that follows another is the one found by itself, within the bars it takes over; not where
-/// the bodies meet beyond the areas.
+/// A contact that follows another is the one found by itself, within the bars it takes over; neither
+/// where the load is another, however small the steps to there, nor where the bodies meet beyond the areas.
 #[test]
 fn a_contact_follows_where_no_other_area_appears() {
     let (gap, resolution) = (bumps(15e-6), Resolution::STANDARD);
@@ -48,6 +48,8 @@ fn a_contact_follows_where_no_other_area_appears() {
         // What a search needs.
         assert!((stiffness - 1.0).abs() < 0.05, "{approach}: {stiffness}");
     }
+    let steps = known.follow(&gap, 14.2e-6).and_then(|step| step.follow(&gap, 14.4e-6));
+    assert_eq!(steps, None);
     assert_eq!(known.follow(&gap, 25e-6), None);
 }
 

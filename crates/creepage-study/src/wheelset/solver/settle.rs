@@ -48,7 +48,7 @@ struct Way<'w, 'a> {
     is_given: bool,
     /// Whether it began at a position nearby.
     is_beside: bool,
-    /// Whether pressures were found with error bars of their own.
+    /// Whether pressures known have error bars.
     has_bars: bool,
     /// What the last round tells.
     start: Start,
@@ -82,7 +82,7 @@ impl<'w, 'a> Way<'w, 'a> {
             load,
             is_given,
             is_beside,
-            has_bars: is_given,
+            has_bars: is_given || is_beside,
             start,
             places,
             method,
@@ -143,10 +143,12 @@ impl<'w, 'a> Way<'w, 'a> {
         }
     }
 
-    /// Whether pressures that follow those known are enough: for the last steps to the position.
+    /// Whether pressures that follow those known are enough: beside a solved position, and for the last
+    /// steps to one.
     fn follows(&self, round: usize) -> bool {
         const NEAR: f64 = 0.02;
-        self.has_bars && self.last < NEAR && round < FEW
+        let is_near = self.last < NEAR || (self.is_beside && round == 0);
+        self.has_bars && is_near && round < FEW
     }
 
     /// Beside a solved position friction is known nearly: no rolling before the load is met. Whether

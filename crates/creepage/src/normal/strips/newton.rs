@@ -5,7 +5,7 @@ use std::sync::Arc;
 use nalgebra::DVector;
 
 use super::strip::Strip;
-use super::system::{System, points};
+use super::system::{Improved, System, points};
 use crate::lu::Lu;
 
 /// The depth of undeformed penetration, at x and y in the solver's units.
@@ -87,6 +87,8 @@ struct Search<'a> {
     system: System,
     residual: DVector<f64>,
     factors: Option<Arc<Factors>>,
+    /// The whole steps taken with it.
+    taken: Vec<DVector<f64>>,
     /// The part of the residual that the last step left.
     left: f64,
     /// Steps of the other kind, steps that hardly helped, and those on which a strip vanishes.
@@ -105,7 +107,8 @@ impl<'a> Search<'a> {
             let (residual, matrix) = system.linearized(question.depth);
             (residual, Factors::new(&system, &matrix))
         };
-        Self { question, system, residual, factors, left: 1.0, damped: 0, slow: 0, vanishing: 0 }
+        let (taken, left) = (Vec::new(), 1.0);
+        Self { question, system, residual, factors, taken, left, damped: 0, slow: 0, vanishing: 0 }
     }
 
     fn size(&self) -> f64 {
@@ -121,11 +124,10 @@ impl<'a> Search<'a> {
     /// A step after which nothing is evaluated any more, and how the load follows the depth: by the last
     /// matrix, if that is of a place near enough.
     fn last_step(&mut self) -> Option<Touching> {
-        let Question { depth, load, nearly, .. } = self.question;
-        let known = self.factors.take().filter(|factors| factors.distance(&self.system) < nearly);
-        let factors =
-            known.or_else(|| Factors::new(&self.system, &self.system.linearized(depth).1))?;
-        let step = factors.step(&self.system, &self.residual, load)?;
+        let known = self.factors.take();
+        let known = known.filter(|factors| factors.distance(&self.system) < self.question.nearly);
+        let factors = known.or_else(|| self.linearized())?;
+        let step = self.step(&factors)?;
         let System { strips, deeper, .. } = self.system.after(&step)?;
         Some(Touching { strips, deeper, stiffness: factors.stiffness, factors })
     }
@@ -138,17 +140,16 @@ impl<'a> Search<'a> {
         const FAR: f64 = 0.5;
         const STILL: f64 = 0.4;
         const VANISHING_STEPS: usize = 2;
-        let Question { depth, load, .. } = self.question;
         let kept = self.factors.take();
-        let fresh = || Factors::new(&self.system, &self.system.linearized(depth).1);
-        let factors = kept.or_else(fresh).ok_or_else(Vec::new)?;
-        let step = factors.step(&self.system, &self.residual, load).ok_or_else(Vec::new)?;
+        let factors = kept.or_else(|| self.linearized()).ok_or_else(Vec::new)?;
+        let step = self.step(&factors).ok_or_else(Vec::new)?;
         let size_of_strip = self.system.size();
         let shrinking = || -> Vec<f64> {
             let lengths = step.unknowns.iter().skip(size_of_strip - 1);
             lengths.step_by(size_of_strip).copied().collect()
         };
-        let Some((next, after, left)) = self.system.improved(&step, size, self.question) else {
+        let improved = self.system.improved(&step, size, self.question);
+        let Some(Improved { system, residual, size: left, length }) = improved else {
             // An old matrix is given up first.
             let shrinking = shrinking();
             return if factors.distance(&self.system) > 0.0 || self.damp() {
@@ -163,12 +164,32 @@ impl<'a> Search<'a> {
         self.slow += usize::from(left > SLOW * size);
         self.vanishing +=
             usize::from(left > STILL * size && shrinking().iter().any(|by| *by > FAR));
-        (self.system, self.residual, self.left) = (next, after, left / size);
+        (self.system, self.residual, self.left) = (system, residual, left / size);
         if self.vanishing >= VANISHING_STEPS {
             return Err(shrinking());
         }
+        if length < 1.0 {
+            self.taken.clear();
+        } else {
+            self.taken.push(step.unknowns);
+        }
         self.factors = self.serves_again(size, left).then_some(factors);
         Ok(())
+    }
+
+    /// A matrix of this place.
+    fn linearized(&mut self) -> Option<Arc<Factors>> {
+        self.taken.clear();
+        Factors::new(&self.system, &self.system.linearized(self.question.depth).1)
+    }
+
+    /// A step with a matrix; where the load is not prescribed, as the steps taken with it tell how it errs.
+    fn step(&self, factors: &Factors) -> Option<Step> {
+        let mut step = factors.step(&self.system, &self.residual, self.question.load)?;
+        if self.question.load.is_none() {
+            improve(&mut step.unknowns, &self.taken);
+        }
+        Some(step)
     }
 
     /// Whether steps with an old matrix are cheaper than a new one, which costs about as much as two
@@ -195,6 +216,19 @@ impl<'a> Search<'a> {
             self.left = 1.0;
         }
         helps
+    }
+}
+
+/// Improves a step by those taken with the same matrix, as if each had updated that (Broyden 1965).
+fn improve(step: &mut DVector<f64>, taken: &[DVector<f64>]) {
+    /// A part that may be left of the step along the last one: else the matrix is of no use there.
+    const LEAST: f64 = 0.3;
+    let part = |along: &DVector<f64>, step: &DVector<f64>| along.dot(step) / along.norm_squared();
+    for pair in taken.windows(2) {
+        step.axpy(part(&pair[0], step), &pair[1], 1.0);
+    }
+    if let Some(last) = taken.last() {
+        *step /= (1.0 - part(last, step)).max(LEAST);
     }
 }
 
@@ -233,16 +267,18 @@ impl Factors {
         self.terms == system.terms && bands(&self.strips) == bands(&system.strips)
     }
 
-    /// How far a system is from there: the largest part by which a half length, a place, or a
-    /// pressure over the largest differs.
+    /// How far a system is from there: the largest part of the largest half length or pressure by which one
+    /// differs.
     fn distance(&self, system: &System) -> f64 {
-        let largest = system.strips.iter().fold(0.0, |most: f64, s| most.max(s.pressure[0].abs()));
+        let most = |of: fn(&Strip) -> f64| system.strips.iter().map(of).fold(0.0, f64::max);
+        let (pressure, half) = (most(|strip| strip.pressure[0].abs()), most(|strip| strip.half));
         let pairs = self.strips.iter().zip(&system.strips);
         let apart = pairs.map(|(one, other)| {
             let pressures = one.pressure.iter().zip(&other.pressure).take(self.terms);
-            let lengths = [(one.centre - other.centre) / one.half, (one.half / other.half).ln()];
-            let pressures = pressures.map(|(one, other)| (one - other) / largest);
-            pressures.chain(lengths).fold(0.0, |most: f64, part| most.max(part.abs()))
+            let lengths = [one.centre - other.centre, one.half - other.half];
+            let pressures = pressures.map(|(one, other)| (one - other) / pressure);
+            let parts = pressures.chain(lengths.map(|length| length / half));
+            parts.fold(0.0, |most: f64, part| most.max(part.abs()))
         });
         apart.fold(0.0, f64::max)
     }

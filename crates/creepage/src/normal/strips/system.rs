@@ -12,6 +12,14 @@ use super::sources::Sources;
 use super::strip::Strip;
 use crate::lanes::LANES;
 
+/// A system after a step, its residual, the size of that, and the part of the step that was taken.
+pub(super) struct Improved {
+    pub(super) system: System,
+    pub(super) residual: DVector<f64>,
+    pub(super) size: f64,
+    pub(super) length: f64,
+}
+
 /// Strips in contact, their unknowns and equations.
 pub(super) struct System {
     pub(super) strips: Vec<Strip>,
@@ -221,21 +229,21 @@ impl System {
         (length >= 1.0).then(|| self.moved(step, length))
     }
 
-    /// The system after a step, its residual and the size of that, the step halved until it falls.
+    /// The system after a step, the step halved until the residual falls.
     pub(super) fn improved(
         &self,
         step: &Step,
         size: f64,
         question: Question<'_>,
-    ) -> Option<(Self, DVector<f64>, f64)> {
+    ) -> Option<Improved> {
         const SHORTEST: f64 = 0.03;
         let mut length = self.longest(&step.unknowns)?;
         while length > SHORTEST {
-            let trial = self.moved(step, length);
-            let residual = trial.residual(question.depth);
-            let left = question.size(&trial, &residual);
+            let system = self.moved(step, length);
+            let residual = system.residual(question.depth);
+            let left = question.size(&system, &residual);
             if left < size * (1.0 - 0.1 * length) {
-                return Some((trial, residual, left));
+                return Some(Improved { system, residual, size: left, length });
             }
             length *= 0.5;
         }
