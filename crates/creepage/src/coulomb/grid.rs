@@ -93,12 +93,13 @@ impl Grid {
     ) -> Self {
         let influence = Influence::new(&mesh, poisson, stencils, pressure.units(slip_unit));
         let strips = (0..mesh.strips.len()).flat_map(|s| mesh.elements(s).map(move |e| (s, e)));
+        let places: Vec<_> = stencils.iter().flat_map(|s| s.places.iter().copied()).collect();
         Self {
             weights: strips.map(|(strip, e)| WEIGHT / influence.own(strip, e)).collect(),
             resistance: None,
-            places: stencils.iter().flat_map(|s| s.places.iter().copied()).collect(),
             pressure_slip: vec![[0.0; 2]; mesh.len()],
-            quadrature: Quadrature::new(&mesh, &pressure),
+            quadrature: Quadrature::new(&mesh, &pressure, &places),
+            places,
             rounding: (ROUNDING[0] * mesh.strips.len() as f64 / mesh.len() as f64).min(ROUNDING[1]),
             coarser: Vec::new(),
             half_widths: Vec::new(),

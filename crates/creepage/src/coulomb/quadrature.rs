@@ -23,6 +23,8 @@ struct Subcell {
     /// The four elements to interpolate between, and their weights.
     around: [usize; 4],
     weights: [f64; 4],
+    /// Its position from the mean of the places where those have their slip.
+    off: [f64; 2],
 }
 
 /// Pressure moments of all elements and of their subcells.
@@ -41,8 +43,6 @@ pub(crate) struct Quadrature {
 /// Fields that are linear in the tractions and may be differentiated with them.
 #[derive(Clone, Copy)]
 pub(crate) struct Fields<'a> {
-    /// Where the slip of each element is.
-    pub places: &'a [[f64; 2]],
     pub traction: &'a [Vec<f64>; 2],
     pub slip: &'a [Vec<f64>; 2],
     /// Size of the traction of each element that slides.
@@ -57,12 +57,10 @@ impl Fields<'_> {
 
     /// Slip of a subcell: interpolated, and the rigid rotation that interpolation leaves out.
     fn slip_in(&self, subcell: &Subcell) -> [f64; 2] {
-        let ([mut u, mut v], [mut x, mut y]) = ([0.0; 2], subcell.at);
+        let ([mut u, mut v], [x, y]) = ([0.0; 2], subcell.off);
         for (element, weight) in subcell.around.into_iter().zip(subcell.weights) {
             u += weight * self.slip[0][element];
             v += weight * self.slip[1][element];
-            x -= weight * self.places[element][0];
-            y -= weight * self.places[element][1];
         }
         [u - self.spin * y, v + self.spin * x]
     }
@@ -87,11 +85,13 @@ impl Sum {
 }
 
 impl Quadrature {
-    pub(crate) fn new(mesh: &Mesh, pressure: &Pressure) -> Self {
+    /// `places` are those where each element has its slip.
+    pub(crate) fn new(mesh: &Mesh, pressure: &Pressure, places: &[[f64; 2]]) -> Self {
         let mut subcells = Vec::with_capacity(mesh.len() * SUBCELLS * SUBCELLS);
         for ((strip, i), cells) in mesh.all().zip(&pressure.subcells) {
             let moments = cells.as_flattened().iter();
-            subcells.extend(moments.map(|moments| Subcell::new(mesh, strip, i, moments)));
+            let subcell = |moments| Subcell::new(mesh, places, [strip, i], moments);
+            subcells.extend(moments.map(subcell));
         }
         let area: f64 = mesh.all().map(|(strip, i)| mesh.strips[strip].area(i)).sum();
         Self {
@@ -183,7 +183,7 @@ impl Quadrature {
 
 impl Subcell {
     /// Between its own element, the next along, and the same two in the strip beside.
-    fn new(mesh: &Mesh, strip: usize, i: usize, moments: &Moments) -> Self {
+    fn new(mesh: &Mesh, places: &[[f64; 2]], [strip, i]: [usize; 2], moments: &Moments) -> Self {
         let Moments { share, centroid, along } = *moments;
         let own = &mesh.strips[strip];
         let first = own.patch.start;
@@ -199,11 +199,13 @@ impl Subcell {
         };
         let ([a, b], [c, d]) = (pair(strip, 1.0 - across), pair(first + beside, across));
         let four = [a, b, c, d];
+        let mean = |k: usize| four.iter().map(|(e, weight)| weight * places[*e][k]).sum::<f64>();
         Self {
             share,
             at: centroid,
             around: four.map(|(element, _)| element),
             weights: four.map(|(_, weight)| weight),
+            off: [0, 1].map(|k| centroid[k] - mean(k)),
         }
     }
 }

@@ -150,7 +150,7 @@ impl Equations {
     }
 
     fn change_of_force(&self, grid: &Grid, state: &State, spin: f64) -> Force {
-        let fields = state.fields(grid);
+        let fields = state.fields();
         let (traction, slip) = (&self.change.own, &self.slip);
         let change = Fields { traction, slip, spin, ..fields };
         let mut sum = Sum::default();

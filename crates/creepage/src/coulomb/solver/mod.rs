@@ -258,9 +258,8 @@ impl State {
         [self.slip[0][element], self.slip[1][element]]
     }
 
-    pub(crate) fn fields<'a>(&'a self, grid: &'a Grid) -> Fields<'a> {
+    pub(crate) fn fields(&self) -> Fields<'_> {
         Fields {
-            places: &grid.places,
             traction: &self.traction.own,
             slip: &self.slip,
             limits: &self.limits,
@@ -272,7 +271,7 @@ impl State {
     pub(crate) fn sum(&self, grid: &Grid, side: f64) -> Sum {
         let mut sum = Sum::default();
         for element in 0..grid.mesh.len() {
-            grid.quadrature.add(self.fields(grid), element, self.slides(element), &mut sum);
+            grid.quadrature.add(self.fields(), element, self.slides(element), &mut sum);
             let ([x, y], [p, q]) = (self.traction.at(element), grid.pressure_slip[element]);
             sum.by_pressure += side * grid.pressure.shares[element] * (x * p + y * q);
         }
@@ -282,7 +281,7 @@ impl State {
     /// Frictional power of one element.
     pub(crate) fn power(&self, grid: &Grid, element: usize) -> f64 {
         let mut sum = Sum::default();
-        grid.quadrature.add(self.fields(grid), element, self.slides(element), &mut sum);
+        grid.quadrature.add(self.fields(), element, self.slides(element), &mut sum);
         sum.dissipation
     }
 
