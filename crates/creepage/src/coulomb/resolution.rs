@@ -34,8 +34,9 @@ impl Resolution {
     /// 40 by 32 elements: tens of milliseconds.
     pub const FINE: Self = Self { along: 40.0, across: 32.0 };
 
-    /// `along` by `across` elements on a circle. With thousands of them small creepage may end as
-    /// [`NotConverged`](crate::Status::NotConverged): elements are much shorter than their strips are wide.
+    /// `along` by `across` elements on a circle. With thousands of them slight creepage on a long contact may
+    /// end as [`NotConverged`](crate::Status::NotConverged): elements are much shorter than their strips are
+    /// wide.
     ///
     /// # Errors
     /// [`InvalidValue`] unless both lie between 4 and 200, and there are 10,000 elements at most:

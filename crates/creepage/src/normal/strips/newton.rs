@@ -293,3 +293,27 @@ impl Factors {
         deeper.is_finite().then_some(Step { unknowns, deeper })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::DMatrix;
+
+    use super::*;
+
+    /// A linear system, with the identity in place of its matrix: chords swing for ever, and Broyden's steps
+    /// end after twice as many as there are unknowns (Gay 1979).
+    #[test]
+    fn steps_taken_make_up_for_a_wrong_matrix() {
+        let matrix = DMatrix::from_row_slice(2, 2, &[1.0, 0.3, -0.2, 2.0]);
+        let right = DVector::from_vec(vec![0.7, -1.1]);
+        let (mut at, mut taken) = (DVector::zeros(2), Vec::new());
+        for _ in 0..4 {
+            let mut step = &matrix * &at - &right;
+            improve(&mut step, &taken);
+            at -= &step;
+            taken.push(step);
+        }
+        // Rounding.
+        assert!((matrix * at - right).amax() < 1e-13);
+    }
+}
