@@ -1,7 +1,7 @@
 //! Errors and error bars over random cases, like bodies and unlike, against 96 x 80 elements.
 
 use creepage::coulomb::{Exact, Resolution};
-use creepage::{Contact, Creepage, Ellipse, Theory};
+use creepage::{Contact, Creepage, Ellipse, Status, Theory};
 
 use crate::RESOLUTIONS;
 use crate::random::Random;
@@ -9,7 +9,8 @@ use crate::random::Random;
 /// Creepages of each contact, which is prepared once.
 const PER_CONTACT: usize = 10;
 
-/// Prints the statistics of so many cases of either kind; another `draw` has others.
+/// Prints the statistics of so many cases of either kind, of those that 96 x 80 elements solve; another `draw`
+/// has others.
 pub(crate) fn print(count: usize, draw: u64) {
     print_kind("like", 0.0, 0xac40_4849_0d4f_655b ^ draw, count);
     print_kind("unlike", 3.0, 0x2309_5609_6379_fe33 ^ draw, count);
@@ -41,11 +42,13 @@ fn measure(random: &mut Random, dissimilarity: f64, errors: &mut [Errors]) {
         Creepage::new(size * cos, size * sin, random.between(-8.0, 8.0)).unwrap()
     });
     let finest = theory(Resolution::new(96, 80).unwrap());
-    let truth = creepages.map(|creepage| finest.solve(creepage).force.components());
+    let truth = creepages.map(|creepage| finest.solve(creepage));
     for ((_, resolution), errors) in RESOLUTIONS.iter().zip(errors) {
         let theory = theory(*resolution);
-        for (creepage, truth) in creepages.iter().zip(&truth) {
-            let found = theory.solve(*creepage);
+        let solved =
+            truth.iter().zip(&creepages).filter(|(truth, _)| truth.status == Status::Solved);
+        for (truth, creepage) in solved {
+            let (found, truth) = (theory.solve(*creepage), truth.force.components());
             let (force, bar) = (found.force.components(), found.error.unwrap().components());
             errors.pairs.extend((0..3).map(|k| ((force[k] - truth[k]).abs(), bar[k])));
         }

@@ -207,7 +207,7 @@ pub(super) struct StripRule {
 impl StripRule {
     /// Whether it holds for a contact of a load and an area.
     pub(super) fn reaches(&self, load: f64, area: f64) -> bool {
-        /// Of load or area: what strips lack and error bars change in proportion to either, or less.
+        /// Of load or area: error bars, in parts of what they belong to, change by some hundredths then.
         const NEAR: f64 = 0.03;
         let [own_load, own_area] = self.origin;
         (load / own_load - 1.0).abs() < NEAR && (area / own_area - 1.0).abs() < NEAR

@@ -67,7 +67,7 @@ pub(super) fn follow(gap: &Gap, near: &NormalContact, approach: f64) -> Option<N
         load: None,
         count: rule.count.min(strips::most(&areas)),
         terms: strips::terms(gap, &areas)?,
-        // A step is taken from there, which leaves a tenth.
+        // A last step is taken from there.
         enough: ENOUGH[0],
         nearly: NEARLY[1],
         complete: true,

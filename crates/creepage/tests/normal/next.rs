@@ -1,7 +1,7 @@
 //! Contacts found from those of a position close by.
 
 use creepage::gap::{Gap, Rolling};
-use creepage::normal::{NormalContact, Resolution};
+use creepage::normal::{Estimate, NormalContact, Resolution};
 
 use crate::support::{MM, steel};
 
@@ -44,6 +44,9 @@ fn a_contact_follows_where_no_other_area_appears() {
         let followed = known.follow(&gap, approach).unwrap();
         let (load, alone) = (followed.load(), at(approach).load());
         assert!((load.value - alone.value).abs() < load.error, "{approach}: {load:?} {alone:?}");
+        let part = |load: Estimate| load.error / load.value;
+        // A load by 2 % another has a bar that is 4 % another part of it.
+        assert!((part(load) / part(alone) - 1.0).abs() < 0.06, "{approach}: {load:?} {alone:?}");
         let stiffness = followed.stiffness() / at(approach).stiffness();
         // What a search needs.
         assert!((stiffness - 1.0).abs() < 0.05, "{approach}: {stiffness}");
