@@ -292,6 +292,30 @@ impl Band {
         if chords.is_empty() { self.clone() } else { Self::new(chords, y, self.tips) }
     }
 
+    /// The part of it between two y, which ends in tips or goes over into others there.
+    pub(super) fn between(&self, y: [f64; 2], tips: [bool; 2]) -> Self {
+        let inside = |chord: &&Chord| chord.y > y[0] && chord.y < y[1];
+        Self::new(self.chords.iter().filter(inside).cloned().collect(), y, tips)
+    }
+
+    /// Whether another at greater y goes on from it: no more lies between them than beyond their outermost
+    /// chords.
+    pub(super) fn touches(&self, other: &Self) -> bool {
+        let (Some(last), Some(first)) = (self.chords.last(), other.chords.first()) else {
+            return false;
+        };
+        let between = other.y[0] - self.y[1];
+        let is_near = between <= (self.y[1] - last.y) + (first.y - other.y[0]);
+        let goes_on = (first.centre - last.centre).abs() < first.half + last.half;
+        last.y < first.y && is_near && goes_on
+    }
+
+    /// One band of this and another at greater y.
+    pub(super) fn joined(&self, other: &Self) -> Self {
+        let chords = self.chords.iter().chain(&other.chords).cloned().collect();
+        Self::new(chords, [self.y[0], other.y[1]], [self.tips[0], other.tips[1]])
+    }
+
     /// The same with all lengths and pressures grown about a centre.
     pub(super) fn grown(&self, factor: f64, centre: [f64; 2]) -> Self {
         let place = |at: f64, k: usize| centre[k] + factor * (at - centre[k]);

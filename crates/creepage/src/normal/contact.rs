@@ -108,6 +108,12 @@ impl Patch {
         &mut self.bands
     }
 
+    /// One area of this and another at greater y, if either is one band and they touch.
+    pub(super) fn joined(&self, other: &Self) -> Option<Self> {
+        let ([own], [other]) = (self.bands(), other.bands()) else { return None };
+        own.touches(other).then(|| Self::new(vec![own.joined(other)]))
+    }
+
     /// With all lengths and pressures grown by a factor, about the centre of pressure.
     fn grown(&self, factor: f64) -> Self {
         let centre = self.centroid();

@@ -1,7 +1,7 @@
 //! Contacts found from those of a position close by.
 
 use creepage::gap::{Gap, Rolling};
-use creepage::normal::{Estimate, NormalContact, Resolution};
+use creepage::normal::{Estimate, Method, NormalContact, Resolution};
 
 use crate::support::{MM, steel};
 
@@ -31,6 +31,36 @@ fn a_neighbour_leads_to_the_same_contact() {
         assert_eq!(known.patches().len(), alone.patches().len(), "{approach}");
     }
     assert_eq!(known.patches().len(), 2);
+}
+
+/// Two smooth bumps, 12 mm apart, with a saddle between that lies 30 micrometres deeper.
+fn saddle() -> Gap {
+    let y: Vec<f64> = (-240..=240).map(|i| f64::from(i) * 0.05 * MM).collect();
+    let h: Vec<f64> = y.iter().map(|y| 30e-6 * ((y / (6.0 * MM)).powi(2) - 1.0).powi(2)).collect();
+    Gap::section(&y, &h, Rolling::Radius(0.46)).unwrap()
+}
+
+/// Two areas become one as the bodies come nearer, and one becomes two as they part: strips go through
+/// it, and carry what contacts found from nothing do.
+#[test]
+fn areas_join_and_part() {
+    let (gap, resolution) = (saddle(), Resolution::STANDARD);
+    let at = |approach| NormalContact::at_approach(&gap, steel(), approach, resolution).unwrap();
+    let way = |from: f64, to: f64| (1..=30).map(move |i| from + (to - from) * f64::from(i) / 30.0);
+    for ([from, to], areas) in [([30e-6, 70e-6], [2, 1]), ([70e-6, 30e-6], [1, 2])] {
+        let mut known = at(from);
+        let mut patches = vec![known.patches().len()];
+        for approach in way(from, to) {
+            known = known.next(&gap, approach, resolution).unwrap();
+            let (load, cold) = (known.load(), at(approach).load());
+            let apart = (load.value - cold.value).abs();
+            assert!(apart < load.error + cold.error, "{approach}: {load:?} {cold:?}");
+            assert_eq!(known.method(), Method::Strips, "{approach}");
+            patches.push(known.patches().len());
+        }
+        patches.dedup();
+        assert_eq!(patches, areas);
+    }
 }
 
 /// A contact that follows another is the one found by itself, within the bars it takes over; neither

@@ -1,18 +1,16 @@
 //! Coefficients, in memory that is used again.
 //!
 //! Pages fresh from the system cost half as much as what is computed into them, and shapes come in
-//! series: each thread keeps what it dropped last.
+//! series: what was dropped last is kept, for all threads, for one may drop what another prepared.
 
-use std::cell::RefCell;
+use std::sync::Mutex;
 
-/// Sets that a thread keeps: two grids of a contact, while the next two are made.
-const KEPT: usize = 4;
+/// Sets kept: two grids of each contact of a wheelset, while the next ones are made.
+const KEPT: usize = 8;
 /// Largest number of entries of a set that is kept: of some 16 MB.
 const LARGEST: usize = 450_000;
 
-thread_local! {
-    static SPARE: RefCell<Vec<Coefficients>> = const { RefCell::new(Vec::new()) };
-}
+static SPARE: Mutex<Vec<Coefficients>> = Mutex::new(Vec::new());
 
 /// Slip in `x` by `x`; in `x` by `y` and in `y` by `x`; in `y` by `y`; in both precisions.
 #[derive(Debug, Clone, Default)]
@@ -24,13 +22,7 @@ pub(super) struct Coefficients {
 impl Coefficients {
     /// So many of each in double precision, of any value: all are to be written.
     pub(super) fn with_length(entries: usize) -> Self {
-        let fits = |kept: &Self| kept.capacity() >= entries;
-        let take = |kept: &RefCell<Vec<Self>>| {
-            let mut kept = kept.borrow_mut();
-            let index = kept.iter().position(fits)?;
-            Some(kept.swap_remove(index))
-        };
-        let mut room = SPARE.try_with(take).ok().flatten().unwrap_or_default();
+        let mut room = Self::kept(entries).unwrap_or_default();
         for of in &mut room.double {
             if of.capacity() < entries {
                 *of = vec![0.0; entries];
@@ -39,6 +31,14 @@ impl Coefficients {
             }
         }
         room
+    }
+
+    /// The smallest kept set that has room for so many.
+    fn kept(entries: usize) -> Option<Self> {
+        let mut kept = SPARE.lock().ok()?;
+        let fitting = kept.iter().enumerate().filter(|(_, one)| one.capacity() >= entries);
+        let (index, _) = fitting.min_by_key(|(_, one)| one.capacity())?;
+        Some(kept.swap_remove(index))
     }
 
     fn capacity(&self) -> usize {
@@ -59,14 +59,10 @@ impl Coefficients {
         if !(1..=LARGEST).contains(&self.capacity()) {
             return;
         }
-        let give = |kept: &RefCell<Vec<Self>>| {
-            let mut kept = kept.borrow_mut();
-            if kept.len() == KEPT {
-                kept.remove(0);
-            }
-            kept.push(self);
-        };
-        // A thread that ends keeps nothing.
-        let _ = SPARE.try_with(give);
+        let Ok(mut kept) = SPARE.lock() else { return };
+        if kept.len() == KEPT {
+            kept.remove(0);
+        }
+        kept.push(self);
     }
 }

@@ -2,6 +2,7 @@
 //! themselves. Far fewer unknowns than elements and no staircase; but it needs a start close by,
 //! which the elements give, and says so when Newton's method does not arrive.
 
+mod anew;
 mod kernel;
 mod newton;
 mod outside;
@@ -22,7 +23,7 @@ use super::lattice::whole;
 use super::level::Task;
 use crate::gap::{Gap, Rectangle};
 pub(crate) use kernel::profile;
-pub(crate) use newton::{Factors, Question, Stopped, Touching, solve as touching};
+pub(crate) use newton::{Factors, Question, Touching, solve as touching};
 pub(crate) use rules::MOST;
 pub(crate) use strip::Strip;
 use strip::Units;
@@ -83,7 +84,7 @@ pub(super) fn solve(
     };
     let load = wanted.load.map(|load| load / force);
     let question = Question { depth: &gap, load, enough, nearly, known };
-    let (mut start, mut settled) = (start.to_vec(), 0);
+    let (mut start, mut settled, mut is_joined) = (start.to_vec(), 0, false);
     while attempts > 0 {
         let mut laid = laid(&start, count, terms, units)?;
         if terms == CENTRED {
@@ -98,7 +99,15 @@ pub(super) fn solve(
                     continue;
                 }
                 if !fall_to_tips(&start, &touching.strips) {
-                    return None;
+                    attempts -= 1;
+                    start = anew::pushed_out(&patches, &touching.strips, units);
+                    continue;
+                }
+                // Once, for a waist without pressure parts them again.
+                if !is_joined && let Some(joined) = anew::joined(&patches) {
+                    is_joined = true;
+                    start = joined;
+                    continue;
                 }
                 let peak = strip::peak(&touching.strips);
                 let found = Found {
@@ -116,54 +125,15 @@ pub(super) fn solve(
             }
             Ok(Touching { strips, .. }) => {
                 attempts -= 1;
-                let pressed = without_pulled_tips(&start, &strips)?;
-                start = patches(&start, &pressed, units);
-                end_at_pulled(&mut start, &strips, units);
+                start = anew::without_pulled(&start, &strips, units)?;
             }
             Err(stopped) => {
                 attempts -= 1;
-                start = drawn_in(&start, &laid, &stopped, units)?;
+                start = anew::drawn_in(&start, &laid, &stopped, units)?;
             }
         }
     }
     None
-}
-
-/// The strips without those outermost ones at a tip that are pulled; `None` if there are none, or
-/// hardly any other ones.
-fn without_pulled_tips(start: &[Patch], strips: &[Strip]) -> Option<Vec<Strip>> {
-    let tips: Vec<[bool; 2]> = start.iter().flat_map(Patch::bands).map(Band::tips).collect();
-    let own = |i: usize, other: Option<usize>| {
-        other.and_then(|i| strips.get(i)).is_some_and(|other| other.band == strips[i].band)
-    };
-    let is_kept = |i: &usize| {
-        let outermost = [!own(*i, i.checked_sub(1)), !own(*i, Some(i + 1))];
-        let at_tip = (0..2).any(|side| outermost[side] && tips[strips[*i].band][side]);
-        is_pressed(&strips[*i]) || !at_tip
-    };
-    let kept: Vec<Strip> = (0..strips.len()).filter(is_kept).map(|i| strips[i]).collect();
-    let enough = (0..tips.len()).all(|band| {
-        let left = kept.iter().filter(|strip| strip.band == band);
-        left.count() >= FEWEST
-    });
-    (enough && kept.len() < strips.len()).then_some(kept)
-}
-
-/// Draws in tips to the middle of the outermost strip where that is pulled.
-fn end_at_pulled(start: &mut [Patch], strips: &[Strip], units: Units) {
-    for (index, band) in start.iter_mut().flat_map(Patch::bands_mut).enumerate() {
-        let mut own = strips.iter().filter(|strip| strip.band == index);
-        let outer = [own.next(), own.next_back()];
-        let (tips, [low, high]) = (band.tips(), band.y());
-        let by = [0, 1].map(|side: usize| match outer[side] {
-            Some(strip) if tips[side] && !is_pressed(strip) => {
-                let middle = units.origin[1] + strip.y * units.length;
-                if side == 0 { middle - low } else { high - middle }
-            }
-            _ => 0.0,
-        });
-        *band = band.drawn_in(by.map(|by| by.max(0.0)));
-    }
 }
 
 /// How often strips are laid anew because a tip lies elsewhere.
@@ -190,14 +160,7 @@ fn moved([start, found]: [&[Patch]; 2], laid: &[Strip], part: f64, units: Units)
 fn fall_to_tips(start: &[Patch], strips: &[Strip]) -> bool {
     start.iter().flat_map(Patch::bands).enumerate().all(|(index, band)| {
         let own: Vec<&Strip> = strips.iter().filter(|strip| strip.band == index).collect();
-        let [tip, other_tip] = band.tips();
-        let falls = |outer: &Strip, inner: &Strip| outer.peak() < inner.peak();
-        match own[..] {
-            [low, above, .., below, high] => {
-                (!tip || falls(low, above)) && (!other_tip || falls(high, below))
-            }
-            _ => true,
-        }
+        anew::bears_at_tips(band, &own) == [false; 2]
     })
 }
 
@@ -235,63 +198,6 @@ fn centre(laid: &mut [Strip], gap: &Gap, units: Units) {
     for strip in laid {
         strip.centre = (axis - units.origin[0]) / units.length;
     }
-}
-
-/// With those tips drawn in by a part of a strip's width whose outermost strip has shrunk, is about
-/// to, or is pulled; `None` if there are none. Strips that had come closer are the start of the
-/// next ones.
-fn drawn_in(
-    start: &[Patch],
-    laid: &[Strip],
-    stopped: &Stopped,
-    units: Units,
-) -> Option<Vec<Patch>> {
-    const PART: f64 = 0.6;
-    let vanishes = vanishing(start, laid, stopped);
-    let strips = (0..laid.len()).filter(|i| !vanishes[*i]).map(|i| stopped.strips[i]);
-    let strips: Vec<Strip> = strips.collect();
-    let bands = start.iter().flat_map(Patch::bands).enumerate();
-    let wanted: Vec<[f64; 2]> = bands
-        .map(|(index, band)| {
-            let own = || (0..laid.len()).filter(|i| laid[*i].band == index);
-            let [low, high] = band.y();
-            let by = |i: Option<usize>| {
-                let i = i.filter(|i| vanishes[*i]);
-                i.map_or(0.0, |i| PART * 2.0 * laid[i].width * units.length)
-            };
-            [low + by(own().next()), high - by(own().next_back())]
-        })
-        .collect();
-    let left = |index: usize| strips.iter().filter(|strip| strip.band == index).count();
-    let usable = stopped.is_closer
-        && strips.iter().all(is_pressed)
-        && (0..wanted.len()).all(|index| left(index) >= FEWEST);
-    let mut next = if usable { patches(start, &strips, units) } else { start.to_vec() };
-    for (band, [low, high]) in next.iter_mut().flat_map(Patch::bands_mut).zip(wanted) {
-        let by = [low - band.y()[0], band.y()[1] - high].map(|by| by.max(0.0));
-        *band = band.drawn_in(by);
-    }
-    (strips.len() < laid.len()).then_some(next)
-}
-
-/// Which strips are outermost ones at a tip that have shrunk, are about to, or are pulled.
-fn vanishing(start: &[Patch], laid: &[Strip], stopped: &Stopped) -> Vec<bool> {
-    const SHRUNK: f64 = 0.6;
-    const SHRINKING: f64 = 0.5;
-    let shrinks = |i: usize| {
-        let shrinking = stopped.shrinking.get(i).is_some_and(|by| *by > SHRINKING);
-        let shrunk = stopped.strips[i].half < SHRUNK * laid[i].half;
-        shrinking || shrunk || !is_pressed(&stopped.strips[i])
-    };
-    let tips: Vec<[bool; 2]> = start.iter().flat_map(Patch::bands).map(Band::tips).collect();
-    let own = |i: usize, other: Option<usize>| {
-        other.and_then(|other| laid.get(other)).is_some_and(|other| other.band == laid[i].band)
-    };
-    let vanishes = |i: usize| {
-        let outermost = [!own(i, i.checked_sub(1)), !own(i, Some(i + 1))];
-        (0..2).any(|side| outermost[side] && tips[laid[i].band][side]) && shrinks(i)
-    };
-    (0..laid.len()).map(vanishes).collect()
 }
 
 /// Strips of the narrowest band.
