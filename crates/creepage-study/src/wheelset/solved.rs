@@ -13,7 +13,7 @@ use super::derivatives::WheelsetDerivatives;
 use super::field::Field;
 use super::resultant::Resultant;
 use super::rough;
-use super::solver::{Pitch, Pressed, PressedWheel, Rolled};
+use super::solver::{Drift, Pitch, Pressed, PressedWheel, Rolled};
 use crate::{Damage, GapCaution, GapTheory, adhesion};
 
 /// A wheelset whose contacts are solved.
@@ -36,6 +36,8 @@ pub struct SolvedWheelset {
     pub derivatives: Option<WheelsetDerivatives>,
     /// Where a position nearby finds its pitch rate.
     pub(super) pitch: Pitch,
+    /// How it came to stand elsewhere than was expected from the position before, if there was one.
+    pub(super) drift: Option<Drift>,
 }
 
 /// One wheel of a solved wheelset.
@@ -48,6 +50,8 @@ pub struct SolvedWheel {
     /// How far it was brought down from first touch to carry its load (m); zero where its height
     /// was given.
     pub(super) depth: f64,
+    /// How its vertical force was found to change as the wheelset goes down (N/m) and rolls (N/rad).
+    pub(super) by: Option<[f64; 2]>,
     /// Origin of the rail's profile in track axes (m).
     pub rail_origin: [f64; 3],
     contacts: Vec<SolvedContact>,
@@ -184,6 +188,7 @@ impl SolvedContact {
 impl SolvedWheel {
     pub(super) fn new(
         wheel: &PressedWheel<'_>,
+        by: Option<[f64; 2]>,
         running: &Running,
         mut contacts: Vec<SolvedContact>,
     ) -> Self {
@@ -194,7 +199,8 @@ impl SolvedWheel {
         };
         let [y, z] = rail.origin();
         contacts.sort_by(|a, b| b.load().total_cmp(&a.load()));
-        Self { side, position, depth, rail_origin: [0.0, side.sense() * y, z], contacts }
+        let rail_origin = [0.0, side.sense() * y, z];
+        Self { side, position, depth, by, rail_origin, contacts }
     }
 
     /// Its places of contact, the most loaded first; none where it hangs above its rail.
@@ -224,8 +230,9 @@ impl SolvedWheelset {
         slip: RigidSlip,
         theory: GapTheory,
     ) -> Self {
-        let (left, right, derivatives) = (None, None, None);
-        let mut solved = Self { left, right, motion, friction, slip, theory, derivatives, pitch };
+        let (left, right, derivatives, drift) = (None, None, None, None);
+        let mut solved =
+            Self { left, right, motion, friction, slip, theory, derivatives, pitch, drift };
         for wheel in wheels {
             match wheel.side {
                 Side::Left => solved.left = Some(wheel),

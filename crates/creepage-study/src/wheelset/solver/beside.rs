@@ -34,7 +34,8 @@ pub(super) fn places(
     let sum: f64 = wheels.iter().map(|wheel| vertical(wheel)).sum();
     let place = |wheel: &&SolvedWheel| {
         let expected = wanted(stance, load, vertical(wheel), [sum, sides.len() as f64]);
-        Place::new(wheel.side, shifted(wheel.position, stance), wheel.depth, expected)
+        let place = Place::new(wheel.side, shifted(wheel.position, stance), wheel.depth, expected);
+        place.changing(wheel.by)
     };
     let mut places: Vec<Place> = wheels.iter().map(place).collect();
     let lines = wheels.iter().zip(&places).map(|(wheel, place)| line(wheel, place, running));
@@ -94,4 +95,57 @@ fn line(wheel: &SolvedWheel, place: &Place, running: &Running) -> Option<Line> {
 fn nearest<'c, 'a>(own: &SolvedContact, contacts: &'c [Contact<'a>]) -> Option<&'c Contact<'a>> {
     let distance = |contact: &Contact<'_>| (contact.y_rail - own.y_rail).abs();
     contacts.iter().min_by(|a, b| distance(a).total_cmp(&distance(b)))
+}
+
+/// By how much wheels came to stand elsewhere than was expected from the position before: what pressing
+/// changes as the contacts go along the profiles. A next step in the same direction drifts by as much
+/// in proportion.
+#[derive(Debug, Clone)]
+pub(in crate::wheelset) struct Drift {
+    /// The step in shift (m) and yaw (rad).
+    step: [f64; 2],
+    /// Lower (m) and rolled (rad) by so much, each wheel.
+    by: Vec<[f64; 2]>,
+}
+
+impl Drift {
+    /// From what was expected on a step.
+    pub(super) fn new(
+        expected: &[Position],
+        before: &SolvedWheelset,
+        solved: &SolvedWheelset,
+    ) -> Self {
+        let to = solved.position();
+        let pairs = expected.iter().zip(solved.wheels());
+        let by = pairs.map(|(expected, SolvedWheel { position: Position { z, roll, .. }, .. })| {
+            [z - expected.z, roll - expected.roll]
+        });
+        Self { step: step(before, [to.y, to.yaw]), by: by.collect() }
+    }
+
+    /// Corrects the places expected on the next step.
+    pub(super) fn correct(&self, places: &mut [Place], before: &SolvedWheelset, stance: &Stance) {
+        /// Steps this many times as long, and this much aside.
+        const LONGEST: f64 = 2.0;
+        const ASIDE: f64 = 0.1;
+        let ([a, b], [c, d]) = (self.step, step(before, [stance.y, stance.yaw]));
+        let times = (a * c + b * d) / (a * a + b * b);
+        let aside = (a * d - b * c) / (a * a + b * b);
+        let holds = times.abs() < LONGEST && aside.abs() < ASIDE && self.by.len() == places.len();
+        if !holds {
+            return;
+        }
+        let moves_down = !matches!(stance.load, Some(Load::Height(_)));
+        let rolls = given_roll(stance).is_none();
+        for (place, [down, turn]) in places.iter_mut().zip(&self.by) {
+            place.position.z += if moves_down { times * down } else { 0.0 };
+            place.position.roll += if rolls { times * turn } else { 0.0 };
+        }
+    }
+}
+
+/// The step to a shift and a yaw, over what is near.
+fn step(before: &SolvedWheelset, [y, yaw]: [f64; 2]) -> [f64; 2] {
+    let from = before.position();
+    [(y - from.y) / NEAR[0], (yaw - from.yaw) / NEAR[1]]
 }

@@ -18,7 +18,7 @@ mod step;
 use creepage::SolidPair;
 use creepage::normal;
 use creepage::theory::{ExactOptions, NamedResolution, ResolutionSpec};
-use creepage_rail::{Motion, Running, Side};
+use creepage_rail::{Motion, Position, Running, Side};
 use rayon::prelude::*;
 
 use self::balance::{Balance, Guess};
@@ -33,6 +33,7 @@ use super::solved::{SolvedContact, SolvedWheel, SolvedWheelset};
 use crate::case::CaseError;
 use crate::gap::{GapTheory, resolutions};
 
+pub(super) use self::beside::Drift;
 pub(super) use self::pressed::{Pressed, PressedWheel};
 pub(super) use self::rolled::{Answer, Pitch, RigidMotion, Rolled};
 
@@ -145,7 +146,17 @@ impl<'a> WheelsetSolver<'a> {
         travel: &Travel,
     ) -> Result<SolvedWheelset, WheelsetError> {
         let places = beside::places(before, stance, self.press.running);
-        self.from(stance, travel, &Start { places, ..Start::after(before) })
+        let Some(mut places) = places else {
+            return self.from(stance, travel, &Start::after(before));
+        };
+        let expected: Vec<Position> = places.iter().map(|place| place.position).collect();
+        if let Some(drift) = &before.drift {
+            drift.correct(&mut places, before, stance);
+        }
+        let start = Start { places: Some(places), ..Start::after(before) };
+        let mut solved = self.from(stance, travel, &start)?;
+        solved.drift = Some(Drift::new(&expected, before, &solved));
+        Ok(solved)
     }
 
     fn from(
@@ -199,19 +210,19 @@ impl<'a> WheelsetSolver<'a> {
 
     fn solved(
         &self,
-        wheels: &[PressedWheel<'_>],
+        (places, wheels): (&[Place], &[PressedWheel<'_>]),
         rollings: &[Rolling<'_, '_>],
         rolled: &[Rolled<'_>],
         found: (Motion, Pitch),
     ) -> SolvedWheelset {
-        let solved = |wheel: &PressedWheel<'_>| {
+        let solved = |(place, wheel): (&Place, &PressedWheel<'_>)| {
             let all = rollings.iter().zip(rolled);
             let own = all.filter(|(rolling, _)| rolling.wheel.side == wheel.side);
             let contacts =
                 own.map(|(one, rolled)| SolvedContact::new(one.pressed, rolled, self.friction));
-            SolvedWheel::new(wheel, self.press.running, contacts.collect())
+            SolvedWheel::new(wheel, place.by(), self.press.running, contacts.collect())
         };
-        let wheels = wheels.iter().map(solved).collect();
+        let wheels = places.iter().zip(wheels).map(solved).collect();
         SolvedWheelset::new(wheels, found, self.friction, self.slip, self.theory)
     }
 }

@@ -108,7 +108,12 @@ impl<'w, 'a> Way<'w, 'a> {
         let next = Start::of(&sought.coarse, &wheels, &rolled, pitch, &self.start);
         let missed = sought.missed(&wheels, &next.shares);
         if self.is_met(&wheels, &next.shares, missed, round) {
-            return Ok(Some(self.solver.solved(&wheels, &rollings, &rolled, (motion, pitch))));
+            return Ok(Some(self.solver.solved(
+                (&sought.places, &wheels),
+                &rollings,
+                &rolled,
+                (motion, pitch),
+            )));
         }
         self.go_on(&mut sought, &wheels, next, (missed, round));
         Ok(None)

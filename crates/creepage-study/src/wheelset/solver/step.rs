@@ -42,12 +42,29 @@ impl Place {
         Self { side, position, depth, expected, moved: [0.0; 2], by: None }
     }
 
+    /// The same with how the force is known to change.
+    pub(super) fn changing(self, by: Option<[f64; 2]>) -> Self {
+        Self { by, ..self }
+    }
+
+    /// How the force changes as the wheelset goes down (N/m) and rolls (N/rad), where that is known.
+    pub(super) fn by(&self) -> Option<[f64; 2]> {
+        self.by
+    }
+
     /// How the force changes here: what is known of it, changed by what the step that led here missed, if
-    /// that compares like with like; the stiffness where nothing is known.
+    /// that compares like with like and was no trifle; the stiffness where nothing is known.
     pub(super) fn learn(&mut self, wheel: &PressedWheel<'_>, shares: &Shares, is_like: bool) {
+        /// Parts of the force by which it scatters, as friction and the tips of areas do.
+        const SCATTER: f64 = 3e-4;
         let shares = shares.of_fine();
         let missed = wheel.vertical(&shares) - self.expected;
-        let change = |by| if is_like { learnt(by, self.moved, missed) } else { Some(by) };
+        let [down, turn] = self.moved;
+        let tells = |by: [f64; 2]| {
+            let change = (by[0] * down + by[1] * turn).abs();
+            is_like && change.max(missed.abs()) > SCATTER * self.expected
+        };
+        let change = |by| if tells(by) { learnt(by, self.moved, missed) } else { Some(by) };
         let stiffness = || [wheel.stiffness(&shares), wheel.stiffness_by_roll(&shares)];
         self.by = Some(self.by.and_then(change).unwrap_or_else(stiffness));
     }
