@@ -97,50 +97,66 @@ fn nearest<'c, 'a>(own: &SolvedContact, contacts: &'c [Contact<'a>]) -> Option<&
     contacts.iter().min_by(|a, b| distance(a).total_cmp(&distance(b)))
 }
 
-/// By how much wheels came to stand elsewhere than was expected from the position before: what pressing
-/// changes as the contacts go along the profiles. A next step in the same direction drifts by as much
-/// in proportion.
+/// By how much a wheelset came to stand and turn otherwise than was expected from the position before: what
+/// pressing and rolling change as the contacts go along the profiles. A next step in the same
+/// direction drifts by as much in proportion.
 #[derive(Debug, Clone)]
 pub(in crate::wheelset) struct Drift {
-    /// The step in shift (m) and yaw (rad).
+    /// The step in shift and yaw, over what is near.
     step: [f64; 2],
     /// Lower (m) and rolled (rad) by so much, each wheel.
     by: Vec<[f64; 2]>,
+    /// By how much faster it turns (rad/s).
+    faster: f64,
 }
 
 impl Drift {
-    /// From what was expected on a step.
+    /// From where wheels were expected on a step; what they still lack of their load is made up for.
     pub(super) fn new(
         expected: &[Position],
         before: &SolvedWheelset,
         solved: &SolvedWheelset,
+        stance: &Stance,
     ) -> Self {
-        let to = solved.position();
-        let pairs = expected.iter().zip(solved.wheels());
-        let by = pairs.map(|(expected, SolvedWheel { position: Position { z, roll, .. }, .. })| {
-            [z - expected.z, roll - expected.roll]
-        });
-        Self { step: step(before, [to.y, to.yaw]), by: by.collect() }
+        let line = |wheel: &SolvedWheel| Some(Line { force: vertical(wheel), by: wheel.by? });
+        let lines: Option<Vec<Line>> = solved.wheels().map(line).collect();
+        let last = lines
+            .zip(stance.load)
+            .and_then(|(lines, load)| moves(&lines, given_roll(stance), load));
+        let last = last.unwrap_or_else(|| vec![[0.0; 2]; expected.len()]);
+        let drift = |((from, wheel), [down, turn]): ((&Position, &SolvedWheel), [f64; 2])| {
+            let to = wheel.position;
+            [to.z + down - from.z, to.roll + turn - from.roll]
+        };
+        let by = expected.iter().zip(solved.wheels()).zip(last).map(drift).collect();
+        let rates = solved.pitch.rate.zip(before.pitch.rate);
+        let faster = rates.map_or(0.0, |(to, from)| to - from);
+        Self { step: step(before, [stance.y, stance.yaw]), by, faster }
     }
 
-    /// Corrects the places expected on the next step.
-    pub(super) fn correct(&self, places: &mut [Place], before: &SolvedWheelset, stance: &Stance) {
-        /// Steps this many times as long, and this much aside.
+    /// How many times this step another one is; `None` where it is much longer or goes another way.
+    pub(super) fn times(&self, before: &SolvedWheelset, stance: &Stance) -> Option<f64> {
         const LONGEST: f64 = 2.0;
         const ASIDE: f64 = 0.1;
         let ([a, b], [c, d]) = (self.step, step(before, [stance.y, stance.yaw]));
-        let times = (a * c + b * d) / (a * a + b * b);
-        let aside = (a * d - b * c) / (a * a + b * b);
-        let holds = times.abs() < LONGEST && aside.abs() < ASIDE && self.by.len() == places.len();
-        if !holds {
-            return;
+        let square = a * a + b * b;
+        let [times, aside] = [a * c + b * d, a * d - b * c].map(|product| product / square);
+        (times.abs() < LONGEST && aside.abs() < ASIDE).then_some(times)
+    }
+
+    /// Corrects the places expected on a step so many times this one.
+    pub(super) fn correct(&self, places: &mut [Place], times: f64, stance: &Stance) {
+        let is_free = [!matches!(stance.load, Some(Load::Height(_))), given_roll(stance).is_none()];
+        let [down, turn] = is_free.map(|is_free| if is_free { times } else { 0.0 });
+        for (place, by) in places.iter_mut().zip(&self.by) {
+            place.position.z += down * by[0];
+            place.position.roll += turn * by[1];
         }
-        let moves_down = !matches!(stance.load, Some(Load::Height(_)));
-        let rolls = given_roll(stance).is_none();
-        for (place, [down, turn]) in places.iter_mut().zip(&self.by) {
-            place.position.z += if moves_down { times * down } else { 0.0 };
-            place.position.roll += if rolls { times * turn } else { 0.0 };
-        }
+    }
+
+    /// The pitch rate (rad/s) after a step so many times this one.
+    pub(super) fn faster(&self, rate: f64, times: f64) -> f64 {
+        rate + times * self.faster
     }
 }
 

@@ -150,12 +150,16 @@ impl<'a> WheelsetSolver<'a> {
             return self.from(stance, travel, &Start::after(before));
         };
         let expected: Vec<Position> = places.iter().map(|place| place.position).collect();
-        if let Some(drift) = &before.drift {
-            drift.correct(&mut places, before, stance);
+        let mut start = Start::after(before);
+        if let Some(drift) = &before.drift
+            && let Some(times) = drift.times(before, stance)
+        {
+            drift.correct(&mut places, times, stance);
+            start.pitch.rate = start.pitch.rate.map(|rate| drift.faster(rate, times));
         }
-        let start = Start { places: Some(places), ..Start::after(before) };
+        start.places = Some(places);
         let mut solved = self.from(stance, travel, &start)?;
-        solved.drift = Some(Drift::new(&expected, before, &solved));
+        solved.drift = Some(Drift::new(&expected, before, &solved, stance));
         Ok(solved)
     }
 

@@ -276,7 +276,7 @@ impl<'w, 'a> Rolling<'w, 'a> {
     }
 }
 
-/// A pitch rate nearby, and how the moment about the axle rises with it (N m s/rad).
+/// A pitch rate nearby, closer than what was rolled with, and how the moment about the axle rises with it (N m s/rad).
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(in crate::wheelset) struct Pitch {
     pub(in crate::wheelset) rate: Option<f64>,
@@ -327,8 +327,12 @@ pub(super) fn motion<'r>(
         // A wheel that turns faster drags the rail back.
         let moments = rollings.iter().zip(&rolled);
         let moment: f64 = moments.map(|(one, rolled)| -one.axle_moment(rolled.force)).sum();
-        if moment.abs() < ENOUGH * most || search.is_spent(NARROW * nominal) {
-            return Ok((motion, rolled, Pitch { slope: search.slope().or(guess.slope), ..pitch }));
+        let is_found = moment.abs() < ENOUGH * most;
+        if is_found || search.is_spent(NARROW * nominal) {
+            let known = search.slope().or(guess.slope);
+            search.next_by_chord(moment, slope);
+            let rate = if is_found { Some(search.at) } else { pitch.rate };
+            return Ok((motion, rolled, Pitch { rate, slope: known }));
         }
         search.next_by_chord(moment, slope);
         before = rolled;
