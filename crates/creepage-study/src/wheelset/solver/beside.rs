@@ -3,7 +3,8 @@
 
 use creepage_rail::{Contact, Position, Running, Side};
 
-use super::pressed::{lever, rise};
+use super::Start;
+use super::pressed::{Shares, lever, rise};
 use super::step::{Line, Place, moves, wanted};
 use crate::wheelset::{SolvedContact, SolvedWheel, SolvedWheelset};
 use crate::{Load, Stance};
@@ -74,6 +75,17 @@ fn share(own: &SolvedContact) -> f64 {
     own.force.lateral / own.load()
 }
 
+impl Shares {
+    /// Those of a solved position.
+    pub(super) fn solved(solved: &SolvedWheelset) -> Self {
+        let mut shares = Self::default();
+        for contact in solved.wheels().flat_map(SolvedWheel::contacts) {
+            shares.push(contact.side, contact.y_rail, share(contact));
+        }
+        shares
+    }
+}
+
 /// What a wheel carries in its new place by the stiffness of its contacts and how much nearer the
 /// undeformed bodies are there; `None` where they touch in more or fewer places.
 fn line(wheel: &SolvedWheel, place: &Place, running: &Running) -> Option<Line> {
@@ -108,6 +120,8 @@ pub(in crate::wheelset) struct Drift {
     by: Vec<[f64; 2]>,
     /// By how much faster it turns (rad/s).
     faster: f64,
+    /// By how much more friction pushes each contact aside.
+    shares: Shares,
 }
 
 impl Drift {
@@ -131,7 +145,9 @@ impl Drift {
         let by = expected.iter().zip(solved.wheels()).zip(last).map(drift).collect();
         let rates = solved.pitch.rate.zip(before.pitch.rate);
         let faster = rates.map_or(0.0, |(to, from)| to - from);
-        Self { step: step(before, [stance.y, stance.yaw]), by, faster }
+        let (mut shares, known) = (Shares::solved(solved), Shares::solved(before));
+        shares.add_times(-1.0, &known);
+        Self { step: step(before, [stance.y, stance.yaw]), by, faster, shares }
     }
 
     /// How many times this step another one is; `None` where it is much longer or goes another way.
@@ -144,19 +160,16 @@ impl Drift {
         (times.abs() < LONGEST && aside.abs() < ASIDE).then_some(times)
     }
 
-    /// Corrects the places expected on a step so many times this one.
-    pub(super) fn correct(&self, places: &mut [Place], times: f64, stance: &Stance) {
+    /// Corrects what is expected of a step so many times this one.
+    pub(super) fn correct(&self, start: &mut Start, times: f64, stance: &Stance) {
         let is_free = [!matches!(stance.load, Some(Load::Height(_))), given_roll(stance).is_none()];
         let [down, turn] = is_free.map(|is_free| if is_free { times } else { 0.0 });
-        for (place, by) in places.iter_mut().zip(&self.by) {
+        for (place, by) in start.places.iter_mut().flatten().zip(&self.by) {
             place.position.z += down * by[0];
             place.position.roll += turn * by[1];
         }
-    }
-
-    /// The pitch rate (rad/s) after a step so many times this one.
-    pub(super) fn faster(&self, rate: f64, times: f64) -> f64 {
-        rate + times * self.faster
+        start.pitch.rate = start.pitch.rate.map(|rate| rate + times * self.faster);
+        start.shares.add_times(times, &self.shares);
     }
 }
 

@@ -146,18 +146,16 @@ impl<'a> WheelsetSolver<'a> {
         travel: &Travel,
     ) -> Result<SolvedWheelset, WheelsetError> {
         let places = beside::places(before, stance, self.press.running);
-        let Some(mut places) = places else {
+        let Some(places) = places else {
             return self.from(stance, travel, &Start::after(before));
         };
         let expected: Vec<Position> = places.iter().map(|place| place.position).collect();
-        let mut start = Start::after(before);
+        let mut start = Start { places: Some(places), ..Start::after(before) };
         if let Some(drift) = &before.drift
             && let Some(times) = drift.times(before, stance)
         {
-            drift.correct(&mut places, times, stance);
-            start.pitch.rate = start.pitch.rate.map(|rate| drift.faster(rate, times));
+            drift.correct(&mut start, times, stance);
         }
-        start.places = Some(places);
         let mut solved = self.from(stance, travel, &start)?;
         solved.drift = Some(Drift::new(&expected, before, &solved, stance));
         Ok(solved)
@@ -291,10 +289,9 @@ impl Start {
     }
 
     fn after(before: &SolvedWheelset) -> Self {
-        let mut shares = Shares::default();
+        let shares = Shares::solved(before);
         let (mut fine, mut tractions) = (Vec::new(), Vec::new());
         for contact in before.wheels().flat_map(SolvedWheel::contacts) {
-            shares.push(contact.side, contact.y_rail, contact.force.lateral / contact.load());
             fine.push(Known::new(contact.side, contact.y_rail, &contact.normal));
             tractions.extend(KnownTractions::of_contact(contact));
         }

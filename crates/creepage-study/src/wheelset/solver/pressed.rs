@@ -232,6 +232,13 @@ impl Shares {
         self.lateral.push((side, y_rail, share));
     }
 
+    /// Adds to each contact's share so many times that of another.
+    pub(super) fn add_times(&mut self, times: f64, other: &Self) {
+        for (side, y_rail, share) in &mut self.lateral {
+            *share += times * other.near(*side, *y_rail);
+        }
+    }
+
     /// Remembers how much a wheel carries over what it carries in a coarse solution.
     pub(super) fn set_scale(&mut self, side: Side, scale: f64) {
         if scale > 0.0 && scale.is_finite() {
