@@ -1,4 +1,4 @@
-//! What a wheelset finds for itself: its pitch rate, alone and from a position close by.
+//! What a wheelset finds for itself: height, roll and pitch rate, alone and from positions close by.
 #![allow(clippy::unwrap_used)]
 
 use std::path::Path;
@@ -49,6 +49,33 @@ fn friction_has_no_moment_about_the_axle() {
                 let moment: f64 = contacts().map(|one| about_axle(one, &solved, radius)).sum();
                 let most: f64 = contacts().map(|one| solved.friction * one.load() * radius).sum();
                 assert!(moment.abs() < 1e-5 * most, "{solve} {y}: {moment} of {most}");
+            }
+        }
+    }
+}
+
+/// Where an area parts in two, at the gauge corner and on the flange, forth, back and by other steps: the
+/// road leads to what is found from nothing, and every position carries its load.
+#[test]
+fn a_walk_finds_what_is_found_from_nothing() {
+    const STEPS: [f64; 8] = [0.0, 10.0, 20.0, 30.0, 50.0, 70.0, 40.0, 45.0];
+    let case = case("theory = \"fastsim\"");
+    let (solver, travel) = (case.solver().unwrap(), case.travel.unwrap());
+    for from in [0.002, 0.00446, 0.0053, 0.0063, 0.007] {
+        let at = |step: f64| Stance { y: from + 1e-6 * step, ..case.stance };
+        let mut walked = solver.solve(&at(STEPS[0]), &travel).unwrap();
+        for step in &STEPS[1..] {
+            walked = solver.next(&walked, &at(*step), &travel).unwrap();
+            let alone = solver.solve(&at(*step), &travel).unwrap();
+            for (own, cold) in walked.wheels().zip(alone.wheels()) {
+                // What a load may miss, and what rounds late may.
+                assert!((own.on_rail().force[2] / 1e5 - 1.0).abs() < 1e-4, "{from} {step}");
+                assert_eq!(own.contacts().len(), cold.contacts().len(), "{from} {step}");
+                for (own, cold) in own.contacts().iter().zip(cold.contacts()) {
+                    let (area, other) = (own.normal.area(), cold.normal.area());
+                    let apart = (area.value - other.value).abs();
+                    assert!(apart < area.error + other.error, "{from} {step}: {area:?} {other:?}");
+                }
             }
         }
     }
