@@ -310,6 +310,15 @@ impl Band {
         last.y < first.y && is_near && goes_on
     }
 
+    /// Beyond which of its tips a place lies, and how far (m); `None` for one that lies aside, or farther
+    /// off than half the band is wide.
+    pub(super) fn lacks(&self, x: f64, y: f64) -> Option<(usize, f64)> {
+        let ([low, high], [from, to]) = (self.y, self.x());
+        let (side, by) = if y > 0.5 * (low + high) { (1, y - high) } else { (0, low - y) };
+        let is_near = by > 0.0 && by < 0.5 * (high - low) && (from..=to).contains(&x);
+        (self.tips[side] && is_near).then_some((side, by))
+    }
+
     /// One band of this and another at greater y.
     pub(super) fn joined(&self, other: &Self) -> Self {
         let chords = self.chords.iter().chain(&other.chords).cloned().collect();

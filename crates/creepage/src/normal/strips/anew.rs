@@ -156,19 +156,42 @@ fn parted(
     (parts.len() > start.len()).then_some(parts)
 }
 
-/// With tips pushed out by the width of their outermost strip where that bears more than the one beside it,
-/// as the edge of a punch does.
-pub(super) fn pushed_out(start: &[Patch], strips: &[Strip], units: Units) -> Vec<Patch> {
+/// With tips pushed out to where the bodies overlap beyond, and at least by the width of their outermost strip
+/// where that bears more than the one beside it, as the edge of a punch does; `None` where they overlap far
+/// from all tips.
+pub(super) fn pushed_out(
+    start: &[Patch],
+    strips: &[Strip],
+    beyond: &[[f64; 2]],
+    units: Units,
+) -> Option<Vec<Patch>> {
     let mut next = start.to_vec();
-    for (index, band) in next.iter_mut().flat_map(Patch::bands_mut).enumerate() {
-        let own: Vec<&Strip> = strips.iter().filter(|strip| strip.band == index).collect();
-        let (outer, bears) = ([own.first(), own.last()], bears_at_tips(band, &own));
-        *band = band.drawn_in([0, 1].map(|side: usize| {
-            let width = outer[side].map_or(0.0, |strip| 2.0 * strip.width * units.length);
-            if bears[side] { -width } else { 0.0 }
-        }));
+    let mut bands: Vec<&mut Band> = next.iter_mut().flat_map(Patch::bands_mut).collect();
+    let mut out: Vec<[f64; 2]> = bands
+        .iter()
+        .enumerate()
+        .map(|(index, band)| {
+            let own: Vec<&Strip> = strips.iter().filter(|strip| strip.band == index).collect();
+            let (outer, bears) = ([own.first(), own.last()], bears_at_tips(band, &own));
+            [0, 1].map(|side: usize| {
+                let width = outer[side].map_or(0.0, |strip| 2.0 * strip.width * units.length);
+                if bears[side] { width } else { 0.0 }
+            })
+        })
+        .collect();
+    for place in beyond {
+        let [x, y] = [0, 1].map(|k| units.origin[k] + place[k] * units.length);
+        let near = bands.iter().enumerate().filter_map(|(index, band)| {
+            let (side, by) = band.lacks(x, y)?;
+            Some((index, side, by))
+        });
+        let (index, side, by) = near.min_by(|one, other| one.2.total_cmp(&other.2))?;
+        out[index][side] = out[index][side].max(by);
     }
-    joined(&next).unwrap_or(next)
+    for (band, out) in bands.iter_mut().zip(out) {
+        **band = band.drawn_in(out.map(|out| -out));
+    }
+    Some(joined(&next).unwrap_or(next))
 }
 
 /// With areas of one band that touch as one; `None` where there are none.

@@ -98,10 +98,15 @@ pub(super) fn solve(
                     start = patches;
                     continue;
                 }
-                if !fall_to_tips(&start, &touching.strips) {
-                    attempts -= 1;
-                    start = anew::pushed_out(&patches, &touching.strips, units);
-                    continue;
+                let falls = fall_to_tips(&start, &touching.strips);
+                if !falls || wanted.complete {
+                    let beyond = outside::overlapped(task, &touching, units, terms, &gap)?;
+                    if !falls || !beyond.is_empty() {
+                        attempts -= 1;
+                        let strips = &touching.strips;
+                        start = anew::pushed_out(&patches, strips, &beyond, units)?;
+                        continue;
+                    }
                 }
                 // Once, for a waist without pressure parts them again.
                 if !is_joined && let Some(joined) = anew::joined(&patches) {
@@ -110,7 +115,7 @@ pub(super) fn solve(
                     continue;
                 }
                 let peak = strip::peak(&touching.strips);
-                let found = Found {
+                return Some(Found {
                     patches,
                     approach: task.approach + depth * touching.deeper,
                     load: force * touching.strips.iter().map(Strip::load).sum::<f64>(),
@@ -119,9 +124,7 @@ pub(super) fn solve(
                     unseen: units.pressure * peak * waves::missed_across(&touching.strips, &gap),
                     stiffness: force / depth * touching.stiffness,
                     factors: Some(touching.factors.clone()),
-                };
-                let is_all = || outside::stays_open(task, &touching, units, terms, &gap);
-                return (!wanted.complete || is_all()).then_some(found);
+                });
             }
             Ok(Touching { strips, .. }) => {
                 attempts -= 1;

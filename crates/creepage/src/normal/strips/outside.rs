@@ -18,25 +18,27 @@ const COLUMNS: usize = 40;
 /// about that.
 const LEAST: f64 = 2e-3;
 
-/// Whether the bodies stay apart beyond the strips, and the strips within the known gap.
-pub(super) fn stays_open(
+/// Places beyond the strips at which the bodies overlap, in the solver's units; `None` where strips leave
+/// the known gap.
+pub(super) fn overlapped(
     task: Task<'_>,
     touching: &Touching,
     units: Units,
     terms: usize,
     depth: Depth<'_>,
-) -> bool {
+) -> Option<Vec<[f64; 2]>> {
     let (strips, arch) = (&touching.strips[..], Arch::new());
     let depth = |[x, y]: [f64; 2]| depth(x, y) + touching.deeper;
-    let Some(points) = points(task, strips, units, &depth) else { return false };
-    let places: Vec<[f64; 2]> = points.into_iter().filter(|at| depth(*at) > LEAST).collect();
+    let mut places = points(task, strips, units, &depth)?;
+    places.retain(|at| depth(*at) > LEAST);
     let displaced = match terms {
         CENTRED => arch.dispatch(Displaced::<1> { strips, places: &places }),
         2 => arch.dispatch(Displaced::<2> { strips, places: &places }),
         4 => arch.dispatch(Displaced::<4> { strips, places: &places }),
         _ => arch.dispatch(Displaced::<MOST> { strips, places: &places }),
     };
-    places.iter().zip(displaced).all(|(at, by)| depth(*at) - by < LEAST)
+    let pairs = places.into_iter().zip(displaced);
+    Some(pairs.filter(|(at, by)| depth(*at) - by >= LEAST).map(|(at, _)| at).collect())
 }
 
 /// Places beyond the strips where the bodies might touch, in the solver's units: the deepest ones of
