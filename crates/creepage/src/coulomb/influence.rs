@@ -76,13 +76,14 @@ impl Influence {
                 reverse(mesh, &mut displacements, k, count - k);
             }
             let elements = mesh.elements(strip);
-            for (all, by) in coefficients.double.iter_mut().zip(&displacements) {
-                let to = &mut all[elements.start * n..elements.end * n];
-                Arch::new().dispatch(Rows { stencil, by, n, to });
+            let rows = elements.start * n..elements.end * n;
+            let Coefficients { double, single } = &mut coefficients;
+            for ((double, single), by) in double.iter_mut().zip(single).zip(&displacements) {
+                let (to, single) = (&mut double[rows.clone()], &mut single[rows.clone()]);
+                Arch::new().dispatch(Rows { stencil, by, n, to, single });
             }
         }
         let rows = mesh.all().map(|(strip, i)| place(mesh, stored, strip, i)).collect();
-        coefficients.copy_to_single();
         let offsets = mesh.offsets().to_vec();
         Self { coefficients, rows, offsets, mirrored: mesh.mirrored }
     }
@@ -264,20 +265,26 @@ struct Rows<'a> {
     by: &'a [f64],
     n: usize,
     to: &'a mut [f64],
+    /// The same in single precision.
+    single: &'a mut [f32],
 }
 
 impl WithSimd for Rows<'_> {
     type Output = ();
 
     #[allow(clippy::inline_always)] // so that it is compiled for each kind of processor
+    #[allow(clippy::cast_possible_truncation)] // single precision is meant
     #[inline(always)]
     fn with_simd<S: Simd>(self, _: S) {
-        let Self { stencil, by, n, to } = self;
-        for (row, weights) in to.chunks_exact_mut(n).zip(&stencil.weights) {
+        let Self { stencil, by, n, to, single } = self;
+        let rows = to.chunks_exact_mut(n).zip(single.chunks_exact_mut(n));
+        for ((row, single), weights) in rows.zip(&stencil.weights) {
             let [(a, wa), (b, wb), (c, wc)] = *weights;
             let [a, b, c] = [a, b, c].map(|point| &by[point * n..(point + 1) * n]);
-            for (row, ((a, b), c)) in row.iter_mut().zip(a.iter().zip(b).zip(c)) {
+            let entries = row.iter_mut().zip(single);
+            for ((row, single), ((a, b), c)) in entries.zip(a.iter().zip(b).zip(c)) {
                 *row = wa * a + wb * b + wc * c;
+                *single = *row as f32;
             }
         }
     }

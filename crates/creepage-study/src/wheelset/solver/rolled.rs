@@ -25,6 +25,10 @@ pub(super) enum Method {
     Simplified(Simplified, [usize; 2]),
 }
 
+/// Of the moment of all friction about the axle, in parts of what it could be: as small beside its error bar
+/// as what a load may miss.
+pub(super) const BALANCED: f64 = 1e-5;
+
 impl Method {
     pub(super) const STANDARD: Self = Self::Exact(Resolution::STANDARD);
 
@@ -284,16 +288,15 @@ pub(in crate::wheelset) struct Pitch {
 }
 
 /// The motion of a wheelset with its pitch rate: the given one, or that at which friction has no
-/// moment about the axle; how its contacts roll then, and what a position nearby may start from.
+/// moment about the axle, or no more than `enough` of what it could be; how its contacts roll then, and
+/// what a position nearby may start from.
 pub(super) fn motion<'r>(
     rollings: &'r [Rolling<'_, '_>],
     travel: &Travel,
     radius: f64,
-    guess: Pitch,
+    (guess, enough): (Pitch, f64),
 ) -> Result<(Motion, Vec<Rolled<'r>>, Pitch), WheelsetError> {
     const STEPS: usize = 60;
-    /// Of the moment of all friction: as small beside its error bar as what a load may miss.
-    const ENOUGH: f64 = 1e-5;
     /// Of the rate of a wheel that rolls on its nominal circle.
     const NARROW: f64 = 1e-13;
     let Travel { speed, pitch_rate, lateral_velocity, yaw_rate } = *travel;
@@ -327,7 +330,7 @@ pub(super) fn motion<'r>(
         // A wheel that turns faster drags the rail back.
         let moments = rollings.iter().zip(&rolled);
         let moment: f64 = moments.map(|(one, rolled)| -one.axle_moment(rolled.force)).sum();
-        let is_found = moment.abs() < ENOUGH * most;
+        let is_found = moment.abs() < enough * most;
         if is_found || search.is_spent(NARROW * nominal) {
             let known = search.slope().or(guess.slope);
             search.next_by_chord(moment, slope);

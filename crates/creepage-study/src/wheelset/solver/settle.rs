@@ -17,6 +17,9 @@ const ROUNDS: usize = 28;
 const FEW: usize = 12;
 /// To which part a load is met: far within its error bar.
 const MET: f64 = 3e-5;
+/// What may be left of friction's moment about the axle, in parts of what that could be, by methods that
+/// come before the last one.
+const ROUGHLY_BALANCED: f64 = 3e-4;
 /// To which part a search with coarse pressures may miss a load.
 const CLOSE: f64 = 5e-3;
 /// A step on known friction that leaves more than this part of what was missed is followed by rolling.
@@ -103,8 +106,10 @@ impl<'w, 'a> Way<'w, 'a> {
         let WheelsetSolver { friction, slip, press, .. } = self.solver;
         let radius = press.running.wheelset().radius();
         let rollings = Rolling::all(&wheels, *friction, *slip, (method, &self.start.tractions))?;
-        let (motion, rolled, pitch) =
-            rolled::motion(&rollings, self.travel, radius, self.start.pitch)?;
+        // The next method has a moment of its own.
+        let enough = if self.stages.len() == 1 { rolled::BALANCED } else { ROUGHLY_BALANCED };
+        let guess = (self.start.pitch, enough);
+        let (motion, rolled, pitch) = rolled::motion(&rollings, self.travel, radius, guess)?;
         let next = Start::of(&sought.coarse, &wheels, &rolled, pitch, &self.start);
         let missed = sought.missed(&wheels, &next.shares);
         if self.is_met(&wheels, &next.shares, missed, round) {

@@ -20,16 +20,14 @@ pub(super) struct Coefficients {
 }
 
 impl Coefficients {
-    /// So many of each in double precision, of any value: all are to be written.
+    /// So many of each, of any value: all are to be written.
     pub(super) fn with_length(entries: usize) -> Self {
-        let mut room = Self::kept(entries).unwrap_or_default();
-        for of in &mut room.double {
-            if of.capacity() < entries {
-                *of = vec![0.0; entries];
-            } else {
-                of.resize(entries, 0.0);
-            }
-        }
+        let Some(mut room) = Self::kept(entries) else {
+            let double = [0, 1, 2].map(|_| vec![0.0; entries]);
+            return Self { double, single: [0, 1, 2].map(|_| vec![0.0; entries]) };
+        };
+        room.double.iter_mut().for_each(|of| of.resize(entries, 0.0));
+        room.single.iter_mut().for_each(|of| of.resize(entries, 0.0));
         room
     }
 
