@@ -1,4 +1,4 @@
-//! Cost of a wheelset on its track, on one core: cold, and from the neighbouring position.
+//! Cost of a wheelset on its track, on one core: cold, from the neighbouring position, and along a walk.
 #![allow(missing_docs, clippy::unwrap_used)]
 
 use std::path::Path;
@@ -42,4 +42,15 @@ fn from_the_neighbour(bencher: Bencher, (theory, y): (&str, f64)) {
     let (solver, travel) = (case.solver().unwrap(), case.travel.unwrap());
     let before = solver.solve(&Stance { y: y - STEP, ..case.stance }, &travel).unwrap();
     bencher.bench_local(|| solver.next(&before, &Stance { y, ..case.stance }, &travel).unwrap());
+}
+
+/// From a neighbour that was found from a neighbour of its own.
+#[divan::bench(args = cases(), sample_count = 10)]
+fn along_a_walk(bencher: Bencher, (theory, y): (&str, f64)) {
+    let case = case(theory);
+    let (solver, travel) = (case.solver().unwrap(), case.travel.unwrap());
+    let at = |steps: f64| Stance { y: y - steps * STEP, ..case.stance };
+    let before = solver.solve(&at(2.0), &travel).unwrap();
+    let before = solver.next(&before, &at(1.0), &travel).unwrap();
+    bencher.bench_local(|| solver.next(&before, &at(0.0), &travel).unwrap());
 }
