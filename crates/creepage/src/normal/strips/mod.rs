@@ -23,6 +23,7 @@ use super::lattice::whole;
 use super::level::Task;
 use crate::gap::{Gap, Rectangle};
 pub(crate) use kernel::profile;
+use newton::Depth;
 pub(crate) use newton::{Factors, Question, Touching, solve as touching};
 pub(crate) use rules::MOST;
 pub(crate) use strip::Strip;
@@ -61,8 +62,10 @@ impl Wanted {
 /// Solves from patches close by.
 ///
 /// A tip laid too far out leaves its strip nothing to touch: the strip shrinks to nothing, and
-/// the strips are laid anew with the tip drawn in. Where the ends found put a tip elsewhere than it
-/// was laid, they are laid anew too.
+/// the strips are laid anew with the tip drawn in. One laid too far inwards bears what the edge of a punch
+/// does, or the bodies overlap beyond it: it is pushed out. Where the ends found put a tip elsewhere than
+/// it was laid, they are laid anew too. Areas that come to touch are joined, and parted at a waist that
+/// vanishes.
 /// A matrix that is known of like strips close by is where Newton's method begins.
 pub(super) fn solve(
     task: Task<'_>,
@@ -71,18 +74,13 @@ pub(super) fn solve(
     wanted: Wanted,
 ) -> Option<Found> {
     let Wanted { count, terms, enough, nearly, mut attempts, .. } = wanted;
-    let (units, depth) = units(task, start)?;
-    let force = units.pressure * units.length * units.length;
+    let units = units(task, start)?;
     let gap = |x: f64, y: f64| {
         let place = [x, y].map(|at| at * units.length);
         let h = task.gap.at(units.origin[0] + place[0], units.origin[1] + place[1]);
-        (task.approach - h) / depth
+        (task.approach - h) / units.depth
     };
-    let summit = |touching: &Touching, peak: f64| {
-        let height = wanted.summit.then(|| summit::height(touching, terms, &gap)).flatten();
-        height.unwrap_or(peak)
-    };
-    let load = wanted.load.map(|load| load / force);
+    let load = wanted.load.map(|load| load / units.force());
     let question = Question { depth: &gap, load, enough, nearly, known };
     let (mut start, mut settled, mut is_joined) = (start.to_vec(), 0, false);
     while attempts > 0 {
@@ -92,21 +90,22 @@ pub(super) fn solve(
         }
         match touching(laid.clone(), terms, question) {
             Ok(touching) if touching.strips.iter().all(is_pressed) => {
-                let patches = patches(&start, &touching.strips, units);
+                let (strips, patches) =
+                    (&touching.strips, patches(&start, &touching.strips, units));
                 if settled < SETTLED && moved([&start, &patches], &laid, wanted.settled, units) {
                     settled += 1;
                     start = patches;
                     continue;
                 }
-                let falls = fall_to_tips(&start, &touching.strips);
-                if !falls || wanted.complete {
-                    let beyond = outside::overlapped(task, &touching, units, terms, &gap)?;
-                    if !falls || !beyond.is_empty() {
-                        attempts -= 1;
-                        let strips = &touching.strips;
-                        start = anew::pushed_out(&patches, strips, &beyond, units)?;
-                        continue;
-                    }
+                let falls = fall_to_tips(&patches, strips);
+                let mut beyond = Vec::new();
+                if wanted.complete || !falls {
+                    beyond = outside::overlapped(task, &touching, units, terms, &gap)?;
+                }
+                if !falls || !beyond.is_empty() {
+                    attempts -= 1;
+                    start = anew::pushed_out(&patches, strips, &beyond, units)?;
+                    continue;
                 }
                 // Once, for a waist without pressure parts them again.
                 if !is_joined && let Some(joined) = anew::joined(&patches) {
@@ -114,17 +113,7 @@ pub(super) fn solve(
                     start = joined;
                     continue;
                 }
-                let peak = strip::peak(&touching.strips);
-                return Some(Found {
-                    patches,
-                    approach: task.approach + depth * touching.deeper,
-                    load: force * touching.strips.iter().map(Strip::load).sum::<f64>(),
-                    peak: units.pressure * peak,
-                    summit: units.pressure * summit(&touching, peak),
-                    unseen: units.pressure * peak * waves::missed_across(&touching.strips, &gap),
-                    stiffness: force / depth * touching.stiffness,
-                    factors: Some(touching.factors.clone()),
-                });
+                return Some(found(task, patches, &touching, wanted, &gap, units));
             }
             Ok(Touching { strips, .. }) => {
                 attempts -= 1;
@@ -137,6 +126,30 @@ pub(super) fn solve(
         }
     }
     None
+}
+
+/// What strips that are all the contact there is found.
+fn found(
+    task: Task<'_>,
+    patches: Vec<Patch>,
+    touching: &Touching,
+    Wanted { terms, summit, .. }: Wanted,
+    depth: Depth<'_>,
+    units: Units,
+) -> Found {
+    let strips = &touching.strips;
+    let peak = strip::peak(strips);
+    let summit = summit.then(|| summit::height(touching, terms, depth)).flatten();
+    Found {
+        patches,
+        approach: task.approach + units.depth * touching.deeper,
+        load: units.force() * strips.iter().map(Strip::load).sum::<f64>(),
+        peak: units.pressure * peak,
+        summit: units.pressure * summit.unwrap_or(peak),
+        unseen: units.pressure * peak * waves::missed_across(strips, depth),
+        stiffness: units.force() / units.depth * touching.stiffness,
+        factors: Some(touching.factors.clone()),
+    }
 }
 
 /// How often strips are laid anew because a tip lies elsewhere.
@@ -213,11 +226,11 @@ fn width(band: &Band) -> f64 {
 }
 
 /// Lengths by the root of the area, depths by the greatest at the strips.
-fn units(task: Task<'_>, start: &[Patch]) -> Option<(Units, f64)> {
+fn units(task: Task<'_>, start: &[Patch]) -> Option<Units> {
     let area: f64 = start.iter().map(Patch::area).sum();
     let Rectangle { x, y } = start.first()?.extent();
     let origin = [x, y].map(|[low, high]| f64::midpoint(low, high));
-    let deepest = start
+    let depth = start
         .iter()
         .flat_map(Patch::bands)
         .flat_map(|band| band.rows().map(|y| (band.ends(y), y)).collect::<Vec<_>>())
@@ -225,8 +238,8 @@ fn units(task: Task<'_>, start: &[Patch]) -> Option<(Units, f64)> {
         .map(|(x, y)| task.approach - task.gap.at(x, y))
         .fold(0.0, f64::max);
     let length = area.sqrt();
-    let pressure = task.modulus * deepest / length;
-    (deepest > 0.0 && length > 0.0).then_some((Units { origin, length, pressure }, deepest))
+    let pressure = task.modulus * depth / length;
+    (depth > 0.0 && length > 0.0).then_some(Units { origin, length, depth, pressure })
 }
 
 /// No tension anywhere in a strip.

@@ -35,12 +35,20 @@ impl Strip {
     }
 }
 
-/// Units of length and pressure, and the origin, of the solver.
+/// Units of length, depth and pressure, and the origin, of the solver.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Units {
     pub(super) origin: [f64; 2],
     pub(super) length: f64,
+    /// The greatest undeformed penetration (m).
+    pub(super) depth: f64,
     pub(super) pressure: f64,
+}
+
+impl Units {
+    pub(super) fn force(self) -> f64 {
+        self.pressure * self.length * self.length
+    }
 }
 
 /// Lays strips into a band, closer towards its sides.
