@@ -58,10 +58,10 @@ fn friction_has_no_moment_about_the_axle() {
 /// road leads to what is found from nothing, and every position carries its load.
 #[test]
 fn a_walk_finds_what_is_found_from_nothing() {
-    const STEPS: [f64; 8] = [0.0, 10.0, 20.0, 30.0, 50.0, 70.0, 40.0, 45.0];
+    const STEPS: [f64; 8] = [0.0, 10.0, 20.0, 30.0, 110.0, 190.0, 170.0, 175.0];
     let case = case("theory = \"fastsim\"");
     let (solver, travel) = (case.solver().unwrap(), case.travel.unwrap());
-    for from in [0.002, 0.00446, 0.0053, 0.0063, 0.007] {
+    for from in [0.002, 0.00446, 0.0053, 0.0064, 0.007] {
         let at = |step: f64| Stance { y: from + 1e-6 * step, ..case.stance };
         let mut walked = solver.solve(&at(STEPS[0]), &travel).unwrap();
         for step in &STEPS[1..] {
@@ -72,9 +72,12 @@ fn a_walk_finds_what_is_found_from_nothing() {
                 assert!((own.on_rail().force[2] / 1e5 - 1.0).abs() < 1e-4, "{from} {step}");
                 assert_eq!(own.contacts().len(), cold.contacts().len(), "{from} {step}");
                 for (own, cold) in own.contacts().iter().zip(cold.contacts()) {
-                    let (area, other) = (own.normal.area(), cold.normal.area());
-                    let apart = (area.value - other.value).abs();
-                    assert!(apart < area.error + other.error, "{from} {step}: {area:?} {other:?}");
+                    let numbers =
+                        [own, cold].map(|one| [one.normal.area(), one.normal.peak_pressure()]);
+                    for (own, cold) in numbers[0].iter().zip(&numbers[1]) {
+                        let apart = (own.value - cold.value).abs();
+                        assert!(apart < own.error + cold.error, "{from} {step}: {own:?} {cold:?}");
+                    }
                 }
             }
         }

@@ -199,13 +199,12 @@ pub struct NormalContact {
     pub(super) factors: Option<Arc<Factors>>,
 }
 
-/// How strips found a contact: so many across the widest area, and what load and greatest pressure at the
-/// limit of many are over theirs.
+/// How strips found a contact: so many across the widest area, and what the load at the limit of many is over
+/// theirs.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct StripRule {
     pub(super) count: usize,
     pub(super) load: f64,
-    pub(super) peak: f64,
     /// The load and the area of the contact where that was found.
     pub(super) origin: [f64; 2],
 }

@@ -111,12 +111,7 @@ pub(super) fn contact(gap: &Gap, pair: SolidPair, asked: Asked, found: Pair) -> 
     let load_error = bars.load.of(fine.load, carried);
     let by_strips = method == Method::Strips;
     let at_limit = fine.load + if by_strips { lacking * (fine.load - carried) } else { 0.0 };
-    let rule = StripRule {
-        count,
-        load: at_limit / fine.load,
-        peak: fine.summit / fine.peak,
-        origin: [at_limit, area],
-    };
+    let rule = StripRule { count, load: at_limit / fine.load, origin: [at_limit, area] };
     let rule = by_strips.then_some(rule);
     let (approach, load) = match asked {
         Asked::Load(load) => {

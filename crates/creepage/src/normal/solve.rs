@@ -71,7 +71,7 @@ pub(super) fn follow(gap: &Gap, near: &NormalContact, approach: f64) -> Option<N
         enough: ENOUGH[0],
         nearly: NEARLY[1],
         complete: true,
-        summit: false,
+        summit: true,
         attempts: Wanted::ATTEMPTS,
         settled: 1.0,
     };
@@ -89,7 +89,7 @@ pub(super) fn follow(gap: &Gap, near: &NormalContact, approach: f64) -> Option<N
     Some(NormalContact {
         approach: Estimate { value: approach, error: 0.0 },
         load: scaled(value, near.load),
-        peak: scaled(rule.peak * found.peak, near.peak),
+        peak: scaled(found.summit, near.peak),
         area,
         stiffness: found.stiffness,
         gap_points: gap_points(gap, &found.patches),
