@@ -283,19 +283,19 @@ impl Band {
         self.tips
     }
 
-    /// The same with its sides drawn in; chords that come to lie outside are left out, but the
+    /// The same with its sides drawn in, or out by less than nothing; chords that come to lie outside are left out, but the
     /// last one stays.
     pub(super) fn drawn_in(&self, by: [f64; 2]) -> Self {
         let y = [self.y[0] + by[0], self.y[1] - by[1]];
-        let inside = |chord: &&Chord| chord.y > y[0] && chord.y < y[1];
-        let chords: Vec<Chord> = self.chords.iter().filter(inside).cloned().collect();
-        if chords.is_empty() { self.clone() } else { Self::new(chords, y, self.tips) }
+        self.between(y, self.tips).unwrap_or_else(|| self.clone())
     }
 
-    /// The part of it between two y, which ends in tips or goes over into others there.
-    pub(super) fn between(&self, y: [f64; 2], tips: [bool; 2]) -> Self {
+    /// The part of it between two y, which ends in tips or goes over into others there; `None` without
+    /// chords.
+    pub(super) fn between(&self, y: [f64; 2], tips: [bool; 2]) -> Option<Self> {
         let inside = |chord: &&Chord| chord.y > y[0] && chord.y < y[1];
-        Self::new(self.chords.iter().filter(inside).cloned().collect(), y, tips)
+        let chords: Vec<Chord> = self.chords.iter().filter(inside).cloned().collect();
+        (!chords.is_empty()).then(|| Self::new(chords, y, tips))
     }
 
     /// Whether another at greater y goes on from it: no more lies between them than beyond their outermost

@@ -108,7 +108,7 @@ impl Patch {
         &mut self.bands
     }
 
-    /// One area of this and another at greater y, if either is one band and they touch.
+    /// One area of this and another at greater y; `None` unless each is one band, and they touch.
     pub(super) fn joined(&self, other: &Self) -> Option<Self> {
         let ([own], [other]) = (self.bands(), other.bands()) else { return None };
         own.touches(other).then(|| Self::new(vec![own.joined(other)]))

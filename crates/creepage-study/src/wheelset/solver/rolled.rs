@@ -280,7 +280,8 @@ impl<'w, 'a> Rolling<'w, 'a> {
     }
 }
 
-/// A pitch rate nearby, closer than what was rolled with, and how the moment about the axle rises with it (N m s/rad).
+/// A pitch rate nearby, closer to balance than the one rolled with, and how the moment about the axle rises
+/// with it (N m s/rad).
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(in crate::wheelset) struct Pitch {
     pub(in crate::wheelset) rate: Option<f64>,

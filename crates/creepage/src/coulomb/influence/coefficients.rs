@@ -10,6 +10,7 @@ const KEPT: usize = 8;
 /// Largest number of entries of a set that is kept: of some 16 MB.
 const LARGEST: usize = 450_000;
 
+/// Nobody waits for it: new memory costs less, and a process forked off would wait for ever.
 static SPARE: Mutex<Vec<Coefficients>> = Mutex::new(Vec::new());
 
 /// Slip in `x` by `x`; in `x` by `y` and in `y` by `x`; in `y` by `y`; in both precisions.
@@ -33,7 +34,7 @@ impl Coefficients {
 
     /// The smallest kept set that has room for so many.
     fn kept(entries: usize) -> Option<Self> {
-        let mut kept = SPARE.lock().ok()?;
+        let mut kept = SPARE.try_lock().ok()?;
         let fitting = kept.iter().enumerate().filter(|(_, one)| one.capacity() >= entries);
         let (index, _) = fitting.min_by_key(|(_, one)| one.capacity())?;
         Some(kept.swap_remove(index))
@@ -57,7 +58,7 @@ impl Coefficients {
         if !(1..=LARGEST).contains(&self.capacity()) {
             return;
         }
-        let Ok(mut kept) = SPARE.lock() else { return };
+        let Ok(mut kept) = SPARE.try_lock() else { return };
         if kept.len() == KEPT {
             kept.remove(0);
         }

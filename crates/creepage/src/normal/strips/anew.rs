@@ -138,19 +138,17 @@ fn parted(
         let first = inner.iter().find(|i| vanishes(**i));
         let last = first
             .and_then(|first| inner.iter().take_while(|i| *i <= first || vanishes(**i)).last());
-        match (patch.bands(), first, last) {
-            ([band], Some(&first), Some(&last)) => {
-                let border = |strip: &Strip, side: f64| {
-                    units.origin[1] + (strip.y + side * strip.width) * units.length
-                };
-                let [low, high] = band.y();
-                let ends = [border(&strips[first], -1.0), border(&strips[last], 1.0)];
-                let part = |y: [f64; 2], tips| Patch::new(vec![band.between(y, tips)]);
-                let [below, above] = band.tips();
-                vec![part([low, ends[0]], [below, true]), part([ends[1], high], [true, above])]
-            }
-            _ => vec![patch.clone()],
-        }
+        let halves = first.zip(last).and_then(|(first, last)| {
+            let [band] = patch.bands() else { return None };
+            let border = |i: usize, side: f64| {
+                units.origin[1] + (strips[i].y + side * strips[i].width) * units.length
+            };
+            let ([low, high], [below, above]) = (band.y(), band.tips());
+            let lower = band.between([low, border(*first, -1.0)], [below, true])?;
+            let upper = band.between([border(*last, 1.0), high], [true, above])?;
+            Some([lower, upper].map(|half| Patch::new(vec![half])).to_vec())
+        });
+        halves.unwrap_or_else(|| vec![patch.clone()])
     });
     let parts: Vec<Patch> = parts.collect();
     (parts.len() > start.len()).then_some(parts)
