@@ -344,6 +344,11 @@ impl Band {
         }
     }
 
+    /// Half of the shortest chord (m).
+    pub(super) fn shortest(&self) -> f64 {
+        self.chords.iter().map(|chord| chord.half).fold(f64::INFINITY, f64::min)
+    }
+
     /// Least and greatest x at the chords (m).
     pub(super) fn x(&self) -> [f64; 2] {
         self.chords.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], chord| {

@@ -61,6 +61,9 @@ pub(super) fn lay(
 ) -> Vec<Strip> {
     // Sine of nine tenths of a right angle: the outermost strips are a third as wide.
     const CLUSTER: f64 = 0.8 * std::f64::consts::FRAC_PI_2;
+    // Of the shortest chord: at a waist a cubic through squared lengths may fall below zero.
+    const LEAST: f64 = 0.2;
+    let least = LEAST * band.shortest();
     let [low, high] = band.y();
     let border = |i: usize| {
         let t = 2.0 * i as f64 / count as f64 - 1.0;
@@ -73,6 +76,7 @@ pub(super) fn lay(
             let y = f64::midpoint(from, to);
             let [trailing, leading] = band.ends(y).unwrap_or([0.0; 2]);
             let (centre, half) = (f64::midpoint(trailing, leading), 0.5 * (leading - trailing));
+            let half = half.max(least);
             Strip {
                 y: (y - units.origin[1]) / units.length,
                 width: 0.5 * (to - from) / units.length,
