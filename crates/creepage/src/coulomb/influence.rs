@@ -61,7 +61,7 @@ impl Influence {
         let size = mesh.offsets()[stored] * mesh.len();
         let is_like_reversed = mesh.is_like_reversed(&units);
         let mut cuts = Cuts::new(mesh, units);
-        let (mut coefficients, n) = (Coefficients::with_length(size), mesh.len());
+        let (mut coefficients, n) = (Coefficients::with_length(size).with_single(), mesh.len());
         let most = stencils.iter().map(|stencil| stencil.points.len()).max().unwrap_or(0);
         let mut displacements: [Vec<f64>; 3] = std::array::from_fn(|_| vec![0.0; most * n]);
         for (strip, stencil) in stencils[..stored].iter().enumerate() {

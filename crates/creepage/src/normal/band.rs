@@ -312,7 +312,7 @@ impl Band {
 
     /// Beyond which of its tips a place lies, and how far (m); `None` for one that lies aside, or farther
     /// off than half the band is wide.
-    pub(super) fn lacks(&self, x: f64, y: f64) -> Option<(usize, f64)> {
+    pub(super) fn beyond_tip(&self, x: f64, y: f64) -> Option<(usize, f64)> {
         let ([low, high], [from, to]) = (self.y, self.x());
         let (side, by) = if y > 0.5 * (low + high) { (1, y - high) } else { (0, low - y) };
         let is_near = by > 0.0 && by < 0.5 * (high - low) && (from..=to).contains(&x);

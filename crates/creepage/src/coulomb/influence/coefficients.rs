@@ -21,15 +21,18 @@ pub(super) struct Coefficients {
 }
 
 impl Coefficients {
-    /// So many of each, of any value: all are to be written.
+    /// So many of each in double precision, of any value: all are to be written.
     pub(super) fn with_length(entries: usize) -> Self {
-        let Some(mut room) = Self::kept(entries) else {
-            let double = [0, 1, 2].map(|_| vec![0.0; entries]);
-            return Self { double, single: [0, 1, 2].map(|_| vec![0.0; entries]) };
-        };
-        room.double.iter_mut().for_each(|of| of.resize(entries, 0.0));
-        room.single.iter_mut().for_each(|of| of.resize(entries, 0.0));
+        let mut room = Self::kept(entries).unwrap_or_default();
+        room.double.iter_mut().for_each(|of| resize(of, entries));
         room
+    }
+
+    /// The same with as many in single precision.
+    pub(super) fn with_single(mut self) -> Self {
+        let entries = self.double[0].len();
+        self.single.iter_mut().for_each(|of| resize(of, entries));
+        self
     }
 
     /// The smallest kept set that has room for so many.
@@ -63,5 +66,14 @@ impl Coefficients {
             kept.remove(0);
         }
         kept.push(self);
+    }
+}
+
+/// To so many entries; pages that are all zeros come from the system when they are written to.
+fn resize<T: Clone + Default>(of: &mut Vec<T>, entries: usize) {
+    if of.capacity() < entries {
+        *of = vec![T::default(); entries];
+    } else {
+        of.resize(entries, T::default());
     }
 }

@@ -163,33 +163,32 @@ pub(super) fn pushed_out(
     beyond: &[[f64; 2]],
     units: Units,
 ) -> Option<Vec<Patch>> {
-    let mut next = start.to_vec();
-    let mut bands: Vec<&mut Band> = next.iter_mut().flat_map(Patch::bands_mut).collect();
-    let mut out: Vec<[f64; 2]> = bands
-        .iter()
-        .enumerate()
-        .map(|(index, band)| {
-            let own: Vec<&Strip> = strips.iter().filter(|strip| strip.band == index).collect();
-            let (outer, bears) = ([own.first(), own.last()], bears_at_tips(band, &own));
-            [0, 1].map(|side: usize| {
-                let width = outer[side].map_or(0.0, |strip| 2.0 * strip.width * units.length);
-                if bears[side] { width } else { 0.0 }
-            })
-        })
-        .collect();
+    let bands: Vec<&Band> = start.iter().flat_map(Patch::bands).collect();
+    let widths = |(index, band): (usize, &&Band)| widths_at_punches(band, index, strips, units);
+    let mut out: Vec<[f64; 2]> = bands.iter().enumerate().map(widths).collect();
     for place in beyond {
         let [x, y] = [0, 1].map(|k| units.origin[k] + place[k] * units.length);
-        let near = bands.iter().enumerate().filter_map(|(index, band)| {
-            let (side, by) = band.lacks(x, y)?;
-            Some((index, side, by))
-        });
-        let (index, side, by) = near.min_by(|one, other| one.2.total_cmp(&other.2))?;
+        let tips = bands.iter().enumerate();
+        let tips = tips.filter_map(|(index, band)| Some((index, band.beyond_tip(x, y)?)));
+        let (index, (side, by)) = tips.min_by(|one, other| one.1.1.total_cmp(&other.1.1))?;
         out[index][side] = out[index][side].max(by);
     }
-    for (band, out) in bands.iter_mut().zip(out) {
-        **band = band.drawn_in(out.map(|out| -out));
+    let mut next = start.to_vec();
+    for (band, out) in next.iter_mut().flat_map(Patch::bands_mut).zip(out) {
+        *band = band.drawn_in(out.map(|out| -out));
     }
     Some(joined(&next).unwrap_or(next))
+}
+
+/// Width of the outermost strip at each tip of a band where that bears more than the one beside it (m), else
+/// zero.
+fn widths_at_punches(band: &Band, index: usize, strips: &[Strip], units: Units) -> [f64; 2] {
+    let own: Vec<&Strip> = strips.iter().filter(|strip| strip.band == index).collect();
+    let (outer, bears) = ([own.first(), own.last()], bears_at_tips(band, &own));
+    [0, 1].map(|side: usize| match outer[side] {
+        Some(strip) if bears[side] => 2.0 * strip.width * units.length,
+        _ => 0.0,
+    })
 }
 
 /// With areas of one band that touch as one; `None` where there are none.

@@ -90,8 +90,8 @@ pub(super) fn solve(
         }
         match touching(laid.clone(), terms, question) {
             Ok(touching) if touching.strips.iter().all(is_pressed) => {
-                let (strips, patches) =
-                    (&touching.strips, patches(&start, &touching.strips, units));
+                let strips = &touching.strips;
+                let patches = patches(&start, strips, units);
                 if settled < SETTLED && moved([&start, &patches], &laid, wanted.settled, units) {
                     settled += 1;
                     start = patches;
