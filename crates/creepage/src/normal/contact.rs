@@ -120,6 +120,10 @@ impl Patch {
         Self::new(self.bands.iter().map(|band| band.grown(factor, centre)).collect())
     }
 
+    fn shifted(&self, by: [f64; 2]) -> Self {
+        Self::new(self.bands.iter().map(|band| band.shifted(by)).collect())
+    }
+
     /// The rectangle around it (m).
     #[must_use]
     pub fn extent(&self) -> Rectangle {
@@ -164,6 +168,11 @@ impl Patch {
     pub fn pressure(&self, x: f64, y: f64) -> f64 {
         self.bands.iter().map(|band| band.pressure(x, y)).fold(0.0, f64::max)
     }
+}
+
+/// Least and greatest y of all bands (m).
+fn sides(patches: &[Patch]) -> Vec<[f64; 2]> {
+    patches.iter().flat_map(Patch::bands).map(Band::y).collect()
 }
 
 /// The contact of two bodies of any shape, solved: `u + h = approach` where pressed, with all
@@ -219,17 +228,18 @@ impl StripRule {
     }
 }
 
-/// What a contact close by tells of another: its areas, and the matrix of its strips.
+/// What a contact close by tells of another: its areas, the matrix of its strips, and how many it took.
 #[derive(Debug, Clone)]
 pub(super) struct Near<'a> {
     pub(super) areas: Vec<Patch>,
     pub(super) factors: Option<&'a Arc<Factors>>,
+    pub(super) taken: Option<usize>,
 }
 
 impl Near<'_> {
     /// Areas alone.
     pub(super) fn of(areas: Vec<Patch>) -> Self {
-        Self { areas, factors: None }
+        Self { areas, factors: None, taken: None }
     }
 }
 
@@ -283,17 +293,53 @@ impl NormalContact {
     }
 
     /// The same with as many strips as this one and no finer or coarser ones: what they lack, and the error
-    /// bars, are taken from here. `None` where load or area differ by three hundredths from those of the
-    /// contact that found them, strips do not settle or the bodies meet beyond them;
-    /// [`NormalContact::next`] tells more then.
+    /// bars, are taken from here as long as [`NormalContact::keeps_error_bars`] says so. `None` where strips do
+    /// not settle or the bodies meet beyond them; [`NormalContact::next`] tells more then.
     #[must_use]
     pub fn follow(&self, gap: &Gap, approach: f64) -> Option<Self> {
         if approach.is_finite() { solve::follow(gap, self, approach) } else { None }
     }
 
+    /// Whether load and area differ by less than three hundredths from those of the contact that found the
+    /// error bars, from which this one may have followed; else [`NormalContact::next`] from here finds them anew.
+    #[must_use]
+    pub fn keeps_error_bars(&self) -> bool {
+        let area = self.patches.iter().map(Patch::area).sum();
+        self.rule.is_none_or(|rule| rule.reaches(self.load.value, area))
+    }
+
+    /// The same seen from an origin moved by as much the other way: every area moved by `by` along x and y (m).
+    #[must_use]
+    pub fn shifted(self, by: [f64; 2]) -> Self {
+        let patches = self.patches.iter().map(|patch| patch.shifted(by)).collect();
+        Self { patches, ..self }
+    }
+
+    /// By how much each area's least and greatest y lie further out (m) than from `near`, a contact close by,
+    /// was to be expected at this approach; `None` where that has other areas.
+    #[must_use]
+    pub fn sides_beyond(&self, near: &Self) -> Option<Vec<[f64; 2]>> {
+        let expected = near.grown(self.approach.value);
+        let [own, expected] = [&self.patches, &expected].map(|patches| sides(patches));
+        let beyond = |([low, high], [from, to]): ([f64; 2], [f64; 2])| [from - low, high - to];
+        let is_like = own.len() == expected.len();
+        is_like.then(|| own.into_iter().zip(expected).map(beyond).collect())
+    }
+
+    /// The same with areas so many times as much wider: where the next contact like this one is to be sought.
+    #[must_use]
+    pub fn with_sides_moved(mut self, beyond: &[[f64; 2]], times: f64) -> Self {
+        let bands = self.patches.iter_mut().flat_map(Patch::bands_mut);
+        for (band, beyond) in bands.zip(beyond) {
+            *band = band.stretched(beyond.map(|by| times * by));
+        }
+        self
+    }
+
     /// What it tells of another approach close by.
     pub(super) fn near(&self, approach: f64) -> Near<'_> {
-        Near { areas: self.grown(approach), factors: self.factors.as_ref() }
+        let taken = self.rule.map(|rule| rule.count);
+        Near { areas: self.grown(approach), factors: self.factors.as_ref(), taken }
     }
 
     /// The areas as they would be at another approach if they kept their shape: a load that goes

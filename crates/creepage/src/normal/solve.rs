@@ -61,7 +61,7 @@ pub(super) fn solve(
 
 /// By as many strips as a contact close by, which tells what they lack.
 pub(super) fn follow(gap: &Gap, near: &NormalContact, approach: f64) -> Option<NormalContact> {
-    let (rule, Near { areas, factors }) = (near.rule?, near.near(approach));
+    let (rule, Near { areas, factors, .. }) = (near.rule?, near.near(approach));
     let modulus = near.pair.shear_modulus() / (1.0 - near.pair.poisson());
     let wanted = Wanted {
         load: None,
@@ -77,9 +77,6 @@ pub(super) fn follow(gap: &Gap, near: &NormalContact, approach: f64) -> Option<N
     };
     let mut found = strips::solve(Task { gap, modulus, approach }, &areas, factors, wanted)?;
     let value = rule.load * found.load;
-    if !rule.reaches(value, found.area()) {
-        return None;
-    }
     let scaled = |value: f64, near: Estimate| Estimate {
         value,
         error: near.error * (value / near.value).abs(),
@@ -176,79 +173,110 @@ const HALVES: f64 = 2.0;
 fn by_strips(
     task: Task<'_>,
     asked: Asked,
-    Near { areas: start, factors }: &Near<'_>,
+    near: &Near<'_>,
     resolution: Resolution,
     kind: Start,
 ) -> Option<Pair> {
     /// Of the peak pressure: with more between strips, waves across are too short for them.
     const UNSEEN: f64 = 0.02;
-    let terms = strips::terms(task.gap, start)?;
-    let load = if let Asked::Load(load) = asked { Some(load) } else { None };
-    let count = resolution.count.min(strips::most(start));
+    let Near { areas: start, factors, taken } = near;
+    let [half, whole, more] = wanted(task, asked, start, resolution, kind)?;
     let next = |start: &[Patch], approach: f64, wanted: Wanted| {
         strips::solve(Task { approach, ..task }, start, *factors, wanted)
     };
-    let nearly = NEARLY[usize::from(!resolution.with_errors)];
-    let summit = resolution.with_errors;
-    let (enough, attempts) = (ENOUGH[1], Wanted::ATTEMPTS);
-    let whole = Wanted {
-        load,
-        count,
-        terms,
-        enough,
-        nearly,
-        complete: true,
-        summit,
-        attempts,
-        settled: SETTLED[1],
-    };
-    // The stiffness of the coarser one is not used.
-    let half = Wanted {
-        count: count.div_ceil(2),
-        enough: ENOUGH[0],
-        nearly: f64::INFINITY,
-        complete: false,
-        // Better areas cost less than many attempts.
-        attempts: if kind == Start::Rough { 1 } else { attempts },
-        settled: SETTLED[usize::from(kind != Start::Rough)],
-        ..whole
-    };
     if !resolution.with_errors {
         let only = next(start, task.approach, whole)?;
-        return Some(Pair::of_strips(only.clone(), (only, count), HALVES));
+        return Some(Pair::of_strips(only.clone(), (only, whole.count), HALVES));
+    }
+    let finest = |fine: Found, finer: Found| {
+        let times = more.count as f64 / whole.count as f64;
+        Pair::of_strips(fine, (finer, more.count), times)
+    };
+    if *taken == Some(more.count)
+        && let Some(finer) = next(start, task.approach, more)
+        && let Some(fine) = next(&finer.patches, finer.approach, whole)
+    {
+        let is_even = !is_uneven(&fine, &finer, UNEVEN[1]);
+        let halved = if is_even { next(&fine.patches, fine.approach, half) } else { None };
+        return Some(match halved {
+            Some(coarse) => Pair::of_strips(coarse, (fine, whole.count), HALVES),
+            None => finest(fine, finer),
+        });
     }
     let ladder = || {
         let coarse = next(start, task.approach, half)?;
         let fine = next(&coarse.patches, coarse.approach, whole)?;
-        Some((coarse, fine))
+        Some((Some(coarse), fine))
     };
     let at_once = || {
         let fine = next(start, task.approach, whole)?;
-        let coarse = next(&fine.patches, fine.approach, half)?;
-        Some((coarse, fine))
+        Some((next(&fine.patches, fine.approach, half), fine))
     };
-    let (coarse, fine) = if kind == Start::Close { at_once().or_else(ladder)? } else { ladder()? };
-    let more = Wanted { count: count * 8 / 5, ..whole };
-    if !is_uneven(&coarse, &fine) {
-        return Some(Pair::of_strips(coarse, (fine, count), HALVES));
+    let (coarse, fine) = match kind {
+        Start::Rough => ladder(),
+        Start::Elements => ladder().or_else(at_once),
+        Start::Close => at_once().or_else(ladder),
+    }?;
+    let halved = coarse.map(|coarse| (is_uneven(&fine, &coarse, UNEVEN[0]), coarse));
+    if let Some((false, coarse)) = halved {
+        return Some(Pair::of_strips(coarse, (fine, whole.count), HALVES));
     }
-    match next(&fine.patches, fine.approach, more) {
-        Some(finer) => {
-            let times = more.count as f64 / count as f64;
-            Some(Pair::of_strips(fine, (finer, more.count), times))
-        }
-        None if fine.unseen > UNSEEN * fine.peak => None,
-        None => Some(Pair::of_strips(coarse, (fine, count), HALVES)),
+    if let Some(finer) = next(&fine.patches, fine.approach, more) {
+        return Some(finest(fine, finer));
     }
+    let (_, coarse) = halved.filter(|_| fine.unseen <= UNSEEN * fine.peak)?;
+    Some(Pair::of_strips(coarse, (fine, whole.count), HALVES))
 }
 
-/// Whether more strips are needed: the peak pressure changes with their number or where they are cut at
-/// the summit, waves across put a part of it between them, or the area is so skew that its edge is a
-/// stair.
-fn is_uneven(coarse: &Found, fine: &Found) -> bool {
-    let change = |other: f64| (fine.peak / other - 1.0).abs();
-    change(coarse.peak) > 0.02
-        || change(fine.summit) > 0.005
-        || fine.unseen > 0.005 * fine.peak
-        || fine.stairs() > 0.1
+/// What is asked of half the strips, of them, and of more where they are not enough; `None` where waves along
+/// rolling are too short for any.
+fn wanted(
+    task: Task<'_>,
+    asked: Asked,
+    start: &[Patch],
+    resolution: Resolution,
+    kind: Start,
+) -> Option<[Wanted; 3]> {
+    let whole = Wanted {
+        load: if let Asked::Load(load) = asked { Some(load) } else { None },
+        count: resolution.count.min(strips::most(start)),
+        terms: strips::terms(task.gap, start)?,
+        enough: ENOUGH[1],
+        nearly: NEARLY[usize::from(!resolution.with_errors)],
+        complete: true,
+        summit: resolution.with_errors,
+        attempts: Wanted::ATTEMPTS,
+        settled: SETTLED[1],
+    };
+    let half = Wanted {
+        count: whole.count.div_ceil(2),
+        enough: ENOUGH[0],
+        // Their stiffness is not used.
+        nearly: f64::INFINITY,
+        complete: false,
+        // Better areas cost less than many attempts, and finer strips tell the error as well.
+        attempts: match kind {
+            Start::Rough => 1,
+            Start::Close => 2,
+            Start::Elements => Wanted::ATTEMPTS,
+        },
+        settled: SETTLED[usize::from(kind != Start::Rough)],
+        ..whole
+    };
+    Some([half, whole, Wanted { count: whole.count * 8 / 5, ..whole }])
+}
+
+/// How much the peak pressure may change with half and with 8/5 of the strips. The latter is less than such a
+/// change with an error that falls with the square of their number: more strips that served are kept.
+const UNEVEN: [f64; 2] = [0.02, 0.002];
+
+/// Whether more strips are needed than found a contact: the peak pressure is another by others, or changes where
+/// they are cut at the summit, waves across put a part of it between them, or the area is so skew that its
+/// edge is a stair.
+fn is_uneven(found: &Found, by_others: &Found, most: f64) -> bool {
+    let change = |other: f64| (found.peak / other - 1.0).abs();
+    change(by_others.peak) > most
+        || change(found.summit) > 0.005
+        || found.unseen > 0.005 * found.peak
+        || found.stairs() > 0.1
 }

@@ -64,8 +64,9 @@ fn areas_join_and_part() {
     }
 }
 
-/// A contact that follows another is the one found by itself, within the bars it takes over; neither
-/// where the load is another, however small the steps to there, nor where the bodies meet beyond the areas.
+/// A contact that follows another is the one found by itself, within the bars it takes over; it says so where
+/// the load is another, however small the steps to there, and there is none where the bodies meet beyond the
+/// areas.
 #[test]
 fn a_contact_follows_where_no_other_area_appears() {
     let (gap, resolution) = (bumps(15e-6), Resolution::STANDARD);
@@ -73,6 +74,7 @@ fn a_contact_follows_where_no_other_area_appears() {
     let known = at(14e-6);
     for approach in [13.9e-6, 14.1e-6, 14.2e-6] {
         let followed = known.follow(&gap, approach).unwrap();
+        assert!(followed.keeps_error_bars(), "{approach}");
         let (load, alone) = (followed.load(), at(approach).load());
         assert!((load.value - alone.value).abs() < load.error, "{approach}: {load:?} {alone:?}");
         let part = |load: Estimate| load.error / load.value;
@@ -82,8 +84,10 @@ fn a_contact_follows_where_no_other_area_appears() {
         // What a search needs.
         assert!((stiffness - 1.0).abs() < 0.05, "{approach}: {stiffness}");
     }
-    let steps = known.follow(&gap, 14.2e-6).and_then(|step| step.follow(&gap, 14.4e-6));
-    assert_eq!(steps, None);
+    let steps = known.follow(&gap, 14.2e-6).and_then(|step| step.follow(&gap, 14.4e-6)).unwrap();
+    assert!(!steps.keeps_error_bars());
+    // From there they are found anew.
+    assert!(steps.next(&gap, 14.4e-6, resolution).unwrap().keeps_error_bars());
     assert_eq!(known.follow(&gap, 25e-6), None);
 }
 
@@ -97,4 +101,32 @@ fn a_coarse_contact_is_near() {
         let [coarse, fine] = [coarse.unwrap(), fine.unwrap()].map(|contact| contact.load().value);
         assert!((coarse / fine - 1.0).abs() < 0.01, "{more}: {coarse} {fine}");
     }
+}
+
+/// A bump of radius 0.3 m, flatter on one side, whose summit lies at `centre` (m).
+fn bump_at(centre: f64) -> Gap {
+    let y: Vec<f64> = (-240..=240).map(|i| f64::from(i) * 0.05 * MM).collect();
+    let h = |y: &f64| (y - centre).powi(2) / if *y > centre { 0.6 } else { 0.8 };
+    Gap::section(&y, &y.iter().map(h).collect::<Vec<_>>(), Rolling::Radius(0.46)).unwrap()
+}
+
+/// Areas seen from elsewhere, and with their sides where they drift to, lead to the same contact as those they
+/// come from, in a gap that is shifted like them.
+#[test]
+fn a_contact_is_known_from_another_origin() {
+    let (approach, resolution, by) = (14e-6, Resolution::STANDARD, 2e-3);
+    let at = |gap: &Gap| NormalContact::at_approach(gap, steel(), approach, resolution).unwrap();
+    let here = at(&bump_at(0.0));
+    let elsewhere = here.clone().shifted([0.0, by]);
+    let known = at(&bump_at(by));
+    let sides = known.sides_beyond(&elsewhere).unwrap();
+    let [[low, high]] = sides[..] else { panic!("{sides:?}") };
+    let width = here.patches()[0].bands()[0].y();
+    let width = width[1] - width[0];
+    // To where strips lay their tips.
+    assert!(low.abs().max(high.abs()) < 1e-3 * width, "{sides:?}");
+    let drifted = elsewhere.with_sides_moved(&[[0.1 * width, -0.05 * width]], 1.0);
+    let found = drifted.next(&bump_at(by), approach, resolution).unwrap();
+    let (load, error) = (found.load().value - here.load().value, here.load().error);
+    assert!(load.abs() < error, "{load} {error}");
 }

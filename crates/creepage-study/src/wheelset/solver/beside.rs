@@ -4,7 +4,7 @@
 use creepage_rail::{Contact, Position, Running, Side};
 
 use super::Start;
-use super::pressed::{Shares, lever, rise};
+use super::pressed::{Known, Shares, lever, rise};
 use super::step::{Line, Place, moves, wanted};
 use crate::wheelset::{SolvedContact, SolvedWheel, SolvedWheelset};
 use crate::{Load, Stance};
@@ -75,6 +75,14 @@ fn share(own: &SolvedContact) -> f64 {
     own.force.lateral / own.load()
 }
 
+impl Known {
+    /// Those of a solved position.
+    pub(super) fn solved(solved: &SolvedWheelset) -> Vec<Self> {
+        let contacts = solved.wheels().flat_map(SolvedWheel::contacts);
+        contacts.map(|own| Self::new(own.side, own.reference, &own.normal)).collect()
+    }
+}
+
 impl Shares {
     /// Those of a solved position.
     pub(super) fn solved(solved: &SolvedWheelset) -> Self {
@@ -122,6 +130,8 @@ pub(in crate::wheelset) struct Drift {
     faster: f64,
     /// By how much more friction pushes each contact aside.
     shares: Shares,
+    /// By how much the areas of each contact reach further out on both sides (m).
+    sides: Vec<Vec<[f64; 2]>>,
 }
 
 impl Drift {
@@ -147,7 +157,8 @@ impl Drift {
         let faster = rates.map_or(0.0, |(to, from)| to - from);
         let (mut shares, known) = (Shares::solved(solved), Shares::solved(before));
         shares.add_times(-1.0, &known);
-        Self { step: step(before, [stance.y, stance.yaw]), by, faster, shares }
+        let step = step(before, [stance.y, stance.yaw]);
+        Self { step, by, faster, shares, sides: sides_beyond(before, solved) }
     }
 
     /// How many times this step another one is; `None` where it is much longer or goes another way.
@@ -170,7 +181,22 @@ impl Drift {
         }
         start.pitch.rate = start.pitch.rate.map(|rate| rate + times * self.faster);
         start.shares.add_times(times, &self.shares);
+        for (known, beyond) in start.fine.iter_mut().zip(&self.sides) {
+            known.drift(beyond, times);
+        }
     }
+}
+
+/// By how much the areas of each contact reach further out (m) than from those before was to be expected;
+/// nothing where these were others.
+fn sides_beyond(before: &SolvedWheelset, solved: &SolvedWheelset) -> Vec<Vec<[f64; 2]>> {
+    let known = Known::solved(before);
+    let beyond = |own: &SolvedContact| {
+        let near = Known::next_to((own.side, own.reference, own.angle), &known)?;
+        own.normal.sides_beyond(&near)
+    };
+    let contacts = solved.wheels().flat_map(SolvedWheel::contacts);
+    contacts.map(|own| beyond(own).unwrap_or_default()).collect()
 }
 
 /// The step to a shift and a yaw, over what is near.

@@ -290,11 +290,9 @@ impl Start {
 
     fn after(before: &SolvedWheelset) -> Self {
         let shares = Shares::solved(before);
-        let (mut fine, mut tractions) = (Vec::new(), Vec::new());
-        for contact in before.wheels().flat_map(SolvedWheel::contacts) {
-            fine.push(Known::new(contact.side, contact.y_rail, &contact.normal));
-            tractions.extend(KnownTractions::of_contact(contact));
-        }
+        let fine = Known::solved(before);
+        let contacts = before.wheels().flat_map(SolvedWheel::contacts);
+        let tractions = contacts.filter_map(KnownTractions::of_contact).collect();
         let mut guess = Guess { known: fine.clone(), ..Guess::default() };
         for wheel in before.wheels() {
             guess.roll = Some(wheel.position.roll);

@@ -172,12 +172,12 @@ impl<'w, 'a> Way<'w, 'a> {
         let shares = &self.start.shares;
         let missed = sought.missed(wheels, shares);
         let has_rolled = !self.is_beside || self.rolled_by.is_some();
-        let is_enough = missed <= MET || missed >= HELPS * self.last;
+        let is_enough = missed <= MET || round > 0;
         if has_rolled || (is_enough && self.has_bars) {
             return false;
         }
         self.last = if is_enough { 0.0 } else { missed };
-        sought.learn(wheels, shares, round > 0);
+        sought.learn(wheels, shares, false);
         self.places = step::places((&sought.places, wheels), self.stance, self.load, shares);
         self.start.fine = Known::of(wheels);
         true
