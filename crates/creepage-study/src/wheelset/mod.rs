@@ -27,13 +27,12 @@ mod solver;
 mod table;
 mod wear;
 
-pub use case::{Load, RigidSlip, Stance, Travel, WheelsetCase};
+pub use case::{Load, ProfileNote, RigidSlip, Stance, Travel, WheelsetCase};
 pub use conicity::{ConicityTable, conicity, radius_difference_csv};
 pub use derivatives::{By, ForceDerivative, WheelsetDerivatives};
 pub use derivatives_json::{DerivativesJson, ForceDerivativeJson};
 pub use error::WheelsetError;
 pub use file::{WheelsetFile, wheelset_json_schema};
-pub use profile::ProfileNote;
 pub use profile_picture::profile_pictures;
 pub use resultant::Resultant;
 pub use solved::{SolvedContact, SolvedWheel, SolvedWheelset};
