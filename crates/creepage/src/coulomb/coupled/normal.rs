@@ -8,7 +8,6 @@ use std::f64::consts::FRAC_PI_2;
 
 use super::Prescribed;
 use super::along::Along;
-use super::shape::Shape;
 use crate::coulomb::mixing::Mixing;
 use crate::ellipse::Ellipse;
 use crate::normal::strips::{self, MOST, Question, Strip};
@@ -119,21 +118,6 @@ impl Normal {
     /// Middles of the strips, from -1 to 1.
     pub(super) fn middles(&self) -> impl Iterator<Item = f64> {
         self.borders.windows(2).map(|pair| f64::midpoint(pair[0], pair[1]))
-    }
-
-    /// A start of the shape that other strips found.
-    pub(super) fn shaped(&self, shape: &Shape, pressed: &Pressed, without: &Pressed) -> Pressed {
-        let own = &self.frictionless;
-        if pressed.is(without) {
-            return own.clone();
-        }
-        let strips = own.strips.iter().zip(self.middles());
-        Pressed {
-            strips: strips.map(|(strip, t)| shape.strip(strip, t)).collect(),
-            approach: own.approach + pressed.approach - without.approach,
-            load: own.load * pressed.load / without.load,
-            ..*pressed
-        }
     }
 
     /// The area and its pressure when `more` is added to the normal displacement, from a start close by.

@@ -65,8 +65,23 @@ impl Shape {
         self.centre.at(self.within(t))
     }
 
+    /// Where other strips may begin: in this shape, that of `pressed`; `without` friction it was another.
+    pub(super) fn start(&self, normal: &Normal, pressed: &Pressed, without: &Pressed) -> Pressed {
+        let own = &normal.frictionless;
+        if pressed.is(without) {
+            return own.clone();
+        }
+        let strips = own.strips.iter().zip(normal.middles());
+        Pressed {
+            strips: strips.map(|(strip, t)| self.strip(strip, t)).collect(),
+            approach: own.approach + pressed.approach - without.approach,
+            load: own.load * pressed.load / without.load,
+            ..*pressed
+        }
+    }
+
     /// The pressure of a strip without friction there, changed as this area's.
-    pub(super) fn strip(&self, frictionless: &strips::Strip, t: f64) -> strips::Strip {
+    fn strip(&self, frictionless: &strips::Strip, t: f64) -> strips::Strip {
         let t = self.within(t);
         let pressure =
             self.pressure[0].each_ref().map(|curve| curve.at(t) * frictionless.pressure[0]);
