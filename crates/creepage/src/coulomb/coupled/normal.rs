@@ -10,7 +10,7 @@ use super::Prescribed;
 use super::along::Along;
 use crate::coulomb::mixing::Mixing;
 use crate::ellipse::Ellipse;
-use crate::normal::strips::{self, MOST, Question, Strip};
+use crate::normal::touching::{self, MOST, Question, Strip};
 
 /// Borders are sines of equal parts of so much of a right angle: narrower strips at the tips.
 const CLUSTER: f64 = 0.8 * FRAC_PI_2;
@@ -213,7 +213,7 @@ impl Normal {
         let load = (prescribed == Prescribed::Load).then_some(self.frictionless.load);
         // Of the stiffness only the sign is asked.
         let question = Question { depth: &depth, load, enough: ENOUGH, nearly: 0.1, known: None };
-        let found = strips::touching(pressed.strips.clone(), MOST, question)
+        let found = touching::solve(pressed.strips.clone(), MOST, question)
             .map_err(|stopped| stopped.strips)?;
         if found.stiffness > 0.0 && found.deeper.is_finite() {
             let load = found.strips.iter().map(Strip::load).sum();
