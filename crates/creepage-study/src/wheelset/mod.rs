@@ -5,6 +5,7 @@
 
 mod case;
 mod conicity;
+mod curving;
 mod derivatives;
 mod derivatives_json;
 mod error;
@@ -12,6 +13,7 @@ mod field;
 mod file;
 mod free;
 mod geometry_picture;
+mod nearby;
 mod position;
 mod profile;
 mod profile_picture;

@@ -5,11 +5,12 @@
 //! they carry what was expected.
 
 use super::balance::enough;
-use super::pressed::{Known, PressedWheel, Shares};
+use super::pressed::{Known, PressedWheel};
 use super::rolled::{self, Method, Rolling};
 use super::step::{self, Place};
 use super::{Start, WheelsetSolver};
-use crate::wheelset::SolvedWheelset;
+use crate::wheelset::nearby::Shares;
+use crate::wheelset::solved::SolvedWheelset;
 use crate::{Load, Stance, Travel, WheelsetError};
 
 /// Rounds after which it is given up, and after which they might swing to and fro.
