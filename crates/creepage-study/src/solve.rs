@@ -12,8 +12,7 @@ use creepage_plot::Contour;
 use self_cell::self_cell;
 
 use crate::stresses::StressError;
-use crate::unreachable::{Unreachable, in_si_units};
-use crate::{Case, Caution, Damage, Given};
+use crate::{Case, Caution, Damage, Given, Unreachable};
 
 /// Solves a case by its own theory, or by another one.
 ///
@@ -62,6 +61,18 @@ fn meet<'t>(
             .solved_for(constraints)
             .ok_or(SolveError::FindsNothing { name })?
             .map_err(|error| in_si_units(error, constraints, case.contact.scaling())),
+    }
+}
+
+/// The error of a search, with what it names in SI units.
+fn in_si_units(error: InverseError, constraints: Constraints, scaling: Scaling) -> SolveError {
+    match error {
+        InverseError::NotReachable { nearest, at } => {
+            let Constraints { fx, fy, mz, .. } = constraints;
+            let prescribed = [fx, fy, mz].map(|force| force.is_some());
+            Unreachable { prescribed, nearest, at, scaling }.into()
+        }
+        other => other.into(),
     }
 }
 

@@ -3,10 +3,7 @@
 use std::error::Error;
 use std::fmt;
 
-use creepage::coulomb::{Constraints, InverseError};
 use creepage::{Creepage, Force, Scaling};
-
-use crate::solve::SolveError;
 
 /// Prescribed forces that no creepage gives.
 #[derive(Debug, Clone, PartialEq)]
@@ -19,22 +16,6 @@ pub struct Unreachable {
     pub at: Creepage,
     /// The units of both; the message is in SI units.
     pub scaling: Scaling,
-}
-
-/// The error of a search, with what it names in SI units.
-pub(crate) fn in_si_units(
-    error: InverseError,
-    constraints: Constraints,
-    scaling: Scaling,
-) -> SolveError {
-    match error {
-        InverseError::NotReachable { nearest, at } => {
-            let Constraints { fx, fy, mz, .. } = constraints;
-            let prescribed = [fx, fy, mz].map(|force| force.is_some());
-            Unreachable { prescribed, nearest, at, scaling }.into()
-        }
-        other => other.into(),
-    }
 }
 
 impl Error for Unreachable {}

@@ -1,15 +1,15 @@
-//! A case file with `[gap]`, and the case that it describes.
+//! A case file with `[gap]`: its sections, and the case that they describe.
 
 use std::path::Path;
 
-use creepage::friction_law::RollingFriction;
 use creepage::gap::Gap;
-use creepage::{InvalidValue, Layer, SiCreepage, SolidPair, TheorySpec};
+use creepage::{InvalidValue, SolidPair, TheorySpec};
 use schemars::JsonSchema;
 use serde::Deserialize;
 use serde_json::Value;
 use toml::Table;
 
+use super::case::{GapCase, Pressed};
 use super::creepage::{SiCreepageSection, SiGiven, SiWantedSection};
 use super::error::GapCaseError;
 use super::shape::GapSection;
@@ -21,7 +21,7 @@ use crate::case::friction::FrictionValue;
 use crate::case::layer::LayerSection;
 use crate::case::schema::schema_of;
 use crate::case::{keys, solve};
-use crate::damage::{DamageSection, DamageWanted};
+use crate::damage::DamageSection;
 
 /// A rolling-contact case of two bodies of any shape, in SI units.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
@@ -66,82 +66,6 @@ struct PressedSection {
     /// Coefficient of friction mu, or a law by the speed of slip or across the contact, whose largest
     /// value is mu.
     friction: FrictionValue,
-}
-
-/// What presses the bodies together.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Pressed {
-    /// A normal force (N).
-    Load(f64),
-    /// An approach (m).
-    Approach(f64),
-}
-
-/// One case of bodies of any shape, every number of it checked.
-#[derive(Debug, Clone)]
-pub struct GapCase {
-    /// The undeformed distance.
-    pub gap: Gap,
-    /// The key that gave it, with its file.
-    pub shape: String,
-    /// The equivalent solid of both bodies.
-    pub pair: SolidPair,
-    /// Load or approach.
-    pub pressed: Pressed,
-    /// Coefficient of friction `mu`, at rest where it depends on the slip.
-    pub friction: f64,
-    /// How friction varies, where it is not constant.
-    pub rolling_friction: Option<RollingFriction>,
-    /// The layer between the bodies.
-    pub layer: Option<Layer>,
-    /// What is wanted of wear and fatigue, if anything is.
-    pub damage: Option<DamageWanted>,
-    /// Creepages and wanted forces.
-    pub given: SiGiven,
-    /// Rolling velocity (m/s), where it is known.
-    pub speed: Option<f64>,
-    /// The theory of rolling.
-    pub theory: GapTheory,
-}
-
-impl GapCase {
-    /// The same case by the theory of another name, with its default options.
-    ///
-    /// # Errors
-    /// [`GapCaseError`] for a name that is unknown, or of a theory that needs an ellipse.
-    pub fn by_theory(self, name: &str) -> Result<Self, GapCaseError> {
-        let spec = TheorySpec::named(name).map_err(|unknown| {
-            GapCaseError::Case(CaseError::from(solve::SpecError::from(unknown)))
-        })?;
-        self.by_spec(&spec)
-    }
-
-    /// The same case with the undeformed distance at the points `[x, y, gap]` (m) of a rectangular grid,
-    /// in any order.
-    ///
-    /// # Errors
-    /// [`GapCaseError::Gap`] for points that are no grid.
-    pub fn with_grid(self, points: &[[f64; 3]]) -> Result<Self, GapCaseError> {
-        let shape = "grid".to_owned();
-        let wrong = |source| GapCaseError::Gap { shape: shape.clone(), source };
-        Ok(Self { gap: Gap::grid(points).map_err(wrong)?, shape, ..self })
-    }
-
-    /// The same case at this creepage, with no forces wanted.
-    ///
-    /// # Errors
-    /// [`GapCaseError`] for numbers that are not finite.
-    pub fn at(self, creepage: SiCreepage) -> Result<Self, GapCaseError> {
-        Ok(Self { given: SiGiven::at(creepage)?, ..self })
-    }
-
-    /// The same case by another theory.
-    ///
-    /// # Errors
-    /// [`GapCaseError`] for a theory or an option that needs an ellipse.
-    pub fn by_spec(self, spec: &TheorySpec) -> Result<Self, GapCaseError> {
-        Ok(Self { theory: GapTheory::new(spec)?, ..self })
-    }
 }
 
 /// The JSON schema (draft 2020-12) of a case file with `[gap]`.

@@ -4,6 +4,7 @@
 //! ellipse's way through the same rooms is [`CaseFile`](crate::CaseFile), [`Case`](crate::Case),
 //! [`SolvedCase`](crate::SolvedCase).
 
+mod case;
 mod caution;
 mod columns;
 mod creepage;
@@ -12,6 +13,7 @@ mod file;
 mod json;
 mod picture;
 mod points;
+mod rows;
 mod shape;
 mod solve;
 mod solver;
@@ -21,16 +23,18 @@ mod vary;
 mod vtk;
 mod write;
 
+pub use case::{GapCase, Pressed};
 pub use caution::GapCaution;
 pub use creepage::SiGiven;
 pub use error::{GapCaseError, GapFileError};
-pub use file::{GapCase, GapFile, Pressed, gap_json_schema};
+pub use file::{GapFile, gap_json_schema};
 pub use json::{
     ExtentJson, GapContactJson, GapCreepageJson, GapForceJson, GapReportJson, PatchJson,
 };
 pub(crate) use picture::AreasPicture;
-pub use solve::{SolvedGap, solve_gap};
+pub use rows::GapRows;
+pub use solve::SolvedGap;
 pub(crate) use solve::{pressed, resolutions};
-pub use solver::GapSolver;
+pub use solver::{GapSolver, solve_gap};
 pub use theory::GapTheory;
-pub use vary::{GapRows, GapValue, GapVaried};
+pub use vary::{GapValue, GapVaried};

@@ -7,11 +7,9 @@ use creepage::theory::Constraints;
 use creepage::theory::{ExactOptions, NamedResolution, ResolutionSpec};
 use creepage::{Creepage, Force, InvalidValue, Scaling, SiCreepage, SiForce, Solution, Solved};
 
+use super::case::{GapCase, Pressed};
 use super::caution::GapCaution;
 use super::error::GapCaseError;
-use super::file::{GapCase, Pressed};
-use super::solver::GapSolver;
-use super::theory::GapTheory;
 use crate::damage::{Ground, of_elements};
 use crate::{CaseError, Damage, Unreachable, adhesion};
 
@@ -30,46 +28,6 @@ pub struct SolvedGap {
     pub(super) elements: Vec<ElementField>,
     power: f64,
     dissipation: Option<f64>,
-}
-
-/// Solves a case of any shape: the pressure, then rolling. For many cases use [`GapSolver`].
-///
-/// # Errors
-/// [`GapCaseError`] for bodies without a contact area, and for wanted forces out of reach.
-pub fn solve_gap(case: &GapCase) -> Result<SolvedGap, GapCaseError> {
-    GapSolver::default().solve(case)
-}
-
-/// Solves a case on a contact that the solver knows or presses.
-pub(super) fn by(solver: &GapSolver, case: &GapCase) -> Result<SolvedGap, GapCaseError> {
-    let options = match case.theory {
-        GapTheory::Exact(options) => options,
-        GapTheory::Simplified(kind, cells) => {
-            if case.rolling_friction.is_some() || case.layer.is_some() {
-                let why = "a law of friction or a layer is counted on other areas by exact alone";
-                return Err(GapCaseError::Theory { name: case.theory.name(), why });
-            }
-            let known = solver.pressed(case, normal::Resolution::STANDARD);
-            return simplified(case, known.contact(case)?, kind, cells);
-        }
-    };
-    let fineness = match options.resolution {
-        ResolutionSpec::Named(NamedResolution::Fast) => normal::Resolution::FAST,
-        _ => normal::Resolution::FINE,
-    };
-    let known = solver.pressed(case, fineness);
-    let contact = known.contact(case)?;
-    let rolled = |resolution| rolled(case, contact, known.theory(contact, case, resolution));
-    let (resolutions, accuracy) = resolutions(options)?;
-    let (last, first) = resolutions.split_last().unwrap_or((&Resolution::STANDARD, &[]));
-    for resolution in first {
-        let solved = rolled(*resolution)?;
-        let error = solved.solution.error.unwrap_or_default();
-        if error.fx.max(error.fy) <= accuracy {
-            return Ok(solved);
-        }
-    }
-    rolled(*last)
 }
 
 /// The bodies pressed together.
@@ -128,7 +86,8 @@ pub(crate) fn resolutions(options: ExactOptions) -> Result<(Vec<Resolution>, f64
     Ok((resolutions, accuracy))
 }
 
-fn rolled(
+/// A case rolled by the full theory on its contact.
+pub(super) fn rolled(
     case: &GapCase,
     contact: &NormalContact,
     theory: Result<NonHertzian, InvalidValue>,
@@ -144,7 +103,8 @@ fn rolled(
     Ok(SolvedGap::new(case, contact, theory.scaling(), &solved, solved.elements()))
 }
 
-fn simplified(
+/// The same by a simplified theory.
+pub(super) fn simplified(
     case: &GapCase,
     contact: &NormalContact,
     kind: Simplified,

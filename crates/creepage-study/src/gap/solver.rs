@@ -1,4 +1,4 @@
-//! Many cases: what one presses together, the next ones only roll.
+//! Cases of any shape solved: what one presses together, the next ones only roll.
 
 use std::collections::VecDeque;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
@@ -6,16 +6,26 @@ use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 use creepage::coulomb::{NonHertzian, Resolution};
 use creepage::gap::Gap;
 use creepage::normal::{self, NormalContact, NormalError};
+use creepage::theory::{NamedResolution, ResolutionSpec};
 use creepage::{InvalidValue, SolidPair};
 
+use super::case::{GapCase, Pressed};
 use super::error::GapCaseError;
-use super::file::{GapCase, Pressed};
-use super::solve::{self, SolvedGap};
+use super::solve::{self, SolvedGap, resolutions, rolled, simplified};
+use super::theory::GapTheory;
+
+/// Solves a case of any shape: the pressure, then rolling. For many cases use [`GapSolver`].
+///
+/// # Errors
+/// [`GapCaseError`] for bodies without a contact area, and for wanted forces out of reach.
+pub fn solve_gap(case: &GapCase) -> Result<SolvedGap, GapCaseError> {
+    GapSolver::default().solve(case)
+}
 
 /// Solves cases of any shape, one after another or at once by several threads, and keeps the
 /// contacts of the last few and what the full theory prepared on them: a case that differs from one
 /// of these in creepage, speed, friction or layer alone is not pressed anew. Answers have the same bits as
-/// those of [`solve_gap`](crate::solve_gap).
+/// those of [`solve_gap`].
 #[derive(Debug, Default)]
 pub struct GapSolver {
     contacts: Memory<Asked, Known>,
@@ -32,7 +42,7 @@ struct Asked {
 
 /// A contact, and the full theory on it.
 #[derive(Debug)]
-pub(super) struct Known {
+struct Known {
     contact: Result<NormalContact, NormalError>,
     theories: Memory<Resolution, Result<NonHertzian, InvalidValue>>,
 }
@@ -41,13 +51,41 @@ impl GapSolver {
     /// Solves a case.
     ///
     /// # Errors
-    /// [`GapCaseError`], as [`solve_gap`](crate::solve_gap).
+    /// [`GapCaseError`], as [`solve_gap`].
     pub fn solve(&self, case: &GapCase) -> Result<SolvedGap, GapCaseError> {
-        solve::by(self, case)
+        let options = match case.theory {
+            GapTheory::Exact(options) => options,
+            GapTheory::Simplified(kind, cells) => {
+                if case.rolling_friction.is_some() || case.layer.is_some() {
+                    let why =
+                        "a law of friction or a layer is counted on other areas by exact alone";
+                    return Err(GapCaseError::Theory { name: case.theory.name(), why });
+                }
+                let known = self.pressed(case, normal::Resolution::STANDARD);
+                return simplified(case, known.contact(case)?, kind, cells);
+            }
+        };
+        let fineness = match options.resolution {
+            ResolutionSpec::Named(NamedResolution::Fast) => normal::Resolution::FAST,
+            _ => normal::Resolution::FINE,
+        };
+        let known = self.pressed(case, fineness);
+        let contact = known.contact(case)?;
+        let rolled = |resolution| rolled(case, contact, known.theory(contact, case, resolution));
+        let (resolutions, accuracy) = resolutions(options)?;
+        let (last, first) = resolutions.split_last().unwrap_or((&Resolution::STANDARD, &[]));
+        for resolution in first {
+            let solved = rolled(*resolution)?;
+            let error = solved.solution.error.unwrap_or_default();
+            if error.fx.max(error.fy) <= accuracy {
+                return Ok(solved);
+            }
+        }
+        rolled(*last)
     }
 
     /// The bodies of a case pressed together.
-    pub(super) fn pressed(&self, case: &GapCase, resolution: normal::Resolution) -> Arc<Known> {
+    fn pressed(&self, case: &GapCase, resolution: normal::Resolution) -> Arc<Known> {
         let (gap, pressed) = (case.gap.clone(), case.pressed);
         let asked = Asked { gap, pair: case.pair, pressed, resolution };
         self.contacts.of(&asked, |_| {
@@ -59,12 +97,12 @@ impl GapSolver {
 
 impl Known {
     /// The contact, if there is one.
-    pub(super) fn contact(&self, case: &GapCase) -> Result<&NormalContact, GapCaseError> {
+    fn contact(&self, case: &GapCase) -> Result<&NormalContact, GapCaseError> {
         self.contact.as_ref().map_err(|error| solve::not_pressed(case, error.clone()))
     }
 
     /// The full theory on a contact of this one, for the case's friction and layer.
-    pub(super) fn theory(
+    fn theory(
         &self,
         contact: &NormalContact,
         case: &GapCase,
@@ -117,7 +155,7 @@ impl<K: PartialEq + Clone, V> Memory<K, V> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{GapFile, solve_gap};
+    use crate::GapFile;
 
     /// A crowned roller with these values in the places of the usual ones.
     fn case(changes: &[(&str, &str)]) -> GapCase {

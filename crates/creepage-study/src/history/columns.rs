@@ -5,8 +5,9 @@ use std::io::Read;
 use creepage::InvalidValue;
 use creepage::unsteady::{Motion, Prescribed};
 
-use super::case::{HistoryMotion, RollCase, over};
+use super::case::{RollCase, over};
 use super::error::{HistoryError, MotionError};
+use super::roller::HistoryMotion;
 use crate::case::similar::similar;
 
 /// One row: a distance, and how the bodies move up to it from that of the row before.

@@ -2,9 +2,16 @@
 
 use creepage::InvalidValue;
 use creepage::coulomb::ElementField;
-use creepage::unsteady::{Rolled, Rolling, RollingFastsim, Saved, SavedError};
+use creepage::unsteady::{Motion, Rolled, Rolling, RollingFastsim, Saved, SavedError};
 
-use super::case::HistoryMotion;
+/// How the bodies move up to some distance.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct HistoryMotion {
+    /// Dimensionless in the units of the nominal load.
+    pub motion: Motion,
+    /// Normal force over the nominal one.
+    pub load: f64,
+}
 
 /// What rolls.
 #[allow(clippy::large_enum_variant)] // one a history

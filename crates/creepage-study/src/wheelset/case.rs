@@ -1,11 +1,13 @@
 //! What the file of a wheelset describes, every number of it checked.
 
+use std::path::PathBuf;
+
 use creepage::{SolidPair, TheorySpec};
+use creepage_rail::file::Action;
 use creepage_rail::{Running, Side};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use super::profile::ProfileNote;
 use crate::DamageWanted;
 
 /// A wheelset in its track.
@@ -29,6 +31,15 @@ pub struct WheelsetCase {
     pub theory: TheorySpec,
     /// Profile files, and what had to be found in them.
     pub notes: Vec<ProfileNote>,
+}
+
+/// A profile's file, and what was found in it that nobody had said.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ProfileNote {
+    /// The file.
+    pub path: PathBuf,
+    /// What was found, assumed and done.
+    pub actions: Vec<Action>,
 }
 
 /// How the rigid slip of a contact follows from the wheelset's motion.

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use creepage::approximate::non_hertzian::NonHertzianSimplified;
 use creepage::coulomb::{ElementField, NearTractions};
 
-use super::solver::{Answer, RigidMotion, Rolled};
+use super::curving::RigidMotion;
 
 /// Tractions and slip of a contact that is solved.
 #[derive(Debug, Clone)]
@@ -19,21 +19,11 @@ pub(super) enum Field {
 /// A simplified theory and what it was solved for.
 #[derive(Debug, Clone)]
 pub(super) struct March {
-    theory: Arc<NonHertzianSimplified>,
-    motion: RigidMotion,
+    pub(super) theory: Arc<NonHertzianSimplified>,
+    pub(super) motion: RigidMotion,
 }
 
 impl Field {
-    pub(super) fn of(rolled: &Rolled<'_>) -> Self {
-        match &rolled.solved {
-            Answer::Exact(solved) => Self::Exact(solved.elements(), Arc::new(solved.tractions())),
-            Answer::Simplified(_, theory) => {
-                let (theory, motion) = (Arc::clone(theory), rolled.motion.clone());
-                Self::Simplified(Box::new(March { theory, motion }))
-            }
-        }
-    }
-
     /// From which a position close by may start.
     pub(super) fn tractions(&self) -> Option<&Arc<NearTractions>> {
         match self {

@@ -9,9 +9,9 @@ use serde::Deserialize;
 use serde_json::Value;
 use toml::Table;
 
-use super::case::WheelsetCase;
+use super::case::{ProfileNote, WheelsetCase};
 use super::error::{WheelsetError, checked, needed};
-use super::profile::{Asked, ProfileNote};
+use super::profile::Asked;
 use super::sections::{
     FrictionSection, MaterialSection, MotionSection, RailSection, SideName, TrackSection,
     WheelSection, WheelsetSection,

@@ -5,6 +5,7 @@
 
 mod case;
 mod conicity;
+mod curving;
 mod derivatives;
 mod derivatives_json;
 mod error;
@@ -12,6 +13,7 @@ mod field;
 mod file;
 mod free;
 mod geometry_picture;
+mod nearby;
 mod position;
 mod profile;
 mod profile_picture;
@@ -27,13 +29,12 @@ mod solver;
 mod table;
 mod wear;
 
-pub use case::{Load, RigidSlip, Stance, Travel, WheelsetCase};
+pub use case::{Load, ProfileNote, RigidSlip, Stance, Travel, WheelsetCase};
 pub use conicity::{ConicityTable, conicity, radius_difference_csv};
 pub use derivatives::{By, ForceDerivative, WheelsetDerivatives};
 pub use derivatives_json::{DerivativesJson, ForceDerivativeJson};
 pub use error::WheelsetError;
 pub use file::{WheelsetFile, wheelset_json_schema};
-pub use profile::ProfileNote;
 pub use profile_picture::profile_pictures;
 pub use resultant::Resultant;
 pub use solved::{SolvedContact, SolvedWheel, SolvedWheelset};

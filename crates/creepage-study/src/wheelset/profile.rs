@@ -1,22 +1,14 @@
 //! A profile that a case names: a standard one, or a file beside the case.
 
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
-use creepage_rail::file::{Action, FileError, Reading, Wanted, read};
+use creepage_rail::file::{FileError, Reading, Wanted, read};
 use creepage_rail::{Profile, Role, Side, Standard};
 
+use super::case::ProfileNote;
 use super::error::WheelsetError;
 use super::sections::ReadingSection;
-
-/// A profile's file, and what was found in it that nobody had said.
-#[derive(Debug, Clone, PartialEq)]
-pub struct ProfileNote {
-    /// The file.
-    pub path: PathBuf,
-    /// What was found, assumed and done.
-    pub actions: Vec<Action>,
-}
 
 /// A profile that a section asks for.
 pub(super) struct Asked<'a> {

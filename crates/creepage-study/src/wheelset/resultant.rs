@@ -1,10 +1,8 @@
-//! The force of a contact in the track's axes.
+//! Forces and moments in the track's axes.
 
 use std::ops::Add;
 
 use creepage::SiForce;
-
-use super::solved::SolvedContact;
 
 /// A force in track axes with its moment about a point, and error bars of the force.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -21,25 +19,6 @@ impl Resultant {
     /// No force.
     pub(super) const NONE: Self =
         Self { force: [0.0; 3], force_error: Some([0.0; 3]), moment: [0.0; 3] };
-
-    /// What a contact does to the rail, with the moment about `point`.
-    pub(super) fn of(contact: &SolvedContact, point: [f64; 3]) -> Self {
-        let (sin, cos) = contact.angle.sin_cos();
-        let load = contact.normal.load();
-        let acting = Acting::new(contact.force, load.value, contact.normal.centroid());
-        let (force, moment) = acting.about(contact.reference, contact.angle, point);
-        Self {
-            force,
-            force_error: contact.force_error.map(|error| {
-                [
-                    error.longitudinal,
-                    (error.lateral * cos).abs() + (load.error * sin).abs(),
-                    (error.lateral * sin).abs() + (load.error * cos).abs(),
-                ]
-            }),
-            moment,
-        }
-    }
 }
 
 /// A force (N) and its couple (N m) at a contact's reference point, by the contact's axes `x`, `s`

@@ -2,9 +2,8 @@
 //! pressure says more about the measurement than about the wheel.
 
 use creepage::normal::NormalContact;
-use creepage_rail::Role;
+use creepage_rail::{Contact, Role};
 
-use super::solver::Pressed;
 use crate::GapCaution;
 
 /// Beyond a contact's area on either side, waves are looked for as far as this (m): between two
@@ -17,11 +16,11 @@ const SHORT: f64 = 4e-3;
 /// Pressure that flattens the smallest wave that counts, over the peak pressure.
 const COUNTS: f64 = 0.2;
 
-/// What is to be held against the profiles of a contact.
+/// What is to be held against the profiles of a contact with this pressure.
 ///
 /// Pressing a wave of length `l` and height `a` flat takes the pressure `pi E* a / l` on its crests
 /// (Westergaard 1939): a quarter of `E*` for each radian from the slope of one side to the other.
-pub(super) fn cautions(Pressed { contact, normal }: &Pressed<'_>) -> Vec<GapCaution> {
+pub(super) fn cautions(contact: &Contact<'_>, normal: &NormalContact) -> Vec<GapCaution> {
     let pair = normal.pair();
     let by_swing = 0.25 * pair.shear_modulus() / (1.0 - pair.poisson());
     let peak = normal.peak_pressure().value;

@@ -5,15 +5,14 @@ use std::sync::Arc;
 
 use creepage::coulomb::{ElementField, NearTractions};
 use creepage::normal::NormalContact;
-use creepage::{Force, Scaling, SiCreepage, SiForce, Status, normal};
-use creepage_rail::{Motion, Position, RollingCreepage, Running, Side};
+use creepage::{Scaling, SiCreepage, SiForce, Status, normal};
+use creepage_rail::{Motion, Position, RollingCreepage, Side};
 
 use super::case::RigidSlip;
 use super::derivatives::WheelsetDerivatives;
 use super::field::Field;
-use super::resultant::Resultant;
-use super::rough;
-use super::solver::{Drift, Pitch, Pressed, PressedWheel, Rolled};
+use super::nearby::{Drift, Pitch};
+use super::resultant::{Acting, Resultant};
 use crate::{Damage, GapCaution, GapTheory, adhesion};
 
 /// A wheelset whose contacts are solved.
@@ -54,7 +53,7 @@ pub struct SolvedWheel {
     pub(super) by: Option<[f64; 2]>,
     /// Origin of the rail's profile in track axes (m).
     pub rail_origin: [f64; 3],
-    contacts: Vec<SolvedContact>,
+    pub(super) contacts: Vec<SolvedContact>,
 }
 
 /// One place of contact, in one plane: mostly one area, several where they lie close together.
@@ -90,50 +89,32 @@ pub struct SolvedContact {
     /// Wear and fatigue numbers, where `[damage]` asks for them.
     pub damage: Option<Damage>,
     pub(super) friction: f64,
-    field: Field,
+    pub(super) field: Field,
     /// What is to be held against the profiles.
-    rough: Vec<GapCaution>,
+    pub(super) rough: Vec<GapCaution>,
 }
 
 impl SolvedContact {
-    pub(super) fn new(pressed: &Pressed<'_>, rolled: &Rolled<'_>, friction: f64) -> Self {
-        let (contact, scaling) = (&pressed.contact, rolled.scaling);
-        let solution = rolled.solved.as_solved().solution();
-        let load = pressed.normal.load();
-        // The load's error bar makes the force err in proportion.
-        let part = load.error / load.value;
-        let force = solution.force;
-        let heat = scaling.force * scaling.slip;
-        Self {
-            side: contact.side,
-            reference: contact.reference,
-            angle: contact.angle,
-            y_rail: contact.y_rail,
-            y_wheel: contact.y_wheel,
-            normal: pressed.normal.clone(),
-            creepage: rolled.creepage,
-            force: rolled.force,
-            force_error: solution.error.map(|error| {
-                scaling.si_force(Force {
-                    fx: error.fx + part * force.fx.abs(),
-                    fy: error.fy + part * force.fy.abs(),
-                    mz: error.mz + part * force.mz.abs(),
-                })
-            }),
-            status: solution.status,
-            dissipation: rolled.solved.as_solved().dissipation().map(|power| heat * power),
-            scaling,
-            field: Field::of(rolled),
-            damage: None,
-            friction,
-            rough: rough::cautions(pressed),
-        }
-    }
-
     /// Normal force (N).
     #[must_use]
     pub fn load(&self) -> f64 {
         self.normal.load().value
+    }
+
+    /// What it does to the rail, with the moment about `point`.
+    fn on_rail(&self, point: [f64; 3]) -> Resultant {
+        let (sin, cos) = self.angle.sin_cos();
+        let load = self.normal.load();
+        let acting = Acting::new(self.force, load.value, self.normal.centroid());
+        let (force, moment) = acting.about(self.reference, self.angle, point);
+        let force_error = self.force_error.map(|error| {
+            [
+                error.longitudinal,
+                (error.lateral * cos).abs() + (load.error * sin).abs(),
+                (error.lateral * sin).abs() + (load.error * cos).abs(),
+            ]
+        });
+        Resultant { force, force_error, moment }
     }
 
     /// Its elements.
@@ -186,23 +167,6 @@ impl SolvedContact {
 }
 
 impl SolvedWheel {
-    pub(super) fn new(
-        wheel: &PressedWheel<'_>,
-        by: Option<[f64; 2]>,
-        running: &Running,
-        mut contacts: Vec<SolvedContact>,
-    ) -> Self {
-        let PressedWheel { side, position, depth, .. } = *wheel;
-        let rail = match side {
-            Side::Left => &running.track().left,
-            Side::Right => &running.track().right,
-        };
-        let [y, z] = rail.origin();
-        contacts.sort_by(|a, b| b.load().total_cmp(&a.load()));
-        let rail_origin = [0.0, side.sense() * y, z];
-        Self { side, position, depth, by, rail_origin, contacts }
-    }
-
     /// Its places of contact, the most loaded first; none where it hangs above its rail.
     #[must_use]
     pub fn contacts(&self) -> &[SolvedContact] {
@@ -218,30 +182,11 @@ impl SolvedWheel {
     pub fn on_rail(&self) -> Resultant {
         self.contacts
             .iter()
-            .fold(Resultant::NONE, |sum, contact| sum + Resultant::of(contact, self.rail_origin))
+            .fold(Resultant::NONE, |sum, contact| sum + contact.on_rail(self.rail_origin))
     }
 }
 
 impl SolvedWheelset {
-    pub(super) fn new(
-        wheels: Vec<SolvedWheel>,
-        (motion, pitch): (Motion, Pitch),
-        friction: f64,
-        slip: RigidSlip,
-        theory: GapTheory,
-    ) -> Self {
-        let (left, right, derivatives, drift) = (None, None, None, None);
-        let mut solved =
-            Self { left, right, motion, friction, slip, theory, derivatives, pitch, drift };
-        for wheel in wheels {
-            match wheel.side {
-                Side::Left => solved.left = Some(wheel),
-                Side::Right => solved.right = Some(wheel),
-            }
-        }
-        solved
-    }
-
     /// The wheels that were solved, the left one first.
     pub fn wheels(&self) -> impl Iterator<Item = &SolvedWheel> {
         self.left.iter().chain(&self.right)

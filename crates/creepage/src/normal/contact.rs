@@ -3,14 +3,11 @@
 use std::sync::Arc;
 
 use crate::check;
-use crate::gap::{Gap, Rectangle};
 use crate::solid::SolidPair;
 
 use super::band::{Band, Moments};
-use super::error::NormalError;
-use super::found::Asked;
-use super::solve;
-use super::strips::Factors;
+use super::patch::Patch;
+use super::touching::Factors;
 
 /// A number and how far the true one may lie from it.
 ///
@@ -87,89 +84,6 @@ pub enum Method {
     Elements,
 }
 
-/// One connected contact area.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Patch {
-    bands: Vec<Band>,
-}
-
-impl Patch {
-    pub(super) fn new(bands: Vec<Band>) -> Self {
-        Self { bands }
-    }
-
-    /// The parts that every line along x crosses once; mostly there is one.
-    #[must_use]
-    pub fn bands(&self) -> &[Band] {
-        &self.bands
-    }
-
-    pub(super) fn bands_mut(&mut self) -> &mut [Band] {
-        &mut self.bands
-    }
-
-    /// One area of this and another at greater y; `None` unless each is one band, and they touch.
-    pub(super) fn joined(&self, other: &Self) -> Option<Self> {
-        let ([own], [other]) = (self.bands(), other.bands()) else { return None };
-        own.touches(other).then(|| Self::new(vec![own.joined(other)]))
-    }
-
-    /// With all lengths and pressures grown by a factor, about the centre of pressure.
-    fn grown(&self, factor: f64) -> Self {
-        let centre = self.centroid();
-        Self::new(self.bands.iter().map(|band| band.grown(factor, centre)).collect())
-    }
-
-    fn shifted(&self, by: [f64; 2]) -> Self {
-        Self::new(self.bands.iter().map(|band| band.shifted(by)).collect())
-    }
-
-    /// The rectangle around it (m).
-    #[must_use]
-    pub fn extent(&self) -> Rectangle {
-        let union = |one: [f64; 2], other: [f64; 2]| [one[0].min(other[0]), one[1].max(other[1])];
-        let nothing = [f64::INFINITY, f64::NEG_INFINITY];
-        self.bands.iter().fold(Rectangle { x: nothing, y: nothing }, |sum, band| Rectangle {
-            x: union(sum.x, band.x()),
-            y: union(sum.y, band.y()),
-        })
-    }
-
-    /// Area (m^2).
-    #[must_use]
-    pub fn area(&self) -> f64 {
-        self.bands.iter().map(Band::area).sum()
-    }
-
-    /// Force, and its moments about the axes.
-    #[must_use]
-    pub fn moments(&self) -> Moments {
-        self.bands.iter().map(Band::total).fold(Moments::default(), |mut sum, part| {
-            sum += part;
-            sum
-        })
-    }
-
-    /// Load (N).
-    #[must_use]
-    pub fn load(&self) -> f64 {
-        self.moments().force
-    }
-
-    /// Centre of pressure (m).
-    #[must_use]
-    pub fn centroid(&self) -> [f64; 2] {
-        let Moments { force, by_x, by_y } = self.moments();
-        [by_x / force, by_y / force]
-    }
-
-    /// Pressure at a place (Pa), zero outside.
-    #[must_use]
-    pub fn pressure(&self, x: f64, y: f64) -> f64 {
-        self.bands.iter().map(|band| band.pressure(x, y)).fold(0.0, f64::max)
-    }
-}
-
 /// Least and greatest y of all bands (m).
 fn sides(patches: &[Patch]) -> Vec<[f64; 2]> {
     patches.iter().flat_map(Patch::bands).map(Band::y).collect()
@@ -244,62 +158,6 @@ impl Near<'_> {
 }
 
 impl NormalContact {
-    /// Presses the bodies together by `approach` (m), counted like the gap: undeformed they
-    /// would penetrate by `approach - h`.
-    ///
-    /// Unlike bodies are solved without what friction adds to their normal displacements.
-    ///
-    /// # Errors
-    /// [`NormalError`] when the bodies do not touch, touch along a line or everywhere, or where
-    /// the gap is not known.
-    pub fn at_approach(
-        gap: &Gap,
-        pair: SolidPair,
-        approach: f64,
-        resolution: Resolution,
-    ) -> Result<Self, NormalError> {
-        check::finite("approach", approach)?;
-        solve::solve(gap, pair, Asked::Approach(approach), None, resolution)
-    }
-
-    /// Presses the bodies together by a load (N).
-    ///
-    /// # Errors
-    /// As [`NormalContact::at_approach`].
-    pub fn under_load(
-        gap: &Gap,
-        pair: SolidPair,
-        load: f64,
-        resolution: Resolution,
-    ) -> Result<Self, NormalError> {
-        check::positive("normal_force", load)?;
-        solve::solve(gap, pair, Asked::Load(load), None, resolution)
-    }
-
-    /// The same bodies in a position close by, at an approach (m): quicker than
-    /// [`NormalContact::at_approach`], for it starts from these contact areas.
-    ///
-    /// # Errors
-    /// As [`NormalContact::at_approach`].
-    pub fn next(
-        &self,
-        gap: &Gap,
-        approach: f64,
-        resolution: Resolution,
-    ) -> Result<Self, NormalError> {
-        check::finite("approach", approach)?;
-        let asked = Asked::Approach(approach);
-        solve::solve(gap, self.pair, asked, Some(&self.near(approach)), resolution)
-    }
-
-    /// The same with as many strips as this one and no finer or coarser ones: what they lack, and the error
-    /// bars, are taken from here as long as [`NormalContact::keeps_error_bars`] says so. `None` where strips do
-    /// not settle or the bodies meet beyond them; [`NormalContact::next`] tells more then.
-    #[must_use]
-    pub fn follow(&self, gap: &Gap, approach: f64) -> Option<Self> {
-        if approach.is_finite() { solve::follow(gap, self, approach) } else { None }
-    }
-
     /// Whether load and area differ by less than three hundredths from those of the contact that found the
     /// error bars, from which this one may have followed; else [`NormalContact::next`] from here finds them anew.
     #[must_use]

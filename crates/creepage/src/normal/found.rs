@@ -6,10 +6,11 @@ use crate::gap::Gap;
 use crate::solid::SolidPair;
 
 use super::band::Band;
-use super::contact::{Estimate, Method, NormalContact, Patch, Status, StripRule};
+use super::contact::{Estimate, Method, NormalContact, Status, StripRule};
 use super::level::{Accuracy, Level, Task};
 use super::outline;
-use super::strips::Factors;
+use super::patch::Patch;
+use super::touching::Factors;
 
 /// What is prescribed.
 #[derive(Debug, Clone, Copy, PartialEq)]

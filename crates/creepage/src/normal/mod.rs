@@ -19,14 +19,17 @@ mod load;
 mod love;
 mod outline;
 mod overlap;
+mod patch;
 mod product;
 mod solve;
 mod start;
-pub(crate) mod strips;
+mod strips;
+pub(crate) mod touching;
 mod units;
 
 pub use band::{Band, Moments};
-pub use contact::{Estimate, Method, NormalContact, Patch, Resolution, Status};
+pub use contact::{Estimate, Method, NormalContact, Resolution, Status};
 pub use error::{NormalError, Side};
+pub use patch::Patch;
 
 pub(crate) use units::SLIP_UNIT;

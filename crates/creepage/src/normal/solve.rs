@@ -1,21 +1,81 @@
 //! From a gap to its contact: the overlap, elements on two lattices, and strips laid into what
 //! these find. Each way checks the other; where the strips do not settle, finer elements speak.
 
+use crate::check;
 use crate::gap::Gap;
 use crate::solid::SolidPair;
 
-use super::contact::{Estimate, Method, Near, NormalContact, Patch, Resolution};
+use super::contact::{Estimate, Method, Near, NormalContact, Resolution};
 use super::elements;
 use super::error::NormalError;
 use super::found::{Asked, Found, Pair, areas, contact, gap_points, scale};
 use super::level::{Accuracy, Level, Task};
 use super::load;
 use super::overlap::Overlap;
+use super::patch::Patch;
 use super::start;
 use super::strips::{self, Wanted};
 
+impl NormalContact {
+    /// Presses the bodies together by `approach` (m), counted like the gap: undeformed they
+    /// would penetrate by `approach - h`.
+    ///
+    /// Unlike bodies are solved without what friction adds to their normal displacements.
+    ///
+    /// # Errors
+    /// [`NormalError`] when the bodies do not touch, touch along a line or everywhere, or where
+    /// the gap is not known.
+    pub fn at_approach(
+        gap: &Gap,
+        pair: SolidPair,
+        approach: f64,
+        resolution: Resolution,
+    ) -> Result<Self, NormalError> {
+        check::finite("approach", approach)?;
+        solve(gap, pair, Asked::Approach(approach), None, resolution)
+    }
+
+    /// Presses the bodies together by a load (N).
+    ///
+    /// # Errors
+    /// As [`NormalContact::at_approach`].
+    pub fn under_load(
+        gap: &Gap,
+        pair: SolidPair,
+        load: f64,
+        resolution: Resolution,
+    ) -> Result<Self, NormalError> {
+        check::positive("normal_force", load)?;
+        solve(gap, pair, Asked::Load(load), None, resolution)
+    }
+
+    /// The same bodies in a position close by, at an approach (m): quicker than
+    /// [`NormalContact::at_approach`], for it starts from these contact areas.
+    ///
+    /// # Errors
+    /// As [`NormalContact::at_approach`].
+    pub fn next(
+        &self,
+        gap: &Gap,
+        approach: f64,
+        resolution: Resolution,
+    ) -> Result<Self, NormalError> {
+        check::finite("approach", approach)?;
+        let asked = Asked::Approach(approach);
+        solve(gap, self.pair, asked, Some(&self.near(approach)), resolution)
+    }
+
+    /// The same with as many strips as this one and no finer or coarser ones: what they lack, and the error
+    /// bars, are taken from here as long as [`NormalContact::keeps_error_bars`] says so. `None` where strips do
+    /// not settle or the bodies meet beyond them; [`NormalContact::next`] tells more then.
+    #[must_use]
+    pub fn follow(&self, gap: &Gap, approach: f64) -> Option<Self> {
+        if approach.is_finite() { follow(gap, self, approach) } else { None }
+    }
+}
+
 /// `near` is what a contact close by tells, if one is known.
-pub(super) fn solve(
+fn solve(
     gap: &Gap,
     pair: SolidPair,
     asked: Asked,
@@ -60,7 +120,7 @@ pub(super) fn solve(
 }
 
 /// By as many strips as a contact close by, which tells what they lack.
-pub(super) fn follow(gap: &Gap, near: &NormalContact, approach: f64) -> Option<NormalContact> {
+fn follow(gap: &Gap, near: &NormalContact, approach: f64) -> Option<NormalContact> {
     let (rule, Near { areas, factors, .. }) = (near.rule?, near.near(approach));
     let modulus = near.pair.shear_modulus() / (1.0 - near.pair.poisson());
     let wanted = Wanted {

@@ -3,8 +3,8 @@
 use std::f64::consts::FRAC_2_PI;
 
 use super::band::{Band, Chord, PLACES};
-use super::contact::Patch;
 use super::level::Task;
+use super::patch::Patch;
 
 /// Rows at which the section is looked at, and the fewest in an area.
 const ROWS: u32 = 160;

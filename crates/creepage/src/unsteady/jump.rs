@@ -11,8 +11,6 @@ const SMOOTH_LOAD: f64 = 0.05;
 /// So is a change of a prescribed force by more than this part of `mu N`: the shift that it takes is
 /// one of the bodies at rest, smaller ones are part of the next step.
 const JUMP: f64 = 0.05;
-/// Forces beyond this part of `mu N` are not met by a shift, which grows without bound towards it.
-pub(super) const NEARLY_SLIDING: f64 = 0.999;
 
 impl Rolling {
     /// Whether motion and load go on without a jump; a prescribed force that jumps has shifted the
@@ -44,8 +42,8 @@ impl Rolling {
     /// the next step begins. Where friction under the present load cannot give them, they are met in
     /// that step, in which the load grows.
     pub(super) fn shift_on(&mut self, motion: &Motion) {
-        let force = motion.force();
-        if force == 0.0 && self.is_at_rest() || force >= NEARLY_SLIDING * self.travel.load {
+        let is_nothing = motion.force() == 0.0 && self.is_at_rest();
+        if is_nothing || motion.nearly_slides(self.travel.load) {
             return;
         }
         let (before, stage) = (self.keep(), Stage::Shift { begins: self.is_at_rest() });

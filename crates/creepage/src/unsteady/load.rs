@@ -1,7 +1,6 @@
 //! A load that changes while the contact rolls: in a straight line over a step, in parts within which
 //! the contact grows or shrinks by little.
 
-use super::jump::NEARLY_SLIDING;
 use super::motion::{Motion, Prescribed};
 
 /// Largest change of the contact's size in a part.
@@ -24,7 +23,7 @@ pub(super) struct Course {
 impl Course {
     /// From a load to another, with the forces that there are.
     pub(super) fn new(loads: [f64; 2], force: [f64; 3], distance: f64, motion: &Motion) -> Self {
-        let is_beyond = loads[1] > loads[0] && motion.force() >= NEARLY_SLIDING * loads[0];
+        let is_beyond = loads[1] > loads[0] && motion.nearly_slides(loads[0]);
         let forces = is_beyond.then_some(force);
         Self { loads, distance, motion: *motion, forces }
     }

@@ -63,6 +63,13 @@ impl Motion {
         fx.hypot(fy)
     }
 
+    /// Whether the prescribed forces are nearly what friction can give under a load, or beyond: no shift
+    /// meets them, for it grows without bound towards that.
+    pub(crate) fn nearly_slides(&self, load: f64) -> bool {
+        const NEARLY: f64 = 0.999;
+        self.force() >= NEARLY * load
+    }
+
     /// The same forces, and no creepage where that is prescribed.
     pub(crate) fn without_creepage(&self) -> Self {
         let [longitudinal, lateral, spin] = self.components().map(|one| match one {

@@ -6,9 +6,10 @@
 use creepage_rail::{Position, Side};
 use rayon::prelude::*;
 
-use super::pressed::{Known, Press, PressedWheel, Shares};
+use super::pressed::{Known, Press, PressedWheel};
 use super::root::Root;
 use super::step::learnt;
+use crate::wheelset::nearby::Shares;
 use crate::{Load, Stance, WheelsetError};
 
 /// A bracket narrower than this, of a logarithm or a roll, has nothing left to search.

@@ -4,9 +4,10 @@
 use creepage_rail::{Contact, Position, Running, Side};
 
 use super::Start;
-use super::pressed::{Known, Shares, lever, rise};
+use super::pressed::{Known, lever, rise};
 use super::step::{Line, Place, moves, wanted};
-use crate::wheelset::{SolvedContact, SolvedWheel, SolvedWheelset};
+use crate::wheelset::nearby::{Drift, Shares};
+use crate::wheelset::solved::{SolvedContact, SolvedWheel, SolvedWheelset};
 use crate::{Load, Stance};
 
 /// Shift (m) and yaw (rad) by which a position is near.
@@ -115,23 +116,6 @@ fn line(wheel: &SolvedWheel, place: &Place, running: &Running) -> Option<Line> {
 fn nearest<'c, 'a>(own: &SolvedContact, contacts: &'c [Contact<'a>]) -> Option<&'c Contact<'a>> {
     let distance = |contact: &Contact<'_>| (contact.y_rail - own.y_rail).abs();
     contacts.iter().min_by(|a, b| distance(a).total_cmp(&distance(b)))
-}
-
-/// By how much a wheelset came to stand and turn otherwise than was expected from the position before: what
-/// pressing and rolling change as the contacts go along the profiles. A next step in the same
-/// direction drifts by as much in proportion.
-#[derive(Debug, Clone)]
-pub(in crate::wheelset) struct Drift {
-    /// The step in shift and yaw, over what is near.
-    step: [f64; 2],
-    /// Lower (m) and rolled (rad) by so much, each wheel.
-    by: Vec<[f64; 2]>,
-    /// By how much faster it turns (rad/s).
-    faster: f64,
-    /// By how much more friction pushes each contact aside.
-    shares: Shares,
-    /// By how much the areas of each contact reach further out on both sides (m).
-    sides: Vec<Vec<[f64; 2]>>,
 }
 
 impl Drift {

@@ -5,7 +5,6 @@ mod apart;
 mod balance;
 mod beside;
 mod by_motion;
-mod curving;
 mod derivative;
 mod found;
 mod partial;
@@ -13,29 +12,27 @@ mod pressed;
 mod rolled;
 mod root;
 mod settle;
+mod solution;
 mod step;
 
 use creepage::SolidPair;
 use creepage::normal;
 use creepage::theory::{ExactOptions, NamedResolution, ResolutionSpec};
-use creepage_rail::{Motion, Position, Running, Side};
+use creepage_rail::{Position, Running, Side};
 use rayon::prelude::*;
 
 use self::balance::{Balance, Guess};
-use self::pressed::{Known, Press, Shares};
-use self::rolled::{KnownTractions, Method, Rolling};
+use self::pressed::{Known, Press, PressedWheel};
+use self::rolled::{KnownTractions, Method, Rolled};
 use self::settle::{Sought, settle};
 use self::step::Place;
 use super::case::{Load, RigidSlip, Stance, Travel, WheelsetCase};
 use super::derivatives::WheelsetDerivatives;
 use super::error::{WheelsetError, section};
-use super::solved::{SolvedContact, SolvedWheel, SolvedWheelset};
+use super::nearby::{Drift, Pitch, Shares};
+use super::solved::{SolvedWheel, SolvedWheelset};
 use crate::case::CaseError;
 use crate::gap::{GapTheory, resolutions};
-
-pub(super) use self::beside::Drift;
-pub(super) use self::pressed::{Pressed, PressedWheel};
-pub(super) use self::rolled::{Answer, Pitch, RigidMotion, Rolled};
 
 /// A wheelset on its track, prepared to be solved in many positions.
 #[derive(Debug, Clone)]
@@ -208,24 +205,6 @@ impl<'a> WheelsetSolver<'a> {
             Ok(PressedWheel { depth, ..press.wheel(side, position, known)? })
         };
         sought.places.par_iter().map(fine).collect()
-    }
-
-    fn solved(
-        &self,
-        (places, wheels): (&[Place], &[PressedWheel<'_>]),
-        rollings: &[Rolling<'_, '_>],
-        rolled: &[Rolled<'_>],
-        found: (Motion, Pitch),
-    ) -> SolvedWheelset {
-        let solved = |(place, wheel): (&Place, &PressedWheel<'_>)| {
-            let all = rollings.iter().zip(rolled);
-            let own = all.filter(|(rolling, _)| rolling.wheel.side == wheel.side);
-            let contacts =
-                own.map(|(one, rolled)| SolvedContact::new(one.pressed, rolled, self.friction));
-            SolvedWheel::new(wheel, place.by(), self.press.running, contacts.collect())
-        };
-        let wheels = places.iter().zip(wheels).map(solved).collect();
-        SolvedWheelset::new(wheels, found, self.friction, self.slip, self.theory)
     }
 }
 

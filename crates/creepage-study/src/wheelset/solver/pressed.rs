@@ -7,6 +7,7 @@ use creepage_rail::{Contact, Position, Running, Side};
 
 use super::apart;
 use crate::WheelsetError;
+use crate::wheelset::nearby::Shares;
 
 /// Places across a contact at which the undeformed bodies are looked up.
 const PLACES: usize = 161;
@@ -15,21 +16,21 @@ const MARGIN: f64 = 0.05;
 
 /// A place of contact with its pressure.
 #[derive(Debug, Clone)]
-pub(in crate::wheelset) struct Pressed<'a> {
-    pub(in crate::wheelset) contact: Contact<'a>,
-    pub(in crate::wheelset) normal: NormalContact,
+pub(super) struct Pressed<'a> {
+    pub(super) contact: Contact<'a>,
+    pub(super) normal: NormalContact,
 }
 
 /// A wheel at a height, with its contacts.
 #[derive(Debug, Clone)]
-pub(in crate::wheelset) struct PressedWheel<'a> {
-    pub(in crate::wheelset) side: Side,
-    pub(in crate::wheelset) position: Position,
+pub(super) struct PressedWheel<'a> {
+    pub(super) side: Side,
+    pub(super) position: Position,
     /// Height of the axle over the track at `z = 0` (m).
     pub(super) radius: f64,
     /// How far it was brought down from first touch to carry its load (m); zero where its height
     /// was given.
-    pub(in crate::wheelset) depth: f64,
+    pub(super) depth: f64,
     pub(super) contacts: Vec<Pressed<'a>>,
 }
 
@@ -227,74 +228,6 @@ pub(super) fn lever(contact: &Contact<'_>, centre: [f64; 2]) -> f64 {
     let (sin, cos) = contact.angle.sin_cos();
     let [_, y, z] = contact.reference;
     (y - centre[0]) * cos + (z - centre[1]) * sin
-}
-
-/// What is known of the vertical loads from a position that was solved before.
-#[derive(Debug, Clone)]
-pub(super) struct Shares {
-    /// Lateral force over load of contacts by their place on the rail: what friction adds.
-    lateral: Vec<(Side, f64, f64)>,
-    /// Vertical force over what a coarse solution has, left and right.
-    scale: [f64; 2],
-}
-
-impl Default for Shares {
-    fn default() -> Self {
-        Self { lateral: Vec::new(), scale: [1.0; 2] }
-    }
-}
-
-impl Shares {
-    /// Remembers a contact by its place on the rail.
-    pub(super) fn push(&mut self, side: Side, y_rail: f64, share: f64) {
-        self.lateral.push((side, y_rail, share));
-    }
-
-    /// Adds to each contact's share so many times that of another.
-    pub(super) fn add_times(&mut self, times: f64, other: &Self) {
-        for (side, y_rail, share) in &mut self.lateral {
-            *share += times * other.near(*side, *y_rail);
-        }
-    }
-
-    /// Remembers how much a wheel carries over what it carries in a coarse solution.
-    pub(super) fn set_scale(&mut self, side: Side, scale: f64) {
-        if scale > 0.0 && scale.is_finite() {
-            self.scale[usize::from(side == Side::Right)] = scale;
-        }
-    }
-
-    /// The same for fine solutions.
-    pub(super) fn of_fine(&self) -> Self {
-        Self { scale: [1.0; 2], ..self.clone() }
-    }
-
-    /// Takes the scale of another.
-    pub(super) fn scaled_as(&mut self, other: &Self) {
-        self.scale = other.scale;
-    }
-
-    /// Takes the mean with another.
-    pub(super) fn halfway_from(&mut self, other: &Self) {
-        for (side, y_rail, share) in &mut self.lateral {
-            *share = share.midpoint(other.near(*side, *y_rail));
-        }
-    }
-
-    fn scale(&self, side: Side) -> f64 {
-        self.scale[usize::from(side == Side::Right)]
-    }
-
-    fn of(&self, contact: &Contact<'_>) -> f64 {
-        self.near(contact.side, contact.y_rail)
-    }
-
-    /// That of the contact nearest on the rail; nothing where none is known.
-    fn near(&self, side: Side, y_rail: f64) -> f64 {
-        let own = self.lateral.iter().filter(|known| known.0 == side);
-        let distance = |y: f64| (y - y_rail).abs();
-        own.min_by(|a, b| distance(a.1).total_cmp(&distance(b.1))).map_or(0.0, |&(.., share)| share)
-    }
 }
 
 impl PressedWheel<'_> {

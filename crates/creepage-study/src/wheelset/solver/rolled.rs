@@ -5,16 +5,18 @@ use std::sync::Arc;
 use creepage::approximate::non_hertzian::{NonHertzianSimplified, Simplified, SimplifiedSolved};
 use creepage::coulomb::{NearTractions, NonHertzian, NonHertzianSolved, Resolution};
 use creepage::theory::{Jacobian, Solved};
-use creepage::{Creepage, Scaling, SiCreepage, SiForce};
+use creepage::{Scaling, SiCreepage, SiForce};
 use creepage_rail::{Contact, Motion, RollingCreepage, Side};
 use rayon::prelude::*;
 
 use super::apart::in_track;
-use super::curving::Curving;
 use super::pressed::{Pressed, PressedWheel};
 use super::root::Root;
 use crate::case::CaseError;
-use crate::wheelset::{RigidSlip, SolvedContact};
+use crate::wheelset::case::RigidSlip;
+use crate::wheelset::curving::{Curving, RigidMotion};
+use crate::wheelset::nearby::Pitch;
+use crate::wheelset::solved::SolvedContact;
 use crate::{Travel, WheelsetError};
 
 /// By which theory contacts roll, and how finely.
@@ -55,7 +57,7 @@ pub(super) enum Prepared {
 
 /// A contact rolled.
 #[derive(Debug)]
-pub(in crate::wheelset) enum Answer<'r> {
+pub(super) enum Answer<'r> {
     Exact(Box<NonHertzianSolved<'r>>),
     Simplified(SimplifiedSolved<'r>, &'r Arc<NonHertzianSimplified>),
 }
@@ -144,25 +146,8 @@ impl KnownTractions {
     }
 }
 
-/// What rolling is solved for, in a theory's units.
-#[derive(Debug, Clone)]
-pub(in crate::wheelset) struct RigidMotion {
-    pub(in crate::wheelset) creepage: Creepage,
-    scaling: Scaling,
-    curving: Option<Curving>,
-}
-
-impl RigidMotion {
-    /// What a curved contact adds to the rigid slip at a place.
-    pub(in crate::wheelset) fn more(&self, at: [f64; 2]) -> [f64; 2] {
-        let Self { scaling, curving, .. } = self;
-        let Some(curving) = curving else { return [0.0; 2] };
-        curving.at(at.map(|at| at * scaling.length)).map(|slip| slip / scaling.slip)
-    }
-}
-
 impl Answer<'_> {
-    pub(in crate::wheelset) fn as_solved(&self) -> &dyn Solved {
+    pub(super) fn as_solved(&self) -> &dyn Solved {
         match self {
             Self::Exact(solved) => &**solved,
             Self::Simplified(solved, _) => solved,
@@ -190,13 +175,13 @@ pub(super) struct Rolling<'w, 'a> {
 
 /// The same, rolled.
 #[derive(Debug)]
-pub(in crate::wheelset) struct Rolled<'r> {
-    pub(in crate::wheelset) motion: RigidMotion,
-    pub(in crate::wheelset) creepage: RollingCreepage,
-    pub(in crate::wheelset) scaling: Scaling,
-    pub(in crate::wheelset) solved: Answer<'r>,
+pub(super) struct Rolled<'r> {
+    pub(super) motion: RigidMotion,
+    pub(super) creepage: RollingCreepage,
+    pub(super) scaling: Scaling,
+    pub(super) solved: Answer<'r>,
     /// The force with its moment about the reference point.
-    pub(in crate::wheelset) force: SiForce,
+    pub(super) force: SiForce,
 }
 
 impl<'w, 'a> Rolling<'w, 'a> {
@@ -278,14 +263,6 @@ impl<'w, 'a> Rolling<'w, 'a> {
         let ((sin, cos), (sin_roll, cos_roll)) = (position.yaw.sin_cos(), position.roll.sin_cos());
         [-sin, cos * cos_roll, cos * sin_roll]
     }
-}
-
-/// A pitch rate nearby, closer to balance than the one rolled with, and how the moment about the axle rises
-/// with it (N m s/rad).
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub(in crate::wheelset) struct Pitch {
-    pub(in crate::wheelset) rate: Option<f64>,
-    pub(in crate::wheelset) slope: Option<f64>,
 }
 
 /// The motion of a wheelset with its pitch rate: the given one, or that at which friction has no

@@ -5,11 +5,12 @@
 //! they carry what was expected.
 
 use super::balance::enough;
-use super::pressed::{Known, PressedWheel, Shares};
+use super::pressed::{Known, PressedWheel};
 use super::rolled::{self, Method, Rolling};
 use super::step::{self, Place};
 use super::{Start, WheelsetSolver};
-use crate::wheelset::SolvedWheelset;
+use crate::wheelset::nearby::Shares;
+use crate::wheelset::solved::SolvedWheelset;
 use crate::{Load, Stance, Travel, WheelsetError};
 
 /// Rounds after which it is given up, and after which they might swing to and fro.
@@ -22,8 +23,6 @@ const MET: f64 = 3e-5;
 const ROUGHLY_BALANCED: f64 = 3e-4;
 /// To which part a search with coarse pressures may miss a load.
 const CLOSE: f64 = 5e-3;
-/// A step on known friction that leaves more than this part of what was missed is followed by rolling.
-const HELPS: f64 = 0.5;
 
 /// Solves a wheelset that stands, moves and is loaded like this, by one method.
 pub(super) fn settle(
@@ -161,8 +160,8 @@ impl<'w, 'a> Way<'w, 'a> {
         self.has_bars && is_near && round < FEW
     }
 
-    /// Beside a solved position friction is known nearly: no rolling before the load is met. Whether
-    /// it went on so.
+    /// Beside a solved position friction is known nearly: it needs no rolling for a first step to the load, as
+    /// far as that follows the change of friction as well. Whether it went on so.
     fn step_on_known_friction(
         &mut self,
         sought: &mut Sought<'a>,

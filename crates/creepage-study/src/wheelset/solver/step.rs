@@ -3,7 +3,8 @@
 
 use creepage_rail::{Position, Side};
 
-use super::pressed::{PressedWheel, Shares};
+use super::pressed::PressedWheel;
+use crate::wheelset::nearby::Shares;
 use crate::{Load, Stance};
 
 /// A wheel's position and what it is expected to carry there.

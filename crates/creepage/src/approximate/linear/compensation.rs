@@ -118,7 +118,7 @@ impl Edge {
     pub(super) fn new(ellipse: Ellipse, poisson: f64, degree: usize) -> Self {
         let nodes = edge::nodes(ellipse, poisson, degree);
         let waves = Waves::new(&nodes, 2 * degree);
-        let moments = edge::moments(&nodes, &waves, degree);
+        let moments = waves.moments(&nodes, degree);
         let of_y = edge::strengths_of_y(&moments);
         Self { ellipse, nodes, waves, moments, of_y }
     }

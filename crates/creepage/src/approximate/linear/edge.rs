@@ -24,7 +24,6 @@ use std::num::NonZeroUsize;
 use gauss_quad::GaussLegendre;
 use nalgebra::{DMatrix, DVector, Matrix2};
 
-use super::waves::Waves;
 use crate::ellipse::Ellipse;
 
 /// Coefficients `k_m` of the strength of `(X, Y)` of one degree, `m = -n, -n + 2, ..., n`.
@@ -66,19 +65,6 @@ fn compliance(ellipse: Ellipse, poisson: f64, angle: f64) -> Matrix2<f64> {
     let coupling = -poisson * s * c;
     Matrix2::new(1.0 - poisson * s * s, coupling, coupling, 1.0 - poisson * c * c)
         * (ellipse.a() * ellipse.b() / q)
-}
-
-/// Fourier coefficients `W_2j` over half the edge, `j` from 0 to `degree`; `W_-2j` is the
-/// transpose.
-pub(super) fn moments(nodes: &[Node], waves: &Waves, degree: usize) -> Vec<Matrix2<f64>> {
-    let moment = |j: usize| {
-        let part = |(node, (sin, cos)): (&Node, (f64, f64))| {
-            let w = node.compliance * (2.0 * node.weight);
-            Matrix2::new(w.m11 * cos, w.m12 * sin, -w.m12 * sin, w.m22 * cos)
-        };
-        nodes.iter().zip(waves.of(2 * j)).map(part).sum()
-    };
-    (0..=degree).map(moment).collect()
 }
 
 /// The strengths that belong to `P_n(y/b)`, for every degree `n` up to the moments' last: in

@@ -1,5 +1,7 @@
 //! Trigonometric polynomials at the nodes of the edge.
 
+use nalgebra::Matrix2;
+
 use super::edge::{Node, Strength};
 
 /// `sin mt` and `cos mt` at all nodes, one frequency after the other.
@@ -29,6 +31,19 @@ impl Waves {
     pub(super) fn of(&self, m: usize) -> impl Iterator<Item = (f64, f64)> {
         let nodes = m * self.count..(m + 1) * self.count;
         self.sin[nodes.clone()].iter().copied().zip(self.cos[nodes].iter().copied())
+    }
+
+    /// Fourier coefficients `W_2j` of the compliance over half the edge, `j` from 0 to `degree`; `W_-2j`
+    /// is the transpose.
+    pub(super) fn moments(&self, nodes: &[Node], degree: usize) -> Vec<Matrix2<f64>> {
+        let moment = |j: usize| {
+            let part = |(node, (sin, cos)): (&Node, (f64, f64))| {
+                let w = node.compliance * (2.0 * node.weight);
+                Matrix2::new(w.m11 * cos, w.m12 * sin, -w.m12 * sin, w.m22 * cos)
+            };
+            nodes.iter().zip(self.of(2 * j)).map(part).sum()
+        };
+        (0..=degree).map(moment).collect()
     }
 
     /// Adds `(X', Y')` of a strength at each node; frequencies `m` and `-m` are one wave.

@@ -8,10 +8,9 @@ use std::f64::consts::FRAC_PI_2;
 
 use super::Prescribed;
 use super::along::Along;
-use super::shape::Shape;
 use crate::coulomb::mixing::Mixing;
 use crate::ellipse::Ellipse;
-use crate::normal::strips::{self, MOST, Question, Strip};
+use crate::normal::touching::{self, MOST, Question, Strip};
 
 /// Borders are sines of equal parts of so much of a right angle: narrower strips at the tips.
 const CLUSTER: f64 = 0.8 * FRAC_PI_2;
@@ -121,21 +120,6 @@ impl Normal {
         self.borders.windows(2).map(|pair| f64::midpoint(pair[0], pair[1]))
     }
 
-    /// A start of the shape that other strips found.
-    pub(super) fn shaped(&self, shape: &Shape, pressed: &Pressed, without: &Pressed) -> Pressed {
-        let own = &self.frictionless;
-        if pressed.is(without) {
-            return own.clone();
-        }
-        let strips = own.strips.iter().zip(self.middles());
-        Pressed {
-            strips: strips.map(|(strip, t)| shape.strip(strip, t)).collect(),
-            approach: own.approach + pressed.approach - without.approach,
-            load: own.load * pressed.load / without.load,
-            ..*pressed
-        }
-    }
-
     /// The area and its pressure when `more` is added to the normal displacement, from a start close by.
     /// Tips move once: near a solution the rest is for the next turn. `None` when the strips do not
     /// settle.
@@ -229,7 +213,7 @@ impl Normal {
         let load = (prescribed == Prescribed::Load).then_some(self.frictionless.load);
         // Of the stiffness only the sign is asked.
         let question = Question { depth: &depth, load, enough: ENOUGH, nearly: 0.1, known: None };
-        let found = strips::touching(pressed.strips.clone(), MOST, question)
+        let found = touching::solve(pressed.strips.clone(), MOST, question)
             .map_err(|stopped| stopped.strips)?;
         if found.stiffness > 0.0 && found.deeper.is_finite() {
             let load = found.strips.iter().map(Strip::load).sum();

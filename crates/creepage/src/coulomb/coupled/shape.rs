@@ -5,7 +5,7 @@ use crate::coulomb::mesh::{Mesh, SUBCELLS, Strip};
 use crate::coulomb::pressure::{Moments, Pressure};
 use crate::ellipse::Ellipse;
 use crate::gap::Cubic;
-use crate::normal::strips::{self, MOST, profile};
+use crate::normal::touching::{self, MOST, profile};
 
 /// Least pressure over that of Hertz: polynomials between strips may dip below zero, and an element
 /// without any pressure has no traction to find.
@@ -35,7 +35,7 @@ impl Shape {
         let t: Vec<f64> = normal.middles().collect();
         let pairs = || pressed.strips.iter().zip(&normal.frictionless.strips);
         let curve = |values: Vec<f64>| Cubic::new(t.clone(), values);
-        let polynomials = |of: fn((&strips::Strip, &strips::Strip)) -> [f64; MOST]| {
+        let polynomials = |of: fn((&touching::Strip, &touching::Strip)) -> [f64; MOST]| {
             let all: Vec<_> = pairs().map(of).collect();
             std::array::from_fn(|k| curve(all.iter().map(|c| c[k]).collect()))
         };
@@ -65,14 +65,29 @@ impl Shape {
         self.centre.at(self.within(t))
     }
 
+    /// Where other strips may begin: in this shape, that of `pressed`; `without` friction it was another.
+    pub(super) fn start(&self, normal: &Normal, pressed: &Pressed, without: &Pressed) -> Pressed {
+        let own = &normal.frictionless;
+        if pressed.is(without) {
+            return own.clone();
+        }
+        let strips = own.strips.iter().zip(normal.middles());
+        Pressed {
+            strips: strips.map(|(strip, t)| self.strip(strip, t)).collect(),
+            approach: own.approach + pressed.approach - without.approach,
+            load: own.load * pressed.load / without.load,
+            ..*pressed
+        }
+    }
+
     /// The pressure of a strip without friction there, changed as this area's.
-    pub(super) fn strip(&self, frictionless: &strips::Strip, t: f64) -> strips::Strip {
+    fn strip(&self, frictionless: &touching::Strip, t: f64) -> touching::Strip {
         let t = self.within(t);
         let pressure =
             self.pressure[0].each_ref().map(|curve| curve.at(t) * frictionless.pressure[0]);
         let (centre, half) =
             (frictionless.centre + self.centre(t), frictionless.half * self.longer(t));
-        strips::Strip { centre, half, pressure, ..*frictionless }
+        touching::Strip { centre, half, pressure, ..*frictionless }
     }
 
     /// Pressure over that of Hertz at the same place.

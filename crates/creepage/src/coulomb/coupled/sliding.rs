@@ -207,7 +207,7 @@ impl<'a> Sliding<'a> {
 
     /// From another mesh.
     fn refined(&self, coarse: &Slid, q: [f64; 2]) -> Result<Slid, SlidingError> {
-        let start = self.normal.shaped(&coarse.shape, &coarse.pressed, &coarse.frictionless);
+        let start = coarse.shape.start(&self.normal, &coarse.pressed, &coarse.frictionless);
         self.settle(start, q, TOLERANCE)
     }
 

@@ -237,7 +237,7 @@ fn settle(
     let first = coarse.settle(case(0), start);
     let pressed = match near {
         Some(near) => near[1].pressed.clone(),
-        None => fine.normal.shaped(&first.shape, &first.pressed, &first.frictionless),
+        None => first.shape.start(&fine.normal, &first.pressed, &first.frictionless),
     };
     let start = Start { pressed, coarser: Some(&first.state) };
     let second = fine.settle(case(1), start);

@@ -16,7 +16,7 @@
 use std::f64::consts::FRAC_PI_2;
 
 use super::level::Settled;
-use crate::normal::strips::MOST;
+use crate::normal::touching::MOST;
 
 /// Elements from the border to that from which the root is taken; those between it and the border are
 /// smeared.

@@ -1,11 +1,10 @@
 //! Areas laid anew where strips do not touch all along, or bear what the edge of a punch does: drawn in,
 //! pushed out, parted or joined.
 
-use super::newton::Stopped;
-use super::strip::{Strip, Units};
-use super::{FEWEST, is_pressed, patches};
+use super::laid::{FEWEST, Units, patches};
 use crate::normal::band::Band;
-use crate::normal::contact::Patch;
+use crate::normal::patch::Patch;
+use crate::normal::touching::{Stopped, Strip};
 
 /// Without those outermost strips at a tip that are pulled, and with such tips drawn in to the middle of
 /// theirs, or else parted where strips within are pulled; `None` where that leaves hardly any.
@@ -15,10 +14,10 @@ pub(super) fn without_pulled(
     units: Units,
 ) -> Option<Vec<Patch>> {
     let tips = Tips::of(start, strips);
-    let is_kept = |i: usize| is_pressed(&strips[i]) || !tips.is_outermost(i);
+    let is_kept = |i: usize| strips[i].is_pressed() || !tips.is_outermost(i);
     let kept: Vec<Strip> = (0..strips.len()).filter(|i| is_kept(*i)).map(|i| strips[i]).collect();
     if kept.len() == strips.len() {
-        return parted(start, strips, |i| !is_pressed(&strips[i]), units);
+        return parted(start, strips, |i| !strips[i].is_pressed(), units);
     }
     if !tips.leave_enough(&kept) {
         return None;
@@ -35,7 +34,7 @@ fn end_at_pulled(start: &mut [Patch], strips: &[Strip], units: Units) {
         let outer = [own.next(), own.next_back()];
         let (tips, [low, high]) = (band.tips(), band.y());
         let by = [0, 1].map(|side: usize| match outer[side] {
-            Some(strip) if tips[side] && !is_pressed(strip) => {
+            Some(strip) if tips[side] && !strip.is_pressed() => {
                 let middle = units.origin[1] + strip.y * units.length;
                 if side == 0 { middle - low } else { high - middle }
             }
@@ -75,7 +74,8 @@ pub(super) fn drawn_in(
             [low + by(own().next()), high - by(own().next_back())]
         })
         .collect();
-    let usable = stopped.is_closer && left.iter().all(is_pressed) && tips.leave_enough(&left);
+    let usable =
+        stopped.is_closer && left.iter().all(Strip::is_pressed) && tips.leave_enough(&left);
     let mut next = if usable { patches(start, &left, units) } else { start.to_vec() };
     for (band, [low, high]) in next.iter_mut().flat_map(Patch::bands_mut).zip(wanted) {
         let by = [low - band.y()[0], band.y()[1] - high].map(|by| by.max(0.0));
@@ -90,7 +90,7 @@ fn vanishes(laid: &Strip, stopped: &Stopped, i: usize) -> bool {
     const SHRINKING: f64 = 0.5;
     let shrinking = stopped.shrinking.get(i).is_some_and(|by| *by > SHRINKING);
     let shrunk = stopped.strips[i].half < SHRUNK * laid.half;
-    shrinking || shrunk || !is_pressed(&stopped.strips[i])
+    shrinking || shrunk || !stopped.strips[i].is_pressed()
 }
 
 /// The tips of bands among their strips.

@@ -3,32 +3,20 @@
 //! which the elements give, and says so when Newton's method does not arrive.
 
 mod anew;
-mod kernel;
-mod newton;
+mod laid;
 mod outside;
-mod rules;
-mod side;
-mod sources;
-mod strip;
-mod summit;
-mod system;
 mod waves;
 
 use std::sync::Arc;
 
 use super::band::Band;
-use super::contact::Patch;
 use super::found::Found;
-use super::lattice::whole;
 use super::level::Task;
-use crate::gap::{Gap, Rectangle};
-pub(crate) use kernel::profile;
-use newton::Depth;
-pub(crate) use newton::{Factors, Question, Touching, solve as touching};
-pub(crate) use rules::MOST;
-pub(crate) use strip::Strip;
-use strip::Units;
-use system::CENTRED;
+use super::patch::Patch;
+use super::touching::{self, CENTRED, Depth, Factors, Question, Strip, Touching};
+use laid::{Units, centre, laid, patches};
+
+pub(super) use laid::most;
 pub(super) use waves::terms;
 
 /// What is asked of strips.
@@ -74,7 +62,7 @@ pub(super) fn solve(
     wanted: Wanted,
 ) -> Option<Found> {
     let Wanted { count, terms, enough, nearly, mut attempts, .. } = wanted;
-    let units = units(task, start)?;
+    let units = Units::of(task, start)?;
     let gap = |x: f64, y: f64| {
         let place = [x, y].map(|at| at * units.length);
         let h = task.gap.at(units.origin[0] + place[0], units.origin[1] + place[1]);
@@ -88,8 +76,8 @@ pub(super) fn solve(
         if terms == CENTRED {
             centre(&mut laid, task.gap, units);
         }
-        match touching(laid.clone(), terms, question) {
-            Ok(touching) if touching.strips.iter().all(is_pressed) => {
+        match touching::solve(laid.clone(), terms, question) {
+            Ok(touching) if touching.strips.iter().all(Strip::is_pressed) => {
                 let strips = &touching.strips;
                 let patches = patches(&start, strips, units);
                 if settled < SETTLED && moved([&start, &patches], &laid, wanted.settled, units) {
@@ -138,8 +126,8 @@ fn found(
     units: Units,
 ) -> Found {
     let strips = &touching.strips;
-    let peak = strip::peak(strips);
-    let summit = summit.then(|| summit::height(touching, terms, depth)).flatten();
+    let peak = touching::peak(strips);
+    let summit = summit.then(|| touching::height(touching, terms, depth)).flatten();
     Found {
         patches,
         approach: task.approach + units.depth * touching.deeper,
@@ -178,88 +166,4 @@ fn fall_to_tips(start: &[Patch], strips: &[Strip]) -> bool {
         let own: Vec<&Strip> = strips.iter().filter(|strip| strip.band == index).collect();
         anew::bears_at_tips(band, &own) == [false; 2]
     })
-}
-
-/// Strips across the widest band, so that none becomes so slender that its ends follow those of its
-/// neighbours by chance.
-pub(super) fn most(start: &[Patch]) -> usize {
-    const SLENDEREST: f64 = 200.0;
-    const LEAST: usize = 6;
-    let bands = || start.iter().flat_map(Patch::bands);
-    let widest = bands().map(width).fold(0.0, f64::max);
-    let most = bands().map(|band| {
-        let [from, to] = band.x();
-        SLENDEREST * (width(band) * widest).sqrt() / (0.5 * (to - from))
-    });
-    whole(most.fold(f64::INFINITY, f64::min).min(f64::from(u16::MAX))).max(LEAST)
-}
-
-/// Strips in all bands, more in the wider ones; `None` if they are too many.
-fn laid(start: &[Patch], count: usize, terms: usize, units: Units) -> Option<Vec<Strip>> {
-    let bands: Vec<&Band> = start.iter().flat_map(Patch::bands).collect();
-    let widest = bands.iter().map(|band| width(band)).fold(0.0, f64::max);
-    let strips = bands.iter().enumerate().flat_map(|(index, band)| {
-        let share = (width(band) / widest).sqrt();
-        let strips = whole((count as f64 * share).round()).clamp(FEWEST.min(count), count);
-        strip::lay(band, index, strips, terms, units)
-    });
-    let strips: Vec<Strip> = strips.collect();
-    let usable = strips.len() <= MOST_STRIPS && strips.iter().all(|strip| strip.half > 0.0);
-    usable.then_some(strips)
-}
-
-/// Lays strips about the x that all sections are symmetric about.
-fn centre(laid: &mut [Strip], gap: &Gap, units: Units) {
-    let Some(axis) = gap.axis() else { return };
-    for strip in laid {
-        strip.centre = (axis - units.origin[0]) / units.length;
-    }
-}
-
-/// Strips of the narrowest band.
-const FEWEST: usize = 4;
-/// Newton's matrix has six rows a strip at most.
-const MOST_STRIPS: usize = 120;
-
-fn width(band: &Band) -> f64 {
-    band.y()[1] - band.y()[0]
-}
-
-/// Lengths by the root of the area, depths by the greatest at the strips.
-fn units(task: Task<'_>, start: &[Patch]) -> Option<Units> {
-    let area: f64 = start.iter().map(Patch::area).sum();
-    let Rectangle { x, y } = start.first()?.extent();
-    let origin = [x, y].map(|[low, high]| f64::midpoint(low, high));
-    let depth = start
-        .iter()
-        .flat_map(Patch::bands)
-        .flat_map(|band| band.rows().map(|y| (band.ends(y), y)).collect::<Vec<_>>())
-        .filter_map(|(ends, y)| ends.map(|[from, to]| (f64::midpoint(from, to), y)))
-        .map(|(x, y)| task.approach - task.gap.at(x, y))
-        .fold(0.0, f64::max);
-    let length = area.sqrt();
-    let pressure = task.modulus * depth / length;
-    (depth > 0.0 && length > 0.0).then_some(Units { origin, length, depth, pressure })
-}
-
-/// No tension anywhere in a strip.
-fn is_pressed(strip: &Strip) -> bool {
-    const POINTS: i32 = 8;
-    (-POINTS..=POINTS).all(|i| profile(&strip.pressure, f64::from(i) / f64::from(POINTS)) >= 0.0)
-}
-
-fn patches(start: &[Patch], strips: &[Strip], units: Units) -> Vec<Patch> {
-    let mut index = 0;
-    start
-        .iter()
-        .map(|patch| {
-            let bands = patch.bands().iter().map(|laid| {
-                let own: Vec<Strip> =
-                    strips.iter().filter(|strip| strip.band == index).copied().collect();
-                index += 1;
-                strip::band(&own, units, laid, laid.tips())
-            });
-            Patch::new(bands.collect())
-        })
-        .collect()
 }

@@ -2,14 +2,10 @@
 
 use pulp::{Arch, Simd, WithSimd};
 
+use super::laid::Units;
 use crate::normal::level::Task;
 use crate::normal::overlap::Overlap;
-
-use super::newton::{Depth, Touching};
-use super::rules::MOST;
-use super::sources::Sources;
-use super::strip::{Strip, Units};
-use super::system::CENTRED;
+use crate::normal::touching::{CENTRED, Depth, MOST, Sources, Strip, Touching};
 
 /// Rows, and columns where the gap is not a parabola along them.
 const ROWS: u32 = 160;

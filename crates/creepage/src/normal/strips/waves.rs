@@ -2,13 +2,10 @@
 
 use std::f64::consts::PI;
 
-use super::CENTRED;
-use super::newton::Depth;
-use super::rules::MOST;
-use super::strip::{self, Strip};
 use crate::gap::Gap;
 use crate::normal::band::Band;
-use crate::normal::contact::Patch;
+use crate::normal::patch::Patch;
+use crate::normal::touching::{self, CENTRED, Depth, MOST, Strip};
 
 /// Polynomials that a strip's pressure needs: on a parabola along rolling two, on other sections four
 /// or [`MOST`]; `None` where their waves are too short for that. Where all sections are symmetric
@@ -61,7 +58,7 @@ fn chebyshev(of: impl Fn(f64) -> f64) -> impl Iterator<Item = (usize, f64)> {
 pub(super) fn missed_across(strips: &[Strip], depth: Depth<'_>) -> f64 {
     let width: f64 = strips.iter().map(|strip| strip.width).sum();
     let longest = strips.iter().map(|strip| strip.half).fold(0.0, f64::max);
-    let top = strip::top(strips);
+    let top = touching::top(strips);
     let is_near = |four: &&[Strip]| {
         let is_one_band = four[0].band == four[3].band;
         is_one_band && (four[0].y..=four[3].y).contains(&strips[top].y)

@@ -12,6 +12,8 @@ use crate::lanes::{LANES, Lanes, each};
 
 /// Most polynomials in a strip's pressure.
 pub(crate) const MOST: usize = 8;
+/// So many polynomials are symmetric pressures about a centre that is known.
+pub(in crate::normal) const CENTRED: usize = 1;
 /// So many do with fewer points of quadrature.
 pub(super) const FEW: usize = 4;
 

@@ -1,17 +1,20 @@
 //! The peak pressure. Where curvature changes next to it, strips as wide as the load needs are too
 //! wide for the summit: about it they are cut into narrower ones, all others being held.
 
-use super::is_pressed;
-use super::newton::{Depth, Touching};
+use super::newton::Touching;
 use super::strip::{self, Strip};
-use super::system::{System, zeros};
+use super::system::{Depth, System, zeros};
 
 /// Strips to either side of the highest that are cut, and into how many.
 const BESIDE: usize = 2;
 const PARTS: u32 = 3;
 
 /// The highest pressure of strips that touch; `None` at the end of a band.
-pub(super) fn height(touching: &Touching, terms: usize, depth: Depth<'_>) -> Option<f64> {
+pub(in crate::normal) fn height(
+    touching: &Touching,
+    terms: usize,
+    depth: Depth<'_>,
+) -> Option<f64> {
     cut(touching, terms, depth).map(|parts| strip::peak(&parts))
 }
 
@@ -30,7 +33,7 @@ fn cut(touching: &Touching, terms: usize, depth: Depth<'_>) -> Option<Vec<Strip>
     let strips = held.chain(&parts).copied().collect();
     let points = zeros(terms).collect();
     let system = System { strips, terms, points, deeper: touching.deeper };
-    system.with_pressures(count, depth).filter(|parts| parts.iter().all(is_pressed))
+    system.with_pressures(count, depth).filter(|parts| parts.iter().all(Strip::is_pressed))
 }
 
 /// A strip between its neighbours in the same band.

@@ -6,18 +6,18 @@ use std::f64::consts::PI;
 use nalgebra::{DMatrix, DVector};
 use pulp::{Arch, Simd, WithSimd};
 
-use super::newton::{Depth, Question, Step};
-use super::rules::MOST;
+use super::rules::{CENTRED, MOST};
 use super::sources::Sources;
 use super::strip::Strip;
 use crate::lanes::LANES;
 
-/// A system after a step, its residual, the size of that, and the part of the step that was taken.
-pub(super) struct Improved {
-    pub(super) system: System,
-    pub(super) residual: DVector<f64>,
-    pub(super) size: f64,
-    pub(super) length: f64,
+/// The depth of undeformed penetration, at x and y in the solver's units.
+pub(crate) type Depth<'a> = &'a dyn Fn(f64, f64) -> f64;
+
+/// A step: what is subtracted from the unknowns, and what is added to the depth.
+pub(super) struct Step {
+    pub(super) unknowns: DVector<f64>,
+    pub(super) deeper: f64,
 }
 
 /// Strips in contact, their unknowns and equations.
@@ -29,9 +29,6 @@ pub(super) struct System {
     /// What is added to the depth.
     pub(super) deeper: f64,
 }
-
-/// So many polynomials are symmetric pressures about a centre that is known.
-pub(crate) const CENTRED: usize = 1;
 
 /// Zeros of Chebyshev's polynomial: as many as a strip has unknowns. Of a symmetric strip those to one
 /// side are enough.
@@ -215,7 +212,7 @@ impl System {
 
     /// How far a step may go: no half length changes by more than a third, no centre moves
     /// further. `None` when the step is not a number.
-    fn longest(&self, step: &DVector<f64>) -> Option<f64> {
+    pub(super) fn longest(&self, step: &DVector<f64>) -> Option<f64> {
         const MOST: f64 = 0.35;
         let size = self.size();
         let lengths = step.as_slice().chunks_exact(size).flat_map(|own| &own[self.terms..]);
@@ -227,27 +224,6 @@ impl System {
     pub(super) fn after(&self, step: &Step) -> Option<Self> {
         let length = self.longest(&step.unknowns)?;
         (length >= 1.0).then(|| self.moved(step, length))
-    }
-
-    /// The system after a step, the step halved until the residual falls.
-    pub(super) fn improved(
-        &self,
-        step: &Step,
-        size: f64,
-        question: Question<'_>,
-    ) -> Option<Improved> {
-        const SHORTEST: f64 = 0.03;
-        let mut length = self.longest(&step.unknowns)?;
-        while length > SHORTEST {
-            let system = self.moved(step, length);
-            let residual = system.residual(question.depth);
-            let left = question.size(&system, &residual);
-            if left < size * (1.0 - 0.1 * length) {
-                return Some(Improved { system, residual, size: left, length });
-            }
-            length *= 0.5;
-        }
-        None
     }
 
     /// The system after a step that minimizes the square of the residual and, weighted, of the
@@ -279,7 +255,8 @@ impl System {
         })
     }
 
-    fn moved(&self, Step { unknowns: step, deeper }: &Step, length: f64) -> Self {
+    /// The system after a part of a step.
+    pub(super) fn moved(&self, Step { unknowns: step, deeper }: &Step, length: f64) -> Self {
         let size = self.size();
         let strips = self.strips.iter().enumerate().map(|(j, strip)| {
             let mut strip = *strip;

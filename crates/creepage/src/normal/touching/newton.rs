@@ -5,11 +5,8 @@ use std::sync::Arc;
 use nalgebra::DVector;
 
 use super::strip::Strip;
-use super::system::{Improved, System, points};
+use super::system::{Depth, Step, System, points};
 use crate::lu::Lu;
-
-/// The depth of undeformed penetration, at x and y in the solver's units.
-pub(crate) type Depth<'a> = &'a dyn Fn(f64, f64) -> f64;
 
 /// What is to be solved, in the solver's units.
 #[derive(Clone, Copy)]
@@ -27,7 +24,7 @@ pub(crate) struct Question<'a> {
 
 impl Question<'_> {
     /// How far a system is from its answer: the largest residual, and what the load lacks.
-    pub(super) fn size(&self, system: &System, residual: &DVector<f64>) -> f64 {
+    fn size(&self, system: &System, residual: &DVector<f64>) -> f64 {
         let lacking = self.load.map_or(0.0, |load| 1.0 - system.load() / load);
         residual.amax().max(lacking.abs())
     }
@@ -148,7 +145,7 @@ impl<'a> Search<'a> {
             let lengths = step.unknowns.iter().skip(size_of_strip - 1);
             lengths.step_by(size_of_strip).copied().collect()
         };
-        let improved = self.system.improved(&step, size, self.question);
+        let improved = self.improved(&step, size);
         let Some(Improved { system, residual, size: left, length }) = improved else {
             // An old matrix is given up first.
             let shrinking = shrinking();
@@ -175,6 +172,22 @@ impl<'a> Search<'a> {
         }
         self.factors = self.serves_again(size, left).then_some(factors);
         Ok(())
+    }
+
+    /// The system after a step, the step halved until the residual falls.
+    fn improved(&self, step: &Step, size: f64) -> Option<Improved> {
+        const SHORTEST: f64 = 0.03;
+        let mut length = self.system.longest(&step.unknowns)?;
+        while length > SHORTEST {
+            let system = self.system.moved(step, length);
+            let residual = system.residual(self.question.depth);
+            let left = self.question.size(&system, &residual);
+            if left < size * (1.0 - 0.1 * length) {
+                return Some(Improved { system, residual, size: left, length });
+            }
+            length *= 0.5;
+        }
+        None
     }
 
     /// A matrix of this place.
@@ -219,6 +232,14 @@ impl<'a> Search<'a> {
     }
 }
 
+/// A system after a step, its residual, the size of that, and the part of the step that was taken.
+struct Improved {
+    system: System,
+    residual: DVector<f64>,
+    size: f64,
+    length: f64,
+}
+
 /// Improves a step by those taken with the same matrix, as if each had updated that (Broyden 1965).
 fn improve(step: &mut DVector<f64>, taken: &[DVector<f64>]) {
     /// A part that may be left of the step along the last one: else the matrix is of no use there.
@@ -230,12 +251,6 @@ fn improve(step: &mut DVector<f64>, taken: &[DVector<f64>]) {
     if let Some(last) = taken.last() {
         *step /= (1.0 - part(last, step)).max(LEAST);
     }
-}
-
-/// A step: what is subtracted from the unknowns, and what is added to the depth.
-pub(super) struct Step {
-    pub(super) unknowns: DVector<f64>,
-    pub(super) deeper: f64,
 }
 
 /// The factored matrix of some system.

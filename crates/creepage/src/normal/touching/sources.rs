@@ -8,15 +8,14 @@ use std::array::from_fn;
 use std::f64::consts::PI;
 
 use super::kernel::{Integrals, View, log_integrals, log_slopes};
-use super::rules::{Node, RULES};
+use super::rules::{CENTRED, Node, RULES};
 use super::side::{Places, TABLE, TABULATED};
 use super::strip::Strip;
-use super::system::CENTRED;
 use crate::lanes::{LANES, Lanes, each, ln};
 
 /// Neighbouring strips whose pressures have `T` terms.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Sources<const T: usize> {
+pub(in crate::normal) struct Sources<const T: usize> {
     y: Lanes,
     width: Lanes,
     centre: Lanes,
@@ -40,7 +39,7 @@ pub(super) struct Displacements<const T: usize> {
 
 impl<const T: usize> Sources<T> {
     /// All strips, in their order.
-    pub(super) fn all(strips: &[Strip]) -> Vec<Self> {
+    pub(in crate::normal) fn all(strips: &[Strip]) -> Vec<Self> {
         strips.chunks(LANES).filter_map(Self::new).collect()
     }
 
@@ -65,7 +64,7 @@ impl<const T: usize> Sources<T> {
 
     /// Displacement at a point by the pressures of all.
     #[inline(always)]
-    pub(super) fn displacement(&self, at: [f64; 2]) -> f64 {
+    pub(in crate::normal) fn displacement(&self, at: [f64; 2]) -> f64 {
         self.sum(&self.displacements::<false>(at, None))
     }
 
@@ -279,7 +278,7 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
-    use crate::normal::strips::rules::MOST;
+    use crate::normal::touching::MOST;
 
     /// One strip of half length 1, seen from `(x, 0)`.
     fn one(low: f64, high: f64) -> Sources<TABULATED> {

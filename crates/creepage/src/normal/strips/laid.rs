@@ -1,39 +1,11 @@
 //! Strips laid into bands, and bands made of strips.
 
+use crate::gap::{Gap, Rectangle};
 use crate::normal::band::{Band, Chord, place};
-
-use super::kernel::profile;
-use super::rules::MOST;
-
-/// A strip along rolling: lengths and pressures in the solver's units.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Strip {
-    pub(crate) y: f64,
-    /// Half its width across rolling.
-    pub(crate) width: f64,
-    pub(crate) centre: f64,
-    pub(crate) half: f64,
-    /// The pressure is `sqrt(1 - s^2)` times these of Chebyshev's polynomials `U_k(s)`.
-    pub(crate) pressure: [f64; MOST],
-    /// Which band it belongs to.
-    pub(crate) band: usize,
-}
-
-impl Strip {
-    pub(crate) fn load(&self) -> f64 {
-        std::f64::consts::PI * self.width * self.half * self.pressure[0]
-    }
-
-    /// The pressure at `s`.
-    pub(super) fn at(&self, s: f64) -> f64 {
-        (1.0 - s * s).sqrt() * profile(&self.pressure, s)
-    }
-
-    pub(super) fn peak(&self) -> f64 {
-        const POINTS: i32 = 20;
-        (1 - POINTS..POINTS).map(|i| self.at(f64::from(i) / f64::from(POINTS))).fold(0.0, f64::max)
-    }
-}
+use crate::normal::lattice::whole;
+use crate::normal::level::Task;
+use crate::normal::patch::Patch;
+use crate::normal::touching::{MOST, Strip, profile};
 
 /// Units of length, depth and pressure, and the origin, of the solver.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -46,19 +18,80 @@ pub(super) struct Units {
 }
 
 impl Units {
+    /// Lengths by the root of the area, depths by the greatest at the strips.
+    pub(super) fn of(task: Task<'_>, start: &[Patch]) -> Option<Self> {
+        let area: f64 = start.iter().map(Patch::area).sum();
+        let Rectangle { x, y } = start.first()?.extent();
+        let origin = [x, y].map(|[low, high]| f64::midpoint(low, high));
+        let depth = start
+            .iter()
+            .flat_map(Patch::bands)
+            .flat_map(|band| band.rows().map(|y| (band.ends(y), y)).collect::<Vec<_>>())
+            .filter_map(|(ends, y)| ends.map(|[from, to]| (f64::midpoint(from, to), y)))
+            .map(|(x, y)| task.approach - task.gap.at(x, y))
+            .fold(0.0, f64::max);
+        let length = area.sqrt();
+        let pressure = task.modulus * depth / length;
+        (depth > 0.0 && length > 0.0).then_some(Self { origin, length, depth, pressure })
+    }
+
     pub(super) fn force(self) -> f64 {
         self.pressure * self.length * self.length
     }
 }
 
-/// Lays strips into a band, closer towards its sides.
-pub(super) fn lay(
-    band: &Band,
-    index: usize,
+/// Strips of the narrowest band.
+pub(super) const FEWEST: usize = 4;
+/// Newton's matrix has six rows a strip at most.
+const MOST_STRIPS: usize = 120;
+
+/// Strips across the widest band, so that none becomes so slender that its ends follow those of its
+/// neighbours by chance.
+pub(in crate::normal) fn most(start: &[Patch]) -> usize {
+    const SLENDEREST: f64 = 200.0;
+    const LEAST: usize = 6;
+    let bands = || start.iter().flat_map(Patch::bands);
+    let widest = bands().map(width).fold(0.0, f64::max);
+    let most = bands().map(|band| {
+        let [from, to] = band.x();
+        SLENDEREST * (width(band) * widest).sqrt() / (0.5 * (to - from))
+    });
+    whole(most.fold(f64::INFINITY, f64::min).min(f64::from(u16::MAX))).max(LEAST)
+}
+
+/// Strips in all bands, more in the wider ones; `None` if they are too many.
+pub(super) fn laid(
+    start: &[Patch],
     count: usize,
     terms: usize,
     units: Units,
-) -> Vec<Strip> {
+) -> Option<Vec<Strip>> {
+    let bands: Vec<&Band> = start.iter().flat_map(Patch::bands).collect();
+    let widest = bands.iter().map(|band| width(band)).fold(0.0, f64::max);
+    let strips = bands.iter().enumerate().flat_map(|(index, band)| {
+        let share = (width(band) / widest).sqrt();
+        let strips = whole((count as f64 * share).round()).clamp(FEWEST.min(count), count);
+        lay(band, index, strips, terms, units)
+    });
+    let strips: Vec<Strip> = strips.collect();
+    let usable = strips.len() <= MOST_STRIPS && strips.iter().all(|strip| strip.half > 0.0);
+    usable.then_some(strips)
+}
+
+/// Lays strips about the x that all sections are symmetric about.
+pub(super) fn centre(laid: &mut [Strip], gap: &Gap, units: Units) {
+    let Some(axis) = gap.axis() else { return };
+    for strip in laid {
+        strip.centre = (axis - units.origin[0]) / units.length;
+    }
+}
+
+fn width(band: &Band) -> f64 {
+    band.y()[1] - band.y()[0]
+}
+
+/// Lays strips into a band, closer towards its sides.
+fn lay(band: &Band, index: usize, count: usize, terms: usize, units: Units) -> Vec<Strip> {
     // Sine of nine tenths of a right angle: the outermost strips are a third as wide.
     const CLUSTER: f64 = 0.8 * std::f64::consts::FRAC_PI_2;
     // Of the shortest chord: at a waist a cubic through squared lengths may fall below zero.
@@ -107,8 +140,25 @@ fn projected(band: &Band, y: f64, terms: usize) -> [f64; MOST] {
     coefficients
 }
 
+/// The areas that strips make, which were laid into `start`.
+pub(super) fn patches(start: &[Patch], strips: &[Strip], units: Units) -> Vec<Patch> {
+    let mut index = 0;
+    start
+        .iter()
+        .map(|patch| {
+            let bands = patch.bands().iter().map(|laid| {
+                let own: Vec<Strip> =
+                    strips.iter().filter(|strip| strip.band == index).copied().collect();
+                index += 1;
+                band(&own, units, laid, laid.tips())
+            });
+            Patch::new(bands.collect())
+        })
+        .collect()
+}
+
 /// The band that strips make; tips lie where the squared half length reaches zero.
-pub(super) fn band(strips: &[Strip], units: Units, laid: &Band, tips: [bool; 2]) -> Band {
+fn band(strips: &[Strip], units: Units, laid: &Band, tips: [bool; 2]) -> Band {
     let chords: Vec<Chord> = strips
         .iter()
         .map(|strip| {
@@ -150,28 +200,4 @@ fn tip(squares: &[(f64, f64)], laid: f64) -> f64 {
     let most = NEAR[1] * reach;
     let falls = distance > 0.0 && distance.is_finite();
     y0 - inward * if falls { distance.clamp(NEAR[0] * reach, most) } else { most }
-}
-
-/// The strip of greatest pressure; the first where there are none.
-pub(super) fn top(strips: &[Strip]) -> usize {
-    let peaks = strips.iter().map(Strip::peak).enumerate();
-    peaks.max_by(|(_, one), (_, other)| one.total_cmp(other)).map_or(0, |(top, _)| top)
-}
-
-/// The top of the parabola across through the strip of greatest pressure and its neighbours.
-pub(super) fn peak(strips: &[Strip]) -> f64 {
-    let top = top(strips);
-    let highest = strips.get(top).map_or(0.0, Strip::peak);
-    let neighbour = |at: Option<usize>| {
-        let at = at.filter(|&at| at < strips.len() && strips[at].band == strips[top].band)?;
-        Some((strips[at].y - strips[top].y, strips[at].peak() - highest))
-    };
-    let (Some((low, below)), Some((high, above))) =
-        (neighbour(top.checked_sub(1)), neighbour(Some(top + 1)))
-    else {
-        return highest;
-    };
-    let bend = (above / high - below / low) / (high - low);
-    let slope = above / high - bend * high;
-    if bend < 0.0 { highest - 0.25 * slope * slope / bend } else { highest }
 }

@@ -1,11 +1,30 @@
-//! Rigid slip on a curved contact: what it has beyond creepage and spin at the reference point.
+//! The rigid slip that a contact rolls with; on a curved one, what it has beyond creepage and spin at the
+//! reference point.
 
+use creepage::{Creepage, Scaling};
 use creepage_rail::{Contact, Motion, RollingCreepage};
 
 /// Rows across the contact at which the slip is looked up.
 const ROWS: u32 = 64;
 /// Half the distance along `x` between the two places of a row, over the overlap's length.
 const APART: f64 = 0.2;
+
+/// What rolling is solved for, in a theory's units.
+#[derive(Debug, Clone)]
+pub(super) struct RigidMotion {
+    pub(super) creepage: Creepage,
+    pub(super) scaling: Scaling,
+    pub(super) curving: Option<Curving>,
+}
+
+impl RigidMotion {
+    /// What a curved contact adds to the rigid slip at a place.
+    pub(super) fn more(&self, at: [f64; 2]) -> [f64; 2] {
+        let Self { scaling, curving, .. } = self;
+        let Some(curving) = curving else { return [0.0; 2] };
+        curving.at(at.map(|at| at * scaling.length)).map(|slip| slip / scaling.slip)
+    }
+}
 
 /// Slip over the rolling speed beyond that of a flat contact, by rows across, linear between
 /// them and along each.
@@ -46,7 +65,7 @@ impl Curving {
     }
 
     /// The slip beyond creepage and spin at a place (m); beyond the rows that of the outermost.
-    pub(super) fn at(&self, [x, s]: [f64; 2]) -> [f64; 2] {
+    fn at(&self, [x, s]: [f64; 2]) -> [f64; 2] {
         let after = self.rows.partition_point(|row| row.s <= s);
         let low = after.checked_sub(1).and_then(|i| self.rows.get(i));
         match (low, self.rows.get(after)) {

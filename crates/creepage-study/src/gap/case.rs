@@ -1,0 +1,131 @@
+//! A case of two bodies of any shape, every number of it checked, and which theories solve one.
+
+use creepage::approximate::non_hertzian::Simplified;
+use creepage::approximate::{fastrip, fastsim};
+use creepage::friction_law::RollingFriction;
+use creepage::gap::Gap;
+use creepage::{Layer, SiCreepage, SolidPair, TheorySpec};
+
+use super::creepage::SiGiven;
+use super::error::GapCaseError;
+use super::theory::GapTheory;
+use crate::CaseError;
+use crate::case::solve;
+use crate::damage::DamageWanted;
+
+/// What presses the bodies together.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Pressed {
+    /// A normal force (N).
+    Load(f64),
+    /// An approach (m).
+    Approach(f64),
+}
+
+/// One case of bodies of any shape, every number of it checked.
+#[derive(Debug, Clone)]
+pub struct GapCase {
+    /// The undeformed distance.
+    pub gap: Gap,
+    /// The key that gave it, with its file.
+    pub shape: String,
+    /// The equivalent solid of both bodies.
+    pub pair: SolidPair,
+    /// Load or approach.
+    pub pressed: Pressed,
+    /// Coefficient of friction `mu`, at rest where it depends on the slip.
+    pub friction: f64,
+    /// How friction varies, where it is not constant.
+    pub rolling_friction: Option<RollingFriction>,
+    /// The layer between the bodies.
+    pub layer: Option<Layer>,
+    /// What is wanted of wear and fatigue, if anything is.
+    pub damage: Option<DamageWanted>,
+    /// Creepages and wanted forces.
+    pub given: SiGiven,
+    /// Rolling velocity (m/s), where it is known.
+    pub speed: Option<f64>,
+    /// The theory of rolling.
+    pub theory: GapTheory,
+}
+
+impl GapCase {
+    /// The same case by the theory of another name, with its default options.
+    ///
+    /// # Errors
+    /// [`GapCaseError`] for a name that is unknown, or of a theory that needs an ellipse.
+    pub fn by_theory(self, name: &str) -> Result<Self, GapCaseError> {
+        let spec = TheorySpec::named(name).map_err(|unknown| {
+            GapCaseError::Case(CaseError::from(solve::SpecError::from(unknown)))
+        })?;
+        self.by_spec(&spec)
+    }
+
+    /// The same case with the undeformed distance at the points `[x, y, gap]` (m) of a rectangular grid,
+    /// in any order.
+    ///
+    /// # Errors
+    /// [`GapCaseError::Gap`] for points that are no grid.
+    pub fn with_grid(self, points: &[[f64; 3]]) -> Result<Self, GapCaseError> {
+        let shape = "grid".to_owned();
+        let wrong = |source| GapCaseError::Gap { shape: shape.clone(), source };
+        Ok(Self { gap: Gap::grid(points).map_err(wrong)?, shape, ..self })
+    }
+
+    /// The same case at this creepage, with no forces wanted.
+    ///
+    /// # Errors
+    /// [`GapCaseError`] for numbers that are not finite.
+    pub fn at(self, creepage: SiCreepage) -> Result<Self, GapCaseError> {
+        Ok(Self { given: SiGiven::at(creepage)?, ..self })
+    }
+
+    /// The same case by another theory.
+    ///
+    /// # Errors
+    /// [`GapCaseError`] for a theory or an option that needs an ellipse.
+    pub fn by_spec(self, spec: &TheorySpec) -> Result<Self, GapCaseError> {
+        Ok(Self { theory: GapTheory::new(spec)?, ..self })
+    }
+}
+
+impl GapTheory {
+    /// The theory of `[solve]`, if it takes any shape, and its options mean something here.
+    ///
+    /// # Errors
+    /// [`GapCaseError`] for a theory or an option that needs an ellipse.
+    pub fn new(spec: &TheorySpec) -> Result<Self, GapCaseError> {
+        let name = spec.facts().name;
+        let without = |key, why| Err(GapCaseError::Option { name, key, why });
+        let usual = fastsim::Settings::default();
+        match spec {
+            TheorySpec::Exact(options) => Ok(Self::Exact(*options)),
+            TheorySpec::Fastsim(settings) if settings.flexibility != usual.flexibility => {
+                without("flexibility", "areas of any shape have one flexibility each")
+            }
+            TheorySpec::Fastsim(settings) if settings.bound != usual.bound => {
+                without("bound", "the bound is mu times the true pressure")
+            }
+            TheorySpec::Fastsim(settings) => {
+                Ok(Self::Simplified(Simplified::Fastsim, settings.grid))
+            }
+            TheorySpec::Fastrip(options) if options.variant != fastrip::Variant::default() => {
+                without("variant", "areas of any shape have the consistent one")
+            }
+            TheorySpec::Fastrip(options) => Ok(Self::Simplified(Simplified::Fastrip, options.grid)),
+            TheorySpec::Linear(_) => Ok(Self::Simplified(Simplified::Linear, usual.grid)),
+            TheorySpec::Saturated(_) => Ok(Self::Simplified(Simplified::Saturated, usual.grid)),
+            TheorySpec::Variational(_) => {
+                Err(GapCaseError::Theory { name, why: "its polynomials are those of an ellipse" })
+            }
+            TheorySpec::Strip(_) => Err(GapCaseError::Theory {
+                name,
+                why: "it solves all strips of an ellipse in closed form; fastrip has them",
+            }),
+            _ => Err(GapCaseError::Theory {
+                name,
+                why: "it is a formula for the forces on an ellipse",
+            }),
+        }
+    }
+}

@@ -1,0 +1,74 @@
+//! Many contacts of any shape: each row of a table is a case by itself.
+
+use std::collections::VecDeque;
+use std::path::PathBuf;
+use std::sync::{Arc, Mutex, PoisonError};
+
+use creepage::gap::Gap;
+
+use super::case::GapCase;
+use super::error::GapCaseError;
+use super::file::GapFile;
+use super::shape::GapSection;
+use super::vary::{GapValue, GapVaried};
+
+/// A case with `[gap]` some of whose quantities have values of their own in every row. Each row is
+/// a case by itself; [`GapSolver`](super::GapSolver) presses anew only where it must.
+#[derive(Debug, Clone)]
+pub struct GapRows {
+    file: GapFile,
+    directory: PathBuf,
+    varied: Vec<GapVaried>,
+    /// Gaps of the latest rows, which rows that follow mostly share.
+    read: Arc<Mutex<VecDeque<(GapSection, Gap)>>>,
+}
+
+impl GapRows {
+    /// The case of a file whose quantities `varied` differ from row to row; a row gives their values
+    /// in that order. What does not vary is the file's; a shape, a load or an approach that varies
+    /// replaces the file's. Files of points stand in `directory`; one that many rows name is not read
+    /// again for each.
+    #[must_use]
+    pub fn new(file: GapFile, directory: PathBuf, varied: Vec<GapVaried>) -> Self {
+        Self { file, directory, varied, read: Arc::default() }
+    }
+
+    /// What differs from row to row.
+    #[must_use]
+    pub fn varied(&self) -> &[GapVaried] {
+        &self.varied
+    }
+
+    /// Whether rows have a rolling velocity, and so a frictional power.
+    #[must_use]
+    pub fn has_speed(&self) -> bool {
+        self.varied.contains(&GapVaried::Speed) || self.file.has_speed()
+    }
+
+    /// The case of a row.
+    ///
+    /// # Errors
+    /// [`GapCaseError`], as of a case file with these values.
+    pub fn case(&self, values: &[GapValue]) -> Result<GapCase, GapCaseError> {
+        let mut file = self.file.clone();
+        for (varied, value) in self.varied.iter().zip(values) {
+            file.set(*varied, value);
+        }
+        file.case_with(|section| self.gap(section))
+    }
+
+    fn gap(&self, section: &GapSection) -> Result<Gap, GapCaseError> {
+        /// More than rows are worked at together.
+        const KEPT: usize = 32;
+        let read = || self.read.lock().unwrap_or_else(PoisonError::into_inner);
+        let known = read().iter().find(|(known, _)| known == section).map(|(_, gap)| gap.clone());
+        if let Some(gap) = known {
+            return Ok(gap);
+        }
+        let gap = section.gap(&self.directory)?;
+        let mut read = read();
+        read.truncate(KEPT - 1);
+        read.push_front((section.clone(), gap.clone()));
+        Ok(gap)
+    }
+}

@@ -1,0 +1,126 @@
+//! What was pressed and rolled, as a solved wheelset keeps it.
+
+use std::sync::Arc;
+
+use creepage::Force;
+use creepage_rail::{Motion, Running, Side};
+
+use super::WheelsetSolver;
+use super::pressed::{Pressed, PressedWheel};
+use super::rolled::{Answer, Rolled, Rolling};
+use super::step::Place;
+use crate::GapTheory;
+use crate::wheelset::case::RigidSlip;
+use crate::wheelset::field::{Field, March};
+use crate::wheelset::nearby::Pitch;
+use crate::wheelset::rough;
+use crate::wheelset::solved::{SolvedContact, SolvedWheel, SolvedWheelset};
+
+impl WheelsetSolver<'_> {
+    /// Wheels in their places, with contacts that rolled.
+    pub(super) fn solved(
+        &self,
+        (places, wheels): (&[Place], &[PressedWheel<'_>]),
+        rollings: &[Rolling<'_, '_>],
+        rolled: &[Rolled<'_>],
+        found: (Motion, Pitch),
+    ) -> SolvedWheelset {
+        let solved = |(place, wheel): (&Place, &PressedWheel<'_>)| {
+            let all = rollings.iter().zip(rolled);
+            let own = all.filter(|(rolling, _)| rolling.wheel.side == wheel.side);
+            let contacts =
+                own.map(|(one, rolled)| SolvedContact::new(one.pressed, rolled, self.friction));
+            SolvedWheel::new(wheel, place.by(), self.press.running, contacts.collect())
+        };
+        let wheels = places.iter().zip(wheels).map(solved).collect();
+        SolvedWheelset::new(wheels, found, self.friction, self.slip, self.theory)
+    }
+}
+
+impl SolvedWheelset {
+    fn new(
+        wheels: Vec<SolvedWheel>,
+        (motion, pitch): (Motion, Pitch),
+        friction: f64,
+        slip: RigidSlip,
+        theory: GapTheory,
+    ) -> Self {
+        let (left, right, derivatives, drift) = (None, None, None, None);
+        let mut solved =
+            Self { left, right, motion, friction, slip, theory, derivatives, pitch, drift };
+        for wheel in wheels {
+            match wheel.side {
+                Side::Left => solved.left = Some(wheel),
+                Side::Right => solved.right = Some(wheel),
+            }
+        }
+        solved
+    }
+}
+
+impl SolvedWheel {
+    fn new(
+        wheel: &PressedWheel<'_>,
+        by: Option<[f64; 2]>,
+        running: &Running,
+        mut contacts: Vec<SolvedContact>,
+    ) -> Self {
+        let PressedWheel { side, position, depth, .. } = *wheel;
+        let rail = match side {
+            Side::Left => &running.track().left,
+            Side::Right => &running.track().right,
+        };
+        let [y, z] = rail.origin();
+        contacts.sort_by(|a, b| b.load().total_cmp(&a.load()));
+        let rail_origin = [0.0, side.sense() * y, z];
+        Self { side, position, depth, by, rail_origin, contacts }
+    }
+}
+
+impl SolvedContact {
+    fn new(pressed: &Pressed<'_>, rolled: &Rolled<'_>, friction: f64) -> Self {
+        let (contact, scaling) = (&pressed.contact, rolled.scaling);
+        let solution = rolled.solved.as_solved().solution();
+        let load = pressed.normal.load();
+        // The load's error bar makes the force err in proportion.
+        let part = load.error / load.value;
+        let force = solution.force;
+        let heat = scaling.force * scaling.slip;
+        Self {
+            side: contact.side,
+            reference: contact.reference,
+            angle: contact.angle,
+            y_rail: contact.y_rail,
+            y_wheel: contact.y_wheel,
+            normal: pressed.normal.clone(),
+            creepage: rolled.creepage,
+            force: rolled.force,
+            force_error: solution.error.map(|error| {
+                scaling.si_force(Force {
+                    fx: error.fx + part * force.fx.abs(),
+                    fy: error.fy + part * force.fy.abs(),
+                    mz: error.mz + part * force.mz.abs(),
+                })
+            }),
+            status: solution.status,
+            dissipation: rolled.solved.as_solved().dissipation().map(|power| heat * power),
+            scaling,
+            field: Field::of(rolled),
+            damage: None,
+            friction,
+            rough: rough::cautions(contact, &pressed.normal),
+        }
+    }
+}
+
+impl Field {
+    fn of(rolled: &Rolled<'_>) -> Self {
+        match &rolled.solved {
+            Answer::Exact(solved) => Self::Exact(solved.elements(), Arc::new(solved.tractions())),
+            Answer::Simplified(_, theory) => {
+                let (theory, motion) = (Arc::clone(theory), rolled.motion.clone());
+                Self::Simplified(Box::new(March { theory, motion }))
+            }
+        }
+    }
+}
