@@ -21,6 +21,8 @@ const MET: f64 = 3e-5;
 /// What may be left of friction's moment about the axle, in parts of what that could be, by methods that
 /// come before the last one.
 const ROUGHLY_BALANCED: f64 = 3e-4;
+/// A step on known friction that leaves more than this part of what was missed is followed by rolling.
+const HELPS: f64 = 0.5;
 /// To which part a search with coarse pressures may miss a load.
 const CLOSE: f64 = 5e-3;
 
@@ -160,8 +162,8 @@ impl<'w, 'a> Way<'w, 'a> {
         self.has_bars && is_near && round < FEW
     }
 
-    /// Beside a solved position friction is known nearly: it needs no rolling for a first step to the load, as
-    /// far as that follows the change of friction as well. Whether it went on so.
+    /// Beside a solved position friction is known nearly: no rolling before the load is met, or, where rolling
+    /// costs less than pressing, after a first step by how the load follows friction too. Whether it went on so.
     fn step_on_known_friction(
         &mut self,
         sought: &mut Sought<'a>,
@@ -171,12 +173,13 @@ impl<'w, 'a> Way<'w, 'a> {
         let shares = &self.start.shares;
         let missed = sought.missed(wheels, shares);
         let has_rolled = !self.is_beside || self.rolled_by.is_some();
-        let is_enough = missed <= MET || round > 0;
+        let is_cheap = matches!(self.method, Method::Simplified(..));
+        let is_enough = missed <= MET || missed >= HELPS * self.last || (is_cheap && round > 0);
         if has_rolled || (is_enough && self.has_bars) {
             return false;
         }
         self.last = if is_enough { 0.0 } else { missed };
-        sought.learn(wheels, shares, false);
+        sought.learn(wheels, shares, !is_cheap && round > 0);
         self.places = step::places((&sought.places, wheels), self.stance, self.load, shares);
         self.start.fine = Known::of(wheels);
         true
