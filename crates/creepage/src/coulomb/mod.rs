@@ -80,11 +80,11 @@ use workspace::Pool;
 /// The worst at the fine resolution are at `a/b = 5` and `chi = 2`, where grids of up to 182 x 42 and
 /// 134 x 74 elements agree with each other, and the reference is off by 0.12 %, beyond its uncertainty.
 ///
-/// Over 1,598 random cases (`a/b` .15 to 6, creepage to 3, spin to 8), against 96 x 80 elements, `fx`, `fy`
+/// Over 2,098 random cases (`a/b` .15 to 6, creepage to 3, spin to 8), against 96 x 80 elements, `fx`, `fy`
 /// and `mz` err by 0.14, 0.05 and 0.012 % rms at the three resolutions, 0.8, 0.36 and 0.13 % at worst, and
 /// 95 to 96 % are inside their error bars, which are three to four times the error in the median. Between
-/// unlike bodies (1,000 cases, `kappa/mu` to 3) it is 0.26, 0.09 and 0.025 %, 2.2, 0.62 and 0.19 %, 96 to
-/// 98 %, and five to six times.
+/// unlike bodies (500 cases, `kappa/mu` to 3) it is 0.18, 0.06 and 0.02 %, 1.0, 0.44 and 0.16 %, 97 to 98 %,
+/// and five to six times.
 ///
 /// Over 60 random cases of like bodies the border of adhesion errs along `x` by 0.011, 0.006 and 0.003 `c` in
 /// the median, and nine times in ten by less than 0.047, 0.026 and 0.010 `c` (`bench exact -- border 60`).
@@ -150,8 +150,7 @@ impl Exact {
     /// [`Exact::new`] for a contact that has been checked.
     fn prepare(contact: &Contact, resolution: Resolution) -> Self {
         let (ellipse, poisson) = (contact.ellipse(), contact.poisson());
-        let resolution = resolution.between_bodies(contact.kappa_over_mu());
-        let [along, across] = resolution.coarse_steady(ellipse.ratio());
+        let [along, across] = resolution.coarse_steady(ellipse.ratio(), contact.kappa_over_mu());
         let grids = Grid::pair(|k| {
             let mesh = mesh::Mesh::ellipse(ellipse, k * along, k * across);
             let grid = Grid::hertz(ellipse, poisson, contact.kappa_over_mu(), mesh).with_turning();
