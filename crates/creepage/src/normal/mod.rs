@@ -13,6 +13,7 @@ mod contact;
 mod elements;
 mod error;
 mod found;
+mod ladder;
 mod lattice;
 mod level;
 mod load;

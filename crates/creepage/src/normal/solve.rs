@@ -9,10 +9,10 @@ use super::contact::{Estimate, Method, Near, NormalContact, Resolution};
 use super::elements;
 use super::error::NormalError;
 use super::found::{Asked, Found, Pair, areas, contact, gap_points, scale};
+use super::ladder::{ENOUGH, NEARLY, Start, by_strips};
 use super::level::{Accuracy, Level, Task};
 use super::load;
 use super::overlap::Overlap;
-use super::patch::Patch;
 use super::start;
 use super::strips::{self, Wanted};
 
@@ -159,14 +159,6 @@ fn follow(gap: &Gap, near: &NormalContact, approach: f64) -> Option<NormalContac
     })
 }
 
-/// Tips by a few strips decide where more are laid, so that these hardly depend on the start: parts of a
-/// strip's width, coarse and fine.
-const SETTLED: [f64; 2] = [0.05, 0.4];
-/// Largest residual over the depth, coarse and fine.
-const ENOUGH: [f64; 2] = [1e-5, 1e-6];
-/// Stiffness: of an answer, and where one only searches.
-const NEARLY: [f64; 2] = [2e-3, 0.05];
-
 /// By strips laid into areas close by or guessed, where these turn out to be all.
 fn without_elements(
     task: Task<'_>,
@@ -209,134 +201,4 @@ fn by_elements(
         residual: fine.residual,
         excess: EXCESS / (count * count),
     })
-}
-
-/// Where the areas come from in which strips begin.
-#[derive(Debug, Clone, Copy, PartialEq)]
-enum Start {
-    /// A first look, which is to be improved if strips do not settle at once.
-    Rough,
-    /// Elements or a guess.
-    Elements,
-    /// A contact so close by that the finer strips may begin there.
-    Close,
-}
-
-/// Strips of the finer solution for each of the coarser.
-const HALVES: f64 = 2.0;
-
-/// From areas that are rough ones, or so close that the finer strips may begin there.
-///
-/// `None` when waves along rolling are too short, a strip vanishes, the equations stay unsolved, or the
-/// bodies overlap elsewhere: strips that are pressed everywhere and nowhere overlapped beyond solve the
-/// problem, whatever they began with.
-fn by_strips(
-    task: Task<'_>,
-    asked: Asked,
-    near: &Near<'_>,
-    resolution: Resolution,
-    kind: Start,
-) -> Option<Pair> {
-    /// Of the peak pressure: with more between strips, waves across are too short for them.
-    const UNSEEN: f64 = 0.02;
-    let Near { areas: start, factors, taken } = near;
-    let [half, whole, more] = wanted(task, asked, start, resolution, kind)?;
-    let next = |start: &[Patch], approach: f64, wanted: Wanted| {
-        strips::solve(Task { approach, ..task }, start, *factors, wanted)
-    };
-    if !resolution.with_errors {
-        let only = next(start, task.approach, whole)?;
-        return Some(Pair::of_strips(only.clone(), (only, whole.count), HALVES));
-    }
-    let finest = |fine: Found, finer: Found| {
-        let times = more.count as f64 / whole.count as f64;
-        Pair::of_strips(fine, (finer, more.count), times)
-    };
-    if *taken == Some(more.count)
-        && let Some(finer) = next(start, task.approach, more)
-        && let Some(fine) = next(&finer.patches, finer.approach, whole)
-    {
-        let is_even = !is_uneven(&fine, &finer, UNEVEN[1]);
-        let halved = if is_even { next(&fine.patches, fine.approach, half) } else { None };
-        return Some(match halved {
-            Some(coarse) => Pair::of_strips(coarse, (fine, whole.count), HALVES),
-            None => finest(fine, finer),
-        });
-    }
-    let ladder = || {
-        let coarse = next(start, task.approach, half)?;
-        let fine = next(&coarse.patches, coarse.approach, whole)?;
-        Some((Some(coarse), fine))
-    };
-    let at_once = || {
-        let fine = next(start, task.approach, whole)?;
-        Some((next(&fine.patches, fine.approach, half), fine))
-    };
-    let (coarse, fine) = match kind {
-        Start::Rough => ladder(),
-        Start::Elements => ladder().or_else(at_once),
-        Start::Close => at_once().or_else(ladder),
-    }?;
-    let halved = coarse.map(|coarse| (is_uneven(&fine, &coarse, UNEVEN[0]), coarse));
-    if let Some((false, coarse)) = halved {
-        return Some(Pair::of_strips(coarse, (fine, whole.count), HALVES));
-    }
-    if let Some(finer) = next(&fine.patches, fine.approach, more) {
-        return Some(finest(fine, finer));
-    }
-    let (_, coarse) = halved.filter(|_| fine.unseen <= UNSEEN * fine.peak)?;
-    Some(Pair::of_strips(coarse, (fine, whole.count), HALVES))
-}
-
-/// What is asked of half the strips, of them, and of more where they are not enough; `None` where waves along
-/// rolling are too short for any.
-fn wanted(
-    task: Task<'_>,
-    asked: Asked,
-    start: &[Patch],
-    resolution: Resolution,
-    kind: Start,
-) -> Option<[Wanted; 3]> {
-    let whole = Wanted {
-        load: if let Asked::Load(load) = asked { Some(load) } else { None },
-        count: resolution.count.min(strips::most(start)),
-        terms: strips::terms(task.gap, start)?,
-        enough: ENOUGH[1],
-        nearly: NEARLY[usize::from(!resolution.with_errors)],
-        complete: true,
-        summit: resolution.with_errors,
-        attempts: Wanted::ATTEMPTS,
-        settled: SETTLED[1],
-    };
-    let half = Wanted {
-        count: whole.count.div_ceil(2),
-        enough: ENOUGH[0],
-        // Their stiffness is not used.
-        nearly: f64::INFINITY,
-        complete: false,
-        // Better areas cost less than many attempts, and finer strips tell the error as well.
-        attempts: match kind {
-            Start::Rough => 1,
-            Start::Close => 2,
-            Start::Elements => Wanted::ATTEMPTS,
-        },
-        settled: SETTLED[usize::from(kind != Start::Rough)],
-        ..whole
-    };
-    Some([half, whole, Wanted { count: whole.count * 8 / 5, ..whole }])
-}
-
-/// How much the peak pressure may change with half and with 8/5 of the strips. The latter is less than such a
-/// change with an error that falls with the square of their number: more strips that served are kept.
-const UNEVEN: [f64; 2] = [0.02, 0.002];
-
-/// Whether more strips are needed than found a contact: the peak pressure is another by others, or changes where
-/// they are cut at the summit, waves across put a part of it between them, or the area is so skew that its
-/// edge is a stair.
-fn is_uneven(found: &Found, by_others: &Found, most: f64) -> bool {
-    let change = |other: f64| (found.peak / other - 1.0).abs();
-    change(by_others.peak) > most
-        || change(found.summit) > 0.005
-        || found.unseen > 0.005 * found.peak
-        || found.stairs() > 0.1
 }
