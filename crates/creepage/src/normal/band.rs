@@ -338,31 +338,16 @@ impl Band {
         Self::new(chords, self.y.map(|y| place(y, 1)), self.tips)
     }
 
-    /// The same moved along x and y.
-    pub(super) fn shifted(&self, [dx, dy]: [f64; 2]) -> Self {
-        self.mapped(dx, |y| y + dy)
-    }
-
     /// The same stretched across, its sides so much further out.
     pub(super) fn stretched(&self, [low, high]: [f64; 2]) -> Self {
         let [from, to] = self.y;
         let wider = (to - from + low + high) / (to - from);
-        if wider > 0.0 {
-            self.mapped(0.0, |y| from - low + wider * (y - from))
-        } else {
-            self.clone()
+        if wider <= 0.0 {
+            return self.clone();
         }
-    }
-
-    /// With its chords moved along x, and across.
-    fn mapped(&self, dx: f64, across: impl Fn(f64) -> f64) -> Self {
-        let chord = |chord: &Chord| Chord {
-            y: across(chord.y),
-            centre: chord.centre + dx,
-            ..chord.clone()
-        };
-        let chords = self.chords.iter().map(chord).collect();
-        Self::new(chords, self.y.map(across), self.tips)
+        let across = |y: f64| from - low + wider * (y - from);
+        let chord = |chord: &Chord| Chord { y: across(chord.y), ..chord.clone() };
+        Self::new(self.chords.iter().map(chord).collect(), self.y.map(across), self.tips)
     }
 
     pub(super) fn scale(&mut self, factor: f64) {

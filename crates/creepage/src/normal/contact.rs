@@ -166,13 +166,6 @@ impl NormalContact {
         self.rule.is_none_or(|rule| rule.reaches(self.load.value, area))
     }
 
-    /// The same seen from an origin moved by as much the other way: every area moved by `by` along x and y (m).
-    #[must_use]
-    pub fn shifted(self, by: [f64; 2]) -> Self {
-        let patches = self.patches.iter().map(|patch| patch.shifted(by)).collect();
-        Self { patches, ..self }
-    }
-
     /// By how much each area's least and greatest y lie further out (m) than from `near`, a contact close by,
     /// was to be expected at this approach; `None` where that has other areas.
     #[must_use]

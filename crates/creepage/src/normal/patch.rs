@@ -37,10 +37,6 @@ impl Patch {
         Self::new(self.bands.iter().map(|band| band.grown(factor, centre)).collect())
     }
 
-    pub(super) fn shifted(&self, by: [f64; 2]) -> Self {
-        Self::new(self.bands.iter().map(|band| band.shifted(by)).collect())
-    }
-
     /// The rectangle around it (m).
     #[must_use]
     pub fn extent(&self) -> Rectangle {

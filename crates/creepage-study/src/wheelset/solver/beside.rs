@@ -80,7 +80,7 @@ impl Known {
     /// Those of a solved position.
     pub(super) fn solved(solved: &SolvedWheelset) -> Vec<Self> {
         let contacts = solved.wheels().flat_map(SolvedWheel::contacts);
-        contacts.map(|own| Self::new(own.side, own.reference, &own.normal)).collect()
+        contacts.map(|own| Self::new(own.side, own.y_rail, &own.normal)).collect()
     }
 }
 
@@ -176,8 +176,7 @@ impl Drift {
 fn sides_beyond(before: &SolvedWheelset, solved: &SolvedWheelset) -> Vec<Vec<[f64; 2]>> {
     let known = Known::solved(before);
     let beyond = |own: &SolvedContact| {
-        let near = Known::next_to((own.side, own.reference, own.angle), &known)?;
-        own.normal.sides_beyond(&near)
+        own.normal.sides_beyond(Known::next_to(own.side, own.y_rail, &known)?)
     };
     let contacts = solved.wheels().flat_map(SolvedWheel::contacts);
     contacts.map(|own| beyond(own).unwrap_or_default()).collect()

@@ -38,36 +38,26 @@ pub(super) struct PressedWheel<'a> {
 #[derive(Debug, Clone)]
 pub(super) struct Known {
     side: Side,
-    /// The reference point in track axes (m).
-    reference: [f64; 3],
+    y_rail: f64,
     normal: NormalContact,
 }
 
 impl Known {
-    pub(super) fn new(side: Side, reference: [f64; 3], normal: &NormalContact) -> Self {
-        Self { side, reference, normal: normal.clone() }
+    pub(super) fn new(side: Side, y_rail: f64, normal: &NormalContact) -> Self {
+        Self { side, y_rail, normal: normal.clone() }
     }
 
     /// Those of some wheels.
     pub(super) fn of(wheels: &[PressedWheel<'_>]) -> Vec<Self> {
         let contacts = wheels.iter().flat_map(|wheel| &wheel.contacts);
-        let known =
-            |one: &Pressed<'_>| Self::new(one.contact.side, one.contact.reference, &one.normal);
-        contacts.map(known).collect()
+        contacts.map(|one| Self::new(one.contact.side, one.contact.y_rail, &one.normal)).collect()
     }
 
-    /// The one next to a reference point in a plane of some angle, as seen from there: a conforming contact
-    /// stays where it is while the undeformed bodies meet elsewhere.
-    pub(super) fn next_to(
-        (side, reference, angle): (Side, [f64; 3], f64),
-        all: &[Self],
-    ) -> Option<NormalContact> {
+    /// The one next to a place on a rail.
+    pub(super) fn next_to(side: Side, y_rail: f64, all: &[Self]) -> Option<&NormalContact> {
         let own = all.iter().filter(|known| known.side == side);
-        let distance = |known: &Self| (known.reference[1] - reference[1]).abs();
-        let nearest = own.min_by(|a, b| distance(a).total_cmp(&distance(b)))?;
-        let [dx, dy, dz] = [0, 1, 2].map(|k| nearest.reference[k] - reference[k]);
-        let (sin, cos) = angle.sin_cos();
-        Some(nearest.normal.clone().shifted([dx, cos * dy + sin * dz]))
+        let distance = |known: &Self| (known.y_rail - y_rail).abs();
+        own.min_by(|a, b| distance(a).total_cmp(&distance(b))).map(|known| &known.normal)
     }
 
     /// Has its areas' sides moved as they drift.
@@ -100,9 +90,8 @@ impl<'a> Press<'a> {
     ) -> Result<PressedWheel<'a>, WheelsetError> {
         let geometry = |source| WheelsetError::Position { side, source };
         let contacts = self.running.contacts_of(side, &position).map_err(geometry)?;
-        let near = |&Contact { side, reference, angle, .. }: &Contact<'a>| {
-            Known::next_to((side, reference, angle), known)
-        };
+        let near =
+            |contact: &Contact<'a>| Known::next_to(contact.side, contact.y_rail, known).cloned();
         let mut pressed: Vec<Beside<'a>> =
             contacts.into_iter().map(|contact| Beside::new(contact, near(&contact))).collect();
         self.press_beside(&mut pressed)?;
