@@ -278,7 +278,7 @@ fn a_killed_history_goes_on_to_the_same_bytes() {
     let row =
         |k: u32| format!("{},{}\n", 2e-5 * f64::from(k), 0.4 + 0.3 * (0.01 * f64::from(k)).sin());
     // Three times as many as are rolled before the state is first written, after two seconds.
-    let rows: String = (1..=12_000).map(row).collect();
+    let rows: String = (1..=8_000).map(row).collect();
     place.write("h.csv", format!("distance,xi\n{rows}"));
     let arguments = |out| ["roll", "case.toml", "--history", "h.csv", "--out", out];
     let mut child = std::process::Command::new(env!("CARGO_BIN_EXE_creepage"))
