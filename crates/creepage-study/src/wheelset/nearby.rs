@@ -23,7 +23,7 @@ pub(super) struct Drift {
     pub(super) faster: f64,
     /// By how much more friction pushes each contact aside.
     pub(super) shares: Shares,
-    /// By how much the areas of each contact reach further out on both sides (m).
+    /// By how much the areas of each contact, in the wheelset's order, reach further out on both sides (m).
     pub(super) sides: Vec<Vec<[f64; 2]>>,
 }
 

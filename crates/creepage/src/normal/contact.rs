@@ -166,8 +166,33 @@ impl NormalContact {
         self.rule.is_none_or(|rule| rule.reaches(self.load.value, area))
     }
 
-    /// By how much each area's least and greatest y lie further out (m) than from `near`, a contact close by,
+    /// By how much each band's least and greatest y lie further out (m) than from `near`, a contact close by,
     /// was to be expected at this approach; `None` where that has other areas.
+    ///
+    /// ```
+    /// use creepage::gap::{Gap, Rolling};
+    /// use creepage::normal::{NormalContact, Resolution};
+    /// use creepage::{Solid, SolidPair};
+    /// // A rail head of radius 0.3 m that moves by 0.3 mm a step.
+    /// let y: Vec<f64> = (-240..=240).map(|i| f64::from(i) * 0.05e-3).collect();
+    /// let gap = |at: f64| {
+    ///     let h: Vec<f64> = y.iter().map(|y| (y - at).powi(2) / 0.6).collect();
+    ///     Gap::section(&y, &h, Rolling::Radius(0.46))
+    /// };
+    /// let steel = Solid::new(82e9, 0.28)?;
+    /// let first = NormalContact::at_approach(
+    ///     &gap(0.0)?,
+    ///     SolidPair::new(steel, steel),
+    ///     50e-6,
+    ///     Resolution::FAST,
+    /// )?;
+    /// let second = first.next(&gap(0.3e-3)?, 50e-6, Resolution::FAST)?;
+    /// let drift = second.sides_beyond(&first).ok_or("other areas")?;
+    /// // The third one is found from where it is to be expected.
+    /// let third = second.with_sides_moved(&drift, 1.0).follow(&gap(0.6e-3)?, 50e-6);
+    /// assert!(third.is_some_and(|third| third.keeps_error_bars()));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     #[must_use]
     pub fn sides_beyond(&self, near: &Self) -> Option<Vec<[f64; 2]>> {
         let expected = near.grown(self.approach.value);
@@ -179,12 +204,13 @@ impl NormalContact {
 
     /// The same with areas so many times as much wider: where the next contact like this one is to be sought.
     #[must_use]
-    pub fn with_sides_moved(mut self, beyond: &[[f64; 2]], times: f64) -> Self {
-        let bands = self.patches.iter_mut().flat_map(Patch::bands_mut);
+    pub fn with_sides_moved(&self, beyond: &[[f64; 2]], times: f64) -> Self {
+        let mut moved = self.clone();
+        let bands = moved.patches.iter_mut().flat_map(Patch::bands_mut);
         for (band, beyond) in bands.zip(beyond) {
             *band = band.stretched(beyond.map(|by| times * by));
         }
-        self
+        moved
     }
 
     /// What it tells of another approach close by.

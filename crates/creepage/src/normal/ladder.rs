@@ -26,8 +26,8 @@ pub(super) const ENOUGH: [f64; 2] = [1e-5, 1e-6];
 pub(super) const NEARLY: [f64; 2] = [2e-3, 0.05];
 /// Strips of the finer solution for each of the coarser.
 const HALVES: f64 = 2.0;
-/// How much the peak pressure may change with half and with 8/5 of the strips. The latter is less than such a
-/// change with an error that falls with the square of their number: more strips that served are kept.
+/// How much the peak pressure may change with half and with 8/5 of the strips. Where its error falls with the
+/// square of their number the second would be 0.004; more strips that served are kept down to half of that.
 const UNEVEN: [f64; 2] = [0.02, 0.002];
 
 /// From areas that are rough ones, or so close that the finer strips may begin there.
@@ -173,9 +173,9 @@ impl<'a> Ladder<'a> {
     }
 }
 
-/// Whether more strips are needed than found a contact: the peak pressure is another by others, or changes where
-/// they are cut at the summit, waves across put a part of it between them, or the area is so skew that its
-/// edge is a stair.
+/// Whether more strips are needed than found a contact: the peak pressure changes with their number or where they
+/// are cut at the summit, waves across put a part of it between them, or the area is so skew that its edge is a
+/// stair.
 fn is_uneven(found: &Found, by_others: &Found, most: f64) -> bool {
     let change = |other: f64| (found.peak / other - 1.0).abs();
     change(by_others.peak) > most

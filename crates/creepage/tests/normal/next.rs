@@ -121,7 +121,7 @@ fn a_contact_drifts() {
     let [first, second, third] = [0.0, 1.0, 2.0].map(at);
     let beyond = second.sides_beyond(&first).unwrap();
     let [[low, high]] = beyond[..] else { panic!("{beyond:?}") };
-    let foreseen = second.clone().with_sides_moved(&beyond, 1.0);
+    let foreseen = second.with_sides_moved(&beyond, 1.0);
     let side = |contact: &NormalContact, k: usize| contact.patches()[0].bands()[0].y()[k];
     // To where strips lay their tips: .4 of the width of one.
     let enough = 0.02 * (side(&first, 1) - side(&first, 0));

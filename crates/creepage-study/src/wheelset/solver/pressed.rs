@@ -62,7 +62,7 @@ impl Known {
 
     /// Has its areas' sides moved as they drift.
     pub(super) fn drift(&mut self, beyond: &[[f64; 2]], times: f64) {
-        self.normal = self.normal.clone().with_sides_moved(beyond, times);
+        self.normal = self.normal.with_sides_moved(beyond, times);
     }
 }
 
