@@ -75,8 +75,15 @@ impl Extrapolation {
         Self { beyond, pole, bars: [0, 1, 2].map(bar) }
     }
 
-    /// The force of a coarser and of a finer grid, extrapolated.
-    pub(crate) fn force(&self, [coarse, fine]: [Force; 2]) -> Force {
+    /// The force of a coarser and of a finer grid in steady rolling, extrapolated as far as friction goes:
+    /// what is nearest within `mu N` is nearer to the true force too, wherever that is within.
+    pub(crate) fn force(&self, forces: [Force; 2]) -> Force {
+        let force = self.unbounded(forces);
+        let size = force.fx.hypot(force.fy).max(1.0);
+        Force { fx: force.fx / size, fy: force.fy / size, ..force }
+    }
+
+    fn unbounded(&self, [coarse, fine]: [Force; 2]) -> Force {
         combine(coarse, fine, |k, coarse, fine| fine + self.beyond[k] * (fine - coarse))
     }
 
@@ -98,13 +105,30 @@ impl Extrapolation {
     /// Its derivatives by `xi`, `eta` and `chi`, from those of both grids.
     pub(crate) fn derivative(&self, forces: [Force; 2], by: [[Force; 3]; 2]) -> [Force; 3] {
         let [coarse, fine] = forces;
+        let force = self.unbounded(forces);
         [0, 1, 2].map(|k| {
             let weights = LESS.map(|less| -BEYOND * less * self.pole[k + 1]);
             let by_weights = combine(coarse, fine, |i, coarse, fine| weights[i] * (fine - coarse));
-            let own = self.force([by[0][k], by[1][k]]);
-            combine(own, by_weights, |_, own, by_weights| own + by_weights)
+            let own = self.unbounded([by[0][k], by[1][k]]);
+            within(force, combine(own, by_weights, |_, own, by_weights| own + by_weights))
         })
     }
+}
+
+/// The force of a coarser and of a finer grid, extrapolated: no bound, for the load may change.
+pub(crate) fn extrapolate_force([coarse, fine]: [Force; 2]) -> Force {
+    combine(coarse, fine, |_, coarse, fine| extrapolate(coarse, fine))
+}
+
+/// The change of a force that friction bounds, by that of the force without the bound.
+fn within(force: Force, change: Force) -> Force {
+    let size = force.fx.hypot(force.fy);
+    if size <= 1.0 {
+        return change;
+    }
+    let [x, y] = [force.fx / size, force.fy / size];
+    let across = (x * change.fy - y * change.fx) / size;
+    Force { fx: -y * across, fy: x * across, ..change }
 }
 
 /// How strongly the pole of the spin disturbs, from 0 to 1, and its derivatives by `xi`, `eta` and
@@ -159,10 +183,8 @@ mod tests {
     use super::*;
 
     /// Central differences of step 1e-6: their error is of order 1e-9.
-    #[test]
-    fn the_derivative_knows_that_the_weights_change() {
+    fn assert_derivative_is_that_of(forces: [Force; 2]) {
         let contact = Contact::new(Ellipse::from_ratio(1.7).unwrap(), 0.3).unwrap();
-        let forces = [[0.1, 0.5, -0.2], [0.3, 0.4, 0.1]].map(|[fx, fy, mz]| Force { fx, fy, mz });
         let at = |[xi, eta, chi]: [f64; 3]| {
             let creepage = Creepage::new(xi, eta, chi).unwrap();
             Extrapolation::new(&contact, creepage)
@@ -182,5 +204,26 @@ mod tests {
                 }
             }
         }
+    }
+
+    const COARSE: Force = Force { fx: 0.1, fy: 0.5, mz: -0.2 };
+    const FINE: Force = Force { fx: 0.3, fy: 0.4, mz: 0.1 };
+
+    #[test]
+    fn the_derivative_knows_that_the_weights_change() {
+        assert_derivative_is_that_of([COARSE, FINE]);
+    }
+
+    /// Its direction and its moment are those without the bound, and so are the derivatives of these.
+    #[test]
+    fn no_force_is_larger_than_friction() {
+        let larger = Force { fx: 0.9, ..FINE };
+        let force = Extrapolation::PLAIN.force([COARSE, larger]);
+        let without = extrapolate_force([COARSE, larger]);
+        assert!(without.fx.hypot(without.fy) > 1.1);
+        assert!((force.fx.hypot(force.fy) - 1.0).abs() < 1e-15);
+        assert!((force.fx * without.fy - force.fy * without.fx).abs() < 1e-15);
+        assert_eq!(force.mz, without.mz);
+        assert_derivative_is_that_of([COARSE, larger]);
     }
 }

@@ -344,8 +344,9 @@ impl Solved for NonHertzianSolved<'_> {
             let force = |creepage| self.again(creepage).solution.force.components();
             return Some(differences(self.creepage, STEP, force));
         }
+        let forces = self.workspace.sums(&theory.grids, 0.0).map(|sum| sum.force);
         let by = self.workspace.derivatives(&theory.grids);
-        let columns = Extrapolation::PLAIN.derivative([Force::default(); 2], by);
+        let columns = Extrapolation::PLAIN.derivative(forces, by);
         let unit = |k: usize| [0, 1, 2].map(|i| if i == k { 1.0 } else { 0.0 });
         let by = [0, 1, 2].map(|k| {
             let [xi, eta, chi] = unit(k);

@@ -8,7 +8,7 @@ use super::load::Course;
 use super::motion::Motion;
 use super::track::{self, Stage, Track};
 use crate::check::{self, InvalidValue};
-use crate::coulomb::extrapolation::{Extrapolation, error_bar, extrapolate};
+use crate::coulomb::extrapolation::{error_bar, extrapolate, extrapolate_force};
 use crate::coulomb::{ElementField, Exact, Resolution};
 use crate::friction_law::RollingFriction;
 use crate::theory::{Solution, Statistics, Status};
@@ -338,7 +338,7 @@ impl Rolling {
             distance: self.travel.distance,
             creepage: Creepage { xi, eta, chi },
             solution: Solution {
-                force: Extrapolation::PLAIN.force([coarse.force, fine.force]),
+                force: extrapolate_force([coarse.force, fine.force]),
                 error: Some(error_bar(coarse.force, fine.force, self.tracks[1].elements.all.len())),
                 status: if solved { Status::Solved } else { Status::NotConverged },
                 statistics: Statistics {
