@@ -92,8 +92,8 @@ use workspace::Pool;
 /// Errors are largest with a pole of strong spin inside the contact, and at the fine resolution in `fy` of long
 /// contacts that nearly adhere under slight spin, where they fall more slowly. At the fine resolution the
 /// limit of small creepage is met for `a/b` from 0.1 to 10 to 0.1 % in every coefficient, but 0.15 % in
-/// `C33`, and 0.12 % in `C23` where `a/b = 0.1` and Poisson's ratio is 0.5; full sliding is met to 0.02 %
-/// of `mu N`. Beyond `a/b = 10` small creepage is resolved less well, which shows in the error bar.
+/// `C33`; full sliding is met to 0.02 % of `mu N`. Beyond `a/b = 10` small creepage is resolved less well,
+/// which shows in the error bar.
 ///
 /// ```
 /// use creepage::coulomb::{Exact, Resolution};

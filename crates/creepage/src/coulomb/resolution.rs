@@ -16,7 +16,7 @@ type Powers = [(f64, [f64; 2]); 2];
 /// are about the same at every `a/b`.
 const LIKE: Refinement = Refinement {
     times: [1.0, 1.0],
-    wide: [(0.2, [0.4, 1.0]), (-0.4, [1.0, 2.5])],
+    wide: [(0.2, [0.4, 1.0]), (-0.43, [1.0, 2.7])],
     long: [(0.6, [1.0, 2.5]), (-0.3, [0.5, 1.0])],
 };
 /// Chosen on 650 such cases with `kappa/mu` to 3: with the elements of like bodies
@@ -31,12 +31,12 @@ const UNLIKE: Refinement = Refinement {
 ///
 /// On an ellipse longer in the rolling direction [`Exact`](super::Exact) has `(a/b)^0.6` times as many
 /// along, up to 2.5, and `(a/b)^0.3` times fewer across, up to 2; on a wider one `(b/a)^0.2` times
-/// fewer along and `(b/a)^0.4` times as many across, up to 2.5. On areas of any shape and in unsteady
+/// fewer along and `(b/a)^0.43` times as many across, up to 2.7. On areas of any shape and in unsteady
 /// rolling elements become more nearly square: `along s` by `across / s` with `s = (a/b)^0.4`, held
 /// between 0.4 and 2.5 (2 across). There are at least 8 of each. Between unlike bodies, from
 /// `|kappa|/mu = 0.1` on, traction is steeper at the leading edge: [`Exact`](super::Exact) has 1.5 times as
-/// many along and 1.15 times as many across, up to 40 on a circle; powers of 0.1 and 0.15 take the places of 0.2
-/// and 0.3.
+/// many along and 1.15 times as many across, up to 40 on a circle; the powers are 0.6 and 0.15, 0.1 and 0.4, and
+/// the last goes up to 2.5.
 ///
 /// Errors of the force in parts of `mu N` and costs are in the documentation of
 /// [`Exact`](super::Exact).
