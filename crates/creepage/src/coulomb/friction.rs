@@ -17,7 +17,7 @@ pub(crate) enum Corner {
 }
 
 impl Corner {
-    fn half_width(self) -> f64 {
+    pub(crate) fn half_width(self) -> f64 {
         match self {
             Self::Sharp => 0.0,
             Self::Unbiased(half_width) | Self::Monotone(half_width) => half_width,
@@ -33,13 +33,25 @@ impl Corner {
             return (1.0, 0.0);
         }
         let x = (size - 1.0) / half_width;
+        let (m, slope) = self.bowl(x);
+        (1.0 + 0.5 * half_width * (x - m), 0.5 - 0.5 * slope)
+    }
+
+    /// `m` between -1 and 1, and its slope.
+    fn bowl(self, x: f64) -> (f64, f64) {
         let square = x * x;
-        let (m, slope) = if matches!(self, Self::Monotone(_)) {
+        if matches!(self, Self::Monotone(_)) {
             (0.5 + 0.5 * square, x)
         } else {
             (0.1875 + square * (1.125 - 0.3125 * square), x * (2.25 - 1.25 * square))
-        };
-        (1.0 + 0.5 * half_width * (x - m), 0.5 - 0.5 * slope)
+        }
+    }
+
+    /// The derivative of `min(size, 1)` rounded by the half-width.
+    fn by_half_width(self, size: f64) -> f64 {
+        let x = (size - 1.0) / self.half_width();
+        let (m, slope) = self.bowl(x);
+        if x.abs() < 1.0 { 0.5 * (x * slope - m) } else { 0.0 }
     }
 }
 
@@ -94,6 +106,13 @@ pub(crate) fn project_within(
         derivative: sliding.derivative.map(|row| row.map(|d| part * d)),
         ..sliding
     })
+}
+
+/// The change of the same projection with the half-width of its corner.
+pub(crate) fn by_half_width(limit: f64, give: f64, trial: [f64; 2], corner: Corner) -> [f64; 2] {
+    let size = trial[0].hypot(trial[1]);
+    let change = limit * corner.by_half_width(size / (limit * (1.0 + give)));
+    if change == 0.0 { [0.0; 2] } else { trial.map(|t| change * t / size) }
 }
 
 /// A traction below the corner.
@@ -153,6 +172,25 @@ mod tests {
             }
         }
         assert!(project_within(limit, 0.0, [0.4, -0.3], corner).is_none());
+    }
+
+    /// Central differences of step 1e-6, below the corner, in it and beyond.
+    #[test]
+    fn the_projection_changes_with_the_width_of_its_corner() {
+        let (h, limit, give) = (1e-6, 0.8, 0.3);
+        for corner in [Corner::Unbiased, Corner::Monotone] {
+            for trial in [[0.4, -0.3], [0.8, -0.62], [0.85, -0.62], [1.2, -0.7], [0.0, 0.0]] {
+                let at = |half_width| {
+                    project_within(limit, give, trial, corner(half_width)).unwrap().traction
+                };
+                let [ahead, behind] = [0.1 + h, 0.1 - h].map(at);
+                let found = by_half_width(limit, give, trial, corner(0.1));
+                for k in 0..2 {
+                    let numeric = (ahead[k] - behind[k]) / (2.0 * h);
+                    assert!((numeric - found[k]).abs() < 1e-9, "{trial:?} {numeric} {found:?}");
+                }
+            }
+        }
     }
 
     /// Both corners are joined with their slope. The errors of one cancel, a midpoint sum of 2000 terms;

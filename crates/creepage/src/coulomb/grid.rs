@@ -109,7 +109,8 @@ impl Grid {
         }
     }
 
-    /// The same with adhesion that gives way where spin turns the slip about within an element.
+    /// The same with adhesion that gives way where spin turns the slip about within an element, and a
+    /// corner that is narrower there.
     pub(crate) fn with_turning(mut self) -> Self {
         let half_width = |(strip, _): (usize, usize)| {
             let [low, high] = self.mesh.strips[strip].borders();
@@ -157,6 +158,11 @@ impl Grid {
             let own = self.mesh.elements(strip).map(|e| WEIGHT / self.influence.own(strip, e));
             self.weights.extend(own);
         }
+    }
+
+    /// The part of [`Grid::rounding`] that is left at a spin, and its derivative.
+    pub(crate) fn corner(&self, spin: f64) -> [f64; 2] {
+        if self.half_widths.is_empty() { [1.0, 0.0] } else { turning::corner(spin) }
     }
 
     /// Sets what drives the slip; `side` is the sign of the pressure's part.

@@ -14,6 +14,19 @@ use super::forcing::SlipForcing;
 /// random cases against 96 x 80 elements, confirmed on 250 others.
 const LEFT: f64 = 0.6;
 
+/// By which part the rounded corner of Coulomb's law is narrower at strong spin, and how strong that is: adhesion
+/// at the pole vanishes at once as spin grows, and a wide corner keeps some. At weak spin its width keeps
+/// forces smooth. Chosen on 500 random cases against 96 x 80 elements and 50 lines of creepage.
+const NARROWER: [f64; 2] = [0.4, 1.0];
+
+/// The part of the corner's width that is left at a spin, and its derivative.
+pub(super) fn corner(spin: f64) -> [f64; 2] {
+    let [less, strong] = NARROWER;
+    let part = 1.0 / (1.0 + (strong / spin).powi(4));
+    let slope = if spin == 0.0 { 0.0 } else { 4.0 * part * (1.0 - part) / spin };
+    [1.0 - less * part, -less * slope]
+}
+
 /// Sets how adhesion gives way, in parts of each element's weight of slip.
 pub(super) fn set_give(half_widths: &[f64], weights: &[f64], forcing: &mut SlipForcing) {
     let spin = forcing.spin;
@@ -25,4 +38,20 @@ pub(super) fn set_give(half_widths: &[f64], weights: &[f64], forcing: &mut SlipF
         let slope = 2.0 * half_width * spin.signum() * turned * resolved * resolved;
         [slip, slope].map(|value| LEFT * weight * value)
     }));
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Central differences of step 1e-6.
+    #[test]
+    fn the_corner_is_smooth_at_every_spin() {
+        for spin in [0.0, 1e-200, 1e-3, -0.4, 1.0, -1.7, 30.0, 1e100] {
+            let [part, slope] = corner(spin);
+            let [ahead, behind] = [1e-6, -1e-6].map(|h| corner(spin + h)[0]);
+            assert!((0.6..=1.0).contains(&part), "{spin} {part}");
+            assert!((slope - (ahead - behind) / 2e-6).abs() < 1e-9, "{spin} {slope}");
+        }
+    }
 }

@@ -3,7 +3,7 @@
 
 use super::State;
 use super::gmres::{Gmres, Part};
-use crate::coulomb::friction::Sliding;
+use crate::coulomb::friction::{Sliding, by_half_width};
 use crate::coulomb::grid::Grid;
 use crate::coulomb::influence::{Precision, Tractions};
 use crate::coulomb::quadrature::{Fields, Sum};
@@ -146,8 +146,8 @@ impl Equations {
     ) -> Force {
         for (element, right) in self.right.chunks_exact_mut(2).enumerate() {
             let by_slip = by_rigid_slip(grid, state, slip(element), element);
-            let by_give = by_give(grid, state, element);
-            right.copy_from_slice(&[0, 1].map(|k| by_slip[k] + spin * by_give[k]));
+            let by_spin = by_spin(grid, state, element);
+            right.copy_from_slice(&[0, 1].map(|k| by_slip[k] + spin * by_spin[k]));
         }
         self.solve_by_refinement(grid, state);
         for element in 0..grid.mesh.len() {
@@ -227,14 +227,21 @@ fn by_rigid_slip(grid: &Grid, state: &State, slip: [f64; 2], element: usize) -> 
     }
 }
 
-/// The change of an element's residual with the spin, by which its adhesion gives way.
-fn by_give(grid: &Grid, state: &State, element: usize) -> [f64; 2] {
+/// The change of an element's residual with the spin, by which its adhesion gives way and the corner of
+/// Coulomb's law is narrower, at constant slip.
+fn by_spin(grid: &Grid, state: &State, element: usize) -> [f64; 2] {
     let Some(Sliding { derivative, .. }) = state.sliding[element] else {
         return [0.0; 2];
     };
     let [give, slope] = state.forcing.give(element);
     let [x, y] = state.trial(grid, element);
-    derivative.map(|[by_x, by_y]| -slope / (1.0 + give) * (by_x * x + by_y * y))
+    let [part, narrower] = grid.corner(state.forcing.spin);
+    let wider = state.corner.half_width() * narrower / part;
+    let by_corner = by_half_width(state.limits[element], give, [x, y], state.corner);
+    [0, 1].map(|k| {
+        let [by_x, by_y] = derivative[k];
+        wider * by_corner[k] - slope / (1.0 + give) * (by_x * x + by_y * y)
+    })
 }
 
 /// Left-hand side of the equations of an element by the change of its traction and slip: the slip in

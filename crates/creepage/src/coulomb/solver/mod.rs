@@ -168,12 +168,14 @@ impl State {
     /// Where the unbiased corner leads nowhere, a monotone one shows the way; where that does not, more slip.
     fn iterate(&mut self, tolerance: f64, grid: &Grid, equations: &mut Equations) -> bool {
         let [many, few] = ROUNDS;
+        let [part, _] = grid.corner(self.forcing.spin);
+        let rounding = part * grid.rounding;
         let mut obeys = |state: &mut Self, corner: Corner, rounds: usize| {
             state.corner = corner;
             state.obeys(rounds, tolerance, grid, equations)
         };
-        let unbiased = Corner::Unbiased(grid.rounding);
-        let [wide, narrow] = [1.0, NARROW].map(|part| Corner::Monotone(part * grid.rounding));
+        let unbiased = Corner::Unbiased(rounding);
+        let [wide, narrow] = [1.0, NARROW].map(|part| Corner::Monotone(part * rounding));
         if obeys(self, unbiased, many)
             || (obeys(self, wide, many)
                 && (obeys(self, unbiased, few) || obeys(self, narrow, many)))
