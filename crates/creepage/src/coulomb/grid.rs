@@ -41,6 +41,8 @@ pub(crate) struct Grid {
     pub weights: Vec<f64>,
     /// Half-width of the rounded corner of [`project`](super::friction::project).
     pub rounding: f64,
+    /// Whether less of it is left at strong spin.
+    pub narrows: bool,
     /// For each element, those of the coarser grid to interpolate between, with their weights.
     pub coarser: Vec<[(usize, f64); 4]>,
     /// Half the width of each element's strip, where adhesion gives way to spin; empty elsewhere.
@@ -50,11 +52,12 @@ pub(crate) struct Grid {
 }
 
 impl Grid {
-    /// The coarser grid and the finer with twice its elements along and across, by how many times
-    /// there are as many.
+    /// For steady rolling, the coarser grid and the finer with twice its elements along and across, by how
+    /// many times there are as many.
     pub(crate) fn pair(make: impl Fn(usize) -> Self) -> [Self; 2] {
         let [mut coarse, mut fine] = [1, 2].map(make);
         coarse.rounding = 2.0 * fine.rounding;
+        (coarse.narrows, fine.narrows) = (true, true);
         let strips = fine.mesh.strips.iter().enumerate();
         fine.coarser = strips
             .flat_map(|(j, strip)| {
@@ -101,6 +104,7 @@ impl Grid {
             quadrature: Quadrature::new(&mesh, &pressure, &places),
             places,
             rounding: (ROUNDING[0] * mesh.strips.len() as f64 / mesh.len() as f64).min(ROUNDING[1]),
+            narrows: false,
             coarser: Vec::new(),
             half_widths: Vec::new(),
             mesh,
@@ -109,8 +113,7 @@ impl Grid {
         }
     }
 
-    /// The same with adhesion that gives way where spin turns the slip about within an element, and a
-    /// corner that is narrower there.
+    /// The same with adhesion that gives way where spin turns the slip about within an element.
     pub(crate) fn with_turning(mut self) -> Self {
         let half_width = |(strip, _): (usize, usize)| {
             let [low, high] = self.mesh.strips[strip].borders();
@@ -162,7 +165,7 @@ impl Grid {
 
     /// The part of [`Grid::rounding`] that is left at a spin, and its derivative.
     pub(crate) fn corner(&self, spin: f64) -> [f64; 2] {
-        if self.half_widths.is_empty() { [1.0, 0.0] } else { turning::corner(spin) }
+        if self.narrows { turning::corner(spin) } else { [1.0, 0.0] }
     }
 
     /// Sets what drives the slip; `side` is the sign of the pressure's part.
