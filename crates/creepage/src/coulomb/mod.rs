@@ -88,7 +88,7 @@ use workspace::Pool;
 /// and five to six times.
 ///
 /// Over 60 random cases of like bodies the border of adhesion errs along `x` by 0.011, 0.006 and 0.003 `c` in
-/// the median, and nine times in ten by less than 0.047, 0.026 and 0.010 `c` (`bench exact -- border 60`).
+/// the median, and nine times in ten by less than 0.047, 0.023 and 0.010 `c` (`bench exact -- border 60`).
 ///
 /// Errors are largest with a pole of strong spin inside the contact, and at the fine resolution in `fy` of long
 /// contacts that nearly adhere under slight spin, where they fall more slowly. At the fine resolution the

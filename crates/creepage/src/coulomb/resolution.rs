@@ -35,8 +35,8 @@ const UNLIKE: Refinement = Refinement {
 /// rolling elements become more nearly square: `along s` by `across / s` with `s = (a/b)^0.4`, held
 /// between 0.4 and 2.5 (2 across). There are at least 8 of each. Between unlike bodies, from
 /// `|kappa|/mu = 0.1` on, traction is steeper at the leading edge: [`Exact`](super::Exact) has 1.5 times as
-/// many along and 1.15 times as many across, up to 40 on a circle; the powers are 0.6 and 0.15, 0.1 and 0.4, and
-/// the last goes up to 2.5.
+/// many along and 1.15 times as many across, up to 40 on a circle; the powers are 0.6 and 0.15 on a longer
+/// ellipse, 0.1 and 0.4 on a wider one, up to 2.5.
 ///
 /// Errors of the force in parts of `mu N` and costs are in the documentation of
 /// [`Exact`](super::Exact).
