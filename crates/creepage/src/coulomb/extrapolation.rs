@@ -24,9 +24,9 @@ pub(crate) fn extrapolate(coarse: f64, fine: f64) -> f64 {
 ///
 /// Chosen on 300 random cases of like and 300 of dissimilar bodies (a/b .15-6, sigma 0-.5, creepage to 3, spin
 /// to 8, kappa/mu .01-3) at the three named resolutions, against 96 x 80 elements, those of dissimilar bodies
-/// again on 650 with more elements. Of 600 and 500 others (`bench exact -- accuracy`) they cover 95 to 96 and 97
-/// to 98.5 %. Half of them are four and six times as long as the error; with normal errors of known variance it
-/// would be 2.9 times at 95 %.
+/// again on 650 with more elements. Of 1,219 and 800 others (`bench exact -- accuracy`) they cover 95 to 97 and 97
+/// to 99 %. Half of them are three to four and five to six times as long as the error; with normal errors of known
+/// variance it would be 2.9 times at 95 %.
 const LIKE: [f64; 3] = [0.78, 1.55, 0.74];
 const POLE: [f64; 3] = [2.2, 1.0, 1.5];
 const UNLIKE: [f64; 3] = [8.3, 5.3, 4.7];

@@ -81,10 +81,10 @@ use workspace::Pool;
 /// The worst at the fine resolution are at `a/b = 5` and `chi = 2`, where grids of up to 182 x 42 and
 /// 134 x 74 elements agree with each other, and the reference is off by 0.12 %, beyond its uncertainty.
 ///
-/// Over 2,098 random cases (`a/b` .15 to 6, creepage to 3, spin to 8), against 96 x 80 elements, `fx`, `fy`
-/// and `mz` err by 0.14, 0.05 and 0.012 % rms at the three resolutions, 0.8, 0.36 and 0.13 % at worst, and
-/// 95 to 96 % are inside their error bars, which are three to four times the error in the median. Between
-/// unlike bodies (500 cases, `kappa/mu` to 3) it is 0.18, 0.06 and 0.02 %, 1.0, 0.45 and 0.16 %, 97 to 98 %,
+/// Over 1,219 random cases (`a/b` .15 to 6, creepage to 3, spin to 8), against 96 x 80 elements, `fx`, `fy`
+/// and `mz` err by 0.14, 0.05 and 0.012 % rms at the three resolutions, 0.7, 0.36 and 0.09 % at worst, and
+/// 95 to 97 % are inside their error bars, which are three to four times the error in the median. Between
+/// unlike bodies (800 cases, `kappa/mu` to 3) it is 0.18, 0.06 and 0.021 %, 1.5, 0.45 and 0.17 %, 97 to 99 %,
 /// and five to six times.
 ///
 /// Over 60 random cases of like bodies the border of adhesion errs along `x` by 0.011, 0.006 and 0.003 `c` in
