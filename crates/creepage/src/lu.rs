@@ -23,17 +23,9 @@ pub(crate) struct Lu {
 
 impl Lu {
     pub(crate) fn new(n: usize) -> Self {
-        Self::default().renewed(n)
-    }
-
-    /// Room for a matrix of `n` rows in the memory of another.
-    pub(crate) fn renewed(self, n: usize) -> Self {
-        let Self { mut entries, mut pivots, .. } = self;
         let stride = n.next_multiple_of(REGISTER);
-        entries.clear();
-        entries.resize(n * stride, 0.0);
-        pivots.resize(n, 0);
-        Self { n, known: 0, stride, entries, pivots }
+        let entries = vec![0.0; n * stride];
+        Self { n, known: 0, stride, entries, pivots: vec![0; n] }
     }
 
     /// The factors of a matrix given row after row; `None` when it is singular or not finite.

@@ -15,13 +15,9 @@ use pulp::{Arch, Simd, WithSimd};
 use super::cuts::Cuts;
 use super::mesh::Mesh;
 use super::product::{Block, Row};
-use super::spare::Spare;
 use super::stencil::SlipStencil;
 use coefficients::Coefficients;
 pub(crate) use tractions::Tractions;
-
-/// Displacements at the points of a strip by all elements.
-static DISPLACEMENTS: Spare<[Vec<f64>; 3]> = Spare::up_to(200_000);
 
 /// How precisely slip is needed: sweeps only come near a solution, with half the memory to read.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -67,10 +63,7 @@ impl Influence {
         let mut cuts = Cuts::new(mesh, units);
         let (mut coefficients, n) = (Coefficients::with_length(size).with_single(), mesh.len());
         let most = stencils.iter().map(|stencil| stencil.points.len()).max().unwrap_or(0);
-        let mut displacements = DISPLACEMENTS.take(most * n).unwrap_or_default();
-        for of in &mut displacements {
-            of.resize(most * n, 0.0);
-        }
+        let mut displacements: [Vec<f64>; 3] = std::array::from_fn(|_| vec![0.0; most * n]);
         for (strip, stencil) in stencils[..stored].iter().enumerate() {
             let count = stencil.points.len();
             // The leading edge, then the elements' centres.
@@ -90,7 +83,6 @@ impl Influence {
                 Arch::new().dispatch(Rows { stencil, by, n, to, single });
             }
         }
-        DISPLACEMENTS.keep(displacements[0].capacity(), displacements);
         let rows = mesh.all().map(|(strip, i)| place(mesh, stored, strip, i)).collect();
         let offsets = mesh.offsets().to_vec();
         Self { coefficients, rows, offsets, mirrored: mesh.mirrored }

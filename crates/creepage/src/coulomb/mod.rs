@@ -42,7 +42,6 @@ pub(crate) mod resistance;
 pub(crate) mod resolution;
 mod solution;
 pub(crate) mod solver;
-pub(crate) mod spare;
 pub(crate) mod stencil;
 mod turning;
 mod view;

@@ -7,7 +7,6 @@
 
 use super::mesh::{Mesh, SUBCELLS, next};
 use super::pressure::{Moments, Pressure};
-use super::spare::Spare;
 use crate::Force;
 
 /// Slip that counts as far from the border of adhesion; elastic slip is of order one. Near the
@@ -15,9 +14,6 @@ use crate::Force;
 const FAR: f64 = 1.0;
 /// By how much its square grows, at most, where spin turns the slip about within an element.
 const TURNED: f64 = 2.0;
-
-/// Lists of subcells, those of up to some two thousand elements.
-static SPARE: Spare<Vec<Subcell>> = Spare::up_to(2000 * SUBCELLS * SUBCELLS);
 
 /// A quadrature point: where the pressure of a subcell acts.
 #[derive(Debug, Clone, Copy)]
@@ -91,7 +87,7 @@ impl Sum {
 impl Quadrature {
     /// `places` are those where each element has its slip.
     pub(crate) fn new(mesh: &Mesh, pressure: &Pressure, places: &[[f64; 2]]) -> Self {
-        let mut subcells = Subcell::room(mesh.len() * SUBCELLS * SUBCELLS);
+        let mut subcells = Vec::with_capacity(mesh.len() * SUBCELLS * SUBCELLS);
         for ((strip, i), cells) in mesh.all().zip(&pressure.subcells) {
             let moments = cells.as_flattened().iter();
             let subcell = |moments| Subcell::new(mesh, places, [strip, i], moments);
@@ -185,20 +181,7 @@ impl Quadrature {
     }
 }
 
-impl Drop for Quadrature {
-    fn drop(&mut self) {
-        SPARE.keep(self.subcells.capacity(), std::mem::take(&mut self.subcells));
-    }
-}
-
 impl Subcell {
-    /// An empty list with room for so many.
-    fn room(count: usize) -> Vec<Self> {
-        let mut room = SPARE.take(count).unwrap_or_else(|| Vec::with_capacity(count));
-        room.clear();
-        room
-    }
-
     /// Between its own element, the next along, and the same two in the strip beside.
     fn new(mesh: &Mesh, places: &[[f64; 2]], [strip, i]: [usize; 2], moments: &Moments) -> Self {
         let Moments { share, centroid, along } = *moments;

@@ -7,7 +7,6 @@ use super::grid::Grid;
 use super::quadrature::Sum;
 use super::resistance::Resistance;
 use super::solver::{Equations, Outcome, State};
-use super::spare::Spare;
 use crate::Force;
 use crate::theory::{Solution, Statistics, Status};
 
@@ -28,23 +27,14 @@ pub(super) struct Workspace {
     levels: [Level; 2],
 }
 
-/// Of grids of up to so many elements.
-static SPARE: Spare<Workspace> = Spare::up_to(2000);
-
 impl Workspace {
     fn new(grids: &[Grid; 2]) -> Self {
-        let [coarse, fine] = SPARE.take(grids[1].mesh.len()).unwrap_or_default().levels;
-        let renewed = |Level { state, equations, .. }: Level, grid: &Grid| Level {
-            state: state.renewed(grid),
-            equations: equations.renewed(grid),
+        let level = |grid: &Grid| Level {
+            state: State::new(grid),
+            equations: Equations::new(grid),
             outcome: Outcome::default(),
         };
-        Self { levels: [renewed(coarse, &grids[0]), renewed(fine, &grids[1])] }
-    }
-
-    /// Keeps the memory for [`Workspace::new`].
-    fn keep(self) {
-        SPARE.keep(self.levels[1].state.limits.len(), self);
+        Self { levels: [level(&grids[0]), level(&grids[1])] }
     }
 
     /// Solves from scratch, or from the tractions of the last case; `force` sets what drives the
@@ -131,13 +121,6 @@ impl Workspace {
 /// Workspaces that are not in use; a clone has none.
 #[derive(Debug, Default)]
 pub(super) struct Pool(Mutex<Vec<Workspace>>);
-
-impl Drop for Pool {
-    fn drop(&mut self) {
-        let own = self.0.get_mut().unwrap_or_else(PoisonError::into_inner);
-        own.drain(..).for_each(Workspace::keep);
-    }
-}
 
 impl Clone for Pool {
     fn clone(&self) -> Self {

@@ -1,9 +1,17 @@
 //! Coefficients, in memory that is used again.
+//!
+//! Pages fresh from the system cost half as much as what is computed into them, and shapes come in
+//! series: what was dropped last is kept, for all threads, for one may drop what another prepared.
 
-use crate::coulomb::spare::Spare;
+use std::sync::Mutex;
 
-/// Of sets of up to some 16 MB, by their numbers of entries.
-static SPARE: Spare<Coefficients> = Spare::up_to(450_000);
+/// Sets kept: two grids of each contact of a wheelset, while the next ones are made.
+const KEPT: usize = 8;
+/// Largest number of entries of a set that is kept: of some 16 MB.
+const LARGEST: usize = 450_000;
+
+/// Nobody waits for it: new memory costs less, and a process forked off would wait for ever.
+static SPARE: Mutex<Vec<Coefficients>> = Mutex::new(Vec::new());
 
 /// Slip in `x` by `x`; in `x` by `y` and in `y` by `x`; in `y` by `y`; in both precisions.
 #[derive(Debug, Clone, Default)]
@@ -15,7 +23,7 @@ pub(super) struct Coefficients {
 impl Coefficients {
     /// So many of each in double precision, of any value: all are to be written.
     pub(super) fn with_length(entries: usize) -> Self {
-        let mut room = SPARE.take(entries).unwrap_or_default();
+        let mut room = Self::kept(entries).unwrap_or_default();
         room.double.iter_mut().for_each(|of| resize(of, entries));
         room
     }
@@ -25,6 +33,18 @@ impl Coefficients {
         let entries = self.double[0].len();
         self.single.iter_mut().for_each(|of| resize(of, entries));
         self
+    }
+
+    /// The smallest kept set that has room for so many.
+    fn kept(entries: usize) -> Option<Self> {
+        let mut kept = SPARE.try_lock().ok()?;
+        let fitting = kept.iter().enumerate().filter(|(_, one)| one.capacity() >= entries);
+        let (index, _) = fitting.min_by_key(|(_, one)| one.capacity())?;
+        Some(kept.swap_remove(index))
+    }
+
+    fn capacity(&self) -> usize {
+        self.double[0].capacity()
     }
 
     /// Copies all to single precision.
@@ -38,7 +58,14 @@ impl Coefficients {
 
     /// Keeps the memory for [`Coefficients::with_length`].
     pub(super) fn keep(self) {
-        SPARE.keep(self.double[0].capacity(), self);
+        if !(1..=LARGEST).contains(&self.capacity()) {
+            return;
+        }
+        let Ok(mut kept) = SPARE.try_lock() else { return };
+        if kept.len() == KEPT {
+            kept.remove(0);
+        }
+        kept.push(self);
     }
 }
 

@@ -1,7 +1,6 @@
 //! Tractions of all elements, kept as products read them.
 
 use super::Influence;
-use crate::coulomb::spare::refill;
 
 /// A vector an element: tractions over their bounds, or a change of them.
 #[derive(Debug, Clone, Default)]
@@ -17,23 +16,14 @@ pub(crate) struct Tractions {
 
 impl Tractions {
     pub(crate) fn zeros(influence: &Influence) -> Self {
-        Self::default().renewed(influence)
-    }
-
-    /// The same in the memory of others.
-    pub(crate) fn renewed(self, influence: &Influence) -> Self {
         let n = influence.columns();
         let kept = if influence.mirrored { n } else { 0 };
-        let Self { own, mirrored, single: [single, single_mirrored], mut offsets } = self;
-        offsets.clone_from(&influence.offsets);
+        let zeros = |n: usize| [0, 1].map(|_| vec![0.0; n]);
         Self {
-            own: own.map(|of| refill(of, n, 0.0)),
-            mirrored: mirrored.map(|of| refill(of, kept, 0.0)),
-            single: [
-                single.map(|of| refill(of, n, 0.0)),
-                single_mirrored.map(|of| refill(of, kept, 0.0)),
-            ],
-            offsets,
+            own: zeros(n),
+            mirrored: zeros(kept),
+            single: [n, kept].map(|n| [0, 1].map(|_| vec![0.0; n])),
+            offsets: influence.offsets.clone(),
         }
     }
 

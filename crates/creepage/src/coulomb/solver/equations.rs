@@ -7,7 +7,6 @@ use crate::coulomb::friction::{Sliding, by_half_width};
 use crate::coulomb::grid::Grid;
 use crate::coulomb::influence::{Precision, Tractions};
 use crate::coulomb::quadrature::{Fields, Sum};
-use crate::coulomb::spare::refill;
 use crate::{Creepage, Force};
 
 /// Relative accuracy of a derivative in single precision, and how often it is found: at first, and then
@@ -36,25 +35,17 @@ pub(crate) struct Equations {
 
 impl Equations {
     pub(crate) fn new(grid: &Grid) -> Self {
-        Self::default().renewed(grid)
-    }
-
-    /// For another grid, in the same memory.
-    pub(crate) fn renewed(self, grid: &Grid) -> Self {
         let n = grid.mesh.len();
-        let Self { right, change, slip, solution, found, step, ordered, gmres, .. } = self;
-        let [right, solution, found, step, ordered] =
-            [right, solution, found, step, ordered].map(|of| refill(of, 2 * n, 0.0));
         Self {
-            right,
-            change: change.renewed(&grid.influence),
-            slip: slip.map(|of| refill(of, n, 0.0)),
+            right: vec![0.0; 2 * n],
+            change: Tractions::zeros(&grid.influence),
+            slip: [vec![0.0; n], vec![0.0; n]],
             sweeps: 0,
-            solution,
-            found,
-            step,
-            ordered,
-            gmres,
+            solution: vec![0.0; 2 * n],
+            found: vec![0.0; 2 * n],
+            step: vec![0.0; 2 * n],
+            ordered: vec![0.0; 2 * n],
+            gmres: Gmres::new(2 * n),
         }
     }
 

@@ -1,4 +1,4 @@
-//! GMRES (Saad and Schultz 1986) for the fixed point of an affine map, with room that is kept.
+//! GMRES (Saad and Schultz 1986) for the fixed point of an affine map, without allocation.
 
 /// Directions that are combined before it restarts from what they gave.
 const KRYLOV_DIMENSION: usize = 40;
@@ -12,9 +12,9 @@ pub(super) enum Part {
     Linear,
 }
 
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub(super) struct Gmres {
-    /// Orthonormal directions, as many as were ever needed.
+    /// Orthonormal directions.
     directions: Vec<Vec<f64>>,
     /// Column `k`: `direction k - its image`, by the directions; after rotation, triangular.
     columns: Vec<Vec<f64>>,
@@ -23,18 +23,16 @@ pub(super) struct Gmres {
     right: Vec<f64>,
 }
 
-impl Default for Gmres {
-    fn default() -> Self {
+impl Gmres {
+    pub(super) fn new(unknowns: usize) -> Self {
         Self {
-            directions: Vec::new(),
+            directions: vec![vec![0.0; unknowns]; KRYLOV_DIMENSION + 1],
             columns: vec![vec![0.0; KRYLOV_DIMENSION + 1]; KRYLOV_DIMENSION],
             rotations: vec![[0.0; 2]; KRYLOV_DIMENSION],
             right: vec![0.0; KRYLOV_DIMENSION + 1],
         }
     }
-}
 
-impl Gmres {
     /// Improves `x` until the map moves it by `accuracy` times as far as at first.
     /// `map(part, from, to)` fills `to` with the image of `from`.
     pub(super) fn fixed_point(
@@ -45,7 +43,6 @@ impl Gmres {
     ) {
         let mut goal = 0.0;
         for restart in 0..RESTARTS {
-            self.need(0, x.len());
             let first = &mut self.directions[0];
             map(Part::Whole, x, first);
             first.iter_mut().zip(&*x).for_each(|(first, x)| *first -= x);
@@ -58,7 +55,7 @@ impl Gmres {
             }
             scale(first, 1.0 / size);
             self.right[0] = size;
-            let count = self.explore(goal, x.len(), &mut map);
+            let count = self.explore(goal, &mut map);
             self.combine(count, x);
             if self.right[count].abs() <= goal {
                 return;
@@ -66,23 +63,9 @@ impl Gmres {
         }
     }
 
-    /// Has room for direction `k`.
-    fn need(&mut self, k: usize, unknowns: usize) {
-        if self.directions.len() == k {
-            self.directions.push(Vec::new());
-        }
-        self.directions[k].resize(unknowns, 0.0);
-    }
-
     /// Adds directions until a combination of them comes near enough; their number.
-    fn explore(
-        &mut self,
-        goal: f64,
-        unknowns: usize,
-        map: &mut impl FnMut(Part, &[f64], &mut [f64]),
-    ) -> usize {
+    fn explore(&mut self, goal: f64, map: &mut impl FnMut(Part, &[f64], &mut [f64])) -> usize {
         for k in 0..KRYLOV_DIMENSION {
-            self.need(k + 1, unknowns);
             let (known, next) = self.directions.split_at_mut(k + 1);
             let next = &mut next[0];
             map(Part::Linear, &known[k], next);
@@ -161,7 +144,7 @@ mod tests {
             }
         };
         let mut x = [0.0; 3];
-        Gmres::default().fixed_point(&mut x, 1e-14, map);
+        Gmres::new(3).fixed_point(&mut x, 1e-14, map);
         let mut image = [0.0; 3];
         map(Part::Whole, &x, &mut image);
         for (x, image) in x.iter().zip(image) {

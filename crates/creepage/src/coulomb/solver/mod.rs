@@ -19,7 +19,6 @@ use super::friction::{Corner, Sliding, project_within};
 use super::grid::Grid;
 use super::influence::{Precision, Tractions};
 use super::quadrature::{Fields, Sum};
-use super::spare::refill;
 use strip_factors::StripFactors;
 
 /// Largest residual of friction's equation `p = P(p + r s)` in a solution, over the traction bound,
@@ -77,29 +76,19 @@ pub(crate) struct State {
 
 impl State {
     pub(crate) fn new(grid: &Grid) -> Self {
-        Self::default().renewed(grid)
-    }
-
-    /// For another grid, in the same memory.
-    pub(crate) fn renewed(self, grid: &Grid) -> Self {
         let (n, strips) = (grid.mesh.len(), &grid.mesh.strips);
         let longest = strips.iter().map(super::mesh::Strip::len).max().unwrap_or(0);
-        let Self { traction, slip, limits, sliding, mut factors, last_step, .. } = self;
-        factors.resize(strips.len(), StripFactors::default());
-        let factors = factors.into_iter().zip(strips);
-        let [ordered, step, change] =
-            [self.ordered, self.step, self.change].map(|of| refill(of, 2 * longest, 0.0));
         Self {
             forcing: SlipForcing::default(),
-            traction: traction.renewed(&grid.influence),
-            slip: slip.map(|of| refill(of, n, 0.0)),
-            limits: refill(limits, n, 1.0),
-            sliding: refill(sliding, n, None),
-            factors: factors.map(|(own, strip)| own.renewed(strip.len())).collect(),
-            last_step: refill(last_step, strips.len(), f64::INFINITY),
-            ordered,
-            step,
-            change,
+            traction: Tractions::zeros(&grid.influence),
+            slip: [vec![0.0; n], vec![0.0; n]],
+            limits: vec![1.0; n],
+            sliding: vec![None; n],
+            factors: strips.iter().map(|strip| StripFactors::new(strip.len())).collect(),
+            last_step: vec![f64::INFINITY; strips.len()],
+            ordered: vec![0.0; 2 * longest],
+            step: vec![0.0; 2 * longest],
+            change: vec![0.0; 2 * longest],
             factorizations: 0,
             corner: Corner::default(),
             precision: Precision::Single,

@@ -9,7 +9,6 @@ use pulp::{Arch, Simd, WithSimd};
 use crate::coulomb::friction::Sliding;
 use crate::coulomb::grid::Grid;
 use crate::coulomb::product::Row;
-use crate::coulomb::spare::refill;
 use crate::lu::Lu;
 
 /// The unknowns of an element are the changes of its traction in two directions: along the traction at
@@ -27,15 +26,12 @@ pub(super) struct StripFactors {
 }
 
 impl StripFactors {
-    /// Room for a strip of so many elements, in the memory of another.
-    pub(super) fn renewed(self, elements: usize) -> Self {
-        let Self { lu, directions, places, along } = self;
-        Self {
-            lu: lu.renewed(2 * elements),
-            directions: directions.map(|of| refill(of, elements, 0.0)),
-            places: refill(places, elements, 0),
-            along: refill(along, elements, 0.0),
-        }
+    /// Room for a strip of so many elements.
+    pub(super) fn new(elements: usize) -> Self {
+        let zeros = || vec![0.0; elements];
+        let directions = [zeros(), zeros()];
+        let places = vec![0; elements];
+        Self { lu: Lu::new(2 * elements), directions, places, along: zeros() }
     }
 
     /// Factors the equations of a strip: `slip' = 0` in adhesion, `traction - projection = 0` in
