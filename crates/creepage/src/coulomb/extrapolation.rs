@@ -24,7 +24,7 @@ pub(crate) fn extrapolate(coarse: f64, fine: f64) -> f64 {
 ///
 /// Chosen on 300 random cases of like and 300 of dissimilar bodies (a/b .15-6, sigma 0-.5, creepage to 3, spin
 /// to 8, kappa/mu .01-3) at the three named resolutions, against 96 x 80 elements, those of dissimilar bodies
-/// again on 650 with more elements. Of 1,219 and 800 others (`bench exact -- accuracy`) they cover 95 to 97 and 97
+/// again on 650 with more elements. Of 1,219 and 800 others (`bench exact -- accuracy`) they cover 95 to 97 and 96
 /// to 99 %. Half of them are three to four and five to six times as long as the error; with normal errors of known
 /// variance it would be 2.9 times at 95 %.
 const LIKE: [f64; 3] = [0.78, 1.55, 0.74];

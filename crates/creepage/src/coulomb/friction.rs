@@ -33,12 +33,12 @@ impl Corner {
             return (1.0, 0.0);
         }
         let x = (size - 1.0) / half_width;
-        let (m, slope) = self.bowl(x);
+        let (m, slope) = self.smooth_abs(x);
         (1.0 + 0.5 * half_width * (x - m), 0.5 - 0.5 * slope)
     }
 
     /// `m` between -1 and 1, and its slope.
-    fn bowl(self, x: f64) -> (f64, f64) {
+    fn smooth_abs(self, x: f64) -> (f64, f64) {
         let square = x * x;
         if matches!(self, Self::Monotone(_)) {
             (0.5 + 0.5 * square, x)
@@ -50,7 +50,7 @@ impl Corner {
     /// The derivative of `min(size, 1)` rounded by the half-width.
     fn by_half_width(self, size: f64) -> f64 {
         let x = (size - 1.0) / self.half_width();
-        let (m, slope) = self.bowl(x);
+        let (m, slope) = self.smooth_abs(x);
         if x.abs() < 1.0 { 0.5 * (x * slope - m) } else { 0.0 }
     }
 }
