@@ -9,8 +9,12 @@ use creepage_study::{
 
 /// S1002 on UIC 60 with 200 kN; roll and pitch rate are free.
 fn case(solve: &str) -> WheelsetCase {
+    example("s1002-on-uic60.toml", solve)
+}
+
+fn example(name: &str, solve: &str) -> WheelsetCase {
     let examples = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/wheelset");
-    let text = std::fs::read_to_string(examples.join("s1002-on-uic60.toml")).unwrap();
+    let text = std::fs::read_to_string(examples.join(name)).unwrap();
     let text = format!("{text}\n[solve]\n{solve}\n");
     WheelsetFile::read(&text).unwrap().case(&examples).unwrap()
 }
@@ -82,4 +86,33 @@ fn a_walk_finds_what_is_found_from_nothing() {
             }
         }
     }
+}
+
+/// On a flange friction carries part of the load: where it errs, the normal force errs by several times
+/// what pressing does.
+#[test]
+fn error_bars_of_loads_know_of_friction() {
+    let solved = |resolution: &str, y: f64| {
+        let solve = format!("resolution = \"{resolution}\"");
+        let case = example("curve-with-flange-contact.toml", &solve);
+        let stance = Stance { y, yaw: -0.002, ..case.stance };
+        case.solver().unwrap().solve(&stance, &case.travel.unwrap()).unwrap()
+    };
+    let mut over_pressing = 0.0f64;
+    for y in [0.0062, 0.0068, 0.0072] {
+        let [fast, fine] = ["fast", "fine"].map(|resolution| solved(resolution, y));
+        let contacts = |solved: &SolvedWheelset| {
+            solved.wheels().flat_map(SolvedWheel::contacts).cloned().collect::<Vec<_>>()
+        };
+        let (fast, fine) = (contacts(&fast), contacts(&fine));
+        assert_eq!(fast.len(), fine.len());
+        for (a, b) in fast.iter().zip(&fine) {
+            let off = (a.load() - b.load()).abs();
+            let bars = a.load_error + b.load_error;
+            assert!(off < bars, "{y}: {off} of {bars}");
+            over_pressing =
+                over_pressing.max(off / (a.normal.load().error + b.normal.load().error));
+        }
+    }
+    assert!(over_pressing > 2.0, "{over_pressing}");
 }

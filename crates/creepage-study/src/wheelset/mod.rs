@@ -26,6 +26,7 @@ mod solved_picture;
 mod solved_text;
 mod solved_write;
 mod solver;
+mod standing;
 mod table;
 mod wear;
 

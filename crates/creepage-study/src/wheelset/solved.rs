@@ -74,6 +74,9 @@ pub struct SolvedContact {
     pub y_wheel: f64,
     /// Pressure and areas, in the contact plane about the reference point.
     pub normal: NormalContact,
+    /// How far its load may be off (N): that of the pressure where it stands, and what its wheel may
+    /// stand too high or too low where that was sought under a given load.
+    pub load_error: f64,
     /// Creepage and spin at the reference point.
     pub creepage: RollingCreepage,
     /// Tangential force, with the moment about the normal through the reference point.
@@ -110,7 +113,7 @@ impl SolvedContact {
         let force_error = self.force_error.map(|error| {
             [
                 error.longitudinal,
-                (error.lateral * cos).abs() + (load.error * sin).abs(),
+                (error.lateral * cos).abs() + (self.load_error * sin).abs(),
                 (error.lateral * sin).abs() + (load.error * cos).abs(),
             ]
         });

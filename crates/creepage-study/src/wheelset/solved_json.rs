@@ -236,7 +236,7 @@ impl WheelPatchJson {
             approach_m: approach.value,
             approach_error_m: approach.error,
             normal_force_n: load.value,
-            normal_force_error_n: load.error,
+            normal_force_error_n: contact.load_error,
             longitudinal_n: contact.force.longitudinal,
             longitudinal_error_n: contact.force_error.map(|error| error.longitudinal),
             lateral_n: contact.force.lateral,

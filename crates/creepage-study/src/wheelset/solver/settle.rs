@@ -114,12 +114,12 @@ impl<'w, 'a> Way<'w, 'a> {
         let next = Start::of(&sought.coarse, &wheels, &rolled, pitch, &self.start);
         let missed = sought.missed(&wheels, &next.shares);
         if self.is_met(&wheels, &next.shares, missed, round) {
-            return Ok(Some(self.solver.solved(
-                (&sought.places, &wheels),
-                &rollings,
-                &rolled,
-                (motion, pitch),
-            )));
+            let here = (&sought.places[..], &wheels[..]);
+            let mut solved = self.solver.solved(here, &rollings, &rolled, (motion, pitch));
+            if !self.is_given {
+                solved.widen_bars(self.stance.roll.is_some());
+            }
+            return Ok(Some(solved));
         }
         self.go_on(&mut sought, &wheels, next, (missed, round));
         Ok(None)

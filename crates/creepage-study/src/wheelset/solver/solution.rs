@@ -93,6 +93,7 @@ impl SolvedContact {
             y_rail: contact.y_rail,
             y_wheel: contact.y_wheel,
             normal: pressed.normal.clone(),
+            load_error: load.error,
             creepage: rolled.creepage,
             force: rolled.force,
             force_error: solution.error.map(|error| {

@@ -1,0 +1,61 @@
+//! What error bars owe to the position that was sought: where a load is given, a wheel whose friction
+//! or pressure errs stands higher or lower, and all of its contacts carry more or less.
+
+use super::solved::{SolvedContact, SolvedWheel, SolvedWheelset};
+
+impl SolvedWheelset {
+    /// Widens error bars of wheels that carry a given load: each its own, or `together`.
+    pub(super) fn widen_bars(&mut self, together: bool) {
+        let wheels = self.left.iter_mut().chain(&mut self.right).map(SolvedWheel::contacts_mut);
+        if together {
+            widen(&mut wheels.flatten().collect::<Vec<_>>());
+        } else {
+            wheels.for_each(|contacts| widen(&mut contacts.iter_mut().collect::<Vec<_>>()));
+        }
+    }
+}
+
+/// The same for contacts that carry a load together, on a flange as much by friction as by pressure.
+fn widen(contacts: &mut [&mut SolvedContact]) {
+    let stiffness: f64 = contacts.iter().map(|contact| contact.vertical_stiffness()).sum();
+    if stiffness <= 0.0 {
+        return;
+    }
+    let [pressing, friction] = contacts
+        .iter()
+        .map(|contact| contact.vertical_errors())
+        .fold([0.0; 2], |[a, b], [c, d]| [a + c, b + d]);
+    for contact in contacts {
+        // Its own pressure's error changes the height, not its load, if it carries the wheel alone.
+        let [own, _] = contact.vertical_errors();
+        contact.widen((pressing - own + friction) / stiffness);
+    }
+}
+
+impl SolvedContact {
+    /// How far its vertical force may be off where the wheel stands (N), by its pressure and by its friction.
+    fn vertical_errors(&self) -> [f64; 2] {
+        let (sin, cos) = self.angle.sin_cos();
+        let friction = self.force_error.map_or(0.0, |error| error.lateral);
+        [self.normal.load().error * cos.abs(), friction * sin.abs()]
+    }
+
+    /// Change of its vertical force as the wheelset goes down (N/m).
+    fn vertical_stiffness(&self) -> f64 {
+        let (sin, cos) = self.angle.sin_cos();
+        let rise = cos + self.force.lateral / self.load() * sin;
+        self.normal.stiffness() * cos * rise
+    }
+
+    /// Widens its error bars by what changes when it stands `depth` (m) lower.
+    fn widen(&mut self, depth: f64) {
+        let more = self.normal.stiffness() * self.angle.cos() * depth;
+        self.load_error += more;
+        let part = more / self.load();
+        if let Some(error) = &mut self.force_error {
+            error.longitudinal += part * self.force.longitudinal.abs();
+            error.lateral += part * self.force.lateral.abs();
+            error.moment += part * self.force.moment.abs();
+        }
+    }
+}
