@@ -2,7 +2,7 @@
 
 use creepage::coulomb::{Exact, Resolution};
 use creepage::theory::Solved;
-use creepage::{Contact, Creepage, Ellipse, Region};
+use creepage::{Contact, Creepage, Ellipse, Region, Status};
 
 use crate::RESOLUTIONS;
 use crate::random::Random;
@@ -89,17 +89,20 @@ fn measure(random: &mut Random, errors: &mut [Errors; 3]) {
         let size = random.between(0.0, creepage);
         let (sin, cos) = random.between(0.0, std::f64::consts::TAU).sin_cos();
         let creepage = Creepage::new(size * cos, size * sin, random.between(-spin, spin)).unwrap();
-        let truth = borders(&finest, ellipse, creepage);
+        let Some(truth) = borders(&finest, ellipse, creepage) else { continue };
         for (theory, errors) in theories.iter().zip(&mut *errors) {
-            let found = borders(theory, ellipse, creepage);
+            let Some(found) = borders(theory, ellipse, creepage) else { continue };
             errors.add(&found, &truth, 2.0 * ellipse.b() / LINES as f64);
         }
     }
 }
 
-/// Where adhesion begins or ends along each line.
-fn borders(theory: &Exact, ellipse: Ellipse, creepage: Creepage) -> Vec<Vec<f64>> {
+/// Where adhesion begins or ends along each line; `None` where the contact is not solved.
+fn borders(theory: &Exact, ellipse: Ellipse, creepage: Creepage) -> Option<Vec<Vec<f64>>> {
     let solved = theory.solve_contact(creepage);
+    if solved.solution().status != Status::Solved {
+        return None;
+    }
     let line = |k: usize| {
         let t = (2.0 * k as f64 + 1.0) / LINES as f64 - 1.0;
         let half = ellipse.a() * (1.0 - t * t).sqrt();
@@ -110,5 +113,5 @@ fn borders(theory: &Exact, ellipse: Ellipse, creepage: Creepage) -> Vec<Vec<f64>
         let changes = (1..POINTS).filter(|i| adheres[i - 1] != adheres[*i]);
         changes.map(|i| 0.5 * (at(i - 1) + at(i))).collect()
     };
-    (0..LINES).map(line).collect()
+    Some((0..LINES).map(line).collect())
 }

@@ -1,5 +1,6 @@
 //! From two grids to one value and its error bar.
 
+use super::mesh::fit;
 use crate::ellipse::Ellipse;
 use crate::{Contact, Creepage, Force};
 
@@ -30,6 +31,9 @@ pub(crate) fn extrapolate(coarse: f64, fine: f64) -> f64 {
 const LIKE: [f64; 3] = [0.78, 1.55, 0.74];
 const POLE: [f64; 3] = [2.2, 1.0, 1.5];
 const UNLIKE: [f64; 3] = [8.3, 5.3, 4.7];
+/// How many times longer bars are on contacts so long that elements no longer fit the edge, where errors fall
+/// more slowly. Chosen on 120 random cases (a/b 6-50) against 52 x 44 elements.
+const LONG: [f64; 3] = [1.0, 2.5, 6.0];
 /// Power of the number of elements with which bars fall less than the scale, of like bodies, and of
 /// dissimilar ones.
 const SLOWER: [[f64; 3]; 2] = [[0.1, 0.0, 0.0], [-0.25; 3]];
@@ -55,12 +59,14 @@ pub(crate) struct Extrapolation {
     pole: [f64; 4],
     /// Factors of the error bars, of like and of dissimilar bodies.
     bars: [[f64; 2]; 3],
+    /// Of all error bars, for the length of the contact.
+    longer: [f64; 3],
 }
 
 impl Extrapolation {
     /// Without a look at the pole.
     pub(crate) const PLAIN: Self =
-        Self { beyond: [BEYOND; 3], pole: [0.0; 4], bars: [[0.0; 2]; 3] };
+        Self { beyond: [BEYOND; 3], pole: [0.0; 4], bars: [[0.0; 2]; 3], longer: [1.0; 3] };
 
     /// On an ellipse. Between dissimilar bodies slip turns elsewhere than around the pole.
     pub(crate) fn new(contact: &Contact, creepage: Creepage) -> Self {
@@ -72,7 +78,9 @@ impl Extrapolation {
             [like * alike, (1.0 - like) * UNLIKE[k] * (1.0 + kappa).cbrt()]
         };
         let beyond = LESS.map(|less| BEYOND * (1.0 - less * pole[0]));
-        Self { beyond, pole, bars: [0, 1, 2].map(bar) }
+        let loose = 1.0 - fit(contact.ellipse().ratio());
+        let longer = LONG.map(|times| 1.0 + (times - 1.0) * loose);
+        Self { beyond, pole, bars: [0, 1, 2].map(bar), longer }
     }
 
     /// The force of a coarser and of a finer grid in steady rolling, extrapolated as far as friction goes:
@@ -98,7 +106,7 @@ impl Extrapolation {
             let [alike, unlike] =
                 [0, 1].map(|i| self.bars[k][i] * (elements as f64 / 400.0).powf(SLOWER[i][k]));
             let factor = alike + unlike;
-            (factor * scale).max(least * own).max(LEAST[1] * most)
+            self.longer[k] * (factor * scale).max(least * own).max(LEAST[1] * most)
         })
     }
 

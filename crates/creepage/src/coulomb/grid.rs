@@ -43,6 +43,9 @@ pub(crate) struct Grid {
     pub rounding: f64,
     /// Whether less of it is left at strong spin.
     pub narrows: bool,
+    /// Whether the contact is so long that the corner is narrow and monotone. Not on areas of any shape: they
+    /// may become long as a wheelset moves, and forces must not jump.
+    pub is_long: bool,
     /// For each element, those of the coarser grid to interpolate between, with their weights.
     pub coarser: Vec<[(usize, f64); 4]>,
     /// Half the width of each element's strip, where adhesion gives way to spin; empty elsewhere.
@@ -105,6 +108,7 @@ impl Grid {
             places,
             rounding: (ROUNDING[0] * mesh.strips.len() as f64 / mesh.len() as f64).min(ROUNDING[1]),
             narrows: false,
+            is_long: false,
             coarser: Vec::new(),
             half_widths: Vec::new(),
             mesh,

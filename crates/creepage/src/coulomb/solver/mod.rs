@@ -155,6 +155,7 @@ impl State {
     }
 
     /// Where the unbiased corner leads nowhere, a monotone one shows the way; where that does not, more slip.
+    /// On a long contact the unbiased one leads nowhere too often, and the narrow monotone one comes first.
     fn iterate(&mut self, tolerance: f64, grid: &Grid, equations: &mut Equations) -> bool {
         let [many, few] = ROUNDS;
         let [part, _] = grid.corner(self.forcing.spin);
@@ -165,7 +166,8 @@ impl State {
         };
         let unbiased = Corner::Unbiased(rounding);
         let [wide, narrow] = [1.0, NARROW].map(|part| Corner::Monotone(part * rounding));
-        if obeys(self, unbiased, many)
+        if (grid.is_long && obeys(self, narrow, many))
+            || obeys(self, unbiased, many)
             || (obeys(self, wide, many)
                 && (obeys(self, unbiased, few) || obeys(self, narrow, many)))
         {
