@@ -193,7 +193,7 @@ impl State {
         (0..rounds).any(|round| {
             let pairs = 2 * round + 1;
             for _ in 0..pairs {
-                self.sweep_both_ways(grid, tolerance);
+                self.sweep_both_ways(grid, tolerance, round);
             }
             equations.sweeps += 2 * pairs;
             for strip in 0..grid.influence.strips() {
@@ -203,11 +203,11 @@ impl State {
         })
     }
 
-    /// A pair of sweeps.
-    fn sweep_both_ways(&mut self, grid: &Grid, tolerance: f64) {
+    /// A pair of sweeps in one round of them.
+    fn sweep_both_ways(&mut self, grid: &Grid, tolerance: f64, round: usize) {
         let strips = grid.influence.strips();
         for strip in (0..strips).chain((0..strips).rev()) {
-            self.solve_both(grid, strip, tolerance);
+            self.solve_both(grid, strip, tolerance, round);
         }
     }
 

@@ -3,29 +3,35 @@
 use super::State;
 use crate::coulomb::grid::Grid;
 
+/// Of Newton in a strip in one sweep: other strips change what drives it before more is worth the matrices
+/// to be factored. Where that has not led near in [`QUICK_ROUNDS`], as many as it takes.
+const FEW_STEPS: usize = 3;
 const STEPS: usize = 30;
+/// Rounds of sweeps with few steps.
+const QUICK_ROUNDS: usize = 2;
 /// Newton steps that are taken in full; later ones by half, for they swing between two states.
 const FULL_STEPS: usize = 12;
 /// Steps below this size leave a strip's factors good enough to use again.
 const CHORD: f64 = 0.02;
 
 impl State {
-    /// Makes a strip and then its mirror image obey friction.
-    pub(super) fn solve_both(&mut self, grid: &Grid, strip: usize, tolerance: f64) {
+    /// Makes a strip and then its mirror image obey friction, in a round of sweeps.
+    pub(super) fn solve_both(&mut self, grid: &Grid, strip: usize, tolerance: f64, round: usize) {
+        let steps = if round < QUICK_ROUNDS { FEW_STEPS } else { STEPS };
         self.update_slip(grid, self.precision, strip);
-        self.solve_strip(grid, strip, tolerance);
+        self.solve_strip(grid, strip, tolerance, steps);
         let Some(image) = grid.influence.image(strip) else { return };
         let (x, y) = self.change.split_at(grid.mesh.elements(strip).len());
         grid.influence.image_block(image).add_slip([x, &y[..x.len()]], &mut self.slip);
-        self.solve_strip(grid, image, tolerance);
+        self.solve_strip(grid, image, tolerance, steps);
     }
 
     /// Makes a strip obey friction, as far as `tolerance` or until it is as near as a sweep needs. Its
     /// slip does not follow the last step: other strips will change it.
-    fn solve_strip(&mut self, grid: &Grid, strip: usize, tolerance: f64) {
+    fn solve_strip(&mut self, grid: &Grid, strip: usize, tolerance: f64, steps: usize) {
         self.change.fill(0.0);
         let mut last = f64::INFINITY;
-        for k in 0..STEPS {
+        for k in 0..steps {
             let switched = self.choose_branches(grid, strip);
             if (switched || self.last_step[strip] > CHORD) && !self.factor(grid, strip) {
                 return;
