@@ -117,7 +117,8 @@ impl<'w, 'a> Way<'w, 'a> {
             let here = (&sought.places[..], &wheels[..]);
             let mut solved = self.solver.solved(here, &rollings, &rolled, (motion, pitch));
             if !self.is_given {
-                solved.widen_bars(self.stance.roll.is_some());
+                let together = matches!(self.load, Load::Axle(_)) && self.stance.roll.is_some();
+                solved.widen_bars(together);
             }
             return Ok(Some(solved));
         }
