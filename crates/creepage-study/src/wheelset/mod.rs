@@ -26,7 +26,6 @@ mod solved_picture;
 mod solved_text;
 mod solved_write;
 mod solver;
-mod standing;
 mod table;
 mod wear;
 

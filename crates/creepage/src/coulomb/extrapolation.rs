@@ -33,7 +33,7 @@ const POLE: [f64; 3] = [2.2, 1.0, 1.5];
 const UNLIKE: [f64; 3] = [8.3, 5.3, 4.7];
 /// How many times longer bars are on contacts so long that elements no longer fit the edge, where errors fall
 /// more slowly. Chosen on 120 random cases (a/b 6-50) against 52 x 44 elements.
-const LONG: [f64; 3] = [1.0, 2.5, 6.0];
+const UNFITTED: [f64; 3] = [1.0, 2.5, 6.0];
 /// Power of the number of elements with which bars fall less than the scale, of like bodies, and of
 /// dissimilar ones.
 const SLOWER: [[f64; 3]; 2] = [[0.1, 0.0, 0.0], [-0.25; 3]];
@@ -79,7 +79,7 @@ impl Extrapolation {
         };
         let beyond = LESS.map(|less| BEYOND * (1.0 - less * pole[0]));
         let loose = 1.0 - fit(contact.ellipse().ratio());
-        let longer = LONG.map(|times| 1.0 + (times - 1.0) * loose);
+        let longer = UNFITTED.map(|times| 1.0 + (times - 1.0) * loose);
         Self { beyond, pole, bars: [0, 1, 2].map(bar), longer }
     }
 

@@ -12,7 +12,7 @@ use crate::ellipse::Ellipse;
 
 /// Subcells of an element, along and across; see [`super::quadrature`].
 pub(crate) const SUBCELLS: usize = 4;
-/// Largest `a/b` with elements that are fitted all the way.
+/// Largest `a/b` with elements that are fitted all the way, and with a wide corner of friction.
 pub(super) const LONG: f64 = 10.0;
 
 /// How strips narrow towards the sides: their density is as `1 / (1 - |t|^(p - 1))`, with `t` from

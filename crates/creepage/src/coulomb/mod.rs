@@ -93,8 +93,9 @@ use workspace::Pool;
 /// contacts that nearly adhere under slight spin, where they fall more slowly. At the fine resolution the
 /// limit of small creepage is met for `a/b` from 0.1 to 10 to 0.1 % in every coefficient, but 0.15 % in
 /// `C33`; full sliding is met to 0.02 % of `mu N`. Beyond `a/b = 10` small creepage is resolved less well:
-/// over 120 random cases (`a/b` 10 to 60, slight creepage to full sliding) against 52 x 44 elements forces err by
-/// 0.37, 0.32 and 0.08 % rms, 3.0, 1.6 and 0.6 % at worst; 99, 95 and 99 % are inside their error bars.
+/// over 120 random cases of like bodies (`a/b` 10 to 60, slight creepage to full sliding) against 52 x 44
+/// elements forces err by 0.37, 0.32 and 0.08 % rms, 3.0, 1.6 and 0.6 % at worst; 99, 95 and 99 % are inside
+/// their error bars.
 ///
 /// ```
 /// use creepage::coulomb::{Exact, Resolution};

@@ -33,7 +33,7 @@ fn sweeps_and_factorizations_stay() {
 }
 
 /// Pure spin that nearly makes a long contact slide needs more than all else: of 100,000 random cases these
-/// take four hundred sweeps if the corner of friction is as wide as elsewhere.
+/// take three to four hundred sweeps if the corner of friction is as wide as elsewhere.
 #[test]
 fn long_contacts_in_spin_settle() {
     let cases =

@@ -72,7 +72,7 @@ fn vertical(wheel: &SolvedWheel) -> f64 {
 }
 
 /// Lateral force over load.
-fn share(own: &SolvedContact) -> f64 {
+pub(super) fn share(own: &SolvedContact) -> f64 {
     own.force.lateral / own.load()
 }
 

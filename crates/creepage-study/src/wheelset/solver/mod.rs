@@ -13,6 +13,7 @@ mod rolled;
 mod root;
 mod settle;
 mod solution;
+mod standing;
 mod step;
 
 use creepage::SolidPair;

@@ -1,7 +1,9 @@
 //! What error bars owe to the position that was sought: where a load is given, a wheel whose friction
 //! or pressure errs stands higher or lower, and all of its contacts carry more or less.
 
-use super::solved::{SolvedContact, SolvedWheel, SolvedWheelset};
+use super::beside::share;
+use super::pressed::rise;
+use crate::wheelset::solved::{SolvedContact, SolvedWheel, SolvedWheelset};
 
 impl SolvedWheelset {
     /// Widens error bars of wheels that carry a given load: each its own, or `together`.
@@ -17,34 +19,33 @@ impl SolvedWheelset {
 
 /// The same for contacts that carry a load together, on a flange as much by friction as by pressure.
 fn widen(contacts: &mut [&mut SolvedContact]) {
-    let stiffness: f64 = contacts.iter().map(|contact| contact.vertical_stiffness()).sum();
-    if stiffness <= 0.0 {
-        return;
-    }
-    let [pressing, friction] = contacts
-        .iter()
-        .map(|contact| contact.vertical_errors())
-        .fold([0.0; 2], |[a, b], [c, d]| [a + c, b + d]);
-    for contact in contacts {
-        // Its own pressure's error changes the height, not its load, if it carries the wheel alone.
-        let [own, _] = contact.vertical_errors();
-        contact.widen((pressing - own + friction) / stiffness);
+    let sum = |of: fn(&SolvedContact) -> f64| contacts.iter().map(|one| of(one)).sum::<f64>();
+    let stiffness = sum(SolvedContact::vertical_stiffness);
+    let pressing = sum(SolvedContact::error_by_pressure);
+    let friction = sum(SolvedContact::error_by_friction);
+    if stiffness > 0.0 {
+        for contact in contacts {
+            // Its own pressure's error changes the height, not its load, if it carries the wheel alone.
+            let others = pressing - contact.error_by_pressure();
+            contact.widen((others + friction) / stiffness);
+        }
     }
 }
 
 impl SolvedContact {
-    /// How far its vertical force may be off where the wheel stands (N), by its pressure and by its friction.
-    fn vertical_errors(&self) -> [f64; 2] {
-        let (sin, cos) = self.angle.sin_cos();
-        let friction = self.force_error.map_or(0.0, |error| error.lateral);
-        [self.normal.load().error * cos.abs(), friction * sin.abs()]
+    /// How far its vertical force may be off where the wheel stands (N), by its pressure.
+    fn error_by_pressure(&self) -> f64 {
+        self.normal.load().error * self.angle.cos().abs()
+    }
+
+    /// The same by its friction; none by a theory without error bars.
+    fn error_by_friction(&self) -> f64 {
+        self.force_error.map_or(0.0, |error| error.lateral * self.angle.sin().abs())
     }
 
     /// Change of its vertical force as the wheelset goes down (N/m).
     fn vertical_stiffness(&self) -> f64 {
-        let (sin, cos) = self.angle.sin_cos();
-        let rise = cos + self.force.lateral / self.load() * sin;
-        self.normal.stiffness() * cos * rise
+        self.normal.stiffness() * self.angle.cos() * rise(self.angle, share(self))
     }
 
     /// Widens its error bars by what changes when it stands `depth` (m) lower.
