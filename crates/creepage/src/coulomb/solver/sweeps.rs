@@ -3,9 +3,9 @@
 use super::State;
 use crate::coulomb::grid::Grid;
 
-/// Of Newton in a strip in one sweep: other strips change what drives it before more is worth the matrices
-/// to be factored. Where that has not led near in [`QUICK_ROUNDS`], as many as it takes.
-const FEW_STEPS: usize = 3;
+/// Of Newton in a strip in one sweep, and on a long contact: other strips change what drives it before more is
+/// worth the matrices to be factored. Where that has not led near in [`QUICK_ROUNDS`], as many as it takes.
+const FEW_STEPS: [usize; 2] = [2, 1];
 const STEPS: usize = 30;
 /// Rounds of sweeps with few steps.
 const QUICK_ROUNDS: usize = 2;
@@ -17,7 +17,8 @@ const CHORD: f64 = 0.02;
 impl State {
     /// Makes a strip and then its mirror image obey friction, in a round of sweeps.
     pub(super) fn solve_both(&mut self, grid: &Grid, strip: usize, tolerance: f64, round: usize) {
-        let steps = if round < QUICK_ROUNDS { FEW_STEPS } else { STEPS };
+        let few = FEW_STEPS[usize::from(grid.is_long)];
+        let steps = if round < QUICK_ROUNDS { few } else { STEPS };
         self.update_slip(grid, self.precision, strip);
         self.solve_strip(grid, strip, tolerance, steps);
         let Some(image) = grid.influence.image(strip) else { return };
