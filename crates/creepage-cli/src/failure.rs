@@ -7,6 +7,7 @@ use creepage::InvalidValue;
 use creepage::table::{BuildError, FileError};
 use creepage::theory::{TheoryError, UnknownTheory};
 use creepage_1967::GalleryError;
+use creepage_rail::Standard;
 use creepage_rail::file::FileError as ProfileFileError;
 use creepage_study::{
     CaseError, GapCaseError, HistoryError, PointsError, ReferenceError, ReportError, SolveError,
@@ -30,6 +31,12 @@ pub(crate) enum Failure {
     History { path: PathBuf, source: Box<HistoryError> },
     #[error("{}: {source}{}", path.display(), how_to_say(source))]
     Profile { path: PathBuf, source: ProfileFileError },
+    #[error("{}: there is no such file, and the standard profiles are {}", path.display(), standard_profiles())]
+    NoProfile { path: PathBuf },
+    #[error(
+        "{profile} is a standard profile: --role, --side, --unit, --y, --z and --smooth are for files"
+    )]
+    NothingToRead { profile: &'static str },
     #[error("{}: {source}", path.display())]
     Points { path: PathBuf, source: PointsError },
     #[error("{}: {source}", path.display())]
@@ -111,6 +118,10 @@ impl Failure {
             _ => Some(2),
         }
     }
+}
+
+fn standard_profiles() -> String {
+    Standard::NAMES.map(|(name, _)| name).join(", ")
 }
 
 /// The options that say what a profile's file does not show.

@@ -1,10 +1,10 @@
-//! `creepage profile`: what profile files hold, and what had to be done to them.
+//! `creepage profile`: what profile files hold, and what had to be done to them; standard profiles too.
 
-use std::fs;
 use std::path::{Path, PathBuf};
+use std::{fs, io};
 
 use creepage_rail::file::{Format, Reading, Wanted, read, write};
-use creepage_rail::{Role, Side};
+use creepage_rail::{Profile, Role, Side, Standard};
 use creepage_study::{profile_pictures, write_all};
 use serde_json::{Value, json};
 
@@ -17,45 +17,79 @@ use crate::rail_args::{
 /// Points of a converted file lie at most this far apart (m).
 const SPACING: f64 = 5e-4;
 
+/// What an argument names.
+enum Found {
+    Standard(Profile),
+    File(Reading),
+}
+
+impl Found {
+    fn profile(&self) -> &Profile {
+        match self {
+            Self::Standard(profile) => profile,
+            Self::File(reading) => &reading.profile,
+        }
+    }
+}
+
 /// The files first, then the words, so that a wrong `--out` prints nothing.
 pub(crate) fn run(args: &ProfileArgs) -> Result<(), Failure> {
-    let readings: Vec<(&Path, Reading)> = args
-        .files
+    let wanted = args.wanted();
+    let profiles: Vec<(&Path, Found)> = args
+        .profiles
         .iter()
-        .map(|path| Ok((path.as_path(), reading(path, &args.wanted())?)))
+        .map(|path| Ok((path.as_path(), find(path, &wanted)?)))
         .collect::<Result<_, Failure>>()?;
     if let Some(directory) = &args.out {
-        for (path, reading) in &readings {
-            say_written(&written(directory, path, reading, args.convert)?);
+        for (path, found) in &profiles {
+            say_written(&written(directory, path, found.profile(), args.convert)?);
         }
     }
     if args.json {
-        let facts: Vec<Value> = readings.iter().map(|(path, one)| facts(path, one)).collect();
+        let facts: Vec<Value> = profiles.iter().map(|(path, one)| facts(path, one)).collect();
         return print(&to_json(&facts)?);
     }
-    let texts: Vec<String> = readings.iter().map(|(path, one)| words(path, one)).collect();
+    let texts: Vec<String> = profiles.iter().map(|(path, one)| words(path, one)).collect();
     print(&texts.join("\n"))
 }
 
-fn reading(path: &Path, wanted: &Wanted) -> Result<Reading, Failure> {
-    let content = fs::read(path).map_err(|source| Failure::Read { path: path.into(), source })?;
+/// As in a case file: a standard profile by its name, else a file.
+fn find(path: &Path, wanted: &Wanted) -> Result<Found, Failure> {
+    if let Some(standard) = path.to_str().and_then(Standard::named) {
+        if *wanted != Wanted::default() {
+            return Err(Failure::NothingToRead { profile: standard.name() });
+        }
+        return Ok(Found::Standard(standard.profile()));
+    }
+    let content = fs::read(path).map_err(|source| nowhere(path, source))?;
     read(&path.to_string_lossy(), &content, wanted)
+        .map(Found::File)
         .map_err(|source| Failure::Profile { path: path.into(), source })
+}
+
+fn nowhere(path: &Path, source: io::Error) -> Failure {
+    let is_bare = path.extension().is_none() && path.components().count() == 1;
+    if is_bare && source.kind() == io::ErrorKind::NotFound {
+        return Failure::NoProfile { path: path.into() };
+    }
+    Failure::Read { path: path.into(), source }
 }
 
 /// The picture, and the profile in another format.
 fn written(
     directory: &Path,
     path: &Path,
-    reading: &Reading,
+    profile: &Profile,
     convert: Option<ProfileFormat>,
 ) -> Result<Vec<PathBuf>, Failure> {
-    let stem = path.file_stem().unwrap_or_default().to_string_lossy();
-    let [svg, png] = profile_pictures(&stem, &reading.profile)?;
+    let title = path.file_stem().unwrap_or_default().to_string_lossy();
+    // Not every system allows the colon of `cone-1:20`.
+    let stem = title.replace(':', "-");
+    let [svg, png] = profile_pictures(&title, profile)?;
     let mut files = vec![(format!("{stem}.svg"), svg), (format!("{stem}.png"), png)];
     if let Some(format) = convert {
-        let text = write(&reading.profile, format.into(), SPACING);
-        files.push((format!("{stem}.{}", format.ending(reading.profile.role())), text.into()));
+        let text = write(profile, format.into(), SPACING);
+        files.push((format!("{stem}.{}", format.ending(profile.role())), text.into()));
     }
     let files: Vec<(&str, &[u8])> =
         files.iter().map(|(name, content)| (&name[..], &content[..])).collect();
@@ -72,28 +106,37 @@ fn name(format: Format) -> &'static str {
     }
 }
 
-fn words(path: &Path, reading: &Reading) -> String {
-    let length = 1e3 * reading.profile.curve().length();
-    let head = format!(
-        "{}: {}, {}, {} points, {length:.1} mm long\n",
-        path.display(),
-        reading.profile.role(),
-        name(reading.format),
-        reading.points
-    );
-    reading.actions.iter().fold(head, |text, action| format!("{text}  {action}\n"))
+fn words(path: &Path, found: &Found) -> String {
+    let (name_given, profile) = (path.display(), found.profile());
+    let (role, length) = (profile.role(), 1e3 * profile.curve().length());
+    match found {
+        Found::Standard(_) => format!("{name_given}: {role}, standard, {length:.1} mm long\n"),
+        Found::File(Reading { format, points, actions, .. }) => {
+            let format = name(*format);
+            let head =
+                format!("{name_given}: {role}, {format}, {points} points, {length:.1} mm long\n");
+            actions.iter().fold(head, |text, action| format!("{text}  {action}\n"))
+        }
+    }
 }
 
-fn facts(path: &Path, reading: &Reading) -> Value {
-    let actions: Vec<String> = reading.actions.iter().map(ToString::to_string).collect();
-    json!({
-        "file": path,
-        "role": reading.profile.role().to_string(),
-        "format": name(reading.format),
-        "points": reading.points,
-        "length_m": reading.profile.curve().length(),
-        "actions": actions,
-    })
+/// What only a file has is `null` of a standard profile.
+fn facts(path: &Path, found: &Found) -> Value {
+    let profile = found.profile();
+    let (role, length) = (profile.role().to_string(), profile.curve().length());
+    match found {
+        Found::Standard(_) => json!({
+            "standard": path, "file": null, "role": role, "format": null, "points": null,
+            "length_m": length, "actions": [],
+        }),
+        Found::File(Reading { format, points, actions, .. }) => {
+            let actions: Vec<String> = actions.iter().map(ToString::to_string).collect();
+            json!({
+                "standard": null, "file": path, "role": role, "format": name(*format),
+                "points": points, "length_m": length, "actions": actions,
+            })
+        }
+    }
 }
 
 impl ProfileArgs {

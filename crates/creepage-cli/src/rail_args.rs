@@ -51,9 +51,9 @@ pub(crate) struct ConicityArgs {
 
 #[derive(Debug, clap::Args)]
 pub(crate) struct ProfileArgs {
-    /// Profile files.
-    #[arg(value_name = "FILE", required = true)]
-    pub(crate) files: Vec<PathBuf>,
+    /// Profile files, or standard profiles by their names: S1002, UIC60 and the others of a case file.
+    #[arg(value_name = "PROFILE", required = true)]
+    pub(crate) profiles: Vec<PathBuf>,
     /// Print JSON.
     #[arg(long)]
     pub(crate) json: bool,

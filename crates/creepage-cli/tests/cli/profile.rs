@@ -33,6 +33,30 @@ fn what_a_file_holds_is_said_in_words_and_in_json() {
     assert!((0.14..0.17).contains(&length), "{length}");
 }
 
+/// As a file, too, and not with options for reading one.
+#[test]
+fn standard_profiles_go_by_their_names() {
+    let place = Place::new();
+    let text = place.run(&["profile", "S1002", "cone-1:20"]).done();
+    assert!(
+        text.contains("S1002: wheel, standard, ") && text.contains("cone-1:20: wheel"),
+        "{text}"
+    );
+    let convert = ["profile", "--convert", "columns", "--out", "out", "cone-1:20", "UIC60"];
+    place.run(&convert).done();
+    let names = ["UIC60.png", "UIC60.svg", "UIC60.txt", "cone-1-20.png", "cone-1-20.svg"];
+    let files = place.files_in("out");
+    assert!(names.iter().all(|name| files.contains(&(*name).to_owned())), "{files:?}");
+    let length =
+        |arguments: &[&str]| json(&place.run(arguments).done())[0]["length_m"].as_f64().unwrap();
+    let standard = length(&["profile", "--json", "UIC60"]);
+    let written = length(&["profile", "--json", "out/UIC60.txt", "--role", "rail"]);
+    // Chords of half a millimetre on radii from 13 mm on are shorter by 6e-5 of their length at most.
+    assert!((written / standard - 1.0).abs() < 6e-5, "{written} {standard}");
+    place.run(&["profile", "S1002", "--unit", "0.001"]).refused(&["S1002", "--unit"]);
+    place.run(&["profile", "S1003"]).refused(&["S1003", "S1002", "UIC60"]);
+}
+
 /// Out to another format with a picture, and in again: the same points.
 #[test]
 fn conversions_are_read_back() {
