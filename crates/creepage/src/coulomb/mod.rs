@@ -83,8 +83,8 @@ use workspace::Pool;
 /// Over 1,219 random cases (`a/b` .15 to 6, creepage to 3, spin to 8), against 96 x 80 elements, `fx`, `fy`
 /// and `mz` err by 0.14, 0.05 and 0.012 % rms at the three resolutions, 0.7, 0.36 and 0.09 % at worst, and
 /// 95 to 97 % are inside their error bars, which are three to four times the error in the median. Between
-/// unlike bodies (three draws, 800 cases, `kappa/mu` to 3) it is at most 0.18, 0.06 and 0.023 %, 1.5, 0.45 and
-/// 0.17 %, at least 96 %, and five to six times.
+/// unlike bodies (600 cases, `kappa/mu` to 3) it is 0.14, 0.05 and 0.017 %, 0.8, 0.32 and 0.15 %, 96 to 97 %, and
+/// five to six times.
 ///
 /// Over 60 random cases of like bodies the border of adhesion errs along `x` by 0.011, 0.006 and 0.003 `c` in
 /// the median, and nine times in ten by less than 0.047, 0.023 and 0.010 `c` (`bench exact -- border 60`).
