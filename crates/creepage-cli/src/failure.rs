@@ -37,6 +37,10 @@ pub(crate) enum Failure {
         "{profile} is a standard profile: --role, --side, --unit, --y, --z and --smooth are for files"
     )]
     NothingToRead { profile: &'static str },
+    #[error("{} would be written over the profile that was read: give another --out", path.display())]
+    OverProfile { path: PathBuf },
+    #[error("{} would be written twice: give profiles of one name one by one, each its own --out", path.display())]
+    SameName { path: PathBuf },
     #[error("{}: {source}", path.display())]
     Points { path: PathBuf, source: PointsError },
     #[error("{}: {source}", path.display())]

@@ -30,6 +30,12 @@ impl Found {
             Self::File(reading) => &reading.profile,
         }
     }
+
+    /// Whether a file is the one at `path` that was read.
+    fn is_from(&self, path: &Path, file: &Path) -> bool {
+        let real = |path: &Path| fs::canonicalize(path).ok();
+        matches!(self, Self::File(_)) && real(file).is_some_and(|file| real(path) == Some(file))
+    }
 }
 
 /// The files first, then the words, so that a wrong `--out` prints nothing.
@@ -41,9 +47,7 @@ pub(crate) fn run(args: &ProfileArgs) -> Result<(), Failure> {
         .map(|path| Ok((path.as_path(), find(path, &wanted)?)))
         .collect::<Result<_, Failure>>()?;
     if let Some(directory) = &args.out {
-        for (path, found) in &profiles {
-            say_written(&written(directory, path, found.profile(), args.convert)?);
-        }
+        say_written(&written(directory, &profiles, args.convert)?);
     }
     if args.json {
         let facts: Vec<Value> = profiles.iter().map(|(path, one)| facts(path, one)).collect();
@@ -75,13 +79,36 @@ fn nowhere(path: &Path, source: io::Error) -> Failure {
     Failure::Read { path: path.into(), source }
 }
 
-/// The picture, and the profile in another format.
+/// Writes the files of all profiles, over none that was read and no two of one name.
 fn written(
     directory: &Path,
+    profiles: &[(&Path, Found)],
+    convert: Option<ProfileFormat>,
+) -> Result<Vec<PathBuf>, Failure> {
+    let mut files: Vec<(String, Vec<u8>)> = Vec::new();
+    for (path, found) in profiles {
+        for (name, content) in made_of(path, found.profile(), convert)? {
+            let target = directory.join(&name);
+            if profiles.iter().any(|(path, found)| found.is_from(path, &target)) {
+                return Err(Failure::OverProfile { path: target });
+            }
+            if files.iter().any(|(other, _)| *other == name) {
+                return Err(Failure::SameName { path: target });
+            }
+            files.push((name, content));
+        }
+    }
+    let files: Vec<(&str, &[u8])> =
+        files.iter().map(|(name, content)| (&name[..], &content[..])).collect();
+    Ok(write_all(directory, &files)?)
+}
+
+/// The picture, and the profile in another format: names and contents of files.
+fn made_of(
     path: &Path,
     profile: &Profile,
     convert: Option<ProfileFormat>,
-) -> Result<Vec<PathBuf>, Failure> {
+) -> Result<Vec<(String, Vec<u8>)>, Failure> {
     let title = path.file_stem().unwrap_or_default().to_string_lossy();
     // Not every system allows the colon of `cone-1:20`.
     let stem = title.replace(':', "-");
@@ -91,9 +118,7 @@ fn written(
         let text = write(profile, format.into(), SPACING);
         files.push((format!("{stem}.{}", format.ending(profile.role())), text.into()));
     }
-    let files: Vec<(&str, &[u8])> =
-        files.iter().map(|(name, content)| (&name[..], &content[..])).collect();
-    Ok(write_all(directory, &files)?)
+    Ok(files)
 }
 
 fn name(format: Format) -> &'static str {

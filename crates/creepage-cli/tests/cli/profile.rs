@@ -33,7 +33,23 @@ fn what_a_file_holds_is_said_in_words_and_in_json() {
     assert!((0.14..0.17).contains(&length), "{length}");
 }
 
-/// As a file, too, and not with options for reading one.
+/// A measured profile that is smoothed into its own folder, and two of one name: nothing is lost.
+#[test]
+fn no_profile_is_written_over_another() {
+    let place = with(&["s1002.prw"]);
+    let measured = place.read("s1002.prw");
+    let smoothed = ["profile", "s1002.prw", "--convert", "simpack", "--smooth", "0.006"];
+    place.run(&[&smoothed[..], &["--out", "."]].concat()).refused(&["s1002.prw", "--out"]);
+    assert_eq!(place.read("s1002.prw"), measured);
+    assert_eq!(place.files(), ["s1002.prw"]);
+    fs::create_dir(place.path("other")).unwrap();
+    place.write("other/s1002.prw", measured);
+    let twice = ["profile", "s1002.prw", "other/s1002.prw", "--out", "out"];
+    place.run(&twice).refused(&["s1002.svg", "twice"]);
+    assert!(place.files().iter().all(|name| name != "out"), "{:?}", place.files());
+}
+
+/// Pictured and converted as files are, and not with options for reading one.
 #[test]
 fn standard_profiles_go_by_their_names() {
     let place = Place::new();
