@@ -132,14 +132,13 @@ fn name(format: Format) -> &'static str {
 }
 
 fn words(path: &Path, found: &Found) -> String {
-    let (name_given, profile) = (path.display(), found.profile());
+    let (given, profile) = (path.display(), found.profile());
     let (role, length) = (profile.role(), 1e3 * profile.curve().length());
     match found {
-        Found::Standard(_) => format!("{name_given}: {role}, standard, {length:.1} mm long\n"),
+        Found::Standard(_) => format!("{given}: {role}, standard, {length:.1} mm long\n"),
         Found::File(Reading { format, points, actions, .. }) => {
             let format = name(*format);
-            let head =
-                format!("{name_given}: {role}, {format}, {points} points, {length:.1} mm long\n");
+            let head = format!("{given}: {role}, {format}, {points} points, {length:.1} mm long\n");
             actions.iter().fold(head, |text, action| format!("{text}  {action}\n"))
         }
     }

@@ -3,8 +3,8 @@
 use super::State;
 use crate::coulomb::grid::Grid;
 
-/// Of Newton in a strip in one sweep, and on a long contact: other strips change what drives it before more is
-/// worth the matrices to be factored. Where that has not led near in [`QUICK_ROUNDS`], as many as it takes.
+/// Newton steps in a strip in one sweep, two or, on a long contact, one: other strips change what drives it
+/// before more are worth the matrices to be factored. After [`QUICK_ROUNDS`] there are as many as it takes.
 const FEW_STEPS: [usize; 2] = [2, 1];
 const STEPS: usize = 30;
 /// Rounds of sweeps with few steps.
