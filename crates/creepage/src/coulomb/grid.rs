@@ -2,7 +2,7 @@
 //! every other.
 
 use super::forcing::{self, SlipForcing};
-use super::influence::Influence;
+use super::influence::{Displacements, Influence};
 use super::mesh::Mesh;
 use super::pressure::Pressure;
 use super::quadrature::Quadrature;
@@ -158,8 +158,8 @@ impl Grid {
     }
 
     /// Makes the slip of every element another combination of displacements: rows and factors.
-    pub(crate) fn combine(&mut self, displacements: &Influence, weights: &[[(usize, f64); 3]]) {
-        displacements.combine(&self.mesh, weights, &mut self.influence);
+    pub(crate) fn combine(&mut self, displacements: &Displacements, weights: &[[(usize, f64); 3]]) {
+        displacements.combine(weights, &mut self.influence);
         self.weights.clear();
         for strip in 0..self.mesh.strips.len() {
             let own = self.mesh.elements(strip).map(|e| WEIGHT / self.influence.own(strip, e));
@@ -234,16 +234,14 @@ mod tests {
 
     /// Slip of every element by tractions without symmetry.
     fn slips(influence: &Influence) -> Vec<f64> {
-        let n = influence.columns();
         let mut tractions = Tractions::zeros(influence);
+        let n = tractions.own[0].len();
         tractions.copy_from(&(0..2 * n).map(|k| (k as f64).sin()).collect::<Vec<_>>());
-        let mut slips = vec![0.0; 2 * n];
+        let mut slips = [0, 1].map(|_| vec![0.0; n]);
         for strip in 0..influence.strips() {
-            influence.slip(Precision::Double, strip, &tractions, |element, slip| {
-                slips[2 * element..][..2].copy_from_slice(&slip);
-            });
+            influence.slip(Precision::Double, strip, &tractions, &mut slips);
         }
-        slips
+        slips.concat()
     }
 
     /// Strips with `n`, `n + 2` and `n + 4` elements by turns.

@@ -41,6 +41,14 @@ impl SlipStencil {
         Self { weights: weights.collect(), places, points }
     }
 
+    /// Factors of the step that ends at each element and of the one before it, in its slip.
+    pub(crate) fn of_steps(&self) -> impl Iterator<Item = [f64; 2]> {
+        let first = |[(_, own), ..]: &[(usize, f64); 3]| [*own, 0.0];
+        let other = |[(_, before), _, (_, own)]: &[(usize, f64); 3]| [-own, *before];
+        let weights = self.weights.iter().enumerate();
+        weights.map(move |(i, weights)| if i == 0 { first(weights) } else { other(weights) })
+    }
+
     /// Slip of each element by a displacement.
     pub(crate) fn slip(
         &self,

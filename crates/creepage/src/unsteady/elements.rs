@@ -2,7 +2,7 @@
 
 use crate::coulomb::forcing;
 use crate::coulomb::grid::Grid;
-use crate::coulomb::influence::Influence;
+use crate::coulomb::influence::Displacements;
 use crate::coulomb::mesh::{Mesh, Sides};
 use crate::coulomb::stencil::SlipStencil;
 use crate::friction_law::RollingFriction;
@@ -42,7 +42,7 @@ pub(crate) struct Elements {
     pub all: Vec<Element>,
     pub rows: Vec<Row>,
     /// Of all points, by tractions over their bounds.
-    pub displacements: Influence,
+    pub displacements: Displacements,
     /// Of all points, by the pressure of dissimilar bodies.
     pub by_pressure: Vec<[f64; 2]>,
     /// The contact, for particles that enter it from the side; a line contact has no sides.
@@ -55,11 +55,14 @@ impl Elements {
     pub(crate) fn new(steady: Grid, poisson: f64, slip_unit: f64, semi_axes: [f64; 2]) -> Self {
         let rounding = steady.rounding;
         // From step to step a rounded corner would let adhering elements creep.
-        let steady = Grid { rounding: 0.0, ..steady };
-        let mesh = &steady.mesh;
-        let points: Vec<_> = mesh.strips.iter().map(|s| SlipStencil::steady(s).points).collect();
+        let mut steady = Grid { rounding: 0.0, ..steady };
+        let stencils: Vec<_> = steady.mesh.strips.iter().map(SlipStencil::steady).collect();
+        let points: Vec<_> = stencils.iter().map(|stencil| stencil.points.clone()).collect();
         let units = steady.pressure.units(slip_unit);
-        let displacements = Influence::displacements(mesh, poisson, &points, units);
+        let displacements = Displacements::new(&steady.mesh, poisson, &points, units);
+        steady.influence = displacements.slip();
+        steady.combine(&displacements, &of_all_points(&stencils));
+        let mesh = &steady.mesh;
         let mut first = 0;
         let mut rows = Vec::with_capacity(points.len());
         for (strip, points) in mesh.strips.iter().zip(&points) {
@@ -106,6 +109,19 @@ impl Elements {
     pub(crate) fn points(&self) -> usize {
         self.by_pressure.len()
     }
+}
+
+/// The stencils' weights with points counted from strip to strip.
+fn of_all_points(stencils: &[SlipStencil]) -> Vec<[(usize, f64); 3]> {
+    let mut first = 0;
+    let of_strip = |stencil: &SlipStencil| {
+        let own = first;
+        first += stencil.points.len();
+        let from_own =
+            move |weights: &[(usize, f64); 3]| weights.map(|(point, w)| (own + point, w));
+        stencil.weights.iter().map(from_own).collect::<Vec<_>>()
+    };
+    stencils.iter().flat_map(of_strip).collect()
 }
 
 impl Element {

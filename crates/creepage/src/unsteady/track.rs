@@ -8,7 +8,6 @@ use super::past::{Creep, Level, Past};
 use super::system::System;
 use crate::Force;
 use crate::coulomb::grid::Grid;
-use crate::coulomb::influence::Precision;
 use crate::coulomb::resistance::Moment;
 use crate::coulomb::solver::{Equations, Outcome, State};
 
@@ -209,12 +208,10 @@ impl Track {
     /// The present displacements.
     fn level(&self, length: f64, scale: f64, smooth: bool) -> Level {
         let unit = scale * scale;
-        let mut displacement = [0, 1].map(|_| Vec::with_capacity(self.elements.points()));
-        for (point, pressure) in self.elements.by_pressure.iter().enumerate() {
-            let by_traction =
-                self.elements.displacements.apply(Precision::Double, point, &self.state.traction);
-            for k in 0..2 {
-                displacement[k].push(unit * (by_traction[k] + pressure[k]));
+        let mut displacement = self.elements.displacements.by(&self.state.traction);
+        for (k, by_traction) in displacement.iter_mut().enumerate() {
+            for (all, by_pressure) in by_traction.iter_mut().zip(&self.elements.by_pressure) {
+                *all = unit * (*all + by_pressure[k]);
             }
         }
         let (creep, friction) = (self.creep, self.friction());

@@ -17,7 +17,7 @@ use super::elements::{Element, Elements};
 use crate::approximate::linear::CreepageCoefficients;
 use crate::check::{self, InvalidValue};
 use crate::coulomb::extrapolation::extrapolate;
-use crate::coulomb::influence::{Precision, Tractions};
+use crate::coulomb::influence::Tractions;
 use crate::coulomb::{Exact, Resolution};
 use crate::{Contact, Ellipse};
 
@@ -161,13 +161,13 @@ impl Wave {
         let elements = Elements::hertz(ellipse, poisson, 0.0, counts);
         let n = elements.all.len();
         let mut displacements = DMatrix::zeros(2 * elements.points(), 2 * n);
-        let mut unit = Tractions::zeros(&elements.displacements);
+        let mut unit = Tractions::zeros(&elements.steady.influence);
         for (column, mut by) in displacements.column_iter_mut().enumerate() {
             let (element, component) = (column / 2, column % 2);
             let traction = [[1.0, 0.0], [0.0, 1.0]][component];
             unit.set(|other| if other == element { traction } else { [0.0; 2] });
-            for point in 0..elements.points() {
-                let [x, y] = elements.displacements.apply(Precision::Double, point, &unit);
+            let [x, y] = elements.displacements.by(&unit);
+            for (point, (x, y)) in x.into_iter().zip(y).enumerate() {
                 (by[2 * point], by[2 * point + 1]) = (x, y);
             }
         }

@@ -5,33 +5,39 @@
 
 use std::sync::Mutex;
 
+use super::layout::{BLOCK, Layout};
+
 /// Sets kept: two grids of each contact of a wheelset, while the next ones are made.
 const KEPT: usize = 8;
 /// Largest number of entries of a set that is kept: of some 16 MB.
-const LARGEST: usize = 450_000;
+const LARGEST: usize = 1_350_000;
 
 /// Nobody waits for it: new memory costs less, and a process forked off would wait for ever.
 static SPARE: Mutex<Vec<Coefficients>> = Mutex::new(Vec::new());
 
-/// Slip in `x` by `x`; in `x` by `y` and in `y` by `x`; in `y` by `y`; in both precisions.
+/// Rows of coefficients in both precisions, as [`Product`](crate::coulomb::product::Product) reads them, and
+/// the blocks of them that strips have of themselves and of their mirror images.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Coefficients {
-    pub(super) double: [Vec<f64>; 3],
-    pub(super) single: [Vec<f32>; 3],
+    pub(super) double: Vec<f64>,
+    pub(super) single: Vec<f32>,
+    /// In `x` by `x`; in `x` by `y` and in `y` by `x`; in `y` by `y`.
+    pub(super) blocks: [Vec<f64>; 3],
 }
 
 impl Coefficients {
-    /// So many of each in double precision, of any value: all are to be written.
-    pub(super) fn with_length(entries: usize) -> Self {
-        let mut room = Self::kept(entries).unwrap_or_default();
-        room.double.iter_mut().for_each(|of| resize(of, entries));
+    /// So many entries of rows in double precision and of blocks, of any value: all are to be written.
+    pub(super) fn with_length(rows: usize, blocks: usize) -> Self {
+        let mut room = Self::kept(rows).unwrap_or_default();
+        resize(&mut room.double, rows);
+        room.blocks.iter_mut().for_each(|of| resize(of, blocks));
         room
     }
 
     /// The same with as many in single precision.
     pub(super) fn with_single(mut self) -> Self {
-        let entries = self.double[0].len();
-        self.single.iter_mut().for_each(|of| resize(of, entries));
+        let entries = self.double.len();
+        resize(&mut self.single, entries);
         self
     }
 
@@ -44,16 +50,7 @@ impl Coefficients {
     }
 
     fn capacity(&self) -> usize {
-        self.double[0].capacity()
-    }
-
-    /// Copies all to single precision.
-    #[allow(clippy::cast_possible_truncation)] // single precision is meant
-    pub(super) fn copy_to_single(&mut self) {
-        for (single, double) in self.single.iter_mut().zip(&self.double) {
-            single.clear();
-            single.extend(double.iter().map(|entry| *entry as f32));
-        }
+        self.double.capacity()
     }
 
     /// Keeps the memory for [`Coefficients::with_length`].
@@ -75,5 +72,37 @@ fn resize<T: Clone + Default>(of: &mut Vec<T>, entries: usize) {
         *of = vec![T::default(); entries];
     } else {
         of.resize(entries, T::default());
+    }
+}
+
+/// Room to fold rows.
+pub(super) struct Fold {
+    /// In `x` by `x`; in `x` by `y` and in `y` by `x`; in `y` by `y`: part by part.
+    parts: [Vec<f64>; 3],
+}
+
+impl Fold {
+    pub(super) fn new(layout: &Layout) -> Self {
+        Self { parts: std::array::from_fn(|_| vec![0.0; layout.entries()]) }
+    }
+
+    /// Makes of the coefficients of all elements those of the parts, in the order of
+    /// [`Product`](crate::coulomb::product::Product).
+    pub(super) fn row(&mut self, layout: &Layout, of: [&[f64]; 3], row: &mut [f64]) {
+        let parts = &mut self.parts;
+        for (parts, of) in parts.iter_mut().zip(of) {
+            (0..layout.kept()).for_each(|strip| layout.fold(strip, of, parts));
+        }
+        let mut to = row.chunks_exact_mut(BLOCK);
+        for pair in 0..layout.symmetry.parts() / 2 {
+            for block in 0..layout.width / BLOCK {
+                for part in [2 * pair, 2 * pair + 1] {
+                    let start = part * layout.width + block * BLOCK;
+                    for (parts, to) in parts.iter().zip(&mut to) {
+                        to.copy_from_slice(&parts[start..start + BLOCK]);
+                    }
+                }
+            }
+        }
     }
 }

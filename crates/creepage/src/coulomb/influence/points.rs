@@ -1,72 +1,133 @@
 //! Displacements at points, kept for themselves, and slip as any combination of them: what rolling
 //! that is not steady needs, where the combination changes from step to step.
 
-use super::{Coefficients, Influence, Place};
+use super::coefficients::{Coefficients, Fold};
+use super::layout::{Layout, Symmetry, unfold};
+use super::{Influence, Tractions, starts, to_single};
 use crate::coulomb::cuts::Cuts;
 use crate::coulomb::mesh::Mesh;
+use crate::coulomb::product::Product;
 
-impl Influence {
-    /// Displacements by tractions over `units`, one an element, in units of `pi G`, at `points` of
-    /// every strip, a row a point in their order.
-    pub(crate) fn displacements(
+/// Displacements at some points of every strip, by the traction of every element.
+#[derive(Debug, Clone)]
+pub(crate) struct Displacements {
+    coefficients: Coefficients,
+    layout: Layout,
+    /// First point of every strip, and the number of all: the rows are those of the kept strips, in order.
+    points: Vec<usize>,
+    /// Where the blocks of every kept strip begin: of itself, then of its mirror image.
+    blocks: Vec<usize>,
+}
+
+impl Displacements {
+    /// By tractions over `units`, one an element, in units of `pi G`, at `points` of every strip.
+    pub(crate) fn new(
         mesh: &Mesh,
         poisson: f64,
         points: &[Vec<[f64; 2]>],
         units: Vec<f64>,
     ) -> Self {
-        let (stored, mut cuts) = (stored(mesh), Cuts::new(mesh, units));
-        let count: usize = points[..stored].iter().map(Vec::len).sum();
-        let mut coefficients = Coefficients::with_length(count * mesh.len());
-        for (row, at) in points[..stored].iter().flatten().enumerate() {
-            let row = row * mesh.len()..(row + 1) * mesh.len();
-            let by = coefficients.double.each_mut().map(|all| &mut all[row.clone()]);
-            cuts.displace(poisson, *at, by);
-        }
-        let mut starts = vec![0];
-        starts.extend(points.iter().scan(0, |end, points| {
-            *end += points.len();
-            Some(*end)
-        }));
-        let row = |(strip, k): (usize, usize)| {
-            let (own, sign) = own_or_image(mesh, strip);
-            Place { start: (starts[own] + k) * mesh.len(), block: mesh.elements(own), sign }
-        };
-        let strips = points.iter().enumerate();
-        let rows = strips.flat_map(|(strip, at)| (0..at.len()).map(move |k| (strip, k))).map(row);
-        Self {
-            coefficients,
-            rows: rows.collect(),
-            offsets: mesh.offsets().to_vec(),
-            mirrored: mesh.mirrored,
-        }
-    }
-
-    /// Makes of `slip` the combinations of these displacements' rows, one an element: rows and
-    /// factors.
-    pub(crate) fn combine(&self, mesh: &Mesh, weights: &[[(usize, f64); 3]], slip: &mut Self) {
-        let (n, stored) = (mesh.len(), stored(mesh));
-        for (to, from) in slip.coefficients.double.iter_mut().zip(&self.coefficients.double) {
-            to.clear();
-            for [(a, wa), (b, wb), (c, wc)] in &weights[..mesh.offsets()[stored]] {
-                let [a, b, c] = [*a, *b, *c].map(|row| {
-                    let start = self.rows[row].start;
-                    &from[start..start + n]
-                });
-                let rows = a.iter().zip(b).zip(c);
-                to.extend(rows.map(|((a, b), c)| wa * a + wb * b + wc * c));
+        let layout = Layout::new(Symmetry::new(false, mesh.mirrored), mesh.offsets());
+        let kept = layout.kept();
+        let block = |strip: usize| 2 * points[strip].len() * mesh.strips[strip].len();
+        let (blocks, first) = (starts((0..kept).map(block)), starts(points.iter().map(Vec::len)));
+        let length = 3 * layout.entries();
+        let mut coefficients = Coefficients::with_length(first[kept] * length, blocks[kept]);
+        let (mut fold, mut cuts) = (Fold::new(&layout), Cuts::new(mesh, units));
+        let mut by: [Vec<f64>; 3] = std::array::from_fn(|_| vec![0.0; mesh.len()]);
+        let mut rows = coefficients.double.chunks_exact_mut(length);
+        for (strip, points) in points[..kept].iter().enumerate() {
+            for ((k, point), row) in points.iter().enumerate().zip(&mut rows) {
+                cuts.displace(poisson, *point, by.each_mut().map(Vec::as_mut_slice));
+                fold.row(&layout, by.each_ref().map(Vec::as_slice), row);
+                for (image, by_strip) in [strip, layout.image(strip)].into_iter().enumerate() {
+                    let elements = layout.elements(by_strip);
+                    let start = blocks[strip] + (image * points.len() + k) * elements.len();
+                    for (block, by) in coefficients.blocks.iter_mut().zip(&by) {
+                        block[start..start + elements.len()].copy_from_slice(&by[elements.clone()]);
+                    }
+                }
             }
         }
-        slip.coefficients.copy_to_single();
+        Self { coefficients, layout, points: first, blocks }
+    }
+
+    /// Displacements at all points by some tractions.
+    pub(crate) fn by(&self, tractions: &Tractions) -> [Vec<f64>; 2] {
+        let Self { coefficients, layout, points, .. } = self;
+        let mut all = [0, 1].map(|_| vec![0.0; points[points.len() - 1]]);
+        let length = 3 * layout.entries();
+        for strip in 0..layout.kept() {
+            let images = [strip, layout.image(strip)].map(|strip| points[strip]);
+            let put = |k: usize, parts: [[f64; 4]; 2]| {
+                for (all, parts) in all.iter_mut().zip(parts) {
+                    let [here, _, across, _] = unfold(parts);
+                    all[images[0] + k] = here;
+                    if layout.symmetry.is_across() {
+                        all[images[1] + k] = across;
+                    }
+                }
+            };
+            let rows = &coefficients.double[points[strip] * length..points[strip + 1] * length];
+            let (tractions, pairs) = (&tractions.double[..], layout.symmetry.parts() / 2);
+            Product { rows, tractions, pairs, put }.compute();
+        }
+        all
+    }
+
+    /// Slip of each element as combinations of displacements that are still to be set by
+    /// [`Displacements::combine`].
+    pub(crate) fn slip(&self) -> Influence {
+        let layout = self.layout.clone();
+        let kept = layout.kept();
+        let rows = layout.elements[..=kept].to_vec();
+        let blocks = starts((0..kept).map(|strip| 2 * layout.elements(strip).len().pow(2)));
+        let size = rows[kept] * 3 * layout.entries();
+        let coefficients = Coefficients::with_length(size, blocks[kept]).with_single();
+        let weights = vec![[1.0, 0.0]; rows[kept]];
+        Influence { coefficients, layout, rows, weights, blocks }
+    }
+
+    /// Makes of `slip` the combinations of these displacements, one an element: points and factors.
+    pub(crate) fn combine(&self, weights: &[[(usize, f64); 3]], slip: &mut Influence) {
+        let length = 3 * self.layout.entries();
+        let rows = slip.coefficients.double.chunks_exact_mut(length);
+        for (row, weights) in rows.zip(weights) {
+            combination(&self.coefficients.double, weights, |point| point * length, row);
+        }
+        to_single(&slip.coefficients.double, &mut slip.coefficients.single);
+        for strip in 0..self.layout.kept() {
+            let elements = self.layout.elements(strip);
+            let (n, points) = (elements.len(), &self.points[strip..=strip + 1]);
+            let size = n * (points[1] - points[0]);
+            for (image, i) in [0, 1].into_iter().flat_map(|image| (0..n).map(move |i| (image, i))) {
+                let start = self.blocks[strip] + image * size;
+                let at = |point: usize| start + (point - points[0]) * n;
+                let row = slip.blocks[strip] + (image * n + i) * n;
+                let (from, to) = (&self.coefficients.blocks, &mut slip.coefficients.blocks);
+                for (from, to) in from.iter().zip(to) {
+                    combination(from, &weights[elements.start + i], at, &mut to[row..row + n]);
+                }
+            }
+        }
     }
 }
 
-/// Strips whose coefficients are kept; those of the others are their mirror images.
-fn stored(mesh: &Mesh) -> usize {
-    let strips = mesh.strips.len();
-    if mesh.mirrored { strips.div_ceil(2) } else { strips }
+/// Three rows times factors; `at` is where each begins.
+fn combination(
+    from: &[f64],
+    weights: &[(usize, f64); 3],
+    at: impl Fn(usize) -> usize,
+    row: &mut [f64],
+) {
+    let [(a, wa), (b, wb), (c, wc)] = *weights;
+    let [a, b, c] = [a, b, c].map(|point| &from[at(point)..][..row.len()]);
+    let entries = row.iter_mut().zip(a.iter().zip(b).zip(c));
+    entries.for_each(|(row, ((a, b), c))| *row = wa * a + wb * b + wc * c);
 }
 
-/// The strip whose coefficients a strip has, and their sign.
-fn own_or_image(mesh: &Mesh, strip: usize) -> (usize, f64) {
-    if strip < stored(mesh) { (strip, 1.0) } else { (mesh.strips.len() - 1 - strip, -1.0) }
+impl Drop for Displacements {
+    fn drop(&mut self) {
+        std::mem::take(&mut self.coefficients).keep();
+    }
 }

@@ -1,39 +1,45 @@
 //! Tractions of all elements, kept as products read them.
 
 use super::Influence;
+use super::layout::{BLOCK, Layout};
 
 /// A vector an element: tractions over their bounds, or a change of them.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Tractions {
     /// All `x` components, all `y` components.
     pub own: [Vec<f64>; 2],
-    /// The same with the strips in opposite order, where a mirrored [`Influence`] needs it.
-    pub(super) mirrored: [Vec<f64>; 2],
-    /// Both in single precision.
-    pub(super) single: [[Vec<f32>; 2]; 2],
-    offsets: Vec<usize>,
+    layout: Layout,
+    /// Sums and differences over mirror images, part by part.
+    parts: [Vec<f64>; 2],
+    /// The parts in blocks: of each pair of them `x` and `y` of the one, then of the other.
+    pub(super) double: Vec<f64>,
+    pub(super) single: Vec<f32>,
 }
 
 impl Tractions {
     pub(crate) fn zeros(influence: &Influence) -> Self {
-        let n = influence.columns();
-        let kept = if influence.mirrored { n } else { 0 };
+        let layout = influence.layout.clone();
+        let (n, entries) = (layout.len(), layout.entries());
         let zeros = |n: usize| [0, 1].map(|_| vec![0.0; n]);
-        Self {
-            own: zeros(n),
-            mirrored: zeros(kept),
-            single: [n, kept].map(|n| [0, 1].map(|_| vec![0.0; n])),
-            offsets: influence.offsets.clone(),
+        let (double, single) = (vec![0.0; 2 * entries], vec![0.0; 2 * entries]);
+        Self { own: zeros(n), layout, parts: zeros(entries), double, single }
+    }
+
+    /// Keeps them for products with another influence of as many elements, if it has other symmetries.
+    pub(crate) fn suit(&mut self, influence: &Influence) {
+        if self.layout.symmetry == influence.layout.symmetry {
+            return;
         }
+        let own = std::mem::take(&mut self.own);
+        *self = Self { own, ..Self::zeros(influence) };
+        self.fold_all();
     }
 
     pub(crate) fn clear(&mut self) {
-        for values in self.own.iter_mut().chain(&mut self.mirrored) {
+        for values in self.own.iter_mut().chain(&mut self.parts).chain([&mut self.double]) {
             values.fill(0.0);
         }
-        for values in self.single.as_flattened_mut() {
-            values.fill(0.0);
-        }
+        self.single.fill(0.0);
     }
 
     pub(crate) fn at(&self, element: usize) -> [f64; 2] {
@@ -44,23 +50,23 @@ impl Tractions {
         self.own.iter().flatten().fold(0.0, |largest, t| t.abs().max(largest))
     }
 
-    /// Adds to a strip `change`, that of all `x` before that of all `y`.
+    /// Adds to a strip `change`, that of all `x` before that of all `y`; products know of it after
+    /// [`Tractions::fold`].
     pub(crate) fn add(&mut self, strip: usize, change: &[f64]) {
-        let elements = self.offsets[strip]..self.offsets[strip + 1];
-        for (k, change) in change.chunks_exact(elements.len()).enumerate() {
-            let own = &mut self.own[k][elements.clone()];
+        let elements = self.layout.elements(strip);
+        for (own, change) in self.own.iter_mut().zip(change.chunks_exact(elements.len())) {
+            let own = &mut own[elements.clone()];
             own.iter_mut().zip(change).for_each(|(own, change)| *own += change);
-            self.copy(strip, k);
         }
     }
 
     /// Takes all `x`, then all `y`, from one vector.
     pub(crate) fn copy_from(&mut self, vector: &[f64]) {
         let half = self.own[0].len();
-        for (k, vector) in vector.chunks_exact(half).enumerate() {
-            self.own[k].copy_from_slice(vector);
+        for (own, vector) in self.own.iter_mut().zip(vector.chunks_exact(half)) {
+            own.copy_from_slice(vector);
         }
-        self.copy_all();
+        self.fold_all();
     }
 
     /// Puts all `x`, then all `y`, into one vector.
@@ -74,7 +80,7 @@ impl Tractions {
     pub(crate) fn add_times(&mut self, factor: f64, other: &Self) {
         let to = self.own.iter_mut().flatten();
         to.zip(other.own.iter().flatten()).for_each(|(to, from)| *to += factor * from);
-        self.copy_all();
+        self.fold_all();
     }
 
     /// Sets every element.
@@ -83,28 +89,36 @@ impl Tractions {
         for (element, (x, y)) in x.iter_mut().zip(y).enumerate() {
             [*x, *y] = at(element);
         }
-        self.copy_all();
+        self.fold_all();
     }
 
-    fn copy_all(&mut self) {
-        for strip in 0..self.offsets.len() - 1 {
-            self.copy(strip, 0);
-            self.copy(strip, 1);
-        }
+    fn fold_all(&mut self) {
+        (0..self.layout.kept()).for_each(|strip| self.fold(strip));
     }
 
-    /// Copies a strip to single precision, and to its place in the opposite order.
+    /// Makes the parts of a strip that is gone through and of its mirror image those of their tractions.
     #[allow(clippy::cast_possible_truncation)] // single precision is meant
-    fn copy(&mut self, strip: usize, k: usize) {
-        let Self { own, mirrored, single: [single, mirrored_single], offsets } = self;
-        let elements = offsets[strip]..offsets[strip + 1];
-        let (own, n) = (&own[k][elements.clone()], elements.len());
-        let copied = &mut single[k][elements];
-        copied.iter_mut().zip(own).for_each(|(copied, own)| *copied = *own as f32);
-        if !mirrored[k].is_empty() {
-            let start = offsets[offsets.len() - 2 - strip];
-            mirrored[k][start..start + n].copy_from_slice(own);
-            mirrored_single[k][start..start + n].copy_from_slice(copied);
+    pub(crate) fn fold(&mut self, strip: usize) {
+        let Self { own, layout, parts, double, single } = self;
+        for (own, parts) in own.iter().zip(parts.iter_mut()) {
+            layout.fold(strip, own, parts);
+        }
+        let blocks = layout.width / BLOCK;
+        for block in layout.blocks(strip) {
+            let factors = &layout.factors[block * BLOCK..][..BLOCK];
+            for part in 0..layout.symmetry.parts() {
+                let start = (part * blocks + block) * BLOCK;
+                let to = 4 * (part / 2 * blocks + block) + 2 * (part % 2);
+                for (k, parts) in parts.iter().enumerate() {
+                    let to = (to + k) * BLOCK..(to + k + 1) * BLOCK;
+                    let to = double[to.clone()].iter_mut().zip(&mut single[to]);
+                    let from = parts[start..start + BLOCK].iter().zip(factors);
+                    for ((double, single), (part, factor)) in to.zip(from) {
+                        *double = factor * part;
+                        *single = *double as f32;
+                    }
+                }
+            }
         }
     }
 }

@@ -98,9 +98,7 @@ impl Equations {
     /// Computes the change of the slip by that of the tractions.
     pub(super) fn update_slip(&mut self, grid: &Grid, precision: Precision) {
         for strip in 0..grid.influence.strips() {
-            grid.influence.slip(precision, strip, &self.change, |element, slip| {
-                [self.slip[0][element], self.slip[1][element]] = slip;
-            });
+            grid.influence.slip(precision, strip, &self.change, &mut self.slip);
         }
     }
 
@@ -178,15 +176,15 @@ impl Sweep<'_> {
     /// Solves the equations of a strip, and then of its mirror image.
     fn solve_both(&mut self, part: Part, strip: usize) {
         let Self { grid, precision, .. } = *self;
-        grid.influence.slip(precision, strip, self.change, |element, slip| {
-            [self.slip[0][element], self.slip[1][element]] = slip;
-        });
+        grid.influence.slip(precision, strip, self.change, self.slip);
         self.solve(part, strip);
-        let Some(image) = grid.influence.image(strip) else { return };
-        let n = grid.mesh.elements(strip).len();
-        let (x, y) = self.step[..2 * n].split_at(n);
-        grid.influence.image_block(image).add_slip([x, y], self.slip);
-        self.solve(part, image);
+        if let Some(image) = grid.influence.image(strip) {
+            let n = grid.mesh.elements(strip).len();
+            let (x, y) = self.step[..2 * n].split_at(n);
+            grid.influence.image_block(image).add_slip([x, y], self.slip);
+            self.solve(part, image);
+        }
+        self.change.fold(strip);
     }
 
     /// Solves the equations of a strip at the slip as it is.

@@ -138,6 +138,9 @@ impl State {
         grid: &Grid,
         equations: &mut Equations,
     ) -> Outcome {
+        // Where bodies press on one another anew at each step, the contact loses its symmetry and has it again.
+        self.traction.suit(&grid.influence);
+        equations.change.suit(&grid.influence);
         let mut scale = self.forcing.largest();
         if scale < SMALLEST_SLIP {
             self.forcing.clear();
@@ -292,11 +295,14 @@ impl State {
     /// Computes the slip of a strip and of its mirror image from the tractions.
     fn update_slip(&mut self, grid: &Grid, precision: Precision, strip: usize) {
         let Self { forcing, traction, slip, .. } = self;
-        grid.influence.slip(precision, strip, traction, |element, elastic| {
-            let driven = forcing.slip[element];
-            slip[0][element] = driven[0] + elastic[0];
-            slip[1][element] = driven[1] + elastic[1];
-        });
+        grid.influence.slip(precision, strip, traction, slip);
+        for strip in std::iter::once(strip).chain(grid.influence.image(strip)) {
+            let elements = grid.mesh.elements(strip);
+            for (k, slip) in slip.iter_mut().enumerate() {
+                let slip = slip[elements.clone()].iter_mut();
+                slip.zip(&forcing.slip[elements.clone()]).for_each(|(slip, by)| *slip += by[k]);
+            }
+        }
     }
 
     /// Adhesion or slip for every element of a strip; true when one of them changed.

@@ -45,7 +45,7 @@ impl StripFactors {
         let elements = grid.mesh.elements(strip);
         let known = self.order(&sliding[elements.clone()]);
         for (i, element) in elements.enumerate() {
-            let (own, sign) = grid.influence.strip_block(element);
+            let (own, sign) = grid.influence.strip_block(strip, element);
             let [x, y] = self.direction(i);
             let places = [self.places[i], self.places.len() + i];
             for (direction, place) in [[x, y], [-y, x]].into_iter().zip(places) {

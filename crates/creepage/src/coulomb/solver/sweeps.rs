@@ -21,10 +21,12 @@ impl State {
         let steps = if round < QUICK_ROUNDS { few } else { STEPS };
         self.update_slip(grid, self.precision, strip);
         self.solve_strip(grid, strip, tolerance, steps);
-        let Some(image) = grid.influence.image(strip) else { return };
-        let (x, y) = self.change.split_at(grid.mesh.elements(strip).len());
-        grid.influence.image_block(image).add_slip([x, &y[..x.len()]], &mut self.slip);
-        self.solve_strip(grid, image, tolerance, steps);
+        if let Some(image) = grid.influence.image(strip) {
+            let (x, y) = self.change.split_at(grid.mesh.elements(strip).len());
+            grid.influence.image_block(image).add_slip([x, &y[..x.len()]], &mut self.slip);
+            self.solve_strip(grid, image, tolerance, steps);
+        }
+        self.traction.fold(strip);
     }
 
     /// Makes a strip obey friction, as far as `tolerance` or until it is as near as a sweep needs. Its
