@@ -99,6 +99,7 @@ mod layer;
 mod lu;
 mod scaling;
 mod solid;
+mod spare;
 
 pub use check::InvalidValue;
 pub use contact::Contact;

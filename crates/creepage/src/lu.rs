@@ -23,9 +23,22 @@ pub(crate) struct Lu {
 
 impl Lu {
     pub(crate) fn new(n: usize) -> Self {
-        let stride = n.next_multiple_of(REGISTER);
-        let entries = vec![0.0; n * stride];
-        Self { n, known: 0, stride, entries, pivots: vec![0; n] }
+        let mut lu = Self::default();
+        lu.resize(n);
+        lu
+    }
+
+    /// Room for another number of unknowns.
+    pub(crate) fn resize(&mut self, n: usize) {
+        (self.n, self.known, self.stride) = (n, 0, n.next_multiple_of(REGISTER));
+        self.entries.clear();
+        self.entries.resize(n * self.stride, 0.0);
+        self.pivots.resize(n, 0);
+    }
+
+    /// Numbers that it has room for.
+    pub(crate) fn room(&self) -> usize {
+        self.entries.capacity()
     }
 
     /// The factors of a matrix given row after row; `None` when it is singular or not finite.

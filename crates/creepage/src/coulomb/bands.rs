@@ -77,15 +77,16 @@ impl<'a> Bands<'a> {
         let mut strips = Vec::new();
         for (band, [along, across]) in &self.parts {
             let patch = strips.len()..strips.len() + times * across;
+            let pieces = 0..=SUBCELLS * times * along;
+            let cuts: Vec<f64> = pieces.map(|piece| cut(broken(piece), times * along)).collect();
             for j in 0..times * across {
-                strips.push(self.strip(band, j, times * along, patch.clone()));
+                strips.push(self.strip(band, j, &cuts, patch.clone()));
             }
         }
         Mesh::new(strips)
     }
 
-    fn strip(&self, band: &Band, j: usize, along: usize, patch: Range<usize>) -> Strip {
-        let broken = |piece: usize| piece as f64 / SUBCELLS as f64;
+    fn strip(&self, band: &Band, j: usize, cuts: &[f64], patch: Range<usize>) -> Strip {
         let (fit, [low, high]) = (fit(ratio(band)), band.y());
         let at = |t: f64| (f64::midpoint(low, high) + 0.5 * (high - low) * t).clamp(low, high);
         let border =
@@ -98,7 +99,7 @@ impl<'a> Bands<'a> {
             middle: ends.map(|[middle, _]| self.frame.inward([middle, 0.0])[0]),
             half_length: ends
                 .map(|[_, half]| (fit * half + (1.0 - fit) * mean) / self.frame.length),
-            along: (0..=SUBCELLS * along).map(|piece| cut(broken(piece), along)).collect(),
+            along: cuts.to_vec(),
             patch,
         }
     }
@@ -121,8 +122,13 @@ impl<'a> Bands<'a> {
             let times = mesh.strips.len() / self.strips();
             std::iter::repeat_n(*band, times * across)
         });
+        let (mut cuts, mut nodes): (&[f64], Vec<_>) = (&[], Vec::new());
         for (strip, band) in mesh.strips.iter().zip(bands) {
-            self.add_strip(strip, band, &mut pressure);
+            if strip.along != cuts {
+                cuts = &strip.along;
+                nodes = cuts.windows(2).map(nodes_between).collect();
+            }
+            self.add_strip(strip, band, &nodes, &mut pressure);
         }
         let total: f64 = pressure.shares.iter().sum();
         pressure.scale(total.recip(), self.contact.load().value / total);
@@ -134,13 +140,12 @@ impl<'a> Bands<'a> {
         self.parts.iter().map(|(_, [_, across])| across).sum()
     }
 
-    /// Adds a strip's elements, with forces (N) for shares.
-    fn add_strip(&self, strip: &Strip, band: &Band, pressure: &mut Pressure) {
+    /// Adds a strip's elements, with forces (N) for shares, by the nodes along it.
+    fn add_strip(&self, strip: &Strip, band: &Band, nodes: &[[Node; 2]], pressure: &mut Pressure) {
         let peak = self.contact.peak_pressure().value;
         let y = strip.across.map(|y| self.frame.outward([0.0, y])[1]);
-        let nodes: Vec<_> = strip.along.windows(2).map(nodes).collect();
         let rows: [Vec<Cell>; SUBCELLS] =
-            std::array::from_fn(|k| self.row(&nodes, band, [y[k], y[k + 1]]));
+            std::array::from_fn(|k| self.row(nodes, band, [y[k], y[k + 1]]));
         for i in 0..strip.len() {
             let cells: [[Cell; SUBCELLS]; SUBCELLS] =
                 std::array::from_fn(|k| std::array::from_fn(|m| rows[k][SUBCELLS * i + m]));
@@ -187,7 +192,7 @@ struct Node {
 }
 
 /// Gauss's points between two cuts, in the angle whose sine is cut: there the pressure is smooth.
-fn nodes(ends: &[f64]) -> [Node; 2] {
+fn nodes_between(ends: &[f64]) -> [Node; 2] {
     let (front, rear) = (ends[0].asin(), ends[1].asin());
     let (middle, turn) = (f64::midpoint(front, rear), 0.5 * (front - rear));
     [-GAUSS, GAUSS].map(|t| {
@@ -216,6 +221,11 @@ impl Cell {
         let [x, y, along] = self.by.map(|by| by / self.force);
         Moments { share: self.force, centroid: [x, y], along }
     }
+}
+
+/// A number of pieces in elements.
+fn broken(piece: usize) -> f64 {
+    piece as f64 / SUBCELLS as f64
 }
 
 /// Length along over width across.

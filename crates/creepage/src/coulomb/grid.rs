@@ -221,8 +221,8 @@ mod tests {
         let dense = on(Mesh::new(Mesh::ellipse(ellipse(), 12, 10).strips));
         let [by_half, by_dense] = [&half, &dense].map(|grid| slips(&grid.influence));
         for (half, dense) in by_half.iter().zip(&by_dense) {
-            // Rounding of coefficients and of sums of some hundred of them.
-            assert!((half - dense).abs() < 1e-12, "{half} {dense}");
+            // Rounding of some hundred coefficients to 6e-8 each.
+            assert!((half - dense).abs() < 1e-6, "{half} {dense}");
         }
         for case in CASES {
             for (half, dense) in force(&half, case).into_iter().zip(force(&dense, case)) {

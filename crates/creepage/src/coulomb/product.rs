@@ -91,121 +91,137 @@ fn slip_by<S: Simd>(simd: S, row: Row, sign: f64, [x, y]: [&[f64]; 2]) -> [f64; 
 /// and in `y`.
 ///
 /// Rows are in blocks: of each pair of parts for [`BLOCK`] columns `xx`, `xy` and `yy` of the one, then of the
-/// other; tractions are `x` and `y` of the one, then of the other.
-pub(crate) struct Product<'a, T, F> {
-    pub rows: &'a [T],
+/// other; tractions are `x` and `y` of the one, then of the other. Sums are as precise as tractions are.
+pub(crate) struct Product<'a, C, T, F> {
+    pub rows: &'a [C],
     pub tractions: &'a [T],
     /// Pairs of parts: one or two.
     pub pairs: usize,
     pub put: F,
 }
 
-impl<F: FnMut(usize, [[f64; 4]; 2])> Product<'_, f64, F> {
+impl<F: FnMut(usize, [[f64; 4]; 2])> Product<'_, f32, f32, F> {
     pub(crate) fn compute(self) {
         Arch::new().dispatch(self);
     }
 }
 
-impl<F: FnMut(usize, [[f64; 4]; 2])> Product<'_, f32, F> {
-    /// In single precision, at twice the speed.
+impl<C: Copy + Into<f64>, F: FnMut(usize, [[f64; 4]; 2])> Product<'_, C, f64, F> {
     pub(crate) fn compute(self) {
         Arch::new().dispatch(self);
     }
 }
 
-// What is compiled for each kind of processor calls no closure.
-macro_rules! product {
-    ($float:ty, $lanes:ident, $count:ident, $split:ident, $splat:ident, $multiply_add:ident,
-     $sum:ident, $add:ident) => {
-        /// Adds to the sums of a pair of parts, `x` and `y` of the one and of the other, what vector `i` of a
-        /// block gives.
-        #[allow(clippy::inline_always)] // so that it is compiled for each kind of processor
-        #[inline(always)]
-        fn $add<S: Simd>(
-            simd: S,
-            [xk, yk, xl, yl]: [S::$lanes; 4],
-            row: &[S::$lanes],
-            by: &[S::$lanes],
-            i: usize,
-        ) -> [S::$lanes; 4] {
-            let per = BLOCK / S::$count;
-            let [x, y, u, v] = [by[i], by[per + i], by[2 * per + i], by[3 * per + i]];
-            let [xx, xy, yy] = [row[i], row[per + i], row[2 * per + i]];
-            let [uu, uv, vv] = [row[3 * per + i], row[4 * per + i], row[5 * per + i]];
-            [
-                simd.$multiply_add(uv, v, simd.$multiply_add(xx, x, xk)),
-                simd.$multiply_add(uv, u, simd.$multiply_add(yy, y, yk)),
-                simd.$multiply_add(xy, y, simd.$multiply_add(uu, u, xl)),
-                simd.$multiply_add(xy, x, simd.$multiply_add(vv, v, yl)),
-            ]
+impl<F: FnMut(usize, [[f64; 4]; 2])> WithSimd for Product<'_, f32, f32, F> {
+    type Output = ();
+
+    #[allow(clippy::inline_always)] // so that it is compiled for each kind of processor
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) {
+        if S::F32_LANES > BLOCK {
+            return self.with_simd(pulp::Scalar::new());
         }
-
-        impl<F: FnMut(usize, [[f64; 4]; 2])> WithSimd for Product<'_, $float, F> {
-            type Output = ();
-
-            #[allow(clippy::inline_always)]
-            #[inline(always)]
-            fn with_simd<S: Simd>(self, simd: S) {
-                if S::$count > BLOCK {
-                    return self.with_simd(pulp::Scalar::new());
-                }
-                let per = BLOCK / S::$count;
-                let Self { rows, tractions, pairs, mut put } = self;
-                let ((rows, _), (tractions, _)) = (S::$split(rows), S::$split(tractions));
-                let width = tractions.len() / pairs / 4;
-                // Two rows at once, for tractions are read once and an addition waits for the one before.
-                for (k, two) in rows.chunks(6 * pairs * width * 2).enumerate() {
-                    let (one, other) = two.split_at(6 * pairs * width);
-                    let is_last = other.is_empty();
-                    let other = if is_last { one } else { other };
-                    let mut found = [[[0.0; 4]; 2]; 2];
-                    for pair in 0..pairs {
-                        let own = 6 * pair * width..6 * (pair + 1) * width;
-                        let (one, other) = (&one[own.clone()], &other[own]);
-                        let by = tractions[4 * pair * width..].chunks_exact(4 * per);
-                        let both = one.chunks_exact(6 * per).zip(other.chunks_exact(6 * per));
-                        let (mut first, mut second) =
-                            ([simd.$splat(0.0); 4], [simd.$splat(0.0); 4]);
-                        for ((one, other), by) in both.zip(by) {
-                            for i in 0..per {
-                                first = $add(simd, first, one, by, i);
-                                second = $add(simd, second, other, by, i);
-                            }
-                        }
-                        for (found, sums) in found.iter_mut().zip([first, second]) {
-                            found[0][2 * pair] = simd.$sum(sums[0]).into();
-                            found[1][2 * pair] = simd.$sum(sums[1]).into();
-                            found[0][2 * pair + 1] = simd.$sum(sums[2]).into();
-                            found[1][2 * pair + 1] = simd.$sum(sums[3]).into();
-                        }
+        let per = BLOCK / S::F32_LANES;
+        let Self { rows, tractions, pairs, mut put } = self;
+        let ((rows, _), (tractions, _)) = (S::as_simd_f32s(rows), S::as_simd_f32s(tractions));
+        let width = tractions.len() / pairs / 4;
+        // Two rows at once, for tractions are read once and an addition waits for the one before.
+        for (k, two) in rows.chunks(2 * 6 * pairs * width).enumerate() {
+            let (one, other) = two.split_at(6 * pairs * width);
+            let is_last = other.is_empty();
+            let other = if is_last { one } else { other };
+            let mut found = [[[0.0; 4]; 2]; 2];
+            for pair in 0..pairs {
+                let own = 6 * pair * width..6 * (pair + 1) * width;
+                let (one, other) = (&one[own.clone()], &other[own]);
+                let by = tractions[4 * pair * width..].chunks_exact(4 * per);
+                let both = one.chunks_exact(6 * per).zip(other.chunks_exact(6 * per));
+                let [mut first, mut second] = [[simd.splat_f32s(0.0); 4]; 2];
+                for ((one, other), by) in both.zip(by) {
+                    for i in 0..per {
+                        first = add_vector(simd, first, one, by, i);
+                        second = add_vector(simd, second, other, by, i);
                     }
-                    put(2 * k, found[0]);
-                    if !is_last {
-                        put(2 * k + 1, found[1]);
+                }
+                for (found, sums) in found.iter_mut().zip([first, second]) {
+                    for (part, component) in [(0, 0), (0, 1), (1, 0), (1, 1)] {
+                        let sum = simd.reduce_sum_f32s(sums[2 * part + component]);
+                        found[component][2 * pair + part] = sum.into();
                     }
                 }
             }
+            put(2 * k, found[0]);
+            if !is_last {
+                put(2 * k + 1, found[1]);
+            }
         }
-    };
+    }
 }
 
-product!(
-    f64,
-    f64s,
-    F64_LANES,
-    as_simd_f64s,
-    splat_f64s,
-    mul_add_e_f64s,
-    reduce_sum_f64s,
-    add_double
-);
-product!(
-    f32,
-    f32s,
-    F32_LANES,
-    as_simd_f32s,
-    splat_f32s,
-    mul_add_e_f32s,
-    reduce_sum_f32s,
-    add_single
-);
+/// Adds to the sums of a pair of parts, `x` and `y` of the one and of the other, what vector `i` of a block
+/// gives.
+#[allow(clippy::inline_always)] // so that it is compiled for each kind of processor
+#[inline(always)]
+fn add_vector<S: Simd>(
+    simd: S,
+    [xk, yk, xl, yl]: [S::f32s; 4],
+    row: &[S::f32s],
+    by: &[S::f32s],
+    i: usize,
+) -> [S::f32s; 4] {
+    let per = BLOCK / S::F32_LANES;
+    let [x, y, u, v] = [by[i], by[per + i], by[2 * per + i], by[3 * per + i]];
+    let [xx, xy, yy] = [row[i], row[per + i], row[2 * per + i]];
+    let [uu, uv, vv] = [row[3 * per + i], row[4 * per + i], row[5 * per + i]];
+    [
+        simd.mul_add_e_f32s(uv, v, simd.mul_add_e_f32s(xx, x, xk)),
+        simd.mul_add_e_f32s(uv, u, simd.mul_add_e_f32s(yy, y, yk)),
+        simd.mul_add_e_f32s(xy, y, simd.mul_add_e_f32s(uu, u, xl)),
+        simd.mul_add_e_f32s(xy, x, simd.mul_add_e_f32s(vv, v, yl)),
+    ]
+}
+
+impl<C: Copy + Into<f64>, F: FnMut(usize, [[f64; 4]; 2])> WithSimd for Product<'_, C, f64, F> {
+    type Output = ();
+
+    #[allow(clippy::inline_always)] // so that it is compiled for each kind of processor
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) {
+        let Self { rows, tractions, pairs, mut put } = self;
+        let (tractions, _) = tractions.as_chunks::<BLOCK>().0.as_chunks::<4>();
+        let (rows, _) = rows.as_chunks::<BLOCK>().0.as_chunks::<6>();
+        let blocks = tractions.len() / pairs;
+        for (k, row) in rows.chunks_exact(tractions.len()).enumerate() {
+            let mut found = [[0.0; 4]; 2];
+            for pair in 0..pairs {
+                let own = pair * blocks..(pair + 1) * blocks;
+                let mut sums = [[0.0; BLOCK]; 4];
+                for (row, by) in row[own.clone()].iter().zip(&tractions[own]) {
+                    add_block(&mut sums, row, by);
+                }
+                for (part, component) in [(0, 0), (0, 1), (1, 0), (1, 1)] {
+                    found[component][2 * pair + part] = sums[2 * part + component].iter().sum();
+                }
+            }
+            put(k, found);
+        }
+    }
+}
+
+/// Adds to the sums of a pair of parts, `x` and `y` of the one and of the other, what a block gives.
+#[allow(clippy::inline_always)] // so that it is compiled for each kind of processor
+#[inline(always)]
+fn add_block<C: Copy + Into<f64>>(
+    [xk, yk, xl, yl]: &mut [[f64; BLOCK]; 4],
+    row: &[[C; BLOCK]; 6],
+    [x, y, u, v]: &[[f64; BLOCK]; 4],
+) {
+    for i in 0..BLOCK {
+        let [xx, xy, yy]: [f64; 3] = [row[0][i].into(), row[1][i].into(), row[2][i].into()];
+        let [uu, uv, vv]: [f64; 3] = [row[3][i].into(), row[4][i].into(), row[5][i].into()];
+        xk[i] += xx * x[i] + uv * v[i];
+        yk[i] += yy * y[i] + uv * u[i];
+        xl[i] += uu * u[i] + xy * y[i];
+        yl[i] += vv * v[i] + xy * x[i];
+    }
+}

@@ -8,6 +8,7 @@
 use super::mesh::{Mesh, SUBCELLS, next};
 use super::pressure::{Moments, Pressure};
 use crate::Force;
+use crate::spare::Spare;
 
 /// Slip that counts as far from the border of adhesion; elastic slip is of order one. Near the
 /// border the element's own direction rules, so that nothing jumps when an element starts to slide.
@@ -38,6 +39,14 @@ pub(crate) struct Quadrature {
     area: f64,
     /// What slip is to be compared with: 1, or more on a layer.
     elastic_slip: f64,
+}
+
+static SPARE: Spare<Subcell> = Spare::new();
+
+impl Drop for Quadrature {
+    fn drop(&mut self) {
+        SPARE.keep(std::mem::take(&mut self.subcells));
+    }
 }
 
 /// Fields that are linear in the tractions and may be differentiated with them.
@@ -87,7 +96,8 @@ impl Sum {
 impl Quadrature {
     /// `places` are those where each element has its slip.
     pub(crate) fn new(mesh: &Mesh, pressure: &Pressure, places: &[[f64; 2]]) -> Self {
-        let mut subcells = Vec::with_capacity(mesh.len() * SUBCELLS * SUBCELLS);
+        let mut subcells = SPARE.take(mesh.len() * SUBCELLS * SUBCELLS);
+        subcells.clear();
         for ((strip, i), cells) in mesh.all().zip(&pressure.subcells) {
             let moments = cells.as_flattened().iter();
             let subcell = |moments| Subcell::new(mesh, places, [strip, i], moments);

@@ -1,106 +1,129 @@
-//! Coefficients, in memory that is used again.
-//!
-//! Pages fresh from the system cost half as much as what is computed into them, and shapes come in
-//! series: what was dropped last is kept, for all threads, for one may drop what another prepared.
+//! Coefficients, and how displacements become those that products read.
 
-use std::sync::Mutex;
+use pulp::{Arch, Simd, WithSimd};
 
 use super::layout::{BLOCK, Layout};
+use crate::spare::Spare;
 
-/// Sets kept: two grids of each contact of a wheelset, while the next ones are made.
-const KEPT: usize = 8;
-/// Largest number of entries of a set that is kept: of some 16 MB.
-const LARGEST: usize = 1_350_000;
+static ROWS: Spare<f32> = Spare::new();
+static BLOCKS: Spare<f64> = Spare::new();
 
-/// Nobody waits for it: new memory costs less, and a process forked off would wait for ever.
-static SPARE: Mutex<Vec<Coefficients>> = Mutex::new(Vec::new());
-
-/// Rows of coefficients in both precisions, as [`Product`](crate::coulomb::product::Product) reads them, and
-/// the blocks of them that strips have of themselves and of their mirror images.
+/// Rows of coefficients as [`Product`](crate::coulomb::product::Product) reads them, in single precision, which
+/// moves forces by a hundred-millionth, and the blocks of them that strips have of themselves and of their
+/// mirror images.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Coefficients {
-    pub(super) double: Vec<f64>,
-    pub(super) single: Vec<f32>,
+    pub(super) rows: Vec<f32>,
     /// In `x` by `x`; in `x` by `y` and in `y` by `x`; in `y` by `y`.
     pub(super) blocks: [Vec<f64>; 3],
 }
 
 impl Coefficients {
-    /// So many entries of rows in double precision and of blocks, of any value: all are to be written.
+    /// So many entries of rows and of blocks, of any value: all are to be written.
     pub(super) fn with_length(rows: usize, blocks: usize) -> Self {
-        let mut room = Self::kept(rows).unwrap_or_default();
-        resize(&mut room.double, rows);
-        room.blocks.iter_mut().for_each(|of| resize(of, blocks));
-        room
-    }
-
-    /// The same with as many in single precision.
-    pub(super) fn with_single(mut self) -> Self {
-        let entries = self.double.len();
-        resize(&mut self.single, entries);
-        self
-    }
-
-    /// The smallest kept set that has room for so many.
-    fn kept(entries: usize) -> Option<Self> {
-        let mut kept = SPARE.try_lock().ok()?;
-        let fitting = kept.iter().enumerate().filter(|(_, one)| one.capacity() >= entries);
-        let (index, _) = fitting.min_by_key(|(_, one)| one.capacity())?;
-        Some(kept.swap_remove(index))
-    }
-
-    fn capacity(&self) -> usize {
-        self.double.capacity()
-    }
-
-    /// Keeps the memory for [`Coefficients::with_length`].
-    pub(super) fn keep(self) {
-        if !(1..=LARGEST).contains(&self.capacity()) {
-            return;
+        Self {
+            rows: resized(ROWS.take(rows), rows),
+            blocks: std::array::from_fn(|_| resized(BLOCKS.take(blocks), blocks)),
         }
-        let Ok(mut kept) = SPARE.try_lock() else { return };
-        if kept.len() == KEPT {
-            kept.remove(0);
-        }
-        kept.push(self);
     }
 }
 
-/// To so many entries; pages that are all zeros come from the system when they are written to.
-fn resize<T: Clone + Default>(of: &mut Vec<T>, entries: usize) {
-    if of.capacity() < entries {
-        *of = vec![T::default(); entries];
-    } else {
-        of.resize(entries, T::default());
+fn resized<T: Clone + Default>(mut of: Vec<T>, entries: usize) -> Vec<T> {
+    of.resize(entries, T::default());
+    of
+}
+
+impl Drop for Coefficients {
+    fn drop(&mut self) {
+        ROWS.keep(std::mem::take(&mut self.rows));
+        self.blocks.iter_mut().for_each(|of| BLOCKS.keep(std::mem::take(of)));
     }
 }
 
-/// Room to fold rows.
-pub(super) struct Fold {
-    /// In `x` by `x`; in `x` by `y` and in `y` by `x`; in `y` by `y`: part by part.
-    parts: [Vec<f64>; 3],
-}
+/// A row part by part: in `x` by `x`; in `x` by `y` and in `y` by `x`; in `y` by `y`.
+pub(super) struct Folded([Vec<f64>; 3]);
 
-impl Fold {
+impl Folded {
     pub(super) fn new(layout: &Layout) -> Self {
-        Self { parts: std::array::from_fn(|_| vec![0.0; layout.entries()]) }
+        Self(std::array::from_fn(|_| vec![0.0; layout.entries()]))
     }
 
-    /// Makes of the coefficients of all elements those of the parts, in the order of
+    /// Takes the parts of the coefficients of all elements.
+    pub(super) fn set(&mut self, layout: &Layout, of: [&[f64]; 3]) {
+        Arch::new().dispatch(Fold { layout, of, to: &mut self.0 });
+    }
+
+    /// Puts these numbers less others into a row, in the order of
     /// [`Product`](crate::coulomb::product::Product).
-    pub(super) fn row(&mut self, layout: &Layout, of: [&[f64]; 3], row: &mut [f64]) {
-        let parts = &mut self.parts;
-        for (parts, of) in parts.iter_mut().zip(of) {
-            (0..layout.kept()).for_each(|strip| layout.fold(strip, of, parts));
+    pub(super) fn put_less<C: Number>(&self, other: &Self, layout: &Layout, row: &mut [C]) {
+        let parts = [&self.0, &other.0];
+        Arch::new().dispatch(PutLess { layout, parts, row });
+    }
+}
+
+/// A coefficient in single or double precision.
+pub(super) trait Number: Copy {
+    fn of(number: f64) -> Self;
+}
+
+impl Number for f32 {
+    #[allow(clippy::cast_possible_truncation)] // single precision is meant
+    fn of(number: f64) -> Self {
+        number as Self
+    }
+}
+
+impl Number for f64 {
+    fn of(number: f64) -> Self {
+        number
+    }
+}
+
+struct Fold<'a> {
+    layout: &'a Layout,
+    of: [&'a [f64]; 3],
+    to: &'a mut [Vec<f64>; 3],
+}
+
+impl WithSimd for Fold<'_> {
+    type Output = ();
+
+    #[allow(clippy::inline_always)] // so that it is compiled for each kind of processor
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) {
+        for (of, to) in self.of.into_iter().zip(self.to) {
+            for strip in 0..self.layout.kept() {
+                self.layout.fold(strip, of, to);
+            }
         }
-        let mut to = row.chunks_exact_mut(BLOCK);
-        for pair in 0..layout.symmetry.parts() / 2 {
-            for block in 0..layout.width / BLOCK {
-                for part in [2 * pair, 2 * pair + 1] {
-                    let start = part * layout.width + block * BLOCK;
-                    for (parts, to) in parts.iter().zip(&mut to) {
-                        to.copy_from_slice(&parts[start..start + BLOCK]);
-                    }
+    }
+}
+
+struct PutLess<'a, C> {
+    layout: &'a Layout,
+    parts: [&'a [Vec<f64>; 3]; 2],
+    row: &'a mut [C],
+}
+
+impl<C: Number> WithSimd for PutLess<'_, C> {
+    type Output = ();
+
+    #[allow(clippy::inline_always)] // so that it is compiled for each kind of processor
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) {
+        let Self { layout, parts: [[a, b, c], [d, e, f]], row } = self;
+        let these = [a.as_chunks().0, b.as_chunks().0, c.as_chunks().0];
+        let others = [d.as_chunks().0, e.as_chunks().0, f.as_chunks().0];
+        let blocks = layout.width / BLOCK;
+        for (k, to) in row.as_chunks_mut::<BLOCK>().0.as_chunks_mut::<6>().0.iter_mut().enumerate()
+        {
+            let first = k + k / blocks * blocks;
+            for (i, to) in to.iter_mut().enumerate() {
+                let (kind, block) = (i % 3, first + i / 3 * blocks);
+                let this: &[f64; BLOCK] = &these[kind][block];
+                let other: &[f64; BLOCK] = &others[kind][block];
+                for (to, (this, other)) in to.iter_mut().zip(this.iter().zip(other)) {
+                    *to = C::of(this - other);
                 }
             }
         }

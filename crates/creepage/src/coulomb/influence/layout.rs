@@ -127,6 +127,8 @@ impl Layout {
     }
 
     /// Puts into the parts the sums and differences of a kept strip and its mirror images, part by part.
+    #[allow(clippy::inline_always)] // so that it is compiled for each kind of processor
+    #[inline(always)]
     pub(super) fn fold(&self, strip: usize, of: &[f64], parts: &mut [f64]) {
         let [own, image] = [strip, self.image(strip)].map(|strip| &of[self.elements(strip)]);
         let columns = self.columns[strip]..self.columns[strip + 1];

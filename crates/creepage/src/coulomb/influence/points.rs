@@ -1,9 +1,9 @@
 //! Displacements at points, kept for themselves, and slip as any combination of them: what rolling
 //! that is not steady needs, where the combination changes from step to step.
 
-use super::coefficients::{Coefficients, Fold};
+use super::coefficients::{Coefficients, Folded, Number};
 use super::layout::{Layout, Symmetry, unfold};
-use super::{Influence, Tractions, starts, to_single};
+use super::{Influence, Tractions, starts};
 use crate::coulomb::cuts::Cuts;
 use crate::coulomb::mesh::Mesh;
 use crate::coulomb::product::Product;
@@ -11,7 +11,11 @@ use crate::coulomb::product::Product;
 /// Displacements at some points of every strip, by the traction of every element.
 #[derive(Debug, Clone)]
 pub(crate) struct Displacements {
-    coefficients: Coefficients,
+    /// Rows as [`Product`] reads them.
+    rows: Vec<f64>,
+    /// Those by each strip itself and by its mirror image: in `x` by `x`; in `x` by `y` and in `y` by `x`; in `y`
+    /// by `y`.
+    by_strips: [Vec<f64>; 3],
     layout: Layout,
     /// First point of every strip, and the number of all: the rows are those of the kept strips, in order.
     points: Vec<usize>,
@@ -32,29 +36,32 @@ impl Displacements {
         let block = |strip: usize| 2 * points[strip].len() * mesh.strips[strip].len();
         let (blocks, first) = (starts((0..kept).map(block)), starts(points.iter().map(Vec::len)));
         let length = 3 * layout.entries();
-        let mut coefficients = Coefficients::with_length(first[kept] * length, blocks[kept]);
-        let (mut fold, mut cuts) = (Fold::new(&layout), Cuts::new(mesh, units));
+        let mut rows = vec![0.0; first[kept] * length];
+        let mut by_strips = std::array::from_fn(|_| vec![0.0; blocks[kept]]);
+        let [mut folded, none] = [(); 2].map(|()| Folded::new(&layout));
+        let mut cuts = Cuts::new(mesh, units);
         let mut by: [Vec<f64>; 3] = std::array::from_fn(|_| vec![0.0; mesh.len()]);
-        let mut rows = coefficients.double.chunks_exact_mut(length);
+        let mut all = rows.chunks_exact_mut(length);
         for (strip, points) in points[..kept].iter().enumerate() {
-            for ((k, point), row) in points.iter().enumerate().zip(&mut rows) {
+            for ((k, point), row) in points.iter().enumerate().zip(&mut all) {
                 cuts.displace(poisson, *point, by.each_mut().map(Vec::as_mut_slice));
-                fold.row(&layout, by.each_ref().map(Vec::as_slice), row);
+                folded.set(&layout, by.each_ref().map(Vec::as_slice));
+                folded.put_less(&none, &layout, row);
                 for (image, by_strip) in [strip, layout.image(strip)].into_iter().enumerate() {
                     let elements = layout.elements(by_strip);
                     let start = blocks[strip] + (image * points.len() + k) * elements.len();
-                    for (block, by) in coefficients.blocks.iter_mut().zip(&by) {
+                    for (block, by) in by_strips.iter_mut().zip(&by) {
                         block[start..start + elements.len()].copy_from_slice(&by[elements.clone()]);
                     }
                 }
             }
         }
-        Self { coefficients, layout, points: first, blocks }
+        Self { rows, by_strips, layout, points: first, blocks }
     }
 
     /// Displacements at all points by some tractions.
     pub(crate) fn by(&self, tractions: &Tractions) -> [Vec<f64>; 2] {
-        let Self { coefficients, layout, points, .. } = self;
+        let Self { rows, layout, points, .. } = self;
         let mut all = [0, 1].map(|_| vec![0.0; points[points.len() - 1]]);
         let length = 3 * layout.entries();
         for strip in 0..layout.kept() {
@@ -68,7 +75,7 @@ impl Displacements {
                     }
                 }
             };
-            let rows = &coefficients.double[points[strip] * length..points[strip + 1] * length];
+            let rows = &rows[points[strip] * length..points[strip + 1] * length];
             let (tractions, pairs) = (&tractions.double[..], layout.symmetry.parts() / 2);
             Product { rows, tractions, pairs, put }.compute();
         }
@@ -83,7 +90,7 @@ impl Displacements {
         let rows = layout.elements[..=kept].to_vec();
         let blocks = starts((0..kept).map(|strip| 2 * layout.elements(strip).len().pow(2)));
         let size = rows[kept] * 3 * layout.entries();
-        let coefficients = Coefficients::with_length(size, blocks[kept]).with_single();
+        let coefficients = Coefficients::with_length(size, blocks[kept]);
         let weights = vec![[1.0, 0.0]; rows[kept]];
         Influence { coefficients, layout, rows, weights, blocks }
     }
@@ -91,11 +98,10 @@ impl Displacements {
     /// Makes of `slip` the combinations of these displacements, one an element: points and factors.
     pub(crate) fn combine(&self, weights: &[[(usize, f64); 3]], slip: &mut Influence) {
         let length = 3 * self.layout.entries();
-        let rows = slip.coefficients.double.chunks_exact_mut(length);
+        let rows = slip.coefficients.rows.chunks_exact_mut(length);
         for (row, weights) in rows.zip(weights) {
-            combination(&self.coefficients.double, weights, |point| point * length, row);
+            combination(&self.rows, weights, |point| point * length, row);
         }
-        to_single(&slip.coefficients.double, &mut slip.coefficients.single);
         for strip in 0..self.layout.kept() {
             let elements = self.layout.elements(strip);
             let (n, points) = (elements.len(), &self.points[strip..=strip + 1]);
@@ -104,7 +110,7 @@ impl Displacements {
                 let start = self.blocks[strip] + image * size;
                 let at = |point: usize| start + (point - points[0]) * n;
                 let row = slip.blocks[strip] + (image * n + i) * n;
-                let (from, to) = (&self.coefficients.blocks, &mut slip.coefficients.blocks);
+                let (from, to) = (&self.by_strips, &mut slip.coefficients.blocks);
                 for (from, to) in from.iter().zip(to) {
                     combination(from, &weights[elements.start + i], at, &mut to[row..row + n]);
                 }
@@ -114,20 +120,14 @@ impl Displacements {
 }
 
 /// Three rows times factors; `at` is where each begins.
-fn combination(
+fn combination<C: Number>(
     from: &[f64],
     weights: &[(usize, f64); 3],
     at: impl Fn(usize) -> usize,
-    row: &mut [f64],
+    row: &mut [C],
 ) {
     let [(a, wa), (b, wb), (c, wc)] = *weights;
     let [a, b, c] = [a, b, c].map(|point| &from[at(point)..][..row.len()]);
     let entries = row.iter_mut().zip(a.iter().zip(b).zip(c));
-    entries.for_each(|(row, ((a, b), c))| *row = wa * a + wb * b + wc * c);
-}
-
-impl Drop for Displacements {
-    fn drop(&mut self) {
-        std::mem::take(&mut self.coefficients).keep();
-    }
+    entries.for_each(|(row, ((a, b), c))| *row = C::of(wa * a + wb * b + wc * c));
 }

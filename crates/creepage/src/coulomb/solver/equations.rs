@@ -201,7 +201,7 @@ impl Sweep<'_> {
             }
         };
         let step = &mut step[..2 * elements.len()];
-        state.factors[strip].solve(residual, &mut ordered[..2 * elements.len()], step);
+        state.factors.0[strip].solve(residual, &mut ordered[..2 * elements.len()], step);
         change.add(strip, step);
     }
 }

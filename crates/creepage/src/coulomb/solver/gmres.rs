@@ -1,4 +1,5 @@
-//! GMRES (Saad and Schultz 1986) for the fixed point of an affine map, without allocation.
+//! GMRES (Saad and Schultz 1986) for the fixed point of an affine map; room for a direction is made when it is
+//! first needed.
 
 /// Directions that are combined before it restarts from what they gave.
 const KRYLOV_DIMENSION: usize = 40;
@@ -26,7 +27,7 @@ pub(super) struct Gmres {
 impl Gmres {
     pub(super) fn new(unknowns: usize) -> Self {
         Self {
-            directions: vec![vec![0.0; unknowns]; KRYLOV_DIMENSION + 1],
+            directions: vec![vec![0.0; unknowns]],
             columns: vec![vec![0.0; KRYLOV_DIMENSION + 1]; KRYLOV_DIMENSION],
             rotations: vec![[0.0; 2]; KRYLOV_DIMENSION],
             right: vec![0.0; KRYLOV_DIMENSION + 1],
@@ -66,6 +67,9 @@ impl Gmres {
     /// Adds directions until a combination of them comes near enough; their number.
     fn explore(&mut self, goal: f64, map: &mut impl FnMut(Part, &[f64], &mut [f64])) -> usize {
         for k in 0..KRYLOV_DIMENSION {
+            if self.directions.len() == k + 1 {
+                self.directions.push(vec![0.0; self.directions[k].len()]);
+            }
             let (known, next) = self.directions.split_at_mut(k + 1);
             let next = &mut next[0];
             map(Part::Linear, &known[k], next);

@@ -19,7 +19,7 @@ use super::friction::{Corner, Sliding, project_within};
 use super::grid::Grid;
 use super::influence::{Precision, Tractions};
 use super::quadrature::{Fields, Sum};
-use strip_factors::StripFactors;
+use strip_factors::Factors;
 
 /// Largest residual of friction's equation `p = P(p + r s)` in a solution, over the traction bound,
 /// or over the creepage where that is smaller than one: then tractions are as small as the creepage.
@@ -60,7 +60,7 @@ pub(crate) struct State {
     /// The sliding branch of the elements that slide, as last chosen.
     sliding: Vec<Option<Sliding>>,
     /// Newton's matrix of each strip, factored.
-    factors: Vec<StripFactors>,
+    factors: Factors,
     /// Size of the last step with a strip's factors; infinite when they are of no use any more.
     last_step: Vec<f64>,
     /// Room for the unknowns of a strip in the order of its factors.
@@ -84,7 +84,7 @@ impl State {
             slip: [vec![0.0; n], vec![0.0; n]],
             limits: vec![1.0; n],
             sliding: vec![None; n],
-            factors: strips.iter().map(|strip| StripFactors::new(strip.len())).collect(),
+            factors: Factors::new(&grid.mesh),
             last_step: vec![f64::INFINITY; strips.len()],
             ordered: vec![0.0; 2 * longest],
             step: vec![0.0; 2 * longest],

@@ -8,8 +8,10 @@ use pulp::{Arch, Simd, WithSimd};
 
 use crate::coulomb::friction::Sliding;
 use crate::coulomb::grid::Grid;
+use crate::coulomb::mesh::Mesh;
 use crate::coulomb::product::Row;
 use crate::lu::Lu;
+use crate::spare::Spare;
 
 /// The unknowns of an element are the changes of its traction in two directions: along the traction at
 /// its bound and across it, to the left, else along `x` and `y`. In the matrix come those along at the
@@ -25,13 +27,42 @@ pub(super) struct StripFactors {
     along: Vec<f64>,
 }
 
+/// Those of all strips of a grid, in memory that is used again.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Factors(pub Vec<StripFactors>);
+
+/// Numbers in matrices that are kept for other grids.
+const MOST_KEPT: usize = 1_500_000;
+
+static SPARE: Spare<StripFactors> = Spare::new();
+
+impl Factors {
+    pub(super) fn new(mesh: &Mesh) -> Self {
+        let mut factors = SPARE.take(mesh.strips.len());
+        factors.resize_with(mesh.strips.len(), StripFactors::default);
+        for (factors, strip) in factors.iter_mut().zip(&mesh.strips) {
+            factors.resize(strip.len());
+        }
+        Self(factors)
+    }
+}
+
+impl Drop for Factors {
+    fn drop(&mut self) {
+        if self.0.iter().map(|factors| factors.lu.room()).sum::<usize>() <= MOST_KEPT {
+            SPARE.keep(std::mem::take(&mut self.0));
+        }
+    }
+}
+
 impl StripFactors {
     /// Room for a strip of so many elements.
-    pub(super) fn new(elements: usize) -> Self {
-        let zeros = || vec![0.0; elements];
-        let directions = [zeros(), zeros()];
-        let places = vec![0; elements];
-        Self { lu: Lu::new(2 * elements), directions, places, along: zeros() }
+    fn resize(&mut self, elements: usize) {
+        self.lu.resize(2 * elements);
+        self.places.resize(elements, 0);
+        for numbers in self.directions.iter_mut().chain([&mut self.along]) {
+            numbers.resize(elements, 0.0);
+        }
     }
 
     /// Factors the equations of a strip: `slip' = 0` in adhesion, `traction - projection = 0` in

@@ -57,7 +57,7 @@ impl State {
         let [mut step, mut ordered] = [&mut self.step, &mut self.ordered].map(std::mem::take);
         let residual = |i: usize| self.residual(elements.start + i).map(|r| length * r);
         let own = ..2 * elements.len();
-        self.factors[strip].solve(residual, &mut ordered[own], &mut step[own]);
+        self.factors.0[strip].solve(residual, &mut ordered[own], &mut step[own]);
         (self.step, self.ordered) = (step, ordered);
         let step = &self.step[own];
         self.traction.add(strip, step);
@@ -69,6 +69,6 @@ impl State {
     /// Newton's matrix of a strip. False when it is singular.
     pub(super) fn factor(&mut self, grid: &Grid, strip: usize) -> bool {
         self.factorizations += 1;
-        self.factors[strip].factor(grid, strip, &self.sliding)
+        self.factors.0[strip].factor(grid, strip, &self.sliding)
     }
 }
