@@ -20,26 +20,54 @@ pub(crate) fn each(f: impl Fn(usize) -> f64) -> Lanes {
     out
 }
 
+/// `a b + c`, rounded once if `FUSED`: fast where the processor does so, else very slow.
+#[inline(always)]
+pub(crate) fn multiply_add<const FUSED: bool>(a: f64, b: f64, c: f64) -> f64 {
+    if FUSED { a.mul_add(b, c) } else { a * b + c }
+}
+
 /// Natural logarithm of a positive number that is neither tiny nor infinite.
-///
-/// With `m` between `1/sqrt 2` and `sqrt 2`, `ln m = 2 (z + z^3/3 + z^5/5 + ...)`,
-/// `z = (m - 1)/(m + 1)`.
 #[inline(always)]
 pub(crate) fn ln(x: f64) -> f64 {
+    ln_of_ratio::<false>(x, 1.0)
+}
+
+/// Natural logarithm of `a/b`, of positive numbers that are neither tiny nor huge.
+///
+/// With `a/(2^k b)` between 2/3 and 3/2, its logarithm is `2 (z + z^3/3 + z^5/5 + ...)`,
+/// `z = (a - 2^k b)/(a + 2^k b)`; what follows `z` is a polynomial, equal to that at Chebyshev's points.
+#[inline(always)]
+pub(crate) fn ln_of_ratio<const FUSED: bool>(a: f64, b: f64) -> f64 {
     const ONE: u64 = 0x3FF0_0000_0000_0000;
-    const ROOT_OF_HALF: u64 = 0x3FE6_A09E_667F_3BCD;
+    const HALF: u64 = 1 << 51;
     // 2^52: a number with a small whole number in its last bits.
     const WHOLE: u64 = 0x4330_0000_0000_0000;
     const OFFSET: f64 = 4_503_599_627_370_496.0 + 1023.0;
-    let exponent = x.to_bits().wrapping_add(ONE - ROOT_OF_HALF) >> 52;
-    let mantissa = f64::from_bits(x.to_bits().wrapping_sub(exponent << 52).wrapping_add(ONE));
+    const SERIES: [f64; 7] = [
+        0.333_333_333_333_334_8,
+        0.199_999_999_996_469_4,
+        0.142_857_144_249_310_04,
+        0.111_110_905_642_842_65,
+        0.090_923_489_931_172_36,
+        0.076_407_864_241_297_25,
+        0.075_688_654_126_584_67,
+    ];
+    // Bits of a positive number rise nearly as its logarithm.
+    let exponent = a.to_bits().wrapping_sub(b.to_bits()).wrapping_add(ONE + HALF) >> 52;
     let power = f64::from_bits(exponent | WHOLE) - OFFSET;
-    let z = (mantissa - 1.0) / (mantissa + 1.0);
+    let a = f64::from_bits(a.to_bits().wrapping_sub(exponent << 52).wrapping_add(ONE));
+    let z = (a - b) / (a + b);
     let q = z * z;
-    let end = 1.0 / 15.0 + q * (1.0 / 17.0 + q * (1.0 / 19.0));
-    let tail = 1.0 / 9.0 + q * (1.0 / 11.0 + q * (1.0 / 13.0 + q * end));
-    let series = 1.0 + q * (1.0 / 3.0 + q * (1.0 / 5.0 + q * (1.0 / 7.0 + q * tail)));
-    power * std::f64::consts::LN_2 + 2.0 * z * series
+    let [c0, c1, c2, c3, c4, c5, c6] = SERIES;
+    let end = multiply_add::<FUSED>(q, multiply_add::<FUSED>(q, c6, c5), c4);
+    let middle = multiply_add::<FUSED>(q, multiply_add::<FUSED>(q, end, c3), c2);
+    let series = q * multiply_add::<FUSED>(q, multiply_add::<FUSED>(q, middle, c1), c0);
+    let twice = 2.0 * z;
+    multiply_add::<FUSED>(
+        power,
+        std::f64::consts::LN_2,
+        multiply_add::<FUSED>(twice, series, twice),
+    )
 }
 
 /// Exponential function of a number below some hundreds.
@@ -75,6 +103,8 @@ mod tests {
             let x = f64::from(i) * 5e-3;
             for x in [x, 1e-9 * x, 1e9 * x] {
                 assert!((ln(x) - x.ln()).abs() < 1e-15 * x.ln().abs().max(1.0), "{x}");
+                let (found, expected) = (ln_of_ratio::<true>(x, 7.3 / x), (x * x / 7.3).ln());
+                assert!((found - expected).abs() < 1e-15 * expected.abs().max(1.0), "{x}");
             }
             assert!((exp(x - 10.0) / (x - 10.0).exp() - 1.0).abs() < 1e-11, "{x}");
             let angle = (x / 20.0 - 0.5) * std::f64::consts::PI;

@@ -10,7 +10,7 @@
 use pulp::{Arch, Simd, WithSimd};
 
 use super::mesh::Mesh;
-use crate::lanes::ln;
+use crate::lanes::{ln_of_ratio, multiply_add};
 
 /// Keeps logarithms finite where what they are multiplied with vanishes.
 const TINY: f64 = 1e-140;
@@ -121,8 +121,14 @@ impl WithSimd for Displace<'_> {
     #[inline(always)]
     fn with_simd<S: Simd>(self, _: S) {
         let Self { cuts, poisson, at, by } = self;
-        cuts.see(at);
-        cuts.add_up(poisson, at);
+        // Processors with so many lanes multiply and add at once.
+        if S::F64_LANES >= 4 {
+            cuts.see::<true>(at);
+            cuts.add_up::<true>(poisson, at);
+        } else {
+            cuts.see::<false>(at);
+            cuts.add_up::<false>(poisson, at);
+        }
         for (by, sums) in by.into_iter().zip(&cuts.sums) {
             for (strip, elements) in cuts.offsets.windows(2).enumerate() {
                 let sums = &sums[elements[0] + strip..=elements[1] + strip];
@@ -139,18 +145,18 @@ impl WithSimd for Displace<'_> {
 #[allow(clippy::inline_always)]
 impl Cuts {
     #[inline(always)]
-    fn see(&mut self, [x, y]: [f64; 2]) {
+    fn see<const FUSED: bool>(&mut self, [x, y]: [f64; 2]) {
         let Seen { radius, border } = &mut self.seen;
         let corners = self.corners.x.iter().zip(&self.corners.y);
         for ((radius, border), (px, py)) in radius.iter_mut().zip(border).zip(corners) {
-            let corner = Corner::new(px - x, py - y);
-            (*radius, *border) = (corner.radius, corner.border());
+            let corner = Corner::new::<FUSED>(px - x, py - y);
+            (*radius, *border) = (corner.radius, corner.border::<FUSED>());
         }
     }
 
     /// Sums of each cut, its corners seen.
     #[inline(always)]
-    fn add_up(&mut self, poisson: f64, [x, y]: [f64; 2]) {
+    fn add_up<const FUSED: bool>(&mut self, poisson: f64, [x, y]: [f64; 2]) {
         let Self { corners, runs, tangent, seen, sums: [xx, xy, yy], .. } = self;
         let mut first = 0;
         for run in runs {
@@ -173,7 +179,7 @@ impl Cuts {
                     radius: *radius,
                 });
                 let borders = upper.1.1 - lower.1.1;
-                let (own, bent) = along_cut(ends, [*tx, *ty]);
+                let (own, bent) = along_cut::<FUSED>(ends, [*tx, *ty]);
                 *xx = own - poisson * ty * bent[0] + borders;
                 *xy = -poisson * ty * bent[1];
                 *yy = own + poisson * tx * bent[1] + (1.0 - poisson) * borders;
@@ -194,15 +200,15 @@ struct Corner {
 #[allow(clippy::inline_always)]
 impl Corner {
     #[inline(always)]
-    fn new(x: f64, y: f64) -> Self {
-        Self { x, y, radius: (x * x + y * y).sqrt() }
+    fn new<const FUSED: bool>(x: f64, y: f64) -> Self {
+        Self { x, y, radius: multiply_add::<FUSED>(x, x, y * y).sqrt() }
     }
 
     /// Integral of `y / R` along the border, as far as here: `y asinh(x / |y|)`.
     #[inline(always)]
-    fn border(self) -> f64 {
-        let ratio = (self.x.abs() + self.radius) / self.y.abs().max(TINY);
-        self.y * ln(ratio).copysign(self.x)
+    fn border<const FUSED: bool>(self) -> f64 {
+        let (sum, across) = ((self.x.abs() + self.radius).max(TINY), self.y.abs().max(TINY));
+        self.y * ln_of_ratio::<FUSED>(sum, across).copysign(self.x)
     }
 }
 
@@ -210,18 +216,25 @@ impl Corner {
 /// `x / R` and `y / R`.
 #[allow(clippy::inline_always)]
 #[inline(always)]
-fn along_cut([lower, upper]: [Corner; 2], [tx, ty]: [f64; 2]) -> (f64, [f64; 2]) {
-    let distance = ty * lower.x - tx * lower.y;
-    let [from, to] = [lower, upper].map(|end| tx * end.x + ty * end.y);
-    let [before, behind] = [(from, lower), (to, upper)].map(|(t, end)| t.abs() + end.radius);
+fn along_cut<const FUSED: bool>(
+    [lower, upper]: [Corner; 2],
+    [tx, ty]: [f64; 2],
+) -> (f64, [f64; 2]) {
+    let distance = multiply_add::<FUSED>(ty, lower.x, -tx * lower.y);
+    let from = multiply_add::<FUSED>(tx, lower.x, ty * lower.y);
+    let to = multiply_add::<FUSED>(tx, upper.x, ty * upper.y);
+    let (before, behind) = (from.abs() + lower.radius, to.abs() + upper.radius);
     let either = |is_one: bool, one: f64, other: f64| if is_one { one } else { other };
     // The logarithm of (to + behind) / (from + before), where nothing cancels.
     let upwards = either(to > 0.0, behind, 1.0) * either(from < 0.0, before, 1.0);
     let downwards = either(from >= 0.0, before, 1.0) * either(to <= 0.0, behind, 1.0);
     let square = either(from < 0.0 && to > 0.0, distance * distance, 1.0);
-    let own = distance * ln(upwards.max(TINY) / (downwards * square).max(TINY));
+    let (over, under) = (upwards.max(TINY), (downwards * square).max(TINY));
+    let own = distance * ln_of_ratio::<FUSED>(over, under);
     let radial = upper.radius - lower.radius;
-    (own, [ty * own + tx * radial, ty * radial - tx * own])
+    let bent =
+        [multiply_add::<FUSED>(ty, own, tx * radial), multiply_add::<FUSED>(ty, radial, -tx * own)];
+    (own, bent)
 }
 
 #[cfg(test)]
