@@ -236,7 +236,9 @@ mod tests {
     fn slips(influence: &Influence) -> Vec<f64> {
         let mut tractions = Tractions::zeros(influence);
         let n = tractions.own[0].len();
-        tractions.copy_from(&(0..2 * n).map(|k| (k as f64).sin()).collect::<Vec<_>>());
+        let vector: Vec<f64> = (0..2 * n).map(|k| (k as f64).sin()).collect();
+        tractions.copy_from(&vector);
+        tractions.fold_all(Precision::Double);
         let mut slips = [0, 1].map(|_| vec![0.0; n]);
         for strip in 0..influence.strips() {
             influence.slip(Precision::Double, strip, &tractions, &mut slips);

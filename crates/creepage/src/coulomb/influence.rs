@@ -364,6 +364,7 @@ mod tests {
         let mut tractions = Tractions::zeros(influence);
         let n = tractions.own[0].len();
         tractions.copy_from(&(0..2 * n).map(|k| (k as f64).sin()).collect::<Vec<_>>());
+        tractions.fold_all(precision);
         slips_by(influence, precision, &tractions)
     }
 
@@ -390,7 +391,7 @@ mod tests {
                 let mut tractions = Tractions::zeros(&influence);
                 let change: Vec<f64> = (0..2 * along).map(|k| (k as f64).sin()).collect();
                 tractions.add(strip, &change);
-                tractions.fold(influence.layout.original(strip));
+                tractions.fold(influence.layout.original(strip), Precision::Double);
                 let expected = slips_by(&influence, Precision::Double, &tractions);
                 let (x, y) = change.split_at(along);
                 let mut found = expected.each_ref().map(|slip| vec![0.0; slip.len()]);

@@ -5,9 +5,12 @@
 //! between elements, and the traction has its direction. For large creepage this is the integral
 //! of the saturated theory.
 
+use pulp::{Arch, Simd, WithSimd};
+
 use super::mesh::{Mesh, SUBCELLS, next};
 use super::pressure::{Moments, Pressure};
 use crate::Force;
+use crate::lanes::LANES;
 use crate::spare::Spare;
 
 /// Slip that counts as far from the border of adhesion; elastic slip is of order one. Near the
@@ -16,23 +19,25 @@ const FAR: f64 = 1.0;
 /// By how much its square grows, at most, where spin turns the slip about within an element.
 const TURNED: f64 = 2.0;
 
-/// A quadrature point: where the pressure of a subcell acts.
+/// Subcells of an element.
+const OWN: usize = SUBCELLS * SUBCELLS;
+
+/// The quadrature points of an element: where the pressure of its subcells acts.
 #[derive(Debug, Clone, Copy)]
-struct Subcell {
-    share: f64,
-    at: [f64; 2],
+struct Subcells {
+    share: [f64; OWN],
+    at: [[f64; OWN]; 2],
     /// The four elements to interpolate between, and their weights.
-    around: [usize; 4],
-    weights: [f64; 4],
+    around: [[usize; 4]; OWN],
+    weights: [[f64; 4]; OWN],
     /// Its position from the mean of the places where those have their slip.
-    off: [f64; 2],
+    off: [[f64; OWN]; 2],
 }
 
 /// Pressure moments of all elements and of their subcells.
 #[derive(Debug, Clone)]
 pub(crate) struct Quadrature {
-    /// Those of an element after those of another.
-    subcells: Vec<Subcell>,
+    subcells: Vec<Subcells>,
     shares: Vec<f64>,
     centroids: Vec<[f64; 2]>,
     /// Mean area of an element.
@@ -41,7 +46,7 @@ pub(crate) struct Quadrature {
     elastic_slip: f64,
 }
 
-static SPARE: Spare<Subcell> = Spare::new();
+static SPARE: Spare<Subcells> = Spare::new();
 
 impl Drop for Quadrature {
     fn drop(&mut self) {
@@ -64,14 +69,21 @@ impl Fields<'_> {
         [pair[0][element], pair[1][element]]
     }
 
-    /// Slip of a subcell: interpolated, and the rigid rotation that interpolation leaves out.
-    fn slip_in(&self, subcell: &Subcell) -> [f64; 2] {
-        let ([mut u, mut v], [x, y]) = ([0.0; 2], subcell.off);
-        for (element, weight) in subcell.around.into_iter().zip(subcell.weights) {
-            u += weight * self.slip[0][element];
-            v += weight * self.slip[1][element];
+    /// Slip of the subcells: interpolated, and the rigid rotation that interpolation leaves out.
+    #[allow(clippy::inline_always)] // so that it is compiled for each kind of processor
+    #[inline(always)]
+    fn slip_in(&self, subcells: &Subcells) -> [[f64; OWN]; 2] {
+        let mut slip = [[0.0; OWN]; 2];
+        for (k, (elements, weights)) in subcells.around.iter().zip(&subcells.weights).enumerate() {
+            let [mut u, mut v] = [0.0; 2];
+            for (element, weight) in elements.iter().zip(weights) {
+                u += weight * self.slip[0][*element];
+                v += weight * self.slip[1][*element];
+            }
+            let [x, y] = [subcells.off[0][k], subcells.off[1][k]];
+            (slip[0][k], slip[1][k]) = (u - self.spin * y, v + self.spin * x);
         }
-        [u - self.spin * y, v + self.spin * x]
+        slip
     }
 }
 
@@ -96,13 +108,10 @@ impl Sum {
 impl Quadrature {
     /// `places` are those where each element has its slip.
     pub(crate) fn new(mesh: &Mesh, pressure: &Pressure, places: &[[f64; 2]]) -> Self {
-        let mut subcells = SPARE.take(mesh.len() * SUBCELLS * SUBCELLS);
+        let mut subcells = SPARE.take(mesh.len());
         subcells.clear();
-        for ((strip, i), cells) in mesh.all().zip(&pressure.subcells) {
-            let moments = cells.as_flattened().iter();
-            let subcell = |moments| Subcell::new(mesh, places, [strip, i], moments);
-            subcells.extend(moments.map(subcell));
-        }
+        let all = mesh.all().zip(&pressure.subcells);
+        subcells.extend(all.map(|(at, moments)| Subcells::new(mesh, places, at, moments)));
         let area: f64 = mesh.all().map(|(strip, i)| mesh.strips[strip].area(i)).sum();
         Self {
             area: area / mesh.len() as f64,
@@ -116,11 +125,6 @@ impl Quadrature {
     /// On a layer elastic slip is so many times larger.
     pub(crate) fn set_elastic_slip(&mut self, times: f64) {
         self.elastic_slip = times;
-    }
-
-    fn subcells(&self, element: usize) -> &[Subcell] {
-        const OWN: usize = SUBCELLS * SUBCELLS;
-        &self.subcells[OWN * element..][..OWN]
     }
 
     /// The square of the slip that counts as far, and its derivative by the spin. It grows with the
@@ -139,19 +143,12 @@ impl Quadrature {
         if !slides {
             return sum.add(self.shares[element], self.centroids[element], own);
         }
-        let limit = fields.limits[element];
-        let own = own.map(|t| t / limit);
+        let own = own.map(|t| t / fields.limits[element]);
         let slip = Fields::at(fields.slip, element);
-        let (traction, speed) = (norm(own), dot(own, slip));
+        let speed = dot(own, slip);
         let turn = speed / (speed * speed + self.far(fields.spin).0);
-        for subcell in self.subcells(element) {
-            let there = fields.slip_in(subcell);
-            let bent = [0, 1].map(|k| own[k] + turn * (there[k] - slip[k]));
-            let size = norm(bent);
-            let share = limit * subcell.share;
-            sum.dissipation += share * speed.max(0.0) * size;
-            sum.add(share, subcell.at, direction(bent, size).map(|d| traction * d));
-        }
+        let (subcells, limit) = (&self.subcells[element], fields.limits[element]);
+        Arch::new().dispatch(AddSliding { fields, subcells, own, slip, turn, limit, sum });
     }
 
     /// Adds the change of an element's force with its fields.
@@ -175,8 +172,11 @@ impl Quadrature {
         let d_square = 2.0 * speed * d_speed + d_far * change.spin;
         let (turn, d_turn) =
             (speed / square, (d_speed * square - speed * d_square) / (square * square));
-        for subcell in self.subcells(element) {
-            let [there, d_there] = [fields, change].map(|f| f.slip_in(subcell));
+        let subcells = &self.subcells[element];
+        let [there, d_there] = [fields, change].map(|f| f.slip_in(subcells));
+        for k in 0..OWN {
+            let at = |of: &[[f64; OWN]; 2]| [of[0][k], of[1][k]];
+            let (there, d_there) = (at(&there), at(&d_there));
             let bent = [0, 1].map(|k| own[k] + turn * (there[k] - slip[k]));
             let d_bent = [0, 1].map(|k| {
                 d_own[k] + d_turn * (there[k] - slip[k]) + turn * (d_there[k] - d_slip[k])
@@ -186,37 +186,97 @@ impl Quadrature {
             let along = dot(unit, d_bent);
             let d_unit = direction([0, 1].map(|k| d_bent[k] - along * unit[k]), size);
             let d_there = [0, 1].map(|k| traction * d_unit[k] + d_traction * unit[k]);
-            sum.add(subcell.share, subcell.at, d_there);
+            sum.add(subcells.share[k], at(&subcells.at), d_there);
         }
     }
 }
 
-impl Subcell {
+/// Adds force and frictional power of an element that slides: traction over its limit and slip, and how much
+/// of the difference in slip turns the traction of a subcell.
+struct AddSliding<'a> {
+    fields: Fields<'a>,
+    subcells: &'a Subcells,
+    own: [f64; 2],
+    slip: [f64; 2],
+    turn: f64,
+    limit: f64,
+    sum: &'a mut Sum,
+}
+
+impl WithSimd for AddSliding<'_> {
+    type Output = ();
+
+    #[allow(clippy::inline_always)] // so that it is compiled for each kind of processor
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) {
+        let Self { fields, subcells, own, slip, turn, limit, sum } = self;
+        let (traction, speed) = (norm(own), dot(own, slip).max(0.0));
+        let [u, v] = fields.slip_in(subcells);
+        let Subcells { share, at: [at_x, at_y], .. } = subcells;
+        let [mut fx, mut fy, mut mz, mut power] = [[0.0; LANES]; 4];
+        for first in (0..OWN).step_by(LANES) {
+            for l in 0..LANES {
+                let k = first + l;
+                let x = own[0] + turn * (u[k] - slip[0]);
+                let y = own[1] + turn * (v[k] - slip[1]);
+                let size = (x * x + y * y).sqrt();
+                let by = share[k] * traction / size;
+                let by = if size > 0.0 { by } else { 0.0 };
+                fx[l] += by * x;
+                fy[l] += by * y;
+                mz[l] += by * (at_x[k] * y - at_y[k] * x);
+                power[l] += share[k] * size;
+            }
+        }
+        let total = |lanes: [f64; LANES]| limit * lanes.iter().sum::<f64>();
+        sum.force.fx += total(fx);
+        sum.force.fy += total(fy);
+        sum.force.mz += total(mz);
+        sum.dissipation += speed * total(power);
+    }
+}
+
+impl Subcells {
     /// Between its own element, the next along, and the same two in the strip beside.
-    fn new(mesh: &Mesh, places: &[[f64; 2]], [strip, i]: [usize; 2], moments: &Moments) -> Self {
-        let Moments { share, centroid, along } = *moments;
+    fn new(
+        mesh: &Mesh,
+        places: &[[f64; 2]],
+        (strip, i): (usize, usize),
+        moments: &[[Moments; SUBCELLS]; SUBCELLS],
+    ) -> Self {
         let own = &mesh.strips[strip];
         let first = own.patch.start;
         let y = |j: usize| mesh.strips[first + j].y();
-        let (beside, across) = next(strip - first, own.patch.len(), centroid[1], y);
-        let pair = |strip: usize, factor: f64| {
-            let there = &mesh.strips[strip];
-            let alike = i < there.len() && there.cut(i) >= along && along >= there.cut(i + 1);
-            let i = if alike { i } else { there.element_at(along) };
-            let (other, weight) = next(i, there.len(), along, |i| there.element_middle(i));
-            let start = mesh.elements(strip).start;
-            [(start + i, factor * (1.0 - weight)), (start + other, factor * weight)]
+        let mut all = Self {
+            share: [0.0; OWN],
+            at: [[0.0; OWN]; 2],
+            around: [[0; 4]; OWN],
+            weights: [[0.0; 4]; OWN],
+            off: [[0.0; OWN]; 2],
         };
-        let ([a, b], [c, d]) = (pair(strip, 1.0 - across), pair(first + beside, across));
-        let four = [a, b, c, d];
-        let mean = |k: usize| four.iter().map(|(e, weight)| weight * places[*e][k]).sum::<f64>();
-        Self {
-            share,
-            at: centroid,
-            around: four.map(|(element, _)| element),
-            weights: four.map(|(_, weight)| weight),
-            off: [0, 1].map(|k| centroid[k] - mean(k)),
+        for (k, Moments { share, centroid, along }) in moments.as_flattened().iter().enumerate() {
+            let (beside, across) = next(strip - first, own.patch.len(), centroid[1], y);
+            let pair = |strip: usize, factor: f64| {
+                let there = &mesh.strips[strip];
+                let alike = i < there.len() && there.cut(i) >= *along && *along >= there.cut(i + 1);
+                let i = if alike { i } else { there.element_at(*along) };
+                let (other, weight) = next(i, there.len(), *along, |i| there.element_middle(i));
+                let start = mesh.elements(strip).start;
+                [(start + i, factor * (1.0 - weight)), (start + other, factor * weight)]
+            };
+            let ([a, b], [c, d]) = (pair(strip, 1.0 - across), pair(first + beside, across));
+            let four = [a, b, c, d];
+            let mean =
+                |k: usize| four.iter().map(|(e, weight)| weight * places[*e][k]).sum::<f64>();
+            all.share[k] = *share;
+            all.around[k] = four.map(|(element, _)| element);
+            all.weights[k] = four.map(|(_, weight)| weight);
+            for component in 0..2 {
+                all.at[component][k] = centroid[component];
+                all.off[component][k] = centroid[component] - mean(component);
+            }
         }
+        all
     }
 }
 

@@ -1,7 +1,10 @@
 //! Tractions of all elements, kept as products read them.
 
-use super::Influence;
+use pulp::{Arch, Simd, WithSimd};
+
+use super::coefficients::Number;
 use super::layout::{BLOCK, Layout};
+use super::{Influence, Precision};
 
 /// A vector an element: tractions over their bounds, or a change of them.
 #[derive(Debug, Clone, Default)]
@@ -25,14 +28,14 @@ impl Tractions {
         Self { own: zeros(n), layout, parts: zeros(entries), double, single }
     }
 
-    /// Keeps them for products with another influence of as many elements, if it has other symmetries.
+    /// Keeps them for products with another influence of as many elements, which may have other symmetries.
     pub(crate) fn suit(&mut self, influence: &Influence) {
         if self.layout.symmetry == influence.layout.symmetry {
             return;
         }
         let own = std::mem::take(&mut self.own);
         *self = Self { own, ..Self::zeros(influence) };
-        self.fold_all();
+        self.fold_all(Precision::Double);
     }
 
     pub(crate) fn clear(&mut self) {
@@ -60,13 +63,12 @@ impl Tractions {
         }
     }
 
-    /// Takes all `x`, then all `y`, from one vector.
+    /// Takes all `x`, then all `y`, from one vector; products know of it after [`Tractions::fold_all`].
     pub(crate) fn copy_from(&mut self, vector: &[f64]) {
         let half = self.own[0].len();
         for (own, vector) in self.own.iter_mut().zip(vector.chunks_exact(half)) {
             own.copy_from_slice(vector);
         }
-        self.fold_all();
     }
 
     /// Puts all `x`, then all `y`, into one vector.
@@ -76,46 +78,71 @@ impl Tractions {
         y.copy_from_slice(&self.own[1]);
     }
 
-    /// Adds `factor` times other tractions.
+    /// Adds `factor` times other tractions, for products in double precision.
     pub(crate) fn add_times(&mut self, factor: f64, other: &Self) {
         let to = self.own.iter_mut().flatten();
         to.zip(other.own.iter().flatten()).for_each(|(to, from)| *to += factor * from);
-        self.fold_all();
+        self.fold_all(Precision::Double);
     }
 
-    /// Sets every element.
+    /// Sets every element, for products in double precision.
     pub(crate) fn set(&mut self, at: impl Fn(usize) -> [f64; 2]) {
         let [x, y] = &mut self.own;
         for (element, (x, y)) in x.iter_mut().zip(y).enumerate() {
             [*x, *y] = at(element);
         }
-        self.fold_all();
+        self.fold_all(Precision::Double);
     }
 
-    fn fold_all(&mut self) {
-        (0..self.layout.kept()).for_each(|strip| self.fold(strip));
+    /// Makes all parts those of the tractions, for products as precise as that.
+    pub(crate) fn fold_all(&mut self, precision: Precision) {
+        (0..self.layout.kept()).for_each(|strip| self.fold(strip, precision));
     }
 
-    /// Makes the parts of a strip that is gone through and of its mirror image those of their tractions.
-    #[allow(clippy::cast_possible_truncation)] // single precision is meant
-    pub(crate) fn fold(&mut self, strip: usize) {
+    /// Makes the parts of a strip that is gone through and of its mirror image those of their tractions, for
+    /// products as precise as that.
+    pub(crate) fn fold(&mut self, strip: usize, precision: Precision) {
         let Self { own, layout, parts, double, single } = self;
-        for (own, parts) in own.iter().zip(parts.iter_mut()) {
-            layout.fold(strip, own, parts);
+        let (own, parts) = (own.each_ref().map(Vec::as_slice), parts.each_mut());
+        match precision {
+            Precision::Single => {
+                Arch::new().dispatch(Fold { layout, strip, own, parts, to: single });
+            }
+            Precision::Double => {
+                Arch::new().dispatch(Fold { layout, strip, own, parts, to: double });
+            }
         }
-        let blocks = layout.width / BLOCK;
+    }
+}
+
+struct Fold<'a, T> {
+    layout: &'a Layout,
+    strip: usize,
+    own: [&'a [f64]; 2],
+    parts: [&'a mut Vec<f64>; 2],
+    to: &'a mut [T],
+}
+
+impl<T: Number> WithSimd for Fold<'_, T> {
+    type Output = ();
+
+    #[allow(clippy::inline_always)] // so that it is compiled for each kind of processor
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) {
+        let Self { layout, strip, own: [x, y], parts: [by_x, by_y], to } = self;
+        layout.fold(strip, x, by_x);
+        layout.fold(strip, y, by_y);
+        let (factors, parts) =
+            (layout.factors.as_chunks().0, [by_x.as_chunks().0, by_y.as_chunks().0]);
+        let (to, blocks) = (to.as_chunks_mut::<BLOCK>().0, layout.width / BLOCK);
         for block in layout.blocks(strip) {
-            let factors = &layout.factors[block * BLOCK..][..BLOCK];
+            let factors: &[f64; BLOCK] = &factors[block];
             for part in 0..layout.symmetry.parts() {
-                let start = (part * blocks + block) * BLOCK;
-                let to = 4 * (part / 2 * blocks + block) + 2 * (part % 2);
-                for (k, parts) in parts.iter().enumerate() {
-                    let to = (to + k) * BLOCK..(to + k + 1) * BLOCK;
-                    let to = double[to.clone()].iter_mut().zip(&mut single[to]);
-                    let from = parts[start..start + BLOCK].iter().zip(factors);
-                    for ((double, single), (part, factor)) in to.zip(from) {
-                        *double = factor * part;
-                        *single = *double as f32;
+                let first = 4 * (part / 2 * blocks + block) + 2 * (part % 2);
+                for (parts, to) in parts.iter().zip(&mut to[first..]) {
+                    let part: &[f64; BLOCK] = &parts[part * blocks + block];
+                    for (to, (factor, part)) in to.iter_mut().zip(factors.iter().zip(part)) {
+                        *to = T::of(factor * part);
                     }
                 }
             }

@@ -63,6 +63,7 @@ impl Equations {
         gmres.fixed_point(solution, accuracy, |part, from, to| {
             *sweeps += 1;
             sweep.change.copy_from(from);
+            sweep.change.fold_all(precision);
             for strip in 0..grid.influence.strips() {
                 sweep.solve_both(part, strip);
             }
@@ -97,6 +98,7 @@ impl Equations {
 
     /// Computes the change of the slip by that of the tractions.
     pub(super) fn update_slip(&mut self, grid: &Grid, precision: Precision) {
+        self.change.fold_all(precision);
         for strip in 0..grid.influence.strips() {
             grid.influence.slip(precision, strip, &self.change, &mut self.slip);
         }
@@ -184,7 +186,7 @@ impl Sweep<'_> {
             grid.influence.image_block(image).add_slip([x, y], self.slip);
             self.solve(part, image);
         }
-        self.change.fold(strip);
+        self.change.fold(strip, precision);
     }
 
     /// Solves the equations of a strip at the slip as it is.

@@ -195,10 +195,12 @@ impl State {
     ) -> bool {
         (0..rounds).any(|round| {
             let pairs = 2 * round + 1;
+            self.traction.fold_all(self.precision);
             for _ in 0..pairs {
                 self.sweep_both_ways(grid, tolerance, round);
             }
             equations.sweeps += 2 * pairs;
+            self.traction.fold_all(Precision::Double);
             for strip in 0..grid.influence.strips() {
                 self.update_slip(grid, Precision::Double, strip);
             }

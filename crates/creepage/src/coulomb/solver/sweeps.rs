@@ -26,7 +26,7 @@ impl State {
             grid.influence.image_block(image).add_slip([x, &y[..x.len()]], &mut self.slip);
             self.solve_strip(grid, image, tolerance, steps);
         }
-        self.traction.fold(strip);
+        self.traction.fold(strip, self.precision);
     }
 
     /// Makes a strip obey friction, as far as `tolerance` or until it is as near as a sweep needs. Its
