@@ -7,6 +7,9 @@ use pulp::{Arch, Simd, WithSimd};
 const REGISTER: usize = 8;
 /// Columns that are factored before they are taken from the others at once.
 const PANEL: usize = 4;
+const TWO_PANELS: usize = 2 * PANEL;
+/// Rows left that are read half as often when two panels are taken from them at once.
+const MANY: usize = 24;
 
 /// `P A = L U` with partial pivoting; the diagonal holds its reciprocals. One value is filled and
 /// factored again and again, which the owning decompositions of the linear algebra library do not offer.
@@ -93,14 +96,25 @@ impl WithSimd for Factor<'_> {
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) -> bool {
         let Self(lu) = self;
-        for first in (lu.known..lu.n).step_by(PANEL) {
-            let end = lu.n.min(first + PANEL);
-            if !lu.factor_columns(first, end) {
+        let mut first = lu.known;
+        while first < lu.n {
+            if !lu.factor_columns(first) {
                 return false;
             }
-            if end < lu.n {
-                lu.eliminate(simd, first);
+            let end = first + PANEL;
+            if first + MANY > lu.n {
+                if end < lu.n {
+                    lu.eliminate::<S, PANEL>(simd, first, lu.stride);
+                }
+                first = end;
+                continue;
             }
+            lu.eliminate::<S, PANEL>(simd, first, end + PANEL);
+            if !lu.factor_columns(end) {
+                return false;
+            }
+            lu.eliminate::<S, TWO_PANELS>(simd, first, lu.stride);
+            first = end + PANEL;
         }
         true
     }
@@ -110,9 +124,10 @@ impl Lu {
     /// Factors the columns of a panel, from its first row down; false when they are singular. Rows are
     /// so long that a panel is always whole.
     #[inline(always)]
-    fn factor_columns(&mut self, first: usize, end: usize) -> bool {
+    fn factor_columns(&mut self, first: usize) -> bool {
+        let end = self.n.min(first + PANEL);
+        let mut pivot = self.largest_below(first);
         for k in first..end {
-            let pivot = self.largest_below(k);
             self.pivots[k] = pivot;
             self.swap_rows(k, pivot);
             let (done, below) = self.entries.split_at_mut((k + 1) * self.stride);
@@ -122,50 +137,71 @@ impl Lu {
                 return false;
             }
             pivot_row[k] = reciprocal;
-            let mut by = [0.0; PANEL];
-            by[k + 1 - first..].copy_from_slice(&pivot_row[k + 1..first + PANEL]);
-            for row in below.chunks_exact_mut(self.stride) {
-                let factor = row[k] * reciprocal;
-                let Some(part) = row[first..].first_chunk_mut::<PANEL>() else { continue };
+            let (column, mut by) = (k - first, [0.0; PANEL]);
+            by[column + 1..].copy_from_slice(&pivot_row[k + 1..first + PANEL]);
+            let (next, mut size) = ((column + 1).min(PANEL - 1), -1.0);
+            pivot = k + 1;
+            for (row, entries) in (k + 1..).zip(below.chunks_exact_mut(self.stride)) {
+                let factor = entries[k] * reciprocal;
+                let Some(part) = entries[first..].first_chunk_mut::<PANEL>() else { continue };
                 for j in 0..PANEL {
                     part[j] -= factor * by[j];
                 }
-                part[k - first] = factor;
+                if part[next].abs() > size {
+                    (pivot, size) = (row, part[next].abs());
+                }
+                part[column] = factor;
             }
         }
         true
     }
 
-    /// Takes the rows of a factored panel from all rows below, beyond its columns.
+    /// Takes the rows of `W` factored columns from all rows below, beyond these columns as far as `to`.
     #[inline(always)]
-    fn eliminate<S: Simd>(&mut self, simd: S, first: usize) {
+    fn eliminate<S: Simd, const W: usize>(&mut self, simd: S, first: usize, to: usize) {
         // So that what is left of a row beside a panel is a whole number of registers.
         const { assert!(PANEL.is_multiple_of(S::F64_LANES)) };
-        let (stride, end) = (self.stride, first + PANEL);
+        let (stride, end) = (self.stride, first + W);
         let (done, below) = self.entries.split_at_mut(end * stride);
         let panel = &mut done[first * stride..];
-        for k in 1..PANEL {
+        for k in 1..W {
             let (above, row) = panel.split_at_mut(k * stride);
-            let (factors, to) = row[..stride].split_at_mut(end);
+            let (factors, rest) = row[..to].split_at_mut(end);
             for (above, factor) in above.chunks_exact(stride).zip(&factors[first..]) {
-                add_times(simd, to, -factor, &above[end..]);
+                add_times(simd, rest, -factor, &above[end..to]);
             }
         }
-        let by = |k: usize| S::as_simd_f64s(&panel[k * stride + end..(k + 1) * stride]).0;
+        let by = |k: usize| S::as_simd_f64s(&panel[k * stride + end..k * stride + to]).0;
         let (p, q, r, s) = (by(0), by(1), by(2), by(3));
         for row in below.chunks_exact_mut(stride) {
-            let (factors, to) = row.split_at_mut(end);
+            let (factors, rest) = row[..to].split_at_mut(end);
+            let (rest, _) = S::as_mut_simd_f64s(rest);
             let factor = |k: usize| simd.splat_f64s(-factors[first + k]);
-            let (a, b, c, d) = (factor(0), factor(1), factor(2), factor(3));
-            let (to, _) = S::as_mut_simd_f64s(to);
-            for ((((to, p), q), r), s) in to.iter_mut().zip(p).zip(q).zip(r).zip(s) {
-                let sum = simd.mul_add_e_f64s(a, *p, *to);
-                let sum = simd.mul_add_e_f64s(b, *q, sum);
-                let sum = simd.mul_add_e_f64s(c, *r, sum);
-                *to = simd.mul_add_e_f64s(d, *s, sum);
+            let four = [factor(0), factor(1), factor(2), factor(3)];
+            if W == PANEL {
+                for ((((to, p), q), r), s) in rest.iter_mut().zip(p).zip(q).zip(r).zip(s) {
+                    *to = add_four(simd, *to, four, [*p, *q, *r, *s]);
+                }
+                continue;
+            }
+            let (t, u, v, w) = (by(4), by(5), by(6), by(7));
+            let more = [factor(4), factor(5), factor(6), factor(7)];
+            let rows = p.iter().zip(q).zip(r).zip(s).zip(t).zip(u).zip(v).zip(w);
+            for (to, (((((((p, q), r), s), t), u), v), w)) in rest.iter_mut().zip(rows) {
+                let sum = add_four(simd, *to, four, [*p, *q, *r, *s]);
+                *to = add_four(simd, sum, more, [*t, *u, *v, *w]);
             }
         }
     }
+}
+
+/// `sum` and four products.
+#[inline(always)]
+fn add_four<S: Simd>(simd: S, sum: S::f64s, a: [S::f64s; 4], b: [S::f64s; 4]) -> S::f64s {
+    let sum = simd.mul_add_e_f64s(a[0], b[0], sum);
+    let sum = simd.mul_add_e_f64s(a[1], b[1], sum);
+    let sum = simd.mul_add_e_f64s(a[2], b[2], sum);
+    simd.mul_add_e_f64s(a[3], b[3], sum)
 }
 
 struct Solve<'a>(&'a Lu, &'a mut [f64]);
@@ -287,7 +323,7 @@ mod tests {
     /// A matrix without order whose diagonal is small, so that rows must change places.
     #[test]
     fn solves_what_it_factored() {
-        for n in [1, 2, 7, 17, 80] {
+        for n in [1, 2, 7, 17, 50, 80, 131] {
             let entry = |i: usize, j: usize| {
                 let part = ((1 + 7 * i + 13 * j + i * j) as f64).sin();
                 if i == j { 1e-9 * part } else { part }

@@ -271,10 +271,9 @@ impl Subcells {
             all.share[k] = *share;
             all.around[k] = four.map(|(element, _)| element);
             all.weights[k] = four.map(|(_, weight)| weight);
-            for component in 0..2 {
-                all.at[component][k] = centroid[component];
-                all.off[component][k] = centroid[component] - mean(component);
-            }
+            let off = [0, 1].map(|k| centroid[k] - mean(k));
+            [all.at[0][k], all.at[1][k]] = *centroid;
+            [all.off[0][k], all.off[1][k]] = off;
         }
         all
     }
