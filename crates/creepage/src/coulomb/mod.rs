@@ -73,9 +73,9 @@ use workspace::Pool;
 ///
 /// | resolution | median | rms | worst | case | preparation |
 /// |---|---|---|---|---|---|
-/// | [`Resolution::FAST`] | 0.01 % | 0.08 % | 0.28 % | 0.5 ms | 0.6 ms |
-/// | [`Resolution::STANDARD`] | 0.00 % | 0.02 % | 0.13 % | 2 ms | 2 ms |
-/// | [`Resolution::FINE`] | 0.00 % | 0.01 % | 0.04 % | 25 ms | 30 ms |
+/// | [`Resolution::FAST`] | 0.01 % | 0.08 % | 0.28 % | 0.3 ms | 0.3 ms |
+/// | [`Resolution::STANDARD`] | 0.00 % | 0.02 % | 0.13 % | 0.9 ms | 0.9 ms |
+/// | [`Resolution::FINE`] | 0.00 % | 0.01 % | 0.04 % | 6 ms | 6 ms |
 ///
 /// The worst at the fine resolution are at `a/b = 5` and `chi = 2`, where grids of up to 182 x 42 and
 /// 134 x 74 elements agree with each other, and the reference is off by 0.12 %, beyond its uncertainty.

@@ -49,9 +49,9 @@ pub struct Resolution {
 impl Resolution {
     /// 14 by 12 elements: less than a millisecond.
     pub const FAST: Self = Self { along: 14.0, across: 12.0 };
-    /// 22 by 18 elements: a few milliseconds.
+    /// 22 by 18 elements: a millisecond.
     pub const STANDARD: Self = Self { along: 22.0, across: 18.0 };
-    /// 40 by 32 elements: tens of milliseconds.
+    /// 40 by 32 elements: some milliseconds.
     pub const FINE: Self = Self { along: 40.0, across: 32.0 };
 
     /// `along` by `across` elements on a circle. With thousands of them slight creepage on a long contact may

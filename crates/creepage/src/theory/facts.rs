@@ -52,7 +52,7 @@ pub(super) const EXACT: TheoryFacts = TheoryFacts {
     name: "exact",
     year: 2026,
     assumes: "Coulomb on elements",
-    cost: "2 ms",
+    cost: "1 ms",
     error_percent: 0.1,
     good_for: "any case, with error bars",
     options: &["resolution", "accuracy", "coupled", "prescribed"],

@@ -1,10 +1,9 @@
-//! What the mirror images of a contact save.
+//! What a contact saves by being its own mirror image, fore and aft, across, or both ways.
 //!
-//! Tractions are the sum of parts that are even or odd fore and aft, and even or odd across. An even `x`
-//! component moves the surface as an even one does and with `y` components that are odd, both ways: part by
-//! part, a product needs the coefficients of one element of each mirror image only, at one of the places that
-//! are mirror images of one another. A contact that is its own mirror image both ways has a quarter of the
-//! coefficients to keep, and as much to multiply.
+//! Tractions are the sum of parts that are even or odd in each direction of symmetry. A part moves the surface
+//! in one way only: `x` components in `x` as they are themselves, and in `y` evenly where they are odd. So the
+//! product of a part needs the coefficients of one element of each set of mirror images, at one place of each
+//! set: with both symmetries there are a quarter as many coefficients, and as many multiplications.
 
 use std::ops::Range;
 
