@@ -7,11 +7,12 @@ use std::sync::Mutex;
 
 /// Vectors kept: those of a wheelset's contacts on two grids, while the next ones are made.
 const KEPT: usize = 32;
-/// Largest size of a vector that is kept, in bytes.
+/// Largest size of a vector that is kept, and of all of one kind, in bytes.
 const LARGEST: usize = 12_000_000;
+const MOST: usize = 64_000_000;
 
-/// Vectors that nobody uses, with what was in them. Nobody waits for them: new memory costs less, and a process forked off would
-/// wait for ever.
+/// Vectors that nobody uses, with what was in them. Nobody waits for them: new memory costs less, and a process
+/// forked off would wait for ever.
 pub(crate) struct Spare<T>(Mutex<Vec<Vec<T>>>);
 
 impl<T> Spare<T> {
@@ -33,14 +34,15 @@ impl<T> Spare<T> {
 
     /// Keeps the memory of a vector.
     pub(crate) fn keep(&self, one: Vec<T>) {
-        if !(1..=LARGEST).contains(&(one.capacity() * size_of::<T>())) {
+        let size = |one: &Vec<T>| one.capacity() * size_of::<T>();
+        if !(1..=LARGEST).contains(&size(&one)) {
             return;
         }
         let Ok(mut kept) = self.0.try_lock() else { return };
-        if kept.len() == KEPT {
+        kept.push(one);
+        while kept.len() > KEPT || kept.iter().map(size).sum::<usize>() > MOST {
             kept.remove(0);
         }
-        kept.push(one);
     }
 }
 
@@ -60,5 +62,7 @@ mod tests {
         spare.keep(Vec::with_capacity(LARGEST));
         (0..=KEPT).for_each(|_| spare.keep(vec![0.0; 3]));
         assert_eq!(spare.0.lock().unwrap().len(), KEPT);
+        (0..=KEPT).for_each(|_| spare.keep(Vec::with_capacity(LARGEST / 8)));
+        assert_eq!(spare.0.lock().unwrap().len(), MOST / LARGEST);
     }
 }

@@ -22,7 +22,7 @@ use layout::{Layout, Symmetry, unfold};
 pub(crate) use points::Displacements;
 pub(crate) use tractions::Tractions;
 
-/// How precisely slip is needed: sweeps only come near a solution, with at twice the speed.
+/// How precisely slip is needed: sweeps only come near a solution, at twice the speed.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) enum Precision {
     #[default]

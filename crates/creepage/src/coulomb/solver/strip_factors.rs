@@ -32,7 +32,7 @@ pub(super) struct StripFactors {
 pub(super) struct Factors(pub Vec<StripFactors>);
 
 /// Numbers in matrices that are kept for other grids.
-const MOST_KEPT: usize = 1_500_000;
+const MOST_KEPT: usize = 400_000;
 
 static SPARE: Spare<StripFactors> = Spare::new();
 
