@@ -2,7 +2,8 @@
 
 use pulp::{Arch, Simd, WithSimd};
 
-use super::influence::BLOCK;
+/// Columns that are read at once: rows come in whole blocks.
+pub(crate) const BLOCK: usize = 8;
 
 /// Coefficients of an element by the tractions of one strip.
 #[derive(Clone, Copy)]

@@ -2,7 +2,8 @@
 
 use pulp::{Arch, Simd, WithSimd};
 
-use super::layout::{BLOCK, Layout};
+use super::layout::Layout;
+use crate::coulomb::product::BLOCK;
 use crate::spare::Spare;
 
 static ROWS: Spare<f32> = Spare::new();

@@ -7,8 +7,7 @@
 
 use std::ops::Range;
 
-/// Columns of a part come in blocks, which products read whole.
-pub(crate) const BLOCK: usize = 8;
+use crate::coulomb::product::BLOCK;
 
 /// The mirror images that have the same coefficients.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]

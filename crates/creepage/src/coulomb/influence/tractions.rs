@@ -3,8 +3,9 @@
 use pulp::{Arch, Simd, WithSimd};
 
 use super::coefficients::Number;
-use super::layout::{BLOCK, Layout};
+use super::layout::Layout;
 use super::{Influence, Precision};
+use crate::coulomb::product::BLOCK;
 
 /// A vector an element: tractions over their bounds, or a change of them.
 #[derive(Debug, Clone, Default)]
