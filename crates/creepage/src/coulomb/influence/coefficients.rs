@@ -130,3 +130,42 @@ impl<C: Number> WithSimd for PutLess<'_, C> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::coulomb::influence::layout::{Symmetry, unfold};
+    use crate::coulomb::influence::{Precision, Tractions};
+    use crate::coulomb::product::Product;
+
+    /// The products of the parts of any row and any tractions, symmetric or not, in double precision.
+    #[test]
+    fn parts_add_up_to_the_whole() {
+        use Symmetry::{Across, Along, Both, None};
+        for (symmetry, elements) in [None, Along, Across, Both].into_iter().flat_map(|symmetry| {
+            [[0, 5, 11, 16], [0, 6, 7, 13], [0, 4, 4, 8]].map(|e| (symmetry, e))
+        }) {
+            let layout = Layout::new(symmetry, &elements);
+            let n = layout.len();
+            let numbers = |phase: f64| (0..n).map(|k| (k as f64 + phase).sin()).collect::<Vec<_>>();
+            let [xx, xy, yy, x, y] = [0.1, 0.7, 1.9, 2.2, 3.1].map(numbers);
+            let [mut folded, nothing] = [(); 2].map(|()| Folded::new(&layout));
+            folded.set(&layout, [&xx, &xy, &yy]);
+            let mut row = vec![0.0_f64; 3 * layout.entries()];
+            folded.put_less(&nothing, &layout, &mut row);
+            let mut tractions = Tractions::on(layout);
+            tractions.copy_from(&[&x[..], &y[..]].concat());
+            tractions.fold_all(Precision::Double);
+            let mut found = [f64::NAN; 2];
+            let put = |_, parts: [[f64; 4]; 2]| found = parts.map(|parts| unfold(parts)[0]);
+            let (rows, pairs) = (&row[..], symmetry.parts() / 2);
+            Product { rows, tractions: &tractions.double[..], pairs, put }.compute();
+            let sum = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+            let expected = [sum(&xx, &x) + sum(&xy, &y), sum(&xy, &x) + sum(&yy, &y)];
+            for (found, expected) in found.into_iter().zip(expected) {
+                // Rounding of some tens of terms of order one.
+                assert!((found - expected).abs() < 1e-13, "{symmetry:?}: {found} {expected}");
+            }
+        }
+    }
+}

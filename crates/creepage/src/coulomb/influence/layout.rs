@@ -136,19 +136,19 @@ impl Layout {
         let reversed = own.iter().zip(own.iter().rev());
         match self.symmetry {
             Symmetry::None => {
-                two.zip(reversed).for_each(|((a, b), (front, rear))| (*a, *b) = (*front, *rear));
+                for ((a, b), (front, rear)) in two.zip(reversed) {
+                    (*a, *b) = (*front, *rear);
+                }
             }
             Symmetry::Along => {
-                let sums = |((a, b), (p, q)): ((&mut f64, &mut f64), (&f64, &f64))| {
-                    (*a, *b) = (p + q, p - q);
-                };
-                two.zip(reversed).for_each(sums);
+                for ((a, b), (own, along)) in two.zip(reversed) {
+                    (*a, *b) = (own + along, own - along);
+                }
             }
             Symmetry::Across => {
-                let sums = |((a, b), (p, q)): ((&mut f64, &mut f64), (&f64, &f64))| {
-                    (*a, *b) = (p + q, p - q);
-                };
-                two.zip(own.iter().zip(image)).for_each(sums);
+                for ((a, b), (own, across)) in two.zip(own.iter().zip(image)) {
+                    (*a, *b) = (own + across, own - across);
+                }
             }
             Symmetry::Both => {
                 let images = reversed.zip(image.iter().zip(image.iter().rev()));

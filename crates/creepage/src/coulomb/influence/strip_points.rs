@@ -7,7 +7,7 @@ use super::layout::Layout;
 use crate::coulomb::cuts::Cuts;
 use crate::coulomb::mesh::Mesh;
 
-/// What is seen from the points of a strip, in the order of its stencil.
+/// The points of one strip after the other, in the order of its stencil.
 pub(super) struct StripPoints {
     cuts: Cuts,
     poisson: f64,
@@ -40,7 +40,7 @@ impl StripPoints {
     }
 
     /// Goes on to a point.
-    pub(super) fn see(&mut self, layout: &Layout, at: [f64; 2]) {
+    pub(super) fn displace(&mut self, layout: &Layout, at: [f64; 2]) {
         self.cuts.displace(self.poisson, at, self.by.each_mut().map(Vec::as_mut_slice));
         for (blocks, by) in self.blocks.iter_mut().zip(&self.by) {
             for (block, elements) in blocks.iter_mut().zip(&self.strips) {
@@ -51,7 +51,7 @@ impl StripPoints {
     }
 
     /// Goes on to the mirror image of the last point fore and aft.
-    pub(super) fn turn(&mut self, layout: &Layout) {
+    pub(super) fn mirror(&mut self, layout: &Layout) {
         for strip in 0..layout.elements.len() - 1 {
             let elements = layout.elements(strip);
             self.by.iter_mut().for_each(|by| by[elements.clone()].reverse());

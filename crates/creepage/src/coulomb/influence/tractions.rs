@@ -22,7 +22,11 @@ pub(crate) struct Tractions {
 
 impl Tractions {
     pub(crate) fn zeros(influence: &Influence) -> Self {
-        let layout = influence.layout.clone();
+        Self::on(influence.layout.clone())
+    }
+
+    /// Zeros on a layout.
+    pub(super) fn on(layout: Layout) -> Self {
         let (n, entries) = (layout.len(), layout.entries());
         let zeros = |n: usize| [0, 1].map(|_| vec![0.0; n]);
         let (double, single) = (vec![0.0; 2 * entries], vec![0.0; 2 * entries]);
