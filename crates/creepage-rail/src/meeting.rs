@@ -1,7 +1,7 @@
 //! The gap between a wheel's outline and the rail, over the wheel's profile.
 
 use crate::curve::CurvePoint;
-use crate::search::threshold;
+use crate::search::crossing;
 use crate::track::Rail;
 use crate::wheel::{Outline, Posed};
 
@@ -103,11 +103,14 @@ impl Pair<'_> {
         let station = self.meeting(station.s)?;
         // Along the wheel's profile `y` falls.
         let field_side = self.rail.range()[1];
-        let falls = |s: f64| match self.meeting(s) {
-            Some(meeting) => meeting.slope() > 0.0,
-            None => self.posed.outline(s).is_some_and(|outline| outline.y > field_side),
+        let rise = |s: f64| {
+            if let Some(meeting) = self.meeting(s) {
+                return -meeting.slope();
+            }
+            let is_beyond = self.posed.outline(s).is_some_and(|outline| outline.y > field_side);
+            if is_beyond { f64::NEG_INFINITY } else { f64::INFINITY }
         };
-        let [s, _] = threshold([before.s, after.s], falls);
+        let s = crossing([before.s, after.s], ROUNDING, rise);
         // Where the outline folds the slope misleads.
         let better = |found: &Meeting| found.gap() <= station.gap() + ROUNDING;
         Some(self.meeting(s).filter(better).unwrap_or(station))
@@ -159,8 +162,8 @@ impl Pair<'_> {
 
     /// Where the gap opens between a place inside and one outside.
     fn opening(&self, inside: f64, outside: f64) -> f64 {
-        let closed = |s: f64| self.meeting(s).is_some_and(|meeting| meeting.gap() < 0.0);
-        threshold([inside, outside], closed)[0]
+        let gap = |s: f64| self.meeting(s).map_or(f64::INFINITY, |meeting| meeting.gap());
+        crossing([inside, outside], ROUNDING, gap)
     }
 }
 

@@ -2,7 +2,7 @@
 
 use crate::curve::{Curve, turn};
 
-/// Spacing of the places at which a curve's direction is looked at (m).
+/// Spacing of the places at which a curve's direction is looked at, where its ends do not tell (m).
 const STEP: f64 = 5e-5;
 
 /// Waves on a stretch of a profile.
@@ -23,9 +23,14 @@ impl Waves {
         let [from, to] = [from, to].map(|s| s.clamp(0.0, curve.length()));
         let start = curve.at(from).tangent;
         let mut extremes: Vec<[f64; 2]> = vec![[from, 0.0]];
-        let places = (1..).map(|i| from + f64::from(i) * STEP).take_while(|s| *s <= to);
-        for s in places {
-            follow(&mut extremes, [s, turn(start, curve.at(s).tangent)], least);
+        for (first, piece) in curve.pieces() {
+            let (low, high) = (from.max(first), to.min(first + piece.length()));
+            let step = if piece.turns_one_way() { piece.length() } else { STEP };
+            let inner = (0..).map(|i| low + f64::from(i) * step).take_while(|s| *s < high);
+            for s in inner.chain((low <= high).then_some(high)) {
+                let tangent = piece.at(s - first).tangent;
+                follow(&mut extremes, [s, turn(start, tangent)], least);
+            }
         }
         let swings = extremes.len() - 1;
         let sum: f64 = extremes.windows(2).map(|pair| (pair[1][1] - pair[0][1]).abs()).sum();

@@ -27,6 +27,11 @@ impl Piece {
         }
     }
 
+    /// Whether it turns one way only, so that its tangents lie between those of its ends.
+    pub(crate) fn turns_one_way(&self) -> bool {
+        matches!(self, Self::Line(_) | Self::Arc(_))
+    }
+
     /// The point at arc length `s` from the piece's start.
     #[must_use]
     pub fn at(&self, s: f64) -> CurvePoint {

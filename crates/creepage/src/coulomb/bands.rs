@@ -1,13 +1,15 @@
 //! Strips and pressure of contact areas of any shape.
 
 use std::ops::Range;
+use std::sync::Arc;
 
 use super::grid::Grid;
-use super::mesh::{Mesh, SUBCELLS, Sides, Strip, border, cut, fit};
+use super::mesh::{Mesh, Sides, Strip, border, fit};
+use super::pieces::{Pieces, SUBCELLS};
 use super::pressure::{Moments, Pressure};
 use super::resolution::Resolution;
 use super::stencil::SlipStencil;
-use crate::normal::{Band, NormalContact, Patch, SLIP_UNIT};
+use crate::normal::{Band, NormalContact, Patch, SLIP_UNIT, Spot};
 
 /// Gauss's two points on (-1, 1), of weight one.
 const GAUSS: f64 = 0.577_350_269_189_625_8;
@@ -47,15 +49,15 @@ pub(crate) struct Bands<'a> {
 impl<'a> Bands<'a> {
     /// The bands with the elements of the coarser grid.
     pub(crate) fn new(contact: &'a NormalContact, frame: Frame, resolution: Resolution) -> Self {
-        let bands: Vec<&Band> = contact.patches().iter().flat_map(Patch::bands).collect();
-        let load = |band: &Band| band.total().force;
-        let largest = bands.iter().map(|band| load(band)).fold(0.0, f64::max);
-        let counted = |band: &'a Band| {
-            let part = (load(band) / largest).max(0.0).sqrt().clamp(FEWEST, 1.0);
+        let bands = contact.patches().iter().flat_map(Patch::bands);
+        let loads: Vec<(&Band, f64)> = bands.map(|band| (band, band.total().force)).collect();
+        let largest = loads.iter().map(|(_, load)| *load).fold(0.0, f64::max);
+        let counted = |(band, load): (&'a Band, f64)| {
+            let part = (load / largest).max(0.0).sqrt().clamp(FEWEST, 1.0);
             let counts = resolution.coarse(ratio(band)).map(|n| scaled(n, part));
             (band, counts)
         };
-        Self { contact, frame, parts: bands.into_iter().map(counted).collect() }
+        Self { contact, frame, parts: loads.into_iter().map(counted).collect() }
     }
 
     /// The same with half as many more elements along.
@@ -77,16 +79,15 @@ impl<'a> Bands<'a> {
         let mut strips = Vec::new();
         for (band, [along, across]) in &self.parts {
             let patch = strips.len()..strips.len() + times * across;
-            let pieces = 0..=SUBCELLS * times * along;
-            let cuts: Vec<f64> = pieces.map(|piece| cut(broken(piece), times * along)).collect();
+            let pieces = Pieces::of_equal_angles(times * along);
             for j in 0..times * across {
-                strips.push(self.strip(band, j, &cuts, patch.clone()));
+                strips.push(self.strip(band, j, &pieces, patch.clone()));
             }
         }
         Mesh::new(strips)
     }
 
-    fn strip(&self, band: &Band, j: usize, cuts: &[f64], patch: Range<usize>) -> Strip {
+    fn strip(&self, band: &Band, j: usize, pieces: &Arc<Pieces>, patch: Range<usize>) -> Strip {
         let (fit, [low, high]) = (fit(ratio(band)), band.y());
         let at = |t: f64| (f64::midpoint(low, high) + 0.5 * (high - low) * t).clamp(low, high);
         let border =
@@ -99,7 +100,7 @@ impl<'a> Bands<'a> {
             middle: ends.map(|[middle, _]| self.frame.inward([middle, 0.0])[0]),
             half_length: ends
                 .map(|[_, half]| (fit * half + (1.0 - fit) * mean) / self.frame.length),
-            along: cuts.to_vec(),
+            along: Arc::clone(pieces),
             patch,
         }
     }
@@ -107,7 +108,12 @@ impl<'a> Bands<'a> {
     /// Middle and half-length at `y` (m).
     fn section(&self, band: &Band, y: f64) -> [f64; 2] {
         let [rear, front] = band.ends(y).unwrap_or_default();
-        [f64::midpoint(rear, front), (0.5 * (front - rear)).max(LEAST_LENGTH * self.frame.length)]
+        [f64::midpoint(rear, front), (0.5 * (front - rear)).max(self.least_length())]
+    }
+
+    /// Least half-length (m).
+    fn least_length(&self) -> f64 {
+        LEAST_LENGTH * self.frame.length
     }
 
     /// The pressure on the elements of [`Bands::mesh`]; its unit is the largest.
@@ -122,11 +128,11 @@ impl<'a> Bands<'a> {
             let times = mesh.strips.len() / self.strips();
             std::iter::repeat_n(*band, times * across)
         });
-        let (mut cuts, mut nodes): (&[f64], Vec<_>) = (&[], Vec::new());
+        let (mut before, mut nodes) = (None, Vec::new());
         for (strip, band) in mesh.strips.iter().zip(bands) {
-            if strip.along != cuts {
-                cuts = &strip.along;
-                nodes = cuts.windows(2).map(nodes_between).collect();
+            if !before.is_some_and(|before| Arc::ptr_eq(before, &strip.along)) {
+                before = Some(&strip.along);
+                nodes = strip.along.cuts.windows(2).map(nodes_between).collect();
             }
             self.add_strip(strip, band, &nodes, &mut pressure);
         }
@@ -164,17 +170,19 @@ impl<'a> Bands<'a> {
         let (middle, half) = (f64::midpoint(low, high), 0.5 * (high - low));
         let lines = [-GAUSS, GAUSS].map(|t| {
             let y = middle + half * t;
-            (y, self.section(band, y), band.line(y))
+            let line = band.line(y);
+            let length = line.half.max(self.least_length());
+            let [x, y] = self.frame.inward([line.centre, y]);
+            (half * length, [x, length / self.frame.length, y], line)
         });
         let least = LEAST * self.contact.peak_pressure().value;
         let cell = |nodes: &[Node; 2]| {
             let mut sum = Cell::default();
-            for (y, [centre, length], line) in &lines {
-                for Node { s, weight } in nodes {
-                    let area = half * length * weight;
-                    let force = area * line.pressure(*s).max(least);
-                    let [at_x, at_y] = self.frame.inward([centre + length * s, *y]);
-                    let by = [at_x, at_y, *s].map(|at| force * at);
+            for (area, [x, length, y], line) in &lines {
+                for Node { spot, weight } in nodes {
+                    let area = area * weight;
+                    let force = area * line.pressure_at(spot).max(least);
+                    let by = [x + length * spot.s, *y, spot.s].map(|at| force * at);
                     sum.add(&Cell { area, force, by });
                 }
             }
@@ -184,10 +192,10 @@ impl<'a> Bands<'a> {
     }
 }
 
-/// A point of quadrature along a strip: its position over the half-length, and its part of that.
+/// A point of quadrature along a strip, and its part of the half-length.
 #[derive(Debug, Clone, Copy)]
 struct Node {
-    s: f64,
+    spot: Spot,
     weight: f64,
 }
 
@@ -197,7 +205,7 @@ fn nodes_between(ends: &[f64]) -> [Node; 2] {
     let (middle, turn) = (f64::midpoint(front, rear), 0.5 * (front - rear));
     [-GAUSS, GAUSS].map(|t| {
         let (s, cos) = (middle + turn * t).sin_cos();
-        Node { s, weight: turn * cos }
+        Node { spot: Spot::new(s), weight: turn * cos }
     })
 }
 

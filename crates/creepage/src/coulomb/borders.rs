@@ -88,12 +88,12 @@ fn beside(mesh: &Mesh, strips: &[Intervals], j: usize) -> Vec<[usize; 2]> {
 impl Intervals {
     /// By how much the trial traction of each element exceeds its bound, and the speed of its slip.
     fn new(excess: &[f64], speed: &[f64], strip: &Strip) -> Self {
-        let (x, last) = (|angle: f64| strip.middle_x(angle.sin()), excess.len() - 1);
+        let (x, angles) = (|angle: f64| strip.middle_x(angle.sin()), &strip.along.angles);
         let adheres = |i: usize| excess[i] <= 0.0;
         let mut intervals: Vec<[f64; 2]> = Vec::new();
         let mut front = adheres(0).then_some(f64::INFINITY);
-        for i in 0..last {
-            let (middle, next) = (strip.middle_angle(i), strip.middle_angle(i + 1));
+        for i in 0..excess.len() - 1 {
+            let [middle, next] = [angles[i], angles[i + 1]];
             let crossing = excess[i] / (excess[i] - excess[i + 1]);
             match (adheres(i), adheres(i + 1)) {
                 (true, false) => {
@@ -144,7 +144,7 @@ mod tests {
     /// A strip that adheres between two angles, by the laws of the module.
     fn strip([front, rear]: [f64; 2]) -> Intervals {
         let mesh = mesh();
-        let angle = |i: usize| -mesh.strips[2].middle_angle(i);
+        let angle = |i: usize| -mesh.strips[2].along.angles[i];
         let speed = |i: usize| match angle(i) {
             x if x < front => (front - x).powf(1.5),
             x if x > rear => (x - rear).sqrt(),

@@ -240,7 +240,8 @@ fn along_cut<const FUSED: bool>(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::coulomb::mesh::{SUBCELLS, Strip};
+    use crate::coulomb::mesh::Strip;
+    use crate::coulomb::pieces::{Pieces, SUBCELLS};
     use crate::ellipse::Ellipse;
 
     /// A strip of one quadrilateral whose lower side reaches from `x[0][0]` to `x[0][1]`.
@@ -250,7 +251,7 @@ mod tests {
             across: std::array::from_fn(|k| low + piece(k) * (high - low)),
             middle: x.map(|[rear, front]| 0.5 * (front + rear)),
             half_length: x.map(|[rear, front]| 0.5 * (front - rear)),
-            along: (0..=SUBCELLS).map(|k| 1.0 - 2.0 * piece(k)).collect(),
+            along: Pieces::new((0..=SUBCELLS).map(|k| 1.0 - 2.0 * piece(k)).collect()),
             patch: 0..1,
         };
         Mesh::new(vec![strip])
@@ -306,8 +307,8 @@ mod tests {
         let x = [[-1.0, 1.0], [-0.4, 1.2]];
         let whole = quadrilateral(x, [-0.3, 0.5]);
         let mut pieces = whole.strips[0].clone();
-        pieces.along =
-            (0..=5 * SUBCELLS).map(|k| 1.0 - k as f64 / (2.5 * SUBCELLS as f64)).collect();
+        let cuts = (0..=5 * SUBCELLS).map(|k| 1.0 - k as f64 / (2.5 * SUBCELLS as f64));
+        pieces.along = Pieces::new(cuts.collect());
         let pieces = Mesh::new(vec![pieces]);
         let on_cut = pieces.strips[0].middle_cut(2);
         for at in [[0.1, 0.2], [0.3, -0.3], [1.0, -0.3], on_cut, [4.0, -3.0], [0.0, 0.5]] {

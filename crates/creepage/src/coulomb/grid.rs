@@ -66,7 +66,7 @@ impl Grid {
             .flat_map(|(j, strip)| {
                 let coarse = &coarse.mesh;
                 (0..strip.len())
-                    .map(move |i| coarse.around(j / 2, strip.y(), strip.element_middle(i)))
+                    .map(move |i| coarse.around(j / 2, strip.y(), strip.along.middles[i]))
             })
             .collect();
         [coarse, fine]
@@ -184,7 +184,7 @@ mod tests {
     use super::*;
     use crate::Force;
     use crate::coulomb::influence::{Precision, Tractions};
-    use crate::coulomb::mesh::{SUBCELLS, cut};
+    use crate::coulomb::pieces::Pieces;
     use crate::coulomb::solver::{Equations, State};
 
     const POISSON: f64 = 0.28;
@@ -251,8 +251,7 @@ mod tests {
         let mut mesh = Mesh::ellipse(ellipse(), n, strips);
         for (j, strip) in mesh.strips.iter_mut().enumerate() {
             let count = n + 2 * (j % 3);
-            let cuts = (0..=SUBCELLS * count).map(|p| cut(p as f64 / SUBCELLS as f64, count));
-            strip.along = cuts.collect();
+            strip.along = Pieces::of_equal_angles(count);
         }
         Mesh::new(mesh.strips)
     }

@@ -5,13 +5,12 @@
 //! rectangles would make the trailing edge a staircase, and the error of first order in the width
 //! of a strip. Elements are counted strip by strip, each strip from its leading edge.
 
-use std::f64::consts::FRAC_PI_2;
 use std::ops::Range;
+use std::sync::Arc;
 
+use super::pieces::{Pieces, SUBCELLS};
 use crate::ellipse::Ellipse;
 
-/// Subcells of an element, along and across; see [`super::quadrature`].
-pub(crate) const SUBCELLS: usize = 4;
 /// Largest `a/b` with elements that are fitted all the way, and with a wide corner of friction.
 pub(super) const LONG: f64 = 10.0;
 
@@ -44,9 +43,8 @@ pub(crate) struct Strip {
     pub middle: [f64; 2],
     /// Half-length on the lower and on the upper border.
     pub half_length: [f64; 2],
-    /// Cuts over the half-length, from 1 at the leading edge to -1: those between subcells, and
-    /// every [`SUBCELLS`]th one between elements.
-    pub along: Vec<f64>,
+    /// How it is cut along.
+    pub along: Arc<Pieces>,
     /// The strips that are side by side with this one, itself included.
     pub patch: Range<usize>,
 }
@@ -54,17 +52,7 @@ pub(crate) struct Strip {
 impl Strip {
     /// Number of elements.
     pub(crate) fn len(&self) -> usize {
-        (self.along.len() - 1) / SUBCELLS
-    }
-
-    /// Cut `i` of the elements over the half-length.
-    pub(crate) fn cut(&self, i: usize) -> f64 {
-        self.along[SUBCELLS * i]
-    }
-
-    /// Middle between the cuts of an element, over the half-length.
-    pub(crate) fn element_middle(&self, i: usize) -> f64 {
-        0.5 * (self.cut(i) + self.cut(i + 1))
+        self.along.len()
     }
 
     /// `y` of the lower and the upper border.
@@ -79,7 +67,7 @@ impl Strip {
 
     /// Ends of cut `i` on the lower and the upper border.
     pub(crate) fn cut_ends(&self, i: usize) -> [[f64; 2]; 2] {
-        let (cut, borders) = (self.cut(i), self.borders());
+        let (cut, borders) = (self.along.cut(i), self.borders());
         [0, 1].map(|end| [self.middle[end] + self.half_length[end] * cut, borders[end]])
     }
 
@@ -89,34 +77,17 @@ impl Strip {
         [0.5 * (x0 + x1), 0.5 * (y0 + y1)]
     }
 
-    /// The angle in the middle of an element, whose sine is an `x` over the half-length.
-    pub(crate) fn middle_angle(&self, i: usize) -> f64 {
-        0.5 * (self.cut(i).asin() + self.cut(i + 1).asin())
-    }
-
     /// The `x` on the middle line at an `x` over the half-length.
     pub(crate) fn middle_x(&self, along: f64) -> f64 {
         let mean = |ends: [f64; 2]| 0.5 * (ends[0] + ends[1]);
         mean(self.middle) + mean(self.half_length) * along
     }
 
-    /// The element that holds an `x` over the half-length.
-    pub(crate) fn element_at(&self, along: f64) -> usize {
-        let last = self.len().saturating_sub(1);
-        (0..last).find(|i| self.cut(i + 1) < along).unwrap_or(last)
-    }
-
-    /// The two elements next to an `x` over the half-length, with the weights of interpolation in
-    /// the angle whose sine it is.
-    fn around(&self, along: f64) -> [(usize, f64); 2] {
-        beside(self.element_at(along), self.len(), -along.asin(), |i| -self.middle_angle(i))
-    }
-
     /// Area of an element.
     pub(crate) fn area(&self, i: usize) -> f64 {
         let [low, high] = self.borders();
         let mean = 0.5 * (self.half_length[0] + self.half_length[1]);
-        mean * (self.cut(i) - self.cut(i + 1)) * (high - low)
+        mean * (self.along.cut(i) - self.along.cut(i + 1)) * (high - low)
     }
 
     /// Corners of an element, all around.
@@ -159,7 +130,7 @@ impl Mesh {
     pub(crate) fn with_sides(ellipse: Ellipse, along: usize, strips: usize, sides: Sides) -> Self {
         let fit = fit(ellipse.ratio());
         let broken = |piece: usize| piece as f64 / SUBCELLS as f64;
-        let cuts: Vec<f64> = (0..=SUBCELLS * along).map(|p| cut(broken(p), along)).collect();
+        let pieces = Pieces::of_equal_angles(along);
         let strip = |j: usize| {
             let borders: [f64; SUBCELLS + 1] =
                 std::array::from_fn(|k| border(broken(SUBCELLS * j + k), strips, fit, sides));
@@ -167,7 +138,7 @@ impl Mesh {
                 across: borders.map(|t| ellipse.b() * t),
                 middle: [0.0; 2],
                 half_length: half_lengths(ellipse, borders[0], borders[SUBCELLS]),
-                along: cuts.clone(),
+                along: Arc::clone(&pieces),
                 patch: 0..strips,
             }
         };
@@ -209,7 +180,7 @@ impl Mesh {
             let like = |(one, other): (&f64, &f64)| (one - other).abs() <= LEAST * largest;
             centred(0)
                 && centred(1)
-                && strip.along.iter().zip(strip.along.iter().rev()).all(opposite)
+                && strip.along.cuts.iter().zip(strip.along.cuts.iter().rev()).all(opposite)
                 && own.iter().zip(own.iter().rev()).all(like)
         })
     }
@@ -243,9 +214,12 @@ impl Mesh {
         let middle = |j: usize| self.strips[patch.start + j].y();
         let strips = beside(strip - patch.start, patch.len(), y, middle);
         let along = along.clamp(-1.0, 1.0);
+        let angle = along.asin();
         let around = strips.map(|(j, by_strip)| {
             let strip = patch.start + j;
-            let elements = self.strips[strip].around(along);
+            let Pieces { angles, .. } = &*self.strips[strip].along;
+            let own = self.strips[strip].along.element_at(along);
+            let elements = beside(own, angles.len(), -angle, |i| -angles[i]);
             elements.map(|(i, by_element)| (self.offsets[strip] + i, by_strip * by_element))
         });
         [around[0][0], around[0][1], around[1][0], around[1][1]]
@@ -301,11 +275,6 @@ pub(super) fn next(
     (other, off / (middle(other) - middle(own)))
 }
 
-/// Cut `i` of `n` from 1 to -1; with a broken `i` a cut between subcells.
-pub(crate) fn cut(i: f64, n: usize) -> f64 {
-    (FRAC_PI_2 * (1.0 - 2.0 * i / n as f64)).sin()
-}
-
 /// Border `j` of `n` from -1 to 1, or with a broken `j` one between subcells.
 pub(super) fn border(j: f64, n: usize, fit: f64, Sides { p }: Sides) -> f64 {
     let t = 2.0 * j / n as f64 - 1.0;
@@ -321,7 +290,7 @@ mod tests {
     fn every_middle_lies_in_its_element() {
         let mesh = Mesh::ellipse(Ellipse::from_ratio(0.4).unwrap(), 10, 14);
         for (element, (strip, i)) in mesh.all().enumerate() {
-            let along = cut(i as f64 + 0.5, 10);
+            let along = mesh.strips[strip].along.angles[i].sin();
             let around = mesh.around(strip, mesh.strips[strip].y(), along);
             let own = around.iter().filter(|(e, _)| *e == element).map(|(_, weight)| weight);
             // Rounding of the arc sine, over an angle of a twentieth.

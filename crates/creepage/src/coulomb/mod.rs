@@ -35,6 +35,7 @@ mod inverse;
 pub(crate) mod mesh;
 mod mixing;
 mod non_hertzian;
+pub(crate) mod pieces;
 pub(crate) mod pressure;
 mod product;
 pub(crate) mod quadrature;

@@ -2,7 +2,8 @@
 
 use std::f64::consts::PI;
 
-use super::mesh::{Mesh, SUBCELLS, Strip};
+use super::mesh::{Mesh, Strip};
+use super::pieces::SUBCELLS;
 use crate::ellipse::Ellipse;
 
 /// Pressure moments of a subcell.
@@ -111,11 +112,11 @@ struct Along {
 
 impl Along {
     fn update(&mut self, strip: &Strip) {
-        if self.cuts != strip.along {
-            self.cuts.clone_from(&strip.along);
+        if self.cuts != strip.along.cuts {
+            self.cuts.clone_from(&strip.along.cuts);
             let between = |ends: &[f64]| along(ends[1], ends[0]);
-            self.subcells = strip.along.windows(2).map(between).collect();
-            let element = |i: usize| along(strip.cut(i + 1), strip.cut(i));
+            self.subcells = strip.along.cuts.windows(2).map(between).collect();
+            let element = |i: usize| along(strip.along.cut(i + 1), strip.along.cut(i));
             self.elements = (0..strip.len()).map(element).collect();
         }
     }

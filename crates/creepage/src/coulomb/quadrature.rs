@@ -5,9 +5,12 @@
 //! between elements, and the traction has its direction. For large creepage this is the integral
 //! of the saturated theory.
 
+use std::sync::Arc;
+
 use pulp::{Arch, Simd, WithSimd};
 
-use super::mesh::{Mesh, SUBCELLS, next};
+use super::mesh::{Mesh, Strip, next};
+use super::pieces::{Pieces, SUBCELLS};
 use super::pressure::{Moments, Pressure};
 use crate::Force;
 use crate::lanes::LANES;
@@ -244,9 +247,8 @@ impl Subcells {
         (strip, i): (usize, usize),
         moments: &[[Moments; SUBCELLS]; SUBCELLS],
     ) -> Self {
-        let own = &mesh.strips[strip];
-        let first = own.patch.start;
-        let y = |j: usize| mesh.strips[first + j].y();
+        let Strip { along: pieces, patch, .. } = &mesh.strips[strip];
+        let y = |j: usize| mesh.strips[patch.start + j].y();
         let mut all = Self {
             share: [0.0; OWN],
             at: [[0.0; OWN]; 2],
@@ -255,28 +257,34 @@ impl Subcells {
             off: [[0.0; OWN]; 2],
         };
         for (k, Moments { share, centroid, along }) in moments.as_flattened().iter().enumerate() {
-            let (beside, across) = next(strip - first, own.patch.len(), centroid[1], y);
-            let pair = |strip: usize, factor: f64| {
-                let there = &mesh.strips[strip];
-                let alike = i < there.len() && there.cut(i) >= *along && *along >= there.cut(i + 1);
-                let i = if alike { i } else { there.element_at(*along) };
-                let (other, weight) = next(i, there.len(), *along, |i| there.element_middle(i));
-                let start = mesh.elements(strip).start;
-                [(start + i, factor * (1.0 - weight)), (start + other, factor * weight)]
-            };
-            let ([a, b], [c, d]) = (pair(strip, 1.0 - across), pair(first + beside, across));
-            let four = [a, b, c, d];
-            let mean =
-                |k: usize| four.iter().map(|(e, weight)| weight * places[*e][k]).sum::<f64>();
-            all.share[k] = *share;
-            all.around[k] = four.map(|(element, _)| element);
-            all.weights[k] = four.map(|(_, weight)| weight);
-            let off = [0, 1].map(|k| centroid[k] - mean(k));
-            [all.at[0][k], all.at[1][k]] = *centroid;
-            [all.off[0][k], all.off[1][k]] = off;
+            let (beside, across) = next(strip - patch.start, patch.len(), centroid[1], y);
+            let beside = patch.start + beside;
+            let ([a, b], weight) = pair(pieces, i, *along);
+            let others = &mesh.strips[beside].along;
+            let is_alike = Arc::ptr_eq(pieces, others);
+            let ([c, d], other) = if is_alike { ([a, b], weight) } else { pair(others, i, *along) };
+            let [first, start] = [strip, beside].map(|strip| mesh.elements(strip).start);
+            let around = [first + a, first + b, start + c, start + d];
+            let own = 1.0 - across;
+            let weights =
+                [own * (1.0 - weight), own * weight, across * (1.0 - other), across * other];
+            for c in 0..2 {
+                let mean: f64 = around.iter().zip(weights).map(|(e, w)| w * places[*e][c]).sum();
+                all.at[c][k] = centroid[c];
+                all.off[c][k] = centroid[c] - mean;
+            }
+            (all.share[k], all.around[k], all.weights[k]) = (*share, around, weights);
         }
         all
     }
+}
+
+/// The element of a strip that holds a place, likely number `i`, the next one, and its weight.
+fn pair(pieces: &Pieces, i: usize, place: f64) -> ([usize; 2], f64) {
+    let holds = i < pieces.len() && pieces.cut(i) >= place && place >= pieces.cut(i + 1);
+    let i = if holds { i } else { pieces.element_at(place) };
+    let (other, weight) = next(i, pieces.len(), place, |i| pieces.middles[i]);
+    ([i, other], weight)
 }
 
 fn norm(a: [f64; 2]) -> f64 {

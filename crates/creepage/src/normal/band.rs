@@ -66,7 +66,7 @@ impl Chord {
     /// and the same times `s`.
     fn load(&self, nodes: &[(f64, f64)]) -> [f64; 2] {
         nodes.iter().fold([0.0; 2], |[load, by_s], &(s, weight)| {
-            let part = weight * between(&self.density, s);
+            let part = weight * Spot::new(s).of(&self.density);
             [load + part, by_s + part * s]
         })
     }
@@ -87,24 +87,40 @@ pub(crate) struct Line {
 }
 
 impl Line {
-    /// `rho` at `s`.
-    pub(crate) fn density(&self, s: f64) -> f64 {
-        between(&self.density, s)
-    }
-
     /// Pressure at `s` (Pa).
     pub(crate) fn pressure(&self, s: f64) -> f64 {
-        self.half * (1.0 - s * s).max(0.0).sqrt() * self.density(s)
+        self.pressure_at(&Spot::new(s))
+    }
+
+    /// The same where it is known which places are next.
+    pub(crate) fn pressure_at(&self, spot: &Spot) -> f64 {
+        self.half * spot.root * spot.of(&self.density)
     }
 }
 
-/// `rho` at `s`, on straight lines between its places.
-fn between(density: &Density, s: f64) -> f64 {
-    const LAST: f64 = (PLACES - 1) as f64;
-    let at = (0.5 * LAST * (s + 1.0)).clamp(0.0, LAST);
-    let low = whole(at).min(PLACES - 2);
-    let part = at - low as f64;
-    (1.0 - part) * density[low] + part * density[low + 1]
+/// A place in `s`, and between which two places of a chord it lies.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Spot {
+    pub(crate) s: f64,
+    /// `sqrt(1 - s^2)`.
+    root: f64,
+    low: usize,
+    /// How far from the lower to the upper place.
+    part: f64,
+}
+
+impl Spot {
+    pub(crate) fn new(s: f64) -> Self {
+        const LAST: f64 = (PLACES - 1) as f64;
+        let at = (0.5 * LAST * (s + 1.0)).clamp(0.0, LAST);
+        let low = whole(at).min(PLACES - 2);
+        Self { s, root: (1.0 - s * s).max(0.0).sqrt(), low, part: at - low as f64 }
+    }
+
+    /// `rho` here, on straight lines between its places.
+    fn of(&self, density: &Density) -> f64 {
+        (1.0 - self.part) * density[self.low] + self.part * density[self.low + 1]
+    }
 }
 
 /// A part of a contact area that every line along x crosses once.
@@ -258,14 +274,14 @@ impl Band {
             .chain(self.rows().filter(move |y| *y > low && *y < high))
             .chain(std::iter::once(high))
             .collect();
+        let nodes = GAUSS.map(|(t, w)| {
+            let (sin, cos) = (FRAC_PI_2 * 0.5 * (1.0 + t)).sin_cos();
+            (sin * sin, w * FRAC_PI_2 * sin * cos)
+        });
         let parts: Vec<[f64; 2]> = breaks.windows(2).map(|pair| [pair[0], pair[1]]).collect();
         parts.into_iter().flat_map(move |[from, to]| {
             let width = (to - from).max(0.0);
-            GAUSS.into_iter().map(move |(t, w)| {
-                let angle = FRAC_PI_2 * 0.5 * (1.0 + t);
-                let (sin, cos) = angle.sin_cos();
-                (from + width * sin * sin, w * FRAC_PI_2 * sin * cos * width)
-            })
+            nodes.into_iter().map(move |(at, weight)| (from + width * at, weight * width))
         })
     }
 

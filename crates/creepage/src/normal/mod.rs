@@ -28,6 +28,7 @@ mod strips;
 pub(crate) mod touching;
 mod units;
 
+pub(crate) use band::Spot;
 pub use band::{Band, Moments};
 pub use contact::{Estimate, Method, NormalContact, Resolution, Status};
 pub use error::{NormalError, Side};

@@ -9,7 +9,8 @@ use super::elements::Elements;
 use super::rolling::{Rolling, remembered};
 use crate::check::{self, InvalidValue};
 use crate::coulomb::grid::Grid;
-use crate::coulomb::mesh::{Mesh, SUBCELLS, Strip, cut};
+use crate::coulomb::mesh::{Mesh, Strip};
+use crate::coulomb::pieces::{Pieces, SUBCELLS};
 use crate::coulomb::pressure::Pressure;
 use crate::coulomb::stencil::SlipStencil;
 use crate::friction_law::RollingFriction;
@@ -73,12 +74,11 @@ impl Rolling {
 
 fn elements(pressed: Ellipse, length: f64, poisson: f64, count: usize) -> Elements {
     let across = |k: usize| length * (k as f64 / SUBCELLS as f64 - 0.5);
-    let along = |piece: usize| cut(piece as f64 / SUBCELLS as f64, count);
     let strip = Strip {
         across: std::array::from_fn(across),
         middle: [0.0; 2],
         half_length: [1.0; 2],
-        along: (0..=SUBCELLS * count).map(along).collect(),
+        along: Pieces::of_equal_angles(count),
         patch: 0..1,
     };
     let mesh = Mesh::new(vec![strip]);

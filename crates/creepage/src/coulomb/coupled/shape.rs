@@ -1,7 +1,10 @@
 //! How area and pressure differ from Hertz's: smooth functions of the place.
 
+use std::sync::Arc;
+
 use super::normal::{Normal, Pressed};
-use crate::coulomb::mesh::{Mesh, SUBCELLS, Strip};
+use crate::coulomb::mesh::{Mesh, Strip};
+use crate::coulomb::pieces::SUBCELLS;
 use crate::coulomb::pressure::{Moments, Pressure};
 use crate::ellipse::Ellipse;
 use crate::gap::Cubic;
@@ -162,7 +165,7 @@ impl Shape {
             across: hertz.across.map(|y| self.middle + self.stretch * y),
             middle: borders.map(|t| self.centre(t)),
             half_length: std::array::from_fn(|k| self.longer(borders[k]) * hertz.half_length[k]),
-            along: hertz.along.clone(),
+            along: Arc::clone(&hertz.along),
             patch: hertz.patch.clone(),
         }
     }

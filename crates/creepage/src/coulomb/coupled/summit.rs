@@ -90,7 +90,7 @@ fn border(settled: &Settled, index: usize, sliding: usize) -> Option<Border> {
     // By how much less the traction is than that of sliding.
     let direction = visible(sliding).0[0];
     let less = |i: usize| grid.pressure.bounds[first + i] * (direction - visible(i).0[0]);
-    let angle = |i: usize| strip.element_middle(i).acos();
+    let angle = |i: usize| strip.along.middles[i].acos();
     let near = sliding - AHEAD;
     let [from, to] = [less(far), less(near)];
     let slope = (from * from - to * to) / (angle(near) - angle(far));
