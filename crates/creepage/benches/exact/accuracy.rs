@@ -1,10 +1,10 @@
 //! Errors and error bars over random cases, like bodies and unlike, against 96 x 80 elements.
 
-use creepage::coulomb::{Exact, Resolution};
+use creepage::coulomb::Exact;
 use creepage::{Contact, Creepage, Ellipse, Status, Theory};
 
-use crate::RESOLUTIONS;
 use crate::random::Random;
+use crate::{RESOLUTIONS, finest};
 
 /// Creepages of each contact, which is prepared once.
 const PER_CONTACT: usize = 10;
@@ -41,7 +41,7 @@ fn measure(random: &mut Random, dissimilarity: f64, errors: &mut [Errors]) {
         let (sin, cos) = random.between(0.0, std::f64::consts::TAU).sin_cos();
         Creepage::new(size * cos, size * sin, random.between(-8.0, 8.0)).unwrap()
     });
-    let finest = theory(Resolution::new(96, 80).unwrap());
+    let finest = theory(finest());
     let truth = creepages.map(|creepage| finest.solve(creepage));
     for ((_, resolution), errors) in RESOLUTIONS.iter().zip(errors) {
         let theory = theory(*resolution);

@@ -4,8 +4,10 @@
 //! - `cargo bench --bench exact -- random 100000`: failures and costs over the whole range,
 //! - `cargo bench --bench exact -- accuracy 300`: errors and error bars against 96 x 80 elements,
 //!   of other cases with a further number,
-//! - `cargo bench --bench exact -- smoothness 50`: ripples along lines of creepage,
-//! - `cargo bench --bench exact -- border 60`: the border of adhesion against 96 x 80 elements.
+//! - `cargo bench --bench exact -- smoothness 50`: ripples along lines of creepage, with further numbers those
+//!   of so many elements along and across (`smoothness 50 40 34`: what of them is in the force itself),
+//! - `cargo bench --bench exact -- border 60`: the border of adhesion against 96 x 80 elements, with further
+//!   numbers against others (`border 24 109 91`: how sure those of 96 x 80 are).
 #![allow(missing_docs, clippy::unwrap_used, clippy::print_stdout)]
 
 mod accuracy;
@@ -23,20 +25,29 @@ fn main() {
     let named = |argument: &String| !argument.starts_with("--");
     let arguments: Vec<String> = std::env::args().skip(1).filter(named).collect();
     let count = || arguments[1].parse().unwrap();
+    let elements = |named: Resolution| {
+        let [along, across] = [2, 3].map(|k| arguments.get(k).map(|n| n.parse().unwrap()));
+        along.zip(across).map_or(named, |(along, across)| Resolution::new(along, across).unwrap())
+    };
     match arguments.first().map(String::as_str) {
         Some("random") => cost::print(count()),
         Some("accuracy") => {
             let draw = arguments.get(2).map_or(0, |draw| draw.parse().unwrap());
             accuracy::print(count(), draw);
         }
-        Some("border") => border::print(count()),
-        Some("smoothness") => smoothness::print(count()),
+        Some("border") => border::print(count(), elements(finest())),
+        Some("smoothness") => smoothness::print(count(), elements(Resolution::STANDARD)),
         _ => divan::main(),
     }
 }
 
 const RESOLUTIONS: [(&str, Resolution); 3] =
     [("fast", Resolution::FAST), ("standard", Resolution::STANDARD), ("fine", Resolution::FINE)];
+
+/// What stands for the truth.
+fn finest() -> Resolution {
+    Resolution::new(96, 80).unwrap()
+}
 
 fn theory(name: &str) -> Exact {
     let (_, resolution) = RESOLUTIONS.iter().find(|(known, _)| *known == name).unwrap();

@@ -11,10 +11,10 @@ const POINTS: usize = 200;
 const REACH: usize = 5;
 
 /// Prints by how much `fx`, `fy` and `mz` differ from a cubic through 11 neighbouring points of 200,
-/// along so many lines of creepage .3 to 1.8 (a/b .4-2.5, spin 0-3), at the standard resolution.
-pub(crate) fn print(count: usize) {
+/// along so many lines of creepage .3 to 1.8 (a/b .4-2.5, spin 0-3).
+pub(crate) fn print(count: usize, resolution: Resolution) {
     let mut random = Random::new(0xac40_4849_0d4f_655b);
-    let ripples: Vec<[f64; 3]> = (0..count).map(|_| ripple(&mut random)).collect();
+    let ripples: Vec<[f64; 3]> = (0..count).map(|_| ripple(&mut random, resolution)).collect();
     print_one("all", ripples.iter().map(|[x, y, z]| x.max(*y).max(*z)).collect());
     for (k, name) in ["f_x", "f_y", "m_z"].into_iter().enumerate() {
         print_one(name, ripples.iter().map(|ripple| ripple[k]).collect());
@@ -25,7 +25,7 @@ fn print_one(name: &str, mut ripples: Vec<f64>) {
     ripples.sort_by(f64::total_cmp);
     let n = ripples.len();
     println!(
-        "standard, {name}: {n} lines; ripple in 1e-4 of mu N (mu N c): median {:.2}, 90 % {:.2}, 98 % \
+        "{name}: {n} lines; ripple in 1e-4 of mu N (mu N c): median {:.2}, 90 % {:.2}, 98 % \
          {:.2}, worst {:.2}",
         1e4 * ripples[n / 2],
         1e4 * ripples[n * 9 / 10 - 1],
@@ -35,9 +35,9 @@ fn print_one(name: &str, mut ripples: Vec<f64>) {
 }
 
 /// The largest ripple of each component along one line.
-fn ripple(random: &mut Random) -> [f64; 3] {
+fn ripple(random: &mut Random, resolution: Resolution) -> [f64; 3] {
     let a_over_b = random.between(0.4_f64.ln(), 2.5_f64.ln()).exp();
-    let theory = exact(a_over_b, random.between(0.0, 0.5), Resolution::STANDARD);
+    let theory = exact(a_over_b, random.between(0.0, 0.5), resolution);
     let (sin, cos) = random.between(0.0, std::f64::consts::TAU).sin_cos();
     let spin = random.between(0.0, 3.0);
     let forces: Vec<[f64; 3]> = (0..POINTS)
