@@ -82,11 +82,13 @@ mod tests {
     use super::*;
     use std::cell::Cell;
 
-    /// Smooth, bent at the place, steep there, and infinite beside it.
+    type Function = fn(f64) -> f64;
+
+    /// Smooth, bent beside the place, steep at it, and infinite beside it.
     #[test]
     fn a_crossing_is_found_in_few_steps() {
         let place = 0.312_7;
-        let functions: [(fn(f64) -> f64, usize); 4] = [
+        let functions: [(Function, usize); 4] = [
             (|x| x.exp() - 1.0, 11),
             (|x| if x < 0.1 { x } else { 30.0 * x - 2.9 }, 11),
             (|x| x.abs().sqrt().copysign(x), 40),
