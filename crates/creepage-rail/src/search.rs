@@ -22,12 +22,15 @@ pub(crate) fn threshold(
 
 /// Where a function, negative at the first of two places and not at the second, crosses zero: by the parabola
 /// through three places where that is sure to help, else by halves (Chandrupatla 1997), as where it is infinite.
-/// As near as [`threshold`], or until it is `small`.
+/// As near as [`threshold`], or until it is `small`; the first place where it is not negative even there.
 pub(crate) fn crossing(ends: [f64; 2], small: f64, f: impl Fn(f64) -> f64) -> f64 {
     const STEPS: usize = 100;
     let least = 0.5_f64.powi(HALVINGS) * (ends[1] - ends[0]).abs();
     let [mut new, mut other] = ends.map(|place| (place, f(place)));
     let mut part = 0.5;
+    if new.1 >= 0.0 {
+        return new.0;
+    }
     for _ in 0..STEPS {
         let place = new.0 + part * (other.0 - new.0);
         let (found, mut third) = ((place, f(place)), new);
@@ -105,5 +108,7 @@ mod tests {
                 assert!(calls.get() <= most, "{k}: {} calls", calls.get());
             }
         }
+        assert!(crossing([0.0, 1.0], 1e-13, |x| 1.0 + x).abs() < 1e-15);
+        assert!((crossing([0.0, 1.0], 1e-13, |x| x - 2.0) - 1.0).abs() < 1e-10);
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::curve::{Curve, turn};
 
-/// Spacing of the places at which a curve's direction is looked at, where its ends do not tell (m).
+/// Spacing of the places at which a piece's direction is looked at, where its ends do not tell (m).
 const STEP: f64 = 5e-5;
 
 /// Waves on a stretch of a profile.

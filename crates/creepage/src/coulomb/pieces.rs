@@ -19,6 +19,7 @@ pub(crate) struct Pieces {
 }
 
 impl Pieces {
+    /// Of elements and subcells between some cuts.
     pub(crate) fn new(cuts: Vec<f64>) -> Arc<Self> {
         let ends: Vec<f64> = cuts.iter().step_by(SUBCELLS).copied().collect();
         let middle = |pair: &[f64]| 0.5 * (pair[0] + pair[1]);

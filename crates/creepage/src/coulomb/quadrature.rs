@@ -268,10 +268,10 @@ impl Subcells {
             let own = 1.0 - across;
             let weights =
                 [own * (1.0 - weight), own * weight, across * (1.0 - other), across * other];
-            for c in 0..2 {
-                let mean: f64 = around.iter().zip(weights).map(|(e, w)| w * places[*e][c]).sum();
-                all.at[c][k] = centroid[c];
-                all.off[c][k] = centroid[c] - mean;
+            for axis in 0..2 {
+                let parts = around.iter().zip(weights).map(|(e, weight)| weight * places[*e][axis]);
+                all.at[axis][k] = centroid[axis];
+                all.off[axis][k] = centroid[axis] - parts.sum::<f64>();
             }
             (all.share[k], all.around[k], all.weights[k]) = (*share, around, weights);
         }
