@@ -17,9 +17,9 @@ use crate::{errors, results};
 /// are ExactForce: with error bars.
 ///
 /// a_over_b: ratio a/b of the semi-axes, along over across the rolling direction, 1/64 to 64.
-/// poisson: combined Poisson's ratio, 0 to 0.5. resolution: "fast" (14 x 12 elements, 0.6 ms a
-/// case, rms error 0.15 % of mu N), "standard" (22 x 18, 2.5 ms, 0.05 %; the default), "fine"
-/// (40 x 32, 21 ms, 0.013 %), or (along, across) on a circle, 4 to 200 each,
+/// poisson: combined Poisson's ratio, 0 to 0.5. resolution: "fast" (14 x 12 elements, 0.3 ms a
+/// case, rms error 0.14 % of mu N), "standard" (22 x 18, 0.9 ms, 0.05 %; the default), "fine"
+/// (40 x 32, 6 ms, 0.012 %), or (along, across) on a circle, 4 to 200 each,
 /// 10000 in all. kappa_over_mu: how unlike the bodies are, kappa of (2.10) over the coefficient of
 /// friction; like ones have 0. Their pressure adds to the slip.
 ///

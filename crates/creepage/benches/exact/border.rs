@@ -12,7 +12,7 @@ const PER_CONTACT: usize = 6;
 /// Lines along the rolling direction, of equal distance.
 const LINES: usize = 24;
 /// Points of each.
-const POINTS: usize = 600;
+const POINTS: usize = 6000;
 
 /// Prints by how much borders differ over so many random cases (a/b .15-6; half of them with creepage to
 /// 3 and spin to 8, half to 1.5 and 2), on lines with the same number of them: along the lines, and normal
