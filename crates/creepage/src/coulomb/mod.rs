@@ -87,10 +87,10 @@ use workspace::Pool;
 /// unlike bodies (600 cases, `kappa/mu` to 3) it is 0.14, 0.05 and 0.017 %, 0.8, 0.32 and 0.15 %, 96 to 97 %, and
 /// five to six times.
 ///
-/// Over 60 random cases of like bodies the border of adhesion errs along `x` by 0.010, 0.006 and 0.003 `c` in
-/// the median, and nine times in ten by less than 0.044, 0.024 and 0.010 `c` (`bench exact -- border 60`);
+/// Over 60 random cases of like bodies the border of adhesion errs along `x` by 0.010, 0.005 and 0.003 `c` in
+/// the median, and nine times in ten by less than 0.043, 0.024 and 0.010 `c` (`bench exact -- border 60`);
 /// borders of 96 x 80 elements differ by 0.010 `c` rms from those of 109 x 91, nine times in ten by less than
-/// 0.003 (`border 24 109 91`).
+/// 0.002 (`border 24 109 91`).
 ///
 /// Errors are largest with a pole of strong spin inside the contact, and at the fine resolution in `fy` of long
 /// contacts that nearly adhere under slight spin, where they fall more slowly. At the fine resolution the
