@@ -15,7 +15,7 @@ use std::f64::consts::FRAC_PI_2;
 
 use crate::gap::Cubic;
 
-use super::lattice::whole;
+use super::chord::{Chord, GAUSS, Line, PLACES, arc_nodes};
 
 /// Force on a part of the area and its moments about the axes through the origin.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -33,93 +33,6 @@ impl std::ops::AddAssign for Moments {
         self.force += other.force;
         self.by_x += other.by_x;
         self.by_y += other.by_y;
-    }
-}
-
-/// Places in `s` at which a chord knows `rho`: equal steps from -1 to 1, straight lines between.
-pub(super) const PLACES: usize = 65;
-
-/// `rho` at the places of a chord.
-pub(super) type Density = [f64; PLACES];
-
-/// The place number `i` in `s`.
-pub(super) fn place(i: usize) -> f64 {
-    2.0 * i as f64 / (PLACES - 1) as f64 - 1.0
-}
-
-/// The section of a band at one y.
-#[derive(Debug, Clone, PartialEq)]
-pub(super) struct Chord {
-    pub(super) y: f64,
-    pub(super) half: f64,
-    pub(super) centre: f64,
-    pub(super) density: Density,
-}
-
-impl Chord {
-    /// Force per length across (N/m).
-    pub(super) fn line_load(&self) -> f64 {
-        self.half * self.half * self.load(&arc_nodes([-1.0, 1.0]))[0]
-    }
-
-    /// Force per length across over the square of the half length, between the two s of a quadrature,
-    /// and the same times `s`.
-    fn load(&self, nodes: &[(f64, f64)]) -> [f64; 2] {
-        nodes.iter().fold([0.0; 2], |[load, by_s], &(s, weight)| {
-            let part = weight * Spot::new(s).of(&self.density);
-            [load + part, by_s + part * s]
-        })
-    }
-
-    pub(super) fn scale(&mut self, factor: f64) {
-        self.density.iter_mut().for_each(|density| *density *= factor);
-    }
-}
-
-/// A band along one y: where it lies, and the pressure on it.
-#[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Line {
-    /// Middle between the ends (m).
-    pub(crate) centre: f64,
-    /// Half of its length (m).
-    pub(crate) half: f64,
-    density: Density,
-}
-
-impl Line {
-    /// Pressure at `s` (Pa).
-    pub(crate) fn pressure(&self, s: f64) -> f64 {
-        self.pressure_at(&Spot::new(s))
-    }
-
-    /// The same where it is known which places are next.
-    pub(crate) fn pressure_at(&self, spot: &Spot) -> f64 {
-        self.half * spot.root * spot.of(&self.density)
-    }
-}
-
-/// A place in `s`, and between which two places of a chord it lies.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Spot {
-    pub(crate) s: f64,
-    /// `sqrt(1 - s^2)`.
-    root: f64,
-    low: usize,
-    /// How far from the lower to the upper place.
-    part: f64,
-}
-
-impl Spot {
-    pub(crate) fn new(s: f64) -> Self {
-        const LAST: f64 = (PLACES - 1) as f64;
-        let at = (0.5 * LAST * (s + 1.0)).clamp(0.0, LAST);
-        let low = whole(at).min(PLACES - 2);
-        Self { s, root: (1.0 - s * s).max(0.0).sqrt(), low, part: at - low as f64 }
-    }
-
-    /// `rho` here, on straight lines between its places.
-    fn of(&self, density: &Density) -> f64 {
-        (1.0 - self.part) * density[self.low] + self.part * density[self.low + 1]
     }
 }
 
@@ -384,26 +297,3 @@ impl Band {
         })
     }
 }
-
-/// Gauss points and weights on (-1, 1).
-const GAUSS: [(f64, f64); 4] = [
-    (-0.861_136_311_594_052_6, 0.347_854_845_137_453_85),
-    (-0.339_981_043_584_856_26, 0.652_145_154_862_546_1),
-    (0.339_981_043_584_856_26, 0.652_145_154_862_546_1),
-    (0.861_136_311_594_052_6, 0.347_854_845_137_453_85),
-];
-
-/// Quadrature of `sqrt(1 - s^2) f(s)` between two s, by the angle whose sine is s: places and weights.
-fn arc_nodes([low, high]: [f64; 2]) -> [(f64, f64); ARC_PARTS * GAUSS.len()] {
-    let (from, to) = (low.clamp(-1.0, 1.0).asin(), high.clamp(-1.0, 1.0).asin());
-    let half = 0.5 * (to - from) / ARC_PARTS as f64;
-    std::array::from_fn(|i| {
-        let (t, weight) = GAUSS[i % GAUSS.len()];
-        let part = (i / GAUSS.len()) as f64;
-        let (sin, cos) = (from + half * (2.0 * part + 1.0 + t)).sin_cos();
-        (sin, weight * half * cos * cos)
-    })
-}
-
-/// Parts of the angle with a Gauss rule each.
-const ARC_PARTS: usize = 3;

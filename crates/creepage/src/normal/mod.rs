@@ -8,6 +8,7 @@
 //! \text{equal where } p > 0.
 //! ```
 mod band;
+mod chord;
 mod complementarity;
 mod contact;
 mod elements;
@@ -28,8 +29,8 @@ mod strips;
 pub(crate) mod touching;
 mod units;
 
-pub(crate) use band::Spot;
 pub use band::{Band, Moments};
+pub(crate) use chord::Spot;
 pub use contact::{Estimate, Method, NormalContact, Resolution, Status};
 pub use error::{NormalError, Side};
 pub use patch::Patch;

@@ -4,7 +4,8 @@
 //! if pressure rises as a root over the distance `D` to the true end; so `D` follows from both.
 //! A tip is found in the same way from the column through it.
 
-use super::band::{Band, Chord, place};
+use super::band::Band;
+use super::chord::{Chord, place};
 use super::level::Level;
 
 /// A run of pressed cells in one row.

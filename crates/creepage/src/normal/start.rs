@@ -2,7 +2,8 @@
 
 use std::f64::consts::FRAC_2_PI;
 
-use super::band::{Band, Chord, PLACES};
+use super::band::Band;
+use super::chord::{Chord, PLACES};
 use super::level::Task;
 use super::patch::Patch;
 

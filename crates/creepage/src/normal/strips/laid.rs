@@ -1,7 +1,8 @@
 //! Strips laid into bands, and bands made of strips.
 
 use crate::gap::{Gap, Rectangle};
-use crate::normal::band::{Band, Chord, place};
+use crate::normal::band::Band;
+use crate::normal::chord::{Chord, place};
 use crate::normal::lattice::whole;
 use crate::normal::level::Task;
 use crate::normal::patch::Patch;
