@@ -51,7 +51,7 @@ class Reported:
 
     def save(self, directory: str | os.PathLike[str]) -> list[Path]:
         """Writes what the command writes with `--out` into a directory: report.json, and the points and
-        pictures that there are. Raises OSError."""
+        pictures that there are. Raises OSError, FileExistsError for a file that the problem was read from."""
         return [Path(path) for path in self._solved.write(Path(directory))]
 
 

@@ -214,7 +214,7 @@ class Solution:
         """Writes report.json, points.csv, contact.svg, .png and .vtk into the directory.
 
         It is made when missing; files of those names are replaced, all of them or none. Gives
-        their paths. Raises OSError.
+        their paths. Raises OSError, FileExistsError for a file that the case was read from.
         """
         return [Path(path) for path in self._solved.write(Path(directory))]
 

@@ -86,6 +86,26 @@ def test_many_on_all_cores(tmp_path: Path) -> None:
     assert json.loads(written[0].read_text())["theory"] == "linear"
 
 
+def test_a_file_of_points_is_not_written_over(tmp_path: Path) -> None:
+    y = [1e-3 * k for k in range(-20, 21)]
+    points = tmp_path / "points.csv"
+    points.write_text("y,gap\n" + "".join(f"{a},{a * a / 0.6}\n" for a in y))
+    before = points.read_text()
+    (tmp_path / "gap.toml").write_text(
+        "upper = { shear_modulus = 82e9, poisson = 0.28 }\n"
+        "lower = { shear_modulus = 82e9, poisson = 0.28 }\n"
+        "gap = { section = 'points.csv', radius_rolling = 0.46 }\n"
+        "contact = { normal_force = 80e3, friction = 0.3 }\n"
+        "creepage = { longitudinal = 1e-3 }\n"
+        "solve = { theory = 'linear' }\n"
+    )
+    solution = GapCase.from_file(tmp_path / "gap.toml").solve()
+    with pytest.raises(FileExistsError, match=r"points\.csv would be written over what was read"):
+        solution.save(tmp_path)
+    assert points.read_text() == before
+    assert (tmp_path / "out" / "points.csv") in solution.save(tmp_path / "out")
+
+
 def test_what_is_no_case_is_refused() -> None:
     with pytest.raises(creepage.CaseError, match="no meaning beside") as caught:
         GapCase(gap=BALL, upper=Body(**STEEL, radius_rolling=0.46), lower=MATERIAL, **LOAD)

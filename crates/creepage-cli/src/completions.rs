@@ -2,7 +2,7 @@
 
 use clap::CommandFactory;
 
-use creepage_study::write_all;
+use creepage_study::{Sources, write_all};
 
 use crate::about::{CompletionsArgs, ManArgs};
 use crate::args::Args;
@@ -27,7 +27,7 @@ pub(crate) fn man(args: &ManArgs) -> Result<(), Failure> {
     let mut pages = Vec::new();
     add_pages(&command, &mut pages)?;
     let files: Vec<_> = pages.iter().map(|(name, page)| (&name[..], &page[..])).collect();
-    say_written(&write_all(directory, &files)?);
+    say_written(&write_all(directory, &files, &Sources::default())?);
     Ok(())
 }
 

@@ -28,7 +28,7 @@ pub(crate) fn run(args: &ConicityArgs) -> Result<Outcome, Failure> {
             ("geometry.svg", &svg),
             ("geometry.png", &png),
         ];
-        say_written(&write_all(directory, &files)?);
+        say_written(&write_all(directory, &files, &case.sources())?);
     }
     if args.radius_difference {
         print(&radii)?;

@@ -37,8 +37,6 @@ pub(crate) enum Failure {
         "{profile} is a standard profile: --role, --side, --unit, --y, --z and --smooth are for files"
     )]
     NothingToRead { profile: &'static str },
-    #[error("{} would be written over the profile that was read: give another --out", path.display())]
-    OverProfile { path: PathBuf },
     #[error("{} would be written twice: give profiles of one name one by one, each its own --out", path.display())]
     SameName { path: PathBuf },
     #[error("{}: {source}", path.display())]
@@ -113,6 +111,7 @@ impl Failure {
         match self {
             Self::Stdout(source) if source.kind() == ErrorKind::BrokenPipe => None,
             Self::Write { source, .. } if is_wrong_place(source.kind()) => Some(2),
+            Self::Report(ReportError::OverSource { .. }) => Some(2),
             Self::Stdout(_)
             | Self::Write { .. }
             | Self::Rows { .. }

@@ -5,7 +5,7 @@ use std::{fs, io};
 
 use creepage_rail::file::{Format, Reading, Wanted, read, write};
 use creepage_rail::{Profile, Role, Side, Standard};
-use creepage_study::{profile_pictures, write_all};
+use creepage_study::{Sources, profile_pictures, write_all};
 use serde_json::{Value, json};
 
 use crate::failure::Failure;
@@ -29,12 +29,6 @@ impl Found {
             Self::Standard(profile) => profile,
             Self::File(reading) => &reading.profile,
         }
-    }
-
-    /// Whether a file is the one at `path` that was read.
-    fn is_from(&self, path: &Path, file: &Path) -> bool {
-        let real = |path: &Path| fs::canonicalize(path).ok();
-        matches!(self, Self::File(_)) && real(file).is_some_and(|file| real(path) == Some(file))
     }
 }
 
@@ -89,9 +83,6 @@ fn written(
     for (path, found) in profiles {
         for (name, content) in made_of(path, found.profile(), convert)? {
             let target = directory.join(&name);
-            if profiles.iter().any(|(path, found)| found.is_from(path, &target)) {
-                return Err(Failure::OverProfile { path: target });
-            }
             if files.iter().any(|(other, _)| *other == name) {
                 return Err(Failure::SameName { path: target });
             }
@@ -100,7 +91,8 @@ fn written(
     }
     let files: Vec<(&str, &[u8])> =
         files.iter().map(|(name, content)| (&name[..], &content[..])).collect();
-    Ok(write_all(directory, &files)?)
+    let read = profiles.iter().filter(|(_, found)| matches!(found, Found::File(_)));
+    Ok(write_all(directory, &files, &Sources::new(read.map(|(path, _)| *path)))?)
 }
 
 /// The picture, and the profile in another format: names and contents of files.

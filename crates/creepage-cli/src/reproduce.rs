@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use clap::builder::{PossibleValue, PossibleValuesParser};
 use creepage_1967::{File, Item, Made, agreement_text, files, gallery, registry, reproduce};
-use creepage_study::write_all;
+use creepage_study::{Sources, write_all};
 use indicatif::ProgressBar;
 
 use crate::failure::Failure;
@@ -48,7 +48,7 @@ pub(crate) fn run(args: &ReproduceArgs) -> Result<(), Failure> {
             written.extend(gallery(&made)?);
         }
         let pairs: Vec<_> = written.iter().map(File::as_pair).collect();
-        say_written(&write_all(directory, &pairs)?);
+        say_written(&write_all(directory, &pairs, &Sources::default())?);
     }
     print(&made.iter().map(text).collect::<Vec<_>>().join("\n\n\n"))
 }

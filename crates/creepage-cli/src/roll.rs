@@ -6,8 +6,8 @@ use std::time::Duration;
 
 use creepage::Status;
 use creepage_study::{
-    HISTORY_COLUMNS, History, HistoryError, HistoryRun, HistoryWriter, RollFile, history_animation,
-    history_picture, write_all,
+    HISTORY_COLUMNS, History, HistoryError, HistoryRun, HistoryWriter, RollFile, Sources,
+    history_animation, history_picture, write_all,
 };
 use indicatif::ProgressBar;
 
@@ -31,6 +31,8 @@ pub(crate) fn run(args: &RollArgs) -> Result<Outcome, Failure> {
     let not_converged = match &args.out {
         None => to_stdout(&mut run).map_err(|error| error.placed(&args.history))?,
         Some(directory) => {
+            let sources = Sources::new([&args.case, &args.history]);
+            sources.spare(&directory.join(HistoryWriter::NAME))?;
             let texts = [&texts[0][..], &texts[1][..]];
             let writer =
                 HistoryWriter::open(directory, texts, &mut run)?.map_err(wrong(directory))?;
@@ -111,7 +113,7 @@ fn write_pictures(run: &HistoryRun, directory: &Path) -> Result<(), Failure> {
         files.push(("rolling.png".into(), bytes));
     }
     let files: Vec<_> = files.iter().map(|(name, bytes)| (&name[..], &bytes[..])).collect();
-    say_written(&write_all(directory, &files)?);
+    say_written(&write_all(directory, &files, &Sources::default())?);
     Ok(())
 }
 

@@ -1,7 +1,9 @@
 //! `creepage stresses`: stresses inside a body.
 
 use creepage::Status;
-use creepage_study::{StressFileError, StressPoint, Stresses, read_points, solve, stress_csv};
+use creepage_study::{
+    Sources, StressFileError, StressPoint, Stresses, read_points, solve, stress_csv,
+};
 
 use crate::args::{BodyName, StressesArgs};
 use crate::failure::Failure;
@@ -16,10 +18,12 @@ pub(crate) fn run(args: &StressesArgs) -> Result<Outcome, Failure> {
     let failed = |source| Failure::Stresses { path: args.case.clone(), source };
     let asked = points.map(|points| stresses.at(&points)).transpose().map_err(failed)?;
     if let Some(directory) = &args.out {
-        let written = stresses.write(directory, asked.as_deref()).map_err(|error| match error {
-            StressFileError::Report(error) => error.into(),
-            StressFileError::Stress(source) => failed(source),
-        })?;
+        let sources = Sources::new(&args.points);
+        let written =
+            stresses.write(directory, &sources, asked.as_deref()).map_err(|error| match error {
+                StressFileError::Report(error) => error.into(),
+                StressFileError::Stress(source) => failed(source),
+            })?;
         say_written(&written);
     }
     match &asked {

@@ -7,7 +7,8 @@ use std::time::Duration;
 use creepage::variational::{Method, Variational};
 use creepage_1967::{Page, PageStyle};
 use creepage_study::{
-    ReportError, SeriesHead, Sweep, SweepRun, WholeFile, series_csv, series_json, series_netcdf,
+    ReportError, SeriesHead, Sources, Sweep, SweepRun, WholeFile, series_csv, series_json,
+    series_netcdf,
 };
 use indicatif::ProgressBar;
 
@@ -24,6 +25,7 @@ pub(crate) fn run(args: &SweepArgs) -> Result<Outcome, Failure> {
     let sweep = Sweep::read(&text).map_err(wrong)?;
     let theory = sweep.theory().map_err(wrong)?;
     let format = format(args)?;
+    Sources::new([path]).spare(&args.out)?;
     let journal = journal_path(&args.out);
     let failed = |source| Failure::Write { path: journal.clone(), source };
     let run = SweepRun::open(&sweep, &theory, &journal)

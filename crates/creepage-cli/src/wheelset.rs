@@ -4,7 +4,7 @@ use std::path::Path;
 
 use creepage::InvalidValue;
 use creepage_study::{
-    ProfileNote, WheelsetCase, WheelsetError, WheelsetFile, WheelsetTable, WholeFile,
+    ProfileNote, Sources, WheelsetCase, WheelsetError, WheelsetFile, WheelsetTable, WholeFile,
 };
 use indicatif::ProgressBar;
 
@@ -27,7 +27,7 @@ pub(crate) fn run(args: &WheelsetArgs) -> Result<Outcome, Failure> {
     }
     case.notes.iter().for_each(say_found);
     if let Some(directory) = &args.out {
-        say_written(&solved.write(&case.running, directory)?);
+        say_written(&solved.write(&case, directory)?);
     }
     print(&if args.json { to_json(&solved.json())? } else { solved.text() })?;
     for words in solved.caution_words() {
@@ -43,6 +43,7 @@ fn table(args: &WheelsetArgs, case: &WheelsetCase, file: &Path) -> Result<Outcom
     let failed = |source| Failure::Write { path: file.into(), source };
     let y = even("--y", args.y.as_deref(), case.stance.y)?;
     let yaw = even("--yaw", args.yaw.as_deref(), case.stance.yaw)?;
+    Sources::new([&args.case]).spare(file)?;
     let mut whole = WholeFile::create(file).map_err(failed)?;
     let style = bar_style("{wide_bar} {pos}/{len} positions  {per_sec}  {eta} left");
     let bar = ProgressBar::new((y.len() * yaw.len()) as u64).with_style(style);

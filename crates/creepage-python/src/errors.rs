@@ -13,7 +13,9 @@ use creepage_study::{
     StaticsError, Unreachable, WheelsetError,
 };
 use pyo3::BoundObject;
-use pyo3::exceptions::{PyOSError, PyOverflowError, PyRuntimeError, PyTypeError, PyValueError};
+use pyo3::exceptions::{
+    PyFileExistsError, PyOSError, PyOverflowError, PyRuntimeError, PyTypeError, PyValueError,
+};
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
 use toml::Value;
@@ -251,6 +253,7 @@ pub(crate) fn no_state(error: SavedError) -> PyErr {
 pub(crate) fn report(error: ReportError) -> PyErr {
     match error {
         ReportError::Write { path, source } => os(source, path),
+        ReportError::OverSource { .. } => PyFileExistsError::new_err(error.to_string()),
         other => PyRuntimeError::new_err(other.to_string()),
     }
 }

@@ -120,6 +120,6 @@ impl SolvedWheelset {
 
     /// Writes the files of the report.
     fn write(&self, directory: PathBuf) -> PyResult<Vec<PathBuf>> {
-        self.solved.write(&self.case.running, &directory).map_err(errors::report)
+        self.solved.write(&self.case, &directory).map_err(errors::report)
     }
 }

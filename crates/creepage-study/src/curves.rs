@@ -7,6 +7,7 @@ use creepage::{Creepage, Force, InvalidValue, Solution, Theory, TheorySpec};
 
 use crate::error::ReportError;
 use crate::file_set::write_all;
+use crate::sources::Sources;
 use crate::{Case, CaseError};
 
 /// A component of creepage and spin.
@@ -233,7 +234,7 @@ impl<'a> Curves<'a> {
         let png = creepage_plot::png(&svg)?;
         let files: [(&str, &[u8]); 3] =
             [("curve.csv", &self.csv()?), ("curve.svg", svg.as_bytes()), ("curve.png", &png)];
-        write_all(directory, &files)
+        write_all(directory, &files, &Sources::default())
     }
 }
 

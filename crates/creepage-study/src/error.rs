@@ -17,6 +17,12 @@ pub enum ReportError {
         /// What the system said.
         source: io::Error,
     },
+    /// A file would be written over one that was read.
+    #[error("{} would be written over what was read: write elsewhere", path.display())]
+    OverSource {
+        /// The file.
+        path: PathBuf,
+    },
     /// The numbers could not be put into JSON.
     #[error("cannot make report.json: {0}")]
     Json(#[from] serde_json::Error),

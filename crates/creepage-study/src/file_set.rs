@@ -8,15 +8,23 @@ use tempfile::{Builder, TempPath};
 
 use crate::abandoned;
 use crate::error::ReportError;
+use crate::sources::Sources;
 use crate::whole_file::{WholeFile, directory_of, sync_directory_of};
 
 /// Writes files, by name and contents, into `directory`, which is made when missing: all of them
-/// or none. Files of those names are replaced. Gives the paths written.
+/// or none. Files of those names are replaced, but none of `sources`. Gives the paths written.
 ///
 /// # Errors
-/// [`ReportError::Write`]; what was there before is there again, as far as the file system has
-/// hard links.
-pub fn write_all(directory: &Path, files: &[(&str, &[u8])]) -> Result<Vec<PathBuf>, ReportError> {
+/// [`ReportError::OverSource`]; [`ReportError::Write`]: what was there before is there again, as far
+/// as the file system has hard links.
+pub fn write_all(
+    directory: &Path,
+    files: &[(&str, &[u8])],
+    sources: &Sources,
+) -> Result<Vec<PathBuf>, ReportError> {
+    for (name, _) in files {
+        sources.spare(&directory.join(name))?;
+    }
     let mut made = Made::default();
     made.directory(directory).map_err(failure(directory))?;
     let mut whole = Vec::new();
@@ -146,10 +154,10 @@ mod tests {
     fn several_files_are_all_replaced_or_none() {
         let place = tempfile::tempdir().unwrap();
         let files: [(&str, &[u8]); 2] = [("one", b"1"), ("two", b"2")];
-        write_all(place.path(), &files).unwrap();
+        write_all(place.path(), &files, &Sources::default()).unwrap();
         fs::create_dir(place.path().join("way")).unwrap();
         let failing: [(&str, &[u8]); 3] = [("one", b"new"), ("three", b"3"), ("way", b"")];
-        assert!(write_all(place.path(), &failing).is_err());
+        assert!(write_all(place.path(), &failing, &Sources::default()).is_err());
         // The directory comes in the way after the files were written, before they are named.
         let mut made = Made::default();
         let late = place.path().join("late");
@@ -171,7 +179,7 @@ mod tests {
         let place = tempfile::tempdir().unwrap();
         let new = place.path().join("new/deep");
         let bad: [(&str, &[u8]); 2] = [("good", b"1"), ("no/such", b"2")];
-        let error = write_all(&new, &bad).unwrap_err();
+        let error = write_all(&new, &bad, &Sources::default()).unwrap_err();
         assert!(matches!(error, ReportError::Write { path, .. } if path.ends_with("no/such")));
         assert!(names(place.path()).is_empty());
     }
@@ -185,7 +193,7 @@ mod tests {
         fs::write(path("plain"), "").unwrap();
         symlink("target", path("link")).unwrap();
         fs::write(path("target"), "earlier").unwrap();
-        write_all(place.path(), &[("link", b"new")]).unwrap();
+        write_all(place.path(), &[("link", b"new")], &Sources::default()).unwrap();
         assert!(fs::symlink_metadata(path("link")).unwrap().is_symlink());
         assert_eq!(fs::read(path("target")).unwrap(), b"new");
         let [plain, ours] =
@@ -201,7 +209,7 @@ mod tests {
         let earlier: [(&str, &[u8]); 3] = [("one", b"1"), ("two", b"2"), ("three", b"3")];
         let new: [(&str, &[u8]); 3] = [("one", b"new 1"), ("two", b"new 2"), ("three", b"new 3")];
         for named in 0..=3 {
-            write_all(place.path(), &earlier).unwrap();
+            write_all(place.path(), &earlier, &Sources::default()).unwrap();
             let mut made = Made::default();
             let mut whole: Vec<_> = new
                 .iter()
@@ -217,7 +225,7 @@ mod tests {
                 assert_eq!(fs::read(path(name)).unwrap(), right);
             }
             assert_eq!(names(place.path()).len(), 6);
-            write_all(place.path(), &new).unwrap();
+            write_all(place.path(), &new, &Sources::default()).unwrap();
             assert!(new.iter().all(|(name, text)| fs::read(path(name)).unwrap() == *text));
             for name in names(place.path()).iter().filter(|name| name.starts_with('.')) {
                 fs::remove_file(path(name)).unwrap();

@@ -64,6 +64,7 @@ mod json;
 mod points;
 mod series;
 mod solve;
+mod sources;
 mod statics;
 mod stress_picture;
 mod stress_points;
@@ -108,6 +109,7 @@ pub use json::{
 };
 pub use series::{SeriesHead, SeriesRow, SweepRun, Tally, series_csv, series_json, series_netcdf};
 pub use solve::{SolveError, SolvedCase, solve};
+pub use sources::Sources;
 pub use statics::StaticsReport;
 pub use stress_points::{PointsError, read_points};
 pub use stresses::{StressError, StressFileError, StressPoint, Stresses, stress_csv};

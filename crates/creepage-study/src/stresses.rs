@@ -13,6 +13,7 @@ use serde_json::{Value, json};
 use crate::SolvedCase;
 use crate::error::ReportError;
 use crate::file_set::write_all;
+use crate::sources::Sources;
 use crate::text::{aligned, status_words};
 
 /// From this depth on, over the smaller semi-axis, the stresses below elements have settled: half of
@@ -229,13 +230,15 @@ impl Stresses {
 
     /// Writes `stresses.csv` with `points` (without points the section), and a picture of the section and
     /// of the stresses beneath the largest as `stresses.svg` and `stresses.png`, into `directory`, which is
-    /// made when missing; without points also a block of the body, `stresses.vtk`.
+    /// made when missing; without points also a block of the body, `stresses.vtk`. None of `sources` is
+    /// written over.
     ///
     /// # Errors
     /// [`StressFileError`]; what was made until then is removed.
     pub fn write(
         &self,
         directory: &Path,
+        sources: &Sources,
         points: Option<&[StressPoint]>,
     ) -> Result<Vec<PathBuf>, StressFileError> {
         let section = self.section()?;
@@ -250,7 +253,7 @@ impl Stresses {
         if points.is_none() {
             files.push(("stresses.vtk", vtk.as_bytes()));
         }
-        Ok(write_all(directory, &files)?)
+        Ok(write_all(directory, &files, sources)?)
     }
 }
 

@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 
 use crate::error::ReportError;
 use crate::file_set::write_all;
+use crate::sources::Sources;
 use crate::{Damage, SolvedCase};
 
 impl SolvedCase {
@@ -22,7 +23,14 @@ impl SolvedCase {
         for (name, contents) in wear.iter().flatten() {
             others.push((*name, &contents[..]));
         }
-        write_contact(directory, &json, &self.points_csv()?, &self.contact_svg(), &others)
+        write_contact(
+            directory,
+            &json,
+            &self.points_csv()?,
+            &self.contact_svg(),
+            &others,
+            &Sources::default(),
+        )
     }
 }
 
@@ -33,6 +41,7 @@ pub(crate) fn write_contact(
     points: &[u8],
     svg: &str,
     others: &[(&str, &[u8])],
+    sources: &Sources,
 ) -> Result<Vec<PathBuf>, ReportError> {
     let png = creepage_plot::png(svg)?;
     let files: [(&str, &[u8]); 4] = [
@@ -41,7 +50,7 @@ pub(crate) fn write_contact(
         ("contact.svg", svg.as_bytes()),
         ("contact.png", &png),
     ];
-    write_all(directory, &[&files, others].concat())
+    write_all(directory, &[&files, others].concat(), sources)
 }
 
 #[cfg(test)]

@@ -16,7 +16,7 @@ use std::io::{self, Write};
 use std::sync::Arc;
 
 use creepage::{Contact, Ellipse, TheorySpec};
-use creepage_study::{CaseFile, DamageWanted, GapFile, Question, Solver, theory_spec};
+use creepage_study::{CaseFile, DamageWanted, GapFile, Question, Solver, Sources, theory_spec};
 use csv::ByteRecord;
 use rayon::prelude::*;
 
@@ -118,6 +118,10 @@ fn write_answers<A>(
     write: impl Fn(&mut Rows<&mut Sink>, ByteRecord, A) -> io::Result<()>,
 ) -> Result<Tally, Failure> {
     let failed = |source: io::Error| Failure::writing(args.out.as_deref(), source);
+    if let Some(out) = &args.out {
+        let read = [&args.input, &args.case, &args.table];
+        Sources::new(read.into_iter().flatten()).spare(out)?;
+    }
     let mut sink = Sink::open(args.out.as_deref()).map_err(failed)?;
     sink.write_all(&table.comments).map_err(failed)?;
     let rows = Rows::start(&mut sink, &table.header, appended, table.delimiter).map_err(failed)?;

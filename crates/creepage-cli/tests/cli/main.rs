@@ -22,6 +22,7 @@ mod place;
 mod profile;
 mod reproduce;
 mod roll;
+mod sources;
 mod statics;
 mod stresses;
 mod sweep;

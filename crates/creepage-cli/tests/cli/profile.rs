@@ -39,7 +39,9 @@ fn no_profile_is_written_over_another() {
     let place = with(&["s1002.prw"]);
     let measured = place.read("s1002.prw");
     let smoothed = ["profile", "s1002.prw", "--convert", "simpack", "--smooth", "0.006"];
-    place.run(&[&smoothed[..], &["--out", "."]].concat()).refused(&["s1002.prw", "--out"]);
+    place
+        .run(&[&smoothed[..], &["--out", "."]].concat())
+        .refused(&["s1002.prw would be written over what was read"]);
     assert_eq!(place.read("s1002.prw"), measured);
     assert_eq!(place.files(), ["s1002.prw"]);
     fs::create_dir(place.path("other")).unwrap();

@@ -9,9 +9,9 @@ use creepage::{Layer, SiCreepage, SolidPair, TheorySpec};
 use super::creepage::SiGiven;
 use super::error::GapCaseError;
 use super::theory::GapTheory;
-use crate::CaseError;
 use crate::case::solve;
 use crate::damage::DamageWanted;
+use crate::{CaseError, Sources};
 
 /// What presses the bodies together.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -29,6 +29,8 @@ pub struct GapCase {
     pub gap: Gap,
     /// The key that gave it, with its file.
     pub shape: String,
+    /// The file that gave it, where there is one.
+    pub sources: Sources,
     /// The equivalent solid of both bodies.
     pub pair: SolidPair,
     /// Load or approach.
@@ -69,7 +71,12 @@ impl GapCase {
     pub fn with_grid(self, points: &[[f64; 3]]) -> Result<Self, GapCaseError> {
         let shape = "grid".to_owned();
         let wrong = |source| GapCaseError::Gap { shape: shape.clone(), source };
-        Ok(Self { gap: Gap::grid(points).map_err(wrong)?, shape, ..self })
+        Ok(Self {
+            gap: Gap::grid(points).map_err(wrong)?,
+            shape,
+            sources: Sources::default(),
+            ..self
+        })
     }
 
     /// The same case at this creepage, with no forces wanted.

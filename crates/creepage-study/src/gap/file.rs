@@ -15,13 +15,13 @@ use super::error::GapCaseError;
 use super::shape::GapSection;
 use super::theory::GapTheory;
 use super::vary::{GapValue, GapVaried};
-use crate::CaseError;
 use crate::case::body::Body;
 use crate::case::friction::FrictionValue;
 use crate::case::layer::LayerSection;
 use crate::case::schema::schema_of;
 use crate::case::{keys, solve};
 use crate::damage::DamageSection;
+use crate::{CaseError, Sources};
 
 /// A rolling-contact case of two bodies of any shape, in SI units.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
@@ -127,7 +127,8 @@ impl GapFile {
     /// # Errors
     /// [`GapCaseError`] with section, key and value.
     pub fn case(&self, directory: &Path) -> Result<GapCase, GapCaseError> {
-        self.case_with(|section| section.gap(directory))
+        let case = self.case_with(|section| section.gap(directory))?;
+        Ok(GapCase { sources: self.gap.sources(directory), ..case })
     }
 
     /// The same where the gap comes from elsewhere than from a file just read.
@@ -157,6 +158,7 @@ impl GapFile {
         Ok(GapCase {
             gap,
             shape,
+            sources: Sources::default(),
             pair,
             pressed,
             friction,

@@ -10,6 +10,7 @@ use serde::Deserialize;
 use super::columns::Columns;
 use super::error::{GapCaseError, GapFileError};
 use super::vary::GapVaried;
+use crate::Sources;
 
 /// The undeformed distance h(x, y) of the bodies in the plane of contact, in metres: exactly one
 /// of `polynomial`, `section` and `grid`. Pressed together by an approach, undeformed bodies would
@@ -78,6 +79,15 @@ impl GapSection {
             _ => return Err(GapCaseError::NotOneShape { given: self.given() }),
         };
         gap.map_err(|source| GapCaseError::Gap { shape: self.shape(), source })
+    }
+
+    /// The file that gives the shape, where one does.
+    pub(super) fn sources(&self, directory: &Path) -> Sources {
+        let file = |points: &Points| match points {
+            Points::File(file) => Some(directory.join(file)),
+            Points::Columns(_) => None,
+        };
+        Sources::new([&self.section, &self.grid].into_iter().flatten().filter_map(file))
     }
 
     /// The key that gives the shape, with its file.

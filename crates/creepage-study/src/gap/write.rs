@@ -9,7 +9,8 @@ use crate::write::write_contact;
 impl SolvedGap {
     /// Writes `report.json`, `points.csv`, `contact.vtk`, `contact.svg` and `contact.png`, and
     /// where `[damage]` asks for them `wear.csv`, `wear.svg`, `shakedown.svg` and their `.png`, into `directory`,
-    /// which is made when missing; files of those names are replaced. Gives the paths written.
+    /// which is made when missing; files of those names are replaced, but none that the case was read from.
+    /// Gives the paths written.
     ///
     /// # Errors
     /// [`ReportError`]; what was made until then is removed.
@@ -20,6 +21,13 @@ impl SolvedGap {
         let wear = self.damage().map(|damage| damage.files()).transpose()?.unwrap_or_default();
         let mut others = vec![("contact.vtk", vtk.as_bytes())];
         others.extend(wear.iter().map(|(name, contents)| (*name, &contents[..])));
-        write_contact(directory, &json, &self.points_csv()?, &self.contact_svg(), &others)
+        write_contact(
+            directory,
+            &json,
+            &self.points_csv()?,
+            &self.contact_svg(),
+            &others,
+            &self.case.sources,
+        )
     }
 }

@@ -32,6 +32,9 @@ pub struct HistoryWriter {
 }
 
 impl HistoryWriter {
+    /// The name of the table.
+    pub const NAME: &str = "history.csv";
+
     /// Begins the table, or goes on with the one of an earlier run of the same `texts`, those of the
     /// case file and of the history; the run is then taken to where it was.
     ///
@@ -44,8 +47,8 @@ impl HistoryWriter {
         run: &mut HistoryRun,
     ) -> Result<Result<Self, HistoryError>, ReportError> {
         fs::create_dir_all(directory).map_err(failure(directory))?;
-        let [target, partial, state] = ["history.csv", "history.csv.partial", "history.state"]
-            .map(|name| directory.join(name));
+        let [target, partial, state] =
+            [Self::NAME, "history.csv.partial", "history.state"].map(|name| directory.join(name));
         if target.is_dir() {
             return Err(failure(&target)(io::ErrorKind::IsADirectory.into()));
         }

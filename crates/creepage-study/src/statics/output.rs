@@ -9,6 +9,7 @@ use super::StaticsReport;
 use super::quantity::Quantity;
 use crate::Caution;
 use crate::error::ReportError;
+use crate::sources::Sources;
 use crate::text::{Lines, aligned};
 use crate::write::write_contact;
 
@@ -63,7 +64,7 @@ impl StaticsReport<'_> {
     /// [`ReportError`]; what was made until then is removed.
     pub fn write(&self, directory: &Path) -> Result<Vec<PathBuf>, ReportError> {
         let json = format!("{:#}\n", self.json());
-        write_contact(directory, &json, &self.points_csv()?, &self.svg(), &[])
+        write_contact(directory, &json, &self.points_csv()?, &self.svg(), &[], &Sources::default())
     }
 
     /// The field at points of the contact; a cell is empty where a number does not exist.

@@ -8,7 +8,7 @@ use creepage_rail::{Running, Side};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use crate::DamageWanted;
+use crate::{DamageWanted, Sources};
 
 /// A wheelset in its track.
 #[derive(Debug, Clone)]
@@ -31,6 +31,14 @@ pub struct WheelsetCase {
     pub theory: TheorySpec,
     /// Profile files, and what had to be found in them.
     pub notes: Vec<ProfileNote>,
+}
+
+impl WheelsetCase {
+    /// The profile files it was read from.
+    #[must_use]
+    pub fn sources(&self) -> Sources {
+        Sources::new(self.notes.iter().map(|note| &note.path))
+    }
 }
 
 /// A profile's file, and what was found in it that nobody had said.

@@ -2,8 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use creepage_rail::Running;
-
+use super::case::WheelsetCase;
 use super::solved::SolvedWheelset;
 use crate::error::ReportError;
 use crate::file_set::write_all;
@@ -12,16 +11,20 @@ impl SolvedWheelset {
     /// Writes `report.json`, the picture `wheelset.svg` and `.png` of the wheels on their rails,
     /// and one of each place of contact, `left_1.svg` and so on, and where `[damage]` asks for them
     /// `wear.csv` and the depth of wear, `left_1_wear.svg`, into `directory`, which is made when
-    /// missing; files of those names are replaced. Gives the paths written.
+    /// missing; files of those names are replaced, but none that `case` was read from. Gives the paths written.
     ///
     /// # Errors
     /// [`ReportError`]; what was made until then is removed.
-    pub fn write(&self, running: &Running, directory: &Path) -> Result<Vec<PathBuf>, ReportError> {
+    pub fn write(
+        &self,
+        case: &WheelsetCase,
+        directory: &Path,
+    ) -> Result<Vec<PathBuf>, ReportError> {
         let mut json = serde_json::to_string_pretty(&self.json())?;
         json.push('\n');
         let mut files = vec![("report.json".to_owned(), json.into_bytes())];
         // A solved position is one on this track.
-        let whole = self.svg(running).map(|svg| ("wheelset".to_owned(), svg)).ok();
+        let whole = self.svg(&case.running).map(|svg| ("wheelset".to_owned(), svg)).ok();
         files.extend(self.wear_csv()?.map(|csv| ("wear.csv".to_owned(), csv)));
         for (name, svg) in whole.into_iter().chain(self.contact_svgs()).chain(self.wear_svgs()) {
             let png = creepage_plot::png(&svg)?;
@@ -30,6 +33,6 @@ impl SolvedWheelset {
         }
         let files: Vec<(&str, &[u8])> =
             files.iter().map(|(name, content)| (&name[..], &content[..])).collect();
-        write_all(directory, &files)
+        write_all(directory, &files, &case.sources())
     }
 }
