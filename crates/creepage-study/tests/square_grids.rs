@@ -1,5 +1,6 @@
 //! Three outputs of another program, two of them published, differ from `exact` by one or two per cent. Square cells of
-//! growing fineness come to `exact`: the difference is the staircase of that program's cells.
+//! growing fineness come to `exact`: the difference is the staircase of that program's cells. With a fourth,
+//! of a wheel that touches its rail at two places, it is not.
 //!
 //! `CREEPAGE_SQUARE_GRIDS=160 cargo test -p creepage-study --test square_grids -- --nocapture`
 //! goes on to 160 cells a side and prints the table of the guide's page on accuracy.
@@ -11,7 +12,7 @@ use creepage::gap::{Gap, Term};
 use creepage::normal::{self, NormalContact};
 use creepage::theory::Solved;
 use creepage::{Contact, Creepage, Ellipse, Force, SiCreepage, Solid, SolidPair, Solution, Theory};
-use creepage_study::SquareGrid;
+use creepage_study::{SolvedContact, SquareGrid, WheelsetFile};
 
 /// Of both published cases.
 const POISSON: f64 = 0.28;
@@ -105,4 +106,60 @@ fn a_case_on_a_quartic_is_that_of_its_grid() {
         grid.force(creepage).unwrap().fy
     };
     come_to_exact(&distances_of(cells, [solution.force.fy, solution.error.unwrap().fy]));
+}
+
+/// The right wheel of the Manchester benchmark A-2.2 at `y` = 5 mm, at the height that the other program has
+/// for 10 kN: one area at the gauge corner, one at the tread.
+const TWO_LOBES: &str = r#"
+    wheel = { profile = "S1002", radius = 0.46 }
+    rail = { profile = "UIC60", cant = 0.024994793618920 }
+    track = { gauge = 1.435, gauge_height = 0.014 }
+    motion = { speed = 2.0, pitch_rate = 4.3353637 }
+    materials = { shear_modulus = 82e9, poisson = 0.28 }
+    contact = { friction = 0.3 }
+    solve = { resolution = "fine" }
+    [wheelset]
+    back_to_back = 1.36
+    side = "right"
+    y = 0.005
+    yaw = 0.012
+    roll = -0.0003554
+    z = 1.6265e-6
+"#;
+
+/// Longitudinal force over `mu N` on square cells, `n` along and across both areas, under a contact's pressure.
+fn on_cells(contact: &SolvedContact, n: usize) -> f64 {
+    const FRICTION: f64 = 0.3;
+    let (normal, peak) = (&contact.normal, contact.normal.peak_pressure().value);
+    let [x, s] = contact.extent();
+    let middle = s[0].midpoint(s[1]);
+    // A little more than the areas, in millimetres.
+    let half = [1.02e3 * x[1].max(-x[0]), 0.51e3 * (s[1] - s[0])];
+    let pressure = |[x, y]: [f64; 2]| normal.pressure(1e-3 * x, middle + 1e-3 * y) / peak;
+    let grid = SquareGrid::under_pressure(half, POISSON, n, pressure);
+    let at = contact.creepage;
+    let unit = normal.pair().shear_modulus() / (FRICTION * peak);
+    let at_middle = [at.longitudinal - at.spin * middle, at.lateral, 1e-3 * at.spin];
+    let [xi, eta, chi] = at_middle.map(|part| unit * part);
+    grid.force(Creepage::new(xi, eta, chi).unwrap()).unwrap().fx
+}
+
+/// The other program weakens what two areas so close together do to each other, by a rule of its own; its `F_x` is
+/// -.2643 of `mu N`, and one per cent of `mu N` is what programs should agree to.
+#[test]
+fn two_lobes_are_not_a_matter_of_the_grid() {
+    let case = WheelsetFile::read(TWO_LOBES).unwrap().case(std::path::Path::new("")).unwrap();
+    let wheel = case.solve().unwrap().right.unwrap();
+    let [contact] = wheel.contacts() else { panic!("{} contacts", wheel.contacts().len()) };
+    assert_eq!(contact.normal.patches().len(), 2);
+    let bound = contact.scaling.force;
+    let exact = contact.force.longitudinal / bound;
+    let error = contact.force_error.unwrap().longitudinal / bound;
+    for n in [80, 160] {
+        let cells = on_cells(contact, n);
+        println!("{n} cells along and across: {cells:.4}");
+        assert!((cells - exact).abs() < error, "{cells} {exact} {error}");
+    }
+    println!("exact: {exact:.4} +- {error:.4}");
+    assert!((exact + 0.2643).abs() > 0.01, "{exact}");
 }
