@@ -61,7 +61,9 @@ struct Way<'w, 'a> {
     method: Method,
     /// Methods still to come, and down to which part of the load missed each is good enough.
     stages: Vec<(Method, f64)>,
-    /// What the last round missed, and how many methods were to come when it rolled.
+    /// What the last round missed; the same by the method of this one, and how many methods were to come when
+    /// it rolled.
+    missed: f64,
     last: f64,
     rolled_by: Option<usize>,
 }
@@ -78,7 +80,7 @@ impl<'w, 'a> Way<'w, 'a> {
         let is_beside = places.is_some();
         let mut stages = method.stages();
         stages.drain(..if is_given || is_beside { stages.len() - 1 } else { 0 });
-        let (last, rolled_by) = (f64::INFINITY, None);
+        let (missed, last, rolled_by) = (f64::INFINITY, f64::INFINITY, None);
         Self {
             solver,
             stance,
@@ -91,6 +93,7 @@ impl<'w, 'a> Way<'w, 'a> {
             places,
             method,
             stages,
+            missed,
             last,
             rolled_by,
         }
@@ -159,7 +162,7 @@ impl<'w, 'a> Way<'w, 'a> {
     /// steps to one.
     fn follows(&self, round: usize) -> bool {
         const NEAR: f64 = 0.02;
-        let is_near = self.last < NEAR || (self.is_beside && round == 0);
+        let is_near = self.missed < NEAR || (self.is_beside && round == 0);
         self.has_bars && is_near && round < FEW
     }
 
@@ -179,7 +182,7 @@ impl<'w, 'a> Way<'w, 'a> {
         if has_rolled || (is_enough && self.has_bars) {
             return false;
         }
-        self.last = if is_enough { 0.0 } else { missed };
+        (self.missed, self.last) = (missed, if is_enough { 0.0 } else { missed });
         sought.learn(wheels, shares, !is_cheap && round > 0);
         self.places = step::places((&sought.places, wheels), self.stance, self.load, shares);
         self.start.fine = Known::of(wheels);
@@ -215,7 +218,7 @@ impl<'w, 'a> Way<'w, 'a> {
             let here = (&sought.places[..], wheels);
             self.places = step::places(here, self.stance, self.load, &next.shares);
         }
-        (self.last, self.rolled_by) = (missed, Some(self.stages.len()));
+        (self.missed, self.last, self.rolled_by) = (missed, missed, Some(self.stages.len()));
         if let [(_, good_enough), _, ..] = self.stages[..]
             && (missed < good_enough || round >= FEW)
         {
