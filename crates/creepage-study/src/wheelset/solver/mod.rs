@@ -165,6 +165,17 @@ impl<'a> WheelsetSolver<'a> {
         travel: &Travel,
         start: &Start,
     ) -> Result<SolvedWheelset, WheelsetError> {
+        // Once to the threads that solve contacts, not for each step.
+        rayon::scope(|_| self.by_methods(stance, travel, start))
+    }
+
+    /// By one method after another until the wanted accuracy is met.
+    fn by_methods(
+        &self,
+        stance: &Stance,
+        travel: &Travel,
+        start: &Start,
+    ) -> Result<SolvedWheelset, WheelsetError> {
         let load = stance.load.ok_or(WheelsetError::NoLoad)?;
         let (last, first) = self.rolling.split_last().unwrap_or((&Method::STANDARD, &[]));
         for method in first {

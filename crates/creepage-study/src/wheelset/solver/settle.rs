@@ -4,7 +4,6 @@
 //! fine ones and rolling say what the wheels carry, and their stiffness where to go on to, until
 //! they carry what was expected.
 
-use super::balance::enough;
 use super::pressed::{Known, PressedWheel};
 use super::rolled::{self, Method, Rolling};
 use super::step::{self, Place};
@@ -16,8 +15,8 @@ use crate::{Load, Stance, Travel, WheelsetError};
 /// Rounds after which it is given up, and after which they might swing to and fro.
 const ROUNDS: usize = 28;
 const FEW: usize = 12;
-/// To which part a load is met: far within its error bar.
-const MET: f64 = 3e-5;
+/// To which part of its error bar a load is met.
+const MET: f64 = 0.1;
 /// What may be left of friction's moment about the axle, in parts of what that could be, by methods that
 /// come before the last one.
 const ROUGHLY_BALANCED: f64 = 3e-4;
@@ -116,7 +115,7 @@ impl<'w, 'a> Way<'w, 'a> {
         let (motion, rolled, pitch) = rolled::motion(&rollings, self.travel, radius, guess)?;
         let next = Start::of(&sought.coarse, &wheels, &rolled, pitch, &self.start);
         let missed = sought.missed(&wheels, &next.shares);
-        if self.is_met(&wheels, &next.shares, missed, round) {
+        if self.is_met(&sought, &wheels, &next.shares, round) {
             let here = (&sought.places[..], &wheels[..]);
             let mut solved = self.solver.solved(here, &rollings, &rolled, (motion, pitch));
             if !self.is_given {
@@ -178,7 +177,8 @@ impl<'w, 'a> Way<'w, 'a> {
         let missed = sought.missed(wheels, shares);
         let has_rolled = !self.is_beside || self.rolled_by.is_some();
         let is_cheap = matches!(self.method, Method::Simplified(..));
-        let is_enough = missed <= MET || missed >= HELPS * self.last || (is_cheap && round > 0);
+        let is_met = sought.is_met(wheels, shares, MET);
+        let is_enough = is_met || missed >= HELPS * self.last || (is_cheap && round > 0);
         if has_rolled || (is_enough && self.has_bars) {
             return false;
         }
@@ -192,15 +192,14 @@ impl<'w, 'a> Way<'w, 'a> {
     /// Whether the wheels carry what was expected, by the last method.
     fn is_met(
         &self,
+        sought: &Sought<'_>,
         wheels: &[PressedWheel<'_>],
         shares: &Shares,
-        missed: f64,
         round: usize,
     ) -> bool {
-        let carried: f64 = wheels.iter().map(|wheel| wheel.vertical(shares)).sum();
         // Fine pressures that depend on where they began scatter within their error bars.
-        let within = if round < FEW { 0.0 } else { error_of_load(wheels) / carried };
-        self.is_given || (self.stages.len() == 1 && missed <= enough(round).max(MET).max(within))
+        let part = if round < FEW { MET } else { 1.0 };
+        self.is_given || (self.stages.len() == 1 && sought.is_met(wheels, shares, part))
     }
 
     /// Where to look next, by which method, with what was learnt.
@@ -229,12 +228,6 @@ impl<'w, 'a> Way<'w, 'a> {
     }
 }
 
-/// The error bar of the load of all contacts (N).
-fn error_of_load(wheels: &[PressedWheel<'_>]) -> f64 {
-    let contacts = wheels.iter().flat_map(|wheel| &wheel.contacts);
-    contacts.map(|one| one.normal.load().error).sum()
-}
-
 /// Where the wheels should carry their load.
 pub(super) struct Sought<'a> {
     pub(super) places: Vec<Place>,
@@ -246,6 +239,16 @@ impl Sought<'_> {
     fn learn(&mut self, wheels: &[PressedWheel<'_>], shares: &Shares, is_like: bool) {
         let pairs = self.places.iter_mut().zip(wheels);
         pairs.for_each(|(place, wheel)| place.learn(wheel, shares, is_like));
+    }
+
+    /// Whether each wheel carries what was expected, to a part of its error bar.
+    fn is_met(&self, wheels: &[PressedWheel<'_>], shares: &Shares, part: f64) -> bool {
+        let error = |wheel: &PressedWheel<'_>| -> f64 {
+            wheel.contacts.iter().map(|one| one.normal.load().error).sum()
+        };
+        self.places.iter().zip(wheels).all(|(place, wheel)| {
+            (wheel.vertical(shares) - place.expected).abs() <= part * error(wheel)
+        })
     }
 
     /// What wheels carry more or less than expected, in parts of what they carry.
