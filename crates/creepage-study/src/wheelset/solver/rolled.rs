@@ -39,8 +39,8 @@ impl Method {
     pub(super) fn stages(self) -> Vec<(Self, f64)> {
         match self {
             Self::Exact(_) => vec![
-                (Self::Simplified(Simplified::Fastsim, [20, 10]), 2e-3),
-                (Self::Exact(Resolution::FAST), 3e-4),
+                (Self::Simplified(Simplified::Fastsim, [20, 10]), 5e-3),
+                (Self::Exact(Resolution::FAST), 2.5e-3),
                 (self, 0.0),
             ],
             Self::Simplified(..) => vec![(self, 0.0)],
