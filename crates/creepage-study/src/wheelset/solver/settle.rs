@@ -16,7 +16,7 @@ use crate::{Load, Stance, Travel, WheelsetError};
 const ROUNDS: usize = 28;
 const FEW: usize = 12;
 /// To which part of its error bar a load is met.
-const MET: f64 = 0.1;
+const MET: f64 = 0.2;
 /// What may be left of friction's moment about the axle, in parts of what that could be, by methods that
 /// come before the last one.
 const ROUGHLY_BALANCED: f64 = 3e-4;

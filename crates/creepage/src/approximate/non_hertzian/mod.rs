@@ -14,6 +14,9 @@
 //!   the centre of pressure; tractions by three springs, without a bound.
 //! - [`Simplified::Saturated`] slides everywhere, with the true pressure: no elasticity at all.
 //!
+//! Where patches join or part, their ellipses change at once and the forces jump, by some per cent of
+//! `mu N`; the full theory has no jump there.
+//!
 //! The other theories are tied to Hertz's pressure on one ellipse: `variational` by its polynomials
 //! on it, `strip` by a solution of all rows in closed form, `polach`, `shen-hedrick-elkins` and
 //! `vermeulen-johnson` by formulas for its resultants.
