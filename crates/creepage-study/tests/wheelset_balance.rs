@@ -72,8 +72,9 @@ fn a_walk_finds_what_is_found_from_nothing() {
             walked = solver.next(&walked, &at(*step), &travel).unwrap();
             let alone = solver.solve(&at(*step), &travel).unwrap();
             for (own, cold) in walked.wheels().zip(alone.wheels()) {
-                // What a load may miss, and what rounds late may.
-                assert!((own.on_rail().force[2] / 1e5 - 1.0).abs() < 1e-4, "{from} {step}");
+                let errors = own.contacts().iter().map(|one| one.normal.load().error);
+                let missed = (own.on_rail().force[2] - 1e5).abs();
+                assert!(missed < 0.2 * errors.sum::<f64>(), "{from} {step}: {missed} N");
                 assert_eq!(own.contacts().len(), cold.contacts().len(), "{from} {step}");
                 for (own, cold) in own.contacts().iter().zip(cold.contacts()) {
                     let numbers =
