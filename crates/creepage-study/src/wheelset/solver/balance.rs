@@ -8,7 +8,7 @@ use rayon::prelude::*;
 
 use super::pressed::{Known, Press, PressedWheel};
 use super::root::Root;
-use super::step::learnt;
+use super::step::{Belief, learnt};
 use crate::wheelset::nearby::Shares;
 use crate::{Load, Stance, WheelsetError};
 
@@ -197,7 +197,10 @@ impl<'a> Balance<'_, 'a> {
             let excess = (carried / load).ln();
             let Some((before, (_, moved))) = before.zip(last) else { return Line { excess, by } };
             let missed = excess - before.expected_after(moved);
-            Line { excess, by: learnt(before.by, moved, missed).unwrap_or(by) }
+            Line {
+                excess,
+                by: learnt(before.by, moved, missed, Belief::WithinReason).unwrap_or(by),
+            }
         };
         let before = last.map_or([None; 2], |(before, _)| before.map(Some));
         let [left, right] = pair(wheels)?;

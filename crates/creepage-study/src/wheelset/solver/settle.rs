@@ -6,7 +6,7 @@
 
 use super::pressed::{Known, PressedWheel};
 use super::rolled::{self, Method, Rolling};
-use super::step::{self, Place};
+use super::step::{self, Belief, Place};
 use super::{Start, WheelsetSolver};
 use crate::wheelset::nearby::Shares;
 use crate::wheelset::solved::SolvedWheelset;
@@ -183,7 +183,8 @@ impl<'w, 'a> Way<'w, 'a> {
             return false;
         }
         (self.missed, self.last) = (missed, if is_enough { 0.0 } else { missed });
-        sought.learn(wheels, shares, !is_cheap && round > 0);
+        let is_like = !is_cheap && round > 0;
+        sought.learn(wheels, shares, if is_like { Belief::WithinReason } else { Belief::None });
         self.places = step::places((&sought.places, wheels), self.stance, self.load, shares);
         self.start.fine = Known::of(wheels);
         true
@@ -210,7 +211,12 @@ impl<'w, 'a> Way<'w, 'a> {
         next: Start,
         (missed, round): (f64, usize),
     ) {
-        sought.learn(wheels, &next.shares, self.rolled_by == Some(self.stages.len()));
+        let belief = match self.rolled_by == Some(self.stages.len()) {
+            false => Belief::None,
+            true if missed > self.last => Belief::Whole,
+            true => Belief::WithinReason,
+        };
+        sought.learn(wheels, &next.shares, belief);
         // A step that helps, however little, tells how the next should go; so close no search helps.
         let is_close = missed < CLOSE;
         if is_close || round >= FEW || missed < self.last || self.rolled_by.is_none() {
@@ -236,9 +242,9 @@ pub(super) struct Sought<'a> {
 }
 
 impl Sought<'_> {
-    fn learn(&mut self, wheels: &[PressedWheel<'_>], shares: &Shares, is_like: bool) {
+    fn learn(&mut self, wheels: &[PressedWheel<'_>], shares: &Shares, belief: Belief) {
         let pairs = self.places.iter_mut().zip(wheels);
-        pairs.for_each(|(place, wheel)| place.learn(wheel, shares, is_like));
+        pairs.for_each(|(place, wheel)| place.learn(wheel, shares, belief));
     }
 
     /// Whether each wheel carries what was expected, to a part of its error bar.

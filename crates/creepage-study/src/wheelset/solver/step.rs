@@ -53,9 +53,9 @@ impl Place {
         self.by
     }
 
-    /// How the force changes here: what is known of it, changed by what the step that led here missed, if
-    /// that compares like with like and was no trifle; the stiffness where nothing is known.
-    pub(super) fn learn(&mut self, wheel: &PressedWheel<'_>, shares: &Shares, is_like: bool) {
+    /// How the force changes here: what is known of it, changed by what the step that led here missed, as
+    /// far as that is believed and was no trifle; the stiffness where nothing is known.
+    pub(super) fn learn(&mut self, wheel: &PressedWheel<'_>, shares: &Shares, belief: Belief) {
         /// Parts of the force by which it scatters, as friction and the tips of areas do.
         const SCATTER: f64 = 3e-4;
         let shares = shares.of_fine();
@@ -63,25 +63,41 @@ impl Place {
         let [down, turn] = self.moved;
         let tells = |by: [f64; 2]| {
             let change = (by[0] * down + by[1] * turn).abs();
-            is_like && change.max(missed.abs()) > SCATTER * self.expected
+            belief != Belief::None && change.max(missed.abs()) > SCATTER * self.expected
         };
-        let change = |by| if tells(by) { learnt(by, self.moved, missed) } else { Some(by) };
+        let change = |by| if tells(by) { learnt(by, self.moved, missed, belief) } else { Some(by) };
         let stiffness = || [wheel.stiffness(&shares), wheel.stiffness_by_roll(&shares)];
         self.by = Some(self.by.and_then(change).unwrap_or_else(stiffness));
     }
 }
 
+/// How far a step is believed that tells how a force changes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Belief {
+    /// Not at all: it compares other things.
+    None,
+    /// Unless the change would be another one altogether.
+    WithinReason,
+    /// Whatever it tells: on what was known before, steps lead farther away, as on a flange that climbs.
+    Whole,
+}
+
 /// How a force changes as the wheelset goes down and rolls, from how it was thought to and what the step
 /// `moved` missed (Broyden 1965): the plane of two areas turns as the load shifts, and friction
-/// changes, which no stiffness knows. `None` where that makes it another change altogether.
-pub(super) fn learnt(by: [f64; 2], moved: [f64; 2], missed: f64) -> Option<[f64; 2]> {
+/// changes, which no stiffness knows. `None` where that is not believed.
+pub(super) fn learnt(
+    by: [f64; 2],
+    moved: [f64; 2],
+    missed: f64,
+    belief: Belief,
+) -> Option<[f64; 2]> {
     let ([by_down, by_turn], [down, turn]) = (by, moved);
     // Rolling by an angle is as much as going down by it times the wheel's lever.
     let square = (by_turn / by_down).powi(2);
     let part = missed / (down * down + square * turn * turn);
     let changed = by_down + part * down;
     let is_sound = changed > 0.5 * by_down && changed < 2.0 * by_down;
-    is_sound.then_some([changed, by_turn + part * square * turn])
+    (is_sound || belief == Belief::Whole).then_some([changed, by_turn + part * square * turn])
 }
 
 /// What a wheel should carry (N) that carries `own`, of the sum of some wheels.
