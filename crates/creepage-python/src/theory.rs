@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use creepage::theory::{NamedResolution, ResolutionSpec};
 use creepage::{Contact, Creepage, Solution, TheorySpec};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
@@ -126,7 +127,11 @@ impl<'py> Call<'py> {
 pub(crate) fn cost(spec: &TheorySpec) -> f64 {
     let cells = |[along, across]: [usize; 2]| (along as f64) * (across as f64);
     match spec {
-        TheorySpec::Exact(_) => 4e-3,
+        TheorySpec::Exact(options) => {
+            // Pressing and rolling in turn.
+            let times = if options.coupled { 100.0 } else { 1.0 };
+            1.1e-7 * times * cells(elements(options.resolution)).powf(1.5)
+        }
         TheorySpec::Variational(options) => {
             let settings = options.settings();
             let unknowns = ((settings.degree + 1) * (settings.degree + 2)) as f64;
@@ -136,6 +141,15 @@ pub(crate) fn cost(spec: &TheorySpec) -> f64 {
         TheorySpec::Fastsim(settings) => 2.2e-9 * cells(settings.grid),
         TheorySpec::Strip(_) | TheorySpec::Saturated(_) => 9e-7,
         _ => 3e-8,
+    }
+}
+
+fn elements(resolution: ResolutionSpec) -> [usize; 2] {
+    match resolution {
+        ResolutionSpec::Elements(elements) => elements,
+        ResolutionSpec::Named(NamedResolution::Fast) => [14, 12],
+        ResolutionSpec::Named(NamedResolution::Fine) => [40, 32],
+        ResolutionSpec::Named(_) => [22, 18],
     }
 }
 
