@@ -89,8 +89,8 @@ fn a_walk_finds_what_is_found_from_nothing() {
     }
 }
 
-/// A flange that begins to climb carries less as the wheelset goes down and rolls, by friction and by the
-/// place where it touches: what stiffness tells leads away from the answer.
+/// Where a flange begins to climb, loads follow height and roll otherwise than stiffness tells, by friction and
+/// by the place of contact: steps by stiffness led farther and farther away.
 #[test]
 fn a_flange_that_climbs_is_settled() {
     let case = case("theory = \"exact\"");

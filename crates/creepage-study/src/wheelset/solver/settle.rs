@@ -211,10 +211,12 @@ impl<'w, 'a> Way<'w, 'a> {
         next: Start,
         (missed, round): (f64, usize),
     ) {
-        let belief = match self.rolled_by == Some(self.stages.len()) {
-            false => Belief::None,
-            true if missed > self.last => Belief::Whole,
-            true => Belief::WithinReason,
+        let belief = if self.rolled_by != Some(self.stages.len()) {
+            Belief::None
+        } else if missed > self.last {
+            Belief::Whole
+        } else {
+            Belief::WithinReason
         };
         sought.learn(wheels, &next.shares, belief);
         // A step that helps, however little, tells how the next should go; so close no search helps.
