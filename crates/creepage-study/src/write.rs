@@ -23,23 +23,16 @@ impl SolvedCase {
         for (name, contents) in wear.iter().flatten() {
             others.push((*name, &contents[..]));
         }
-        write_contact(
-            directory,
-            &json,
-            &self.points_csv()?,
-            &self.contact_svg(),
-            &others,
-            &Sources::default(),
-        )
+        let (points, svg) = (self.points_csv()?, self.contact_svg());
+        write_contact(directory, [&json, &svg], &points, &others, &Sources::default())
     }
 }
 
 /// The files of one contact: `report.json`, `points.csv`, the picture as SVG and PNG, and others.
 pub(crate) fn write_contact(
     directory: &Path,
-    json: &str,
+    [json, svg]: [&str; 2],
     points: &[u8],
-    svg: &str,
     others: &[(&str, &[u8])],
     sources: &Sources,
 ) -> Result<Vec<PathBuf>, ReportError> {

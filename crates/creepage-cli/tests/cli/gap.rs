@@ -6,7 +6,7 @@ use serde_json::Value;
 
 use crate::place::{Place, json};
 
-const CASE: &str = r#"
+pub(crate) const CASE: &str = r#"
 [upper]
 shear_modulus = 82e9
 poisson = 0.28
@@ -31,7 +31,8 @@ spin = 0.2
 resolution = "fast"
 "#;
 
-const POLYNOMIAL: &str = "polynomial = [[2, 0, 1.0869565217391304], [0, 2, 1.6666666666666667]]";
+pub(crate) const POLYNOMIAL: &str =
+    "polynomial = [[2, 0, 1.0869565217391304], [0, 2, 1.6666666666666667]]";
 
 fn solved(place: &Place, case: &str) -> Value {
     place.write("case.toml", case);

@@ -2,26 +2,8 @@
 
 use std::fs;
 
+use crate::gap;
 use crate::place::{CASE, Place};
-
-const GAP: &str = "
-[upper]
-shear_modulus = 82e9
-poisson = 0.28
-[lower]
-shear_modulus = 82e9
-poisson = 0.28
-[gap]
-section = 'points.csv'
-radius_rolling = 0.46
-[contact]
-normal_force = 80e3
-friction = 0.3
-[creepage]
-longitudinal = 1e-3
-[solve]
-theory = 'linear'
-";
 
 /// Files that commands here read, some of them by the names that results have.
 fn place() -> Place {
@@ -30,7 +12,9 @@ fn place() -> Place {
         "case.toml",
         CASE.replace("theory = \"variational\"\ndegree = 3", "theory = \"linear\""),
     );
-    place.write("gap.toml", GAP);
+    let section = "section = 'points.csv'\nradius_rolling = 0.46";
+    let gap = gap::CASE.replace(gap::POLYNOMIAL, section);
+    place.write("gap.toml", gap.replace("resolution = \"fast\"", "theory = 'linear'"));
     let section = (-20..=20).map(|k| f64::from(k) * 1e-3).map(|y| format!("{y},{}\n", y * y / 0.6));
     place.write("points.csv", format!("y,gap\n{}", section.collect::<String>()));
     place.write("stresses.csv", "x,y,z\n0,0,1e-3\n");

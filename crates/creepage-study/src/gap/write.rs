@@ -21,13 +21,7 @@ impl SolvedGap {
         let wear = self.damage().map(|damage| damage.files()).transpose()?.unwrap_or_default();
         let mut others = vec![("contact.vtk", vtk.as_bytes())];
         others.extend(wear.iter().map(|(name, contents)| (*name, &contents[..])));
-        write_contact(
-            directory,
-            &json,
-            &self.points_csv()?,
-            &self.contact_svg(),
-            &others,
-            &self.case.sources,
-        )
+        let (points, svg) = (self.points_csv()?, self.contact_svg());
+        write_contact(directory, [&json, &svg], &points, &others, &self.case.sources)
     }
 }

@@ -64,7 +64,8 @@ impl StaticsReport<'_> {
     /// [`ReportError`]; what was made until then is removed.
     pub fn write(&self, directory: &Path) -> Result<Vec<PathBuf>, ReportError> {
         let json = format!("{:#}\n", self.json());
-        write_contact(directory, &json, &self.points_csv()?, &self.svg(), &[], &Sources::default())
+        let (points, svg) = (self.points_csv()?, self.svg());
+        write_contact(directory, [&json, &svg], &points, &[], &Sources::default())
     }
 
     /// The field at points of the contact; a cell is empty where a number does not exist.
