@@ -99,7 +99,7 @@ def test_a_file_of_points_is_not_written_over(tmp_path: Path) -> None:
         "creepage = { longitudinal = 1e-3 }\n"
         "solve = { theory = 'linear' }\n"
     )
-    solution = GapCase.from_file(tmp_path / "gap.toml").solve()
+    solution = GapCase.from_toml(tmp_path / "gap.toml").solve()
     with pytest.raises(FileExistsError, match=r"points\.csv would be written over what was read"):
         solution.save(tmp_path)
     assert points.read_text() == before

@@ -21,7 +21,7 @@ fn place() -> Place {
     let pressed = CASE.split("[creepage]").next().unwrap();
     place.write("roll.toml", format!("{pressed}[solve]\nresolution = [8, 8]\n"));
     place.write("history.csv", "distance,xi\n0.001,0.1\n");
-    place.write("rows.csv", "a_over_b,poisson,xi,eta,chi\n1,0.3,0.1,0,0\n");
+    place.write("loads.csv", "normal_force\n80e3\n");
     let creepage = "[creepage]\nupsilon = { from = 0.1, step = 0.1, to = 0.2 }\nchi = [0]\n";
     place.write("sweep.csv", format!("[contact]\na_over_b = 1\npoisson = 0.28\n{creepage}"));
     place
@@ -33,7 +33,7 @@ fn a_result_spares_what_was_read() {
         ("solve gap.toml --out .", "points.csv"),
         ("stresses case.toml --points stresses.csv --out .", "stresses.csv"),
         ("roll roll.toml --history history.csv --out .", "history.csv"),
-        ("batch --theory polach --in rows.csv --out ./rows.csv", "rows.csv"),
+        ("batch --case case.toml --in loads.csv --out ./case.toml", "case.toml"),
         ("sweep sweep.csv --out sweep.csv", "sweep.csv"),
     ];
     for (command, spared) in commands {
