@@ -81,6 +81,8 @@ pub(crate) enum Failure {
     Needed { option: &'static str, low: f64, high: f64 },
     #[error("cannot write {}: {source}", path.display())]
     Write { path: PathBuf, source: io::Error },
+    #[error("{} would be written over what was read: give another --out or --table", path.display())]
+    OverSource { path: PathBuf },
     #[error("cannot write to standard output: {0}")]
     Stdout(io::Error),
     #[error(transparent)]
@@ -91,6 +93,7 @@ impl From<ReportError> for Failure {
     fn from(error: ReportError) -> Self {
         match error {
             ReportError::Write { path, source } => Self::Write { path, source },
+            ReportError::OverSource { path } => Self::OverSource { path },
             other => Self::Report(other),
         }
     }
@@ -111,7 +114,6 @@ impl Failure {
         match self {
             Self::Stdout(source) if source.kind() == ErrorKind::BrokenPipe => None,
             Self::Write { source, .. } if is_wrong_place(source.kind()) => Some(2),
-            Self::Report(ReportError::OverSource { .. }) => Some(2),
             Self::Stdout(_)
             | Self::Write { .. }
             | Self::Rows { .. }

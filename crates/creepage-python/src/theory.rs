@@ -128,9 +128,14 @@ pub(crate) fn cost(spec: &TheorySpec) -> f64 {
     let cells = |[along, across]: [usize; 2]| (along as f64) * (across as f64);
     match spec {
         TheorySpec::Exact(options) => {
+            let once = match options.resolution {
+                ResolutionSpec::Named(NamedResolution::Fast) => 3e-4,
+                ResolutionSpec::Named(NamedResolution::Fine) => 5e-3,
+                ResolutionSpec::Named(_) => 9e-4,
+                ResolutionSpec::Elements(elements) => 1.1e-7 * cells(elements).powf(1.5),
+            };
             // Pressing and rolling in turn.
-            let times = if options.coupled { 100.0 } else { 1.0 };
-            1.1e-7 * times * cells(elements(options.resolution)).powf(1.5)
+            if options.coupled { 100.0 * once } else { once }
         }
         TheorySpec::Variational(options) => {
             let settings = options.settings();
@@ -141,15 +146,6 @@ pub(crate) fn cost(spec: &TheorySpec) -> f64 {
         TheorySpec::Fastsim(settings) => 2.2e-9 * cells(settings.grid),
         TheorySpec::Strip(_) | TheorySpec::Saturated(_) => 9e-7,
         _ => 3e-8,
-    }
-}
-
-fn elements(resolution: ResolutionSpec) -> [usize; 2] {
-    match resolution {
-        ResolutionSpec::Elements(elements) => elements,
-        ResolutionSpec::Named(NamedResolution::Fast) => [14, 12],
-        ResolutionSpec::Named(NamedResolution::Fine) => [40, 32],
-        ResolutionSpec::Named(_) => [22, 18],
     }
 }
 

@@ -18,7 +18,7 @@ pub enum ReportError {
         source: io::Error,
     },
     /// A file would be written over one that was read.
-    #[error("{} would be written over what was read: write elsewhere", path.display())]
+    #[error("{} would be written over what was read", path.display())]
     OverSource {
         /// The file.
         path: PathBuf,

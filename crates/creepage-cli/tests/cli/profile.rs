@@ -41,7 +41,7 @@ fn no_profile_is_written_over_another() {
     let smoothed = ["profile", "s1002.prw", "--convert", "simpack", "--smooth", "0.006"];
     place
         .run(&[&smoothed[..], &["--out", "."]].concat())
-        .refused(&["s1002.prw would be written over what was read"]);
+        .refused(&["s1002.prw would be written over", "--out"]);
     assert_eq!(place.read("s1002.prw"), measured);
     assert_eq!(place.files(), ["s1002.prw"]);
     fs::create_dir(place.path("other")).unwrap();

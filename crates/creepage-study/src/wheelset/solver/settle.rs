@@ -15,8 +15,8 @@ use crate::{Load, Stance, Travel, WheelsetError};
 /// Rounds after which it is given up, and after which they might swing to and fro.
 const ROUNDS: usize = 28;
 const FEW: usize = 12;
-/// To which part of its error bar a load is met.
-const MET: f64 = 0.2;
+/// To which part of its error bar, and of itself, a load is met.
+const MET: [f64; 2] = [0.2, 1e-4];
 /// What may be left of friction's moment about the axle, in parts of what that could be, by methods that
 /// come before the last one.
 const ROUGHLY_BALANCED: f64 = 3e-4;
@@ -177,7 +177,7 @@ impl<'w, 'a> Way<'w, 'a> {
         let missed = sought.missed(wheels, shares);
         let has_rolled = !self.is_beside || self.rolled_by.is_some();
         let is_cheap = matches!(self.method, Method::Simplified(..));
-        let is_met = sought.is_met(wheels, shares, MET);
+        let is_met = sought.is_met(wheels, shares, closely);
         let is_enough = is_met || missed >= HELPS * self.last || (is_cheap && round > 0);
         if has_rolled || (is_enough && self.has_bars) {
             return false;
@@ -199,8 +199,8 @@ impl<'w, 'a> Way<'w, 'a> {
         round: usize,
     ) -> bool {
         // Fine pressures that depend on where they began scatter within their error bars.
-        let part = if round < FEW { MET } else { 1.0 };
-        self.is_given || (self.stages.len() == 1 && sought.is_met(wheels, shares, part))
+        let within = if round < FEW { closely } else { |error, _| error };
+        self.is_given || (self.stages.len() == 1 && sought.is_met(wheels, shares, within))
     }
 
     /// Where to look next, by which method, with what was learnt.
@@ -236,6 +236,11 @@ impl<'w, 'a> Way<'w, 'a> {
     }
 }
 
+/// What a wheel may carry more or less than its load (N), by the error bar of that.
+fn closely(error: f64, load: f64) -> f64 {
+    (MET[0] * error).min(MET[1] * load)
+}
+
 /// Where the wheels should carry their load.
 pub(super) struct Sought<'a> {
     pub(super) places: Vec<Place>,
@@ -249,13 +254,19 @@ impl Sought<'_> {
         pairs.for_each(|(place, wheel)| place.learn(wheel, shares, belief));
     }
 
-    /// Whether each wheel carries what was expected, to a part of its error bar.
-    fn is_met(&self, wheels: &[PressedWheel<'_>], shares: &Shares, part: f64) -> bool {
+    /// Whether each wheel carries what was expected, within so much of its error bar and its load.
+    fn is_met(
+        &self,
+        wheels: &[PressedWheel<'_>],
+        shares: &Shares,
+        within: fn(f64, f64) -> f64,
+    ) -> bool {
         let error = |wheel: &PressedWheel<'_>| -> f64 {
             wheel.contacts.iter().map(|one| one.normal.load().error).sum()
         };
         self.places.iter().zip(wheels).all(|(place, wheel)| {
-            (wheel.vertical(shares) - place.expected).abs() <= part * error(wheel)
+            let carried = wheel.vertical(shares);
+            (carried - place.expected).abs() <= within(error(wheel), carried)
         })
     }
 
