@@ -59,7 +59,9 @@ pub unsafe extern "C" fn creepage_wheelset_free(made: *mut CreepageWheelset) {
 }
 
 /// Forces on the rails where the wheelset stands and as it moves. Each call starts from the position
-/// that the handle solved last: a near one is quicker.
+/// that the handle solved last: a near one is quicker. By the full theory one within 20 um and 0.2 mrad is solved
+/// by few elements and what these lacked before, mostly within a tenth of the error bars of all of them, as long
+/// as it is known to half of those.
 ///
 /// position: 2 numbers, y (m, positive right) and yaw (rad, positive turns the axle's right end back);
 ///   what presses the wheelset on its rails is the file's.
@@ -204,7 +206,7 @@ impl CreepageWheelset {
         let last = self.last.lock().unwrap_or_else(PoisonError::into_inner).take();
         let wrong = |source| Failure::Wheelset(Box::new(source));
         let solver = self.case.solver().map_err(wrong)?;
-        let near = last.as_ref().and_then(|last| solver.next(last, stance, travel).ok());
+        let near = last.as_ref().and_then(|last| solver.follow(last, stance, travel).ok());
         near.map_or_else(|| solver.solve(stance, travel).map_err(wrong), Ok)
     }
 

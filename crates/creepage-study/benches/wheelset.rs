@@ -54,3 +54,40 @@ fn along_a_walk(bencher: Bencher, (theory, y): (&str, f64)) {
     let before = solver.next(&before, &at(1.0), &travel).unwrap();
     bencher.bench_local(|| solver.next(&before, &at(0.0), &travel).unwrap());
 }
+
+/// Followed from a neighbour that was solved by itself, and from one that was followed.
+#[divan::bench(args = SHIFTS, sample_count = 10)]
+fn followed(bencher: Bencher, y: f64) {
+    let case = case("exact");
+    let (solver, travel) = (case.solver().unwrap(), case.travel.unwrap());
+    let before = solver.solve(&Stance { y: y - STEP, ..case.stance }, &travel).unwrap();
+    bencher.bench_local(|| solver.follow(&before, &Stance { y, ..case.stance }, &travel).unwrap());
+}
+
+#[divan::bench(args = SHIFTS, sample_count = 10)]
+fn followed_along_a_walk(bencher: Bencher, y: f64) {
+    let case = case("exact");
+    let (solver, travel) = (case.solver().unwrap(), case.travel.unwrap());
+    let at = |steps: f64| Stance { y: y - steps * STEP, ..case.stance };
+    let before = solver.solve(&at(2.0), &travel).unwrap();
+    let before = solver.follow(&before, &at(1.0), &travel).unwrap();
+    bencher.bench_local(|| solver.follow(&before, &at(0.0), &travel).unwrap());
+}
+
+/// A walk from 0 to 8 mm by all elements, and followed.
+#[divan::bench(args = ["all elements", "followed"], sample_count = 1)]
+fn a_whole_walk(bencher: Bencher, how: &str) {
+    let case = case("exact");
+    let (solver, travel) = (case.solver().unwrap(), case.travel.unwrap());
+    bencher.bench_local(|| {
+        let mut walked = solver.solve(&Stance { y: 0.0, ..case.stance }, &travel).unwrap();
+        for step in 1..=800 {
+            let stance = Stance { y: STEP * f64::from(step), ..case.stance };
+            let next = match how {
+                "followed" => solver.follow(&walked, &stance, &travel),
+                _ => solver.next(&walked, &stance, &travel),
+            };
+            walked = next.unwrap();
+        }
+    });
+}

@@ -62,12 +62,20 @@ fn forces_are_the_library_s() {
         assert_eq!(found[..3], right.force);
         assert_eq!(found[3..], right.moment);
     }
-    // From the neighbour: to the balance's end, in parts of mu N.
+    // From far away: to the balance's end, in parts of mu N.
     let (_, away) = forces(made, [2e-3, 1e-3], FREE);
     let (_, back) = forces(made, [1e-3, 0.0], FREE);
     assert!(away[1].to_bits() != back[1].to_bits());
     for k in [0, 1, 2, 6, 7, 8] {
         assert!((back[k] - first[k]).abs() < 1e-3 * 0.3 * 100e3, "{k} {back:?} {first:?}");
+    }
+    let near = TEXT.replace("y = 0.0,", "y = 1.01e-3,");
+    let case = WheelsetFile::read(&near).unwrap().case(std::path::Path::new("")).unwrap();
+    let (solved, (_, followed)) = (case.solve().unwrap(), forces(made, [1.01e-3, 0.0], FREE));
+    for (wheel, found) in solved.wheels().zip(followed.chunks_exact(6)) {
+        for (found, right) in found.iter().zip(wheel.on_rail().force) {
+            assert!((found - right).abs() < 1e-3 * 0.3 * 100e3, "{found} {right}");
+        }
     }
     // SAFETY: it is not used again.
     unsafe { creepage_wheelset_free(made) };

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use creepage::coulomb::{ElementField, NearTractions};
 use creepage::normal::NormalContact;
-use creepage::{Scaling, SiCreepage, SiForce, Status, normal};
+use creepage::{Scaling, SiCreepage, SiForce, Solution, Status, normal};
 use creepage_rail::{Motion, Position, RollingCreepage, Side};
 
 use super::case::RigidSlip;
@@ -13,6 +13,7 @@ use super::derivatives::WheelsetDerivatives;
 use super::field::Field;
 use super::nearby::{Drift, Pitch};
 use super::resultant::{Acting, Resultant};
+use super::solver::Lack;
 use crate::{Damage, GapCaution, GapTheory, adhesion};
 
 /// A wheelset whose contacts are solved.
@@ -92,6 +93,10 @@ pub struct SolvedContact {
     /// Wear and fatigue numbers, where `[damage]` asks for them.
     pub damage: Option<Damage>,
     pub(super) friction: f64,
+    /// Its friction in these units.
+    pub(super) solution: Solution,
+    /// What its elements lack of finer ones, where it followed a position solved with those.
+    pub(super) lack: Option<Arc<Lack>>,
     pub(super) field: Field,
     /// What is to be held against the profiles.
     pub(super) rough: Vec<GapCaution>,

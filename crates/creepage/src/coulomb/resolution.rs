@@ -47,6 +47,8 @@ pub struct Resolution {
 }
 
 impl Resolution {
+    /// 10 by 8 elements: .2 milliseconds; errors twice as large as those of [`Resolution::FAST`].
+    pub const COARSE: Self = Self { along: 10.0, across: 8.0 };
     /// 14 by 12 elements: less than a millisecond.
     pub const FAST: Self = Self { along: 14.0, across: 12.0 };
     /// 22 by 18 elements: a millisecond.

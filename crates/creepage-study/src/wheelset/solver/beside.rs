@@ -113,7 +113,10 @@ fn line(wheel: &SolvedWheel, place: &Place, running: &Running) -> Option<Line> {
     (contacts.len() == wheel.contacts().len()).then_some(line)
 }
 
-fn nearest<'c, 'a>(own: &SolvedContact, contacts: &'c [Contact<'a>]) -> Option<&'c Contact<'a>> {
+pub(super) fn nearest<'c, 'a>(
+    own: &SolvedContact,
+    contacts: &'c [Contact<'a>],
+) -> Option<&'c Contact<'a>> {
     let distance = |contact: &Contact<'_>| (contact.y_rail - own.y_rail).abs();
     contacts.iter().min_by(|a, b| distance(a).total_cmp(&distance(b)))
 }

@@ -6,6 +6,7 @@ mod balance;
 mod beside;
 mod by_motion;
 mod derivative;
+mod follow;
 mod found;
 mod partial;
 mod pressed;
@@ -23,8 +24,9 @@ use creepage_rail::{Position, Running, Side};
 use rayon::prelude::*;
 
 use self::balance::{Balance, Guess};
+pub(super) use self::follow::Lack;
 use self::pressed::{Known, Press, PressedWheel};
-use self::rolled::{KnownTractions, Method, Rolled};
+use self::rolled::{KnownFriction, Method, Rolled};
 use self::settle::{Sought, settle};
 use self::step::Place;
 use super::case::{Load, RigidSlip, Stance, Travel, WheelsetCase};
@@ -143,20 +145,26 @@ impl<'a> WheelsetSolver<'a> {
         stance: &Stance,
         travel: &Travel,
     ) -> Result<SolvedWheelset, WheelsetError> {
-        let places = beside::places(before, stance, self.press.running);
-        let Some(places) = places else {
+        let Some((start, expected)) = self.beside(before, stance) else {
             return self.from(stance, travel, &Start::after(before));
         };
-        let expected: Vec<Position> = places.iter().map(|place| place.position).collect();
+        let mut solved = self.from(stance, travel, &start)?;
+        solved.drift = Some(Drift::new(&expected, before, &solved, stance));
+        Ok(solved)
+    }
+
+    /// What a solved position tells of one beside it, and where the wheels were expected there by the
+    /// undeformed bodies alone; `None` where it is farther off.
+    fn beside(&self, before: &SolvedWheelset, stance: &Stance) -> Option<(Start, Vec<Position>)> {
+        let places = beside::places(before, stance, self.press.running)?;
+        let expected = places.iter().map(|place| place.position).collect();
         let mut start = Start { places: Some(places), ..Start::after(before) };
         if let Some(drift) = &before.drift
             && let Some(times) = drift.times(before, stance)
         {
             drift.correct(&mut start, times, stance);
         }
-        let mut solved = self.from(stance, travel, &start)?;
-        solved.drift = Some(Drift::new(&expected, before, &solved, stance));
-        Ok(solved)
+        Some((start, expected))
     }
 
     fn from(
@@ -237,7 +245,7 @@ struct Start {
     pitch: Pitch,
     /// Fine pressures.
     fine: Vec<Known>,
-    tractions: Vec<KnownTractions>,
+    friction: Vec<KnownFriction>,
     /// Where the wheels stand nearly, beside a position that was solved.
     places: Option<Vec<Place>>,
 }
@@ -269,8 +277,8 @@ impl Start {
         for wheel in wheels.iter().filter(|wheel| wheel.depth > 0.0) {
             guess.depths[usize::from(wheel.side == Side::Right)] = wheel.depth;
         }
-        let tractions = KnownTractions::of(wheels, rolled);
-        Self { shares, guess, pitch, fine: Known::of(wheels), tractions, places: None }
+        let friction = KnownFriction::of(wheels, rolled);
+        Self { shares, guess, pitch, fine: Known::of(wheels), friction, places: None }
     }
 
     /// The same with friction halfway from what it was taken for.
@@ -283,7 +291,7 @@ impl Start {
         let shares = Shares::solved(before);
         let fine = Known::solved(before);
         let contacts = before.wheels().flat_map(SolvedWheel::contacts);
-        let tractions = contacts.filter_map(KnownTractions::of_contact).collect();
+        let friction = contacts.filter_map(KnownFriction::by_all).collect();
         let mut guess = Guess { known: fine.clone(), ..Guess::default() };
         for wheel in before.wheels() {
             guess.roll = Some(wheel.position.roll);
@@ -291,6 +299,6 @@ impl Start {
                 guess.depths[usize::from(wheel.side == Side::Right)] = wheel.depth;
             }
         }
-        Self { shares, guess, pitch: before.pitch, fine, tractions, places: None }
+        Self { shares, guess, pitch: before.pitch, fine, friction, places: None }
     }
 }

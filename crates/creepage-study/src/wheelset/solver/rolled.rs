@@ -5,11 +5,12 @@ use std::sync::Arc;
 use creepage::approximate::non_hertzian::{NonHertzianSimplified, Simplified, SimplifiedSolved};
 use creepage::coulomb::{NearTractions, NonHertzian, NonHertzianSolved, Resolution};
 use creepage::theory::{Jacobian, Solved};
-use creepage::{Scaling, SiCreepage, SiForce};
+use creepage::{Scaling, SiCreepage, SiForce, Solution};
 use creepage_rail::{Contact, Motion, RollingCreepage, Side};
 use rayon::prelude::*;
 
 use super::apart::in_track;
+use super::follow::Lack;
 use super::pressed::{Pressed, PressedWheel};
 use super::root::Root;
 use crate::case::CaseError;
@@ -111,38 +112,56 @@ impl Prepared {
     }
 }
 
-/// Tractions of a contact in a position close by.
+/// The friction on a contact in a position close by.
 #[derive(Debug, Clone)]
-pub(super) struct KnownTractions {
+pub(super) struct KnownFriction {
     side: Side,
     y_rail: f64,
     tractions: Arc<NearTractions>,
+    /// Where finer elements were followed by these.
+    pub(super) lack: Option<Arc<Lack>>,
 }
 
-impl KnownTractions {
-    /// Those of a solved contact, where the theory has them.
-    pub(super) fn of_contact(contact: &SolvedContact) -> Option<Self> {
-        let tractions = Arc::clone(contact.tractions()?);
-        Some(Self { side: contact.side, y_rail: contact.y_rail, tractions })
+impl KnownFriction {
+    /// That of a solved contact by all elements, where the theory has tractions.
+    pub(super) fn by_all(contact: &SolvedContact) -> Option<Self> {
+        let tractions = match &contact.lack {
+            Some(lack) => &lack.tractions,
+            None => contact.tractions()?,
+        };
+        let tractions = Arc::clone(tractions);
+        Some(Self { side: contact.side, y_rail: contact.y_rail, tractions, lack: None })
     }
 
-    /// Those of some wheels.
+    /// That of a solved contact by few elements, where it was followed.
+    pub(super) fn by_few(contact: &SolvedContact) -> Option<Self> {
+        let (tractions, lack) = (Arc::clone(contact.tractions()?), contact.lack.clone());
+        lack.is_some().then_some(Self {
+            side: contact.side,
+            y_rail: contact.y_rail,
+            tractions,
+            lack,
+        })
+    }
+
+    /// That of some wheels.
     pub(super) fn of(wheels: &[PressedWheel<'_>], rolled: &[Rolled<'_>]) -> Vec<Self> {
         let contacts = wheels.iter().flat_map(|wheel| &wheel.contacts).zip(rolled);
-        let known = contacts.filter_map(|(Pressed { contact, .. }, rolled)| {
-            let Answer::Exact(solved) = &rolled.solved else { return None };
-            let tractions = Arc::new(solved.tractions());
-            Some(Self { side: contact.side, y_rail: contact.y_rail, tractions })
-        });
-        known.collect()
+        contacts.filter_map(|(pressed, rolled)| Self::of_rolled(&pressed.contact, rolled)).collect()
     }
 
-    /// Those next to a contact.
-    fn next_to(contact: &Contact<'_>, all: &[Self]) -> Option<Arc<NearTractions>> {
+    pub(super) fn of_rolled(contact: &Contact<'_>, rolled: &Rolled<'_>) -> Option<Self> {
+        let Answer::Exact(solved) = &rolled.solved else { return None };
+        let tractions = Arc::new(solved.tractions());
+        let lack = rolled.lack.clone();
+        Some(Self { side: contact.side, y_rail: contact.y_rail, tractions, lack })
+    }
+
+    /// That next to a contact.
+    fn next_to(contact: &Contact<'_>, all: &[Self]) -> Option<Self> {
         let own = all.iter().filter(|known| known.side == contact.side);
         let distance = |known: &Self| (known.y_rail - contact.y_rail).abs();
-        let nearest = own.min_by(|a, b| distance(a).total_cmp(&distance(b)))?;
-        Some(Arc::clone(&nearest.tractions))
+        own.min_by(|a, b| distance(a).total_cmp(&distance(b))).cloned()
     }
 }
 
@@ -170,7 +189,7 @@ pub(super) struct Rolling<'w, 'a> {
     pub(super) pressed: &'w Pressed<'a>,
     theory: Prepared,
     pub(super) slip: RigidSlip,
-    near: Option<Arc<NearTractions>>,
+    near: Option<KnownFriction>,
 }
 
 /// The same, rolled.
@@ -180,8 +199,13 @@ pub(super) struct Rolled<'r> {
     pub(super) creepage: RollingCreepage,
     pub(super) scaling: Scaling,
     pub(super) solved: Answer<'r>,
-    /// The force with its moment about the reference point.
+    /// The force with its moment about the reference point, in units and in SI.
+    pub(super) solution: Solution,
     pub(super) force: SiForce,
+    /// Frictional power, where the theory has it.
+    pub(super) power: Option<f64>,
+    /// What its elements lack of finer ones, with which it was made up.
+    pub(super) lack: Option<Arc<Lack>>,
 }
 
 impl<'w, 'a> Rolling<'w, 'a> {
@@ -189,7 +213,7 @@ impl<'w, 'a> Rolling<'w, 'a> {
         wheels: &'w [PressedWheel<'a>],
         friction: f64,
         slip: RigidSlip,
-        (method, known): (Method, &[KnownTractions]),
+        (method, known): (Method, &[KnownFriction]),
     ) -> Result<Vec<Self>, WheelsetError> {
         let contacts =
             wheels.iter().flat_map(|wheel| wheel.contacts.iter().map(move |one| (wheel, one)));
@@ -198,7 +222,7 @@ impl<'w, 'a> Rolling<'w, 'a> {
             .into_par_iter()
             .map(|(wheel, pressed)| {
                 let theory = Prepared::new(pressed, friction, method)?;
-                let near = KnownTractions::next_to(&pressed.contact, known);
+                let near = KnownFriction::next_to(&pressed.contact, known);
                 Ok(Self { wheel, pressed, theory, slip, near })
             })
             .collect()
@@ -222,9 +246,16 @@ impl<'w, 'a> Rolling<'w, 'a> {
         };
         let motion = RigidMotion { creepage: given, scaling, curving };
         let before = before.map(|rolled| rolled.solved);
-        let solved = self.theory.roll(&motion, before, self.near.as_deref());
-        let force = scaling.si_force(solved.as_solved().solution().force);
-        Ok(Rolled { motion, creepage, scaling, solved, force })
+        let solved =
+            self.theory.roll(&motion, before, self.near.as_ref().map(|near| &*near.tractions));
+        let (mut solution, mut power) =
+            (solved.as_solved().solution(), solved.as_solved().dissipation());
+        let lack = self.near.as_ref().and_then(|near| near.lack.clone());
+        if let Some(lack) = &lack {
+            (solution, power) = lack.made_up(solution, power);
+        }
+        let force = scaling.si_force(solution.force);
+        Ok(Rolled { motion, creepage, scaling, solved, solution, force, power, lack })
     }
 
     pub(super) fn creepage(&self, motion: &Motion) -> Result<RollingCreepage, WheelsetError> {
@@ -234,6 +265,14 @@ impl<'w, 'a> Rolling<'w, 'a> {
 
     pub(super) fn scaling(&self) -> Scaling {
         self.theory.scaling()
+    }
+
+    /// Elements of the full theory.
+    pub(super) fn elements(&self) -> usize {
+        match &self.theory {
+            Prepared::Exact(theory) => theory.elements(),
+            Prepared::Simplified(_) => 0,
+        }
     }
 
     /// Moment of the friction about the axle (N m), positive when it turns the wheelset forward

@@ -108,7 +108,7 @@ impl<'w, 'a> Way<'w, 'a> {
         let method = self.stages.first().map_or(self.method, |stage| stage.0);
         let WheelsetSolver { friction, slip, press, .. } = self.solver;
         let radius = press.running.wheelset().radius();
-        let rollings = Rolling::all(&wheels, *friction, *slip, (method, &self.start.tractions))?;
+        let rollings = Rolling::all(&wheels, *friction, *slip, (method, &self.start.friction))?;
         // The next method has a moment of its own.
         let enough = if self.stages.len() == 1 { rolled::BALANCED } else { ROUGHLY_BALANCED };
         let guess = (self.start.pitch, enough);

@@ -80,7 +80,7 @@ impl SolvedWheel {
 impl SolvedContact {
     fn new(pressed: &Pressed<'_>, rolled: &Rolled<'_>, friction: f64) -> Self {
         let (contact, scaling) = (&pressed.contact, rolled.scaling);
-        let solution = rolled.solved.as_solved().solution();
+        let solution = rolled.solution;
         let load = pressed.normal.load();
         // The load's error bar makes the force err in proportion.
         let part = load.error / load.value;
@@ -104,8 +104,10 @@ impl SolvedContact {
                 })
             }),
             status: solution.status,
-            dissipation: rolled.solved.as_solved().dissipation().map(|power| heat * power),
+            dissipation: rolled.power.map(|power| heat * power),
             scaling,
+            solution,
+            lack: rolled.lack.clone(),
             field: Field::of(rolled),
             damage: None,
             friction,
