@@ -86,7 +86,7 @@ impl<'a> Ladder<'a> {
             nearly: NEARLY[usize::from(!resolution.with_errors)],
             complete: true,
             summit: resolution.with_errors,
-            attempts: Wanted::ATTEMPTS,
+            attempts: if kind == Start::Close { Wanted::CLOSE } else { Wanted::ATTEMPTS },
             settled: SETTLED[1],
         };
         let half = Wanted {
@@ -98,7 +98,7 @@ impl<'a> Ladder<'a> {
             // Better areas cost less than many attempts, and finer strips tell the error as well.
             attempts: match kind {
                 Start::Rough => 1,
-                Start::Close => 2,
+                Start::Close => Wanted::CLOSE,
                 Start::Elements => Wanted::ATTEMPTS,
             },
             settled: SETTLED[usize::from(kind != Start::Rough)],

@@ -132,7 +132,7 @@ fn follow(gap: &Gap, near: &NormalContact, approach: f64) -> Option<NormalContac
         nearly: NEARLY[1],
         complete: true,
         summit: true,
-        attempts: Wanted::ATTEMPTS,
+        attempts: Wanted::CLOSE,
         settled: 1.0,
     };
     let mut found = strips::solve(Task { gap, modulus, approach }, &areas, factors, wanted)?;

@@ -133,8 +133,8 @@ impl<'a> WheelsetSolver<'a> {
     ///     let stance = Stance { y: 0.001 + 1e-5 * f64::from(step), ..case.stance };
     ///     solved = solver.follow(&solved, &stance, &travel)?;
     /// }
-    /// let lateral: f64 = solved.wheels().map(|wheel| wheel.on_rail().force[1]).sum();
-    /// assert!(lateral > 1e3 && lateral < 1e4); // newtons
+    /// let carried: f64 = solved.wheels().map(|wheel| wheel.on_rail().force[2]).sum();
+    /// assert!((carried - 200e3).abs() < 20.0); // newtons
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     ///

@@ -147,8 +147,9 @@ impl<'a> Press<'a> {
         let normal = match (followed, near) {
             (Some(followed), _) if followed.keeps_error_bars() => Ok(followed),
             (Some(followed), _) => followed.next(&gap, approach, self.resolution),
-            (None, Some(near)) => near.next(&gap, approach, self.resolution),
-            (None, None) => NormalContact::at_approach(&gap, self.pair, approach, self.resolution),
+            (None, Some(near)) if !self.follows => near.next(&gap, approach, self.resolution),
+            // What cannot be followed is no start.
+            (None, _) => NormalContact::at_approach(&gap, self.pair, approach, self.resolution),
         };
         match normal {
             Ok(normal) => Ok(Some(normal)),

@@ -45,6 +45,8 @@ pub(super) struct Wanted {
 impl Wanted {
     /// Attempts that are worth their cost.
     pub(super) const ATTEMPTS: usize = 6;
+    /// The same from a contact close by: where that is not close enough, elements are a better start.
+    pub(super) const CLOSE: usize = 2;
 }
 
 /// Solves from patches close by.
