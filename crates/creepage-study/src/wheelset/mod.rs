@@ -13,6 +13,7 @@ mod field;
 mod file;
 mod free;
 mod geometry_picture;
+mod lack;
 mod nearby;
 mod position;
 mod profile;

@@ -11,9 +11,9 @@ use creepage_rail::{Motion, Position, RollingCreepage, Side};
 use super::case::RigidSlip;
 use super::derivatives::WheelsetDerivatives;
 use super::field::Field;
+use super::lack::Lack;
 use super::nearby::{Drift, Pitch};
 use super::resultant::{Acting, Resultant};
-use super::solver::Lack;
 use crate::{Damage, GapCaution, GapTheory, adhesion};
 
 /// A wheelset whose contacts are solved.

@@ -1,18 +1,16 @@
 //! A position beside one that was solved: by few elements, and what these lacked there of all elements.
-//!
-//! What few elements lack changes slowly as a wheelset moves, mostly by a thirtieth of what friction changes by.
-//! So it is carried along until that makes friction unsure.
 
 use std::sync::Arc;
 
-use creepage::coulomb::{NearTractions, Resolution};
-use creepage::{Force, Solution};
+use creepage::Status;
+use creepage::coulomb::Resolution;
 
 use super::beside::nearest;
 use super::pressed::{Pressed, PressedWheel};
 use super::rolled::{KnownFriction, Method, Rolled, Rolling};
 use super::settle::settle;
 use super::{Start, WheelsetSolver};
+use crate::wheelset::lack::{Lack, difference};
 use crate::wheelset::nearby::Drift;
 use crate::wheelset::solved::{SolvedContact, SolvedWheel, SolvedWheelset};
 use crate::{GapTheory, Stance, Travel, WheelsetError};
@@ -20,92 +18,6 @@ use crate::{GapTheory, Stance, Travel, WheelsetError};
 const FEW: Method = Method::Exact(Resolution::COARSE);
 /// Shift (m) and yaw (rad) of a step that is followed: over longer ones friction changes too much.
 const NEAR: [f64; 2] = [2.001e-5, 2.001e-4];
-/// What few elements lack changes by no more than such parts of the changes of their friction and of its error
-/// bar, in nine cases of ten (13,000 pairs of positions up to 70 um apart, of both examples at three yaws).
-const OF_CHANGE: [f64; 2] = [0.05, 0.5];
-/// By which part of themselves error bars may grow by that.
-const UNSURE: f64 = 0.5;
-
-/// What few elements lack of the friction on a contact, in its units.
-#[derive(Debug, Clone)]
-pub(in crate::wheelset) struct Lack {
-    /// Shift and yaw where all elements were solved.
-    at: [f64; 2],
-    /// How many are few.
-    elements: usize,
-    /// Friction there by few elements, and how much more it is by all.
-    few: Solution,
-    more: Force,
-    more_power: f64,
-    /// Error bars by all elements, and their tractions.
-    error: Force,
-    pub(super) tractions: Arc<NearTractions>,
-}
-
-impl Lack {
-    /// `None` for a theory without elements.
-    fn new(
-        own: &SolvedContact,
-        at: [f64; 2],
-        rolled: &Rolled<'_>,
-        elements: usize,
-    ) -> Option<Self> {
-        let SolvedContact { solution, scaling, dissipation, .. } = own;
-        let few = rolled.solution;
-        Some(Self {
-            at,
-            elements,
-            few,
-            more: difference(solution.force, few.force),
-            more_power: (*dissipation)? / (scaling.force * scaling.slip) - rolled.power?,
-            error: solution.error?,
-            tractions: Arc::clone(own.tractions()?),
-        })
-    }
-
-    /// Friction and its power by few elements, with what these lack.
-    pub(super) fn made_up(&self, few: Solution, power: Option<f64>) -> (Solution, Option<f64>) {
-        let more = self.unsure(&few);
-        let error = sum(self.error, Force { fx: more, fy: more, mz: more });
-        let all = Solution { force: sum(few.force, self.more), error: Some(error), ..few };
-        (all, power.map(|power| power + self.more_power))
-    }
-
-    /// What friction may be off by that few elements have changed to this.
-    fn unsure(&self, few: &Solution) -> f64 {
-        let bars = few.error.zip(self.few.error);
-        let changes = [
-            difference(few.force, self.few.force),
-            bars.map_or(Force::default(), |(here, there)| difference(here, there)),
-        ];
-        changes.iter().zip(OF_CHANGE).map(|(change, part)| part * change.fx.hypot(change.fy)).sum()
-    }
-
-    /// Whether friction that was made up is sure enough, or would be if it were unsure so many times as much.
-    fn is_sure(&self, own: &SolvedContact, times: f64) -> bool {
-        let Force { fx, fy, .. } = self.error;
-        let grown = own.solution.error.map_or(f64::INFINITY, |error| error.fx - fx);
-        times * grown <= UNSURE * fx.max(fy) && own.elements().len() == self.elements
-    }
-
-    /// How many times as far as one position another is from where all elements were solved; as far where the one
-    /// is there.
-    fn times(&self, from: [f64; 2], to: [f64; 2]) -> f64 {
-        let far = |there: [f64; 2]| {
-            let [shift, yaw] = [0, 1].map(|k: usize| (there[k] - self.at[k]) / NEAR[k]);
-            shift.hypot(yaw)
-        };
-        if far(from) > 0.0 { far(to) / far(from) } else { 1.0 }
-    }
-}
-
-fn sum(a: Force, b: Force) -> Force {
-    Force { fx: a.fx + b.fx, fy: a.fy + b.fy, mz: a.mz + b.mz }
-}
-
-fn difference(a: Force, b: Force) -> Force {
-    Force { fx: a.fx - b.fx, fy: a.fy - b.fy, mz: a.mz - b.mz }
-}
 
 impl<'a> WheelsetSolver<'a> {
     /// As [`WheelsetSolver::next`], two to three times quicker: for walks in steps up to 20 um and 0.2 mrad.
@@ -163,24 +75,25 @@ impl<'a> WheelsetSolver<'a> {
         let (from, to) = (before.shift_and_yaw(), [stance.y, stance.yaw]);
         let is_near = (0..2).all(|k| (to[k] - from[k]).abs() < NEAR[k]);
         let will_be_sure = |own: &SolvedContact| {
-            own.lack.as_ref().is_none_or(|lack| lack.is_sure(own, lack.times(from, to)))
+            let lack = own.lack.as_ref();
+            lack.is_none_or(|lack| lack.is_sure(&own.solution, lack.times(from, to, NEAR)))
         };
         if !matches!(self.theory, GapTheory::Exact(_)) || !is_near || !contacts().all(will_be_sure)
         {
             return None;
         }
-        let (mut start, expected) =
-            self.beside(before, stance).unwrap_or_else(|| (Start::after(before), Vec::new()));
+        let (mut start, expected) = match self.beside(before, stance) {
+            Some((start, expected)) => (start, Some(expected)),
+            None => (Start::after(before), None),
+        };
         let known: Option<Vec<_>> = contacts().map(KnownFriction::by_few).collect();
         start.friction = known.or_else(|| self.lacking(before))?;
         let mut solved = settle(self, (stance, travel, stance.load?), start, FEW).ok()?;
-        let is_sure =
-            |own: &SolvedContact| own.lack.as_ref().is_some_and(|lack| lack.is_sure(own, 1.0));
         let is_accurate = self.rolling.len() == 1 || solved.worst_error() <= self.accuracy;
         if !is_accurate || !solved.wheels().flat_map(SolvedWheel::contacts).all(is_sure) {
             return None;
         }
-        solved.drift = Some(Drift::new(&expected, before, &solved, stance));
+        solved.drift = expected.map(|expected| Drift::new(&expected, before, &solved, stance));
         Some(solved)
     }
 
@@ -193,7 +106,7 @@ impl<'a> WheelsetSolver<'a> {
         let lacking = |(rolling, own): (&Rolling<'_, '_>, &SolvedContact)| {
             let rolled = rolling.roll(&before.motion, None).ok()?;
             let mut known = KnownFriction::of_rolled(&rolling.pressed.contact, &rolled)?;
-            let lack = Lack::new(own, before.shift_and_yaw(), &rolled, rolling.elements())?;
+            let lack = lack(own, before.shift_and_yaw(), &rolled, rolling.elements())?;
             known.lack = Some(Arc::new(lack));
             Some(known)
         };
@@ -213,6 +126,29 @@ impl<'a> WheelsetSolver<'a> {
         let radius = running.wheelset().radius();
         Some(PressedWheel { side, position, radius, depth, contacts })
     }
+}
+
+/// What few elements lack where all were solved; `None` where those have no error bars.
+fn lack(own: &SolvedContact, at: [f64; 2], rolled: &Rolled<'_>, elements: usize) -> Option<Lack> {
+    let SolvedContact { solution, scaling, dissipation, .. } = own;
+    let few = rolled.solution;
+    Some(Lack {
+        at,
+        elements,
+        few,
+        more: difference(solution.force, few.force),
+        more_power: (*dissipation)? / (scaling.force * scaling.slip) - rolled.power?,
+        error: solution.error?,
+        tractions: Arc::clone(own.tractions()?),
+    })
+}
+
+/// Whether a followed contact has as many elements as there were, and friction is known well enough.
+fn is_sure(own: &SolvedContact) -> bool {
+    let is_followed = |lack: &Arc<Lack>| {
+        own.elements().len() == lack.elements && lack.is_sure(&own.solution, 1.0)
+    };
+    own.status == Status::Solved && own.lack.as_ref().is_some_and(is_followed)
 }
 
 impl SolvedWheelset {

@@ -24,7 +24,6 @@ use creepage_rail::{Position, Running, Side};
 use rayon::prelude::*;
 
 use self::balance::{Balance, Guess};
-pub(super) use self::follow::Lack;
 use self::pressed::{Known, Press, PressedWheel};
 use self::rolled::{KnownFriction, Method, Rolled};
 use self::settle::{Sought, settle};

@@ -10,12 +10,12 @@ use creepage_rail::{Contact, Motion, RollingCreepage, Side};
 use rayon::prelude::*;
 
 use super::apart::in_track;
-use super::follow::Lack;
 use super::pressed::{Pressed, PressedWheel};
 use super::root::Root;
 use crate::case::CaseError;
 use crate::wheelset::case::RigidSlip;
 use crate::wheelset::curving::{Curving, RigidMotion};
+use crate::wheelset::lack::Lack;
 use crate::wheelset::nearby::Pitch;
 use crate::wheelset::solved::SolvedContact;
 use crate::{Travel, WheelsetError};
