@@ -9,7 +9,7 @@ use creepage::coulomb::NearTractions;
 use creepage::{Force, Solution};
 
 /// What few elements lack changes by no more than such parts of the changes of their friction and of its error
-/// bar, or a twentieth of that by all, between 93 to 98 of 100 pairs of positions up to 0.1 mm apart (20,000 of both
+/// bar, or a twentieth of that by all, in 93 to 98 of 100 pairs of positions up to 0.1 mm apart (20,000 of both
 /// examples, at three yaws).
 const OF_CHANGE: [f64; 2] = [0.05, 0.5];
 /// By which part of themselves error bars may grow by that.
