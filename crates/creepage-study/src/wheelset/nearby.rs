@@ -43,6 +43,11 @@ impl Default for Shares {
 }
 
 impl Shares {
+    /// Whether nothing is known of friction.
+    pub(super) fn is_empty(&self) -> bool {
+        self.lateral.is_empty()
+    }
+
     /// Remembers a contact by its place on the rail.
     pub(super) fn push(&mut self, side: Side, y_rail: f64, share: f64) {
         self.lateral.push((side, y_rail, share));

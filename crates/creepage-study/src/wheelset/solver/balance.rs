@@ -19,11 +19,6 @@ const DEPTHS: [f64; 2] = [1e-9, 0.02];
 /// Roll to either side of the start (rad).
 const ROLL: f64 = 0.05;
 const STEPS: usize = 80;
-/// To which part both loads are met by coarse pressures, which err as much: fine ones go on from there.
-/// Where they scatter by more, a few steps find that out.
-fn rough(step: usize) -> f64 {
-    if step < 6 { 1e-3 } else { 5e-3 }
-}
 
 /// To which part a load is met: pressures found by elements scatter by more than those found by
 /// strips, and a search that does not end soon meets their scatter.
@@ -156,6 +151,19 @@ impl<'a> Balance<'_, 'a> {
         Err(refused.unwrap_or(WheelsetError::LoadNotFound { load }))
     }
 
+    /// To which part both loads are met by coarse pressures: these err by the least of that, and fine ones go on
+    /// from there. Where they scatter by more, a few steps find that out; friction that is not known yet is worth
+    /// more.
+    fn rough(&self, step: usize) -> f64 {
+        if self.shares.is_empty() {
+            2e-2
+        } else if step < 6 {
+            1e-3
+        } else {
+            5e-3
+        }
+    }
+
     /// The roll and the height at which each wheel carries `load`: by steps in both, and where those lead
     /// nowhere, one inside the other.
     fn level(&self, load: f64) -> Result<Vec<PressedWheel<'a>>, WheelsetError> {
@@ -169,7 +177,7 @@ impl<'a> Balance<'_, 'a> {
         for step in 0..STEPS {
             let Ok(mut wheels) = self.at(&sides, z, roll, &known) else { break };
             let Some(here) = self.lines(&wheels, load, last) else { break };
-            if here.iter().all(|line| line.excess.abs() < rough(step)) {
+            if here.iter().all(|line| line.excess.abs() < self.rough(step)) {
                 for wheel in &mut wheels {
                     wheel.depth = z - self.touch(&[wheel.side], roll)?;
                 }

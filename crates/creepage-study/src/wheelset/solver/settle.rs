@@ -146,6 +146,10 @@ impl<'w, 'a> Way<'w, 'a> {
         if self.is_given {
             return Ok(Some(sought.coarse.clone()));
         }
+        // A quick method first tells about what friction carries: no finer pressure is worth its cost before.
+        if self.stages.len() > 1 && self.rolled_by.is_none() && !sought.coarse.is_empty() {
+            return Ok(Some(sought.coarse.clone()));
+        }
         let follows = self.follows(round);
         match self.solver.refined(sought, &self.start.fine, follows) {
             // A step may lead too far: the search looks elsewhere.
