@@ -60,8 +60,8 @@ pub unsafe extern "C" fn creepage_wheelset_free(made: *mut CreepageWheelset) {
 
 /// Forces on the rails where the wheelset stands and as it moves. Each call starts from the position
 /// that the handle solved last: a near one is quicker. By the full theory one within 20 um and 0.2 mrad is solved
-/// by few elements and what these lacked before, mostly within a tenth of the error bars of all of them, as long
-/// as it is known to half of those.
+/// on a coarse grid, corrected by what a fine one added before: mostly within a tenth of that one's error bars. Where
+/// the correction is too old for that, the fine grid is solved again.
 ///
 /// position: 2 numbers, y (m, positive right) and yaw (rad, positive turns the axle's right end back);
 ///   what presses the wheelset on its rails is the file's.

@@ -5,6 +5,7 @@
 
 mod case;
 mod conicity;
+mod correction;
 mod curving;
 mod derivatives;
 mod derivatives_json;
@@ -13,7 +14,6 @@ mod field;
 mod file;
 mod free;
 mod geometry_picture;
-mod lack;
 mod nearby;
 mod position;
 mod profile;

@@ -9,9 +9,9 @@ use creepage::{Scaling, SiCreepage, SiForce, Solution, Status, normal};
 use creepage_rail::{Motion, Position, RollingCreepage, Side};
 
 use super::case::RigidSlip;
+use super::correction::Correction;
 use super::derivatives::WheelsetDerivatives;
 use super::field::Field;
-use super::lack::Lack;
 use super::nearby::{Drift, Pitch};
 use super::resultant::{Acting, Resultant};
 use crate::{Damage, GapCaution, GapTheory, adhesion};
@@ -95,8 +95,8 @@ pub struct SolvedContact {
     pub(super) friction: f64,
     /// Its friction in these units.
     pub(super) solution: Solution,
-    /// What its elements lack of finer ones, where it followed a position solved with those.
-    pub(super) lack: Option<Arc<Lack>>,
+    /// How its coarse grid was corrected, where it followed a position nearby.
+    pub(super) correction: Option<Arc<Correction>>,
     pub(super) field: Field,
     /// What is to be held against the profiles.
     pub(super) rough: Vec<GapCaution>,

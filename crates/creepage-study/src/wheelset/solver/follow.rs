@@ -1,4 +1,4 @@
-//! A position beside one that was solved: by few elements, and what these lacked there of all elements.
+//! A position beside one that was solved: by a coarse grid, corrected by what a fine one added there.
 
 use std::sync::Arc;
 
@@ -10,23 +10,23 @@ use super::pressed::{Pressed, PressedWheel};
 use super::rolled::{KnownFriction, Method, Rolled, Rolling};
 use super::settle::settle;
 use super::{Start, WheelsetSolver};
-use crate::wheelset::lack::{Lack, difference};
+use crate::wheelset::correction::{Correction, difference};
 use crate::wheelset::nearby::Drift;
 use crate::wheelset::solved::{SolvedContact, SolvedWheel, SolvedWheelset};
 use crate::{GapTheory, Stance, Travel, WheelsetError};
 
-const FEW: Method = Method::Exact(Resolution::COARSE);
+const COARSE: Method = Method::Exact(Resolution::COARSE);
 /// Shift (m) and yaw (rad) of a step that is followed: over longer ones friction changes too much.
 const NEAR: [f64; 2] = [2.001e-5, 2.001e-4];
 
 impl<'a> WheelsetSolver<'a> {
-    /// As [`WheelsetSolver::next`], two to three times quicker: for walks in steps up to 20 um and 0.2 mrad.
+    /// As [`WheelsetSolver::next`], two to three times quicker along walks in steps up to 20 um and 0.2 mrad.
     ///
-    /// The full theory by few elements, and what these lacked of all of them at a position before, which changes
-    /// slowly. Error bars grow by what it may have changed since; where that is half of them, or the step is longer,
-    /// all elements are solved as by [`WheelsetSolver::next`]. Forces differ from those by a twentieth of the error
-    /// bars in the median, by less than half in 98 of 100 positions; heat, which has no error bar, by some
-    /// thousandths. [`SolvedContact::elements`] are the few ones.
+    /// The full theory on a coarse grid, corrected by what a fine one added at a position before, which changes
+    /// slowly. Error bars grow by what it may have changed since; where that is half of the larger one, or the step is
+    /// longer, the fine grid is solved as by [`WheelsetSolver::next`]. Forces differ from those by a twentieth of
+    /// the error bars in the median, by less than half in 99 of 100 positions; heat, which has no error bar, by some
+    /// thousandths. [`SolvedContact::elements`] are those of the coarse grid.
     ///
     /// ```
     /// use creepage_study::{Stance, WheelsetFile};
@@ -64,7 +64,7 @@ impl<'a> WheelsetSolver<'a> {
         }
     }
 
-    /// `None` where that leads nowhere or is too unsure.
+    /// `None` where that leads nowhere or is too uncertain.
     fn followed(
         &self,
         before: &SolvedWheelset,
@@ -74,43 +74,43 @@ impl<'a> WheelsetSolver<'a> {
         let contacts = || before.wheels().flat_map(SolvedWheel::contacts);
         let (from, to) = (before.shift_and_yaw(), [stance.y, stance.yaw]);
         let is_near = (0..2).all(|k| (to[k] - from[k]).abs() < NEAR[k]);
-        let will_be_sure = |own: &SolvedContact| {
-            let lack = own.lack.as_ref();
-            lack.is_none_or(|lack| lack.is_sure(&own.solution, lack.times(from, to, NEAR)))
+        let will_hold = |own: &SolvedContact| {
+            own.correction.as_ref().is_none_or(|correction| {
+                correction.holds(&own.solution, correction.times(from, to, NEAR))
+            })
         };
-        if !matches!(self.theory, GapTheory::Exact(_)) || !is_near || !contacts().all(will_be_sure)
-        {
+        if !matches!(self.theory, GapTheory::Exact(_)) || !is_near || !contacts().all(will_hold) {
             return None;
         }
         let (mut start, expected) = match self.beside(before, stance) {
             Some((start, expected)) => (start, Some(expected)),
             None => (Start::after(before), None),
         };
-        let known: Option<Vec<_>> = contacts().map(KnownFriction::by_few).collect();
-        start.friction = known.or_else(|| self.lacking(before))?;
-        let mut solved = settle(self, (stance, travel, stance.load?), start, FEW).ok()?;
+        let known: Option<Vec<_>> = contacts().map(KnownFriction::of_coarse_grid).collect();
+        start.friction = known.or_else(|| self.corrections(before))?;
+        let mut solved = settle(self, (stance, travel, stance.load?), start, COARSE).ok()?;
         let is_accurate = self.rolling.len() == 1 || solved.worst_error() <= self.accuracy;
-        if !is_accurate || !solved.wheels().flat_map(SolvedWheel::contacts).all(is_sure) {
+        if !is_accurate || !solved.wheels().flat_map(SolvedWheel::contacts).all(holds) {
             return None;
         }
         solved.drift = expected.map(|expected| Drift::new(&expected, before, &solved, stance));
         Some(solved)
     }
 
-    /// Friction by few elements where all were solved, with what they lack.
-    fn lacking(&self, before: &SolvedWheelset) -> Option<Vec<KnownFriction>> {
+    /// Friction by the coarse grid where the fine one was solved, with what that adds.
+    fn corrections(&self, before: &SolvedWheelset) -> Option<Vec<KnownFriction>> {
         let wheels = before.wheels().map(|wheel| self.as_pressed(wheel));
         let wheels: Vec<PressedWheel<'a>> = wheels.collect::<Option<_>>()?;
-        let rollings = Rolling::all(&wheels, self.friction, self.slip, (FEW, &[])).ok()?;
+        let rollings = Rolling::all(&wheels, self.friction, self.slip, (COARSE, &[])).ok()?;
         let own = before.wheels().flat_map(SolvedWheel::contacts);
-        let lacking = |(rolling, own): (&Rolling<'_, '_>, &SolvedContact)| {
+        let corrected = |(rolling, own): (&Rolling<'_, '_>, &SolvedContact)| {
             let rolled = rolling.roll(&before.motion, None).ok()?;
             let mut known = KnownFriction::of_rolled(&rolling.pressed.contact, &rolled)?;
-            let lack = lack(own, before.shift_and_yaw(), &rolled, rolling.elements())?;
-            known.lack = Some(Arc::new(lack));
+            let correction = correction(own, before.shift_and_yaw(), &rolled, rolling.elements())?;
+            known.correction = Some(Arc::new(correction));
             Some(known)
         };
-        rollings.iter().zip(own).map(lacking).collect()
+        rollings.iter().zip(own).map(corrected).collect()
     }
 
     /// A solved wheel as it was pressed.
@@ -128,27 +128,32 @@ impl<'a> WheelsetSolver<'a> {
     }
 }
 
-/// What few elements lack where all were solved; `None` where those have no error bars.
-fn lack(own: &SolvedContact, at: [f64; 2], rolled: &Rolled<'_>, elements: usize) -> Option<Lack> {
-    let SolvedContact { solution, scaling, dissipation, .. } = own;
-    let few = rolled.solution;
-    Some(Lack {
+/// What a fine grid added to a coarse one; `None` where that has no error bars.
+fn correction(
+    fine: &SolvedContact,
+    at: [f64; 2],
+    rolled: &Rolled<'_>,
+    elements: usize,
+) -> Option<Correction> {
+    let SolvedContact { solution, scaling, dissipation, .. } = fine;
+    let coarse = rolled.solution;
+    Some(Correction {
         at,
         elements,
-        few,
-        more: difference(solution.force, few.force),
-        more_power: (*dissipation)? / (scaling.force * scaling.slip) - rolled.power?,
+        coarse,
+        force: difference(solution.force, coarse.force),
+        power: (*dissipation)? / (scaling.force * scaling.slip) - rolled.power?,
         error: solution.error?,
-        tractions: Arc::clone(own.tractions()?),
+        tractions: Arc::clone(fine.tractions()?),
     })
 }
 
-/// Whether a followed contact has as many elements as there were, and friction is known well enough.
-fn is_sure(own: &SolvedContact) -> bool {
-    let is_followed = |lack: &Arc<Lack>| {
-        own.elements().len() == lack.elements && lack.is_sure(&own.solution, 1.0)
+/// Whether a contact that was followed has as many elements as there were, and its correction holds.
+fn holds(own: &SolvedContact) -> bool {
+    let holds = |correction: &Arc<Correction>| {
+        own.elements().len() == correction.elements && correction.holds(&own.solution, 1.0)
     };
-    own.status == Status::Solved && own.lack.as_ref().is_some_and(is_followed)
+    own.status == Status::Solved && own.correction.as_ref().is_some_and(holds)
 }
 
 impl SolvedWheelset {

@@ -290,7 +290,7 @@ impl Start {
         let shares = Shares::solved(before);
         let fine = Known::solved(before);
         let contacts = before.wheels().flat_map(SolvedWheel::contacts);
-        let friction = contacts.filter_map(KnownFriction::by_all).collect();
+        let friction = contacts.filter_map(KnownFriction::of_fine_grid).collect();
         let mut guess = Guess { known: fine.clone(), ..Guess::default() };
         for wheel in before.wheels() {
             guess.roll = Some(wheel.position.roll);

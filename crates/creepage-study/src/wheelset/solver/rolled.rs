@@ -14,8 +14,8 @@ use super::pressed::{Pressed, PressedWheel};
 use super::root::Root;
 use crate::case::CaseError;
 use crate::wheelset::case::RigidSlip;
+use crate::wheelset::correction::Correction;
 use crate::wheelset::curving::{Curving, RigidMotion};
-use crate::wheelset::lack::Lack;
 use crate::wheelset::nearby::Pitch;
 use crate::wheelset::solved::SolvedContact;
 use crate::{Travel, WheelsetError};
@@ -118,30 +118,26 @@ pub(super) struct KnownFriction {
     side: Side,
     y_rail: f64,
     tractions: Arc<NearTractions>,
-    /// Where finer elements were followed by these.
-    pub(super) lack: Option<Arc<Lack>>,
+    /// How a coarse grid is corrected.
+    pub(super) correction: Option<Arc<Correction>>,
 }
 
 impl KnownFriction {
-    /// That of a solved contact by all elements, where the theory has tractions.
-    pub(super) fn by_all(contact: &SolvedContact) -> Option<Self> {
-        let tractions = match &contact.lack {
-            Some(lack) => &lack.tractions,
+    /// That of a solved contact by its fine grid, where the theory has tractions.
+    pub(super) fn of_fine_grid(contact: &SolvedContact) -> Option<Self> {
+        let tractions = match &contact.correction {
+            Some(correction) => &correction.tractions,
             None => contact.tractions()?,
         };
         let tractions = Arc::clone(tractions);
-        Some(Self { side: contact.side, y_rail: contact.y_rail, tractions, lack: None })
+        Some(Self { side: contact.side, y_rail: contact.y_rail, tractions, correction: None })
     }
 
-    /// That of a solved contact by few elements, where it was followed.
-    pub(super) fn by_few(contact: &SolvedContact) -> Option<Self> {
-        let (tractions, lack) = (Arc::clone(contact.tractions()?), contact.lack.clone());
-        lack.is_some().then_some(Self {
-            side: contact.side,
-            y_rail: contact.y_rail,
-            tractions,
-            lack,
-        })
+    /// That of a solved contact by its coarse grid, where that was corrected.
+    pub(super) fn of_coarse_grid(contact: &SolvedContact) -> Option<Self> {
+        let correction = Some(Arc::clone(contact.correction.as_ref()?));
+        let tractions = Arc::clone(contact.tractions()?);
+        Some(Self { side: contact.side, y_rail: contact.y_rail, tractions, correction })
     }
 
     /// That of some wheels.
@@ -153,8 +149,8 @@ impl KnownFriction {
     pub(super) fn of_rolled(contact: &Contact<'_>, rolled: &Rolled<'_>) -> Option<Self> {
         let Answer::Exact(solved) = &rolled.solved else { return None };
         let tractions = Arc::new(solved.tractions());
-        let lack = rolled.lack.clone();
-        Some(Self { side: contact.side, y_rail: contact.y_rail, tractions, lack })
+        let correction = rolled.correction.clone();
+        Some(Self { side: contact.side, y_rail: contact.y_rail, tractions, correction })
     }
 
     /// That next to a contact.
@@ -204,8 +200,8 @@ pub(super) struct Rolled<'r> {
     pub(super) force: SiForce,
     /// Frictional power, where the theory has it.
     pub(super) power: Option<f64>,
-    /// What its elements lack of finer ones, with which it was made up.
-    pub(super) lack: Option<Arc<Lack>>,
+    /// How its coarse grid was corrected.
+    pub(super) correction: Option<Arc<Correction>>,
 }
 
 impl<'w, 'a> Rolling<'w, 'a> {
@@ -250,12 +246,12 @@ impl<'w, 'a> Rolling<'w, 'a> {
             self.theory.roll(&motion, before, self.near.as_ref().map(|near| &*near.tractions));
         let (mut solution, mut power) =
             (solved.as_solved().solution(), solved.as_solved().dissipation());
-        let lack = self.near.as_ref().and_then(|near| near.lack.clone());
-        if let Some(lack) = &lack {
-            (solution, power) = lack.made_up(solution, power);
+        let correction = self.near.as_ref().and_then(|near| near.correction.clone());
+        if let Some(correction) = &correction {
+            (solution, power) = correction.corrected(solution, power);
         }
         let force = scaling.si_force(solution.force);
-        Ok(Rolled { motion, creepage, scaling, solved, solution, force, power, lack })
+        Ok(Rolled { motion, creepage, scaling, solved, solution, force, power, correction })
     }
 
     pub(super) fn creepage(&self, motion: &Motion) -> Result<RollingCreepage, WheelsetError> {

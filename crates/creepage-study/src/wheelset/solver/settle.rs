@@ -143,11 +143,9 @@ impl<'w, 'a> Way<'w, 'a> {
         sought: &Sought<'a>,
         round: usize,
     ) -> Result<Option<Vec<PressedWheel<'a>>>, WheelsetError> {
-        if self.is_given {
-            return Ok(Some(sought.coarse.clone()));
-        }
-        // A quick method first tells about what friction carries: no finer pressure is worth its cost before.
-        if self.stages.len() > 1 && self.rolled_by.is_none() && !sought.coarse.is_empty() {
+        // What friction carries about is told by a quick method first: before, no finer pressure is worth its cost.
+        let is_first = self.stages.len() > 1 && self.rolled_by.is_none();
+        if self.is_given || (is_first && !sought.coarse.is_empty()) {
             return Ok(Some(sought.coarse.clone()));
         }
         let follows = self.follows(round);

@@ -107,7 +107,7 @@ impl SolvedContact {
             dissipation: rolled.power.map(|power| heat * power),
             scaling,
             solution,
-            lack: rolled.lack.clone(),
+            correction: rolled.correction.clone(),
             field: Field::of(rolled),
             damage: None,
             friction,
