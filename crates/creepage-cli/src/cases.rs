@@ -1,12 +1,14 @@
 //! Commands on one case file: `solve` and `hertz`.
 
-use creepage::{SiCreepage, Status};
-use creepage_study::{Caution, GapFile, HertzReportJson, hertz_text, solve as solve_case};
+use creepage::normal::{self, NormalContact};
+use creepage::{Creepage, SiCreepage, Status};
+use creepage_study::{
+    AnyCase, AnyCaseFile, Caution, HertzReportJson, PressedReportJson, hertz_text, pressed_text,
+};
 
 use crate::args::{HertzArgs, SolveArgs};
 use crate::failure::Failure;
-use crate::gap;
-use crate::input::{parse_case, read_case, read_text, theories};
+use crate::input::{directory, read_any, read_any_case, theories};
 use crate::outcome::Outcome;
 use crate::output::{print, say, say_written, to_json};
 
@@ -30,16 +32,11 @@ pub(crate) fn solve(args: &SolveArgs) -> Result<Outcome, Failure> {
 
 /// The files first, then the report, so that a wrong `--out` prints nothing.
 fn solve_one(args: &SolveArgs) -> Result<Outcome, Failure> {
-    let text = read_text(&args.case)?;
-    if GapFile::is_one(&text) {
-        return gap::solve(args, &text);
-    }
-    let case = parse_case(&args.case, &text)?
-        .case()
-        .map_err(|source| Failure::Case { path: args.case.clone(), source })?;
+    let case = read_any_case(&args.case)?;
     let theories = theories(args.theory.as_slice(), &case)?;
-    let solved = solve_case(&case, theories.first())
-        .map_err(|source| Failure::Solve { path: args.case.clone(), source })?;
+    let solved = case
+        .solve(theories.first())
+        .map_err(|source| Failure::Gap { path: args.case.clone(), source: Box::new(source) })?;
     if let Some(directory) = &args.out {
         say_written(&solved.write(directory)?);
     }
@@ -47,7 +44,9 @@ fn solve_one(args: &SolveArgs) -> Result<Outcome, Failure> {
     for caution in &solved.cautions {
         say(&format!("caution: {caution}"));
     }
-    Ok(outcome(solved.solution().status))
+    let pressed = |areas: &NormalContact| areas.status() == normal::Status::Converged;
+    let is_pressed = solved.areas().is_none_or(pressed);
+    Ok(if is_pressed { outcome(solved.solution().status) } else { Outcome::Doubtful })
 }
 
 fn outcome(status: Status) -> Outcome {
@@ -56,12 +55,27 @@ fn outcome(status: Status) -> Outcome {
 
 /// `creepage hertz`.
 pub(crate) fn hertz(args: &HertzArgs) -> Result<(), Failure> {
-    let file = read_case(&args.case)?;
     let wrong = |source| Failure::Case { path: args.case.clone(), source };
-    let contact = file.hertz().map_err(wrong)?;
-    let cautions = Caution::units(&contact, file.smallest_radius(), SiCreepage::default());
-    let report = HertzReportJson::new(&contact, &cautions);
-    print(&if args.json { to_json(&report)? } else { hertz_text(&contact, &cautions) })?;
+    let cautions = match read_any(&args.case)? {
+        AnyCaseFile::Ellipse(file) => {
+            let contact = file.hertz().map_err(wrong)?;
+            let cautions = Caution::units(&contact, file.smallest_radius(), SiCreepage::default());
+            let report = HertzReportJson::new(&contact, &cautions);
+            print(&if args.json { to_json(&report)? } else { hertz_text(&contact, &cautions) })?;
+            cautions
+        }
+        AnyCaseFile::Gap(file) => {
+            let wrong = |source| Failure::Gap { path: args.case.clone(), source: Box::new(source) };
+            let case = file.case_at_rest(directory(&args.case)).map_err(wrong)?;
+            let case = AnyCase::Gap(case);
+            let contact = case.contact().map_err(wrong)?;
+            let cautions = case.cautions_of_units(&contact, Creepage::default());
+            let Some(areas) = contact.areas() else { return Ok(()) };
+            let report = PressedReportJson::new(areas, &cautions);
+            print(&if args.json { to_json(&report)? } else { pressed_text(areas, &cautions) })?;
+            cautions
+        }
+    };
     for caution in cautions {
         say(&format!("caution: {caution}"));
     }

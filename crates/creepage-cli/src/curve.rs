@@ -1,41 +1,45 @@
 //! `creepage curve`: creep-force curves of several theories.
 
-use creepage::approximate::linear::Linear;
-use creepage::{Creepage, InvalidValue, Scaling, Theory};
-use creepage_study::{Case, Caution, Component, Curves};
+use creepage::theory::NoOptions;
+use creepage::{Contact, Creepage, InvalidValue, Scaling, TheorySpec};
+use creepage_study::{AnyCase, Caution, Component, Curves};
 
 use crate::args::{CurveArgs, Quantity};
 use crate::failure::Failure;
-use crate::input::{read_case, theories};
+use crate::input::{read_any_case, theories};
 use crate::output::{print, say, say_written};
 
 pub(crate) fn run(args: &CurveArgs) -> Result<(), Failure> {
     let wrong = |source| Failure::Case { path: args.case.clone(), source };
-    let case = read_case(&args.case)?.case().map_err(wrong)?;
-    let creepage = case.creepage().map_err(wrong)?;
+    let case = read_any_case(&args.case)?;
+    let contact = case
+        .contact()
+        .map_err(|source| Failure::Gap { path: args.case.clone(), source: Box::new(source) })?;
+    let creepage = case.creepage(&contact).map_err(wrong)?;
     let theories = theories(&args.theory, &case)?;
-    let (vary, [from, to]) = range(args, &case, creepage)?;
-    let mut curves = Curves::new(&case, vary, spaced(from, to, args.points)).map_err(wrong)?;
-    let si = case.contact.scaling().si_creepage(creepage);
-    for caution in Caution::units(&case.hertz, case.smallest_radius, si) {
+    let (vary, [from, to]) = range(args, &contact, creepage)?;
+    let values = spaced(from, to, args.points);
+    let curves = match &case {
+        AnyCase::Ellipse(case) => Curves::new(case, vary, values),
+        AnyCase::Gap(case) => Curves::on_areas(case, contact.clone(), vary, values),
+    };
+    let mut curves = curves.map_err(wrong)?;
+    for caution in case.cautions_of_units(&contact, creepage) {
         say(&format!("caution: {caution}"));
     }
     for theory in theories {
         let name = theory.facts().name;
         let prepared = theory
-            .prepare(&case.contact)
+            .prepare(&contact)
             .map_err(|source| Failure::Solve { path: args.case.clone(), source: source.into() })?;
         curves.add(name, &*prepared);
-        if let Some(caution) = Caution::dissimilar(&theory, case.contact.kappa_over_mu()) {
-            say(&format!("caution: {caution}"));
-        }
-        for caution in Caution::between_surfaces(&theory, &case.contact).into_iter().flatten() {
+        for caution in Caution::neglected(&theory, &contact) {
             say(&format!("caution: {caution}"));
         }
     }
     for (theory, largest) in curves.largest() {
         let (force, value) =
-            (largest.force.magnitude(), shown(vary, largest.at, &case.contact.scaling()));
+            (largest.force.magnitude(), shown(vary, largest.at, &contact.scaling()));
         say(&format!("{theory}: largest force {force:.5} of mu N at {value}"));
     }
     let Some(directory) = &args.out else {
@@ -48,12 +52,12 @@ pub(crate) fn run(args: &CurveArgs) -> Result<(), Failure> {
 /// What to vary, and its first and last value, dimensionless.
 fn range(
     args: &CurveArgs,
-    case: &Case,
+    contact: &Contact,
     creepage: Creepage,
 ) -> Result<(Component, [f64; 2]), Failure> {
-    let gains = gains(case, creepage)?;
+    let gains = gains(args, contact, creepage)?;
     let vary = args.vary.map_or_else(|| most(gains, creepage), Quantity::component);
-    let unit = args.vary.map_or(1.0, |quantity| quantity.unit(&case.contact.scaling()));
+    let unit = args.vary.map_or(1.0, |quantity| quantity.unit(&contact.scaling()));
     let given = |name, value: Option<f64>| value.map(|value| finite(name, value)).transpose();
     let from = given("from", args.from)?.unwrap_or(0.0) / unit;
     let to = match given("to", args.to)? {
@@ -92,8 +96,11 @@ fn usual_end(gains: [f64; 3], vary: Component, creepage: Creepage) -> f64 {
 }
 
 /// Linear theory's force by each component alone; of the spin the lateral one.
-fn gains(case: &Case, creepage: Creepage) -> Result<[f64; 3], InvalidValue> {
-    let [along, across, _] = Linear::new(&case.contact)?.jacobian(creepage).unwrap_or_default();
+fn gains(args: &CurveArgs, contact: &Contact, creepage: Creepage) -> Result<[f64; 3], Failure> {
+    let linear = TheorySpec::Linear(NoOptions {})
+        .prepare(contact)
+        .map_err(|source| Failure::Solve { path: args.case.clone(), source: source.into() })?;
+    let [along, across, _] = linear.jacobian(creepage).unwrap_or_default();
     Ok([along[0], across[1], across[2]])
 }
 

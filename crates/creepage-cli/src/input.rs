@@ -6,10 +6,27 @@ use std::path::Path;
 
 use creepage::TheorySpec;
 use creepage::table::Table;
-use creepage_study::{Case, CaseFile, GapFile};
+use creepage_study::{AnyCase, AnyCaseFile, CaseFile, GapFile};
 
 use crate::failure::Failure;
 use crate::output::say;
+
+/// A case file of any contact, its form checked.
+pub(crate) fn read_any(path: &Path) -> Result<AnyCaseFile, Failure> {
+    let wrong = |source| Failure::Gap { path: path.into(), source: Box::new(source) };
+    AnyCaseFile::read(&read_text(path)?).map_err(wrong)
+}
+
+/// A case of any contact.
+pub(crate) fn read_any_case(path: &Path) -> Result<AnyCase, Failure> {
+    let wrong = |source| Failure::Gap { path: path.into(), source: Box::new(source) };
+    read_any(path)?.case(directory(path)).map_err(wrong)
+}
+
+/// Where files stand that a case file names.
+pub(crate) fn directory(path: &Path) -> &Path {
+    path.parent().unwrap_or(Path::new(""))
+}
 
 /// A case file of an ellipse, its form checked.
 pub(crate) fn read_case(path: &Path) -> Result<CaseFile, Failure> {
@@ -37,14 +54,14 @@ pub(crate) fn read_text(path: &Path) -> Result<String, Failure> {
 
 /// The theories of these names for a case, its own where there are none; says when the options of
 /// the case file have no effect.
-pub(crate) fn theories(names: &[String], case: &Case) -> Result<Vec<TheorySpec>, Failure> {
+pub(crate) fn theories(names: &[String], case: &AnyCase) -> Result<Vec<TheorySpec>, Failure> {
     if names.is_empty() {
-        return Ok(vec![case.theory.clone()]);
+        return Ok(vec![case.theory().clone()]);
     }
     let theories =
         names.iter().map(|name| case.theory_named(name)).collect::<Result<Vec<_>, _>>()?;
     if case.gives_up_options(&theories) {
-        let own = case.theory.facts().name;
+        let own = case.theory().facts().name;
         say(&format!("note: the options in [solve] are those of {own}, and have no effect"));
     }
     Ok(theories)

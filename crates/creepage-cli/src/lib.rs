@@ -12,7 +12,6 @@ mod completions;
 mod conicity;
 mod curve;
 mod failure;
-mod gap;
 mod init;
 mod input;
 mod outcome;

@@ -1,13 +1,11 @@
 //! `creepage stresses`: stresses inside a body.
 
 use creepage::Status;
-use creepage_study::{
-    Sources, StressFileError, StressPoint, Stresses, read_points, solve, stress_csv,
-};
+use creepage_study::{Sources, StressFileError, StressPoint, Stresses, read_points, stress_csv};
 
 use crate::args::{BodyName, StressesArgs};
 use crate::failure::Failure;
-use crate::input::{read_case, read_text, theories};
+use crate::input::{read_any_case, read_text, theories};
 use crate::outcome::Outcome;
 use crate::output::{print, say, say_written, to_json};
 
@@ -53,12 +51,12 @@ fn points(args: &StressesArgs) -> Result<Option<Vec<[f64; 3]>>, Failure> {
 }
 
 fn prepare(args: &StressesArgs) -> Result<Stresses, Failure> {
-    let wrong = |source| Failure::Case { path: args.case.clone(), source };
-    let file = read_case(&args.case)?;
-    let (case, [upper, lower]) = (file.case().map_err(wrong)?, file.solids().map_err(wrong)?);
+    let case = read_any_case(&args.case)?;
+    let [upper, lower] = case.solids();
     let theories = theories(args.theory.as_slice(), &case)?;
-    let solved = solve(&case, theories.first())
-        .map_err(|source| Failure::Solve { path: args.case.clone(), source })?;
+    let solved = case
+        .solve(theories.first())
+        .map_err(|source| Failure::Gap { path: args.case.clone(), source: Box::new(source) })?;
     let (solid, body) = match args.body {
         BodyName::Lower => (lower, creepage::below::Body::Lower),
         BodyName::Upper => (upper, creepage::below::Body::Upper),

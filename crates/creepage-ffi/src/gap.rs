@@ -3,7 +3,7 @@
 use std::ffi::c_char;
 
 use creepage::{SiCreepage, SiForce, Status};
-use creepage_study::{GapCase, GapFile, GapSolver, SolvedGap};
+use creepage_study::{GapCase, GapFile, GapSolver, SolvedCase};
 
 use crate::failure::{Failure, guard};
 use crate::input::{array_mut, file, optional, optional_array, text};
@@ -97,10 +97,9 @@ fn asked(path: &str, points: Option<&[f64]>, creepage: Option<&[f64]>) -> Result
     Ok(case)
 }
 
-fn numbers(solved: &SolvedGap) -> [f64; 8] {
-    let contact = &solved.contact;
+fn numbers(solved: &SolvedCase) -> [f64; 8] {
     let [load, approach, area, peak] =
-        [contact.load(), contact.approach(), contact.area(), contact.peak_pressure()];
+        [solved.load(), solved.approach(), solved.area(), solved.peak_pressure()];
     [
         load.value,
         approach.value,
@@ -117,7 +116,7 @@ fn three(force: SiForce) -> [f64; 3] {
     [force.longitudinal, force.lateral, force.moment]
 }
 
-fn status_of(solved: &SolvedGap) -> i32 {
+fn status_of(solved: &SolvedCase) -> i32 {
     match solved.solution().status {
         Status::NotConverged => CREEPAGE_NOT_CONVERGED,
         Status::Solved if solved.cautions.is_empty() => CREEPAGE_SOLVED,

@@ -133,14 +133,12 @@ pub unsafe extern "C" fn creepage_case_field(
         // SAFETY: as before.
         let mut regions = unsafe { optional::<_, 1>(regions, count) }?;
         let solved = case.solve()?;
-        let (scaling, hertz) = (solved.scaling(), solved.case.hertz);
-        let ellipse = hertz.ellipse();
+        let scaling = solved.scaling();
         for (k, place) in positions.as_chunks::<2>().0.iter().enumerate() {
-            let found = solved.field(&[place.map(|x| x / scaling.length)]);
+            let position = place.map(|x| x / scaling.length);
+            let found = solved.field(&[position]);
             let Some(point) = found.first() else { continue };
-            let [x, y] = [place[0] / ellipse.a(), place[1] / ellipse.b()];
-            let height = (1.0 - x * x - y * y).max(0.0).sqrt();
-            put(&mut pressures, k, [hertz.peak_pressure() * height]);
+            put(&mut pressures, k, [solved.pressure(position)]);
             put(&mut tractions, k, point.traction.map(|part| part * scaling.traction));
             put(&mut slips, k, point.slip.map(|part| part * scaling.slip));
             put(&mut regions, k, [region(point.region)]);

@@ -278,7 +278,7 @@ impl SolvedCase {
 
     /// The field at the middles of points x points cells of the box around the ellipse: a Field.
     fn field<'py>(&self, py: Python<'py>, points: usize) -> PyResult<Bound<'py, PyAny>> {
-        let ellipse = self.solved.case.contact.ellipse();
+        let ellipse = self.solved.contact.ellipse();
         let (shape, positions) = mesh::cells(py, ellipse, points)?;
         results::field(py, &shape, ellipse, &py.detach(|| self.solved.field(&positions)))
     }
@@ -286,6 +286,6 @@ impl SolvedCase {
     /// The field at the theory's own points, or at those of a usual mesh: a Field.
     fn points<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         let points = py.detach(|| self.solved.points());
-        results::field(py, &[points.len()], self.solved.case.contact.ellipse(), &points)
+        results::field(py, &[points.len()], self.solved.contact.ellipse(), &points)
     }
 }

@@ -208,7 +208,7 @@ pub(crate) fn gap(py: Python, error: GapCaseError) -> PyErr {
         GapCaseError::Inverse(error) => return inverse(py, error),
         GapCaseError::Foreign { section, .. } => section,
         GapCaseError::Normal { .. } => "contact",
-        GapCaseError::Theory { .. } | GapCaseError::Option { .. } => "solve",
+        GapCaseError::Theory(_) => "solve",
         _ => "gap",
     };
     exception(py, "CaseError", (message, Some(section)))

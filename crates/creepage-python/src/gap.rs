@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use creepage_study::{GapCase, GapCaseError, GapFile, GapSolver, SolvedGap};
+use creepage_study::{GapCase, GapCaseError, GapFile, GapSolver, SolvedCase};
 use pyo3::prelude::*;
 use rayon::prelude::*;
 
@@ -19,7 +19,7 @@ pub struct GapData {
 #[pyclass(frozen, module = "creepage._creepage")]
 #[allow(missing_debug_implementations)] // Python has its own
 pub struct SolvedGapData {
-    solved: SolvedGap,
+    solved: SolvedCase,
 }
 
 #[pymethods]
@@ -63,7 +63,7 @@ fn solve(
     solver: &GapSolver,
     case: GapCase,
     theory: Option<&str>,
-) -> Result<SolvedGap, GapCaseError> {
+) -> Result<SolvedCase, GapCaseError> {
     let case = match theory {
         Some(name) => case.by_theory(name)?,
         None => case,

@@ -1,12 +1,15 @@
-//! What is to be held against a solution.
+//! Warnings about a solution: what it neglects, where it may be wrong, what looks like another unit.
 
 use std::fmt;
 
+use creepage::gap::Gap;
+use creepage::normal::{self, NormalContact, Patch};
 use creepage::theory::ExactOptions;
 use creepage::{Contact, Hertz, SiCreepage, Solution, Status, TheorySpec};
 use creepage_plot::format::{quantity, significant};
+use creepage_rail::Role;
 
-/// What is to be held against a solution; in words by [`Display`](fmt::Display). Text, JSON,
+/// A warning about a solution; in words by [`Display`](fmt::Display). Text, JSON,
 /// `batch`, Python and C all show it.
 ///
 /// ```
@@ -69,6 +72,34 @@ pub enum Caution {
         /// The combined shear modulus (Pa).
         shear_modulus: f64,
     },
+    /// Areas of any shape between unlike bodies: the slip that the pressure causes is left out.
+    LikeBodies {
+        /// How unlike the bodies are.
+        kappa_over_mu: f64,
+    },
+    /// The equations of the pressure were solved only up to a residual.
+    Pressure {
+        /// Largest distance of a pressed point from touching, over the greatest depth.
+        residual: f64,
+    },
+    /// Few points of the given gap lie in a contact area.
+    CoarseGap {
+        /// The fewest points across an area.
+        points: usize,
+        /// `x` or `y`.
+        along: &'static str,
+    },
+    /// A measured profile has short waves where it touches.
+    Rough {
+        /// The wheel or the rail.
+        body: Role,
+        /// Mean length of the waves (m).
+        length: f64,
+        /// How far the profile turns from one side of a wave to the other (rad).
+        swing: f64,
+        /// Pressure on their crests that presses them flat (Pa).
+        pressure: f64,
+    },
     /// A creepage that a wheel does not have: it may be in per cent or in degrees.
     LargeCreepage {
         /// `longitudinal` or `lateral`.
@@ -88,11 +119,17 @@ impl Caution {
     /// random cases (0.004 to 0.5) the caution is right in 81, needless in 4, missing in 9.
     const MOVED_BY_COUPLING: f64 = 0.15;
 
-    /// All that is to be held against a solution of `theory` for `contact`.
+    /// With fewer points of a given gap across an area, that depends on how one interpolates.
+    const POINTS: usize = 10;
+
+    /// All warnings about a solution of `theory` for `contact`.
     #[must_use]
     pub fn all(theory: &TheorySpec, contact: &Contact, solution: &Solution) -> Vec<Self> {
         let status = (solution.status != Status::Solved).then_some(Self::Status(solution.status));
-        let dissimilar = Self::dissimilar(theory, contact.kappa_over_mu());
+        let dissimilar = match contact.areas() {
+            Some(_) => Self::like_bodies(contact.kappa_over_mu()),
+            None => Self::dissimilar(theory, contact.kappa_over_mu()),
+        };
         let one_way = Self::one_way(theory, contact, solution);
         let accuracy =
             theory.prescribed_accuracy().zip(solution.error).map(|(prescribed, error)| {
@@ -102,7 +139,53 @@ impl Caution {
             matches!(caution, Self::Accuracy { prescribed, reached } if reached > prescribed)
         });
         let [friction, layer] = Self::between_surfaces(theory, contact);
-        [status, dissimilar, one_way, friction, layer, accuracy].into_iter().flatten().collect()
+        let all = [status, dissimilar, one_way, friction, layer, accuracy].into_iter().flatten();
+        all.chain(contact.areas().into_iter().flat_map(|areas| Self::of_areas(areas))).collect()
+    }
+
+    /// What an unlike pair loses on areas of any shape.
+    pub(crate) fn like_bodies(kappa_over_mu: f64) -> Option<Self> {
+        let matters = kappa_over_mu.abs() >= Self::DISSIMILAR;
+        matters.then_some(Self::LikeBodies { kappa_over_mu })
+    }
+
+    /// Warnings about areas of any shape and their pressure, whatever rolls on them.
+    pub(crate) fn of_areas(areas: &NormalContact) -> impl Iterator<Item = Self> {
+        let peak = areas.peak_pressure().value;
+        let pressure = match areas.status() {
+            normal::Status::Converged => None,
+            normal::Status::NotConverged { residual } => Some(Self::Pressure { residual }),
+        };
+        let coarse = ["x", "y"].into_iter().zip(areas.gap_points()).filter_map(|(along, n)| {
+            n.filter(|n| *n < Self::POINTS).map(|points| Self::CoarseGap { points, along })
+        });
+        let high = Self::high_pressure(peak, areas.pair().shear_modulus());
+        high.into_iter().chain(pressure).chain(coarse)
+    }
+
+    /// Whether it says what another does: the numbers of a rough profile matter once.
+    pub(crate) fn says(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Rough { body, .. }, Self::Rough { body: of, .. }) => body == of,
+            _ => self == other,
+        }
+    }
+
+    /// Contact areas that are large beside the radius of the gap in them.
+    pub(crate) fn large_areas(gap: &Gap, areas: &NormalContact) -> Option<Self> {
+        let mut widths = areas.patches().iter().flat_map(|patch| half_widths(gap, patch));
+        widths.find_map(|(width, radius)| Self::large_contact(width, radius))
+    }
+
+    /// All that a theory neglects in a contact, whatever it creeps.
+    #[must_use]
+    pub fn neglected(theory: &TheorySpec, contact: &Contact) -> Vec<Self> {
+        let dissimilar = match contact.areas() {
+            Some(_) => Self::like_bodies(contact.kappa_over_mu()),
+            None => Self::dissimilar(theory, contact.kappa_over_mu()),
+        };
+        let between = Self::between_surfaces(theory, contact).into_iter().flatten();
+        dissimilar.into_iter().chain(between).collect()
     }
 
     /// What a theory neglects between the surfaces: a law of friction, a layer.
@@ -113,7 +196,8 @@ impl Caution {
         let varies = contact.rolling_friction().is_some_and(|friction| friction.varies());
         let friction = varies.then_some(Self::ConstantFriction { theory });
         let layer = contact.layer().map(|_| Self::NoLayer { theory });
-        [friction, layer].map(|caution| caution.filter(|_| !facts.friction_laws))
+        let follows = facts.friction_laws && (contact.areas().is_none() || theory == "exact");
+        [friction, layer].map(|caution| caution.filter(|_| !follows))
     }
 
     /// What a theory neglects between bodies that are so dissimilar, if that matters.
@@ -200,10 +284,47 @@ impl Caution {
     /// estimate.
     fn one_way(theory: &TheorySpec, contact: &Contact, solution: &Solution) -> Option<Self> {
         let TheorySpec::Exact(ExactOptions { coupled: false, .. }) = theory else { return None };
+        if contact.areas().is_some() {
+            return None;
+        }
         let (friction, error) = (contact.friction()?, solution.error?);
         let q = contact.kappa_over_mu() * friction * friction / (1.0 - contact.poisson());
         let moved = Self::MOVED_BY_COUPLING * q.abs();
         (moved > error.fx.max(error.fy)).then_some(Self::OneWay { moved })
+    }
+
+    /// Those of areas of any shape in words.
+    fn write_of_areas(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::LikeBodies { kappa_over_mu } => write!(
+                f,
+                "on areas of any shape the bodies are taken for like ones (kappa/mu = \
+                 {kappa_over_mu:.3}): the slip by the pressure is left out, and for that the force \
+                 may be off by some {:.0} % of mu N",
+                100.0 * kappa_over_mu.abs().min(1.0)
+            ),
+            Self::Pressure { residual } => write!(
+                f,
+                "the pressure did not converge: pressed points are up to {residual:.1e} of the \
+                 depth from touching"
+            ),
+            Self::CoarseGap { points, along } => write!(
+                f,
+                "[gap] has only {points} points along {along} across a contact area: with fewer \
+                 than {} the area depends on the interpolation",
+                Self::POINTS
+            ),
+            Self::Rough { body, length, swing, pressure } => write!(
+                f,
+                "the {body}'s profile is rough: in the contact it turns to and fro by {} mrad in waves \
+                 of {} mm, which only {} would press flat, and its crests carry the load; unless it \
+                 is so, smooth it ([{body}] reading = {{ smooth = ... }}, 5 to 10 times that length)",
+                significant(1e3 * swing, 2),
+                significant(1e3 * length, 2),
+                quantity(pressure, "Pa", 2)
+            ),
+            _ => Ok(()),
+        }
     }
 
     /// Those of [`Caution::units`] in words.
@@ -240,9 +361,28 @@ impl Caution {
     }
 }
 
+/// Along and across, half the width of an area and the radius of the gap in it: that of the parabola
+/// through the middle and both ends.
+fn half_widths(gap: &Gap, patch: &Patch) -> [(f64, f64); 2] {
+    let extent = patch.extent();
+    let [x, y] = [extent.x, extent.y].map(|[low, high]| f64::midpoint(low, high));
+    let middle = gap.at(x, y);
+    let [along, across] =
+        [extent.x.map(|end| gap.at(end, y) - middle), extent.y.map(|end| gap.at(x, end) - middle)];
+    [(extent.size()[0], along), (extent.size()[1], across)].map(|(size, [one, other])| {
+        let half = 0.5 * size;
+        // A gap that is hollow there has none.
+        (half, half * half / (one + other).max(0.0))
+    })
+}
+
 impl fmt::Display for Caution {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
+            Self::LikeBodies { .. }
+            | Self::Pressure { .. }
+            | Self::CoarseGap { .. }
+            | Self::Rough { .. } => self.write_of_areas(f),
             Self::Status(Status::NotConverged) => {
                 f.write_str("did not converge: the force is that of the last iterate")
             }

@@ -2,6 +2,7 @@
 
 use creepage::Hertz;
 use creepage::Status;
+use creepage::normal::NormalContact;
 use creepage_plot::format::{Scale, fixed, quantity, significant};
 use creepage_plot::theme::RED;
 use creepage_plot::{
@@ -9,6 +10,7 @@ use creepage_plot::{
 };
 
 use crate::SolvedCase;
+use crate::gap::OnAreas;
 use crate::text::status_words;
 
 /// Tractions below this share of their bound are rounding errors, and not drawn.
@@ -20,16 +22,21 @@ impl SolvedCase {
     /// The contact seen from above, as SVG.
     #[must_use]
     pub fn contact_svg(&self) -> String {
+        if let Some(on_areas) = OnAreas::of(self) {
+            return on_areas.contact_svg();
+        }
         self.top_view().svg(&format!("Rolling contact, theory {}", self.theory.name))
     }
 
     fn top_view(&self) -> TopView {
-        let ellipse = self.case.hertz.ellipse();
+        let ellipse = self.case.hertz().map_or(self.contact.ellipse(), Hertz::ellipse);
         let title = "Adhesion, slip and traction in rolling contact";
         let mut view = TopView::new(title, [ellipse.a(), ellipse.b()])
             .aside(&format!("theory: {}", self.theory.name))
-            .note(setting(&self.case.hertz, self.case.friction))
             .rolling();
+        if let Some(hertz) = self.case.hertz() {
+            view = view.note(setting(hertz, self.case.friction()));
+        }
         let status = self.solution().status;
         if status != Status::Solved {
             view = view.banner(status_words(status));
@@ -165,6 +172,18 @@ pub(crate) fn setting(contact: &Hertz, friction: f64) -> Label {
     let label = is(label.plain(gap).symbol("b"), &quantity(ellipse.b(), "m", 4));
     let label = label.plain(gap).plain("peak pressure ");
     label.number(&quantity(contact.peak_pressure(), "Pa", 4))
+}
+
+/// Load, friction, area and pressure of areas of any shape, below a title.
+pub(crate) fn setting_of_areas(areas: &NormalContact, friction: f64) -> Label {
+    let gap = "\u{2003}";
+    let is = |label: Label, value: &str| label.plain(" = ").number(value);
+    let label = is(Label::default().symbol("N"), &quantity(areas.load().value, "N", 4));
+    let label = is(label.plain(gap).symbol("μ"), &significant(friction, 4));
+    let square = format!("{} mm²", significant(1e6 * areas.area().value, 4));
+    let label = label.plain(gap).plain("area ").number(&square);
+    let label = label.plain(gap).plain("peak pressure ");
+    label.number(&quantity(areas.peak_pressure().value, "Pa", 4))
 }
 
 #[cfg(test)]

@@ -1,13 +1,10 @@
 //! The picture of creep-force curves: a panel for each component of the force.
 
-use std::f64::consts::PI;
-
 use creepage::{Force, Status};
 use creepage_plot::format::{Scale, fixed, floor_log10, significant};
 use creepage_plot::theme::DARK;
 use creepage_plot::{Axis, Fill, Label, Mark, Panel, Pen, Point, Shape, Sheet};
 
-use crate::contact_picture::setting;
 use crate::curve_words::raised;
 use crate::curves::{Component, Curve, Curves};
 
@@ -38,7 +35,7 @@ struct Shown {
     of: fn(Force) -> f64,
 }
 
-impl Curves<'_> {
+impl Curves {
     /// The curves as SVG: a panel for each component of the force that is not negligible.
     #[must_use]
     pub fn svg(&self) -> String {
@@ -46,7 +43,7 @@ impl Curves<'_> {
         let height = [420.0, 300.0, 230.0][shown.len().clamp(1, 3) - 1];
         let mut sheet = Sheet::new("Creep-force curves")
             .width(1000.0)
-            .note(setting(&self.case.hertz, self.case.friction))
+            .note(self.note.clone())
             .note(self.held());
         for (k, one) in shown.iter().enumerate() {
             let panel = self.panel(one, k + 1 == shown.len()).height(height);
@@ -157,16 +154,21 @@ impl Curves<'_> {
     /// SI unit of a component over its dimensionless unit.
     fn unit(&self, component: Component) -> f64 {
         match component {
-            Component::Longitudinal | Component::Lateral => self.case.contact.scaling().slip,
-            Component::Spin => {
-                self.case.contact.scaling().slip / self.case.contact.scaling().length
-            }
+            Component::Longitudinal | Component::Lateral => self.contact.scaling().slip,
+            Component::Spin => self.contact.scaling().slip / self.contact.scaling().length,
         }
     }
 
     /// The varied component without dimension.
     fn x_label(&self) -> Label {
         let label = Label::default().symbol(self.vary.symbol()).plain(" = ");
+        if self.contact.areas().is_some() {
+            let label = match self.vary {
+                Component::Spin => self.vary.si_symbol(label).symbol("c"),
+                _ => self.vary.si_symbol(label),
+            };
+            return label.plain(" 2").symbol("G").plain("/(").symbol("μp₀").plain(")");
+        }
         let label = self.vary.si_symbol(label).symbol("ρ").plain("/");
         match self.vary {
             Component::Spin => label.symbol("μ"),
@@ -195,10 +197,8 @@ impl Curves<'_> {
 
     /// The components to be shown, at least one.
     fn shown(&self) -> Vec<Shown> {
-        let force = self.case.contact.scaling().force;
-        let ellipse = self.case.hertz.ellipse();
-        // No traction has a larger moment than that of pure spin, which this bounds.
-        let moment = 3.0 * PI / 16.0 * ellipse.major() / ellipse.c();
+        let force = self.contact.scaling().force;
+        let moment = self.largest_moment;
         let along = Shown {
             words: "longitudinal force ",
             symbols: ["f", "F"],
@@ -213,7 +213,7 @@ impl Curves<'_> {
             words: "spin moment ",
             symbols: ["m", "M"],
             index: "z",
-            unit: ("μNc", force * self.case.contact.scaling().length, "N m"),
+            unit: ("μNc", force * self.contact.scaling().length, "N m"),
             limit: moment,
             of: |force: Force| force.mz,
         };

@@ -1,14 +1,17 @@
 //! Creep-force curves: several theories over a range of one component of the creepage.
 
+use std::f64::consts::PI;
 use std::path::{Path, PathBuf};
 
 use creepage::friction_law::RollingFriction;
-use creepage::{Creepage, Force, InvalidValue, Solution, Theory, TheorySpec};
+use creepage::{Contact, Creepage, Force, InvalidValue, Solution, Theory, TheorySpec};
+use creepage_plot::Label;
 
+use crate::contact_picture::{setting, setting_of_areas};
 use crate::error::ReportError;
 use crate::file_set::write_all;
 use crate::sources::Sources;
-use crate::{Case, CaseError};
+use crate::{Case, CaseError, GapCase};
 
 /// A component of creepage and spin.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -90,8 +93,12 @@ pub struct LargestForce {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug)]
-pub struct Curves<'a> {
-    pub(crate) case: &'a Case,
+pub struct Curves {
+    pub(crate) contact: Contact,
+    /// Load, friction and pressure, below the title.
+    pub(crate) note: Label,
+    /// What no moment of tractions exceeds, in units of `mu N c`.
+    pub(crate) largest_moment: f64,
     /// That of the case: its varied component is marked, the others hold on all curves.
     pub(crate) creepage: Creepage,
     pub(crate) vary: Component,
@@ -118,19 +125,54 @@ const HEADER: [&str; 14] = [
     "moment_n_m",
 ];
 
-impl<'a> Curves<'a> {
+impl Curves {
     /// The question: creepage as in `case` but for the component `vary`, which takes the
     /// dimensionless `values`, in ascending order.
     ///
     /// # Errors
     /// [`CaseError`] unless the case has a creepage, and every value makes one.
-    pub fn new(case: &'a Case, vary: Component, mut values: Vec<f64>) -> Result<Self, CaseError> {
-        let creepage = case.creepage()?;
+    pub fn new(case: &Case, vary: Component, values: Vec<f64>) -> Result<Self, CaseError> {
+        let ellipse = case.hertz.ellipse();
+        // No traction has a larger moment than that of pure spin, which this bounds.
+        let largest_moment = 3.0 * PI / 16.0 * ellipse.major() / ellipse.c();
+        let note = setting(&case.hertz, case.friction);
+        let (contact, creepage) = (case.contact.clone(), case.creepage()?);
+        Self { largest_moment, ..Self::of(contact, note, creepage, vary) }.over(values)
+    }
+
+    /// The same on areas of any shape, pressed as `contact`.
+    ///
+    /// # Errors
+    /// As [`Curves::new`].
+    pub fn on_areas(
+        case: &GapCase,
+        contact: Contact,
+        vary: Component,
+        values: Vec<f64>,
+    ) -> Result<Self, CaseError> {
+        if !case.given.is_creepage() {
+            return Err(CaseError::Wanted);
+        }
+        let creepage = case.given.creepage(contact.scaling())?;
+        let note = contact
+            .areas()
+            .map_or_else(Label::default, |areas| setting_of_areas(areas, case.friction));
+        Self::of(contact, note, creepage, vary).over(values)
+    }
+
+    fn of(contact: Contact, note: Label, creepage: Creepage, vary: Component) -> Self {
+        let (values, creepages, lines) = (Vec::new(), Vec::new(), Vec::new());
+        let largest_moment = f64::INFINITY;
+        Self { contact, note, largest_moment, creepage, vary, values, creepages, lines }
+    }
+
+    fn over(self, mut values: Vec<f64>) -> Result<Self, CaseError> {
+        let (vary, creepage) = (self.vary, self.creepage);
         values.sort_unstable_by(f64::total_cmp);
         let creepages = values.iter().map(|value| vary.replaced(creepage, *value));
         let creepages =
             creepages.collect::<Result<_, _>>().map_err(CaseError::invalid("creepage"))?;
-        Ok(Self { case, creepage, vary, values, creepages, lines: Vec::new() })
+        Ok(Self { values, creepages, ..self })
     }
 
     /// Adds the answers of a theory, prepared for the contact of the case.
@@ -151,7 +193,7 @@ impl<'a> Curves<'a> {
     fn largest_of(&self, theory: &dyn Theory, solutions: &[Solution]) -> Option<LargestForce> {
         const SECTIONS: u8 = 30;
         const GOLDEN: f64 = 0.618_033_988_749_895;
-        self.case.contact.rolling_friction().filter(RollingFriction::falls)?;
+        self.contact.rolling_friction().filter(RollingFriction::falls)?;
         let size = |k: &usize| solutions[*k].force.magnitude();
         let top = (0..solutions.len()).max_by(|one, two| size(one).total_cmp(&size(two)))?;
         let (mut low, mut high) =
@@ -204,7 +246,7 @@ impl<'a> Curves<'a> {
 
     /// In the shortest form that reads back as the same number.
     fn numbers(&self, creepage: Creepage, force: Force) -> [String; 12] {
-        let scaling = self.case.contact.scaling();
+        let scaling = self.contact.scaling();
         let (si, si_force) = (scaling.si_creepage(creepage), scaling.si_force(force));
         let ([xi, eta, chi], [fx, fy, mz]) = (creepage.components(), force.components());
         [
@@ -245,7 +287,7 @@ mod tests {
     use super::*;
     use crate::testing::{CURVE, case, creepage};
 
-    fn curves(case: &Case) -> Curves<'_> {
+    fn curves(case: &Case) -> Curves {
         let values = vec![1.0, -2.0, 0.5];
         let mut curves = Curves::new(case, Component::Lateral, values).unwrap();
         curves.add("one, two", &Saturated::new(&case.contact).unwrap());

@@ -4,11 +4,24 @@ use std::collections::BTreeMap;
 
 use creepage::coulomb::Constraints;
 use creepage::friction_law::RollingFriction;
-use creepage::{Creepage, Force, SiCreepage, SiForce};
+use creepage::{Creepage, Force, Hertz, SiCreepage, SiForce};
 use serde::Serialize;
 
 use crate::contact_json::{HertzJson, hertz_json};
-use crate::{Caution, Damage, SolvedCase};
+use crate::gap::OnAreas;
+use crate::{Caution, Damage, GapReportJson, SolvedCase};
+
+/// `report.json` of any contact.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(untagged)]
+pub enum AnyReportJson {
+    /// Of Hertz's ellipse.
+    Ellipse(Box<ReportJson>),
+    /// Of areas of any shape.
+    Areas(Box<GapReportJson>),
+    /// Of nothing that touches.
+    None,
+}
 
 /// `report.json`.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -151,7 +164,15 @@ pub struct DetailJson {
 impl SolvedCase {
     /// Everything but the points, ready for `serde_json`.
     #[must_use]
-    pub fn json(&self) -> ReportJson {
+    pub fn json(&self) -> AnyReportJson {
+        match (OnAreas::of(self), self.case.hertz()) {
+            (Some(on_areas), _) => AnyReportJson::Areas(Box::new(on_areas.json())),
+            (None, Some(hertz)) => AnyReportJson::Ellipse(Box::new(self.json_on(hertz))),
+            (None, None) => AnyReportJson::None,
+        }
+    }
+
+    fn json_on(&self, hertz: &Hertz) -> ReportJson {
         let (solution, scaling) = (self.solution(), self.scaling());
         let force = scaling.si_force(solution.force);
         let caution = (!self.cautions.is_empty()).then(|| Caution::words(&self.cautions));
@@ -160,8 +181,8 @@ impl SolvedCase {
             theory: self.theory.name.into(),
             status: solution.status.name(),
             caution,
-            contact: hertz_json(&self.case.hertz),
-            friction: self.case.friction,
+            contact: hertz_json(hertz),
+            friction: self.case.friction(),
             creepage: CreepageJson::new(self.creepage(), scaling.si_creepage(self.creepage())),
             lower_body: force.into(),
             upper_body: (-force).into(),
@@ -170,9 +191,9 @@ impl SolvedCase {
             known: self.known(),
             frictional_power_per_metre_j_per_m: self.power_per_metre(),
             frictional_power_per_metre_by_slip_j_per_m: self.dissipation_per_metre(),
-            rolling_velocity_m_per_s: self.case.speed,
+            rolling_velocity_m_per_s: self.case.speed(),
             frictional_power_w: self.power(),
-            friction_law: self.case.contact.rolling_friction().map(Into::into),
+            friction_law: self.contact.rolling_friction().map(Into::into),
             // Tractions of a solved case are finite.
             damage: self.damage().ok().flatten().cloned(),
             details: self

@@ -11,7 +11,7 @@
 //! | solved | [`solve`] gives a [`SolvedCase`]; [`StaticsCase`], [`SweepRun`], [`Curves`], [`Stresses`] |
 //! | many | [`BulkCase`]: one case with [`Varied`] quantities in rows; [`Solver`]: many [`Question`]s |
 //! | reported | [`SolvedCase::text`], [`SolvedCase::json`], [`SolvedCase::write`]; [`Caution`] |
-//! | any shape | [`GapFile`], [`GapCase`], [`solve_gap`], [`SolvedGap`]: the same from `[gap]` |
+//! | any shape | [`GapFile`] gives a [`GapCase`], [`solve_gap`] a [`SolvedCase`] like any other |
 //! | measured | [`measure`]: how far a theory is from the full one over [`steady_rolling`] or a [`grid()`]; [`SquareGrid`] |
 //! | written | [`WholeFile`] and [`write_all`]: files that appear when they are whole |
 //!
@@ -45,6 +45,7 @@
 mod abandoned;
 mod accuracy;
 mod adhesion;
+mod any_case;
 mod bulk;
 mod case;
 mod caution;
@@ -82,6 +83,7 @@ mod write;
 pub use accuracy::{
     Accuracy, ReferenceCase, ReferenceError, Spread, SquareGrid, grid, measure, steady_rolling,
 };
+pub use any_case::{AnyCase, AnyCaseFile};
 pub use bulk::{BulkAnswer, BulkCase, BulkRow, Question, Reply, RowError, Solver, Varied};
 pub use case::{
     Case, CaseError, CaseFile, Given, SecondStart, SpecError, StaticsCase, StaticsError,
@@ -95,9 +97,9 @@ pub use damage::{Damage, DamageWanted, WearRow};
 pub use error::ReportError;
 pub use file_set::write_all;
 pub use gap::{
-    ExtentJson, GapCase, GapCaseError, GapCaution, GapContactJson, GapCreepageJson, GapFile,
-    GapFileError, GapForceJson, GapReportJson, GapRows, GapSolver, GapTheory, GapValue, GapVaried,
-    PatchJson, Pressed, SiGiven, SolvedGap, gap_json_schema, solve_gap,
+    ExtentJson, GapCase, GapCaseError, GapContactJson, GapCreepageJson, GapFile, GapFileError,
+    GapForceJson, GapReportJson, GapRows, GapSolver, GapTheory, GapValue, GapVaried, PatchJson,
+    Pressed, PressedReportJson, SiGiven, gap_json_schema, pressed_text, solve_gap,
 };
 pub use history::{
     HISTORY_COLUMNS, History, HistoryError, HistoryMotion, HistoryRow, HistoryRun, HistoryWriter,
@@ -105,7 +107,8 @@ pub use history::{
     roll_json_schema, to_png,
 };
 pub use json::{
-    AreasJson, CreepageJson, DetailJson, DimensionlessJson, ForceJson, FrictionLawJson, ReportJson,
+    AnyReportJson, AreasJson, CreepageJson, DetailJson, DimensionlessJson, ForceJson,
+    FrictionLawJson, ReportJson,
 };
 pub use series::{SeriesHead, SeriesRow, SweepRun, Tally, series_csv, series_json, series_netcdf};
 pub use solve::{SolveError, SolvedCase, solve};

@@ -1,9 +1,10 @@
 //! `points.csv`: the field at the theory's mesh, in SI units.
 
-use creepage::FieldPoint;
+use creepage::{FieldPoint, Hertz};
 
 use crate::SolvedCase;
 use crate::error::ReportError;
+use crate::gap::OnAreas;
 
 const HEADER: [&str; 11] = [
     "x_m",
@@ -24,11 +25,14 @@ const WATTS: &str = "frictional_power_w_per_m2";
 impl SolvedCase {
     /// The points as CSV; a cell is empty where the number does not exist.
     pub(crate) fn points_csv(&self) -> Result<Vec<u8>, ReportError> {
+        if let Some(on_areas) = OnAreas::of(self) {
+            return on_areas.points_csv();
+        }
         let mut writer = csv::Writer::from_writer(Vec::new());
-        let watts = self.case.speed.map(|_| WATTS);
+        let watts = self.case.speed().map(|_| WATTS);
         writer.write_record(HEADER.into_iter().chain(watts))?;
         for point in &self.points() {
-            let watts = self.case.speed.map(|speed| cell(speed * self.power_density(point)));
+            let watts = self.case.speed().map(|speed| cell(speed * self.power_density(point)));
             writer.write_record(self.row(point).into_iter().chain(watts))?;
         }
         writer.into_inner().map_err(|error| csv::Error::from(error.into_error()).into())
@@ -63,8 +67,9 @@ impl SolvedCase {
     /// The theories' unit of slip, `mu c / rho`, in that of (5.6), `mu f00`: the thesis's
     /// `(1 - sigma) E / (2 sqrt g)`.
     fn slip_unit(&self) -> f64 {
-        let f00 = self.case.hertz.peak_pressure() / self.case.hertz.pair().shear_modulus();
-        self.scaling().slip / (self.case.friction * f00)
+        let f00 = |hertz: &Hertz| hertz.peak_pressure() / hertz.pair().shear_modulus();
+        let f00 = self.case.hertz().map_or(f64::NAN, f00);
+        self.scaling().slip / (self.case.friction() * f00)
     }
 }
 
@@ -121,7 +126,7 @@ mod tests {
     #[test]
     fn the_rows_are_in_si_units() {
         let report = report(2.25, SLIDING, CURVE);
-        let contact = &report.case.hertz;
+        let contact = report.case.hertz().unwrap();
         let csv = String::from_utf8(report.points_csv().unwrap()).unwrap();
         let rows: Vec<Vec<&str>> = csv.lines().map(|line| line.split(',').collect()).collect();
         assert_eq!(rows[0], HEADER);

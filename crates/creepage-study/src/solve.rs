@@ -3,16 +3,18 @@
 use std::fmt;
 use std::sync::OnceLock;
 
-use creepage::coulomb::{Constraints, InverseError};
+use creepage::coulomb::{Constraints, ElementField, InverseError};
+use creepage::normal::{Estimate, NormalContact};
 use creepage::theory::{Diagnostic, TheoryError, TheoryFacts};
 use creepage::{
-    Creepage, Ellipse, FieldPoint, Region, Scaling, Solution, Solved, Theory, TheorySpec,
+    Contact, Creepage, Ellipse, FieldPoint, Force, Hertz, Region, Scaling, SiForce, Solution,
+    Solved, Theory, TheorySpec,
 };
 use creepage_plot::Contour;
 use self_cell::self_cell;
 
 use crate::stresses::StressError;
-use crate::{Case, Caution, Damage, Given, Unreachable};
+use crate::{AnyCase, Case, Caution, Damage, Given, Unreachable, adhesion};
 
 /// Solves a case by its own theory, or by another one.
 ///
@@ -42,7 +44,8 @@ pub fn solve(case: &Case, other: Option<&TheorySpec>) -> Result<SolvedCase, Solv
     let spec = other.unwrap_or(&case.theory);
     let theory = spec.prepare(&case.contact)?;
     let held = Held::try_new(theory, |theory| meet(&**theory, case, spec.facts().name))?;
-    Ok(SolvedCase::new(case, spec.facts(), held, |solution, creepage| {
+    let of = AnyCase::Ellipse(case.clone());
+    Ok(SolvedCase::new(of, &case.contact, spec.facts(), held, |solution, creepage| {
         let mut cautions = Caution::all(spec, &case.contact, solution);
         let creepage = case.contact.scaling().si_creepage(creepage);
         cautions.extend(Caution::units(&case.hertz, case.smallest_radius, creepage));
@@ -60,16 +63,22 @@ fn meet<'t>(
         Given::Constraints(constraints) => theory
             .solved_for(constraints)
             .ok_or(SolveError::FindsNothing { name })?
-            .map_err(|error| in_si_units(error, constraints, case.contact.scaling())),
+            .map_err(|error| {
+                let Constraints { fx, fy, mz, .. } = constraints;
+                let prescribed = [fx, fy, mz].map(|force| force.is_some());
+                in_si_units(error, prescribed, case.contact.scaling())
+            }),
     }
 }
 
 /// The error of a search, with what it names in SI units.
-fn in_si_units(error: InverseError, constraints: Constraints, scaling: Scaling) -> SolveError {
+pub(crate) fn in_si_units(
+    error: InverseError,
+    prescribed: [bool; 3],
+    scaling: Scaling,
+) -> SolveError {
     match error {
         InverseError::NotReachable { nearest, at } => {
-            let Constraints { fx, fy, mz, .. } = constraints;
-            let prescribed = [fx, fy, mz].map(|force| force.is_some());
             Unreachable { prescribed, nearest, at, scaling }.into()
         }
         other => other.into(),
@@ -109,34 +118,122 @@ self_cell! {
     }
 }
 
-/// A case and its solution, ready to be shown. What takes time, as the field in the contact, is
-/// computed when it is asked for.
+/// A case and its solution, ready to be shown, whatever its contact. What takes time, as the field in the
+/// contact, is computed when it is asked for.
 pub struct SolvedCase {
     /// The case.
-    pub case: Case,
+    pub case: AnyCase,
+    /// What touches, with its friction.
+    pub contact: Contact,
     /// The theory that solved it.
     pub theory: &'static TheoryFacts,
-    /// What is to be held against the solution.
+    /// Warnings.
     pub cautions: Vec<Caution>,
     solution: Solution,
     creepage: Creepage,
     held: Held,
     adhesion: OnceLock<Contour>,
+    elements: OnceLock<Vec<ElementField>>,
     pub(crate) damage: OnceLock<Result<Option<Damage>, StressError>>,
 }
 
 impl SolvedCase {
     pub(crate) fn new(
-        case: &Case,
+        case: AnyCase,
+        contact: &Contact,
         theory: &'static TheoryFacts,
         held: Held,
         cautions: impl Fn(&Solution, Creepage) -> Vec<Caution>,
     ) -> Self {
         let solved = held.borrow_dependent();
         let (solution, creepage) = (solved.solution(), solved.creepage());
-        let cautions = cautions(&solution, creepage);
-        let (case, adhesion, damage) = (case.clone(), OnceLock::new(), OnceLock::new());
-        Self { case, theory, cautions, solution, creepage, held, adhesion, damage }
+        Self {
+            case,
+            contact: contact.clone(),
+            theory,
+            cautions: cautions(&solution, creepage),
+            solution,
+            creepage,
+            held,
+            adhesion: OnceLock::new(),
+            elements: OnceLock::new(),
+            damage: OnceLock::new(),
+        }
+    }
+
+    /// The pressed areas of any shape; `None` for Hertz's ellipse.
+    #[must_use]
+    pub fn areas(&self) -> Option<&NormalContact> {
+        self.contact.areas().map(|areas| &**areas)
+    }
+
+    /// The elements of the theory, with the heat of each; none where it has none.
+    #[must_use]
+    pub fn elements(&self) -> &[ElementField] {
+        self.elements.get_or_init(|| self.solved().elements().unwrap_or_default())
+    }
+
+    /// Normal force (N).
+    #[must_use]
+    pub fn load(&self) -> Estimate {
+        self.estimate(Hertz::normal_force, NormalContact::load)
+    }
+
+    /// Approach of the bodies (m); of a gap counted like the gap.
+    #[must_use]
+    pub fn approach(&self) -> Estimate {
+        self.estimate(Hertz::approach, NormalContact::approach)
+    }
+
+    /// Largest pressure (Pa).
+    #[must_use]
+    pub fn peak_pressure(&self) -> Estimate {
+        self.estimate(Hertz::peak_pressure, NormalContact::peak_pressure)
+    }
+
+    /// Area of the contact (m2); what a theory changes about it is in [`SolvedCase::contact_area`].
+    #[must_use]
+    pub fn area(&self) -> Estimate {
+        self.estimate(|hertz| hertz.ellipse().area(), NormalContact::area)
+    }
+
+    /// What Hertz has in closed form, and areas of any shape with an error bar.
+    fn estimate(
+        &self,
+        closed_form: impl Fn(&Hertz) -> f64,
+        pressed: impl Fn(&NormalContact) -> Estimate,
+    ) -> Estimate {
+        let unknown = Estimate { value: f64::NAN, error: f64::NAN };
+        let closed = |hertz| Estimate { value: closed_form(hertz), error: 0.0 };
+        self.areas().map(pressed).or(self.case.hertz().map(closed)).unwrap_or(unknown)
+    }
+
+    /// Contact stiffness `dN/d(approach)` (N/m): by Hertz `3/2 N/delta`.
+    #[must_use]
+    pub fn stiffness(&self) -> f64 {
+        match self.areas() {
+            Some(areas) => areas.stiffness(),
+            None => 1.5 * self.load().value / self.approach().value,
+        }
+    }
+
+    /// Force on the lower body, its moment about the contact's origin.
+    #[must_use]
+    pub fn force(&self) -> SiForce {
+        self.scaling().si_force(self.solution.force)
+    }
+
+    /// Error bars of that force, where the theory has them: those of rolling, and of a load that was found
+    /// its own in proportion.
+    #[must_use]
+    pub fn force_error(&self) -> Option<SiForce> {
+        let (load, force, error) = (self.load(), self.solution.force, self.solution.error?);
+        let part = load.error / load.value;
+        Some(self.scaling().si_force(Force {
+            fx: error.fx + part * force.fx.abs(),
+            fy: error.fy + part * force.fy.abs(),
+            mz: error.mz + part * force.mz.abs(),
+        }))
     }
 
     /// Force, error bars, status.
@@ -154,7 +251,19 @@ impl SolvedCase {
     /// The units of creepage and force.
     #[must_use]
     pub fn scaling(&self) -> Scaling {
-        self.case.contact.scaling()
+        self.contact.scaling()
+    }
+
+    /// Pressure at a position in units of `c` (Pa).
+    #[must_use]
+    pub fn pressure(&self, position: [f64; 2]) -> f64 {
+        match self.areas() {
+            Some(areas) => {
+                let [x, y] = position.map(|at| at * self.scaling().length);
+                areas.pressure(x, y)
+            }
+            None => self.peak_pressure().value * self.bound(position),
+        }
     }
 
     /// Traction and slip at `positions` in units of `c`.
@@ -167,14 +276,14 @@ impl SolvedCase {
     /// cells of the box around the ellipse, those inside it.
     #[must_use]
     pub fn points(&self) -> Vec<FieldPoint> {
-        let usual = || self.field(&usual_mesh(self.case.contact.ellipse()));
+        let usual = || self.field(&usual_mesh(self.contact.ellipse()));
         self.solved().points().unwrap_or_else(usual)
     }
 
     /// How many these are.
     pub(crate) fn point_count(&self) -> usize {
         let own = self.solved().points().map(|points| points.len());
-        own.unwrap_or_else(|| usual_mesh(self.case.contact.ellipse()).len())
+        own.unwrap_or_else(|| usual_mesh(self.contact.ellipse()).len())
     }
 
     /// The theory's own figures.
@@ -183,12 +292,13 @@ impl SolvedCase {
         self.solved().diagnostics()
     }
 
-    /// What was given, where the creepage was to be found.
-    #[must_use]
-    pub fn constraints(&self) -> Option<Constraints> {
-        match self.case.given {
-            Given::Creepage(_) => None,
-            Given::Constraints(constraints) => Some(constraints),
+    /// What was given, where the creepage of an ellipse was to be found.
+    pub(crate) fn constraints(&self) -> Option<Constraints> {
+        match &self.case {
+            AnyCase::Ellipse(Case { given: Given::Constraints(constraints), .. }) => {
+                Some(*constraints)
+            }
+            _ => None,
         }
     }
 
@@ -196,7 +306,10 @@ impl SolvedCase {
     /// thousand points.
     #[must_use]
     pub fn adhesion_share(&self) -> f64 {
-        self.adhesion().share
+        match self.areas() {
+            Some(_) => adhesion::share(self.elements()),
+            None => self.adhesion().share,
+        }
     }
 
     /// The edge of the adhesion area.
@@ -212,7 +325,27 @@ impl SolvedCase {
     /// Contact area (m^2).
     #[must_use]
     pub fn contact_area(&self) -> f64 {
-        self.solved().relative_area() * self.case.hertz.ellipse().area()
+        let hertz = |hertz: &Hertz| self.solved().relative_area() * hertz.ellipse().area();
+        let pressed = self.areas().map(|areas| areas.area().value);
+        pressed.or(self.case.hertz().map(hertz)).unwrap_or(f64::NAN)
+    }
+
+    /// Middle of the contact and its half-lengths along and across (m); of several areas those of the most
+    /// loaded one.
+    pub(crate) fn box_around(&self) -> [[f64; 2]; 2] {
+        if let Some(hertz) = self.case.hertz() {
+            return [[0.0; 2], [hertz.ellipse().a(), hertz.ellipse().b()]];
+        }
+        let patches = self.areas().map_or(&[][..], NormalContact::patches);
+        let most = patches.iter().max_by(|one, two| one.load().total_cmp(&two.load()));
+        most.map_or([[0.0; 2]; 2], |patch| {
+            let extent = patch.extent();
+            let ends = [extent.x, extent.y];
+            [
+                ends.map(|[low, high]| f64::midpoint(low, high)),
+                ends.map(|[low, high]| 0.5 * (high - low)),
+            ]
+        })
     }
 
     /// Energy turned to heat per metre rolled (J/m), from force and creepage.
@@ -232,7 +365,7 @@ impl SolvedCase {
     /// Frictional power (W), where the rolling velocity is known.
     #[must_use]
     pub fn power(&self) -> Option<f64> {
-        self.case.speed.map(|speed| speed * self.power_per_metre())
+        self.case.speed().map(|speed| speed * self.power_per_metre())
     }
 
     /// Frictional power over an area at a point, over the rolling velocity: the energy turned to
@@ -251,7 +384,7 @@ impl SolvedCase {
 
     /// Semi-axes in units of `c`.
     pub(crate) fn semi_axes(&self) -> [f64; 2] {
-        let ellipse = self.case.contact.ellipse();
+        let ellipse = self.contact.ellipse();
         [ellipse.a() / ellipse.c(), ellipse.b() / ellipse.c()]
     }
 
@@ -299,12 +432,12 @@ mod tests {
 
     #[test]
     fn heat_is_force_times_creepage() {
-        let json = report(1.5, SLIDING, CURVE).json();
-        let (creepage, force) = (json.creepage, json.lower_body);
-        let power = force.longitudinal_n * creepage.longitudinal
-            + force.lateral_n * creepage.lateral
-            + force.moment_n_m * creepage.spin_rad_per_m;
-        let given = json.frictional_power_per_metre_j_per_m;
+        let report = report(1.5, SLIDING, CURVE);
+        let (creepage, force) = (report.scaling().si_creepage(report.creepage()), report.force());
+        let power = force.longitudinal * creepage.longitudinal
+            + force.lateral * creepage.lateral
+            + force.moment * creepage.spin;
+        let given = report.power_per_metre();
         // The same three products in another order: rounding only.
         assert!((given - power).abs() < 1e-12 * power.abs());
     }

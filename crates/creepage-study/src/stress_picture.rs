@@ -1,4 +1,4 @@
-//! The picture of the stresses in the section `y = 0`.
+//! The picture of the stresses in the section through the contact's middle.
 
 use creepage_plot::format::{Scale, quantity, significant};
 use creepage_plot::{Axis, Bands, Label, Mark, Panel, Pen, Shape, Sheet};
@@ -15,15 +15,17 @@ impl Stresses {
     #[must_use]
     pub fn svg(&self, section: &[StressPoint], beneath: &[StressPoint]) -> String {
         let values: Vec<f64> = section.iter().map(|at| at.stress.von_mises()).collect();
-        let a = 1e3 * self.solved.case.hertz.ellipse().a();
-        let bands = Bands::over([[-2.0 * a, 0.0], [2.0 * a, 2.0 * a]], |[x, z]| {
-            between(&values, [(x / a + 2.0) / 4.0, 0.5 * z / a])
+        let [[x0, _], [a, _]] =
+            self.solved.box_around().map(|pair| pair.map(|metres| 1e3 * metres));
+        let range = [x0 - 2.0 * a, x0 + 2.0 * a];
+        let bands = Bands::over([[range[0], 0.0], [range[1], 2.0 * a]], |[x, z]| {
+            between(&values, [((x - x0) / a + 2.0) / 4.0, 0.5 * z / a])
         });
         let panel = bands.draw(Panel::new(
-            Axis::new([-2.0 * a, 2.0 * a], Label::default().symbol("x").plain(", mm")),
+            Axis::new(range, Label::default().symbol("x").plain(", mm")),
             Axis::new([2.0 * a, 0.0], Label::default().symbol("z").plain(", mm")),
         ));
-        let panel = panel.to_scale().curve(vec![[-a, 0.0], [a, 0.0]], CONTACT);
+        let panel = panel.to_scale().curve(vec![[x0 - a, 0.0], [x0 + a, 0.0]], CONTACT);
         let largest = section
             .iter()
             .max_by(|one, two| one.stress.von_mises().total_cmp(&two.stress.von_mises()));
@@ -66,19 +68,22 @@ impl Stresses {
     }
 
     fn setting(&self) -> Label {
-        let case = &self.solved.case;
+        let [[_, y], _] = self.solved.box_around();
+        let plane = if y == 0.0 { "0".to_owned() } else { quantity(y, "m", 3) };
         Label::new("equivalent stress by von Mises in the plane ")
             .symbol("y")
-            .plain(" = 0\u{2003}theory ")
+            .plain(" = ")
+            .plain(&plane)
+            .plain("\u{2003}theory ")
             .plain(self.solved.theory.name)
             .plain("\u{2003}")
             .symbol("μ")
             .plain(" = ")
-            .number(&significant(case.friction, 4))
+            .number(&significant(self.solved.case.friction(), 4))
             .plain("\u{2003}")
             .indexed("p", "0")
             .plain(" = ")
-            .number(&quantity(case.hertz.peak_pressure(), "Pa", 4))
+            .number(&quantity(self.solved.peak_pressure().value, "Pa", 4))
     }
 }
 

@@ -26,9 +26,9 @@ impl Stresses {
     }
 
     fn corners(&self) -> [[f64; 3]; 2] {
-        let ellipse = self.solved.case.hertz.ellipse();
-        let (a, b) = (2.0 * ellipse.a(), 1.5 * ellipse.b());
-        [[-a, -b, self.settled_depth()], [a, b, a]]
+        let [[x, y], [a, b]] = self.solved.box_around();
+        let (a, b) = (2.0 * a, 1.5 * b);
+        [[x - a, y - b, self.settled_depth()], [x + a, y + b, a]]
     }
 
     /// The block as VTK, in SI units, `z` from the surface into the body.

@@ -100,18 +100,23 @@ impl Stresses {
         solid: Solid,
         body: Body,
     ) -> Result<(Interior, f64), StressError> {
+        let [_, half] = solved.box_around();
         let (case, creepage) = (&solved.case, solved.creepage());
         let is_closed = solved.theory.name == "saturated" && creepage.chi() == 0.0;
+        let settled = SETTLED * half[0].min(half[1]);
+        let Some(hertz) = case.hertz() else {
+            let interior =
+                Interior::rolling_on_areas(&solved.contact, solved.solved(), solid, body)?;
+            return Ok((interior, settled));
+        };
         Ok(if is_closed {
             let size = creepage.xi().hypot(creepage.eta()).max(f64::MIN_POSITIVE);
             let friction =
-                [creepage.xi(), creepage.eta()].map(|part| case.friction * (part / size));
-            (Interior::sliding(&case.hertz, friction, solid, body)?, 0.0)
+                [creepage.xi(), creepage.eta()].map(|part| case.friction() * (part / size));
+            (Interior::sliding(hertz, friction, solid, body)?, 0.0)
         } else {
-            let ellipse = case.hertz.ellipse();
-            let interior =
-                Interior::rolling(&case.hertz, &case.contact, solved.solved(), solid, body)?;
-            (interior, SETTLED * ellipse.a().min(ellipse.b()))
+            let (contact, rolled) = (&solved.contact, solved.solved());
+            (Interior::rolling(hertz, contact, rolled, solid, body)?, settled)
         })
     }
 
@@ -133,18 +138,19 @@ impl Stresses {
         points.par_iter().map(at).collect()
     }
 
-    /// The section `y = 0` from `-2a` to `2a` and down to `2a`, row by row downwards from the depth
+    /// The section through the contact's middle, `y = 0` of an ellipse, from `-2a` to `2a` and down to `2a`
+    /// with `a` half its length, row by row downwards from the depth
     /// where the stresses have settled.
     ///
     /// # Errors
     /// As [`Stresses::at`]; none.
     pub fn section(&self) -> Result<Vec<StressPoint>, StressError> {
-        let a = self.solved.case.hertz.ellipse().a();
+        let [[x, y], [a, _]] = self.solved.box_around();
         let at = |k: u32, steps: u32| f64::from(k) / f64::from(steps);
         let [along, down] = STEPS;
         let row = |j: u32| {
             let z = (2.0 * a * at(j, down)).max(self.settled);
-            (0..=along).map(move |i| [a * (4.0 * at(i, along) - 2.0), 0.0, z])
+            (0..=along).map(move |i| [x + a * (4.0 * at(i, along) - 2.0), y, z])
         };
         self.at(&(0..=down).flat_map(row).collect::<Vec<_>>())
     }
@@ -154,9 +160,9 @@ impl Stresses {
     /// # Errors
     /// As [`Stresses::at`]; none.
     pub fn largest(&self) -> Result<Largest, StressError> {
-        let ellipse = self.solved.case.hertz.ellipse();
-        let [x, y] = [ellipse.a(), ellipse.b()].map(|axis| SOUGHT * axis);
-        let block = [[-x, -y, self.settled], [x, y, x.min(y)]];
+        let [[at_x, at_y], half] = self.solved.box_around();
+        let [x, y] = half.map(|length| SOUGHT * length);
+        let block = [[at_x - x, at_y - y, self.settled], [at_x + x, at_y + y, x.min(y)]];
         Ok(largest(&self.interior, block, Stress::von_mises)?)
     }
 
@@ -173,7 +179,7 @@ impl Stresses {
     pub fn text(&self, largest: &Largest) -> String {
         let (theory, status) = (self.solved.theory.name, self.solved.solution().status);
         let mut text = format!("Theory {theory}: {}\n", status_words(status));
-        let peak = self.solved.case.hertz.peak_pressure();
+        let peak = self.solved.peak_pressure().value;
         let [x, y, z] = largest.point.map(|length| quantity(length, "m", 5));
         let [first, second, third] =
             largest.stress.principal().map(|value| quantity(value, "Pa", 5));
@@ -209,7 +215,7 @@ impl Stresses {
             "theory": self.solved.theory.name,
             "status": self.solved.solution().status.name(),
             "body": self.body(),
-            "peak_pressure_pa": self.solved.case.hertz.peak_pressure(),
+            "peak_pressure_pa": self.solved.peak_pressure().value,
             "settled_depth_m": self.settled,
             key: points.iter().map(object).collect::<Vec<_>>(),
         })
@@ -221,7 +227,7 @@ impl Stresses {
     /// As [`Stresses::at`].
     pub fn beneath(&self, [x, y]: [f64; 2]) -> Result<Vec<StressPoint>, StressError> {
         const STEPS: u32 = 80;
-        let deepest = 2.0 * self.solved.case.hertz.ellipse().a();
+        let deepest = 2.0 * self.solved.box_around()[1][0];
         let depth = |k: u32| {
             self.settled + (deepest - self.settled) * (f64::from(k) / f64::from(STEPS)).powi(2)
         };

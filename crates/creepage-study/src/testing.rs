@@ -8,7 +8,7 @@ use creepage::{
 use creepage_plot::Boxes;
 
 use crate::solve::Held;
-use crate::{Case, Caution, Given, SolvedCase};
+use crate::{AnyCase, Case, Caution, Given, SolvedCase};
 
 /// Creepage along, across, and a spin whose pole lies inside every contact of [`case`].
 pub(crate) const CURVE: [f64; 3] = [0.1, -0.1, 1.5];
@@ -71,10 +71,10 @@ const FACTS: TheoryFacts = TheoryFacts {
 
 /// A case solved by a trial.
 pub(crate) fn solved(case: &Case, trial: Trial) -> SolvedCase {
-    let theory: Box<dyn Theory> = Box::new(Tried { contact: case.contact, trial });
+    let theory: Box<dyn Theory> = Box::new(Tried { contact: case.contact.clone(), trial });
     let given = case.creepage().unwrap_or(creepage(CURVE));
     let held = Held::new(theory, |theory| theory.solved(given));
-    SolvedCase::new(case, &FACTS, held, |_, _| {
+    SolvedCase::new(AnyCase::Ellipse(case.clone()), &case.contact, &FACTS, held, |_, _| {
         let neglecting = TheorySpec::named("polach").unwrap();
         Caution::dissimilar(&neglecting, case.contact.kappa_over_mu()).into_iter().collect()
     })
@@ -85,7 +85,7 @@ pub(crate) fn report(a_over_b: f64, trial: Trial, given: [f64; 3]) -> SolvedCase
     solved(&case(a_over_b, given), trial)
 }
 
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 struct Tried {
     contact: Contact,
     trial: Trial,

@@ -6,6 +6,7 @@ use creepage::friction_law::RollingFriction;
 use creepage::{SiForce, Status};
 use creepage_plot::format::{Scale, fixed, quantity, significant};
 
+use crate::gap::OnAreas;
 use crate::{Caution, SolvedCase};
 
 /// Longest line.
@@ -15,12 +16,17 @@ impl SolvedCase {
     /// A short report of one screen: contact, creepage, forces on both bodies, status.
     #[must_use]
     pub fn text(&self) -> String {
+        if let Some(on_areas) = OnAreas::of(self) {
+            return on_areas.text();
+        }
         let mut lines = Lines::default();
         lines.status(self);
         lines.cautions(self);
-        lines.contact(&self.case.hertz);
-        lines.row("friction mu", &significant(self.case.friction, 5));
-        if let Some(friction) = self.case.contact.rolling_friction() {
+        if let Some(hertz) = self.case.hertz() {
+            lines.contact(hertz);
+        }
+        lines.row("friction mu", &significant(self.case.friction(), 5));
+        if let Some(friction) = self.contact.rolling_friction() {
             lines.friction(friction);
         }
         lines.creepage(self);
@@ -232,7 +238,7 @@ impl Lines {
         if let Some(power) = report.dissipation_per_metre() {
             self.row("  from traction and slip", &quantity(power, "J/m", 5));
         }
-        if let (Some(speed), Some(power)) = (report.case.speed, report.power()) {
+        if let (Some(speed), Some(power)) = (report.case.speed(), report.power()) {
             self.row("rolling velocity", &quantity(speed, "m/s", 5));
             self.row("frictional power", &quantity(power, "W", 5));
         }

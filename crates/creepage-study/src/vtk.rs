@@ -7,6 +7,7 @@ use std::fmt::Write;
 use creepage::{FieldPoint, Region};
 
 use crate::SolvedCase;
+use crate::gap::OnAreas;
 
 /// Points along and across.
 const POINTS: u32 = 49;
@@ -18,13 +19,16 @@ impl SolvedCase {
     /// The grid with pressure, tractions, slip, areas and frictional power. What the theory does
     /// not give everywhere is left out.
     pub(crate) fn vtk(&self) -> String {
+        if let Some(on_areas) = OnAreas::of(self) {
+            return on_areas.vtk();
+        }
         let positions = self.positions(&grid().collect::<Vec<_>>());
         let field = self.field(&positions);
         let mut vtk = Vtk(self.head(positions.len()));
         let length = self.scaling().length;
         vtk.rows(positions.iter().map(|[x, y]| [x * length, y * length, 0.0]));
         vtk.line(&format!("POINT_DATA {}", positions.len()));
-        let pressure = self.case.hertz.peak_pressure();
+        let pressure = self.peak_pressure().value;
         vtk.scalars("pressure_pa", field.iter().map(|p| pressure * self.bound(p.position)));
         let traction = self.scaling().traction;
         vtk.vectors("traction_pa", field.iter().map(|p| p.traction.map(|t| t * traction)));
@@ -34,7 +38,7 @@ impl SolvedCase {
             vtk.vectors("slip", field.iter().map(|p| p.slip.map(|s| s * self.scaling().slip)));
             let power = |p| self.power_density(p);
             vtk.scalars("frictional_power_per_metre_j_per_m3", field.iter().map(power));
-            if let Some(speed) = self.case.speed {
+            if let Some(speed) = self.case.speed() {
                 let watts = field.iter().map(|p| speed * self.power_density(p));
                 vtk.scalars("frictional_power_w_per_m2", watts);
             }

@@ -10,7 +10,8 @@ use crate::{Damage, SolvedCase};
 impl SolvedCase {
     /// Writes `report.json`, `points.csv`, `contact.vtk`, `contact.svg` and `contact.png`, and where
     /// `[damage]` asks for them `wear.csv`, `wear.svg`, `shakedown.svg` and their `.png`, into
-    /// `directory`, which is made when missing; files of those names are replaced. Gives the paths written.
+    /// `directory`, which is made when missing; files of those names are replaced, but none that the
+    /// case was read from. Gives the paths written.
     ///
     /// # Errors
     /// [`ReportError`]; what was made until then is removed.
@@ -24,7 +25,7 @@ impl SolvedCase {
             others.push((*name, &contents[..]));
         }
         let (points, svg) = (self.points_csv()?, self.contact_svg());
-        write_contact(directory, [&json, &svg], &points, &others, &Sources::default())
+        write_contact(directory, [&json, &svg], &points, &others, &self.case.sources())
     }
 }
 

@@ -10,7 +10,7 @@ use std::time::Instant;
 use creepage::{SiForce, Status};
 use creepage_rail::file::{Format, Wanted, read, write};
 use creepage_rail::{Role, Side, Standard};
-use creepage_study::{GapCaution, SolvedWheel, SolvedWheelset, WheelsetError, WheelsetFile};
+use creepage_study::{Caution, SolvedWheel, SolvedWheelset, WheelsetError, WheelsetFile};
 
 fn examples() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/wheelset")
@@ -83,9 +83,9 @@ fn on_measured(profile: &str) -> SolvedWheelset {
     solved(&text, directory.path())
 }
 
-fn rough(solved: &SolvedWheelset) -> Vec<(Side, GapCaution)> {
+fn rough(solved: &SolvedWheelset) -> Vec<(Side, Caution)> {
     let all = solved.cautions().into_iter();
-    all.filter(|(_, caution)| matches!(caution, GapCaution::Rough { .. })).collect()
+    all.filter(|(_, caution)| matches!(caution, Caution::Rough { .. })).collect()
 }
 
 fn peak(solved: &SolvedWheelset) -> f64 {
@@ -97,8 +97,7 @@ fn peak(solved: &SolvedWheelset) -> f64 {
 fn noise_of_five_micrometres_is_rough_until_it_is_smoothed() {
     let noisy = on_measured(&measured(5e-6, 1, None));
     let found = rough(&noisy);
-    let [(Side::Right, GapCaution::Rough { body: Role::Wheel, length, swing, pressure })] =
-        found[..]
+    let [(Side::Right, Caution::Rough { body: Role::Wheel, length, swing, pressure })] = found[..]
     else {
         panic!("{found:?}")
     };

@@ -55,7 +55,7 @@ impl Engine {
     pub(crate) fn ellipse(&mut self, a_over_b: f64, poisson: f64) -> bool {
         let contact = Ellipse::from_ratio(a_over_b)
             .and_then(|ellipse| Contact::new(ellipse, poisson))
-            .map(|contact| (contact, contact.ellipse()));
+            .map(|contact| (contact.clone(), contact.ellipse()));
         self.meet(contact)
     }
 
@@ -123,7 +123,7 @@ impl Engine {
     }
 
     fn theory(&mut self, wanted: [usize; 2]) -> Result<&dyn Theory, Failure> {
-        let contact = self.contact.ok_or("no contact is given")?;
+        let contact = self.contact.clone().ok_or("no contact is given")?;
         if !self.prepared.iter().any(|(theory, _)| *theory == wanted) {
             self.prepared.push((wanted, specified(wanted)?.prepare(&contact)?));
         }

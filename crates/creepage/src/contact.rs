@@ -1,15 +1,22 @@
-//! What a theory of rolling is prepared for.
+//! The contact: what a theory of rolling is prepared for, Hertz's ellipse or areas of any shape.
+
+use std::sync::Arc;
 
 use crate::check::{self, InvalidValue};
 use crate::ellipse::Ellipse;
 use crate::friction_law::RollingFriction;
 use crate::hertz::Hertz;
 use crate::layer::Layer;
+use crate::normal::{NormalContact, Patch};
 use crate::scaling::Scaling;
 
-/// Everything that a theory of rolling is prepared for: the shape of the contact, the combined
-/// Poisson's ratio, how dissimilar the bodies are, and the units of its quantities; where friction
-/// depends on the speed of slip its law, and a layer between the bodies.
+/// Everything that a theory of rolling is prepared for: what touches, the combined Poisson's ratio, how
+/// dissimilar the bodies are, and the units of its quantities; where friction depends on the speed of
+/// slip its law, and a layer between the bodies.
+///
+/// What touches is Hertz's ellipse ([`Contact::new`], [`Hertz::with_friction`]) or areas of any shape that
+/// were pressed ([`Contact::of_areas`]). [`TheorySpec::prepare`](crate::TheorySpec::prepare) takes both; a
+/// theory that needs an ellipse says so.
 ///
 /// ```
 /// use creepage::{Contact, Ellipse};
@@ -17,9 +24,11 @@ use crate::scaling::Scaling;
 /// assert_eq!((contact.poisson(), contact.kappa_over_mu()), (0.28, 0.0));
 /// # Ok::<(), creepage::InvalidValue>(())
 /// ```
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Contact {
     ellipse: Ellipse,
+    /// Areas of any shape, for which the ellipse stands; `None` where the ellipse is Hertz's.
+    areas: Option<Arc<NormalContact>>,
     poisson: f64,
     kappa_over_mu: f64,
     friction: Option<f64>,
@@ -39,6 +48,7 @@ impl Contact {
         let ellipse = Ellipse::from_ratio(ellipse.ratio())?;
         Ok(Self {
             ellipse,
+            areas: None,
             poisson,
             kappa_over_mu: 0.0,
             friction: None,
@@ -46,6 +56,52 @@ impl Contact {
             friction_law: None,
             layer: None,
         })
+    }
+
+    /// Areas of any shape that were pressed, with coefficient of friction `friction`. Lengths count from
+    /// the origin of the gap, in the unit of [`NormalContact::scaling`].
+    ///
+    /// ```
+    /// use creepage::gap::{Gap, Term};
+    /// use creepage::normal::{NormalContact, Resolution};
+    /// use creepage::{Contact, SiCreepage, Solid, SolidPair, TheorySpec};
+    /// // A crowned roller: h = x^2/920 + y^4/20000 in millimetres.
+    /// let term = |x, y, coefficient| Term { x, y, coefficient };
+    /// let gap = Gap::polynomial(&[term(2, 0, 1e3 / 920.0), term(0, 4, 1e9 / 20_000.0)])?;
+    /// let steel = Solid::new(82e9, 0.28)?;
+    /// let pair = SolidPair::new(steel, steel);
+    /// let pressed = NormalContact::under_load(&gap, pair, 40e3, Resolution::STANDARD)?;
+    /// let contact = Contact::of_areas(pressed, 0.3)?;
+    /// let creepage = SiCreepage { longitudinal: 1e-3, ..SiCreepage::default() };
+    /// let creepage = contact.scaling().creepage(creepage)?;
+    /// for name in ["exact", "fastsim"] {
+    ///     let theory = TheorySpec::named(name)?.prepare(&contact)?;
+    ///     let force = contact.scaling().si_force(theory.solve(creepage).force);
+    ///     assert!(force.longitudinal > 5e3 && force.longitudinal < 12e3); // newtons
+    /// }
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`InvalidValue`] unless `friction` is finite and positive, and not below a millionth between
+    /// dissimilar bodies.
+    pub fn of_areas(
+        areas: impl Into<Arc<NormalContact>>,
+        friction: f64,
+    ) -> Result<Self, InvalidValue> {
+        let areas = areas.into();
+        let (scaling, pair) = (areas.scaling(friction)?, areas.pair());
+        let contact = Self::new(standing_for(&areas)?, pair.poisson())?;
+        Self { areas: Some(areas), scaling, friction: Some(friction), ..contact }
+            .with_kappa_over_mu(pair.kappa() / friction)
+    }
+
+    /// The same areas with another coefficient of friction, constant and without a layer; an ellipse
+    /// with its pressure is [`Hertz::with_friction`]'s.
+    pub(crate) fn with_friction_on_areas(&self, friction: f64) -> Result<Self, InvalidValue> {
+        self.areas
+            .as_ref()
+            .map_or_else(|| Ok(self.clone()), |areas| Self::of_areas(Arc::clone(areas), friction))
     }
 
     /// The same between dissimilar bodies, whose pressure adds to the slip (6.4): `kappa` of
@@ -76,6 +132,15 @@ impl Contact {
         Self { layer: Some(layer), ..self }
     }
 
+    /// The same with another law of friction and another layer, or without.
+    pub(crate) fn with_resistance(
+        &self,
+        friction_law: Option<RollingFriction>,
+        layer: Option<Layer>,
+    ) -> Self {
+        Self { friction_law, layer, ..self.clone() }
+    }
+
     /// The law of friction, where it is not constant.
     #[must_use]
     pub fn rolling_friction(&self) -> Option<RollingFriction> {
@@ -88,10 +153,30 @@ impl Contact {
         self.layer
     }
 
-    /// The contact ellipse, whose `c = sqrt(a b)` is the unit of length.
+    /// Hertz's contact ellipse, whose `c = sqrt(a b)` is the unit of length. For areas of any shape the
+    /// ellipse that stands for them where a ratio is needed: as long as they are along the rolling
+    /// direction to their width.
     #[must_use]
     pub fn ellipse(&self) -> Ellipse {
         self.ellipse
+    }
+
+    /// The areas of any shape; `None` for Hertz's ellipse.
+    #[must_use]
+    pub fn areas(&self) -> Option<&Arc<NormalContact>> {
+        self.areas.as_ref()
+    }
+
+    /// Hertz's ellipse, for a theory that needs one.
+    ///
+    /// # Errors
+    /// [`InvalidValue`] for areas of any shape.
+    pub(crate) fn hertz_ellipse(&self) -> Result<Ellipse, InvalidValue> {
+        let patches = self.areas.as_ref().map_or(0, |areas| areas.patches().len());
+        let valid = "none: this theory needs Hertz's ellipse; exact, fastsim, fastrip, linear and \
+                     saturated take areas of any shape";
+        check::require(self.areas.is_none(), "areas of any shape", patches as f64, valid)?;
+        Ok(self.ellipse)
     }
 
     /// Combined Poisson's ratio.
@@ -117,6 +202,16 @@ impl Contact {
     pub fn scaling(&self) -> Scaling {
         self.scaling
     }
+}
+
+/// The ellipse of the ratio of all areas' length along rolling to their width.
+fn standing_for(areas: &NormalContact) -> Result<Ellipse, InvalidValue> {
+    let extents = areas.patches().iter().map(Patch::extent);
+    let nothing = [f64::INFINITY, f64::NEG_INFINITY];
+    let around = |[low, high]: [f64; 2], [from, to]: [f64; 2]| [low.min(from), high.max(to)];
+    let [x, y] =
+        extents.fold([nothing; 2], |[x, y], extent| [around(x, extent.x), around(y, extent.y)]);
+    Ellipse::from_ratio((x[1] - x[0]) / (y[1] - y[0]))
 }
 
 impl Hertz {

@@ -4,8 +4,7 @@ use std::path::Path;
 
 use creepage::{SiForce, Status, TheorySpec};
 use creepage_study::{
-    GapCaseError, GapFile, GapRows, GapSolver, GapTheory, GapValue, GapVaried, SolvedGap,
-    theory_spec,
+    GapCaseError, GapFile, GapRows, GapSolver, GapValue, GapVaried, SolvedCase, theory_spec,
 };
 use csv::ByteRecord;
 use rayon::prelude::*;
@@ -69,10 +68,10 @@ impl Gaps {
         });
         let theory = theory.transpose()?;
         let known = match &theory {
-            Some(spec) => GapTheory::new(spec),
+            Some(spec) => spec.check_on_areas().map(|()| spec.clone()).map_err(Into::into),
             None => file.theory(),
         };
-        let error_bars = matches!(known.map_err(wrong)?, GapTheory::Exact(_));
+        let error_bars = known.map_err(wrong)?.facts().error_bars;
         let (mut varied, mut places) = (Vec::new(), Vec::new());
         let input = |source| Failure::Columns { input: table.name.clone(), source };
         for quantity in GapVaried::ALL {
@@ -131,11 +130,10 @@ impl Gaps {
         Ok(self.numbers(&self.solver.solve(&case)?))
     }
 
-    fn numbers(&self, solved: &SolvedGap) -> GapAnswer {
-        let (contact, creepage) = (&solved.contact, solved.creepage());
+    fn numbers(&self, solved: &SolvedCase) -> GapAnswer {
+        let creepage = solved.scaling().si_creepage(solved.creepage());
         let three = |force: SiForce| [force.longitudinal, force.lateral, force.moment];
-        let estimates =
-            [contact.load(), contact.approach(), contact.area(), contact.peak_pressure()];
+        let estimates = [solved.load(), solved.approach(), solved.area(), solved.peak_pressure()];
         let mut numbers = estimates.map(|estimate| estimate.value).to_vec();
         numbers.extend([creepage.longitudinal, creepage.lateral, creepage.spin]);
         numbers.extend(three(solved.force()));
@@ -143,7 +141,7 @@ impl Gaps {
             numbers.extend(solved.force_error().map_or([f64::NAN; 3], three));
         }
         numbers.push(solved.power_per_metre());
-        numbers.extend(solved.case.speed.map(|speed| speed * solved.power_per_metre()));
+        numbers.extend(solved.case.speed().map(|speed| speed * solved.power_per_metre()));
         let cautions: Vec<_> = solved.cautions.iter().map(ToString::to_string).collect();
         GapAnswer { numbers, status: solved.solution().status, message: cautions.join("; ") }
     }

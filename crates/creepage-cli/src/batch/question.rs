@@ -17,7 +17,7 @@ pub(super) enum Ask {
 }
 
 /// What a row asks.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub(super) enum Asked {
     Dimensionless(Question),
     Case(BulkRow),
@@ -53,7 +53,7 @@ impl Ask {
 impl Asked {
     pub(super) fn question(&self) -> Question {
         match self {
-            Self::Dimensionless(question) => *question,
+            Self::Dimensionless(question) => question.clone(),
             Self::Case(row) => row.question(),
         }
     }

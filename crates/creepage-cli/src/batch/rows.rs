@@ -100,7 +100,7 @@ impl<W: Write> Rows<W> {
         let reply = match asked {
             Asked::Dimensionless(_) => reply,
             Asked::Case(asked) => {
-                let answer = BulkAnswer::new(*asked, reply);
+                let answer = BulkAnswer::new(asked.clone(), reply);
                 let force = answer.force();
                 let si = [force.longitudinal, force.lateral, force.moment];
                 si.into_iter().for_each(&mut number);

@@ -38,7 +38,7 @@ pub fn grid<E: From<InvalidValue>>(
         let theory = full(&contact)?;
         let creepages = creepages().collect::<Result<Vec<_>, _>>()?;
         cases.par_extend(creepages.into_par_iter().map(|creepage| ReferenceCase {
-            contact,
+            contact: contact.clone(),
             creepage,
             force: theory.solve(creepage).force,
             uncertainty: None,

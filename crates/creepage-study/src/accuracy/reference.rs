@@ -4,7 +4,7 @@ use creepage::{Contact, Creepage, Ellipse, Force, InvalidValue};
 use serde::Deserialize;
 
 /// A case whose forces are known, each with its uncertainty.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct ReferenceCase {
     /// Shape and Poisson's ratio; like bodies.
     pub contact: Contact,

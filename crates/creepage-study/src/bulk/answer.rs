@@ -68,7 +68,8 @@ impl BulkCase {
     /// [`RowError`] for values that are no case.
     pub fn solve_one(&self, solver: &Solver, values: &[f64]) -> Result<BulkAnswer, RowError> {
         let row = self.row(values)?;
-        Ok(BulkAnswer::new(row, solver.solve_one(&row.question())?))
+        let reply = solver.solve_one(&row.question())?;
+        Ok(BulkAnswer::new(row, reply))
     }
 
     /// The answers to rows of values, in their order; the same on any number of cores.

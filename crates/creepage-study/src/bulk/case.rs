@@ -40,7 +40,7 @@ pub struct BulkCase {
 }
 
 /// A row: a contact and how it creeps.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct BulkRow {
     /// The contact ellipse and its pressure.
     pub hertz: Hertz,
@@ -152,7 +152,7 @@ impl BulkRow {
     /// What it asks a theory.
     #[must_use]
     pub fn question(&self) -> Question {
-        Question { contact: self.contact, creepage: self.creepage }
+        Question { contact: self.contact.clone(), creepage: self.creepage }
     }
 
     /// What looks like a number in another unit.

@@ -12,7 +12,7 @@ use rayon::prelude::*;
 use crate::{CaseError, Caution};
 
 /// What a row asks.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Question {
     /// The contact.
     pub contact: Contact,
@@ -274,7 +274,7 @@ mod tests {
             (0..40).map(|i| question([2.0, 0.5, 1.0][i % 3], 0.5 + 0.1 * i as f64)).collect();
         let together = solve(&solver, questions.clone());
         for (question, answer) in questions.into_iter().zip(together) {
-            assert_eq!(solve(&solver, vec![question]), vec![answer.clone()]);
+            assert_eq!(solve(&solver, vec![question.clone()]), vec![answer.clone()]);
             assert_eq!(solver.solve_one(&question), answer);
         }
     }
@@ -285,7 +285,7 @@ mod tests {
         let unlike = Question { contact: unlike, ..question(1.0, 0.5) };
         for (name, kinds) in [("polach", 1), ("exact", 2)] {
             let solver = Solver::new(TheorySpec::named(name).unwrap());
-            let replies = solve(&solver, vec![question(1.0, 0.5), unlike]);
+            let replies = solve(&solver, vec![question(1.0, 0.5), unlike.clone()]);
             let Asked::Theory { prepared, .. } = &solver.0 else { panic!("a theory") };
             assert_eq!(prepared.lock().unwrap().len(), kinds, "{name}");
             let forces = replies.iter().map(|reply| reply.as_ref().unwrap().solution.force);

@@ -138,7 +138,12 @@ impl CaseFile {
     /// # Errors
     /// [`CaseError`] that says where the text is not a case file.
     pub fn read(text: &str) -> Result<Self, CaseError> {
-        keys::check(&keys::parse(text)?, &json_schema())?;
+        Self::of(&keys::parse(text)?, text)
+    }
+
+    /// The same where the sections of the text are known.
+    pub(crate) fn of(table: &Table, text: &str) -> Result<Self, CaseError> {
+        keys::check(table, &json_schema())?;
         Ok(toml::from_str(text)?)
     }
 

@@ -32,15 +32,15 @@ impl SolvedCase {
     }
 
     fn compute_damage(&self) -> Result<Option<Damage>, StressError> {
-        let Some(wanted) = &self.case.damage else { return Ok(None) };
-        let (hertz, scaling, rows) = (&self.case.hertz, self.scaling(), self.rows());
+        let Some(wanted) = self.case.damage() else { return Ok(None) };
+        let (scaling, rows) = (self.scaling(), self.rows());
         let ground = Ground {
             force: scaling.si_force(self.solution().force),
             creepage: scaling.si_creepage(self.creepage()),
-            normal: hertz.normal_force(),
-            area: hertz.ellipse().area(),
-            peak: hertz.peak_pressure(),
-            speed: self.case.speed,
+            normal: self.load().value,
+            area: self.area().value,
+            peak: self.peak_pressure().value,
+            speed: self.case.speed(),
             rows: rows.as_deref(),
         };
         let limit = wanted.shakedown.then(|| self.shakedown()).transpose()?;
@@ -49,11 +49,9 @@ impl SolvedCase {
 
     /// Melan's bound for the lower body.
     fn shakedown(&self) -> Result<Shakedown, StressError> {
-        let ellipse = self.case.hertz.ellipse();
-        let [_, lower] = self.case.solids;
+        let ([_, half], [_, lower]) = (self.box_around(), self.case.solids());
         let (interior, settled) = Stresses::interior(self, lower, Body::Lower)?;
-        let block =
-            ShakedownBlock { top: settled, ..ShakedownBlock::of([ellipse.a(), ellipse.b()]) };
+        let block = ShakedownBlock { top: settled, ..ShakedownBlock::of(half) };
         Ok(shakedown(&interior, &block)?)
     }
 }

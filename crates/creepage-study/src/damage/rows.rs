@@ -14,12 +14,18 @@ impl SolvedCase {
     /// Rows of equal width, each of elements of equal length over its own. `None` where the theory
     /// gives no slip.
     pub(super) fn rows(&self) -> Option<Vec<Row>> {
+        if self.areas().is_some() {
+            let rows = of_elements(self.elements(), self.scaling(), self.load().value);
+            let slips = rows.iter().flat_map(|row| &row.elements).flat_map(|element| element.slip);
+            return slips.into_iter().all(f64::is_finite).then_some(rows);
+        }
         (0..ROWS).map(|j| self.wear_row(middle(j, ROWS))).collect()
     }
 
     /// The row at `t` of the half-width.
     fn wear_row(&self, t: f64) -> Option<Row> {
-        let (ellipse, scaling) = (self.case.hertz.ellipse(), self.scaling());
+        let (hertz, scaling) = (self.case.hertz()?, self.scaling());
+        let ellipse = hertz.ellipse();
         let root = ((1.0 - t) * (1.0 + t)).sqrt();
         let places: Vec<_> = (0..ELEMENTS).map(|i| [root * middle(i, ELEMENTS), t]).collect();
         let width = 2.0 * ellipse.b() / f64::from(ROWS);
@@ -30,7 +36,7 @@ impl SolvedCase {
             let slip = if slides { point.slip } else { [0.0; 2] };
             let known = slip.iter().all(|s| s.is_finite());
             known.then(|| ElementState {
-                pressure: (1.0 - x * x - y * y).max(0.0).sqrt() * self.case.hertz.peak_pressure(),
+                pressure: (1.0 - x * x - y * y).max(0.0).sqrt() * hertz.peak_pressure(),
                 traction: point.traction.map(|t| t * scaling.traction),
                 slip: slip.map(|s| s * scaling.slip),
                 area: length * width,

@@ -1,14 +1,11 @@
-//! A case of two bodies of any shape, every number of it checked, and which theories solve one.
+//! A case of two bodies of any shape, every number of it checked.
 
-use creepage::approximate::non_hertzian::Simplified;
-use creepage::approximate::{fastrip, fastsim};
 use creepage::friction_law::RollingFriction;
 use creepage::gap::Gap;
-use creepage::{Layer, SiCreepage, SolidPair, TheorySpec};
+use creepage::{Layer, SiCreepage, Solid, SolidPair, TheorySpec};
 
 use super::creepage::SiGiven;
 use super::error::GapCaseError;
-use super::theory::GapTheory;
 use crate::case::solve;
 use crate::damage::DamageWanted;
 use crate::{CaseError, Sources};
@@ -47,8 +44,10 @@ pub struct GapCase {
     pub given: SiGiven,
     /// Rolling velocity (m/s), where it is known.
     pub speed: Option<f64>,
-    /// The theory of rolling.
-    pub theory: GapTheory,
+    /// The materials of the upper and the lower body.
+    pub solids: [Solid; 2],
+    /// The theory of rolling and its options.
+    pub theory: TheorySpec,
 }
 
 impl GapCase {
@@ -92,47 +91,7 @@ impl GapCase {
     /// # Errors
     /// [`GapCaseError`] for a theory or an option that needs an ellipse.
     pub fn by_spec(self, spec: &TheorySpec) -> Result<Self, GapCaseError> {
-        Ok(Self { theory: GapTheory::new(spec)?, ..self })
-    }
-}
-
-impl GapTheory {
-    /// The theory of `[solve]`, if it takes any shape, and its options mean something here.
-    ///
-    /// # Errors
-    /// [`GapCaseError`] for a theory or an option that needs an ellipse.
-    pub fn new(spec: &TheorySpec) -> Result<Self, GapCaseError> {
-        let name = spec.facts().name;
-        let without = |key, why| Err(GapCaseError::Option { name, key, why });
-        let usual = fastsim::Settings::default();
-        match spec {
-            TheorySpec::Exact(options) => Ok(Self::Exact(*options)),
-            TheorySpec::Fastsim(settings) if settings.flexibility != usual.flexibility => {
-                without("flexibility", "areas of any shape have one flexibility each")
-            }
-            TheorySpec::Fastsim(settings) if settings.bound != usual.bound => {
-                without("bound", "the bound is mu times the true pressure")
-            }
-            TheorySpec::Fastsim(settings) => {
-                Ok(Self::Simplified(Simplified::Fastsim, settings.grid))
-            }
-            TheorySpec::Fastrip(options) if options.variant != fastrip::Variant::default() => {
-                without("variant", "areas of any shape have the consistent one")
-            }
-            TheorySpec::Fastrip(options) => Ok(Self::Simplified(Simplified::Fastrip, options.grid)),
-            TheorySpec::Linear(_) => Ok(Self::Simplified(Simplified::Linear, usual.grid)),
-            TheorySpec::Saturated(_) => Ok(Self::Simplified(Simplified::Saturated, usual.grid)),
-            TheorySpec::Variational(_) => {
-                Err(GapCaseError::Theory { name, why: "its polynomials are those of an ellipse" })
-            }
-            TheorySpec::Strip(_) => Err(GapCaseError::Theory {
-                name,
-                why: "it solves all strips of an ellipse in closed form; fastrip has them",
-            }),
-            _ => Err(GapCaseError::Theory {
-                name,
-                why: "it is a formula for the forces on an ellipse",
-            }),
-        }
+        spec.check_on_areas()?;
+        Ok(Self { theory: spec.clone(), ..self })
     }
 }

@@ -110,12 +110,12 @@ impl SiGiven {
     }
 
     /// Whether the creepages are given, rather than to be found.
-    pub(super) fn is_creepage(&self) -> bool {
+    pub(crate) fn is_creepage(&self) -> bool {
         self.force == [None; 3]
     }
 
     /// The creepage in the contact's units, zero where none is given.
-    pub(super) fn creepage(&self, scaling: Scaling) -> Result<Creepage, CaseError> {
+    pub(crate) fn creepage(&self, scaling: Scaling) -> Result<Creepage, CaseError> {
         let [longitudinal, lateral, spin] = self.creepage.map(|value| value.unwrap_or(0.0));
         scaling
             .creepage(SiCreepage { longitudinal, lateral, spin })

@@ -5,9 +5,9 @@ use std::io;
 use creepage::coulomb::InverseError;
 use creepage::gap::GapError;
 use creepage::normal::NormalError;
+use creepage::theory::TheoryError;
 
-use super::theory::GapTheory;
-use crate::{CaseError, Unreachable};
+use crate::{CaseError, SolveError, Unreachable};
 
 /// Why a case with `[gap]` is not solved; every message names the section and the key.
 #[derive(Debug, thiserror::Error)]
@@ -82,33 +82,32 @@ pub enum GapCaseError {
         /// Why.
         source: NormalError,
     },
-    /// A theory that needs an ellipse.
-    #[error(
-        "theory = {name:?} needs an ellipse, for {why}: {} take areas of any shape",
-        GapTheory::NAMES.join(", ")
-    )]
-    Theory {
-        /// Its name.
-        name: &'static str,
-        /// Why.
-        why: &'static str,
-    },
-    /// An option that has no meaning for areas of any shape.
-    #[error("[solve] {key} of {name} has no meaning on areas of any shape: {why}")]
-    Option {
-        /// The theory's name.
-        name: &'static str,
-        /// The option.
-        key: &'static str,
-        /// Why.
-        why: &'static str,
-    },
+    /// A theory or an option that areas of any shape do not take, or a number out of its range.
+    #[error("[solve] {0}")]
+    Theory(#[from] TheoryError),
     /// No creepage gives the wanted forces.
     #[error(transparent)]
     Unreachable(#[from] Unreachable),
+    /// The theory does not find creepages.
+    #[error("[wanted] needs the theory exact: {name} does not find creepages")]
+    FindsNothing {
+        /// Its name.
+        name: &'static str,
+    },
     /// The wanted forces make no sense.
     #[error("[wanted] {0}")]
     Inverse(#[from] InverseError),
+}
+
+impl From<SolveError> for GapCaseError {
+    fn from(error: SolveError) -> Self {
+        match error {
+            SolveError::Theory(error) => Self::Theory(error),
+            SolveError::Unreachable(error) => Self::Unreachable(error),
+            SolveError::Inverse(error) => Self::Inverse(error),
+            SolveError::FindsNothing { name } => Self::FindsNothing { name },
+        }
+    }
 }
 
 /// Why points, of a file or of the case itself, cannot be read.

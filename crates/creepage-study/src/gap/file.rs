@@ -13,7 +13,6 @@ use super::case::{GapCase, Pressed};
 use super::creepage::{SiCreepageSection, SiGiven, SiWantedSection};
 use super::error::GapCaseError;
 use super::shape::GapSection;
-use super::theory::GapTheory;
 use super::vary::{GapValue, GapVaried};
 use crate::case::body::Body;
 use crate::case::friction::FrictionValue;
@@ -79,7 +78,7 @@ pub fn gap_json_schema() -> Value {
     let mut schema = schema_of::<GapFile>();
     if let Some(theories) = schema["properties"]["solve"]["oneOf"].as_array_mut() {
         let name = |theory: &Value| theory["properties"]["theory"]["const"].clone();
-        theories.retain(|theory| GapTheory::NAMES.iter().any(|known| name(theory) == **known));
+        theories.retain(|theory| TheorySpec::OF_AREAS.iter().any(|known| name(theory) == **known));
         for theory in theories.iter_mut().filter(|theory| name(theory) == "exact") {
             theory["required"] = Value::Array(Vec::new());
         }
@@ -110,7 +109,11 @@ impl GapFile {
     /// [`GapCaseError`] for a text that is not TOML, unknown or missing keys, values of the wrong
     /// kind.
     pub fn read(text: &str) -> Result<Self, GapCaseError> {
-        let table: Table = text.parse().map_err(CaseError::from)?;
+        Self::of(&keys::parse(text)?, text)
+    }
+
+    /// The same where the sections of the text are known.
+    pub(crate) fn of(table: &Table, text: &str) -> Result<Self, GapCaseError> {
         for (section, keys, instead) in FOREIGN {
             let content = table.get(section).and_then(toml::Value::as_table);
             let key = keys.iter().find(|key| content.is_some_and(|c| c.contains_key(**key)));
@@ -118,7 +121,7 @@ impl GapFile {
                 return Err(GapCaseError::Foreign { section, key, instead });
             }
         }
-        keys::check(&table, &gap_json_schema())?;
+        keys::check(table, &gap_json_schema())?;
         Ok(toml::from_str(text).map_err(CaseError::from)?)
     }
 
@@ -141,7 +144,10 @@ impl GapFile {
     }
 
     /// The same without creepage: how the bodies move is said elsewhere.
-    pub(crate) fn case_at_rest(&self, directory: &Path) -> Result<GapCase, GapCaseError> {
+    ///
+    /// # Errors
+    /// As [`GapFile::case`].
+    pub fn case_at_rest(&self, directory: &Path) -> Result<GapCase, GapCaseError> {
         self.at_rest_with(|section| section.gap(directory))
     }
 
@@ -150,7 +156,8 @@ impl GapFile {
         gap: impl FnOnce(&GapSection) -> Result<Gap, GapCaseError>,
     ) -> Result<GapCase, GapCaseError> {
         let (upper, lower) = (self.upper.body(), self.lower.body());
-        let pair = SolidPair::new(upper.solid("upper")?, lower.solid("lower")?);
+        let solids = [upper.solid("upper")?, lower.solid("lower")?];
+        let pair = SolidPair::new(solids[0], solids[1]);
         let (gap, shape) = (gap(&self.gap)?, self.gap.shape());
         let pressed = self.contact.pressed()?;
         let (speed, theory) = (self.creepage.speed()?, self.theory()?);
@@ -167,6 +174,7 @@ impl GapFile {
             damage: self.damage.as_ref().map(DamageSection::wanted_without_limit).transpose()?,
             given: SiGiven::AT_REST,
             speed,
+            solids,
             theory,
         })
     }
@@ -205,8 +213,10 @@ impl GapFile {
     ///
     /// # Errors
     /// [`GapCaseError`] for a theory or an option that needs an ellipse.
-    pub fn theory(&self) -> Result<GapTheory, GapCaseError> {
-        GapTheory::new(&solve::from_table(&self.solve).map_err(CaseError::from)?)
+    pub fn theory(&self) -> Result<TheorySpec, GapCaseError> {
+        let theory = solve::from_table(&self.solve).map_err(CaseError::from)?;
+        theory.check_on_areas()?;
+        Ok(theory)
     }
 }
 

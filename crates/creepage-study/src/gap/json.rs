@@ -2,13 +2,13 @@
 
 use creepage::SiForce;
 use creepage::gap::Rectangle;
-use creepage::normal::{Method, Patch, Status};
+use creepage::normal::{Method, NormalContact, Patch, Status};
 use serde::Serialize;
 
-use super::solve::SolvedGap;
-use crate::Damage;
+use super::view::OnAreas;
 use crate::contact_json::SolidJson;
 use crate::json::{AreasJson, ForceJson, FrictionLawJson};
+use crate::{Caution, Damage};
 
 /// `report.json` of a contact of any shape.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -135,40 +135,86 @@ pub struct GapForceJson {
     pub moment_error_n_m: Option<f64>,
 }
 
-impl SolvedGap {
+impl OnAreas<'_> {
     /// Everything but the points, ready for `serde_json`.
-    #[must_use]
-    pub fn json(&self) -> GapReportJson {
+    pub(crate) fn json(&self) -> GapReportJson {
         let creepage = self.scaling.si_creepage(self.creepage);
-        let words = self.cautions.iter().map(ToString::to_string).collect::<Vec<_>>().join("; ");
+        let words =
+            self.solved.cautions.iter().map(ToString::to_string).collect::<Vec<_>>().join("; ");
         GapReportJson {
             creepage_version: env!("CARGO_PKG_VERSION"),
-            theory: self.case.theory.name(),
+            theory: self.solved.theory.name,
             status: self.solution.status.name(),
             caution: (!words.is_empty()).then_some(words),
             contact: self.contact_json(),
-            friction: self.case.friction,
+            friction: self.solved.case.friction(),
             creepage: GapCreepageJson {
                 longitudinal: creepage.longitudinal,
                 lateral: creepage.lateral,
                 spin_rad_per_m: creepage.spin,
             },
-            lower_body: GapForceJson::new(self.force(), self.force_error()),
-            upper_body: (-self.force()).into(),
+            lower_body: GapForceJson::new(self.solved.force(), self.solved.force_error()),
+            upper_body: (-self.solved.force()).into(),
             friction_used: self.solution.force.magnitude(),
             areas: self.areas_json(),
-            known: self.case.given.known(),
-            frictional_power_per_metre_j_per_m: self.power_per_metre(),
-            frictional_power_per_metre_by_slip_j_per_m: self.dissipation_per_metre(),
-            rolling_velocity_m_per_s: self.case.speed,
-            frictional_power_w: self.case.speed.map(|speed| speed * self.power_per_metre()),
-            friction_law: self.case.rolling_friction.map(Into::into),
-            damage: self.damage(),
+            known: self.given.known(),
+            frictional_power_per_metre_j_per_m: self.solved.power_per_metre(),
+            frictional_power_per_metre_by_slip_j_per_m: self.solved.dissipation_per_metre(),
+            rolling_velocity_m_per_s: self.solved.case.speed(),
+            frictional_power_w: self
+                .solved
+                .case
+                .speed()
+                .map(|speed| speed * self.solved.power_per_metre()),
+            friction_law: self.solved.contact.rolling_friction().map(Into::into),
+            damage: self.solved.damage().ok().flatten().cloned(),
         }
     }
 
     fn contact_json(&self) -> GapContactJson {
-        let contact = &self.contact;
+        GapContactJson::new(self.contact)
+    }
+
+    fn areas_json(&self) -> AreasJson {
+        let (share, area) = (self.solved.adhesion_share(), self.contact.area().value);
+        AreasJson {
+            adhesion_share: share,
+            adhesion_m2: share * area,
+            slip_m2: (1.0 - share) * area,
+            points: self.elements.len(),
+        }
+    }
+}
+
+/// Bodies of any shape pressed together as a report, without rolling.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct PressedReportJson {
+    /// The contact areas.
+    #[serde(flatten)]
+    pub contact: GapContactJson,
+    /// Warnings in words; else `null`.
+    pub caution: Option<String>,
+}
+
+impl PressedReportJson {
+    /// The areas and warnings about them.
+    #[must_use]
+    pub fn new(contact: &NormalContact, cautions: &[Caution]) -> Self {
+        let caution = (!cautions.is_empty()).then(|| Caution::words(cautions));
+        Self { contact: GapContactJson::new(contact), caution }
+    }
+}
+
+/// How the pressure was found.
+pub(super) fn method(contact: &NormalContact) -> &'static str {
+    match contact.method() {
+        Method::Strips => "strips",
+        Method::Elements => "elements",
+    }
+}
+
+impl GapContactJson {
+    fn new(contact: &NormalContact) -> Self {
         let [load, approach, area, peak] =
             [contact.load(), contact.approach(), contact.area(), contact.peak_pressure()];
         GapContactJson {
@@ -181,7 +227,7 @@ impl SolvedGap {
             peak_pressure_pa: peak.value,
             peak_pressure_error_pa: peak.error,
             stiffness_n_per_m: contact.stiffness(),
-            method: self.method(),
+            method: method(contact),
             status: match contact.status() {
                 Status::Converged => "converged",
                 Status::NotConverged { .. } => "not_converged",
@@ -189,24 +235,6 @@ impl SolvedGap {
             centroid_m: contact.centroid(),
             patches: contact.patches().iter().map(PatchJson::new).collect(),
             solid: contact.pair().into(),
-        }
-    }
-
-    /// How the pressure was found.
-    pub(super) fn method(&self) -> &'static str {
-        match self.contact.method() {
-            Method::Strips => "strips",
-            Method::Elements => "elements",
-        }
-    }
-
-    fn areas_json(&self) -> AreasJson {
-        let (share, area) = (self.adhesion_share(), self.contact.area().value);
-        AreasJson {
-            adhesion_share: share,
-            adhesion_m2: share * area,
-            slip_m2: (1.0 - share) * area,
-            points: self.elements.len(),
         }
     }
 }

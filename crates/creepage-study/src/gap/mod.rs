@@ -5,7 +5,6 @@
 //! [`SolvedCase`](crate::SolvedCase).
 
 mod case;
-mod caution;
 mod columns;
 mod creepage;
 mod error;
@@ -20,21 +19,22 @@ mod solver;
 mod text;
 mod theory;
 mod vary;
+mod view;
 mod vtk;
-mod write;
 
 pub use case::{GapCase, Pressed};
-pub use caution::GapCaution;
 pub use creepage::SiGiven;
 pub use error::{GapCaseError, GapFileError};
 pub use file::{GapFile, gap_json_schema};
 pub use json::{
     ExtentJson, GapContactJson, GapCreepageJson, GapForceJson, GapReportJson, PatchJson,
+    PressedReportJson,
 };
 pub(crate) use picture::AreasPicture;
 pub use rows::GapRows;
-pub use solve::SolvedGap;
 pub(crate) use solve::{pressed, resolutions};
 pub use solver::{GapSolver, solve_gap};
+pub use text::pressed_text;
 pub use theory::GapTheory;
 pub use vary::{GapValue, GapVaried};
+pub(crate) use view::OnAreas;

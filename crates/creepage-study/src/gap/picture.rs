@@ -9,7 +9,7 @@ use creepage_plot::format::{Scale, fixed, quantity, round_below, significant};
 use creepage_plot::theme::ARROW;
 use creepage_plot::{Axis, Bands, Contour, Fill, Label, Panel, Pen, Point, Sample, Sheet};
 
-use super::solve::SolvedGap;
+use super::view::OnAreas;
 use crate::text::status_words;
 
 /// Millimetres to a metre: the unit of the axes.
@@ -82,19 +82,18 @@ impl View {
     }
 }
 
-impl SolvedGap {
+impl OnAreas<'_> {
     /// The contact areas seen from above, as SVG.
-    #[must_use]
-    pub fn contact_svg(&self) -> String {
-        let share = self.adhesion_share();
+    pub(crate) fn contact_svg(&self) -> String {
+        let share = self.solved.adhesion_share();
         AreasPicture {
             title: "Rolling contact on areas of any shape",
-            contact: &self.contact,
-            elements: &self.elements,
+            contact: self.contact,
+            elements: self.elements,
             scaling: self.scaling,
             status: self.solution.status,
-            friction: self.case.friction,
-            force: self.force(),
+            friction: self.solved.case.friction(),
+            force: self.solved.force(),
             share,
         }
         .svg()

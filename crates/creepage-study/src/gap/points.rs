@@ -3,7 +3,7 @@
 use creepage::coulomb::ElementField;
 use creepage_plot::signed_area;
 
-use super::solve::SolvedGap;
+use super::view::OnAreas;
 use crate::error::ReportError;
 
 const HEADER: [&str; 10] = [
@@ -19,12 +19,12 @@ const HEADER: [&str; 10] = [
     "frictional_power_per_metre_j_per_m3",
 ];
 
-impl SolvedGap {
+impl OnAreas<'_> {
     /// The elements as CSV: strip by strip, each from the leading edge.
-    pub(super) fn points_csv(&self) -> Result<Vec<u8>, ReportError> {
+    pub(crate) fn points_csv(&self) -> Result<Vec<u8>, ReportError> {
         let mut writer = csv::Writer::from_writer(Vec::new());
         writer.write_record(HEADER)?;
-        for element in &self.elements {
+        for element in self.elements {
             writer.write_record(self.row(element))?;
         }
         writer.into_inner().map_err(|error| csv::Error::from(error.into_error()).into())
@@ -44,7 +44,7 @@ impl SolvedGap {
             cell(slip_x),
             cell(slip_y),
             point.region.name().into(),
-            cell(element.bound * scaling.traction / self.case.friction),
+            cell(element.bound * scaling.traction / self.solved.case.friction()),
             cell(area),
             cell(traction_x * slip_x + traction_y * slip_y),
         ]

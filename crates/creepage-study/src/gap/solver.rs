@@ -6,19 +6,20 @@ use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 use creepage::coulomb::{NonHertzian, Resolution};
 use creepage::gap::Gap;
 use creepage::normal::{self, NormalContact, NormalError};
-use creepage::theory::{NamedResolution, ResolutionSpec};
-use creepage::{InvalidValue, SolidPair};
+use creepage::theory::{ExactOptions, NamedResolution, ResolutionSpec};
+use creepage::{Contact, InvalidValue, SolidPair, Theory, TheorySpec};
 
 use super::case::{GapCase, Pressed};
 use super::error::GapCaseError;
-use super::solve::{self, SolvedGap, resolutions, rolled, simplified};
-use super::theory::GapTheory;
+use super::solve::{self, resolutions};
+use crate::solve::{Held, in_si_units};
+use crate::{AnyCase, CaseError, Caution, SolveError, SolvedCase};
 
 /// Solves a case of any shape: the pressure, then rolling. For many cases use [`GapSolver`].
 ///
 /// # Errors
 /// [`GapCaseError`] for bodies without a contact area, and for wanted forces out of reach.
-pub fn solve_gap(case: &GapCase) -> Result<SolvedGap, GapCaseError> {
+pub fn solve_gap(case: &GapCase) -> Result<SolvedCase, GapCaseError> {
     GapSolver::default().solve(case)
 }
 
@@ -40,10 +41,10 @@ struct Asked {
     resolution: normal::Resolution,
 }
 
-/// A contact, and the full theory on it.
+/// Pressed areas, and the full theory on them.
 #[derive(Debug)]
 struct Known {
-    contact: Result<NormalContact, NormalError>,
+    areas: Result<Arc<NormalContact>, NormalError>,
     theories: Memory<Resolution, Result<NonHertzian, InvalidValue>>,
 }
 
@@ -52,31 +53,22 @@ impl GapSolver {
     ///
     /// # Errors
     /// [`GapCaseError`], as [`solve_gap`].
-    pub fn solve(&self, case: &GapCase) -> Result<SolvedGap, GapCaseError> {
-        let options = match case.theory {
-            GapTheory::Exact(options) => options,
-            GapTheory::Simplified(kind, cells) => {
-                if case.rolling_friction.is_some() || case.layer.is_some() {
-                    let why =
-                        "a law of friction or a layer is counted on other areas by exact alone";
-                    return Err(GapCaseError::Theory { name: case.theory.name(), why });
-                }
-                let known = self.pressed(case, normal::Resolution::STANDARD);
-                return simplified(case, known.contact(case)?, kind, cells);
-            }
+    pub fn solve(&self, case: &GapCase) -> Result<SolvedCase, GapCaseError> {
+        let known = self.pressed(case, fineness(&case.theory));
+        let contact = case.contact(known.areas(case)?)?;
+        let TheorySpec::Exact(options) = &case.theory else {
+            return case.solved(&contact, case.theory.prepare(&contact)?);
         };
-        let fineness = match options.resolution {
-            ResolutionSpec::Named(NamedResolution::Fast) => normal::Resolution::FAST,
-            _ => normal::Resolution::FINE,
-        };
-        let known = self.pressed(case, fineness);
-        let contact = known.contact(case)?;
-        let rolled = |resolution| rolled(case, contact, known.theory(contact, case, resolution));
-        let (resolutions, accuracy) = resolutions(options)?;
+        let (resolutions, accuracy) = resolutions(*options)?;
         let (last, first) = resolutions.split_last().unwrap_or((&Resolution::STANDARD, &[]));
+        let rolled = |resolution| -> Result<SolvedCase, GapCaseError> {
+            let theory =
+                known.theory(&contact, resolution).map_err(CaseError::invalid("contact"))?;
+            case.solved(&contact, Box::new(theory))
+        };
         for resolution in first {
             let solved = rolled(*resolution)?;
-            let error = solved.solution.error.unwrap_or_default();
+            let error = solved.solution().error.unwrap_or_default();
             if error.fx.max(error.fy) <= accuracy {
                 return Ok(solved);
             }
@@ -84,35 +76,109 @@ impl GapSolver {
         rolled(*last)
     }
 
+    /// The contact of a case, pressed as finely as its theory needs.
+    ///
+    /// # Errors
+    /// [`GapCaseError`] for bodies without a contact area.
+    pub fn contact(&self, case: &GapCase) -> Result<Contact, GapCaseError> {
+        let known = self.pressed(case, fineness(&case.theory));
+        Ok(case.contact(known.areas(case)?)?)
+    }
+
     /// The bodies of a case pressed together.
     fn pressed(&self, case: &GapCase, resolution: normal::Resolution) -> Arc<Known> {
         let (gap, pressed) = (case.gap.clone(), case.pressed);
         let asked = Asked { gap, pair: case.pair, pressed, resolution };
         self.contacts.of(&asked, |_| {
-            let contact = solve::pressed_together(case, resolution);
-            Known { contact, theories: Memory::default() }
+            let areas = solve::pressed_together(case, resolution).map(Arc::new);
+            Known { areas, theories: Memory::default() }
         })
     }
 }
 
+/// How finely bodies are pressed for a theory of rolling.
+fn fineness(theory: &TheorySpec) -> normal::Resolution {
+    match theory {
+        TheorySpec::Exact(ExactOptions {
+            resolution: ResolutionSpec::Named(NamedResolution::Fast),
+            ..
+        }) => normal::Resolution::FAST,
+        TheorySpec::Exact(_) => normal::Resolution::FINE,
+        _ => normal::Resolution::STANDARD,
+    }
+}
+
 impl Known {
-    /// The contact, if there is one.
-    fn contact(&self, case: &GapCase) -> Result<&NormalContact, GapCaseError> {
-        self.contact.as_ref().map_err(|error| solve::not_pressed(case, error.clone()))
+    /// The areas, if there are any.
+    fn areas(&self, case: &GapCase) -> Result<&Arc<NormalContact>, GapCaseError> {
+        self.areas.as_ref().map_err(|error| solve::not_pressed(case, error.clone()))
     }
 
-    /// The full theory on a contact of this one, for the case's friction and layer.
+    /// The full theory for a contact on these areas.
     fn theory(
         &self,
-        contact: &NormalContact,
-        case: &GapCase,
+        contact: &Contact,
         resolution: Resolution,
     ) -> Result<NonHertzian, InvalidValue> {
-        // Any friction will do for what does not depend on it.
-        let theory = self.theories.of(&resolution, |r| NonHertzian::new(contact, 1.0, *r));
+        // What depends on friction or on a layer is little, and made for each contact.
+        let friction = contact.friction().unwrap_or(1.0);
+        let theory =
+            self.theories.of(&resolution, |resolution| NonHertzian::on(contact, *resolution));
         let theory = theory.as_ref().as_ref().map_err(InvalidValue::clone)?;
-        let theory = theory.with_friction(case.friction)?;
-        Ok(theory.with_resistance(case.rolling_friction, case.layer))
+        let theory = theory.with_friction(friction)?;
+        Ok(theory.with_resistance(contact.rolling_friction(), contact.layer()))
+    }
+}
+
+impl GapCase {
+    /// The contact on areas that this case gives, with its law of friction and its layer.
+    pub(crate) fn contact(&self, areas: &Arc<NormalContact>) -> Result<Contact, CaseError> {
+        let contact = Contact::of_areas(Arc::clone(areas), self.friction)
+            .map_err(CaseError::invalid("contact"))?;
+        let contact = match self.rolling_friction {
+            Some(law) => contact.with_rolling_friction(law),
+            None => contact,
+        };
+        Ok(match self.layer {
+            Some(layer) => contact.with_layer(layer),
+            None => contact,
+        })
+    }
+
+    /// The case solved by a theory that is prepared for its contact.
+    fn solved(
+        &self,
+        contact: &Contact,
+        theory: Box<dyn Theory>,
+    ) -> Result<SolvedCase, GapCaseError> {
+        let scaling = contact.scaling();
+        let held = if self.given.is_creepage() {
+            let creepage = self.given.creepage(scaling)?;
+            Held::new(theory, |theory| theory.solved(creepage))
+        } else {
+            let reach = contact.areas().map_or(0.0, |areas| solve::reach(areas));
+            let constraints = self.given.constraints(scaling, reach)?;
+            let prescribed = self.given.force.map(|force| force.is_some());
+            Held::try_new(theory, |theory| {
+                let name = self.theory.facts().name;
+                let found =
+                    theory.solved_for(constraints).ok_or(SolveError::FindsNothing { name })?;
+                found.map_err(|error| in_si_units(error, prescribed, scaling))
+            })?
+        };
+        Ok(SolvedCase::new(
+            AnyCase::Gap(self.clone()),
+            contact,
+            self.theory.facts(),
+            held,
+            |solution, creepage| {
+                let mut cautions = Caution::all(&self.theory, contact, solution);
+                cautions.extend(Caution::large_creepage(scaling.si_creepage(creepage)));
+                let areas = contact.areas();
+                cautions.extend(areas.and_then(|areas| Caution::large_areas(&self.gap, areas)));
+                cautions
+            },
+        ))
     }
 }
 

@@ -1,70 +1,33 @@
 //! The report for a terminal.
 
 use creepage::SiForce;
-use creepage::normal::Estimate;
+use creepage::normal::{Estimate, NormalContact};
 use creepage_plot::format::{Scale, fixed, quantity, significant};
 
-use super::solve::SolvedGap;
+use super::json::method;
+use super::view::OnAreas;
+use crate::Caution;
 use crate::text::{Lines, status_words};
 
-impl SolvedGap {
+impl OnAreas<'_> {
     /// A short report: contact areas, creepage, forces on both bodies, error bars, status.
-    #[must_use]
-    pub fn text(&self) -> String {
+    pub(crate) fn text(&self) -> String {
         let mut lines = Lines::default();
         let status = self.solution.status;
-        let name = self.case.theory.name();
+        let name = self.solved.theory.name;
         lines.headline(&format!("Theory {name}: {}", status_words(status)), status);
-        for caution in &self.cautions {
+        for caution in &self.solved.cautions {
             lines.caution(&caution.to_string());
         }
-        self.contact_lines(&mut lines);
-        self.patch_lines(&mut lines);
+        contact_lines(&mut lines, self.contact, Some(self.solved.case.friction()));
+        patch_lines(&mut lines, self.contact);
         self.creepage_lines(&mut lines);
         self.force_lines(&mut lines);
         self.friction_lines(&mut lines);
-        if let Some(damage) = self.damage() {
+        if let Ok(Some(damage)) = self.solved.damage() {
             damage.lines(&mut lines);
         }
         lines.into_text()
-    }
-
-    fn contact_lines(&self, lines: &mut Lines) {
-        lines.heading("Contact area of any shape");
-        lines.columns("", ["", "error bar", ""]);
-        let mut row = |name: &str, estimate: Estimate, unit: &str| {
-            let scale = Scale::of(estimate.value, unit, 5);
-            let error = match estimate.error {
-                0.0 => "given".into(),
-                error => quantity(error, unit, 2),
-            };
-            lines.columns(name, [&scale.write(estimate.value), &error, ""]);
-        };
-        row("normal force N", self.contact.load(), "N");
-        row("approach of the bodies", self.contact.approach(), "m");
-        row("peak pressure", self.contact.peak_pressure(), "Pa");
-        let area = self.contact.area();
-        let square = |value: f64, digits| format!("{} mm²", significant(1e6 * value, digits));
-        lines.columns("area", [&square(area.value, 5), &square(area.error, 2), ""]);
-        let stiffness = significant(self.contact.stiffness() * 1e-6, 5);
-        lines.row("stiffness dN/d(approach)", &format!("{stiffness} N/µm"));
-        lines.row("friction mu", &significant(self.case.friction, 5));
-        lines.row("pressure found by", &format!(" {}", self.method()));
-    }
-
-    fn patch_lines(&self, lines: &mut Lines) {
-        lines.heading("Patches, from low to high y");
-        for patch in self.contact.patches() {
-            let (extent, [x, y]) = (patch.extent(), patch.centroid());
-            let mm = |value: f64| fixed(1e3 * value, 3);
-            lines.row("load", &quantity(patch.load(), "N", 5));
-            lines.row("  area", &format!("{} mm²", significant(1e6 * patch.area(), 5)));
-            for (name, [low, high]) in [("  x", extent.x), ("  y", extent.y)] {
-                lines.columns(name, [&format!("{} mm", mm(low)), &format!("{} mm", mm(high)), ""]);
-            }
-            let centre = [format!("{} mm", mm(x)), format!("{} mm", mm(y))];
-            lines.columns("  centre of pressure x, y", [&centre[0], &centre[1], ""]);
-        }
     }
 
     fn creepage_lines(&self, lines: &mut Lines) {
@@ -74,9 +37,9 @@ impl SolvedGap {
         let spin = format!("{} rad/m", significant(si.spin, 5));
         let [x, y] = [si.longitudinal, si.lateral].map(|value| significant(value, 5));
         lines.columns("", [&x, &y, &spin]);
-        if !self.case.given.is_creepage() {
+        if !self.given.is_creepage() {
             let word = |given: Option<f64>| if given.is_some() { "given" } else { "found" };
-            lines.columns("given or found", self.case.given.creepage.map(word));
+            lines.columns("given or found", self.given.creepage.map(word));
         }
     }
 
@@ -90,14 +53,14 @@ impl SolvedGap {
             let [x, y] = [force.longitudinal, force.lateral].map(|value| newton.write(value));
             lines.columns(name, [&x, &y, &newton_metre.write(force.moment)]);
         };
-        row("on the lower body", self.force());
-        if let Some(error) = self.force_error() {
+        row("on the lower body", self.solved.force());
+        if let Some(error) = self.solved.force_error() {
             row("  error bar", error);
         }
-        row("on the upper body", -self.force());
-        if !self.case.given.is_creepage() {
+        row("on the upper body", -self.solved.force());
+        if !self.given.is_creepage() {
             let word = |wanted: Option<f64>| if wanted.is_some() { "wanted" } else { "found" };
-            lines.columns("wanted or found", self.case.given.force.map(word));
+            lines.columns("wanted or found", self.given.force.map(word));
         }
     }
 
@@ -105,14 +68,66 @@ impl SolvedGap {
         let percent = |share: f64| format!("{} %", fixed(100.0 * share, 2));
         lines.heading("Friction");
         lines.row("share of mu N used", &percent(self.solution.force.magnitude()));
-        lines.row("adhesion, share of area", &percent(self.adhesion_share()));
-        lines.row("heat per metre rolled", &quantity(self.power_per_metre(), "J/m", 5));
-        if let Some(power) = self.dissipation_per_metre() {
+        lines.row("adhesion, share of area", &percent(self.solved.adhesion_share()));
+        lines.row("heat per metre rolled", &quantity(self.solved.power_per_metre(), "J/m", 5));
+        if let Some(power) = self.solved.dissipation_per_metre() {
             lines.row("  from traction and slip", &quantity(power, "J/m", 5));
         }
-        if let Some(speed) = self.case.speed {
+        if let Some(speed) = self.solved.case.speed() {
             lines.row("rolling velocity", &quantity(speed, "m/s", 5));
-            lines.row("frictional power", &quantity(speed * self.power_per_metre(), "W", 5));
+            lines.row("frictional power", &quantity(speed * self.solved.power_per_metre(), "W", 5));
         }
+    }
+}
+
+/// Bodies of any shape pressed together as a short text, warnings first.
+#[must_use]
+pub fn pressed_text(contact: &NormalContact, cautions: &[Caution]) -> String {
+    let mut lines = Lines::default();
+    for caution in cautions {
+        lines.caution(&caution.to_string());
+    }
+    contact_lines(&mut lines, contact, None);
+    patch_lines(&mut lines, contact);
+    lines.into_text()
+}
+
+fn contact_lines(lines: &mut Lines, contact: &NormalContact, friction: Option<f64>) {
+    lines.heading("Contact area of any shape");
+    lines.columns("", ["", "error bar", ""]);
+    let mut row = |name: &str, estimate: Estimate, unit: &str| {
+        let scale = Scale::of(estimate.value, unit, 5);
+        let error = match estimate.error {
+            0.0 => "given".into(),
+            error => quantity(error, unit, 2),
+        };
+        lines.columns(name, [&scale.write(estimate.value), &error, ""]);
+    };
+    row("normal force N", contact.load(), "N");
+    row("approach of the bodies", contact.approach(), "m");
+    row("peak pressure", contact.peak_pressure(), "Pa");
+    let area = contact.area();
+    let square = |value: f64, digits| format!("{} mm²", significant(1e6 * value, digits));
+    lines.columns("area", [&square(area.value, 5), &square(area.error, 2), ""]);
+    let stiffness = significant(contact.stiffness() * 1e-6, 5);
+    lines.row("stiffness dN/d(approach)", &format!("{stiffness} N/µm"));
+    if let Some(friction) = friction {
+        lines.row("friction mu", &significant(friction, 5));
+    }
+    lines.row("pressure found by", &format!(" {}", method(contact)));
+}
+
+fn patch_lines(lines: &mut Lines, contact: &NormalContact) {
+    lines.heading("Patches, from low to high y");
+    for patch in contact.patches() {
+        let (extent, [x, y]) = (patch.extent(), patch.centroid());
+        let mm = |value: f64| fixed(1e3 * value, 3);
+        lines.row("load", &quantity(patch.load(), "N", 5));
+        lines.row("  area", &format!("{} mm²", significant(1e6 * patch.area(), 5)));
+        for (name, [low, high]) in [("  x", extent.x), ("  y", extent.y)] {
+            lines.columns(name, [&format!("{} mm", mm(low)), &format!("{} mm", mm(high)), ""]);
+        }
+        let centre = [format!("{} mm", mm(x)), format!("{} mm", mm(y))];
+        lines.columns("  centre of pressure x, y", [&centre[0], &centre[1], ""]);
     }
 }

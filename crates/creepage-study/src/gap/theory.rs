@@ -1,7 +1,9 @@
-//! The theories that take contact areas of any shape.
+//! The theories that take contact areas of any shape, as wheelsets and histories prepare them.
 
+use creepage::TheorySpec;
+use creepage::approximate::fastsim;
 use creepage::approximate::non_hertzian::Simplified;
-use creepage::theory::ExactOptions;
+use creepage::theory::{ExactOptions, TheoryError};
 
 /// A theory that takes contact areas of any shape, with its options.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -13,9 +15,21 @@ pub enum GapTheory {
 }
 
 impl GapTheory {
-    /// Names of the theories that take any shape.
-    pub(super) const NAMES: [&'static str; 5] =
-        ["exact", "fastsim", "fastrip", "linear", "saturated"];
+    /// The theory of a specification.
+    ///
+    /// # Errors
+    /// [`TheoryError`] for a theory or an option that needs an ellipse.
+    pub fn new(spec: &TheorySpec) -> Result<Self, TheoryError> {
+        spec.check_on_areas()?;
+        let usual = fastsim::Settings::default().grid;
+        Ok(match spec {
+            TheorySpec::Exact(options) => Self::Exact(*options),
+            TheorySpec::Fastsim(settings) => Self::Simplified(Simplified::Fastsim, settings.grid),
+            TheorySpec::Fastrip(options) => Self::Simplified(Simplified::Fastrip, options.grid),
+            TheorySpec::Linear(_) => Self::Simplified(Simplified::Linear, usual),
+            _ => Self::Simplified(Simplified::Saturated, usual),
+        })
+    }
 
     /// The theory's name.
     #[must_use]

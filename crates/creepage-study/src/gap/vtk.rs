@@ -4,21 +4,21 @@
 use creepage::Region;
 use creepage::coulomb::ElementField;
 
-use super::solve::SolvedGap;
+use super::view::OnAreas;
 use crate::vtk::Vtk;
 
-impl SolvedGap {
+impl OnAreas<'_> {
     /// The elements with pressure, tractions, areas, and slip and frictional power where the theory
     /// gives them.
-    pub(super) fn vtk(&self) -> String {
-        let (elements, scaling) = (&self.elements, self.scaling);
+    pub(crate) fn vtk(&self) -> String {
+        let (elements, scaling) = (self.elements, self.scaling);
         let count = elements.len();
         let mut vtk = Vtk(format!(
             "# vtk DataFile Version 3.0\n\
              creepage {}: theory {}; SI units, on the lower body, x along rolling\n\
              ASCII\nDATASET POLYDATA\nPOINTS {} float\n",
             env!("CARGO_PKG_VERSION"),
-            self.case.theory.name(),
+            self.solved.theory.name,
             4 * count,
         ));
         let corners = elements.iter().flat_map(|element| element.corners);
@@ -29,7 +29,7 @@ impl SolvedGap {
             vtk.line(&format!("4 {first} {} {} {}", first + 1, first + 2, first + 3));
         }
         vtk.line(&format!("CELL_DATA {count}"));
-        let pressure = scaling.traction / self.case.friction;
+        let pressure = scaling.traction / self.solved.case.friction();
         vtk.scalars("pressure_pa", elements.iter().map(|element| pressure * element.bound));
         let traction =
             |element: &ElementField| element.point.traction.map(|t| t * scaling.traction);

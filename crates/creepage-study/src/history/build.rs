@@ -15,7 +15,7 @@ use crate::CaseError;
 use crate::case::contact::ContactSection;
 use crate::case::sections::check_aligned;
 use crate::case::solve;
-use crate::gap::{GapCase, GapTheory, pressed, resolutions};
+use crate::gap::{GapCase, pressed, resolutions};
 
 impl RollFile {
     /// The case, every number of it checked; files of points stand in `directory`.
@@ -179,14 +179,10 @@ impl StartSection {
 
 /// The case of a history from the one of steady rolling.
 fn on_areas(case: &GapCase) -> Result<RollCase, HistoryError> {
-    let options = match case.theory {
-        GapTheory::Exact(options) => options,
-        GapTheory::Simplified(..) if case.theory.name() == "fastsim" => {
-            return Err(HistoryError::NotOfFastsim { what: "[gap]" });
-        }
-        GapTheory::Simplified(..) => {
-            return Err(HistoryError::Theory { theory: case.theory.name() });
-        }
+    let options = match &case.theory {
+        TheorySpec::Exact(options) => *options,
+        TheorySpec::Fastsim(_) => return Err(HistoryError::NotOfFastsim { what: "[gap]" }),
+        other => return Err(HistoryError::Theory { theory: other.facts().name }),
     };
     resolutions(options)?;
     let resolution = resolution(&options)?;

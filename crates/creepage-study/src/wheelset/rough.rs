@@ -4,7 +4,7 @@
 use creepage::normal::NormalContact;
 use creepage_rail::{Contact, Role};
 
-use crate::GapCaution;
+use crate::Caution;
 
 /// Beyond a contact's area on either side, waves are looked for as far as this (m): between two
 /// crests the area may be narrower than a wave.
@@ -20,7 +20,7 @@ const COUNTS: f64 = 0.2;
 ///
 /// Pressing a wave of length `l` and height `a` flat takes the pressure `pi E* a / l` on its crests
 /// (Westergaard 1939): a quarter of `E*` for each radian from the slope of one side to the other.
-pub(super) fn cautions(contact: &Contact<'_>, normal: &NormalContact) -> Vec<GapCaution> {
+pub(super) fn cautions(contact: &Contact<'_>, normal: &NormalContact) -> Vec<Caution> {
     let pair = normal.pair();
     let by_swing = 0.25 * pair.shear_modulus() / (1.0 - pair.poisson());
     let peak = normal.peak_pressure().value;
@@ -29,8 +29,7 @@ pub(super) fn cautions(contact: &Contact<'_>, normal: &NormalContact) -> Vec<Gap
         let least = COUNTS * peak / by_swing;
         let waves = contact.waves(body, [low - BEYOND, high + BEYOND], least)?;
         let pressure = by_swing * waves.swing;
-        let caution =
-            GapCaution::Rough { body, length: waves.length, swing: waves.swing, pressure };
+        let caution = Caution::Rough { body, length: waves.length, swing: waves.swing, pressure };
         (waves.count >= WAVES && waves.length < SHORT).then_some(caution)
     };
     [Role::Wheel, Role::Rail].into_iter().filter_map(rough).collect()

@@ -14,7 +14,7 @@ use super::derivatives::WheelsetDerivatives;
 use super::field::Field;
 use super::nearby::{Drift, Pitch};
 use super::resultant::{Acting, Resultant};
-use crate::{Damage, GapCaution, GapTheory, adhesion};
+use crate::{Caution, Damage, GapTheory, adhesion};
 
 /// A wheelset whose contacts are solved.
 #[derive(Debug, Clone)]
@@ -99,7 +99,7 @@ pub struct SolvedContact {
     pub(super) correction: Option<Arc<Correction>>,
     pub(super) field: Field,
     /// What is to be held against the profiles.
-    pub(super) rough: Vec<GapCaution>,
+    pub(super) rough: Vec<Caution>,
 }
 
 impl SolvedContact {
@@ -144,12 +144,16 @@ impl SolvedContact {
 
     /// What is to be held against its solution.
     #[must_use]
-    pub fn cautions(&self) -> Vec<GapCaution> {
+    pub fn cautions(&self) -> Vec<Caution> {
         let RollingCreepage { longitudinal, lateral, spin, .. } = self.creepage;
         let creepage = SiCreepage { longitudinal, lateral, spin };
-        let all = GapCaution::all(&self.normal, self.friction, creepage, self.status).into_iter();
+        let kappa_over_mu = self.normal.pair().kappa() / self.friction;
+        let status = (self.status != Status::Solved).then_some(Caution::Status(self.status));
+        let all = status.into_iter().chain(Caution::large_creepage(creepage));
+        let all =
+            all.chain(Caution::like_bodies(kappa_over_mu)).chain(Caution::of_areas(&self.normal));
         // Its points across are as many as are looked up.
-        let all = all.filter(|caution| !matches!(caution, GapCaution::CoarseGap { .. }));
+        let all = all.filter(|caution| !matches!(caution, Caution::CoarseGap { .. }));
         all.chain(self.rough.iter().copied()).collect()
     }
 
@@ -230,9 +234,9 @@ impl SolvedWheelset {
     /// What is to be held against the solution, each with its side; of several contacts on a rough
     /// profile the most loaded one says so.
     #[must_use]
-    pub fn cautions(&self) -> Vec<(Side, GapCaution)> {
+    pub fn cautions(&self) -> Vec<(Side, Caution)> {
         let contacts = self.wheels().flat_map(SolvedWheel::contacts);
-        let mut all: Vec<(Side, GapCaution)> = Vec::new();
+        let mut all: Vec<(Side, Caution)> = Vec::new();
         for (side, caution) in
             contacts.flat_map(|c| c.cautions().into_iter().map(|caution| (c.side, caution)))
         {
@@ -246,7 +250,7 @@ impl SolvedWheelset {
     /// The same in words.
     #[must_use]
     pub fn caution_words(&self) -> Vec<String> {
-        let words = |(side, caution): &(Side, GapCaution)| match side {
+        let words = |(side, caution): &(Side, Caution)| match side {
             Side::Left => format!("left wheel: {caution}"),
             Side::Right => format!("right wheel: {caution}"),
         };

@@ -83,7 +83,7 @@ impl Polach {
         let coefficients = CreepageCoefficients::interpolated(contact)?;
         let spin_weight = 1.0 - 6.3 * (-ellipse.ratio()).exp_m1();
         Ok(Self {
-            contact: *contact,
+            contact: contact.clone(),
             coefficients,
             spin_slope: 8.0 / 3.0 * ellipse.b() * coefficients.c23 / spin_weight,
             spin_scale: 0.375 * ellipse.a() * spin_weight,

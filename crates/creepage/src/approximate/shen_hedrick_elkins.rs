@@ -44,7 +44,7 @@ impl ShenHedrickElkins {
     pub fn new(contact: &Contact) -> Result<Self, InvalidValue> {
         let (ellipse, poisson) = (checked(contact)?, contact.poisson());
         let coefficients = CreepageCoefficients::interpolated(contact)?;
-        Ok(Self { contact: *contact, gains: coefficients.gains(ellipse, poisson) })
+        Ok(Self { contact: contact.clone(), gains: coefficients.gains(ellipse, poisson) })
     }
 
     /// The forces of linear theory, and the law there.

@@ -73,7 +73,7 @@ impl VermeulenJohnson {
         };
         let slip_unit = slip_unit(ellipse, poisson);
         Ok(Self {
-            contact: *contact,
+            contact: contact.clone(),
             slip_unit,
             phi,
             psi,

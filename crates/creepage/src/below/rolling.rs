@@ -2,6 +2,7 @@
 
 use super::element::{Element, ElementError};
 use super::interior::{Body, Interior, InteriorError};
+use crate::check::InvalidValue;
 use crate::contact::Contact;
 use crate::coulomb::quadrilaterals;
 use crate::hertz::Hertz;
@@ -61,6 +62,46 @@ impl Interior {
         let elements = patches.into_iter().map(element).collect::<Result<Vec<_>, _>>()?;
         Ok(Self::sliding(hertz, [0.0, 0.0], solid, body)?.with_elements(&elements))
     }
+}
+
+impl Interior {
+    /// Pressure and tangential tractions of a contact on areas of any shape, both on the elements of its
+    /// solution, the pressure scaled so that it carries the load to rounding.
+    ///
+    /// # Errors
+    /// [`RollingError`] for tractions that are not finite, and for a contact that is Hertz's ellipse.
+    pub fn rolling_on_areas(
+        contact: &Contact,
+        solved: &dyn Solved,
+        solid: Solid,
+        body: Body,
+    ) -> Result<Self, RollingError> {
+        let valid = "at least one: Hertz's ellipse has its pressure in closed form";
+        let none = InvalidValue { quantity: "areas of any shape", value: 0.0, valid };
+        let areas = contact.areas().ok_or(InteriorError::Invalid(none))?;
+        let (length, unit) = (contact.scaling().length, contact.scaling().traction);
+        let patches = solved.patches().unwrap_or_default();
+        let pressed = patches.into_iter().map(|Patch { corners, traction }| {
+            let corners = corners.map(|corner| corner.map(|at| length * at));
+            let [x, y] = mean(&corners);
+            (corners, traction, areas.pressure(x, y))
+        });
+        let pressed: Vec<_> = pressed.collect();
+        let load =
+            |(corners, _, pressure): &([[f64; 2]; 4], [f64; 2], f64)| pressure * area(corners);
+        let carried = pressed.iter().map(load).sum::<f64>();
+        let share = areas.load().value / carried.max(f64::MIN_POSITIVE);
+        let element = |(corners, [x, y], pressure): ([[f64; 2]; 4], [f64; 2], f64)| {
+            Element::new(&corners, [unit * x, unit * y, share * pressure])
+        };
+        let elements = pressed.into_iter().map(element).collect::<Result<Vec<_>, _>>()?;
+        Ok(Self::new(solid, body).with_elements(&elements))
+    }
+}
+
+/// Area of a quadrilateral.
+fn area([p, q, r, s]: &[[f64; 2]; 4]) -> f64 {
+    0.5 * ((r[0] - p[0]) * (s[1] - q[1]) - (s[0] - q[0]) * (r[1] - p[1])).abs()
 }
 
 fn of_field(contact: &Contact, solved: &dyn Solved) -> Vec<Patch> {

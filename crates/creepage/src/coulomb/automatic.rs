@@ -40,6 +40,11 @@ impl<P> Resolutions<P> {
         Self { accuracy, first, finer: [OnceLock::new(), OnceLock::new()] }
     }
 
+    /// The first of them.
+    pub(super) fn first(&self) -> &P {
+        &self.first
+    }
+
     /// That one only.
     pub(super) fn only(first: P) -> Self {
         Self::new(f64::INFINITY, first)
@@ -84,7 +89,7 @@ impl Automatic {
     pub fn new(contact: &Contact, accuracy: f64) -> Result<Self, InvalidValue> {
         check::positive("accuracy", accuracy)?;
         let fast = Exact::new(contact, Resolution::FAST)?;
-        Ok(Self { contact: *contact, resolutions: Resolutions::new(accuracy, fast) })
+        Ok(Self { contact: contact.clone(), resolutions: Resolutions::new(accuracy, fast) })
     }
 
     /// Solves, refining until the error bars of `fx` and `fy` are below the prescribed accuracy or

@@ -54,7 +54,7 @@ pub use coupled::{Coupled, CoupledSolved, GrossSliding, Prescribed, SlidingError
 pub use cylinders::{Cylinders, CylindersSolved};
 pub(crate) use forcing::hertz_slip;
 pub use inverse::InverseSolution;
-pub use non_hertzian::{NearTractions, NonHertzian, NonHertzianSolved};
+pub use non_hertzian::{NearTractions, NonHertzian, NonHertzianAutomatic, NonHertzianSolved};
 pub use resolution::Resolution;
 pub use solution::ExactSolved;
 pub use view::ElementField;
@@ -148,7 +148,7 @@ impl Exact {
     /// # Errors
     /// [`InvalidValue`] unless the ratio `a/b` lies within [`Exact::RATIO_RANGE`].
     pub fn new(contact: &Contact, resolution: Resolution) -> Result<Self, InvalidValue> {
-        check::ratio(contact.ellipse().ratio(), Self::RATIO_RANGE, "between 1/64 and 64")?;
+        check::ratio(contact.hertz_ellipse()?.ratio(), Self::RATIO_RANGE, "between 1/64 and 64")?;
         Ok(Self::prepare(contact, resolution))
     }
 
@@ -163,7 +163,7 @@ impl Exact {
             let is_long = ellipse.ratio() > mesh::LONG;
             Grid { is_long, ..grid.with_resistance(friction, layer, contact.scaling()) }
         });
-        Self { contact: *contact, grids, pool: Pool::default() }
+        Self { contact: contact.clone(), grids, pool: Pool::default() }
     }
 
     /// Elements along and across on the finer grid.

@@ -2,20 +2,28 @@
 
 use std::sync::Arc;
 
+use super::automatic::{Resolutions, error_bars};
 use super::bands::{Bands, Frame};
 use super::extrapolation::{Extrapolation, error_bar, extrapolate};
 use super::grid::Grid;
+use super::heat::{self, Unresolved};
 use super::inverse::{Trial, search};
 use super::mesh::Strip;
 use super::resolution::Resolution;
+use super::solution::{error_bars_and_elements, power_of, quarters};
+use super::solver::State;
 use super::view::{ElementField, View};
 use super::workspace::{Pool, Workspace};
 use super::{Constraints, InverseError};
-use crate::check::InvalidValue;
+use crate::check::{self, InvalidValue};
+use crate::contact::Contact;
 use crate::friction_law::RollingFriction;
 use crate::layer::Layer;
 use crate::normal::NormalContact;
-use crate::theory::{FieldPoint, Jacobian, Solution, Solved, Status, differences};
+use crate::theory::field::mean;
+use crate::theory::{
+    Diagnostic, FieldPoint, Jacobian, Patch, Solution, Solved, Status, Theory, differences,
+};
 use crate::{Creepage, Force, Scaling};
 
 /// Change of the creepage to differentiate by, where friction depends on the slip.
@@ -49,7 +57,8 @@ const STEP: f64 = 1e-4;
 /// ```
 #[derive(Debug, Clone)]
 pub struct NonHertzian {
-    contact: NormalContact,
+    contact: Contact,
+    areas: Arc<NormalContact>,
     frame: Frame,
     scaling: Scaling,
     /// In the frame: its origin is the centre of pressure, for accuracy.
@@ -69,12 +78,25 @@ impl NonHertzian {
         friction: f64,
         resolution: Resolution,
     ) -> Result<Self, InvalidValue> {
-        let scaling = contact.scaling(friction)?;
-        let frame = Frame { origin: contact.centroid(), length: scaling.length };
-        let bands = Bands::new(contact, frame, resolution);
+        Self::on(&Contact::of_areas(contact.clone(), friction)?, resolution)
+    }
+
+    /// Prepares for areas of any shape, with the law of friction and the layer of the contact.
+    ///
+    /// # Errors
+    /// [`InvalidValue`] for a contact that is Hertz's ellipse: [`Exact`](super::Exact) takes that.
+    pub fn on(contact: &Contact, resolution: Resolution) -> Result<Self, InvalidValue> {
+        let valid = "at least one: Hertz's ellipse has a theory of its own";
+        let none = InvalidValue { quantity: "areas of any shape", value: 0.0, valid };
+        let areas = Arc::clone(contact.areas().ok_or(none)?);
+        let scaling = contact.scaling();
+        let frame = Frame { origin: areas.centroid(), length: scaling.length };
+        let bands = Bands::new(&areas, frame, resolution);
         let grids = Arc::new(Grid::pair(|times| bands.grid(times)));
-        let (contact, bare, pool) = (contact.clone(), Arc::clone(&grids), Pool::default());
-        Ok(Self { contact, frame, scaling, grids, bare, pool })
+        let (bare, pool) = (Arc::clone(&grids), Pool::default());
+        let (law, layer) = (contact.rolling_friction(), contact.layer());
+        let theory = Self { contact: contact.clone(), areas, frame, scaling, grids, bare, pool };
+        Ok(theory.with_resistance(law, layer))
     }
 
     /// The same with friction that depends on the speed of slip or on the place, whose largest value is
@@ -85,6 +107,7 @@ impl NonHertzian {
         friction: Option<RollingFriction>,
         layer: Option<Layer>,
     ) -> Self {
+        self.contact = self.contact.with_resistance(friction, layer);
         let (scaling, [_, y]) = (self.scaling, self.frame.origin);
         let friction = friction.map(|friction| friction.seen_from(y));
         if friction.is_some() || layer.is_some() {
@@ -100,8 +123,9 @@ impl NonHertzian {
     /// # Errors
     /// [`InvalidValue`] unless `friction` is finite and positive.
     pub fn with_friction(&self, friction: f64) -> Result<Self, InvalidValue> {
-        let scaling = self.contact.scaling(friction)?;
-        Ok(Self { scaling, grids: Arc::clone(&self.bare), ..self.clone() })
+        let contact = self.contact.with_friction_on_areas(friction)?;
+        let scaling = contact.scaling();
+        Ok(Self { contact, scaling, grids: Arc::clone(&self.bare), ..self.clone() })
     }
 
     /// The units of creepage, force and position.
@@ -149,11 +173,11 @@ impl NonHertzian {
         }
         let (mut workspace, more) = (self.pool.take(&self.grids), self.slips(more));
         workspace.start_from(&near.tractions);
-        let (mut solution, mut dissipation) = self.answer(&mut workspace, true, creepage, &more);
-        if solution.status == Status::NotConverged {
-            (solution, dissipation) = self.answer(&mut workspace, false, creepage, &more);
+        let mut answer = self.answer(&mut workspace, true, creepage, &more);
+        if answer.solution.status == Status::NotConverged {
+            answer = self.answer(&mut workspace, false, creepage, &more);
         }
-        NonHertzianSolved { theory: self, workspace, creepage, more, solution, dissipation }
+        NonHertzianSolved { theory: self, workspace, creepage, more, answer }
     }
 
     /// Elements in each strip of both grids.
@@ -167,14 +191,14 @@ impl NonHertzian {
         [0, 1].map(|k: usize| self.grids[k].places.iter().map(at).collect())
     }
 
-    /// The solution and the frictional power, from nothing or from the tractions of the last one.
+    /// Solves from nothing or from the tractions of the last solution.
     fn answer(
         &self,
         workspace: &mut Workspace,
         warm: bool,
         creepage: Creepage,
         more: &[Vec<[f64; 2]>; 2],
-    ) -> (Solution, f64) {
+    ) -> Answer {
         let (grids, inward) = (&self.grids, self.inward(creepage));
         workspace.solve(grids, warm, |k, forcing| {
             grids[k].set_forcing(inward, 0.0, forcing);
@@ -189,7 +213,13 @@ impl NonHertzian {
         if solution.status == Status::Solved && workspace.has_another(grids, 0.0) {
             solution.status = Status::SeveralSolutions;
         }
-        (solution, extrapolate(coarse.dissipation, fine.dissipation).max(0.0))
+        let states = workspace.states();
+        let [on_coarse, on_fine] =
+            [0, 1].map(|k: usize| work_of(&grids[k].pressure.shares, states[k], &more[k]));
+        let power = power_of(force, creepage) + extrapolate(on_coarse, on_fine);
+        let work = power_of(fine.force, inward) + on_fine;
+        let dissipation = heat::dissipation(power, &fine, work);
+        Answer { solution, power, dissipation, by_elements: fine.dissipation }
     }
 
     /// Finds the creepage at which the constraints hold, as [`Exact::find`](super::Exact::find).
@@ -230,6 +260,26 @@ impl NonHertzian {
     }
 }
 
+/// What a solve gives.
+#[derive(Debug, Clone, Copy)]
+struct Answer {
+    solution: Solution,
+    /// From force and creepage, and from the tractions' work on what is added to the creepage.
+    power: f64,
+    dissipation: f64,
+    /// What the tractions of the finer grid's elements give of it.
+    by_elements: f64,
+}
+
+/// Power of the tractions of a grid on creepages that are added in each element.
+fn work_of(shares: &[f64], state: &State, more: &[[f64; 2]]) -> f64 {
+    let parts = shares.iter().zip(more).enumerate().map(|(element, (share, [x, y]))| {
+        let [p, q] = state.traction.at(element);
+        share * (p * x + q * y)
+    });
+    parts.sum()
+}
+
 /// Tractions of a solved contact, from which one close by may start: [`NonHertzian::solve_near`].
 #[derive(Debug, Clone, PartialEq)]
 pub struct NearTractions {
@@ -248,15 +298,14 @@ pub struct NonHertzianSolved<'a> {
     creepage: Creepage,
     /// What is added to the slip of each grid's elements.
     more: [Vec<[f64; 2]>; 2],
-    solution: Solution,
-    dissipation: f64,
+    answer: Answer,
 }
 
 impl<'a> NonHertzianSolved<'a> {
     fn new(theory: &'a NonHertzian, creepage: Creepage, more: [Vec<[f64; 2]>; 2]) -> Self {
         let mut workspace = theory.pool.take(&theory.grids);
-        let (solution, dissipation) = theory.answer(&mut workspace, false, creepage, &more);
-        Self { theory, workspace, creepage, more, solution, dissipation }
+        let answer = theory.answer(&mut workspace, false, creepage, &more);
+        Self { theory, workspace, creepage, more, answer }
     }
 
     /// Goes on to a creepage nearby, with `more` as of [`NonHertzian::solve_curved`]: quicker than a
@@ -268,16 +317,16 @@ impl<'a> NonHertzianSolved<'a> {
         (self.creepage, self.more) = (creepage, theory.slips(more));
         let (room, more) = (&mut self.workspace, &self.more);
         let mut answer = theory.answer(room, true, creepage, more);
-        if answer.0.status == Status::NotConverged {
+        if answer.solution.status == Status::NotConverged {
             answer = theory.answer(room, false, creepage, more);
         }
-        (self.solution, self.dissipation) = answer;
+        self.answer = answer;
     }
 
     /// The force with its moment about a point.
     #[must_use]
     pub fn force_about(&self, [x, y]: [f64; 2]) -> Force {
-        let Force { fx, fy, mz } = self.solution.force;
+        let Force { fx, fy, mz } = self.answer.solution.force;
         Force { fx, fy, mz: mz - x * fy + y * fx }
     }
 
@@ -295,27 +344,36 @@ impl<'a> NonHertzianSolved<'a> {
     #[must_use]
     pub fn elements(&self) -> Vec<ElementField> {
         let (view, outward) = (self.view(), |at| self.theory.outward(at));
+        let (grid, state) = (&self.theory.grids[1], self.workspace.states()[1]);
+        let unresolved =
+            Unresolved::new(grid, state, self.answer.dissipation, self.answer.by_elements);
         let element = |(strip, i)| {
             let element = view.element(strip, i);
             let point = FieldPoint { position: outward(element.point.position), ..element.point };
-            ElementField { point, corners: element.corners.map(outward), ..element }
+            let power = unresolved.power(grid, state, strip, i);
+            ElementField { point, power, corners: element.corners.map(outward), ..element }
         };
         self.theory.grids[1].mesh.all().map(element).collect()
     }
 
     fn view(&self) -> View<'_> {
-        View::new(&self.theory.grids[1], self.workspace.states()[1])
+        self.view_of(1)
     }
 
-    fn at(&self, view: &View, position: [f64; 2]) -> FieldPoint {
+    /// The coarser grid, 0, or the finer one, 1, as it is seen.
+    fn view_of(&self, level: usize) -> View<'_> {
+        View::new(&self.theory.grids[level], self.workspace.states()[level])
+    }
+
+    fn at(&self, level: usize, view: &View, position: [f64; 2]) -> FieldPoint {
         let theory = self.theory;
         let [x, y] = position.map(|at| theory.scaling.length * at);
         let [a, b] = theory.origin();
         let inward = [position[0] - a, position[1] - b];
-        let pressure = theory.contact.pressure(x, y);
-        match theory.grids[1].mesh.locate(inward) {
+        let pressure = theory.areas.pressure(x, y);
+        match theory.grids[level].mesh.locate(inward) {
             Some((strip, along)) if pressure > 0.0 => {
-                let bound = pressure / theory.contact.peak_pressure().value;
+                let bound = pressure / theory.areas.peak_pressure().value;
                 FieldPoint { position, ..view.at(strip, inward, along, bound) }
             }
             _ => FieldPoint::outside(position),
@@ -335,13 +393,13 @@ impl Solved for NonHertzianSolved<'_> {
     }
 
     fn solution(&self) -> Solution {
-        self.solution
+        self.answer.solution
     }
 
     fn jacobian(&mut self) -> Option<Jacobian> {
         let theory = self.theory;
         if theory.grids[1].resistance.is_some() {
-            let force = |creepage| self.again(creepage).solution.force.components();
+            let force = |creepage| self.again(creepage).answer.solution.force.components();
             return Some(differences(self.creepage, STEP, force));
         }
         let forces = self.workspace.sums(&theory.grids, 0.0).map(|sum| sum.force);
@@ -364,15 +422,115 @@ impl Solved for NonHertzianSolved<'_> {
 
     fn field(&self, positions: &[[f64; 2]]) -> Vec<FieldPoint> {
         let view = self.view();
-        positions.iter().map(|at| self.at(&view, *at)).collect()
+        positions.iter().map(|at| self.at(1, &view, *at)).collect()
     }
 
     fn points(&self) -> Option<Vec<FieldPoint>> {
         Some(self.elements().iter().map(|element| element.point).collect())
     }
 
+    fn elements(&self) -> Option<Vec<ElementField>> {
+        Some(Self::elements(self))
+    }
+
+    /// The quarters of the finer grid's elements. The traction is extrapolated from the two grids, as
+    /// the force is.
+    fn patches(&self) -> Option<Vec<Patch>> {
+        let views = [0, 1].map(|level| self.view_of(level));
+        let elements = Self::elements(self);
+        let quarters = elements.into_iter().flat_map(|element| quarters(element.corners));
+        let patch = |corners: [[f64; 2]; 4]| {
+            let at = |k: usize| self.at(k, &views[k], mean(&corners)).traction;
+            let [coarse, fine] = [0, 1].map(at);
+            Patch { corners, traction: [0, 1].map(|k| extrapolate(coarse[k], fine[k])) }
+        };
+        Some(quarters.map(patch).collect())
+    }
+
+    /// With the tractions' work on creepages that are added.
+    fn power(&self) -> f64 {
+        self.answer.power
+    }
+
+    /// As of [`ExactSolved`](super::ExactSolved): the power, and what traction times slip gives beyond it;
+    /// the heat of slip areas narrower than an element, along the trailing edge, is in it.
     fn dissipation(&self) -> Option<f64> {
-        Some(self.dissipation)
+        Some(self.answer.dissipation)
+    }
+
+    fn diagnostics(&self) -> Vec<Diagnostic> {
+        error_bars_and_elements(self.answer.solution.error, self.theory.elements())
+    }
+}
+
+impl Theory for NonHertzian {
+    fn contact(&self) -> &Contact {
+        &self.contact
+    }
+
+    fn solved(&self, creepage: Creepage) -> Box<dyn Solved + '_> {
+        Box::new(self.solve(creepage))
+    }
+
+    fn solved_for(
+        &self,
+        constraints: Constraints,
+    ) -> Option<Result<Box<dyn Solved + '_>, InverseError>> {
+        Some(self.find(constraints).map(|found| -> Box<dyn Solved> { Box::new(found) }))
+    }
+}
+
+/// The full theory on areas of any shape at the first of the three named resolutions whose error bars of
+/// `fx` and `fy` are within an accuracy; each is prepared when a case first needs it.
+#[derive(Debug, Clone)]
+pub struct NonHertzianAutomatic {
+    contact: Contact,
+    resolutions: Resolutions<NonHertzian>,
+}
+
+impl NonHertzianAutomatic {
+    /// Prepares for areas of any shape and the accuracy of `fx` and `fy`, in parts of `mu N`.
+    ///
+    /// # Errors
+    /// [`InvalidValue`] as [`NonHertzian::on`], and unless `accuracy` is finite and positive.
+    pub fn on(contact: &Contact, accuracy: f64) -> Result<Self, InvalidValue> {
+        check::positive("accuracy", accuracy)?;
+        let fast = NonHertzian::on(contact, Resolution::FAST)?;
+        Ok(Self { contact: contact.clone(), resolutions: Resolutions::new(accuracy, fast) })
+    }
+
+    fn finer(&self, first: &NonHertzian, resolution: Resolution) -> NonHertzian {
+        // It was prepared for the same contact before.
+        NonHertzian::on(&self.contact, resolution).unwrap_or_else(|_| first.clone())
+    }
+}
+
+impl Theory for NonHertzianAutomatic {
+    fn contact(&self) -> &Contact {
+        &self.contact
+    }
+
+    fn solved(&self, creepage: Creepage) -> Box<dyn Solved + '_> {
+        let first = self.resolutions.first();
+        let prepare = |resolution| self.finer(first, resolution);
+        Box::new(self.resolutions.answer(
+            prepare,
+            |theory| theory.solve(creepage),
+            |solved| solved.solution().error.unwrap_or_default(),
+        ))
+    }
+
+    fn solved_for(
+        &self,
+        constraints: Constraints,
+    ) -> Option<Result<Box<dyn Solved + '_>, InverseError>> {
+        let first = self.resolutions.first();
+        let found = self.resolutions.answer(
+            |resolution| self.finer(first, resolution),
+            |theory| theory.find(constraints),
+            |found| error_bars(found, |found| found),
+        );
+        Some(found.map(|found| -> Box<dyn Solved> { Box::new(found) }))
     }
 }
 

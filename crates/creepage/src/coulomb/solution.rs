@@ -300,20 +300,30 @@ impl Solved for ExactSolved<'_> {
         Some(self.answer.dissipation)
     }
 
+    fn elements(&self) -> Option<Vec<ElementField>> {
+        Some(Self::elements(self))
+    }
+
     fn diagnostics(&self) -> Vec<Diagnostic> {
-        let error = self.answer.solution.error.unwrap_or_default();
-        let elements = self.exact.grids[1].mesh.len() as f64;
+        let elements = self.exact.grids[1].mesh.len();
+        let mut diagnostics = error_bars_and_elements(self.answer.solution.error, elements);
         let kappa_over_mu = self.exact.contact.kappa_over_mu();
-        let diagnostic = |key, label, value| Diagnostic { key, label, value };
-        let mut diagnostics = vec![
-            diagnostic("fx_error", "error bar of f_x", error.fx),
-            diagnostic("fy_error", "error bar of f_y", error.fy),
-            diagnostic("mz_error", "error bar of m_z", error.mz),
-            diagnostic("elements", "elements", elements),
-        ];
         if kappa_over_mu != 0.0 {
-            diagnostics.push(diagnostic("kappa_over_mu", "unlike bodies, kappa/mu", kappa_over_mu));
+            let (key, label) = ("kappa_over_mu", "unlike bodies, kappa/mu");
+            diagnostics.push(Diagnostic { key, label, value: kappa_over_mu });
         }
         diagnostics
     }
+}
+
+/// What the full theory says on any contact: its error bars, and how many elements it took.
+pub(super) fn error_bars_and_elements(error: Option<Force>, elements: usize) -> Vec<Diagnostic> {
+    let error = error.unwrap_or_default();
+    let diagnostic = |key, label, value| Diagnostic { key, label, value };
+    vec![
+        diagnostic("fx_error", "error bar of f_x", error.fx),
+        diagnostic("fy_error", "error bar of f_y", error.fy),
+        diagnostic("mz_error", "error bar of m_z", error.mz),
+        diagnostic("elements", "elements", elements as f64),
+    ]
 }

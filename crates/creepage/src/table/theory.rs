@@ -8,7 +8,7 @@ use crate::{Contact, Creepage, FieldPoint, Region, Solution, Status, Theory};
 
 /// A table prepared for a contact. It has forces and their derivative; tractions and slip are NaN
 /// inside the contact, for a table does not hold them.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub struct TableTheory<'a> {
     contact: Contact,
     slice: Slice<'a>,
@@ -21,8 +21,8 @@ impl Table {
     /// [`InvalidValue`] when the ratio of the semi-axes or Poisson's ratio is outside the table's
     /// range.
     pub fn prepare(&self, contact: &Contact) -> Result<TableTheory<'_>, InvalidValue> {
-        let slice = self.at(contact.ellipse().ratio(), contact.poisson())?;
-        Ok(TableTheory { contact: *contact, slice })
+        let slice = self.at(contact.hertz_ellipse()?.ratio(), contact.poisson())?;
+        Ok(TableTheory { contact: contact.clone(), slice })
     }
 }
 

@@ -19,6 +19,7 @@ pub use spec::{
 };
 
 use crate::contact::Contact;
+use crate::coulomb::ElementField;
 use crate::creepage::{Creepage, Force};
 
 /// Whether a force may be trusted.
@@ -167,6 +168,12 @@ pub trait Solved: Send + Sync {
 
     /// Traction and slip at the points of the theory's own mesh; `None` for a theory without one.
     fn points(&self) -> Option<Vec<FieldPoint>> {
+        None
+    }
+
+    /// The elements of a theory that has them, strip by strip, each from the leading edge, with the heat of
+    /// each; `None` for a theory without elements.
+    fn elements(&self) -> Option<Vec<ElementField>> {
         None
     }
 

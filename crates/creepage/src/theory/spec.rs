@@ -7,6 +7,7 @@ use super::facts::{self, TheoryFacts};
 use crate::approximate::fastrip::{self, Fastrip};
 use crate::approximate::fastsim::{self, Fastsim};
 use crate::approximate::linear::Linear;
+use crate::approximate::non_hertzian::{NonHertzianSimplified, Simplified};
 use crate::approximate::polach::Polach;
 use crate::approximate::saturated::Saturated;
 use crate::approximate::shen_hedrick_elkins::ShenHedrickElkins;
@@ -14,7 +15,9 @@ use crate::approximate::strip::StripTheory;
 use crate::approximate::vermeulen_johnson::VermeulenJohnson;
 use crate::check::InvalidValue;
 use crate::contact::Contact;
-use crate::coulomb::{Automatic, Coupled, Exact, Prescribed, Resolution};
+use crate::coulomb::{
+    Automatic, Coupled, Exact, NonHertzian, NonHertzianAutomatic, Prescribed, Resolution,
+};
 use crate::variational::{self, Settings, Variational, VariationalError};
 
 /// A theory and its options. With the feature `serde` it is read and written as a table whose key
@@ -254,6 +257,9 @@ impl TheorySpec {
     /// # Errors
     /// [`TheoryError`] for contacts and options out of the theory's range.
     pub fn prepare(&self, contact: &Contact) -> Result<Box<dyn Theory>, TheoryError> {
+        if contact.areas().is_some() {
+            return self.prepare_on_areas(contact);
+        }
         Ok(match self {
             Self::Exact(options) => return options.prepare(contact),
             Self::Variational(options) => Box::new(Variational::new(contact, options.settings())?),
@@ -272,6 +278,69 @@ impl TheorySpec {
             Self::Linear(_) => Box::new(Linear::new(contact)?),
             Self::Saturated(_) => Box::new(Saturated::new(contact)?),
         })
+    }
+
+    /// Names of the theories that take areas of any shape.
+    pub const OF_AREAS: [&'static str; 5] = ["exact", "fastsim", "fastrip", "linear", "saturated"];
+
+    /// Whether the theory takes areas of any shape, and its options have a meaning there.
+    ///
+    /// # Errors
+    /// [`TheoryError::NeedsEllipse`] and [`TheoryError::OptionOfEllipse`].
+    pub fn check_on_areas(&self) -> Result<(), TheoryError> {
+        let name = self.facts().name;
+        let usual = fastsim::Settings::default();
+        let (key, why) = match self {
+            Self::Exact(ExactOptions { coupled: true, .. }) => {
+                ("coupled", "their bodies are taken for like ones")
+            }
+            Self::Exact(ExactOptions { prescribed: Prescribed::Approach, .. }) => {
+                return Err(TheoryError::PrescribedOneWay);
+            }
+            Self::Fastsim(settings) if settings.flexibility != usual.flexibility => {
+                ("flexibility", "areas of any shape have blended ones")
+            }
+            Self::Fastsim(settings) if settings.bound != usual.bound => {
+                ("bound", "the bound is mu times the true pressure")
+            }
+            Self::Fastrip(options) if options.variant != fastrip::Variant::default() => {
+                ("variant", "areas of any shape have the consistent one")
+            }
+            Self::Exact(_)
+            | Self::Fastsim(_)
+            | Self::Fastrip(_)
+            | Self::Linear(_)
+            | Self::Saturated(_) => return Ok(()),
+            _ => return Err(TheoryError::NeedsEllipse { name, why: self.why_an_ellipse() }),
+        };
+        Err(TheoryError::OptionOfEllipse { name, key, why })
+    }
+
+    fn why_an_ellipse(&self) -> &'static str {
+        match self {
+            Self::Variational(_) => "its polynomials are those of an ellipse",
+            Self::Strip(_) => "it solves all strips of an ellipse in closed form; fastrip has them",
+            _ => "it is a formula for the forces on an ellipse",
+        }
+    }
+
+    fn prepare_on_areas(&self, contact: &Contact) -> Result<Box<dyn Theory>, TheoryError> {
+        self.check_on_areas()?;
+        let usual = fastsim::Settings::default().grid;
+        let simplified = |kind, grid| -> Result<Box<dyn Theory>, TheoryError> {
+            Ok(Box::new(NonHertzianSimplified::on(contact, kind, grid)?))
+        };
+        match self {
+            Self::Exact(options) => options.prepare_on_areas(contact),
+            Self::Fastsim(settings) => simplified(Simplified::Fastsim, settings.grid),
+            Self::Fastrip(options) => simplified(Simplified::Fastrip, options.grid),
+            Self::Linear(_) => simplified(Simplified::Linear, usual),
+            Self::Saturated(_) => simplified(Simplified::Saturated, usual),
+            _ => {
+                let (name, why) = (self.facts().name, self.why_an_ellipse());
+                Err(TheoryError::NeedsEllipse { name, why })
+            }
+        }
     }
 }
 
@@ -318,6 +387,14 @@ impl ExactOptions {
         Ok(Box::new(Automatic::new(contact, accuracy)?))
     }
 
+    fn prepare_on_areas(self, contact: &Contact) -> Result<Box<dyn Theory>, TheoryError> {
+        if let Some(resolution) = self.fixed_resolution()? {
+            return Ok(Box::new(NonHertzian::on(contact, resolution)?));
+        }
+        let accuracy = self.accuracy.unwrap_or(Automatic::DEFAULT_ACCURACY);
+        Ok(Box::new(NonHertzianAutomatic::on(contact, accuracy)?))
+    }
+
     fn prepare_coupled(self, contact: &Contact) -> Result<Box<dyn Theory>, TheoryError> {
         if let Some(resolution) = self.fixed_resolution()? {
             return Ok(Box::new(Coupled::new(contact, resolution, self.prescribed)?));
@@ -346,6 +423,27 @@ pub enum TheoryError {
     /// Both ways is asked for, but what acts back depends on the coefficient of friction itself.
     #[error("`coupled` needs a case with bodies and friction: kappa/mu alone does not give both")]
     CoupledWithoutFriction,
+    /// A theory that is tied to Hertz's ellipse, for areas of any shape.
+    #[error(
+        "theory = {name:?} needs an ellipse, for {why}: {} take areas of any shape",
+        TheorySpec::OF_AREAS.join(", ")
+    )]
+    NeedsEllipse {
+        /// Its name.
+        name: &'static str,
+        /// Why.
+        why: &'static str,
+    },
+    /// An option that has no meaning on areas of any shape.
+    #[error("{key} of {name} has no meaning on areas of any shape: {why}")]
+    OptionOfEllipse {
+        /// The theory's name.
+        name: &'static str,
+        /// The option.
+        key: &'static str,
+        /// Why.
+        why: &'static str,
+    },
 }
 
 /// A name that no theory has.

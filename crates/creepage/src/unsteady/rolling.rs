@@ -85,7 +85,7 @@ impl Rolling {
         if let Some(friction) = contact.rolling_friction() {
             remembered(friction)?;
         }
-        let ellipse = contact.ellipse();
+        let ellipse = contact.hertz_ellipse()?;
         check::ratio(ellipse.ratio(), Exact::RATIO_RANGE, "between 1/64 and 64")?;
         let [along, across] = resolution.coarse(ellipse.ratio());
         let along = along + along / 2;

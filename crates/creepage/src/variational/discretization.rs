@@ -72,7 +72,7 @@ pub(super) struct SlipResponse {
 
 impl SlipResponse {
     pub(super) fn new(contact: &Contact, degree: usize) -> Result<Self, InvalidValue> {
-        let (ellipse, poisson) = (contact.ellipse(), contact.poisson());
+        let (ellipse, poisson) = (contact.hertz_ellipse()?, contact.poisson());
         let response = LoadDisplacement::new(ellipse, poisson, degree + 1)?;
         let polynomials = harmonics::polynomial_count(degree);
         let mut rows = [const { Vec::new() }; 3];

@@ -106,7 +106,7 @@ impl Variational {
         let keeps_bound = settings.bound.is_kept(contact.ellipse().ratio());
         let weight = settings.weight;
         let own_integrand = None;
-        let contact = *contact;
+        let contact = contact.clone();
         Ok(Self {
             contact,
             response,

@@ -55,7 +55,7 @@ impl WheelsetCase {
     /// solves contacts of any shape.
     pub fn solver(&self) -> Result<WheelsetSolver<'_>, WheelsetError> {
         let theory = GapTheory::new(&self.theory);
-        let theory = theory.map_err(|error| WheelsetError::Theory(Box::new(error)))?;
+        let theory = theory.map_err(|error| WheelsetError::Theory(Box::new(error.into())))?;
         let pair = self.solids.ok_or_else(|| section("materials", "shear_modulus, poisson"))?;
         let friction = self.friction.ok_or_else(|| section("contact", "friction"))?;
         let solver = WheelsetSolver::new(&self.running, pair, friction, theory)?;

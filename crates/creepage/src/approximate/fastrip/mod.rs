@@ -127,7 +127,7 @@ impl Fastrip {
             width: 2.0 / grid[1] as f64,
             scales: [4.0 / (PI * PI) * c11, 4.0 / (PI * PI) * c22, 3.0 / PI * c23]
                 .map(|v| v * slope),
-            contact: *contact,
+            contact: contact.clone(),
             variant,
         })
     }

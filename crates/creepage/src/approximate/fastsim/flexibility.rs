@@ -46,13 +46,22 @@ impl Flexibilities {
         strip_slope: f64,
         coefficients: &CreepageCoefficients,
     ) -> Result<Self, InvalidValue> {
+        Self::with_kappa(ellipse, 3.0 / PI * strip_slope, coefficients)
+    }
+
+    /// The same where `kappa C11 xi` is the linear force over `mu N`.
+    pub(crate) fn with_kappa(
+        ellipse: &Ellipse,
+        kappa: f64,
+        coefficients: &CreepageCoefficients,
+    ) -> Result<Self, InvalidValue> {
         let c11 = coefficient("c11", coefficients.c11)?;
         let c22 = coefficient("c22", coefficients.c22)?;
         let c23 = coefficient("c23", coefficients.c23)?;
         let a = ellipse.a();
         Ok(Self {
             values: [8.0 * a / (3.0 * c11), 8.0 * a / (3.0 * c22), PI * a * a / (4.0 * c23)],
-            kappa: 3.0 / PI * strip_slope,
+            kappa,
             coefficients: [c11, c22],
             spin_weight: 3.0 * PI / 32.0 * a,
         })

@@ -100,7 +100,7 @@ impl Fastsim {
             Flexibilities::new(&ellipse, strip_slope(&ellipse, poisson), &coefficients)?
                 .with_layer(layer.unwrap_or(0.0));
         Ok(Self {
-            contact: *contact,
+            contact: contact.clone(),
             flexibilities,
             flexibility: settings.flexibility,
             bound: settings.bound,

@@ -127,8 +127,9 @@ impl CreepageCoefficients {
 /// The ellipse, if the coefficients are given for it.
 pub(super) fn checked(contact: &Contact) -> Result<Ellipse, InvalidValue> {
     let range = CreepageCoefficients::RATIO_RANGE;
-    check::ratio(contact.ellipse().ratio(), range, "between 1e-3 and 1e3")?;
-    Ok(contact.ellipse())
+    let ellipse = contact.hertz_ellipse()?;
+    check::ratio(ellipse.ratio(), range, "between 1e-3 and 1e3")?;
+    Ok(ellipse)
 }
 
 /// The degree at which the coefficients have converged to 1e-6: the more slender the ellipse

@@ -44,7 +44,7 @@ impl Linear {
         let (ellipse, poisson) = (checked(contact)?, contact.poisson());
         let coefficients = CreepageCoefficients::interpolated(contact)?;
         let gains = coefficients.gains(ellipse, poisson);
-        Ok(Self { contact: *contact, coefficients, gains, strengths: OnceLock::new() })
+        Ok(Self { contact: contact.clone(), coefficients, gains, strengths: OnceLock::new() })
     }
 
     /// Of unit `xi`, `eta`, `chi`.

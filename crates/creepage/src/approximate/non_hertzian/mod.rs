@@ -30,9 +30,10 @@ use crate::check::{self, InvalidValue};
 use crate::coulomb::{ElementField, Trial, search};
 use crate::normal::NormalContact;
 use crate::theory::{
-    Constraints, FieldPoint, InverseError, Jacobian, Region, Solution, Solved, Status,
+    Constraints, FieldPoint, InverseError, Jacobian, Patch, Region, Solution, Solved, Status,
+    Theory,
 };
-use crate::{Creepage, Force, Scaling};
+use crate::{Contact, Creepage, Force, Scaling};
 
 use row_force::{Cell, RowCreepage};
 use rows::{Row, Rows};
@@ -77,6 +78,7 @@ pub enum Simplified {
 /// ```
 #[derive(Debug, Clone)]
 pub struct NonHertzianSimplified {
+    contact: Contact,
     kind: Simplified,
     scaling: Scaling,
     poisson: f64,
@@ -99,19 +101,31 @@ impl NonHertzianSimplified {
         kind: Simplified,
         cells: [usize; 2],
     ) -> Result<Self, InvalidValue> {
+        Self::on(&Contact::of_areas(contact.clone(), friction)?, kind, cells)
+    }
+
+    /// Prepares for areas of any shape. Friction is constant at its largest value, and a layer is left out.
+    ///
+    /// # Errors
+    /// [`InvalidValue`] as [`NonHertzianSimplified::new`], and for a contact that is Hertz's ellipse.
+    pub fn on(of: &Contact, kind: Simplified, cells: [usize; 2]) -> Result<Self, InvalidValue> {
         for (name, count) in [("grid along", cells[0]), ("grid across", cells[1])] {
             check::require((2..=1000).contains(&count), name, count as f64, "from 2 to 1000")?;
         }
-        let scaling = contact.scaling(friction)?;
+        let valid = "at least one: Hertz's ellipse has theories of its own";
+        let none = InvalidValue { quantity: "areas of any shape", value: 0.0, valid };
+        let contact = of.areas().ok_or(none)?;
+        let scaling = of.scaling();
         let (poisson, length) = (contact.pair().poisson(), scaling.length);
         let rows = Rows::new(contact, length, cells);
+        let gain = contact.pair().shear_modulus() * length * length * scaling.slip / scaling.force;
+        let load = contact.load().value;
         let springs = contact.patches().iter().enumerate().map(|(index, patch)| {
             let own = rows.rows.iter().filter(|row| row.patch == index);
-            Springs::new(patch, own, poisson, length)
+            Springs::new(patch, own, poisson, [length, gain * load / patch.load()])
         });
         let springs = springs.collect::<Result<_, _>>()?;
-        let gain = contact.pair().shear_modulus() * length * length * scaling.slip / scaling.force;
-        Ok(Self { kind, scaling, poisson, rows, springs, gain })
+        Ok(Self { contact: of.clone(), kind, scaling, poisson, rows, springs, gain })
     }
 
     /// The units of creepage, force and position.
@@ -313,6 +327,23 @@ impl<'a> SimplifiedSolved<'a> {
     }
 }
 
+impl Theory for NonHertzianSimplified {
+    fn contact(&self) -> &Contact {
+        &self.contact
+    }
+
+    fn solved(&self, creepage: Creepage) -> Box<dyn Solved + '_> {
+        Box::new(self.solve(creepage))
+    }
+
+    fn solved_for(
+        &self,
+        constraints: Constraints,
+    ) -> Option<Result<Box<dyn Solved + '_>, InverseError>> {
+        Some(self.find(constraints).map(|found| -> Box<dyn Solved> { Box::new(found) }))
+    }
+}
+
 impl Trial for SimplifiedSolved<'_> {
     fn again(&self, creepage: Creepage) -> Self {
         Self::new(self.theory, creepage, self.more.clone())
@@ -339,6 +370,18 @@ impl Solved for SimplifiedSolved<'_> {
     }
 
     fn points(&self) -> Option<Vec<FieldPoint>> {
-        Some(self.elements().iter().map(|element| element.point).collect())
+        Some(Self::elements(self).iter().map(|element| element.point).collect())
+    }
+
+    fn elements(&self) -> Option<Vec<ElementField>> {
+        Some(Self::elements(self))
+    }
+
+    fn patches(&self) -> Option<Vec<Patch>> {
+        let patch = |element: &ElementField| Patch {
+            corners: element.corners,
+            traction: element.point.traction,
+        };
+        Some(Self::elements(self).iter().map(patch).collect())
     }
 }

@@ -37,23 +37,38 @@ impl<R: Real> RowCreepage<R> {
 /// Springs marched through from the leading end, by tractions over their bound.
 struct March<R> {
     traction: [R; 2],
-    /// Traction over `slip times length`.
-    stiffness: R,
+    /// Growth of the traction over `slip times length`, longitudinal, lateral and by spin.
+    stiffness: [R; 3],
 }
 
 impl<R: Real> March<R> {
     fn new(springs: &Springs, at: &RowCreepage<R>) -> Self {
-        let stiffness = R::constant(SLIP_UNIT) / springs.flexibility(at.centre);
+        let stiffness = springs.stiffnesses(at.centre).map(|s| s * SLIP_UNIT);
         Self { traction: [R::constant(0.0); 2], stiffness }
     }
 
     /// The step to the middle of cell `i`; the slip that its bound leaves.
-    fn step(&mut self, row: &Row, i: usize, bound: f64, at: &RowCreepage<R>) -> Cell<R> {
+    fn step(
+        &mut self,
+        row: &Row,
+        springs: &Springs,
+        i: usize,
+        bound: f64,
+        at: &RowCreepage<R>,
+    ) -> Cell<R> {
         let whole = row.step();
         // Traction vanishes at the leading end, half a cell before the first middle.
         let step = if i == 0 { 0.5 * whole } else { whole };
-        let rigid = at.slip([row.middle(i) + 0.5 * step, row.y]);
-        let trial = [0, 1].map(|k| self.traction[k] + rigid[k] * self.stiffness * step);
+        let place = [row.middle(i) + 0.5 * step, row.y];
+        let [_, _, chi] = at.creepage;
+        let [x, y] = [0, 1].map(|k| place[k] - springs.centroid[k]);
+        let ([l1, l2, l3], by_spin) = (self.stiffness, [-chi * y, chi * x]);
+        let rigid = at.slip(place);
+        let growth = [
+            (rigid[0] - by_spin[0]) * l1 + by_spin[0] * l3,
+            (rigid[1] - by_spin[1]) * l2 + by_spin[1] * l3,
+        ];
+        let trial = [0, 1].map(|k| self.traction[k] + growth[k] * step);
         let size = (trial[0] * trial[0] + trial[1] * trial[1]).sqrt();
         let slides = size.value() > bound;
         let zero = R::constant(0.0);
@@ -61,8 +76,8 @@ impl<R: Real> March<R> {
         if slides {
             let scale = R::constant(bound) / size;
             self.traction = trial.map(|t| t * scale);
-            let lost = (-scale + 1.0) / (self.stiffness * step);
-            slip = trial.map(|t| t * lost);
+            let lost = -scale + 1.0;
+            slip = [0, 1].map(|k| trial[k] * lost / (self.stiffness[k] * step));
         } else {
             self.traction = trial;
         }
@@ -70,7 +85,7 @@ impl<R: Real> March<R> {
     }
 }
 
-/// FASTSIM with one flexibility.
+/// FASTSIM with blended flexibilities.
 pub(super) fn fastsim<R: Real>(
     row: &Row,
     bounds: &[f64],
@@ -80,7 +95,7 @@ pub(super) fn fastsim<R: Real>(
 ) {
     let mut march = March::new(springs, at);
     for (i, bound) in bounds.iter().enumerate() {
-        visit(i, march.step(row, i, *bound, at));
+        visit(i, march.step(row, springs, i, *bound, at));
     }
 }
 
@@ -128,7 +143,7 @@ pub(super) fn fastrip<R: Real>(
     let strip = own_strip(row, bounds, springs, at, poisson);
     let mut march = March::new(springs, at);
     for (i, bound) in bounds.iter().enumerate() {
-        let marched = march.step(row, i, *bound, at);
+        let marched = march.step(row, springs, i, *bound, at);
         let turned = unit(marched.traction).map(|n| n * *bound);
         let u = 1.0 - (2.0 * i as f64 + 1.0) / bounds.len() as f64;
         let (traction, share) = match &strip {

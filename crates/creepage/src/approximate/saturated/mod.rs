@@ -65,10 +65,10 @@ impl Saturated {
     /// # Errors
     /// [`InvalidValue`] unless `a/b` lies within [`Saturated::RATIO_RANGE`].
     pub fn new(contact: &Contact) -> Result<Self, InvalidValue> {
-        let ellipse = contact.ellipse();
+        let ellipse = contact.hertz_ellipse()?;
         check::ratio(ellipse.ratio(), Self::RATIO_RANGE, "between 1e-3 and 1e3")?;
         Ok(Self {
-            contact: *contact,
+            contact: contact.clone(),
             inside: PoleInside::new(ellipse),
             outside: PoleOutside::new(ellipse),
         })

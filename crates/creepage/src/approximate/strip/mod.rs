@@ -73,7 +73,7 @@ impl StripTheory {
     #[must_use]
     pub fn new(contact: &Contact) -> Self {
         Self {
-            contact: *contact,
+            contact: contact.clone(),
             slope: strip_slope(&contact.ellipse(), contact.poisson()),
             across: Across::new(),
             sliding: Sliding::new(),

@@ -134,11 +134,11 @@ impl Coupled {
         prescribed: Prescribed,
         resolutions: impl FnOnce() -> Resolutions<Prepared>,
     ) -> Result<Self, InvalidValue> {
-        check::ratio(contact.ellipse().ratio(), Self::RATIO_RANGE, "between 1/20 and 20")?;
+        check::ratio(contact.hertz_ellipse()?.ratio(), Self::RATIO_RANGE, "between 1/20 and 20")?;
         let friction = contact.friction().unwrap_or(f64::NAN);
         check::require(friction > 0.0, "friction", friction, "known, for a coupled solution")?;
         let coupling = Coupling::new(contact, friction);
-        Ok(Self { contact: *contact, coupling, prescribed, resolutions: resolutions() })
+        Ok(Self { contact: contact.clone(), coupling, prescribed, resolutions: resolutions() })
     }
 
     /// Solves, and keeps what was solved.
