@@ -19,7 +19,17 @@ impl SolvedCase {
             let slips = rows.iter().flat_map(|row| &row.elements).flat_map(|element| element.slip);
             return slips.into_iter().all(f64::is_finite).then_some(rows);
         }
-        (0..ROWS).map(|j| self.wear_row(middle(j, ROWS))).collect()
+        let strips = of_elements(self.elements(), self.scaling(), self.load().value);
+        let heat = |row: &Row| ElementState::power_per_metre(&row.elements) / row.width;
+        let heat: Vec<[f64; 2]> = strips.iter().map(|row| [row.y, heat(row)]).collect();
+        let row = |j: u8| {
+            let mut row = self.wear_row(middle(j, ROWS))?;
+            if let Some(heat) = between(&heat, row.y) {
+                give_heat(&mut row, heat * row.width);
+            }
+            Some(row)
+        };
+        (0..ROWS).map(row).collect()
     }
 
     /// The row at `t` of the half-width.
@@ -48,6 +58,38 @@ impl SolvedCase {
     }
 }
 
+/// The value at `y` of rising places with values, interpolated; that of the end beyond. `None` without any.
+fn between(values: &[[f64; 2]], y: f64) -> Option<f64> {
+    let above = values.partition_point(|[place, _]| *place < y).min(values.len().checked_sub(1)?);
+    let below = above.saturating_sub(1);
+    let ([from, low], [to, high]) = (values[below], values[above]);
+    let share = if to > from { ((y - from) / (to - from)).clamp(0.0, 1.0) } else { 1.0 };
+    Some(low + share * (high - low))
+}
+
+/// Gives a row this heat per metre rolled (J/m): what it lacks slides in its first element, at the trailing
+/// edge, where slip is narrower than elements; where it has more, all slip is less.
+fn give_heat(row: &mut Row, heat: f64) {
+    let own = ElementState::power_per_metre(&row.elements);
+    if heat < own {
+        let part = heat / own;
+        row.elements.iter_mut().for_each(|element| element.slip = element.slip.map(|s| part * s));
+    } else if let Some(last) = row.elements.first_mut() {
+        add_heat(last, heat - own);
+    }
+}
+
+/// Adds slip along the traction that turns this much to heat per metre rolled (J/m).
+fn add_heat(element: &mut ElementState, heat: f64) {
+    let size = element.traction[0].hypot(element.traction[1]);
+    if size > 0.0 {
+        let slip = heat / (size * element.area);
+        for (slipping, traction) in element.slip.iter_mut().zip(element.traction) {
+            *slipping += slip * traction / size;
+        }
+    }
+}
+
 /// Middle of piece `k` of `count` between -1 and 1.
 fn middle(k: u8, count: u8) -> f64 {
     (2.0 * f64::from(k) + 1.0) / f64::from(count) - 1.0
@@ -73,11 +115,20 @@ fn state(element: &ElementField, scaling: Scaling, normal: f64) -> ElementState 
     let [p, q, r, s] = element.corners;
     let cross = (r[0] - p[0]) * (s[1] - q[1]) - (s[0] - q[0]) * (r[1] - p[1]);
     let area = 0.5 * cross.abs() * scaling.length * scaling.length;
-    ElementState {
+    let mut state = ElementState {
         pressure: element.share * normal / area,
         traction: element.point.traction.map(|t| t * scaling.traction),
         slip: element.point.slip.map(|s| s * scaling.slip),
         area,
         length: scaling.length * 0.5 * (p[0] + q[0] - r[0] - s[0]).abs(),
+    };
+    // The element's heat, with that of slip narrower than itself.
+    let heat = scaling.force * scaling.slip * element.power;
+    let own = ElementState::power_per_metre(&[state]);
+    if own.is_finite() && heat < own {
+        state.slip = state.slip.map(|s| s * heat / own);
+    } else if own.is_finite() {
+        add_heat(&mut state, heat - own);
     }
+    state
 }

@@ -48,7 +48,7 @@ impl Theory for Smooth {
 }
 
 pub(crate) fn smooth(contact: &Contact) -> Prepared {
-    Ok(Box::new(Smooth(*contact)))
+    Ok(Box::new(Smooth(contact.clone())))
 }
 
 pub(crate) fn fastsim(contact: &Contact) -> Prepared {
