@@ -100,6 +100,46 @@ pub enum Caution {
         /// Pressure on their crests that presses them flat (Pa).
         pressure: f64,
     },
+    /// The pressure makes a metal flow: an elastic contact would be larger and its pressure lower.
+    Yields {
+        /// The peak pressure (Pa).
+        peak_pressure: f64,
+        /// Shear yield stress (Pa).
+        shear_yield: f64,
+        /// Whether that is given; else it is the one of a typical rail steel.
+        is_given: bool,
+    },
+    /// The peak of the pressure did not converge, as at an edge.
+    UncertainPeak {
+        /// The peak pressure (Pa).
+        peak_pressure: f64,
+        /// Its error bar (Pa).
+        error: f64,
+    },
+    /// The surfaces turn within a contact that is solved in one plane.
+    Turns {
+        /// From one side of the contact to the other (rad).
+        angle: f64,
+    },
+    /// A wheel has climbed its rail, or its flange rides on it.
+    Climbs {
+        /// By how much it stands above the height of its tread (m).
+        height: f64,
+    },
+    /// Bodies are pressed into each other farther than any elastic contact.
+    Deep {
+        /// The approach (m).
+        approach: f64,
+        /// The load (N).
+        load: f64,
+    },
+    /// A wheel that spins or is locked.
+    Slides {
+        /// `longitudinal` or `lateral`.
+        component: &'static str,
+        /// Creepage, over the mean speed of both surfaces.
+        value: f64,
+    },
     /// A creepage that a wheel does not have: it may be in per cent or in degrees.
     LargeCreepage {
         /// `longitudinal` or `lateral`.
@@ -118,6 +158,66 @@ impl Caution {
     /// 0.05 to 0.17 in steel on aluminium and on a polymer, friction 0.05 and 0.3, `a/b` 0.5 and 1. Of 94
     /// random cases (0.004 to 0.5) the caution is right in 81, needless in 4, missing in 9.
     const MOVED_BY_COUPLING: f64 = 0.15;
+
+    /// Peak pressure over shear yield stress from which a contact is fully plastic: the mean pressure is the
+    /// hardness, three times the yield stress in tension (Tabor 1951), the peak 3/2 of it, by von Mises.
+    pub const FULLY_PLASTIC: f64 = 7.8;
+    /// Shear modulus over the shear yield stress of a typical rail steel, 82 GPa and 300 MPa.
+    const TYPICAL_YIELD: f64 = 273.0;
+    /// Least shear modulus (Pa) of what is taken for a metal.
+    const METAL: f64 = 20e9;
+    /// Error bar of the peak pressure over it from which the peak is a caution.
+    const UNCERTAIN: f64 = 0.1;
+    /// Turn of the surfaces (rad) from which a plane contact is a caution: the undeformed distance along one
+    /// normal errs by 3 % then.
+    const TURN: f64 = 0.244;
+    /// Height (m) above the tread's from which a wheel climbs: in a flange's throat it stands less than
+    /// 1 mm high.
+    const CLIMB: f64 = 2e-3;
+    /// Height (m) from which a flange rides on the rail; flanges are 27 to 36 mm high.
+    const RIDES: f64 = 15e-3;
+    /// Approach (m) beyond that of any elastic contact of a wheel: 1 MN on a wheel gives .5 mm.
+    const DEEP: f64 = 1e-3;
+
+    /// Whether a metal flows under a peak pressure (Pa), for its shear modulus and, where it is given, its
+    /// shear yield stress (Pa).
+    pub(crate) fn yields(
+        peak_pressure: f64,
+        shear_modulus: f64,
+        given: Option<f64>,
+    ) -> Option<Self> {
+        let typical = (shear_modulus > Self::METAL).then_some(shear_modulus / Self::TYPICAL_YIELD);
+        let (shear_yield, is_given) = (given.or(typical)?, given.is_some());
+        (peak_pressure > Self::FULLY_PLASTIC * shear_yield).then_some(Self::Yields {
+            peak_pressure,
+            shear_yield,
+            is_given,
+        })
+    }
+
+    /// A turn of the surfaces (rad) within one plane contact.
+    pub(crate) fn turns(angle: f64) -> Option<Self> {
+        (angle > Self::TURN).then_some(Self::Turns { angle })
+    }
+
+    /// Bodies that are pressed into each other too far.
+    pub(crate) fn deep(normal: &NormalContact) -> Option<Self> {
+        let (approach, load) = (normal.approach().value, normal.load().value);
+        (approach > Self::DEEP).then_some(Self::Deep { approach, load })
+    }
+
+    /// Of a wheel a large creepage says that it spins or is locked.
+    pub(crate) fn of_a_wheel(self) -> Self {
+        match self {
+            Self::LargeCreepage { component, value } => Self::Slides { component, value },
+            other => other,
+        }
+    }
+
+    /// The height (m) of a wheel above that of its tread on its rail.
+    pub(crate) fn climbs(height: f64) -> Option<Self> {
+        (height > Self::CLIMB).then_some(Self::Climbs { height })
+    }
 
     /// With fewer points of a given gap across an area, that depends on how one interpolates.
     const POINTS: usize = 10;
@@ -160,7 +260,10 @@ impl Caution {
             n.filter(|n| *n < Self::POINTS).map(|points| Self::CoarseGap { points, along })
         });
         let high = Self::high_pressure(peak, areas.pair().shear_modulus());
-        high.into_iter().chain(pressure).chain(coarse)
+        let error = areas.peak_pressure().error;
+        let uncertain = (error > Self::UNCERTAIN * peak)
+            .then_some(Self::UncertainPeak { peak_pressure: peak, error });
+        high.into_iter().chain(pressure).chain(uncertain).chain(coarse)
     }
 
     /// Whether it says what another does: the numbers of a rough profile matter once.
@@ -293,6 +396,65 @@ impl Caution {
         (moved > error.fx.max(error.fy)).then_some(Self::OneWay { moved })
     }
 
+    /// Those of what the bodies bear and how they stand in words.
+    fn write_of_bodies(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::Yields { peak_pressure, shear_yield, is_given } => {
+                let whose = if is_given { "given" } else { "of a typical rail steel" };
+                let times = significant(peak_pressure / shear_yield, 3);
+                write!(
+                    f,
+                    "the peak pressure of {} is {times} times the shear yield stress {whose}, {}: from \
+                     {} times on the contact flows, so that it is larger and its pressure lower",
+                    quantity(peak_pressure, "Pa", 4),
+                    quantity(shear_yield, "Pa", 3),
+                    Self::FULLY_PLASTIC
+                )?;
+                if is_given {
+                    return Ok(());
+                }
+                f.write_str(" (give [damage] shear_yield for a harder steel)")
+            }
+            Self::UncertainPeak { peak_pressure, error } => write!(
+                f,
+                "the peak pressure of {} has an error bar of {}: it does not converge, as at an edge",
+                quantity(peak_pressure, "Pa", 3),
+                quantity(error, "Pa", 2)
+            ),
+            Self::Turns { angle } => write!(
+                f,
+                "the surfaces turn by {} degrees within the contact, which is solved in one plane: from \
+                 14 degrees on the undeformed distance errs by 3 % and more",
+                significant(angle.to_degrees(), 3)
+            ),
+            Self::Climbs { height } if height > Self::RIDES => write!(
+                f,
+                "the flange rides on the rail, {} mm above the height of the tread: this is no running \
+                 wheelset",
+                significant(1e3 * height, 3)
+            ),
+            Self::Climbs { height } => write!(
+                f,
+                "the wheel has climbed its rail by {} mm above the height of its tread",
+                significant(1e3 * height, 3)
+            ),
+            Self::Deep { approach, load } => write!(
+                f,
+                "the bodies are pressed {} mm into each other ({}): this is no elastic contact of a \
+                 wheel and a rail",
+                significant(1e3 * approach, 3),
+                quantity(load, "N", 3)
+            ),
+            Self::Slides { component, value } => write!(
+                f,
+                "the wheel spins or is locked: its {component} creepage is {}, over the mean speed of \
+                 both surfaces",
+                significant(value, 4)
+            ),
+            _ => Ok(()),
+        }
+    }
+
     /// Those of areas of any shape in words.
     fn write_of_areas(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
@@ -383,6 +545,12 @@ impl fmt::Display for Caution {
             | Self::Pressure { .. }
             | Self::CoarseGap { .. }
             | Self::Rough { .. } => self.write_of_areas(f),
+            Self::Yields { .. }
+            | Self::UncertainPeak { .. }
+            | Self::Turns { .. }
+            | Self::Climbs { .. }
+            | Self::Deep { .. }
+            | Self::Slides { .. } => self.write_of_bodies(f),
             Self::Status(Status::NotConverged) => {
                 f.write_str("did not converge: the force is that of the last iterate")
             }

@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
+use creepage::TheorySpec;
 use creepage::below::Body;
-use creepage::{Theory, TheorySpec};
 use creepage_study::{AnyCaseFile, SolvedCase, Stresses};
 use proptest::prelude::*;
 use proptest::test_runner::TestRunner;
@@ -57,7 +57,15 @@ impl Wheel {
 /// Curvatures up to 1:3 either way, creepages from adhesion to full sliding.
 fn wheels() -> impl Strategy<Value = Wheel> {
     let creepage = || prop_oneof![Just(0.0), -5e-3..5e-3_f64, -1e-5..1e-5_f64];
-    (0.2..0.6_f64, 0.2..0.6_f64, 20e3..120e3_f64, 0.1..0.5_f64, creepage(), creepage(), -0.5..0.5_f64)
+    (
+        0.2..0.6_f64,
+        0.2..0.6_f64,
+        20e3..120e3_f64,
+        0.1..0.5_f64,
+        creepage(),
+        creepage(),
+        -0.5..0.5_f64,
+    )
         .prop_map(|(wheel, rail, load, friction, xi, eta, spin)| Wheel {
             radii: [wheel, rail],
             load,
@@ -108,14 +116,22 @@ fn simplified_theories_agree_with_those_of_the_ellipse() {
 fn heat_by_slip_is_that_by_force_down_to_the_smallest_creepage() {
     for creepage in [1e-5, 1e-4, 5e-4, 2e-3, 1e-2] {
         for spin in [0.0, 0.1] {
-            let wheel =
-                Wheel { radii: [0.46, 0.3], load: 80e3, friction: 0.3, creepage: [creepage, 0.0, spin] };
+            let wheel = Wheel {
+                radii: [0.46, 0.3],
+                load: 80e3,
+                friction: 0.3,
+                creepage: [creepage, 0.0, spin],
+            };
             for solved in [wheel.as_ellipse("exact"), wheel.as_gap("exact")] {
                 let by_force = solved.power_per_metre();
                 let by_slip = solved.dissipation_per_metre().unwrap();
-                assert!((by_slip / by_force - 1.0).abs() < 2e-3, "{creepage} {spin} {by_slip} {by_force}");
+                assert!(
+                    (by_slip / by_force - 1.0).abs() < 2e-3,
+                    "{creepage} {spin} {by_slip} {by_force}"
+                );
                 let unit = solved.scaling().force * solved.scaling().slip;
-                let parts = solved.elements().iter().map(|element| unit * element.power).sum::<f64>();
+                let parts =
+                    solved.elements().iter().map(|element| unit * element.power).sum::<f64>();
                 assert!((parts / by_slip - 1.0).abs() < 1e-9, "{parts} {by_slip}");
             }
         }
@@ -127,8 +143,12 @@ fn heat_by_slip_is_that_by_force_down_to_the_smallest_creepage() {
 fn slopes_with_a_little_spin_are_those_without() {
     for theory in ["exact", "fastsim", "fastrip"] {
         let slopes = |spin: f64| {
-            let wheel =
-                Wheel { radii: [0.46, 1.43], load: 60e3, friction: 0.3, creepage: [0.0, 0.0, spin] };
+            let wheel = Wheel {
+                radii: [0.46, 1.43],
+                load: 60e3,
+                friction: 0.3,
+                creepage: [0.0, 0.0, spin],
+            };
             [wheel.as_ellipse(theory), wheel.as_gap(theory)].map(|solved| {
                 let prepared = TheorySpec::named(theory).unwrap().prepare(&solved.contact).unwrap();
                 let [along, across, _] = prepared.jacobian(solved.creepage()).unwrap();
@@ -141,7 +161,10 @@ fn slopes_with_a_little_spin_are_those_without() {
             let (with, part) = (slopes(spin), if spin > 0.05 { 0.15 } else { 0.03 });
             for ([along, across], [along_0, across_0]) in with.iter().zip(&without) {
                 assert!((along / along_0 - 1.0).abs() < part, "{theory} {spin} {along} {along_0}");
-                assert!((across / across_0 - 1.0).abs() < part, "{theory} {spin} {across} {across_0}");
+                assert!(
+                    (across / across_0 - 1.0).abs() < part,
+                    "{theory} {spin} {across} {across_0}"
+                );
             }
             for k in 0..2 {
                 // The simplified theories cut rows, the ellipse in closed form: 2 %.
@@ -175,7 +198,8 @@ fn stresses_below_a_gap_are_those_below_the_ellipse() {
 #[test]
 fn wear_counts_all_of_the_heat_on_areas() {
     for creepage in [3e-4, 2e-3] {
-        let wheel = Wheel { radii: [0.46, 0.3], load: 80e3, friction: 0.3, creepage: [creepage, 0.0, 0.0] };
+        let wheel =
+            Wheel { radii: [0.46, 0.3], load: 80e3, friction: 0.3, creepage: [creepage, 0.0, 0.0] };
         let [ellipse, gap] = [wheel.as_ellipse("exact"), wheel.as_gap("exact")]
             .map(|solved| solved.damage().unwrap().unwrap().archard_area_m2.unwrap());
         assert!((gap / ellipse - 1.0).abs() < 0.02, "{creepage} {gap} {ellipse}");

@@ -25,7 +25,8 @@ impl SolvedCase {
         let row = |j: u8| {
             let mut row = self.wear_row(middle(j, ROWS))?;
             if let Some(heat) = between(&heat, row.y) {
-                give_heat(&mut row, heat * row.width);
+                let heat = heat * row.width;
+                give_heat(&mut row, heat);
             }
             Some(row)
         };

@@ -174,8 +174,14 @@ impl GapCase {
             |solution, creepage| {
                 let mut cautions = Caution::all(&self.theory, contact, solution);
                 cautions.extend(Caution::large_creepage(scaling.si_creepage(creepage)));
-                let areas = contact.areas();
-                cautions.extend(areas.and_then(|areas| Caution::large_areas(&self.gap, areas)));
+                let shear_yield = self.damage.as_ref().map(|damage| damage.constants.shear_yield);
+                if let Some(areas) = contact.areas() {
+                    cautions.extend(Caution::large_areas(&self.gap, areas));
+                    let (peak, pair) = (areas.peak_pressure().value, areas.pair());
+                    if !cautions.iter().any(Caution::is_of_units) {
+                        cautions.extend(Caution::yields(peak, pair.shear_modulus(), shear_yield));
+                    }
+                }
                 cautions
             },
         ))

@@ -93,6 +93,8 @@ pub struct SolvedContact {
     /// Wear and fatigue numbers, where `[damage]` asks for them.
     pub damage: Option<Damage>,
     pub(super) friction: f64,
+    /// By how much the rail's surface turns from one side of its areas to the other (rad).
+    pub(super) turn: f64,
     /// Its friction in these units.
     pub(super) solution: Solution,
     /// How its coarse grid was corrected, where it followed a position nearby.
@@ -149,7 +151,12 @@ impl SolvedContact {
         let creepage = SiCreepage { longitudinal, lateral, spin };
         let kappa_over_mu = self.normal.pair().kappa() / self.friction;
         let status = (self.status != Status::Solved).then_some(Caution::Status(self.status));
-        let all = status.into_iter().chain(Caution::large_creepage(creepage));
+        let slides = Caution::large_creepage(creepage).map(Caution::of_a_wheel);
+        let peak = self.normal.peak_pressure().value;
+        let shear_yield = self.damage.as_ref().map(|damage| peak / damage.peak_over_shear_yield);
+        let yields = Caution::yields(peak, self.normal.pair().shear_modulus(), shear_yield);
+        let all = status.into_iter().chain(slides).chain(yields).chain(Caution::turns(self.turn));
+        let all = all.chain(Caution::deep(&self.normal));
         let all =
             all.chain(Caution::like_bodies(kappa_over_mu)).chain(Caution::of_areas(&self.normal));
         // Its points across are as many as are looked up.
@@ -187,6 +194,15 @@ impl SolvedWheel {
 
     pub(super) fn contacts_mut(&mut self) -> &mut [SolvedContact] {
         &mut self.contacts
+    }
+
+    /// How far its running circle stands above the height at which the nominal one touches the track
+    /// plane (m); negative where it hangs below, zero where it touches nothing.
+    #[must_use]
+    pub fn height(&self) -> f64 {
+        let Position { z, roll, .. } = self.position;
+        let [_, y, _] = self.rail_origin;
+        if self.contacts.is_empty() { 0.0 } else { -(z + roll * y) }
     }
 
     /// Force on the rail in track axes, with its moment about the origin of the rail's profile.
@@ -236,7 +252,8 @@ impl SolvedWheelset {
     #[must_use]
     pub fn cautions(&self) -> Vec<(Side, Caution)> {
         let contacts = self.wheels().flat_map(SolvedWheel::contacts);
-        let mut all: Vec<(Side, Caution)> = Vec::new();
+        let climbs = |wheel: &SolvedWheel| Some((wheel.side, Caution::climbs(wheel.height())?));
+        let mut all: Vec<(Side, Caution)> = self.wheels().filter_map(climbs).collect();
         for (side, caution) in
             contacts.flat_map(|c| c.cautions().into_iter().map(|caution| (c.side, caution)))
         {

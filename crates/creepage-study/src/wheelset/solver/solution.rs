@@ -3,7 +3,8 @@
 use std::sync::Arc;
 
 use creepage::Force;
-use creepage_rail::{Motion, Running, Side};
+use creepage::normal::NormalContact;
+use creepage_rail::{Contact, Motion, Running, Side};
 
 use super::WheelsetSolver;
 use super::pressed::{Pressed, PressedWheel};
@@ -111,9 +112,20 @@ impl SolvedContact {
             field: Field::of(rolled),
             damage: None,
             friction,
+            turn: turn(contact, &pressed.normal),
             rough: rough::cautions(contact, &pressed.normal),
         }
     }
+}
+
+/// By how much the rail's surface turns from one side of the pressed areas to the other (rad).
+fn turn(contact: &Contact<'_>, normal: &NormalContact) -> f64 {
+    let ends = normal.patches().iter().flat_map(|patch| patch.extent().y);
+    let tilts = ends.filter_map(|s| Some(contact.at(s)?.tilt));
+    let [low, high] = tilts.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], tilt| {
+        [low.min(tilt), high.max(tilt)]
+    });
+    (high - low).max(0.0)
 }
 
 impl Field {
