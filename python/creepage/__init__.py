@@ -37,6 +37,7 @@ from ._creepage import (
     coefficients,
 )
 from ._errors import (
+    AccuracyWarning,
     CaseError,
     CreepageError,
     InvalidOption,
@@ -85,6 +86,7 @@ saturated = Saturated
 
 __all__ = [
     "THEORIES",
+    "AccuracyWarning",
     "Automatic",
     "Body",
     "CarterSolution",

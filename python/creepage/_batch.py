@@ -71,15 +71,15 @@ def batch(
     out: Out,
 ) -> Path: ...
 def batch(
-    cases: Any,
-    theory: Any = None,
+    cases: Cases | pl.DataFrame | _creepage.Theory,
+    theory: str | _creepage.Theory | _creepage.Table | Cases | None = None,
     *,
     case: Case | None = None,
     client: Client | None = None,
     parts: int = 256,
     out: Out | None = None,
     **options: Any,
-) -> Any:
+) -> pd.DataFrame | pl.DataFrame | Path:
     """Solves the cases of a table, a row a case; gives the table with the answers appended.
 
     cases: a frame of pandas or polars, or a mapping of arrays of one length (for pandas), with the
@@ -195,6 +195,8 @@ def answers(question: Question, column: Any, columns: list[Any]) -> dict[str, An
 
 def floats(column: Any, name: str) -> np.ndarray[Any, np.dtype[np.float64]]:
     """A column as numbers; what is missing is NaN, and a flat radius infinite."""
+    if np.ma.is_masked(column):
+        column = np.ma.filled(np.ma.asarray(column, dtype=np.float64), np.nan)
     array = np.asarray(column)
     if array.dtype == object or array.dtype.kind in "US":
         numbers = [np.inf if value == "flat" else _float(value, name) for value in array.tolist()]

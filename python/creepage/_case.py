@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 
 from . import _creepage
 from ._bulk import CaseForce, case_force
-from ._contact import Body, Hertz, number, sections
+from ._contact import Body, Hertz, floats, number, sections
 from ._errors import InvalidValue, UnitsWarning, UnlikeBodiesWarning
 from ._results import Codes, Floats, Status
 from ._solution import SiCreepage, Solution
@@ -123,6 +123,9 @@ class Case:
             "mz": mz,
         }
         file = sections(upper, lower, contact)
+        moves = (name for name in (*creepage, *forces) if name != "speed")
+        if all(numbers[name] is None for name in moves):
+            creepage["longitudinal"] = 0.0  # free rolling
         file["creepage"] = creepage
         file["wanted"] = forces
         file |= {
@@ -313,7 +316,7 @@ class Case:
         names = tuple(theories) or (self.theory_name,)
         length, unit, newtons, _ = self._data.units
         units = np.array([unit, unit, unit / length])
-        chosen = self._range(k) * units[k] if values is None else np.asarray(values, np.float64)
+        chosen = self._range(k) * units[k] if values is None else floats("values", values)
         if chosen.ndim != 1:
             raise ValueError(f"values must be a list of numbers, not of shape {chosen.shape}")
         creepage: list[Any] = list(self.dimensionless)

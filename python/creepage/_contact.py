@@ -10,9 +10,11 @@ from dataclasses import asdict, dataclass
 from typing import Any, Literal, TypeAlias
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from . import _creepage
 from ._errors import CaseError, UnitsWarning
+from ._results import Floats
 from ._toml import dumps
 
 Radius: TypeAlias = float | Literal["flat"]
@@ -68,8 +70,27 @@ class Body:
         raise ValueError("give either shear_modulus or young_modulus")
 
 
+def floats(name: str, values: ArrayLike) -> Floats:
+    """An array of real numbers. Raises TypeError for other values and for masked elements."""
+    if np.ma.is_masked(values):
+        raise TypeError(f"{name} must not have masked elements: leave them out")
+    array = np.asarray(values)
+    if not np.can_cast(array.dtype, np.float64, "same_kind"):
+        raise TypeError(f"{name} must be real numbers, not an array of {array.dtype}")
+    return array.astype(np.float64)
+
+
+def instance(name: str, value: object, kind: type) -> None:
+    """Raises TypeError for what is of another kind."""
+    if not isinstance(value, kind):
+        message = f"{name} must be a creepage.{kind.__name__}, not {type(value).__name__}"
+        raise TypeError(message)
+
+
 def number(name: str, value: object) -> None:
     """Raises TypeError for what is no real number."""
+    if np.ma.is_masked(value):
+        raise TypeError(f"{name} must not be masked")
     if isinstance(value, np.ndarray) and value.ndim > 0:
         raise TypeError(
             f"{name} must be one number, not an array of shape {value.shape}: many cases at once "
@@ -81,6 +102,8 @@ def number(name: str, value: object) -> None:
 
 def sections(upper: Body, lower: Body, contact: Mapping[str, Any]) -> dict[str, dict[str, Any]]:
     """The sections of a case file that describe the contact."""
+    instance("upper", upper, Body)
+    instance("lower", lower, Body)
     shaped = contact.get("semi_axis_rolling") is None and contact.get("semi_axis_lateral") is None
     return {
         "upper": upper.section(shaped),

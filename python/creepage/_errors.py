@@ -87,5 +87,9 @@ class UnlikeBodiesWarning(UserWarning):
     """Bodies whose difference matters to the force, and a theory that leaves it out."""
 
 
+class AccuracyWarning(UserWarning):
+    """Error bars above the accuracy that was asked for, at the finest resolution."""
+
+
 class UnitsWarning(UserWarning):
     """A number that looks like one in another unit, such as MPa for Pa or degrees for radians."""

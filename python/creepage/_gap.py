@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import json
 import warnings
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -13,7 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _creepage
-from ._contact import Body
+from ._contact import Body, floats, instance, number
 from ._report import FromFile, Reported
 from ._solution import SiForce
 from ._toml import dumps
@@ -33,7 +34,7 @@ class Gap:
     @classmethod
     def polynomial(cls, terms: Sequence[tuple[int, int, float]]) -> Gap:
         """h = sum of coefficient x^i y^j over the terms (i, j, coefficient)."""
-        return cls({"polynomial": [(int(i), int(j), float(c)) for i, j, c in terms]})
+        return cls({"polynomial": [_term(term) for term in terms]})
 
     @classmethod
     def section(
@@ -46,7 +47,7 @@ class Gap:
     ) -> Gap:
         """h = gap(y) + (x - x(y))^2/(2 R): points across, and the radius along the rolling direction,
         a number or one a point. x: place of the least distance along x, zero if not given."""
-        radius = np.asarray(radius_rolling, dtype=np.float64)
+        radius = floats("radius_rolling", radius_rolling)
         columns = {"y": y, "gap": gap} | ({} if x is None else {"x": x})
         if radius.ndim == 0:
             return cls({"section": _columns(columns), "radius_rolling": float(radius)})
@@ -55,8 +56,8 @@ class Gap:
     @classmethod
     def grid(cls, x: ArrayLike, y: ArrayLike, gap: ArrayLike) -> Gap:
         """gap[i, j] at (x[i], y[j]): a rectangular grid, both axes rising."""
-        values = np.asarray(gap, dtype=np.float64)
-        places = np.meshgrid(np.asarray(x), np.asarray(y), indexing="ij")
+        values = floats("gap", gap)
+        places = np.meshgrid(floats("x", x), floats("y", y), indexing="ij")
         if values.shape != places[0].shape:
             raise ValueError(f"gap has the shape {values.shape}, x and y ask for {places[0].shape}")
         columns = {"x": places[0], "y": places[1], "gap": values}
@@ -70,11 +71,27 @@ class Gap:
         return f"<creepage.Gap by {next(iter(self._section), 'nothing')}>"
 
 
+def _term(term: Any) -> tuple[int, int, float]:
+    """Exponents and coefficient. Raises TypeError and ValueError for other values."""
+    try:
+        i, j, coefficient = term
+    except (TypeError, ValueError):
+        raise ValueError(f"a term is (i, j, coefficient), not {term!r}") from None
+    for name, value in (("exponent", i), ("exponent", j), ("coefficient", coefficient)):
+        number(name, value)
+        if name == "exponent" and not (value >= 0 and float(value).is_integer()):
+            raise ValueError(
+                f"exponent {value} in the term {term!r} is not valid: it must be a whole number "
+                "that is not negative"
+            )
+    return int(i), int(j), float(coefficient)
+
+
 def _columns(arrays: Mapping[str, ArrayLike]) -> dict[str, list[float]]:
     """Lists of numbers, as a case file has them."""
     columns = {}
     for name, array in arrays.items():
-        values = np.asarray(array, dtype=np.float64)
+        values = floats(name, array)
         if values.ndim != 1:
             raise ValueError(f"{name} must be a list of numbers, not of shape {values.shape}")
         columns[name] = values.tolist()
@@ -96,6 +113,7 @@ class GapSolution(Reported):
     contact: dict[str, Any]
     """Load, approach, area, peak pressure with error bars, and `patches`, as in report.json."""
     _solved: _creepage.SolvedGapData
+    _again: Callable[[], Any]
 
 
 class GapCase(FromFile):
@@ -131,6 +149,9 @@ class GapCase(FromFile):
         linear, saturated.
         """
         bodies = (("upper", upper), ("lower", lower))
+        instance("gap", gap, Gap)
+        for name, body in bodies:
+            instance(name, body, Body)
         file: dict[str, Mapping[str, Any]] = {name: body.section(False) for name, body in bodies}
         file["gap"] = gap.to_dict()
         file["contact"] = {
@@ -162,7 +183,7 @@ class GapCase(FromFile):
         """Presses the bodies together and rolls them, by the case's own theory or by the one of that
         name. Raises CaseError where there is no contact, NotReachable where no creepage gives the
         wanted forces. A caution is warned of."""
-        return _solution(self._data.solve(theory), stacklevel=3)
+        return _solution(self._data.solve(theory), partial(self.solve, theory), stacklevel=3)
 
     @staticmethod
     def solve_all(
@@ -170,16 +191,20 @@ class GapCase(FromFile):
     ) -> list[GapSolution | Exception]:
         """Many cases on all cores, in their order. What cannot be solved stands as the exception that
         `solve` raises."""
+        for k, case in enumerate(cases):
+            instance(f"cases[{k}]", case, GapCase)
         answers = _creepage.solve_gaps([case._data for case in cases], theory)
         return [
-            _solution(answer, stacklevel=4)
+            _solution(answer, partial(case.solve, theory), stacklevel=4)
             if isinstance(answer, _creepage.SolvedGapData)
             else answer
-            for answer in answers
+            for case, answer in zip(cases, answers, strict=True)
         ]
 
 
-def _solution(solved: _creepage.SolvedGapData, stacklevel: int) -> GapSolution:
+def _solution(
+    solved: _creepage.SolvedGapData, again: Callable[[], Any], stacklevel: int
+) -> GapSolution:
     report = json.loads(solved.json())
     if report["caution"] is not None:
         warnings.warn(report["caution"], UserWarning, stacklevel=stacklevel)
@@ -189,4 +214,6 @@ def _solution(solved: _creepage.SolvedGapData, stacklevel: int) -> GapSolution:
     force = SiForce(*(lower[f"{name}_{unit}"] for name, unit in zip(names, units, strict=True)))
     errors = [lower[f"{name}_error_{unit}"] for name, unit in zip(names, units, strict=True)]
     error = None if None in errors else SiForce(*errors)
-    return GapSolution(report["status"], report["caution"], force, error, report["contact"], solved)
+    return GapSolution(
+        report["status"], report["caution"], force, error, report["contact"], solved, again
+    )

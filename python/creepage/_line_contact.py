@@ -3,14 +3,19 @@
 from __future__ import annotations
 
 import math
+import warnings
 from dataclasses import asdict, dataclass
 from typing import Any, Generic, overload
 
 from numpy.typing import ArrayLike
 
 from . import _creepage
-from ._contact import Body
+from ._contact import Body, instance
+from ._errors import CaseError, UnitsWarning, UnlikeBodiesWarning
 from ._results import Floats, Number, by_name
+
+UNLIKE = 0.01
+"""kappa/mu from which on leaving it out matters."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -66,6 +71,8 @@ class LineContact:
     """Characteristic length of (1.2) (m): the diameter, for equal cylinders."""
     load: float
     """N per m of the cylinders' length."""
+    kappa: float
+    """Measure of how unlike the bodies are, (1.41)."""
 
     def to_dict(self) -> dict[str, float]:
         """The numbers by name, in SI units."""
@@ -75,24 +82,43 @@ class LineContact:
         """Carter's theory at the longitudinal creepage upsilon_x, a float or an array.
 
         The force is in units of `friction * load`. Raises ValueError unless friction is positive,
-        InvalidValue where the creepage is not finite.
+        InvalidValue where the creepage is not finite; warns with UnlikeBodiesWarning of bodies so
+        unlike that it matters, which this theory leaves out.
         """
         if not (friction > 0.0 and math.isfinite(friction)):
             raise ValueError(f"friction = {friction} is not valid: it must be finite and positive")
+        kappa_over_mu = self.kappa / friction
+        if abs(kappa_over_mu) >= UNLIKE:
+            warnings.warn(
+                f"Carter's theory takes the bodies for like ones (kappa/mu = {kappa_over_mu:.3f}): for "
+                f"that the force may be off by some {100 * min(abs(kappa_over_mu), 1.0):.0f} % of mu N",
+                UnlikeBodiesWarning,
+                stacklevel=2,
+            )
         return carter(creepage * (self.rho / (friction * self.half_width)))
 
 
 def line_contact(upper: Body, lower: Body, load: float) -> LineContact:
     """Presses two cylinders together by their radius_rolling; load in N per m of their length.
 
-    Raises InvalidValue for numbers out of range and cylinders that do not touch along a line.
+    Raises InvalidValue for numbers out of range, CaseError for bodies that are crowned and do not touch
+    along a line; warns with UnitsWarning of numbers that look like ones in other units.
     """
     radii = []
-    for body in (upper, lower):
+    for name, body in (("upper", upper), ("lower", lower)):
+        instance(name, body, Body)
+        if body.radius_lateral not in (None, "flat", math.inf, -math.inf):
+            message = (
+                f"{name}: radius_lateral = {body.radius_lateral} is a crown, which does not touch "
+                "along a line: leave it out, or ask creepage.hertz for the ellipse"
+            )
+            raise CaseError(message, name, "radius_lateral", float(body.radius_lateral or 0.0))
         flat = body.radius_rolling in (None, "flat")
         radii.append(math.inf if flat else float(body.radius_rolling or 0.0))
     moduli = (upper.modulus(), lower.modulus())
-    found = _creepage.line_contact(
+    *found, kappa, caution = _creepage.line_contact(
         moduli, (upper.poisson, lower.poisson), (radii[0], radii[1]), load
     )
-    return LineContact(*found, load)
+    if caution is not None:
+        warnings.warn(caution, UnitsWarning, stacklevel=2)
+    return LineContact(*found, load, kappa)

@@ -5,7 +5,8 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Mapping
+import warnings
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Protocol
 
@@ -29,6 +30,11 @@ class Reported:
 
     __slots__ = ()
     _solved: Solved
+    _again: Callable[[], Any]
+    """Solves it once more, which is the same to the last bit: for pickle."""
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _silently, (self._again,)
 
     def to_dict(self) -> dict[str, Any]:
         """What `report.json` holds; the names carry their units."""
@@ -53,6 +59,13 @@ class Reported:
         """Writes what the command writes with `--out` into a directory: report.json, and the points and
         pictures that there are. Raises OSError, FileExistsError for a file that the problem was read from."""
         return [Path(path) for path in self._solved.write(Path(directory))]
+
+
+def _silently(again: Callable[[], Any]) -> Any:
+    """What was warned of when it was solved is not warned of again."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        return again()
 
 
 class FromFile:

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from . import _creepage
@@ -29,6 +30,7 @@ class StaticsSolution(Reported):
     caution: str | None
     """What looks like a number in another unit; else None."""
     _solved: _creepage.SolvedStatics
+    _again: Callable[[], Any]
 
     def traction(self, x: ArrayLike, y: ArrayLike) -> Floats:
         """Tangential traction on the lower body (Pa) at (x, y) (m), shape (..., 2).
@@ -55,8 +57,10 @@ def statics(source: Source | Mapping[str, Mapping[str, Any]]) -> StaticsSolution
     a mapping. Raises CaseError for what is no problem, and where the bodies slide or the die
     lifts off; OSError for what cannot be read.
     """
-    solved = _creepage.SolvedStatics(text_of(source))
+    text = text_of(source)
+    solved = _creepage.SolvedStatics(text)
     report = json.loads(solved.json())
     return StaticsSolution(
-        report["problem"], report["given"], report["found"], report["caution"], solved
+        report["problem"], report["given"], report["found"], report["caution"], solved,
+        partial(statics, text),
     )

@@ -45,11 +45,17 @@ def _key(name: object) -> str:
 
 
 def _value(place: str, value: object) -> str:
+    if np.ma.is_masked(value):
+        raise TypeError(f"{place} must not have masked elements: leave them out")
+    if isinstance(value, np.ndarray) and value.ndim == 0:
+        value = value.item()
     if isinstance(value, str):
         return json.dumps(value).replace("\x7f", "\\u007f")
     if isinstance(value, (bool, np.bool_)):
         return "true" if value else "false"
     if isinstance(value, (int, np.integer)):
+        if not -(2**63) <= value < 2**63:
+            raise OverflowError(f"{place} = {value} is beyond the whole numbers of a case file")
         return str(int(value))
     if isinstance(value, (float, np.floating)):
         return repr(float(value))

@@ -5,8 +5,9 @@ from __future__ import annotations
 import json
 import os
 import warnings
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from typing import Any, Literal
 
@@ -14,6 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _creepage
+from ._contact import floats
 from ._report import FromFile, Reported
 from ._results import Floats
 from ._toml import dumps
@@ -38,6 +40,7 @@ class WheelsetSolution(Reported):
     derivative_errors: Floats | None
     """What the differences may have made of each."""
     _solved: _creepage.SolvedWheelset
+    _again: Callable[[], Any]
 
 
 class Wheelset(FromFile):
@@ -134,6 +137,7 @@ class Wheelset(FromFile):
             values,
             errors,
             solved,
+            partial(self.solve, derivatives=derivatives),
         )
 
     def table(self, y: ArrayLike, yaw: ArrayLike = 0.0) -> dict[str, Floats]:
@@ -142,7 +146,9 @@ class Wheelset(FromFile):
         Arrays of shape (yaw, y) by the names of `creepage wheelset --table`, such as
         `left_lateral_n`; NaN where a position could not be solved.
         """
-        places, turns = (np.atleast_1d(np.asarray(a, dtype=float)) for a in (y, yaw))
+        places, turns = (
+            np.atleast_1d(floats(name, values)) for name, values in (("y", y), ("yaw", yaw))
+        )
         columns = self._data.table(places, turns)
         shape = (turns.size, places.size)
         return {name: column.reshape(shape) for name, column in columns.items()}
@@ -157,6 +163,6 @@ class Wheelset(FromFile):
     def conicity(self, amplitude: ArrayLike, *, roll: bool = False) -> Floats:
         """Equivalent conicity of EN 15302 at amplitudes (m), half of y_max - y_min; NaN where
         there is none."""
-        amplitudes = np.asarray(amplitude, dtype=float)
+        amplitudes = floats("amplitude", amplitude)
         found = self._data.conicity(amplitudes.ravel().tolist(), roll)
         return np.array(found).reshape(amplitudes.shape)

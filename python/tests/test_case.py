@@ -164,7 +164,6 @@ def test_dimensionless_creepage_and_a_given_ellipse() -> None:
         ({"friction": -0.3}, "contact", "friction", "greater than zero"),
         ({"normal_force": math.nan}, "contact", "normal_force", "NaN"),
         ({"longitudinal": math.inf}, "creepage", "longitudinal", "inf"),
-        ({"longitudinal": None}, "creepage", None, "is missing"),
         ({"xi": 0.5}, "creepage", "longitudinal", "exclude each other"),
         ({"upper": Body(poisson=0.28)}, "upper", "shear_modulus", "needs"),
         ({"upper": Body(**STEEL, radius_rolling=0.0)}, "upper", "radius_rolling", "metres"),

@@ -88,8 +88,36 @@ def long_case() -> None:
     CASE.solve(resolution=(80, 80))
 
 
+def wheelset() -> creepage.Wheelset:
+    return creepage.Wheelset(
+        wheel="S1002", rail="UIC60", cant=0.025, axle_load=9e4, theory="fastsim"
+    )
+
+
+def gap(resolution: str = "fast") -> creepage.GapCase:
+    steel = creepage.Body(shear_modulus=80e9, poisson=0.28)
+    return creepage.GapCase(
+        gap=creepage.Gap.polynomial([(2, 0, 1.2), (0, 4, 4e4)]),
+        upper=steel,
+        lower=steel,
+        friction=0.3,
+        normal_force=3e4,
+        longitudinal=1e-3,
+        resolution=resolution,
+    )
+
+
+
+def long_table() -> None:
+    wheelset().table(y=np.linspace(0.0, 6e-3, 3000), yaw=np.linspace(0.0, 2e-3, 4))
+
+
+def long_gaps() -> None:
+    creepage.GapCase.solve_all([gap("fine")] * 400)
+
+
 @pytest.mark.skipif(sys.platform == "win32", reason="Windows has no alarms")
-@pytest.mark.parametrize("minutes", [long_array, long_chain, long_case])
+@pytest.mark.parametrize("minutes", [long_array, long_chain, long_case, long_table, long_gaps])
 def test_an_interrupt_ends_long_work(minutes: Callable[[], None]) -> None:
     def ring(_number: int, _frame: FrameType | None) -> None:
         raise Alarm
@@ -105,3 +133,21 @@ def test_an_interrupt_ends_long_work(minutes: Callable[[], None]) -> None:
     finally:
         signal.setitimer(signal.ITIMER_REAL, 0.0)
         signal.signal(signal.SIGALRM, before)
+
+
+def in_forked_child(what: str) -> float:
+    if what == "wheelset":
+        solved = wheelset().solve().left
+        assert solved is not None
+        return float(solved["force"]["vertical_n"])
+    return float(gap().solve().force.longitudinal)
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows has no fork")
+@pytest.mark.filterwarnings("ignore:.*multi-threaded.*fork:DeprecationWarning")
+def test_a_child_after_a_fork_works() -> None:
+    """The threads of the parent are not in the child: it has its own."""
+    here = [in_forked_child(what) for what in ("wheelset", "gap")]
+    with multiprocessing.get_context("fork").Pool(1) as pool:
+        there = pool.map_async(in_forked_child, ["wheelset", "gap"])
+        assert there.get(60) == here

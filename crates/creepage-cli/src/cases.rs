@@ -1,44 +1,71 @@
 //! Commands on one case file: `solve` and `hertz`.
 
+use std::path::{Path, PathBuf};
+
 use creepage::normal::{self, NormalContact};
 use creepage::{Creepage, SiCreepage, Status};
 use creepage_study::{
-    AnyCase, AnyCaseFile, Caution, HertzReportJson, PressedReportJson, hertz_text, pressed_text,
+    AnyCase, AnyCaseFile, Caution, HertzReportJson, PressedReportJson, Sources, hertz_text,
+    long_work, pressed_text,
 };
 
 use crate::args::{HertzArgs, SolveArgs};
 use crate::failure::Failure;
-use crate::input::{directory, read_any, read_any_case, theories};
+use crate::input::{directory, read_any, read_any_case, sources_of, theories};
 use crate::outcome::Outcome;
 use crate::output::{print, say, say_written, to_json};
 
 /// `creepage solve`: one file after the other.
 pub(crate) fn solve(args: &SolveArgs) -> Result<Outcome, Failure> {
     if args.more.is_empty() {
-        return solve_one(args);
+        return solve_one(args, &Sources::new([&args.case]));
+    }
+    let cases: Vec<_> = [&args.case].into_iter().chain(&args.more).collect();
+    let mut sources = Sources::default();
+    if let Some(out) = &args.out {
+        each_its_own(&cases, out)?;
+        sources = cases.iter().fold(sources, |all, case| all.with(&sources_of(case)));
     }
     let mut outcome = Outcome::Done;
-    for case in [&args.case].into_iter().chain(&args.more) {
+    for case in cases {
         let name = case.file_stem().unwrap_or(case.as_os_str());
         let out = args.out.as_ref().map(|directory| directory.join(name));
         let one = SolveArgs { case: case.clone(), more: Vec::new(), out, ..args.clone() };
         if !args.json {
             print(&format!("== {}", case.display()))?;
         }
-        outcome = outcome.or(solve_one(&one)?);
+        outcome = outcome.or(solve_one(&one, &sources)?);
     }
     Ok(outcome)
 }
 
+/// Checks that no two cases have one directory for their results.
+fn each_its_own(cases: &[&PathBuf], out: &Path) -> Result<(), Failure> {
+    for (place, second) in cases.iter().enumerate() {
+        let same = |first: &&&PathBuf| first.file_stem() == second.file_stem();
+        if let Some(first) = cases[..place].iter().find(same) {
+            let directory = out.join(second.file_stem().unwrap_or(second.as_os_str()));
+            let [first, second] = [first, second].map(|path| path.to_path_buf());
+            return Err(Failure::SameDirectory { first, second, directory });
+        }
+    }
+    Ok(())
+}
+
 /// The files first, then the report, so that a wrong `--out` prints nothing.
-fn solve_one(args: &SolveArgs) -> Result<Outcome, Failure> {
+fn solve_one(args: &SolveArgs, sources: &Sources) -> Result<Outcome, Failure> {
     let case = read_any_case(&args.case)?;
     let theories = theories(args.theory.as_slice(), &case)?;
+    if let AnyCase::Ellipse(own) = &case
+        && let Some(words) = long_work(theories.first().unwrap_or(&own.theory), &own.contact)
+    {
+        say(&format!("note: {words}"));
+    }
     let solved = case
         .solve(theories.first())
         .map_err(|source| Failure::Gap { path: args.case.clone(), source: Box::new(source) })?;
     if let Some(directory) = &args.out {
-        say_written(&solved.write(directory)?);
+        say_written(&solved.write(directory, sources)?);
     }
     print(&if args.json { to_json(&solved.json())? } else { solved.text() })?;
     for caution in &solved.cautions {

@@ -1,6 +1,6 @@
 //! `creepage conicity`: equivalent conicity of a wheelset on its track.
 
-use creepage_study::{conicity, radius_difference_csv, write_all};
+use creepage_study::{Sources, conicity, radius_difference_csv, write_all};
 
 use crate::failure::Failure;
 use crate::outcome::Outcome;
@@ -28,7 +28,11 @@ pub(crate) fn run(args: &ConicityArgs) -> Result<Outcome, Failure> {
             ("geometry.svg", &svg),
             ("geometry.png", &png),
         ];
-        say_written(&write_all(directory, &files, &case.sources())?);
+        say_written(&write_all(
+            directory,
+            &files,
+            &case.sources().with(&Sources::new([&args.case])),
+        )?);
     }
     if args.radius_difference {
         print(&radii)?;

@@ -6,7 +6,7 @@ use creepage_study::{AnyCase, Caution, Component, Curves};
 
 use crate::args::{CurveArgs, Quantity};
 use crate::failure::Failure;
-use crate::input::{read_any_case, theories};
+use crate::input::{read_any_case, sources_of, theories};
 use crate::output::{print, say, say_written};
 
 pub(crate) fn run(args: &CurveArgs) -> Result<(), Failure> {
@@ -45,7 +45,7 @@ pub(crate) fn run(args: &CurveArgs) -> Result<(), Failure> {
     let Some(directory) = &args.out else {
         return print(&String::from_utf8_lossy(&curves.csv()?));
     };
-    say_written(&curves.write(directory)?);
+    say_written(&curves.write(directory, &sources_of(&args.case))?);
     Ok(())
 }
 

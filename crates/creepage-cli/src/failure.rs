@@ -39,6 +39,11 @@ pub(crate) enum Failure {
     NothingToRead { profile: &'static str },
     #[error("{} would be written twice: give profiles of one name one by one, each its own --out", path.display())]
     SameName { path: PathBuf },
+    #[error(
+        "{} and {} would both write to {}: solve them one by one, each with its own --out",
+        first.display(), second.display(), directory.display()
+    )]
+    SameDirectory { first: PathBuf, second: PathBuf, directory: PathBuf },
     #[error("{}: {source}", path.display())]
     Points { path: PathBuf, source: PointsError },
     #[error("{}: {source}", path.display())]

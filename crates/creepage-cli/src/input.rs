@@ -6,7 +6,7 @@ use std::path::Path;
 
 use creepage::TheorySpec;
 use creepage::table::Table;
-use creepage_study::{AnyCase, AnyCaseFile, CaseFile, GapFile};
+use creepage_study::{AnyCase, AnyCaseFile, CaseFile, GapFile, Sources};
 
 use crate::failure::Failure;
 use crate::output::say;
@@ -21,6 +21,16 @@ pub(crate) fn read_any(path: &Path) -> Result<AnyCaseFile, Failure> {
 pub(crate) fn read_any_case(path: &Path) -> Result<AnyCase, Failure> {
     let wrong = |source| Failure::Gap { path: path.into(), source: Box::new(source) };
     read_any(path)?.case(directory(path)).map_err(wrong)
+}
+
+/// A case file, and what it reads for its gap; what is wrong with it is found when it is solved.
+pub(crate) fn sources_of(path: &Path) -> Sources {
+    let own = Sources::new([path]);
+    let Ok(text) = fs::read_to_string(path) else { return own };
+    match AnyCaseFile::read(&text) {
+        Ok(AnyCaseFile::Gap(file)) => own.with(&file.sources(directory(path))),
+        _ => own,
+    }
 }
 
 /// Where files stand that a case file names.

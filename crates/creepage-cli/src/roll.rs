@@ -24,14 +24,14 @@ pub(crate) fn run(args: &RollArgs) -> Result<Outcome, Failure> {
     };
     let texts = [read_text(&args.case)?, read_text(&args.history)?];
     let directory = args.case.parent().unwrap_or(Path::new(""));
-    let case = RollFile::read(&texts[0]).and_then(|file| file.case(directory));
-    let case = case.map_err(wrong(&args.case))?;
+    let file = RollFile::read(&texts[0]).map_err(wrong(&args.case))?;
+    let case = file.case(directory).map_err(wrong(&args.case))?;
+    let sources = Sources::new([&args.case, &args.history]).with(&file.sources(directory));
     let history = History::read(texts[1].as_bytes(), &case).map_err(wrong(&args.history))?;
     let mut run = HistoryRun::new(&case, &history).map_err(wrong(&args.case))?;
     let not_converged = match &args.out {
         None => to_stdout(&mut run).map_err(|error| error.placed(&args.history))?,
         Some(directory) => {
-            let sources = Sources::new([&args.case, &args.history]);
             sources.spare(&directory.join(HistoryWriter::NAME))?;
             let texts = [&texts[0][..], &texts[1][..]];
             let writer =
@@ -41,7 +41,7 @@ pub(crate) fn run(args: &RollArgs) -> Result<Outcome, Failure> {
         }
     };
     if let Some(directory) = &args.out {
-        write_pictures(&run, directory)?;
+        write_pictures(&run, directory, &sources)?;
     }
     if not_converged == 0 {
         return Ok(Outcome::Done);
@@ -102,7 +102,7 @@ fn to_file(
     Ok(not_converged)
 }
 
-fn write_pictures(run: &HistoryRun, directory: &Path) -> Result<(), Failure> {
+fn write_pictures(run: &HistoryRun, directory: &Path, sources: &Sources) -> Result<(), Failure> {
     let mut files: Vec<(String, Vec<u8>)> = Vec::new();
     for (name, svg) in history_picture(run) {
         let png = creepage_study::to_png(&svg)?;
@@ -113,7 +113,7 @@ fn write_pictures(run: &HistoryRun, directory: &Path) -> Result<(), Failure> {
         files.push(("rolling.png".into(), bytes));
     }
     let files: Vec<_> = files.iter().map(|(name, bytes)| (&name[..], &bytes[..])).collect();
-    say_written(&write_all(directory, &files, &Sources::default())?);
+    say_written(&write_all(directory, &files, sources)?);
     Ok(())
 }
 

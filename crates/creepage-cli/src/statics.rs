@@ -1,6 +1,6 @@
 //! `creepage statics`: a contact without rolling.
 
-use creepage_study::{StaticsError, StaticsFile, StaticsReport};
+use creepage_study::{Sources, StaticsError, StaticsFile, StaticsReport};
 
 use crate::args::StaticsArgs;
 use crate::failure::Failure;
@@ -17,7 +17,7 @@ pub(crate) fn run(args: &StaticsArgs) -> Result<(), Failure> {
         .map_err(wrong)?;
     let report = StaticsReport::new(&case).map_err(wrong)?;
     if let Some(directory) = &args.out {
-        say_written(&report.write(directory)?);
+        say_written(&report.write(directory, &Sources::new([&args.case]))?);
     }
     print(&if args.json { to_json(&report.json())? } else { report.text() })?;
     for caution in &case.cautions {

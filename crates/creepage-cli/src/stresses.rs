@@ -5,7 +5,7 @@ use creepage_study::{Sources, StressFileError, StressPoint, Stresses, read_point
 
 use crate::args::{BodyName, StressesArgs};
 use crate::failure::Failure;
-use crate::input::{read_any_case, read_text, theories};
+use crate::input::{read_any_case, read_text, sources_of, theories};
 use crate::outcome::Outcome;
 use crate::output::{print, say, say_written, to_json};
 
@@ -16,7 +16,7 @@ pub(crate) fn run(args: &StressesArgs) -> Result<Outcome, Failure> {
     let failed = |source| Failure::Stresses { path: args.case.clone(), source };
     let asked = points.map(|points| stresses.at(&points)).transpose().map_err(failed)?;
     if let Some(directory) = &args.out {
-        let sources = Sources::new(&args.points);
+        let sources = sources_of(&args.case).with(&Sources::new(&args.points));
         let written =
             stresses.write(directory, &sources, asked.as_deref()).map_err(|error| match error {
                 StressFileError::Report(error) => error.into(),

@@ -27,7 +27,7 @@ pub(crate) fn run(args: &WheelsetArgs) -> Result<Outcome, Failure> {
     }
     case.notes.iter().for_each(say_found);
     if let Some(directory) = &args.out {
-        say_written(&solved.write(&case, directory)?);
+        say_written(&solved.write(&case, directory, &Sources::new([&args.case]))?);
     }
     print(&if args.json { to_json(&solved.json())? } else { solved.text() })?;
     for words in solved.caution_words() {
@@ -48,7 +48,11 @@ fn table(args: &WheelsetArgs, case: &WheelsetCase, file: &Path) -> Result<Outcom
     let mut whole = WholeFile::create(file).map_err(failed)?;
     let style = bar_style("{wide_bar} {pos}/{len} positions  {per_sec}  {eta} left");
     let bar = ProgressBar::new((y.len() * yaw.len()) as u64).with_style(style);
-    let table = WheelsetTable::solve(case, &y, &yaw, || bar.inc(1)).map_err(wrong)?;
+    let goes_on = || {
+        bar.inc(1);
+        true
+    };
+    let table = WheelsetTable::solve(case, &y, &yaw, goes_on).map_err(wrong)?;
     bar.finish_and_clear();
     case.notes.iter().for_each(say_found);
     whole.fill(|path| table.netcdf(path))?;

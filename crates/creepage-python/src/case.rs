@@ -4,11 +4,14 @@ use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::PathBuf;
 
 use creepage::{Creepage, SiCreepage};
-use creepage_study::{Case, CaseFile, Caution, Damage, Given, HertzReportJson, hertz_json, solve};
+use creepage_study::{
+    Case, CaseFile, Caution, Damage, Given, HertzReportJson, Sources, hertz_json, solve,
+};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use serde::Serialize;
 
+use crate::pool::detached;
 use crate::theory::{LONG, cost};
 use crate::{errors, mesh, options, results, signals};
 
@@ -258,22 +261,22 @@ impl SolvedCase {
 
     /// `report.json` as text.
     fn json(&self, py: Python) -> PyResult<String> {
-        json(&py.detach(|| self.solved.json()))
+        json(&detached(py, || self.solved.json())?)
     }
 
     /// A short report for a terminal.
-    fn text(&self, py: Python) -> String {
-        py.detach(|| self.solved.text())
+    fn text(&self, py: Python) -> PyResult<String> {
+        detached(py, || self.solved.text())
     }
 
     /// The contact seen from above.
-    fn svg(&self, py: Python) -> String {
-        py.detach(|| self.solved.contact_svg())
+    fn svg(&self, py: Python) -> PyResult<String> {
+        detached(py, || self.solved.contact_svg())
     }
 
     /// Writes the files of the report.
     fn write(&self, py: Python, directory: PathBuf) -> PyResult<Vec<PathBuf>> {
-        py.detach(|| self.solved.write(&directory)).map_err(errors::report)
+        detached(py, || self.solved.write(&directory, &Sources::default()))?.map_err(errors::report)
     }
 
     /// The field at the middles of points x points cells of the box around the ellipse: a Field.

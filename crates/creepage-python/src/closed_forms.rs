@@ -3,6 +3,7 @@
 use creepage::approximate::carter::{Carter, LineContact};
 use creepage::approximate::linear::CreepageCoefficients;
 use creepage::{InvalidValue, Solid, SolidPair};
+use creepage_study::Caution;
 use pyo3::prelude::*;
 
 use crate::batch::{Answers, solve_all};
@@ -53,6 +54,9 @@ pub(crate) fn coefficients<'py>(
     results::make(py, "CreepageCoefficients", pyo3::types::PyTuple::new(py, columns(py, answers)?)?)
 }
 
+/// Half-width, peak pressure, rho, kappa, and what looks like a number in another unit.
+type LineFound = (f64, f64, f64, f64, Option<String>);
+
 /// Carter's theory at a dimensionless creepage: creepage, force, derivative, half-width and trailing
 /// edge of the adhesion area.
 #[pyfunction]
@@ -102,11 +106,16 @@ pub(crate) fn line_contact(
     poisson: [f64; 2],
     radii: [f64; 2],
     load: f64,
-) -> PyResult<(f64, f64, f64)> {
+) -> PyResult<LineFound> {
     let make = || {
         let [upper, lower] = [0, 1].map(|k| Solid::new(shear_moduli[k], poisson[k]));
-        LineContact::new(SolidPair::new(upper?, lower?), radii, load)
+        let pair = SolidPair::new(upper?, lower?);
+        Ok((LineContact::new(pair, radii, load)?, pair))
     };
-    let contact = make().map_err(|error| errors::invalid(py, error))?;
-    Ok((contact.half_width(), contact.peak_pressure(), contact.rho()))
+    let (contact, pair) = make().map_err(|error| errors::invalid(py, error))?;
+    let (half_width, peak) = (contact.half_width(), contact.peak_pressure());
+    let smallest = radii.into_iter().map(f64::abs).fold(f64::INFINITY, f64::min);
+    let cautions = Caution::line_units([half_width, smallest], [peak, pair.shear_modulus()]);
+    let words = (!cautions.is_empty()).then(|| Caution::words(&cautions));
+    Ok((half_width, peak, contact.rho(), pair.kappa(), words))
 }

@@ -1,5 +1,6 @@
 //! The library's errors as Python's exceptions, with their messages and fields.
 
+use std::ffi::CString;
 use std::io;
 use std::path::PathBuf;
 
@@ -10,7 +11,7 @@ use creepage::variational::VariationalError;
 use creepage::{Creepage, Force, InvalidValue};
 use creepage_study::{
     CaseError, GapCaseError, HistoryError, MotionError, ReportError, SolveError, SpecError,
-    StaticsError, Unreachable, WheelsetError,
+    StaticsError, Unreachable, WheelsetError, plain_words,
 };
 use pyo3::BoundObject;
 use pyo3::exceptions::{
@@ -32,6 +33,12 @@ fn exception<'py>(
         class.call1(arguments.into_bound())
     };
     make().map_or_else(|error| error, PyErr::from_value)
+}
+
+/// Warns the caller with a class of `creepage._errors`.
+pub(crate) fn warn(py: Python, name: &str, words: &str) -> PyResult<()> {
+    let class = py.import("creepage._errors")?.getattr(name)?;
+    PyErr::warn(py, &class, &CString::new(words)?, 1)
 }
 
 /// What cannot happen.
@@ -141,8 +148,26 @@ pub(crate) fn inverse(py: Python, error: InverseError) -> PyErr {
     }
 }
 
+/// What the reader of TOML says of a line: the line, which Python may never have seen as such, in place of
+/// its number, and the key of it.
+fn line(error: &toml::de::Error) -> (String, Option<String>) {
+    let (shown, message) = (error.to_string(), plain_words(error.message()));
+    let is_of_a_value = ["invalid", "missing", "unknown"].iter().any(|w| message.starts_with(w));
+    let message = if is_of_a_value { message } else { format!("not TOML: {message}") };
+    // The second of the lines with a bar, " 12 | key = value".
+    let bars = shown.lines().filter_map(|line| line.split_once('|'));
+    let text = bars.map(|(_, text)| text.trim()).find(|text| !text.is_empty());
+    let Some(text) = text else { return (message, None) };
+    let key = text.split_once('=').map(|(key, _)| key.trim().trim_matches('"').to_owned());
+    (format!("`{}`: {message}", text.replacen('"', "", if key.is_some() { 2 } else { 0 })), key)
+}
+
 /// Message, section, key and value, as far as the error has them.
 pub(crate) fn case(py: Python, error: CaseError) -> PyErr {
+    if let CaseError::Toml(error) = &error {
+        let (message, key) = line(error);
+        return exception(py, "CaseError", (message, None::<String>, key));
+    }
     let message = error.to_string();
     let (section, key, value) = match error {
         CaseError::Spec(

@@ -1,12 +1,15 @@
 //! Contacts of any shape.
 
 use std::path::PathBuf;
+use std::sync::atomic::{AtomicBool, Ordering};
 
-use creepage_study::{GapCase, GapCaseError, GapFile, GapSolver, SolvedCase};
+use creepage_study::{GapCase, GapCaseError, GapFile, GapSolver, SolvedCase, Sources};
 use pyo3::prelude::*;
 use rayon::prelude::*;
 
 use crate::errors;
+use crate::pool::detached;
+use crate::signals;
 
 /// A contact of any shape, read and checked.
 #[pyclass(frozen, module = "creepage._creepage")]
@@ -28,13 +31,15 @@ impl GapData {
     #[new]
     fn new(py: Python, text: &str, directory: PathBuf) -> PyResult<Self> {
         let read = || GapFile::read(text)?.case(&directory);
-        let case = py.detach(read).map_err(|error| errors::gap(py, error))?;
+        let case = detached(py, read)?.map_err(|error| errors::gap(py, error))?;
         Ok(Self { case })
     }
 
     /// Solves it by its own theory, or by the one of that name.
     fn solve(&self, py: Python, theory: Option<&str>) -> PyResult<SolvedGapData> {
-        let solved = py.detach(|| solve(&GapSolver::default(), self.case.clone(), theory));
+        let (case, theory) = (self.case.clone(), theory.map(str::to_owned));
+        let work = move || solve(&GapSolver::default(), case, theory.as_deref());
+        let solved = signals::answered(py, work)?;
         Ok(SolvedGapData { solved: solved.map_err(|error| errors::gap(py, error))? })
     }
 }
@@ -48,10 +53,14 @@ pub(crate) fn solve_gaps(
     theory: Option<&str>,
 ) -> PyResult<Vec<Py<PyAny>>> {
     let cases: Vec<_> = cases.iter().map(|data| data.case.clone()).collect();
-    let solver = GapSolver::default();
-    let one = |case| solve(&solver, case, theory);
-    let all = || cases.into_par_iter().map(one).collect::<Vec<_>>();
-    let answers = py.detach(all).into_iter();
+    let theory = theory.map(str::to_owned);
+    let all = move |stop: &AtomicBool| {
+        let solver = GapSolver::default();
+        let one =
+            |case| (!stop.load(Ordering::Relaxed)).then(|| solve(&solver, case, theory.as_deref()));
+        cases.into_par_iter().filter_map(one).collect::<Vec<_>>()
+    };
+    let answers = signals::stoppable(py, all)?.into_iter();
     let object = |answer| match answer {
         Ok(solved) => Ok(Py::new(py, SolvedGapData { solved })?.into_any()),
         Err(error) => Ok(errors::gap(py, error).into_value(py).into_any()),
@@ -74,22 +83,23 @@ fn solve(
 #[pymethods]
 impl SolvedGapData {
     /// `report.json` as text.
-    fn json(&self) -> PyResult<String> {
-        serde_json::to_string(&self.solved.json()).map_err(|e| errors::internal(&e.to_string()))
+    fn json(&self, py: Python) -> PyResult<String> {
+        serde_json::to_string(&detached(py, || self.solved.json())?)
+            .map_err(|e| errors::internal(&e.to_string()))
     }
 
     /// A short report for a terminal.
-    fn text(&self) -> String {
-        self.solved.text()
+    fn text(&self, py: Python) -> PyResult<String> {
+        detached(py, || self.solved.text())
     }
 
     /// Contact areas, adhesion and slip, traction.
-    fn svg(&self) -> String {
-        self.solved.contact_svg()
+    fn svg(&self, py: Python) -> PyResult<String> {
+        detached(py, || self.solved.contact_svg())
     }
 
     /// Writes the files of the report.
-    fn write(&self, directory: PathBuf) -> PyResult<Vec<PathBuf>> {
-        self.solved.write(&directory).map_err(errors::report)
+    fn write(&self, py: Python, directory: PathBuf) -> PyResult<Vec<PathBuf>> {
+        detached(py, || self.solved.write(&directory, &Sources::default()))?.map_err(errors::report)
     }
 }

@@ -24,3 +24,10 @@ pub(crate) fn pool() -> PyResult<Arc<ThreadPool>> {
     std::mem::forget(held.replace((process::id(), pool.clone())));
     Ok(pool)
 }
+
+/// Works without Python's lock on the threads of this process's pool, those of the library included: its
+/// own, of the whole process, have gone in a child after a fork, which would wait for them for ever.
+pub(crate) fn detached<T: Send>(py: Python, work: impl FnOnce() -> T + Send) -> PyResult<T> {
+    let pool = pool()?;
+    Ok(py.detach(|| pool.install(work)))
+}

@@ -2,7 +2,10 @@
 
 use std::path::PathBuf;
 
-use creepage_study::{StaticsCase, StaticsError, StaticsFile, StaticsProblem, StaticsReport};
+use creepage::InvalidValue;
+use creepage_study::{
+    Sources, StaticsCase, StaticsError, StaticsFile, StaticsProblem, StaticsReport,
+};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
@@ -29,7 +32,15 @@ impl SolvedStatics {
         at: impl Fn([f64; 2]) -> [f64; W] + Sync,
     ) -> PyResult<Bound<'py, PyAny>> {
         let inputs = Inputs::new(py, ["x", "y"], points)?;
-        solve_all(py, &inputs, 1e-5, |point| Ok((at(point), 0)))?.stacked(py, &[W])
+        let at = |point: [f64; 2]| {
+            for (quantity, value) in ["x", "y"].into_iter().zip(point) {
+                if !value.is_finite() {
+                    return Err(InvalidValue { quantity, value, valid: "finite" });
+                }
+            }
+            Ok((at(point), 0))
+        };
+        solve_all(py, &inputs, 1e-5, at)?.stacked(py, &[W])
     }
 }
 
@@ -59,7 +70,7 @@ impl SolvedStatics {
 
     /// Writes the files of the report.
     fn write(&self, py: Python, directory: PathBuf) -> PyResult<Vec<PathBuf>> {
-        self.report(py)?.write(&directory).map_err(errors::report)
+        self.report(py)?.write(&directory, &Sources::default()).map_err(errors::report)
     }
 
     /// Tangential traction on the lower body (Pa) at points (m), in a last dimension of two.

@@ -8,7 +8,8 @@ use std::time::Duration;
 use creepage::table::{self, Axis, BuildError, Spec, Table};
 use creepage::theory::{Jacobian, Solved};
 use creepage::{
-    Contact, Creepage, FieldPoint, Force, Solution, Statistics, Status, Theory, TheorySpec,
+    Contact, Creepage, FieldPoint, Force, InvalidValue, Solution, Statistics, Status, Theory,
+    TheorySpec,
 };
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -50,6 +51,11 @@ pub(crate) fn build(py: Python, spec: &Spec, theory: &TheorySpec) -> PyResult<Ta
     let built = interruptible(py, |stop| {
         let prepare = |contact: &Contact| {
             let stop = stop.clone();
+            if stop.load(Ordering::Relaxed) {
+                // Ends the building; what is told is what stopped it.
+                let valid = "not stopped";
+                return Err(InvalidValue { quantity: "building", value: 0.0, valid }.into());
+            }
             Ok(Box::new(Asked { theory: theory.prepare(contact)?, stop }) as Box<_>)
         };
         pool.install(|| table::build(spec, prepare, &|| {}))

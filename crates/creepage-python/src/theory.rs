@@ -1,9 +1,11 @@
 //! What every prepared theory can be asked.
 
 use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
 
 use creepage::theory::{NamedResolution, ResolutionSpec};
 use creepage::{Contact, Creepage, Solution, TheorySpec};
+use creepage_study::Caution;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 
@@ -33,6 +35,8 @@ pub struct Theory {
     name: &'static str,
     /// Whether its forces come with error bars.
     error_bars: bool,
+    /// Largest error bar of the forces that it was told to keep, in parts of `mu N`.
+    accuracy: Option<f64>,
     /// What it was made with, for pickle and repr.
     arguments: Py<PyDict>,
     /// Seconds of one force, roughly.
@@ -118,8 +122,9 @@ impl<'py> Call<'py> {
         cost: f64,
     ) -> Theory {
         let error_bars = self.spec.facts().error_bars;
+        let accuracy = self.spec.prescribed_accuracy();
         let (arguments, raised) = (self.arguments.unbind(), Raised::default());
-        Theory { prepared: theory, name, error_bars, arguments, cost, raised }
+        Theory { prepared: theory, name, error_bars, accuracy, arguments, cost, raised }
     }
 }
 
@@ -168,6 +173,7 @@ impl Theory {
             _ => signals::answered(py, solve)?,
         };
         integrand::check(&self.raised)?;
+        self.warn_of_accuracy(py, 1, self.missed(&solution))?;
         results::force(py, &solution)
     }
 
@@ -177,12 +183,38 @@ impl Theory {
         inputs: &Inputs<'py, 3>,
     ) -> PyResult<Bound<'py, PyAny>> {
         if self.error_bars {
-            let answers = self.rows(py, inputs, results::row_with_errors)?;
+            // The number of forces that miss the accuracy, and the bits of the largest error bar.
+            let (count, largest) = (AtomicUsize::new(0), AtomicU64::new(0));
+            let row = |solution: &Solution| {
+                if let Some(reached) = self.missed(solution) {
+                    count.fetch_add(1, Ordering::Relaxed);
+                    largest.fetch_max(reached.to_bits(), Ordering::Relaxed);
+                }
+                results::row_with_errors(solution)
+            };
+            let answers = self.rows(py, inputs, row)?;
+            let (count, largest) = (count.into_inner(), f64::from_bits(largest.into_inner()));
+            self.warn_of_accuracy(py, count, (count > 0).then_some(largest))?;
             return results::forces_with_errors(py, answers);
         }
         let rows = self.rows(py, inputs, results::row)?;
         integrand::check(&self.raised)?;
         results::forces(py, rows)
+    }
+
+    /// The larger error bar of both forces, where it is above the prescribed accuracy.
+    fn missed(&self, solution: &Solution) -> Option<f64> {
+        let (accuracy, error) = (self.accuracy?, solution.error?);
+        Some(error.fx.max(error.fy)).filter(|reached| *reached > accuracy)
+    }
+
+    /// Warns that error bars of `count` forces are above the prescribed accuracy.
+    fn warn_of_accuracy(&self, py: Python, count: usize, reached: Option<f64>) -> PyResult<()> {
+        let (Some(reached), Some(prescribed)) = (reached, self.accuracy) else { return Ok(()) };
+        let caution = Caution::Accuracy { prescribed, reached };
+        let words =
+            if count > 1 { format!("{count} forces: {caution}") } else { caution.to_string() };
+        errors::warn(py, "AccuracyWarning", &words)
     }
 
     fn rows<'py, const W: usize>(

@@ -1,13 +1,16 @@
 //! Wheelsets by their files.
 
 use std::path::PathBuf;
+use std::sync::atomic::{AtomicBool, Ordering};
 
-use creepage_study::{WheelsetCase, WheelsetError, WheelsetFile, WheelsetTable};
+use creepage_study::{Sources, WheelsetCase, WheelsetError, WheelsetFile, WheelsetTable};
 use numpy::{PyArray1, PyArrayMethods, PyReadonlyArray1};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::errors;
+use crate::pool::detached;
+use crate::signals;
 
 /// A wheelset in its track, read and checked.
 #[pyclass(frozen, module = "creepage._creepage")]
@@ -33,7 +36,7 @@ impl WheelsetData {
             let file = WheelsetFile::read(text).map_err(WheelsetError::from)?;
             file.case(&directory)
         };
-        let case = py.detach(read).map_err(|error| errors::wheelset(py, error))?;
+        let case = detached(py, read)?.map_err(|error| errors::wheelset(py, error))?;
         Ok(Self { case })
     }
 
@@ -48,14 +51,15 @@ impl WheelsetData {
 
     /// Solves; with derivatives by position and motion where they are asked for.
     fn solve(&self, py: Python, derivatives: bool) -> PyResult<SolvedWheelset> {
-        let solve = || {
-            let mut solved = self.case.solve()?;
+        let case = self.case.clone();
+        let solve = move || {
+            let mut solved = case.solve()?;
             if derivatives {
-                solved.derivatives = Some(self.case.derivatives(&solved)?);
+                solved.derivatives = Some(case.derivatives(&solved)?);
             }
             Ok(solved)
         };
-        let solved = py.detach(solve).map_err(|error| errors::wheelset(py, error))?;
+        let solved = signals::answered(py, solve)?.map_err(|error| errors::wheelset(py, error))?;
         Ok(SolvedWheelset { solved, case: self.case.clone() })
     }
 
@@ -68,8 +72,11 @@ impl WheelsetData {
     ) -> PyResult<Bound<'py, PyDict>> {
         let [y, yaw] = [y, yaw].map(|values| values.to_vec());
         let (y, yaw) = (y?, yaw?);
-        let solve = || WheelsetTable::solve(&self.case, &y, &yaw, || {});
-        let table = py.detach(solve).map_err(|error| errors::wheelset(py, error))?;
+        let case = self.case.clone();
+        let solve = move |stop: &AtomicBool| {
+            WheelsetTable::solve(&case, &y, &yaw, || !stop.load(Ordering::Relaxed))
+        };
+        let table = signals::stoppable(py, solve)?.map_err(|error| errors::wheelset(py, error))?;
         let columns = PyDict::new(py);
         for (name, values) in table.columns() {
             columns.set_item(name, PyArray1::from_vec(py, values))?;
@@ -79,13 +86,13 @@ impl WheelsetData {
 
     /// `y` and the right wheel's rolling radius less the left's (m).
     fn radius_difference(&self, py: Python, rolls: bool) -> PyResult<Vec<(f64, f64)>> {
-        let found = py.detach(|| self.case.radius_difference(rolls));
+        let found = detached(py, || self.case.radius_difference(rolls))?;
         Ok(found.map_err(|error| errors::wheelset(py, error))?.rows().collect())
     }
 
     /// The equivalent conicity at amplitudes (m); NaN where there is none.
     fn conicity(&self, py: Python, amplitudes: Vec<f64>, rolls: bool) -> PyResult<Vec<f64>> {
-        let found = py.detach(|| self.case.radius_difference(rolls));
+        let found = detached(py, || self.case.radius_difference(rolls))?;
         let difference = found.map_err(|error| errors::wheelset(py, error))?;
         let at = |amplitude: &f64| difference.conicity(*amplitude).unwrap_or(f64::NAN);
         Ok(amplitudes.iter().map(at).collect())
@@ -95,8 +102,9 @@ impl WheelsetData {
 #[pymethods]
 impl SolvedWheelset {
     /// `report.json` as text.
-    fn json(&self) -> PyResult<String> {
-        serde_json::to_string(&self.solved.json()).map_err(|e| errors::internal(&e.to_string()))
+    fn json(&self, py: Python) -> PyResult<String> {
+        serde_json::to_string(&detached(py, || self.solved.json())?)
+            .map_err(|e| errors::internal(&e.to_string()))
     }
 
     /// Derivatives of the forces and their errors, each of 2 wheels, 6 forces, by 8 numbers.
@@ -108,8 +116,8 @@ impl SolvedWheelset {
     }
 
     /// A short report for a terminal.
-    fn text(&self) -> String {
-        self.solved.text()
+    fn text(&self, py: Python) -> PyResult<String> {
+        detached(py, || self.solved.text())
     }
 
     /// Both wheels on their rails.
@@ -119,7 +127,8 @@ impl SolvedWheelset {
     }
 
     /// Writes the files of the report.
-    fn write(&self, directory: PathBuf) -> PyResult<Vec<PathBuf>> {
-        self.solved.write(&self.case, &directory).map_err(errors::report)
+    fn write(&self, py: Python, directory: PathBuf) -> PyResult<Vec<PathBuf>> {
+        let write = || self.solved.write(&self.case, &directory, &Sources::default());
+        detached(py, write)?.map_err(errors::report)
     }
 }

@@ -355,6 +355,17 @@ impl Caution {
         contact.into_iter().chain(pressure).chain(Self::large_creepage(creepage)).collect()
     }
 
+    /// The same of a line contact: its half-width and the smallest radius (m), its peak pressure and the
+    /// shear modulus (Pa).
+    #[must_use]
+    pub fn line_units(
+        [half_width, radius]: [f64; 2],
+        [peak_pressure, shear_modulus]: [f64; 2],
+    ) -> Vec<Self> {
+        let contact = Self::large_contact(half_width, radius);
+        contact.into_iter().chain(Self::high_pressure(peak_pressure, shear_modulus)).collect()
+    }
+
     /// A contact (m) that is large beside the bodies' radius (m).
     pub(crate) fn large_contact(semi_axis: f64, radius: f64) -> Option<Self> {
         (semi_axis > Self::LARGE * radius).then_some(Self::LargeContact { semi_axis, radius })

@@ -267,16 +267,16 @@ impl Curves {
     }
 
     /// Writes `curve.csv`, `curve.svg` and `curve.png` into `directory`, which is made when
-    /// missing: all of them or none. Files of those names are replaced. Gives the paths written.
+    /// missing: all of them or none. Files of those names are replaced, but none of `sources`. Gives the paths written.
     ///
     /// # Errors
     /// [`ReportError`]; what was made until then is removed.
-    pub fn write(&self, directory: &Path) -> Result<Vec<PathBuf>, ReportError> {
+    pub fn write(&self, directory: &Path, sources: &Sources) -> Result<Vec<PathBuf>, ReportError> {
         let svg = self.svg();
         let png = creepage_plot::png(&svg)?;
         let files: [(&str, &[u8]); 3] =
             [("curve.csv", &self.csv()?), ("curve.svg", svg.as_bytes()), ("curve.png", &png)];
-        write_all(directory, &files, &Sources::default())
+        write_all(directory, &files, sources)
     }
 }
 
@@ -327,7 +327,7 @@ mod tests {
         let root = tempfile::tempdir().unwrap();
         let case = case(1.0, CURVE);
         let [one, two] = ["one", "two"].map(|name| {
-            let paths = curves(&case).write(&root.path().join(name)).unwrap();
+            let paths = curves(&case).write(&root.path().join(name), &Sources::default()).unwrap();
             assert_eq!(paths.len(), 3);
             paths.iter().map(|path| std::fs::read(path).unwrap()).collect::<Vec<_>>()
         });

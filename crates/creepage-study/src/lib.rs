@@ -51,6 +51,7 @@ mod case;
 mod caution;
 mod contact_json;
 mod contact_picture;
+mod cost;
 mod curve_picture;
 mod curve_words;
 mod curves;
@@ -62,6 +63,7 @@ mod fuzz;
 mod gap;
 mod history;
 mod json;
+mod plain_words;
 mod points;
 mod series;
 mod solve;
@@ -92,6 +94,7 @@ pub use case::{
 };
 pub use caution::Caution;
 pub use contact_json::{HertzJson, HertzReportJson, SolidJson, hertz_json};
+pub use cost::long_work;
 pub use curves::{Component, Curves, LargestForce};
 pub use damage::{Damage, DamageWanted, WearRow};
 pub use error::ReportError;
@@ -110,6 +113,7 @@ pub use json::{
     AnyReportJson, AreasJson, CreepageJson, DetailJson, DimensionlessJson, ForceJson,
     FrictionLawJson, ReportJson,
 };
+pub use plain_words::plain_words;
 pub use series::{SeriesHead, SeriesRow, SweepRun, Tally, series_csv, series_json, series_netcdf};
 pub use solve::{SolveError, SolvedCase, solve};
 pub use sources::Sources;

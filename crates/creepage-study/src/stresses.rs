@@ -62,6 +62,14 @@ pub enum StressError {
     /// A point.
     #[error(transparent)]
     Point(#[from] InvalidValue),
+    /// The stress at a point is beyond the range of numbers.
+    #[error("row {row}: the stress at ({:e}, {:e}, {:e}) m is no finite number", point[0], point[1], point[2])]
+    NotFinite {
+        /// Its number, from one.
+        row: usize,
+        /// The point (m).
+        point: [f64; 3],
+    },
 }
 
 /// Why stresses were not written.
@@ -130,12 +138,16 @@ impl Stresses {
     /// The stresses at points, in their order.
     ///
     /// # Errors
-    /// [`StressError`] unless the points are finite and in the body.
+    /// [`StressError`] unless the points are finite and in the body, and so are the stresses.
     pub fn at(&self, points: &[[f64; 3]]) -> Result<Vec<StressPoint>, StressError> {
-        let at = |point: &[f64; 3]| {
-            Ok(StressPoint { point: *point, stress: self.interior.stress(*point)? })
+        let at = |(index, point): (usize, &[f64; 3])| {
+            let stress = self.interior.stress(*point)?;
+            if !(stress.von_mises().is_finite() && stress.trace().is_finite()) {
+                return Err(StressError::NotFinite { row: index + 1, point: *point });
+            }
+            Ok(StressPoint { point: *point, stress })
         };
-        points.par_iter().map(at).collect()
+        points.par_iter().enumerate().map(at).collect()
     }
 
     /// The section through the contact's middle, `y = 0` of an ellipse, from `-2a` to `2a` and down to `2a`

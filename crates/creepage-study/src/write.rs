@@ -11,11 +11,11 @@ impl SolvedCase {
     /// Writes `report.json`, `points.csv`, `contact.vtk`, `contact.svg` and `contact.png`, and where
     /// `[damage]` asks for them `wear.csv`, `wear.svg`, `shakedown.svg` and their `.png`, into
     /// `directory`, which is made when missing; files of those names are replaced, but none that the
-    /// case was read from. Gives the paths written.
+    /// case was read from and none of `sources`. Gives the paths written.
     ///
     /// # Errors
     /// [`ReportError`]; what was made until then is removed.
-    pub fn write(&self, directory: &Path) -> Result<Vec<PathBuf>, ReportError> {
+    pub fn write(&self, directory: &Path, sources: &Sources) -> Result<Vec<PathBuf>, ReportError> {
         let mut json = serde_json::to_string_pretty(&self.json())?;
         json.push('\n');
         let vtk = self.vtk();
@@ -25,7 +25,13 @@ impl SolvedCase {
             others.push((*name, &contents[..]));
         }
         let (points, svg) = (self.points_csv()?, self.contact_svg());
-        write_contact(directory, [&json, &svg], &points, &others, &self.case.sources())
+        write_contact(
+            directory,
+            [&json, &svg],
+            &points,
+            &others,
+            &self.case.sources().with(sources),
+        )
     }
 }
 
@@ -69,7 +75,7 @@ mod tests {
         let report = report(1.5, Trial::Sticking, CURVE);
         let directories = ["one", "two/deeper"].map(|name| root.path().join(name));
         for directory in &directories {
-            let paths = report.write(directory).unwrap();
+            let paths = report.write(directory, &Sources::default()).unwrap();
             assert_eq!(paths.len(), 5);
             assert!(paths.iter().all(|path| path.is_file()));
             assert_eq!(
@@ -77,7 +83,7 @@ mod tests {
                 ["contact.png", "contact.svg", "contact.vtk", "points.csv", "report.json"]
             );
         }
-        report.write(&directories[0]).unwrap(); // replaces what is there
+        report.write(&directories[0], &Sources::default()).unwrap(); // replaces what is there
         for name in names(&directories[0]) {
             let [one, two] = [0, 1].map(|k| fs::read(directories[k].join(&name)).unwrap());
             assert!(one == two && !one.is_empty(), "{name}");
@@ -89,7 +95,9 @@ mod tests {
         let root = tempfile::tempdir().unwrap();
         let file = root.path().join("file");
         fs::write(&file, "in the way").unwrap();
-        let error = report(1.0, Trial::Sticking, CURVE).write(&file.join("out")).unwrap_err();
+        let error = report(1.0, Trial::Sticking, CURVE)
+            .write(&file.join("out"), &Sources::default())
+            .unwrap_err();
         assert!(error.to_string().contains("file"), "{error}");
         assert!(error.source().unwrap().is::<io::Error>());
         assert_eq!(names(root.path()), ["file"]);
@@ -99,7 +107,9 @@ mod tests {
     fn what_was_made_before_a_failure_is_removed() {
         let root = tempfile::tempdir().unwrap();
         fs::create_dir(root.path().join("contact.png")).unwrap();
-        let error = report(1.0, Trial::Sticking, CURVE).write(root.path()).unwrap_err();
+        let error = report(1.0, Trial::Sticking, CURVE)
+            .write(root.path(), &Sources::default())
+            .unwrap_err();
         assert!(matches!(error, ReportError::Write { path, .. } if path.ends_with("contact.png")));
         assert_eq!(names(root.path()), ["contact.png"]);
     }

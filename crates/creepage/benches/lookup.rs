@@ -22,7 +22,7 @@ fn table([shapes, materials]: [usize; 2]) -> Table {
         a_over_b: axis(0.2, 5.0, shapes),
         poisson: axis(0.0, 0.5, materials),
         intervals: Intervals::default(),
-        places: 0,
+        places: 1,
         provenance: Provenance::default(),
     };
     let prepare = |contact: &Contact| -> Result<Box<dyn Theory>, InvalidValue> {

@@ -1,10 +1,11 @@
 //! Rows that differ from a case with `[gap]`: many contacts of any shape, on all cores.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use creepage::{SiForce, Status, TheorySpec};
 use creepage_study::{
-    GapCaseError, GapFile, GapRows, GapSolver, GapValue, GapVaried, SolvedCase, theory_spec,
+    GapCaseError, GapFile, GapRows, GapSolver, GapValue, GapVaried, SolvedCase, Sources,
+    theory_spec,
 };
 use csv::ByteRecord;
 use rayon::prelude::*;
@@ -41,6 +42,8 @@ struct Gaps {
     theory: Option<TheorySpec>,
     solver: GapSolver,
     error_bars: bool,
+    /// Where the files stand that rows name.
+    directory: PathBuf,
 }
 
 pub(super) fn run(args: &BatchArgs, path: &Path, text: &str) -> Result<Outcome, Failure> {
@@ -51,7 +54,12 @@ pub(super) fn run(args: &BatchArgs, path: &Path, text: &str) -> Result<Outcome, 
     let gaps = Gaps::new(args, path, text, &table)?;
     let appended = gaps.appended();
     free(&table, &appended)?;
-    let answers = |rows: &[ByteRecord]| rows.par_iter().map(|row| gaps.answer(row)).collect();
+    let answers = |rows: &[ByteRecord]| {
+        if let Some(out) = &args.out {
+            gaps.files(rows).spare(out)?;
+        }
+        Ok(rows.par_iter().map(|row| gaps.answer(row)).collect())
+    };
     let tally = write_answers(args, table, &appended, None, answers, |out, row, answer| {
         out.write_gap(row, answer)
     })?;
@@ -83,10 +91,20 @@ impl Gaps {
         if varied.is_empty() {
             return Err(input(ColumnError::NoGapVaries { found: names(&table.header) }));
         }
-        let directory = path.parent().unwrap_or(Path::new("")).into();
-        let rows = GapRows::new(file, directory, varied);
+        let directory = path.parent().unwrap_or(Path::new("")).to_path_buf();
+        let rows = GapRows::new(file, directory.clone(), varied);
         let (count, solver) = (table.header.len(), GapSolver::default());
-        Ok(Self { rows, places, count, theory, solver, error_bars })
+        Ok(Self { rows, places, count, theory, solver, error_bars, directory })
+    }
+
+    /// The files that rows name.
+    fn files(&self, rows: &[ByteRecord]) -> Sources {
+        let varied = self.rows.varied().iter().zip(&self.places);
+        let places: Vec<_> = varied.filter(|(one, _)| one.is_file()).map(|(_, at)| *at).collect();
+        let names = rows.iter().flat_map(|row| places.iter().filter_map(|place| row.get(*place)));
+        let path =
+            |name: &[u8]| self.directory.join(String::from_utf8_lossy(name.trim_ascii()).as_ref());
+        Sources::new(names.map(path))
     }
 
     /// The columns that are appended.

@@ -48,7 +48,7 @@ pub(crate) fn run(args: &BatchArgs) -> Result<Outcome, Failure> {
     let table = Table::open(args.input.as_deref())?;
     let ask = ask(&table, case.as_ref(), &solver)?;
     let appended = appended(&table, &ask, solver.error_bars())?;
-    let answers = |rows: &[ByteRecord]| replies(&ask, &solver, rows);
+    let answers = |rows: &[ByteRecord]| Ok(replies(&ask, &solver, rows));
     let tally =
         write_answers(args, table, &appended, ask.damage(), answers, |out, row, answer| {
             out.write(row, answer)
@@ -114,7 +114,7 @@ fn write_answers<A>(
     table: Table,
     appended: &[&str],
     damage: Option<DamageWanted>,
-    answers: impl Fn(&[ByteRecord]) -> Vec<A>,
+    answers: impl Fn(&[ByteRecord]) -> Result<Vec<A>, Failure>,
     write: impl Fn(&mut Rows<&mut Sink>, ByteRecord, A) -> io::Result<()>,
 ) -> Result<Tally, Failure> {
     let failed = |source: io::Error| Failure::writing(args.out.as_deref(), source);
@@ -136,7 +136,7 @@ fn fill<A>(
     mut out: Rows<&mut Sink>,
     table: Table,
     args: &BatchArgs,
-    answers: impl Fn(&[ByteRecord]) -> Vec<A>,
+    answers: impl Fn(&[ByteRecord]) -> Result<Vec<A>, Failure>,
     write: impl Fn(&mut Rows<&mut Sink>, ByteRecord, A) -> io::Result<()>,
 ) -> Result<Tally, Failure> {
     let failed = |source: io::Error| Failure::writing(args.out.as_deref(), source);
@@ -148,7 +148,7 @@ fn fill<A>(
             bar.finish_and_clear();
             return out.finish().map_err(failed);
         }
-        let answers = answers(&rows);
+        let answers = answers(&rows)?;
         for (row, answer) in rows.into_iter().zip(answers) {
             write(&mut out, row, answer).map_err(failed)?;
         }

@@ -51,6 +51,93 @@ fn a_result_spares_what_was_read() {
     }
 }
 
+/// A case file that has the name of a result, in the directory of the results.
+#[test]
+fn a_case_with_the_name_of_a_result_is_spared() {
+    let example = |name: &str| {
+        let path =
+            std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples").join(name);
+        fs::read_to_string(path).unwrap()
+    };
+    let case = CASE.replace("theory = \"variational\"\ndegree = 3", "theory = \"linear\"");
+    let wheelset = example("wheelset/s1002-on-uic60.toml");
+    for (command, name, text) in [
+        ("solve points.csv --out .", "points.csv", &case),
+        ("solve ./contact.svg --out ../k", "contact.svg", &case),
+        ("stresses stresses.csv --out .", "stresses.csv", &case),
+        ("curve curve.svg --out .", "curve.svg", &case),
+        ("statics report.json --out .", "report.json", &example("statics/bolt-twist.toml")),
+        ("wheelset report.json --out .", "report.json", &wheelset),
+        ("conicity conicity.csv --out .", "conicity.csv", &wheelset),
+    ] {
+        let place = Place::new();
+        fs::create_dir(place.path("k")).unwrap();
+        let name = format!("k/{name}");
+        place.write(&name, text);
+        let words: Vec<_> = command.split(' ').collect();
+        let mut run = place.command(&words);
+        let ran = run.current_dir(place.path("k")).output().unwrap();
+        let said = String::from_utf8(ran.stderr).unwrap();
+        assert_eq!(ran.status.code(), Some(2), "{command}: {said}");
+        assert!(said.contains("would be written over what was read"), "{command}: {said}");
+        assert_eq!((place.files_in("k").len(), place.read(&name)), (1, text.clone()), "{command}");
+    }
+}
+
+#[test]
+fn two_cases_of_one_name_are_refused_before_any_is_solved() {
+    let place = place();
+    for directory in ["x", "y", "one"] {
+        fs::create_dir(place.path(directory)).unwrap();
+    }
+    for name in ["x/a.toml", "y/a.toml", "one/points.csv"] {
+        place.write(name, place.read("case.toml"));
+    }
+    let ran = place.run(&["solve", "x/a.toml", "case.toml", "y/a.toml", "--out", "out"]);
+    assert_eq!(ran.stdout, "");
+    ran.refused(&["x/a.toml and y/a.toml would both write to out/a"]);
+    assert!(!place.path("out").exists());
+    // The results of the first have the name of the second.
+    place.write("one.toml", place.read("case.toml"));
+    let ran = place.run(&["solve", "one.toml", "one/points.csv", "--out", "."]);
+    ran.refused(&["one/points.csv would be written over"]);
+    assert_eq!(place.read("one/points.csv"), place.read("case.toml"));
+    // Without files they follow each other.
+    place.run(&["solve", "x/a.toml", "y/a.toml"]).done();
+}
+
+/// Files that stand where a command keeps its work so far.
+#[test]
+fn working_files_of_others_stay() {
+    for (command, name) in [
+        ("sweep sweep.csv --out out.csv", "out.csv.journal"),
+        ("roll roll.toml --history history.csv --out out", "out/history.csv.partial"),
+        ("roll roll.toml --history history.csv --out out", "out/history.state"),
+    ] {
+        let place = place();
+        fs::create_dir(place.path("out")).unwrap();
+        place.write(name, "my own notes\n");
+        let words: Vec<_> = command.split(' ').collect();
+        place.run(&words).refused(&[name, "another file stands where the work so far is kept"]);
+        assert_eq!(place.read(name), "my own notes\n");
+        fs::remove_file(place.path(name)).unwrap();
+        place.run(&words).done();
+    }
+}
+
+#[test]
+fn a_batch_spares_the_gaps_that_its_rows_name() {
+    let place = place();
+    place.write("rows.csv", "section,normal_force\npoints.csv,40e3\n");
+    let before = place.read("points.csv");
+    let batch = ["batch", "--case", "gap.toml", "--in", "rows.csv", "--out"];
+    place
+        .run(&[&batch[..], &["points.csv"]].concat())
+        .refused(&["points.csv would be written over"]);
+    assert_eq!(place.read("points.csv"), before);
+    place.run(&[&batch[..], &["out.csv"]].concat()).done();
+}
+
 #[cfg(unix)]
 #[test]
 fn a_link_to_what_was_read_is_no_other_file() {

@@ -238,3 +238,22 @@ fn wrong_commands_are_refused() {
     place.write("wanted.toml", case([5e-3, 5e-3], f64::NAN, 1e-3, "saturated"));
     place.run(&["stresses", "wanted.toml"]).refused(&["friction"]);
 }
+
+/// However far away, the stress is a number: that of a point force, and at last zero.
+#[test]
+fn no_place_is_without_a_stress() {
+    let place = Place::new();
+    place.write("case.toml", case([6e-3, 4e-3], 0.3, 1e-3, "fastsim"));
+    place.write(
+        "far.csv",
+        "x,y,z\n0,0,10\n0,0,100\n-1e60,3,1e-3\n2,1e300,0\n1e-300,0,1e-300\n-1e308,1e308,1e308\n",
+    );
+    let found = rows(&place.run(&["stresses", "case.toml", "--points", "far.csv"]).done());
+    assert!(found.iter().flatten().all(|value| value.is_finite()), "{found:?}");
+    // Boussinesq: -3 N/(2 pi z^2) beneath, but for the tangential tractions' moment.
+    let force = 2.0 / 3.0 * PI * 6e-3 * 4e-3 * PEAK;
+    let right = -3.0 * force / (2.0 * PI * 100.0_f64.powi(2));
+    assert!((found[1][5] / right - 1.0).abs() < 1e-4, "{:e} {right:e}", found[1][5]);
+    assert!((found[0][5] / found[1][5] / 100.0 - 1.0).abs() < 1e-3, "{found:?}");
+    assert!(found[2][3..].iter().all(|value| value.abs() < 1e-100));
+}

@@ -58,6 +58,21 @@ fn what_is_no_table_or_cannot_be_one_is_refused() {
         (&["--theory", "polach", "--intervals", "8,11,12"], "even"),
         (&["--theory", "polach", "--a-over-b", "2,1"], "a_over_b"),
         (&["--theory", "polach", "--poisson", "nan"], "poisson"),
+        (&["--theory", "polach", "--places", "0"], "error is not known"),
+        (&["--theory", "polach", "--places", "700000000000"], "between 1 and 1000000"),
+        (
+            &[
+                "--theory",
+                "polach",
+                "--a-over-b",
+                "0.2,5",
+                "--shapes",
+                "90",
+                "--intervals",
+                "300,300,300",
+            ],
+            "at most 100 million",
+        ),
     ] {
         let out = ["table", "build", "--out", "new.nc"];
         place.run(&[&out[..], arguments].concat()).refused(&[words]);

@@ -161,6 +161,10 @@ fn a_table_is_written_whole() {
     assert!(fs::read(place.path("t.nc")).unwrap().starts_with(b"CDF"));
     let wrong = ["wheelset", "case.toml", "--table", "u.nc", "--y", "0", "1", "0.5"];
     place.run(&wrong).refused(&["--y = 0.5", "a whole COUNT"]);
+    let mut endless =
+        vec!["wheelset", "case.toml", "--table", "u.nc", "--y", "0", "0.006", "40000"];
+    endless.extend(["--yaw", "0", "0.01", "50000"]);
+    place.run(&endless).refused(&["2000000000 positions are too many", "1000000 at most"]);
     assert_eq!(place.files(), ["case.toml", "t.nc"]);
 }
 

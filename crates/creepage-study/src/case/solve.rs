@@ -5,6 +5,7 @@ use creepage::theory::UnknownTheory;
 use toml::{Table, Value};
 
 use super::similar::similar;
+use crate::plain_words::plain_words;
 
 /// Why `[solve]`, or options that stand outside a case file, name no theory.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -32,7 +33,7 @@ pub enum SpecError {
         theory: &'static str,
     },
     /// A value that the option does not take.
-    #[error("{option} = {value} is not valid for {theory}: {}", source.message())]
+    #[error("{option} = {value} is not valid for {theory}: {}", plain_words(source.message()))]
     Value {
         /// The option.
         option: String,

@@ -131,10 +131,16 @@ impl GapFile {
     /// [`GapCaseError`] with section, key and value.
     pub fn case(&self, directory: &Path) -> Result<GapCase, GapCaseError> {
         let case = self.case_with(|section| section.gap(directory))?;
-        Ok(GapCase { sources: self.gap.sources(directory), ..case })
+        Ok(GapCase { sources: self.sources(directory), ..case })
     }
 
-    /// The same where the gap comes from elsewhere than from a file just read.
+    /// The file of points that it names, which stands in `directory`, if any.
+    #[must_use]
+    pub fn sources(&self, directory: &Path) -> Sources {
+        self.gap.sources(directory)
+    }
+
+    /// As [`GapFile::case`], where the gap comes from elsewhere than from a file just read.
     pub(super) fn case_with(
         &self,
         gap: impl FnOnce(&GapSection) -> Result<Gap, GapCaseError>,

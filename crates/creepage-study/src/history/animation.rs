@@ -3,9 +3,10 @@
 use creepage_plot::theme::ARROW;
 use creepage_plot::{Axis, Fill, Frames, Label, Panel, Pen, Point, Sample, Sheet};
 
-use super::progress::{Frame, Moment};
+use super::progress::{Frame, LEAST_TRACTION};
 use super::run::HistoryRun;
-use super::view::{View, is_there, range};
+use super::trace::{Trace, force_labels};
+use super::view::{View, range};
 
 /// How long it plays (milliseconds): a hundred pictures are then eleven a second.
 const DURATION: f64 = 9000.0;
@@ -14,15 +15,16 @@ const EACH: [f64; 2] = [40.0, 1000.0];
 /// How long the last one stays (milliseconds).
 const LAST: u16 = 1500;
 const WIDTH: f64 = 600.0;
-/// Tractions below this part of the largest bound are not drawn.
-const LEAST: f64 = 0.01;
 /// The traction along a line contact.
 const TRACTION: Pen = Pen { colour: ARROW, dashes: "", width: 2.2 };
 
 /// The animation of a history, at a constant rolling velocity.
 pub(super) struct Animation<'a> {
     frames: &'a [Frame],
-    moments: &'a [Moment],
+    /// The forces along and across that are not zero, with their pens.
+    forces: Vec<(Trace, Pen, Label)>,
+    /// The whole one (mm).
+    distance: f64,
     view: View<'a>,
     is_line: bool,
     /// Elements with an arrow, and its length over the traction.
@@ -32,10 +34,17 @@ pub(super) struct Animation<'a> {
 impl<'a> Animation<'a> {
     /// `None` where nothing was kept.
     pub(super) fn new(run: &'a HistoryRun) -> Option<Self> {
-        let (frames, moments) = (&run.progress().frames[..], &run.progress().moments[..]);
+        let frames = &run.progress().frames[..];
+        // The first picture is all that some programs show: it is one with tractions.
+        let first = frames.iter().position(Frame::has_traction).unwrap_or_default();
         let (view, is_line) = (View::new(run), run.case().is_line());
         let arrows = if is_line { Default::default() } else { view.arrows() };
-        (!frames.is_empty()).then_some(Self { frames, moments, view, is_line, arrows })
+        let labels = force_labels().into_iter().take(2).enumerate();
+        let forces = labels.map(|(k, label)| (Trace::force(run, k), Pen::of(k), label));
+        let forces = forces.filter(|(trace, ..)| trace.is_there()).collect();
+        let distance = run.progress().moments.last().map_or(1.0, |last| 1e3 * last.distance);
+        let frames = &frames[first..];
+        (!frames.is_empty()).then_some(Self { frames, forces, distance, view, is_line, arrows })
     }
 
     /// The contact seen from above.
@@ -48,31 +57,20 @@ impl<'a> Animation<'a> {
                 [middle[0] + half * x, middle[1] + half * y]
             };
             // What is no arrow on the sheet is no point either.
-            let is_drawn = x.hypot(y) > LEAST;
+            let is_drawn = x.hypot(y) > LEAST_TRACTION;
             if is_drawn { panel.arrow(end(-1.0), end(1.0), 1.6, ARROW) } else { panel }
         })
     }
 
-    /// Which forces there are, with their pens.
-    fn forces(&self) -> Vec<(Vec<Point>, Pen, Label)> {
-        let of = |k: usize| -> Vec<Point> {
-            self.moments.iter().map(|moment| [1e3 * moment.distance, moment.force[k]]).collect()
-        };
-        let label = |index: &str| Label::default().indexed("f", index);
-        let all = [(of(0), Pen::of(0), label("x")), (of(1), Pen::of(1), label("y"))];
-        all.into_iter().filter(|(points, ..)| is_there(points)).collect()
-    }
-
     /// The forces over the distance, and where on it the contact is.
     fn curve(&self, frame: &Frame) -> Panel {
-        let (forces, at) = (self.forces(), 1e3 * frame.distance);
-        let last = self.moments.last().map_or(1.0, |moment| 1e3 * moment.distance);
-        let range = range(forces.iter().flat_map(|(points, ..)| points).map(|point| point[1]));
-        let x = Axis::new([0.0, last], Label::new("distance rolled (mm)"));
+        let at = 1e3 * frame.distance;
+        let range = range(self.forces.iter().flat_map(|one| &one.0.points).map(|point| point[1]));
+        let x = Axis::new([0.0, self.distance], Label::new("distance rolled (mm)"));
         let y = Axis::new(range, Label::new("force over ").symbol("μN"));
         let here = range.map(|y| [at, y]).to_vec();
         let panel = Panel::new(x, y).height(110.0).curve(here, Pen::OUTLINE.wide(3.0));
-        forces.into_iter().fold(panel, |panel, (points, pen, _)| panel.curve(points, pen))
+        self.forces.iter().fold(panel, |panel, (trace, pen, _)| trace.on(panel, *pen))
     }
 }
 
@@ -96,7 +94,8 @@ impl Frames for Animation<'_> {
         } else {
             sheet.key(Sample::arrow(ARROW), Label::new("traction"))
         };
-        self.forces().into_iter().fold(sheet, |sheet, (_, pen, label)| sheet.key(pen, label)).svg()
+        let keys = self.forces.iter().map(|(_, pen, label)| (*pen, label.clone()));
+        keys.fold(sheet, |sheet, (pen, label)| sheet.key(pen, label)).svg()
     }
 
     /// In proportion to the distance to the next picture.

@@ -11,13 +11,22 @@ use creepage::{InvalidValue, Scaling, SolidPair, TheorySpec};
 use super::case::{Kind, Method, RollCase, Start};
 use super::error::HistoryError;
 use super::file::{Bodies, RollFile, SmoothFile, StartSection, StartTraction};
-use crate::CaseError;
 use crate::case::contact::ContactSection;
 use crate::case::sections::check_aligned;
 use crate::case::solve;
 use crate::gap::{GapCase, pressed, resolutions};
+use crate::{CaseError, Sources};
 
 impl RollFile {
+    /// The file of points that it names, which stands in `directory`, if any.
+    #[must_use]
+    pub fn sources(&self, directory: &Path) -> Sources {
+        match &self.bodies {
+            Bodies::Smooth(_) => Sources::default(),
+            Bodies::Shaped(file) => file.sources(directory),
+        }
+    }
+
     /// The case, every number of it checked; files of points stand in `directory`.
     ///
     /// # Errors

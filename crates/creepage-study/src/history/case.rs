@@ -5,7 +5,7 @@ use creepage::coulomb::Resolution;
 use creepage::friction_law::RollingFriction;
 use creepage::normal::NormalContact;
 use creepage::unsteady::{Prescribed, Rolled, Rolling, RollingFastsim};
-use creepage::{Contact, InvalidValue, Scaling};
+use creepage::{Contact, Force, InvalidValue, Scaling};
 
 use super::roller::{HistoryMotion, Roller};
 
@@ -73,14 +73,14 @@ impl RollCase {
     }
 
     /// Takes a contact just pressed together to its starting state; `first` is the motion of steady
-    /// rolling if that is it.
+    /// rolling if that is it. Gives the force in that state, dimensionless.
     pub(super) fn start(
         &self,
         rolling: &mut Roller,
         first: &HistoryMotion,
-    ) -> Result<(), InvalidValue> {
+    ) -> Result<Force, InvalidValue> {
         match self.start {
-            Start::None => rolling.start_with_load(first.load),
+            Start::None => rolling.start_with_load(first.load).map(|()| Force::default()),
             Start::Steady => rolling.start_steady(first),
             Start::Shift(force) => rolling.shift(force),
         }

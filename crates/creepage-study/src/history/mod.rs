@@ -11,6 +11,7 @@ mod progress;
 mod roller;
 mod run;
 mod stepper;
+mod trace;
 mod view;
 mod writer;
 

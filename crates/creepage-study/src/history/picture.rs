@@ -1,11 +1,12 @@
 //! Forces over the distance rolled, and the areas of adhesion and slip at some stations.
 
-use creepage_plot::{Axis, Fill, Label, Panel, Pen, Point, Sheet};
+use creepage_plot::{Axis, Fill, Label, Panel, Pen, Sheet};
 
 use super::animation::Animation;
-use super::progress::{Frame, Moment};
+use super::progress::Frame;
 use super::run::HistoryRun;
-use super::view::{View, is_there, range};
+use super::trace::{Trace, force_labels};
+use super::view::{View, range};
 use crate::error::ReportError;
 
 /// Contacts in the picture of areas.
@@ -14,7 +15,7 @@ const STATIONS: usize = 6;
 /// The pictures of a history as SVG, with their names: `history` and, for an ellipse, `adhesion`.
 #[must_use]
 pub fn history_picture(run: &HistoryRun) -> Vec<(&'static str, String)> {
-    let mut pictures = vec![("history", forces(&run.progress().moments))];
+    let mut pictures = vec![("history", forces(run))];
     // The first is the start.
     if let Some((_, frames)) = run.progress().frames.split_first()
         && !run.case().is_line()
@@ -48,35 +49,26 @@ pub fn to_png(svg: &str) -> Result<Vec<u8>, ReportError> {
     Ok(creepage_plot::png(svg)?)
 }
 
-fn forces(moments: &[Moment]) -> String {
-    let x = [0.0, moments.last().map_or(1.0, |last| 1e3 * last.distance)];
-    let of = |value: fn(&Moment) -> f64| -> Vec<Point> {
-        moments.iter().map(|moment| [1e3 * moment.distance, value(moment)]).collect()
-    };
+fn forces(run: &HistoryRun) -> String {
+    let x = [0.0, run.progress().moments.last().map_or(1.0, |last| 1e3 * last.distance)];
     let label = |name: &str| Label::new(name);
-    let forces = [
-        (of(|moment| moment.force[0]), Label::default().indexed("f", "x")),
-        (of(|moment| moment.force[1]), Label::default().indexed("f", "y")),
-        (of(|moment| moment.force[2]), Label::default().indexed("m", "z")),
-    ];
-    let creepages = [
-        (of(|moment| moment.creepage[0]), Label::default().symbol("ξ")),
-        (of(|moment| moment.creepage[1]), Label::default().symbol("η")),
-        (of(|moment| moment.creepage[2]), Label::default().symbol("χ")),
-    ];
-    let panel = |lines: &[(Vec<Point>, Label)], first: usize, name: &str, is_last: bool| {
-        let values = lines.iter().flat_map(|(points, _)| points.iter().map(|point| point[1]));
+    let forces = [0, 1, 2].map(|k| Trace::force(run, k));
+    let creepages = [0, 1, 2].map(|k| Trace::creepage(run, k));
+    let panel = |traces: &[Trace], first: usize, name: &str, is_last: bool| {
+        let values = traces.iter().flat_map(|trace| trace.points.iter().map(|point| point[1]));
         let along = Axis::new(x, label("distance rolled (mm)"));
         let along = if is_last { along } else { along.shared() };
         let panel = Panel::new(along, Axis::new(range(values), label(name))).height(300.0);
-        let drawn = lines.iter().enumerate().filter(|(_, (points, _))| is_there(points));
-        drawn.fold(panel, |panel, (k, (points, _))| panel.curve(points.clone(), Pen::of(first + k)))
+        let drawn = traces.iter().enumerate().filter(|(_, trace)| trace.is_there());
+        drawn.fold(panel, |panel, (k, trace)| trace.on(panel, Pen::of(first + k)))
     };
     let mut sheet = Sheet::new("Forces and creepages over the distance rolled")
         .panel(panel(&forces, 0, "force over μN", false))
         .panel(panel(&creepages, 3, "creepage", true));
-    for (k, (points, label)) in forces.into_iter().chain(creepages).enumerate() {
-        if is_there(&points) {
+    let labels =
+        force_labels().into_iter().chain(["ξ", "η", "χ"].map(|name| Label::default().symbol(name)));
+    for (k, (trace, label)) in forces.iter().chain(&creepages).zip(labels).enumerate() {
+        if trace.is_there() {
             sheet = sheet.key(Pen::of(k), label);
         }
     }

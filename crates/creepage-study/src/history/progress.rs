@@ -4,6 +4,9 @@ use creepage::Region;
 use creepage::coulomb::ElementField;
 use creepage::unsteady::Rolled;
 
+/// Tractions below this part of the largest bound are not drawn.
+pub(super) const LEAST_TRACTION: f64 = 0.01;
+
 /// Distance (m), creepage and force at the end of a row, dimensionless.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Moment {
@@ -43,6 +46,11 @@ impl Frame {
         let slides = elements.iter().map(|one| one.point.region == Region::Slip).collect();
         let tractions = elements.iter().map(|one| one.point.traction).collect();
         Self { distance, scale, slides, tractions }
+    }
+
+    /// Whether a traction is large enough to be drawn.
+    pub(super) fn has_traction(&self) -> bool {
+        self.tractions.iter().any(|[x, y]| x.hypot(*y) > LEAST_TRACTION)
     }
 }
 

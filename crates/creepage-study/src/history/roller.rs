@@ -1,8 +1,8 @@
 //! A contact on its way, by the full theory or by FASTSIM.
 
-use creepage::InvalidValue;
 use creepage::coulomb::ElementField;
 use creepage::unsteady::{Motion, Rolled, Rolling, RollingFastsim, Saved, SavedError};
+use creepage::{Force, InvalidValue};
 
 /// How the bodies move up to some distance.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -23,17 +23,18 @@ pub(super) enum Roller {
 
 impl Roller {
     /// Starts from steady rolling.
-    pub(super) fn start_steady(&mut self, first: &HistoryMotion) -> Result<(), InvalidValue> {
-        match self {
+    pub(super) fn start_steady(&mut self, first: &HistoryMotion) -> Result<Force, InvalidValue> {
+        let rolled = match self {
             Self::Exact(rolling) => {
                 rolling.start_with_load(first.load)?;
-                rolling.start_steady(&first.motion).map(drop)
+                rolling.start_steady(&first.motion)?
             }
             Self::Fastsim(rolling) => {
                 rolling.start_with_load(first.load)?;
-                rolling.start_steady(&first.motion).map(drop)
+                rolling.start_steady(&first.motion)?
             }
-        }
+        };
+        Ok(rolled.solution.force)
     }
 
     /// Starts without traction.
@@ -45,10 +46,10 @@ impl Roller {
     }
 
     /// Starts from a shift by a force, which is for the full theory.
-    pub(super) fn shift(&mut self, [fx, fy]: [f64; 2]) -> Result<(), InvalidValue> {
+    pub(super) fn shift(&mut self, [fx, fy]: [f64; 2]) -> Result<Force, InvalidValue> {
         match self {
-            Self::Exact(rolling) => rolling.shift(fx, fy).map(drop),
-            Self::Fastsim(_) => Ok(()),
+            Self::Exact(rolling) => rolling.shift(fx, fy).map(|rolled| rolled.solution.force),
+            Self::Fastsim(_) => Ok(Force::default()),
         }
     }
 

@@ -36,6 +36,8 @@ pub struct HistoryRun<'a> {
     /// Corners of the elements under the nominal load, over the unit of length; none for FASTSIM.
     corners: Vec<[[f64; 2]; 4]>,
     done: usize,
+    /// Dimensionless, in the starting state.
+    start_force: [f64; 3],
     progress: Progress,
 }
 
@@ -49,9 +51,17 @@ impl<'a> HistoryRun<'a> {
         let mut rolling = case.prepared().map_err(HistoryError::Contact)?;
         let elements = rolling.elements().unwrap_or_default();
         let corners = elements.into_iter().map(|element| element.corners).collect();
-        case.start(&mut rolling, &first.motion).map_err(HistoryError::Contact)?;
-        let mut run =
-            Self { case, history, rolling, corners, done: 0, progress: Progress::default() };
+        let start = case.start(&mut rolling, &first.motion).map_err(HistoryError::Contact)?;
+        let start_force = start.components();
+        let mut run = Self {
+            case,
+            history,
+            rolling,
+            corners,
+            done: 0,
+            start_force,
+            progress: Progress::default(),
+        };
         run.keep(0.0, first.motion.load);
         Ok(run)
     }
@@ -143,6 +153,15 @@ impl<'a> HistoryRun<'a> {
     /// Corners of the elements under the nominal load.
     pub(super) fn corners(&self) -> &[[[f64; 2]; 4]] {
         &self.corners
+    }
+
+    /// The force in the starting state, dimensionless.
+    pub(super) fn start_force(&self) -> [f64; 3] {
+        self.start_force
+    }
+
+    pub(super) fn history(&self) -> &History {
+        self.history
     }
 
     pub(super) fn case(&self) -> &RollCase {

@@ -10,11 +10,6 @@ const AIR: f64 = 0.06;
 /// Places of arrows on the semi-axis of a circle.
 const ARROWS: f64 = 5.0;
 
-/// Whether a curve is more than zero.
-pub(super) fn is_there(points: &[Point]) -> bool {
-    points.iter().any(|point| point[1].abs() > 1e-6)
-}
-
 /// The range of an axis that holds zero and some values.
 pub(super) fn range(values: impl Iterator<Item = f64>) -> [f64; 2] {
     let [low, high] = values.fold([0.0_f64; 2], |[low, high], y| [low.min(y), high.max(y)]);

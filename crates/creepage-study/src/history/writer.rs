@@ -12,6 +12,7 @@ use std::time::{Duration, Instant};
 use super::error::HistoryError;
 use super::run::{HISTORY_COLUMNS, HistoryRun};
 use crate::error::ReportError;
+use crate::sources::keep_foreign;
 use crate::whole_file::{WholeFile, sync_directory_of};
 
 /// Between two times that the state is written.
@@ -39,7 +40,8 @@ impl HistoryWriter {
     /// case file and of the history; the run is then taken to where it was.
     ///
     /// # Errors
-    /// [`ReportError::Write`] for a directory that cannot be written to, `Ok(Err)` while another run
+    /// [`ReportError::Write`] for a directory that cannot be written to, or where other files have the
+    /// names of the partial table or of the state, `Ok(Err)` while another run
     /// writes there.
     pub fn open(
         directory: &Path,
@@ -52,6 +54,9 @@ impl HistoryWriter {
         if target.is_dir() {
             return Err(failure(&target)(io::ErrorKind::IsADirectory.into()));
         }
+        let header = format!("{}\n", HISTORY_COLUMNS.join(","));
+        keep_foreign(&partial, header.as_bytes()).map_err(failure(&partial))?;
+        keep_foreign(&state, MAGIC).map_err(failure(&state))?;
         let options = File::options().read(true).write(true).create(true).truncate(false).clone();
         let file = options.open(&partial).map_err(failure(&partial))?;
         match file.try_lock() {

@@ -19,6 +19,7 @@ use creepage::halfspace::harmonics;
 
 use super::record::Record;
 use crate::Sweep;
+use crate::sources::keep_foreign;
 use crate::whole_file::sync_directory_of;
 
 const MAGIC: &[u8; 12] = b"creepage 1\r\n";
@@ -39,8 +40,9 @@ pub(super) struct Journal {
 
 impl Journal {
     /// Opens the journal of an earlier run of the same sweep, or begins a new one; `None` while
-    /// another process has it.
+    /// another process has it. A file that is no journal stays as it is.
     pub(super) fn open(path: &Path, sweep: &Sweep) -> io::Result<Option<Self>> {
+        keep_foreign(path, MAGIC)?;
         let options = File::options().read(true).write(true).create(true).truncate(false).clone();
         let mut file = options.open(path)?;
         match file.try_lock() {

@@ -58,14 +58,14 @@ impl StaticsReport<'_> {
     }
 
     /// Writes `report.json`, `points.csv`, `contact.svg` and `contact.png` into `directory`, which
-    /// is made when missing; files of those names are replaced. Gives the paths written.
+    /// is made when missing; files of those names are replaced, but none of `sources`. Gives the paths written.
     ///
     /// # Errors
     /// [`ReportError`]; what was made until then is removed.
-    pub fn write(&self, directory: &Path) -> Result<Vec<PathBuf>, ReportError> {
+    pub fn write(&self, directory: &Path, sources: &Sources) -> Result<Vec<PathBuf>, ReportError> {
         let json = format!("{:#}\n", self.json());
         let (points, svg) = (self.points_csv()?, self.svg());
-        write_contact(directory, [&json, &svg], &points, &[], &Sources::default())
+        write_contact(directory, [&json, &svg], &points, &[], sources)
     }
 
     /// The field at points of the contact; a cell is empty where a number does not exist.

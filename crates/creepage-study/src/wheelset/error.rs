@@ -19,6 +19,16 @@ pub enum WheelsetError {
     /// Its form, or a number out of its range.
     #[error(transparent)]
     Case(#[from] CaseError),
+    /// More positions than a table may have.
+    #[error(
+        "{asked} positions are too many for a table: {most} at most, which are hours or days of work"
+    )]
+    Positions {
+        /// How many there would be.
+        asked: f64,
+        /// How many there may be.
+        most: f64,
+    },
     /// A profile that is neither a known name nor a file that can be read.
     #[error(
         "[{section}] profile = \"{profile}\": neither a name ({}) nor a file that can be read \

@@ -6,12 +6,13 @@ use super::case::WheelsetCase;
 use super::solved::SolvedWheelset;
 use crate::error::ReportError;
 use crate::file_set::write_all;
+use crate::sources::Sources;
 
 impl SolvedWheelset {
     /// Writes `report.json`, the picture `wheelset.svg` and `.png` of the wheels on their rails,
     /// and one of each place of contact, `left_1.svg` and so on, and where `[damage]` asks for them
     /// `wear.csv` and the depth of wear, `left_1_wear.svg`, into `directory`, which is made when
-    /// missing; files of those names are replaced, but none that `case` was read from. Gives the paths written.
+    /// missing; files of those names are replaced, but none that `case` was read from and none of `sources`. Gives the paths written.
     ///
     /// # Errors
     /// [`ReportError`]; what was made until then is removed.
@@ -19,6 +20,7 @@ impl SolvedWheelset {
         &self,
         case: &WheelsetCase,
         directory: &Path,
+        sources: &Sources,
     ) -> Result<Vec<PathBuf>, ReportError> {
         let mut json = serde_json::to_string_pretty(&self.json())?;
         json.push('\n');
@@ -33,6 +35,6 @@ impl SolvedWheelset {
         }
         let files: Vec<(&str, &[u8])> =
             files.iter().map(|(name, content)| (&name[..], &content[..])).collect();
-        write_all(directory, &files, &case.sources())
+        write_all(directory, &files, &case.sources().with(sources))
     }
 }

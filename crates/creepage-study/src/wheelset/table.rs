@@ -49,9 +49,12 @@ const COLUMNS: [(&str, &str); 14] = [
 ];
 
 impl WheelsetTable {
+    /// Most positions: 300 bytes each, and some hundredths or tenths of a second.
+    const MOST_POSITIONS: f64 = 1e6;
+
     /// Solves a case at all lateral positions (m) and yaws (rad), the rows of one yaw after each
-    /// other from their neighbours, the yaws side by side on all cores. `progress` hears of every
-    /// position.
+    /// other from their neighbours, the yaws side by side on all cores. `goes_on` is asked before every
+    /// position: once it says no, those that are left are not solved.
     ///
     /// # Errors
     /// [`WheelsetError`] where the case cannot be prepared or the first position of every row
@@ -60,8 +63,12 @@ impl WheelsetTable {
         case: &WheelsetCase,
         y: &[f64],
         yaw: &[f64],
-        progress: impl Fn() + Sync,
+        goes_on: impl Fn() -> bool + Sync,
     ) -> Result<Self, WheelsetError> {
+        let positions = y.len() as f64 * yaw.len() as f64;
+        if positions > Self::MOST_POSITIONS {
+            return Err(WheelsetError::Positions { asked: positions, most: Self::MOST_POSITIONS });
+        }
         let travel = case.travel.ok_or_else(|| section("motion", "speed"))?;
         let solver = case.solver()?;
         let row = |yaw: &f64| -> Result<Vec<Option<Cell>>, WheelsetError> {
@@ -70,13 +77,15 @@ impl WheelsetTable {
             let cells: Vec<Option<Cell>> = y
                 .iter()
                 .map(|&y| {
+                    if !goes_on() {
+                        return None;
+                    }
                     let stance = Stance { y, yaw: *yaw, ..case.stance };
                     let near = last.as_ref().map(|last| solver.next(last, &stance, &travel));
                     let solved = match near {
                         Some(Ok(solved)) => Ok(solved),
                         _ => solver.solve(&stance, &travel),
                     };
-                    progress();
                     match solved {
                         Ok(solved) => {
                             let cell = Cell::new(&solved);

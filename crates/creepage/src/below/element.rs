@@ -80,6 +80,20 @@ impl Element {
             .map(move |i| EdgeLoad { ends: [self.corners[i], self.corners[(i + 1) % count]], load })
     }
 
+    /// Area, and centroid; the first corner where the area is zero.
+    pub(super) fn area_and_centroid(&self) -> (f64, [f64; 2]) {
+        let ([x0, y0], area) = (self.corners[0], self.area());
+        let next = self.corners.iter().cycle().skip(1);
+        let mut moment = [0.0; 2];
+        for ([x, y], [u, v]) in self.corners.iter().zip(next) {
+            let cross = (x - x0) * (v - y0) - (u - x0) * (y - y0);
+            moment[0] += cross * (x - x0 + u - x0) / 6.0;
+            moment[1] += cross * (y - y0 + v - y0) / 6.0;
+        }
+        let [x, y] = moment.map(|part| if area == 0.0 { 0.0 } else { part / area });
+        (area.abs(), [x0 + x, y0 + y])
+    }
+
     /// Area, negative when the corners go clockwise (from `x` to `-y`).
     fn area(&self) -> f64 {
         let [x0, y0] = self.corners[0];

@@ -4,6 +4,7 @@ use std::f64::consts::PI;
 
 use super::edges::Edges;
 use super::element::Element;
+use super::far::PointForces;
 use super::stress::Stress;
 use super::waves::Waves;
 use crate::check::{self, InvalidValue};
@@ -54,13 +55,15 @@ pub struct Interior {
     body: Body,
     waves: Vec<Waves>,
     edges: Edges,
+    /// The elements seen from far away.
+    far: PointForces,
 }
 
 impl Interior {
     /// The body without tractions.
     #[must_use]
     pub fn new(solid: Solid, body: Body) -> Self {
-        Self { solid, body, waves: vec![], edges: Edges::default() }
+        Self { solid, body, waves: vec![], edges: Edges::default(), far: PointForces::default() }
     }
 
     /// Hertz's pressure with `X = friction[0] Z` and `Y = friction[1] Z`, which the upper body
@@ -97,6 +100,7 @@ impl Interior {
     #[must_use]
     pub fn with_elements(mut self, elements: &[Element]) -> Self {
         let signs = self.body.signs();
+        self.far = PointForces::of_elements(elements, signs);
         self.edges = Edges::new(elements.iter().flat_map(|element| element.sides(signs)));
         self
     }
@@ -120,7 +124,11 @@ impl Interior {
     pub fn stress(&self, point: [f64; 3]) -> Result<Stress, InvalidValue> {
         check_point(point)?;
         let poisson = self.solid.poisson();
-        let mut sum = self.edges.stress(point, poisson);
+        let mut sum = if self.far.is_far(point) {
+            self.far.stress(point, poisson)
+        } else {
+            self.edges.stress(point, poisson)
+        };
         for waves in &self.waves {
             let part = waves.stress(point, poisson);
             sum.iter_mut().zip(part).for_each(|(sum, part)| *sum += part);
@@ -136,7 +144,11 @@ impl Interior {
     pub fn displacement(&self, point: [f64; 3]) -> Result<[f64; 3], InvalidValue> {
         check_point(point)?;
         let poisson = self.solid.poisson();
-        let mut sum = self.edges.displacement(point, poisson);
+        let mut sum = if self.far.is_far(point) {
+            self.far.displacement(point, poisson)
+        } else {
+            self.edges.displacement(point, poisson)
+        };
         for waves in &self.waves {
             let part = waves.displacement(point, poisson);
             sum.iter_mut().zip(part).for_each(|(sum, part)| *sum += part);

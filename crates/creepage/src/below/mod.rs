@@ -35,6 +35,7 @@
 mod directions;
 mod edges;
 mod element;
+mod far;
 mod grid;
 mod interior;
 mod largest;

@@ -80,6 +80,16 @@ impl Source {
         !self.vanishing
     }
 
+    /// Degree of the polynomials.
+    pub(super) fn degree(&self) -> usize {
+        self.degree
+    }
+
+    /// `[X, Y, Z]` times `(1 - r^2)^(1/2)` at a place of the disc.
+    pub(super) fn polynomials(&self, place: [f64; 2]) -> Triple {
+        harmonics::sum(self.degree, place, self.tables.each_ref().map(Vec::as_slice))
+    }
+
     /// How many `Q_n` a direction needs.
     pub(super) fn terms(&self) -> usize {
         self.degree + 1

@@ -13,6 +13,7 @@
 use nalgebra::Complex;
 
 use super::directions::{Directions, DiscPoint};
+use super::far::PointForces;
 use super::wave::{ComplexTriple, Potentials, Source, Wave};
 use crate::halfspace::Traction;
 
@@ -21,6 +22,7 @@ use crate::halfspace::Traction;
 pub(super) struct Waves {
     source: Source,
     directions: Directions,
+    far: PointForces,
 }
 
 const I: Complex<f64> = Complex::new(0.0, 1.0);
@@ -29,16 +31,23 @@ impl Waves {
     /// `factors` are the unit of each component, with the sign of the body.
     pub(super) fn new(traction: &Traction, factors: [f64; 3]) -> Self {
         let source = Source::new(traction, factors);
-        Self { directions: Directions::new(&source), source }
+        let far = PointForces::of_source(&source);
+        Self { directions: Directions::new(&source), source, far }
     }
 
     /// `4 pi` times the stress, `[xx, yy, zz, xy, yz, xz]`.
     pub(super) fn stress(&self, point: [f64; 3], poisson: f64) -> [f64; 6] {
+        if self.far.is_far(point) {
+            return self.far.stress(point, poisson);
+        }
         self.integrate(point, |wave, potentials| stress(wave, &potentials, point[2], poisson))
     }
 
     /// `4 pi G` times the displacement.
     pub(super) fn displacement(&self, point: [f64; 3], poisson: f64) -> [f64; 3] {
+        if self.far.is_far(point) {
+            return self.far.displacement(point, poisson);
+        }
         self.integrate(point, |wave, potentials| displacement(wave, &potentials, point[2], poisson))
     }
 

@@ -146,9 +146,13 @@ impl Exact {
     /// ```
     ///
     /// # Errors
-    /// [`InvalidValue`] unless the ratio `a/b` lies within [`Exact::RATIO_RANGE`].
+    /// [`InvalidValue`] unless the ratio `a/b` lies within [`Exact::RATIO_RANGE`], and there are at most
+    /// 12,000 elements on this ellipse.
     pub fn new(contact: &Contact, resolution: Resolution) -> Result<Self, InvalidValue> {
         check::ratio(contact.hertz_ellipse()?.ratio(), Self::RATIO_RANGE, "between 1/64 and 64")?;
+        let [along, across] = resolution.elements(contact);
+        let (all, valid) = (along * across, "at most 12000 on this ellipse: give fewer");
+        check::require(all <= Resolution::MOST_ELEMENTS, "elements", all as f64, valid)?;
         Ok(Self::prepare(contact, resolution))
     }
 

@@ -1,6 +1,7 @@
 //! How many elements.
 
 use crate::check::{self, InvalidValue};
+use crate::contact::Contact;
 
 /// How many times as many elements along and across there are as on a circle between like bodies.
 struct Refinement {
@@ -69,6 +70,16 @@ impl Resolution {
         let valid = "between 4 and 200";
         let check = |name, n: usize| check::require((4..=200).contains(&n), name, n as f64, valid);
         Ok(Self { along: check("along", along)?, across: check("across", across)? })
+    }
+
+    /// Most elements on an ellipse.
+    pub(crate) const MOST_ELEMENTS: usize = 12_000;
+
+    /// Elements along and across that [`Exact`](super::Exact) has for a contact.
+    #[must_use]
+    pub fn elements(self, contact: &Contact) -> [usize; 2] {
+        let ratio = contact.ellipse().ratio();
+        self.coarse_steady(ratio, contact.kappa_over_mu()).map(|half| 2 * half)
     }
 
     /// Elements along and across of the coarser of two grids, nearly square; the finer has twice as

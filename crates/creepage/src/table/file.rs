@@ -239,7 +239,7 @@ fn layout(file: &mut FileReader, size: usize) -> Result<([Axis; 2], Intervals), 
         t: t.saturating_sub(1),
     };
     let provenance = Provenance::default();
-    let spec = Spec { a_over_b, poisson, intervals, places: 0, provenance };
+    let spec = Spec { a_over_b, poisson, intervals, places: 1, provenance };
     spec.check().map_err(|_| FileError::Senseless)?;
     let bytes = 3 * 8 * intervals.nodes() * a_over_b.nodes * poisson.nodes;
     if bytes > size { Err(FileError::Senseless) } else { Ok(([a_over_b, poisson], intervals)) }

@@ -15,13 +15,19 @@ pub struct Spec {
     pub poisson: Axis,
     /// Intervals in creepage and spin.
     pub intervals: Intervals,
-    /// At how many random places to measure the error, and at about as many hard ones.
+    /// At how many random places to measure the error, 1 to a million, and at about as many hard ones.
     pub places: usize,
     /// Where the table comes from.
     pub provenance: Provenance,
 }
 
 impl Spec {
+    /// Most nodes of a table: 24 bytes each.
+    const MOST_NODES: usize = 100_000_000;
+    /// Most random places: minutes of the full theory.
+    const MOST_PLACES: usize = 1_000_000;
+    const PLACES: &str = "between 1 and 1000000: without any the table's error is not known";
+
     /// Number of steps of which [`build`](crate::table::build()) tells; none where the specification
     /// makes no sense.
     #[must_use]
@@ -68,7 +74,10 @@ impl Spec {
         within("a_over_b nodes", self.a_over_b.nodes, 1..=100, "between 1 and 100")?;
         within("poisson nodes", self.poisson.nodes, 1..=20, "between 1 and 20")?;
         range("a_over_b", self.a_over_b, f64::MIN_POSITIVE)?;
-        range("poisson", self.poisson, 0.0)
+        range("poisson", self.poisson, 0.0)?;
+        let nodes = self.intervals.nodes() * self.a_over_b.nodes * self.poisson.nodes;
+        within("nodes in all", nodes, 1..=Self::MOST_NODES, "at most 100 million (2.4 GB)")?;
+        within("places", self.places, 1..=Self::MOST_PLACES, Self::PLACES)
     }
 }
 

@@ -5,6 +5,7 @@
 mod beside;
 mod elements;
 mod equations;
+mod far;
 mod planes;
 mod reference;
 mod rolling;

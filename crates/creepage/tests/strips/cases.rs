@@ -116,6 +116,7 @@ pub(crate) fn largest_error(
     let mut compared = 0;
     for case in approximate().iter().filter(|case| select(case)) {
         let expected = [0, 1, 2].map(|i| case.json["own"][variant][i].as_f64().unwrap());
+        let expected = if variant.starts_with("fastsim") { bounded(expected) } else { expected };
         let error = largest_difference(solve(case), expected);
         compared += 1;
         if error > worst.0 {
@@ -124,6 +125,12 @@ pub(crate) fn largest_error(
     }
     assert!(compared > 10);
     worst
+}
+
+/// The other implementation's sum of the bound over cells is a little beyond `mu N`, where forces here end.
+fn bounded([fx, fy, mz]: [f64; 3]) -> [f64; 3] {
+    let size = fx.hypot(fy).max(1.0);
+    [fx / size, fy / size, mz]
 }
 
 /// Root mean square and largest error of `(fx, fy)` against 132 cases of the full theory, and

@@ -7,7 +7,12 @@ use creepage::{Creepage, Status, Theory};
 use super::support::{contact, creeping};
 
 fn rolling(load: f64) -> RollingFastsim {
-    let mut rolling = RollingFastsim::new(&contact(1.5, 0.28), Settings::default()).unwrap();
+    with_grid(load, Settings::default().grid)
+}
+
+fn with_grid(load: f64, grid: [usize; 2]) -> RollingFastsim {
+    let settings = Settings { grid, ..Settings::default() };
+    let mut rolling = RollingFastsim::new(&contact(1.5, 0.28), settings).unwrap();
     rolling.start_with_load(load).unwrap();
     rolling
 }
@@ -87,5 +92,65 @@ fn it_meets_forces_under_any_load() {
         // To 1e-9 of the friction force.
         assert!((rolled.solution.force.fx - force).abs() < 1e-8, "{load}: {rolled:?}");
         assert!(rolled.solution.force.magnitude() <= load * (1.0 + 1e-9), "{load}: {rolled:?}");
+    }
+}
+
+/// Rolls to a distance at once, or row by row on the same straight line of the load.
+fn rolled(
+    [from, to]: [f64; 2],
+    distance: f64,
+    rows: u32,
+    motion: &Motion,
+) -> creepage::unsteady::Rolled {
+    let mut rolling = with_grid(from, [12, 8]);
+    let row = |row: u32| {
+        rolling.press(from + (to - from) * f64::from(row) / f64::from(rows)).unwrap();
+        rolling.step(distance / f64::from(rows), motion).unwrap()
+    };
+    (1..=rows).map(row).last().unwrap()
+}
+
+/// Rows that are marched whole, against one of which the beginning is left out: the memory fades by
+/// more than `1e-6 mu N` over the contact lengths that are marched. A force near `mu N` settles slowest.
+#[test]
+fn a_long_row_ends_as_if_it_were_marched() {
+    let forces = |fx: f64, fy: f64| Motion::forces(fx, fy);
+    let motions = [creeping(0.5, 0.2, 0.3), forces(0.3, -0.2), forces(0.6, 0.5)];
+    for (loads, tolerance) in [([1.0, 1.0], 1e-6), ([0.85, 1.0], 1e-6), ([1.3, 1.0], 1e-6)] {
+        for motion in &motions {
+            // A row of 3 c is marched whole: the contact length is 2.4 c.
+            let [once, often] = [1, 20].map(|rows| rolled(loads, 60.0, rows, motion));
+            assert_eq!(once.solution.status, Status::Solved);
+            assert_eq!(often.solution.status, Status::Solved);
+            let (one, other) = (once.solution.force, often.solution.force);
+            for (one, other) in one.components().into_iter().zip(other.components()) {
+                assert!((one - other).abs() < tolerance * loads[1], "{loads:?}: {one} {other}");
+            }
+            let [one, other] = [once, often].map(|end| end.creepage);
+            let off = (one.xi() - other.xi()).hypot(one.eta() - other.eta());
+            assert!(off < 10.0 * tolerance, "{loads:?}: {one:?} {other:?}");
+            assert!((once.distance - often.distance).abs() < 1e-9);
+        }
+    }
+}
+
+#[test]
+fn a_row_of_any_length_ends() {
+    for motion in [creeping(0.5, 0.2, 0.3), Motion::forces(0.5, 0.3)] {
+        let known = rolled([1.0, 1.0], 100.0, 1, &motion);
+        if motion == creeping(0.5, 0.2, 0.3) {
+            let apart = rolled([1.0, 0.0], 1e25, 1, &motion);
+            assert_eq!((apart.solution.force.fx, apart.distance), (0.0, 1e25));
+        }
+        for distance in [1e6, 1e25, 1e300] {
+            let end = rolled([1.0, 1.0], distance, 1, &motion);
+            assert_eq!(end.solution.force, known.solution.force, "{distance}");
+            for loads in [[0.0, 1.0], [0.3, 1.0]] {
+                let end = rolled(loads, distance, 1, &motion);
+                // The load still changes by 3e-5 over the last contact lengths of the shortest.
+                let off = (end.solution.force.fx - known.solution.force.fx).abs();
+                assert!(off < 1e-4, "{loads:?} {distance}: {end:?}");
+            }
+        }
     }
 }

@@ -206,7 +206,8 @@ impl Fastrip {
             let increments = Increments::new(block, &slopes);
             self.turn(&increments, &Turn::new(&rows), hertz, &mut totals);
         }
-        totals
+        // As published, forces may be several times too large.
+        if self.variant == Variant::Original { totals } else { totals.within_friction() }
     }
 
     fn row<R: Real>(&self, numbers: &StripNumbers<R>, t: f64) -> Row<R> {

@@ -36,7 +36,8 @@
 //! cells' centres, so that the first step is half a cell; spin at the middle of each step. Of
 //! the usual schemes this one has the least error. The sum of the bound over the cells is not
 //! exactly `mu N`, because of the midpoint rule across: it is larger by 1.5 % (elliptic) or
-//! 0.65 % (parabolic) at 10 x 10, and by 0.1 % or 0.02 % at 50 x 50.
+//! 0.65 % (parabolic) at 10 x 10, and by 0.1 % or 0.02 % at 50 x 50. A force beyond `mu N` is brought
+//! back to it, with its direction.
 
 mod flexibility;
 mod grid;
@@ -118,7 +119,7 @@ impl Fastsim {
             march(&self.grid, &increments, |cell, state| sums.add(cell.x, state));
             sums.collect(block, &mut totals);
         }
-        totals
+        totals.within_friction()
     }
 
     /// Force where the bound depends on the slip.
@@ -144,7 +145,8 @@ impl Fastsim {
                 force.mz += half_length * cell.x * q - y * p;
             }
         }
-        force
+        let totals = Totals::<0> { force: force.components(), tangents: [] };
+        dual::force(totals.within_friction().force)
     }
 
     fn step(

@@ -28,6 +28,24 @@ impl<const K: usize> Totals<K> {
     }
 }
 
+impl<const K: usize> Totals<K> {
+    /// As far as friction goes: the sum of the bound over cells is larger than `mu N` by the error of its
+    /// quadrature. What is nearest within `mu N` is nearer to the integral too.
+    pub(crate) fn within_friction(mut self) -> Self {
+        let [fx, fy, _] = self.force;
+        let size = fx.hypot(fy);
+        if size > 1.0 {
+            let [x, y] = [fx / size, fy / size];
+            (self.force[0], self.force[1]) = (x, y);
+            for tangent in &mut self.tangents {
+                let across = (x * tangent[1] - y * tangent[0]) / size;
+                (tangent[0], tangent[1]) = (-y * across, x * across);
+            }
+        }
+        self
+    }
+}
+
 impl Totals<3> {
     /// Rows `fx`, `fy`, `mz`; columns `xi`, `eta`, `chi`.
     pub(crate) fn jacobian(&self) -> [[f64; 3]; 3] {
