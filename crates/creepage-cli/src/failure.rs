@@ -39,6 +39,11 @@ pub(crate) enum Failure {
     NothingToRead { profile: &'static str },
     #[error("{} would be written twice: give profiles of one name one by one, each its own --out", path.display())]
     SameName { path: PathBuf },
+    #[error(
+        "{} is there already, with other contents: a converted profile replaces no file; give another \
+         --out", path.display()
+    )]
+    Exists { path: PathBuf },
     #[error("{}: {source}", path.display())]
     Points { path: PathBuf, source: PointsError },
     #[error("{}: {source}", path.display())]
@@ -133,6 +138,9 @@ fn standard_profiles() -> String {
 fn how_to_say(error: &ProfileFileError) -> &'static str {
     match error {
         ProfileFileError::Ask { .. } => " (--role, --side, --y, --z)",
+        ProfileFileError::Role { .. } => " (--role)",
+        ProfileFileError::UpsideDown { .. } => " (--z)",
+        ProfileFileError::FlangeOutside { .. } => " (--y)",
         ProfileFileError::Length { .. } => " (--unit)",
         _ => "",
     }

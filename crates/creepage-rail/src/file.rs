@@ -45,7 +45,7 @@ mod text;
 mod vampire;
 mod writing;
 
-pub use error::FileError;
+pub use error::{FileError, SaidBy};
 pub use report::Action;
 pub use writing::write;
 

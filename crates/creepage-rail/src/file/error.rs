@@ -1,5 +1,7 @@
 //! What a profile file cannot be read for.
 
+use std::fmt;
+
 use crate::{ProfileError, Role};
 
 /// A profile file that makes no sense; lines count from 1.
@@ -99,7 +101,7 @@ pub enum FileError {
         /// First line of the points.
         line: usize,
         /// What says it.
-        by: &'static str,
+        by: SaidBy,
         /// What it says.
         said: Role,
         /// What the shape shows.
@@ -210,6 +212,27 @@ pub enum FileError {
         /// Why.
         source: ProfileError,
     },
+}
+
+/// What says that a profile is a wheel's or a rail's.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum SaidBy {
+    /// [`Wanted::role`](super::Wanted::role).
+    Asker,
+    /// The file's content.
+    Content,
+    /// The ending of the file's name.
+    Ending,
+}
+
+impl fmt::Display for SaidBy {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str(match self {
+            Self::Asker => "what was asked for",
+            Self::Content => "the file's content",
+            Self::Ending => "the ending of the file's name",
+        })
+    }
 }
 
 fn fitting_words(unit: Option<f64>) -> String {

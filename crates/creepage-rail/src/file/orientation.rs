@@ -3,7 +3,7 @@
 
 use super::rows::{Point, Raw, move_all};
 use super::shape::{self, Shape, extent, level};
-use super::{Action, FileError, Wanted};
+use super::{Action, FileError, SaidBy, Wanted};
 use crate::Role;
 
 /// Lengths that profiles have, that most have, and widths that all have at most (m).
@@ -132,7 +132,7 @@ fn role(
     line: usize,
     actions: &mut Vec<Action>,
 ) -> Result<Role, FileError> {
-    let by = ["what was asked for", "the file's content", "the ending of the file's name"];
+    let by = [SaidBy::Asker, SaidBy::Content, SaidBy::Ending];
     let mut said = said.into_iter().zip(by).filter_map(|(role, by)| Some((role?, by)));
     let Some((role, by)) = said.next() else {
         let what = "whether it is a wheel or a rail";
