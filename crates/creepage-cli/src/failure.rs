@@ -44,6 +44,11 @@ pub(crate) enum Failure {
         first.display(), second.display(), directory.display()
     )]
     SameDirectory { first: PathBuf, second: PathBuf, directory: PathBuf },
+    #[error(
+        "{} is there already, with other contents: a converted profile replaces no file; give another \
+         --out", path.display()
+    )]
+    Exists { path: PathBuf },
     #[error("{}: {source}", path.display())]
     Points { path: PathBuf, source: PointsError },
     #[error("{}: {source}", path.display())]
@@ -138,6 +143,9 @@ fn standard_profiles() -> String {
 fn how_to_say(error: &ProfileFileError) -> &'static str {
     match error {
         ProfileFileError::Ask { .. } => " (--role, --side, --y, --z)",
+        ProfileFileError::Role { .. } => " (--role)",
+        ProfileFileError::UpsideDown { .. } => " (--z)",
+        ProfileFileError::FlangeOutside { .. } => " (--y)",
         ProfileFileError::Length { .. } => " (--unit)",
         _ => "",
     }

@@ -9,7 +9,7 @@ use creepage_study::{Sources, profile_pictures, write_all};
 use serde_json::{Value, json};
 
 use crate::failure::Failure;
-use crate::output::{print, say_written, to_json};
+use crate::output::{complain, print, say_written, to_json};
 use crate::rail_args::{
     LateralSense, ProfileArgs, ProfileFormat, RoleName, SideName, UprightSense,
 };
@@ -32,23 +32,40 @@ impl Found {
     }
 }
 
-/// The files first, then the words, so that a wrong `--out` prints nothing.
+/// The files first, then the words, so that a wrong `--out` prints nothing. A profile that cannot
+/// be read keeps all files from being written, but not the words on the others.
 pub(crate) fn run(args: &ProfileArgs) -> Result<(), Failure> {
     let wanted = args.wanted();
-    let profiles: Vec<(&Path, Found)> = args
-        .profiles
-        .iter()
-        .map(|path| Ok((path.as_path(), find(path, &wanted)?)))
-        .collect::<Result<_, Failure>>()?;
-    if let Some(directory) = &args.out {
-        say_written(&written(directory, &profiles, args.convert)?);
+    let find = |path: &PathBuf| (path.clone(), find(path, &wanted));
+    let found: Vec<(PathBuf, Result<Found, Failure>)> = args.profiles.iter().map(find).collect();
+    if let Some(directory) = &args.out
+        && found.iter().all(|(_, one)| one.is_ok())
+    {
+        let read =
+            found.iter().filter_map(|(path, one)| Some((path.as_path(), one.as_ref().ok()?)));
+        say_written(&written(directory, &read.collect::<Vec<_>>(), args.convert)?);
     }
     if args.json {
-        let facts: Vec<Value> = profiles.iter().map(|(path, one)| facts(path, one)).collect();
-        return print(&to_json(&facts)?);
+        let facts = found.iter().map(|(path, one)| match one {
+            Ok(found) => facts(path, found),
+            Err(failure) => json!({ "file": path, "error": failure.to_string() }),
+        });
+        print(&to_json(&facts.collect::<Vec<Value>>())?)?;
+    } else {
+        let read = found.iter().filter_map(|(path, one)| Some(words(path, one.as_ref().ok()?)));
+        let texts: Vec<String> = read.collect();
+        if !texts.is_empty() {
+            print(&texts.join("\n"))?;
+        }
     }
-    let texts: Vec<String> = profiles.iter().map(|(path, one)| words(path, one)).collect();
-    print(&texts.join("\n"))
+    let mut failures = found.into_iter().filter_map(|(_, one)| one.err()).peekable();
+    while let Some(failure) = failures.next() {
+        if failures.peek().is_none() {
+            return Err(failure);
+        }
+        complain(&failure.to_string());
+    }
+    Ok(())
 }
 
 /// As in a case file: a standard profile by its name, else a file.
@@ -73,10 +90,11 @@ fn nowhere(path: &Path, source: io::Error) -> Failure {
     Failure::Read { path: path.into(), source }
 }
 
-/// Writes the files of all profiles, over none that was read and no two of one name.
+/// Writes the files of all profiles: over none that was read, no two of one name, and a converted
+/// profile over no other file, which may be somebody's measurement. Pictures are replaced.
 fn written(
     directory: &Path,
-    profiles: &[(&Path, Found)],
+    profiles: &[(&Path, &Found)],
     convert: Option<ProfileFormat>,
 ) -> Result<Vec<PathBuf>, Failure> {
     let mut files: Vec<(String, Vec<u8>)> = Vec::new();
@@ -86,6 +104,11 @@ fn written(
             if files.iter().any(|(other, _)| *other == name) {
                 return Err(Failure::SameName { path: target });
             }
+            let is_picture = name.ends_with(".svg") || name.ends_with(".png");
+            let is_other = || fs::read(&target).is_ok_and(|there| there != content);
+            if !is_picture && !is_source(&target, profiles) && is_other() {
+                return Err(Failure::Exists { path: target });
+            }
             files.push((name, content));
         }
     }
@@ -93,6 +116,12 @@ fn written(
         files.iter().map(|(name, content)| (&name[..], &content[..])).collect();
     let read = profiles.iter().filter(|(_, found)| matches!(found, Found::File(_)));
     Ok(write_all(directory, &files, &Sources::new(read.map(|(path, _)| *path)))?)
+}
+
+/// Whether a file is one of those that were read, over which [`write_all`] writes nothing.
+fn is_source(target: &Path, profiles: &[(&Path, &Found)]) -> bool {
+    let files = profiles.iter().filter(|(_, found)| matches!(found, Found::File(_)));
+    Sources::new(files.map(|(path, _)| *path)).spare(target).is_err()
 }
 
 /// The picture, and the profile in another format: names and contents of files.
@@ -120,6 +149,7 @@ fn name(format: Format) -> &'static str {
         Format::Vampire => "VAMPIRE",
         Format::Gensys => "GENSYS",
         Format::Columns => "two columns",
+        Format::Json => "JSON",
     }
 }
 

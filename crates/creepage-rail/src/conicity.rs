@@ -24,6 +24,8 @@ pub struct RadiusDifference {
     potential: Vec<f64>,
     /// Distance of the tape circles times the mean radius (m^2).
     scale: f64,
+    /// Why it ends at either side, where it does not go as far as was asked for.
+    ends: [Option<GeometryError>; 2],
 }
 
 /// Amplitudes that the profiles do not hold.
@@ -34,7 +36,7 @@ pub enum ConicityError {
     #[error(transparent)]
     Geometry(#[from] GeometryError),
     /// Contact ends before the wheelset has swung that far.
-    #[error("amplitude {amplitude} m: contact exists for y from {from} to {to} m only")]
+    #[error("amplitude {amplitude} m: contact exists for y from {from:.4} to {to:.4} m only{}", why(*end))]
     TooFar {
         /// The amplitude wanted (m).
         amplitude: f64,
@@ -42,6 +44,8 @@ pub enum ConicityError {
         from: f64,
         /// Greatest lateral position with contact (m).
         to: f64,
+        /// What ends it at the nearer side.
+        end: Option<GeometryError>,
     },
     /// The radius difference leads the wheelset back nowhere, so it does not swing.
     #[error("the radius difference never steers the wheelset back to the centre")]
@@ -61,27 +65,50 @@ impl Running {
     /// EN 15302 leaves roll out (`Some(0.0)`); `None` lets the wheelset roll until both touch.
     ///
     /// # Errors
-    /// [`GeometryError`] where the profiles do not meet at the centre.
+    /// [`GeometryError`] where the profiles do not meet at the centre, and for whatever else but
+    /// their ends.
     pub fn radius_differences(
         &self,
         reach: f64,
         roll: Option<f64>,
     ) -> Result<RadiusDifference, GeometryError> {
         let centre = self.radius_difference(0.0, roll)?;
-        let walk = |sense: f64| {
-            let count = crate::curve::whole((reach / STEP).clamp(0.0, 1e4));
-            (1..=count)
-                .map_while(move |i| self.radius_difference(sense * i as f64 * STEP, roll).ok())
-        };
-        let mut values: Vec<f64> = walk(-1.0).collect();
+        let [left, right] = [-1.0, 1.0].map(|sense| self.walk(sense, reach, roll));
+        let ((mut values, first), (right, last)) = (left?, right?);
         let from = -STEP * values.len() as f64;
         values.reverse();
         values.push(centre);
-        values.extend(walk(1.0));
+        values.extend(right);
         let wheelset = self.wheelset();
         let scale = wheelset.tape_distance() * wheelset.radius();
-        Ok(RadiusDifference::new(from, values, scale))
+        Ok(RadiusDifference { ends: [first, last], ..RadiusDifference::new(from, values, scale) })
     }
+
+    /// Radius differences to one side of the centre, until the profiles no longer meet, and why
+    /// they do not.
+    fn walk(
+        &self,
+        sense: f64,
+        reach: f64,
+        roll: Option<f64>,
+    ) -> Result<(Vec<f64>, Option<GeometryError>), GeometryError> {
+        let count = crate::curve::whole((reach / STEP).clamp(0.0, 1e4));
+        let mut values = Vec::new();
+        for i in 1..=count {
+            match self.radius_difference(sense * i as f64 * STEP, roll) {
+                Ok(value) => values.push(value),
+                Err(end @ (GeometryError::End { .. } | GeometryError::Apart { .. })) => {
+                    return Ok((values, Some(end)));
+                }
+                Err(error) => return Err(error),
+            }
+        }
+        Ok((values, None))
+    }
+}
+
+fn why(end: Option<GeometryError>) -> String {
+    end.map_or_else(String::new, |end| format!(": {end}"))
 }
 
 impl RadiusDifference {
@@ -92,7 +119,7 @@ impl RadiusDifference {
             sum
         });
         let potential = [0.0].into_iter().chain(steps).collect();
-        Self { from, values, potential, scale }
+        Self { from, values, potential, scale, ends: [None; 2] }
     }
 
     /// Lateral positions between which contact exists (m).
@@ -169,7 +196,8 @@ impl RadiusDifference {
         let [left, right] =
             [(centre - 2.0 * amplitude).max(from), centre.min(to - 2.0 * amplitude)];
         if !(left <= right && excess(left) <= 0.0 && excess(right) >= 0.0) {
-            return Err(ConicityError::TooFar { amplitude, from, to });
+            let end = self.ends[usize::from(to.abs() < from.abs())];
+            return Err(ConicityError::TooFar { amplitude, from, to, end });
         }
         let [low, _] = threshold([left, right], |low| excess(low) <= 0.0);
         // Where wheels run on cylinders nothing steers: waves of any length, conicity zero.

@@ -11,9 +11,11 @@
 //! | `MiniProf` `.ban`, `.whl` | mm | to the track side | found |
 //! | VAMPIRE `.rai`, `.whe` | mm | to the right | found |
 //! | GENSYS `.rail`, `.wheel` | mm | to the track side | down |
-//! | two columns | found | to the field side | found |
+//! | two columns, JSON | found | to the field side | found |
 //!
-//! Wheels show by their flange where the track is.
+//! Wheels show by their flange where the track is and what is down, rails by their head what is
+//! down; where that contradicts the format the shape counts, and where it contradicts the role that
+//! the file says, or what is asked for, the error names both.
 //!
 //! ```
 //! use creepage_rail::file::{Format, Wanted, read, write};
@@ -28,19 +30,26 @@
 
 mod columns;
 mod error;
+mod json;
 mod miniprof;
 mod orientation;
+mod outline;
 mod repair;
 mod report;
 mod rows;
+mod scans;
+mod segments;
+mod shape;
 mod simpack;
+mod text;
 mod vampire;
 mod writing;
 
-pub use error::FileError;
+pub use error::{FileError, SaidBy};
 pub use report::Action;
 pub use writing::write;
 
+use orientation::Turned;
 use rows::{Raw, lines};
 
 use crate::{Profile, Role, Side};
@@ -58,6 +67,8 @@ pub enum Format {
     Gensys,
     /// Two columns `y z`.
     Columns,
+    /// JSON: an array of points, or one of each coordinate.
+    Json,
 }
 
 /// What is asked for in place of what would be found.
@@ -97,24 +108,37 @@ pub struct Reading {
 /// # Errors
 /// [`FileError`]: each names its line, or what must be asked for.
 pub fn read(name: &str, content: &[u8], wanted: &Wanted) -> Result<Reading, FileError> {
-    let text = String::from_utf8_lossy(content);
+    let mut actions = Vec::new();
+    let text = text::decoded(content, &mut actions);
     let format = wanted.format.map_or_else(|| recognised(name, &text), Ok)?;
-    let raw = match format {
+    let mut raw = match format {
         Format::Simpack => simpack::parse(&text)?,
+        Format::MiniProf if has_sections(&text) => miniprof::sections(&text)?,
         Format::MiniProf => miniprof::parse(&text)?,
         Format::Vampire => vampire::parse(&text, wanted.side)?,
         Format::Gensys => columns::gensys(&text)?,
         Format::Columns => columns::parse(&text)?,
+        Format::Json => json::parse(&text)?,
     };
-    let role = wanted.role.or(raw.role).or_else(|| by_ending(name));
-    let role = role.ok_or(FileError::Ask { line: 1, what: "whether it is a wheel or a rail" })?;
-    finish(raw, format, role, wanted)
+    actions.append(&mut raw.actions);
+    raw.actions = actions;
+    finish(raw, format, by_ending(name), wanted)
 }
 
 /// Brings points to the house's form, repairs them and lays a curve through.
-fn finish(raw: Raw, format: Format, role: Role, wanted: &Wanted) -> Result<Reading, FileError> {
-    let mut actions = raw.actions.clone();
-    let (points, unit) = orientation::turned(raw, role, wanted, &mut actions)?;
+fn finish(
+    mut raw: Raw,
+    format: Format,
+    ending: Option<Role>,
+    wanted: &Wanted,
+) -> Result<Reading, FileError> {
+    let mut actions = std::mem::take(&mut raw.actions);
+    scans::measured(&mut raw.points, &mut actions);
+    scans::without_spikes(&mut raw.points, &mut actions);
+    let role = wanted.role.or(raw.role).or(ending);
+    raw.points = outline::opened(raw.points, role, &mut actions)?;
+    let turned = orientation::turned(raw, ending, wanted, &mut actions)?;
+    let Turned { points, role, unit } = turned;
     let points = repair::repaired(points, &mut actions)?;
     let corners = repair::corners(&points, &mut actions);
     let line = points.first().map_or(0, |point| point.line);
@@ -132,13 +156,18 @@ fn finish(raw: Raw, format: Format, role: Role, wanted: &Wanted) -> Result<Readi
     Ok(Reading { profile, format, points: places.len(), actions })
 }
 
+/// Whether the text is of sections, `[FileInfo]` first.
+fn has_sections(text: &str) -> bool {
+    lines(text).take(3).any(|(_, line)| line.contains("[FileInfo]"))
+}
+
 /// The format by the content, else by the name's ending.
 fn recognised(name: &str, text: &str) -> Result<Format, FileError> {
     let head: Vec<&str> = lines(text).map(|(_, line)| line).take(60).collect();
     let starts = |word: &str| head.iter().any(|line| line.trim_start().starts_with(word));
     let first = head.first().map_or("", |line| line.trim());
-    if head.iter().take(3).any(|line| line.contains("[FileInfo]")) {
-        return Err(FileError::Unsupported { line: 1, what: "MiniProf files of several profiles" });
+    if has_sections(text) {
+        return Ok(Format::MiniProf);
     }
     if starts("header.begin") || starts("spline.begin") {
         return Ok(Format::Simpack);
@@ -146,12 +175,16 @@ fn recognised(name: &str, text: &str) -> Result<Format, FileError> {
     if first.starts_with("WHEELPROFILE") || first.starts_with("RAILPROFILE") {
         return Ok(Format::Vampire);
     }
+    if text.trim_start().starts_with(['{', '[']) {
+        return Ok(Format::Json);
+    }
     let old = head.iter().take(3).any(|line| line.to_uppercase().contains("MINI"));
     if old || head.iter().take(3).any(|line| miniprof::is_key(line)) {
         return Ok(Format::MiniProf);
     }
     match ending(name).as_str() {
         "rail" | "wheel" => Ok(Format::Gensys),
+        "whe" | "rai" => Ok(Format::Vampire),
         "slcs" | "slcw" => Err(FileError::Unsupported { line: 1, what: "profiles in slices" }),
         _ => Ok(Format::Columns),
     }

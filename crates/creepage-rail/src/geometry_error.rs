@@ -32,6 +32,39 @@ pub enum GeometryError {
         /// Depth of the gauge's measurement (m).
         height: f64,
     },
+    /// A wheel's tread far from where its radius is.
+    #[error(
+        "the wheel's tread lies at z = {z:.4} m of its profile, and its radius is that at z = 0: shift \
+         the profile's points by {:.4} m", -z
+    )]
+    TreadOff {
+        /// Where the tread lies (m).
+        z: f64,
+    },
+    /// A wheel's flange far from its back.
+    #[error(
+        "the wheel's flange stands at y = {tip:.4} m of its profile, and flange_back is {flange_back} m: a \
+         flange of that place has flange_back = {fitting:.3}, or shift the profile's points"
+    )]
+    FlangeOff {
+        /// `y` of the flange's tip (m).
+        tip: f64,
+        /// `y` of the flange's back, as given (m).
+        flange_back: f64,
+        /// The flange's back by the profile (m).
+        fitting: f64,
+    },
+    /// A rail whose profile has its origin in the track centre, put there again.
+    #[error(
+        "the rail's head lies at y = {head:.4} m of its profile, and the position {position} m is that of \
+         y = 0: it is 0 for this profile, or place the rail by the gauge"
+    )]
+    RailOff {
+        /// `y` of the head's highest point (m).
+        head: f64,
+        /// The position given (m).
+        position: f64,
+    },
     /// No part of the rail's profile looks upwards.
     #[error("no part of the rail's head looks upwards")]
     Hidden,

@@ -92,10 +92,12 @@ impl Pair<'_> {
     pub(crate) fn lowest(&self) -> Result<Meeting, Option<f64>> {
         let gaps = self.gaps();
         let bound = gaps.iter().flatten().min_by(|a, b| a.gap.total_cmp(&b.gap)).ok_or(None)?;
+        // Cubics between stations smooth a rough rail by more than the tolerance below.
+        let exact = self.meeting(bound.s).map_or(bound.gap, |meeting| meeting.gap().max(bound.gap));
         let low = least(&gaps).filter(|[_, place, _]| place.gap < bound.gap + BETWEEN);
         let refined = low.filter_map(|three| self.refined(three));
         let lowest = refined.min_by(|a, b| a.gap().total_cmp(&b.gap()));
-        lowest.filter(|meeting| meeting.gap() <= bound.gap + SLOPPY).ok_or(Some(bound.y))
+        lowest.filter(|meeting| meeting.gap() <= exact + SLOPPY).ok_or(Some(bound.y))
     }
 
     /// The least gap between two neighbours of a station: there its slope changes sign.

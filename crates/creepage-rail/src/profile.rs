@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use crate::Waves;
 use crate::curve::{self, Curve, CurvePoint, SplineError};
 use crate::search::threshold;
 
@@ -138,7 +139,19 @@ impl Profile {
         self.crossing(|point| point.z - z)
     }
 
+    /// Waves within `reach` (m) along the curve of the first point with that `y` (m), that turn it
+    /// by more than `least` (rad) to and fro; `None` without a whole one.
+    #[must_use]
+    pub fn waves(&self, y: f64, reach: f64, least: f64) -> Option<Waves> {
+        let s = self.crossing_at(|point| point.y - y)?;
+        Waves::of(&self.curve, [s - reach, s + reach], least)
+    }
+
     fn crossing(&self, excess: impl Fn(CurvePoint) -> f64) -> Option<CurvePoint> {
+        self.crossing_at(excess).map(|s| self.curve.at(s))
+    }
+
+    fn crossing_at(&self, excess: impl Fn(CurvePoint) -> f64) -> Option<f64> {
         let stations = self.curve.stations(5e-4);
         let bracket = stations.windows(2).find(|pair| {
             let [a, b] = [pair[0], pair[1]].map(|s| excess(self.curve.at(s)));
@@ -146,6 +159,6 @@ impl Profile {
         })?;
         let rising = excess(self.curve.at(bracket[0])) < excess(self.curve.at(bracket[1]));
         let before = |s: f64| (excess(self.curve.at(s)) < 0.0) == rising;
-        Some(self.curve.at(threshold([bracket[0], bracket[1]], before)[1]))
+        Some(threshold([bracket[0], bracket[1]], before)[1])
     }
 }

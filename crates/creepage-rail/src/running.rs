@@ -2,7 +2,7 @@
 
 use crate::meeting::{Meeting, Overlap, Pair};
 use crate::wheel::Posed;
-use crate::{Contact, GeometryError, Position, Side, Track, Wheelset};
+use crate::{Contact, GeometryError, Position, Profile, Side, Track, Wheelset};
 
 /// Overlaps nearer than this on the wheel's profile make one contact (m),
 const TOGETHER: f64 = 0.010;
@@ -52,6 +52,16 @@ impl Running {
     #[must_use]
     pub fn track(&self) -> &Track {
         &self.track
+    }
+
+    /// The profiles of the wheel and of the rail of a side.
+    #[must_use]
+    pub fn profiles(&self, side: Side) -> [&Profile; 2] {
+        let (wheel, rail) = match side {
+            Side::Left => (&self.wheelset.left, &self.track.left),
+            Side::Right => (&self.wheelset.right, &self.track.right),
+        };
+        [wheel.profile(), rail.profile()]
     }
 
     /// One side as a right-hand one.

@@ -8,6 +8,8 @@ use crate::{GeometryError, Profile, Role};
 
 /// Spacing of the stations between which a rail is looked up (m).
 const STEP: f64 = 2.5e-4;
+/// A head further than this from the profile's origin is already in its place in the track (m).
+const FAR: f64 = 0.2;
 
 /// Where a rail stands across the track.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -183,7 +185,13 @@ impl Rail {
     /// How far the origin stands from the track centre.
     fn offset(&self, stations: &[f64], place: Place) -> Result<f64, GeometryError> {
         let (gauge, height) = match place {
-            Place::Origin(y) if y.is_finite() => return Ok(y),
+            Place::Origin(position) if position.is_finite() => {
+                let head = self.highest(stations).y;
+                if head.min(position) > FAR {
+                    return Err(GeometryError::RailOff { head, position });
+                }
+                return Ok(position);
+            }
             Place::Origin(value) => {
                 return Err(GeometryError::Value { name: "rail_position", value, range: "finite" });
             }

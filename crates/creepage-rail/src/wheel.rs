@@ -6,6 +6,16 @@ use crate::{GeometryError, Profile, Role};
 /// Spacing of the stations at which the outline is looked at (m).
 const STEP: f64 = 2.5e-4;
 
+/// Where the tape circle and the flange's tip lie from its back (m), mostly.
+const TAPE: f64 = 0.070;
+const TIP: f64 = 0.015;
+/// A flange is higher than the first, and its tip nearer than the second to the profile's end (m).
+const FLANGE: f64 = 0.012;
+const END: f64 = 0.045;
+/// Further than this from its place a tread, and a flange, is another's (m).
+const FAR: f64 = 0.1;
+const SHIFTED: f64 = 0.03;
+
 /// A wheel.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Wheel {
@@ -46,6 +56,34 @@ impl Wheel {
         Err(GeometryError::Value { name: "flange_back", value: flange_back, range: "finite" })
     }
 
+    /// Whether radius and flange back are those of the profile.
+    fn check_origin(&self) -> Result<(), GeometryError> {
+        let tape = self.flange_back + TAPE;
+        let off = |(_, point): &&(f64, CurvePoint)| (point.y - tape).abs();
+        let Some((_, tread)) = self.stations.iter().min_by(|a, b| off(a).total_cmp(&off(b))) else {
+            return Ok(());
+        };
+        if tread.z.abs() > FAR {
+            return Err(GeometryError::TreadOff { z: tread.z });
+        }
+        // The curve runs to the flange, whose tip is the lowest place near its end.
+        let lowest = self.stations.iter().map(|(_, point)| point);
+        let Some(tip) = lowest.max_by(|a, b| a.z.total_cmp(&b.z)) else { return Ok(()) };
+        let end = self.profile.curve().before(self.profile.curve().length());
+        let level = {
+            let mut heights: Vec<f64> = self.stations.iter().map(|(_, point)| point.z).collect();
+            heights.sort_by(f64::total_cmp);
+            heights.get(heights.len() / 2).copied().unwrap_or(0.0)
+        };
+        let is_flange = tip.z - level > FLANGE && (tip.y - end.y).abs() < END;
+        let fitting = tip.y - TIP;
+        if is_flange && (fitting - self.flange_back).abs() > SHIFTED {
+            let flange_back = self.flange_back;
+            return Err(GeometryError::FlangeOff { tip: tip.y, flange_back, fitting });
+        }
+        Ok(())
+    }
+
     /// Its profile.
     #[must_use]
     pub fn profile(&self) -> &Profile {
@@ -76,9 +114,13 @@ impl Wheelset {
     /// Two wheels whose flange backs stand `back_to_back` (m) apart.
     ///
     /// # Errors
-    /// [`GeometryError::Value`] unless `back_to_back` is positive and finite.
+    /// [`GeometryError::Value`] unless `back_to_back` is positive and finite;
+    /// [`GeometryError::TreadOff`], [`GeometryError::FlangeOff`] where the profile's origin is not
+    /// that of radius and flange back.
     pub fn new(left: Wheel, right: Wheel, back_to_back: f64) -> Result<Self, GeometryError> {
         if back_to_back >= 0.0 && back_to_back.is_finite() {
+            left.check_origin()?;
+            right.check_origin()?;
             return Ok(Self { left, right, back_to_back });
         }
         let range = "0 m and above";

@@ -266,7 +266,10 @@ mod tests {
         assert_eq!(Contact::new(circle, f64::NAN).unwrap_err().quantity, "poisson");
         let contact = Contact::new(circle, 0.3).unwrap();
         for kappa in [f64::NAN, f64::INFINITY, 2e6] {
-            assert_eq!(contact.with_kappa_over_mu(kappa).unwrap_err().quantity, "kappa_over_mu");
+            assert_eq!(
+                contact.clone().with_kappa_over_mu(kappa).unwrap_err().quantity,
+                "kappa_over_mu"
+            );
         }
     }
 }

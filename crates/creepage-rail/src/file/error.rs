@@ -1,9 +1,11 @@
 //! What a profile file cannot be read for.
 
-use crate::ProfileError;
+use std::fmt;
+
+use crate::{ProfileError, Role};
 
 /// A profile file that makes no sense; lines count from 1.
-#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum FileError {
     /// A number was wanted.
@@ -60,8 +62,8 @@ pub enum FileError {
     },
     /// A length that no profile has: a wrong unit.
     #[error(
-        "line {line}: the profile would be {length} m long, .02 to .5 is sane; say the unit \
-         (the file's unit is held for {unit} m)"
+        "line {line}: with the file's unit, {unit} m, the profile would be {length:.3} m long; \
+         profiles are .005 to .5 m{}", fitting_words(*fitting)
     )]
     Length {
         /// First line of the points.
@@ -70,6 +72,95 @@ pub enum FileError {
         length: f64,
         /// Length of the file's unit (m).
         unit: f64,
+        /// Length of the unit that would fit (m).
+        fitting: Option<f64>,
+    },
+    /// Commas part the numbers and stand inside of them.
+    #[error(
+        "line {line}: four whole numbers; with decimal commas the numbers must be parted by \
+         blanks, tabs or semicolons"
+    )]
+    Commas {
+        /// Line.
+        line: usize,
+    },
+    /// A key that would change the shape, and is not known.
+    #[error("line {line}: {key} is not known, and may change the shape")]
+    UnknownKey {
+        /// Line.
+        line: usize,
+        /// The key.
+        key: String,
+    },
+    /// What is said of the role contradicts the shape.
+    #[error(
+        "line {line} and following: {by} says {said}, but the shape is that of a {shown} ({}): \
+         say the role", shape_words(*shown)
+    )]
+    Role {
+        /// First line of the points.
+        line: usize,
+        /// What says it.
+        by: SaidBy,
+        /// What it says.
+        said: Role,
+        /// What the shape shows.
+        shown: Role,
+    },
+    /// What was asked for turns the profile upside down.
+    #[error("line {line} and following: {said} contradicts the shape: {} would point up", hangs(*role))]
+    UpsideDown {
+        /// First line of the points.
+        line: usize,
+        /// What was asked for.
+        said: &'static str,
+        /// Wheel or rail.
+        role: Role,
+    },
+    /// What was asked for puts the flange on the field side.
+    #[error(
+        "line {line} and following: {said} contradicts the shape: the flange would stand on the field side"
+    )]
+    FlangeOutside {
+        /// First line of the points.
+        line: usize,
+        /// What was asked for.
+        said: &'static str,
+    },
+    /// The outline of a whole wheel.
+    #[error(
+        "line {line} and following: a closed outline of a wheel: give the running surface from rim to flange back only"
+    )]
+    Outline {
+        /// First line of the points.
+        line: usize,
+    },
+    /// A part that was measured twice, not alike.
+    #[error(
+        "line {line}: the scan goes back and measures a part again, up to {:.2} mm from the first \
+         pass: keep one of the two passes", 1e3 * apart
+    )]
+    Overlap {
+        /// Line at which it goes back.
+        line: usize,
+        /// Greatest distance between both passes (m).
+        apart: f64,
+    },
+    /// Segments that do not follow each other.
+    #[error("line {line}: the segment starts {apart} mm from where the one before ends")]
+    Apart {
+        /// Line.
+        line: usize,
+        /// Distance in the file's unit.
+        apart: f64,
+    },
+    /// JSON without points.
+    #[error("line {line}: JSON in which no points are found: {what}")]
+    Json {
+        /// Line.
+        line: usize,
+        /// What is wrong.
+        what: &'static str,
     },
     /// Higher than wide: axes exchanged.
     #[error("line {line}: {height} m high and {width} m wide: are y and z exchanged?")]
@@ -121,4 +212,44 @@ pub enum FileError {
         /// Why.
         source: ProfileError,
     },
+}
+
+/// What says that a profile is a wheel's or a rail's.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum SaidBy {
+    /// [`Wanted::role`](super::Wanted::role).
+    Asker,
+    /// The file's content.
+    Content,
+    /// The ending of the file's name.
+    Ending,
+}
+
+impl fmt::Display for SaidBy {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str(match self {
+            Self::Asker => "what was asked for",
+            Self::Content => "the file's content",
+            Self::Ending => "the ending of the file's name",
+        })
+    }
+}
+
+fn fitting_words(unit: Option<f64>) -> String {
+    let words = |unit| format!("; a unit of {unit} m would fit");
+    unit.map_or_else(|| String::from("; say the unit"), words)
+}
+
+fn shape_words(shown: Role) -> &'static str {
+    match shown {
+        Role::Wheel => "a flange on one side of a tread",
+        Role::Rail => "a head between two steep sides",
+    }
+}
+
+fn hangs(role: Role) -> &'static str {
+    match role {
+        Role::Wheel => "the flange",
+        Role::Rail => "the sides of the head",
+    }
 }

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use super::orientation::distance;
 use super::rows::Point;
-use super::{Action, FileError};
+use super::{Action, FileError, scans};
 use crate::curve::turn;
 
 /// Points nearer than this repeat each other (m).
@@ -16,7 +16,7 @@ const LARGEST_TURN: f64 = 2.0 / 3.0 * PI;
 /// than the second (rad, m).
 const CORNER: f64 = PI / 6.0;
 const SMOOTH: f64 = PI / 30.0;
-const REACH: f64 = 2e-3;
+pub(super) const REACH: f64 = 2e-3;
 /// A gap is longer than this (m), and than so many times the usual spacing.
 const GAP: f64 = 5e-3;
 const TIMES: f64 = 8.0;
@@ -28,6 +28,7 @@ pub(super) fn repaired(
 ) -> Result<Vec<Point>, FileError> {
     without_repeated(&mut points, actions);
     without_zig_zags(&mut points, actions);
+    scans::without_overlaps(&mut points, actions)?;
     without_turns_back(&mut points, actions)?;
     without_repeated(&mut points, actions);
     match crossing(&points) {
@@ -106,7 +107,7 @@ fn sharpest_without(points: &[Point], index: usize) -> f64 {
 }
 
 /// Turn at an inner point (rad).
-fn turn_at(points: &[Point], index: usize) -> f64 {
+pub(super) fn turn_at(points: &[Point], index: usize) -> f64 {
     let [Some(a), Some(b), Some(c)] =
         [index.checked_sub(1), Some(index), Some(index + 1)].map(|i| points.get(i?))
     else {

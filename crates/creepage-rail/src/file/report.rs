@@ -2,8 +2,10 @@
 
 use std::fmt;
 
+use crate::Role;
+
 /// One thing that was found, assumed or done.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum Action {
     /// Points that the file itself marks as not to be used.
@@ -39,6 +41,74 @@ pub enum Action {
     Mirrored,
     /// The points ran the other way.
     Reversed,
+    /// The text is in UTF-16.
+    Utf16,
+    /// Commas stand for decimal points.
+    DecimalCommas,
+    /// A key that is not known, and has no effect.
+    UnknownKey {
+        /// Line.
+        line: usize,
+        /// The key.
+        key: String,
+    },
+    /// A role that only the shape shows.
+    RoleFound {
+        /// The role.
+        role: Role,
+    },
+    /// A role as asked for, which the file's content or name contradicts.
+    RoleAsked {
+        /// The role.
+        role: Role,
+    },
+    /// The shape shows another sense than the format has.
+    AgainstFormat {
+        /// The axis.
+        what: &'static str,
+    },
+    /// The running surface lies far from the profile's origin.
+    FarOrigin {
+        /// Wheel or rail.
+        role: Role,
+        /// The wheel's end on the track side, the middle of the rail (m).
+        y: f64,
+        /// Level of the running surface (m).
+        z: f64,
+    },
+    /// The head was taken from the outline of a whole rail.
+    Outline {
+        /// Points left out.
+        count: usize,
+    },
+    /// Points made from arcs and lines.
+    Segments {
+        /// How many arcs and lines.
+        count: usize,
+    },
+    /// A point without a number was dropped.
+    Unmeasured {
+        /// Line.
+        line: usize,
+    },
+    /// A point that stands out alone was dropped.
+    Spike {
+        /// Line.
+        line: usize,
+        /// Number of the point, from 1.
+        point: usize,
+        /// How far it stands out, in the file's unit.
+        height: f64,
+    },
+    /// Points of a part that was measured again were dropped.
+    Overlap {
+        /// Line of the first.
+        line: usize,
+        /// How many.
+        count: usize,
+        /// Greatest distance from the first pass (m).
+        apart: f64,
+    },
     /// A point that repeated the one before was dropped.
     Repeated {
         /// Line.
@@ -84,7 +154,7 @@ pub enum Action {
 
 impl fmt::Display for Action {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match *self {
+        match self {
             Self::Skipped { count } => {
                 write!(formatter, "{count} points marked as unused, skipped")
             }
@@ -94,6 +164,40 @@ impl fmt::Display for Action {
                 write!(formatter, "unit found by the profile's size: {metres} m")
             }
             Self::Assumed { what } => write!(formatter, "assumed: {what}"),
+            Self::Utf16 => write!(formatter, "text in UTF-16"),
+            Self::DecimalCommas => write!(formatter, "decimal commas, read as points"),
+            Self::UnknownKey { line, key } => {
+                write!(formatter, "line {line}: {key} is not known, no effect")
+            }
+            Self::RoleFound { role } => write!(formatter, "found by its shape: a {role}"),
+            Self::RoleAsked { role } => {
+                write!(formatter, "read as a {role}, as asked; the file says otherwise")
+            }
+            Self::AgainstFormat { what } => {
+                write!(formatter, "{what} by the shape, against the format")
+            }
+            Self::FarOrigin { role, y, z } => far_words(formatter, *role, *y, *z),
+            Self::Outline { count } => {
+                write!(formatter, "outline of a whole rail: head taken, {count} points left out")
+            }
+            Self::Segments { count } => write!(formatter, "points made from {count} segments"),
+            Self::Unmeasured { line } => {
+                write!(formatter, "line {line}: a value that is no number, point dropped")
+            }
+            Self::Spike { line, point, height } => {
+                write!(
+                    formatter,
+                    "line {line}: spike at point {point}, {height:.3} high in the file's unit, dropped"
+                )
+            }
+            Self::Overlap { line, count, apart } => {
+                let apart = 1e6 * apart;
+                write!(
+                    formatter,
+                    "line {line}: overlapping scans, {count} points measured again dropped, up to \
+                     {apart:.0} um from the first pass"
+                )
+            }
             Self::TurnedOver => write!(formatter, "z points up in the file: turned over"),
             Self::Mirrored => write!(formatter, "y grows to the track side in the file: mirrored"),
             Self::Reversed => write!(formatter, "order of points reversed"),
@@ -117,5 +221,21 @@ impl fmt::Display for Action {
                 write!(formatter, "smoothed: waves of {:.2} mm halved", 1e3 * wavelength)
             }
         }
+    }
+}
+
+fn far_words(formatter: &mut fmt::Formatter<'_>, role: Role, y: f64, z: f64) -> fmt::Result {
+    let [y, z] = [1e3 * y, 1e3 * z];
+    match role {
+        Role::Wheel => write!(
+            formatter,
+            "far from its origin: the tread lies at z = {z:.1} mm, the flange's back at y = {y:.1} mm; the \
+             radius is that at z = 0, and flange_back -70 mm unless given"
+        ),
+        Role::Rail => write!(
+            formatter,
+            "far from its origin: the head lies at y = {y:.1} mm, z = {z:.1} mm; rail_position is that of \
+             y = 0, a gauge that of the head"
+        ),
     }
 }

@@ -4,7 +4,7 @@ use super::{Action, FileError};
 use crate::Role;
 
 /// The largest number that may stand for a length, in any unit.
-const LARGEST: f64 = 1e5;
+pub(super) const LARGEST: f64 = 1e5;
 
 /// A point with the line that it comes from.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -20,6 +20,8 @@ pub(super) struct Raw {
     pub(super) points: Vec<Point>,
     /// Length of the unit (m).
     pub(super) unit: Option<f64>,
+    /// Whether the file itself says it, not only its format.
+    pub(super) unit_is_said: bool,
     /// Whether `y` grows to the field side and `z` downwards.
     pub(super) field_side: Option<bool>,
     pub(super) down: Option<bool>,
@@ -43,21 +45,35 @@ pub(super) fn last_line(text: &str) -> usize {
     text.lines().count().max(1)
 }
 
-/// The part of a line before a comment that begins with one of `marks`.
+/// The part of a line before a comment that begins with one of `marks`, or with `//`.
 pub(super) fn uncommented<'a>(line: &'a str, marks: &[char]) -> &'a str {
+    let line = line.split_once("//").map_or(line, |(before, _)| before);
     line.split(marks).next().unwrap_or("").trim()
 }
 
-/// The numbers of a line, parted by blanks, commas or semicolons.
-pub(super) fn numbers(line: usize, text: &str) -> Result<Vec<f64>, FileError> {
+/// The fields of a line, parted by blanks, commas or semicolons.
+pub(super) fn fields(text: &str) -> impl Iterator<Item = &str> {
     let parted = |c: char| c.is_whitespace() || c == ',' || c == ';';
-    let fields = text.split(parted).filter(|field| !field.is_empty());
-    fields.enumerate().map(|(index, field)| number(line, index + 1, field)).collect()
+    text.split(parted).filter(|field| !field.is_empty())
 }
 
-fn number(line: usize, column: usize, field: &str) -> Result<f64, FileError> {
+/// Whether a line has words in it: a title, a heading.
+pub(super) fn has_words(text: &str) -> bool {
+    let is_word = |field: &str| {
+        let letters = field.chars().filter(|c| c.is_alphabetic()).count();
+        field.parse::<f64>().is_err() && 2 * letters >= field.chars().count()
+    };
+    fields(text).any(is_word)
+}
+
+/// The numbers of a line; not-a-number where nothing was measured.
+pub(super) fn numbers(line: usize, text: &str) -> Result<Vec<f64>, FileError> {
+    fields(text).enumerate().map(|(index, field)| number(line, index + 1, field)).collect()
+}
+
+pub(super) fn number(line: usize, column: usize, field: &str) -> Result<f64, FileError> {
     let value: f64 = field.parse().map_err(|_| FileError::NotANumber { line, column })?;
-    if value.abs() <= LARGEST {
+    if value.is_nan() || value.abs() <= LARGEST {
         return Ok(value);
     }
     Err(FileError::NotALength { line, column, value })

@@ -4,13 +4,32 @@ use super::rows::{Point, Raw, last_line, lines, move_all, numbers};
 use super::{Action, FileError};
 use crate::Role;
 
+/// First words of keys that say what is to be done to the points.
+const SHAPING: [&str; 15] = [
+    "shift",
+    "rotate",
+    "rotation",
+    "rot",
+    "scale",
+    "factor",
+    "bound",
+    "clip",
+    "trim",
+    "mirror",
+    "inversion",
+    "invert",
+    "point",
+    "units",
+    "offset",
+];
+
 /// Numbers of the spline block, by their keys.
 #[derive(Debug, Clone, Copy)]
 struct Keys {
     least_distance: f64,
     shift: [f64; 2],
     rotate: f64,
-    bounds: [[f64; 2]; 2],
+    bounds: [[Option<f64>; 2]; 2],
     mirror: [bool; 2],
     invert: bool,
     /// The file's units in a metre and in a radian.
@@ -24,7 +43,7 @@ pub(super) fn parse(text: &str) -> Result<Raw, FileError> {
         least_distance: 0.0,
         shift: [0.0; 2],
         rotate: 0.0,
-        bounds: [[1.0, 0.0]; 2],
+        bounds: [[None; 2]; 2],
         mirror: [false; 2],
         invert: false,
         lengths: 1.0,
@@ -32,12 +51,15 @@ pub(super) fn parse(text: &str) -> Result<Raw, FileError> {
     };
     let mut inside = false;
     let mut ended = false;
+    let mut skipped = 0;
     for (line, row) in lines(text) {
         let row = without_comment(row);
         match row {
             "" => {}
             "point.begin" => inside = true,
             "point.end" => (inside, ended) = (false, true),
+            // Programs beside Simpack take points out by other marks.
+            _ if inside && row.starts_with(['%', '#']) => skipped += 1,
             _ if inside => raw.points.push(point(line, row)?),
             _ => key(line, row, &mut keys, &mut raw)?,
         }
@@ -45,7 +67,10 @@ pub(super) fn parse(text: &str) -> Result<Raw, FileError> {
     if !ended {
         return Err(FileError::Missing { line: last_line(text), block: "point.end" });
     }
-    raw.unit = Some(1.0 / keys.lengths);
+    (raw.unit, raw.unit_is_said) = (Some(1.0 / keys.lengths), true);
+    if skipped > 0 {
+        raw.actions.push(Action::Skipped { count: skipped });
+    }
     keys.apply(&mut raw);
     Ok(raw)
 }
@@ -87,10 +112,10 @@ fn key(line: usize, row: &str, keys: &mut Keys, raw: &mut Raw) -> Result<(), Fil
         "shift.y" => keys.shift[0] = number("shift.y")?,
         "shift.z" => keys.shift[1] = number("shift.z")?,
         "rotate" => keys.rotate = number("rotate")?,
-        "bound.y.min" => keys.bounds[0][0] = number("bound.y.min")?,
-        "bound.y.max" => keys.bounds[0][1] = number("bound.y.max")?,
-        "bound.z.min" => keys.bounds[1][0] = number("bound.z.min")?,
-        "bound.z.max" => keys.bounds[1][1] = number("bound.z.max")?,
+        "bound.y.min" => keys.bounds[0][0] = Some(number("bound.y.min")?),
+        "bound.y.max" => keys.bounds[0][1] = Some(number("bound.y.max")?),
+        "bound.z.min" => keys.bounds[1][0] = Some(number("bound.z.min")?),
+        "bound.z.max" => keys.bounds[1][1] = Some(number("bound.z.max")?),
         "mirror.y" => keys.mirror[0] = switch("mirror.y")?,
         "mirror.z" => keys.mirror[1] = switch("mirror.z")?,
         "inversion" => keys.invert = switch("inversion")?,
@@ -99,8 +124,26 @@ fn key(line: usize, row: &str, keys: &mut Keys, raw: &mut Raw) -> Result<(), Fil
         "approx.smooth" if number("approx.smooth")?.abs() > 0.0 => {
             raw.actions.push(Action::Ignored { line, what: "approx.smooth" });
         }
-        _ => {}
+        "approx.smooth" | "type" | "version" | "file" | "file.mtime" | "comment" | "units.len"
+        | "units.ang" => {}
+        key if key.starts_with("meas.") => {}
+        key => unknown(line, key, value, raw)?,
     }
+    Ok(())
+}
+
+/// A key that is not known: it has no effect, and must not be one that changes the shape.
+fn unknown(line: usize, key: &str, value: &str, raw: &mut Raw) -> Result<(), FileError> {
+    let stem = key.split(['.', '_']).next().unwrap_or(key);
+    let neutral = if stem == "scale" { 1.0 } else { 0.0 };
+    let has_effect = value
+        .trim()
+        .parse::<f64>()
+        .map_or(true, |value| (value - neutral).abs() > f64::MIN_POSITIVE || !value.is_finite());
+    if has_effect && SHAPING.contains(&stem) {
+        return Err(FileError::UnknownKey { line, key: key.into() });
+    }
+    raw.actions.push(Action::UnknownKey { line, key: key.into() });
     Ok(())
 }
 
@@ -126,11 +169,15 @@ impl Keys {
             let turned = |[y, z]: [f64; 2]| [cos * y - sin * z, sin * y + cos * z];
             move_all(points, turned);
         }
-        for (axis, [least, most]) in self.bounds.into_iter().enumerate() {
+        for (axis, bounds) in self.bounds.into_iter().enumerate() {
+            let [least, most] = [(0, f64::NEG_INFINITY), (1, f64::INFINITY)]
+                .map(|(end, none)| bounds[end].unwrap_or(none));
             // Bounds the wrong way round mean none.
-            if done("bound", least <= most) {
+            let count = points.len();
+            if least <= most {
                 points.retain(|point| (least..=most).contains(&point.at[axis]));
             }
+            done("bound", points.len() < count);
         }
         if done("mirror.y", self.mirror[0]) {
             move_all(points, |[y, z]| [-y, z]);

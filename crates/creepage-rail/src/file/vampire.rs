@@ -1,32 +1,38 @@
-//! VAMPIRE: four lines of heading, then left and right profile side by side, in mm.
+//! VAMPIRE: lines of heading, then left and right profile side by side, in mm; some programs write
+//! one side alone, or titles of their own.
 
-use super::rows::{Point, Raw, last_line, lines, numbers};
+use super::rows::{Point, Raw, has_words, last_line, lines, numbers, uncommented};
 use super::{Action, FileError};
 use crate::{Role, Side};
 
+/// Keys of the heading that place the profile; here the case does.
+const KEYS: [&str; 4] = ["TREADDATUM", "FLANGEBACK", "GAUGEPOINT", "GAUGE"];
+
 pub(super) fn parse(text: &str, side: Option<Side>) -> Result<Raw, FileError> {
-    let side =
-        side.ok_or(FileError::Ask { line: 5, what: "which side of the two in it is wanted" })?;
-    let mut rows = lines(text);
-    let role = match rows.next().map_or("", |(_, first)| first.trim()) {
-        first if first.starts_with("WHEELPROFILE") => Role::Wheel,
-        first if first.starts_with("RAILPROFILE") => Role::Rail,
-        _ => return Err(FileError::Missing { line: 1, block: "WHEELPROFILE or RAILPROFILE" }),
-    };
-    let keys: [&'static str; 2] = match role {
-        Role::Wheel => ["TREADDATUM", "FLANGEBACK"],
-        Role::Rail => ["GAUGEPOINT", "GAUGE"],
-    };
-    let mut raw = Raw { role: Some(role), unit: Some(1e-3), ..Raw::default() };
-    raw.field_side = Some(true);
-    for (key, (line, row)) in keys.into_iter().zip(rows.by_ref().skip(1)) {
-        if row.split_whitespace().next() != Some(key) {
-            return Err(FileError::Missing { line, block: key });
+    let mut raw = Raw { unit: Some(1e-3), field_side: Some(true), ..Raw::default() };
+    let mut rows = lines(text).peekable();
+    raw.role = rows.peek().and_then(|(_, first)| match first.trim() {
+        first if first.starts_with("WHEEL") => Some(Role::Wheel),
+        first if first.starts_with("RAIL") => Some(Role::Rail),
+        _ => None,
+    });
+    let mut is_title = raw.role.is_some();
+    let rows = rows.map(|(line, row)| (line, uncommented(row, &['#', '%', '!'])));
+    for (line, row) in rows.filter(|(_, row)| !row.is_empty()) {
+        let key = row.split_whitespace().next().unwrap_or("");
+        if raw.points.is_empty()
+            && let Some(what) = KEYS.into_iter().find(|known| *known == key)
+        {
+            raw.actions.push(Action::Ignored { line, what });
+        } else if raw.points.is_empty() && (is_title || has_words(row)) {
+            // The line after the first is a title, whatever stands in it.
+            is_title = is_title && line < 2;
+            if line > 2 || raw.role.is_none() {
+                raw.actions.push(Action::Ignored { line, what: "title" });
+            }
+        } else {
+            raw.points.push(Point { line, at: one_side(line, &numbers(line, row)?, side)? });
         }
-        raw.actions.push(Action::Ignored { line, what: key });
-    }
-    for (line, row) in rows.filter(|(_, row)| !row.trim().is_empty()) {
-        raw.points.push(Point { line, at: one_side(line, &numbers(line, row)?, side)? });
     }
     if raw.points.is_empty() {
         return Err(FileError::Missing { line: last_line(text), block: "a point" });
@@ -34,11 +40,15 @@ pub(super) fn parse(text: &str, side: Option<Side>) -> Result<Raw, FileError> {
     Ok(raw)
 }
 
-/// Both sides have `y` to the right.
-fn one_side(line: usize, row: &[f64], side: Side) -> Result<[f64; 2], FileError> {
-    match *row {
-        [y, z, _, _] if side == Side::Left => Ok([-y, z]),
-        [_, _, y, z] => Ok([y, z]),
+/// Of two sides both have `y` to the right.
+fn one_side(line: usize, row: &[f64], side: Option<Side>) -> Result<[f64; 2], FileError> {
+    match (row, side) {
+        ([y, z], _) => Ok([*y, *z]),
+        ([_, _, _, _], None) => {
+            Err(FileError::Ask { line, what: "which side of the two in it is wanted" })
+        }
+        ([y, z, _, _], Some(Side::Left)) => Ok([-y, *z]),
+        ([_, _, y, z], Some(Side::Right)) => Ok([*y, *z]),
         _ => Err(FileError::Columns { line, found: row.len(), wanted: 4 }),
     }
 }

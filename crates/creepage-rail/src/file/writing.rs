@@ -25,6 +25,7 @@ pub fn write(profile: &Profile, format: Format, spacing: f64) -> String {
         Format::Columns => {
             "# y to the field side, z down; mm\n".to_owned() + &rows(&points, 1.0, 1.0)
         }
+        Format::Json => json(role, &points),
     }
 }
 
@@ -35,6 +36,12 @@ fn rows(points: &[[f64; 2]], y_sense: f64, z_sense: f64) -> String {
         let _ = writeln!(text, "{:.7} {:.7}", y_sense * y, z_sense * z);
         text
     })
+}
+
+fn json(role: Role, points: &[[f64; 2]]) -> String {
+    let rows: Vec<String> = points.iter().map(|[y, z]| format!("[{y:.7}, {z:.7}]")).collect();
+    let rows = rows.join(",\n  ");
+    format!("{{\"profile\": \"{role}\", \"units\": \"mm\", \"points\": [\n  {rows}\n]}}\n")
 }
 
 fn simpack(role: Role, points: &[[f64; 2]]) -> String {

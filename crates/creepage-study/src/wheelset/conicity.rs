@@ -25,7 +25,8 @@ impl WheelsetCase {
     /// it, or with the wheelset rolled until both wheels touch.
     ///
     /// # Errors
-    /// [`WheelsetError::Apart`] where the profiles do not meet in the middle of the track.
+    /// [`WheelsetError::Apart`] where the profiles do not meet in the middle of the track, or the
+    /// wheelset cannot be placed beside it.
     pub fn radius_difference(&self, rolls: bool) -> Result<RadiusDifference, WheelsetError> {
         let roll = (!rolls).then_some(0.0);
         self.running.radius_differences(REACH, roll).map_err(WheelsetError::Apart)

@@ -170,7 +170,10 @@ pub enum WheelsetError {
 /// Where the section says what its file does not show.
 fn hint(error: &FileError) -> &'static str {
     match error {
-        FileError::Ask { .. } | FileError::Length { .. } => {
+        FileError::Ask { .. }
+        | FileError::Length { .. }
+        | FileError::UpsideDown { .. }
+        | FileError::FlangeOutside { .. } => {
             " (reading = { unit = 0.001, y = \"field-side\", z = \"down\" })"
         }
         _ => "",

@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::Path;
 
-use creepage_rail::file::{FileError, Reading, Wanted, read};
+use creepage_rail::file::{FileError, Reading, SaidBy, Wanted, read};
 use creepage_rail::{Profile, Role, Side, Standard};
 
 use super::case::ProfileNote;
@@ -44,12 +44,13 @@ impl Asked<'_> {
         Ok((reading.profile, Some(ProfileNote { path, actions: reading.actions })))
     }
 
-    /// What the file says it is goes before what the section is for.
+    /// What the file says it is goes before what the section is for; the shape and the section
+    /// together go before the ending of its name.
     fn reading(&self, content: &[u8]) -> Result<Reading, FileError> {
         let wanted = self.reading.unwrap_or_default().wanted();
         let wanted = Wanted { side: Some(self.side), ..wanted };
         match read(self.name, content, &wanted) {
-            Err(FileError::Ask { .. }) => {
+            Err(FileError::Ask { .. } | FileError::Role { by: SaidBy::Ending, .. }) => {
                 read(self.name, content, &Wanted { role: Some(self.role), ..wanted })
             }
             known => known,

@@ -2,8 +2,10 @@
 //! pressure says more about the measurement than about the wheel.
 
 use creepage::normal::NormalContact;
-use creepage_rail::{Contact, Role};
+use creepage::{Solid, SolidPair};
+use creepage_rail::{Contact, RadiusDifference, Role, Side, Waves};
 
+use super::case::WheelsetCase;
 use crate::Caution;
 
 /// Beyond a contact's area on either side, waves are looked for as far as this (m): between two
@@ -13,26 +15,85 @@ const BEYOND: f64 = 2e-3;
 const WAVES: usize = 2;
 /// Mean length (m) up to which waves are no shape: the arcs of treads and heads are 10 mm and longer.
 const SHORT: f64 = 4e-3;
+/// Without a load: every so many positions are looked at, that far to either side of where wheel
+/// and rail touch (m), under this pressure (Pa).
+const EVERY: usize = 5;
+const REACH: f64 = 7e-3;
+const PRESSURE: f64 = 1e9;
 /// Pressure that flattens the smallest wave that counts, over the peak pressure.
-const COUNTS: f64 = 0.2;
+const COUNTS: f64 = 0.1;
 
 /// What is to be held against the profiles of a contact with this pressure.
 ///
 /// Pressing a wave of length `l` and height `a` flat takes the pressure `pi E* a / l` on its crests
 /// (Westergaard 1939): a quarter of `E*` for each radian from the slope of one side to the other.
 pub(super) fn cautions(contact: &Contact<'_>, normal: &NormalContact) -> Vec<Caution> {
-    let pair = normal.pair();
-    let by_swing = 0.25 * pair.shear_modulus() / (1.0 - pair.poisson());
+    let by_swing = by_swing(&normal.pair());
     let peak = normal.peak_pressure().value;
     let [low, high] = across(normal);
     let rough = |body: Role| {
         let least = COUNTS * peak / by_swing;
         let waves = contact.waves(body, [low - BEYOND, high + BEYOND], least)?;
-        let pressure = by_swing * waves.swing;
-        let caution = Caution::Rough { body, length: waves.length, swing: waves.swing, pressure };
-        (waves.count >= WAVES && waves.length < SHORT).then_some(caution)
+        caution(body, waves, by_swing)
     };
     [Role::Wheel, Role::Rail].into_iter().filter_map(rough).collect()
+}
+
+/// Pressure that presses waves flat, by how far they turn (Pa/rad).
+fn by_swing(pair: &SolidPair) -> f64 {
+    0.25 * pair.shear_modulus() / (1.0 - pair.poisson())
+}
+
+/// The caution for waves that are many and short.
+fn caution(body: Role, waves: Waves, by_swing: f64) -> Option<Caution> {
+    let Waves { count, length, swing } = waves;
+    let pressure = by_swing * swing;
+    let caution = Caution::Rough { body, length, swing, pressure };
+    (count >= WAVES && length < SHORT).then_some(caution)
+}
+
+impl WheelsetCase {
+    /// Profiles that are rough where wheel and rail touch, at positions of a radius difference:
+    /// contact then jumps between the crests of their waves, and the difference with it. Each
+    /// profile once, where it is worst. Waves count as under a pressure of 1 GPa, in steel where
+    /// no materials are given. `rolls` as for [`WheelsetCase::radius_difference`].
+    #[must_use]
+    pub fn rough_profiles(
+        &self,
+        difference: &RadiusDifference,
+        rolls: bool,
+    ) -> Vec<(Side, Caution)> {
+        let steel = || Solid::new(82e9, 0.28).map(|solid| SolidPair::new(solid, solid));
+        let Some(pair) = self.solids.or_else(|| steel().ok()) else { return Vec::new() };
+        let by_swing = by_swing(&pair);
+        let least = COUNTS * PRESSURE / by_swing;
+        let mut worst: Vec<(Side, Role, Waves)> = Vec::new();
+        for (y, _) in difference.rows().step_by(EVERY) {
+            let roll =
+                if rolls { self.running.resting(y, 0.0, None).map(|p| p.roll) } else { Ok(0.0) };
+            let Ok(roll) = roll else { continue };
+            for side in [Side::Left, Side::Right] {
+                let Ok(touch) = self.running.touch(side, y, roll, 0.0) else { continue };
+                let [wheel, rail] = self.running.profiles(side);
+                for (body, profile, at) in
+                    [(Role::Wheel, wheel, touch.y_wheel), (Role::Rail, rail, touch.y_rail)]
+                {
+                    let Some(waves) = profile.waves(at, REACH, least) else { continue };
+                    if caution(body, waves, by_swing).is_none() {
+                        continue;
+                    }
+                    let known = worst.iter_mut().find(|(s, b, _)| *s == side && *b == body);
+                    match known {
+                        Some((.., known)) if known.swing >= waves.swing => {}
+                        Some((.., known)) => *known = waves,
+                        None => worst.push((side, body, waves)),
+                    }
+                }
+            }
+        }
+        let caution = |(side, body, waves)| Some((side, caution(body, waves, by_swing)?));
+        worst.into_iter().filter_map(caution).collect()
+    }
 }
 
 /// Where the areas of a contact begin and end across (m).

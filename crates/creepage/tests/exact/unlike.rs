@@ -222,7 +222,7 @@ fn any_dissimilarity_rolls_freely_at_some_creepage() {
 fn senseless_dissimilarity_is_refused() {
     let like = Contact::new(Ellipse::from_ratio(1.0).unwrap(), 0.3).unwrap();
     for kappa_over_mu in [f64::NAN, f64::INFINITY, 1e9] {
-        assert!(like.with_kappa_over_mu(kappa_over_mu).is_err());
+        assert!(like.clone().with_kappa_over_mu(kappa_over_mu).is_err());
     }
 }
 
