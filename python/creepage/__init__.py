@@ -71,6 +71,7 @@ from ._statics import StaticsSolution, statics
 from ._sweep import sweep
 from ._theories import THEORIES, theory
 from ._wheelset import Wheelset, WheelsetSolution
+from ._wheelset_solver import Patch, WheelResult, WheelsetMany, WheelsetResult, WheelsetSolver
 
 exact = Exact
 automatic = Automatic
@@ -116,6 +117,7 @@ __all__ = [
     "LineContact",
     "Linear",
     "NotReachable",
+    "Patch",
     "Polach",
     "Region",
     "Rolling",
@@ -139,8 +141,12 @@ __all__ = [
     "UnlikeBodiesWarning",
     "Variational",
     "VermeulenJohnson",
+    "WheelResult",
     "Wheelset",
+    "WheelsetMany",
+    "WheelsetResult",
     "WheelsetSolution",
+    "WheelsetSolver",
     "__version__",
     "automatic",
     "batch",

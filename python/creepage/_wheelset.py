@@ -19,6 +19,7 @@ from ._contact import floats
 from ._report import FromFile, Reported
 from ._results import Floats
 from ._toml import dumps
+from ._wheelset_solver import WheelsetSolver
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -139,6 +140,16 @@ class Wheelset(FromFile):
             solved,
             partial(self.solve, derivatives=derivatives),
         )
+
+    def solver(self, theory: str | None = None, **options: Any) -> WheelsetSolver:
+        """Prepared to be asked in many positions and motions, by its own theory or by another one with
+        these options. Raises CaseError for a theory that does not take areas of any shape."""
+        if theory is None:
+            if options:
+                raise TypeError("options need a theory")
+            return WheelsetSolver(self._data)
+        lines = [f"{name} = {json.dumps(value)}" for name, value in options.items()]
+        return WheelsetSolver(self._data.by_theory(theory, lines))
 
     def table(self, y: ArrayLike, yaw: ArrayLike = 0.0) -> dict[str, Floats]:
         """Forces over lateral positions (m) and yaws (rad), solved on all cores.

@@ -199,7 +199,7 @@ impl CreepageWheelset {
         };
         let stance = Stance { y, yaw, ..self.case.stance };
         let pitch_rate = (!pitch_rate.is_nan()).then_some(pitch_rate);
-        Ok((stance, Travel { speed, pitch_rate, lateral_velocity, yaw_rate }))
+        Ok((stance, Travel { speed, pitch_rate, lateral_velocity, yaw_rate, ..Travel::default() }))
     }
 
     fn solve(&self, stance: &Stance, travel: &Travel) -> Result<SolvedWheelset, Failure> {

@@ -4,7 +4,7 @@ use crate::rolling::{RollingCreepage, SurfaceMotion};
 use crate::{Contact, Side};
 
 /// Motion of a wheelset along a track at rest.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Motion {
     /// Speed of its centre along the track (m/s).
     pub speed: f64,
@@ -12,6 +12,10 @@ pub struct Motion {
     pub pitch_rate: f64,
     /// Velocity of its centre to the right (m/s).
     pub lateral_velocity: f64,
+    /// Velocity of its centre downwards (m/s).
+    pub vertical_velocity: f64,
+    /// Angular velocity about the track's `x` (rad/s), positive where the right wheel goes down.
+    pub roll_rate: f64,
     /// Angular velocity about the track's `z` (rad/s).
     pub yaw_rate: f64,
 }
@@ -20,13 +24,17 @@ impl Motion {
     /// Rolls straight on.
     #[must_use]
     pub fn straight(speed: f64, pitch_rate: f64) -> Self {
-        Self { speed, pitch_rate, lateral_velocity: 0.0, yaw_rate: 0.0 }
+        Self { speed, pitch_rate, ..Self::default() }
     }
 
     fn on(self, side: Side) -> Self {
         let sense = side.sense();
-        let (lateral_velocity, yaw_rate) = (sense * self.lateral_velocity, sense * self.yaw_rate);
-        Self { lateral_velocity, yaw_rate, ..self }
+        Self {
+            lateral_velocity: sense * self.lateral_velocity,
+            roll_rate: sense * self.roll_rate,
+            yaw_rate: sense * self.yaw_rate,
+            ..self
+        }
     }
 }
 
@@ -71,13 +79,17 @@ impl Contact<'_> {
     /// Angular velocity of the wheelset, on the right-hand image.
     fn turning(&self, motion: Motion) -> [f64; 3] {
         let [x, y, z] = self.surfaces.pair.posed.turned([0.0, -motion.pitch_rate, 0.0]);
-        [x, y, z + motion.yaw_rate]
+        [x + motion.roll_rate, y, z + motion.yaw_rate]
     }
 
     /// Velocity of the wheel's material at a place of the right-hand image.
     fn velocity(&self, motion: Motion, point: [f64; 3]) -> [f64; 3] {
         let [wx, wy, wz] = self.turning(motion);
         let [x, y, z] = [0, 1, 2].map(|i| point[i] - self.surfaces.pair.posed.centre[i]);
-        [motion.speed + wy * z - wz * y, motion.lateral_velocity + wz * x - wx * z, wx * y - wy * x]
+        [
+            motion.speed + wy * z - wz * y,
+            motion.lateral_velocity + wz * x - wx * z,
+            motion.vertical_velocity + wx * y - wy * x,
+        ]
     }
 }

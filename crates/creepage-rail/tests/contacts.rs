@@ -98,8 +98,16 @@ fn cone_on_a_crown() {
 #[test]
 fn the_left_wheel_is_the_mirror_image() {
     let running = manchester();
-    let motion = Motion { speed: 20.0, pitch_rate: 43.3, lateral_velocity: 0.03, yaw_rate: 0.02 };
-    let mirrored_motion = Motion { lateral_velocity: -0.03, yaw_rate: -0.02, ..motion };
+    let motion = Motion {
+        speed: 20.0,
+        pitch_rate: 43.3,
+        lateral_velocity: 0.03,
+        vertical_velocity: -0.01,
+        roll_rate: 0.04,
+        yaw_rate: 0.02,
+    };
+    let mirrored_motion =
+        Motion { lateral_velocity: -0.03, roll_rate: -0.04, yaw_rate: -0.02, ..motion };
     let position = Position { y: 0.0047, z: 25e-6, roll: -3e-4, yaw: 0.004 };
     let mirrored = Position { y: -0.0047, roll: 3e-4, yaw: -0.004, ..position };
     for side in [Side::Left, Side::Right] {
@@ -152,7 +160,13 @@ fn locus_and_rolling_radius_are_those_of_the_surface() {
 fn rigid_slip_on_a_flat_contact_is_creepage_and_spin() {
     let running = plain(0.05);
     let contact = only(&running, Side::Right, Position { z: -350e-6, ..Position::default() });
-    let motion = Motion { speed: 20.0, pitch_rate: 43.4, lateral_velocity: 0.1, yaw_rate: 0.01 };
+    let motion = Motion {
+        speed: 20.0,
+        pitch_rate: 43.4,
+        lateral_velocity: 0.1,
+        yaw_rate: 0.01,
+        ..Motion::default()
+    };
     let creepage = contact.creepage(&motion).unwrap();
     let at = |x: f64, s: f64| contact.rigid_slip(&motion, x, s).unwrap();
     let origin = at(0.0, 0.0);

@@ -97,7 +97,7 @@ pub enum Load {
 }
 
 /// How a wheelset moves, as far as it is given.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Travel {
     /// Speed along the track (m/s).
     pub speed: f64,
@@ -105,6 +105,10 @@ pub struct Travel {
     pub pitch_rate: Option<f64>,
     /// Velocity to the right (m/s).
     pub lateral_velocity: f64,
+    /// Velocity downwards (m/s).
+    pub vertical_velocity: f64,
+    /// Angular velocity about `x` (rad/s), positive where the right wheel goes down.
+    pub roll_rate: f64,
     /// Angular velocity about `z` (rad/s).
     pub yaw_rate: f64,
 }

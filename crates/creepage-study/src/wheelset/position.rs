@@ -73,15 +73,22 @@ impl WheelsetSection {
     }
 }
 
+/// What a speed must be, and what to do where it is not.
+const FORWARD: &str = "positive and finite: at rest nothing rolls, and where a wheelset runs backwards give \
+    the speed without its sign, yaw, yaw_rate and pitch_rate with the other one; then forces along x and \
+    moments about y and z have the other sign too";
+
 impl MotionSection {
     pub(super) fn travel(&self) -> Result<Travel, CaseError> {
         let rate = |key, value: Option<f64>| finite(MOTION, key, value.unwrap_or(0.0));
         let forward = self.speed > 0.0 && self.speed.is_finite();
         let pitch_rate = self.pitch_rate.and_then(Freely::number);
         Ok(Travel {
-            speed: checked(MOTION, "speed", self.speed, forward, "positive and finite")?,
+            speed: checked(MOTION, "speed", self.speed, forward, FORWARD)?,
             pitch_rate: pitch_rate.map(|rate| finite(MOTION, "pitch_rate", rate)).transpose()?,
             lateral_velocity: rate("lateral_velocity", self.lateral_velocity)?,
+            vertical_velocity: rate("vertical_velocity", self.vertical_velocity)?,
+            roll_rate: rate("roll_rate", self.roll_rate)?,
             yaw_rate: rate("yaw_rate", self.yaw_rate)?,
         })
     }
@@ -89,4 +96,50 @@ impl MotionSection {
 
 fn finite(section: &'static str, key: &'static str, value: f64) -> Result<f64, CaseError> {
     checked(section, key, value, value.is_finite(), "finite")
+}
+
+impl Stance {
+    /// Checks numbers that come from elsewhere than a file.
+    ///
+    /// # Errors
+    /// [`CaseError`] unless all are finite and the load positive.
+    pub fn checked(&self) -> Result<(), CaseError> {
+        finite(WHEELSET, "y", self.y)?;
+        finite(WHEELSET, "yaw", self.yaw)?;
+        finite(WHEELSET, "roll", self.roll.unwrap_or(0.0))?;
+        match self.load {
+            Some(Load::Axle(value)) => {
+                let is_valid = value > 0.0 && value.is_finite();
+                checked(WHEELSET, "axle_load", value, is_valid, "positive and finite")?
+            }
+            Some(Load::Wheel(value)) => {
+                let is_valid = value > 0.0 && value.is_finite();
+                checked(WHEELSET, "wheel_load", value, is_valid, "positive and finite")?
+            }
+            Some(Load::Height(value)) => finite(WHEELSET, "z", value)?,
+            None => 0.0,
+        };
+        Ok(())
+    }
+}
+
+impl Travel {
+    /// Checks numbers that come from elsewhere than a file.
+    ///
+    /// # Errors
+    /// [`CaseError`] unless all are finite and the wheelset runs forwards.
+    pub fn checked(&self) -> Result<(), CaseError> {
+        let forward = self.speed > 0.0 && self.speed.is_finite();
+        checked(MOTION, "speed", self.speed, forward, FORWARD)?;
+        for (key, value) in [
+            ("pitch_rate", self.pitch_rate.unwrap_or(0.0)),
+            ("lateral_velocity", self.lateral_velocity),
+            ("vertical_velocity", self.vertical_velocity),
+            ("roll_rate", self.roll_rate),
+            ("yaw_rate", self.yaw_rate),
+        ] {
+            finite(MOTION, key, value)?;
+        }
+        Ok(())
+    }
 }

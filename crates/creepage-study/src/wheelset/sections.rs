@@ -171,6 +171,10 @@ pub(super) struct MotionSection {
     pub(super) pitch_rate: Option<Freely>,
     /// Velocity to the right (m/s); 0 by default.
     pub(super) lateral_velocity: Option<f64>,
+    /// Velocity downwards (m/s); 0 by default.
+    pub(super) vertical_velocity: Option<f64>,
+    /// Angular velocity about x (rad/s), positive where the right wheel goes down; 0 by default.
+    pub(super) roll_rate: Option<f64>,
     /// Angular velocity about z (rad/s); 0 by default.
     pub(super) yaw_rate: Option<f64>,
 }

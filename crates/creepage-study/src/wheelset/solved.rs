@@ -230,6 +230,22 @@ impl SolvedWheelset {
             .map_or_else(Position::default, |wheel| Position { z, ..wheel.position })
     }
 
+    /// Force (N) and moment (N m) of the rails on the wheelset about its centre, in track axes. Where each
+    /// wheel was pressed on by itself its centre is taken at the mean height.
+    #[must_use]
+    pub fn wrench(&self, radius: f64) -> [[f64; 3]; 2] {
+        let Position { y, z, .. } = self.position();
+        let centre = [0.0, y, z - radius];
+        let (mut force, mut moment) = ([0.0; 3], [0.0; 3]);
+        for wheel in self.wheels() {
+            let about =
+                wheel.contacts.iter().fold(Resultant::NONE, |sum, c| sum + c.on_rail(centre));
+            force = [0, 1, 2].map(|k: usize| force[k] - about.force[k]);
+            moment = [0, 1, 2].map(|k: usize| moment[k] - about.moment[k]);
+        }
+        [force, moment]
+    }
+
     /// The worst status of its contacts.
     #[must_use]
     pub fn status(&self) -> Status {

@@ -35,6 +35,10 @@ pub struct WheelsetReportJson {
     pub pitch_rate_rad_per_s: f64,
     /// Velocity to the right (m/s).
     pub lateral_velocity_m_per_s: f64,
+    /// Velocity downwards (m/s).
+    pub vertical_velocity_m_per_s: f64,
+    /// Angular velocity about `x` (rad/s).
+    pub roll_rate_rad_per_s: f64,
     /// Angular velocity about `z` (rad/s).
     pub yaw_rate_rad_per_s: f64,
     /// Coefficient of friction.
@@ -173,6 +177,8 @@ impl SolvedWheelset {
             speed_m_per_s: motion.speed,
             pitch_rate_rad_per_s: motion.pitch_rate,
             lateral_velocity_m_per_s: motion.lateral_velocity,
+            vertical_velocity_m_per_s: motion.vertical_velocity,
+            roll_rate_rad_per_s: motion.roll_rate,
             yaw_rate_rad_per_s: motion.yaw_rate,
             friction: self.friction,
             slip: match self.slip {

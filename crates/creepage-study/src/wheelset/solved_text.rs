@@ -39,6 +39,12 @@ impl SolvedWheelset {
         if motion.lateral_velocity.abs() > 0.0 {
             lines.row("lateral velocity", &quantity(motion.lateral_velocity, "m/s", 5));
         }
+        if motion.vertical_velocity.abs() > 0.0 {
+            lines.row("vertical velocity", &quantity(motion.vertical_velocity, "m/s", 5));
+        }
+        if motion.roll_rate.abs() > 0.0 {
+            lines.row("roll rate", &format!("{} rad/s", significant(motion.roll_rate, 5)));
+        }
         if motion.yaw_rate.abs() > 0.0 {
             lines.row("yaw rate", &format!("{} rad/s", significant(motion.yaw_rate, 5)));
         }

@@ -89,7 +89,7 @@ impl<'r> Change<'r, '_, '_> {
     }
 
     fn moved(&self, step: f64) -> Motion {
-        let Motion { speed, pitch_rate, lateral_velocity, yaw_rate } = self.motion;
+        let Motion { speed, pitch_rate, lateral_velocity, yaw_rate, .. } = self.motion;
         match self.by {
             By::Speed => Motion { speed: speed + step, ..self.motion },
             By::PitchRate => Motion { pitch_rate: pitch_rate + step, ..self.motion },

@@ -312,8 +312,11 @@ pub(super) fn motion<'r>(
     const STEPS: usize = 60;
     /// Of the rate of a wheel that rolls on its nominal circle.
     const NARROW: f64 = 1e-13;
-    let Travel { speed, pitch_rate, lateral_velocity, yaw_rate } = *travel;
-    let with = |pitch_rate| Motion { speed, pitch_rate, lateral_velocity, yaw_rate };
+    let Travel { speed, pitch_rate, lateral_velocity, vertical_velocity, roll_rate, yaw_rate } =
+        *travel;
+    let others =
+        Motion { lateral_velocity, vertical_velocity, roll_rate, yaw_rate, ..Motion::default() };
+    let with = |pitch_rate| Motion { speed, pitch_rate, ..others };
     let at = |motion: Motion, before: Vec<Rolled<'r>>| {
         let mut before: Vec<_> = before.into_iter().map(Some).collect();
         before.resize_with(rollings.len(), || None);

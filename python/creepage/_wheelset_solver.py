@@ -1,0 +1,242 @@
+"""A wheelset asked again and again, as a simulation does: position, load and motion in, forces out."""
+
+from __future__ import annotations
+
+import json
+import math
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from . import _creepage
+from ._contact import floats
+from ._results import Floats
+
+_POSE = ("y", "z", "roll", "yaw", "axle_load")
+_MOTION = (
+    "speed",
+    "pitch_rate",
+    "lateral_velocity",
+    "vertical_velocity",
+    "roll_rate",
+    "yaw_rate",
+)
+
+
+class Patch(NamedTuple):
+    """A place of contact; track axes are x forward, y right, z down."""
+
+    reference: tuple[float, float, float]
+    """Its reference point in track axes (m)."""
+    angle: float
+    """From the track's z to the normal into the rail, about x (rad)."""
+    normal_force: float
+    """N."""
+    peak_pressure: float
+    """Pa."""
+    area: float
+    """m^2."""
+    creepage: tuple[float, float, float]
+    """Longitudinal, lateral, spin (rad/m)."""
+    force: tuple[float, float, float]
+    """On the rail, in the contact plane: longitudinal, lateral (N), moment about the normal (N m)."""
+
+
+@dataclass(frozen=True, eq=False)
+class WheelResult:
+    """One wheel of a solved position."""
+
+    force: Floats
+    """On the rail along x, y, z of the track (N)."""
+    moment: Floats
+    """About the origin of the rail's profile (N m)."""
+    patches: tuple[Patch, ...]
+    """Places of contact by falling load; none where the wheel hangs above its rail."""
+
+    def __repr__(self) -> str:
+        x, y, z = self.force
+        return f"<creepage.WheelResult {x:.1f}, {y:.1f}, {z:.1f} N, {len(self.patches)} contacts>"
+
+
+class WheelsetResult:
+    """A position of a wheelset, solved; the `start` of one nearby."""
+
+    def __init__(self, solved: _creepage.SolvedWheelset) -> None:
+        """Made by `WheelsetSolver.solve`."""
+        self._solved = solved
+        self._numbers = solved.numbers()
+        self.y, self.z, self.roll, self.yaw = solved.position()
+        self.status, self.cautions = solved.outcome()
+
+    @property
+    def pitch_rate(self) -> float:
+        """Given or found (rad/s)."""
+        return float(self._numbers[20])
+
+    @property
+    def wrench(self) -> Floats:
+        """Of the rails on the wheelset about its centre: force along x, y, z (N), moment about them (N m)."""
+        return self._numbers[12:18]
+
+    @cached_property
+    def left(self) -> WheelResult:
+        """The left wheel; its forces are NaN where the right one was solved alone."""
+        return self._wheel("left", 0)
+
+    @cached_property
+    def right(self) -> WheelResult:
+        """The right wheel."""
+        return self._wheel("right", 6)
+
+    def _wheel(self, side: str, first: int) -> WheelResult:
+        report: dict[str, Any] | None = self._report[side]
+        patches = () if report is None else tuple(_patch(one) for one in report["patches"])
+        force, moment = self._numbers[first : first + 3], self._numbers[first + 3 : first + 6]
+        return WheelResult(force, moment, patches)
+
+    @cached_property
+    def _report(self) -> dict[str, Any]:
+        report: dict[str, Any] = json.loads(self._solved.json())
+        return report
+
+    @cached_property
+    def derivatives(self) -> Floats | None:
+        """As `WheelsetSolution.derivatives`, of shape (2, 6, 8), where they were asked for."""
+        found = self._solved.derivatives()
+        return None if found is None else found[0].reshape(2, 6, 8)
+
+    @cached_property
+    def derivative_errors(self) -> Floats | None:
+        """What the differences may have made of each."""
+        found = self._solved.derivatives()
+        return None if found is None else found[1].reshape(2, 6, 8)
+
+    def __repr__(self) -> str:
+        x, y, z = self.wrench[:3]
+        return f"<creepage.WheelsetResult {self.status}, wrench {x:.1f}, {y:.1f}, {z:.1f} N>"
+
+
+class WheelsetMany(NamedTuple):
+    """Many positions, solved: arrays of the shape of the question, forces with six numbers more."""
+
+    left: Floats
+    """On the left rail: force along x, y, z (N), moment about the origin of its profile (N m)."""
+    right: Floats
+    """On the right rail."""
+    wrench: Floats
+    """Of the rails on the wheelset about its centre."""
+    z: Floats
+    """Height, down (m)."""
+    roll: Floats
+    """rad."""
+    pitch_rate: Floats
+    """rad/s."""
+    status: np.ndarray[Any, np.dtype[np.str_]]
+    """ "solved", or why not."""
+
+
+class WheelsetSolver:
+    """A wheelset prepared once and asked many times; made by `Wheelset.solver`."""
+
+    def __init__(self, data: _creepage.WheelsetData) -> None:
+        """Made by `Wheelset.solver`."""
+        self._data = data
+
+    def solve(
+        self,
+        *,
+        y: float | None = None,
+        z: float | None = None,
+        roll: float | None = None,
+        yaw: float | None = None,
+        axle_load: float | None = None,
+        speed: float | None = None,
+        pitch_rate: float | None = None,
+        lateral_velocity: float | None = None,
+        vertical_velocity: float | None = None,
+        roll_rate: float | None = None,
+        yaw_rate: float | None = None,
+        start: WheelsetResult | None = None,
+        derivatives: bool = False,
+    ) -> WheelsetResult:
+        """Solves one position and motion, in SI units, angles in radians.
+
+        What is left out is the wheelset's own. `z` (m, down) or `axle_load` (N, both wheels) press it.
+        Without `start` the answer is the same to the last bit whatever was asked before. With `start`, an
+        earlier result nearby, it is found from there, several times quicker, and the same within the
+        error bars. Raises CaseError where nothing rests on the rails.
+        """
+        pose = {"y": y, "z": z, "roll": roll, "yaw": yaw, "axle_load": axle_load}
+        motion = {
+            "speed": speed,
+            "pitch_rate": pitch_rate,
+            "lateral_velocity": lateral_velocity,
+            "vertical_velocity": vertical_velocity,
+            "roll_rate": roll_rate,
+            "yaw_rate": yaw_rate,
+        }
+        if z is not None and axle_load is not None:
+            raise ValueError("z and axle_load exclude each other: one of them presses the wheelset")
+        before = None if start is None else start._solved
+        numbers = [[_number(name, value) for name, value in of.items()] for of in (pose, motion)]
+        return WheelsetResult(self._data.solve_at(*numbers, before, derivatives))
+
+    def solve_many(self, **quantities: ArrayLike) -> WheelsetMany:
+        """Solves many positions and motions on all cores: arrays or numbers of the quantities of `solve`.
+
+        They are broadcast against one another. Each row is solved from nothing, so that it has the bits
+        of `solve`; one that cannot be solved has NaN, and the reason in `status`.
+        """
+        unknown = set(quantities) - {*_POSE, *_MOTION}
+        if unknown:
+            known = ", ".join((*_POSE, *_MOTION))
+            raise TypeError(f"unknown quantity {min(unknown)!r}: known are {known}")
+        if "z" in quantities and "axle_load" in quantities:
+            raise ValueError("z and axle_load exclude each other: one of them presses the wheelset")
+        given = {name: floats(name, values) for name, values in quantities.items()}
+        for name, values in given.items():
+            if not np.isfinite(values).all():
+                raise ValueError(f"{name} must be finite")
+        shape = np.broadcast_shapes(*(values.shape for values in given.values()))
+        rows = np.full((*shape, len(_POSE) + len(_MOTION)), math.nan)
+        for k, name in enumerate((*_POSE, *_MOTION)):
+            if name in given:
+                rows[..., k] = given[name]
+        numbers, status = self._data.solve_rows(rows.ravel())
+        numbers = numbers.reshape(*shape, 21)
+        return WheelsetMany(
+            numbers[..., 0:6],
+            numbers[..., 6:12],
+            numbers[..., 12:18],
+            numbers[..., 18],
+            numbers[..., 19],
+            numbers[..., 20],
+            np.array(status).reshape(shape),
+        )
+
+
+def _number(name: str, value: float | None) -> float:
+    if value is None:
+        return math.nan
+    try:
+        number = float(value)
+    except (TypeError, ValueError):
+        raise TypeError(f"{name} must be a number, got {value!r}") from None
+    if not math.isfinite(number):
+        raise ValueError(f"{name} must be finite, got {number}")
+    return number
+
+
+def _patch(report: dict[str, Any]) -> Patch:
+    return Patch(
+        (report["x_m"], report["y_m"], report["z_m"]),
+        report["contact_angle_rad"],
+        report["normal_force_n"],
+        report["peak_pressure_pa"],
+        report["area_m2"],
+        (report["longitudinal_creepage"], report["lateral_creepage"], report["spin_rad_per_m"]),
+        (report["longitudinal_n"], report["lateral_n"], report["moment_n_m"]),
+    )

@@ -1,0 +1,111 @@
+"""A wheelset asked in many positions and motions."""
+
+import numpy as np
+import pytest
+
+import creepage
+
+
+@pytest.fixture(scope="module")
+def wheelset() -> creepage.Wheelset:
+    return creepage.Wheelset(
+        wheel="S1002", rail="UIC60", cant=0.025, axle_load=200e3, y=0.002, yaw=0.001, theory="fastsim"
+    )
+
+
+def test_what_is_left_out_is_the_wheelset_s_own(wheelset: creepage.Wheelset) -> None:
+    own, asked = wheelset.solve(), wheelset.solver().solve()
+    assert own.left is not None and own.right is not None
+    for side, report in ((asked.left, own.left), (asked.right, own.right)):
+        keys = ("longitudinal_n", "lateral_n", "vertical_n")
+        assert side.force.tolist() == [report["force"][key] for key in keys]
+        assert side.patches[0].normal_force == report["patches"][0]["normal_force_n"]
+    assert asked.status == own.status
+
+
+def test_the_same_question_has_the_same_bits_whatever_came_before(wheelset: creepage.Wheelset) -> None:
+    solver = wheelset.solver()
+    first = solver.solve(y=0.003, speed=20.0)
+    solver.solve(y=-0.004, axle_load=120e3)
+    assert solver.solve(y=0.003, speed=20.0).wrench.tolist() == first.wrench.tolist()
+
+
+def test_a_start_nearby_gives_the_same_within_the_load_s_bars(wheelset: creepage.Wheelset) -> None:
+    solver = wheelset.solver()
+    before = solver.solve(y=0.003)
+    cold, warm = solver.solve(y=0.00305), solver.solve(y=0.00305, start=before)
+    # A load is met to 1e-4, and friction follows it.
+    assert np.abs(cold.wrench[:3] - warm.wrench[:3]).max() < 5e-4 * 200e3
+
+
+def test_many_rows_have_the_bits_of_each_alone(wheelset: creepage.Wheelset) -> None:
+    solver = wheelset.solver()
+    y, load = np.array([-0.002, 0.0, 0.004]), np.array([[150e3], [220e3]])
+    many = solver.solve_many(y=y, axle_load=load)
+    assert many.left.shape == (2, 3, 6) and (many.status == "solved").all()
+    alone = solver.solve(y=0.004, axle_load=220e3)
+    assert many.wrench[1, 2].tolist() == alone.wrench.tolist()
+    assert (many.z[1, 2], many.roll[1, 2]) == (alone.z, alone.roll)
+
+
+def test_the_wrench_is_the_sum_of_both_rails_forces(wheelset: creepage.Wheelset) -> None:
+    asked = wheelset.solver().solve(yaw=0.002)
+    # Rounding of a sum.
+    assert asked.wrench[:3] == pytest.approx(-(asked.left.force + asked.right.force), abs=1e-6)
+    assert asked.wrench[2] == pytest.approx(-200e3, rel=2e-4)
+    # Nothing turns the axle: the pitch rate was found so, to 1e-5 of what friction could.
+    assert abs(asked.wrench[4]) < 1e-4 * 0.3 * 200e3 * 0.46
+
+
+def test_a_height_and_a_roll_press_as_the_load_did(wheelset: creepage.Wheelset) -> None:
+    solver = wheelset.solver()
+    loaded = solver.solve()
+    placed = solver.solve(z=loaded.z, roll=loaded.roll, pitch_rate=loaded.pitch_rate)
+    assert placed.wrench[2] == pytest.approx(loaded.wrench[2], rel=1e-3)
+
+
+def test_a_roll_rate_is_a_lateral_velocity_of_the_treads(wheelset: creepage.Wheelset) -> None:
+    """Below the centre by the radius the surface moves to the left, at -radius times the rate; that the
+    wheels move up and down besides changes nothing on treads that are nearly level."""
+    solver = wheelset.solver()
+    rolling = solver.solve(y=0.0, yaw=0.0, roll_rate=0.01)
+    moving = solver.solve(y=0.0, yaw=0.0, lateral_velocity=-0.0046)
+    still = solver.solve(y=0.0, yaw=0.0)
+    by_rate, by_velocity = (one.wrench[1] - still.wrench[1] for one in (rolling, moving))
+    assert by_rate == pytest.approx(by_velocity, rel=0.05) and abs(by_rate) > 100.0
+
+
+def test_a_mirrored_motion_has_mirrored_forces(wheelset: creepage.Wheelset) -> None:
+    solver = wheelset.solver()
+    motion = {"lateral_velocity": 0.01, "roll_rate": 0.02, "yaw_rate": 0.01}
+    one = solver.solve(y=0.003, yaw=0.001, vertical_velocity=0.01, **motion)
+    other = solver.solve(
+        y=-0.003, yaw=-0.001, vertical_velocity=0.01, **{name: -value for name, value in motion.items()}
+    )
+    signs = np.array([1, -1, 1, -1, 1, -1])
+    # Both search for their height from different sides: the load's tolerance.
+    assert one.wrench == pytest.approx(signs * other.wrench, abs=5e-4 * 200e3)
+
+
+def test_another_theory_and_derivatives(wheelset: creepage.Wheelset) -> None:
+    solver = wheelset.solver("exact", resolution="fast")
+    asked = solver.solve(derivatives=True)
+    assert asked.derivatives is not None and asked.derivatives.shape == (2, 6, 8)
+    assert asked.left.force[0] != wheelset.solver().solve().left.force[0]
+
+
+def test_nonsense_is_refused_in_python_s_words(wheelset: creepage.Wheelset) -> None:
+    solver = wheelset.solver()
+    with pytest.raises(TypeError, match="y must be a number, got 'left'"):
+        solver.solve(y="left")  # type: ignore[arg-type]
+    with pytest.raises(ValueError, match="yaw must be finite"):
+        solver.solve(yaw=float("nan"))
+    with pytest.raises(ValueError, match="exclude each other"):
+        solver.solve(z=0.0, axle_load=1e5)
+    with pytest.raises(TypeError, match="unknown quantity 'yawn'"):
+        solver.solve_many(yawn=[0.0])
+    with pytest.raises(creepage.CaseError, match="runs backwards"):
+        solver.solve(speed=-10.0)
+    many = solver.solve_many(y=[0.0, 0.5])
+    assert many.status[0] == "solved" and "solved" != many.status[1]
+    assert np.isnan(many.wrench[1]).all()
