@@ -100,7 +100,11 @@ fn conversions_are_read_back() {
 #[test]
 fn what_the_file_does_not_say_can_be_said() {
     let place = with(&["s1002.txt", "s1002.whe"]);
-    place.run(&["profile", "s1002.txt"]).refused(&["s1002.txt", "a wheel or a rail"]);
+    place.write("arc.txt", "-30 3\n-15 .75\n0 0\n15 .75\n30 3\n");
+    place.run(&["profile", "arc.txt"]).refused(&["arc.txt", "a wheel or a rail", "--role"]);
+    let shown = place.run(&["profile", "s1002.txt"]).done();
+    assert!(shown.contains("found by its shape: a wheel"), "{shown}");
+    place.run(&["profile", "s1002.txt", "--role", "rail"]).refused(&["says rail", "of a wheel"]);
     place.run(&["profile", "s1002.whe"]).refused(&["which side of the two"]);
     let text = place.run(&["profile", "s1002.txt", "--role", "wheel", "--unit", "0.001"]).done();
     assert!(!text.contains("unit found"), "{text}");
@@ -112,17 +116,40 @@ fn what_the_file_does_not_say_can_be_said() {
     place.run(&negative).refused(&["smoothing wavelength = -1 m"]);
     // z is said to point up, and so the flange to lie above the tread.
     let over = ["profile", "s1002.txt", "--role", "wheel", "--z", "up", "--y", "field-side"];
-    assert!(place.run(&over).done().contains("turned over"));
+    place.run(&over).refused(&["z = up contradicts the shape", "flange", "--z"]);
     place.run(&["profile", "no-such.prw"]).refused(&["cannot read no-such.prw"]);
 }
 
-/// A bad file among good ones: nothing is printed, nothing written.
+/// A bad file among good ones keeps files from being written, not the words on the others.
 #[test]
-fn nothing_is_half_written() {
-    let place = with(&["s1002.prw"]);
+fn a_bad_file_does_not_silence_the_others() {
+    let place = with(&["s1002.prw", "uic60.prr"]);
     place.write("bad.prw", "spline.begin\npoint.begin\n1 2\n3 x\npoint.end\n");
-    place
-        .run(&["profile", "s1002.prw", "bad.prw", "--out", "out"])
-        .refused(&["bad.prw: line 4: column 2 is not a number"]);
-    assert_eq!(place.files(), ["bad.prw", "s1002.prw"]);
+    let ran =
+        place.run(&["profile", "s1002.prw", "bad.prw", "none.prw", "uic60.prr", "--out", "out"]);
+    assert_eq!(ran.code, Some(2), "{}", ran.stderr);
+    assert!(ran.stdout.contains("s1002.prw: wheel") && ran.stdout.contains("uic60.prr: rail"));
+    for words in ["bad.prw: line 4: column 2 is not a number", "cannot read none.prw"] {
+        assert_eq!(ran.stderr.matches(words).count(), 1, "{}", ran.stderr);
+    }
+    assert_eq!(place.files(), ["bad.prw", "s1002.prw", "uic60.prr"]);
+    let ran = place.run(&["profile", "--json", "bad.prw", "uic60.prr"]);
+    let facts = json(&ran.stdout);
+    assert_eq!((ran.code, &facts[1]["role"]), (Some(2), &"rail".into()));
+    assert!(facts[0]["error"].as_str().unwrap().contains("line 4"), "{facts}");
+}
+
+/// Whatever stands beside the profile may be somebody's measurement.
+#[test]
+fn a_converted_profile_replaces_no_file() {
+    let place = with(&["s1002.prw"]);
+    place.write("s1002.txt", "somebody's own\n");
+    let convert = ["profile", "s1002.prw", "--convert", "columns", "--out"];
+    let into = |directory| [&convert[..], &[directory]].concat();
+    place.run(&into(".")).refused(&["s1002.txt is there already", "--out"]);
+    assert_eq!(place.read("s1002.txt"), "somebody's own\n");
+    assert_eq!(place.files(), ["s1002.prw", "s1002.txt"]);
+    // The same again writes the same.
+    place.run(&into("out")).done();
+    place.run(&into("out")).done();
 }

@@ -14,11 +14,12 @@ const BEYOND: f64 = 2e-3;
 /// Whole waves from which on a profile is rough: a joint of arcs or a kink is no more than one.
 const WAVES: usize = 2;
 /// Mean length (m) up to which waves are no shape: the arcs of treads and heads are 10 mm and longer.
-const SHORT: f64 = 4e-3;
-/// Without a load: every so many positions are looked at, that far to either side of where wheel
-/// and rail touch (m), under this pressure (Pa).
+const SHORT: f64 = 8e-3;
+/// Without a load every so many positions are looked at, that far to either side of where wheel
+/// and rail touch (m).
 const EVERY: usize = 5;
 const REACH: f64 = 7e-3;
+/// Peak pressure of a smooth contact of wheel and rail (Pa), where that is not known.
 const PRESSURE: f64 = 1e9;
 /// Pressure that flattens the smallest wave that counts, over the peak pressure.
 const COUNTS: f64 = 0.1;
@@ -32,7 +33,8 @@ pub(super) fn cautions(contact: &Contact<'_>, normal: &NormalContact) -> Vec<Cau
     let peak = normal.peak_pressure().value;
     let [low, high] = across(normal);
     let rough = |body: Role| {
-        let least = COUNTS * peak / by_swing;
+        // Crests raise the peak: what counts stays that of a smooth contact.
+        let least = COUNTS * peak.min(PRESSURE) / by_swing;
         let waves = contact.waves(body, [low - BEYOND, high + BEYOND], least)?;
         caution(body, waves, by_swing)
     };
