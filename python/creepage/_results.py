@@ -33,6 +33,10 @@ class Status(enum.IntEnum):
     """Solved, but the spin is beyond the bound up to which the theory holds."""
     INVALID = 4
     """In a table only: the row is no case, such as one with NaN; its numbers are NaN."""
+    SEVERAL_SOLUTIONS = 5
+    """Solved from friction at rest, but friction falls so steeply that another solution exists."""
+    NO_CONTACT = 6
+    """No load presses the bodies together: no force."""
 
 
 class Region(enum.IntEnum):

@@ -154,6 +154,16 @@
 #define CREEPAGE_NO_CASE 8
 
 /*
+ No load presses the bodies together: no contact, and no force.
+ */
+#define CREEPAGE_NO_CONTACT 9
+
+/*
+ Solved from friction at rest, but friction falls so steeply that another solution exists.
+ */
+#define CREEPAGE_SEVERAL_SOLUTIONS 10
+
+/*
  A case file, read and checked.
  */
 typedef struct CreepageCase CreepageCase;

@@ -23,6 +23,10 @@ pub const CREEPAGE_ACCURACY_NOT_REACHED: i32 = 6;
 pub const CREEPAGE_CHECK_UNITS: i32 = 7;
 /// The values are no case, such as NaN; their numbers are NaN.
 pub const CREEPAGE_NO_CASE: i32 = 8;
+/// No load presses the bodies together: no contact, and no force.
+pub const CREEPAGE_NO_CONTACT: i32 = 9;
+/// Solved from friction at rest, but friction falls so steeply that another solution exists.
+pub const CREEPAGE_SEVERAL_SOLUTIONS: i32 = 10;
 
 /// The first of what is to be held against a solution; there is one number for each case.
 pub(crate) fn status(cautions: &[Caution]) -> i32 {
@@ -31,6 +35,8 @@ pub(crate) fn status(cautions: &[Caution]) -> i32 {
         Some(Caution::Status(Status::NotConverged)) => CREEPAGE_NOT_CONVERGED,
         Some(Caution::Status(Status::CreepageTooSmall)) => CREEPAGE_CREEPAGE_TOO_SMALL,
         Some(Caution::Status(Status::SpinTooLarge)) => CREEPAGE_SPIN_TOO_LARGE,
+        Some(Caution::Status(Status::NoContact)) => CREEPAGE_NO_CONTACT,
+        Some(Caution::Status(Status::SeveralSolutions)) => CREEPAGE_SEVERAL_SOLUTIONS,
         Some(Caution::Dissimilar { .. } | Caution::OneWay { .. }) => CREEPAGE_UNLIKE_BODIES,
         Some(Caution::Accuracy { .. }) => CREEPAGE_ACCURACY_NOT_REACHED,
         Some(caution) if caution.is_of_units() => CREEPAGE_CHECK_UNITS,

@@ -112,7 +112,7 @@ pub(crate) fn row_forces<'py>(
         let [a_over_b, poisson, kappa_over_mu, xi, eta, chi] =
             columns.each_ref().map(|column| column.at(row));
         let contact = crate::options::contact(a_over_b, poisson, kappa_over_mu)?;
-        Ok(Question { contact, creepage: Creepage::new(xi, eta, chi)? })
+        Ok(Question { contact, creepage: Creepage::new(xi, eta, chi)?, touches: true })
     };
     let one = |row: usize| solver.solve_one(&question(row)?);
     let many = |rows: Range<usize>| solver.solve(rows.map(question).collect());

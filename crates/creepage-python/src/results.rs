@@ -16,9 +16,16 @@ static FORCE: PyOnceLock<Py<PyType>> = PyOnceLock::new();
 static EXACT_FORCE: PyOnceLock<Py<PyType>> = PyOnceLock::new();
 static STATUSES: PyOnceLock<Vec<Py<PyAny>>> = PyOnceLock::new();
 
-/// The statuses in the order of `creepage.Status`.
-const ORDER: [Status; 4] =
-    [Status::Solved, Status::NotConverged, Status::CreepageTooSmall, Status::SpinTooLarge];
+/// The statuses by their numbers in `creepage.Status`; that of no case, 4, has none.
+const ORDER: [Option<Status>; 7] = [
+    Some(Status::Solved),
+    Some(Status::NotConverged),
+    Some(Status::CreepageTooSmall),
+    Some(Status::SpinTooLarge),
+    None,
+    Some(Status::SeveralSolutions),
+    Some(Status::NoContact),
+];
 
 pub(crate) fn row(solution: &Solution) -> Row<3> {
     (solution.force.components(), code(solution.status))
@@ -38,9 +45,9 @@ pub(crate) fn matrix_row(matrix: &Jacobian) -> Row<9> {
 }
 
 /// A status that Python does not know yet counts as not converged.
-#[allow(clippy::cast_possible_truncation)] // of four
+#[allow(clippy::cast_possible_truncation)] // of seven
 pub(crate) fn code(status: Status) -> u8 {
-    ORDER.iter().position(|known| *known == status).unwrap_or(1) as u8
+    ORDER.iter().position(|known| *known == Some(status)).unwrap_or(1) as u8
 }
 
 fn status(py: Python, status: Status) -> PyResult<Bound<PyAny>> {

@@ -5,7 +5,7 @@ use std::fmt;
 use creepage::gap::Gap;
 use creepage::normal::{self, NormalContact, Patch};
 use creepage::theory::ExactOptions;
-use creepage::{Contact, Hertz, SiCreepage, Solution, Status, TheorySpec};
+use creepage::{Contact, Ellipse, Hertz, Scaling, SiCreepage, Solution, Status, TheorySpec};
 use creepage_plot::format::{quantity, significant};
 use creepage_rail::Role;
 
@@ -133,6 +133,13 @@ pub enum Caution {
         /// The load (N).
         load: f64,
     },
+    /// The curvature of conforming bodies, as of a ball in its groove, makes the slip vary across the contact.
+    Groove {
+        /// By how much from the middle to the side, over the rolling velocity.
+        slip: f64,
+        /// The same over the creepage that makes bodies slide.
+        share: f64,
+    },
     /// A wheel that spins or is locked.
     Slides {
         /// `longitudinal` or `lateral`.
@@ -212,6 +219,21 @@ impl Caution {
             Self::LargeCreepage { component, value } => Self::Slides { component, value },
             other => other,
         }
+    }
+
+    /// Slip by a groove's curvature over the unit of slip from which it matters: a tenth moves forces and
+    /// heat by some per cent.
+    const BY_GROOVE: f64 = 0.1;
+
+    /// The slip that conforming bodies have across the contact, where it matters.
+    pub(crate) fn groove(
+        by_square: Option<f64>,
+        ellipse: Ellipse,
+        scaling: Scaling,
+    ) -> Option<Self> {
+        let slip = by_square? * ellipse.b() * ellipse.b();
+        let share = slip / scaling.slip;
+        (share > Self::BY_GROOVE).then_some(Self::Groove { slip, share })
     }
 
     /// The height (m) of a wheel above that of its tread on its rail.
@@ -456,6 +478,14 @@ impl Caution {
                 significant(1e3 * approach, 3),
                 quantity(load, "N", 3)
             ),
+            Self::Groove { slip, share } => write!(
+                f,
+                "the bodies conform: by the curvature of the groove the slip at the sides differs by {} of \
+                 the rolling velocity from that in the middle, {} times the unit mu c / rho (Heathcote); it is \
+                 left out, and heat, force and moment lack it",
+                significant(slip, 3),
+                significant(share, 2)
+            ),
             Self::Slides { component, value } => write!(
                 f,
                 "the wheel spins or is locked: its {component} creepage is {}, over the mean speed of \
@@ -561,6 +591,7 @@ impl fmt::Display for Caution {
             | Self::Turns { .. }
             | Self::Climbs { .. }
             | Self::Deep { .. }
+            | Self::Groove { .. }
             | Self::Slides { .. } => self.write_of_bodies(f),
             Self::Status(Status::NotConverged) => {
                 f.write_str("did not converge: the force is that of the last iterate")
@@ -575,6 +606,9 @@ impl fmt::Display for Caution {
                 "friction falls so steeply that another solution, with more slip, exists; this one \
                  is reached from friction at rest",
             ),
+            Self::Status(Status::NoContact) => {
+                f.write_str("no load presses the bodies together: no contact, and no force")
+            }
             Self::Status(other) => f.write_str(other.name()),
             // The pressure's slip changes the force most where there is no creepage. On a circle
             // with Poisson's ratio 0.28 the change is 1.0 times kappa/mu there; 0.4 to 2.1 times

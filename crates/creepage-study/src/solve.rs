@@ -49,6 +49,13 @@ pub fn solve(case: &Case, other: Option<&TheorySpec>) -> Result<SolvedCase, Solv
         let mut cautions = Caution::all(spec, &case.contact, solution);
         let creepage = case.contact.scaling().si_creepage(creepage);
         cautions.extend(Caution::units(&case.hertz, case.smallest_radius, creepage));
+        let groove =
+            Caution::groove(case.slip_by_groove, case.hertz.ellipse(), case.contact.scaling());
+        if groove.is_some() {
+            // A groove that fits closely is no number in another unit.
+            cautions.retain(|caution| !matches!(caution, Caution::LargeContact { .. }));
+        }
+        cautions.extend(groove);
         let (peak, shear_modulus) = (case.hertz.peak_pressure(), case.hertz.pair().shear_modulus());
         let shear_yield = case.damage.as_ref().map(|damage| damage.constants.shear_yield);
         if !cautions.iter().any(Caution::is_of_units) {

@@ -31,6 +31,7 @@ pub(crate) fn case(a_over_b: f64, given: [f64; 3]) -> Case {
         given: Given::Creepage(creepage(given)),
         speed: None,
         smallest_radius: None,
+        slip_by_groove: None,
         damage: None,
         theory: TheorySpec::default(),
     }

@@ -68,6 +68,7 @@ pub(crate) fn status_words(status: Status) -> &'static str {
         Status::SeveralSolutions => {
             "SEVERAL SOLUTIONS: this one has the least slip, friction at rest led to it"
         }
+        Status::NoContact => "NO CONTACT: no load presses the bodies together",
         _ => "NOT SOLVED: for a reason that this report has no words for",
     }
 }

@@ -89,7 +89,7 @@ impl Columns {
         let kappa_over_mu = dissimilarity.transpose()?.unwrap_or(0.0);
         let like = Contact::new(Ellipse::from_ratio(a_over_b)?, poisson)?;
         let contact = like.with_kappa_over_mu(kappa_over_mu)?;
-        Ok(Question { contact, creepage: Creepage::new(xi, eta, chi)? })
+        Ok(Question { contact, creepage: Creepage::new(xi, eta, chi)?, touches: true })
     }
 }
 

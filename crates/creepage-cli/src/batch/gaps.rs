@@ -2,10 +2,11 @@
 
 use std::path::{Path, PathBuf};
 
+use creepage::normal::NormalError;
 use creepage::{SiForce, Status, TheorySpec};
 use creepage_study::{
-    GapCaseError, GapFile, GapRows, GapSolver, GapValue, GapVaried, SolvedCase, Sources,
-    theory_spec,
+    Caution, GapCaseError, GapFile, GapRows, GapSolver, GapValue, GapVaried, Pressed, SolvedCase,
+    Sources, theory_spec,
 };
 use csv::ByteRecord;
 use rayon::prelude::*;
@@ -140,12 +141,33 @@ impl Gaps {
         };
         let varied = self.rows.varied().iter().zip(&self.places);
         let values: Vec<_> = varied.map(value).collect::<Result<_, _>>()?;
+        let loads = self.rows.varied().iter().zip(&values);
+        let is_unloaded = |(quantity, value): (&GapVaried, &GapValue)| {
+            *quantity == GapVaried::NormalForce && *value == GapValue::Number(0.0)
+        };
+        if loads.into_iter().any(is_unloaded) {
+            return Ok(self.no_contact(f64::NAN));
+        }
         let case = self.rows.case(&values)?;
         let case = match &self.theory {
             Some(spec) => case.by_spec(spec)?,
             None => case,
         };
-        Ok(self.numbers(&self.solver.solve(&case)?))
+        match self.solver.solve(&case) {
+            Err(GapCaseError::Normal {
+                source: NormalError::NoContact { approach, .. }, ..
+            }) if matches!(case.pressed, Pressed::Approach(_)) => Ok(self.no_contact(approach)),
+            solved => Ok(self.numbers(&solved?)),
+        }
+    }
+
+    /// No load, area, pressure and force at an approach; creepage is none of a contact.
+    fn no_contact(&self, approach: f64) -> GapAnswer {
+        let mut numbers = vec![0.0; self.appended().len() - 2];
+        numbers[1] = approach;
+        numbers[4..7].fill(f64::NAN);
+        let message = Caution::Status(Status::NoContact).to_string();
+        GapAnswer { numbers, status: Status::NoContact, message }
     }
 
     fn numbers(&self, solved: &SolvedCase) -> GapAnswer {

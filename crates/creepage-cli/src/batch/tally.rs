@@ -15,6 +15,7 @@ pub(super) struct Tally {
     solved: usize,
     not_converged: usize,
     invalid: usize,
+    no_contact: usize,
     /// Rows of dissimilar bodies, which the theory neglects.
     dissimilar: usize,
     /// Rows with a number that may be in another unit.
@@ -40,6 +41,7 @@ impl Tally {
             None => self.invalid += 1,
             Some(Status::Solved) => self.solved += 1,
             Some(Status::NotConverged) => self.not_converged += 1,
+            Some(Status::NoContact) => self.no_contact += 1,
             Some(_) => {}
         }
     }
@@ -70,11 +72,12 @@ impl Tally {
 
 impl fmt::Display for Tally {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { rows, solved, not_converged, invalid, .. } = *self;
+        let Self { rows, solved, not_converged, invalid, no_contact, .. } = *self;
         write!(f, "{rows} rows: {solved} solved")?;
         let others = [
             (not_converged, "not converged"),
-            (rows - solved - not_converged - invalid, "beyond the theory's range"),
+            (no_contact, "without contact"),
+            (rows - solved - not_converged - invalid - no_contact, "beyond the theory's range"),
             (invalid, "invalid"),
         ];
         for (count, name) in others {

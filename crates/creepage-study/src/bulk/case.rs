@@ -51,6 +51,8 @@ pub struct BulkRow {
     /// Rolling velocity (m/s), where it is given.
     pub speed: Option<f64>,
     smallest_radius: Option<f64>,
+    /// Whether a load presses the bodies together.
+    pub touches: bool,
 }
 
 impl BulkCase {
@@ -120,6 +122,11 @@ impl BulkCase {
         for (varied, value) in self.varied.iter().zip(values) {
             varied.set(*value, &mut sections);
         }
+        let touches = sections.contact.normal_force != 0.0;
+        if !touches {
+            // Any load will do for what is no force.
+            sections.contact.normal_force = 1.0;
+        }
         let hertz = match &self.bodies {
             Some(bodies) => {
                 let load = sections.contact.normal_force;
@@ -130,7 +137,7 @@ impl BulkCase {
         let Touching { hertz, contact, speed, .. } = sections.touching_by(hertz)?;
         let creepage = sections.creepage.resolve(contact.scaling())?;
         let smallest_radius = sections.smallest_radius();
-        Ok(BulkRow { hertz, contact, creepage, speed, smallest_radius })
+        Ok(BulkRow { hertz, contact, creepage, speed, smallest_radius, touches })
     }
 }
 
@@ -152,12 +159,16 @@ impl BulkRow {
     /// What it asks a theory.
     #[must_use]
     pub fn question(&self) -> Question {
-        Question { contact: self.contact.clone(), creepage: self.creepage }
+        let (contact, creepage, touches) = (self.contact.clone(), self.creepage, self.touches);
+        Question { contact, creepage, touches }
     }
 
     /// What looks like a number in another unit.
     #[must_use]
     pub fn cautions(&self) -> Vec<Caution> {
+        if !self.touches {
+            return Vec::new();
+        }
         let creepage = self.contact.scaling().si_creepage(self.creepage);
         Caution::units(&self.hertz, self.smallest_radius, creepage)
     }

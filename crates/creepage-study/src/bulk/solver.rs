@@ -6,7 +6,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use creepage::table::{Table, TableTheory};
 use creepage::theory::TheoryError;
-use creepage::{Contact, Creepage, InvalidValue, Solution, Theory, TheorySpec};
+use creepage::{Contact, Creepage, Force, InvalidValue, Solution, Status, Theory, TheorySpec};
 use rayon::prelude::*;
 
 use crate::{CaseError, Caution};
@@ -18,6 +18,8 @@ pub struct Question {
     pub contact: Contact,
     /// How it creeps.
     pub creepage: Creepage,
+    /// Whether a load presses the bodies together; else the answer is no force.
+    pub touches: bool,
 }
 
 /// A force, and what is to be held against it.
@@ -169,6 +171,11 @@ impl Solver {
     }
 
     fn reply(&self, theory: &(dyn Theory + '_), question: &Question) -> Reply {
+        if !question.touches {
+            let (mut solution, status) = (Solution::no_contact(), Status::NoContact);
+            solution.error = self.error_bars().then(Force::default);
+            return Reply { solution, power: 0.0, cautions: vec![Caution::Status(status)] };
+        }
         let solved = theory.solved(question.creepage);
         let (solution, power) = (solved.solution(), solved.power());
         let contact = &question.contact;
@@ -251,7 +258,8 @@ mod tests {
 
     fn question(a_over_b: f64, xi: f64) -> Question {
         let contact = Contact::new(Ellipse::from_ratio(a_over_b).unwrap(), 0.28).unwrap();
-        Question { contact, creepage: Creepage::new(xi, 0.0, 0.5).unwrap() }
+        let creepage = Creepage::new(xi, 0.0, 0.5).unwrap();
+        Question { contact, creepage, touches: true }
     }
 
     fn solve(solver: &Solver, questions: Vec<Question>) -> Vec<Result<Reply, RowError>> {

@@ -83,6 +83,9 @@ pub struct Case {
     pub speed: Option<f64>,
     /// The smallest of the bodies' radii (m), where they are given.
     pub smallest_radius: Option<f64>,
+    /// By how much the slip varies across the contact, over the square of the place (1/m2), as the surfaces
+    /// of conforming bodies curve alike; where the radii are given.
+    pub slip_by_groove: Option<f64>,
     /// What is wanted of wear and fatigue, if anything is.
     pub damage: Option<DamageWanted>,
     /// The theory and its options.
@@ -207,8 +210,20 @@ impl CaseFile {
         };
         let (theory, solids) = (self.theory()?, self.solids()?);
         let smallest_radius = sections.smallest_radius();
+        let slip_by_groove = sections.slip_by_groove();
         let damage = self.damage()?;
-        Ok(Case { hertz, friction, contact, solids, given, speed, smallest_radius, damage, theory })
+        Ok(Case {
+            hertz,
+            friction,
+            contact,
+            solids,
+            given,
+            speed,
+            smallest_radius,
+            slip_by_groove,
+            damage,
+            theory,
+        })
     }
 
     /// Whether wear and fatigue numbers are wanted.

@@ -60,6 +60,20 @@ impl Sections {
     }
 }
 
+impl Sections {
+    /// By how much the slip varies across the contact over the square of the place (1/m2): the surfaces of
+    /// conforming bodies curve alike, and their rolling radii change with it (Heathcote 1921). `None` where
+    /// the radii are not given, or one of them lies askew.
+    pub(crate) fn slip_by_groove(&self) -> Option<f64> {
+        let radii = [self.upper.radii("upper").ok()?, self.lower.radii("lower").ok()?];
+        let straight = self.contact.angle.is_none_or(|angle| angle == 0.0);
+        let [upper, lower] = radii.map(|radii| [radii.rolling.recip(), radii.lateral.recip()]);
+        // The surface in which they meet lies halfway between both.
+        let curvature = 0.5 * (upper[1] - lower[1]);
+        straight.then_some(0.5 * curvature.abs() * (upper[0] + lower[0]).abs())
+    }
+}
+
 /// The smallest of the bodies' radii (m), where one is given.
 pub(crate) fn smallest_radius(bodies: [&Body; 2]) -> Option<f64> {
     let radii = bodies.into_iter().filter_map(Body::smallest_radius);

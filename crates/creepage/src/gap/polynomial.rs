@@ -85,6 +85,12 @@ impl Polynomial {
         self.power_of_x() == 2 && slopes.into_iter().all(|coefficient| *coefficient == 0.0)
     }
 
+    /// Whether it may fall somewhere on the way outwards: not where all powers are even and rise.
+    pub(super) fn turns_down(&self) -> bool {
+        let rises = |term: &Term| term.x % 2 == 0 && term.y % 2 == 0 && term.coefficient >= 0.0;
+        !self.terms.iter().filter(|term| term.x + term.y > 0).all(rises)
+    }
+
     /// The gap at the origin.
     pub(super) fn constant(&self) -> f64 {
         self.at(0.0, 0.0)

@@ -25,23 +25,29 @@ impl Gap {
             }
             Shape::Section(section) => {
                 let heights = section.y().iter().map(|&y| section.row(y)[0]);
-                low_quarter(heights)
+                above_the_least(heights, compliance_force / domain.size()[1])
             }
             Shape::Grid(_) | Shape::Function(_) => {
                 let place = |[low, high]: [f64; 2], i: u32| {
                     low + (high - low) * (f64::from(i) + 0.5) / 16.0
                 };
                 let row = |j| (0..16).map(move |i| self.at(place(domain.x, i), place(domain.y, j)));
-                low_quarter((0..16).flat_map(row))
+                let [length, width] = domain.size();
+                above_the_least((0..16).flat_map(row), compliance_force / length.min(width))
             }
         }
     }
 }
 
-fn low_quarter(heights: impl Iterator<Item = f64> + Clone) -> f64 {
+/// A quarter of the way up from the least height; where all are nearly one, as of a roller that ends where
+/// it is cut, by this depth.
+fn above_the_least(heights: impl Iterator<Item = f64> + Clone, depth: f64) -> f64 {
+    /// Of the depth that a load may take: less of a rise is flat.
+    const FLAT: f64 = 1e-3;
     let low = heights.clone().fold(f64::INFINITY, f64::min);
     let high = heights.fold(f64::NEG_INFINITY, f64::max);
-    low + 0.25 * (high - low)
+    let rise = 0.25 * (high - low);
+    low + if rise > FLAT * depth { rise } else { depth }
 }
 
 /// Depth at which the shortest length of the terms, times the depth, is the load over `E*`.
@@ -76,6 +82,16 @@ fn reach_of_polynomial(polynomial: &Polynomial, height: f64) -> Option<Rectangle
         .take(MOST)
         .map(|half| perimeter_is_above(polynomial, half, height))
         .collect();
+    // A well may lie between two squares whose sides are above: no square inside that ring will do.
+    let rings = (0..closed.len().saturating_sub(1)).take_while(|&k| closed[k]);
+    let well = |k: &usize| {
+        let half = largest * (-(*k as f64)).exp2();
+        closed[k + 1] && polynomial.turns_down() && ring_is_below(polynomial, half, height)
+    };
+    if let Some(at) = rings.into_iter().find(well) {
+        let half = largest * (-(at as f64)).exp2();
+        return Some(Rectangle { x: [-half, half], y: [-half, half] });
+    }
     // From the outermost inwards: the first open square ends the search. Where the outermost is
     // open (a fit that turns down far away), the innermost two closed in a row do.
     let outermost = closed.iter().position(|closed| !closed).unwrap_or(closed.len());
@@ -85,6 +101,16 @@ fn reach_of_polynomial(polynomial: &Polynomial, height: f64) -> Option<Rectangle
     };
     let half = largest * (-(at as f64)).exp2();
     Some(Rectangle { x: [-half, half], y: [-half, half] })
+}
+
+/// Whether the gap is below a height somewhere between a square and one of half its size.
+fn ring_is_below(polynomial: &Polynomial, half: f64, height: f64) -> bool {
+    const POINTS: i32 = 32;
+    let place = |i: i32| half * f64::from(i) / f64::from(POINTS);
+    let in_ring = |i: i32, j: i32| 2 * i.abs().max(j.abs()) >= POINTS;
+    (-POINTS..=POINTS).any(|i| {
+        (-POINTS..=POINTS).any(|j| in_ring(i, j) && polynomial.at(place(i), place(j)) < height)
+    })
 }
 
 fn perimeter_is_above(polynomial: &Polynomial, half: f64, height: f64) -> bool {

@@ -38,11 +38,13 @@ pub enum Status {
     /// Solved from friction at rest, but friction falls with the speed of slip so steeply that another
     /// solution exists, with more slip and less force.
     SeveralSolutions,
+    /// Nothing presses the bodies together: there is no contact, and no force.
+    NoContact,
 }
 
 impl Status {
     /// One word for tables: `solved`, `not_converged`, `creepage_too_small`, `spin_too_large`,
-    /// `several_solutions`.
+    /// `several_solutions`, `no_contact`.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -51,6 +53,7 @@ impl Status {
             Self::CreepageTooSmall => "creepage_too_small",
             Self::SpinTooLarge => "spin_too_large",
             Self::SeveralSolutions => "several_solutions",
+            Self::NoContact => "no_contact",
         }
     }
 }
@@ -79,6 +82,12 @@ pub struct Solution {
 }
 
 impl Solution {
+    /// No force, for nothing presses the bodies together.
+    #[must_use]
+    pub fn no_contact() -> Self {
+        Self::closed_form(Force::default(), Status::NoContact)
+    }
+
     /// The solution of a theory in closed form, without error bars.
     pub(crate) fn closed_form(force: Force, status: Status) -> Self {
         Self { force, error: None, status, statistics: Statistics::default() }
