@@ -45,7 +45,7 @@ fn each_its_own(cases: &[&PathBuf], out: &Path) -> Result<(), Failure> {
         let same = |first: &&&PathBuf| first.file_stem() == second.file_stem();
         if let Some(first) = cases[..place].iter().find(same) {
             let directory = out.join(second.file_stem().unwrap_or(second.as_os_str()));
-            let [first, second] = [first, second].map(|path| path.to_path_buf());
+            let [first, second] = [first, second].map(|path| PathBuf::clone(path));
             return Err(Failure::SameDirectory { first, second, directory });
         }
     }

@@ -25,7 +25,8 @@ impl RollingFastsim {
             self.newton([length, scale], prescribed, creep)
         };
         let found = from(self.travel.creep);
-        if found.2 || self.travel.creep == [0.0; 3] { found } else { from([0.0; 3]) }
+        let began_at_rest = self.travel.creep.iter().all(|part| *part == 0.0);
+        if found.2 || began_at_rest { found } else { from([0.0; 3]) }
     }
 
     /// Newton's method with differences and a line search, from a creepage.
