@@ -164,8 +164,14 @@ impl WheelsetData {
         Ok(found.map_err(|error| errors::wheelset(py, error))?.rows().collect())
     }
 
-    /// The equivalent conicity at amplitudes (m); NaN where there is none.
+    /// The equivalent conicity at amplitudes (m); NaN where there is none. An amplitude that is
+    /// none is refused.
     fn conicity(&self, py: Python, amplitudes: Vec<f64>, rolls: bool) -> PyResult<Vec<f64>> {
+        let wrong = |amplitude: &&f64| !(**amplitude > 0.0 && amplitude.is_finite());
+        if let Some(&value) = amplitudes.iter().find(wrong) {
+            let (quantity, valid) = ("amplitude", "positive and finite");
+            return Err(errors::invalid(py, InvalidValue { quantity, value, valid }));
+        }
         let found = detached(py, || self.case.radius_difference(rolls))?;
         let difference = found.map_err(|error| errors::wheelset(py, error))?;
         let at = |amplitude: &f64| difference.conicity(*amplitude).unwrap_or(f64::NAN);
