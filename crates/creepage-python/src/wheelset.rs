@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, Ordering};
 
+use creepage::InvalidValue;
 use creepage_study::{
     CaseError, Load, Sources, Stance, Travel, WheelsetCase, WheelsetError, WheelsetFile,
     WheelsetTable, theory_spec,

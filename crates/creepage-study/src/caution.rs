@@ -169,7 +169,7 @@ impl Caution {
     /// Peak pressure over shear yield stress from which a contact is fully plastic: the mean pressure is the
     /// hardness, three times the yield stress in tension (Tabor 1951), the peak 3/2 of it, by von Mises.
     pub const FULLY_PLASTIC: f64 = 7.8;
-    /// Shear modulus over the shear yield stress of a typical rail steel, 82 GPa and 300 MPa.
+    /// Shear modulus over the shear yield stress of a typical rail steel (82e9 and 300e6 Pa).
     const TYPICAL_YIELD: f64 = 273.0;
     /// Least shear modulus (Pa) of what is taken for a metal.
     const METAL: f64 = 20e9;

@@ -1,5 +1,7 @@
 //! The same contact as Hertz's ellipse and as a gap: one road gives the same answers to both.
 
+#![allow(clippy::unwrap_used)]
+
 use std::path::Path;
 
 use creepage::TheorySpec;

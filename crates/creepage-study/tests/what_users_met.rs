@@ -1,5 +1,7 @@
 //! Inputs that users brought: each is solved, or refused by its true cause, with a warning where one is due.
 
+#![allow(clippy::unwrap_used)]
+
 use std::path::Path;
 
 use creepage::{Status, TheorySpec};
@@ -32,7 +34,8 @@ fn two_wells_between_higher_places_are_both_found() {
     let by_approach = solve(&gap(shape, &format!("approach = {approach:e}"))).unwrap();
     for solved in [&by_load, &by_approach] {
         // Loads alike by symmetry, to the error bars of a load.
-        let loads: Vec<f64> = solved.areas().unwrap().patches().iter().map(|p| p.load()).collect();
+        let loads: Vec<f64> =
+            solved.areas().unwrap().patches().iter().map(creepage::normal::Patch::load).collect();
         assert_eq!(loads.len(), 2);
         assert!((loads[0] / loads[1] - 1.0).abs() < 1e-3, "{loads:?}");
         assert!((solved.load().value / 12e3 - 1.0).abs() < 5e-3, "{}", solved.load().value);

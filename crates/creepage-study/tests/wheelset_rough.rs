@@ -123,8 +123,9 @@ fn coordinates_rounded_to_hundredths_of_a_millimetre_are_rough() {
     let stations = curve.curve().stations(9e-4);
     let text = |decimals: usize| {
         let rows = stations.iter().map(|s| curve.curve().at(*s));
-        rows.map(|p| format!("{:.decimals$} {:.decimals$}\n", 1e3 * p.y, 1e3 * p.z))
-            .collect::<String>()
+        rows.map(|p| format!("{:.decimals$} {:.decimals$}", 1e3 * p.y, 1e3 * p.z))
+            .collect::<Vec<_>>()
+            .join("\n")
     };
     let solved = |decimals| {
         let wanted = Wanted { role: Some(Role::Wheel), ..Wanted::default() };

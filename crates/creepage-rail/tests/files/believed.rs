@@ -133,10 +133,13 @@ fn a_head_on_a_foot_stays_a_rail() {
     assert!(!found.actions.contains(&Action::TurnedOver), "{:?}", found.actions);
 }
 
+/// How a profile is moved, its points, and the distance of its origin.
+type Far<'a> = (Moved, &'a [[f64; 2]], [f64; 2]);
+
 /// Where the origin lies far off the report gives its distance, and says what counts from it.
 #[test]
 fn a_far_origin_is_told_with_its_distance() {
-    let far: [(Moved, &[[f64; 2]], [f64; 2]); 4] = [
+    let far: [Far<'_>; 4] = [
         (|[y, z]| [y, z + 460.0], &wheel(), [-0.070, 0.460]),
         (|[y, z]| [y + 70.0, z], &wheel(), [0.0, 0.0]),
         (|[y, z]| [y + 750.0, z], &wheel(), [0.680, 0.0]),

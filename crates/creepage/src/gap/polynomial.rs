@@ -87,7 +87,9 @@ impl Polynomial {
 
     /// Whether it may fall somewhere on the way outwards: not where all powers are even and rise.
     pub(super) fn turns_down(&self) -> bool {
-        let rises = |term: &Term| term.x % 2 == 0 && term.y % 2 == 0 && term.coefficient >= 0.0;
+        let rises = |term: &Term| {
+            [term.x, term.y].iter().all(|power| power.is_multiple_of(2)) && term.coefficient >= 0.0
+        };
         !self.terms.iter().filter(|term| term.x + term.y > 0).all(rises)
     }
 
