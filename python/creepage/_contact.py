@@ -127,6 +127,10 @@ class Hertz:
     """Pa."""
     approach: float
     """Approach of the bodies (m)."""
+    stiffness: float
+    """Contact stiffness dN/d(approach) (N/m)."""
+    approach_constant: float
+    """Approach over the load to the power 2/3, the same for every load (m/N^(2/3))."""
     rho: float
     """Curvature length (m)."""
     angle: float
@@ -152,6 +156,8 @@ class Hertz:
             a_over_b=report["a_over_b"],
             peak_pressure=report["peak_pressure_pa"],
             approach=report["approach_m"],
+            stiffness=report["stiffness_n_per_m"],
+            approach_constant=report["approach_constant_m_per_n_2_3"],
             rho=report["rho_m"],
             angle=report["angle_rad"],
             relative_curvature_rolling=report["relative_curvature_rolling_per_m"],

@@ -20,6 +20,10 @@ pub struct HertzJson {
     pub peak_pressure_pa: f64,
     /// Approach of the bodies (m).
     pub approach_m: f64,
+    /// Contact stiffness `dN/d(approach)` (N/m).
+    pub stiffness_n_per_m: f64,
+    /// Approach over the load to the power 2/3, the same for every load (m/N^(2/3)).
+    pub approach_constant_m_per_n_2_3: f64,
     /// Curvature length `rho` (m).
     pub rho_m: f64,
     /// Angle from the upper body's rolling direction to the axis `a` (rad).
@@ -74,6 +78,8 @@ pub fn hertz_json(contact: &Hertz) -> HertzJson {
         a_over_b: ellipse.ratio(),
         peak_pressure_pa: contact.peak_pressure(),
         approach_m: contact.approach(),
+        stiffness_n_per_m: contact.stiffness(),
+        approach_constant_m_per_n_2_3: contact.approach_constant(),
         rho_m: contact.rho(),
         angle_rad: contact.angle(),
         relative_curvature_rolling_per_m: along,

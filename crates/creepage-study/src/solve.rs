@@ -220,13 +220,11 @@ impl SolvedCase {
         self.areas().map(pressed).or(self.case.hertz().map(closed)).unwrap_or(unknown)
     }
 
-    /// Contact stiffness `dN/d(approach)` (N/m): by Hertz `3/2 N/delta`.
+    /// Contact stiffness `dN/d(approach)` (N/m).
     #[must_use]
     pub fn stiffness(&self) -> f64 {
-        match self.areas() {
-            Some(areas) => areas.stiffness(),
-            None => 1.5 * self.load().value / self.approach().value,
-        }
+        let pressed = self.areas().map(NormalContact::stiffness);
+        pressed.or(self.case.hertz().map(Hertz::stiffness)).unwrap_or(f64::NAN)
     }
 
     /// Force on the lower body, its moment about the contact's origin.

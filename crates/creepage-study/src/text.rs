@@ -174,6 +174,10 @@ impl Lines {
         self.row("a/b", &significant(ellipse.ratio(), 5));
         self.row("peak pressure", &quantity(contact.peak_pressure(), "Pa", 5));
         self.row("approach of the bodies", &quantity(contact.approach(), "m", 5));
+        let stiffness = significant(contact.stiffness() * 1e-6, 5);
+        self.row("stiffness dN/d(approach)", &format!("{stiffness} N/µm"));
+        let constant = significant(contact.approach_constant(), 5);
+        self.row("approach over N^(2/3)", &format!("{constant} m/N^(2/3)"));
         self.row("curvature length rho", &quantity(contact.rho(), "m", 5));
         if contact.angle() != 0.0 {
             let degrees = fixed(contact.angle().to_degrees(), 3);

@@ -217,6 +217,18 @@ impl Hertz {
         2.0 * self.ellipse.minor().powi(2) * self.integrals.k / (self.rho * self.integrals.e)
     }
 
+    /// Contact stiffness `dN/d(approach)` (N/m): the load goes as the approach to the power 3/2.
+    #[must_use]
+    pub fn stiffness(&self) -> f64 {
+        1.5 * self.normal_force() / self.approach()
+    }
+
+    /// The approach over the load to the power 2/3 (m/N^(2/3)), which does not depend on the load.
+    #[must_use]
+    pub fn approach_constant(&self) -> f64 {
+        self.approach() / self.normal_force().powf(2.0 / 3.0)
+    }
+
     /// Relative curvatures `A` along and `B` across (1/m) (3.46).
     #[must_use]
     pub fn relative_curvatures(&self) -> [f64; 2] {
