@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, Ordering};
 
+use creepage::InvalidValue;
 use creepage_study::{Sources, WheelsetCase, WheelsetError, WheelsetFile, WheelsetTable};
 use numpy::{PyArray1, PyArrayMethods, PyReadonlyArray1};
 use pyo3::prelude::*;

@@ -42,9 +42,10 @@ fn named(heading: &str) -> Option<[usize; 3]> {
         word.map(str::to_lowercase)
     };
     // Between commas a name may be followed by its unit.
-    let names: Vec<String> = match heading.contains([',', ';']) {
-        true => heading.split([',', ';']).filter_map(letters).collect(),
-        false => fields(heading).filter_map(letters).collect(),
+    let names: Vec<String> = if heading.contains([',', ';']) {
+        heading.split([',', ';']).filter_map(letters).collect()
+    } else {
+        fields(heading).filter_map(letters).collect()
     };
     let place = |wanted: &str| names.iter().position(|name| name == wanted);
     let pair = place("y").zip(place("z")).or_else(|| place("x").zip(place("y")));

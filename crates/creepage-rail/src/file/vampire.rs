@@ -43,12 +43,11 @@ pub(super) fn parse(text: &str, side: Option<Side>) -> Result<Raw, FileError> {
 /// Of two sides both have `y` to the right.
 fn one_side(line: usize, row: &[f64], side: Option<Side>) -> Result<[f64; 2], FileError> {
     match (row, side) {
-        ([y, z], _) => Ok([*y, *z]),
         ([_, _, _, _], None) => {
             Err(FileError::Ask { line, what: "which side of the two in it is wanted" })
         }
         ([y, z, _, _], Some(Side::Left)) => Ok([-y, *z]),
-        ([_, _, y, z], Some(Side::Right)) => Ok([*y, *z]),
+        ([y, z], _) | ([_, _, y, z], Some(Side::Right)) => Ok([*y, *z]),
         _ => Err(FileError::Columns { line, found: row.len(), wanted: 4 }),
     }
 }

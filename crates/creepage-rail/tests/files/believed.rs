@@ -136,11 +136,12 @@ fn a_head_on_a_foot_stays_a_rail() {
 /// Where the origin lies far off the report gives its distance, and says what counts from it.
 #[test]
 fn a_far_origin_is_told_with_its_distance() {
-    let far: [(Moved, &[[f64; 2]], [f64; 2]); 4] = [
-        (|[y, z]| [y, z + 460.0], &wheel(), [-0.070, 0.460]),
-        (|[y, z]| [y + 70.0, z], &wheel(), [0.0, 0.0]),
-        (|[y, z]| [y + 750.0, z], &wheel(), [0.680, 0.0]),
-        (|[y, z]| [y + 750.0, z], &head(), [0.750, 0.0]),
+    let (wheel, head) = (wheel(), head());
+    let far: [(Moved, _, [f64; 2]); 4] = [
+        (|[y, z]| [y, z + 460.0], &wheel, [-0.070, 0.460]),
+        (|[y, z]| [y + 70.0, z], &wheel, [0.0, 0.0]),
+        (|[y, z]| [y + 750.0, z], &wheel, [0.680, 0.0]),
+        (|[y, z]| [y + 750.0, z], &head, [0.750, 0.0]),
     ];
     for (by, points, [y, z]) in far {
         let found = open("p.txt", &columns(&moved(points, by))).unwrap();
@@ -152,7 +153,7 @@ fn a_far_origin_is_told_with_its_distance() {
         // The level of a tread or a head is within a millimetre of its origin.
         assert!((told[0] - y).abs() < 1e-3 && (told[1] - z).abs() < 2e-3, "{told:?}");
     }
-    for points in [wheel(), head()] {
+    for points in [wheel, head] {
         let found = open("p.txt", &columns(&points)).unwrap();
         assert!(!found.actions.iter().any(|a| matches!(a, Action::FarOrigin { .. })));
     }

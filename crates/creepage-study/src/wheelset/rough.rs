@@ -57,7 +57,7 @@ fn caution(body: Role, waves: Waves, by_swing: f64) -> Option<Caution> {
 impl WheelsetCase {
     /// Profiles that are rough where wheel and rail touch, at positions of a radius difference:
     /// contact then jumps between the crests of their waves, and the difference with it. Each
-    /// profile once, where it is worst. Waves count as under a pressure of 1 GPa, in steel where
+    /// profile once, where it is worst. Waves count as under a gigapascal, in steel where
     /// no materials are given. `rolls` as for [`WheelsetCase::radius_difference`].
     #[must_use]
     pub fn rough_profiles(
