@@ -104,7 +104,8 @@ fn written(
             if files.iter().any(|(other, _)| *other == name) {
                 return Err(Failure::SameName { path: target });
             }
-            let is_picture = name.ends_with(".svg") || name.ends_with(".png");
+            let ending = Path::new(&name).extension().and_then(|ending| ending.to_str());
+            let is_picture = matches!(ending, Some("svg" | "png"));
             let is_other = || fs::read(&target).is_ok_and(|there| there != content);
             if !is_picture && !is_source(&target, profiles) && is_other() {
                 return Err(Failure::Exists { path: target });
