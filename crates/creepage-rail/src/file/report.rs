@@ -164,6 +164,37 @@ impl fmt::Display for Action {
                 write!(formatter, "unit found by the profile's size: {metres} m")
             }
             Self::Assumed { what } => write!(formatter, "assumed: {what}"),
+            Self::TurnedOver => write!(formatter, "z points up in the file: turned over"),
+            Self::Mirrored => write!(formatter, "y grows to the track side in the file: mirrored"),
+            Self::Reversed => write!(formatter, "order of points reversed"),
+            Self::Repeated { line } => write!(formatter, "line {line}: repeated point dropped"),
+            Self::ZigZag { line } => {
+                write!(formatter, "line {line}: zig-zag of two points, replaced by their mean")
+            }
+            Self::TurnedBack { line } => {
+                write!(formatter, "line {line}: the scan goes back, point dropped")
+            }
+            Self::Corner { line, turn } => {
+                write!(formatter, "line {line}: corner of {:.1} degrees kept", turn.to_degrees())
+            }
+            Self::Rough { line, turn } => {
+                write!(formatter, "line {line}: rough, turns by {:.1} degrees", turn.to_degrees())
+            }
+            Self::Bridged { line, length } => {
+                write!(formatter, "line {line}: gap of {:.1} mm bridged", 1e3 * length)
+            }
+            Self::Smoothed { wavelength } => {
+                write!(formatter, "smoothed: waves of {:.2} mm halved", 1e3 * wavelength)
+            }
+            found => found.words_on_the_file(formatter),
+        }
+    }
+}
+
+impl Action {
+    /// What was found in the text, in the shape and in the scans; nothing of the others.
+    fn words_on_the_file(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
             Self::Utf16 => write!(formatter, "text in UTF-16"),
             Self::DecimalCommas => write!(formatter, "decimal commas, read as points"),
             Self::UnknownKey { line, key } => {
@@ -198,28 +229,7 @@ impl fmt::Display for Action {
                      {apart:.0} um from the first pass"
                 )
             }
-            Self::TurnedOver => write!(formatter, "z points up in the file: turned over"),
-            Self::Mirrored => write!(formatter, "y grows to the track side in the file: mirrored"),
-            Self::Reversed => write!(formatter, "order of points reversed"),
-            Self::Repeated { line } => write!(formatter, "line {line}: repeated point dropped"),
-            Self::ZigZag { line } => {
-                write!(formatter, "line {line}: zig-zag of two points, replaced by their mean")
-            }
-            Self::TurnedBack { line } => {
-                write!(formatter, "line {line}: the scan goes back, point dropped")
-            }
-            Self::Corner { line, turn } => {
-                write!(formatter, "line {line}: corner of {:.1} degrees kept", turn.to_degrees())
-            }
-            Self::Rough { line, turn } => {
-                write!(formatter, "line {line}: rough, turns by {:.1} degrees", turn.to_degrees())
-            }
-            Self::Bridged { line, length } => {
-                write!(formatter, "line {line}: gap of {:.1} mm bridged", 1e3 * length)
-            }
-            Self::Smoothed { wavelength } => {
-                write!(formatter, "smoothed: waves of {:.2} mm halved", 1e3 * wavelength)
-            }
+            _ => Ok(()),
         }
     }
 }
