@@ -221,8 +221,7 @@ impl Caution {
         }
     }
 
-    /// Slip by a groove's curvature over the unit of slip from which it matters: a tenth moves forces and
-    /// heat by some per cent.
+    /// Slip by the curvature of the contact over the unit of slip from which it is named.
     const BY_GROOVE: f64 = 0.1;
 
     /// The slip that conforming bodies have across the contact, where it matters.
@@ -480,8 +479,8 @@ impl Caution {
             ),
             Self::Groove { slip, share } => write!(
                 f,
-                "the bodies conform: by the curvature of the groove the slip at the sides differs by {} of \
-                 the rolling velocity from that in the middle, {} times the unit mu c / rho (Heathcote); it is \
+                "the contact is curved across, as in a groove: for that the slip at its sides differs by {} of \
+                 the rolling velocity from that in its middle, {} times the unit mu c / rho (Heathcote); it is \
                  left out, and heat, force and moment lack it",
                 significant(slip, 3),
                 significant(share, 2)

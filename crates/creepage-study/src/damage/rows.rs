@@ -26,7 +26,7 @@ impl SolvedCase {
             let mut row = self.wear_row(middle(j, ROWS))?;
             if let Some(heat) = between(&heat, row.y) {
                 let heat = heat * row.width;
-                give_heat(&mut row, heat);
+                give_heat(&mut row, heat, self.case.friction());
             }
             Some(row)
         };
@@ -70,25 +70,28 @@ fn between(values: &[[f64; 2]], y: f64) -> Option<f64> {
 
 /// Gives a row this heat per metre rolled (J/m): what it lacks slides in its first element, at the trailing
 /// edge, where slip is narrower than elements; where it has more, all slip is less.
-fn give_heat(row: &mut Row, heat: f64) {
+fn give_heat(row: &mut Row, heat: f64, friction: f64) {
     let own = ElementState::power_per_metre(&row.elements);
     if heat < own {
         let part = heat / own;
         row.elements.iter_mut().for_each(|element| element.slip = element.slip.map(|s| part * s));
-    } else if let Some(last) = row.elements.first_mut() {
-        add_heat(last, heat - own);
+    } else if let Some(last) = row.elements.first() {
+        row.elements.extend(sliding_edge(last, friction * last.pressure, heat - own));
     }
 }
 
-/// Adds slip along the traction that turns this much to heat per metre rolled (J/m).
-fn add_heat(element: &mut ElementState, heat: f64) {
+/// What slides at the trailing edge of an element that adheres for the rest: at the traction bound, along
+/// its traction, as far as turns this much to heat per metre rolled (J/m).
+fn sliding_edge(element: &ElementState, bound: f64, heat: f64) -> Option<ElementState> {
     let size = element.traction[0].hypot(element.traction[1]);
-    if size > 0.0 {
-        let slip = heat / (size * element.area);
-        for (slipping, traction) in element.slip.iter_mut().zip(element.traction) {
-            *slipping += slip * traction / size;
-        }
-    }
+    let slip = heat / (bound * element.area);
+    let along = element.traction.map(|traction| traction / size);
+    let slides = slip > 0.0 && slip.is_finite() && size > 0.0;
+    slides.then(|| ElementState {
+        traction: along.map(|part| bound * part),
+        slip: along.map(|part| slip * part),
+        ..*element
+    })
 }
 
 /// Middle of piece `k` of `count` between -1 and 1.
@@ -101,7 +104,8 @@ pub(crate) fn of_elements(elements: &[ElementField], scaling: Scaling, normal: f
     let borders = |element: &ElementField| element.corners.map(|[_, y]| y.to_bits());
     let same = |one: &ElementField, two: &ElementField| borders(one) == borders(two);
     let rows = elements.chunk_by(same).map(|row| {
-        let states: Vec<_> = row.iter().map(|element| state(element, scaling, normal)).collect();
+        let states: Vec<_> =
+            row.iter().flat_map(|element| states(element, scaling, normal)).collect();
         let [low, high] = row.first().map_or([0.0; 2], |first| [0, 1].map(|k| first.corners[k][1]));
         Row {
             y: scaling.length * 0.5 * (low + high),
@@ -112,7 +116,12 @@ pub(crate) fn of_elements(elements: &[ElementField], scaling: Scaling, normal: f
     rows.collect()
 }
 
-fn state(element: &ElementField, scaling: Scaling, normal: f64) -> ElementState {
+/// An element, and what slides at its trailing edge beyond what it resolves.
+fn states(
+    element: &ElementField,
+    scaling: Scaling,
+    normal: f64,
+) -> impl Iterator<Item = ElementState> + use<> {
     let [p, q, r, s] = element.corners;
     let cross = (r[0] - p[0]) * (s[1] - q[1]) - (s[0] - q[0]) * (r[1] - p[1]);
     let area = 0.5 * cross.abs() * scaling.length * scaling.length;
@@ -128,8 +137,7 @@ fn state(element: &ElementField, scaling: Scaling, normal: f64) -> ElementState 
     let own = ElementState::power_per_metre(&[state]);
     if own.is_finite() && heat < own {
         state.slip = state.slip.map(|s| s * heat / own);
-    } else if own.is_finite() {
-        add_heat(&mut state, heat - own);
     }
-    state
+    let edge = sliding_edge(&state, element.bound * scaling.traction, heat - own);
+    std::iter::once(state).chain(edge)
 }
