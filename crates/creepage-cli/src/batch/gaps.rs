@@ -161,7 +161,7 @@ impl Gaps {
         }
     }
 
-    /// No load, area, pressure and force at an approach; creepage is none of a contact.
+    /// No load, area, pressure and force at an approach; without a contact there is no creepage.
     fn no_contact(&self, approach: f64) -> GapAnswer {
         let mut numbers = vec![0.0; self.appended().len() - 2];
         numbers[1] = approach;

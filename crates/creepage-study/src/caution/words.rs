@@ -1,0 +1,205 @@
+//! Warnings in words.
+
+use std::fmt;
+
+use creepage::Status;
+use creepage_plot::format::{quantity, significant};
+
+use super::Caution;
+
+impl fmt::Display for Caution {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::LikeBodies { .. }
+            | Self::Pressure { .. }
+            | Self::CoarseGap { .. }
+            | Self::Rough { .. } => self.write_of_areas(f),
+            Self::Yields { .. }
+            | Self::UncertainPeak { .. }
+            | Self::Turns { .. }
+            | Self::Climbs { .. }
+            | Self::Deep { .. }
+            | Self::Groove { .. }
+            | Self::Slides { .. } => self.write_of_bodies(f),
+            Self::Status(Status::NotConverged) => {
+                f.write_str("did not converge: the force is that of the last iterate")
+            }
+            Self::Status(Status::CreepageTooSmall) => {
+                f.write_str("the creepage is too small for the theory's resolution")
+            }
+            Self::Status(Status::SpinTooLarge) => {
+                f.write_str("the spin is beyond the bound up to which the theory holds")
+            }
+            Self::Status(Status::SeveralSolutions) => f.write_str(
+                "friction falls so steeply that another solution, with more slip, exists; this one \
+                 is reached from friction at rest",
+            ),
+            Self::Status(Status::NoContact) => {
+                f.write_str("no load presses the bodies together: no contact, and no force")
+            }
+            Self::Status(other) => f.write_str(other.name()),
+            // The pressure's slip changes the force most where there is no creepage. On a circle
+            // with Poisson's ratio 0.28 the change is 1.0 times kappa/mu there; 0.4 to 2.1 times
+            // over a/b from 20 to 0.05 and Poisson's ratios from 0.1 to 0.45.
+            Self::Dissimilar { theory, kappa_over_mu } => write!(
+                f,
+                "{theory} takes the bodies for like ones (kappa/mu = {kappa_over_mu:.3}): for \
+                 that the force may be off by some {:.0} % of mu N; exact counts it",
+                100.0 * kappa_over_mu.abs().min(1.0)
+            ),
+            Self::ConstantFriction { theory } => write!(
+                f,
+                "{theory} takes friction as constant at its largest value; exact and fastsim follow it \
+                 with the speed of slip and across the contact"
+            ),
+            Self::NoLayer { theory } => write!(
+                f,
+                "{theory} leaves out the layer between the bodies; exact and fastsim count it"
+            ),
+            Self::OneWay { moved } => write!(
+                f,
+                "pressure and contact area are those without friction: what tractions change about \
+                 them may move the force by some {:.1} % of mu N; coupled = true counts it",
+                100.0 * moved
+            ),
+            Self::Accuracy { prescribed, reached } => write!(
+                f,
+                "at the finest resolution the error bars reach {reached:.2e} of mu N, above the \
+                 prescribed accuracy of {prescribed:e}"
+            ),
+            Self::LargeContact { .. } | Self::HighPressure { .. } | Self::LargeCreepage { .. } => {
+                self.write_units(f)
+            }
+        }
+    }
+}
+
+impl Caution {
+    /// Those of what the bodies bear and how they stand in words.
+    fn write_of_bodies(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::Yields { peak_pressure, shear_yield, is_given } => {
+                let whose = if is_given { "given" } else { "of a typical rail steel" };
+                let times = significant(peak_pressure / shear_yield, 3);
+                write!(
+                    f,
+                    "the peak pressure of {} is {times} times the shear yield stress {whose}, {}: from \
+                     {} times on the contact flows, so that it is larger and its pressure lower",
+                    quantity(peak_pressure, "Pa", 4),
+                    quantity(shear_yield, "Pa", 3),
+                    Self::FULLY_PLASTIC
+                )?;
+                if is_given {
+                    return Ok(());
+                }
+                f.write_str(" (give [damage] shear_yield for a harder steel)")
+            }
+            Self::UncertainPeak { peak_pressure, error } => write!(
+                f,
+                "the peak pressure of {} has an error bar of {}: it does not converge, as at an edge",
+                quantity(peak_pressure, "Pa", 3),
+                quantity(error, "Pa", 2)
+            ),
+            Self::Turns { angle } => write!(
+                f,
+                "the surfaces turn by {} degrees within the contact, which is solved in one plane: from \
+                 14 degrees on the undeformed distance errs by 3 % and more",
+                significant(angle.to_degrees(), 3)
+            ),
+            Self::Climbs { height } if height > Self::RIDES => write!(
+                f,
+                "the flange rides on the rail, {} mm above the height of the tread: this is no running \
+                 wheelset",
+                significant(1e3 * height, 3)
+            ),
+            Self::Climbs { height } => write!(
+                f,
+                "the wheel has climbed its rail by {} mm above the height of its tread",
+                significant(1e3 * height, 3)
+            ),
+            Self::Deep { approach, load } => write!(
+                f,
+                "the bodies are pressed {} mm into each other ({}): this is no elastic contact of a \
+                 wheel and a rail",
+                significant(1e3 * approach, 3),
+                quantity(load, "N", 3)
+            ),
+            Self::Groove { slip, share } => write!(
+                f,
+                "the contact is curved across, as in a groove: for that the slip at its sides differs by {} of \
+                 the rolling velocity from that in its middle, {} times the unit mu c / rho (Heathcote); it is \
+                 left out, and heat, force and moment lack it",
+                significant(slip, 3),
+                significant(share, 2)
+            ),
+            Self::Slides { component, value } => write!(
+                f,
+                "the wheel spins or is locked: its {component} creepage is {}, over the mean speed of \
+                 both surfaces",
+                significant(value, 4)
+            ),
+            _ => Ok(()),
+        }
+    }
+
+    /// Those of areas of any shape in words.
+    fn write_of_areas(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::LikeBodies { kappa_over_mu } => write!(
+                f,
+                "on areas of any shape the bodies are taken for like ones (kappa/mu = \
+                 {kappa_over_mu:.3}): the slip by the pressure is left out, and for that the force \
+                 may be off by some {:.0} % of mu N",
+                100.0 * kappa_over_mu.abs().min(1.0)
+            ),
+            Self::Pressure { residual } => write!(
+                f,
+                "the pressure did not converge: pressed points are up to {residual:.1e} of the \
+                 depth from touching"
+            ),
+            Self::CoarseGap { points, along } => write!(
+                f,
+                "[gap] has only {points} points along {along} across a contact area: with fewer \
+                 than {} the area depends on the interpolation",
+                Self::POINTS
+            ),
+            Self::Rough { body, length, swing, pressure } => write!(
+                f,
+                "the {body}'s profile is rough: in the contact it turns to and fro by {} mrad in waves \
+                 of {} mm, which only {} would press flat, and its crests carry the load; unless it \
+                 is so, smooth it ([{body}] reading = {{ smooth = ... }}, 5 to 10 times that length)",
+                significant(1e3 * swing, 2),
+                significant(1e3 * length, 2),
+                quantity(pressure, "Pa", 2)
+            ),
+            _ => Ok(()),
+        }
+    }
+
+    /// Those of [`Caution::units`] in words.
+    fn write_units(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::LargeContact { semi_axis, radius } => write!(
+                f,
+                "the contact's semi-axis of {} m is more than 0.3 of the smallest radius, {} m: \
+                 check the units of moduli, radii and load (Pa, m, N)",
+                significant(semi_axis, 4),
+                significant(radius, 4)
+            ),
+            Self::HighPressure { peak_pressure, shear_modulus } => write!(
+                f,
+                "the peak pressure of {} exceeds the shear modulus of {}: check the units of \
+                 moduli, radii and load (Pa, m, N)",
+                quantity(peak_pressure, "Pa", 4),
+                quantity(shear_modulus, "Pa", 4)
+            ),
+            Self::LargeCreepage { component, value } => write!(
+                f,
+                "the {component} creepage of {} is above 0.3: it is a ratio of velocities, not per \
+                 cent or degrees",
+                significant(value, 4)
+            ),
+            _ => Ok(()),
+        }
+    }
+}
