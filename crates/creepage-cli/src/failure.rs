@@ -55,8 +55,6 @@ pub(crate) enum Failure {
     Stresses { path: PathBuf, source: StressError },
     #[error("{}: {source}", path.display())]
     Gap { path: PathBuf, source: Box<GapCaseError> },
-    #[error("{}: [gap] goes through `creepage solve` and `creepage batch`: this needs an ellipse", path.display())]
-    OnlySolve { path: PathBuf },
     #[error("{}: [gap] goes with a theory, for --table holds forces of ellipses", path.display())]
     TableOfEllipses { path: PathBuf },
     #[error(transparent)]

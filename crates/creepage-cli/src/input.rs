@@ -6,7 +6,7 @@ use std::path::Path;
 
 use creepage::TheorySpec;
 use creepage::table::Table;
-use creepage_study::{AnyCase, AnyCaseFile, CaseFile, GapFile, Sources};
+use creepage_study::{AnyCase, AnyCaseFile, Sources};
 
 use crate::failure::Failure;
 use crate::output::say;
@@ -36,20 +36,6 @@ pub(crate) fn sources_of(path: &Path) -> Sources {
 /// Where files stand that a case file names.
 pub(crate) fn directory(path: &Path) -> &Path {
     path.parent().unwrap_or(Path::new(""))
-}
-
-/// A case file of an ellipse, its form checked.
-pub(crate) fn read_case(path: &Path) -> Result<CaseFile, Failure> {
-    let text = read_text(path)?;
-    if GapFile::is_one(&text) {
-        return Err(Failure::OnlySolve { path: path.into() });
-    }
-    parse_case(path, &text)
-}
-
-/// A case file of which the text is known.
-pub(crate) fn parse_case(path: &Path, text: &str) -> Result<CaseFile, Failure> {
-    CaseFile::read(text).map_err(|source| Failure::Case { path: path.into(), source })
 }
 
 /// The text of a file of any kind; that of standard input where the path is `-`.

@@ -47,12 +47,12 @@ struct Gaps {
     directory: PathBuf,
 }
 
-pub(super) fn run(args: &BatchArgs, path: &Path, text: &str) -> Result<Outcome, Failure> {
+pub(super) fn run(args: &BatchArgs, path: &Path, file: GapFile) -> Result<Outcome, Failure> {
     if args.table.is_some() {
         return Err(Failure::TableOfEllipses { path: path.into() });
     }
     let table = Table::open(args.input.as_deref())?;
-    let gaps = Gaps::new(args, path, text, &table)?;
+    let gaps = Gaps::new(args, path, file, &table)?;
     let appended = gaps.appended();
     free(&table, &appended)?;
     let answers = |rows: &[ByteRecord]| {
@@ -68,9 +68,8 @@ pub(super) fn run(args: &BatchArgs, path: &Path, text: &str) -> Result<Outcome, 
 }
 
 impl Gaps {
-    fn new(args: &BatchArgs, path: &Path, text: &str, table: &Table) -> Result<Self, Failure> {
+    fn new(args: &BatchArgs, path: &Path, file: GapFile, table: &Table) -> Result<Self, Failure> {
         let wrong = |source| Failure::Gap { path: path.into(), source: Box::new(source) };
-        let file = GapFile::read(text).map_err(wrong)?;
         let theory = args.theory.as_ref().map(|name| {
             let name = TheorySpec::named(name)?.facts().name;
             theory_spec(name, &args.options).map_err(Failure::Option)

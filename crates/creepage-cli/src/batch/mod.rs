@@ -16,7 +16,7 @@ use std::io::{self, Write};
 use std::sync::Arc;
 
 use creepage::{Contact, Ellipse, TheorySpec};
-use creepage_study::{CaseFile, DamageWanted, GapFile, Question, Solver, Sources, theory_spec};
+use creepage_study::{AnyCaseFile, CaseFile, DamageWanted, Question, Solver, Sources, theory_spec};
 use csv::ByteRecord;
 use rayon::prelude::*;
 
@@ -32,18 +32,18 @@ use tally::Tally;
 
 use crate::batch_args::BatchArgs;
 use crate::failure::Failure;
-use crate::input::{read_case, read_table, read_text};
+use crate::input::{read_any, read_table};
 use crate::outcome::Outcome;
 use crate::output::say;
 
 pub(crate) fn run(args: &BatchArgs) -> Result<Outcome, Failure> {
-    if let Some(path) = &args.case {
-        let text = read_text(path)?;
-        if GapFile::is_one(&text) {
-            return gaps::run(args, path, &text);
-        }
-    }
-    let case = args.case.as_deref().map(read_case).transpose()?;
+    let case = match args.case.as_deref().map(|path| (path, read_any(path))) {
+        Some((path, file)) => match file? {
+            AnyCaseFile::Gap(file) => return gaps::run(args, path, *file),
+            AnyCaseFile::Ellipse(file) => Some(*file),
+        },
+        None => None,
+    };
     let solver = solver(args, case.as_ref())?;
     let table = Table::open(args.input.as_deref())?;
     let ask = ask(&table, case.as_ref(), &solver)?;
