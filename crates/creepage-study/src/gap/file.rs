@@ -97,12 +97,6 @@ const FOREIGN: [(&str, &[&str], &str); 5] = [
 const SHAPE: &str = "the shape of both bodies is in [gap], [upper] and [lower] give materials only";
 
 impl GapFile {
-    /// Whether a text is a case file with `[gap]`; what is not TOML is not.
-    #[must_use]
-    pub fn is_one(text: &str) -> bool {
-        text.parse::<Table>().is_ok_and(|table| table.contains_key("gap"))
-    }
-
     /// Reads the text of a case file and checks its form.
     ///
     /// # Errors
