@@ -9,7 +9,7 @@ use super::fixtures::{RANGES, cubic, quiet, spec};
 /// between shapes, with its own measure of error.
 #[test]
 fn a_table_of_ranges_holds_the_tables_of_its_nodes() {
-    let one = Spec { a_over_b: Axis::fixed(2.0), ..spec([6, 8, 12], 0) };
+    let one = Spec { a_over_b: Axis::fixed(2.0), ..spec([6, 8, 12], 1) };
     let one = Spec { poisson: Axis::fixed(0.25), ..one };
     let alone = build(&one, cubic, &quiet).unwrap();
     let at = creepage(0.4, -0.3, 0.1);
