@@ -84,7 +84,7 @@ pub struct Case {
     /// The smallest of the bodies' radii (m), where they are given.
     pub smallest_radius: Option<f64>,
     /// By how much the slip varies across the contact, over the square of the place (1/m2), as the surfaces
-    /// of conforming bodies curve alike; where the radii are given.
+    /// of conforming bodies curve alike.
     pub slip_by_groove: Option<f64>,
     /// What is wanted of wear and fatigue, if anything is.
     pub damage: Option<DamageWanted>,

@@ -62,15 +62,16 @@ impl Sections {
 
 impl Sections {
     /// By how much the slip varies across the contact over the square of the place (1/m2): the surfaces of
-    /// conforming bodies curve alike, and their rolling radii change with it (Heathcote 1921). `None` where
-    /// the radii are not given, or one of them lies askew.
+    /// conforming bodies, one of them hollow across, curve alike, and their rolling radii change with it
+    /// (Heathcote 1921). `None` where they do not conform, radii are not given, or one body lies askew.
     pub(crate) fn slip_by_groove(&self) -> Option<f64> {
         let radii = [self.upper.radii("upper").ok()?, self.lower.radii("lower").ok()?];
         let straight = self.contact.angle.is_none_or(|angle| angle == 0.0);
         let [upper, lower] = radii.map(|radii| [radii.rolling.recip(), radii.lateral.recip()]);
         // The surface in which they meet lies halfway between both.
         let curvature = 0.5 * (upper[1] - lower[1]);
-        straight.then_some(0.5 * curvature.abs() * (upper[0] + lower[0]).abs())
+        let conform = upper[1] < 0.0 || lower[1] < 0.0;
+        (straight && conform).then_some(0.5 * curvature.abs() * (upper[0] + lower[0]).abs())
     }
 }
 

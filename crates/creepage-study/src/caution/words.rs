@@ -126,8 +126,8 @@ impl Caution {
             ),
             Self::Groove { slip, share } => write!(
                 f,
-                "the contact is curved across, as in a groove: for that the slip at its sides differs by {} of \
-                 the rolling velocity from that in its middle, {} times the unit mu c / rho (Heathcote); it is \
+                "the bodies conform: by the curvature of the groove the slip at the sides differs by {} of \
+                 the rolling velocity from that in the middle, {} times the unit mu c / rho (Heathcote); it is \
                  left out, and heat, force and moment lack it",
                 significant(slip, 3),
                 significant(share, 2)
