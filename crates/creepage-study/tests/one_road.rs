@@ -149,7 +149,8 @@ fn slopes_with_a_little_spin_are_those_without() {
                 radii: [0.46, 1.43],
                 load: 60e3,
                 friction: 0.3,
-                creepage: [0.0, 0.0, spin],
+                // The slopes of strip theory have no limit at no creepage at all.
+                creepage: [1e-8, 1e-8, spin],
             };
             [wheel.as_ellipse(theory), wheel.as_gap(theory)].map(|solved| {
                 let prepared = TheorySpec::named(theory).unwrap().prepare(&solved.contact).unwrap();

@@ -46,7 +46,13 @@ fn an_option_of_the_wrong_kind_is_named_with_its_value() {
         let solve = format!("[solve]\ntheory = \"variational\"\n{option}\n[creepage]");
         refused("[creepage]", &solve, &[&["[solve] "], parts].concat());
     };
-    refused("degree = 2.5", &["degree = 2.5 is not valid for variational", "expected usize"]);
+    refused(
+        "degree = 2.5",
+        &[
+            "degree = 2.5 is not valid for variational",
+            "expected a whole number that is not negative",
+        ],
+    );
     refused("degree = -1", &["degree = -1"]);
     refused("mesh = [1, 2, 3]", &["mesh = [1, 2, 3]"]);
     refused("weight = \"heavy\"", &["heavy", "uniform"]);
@@ -189,7 +195,7 @@ fn options_outside_a_file_are_checked_as_in_it() {
     let message = |option: &str| theory_spec("variational", &[option]).unwrap_err().to_string();
     assert!(message("grd=[1, 2]").contains("unknown key `grd` in [solve]: did you mean `grid`?"));
     assert!(message("weight=heavy").contains("heavy"));
-    assert!(message("degree=x").contains("expected usize"));
+    assert!(message("degree=x").contains("expected a whole number that is not negative"));
     assert!(message("degree").contains("degree"));
     let twice = theory_spec("variational", &["degree=3", "degree=4"]).unwrap_err();
     assert!(twice.to_string().contains("duplicate"));

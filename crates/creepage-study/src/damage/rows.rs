@@ -2,7 +2,7 @@
 
 use creepage::coulomb::ElementField;
 use creepage::damage::{ElementState, Row};
-use creepage::{Region, Scaling};
+use creepage::{Region, Scaling, SiCreepage};
 
 use crate::SolvedCase;
 
@@ -14,19 +14,20 @@ impl SolvedCase {
     /// Rows of equal width, each of elements of equal length over its own. `None` where the theory
     /// gives no slip.
     pub(super) fn rows(&self) -> Option<Vec<Row>> {
+        let creepage = self.scaling().si_creepage(self.creepage());
         if self.areas().is_some() {
-            let rows = of_elements(self.elements(), self.scaling(), self.load().value);
+            let rows = of_elements(self.elements(), self.scaling(), self.load().value, creepage);
             let slips = rows.iter().flat_map(|row| &row.elements).flat_map(|element| element.slip);
             return slips.into_iter().all(f64::is_finite).then_some(rows);
         }
-        let strips = of_elements(self.elements(), self.scaling(), self.load().value);
+        let strips = of_elements(self.elements(), self.scaling(), self.load().value, creepage);
         let heat = |row: &Row| ElementState::power_per_metre(&row.elements) / row.width;
         let heat: Vec<[f64; 2]> = strips.iter().map(|row| [row.y, heat(row)]).collect();
         let row = |j: u8| {
             let mut row = self.wear_row(middle(j, ROWS))?;
             if let Some(heat) = between(&heat, row.y) {
                 let heat = heat * row.width;
-                give_heat(&mut row, heat, self.case.friction());
+                give_heat(&mut row, heat, self.case.friction(), creepage);
             }
             Some(row)
         };
@@ -70,26 +71,35 @@ fn between(values: &[[f64; 2]], y: f64) -> Option<f64> {
 
 /// Gives a row this heat per metre rolled (J/m): what it lacks slides in its first element, at the trailing
 /// edge, where slip is narrower than elements; where it has more, all slip is less.
-fn give_heat(row: &mut Row, heat: f64, friction: f64) {
+fn give_heat(row: &mut Row, heat: f64, friction: f64, creepage: SiCreepage) {
     let own = ElementState::power_per_metre(&row.elements);
     if heat < own {
         let part = heat / own;
         row.elements.iter_mut().for_each(|element| element.slip = element.slip.map(|s| part * s));
     } else if let Some(last) = row.elements.first() {
-        row.elements.extend(sliding_edge(last, friction * last.pressure, heat - own));
+        let rigid = rigid_slip(creepage, [0.0, row.y]);
+        row.elements.extend(sliding_edge(last, friction * last.pressure, heat - own, rigid));
     }
 }
 
+/// Size of the slip of rigid bodies at a place (m), over the rolling velocity.
+fn rigid_slip(SiCreepage { longitudinal, lateral, spin }: SiCreepage, [x, y]: [f64; 2]) -> f64 {
+    (longitudinal - spin * y).hypot(lateral + spin * x)
+}
+
 /// What slides at the trailing edge of an element that adheres for the rest: at the traction bound, along
-/// its traction, as far as turns this much to heat per metre rolled (J/m).
-fn sliding_edge(element: &ElementState, bound: f64, heat: f64) -> Option<ElementState> {
+/// its traction, as fast as rigid bodies would, and so wide that this much turns to heat per metre rolled
+/// (J/m).
+fn sliding_edge(element: &ElementState, bound: f64, heat: f64, slip: f64) -> Option<ElementState> {
     let size = element.traction[0].hypot(element.traction[1]);
-    let slip = heat / (bound * element.area);
+    let area = heat / (bound * slip);
     let along = element.traction.map(|traction| traction / size);
-    let slides = slip > 0.0 && slip.is_finite() && size > 0.0;
+    let slides = area > 0.0 && area.is_finite() && size > 0.0;
     slides.then(|| ElementState {
         traction: along.map(|part| bound * part),
         slip: along.map(|part| slip * part),
+        area,
+        length: area * element.length / element.area,
         ..*element
     })
 }
@@ -100,12 +110,17 @@ fn middle(k: u8, count: u8) -> f64 {
 }
 
 /// The rows of elements that come strip by strip; `normal` is the load (N).
-pub(crate) fn of_elements(elements: &[ElementField], scaling: Scaling, normal: f64) -> Vec<Row> {
+pub(crate) fn of_elements(
+    elements: &[ElementField],
+    scaling: Scaling,
+    normal: f64,
+    creepage: SiCreepage,
+) -> Vec<Row> {
     let borders = |element: &ElementField| element.corners.map(|[_, y]| y.to_bits());
     let same = |one: &ElementField, two: &ElementField| borders(one) == borders(two);
     let rows = elements.chunk_by(same).map(|row| {
         let states: Vec<_> =
-            row.iter().flat_map(|element| states(element, scaling, normal)).collect();
+            row.iter().flat_map(|element| states(element, scaling, normal, creepage)).collect();
         let [low, high] = row.first().map_or([0.0; 2], |first| [0, 1].map(|k| first.corners[k][1]));
         Row {
             y: scaling.length * 0.5 * (low + high),
@@ -121,6 +136,7 @@ fn states(
     element: &ElementField,
     scaling: Scaling,
     normal: f64,
+    creepage: SiCreepage,
 ) -> impl Iterator<Item = ElementState> + use<> {
     let [p, q, r, s] = element.corners;
     let cross = (r[0] - p[0]) * (s[1] - q[1]) - (s[0] - q[0]) * (r[1] - p[1]);
@@ -138,6 +154,7 @@ fn states(
     if own.is_finite() && heat < own {
         state.slip = state.slip.map(|s| s * heat / own);
     }
-    let edge = sliding_edge(&state, element.bound * scaling.traction, heat - own);
+    let rigid = rigid_slip(creepage, element.point.position.map(|at| scaling.length * at));
+    let edge = sliding_edge(&state, element.bound * scaling.traction, heat - own, rigid);
     std::iter::once(state).chain(edge)
 }

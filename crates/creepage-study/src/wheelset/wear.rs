@@ -1,6 +1,7 @@
 //! Wear and fatigue of a wheelset's contacts, and the depth of wear on its profiles.
 
 use creepage::SiCreepage;
+use creepage_rail::RollingCreepage;
 
 use super::error::side_word;
 use super::solved::{SolvedContact, SolvedWheel, SolvedWheelset};
@@ -60,15 +61,13 @@ fn record(wheel: &SolvedWheel, k: usize, contact: &SolvedContact, row: &WearRow)
 impl SolvedContact {
     fn add_damage(&mut self, wanted: &DamageWanted, speed: f64) {
         let normal = self.load();
-        let rows = of_elements(&self.elements(), self.scaling, normal);
-        let (creepage, contact) = (self.creepage, &self.normal);
+        let (RollingCreepage { longitudinal, lateral, spin, .. }, contact) =
+            (self.creepage, &self.normal);
+        let creepage = SiCreepage { longitudinal, lateral, spin };
+        let rows = of_elements(&self.elements(), self.scaling, normal, creepage);
         let ground = Ground {
             force: self.force,
-            creepage: SiCreepage {
-                longitudinal: creepage.longitudinal,
-                lateral: creepage.lateral,
-                spin: creepage.spin,
-            },
+            creepage,
             normal,
             area: contact.area().value,
             peak: contact.peak_pressure().value,
