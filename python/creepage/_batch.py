@@ -105,14 +105,16 @@ def batch(
     that would be appended and are there already; UnknownTheory; FileExistsError for a folder that
     holds anything else.
     """
+    rows: Any = cases
+    by: Any = theory
     if isinstance(cases, _creepage.Theory):
-        cases, theory = theory, cases
-    question = _question(theory, case, options)
-    if type(cases).__module__.partition(".")[0] == "polars":
-        return _polars(question, cases)
+        rows, by = theory, cases
+    question = _question(by, case, options)
+    if type(rows).__module__.partition(".")[0] == "polars":
+        return _polars(question, rows)
     import pandas as pd
 
-    table = pd.DataFrame(cases)
+    table = pd.DataFrame(rows)
     check(question, list(table.columns))
     pieces = [(question, table.iloc[first:end]) for first, end in ranges(len(table), parts)]
     if out is None and client is None:

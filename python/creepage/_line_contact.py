@@ -116,9 +116,9 @@ def line_contact(upper: Body, lower: Body, load: float) -> LineContact:
         flat = body.radius_rolling in (None, "flat")
         radii.append(math.inf if flat else float(body.radius_rolling or 0.0))
     moduli = (upper.modulus(), lower.modulus())
-    *found, kappa, caution = _creepage.line_contact(
+    half_width, peak_pressure, rho, kappa, caution = _creepage.line_contact(
         moduli, (upper.poisson, lower.poisson), (radii[0], radii[1]), load
     )
     if caution is not None:
         warnings.warn(caution, UnitsWarning, stacklevel=2)
-    return LineContact(*found, load, kappa)
+    return LineContact(half_width, peak_pressure, rho, load, kappa)

@@ -181,8 +181,10 @@ class WheelsetSolver:
         if z is not None and axle_load is not None:
             raise ValueError("z and axle_load exclude each other: one of them presses the wheelset")
         before = None if start is None else start._solved
-        numbers = [[_number(name, value) for name, value in of.items()] for of in (pose, motion)]
-        return WheelsetResult(self._data.solve_at(*numbers, before, derivatives))
+        poses, motions = (
+            [_number(name, value) for name, value in of.items()] for of in (pose, motion)
+        )
+        return WheelsetResult(self._data.solve_at(poses, motions, before, derivatives))
 
     def solve_many(self, **quantities: ArrayLike) -> WheelsetMany:
         """Solves many positions and motions on all cores: arrays or numbers of the quantities of `solve`.

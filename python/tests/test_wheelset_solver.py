@@ -1,5 +1,7 @@
 """A wheelset asked in many positions and motions."""
 
+from typing import Any
+
 import numpy as np
 import pytest
 
@@ -53,8 +55,10 @@ def test_the_wrench_is_the_sum_of_both_rails_forces(wheelset: creepage.Wheelset)
     # Rounding of a sum.
     assert asked.wrench[:3] == pytest.approx(-(asked.left.force + asked.right.force), abs=1e-6)
     assert asked.wrench[2] == pytest.approx(-200e3, rel=2e-4)
-    # Nothing turns the axle: the pitch rate was found so, to 1e-5 of what friction could.
-    assert abs(asked.wrench[4]) < 1e-4 * 0.3 * 200e3 * 0.46
+    # Nothing turns the axle: the pitch rate was found so, to 1e-5 of what friction could. It points along
+    # (-sin yaw, cos yaw cos roll, cos yaw sin roll); loads pass through it but for their places.
+    axle = np.array([-np.sin(asked.yaw), np.cos(asked.yaw) * np.cos(asked.roll), np.sin(asked.roll)])
+    assert abs(asked.wrench[3:] @ axle) < 1e-4 * 0.3 * 200e3 * 0.46
 
 
 def test_a_height_and_a_roll_press_as_the_load_did(wheelset: creepage.Wheelset) -> None:
@@ -65,19 +69,19 @@ def test_a_height_and_a_roll_press_as_the_load_did(wheelset: creepage.Wheelset) 
 
 
 def test_a_roll_rate_is_a_lateral_velocity_of_the_treads(wheelset: creepage.Wheelset) -> None:
-    """Below the centre by the radius the surface moves to the left, at -radius times the rate; that the
-    wheels move up and down besides changes nothing on treads that are nearly level."""
+    """Below the centre by the radius the surface moves to the left, at -radius times the rate. The wheels
+    move up and down besides, by 1.6 times as much, on treads that slope by 1:40 to 1:20: 4 to 8 %."""
     solver = wheelset.solver()
     rolling = solver.solve(y=0.0, yaw=0.0, roll_rate=0.01)
     moving = solver.solve(y=0.0, yaw=0.0, lateral_velocity=-0.0046)
     still = solver.solve(y=0.0, yaw=0.0)
     by_rate, by_velocity = (one.wrench[1] - still.wrench[1] for one in (rolling, moving))
-    assert by_rate == pytest.approx(by_velocity, rel=0.05) and abs(by_rate) > 100.0
+    assert by_rate == pytest.approx(by_velocity, rel=0.08) and abs(by_rate) > 100.0
 
 
 def test_a_mirrored_motion_has_mirrored_forces(wheelset: creepage.Wheelset) -> None:
     solver = wheelset.solver()
-    motion = {"lateral_velocity": 0.01, "roll_rate": 0.02, "yaw_rate": 0.01}
+    motion: dict[str, Any] = {"lateral_velocity": 0.01, "roll_rate": 0.02, "yaw_rate": 0.01}
     one = solver.solve(y=0.003, yaw=0.001, vertical_velocity=0.01, **motion)
     other = solver.solve(
         y=-0.003, yaw=-0.001, vertical_velocity=0.01, **{name: -value for name, value in motion.items()}
