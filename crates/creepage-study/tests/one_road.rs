@@ -140,17 +140,17 @@ fn heat_by_slip_is_that_by_force_down_to_the_smallest_creepage() {
     }
 }
 
+/// Not of `fastrip` on areas: where slip is narrower than a cell its slopes are the cell's.
 /// Spin hardly changes the slopes of the force at small creepage; that of `fastsim` on areas did by half.
 #[test]
 fn slopes_with_a_little_spin_are_those_without() {
-    for theory in ["exact", "fastsim", "fastrip"] {
+    for theory in ["exact", "fastsim"] {
         let slopes = |spin: f64| {
             let wheel = Wheel {
                 radii: [0.46, 1.43],
                 load: 60e3,
                 friction: 0.3,
-                // The slopes of strip theory have no limit at no creepage at all.
-                creepage: [1e-8, 1e-8, spin],
+                creepage: [0.0, 0.0, spin],
             };
             [wheel.as_ellipse(theory), wheel.as_gap(theory)].map(|solved| {
                 let prepared = TheorySpec::named(theory).unwrap().prepare(&solved.contact).unwrap();

@@ -5,11 +5,12 @@
 //! row of the patch to its width, and of which the creepages are taken at the centre of pressure:
 //!
 //! - [`Simplified::Fastsim`] marches through the rows of the true area under `mu` times the true
-//!   pressure, with one flexibility, `1/L^2 = sum (w_i/L_i)^2 / sum w_i^2`,
-//!   `w = (xi, eta, chi sqrt(ab))`. On 20 patches of a wheel on a rail it errs by .9 % of `mu N`
-//!   in the mean and by 7 % at worst, on the widest; three flexibilities by 3.7 and 9.7 %.
+//!   pressure, with the blended flexibilities of [`Flexibility`](crate::approximate::fastsim::Flexibility),
+//!   those of an ellipse for small creepage and one for all where it slides.
 //! - [`Simplified::Fastrip`] takes strip theory's adhesion area in every row, by the row's own
 //!   length and pressure and scaled to the ellipse's coefficients, and FASTSIM's direction in slip.
+//!   Where the slip area is narrower than a cell, at creepages near zero, its derivatives are those of the
+//!   cell and say nothing of the force: take differences over a tenth of a creepage that slides.
 //! - [`Simplified::Linear`] is the linear theory of the ellipse: forces by its coefficients, about
 //!   the centre of pressure; tractions by three springs, without a bound.
 //! - [`Simplified::Saturated`] slides everywhere, with the true pressure: no elasticity at all.
