@@ -125,7 +125,7 @@ impl Engine {
     fn theory(&mut self, wanted: [usize; 2]) -> Result<&dyn Theory, Failure> {
         let contact = self.contact.clone().ok_or("no contact is given")?;
         if !self.prepared.iter().any(|(theory, _)| *theory == wanted) {
-            self.prepared.push((wanted, specified(wanted)?.prepare(&contact)?));
+            self.prepared.push((wanted, specified(wanted)?.prepare_on_ellipse(&contact)?));
         }
         let found = self.prepared.iter().find(|(theory, _)| *theory == wanted);
         Ok(&*found.ok_or("no such theory")?.1)

@@ -260,6 +260,16 @@ impl TheorySpec {
         if contact.areas().is_some() {
             return self.prepare_on_areas(contact);
         }
+        self.prepare_on_ellipse(contact)
+    }
+
+    /// The theory, prepared for Hertz's ellipse: as [`TheorySpec::prepare`] without what areas of any shape
+    /// need, for a program that has none and must be small.
+    ///
+    /// # Errors
+    /// [`TheoryError`] as of [`TheorySpec::prepare`], and for areas of any shape.
+    pub fn prepare_on_ellipse(&self, contact: &Contact) -> Result<Box<dyn Theory>, TheoryError> {
+        contact.hertz_ellipse()?;
         Ok(match self {
             Self::Exact(options) => return options.prepare(contact),
             Self::Variational(options) => Box::new(Variational::new(contact, options.settings())?),
