@@ -136,6 +136,8 @@ class WheelsetMany(NamedTuple):
     """rad/s."""
     status: np.ndarray[Any, np.dtype[np.str_]]
     """ "solved", or why not."""
+    cautions: np.ndarray[Any, np.dtype[np.str_]]
+    """What may be off, as the cautions of `solve` with "; " between them; empty where nothing is."""
 
 
 class WheelsetSolver:
@@ -207,7 +209,7 @@ class WheelsetSolver:
         for k, name in enumerate((*_POSE, *_MOTION)):
             if name in given:
                 rows[..., k] = given[name]
-        numbers, status = self._data.solve_rows(rows.ravel())
+        numbers, (status, cautions) = self._data.solve_rows(rows.ravel())
         numbers = numbers.reshape(*shape, 21)
         return WheelsetMany(
             numbers[..., 0:6],
@@ -217,6 +219,7 @@ class WheelsetSolver:
             numbers[..., 19],
             numbers[..., 20],
             np.array(status).reshape(shape),
+            np.array(cautions).reshape(shape),
         )
 
 

@@ -50,6 +50,15 @@ def test_many_rows_have_the_bits_of_each_alone(wheelset: creepage.Wheelset) -> N
     assert (many.z[1, 2], many.roll[1, 2]) == (alone.z, alone.roll)
 
 
+def test_many_rows_carry_the_cautions_of_each_alone(wheelset: creepage.Wheelset) -> None:
+    solver = wheelset.solver()
+    loads = [100e3, 2e6]  # Steel yields under the second.
+    many = solver.solve_many(axle_load=loads)
+    alone = [solver.solve(axle_load=load).cautions for load in loads]
+    assert many.cautions.tolist() == ["; ".join(cautions) for cautions in alone]
+    assert any("yield" in caution for caution in alone[1])
+
+
 def test_the_wrench_is_the_sum_of_both_rails_forces(wheelset: creepage.Wheelset) -> None:
     asked = wheelset.solver().solve(yaw=0.002)
     # Rounding of a sum.

@@ -108,34 +108,38 @@ impl WheelsetData {
 
     /// The same for many rows, 11 numbers each, on all cores and each from nothing: for each row 6 numbers of
     /// each wheel on its rail, 6 of the wrench, z, roll, pitch rate, in all 21, NaN where it was not solved; and
-    /// its status in words.
+    /// its status and its cautions in words.
     fn solve_rows<'py>(
         &self,
         py: Python<'py>,
         rows: PyReadonlyArray1<'py, f64>,
-    ) -> PyResult<(Bound<'py, PyArray1<f64>>, Vec<String>)> {
+    ) -> PyResult<SolvedRows<'py>> {
         let (rows, case) = (rows.to_vec()?, self.case.clone());
         let solve = move |stop: &AtomicBool| {
             let solver = case.solver()?;
             let radius = case.running.wheelset().radius();
             let one = |row: &[f64; 11]| {
                 if stop.load(Ordering::Relaxed) {
-                    return ([f64::NAN; 21], "not solved".to_owned());
+                    return ([f64::NAN; 21], ["not solved".to_owned(), String::new()]);
                 }
                 let [y, z, roll, yaw, load, motion @ ..] = *row;
                 let solved = at(&case, [y, z, roll, yaw, load], motion)
                     .and_then(|(stance, travel)| solver.solve(&stance, &travel));
                 match solved {
-                    Ok(solved) => (numbers(&solved, radius), solved.status().name().to_owned()),
-                    Err(error) => ([f64::NAN; 21], error.to_string()),
+                    Ok(solved) => {
+                        let words = solved.caution_words().join("; ");
+                        (numbers(&solved, radius), [solved.status().name().to_owned(), words])
+                    }
+                    Err(error) => ([f64::NAN; 21], [error.to_string(), String::new()]),
                 }
             };
             Ok(rows.as_chunks::<11>().0.par_iter().map(one).unzip())
         };
         let solved = signals::stoppable(py, solve)?;
-        let (numbers, statuses): (Vec<_>, Vec<_>) =
+        let (numbers, words): (Vec<_>, Vec<_>) =
             solved.map_err(|error| errors::wheelset(py, error))?;
-        Ok((PyArray1::from_slice(py, numbers.as_flattened()), statuses))
+        let (statuses, cautions) = words.into_iter().map(<(String, String)>::from).unzip();
+        Ok((PyArray1::from_slice(py, numbers.as_flattened()), [statuses, cautions]))
     }
 
     /// Columns over yaw and lateral position, each as one flat array.
@@ -165,8 +169,8 @@ impl WheelsetData {
         Ok(found.map_err(|error| errors::wheelset(py, error))?.rows().collect())
     }
 
-    /// The equivalent conicity at amplitudes (m); NaN where there is none. An amplitude that is
-    /// none is refused.
+    /// The equivalent conicity at amplitudes (m); NaN where contact ends before or the
+    /// wheelset does not swing. An amplitude that is not finite and positive is refused.
     fn conicity(&self, py: Python, amplitudes: Vec<f64>, rolls: bool) -> PyResult<Vec<f64>> {
         let wrong = |amplitude: &&f64| !(**amplitude > 0.0 && amplitude.is_finite());
         if let Some(&value) = amplitudes.iter().find(wrong) {
@@ -179,6 +183,9 @@ impl WheelsetData {
         Ok(amplitudes.iter().map(at).collect())
     }
 }
+
+/// Numbers of many rows; their statuses and their cautions.
+type SolvedRows<'py> = (Bound<'py, PyArray1<f64>>, [Vec<String>; 2]);
 
 /// The position and the motion of a row; NaN is the wheelset's own.
 fn at(

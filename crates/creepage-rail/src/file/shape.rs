@@ -81,7 +81,7 @@ impl Stretch {
     }
 }
 
-/// Whether a flange stands at the lower `y`; `None` where there is none.
+/// Whether the flange is at the end of lower `y`; `None` for a profile without a flange.
 fn flange(stretches: &[Stretch], depth: f64, [inner, outer]: [f64; 2]) -> Option<bool> {
     let deep = stretches.iter().filter(|stretch| stretch.depth > 0.5 * depth);
     let [from, to] = deep.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], stretch| {
