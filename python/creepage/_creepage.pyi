@@ -498,8 +498,7 @@ class WheelsetData:
     def by_theory(self, theory: str, options: Sequence[str]) -> WheelsetData: ...
     def solve_at(
         self,
-        pose: Sequence[float],
-        motion: Sequence[float],
+        asked: Sequence[float],
         start: SolvedWheelset | None,
         derivatives: bool,
     ) -> SolvedWheelset: ...

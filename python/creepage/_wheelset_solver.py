@@ -15,8 +15,13 @@ from . import _creepage
 from ._contact import floats
 from ._results import Floats
 
-_POSE = ("y", "z", "roll", "yaw", "axle_load")
-_MOTION = (
+_ASKED = (
+    "y",
+    "z",
+    "roll",
+    "yaw",
+    "axle_load",
+    "roll_moment",
     "speed",
     "pitch_rate",
     "lateral_velocity",
@@ -55,6 +60,10 @@ class WheelResult:
     """About the origin of the rail's profile (N m)."""
     patches: tuple[Patch, ...]
     """Places of contact by falling load; none where the wheel hangs above its rail."""
+    pitch_rate: float
+    """Its angular velocity about the axle (rad/s), of independent wheels its own."""
+    clearance: float | None
+    """How far it would have to go down to touch (m), where it touches nothing."""
 
     def __repr__(self) -> str:
         x, y, z = self.force
@@ -73,8 +82,8 @@ class WheelsetResult:
 
     @property
     def pitch_rate(self) -> float:
-        """Given or found (rad/s)."""
-        return float(self._numbers[20])
+        """Given or found (rad/s); of independent wheels, which have their own each, the mean."""
+        return float(_mean(self._numbers[20:22]))
 
     @property
     def wrench(self) -> Floats:
@@ -95,7 +104,9 @@ class WheelsetResult:
         report: dict[str, Any] | None = self._report[side]
         patches = () if report is None else tuple(_patch(one) for one in report["patches"])
         force, moment = self._numbers[first : first + 3], self._numbers[first + 3 : first + 6]
-        return WheelResult(force, moment, patches)
+        rate = float(self._numbers[20 if side == "left" else 21])
+        clearance = None if report is None else report["clearance_m"]
+        return WheelResult(force, moment, patches, rate, clearance)
 
     @cached_property
     def _report(self) -> dict[str, Any]:
@@ -133,7 +144,9 @@ class WheelsetMany(NamedTuple):
     roll: Floats
     """rad."""
     pitch_rate: Floats
-    """rad/s."""
+    """rad/s; of independent wheels the mean."""
+    pitch_rates: Floats
+    """Of the left and of the right wheel (rad/s)."""
     status: np.ndarray[Any, np.dtype[np.str_]]
     """ "solved", or why not."""
     cautions: np.ndarray[Any, np.dtype[np.str_]]
@@ -155,6 +168,7 @@ class WheelsetSolver:
         roll: float | None = None,
         yaw: float | None = None,
         axle_load: float | None = None,
+        roll_moment: float | None = None,
         speed: float | None = None,
         pitch_rate: float | None = None,
         lateral_velocity: float | None = None,
@@ -166,13 +180,20 @@ class WheelsetSolver:
     ) -> WheelsetResult:
         """Solves one position and motion, in SI units, angles in radians.
 
-        What is left out is the wheelset's own. `z` (m, down) or `axle_load` (N, both wheels) press it.
+        What is left out is the wheelset's own. `z` (m, down) or `axle_load` (N, both wheels) press it;
+        `roll_moment` (N m), with `axle_load` and a roll that is free, is the moment about x with which it
+        presses on the track, about its centre, positive where it presses the right wheel down.
         Without `start` the answer is the same to the last bit whatever was asked before. With `start`, an
         earlier result nearby, it is found from there, several times quicker, and the same within the
         error bars. Raises CaseError where nothing rests on the rails.
         """
-        pose = {"y": y, "z": z, "roll": roll, "yaw": yaw, "axle_load": axle_load}
-        motion = {
+        given = {
+            "y": y,
+            "z": z,
+            "roll": roll,
+            "yaw": yaw,
+            "axle_load": axle_load,
+            "roll_moment": roll_moment,
             "speed": speed,
             "pitch_rate": pitch_rate,
             "lateral_velocity": lateral_velocity,
@@ -183,10 +204,8 @@ class WheelsetSolver:
         if z is not None and axle_load is not None:
             raise ValueError("z and axle_load exclude each other: one of them presses the wheelset")
         before = None if start is None else start._solved
-        poses, motions = (
-            [_number(name, value) for name, value in of.items()] for of in (pose, motion)
-        )
-        return WheelsetResult(self._data.solve_at(poses, motions, before, derivatives))
+        asked = [_number(name, given[name]) for name in _ASKED]
+        return WheelsetResult(self._data.solve_at(asked, before, derivatives))
 
     def solve_many(self, **quantities: ArrayLike) -> WheelsetMany:
         """Solves many positions and motions on all cores: arrays or numbers of the quantities of `solve`.
@@ -194,9 +213,9 @@ class WheelsetSolver:
         They are broadcast against one another. Each row is solved from nothing, so that it has the bits
         of `solve`; one that cannot be solved has NaN, and the reason in `status`.
         """
-        unknown = set(quantities) - {*_POSE, *_MOTION}
+        unknown = set(quantities) - set(_ASKED)
         if unknown:
-            known = ", ".join((*_POSE, *_MOTION))
+            known = ", ".join(_ASKED)
             raise TypeError(f"unknown quantity {min(unknown)!r}: known are {known}")
         if "z" in quantities and "axle_load" in quantities:
             raise ValueError("z and axle_load exclude each other: one of them presses the wheelset")
@@ -205,22 +224,30 @@ class WheelsetSolver:
             if not np.isfinite(values).all():
                 raise ValueError(f"{name} must be finite")
         shape = np.broadcast_shapes(*(values.shape for values in given.values()))
-        rows = np.full((*shape, len(_POSE) + len(_MOTION)), math.nan)
-        for k, name in enumerate((*_POSE, *_MOTION)):
+        rows = np.full((*shape, len(_ASKED)), math.nan)
+        for k, name in enumerate(_ASKED):
             if name in given:
                 rows[..., k] = given[name]
         numbers, (status, cautions) = self._data.solve_rows(rows.ravel())
-        numbers = numbers.reshape(*shape, 21)
+        numbers = numbers.reshape(*shape, 22)
         return WheelsetMany(
             numbers[..., 0:6],
             numbers[..., 6:12],
             numbers[..., 12:18],
             numbers[..., 18],
             numbers[..., 19],
-            numbers[..., 20],
+            _mean(numbers[..., 20:22]),
+            numbers[..., 20:22],
             np.array(status).reshape(shape),
             np.array(cautions).reshape(shape),
         )
+
+
+def _mean(rates: Floats) -> Floats:
+    """Of the left and the right wheel; that of the one alone where only one is solved."""
+    left, right = rates[..., 0], rates[..., 1]
+    one = np.where(np.isnan(left), right, left)
+    return np.asarray(0.5 * (one + np.where(np.isnan(right), left, right)))
 
 
 def _number(name: str, value: float | None) -> float:

@@ -19,6 +19,10 @@ use crate::batch::columns::ColumnError;
 /// Why the command could not do its work.
 #[derive(Debug, thiserror::Error)]
 pub(crate) enum Failure {
+    #[error("--survey {pattern}: {why}")]
+    Pattern { pattern: String, why: String },
+    #[error("--rail: {source}")]
+    Survey { source: creepage_rail::GeometryError },
     #[error("cannot read {}: {source}", path.display())]
     Read { path: PathBuf, source: io::Error },
     #[error("{}: {source}", path.display())]

@@ -6,7 +6,7 @@ use std::path::Path;
 
 use creepage::TheorySpec;
 use creepage::table::Table;
-use creepage_study::{AnyCase, AnyCaseFile, Sources};
+use creepage_study::{AnyCase, AnyCaseFile, Sources, WheelsetFile};
 
 use crate::failure::Failure;
 use crate::output::say;
@@ -15,6 +15,12 @@ use crate::output::say;
 pub(crate) fn read_any(path: &Path) -> Result<AnyCaseFile, Failure> {
     let wrong = |source| Failure::Gap { path: path.into(), source: Box::new(source) };
     AnyCaseFile::read(&read_text(path)?).map_err(wrong)
+}
+
+/// Whether a file is that of a wheelset; one that cannot be read is none.
+pub(crate) fn is_wheelset(path: &Path) -> bool {
+    let text = fs::read_to_string(path).unwrap_or_default();
+    WheelsetFile::is_one(&text)
 }
 
 /// A case of any contact.

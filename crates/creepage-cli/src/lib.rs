@@ -22,6 +22,7 @@ mod reproduce;
 mod roll;
 mod statics;
 mod stresses;
+mod survey;
 mod sweep;
 mod table;
 mod table_build;
@@ -68,7 +69,7 @@ fn run(command: &Command) -> Result<Outcome, Failure> {
         Command::Wheelset(args) => return wheelset::run(args),
         Command::Roll(args) => return roll::run(args),
         Command::Conicity(args) => return conicity::run(args),
-        Command::Profile(args) => profile::run(args)?,
+        Command::Profile(args) => return profile::run(args),
         Command::Stresses(args) => return stresses::run(args),
         Command::Hertz(args) => cases::hertz(args)?,
         Command::Statics(args) => statics::run(args)?,

@@ -9,10 +9,12 @@ use creepage_study::{Sources, profile_pictures, write_all};
 use serde_json::{Value, json};
 
 use crate::failure::Failure;
+use crate::outcome::Outcome;
 use crate::output::{complain, print, say_written, to_json};
 use crate::rail_args::{
     LateralSense, ProfileArgs, ProfileFormat, RoleName, SideName, UprightSense,
 };
+use crate::survey;
 
 /// Points of a converted file lie at most this far apart (m).
 const SPACING: f64 = 5e-4;
@@ -34,7 +36,27 @@ impl Found {
 
 /// The files first, then the words, so that a wrong `--out` prints nothing. A profile that cannot
 /// be read keeps all files from being written, but not the words on the others.
-pub(crate) fn run(args: &ProfileArgs) -> Result<(), Failure> {
+pub(crate) fn run(args: &ProfileArgs) -> Result<Outcome, Failure> {
+    if args.list {
+        print(&listed())?;
+        return Ok(Outcome::Done);
+    }
+    if let (false, Some(out)) = (args.survey.is_empty(), &args.out) {
+        return survey::run(args, out);
+    }
+    told(args).map(|()| Outcome::Done)
+}
+
+/// The standard profiles, a line each.
+fn listed() -> String {
+    let lines = Standard::NAMES.iter().map(|(name, standard)| {
+        format!("{name:<15} {:<6} {}\n", standard.role().to_string(), standard.source())
+    });
+    lines.collect()
+}
+
+/// Says what profiles hold, and writes the files.
+fn told(args: &ProfileArgs) -> Result<(), Failure> {
     let wanted = args.wanted();
     let find = |path: &PathBuf| (path.clone(), find(path, &wanted));
     let found: Vec<(PathBuf, Result<Found, Failure>)> = args.profiles.iter().map(find).collect();
@@ -188,7 +210,7 @@ fn facts(path: &Path, found: &Found) -> Value {
 
 impl ProfileArgs {
     /// What is asked for in place of what would be found.
-    fn wanted(&self) -> Wanted {
+    pub(crate) fn wanted(&self) -> Wanted {
         Wanted {
             format: None,
             role: self.role.map(|role| match role {

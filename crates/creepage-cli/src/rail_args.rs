@@ -52,12 +52,51 @@ pub(crate) struct ConicityArgs {
 #[derive(Debug, clap::Args)]
 pub(crate) struct ProfileArgs {
     /// Profile files, or standard profiles by their names: S1002, UIC60 and the others of a case file.
-    #[arg(value_name = "PROFILE", required = true)]
+    #[arg(value_name = "PROFILE", required_unless_present_any = ["survey", "list"])]
     pub(crate) profiles: Vec<PathBuf>,
+    /// Measure many files, such as "measured/**/*.whl", on all cores into one CSV file, --out FILE.csv, a row
+    /// each: flange height, thickness and slope, hollow, worn area against --reference, conicity at 3 mm on
+    /// --rail, roughness, notes, or why one cannot be read. A survey that is killed goes on where it was.
+    #[arg(long, value_name = "PATTERN", num_args = 1.., requires = "out",
+          conflicts_with_all = ["profiles", "json", "convert"])]
+    pub(crate) survey: Vec<String>,
+    /// List the standard profiles and where their numbers are from.
+    #[arg(long, conflicts_with_all = ["profiles", "survey", "out"])]
+    pub(crate) list: bool,
+    /// With --survey: the rails, a name or a file.
+    #[arg(long, value_name = "PROFILE", requires = "survey")]
+    pub(crate) rail: Option<PathBuf>,
+    /// Their cant (rad).
+    #[arg(
+        long,
+        value_name = "RAD",
+        default_value_t = 0.025,
+        requires = "rail",
+        allow_negative_numbers = true
+    )]
+    pub(crate) cant: f64,
+    /// The gauge (m).
+    #[arg(long, value_name = "METRES", default_value_t = 1.435, requires = "rail")]
+    pub(crate) gauge: f64,
+    /// Depth below the rails' tops at which it is measured (m).
+    #[arg(long, value_name = "METRES", default_value_t = 0.014, requires = "rail")]
+    pub(crate) gauge_height: f64,
+    /// Distance between the flange backs (m).
+    #[arg(long, value_name = "METRES", default_value_t = 1.36, requires = "rail")]
+    pub(crate) back_to_back: f64,
+    /// The flange back's y in the profiles (m).
+    #[arg(long, value_name = "METRES", default_value_t = -0.07, requires = "survey", allow_negative_numbers = true)]
+    pub(crate) flange_back: f64,
+    /// Nominal radius of the wheels (m).
+    #[arg(long, value_name = "METRES", default_value_t = 0.46, requires = "rail")]
+    pub(crate) radius: f64,
+    /// With --survey: the profile when it was new, a name or a file.
+    #[arg(long, value_name = "PROFILE", requires = "survey")]
+    pub(crate) reference: Option<PathBuf>,
     /// Print JSON.
     #[arg(long)]
     pub(crate) json: bool,
-    /// Directory for the pictures and the converted files; made if need be.
+    /// Directory for the pictures and the converted files; made if need be. With --survey the CSV file.
     #[arg(long, value_name = "DIR")]
     pub(crate) out: Option<PathBuf>,
     /// Write each profile in this format too.

@@ -45,8 +45,8 @@ pub use theory::{
     CreepageTheory, creepage_theory_force, creepage_theory_free, creepage_theory_new,
 };
 pub use wheelset::{
-    CreepageWheelset, creepage_wheelset_derivatives, creepage_wheelset_force,
-    creepage_wheelset_free, creepage_wheelset_new,
+    CreepageWheelset, CreepageWheelsetState, creepage_wheelset_free, creepage_wheelset_new,
+    creepage_wheelset_solve, creepage_wheelset_solve_many, creepage_wheelset_state_free,
 };
 
 #[allow(clippy::doc_markdown)] // the words are for C

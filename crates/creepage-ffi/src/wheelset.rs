@@ -1,24 +1,32 @@
 //! A wheelset on its rails, prepared once and asked position by position.
 
 use std::ffi::c_char;
-use std::sync::{Mutex, PoisonError};
 
 use creepage::Status;
 use creepage_study::{
-    SolvedWheel, SolvedWheelset, Stance, Travel, WheelsetCase, WheelsetError, WheelsetFile,
+    ANSWERS, ASKED, SolvedWheelset, WheelsetCase, WheelsetDerivatives, WheelsetError, WheelsetFile,
 };
+use rayon::prelude::*;
 
 use crate::failure::{Failure, guard};
 use crate::input::{array, array_mut, file, handle, optional, place, release, text};
 use crate::status::{CREEPAGE_DOUBTFUL, CREEPAGE_NOT_CONVERGED, CREEPAGE_SOLVED};
 
-/// A wheelset file, read and checked, and the position solved last.
+/// A wheelset file, read and checked.
 // Never inside out: only pointers to it leave the library.
 #[allow(missing_debug_implementations)]
 pub struct CreepageWheelset {
     case: WheelsetCase,
-    last: Mutex<Option<SolvedWheelset>>,
 }
+
+/// A position of a wheelset, solved: from where a call may start.
+#[allow(missing_debug_implementations)]
+pub struct CreepageWheelsetState {
+    solved: SolvedWheelset,
+}
+
+/// Numbers that a wheelset is asked by.
+const ASK: usize = ASKED.len();
 
 /// Reads a wheelset file and keeps it.
 ///
@@ -58,32 +66,40 @@ pub unsafe extern "C" fn creepage_wheelset_free(made: *mut CreepageWheelset) {
     unsafe { release(made) };
 }
 
-/// Forces on the rails where the wheelset stands and as it moves. Each call starts from the position
-/// that the handle solved last: a near one is quicker. By the full theory one within 20 um and 0.2 mrad is solved
-/// on a coarse grid, corrected by what a fine one added before: mostly within a tenth of that one's error bars. Where
-/// the correction is too old for that, the fine grid is solved again.
+/// Solves a position and a motion of a wheelset. The same answer to the same question: without a start the
+/// same bits whatever was asked before; with one, found from there, several times quicker where it is near (tenths of
+/// a millimetre and of a milliradian), the same within the error bars.
 ///
-/// position: 2 numbers, y (m, positive right) and yaw (rad, positive turns the axle's right end back);
-///   what presses the wheelset on its rails is the file's.
-/// motion: 4 numbers, speed (m/s), pitch rate (rad/s; NaN where it is free of torque), lateral velocity
-///   (m/s), yaw rate (rad/s).
-/// forces: room for 12 numbers in track axes, x forward, y right, z down: force (N) and moment about the
-///   origin of the rail's profile (N m) on the left rail, then on the right; NaN for a side that is not
-///   solved.
-/// found: room for 3 numbers, height z (m), roll (rad), pitch rate (rad/s); or NULL.
-/// statuses: room for one number, CREEPAGE_SOLVED and so on; or NULL.
+/// asked: 12 numbers, NaN where the file's own holds: y (m, positive right), z (m, down), roll (rad), yaw
+///   (rad, positive turns the axle's right end back), axle load (N), roll moment (N m, about x with which it
+///   presses on the track under its axle load), speed (m/s), pitch rate (rad/s), lateral velocity, vertical
+///   velocity (m/s), roll rate, yaw rate (rad/s). z or the axle load presses it.
+/// start: a state that an earlier call gave, or NULL. It is not changed.
+/// answers: room for 22 numbers in track axes, x forward, y right, z down: force (N) and moment about the
+///   origin of the rail's profile (N m) on the left rail, then on the right; force and moment of the
+///   rails on the wheelset about its centre; z (m), roll (rad), pitch rates of the left and of the right wheel
+///   (rad/s). NaN for a side that is not solved.
+/// derivatives: room for 96 numbers, or NULL: those of the first force by y, z (m), roll, yaw (rad), speed
+///   (m/s), pitch rate (rad/s), lateral velocity (m/s), yaw rate (rad/s), then of the second of the 12 forces on the
+///   rails, and so on. Total ones: what is free follows; NaN by what is free.
+/// errors: room for as many, what differences may have made of each; or NULL.
+/// status: room for one number, CREEPAGE_SOLVED and so on; or NULL.
+/// state: becomes a state, to be freed with creepage_wheelset_state_free; or NULL. A state can be kept as long
+///   as wanted, and asked from again, as after a step that was rejected.
 ///
 /// # Safety
-/// The handle is alive; arrays and message point to as much room as said.
-#[allow(clippy::doc_markdown)] // the words are for C
+/// The handles are alive; arrays and message point to as much room as said.
+#[allow(clippy::doc_markdown, clippy::too_many_arguments)] // the words and places are for C
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn creepage_wheelset_force(
+pub unsafe extern "C" fn creepage_wheelset_solve(
     made: *const CreepageWheelset,
-    position: *const f64,
-    motion: *const f64,
-    forces: *mut f64,
-    found: *mut f64,
-    statuses: *mut i32,
+    asked: *const f64,
+    start: *const CreepageWheelsetState,
+    answers: *mut f64,
+    derivatives: *mut f64,
+    errors: *mut f64,
+    status: *mut i32,
+    state: *mut *mut CreepageWheelsetState,
     message: *mut c_char,
     message_size: usize,
 ) -> i32 {
@@ -91,54 +107,70 @@ pub unsafe extern "C" fn creepage_wheelset_force(
         // SAFETY: the caller's promise of the function's documentation, here and below.
         let wheelset = unsafe { handle("made", made) }?;
         // SAFETY: as before.
-        let position = unsafe { array("position", position, 1, 2) }?;
+        let asked = unsafe { array("asked", asked, 1, ASK) }?;
         // SAFETY: as before.
-        let motion = unsafe { array("motion", motion, 1, 4) }?;
+        let start = if start.is_null() { None } else { Some(unsafe { handle("start", start) }?) };
         // SAFETY: as before.
-        let forces: &mut [[f64; 12]] = unsafe { array_mut("forces", forces, 1) }?;
+        let answers: &mut [[f64; ANSWERS]] = unsafe { array_mut("answers", answers, 1) }?;
         // SAFETY: as before.
-        let found: Option<&mut [[f64; 3]]> = unsafe { optional(found, 1) }?;
+        let derivatives: Option<&mut [[f64; 96]]> = unsafe { optional(derivatives, 1) }?;
         // SAFETY: as before.
-        let statuses: Option<&mut [[i32; 1]]> = unsafe { optional(statuses, 1) }?;
-        let (stance, travel) = wheelset.asked(position, motion)?;
-        let solved = wheelset.solve(&stance, &travel)?;
-        forces.as_flattened_mut().copy_from_slice(&on_rails(&solved));
-        if let Some([place]) = found {
-            let at = solved.position();
-            *place = [at.z, at.roll, solved.motion.pitch_rate];
+        let errors: Option<&mut [[f64; 96]]> = unsafe { optional(errors, 1) }?;
+        // SAFETY: as before.
+        let status: Option<&mut [[i32; 1]]> = unsafe { optional(status, 1) }?;
+        let is_wanted = derivatives.is_some() || errors.is_some();
+        let question = asked.first_chunk().ok_or(Failure::Count(1))?;
+        let (solved, found) = wheelset.solve(question, start, is_wanted)?;
+        answers.fill(solved.answers());
+        if let (Some(place), Some(found)) = (derivatives, &found) {
+            place.as_flattened_mut().copy_from_slice(found.values().as_flattened().as_flattened());
         }
-        if let Some([place]) = statuses {
-            *place = [status(&solved)];
+        if let (Some(place), Some(found)) = (errors, &found) {
+            place.as_flattened_mut().copy_from_slice(found.errors().as_flattened().as_flattened());
         }
-        wheelset.keep(solved);
+        if let Some(place) = status {
+            place.fill([status_of(&solved)]);
+        }
+        if !state.is_null() {
+            // SAFETY: as before.
+            let place = unsafe { place("state", state) }?;
+            *place = Box::into_raw(Box::new(CreepageWheelsetState { solved }));
+        }
         Ok(())
     };
     // SAFETY: as before.
     unsafe { guard(message, message_size, work) }
 }
 
-/// Forces on the rails and their derivatives. Total ones: what the file leaves free (height and roll
-/// under a load, the pitch rate where it is NaN) follows what changes. By the position they are
-/// differences over some micrometres, by the motion the theory's exact derivatives.
+/// Frees a state. NULL is left alone.
 ///
-/// position, motion, forces: as of creepage_wheelset_force; forces may be NULL.
-/// derivatives: room for 96 numbers, those of the first force by y, z (m), roll, yaw (rad), speed (m/s),
-///   pitch rate (rad/s), lateral velocity (m/s), yaw rate (rad/s), then of the second, and so on; NaN by
-///   what is free, and for a side that is not solved.
-/// errors: room for as many, what the differences may have made of each; or NULL.
-/// statuses: room for one number, CREEPAGE_SOLVED and so on; or NULL.
+/// # Safety
+/// state is NULL, or of creepage_wheelset_solve, and not used again.
+#[allow(clippy::doc_markdown)] // the words are for C
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn creepage_wheelset_state_free(state: *mut CreepageWheelsetState) {
+    // SAFETY: it was made by `Box::into_raw`, and the caller gives it up.
+    unsafe { release(state) };
+}
+
+/// Solves many positions and motions on all cores, each by itself with the bits of creepage_wheelset_solve
+/// without a start.
+///
+/// n: how many.
+/// asked: n times 12 numbers, as of creepage_wheelset_solve.
+/// answers: room for n times 22 numbers; NaN for one that cannot be solved.
+/// statuses: room for n numbers, CREEPAGE_SOLVED and so on; CREEPAGE_NOT_CONVERGED for one that cannot be
+///   solved.
 ///
 /// # Safety
 /// The handle is alive; arrays and message point to as much room as said.
 #[allow(clippy::doc_markdown)] // the words are for C
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn creepage_wheelset_derivatives(
+pub unsafe extern "C" fn creepage_wheelset_solve_many(
     made: *const CreepageWheelset,
-    position: *const f64,
-    motion: *const f64,
-    forces: *mut f64,
-    derivatives: *mut f64,
-    errors: *mut f64,
+    n: usize,
+    asked: *const f64,
+    answers: *mut f64,
     statuses: *mut i32,
     message: *mut c_char,
     message_size: usize,
@@ -147,35 +179,18 @@ pub unsafe extern "C" fn creepage_wheelset_derivatives(
         // SAFETY: the caller's promise of the function's documentation, here and below.
         let wheelset = unsafe { handle("made", made) }?;
         // SAFETY: as before.
-        let position = unsafe { array("position", position, 1, 2) }?;
+        let asked = unsafe { array("asked", asked, n, ASK) }?;
         // SAFETY: as before.
-        let motion = unsafe { array("motion", motion, 1, 4) }?;
+        let answers: &mut [[f64; ANSWERS]] = unsafe { array_mut("answers", answers, n) }?;
         // SAFETY: as before.
-        let forces: Option<&mut [[f64; 12]]> = unsafe { optional(forces, 1) }?;
-        // SAFETY: as before.
-        let derivatives: &mut [[f64; 96]] = unsafe { array_mut("derivatives", derivatives, 1) }?;
-        // SAFETY: as before.
-        let errors: Option<&mut [[f64; 96]]> = unsafe { optional(errors, 1) }?;
-        // SAFETY: as before.
-        let statuses: Option<&mut [[i32; 1]]> = unsafe { optional(statuses, 1) }?;
-        let (stance, travel) = wheelset.asked(position, motion)?;
-        let solved = wheelset.solve(&stance, &travel)?;
-        let wrong = |source| Failure::Wheelset(Box::new(source));
-        let solver = wheelset.case.solver().map_err(wrong)?;
-        let found = solver.derivatives(&solved, &stance, &travel).map_err(wrong)?;
-        derivatives
-            .as_flattened_mut()
-            .copy_from_slice(found.values().as_flattened().as_flattened());
-        if let Some(place) = errors {
-            place.as_flattened_mut().copy_from_slice(found.errors().as_flattened().as_flattened());
-        }
-        if let Some([place]) = forces {
-            *place = on_rails(&solved);
-        }
-        if let Some([place]) = statuses {
-            *place = [status(&solved)];
-        }
-        wheelset.keep(solved);
+        let statuses: &mut [[i32; 1]] = unsafe { array_mut("statuses", statuses, n) }?;
+        let places = answers.par_iter_mut().zip(statuses);
+        asked.as_chunks().0.par_iter().zip(places).for_each(|(question, (answers, status))| {
+            (*answers, *status) = match wheelset.solve(question, None, false) {
+                Ok((solved, _)) => (solved.answers(), [status_of(&solved)]),
+                Err(_) => ([f64::NAN; ANSWERS], [CREEPAGE_NOT_CONVERGED]),
+            };
+        });
         Ok(())
     };
     // SAFETY: as before.
@@ -189,44 +204,29 @@ impl CreepageWheelset {
         let wheelset = WheelsetFile::read(&text).map_err(|error| wrong(error.into()))?;
         let case = wheelset.case(directory).map_err(wrong)?;
         case.solver().map_err(wrong)?;
-        Ok(Self { case, last: Mutex::default() })
+        Ok(Self { case })
     }
 
-    fn asked(&self, position: &[f64], motion: &[f64]) -> Result<(Stance, Travel), Failure> {
-        let (&[y, yaw], &[speed, pitch_rate, lateral_velocity, yaw_rate]) = (position, motion)
-        else {
-            return Err(Failure::Count(1));
-        };
-        let stance = Stance { y, yaw, ..self.case.stance };
-        let pitch_rate = (!pitch_rate.is_nan()).then_some(pitch_rate);
-        Ok((stance, Travel { speed, pitch_rate, lateral_velocity, yaw_rate, ..Travel::default() }))
-    }
-
-    fn solve(&self, stance: &Stance, travel: &Travel) -> Result<SolvedWheelset, Failure> {
-        let last = self.last.lock().unwrap_or_else(PoisonError::into_inner).take();
-        let wrong = |source| Failure::Wheelset(Box::new(source));
+    fn solve(
+        &self,
+        asked: &[f64; ASK],
+        start: Option<&CreepageWheelsetState>,
+        differentiates: bool,
+    ) -> Result<(SolvedWheelset, Option<WheelsetDerivatives>), Failure> {
+        let wrong = |source: WheelsetError| Failure::Wheelset(Box::new(source));
+        let (stance, travel) = self.case.asked(asked).map_err(wrong)?;
         let solver = self.case.solver().map_err(wrong)?;
-        let near = last.as_ref().and_then(|last| solver.follow(last, stance, travel).ok());
-        near.map_or_else(|| solver.solve(stance, travel).map_err(wrong), Ok)
-    }
-
-    fn keep(&self, solved: SolvedWheelset) {
-        *self.last.lock().unwrap_or_else(PoisonError::into_inner) = Some(solved);
+        let solved = match start {
+            Some(start) => solver.follow(&start.solved, &stance, &travel),
+            None => solver.solve(&stance, &travel),
+        };
+        let solved = solved.map_err(wrong)?;
+        let found = differentiates.then(|| solver.derivatives(&solved, &stance, &travel));
+        Ok((solved, found.transpose().map_err(wrong)?))
     }
 }
 
-/// On the left and on the right rail; NaN for a wheel that is not solved.
-fn on_rails(solved: &SolvedWheelset) -> [f64; 12] {
-    let mut all = [f64::NAN; 12];
-    for (place, wheel) in all.chunks_exact_mut(6).zip([&solved.left, &solved.right]) {
-        if let Some(on_rail) = wheel.as_ref().map(SolvedWheel::on_rail) {
-            place.copy_from_slice([on_rail.force, on_rail.moment].as_flattened());
-        }
-    }
-    all
-}
-
-fn status(solved: &SolvedWheelset) -> i32 {
+fn status_of(solved: &SolvedWheelset) -> i32 {
     match solved.status() {
         Status::NotConverged => CREEPAGE_NOT_CONVERGED,
         Status::Solved if solved.cautions().is_empty() => CREEPAGE_SOLVED,

@@ -5,8 +5,8 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use creepage::InvalidValue;
 use creepage_study::{
-    CaseError, Load, Sources, Stance, Travel, WheelsetCase, WheelsetError, WheelsetFile,
-    WheelsetTable, theory_spec,
+    ANSWERS, ASKED, CaseError, Sources, WheelsetCase, WheelsetError, WheelsetFile, WheelsetTable,
+    theory_spec,
 };
 use numpy::{PyArray1, PyArrayMethods, PyReadonlyArray1};
 use pyo3::prelude::*;
@@ -77,20 +77,18 @@ impl WheelsetData {
         Ok(Self { case })
     }
 
-    /// Solves in another position and motion: `pose` holds y, z, roll, yaw, the load on both wheels, `motion`
-    /// speed, pitch rate, lateral and vertical velocity, roll and yaw rate; NaN is the wheelset's own. With
+    /// Solves in another position and motion, asked as `ASKED` has it; NaN is the wheelset's own. With
     /// `start`, an earlier solution, from there; without it the same bits whatever came before.
     fn solve_at(
         &self,
         py: Python,
-        pose: [f64; 5],
-        motion: [f64; 6],
+        asked: [f64; ASKED.len()],
         start: Option<PyRef<SolvedWheelset>>,
         derivatives: bool,
     ) -> PyResult<SolvedWheelset> {
         let (case, start) = (self.case.clone(), start.map(|start| start.solved.clone()));
         let solve = move || {
-            let (stance, travel) = at(&case, pose, motion)?;
+            let (stance, travel) = case.asked(&asked)?;
             let solver = case.solver()?;
             let mut solved = match &start {
                 Some(before) => solver.next(before, &stance, &travel)?,
@@ -106,9 +104,8 @@ impl WheelsetData {
         Ok(SolvedWheelset { solved, case })
     }
 
-    /// The same for many rows, 11 numbers each, on all cores and each from nothing: for each row 6 numbers of
-    /// each wheel on its rail, 6 of the wrench, z, roll, pitch rate, in all 21, NaN where it was not solved; and
-    /// its status and its cautions in words.
+    /// The same for many rows on all cores, each from nothing: for each row what `ANSWERS` says, NaN where it
+    /// was not solved; and its status and its cautions in words.
     fn solve_rows<'py>(
         &self,
         py: Python<'py>,
@@ -117,23 +114,22 @@ impl WheelsetData {
         let (rows, case) = (rows.to_vec()?, self.case.clone());
         let solve = move |stop: &AtomicBool| {
             let solver = case.solver()?;
-            let radius = case.running.wheelset().radius();
-            let one = |row: &[f64; 11]| {
+            let nothing = [f64::NAN; ANSWERS];
+            let one = |row: &[f64; ASKED.len()]| {
                 if stop.load(Ordering::Relaxed) {
-                    return ([f64::NAN; 21], ["not solved".to_owned(), String::new()]);
+                    return (nothing, ["not solved".to_owned(), String::new()]);
                 }
-                let [y, z, roll, yaw, load, motion @ ..] = *row;
-                let solved = at(&case, [y, z, roll, yaw, load], motion)
-                    .and_then(|(stance, travel)| solver.solve(&stance, &travel));
+                let asked = case.asked(row);
+                let solved = asked.and_then(|(stance, travel)| solver.solve(&stance, &travel));
                 match solved {
                     Ok(solved) => {
                         let words = solved.caution_words().join("; ");
-                        (numbers(&solved, radius), [solved.status().name().to_owned(), words])
+                        (solved.answers(), [solved.status().name().to_owned(), words])
                     }
-                    Err(error) => ([f64::NAN; 21], [error.to_string(), String::new()]),
+                    Err(error) => (nothing, [error.to_string(), String::new()]),
                 }
             };
-            Ok(rows.as_chunks::<11>().0.par_iter().map(one).unzip())
+            Ok(rows.as_chunks::<{ ASKED.len() }>().0.par_iter().map(one).unzip())
         };
         let solved = signals::stoppable(py, solve)?;
         let (numbers, words): (Vec<_>, Vec<_>) =
@@ -187,56 +183,11 @@ impl WheelsetData {
 /// Numbers of many rows; their statuses and their cautions.
 type SolvedRows<'py> = (Bound<'py, PyArray1<f64>>, [Vec<String>; 2]);
 
-/// The position and the motion of a row; NaN is the wheelset's own.
-fn at(
-    case: &WheelsetCase,
-    [y, z, roll, yaw, load]: [f64; 5],
-    motion: [f64; 6],
-) -> Result<(Stance, Travel), WheelsetError> {
-    let or = |value: f64, own: f64| if value.is_nan() { own } else { value };
-    let given = |value: f64| (!value.is_nan()).then_some(value);
-    let own = case.stance;
-    let load = given(z).map(Load::Height).or(given(load).map(Load::Axle)).or(own.load);
-    let roll = given(roll).or(own.roll);
-    let stance = Stance { y: or(y, own.y), yaw: or(yaw, own.yaw), roll, load, ..own };
-    let travel = case.travel.unwrap_or_default();
-    let [speed, pitch_rate, lateral, vertical, roll_rate, yaw_rate] = motion;
-    let travel = Travel {
-        speed: or(speed, travel.speed),
-        pitch_rate: given(pitch_rate).or(travel.pitch_rate),
-        lateral_velocity: or(lateral, travel.lateral_velocity),
-        vertical_velocity: or(vertical, travel.vertical_velocity),
-        roll_rate: or(roll_rate, travel.roll_rate),
-        yaw_rate: or(yaw_rate, travel.yaw_rate),
-    };
-    stance.checked()?;
-    travel.checked()?;
-    Ok((stance, travel))
-}
-
-/// Forces and moments on the left and the right rail, the wrench on the wheelset, z, roll, pitch rate.
-fn numbers(solved: &creepage_study::SolvedWheelset, radius: f64) -> [f64; 21] {
-    let mut all = [f64::NAN; 21];
-    let wheels = [&solved.left, &solved.right].map(|wheel| {
-        wheel.as_ref().map_or([[f64::NAN; 3]; 2], |wheel| {
-            let on_rail = wheel.on_rail();
-            [on_rail.force, on_rail.moment]
-        })
-    });
-    let found = solved.position();
-    let wrench = solved.wrench(radius);
-    let parts = wheels.as_flattened().iter().chain(&wrench).copied();
-    let parts = parts.flatten().chain([found.z, found.roll, solved.motion.pitch_rate]);
-    all.iter_mut().zip(parts).for_each(|(place, number)| *place = number);
-    all
-}
-
 #[pymethods]
 impl SolvedWheelset {
-    /// 21 numbers as of `solve_rows`.
+    /// What it answers, as `ANSWERS` says.
     fn numbers<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
-        let radius = self.case.running.wheelset().radius();
-        PyArray1::from_slice(py, &numbers(&self.solved, radius))
+        PyArray1::from_slice(py, &self.solved.answers())
     }
 
     /// Where it stands: y, z, roll, yaw.

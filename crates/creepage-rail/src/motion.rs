@@ -3,7 +3,18 @@
 use crate::rolling::{RollingCreepage, SurfaceMotion};
 use crate::{Contact, Side};
 
-/// Motion of a wheelset along a track at rest.
+/// How a rail moves beside where it was laid.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct RailMotion {
+    /// Velocity of the profile's origin to the right (m/s).
+    pub lateral_velocity: f64,
+    /// Velocity of the profile's origin downwards (m/s).
+    pub vertical_velocity: f64,
+    /// Angular velocity about the track's `x` (rad/s), by the right-hand rule.
+    pub roll_rate: f64,
+}
+
+/// Motion of a wheelset along its track, in the track's axes, which go along with it.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Motion {
     /// Speed of its centre along the track (m/s).
@@ -16,8 +27,13 @@ pub struct Motion {
     pub vertical_velocity: f64,
     /// Angular velocity about the track's `x` (rad/s), positive where the right wheel goes down.
     pub roll_rate: f64,
-    /// Angular velocity about the track's `z` (rad/s).
+    /// Angular velocity about the track's `z`, against the track's axes (rad/s).
     pub yaw_rate: f64,
+    /// Curvature of the track (1/m), positive in a right-hand curve. The rails go back under the
+    /// wheelset by their own lengths.
+    pub curvature: f64,
+    /// How the left and the right rail move.
+    pub rails: [RailMotion; 2],
 }
 
 impl Motion {
@@ -27,14 +43,23 @@ impl Motion {
         Self { speed, pitch_rate, ..Self::default() }
     }
 
-    fn on(self, side: Side) -> Self {
+    /// On the right-hand image of a side, with the motion of its rail.
+    fn on(self, side: Side) -> (Self, RailMotion) {
         let sense = side.sense();
-        Self {
+        let motion = Self {
             lateral_velocity: sense * self.lateral_velocity,
             roll_rate: sense * self.roll_rate,
             yaw_rate: sense * self.yaw_rate,
+            curvature: sense * self.curvature,
             ..self
-        }
+        };
+        let rail = self.rails[usize::from(side == Side::Right)];
+        let rail = RailMotion {
+            lateral_velocity: sense * rail.lateral_velocity,
+            roll_rate: sense * rail.roll_rate,
+            ..rail
+        };
+        (motion, rail)
     }
 }
 
@@ -49,15 +74,15 @@ impl Contact<'_> {
         let y = self.side.sense() * self.reference[1];
         let [ny, nz] = self.surfaces.frame.normal();
         let point = [x, y + self.approach * ny, z + self.approach * nz];
-        let motion = motion.on(self.side);
-        let [vx, vy, vz] = self.velocity(motion, point);
-        let spin = self.turning(motion);
+        let (motion, rail) = motion.on(self.side);
         let sense = self.side.sense();
-        let upper = SurfaceMotion {
+        let surface = |[vx, vy, vz]: [f64; 3], turn: [f64; 3]| SurfaceMotion {
             velocity: [vx - motion.speed, sense * self.surfaces.frame.facing_tangent([vy, vz])],
-            turn: sense * (ny * spin[1] + nz * spin[2]),
+            turn: sense * (ny * turn[1] + nz * turn[2]),
         };
-        let lower = SurfaceMotion { velocity: [-motion.speed, 0.0], turn: 0.0 };
+        let upper = surface(self.velocity(motion, point), self.turning(motion));
+        let on_rail = [x, y, z];
+        let lower = surface(self.rail_velocity(motion, rail, on_rail), rail_turning(motion, rail));
         RollingCreepage::between(upper, lower)
     }
 
@@ -71,7 +96,9 @@ impl Contact<'_> {
         let speed = self.creepage(motion)?.speed;
         let sense = self.side.sense();
         let [point, tangent] = self.facing_points(x, sense * s)?;
-        let [vx, vy, vz] = self.velocity(motion.on(self.side), point);
+        let (motion, rail) = motion.on(self.side);
+        let (wheel, rail) = (self.velocity(motion, point), self.rail_velocity(motion, rail, point));
+        let [vx, vy, vz] = [0, 1, 2].map(|i: usize| wheel[i] - rail[i]);
         let lateral = tangent[1] * vy + tangent[2] * vz;
         Some([vx / speed, sense * lateral / speed])
     }
@@ -92,4 +119,21 @@ impl Contact<'_> {
             motion.vertical_velocity + wx * y - wy * x,
         ]
     }
+
+    /// Velocity of the rail's material there: at rest but for the curve, which takes the rails round
+    /// the wheelset, and the rail's own motion.
+    fn rail_velocity(&self, motion: Motion, rail: RailMotion, [x, y, z]: [f64; 3]) -> [f64; 3] {
+        let [origin_y, origin_z] = self.surfaces.pair.rail.origin();
+        let round = motion.speed * motion.curvature;
+        [
+            round * y,
+            rail.lateral_velocity - round * x - rail.roll_rate * (z - origin_z),
+            rail.vertical_velocity + rail.roll_rate * (y - origin_y),
+        ]
+    }
+}
+
+/// Angular velocity of a rail under the wheelset.
+fn rail_turning(motion: Motion, rail: RailMotion) -> [f64; 3] {
+    [rail.roll_rate, 0.0, -motion.speed * motion.curvature]
 }

@@ -68,6 +68,29 @@ impl Standard {
         Self::NAMES.iter().find(|(_, known)| *known == self).map_or("", |&(name, _)| name)
     }
 
+    /// Where its numbers are from, and what it is.
+    #[must_use]
+    pub fn source(self) -> &'static str {
+        match self {
+            Self::S1002 => "UIC 510-2, EN 13715; flange 28 mm high, 32.5 mm thick",
+            Self::Cone20 => "cone 1:20 with the flange of S1002 and a fillet of 13 mm",
+            Self::Cone40 => "cone 1:40 with the flange of S1002 and a fillet of 13 mm",
+            Self::En15302A => "EN 15302, reference wheel A",
+            Self::En15302B => "EN 15302, reference wheel B",
+            Self::En15302C => "EN 15302, reference wheel C",
+            Self::En15302H => "EN 15302, reference wheel H",
+            Self::En15302I => "EN 15302, reference wheel I",
+            Self::Uic60 => {
+                "UIC 60 as everyone computes with it: half chord of the crown 10.5 mm; uncanted"
+            }
+            Self::Rail60E1 => "EN 13674-1; half chord of the crown 10.228 mm; uncanted",
+            Self::Rail54E1 => "EN 13674-1; uncanted",
+            Self::En15302RailA => {
+                "EN 15302, reference rail A, inclined by .05 rad as the standard has it"
+            }
+        }
+    }
+
     /// Wheel or rail.
     #[must_use]
     pub fn role(self) -> Role {

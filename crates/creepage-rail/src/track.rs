@@ -4,7 +4,7 @@
 
 use crate::curve::{CurvePoint, hermite};
 use crate::search::threshold;
-use crate::{GeometryError, Profile, Role};
+use crate::{GeometryError, Profile, Role, Side};
 
 /// Spacing of the stations between which a rail is looked up (m).
 const STEP: f64 = 2.5e-4;
@@ -24,6 +24,9 @@ pub enum Place {
     },
     /// The profile's origin lies that far from the track centre (m).
     Origin(f64),
+    /// The profile's origin lies that far from the track centre and that far below the track plane (m),
+    /// wherever the highest point is.
+    At([f64; 2]),
 }
 
 impl Place {
@@ -34,7 +37,20 @@ impl Place {
     }
 }
 
-/// A rail, canted and set in place, raised until its highest point touches the plane `z = 0`.
+/// How a rail stands beside where it was laid, as irregular or yielding track has it.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Deviation {
+    /// Shift to the right (m).
+    pub y: f64,
+    /// Shift downwards (m).
+    pub z: f64,
+    /// Turn about the track's `x` through the profile's origin (rad); positive by the right-hand rule,
+    /// which lowers what lies to the right.
+    pub roll: f64,
+}
+
+/// A rail, canted and set in place, raised until its highest point touches the plane `z = 0` unless its
+/// height is given.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Rail {
     profile: Profile,
@@ -85,19 +101,59 @@ impl Rail {
             walls: [false; 2],
         };
         let stations = rail.profile.curve().stations(STEP);
-        rail.shift[1] = -rail.highest(&stations).z;
+        rail.shift[1] = match place {
+            Place::At([_, z]) if z.is_finite() => z,
+            Place::At([_, value]) => {
+                return Err(GeometryError::Value { name: "rail_height", value, range: "finite" });
+            }
+            _ => -rail.highest(&stations).z,
+        };
         rail.shift[0] = rail.offset(&stations, place)?;
-        (rail.visible, rail.walls) = rail.seen_from_above(&stations);
-        if rail.visible.len() < 2 {
-            return Err(GeometryError::Hidden);
-        }
+        rail.look(&stations)?;
         Ok(rail)
+    }
+
+    /// The same rail shifted and turned from where it was laid: gauge and height are not measured
+    /// anew.
+    ///
+    /// # Errors
+    /// [`GeometryError::Value`] for a shift that is not finite or a turn of half a radian and more.
+    pub fn displaced(&self, side: Side, deviation: Deviation) -> Result<Self, GeometryError> {
+        let Deviation { y, z, roll } = deviation;
+        for (name, value) in [("dy", y), ("dz", z)] {
+            if !value.is_finite() {
+                return Err(GeometryError::Value { name, value, range: "finite" });
+            }
+        }
+        if roll.is_nan() || roll.abs() >= 0.5 {
+            let range = "-0.5 to 0.5 rad";
+            return Err(GeometryError::Value { name: "droll", value: roll, range });
+        }
+        let ((cos, sin), (turn_sin, turn_cos)) = (self.rotation, (side.sense() * roll).sin_cos());
+        let rotation = (cos * turn_cos - sin * turn_sin, sin * turn_cos + cos * turn_sin);
+        let shift = [self.shift[0] + side.sense() * y, self.shift[1] + z];
+        let mut rail = Self { rotation, shift, ..self.clone() };
+        rail.look(&rail.profile.curve().stations(STEP))?;
+        Ok(rail)
+    }
+
+    /// Finds what a wheel can see from above.
+    fn look(&mut self, stations: &[f64]) -> Result<(), GeometryError> {
+        (self.visible, self.walls) = self.seen_from_above(stations);
+        if self.visible.len() < 2 { Err(GeometryError::Hidden) } else { Ok(()) }
     }
 
     /// The profile as given.
     #[must_use]
     pub fn profile(&self) -> &Profile {
         &self.profile
+    }
+
+    /// Turn of the profile against its own axes (rad), on a right-hand rail: cant and what it was turned by.
+    #[must_use]
+    pub fn inclination(&self) -> f64 {
+        let (cos, sin) = self.rotation;
+        sin.atan2(cos)
     }
 
     /// Distance of the profile's origin from the track centre, and its `z` in the track (m).
@@ -185,14 +241,14 @@ impl Rail {
     /// How far the origin stands from the track centre.
     fn offset(&self, stations: &[f64], place: Place) -> Result<f64, GeometryError> {
         let (gauge, height) = match place {
-            Place::Origin(position) if position.is_finite() => {
+            Place::Origin(position) | Place::At([position, _]) if position.is_finite() => {
                 let head = self.highest(stations).y;
                 if head.min(position) > FAR {
                     return Err(GeometryError::RailOff { head, position });
                 }
                 return Ok(position);
             }
-            Place::Origin(value) => {
+            Place::Origin(value) | Place::At([value, _]) => {
                 return Err(GeometryError::Value { name: "rail_position", value, range: "finite" });
             }
             Place::Gauge { gauge, height } => (gauge, height),
@@ -295,5 +351,25 @@ impl Track {
     pub fn new(profile: &Profile, cant: f64, place: Place) -> Result<Self, GeometryError> {
         let right = Rail::new(profile, cant, place)?;
         Ok(Self { left: right.clone(), right })
+    }
+
+    /// The rail of a side.
+    #[must_use]
+    pub fn rail(&self, side: Side) -> &Rail {
+        match side {
+            Side::Left => &self.left,
+            Side::Right => &self.right,
+        }
+    }
+
+    /// The same track with one rail shifted and turned from where it was laid.
+    ///
+    /// # Errors
+    /// As by [`Rail::displaced`].
+    pub fn displaced(self, side: Side, deviation: Deviation) -> Result<Self, GeometryError> {
+        Ok(match side {
+            Side::Left => Self { left: self.left.displaced(side, deviation)?, ..self },
+            Side::Right => Self { right: self.right.displaced(side, deviation)?, ..self },
+        })
     }
 }

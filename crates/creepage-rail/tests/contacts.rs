@@ -105,6 +105,7 @@ fn the_left_wheel_is_the_mirror_image() {
         vertical_velocity: -0.01,
         roll_rate: 0.04,
         yaw_rate: 0.02,
+        ..Motion::default()
     };
     let mirrored_motion =
         Motion { lateral_velocity: -0.03, roll_rate: -0.04, yaw_rate: -0.02, ..motion };

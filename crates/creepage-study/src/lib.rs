@@ -123,9 +123,10 @@ pub use stresses::{StressError, StressFileError, StressPoint, Stresses, stress_c
 pub use text::hertz_text;
 pub use unreachable::Unreachable;
 pub use wheelset::{
-    By, ConicityTable, DerivativesJson, ForceDerivative, ForceDerivativeJson, Load, ProfileNote,
-    RailForceJson, Resultant, RigidSlip, SolvedContact, SolvedWheel, SolvedWheelset, Stance,
-    Travel, WheelJson, WheelPatchJson, WheelsetCase, WheelsetDerivatives, WheelsetError,
+    ANSWERS, ASKED, By, ConicityTable, DerivativesJson, Drive, ForceDerivative,
+    ForceDerivativeJson, FrictionOfPlace, Load, Patches, PitchRate, PlaceOnRail, ProfileNote,
+    RailForceJson, RailFriction, Resultant, RigidSlip, SolvedContact, SolvedWheel, SolvedWheelset,
+    Stance, Travel, WheelJson, WheelPatchJson, WheelsetCase, WheelsetDerivatives, WheelsetError,
     WheelsetFile, WheelsetReportJson, WheelsetSolver, WheelsetTable, conicity, profile_pictures,
     radius_difference_csv, wheelset_json_schema,
 };

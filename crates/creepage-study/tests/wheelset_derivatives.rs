@@ -6,7 +6,8 @@ use std::path::Path;
 
 use creepage_rail::Side;
 use creepage_study::{
-    By, Load, SolvedWheelset, Stance, Travel, WheelsetCase, WheelsetDerivatives, WheelsetFile,
+    By, Load, PitchRate, SolvedWheelset, Stance, Travel, WheelsetCase, WheelsetDerivatives,
+    WheelsetFile,
 };
 
 /// S1002 on UIC 60 with 200 kN, by FASTSIM on exact pressures: quick, and its motion derivative exact.
@@ -47,7 +48,11 @@ fn moved(case: &WheelsetCase, by: By, step: f64) -> (Stance, Travel) {
         By::Roll => stance.roll = stance.roll.map(|roll| roll + step),
         By::Yaw => stance.yaw += step,
         By::Speed => travel.speed += step,
-        By::PitchRate => travel.pitch_rate = travel.pitch_rate.map(|rate| rate + step),
+        By::PitchRate => {
+            if let PitchRate::Rigid(Some(rate)) = &mut travel.pitch {
+                *rate += step;
+            }
+        }
         By::LateralVelocity => travel.lateral_velocity += step,
         By::YawRate => travel.yaw_rate += step,
     }
@@ -116,8 +121,10 @@ fn what_is_given_decides() {
     let mut held = free.clone();
     held.stance.load = Some(Load::Height(position.z));
     held.stance.roll = Some(position.roll);
-    held.travel =
-        Some(Travel { pitch_rate: Some(solved.motion.pitch_rate), ..held.travel.unwrap() });
+    held.travel = Some(Travel {
+        pitch: PitchRate::Rigid(Some(solved.motion.pitch_rate)),
+        ..held.travel.unwrap()
+    });
     let (solved, found) = derivatives(&held);
     // Pressures scatter by some 1e-5, and a stiffness of moments is a small difference of large ones.
     for (coordinate, step) in [

@@ -48,6 +48,10 @@ pub(crate) enum ColumnError {
         GapVaried::ALL.map(GapVaried::name).join(", ")
     )]
     NoGapVaries { found: String },
+    #[error(
+        "none of the columns differs from the wheelset's file: there may be {known}, but found are {found}"
+    )]
+    NoneVaries { known: String, found: String },
     #[error("its rows are in UTF-16: save it as UTF-8")]
     Utf16,
     #[error(transparent)]

@@ -13,6 +13,7 @@ use rayon::prelude::*;
 
 use super::columns::{ColumnError, names, place_of};
 use super::field::{NoCase, parse};
+use super::rows::RowAnswer;
 use super::table::Table;
 use super::{free, write_answers};
 use crate::batch_args::BatchArgs;
@@ -21,18 +22,11 @@ use crate::outcome::Outcome;
 
 /// Why a row has no answer.
 #[derive(Debug, thiserror::Error)]
-pub(super) enum GapRowError {
+enum GapRowError {
     #[error(transparent)]
     Field(#[from] NoCase),
     #[error(transparent)]
     Case(#[from] GapCaseError),
-}
-
-/// What is appended to a row.
-pub(super) struct GapAnswer {
-    pub(super) numbers: Vec<f64>,
-    pub(super) status: Status,
-    pub(super) message: String,
 }
 
 /// The rows' case, the places of what varies, and the theory where another is asked for.
@@ -62,7 +56,7 @@ pub(super) fn run(args: &BatchArgs, path: &Path, file: GapFile) -> Result<Outcom
         Ok(rows.par_iter().map(|row| gaps.answer(row)).collect())
     };
     let tally = write_answers(args, table, &appended, None, answers, |out, row, answer| {
-        out.write_gap(row, answer)
+        out.write_answer(row, answer)
     })?;
     Ok(tally.outcome())
 }
@@ -126,7 +120,7 @@ impl Gaps {
         [&CONTACT[..], &FORCE[..], errors, power, &["status", "message"][..]].concat()
     }
 
-    fn answer(&self, row: &ByteRecord) -> Result<GapAnswer, GapRowError> {
+    fn answer(&self, row: &ByteRecord) -> Result<RowAnswer, GapRowError> {
         if row.len() != self.count {
             return Err(NoCase::FieldCount { found: row.len(), expected: self.count }.into());
         }
@@ -161,15 +155,15 @@ impl Gaps {
     }
 
     /// No load, area, pressure and force at an approach; without a contact there is no creepage.
-    fn no_contact(&self, approach: f64) -> GapAnswer {
+    fn no_contact(&self, approach: f64) -> RowAnswer {
         let mut numbers = vec![0.0; self.appended().len() - 2];
         numbers[1] = approach;
         numbers[4..7].fill(f64::NAN);
         let message = Caution::Status(Status::NoContact).to_string();
-        GapAnswer { numbers, status: Status::NoContact, message }
+        RowAnswer { numbers, status: Status::NoContact, message }
     }
 
-    fn numbers(&self, solved: &SolvedCase) -> GapAnswer {
+    fn numbers(&self, solved: &SolvedCase) -> RowAnswer {
         let creepage = solved.scaling().si_creepage(solved.creepage());
         let three = |force: SiForce| [force.longitudinal, force.lateral, force.moment];
         let estimates = [solved.load(), solved.approach(), solved.area(), solved.peak_pressure()];
@@ -182,6 +176,6 @@ impl Gaps {
         numbers.push(solved.power_per_metre());
         numbers.extend(solved.case.speed().map(|speed| speed * solved.power_per_metre()));
         let cautions: Vec<_> = solved.cautions.iter().map(ToString::to_string).collect();
-        GapAnswer { numbers, status: solved.solution().status, message: cautions.join("; ") }
+        RowAnswer { numbers, status: solved.solution().status, message: cautions.join("; ") }
     }
 }

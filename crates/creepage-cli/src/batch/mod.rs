@@ -11,6 +11,7 @@ mod sink;
 mod stream;
 mod table;
 mod tally;
+mod wheelsets;
 
 use std::io::{self, Write};
 use std::sync::Arc;
@@ -32,11 +33,14 @@ use tally::Tally;
 
 use crate::batch_args::BatchArgs;
 use crate::failure::Failure;
-use crate::input::{read_any, read_table};
+use crate::input::{is_wheelset, read_any, read_table};
 use crate::outcome::Outcome;
 use crate::output::say;
 
 pub(crate) fn run(args: &BatchArgs) -> Result<Outcome, Failure> {
+    if let Some(path) = args.case.as_deref().filter(|path| is_wheelset(path)) {
+        return wheelsets::run(args, path);
+    }
     let case = match args.case.as_deref().map(|path| (path, read_any(path))) {
         Some((path, file)) => match file? {
             AnyCaseFile::Gap(file) => return gaps::run(args, path, *file),

@@ -3,16 +3,23 @@
 use std::error::Error;
 use std::io::{self, Write};
 
+use creepage::Status;
 use creepage_study::{BulkAnswer, Caution, DamageWanted, Reply};
 use csv::{ByteRecord, Writer, WriterBuilder};
 
 use super::field::NoCase;
-use super::gaps::{GapAnswer, GapRowError};
 use super::question::Asked;
 use super::tally::Tally;
 
 /// A row's answer: the reply to what it asked.
 pub(super) type Answer = Result<(Asked, Reply), NoCase>;
+
+/// What is appended to a row of areas of any shape or of a wheelset.
+pub(super) struct RowAnswer {
+    pub(super) numbers: Vec<f64>,
+    pub(super) status: Status,
+    pub(super) message: String,
+}
 
 /// Writes rows and counts them.
 pub(super) struct Rows<W: Write> {
@@ -57,15 +64,15 @@ impl<W: Write> Rows<W> {
         self.writer.write_byte_record(&row).map_err(into_io)
     }
 
-    /// The same for a contact of any shape.
-    pub(super) fn write_gap(
+    /// The same for rows of areas of any shape and of wheelsets.
+    pub(super) fn write_answer(
         &mut self,
         mut row: ByteRecord,
-        answer: Result<GapAnswer, GapRowError>,
+        answer: Result<RowAnswer, impl Error>,
     ) -> io::Result<()> {
         self.fit(&mut row);
         match answer {
-            Ok(GapAnswer { numbers, status, message }) => {
+            Ok(RowAnswer { numbers, status, message }) => {
                 for number in numbers {
                     row.push_field(format!("{number:?}").as_bytes());
                 }

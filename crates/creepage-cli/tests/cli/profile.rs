@@ -153,3 +153,37 @@ fn a_converted_profile_replaces_no_file() {
     place.run(&into("out")).done();
     place.run(&into("out")).done();
 }
+
+#[test]
+fn standard_profiles_are_listed_with_their_sources() {
+    let listed = Place::new().run(&["profile", "--list"]).done();
+    assert!(
+        listed.contains("S1002") && listed.contains("EN 13674-1") && listed.lines().count() > 10
+    );
+}
+
+/// A survey has a row for every file, bad ones with the cause, and goes on where it was.
+#[test]
+fn a_survey_measures_every_file() {
+    let place = with(&["s1002.prw", "worn_rail.ban"]);
+    place.write("bad.prw", "nothing\n");
+    let survey = |out: &str| {
+        let args =
+            ["profile", "--survey", "*.prw", "*.ban", "--rail", "UIC60", "--reference", "S1002"];
+        place.run(&[&args[..], &["--out", out]].concat())
+    };
+    assert_eq!(survey("fleet.csv").code, Some(3));
+    let text = place.read("fleet.csv");
+    let rows: Vec<&str> = text.lines().collect();
+    assert_eq!(rows.len(), 4, "{text}");
+    let wheel = rows.iter().find(|row| row.contains("s1002.prw")).unwrap();
+    let cells: Vec<&str> = wheel.split(',').collect();
+    let number = |k: usize| cells[k].parse::<f64>().unwrap();
+    assert!((number(4) - 0.028).abs() < 2e-4 && (number(5) - 0.0325).abs() < 2e-4, "{wheel}");
+    assert!(number(9) > 0.0 && number(9) < 0.5, "{wheel}");
+    assert!(rows.iter().any(|row| row.contains("bad.prw") && !row.ends_with(',')));
+    assert!(!place.files().contains(&".fleet.csv.survey".to_owned()));
+    // A pattern that names nothing, and an output that is one of the files.
+    place.run(&["profile", "--survey", "*.whl", "--out", "x.csv"]).refused(&["*.whl"]);
+    place.run(&["profile", "--survey", "*.prw", "--out", "s1002.prw"]).refused(&["s1002.prw"]);
+}

@@ -270,3 +270,40 @@ fn derivatives_are_in_the_report() {
     let text = place.run(&["wheelset", "case.toml", "--derivatives"]).done();
     assert!(text.contains("by lateral velocity") && !text.contains("by z "), "{text}");
 }
+
+/// Rows of positions, loads and friction have what the wheelset alone has; a row that is wrong says why, one
+/// without a load is no contact.
+#[test]
+fn rows_of_a_wheelset_are_solved() {
+    let text = example("s1002-on-uic60.toml") + "\n[solve]\ntheory = \"fastsim\"\n";
+    let place = Place::new();
+    place.write("case.toml", &text);
+    place.write(
+        "rows.csv",
+        "name,y,axle_load,friction,speed\na,0.001,180e3,,\nb,0.001,180e3,0.2,-30\nc,,0,,\nd,0.5,,,\n",
+    );
+    let arguments = ["batch", "--case", "case.toml", "--in", "rows.csv", "--out", "out.csv"];
+    assert_eq!(place.run(&arguments).code, Some(3));
+    let out = place.read("out.csv");
+    let rows: Vec<Vec<&str>> = out.lines().map(|line| line.split(',').collect()).collect();
+    let column = |name: &str| rows[0].iter().position(|own| *own == name).unwrap();
+    let one =
+        text.replace("y = 0.002 ", "y = 0.001 ").replace("axle_load = 200e3", "axle_load = 180e3");
+    let alone = solved(&one);
+    let force = &alone["right"]["force"];
+    for (key, name) in
+        [("lateral_n", "right_lateral_n"), ("longitudinal_n", "right_longitudinal_n")]
+    {
+        let found: f64 = rows[1][column(name)].parse().unwrap();
+        assert_eq!(found.to_bits(), number(&force[key]).to_bits(), "{name}");
+    }
+    let status = column("status");
+    let words: Vec<&str> = rows[1..].iter().map(|row| row[status]).collect();
+    assert_eq!(words, ["solved", "solved", "no_contact", "invalid"]);
+    assert_eq!(rows[3][column("left_vertical_n")], "0.0");
+    // Backwards the pitch rate has the other sign.
+    assert!(rows[2][column("left_pitch_rate_rad_per_s")].starts_with('-'));
+    place.write("none.csv", "name\na\n");
+    let failure = place.run(&["batch", "--case", "case.toml", "--in", "none.csv"]);
+    failure.refused(&["roll_moment"]);
+}

@@ -1,10 +1,10 @@
 //! A wheelset by its handle: the library's own forces, and codes for what is wrong.
 
 use std::ffi::{CString, c_char};
-use std::ptr::null_mut;
+use std::ptr::{null, null_mut};
 
 use creepage_ffi::*;
-use creepage_study::WheelsetFile;
+use creepage_study::{WheelsetCase, WheelsetFile};
 
 const TEXT: &str = "
 wheel = { profile = 'S1002', radius = 0.46 }
@@ -16,7 +16,7 @@ contact = { friction = 0.3 }
 materials = { shear_modulus = 82e9, poisson = 0.28 }
 solve = { theory = 'exact', resolution = 'fast' }
 ";
-const FREE: [f64; 4] = [30.0, f64::NAN, 0.0, 0.0];
+const NAN: f64 = f64::NAN;
 
 fn made(text: &str) -> (i32, *mut CreepageWheelset) {
     let (text, mut made) = (CString::new(text).unwrap(), null_mut());
@@ -25,57 +25,98 @@ fn made(text: &str) -> (i32, *mut CreepageWheelset) {
     (code, made)
 }
 
-fn forces(made: *const CreepageWheelset, position: [f64; 2], motion: [f64; 4]) -> (i32, [f64; 12]) {
-    let (mut forces, mut found, mut status) = ([0.0; 12], [0.0; 3], -1);
+/// Lateral position and yaw; all else is the file's.
+fn at(y: f64, yaw: f64) -> [f64; 12] {
+    [y, NAN, NAN, yaw, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN]
+}
+
+/// The code, the answers, and the state, which stays the caller's.
+fn solved(
+    made: *const CreepageWheelset,
+    asked: [f64; 12],
+    start: *const CreepageWheelsetState,
+) -> (i32, [f64; 22], *mut CreepageWheelsetState) {
+    let (mut answers, mut status, mut state) = ([0.0; 22], -1, null_mut());
     let mut message = [0 as c_char; 200];
-    // SAFETY: all point to what they should.
+    // SAFETY: all point to what they should, or to nothing.
     let code = unsafe {
-        creepage_wheelset_force(
+        creepage_wheelset_solve(
             made,
-            position.as_ptr(),
-            motion.as_ptr(),
-            forces.as_mut_ptr(),
-            found.as_mut_ptr(),
+            asked.as_ptr(),
+            start,
+            answers.as_mut_ptr(),
+            null_mut(),
+            null_mut(),
             &raw mut status,
+            &raw mut state,
             message.as_mut_ptr(),
             message.len(),
         )
     };
     if code == CREEPAGE_OK {
-        assert!(found.iter().all(|value| value.is_finite()));
+        assert!(answers.iter().all(|value| value.is_finite()));
         assert_eq!(status, CREEPAGE_SOLVED);
     }
-    (code, forces)
+    (code, answers, state)
+}
+
+fn case(from: &str, to: &str) -> WheelsetCase {
+    let text = TEXT.replace(from, to);
+    WheelsetFile::read(&text).unwrap().case(std::path::Path::new("")).unwrap()
 }
 
 #[test]
 fn forces_are_the_library_s() {
     let (code, made) = made(TEXT);
     assert_eq!(code, CREEPAGE_OK);
-    let (code, first) = forces(made, [1e-3, 0.0], FREE);
+    let (code, first, state) = solved(made, at(1e-3, 0.0), null());
     assert_eq!(code, CREEPAGE_OK);
-    let text = TEXT.replace("y = 0.0,", "y = 1e-3,");
-    let case = WheelsetFile::read(&text).unwrap().case(std::path::Path::new("")).unwrap();
-    let solved = case.solve().unwrap();
-    for (wheel, found) in solved.wheels().zip(first.chunks_exact(6)) {
-        let right = wheel.on_rail();
-        assert_eq!(found[..3], right.force);
-        assert_eq!(found[3..], right.moment);
+    assert_eq!(first, case("y = 0.0,", "y = 1e-3,").solve().unwrap().answers());
+    // Whatever was asked before, the same bits.
+    let (_, _, away) = solved(made, at(2e-3, 1e-3), null());
+    let (_, again, third) = solved(made, at(1e-3, 0.0), null());
+    assert_eq!(first, again);
+    // From the state, again and again, the same bits; and what is found from nothing, in parts of mu N.
+    let (_, followed, one) = solved(made, at(1.01e-3, 0.0), state);
+    let (_, repeated, other) = solved(made, at(1.01e-3, 0.0), state);
+    assert_eq!(followed, repeated);
+    let (_, alone, last) = solved(made, at(1.01e-3, 0.0), null());
+    for (found, right) in followed.iter().zip(alone).take(3) {
+        assert!((found - right).abs() < 1e-3 * 0.3 * 100e3, "{found} {right}");
     }
-    // From far away: to the balance's end, in parts of mu N.
-    let (_, away) = forces(made, [2e-3, 1e-3], FREE);
-    let (_, back) = forces(made, [1e-3, 0.0], FREE);
-    assert!(away[1].to_bits() != back[1].to_bits());
-    for k in [0, 1, 2, 6, 7, 8] {
-        assert!((back[k] - first[k]).abs() < 1e-3 * 0.3 * 100e3, "{k} {back:?} {first:?}");
+    for state in [state, away, third, one, other, last] {
+        // SAFETY: it is not used again.
+        unsafe { creepage_wheelset_state_free(state) };
     }
-    let near = TEXT.replace("y = 0.0,", "y = 1.01e-3,");
-    let case = WheelsetFile::read(&near).unwrap().case(std::path::Path::new("")).unwrap();
-    let (solved, (_, followed)) = (case.solve().unwrap(), forces(made, [1.01e-3, 0.0], FREE));
-    for (wheel, found) in solved.wheels().zip(followed.chunks_exact(6)) {
-        for (found, right) in found.iter().zip(wheel.on_rail().force) {
-            assert!((found - right).abs() < 1e-3 * 0.3 * 100e3, "{found} {right}");
-        }
+    // SAFETY: it is not used again.
+    unsafe { creepage_wheelset_free(made) };
+}
+
+#[test]
+fn many_have_the_bits_of_one() {
+    let (_, made) = made(TEXT);
+    let asked = [at(1e-3, 0.0), at(0.5, 0.0), at(2e-3, 1e-3)];
+    let (mut answers, mut statuses) = ([[0.0; 22]; 3], [-1; 3]);
+    // SAFETY: all point to what they should, or to nothing.
+    let code = unsafe {
+        creepage_wheelset_solve_many(
+            made,
+            3,
+            asked.as_flattened().as_ptr(),
+            answers.as_flattened_mut().as_mut_ptr(),
+            statuses.as_mut_ptr(),
+            null_mut(),
+            0,
+        )
+    };
+    assert_eq!(code, CREEPAGE_OK);
+    assert_eq!(statuses, [CREEPAGE_SOLVED, CREEPAGE_NOT_CONVERGED, CREEPAGE_SOLVED]);
+    assert!(answers[1].iter().all(|value| value.is_nan()));
+    for k in [0, 2] {
+        let (_, one, state) = solved(made, asked[k], null());
+        assert_eq!(answers[k], one);
+        // SAFETY: it is not used again.
+        unsafe { creepage_wheelset_state_free(state) };
     }
     // SAFETY: it is not used again.
     unsafe { creepage_wheelset_free(made) };
@@ -85,32 +126,30 @@ fn forces_are_the_library_s() {
 fn derivatives_are_the_library_s() {
     let (_, wheelset) = made(TEXT);
     let (mut found, mut errors) = ([0.0; 96], [0.0; 96]);
-    let (position, mut forces, mut status) = ([1e-3, 0.0], [0.0; 12], -1);
+    let (asked, mut answers, mut status) = (at(1e-3, 0.0), [0.0; 22], -1);
     // SAFETY: all point to what they should, or to nothing.
     let code = unsafe {
-        creepage_wheelset_derivatives(
+        creepage_wheelset_solve(
             wheelset,
-            position.as_ptr(),
-            FREE.as_ptr(),
-            forces.as_mut_ptr(),
+            asked.as_ptr(),
+            null(),
+            answers.as_mut_ptr(),
             found.as_mut_ptr(),
             errors.as_mut_ptr(),
             &raw mut status,
+            null_mut(),
             null_mut(),
             0,
         )
     };
     assert_eq!((code, status), (CREEPAGE_OK, CREEPAGE_SOLVED));
-    let text = TEXT.replace("y = 0.0,", "y = 1e-3,");
-    let case = WheelsetFile::read(&text).unwrap().case(std::path::Path::new("")).unwrap();
-    let solved = case.solve().unwrap();
-    let right = case.derivatives(&solved).unwrap();
+    let case = case("y = 0.0,", "y = 1e-3,");
+    let right = case.derivatives(&case.solve().unwrap()).unwrap();
     let same = |found: &[f64], right: [[[f64; 8]; 6]; 2]| {
         let right = right.as_flattened().as_flattened();
         found.iter().zip(right).all(|(a, b)| a.to_bits() == b.to_bits() || a.is_nan() && b.is_nan())
     };
     assert!(same(&found, right.values()) && same(&errors, right.errors()), "{found:?}");
-    assert_eq!(forces[..3], solved.left.unwrap().on_rail().force);
     // Free of height, roll and torque: no derivative by those, and one by the rest.
     let is_free = |k: usize| [1, 2, 5].contains(&k);
     assert!(found.iter().enumerate().all(|(i, value)| value.is_nan() == is_free(i % 8)));
@@ -123,10 +162,14 @@ fn what_is_wrong_has_a_code() {
     assert_eq!(made(&TEXT.replace("S1002", "S1003")).0, CREEPAGE_INVALID);
     assert_eq!(made("no/such/file.toml").0, CREEPAGE_FILE);
     let (_, wheelset) = made(TEXT);
-    // Off the track, a wheel of NaN, and backwards through its own contact.
-    assert_eq!(forces(wheelset, [0.5, 0.0], FREE).0, CREEPAGE_INVALID);
-    assert_eq!(forces(wheelset, [f64::NAN, 0.0], FREE).0, CREEPAGE_INVALID);
-    assert_eq!(forces(wheelset, [0.0, 0.0], [f64::NAN, f64::NAN, 0.0, 0.0]).0, CREEPAGE_INVALID);
+    let mut rest = at(0.0, 0.0);
+    rest[6] = 0.0;
+    // Off the track, infinitely far, at rest, pressed twice.
+    let mut twice = at(0.0, 0.0);
+    (twice[1], twice[4]) = (0.0, 1e5);
+    for asked in [at(0.5, 0.0), at(f64::INFINITY, 0.0), rest, twice] {
+        assert_eq!(solved(wheelset, asked, null()).0, CREEPAGE_INVALID);
+    }
     // SAFETY: it is not used again.
     unsafe { creepage_wheelset_free(wheelset) };
 }

@@ -102,6 +102,11 @@ pub enum CaseError {
         /// The key, its value, and what it must be.
         invalid: InvalidValue,
     },
+    /// Friction across a contact whose place on the rail is not known beforehand.
+    #[error(
+        "[contact] friction: across is for one contact; on a rail give position (its profile's y) or angle, and value"
+    )]
+    AcrossOnRail,
     /// A law of friction by the speed of slip, without the speed of rolling.
     #[error("[creepage] speed is missing: [contact] friction depends on the speed of slip")]
     SpeedOfLaw,

@@ -11,6 +11,7 @@ use serde::de::{Deserialize, Deserializer, Error};
 use toml::Value;
 
 use super::error::CaseError;
+use crate::wheelset::RailFriction;
 
 const SECTION: &str = "contact";
 
@@ -29,7 +30,7 @@ pub(crate) enum FrictionValue {
 #[derive(Debug, Clone, PartialEq, serde::Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct AcrossTable {
-    /// Two to six pairs of y (m), rising, and the coefficient there.
+    /// Two to twelve pairs of y (m), rising, and the coefficient there.
     across: Vec<[f64; 2]>,
 }
 
@@ -83,6 +84,15 @@ impl FrictionValue {
             Some(friction) => contact.with_rolling_friction(friction),
             None => contact,
         })
+    }
+
+    /// That of a rail; across a contact it is given in other axes there.
+    pub(crate) fn of_rail(&self) -> Result<RailFriction, CaseError> {
+        match self {
+            Self::Constant(friction) => Ok(RailFriction::Constant(*friction)),
+            Self::Law(table) => Ok(RailFriction::Law(table.law()?, table.memory()?)),
+            Self::Across(_) => Err(CaseError::AcrossOnRail),
+        }
     }
 
     /// The coefficient at rest, the `mu` of all quantities.

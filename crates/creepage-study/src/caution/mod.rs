@@ -316,10 +316,14 @@ impl Caution {
     pub fn between_surfaces(theory: &TheorySpec, contact: &Contact) -> [Option<Self>; 2] {
         let facts = theory.facts();
         let theory = facts.name;
-        let varies = contact.rolling_friction().is_some_and(|friction| friction.varies());
-        let friction = varies.then_some(Self::ConstantFriction { theory });
+        let friction = contact.rolling_friction();
+        let on_areas = contact.areas().is_some();
+        let follows = facts.friction_laws && (!on_areas || theory == "exact");
+        // On areas every row of the simplified theories has the friction of its own place.
+        let by_row = on_areas && ["fastsim", "fastrip", "saturated"].contains(&theory);
+        let left_out = friction.is_some_and(|law| if by_row { law.falls() } else { law.varies() });
+        let friction = left_out.then_some(Self::ConstantFriction { theory });
         let layer = contact.layer().map(|_| Self::NoLayer { theory });
-        let follows = facts.friction_laws && (contact.areas().is_none() || theory == "exact");
         [friction, layer].map(|caution| caution.filter(|_| !follows))
     }
 

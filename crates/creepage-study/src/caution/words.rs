@@ -49,8 +49,8 @@ impl fmt::Display for Caution {
             ),
             Self::ConstantFriction { theory } => write!(
                 f,
-                "{theory} takes friction as constant at its largest value; exact and fastsim follow it \
-                 with the speed of slip and across the contact"
+                "{theory} takes friction as constant at its largest value here; exact follows it with the speed \
+                 of slip and across the contact, fastsim on ellipses"
             ),
             Self::NoLayer { theory } => write!(
                 f,

@@ -104,6 +104,27 @@ impl WheelsetDerivatives {
         row?[by.index()]
     }
 
+    /// Those of the mirror image fore and aft.
+    pub(super) fn fore_and_aft(&self) -> Self {
+        // Forces along x, moments about y and z, and what turns the wheelset about them, change sign.
+        let turns = |by: By| {
+            let is_odd = matches!(by, By::Yaw | By::Speed | By::PitchRate | By::YawRate);
+            if is_odd { -1.0 } else { 1.0 }
+        };
+        let turned = |row: &Row| -> Row {
+            By::ALL.map(|by| {
+                let one = row[by.index()]?;
+                let (force, moment) = ([-1.0, 1.0, 1.0], [1.0, -1.0, -1.0]);
+                Some(ForceDerivative {
+                    force: [0, 1, 2].map(|k: usize| turns(by) * force[k] * one.force[k]),
+                    moment: [0, 1, 2].map(|k: usize| turns(by) * moment[k] * one.moment[k]),
+                    ..one
+                })
+            })
+        };
+        Self { left: self.left.as_ref().map(turned), right: self.right.as_ref().map(turned) }
+    }
+
     /// All of them as one array: of the left and the right wheel; force along `x`, `y`, `z`, moment
     /// about `x`, `y`, `z`; by [`By::ALL`]. NaN where there is none.
     #[must_use]

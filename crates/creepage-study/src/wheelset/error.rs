@@ -153,6 +153,37 @@ pub enum WheelsetError {
     /// No pitch rate without a moment about the axle.
     #[error("[motion] pitch_rate = \"free\": none was found without a moment about the axle")]
     PitchNotFound,
+    /// A wheel that its load would lift.
+    #[error(
+        "[wheelset] roll_moment lifts the {} wheel: it would carry {load:.6} N; give roll, or loads of \
+         both wheels", side_word(*side)
+    )]
+    Lifts {
+        /// The side.
+        side: Side,
+        /// What it would carry (N).
+        load: f64,
+    },
+    /// A lifted wheel whose height nothing tells.
+    #[error(
+        "[wheelset] the {} wheel carries nothing and roll is free: nothing says how high it hangs; \
+         give roll", side_word(*side)
+    )]
+    Hangs {
+        /// The side.
+        side: Side,
+    },
+    /// More traction than friction can carry.
+    #[error(
+        "[motion] no pitch rate was found at which friction balances {wanted} (torque in N m or \
+         longitudinal_force in N): it can carry {most:.6} at most"
+    )]
+    TractionNotFound {
+        /// What was wanted (N m or N).
+        wanted: f64,
+        /// What friction can carry (N m or N).
+        most: f64,
+    },
     /// Height, roll or pitch rate do not follow from the rest.
     #[error("[wheelset] no derivatives: what is found here does not follow what is given")]
     NotDifferentiable,

@@ -3,7 +3,9 @@
 use std::path::Path;
 
 use creepage::{SolidPair, TheorySpec};
-use creepage_rail::{Place, Rail, Role, Running, Side, Track, Wheel, Wheelset};
+use creepage_rail::{
+    Deviation, Place, Rail, RailMotion, Role, Running, Side, Track, Wheel, Wheelset,
+};
 use schemars::JsonSchema;
 use serde::Deserialize;
 use serde_json::Value;
@@ -11,6 +13,7 @@ use toml::Table;
 
 use super::case::{ProfileNote, WheelsetCase};
 use super::error::{WheelsetError, checked, needed};
+use super::friction::{RailFriction, RailFrictionValue};
 use super::profile::Asked;
 use super::sections::{
     FrictionSection, MaterialSection, MotionSection, RailSection, SideName, TrackSection,
@@ -97,6 +100,12 @@ pub fn wheelset_json_schema() -> Value {
 }
 
 impl WheelsetFile {
+    /// Whether a text is meant as a wheelset file: it has `[wheelset]`.
+    #[must_use]
+    pub fn is_one(text: &str) -> bool {
+        text.parse::<Table>().is_ok_and(|table| table.contains_key("wheelset"))
+    }
+
     /// Reads the text of a wheelset file and checks its form: TOML, sections, keys and kinds of
     /// values.
     ///
@@ -115,23 +124,23 @@ impl WheelsetFile {
     pub fn case(&self, directory: &Path) -> Result<WheelsetCase, WheelsetError> {
         let mut notes = Vec::new();
         let running = self.running(directory, &mut notes)?;
-        let friction = self.contact.as_ref().map(|section| {
-            let value = section.friction;
-            checked(
-                "contact",
-                "friction",
-                value,
-                value > 0.0 && value.is_finite(),
-                "positive and finite",
-            )
-        });
+        let contact = self.contact.as_ref();
+        let curvature = self.track.curvature()?;
+        let rails = SIDES.map(|side| self.rail_section(side).motion());
+        let travel = self.motion.as_ref().map(|motion| motion.travel(curvature, rails));
+        let travel = travel.transpose()?;
+        let mut stance = self.wheelset.stance()?;
+        let runs = (travel.map_or(0.0, |travel| travel.speed), curvature);
+        let tapes = running.wheelset().tape_distance();
+        stance.load = stance.load.or(self.wheelset.load_in_curve(&self.track, runs, tapes)?);
         Ok(WheelsetCase {
             running,
-            stance: self.wheelset.stance()?,
-            travel: self.motion.as_ref().map(MotionSection::travel).transpose()?,
+            stance,
+            travel,
             solids: self.solids()?,
-            friction: friction.transpose()?,
-            slip: self.contact.as_ref().and_then(|section| section.slip).unwrap_or_default(),
+            friction: self.friction()?,
+            slip: contact.and_then(|section| section.slip).unwrap_or_default(),
+            patches: contact.and_then(|section| section.patches).unwrap_or_default(),
             damage: self.damage.as_ref().map(DamageSection::wanted_without_limit).transpose()?,
             theory: solve::from_table(&self.solve).map_err(CaseError::from)?,
             notes,
@@ -150,6 +159,31 @@ impl WheelsetFile {
         let place = self.track.place()?;
         let mut rail = |side| self.rail(side, place, directory, notes);
         Ok(wheelset.on(Track { left: rail(Side::Left)?, right: rail(Side::Right)? }))
+    }
+
+    /// What the file says of the rail of a side.
+    fn rail_section(&self, side: Side) -> RailSection {
+        match side {
+            Side::Left => self.rail_left.or(&self.rail),
+            Side::Right => self.rail_right.or(&self.rail),
+        }
+    }
+
+    /// Friction on both rails; `None` where neither has any.
+    fn friction(&self) -> Result<Option<[RailFriction; 2]>, CaseError> {
+        let common = self.contact.as_ref().and_then(|section| section.friction.as_ref());
+        let of = |side| {
+            let own = self.rail_section(side).friction;
+            own.as_ref().or(common).map(RailFrictionValue::friction).transpose()
+        };
+        let (left, right) = (of(Side::Left)?, of(Side::Right)?);
+        Ok(match (left, right) {
+            (Some(left), Some(right)) => Some([left, right]),
+            // Of one wheel alone the other rail is idle.
+            (Some(own), None) if self.is_idle(Side::Right) => Some([own.clone(), own]),
+            (None, Some(own)) if self.is_idle(Side::Left) => Some([own.clone(), own]),
+            _ => None,
+        })
     }
 
     fn wheel(
@@ -194,8 +228,12 @@ impl WheelsetFile {
         let name = needed(section, "profile", rail.profile.as_deref())?;
         let asked = Asked { section, name, role: Role::Rail, side, reading: rail.reading };
         let profile = noted(asked.load(directory)?, notes);
-        Rail::new(&profile, rail.cant.unwrap_or(0.0), place)
-            .map_err(WheelsetError::geometry(section))
+        let laid = Rail::new(&profile, rail.cant.unwrap_or(0.0), place);
+        let placed = match rail.deviation() {
+            Some(deviation) => laid.and_then(|laid| laid.displaced(side, deviation)),
+            None => laid,
+        };
+        placed.map_err(WheelsetError::geometry(section))
     }
 
     /// Whether the other wheel is solved alone.
@@ -232,18 +270,62 @@ impl WheelsetFile {
     }
 }
 
+const SIDES: [Side; 2] = [Side::Left, Side::Right];
+
+impl RailSection {
+    /// How it stands beside where it was laid, if it does.
+    fn deviation(&self) -> Option<Deviation> {
+        let Self { dy, dz, droll, .. } = *self;
+        let or = |value: Option<f64>| value.unwrap_or(0.0);
+        (dy.or(dz).or(droll)).map(|_| Deviation { y: or(dy), z: or(dz), roll: or(droll) })
+    }
+
+    fn motion(&self) -> RailMotion {
+        let or = |value: Option<f64>| value.unwrap_or(0.0);
+        RailMotion {
+            lateral_velocity: or(self.dy_rate),
+            vertical_velocity: or(self.dz_rate),
+            roll_rate: or(self.droll_rate),
+        }
+    }
+}
+
 impl TrackSection {
+    /// Its curvature (1/m), positive where it bends to the right.
+    fn curvature(&self) -> Result<f64, CaseError> {
+        match (self.curve_radius, self.curvature) {
+            (Some(_), Some(_)) => {
+                let [first, second] = ["curve_radius", "curvature"].map(|key| ("track", key));
+                Err(CaseError::Conflict { first, second })
+            }
+            (Some(radius), None) => {
+                let is_valid = radius.abs() >= 1.0;
+                let valid = "1 m at least to either side, and positive in a right-hand curve";
+                Ok(1.0 / checked("track", "curve_radius", radius, is_valid, valid)?)
+            }
+            (None, curvature) => {
+                let curvature = curvature.unwrap_or(0.0);
+                let is_valid = curvature.abs() <= 1.0;
+                checked("track", "curvature", curvature, is_valid, "-1 to 1 a metre")
+            }
+        }
+    }
+
     fn place(&self) -> Result<Place, CaseError> {
         const TRACK: &str = "track";
         let positive = |key, value: f64| {
             checked(TRACK, key, value, value > 0.0 && value.is_finite(), "positive and finite")
         };
         let gauge = self.gauge.map(|_| "gauge").or(self.gauge_height.map(|_| "gauge_height"));
+        if self.rail_height.is_some() && self.rail_position.is_none() {
+            return Err(CaseError::Missing { section: TRACK.into(), key: "rail_position".into() });
+        }
         match (self.rail_position, gauge) {
             (Some(y), None) => {
                 let is_valid = y >= 0.0 && y.is_finite();
                 let valid = "zero, or positive and finite";
-                Ok(Place::Origin(checked(TRACK, "rail_position", y, is_valid, valid)?))
+                let y = checked(TRACK, "rail_position", y, is_valid, valid)?;
+                Ok(self.rail_height.map_or(Place::Origin(y), |z| Place::At([y, z])))
             }
             (Some(_), Some(key)) => {
                 let first = (TRACK, "rail_position");

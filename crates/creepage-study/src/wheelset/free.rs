@@ -4,7 +4,8 @@ use std::borrow::Cow;
 use std::fmt;
 
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
-use serde::de::{Deserialize, Deserializer, Error, Unexpected, Visitor};
+use serde::Deserialize;
+use serde::de::{Deserializer, Error, Unexpected, Visitor};
 
 /// As the file has it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -27,6 +28,14 @@ impl<'de> Deserialize<'de> for Freely {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         deserializer.deserialize_any(FreelyVisitor)
     }
+}
+
+/// A pitch rate as the file has it: of the axle, or of the left and the right wheel.
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize, JsonSchema)]
+#[serde(untagged, expecting = "expected a number, \"free\", or two of these in brackets")]
+pub(super) enum PitchValue {
+    Axle(Freely),
+    Wheels([Freely; 2]),
 }
 
 struct FreelyVisitor;

@@ -3,6 +3,7 @@
 //! Lengths in metres, angles in radians, forces in newtons; `x` forward, `y` to the right, `z`
 //! down.
 
+mod asked;
 mod case;
 mod conicity;
 mod correction;
@@ -13,6 +14,7 @@ mod error;
 mod field;
 mod file;
 mod free;
+mod friction;
 mod geometry_picture;
 mod nearby;
 mod position;
@@ -30,12 +32,16 @@ mod solver;
 mod table;
 mod wear;
 
-pub use case::{Load, ProfileNote, RigidSlip, Stance, Travel, WheelsetCase};
+pub use asked::{ANSWERS, ASKED};
+pub use case::{
+    Drive, Load, Patches, PitchRate, ProfileNote, RigidSlip, Stance, Travel, WheelsetCase,
+};
 pub use conicity::{ConicityTable, conicity, radius_difference_csv};
 pub use derivatives::{By, ForceDerivative, WheelsetDerivatives};
 pub use derivatives_json::{DerivativesJson, ForceDerivativeJson};
 pub use error::WheelsetError;
 pub use file::{WheelsetFile, wheelset_json_schema};
+pub use friction::{FrictionOfPlace, PlaceOnRail, RailFriction};
 pub use profile_picture::profile_pictures;
 pub use resultant::Resultant;
 pub use solved::{SolvedContact, SolvedWheel, SolvedWheelset};

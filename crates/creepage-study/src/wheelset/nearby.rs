@@ -19,8 +19,8 @@ pub(super) struct Drift {
     pub(super) step: [f64; 2],
     /// Lower (m) and rolled (rad) by so much, each wheel.
     pub(super) by: Vec<[f64; 2]>,
-    /// By how much faster it turns (rad/s).
-    pub(super) faster: f64,
+    /// By how much faster the left and the right wheel turn (rad/s).
+    pub(super) faster: [f64; 2],
     /// By how much more friction pushes each contact aside.
     pub(super) shares: Shares,
     /// By how much the areas of each contact, in the wheelset's order, reach further out on both sides (m).

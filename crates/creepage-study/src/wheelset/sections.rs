@@ -5,8 +5,9 @@ use creepage_rail::file::Wanted;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use super::case::RigidSlip;
-use super::free::Freely;
+use super::case::{Patches, RigidSlip};
+use super::free::{Freely, PitchValue};
+use super::friction::RailFrictionValue;
 use crate::case::CaseError;
 use crate::case::body::Body;
 
@@ -96,6 +97,22 @@ pub(super) struct RailSection {
     /// Turn of the profile as given (rad), positive inclines the head to the track centre;
     /// 0 by default.
     pub(super) cant: Option<f64>,
+    /// Shift to the right from where the rail was laid (m); 0 by default.
+    pub(super) dy: Option<f64>,
+    /// Shift downwards (m); 0 by default.
+    pub(super) dz: Option<f64>,
+    /// Turn about x through the profile's origin (rad), by the right-hand rule; 0 by default.
+    pub(super) droll: Option<f64>,
+    /// Velocity to the right (m/s); 0 by default.
+    pub(super) dy_rate: Option<f64>,
+    /// Velocity downwards (m/s); 0 by default.
+    pub(super) dz_rate: Option<f64>,
+    /// Angular velocity about x (rad/s); 0 by default.
+    pub(super) droll_rate: Option<f64>,
+    /// Friction on this rail, where it differs from that of [contact].
+    #[schemars(with = "RailFrictionValue")]
+    #[serde(default)]
+    pub(super) friction: Option<RailFrictionValue>,
 }
 
 impl RailSection {
@@ -106,6 +123,13 @@ impl RailSection {
             profile: file.profile.clone(),
             reading: self.reading.or(file.reading),
             cant: self.cant.or(other.cant),
+            dy: self.dy.or(other.dy),
+            dz: self.dz.or(other.dz),
+            droll: self.droll.or(other.droll),
+            dy_rate: self.dy_rate.or(other.dy_rate),
+            dz_rate: self.dz_rate.or(other.dz_rate),
+            droll_rate: self.droll_rate.or(other.droll_rate),
+            friction: self.friction.clone().or_else(|| other.friction.clone()),
         }
     }
 }
@@ -120,6 +144,16 @@ pub(super) struct TrackSection {
     pub(super) gauge_height: Option<f64>,
     /// Distance of each rail profile's origin from the track centre (m).
     pub(super) rail_position: Option<f64>,
+    /// Height of each rail profile's origin, downwards from the track plane (m), beside `rail_position`;
+    /// by default the rails' highest points lie in the track plane.
+    pub(super) rail_height: Option<f64>,
+    /// Radius of the curve (m), positive where it bends to the right. Give this or `curvature`.
+    pub(super) curve_radius: Option<f64>,
+    /// Curvature (1/m), positive where the track bends to the right; 0 by default.
+    pub(super) curvature: Option<f64>,
+    /// Height of the outer rail over the inner one (m); with `mass` and `centre_height` of the
+    /// wheelset the loads of both wheels follow.
+    pub(super) superelevation: Option<f64>,
 }
 
 /// The wheelset and where it stands.
@@ -138,8 +172,21 @@ pub(super) struct WheelsetSection {
     pub(super) roll: Option<Freely>,
     /// Vertical force of the wheelset on the track (N). Give this, `wheel_load` or `z`.
     pub(super) axle_load: Option<f64>,
-    /// Vertical force of a wheel on its rail (N).
+    /// Moment about x with which the wheelset presses on the track under its `axle_load`, about its centre
+    /// (N m), positive where it presses the right wheel down; with roll = "free". Without it each rail
+    /// carries half of the load.
+    pub(super) roll_moment: Option<f64>,
+    /// Vertical force of a wheel on its rail (N), the same on both.
     pub(super) wheel_load: Option<f64>,
+    /// Vertical force of the left wheel (N), beside `wheel_load_right`; 0 where it is lifted.
+    pub(super) wheel_load_left: Option<f64>,
+    /// Vertical force of the right wheel (N).
+    pub(super) wheel_load_right: Option<f64>,
+    /// Mass that the wheelset carries, its own included (kg): with `centre_height` the loads of both
+    /// wheels in a curve follow.
+    pub(super) mass: Option<f64>,
+    /// Height of that mass's centre over the rails (m).
+    pub(super) centre_height: Option<f64>,
     /// Height, downwards (m); at 0 the nominal circle touches the track plane.
     pub(super) z: Option<f64>,
     /// One wheel alone.
@@ -158,17 +205,48 @@ pub(super) enum SideName {
     Right,
 }
 
+/// How wheels sit on their axle.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub(super) enum WheelsOnAxle {
+    /// They turn together.
+    Rigid,
+    /// Each turns by itself.
+    Independent,
+}
+
 /// How the wheelset moves.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(super) struct MotionSection {
-    /// Speed along the track (m/s).
+    /// Speed along the track (m/s), in a curve along its centre line; negative where the wheelset runs
+    /// backwards.
     pub(super) speed: f64,
     /// Angular velocity about the axle (rad/s), positive when it rolls forward; or "free"
-    /// (the default): no net moment about the axle, to 1e-5 of what friction could have.
+    /// (the default): friction has the moment about the axle that `torque` asks for, to 1e-5 of what it could
+    /// have. Two of these in brackets are those of the left and the right wheel, which then turn
+    /// independently.
+    #[schemars(with = "PitchValue")]
+    #[serde(default)]
+    pub(super) pitch_rate: Option<PitchValue>,
+    /// Angular velocity of the left wheel (rad/s) or "free", beside `pitch_rate_right`.
     #[schemars(with = "Freely")]
     #[serde(default)]
-    pub(super) pitch_rate: Option<Freely>,
+    pub(super) pitch_rate_left: Option<Freely>,
+    /// Angular velocity of the right wheel (rad/s) or "free".
+    #[schemars(with = "Freely")]
+    #[serde(default)]
+    pub(super) pitch_rate_right: Option<Freely>,
+    /// "rigid" (the default): both wheels turn with the axle; "independent": each by itself.
+    #[schemars(with = "WheelsOnAxle")]
+    #[serde(default)]
+    pub(super) wheels: Option<WheelsOnAxle>,
+    /// Torque about the axle (N m), positive where it drives forward, of independent wheels on each; 0
+    /// by default. The pitch rate is found.
+    pub(super) torque: Option<f64>,
+    /// Sum of the forces along x on the rails (N), as it is reported: negative where the wheelset drives.
+    /// In place of `torque`.
+    pub(super) longitudinal_force: Option<f64>,
     /// Velocity to the right (m/s); 0 by default.
     pub(super) lateral_velocity: Option<f64>,
     /// Velocity downwards (m/s); 0 by default.
@@ -183,8 +261,15 @@ pub(super) struct MotionSection {
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(super) struct FrictionSection {
-    /// Coefficient of friction.
-    pub(super) friction: f64,
+    /// Coefficient of friction on both rails; or how it varies.
+    #[schemars(with = "RailFrictionValue")]
+    #[serde(default)]
+    pub(super) friction: Option<RailFrictionValue>,
+    /// "together" (the default): areas in planes of their own sink under each other's load; "apart":
+    /// each is pressed as if it were alone.
+    #[schemars(with = "Patches")]
+    #[serde(default)]
+    pub(super) patches: Option<Patches>,
     /// "flat" (the default): creepage and spin at each contact's reference point hold all over it;
     /// "curved": the rolling radius and the direction of the surface at every place.
     pub(super) slip: Option<RigidSlip>,

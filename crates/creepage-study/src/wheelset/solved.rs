@@ -23,9 +23,15 @@ pub struct SolvedWheelset {
     pub left: Option<SolvedWheel>,
     /// The right wheel; `None` where the left one was solved alone.
     pub right: Option<SolvedWheel>,
-    /// How it moves, with the pitch rate that was given or found.
+    /// How it moves, with the pitch rate that was given or found; of independent wheels their mean, each of
+    /// which has its own: [`SolvedWheel::pitch_rate`].
     pub motion: Motion,
-    /// Coefficient of friction.
+    /// Whether each wheel turns by itself.
+    pub is_independent: bool,
+    /// Whether it runs backwards: then contacts have their `x` along the track still, and the areas that
+    /// [`SolvedContact::normal`] holds are those of the mirror image fore and aft.
+    pub is_reversed: bool,
+    /// Coefficient of friction, the largest where it varies.
     pub friction: f64,
     /// What the surfaces slide by before they deform.
     pub slip: RigidSlip,
@@ -34,8 +40,10 @@ pub struct SolvedWheelset {
     /// How its forces change with its position and motion, where that was asked for:
     /// [`WheelsetCase::derivatives`](crate::WheelsetCase::derivatives).
     pub derivatives: Option<WheelsetDerivatives>,
-    /// Where a position nearby finds its pitch rate.
-    pub(super) pitch: Pitch,
+    /// Mean nominal radius of the wheels (m).
+    pub(super) radius: f64,
+    /// Where a position nearby finds its pitch rates.
+    pub(super) pitch: [Pitch; 2],
     /// How it came to stand elsewhere than was expected from the position before, if there was one.
     pub(super) drift: Option<Drift>,
 }
@@ -47,6 +55,10 @@ pub struct SolvedWheel {
     pub side: Side,
     /// Where the wheelset stands for it.
     pub position: Position,
+    /// Its angular velocity about the axle (rad/s).
+    pub pitch_rate: f64,
+    /// How far its wheel would have to go down to touch (m), where it touches nothing.
+    pub clearance: Option<f64>,
     /// How far it was brought down from first touch to carry its load (m); zero where its height
     /// was given.
     pub(super) depth: f64,
@@ -92,7 +104,11 @@ pub struct SolvedContact {
     pub scaling: Scaling,
     /// Wear and fatigue numbers, where `[damage]` asks for them.
     pub damage: Option<Damage>,
+    pub(super) is_reversed: bool,
+    /// The largest coefficient of friction.
     pub(super) friction: f64,
+    /// The theory's name, where friction falls with the speed of slip and it takes that at rest.
+    pub(super) at_rest: Option<&'static str>,
     /// By how much the rail's surface turns from one side of its areas to the other (rad).
     pub(super) turn: f64,
     /// Its friction in these units.
@@ -115,7 +131,7 @@ impl SolvedContact {
     fn on_rail(&self, point: [f64; 3]) -> Resultant {
         let (sin, cos) = self.angle.sin_cos();
         let load = self.normal.load();
-        let acting = Acting::new(self.force, load.value, self.normal.centroid());
+        let acting = Acting::new(self.force, load.value, self.centre_of_pressure());
         let (force, moment) = acting.about(self.reference, self.angle, point);
         let force_error = self.force_error.map(|error| {
             [
@@ -130,7 +146,35 @@ impl SolvedContact {
     /// Its elements.
     #[must_use]
     pub fn elements(&self) -> Cow<'_, [ElementField]> {
-        self.field.elements()
+        let elements = self.field.elements();
+        if self.is_reversed {
+            return elements.iter().map(ElementField::fore_and_aft).collect();
+        }
+        elements
+    }
+
+    /// The centre of pressure in the contact plane (m), from the reference point.
+    #[must_use]
+    pub fn centre_of_pressure(&self) -> [f64; 2] {
+        let [x, s] = self.normal.centroid();
+        [if self.is_reversed { -x } else { x }, s]
+    }
+
+    /// Its mirror image fore and aft.
+    fn fore_and_aft(mut self) -> Self {
+        self.is_reversed = !self.is_reversed;
+        self.reference[0] = -self.reference[0];
+        self.force = SiForce {
+            longitudinal: -self.force.longitudinal,
+            moment: -self.force.moment,
+            ..self.force
+        };
+        self.creepage = RollingCreepage {
+            longitudinal: -self.creepage.longitudinal,
+            spin: -self.creepage.spin,
+            ..self.creepage
+        };
+        self
     }
 
     /// From which a position close by may start, where the theory has them.
@@ -155,7 +199,13 @@ impl SolvedContact {
         let peak = self.normal.peak_pressure().value;
         let shear_yield = self.damage.as_ref().map(|damage| peak / damage.peak_over_shear_yield);
         let yields = Caution::yields(peak, self.normal.pair().shear_modulus(), shear_yield);
-        let all = status.into_iter().chain(slides).chain(yields).chain(Caution::turns(self.turn));
+        let at_rest = self.at_rest.map(|theory| Caution::ConstantFriction { theory });
+        let all = status
+            .into_iter()
+            .chain(at_rest)
+            .chain(slides)
+            .chain(yields)
+            .chain(Caution::turns(self.turn));
         let all = all.chain(Caution::deep(&self.normal));
         let all =
             all.chain(Caution::like_bodies(kappa_over_mu)).chain(Caution::of_areas(&self.normal));
@@ -169,11 +219,13 @@ impl SolvedContact {
     pub fn extent(&self) -> [[f64; 2]; 2] {
         let union = |one: [f64; 2], other: [f64; 2]| [one[0].min(other[0]), one[1].max(other[1])];
         let nothing = [f64::INFINITY, f64::NEG_INFINITY];
-        self.normal
+        let [x, s] = self
+            .normal
             .patches()
             .iter()
             .map(normal::Patch::extent)
-            .fold([nothing; 2], |[x, s], area| [union(x, area.x), union(s, area.y)])
+            .fold([nothing; 2], |[x, s], area| [union(x, area.x), union(s, area.y)]);
+        [if self.is_reversed { [-x[1], -x[0]] } else { x }, s]
     }
 
     /// A place of the contact plane in track axes (m).
@@ -215,6 +267,43 @@ impl SolvedWheel {
 }
 
 impl SolvedWheelset {
+    /// Its mirror image fore and aft, which runs the other way.
+    pub(super) fn fore_and_aft(mut self) -> Self {
+        self.is_reversed = !self.is_reversed;
+        self.motion = Motion {
+            speed: -self.motion.speed,
+            pitch_rate: -self.motion.pitch_rate,
+            yaw_rate: -self.motion.yaw_rate,
+            ..self.motion
+        };
+        for wheel in self.left.iter_mut().chain(&mut self.right) {
+            wheel.position.yaw = -wheel.position.yaw;
+            wheel.pitch_rate = -wheel.pitch_rate;
+            let contacts = std::mem::take(&mut wheel.contacts).into_iter();
+            wheel.contacts = contacts.map(SolvedContact::fore_and_aft).collect();
+        }
+        self
+    }
+
+    /// How one of its wheels moves.
+    pub(super) fn motion_of(&self, wheel: &SolvedWheel) -> Motion {
+        Motion { pitch_rate: wheel.pitch_rate, ..self.motion }
+    }
+
+    /// Moments of the left and the right wheel about `x` through the wheelset's centre over their vertical
+    /// forces (m); `None` where one is missing or carries nothing.
+    pub(super) fn levers(&self, radius: f64) -> Option<[f64; 2]> {
+        let lever = |wheel: &Option<SolvedWheel>| {
+            let wheel = wheel.as_ref()?;
+            let Position { y, z, .. } = wheel.position;
+            let centre = [0.0, y, z - radius];
+            let contacts = wheel.contacts.iter();
+            let sum = contacts.fold(Resultant::NONE, |sum, c| sum + c.on_rail(centre));
+            (sum.force[2] > 0.0).then(|| sum.moment[0] / sum.force[2])
+        };
+        Some([lever(&self.left)?, lever(&self.right)?])
+    }
+
     /// The wheels that were solved, the left one first.
     pub fn wheels(&self) -> impl Iterator<Item = &SolvedWheel> {
         self.left.iter().chain(&self.right)

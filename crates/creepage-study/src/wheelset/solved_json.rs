@@ -60,6 +60,10 @@ pub struct WheelJson {
     pub patches: Vec<WheelPatchJson>,
     /// The wheelset's height for this wheel (m).
     pub z_m: f64,
+    /// Its angular velocity about the axle (rad/s), of independent wheels its own.
+    pub pitch_rate_rad_per_s: f64,
+    /// How far it would have to go down to touch (m), where it touches nothing; else `null`.
+    pub clearance_m: Option<f64>,
     /// Origin of the rail's profile `[x, y, z]` (m).
     pub rail_origin_m: [f64; 3],
     /// How the force changes with the wheelset's position and motion; `null` where nobody asked.
@@ -202,6 +206,8 @@ impl WheelJson {
             force: RailForceJson::new(&wheel.on_rail()),
             patches: wheel.contacts().iter().map(WheelPatchJson::new).collect(),
             z_m: wheel.position.z,
+            pitch_rate_rad_per_s: wheel.pitch_rate,
+            clearance_m: wheel.clearance,
             rail_origin_m: wheel.rail_origin,
             derivatives,
         }
@@ -256,7 +262,7 @@ impl WheelPatchJson {
             areas: normal.patches().len(),
             extent_x_m: x,
             extent_s_m: s,
-            centre_of_pressure_m: normal.centroid(),
+            centre_of_pressure_m: contact.centre_of_pressure(),
             longitudinal_creepage: contact.creepage.longitudinal,
             lateral_creepage: contact.creepage.lateral,
             spin_rad_per_m: contact.creepage.spin,

@@ -4,6 +4,7 @@ use creepage_plot::format::{fixed, quantity, significant};
 use creepage_rail::Side;
 
 use super::derivatives::{By, ForceDerivative, WheelsetDerivatives};
+use super::error::side_word;
 use super::solved::{SolvedContact, SolvedWheel, SolvedWheelset};
 use crate::text::{Lines, status_words};
 
@@ -35,7 +36,20 @@ impl SolvedWheelset {
         lines.columns("", ["roll", "yaw", ""]);
         lines.columns("", [&mrad(position.roll), &mrad(position.yaw), ""]);
         lines.row("speed", &quantity(motion.speed, "m/s", 5));
-        lines.row("pitch rate", &format!("{} rad/s", significant(motion.pitch_rate, 8)));
+        let rate = |rate: f64| format!("{} rad/s", significant(rate, 8));
+        if self.is_independent {
+            for wheel in self.wheels() {
+                let name = format!("pitch rate, {} wheel", side_word(wheel.side));
+                lines.row(&name, &rate(wheel.pitch_rate));
+            }
+        } else {
+            lines.row("pitch rate", &rate(motion.pitch_rate));
+        }
+        if motion.curvature.abs() > 0.0 {
+            let side = if motion.curvature > 0.0 { "right" } else { "left" };
+            let radius = quantity(1.0 / motion.curvature.abs(), "m", 5);
+            lines.row("curve", &format!("{radius} to the {side}"));
+        }
         if motion.lateral_velocity.abs() > 0.0 {
             lines.row("lateral velocity", &quantity(motion.lateral_velocity, "m/s", 5));
         }
@@ -67,7 +81,8 @@ fn newton(value: f64) -> String {
 fn wheel_lines(wheel: &SolvedWheel, lines: &mut Lines) {
     let name = if wheel.side == Side::Left { "Left" } else { "Right" };
     if wheel.contacts().is_empty() {
-        return lines.heading(&format!("{name} wheel: hangs above its rail"));
+        let clearance = wheel.clearance.map_or(String::new(), |gap| format!(" by {}", mm(gap)));
+        return lines.heading(&format!("{name} wheel: hangs above its rail{clearance}"));
     }
     lines.heading(&format!("{name} wheel: force on the rail"));
     let on_rail = wheel.on_rail();

@@ -29,6 +29,27 @@ impl ElementField {
         [if region == Region::Slip { 1.0 } else { -1.0 }; 4]
     }
 
+    /// Its mirror image fore and aft: `x` the other way.
+    #[must_use]
+    pub fn fore_and_aft(&self) -> Self {
+        let turned = |[x, y]: [f64; 2]| [-x, y];
+        let FieldPoint { position, traction, slip, region } = self.point;
+        let point = FieldPoint {
+            position: turned(position),
+            traction: turned(traction),
+            slip: turned(slip),
+            region,
+        };
+        // Corners stay in order around the element.
+        let corner = |k: usize| turned(self.corners[3 - k]);
+        Self {
+            point,
+            corners: [0, 1, 2, 3].map(corner),
+            beyond: [0, 1, 2, 3].map(|k: usize| self.beyond[3 - k]),
+            ..*self
+        }
+    }
+
     /// The part of the element that adheres: corners, all around; none where all of it slides.
     #[must_use]
     pub fn adhering(&self) -> Vec<[f64; 2]> {

@@ -70,19 +70,45 @@ impl<'a> Balance<'_, 'a> {
             (Some(side), roll, Load::Height(z)) => {
                 self.at(&[side], z, roll.unwrap_or(0.0), &self.guess.known)
             }
-            (Some(side), roll, Load::Wheel(load) | Load::Axle(load)) => {
+            (Some(side), roll, load) => {
+                let load = match load {
+                    Load::Wheel(load) | Load::Axle(load) | Load::Loaded { load, .. } => load,
+                    other => other.of_wheel(side).ok_or(WheelsetError::NoLoad)?,
+                };
                 self.lowered(&[side], roll.unwrap_or(0.0), load)
             }
             (None, Some(roll), Load::Height(z)) => self.at(&BOTH, z, roll, &self.guess.known),
-            (None, Some(roll), Load::Axle(load)) => self.lowered(&BOTH, roll, load),
-            (None, Some(roll), Load::Wheel(load)) => {
-                let [left, right] = BOTH.map(|side| self.lowered(&[side], roll, load));
-                Ok([left?, right?].concat())
+            (None, Some(roll), Load::Axle(load) | Load::Loaded { load, .. }) => {
+                self.lowered(&BOTH, roll, load)
             }
+            (None, Some(roll), Load::Wheel(load)) => self.each(roll, [load; 2]),
+            (None, Some(roll), Load::Wheels(loads)) => self.each(roll, loads),
             (None, None, Load::Height(z)) => self.evened(z),
-            (None, None, Load::Axle(load)) => self.level(0.5 * load),
-            (None, None, Load::Wheel(load)) => self.level(load),
+            (None, None, Load::Axle(load) | Load::Loaded { load, .. }) => {
+                self.level([0.5 * load; 2])
+            }
+            (None, None, Load::Wheel(load)) => self.level([load; 2]),
+            (None, None, Load::Wheels(loads)) => {
+                let sides = BOTH.into_iter().zip(loads);
+                match sides.filter(|(_, load)| *load <= 0.0).next() {
+                    Some((side, _)) => Err(WheelsetError::Hangs { side }),
+                    None => self.level(loads),
+                }
+            }
         }
+    }
+
+    /// Each wheel brought down by itself until it carries its load; one without a load where it touches.
+    fn each(&self, roll: f64, loads: [f64; 2]) -> Result<Vec<PressedWheel<'a>>, WheelsetError> {
+        let of = |(side, load): (Side, f64)| {
+            if load > 0.0 {
+                return self.lowered(&[side], roll, load);
+            }
+            let z = self.touch(&[side], roll)?;
+            self.at(&[side], z, roll, &self.guess.known)
+        };
+        let [left, right] = [(Side::Left, loads[0]), (Side::Right, loads[1])].map(of);
+        Ok([left?, right?].concat())
     }
 
     fn at(
@@ -164,9 +190,9 @@ impl<'a> Balance<'_, 'a> {
         }
     }
 
-    /// The roll and the height at which each wheel carries `load`: by steps in both, and where those lead
-    /// nowhere, one inside the other.
-    fn level(&self, load: f64) -> Result<Vec<PressedWheel<'a>>, WheelsetError> {
+    /// The roll and the height at which each wheel carries its load: by steps in both, and where those
+    /// stagnate, one inside the other.
+    fn level(&self, load: [f64; 2]) -> Result<Vec<PressedWheel<'a>>, WheelsetError> {
         const STEPS: usize = 20;
         let sides = [Side::Left, Side::Right];
         let mut roll = self.start_of_roll()?;
@@ -190,15 +216,15 @@ impl<'a> Balance<'_, 'a> {
         self.level_by_halving(load)
     }
 
-    /// What two wheels carry more than `load`, and how that changes: as learnt from the last step, where
+    /// What two wheels carry more than their loads, and how that changes: as learnt from the last step, where
     /// there is one; by stiffness else. `None` where a wheel hangs in the air.
     fn lines(
         &self,
         wheels: &[PressedWheel<'_>],
-        load: f64,
+        loads: [f64; 2],
         last: Option<([Line; 2], [f64; 2])>,
     ) -> Option<[Line; 2]> {
-        let line = |wheel: &PressedWheel<'_>, before: Option<Line>| {
+        let line = |wheel: &PressedWheel<'_>, load: f64, before: Option<Line>| {
             let carried = wheel.expected(self.shares);
             let stiffness = [wheel.stiffness(self.shares), wheel.stiffness_by_roll(self.shares)];
             let by = stiffness.map(|by| by / carried);
@@ -212,18 +238,18 @@ impl<'a> Balance<'_, 'a> {
         };
         let before = last.map_or([None; 2], |(before, _)| before.map(Some));
         let [left, right] = pair(wheels)?;
-        let lines = [line(left, before[0]), line(right, before[1])];
+        let lines = [line(left, loads[0], before[0]), line(right, loads[1], before[1])];
         lines.iter().all(|line| line.excess.is_finite()).then_some(lines)
     }
 
-    /// The roll at which each wheel carries `load` at one height.
-    fn level_by_halving(&self, load: f64) -> Result<Vec<PressedWheel<'a>>, WheelsetError> {
+    /// The roll at which each wheel carries its load at one height.
+    fn level_by_halving(&self, loads: [f64; 2]) -> Result<Vec<PressedWheel<'a>>, WheelsetError> {
         let start = self.start_of_roll()?;
         let mut search = Root::new(start, [start - ROLL, start + ROLL]);
         let mut balance = self.clone();
         for step in 0..STEPS {
-            let [left, right] =
-                [Side::Left, Side::Right].map(|side| balance.lowered(&[side], search.at, load));
+            let sides = [(Side::Left, loads[0]), (Side::Right, loads[1])];
+            let [left, right] = sides.map(|(side, load)| balance.lowered(&[side], search.at, load));
             let wheels = [left?, right?].concat();
             let Some([left, right]) = pair(&wheels) else { break };
             balance.guess.depths = [left.depth, right.depth];
@@ -238,7 +264,7 @@ impl<'a> Balance<'_, 'a> {
             };
             search.next(tilt, Some(lever(right) - lever(left)));
         }
-        Err(WheelsetError::LoadNotFound { load })
+        Err(WheelsetError::LoadNotFound { load: loads[0] + loads[1] })
     }
 
     /// The roll at which both wheels carry the same at a height.

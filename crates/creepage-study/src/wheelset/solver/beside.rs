@@ -35,7 +35,8 @@ pub(super) fn places(
     }
     let sum: f64 = wheels.iter().map(|wheel| vertical(wheel)).sum();
     let place = |wheel: &&SolvedWheel| {
-        let expected = wanted(stance, load, vertical(wheel), [sum, sides.len() as f64]);
+        let of = [sum, sides.len() as f64];
+        let expected = wanted((stance, wheel.side), load, vertical(wheel), of);
         let place = Place::new(wheel.side, shifted(wheel.position, stance), wheel.depth, expected);
         place.changing(wheel.by)
     };
@@ -131,17 +132,22 @@ impl Drift {
     ) -> Self {
         let line = |wheel: &SolvedWheel| Some(Line { force: vertical(wheel), by: wheel.by? });
         let lines: Option<Vec<Line>> = solved.wheels().map(line).collect();
-        let last = lines
-            .zip(stance.load)
-            .and_then(|(lines, load)| moves(&lines, given_roll(stance), load));
+        let load = stance.load.map(|load| match solved.levers(solved.radius) {
+            Some(levers) => load.by_levers(levers),
+            None => load,
+        });
+        let last =
+            lines.zip(load).and_then(|(lines, load)| moves(&lines, given_roll(stance), load));
         let last = last.unwrap_or_else(|| vec![[0.0; 2]; expected.len()]);
         let drift = |((from, wheel), [down, turn]): ((&Position, &SolvedWheel), [f64; 2])| {
             let to = wheel.position;
             [to.z + down - from.z, to.roll + turn - from.roll]
         };
         let by = expected.iter().zip(solved.wheels()).zip(last).map(drift).collect();
-        let rates = solved.pitch.rate.zip(before.pitch.rate);
-        let faster = rates.map_or(0.0, |(to, from)| to - from);
+        let faster = [0, 1].map(|k: usize| {
+            let rates = solved.pitch[k].rate.zip(before.pitch[k].rate);
+            rates.map_or(0.0, |(to, from)| to - from)
+        });
         let (mut shares, known) = (Shares::solved(solved), Shares::solved(before));
         shares.add_times(-1.0, &known);
         let step = step(before, [stance.y, stance.yaw]);
@@ -166,7 +172,9 @@ impl Drift {
             place.position.z += down * by[0];
             place.position.roll += turn * by[1];
         }
-        start.pitch.rate = start.pitch.rate.map(|rate| rate + times * self.faster);
+        for (pitch, faster) in start.pitch.iter_mut().zip(self.faster) {
+            pitch.rate = pitch.rate.map(|rate| rate + times * faster);
+        }
         start.shares.add_times(times, &self.shares);
         for (known, beyond) in start.fine.iter_mut().zip(&self.sides) {
             known.drift(beyond, times);

@@ -81,7 +81,8 @@ impl<'r> Change<'r, '_, '_> {
 
     /// A change that makes a creepage of about `part` (m/s or rad/s).
     fn step(&self, part: f64) -> f64 {
-        let speed = part * self.motion.speed;
+        let Motion { speed, pitch_rate, .. } = self.motion;
+        let speed = part * speed.max(pitch_rate.abs() * self.rolling.wheel.radius);
         match self.by {
             By::PitchRate | By::YawRate => speed / self.rolling.wheel.radius,
             _ => speed,

@@ -24,6 +24,11 @@ impl WheelsetSolver<'_> {
         stance: &Stance,
         travel: &Travel,
     ) -> Result<WheelsetDerivatives, WheelsetError> {
+        if travel.is_backward() {
+            let (stance, travel) = (stance.fore_and_aft(), travel.fore_and_aft());
+            let forward = self.derivatives(&solved.clone().fore_and_aft(), &stance, &travel)?;
+            return Ok(forward.fore_and_aft());
+        }
         let found = Found::of(stance, travel)?;
         let [near, far] = self.partials(solved)?;
         let [near, far] = [found.total(&near)?, found.total(&far)?];
@@ -45,8 +50,13 @@ impl WheelsetSolver<'_> {
         let known = Start::after(solved).fine;
         let mut pairs = [[Partial::zeros(); 2]; 2];
         for wheel in solved.wheels() {
-            let standing =
-                Standing { solver: self, wheel, known: &known, motion: solved.motion, method };
+            let standing = Standing {
+                solver: self,
+                wheel,
+                known: &known,
+                motion: solved.motion_of(wheel),
+                method,
+            };
             for (pair, partial) in pairs.iter_mut().zip(standing.partials()?) {
                 pair[usize::from(wheel.side == Side::Right)] = partial;
             }

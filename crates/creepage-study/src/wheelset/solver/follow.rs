@@ -5,11 +5,11 @@ use std::sync::Arc;
 use creepage::Status;
 use creepage::coulomb::Resolution;
 
+use super::WheelsetSolver;
 use super::beside::nearest;
 use super::pressed::{Pressed, PressedWheel};
 use super::rolled::{KnownFriction, Method, Rolled, Rolling};
 use super::settle::settle;
-use super::{Start, WheelsetSolver};
 use crate::wheelset::correction::{Correction, difference};
 use crate::wheelset::nearby::Drift;
 use crate::wheelset::solved::{SolvedContact, SolvedWheel, SolvedWheelset};
@@ -58,13 +58,16 @@ impl<'a> WheelsetSolver<'a> {
         stance: &Stance,
         travel: &Travel,
     ) -> Result<SolvedWheelset, WheelsetError> {
+        if travel.is_backward() || before.is_reversed {
+            return self.next(before, stance, travel);
+        }
         match self.followed(before, stance, travel) {
             Some(solved) => Ok(solved),
             None => self.next(before, stance, travel),
         }
     }
 
-    /// `None` where that leads nowhere or is too uncertain.
+    /// `None` where that fails or is too uncertain.
     fn followed(
         &self,
         before: &SolvedWheelset,
@@ -84,7 +87,7 @@ impl<'a> WheelsetSolver<'a> {
         }
         let (mut start, expected) = match self.beside(before, stance) {
             Some((start, expected)) => (start, Some(expected)),
-            None => (Start::after(before), None),
+            None => (self.after(before), None),
         };
         let known: Option<Vec<_>> = contacts().map(KnownFriction::of_coarse_grid).collect();
         start.friction = known.or_else(|| self.corrections(before))?;
@@ -101,10 +104,11 @@ impl<'a> WheelsetSolver<'a> {
     fn corrections(&self, before: &SolvedWheelset) -> Option<Vec<KnownFriction>> {
         let wheels = before.wheels().map(|wheel| self.as_pressed(wheel));
         let wheels: Vec<PressedWheel<'a>> = wheels.collect::<Option<_>>()?;
-        let rollings = Rolling::all(&wheels, self.friction, self.slip, (COARSE, &[])).ok()?;
+        let rollings = Rolling::all(&wheels, self, before.motion.speed, (COARSE, &[])).ok()?;
         let own = before.wheels().flat_map(SolvedWheel::contacts);
         let corrected = |(rolling, own): (&Rolling<'_, '_>, &SolvedContact)| {
-            let rolled = rolling.roll(&before.motion, None).ok()?;
+            let wheel = before.wheels().find(|wheel| wheel.side == rolling.wheel.side)?;
+            let rolled = rolling.roll(&before.motion_of(wheel), None).ok()?;
             let mut known = KnownFriction::of_rolled(&rolling.pressed.contact, &rolled)?;
             let correction = correction(own, before.shift_and_yaw(), &rolled, rolling.elements())?;
             known.correction = Some(Arc::new(correction));

@@ -2,7 +2,8 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::partial::{AXLE, Partial, VERTICAL};
+use super::partial::{AXLE, LONGITUDINAL, Partial, ROLLING, VERTICAL};
+use crate::wheelset::case::{Drive, PitchRate};
 use crate::{By, Load, Stance, Travel, WheelsetError};
 
 /// Both wheels, left and right; zeros for one that is not there.
@@ -35,11 +36,11 @@ impl Found {
             (Some(_), _, Load::Height(_)) | (None, Some(_), Load::Height(_)) => {
                 Self { unknowns: Vec::new(), kept: Vec::new() }
             }
-            (Some(_), _, _) | (None, Some(_), Load::Axle(_)) => Self {
+            (Some(_), _, _) | (None, Some(_), Load::Axle(_) | Load::Loaded { .. }) => Self {
                 unknowns: vec![(By::Z, BOTH)],
                 kept: vec![Kept { what: VERTICAL, share: BOTH }],
             },
-            (None, Some(_), Load::Wheel(_)) => Self {
+            (None, Some(_), Load::Wheel(_) | Load::Wheels(_)) => Self {
                 unknowns: vec![(By::Z, LEFT), (By::Z, RIGHT)],
                 kept: vec![
                     Kept { what: VERTICAL, share: LEFT },
@@ -50,7 +51,14 @@ impl Found {
                 unknowns: vec![(By::Roll, BOTH)],
                 kept: vec![Kept { what: VERTICAL, share: [-1.0, 1.0] }],
             },
-            (None, None, Load::Axle(_) | Load::Wheel(_)) => Self {
+            (None, None, Load::Loaded { .. }) => Self {
+                unknowns: vec![(By::Z, BOTH), (By::Roll, BOTH)],
+                kept: vec![
+                    Kept { what: VERTICAL, share: BOTH },
+                    Kept { what: ROLLING, share: BOTH },
+                ],
+            },
+            (None, None, Load::Axle(_) | Load::Wheel(_) | Load::Wheels(_)) => Self {
                 unknowns: vec![(By::Z, BOTH), (By::Roll, BOTH)],
                 kept: vec![
                     Kept { what: VERTICAL, share: LEFT },
@@ -58,9 +66,21 @@ impl Found {
                 ],
             },
         };
-        if travel.pitch_rate.is_none() {
-            found.unknowns.push((By::PitchRate, BOTH));
-            found.kept.push(Kept { what: AXLE, share: BOTH });
+        let what = match travel.drive {
+            Drive::Torque(_) => AXLE,
+            Drive::Force(_) => LONGITUDINAL,
+        };
+        let mut turns = |share: Share| {
+            found.unknowns.push((By::PitchRate, share));
+            found.kept.push(Kept { what, share });
+        };
+        match travel.pitch {
+            PitchRate::Rigid(Some(_)) => (),
+            PitchRate::Rigid(None) => turns(BOTH),
+            PitchRate::Independent(rates) => {
+                let free = rates.into_iter().zip([LEFT, RIGHT]).filter(|(rate, _)| rate.is_none());
+                free.for_each(|(_, share)| turns(share));
+            }
         }
         Ok(found)
     }

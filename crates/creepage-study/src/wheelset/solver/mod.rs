@@ -28,10 +28,12 @@ use self::pressed::{Known, Press, PressedWheel};
 use self::rolled::{KnownFriction, Method, Rolled};
 use self::settle::{Sought, settle};
 use self::step::Place;
-use super::case::{Load, RigidSlip, Stance, Travel, WheelsetCase};
+use super::case::{Load, Patches, RigidSlip, Stance, Travel, WheelsetCase};
 use super::derivatives::WheelsetDerivatives;
 use super::error::{WheelsetError, section};
+use super::friction::RailFriction;
 use super::nearby::{Drift, Pitch, Shares};
+use super::resultant::Acting;
 use super::solved::{SolvedWheel, SolvedWheelset};
 use crate::case::CaseError;
 use crate::gap::{GapTheory, resolutions};
@@ -40,7 +42,7 @@ use crate::gap::{GapTheory, resolutions};
 #[derive(Debug, Clone)]
 pub struct WheelsetSolver<'a> {
     press: Press<'a>,
-    friction: f64,
+    friction: [RailFriction; 2],
     slip: RigidSlip,
     theory: GapTheory,
     rolling: Vec<Method>,
@@ -57,9 +59,10 @@ impl WheelsetCase {
         let theory = GapTheory::new(&self.theory);
         let theory = theory.map_err(|error| WheelsetError::Theory(Box::new(error.into())))?;
         let pair = self.solids.ok_or_else(|| section("materials", "shear_modulus, poisson"))?;
-        let friction = self.friction.ok_or_else(|| section("contact", "friction"))?;
+        let friction = self.friction.clone().ok_or_else(|| section("contact", "friction"))?;
         let solver = WheelsetSolver::new(&self.running, pair, friction, theory)?;
-        Ok(WheelsetSolver { slip: self.slip, ..solver })
+        let press = Press { patches: self.patches, ..solver.press };
+        Ok(WheelsetSolver { slip: self.slip, press, ..solver })
     }
 
     /// Derivatives of the forces on the rails where this wheelset was solved, by what the case gives
@@ -91,15 +94,15 @@ impl WheelsetCase {
 }
 
 impl<'a> WheelsetSolver<'a> {
-    /// Prepares wheels and rails of materials `pair` (wheel above rail) and a coefficient of
-    /// friction.
+    /// Prepares wheels and rails of materials `pair` (wheel above rail) with friction on the left and on the
+    /// right rail.
     ///
     /// # Errors
     /// [`CaseError`] for options out of range.
     pub fn new(
         running: &'a Running,
         pair: SolidPair,
-        friction: f64,
+        friction: [RailFriction; 2],
         theory: GapTheory,
     ) -> Result<Self, CaseError> {
         let (resolution, rolling, accuracy) = match theory {
@@ -112,26 +115,48 @@ impl<'a> WheelsetSolver<'a> {
                 (normal::Resolution::STANDARD, vec![Method::Simplified(kind, cells)], 0.0)
             }
         };
-        let press = Press { running, pair, resolution, follows: false };
+        let patches = Patches::Together;
+        let press = Press { running, pair, resolution, patches, follows: false };
         Ok(Self { press, friction, slip: RigidSlip::Flat, theory, rolling, accuracy })
     }
 
-    /// Solves the wheelset where it stands, as it moves.
+    /// The same wheelset with one coefficient of friction on both rails.
+    #[must_use]
+    pub fn with_friction(&self, friction: f64) -> Self {
+        let friction = [RailFriction::Constant(friction), RailFriction::Constant(friction)];
+        Self { friction, ..self.clone() }
+    }
+
+    /// Solves the wheelset where it stands, as it moves. The same bits whatever was solved before.
+    ///
+    /// A wheelset that runs backwards (`speed < 0`) is solved as its mirror image fore and aft.
     ///
     /// # Errors
     /// [`WheelsetError`] where no load is given, wheels and rails do not meet, or nothing carries
     /// the load.
     pub fn solve(&self, stance: &Stance, travel: &Travel) -> Result<SolvedWheelset, WheelsetError> {
+        if travel.is_backward() {
+            let solved = self.solve(&stance.fore_and_aft(), &travel.fore_and_aft())?;
+            return Ok(solved.fore_and_aft());
+        }
         let load = match stance.load {
             Some(Load::Wheel(load)) => Some(load),
+            Some(Load::Wheels([left, right])) => Some(left.midpoint(right)),
             Some(Load::Axle(load)) => Some(if stance.side.is_some() { load } else { 0.5 * load }),
+            Some(Load::Loaded { load, .. }) => Some(0.5 * load),
             Some(Load::Height(_)) | None => None,
         };
         let Press { running, pair, .. } = self.press;
         let modulus = pair.shear_modulus() / (1.0 - pair.poisson());
         let radius = running.wheelset().radius();
         let guess = load.map(|load| Guess::under_load(load, modulus, radius)).unwrap_or_default();
-        self.from(stance, travel, &Start { guess, ..Start::default() })
+        self.from(stance, travel, &Start { guess, ..self.start() })
+    }
+
+    /// What is known of no position at all.
+    fn start(&self) -> Start {
+        let lever = 0.5 * self.press.running.wheelset().tape_distance();
+        Start { levers: [-lever, lever], ..Start::default() }
     }
 
     /// The same from a position nearby that was solved before: quicker.
@@ -144,20 +169,37 @@ impl<'a> WheelsetSolver<'a> {
         stance: &Stance,
         travel: &Travel,
     ) -> Result<SolvedWheelset, WheelsetError> {
+        if before.is_reversed != travel.is_backward() {
+            return self.solve(stance, travel);
+        }
+        if travel.is_backward() {
+            let before = before.clone().fore_and_aft();
+            let solved = self.next(&before, &stance.fore_and_aft(), &travel.fore_and_aft())?;
+            return Ok(solved.fore_and_aft());
+        }
         let Some((start, expected)) = self.beside(before, stance) else {
-            return self.from(stance, travel, &Start::after(before));
+            return self.from(stance, travel, &self.after(before));
         };
         let mut solved = self.from(stance, travel, &start)?;
         solved.drift = Some(Drift::new(&expected, before, &solved, stance));
         Ok(solved)
     }
 
+    /// What a solved position tells of others.
+    fn after(&self, before: &SolvedWheelset) -> Start {
+        let levers = before.levers(self.press.running.wheelset().radius());
+        Start { levers: levers.unwrap_or(self.start().levers), ..Start::after(before) }
+    }
+
     /// What a solved position tells of one beside it, and where the wheels were expected there by the
     /// undeformed bodies alone; `None` where it is farther off.
     fn beside(&self, before: &SolvedWheelset, stance: &Stance) -> Option<(Start, Vec<Position>)> {
-        let places = beside::places(before, stance, self.press.running)?;
+        let start = self.after(before);
+        let load = stance.load.map(|load| load.by_levers(start.levers));
+        let here = Stance { load, ..*stance };
+        let places = beside::places(before, &here, self.press.running)?;
         let expected = places.iter().map(|place| place.position).collect();
-        let mut start = Start { places: Some(places), ..Start::after(before) };
+        let mut start = Start { places: Some(places), ..start };
         if let Some(drift) = &before.drift
             && let Some(times) = drift.times(before, stance)
         {
@@ -241,7 +283,10 @@ fn pressed_by(options: ExactOptions) -> normal::Resolution {
 struct Start {
     shares: Shares,
     guess: Guess,
-    pitch: Pitch,
+    pitch: [Pitch; 2],
+    /// Moments of the left and the right wheel about `x` through the wheelset's centre over their vertical
+    /// forces (m).
+    levers: [f64; 2],
     /// Fine pressures.
     fine: Vec<Known>,
     friction: Vec<KnownFriction>,
@@ -255,7 +300,7 @@ impl Start {
         coarse: &[PressedWheel<'_>],
         wheels: &[PressedWheel<'_>],
         rolled: &[Rolled<'_>],
-        pitch: Pitch,
+        pitch: [Pitch; 2],
         before: &Self,
     ) -> Self {
         let mut shares = Shares::default();
@@ -277,7 +322,8 @@ impl Start {
             guess.depths[usize::from(wheel.side == Side::Right)] = wheel.depth;
         }
         let friction = KnownFriction::of(wheels, rolled);
-        Self { shares, guess, pitch, fine: Known::of(wheels), friction, places: None }
+        let levers = levers(wheels, rolled).unwrap_or(before.levers);
+        Self { shares, guess, pitch, levers, fine: Known::of(wheels), friction, places: None }
     }
 
     /// The same with friction halfway from what it was taken for.
@@ -298,6 +344,28 @@ impl Start {
                 guess.depths[usize::from(wheel.side == Side::Right)] = wheel.depth;
             }
         }
-        Self { shares, guess, pitch: before.pitch, fine, friction, places: None }
+        let (pitch, levers) = (before.pitch, [0.0; 2]);
+        Self { shares, guess, pitch, levers, fine, friction, places: None }
     }
+}
+
+/// Moments of both wheels about `x` through the wheelset's centre over their vertical forces (m); `None` where
+/// one carries nothing.
+fn levers(wheels: &[PressedWheel<'_>], rolled: &[Rolled<'_>]) -> Option<[f64; 2]> {
+    let mut rolled = rolled.iter();
+    let mut lever = |wheel: &PressedWheel<'_>| {
+        let Position { y, z, .. } = wheel.position;
+        let centre = [0.0, y, z - wheel.radius];
+        let (mut moment, mut vertical) = (0.0, 0.0);
+        for pressed in &wheel.contacts {
+            let (contact, friction) = (&pressed.contact, rolled.next()?.force);
+            let acting = Acting::new(friction, pressed.load(), pressed.normal.centroid());
+            let (force, about) = acting.about(contact.reference, contact.angle, centre);
+            moment += about[0];
+            vertical += force[2];
+        }
+        (vertical > 0.0).then(|| moment / vertical)
+    };
+    let [left, right] = wheels else { return None };
+    Some([lever(left)?, lever(right)?])
 }

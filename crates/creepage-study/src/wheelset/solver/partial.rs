@@ -12,15 +12,20 @@ use crate::wheelset::resultant::Acting;
 use crate::wheelset::solved::SolvedWheel;
 use crate::{By, WheelsetError};
 
-/// Force (N) and moment (N m) on the rail, and the moment of friction about the axle (N m).
-pub(super) type Acts = SVector<f64, 7>;
+/// Force (N) and moment (N m) on the rail, the moment of friction about the axle (N m),
+/// the moment about `x` through the wheelset's centre (N m).
+pub(super) type Acts = SVector<f64, 8>;
+/// Where they have the force along the track.
+pub(super) const LONGITUDINAL: usize = 0;
 /// Where they have the vertical force.
 pub(super) const VERTICAL: usize = 2;
 /// Where they have the moment about the axle.
 pub(super) const AXLE: usize = 6;
+/// Where they have the moment about `x` through the wheelset's centre.
+pub(super) const ROLLING: usize = 7;
 
 /// Their derivatives by [`By::ALL`].
-pub(super) type Partial = SMatrix<f64, 7, 8>;
+pub(super) type Partial = SMatrix<f64, 8, 8>;
 
 /// A part of the position that is moved, and by how much to either side (m, rad): less, and the
 /// pressures' scatter shows; more, and so do the kinks of the profiles' curvature.
@@ -95,8 +100,7 @@ impl<'a> Standing<'_, 'a> {
         &self,
         wheels: &'w [PressedWheel<'a>],
     ) -> Result<Vec<Rolling<'w, 'a>>, WheelsetError> {
-        let &WheelsetSolver { friction, slip, .. } = self.solver;
-        Rolling::all(wheels, friction, slip, (self.method, &[]))
+        Rolling::all(wheels, self.solver, self.motion.speed, (self.method, &[]))
     }
 
     /// Friction and a load at a contact.
@@ -105,7 +109,8 @@ impl<'a> Standing<'_, 'a> {
         let acting = Acting::new(friction, load, normal.centroid());
         let origin = self.wheel.rail_origin;
         let ([x, y, z], [mx, my, mz]) = acting.about(contact.reference, contact.angle, origin);
-        Acts::from([x, y, z, mx, my, mz, rolling.axle_moment(friction)])
+        let (_, [about, ..]) = acting.about(contact.reference, contact.angle, rolling.centre());
+        Acts::from([x, y, z, mx, my, mz, rolling.axle_moment(friction), about])
     }
 }
 

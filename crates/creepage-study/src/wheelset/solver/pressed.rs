@@ -7,6 +7,7 @@ use creepage_rail::{Contact, Position, Running, Side};
 
 use super::apart;
 use crate::WheelsetError;
+use crate::wheelset::case::Patches;
 use crate::wheelset::nearby::Shares;
 
 /// Places across a contact at which the undeformed bodies are looked up.
@@ -72,6 +73,8 @@ pub(super) struct Press<'a> {
     pub(super) running: &'a Running,
     pub(super) pair: SolidPair,
     pub(super) resolution: normal::Resolution,
+    /// Whether areas in planes of their own feel each other.
+    pub(super) patches: Patches,
     /// Whether it is enough to follow a pressure known close by, without error bars of its own.
     pub(super) follows: bool,
 }
@@ -110,7 +113,8 @@ impl<'a> Press<'a> {
             let mut is_settled = true;
             for i in 0..all.len() {
                 let mut others = apart::PointLoads::default();
-                for (_, other) in all.iter().enumerate().filter(|(j, _)| *j != i) {
+                let is_apart = self.patches == Patches::Apart;
+                for (_, other) in all.iter().enumerate().filter(|(j, _)| *j != i && !is_apart) {
                     other.normal.iter().for_each(|normal| others.add(&other.contact, normal));
                 }
                 let Some(own) = all.get_mut(i) else { continue };

@@ -4,18 +4,21 @@ use std::sync::Arc;
 
 use creepage::approximate::non_hertzian::{NonHertzianSimplified, Simplified, SimplifiedSolved};
 use creepage::coulomb::{NearTractions, NonHertzian, NonHertzianSolved, Resolution};
+use creepage::friction_law::RollingFriction;
 use creepage::theory::{Jacobian, Solved};
 use creepage::{Scaling, SiCreepage, SiForce, Solution};
-use creepage_rail::{Contact, Motion, RollingCreepage, Side};
+use creepage_rail::{Contact, Motion, Position, RollingCreepage, Side};
 use rayon::prelude::*;
 
+use super::WheelsetSolver;
 use super::apart::in_track;
 use super::pressed::{Pressed, PressedWheel};
 use super::root::Root;
 use crate::case::CaseError;
-use crate::wheelset::case::RigidSlip;
+use crate::wheelset::case::{Drive, PitchRate, RigidSlip};
 use crate::wheelset::correction::Correction;
 use crate::wheelset::curving::{Curving, RigidMotion};
+use crate::wheelset::friction::of_side;
 use crate::wheelset::nearby::Pitch;
 use crate::wheelset::solved::SolvedContact;
 use crate::{Travel, WheelsetError};
@@ -64,15 +67,24 @@ pub(super) enum Answer<'r> {
 }
 
 impl Prepared {
-    fn new(pressed: &Pressed<'_>, friction: f64, method: Method) -> Result<Self, CaseError> {
-        let normal = &pressed.normal;
+    fn new(
+        pressed: &Pressed<'_>,
+        (friction, law): (f64, Option<RollingFriction>),
+        method: Method,
+    ) -> Result<Self, CaseError> {
+        let contact = creepage::Contact::of_areas(pressed.normal.clone(), friction);
+        let contact = contact.map_err(CaseError::invalid("contact"))?;
+        let contact = match law {
+            Some(law) => contact.with_rolling_friction(law),
+            None => contact,
+        };
         Ok(match method {
             Method::Exact(resolution) => {
-                let theory = NonHertzian::new(normal, friction, resolution);
+                let theory = NonHertzian::on(&contact, resolution);
                 Self::Exact(Box::new(theory.map_err(CaseError::invalid("contact"))?))
             }
             Method::Simplified(kind, cells) => {
-                let theory = NonHertzianSimplified::new(normal, friction, kind, cells);
+                let theory = NonHertzianSimplified::on(&contact, kind, cells);
                 Self::Simplified(Arc::new(theory.map_err(CaseError::invalid("solve"))?))
             }
         })
@@ -185,6 +197,10 @@ pub(super) struct Rolling<'w, 'a> {
     pub(super) pressed: &'w Pressed<'a>,
     theory: Prepared,
     pub(super) slip: RigidSlip,
+    /// The largest coefficient of friction.
+    friction: f64,
+    /// The theory's name, where friction falls with the speed of slip and it does not follow that.
+    at_rest: Option<&'static str>,
     near: Option<KnownFriction>,
 }
 
@@ -202,24 +218,35 @@ pub(super) struct Rolled<'r> {
     pub(super) power: Option<f64>,
     /// How its coarse grid was corrected.
     pub(super) correction: Option<Arc<Correction>>,
+    /// The largest coefficient of friction.
+    pub(super) friction: f64,
+    /// As of [`Rolling`].
+    pub(super) at_rest: Option<&'static str>,
 }
 
 impl<'w, 'a> Rolling<'w, 'a> {
     pub(super) fn all(
         wheels: &'w [PressedWheel<'a>],
-        friction: f64,
-        slip: RigidSlip,
+        solver: &WheelsetSolver<'_>,
+        speed: f64,
         (method, known): (Method, &[KnownFriction]),
     ) -> Result<Vec<Self>, WheelsetError> {
+        let WheelsetSolver { friction, slip, press, .. } = solver;
         let contacts =
             wheels.iter().flat_map(|wheel| wheel.contacts.iter().map(move |one| (wheel, one)));
         contacts
             .collect::<Vec<_>>()
             .into_par_iter()
             .map(|(wheel, pressed)| {
-                let theory = Prepared::new(pressed, friction, method)?;
+                let rail = of_side(friction, wheel.side);
+                let resistance = rail.on(&pressed.contact, press.running, speed)?;
+                let theory = Prepared::new(pressed, resistance, method)?;
                 let near = KnownFriction::next_to(&pressed.contact, known);
-                Ok(Self { wheel, pressed, theory, slip, near })
+                let (friction, law) = resistance;
+                let falls = law.is_some_and(|law| law.falls());
+                let is_left_out = falls && matches!(theory, Prepared::Simplified(_));
+                let at_rest = is_left_out.then(|| solver.theory.name());
+                Ok(Self { wheel, pressed, theory, slip: *slip, friction, at_rest, near })
             })
             .collect()
     }
@@ -251,7 +278,19 @@ impl<'w, 'a> Rolling<'w, 'a> {
             (solution, power) = correction.corrected(solution, power);
         }
         let force = scaling.si_force(solution.force);
-        Ok(Rolled { motion, creepage, scaling, solved, solution, force, power, correction })
+        let Self { friction, at_rest, .. } = *self;
+        Ok(Rolled {
+            motion,
+            creepage,
+            scaling,
+            solved,
+            solution,
+            force,
+            power,
+            correction,
+            friction,
+            at_rest,
+        })
     }
 
     pub(super) fn creepage(&self, motion: &Motion) -> Result<RollingCreepage, WheelsetError> {
@@ -277,7 +316,8 @@ impl<'w, 'a> Rolling<'w, 'a> {
         let contact = &self.pressed.contact;
         let (sin, cos) = contact.angle.sin_cos();
         let [x, y, z] = in_track(contact, [0.0; 2]);
-        let arm = [x, y - self.wheel.position.y, z - self.centre_height()];
+        let [_, centre_y, centre_z] = self.centre();
+        let arm = [x, y - centre_y, z - centre_z];
         let [fx, fy, fz] = [force.longitudinal, force.lateral * cos, force.lateral * sin];
         let moment = [
             arm[1] * fz - arm[2] * fy,
@@ -288,8 +328,10 @@ impl<'w, 'a> Rolling<'w, 'a> {
         moment.iter().zip(axle).map(|(m, a)| m * a).sum()
     }
 
-    fn centre_height(&self) -> f64 {
-        self.wheel.position.z - self.wheel.radius
+    /// The wheelset's centre in track axes.
+    pub(super) fn centre(&self) -> [f64; 3] {
+        let Position { y, z, .. } = self.wheel.position;
+        [0.0, y, z - self.wheel.radius]
     }
 
     /// Direction of the axle, to the right.
@@ -300,61 +342,167 @@ impl<'w, 'a> Rolling<'w, 'a> {
     }
 }
 
-/// The motion of a wheelset with its pitch rate: the given one, or that at which friction has no
-/// moment about the axle, or no more than `enough` of what it could be; how its contacts roll then, and
-/// what a position nearby may start from.
-pub(super) fn motion<'r>(
+/// How the wheels turn, and how their contacts roll then.
+pub(super) struct Turning<'r> {
+    /// Of the left and of the right wheel.
+    pub(super) motions: [Motion; 2],
+    pub(super) rolled: Vec<Rolled<'r>>,
+    /// What a position nearby may start from, of both wheels.
+    pub(super) pitch: [Pitch; 2],
+}
+
+/// Rolls in a motion with its pitch rates: given ones, or those at which friction balances the torque, or
+/// pulls as wanted, to `enough` of what it could.
+pub(super) fn turning<'r>(
     rollings: &'r [Rolling<'_, '_>],
     travel: &Travel,
     radius: f64,
-    (guess, enough): (Pitch, f64),
-) -> Result<(Motion, Vec<Rolled<'r>>, Pitch), WheelsetError> {
+    (guess, enough): ([Pitch; 2], f64),
+) -> Result<Turning<'r>, WheelsetError> {
+    match travel.pitch {
+        PitchRate::Rigid(rate) => {
+            let search = PitchSearch { travel, rate, radius, guess: guess[0], enough };
+            let (motion, rolled, pitch) = search.run(rollings)?;
+            Ok(Turning { motions: [motion; 2], rolled, pitch: [pitch; 2] })
+        }
+        PitchRate::Independent(rates) => {
+            let count = rollings.iter().filter(|one| one.wheel.side == Side::Left).count();
+            let (left, right) = rollings.split_at(count);
+            let search =
+                |k: usize| PitchSearch { travel, rate: rates[k], radius, guess: guess[k], enough };
+            let (on_left, mut rolled, pitch_left) = search(0).run(left)?;
+            let (on_right, more, pitch_right) = search(1).run(right)?;
+            rolled.extend(more);
+            let (motions, pitch) = ([on_left, on_right], [pitch_left, pitch_right]);
+            Ok(Turning { motions, rolled, pitch })
+        }
+    }
+}
+
+/// The search for the pitch rate of wheels that turn together.
+struct PitchSearch<'t> {
+    travel: &'t Travel,
+    rate: Option<f64>,
+    radius: f64,
+    guess: Pitch,
+    enough: f64,
+}
+
+impl PitchSearch<'_> {
     const STEPS: usize = 60;
-    /// Of the rate of a wheel that rolls on its nominal circle.
+    /// Of the rate of a wheel that rolls on its nominal circle: the narrowest bracket.
     const NARROW: f64 = 1e-13;
-    let Travel { speed, pitch_rate, lateral_velocity, vertical_velocity, roll_rate, yaw_rate } =
-        *travel;
-    let others =
-        Motion { lateral_velocity, vertical_velocity, roll_rate, yaw_rate, ..Motion::default() };
-    let with = |pitch_rate| Motion { speed, pitch_rate, ..others };
-    let at = |motion: Motion, before: Vec<Rolled<'r>>| {
+    /// The same: between these every wheel slides.
+    const BRACKET: [f64; 2] = [0.2, 5.0];
+
+    fn motion(&self, pitch_rate: f64) -> Motion {
+        let Travel { speed, lateral_velocity, vertical_velocity, roll_rate, yaw_rate, .. } =
+            *self.travel;
+        let Travel { curvature, rails, .. } = *self.travel;
+        Motion {
+            speed,
+            pitch_rate,
+            lateral_velocity,
+            vertical_velocity,
+            roll_rate,
+            yaw_rate,
+            curvature,
+            rails,
+        }
+    }
+
+    fn at<'r>(
+        &self,
+        rollings: &'r [Rolling<'_, '_>],
+        rate: f64,
+        before: Vec<Rolled<'r>>,
+    ) -> Result<(Motion, Vec<Rolled<'r>>, Pitch), WheelsetError> {
+        let motion = self.motion(rate);
         let mut before: Vec<_> = before.into_iter().map(Some).collect();
         before.resize_with(rollings.len(), || None);
         let pairs = rollings.par_iter().zip(before);
         let rolled = pairs.map(|(one, before)| one.roll(&motion, before));
         let rolled = rolled.collect::<Result<Vec<_>, WheelsetError>>()?;
-        let pitch = Pitch { rate: Some(motion.pitch_rate), slope: guess.slope };
-        Ok::<_, WheelsetError>((motion, rolled, pitch))
-    };
-    let nominal = speed / radius;
-    if let Some(rate) = pitch_rate {
-        return at(with(rate), Vec::new());
+        Ok((motion, rolled, Pitch { rate: Some(rate), slope: self.guess.slope }))
     }
-    if rollings.is_empty() {
-        return at(with(nominal), Vec::new());
-    }
-    let most: f64 = rollings.iter().map(|r| r.theory.scaling().force * radius).sum();
-    // A slip unit of creepage is about what it takes for a force unit.
-    let by_slip = |r: &Rolling<'_, '_>| {
-        2.0 * r.theory.scaling().force / r.theory.scaling().slip * radius * radius / speed
-    };
-    let slope = guess.slope.unwrap_or_else(|| rollings.iter().map(by_slip).sum());
-    let mut search = Root::new(guess.rate.unwrap_or(nominal), [0.2 * nominal, 5.0 * nominal]);
-    let mut before = Vec::new();
-    for _ in 0..STEPS {
-        let (motion, rolled, pitch) = at(with(search.at), before)?;
-        // A wheel that turns faster drags the rail back.
-        let moments = rollings.iter().zip(&rolled);
-        let moment: f64 = moments.map(|(one, rolled)| -one.axle_moment(rolled.force)).sum();
-        let is_found = moment.abs() < enough * most;
-        if is_found || search.is_spent(NARROW * nominal) {
-            let known = search.slope().or(guess.slope);
-            search.next_by_chord(moment, slope);
-            let rate = if is_found { Some(search.at) } else { pitch.rate };
-            return Ok((motion, rolled, Pitch { rate, slope: known }));
+
+    fn run<'r>(
+        &self,
+        rollings: &'r [Rolling<'_, '_>],
+    ) -> Result<(Motion, Vec<Rolled<'r>>, Pitch), WheelsetError> {
+        let nominal = self.travel.speed / self.radius;
+        if let Some(rate) = self.rate {
+            return self.at(rollings, rate, Vec::new());
         }
-        search.next_by_chord(moment, slope);
-        before = rolled;
+        let most = self.most(rollings);
+        if rollings.is_empty() {
+            return match self.travel.drive {
+                Drive::Torque(wanted) | Drive::Force(wanted) if wanted != 0.0 => {
+                    Err(WheelsetError::TractionNotFound { wanted, most })
+                }
+                _ => self.at(rollings, nominal, Vec::new()),
+            };
+        }
+        let slope = self.guess.slope.unwrap_or_else(|| self.first_slope(rollings));
+        let bracket = Self::BRACKET.map(|times| times * nominal);
+        let mut search = Root::new(self.guess.rate.unwrap_or(nominal), bracket);
+        let mut before = Vec::new();
+        for _ in 0..Self::STEPS {
+            let (motion, rolled, pitch) = self.at(rollings, search.at, before)?;
+            let excess = self.excess(rollings, &rolled);
+            let is_found = excess.abs() < self.enough * most;
+            if is_found || search.is_spent(Self::NARROW * nominal) {
+                if !is_found && bracket.iter().any(|end| (search.at / end - 1.0).abs() < 1e-6) {
+                    let (Drive::Torque(wanted) | Drive::Force(wanted)) = self.travel.drive;
+                    return Err(WheelsetError::TractionNotFound { wanted, most });
+                }
+                let known = search.slope().or(self.guess.slope);
+                search.next_by_chord(excess, slope);
+                let rate = if is_found { Some(search.at) } else { pitch.rate };
+                return Ok((motion, rolled, Pitch { rate, slope: known }));
+            }
+            search.next_by_chord(excess, slope);
+            before = rolled;
+        }
+        Err(WheelsetError::PitchNotFound)
     }
-    Err(WheelsetError::PitchNotFound)
+
+    /// The largest moment or force that friction can have.
+    fn most(&self, rollings: &[Rolling<'_, '_>]) -> f64 {
+        let lever = match self.travel.drive {
+            Drive::Torque(_) => self.radius,
+            Drive::Force(_) => 1.0,
+        };
+        rollings.iter().map(|one| one.theory.scaling().force * lever).sum()
+    }
+
+    /// How much more friction holds the wheels back than wanted: rises with the pitch rate, for a wheel that
+    /// turns faster drags the rail back.
+    fn excess(&self, rollings: &[Rolling<'_, '_>], rolled: &[Rolled<'_>]) -> f64 {
+        match self.travel.drive {
+            Drive::Torque(torque) => {
+                let pairs = rollings.iter().zip(rolled);
+                let moment =
+                    |(one, rolled): (&Rolling<'_, '_>, &Rolled<'_>)| -one.axle_moment(rolled.force);
+                pairs.map(moment).sum::<f64>() - torque
+            }
+            Drive::Force(force) => {
+                force - rolled.iter().map(|rolled| rolled.force.longitudinal).sum::<f64>()
+            }
+        }
+    }
+
+    /// Change of the excess with the pitch rate, about: a slip unit of creepage is what it takes for a force
+    /// unit.
+    fn first_slope(&self, rollings: &[Rolling<'_, '_>]) -> f64 {
+        let lever = match self.travel.drive {
+            Drive::Torque(_) => self.radius,
+            Drive::Force(_) => 1.0,
+        };
+        let by_slip = |one: &Rolling<'_, '_>| {
+            let Scaling { force, slip, .. } = one.theory.scaling();
+            2.0 * force / slip * self.radius * lever / self.travel.speed
+        };
+        rollings.iter().map(by_slip).sum()
+    }
 }

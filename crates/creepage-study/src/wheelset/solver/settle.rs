@@ -4,6 +4,8 @@
 //! fine ones and rolling say what the wheels carry, and their stiffness where to go on to, until
 //! they carry what was expected.
 
+use creepage_rail::Side;
+
 use super::pressed::{Known, PressedWheel};
 use super::rolled::{self, Method, Rolling};
 use super::step::{self, Belief, Place};
@@ -32,6 +34,7 @@ pub(super) fn settle(
     start: Start,
     method: Method,
 ) -> Result<SolvedWheelset, WheelsetError> {
+    let load = shared(stance, start.levers)?.unwrap_or(load);
     let mut way = Way::new(solver, (stance, travel, load), start, method);
     for round in 0..ROUNDS {
         if let Some(solved) = way.round(round)? {
@@ -39,6 +42,18 @@ pub(super) fn settle(
         }
     }
     Err(WheelsetError::NotSettled)
+}
+
+/// The load shared over the wheels that roll freely under a given moment; `None` for other loads.
+fn shared(stance: &Stance, levers: [f64; 2]) -> Result<Option<Load>, WheelsetError> {
+    let Some(load @ Load::Loaded { .. }) = stance.load else { return Ok(None) };
+    let shared = load.by_levers(levers);
+    for (side, load) in [Side::Left, Side::Right].map(|side| (side, shared.of_wheel(side))) {
+        if let Some(load) = load.filter(|load| load.is_nan() || *load <= 0.0) {
+            return Err(WheelsetError::Lifts { side, load });
+        }
+    }
+    Ok(Some(shared))
 }
 
 /// How far the way has come.
@@ -106,18 +121,19 @@ impl<'w, 'a> Way<'w, 'a> {
             return Ok(None);
         }
         let method = self.stages.first().map_or(self.method, |stage| stage.0);
-        let WheelsetSolver { friction, slip, press, .. } = self.solver;
-        let radius = press.running.wheelset().radius();
-        let rollings = Rolling::all(&wheels, *friction, *slip, (method, &self.start.friction))?;
+        let radius = self.solver.press.running.wheelset().radius();
+        let by = (method, &self.start.friction[..]);
+        let rollings = Rolling::all(&wheels, self.solver, self.travel.speed, by)?;
         // The next method has a moment of its own.
         let enough = if self.stages.len() == 1 { rolled::BALANCED } else { ROUGHLY_BALANCED };
         let guess = (self.start.pitch, enough);
-        let (motion, rolled, pitch) = rolled::motion(&rollings, self.travel, radius, guess)?;
-        let next = Start::of(&sought.coarse, &wheels, &rolled, pitch, &self.start);
+        let turning = rolled::turning(&rollings, self.travel, radius, guess)?;
+        let next = Start::of(&sought.coarse, &wheels, &turning.rolled, turning.pitch, &self.start);
         let missed = sought.missed(&wheels, &next.shares);
-        if self.is_met(&sought, &wheels, &next.shares, round) {
+        let is_shared = self.share_load(next.levers)?;
+        if is_shared && self.is_met(&sought, &wheels, &next.shares, round) {
             let here = (&sought.places[..], &wheels[..]);
-            let mut solved = self.solver.solved(here, &rollings, &rolled, (motion, pitch));
+            let mut solved = self.solver.solved(here, &rollings, &turning, self.travel);
             if !self.is_given {
                 let together = matches!(self.load, Load::Axle(_)) && self.stance.roll.is_some();
                 solved.widen_bars(together);
@@ -126,6 +142,18 @@ impl<'w, 'a> Way<'w, 'a> {
         }
         self.go_on(&mut sought, &wheels, next, (missed, round));
         Ok(None)
+    }
+
+    /// Shares a load under a given moment anew, as the wheels' levers have it; whether it was shared so
+    /// already.
+    fn share_load(&mut self, levers: [f64; 2]) -> Result<bool, WheelsetError> {
+        let shared = shared(self.stance, levers)?;
+        let (Some(Load::Wheels(loads)), Load::Wheels(before)) = (shared, self.load) else {
+            return Ok(true);
+        };
+        self.load = Load::Wheels(loads);
+        let sum = loads[0] + loads[1];
+        Ok((loads[1] - before[1]).abs() < MET[1] * sum)
     }
 
     fn sought(&mut self) -> Result<Sought<'a>, WheelsetError> {

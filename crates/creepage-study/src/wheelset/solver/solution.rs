@@ -8,12 +8,11 @@ use creepage_rail::{Contact, Motion, Running, Side};
 
 use super::WheelsetSolver;
 use super::pressed::{Pressed, PressedWheel};
-use super::rolled::{Answer, Rolled, Rolling};
+use super::rolled::{Answer, Rolled, Rolling, Turning};
 use super::step::Place;
-use crate::GapTheory;
-use crate::wheelset::case::RigidSlip;
+use crate::Travel;
+use crate::wheelset::case::PitchRate;
 use crate::wheelset::field::{Field, March};
-use crate::wheelset::nearby::Pitch;
 use crate::wheelset::rough;
 use crate::wheelset::solved::{SolvedContact, SolvedWheel, SolvedWheelset};
 
@@ -23,32 +22,44 @@ impl WheelsetSolver<'_> {
         &self,
         (places, wheels): (&[Place], &[PressedWheel<'_>]),
         rollings: &[Rolling<'_, '_>],
-        rolled: &[Rolled<'_>],
-        found: (Motion, Pitch),
+        turning: &Turning<'_>,
+        travel: &Travel,
     ) -> SolvedWheelset {
         let solved = |(place, wheel): (&Place, &PressedWheel<'_>)| {
-            let all = rollings.iter().zip(rolled);
+            let all = rollings.iter().zip(&turning.rolled);
             let own = all.filter(|(rolling, _)| rolling.wheel.side == wheel.side);
-            let contacts =
-                own.map(|(one, rolled)| SolvedContact::new(one.pressed, rolled, self.friction));
-            SolvedWheel::new(wheel, place.by(), self.press.running, contacts.collect())
+            let contacts = own.map(|(one, rolled)| SolvedContact::new(one.pressed, rolled));
+            let motion = turning.motions[usize::from(wheel.side == Side::Right)];
+            let contacts = contacts.collect();
+            SolvedWheel::new(wheel, (place.by(), motion.pitch_rate), self.press.running, contacts)
         };
         let wheels = places.iter().zip(wheels).map(solved).collect();
-        SolvedWheelset::new(wheels, found, self.friction, self.slip, self.theory)
+        self.whole(wheels, turning, travel)
     }
-}
 
-impl SolvedWheelset {
-    fn new(
+    fn whole(
+        &self,
         wheels: Vec<SolvedWheel>,
-        (motion, pitch): (Motion, Pitch),
-        friction: f64,
-        slip: RigidSlip,
-        theory: GapTheory,
-    ) -> Self {
-        let (left, right, derivatives, drift) = (None, None, None, None);
-        let mut solved =
-            Self { left, right, motion, friction, slip, theory, derivatives, pitch, drift };
+        turning: &Turning<'_>,
+        travel: &Travel,
+    ) -> SolvedWheelset {
+        let [on_left, on_right] = turning.motions;
+        let pitch_rate = on_left.pitch_rate.midpoint(on_right.pitch_rate);
+        let [left, right] = &self.friction;
+        let mut solved = SolvedWheelset {
+            left: None,
+            right: None,
+            motion: Motion { pitch_rate, ..on_left },
+            is_independent: matches!(travel.pitch, PitchRate::Independent(_)),
+            is_reversed: false,
+            friction: left.largest().max(right.largest()),
+            slip: self.slip,
+            theory: self.theory,
+            derivatives: None,
+            radius: self.press.running.wheelset().radius(),
+            pitch: turning.pitch,
+            drift: None,
+        };
         for wheel in wheels {
             match wheel.side {
                 Side::Left => solved.left = Some(wheel),
@@ -62,24 +73,26 @@ impl SolvedWheelset {
 impl SolvedWheel {
     fn new(
         wheel: &PressedWheel<'_>,
-        by: Option<[f64; 2]>,
+        (by, pitch_rate): (Option<[f64; 2]>, f64),
         running: &Running,
         mut contacts: Vec<SolvedContact>,
     ) -> Self {
         let PressedWheel { side, position, depth, .. } = *wheel;
-        let rail = match side {
-            Side::Left => &running.track().left,
-            Side::Right => &running.track().right,
-        };
-        let [y, z] = rail.origin();
+        let [y, z] = running.track().rail(side).origin();
         contacts.sort_by(|a, b| b.load().total_cmp(&a.load()));
         let rail_origin = [0.0, side.sense() * y, z];
-        Self { side, position, depth, by, rail_origin, contacts }
+        let clearance = if contacts.is_empty() {
+            let touch = running.touch(side, position.y, position.roll, position.yaw);
+            touch.ok().map(|touch| (touch.z - position.z).max(0.0))
+        } else {
+            None
+        };
+        Self { side, position, pitch_rate, clearance, depth, by, rail_origin, contacts }
     }
 }
 
 impl SolvedContact {
-    fn new(pressed: &Pressed<'_>, rolled: &Rolled<'_>, friction: f64) -> Self {
+    fn new(pressed: &Pressed<'_>, rolled: &Rolled<'_>) -> Self {
         let (contact, scaling) = (&pressed.contact, rolled.scaling);
         let solution = rolled.solution;
         let load = pressed.normal.load();
@@ -111,7 +124,9 @@ impl SolvedContact {
             correction: rolled.correction.clone(),
             field: Field::of(rolled),
             damage: None,
-            friction,
+            is_reversed: false,
+            friction: rolled.friction,
+            at_rest: rolled.at_rest,
             turn: turn(contact, &pressed.normal),
             rough: rough::cautions(contact, &pressed.normal),
         }

@@ -34,7 +34,12 @@ impl Place {
         let place = |wheel: &PressedWheel<'_>| {
             let &PressedWheel { side, position, depth, .. } = wheel;
             let of = [sum, wheels.len() as f64];
-            Self::new(side, position, depth, wanted(stance, load, wheel.expected(shares), of))
+            Self::new(
+                side,
+                position,
+                depth,
+                wanted((stance, side), load, wheel.expected(shares), of),
+            )
         };
         wheels.iter().map(place).collect()
     }
@@ -101,11 +106,20 @@ pub(super) fn learnt(
 }
 
 /// What a wheel should carry (N) that carries `own`, of the sum of some wheels.
-pub(super) fn wanted(stance: &Stance, load: Load, own: f64, [sum, count]: [f64; 2]) -> f64 {
+pub(super) fn wanted(
+    (stance, side): (&Stance, Side),
+    load: Load,
+    own: f64,
+    [sum, count]: [f64; 2],
+) -> f64 {
+    if let Some(load) = load.of_wheel(side) {
+        return load;
+    }
     match load {
         Load::Wheel(load) => load,
-        Load::Axle(load) if stance.roll.is_some() => load * own / sum,
-        Load::Axle(load) => load / count,
+        Load::Axle(load) | Load::Loaded { load, .. } if stance.roll.is_some() => load * own / sum,
+        Load::Axle(load) | Load::Loaded { load, .. } => load / count,
+        Load::Wheels([left, right]) => left.midpoint(right),
         Load::Height(_) => sum / count,
     }
 }
@@ -139,8 +153,8 @@ pub(super) fn places(
         let Position { y, z, roll, yaw } = wheel.position;
         let position = Position { y, z: z + down, roll: roll + turn, yaw };
         let depth = if wheel.depth > 0.0 { wheel.depth + more / line.by[0] } else { 0.0 };
-        let is_sound = parts.iter().all(|part| part.abs() < line.force);
-        let is_near = more.abs() < FARTHEST * line.force && is_sound && depth >= 0.0;
+        let is_sound = parts.iter().all(|part| part.abs() <= line.force);
+        let is_near = more.abs() <= FARTHEST * line.force && is_sound && depth >= 0.0;
         is_near.then(|| Place {
             moved: [down, turn],
             by: Some(line.by),
@@ -158,6 +172,13 @@ pub(super) fn moves(lines: &[Line], roll: Option<f64>, load: Load) -> Option<Vec
         ([_, _], Some(_), Load::Wheel(load)) => {
             Some(lines.iter().map(|line| down(line, load)).collect())
         }
+        // A lifted wheel stays where it hangs.
+        ([left, right], Some(_), Load::Wheels(loads)) => {
+            let moves = [left, right].into_iter().zip(loads);
+            let moves =
+                moves.map(|(line, load)| if load > 0.0 { down(line, load) } else { [0.0; 2] });
+            Some(moves.collect())
+        }
         ([left, right], Some(_), Load::Axle(load)) => {
             let by = left.by[0] + right.by[0];
             Some(vec![[(load - left.force - right.force) / by, 0.0]; 2])
@@ -165,15 +186,18 @@ pub(super) fn moves(lines: &[Line], roll: Option<f64>, load: Load) -> Option<Vec
         ([left, right], None, Load::Height(_)) => {
             Some(vec![[0.0, (left.force - right.force) / (right.by[1] - left.by[1])]; 2])
         }
-        ([left, right], None, Load::Axle(load)) => Some(vec![level(left, right, 0.5 * load); 2]),
-        ([left, right], None, Load::Wheel(load)) => Some(vec![level(left, right, load); 2]),
+        ([left, right], None, Load::Axle(load)) => {
+            Some(vec![level([left, right], [0.5 * load; 2]); 2])
+        }
+        ([left, right], None, Load::Wheel(load)) => Some(vec![level([left, right], [load; 2]); 2]),
+        ([left, right], None, Load::Wheels(loads)) => Some(vec![level([left, right], loads); 2]),
         _ => None,
     }
 }
 
-/// Down and roll at which both wheels carry `load`.
-fn level(left: &Line, right: &Line, load: f64) -> [f64; 2] {
-    let [a, b] = [load - left.force, load - right.force];
+/// Down and roll at which both wheels carry their loads.
+fn level([left, right]: [&Line; 2], loads: [f64; 2]) -> [f64; 2] {
+    let [a, b] = [loads[0] - left.force, loads[1] - right.force];
     let determinant = left.by[0] * right.by[1] - left.by[1] * right.by[0];
     [a * right.by[1] - b * left.by[1], b * left.by[0] - a * right.by[0]].map(|n| n / determinant)
 }

@@ -9,8 +9,7 @@
 //!   those of an ellipse for small creepage and one for all where it slides.
 //! - [`Simplified::Fastrip`] takes strip theory's adhesion area in every row, by the row's own
 //!   length and pressure and scaled to the ellipse's coefficients, and FASTSIM's direction in slip.
-//!   Where the slip area is narrower than a cell, at creepages near zero, its derivatives are those of the
-//!   cell and say nothing of the force: take differences over a tenth of a creepage that slides.
+//!   Where slip is narrower than a cell in every row, its derivatives are those of the linear theory.
 //! - [`Simplified::Linear`] is the linear theory of the ellipse: forces by its coefficients, about
 //!   the centre of pressure; tractions by three springs, without a bound.
 //! - [`Simplified::Saturated`] slides everywhere, with the true pressure: no elasticity at all.
@@ -105,7 +104,8 @@ impl NonHertzianSimplified {
         Self::on(&Contact::of_areas(contact.clone(), friction)?, kind, cells)
     }
 
-    /// Prepares for areas of any shape. Friction is constant at its largest value, and a layer is left out.
+    /// Prepares for areas of any shape. Friction that differs across the contact bounds every row by its
+    /// own coefficient; where it depends on the speed of slip it is that at rest, and a layer is left out.
     ///
     /// # Errors
     /// [`InvalidValue`] as [`NonHertzianSimplified::new`], and for a contact that is Hertz's ellipse.
@@ -118,7 +118,9 @@ impl NonHertzianSimplified {
         let contact = of.areas().ok_or(none)?;
         let scaling = of.scaling();
         let (poisson, length) = (contact.pair().poisson(), scaling.length);
-        let rows = Rows::new(contact, length, cells);
+        let friction = of.rolling_friction();
+        let share = |y: f64| friction.map_or(1.0, |friction| friction.share(y * length));
+        let rows = Rows::new(contact, length, cells, share);
         let gain = contact.pair().shear_modulus() * length * length * scaling.slip / scaling.force;
         let load = contact.load().value;
         let springs = contact.patches().iter().enumerate().map(|(index, patch)| {
@@ -172,24 +174,44 @@ impl NonHertzianSimplified {
 
     /// Force about the origin of coordinates.
     fn force<R: Real>(&self, creepage: [R; 3], more: &More) -> [R; 3] {
-        let mut sum = [R::constant(0.0); 3];
-        let mut add = |part: [R; 3]| sum = [0, 1, 2].map(|i| sum[i] + part[i]);
         if self.kind == Simplified::Linear {
-            self.springs.iter().enumerate().for_each(|(patch, springs)| {
-                add(self.linear(springs, self.mean_creepage(creepage, patch, more)));
+            return self.linear_force(creepage, more);
+        }
+        let mut sum = [R::constant(0.0); 3];
+        for (index, row) in self.rows.rows.iter().enumerate() {
+            let mut part = [R::constant(0.0); 3];
+            self.march(index, creepage, more, |i, cell| {
+                let [x, y] = cell.traction;
+                part = [part[0] + x, part[1] + y, part[2] + y * row.middle(i)];
             });
-        } else {
-            for (index, row) in self.rows.rows.iter().enumerate() {
-                let mut part = [R::constant(0.0); 3];
-                self.march(index, creepage, more, |i, cell| {
-                    let [x, y] = cell.traction;
-                    part = [part[0] + x, part[1] + y, part[2] + y * row.middle(i)];
-                });
-                part[2] = part[2] - part[0] * row.y;
-                add(part.map(|part| part * row.weight));
-            }
+            part[2] = part[2] - part[0] * row.y;
+            sum = [0, 1, 2].map(|i| sum[i] + part[i] * row.weight);
         }
         sum
+    }
+
+    /// The linear theory's force about the origin of coordinates.
+    fn linear_force<R: Real>(&self, creepage: [R; 3], more: &More) -> [R; 3] {
+        let patches = self.springs.iter().enumerate();
+        patches.fold([R::constant(0.0); 3], |sum, (patch, springs)| {
+            let part = self.linear(springs, self.mean_creepage(creepage, patch, more));
+            [0, 1, 2].map(|i| sum[i] + part[i])
+        })
+    }
+
+    /// Whether every row of strip theory slides by less than one of its cells.
+    fn hardly_slides(&self, creepage: Creepage, more: &More) -> bool {
+        let creepage = creepage.components();
+        self.rows.rows.iter().enumerate().all(|(index, row)| {
+            let springs = &self.springs[row.patch];
+            let at = RowCreepage {
+                centre: springs.at_centre(creepage, more.centres[row.patch]),
+                creepage,
+                more: more.rows[index],
+            };
+            let bounds = &self.rows.bounds[row.cells.clone()];
+            row_force::slides_less_than_a_cell(row, bounds, springs, &at, self.poisson)
+        })
     }
 
     /// Visits the cells of a row with their tractions.
@@ -360,10 +382,16 @@ impl Solved for SimplifiedSolved<'_> {
         self.solution
     }
 
-    /// Exact derivative of the force (of its discrete value), at a kink one of the one-sided ones.
+    /// Exact derivative of the force (of its discrete value), at a kink one of the one-sided ones. Where
+    /// `fastrip` slides by less than a cell in every row, no cell tells of it: there the derivative is that of the
+    /// linear theory, which it has without slip, high by the slipping share of the rows.
     fn jacobian(&mut self) -> Option<Jacobian> {
+        let (theory, more) = (self.theory, &self.more);
         let variables: [Dual; 3] = dual::variables(self.creepage);
-        Some(dual::jacobian(self.theory.force(variables, &self.more)))
+        if theory.kind == Simplified::Fastrip && theory.hardly_slides(self.creepage, more) {
+            return Some(dual::jacobian(theory.linear_force(variables, more)));
+        }
+        Some(dual::jacobian(theory.force(variables, more)))
     }
 
     fn field(&self, positions: &[[f64; 2]]) -> Vec<FieldPoint> {

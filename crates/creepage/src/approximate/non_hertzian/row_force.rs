@@ -160,6 +160,18 @@ pub(super) fn fastrip<R: Real>(
     }
 }
 
+/// Whether the slip area of a row by strip theory is narrower than a cell.
+pub(super) fn slides_less_than_a_cell(
+    row: &Row,
+    bounds: &[f64],
+    springs: &Springs,
+    at: &RowCreepage<f64>,
+    poisson: f64,
+) -> bool {
+    own_strip(row, bounds, springs, at, poisson)
+        .is_some_and(|own| own.strip.depth * (bounds.len() as f64) < 1.0)
+}
+
 /// A row as strip theory has it, with lengths in units of its half-length.
 struct OwnStrip<R> {
     strip: Strip<R>,

@@ -55,7 +55,14 @@ pub(super) struct Rows {
 impl Rows {
     /// `along` cells in each row, `across` rows in the widest band and at least a quarter as many in
     /// the others.
-    pub(super) fn new(contact: &NormalContact, length: f64, [along, across]: [usize; 2]) -> Self {
+    ///
+    /// `share` is the friction at a `y` of the contact's unit over the largest.
+    pub(super) fn new(
+        contact: &NormalContact,
+        length: f64,
+        [along, across]: [usize; 2],
+        share: impl Fn(f64) -> f64,
+    ) -> Self {
         let width = |band: &Band| band.y()[1] - band.y()[0];
         let bands = || {
             let patches = contact.patches().iter().enumerate();
@@ -73,6 +80,10 @@ impl Rows {
         }
         let total: f64 = rows.rows.iter().map(|row| row.weight * rows.sum(row)).sum();
         rows.rows.iter_mut().for_each(|row| row.weight /= total);
+        for row in &rows.rows {
+            let share = share(row.y);
+            rows.bounds[row.cells.clone()].iter_mut().for_each(|bound| *bound *= share);
+        }
         rows
     }
 

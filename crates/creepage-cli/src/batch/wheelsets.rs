@@ -1,0 +1,160 @@
+//! Rows that differ from a wheelset's file: positions, loads, motions and friction, on all cores.
+
+use std::path::Path;
+
+use creepage::{InvalidValue, Status, TheorySpec};
+use creepage_study::{
+    ANSWERS, ASKED, Caution, WheelsetCase, WheelsetError, WheelsetSolver, theory_spec,
+};
+use csv::ByteRecord;
+use rayon::prelude::*;
+
+use super::columns::{ColumnError, names, place_of};
+use super::field::{NoCase, parse};
+use super::rows::RowAnswer;
+use super::table::Table;
+use super::{free, write_answers};
+use crate::batch_args::BatchArgs;
+use crate::failure::Failure;
+use crate::outcome::Outcome;
+use crate::wheelset::{read, say_found};
+
+/// Beside what a wheelset is asked by.
+const FRICTION: &str = "friction";
+/// Where [`ASKED`] has the load on both wheels.
+const AXLE_LOAD: usize = 4;
+
+/// What is appended before status and message, as of [`ANSWERS`].
+const APPENDED: [&str; ANSWERS + 2] = [
+    "left_longitudinal_n",
+    "left_lateral_n",
+    "left_vertical_n",
+    "left_moment_x_n_m",
+    "left_moment_y_n_m",
+    "left_moment_z_n_m",
+    "right_longitudinal_n",
+    "right_lateral_n",
+    "right_vertical_n",
+    "right_moment_x_n_m",
+    "right_moment_y_n_m",
+    "right_moment_z_n_m",
+    "wrench_x_n",
+    "wrench_y_n",
+    "wrench_z_n",
+    "wrench_moment_x_n_m",
+    "wrench_moment_y_n_m",
+    "wrench_moment_z_n_m",
+    "found_z_m",
+    "found_roll_rad",
+    "left_pitch_rate_rad_per_s",
+    "right_pitch_rate_rad_per_s",
+    "status",
+    "message",
+];
+
+/// Why a row has no answer.
+#[derive(Debug, thiserror::Error)]
+enum RowError {
+    #[error(transparent)]
+    Field(#[from] NoCase),
+    #[error(transparent)]
+    Wheelset(#[from] WheelsetError),
+}
+
+/// Where rows say what.
+struct Places {
+    asked: [Option<usize>; ASKED.len()],
+    friction: Option<usize>,
+    count: usize,
+}
+
+pub(super) fn run(args: &BatchArgs, path: &Path) -> Result<Outcome, Failure> {
+    if args.table.is_some() {
+        return Err(Failure::TableOfEllipses { path: path.into() });
+    }
+    let wrong = |source| Failure::Wheelset { path: path.into(), source: Box::new(source) };
+    let mut case = read(path)?;
+    if let Some(name) = &args.theory {
+        let name = TheorySpec::named(name)?.facts().name;
+        case.theory = theory_spec(name, &args.options).map_err(Failure::Option)?;
+    }
+    let solver = case.solver().map_err(wrong)?;
+    let table = Table::open(args.input.as_deref())?;
+    let places = Places::find(&table)?;
+    free(&table, &APPENDED)?;
+    if let Some(out) = &args.out {
+        case.sources().spare(out)?;
+    }
+    case.notes.iter().for_each(say_found);
+    let answers = |rows: &[ByteRecord]| {
+        Ok(rows.par_iter().map(|row| places.answer(row, &case, &solver)).collect())
+    };
+    let tally = write_answers(args, table, &APPENDED, None, answers, |out, row, answer| {
+        out.write_answer(row, answer)
+    })?;
+    Ok(tally.outcome())
+}
+
+impl Places {
+    fn find(table: &Table) -> Result<Self, Failure> {
+        let input = |source| Failure::Columns { input: table.name.clone(), source };
+        let mut asked = [None; ASKED.len()];
+        for (place, name) in asked.iter_mut().zip(ASKED) {
+            *place = place_of(&table.header, name).map_err(input)?;
+        }
+        let friction = place_of(&table.header, FRICTION).map_err(input)?;
+        if friction.is_none() && asked.iter().all(Option::is_none) {
+            let known = format!("{}, {FRICTION}", ASKED.join(", "));
+            return Err(input(ColumnError::NoneVaries { known, found: names(&table.header) }));
+        }
+        Ok(Self { asked, friction, count: table.header.len() })
+    }
+
+    /// An empty field is the wheelset's own.
+    fn answer(
+        &self,
+        row: &ByteRecord,
+        case: &WheelsetCase,
+        solver: &WheelsetSolver<'_>,
+    ) -> Result<RowAnswer, RowError> {
+        if row.len() != self.count {
+            return Err(NoCase::FieldCount { found: row.len(), expected: self.count }.into());
+        }
+        let number = |name, place: Option<usize>| match place.map(|place| &row[place]) {
+            Some(field) if !field.trim_ascii().is_empty() => {
+                let value = parse(name, field)?;
+                let invalid = InvalidValue { quantity: name, value, valid: "finite" };
+                if value.is_finite() { Ok(value) } else { Err(NoCase::from(invalid)) }
+            }
+            _ => Ok(f64::NAN),
+        };
+        let mut asked = [f64::NAN; ASKED.len()];
+        for ((asked, name), place) in asked.iter_mut().zip(ASKED).zip(self.asked) {
+            *asked = number(name, place)?;
+        }
+        if asked[AXLE_LOAD] == 0.0 {
+            return Ok(no_contact());
+        }
+        let friction = number(FRICTION, self.friction)?;
+        let (stance, travel) = case.asked(&asked)?;
+        let solved = if friction.is_nan() {
+            solver.solve(&stance, &travel)?
+        } else if friction > 0.0 {
+            solver.with_friction(friction).solve(&stance, &travel)?
+        } else {
+            let invalid = InvalidValue { quantity: FRICTION, value: friction, valid: "positive" };
+            return Err(NoCase::from(invalid).into());
+        };
+        let numbers = solved.answers().to_vec();
+        let message = solved.caution_words().join("; ");
+        Ok(RowAnswer { numbers, status: solved.status(), message })
+    }
+}
+
+/// No load, no force; where the wheels hang nothing tells.
+fn no_contact() -> RowAnswer {
+    let mut numbers = vec![0.0; ANSWERS];
+    numbers[18..].fill(f64::NAN);
+    let message = Caution::Status(Status::NoContact).to_string();
+    RowAnswer { numbers, status: Status::NoContact, message }
+}

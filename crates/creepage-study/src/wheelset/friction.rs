@@ -1,0 +1,219 @@
+//! Friction on a rail: a number, a law by the speed of slip, or by the place on the rail.
+
+use std::borrow::Cow;
+
+use creepage::friction_law::{FrictionAcross, FrictionLaw, FrictionMemory, RollingFriction};
+use creepage_rail::{Contact, Running, Side};
+use schemars::{JsonSchema, Schema, SchemaGenerator};
+use serde::de::{Deserialize, Deserializer, Error};
+use toml::Value;
+
+use super::error::checked;
+use crate::case::CaseError;
+use crate::case::friction::FrictionValue;
+
+const SECTION: &str = "contact friction";
+
+/// Friction on a rail.
+#[derive(Debug, Clone, PartialEq)]
+pub enum RailFriction {
+    /// Coulomb's.
+    Constant(f64),
+    /// By the speed of slip.
+    Law(FrictionLaw, Option<FrictionMemory>),
+    /// By the place on the rail.
+    Place(FrictionOfPlace),
+}
+
+/// Friction that is linear between control points, constant beyond them.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FrictionOfPlace {
+    by: PlaceOnRail,
+    /// Angle (rad) or position (m), rising, and the coefficient there.
+    points: Vec<[f64; 2]>,
+}
+
+/// What tells the place on a rail, in the axes of its profile.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum PlaceOnRail {
+    /// Inclination of the surface (rad): negative on the gauge face, positive on the field side.
+    Angle,
+    /// The profile's `y` (m), to the field side.
+    Position,
+}
+
+/// Friction of a rail as the file has it.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum RailFrictionValue {
+    OfCase(FrictionValue),
+    Place(PlaceTable),
+}
+
+/// Friction by the place on the rail: linear between control points, constant beyond them.
+#[derive(Debug, Clone, PartialEq, serde::Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(super) struct PlaceTable {
+    /// Inclinations of the rail's surface in the axes of its profile (rad), rising; negative on the gauge
+    /// face. Give these or `position`.
+    angle: Option<Vec<f64>>,
+    /// Places on the rail's profile, y to the field side (m), rising.
+    position: Option<Vec<f64>>,
+    /// The coefficient at each.
+    value: Vec<f64>,
+}
+
+impl RailFrictionValue {
+    pub(super) fn friction(&self) -> Result<RailFriction, CaseError> {
+        match self {
+            Self::OfCase(FrictionValue::Constant(value)) => {
+                let is_valid = *value > 0.0 && value.is_finite();
+                checked("contact", "friction", *value, is_valid, "positive and finite")?;
+                Ok(RailFriction::Constant(*value))
+            }
+            Self::OfCase(value) => value.of_rail(),
+            Self::Place(table) => table.friction(),
+        }
+    }
+}
+
+impl PlaceTable {
+    fn friction(&self) -> Result<RailFriction, CaseError> {
+        let (by, places) = match (&self.angle, &self.position) {
+            (Some(angle), None) => (PlaceOnRail::Angle, angle),
+            (None, Some(position)) => (PlaceOnRail::Position, position),
+            (Some(_), Some(_)) => {
+                let [first, second] = ["angle", "position"].map(|key| (SECTION, key));
+                return Err(CaseError::Conflict { first, second });
+            }
+            (None, None) => {
+                let keys = ["angle", "position"];
+                return Err(CaseError::MissingEither { section: SECTION, keys });
+            }
+        };
+        let count = self.value.len();
+        let is_valid = count == places.len() && count >= 2;
+        let valid = "as many as places, two at least";
+        checked(SECTION, "number of values", count as f64, is_valid, valid)?;
+        let mut points = Vec::with_capacity(count);
+        for (&place, &value) in places.iter().zip(&self.value) {
+            let last = points.last().map_or(f64::NEG_INFINITY, |[place, _]: &[f64; 2]| *place);
+            let is_valid = place > last && place.is_finite();
+            checked(SECTION, "place", place, is_valid, "finite and above the one before")?;
+            let is_valid = value > 0.0 && value.is_finite();
+            checked(SECTION, "value", value, is_valid, "positive and finite")?;
+            points.push([place, value]);
+        }
+        Ok(RailFriction::Place(FrictionOfPlace { by, points }))
+    }
+}
+
+impl RailFriction {
+    /// The largest coefficient: at rest, of all places.
+    #[must_use]
+    pub fn largest(&self) -> f64 {
+        match self {
+            Self::Constant(value) => *value,
+            Self::Law(law, _) => law.at_rest(),
+            Self::Place(of) => of.points.iter().fold(0.0, |most, [_, value]| value.max(most)),
+        }
+    }
+
+    /// The largest coefficient on a contact and how friction varies on it, where wheels roll at `speed` (m/s).
+    pub(super) fn on(
+        &self,
+        contact: &Contact<'_>,
+        running: &Running,
+        speed: f64,
+    ) -> Result<(f64, Option<RollingFriction>), CaseError> {
+        let wrong = CaseError::invalid(SECTION);
+        match self {
+            Self::Constant(value) => Ok((*value, None)),
+            Self::Law(law, memory) => {
+                let rolling = RollingFriction::new(*law, *memory, speed).map_err(wrong)?;
+                Ok((law.at_rest(), Some(rolling)))
+            }
+            Self::Place(of) => {
+                let points = of.across(contact, running);
+                let across = FrictionAcross::new(&points).map_err(&wrong)?;
+                let rolling = RollingFriction::across(across).map_err(&wrong)?;
+                Ok((across.largest(), Some(rolling)))
+            }
+        }
+    }
+}
+
+impl FrictionOfPlace {
+    /// At even places across a contact, as a theory of rolling takes it.
+    fn across(&self, contact: &Contact<'_>, running: &Running) -> Vec<[f64; 2]> {
+        const COUNT: usize = FrictionAcross::MAX_PLACES;
+        let [low, high] = contact.extent[1];
+        let at = |k: usize| low + (high - low) * k as f64 / (COUNT - 1) as f64;
+        let rail = running.track().rail(contact.side);
+        let sense = contact.side.sense();
+        let value = |s: f64| {
+            let across = contact.at(s)?;
+            let place = match self.by {
+                PlaceOnRail::Position => across.y_rail,
+                PlaceOnRail::Angle => sense * (contact.angle + across.tilt) - rail.inclination(),
+            };
+            Some([s, self.at(place)])
+        };
+        let points: Vec<[f64; 2]> = (0..COUNT).filter_map(|k| value(at(k))).collect();
+        if points.len() > 1 {
+            return points;
+        }
+        let place = match self.by {
+            PlaceOnRail::Position => contact.y_rail,
+            PlaceOnRail::Angle => sense * contact.angle - rail.inclination(),
+        };
+        vec![[low, self.at(place)], [high, self.at(place)]]
+    }
+
+    /// Linear between the points, constant beyond them.
+    fn at(&self, place: f64) -> f64 {
+        let after = self.points.partition_point(|[at, _]| *at <= place);
+        let before = after.checked_sub(1).and_then(|i| self.points.get(i));
+        match (before, self.points.get(after)) {
+            (Some([from, low]), Some([to, high])) => {
+                low + (high - low) * (place - from) / (to - from)
+            }
+            (Some([_, value]), None) | (None, Some([_, value])) => *value,
+            (None, None) => f64::NAN,
+        }
+    }
+}
+
+/// Of one side.
+pub(super) fn of_side(friction: &[RailFriction; 2], side: Side) -> &RailFriction {
+    let [left, right] = friction;
+    if side == Side::Left { left } else { right }
+}
+
+impl<'de> Deserialize<'de> for RailFrictionValue {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let value = Value::deserialize(deserializer)?;
+        let is_of_place = |table: &toml::Table| {
+            ["angle", "position", "value"].iter().any(|key| table.contains_key(*key))
+        };
+        let wrong = |error: toml::de::Error| D::Error::custom(error.message());
+        match value {
+            Value::Table(table) if is_of_place(&table) => {
+                let read = table.try_into().map(Self::Place);
+                read.map_err(|error| D::Error::custom(format!("friction: {}", error.message())))
+            }
+            other => other.try_into().map(Self::OfCase).map_err(wrong),
+        }
+    }
+}
+
+impl JsonSchema for RailFrictionValue {
+    fn schema_name() -> Cow<'static, str> {
+        "RailFriction".into()
+    }
+
+    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
+        let (case, place) =
+            (FrictionValue::json_schema(generator), PlaceTable::json_schema(generator));
+        schemars::json_schema!({ "anyOf": [case, place] })
+    }
+}
