@@ -10,7 +10,7 @@ use creepage::table::Table;
 use netcdf3::{DataSet, FileReader, FileWriter, InvalidDataSet, ReadError, Version, WriteError};
 
 use crate::error::MapError;
-use crate::map::{ContactMap, Head, MapAccuracy, Spread};
+use crate::map::{ContactMap, Head, MapAccuracy, Pressed, Spread, State};
 use crate::normal::{HEIGHTS, HeightNode, Heights};
 use crate::patch::{Ellipse, Patch, Sloped};
 use crate::wheel::{CellError, RollingNode, WheelMap};
@@ -62,7 +62,7 @@ impl ContactMap {
         set.add_global_attr_string("comment", COMMENT)?;
         set.add_global_attr_i32("format", vec![FORMAT])?;
         set.add_fixed_dim("wheels", sides.len())?;
-        let mut columns = vec![self.head_column(), self.accuracy_column()];
+        let mut columns = vec![self.head_column(), self.own_column(), self.accuracy_column()];
         for side in sides {
             columns.extend(of_wheel(side, &self.wheels[usize::from(*side == "right")]));
         }
@@ -107,10 +107,27 @@ impl ContactMap {
     }
 
     fn head_column(&self) -> Column {
-        let Head { radius, half_distance, rail_origins, poisson, friction, yaw, roll } = self.head;
+        let Head { radius, half_distance, rail_origins, poisson, friction, yaw, roll, .. } = self.head;
         let values = [radius, half_distance, poisson, yaw, roll].into_iter();
         let values = values.chain(rail_origins.into_iter().flatten()).chain(friction).collect();
         Column { name: "head".into(), dims: vec!["head_number".into()], values }
+    }
+
+    /// The wheelset's own state; NaN for what is found.
+    fn own_column(&self) -> Column {
+        let own = self.head.own;
+        let [z, load] = match own.pressed {
+            Pressed::Height(z) => [z, f64::NAN],
+            Pressed::AxleLoad(load) => [f64::NAN, load],
+        };
+        let [roll, rate] = [own.roll, own.pitch_rate].map(|given| given.unwrap_or(f64::NAN));
+        let State { y, yaw, speed, lateral_velocity, vertical_velocity, .. } = own;
+        let State { roll_rate, yaw_rate, friction, .. } = own;
+        let values = vec![
+            y, z, roll, yaw, load, speed, rate, lateral_velocity, vertical_velocity, roll_rate,
+            yaw_rate, friction,
+        ];
+        Column { name: "own".into(), dims: vec!["own_number".into()], values }
     }
 
     fn accuracy_column(&self) -> Column {
@@ -143,7 +160,8 @@ impl ContactMap {
         if found != FORMAT {
             return Err(MapError::Format { found, known: FORMAT });
         }
-        let head = head(&numbers(&mut file, "head")?)?;
+        let own = own(&numbers(&mut file, "own")?)?;
+        let head = head(&numbers(&mut file, "head")?, own)?;
         let accuracy = accuracy(&numbers(&mut file, "accuracy")?)?;
         let table = Table::from_bytes(bytes_of(&mut file, "ellipses")?);
         let table = Arc::new(table.map_err(MapError::Ellipses)?);
@@ -236,7 +254,24 @@ fn patch(all: &[f64; PATCH]) -> Patch {
     }
 }
 
-fn head(all: &[f64]) -> Result<Head, MapError> {
+fn own(all: &[f64]) -> Result<State, MapError> {
+    let &[
+        y, z, roll, yaw, load, speed, rate, lateral_velocity, vertical_velocity, roll_rate,
+        yaw_rate, friction,
+    ] = all
+    else {
+        return Err(MapError::Missing("own"));
+    };
+    let given = |value: f64| (!value.is_nan()).then_some(value);
+    let pressed = given(z).map_or(Pressed::AxleLoad(load), Pressed::Height);
+    let (roll, pitch_rate) = (given(roll), given(rate));
+    Ok(State {
+        y, yaw, roll, pressed, speed, pitch_rate, lateral_velocity, vertical_velocity, roll_rate,
+        yaw_rate, friction,
+    })
+}
+
+fn head(all: &[f64], own: State) -> Result<Head, MapError> {
     match *all {
         [radius, half_distance, poisson, yaw, roll, y, z, other_y, other_z, low, high] => Ok(Head {
             radius,
@@ -246,6 +281,7 @@ fn head(all: &[f64]) -> Result<Head, MapError> {
             friction: [low, high],
             yaw,
             roll,
+            own,
         }),
         _ => Err(MapError::Missing("head")),
     }

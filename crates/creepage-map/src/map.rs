@@ -28,6 +28,8 @@ pub struct Head {
     pub yaw: f64,
     /// Largest roll (rad) to either side of a wheelset that rolls freely.
     pub roll: f64,
+    /// The wheelset's own state, for what is left out of a question.
+    pub own: State,
 }
 
 /// Distribution of a measured error.
@@ -96,6 +98,32 @@ pub struct State {
     pub friction: f64,
 }
 
+impl State {
+    /// This state with other numbers where they are given and not NaN: y, z, roll, yaw, axle load; speed,
+    /// pitch rate, lateral and vertical velocity, roll and yaw rate; friction.
+    #[must_use]
+    pub fn with(&self, numbers: &[f64; 12]) -> Self {
+        let or = |value: f64, own: f64| if value.is_nan() { own } else { value };
+        let given = |value: f64| (!value.is_nan()).then_some(value);
+        let [y, z, roll, yaw, load, speed, rate, lateral, vertical, roll_rate, yaw_rate, friction] =
+            *numbers;
+        let pressed = given(z).map(Pressed::Height).or(given(load).map(Pressed::AxleLoad));
+        Self {
+            y: or(y, self.y),
+            yaw: or(yaw, self.yaw),
+            roll: given(roll).or(self.roll),
+            pressed: pressed.unwrap_or(self.pressed),
+            speed: or(speed, self.speed),
+            pitch_rate: given(rate).or(self.pitch_rate),
+            lateral_velocity: or(lateral, self.lateral_velocity),
+            vertical_velocity: or(vertical, self.vertical_velocity),
+            roll_rate: or(roll_rate, self.roll_rate),
+            yaw_rate: or(yaw_rate, self.yaw_rate),
+            friction: or(friction, self.friction),
+        }
+    }
+}
+
 /// What holds a wheelset down.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Pressed {
@@ -161,6 +189,19 @@ pub struct Answer {
     pub roll: f64,
     /// Angular velocity about the axle (rad/s), given or found.
     pub pitch_rate: f64,
+}
+
+impl Answer {
+    /// Forces and moments on the left and on the right rail, the wrench on the wheelset, z, roll, pitch rate.
+    #[must_use]
+    pub fn numbers(&self) -> [f64; 21] {
+        let mut all = [0.0; 21];
+        let wheels = [&self.left, &self.right];
+        let parts = wheels.into_iter().flat_map(|wheel| wheel.force.into_iter().chain(wheel.moment));
+        let parts = parts.chain(self.wrench).chain([self.z, self.roll, self.pitch_rate]);
+        all.iter_mut().zip(parts).for_each(|(to, from)| *to = from);
+        all
+    }
 }
 
 /// By what a map's forces are differentiated: y, z, roll, yaw, speed, pitch rate, lateral velocity, yaw rate.
@@ -264,6 +305,22 @@ impl ContactMap {
     pub fn solve(&self, state: &State) -> Result<Answer, MapError> {
         let found = self.found(state)?;
         self.answer(state, found)
+    }
+
+    /// The same of one wheel, of a state that leaves nothing to be found.
+    ///
+    /// # Errors
+    /// [`MapError`] where the state lies outside the map; [`MapError::NoLoad`] where height, roll or pitch rate
+    /// are missing.
+    pub fn solve_wheel(&self, side: Side, state: &State) -> Result<WheelAnswer, MapError> {
+        self.check(state)?;
+        let (Pressed::Height(z), Some(roll), Some(rate)) =
+            (state.pressed, state.roll, state.pitch_rate)
+        else {
+            return Err(MapError::NoLoad);
+        };
+        let acts = self.on_rail(side, &numbers::<f64>(state, [z, roll, rate]))?;
+        Ok(WheelAnswer::of(side, &acts))
     }
 
     /// The same with derivatives of the forces; those by what is given, with what is found following.
@@ -591,7 +648,7 @@ impl Unknowns {
         if count == 0 {
             return Ok(at);
         }
-        /// Longest steps: 20 um, .1 mrad, .5 % of the rate.
+        // Longest steps: 20 um, .1 mrad, .5 % of the rate.
         let longest = [20e-6, 1e-4, 5e-3 * state.speed / map.head.radius];
         let mut left = f64::INFINITY;
         for _ in 0..STEPS {
