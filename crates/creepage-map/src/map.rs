@@ -504,9 +504,12 @@ impl ContactMap {
     fn start(&self, state: &State) -> Result<[f64; 3], MapError> {
         const ROUNDS: usize = 6;
         let rate = state.pitch_rate.unwrap_or(state.speed / self.head.radius);
-        let (mut z, mut roll) = match state.pressed {
-            Pressed::Height(z) => (z, state.roll.unwrap_or(0.0)),
-            Pressed::AxleLoad(_) => (0.0, state.roll.unwrap_or(0.0)),
+        // Where the right wheel's nodes were pressed: both wheels then touch.
+        let free = || self.wheels[1].heights.free_roll(state.y, self.head.radius);
+        let mut roll = state.roll.unwrap_or_else(free);
+        let mut z = match state.pressed {
+            Pressed::Height(z) => z,
+            Pressed::AxleLoad(_) => 0.0,
         };
         if matches!((state.pressed, state.roll), (Pressed::Height(_), Some(_))) {
             return Ok([z, roll, rate]);
@@ -524,7 +527,7 @@ impl ContactMap {
             };
             let [left, right] = [height(Side::Left)?, height(Side::Right)?];
             if state.roll.is_none() {
-                roll += 0.5 * (left - right) / self.head.half_distance * -1.0;
+                roll -= 0.5 * (left - right) / self.head.half_distance;
             }
             match state.pressed {
                 Pressed::AxleLoad(_) => z = left.midpoint(right),
