@@ -10,8 +10,8 @@ use creepage_1967::GalleryError;
 use creepage_rail::Standard;
 use creepage_rail::file::FileError as ProfileFileError;
 use creepage_study::{
-    CaseError, GapCaseError, HistoryError, MapBuildError, PointsError, ReferenceError, ReportError, SolveError,
-    SpecError, StaticsError, StressError, WheelsetError,
+    CaseError, GapCaseError, HistoryError, MapBuildError, PointsError, ReferenceError, ReportError,
+    SolveError, SpecError, StaticsError, StressError, WheelsetError,
 };
 
 use crate::batch::columns::ColumnError;

@@ -171,8 +171,11 @@ fn text(map: &ContactMap, size: usize) -> String {
         );
     }
     let (yaw, [low, high]) = (1e3 * map.head().yaw, map.head().friction);
-    let loads: Vec<String> =
-        map.wheel(creepage_map::Side::Right).loads().map(|load| format!("{:.1}", 1e-3 * load)).collect();
+    let loads: Vec<String> = map
+        .wheel(creepage_map::Side::Right)
+        .loads()
+        .map(|load| format!("{:.1}", 1e-3 * load))
+        .collect();
     text += &format!(
         "yaw to {yaw} mrad, friction {low} to {high}, loads {} kN, {} kB\n\n\
          error on fresh states against the full theory in per cent\n\
@@ -196,7 +199,9 @@ fn text(map: &ContactMap, size: usize) -> String {
             let Spread { states, rms, median, p95, worst } = spread;
             let [rms, median, p95, worst] = [rms, median, p95, worst].map(|part| 100.0 * part);
             let name = format!("{name}{place}");
-            text += &format!("{name:38} {states:>6} {rms:>7.3} {median:>7.3} {p95:>7.3} {worst:>7.3}\n");
+            text += &format!(
+                "{name:38} {states:>6} {rms:>7.3} {median:>7.3} {p95:>7.3} {worst:>7.3}\n"
+            );
         }
     }
     text

@@ -107,11 +107,9 @@ fn parabola<S: Scalar>(nodes: &[S; 4], count: usize, node: usize) -> (usize, [S;
             -both / (before * after),
             (after * 2.0 + before) / (after * both),
         ],
-        _ => [
-            -after / (before * both),
-            (after - before) / (before * after),
-            before / (after * both),
-        ],
+        _ => {
+            [-after / (before * both), (after - before) / (before * after), before / (after * both)]
+        }
     };
     (centre, by)
 }

@@ -107,7 +107,8 @@ impl ContactMap {
     }
 
     fn head_column(&self) -> Column {
-        let Head { radius, half_distance, rail_origins, poisson, friction, yaw, roll, .. } = self.head;
+        let Head { radius, half_distance, rail_origins, poisson, friction, yaw, roll, .. } =
+            self.head;
         let values = [radius, half_distance, poisson, yaw, roll].into_iter();
         let values = values.chain(rail_origins.into_iter().flatten()).chain(friction).collect();
         Column { name: "head".into(), dims: vec!["head_number".into()], values }
@@ -124,8 +125,18 @@ impl ContactMap {
         let State { y, yaw, speed, lateral_velocity, vertical_velocity, .. } = own;
         let State { roll_rate, yaw_rate, friction, .. } = own;
         let values = vec![
-            y, z, roll, yaw, load, speed, rate, lateral_velocity, vertical_velocity, roll_rate,
-            yaw_rate, friction,
+            y,
+            z,
+            roll,
+            yaw,
+            load,
+            speed,
+            rate,
+            lateral_velocity,
+            vertical_velocity,
+            roll_rate,
+            yaw_rate,
+            friction,
         ];
         Column { name: "own".into(), dims: vec!["own_number".into()], values }
     }
@@ -256,8 +267,18 @@ fn patch(all: &[f64; PATCH]) -> Patch {
 
 fn own(all: &[f64]) -> Result<State, MapError> {
     let &[
-        y, z, roll, yaw, load, speed, rate, lateral_velocity, vertical_velocity, roll_rate,
-        yaw_rate, friction,
+        y,
+        z,
+        roll,
+        yaw,
+        load,
+        speed,
+        rate,
+        lateral_velocity,
+        vertical_velocity,
+        roll_rate,
+        yaw_rate,
+        friction,
     ] = all
     else {
         return Err(MapError::Missing("own"));
@@ -266,23 +287,34 @@ fn own(all: &[f64]) -> Result<State, MapError> {
     let pressed = given(z).map_or(Pressed::AxleLoad(load), Pressed::Height);
     let (roll, pitch_rate) = (given(roll), given(rate));
     Ok(State {
-        y, yaw, roll, pressed, speed, pitch_rate, lateral_velocity, vertical_velocity, roll_rate,
-        yaw_rate, friction,
+        y,
+        yaw,
+        roll,
+        pressed,
+        speed,
+        pitch_rate,
+        lateral_velocity,
+        vertical_velocity,
+        roll_rate,
+        yaw_rate,
+        friction,
     })
 }
 
 fn head(all: &[f64], own: State) -> Result<Head, MapError> {
     match *all {
-        [radius, half_distance, poisson, yaw, roll, y, z, other_y, other_z, low, high] => Ok(Head {
-            radius,
-            half_distance,
-            rail_origins: [[y, z], [other_y, other_z]],
-            poisson,
-            friction: [low, high],
-            yaw,
-            roll,
-            own,
-        }),
+        [radius, half_distance, poisson, yaw, roll, y, z, other_y, other_z, low, high] => {
+            Ok(Head {
+                radius,
+                half_distance,
+                rail_origins: [[y, z], [other_y, other_z]],
+                poisson,
+                friction: [low, high],
+                yaw,
+                roll,
+                own,
+            })
+        }
         _ => Err(MapError::Missing("head")),
     }
 }
@@ -313,11 +345,7 @@ fn count(value: f64) -> usize {
     value.clamp(0.0, 1e9) as usize
 }
 
-fn wheel(
-    file: &mut FileReader,
-    side: &str,
-    table: (&Table, f64),
-) -> Result<WheelMap, MapError> {
+fn wheel(file: &mut FileReader, side: &str, table: (&Table, f64)) -> Result<WheelMap, MapError> {
     let mut column = |name: &'static str| {
         let known = format!("{side}_{name}");
         numbers_of(file, &known).ok_or(MapError::Missing(name))

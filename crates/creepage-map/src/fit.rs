@@ -138,7 +138,11 @@ impl Problem<'_> {
     }
 
     /// Force and moment of an ellipse at a sample, and their derivatives by `ln k_x`, `ln k_p`, `s`.
-    fn of(&self, ellipse: &Ellipse, sample: &Sample) -> Result<([f64; 3], [[f64; 3]; 3]), MapError> {
+    fn of(
+        &self,
+        ellipse: &Ellipse,
+        sample: &Sample,
+    ) -> Result<([f64; 3], [[f64; 3]; 3]), MapError> {
         let Ellipse { ratio, by_creepage, by_spin, offset, .. } = *ellipse;
         let [ux, uy, spin] = sample.creepage;
         let xi = by_creepage * (ux - spin * offset);
@@ -153,10 +157,7 @@ impl Problem<'_> {
     }
 
     /// What is left of the tangential force at each sample, and its derivatives.
-    fn linearized(
-        &self,
-        numbers: &Numbers,
-    ) -> Result<(DVector<f64>, DMatrix<f64>), MapError> {
+    fn linearized(&self, numbers: &Numbers) -> Result<(DVector<f64>, DMatrix<f64>), MapError> {
         const STEP: f64 = 1e-4;
         let ellipses = self.ellipses(numbers);
         let rows = 2 * self.samples.len();
@@ -167,7 +168,8 @@ impl Problem<'_> {
                 let (force, slopes) = self.of(ellipse, sample)?;
                 // Along the ratio by a difference, towards the middle of its range.
                 let ratio = numbers[4 * e];
-                let step = if ratio > self.ratios[0].midpoint(self.ratios[1]) { -STEP } else { STEP };
+                let step =
+                    if ratio > self.ratios[0].midpoint(self.ratios[1]) { -STEP } else { STEP };
                 let beside = Ellipse { ratio: (ratio + step).exp(), ..*ellipse };
                 let (moved, _) = self.of(&beside, sample)?;
                 for i in 0..2 {

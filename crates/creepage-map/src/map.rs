@@ -4,12 +4,12 @@ use std::sync::Arc;
 
 use creepage::table::Table;
 
+use crate::Side;
 use crate::error::{MapError, Quantity};
 use crate::normal::Placed;
 use crate::patch::{Asked, Report, cross};
 use crate::scalar::{Dual, Scalar};
 use crate::wheel::{CellError, PLACES, WheelActs, WheelMap};
-use crate::Side;
 
 /// What a map knows of its wheelset.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -197,7 +197,8 @@ impl Answer {
     pub fn numbers(&self) -> [f64; 21] {
         let mut all = [0.0; 21];
         let wheels = [&self.left, &self.right];
-        let parts = wheels.into_iter().flat_map(|wheel| wheel.force.into_iter().chain(wheel.moment));
+        let parts =
+            wheels.into_iter().flat_map(|wheel| wheel.force.into_iter().chain(wheel.moment));
         let parts = parts.chain(self.wrench).chain([self.z, self.roll, self.pitch_rate]);
         all.iter_mut().zip(parts).for_each(|(to, from)| *to = from);
         all
@@ -327,10 +328,7 @@ impl ContactMap {
     ///
     /// # Errors
     /// As [`ContactMap::solve`], and [`MapError::NotDifferentiable`].
-    pub fn solve_with_derivatives(
-        &self,
-        state: &State,
-    ) -> Result<(Answer, Derivatives), MapError> {
+    pub fn solve_with_derivatives(&self, state: &State) -> Result<(Answer, Derivatives), MapError> {
         let found = self.found(state)?;
         let answer = self.answer(state, found)?;
         let [z, roll, pitch_rate] = found;
@@ -392,11 +390,7 @@ impl ContactMap {
         Ok(())
     }
 
-    fn answer(
-        &self,
-        state: &State,
-        [z, roll, pitch_rate]: [f64; 3],
-    ) -> Result<Answer, MapError> {
+    fn answer(&self, state: &State, [z, roll, pitch_rate]: [f64; 3]) -> Result<Answer, MapError> {
         let numbers = numbers::<f64>(state, [z, roll, pitch_rate]);
         let [left, right] = SIDES.map(|side| self.on_rail(side, &numbers));
         let wheels = [left?, right?];
@@ -422,7 +416,11 @@ impl ContactMap {
     }
 
     /// What one wheel does to its rail, in track axes; moments about the rail's origin.
-    fn on_rail<S: Scalar>(&self, side: Side, numbers: &Numbers<S>) -> Result<WheelActs<S>, MapError> {
+    fn on_rail<S: Scalar>(
+        &self,
+        side: Side,
+        numbers: &Numbers<S>,
+    ) -> Result<WheelActs<S>, MapError> {
         let wrong = |error| MapError::Wheel { side, error: Box::new(error) };
         let image = numbers.on(side);
         let placed = self.placed(side, &image).map_err(wrong)?;
@@ -623,7 +621,12 @@ impl Unknowns {
         kept
     }
 
-    fn residuals<S: Scalar>(&self, state: &State, wheels: &[WheelActs<S>; 2], mut add: impl FnMut(S)) {
+    fn residuals<S: Scalar>(
+        &self,
+        state: &State,
+        wheels: &[WheelActs<S>; 2],
+        mut add: impl FnMut(S),
+    ) {
         let [left, right] = wheels;
         let sum = left.force[2] + right.force[2];
         if let Pressed::AxleLoad(load) = state.pressed {
@@ -680,7 +683,8 @@ impl Unknowns {
                 ROLL => 1,
                 _ => 2,
             };
-            let over = self.open.iter().zip(step).map(|(k, step)| (step / longest[place(*k)]).abs());
+            let over =
+                self.open.iter().zip(step).map(|(k, step)| (step / longest[place(*k)]).abs());
             let shorten = over.fold(1.0, f64::max).recip();
             for (open, step) in self.open.iter().zip(step) {
                 at[place(*open)] += shorten * step;

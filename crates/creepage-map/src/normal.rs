@@ -82,7 +82,8 @@ impl Heights {
     /// Roll (rad) at which the nodes beside a lateral position (m) were pressed; at the ends that of the last.
     pub(crate) fn free_roll(&self, y: f64, radius: f64) -> f64 {
         let y_of = |node: &HeightNode| node.place + radius * node.roll;
-        let after = self.nodes.partition_point(|node| y_of(node) <= y).clamp(1, self.nodes.len() - 1);
+        let after =
+            self.nodes.partition_point(|node| y_of(node) <= y).clamp(1, self.nodes.len() - 1);
         let (low, high) = (&self.nodes[after - 1], &self.nodes[after]);
         let part = ((y - y_of(low)) / (y_of(high) - y_of(low))).clamp(0.0, 1.0);
         low.roll + part * (high.roll - low.roll)

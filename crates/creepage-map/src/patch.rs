@@ -171,11 +171,8 @@ impl Prepared {
         let shrink = growth.recip();
         for (ellipse, shape) in self.patch.ellipses.iter().zip(&self.shapes) {
             let scale = shrink * ellipse.by_creepage;
-            let creepage = [
-                (along - spin * ellipse.offset) * scale,
-                across * scale,
-                spin * ellipse.by_spin,
-            ];
+            let creepage =
+                [(along - spin * ellipse.offset) * scale, across * scale, spin * ellipse.by_spin];
             let [x, y, m] = S::creep_force(&table.slice(shape), creepage);
             let [by_m, by_x, by_y] = ellipse.moment;
             force = [force[0] + x * ellipse.weight, force[1] + y * ellipse.weight];
@@ -222,8 +219,7 @@ impl Prepared {
         let per_friction = asked.friction.recip();
         let reduced = creepage.map(|part| part * per_friction);
         let bound = asked.friction * share;
-        let [fx, fs, mz] =
-            self.friction(table, reduced, from.growth).map(|part| part * bound);
+        let [fx, fs, mz] = self.friction(table, reduced, from.growth).map(|part| part * bound);
         let [cx, cs] = patch.centroid;
         let force = [fx, fs * cos - share * sin, fs * sin + share * cos];
         let (mx, ms) = (share * cs, -share * cx);

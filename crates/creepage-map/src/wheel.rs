@@ -152,10 +152,7 @@ impl WheelMap {
     pub fn range(&self) -> [f64; 2] {
         let [low, high] = self.heights.range();
         let [first, last] = [self.places.first(), self.places.last()];
-        [
-            first.map_or(low, |first| first.max(low)),
-            last.map_or(high, |last| last.min(high)),
-        ]
+        [first.map_or(low, |first| first.max(low)), last.map_or(high, |last| last.min(high))]
     }
 
     fn record(&self, node: usize, load: usize) -> &[Prepared] {

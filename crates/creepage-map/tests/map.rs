@@ -95,12 +95,20 @@ fn friction_scales_creepage() {
     // At one place and load the two ellipses are asked with the ratio: compare a motion scaled by hand.
     let heights = map.wheel(Side::Right).heights().clone();
     let of = (map.table(), 0.28);
-    let wheel = WheelMap::new(heights, &[node(0.0), node(7e-4)], &LOADS, vec![CellError::default()], of)
-        .unwrap();
+    let wheel =
+        WheelMap::new(heights, &[node(0.0), node(7e-4)], &LOADS, vec![CellError::default()], of)
+            .unwrap();
     let flat = |times: f64| {
         let still = State {
-            y: 0.0, yaw: 0.0, roll: Some(0.0), pressed: Pressed::Height(0.0), speed: 1.0,
-            vertical_velocity: 0.0, roll_rate: 0.0, friction: 0.15 * times, ..state()
+            y: 0.0,
+            yaw: 0.0,
+            roll: Some(0.0),
+            pressed: Pressed::Height(0.0),
+            speed: 1.0,
+            vertical_velocity: 0.0,
+            roll_rate: 0.0,
+            friction: 0.15 * times,
+            ..state()
         };
         // Pure yaw rate and drift without the axle's turning: `u` is linear in both at constant slip speed.
         let state = State {
@@ -179,7 +187,12 @@ fn forces_and_derivatives_are_continuous() {
     let places: Vec<f64> = map.wheel(Side::Right).places().to_vec();
     for place in places.iter().filter(|place| place.abs() < 3e-3) {
         // The `y` at which the right wheel has this place: by halving.
-        let at = |y: f64| State { y, roll: Some(0.02 * y), pressed: Pressed::Height(30.0 * y * y), ..state() };
+        let at = |y: f64| State {
+            y,
+            roll: Some(0.02 * y),
+            pressed: Pressed::Height(30.0 * y * y),
+            ..state()
+        };
         let own = |y: f64| map.height_under(Side::Right, &at(y), 40e3).unwrap()[1] - place;
         let (mut low, mut high) = (place - 5e-4, place + 5e-4);
         for _ in 0..60 {
@@ -228,7 +241,11 @@ fn derivatives_are_those_of_differences() {
             for i in 0..3 {
                 let difference = (one.force[i] - other.force[i]) / (2.0 * h);
                 let scale = by[w].iter().map(|row| row[k].abs()).fold(1.0, f64::max);
-                assert!((difference - by[w][i][k]).abs() < 2e-3 * scale, "{k} {w} {i}: {difference} {}", by[w][i][k]);
+                assert!(
+                    (difference - by[w][i][k]).abs() < 2e-3 * scale,
+                    "{k} {w} {i}: {difference} {}",
+                    by[w][i][k]
+                );
             }
         }
     }

@@ -32,7 +32,8 @@ pub struct ContactMapData {
 }
 
 /// 21 numbers, those of both wheels, derivatives.
-type Solved<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>, Option<Bound<'py, PyArray1<f64>>>);
+type Solved<'py> =
+    (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>, Option<Bound<'py, PyArray1<f64>>>);
 
 #[pymethods]
 impl ContactMapData {
@@ -144,7 +145,12 @@ impl ContactMapData {
     }
 
     /// One state: 21 numbers as of a wheelset, numbers of both wheels, derivatives where they are asked for.
-    fn solve<'py>(&self, py: Python<'py>, row: [f64; 12], derivatives: bool) -> PyResult<Solved<'py>> {
+    fn solve<'py>(
+        &self,
+        py: Python<'py>,
+        row: [f64; 12],
+        derivatives: bool,
+    ) -> PyResult<Solved<'py>> {
         let state = self.map.head().own.with(&row);
         let wrong = |error: creepage_map::MapError| PyValueError::new_err(error.to_string());
         let (answer, by) = if derivatives {
@@ -168,17 +174,17 @@ impl ContactMapData {
         let solve = move || {
             let rows = rows.as_chunks::<12>().0;
             let mut out = vec![[f64::NAN; 25]; rows.len()];
-            let one = |(k, (row, out)): (usize, (&[f64; 12], &mut [f64; 25]))| {
-                match map.solve(&map.head().own.with(row)) {
-                    Ok(answer) => {
-                        let errors = [answer.left.error, answer.right.error];
-                        let errors = errors.iter().flat_map(|e| [e.tangential, e.normal]);
-                        let all = answer.numbers().into_iter().chain(errors);
-                        out.iter_mut().zip(all).for_each(|(to, from)| *to = from);
-                        None
-                    }
-                    Err(error) => Some((k, error.to_string())),
+            let one = |(k, (row, out)): (usize, (&[f64; 12], &mut [f64; 25]))| match map
+                .solve(&map.head().own.with(row))
+            {
+                Ok(answer) => {
+                    let errors = [answer.left.error, answer.right.error];
+                    let errors = errors.iter().flat_map(|e| [e.tangential, e.normal]);
+                    let all = answer.numbers().into_iter().chain(errors);
+                    out.iter_mut().zip(all).for_each(|(to, from)| *to = from);
+                    None
                 }
+                Err(error) => Some((k, error.to_string())),
             };
             let pairs = rows.par_iter().zip(out.par_iter_mut()).enumerate();
             let wrong: Vec<_> = pairs.with_min_len(64).filter_map(one).collect();

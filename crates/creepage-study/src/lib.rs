@@ -124,10 +124,10 @@ pub use text::hertz_text;
 pub use unreachable::Unreachable;
 pub use wheelset::{
     By, ConicityTable, DerivativesJson, ForceDerivative, ForceDerivativeJson, Load, MapBuildError,
-    MapPlan, MapProgress, MapResolution, MapStage, ProfileNote,
-    RailForceJson, Resultant, RigidSlip, SolvedContact, SolvedWheel, SolvedWheelset, Stance,
-    Travel, WheelJson, WheelPatchJson, WheelsetCase, WheelsetDerivatives, WheelsetError,
-    WheelsetFile, WheelsetReportJson, WheelsetSolver, WheelsetTable, build_map, conicity, profile_pictures,
+    MapPlan, MapProgress, MapResolution, MapStage, ProfileNote, RailForceJson, Resultant,
+    RigidSlip, SolvedContact, SolvedWheel, SolvedWheelset, Stance, Travel, WheelJson,
+    WheelPatchJson, WheelsetCase, WheelsetDerivatives, WheelsetError, WheelsetFile,
+    WheelsetReportJson, WheelsetSolver, WheelsetTable, build_map, conicity, profile_pictures,
     radius_difference_csv, wheelset_json_schema,
 };
 pub use whole_file::WholeFile;

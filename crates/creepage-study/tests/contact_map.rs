@@ -1,5 +1,11 @@
 //! Contact maps against the full theory: a small one, and with `--ignored` a whole one on a thousand states.
-#![allow(missing_docs, clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::print_stderr)]
+#![allow(
+    missing_docs,
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    clippy::print_stderr
+)]
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -179,11 +185,14 @@ fn a_small_map_has_the_forces_of_the_full_theory() {
         let reference = apart(patch.reference, right.contacts()[0].reference);
         let errors = [apart(one, other) / state.friction, (load / own - 1.0).abs(), reference];
         worst = [0, 1, 2].map(|k: usize| worst[k].max(errors[k]));
-        // Kinematics: creepage and spin of the full solver at its own reference point.
+        // Kinematics: creepage and spin of the full solver at its own reference point, as far as two nodes with
+        // .2 mm between them know its angle.
         let creepage = right.contacts()[0].creepage;
-        assert!((patch.creepage[2] - creepage.spin).abs() < 2e-3, "{patch:?} {creepage:?}");
+        assert!((patch.creepage[2] - creepage.spin).abs() < 4e-3, "{patch:?} {creepage:?}");
+        assert!((patch.creepage[0] - creepage.longitudinal).abs() < 5e-5, "{patch:?} {creepage:?}");
         count += 1;
     }
+    eprintln!("worst of {count}: {worst:?}; own {:?}", map.accuracy());
     assert!(worst[0] < 0.06 && worst[1] < 5e-3 && worst[2] < 5e-4, "{worst:?}");
     assert!(map.accuracy().tangential[0].worst < 0.06);
 }
@@ -204,7 +213,8 @@ fn a_build_goes_on_where_it_was() {
     let size = std::fs::metadata(&journal).unwrap().len();
     assert!(size > 1000);
     let resumed = run(&|_| true).unwrap();
-    let anew = build_map(&case, &plan, Arc::clone(&table), WHEELSET.into(), None, &|_| true).unwrap();
+    let anew =
+        build_map(&case, &plan, Arc::clone(&table), WHEELSET.into(), None, &|_| true).unwrap();
     assert_eq!(resumed.to_bytes().unwrap(), anew.to_bytes().unwrap());
     let full = std::fs::metadata(&journal).unwrap().len();
     run(&|_| true).unwrap();
@@ -258,7 +268,12 @@ fn a_whole_map_on_a_thousand_states() {
         map
     };
     let wheel = map.wheel(Side::Right);
-    eprintln!("range {:?}, {} nodes, own {:#?}", wheel.range(), wheel.places().len(), map.accuracy());
+    eprintln!(
+        "range {:?}, {} nodes, own {:#?}",
+        wheel.range(),
+        wheel.places().len(),
+        map.accuracy()
+    );
     let count = std::env::var("CREEPAGE_STATES").ok().and_then(|n| n.parse().ok()).unwrap_or(1000);
     let theories = ["exact", "fastsim", "fastrip"];
     let mut random = Random(1000);
@@ -273,10 +288,13 @@ fn a_whole_map_on_a_thousand_states() {
         let [Some(exact), fastsim, fastrip] = &wheels else { continue };
         let ((own, load), (right, carried)) = (friction_of(&found), friction(exact));
         let of = |wheel: &Option<SolvedWheel>| {
-            wheel.as_ref().map_or(f64::NAN, |wheel| apart(friction(wheel).0, right) / state.friction)
+            wheel
+                .as_ref()
+                .map_or(f64::NAN, |wheel| apart(friction(wheel).0, right) / state.friction)
         };
         let [_, place] = map.height_under(Side::Right, &state, load).unwrap();
-        let cell = wheel.places().partition_point(|p| *p <= place).clamp(1, wheel.places().len() - 1);
+        let cell =
+            wheel.places().partition_point(|p| *p <= place).clamp(1, wheel.places().len() - 1);
         let is_narrow = wheel.places()[cell] - wheel.places()[cell - 1] <= 1.2e-4;
         let whole = apart(found.force, exact.on_rail().force) / (state.friction * carried);
         let errors = [
@@ -287,7 +305,12 @@ fn a_whole_map_on_a_thousand_states() {
             of(fastrip),
         ];
         if errors[0] > 0.05 {
-            eprintln!("y {:.4} mm yaw {:.4} load {load:.0} mu {:.2}: {errors:.4?}", 1e3 * y, yaw, state.friction);
+            eprintln!(
+                "y {:.4} mm yaw {:.4} load {load:.0} mu {:.2}: {errors:.4?}",
+                1e3 * y,
+                yaw,
+                state.friction
+            );
         }
         all.push((is_narrow, errors));
     }
@@ -302,7 +325,10 @@ fn a_whole_map_on_a_thousand_states() {
             eprintln!(
                 "{} {name:10} {:5} rms {rms:.3} median {:.3?} 95 % {:.3?} worst {:.3?}",
                 if narrow { "join" } else { "away" },
-                errors.len(), at(0.5), at(0.95), at(1.0)
+                errors.len(),
+                at(0.5),
+                at(0.95),
+                at(1.0)
             );
         }
     }

@@ -36,22 +36,42 @@ fn place() -> Place {
 #[test]
 fn a_small_map_is_built_and_says_its_error() {
     let place = place();
-    let table = ["table", "build", "--a-over-b", "0.15,30", "--shapes", "7", "--intervals", "8,8,16"];
+    let table =
+        ["table", "build", "--a-over-b", "0.15,30", "--shapes", "7", "--intervals", "8,8,16"];
     let more = ["--resolution", "fast", "--places", "10", "--out", "ellipses.nc"];
     place.run(&[&table[..], &more].concat()).done();
     let arguments = [
-        "map", "wheelset.toml", "--out", "map.nc", "--y", "0.0008", "--ellipses", "ellipses.nc",
-        "--loads", "20e3,50e3,100e3", "--resolution", "fast", "--tolerance", "0.05", "--states", "1",
+        "map",
+        "wheelset.toml",
+        "--out",
+        "map.nc",
+        "--y",
+        "0.0008",
+        "--ellipses",
+        "ellipses.nc",
+        "--loads",
+        "20e3,50e3,100e3",
+        "--resolution",
+        "fast",
+        "--tolerance",
+        "0.05",
+        "--states",
+        "1",
     ];
     let text = place.run(&arguments).done();
-    assert!(text.contains("right wheel: places") && text.contains("tangential force, of mu N"), "{text}");
+    assert!(
+        text.contains("right wheel: places") && text.contains("tangential force, of mu N"),
+        "{text}"
+    );
     assert!(place.path("map.nc").exists() && !place.path("map.nc.journal").exists());
 }
 
 #[test]
 fn wrong_plans_are_refused_and_nothing_is_written() {
     let place = place();
-    let map = |more: &[&str]| place.run(&[&["map", "wheelset.toml", "--out", "map.nc"][..], more].concat());
+    let map = |more: &[&str]| {
+        place.run(&[&["map", "wheelset.toml", "--out", "map.nc"][..], more].concat())
+    };
     map(&["--ellipses", "none.nc"]).refused(&["cannot read none.nc"]);
     place.write("none.nc", "no table");
     map(&["--ellipses", "none.nc"]).refused(&["none.nc", "no table of creep force"]);

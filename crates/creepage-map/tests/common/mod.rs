@@ -6,8 +6,8 @@ use creepage::approximate::polach::Polach;
 use creepage::table::{Axis, Intervals, Provenance, Spec, Table, build};
 use creepage::{Contact, InvalidValue, Theory};
 use creepage_map::{
-    CellError, ContactMap, Ellipse, HEIGHTS, Head, HeightNode, Heights, MapAccuracy, Patch, Pressed,
-    RollingNode, Sloped, State, WheelMap,
+    CellError, ContactMap, Ellipse, HEIGHTS, Head, HeightNode, Heights, MapAccuracy, Patch,
+    Pressed, RollingNode, Sloped, State, WheelMap,
 };
 
 pub const RADIUS: f64 = 0.46;
@@ -76,7 +76,11 @@ pub fn map() -> ContactMap {
     let places = |count: i32, step: f64| (-count..=count).map(move |k| f64::from(k) * step);
     let heights = Heights::new(places(60, 1e-4).map(height).collect(), height_loads).unwrap();
     let nodes: Vec<RollingNode> = places(8, 7e-4).map(node).collect();
-    let errors = (1..nodes.len()).map(|k| CellError { states: 2, tangential: 1e-3 * k as f64, normal: 1e-3 });
+    let errors = (1..nodes.len()).map(|k| CellError {
+        states: 2,
+        tangential: 1e-3 * k as f64,
+        normal: 1e-3,
+    });
     let wheel = WheelMap::new(heights, &nodes, &LOADS, errors.collect(), (&table, 0.28)).unwrap();
     let head = Head {
         radius: RADIUS,
@@ -89,7 +93,13 @@ pub fn map() -> ContactMap {
         own: state(),
     };
     let wheel = Arc::new(wheel);
-    ContactMap::new(head, table, [Arc::clone(&wheel), wheel], MapAccuracy::default(), "x = 1".into())
+    ContactMap::new(
+        head,
+        table,
+        [Arc::clone(&wheel), wheel],
+        MapAccuracy::default(),
+        "x = 1".into(),
+    )
 }
 
 pub fn state() -> State {

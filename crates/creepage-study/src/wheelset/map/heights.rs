@@ -4,8 +4,8 @@ use creepage::normal::Resolution;
 use creepage_map::{HEIGHTS, HeightNode, interpolated};
 use creepage_rail::{Position, Side};
 
-use super::image::Image;
 use super::super::solver::{Stood, WheelsetSolver};
+use super::image::Image;
 use crate::WheelsetError;
 
 /// Steps aside (m) and of roll (rad) by which it is found how roll moves a wheel.
@@ -65,6 +65,9 @@ pub(super) fn node(
         if level.load > levels[levels.len() - 1].load {
             levels.push(level);
         }
+    }
+    if levels.last().is_none_or(|level| level.load < most) {
+        return Err(WheelsetError::LoadNotFound { load: most });
     }
     let power = |load: f64| (load * load).cbrt();
     let powers: Vec<f64> = levels.iter().map(|level| power(level.load)).collect();

@@ -2,9 +2,7 @@
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use creepage_map::{
-    CellError, ContactMap, MapAccuracy, Pressed, Spread, State, WheelAnswer,
-};
+use creepage_map::{CellError, ContactMap, MapAccuracy, Pressed, Spread, State, WheelAnswer};
 use creepage_rail::Side;
 use rayon::prelude::*;
 
@@ -87,7 +85,8 @@ impl Builder<'_> {
             yaw_rate: 20.0 * TURN * random.both(),
             friction: FRICTION[0] + (FRICTION[1] - FRICTION[0]) * random.next(),
         };
-        let own = if side == Side::Right { creepage_map::Side::Right } else { creepage_map::Side::Left };
+        let own =
+            if side == Side::Right { creepage_map::Side::Right } else { creepage_map::Side::Left };
         let Ok([z, _]) = map.height_under(own, &state, load) else { return Ok(None) };
         let mut state = State { pressed: Pressed::Height(z), ..state };
         let creepages = [CREEPAGE * random.both(), CREEPAGE * random.both()];
@@ -127,7 +126,8 @@ impl Builder<'_> {
             roll_rate: 0.0,
             yaw_rate: state.yaw_rate,
         };
-        let solved = solver.solve(&stance, &travel)?;
+        // A state that the full theory does not solve tells nothing of the map.
+        let Ok(solved) = solver.solve(&stance, &travel) else { return Ok(None) };
         Ok(if side == Side::Right { solved.right } else { solved.left })
     }
 }

@@ -132,9 +132,19 @@ impl MapPlan {
             ("tolerance", self.tolerance, positive(self.tolerance), "positive and finite"),
             ("width", wide, positive(wide) && wide <= 2e-3, "above 0 m, at most 0.002 m"),
             ("width", narrow, narrow >= 5e-6 && narrow <= wide, "5e-6 m to the widest"),
-            ("spacing", self.spacing, self.spacing >= 5e-6 && self.spacing <= 1e-3, "5e-6 to 1e-3 m"),
+            (
+                "spacing",
+                self.spacing,
+                self.spacing >= 5e-6 && self.spacing <= 1e-3,
+                "5e-6 to 1e-3 m",
+            ),
             ("friction", self.friction[0], self.friction[0] >= 0.01, "0.01 and above"),
-            ("friction", self.friction[1], self.friction[1] <= 2.0 && rises(&self.friction), "at most 2"),
+            (
+                "friction",
+                self.friction[1],
+                self.friction[1] <= 2.0 && rises(&self.friction),
+                "at most 2",
+            ),
         ];
         if let Some((quantity, value, _, valid)) = checks.into_iter().find(|check| !check.2) {
             return Err(MapBuildError::Plan { quantity, value, valid });
@@ -392,15 +402,16 @@ impl<'a> Builder<'a> {
         };
         let none = |wheel: &Wheel| vec![CellError::default(); wheel.nodes.len() - 1];
         let right = right.ok_or(MapBuildError::Short { places: 0 })?;
-        let assembled = |errors: [Option<Vec<CellError>>; 2]| -> Result<[Arc<WheelMap>; 2], MapError> {
-            let [of_left, of_right] = errors;
-            let right_map = wheel(&right, of_right.unwrap_or_else(|| none(&right)))?;
-            let left_map = match &left {
-                Some(left) => wheel(left, of_left.unwrap_or_else(|| none(left)))?,
-                None => Arc::clone(&right_map),
+        let assembled =
+            |errors: [Option<Vec<CellError>>; 2]| -> Result<[Arc<WheelMap>; 2], MapError> {
+                let [of_left, of_right] = errors;
+                let right_map = wheel(&right, of_right.unwrap_or_else(|| none(&right)))?;
+                let left_map = match &left {
+                    Some(left) => wheel(left, of_left.unwrap_or_else(|| none(left)))?,
+                    None => Arc::clone(&right_map),
+                };
+                Ok([left_map, right_map])
             };
-            Ok([left_map, right_map])
-        };
         let map = ContactMap::new(
             self.head,
             Arc::clone(&table),

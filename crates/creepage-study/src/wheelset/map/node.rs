@@ -9,9 +9,9 @@ use creepage::{SiCreepage, SiForce};
 use creepage_map::{Contour, Patch, Sample, Sloped, fit};
 use creepage_rail::{Contact, Position};
 
+use super::super::solver::{Stood, WheelsetSolver};
 use super::MapBuildError;
 use super::image::Image;
-use super::super::solver::{Stood, WheelsetSolver};
 use crate::case::CaseError;
 
 /// Coefficients of friction at which the spin of pure rolling is sampled.
@@ -97,7 +97,8 @@ impl Place<'_> {
         let sense = self.image.sense();
         // Friction of one: force over `mu N` depends on creepage over `mu` alone.
         let theory = NonHertzian::new(normal, 1.0, self.rolling);
-        let theory = theory.map_err(CaseError::invalid("contact")).map_err(MapBuildError::from_case)?;
+        let theory =
+            theory.map_err(CaseError::invalid("contact")).map_err(MapBuildError::from_case)?;
         let scaling = theory.scaling();
         let [[back, front], across] = extent(normal);
         let contour = Contour {
@@ -125,10 +126,15 @@ impl Place<'_> {
 
     /// Answers of the full theory: at each of some spins of pure rolling over friction, spin alone and
     /// creepage in some directions; and near zero.
-    fn samples(&self, contact: &Contact<'_>, theory: &NonHertzian) -> Result<Vec<Sample>, MapBuildError> {
+    fn samples(
+        &self,
+        contact: &Contact<'_>,
+        theory: &NonHertzian,
+    ) -> Result<Vec<Sample>, MapBuildError> {
         let scaling = theory.scaling();
         let slight = SLIGHT * scaling.slip;
-        let ask = |[longitudinal, lateral, spin]: [f64; 3]| SiCreepage { longitudinal, lateral, spin };
+        let ask =
+            |[longitudinal, lateral, spin]: [f64; 3]| SiCreepage { longitudinal, lateral, spin };
         let mut all = Vec::new();
         let mut solved: Option<NonHertzianSolved<'_>> = None;
         let mut sample = |at: [f64; 3]| -> Result<(), MapBuildError> {
@@ -176,10 +182,7 @@ impl Place<'_> {
 
 /// A sample of the right-hand image.
 fn mirrored(sense: f64, [along, across, spin]: [f64; 3], [fx, fs, mz]: [f64; 3]) -> Sample {
-    Sample {
-        creepage: [along, sense * across, sense * spin],
-        force: [fx, sense * fs, sense * mz],
-    }
+    Sample { creepage: [along, sense * across, sense * spin], force: [fx, sense * fs, sense * mz] }
 }
 
 /// Vertical part of the normal forces (N).

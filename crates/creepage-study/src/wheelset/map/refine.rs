@@ -106,7 +106,8 @@ impl Builder<'_> {
     ) -> Result<Rolled, MapBuildError> {
         let place = self.place(side, y)?;
         let along = y - self.head.radius * place.roll;
-        let z = self.plan.loads.iter().map(|load| height(heights, along, *load)).collect::<Vec<_>>();
+        let z =
+            self.plan.loads.iter().map(|load| height(heights, along, *load)).collect::<Vec<_>>();
         let loads = self.journal.node((side, key), || {
             let each = self.plan.loads.par_iter().zip(&z);
             let of = (self.table, self.head.poisson);
@@ -136,8 +137,7 @@ impl Builder<'_> {
             for state in motions(middle, *z, self.head.radius) {
                 let of = (&self.head, self.table);
                 let at = [middle.node.place, *load];
-                let [found, right] =
-                    [&without, &with].map(|map| map.forces_under(of, &state, at));
+                let [found, right] = [&without, &with].map(|map| map.forces_under(of, &state, at));
                 let (found, right) = (friction(&found?), friction(&right?));
                 let miss = (0..3).map(|k| (found[k] - right[k]).powi(2)).sum::<f64>().sqrt();
                 worst = worst.max(miss / state.friction);
@@ -223,7 +223,9 @@ pub(super) fn slopes(nodes: &mut [RollingNode], loads: &[f64]) {
                 let heavier =
                     [l.checked_sub(1), above].map(|k| k.and_then(|k| Some((logs[k], of(n, k)?))));
                 let own = *patch;
-                along(patch, &own, (known[n].place, places), FASTEST, |s, slope| s.by_place = slope);
+                along(patch, &own, (known[n].place, places), FASTEST, |s, slope| {
+                    s.by_place = slope
+                });
                 // Along the load a reference point moves by the width of an area, some millimetres.
                 along(patch, &own, (logs[l], heavier), 2e-3, |s, slope| s.by_load = slope);
             }
