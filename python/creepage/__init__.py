@@ -65,6 +65,7 @@ from ._results import (
     Status,
 )
 from ._gap import Gap, GapCase, GapSolution
+from ._map import CellError, ContactMap, ErrorSpread, MapErrors, MapMany, MapResult
 from ._rolling import Rolling, RollingStep, roll
 from ._solution import SiCreepage, SiForce, Solution
 from ._statics import StaticsSolution, statics
@@ -94,11 +95,14 @@ __all__ = [
     "Case",
     "CaseError",
     "CaseForce",
+    "CellError",
+    "ContactMap",
     "CreepageCoefficients",
     "CreepageError",
     "Curve",
     "DifferentiableTheory",
     "ElementField",
+    "ErrorSpread",
     "Exact",
     "ExactForce",
     "ExactForceArray",
@@ -116,6 +120,9 @@ __all__ = [
     "InvalidValue",
     "LineContact",
     "Linear",
+    "MapErrors",
+    "MapMany",
+    "MapResult",
     "NotReachable",
     "Patch",
     "Polach",

@@ -18,6 +18,7 @@ from . import _creepage
 from ._contact import floats
 from ._report import FromFile, Reported
 from ._results import Floats
+from ._map import ContactMap
 from ._toml import dumps
 from ._wheelset_solver import WheelsetSolver
 
@@ -150,6 +151,13 @@ class Wheelset(FromFile):
             return WheelsetSolver(self._data)
         lines = [f"{name} = {json.dumps(value)}" for name, value in options.items()]
         return WheelsetSolver(self._data.by_theory(theory, lines))
+
+    def map(self, **plan: Any) -> ContactMap:
+        """The contact map of the wheelset, built on all cores: `ContactMap.build` with this plan."""
+        return ContactMap.build(self, **plan)
+
+    def _poisson(self) -> float:
+        return self._data.poisson()
 
     def table(self, y: ArrayLike, yaw: ArrayLike = 0.0) -> dict[str, Floats]:
         """Forces over lateral positions (m) and yaws (rad), solved on all cores.

@@ -6,6 +6,7 @@ use clap::{Parser, Subcommand};
 
 use crate::about::{CompletionsArgs, InitArgs, ManArgs, SchemaArgs};
 use crate::batch_args::BatchArgs;
+use crate::map::MapArgs;
 use crate::rail_args::{ConicityArgs, ProfileArgs, WheelsetArgs};
 use crate::reproduce::ReproduceArgs;
 use crate::table::TableArgs;
@@ -138,6 +139,13 @@ pub(crate) enum Command {
     /// wheelset's position, its load or height, and its motion. The report goes to standard output;
     /// with --out, also report.json and pictures into a directory.
     Wheelset(WheelsetArgs),
+    /// Build the contact map of a wheelset: forces of the full theory by look-up, in microseconds.
+    ///
+    /// The wheelset file is as for `wheelset`. Both wheels are pressed and rolled by the full theory at places
+    /// from side to side, closer together where areas of contact join; the map's error is measured at states
+    /// drawn afresh and kept in it. What is built is kept in FILE.nc.journal until FILE.nc is whole: a run that
+    /// was interrupted goes on where it was. Minutes on two cores.
+    Map(MapArgs),
     /// Equivalent conicity of a wheelset on its track by EN 15302, over the amplitude.
     ///
     /// The wheelset file needs [wheel], [rail], [track], and `back_to_back` of [wheelset]; profiles

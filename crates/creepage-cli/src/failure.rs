@@ -10,8 +10,8 @@ use creepage_1967::GalleryError;
 use creepage_rail::Standard;
 use creepage_rail::file::FileError as ProfileFileError;
 use creepage_study::{
-    CaseError, GapCaseError, HistoryError, PointsError, ReferenceError, ReportError, SolveError,
-    SpecError, StaticsError, StressError, WheelsetError,
+    CaseError, GapCaseError, HistoryError, MapBuildError, PointsError, ReferenceError, ReportError,
+    SolveError, SpecError, StaticsError, StressError, WheelsetError,
 };
 
 use crate::batch::columns::ColumnError;
@@ -31,6 +31,8 @@ pub(crate) enum Failure {
     Statics { path: PathBuf, source: StaticsError },
     #[error("{}: {source}", path.display())]
     Wheelset { path: PathBuf, source: Box<WheelsetError> },
+    #[error("{}: {source}", path.display())]
+    Map { path: PathBuf, source: Box<MapBuildError> },
     #[error("{}: {source}", path.display())]
     History { path: PathBuf, source: Box<HistoryError> },
     #[error("{}: {source}{}", path.display(), how_to_say(source))]

@@ -14,6 +14,7 @@ mod curve;
 mod failure;
 mod init;
 mod input;
+mod map;
 mod outcome;
 mod output;
 mod profile;
@@ -67,6 +68,7 @@ fn run(command: &Command) -> Result<Outcome, Failure> {
         Command::Batch(args) => return batch::run(args),
         Command::Sweep(args) => return sweep::run(args),
         Command::Wheelset(args) => return wheelset::run(args),
+        Command::Map(args) => return map::run(args),
         Command::Roll(args) => return roll::run(args),
         Command::Conicity(args) => return conicity::run(args),
         Command::Profile(args) => return profile::run(args),

@@ -169,6 +169,11 @@
 typedef struct CreepageCase CreepageCase;
 
 /*
+ A contact map, as `creepage map` makes it.
+ */
+typedef struct CreepageMap CreepageMap;
+
+/*
  A contact and what it remembers.
  */
 typedef struct CreepageRolling CreepageRolling;
@@ -377,6 +382,58 @@ int32_t creepage_case_field(const struct CreepageCase *made,
                             int32_t *regions,
                             char *message,
                             size_t message_size);
+
+/*
+ Reads a contact map.
+
+ path: the file.
+ map: becomes the handle, to be freed with creepage_map_free; NULL if the call fails.
+
+ You promise:
+ path ends with a zero byte; map and message point to as much room as said.
+ */
+int32_t creepage_map_load(const char *path,
+                          struct CreepageMap **map,
+                          char *message,
+                          size_t message_size);
+
+/*
+ Frees a map. NULL is left alone.
+
+ You promise:
+ map is NULL, or of creepage_map_load, and not used again.
+ */
+void creepage_map_free(struct CreepageMap *map);
+
+/*
+ Forces on the rails, looked up: some microseconds each, the same bits whatever was asked before, by any
+ number of threads. What lies outside the map is an error (CREEPAGE_INVALID) whose words name the state and the bound;
+ answers of the states before it are written.
+
+ count: number of states.
+ states: 12 count numbers, of each state y (m), z (m, down), roll (rad), yaw (rad), axle load (N), speed
+   (m/s), pitch rate (rad/s), lateral and vertical velocity (m/s), roll rate, yaw rate (rad/s),
+   friction; NaN is the wheelset's own, of z and axle load one presses it.
+ answers: room for 21 count numbers, of each state in track axes, x forward, y right, z down: force (N) and
+   moment about the origin of the rail's profile (N m) on the left rail, then on the right; force and moment
+   of the rails on the wheelset about its centre; z (m), roll (rad), pitch rate (rad/s).
+ errors: room for 4 count numbers, the map's largest measured error at the left wheel, of the tangential
+   force in parts of mu N and of the normal force in parts of N, then at the right wheel; or NULL.
+ derivatives: room for 96 count numbers, of each state those of the first force on the left rail by y, z,
+   roll, yaw, speed, pitch rate, lateral velocity, yaw rate, then of the second force; NaN by what is found;
+   or NULL.
+
+ You promise:
+ The handle is alive; arrays and message point to as much room as said.
+ */
+int32_t creepage_map_solve(const struct CreepageMap *map,
+                           size_t count,
+                           const double *states,
+                           double *answers,
+                           double *errors,
+                           double *derivatives,
+                           char *message,
+                           size_t message_size);
 
 /*
  Prepares a contact that rolls, in the state that its case file names.

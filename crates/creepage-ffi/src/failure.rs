@@ -9,6 +9,7 @@ use creepage::table::{BuildError, FileError};
 use creepage::theory::{TheoryError, UnknownTheory};
 use creepage::unsteady::SavedError;
 use creepage::{HertzError, InvalidValue};
+use creepage_map::MapError;
 use creepage_study::{
     CaseError, GapCaseError, HistoryError, RowError, SolveError, SpecError, Varied, WheelsetError,
 };
@@ -59,6 +60,10 @@ pub(crate) enum Failure {
     Solve { path: PathBuf, source: SolveError },
     #[error("{}: {source}", path.display())]
     Table { path: PathBuf, source: FileError },
+    #[error("{}: {source}", path.display())]
+    Map { path: PathBuf, source: MapError },
+    #[error("state {index}: {source}")]
+    State { index: usize, source: MapError },
     #[error("the arrays of {0} cases do not fit into memory")]
     Count(usize),
     #[error("the theory {0} has no error bars")]
@@ -103,9 +108,11 @@ impl Failure {
                 | TheoryError::PrescribedOneWay
                 | TheoryError::CoupledWithoutFriction,
             ) => CREEPAGE_TEXT,
-            Self::Read { .. } | Self::Write { .. } | Self::CaseFile { .. } | Self::Table { .. } => {
-                CREEPAGE_FILE
-            }
+            Self::Read { .. }
+            | Self::Write { .. }
+            | Self::CaseFile { .. }
+            | Self::Table { .. }
+            | Self::Map { .. } => CREEPAGE_FILE,
             Self::Count(_) => CREEPAGE_COUNT,
             Self::NoErrorBars(_)
             | Self::NoDerivative(_)
@@ -120,6 +127,7 @@ impl Failure {
             | Self::Saved(_)
             | Self::Invalid(_)
             | Self::Case { .. }
+            | Self::State { .. }
             | Self::Hertz(_)
             | Self::Bulk(_)
             | Self::Build { .. }

@@ -10,6 +10,7 @@ mod failure;
 mod gap;
 mod hertz;
 mod input;
+mod map;
 mod rolling;
 mod status;
 mod table;
@@ -28,6 +29,7 @@ pub use gap::creepage_gap_force;
 pub use hertz::{
     CREEPAGE_ADHESION, CREEPAGE_OUTSIDE, CREEPAGE_SLIP, creepage_case_field, creepage_hertz,
 };
+pub use map::{CreepageMap, creepage_map_free, creepage_map_load, creepage_map_solve};
 pub use rolling::{
     CreepageRolling, creepage_rolling_free, creepage_rolling_new, creepage_rolling_restore,
     creepage_rolling_save, creepage_rolling_step,

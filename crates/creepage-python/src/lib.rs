@@ -11,6 +11,7 @@ mod errors;
 mod exact;
 mod gap;
 mod integrand;
+mod map;
 mod mesh;
 mod number;
 mod options;
@@ -41,6 +42,8 @@ mod _creepage {
     use crate::exact::Exact;
     #[pymodule_export]
     use crate::gap::{GapData, SolvedGapData, solve_gaps};
+    #[pymodule_export]
+    use crate::map::ContactMapData;
     #[pymodule_export]
     use crate::rolling::{RollingData, roll};
     #[pymodule_export]

@@ -28,7 +28,7 @@ const COST: f64 = 2e-7;
 #[pyclass(frozen, module = "creepage")]
 #[allow(missing_debug_implementations)] // Python has its own
 pub struct Table {
-    table: Arc<table::Table>,
+    pub(crate) table: Arc<table::Table>,
 }
 
 #[pymethods]

@@ -21,7 +21,9 @@ use crate::signals;
 #[pyclass(frozen, module = "creepage._creepage")]
 #[allow(missing_debug_implementations)] // Python has its own
 pub struct WheelsetData {
-    case: WheelsetCase,
+    pub(crate) case: WheelsetCase,
+    /// The text of its file.
+    pub(crate) text: String,
 }
 
 /// A wheelset, solved.
@@ -42,7 +44,12 @@ impl WheelsetData {
             file.case(&directory)
         };
         let case = detached(py, read)?.map_err(|error| errors::wheelset(py, error))?;
-        Ok(Self { case })
+        Ok(Self { case, text: text.to_owned() })
+    }
+
+    /// Combined Poisson's ratio; NaN where there are no materials.
+    fn poisson(&self) -> f64 {
+        self.case.solids.map_or(f64::NAN, |pair| pair.poisson())
     }
 
     /// What was found in the profile files and repaired.
@@ -74,7 +81,7 @@ impl WheelsetData {
         let theory = spec.map_err(|error| errors::case(py, error))?;
         let case = WheelsetCase { theory, ..self.case.clone() };
         case.solver().map_err(|error| errors::wheelset(py, error))?;
-        Ok(Self { case })
+        Ok(Self { case, text: self.text.clone() })
     }
 
     /// Solves in another position and motion, asked as `ASKED` has it; NaN is the wheelset's own. With

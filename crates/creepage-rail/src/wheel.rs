@@ -142,6 +142,12 @@ impl Wheelset {
         0.5 * (self.left.radius + self.right.radius)
     }
 
+    /// Whether the left wheel is the mirror image of the right one.
+    #[must_use]
+    pub fn is_mirrored(&self) -> bool {
+        self.left == self.right
+    }
+
     /// Distance between the tape circles (m).
     #[must_use]
     pub fn tape_distance(&self) -> f64 {

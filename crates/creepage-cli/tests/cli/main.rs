@@ -18,6 +18,7 @@ mod gap_batch;
 mod guide;
 mod history;
 mod inverse;
+mod map;
 mod place;
 mod profile;
 mod reproduce;

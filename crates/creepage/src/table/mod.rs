@@ -70,7 +70,7 @@ pub use build::build;
 pub use error::BuildError;
 pub use file::FileError;
 pub use in_memory::{Provenance, Table};
-pub use slice::Slice;
+pub use slice::{Shape, Slice};
 pub use spec::Spec;
 pub use theory::TableTheory;
 pub use values::Intervals;

@@ -19,6 +19,14 @@ pub struct Slice<'a> {
     materials: Window,
 }
 
+/// A ratio of semi-axes and a Poisson's ratio placed in a table: prepared once, asked many times.
+#[derive(Debug, Clone, Copy)]
+pub struct Shape {
+    coordinates: Coordinates,
+    shapes: Window,
+    materials: Window,
+}
+
 /// Of a component of the force: derived by neither angle, by `phi`, by `theta`, by both.
 type Lanes = [f64; 4];
 
@@ -32,6 +40,28 @@ impl Table {
         let shape = self.a_over_b.share_geometric("a_over_b", a_over_b, self.logarithms)?;
         let material = self.poisson.share_even("poisson", poisson)?;
         Ok(Slice::new(self, Coordinates::new(a_over_b), self.windows([shape, material])))
+    }
+}
+
+impl Table {
+    /// A ratio of semi-axes and a Poisson's ratio, prepared for [`Table::slice`].
+    ///
+    /// # Errors
+    /// [`InvalidValue`] when either is outside the table's range.
+    pub fn shape(&self, a_over_b: f64, poisson: f64) -> Result<Shape, InvalidValue> {
+        let Slice { coordinates, shapes, materials, .. } = self.at(a_over_b, poisson)?;
+        Ok(Shape { coordinates, shapes, materials })
+    }
+
+    /// The table at a place that [`Table::shape`] of this table prepared.
+    ///
+    /// # Panics
+    /// Where another table prepared the shape and is larger than this one, the slice panics when asked.
+    #[must_use]
+    #[inline]
+    pub fn slice(&self, shape: &Shape) -> Slice<'_> {
+        let Shape { coordinates, shapes, materials } = *shape;
+        Slice::new(self, coordinates, [shapes, materials])
     }
 }
 

@@ -16,6 +16,7 @@ mod settle;
 mod solution;
 mod standing;
 mod step;
+mod stood;
 
 use creepage::SolidPair;
 use creepage::normal;
@@ -28,6 +29,7 @@ use self::pressed::{Known, Press, PressedWheel};
 use self::rolled::{KnownFriction, Method, Rolled};
 use self::settle::{Sought, settle};
 use self::step::Place;
+pub(super) use self::stood::Stood;
 use super::case::{Load, Patches, RigidSlip, Stance, Travel, WheelsetCase};
 use super::derivatives::WheelsetDerivatives;
 use super::error::{WheelsetError, section};

@@ -1,0 +1,83 @@
+//! `creepage map`.
+
+use crate::place::Place;
+
+const WHEELSET: &str = "
+[wheel]
+profile = \"S1002\"
+radius = 0.46
+[rail]
+profile = \"UIC60\"
+cant = 0.024994793618920
+[track]
+gauge = 1.435
+gauge_height = 0.014
+[wheelset]
+back_to_back = 1.360
+y = 0.0
+roll = \"free\"
+axle_load = 100e3
+[motion]
+speed = 20.0
+[contact]
+friction = 0.3
+[materials]
+shear_modulus = 82e9
+poisson = 0.28
+";
+
+fn place() -> Place {
+    let place = Place::new();
+    place.write("wheelset.toml", WHEELSET);
+    place
+}
+
+/// About the middle of the track, coarse: built, and its error is told.
+#[test]
+fn a_small_map_is_built_and_says_its_error() {
+    let place = place();
+    let table =
+        ["table", "build", "--a-over-b", "0.15,30", "--shapes", "7", "--intervals", "8,8,16"];
+    let more = ["--resolution", "fast", "--places", "10", "--out", "ellipses.nc"];
+    place.run(&[&table[..], &more].concat()).done();
+    let arguments = [
+        "map",
+        "wheelset.toml",
+        "--out",
+        "map.nc",
+        "--y",
+        "0.0008",
+        "--ellipses",
+        "ellipses.nc",
+        "--loads",
+        "20e3,50e3,100e3",
+        "--resolution",
+        "fast",
+        "--tolerance",
+        "0.05",
+        "--states",
+        "1",
+    ];
+    let text = place.run(&arguments).done();
+    assert!(
+        text.contains("right wheel: places") && text.contains("tangential force, of mu N"),
+        "{text}"
+    );
+    assert!(place.path("map.nc").exists() && !place.path("map.nc.journal").exists());
+}
+
+#[test]
+fn wrong_plans_are_refused_and_nothing_is_written() {
+    let place = place();
+    let map = |more: &[&str]| {
+        place.run(&[&["map", "wheelset.toml", "--out", "map.nc"][..], more].concat())
+    };
+    map(&["--ellipses", "none.nc"]).refused(&["cannot read none.nc"]);
+    place.write("none.nc", "no table");
+    map(&["--ellipses", "none.nc"]).refused(&["none.nc", "no table of creep force"]);
+    place.run(&["map", "none.toml", "--out", "map.nc"]).refused(&["cannot read none.toml"]);
+    place.run(&["map", "wheelset.toml", "--out", "wheelset.toml"]).refused(&["written over"]);
+    place.write("height.toml", WHEELSET.replace("axle_load = 100e3", "z = 0.0"));
+    place.run(&["map", "height.toml", "--out", "map.nc"]).refused(&["needs one of axle_load"]);
+    assert!(!place.path("map.nc").exists() && !place.path("map.nc.journal").exists());
+}

@@ -1,0 +1,146 @@
+//! Interpolation over nodes with a continuous first derivative.
+
+use crate::scalar::Scalar;
+
+/// The cell of a grid in which a place lies; the last one begins before the last node.
+pub(crate) fn cell(grid: &[f64], at: f64) -> usize {
+    let last = grid.len().saturating_sub(2);
+    grid.partition_point(|node| *node <= at).saturating_sub(1).min(last)
+}
+
+/// Weights of two neighbours that blend from one to the other: not negative, so that a bound on both
+/// is one on the blend, and level at the nodes, so that first derivatives do not jump.
+pub(crate) fn smooth<S: Scalar>(part: S) -> [S; 2] {
+    let t = part.value();
+    if t <= 0.0 {
+        return [S::constant(1.0), S::constant(0.0)];
+    }
+    if t >= 1.0 {
+        return [S::constant(0.0), S::constant(1.0)];
+    }
+    let after = part.chain(t * t * (3.0 - 2.0 * t), 6.0 * t * (1.0 - t));
+    [-after + 1.0, after]
+}
+
+/// The first of up to four nodes, and their weights: the cubic through two neighbours whose slopes there
+/// are those of the parabolas through three nodes.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Cubic<S> {
+    pub(crate) first: usize,
+    pub(crate) weights: [S; 4],
+}
+
+impl<S: Scalar> Cubic<S> {
+    /// On a grid of at least three rising nodes.
+    pub(crate) fn at(grid: &[f64], place: S) -> Self {
+        let cell = cell(grid, place.value());
+        let first = cell.saturating_sub(1).min(grid.len().saturating_sub(4));
+        let nodes = &grid[first..grid.len().min(first + 4)];
+        let spread = |k: usize| nodes.get(k).copied().unwrap_or(f64::INFINITY);
+        let places = [0, 1, 2, 3].map(|k| S::constant(spread(k)));
+        let weights = cubic_weights(&places, nodes.len(), cell - first, place);
+        Self { first, weights }
+    }
+
+    /// The interpolated value.
+    pub(crate) fn of(&self, value: impl Fn(usize) -> f64) -> S {
+        let mut sum = S::constant(0.0);
+        for (k, weight) in self.weights.iter().enumerate() {
+            if k == 3 && weight.value() == 0.0 {
+                continue;
+            }
+            sum = sum + *weight * value(self.first + k);
+        }
+        sum
+    }
+}
+
+/// The value at a place between values at the nodes of a rising grid, as maps interpolate: the cubic through
+/// neighbours with the slopes of parabolas; NaN on fewer than three nodes.
+#[must_use]
+pub fn interpolated(grid: &[f64], values: &[f64], place: f64) -> f64 {
+    if grid.len() < 3 || values.len() != grid.len() {
+        return f64::NAN;
+    }
+    Cubic::at(grid, place).of(|k| values.get(k).copied().unwrap_or(f64::NAN))
+}
+
+/// The weights of up to four nodes, of which `count` exist, in the cell after node `cell`.
+pub(crate) fn cubic_weights<S: Scalar>(
+    nodes: &[S; 4],
+    count: usize,
+    cell: usize,
+    place: S,
+) -> [S; 4] {
+    let zero = S::constant(0.0);
+    let mut weights = [zero; 4];
+    let width = nodes[cell + 1] - nodes[cell];
+    let t = (place - nodes[cell]) / width;
+    let rest = -t + 1.0;
+    let end = t * t * (-t * 2.0 + 3.0);
+    weights[cell] = -end + 1.0;
+    weights[cell + 1] = end;
+    let slopes = [t * rest * rest * width, -t * t * rest * width];
+    for (side, slope) in slopes.into_iter().enumerate() {
+        let node = cell + side;
+        let (centre, by) = parabola(nodes, count, node);
+        for (k, by) in by.into_iter().enumerate() {
+            weights[centre - 1 + k] = weights[centre - 1 + k] + slope * by;
+        }
+    }
+    weights
+}
+
+/// The slope at a node of the parabola through three: the middle one of these, and their weights.
+fn parabola<S: Scalar>(nodes: &[S; 4], count: usize, node: usize) -> (usize, [S; 3]) {
+    let centre = node.clamp(1, count - 2);
+    let (before, after) = (nodes[centre] - nodes[centre - 1], nodes[centre + 1] - nodes[centre]);
+    let both = before + after;
+    let by = match node {
+        node if node < centre => [
+            -(before * 2.0 + after) / (before * both),
+            both / (before * after),
+            -before / (after * both),
+        ],
+        node if node > centre => [
+            after / (before * both),
+            -both / (before * after),
+            (after * 2.0 + before) / (after * both),
+        ],
+        _ => {
+            [-after / (before * both), (after - before) / (before * after), before / (after * both)]
+        }
+    };
+    (centre, by)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scalar::Dual;
+
+    /// Parabolas are met to rounding, and so are their slopes.
+    #[test]
+    fn parabolas_are_met() {
+        for grid in [vec![0.0, 0.3, 1.0], vec![0.0, 0.3, 1.0, 1.2, 2.0]] {
+            let value = |x: f64| 0.3 - x + 2.0 * x * x;
+            for at in [0.0, 0.1, 0.3, 0.7, 1.0] {
+                let found = Cubic::at(&grid, Dual::<1>::variable(at, 0)).of(|k| value(grid[k]));
+                assert!((found.v - value(at)).abs() < 1e-14, "{found:?}");
+                assert!((found.d[0] - (4.0 * at - 1.0)).abs() < 1e-13, "{found:?}");
+            }
+        }
+    }
+
+    /// Neither values nor slopes jump at a node.
+    #[test]
+    fn slopes_are_continuous() {
+        let grid = [0.0, 0.3, 1.0, 1.2, 2.0];
+        let values = [1.0, -2.0, 0.5, 3.0, 2.0];
+        for node in [0.3, 1.0, 1.2] {
+            let at = |x| Cubic::at(&grid, Dual::<1>::variable(x, 0)).of(|k| values[k]);
+            let (before, after) = (at(node - 1e-12), at(node + 1e-12));
+            assert!((before.v - after.v).abs() < 1e-9 && (before.d[0] - after.d[0]).abs() < 1e-9);
+        }
+    }
+}

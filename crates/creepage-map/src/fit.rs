@@ -1,0 +1,289 @@
+//! The two ellipses whose creep forces are those of a contact: nine numbers by least squares
+//! (Levenberg and Marquardt), then six of the moment, which are linear.
+
+use creepage::Creepage;
+use creepage::table::Table;
+use nalgebra::{DMatrix, DVector, SMatrix, SVector};
+
+use crate::error::MapError;
+use crate::patch::Ellipse;
+
+/// What a contact of the full theory answers.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Sample {
+    /// Creepage along and across, and spin (rad/m), over the coefficient of friction.
+    pub creepage: [f64; 3],
+    /// Force along and across over `mu N`, moment about the reference point over `mu N` (m).
+    pub force: [f64; 3],
+}
+
+/// From what a fit starts.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Contour {
+    /// Dimensionless creepage over creepage, and spin over spin (m), times the coefficient of friction: as of
+    /// the contact's own scaling.
+    pub scale: [f64; 2],
+    /// Length along (m).
+    pub length: f64,
+    /// From where to where it reaches across, from the reference point (m).
+    pub across: [f64; 2],
+}
+
+/// Two ellipses, and what is left.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Fit {
+    /// The ellipses.
+    pub ellipses: [Ellipse; 2],
+    /// Root mean square of what is left of the tangential force over the samples, in parts of `mu N`.
+    pub residual: f64,
+    /// The same of the moment, in parts of `mu N` and of the length that goes with the contact (m).
+    pub moment_residual: f64,
+}
+
+/// `ln r`, `ln k_x`, `ln k_p`, `s` over a length, of both ellipses; `logit w`.
+type Numbers = SVector<f64, 9>;
+/// Bounds of the ratio of axes, as parts of the table's.
+const MARGIN: f64 = 1.02;
+/// Largest `logit w`.
+const LOGIT: f64 = 4.0;
+
+struct Problem<'a> {
+    table: &'a Table,
+    poisson: f64,
+    samples: &'a [Sample],
+    /// Unit of `s` (m).
+    length: f64,
+    /// Logarithms.
+    ratios: [f64; 2],
+}
+
+/// Fits two ellipses to samples, from several starts; the best one.
+///
+/// # Errors
+/// [`MapError::Invalid`] where Poisson's ratio is not in the table, [`MapError::Senseless`] for fewer than 9
+/// samples or numbers that are not finite.
+pub fn fit(
+    table: &Table,
+    poisson: f64,
+    samples: &[Sample],
+    contour: &Contour,
+) -> Result<Fit, MapError> {
+    let axis = table.a_over_b();
+    let [low, high] = contour.across;
+    let finite = samples.iter().flat_map(|s| s.creepage.iter().chain(&s.force));
+    let is_good = samples.len() >= 9
+        && finite.copied().all(f64::is_finite)
+        && high > low
+        && contour.length > 0.0
+        && contour.scale.iter().all(|scale| *scale > 0.0 && scale.is_finite());
+    if !is_good {
+        return Err(MapError::Senseless("samples"));
+    }
+    let length = (contour.length * (high - low)).sqrt();
+    let ratios = [(axis.low * MARGIN).ln(), (axis.high / MARGIN).ln()];
+    let problem = Problem { table, poisson, samples, length, ratios };
+    let [kx, kp] = contour.scale.map(f64::ln);
+    let shape = (contour.length / (high - low)).ln();
+    let two = |s: [f64; 2], shape: f64| {
+        Numbers::from([shape, kx, kp, s[0] / length, shape, kx, kp, s[1] / length, 0.0])
+    };
+    // One ellipse, from three shapes; then two, from it and from lobes on either side.
+    let single = |shape: f64| problem.solve(two([0.0; 2], shape), 4);
+    let mut best: Option<(Numbers, f64)> = None;
+    let mut keep = |found: (Numbers, f64)| {
+        if best.as_ref().is_none_or(|best| found.1 < best.1) {
+            best = Some(found);
+        }
+        best
+    };
+    let mut one = None;
+    for more in [-0.7, 0.2, 0.9] {
+        one = keep(single(shape + more)?);
+    }
+    if let Some((one, _)) = one {
+        let mut start = one;
+        start[3] -= 3e-4 / length;
+        for k in 0..4 {
+            start[4 + k] = one[k];
+        }
+        start[7] += 3e-4 / length;
+        keep(problem.solve(start, 9)?);
+    }
+    for s in [[0.5 * low, 0.5 * high], [low / 3.0, 0.7 * high], [0.7 * low, high / 3.0]] {
+        keep(problem.solve(two(s, 1.6_f64.ln()), 9)?);
+    }
+    let (numbers, squares) = best.ok_or(MapError::Senseless("samples"))?;
+    problem.finish(&numbers, squares)
+}
+
+impl Problem<'_> {
+    fn bounded(&self, mut numbers: Numbers) -> Numbers {
+        for k in [0, 4] {
+            numbers[k] = numbers[k].clamp(self.ratios[0], self.ratios[1]);
+        }
+        numbers[8] = numbers[8].clamp(-LOGIT, LOGIT);
+        numbers
+    }
+
+    fn ellipses(&self, numbers: &Numbers) -> [Ellipse; 2] {
+        let weight = (1.0 + (-numbers[8]).exp()).recip();
+        [(0, weight), (4, 1.0 - weight)].map(|(k, weight)| Ellipse {
+            ratio: numbers[k].exp(),
+            by_creepage: numbers[k + 1].exp(),
+            by_spin: numbers[k + 2].exp(),
+            offset: numbers[k + 3] * self.length,
+            weight,
+            moment: [0.0; 3],
+        })
+    }
+
+    /// Force and moment of an ellipse at a sample, and their derivatives by `ln k_x`, `ln k_p`, `s`.
+    fn of(
+        &self,
+        ellipse: &Ellipse,
+        sample: &Sample,
+    ) -> Result<([f64; 3], [[f64; 3]; 3]), MapError> {
+        let Ellipse { ratio, by_creepage, by_spin, offset, .. } = *ellipse;
+        let [ux, uy, spin] = sample.creepage;
+        let xi = by_creepage * (ux - spin * offset);
+        let (eta, chi) = (by_creepage * uy, by_spin * spin);
+        let slice = self.table.at(ratio, self.poisson)?;
+        let (force, by) = slice.force_and_derivative(Creepage::new(xi, eta, chi)?);
+        let slopes = [0, 1, 2].map(|i: usize| {
+            let shift = -by[i][0] * by_creepage * spin * self.length;
+            [by[i][0] * xi + by[i][1] * eta, by[i][2] * chi, shift]
+        });
+        Ok((force.components(), slopes))
+    }
+
+    /// What is left of the tangential force at each sample, and its derivatives.
+    fn linearized(&self, numbers: &Numbers) -> Result<(DVector<f64>, DMatrix<f64>), MapError> {
+        const STEP: f64 = 1e-4;
+        let ellipses = self.ellipses(numbers);
+        let rows = 2 * self.samples.len();
+        let (mut left, mut by) = (DVector::zeros(rows), DMatrix::zeros(rows, 9));
+        for (n, sample) in self.samples.iter().enumerate() {
+            let mut forces = [[0.0; 3]; 2];
+            for (e, ellipse) in ellipses.iter().enumerate() {
+                let (force, slopes) = self.of(ellipse, sample)?;
+                // Along the ratio by a difference, towards the middle of its range.
+                let ratio = numbers[4 * e];
+                let step =
+                    if ratio > self.ratios[0].midpoint(self.ratios[1]) { -STEP } else { STEP };
+                let beside = Ellipse { ratio: (ratio + step).exp(), ..*ellipse };
+                let (moved, _) = self.of(&beside, sample)?;
+                for i in 0..2 {
+                    let row = 2 * n + i;
+                    by[(row, 4 * e)] = ellipse.weight * (moved[i] - force[i]) / step;
+                    for k in 0..3 {
+                        by[(row, 4 * e + 1 + k)] = ellipse.weight * slopes[i][k];
+                    }
+                }
+                forces[e] = force;
+            }
+            let [one, other] = ellipses.map(|ellipse| ellipse.weight);
+            for i in 0..2 {
+                let row = 2 * n + i;
+                left[row] = one * forces[0][i] + other * forces[1][i] - sample.force[i];
+                by[(row, 8)] = one * other * (forces[0][i] - forces[1][i]);
+            }
+        }
+        Ok((left, by))
+    }
+
+    fn squares(&self, numbers: &Numbers) -> Result<f64, MapError> {
+        let ellipses = self.ellipses(numbers);
+        let mut sum = 0.0;
+        for sample in self.samples {
+            let [one, other] = [self.of(&ellipses[0], sample)?.0, self.of(&ellipses[1], sample)?.0];
+            for i in 0..2 {
+                let force = ellipses[0].weight * one[i] + ellipses[1].weight * other[i];
+                sum += (force - sample.force[i]).powi(2);
+            }
+        }
+        Ok(sum)
+    }
+
+    /// Levenberg and Marquardt in the first `free` numbers; with four, both ellipses are one.
+    fn solve(&self, start: Numbers, free: usize) -> Result<(Numbers, f64), MapError> {
+        const STEPS: usize = 60;
+        const SMALL: f64 = 1e-4;
+        let same = |mut numbers: Numbers| {
+            if free == 4 {
+                for k in 0..4 {
+                    numbers[4 + k] = numbers[k];
+                }
+            }
+            self.bounded(numbers)
+        };
+        let mut at = same(start);
+        let mut squares = self.squares(&at)?;
+        let mut damping = 1e-3;
+        for _ in 0..STEPS {
+            let (left, mut by) = self.linearized(&at)?;
+            if free == 4 {
+                for k in 0..4 {
+                    let both = by.column(k) + by.column(4 + k);
+                    by.set_column(k, &both);
+                    by.column_mut(4 + k).fill(0.0);
+                }
+                by.column_mut(8).fill(0.0);
+            }
+            let normal = by.tr_mul(&by);
+            let gradient = by.tr_mul(&left);
+            let mut gained = None;
+            while damping < 1e8 {
+                let mut damped = SMatrix::<f64, 9, 9>::from_fn(|i, j| normal[(i, j)]);
+                for k in 0..9 {
+                    damped[(k, k)] += damping * damped[(k, k)].max(1e-6);
+                }
+                let right = SVector::<f64, 9>::from_fn(|k, _| -gradient[k]);
+                let Some(factor) = damped.cholesky() else { break };
+                let next = same(at + factor.solve(&right));
+                let found = self.squares(&next)?;
+                if found < squares {
+                    gained = Some((squares - found) / squares);
+                    (at, squares) = (next, found);
+                    damping = (damping * 0.2).max(1e-12);
+                    break;
+                }
+                damping *= 5.0;
+            }
+            match gained {
+                Some(gained) if gained > SMALL => {}
+                _ => break,
+            }
+        }
+        Ok((at, squares))
+    }
+
+    /// With the moment's numbers.
+    fn finish(&self, numbers: &Numbers, squares: f64) -> Result<Fit, MapError> {
+        let mut ellipses = self.ellipses(numbers);
+        let count = self.samples.len();
+        let mut by = DMatrix::zeros(count + 6, 6);
+        let mut right = DVector::zeros(count + 6);
+        for (n, sample) in self.samples.iter().enumerate() {
+            for (e, ellipse) in ellipses.iter().enumerate() {
+                let ([fx, fy, mz], _) = self.of(ellipse, sample)?;
+                for (k, part) in [mz, fx, fy].into_iter().enumerate() {
+                    by[(n, 3 * e + k)] = part;
+                }
+            }
+            right[n] = sample.force[2] / self.length;
+        }
+        // A little towards zero: where both ellipses are one, their numbers are not told apart.
+        for k in 0..6 {
+            by[(count + k, k)] = 1e-4;
+        }
+        let solved = by.clone().svd(true, true).solve(&right, 1e-12);
+        let solved = solved.map_err(|_| MapError::Senseless("samples"))?;
+        let left = &by * &solved - &right;
+        for (e, ellipse) in ellipses.iter_mut().enumerate() {
+            ellipse.moment = [0, 1, 2].map(|k| solved[3 * e + k] * self.length);
+        }
+        let mean = |squares: f64| (squares / count as f64).sqrt();
+        let moment_residual = mean(left.rows(0, count).norm_squared()) * self.length;
+        Ok(Fit { ellipses, residual: mean(squares), moment_residual })
+    }
+}

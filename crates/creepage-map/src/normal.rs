@@ -1,0 +1,179 @@
+//! Where a wheel stands under its load.
+
+use crate::blend::{Cubic, cubic_weights};
+use crate::error::{MapError, Quantity};
+use crate::scalar::Scalar;
+
+/// Loads whose heights a node has, the first of them zero.
+pub const HEIGHTS: usize = 14;
+
+/// A place of wheel on rail: heights over the load, and how roll moves it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct HeightNode {
+    /// The map's coordinate (m): `y - R roll - l yaw^2/2` on the right-hand image.
+    pub place: f64,
+    /// Roll (rad) at which it was pressed.
+    pub roll: f64,
+    /// By how much more than `R` a further roll moves the wheel aside (m/rad).
+    pub shift: f64,
+    /// By how much a further roll brings the wheel down (m/rad).
+    pub fall: f64,
+    /// Slope of the height along the place: the contact's tangent.
+    pub tangent: f64,
+    /// Height of the wheelset (m, down) under the loads of [`Heights::loads`].
+    pub heights: [f64; HEIGHTS],
+}
+
+/// The heights of one wheel over place and load.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Heights {
+    pub(crate) places: Vec<f64>,
+    pub(crate) nodes: Vec<HeightNode>,
+    pub(crate) loads: [f64; HEIGHTS],
+    /// `load^(2/3)`: in proportion to the depth where the area is Hertz's.
+    powers: [f64; HEIGHTS],
+}
+
+/// A wheel's place in the map.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Placed<S> {
+    pub(crate) place: S,
+    weights: Cubic<S>,
+    /// Height (m) at the node's roll without yaw.
+    height: S,
+    /// How that changes with `z` and is levered by roll: what load finding starts from.
+    pub(crate) raised: S,
+    /// Roll beyond the node's (rad).
+    pub(crate) further: S,
+}
+
+impl Heights {
+    /// From nodes of rising place, at least three.
+    ///
+    /// # Errors
+    /// [`MapError::Senseless`] where there are fewer, or numbers are not finite or do not rise.
+    pub fn new(nodes: Vec<HeightNode>, loads: [f64; HEIGHTS]) -> Result<Self, MapError> {
+        let places: Vec<f64> = nodes.iter().map(|node| node.place).collect();
+        let rises = |values: &[f64]| {
+            values.iter().all(|v| v.is_finite()) && values.windows(2).all(|pair| pair[0] < pair[1])
+        };
+        let finite = |node: &HeightNode| {
+            [node.roll, node.shift, node.fall, node.tangent].iter().all(|v| v.is_finite())
+                && rises(&node.heights)
+        };
+        let makes_sense = nodes.len() >= 3
+            && rises(&places)
+            && rises(&loads)
+            && loads[0].abs() < f64::EPSILON
+            && nodes.iter().all(finite);
+        if !makes_sense {
+            return Err(MapError::Senseless("heights"));
+        }
+        let powers = loads.map(|load| (load * load).cbrt());
+        Ok(Self { places, nodes, loads, powers })
+    }
+
+    /// First and last place (m).
+    #[must_use]
+    pub fn range(&self) -> [f64; 2] {
+        [self.places.first(), self.places.last()].map(|end| end.copied().unwrap_or(f64::NAN))
+    }
+
+    /// Roll (rad) at which the nodes beside a lateral position (m) were pressed; at the ends that of the last.
+    pub(crate) fn free_roll(&self, y: f64, radius: f64) -> f64 {
+        let y_of = |node: &HeightNode| node.place + radius * node.roll;
+        let after =
+            self.nodes.partition_point(|node| y_of(node) <= y).clamp(1, self.nodes.len() - 1);
+        let (low, high) = (&self.nodes[after - 1], &self.nodes[after]);
+        let part = ((y - y_of(low)) / (y_of(high) - y_of(low))).clamp(0.0, 1.0);
+        low.roll + part * (high.roll - low.roll)
+    }
+
+    /// The nodes.
+    #[must_use]
+    pub fn nodes(&self) -> &[HeightNode] {
+        &self.nodes
+    }
+
+    /// Loads (N) of the heights of all nodes.
+    #[must_use]
+    pub fn loads(&self) -> &[f64; HEIGHTS] {
+        &self.loads
+    }
+
+    /// Where a wheel stands: from `plain`, the coordinate without the local part of the shift by roll.
+    pub(crate) fn placed<S: Scalar>(
+        &self,
+        plain: S,
+        [z, roll]: [S; 2],
+        by_yaw: S,
+    ) -> Result<Placed<S>, MapError> {
+        let [low, high] = self.range();
+        let inside = |place: S| {
+            let value = place.value();
+            let found = (low..=high).contains(&value);
+            found.then_some(()).ok_or(MapError::Outside {
+                quantity: Quantity::Place,
+                value,
+                low,
+                high,
+            })
+        };
+        inside(plain)?;
+        let weights = Cubic::at(&self.places, plain);
+        let node = |value: fn(&HeightNode) -> f64| weights.of(|k| value(&self.nodes[k]));
+        let further = roll - node(|node| node.roll);
+        let place = plain - node(|node| node.shift) * further;
+        inside(place)?;
+        let weights = Cubic::at(&self.places, place);
+        let node = |value: fn(&HeightNode) -> f64| weights.of(|k| value(&self.nodes[k]));
+        let further = roll - node(|node| node.roll);
+        let tangent = node(|node| node.tangent);
+        let raised = node(|node| node.fall) * further - by_yaw * tangent * tangent;
+        Ok(Placed { place, weights, height: z + raised, raised, further })
+    }
+
+    /// The height under a load of [`Heights::loads`].
+    pub(crate) fn height<S: Scalar>(&self, placed: &Placed<S>, load: usize) -> S {
+        placed.weights.of(|k| self.nodes[k].heights[load])
+    }
+
+    /// Height (m) of a wheel under a load (N), nearly: between those of the loads beside it.
+    pub(crate) fn under(&self, placed: &Placed<f64>, load: f64) -> f64 {
+        let power = (load * load).cbrt();
+        let above = self.powers.partition_point(|p| *p <= power).clamp(1, HEIGHTS - 1);
+        let [low, high] = [above - 1, above].map(|k| (self.powers[k], self.height(placed, k)));
+        low.1 + (high.1 - low.1) * (power - low.0) / (high.0 - low.0) - placed.raised
+    }
+
+    /// Load (N) at which a wheel stands there; none where it hangs above its rail.
+    pub(crate) fn load<S: Scalar>(&self, placed: &Placed<S>) -> Result<Option<S>, MapError> {
+        let height = placed.height.value();
+        let (mut low, mut high) = (0, HEIGHTS - 1);
+        if height <= self.height(placed, 0).value() {
+            return Ok(None);
+        }
+        if height > self.height(placed, high).value() {
+            let [low, high] = [0, high].map(|k| self.height(placed, k).value());
+            let lifted = placed.raised.value();
+            return Err(MapError::Outside {
+                quantity: Quantity::Height,
+                value: height - lifted,
+                low: low - lifted,
+                high: high - lifted,
+            });
+        }
+        while high - low > 1 {
+            let middle = usize::midpoint(low, high);
+            if self.height(placed, middle).value() <= height { low = middle } else { high = middle }
+        }
+        let first = low.saturating_sub(1).min(HEIGHTS - 4);
+        let knots = [0, 1, 2, 3].map(|k| self.height(placed, first + k));
+        let weights = cubic_weights(&knots, 4, low - first, placed.height);
+        let mut power = S::constant(0.0);
+        for (k, weight) in weights.into_iter().enumerate() {
+            power = power + weight * self.powers[first + k];
+        }
+        Ok((power.value() > 0.0).then(|| power * power.sqrt()))
+    }
+}

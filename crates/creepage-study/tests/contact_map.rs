@@ -1,0 +1,342 @@
+//! Contact maps against the full theory: a small one, and with `--ignored` a whole one on a thousand states.
+#![allow(
+    missing_docs,
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    clippy::print_stderr
+)]
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use creepage::Contact;
+use creepage::table::{Axis, Intervals, Provenance, Spec, Table, build};
+use creepage::theory::TheorySpec;
+use creepage_map::{ContactMap, Pressed, Side, State, WheelAnswer};
+use creepage_study::{
+    Load, MapBuildError, MapPlan, MapResolution, MapStage, PitchRate, RailFriction, SolvedWheel,
+    Stance, Travel, WheelsetCase, WheelsetFile, build_map, theory_spec,
+};
+
+const WHEELSET: &str = r#"
+[wheel]
+profile = "S1002"
+radius = 0.46
+[rail]
+profile = "UIC60"
+cant = 0.024994793618920
+[track]
+gauge = 1.435
+gauge_height = 0.014
+[wheelset]
+back_to_back = 1.360
+y = 0.0
+roll = "free"
+axle_load = 100e3
+[motion]
+speed = 20.0
+[contact]
+friction = 0.3
+[materials]
+shear_modulus = 82e9
+poisson = 0.28
+"#;
+
+fn case() -> WheelsetCase {
+    WheelsetFile::read(WHEELSET).unwrap().case(Path::new("")).unwrap()
+}
+
+/// A table of the full theory; coarse ones take a second or two.
+fn ellipses(options: &str, shapes: usize, intervals: Intervals) -> Table {
+    let theory: TheorySpec = theory_spec("exact", &[options.to_owned()]).unwrap();
+    let spec = Spec {
+        a_over_b: Axis { low: 0.15, high: 30.0, nodes: shapes },
+        poisson: Axis::fixed(0.28),
+        intervals,
+        places: 20,
+        provenance: Provenance::default(),
+    };
+    build(&spec, |contact: &Contact| theory.prepare(contact), &|| {}).unwrap()
+}
+
+fn small_plan() -> MapPlan {
+    MapPlan {
+        y: 1e-3,
+        loads: vec![20e3, 50e3, 100e3],
+        tolerance: 0.05,
+        states: 1,
+        spacing: 1e-4,
+        yaw: 4e-3,
+        resolution: MapResolution::Fast,
+        ..MapPlan::usual(50e3)
+    }
+}
+
+/// `SplitMix64`: between -1 and 1.
+struct Random(u64);
+
+impl Random {
+    fn next(&mut self) -> f64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut bits = self.0;
+        bits = (bits ^ (bits >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        bits = (bits ^ (bits >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        2.0 * (((bits ^ (bits >> 31)) >> 11) as f64) / (1_u64 << 53) as f64 - 1.0
+    }
+}
+
+/// The right wheel in a state of given height, roll and pitch rate, by a theory.
+fn solved(case: &WheelsetCase, state: &State, theory: &str) -> Option<SolvedWheel> {
+    let theory = theory_spec(theory, &[] as &[&str]).unwrap();
+    let friction = [RailFriction::Constant(state.friction), RailFriction::Constant(state.friction)];
+    let case = WheelsetCase { theory, friction: Some(friction), ..case.clone() };
+    let Pressed::Height(z) = state.pressed else { return None };
+    let stance = Stance {
+        side: Some(creepage_rail::Side::Right),
+        y: state.y,
+        yaw: state.yaw,
+        roll: state.roll,
+        load: Some(Load::Height(z)),
+    };
+    let travel = Travel {
+        speed: state.speed,
+        pitch: PitchRate::Rigid(state.pitch_rate),
+        lateral_velocity: state.lateral_velocity,
+        yaw_rate: state.yaw_rate,
+        ..Travel::default()
+    };
+    case.solver().unwrap().solve(&stance, &travel).ok()?.right
+}
+
+/// Friction over the normal force in track axes, the normal force, and whether areas are several.
+fn friction(wheel: &SolvedWheel) -> ([f64; 3], f64) {
+    let (mut sum, mut load) = ([0.0; 3], 0.0);
+    for contact in wheel.contacts() {
+        let (sin, cos) = contact.angle.sin_cos();
+        let force = contact.force;
+        let parts = [force.longitudinal, force.lateral * cos, force.lateral * sin];
+        sum = [0, 1, 2].map(|k: usize| sum[k] + parts[k]);
+        load += contact.load();
+    }
+    (sum.map(|part| part / load), load)
+}
+
+fn friction_of(wheel: &WheelAnswer) -> ([f64; 3], f64) {
+    let (mut sum, mut load) = ([0.0; 3], 0.0);
+    for patch in wheel.patches {
+        let (sin, cos) = patch.angle.sin_cos();
+        let [x, s, _] = patch.friction;
+        sum = [sum[0] + x, sum[1] + s * cos, sum[2] + s * sin];
+        load += patch.normal_force;
+    }
+    (sum.map(|part| part / load), load)
+}
+
+fn apart(a: [f64; 3], b: [f64; 3]) -> f64 {
+    (0..3).map(|k| (a[k] - b[k]).powi(2)).sum::<f64>().sqrt()
+}
+
+/// A state about the free roll of `y`, in which the right wheel carries `load`.
+fn state(
+    (case, map): (&WheelsetCase, &ContactMap),
+    [y, yaw, load]: [f64; 3],
+    random: &mut Random,
+) -> Option<State> {
+    let roll = case.running.resting(y, 0.0, None).ok()?.roll + 3e-4 * random.next();
+    let state = State {
+        y,
+        yaw,
+        roll: Some(roll),
+        pressed: Pressed::Height(0.0),
+        pitch_rate: Some(0.0),
+        friction: 0.3 + 0.15 * random.next(),
+        speed: 20.0,
+        yaw_rate: 0.05 * random.next(),
+        ..map.head().own
+    };
+    let [z, _] = map.height_under(Side::Right, &state, load).ok()?;
+    // Creepage about that of rolling without any: along by the pitch rate, across by the lateral velocity.
+    let mut state = State { pressed: Pressed::Height(z), pitch_rate: Some(20.0 / 0.46), ..state };
+    let wanted = [4e-3 * random.next(), 4e-3 * random.next()];
+    for _ in 0..2 {
+        let [along, across, _] = map.solve_wheel(Side::Right, &state).ok()?.patches[0].creepage;
+        state.pitch_rate = state.pitch_rate.map(|rate| rate * (1.0 + along - wanted[0]));
+        state.lateral_velocity += state.speed * (wanted[1] - across);
+    }
+    Some(state)
+}
+
+/// A coarse map of a millimetre of tread, of coarse solutions: within some per cent of `mu N` of fine ones, and the
+/// normal force to half a per cent.
+#[test]
+fn a_small_map_has_the_forces_of_the_full_theory() {
+    let case = case();
+    let table = Arc::new(ellipses("resolution = fast", 7, Intervals { theta: 8, phi: 8, t: 16 }));
+    let map = build_map(&case, &small_plan(), table, WHEELSET.into(), None, &|_| true).unwrap();
+    let mut random = Random(52);
+    let (mut count, mut worst) = (0, [0.0_f64; 3]);
+    while count < 12 {
+        let at = [9e-4 * random.next(), 3e-3 * random.next(), 55e3 + 30e3 * random.next()];
+        let Some(state) = state((&case, &map), at, &mut random) else { continue };
+        let found = map.solve_wheel(Side::Right, &state).unwrap();
+        let right = solved(&case, &state, "exact").unwrap();
+        let ((one, load), (other, own)) = (friction_of(&found), friction(&right));
+        let patch = found.patches[0];
+        let reference = apart(patch.reference, right.contacts()[0].reference);
+        let errors = [apart(one, other) / state.friction, (load / own - 1.0).abs(), reference];
+        worst = [0, 1, 2].map(|k: usize| worst[k].max(errors[k]));
+        // Kinematics: creepage and spin of the full solver at its own reference point, as far as two nodes with
+        // .2 mm between them know its angle.
+        let creepage = right.contacts()[0].creepage;
+        assert!((patch.creepage[2] - creepage.spin).abs() < 4e-3, "{patch:?} {creepage:?}");
+        assert!((patch.creepage[0] - creepage.longitudinal).abs() < 5e-5, "{patch:?} {creepage:?}");
+        count += 1;
+    }
+    eprintln!("worst of {count}: {worst:?}; own {:?}", map.accuracy());
+    assert!(worst[0] < 0.06 && worst[1] < 5e-3 && worst[2] < 5e-4, "{worst:?}");
+    assert!(map.accuracy().tangential[0].worst < 0.06);
+}
+
+/// What is finished is in the journal: a second run builds nothing, and has the same bits.
+#[test]
+fn a_build_goes_on_where_it_was() {
+    let place = tempfile::tempdir().unwrap();
+    let journal = place.path().join("map.nc.journal");
+    let case = case();
+    let table = Arc::new(ellipses("resolution = fast", 7, Intervals { theta: 8, phi: 8, t: 16 }));
+    let plan = MapPlan { y: 4e-4, widths: [2e-4, 1e-4], states: 0, ..small_plan() };
+    let run = |goes_on: &(dyn Fn(MapStage) -> bool + Sync)| {
+        build_map(&case, &plan, Arc::clone(&table), WHEELSET.into(), Some(&journal), goes_on)
+    };
+    let stopped = run(&|stage| !matches!(stage, MapStage::Nodes(3.., _)));
+    assert!(matches!(stopped, Err(MapBuildError::Stopped)));
+    let size = std::fs::metadata(&journal).unwrap().len();
+    assert!(size > 1000);
+    let resumed = run(&|_| true).unwrap();
+    let anew =
+        build_map(&case, &plan, Arc::clone(&table), WHEELSET.into(), None, &|_| true).unwrap();
+    assert_eq!(resumed.to_bytes().unwrap(), anew.to_bytes().unwrap());
+    let full = std::fs::metadata(&journal).unwrap().len();
+    run(&|_| true).unwrap();
+    assert_eq!(std::fs::metadata(&journal).unwrap().len(), full);
+}
+
+#[test]
+fn wrong_plans_are_refused() {
+    let table = Arc::new(ellipses("resolution = fast", 3, Intervals { theta: 4, phi: 4, t: 4 }));
+    let wrong = |plan: MapPlan| {
+        build_map(&case(), &plan, Arc::clone(&table), String::new(), None, &|_| true).unwrap_err()
+    };
+    for plan in [
+        MapPlan { y: f64::NAN, ..small_plan() },
+        MapPlan { loads: vec![50e3], ..small_plan() },
+        MapPlan { loads: vec![50e3, 20e3], ..small_plan() },
+        MapPlan { widths: [1e-4, 2e-4], ..small_plan() },
+        MapPlan { friction: [0.6, 0.1], ..small_plan() },
+    ] {
+        assert!(matches!(wrong(plan), MapBuildError::Plan { .. }));
+    }
+}
+
+/// The whole map, and a thousand fresh states beside `fastsim` and `fastrip`: minutes to hours. `CREEPAGE_ELLIPSES`
+/// names a table of `exact` over a/b from .15 to 30, `CREEPAGE_MAP` the file that the map is read from or
+/// written to, `CREEPAGE_STATES` how many states. Bounds are those that the prototype met.
+#[test]
+#[ignore = "minutes to hours"]
+fn a_whole_map_on_a_thousand_states() {
+    let case = case();
+    let path = PathBuf::from(std::env::var_os("CREEPAGE_MAP").unwrap());
+    let map = if path.exists() {
+        ContactMap::from_bytes(std::fs::read(&path).unwrap()).unwrap()
+    } else {
+        let table = std::fs::read(std::env::var_os("CREEPAGE_ELLIPSES").unwrap()).unwrap();
+        let table = Arc::new(Table::from_bytes(table).unwrap());
+        let journal = path.with_extension("journal");
+        let said = std::sync::Mutex::new(std::time::Instant::now());
+        let progress = |stage: MapStage| {
+            let mut last = said.lock().unwrap();
+            if last.elapsed().as_secs() >= 10 {
+                *last = std::time::Instant::now();
+                eprintln!("{stage:?}");
+            }
+            true
+        };
+        let plan = MapPlan::of(&case).unwrap();
+        let map = build_map(&case, &plan, table, WHEELSET.into(), Some(&journal), &progress);
+        let map = map.unwrap();
+        std::fs::write(&path, map.to_bytes().unwrap()).unwrap();
+        map
+    };
+    let wheel = map.wheel(Side::Right);
+    eprintln!(
+        "range {:?}, {} nodes, own {:#?}",
+        wheel.range(),
+        wheel.places().len(),
+        map.accuracy()
+    );
+    let count = std::env::var("CREEPAGE_STATES").ok().and_then(|n| n.parse().ok()).unwrap_or(1000);
+    let theories = ["exact", "fastsim", "fastrip"];
+    let mut random = Random(1000);
+    let mut all: Vec<(bool, [f64; 5])> = Vec::new();
+    while all.len() < count {
+        let y = 7e-3 * random.next();
+        let load = (0.5 * (10e3_f64.ln() + 110e3_f64.ln()) + 1.19 * random.next()).exp();
+        let yaw = map.head().yaw * random.next();
+        let Some(state) = state((&case, &map), [y, yaw, load], &mut random) else { continue };
+        let Ok(found) = map.solve_wheel(Side::Right, &state) else { continue };
+        let wheels = theories.map(|theory| solved(&case, &state, theory));
+        let [Some(exact), fastsim, fastrip] = &wheels else { continue };
+        let ((own, load), (right, carried)) = (friction_of(&found), friction(exact));
+        let of = |wheel: &Option<SolvedWheel>| {
+            wheel
+                .as_ref()
+                .map_or(f64::NAN, |wheel| apart(friction(wheel).0, right) / state.friction)
+        };
+        let [_, place] = map.height_under(Side::Right, &state, load).unwrap();
+        let cell =
+            wheel.places().partition_point(|p| *p <= place).clamp(1, wheel.places().len() - 1);
+        let is_narrow = wheel.places()[cell] - wheel.places()[cell - 1] <= 1.2e-4;
+        let whole = apart(found.force, exact.on_rail().force) / (state.friction * carried);
+        let errors = [
+            apart(own, right) / state.friction,
+            (load / carried - 1.0).abs(),
+            whole,
+            of(fastsim),
+            of(fastrip),
+        ];
+        if errors[0] > 0.05 {
+            eprintln!(
+                "y {:.4} mm yaw {:.4} load {load:.0} mu {:.2}: {errors:.4?}",
+                1e3 * y,
+                yaw,
+                state.friction
+            );
+        }
+        all.push((is_narrow, errors));
+    }
+    let names = ["tangential", "normal", "whole", "fastsim", "fastrip"];
+    for narrow in [false, true] {
+        for (k, name) in names.iter().enumerate() {
+            let own = all.iter().filter(|(is_narrow, _)| *is_narrow == narrow);
+            let mut errors: Vec<f64> = own.map(|(_, errors)| 100.0 * errors[k]).collect();
+            errors.sort_by(f64::total_cmp);
+            let rms = (errors.iter().map(|e| e * e).sum::<f64>() / errors.len() as f64).sqrt();
+            let at = |part: f64| errors.get((part * (errors.len() - 1) as f64) as usize).copied();
+            eprintln!(
+                "{} {name:10} {:5} rms {rms:.3} median {:.3?} 95 % {:.3?} worst {:.3?}",
+                if narrow { "join" } else { "away" },
+                errors.len(),
+                at(0.5),
+                at(0.95),
+                at(1.0)
+            );
+        }
+    }
+    let rms = |narrow: bool, k: usize| {
+        let own: Vec<f64> = all.iter().filter(|(n, _)| *n == narrow).map(|(_, e)| e[k]).collect();
+        (own.iter().map(|e| e * e).sum::<f64>() / own.len() as f64).sqrt()
+    };
+    assert!(rms(false, 0) < 0.007 && rms(false, 1) < 0.002);
+    assert!(rms(true, 0) < 0.013 && rms(true, 1) < 0.005);
+}
