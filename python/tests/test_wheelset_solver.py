@@ -1,11 +1,15 @@
 """A wheelset asked in many positions and motions."""
 
+import runpy
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 
 import creepage
+
+ROOT = Path(__file__).parents[2]
 
 
 @pytest.fixture(scope="module")
@@ -122,3 +126,30 @@ def test_nonsense_is_refused_in_python_s_words(wheelset: creepage.Wheelset) -> N
     many = solver.solve_many(y=[0.0, 0.5])
     assert many.status[0] == "solved" and "solved" != many.status[1]
     assert np.isnan(many.wrench[1]).all()
+
+
+def test_the_example_hunts_from_the_reference_s_critical_speed_on() -> None:
+    pytest.importorskip("scipy")
+    path = ROOT / "python" / "examples" / "hunting.py"
+    hunting = runpy.run_path(str(path), run_name="hunting")
+    contacts = hunting["wheelset"]("exact").solver()
+    # 37.98 m/s by an independent model of the same wheelset with a table of forces; to half a per cent.
+    assert hunting["critical_speed"](contacts, 30.0, 45.0) == pytest.approx(37.98, rel=5e-3)
+
+
+def test_a_moment_and_independent_wheels() -> None:
+    wheelset = creepage.Wheelset(
+        wheel="S1002", rail="UIC60", cant=0.025, axle_load=180e3, theory="fastsim"
+    )
+    solver = wheelset.solver()
+    pressed = solver.solve(y=0.003, axle_load=180e3, roll_moment=2e3)
+    # To 1e-4 of the load at levers of .75 m.
+    assert pressed.wrench[3] == pytest.approx(-2e3, abs=2e-4 * 180e3 * 0.75)
+    with pytest.raises(creepage.CaseError):
+        solver.solve(roll=0.0, roll_moment=2e3)
+    with pytest.raises(creepage.CaseError):
+        solver.solve(z=0.0, roll_moment=2e3)
+    back = solver.solve(y=0.003, yaw=-0.001, speed=-20.0)
+    ahead = solver.solve(y=0.003, yaw=0.001, speed=20.0)
+    np.testing.assert_array_equal(back.right.force, ahead.right.force * [-1.0, 1.0, 1.0])
+    assert back.right.pitch_rate == -ahead.right.pitch_rate

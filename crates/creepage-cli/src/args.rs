@@ -6,6 +6,7 @@ use clap::{Parser, Subcommand};
 
 use crate::about::{CompletionsArgs, InitArgs, ManArgs, SchemaArgs};
 use crate::batch_args::BatchArgs;
+use crate::fmu::FmuArgs;
 use crate::map::MapArgs;
 use crate::rail_args::{ConicityArgs, ProfileArgs, WheelsetArgs};
 use crate::reproduce::ReproduceArgs;
@@ -146,6 +147,8 @@ pub(crate) enum Command {
     /// drawn afresh and kept in it. What is built is kept in FILE.nc.journal until FILE.nc is whole: a run that
     /// was interrupted goes on where it was. Minutes on two cores.
     Map(MapArgs),
+    /// Make a Functional Mock-up Unit (FMI 2.0 or 3.0) of a contact map, for vehicle simulation
+    Fmu(FmuArgs),
     /// Equivalent conicity of a wheelset on its track by EN 15302, over the amplitude.
     ///
     /// The wheelset file needs [wheel], [rail], [track], and `back_to_back` of [wheelset]; profiles

@@ -19,6 +19,18 @@ use crate::batch::columns::ColumnError;
 /// Why the command could not do its work.
 #[derive(Debug, thiserror::Error)]
 pub(crate) enum Failure {
+    #[error(
+        "{0} is the file of a wheelset: make its map first, `creepage map {0} --out wheelset.nc`, and give that",
+        path.display()
+    )]
+    NoMap { path: PathBuf },
+    #[error(
+        "{name} is neither beside this program nor in ../lib: build it by `cargo build --release -p creepage-fmu` \
+         and give it by --library"
+    )]
+    NoLibrary { name: String },
+    #[error("{}: {source}", path.display())]
+    Pack { path: PathBuf, source: creepage_fmu::PackError },
     #[error("--survey {pattern}: {why}")]
     Pattern { pattern: String, why: String },
     #[error("--rail: {source}")]

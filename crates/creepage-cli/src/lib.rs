@@ -12,6 +12,7 @@ mod completions;
 mod conicity;
 mod curve;
 mod failure;
+mod fmu;
 mod init;
 mod input;
 mod map;
@@ -69,6 +70,7 @@ fn run(command: &Command) -> Result<Outcome, Failure> {
         Command::Sweep(args) => return sweep::run(args),
         Command::Wheelset(args) => return wheelset::run(args),
         Command::Map(args) => return map::run(args),
+        Command::Fmu(args) => return fmu::run(args),
         Command::Roll(args) => return roll::run(args),
         Command::Conicity(args) => return conicity::run(args),
         Command::Profile(args) => return profile::run(args),

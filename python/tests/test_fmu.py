@@ -1,0 +1,150 @@
+"""A contact map as an FMU, validated and simulated by FMPy: both versions, both kinds."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import creepage
+import numpy as np
+import pytest
+
+fmpy = pytest.importorskip("fmpy")
+
+ROOT = Path(__file__).parents[2]
+INPUTS = ("y", "yaw", "axle_load", "speed", "lateral_velocity", "yaw_rate", "friction")
+
+
+def _library() -> Path:
+    """The library of the FMU, built where it is not there yet."""
+    suffix = {"linux": ".so", "darwin": ".dylib"}.get(sys.platform, ".dll")
+    name = ("" if suffix == ".dll" else "lib") + "creepage_fmu" + suffix
+    target = Path(os.environ.get("CARGO_TARGET_DIR", ROOT / "target"))
+    subprocess.run(["cargo", "build", "-p", "creepage-fmu", "--locked"], cwd=ROOT, check=True)
+    return target / "debug" / name
+
+
+@pytest.fixture(scope="module")
+def contact_map() -> creepage.ContactMap:
+    """About the middle of the track, coarse: quick."""
+    wheelset = creepage.Wheelset(
+        wheel="S1002", rail="UIC60", cant=0.024994793618920, axle_load=100e3, speed=20.0
+    )
+    ellipses = creepage.Table.build(
+        "exact",
+        a_over_b=(0.15, 30.0),
+        shapes=7,
+        poisson=0.28,
+        intervals=(8, 8, 16),
+        resolution="fast",
+        places=10,
+    )
+    return wheelset.map(
+        ellipses=ellipses, y=0.001, yaw=0.004, loads=[20e3, 50e3, 100e3], tolerance=0.05, states=1,
+        resolution="fast",
+    )
+
+
+@pytest.fixture(scope="module")
+def fmus(contact_map: creepage.ContactMap, tmp_path_factory: pytest.TempPathFactory) -> list[Path]:
+    """Of FMI 2 and 3, in a folder with a blank in its name."""
+    folder = tmp_path_factory.mktemp("two units")
+    path, library = folder / "wheelset.nc", _library()
+    contact_map.save(path)
+    made = []
+    for version in ("2", "3"):
+        out = folder / f"W{version}.fmu"
+        command = [sys.executable, "-m", "creepage", "fmu", str(path), "--fmi", version]
+        subprocess.run([*command, "--out", str(out), "--library", str(library)], check=True)
+        made.append(out)
+    return made
+
+
+def test_they_are_valid(fmus: list[Path]) -> None:
+    for path in fmus:
+        assert fmpy.validation.validate_fmu(str(path)) == []
+
+
+@pytest.mark.parametrize("kind", ["CoSimulation", "ModelExchange"])
+def test_forces_are_those_of_the_map(
+    fmus: list[Path], contact_map: creepage.ContactMap, kind: str
+) -> None:
+    time = np.linspace(0.0, 0.1, 11)
+    y = 0.0004 * np.sin(30.0 * time)
+    rows = np.rec.fromarrays([time, y, 0.002 * np.cos(30.0 * time)], names="time,y,yaw")
+    for path in fmus:
+        result = fmpy.simulate_fmu(
+            str(path),
+            fmi_type=kind,
+            stop_time=0.1,
+            output_interval=0.01,
+            step_size=0.01,
+            input=rows,
+            output=["wrench_y", "right_x", "found_z", "y", "yaw"],
+        )
+        for row in result[1:]:
+            found = contact_map.solve(y=row["y"], yaw=row["yaw"])
+            # The inputs of each row are those that the host set: the same bits, but for what Co-Simulation
+            # shows at the end of a step, one step late.
+            if kind == "ModelExchange":
+                assert row["right_x"] == pytest.approx(found.right.force[0], rel=1e-12, abs=1e-9)
+                assert row["wrench_y"] == pytest.approx(found.wrench[1], rel=1e-12, abs=1e-9)
+            assert abs(row["found_z"] - found.z) < 1e-4
+
+
+def test_outside_the_map_a_step_is_discarded(fmus: list[Path]) -> None:
+    messages: list[str] = []
+    with pytest.raises(Exception):
+        fmpy.simulate_fmu(
+            str(fmus[0]),
+            fmi_type="CoSimulation",
+            stop_time=0.01,
+            start_values={"y": 0.05},
+            logger=lambda *arguments: messages.append(str(arguments)),
+        )
+
+
+def test_derivatives_and_states(fmus: list[Path]) -> None:
+    for path in fmus:
+        description = fmpy.read_model_description(str(path))
+        references = {variable.name: variable.valueReference for variable in description.modelVariables}
+        unit = fmpy.instantiate_fmu(fmpy.extract(str(path)), description, fmi_type="ModelExchange")
+        is_two = description.fmiVersion == "2.0"
+        get, put = (unit.getReal, unit.setReal) if is_two else (unit.getFloat64, unit.setFloat64)
+        if is_two:
+            unit.setupExperiment()
+        unit.enterInitializationMode()
+        unit.exitInitializationMode()
+        y, force = references["y"], references["wrench_y"]
+        state = unit.getFMUstate() if is_two else unit.getFMUState()
+        step = 1e-6
+        at = []
+        for place in (-step, step):
+            put([y], [place])
+            at.append(get([force])[0])
+        put([y], [0.0])
+        slope = unit.getDirectionalDerivative([force], [y], [1.0])[0]
+        assert slope == pytest.approx((at[1] - at[0]) / (2.0 * step), rel=1e-3)
+        put([y], [3e-4])
+        moved = get([force])[0]
+        kept = unit.serializeFMUstate(state) if is_two else unit.serializeFMUState(state)
+        (unit.setFMUstate if is_two else unit.setFMUState)(state)
+        assert get([y])[0] == 0.0
+        assert get([force])[0] != moved
+        assert len(kept) > 0
+        (unit.freeFMUstate if is_two else unit.freeFMUState)(state)
+        unit.terminate()
+        unit.freeInstance()
+
+
+def test_loads_and_unloads_leave_no_thread(fmus: list[Path]) -> None:
+    def threads() -> int:
+        return len(os.listdir("/proc/self/task")) if sys.platform == "linux" else 0
+
+    fmpy.simulate_fmu(str(fmus[1]), stop_time=0.01)
+    before = threads()
+    for _ in range(20):
+        fmpy.simulate_fmu(str(fmus[1]), stop_time=0.01)
+    assert threads() == before
