@@ -17,8 +17,8 @@ from numpy.typing import ArrayLike
 from . import _creepage
 from ._contact import floats
 from ._report import FromFile, Reported
-from ._results import Floats
 from ._map import ContactMap
+from ._results import Floats
 from ._toml import dumps
 from ._wheelset_solver import WheelsetSolver
 
@@ -45,18 +45,29 @@ class WheelsetSolution(Reported):
     _again: Callable[[], Any]
 
 
+def _profile(name: str, profile: str | os.PathLike[str] | ArrayLike) -> dict[str, Any]:
+    """A profile by its name or file, or by its points."""
+    if isinstance(profile, (str, os.PathLike)):
+        return {"profile": os.fspath(profile)}
+    points = floats(name, profile)
+    if points.ndim != 2 or points.shape[1] != 2:
+        raise ValueError(f"{name} must be a name, a file or points of shape (n, 2), got {points.shape}")
+    return {"points": points.tolist()}
+
+
 class Wheelset(FromFile):
     """Two wheels and two rails by their profiles, where the wheelset stands, how it moves.
 
-    Profiles are names of standard ones ("S1002", "UIC60") or files. Raises CaseError, which names
+    Profiles are names of standard ones ("S1002", "UIC60"), files, or arrays of points (y to the field side, z
+    down, in metres) of shape (n, 2) along the profile. Raises CaseError, which names
     section and key, OSError for files that cannot be read.
     """
 
     def __init__(
         self,
         *,
-        wheel: str | os.PathLike[str],
-        rail: str | os.PathLike[str],
+        wheel: str | os.PathLike[str] | ArrayLike,
+        rail: str | os.PathLike[str] | ArrayLike,
         wheel_reading: Mapping[str, Any] | None = None,
         rail_reading: Mapping[str, Any] | None = None,
         axle_load: float | None = None,
@@ -88,8 +99,8 @@ class Wheelset(FromFile):
         where it is needed. What this leaves out, `from_toml` and `from_dict` know.
         """
         sections: dict[str, Mapping[str, Any]] = {
-            "wheel": {"profile": os.fspath(wheel), "reading": wheel_reading, "radius": radius},
-            "rail": {"profile": os.fspath(rail), "reading": rail_reading, "cant": cant},
+            "wheel": {**_profile("wheel", wheel), "reading": wheel_reading, "radius": radius},
+            "rail": {**_profile("rail", rail), "reading": rail_reading, "cant": cant},
             "track": {"gauge": gauge, "gauge_height": gauge_height},
             "wheelset": {
                 "back_to_back": back_to_back,

@@ -119,14 +119,19 @@ def test_derivatives_and_states(fmus: list[Path]) -> None:
         unit.exitInitializationMode()
         y, force = references["y"], references["wrench_y"]
         state = unit.getFMUstate() if is_two else unit.getFMUState()
-        step = 1e-6
+        step = 2e-5
         at = []
+        put([references["yaw"]], [1e-3])
         for place in (-step, step):
             put([y], [place])
             at.append(get([force])[0])
         put([y], [0.0])
+        # What the search for roll and pitch rate leaves is worth some 1e3 N/m over such steps.
         slope = unit.getDirectionalDerivative([force], [y], [1.0])[0]
-        assert slope == pytest.approx((at[1] - at[0]) / (2.0 * step), rel=1e-3)
+        assert slope == pytest.approx((at[1] - at[0]) / (2.0 * step), rel=0.05, abs=2e3)
+        # Kalker's C22 of both wheels is about 1.2e7 N/rad with the pressures of 50 kN.
+        by_yaw = unit.getDirectionalDerivative([force], [references["yaw"]], [1.0])[0]
+        assert 4e6 < abs(by_yaw) < 2e7
         put([y], [3e-4])
         moved = get([force])[0]
         kept = unit.serializeFMUstate(state) if is_two else unit.serializeFMUState(state)

@@ -45,9 +45,8 @@ pub(crate) fn run(args: &FmuArgs) -> Result<Outcome, Failure> {
         return Err(Failure::NoMap { path: args.map.clone() });
     }
     let library = args.library.clone().map_or_else(found, Ok)?;
-    let read = |path: &Path| {
-        fs::read(path).map_err(|source| Failure::Read { path: path.into(), source })
-    };
+    let read =
+        |path: &Path| fs::read(path).map_err(|source| Failure::Read { path: path.into(), source });
     let (map, binary) = (read(&args.map)?, read(&library)?);
     let version = match args.fmi {
         Interface::Two => Version::Two,

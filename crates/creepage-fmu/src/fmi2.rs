@@ -12,14 +12,8 @@ use crate::host::{self, DISCARD, ERROR, OK, Status, places, slice, slice_mut};
 use crate::instance::{Inputs, Instance, STATE_BYTES};
 use crate::variables::{real, switch};
 
-type Logger = unsafe extern "C" fn(
-    *mut c_void,
-    *const c_char,
-    Status,
-    *const c_char,
-    *const c_char,
-    ...
-);
+type Logger =
+    unsafe extern "C" fn(*mut c_void, *const c_char, Status, *const c_char, *const c_char, ...);
 
 /// What the host gives.
 #[repr(C)]
@@ -74,10 +68,7 @@ impl Component {
 ///
 /// # Safety
 /// `component` is NULL or of [`fmi2Instantiate`] and not freed.
-unsafe fn with(
-    component: *mut Component,
-    work: impl FnOnce(&mut Component) -> Status,
-) -> Status {
+unsafe fn with(component: *mut Component, work: impl FnOnce(&mut Component) -> Status) -> Status {
     // SAFETY: the host's promise.
     let Some(component) = (unsafe { component.as_mut() }) else { return ERROR };
     catch_unwind(AssertUnwindSafe(|| work(component))).unwrap_or(ERROR)
@@ -327,8 +318,8 @@ pub unsafe extern "C" fn fmi2SetReal(
     let (references, values) = unsafe { (slice(references, count), slice(values, count)) };
     let work = |component: &mut Component| {
         for (value, reference) in values.iter().zip(references) {
-            let is_set = real(*reference)
-                .is_some_and(|place| component.instance.set_real(place, *value));
+            let is_set =
+                real(*reference).is_some_and(|place| component.instance.set_real(place, *value));
             if !is_set {
                 return component.wrong(&format!("no input has the reference {reference}"));
             }
@@ -540,9 +531,11 @@ pub unsafe extern "C" fn fmi2GetDirectionalDerivative(
     sensitivity: *mut f64,
 ) -> Status {
     // SAFETY: the host's promise, here and below.
-    let (unknowns, knowns) = unsafe { (slice(unknowns, unknown_count), slice(knowns, known_count)) };
+    let (unknowns, knowns) =
+        unsafe { (slice(unknowns, unknown_count), slice(knowns, known_count)) };
     // SAFETY: as before.
-    let (seed, found) = unsafe { (slice(seed, known_count), slice_mut(sensitivity, unknown_count)) };
+    let (seed, found) =
+        unsafe { (slice(seed, known_count), slice_mut(sensitivity, unknown_count)) };
     let work = |component: &mut Component| {
         let Some((outputs, inputs)) = places(unknowns, knowns) else {
             return component.wrong("derivatives are those of outputs by inputs");

@@ -10,8 +10,7 @@ use crate::host::{self, DISCARD, ERROR, OK, Status, places, slice, slice_mut};
 use crate::instance::{Inputs, Instance, STATE_BYTES};
 use crate::variables::{real, switch};
 
-type LogMessage =
-    unsafe extern "C" fn(*mut c_void, Status, *const c_char, *const c_char);
+type LogMessage = unsafe extern "C" fn(*mut c_void, Status, *const c_char, *const c_char);
 
 /// What an instance of version 3 is to the host.
 #[derive(Debug)]
@@ -44,10 +43,7 @@ fn say(log: Option<LogMessage>, environment: *mut c_void, status: Status, words:
 ///
 /// # Safety
 /// `instance` is NULL or of this library and not freed.
-unsafe fn with(
-    instance: *mut Instance3,
-    work: impl FnOnce(&mut Instance3) -> Status,
-) -> Status {
+unsafe fn with(instance: *mut Instance3, work: impl FnOnce(&mut Instance3) -> Status) -> Status {
     // SAFETY: the host's promise.
     let Some(instance) = (unsafe { instance.as_mut() }) else { return ERROR };
     catch_unwind(AssertUnwindSafe(|| work(instance))).unwrap_or(ERROR)
@@ -255,7 +251,8 @@ pub unsafe extern "C" fn fmi3GetFloat64(
     value_count: usize,
 ) -> Status {
     // SAFETY: the host's promise, here and below.
-    let (references, values) = unsafe { (slice(references, count), slice_mut(values, value_count)) };
+    let (references, values) =
+        unsafe { (slice(references, count), slice_mut(values, value_count)) };
     let work = |instance: &mut Instance3| {
         for (value, reference) in values.iter_mut().zip(references) {
             if *reference == 0 {
@@ -317,7 +314,8 @@ pub unsafe extern "C" fn fmi3GetBoolean(
     value_count: usize,
 ) -> Status {
     // SAFETY: the host's promise, here and below.
-    let (references, values) = unsafe { (slice(references, count), slice_mut(values, value_count)) };
+    let (references, values) =
+        unsafe { (slice(references, count), slice_mut(values, value_count)) };
     let work = |instance: &mut Instance3| {
         for (value, reference) in values.iter_mut().zip(references) {
             let Some(place) = switch(*reference) else {
@@ -615,9 +613,11 @@ pub unsafe extern "C" fn fmi3GetDirectionalDerivative(
     sensitivity_count: usize,
 ) -> Status {
     // SAFETY: the host's promise, here and below.
-    let (unknowns, knowns) = unsafe { (slice(unknowns, unknown_count), slice(knowns, known_count)) };
+    let (unknowns, knowns) =
+        unsafe { (slice(unknowns, unknown_count), slice(knowns, known_count)) };
     // SAFETY: as before.
-    let (seed, found) = unsafe { (slice(seed, seed_count), slice_mut(sensitivity, sensitivity_count)) };
+    let (seed, found) =
+        unsafe { (slice(seed, seed_count), slice_mut(sensitivity, sensitivity_count)) };
     let work = |instance: &mut Instance3| {
         let Some((outputs, inputs)) = places(unknowns, knowns) else {
             return instance.wrong("derivatives are those of outputs by inputs");
@@ -652,9 +652,11 @@ pub unsafe extern "C" fn fmi3GetAdjointDerivative(
     sensitivity_count: usize,
 ) -> Status {
     // SAFETY: the host's promise, here and below.
-    let (unknowns, knowns) = unsafe { (slice(unknowns, unknown_count), slice(knowns, known_count)) };
+    let (unknowns, knowns) =
+        unsafe { (slice(unknowns, unknown_count), slice(knowns, known_count)) };
     // SAFETY: as before.
-    let (seed, found) = unsafe { (slice(seed, seed_count), slice_mut(sensitivity, sensitivity_count)) };
+    let (seed, found) =
+        unsafe { (slice(seed, seed_count), slice_mut(sensitivity, sensitivity_count)) };
     let work = |instance: &mut Instance3| {
         let Some((outputs, inputs)) = places(unknowns, knowns) else {
             return instance.wrong("derivatives are those of outputs by inputs");

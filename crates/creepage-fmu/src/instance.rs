@@ -100,7 +100,8 @@ impl Instance {
     }
 
     /// Change of outputs with a direction of the inputs, by central differences of the map, which is smooth:
-    /// steps of a millionth of what each input counts in.
+    /// steps of a hundredth of what each input counts in, large beside what the search for a free roll and pitch
+    /// rate leaves.
     pub(crate) fn derivative(
         &self,
         outputs_wanted: &[usize],
@@ -108,7 +109,7 @@ impl Instance {
     ) -> Result<Vec<f64>, MapError> {
         const SCALES: [f64; INPUTS] =
             [1e-3, 1e-5, 1e-3, 1e-3, 1e4, 1.0, 1.0, 1e-2, 1e-2, 1e-2, 1e-2, 0.1];
-        const PART: f64 = 1e-4;
+        const PART: f64 = 1e-2;
         let size = |(place, seed): &(usize, f64)| (seed / SCALES[*place]).abs();
         let largest = direction.iter().map(size).fold(0.0, f64::max);
         if !(largest > 0.0) {
@@ -199,13 +200,14 @@ impl Inputs {
 fn outputs(answer: &Answer) -> [f64; OUTPUTS] {
     let wheels = [&answer.left, &answer.right];
     let mut all = [0.0; OUTPUTS];
-    let sums: [f64; 2] = wheels.map(|wheel| wheel.patches.iter().map(|patch| patch.normal_force).sum());
+    let sums: [f64; 2] =
+        wheels.map(|wheel| wheel.patches.iter().map(|patch| patch.normal_force).sum());
     let creepages = wheels.map(|wheel| most_loaded(wheel).creepage);
-    let heat: [f64; 2] = wheels.map(|wheel| wheel.patches.iter().map(PatchAnswer::dissipation).sum());
+    let heat: [f64; 2] =
+        wheels.map(|wheel| wheel.patches.iter().map(PatchAnswer::dissipation).sum());
     let errors = wheels.map(|wheel| wheel.error.tangential);
-    let counts = wheels.map(|wheel| {
-        wheel.patches.iter().filter(|patch| patch.normal_force > 0.0).count() as f64
-    });
+    let counts = wheels
+        .map(|wheel| wheel.patches.iter().filter(|patch| patch.normal_force > 0.0).count() as f64);
     let found = [answer.z, answer.roll, answer.pitch_rate];
     let parts = answer.wrench.into_iter().chain(wheels.into_iter().flat_map(|wheel| wheel.force));
     let parts = parts.chain(sums).chain(creepages.into_iter().flatten()).chain(heat);

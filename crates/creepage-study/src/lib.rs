@@ -125,9 +125,9 @@ pub use unreachable::Unreachable;
 pub use wheelset::{
     ANSWERS, ASKED, By, ConicityTable, DerivativesJson, Drive, ForceDerivative,
     ForceDerivativeJson, FrictionOfPlace, Load, MapBuildError, MapPlan, MapProgress, MapResolution,
-    MapStage, Patches, PitchRate, PlaceOnRail, ProfileNote, RailForceJson, RailFriction, Resultant,
-    RigidSlip, SolvedContact, SolvedWheel, SolvedWheelset, Stance, Travel, WheelJson,
-    WheelPatchJson, WheelsetCase, WheelsetDerivatives, WheelsetError, WheelsetFile,
+    MapStage, Patches, PitchRate, PlaceOnRail, ProfileNote, RailForceJson, RailFriction,
+    RailSprings, Resultant, RigidSlip, SolvedContact, SolvedWheel, SolvedWheelset, Stance, Travel,
+    WheelJson, WheelPatchJson, WheelsetCase, WheelsetDerivatives, WheelsetError, WheelsetFile,
     WheelsetReportJson, WheelsetSolver, WheelsetTable, build_map, conicity, profile_pictures,
     radius_difference_csv, wheelset_json_schema,
 };

@@ -384,3 +384,66 @@ fn a_rail_has_its_height() {
     }
     assert!((other.position().z - one.position().z - 0.001).abs() < 1e-8);
 }
+
+/// Profiles by their points, along them in either sense, are those by name: to the spacing of the points.
+#[test]
+fn profiles_may_be_points() {
+    let points = |standard: creepage_rail::Standard, is_turned: bool| {
+        let profile = standard.profile();
+        let curve = profile.curve();
+        let mut stations = curve.stations(1e-3);
+        if is_turned {
+            stations.reverse();
+        }
+        let points = stations.into_iter().map(|s| curve.at(s));
+        let texts: Vec<String> = points.map(|p| format!("[{}, {}]", p.y, p.z)).collect();
+        texts.join(", ")
+    };
+    let wheelset = "1.36, y = 0.001, yaw = 0.001, roll = 'free', axle_load = 20e3";
+    let text = BASE.replace("1.36 WHEELSET", wheelset).replace("SOLVE", FAST);
+    let text = ["RAIL", "TRACK", "MOTION", "CONTACT"]
+        .iter()
+        .fold(text, |text, place| text.replace(&format!(" {place}"), ""));
+    let named = WheelsetFile::read(&text).unwrap().case(Path::new("")).unwrap().solve().unwrap();
+    for is_turned in [false, true] {
+        let wheel = points(creepage_rail::Standard::S1002, is_turned);
+        let rail = points(creepage_rail::Standard::Uic60, is_turned);
+        let text = text
+            .replace("profile = 'S1002'", &format!("points = [{wheel}]"))
+            .replace("profile = 'UIC60'", &format!("points = [{rail}]"));
+        let case = WheelsetFile::read(&text).unwrap().case(Path::new("")).unwrap();
+        let given = case.solve().unwrap();
+        for (one, other) in forces(&named).into_iter().zip(forces(&given)) {
+            near(one, other, 0.05 * 3000.0);
+        }
+    }
+    let both = text.replace("profile = 'S1002'", "profile = 'S1002', points = [[0.0, 0.0]]");
+    assert!(WheelsetFile::read(&both).unwrap().case(Path::new("")).is_err());
+    let none = text.replace("profile = 'S1002'", "points = [[0.0, 0.0]]");
+    let error = WheelsetFile::read(&none).unwrap().case(Path::new("")).unwrap_err();
+    assert!(error.to_string().contains("[wheel] points"), "{error}");
+}
+
+/// A massless rail on springs (sheet 8, C): under a load, and at a given height.
+#[test]
+fn a_rail_on_springs_gives_way() {
+    let springs = "stiffness_y = 2e7, stiffness_z = 2e7";
+    let loaded = solved(&[("RAIL", springs), ("WHEELSET", ALONE), ("MOTION", RATE)]);
+    near(force(loaded.right.as_ref()), [-1197.3, -1886.5, 10e3], REFERENCE);
+    let [y, z] = loaded.right.as_ref().unwrap().deflection.unwrap();
+    // Of forces that err by .3 % of mu N: half a micrometre.
+    assert!((y + 94.327e-6).abs() < 0.6e-6 && (z - 0.5e-3).abs() < 0.1e-6, "{y} {z}");
+    let height = ALONE.replace("wheel_load = 10e3", "z = 0.573337e-3");
+    let placed = solved(&[("RAIL", springs), ("WHEELSET", &height), ("MOTION", RATE)]);
+    // The fast grid's height for a load is right to a tenth of a micrometre, worth 60 N.
+    near(force(placed.right.as_ref()), [-1215.1, -1914.7, 10149.6], 2.0 * REFERENCE);
+    let [y, z] = placed.right.as_ref().unwrap().deflection.unwrap();
+    assert!((y + 95.733e-6).abs() < 1.5e-6 && (z - 507.479e-6).abs() < 3e-6, "{y} {z}");
+    // What the springs carry is what the wheel presses on them.
+    let [_, fy, fz] = force(placed.right.as_ref());
+    assert!((2e7 * y - fy).abs() < 0.2 && (2e7 * z - fz).abs() < 0.2);
+    let half = read(&[("RAIL", "stiffness_y = 2e7"), ("WHEELSET", ALONE)]);
+    assert!(half.unwrap_err().to_string().contains("stiffness_z"));
+    let case = read(&[("RAIL", springs), ("WHEELSET", ALONE), ("MOTION", RATE)]).unwrap();
+    assert!(matches!(case.solver(), Err(WheelsetError::RigidRails { .. })));
+}

@@ -9,6 +9,7 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 
 use super::friction::RailFriction;
+use super::springs::RailSprings;
 use crate::{DamageWanted, Sources};
 
 /// A wheelset in its track.
@@ -24,6 +25,8 @@ pub struct WheelsetCase {
     pub solids: Option<SolidPair>,
     /// Friction on the left and the right rail, where it is given.
     pub friction: Option<[RailFriction; 2]>,
+    /// Springs of the left and the right rail, where they lie on any.
+    pub springs: [Option<RailSprings>; 2],
     /// What the surfaces slide by before they deform.
     pub slip: RigidSlip,
     /// Whether areas in planes of their own feel each other.

@@ -7,7 +7,7 @@ use creepage::InvalidValue;
 use creepage::gap::GapError;
 use creepage::normal::NormalError;
 use creepage_rail::file::FileError;
-use creepage_rail::{GeometryError, Role, Side};
+use creepage_rail::{GeometryError, ProfileError, Role, Side};
 
 use crate::case::CaseError;
 use crate::gap::GapCaseError;
@@ -55,6 +55,14 @@ pub enum WheelsetError {
         path: PathBuf,
         /// What is wrong with it.
         source: FileError,
+    },
+    /// Points that make no profile.
+    #[error("[{section}] points: {source}")]
+    Points {
+        /// The section's name.
+        section: &'static str,
+        /// Why.
+        source: ProfileError,
     },
     /// A standard profile has no file to be read.
     #[error(
@@ -172,6 +180,17 @@ pub enum WheelsetError {
     Hangs {
         /// The side.
         side: Side,
+    },
+    /// Rails on springs without a place at which these carry the wheels.
+    #[error(
+        "[rail] stiffness_y, stiffness_z: no place of the rails was found at which the springs carry the wheels"
+    )]
+    RailNotFound,
+    /// Rails on springs where they must be rigid.
+    #[error("[rail] stiffness_y, stiffness_z: {what} takes rigid rails; solve the file itself")]
+    RigidRails {
+        /// What was asked for.
+        what: &'static str,
     },
     /// More traction than friction can carry.
     #[error(

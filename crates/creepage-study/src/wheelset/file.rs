@@ -4,7 +4,7 @@ use std::path::Path;
 
 use creepage::{SolidPair, TheorySpec};
 use creepage_rail::{
-    Deviation, Place, Rail, RailMotion, Role, Running, Side, Track, Wheel, Wheelset,
+    Deviation, Place, Profile, Rail, RailMotion, Role, Running, Side, Track, Wheel, Wheelset,
 };
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -14,11 +14,12 @@ use toml::Table;
 use super::case::{ProfileNote, WheelsetCase};
 use super::error::{WheelsetError, checked, needed};
 use super::friction::{RailFriction, RailFrictionValue};
-use super::profile::Asked;
+use super::profile::{Asked, of_points};
 use super::sections::{
-    FrictionSection, MaterialSection, MotionSection, RailSection, SideName, TrackSection,
-    WheelSection, WheelsetSection,
+    FrictionSection, MaterialSection, MotionSection, RailSection, ReadingSection, SideName,
+    TrackSection, WheelSection, WheelsetSection,
 };
+use super::springs::RailSprings;
 use crate::case::schema::schema_of;
 use crate::case::{CaseError, keys, solve};
 use crate::damage::DamageSection;
@@ -139,6 +140,10 @@ impl WheelsetFile {
             travel,
             solids: self.solids()?,
             friction: self.friction()?,
+            springs: [
+                self.rail_section(Side::Left).springs()?,
+                self.rail_section(Side::Right).springs()?,
+            ],
             slip: contact.and_then(|section| section.slip).unwrap_or_default(),
             patches: contact.and_then(|section| section.patches).unwrap_or_default(),
             damage: self.damage.as_ref().map(DamageSection::wanted_without_limit).transpose()?,
@@ -200,10 +205,10 @@ impl WheelsetFile {
         let wheel = own.or(&self.wheel);
         // Of one wheel alone the other may be left out.
         let wheel = if self.is_idle(side) { wheel.or(other) } else { wheel };
-        let name = needed(section, "profile", wheel.profile.as_deref())?;
         let radius = needed(section, "radius", wheel.radius)?;
-        let asked = Asked { section, name, role: Role::Wheel, side, reading: wheel.reading };
-        let profile = noted(asked.load(directory)?, notes);
+        let given = (wheel.profile.as_deref(), wheel.points.as_deref());
+        let asked = (section, Role::Wheel, side, wheel.reading);
+        let profile = noted(loaded(given, asked, directory)?, notes);
         let made = Wheel::new(&profile, radius);
         wheel
             .flange_back
@@ -225,9 +230,9 @@ impl WheelsetFile {
         let section = if *own == RailSection::default() { "rail" } else { section };
         let rail = own.or(&self.rail);
         let rail = if self.is_idle(side) { rail.or(other) } else { rail };
-        let name = needed(section, "profile", rail.profile.as_deref())?;
-        let asked = Asked { section, name, role: Role::Rail, side, reading: rail.reading };
-        let profile = noted(asked.load(directory)?, notes);
+        let given = (rail.profile.as_deref(), rail.points.as_deref());
+        let asked = (section, Role::Rail, side, rail.reading);
+        let profile = noted(loaded(given, asked, directory)?, notes);
         let laid = Rail::new(&profile, rail.cant.unwrap_or(0.0), place);
         let placed = match rail.deviation() {
             Some(deviation) => laid.and_then(|laid| laid.displaced(side, deviation)),
@@ -278,6 +283,26 @@ impl RailSection {
         let Self { dy, dz, droll, .. } = *self;
         let or = |value: Option<f64>| value.unwrap_or(0.0);
         (dy.or(dz).or(droll)).map(|_| Deviation { y: or(dy), z: or(dz), roll: or(droll) })
+    }
+
+    /// The springs on which it lies, if it does.
+    fn springs(&self) -> Result<Option<RailSprings>, CaseError> {
+        let positive = |key, value: Option<f64>| {
+            let value = needed("rail", key, value)?;
+            checked("rail", key, value, value > 0.0 && value.is_finite(), "positive and finite")
+        };
+        let finite = |key, value: Option<f64>| {
+            let value = value.unwrap_or(0.0);
+            checked("rail", key, value, value.is_finite(), "finite")
+        };
+        let Self { stiffness_y, stiffness_z, force_y, force_z, .. } = *self;
+        if stiffness_y.or(stiffness_z).or(force_y).or(force_z).is_none() {
+            return Ok(None);
+        }
+        let stiffness =
+            [positive("stiffness_y", stiffness_y)?, positive("stiffness_z", stiffness_z)?];
+        let force = [finite("force_y", force_y)?, finite("force_z", force_z)?];
+        Ok(Some(RailSprings { stiffness, force }))
     }
 
     fn motion(&self) -> RailMotion {
@@ -342,6 +367,28 @@ impl TrackSection {
                     needed(TRACK, "gauge_height", self.gauge_height)?,
                 )?,
             }),
+        }
+    }
+}
+
+/// A profile by its name or its points, with a note where it comes from a file.
+fn loaded(
+    given: (Option<&str>, Option<&[[f64; 2]]>),
+    (section, role, side, reading): (&'static str, Role, Side, Option<ReadingSection>),
+    directory: &Path,
+) -> Result<(Profile, Option<ProfileNote>), WheelsetError> {
+    match given {
+        (Some(_), Some(_)) => {
+            let [first, second] = ["profile", "points"].map(|key| (section, key));
+            Err(CaseError::Conflict { first, second }.into())
+        }
+        (None, Some(points)) => {
+            let smoothing = reading.and_then(|reading| reading.wanted().smoothing);
+            Ok((of_points((section, role), points, smoothing)?, None))
+        }
+        (name, None) => {
+            let name = needed(section, "profile", name)?;
+            Asked { section, name, role, side, reading }.load(directory)
         }
     }
 }

@@ -30,6 +30,7 @@ mod solved_picture;
 mod solved_text;
 mod solved_write;
 mod solver;
+mod springs;
 mod table;
 mod wear;
 
@@ -49,4 +50,5 @@ pub use resultant::Resultant;
 pub use solved::{SolvedContact, SolvedWheel, SolvedWheelset};
 pub use solved_json::{RailForceJson, WheelJson, WheelPatchJson, WheelsetReportJson};
 pub use solver::WheelsetSolver;
+pub use springs::RailSprings;
 pub use table::WheelsetTable;

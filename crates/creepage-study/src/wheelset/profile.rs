@@ -3,12 +3,38 @@
 use std::fs;
 use std::path::Path;
 
+use creepage::InvalidValue;
 use creepage_rail::file::{FileError, Reading, SaidBy, Wanted, read};
-use creepage_rail::{Profile, Role, Side, Standard};
+use creepage_rail::{Profile, ProfileError, Role, Side, Standard};
 
 use super::case::ProfileNote;
 use super::error::WheelsetError;
 use super::sections::ReadingSection;
+use crate::case::CaseError;
+
+/// A profile by its points (m), along it in either sense.
+pub(super) fn of_points(
+    (section, role): (&'static str, Role),
+    points: &[[f64; 2]],
+    smoothing: Option<f64>,
+) -> Result<Profile, WheelsetError> {
+    let wrong = |source| WheelsetError::Points { section, source };
+    if let Some(value) = points.as_flattened().iter().copied().find(|value| !value.is_finite()) {
+        let invalid = InvalidValue { quantity: "points", value, valid: "finite" };
+        return Err(CaseError::Invalid { section, invalid }.into());
+    }
+    let made = |points: &[[f64; 2]]| match smoothing {
+        Some(wavelength) => Profile::smoothed(role, points, &[], wavelength),
+        None => Profile::through(role, points, &[]),
+    };
+    match made(points) {
+        Err(ProfileError::WrongSense { .. }) => {
+            let turned: Vec<[f64; 2]> = points.iter().rev().copied().collect();
+            made(&turned).map_err(wrong)
+        }
+        known => known.map_err(wrong),
+    }
+}
 
 /// A profile that a section asks for.
 pub(super) struct Asked<'a> {

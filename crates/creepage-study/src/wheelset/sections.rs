@@ -61,6 +61,9 @@ impl ReadingSection {
 pub(super) struct WheelSection {
     /// Name of a standard profile, such as "S1002", else a file beside the case file.
     pub(super) profile: Option<String>,
+    /// The profile's points [y, z] (m) in place of a name, y to the field side, z down, along the profile
+    /// in either sense.
+    pub(super) points: Option<Vec<[f64; 2]>>,
     /// What the profile's file does not show, or is to be read as, and how it is smoothed.
     #[schemars(with = "ReadingSection")]
     #[serde(default)]
@@ -74,9 +77,11 @@ pub(super) struct WheelSection {
 impl WheelSection {
     /// What this section leaves out as in another; the reading goes with the file.
     pub(super) fn or(&self, other: &Self) -> Self {
-        let file = if self.profile.is_some() { self } else { other };
+        let has_own = self.profile.is_some() || self.points.is_some();
+        let file = if has_own { self } else { other };
         Self {
             profile: file.profile.clone(),
+            points: file.points.clone(),
             reading: self.reading.or(file.reading),
             radius: self.radius.or(other.radius),
             flange_back: self.flange_back.or(other.flange_back),
@@ -90,6 +95,9 @@ impl WheelSection {
 pub(super) struct RailSection {
     /// Name of a standard profile, such as "UIC60", else a file beside the case file.
     pub(super) profile: Option<String>,
+    /// The profile's points [y, z] (m) in place of a name, y to the field side, z down, along the profile
+    /// in either sense.
+    pub(super) points: Option<Vec<[f64; 2]>>,
     /// What the profile's file does not show, or is to be read as, and how it is smoothed.
     #[schemars(with = "ReadingSection")]
     #[serde(default)]
@@ -109,6 +117,14 @@ pub(super) struct RailSection {
     pub(super) dz_rate: Option<f64>,
     /// Angular velocity about x (rad/s); 0 by default.
     pub(super) droll_rate: Option<f64>,
+    /// Stiffness of the springs on which a rail without mass lies, across (N/m), beside `stiffness_z`.
+    pub(super) stiffness_y: Option<f64>,
+    /// The same, down (N/m).
+    pub(super) stiffness_z: Option<f64>,
+    /// Force on the sprung rail beside the wheel's, to the right (N); 0 by default.
+    pub(super) force_y: Option<f64>,
+    /// The same, down (N).
+    pub(super) force_z: Option<f64>,
     /// Friction on this rail, where it differs from that of [contact].
     #[schemars(with = "RailFrictionValue")]
     #[serde(default)]
@@ -118,9 +134,11 @@ pub(super) struct RailSection {
 impl RailSection {
     /// What this section leaves out as in another; the reading goes with the file.
     pub(super) fn or(&self, other: &Self) -> Self {
-        let file = if self.profile.is_some() { self } else { other };
+        let has_own = self.profile.is_some() || self.points.is_some();
+        let file = if has_own { self } else { other };
         Self {
             profile: file.profile.clone(),
+            points: file.points.clone(),
             reading: self.reading.or(file.reading),
             cant: self.cant.or(other.cant),
             dy: self.dy.or(other.dy),
@@ -129,6 +147,10 @@ impl RailSection {
             dy_rate: self.dy_rate.or(other.dy_rate),
             dz_rate: self.dz_rate.or(other.dz_rate),
             droll_rate: self.droll_rate.or(other.droll_rate),
+            stiffness_y: self.stiffness_y.or(other.stiffness_y),
+            stiffness_z: self.stiffness_z.or(other.stiffness_z),
+            force_y: self.force_y.or(other.force_y),
+            force_z: self.force_z.or(other.force_z),
             friction: self.friction.clone().or_else(|| other.friction.clone()),
         }
     }

@@ -59,6 +59,8 @@ pub struct SolvedWheel {
     pub pitch_rate: f64,
     /// How far its wheel would have to go down to touch (m), where it touches nothing.
     pub clearance: Option<f64>,
+    /// How far its rail gave way on its springs, to the right and down (m), where it lies on any.
+    pub deflection: Option<[f64; 2]>,
     /// How far it was brought down from first touch to carry its load (m); zero where its height
     /// was given.
     pub(super) depth: f64,
@@ -283,6 +285,12 @@ impl SolvedWheelset {
             wheel.contacts = contacts.map(SolvedContact::fore_and_aft).collect();
         }
         self
+    }
+
+    /// Remembers how far a rail gave way.
+    pub(super) fn deflect(&mut self, side: Side, by: [f64; 2]) {
+        let wheels = self.left.iter_mut().chain(&mut self.right);
+        wheels.filter(|wheel| wheel.side == side).for_each(|wheel| wheel.deflection = Some(by));
     }
 
     /// How one of its wheels moves.

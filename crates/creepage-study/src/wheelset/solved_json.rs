@@ -64,6 +64,8 @@ pub struct WheelJson {
     pub pitch_rate_rad_per_s: f64,
     /// How far it would have to go down to touch (m), where it touches nothing; else `null`.
     pub clearance_m: Option<f64>,
+    /// How far its rail gave way on its springs, `[y, z]` (m), where it lies on any; else `null`.
+    pub rail_deflection_m: Option<[f64; 2]>,
     /// Origin of the rail's profile `[x, y, z]` (m).
     pub rail_origin_m: [f64; 3],
     /// How the force changes with the wheelset's position and motion; `null` where nobody asked.
@@ -208,6 +210,7 @@ impl WheelJson {
             z_m: wheel.position.z,
             pitch_rate_rad_per_s: wheel.pitch_rate,
             clearance_m: wheel.clearance,
+            rail_deflection_m: wheel.deflection,
             rail_origin_m: wheel.rail_origin,
             derivatives,
         }

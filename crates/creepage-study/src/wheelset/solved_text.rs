@@ -95,6 +95,9 @@ fn wheel_lines(wheel: &SolvedWheel, lines: &mut Lines) {
     }
     let [x, y, z] = on_rail.moment.map(|moment| format!("{} N m", fixed(moment, 3)));
     lines.columns("moment about its origin", [&x, &y, &z]);
+    if let Some([y, z]) = wheel.deflection {
+        lines.columns("rail gives way", ["", &mm(y), &mm(z)]);
+    }
     for contact in wheel.contacts() {
         contact_lines(contact, lines);
     }

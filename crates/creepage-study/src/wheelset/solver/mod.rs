@@ -58,6 +58,11 @@ impl WheelsetCase {
     /// [`WheelsetError`] where materials or friction are missing, or the theory is not one that
     /// solves contacts of any shape.
     pub fn solver(&self) -> Result<WheelsetSolver<'_>, WheelsetError> {
+        if self.is_sprung() {
+            return Err(WheelsetError::RigidRails {
+                what: "a position by itself, with derivatives or in rows,",
+            });
+        }
         let theory = GapTheory::new(&self.theory);
         let theory = theory.map_err(|error| WheelsetError::Theory(Box::new(error.into())))?;
         let pair = self.solids.ok_or_else(|| section("materials", "shear_modulus, poisson"))?;
@@ -86,6 +91,9 @@ impl WheelsetCase {
     /// As [`WheelsetCase::solver`] and [`WheelsetSolver::solve`], and where load or motion are
     /// missing.
     pub fn solve(&self) -> Result<SolvedWheelset, WheelsetError> {
+        if self.is_sprung() {
+            return self.solve_on_springs();
+        }
         let travel = self.travel.ok_or_else(|| section("motion", "speed"))?;
         let mut solved = self.solver()?.solve(&self.stance, &travel)?;
         if let Some(wanted) = &self.damage {

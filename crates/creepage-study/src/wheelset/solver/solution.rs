@@ -87,7 +87,8 @@ impl SolvedWheel {
         } else {
             None
         };
-        Self { side, position, pitch_rate, clearance, depth, by, rail_origin, contacts }
+        let deflection = None;
+        Self { side, position, pitch_rate, clearance, deflection, depth, by, rail_origin, contacts }
     }
 }
 
