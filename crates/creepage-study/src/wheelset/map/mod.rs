@@ -292,7 +292,9 @@ pub fn build_map(
         roll: MapPlan::ROLL,
         own: own(case, friction)?,
     };
-    let journal = Journal::open(journal, &format!("{source}\n{plan:?} {head:?}"))?;
+    // Fits belong to their table.
+    let of = (table.provenance(), table.a_over_b(), table.intervals(), table.accuracy());
+    let journal = Journal::open(journal, &format!("{source}\n{plan:?} {head:?} {of:?}"))?;
     let solver = case.solver()?;
     let builder = Builder { case, solver, plan, table: &table, head, journal, progress };
     let right = builder.wheel(Side::Right)?;
