@@ -196,10 +196,11 @@ impl Problem<'_> {
                 forces[e] = force;
             }
             let [one, other] = ellipses.map(|ellipse| ellipse.weight);
-            for i in 0..2 {
+            let parts = forces[0].into_iter().zip(forces[1]).zip(sample.force);
+            for (i, ((first, second), wanted)) in parts.take(2).enumerate() {
                 let row = 2 * n + i;
-                left[row] = one * forces[0][i] + other * forces[1][i] - sample.force[i];
-                by[(row, 8)] = one * other * (forces[0][i] - forces[1][i]);
+                left[row] = one * first + other * second - wanted;
+                by[(row, 8)] = one * other * (first - second);
             }
         }
         Ok((left, by))
