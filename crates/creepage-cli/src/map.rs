@@ -167,9 +167,9 @@ fn text(map: &ContactMap, size: usize) -> String {
         let wheel = map.wheel(side);
         let [low, high] = wheel.range().map(|place| 1e3 * place);
         // Writing to a string cannot fail.
-        let _ = write!(
+        let _ = writeln!(
             text,
-            "{name:5} wheel: places {low:.2} to {high:.2} mm towards its flange, {} nodes\n",
+            "{name:5} wheel: places {low:.2} to {high:.2} mm towards its flange, {} nodes",
             wheel.places().len()
         );
     }
@@ -179,11 +179,11 @@ fn text(map: &ContactMap, size: usize) -> String {
         .loads()
         .map(|load| format!("{:.1}", 1e-3 * load))
         .collect();
-    let _ = write!(
+    let _ = writeln!(
         text,
         "yaw to {yaw} mrad, friction {low} to {high}, loads {} kN, {} kB\n\n\
          error on fresh states against the full theory in per cent\n\
-         {:38} {:>6} {:>7} {:>7} {:>7} {:>7}\n",
+         {:38} {:>6} {:>7} {:>7} {:>7} {:>7}",
         loads.join(", "),
         size / 1000,
         "",
