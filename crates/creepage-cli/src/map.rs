@@ -1,5 +1,6 @@
 //! `creepage map`: the contact map of a wheelset.
 
+use std::fmt::Write as _;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -69,7 +70,7 @@ pub(crate) fn run(args: &MapArgs) -> Result<Outcome, Failure> {
         path: args.wheelset.clone(),
         source: Box::new(source),
     };
-    let plan = plan(args, MapPlan::of(&case).map_err(wrong)?);
+    let plan = plan(args, &MapPlan::of(&case).map_err(wrong)?);
     let failed = |source| Failure::Write { path: args.out.clone(), source };
     Sources::new([&args.wheelset]).spare(&args.out)?;
     case.sources().spare(&args.out)?;
@@ -105,12 +106,12 @@ pub(crate) fn run(args: &MapArgs) -> Result<Outcome, Failure> {
     file.write_all(&bytes).and_then(|()| file.finish()).map_err(failed)?;
     // It holds nothing that the map does not.
     let _ = std::fs::remove_file(journal);
-    say_written(&[args.out.clone()]);
+    say_written(std::slice::from_ref(&args.out));
     print(&text(&map, bytes.len()))?;
     Ok(Outcome::Done)
 }
 
-fn plan(args: &MapArgs, usual: MapPlan) -> MapPlan {
+fn plan(args: &MapArgs, usual: &MapPlan) -> MapPlan {
     let loads = if args.loads.is_empty() { usual.loads.clone() } else { args.loads.clone() };
     let resolution = match args.resolution {
         Elements::Fast => MapResolution::Fast,
@@ -126,7 +127,7 @@ fn plan(args: &MapArgs, usual: MapPlan) -> MapPlan {
         widths: [wide, args.narrowest],
         states: args.states,
         resolution,
-        ..usual
+        ..usual.clone()
     }
 }
 
@@ -165,8 +166,10 @@ fn text(map: &ContactMap, size: usize) -> String {
     for (name, side) in [("left", creepage_map::Side::Left), ("right", creepage_map::Side::Right)] {
         let wheel = map.wheel(side);
         let [low, high] = wheel.range().map(|place| 1e3 * place);
-        text += &format!(
-            "{name:5} wheel: places {low:.2} to {high:.2} mm towards its flange, {} nodes\n",
+        // Writing to a string cannot fail.
+        let _ = writeln!(
+            text,
+            "{name:5} wheel: places {low:.2} to {high:.2} mm towards its flange, {} nodes",
             wheel.places().len()
         );
     }
@@ -176,10 +179,11 @@ fn text(map: &ContactMap, size: usize) -> String {
         .loads()
         .map(|load| format!("{:.1}", 1e-3 * load))
         .collect();
-    text += &format!(
+    let _ = writeln!(
+        text,
         "yaw to {yaw} mrad, friction {low} to {high}, loads {} kN, {} kB\n\n\
          error on fresh states against the full theory in per cent\n\
-         {:38} {:>6} {:>7} {:>7} {:>7} {:>7}\n",
+         {:38} {:>6} {:>7} {:>7} {:>7} {:>7}",
         loads.join(", "),
         size / 1000,
         "",
@@ -199,8 +203,9 @@ fn text(map: &ContactMap, size: usize) -> String {
             let Spread { states, rms, median, p95, worst } = spread;
             let [rms, median, p95, worst] = [rms, median, p95, worst].map(|part| 100.0 * part);
             let name = format!("{name}{place}");
-            text += &format!(
-                "{name:38} {states:>6} {rms:>7.3} {median:>7.3} {p95:>7.3} {worst:>7.3}\n"
+            let _ = writeln!(
+                text,
+                "{name:38} {states:>6} {rms:>7.3} {median:>7.3} {p95:>7.3} {worst:>7.3}"
             );
         }
     }

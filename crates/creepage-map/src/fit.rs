@@ -55,7 +55,14 @@ struct Problem<'a> {
     length: f64,
     /// Logarithms.
     ratios: [f64; 2],
+    /// Logarithms of `k_x` and `k_p` from which the fit starts.
+    scales: [f64; 2],
+    /// Bounds of `s` in its unit: as far beyond the area as this is wide.
+    offsets: [f64; 2],
 }
+
+/// How far `ln k_x` and `ln k_p` may go from their start: beyond, an ellipse slides at any creepage or at none.
+const SCALE: f64 = 3.0;
 
 /// Fits two ellipses to samples, from several starts; the best one.
 ///
@@ -81,8 +88,10 @@ pub fn fit(
     }
     let length = (contour.length * (high - low)).sqrt();
     let ratios = [(axis.low * MARGIN).ln(), (axis.high / MARGIN).ln()];
-    let problem = Problem { table, poisson, samples, length, ratios };
-    let [kx, kp] = contour.scale.map(f64::ln);
+    let scales = contour.scale.map(f64::ln);
+    let offsets = [(2.0 * low - high) / length, (2.0 * high - low) / length];
+    let problem = Problem { table, poisson, samples, length, ratios, scales, offsets };
+    let [kx, kp] = scales;
     let shape = (contour.length / (high - low)).ln();
     let two = |s: [f64; 2], shape: f64| {
         Numbers::from([shape, kx, kp, s[0] / length, shape, kx, kp, s[1] / length, 0.0])
@@ -120,6 +129,11 @@ impl Problem<'_> {
     fn bounded(&self, mut numbers: Numbers) -> Numbers {
         for k in [0, 4] {
             numbers[k] = numbers[k].clamp(self.ratios[0], self.ratios[1]);
+            for (scale, start) in self.scales.into_iter().enumerate() {
+                let scale = &mut numbers[k + 1 + scale];
+                *scale = scale.clamp(start - SCALE, start + SCALE);
+            }
+            numbers[k + 3] = numbers[k + 3].clamp(self.offsets[0], self.offsets[1]);
         }
         numbers[8] = numbers[8].clamp(-LOGIT, LOGIT);
         numbers
@@ -182,10 +196,11 @@ impl Problem<'_> {
                 forces[e] = force;
             }
             let [one, other] = ellipses.map(|ellipse| ellipse.weight);
-            for i in 0..2 {
+            let parts = forces[0].into_iter().zip(forces[1]).zip(sample.force);
+            for (i, ((first, second), wanted)) in parts.take(2).enumerate() {
                 let row = 2 * n + i;
-                left[row] = one * forces[0][i] + other * forces[1][i] - sample.force[i];
-                by[(row, 8)] = one * other * (forces[0][i] - forces[1][i]);
+                left[row] = one * first + other * second - wanted;
+                by[(row, 8)] = one * other * (first - second);
             }
         }
         Ok((left, by))
@@ -240,7 +255,8 @@ impl Problem<'_> {
                 let right = SVector::<f64, 9>::from_fn(|k, _| -gradient[k]);
                 let Some(factor) = damped.cholesky() else { break };
                 let next = same(at + factor.solve(&right));
-                let found = self.squares(&next)?;
+                // A step out of what the table takes is too long.
+                let found = self.squares(&next).unwrap_or(f64::INFINITY);
                 if found < squares {
                     gained = Some((squares - found) / squares);
                     (at, squares) = (next, found);

@@ -353,41 +353,8 @@ impl ContactMap {
             let parts = wheel.force.iter().chain(&wheel.moment);
             rows.iter_mut().zip(parts).for_each(|(row, part)| *row = part.d);
         }
-        self.follow(state, &wheels, &mut all)?;
+        follow(state, &wheels, &mut all)?;
         Ok((answer, all))
-    }
-
-    /// Lets what is found follow what is given.
-    fn follow(
-        &self,
-        state: &State,
-        wheels: &[WheelActs<Dual<VARIABLES>>; 2],
-        all: &mut Derivatives,
-    ) -> Result<(), MapError> {
-        let unknowns = Unknowns::of(state);
-        let kept: Vec<[f64; VARIABLES]> =
-            unknowns.kept(state, wheels).into_iter().map(|kept| kept.d).collect();
-        let open: Vec<usize> = unknowns.open.iter().copied().collect();
-        if open.is_empty() {
-            return Ok(());
-        }
-        let by = nalgebra::DMatrix::from_fn(open.len(), open.len(), |i, j| kept[i][open[j]]).lu();
-        for given in 0..VARIABLES {
-            let is_open = open.contains(&given);
-            let right = nalgebra::DVector::from_fn(open.len(), |i, _| -kept[i][given]);
-            let moved = by.solve(&right).ok_or(MapError::NotDifferentiable)?;
-            for row in all.as_flattened_mut() {
-                let follow: f64 = open.iter().zip(&moved).map(|(k, moved)| row[*k] * moved).sum();
-                // The columns of what is found are needed until the last.
-                if !is_open {
-                    row[given] += follow;
-                }
-            }
-        }
-        for row in all.as_flattened_mut() {
-            open.iter().for_each(|k| row[*k] = f64::NAN);
-        }
-        Ok(())
     }
 
     fn answer(&self, state: &State, [z, roll, pitch_rate]: [f64; 3]) -> Result<Answer, MapError> {
@@ -557,6 +524,39 @@ fn asked<S: Scalar>(head: &Head, side: Side, image: &Numbers<S>) -> Asked<S> {
     }
 }
 
+/// Lets what is found follow what is given.
+fn follow(
+    state: &State,
+    wheels: &[WheelActs<Dual<VARIABLES>>; 2],
+    all: &mut Derivatives,
+) -> Result<(), MapError> {
+    let unknowns = Unknowns::of(state);
+    let kept: Vec<[f64; VARIABLES]> = kept(state, wheels).into_iter().map(|kept| kept.d).collect();
+    let open: Vec<usize> = unknowns.open.iter().copied().collect();
+    if open.is_empty() {
+        return Ok(());
+    }
+    let by = nalgebra::DMatrix::from_fn(open.len(), open.len(), |i, j| kept[i][open[j]]).lu();
+    for given in 0..VARIABLES {
+        let is_open = open.contains(&given);
+        let right = nalgebra::DVector::from_fn(open.len(), |i, _| -kept[i][given]);
+        let moved = by.solve(&right).ok_or(MapError::NotDifferentiable)?;
+        for row in all.as_flattened_mut() {
+            let follow: f64 = open.iter().zip(&moved).map(|(k, moved)| row[*k] * moved).sum();
+            // The columns of what is found are needed until the last.
+            if !is_open {
+                row[given] += follow;
+            }
+        }
+    }
+    for row in all.as_flattened_mut() {
+        for k in &open {
+            row[*k] = f64::NAN;
+        }
+    }
+    Ok(())
+}
+
 fn numbers<S: Scalar>(state: &State, [z, roll, pitch_rate]: [f64; 3]) -> Numbers<S> {
     let constant = S::constant;
     Numbers {
@@ -613,37 +613,6 @@ impl Unknowns {
         Self { open }
     }
 
-    /// What the unknowns make zero: forces over the load, and friction's moment about the axle over load and
-    /// metre.
-    fn kept<S: Scalar>(&self, state: &State, wheels: &[WheelActs<S>; 2]) -> Vec<S> {
-        let mut kept = Vec::with_capacity(3);
-        self.residuals(state, wheels, |residual| kept.push(residual));
-        kept
-    }
-
-    fn residuals<S: Scalar>(
-        &self,
-        state: &State,
-        wheels: &[WheelActs<S>; 2],
-        mut add: impl FnMut(S),
-    ) {
-        let [left, right] = wheels;
-        let sum = left.force[2] + right.force[2];
-        if let Pressed::AxleLoad(load) = state.pressed {
-            add((sum - load) * load.recip());
-        }
-        let scale = match state.pressed {
-            Pressed::AxleLoad(load) => load,
-            Pressed::Height(_) => sum.value().max(1.0),
-        };
-        if state.roll.is_none() {
-            add((right.force[2] - left.force[2]) * scale.recip());
-        }
-        if state.pitch_rate.is_none() {
-            add((left.axle + right.axle) * scale.recip());
-        }
-    }
-
     /// Newton's method from a start, each step no longer than the map believes in.
     fn find(&self, map: &ContactMap, state: &State, start: [f64; 3]) -> Result<[f64; 3], MapError> {
         const STEPS: usize = 40;
@@ -669,7 +638,7 @@ impl Unknowns {
             let [one, other] = SIDES.map(|side| map.on_rail(side, &numbers));
             let wheels = [one?, other?];
             let (mut residuals, mut filled) = ([Dual::<3>::constant(0.0); 3], 0);
-            self.residuals(state, &wheels, |residual| {
+            residuals_of(state, &wheels, |residual| {
                 residuals[filled] = residual;
                 filled += 1;
             });
@@ -692,6 +661,32 @@ impl Unknowns {
         }
         // Rounding of large heights is no failure.
         if left < 1e-6 { Ok(at) } else { Err(MapError::NotFound { left }) }
+    }
+}
+
+/// What the unknowns make zero: forces over the load, and friction's moment about the axle over load and
+/// metre.
+fn kept<S: Scalar>(state: &State, wheels: &[WheelActs<S>; 2]) -> Vec<S> {
+    let mut kept = Vec::with_capacity(3);
+    residuals_of(state, wheels, |residual| kept.push(residual));
+    kept
+}
+
+fn residuals_of<S: Scalar>(state: &State, wheels: &[WheelActs<S>; 2], mut add: impl FnMut(S)) {
+    let [left, right] = wheels;
+    let sum = left.force[2] + right.force[2];
+    if let Pressed::AxleLoad(load) = state.pressed {
+        add((sum - load) * load.recip());
+    }
+    let scale = match state.pressed {
+        Pressed::AxleLoad(load) => load,
+        Pressed::Height(_) => sum.value().max(1.0),
+    };
+    if state.roll.is_none() {
+        add((right.force[2] - left.force[2]) * scale.recip());
+    }
+    if state.pitch_rate.is_none() {
+        add((left.axle + right.axle) * scale.recip());
     }
 }
 

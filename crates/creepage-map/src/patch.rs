@@ -150,12 +150,12 @@ fn bounded<S: Scalar>([x, y]: [S; 2]) -> [S; 2] {
 
 impl Prepared {
     pub(crate) fn new(
-        patch: Patch,
+        patch: &Patch,
         table: &Table,
         poisson: f64,
     ) -> Result<Self, creepage::InvalidValue> {
         let [one, other] = patch.ellipses.map(|ellipse| table.shape(ellipse.ratio, poisson));
-        Ok(Self { patch, shapes: [one?, other?] })
+        Ok(Self { patch: *patch, shapes: [one?, other?] })
     }
 
     /// Tangential force over `mu N` and moment over `mu N` (m) at creepage, lateral creepage and spin over

@@ -131,6 +131,7 @@ impl<const N: usize> Sub for Dual<N> {
 impl<const N: usize> Mul for Dual<N> {
     type Output = Self;
     #[inline]
+    #[allow(clippy::suspicious_arithmetic_impl)] // the product's rule
     fn mul(self, other: Self) -> Self {
         Self::with(self.v * other.v, |k| self.d[k] * other.v + self.v * other.d[k])
     }
@@ -139,6 +140,7 @@ impl<const N: usize> Mul for Dual<N> {
 impl<const N: usize> Div for Dual<N> {
     type Output = Self;
     #[inline]
+    #[allow(clippy::suspicious_arithmetic_impl)] // by the inverse
     fn div(self, other: Self) -> Self {
         self * other.recip()
     }

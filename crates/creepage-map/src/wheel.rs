@@ -112,7 +112,7 @@ impl WheelMap {
         };
         for patch in nodes.iter().flat_map(|node| &node.loads) {
             for patch in patch {
-                map.patches.push(Prepared::new(*patch, table, poisson)?);
+                map.patches.push(Prepared::new(patch, table, poisson)?);
             }
             map.ends.push(map.patches.len());
         }

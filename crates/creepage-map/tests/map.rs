@@ -1,5 +1,5 @@
 //! A map of made-up contacts: symmetries, bounds, continuity, derivatives, its file.
-#![allow(missing_docs, clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+#![allow(missing_docs, clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::float_cmp)]
 #![allow(unreachable_pub)] // what tests and benchmarks share
 
 mod common;

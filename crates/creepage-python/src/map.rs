@@ -35,6 +35,9 @@ pub struct ContactMapData {
 type Solved<'py> =
     (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>, Option<Bound<'py, PyArray1<f64>>>);
 
+/// 25 numbers of each row; rows without an answer, and why.
+type SolvedRows<'py> = (Bound<'py, PyArray1<f64>>, Vec<(usize, String)>);
+
 #[pymethods]
 impl ContactMapData {
     /// Builds the map of a wheelset, on all cores; NaN and nothing are the usual plan's.
@@ -169,7 +172,7 @@ impl ContactMapData {
         &self,
         py: Python<'py>,
         rows: PyReadonlyArray1<'py, f64>,
-    ) -> PyResult<(Bound<'py, PyArray1<f64>>, Vec<(usize, String)>)> {
+    ) -> PyResult<SolvedRows<'py>> {
         let (rows, map) = (rows.to_vec()?, Arc::clone(&self.map));
         let solve = move || {
             let rows = rows.as_chunks::<12>().0;

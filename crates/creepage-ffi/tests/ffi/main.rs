@@ -17,6 +17,10 @@ mod fuzz;
 mod gap;
 mod header;
 mod interface;
+#[path = "../../../creepage-map/tests/common/mod.rs"]
+#[allow(unreachable_pub, missing_docs, dead_code)] // what several tests share
+mod made_up;
+mod map;
 #[cfg(unix)]
 mod programs;
 mod rolling;

@@ -67,7 +67,7 @@ impl Journal {
         let mut record = vec![key.0];
         record.extend(key.1.to_le_bytes());
         record.extend(u32::try_from(numbers.len()).unwrap_or(0).to_le_bytes());
-        numbers.iter().for_each(|number| record.extend(number.to_le_bytes()));
+        record.extend(numbers.iter().flat_map(|number| number.to_le_bytes()));
         record.extend(crc32fast::hash(&record).to_le_bytes());
         let mut file = file.lock().unwrap_or_else(PoisonError::into_inner);
         let failed = |source| MapBuildError::Journal { path: self.path.clone(), source };
@@ -107,7 +107,7 @@ impl Journal {
         let mut numbers = Vec::new();
         for patches in &built {
             numbers.push(patches.len() as f64);
-            patches.iter().for_each(|patch| numbers.extend(patch_numbers(patch)));
+            numbers.extend(patches.iter().flat_map(patch_numbers));
         }
         self.write(key, &numbers)?;
         Ok(built)

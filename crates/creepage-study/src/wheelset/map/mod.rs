@@ -250,7 +250,7 @@ struct Builder<'a> {
     case: &'a WheelsetCase,
     solver: WheelsetSolver<'a>,
     plan: &'a MapPlan,
-    table: &'a Table,
+    table: Arc<Table>,
     head: Head,
     journal: Journal,
     progress: MapProgress<'a>,
@@ -312,16 +312,18 @@ pub fn build_map(
         roll: MapPlan::ROLL,
         own: own(case, friction)?,
     };
-    let journal = Journal::open(journal, &format!("{source}\n{plan:?} {head:?}"))?;
+    // Fits belong to their table.
+    let of = (table.provenance(), table.a_over_b(), table.intervals(), table.accuracy());
+    let journal = Journal::open(journal, &format!("{source}\n{plan:?} {head:?} {of:?}"))?;
     let solver = case.solver()?;
-    let builder = Builder { case, solver, plan, table: &table, head, journal, progress };
+    let builder = Builder { case, solver, plan, table, head, journal, progress };
     let right = builder.wheel(Side::Right)?;
     let is_mirrored = builder.is_mirrored();
     let left = if is_mirrored { None } else { Some(builder.wheel(Side::Left)?) };
-    builder.finish(Arc::clone(&table), [left, Some(right)], source)
+    builder.finish([left, Some(right)], source)
 }
 
-impl<'a> Builder<'a> {
+impl Builder<'_> {
     /// Whether both sides are mirror images.
     fn is_mirrored(&self) -> bool {
         let running = &self.case.running;
@@ -365,7 +367,7 @@ impl<'a> Builder<'a> {
         let all = usize::try_from(2 * count + 1).unwrap_or(0);
         let done = std::sync::atomic::AtomicUsize::new(0);
         let one = |k: i32| -> Result<Option<HeightNode>, MapBuildError> {
-            let found = self.journal.heights((side, k), || self.height((side, k), &loads))?;
+            let found = self.journal.heights((side, k), || Ok(self.height((side, k), &loads)))?;
             let done = done.fetch_add(1, std::sync::atomic::Ordering::Relaxed) + 1;
             self.goes_on(MapStage::Heights(done, all))?;
             Ok(found)
@@ -389,16 +391,12 @@ impl<'a> Builder<'a> {
         Ok((y, Heights::new(nodes, loads)?))
     }
 
-    fn height(
-        &self,
-        (side, k): (Side, i32),
-        loads: &[f64; HEIGHTS],
-    ) -> Result<Option<HeightNode>, MapBuildError> {
+    fn height(&self, (side, k): (Side, i32), loads: &[f64; HEIGHTS]) -> Option<HeightNode> {
         const STEP: f64 = 2e-5;
         let image = self.image(side);
         let y = f64::from(k) * self.plan.spacing;
         let roll = |y: f64| image.free_roll(y);
-        let node = || {
+        let node = || -> Result<HeightNode, WheelsetError> {
             let slope = (roll(y + STEP)? - roll(y - STEP)?) / (2.0 * STEP);
             heights::node(&self.solver, image, [y, roll(y)?, slope], loads)
         };
@@ -406,18 +404,17 @@ impl<'a> Builder<'a> {
         let finite = |node: &HeightNode| {
             [node.place, node.shift, node.fall].iter().chain(&node.heights).all(|v| v.is_finite())
         };
-        Ok(node().ok().filter(finite))
+        node().ok().filter(finite)
     }
 
     fn finish(
         &self,
-        table: Arc<Table>,
         [left, right]: [Option<Wheel>; 2],
         source: String,
     ) -> Result<ContactMap, MapBuildError> {
         let wheel = |wheel: &Wheel, errors: Vec<CellError>| {
             let Wheel { heights, nodes, .. } = wheel;
-            let of = (self.table, self.head.poisson);
+            let of = (&*self.table, self.head.poisson);
             WheelMap::new(heights.clone(), nodes, &self.plan.loads, errors, of).map(Arc::new)
         };
         let none = |wheel: &Wheel| vec![CellError::default(); wheel.nodes.len() - 1];
@@ -434,7 +431,7 @@ impl<'a> Builder<'a> {
             };
         let map = ContactMap::new(
             self.head,
-            Arc::clone(&table),
+            Arc::clone(&self.table),
             assembled([None, None])?,
             MapAccuracy::default(),
             source.clone(),
@@ -447,7 +444,7 @@ impl<'a> Builder<'a> {
         };
         let accuracy = measure::accuracy(&all);
         let wheels = assembled([of_left, Some(of_right)])?;
-        Ok(ContactMap::new(self.head, table, wheels, accuracy, source))
+        Ok(ContactMap::new(self.head, Arc::clone(&self.table), wheels, accuracy, source))
     }
 }
 

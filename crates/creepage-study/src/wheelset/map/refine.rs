@@ -110,7 +110,7 @@ impl Builder<'_> {
             self.plan.loads.iter().map(|load| height(heights, along, *load)).collect::<Vec<_>>();
         let loads = self.journal.node((side, key), || {
             let each = self.plan.loads.par_iter().zip(&z);
-            let of = (self.table, self.head.poisson);
+            let of = (&*self.table, self.head.poisson);
             each.map(|(load, z)| place.patches(&self.solver, of, [*load, *z])).collect()
         })?;
         Ok(Rolled { y, roll: place.roll, z, node: RollingNode { place: along, loads } })
@@ -128,14 +128,14 @@ impl Builder<'_> {
             let mut nodes: Vec<RollingNode> = nodes.iter().map(|one| one.node.clone()).collect();
             slopes(&mut nodes, loads);
             let errors = vec![CellError::default(); nodes.len() - 1];
-            let of = (self.table, self.head.poisson);
+            let of = (&*self.table, self.head.poisson);
             Ok(WheelMap::new(heights.clone(), &nodes, loads, errors, of)?)
         };
         let (without, with) = (map(&ends)?, map(&[ends[0], middle])?);
         let mut worst = 0.0_f64;
         for (load, z) in loads.iter().zip(&middle.z) {
             for state in motions(middle, *z, self.head.radius) {
-                let of = (&self.head, self.table);
+                let of = (&self.head, &*self.table);
                 let at = [middle.node.place, *load];
                 let [found, right] = [&without, &with].map(|map| map.forces_under(of, &state, at));
                 let (found, right) = (friction(&found?), friction(&right?));
@@ -224,7 +224,7 @@ pub(super) fn slopes(nodes: &mut [RollingNode], loads: &[f64]) {
                     [l.checked_sub(1), above].map(|k| k.and_then(|k| Some((logs[k], of(n, k)?))));
                 let own = *patch;
                 along(patch, &own, (known[n].place, places), FASTEST, |s, slope| {
-                    s.by_place = slope
+                    s.by_place = slope;
                 });
                 // Along the load a reference point moves by the width of an area, some millimetres.
                 along(patch, &own, (logs[l], heavier), 2e-3, |s, slope| s.by_load = slope);
