@@ -64,7 +64,9 @@ from ._results import (
     SiField,
     Status,
 )
+from ._fit import Fitted, FrictionFit
 from ._gap import Gap, GapCase, GapSolution
+from ._half_space import HalfSpace
 from ._rolling import Rolling, RollingStep, roll
 from ._solution import SiCreepage, SiForce, Solution
 from ._statics import StaticsSolution, statics
@@ -107,10 +109,13 @@ __all__ = [
     "Field",
     "Force",
     "ForceArray",
+    "Fitted",
     "Found",
+    "FrictionFit",
     "Gap",
     "GapCase",
     "GapSolution",
+    "HalfSpace",
     "Hertz",
     "InvalidOption",
     "InvalidValue",

@@ -407,6 +407,29 @@ def row_forces(
     columns: Sequence[ArrayLike],
 ) -> dict[str, Any]: ...
 
+_Three: TypeAlias = tuple[Sequence[float], Sequence[float], Sequence[float]]
+
+@final
+@disjoint_base
+class HalfSpaceData:
+    """The half-space under tractions on an ellipse: prepared up to a degree."""
+
+    def __new__(
+        cls, semi_axes: Sequence[float], poisson: float, modulus: float, degree: int
+    ) -> HalfSpaceData: ...
+    def displacement(
+        self, traction: _Three, edge: str
+    ) -> tuple[list[float], list[float], list[float]]: ...
+    def traction(
+        self, displacement: _Three, edge: str
+    ) -> tuple[list[float], list[float], list[float]]: ...
+    def resultants(self, traction: _Three, edge: str) -> list[float]: ...
+    def displacement_at(
+        self, traction: _Three, edge: str, points: Sequence[ArrayLike], kappa: float
+    ) -> Any: ...
+    def traction_at(self, traction: _Three, edge: str, points: Sequence[ArrayLike]) -> Any: ...
+
+
 @final
 class CaseData:
     """The text of a case file, read and checked."""
@@ -415,6 +438,13 @@ class CaseData:
     def __getnewargs__(self) -> tuple[str]: ...
     def __eq__(self, other: object, /) -> bool: ...
     def __hash__(self) -> int: ...
+    def fit(
+        self,
+        theory: str,
+        options: dict[str, Any],
+        columns: Sequence[tuple[str, Sequence[float]]],
+        slope: bool,
+    ) -> tuple[str, list[str]]: ...
     @property
     def damage_columns(self) -> list[str]: ...
     @property

@@ -2,11 +2,14 @@
 
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::PathBuf;
+use std::sync::atomic::Ordering;
 
 use creepage::{Creepage, SiCreepage};
 use creepage_study::{
-    Case, CaseFile, Caution, Damage, Given, HertzReportJson, Sources, hertz_json, solve,
+    AnyCaseFile, Case, CaseFile, Caution, Damage, Fit, FitOptions, Given, HertzReportJson,
+    MeasuredPoints, Sources, hertz_json, solve,
 };
+use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use serde::Serialize;
@@ -167,6 +170,32 @@ impl CaseData {
         let creepage = case.contact.scaling().si_creepage(given);
         let cautions = Caution::units(&case.hertz, case.smallest_radius, creepage);
         (!cautions.is_empty()).then(|| Caution::words(&cautions))
+    }
+
+    /// Friction, and where `slope` a factor of the initial slope, fitted to measured points: columns by
+    /// name. The report as JSON, and rows that are no points in words.
+    fn fit(
+        &self,
+        py: Python,
+        theory: &str,
+        options: &Bound<PyDict>,
+        columns: Vec<(String, Vec<f64>)>,
+        slope: bool,
+    ) -> PyResult<(String, Vec<String>)> {
+        let spec = options::spec(py, theory, Some(options))?;
+        let given: Vec<_> =
+            columns.iter().map(|(name, values)| (name.as_str(), values.as_slice())).collect();
+        let value = |words: String| PyValueError::new_err(words);
+        let measured =
+            MeasuredPoints::from_columns(&given).map_err(|error| value(error.to_string()))?;
+        let left_out = measured.left_out();
+        let file = AnyCaseFile::Ellipse(Box::new(self.file.clone()));
+        let fit = signals::stoppable(py, move |stop| {
+            let mut go_on = || !stop.load(Ordering::Relaxed);
+            Fit::new(&file, "".as_ref(), &spec, &measured, FitOptions { slope }, &mut go_on)
+        })?;
+        let fit = fit.map_err(|error| errors::fit(py, error))?;
+        Ok((fit.json().to_string(), left_out))
     }
 
     /// What the theory of that name neglects in this case though it matters, in words.
