@@ -211,7 +211,8 @@ class Variational(Theory):
     ellipse, (10, 10) up to degree 3. bound: whether tractions are kept within it, "automatic" by
     default (where a/b >= 3), "unchecked" (as in the thesis: looked at afterwards), "kept".
     integrand: a function of (x, y, a, b, t, s), lengths in units of c, in place of T S (5.22): it
-    gives f, f_t, f_s, f_tt, f_ts, f_ss.
+    gives f, f_t, f_s, f_tt, f_ts, f_ss. weight multiplies it too: an integrand with a weight of its
+    own goes with weight="uniform". kappa_over_mu as of Exact.
     """
 
     def __new__(
@@ -225,6 +226,7 @@ class Variational(Theory):
         bound: Literal["automatic", "unchecked", "kept"] | None = None,
         integrand: Callable[[float, float, float, float, float, float], Sequence[float]]
         | None = None,
+        kappa_over_mu: float = 0.0,
     ) -> Variational: ...
 
 @final

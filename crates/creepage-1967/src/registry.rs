@@ -1,7 +1,7 @@
 //! What can be reproduced, in the order of the thesis, and then what it could not know.
 
 use crate::figures::{
-    adhesion_splits, angles, border_jumps, convergence, fig2, fig3, fig3a, fig3b, fig4, fig5,
+    adhesion_splits, angles, border_jumps, convergence, edge_energy, fig2, fig3, fig3a, fig3b, fig4, fig5,
     fig10, fig11, fig12, fig13, fig14, fig15, fig16, fig17, fig18, fig19, fig20, fig21, fig22,
     fig23, fig24, free_rolling, islands, judgement, sliding_with_kappa, transients, tubes,
     wide_contact,
@@ -17,6 +17,7 @@ const ITEMS: &[Item] = &[
     table1::ITEM,
     table2::ITEM,
     table3::ITEM,
+    edge_energy::ITEM,
     fig3a::ITEM,
     fig3b::ITEM,
     fig10::ITEM,

@@ -5,6 +5,7 @@ pub(crate) mod angles;
 pub(crate) mod border_jumps;
 mod coefficients;
 pub(crate) mod convergence;
+pub(crate) mod edge_energy;
 pub(crate) mod fig10;
 pub(crate) mod fig11;
 pub(crate) mod fig12;
