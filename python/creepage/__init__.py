@@ -68,7 +68,7 @@ from ._fit import Fitted, FrictionFit
 from ._gap import Gap, GapCase, GapSolution
 from ._half_space import HalfSpace
 from ._rolling import Rolling, RollingStep, roll
-from ._solution import SiCreepage, SiForce, Solution
+from ._solution import Below, SiCreepage, SiForce, Solution
 from ._statics import StaticsSolution, statics
 from ._sweep import sweep
 from ._theories import THEORIES, theory
@@ -91,6 +91,7 @@ __all__ = [
     "THEORIES",
     "AccuracyWarning",
     "Automatic",
+    "Below",
     "Body",
     "CarterSolution",
     "Case",

@@ -480,6 +480,7 @@ class CaseData:
 class SolvedCase:
     """A case solved by one theory."""
 
+    def below(self, body: str, points: Sequence[ArrayLike]) -> tuple[Any, Any, float]: ...
     @property
     def dimensionless(self) -> ScalarForce: ...
     @property

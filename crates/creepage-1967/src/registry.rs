@@ -1,9 +1,9 @@
 //! What can be reproduced, in the order of the thesis, and then what it could not know.
 
 use crate::figures::{
-    adhesion_splits, angles, border_jumps, convergence, edge_energy, fig2, fig3, fig3a, fig3b, fig4, fig5,
-    fig10, fig11, fig12, fig13, fig14, fig15, fig16, fig17, fig18, fig19, fig20, fig21, fig22,
-    fig23, fig24, free_rolling, islands, judgement, sliding_with_kappa, transients, tubes,
+    adhesion_splits, angles, border_jumps, convergence, edge_energy, fig2, fig3, fig3a, fig3b,
+    fig4, fig5, fig10, fig11, fig12, fig13, fig14, fig15, fig16, fig17, fig18, fig19, fig20, fig21,
+    fig22, fig23, fig24, free_rolling, islands, judgement, sliding_with_kappa, transients, tubes,
     wide_contact,
 };
 use crate::item::Item;

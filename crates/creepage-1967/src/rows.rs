@@ -31,9 +31,8 @@ mod tests {
         assert_eq!(numbers, (1..=105).collect::<Vec<_>>());
         let [works, part, missing] = states();
         assert_eq!(works + part + missing, 105);
-        let words = format!(
-            "105 things, of which\n{works} work, {part} work in part and {missing} do not"
-        );
+        let words =
+            format!("105 things, of which\n{works} work, {part} work in part and {missing} do not");
         assert!(ROWS.contains(&words), "the first lines of ROWS.md should say: {words}");
     }
 
@@ -47,7 +46,10 @@ mod tests {
             assert!(!path.is_empty() || state == "missing", "row {number} has no test");
             for command in how.split('`').filter_map(|part| part.strip_prefix("reproduce ")) {
                 for name in command.split(' ') {
-                    assert!(registry().iter().any(|item| item.name == name), "row {number}: {name}");
+                    assert!(
+                        registry().iter().any(|item| item.name == name),
+                        "row {number}: {name}"
+                    );
                 }
             }
         }

@@ -107,7 +107,7 @@ pub(crate) enum Command {
     ///
     /// With --points, CSV goes to standard output, rows as in P.csv: x, y, z [m], sxx, syy, szz, sxy,
     /// syz, sxz [Pa], positive in tension, the equivalent stresses `von_mises` and tresca, the principal
-    /// stresses s1, s2, s3. Without, a report on the largest equivalent stress. With --out, also
+    /// stresses s1, s2, s3, and the displacements u, v, w [m], w into the body. Without, a report on the largest equivalent stress. With --out, also
     /// stresses.csv (the points, or the section y = 0), a picture of that section, stresses.svg and
     /// stresses.png, and without --points a block of the body, stresses.vtk, into a directory.
     Stresses(StressesArgs),

@@ -11,8 +11,8 @@ use creepage::theory::{TheoryError, UnknownTheory};
 use creepage::unsteady::SavedError;
 use creepage::{HertzError, InvalidValue};
 use creepage_study::{
-    CaseError, GapCaseError, HistoryError, RowError, SolveError, SpecError, StaticsError, Varied,
-    WheelsetError,
+    CaseError, GapCaseError, HistoryError, RowError, SolveError, SpecError, StaticsError,
+    StressError, Varied, WheelsetError,
 };
 
 /// Done.
@@ -91,6 +91,8 @@ pub(crate) enum Failure {
     #[error(transparent)]
     HalfSpace(ResponseError),
     #[error(transparent)]
+    Below(#[from] StressError),
+    #[error(transparent)]
     Statics(Box<StaticsError>),
     #[error("the state has {needed} bytes: there is room for {size}")]
     Room { size: usize, needed: usize },
@@ -131,6 +133,7 @@ impl Failure {
             | Self::Case { .. }
             | Self::Hertz(_)
             | Self::HalfSpace(_)
+            | Self::Below(_)
             | Self::Statics(_)
             | Self::Bulk(_)
             | Self::Build { .. }

@@ -31,7 +31,8 @@ pub use half_space::{
     creepage_half_space_traction, creepage_statics,
 };
 pub use hertz::{
-    CREEPAGE_ADHESION, CREEPAGE_OUTSIDE, CREEPAGE_SLIP, creepage_case_field, creepage_hertz,
+    CREEPAGE_ADHESION, CREEPAGE_LOWER, CREEPAGE_OUTSIDE, CREEPAGE_SLIP, CREEPAGE_UPPER,
+    creepage_case_below, creepage_case_field, creepage_hertz,
 };
 pub use rolling::{
     CreepageRolling, creepage_rolling_free, creepage_rolling_new, creepage_rolling_restore,

@@ -38,7 +38,8 @@ fn make() -> Result<Reproduction, GalleryError> {
         format!("equal to {worst:.0e}; {leading:.0e} of it at the leading edge"),
         worst < 1e-5 && leading < 1e-5,
     );
-    let reason = "coefficients are interpolated to 1e-6; a/b = 0.2, 1, 5, unit \u{3be}, \u{3b7} and \u{3c7}";
+    let reason =
+        "coefficients are interpolated to 1e-6; a/b = 0.2, 1, 5, unit \u{3be}, \u{3b7} and \u{3c7}";
     let caption = "Where the elastic energy goes that the linear theory loses though nothing slips: along \
         the trailing edge, in parts of force times creepage, per length of y/b. Circular contact, \
         \u{3c3} = 0.28. The infinite traction inside the edge and the slip outside it, (4.41), are as at the \
@@ -56,7 +57,8 @@ fn along(linear: &Linear, creepage: Creepage, power: f64) -> Curve {
 fn sheet(curves: &[(&str, Curve)]) -> Sheet {
     let x = Axis::new([-1.0, 1.0], Label::default().symbol("y").plain("/").symbol("b"));
     let top = curves.iter().flat_map(|(_, curve)| curve).map(|point| point[1]).fold(0.0, f64::max);
-    let y = Axis::new([0.0, 1.06 * top], Label::new("energy lost, in parts of force times creepage"));
+    let y =
+        Axis::new([0.0, 1.06 * top], Label::new("energy lost, in parts of force times creepage"));
     let mut panel = Panel::new(x, y).height(360.0);
     for (k, (_, curve)) in curves.iter().enumerate() {
         panel = panel.curve(curve.clone(), Pen::of(k));

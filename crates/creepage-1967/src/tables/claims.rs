@@ -6,9 +6,10 @@ use creepage::Theory;
 use creepage::approximate::strip::StripTheory;
 use creepage::halfspace::{LoadDisplacement, Polynomial};
 use creepage::variational::{
-    Chain, IntegrandArguments, IntegrandTerms, Method, Procedure, Settings, Start, Variational, Weight,
+    Chain, IntegrandArguments, IntegrandTerms, Method, Procedure, Settings, Start, Variational,
+    Weight,
 };
-use creepage::{Creepage, Ellipse, Force, Solved};
+use creepage::{Creepage, Ellipse, Force, Solved, Status};
 
 use crate::prelude::*;
 
@@ -96,9 +97,8 @@ fn strip_theory() -> Result<[Comparison; 2], GalleryError> {
     let creepages = SPINS.map(|chi| rolling_at([0.0, 0.0, chi]));
     let numerical = chained(&theory, &creepages);
     let percent = creepages.iter().zip(&numerical);
-    let percent = percent.map(|(creepage, force)| {
-        100.0 * (strip.solve(*creepage).force.fy / force.fy - 1.0)
-    });
+    let percent =
+        percent.map(|(creepage, force)| 100.0 * (strip.solve(*creepage).force.fy / force.fy - 1.0));
     let percent: Vec<f64> = percent.collect();
     let worst = percent.iter().map(|off| off.abs()).fold(0.0, f64::max);
     let course: Vec<_> =
@@ -133,7 +133,8 @@ fn least_squares_with_areas() -> Result<Comparison, GalleryError> {
             for (creepage, truth) in creepages.iter().zip(truth).rev() {
                 let one = chain.solve(*creepage, None).found;
                 let two = theory.solve_by(areas, *creepage, &Start::From(&one.tau), None);
-                let off = |force: Force| (force.fx - truth.fx).powi(2) + (force.fy - truth.fy).powi(2);
+                let off =
+                    |force: Force| (force.fx - truth.fx).powi(2) + (force.fy - truth.fy).powi(2);
                 squares[0] += off(one.solution.force);
                 squares[1] += off(two.solution.force);
                 count += 1.0;
@@ -144,7 +145,9 @@ fn least_squares_with_areas() -> Result<Comparison, GalleryError> {
     Ok(Comparison::claim(
         "forces by (5.12) and by (5.15), from the full theory",
         "(5.12) compared better with the experiment",
-        format!("{product:.1} and {least:.1} % of μN (root mean square over {count:.0} cases, a/b = 1)"),
+        format!(
+            "{product:.1} and {least:.1} % of μN (root mean square over {count:.0} cases, a/b = 1)"
+        ),
         product < least,
     )
     .remark("the full theory stands for the experiments, whose points are not in the text"))

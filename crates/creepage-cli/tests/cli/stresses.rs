@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use crate::place::{Place, json};
 
-const HEADER: &str = "x,y,z,sxx,syy,szz,sxy,syz,sxz,von_mises,tresca,s1,s2,s3";
+const HEADER: &str = "x,y,z,sxx,syy,szz,sxy,syz,sxz,von_mises,tresca,s1,s2,s3,u,v,w";
 const PEAK: f64 = 1.025e9;
 
 /// A contact with these semi-axes and the peak pressure [`PEAK`].

@@ -108,3 +108,51 @@ fn problems_without_rolling_are_those_of_the_command() {
     assert_eq!(statics("no = case\n", 0).0, CREEPAGE_INVALID);
     assert_eq!(statics("no-such-file.toml", 0).0, CREEPAGE_FILE);
 }
+
+#[test]
+fn inside_the_bodies_of_a_case() {
+    let text = CString::new(
+        "upper = { shear_modulus = 82e9, poisson = 0.28, radius_rolling = 0.46, radius_lateral = 'flat' }
+        lower = { shear_modulus = 82e9, poisson = 0.28, radius_rolling = 'flat', radius_lateral = 0.3 }
+        contact = { normal_force = 80e3, friction = 0.3 }
+        creepage = { longitudinal = 0.1 }
+        solve = { theory = 'saturated' }\n",
+    )
+    .unwrap();
+    let (mut made, mut message) = (null_mut(), Message::new());
+    let (points, mut stresses, mut moved, mut settled) = ([0.0; 6], [0.0; 12], [0.0; 6], f64::NAN);
+    // SAFETY: all point to what they should.
+    let codes = unsafe {
+        let new = creepage_case_new(
+            text.as_ptr(),
+            std::ptr::null(),
+            &raw mut made,
+            message.0.as_mut_ptr(),
+            message.0.len(),
+        );
+        let mut below = |body: i32, points: &[f64; 6]| {
+            creepage_case_below(
+                made,
+                body,
+                2,
+                points.as_ptr(),
+                stresses.as_mut_ptr(),
+                moved.as_mut_ptr(),
+                &raw mut settled,
+                message.0.as_mut_ptr(),
+                message.0.len(),
+            )
+        };
+        let above = below(CREEPAGE_UPPER, &[0.0, 0.0, -1.0, 0.0, 0.0, 0.0]);
+        let (none, fine) = (below(2, &points), below(CREEPAGE_LOWER, &points));
+        creepage_case_free(made);
+        [new, above, none, fine]
+    };
+    assert_eq!(codes, [CREEPAGE_OK, CREEPAGE_INVALID, CREEPAGE_INVALID, CREEPAGE_OK]);
+    let case = creepage_study::CaseFile::read(text.to_str().unwrap()).unwrap();
+    let hertz = case.hertz().unwrap();
+    // Like bodies: half of Hertz's approach, below his peak pressure; both in closed form.
+    assert!((moved[2] / (0.5 * hertz.approach()) - 1.0).abs() < 1e-9, "{moved:?}");
+    assert!((stresses[2] / hertz.peak_pressure() + 1.0).abs() < 1e-9 && settled == 0.0);
+    assert!(moved[0] > 0.0 && moved[3..] == moved[..3]);
+}

@@ -20,7 +20,9 @@ pub fn series_csv<E: Into<ReportError>>(
     let names = COLUMNS.iter().map(|column| column.name);
     let series = |source: csv::Error| ReportError::Series(source.into());
     writer
-        .write_record(["a_over_b", "poisson", "kappa_over_mu"].into_iter().chain(names).chain(["status"]))
+        .write_record(
+            ["a_over_b", "poisson", "kappa_over_mu"].into_iter().chain(names).chain(["status"]),
+        )
         .map_err(series)?;
     for row in rows {
         let row = row.map_err(Into::into)?;

@@ -116,7 +116,9 @@ mod tests {
 
     #[test]
     fn what_is_lost_at_the_edge_is_force_times_creepage() {
-        for (a_over_b, poisson) in [(0.2, 0.0), (0.5, 0.28), (1.0, 0.28), (1.0, 0.5), (3.0, 0.3), (5.0, 0.5)] {
+        for (a_over_b, poisson) in
+            [(0.2, 0.0), (0.5, 0.28), (1.0, 0.28), (1.0, 0.5), (3.0, 0.3), (5.0, 0.5)]
+        {
             let contact = Contact::new(Ellipse::from_ratio(a_over_b).unwrap(), poisson).unwrap();
             let linear = Linear::new(&contact).unwrap();
             for [xi, eta, chi] in
@@ -127,7 +129,10 @@ mod tests {
                     (linear.solved(creepage).power(), linear.edge_energy(creepage));
                 // The coefficients are interpolated to 1e-6, and at finite degree C23 and -C32 differ by
                 // as much.
-                assert!((energy.total() / power - 1.0).abs() < 5e-6, "{a_over_b} {poisson}: {energy:?} {power}");
+                assert!(
+                    (energy.total() / power - 1.0).abs() < 5e-6,
+                    "{a_over_b} {poisson}: {energy:?} {power}"
+                );
                 assert!(energy.leading.abs() < 5e-6 * power, "{a_over_b} {poisson}: {energy:?}");
             }
         }
