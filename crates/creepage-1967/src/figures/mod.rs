@@ -27,6 +27,8 @@ pub(crate) mod fig3a;
 pub(crate) mod fig3b;
 pub(crate) mod fig4;
 pub(crate) mod fig5;
+pub(crate) mod fig7;
+pub(crate) mod fig9;
 pub(crate) mod free_rolling;
 pub(crate) mod islands;
 pub(crate) mod judgement;

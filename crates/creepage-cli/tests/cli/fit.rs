@@ -41,7 +41,7 @@ fn a_report_and_four_files_the_same_each_time() {
 fn rows_that_are_no_points_are_named_and_the_code_is_three() {
     let place = place(&format!("{POINTS}9e-3,n/a\n"));
     let ran = place.run(&FIT);
-    assert_eq!(ran.code, 3, "{}", ran.stderr);
+    assert_eq!(ran.code, Some(3), "{}", ran.stderr);
     assert!(ran.stderr.contains("row 8, column longitudinal_coefficient: `n/a`"), "{}", ran.stderr);
 }
 
@@ -56,7 +56,7 @@ fn wrong_input_is_refused_by_its_cause_and_nothing_is_written() {
     ] {
         let place = place(points);
         let ran = place.run(&[&FIT[..], &["--theory", theory, "--out", "made"]].concat());
-        assert_eq!((ran.code, ran.stdout.as_str()), (2, ""), "{}", ran.stderr);
+        assert_eq!((ran.code, ran.stdout.as_str()), (Some(2), ""), "{}", ran.stderr);
         assert!(ran.stderr.contains(words), "{}", ran.stderr);
         assert!(!place.path("made").exists());
     }
@@ -73,6 +73,6 @@ fn measured_points_lie_over_curves() {
     let svg = std::fs::read_to_string(place.path("made").join("curve.svg")).unwrap();
     assert!(svg.contains(">measured<"));
     let ran = place.run(&["curve", "case.toml", "--data", "points.csv", "--vary", "spin"]);
-    assert_eq!(ran.code, 2);
+    assert_eq!(ran.code, Some(2));
     assert!(ran.stderr.contains("points.csv: column spin is missing"), "{}", ran.stderr);
 }
