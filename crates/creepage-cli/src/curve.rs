@@ -79,11 +79,17 @@ fn range(
     let [first, last] = extent(measured, vary, &contact.scaling());
     let unit = args.vary.map_or(1.0, |quantity| quantity.unit(&contact.scaling()));
     let given = |name, value: Option<f64>| value.map(|value| finite(name, value)).transpose();
+    let end = usual_end(gains, vary, creepage);
+    // Points on one side of zero, or on both, decide how far.
+    let [first, last] = match measured {
+        None => [0.0, end],
+        Some(_) if last > 0.0 => [first, last.max(end.abs())],
+        Some(_) => [first.min(-end.abs()), 0.0],
+    };
     let from = given("from", args.from)?.map_or(first, |value| value / unit);
     let to = match given("to", args.to)? {
         Some(value) => value / unit,
-        None if measured.is_some() && first < 0.0 => last,
-        None => last.max(usual_end(gains, vary, creepage)),
+        None => last,
     };
     if (to - from).abs() <= f64::EPSILON * from.abs() {
         let valid = "another than that of --from";
