@@ -59,10 +59,10 @@ fn make() -> Result<Reproduction, GalleryError> {
         curves.push((poisson, curve));
     }
     agreement.push(slip_of_the_half_space()?);
-    let caption = "Left: the point (x', y') of the surface at the distance u' from the edge, and the axes \
-        u, v of the thesis. Middle: a traction that is singular all around (orange, on its edge), and the slip \
+    let caption = "Above left: the point (x', y') of the surface at the distance u' from the edge, and the axes \
+        u, v of the thesis. Right: a traction that is singular all around (orange, on its edge), and the slip \
         that it causes outside (4.41), blue, σ = 0.5: nearly along the traction at the trailing edge, nearly \
-        against it at the leading edge, where the singularity must therefore vanish. Right: the angle \
+        against it at the leading edge, where the singularity must therefore vanish. Below: the angle \
         between both by (4.45), over D, the square of the cosine between traction and normal.";
     Ok(Reproduction::figure(&sheet(&curves)?, caption, data, agreement))
 }
@@ -106,8 +106,7 @@ fn sheet(curves: &[(f64, Curve)]) -> Result<Sheet, GalleryError> {
     let angles = {
         let x = Axis::new([0.0, 1.0], Label::default().symbol("D"));
         let y = Axis::new([0.0, 22.0], Label::default().symbol("θ").plain(" [°]"));
-        let heading = Label::new("angle of slip and traction");
-        let panel = Panel::new(x, y).height(230.0).heading(heading);
+        let panel = Panel::new(x, y).height(210.0).heading(Label::new("(4.45)"));
         curves.iter().enumerate().fold(panel, |panel, (k, (poisson, curve))| {
             let name = Label::default().symbol("σ").plain(&format!(" = {poisson}"));
             let top =
@@ -120,7 +119,7 @@ fn sheet(curves: &[(f64, Curve)]) -> Result<Sheet, GalleryError> {
         })
     };
     Ok(Sheet::new(ITEM.title)
-        .columns(3)
+        .columns(2)
         .panel(geometry(ellipse))
         .panel(directions(ellipse))
         .panel(angles)
@@ -130,9 +129,9 @@ fn sheet(curves: &[(f64, Curve)]) -> Result<Sheet, GalleryError> {
 
 /// A frame around the ellipse with its surroundings.
 fn frame(ellipse: Ellipse, heading: &str) -> Panel {
-    let side = 1.55 * ellipse.a();
-    let axis = |symbol: &str| Axis::new([-side, side], Label::default().symbol(symbol));
-    Panel::new(axis("x"), axis("y"))
+    // y points down, as seen from above on the lower body.
+    let (x, y) = (ellipse.a() + 0.62, ellipse.b() + 0.7);
+    Panel::new(Axis::new([-x, x], Label::default()), Axis::new([y, -y], Label::default()))
         .to_scale()
         .bare()
         .heading(Label::new(heading))
@@ -147,15 +146,15 @@ fn geometry(ellipse: Ellipse) -> Panel {
     let across = |length: f64| [foot[0] - length * sin, foot[1] + length * cos];
     let point = along(-0.42);
     frame(ellipse, "the edge")
-        .curve(vec![[-1.4 * ellipse.a(), 0.0], [1.4 * ellipse.a(), 0.0]], Pen::GUIDE)
+        .curve(vec![[-1.15 * ellipse.a(), 0.0], [1.15 * ellipse.a(), 0.0]], Pen::GUIDE)
         .curve(vec![point, foot], Pen::THIN)
         .arrow(foot, along(0.55), 1.6, "#10243a")
         .arrow(foot, across(0.55), 1.6, "#10243a")
         .marks(vec![point], Mark::full(Shape::Circle, "#b3261e"))
         .text(along(0.62), Anchor::Start, Label::default().symbol("u"))
         .text(across(0.72), Anchor::Start, Label::default().symbol("v"))
-        .text([point[0] - 0.1, point[1] + 0.16], Anchor::Middle, Label::default().symbol("x′, y′"))
-        .text([1.42 * ellipse.a(), 0.0], Anchor::Start, Label::default().symbol("x"))
+        .text([point[0] - 0.08, point[1] + 0.06], Anchor::End, Label::default().symbol("x′, y′"))
+        .text([1.18 * ellipse.a(), 0.04], Anchor::Start, Label::default().symbol("x"))
 }
 
 fn directions(ellipse: Ellipse) -> Panel {

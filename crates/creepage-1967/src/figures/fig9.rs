@@ -13,6 +13,8 @@ const CREEPAGE: [f64; 3] = [0.45, -0.5, 1.0];
 const POLE: Mark = Mark::full(Shape::Diamond, "#b3261e");
 const ARROWS: &str = "#d07000";
 const HALF: f64 = 0.1;
+/// The arrow to which the line from the pole is drawn.
+const EXAMPLE: usize = 14;
 
 fn make() -> Result<Reproduction, GalleryError> {
     let ellipse = Ellipse::from_ratio(RATIO)?;
@@ -22,7 +24,7 @@ fn make() -> Result<Reproduction, GalleryError> {
     let pole = [-CREEPAGE[1] / CREEPAGE[2], CREEPAGE[0] / CREEPAGE[2]];
     let mut data = Data::new(["x", "y", "traction_x", "traction_y"]);
     let (mut askew, mut above) = (0.0_f64, 0.0_f64);
-    let mut panel = panel(ellipse, pole);
+    let mut panel = panel(ellipse, pole, positions[EXAMPLE]);
     for point in &points {
         let ([x, y], [tx, ty]) = (point.position, point.traction);
         data.push([x, y, tx, ty].map(Into::into));
@@ -61,15 +63,14 @@ fn make() -> Result<Reproduction, GalleryError> {
     Ok(Reproduction::figure(&sheet, caption, data, agreement))
 }
 
-fn panel(ellipse: Ellipse, pole: [f64; 2]) -> Panel {
-    let example = [-0.45 * ellipse.a(), -0.3 * ellipse.b()];
+fn panel(ellipse: Ellipse, pole: [f64; 2], example: [f64; 2]) -> Panel {
     contact::edge(contact::panel(ellipse, Label::default()), ellipse)
         .curve(vec![pole, example], Pen::GUIDE.wide(1.8))
         .marks(vec![pole], POLE)
 }
 
 fn lattice(ellipse: Ellipse) -> Vec<[f64; 2]> {
-    let mut positions = vec![[-0.45 * ellipse.a(), -0.3 * ellipse.b()]];
+    let mut positions = Vec::new();
     for (radius, count) in [(0.3, 7), (0.58, 13), (0.86, 20)] {
         for k in 0..count {
             let (sin, cos) = (std::f64::consts::TAU * f64::from(k) / f64::from(count)).sin_cos();
