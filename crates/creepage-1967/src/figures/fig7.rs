@@ -95,7 +95,7 @@ fn slip_of_the_half_space() -> Result<Comparison, GalleryError> {
     Ok(Comparison::claim(
         format!("slip at 1e-6 of the semi-axis from the edge, all around, a/b = {RATIO}"),
         "(4.41)",
-        format!("within {:.1e} of the half-space's own", worst),
+        format!("within {worst:.1e} of the half-space's own"),
         worst < 0.01,
     )
     .remark("the bounded part left out in (4.41) is of the order of the root of the distance"))

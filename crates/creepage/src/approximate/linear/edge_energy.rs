@@ -81,8 +81,8 @@ impl Linear {
             return 0.0;
         }
         let traction = self.traction_at(creepage);
-        let density = self.density(&traction)(PI - y_over_b.asin());
-        density
+        let mut density = self.density(&traction);
+        density(PI - y_over_b.asin())
     }
 
     fn traction_at(&self, creepage: Creepage) -> Traction {
