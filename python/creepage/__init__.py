@@ -64,10 +64,12 @@ from ._results import (
     SiField,
     Status,
 )
+from ._fit import Fitted, FrictionFit
 from ._gap import Gap, GapCase, GapSolution
+from ._half_space import HalfSpace
 from ._map import CellError, ContactMap, ErrorSpread, MapErrors, MapMany, MapResult
 from ._rolling import Rolling, RollingStep, roll
-from ._solution import SiCreepage, SiForce, Solution
+from ._solution import Below, SiCreepage, SiForce, Solution
 from ._statics import StaticsSolution, statics
 from ._sweep import sweep
 from ._theories import THEORIES, theory
@@ -90,6 +92,7 @@ __all__ = [
     "THEORIES",
     "AccuracyWarning",
     "Automatic",
+    "Below",
     "Body",
     "CarterSolution",
     "Case",
@@ -111,10 +114,13 @@ __all__ = [
     "Field",
     "Force",
     "ForceArray",
+    "Fitted",
     "Found",
+    "FrictionFit",
     "Gap",
     "GapCase",
     "GapSolution",
+    "HalfSpace",
     "Hertz",
     "InvalidOption",
     "InvalidValue",

@@ -14,7 +14,8 @@ from numpy.typing import ArrayLike
 from . import _creepage
 from ._bulk import CaseForce, case_force
 from ._contact import Body, Hertz, floats, number, sections
-from ._errors import InvalidValue, UnitsWarning, UnlikeBodiesWarning
+from ._errors import AccuracyWarning, InvalidValue, UnitsWarning, UnlikeBodiesWarning
+from ._fit import COLUMNS, FrictionFit, fit
 from ._results import Codes, Floats, Status
 from ._solution import SiCreepage, Solution
 from ._theories import chosen, prepared
@@ -288,6 +289,32 @@ class Case:
         table = theory if isinstance(theory, _creepage.Table) else None
         name, options = self._chosen(None if isinstance(theory, _creepage.Table) else theory, given)
         return case_force(self._data, name, options, table, quantities)
+
+    def fit(
+        self, *, theory: str | None = None, slope: bool = False, **given: Any
+    ) -> FrictionFit:
+        """The coefficient of friction whose forces are nearest to measured ones (least squares).
+
+        Arrays of one shape, or that broadcast: longitudinal, lateral (creepages), spin (rad/m), of which
+        one at least; longitudinal_force, lateral_force (N, of the upper body on the lower), of which one
+        at least, or longitudinal_coefficient, lateral_coefficient (force over normal force);
+        normal_force (N) where it differs from the case's; uncertainty, one standard deviation of the
+        forces in their unit. slope: find a factor of the initial slope too. Further keywords are the
+        theory's options; the case's own theory and friction are where the search begins.
+
+        Points that do not belong to the others are left out, and AccuracyWarning names them; so it does
+        elements without a finite number. Raises ValueError for too few points and for points that say
+        nothing of friction, CaseError where the case wants forces, and as theory.
+        """
+        columns = {name: given.pop(name) for name in COLUMNS if name in given}
+        columns = {name: value for name, value in columns.items() if value is not None}
+        if not columns:
+            raise ValueError("a creepage is needed: longitudinal, lateral or spin")
+        name, options = self._chosen(theory, given)
+        found = fit(self._data, name, options, columns, slope)
+        if found.cautions:
+            warnings.warn("; ".join(found.cautions), AccuracyWarning, stacklevel=2)
+        return found
 
     def solve(self, theory: str | None = None, **options: Any) -> Solution:
         """Solves the case by its own theory, or by the one of that name.

@@ -212,7 +212,8 @@ class Variational(Theory):
     ellipse, (10, 10) up to degree 3. bound: whether tractions are kept within it, "automatic" by
     default (where a/b >= 3), "unchecked" (as in the thesis: looked at afterwards), "kept".
     integrand: a function of (x, y, a, b, t, s), lengths in units of c, in place of T S (5.22): it
-    gives f, f_t, f_s, f_tt, f_ts, f_ss.
+    gives f, f_t, f_s, f_tt, f_ts, f_ss. weight multiplies it too: an integrand with a weight of its
+    own goes with weight="uniform". kappa_over_mu as of Exact.
     """
 
     def __new__(
@@ -226,6 +227,7 @@ class Variational(Theory):
         bound: Literal["automatic", "unchecked", "kept"] | None = None,
         integrand: Callable[[float, float, float, float, float, float], Sequence[float]]
         | None = None,
+        kappa_over_mu: float = 0.0,
     ) -> Variational: ...
 
 @final
@@ -408,6 +410,29 @@ def row_forces(
     columns: Sequence[ArrayLike],
 ) -> dict[str, Any]: ...
 
+_Three: TypeAlias = tuple[Sequence[float], Sequence[float], Sequence[float]]
+
+@final
+@disjoint_base
+class HalfSpaceData:
+    """The half-space under tractions on an ellipse: prepared up to a degree."""
+
+    def __new__(
+        cls, semi_axes: Sequence[float], poisson: float, modulus: float, degree: int
+    ) -> HalfSpaceData: ...
+    def displacement(
+        self, traction: _Three, edge: str
+    ) -> tuple[list[float], list[float], list[float]]: ...
+    def traction(
+        self, displacement: _Three, edge: str
+    ) -> tuple[list[float], list[float], list[float]]: ...
+    def resultants(self, traction: _Three, edge: str) -> list[float]: ...
+    def displacement_at(
+        self, traction: _Three, edge: str, points: Sequence[ArrayLike], kappa: float
+    ) -> Any: ...
+    def traction_at(self, traction: _Three, edge: str, points: Sequence[ArrayLike]) -> Any: ...
+
+
 @final
 class CaseData:
     """The text of a case file, read and checked."""
@@ -416,6 +441,13 @@ class CaseData:
     def __getnewargs__(self) -> tuple[str]: ...
     def __eq__(self, other: object, /) -> bool: ...
     def __hash__(self) -> int: ...
+    def fit(
+        self,
+        theory: str,
+        options: dict[str, Any],
+        columns: Sequence[tuple[str, Sequence[float]]],
+        slope: bool,
+    ) -> tuple[str, list[str]]: ...
     @property
     def damage_columns(self) -> list[str]: ...
     @property
@@ -449,6 +481,7 @@ class CaseData:
 class SolvedCase:
     """A case solved by one theory."""
 
+    def below(self, body: str, points: Sequence[ArrayLike]) -> tuple[Any, Any, float]: ...
     @property
     def dimensionless(self) -> ScalarForce: ...
     @property

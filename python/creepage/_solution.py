@@ -5,19 +5,20 @@ from __future__ import annotations
 import json
 import math
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
 import numpy as np
 
 from . import _creepage
 from ._contact import Hertz
-from ._results import Field, ScalarForce, SiField, Status
+from ._results import Field, Floats, ScalarForce, SiField, Status
 from ._theories import prepared
 
 if TYPE_CHECKING:
     import os
 
     from matplotlib.axes import Axes
+    from numpy.typing import ArrayLike
 
 
 class SiCreepage(NamedTuple):
@@ -38,6 +39,17 @@ class SiForce(NamedTuple):
     """N."""
     moment: float
     """N m."""
+
+
+class Below(NamedTuple):
+    """Stress and displacement inside a body."""
+
+    stress: Floats
+    """xx, yy, zz, xy, yz, xz (Pa), positive in tension, in a last dimension of six."""
+    displacement: Floats
+    """u, v, w (m), w into the body, in a last dimension of three; it vanishes far away."""
+    settled_depth: float
+    """Stresses less deep than this (m) depend on the elements of the theory; zero in closed form."""
 
 
 class Solution:
@@ -195,6 +207,17 @@ class Solution:
         return SiField(
             position, pressure, traction * field.traction, slip * field.slip, field.region, (a, b)
         )
+
+    def below(
+        self, x: ArrayLike, y: ArrayLike, z: ArrayLike, body: Literal["lower", "upper"] = "lower"
+    ) -> Below:
+        """Stress and displacement inside one body at points (m), z from the surface into that body.
+
+        Arguments broadcast. Raises InvalidValue for points that are not finite or above the surface,
+        and ValueError for another body.
+        """
+        stress, displacement, settled = self._solved.below(body, (x, y, z))
+        return Below(stress, displacement, settled)
 
     def points(self) -> Field:
         """Traction and slip at the theory's own points, dimensionless."""

@@ -109,10 +109,17 @@ def _dataset(data: _creepage.SweepData, table: pd.DataFrame) -> xr.Dataset:
     import xarray as xr
 
     a_over_b, poisson, degree, mesh = data.shared
-    attributes = {"a_over_b": a_over_b, "poisson": poisson, "degree": degree, "mesh": mesh}
+    attributes: dict[str, Any] = {
+        "a_over_b": a_over_b,
+        "poisson": poisson,
+        "degree": degree,
+        "mesh": mesh,
+    }
     loops = {name: table[name].unique() for name in LOOPS}
     shape = tuple(len(values) for values in loops.values())
-    rest = table.drop(columns=["a_over_b", "poisson"])
+    # The same in all rows, as the shape and Poisson's ratio are.
+    attributes["kappa_over_mu"] = float(table["kappa_over_mu"].iloc[0])
+    rest = table.drop(columns=["a_over_b", "poisson", "kappa_over_mu"])
     if shape[0] * shape[1] * shape[2] != len(table):
         columns = {name: ("case", rest[name].to_numpy()) for name in rest}
         return xr.Dataset(columns, attrs=attributes)

@@ -79,3 +79,15 @@ def test_it_goes_through_pickle() -> None:
     again = pickle.loads(pickle.dumps(theory))
     assert again.force(0.5).fx == theory.force(0.5).fx
     assert "integrand=" in repr(theory)
+
+
+def test_the_weight_multiplies_an_integrand_of_one_s_own() -> None:
+    def weighed(x: float, y: float, a: float, b: float, t: float, s: float) -> tuple[float, ...]:
+        w = 1.0 - (x / a) ** 2 - (y / b) ** 2
+        return w * t * s, w * s, w * t, 0.0, w, 0.0
+
+    thesis = creepage.Variational(1.0, 0.28).force(0.5, 0.2, 0.1)
+    own = creepage.Variational(1.0, 0.28, integrand=weighed, weight="uniform")
+    assert own.force(0.5, 0.2, 0.1).fx == pytest.approx(thesis.fx, abs=1e-5)
+    twice = creepage.Variational(1.0, 0.28, integrand=weighed).force(0.5, 0.2, 0.1)
+    assert abs(twice.fx - thesis.fx) > 1e-4

@@ -113,3 +113,19 @@ def test_heat_by_force_and_by_slip() -> None:
     plain = wheel(longitudinal=-1.5e-3).solve("linear")
     assert plain.speed is None and plain.power is None
     assert plain.known is None and plain.heat_per_metre_by_slip is None
+
+
+def test_chapter_5_counts_unlike_bodies_as_a_case_does() -> None:
+    case = Case(
+        upper=Body(shear_modulus=27e9, poisson=0.28, radius_rolling=0.46),
+        lower=RAIL,
+        **LOAD,
+        longitudinal=-1e-3,
+        theory="variational",
+    )
+    kappa_over_mu = case.contact.kappa / case.friction
+    shape = (case.contact.a_over_b, case.contact.poisson)
+    own = creepage.Variational(*shape, kappa_over_mu=kappa_over_mu).force(*case.dimensionless)
+    assert own.fx == pytest.approx(case.solve().dimensionless.fx, rel=1e-12)
+    like = creepage.Variational(*shape).force(*case.dimensionless)
+    assert abs(own.fx - like.fx) > 0.02

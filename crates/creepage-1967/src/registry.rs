@@ -1,10 +1,10 @@
 //! What can be reproduced, in the order of the thesis, and then what it could not know.
 
 use crate::figures::{
-    adhesion_splits, angles, border_jumps, convergence, fig2, fig3, fig3a, fig3b, fig4, fig5,
-    fig10, fig11, fig12, fig13, fig14, fig15, fig16, fig17, fig18, fig19, fig20, fig21, fig22,
-    fig23, fig24, free_rolling, islands, judgement, sliding_with_kappa, transients, tubes,
-    wide_contact,
+    adhesion_splits, angles, border_jumps, convergence, edge_energy, fig2, fig3, fig3a, fig3b,
+    fig4, fig5, fig7, fig9, fig10, fig11, fig12, fig13, fig14, fig15, fig16, fig17, fig18, fig19,
+    fig20, fig21, fig22, fig23, fig24, free_rolling, islands, judgement, sliding_with_kappa,
+    transients, tubes, wide_contact,
 };
 use crate::item::Item;
 use crate::tables::{claims, table1, table2, table3, table4, table5};
@@ -16,9 +16,12 @@ const ITEMS: &[Item] = &[
     fig5::ITEM,
     table1::ITEM,
     table2::ITEM,
+    fig7::ITEM,
+    edge_energy::ITEM,
     table3::ITEM,
     fig3a::ITEM,
     fig3b::ITEM,
+    fig9::ITEM,
     fig10::ITEM,
     fig11::ITEM,
     table4::ITEM,

@@ -109,7 +109,7 @@ pub(crate) enum Command {
     ///
     /// With --points, CSV goes to standard output, rows as in P.csv: x, y, z [m], sxx, syy, szz, sxy,
     /// syz, sxz [Pa], positive in tension, the equivalent stresses `von_mises` and tresca, the principal
-    /// stresses s1, s2, s3. Without, a report on the largest equivalent stress. With --out, also
+    /// stresses s1, s2, s3, and the displacements u, v, w [m], w into the body. Without, a report on the largest equivalent stress. With --out, also
     /// stresses.csv (the points, or the section y = 0), a picture of that section, stresses.svg and
     /// stresses.png, and without --points a block of the body, stresses.vtk, into a directory.
     Stresses(StressesArgs),
@@ -133,6 +133,17 @@ pub(crate) enum Command {
     /// The CSV goes to standard output; with --out, curve.csv, curve.svg and curve.png go into a
     /// directory.
     Curve(CurveArgs),
+    /// Find friction from measured forces, with its uncertainty.
+    ///
+    /// POINTS.csv has columns longitudinal, lateral, spin (rad/m), of which one at least; and
+    /// `longitudinal_force`, `lateral_force` (N, of the upper body on the lower) or
+    /// `longitudinal_coefficient`, `lateral_coefficient` (force over normal force), of which one at
+    /// least; `normal_force` (N) where it differs from the case's; uncertainty, one standard deviation of
+    /// the forces in their unit. The coefficient of friction, and with --slope a factor of the initial
+    /// slope, are those whose forces by the theory are nearest to the points (least squares). Points
+    /// that do not belong to the others are left out and named; so are rows that cannot be read, and
+    /// the exit code is then 3.
+    Fit(FitArgs),
     /// Solve the contacts of a wheelset on its track: where wheels and rails touch, and the forces
     /// there.
     ///
@@ -295,6 +306,10 @@ pub(crate) struct CurveArgs {
     /// Last value; well into full sliding if not given.
     #[arg(long, value_name = "VALUE", requires = "vary", allow_hyphen_values = true)]
     pub(crate) to: Option<f64>,
+    /// Measured points to lay over the curves, a CSV file with columns as for `fit`; without --vary the
+    /// creepage that varies most in it is varied.
+    #[arg(long, value_name = "POINTS.csv")]
+    pub(crate) data: Option<PathBuf>,
     /// Number of points on each curve.
     #[arg(long, value_name = "N", default_value_t = 201,
           value_parser = clap::value_parser!(u16).range(2..=10_001))]
@@ -302,6 +317,29 @@ pub(crate) struct CurveArgs {
     /// Directory for curve.csv, curve.svg and curve.png; made if need be.
     #[arg(long, value_name = "DIR")]
     pub(crate) out: Option<PathBuf>,
+}
+
+#[derive(Debug, clap::Args)]
+pub(crate) struct FitArgs {
+    /// Measured points, a CSV file.
+    #[arg(value_name = "POINTS.csv")]
+    pub(crate) points: PathBuf,
+    /// Case file: the bodies, the load, and what the points do not say of the creepage; its friction
+    /// is found.
+    #[arg(long, value_name = "CASE.toml")]
+    pub(crate) case: PathBuf,
+    /// Theory to use in place of the case file's; `creepage theories` lists them.
+    #[arg(long, value_name = "NAME")]
+    pub(crate) theory: Option<String>,
+    /// Find a factor of the initial slope too: creepages count that many times.
+    #[arg(long)]
+    pub(crate) slope: bool,
+    /// Directory for fit.json, fit.csv, fit.svg and fit.png; made if need be.
+    #[arg(long, value_name = "DIR")]
+    pub(crate) out: Option<PathBuf>,
+    /// Print the report as JSON.
+    #[arg(long)]
+    pub(crate) json: bool,
 }
 
 /// A component of the creepage, as case files name it, and its unit.

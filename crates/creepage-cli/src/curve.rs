@@ -2,11 +2,11 @@
 
 use creepage::theory::NoOptions;
 use creepage::{Contact, Creepage, InvalidValue, Scaling, TheorySpec};
-use creepage_study::{AnyCase, Caution, Component, Curves};
+use creepage_study::{AnyCase, Caution, Component, Curves, MeasuredPoints, Sources};
 
 use crate::args::{CurveArgs, Quantity};
 use crate::failure::Failure;
-use crate::input::{read_any_case, sources_of, theories};
+use crate::input::{read_any_case, read_text, sources_of, theories};
 use crate::output::{print, say, say_written};
 
 pub(crate) fn run(args: &CurveArgs) -> Result<(), Failure> {
@@ -17,7 +17,8 @@ pub(crate) fn run(args: &CurveArgs) -> Result<(), Failure> {
         .map_err(|source| Failure::Gap { path: args.case.clone(), source: Box::new(source) })?;
     let creepage = case.creepage(&contact).map_err(wrong)?;
     let theories = theories(&args.theory, &case)?;
-    let (vary, [from, to]) = range(args, &contact, creepage)?;
+    let measured = measured(args)?;
+    let (vary, [from, to]) = range(args, &contact, creepage, measured.as_ref())?;
     let values = spaced(from, to, args.points);
     let curves = match &case {
         AnyCase::Ellipse(case) => Curves::new(case, vary, values),
@@ -42,27 +43,53 @@ pub(crate) fn run(args: &CurveArgs) -> Result<(), Failure> {
             (largest.force.magnitude(), shown(vary, largest.at, &contact.scaling()));
         say(&format!("{theory}: largest force {force:.5} of mu N at {value}"));
     }
+    if let (Some(path), Some(measured)) = (&args.data, &measured) {
+        let notes = curves
+            .lay_over(measured)
+            .map_err(|source| Failure::Measured { path: path.clone(), source })?;
+        for note in notes {
+            say(&format!("caution: {note}"));
+        }
+    }
     let Some(directory) = &args.out else {
         return print(&String::from_utf8_lossy(&curves.csv()?));
     };
-    say_written(&curves.write(directory, &sources_of(&args.case))?);
+    let sources = sources_of(&args.case).with(&Sources::new(&args.data));
+    say_written(&curves.write(directory, &sources)?);
     Ok(())
 }
 
-/// What to vary, and its first and last value, dimensionless.
+/// The points to lay over the curves.
+fn measured(args: &CurveArgs) -> Result<Option<MeasuredPoints>, Failure> {
+    let Some(path) = &args.data else { return Ok(None) };
+    let wrong = |source| Failure::Measured { path: path.clone(), source };
+    MeasuredPoints::read(&read_text(path)?).map(Some).map_err(wrong)
+}
+
+/// What to vary, and its first and last value, dimensionless; by default as far as points were measured.
 fn range(
     args: &CurveArgs,
     contact: &Contact,
     creepage: Creepage,
+    measured: Option<&MeasuredPoints>,
 ) -> Result<(Component, [f64; 2]), Failure> {
     let gains = gains(args, contact, creepage)?;
-    let vary = args.vary.map_or_else(|| most(gains, creepage), Quantity::component);
+    let usual = || measured.map_or_else(|| most(gains, creepage), MeasuredPoints::varies);
+    let vary = args.vary.map_or_else(usual, Quantity::component);
+    let [first, last] = extent(measured, vary, &contact.scaling());
     let unit = args.vary.map_or(1.0, |quantity| quantity.unit(&contact.scaling()));
     let given = |name, value: Option<f64>| value.map(|value| finite(name, value)).transpose();
-    let from = given("from", args.from)?.unwrap_or(0.0) / unit;
+    let end = usual_end(gains, vary, creepage);
+    // Points on one side of zero, or on both, decide how far.
+    let [first, last] = match measured {
+        None => [0.0, end],
+        Some(_) if last > 0.0 => [first, last.max(end.abs())],
+        Some(_) => [first.min(-end.abs()), 0.0],
+    };
+    let from = given("from", args.from)?.map_or(first, |value| value / unit);
     let to = match given("to", args.to)? {
         Some(value) => value / unit,
-        None => usual_end(gains, vary, creepage),
+        None => last,
     };
     if (to - from).abs() <= f64::EPSILON * from.abs() {
         let valid = "another than that of --from";
@@ -71,12 +98,23 @@ fn range(
     Ok((vary, [from, to]))
 }
 
+/// From the least to the largest measured value, with zero; dimensionless.
+fn extent(measured: Option<&MeasuredPoints>, vary: Component, scaling: &Scaling) -> [f64; 2] {
+    /// Beyond the last point.
+    const AIR: f64 = 1.04;
+    let k = COMPONENTS.iter().position(|one| *one == vary).unwrap_or(0);
+    let unit = [scaling.slip, scaling.slip, scaling.slip / scaling.length][k];
+    let points = measured.map_or(&[][..], |measured| &measured.points);
+    let values = points.iter().filter_map(|point| Some(AIR * point.creepage[k]? / unit));
+    values.fold([0.0, 0.0], |[low, high]: [f64; 2], value| [low.min(value), high.max(value)])
+}
+
 fn finite(quantity: &'static str, value: f64) -> Result<f64, InvalidValue> {
     let valid = "a finite number";
     if value.is_finite() { Ok(value) } else { Err(InvalidValue { quantity, value, valid }) }
 }
 
-const COMPONENTS: [Component; 3] = [Component::Longitudinal, Component::Lateral, Component::Spin];
+const COMPONENTS: [Component; 3] = Component::ALL;
 
 /// The component that makes the largest force in linear theory.
 fn most(gains: [f64; 3], creepage: Creepage) -> Component {

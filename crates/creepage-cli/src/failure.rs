@@ -10,8 +10,8 @@ use creepage_1967::GalleryError;
 use creepage_rail::Standard;
 use creepage_rail::file::FileError as ProfileFileError;
 use creepage_study::{
-    CaseError, GapCaseError, HistoryError, MapBuildError, PointsError, ReferenceError, ReportError,
-    SolveError, SpecError, StaticsError, StressError, WheelsetError,
+    CaseError, FitError, GapCaseError, HistoryError, MapBuildError, MeasuredError, PointsError,
+    ReferenceError, ReportError, SolveError, SpecError, StaticsError, StressError, WheelsetError,
 };
 
 use crate::batch::columns::ColumnError;
@@ -69,6 +69,10 @@ pub(crate) enum Failure {
     Exists { path: PathBuf },
     #[error("{}: {source}", path.display())]
     Points { path: PathBuf, source: PointsError },
+    #[error("{}: {source}", path.display())]
+    Measured { path: PathBuf, source: MeasuredError },
+    #[error("{}: {source}", path.display())]
+    Fit { path: PathBuf, source: FitError },
     #[error("{}: {source}", path.display())]
     Stresses { path: PathBuf, source: StressError },
     #[error("{}: {source}", path.display())]

@@ -12,6 +12,7 @@ mod completions;
 mod conicity;
 mod curve;
 mod failure;
+mod fit;
 mod fmu;
 mod init;
 mod input;
@@ -81,6 +82,7 @@ fn run(command: &Command) -> Result<Outcome, Failure> {
         Command::Theories(args) => theories::run(args)?,
         Command::Coefficients(args) => coefficients::run(args)?,
         Command::Curve(args) => curve::run(args)?,
+        Command::Fit(args) => return fit::run(args),
         Command::Accuracy(args) => accuracy::run(args)?,
         Command::Table(args) => return table::run(args),
         Command::Init(args) => init::run(args)?,

@@ -4,7 +4,7 @@ use std::io::{self, IsTerminal};
 use std::path::PathBuf;
 
 use clap::builder::{PossibleValue, PossibleValuesParser};
-use creepage_1967::{File, Item, Made, agreement_text, files, gallery, registry, reproduce};
+use creepage_1967::{File, Item, Made, ROWS, agreement_text, files, gallery, registry, reproduce};
 use creepage_study::{Sources, write_all};
 use indicatif::ProgressBar;
 
@@ -50,7 +50,9 @@ pub(crate) fn run(args: &ReproduceArgs) -> Result<(), Failure> {
         let pairs: Vec<_> = written.iter().map(File::as_pair).collect();
         say_written(&write_all(directory, &pairs, &Sources::default())?);
     }
-    print(&made.iter().map(text).collect::<Vec<_>>().join("\n\n\n"))
+    let opening = all.then(|| ROWS.to_owned());
+    let parts: Vec<_> = opening.into_iter().chain(made.iter().map(text)).collect();
+    print(&parts.join("\n\n\n"))
 }
 
 fn text(made: &Made) -> String {

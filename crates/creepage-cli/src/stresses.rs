@@ -29,9 +29,9 @@ pub(crate) fn run(args: &StressesArgs) -> Result<Outcome, Failure> {
         Some(points) => print(&String::from_utf8_lossy(&stress_csv(points)?))?,
         None => {
             let largest = stresses.largest().map_err(failed)?;
-            let point = StressPoint { point: largest.point, stress: largest.stress };
             print(&if args.json {
-                to_json(&stresses.json("largest_von_mises", &[point]))?
+                let point = stresses.at(&[largest.point]).map_err(failed)?;
+                to_json(&stresses.json("largest_von_mises", &point))?
             } else {
                 stresses.text(&largest)
             })?;

@@ -93,6 +93,26 @@
 #define CREEPAGE_ROOM 9
 
 /*
+ The traction vanishes at the edge, as (1 - x^2/a^2 - y^2/b^2)^(1/2) times polynomials.
+ */
+#define CREEPAGE_VANISHING 0
+
+/*
+ The traction is singular at the edge, as (1 - x^2/a^2 - y^2/b^2)^(-1/2) times polynomials.
+ */
+#define CREEPAGE_SINGULAR 1
+
+/*
+ The lower body, such as a rail.
+ */
+#define CREEPAGE_LOWER 0
+
+/*
+ The upper body, such as a wheel.
+ */
+#define CREEPAGE_UPPER 1
+
+/*
  The surfaces stick.
  */
 #define CREEPAGE_ADHESION 0
@@ -333,6 +353,77 @@ int32_t creepage_gap_force(const char *path,
                            size_t message_size);
 
 /*
+ Displacement differences of two like bodies by a traction on an ellipse: (2.47), (3.5) of the thesis.
+
+ A polynomial in x and y is its coefficients in the order 1, x, y, x^2, xy, y^2, x^3 and so on, a whole
+ number of degrees: 1, 3, 6, 10, ... of them.
+
+ semi_axes: 2 numbers, a and b (m).
+ poisson: the combined Poisson's ratio (1).
+ edge: CREEPAGE_VANISHING or CREEPAGE_SINGULAR.
+ count: coefficients of each polynomial of the traction.
+ traction: 3 count numbers, those of X, then of Y, then of Z, over the combined shear modulus.
+ room: coefficients of each polynomial of the displacements that there is room for: count where the
+   traction is singular, those of two degrees more where it vanishes.
+ displacement: room for 3 room numbers, those of u, then of v, then of w (m over m^(p+q)).
+
+ You promise:
+ Arrays and message point to as much room as said.
+ */
+int32_t creepage_half_space_displacement(const double *semi_axes,
+                                         double poisson,
+                                         int32_t edge,
+                                         size_t count,
+                                         const double *traction,
+                                         size_t room,
+                                         double *displacement,
+                                         char *message,
+                                         size_t message_size);
+
+/*
+ The traction on an ellipse that causes displacement differences inside it: the inverse of
+ creepage_half_space_displacement, with its conventions.
+
+ edge: CREEPAGE_SINGULAR, which always exists; CREEPAGE_VANISHING, which exists for special
+   displacements, else CREEPAGE_NOT_REACHABLE.
+ count: coefficients of each polynomial of the displacements.
+ displacement: 3 count numbers, those of u, then of v, then of w.
+ traction: room for 3 count numbers, those of X, then of Y, then of Z, over the combined shear modulus;
+   zero beyond their degree.
+
+ You promise:
+ Arrays and message point to as much room as said.
+ */
+int32_t creepage_half_space_traction(const double *semi_axes,
+                                     double poisson,
+                                     int32_t edge,
+                                     size_t count,
+                                     const double *displacement,
+                                     double *traction,
+                                     char *message,
+                                     size_t message_size);
+
+/*
+ Solves a problem without rolling: a die, a shift, a twist, a shift with partial slip.
+
+ path: a statics file, in TOML, as `creepage statics` takes it; with a line break in it, the text
+   itself.
+ report: room for size bytes, the report as JSON with a zero byte at its end; or NULL to ask for needed
+   only.
+ needed: becomes the number of bytes of the report, the zero byte with them. If size is smaller,
+   nothing is written to report and CREEPAGE_ROOM is returned.
+
+ You promise:
+ path ends with a zero byte; report, needed and message point to as much room as said.
+ */
+int32_t creepage_statics(const char *path,
+                         char *report,
+                         size_t size,
+                         size_t *needed,
+                         char *message,
+                         size_t message_size);
+
+/*
  The contact ellipse of two bodies and its pressure, by Hertz.
 
  upper, lower: 4 numbers each: shear modulus (Pa), Poisson's ratio (1), radii of curvature along and
@@ -422,6 +513,15 @@ void creepage_map_free(struct CreepageMap *map);
  derivatives: room for 96 count numbers, of each state those of the first force on the left rail by y, z,
    roll, yaw, speed, pitch rate, lateral velocity, yaw rate, then of the second force; NaN by what is found;
    or NULL.
+ Stress and displacement inside one body of a case.
+
+ body: CREEPAGE_LOWER or CREEPAGE_UPPER.
+ count: number of points.
+ points: 3 count numbers, x, y and z of each from the middle of the contact (m), z into that body.
+ stresses: room for 6 count numbers, xx, yy, zz, xy, yz, xz (Pa), positive in tension; or NULL.
+ displacements: room for 3 count numbers, u, v, w (m), w into the body; they vanish far away; or NULL.
+ settled: room for one number, the depth (m) less than which stresses depend on the elements of the
+   theory; or NULL.
 
  You promise:
  The handle is alive; arrays and message point to as much room as said.
@@ -434,6 +534,15 @@ int32_t creepage_map_solve(const struct CreepageMap *map,
                            double *derivatives,
                            char *message,
                            size_t message_size);
+int32_t creepage_case_below(const struct CreepageCase *made,
+                            int32_t body,
+                            size_t count,
+                            const double *points,
+                            double *stresses,
+                            double *displacements,
+                            double *settled,
+                            char *message,
+                            size_t message_size);
 
 /*
  Prepares a contact that rolls, in the state that its case file names.

@@ -5,13 +5,15 @@ use std::io;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::PathBuf;
 
+use creepage::halfspace::ResponseError;
 use creepage::table::{BuildError, FileError};
 use creepage::theory::{TheoryError, UnknownTheory};
 use creepage::unsteady::SavedError;
 use creepage::{HertzError, InvalidValue};
 use creepage_map::MapError;
 use creepage_study::{
-    CaseError, GapCaseError, HistoryError, RowError, SolveError, SpecError, Varied, WheelsetError,
+    CaseError, GapCaseError, HistoryError, RowError, SolveError, SpecError, StaticsError,
+    StressError, Varied, WheelsetError,
 };
 
 /// Done.
@@ -89,6 +91,14 @@ pub(crate) enum Failure {
     History(Box<HistoryError>),
     #[error(transparent)]
     Saved(#[from] SavedError),
+    #[error("{needed} coefficients are needed of each displacement: there is room for {room}")]
+    Coefficients { room: usize, needed: usize },
+    #[error(transparent)]
+    HalfSpace(ResponseError),
+    #[error(transparent)]
+    Below(#[from] StressError),
+    #[error(transparent)]
+    Statics(Box<StaticsError>),
     #[error("the state has {needed} bytes: there is room for {size}")]
     Room { size: usize, needed: usize },
     #[error("cannot write {}: {source}", path.display())]
@@ -122,19 +132,32 @@ impl Failure {
             Self::Gap(source) if matches!(**source, GapCaseError::Unreachable(_)) => {
                 CREEPAGE_NOT_REACHABLE
             }
-            Self::Room { .. } => CREEPAGE_ROOM,
+            Self::Room { .. } | Self::Coefficients { .. } => CREEPAGE_ROOM,
+            Self::HalfSpace(ResponseError::Unreachable { .. }) => CREEPAGE_NOT_REACHABLE,
             Self::History(_)
             | Self::Saved(_)
             | Self::Invalid(_)
             | Self::Case { .. }
             | Self::State { .. }
             | Self::Hertz(_)
+            | Self::HalfSpace(_)
+            | Self::Below(_)
+            | Self::Statics(_)
             | Self::Bulk(_)
             | Self::Build { .. }
             | Self::Wheelset(_)
             | Self::Gap(_)
             | Self::Theory(_)
             | Self::Solve { .. } => CREEPAGE_INVALID,
+        }
+    }
+}
+
+impl From<ResponseError> for Failure {
+    fn from(error: ResponseError) -> Self {
+        match error {
+            ResponseError::Invalid(invalid) => Self::Invalid(invalid),
+            other => Self::HalfSpace(other),
         }
     }
 }

@@ -2,8 +2,9 @@
 
 use std::ffi::c_char;
 
-use creepage::{Hertz, HertzError, Radii, Region, Solid, SolidPair};
-use creepage_study::Caution;
+use creepage::below::Body;
+use creepage::{Hertz, HertzError, InvalidValue, Radii, Region, Solid, SolidPair};
+use creepage_study::{Caution, Stresses};
 
 use crate::bulk::CreepageCase;
 use crate::failure::{Failure, guard};
@@ -142,6 +143,69 @@ pub unsafe extern "C" fn creepage_case_field(
             put(&mut tractions, k, point.traction.map(|part| part * scaling.traction));
             put(&mut slips, k, point.slip.map(|part| part * scaling.slip));
             put(&mut regions, k, [region(point.region)]);
+        }
+        Ok(())
+    };
+    // SAFETY: as before.
+    unsafe { guard(message, message_size, work) }
+}
+
+/// The lower body, such as a rail.
+pub const CREEPAGE_LOWER: i32 = 0;
+/// The upper body, such as a wheel.
+pub const CREEPAGE_UPPER: i32 = 1;
+
+/// Stress and displacement inside one body of a case.
+///
+/// body: CREEPAGE_LOWER or CREEPAGE_UPPER.
+/// count: number of points.
+/// points: 3 count numbers, x, y and z of each from the middle of the contact (m), z into that body.
+/// stresses: room for 6 count numbers, xx, yy, zz, xy, yz, xz (Pa), positive in tension; or NULL.
+/// displacements: room for 3 count numbers, u, v, w (m), w into the body; they vanish far away; or NULL.
+/// settled: room for one number, the depth (m) less than which stresses depend on the elements of the
+///   theory; or NULL.
+///
+/// # Safety
+/// The handle is alive; arrays and message point to as much room as said.
+#[allow(clippy::doc_markdown)] // the words are for C
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn creepage_case_below(
+    made: *const CreepageCase,
+    body: i32,
+    count: usize,
+    points: *const f64,
+    stresses: *mut f64,
+    displacements: *mut f64,
+    settled: *mut f64,
+    message: *mut c_char,
+    message_size: usize,
+) -> i32 {
+    let work = || {
+        // SAFETY: the caller's promise of the function's documentation, here and below.
+        let case = unsafe { handle("made", made) }?;
+        // SAFETY: as before.
+        let points = unsafe { array("points", points, count, 3) }?;
+        // SAFETY: as before.
+        let mut stresses = unsafe { optional::<_, 6>(stresses, count) }?;
+        // SAFETY: as before.
+        let mut displacements = unsafe { optional::<_, 3>(displacements, count) }?;
+        // SAFETY: as before.
+        let mut settled = unsafe { optional::<_, 1>(settled, 1) }?;
+        let solved = case.solve()?;
+        let [upper, lower] = solved.case.solids();
+        let (solid, body) = match body {
+            CREEPAGE_LOWER => (lower, Body::Lower),
+            CREEPAGE_UPPER => (upper, Body::Upper),
+            other => {
+                let (value, valid) = (f64::from(other), "CREEPAGE_LOWER or CREEPAGE_UPPER");
+                return Err(InvalidValue { quantity: "body", value, valid }.into());
+            }
+        };
+        let (interior, depth) = Stresses::interior(&solved, solid, body)?;
+        put(&mut settled, 0, [depth]);
+        for (k, point) in points.as_chunks::<3>().0.iter().enumerate() {
+            put(&mut stresses, k, interior.stress(*point)?.components());
+            put(&mut displacements, k, interior.displacement(*point)?);
         }
         Ok(())
     };

@@ -8,6 +8,7 @@ mod bulk;
 mod case;
 mod failure;
 mod gap;
+mod half_space;
 mod hertz;
 mod input;
 mod map;
@@ -26,8 +27,13 @@ pub use failure::{
     CREEPAGE_NULL, CREEPAGE_OK, CREEPAGE_ROOM, CREEPAGE_TEXT, CREEPAGE_UNSUPPORTED,
 };
 pub use gap::creepage_gap_force;
+pub use half_space::{
+    CREEPAGE_SINGULAR, CREEPAGE_VANISHING, creepage_half_space_displacement,
+    creepage_half_space_traction, creepage_statics,
+};
 pub use hertz::{
-    CREEPAGE_ADHESION, CREEPAGE_OUTSIDE, CREEPAGE_SLIP, creepage_case_field, creepage_hertz,
+    CREEPAGE_ADHESION, CREEPAGE_LOWER, CREEPAGE_OUTSIDE, CREEPAGE_SLIP, CREEPAGE_UPPER,
+    creepage_case_below, creepage_case_field, creepage_hertz,
 };
 pub use map::{CreepageMap, creepage_map_free, creepage_map_load, creepage_map_solve};
 pub use rolling::{

@@ -2,15 +2,21 @@
 
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::PathBuf;
+use std::sync::atomic::Ordering;
 
+use creepage::below::Body;
 use creepage::{Creepage, SiCreepage};
 use creepage_study::{
-    Case, CaseFile, Caution, Damage, Given, HertzReportJson, Sources, hertz_json, solve,
+    AnyCaseFile, Case, CaseFile, Caution, Damage, Fit, FitOptions, Given, HertzReportJson,
+    MeasuredPoints, Sources, Stresses, hertz_json, solve,
 };
+use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
+use pyo3::types::{PyDict, PySlice};
 use serde::Serialize;
 
+use crate::batch::solve_all;
+use crate::number::{Inputs, Number};
 use crate::pool::detached;
 use crate::theory::{LONG, cost};
 use crate::{errors, mesh, options, results, signals};
@@ -169,6 +175,32 @@ impl CaseData {
         (!cautions.is_empty()).then(|| Caution::words(&cautions))
     }
 
+    /// Friction, and where `slope` a factor of the initial slope, fitted to measured points: columns by
+    /// name. The report as JSON, and rows that are no points in words.
+    fn fit(
+        &self,
+        py: Python,
+        theory: &str,
+        options: &Bound<PyDict>,
+        columns: Vec<(String, Vec<f64>)>,
+        slope: bool,
+    ) -> PyResult<(String, Vec<String>)> {
+        let spec = options::spec(py, theory, Some(options))?;
+        let given: Vec<_> =
+            columns.iter().map(|(name, values)| (name.as_str(), values.as_slice())).collect();
+        let value = |words: String| PyValueError::new_err(words);
+        let measured =
+            MeasuredPoints::from_columns(&given).map_err(|error| value(error.to_string()))?;
+        let left_out = measured.left_out();
+        let file = AnyCaseFile::Ellipse(Box::new(self.file.clone()));
+        let fit = signals::stoppable(py, move |stop| {
+            let mut go_on = || !stop.load(Ordering::Relaxed);
+            Fit::new(&file, "".as_ref(), &spec, &measured, FitOptions { slope }, &mut go_on)
+        })?;
+        let fit = fit.map_err(|error| errors::fit(py, error))?;
+        Ok((fit.json().to_string(), left_out))
+    }
+
     /// What the theory of that name neglects in this case though it matters, in words.
     fn neglects(&self, py: Python, theory: &str) -> PyResult<Option<String>> {
         let spec = options::spec(py, theory, None)?;
@@ -277,6 +309,44 @@ impl SolvedCase {
     /// Writes the files of the report.
     fn write(&self, py: Python, directory: PathBuf) -> PyResult<Vec<PathBuf>> {
         detached(py, || self.solved.write(&directory, &Sources::default()))?.map_err(errors::report)
+    }
+
+    /// Inside one body, at points (x, y, z) (m): stress xx, yy, zz, xy, yz, xz (Pa), displacement (m), and the
+    /// depth (m) from which on the stresses have settled.
+    fn below<'py>(
+        &self,
+        py: Python<'py>,
+        body: &str,
+        points: [Number<'py>; 3],
+    ) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyAny>, f64)> {
+        let [upper, lower] = self.solved.case.solids();
+        let (solid, body) = match body {
+            "upper" => (upper, Body::Upper),
+            "lower" => (lower, Body::Lower),
+            other => {
+                let words =
+                    format!("body = {other:?} is not valid: it must be \"upper\" or \"lower\"");
+                return Err(PyValueError::new_err(words));
+            }
+        };
+        let (interior, settled) = detached(py, || Stresses::interior(&self.solved, solid, body))?
+            .map_err(|error| PyValueError::new_err(error.to_string()))?;
+        let inputs = Inputs::new(py, ["x", "y", "z"], points)?;
+        let at = |point: [f64; 3]| {
+            let stress = interior.stress(point)?.components();
+            let displacement = interior.displacement(point)?;
+            let numbers: [f64; 9] =
+                std::array::from_fn(|k| if k < 6 { stress[k] } else { displacement[k - 6] });
+            Ok((numbers, 0))
+        };
+        let found = solve_all(py, &inputs, 1e-3, at)?.stacked(py, &[9])?;
+        let part = |from: usize, to: usize| {
+            found.get_item((
+                py.Ellipsis(),
+                PySlice::new(py, from.cast_signed(), to.cast_signed(), 1),
+            ))
+        };
+        Ok((part(0, 6)?, part(6, 9)?, settled))
     }
 
     /// The field at the middles of points x points cells of the box around the ellipse: a Field.

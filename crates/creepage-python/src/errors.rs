@@ -10,8 +10,8 @@ use creepage::unsteady::SavedError;
 use creepage::variational::VariationalError;
 use creepage::{Creepage, Force, InvalidValue};
 use creepage_study::{
-    CaseError, GapCaseError, HistoryError, MotionError, ReportError, SolveError, SpecError,
-    StaticsError, Unreachable, WheelsetError, plain_words,
+    CaseError, FitError, GapCaseError, HistoryError, MotionError, ReportError, SolveError,
+    SpecError, StaticsError, Unreachable, WheelsetError, plain_words,
 };
 use pyo3::BoundObject;
 use pyo3::exceptions::{
@@ -49,6 +49,16 @@ pub(crate) fn internal(what: &str) -> PyErr {
 pub(crate) fn invalid(py: Python, error: InvalidValue) -> PyErr {
     let InvalidValue { quantity, value, valid } = error;
     exception(py, "InvalidValue", (error.to_string(), quantity, value, valid))
+}
+
+/// Why nothing was fitted: what is wrong with the case is a CaseError, all else a ValueError.
+pub(crate) fn fit(py: Python, error: FitError) -> PyErr {
+    match error {
+        FitError::Case(source) => gap(py, *source),
+        FitError::Theory(source) => theory(py, source),
+        FitError::Invalid(source) => invalid(py, source),
+        other => PyValueError::new_err(other.to_string()),
+    }
 }
 
 /// An element of an array; the message says which.

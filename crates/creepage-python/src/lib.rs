@@ -10,6 +10,7 @@ mod command;
 mod errors;
 mod exact;
 mod gap;
+mod half_space;
 mod integrand;
 mod map;
 mod mesh;
@@ -42,6 +43,8 @@ mod _creepage {
     use crate::exact::Exact;
     #[pymodule_export]
     use crate::gap::{GapData, SolvedGapData, solve_gaps};
+    #[pymodule_export]
+    use crate::half_space::HalfSpaceData;
     #[pymodule_export]
     use crate::map::ContactMapData;
     #[pymodule_export]

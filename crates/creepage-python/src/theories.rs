@@ -73,12 +73,13 @@ theory! {
     /// in the thesis: looked at afterwards), "kept" (the least loss of power, whatever the weight).
     /// integrand: a function of (x, y, a, b, t, s), lengths in units of c, in place of T S (5.22); it
     /// gives f and its derivatives by T and S (f, f_t, f_s, f_tt, f_ts, f_ss), f not negative; the bound is then
-    /// unchecked.
+    /// unchecked. weight multiplies it too: an integrand that has a weight of its own goes with
+    /// weight="uniform". kappa_over_mu as of Exact.
     ///
     /// Raises InvalidValue for numbers out of range and derivatives that are not those of f,
     /// InvalidOption for degree, mesh, weight and bound; what integrand raises.
     Variational: Theory, "variational",
-    "(a_over_b, poisson, *, degree=None, mesh=None, weight=None, bound=None, integrand=None)", poisson
+    "(a_over_b, poisson, *, degree=None, mesh=None, weight=None, bound=None, integrand=None, kappa_over_mu=0.0)", poisson
 }
 
 theory! {

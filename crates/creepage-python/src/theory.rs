@@ -72,7 +72,9 @@ impl<'py> Call<'py> {
         let own = options.map_or_else(|| Ok(PyDict::new(py)), PyDictMethods::copy)?;
         let mut kappa_over_mu = 0.0;
         // Other theories would not count it.
-        if let ("exact" | "automatic", Some(given)) = (name, own.get_item("kappa_over_mu")?) {
+        if let ("exact" | "automatic" | "variational", Some(given)) =
+            (name, own.get_item("kappa_over_mu")?)
+        {
             kappa_over_mu = given.extract()?;
             own.del_item("kappa_over_mu")?;
         }

@@ -7,6 +7,8 @@ use creepage_plot::{Axis, Fill, Label, Mark, Panel, Pen, Point, Shape, Sheet};
 
 use crate::curve_words::raised;
 use crate::curves::{Component, Curve, Curves};
+use crate::measured::Overlaid;
+use crate::measured::picture::MEASURED;
 
 /// A component that stays below this, in parts of its unit, has no panel.
 const NEGLIGIBLE: f64 = 0.01;
@@ -15,6 +17,7 @@ const AIR: f64 = 0.06;
 /// Width of a line that is not to be trusted.
 const THIN: f64 = 0.9;
 const LARGEST: Mark = Mark { size: 6.0, ..Mark::open(Shape::Target, "#c62828") };
+const APART: Mark = Mark::open(Shape::Circle, MEASURED.colour);
 /// Error bars, and the part of a panel's height from which they are drawn.
 const BAND: Fill = Fill::plain("#dfe4e9");
 const VISIBLE: f64 = 0.004;
@@ -81,7 +84,11 @@ impl Curves {
             let largest = curve.largest.map(|largest| [largest.at, (shown.of)(largest.force)]);
             panel = panel.marks(largest.into_iter().collect(), LARGEST);
         }
-        panel
+        let measured = |is_apart: bool| {
+            let points = self.measured.iter().filter(|point| point.is_apart == is_apart);
+            points.filter_map(|point| shown.measured(self, point)).collect()
+        };
+        panel.marks(measured(true), APART).marks(measured(false), MEASURED)
     }
 
     /// Between the ends of a curve's error bars, where an eye can tell them from the line.
@@ -121,6 +128,12 @@ impl Curves {
         }
         if self.has_band() {
             sheet = sheet.key(BAND, Label::new("error bars"));
+        }
+        if self.measured.iter().any(|point| !point.is_apart) {
+            sheet = sheet.key(MEASURED, Label::new("measured"));
+        }
+        if self.measured.iter().any(|point| point.is_apart) {
+            sheet = sheet.key(APART, Label::new("measured at another creepage or load"));
         }
         let mut solutions = self.lines.iter().flat_map(|curve| &curve.solutions);
         if solutions.any(|solution| solution.status != Status::Solved) {
@@ -240,17 +253,32 @@ impl Shown {
         curve.solutions.iter().map(move |solution| (self.of)(solution.force))
     }
 
+    /// A measured point in its panel, where it was measured and lies within the axis.
+    fn measured(self, curves: &Curves, point: &Overlaid) -> Option<Point> {
+        let value = match self.index {
+            "x" => point.force[0],
+            "y" => point.force[1],
+            _ => None,
+        };
+        let at = curves.vary.of(point.creepage);
+        curves.reach(at).then_some([at, value?])
+    }
+
     /// Largest size of this component on any curve.
     fn largest(self, curves: &Curves) -> f64 {
-        curves.lines.iter().flat_map(|curve| self.values(curve)).fold(0.0, |m, v| m.max(v.abs()))
+        let measured = curves.measured.iter().filter_map(|point| self.measured(curves, point));
+        let values = curves.lines.iter().flat_map(|curve| self.values(curve));
+        values.chain(measured.map(|[_, value]| value)).fold(0.0, |m, v| m.max(v.abs()))
     }
 
     /// The range of the curves, zero included.
     fn range(self, curves: &Curves) -> [f64; 2] {
         let values = curves.lines.iter().flat_map(|curve| self.values(curve));
-        let (low, high) = values.fold((0.0, 0.0), |(low, high): (f64, f64), value| {
-            (low.min(value.max(-self.limit)), high.max(value.min(self.limit)))
-        });
+        let values = values.map(|value| value.clamp(-self.limit, self.limit));
+        let measured = curves.measured.iter().filter_map(|point| self.measured(curves, point));
+        let values = values.chain(measured.map(|[_, value]| value));
+        let (low, high) = values
+            .fold((0.0, 0.0), |(low, high): (f64, f64), value| (low.min(value), high.max(value)));
         let air = AIR * (high - low).max(f64::MIN_POSITIVE);
         // What only rounding has put on the other side of zero needs none.
         let low = if low < -1e-3 * air { low - air } else { 0.0 };

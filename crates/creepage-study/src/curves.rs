@@ -10,6 +10,7 @@ use creepage_plot::Label;
 use crate::contact_picture::{setting, setting_of_areas};
 use crate::error::ReportError;
 use crate::file_set::write_all;
+use crate::measured::Overlaid;
 use crate::sources::Sources;
 use crate::{Case, CaseError, GapCase};
 
@@ -25,6 +26,9 @@ pub enum Component {
 }
 
 impl Component {
+    /// All of them, in the order of forces and creepages.
+    pub const ALL: [Self; 3] = [Self::Longitudinal, Self::Lateral, Self::Spin];
+
     /// This component of `creepage`.
     #[must_use]
     pub fn of(self, creepage: Creepage) -> f64 {
@@ -106,6 +110,7 @@ pub struct Curves {
     pub(crate) values: Vec<f64>,
     creepages: Vec<Creepage>,
     pub(crate) lines: Vec<Curve>,
+    pub(crate) measured: Vec<Overlaid>,
 }
 
 const HEADER: [&str; 14] = [
@@ -161,9 +166,9 @@ impl Curves {
     }
 
     fn of(contact: Contact, note: Label, creepage: Creepage, vary: Component) -> Self {
-        let (values, creepages, lines) = (Vec::new(), Vec::new(), Vec::new());
+        let (values, creepages, lines, measured) = Default::default();
         let largest_moment = f64::INFINITY;
-        Self { contact, note, largest_moment, creepage, vary, values, creepages, lines }
+        Self { contact, note, largest_moment, creepage, vary, values, creepages, lines, measured }
     }
 
     fn over(self, mut values: Vec<f64>) -> Result<Self, CaseError> {
@@ -223,7 +228,8 @@ impl Curves {
     }
 
     /// A row for each point of each curve: dimensionless, then in SI units; forces and moment are
-    /// those on the lower body, the moment empty where the theory has none.
+    /// those on the lower body, the moment empty where the theory has none. Measured points follow, as of
+    /// a theory `measured`, with the status `apart` where their other creepages or load are not the curves'.
     ///
     /// # Errors
     /// [`ReportError::Points`], should memory not suffice.
@@ -240,6 +246,14 @@ impl Curves {
                 }
                 writer.write_record(numbers)?;
             }
+        }
+        for point in &self.measured {
+            writer.write_record(
+                ["measured", if point.is_apart { "apart" } else { "" }]
+                    .into_iter()
+                    .map(String::from)
+                    .chain(self.of_measured(point)),
+            )?;
         }
         writer.into_inner().map_err(|error| csv::Error::from(error.into_error()).into())
     }
@@ -264,6 +278,19 @@ impl Curves {
             si_force.moment,
         ]
         .map(|number| format!("{number:e}"))
+    }
+
+    /// As [`Curves::numbers`] of a point that was measured: empty where it was not.
+    fn of_measured(&self, point: &Overlaid) -> [String; 12] {
+        let [fx, fy] = point.force;
+        let force = Force { fx: fx.unwrap_or(0.0), fy: fy.unwrap_or(0.0), mz: 0.0 };
+        let mut numbers = self.numbers(point.creepage, force);
+        for (place, is_measured) in [(3, fx.is_some()), (4, fy.is_some()), (5, false)] {
+            if !is_measured {
+                [numbers[place], numbers[place + 6]] = Default::default();
+            }
+        }
+        numbers
     }
 
     /// Writes `curve.csv`, `curve.svg` and `curve.png` into `directory`, which is made when

@@ -12,6 +12,7 @@
 //! | many | [`BulkCase`]: one case with [`Varied`] quantities in rows; [`Solver`]: many [`Question`]s |
 //! | reported | [`SolvedCase::text`], [`SolvedCase::json`], [`SolvedCase::write`]; [`Caution`] |
 //! | any shape | [`GapFile`] gives a [`GapCase`], [`solve_gap`] a [`SolvedCase`] like any other |
+//! | fitted | [`MeasuredPoints`] over [`Curves`]; [`Fit`]: friction from measured forces, with its uncertainty |
 //! | measured | [`measure`]: how far a theory is from the full one over [`steady_rolling`] or a [`grid()`]; [`SquareGrid`] |
 //! | written | [`WholeFile`] and [`write_all`]: files that appear when they are whole |
 //!
@@ -63,6 +64,7 @@ mod fuzz;
 mod gap;
 mod history;
 mod json;
+mod measured;
 mod plain_words;
 mod points;
 mod series;
@@ -112,6 +114,10 @@ pub use history::{
 pub use json::{
     AnyReportJson, AreasJson, CreepageJson, DetailJson, DimensionlessJson, ForceJson,
     FrictionLawJson, ReportJson,
+};
+pub use measured::{
+    Fit, FitCaution, FitError, FitOptions, Fitted, FittedPoint, MeasuredError, MeasuredPoint,
+    MeasuredPoints, UnreadRow,
 };
 pub use plain_words::plain_words;
 pub use series::{SeriesHead, SeriesRow, SweepRun, Tally, series_csv, series_json, series_netcdf};

@@ -23,7 +23,7 @@ const SETTLED: f64 = 0.05;
 pub(crate) const STEPS: [u32; 2] = [80, 40];
 /// Where the largest stress is sought, over the semi-axes, and down over the smaller of them.
 const SOUGHT: f64 = 1.5;
-const HEADER: [&str; 14] = [
+const HEADER: [&str; 17] = [
     "x",
     "y",
     "z",
@@ -38,6 +38,9 @@ const HEADER: [&str; 14] = [
     "s1",
     "s2",
     "s3",
+    "u",
+    "v",
+    "w",
 ];
 
 /// A place in a body and the stress there.
@@ -47,6 +50,8 @@ pub struct StressPoint {
     pub point: [f64; 3],
     /// Its stress (Pa), positive in tension.
     pub stress: Stress,
+    /// Its displacement `[u, v, w]` (m), `w` into the body; it vanishes far away.
+    pub displacement: [f64; 3],
 }
 
 /// Why there are no stresses.
@@ -63,7 +68,7 @@ pub enum StressError {
     #[error(transparent)]
     Point(#[from] InvalidValue),
     /// The stress at a point is beyond the range of numbers.
-    #[error("row {row}: the stress at ({:e}, {:e}, {:e}) m is no finite number", point[0], point[1], point[2])]
+    #[error("row {row}: the stress or displacement at ({:e}, {:e}, {:e}) m is no finite number", point[0], point[1], point[2])]
     NotFinite {
         /// Its number, from one.
         row: usize,
@@ -102,8 +107,11 @@ impl Stresses {
         Ok(Self { solved, interior, settled })
     }
 
-    /// The field inside the body, and the depth from which on it has settled (m).
-    pub(crate) fn interior(
+    /// The field inside a body of a solved case, and the depth from which on it has settled (m).
+    ///
+    /// # Errors
+    /// As [`Stresses::new`].
+    pub fn interior(
         solved: &SolvedCase,
         solid: Solid,
         body: Body,
@@ -145,7 +153,11 @@ impl Stresses {
             if !(stress.von_mises().is_finite() && stress.trace().is_finite()) {
                 return Err(StressError::NotFinite { row: index + 1, point: *point });
             }
-            Ok(StressPoint { point: *point, stress })
+            let displacement = self.interior.displacement(*point)?;
+            if !displacement.iter().all(|part| part.is_finite()) {
+                return Err(StressError::NotFinite { row: index + 1, point: *point });
+            }
+            Ok(StressPoint { point: *point, stress, displacement })
         };
         points.par_iter().enumerate().map(at).collect()
     }
@@ -281,19 +293,20 @@ impl fmt::Debug for Stresses {
     }
 }
 
-/// The fourteen numbers of a row.
-fn numbers(at: &StressPoint) -> [f64; 14] {
+/// The numbers of a row.
+fn numbers(at: &StressPoint) -> [f64; 17] {
     let ([x, y, z], [xx, yy, zz, xy, yz, xz]) = (at.point, at.stress.components());
     let [first, second, third] = at.stress.principal();
     let (von_mises, tresca) = (at.stress.von_mises(), at.stress.tresca());
-    [x, y, z, xx, yy, zz, xy, yz, xz, von_mises, tresca, first, second, third]
+    let [u, v, w] = at.displacement;
+    [x, y, z, xx, yy, zz, xy, yz, xz, von_mises, tresca, first, second, third, u, v, w]
 }
 
 fn object(at: &StressPoint) -> Value {
     HEADER.iter().zip(numbers(at)).map(|(name, value)| (*name, json!(value))).collect()
 }
 
-/// Points and stresses as CSV, in full precision.
+/// Points, stresses and displacements as CSV, in full precision.
 ///
 /// # Errors
 /// [`ReportError`] as of the writer of CSV.

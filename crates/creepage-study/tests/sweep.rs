@@ -96,3 +96,16 @@ fn the_schema_describes_every_key() {
         }
     }
 }
+
+#[test]
+fn unlike_bodies_are_another_contact() {
+    let unlike = SWEEP.replace("poisson = 0.28", "poisson = 0.28\nkappa_over_mu = 0.3");
+    let force = |text: &str| {
+        let sweep = Sweep::read(text).unwrap();
+        let theory = sweep.theory().unwrap();
+        sweep.chain(&theory, 0).solve(sweep.case(0).creepage, None).found.solution.force
+    };
+    let [one, two] = [force(SWEEP), force(&unlike)];
+    assert!((one.fx - two.fx).hypot(one.fy - two.fy) > 1e-3, "{one:?} {two:?}");
+    refused(&unlike.replace("0.3", "nan"), &["[contact]", "kappa_over_mu"]);
+}

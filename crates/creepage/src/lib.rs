@@ -81,6 +81,7 @@ pub mod damage;
 pub mod friction_law;
 pub mod gap;
 pub mod halfspace;
+pub mod motion;
 pub mod normal;
 pub mod special;
 pub mod statics;

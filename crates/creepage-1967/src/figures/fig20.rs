@@ -1,5 +1,7 @@
 //! Fig. 20: areas of adhesion in pure spin, and traction and slip on the axis.
 
+use std::f64::consts::FRAC_PI_4;
+
 use creepage::Ellipse;
 use creepage::variational::{Start, Variational, Weight};
 
@@ -8,8 +10,13 @@ use crate::prelude::*;
 pub(crate) const ITEM: Item =
     Item::new("fig20", "Fig. 20. Areas of adhesion and slip in pure spin", make);
 
-/// Those of the parts a to e.
-pub(crate) const SPINS: [f64; 5] = [0.53, 1.24, 1.95, 2.65, 3.36];
+/// The unit of slip of (4.21), `(1 - sigma) E/2` of the circle.
+const A: f64 = (1.0 - STEEL) * FRAC_PI_4;
+/// `A chi` of the parts a to e: round numbers, whose `chi` the thesis prints to two decimals.
+const A_CHI: [f64; 5] = [0.3, 0.7, 1.1, 1.5, 1.9];
+/// Their spins.
+pub(crate) const SPINS: [f64; 5] =
+    [A_CHI[0] / A, A_CHI[1] / A, A_CHI[2] / A, A_CHI[3] / A, A_CHI[4] / A];
 /// That of part f, by its place in [`SPINS`].
 const ON_THE_AXIS: usize = 3;
 
@@ -68,7 +75,8 @@ fn collect(data: &mut Data, circle: Ellipse, name: &str, views: &[View]) {
 fn caption(today: &[View]) -> String {
     let shares: Vec<_> = today.iter().map(|view| format!("{:.1}", 100.0 * view.share)).collect();
     format!(
-        "Circular contact, σ = 0.28, no creepage; chapter 5 with M = 3, W = W₁, its separatrix \
+        "Circular contact, σ = 0.28, no creepage; the spins of the print are those at which Aχ, A = (1 − σ)E/2, \
+         is 0.3, 0.7, 1.1, 1.5 and 1.9; chapter 5 with M = 3, W = W₁, its separatrix \
          T = S. Dashed, the separatrix of the full theory, in which {} % of the contact adhere. It \
          has one area of adhesion up to χ = 1.95, at the leading edge; in the end an island \
          remains about the point without slip, much smaller than that of 1967: see the item islands. Part f in the \
@@ -113,7 +121,7 @@ fn agreement(
     let mut lines = Vec::new();
     for (k, (expected, words)) in printed.into_iter().enumerate() {
         let (ours, full) = (on_the_mesh[k], contact::pieces(circle, &today[k].adhesion));
-        let quantity = format!("areas of adhesion at χ = {}", SPINS[k]);
+        let quantity = format!("areas of adhesion at χ = {:.2}", SPINS[k]);
         let full = match full {
             0 => "the island, below resolution here, see the item islands".to_owned(),
             _ => full.to_string(),
@@ -152,7 +160,9 @@ fn sheet(circle: Ellipse, of_1967: &[View], today: &[View]) -> Sheet {
         .columns(3);
     for (k, letter) in ["a", "b", "c", "d", "e"].into_iter().enumerate() {
         let heading = Label::new(letter).plain(")  ").symbol("χ").plain(" = ");
-        let panel = contact::panel(circle, heading.number(&SPINS[k].to_string()));
+        let heading = heading.number(&format!("{:.2}", SPINS[k])).plain(", ").symbol("Aχ");
+        let heading = heading.plain(" = ").number(&A_CHI[k].to_string());
+        let panel = contact::panel(circle, heading);
         let panel = contact::areas(panel, circle, &of_1967[k].adhesion);
         let island = |area: &&Polygon| k >= ON_THE_AXIS && area.iter().all(|point| point[0] < 0.0);
         let islands = of_1967[k].adhesion.iter().filter(island);
@@ -176,7 +186,7 @@ fn on_the_axis(of_1967: &View, today: &View) -> Panel {
     let bound: Vec<_> =
         spaced(-1.0, 1.0, 200).into_iter().map(|x| [x, (1.0 - x * x).sqrt()]).collect();
     let below = bound.iter().map(|[x, y]| [*x, -y]).collect();
-    let chi = SPINS[ON_THE_AXIS].to_string();
+    let chi = format!("{:.2}", SPINS[ON_THE_AXIS]);
     let heading = Label::new("f)  ").symbol("χ").plain(" = ").number(&chi);
     let x = Axis::new([-1.0, 1.0], Label::default().symbol("x").plain("/").symbol("a"));
     let y = Label::default()

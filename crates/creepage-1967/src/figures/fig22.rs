@@ -1,5 +1,7 @@
 //! Fig. 22: tractions for creepage and spin together.
 
+use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_4};
+
 use creepage::Ellipse;
 use creepage::variational::Weight;
 
@@ -9,7 +11,11 @@ use crate::prelude::*;
 pub(crate) const ITEM: Item =
     Item::new("fig22", "Fig. 22. Tractions in creepage and spin together", make);
 
-const CREEPAGE: [f64; 3] = [0.5, -0.5, 0.7];
+/// `A upsilon = A chi`, with `A` the unit of slip of (4.21), `(1 - sigma) E/2` of the circle: the print
+/// has `xi = -eta = .50`, `chi = .70`, and the pole on the circle.
+const A_UPSILON: f64 = 0.4;
+const CHI: f64 = A_UPSILON / ((1.0 - STEEL) * FRAC_PI_4);
+const CREEPAGE: [f64; 3] = [CHI * FRAC_1_SQRT_2, -CHI * FRAC_1_SQRT_2, CHI];
 const POLE: Mark = Mark::open(Shape::Diamond, "#b3261e");
 const LEAST: Mark = Mark::full(Shape::Circle, "#b3261e");
 
@@ -22,9 +28,9 @@ fn make() -> Result<Reproduction, GalleryError> {
         .note(axes::setting(&[
             ("a/b", "1"),
             ("σ", "0.28"),
-            ("ξ", "0.5"),
-            ("η", "-0.5"),
-            ("χ", "0.7"),
+            ("ξ = −η", "0.50"),
+            ("χ", "0.71"),
+            ("Aχ", "0.4"),
         ]))
         .columns(2);
     let fields = [
@@ -73,8 +79,8 @@ fn least(circle: Ellipse, field: &Field) -> ([f64; 2], f64) {
 fn caption([of_1967, today]: [([f64; 2], f64); 2]) -> String {
     format!(
         "Circular contact, σ = 0.28; chapter 5 with M = 3, W = W₁. Lines of constant traction in \
-         per cent of Coulomb's bound, and the traction's direction. The spin pole lies on the \
-         contact's edge. The traction is least at ({:.2}, {:.2}) a by chapter 5 and at ({:.2}, \
+         per cent of Coulomb's bound, and the traction's direction. A = (1 − σ)E/2; with \
+         Aυ = Aχ = 0.4 the spin pole lies on the contact's edge. The traction is least at ({:.2}, {:.2}) a by chapter 5 and at ({:.2}, \
          {:.2}) a by the full theory, with {:.1} and {:.1} % of its bound. In the full theory the \
          area of adhesion, where the lines run, borders on the leading edge, and the directions in \
          it are not erratic.",

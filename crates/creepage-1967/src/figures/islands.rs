@@ -15,7 +15,7 @@ pub(crate) const ITEM: Item =
 /// Beyond those of Fig. 20.
 const BEYOND: f64 = 5.0;
 /// The spins whose island is looked at closely.
-const CLOSE: [f64; 3] = [2.65, 3.36, BEYOND];
+const CLOSE: [f64; 3] = [fig20::SPINS[3], fig20::SPINS[4], BEYOND];
 /// Elements along and across: an island is thin across.
 const FINE: [usize; 2] = [36, 96];
 /// Half as many strips: what an island is must not depend on the elements.
@@ -140,7 +140,7 @@ fn agreement(areas: &[(Vec<Polygon>, f64)], islands: &[Vec<Island>]) -> Vec<Comp
         });
         let ours: Vec<_> = ours.collect();
         let holds = !islands[0][k].elements.is_empty();
-        let quantity = format!("island about the point without slip, χ = {chi}");
+        let quantity = format!("island about the point without slip, χ = {chi:.2}");
         let line = Comparison::claim(
             quantity,
             "exists, somewhat doubtful",
@@ -160,7 +160,7 @@ fn sheet(
     areas: &[(Vec<Polygon>, f64)],
     islands: &[Island],
 ) -> Sheet {
-    let heading = |chi: f64| Label::default().symbol("χ").plain(" = ").number(&chi.to_string());
+    let heading = |chi: f64| Label::default().symbol("χ").plain(" = ").number(&format!("{chi:.2}"));
     let mut sheet = Sheet::new("Is there an island of adhesion?")
         .note(axes::setting(&[("a/b", "1"), ("σ", "0.28"), ("ξ", "0"), ("η", "0")]))
         .columns(3);

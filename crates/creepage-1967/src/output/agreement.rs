@@ -8,7 +8,7 @@ use crate::run::Made;
 const HEADER: [&str; 7] = ["item", "quantity", "printed", "ours", "difference", "verdict", "note"];
 
 /// What of the thesis has nothing to be computed.
-pub(super) const SKETCHES: &str = "Figs 1, 6, 7 and 9 are sketches of bodies and axes and have no \
+pub(super) const SKETCHES: &str = "Figs 1 and 6 are sketches of bodies and axes and have no \
     numbers; Fig. 8 of the list of symbols is printed as Figs 3a and 3b.";
 
 /// Ours less the print, to two digits.

@@ -4,6 +4,7 @@ use std::fmt::Write;
 
 use super::agreement::{SKETCHES, difference, summary};
 use crate::comparison::Comparison;
+use crate::rows::{rows, states};
 use crate::run::Made;
 
 const STYLE: &str = include_str!("gallery.css");
@@ -26,6 +27,7 @@ pub(super) fn html(made: &[Made]) -> String {
         let _ = writeln!(page, "<a href=\"#{0}\">{0}</a>", made.item.name);
     }
     page.push_str("</nav>\n</header>\n<main>\n");
+    all_rows(&mut page);
     for made in made {
         section(&mut page, made);
     }
@@ -39,6 +41,34 @@ pub(super) fn html(made: &[Made]) -> String {
          {SKETCHES}</footer>\n</body>\n</html>\n"
     );
     page
+}
+
+/// What a reader wants to do with the thesis, row by row.
+fn all_rows(page: &mut String) {
+    let [works, part, missing] = states();
+    // Writing to a String cannot fail.
+    let _ = writeln!(
+        page,
+        "<section id=\"rows\">\n<h2>The thesis, row by row</h2>\n<p class=\"caption\">{} things that a \
+         reader wants to do with it, in its order: {works} work, {part} in part, {missing} do not.</p>\n\
+         <details><summary>all of them</summary><div class=\"wide\"><table>\n\
+         <tr><th><th>what<th>where<th>how<th>test<th>state</tr>",
+        works + part + missing
+    );
+    for row in rows() {
+        let cells = row.map(|cell| format!("<td>{}", coded(&escape(cell))));
+        let _ = writeln!(page, "<tr>{}</tr>", cells.concat());
+    }
+    page.push_str("</table></div></details>\n</section>\n");
+}
+
+/// Words between back quotes as code.
+fn coded(words: &str) -> String {
+    let parts = words.split('`').enumerate();
+    let part = |(k, part): (usize, &str)| {
+        if k % 2 == 1 { format!("<code>{part}</code>") } else { part.to_owned() }
+    };
+    parts.map(part).collect()
 }
 
 fn section(page: &mut String, made: &Made) {

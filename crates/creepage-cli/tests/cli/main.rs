@@ -11,6 +11,7 @@ mod doors;
 mod examples;
 #[cfg(unix)]
 mod faults;
+mod fit;
 mod friction_laws;
 mod gap;
 mod gap_batch;

@@ -15,6 +15,7 @@ mod caller;
 mod case;
 mod fuzz;
 mod gap;
+mod half_space;
 mod header;
 mod interface;
 #[path = "../../../creepage-map/tests/common/mod.rs"]

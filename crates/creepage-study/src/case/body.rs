@@ -26,6 +26,12 @@ pub(crate) struct Body {
 }
 
 impl Body {
+    /// Its radius along the rolling direction (m), infinite where flat; `None` where none is given, or none
+    /// that is one.
+    pub(crate) fn rolling_radius(&self) -> Option<f64> {
+        self.radius_rolling.and_then(|radius| radius.metres().ok())
+    }
+
     pub(crate) fn solid(&self, section: &'static str) -> Result<Solid, CaseError> {
         let solid = match (self.shear_modulus, self.young_modulus) {
             (Some(g), None) => Solid::new(g, self.poisson),

@@ -14,6 +14,7 @@ use super::creepage::CreepageSection;
 use super::error::CaseError;
 use super::keys;
 use super::layer::LayerSection;
+use super::motion::MotionSection;
 use super::schema::schema_of;
 use super::sections::{Sections, Touching};
 use super::solve;
@@ -37,6 +38,8 @@ pub struct CaseFile {
     /// Creepage and spin. Needed for rolling, not for the contact alone.
     #[serde(default)]
     creepage: CreepageSection,
+    /// How both bodies move, in place of creepage and spin.
+    motion: Option<MotionSection>,
     /// Forces that are wanted in place of creepages.
     #[serde(default)]
     wanted: WantedSection,
@@ -147,7 +150,12 @@ impl CaseFile {
     /// The same where the sections of the text are known.
     pub(crate) fn of(table: &Table, text: &str) -> Result<Self, CaseError> {
         keys::check(table, &json_schema())?;
-        Ok(toml::from_str(text)?)
+        let mut file: Self = toml::from_str(text)?;
+        if let Some(motion) = &file.motion {
+            let radii = [&file.upper, &file.lower].map(Body::rolling_radius);
+            file.creepage = motion.creepage(radii, &file.creepage)?;
+        }
+        Ok(file)
     }
 
     /// The contact alone; needs neither friction nor creepage.

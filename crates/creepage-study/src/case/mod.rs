@@ -10,6 +10,7 @@ pub(crate) mod file;
 pub(crate) mod friction;
 pub(crate) mod keys;
 pub(crate) mod layer;
+pub(crate) mod motion;
 pub(crate) mod radius;
 pub(crate) mod schema;
 pub(crate) mod sections;

@@ -6,7 +6,7 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 
 use crate::CaseError;
-use crate::case::creepage::given;
+use crate::case::creepage::{CreepageSection, given};
 
 /// Velocity of the upper body relative to the lower, over the rolling velocity, at the origin of
 /// coordinates. What is left out is zero, unless [wanted] asks for it.
@@ -49,7 +49,21 @@ pub struct SiGiven {
 const CREEPAGES: [&str; 3] = ["longitudinal", "lateral", "spin"];
 pub(super) const FORCES: [&str; 3] = ["longitudinal_force", "lateral_force", "moment"];
 
+impl From<CreepageSection> for SiCreepageSection {
+    /// Of what is given in SI units.
+    fn from(given: CreepageSection) -> Self {
+        let CreepageSection { longitudinal, lateral, spin, speed, .. } = given;
+        Self { longitudinal, lateral, spin, speed }
+    }
+}
+
 impl SiCreepageSection {
+    /// The same as a case of an ellipse has it.
+    pub(super) fn of_ellipses(&self) -> CreepageSection {
+        let Self { longitudinal, lateral, spin, speed } = *self;
+        CreepageSection { longitudinal, lateral, spin, speed, ..CreepageSection::default() }
+    }
+
     /// What is given here and in [wanted].
     pub(super) fn given(&self, wanted: &SiWantedSection) -> Result<SiGiven, CaseError> {
         let creepage = [self.longitudinal, self.lateral, self.spin];

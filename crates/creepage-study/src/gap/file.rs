@@ -17,6 +17,7 @@ use super::vary::{GapValue, GapVaried};
 use crate::case::body::Body;
 use crate::case::friction::FrictionValue;
 use crate::case::layer::LayerSection;
+use crate::case::motion::MotionSection;
 use crate::case::schema::schema_of;
 use crate::case::{keys, solve};
 use crate::damage::DamageSection;
@@ -35,6 +36,7 @@ pub struct GapFile {
     damage: Option<DamageSection>,
     #[serde(default)]
     creepage: SiCreepageSection,
+    motion: Option<MotionSection>,
     #[serde(default)]
     wanted: SiWantedSection,
     #[serde(default)]
@@ -116,7 +118,12 @@ impl GapFile {
             }
         }
         keys::check(table, &gap_json_schema())?;
-        Ok(toml::from_str(text).map_err(CaseError::from)?)
+        let mut file: Self = toml::from_str(text).map_err(CaseError::from)?;
+        if let Some(motion) = &file.motion {
+            // Bodies of any shape have no centre that goes without saying.
+            file.creepage = motion.creepage([None; 2], &file.creepage.of_ellipses())?.into();
+        }
+        Ok(file)
     }
 
     /// Checks the numbers; files of points stand in `directory`.

@@ -21,9 +21,10 @@ pub fn series_json<E: Into<ReportError>>(
     let [nx, ny] = head.mesh;
     write!(
         out,
-        "{{\"a_over_b\": {}, \"poisson\": {}, \"degree\": {}, \"mesh\": [{nx}, {ny}], \"cases\": [",
+        "{{\"a_over_b\": {}, \"poisson\": {}, \"kappa_over_mu\": {}, \"degree\": {}, \"mesh\": [{nx}, {ny}], \"cases\": [",
         Value::from(head.a_over_b),
         Value::from(head.poisson),
+        Value::from(head.kappa_over_mu),
         head.degree
     )
     .map_err(ReportError::Series)?;

@@ -57,6 +57,8 @@ pub struct SeriesHead {
     pub a_over_b: f64,
     /// Combined Poisson's ratio.
     pub poisson: f64,
+    /// How unlike the bodies are: `kappa` of (2.10) over the coefficient of friction.
+    pub kappa_over_mu: f64,
     /// Degree of the traction polynomials.
     pub degree: usize,
     /// Cells of the mesh along `x` and `y`.
@@ -94,6 +96,7 @@ impl From<&Sweep> for SeriesHead {
         Self {
             a_over_b: sweep.a_over_b,
             poisson: sweep.poisson,
+            kappa_over_mu: sweep.kappa_over_mu,
             degree: sweep.settings.degree,
             mesh: sweep.settings.mesh,
             cases: sweep.cases(),

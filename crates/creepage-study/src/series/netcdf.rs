@@ -59,6 +59,7 @@ fn definition(head: &SeriesHead) -> Result<DataSet, netcdf3::InvalidDataSet> {
     set.add_fixed_dim("case", head.cases)?;
     set.add_global_attr_f64("a_over_b", vec![head.a_over_b])?;
     set.add_global_attr_f64("poisson", vec![head.poisson])?;
+    set.add_global_attr_f64("kappa_over_mu", vec![head.kappa_over_mu])?;
     let whole = |count: usize| i32::try_from(count).unwrap_or(i32::MAX);
     set.add_global_attr_i32("degree", vec![whole(head.degree)])?;
     set.add_global_attr_i32("mesh", head.mesh.map(whole).to_vec())?;

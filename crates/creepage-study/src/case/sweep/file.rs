@@ -38,6 +38,9 @@ pub(crate) struct ContactSection {
     pub(crate) a_over_b: f64,
     /// Combined Poisson's ratio.
     pub(crate) poisson: f64,
+    /// How unlike the bodies are: kappa of (2.10) over the coefficient of friction; zero if not given.
+    #[serde(default)]
+    pub(crate) kappa_over_mu: f64,
 }
 
 #[derive(Debug, Clone, PartialEq, Default, Deserialize, JsonSchema)]

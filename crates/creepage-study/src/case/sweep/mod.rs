@@ -43,6 +43,8 @@ pub struct Sweep {
     pub a_over_b: f64,
     /// Combined Poisson's ratio.
     pub poisson: f64,
+    /// How unlike the bodies are: `kappa` of (2.10) over the coefficient of friction.
+    pub kappa_over_mu: f64,
     /// Degree, mesh, weight and treatment of the bound.
     pub settings: Settings,
     /// Method and limits.
@@ -85,6 +87,7 @@ impl Sweep {
         let sweep = Self {
             a_over_b: file.contact.a_over_b,
             poisson: file.contact.poisson,
+            kappa_over_mu: file.contact.kappa_over_mu,
             settings: file.solve.settings(file.contact.a_over_b)?,
             procedure: file.solve.procedure()?,
             starting_values: file.chain.starting_values()?,
@@ -106,6 +109,7 @@ impl Sweep {
     pub fn theory(&self) -> Result<Variational, CaseError> {
         let contact = Ellipse::from_ratio(self.a_over_b)
             .and_then(|ellipse| Contact::new(ellipse, self.poisson))
+            .and_then(|contact| contact.with_kappa_over_mu(self.kappa_over_mu))
             .map_err(CaseError::invalid("contact"))?;
         Variational::new(&contact, self.settings).map_err(|source| {
             let in_contact = matches!(source, VariationalError::Invalid(_));

@@ -22,6 +22,7 @@
 
 mod compensation;
 mod edge;
+mod edge_energy;
 mod interpolated;
 mod theory;
 mod traction;
@@ -29,6 +30,7 @@ mod waves;
 
 use compensation::{Compensated, Criterion, Edge, Symmetry};
 
+pub use edge_energy::EdgeEnergy;
 pub use theory::Linear;
 pub(super) use theory::{linear_force, slip_unit};
 

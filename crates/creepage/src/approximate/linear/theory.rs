@@ -60,7 +60,7 @@ impl Linear {
     }
 
     /// Of unit `xi`, `eta`, `chi`, in units of the scaling.
-    fn tractions(&self) -> [Traction; 3] {
+    pub(super) fn tractions(&self) -> [Traction; 3] {
         let slip = slip_unit(self.contact.ellipse(), self.contact.poisson());
         let [xi, eta, chi] = self.strengths();
         [

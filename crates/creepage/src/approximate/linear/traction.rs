@@ -58,6 +58,23 @@ impl Traction {
     }
 }
 
+impl Traction {
+    /// A function that gives the strength `(X', Y')` of the singularity at `(a cos t, b sin t)` of the edge.
+    pub(super) fn on_edge(&self) -> impl FnMut(f64) -> [f64; 2] {
+        let mut values = vec![0.0; harmonics::count(self.degree)];
+        move |t| {
+            let (sin, cos) = t.sin_cos();
+            harmonics::evaluate(self.degree, cos, sin, &mut values);
+            let mut strength = [0.0; 2];
+            for (index, part) in harmonics::even_indices(self.degree).zip(&self.coefficients) {
+                strength[0] += values[index] * part[0];
+                strength[1] += values[index] * part[1];
+            }
+            strength
+        }
+    }
+}
+
 /// `[X', Y']` of frequency `m` as amplitudes of `cos m psi` and `sin m psi`, `psi = pi/2 - t`
 /// being the angle from the `x` axis.
 fn wave(strength: &Strength, m: usize, u_even_in_x: bool) -> [[f64; 2]; 2] {
