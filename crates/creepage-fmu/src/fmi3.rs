@@ -428,8 +428,8 @@ macro_rules! none_of_clocks {
 }
 
 none_of_clocks! {
-    fmi3GetBinary(_sizes: *mut usize, _values: *mut *const u8, _count: usize);
-    fmi3SetBinary(_sizes: *const usize, _values: *const *const u8, _count: usize);
+    fmi3GetBinary(_sizes: *mut usize, _values: *mut *const u8, _value_count: usize);
+    fmi3SetBinary(_sizes: *const usize, _values: *const *const u8, _value_count: usize);
     fmi3GetClock(_values: *mut bool);
     fmi3SetClock(_values: *const bool);
     fmi3GetIntervalDecimal(_intervals: *mut f64, _qualifiers: *mut c_int);

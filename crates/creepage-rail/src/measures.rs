@@ -98,16 +98,15 @@ impl Profile {
         let [worn, new] = [self, new].map(Outline::of);
         let (worn, new) = (worn?, new?);
         let (from, to) = (worn.tip[0].max(new.tip[0]), worn.last().min(new.last()));
-        let count = ((to - from) / STEP).floor();
-        if !(count >= 1.0) {
-            return None;
-        }
-        let at = |k: u32| from + (f64::from(k) + 0.5) * STEP;
-        let lost = (0..count as u32).filter_map(|k| {
-            let (new_z, worn_z) = (new.height(at(k))?, worn.height(at(k))?);
-            Some((new_z - new.tip[1]) - (worn_z - worn.tip[1]))
-        });
-        Some(STEP * lost.sum::<f64>())
+        let places = (0..).map(|k: u32| from + (f64::from(k) + 0.5) * STEP);
+        let lost: Vec<f64> = places
+            .take_while(|place| *place < to)
+            .filter_map(|place| {
+                let (new_z, worn_z) = (new.height(place)?, worn.height(place)?);
+                Some((new_z - new.tip[1]) - (worn_z - worn.tip[1]))
+            })
+            .collect();
+        (!lost.is_empty()).then(|| STEP * lost.iter().sum::<f64>())
     }
 }
 

@@ -30,7 +30,7 @@ pub(crate) enum FrictionValue {
 #[derive(Debug, Clone, PartialEq, serde::Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct AcrossTable {
-    /// Two to twelve pairs of y (m), rising, and the coefficient there.
+    /// Two to seven pairs of y (m), rising, and the coefficient there.
     across: Vec<[f64; 2]>,
 }
 

@@ -143,14 +143,17 @@ impl RailFriction {
 }
 
 impl FrictionOfPlace {
-    /// At even places across a contact, as a theory of rolling takes it.
+    /// Across a contact, as a theory of rolling takes it: by lines between few places, the next of which is always
+    /// where these miss most.
     fn across(&self, contact: &Contact<'_>, running: &Running) -> Vec<[f64; 2]> {
-        const COUNT: usize = FrictionAcross::MAX_PLACES;
+        const LOOKED_UP: u32 = 64;
+        /// Of the coefficient: as lines miss no result by more.
+        const CLOSE: f64 = 1e-4;
         let [low, high] = contact.extent[1];
-        let at = |k: usize| low + (high - low) * k as f64 / (COUNT - 1) as f64;
         let rail = running.track().rail(contact.side);
         let sense = contact.side.sense();
-        let value = |s: f64| {
+        let value = |k: u32| {
+            let s = low + (high - low) * f64::from(k) / f64::from(LOOKED_UP);
             let across = contact.at(s)?;
             let place = match self.by {
                 PlaceOnRail::Position => across.y_rail,
@@ -158,28 +161,39 @@ impl FrictionOfPlace {
             };
             Some([s, self.at(place)])
         };
-        let points: Vec<[f64; 2]> = (0..COUNT).filter_map(|k| value(at(k))).collect();
-        if points.len() > 1 {
-            return points;
-        }
-        let place = match self.by {
-            PlaceOnRail::Position => contact.y_rail,
-            PlaceOnRail::Angle => sense * contact.angle - rail.inclination(),
+        let all: Vec<[f64; 2]> = (0..=LOOKED_UP).filter_map(value).collect();
+        let ([first, .., last], 2..) = (all.as_slice(), all.len()) else {
+            let place = match self.by {
+                PlaceOnRail::Position => contact.y_rail,
+                PlaceOnRail::Angle => sense * contact.angle - rail.inclination(),
+            };
+            return vec![[low, self.at(place)], [high, self.at(place)]];
         };
-        vec![[low, self.at(place)], [high, self.at(place)]]
+        let mut taken = vec![*first, *last];
+        while taken.len() < FrictionAcross::MAX_PLACES {
+            let missed = |point: &&[f64; 2]| (linear(&taken, point[0]) - point[1]).abs();
+            let worst = all.iter().max_by(|a, b| missed(a).total_cmp(&missed(b)));
+            let Some(worst) = worst.filter(|worst| missed(worst) > CLOSE) else { break };
+            let place = taken.partition_point(|[s, _]| *s < worst[0]);
+            taken.insert(place, *worst);
+        }
+        taken
     }
 
-    /// Linear between the points, constant beyond them.
+    /// The coefficient at an angle or a position.
     fn at(&self, place: f64) -> f64 {
-        let after = self.points.partition_point(|[at, _]| *at <= place);
-        let before = after.checked_sub(1).and_then(|i| self.points.get(i));
-        match (before, self.points.get(after)) {
-            (Some([from, low]), Some([to, high])) => {
-                low + (high - low) * (place - from) / (to - from)
-            }
-            (Some([_, value]), None) | (None, Some([_, value])) => *value,
-            (None, None) => f64::NAN,
-        }
+        linear(&self.points, place)
+    }
+}
+
+/// Linear between points that rise, constant beyond them.
+fn linear(points: &[[f64; 2]], place: f64) -> f64 {
+    let after = points.partition_point(|[at, _]| *at <= place);
+    let before = after.checked_sub(1).and_then(|i| points.get(i));
+    match (before, points.get(after)) {
+        (Some([from, low]), Some([to, high])) => low + (high - low) * (place - from) / (to - from),
+        (Some([_, value]), None) | (None, Some([_, value])) => *value,
+        (None, None) => f64::NAN,
     }
 }
 

@@ -125,8 +125,8 @@ impl WheelsetSection {
         };
         let wrong = |key, instead| Err(WheelsetError::OneWheel { key, side: word, instead });
         let both = [("axle_load", self.axle_load), ("wheel_load_left", self.wheel_load_left)];
-        let both = both.into_iter().chain([("mass", self.mass)]);
-        if let Some((key, _)) = both.filter(|(_, value)| value.is_some()).next() {
+        let mut both = both.into_iter().chain([("mass", self.mass)]);
+        if let Some((key, _)) = both.find(|(_, value)| value.is_some()) {
             return wrong(key, "give wheel_load or z");
         }
         match self.roll {

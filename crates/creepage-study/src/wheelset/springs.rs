@@ -65,7 +65,7 @@ impl WheelsetCase {
             if longest > LONGEST {
                 step *= LONGEST / longest;
             }
-            let Some(taken) = self.line_search(&sprung, (&at, &left), &step)? else {
+            let Some(taken) = self.line_search(&sprung, (&at, &left), &step) else {
                 // Learnt slopes may mislead: once more by differences, unless these did.
                 jacobian = Some(self.slopes(&sprung, &at, &left)?);
                 let fresh = jacobian.as_ref().is_some_and(|fresh| (fresh - &slopes).amax() == 0.0);
@@ -91,17 +91,17 @@ impl WheelsetCase {
         sprung: &[(Side, RailSprings)],
         (at, left): (&DVector<f64>, &DVector<f64>),
         step: &DVector<f64>,
-    ) -> Result<Option<(DVector<f64>, SolvedWheelset, DVector<f64>)>, WheelsetError> {
+    ) -> Option<(DVector<f64>, SolvedWheelset, DVector<f64>)> {
         const SHORTEST: u32 = 8;
         for halving in 0..SHORTEST {
             let moved = step * 0.5f64.powi(halving.cast_signed());
             // A step too far may leave the profiles: a shorter one does not.
             let Ok((solved, over)) = self.left_over(sprung, &(at + &moved)) else { continue };
             if over.norm() < left.norm() {
-                return Ok(Some((moved, solved, over)));
+                return Some((moved, solved, over));
             }
         }
-        Ok(None)
+        None
     }
 
     /// Where rails lie at first: their springs under the load, or, at a given height, just below the wheel.

@@ -21,7 +21,7 @@ pub struct FrictionAcross {
 
 impl FrictionAcross {
     /// Most places.
-    pub const MAX_PLACES: usize = 12;
+    pub const MAX_PLACES: usize = 7;
 
     /// From pairs of `y` (m), rising, and the coefficient there.
     ///
@@ -31,7 +31,7 @@ impl FrictionAcross {
     pub fn new(points: &[[f64; 2]]) -> Result<Self, InvalidValue> {
         let count = points.len();
         let enough = (2..=Self::MAX_PLACES).contains(&count);
-        check::require(enough, "across", count as f64, "two to twelve pairs of y and friction")?;
+        check::require(enough, "across", count as f64, "two to seven pairs of y and friction")?;
         for [y, friction] in points {
             check::finite("y of friction across", *y)?;
             let valid = friction.is_finite() && *friction >= 0.0;

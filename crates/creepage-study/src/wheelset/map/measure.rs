@@ -101,13 +101,12 @@ impl Builder<'_> {
         }
         state = nominal;
         let Ok(wheel) = map.solve_wheel(own, &state) else { return Ok(None) };
-        let solved = self.exact(side, &state)?;
-        Ok(solved.map(|solved| missed(&wheel, &solved, state.friction)))
+        Ok(self.exact(side, &state).map(|solved| missed(&wheel, &solved, state.friction)))
     }
 
-    fn exact(&self, side: Side, state: &State) -> Result<Option<SolvedWheel>, MapBuildError> {
+    fn exact(&self, side: Side, state: &State) -> Option<SolvedWheel> {
         let solver = self.solver.with_friction(state.friction);
-        let Pressed::Height(z) = state.pressed else { return Ok(None) };
+        let Pressed::Height(z) = state.pressed else { return None };
         let stance = Stance {
             side: Some(side),
             y: state.y,
@@ -123,8 +122,8 @@ impl Builder<'_> {
             ..Travel::default()
         };
         // A state that the full theory does not solve tells nothing of the map.
-        let Ok(solved) = solver.solve(&stance, &travel) else { return Ok(None) };
-        Ok(if side == Side::Right { solved.right } else { solved.left })
+        let solved = solver.solve(&stance, &travel).ok()?;
+        if side == Side::Right { solved.right } else { solved.left }
     }
 }
 

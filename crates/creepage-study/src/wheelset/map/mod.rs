@@ -452,7 +452,9 @@ impl Builder<'_> {
 fn friction(case: &WheelsetCase) -> Result<f64, MapBuildError> {
     match &case.friction {
         None => Ok(0.3),
-        Some([RailFriction::Constant(left), RailFriction::Constant(right)]) if left == right => {
+        Some([RailFriction::Constant(left), RailFriction::Constant(right)])
+            if left.to_bits() == right.to_bits() =>
+        {
             Ok(*left)
         }
         Some(_) => {

@@ -89,8 +89,8 @@ impl<'a> Balance<'_, 'a> {
             }
             (None, None, Load::Wheel(load)) => self.level([load; 2]),
             (None, None, Load::Wheels(loads)) => {
-                let sides = BOTH.into_iter().zip(loads);
-                match sides.filter(|(_, load)| *load <= 0.0).next() {
+                let mut sides = BOTH.into_iter().zip(loads);
+                match sides.find(|(_, load)| *load <= 0.0) {
                     Some((side, _)) => Err(WheelsetError::Hangs { side }),
                     None => self.level(loads),
                 }
