@@ -134,7 +134,7 @@ impl HalfSpaceData {
         let traction = self.of(&traction, self::edge(edge)?).map_err(|error| failed(py, error))?;
         let field = DisplacementField::new(&traction, self.poisson, kappa)
             .map_err(|error| errors::invalid(py, error))?;
-        self.at(py, points, |point| field.at(point))
+        Self::at(py, points, |point| field.at(point))
     }
 
     /// The traction (X, Y, Z) at points of the surface, in a last dimension of three.
@@ -147,13 +147,12 @@ impl HalfSpaceData {
     ) -> PyResult<Bound<'py, PyAny>> {
         let traction = self.of(&traction, self::edge(edge)?).map_err(|error| failed(py, error))?;
         let modulus = self.modulus;
-        self.at(py, points, |point| traction.at(point).map(|part| part * modulus))
+        Self::at(py, points, |point| traction.at(point).map(|part| part * modulus))
     }
 }
 
 impl HalfSpaceData {
     fn at<'py>(
-        &self,
         py: Python<'py>,
         points: [Number<'py>; 2],
         value: impl Fn([f64; 2]) -> [f64; 3] + Sync,

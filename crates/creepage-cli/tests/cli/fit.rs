@@ -10,7 +10,7 @@ fn place(points: &str) -> Place {
     let contact = &CASE[..CASE.find("[creepage]").unwrap()];
     let rest = "[creepage]\nlongitudinal = 0\n[solve]\ntheory = 'fastsim'\n";
     place.write("case.toml", format!("{contact}{rest}"));
-    place.write("points.csv", points.to_owned());
+    place.write("points.csv", points);
     place
 }
 

@@ -41,7 +41,7 @@ const SECTION: &str = "motion";
 
 impl BodyMotion {
     fn rigid(&self, height: Option<f64>, key: &str) -> Result<RigidMotion, CaseError> {
-        let turns = self.angular_velocity != [0.0; 3];
+        let turns = self.angular_velocity.iter().any(|part| part.abs() > 0.0);
         let missing = || CaseError::Missing { section: SECTION.into(), key: key.into() };
         let centre = height.map(|height| [0.0, 0.0, height]);
         let usual = if turns { centre.ok_or_else(missing) } else { Ok([0.0; 3]) };

@@ -454,12 +454,15 @@ impl Fit {
         let component = |si: SiCreepage, k: usize| [si.longitudinal, si.lateral, si.spin][k];
         let Some(first) = self.points.first() else { return Ok(None) };
         let differs = |k: &usize| {
-            self.points
-                .iter()
-                .any(|one| component(one.creepage, *k) != component(first.creepage, *k))
+            self.points.iter().any(|one| {
+                component(one.creepage, *k).to_bits() != component(first.creepage, *k).to_bits()
+            })
         };
         let varying: Vec<_> = (0..3).filter(differs).collect();
-        let one_load = self.points.iter().all(|one| one.normal_force == first.normal_force);
+        let one_load = self
+            .points
+            .iter()
+            .all(|one| one.normal_force.to_bits() == first.normal_force.to_bits());
         let ([k], true) = (&varying[..], one_load) else { return Ok(None) };
         let values = || self.points.iter().map(|one| component(one.creepage, *k));
         let (low, high) = (values().fold(0.0, f64::min), values().fold(0.0, f64::max));

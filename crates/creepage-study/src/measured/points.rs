@@ -30,7 +30,7 @@ const KNOWN: [&str; 9] = [
 #[non_exhaustive]
 pub enum MeasuredError {
     /// No column of a creepage.
-    #[error("a creepage is needed: a column longitudinal, lateral or spin{}", suggestion(.near))]
+    #[error("a creepage is needed: a column longitudinal, lateral or spin{}", suggestion(.near.as_ref()))]
     NoCreepage {
         /// A column whose name is like one of them, and that one.
         near: Option<(String, &'static str)>,
@@ -38,7 +38,7 @@ pub enum MeasuredError {
     /// No column of a force.
     #[error(
         "a force is needed: a column longitudinal_force or lateral_force (N), or \
-         longitudinal_coefficient or lateral_coefficient (force over normal force){}", suggestion(.near)
+         longitudinal_coefficient or lateral_coefficient (force over normal force){}", suggestion(.near.as_ref())
     )]
     NoForce {
         /// A column whose name is like one of them, and that one.
@@ -87,8 +87,8 @@ pub enum MeasuredError {
     Csv(#[from] csv::Error),
 }
 
-fn suggestion(found: &Option<(String, &'static str)>) -> String {
-    found.as_ref().map_or_else(String::new, |(given, meant)| {
+fn suggestion(found: Option<&(String, &'static str)>) -> String {
+    found.map_or_else(String::new, |(given, meant)| {
         format!("; `{given}` is none: did you mean `{meant}`?")
     })
 }
