@@ -279,11 +279,12 @@ fn a_whole_map_on_a_thousand_states() {
         map.accuracy()
     );
     let count = std::env::var("CREEPAGE_STATES").ok().and_then(|n| n.parse().ok()).unwrap_or(1000);
+    let widest = std::env::var("CREEPAGE_Y").ok().and_then(|y| y.parse().ok()).unwrap_or(6.1e-3);
     let theories = ["exact", "fastsim", "fastrip"];
     let mut random = Random(1000);
     let mut all: Vec<(bool, [f64; 5])> = Vec::new();
     while all.len() < count {
-        let y = 7e-3 * random.next();
+        let y = widest * random.next();
         let load = (0.5 * (10e3_f64.ln() + 110e3_f64.ln()) + 1.19 * random.next()).exp();
         let yaw = map.head().yaw * random.next();
         let Some(state) = state((&case, &map), [y, yaw, load], &mut random) else { continue };
