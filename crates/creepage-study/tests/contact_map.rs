@@ -244,7 +244,8 @@ fn wrong_plans_are_refused() {
 
 /// The whole map, and a thousand fresh states beside `fastsim` and `fastrip`: minutes to hours. `CREEPAGE_ELLIPSES`
 /// names a table of `exact` over a/b from .15 to 30, `CREEPAGE_MAP` the file that the map is read from or
-/// written to, `CREEPAGE_STATES` how many states. Bounds are those that the prototype met.
+/// written to, `CREEPAGE_STATES` how many states, `CREEPAGE_Y` the largest lateral position (m). The bounds are what is
+/// aimed at; normal forces, and tangential ones where areas join, are not within them yet.
 #[test]
 #[ignore = "minutes to hours"]
 fn a_whole_map_on_a_thousand_states() {
