@@ -180,7 +180,7 @@ class ContactMap:
     ) -> ContactMap:
         """Builds the map of a wheelset on all cores, which takes minutes; its axle load is the usual one.
 
-        y (m) and yaw (rad): largest to either side, 8 mm and 10 mrad if not given. loads (N): vertical loads
+        y (m) and yaw (rad): largest to either side, 6.2 mm and 10 mrad if not given. loads (N): vertical loads
         of a wheel at the map's nodes, .12 to 2.4 times half the axle load if not given. tolerance: part of
         mu N by which the middle of a cell may be missed before it is halved (.01), down to the width
         narrowest (50 um). states: drawn afresh in each cell, by which the error is measured. ellipses: a

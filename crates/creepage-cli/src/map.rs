@@ -26,9 +26,9 @@ pub(crate) struct MapArgs {
     /// File for the map; it appears when it is whole.
     #[arg(long, value_name = "FILE.nc")]
     out: PathBuf,
-    /// Largest lateral position to either side (m); the map ends before where profiles end, or the flange
-    /// has climbed.
-    #[arg(long, value_name = "M", default_value_t = 0.008)]
+    /// Largest lateral position to either side (m); the map ends before where profiles end. On the flange, with
+    /// roll and yaw, loads err by tens of per cent: look at the error that is told.
+    #[arg(long, value_name = "M", default_value_t = 0.0062)]
     y: f64,
     /// Largest yaw to either side (rad).
     #[arg(long, value_name = "RAD", default_value_t = 0.01)]

@@ -245,7 +245,8 @@ fn wrong_plans_are_refused() {
 
 /// The whole map, and a thousand fresh states beside `fastsim` and `fastrip`: minutes to hours. `CREEPAGE_ELLIPSES`
 /// names a table of `exact` over a/b from .15 to 30, `CREEPAGE_MAP` the file that the map is read from or
-/// written to, `CREEPAGE_STATES` how many states. Bounds are those that the prototype met.
+/// written to, `CREEPAGE_STATES` how many states, `CREEPAGE_Y` the largest lateral position (m). The bounds are what is
+/// aimed at; normal forces, and tangential ones where areas join, are not within them yet.
 #[test]
 #[ignore = "minutes to hours"]
 fn a_whole_map_on_a_thousand_states() {
@@ -280,11 +281,12 @@ fn a_whole_map_on_a_thousand_states() {
         map.accuracy()
     );
     let count = std::env::var("CREEPAGE_STATES").ok().and_then(|n| n.parse().ok()).unwrap_or(1000);
+    let widest = std::env::var("CREEPAGE_Y").ok().and_then(|y| y.parse().ok()).unwrap_or(6.1e-3);
     let theories = ["exact", "fastsim", "fastrip"];
     let mut random = Random(1000);
     let mut all: Vec<(bool, [f64; 5])> = Vec::new();
     while all.len() < count {
-        let y = 7e-3 * random.next();
+        let y = widest * random.next();
         let load = (0.5 * (10e3_f64.ln() + 110e3_f64.ln()) + 1.19 * random.next()).exp();
         let yaw = map.head().yaw * random.next();
         let Some(state) = state((&case, &map), [y, yaw, load], &mut random) else { continue };

@@ -137,10 +137,14 @@ fn missed(wheel: &WheelAnswer, solved: &SolvedWheel, friction: f64) -> [f64; 3] 
         let parts = [force.longitudinal, force.lateral * cos, force.lateral * sin];
         tangential = [0, 1, 2].map(|k: usize| tangential[k] + parts[k]);
     }
+    // Where one of both hangs in the air, all is missed.
+    let found: f64 = wheel.patches.iter().map(|patch| patch.normal_force).sum();
+    if load <= 0.0 || found <= 0.0 {
+        return if load.max(found) > 0.0 { [1.0; 3] } else { [0.0; 3] };
+    }
     let own = super::refine::friction(wheel);
     let length = |a: [f64; 3]| a.iter().map(|part| part * part).sum::<f64>().sqrt();
     let apart = |a: [f64; 3], b: [f64; 3]| length([0, 1, 2].map(|k: usize| a[k] - b[k]));
-    let found: f64 = wheel.patches.iter().map(|patch| patch.normal_force).sum();
     [
         apart(own, tangential.map(|part| part / load)) / friction,
         (found / load - 1.0).abs(),
