@@ -65,12 +65,13 @@ fn two(xml: &mut String, token: &str, start: &Inputs) -> std::fmt::Result {
     writeln!(xml, "<LogCategories><Category name=\"logStatusError\"/></LogCategories>")?;
     writeln!(xml, "<DefaultExperiment startTime=\"0\" stopTime=\"1\" stepSize=\"0.001\"/>")?;
     writeln!(xml, "<ModelVariables>")?;
-    for (place, Real { name, unit, causality, meaning }) in REALS.iter().enumerate() {
-        let reference = FIRST_REAL + place as u32;
+    for (place, (reference, Real { name, unit, causality, meaning })) in numbered().enumerate() {
         let kind = type_name(unit);
         let (as_what, value) = match causality {
             Causality::Output => ("causality=\"output\" initial=\"calculated\"", String::new()),
-            _ => ("causality=\"input\"", format!(" start=\"{:?}\"", start.reals[place])),
+            Causality::Input => {
+                ("causality=\"input\"", format!(" start=\"{:?}\"", start.reals[place]))
+            }
         };
         writeln!(
             xml,
@@ -78,8 +79,8 @@ fn two(xml: &mut String, token: &str, start: &Inputs) -> std::fmt::Result {
              {as_what} variability=\"continuous\"><Real declaredType=\"{kind}\"{value}/></ScalarVariable>"
         )?;
     }
-    for (place, Switch { name, meaning, .. }) in SWITCHES.iter().enumerate() {
-        let (reference, value) = (FIRST_SWITCH + place as u32, start.switches[place]);
+    let switches = (FIRST_SWITCH..).zip(&SWITCHES).zip(start.switches);
+    for ((reference, Switch { name, meaning }), value) in switches {
         writeln!(
             xml,
             "<ScalarVariable name=\"{name}\" valueReference=\"{reference}\" description=\"{meaning}\" \
@@ -128,11 +129,10 @@ fn three(xml: &mut String, token: &str, start: &Inputs) -> std::fmt::Result {
          variability=\"continuous\" declaredType=\"{}\"/>",
         type_name("s")
     )?;
-    for (place, Real { name, unit, causality, meaning }) in REALS.iter().enumerate() {
-        let reference = FIRST_REAL + place as u32;
+    for (place, (reference, Real { name, unit, causality, meaning })) in numbered().enumerate() {
         let as_what = match causality {
             Causality::Output => "causality=\"output\" initial=\"calculated\"".to_owned(),
-            _ => format!("causality=\"input\" start=\"{:?}\"", start.reals[place]),
+            Causality::Input => format!("causality=\"input\" start=\"{:?}\"", start.reals[place]),
         };
         writeln!(
             xml,
@@ -141,8 +141,8 @@ fn three(xml: &mut String, token: &str, start: &Inputs) -> std::fmt::Result {
             type_name(unit)
         )?;
     }
-    for (place, Switch { name, meaning, .. }) in SWITCHES.iter().enumerate() {
-        let (reference, value) = (FIRST_SWITCH + place as u32, start.switches[place]);
+    let switches = (FIRST_SWITCH..).zip(&SWITCHES).zip(start.switches);
+    for ((reference, Switch { name, meaning }), value) in switches {
         writeln!(
             xml,
             "<Boolean name=\"{name}\" valueReference=\"{reference}\" description=\"{meaning}\" \
@@ -151,11 +151,16 @@ fn three(xml: &mut String, token: &str, start: &Inputs) -> std::fmt::Result {
     }
     writeln!(xml, "</ModelVariables>\n<ModelStructure>")?;
     for kind in ["Output", "InitialUnknown"] {
-        for place in INPUTS..REALS.len() {
-            writeln!(xml, "<{kind} valueReference=\"{}\"/>", FIRST_REAL + place as u32)?;
+        for (reference, _) in numbered().skip(INPUTS) {
+            writeln!(xml, "<{kind} valueReference=\"{reference}\"/>")?;
         }
     }
     writeln!(xml, "</ModelStructure>\n</fmiModelDescription>")
+}
+
+/// All numbers with their references.
+fn numbered() -> impl Iterator<Item = (u32, &'static Real)> {
+    (FIRST_REAL..).zip(&REALS)
 }
 
 /// The same in both versions.

@@ -112,7 +112,8 @@ impl Instance {
         const PART: f64 = 1e-2;
         let size = |(place, seed): &(usize, f64)| (seed / SCALES[*place]).abs();
         let largest = direction.iter().map(size).fold(0.0, f64::max);
-        if !(largest > 0.0) {
+        // No direction, or one that is no number.
+        if largest.is_nan() || largest <= 0.0 {
             return Ok(vec![0.0; outputs_wanted.len()]);
         }
         let step = PART / largest;
@@ -206,8 +207,9 @@ fn outputs(answer: &Answer) -> [f64; OUTPUTS] {
     let heat: [f64; 2] =
         wheels.map(|wheel| wheel.patches.iter().map(PatchAnswer::dissipation).sum());
     let errors = wheels.map(|wheel| wheel.error.tangential);
-    let counts = wheels
-        .map(|wheel| wheel.patches.iter().filter(|patch| patch.normal_force > 0.0).count() as f64);
+    let counts: [f64; 2] = wheels.map(|wheel| {
+        wheel.patches.iter().filter(|patch| patch.normal_force > 0.0).map(|_| 1.0).sum()
+    });
     let found = [answer.z, answer.roll, answer.pitch_rate];
     let parts = answer.wrench.into_iter().chain(wheels.into_iter().flat_map(|wheel| wheel.force));
     let parts = parts.chain(sums).chain(creepages.into_iter().flatten()).chain(heat);

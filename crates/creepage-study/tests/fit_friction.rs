@@ -1,4 +1,5 @@
 //! Friction fitted to points that a theory made, with noise whose size is known.
+#![allow(clippy::unwrap_used)]
 
 use creepage_study::{AnyCaseFile, Fit, FitCaution, FitError, FitOptions, MeasuredPoints};
 
