@@ -58,7 +58,7 @@ pub(crate) fn run(args: &FmuArgs) -> Result<Outcome, Failure> {
     let failed = |source| Failure::Write { path: args.out.clone(), source };
     let mut file = WholeFile::create(&args.out).map_err(failed)?;
     file.write_all(&bytes).and_then(|()| file.finish()).map_err(failed)?;
-    say_written(&[args.out.clone()]);
+    say_written(std::slice::from_ref(&args.out));
     Ok(Outcome::Done)
 }
 

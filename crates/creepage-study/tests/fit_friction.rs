@@ -1,6 +1,8 @@
 //! Friction fitted to points that a theory made, with noise whose size is known.
 #![allow(clippy::unwrap_used)]
 
+use std::fmt::Write as _;
+
 use creepage_study::{AnyCaseFile, Fit, FitCaution, FitError, FitOptions, MeasuredPoints};
 
 const CASE: &str = "
@@ -78,8 +80,8 @@ fn without_noise_friction_and_slope_are_those_that_made_the_points() {
 
 #[test]
 fn the_interval_holds_the_truth_as_often_as_it_says() {
-    let (mut mu, mut slope) = (0, 0);
     const DRAWS: u64 = 60;
+    let (mut mu, mut slope) = (0, 0);
     for seed in 0..DRAWS {
         let found = fit(&csv(&table(10, 6e-3, SLOPE, NOISE, seed)), true).unwrap();
         let holds = |interval: [f64; 2], truth: f64| {
@@ -174,7 +176,7 @@ fn another_load_in_each_row_is_its_own_contact() {
             .replace("80e3", &format!("{load}"));
         let solved = AnyCaseFile::read(&of_row).unwrap().case(".".as_ref()).unwrap();
         let force = solved.solve(Some(case.theory())).unwrap().force();
-        text += &format!("{creepage:e},{:e},{load}\n", force.longitudinal);
+        writeln!(text, "{creepage:e},{:e},{load}", force.longitudinal).unwrap();
     }
     let found = fit(&MeasuredPoints::read(&text).unwrap(), false).unwrap();
     assert!((found.friction.value / MU - 1.0).abs() < 1e-4, "{:?}", found.friction);
