@@ -170,8 +170,7 @@ fn state(
     Some(state)
 }
 
-/// A coarse map of a millimetre of tread, of coarse solutions: within some per cent of `mu N` of fine ones, and the
-/// normal force to half a per cent.
+/// A coarse map of a millimetre of tread, of coarse solutions: within three per cent of finer ones.
 #[test]
 fn a_small_map_has_the_forces_of_the_full_theory() {
     let case = case();
@@ -198,8 +197,15 @@ fn a_small_map_has_the_forces_of_the_full_theory() {
         count += 1;
     }
     eprintln!("worst of {count}: {worst:?}; own {:?}", map.accuracy());
-    assert!(worst[0] < 0.06 && worst[1] < 5e-3 && worst[2] < 5e-4, "{worst:?}");
-    assert!(map.accuracy().tangential[0].worst < 0.06);
+    // What the map says of itself holds elsewhere too, as far as eight states tell; the reference point goes some
+    // five times as far as the wheel, between nodes .2 mm apart.
+    let own = map.accuracy();
+    assert!(
+        worst[0] < 1.5 * own.tangential[0].worst && own.tangential[0].worst < 0.03,
+        "{worst:?}"
+    );
+    assert!(worst[1] < 1.5 * own.normal[0].worst && own.normal[0].worst < 0.03, "{worst:?}");
+    assert!(worst[2] < 1e-3, "{worst:?}");
 }
 
 /// What is finished is in the journal: a second run builds nothing, and has the same bits.

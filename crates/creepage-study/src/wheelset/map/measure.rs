@@ -165,7 +165,7 @@ pub(super) fn accuracy(all: &[Missed]) -> MapAccuracy {
                 let k = (part * states as f64) as usize;
                 errors.get(k.min(states.saturating_sub(1))).copied().unwrap_or(0.0)
             };
-            let squares: f64 = errors.iter().map(|error| error * error).sum();
+            let squares = errors.iter().fold(0.0, |sum, error| sum + error * error);
             let rms = (squares / states.max(1) as f64).sqrt();
             Spread { states, rms, median: at(0.5), p95: at(0.95), worst: at(1.0) }
         })
