@@ -209,9 +209,14 @@ typedef struct CreepageTable CreepageTable;
 typedef struct CreepageTheory CreepageTheory;
 
 /*
- A wheelset file, read and checked, and the position solved last.
+ A wheelset file, read and checked.
  */
 typedef struct CreepageWheelset CreepageWheelset;
+
+/*
+ A position of a wheelset, solved: from where a call may start.
+ */
+typedef struct CreepageWheelsetState CreepageWheelsetState;
 
 #ifdef __cplusplus
 extern "C" {
@@ -475,6 +480,30 @@ int32_t creepage_case_field(const struct CreepageCase *made,
                             size_t message_size);
 
 /*
+ Stress and displacement inside one body of a case.
+
+ body: CREEPAGE_LOWER or CREEPAGE_UPPER.
+ count: number of points.
+ points: 3 count numbers, x, y and z of each from the middle of the contact (m), z into that body.
+ stresses: room for 6 count numbers, xx, yy, zz, xy, yz, xz (Pa), positive in tension; or NULL.
+ displacements: room for 3 count numbers, u, v, w (m), w into the body; they vanish far away; or NULL.
+ settled: room for one number, the depth (m) less than which stresses depend on the elements of the
+   theory; or NULL.
+
+ You promise:
+ The handle is alive; arrays and message point to as much room as said.
+ */
+int32_t creepage_case_below(const struct CreepageCase *made,
+                            int32_t body,
+                            size_t count,
+                            const double *points,
+                            double *stresses,
+                            double *displacements,
+                            double *settled,
+                            char *message,
+                            size_t message_size);
+
+/*
  Reads a contact map.
 
  path: the file.
@@ -513,15 +542,6 @@ void creepage_map_free(struct CreepageMap *map);
  derivatives: room for 96 count numbers, of each state those of the first force on the left rail by y, z,
    roll, yaw, speed, pitch rate, lateral velocity, yaw rate, then of the second force; NaN by what is found;
    or NULL.
- Stress and displacement inside one body of a case.
-
- body: CREEPAGE_LOWER or CREEPAGE_UPPER.
- count: number of points.
- points: 3 count numbers, x, y and z of each from the middle of the contact (m), z into that body.
- stresses: room for 6 count numbers, xx, yy, zz, xy, yz, xz (Pa), positive in tension; or NULL.
- displacements: room for 3 count numbers, u, v, w (m), w into the body; they vanish far away; or NULL.
- settled: room for one number, the depth (m) less than which stresses depend on the elements of the
-   theory; or NULL.
 
  You promise:
  The handle is alive; arrays and message point to as much room as said.
@@ -534,15 +554,6 @@ int32_t creepage_map_solve(const struct CreepageMap *map,
                            double *derivatives,
                            char *message,
                            size_t message_size);
-int32_t creepage_case_below(const struct CreepageCase *made,
-                            int32_t body,
-                            size_t count,
-                            const double *points,
-                            double *stresses,
-                            double *displacements,
-                            double *settled,
-                            char *message,
-                            size_t message_size);
 
 /*
  Prepares a contact that rolls, in the state that its case file names.
@@ -818,57 +829,69 @@ int32_t creepage_wheelset_new(const char *path,
 void creepage_wheelset_free(struct CreepageWheelset *made);
 
 /*
- Forces on the rails where the wheelset stands and as it moves. Each call starts from the position
- that the handle solved last: a near one is quicker. By the full theory one within 20 um and 0.2 mrad is solved
- on a coarse grid, corrected by what a fine one added before: mostly within a tenth of that one's error bars. Where
- the correction is too old for that, the fine grid is solved again.
+ Solves a position and a motion of a wheelset. The same answer to the same question: without a start the
+ same bits whatever was asked before; with one, found from there, several times quicker where it is near (tenths of
+ a millimetre and of a milliradian), the same within the error bars.
 
- position: 2 numbers, y (m, positive right) and yaw (rad, positive turns the axle's right end back);
-   what presses the wheelset on its rails is the file's.
- motion: 4 numbers, speed (m/s), pitch rate (rad/s; NaN where it is free of torque), lateral velocity
-   (m/s), yaw rate (rad/s).
- forces: room for 12 numbers in track axes, x forward, y right, z down: force (N) and moment about the
-   origin of the rail's profile (N m) on the left rail, then on the right; NaN for a side that is not
-   solved.
- found: room for 3 numbers, height z (m), roll (rad), pitch rate (rad/s); or NULL.
- statuses: room for one number, CREEPAGE_SOLVED and so on; or NULL.
+ asked: 12 numbers, NaN where the file's own holds: y (m, positive right), z (m, down), roll (rad), yaw
+   (rad, positive turns the axle's right end back), axle load (N), roll moment (N m, about x with which it
+   presses on the track under its axle load), speed (m/s), pitch rate (rad/s), lateral velocity, vertical
+   velocity (m/s), roll rate, yaw rate (rad/s). z or the axle load presses it.
+ start: a state that an earlier call gave, or NULL. It is not changed.
+ answers: room for 22 numbers in track axes, x forward, y right, z down: force (N) and moment about the
+   origin of the rail's profile (N m) on the left rail, then on the right; force and moment of the
+   rails on the wheelset about its centre; z (m), roll (rad), pitch rates of the left and of the right wheel
+   (rad/s). NaN for a side that is not solved.
+ derivatives: room for 96 numbers, or NULL: those of the first force by y, z (m), roll, yaw (rad), speed
+   (m/s), pitch rate (rad/s), lateral velocity (m/s), yaw rate (rad/s), then of the second of the 12 forces on the
+   rails, and so on. Total ones: what is free follows; NaN by what is free.
+ errors: room for as many, what differences may have made of each; or NULL.
+ status: room for one number, CREEPAGE_SOLVED and so on; or NULL.
+ state: becomes a state, to be freed with creepage_wheelset_state_free; or NULL. A state can be kept as long
+   as wanted, and asked from again, as after a step that was rejected.
 
  You promise:
- The handle is alive; arrays and message point to as much room as said.
+ The handles are alive; arrays and message point to as much room as said.
  */
-int32_t creepage_wheelset_force(const struct CreepageWheelset *made,
-                                const double *position,
-                                const double *motion,
-                                double *forces,
-                                double *found,
-                                int32_t *statuses,
+int32_t creepage_wheelset_solve(const struct CreepageWheelset *made,
+                                const double *asked,
+                                const struct CreepageWheelsetState *start,
+                                double *answers,
+                                double *derivatives,
+                                double *errors,
+                                int32_t *status,
+                                struct CreepageWheelsetState **state,
                                 char *message,
                                 size_t message_size);
 
 /*
- Forces on the rails and their derivatives. Total ones: what the file leaves free (height and roll
- under a load, the pitch rate where it is NaN) follows what changes. By the position they are
- differences over some micrometres, by the motion the theory's exact derivatives.
+ Frees a state. NULL is left alone.
 
- position, motion, forces: as of creepage_wheelset_force; forces may be NULL.
- derivatives: room for 96 numbers, those of the first force by y, z (m), roll, yaw (rad), speed (m/s),
-   pitch rate (rad/s), lateral velocity (m/s), yaw rate (rad/s), then of the second, and so on; NaN by
-   what is free, and for a side that is not solved.
- errors: room for as many, what the differences may have made of each; or NULL.
- statuses: room for one number, CREEPAGE_SOLVED and so on; or NULL.
+ You promise:
+ state is NULL, or of creepage_wheelset_solve, and not used again.
+ */
+void creepage_wheelset_state_free(struct CreepageWheelsetState *state);
+
+/*
+ Solves many positions and motions on all cores, each by itself with the bits of creepage_wheelset_solve
+ without a start.
+
+ n: how many.
+ asked: n times 12 numbers, as of creepage_wheelset_solve.
+ answers: room for n times 22 numbers; NaN for one that cannot be solved.
+ statuses: room for n numbers, CREEPAGE_SOLVED and so on; CREEPAGE_NOT_CONVERGED for one that cannot be
+   solved.
 
  You promise:
  The handle is alive; arrays and message point to as much room as said.
  */
-int32_t creepage_wheelset_derivatives(const struct CreepageWheelset *made,
-                                      const double *position,
-                                      const double *motion,
-                                      double *forces,
-                                      double *derivatives,
-                                      double *errors,
-                                      int32_t *statuses,
-                                      char *message,
-                                      size_t message_size);
+int32_t creepage_wheelset_solve_many(const struct CreepageWheelset *made,
+                                     size_t n,
+                                     const double *asked,
+                                     double *answers,
+                                     int32_t *statuses,
+                                     char *message,
+                                     size_t message_size);
 
 #ifdef __cplusplus
 }  // extern "C"
