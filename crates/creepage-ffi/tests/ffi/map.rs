@@ -36,6 +36,7 @@ fn answers_are_the_library_s() {
     let mut states = [OWN; 2];
     states[1][0] = -5e-4;
     let (mut answers, mut errors, mut by) = ([[0.0; 21]; 2], [[0.0; 4]; 2], [[0.0; 96]; 2]);
+    let mut message = Message::new();
     // SAFETY: all point to what they should.
     let code = unsafe {
         creepage_map_solve(
@@ -45,11 +46,11 @@ fn answers_are_the_library_s() {
             answers.as_mut_ptr().cast(),
             errors.as_mut_ptr().cast(),
             by.as_mut_ptr().cast(),
-            null_mut(),
-            0,
+            message.0.as_mut_ptr(),
+            256,
         )
     };
-    assert_eq!(code, CREEPAGE_OK);
+    assert_eq!((code, &message.text()[..]), (CREEPAGE_OK, ""));
     for k in 0..2 {
         let state = map.head().own.with(&states[k]);
         let (answer, derivatives) = map.solve_with_derivatives(&state).unwrap();
@@ -93,7 +94,7 @@ fn what_is_wrong_has_a_code_and_words() {
     let mut answer = [0.0; 21];
     let (code, words) = solve(&outside, answer.as_mut_ptr());
     assert_eq!(code, CREEPAGE_INVALID);
-    assert!(words.contains("outside the map") && words.contains("0.05"), "{words}");
+    assert!(words.contains("state 0") && words.contains("outside the map"), "{words}");
     assert_eq!(answer, [0.0; 21]);
     assert_eq!(solve(&OWN, null_mut()).0, CREEPAGE_NULL);
     // SAFETY: NULL is seen to; the handle is not used again.
