@@ -47,9 +47,9 @@ impl WheelMeasures {
         let stations = curve.stations(STEP);
         // The curve runs from the field side to the flange.
         let at_tape = stations.windows(2).find_map(|pair| {
-            let beyond = |s: f64| curve.at(s).y <= 0.0;
-            let crosses = !beyond(pair[0]) && beyond(pair[1]);
-            crosses.then(|| threshold([pair[0], pair[1]], beyond)[1])
+            let outside = |s: f64| curve.at(s).y > 0.0;
+            let crosses = outside(pair[0]) && !outside(pair[1]);
+            crosses.then(|| threshold([pair[0], pair[1]], outside)[1])
         })?;
         let tape = curve.at(at_tape).z;
         let tip = stations.iter().copied().filter(|s| *s > at_tape);
@@ -59,11 +59,11 @@ impl WheelMeasures {
             return None;
         }
         let on_face = |depth: f64| {
-            let deep = |s: f64| curve.at(s).z >= tape + depth;
+            let above = |s: f64| curve.at(s).z < tape + depth;
             let found = stations.windows(2).find(|pair| {
-                pair[1] <= tip + STEP && pair[0] >= at_tape && !deep(pair[0]) && deep(pair[1])
+                pair[1] <= tip + STEP && pair[0] >= at_tape && above(pair[0]) && !above(pair[1])
             })?;
-            Some(curve.at(threshold([found[0], found[1]], deep)[1]).y)
+            Some(curve.at(threshold([found[0], found[1]], above)[1]).y)
         };
         let (face, near_tip) = (on_face(FACE)?, on_face(height - TIP)?);
         let mut lowest = f64::NEG_INFINITY;

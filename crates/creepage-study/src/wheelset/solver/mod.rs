@@ -179,7 +179,9 @@ impl<'a> WheelsetSolver<'a> {
         stance: &Stance,
         travel: &Travel,
     ) -> Result<SolvedWheelset, WheelsetError> {
-        if before.is_reversed != travel.is_backward() {
+        // A wheel that hangs has no place to go on from.
+        let hangs = matches!(stance.load, Some(Load::Wheels(loads)) if loads.contains(&0.0));
+        if hangs || before.is_reversed != travel.is_backward() {
             return self.solve(stance, travel);
         }
         if travel.is_backward() {
