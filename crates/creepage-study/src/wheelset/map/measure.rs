@@ -22,8 +22,6 @@ pub(super) struct Missed {
 const ROLL: f64 = 5e-4;
 const CREEPAGE: f64 = 4e-3;
 const TURN: f64 = 5e-3;
-/// Coefficients of friction drawn.
-const FRICTION: [f64; 2] = [0.15, 0.5];
 
 impl Builder<'_> {
     /// The errors of each cell of a wheel; every state is added to `all`.
@@ -69,6 +67,7 @@ impl Builder<'_> {
         random: &mut Random,
     ) -> Result<Option<[f64; 3]>, MapBuildError> {
         let (image, plan, sense) = (self.image(side), self.plan, side.sense());
+        let [least, most] = plan.friction;
         let [light, heavy] = [plan.loads.first(), plan.loads.last()]
             .map(|load| load.copied().unwrap_or(f64::NAN).ln());
         let load = (light + (heavy - light) * (0.1 + 0.8 * random.next())).exp();
@@ -83,7 +82,7 @@ impl Builder<'_> {
             vertical_velocity: 0.0,
             roll_rate: 0.0,
             yaw_rate: 20.0 * TURN * random.both(),
-            friction: FRICTION[0] + (FRICTION[1] - FRICTION[0]) * random.next(),
+            friction: least + (most - least) * random.next(),
         };
         let own =
             if side == Side::Right { creepage_map::Side::Right } else { creepage_map::Side::Left };
