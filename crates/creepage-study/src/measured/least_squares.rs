@@ -159,11 +159,13 @@ pub(super) fn student_95(freedom: usize) -> f64 {
     let few = freedom.checked_sub(1).and_then(|k| FEW.get(k)).copied();
     // Expansion about the normal distribution (Abramowitz and Stegun 26.7.5): 1e-4 from 10 degrees on.
     let (z, n) = (1.959_963_985_f64, freedom as f64);
-    let [z3, z5, z7] = [3, 5, 7].map(|power| z.powi(power));
+    let [z3, z5, z7, z9] = [3, 5, 7, 9].map(|power| z.powi(power));
     few.unwrap_or_else(|| {
         z + (z3 + z) / (4.0 * n)
             + (5.0 * z5 + 16.0 * z3 + 3.0 * z) / (96.0 * n * n)
             + (3.0 * z7 + 19.0 * z5 + 17.0 * z3 - 15.0 * z) / (384.0 * n.powi(3))
+            + (79.0 * z9 + 776.0 * z7 + 1482.0 * z5 - 1920.0 * z3 - 945.0 * z)
+                / (92160.0 * n.powi(4))
     })
 }
 
