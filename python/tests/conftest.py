@@ -38,3 +38,28 @@ def theory(request: pytest.FixtureRequest) -> creepage.Theory:
     }
     name: str = request.param
     return creepage.theory(name, 1.3, 0.28, **options.get(name, {}))
+
+
+@pytest.fixture(scope="session")
+def mapped() -> creepage.Wheelset:
+    return creepage.Wheelset(
+        wheel="S1002", rail="UIC60", cant=0.024994793618920, axle_load=100e3, speed=20.0
+    )
+
+
+@pytest.fixture(scope="session")
+def contact_map(mapped: creepage.Wheelset) -> creepage.ContactMap:
+    """About the middle of the track, coarse: the shapes of areas there are within the table's."""
+    ellipses = creepage.Table.build(
+        "exact",
+        a_over_b=(0.15, 30.0),
+        shapes=7,
+        poisson=0.28,
+        intervals=(8, 8, 16),
+        resolution="fast",
+        places=10,
+    )
+    return mapped.map(
+        ellipses=ellipses, y=0.001, yaw=0.004, loads=[20e3, 50e3, 100e3], tolerance=0.05, states=1,
+        resolution="fast",
+    )

@@ -27,27 +27,6 @@ def _library() -> Path:
 
 
 @pytest.fixture(scope="module")
-def contact_map() -> creepage.ContactMap:
-    """About the middle of the track, coarse: quick."""
-    wheelset = creepage.Wheelset(
-        wheel="S1002", rail="UIC60", cant=0.024994793618920, axle_load=100e3, speed=20.0
-    )
-    ellipses = creepage.Table.build(
-        "exact",
-        a_over_b=(0.15, 30.0),
-        shapes=7,
-        poisson=0.28,
-        intervals=(8, 8, 16),
-        resolution="fast",
-        places=10,
-    )
-    return wheelset.map(
-        ellipses=ellipses, y=0.001, yaw=0.004, loads=[20e3, 50e3, 100e3], tolerance=0.05, states=1,
-        resolution="fast",
-    )
-
-
-@pytest.fixture(scope="module")
 def fmus(contact_map: creepage.ContactMap, tmp_path_factory: pytest.TempPathFactory) -> list[Path]:
     """Of FMI 2 and 3, in a folder with a blank in its name."""
     folder = tmp_path_factory.mktemp("two units")

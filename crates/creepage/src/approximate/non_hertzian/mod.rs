@@ -203,15 +203,23 @@ impl NonHertzianSimplified {
     fn hardly_slides(&self, creepage: Creepage, more: &More) -> bool {
         let creepage = creepage.components();
         self.rows.rows.iter().enumerate().all(|(index, row)| {
-            let springs = &self.springs[row.patch];
-            let at = RowCreepage {
-                centre: springs.at_centre(creepage, more.centres[row.patch]),
-                creepage,
-                more: more.rows[index],
-            };
+            let (springs, at) = self.in_row(index, creepage, more);
             let bounds = &self.rows.bounds[row.cells.clone()];
             row_force::slides_less_than_a_cell(row, bounds, springs, &at, self.poisson)
         })
+    }
+
+    /// The springs of a row's patch, and its creepages.
+    fn in_row<R: Real>(
+        &self,
+        index: usize,
+        creepage: [R; 3],
+        more: &More,
+    ) -> (&Springs, RowCreepage<R>) {
+        let patch = self.rows.rows[index].patch;
+        let springs = &self.springs[patch];
+        let centre = springs.at_centre(creepage, more.centres[patch]);
+        (springs, RowCreepage { centre, creepage, more: more.rows[index] })
     }
 
     /// Visits the cells of a row with their tractions.
@@ -223,12 +231,7 @@ impl NonHertzianSimplified {
         visit: impl FnMut(usize, Cell<R>),
     ) {
         let row = &self.rows.rows[index];
-        let springs = &self.springs[row.patch];
-        let at = RowCreepage {
-            centre: springs.at_centre(creepage, more.centres[row.patch]),
-            creepage,
-            more: more.rows[index],
-        };
+        let (springs, at) = self.in_row(index, creepage, more);
         let bounds = &self.rows.bounds[row.cells.clone()];
         match self.kind {
             Simplified::Fastsim => row_force::fastsim(row, bounds, springs, &at, visit),
