@@ -167,6 +167,11 @@ impl MotionSection {
             let [first, second] = [given, "pitch_rate"].map(|key| (MOTION, key));
             return Err(CaseError::Conflict { first, second });
         }
+        // Two wheels that turn apart share no force.
+        if self.longitudinal_force.is_some() && matches!(travel.pitch, PitchRate::Independent(_)) {
+            let [first, second] = ["longitudinal_force", "wheels"].map(|key| (MOTION, key));
+            return Err(CaseError::Conflict { first, second });
+        }
         Ok(travel)
     }
 
