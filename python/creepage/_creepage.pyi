@@ -29,6 +29,7 @@ __all__ = [
     "Fastrip",
     "Fastsim",
     "GapData",
+    "HalfSpaceData",
     "Linear",
     "Polach",
     "RollingData",
@@ -413,7 +414,6 @@ def row_forces(
 _Three: TypeAlias = tuple[Sequence[float], Sequence[float], Sequence[float]]
 
 @final
-@disjoint_base
 class HalfSpaceData:
     """The half-space under tractions on an ellipse: prepared up to a degree."""
 

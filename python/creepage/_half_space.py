@@ -43,14 +43,18 @@ class HalfSpace:
         shear_modulus: float = 1.0,
         degree: int = 12,
     ) -> None:
-        self.semi_axes = (
-            number("semi_axis_rolling", semi_axis_rolling),
-            number("semi_axis_lateral", semi_axis_lateral),
-        )
+        for name, value in (
+            ("semi_axis_rolling", semi_axis_rolling),
+            ("semi_axis_lateral", semi_axis_lateral),
+            ("poisson", poisson),
+            ("shear_modulus", shear_modulus),
+        ):
+            number(name, value)
+        self.semi_axes = (float(semi_axis_rolling), float(semi_axis_lateral))
         """a, b (m)."""
-        self.poisson = number("poisson", poisson)
+        self.poisson = float(poisson)
         """The combined Poisson's ratio."""
-        self.shear_modulus = number("shear_modulus", shear_modulus)
+        self.shear_modulus = float(shear_modulus)
         """The combined shear modulus (Pa)."""
         self.degree = degree
         """The highest degree of displacements."""

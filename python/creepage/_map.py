@@ -14,12 +14,12 @@ from numpy.typing import ArrayLike
 from . import _creepage
 from ._contact import floats
 from ._results import Floats
-from ._wheelset_solver import _MOTION, _POSE, Patch, WheelResult, _number
+from ._wheelset_solver import _ASKED, Patch, WheelResult, _number, _rows
 
 if TYPE_CHECKING:
     from ._wheelset import Wheelset
 
-_NAMES = (*_POSE, *_MOTION, "friction")
+_NAMES = (*(name for name in _ASKED if name != "roll_moment"), "friction")
 _PATCH = 13
 
 
@@ -86,7 +86,8 @@ class MapResult:
     @property
     def wrench(self) -> Floats:
         """Of the rails on the wheelset about its centre: force along x, y, z (N), moment about them (N m)."""
-        return self._numbers[12:18]
+        wrench: Floats = self._numbers[12:18]
+        return wrench
 
     @property
     def left(self) -> WheelResult:
@@ -123,7 +124,7 @@ class MapResult:
         rows = self._wheels[k, 3:].reshape(-1, _PATCH)
         patches = [_patch(row) for row in rows if row[4] > 0.0]
         patches.sort(key=lambda patch: -patch.normal_force)
-        return WheelResult(force, moment, tuple(patches))
+        return WheelResult(force, moment, tuple(patches), self.pitch_rate, None)
 
     def __repr__(self) -> str:
         x, y, z = self.wrench[:3]
@@ -272,21 +273,7 @@ class ContactMap:
 
         They are broadcast against one another. A row outside the map has NaN, and the reason in `status`.
         """
-        unknown = set(quantities) - set(_NAMES)
-        if unknown:
-            known = ", ".join(_NAMES)
-            raise TypeError(f"unknown quantity {min(unknown)!r}: known are {known}")
-        if "z" in quantities and "axle_load" in quantities:
-            raise ValueError("z and axle_load exclude each other: one of them presses the wheelset")
-        given = {name: floats(name, values) for name, values in quantities.items()}
-        for name, values in given.items():
-            if not np.isfinite(values).all():
-                raise ValueError(f"{name} must be finite")
-        shape = np.broadcast_shapes(*(values.shape for values in given.values()))
-        rows = np.full((*shape, len(_NAMES)), math.nan)
-        for k, name in enumerate(_NAMES):
-            if name in given:
-                rows[..., k] = given[name]
+        shape, rows = _rows(_NAMES, quantities)
         numbers, wrong = self._data.solve_rows(rows.ravel())
         status = np.full(math.prod(shape), "solved", dtype=object)
         for row, reason in wrong:

@@ -213,21 +213,7 @@ class WheelsetSolver:
         They are broadcast against one another. Each row is solved from nothing, so that it has the bits
         of `solve`; one that cannot be solved has NaN, and the reason in `status`.
         """
-        unknown = set(quantities) - set(_ASKED)
-        if unknown:
-            known = ", ".join(_ASKED)
-            raise TypeError(f"unknown quantity {min(unknown)!r}: known are {known}")
-        if "z" in quantities and "axle_load" in quantities:
-            raise ValueError("z and axle_load exclude each other: one of them presses the wheelset")
-        given = {name: floats(name, values) for name, values in quantities.items()}
-        for name, values in given.items():
-            if not np.isfinite(values).all():
-                raise ValueError(f"{name} must be finite")
-        shape = np.broadcast_shapes(*(values.shape for values in given.values()))
-        rows = np.full((*shape, len(_ASKED)), math.nan)
-        for k, name in enumerate(_ASKED):
-            if name in given:
-                rows[..., k] = given[name]
+        shape, rows = _rows(_ASKED, quantities)
         numbers, (status, cautions) = self._data.solve_rows(rows.ravel())
         numbers = numbers.reshape(*shape, 22)
         return WheelsetMany(
@@ -241,6 +227,25 @@ class WheelsetSolver:
             np.array(status).reshape(shape),
             np.array(cautions).reshape(shape),
         )
+
+
+def _rows(names: tuple[str, ...], quantities: dict[str, ArrayLike]) -> tuple[tuple[int, ...], Floats]:
+    """The shape of what is asked, and a row of these quantities for each; NaN where one is left out."""
+    unknown = set(quantities) - set(names)
+    if unknown:
+        raise TypeError(f"unknown quantity {min(unknown)!r}: known are {', '.join(names)}")
+    if "z" in quantities and "axle_load" in quantities:
+        raise ValueError("z and axle_load exclude each other: one of them presses the wheelset")
+    given = {name: floats(name, values) for name, values in quantities.items()}
+    for name, values in given.items():
+        if not np.isfinite(values).all():
+            raise ValueError(f"{name} must be finite")
+    shape = np.broadcast_shapes(*(values.shape for values in given.values()))
+    rows = np.full((*shape, len(names)), math.nan)
+    for k, name in enumerate(names):
+        if name in given:
+            rows[..., k] = given[name]
+    return shape, rows
 
 
 def _mean(rates: Floats) -> Floats:

@@ -28,6 +28,7 @@ class Answer(Protocol):
     @property
     def wrench(self) -> np.ndarray[tuple[int, ...], np.dtype[np.float64]]:
         """Of the rails on the wheelset about its centre."""
+        ...
 
 
 class Contacts(Protocol):
@@ -37,6 +38,7 @@ class Contacts(Protocol):
         self, *, y: float, yaw: float, speed: float, lateral_velocity: float, yaw_rate: float
     ) -> Answer:
         """Forces in a position and motion."""
+        ...
 
 
 def wheelset(theory: str = "fastsim") -> creepage.Wheelset:

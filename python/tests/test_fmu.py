@@ -52,7 +52,10 @@ def test_forces_are_those_of_the_map(
 ) -> None:
     time = np.linspace(0.0, 0.1, 11)
     y = 0.0004 * np.sin(30.0 * time)
-    rows = np.rec.fromarrays([time, y, 0.002 * np.cos(30.0 * time)], names="time,y,yaw")
+    yaw = 0.002 * np.cos(30.0 * time)
+    rows = np.array(
+        list(zip(time, y, yaw, strict=True)), dtype=[("time", float), ("y", float), ("yaw", float)]
+    )
     for path in fmus:
         result = fmpy.simulate_fmu(
             str(path),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
 import creepage
 import numpy as np
@@ -12,7 +13,7 @@ import pytest
 def test_it_answers_as_the_solver_does(
     mapped: creepage.Wheelset, contact_map: creepage.ContactMap
 ) -> None:
-    state = {"y": 0.0004, "yaw": 0.002, "axle_load": 90e3}
+    state: dict[str, Any] = {"y": 0.0004, "yaw": 0.002, "axle_load": 90e3}
     exact = mapped.solver().solve(**state)
     found = contact_map.solve(**state)
     limit = 0.3 * 45e3
