@@ -109,10 +109,9 @@ def swing(contacts: Contacts, speed: float, start: float, seconds: float) -> np.
         rtol=1e-5,
         atol=1e-8,
         max_step=2e-3,
-        dense_output=True,
+        t_eval=np.linspace(0.0, seconds, 2000),
     )
-    positions: np.ndarray = found.sol(np.linspace(0.0, found.t[-1], 2000))[0]
-    return positions
+    return np.asarray(found.y[0])
 
 
 def main() -> None:

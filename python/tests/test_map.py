@@ -45,7 +45,10 @@ def test_its_file_and_arrays_have_the_same_bits(
 
 
 def test_outside_is_an_error_that_names_the_bound(contact_map: creepage.ContactMap) -> None:
-    for wrong in ({"y": 0.01}, {"yaw": 0.1}, {"friction": 0.9}, {"axle_load": 400e3}):
+    outside: list[dict[str, Any]] = [
+        {"y": 0.01}, {"yaw": 0.1}, {"friction": 0.9}, {"axle_load": 400e3}
+    ]
+    for wrong in outside:
         with pytest.raises(ValueError, match="outside the map"):
             contact_map.solve(**wrong)
     with pytest.raises(ValueError, match="exclude each other"):
