@@ -38,7 +38,13 @@ pub(crate) struct Grid {
 pub(crate) enum Shape {
     Quadratic([f64; 6]),
     /// A circle along x about a place, points across: radius, place, first y, step, distances.
-    Circular { radius: f64, middle: f64, first: f64, step: f64, points: Vec<f64> },
+    Circular {
+        radius: f64,
+        middle: f64,
+        first: f64,
+        step: f64,
+        points: Vec<f64>,
+    },
     WithSines,
     Points(Vec<f64>),
 }
@@ -106,7 +112,7 @@ impl Grid {
             _ => return Err(lines.expected("IPOTCN from -5 to 4, not 0, on the line before")),
         };
         let error = lines.expected("MX and MY from 1 to 10000, and finite sizes");
-        let count = if kind < -3 || kind > 0 { 6 } else { 5 };
+        let count = if (-3..=0).contains(&kind) { 5 } else { 6 };
         let values = lines.numbers(count, what)?;
         if values[..2].iter().any(|n| n.fract() != 0.0 || !(1.0..=1e4).contains(n)) {
             return Err(error);

@@ -75,10 +75,10 @@ impl<'a> Parts<'a> {
             }
             _ => false,
         };
-        if let Extra::Viscoelastic { times } = &materials.extra {
-            if times.iter().any(|time| *time > 0.0) {
-                return Err("viscoelastic bodies (M = 1)".into());
-            }
+        if let Extra::Viscoelastic { times } = &materials.extra
+            && times.iter().any(|time| *time > 0.0)
+        {
+            return Err("viscoelastic bodies (M = 1)".into());
         }
         if case.has_added_slip {
             return Err("slip added element by element (E)".into());
@@ -88,7 +88,16 @@ impl<'a> Parts<'a> {
         }
         let (geometry, pressed) = geometry(case, materials, turned, notes)?;
         let (friction, friction_text, needs_speed) = friction(case, turned, notes)?;
-        Ok(Self { case, materials, geometry, pressed, friction, friction_text, needs_speed, turned })
+        Ok(Self {
+            case,
+            materials,
+            geometry,
+            pressed,
+            friction,
+            friction_text,
+            needs_speed,
+            turned,
+        })
     }
 
     fn note_what_is_left(&self, notes: &mut Vec<String>) {
@@ -103,13 +112,18 @@ impl<'a> Parts<'a> {
             notes.push("influence numbers C = 3: our elements have their own".into());
         }
         if matches!(control.influence(), 4 | 9) {
-            notes.push("influence numbers other than a half-space's (C = 4, 9) have no counterpart".into());
+            notes.push(
+                "influence numbers other than a half-space's (C = 4, 9) have no counterpart".into(),
+            );
         }
         let hertzian = matches!(self.geometry, Geometry::Radii(_) | Geometry::SemiAxes(_));
         if control.bound() >= 2 && !(hertzian && control.bound() <= 3) {
-            notes.push("the simplified pressure (B) has no counterpart: ours is the half-space's".into());
+            notes.push(
+                "the simplified pressure (B) has no counterpart: ours is the half-space's".into(),
+            );
         }
-        if control.bound() == 3 && !matches!(self.materials.extra, Extra::ThreeFlexibilities { .. }) {
+        if control.bound() == 3 && !matches!(self.materials.extra, Extra::ThreeFlexibilities { .. })
+        {
             notes.push("the parabolic bound (B = 3) has no counterpart in this theory".into());
         }
     }
@@ -117,12 +131,16 @@ impl<'a> Parts<'a> {
     fn head(&self, title: &str, command: &str, notes: &[String]) -> String {
         let signs = match (self.case.control.tangential(), self.turned) {
             (0, _) => String::new(),
-            (_, false) => "Signs: F_x, F_y, M_z of reports act on the lower body: CONTACT's, on body 1, \
+            (_, false) => {
+                "Signs: F_x, F_y, M_z of reports act on the lower body: CONTACT's, on body 1, \
                            with the other sign."
-                .into(),
-            (_, true) => "Signs: it rolled in -x. Our x, y are CONTACT's -x, -y: F_x, F_y are its own, \
+                    .into()
+            }
+            (_, true) => {
+                "Signs: it rolled in -x. Our x, y are CONTACT's -x, -y: F_x, F_y are its own, \
                           M_z has the other sign."
-                .into(),
+                    .into()
+            }
         };
         let mut lines = vec![title.to_string(), format!("Run: {command}")];
         lines.extend((!signs.is_empty()).then_some(signs));
@@ -179,10 +197,8 @@ impl<'a> Parts<'a> {
         if thickness <= 0.0 {
             return Err("a layer (M = 4) without thickness, which yields only".into());
         }
-        let mut keys = vec![
-            ("thickness", number(thickness * 1e-3)),
-            ("shear_modulus", number(modulus * 1e6)),
-        ];
+        let mut keys =
+            vec![("thickness", number(thickness * 1e-3)), ("shear_modulus", number(modulus * 1e6))];
         if yield_stress > 0.0 {
             keys.push(("yield_stress", number(yield_stress * 1e6)));
             keys.push(("slope", number(slope * 1e9)));
@@ -234,11 +250,8 @@ impl<'a> Parts<'a> {
             notes.push("the bodies are unlike: the shift is solved as if they were like".into());
         }
         let command = format!("creepage statics {name}.toml");
-        let keys = [
-            ("problem", quoted("partial-slip")),
-            ("force_x", number(x)),
-            ("force_y", number(y)),
-        ];
+        let keys =
+            [("problem", quoted("partial-slip")), ("force_x", number(x)), ("force_y", number(y))];
         let head = self.head(title, &command, notes);
         let text = head + &self.bodies() + &self.contact(true) + &section("statics", &keys);
         Ok(Written::of(command, File::text(format!("{name}.toml"), text)))
@@ -248,7 +261,7 @@ impl<'a> Parts<'a> {
     fn shift_force(&self, case: &Bodies) -> Result<[f64; 2], Cause> {
         let [_, x, y, turn] = case.kinematics;
         let given = match case.control.force() {
-            0 if [x, y, turn] == [0.0; 3] => return Ok([0.0; 2]),
+            0 if [x, y, turn].iter().all(|way| *way == 0.0) => return Ok([0.0; 2]),
             1 if y == 0.0 && turn == 0.0 => [x, 0.0],
             2 if turn == 0.0 => [x, y],
             _ => return Err("a shift that is given as a way, not by its force".into()),
@@ -260,8 +273,8 @@ impl<'a> Parts<'a> {
     }
 
     fn is_unlike(&self) -> bool {
-        let [first, second] =
-            [0, 1].map(|k| (1.0 - 2.0 * self.materials.poisson[k]) / self.materials.shear_modulus[k]);
+        let [first, second] = [0, 1]
+            .map(|k| (1.0 - 2.0 * self.materials.poisson[k]) / self.materials.shear_modulus[k]);
         (first - second).abs() > 1e-9 * first.abs().max(second.abs())
     }
 
@@ -312,12 +325,27 @@ impl<'a> Parts<'a> {
         let head = self.head(title, &command, notes);
         let sections = section("creepage", &creepage) + &section("wanted", &wanted);
         let text = head + &self.bodies() + &self.contact(true) + &layer + &sections;
-        Ok(Written::of(command, File::text(format!("{name}.toml"), text + &section("solve", &solve))))
+        Ok(Written::of(
+            command,
+            File::text(format!("{name}.toml"), text + &section("solve", &solve)),
+        ))
     }
 
     fn theory(&self, notes: &mut Vec<String>) -> Result<Vec<(&'static str, String)>, Cause> {
         let unchanged = |changes: &[f64; 3]| changes.iter().all(|change| *change == 1.0);
         let is_gap = matches!(self.geometry, Geometry::Gap(_));
+        let is_simplified = matches!(
+            self.materials.extra,
+            Extra::ThreeFlexibilities { .. } | Extra::Fastrip { .. }
+        );
+        if is_simplified && self.case.control.force() > 0 {
+            notes.push(
+                "FASTSIM to a wanted force (M = 3, 5 with F = 1, 2): ours finds no creepage, so it is by the \
+                 full theory"
+                    .into(),
+            );
+            return Ok(vec![("theory", quoted("exact"))]);
+        }
         match &self.materials.extra {
             Extra::OneFlexibility => {
                 Err("the simplified theory with a given flexibility (M = 2)".into())
@@ -325,7 +353,8 @@ impl<'a> Parts<'a> {
             Extra::ThreeFlexibilities { changes } | Extra::Fastrip { changes }
                 if !unchanged(changes) =>
             {
-                Err("the simplified theory with changed flexibilities (K0_MF, ALFAMF, BETAMF)".into())
+                Err("the simplified theory with changed flexibilities (K0_MF, ALFAMF, BETAMF)"
+                    .into())
             }
             Extra::ThreeFlexibilities { .. } => {
                 let mut keys = vec![("theory", quoted("fastsim"))];
@@ -418,9 +447,10 @@ impl<'a> Parts<'a> {
         } else if forces > 0 {
             return Err("a given force over a friction force that is not known (N = 0)".into());
         }
-        for k in 0..forces {
-            components[k] =
-                self.relative_force(self.case.kinematics[1 + k]) * self.friction * load;
+        for (component, printed) in
+            components.iter_mut().zip(&self.case.kinematics[1..]).take(forces)
+        {
+            *component = self.relative_force(*printed) * self.friction * load;
         }
         let [x, y, spin] = components;
         Ok([distance, load, x, y, spin])
@@ -440,11 +470,15 @@ impl<'a> Parts<'a> {
             return Err("a load that changes from step to step on anything but an ellipse".into());
         }
         if load_changes {
-            notes.push("the load changes in a straight line over each step, not at its beginning".into());
+            notes.push(
+                "the load changes in a straight line over each step, not at its beginning".into(),
+            );
         }
         let is_used = |k: usize| rows.iter().any(|row| row[2 + k] != 0.0);
         if is_line && (is_used(1) && forces < 2 || is_used(2)) {
-            notes.push("on a line we take lateral motion and spin where the command does; try it".into());
+            notes.push(
+                "on a line we take lateral motion and spin where the command does; try it".into(),
+            );
         }
         let names = ["longitudinal", "lateral", "spin"];
         let force_names = ["longitudinal_force", "lateral_force"];
@@ -549,16 +583,13 @@ fn shaped(
     if grid.elements[1] == 1 {
         return line(case, shape, notes);
     }
-    if let Shape::Quadratic([first, mixed, second, x, y, offset]) = *shape {
-        if mixed == 0.0 && x == 0.0 && y == 0.0 {
-            return smooth(case, materials, [first, second], offset, notes);
-        }
+    if let Shape::Quadratic([first, mixed, second, x, y, offset]) = *shape
+        && [mixed, x, y].iter().all(|term| *term == 0.0)
+    {
+        return smooth(case, materials, [first, second], offset, notes);
     }
-    let pressed = if case.control.has_load() {
-        Pressed::Load(load)
-    } else {
-        Pressed::Approach(load * 1e-3)
-    };
+    let pressed =
+        if case.control.has_load() { Pressed::Load(load) } else { Pressed::Approach(load * 1e-3) };
     let sign: f64 = if turned { -1.0 } else { 1.0 };
     let text = match shape {
         Shape::Quadratic(b) => {
@@ -620,10 +651,10 @@ fn line(
         Shape::Circular { radius, .. } if radius > 0.0 => radius,
         _ => return Err("a line contact that is not of cylinders".into()),
     };
-    if let Shape::Quadratic([_, _, _, x, _, _]) = *shape {
-        if x != 0.0 {
-            notes.push("the line contact's place along x (B4) is put at x = 0".into());
-        }
+    if let Shape::Quadratic([_, _, _, x, _, _]) = *shape
+        && x != 0.0
+    {
+        notes.push("the line contact's place along x (B4) is put at x = 0".into());
     }
     if !case.control.has_load() {
         return Err("a line contact at a given approach, which depends on the length".into());
@@ -705,7 +736,7 @@ pub(crate) fn law_text(
         }
         Law::Falling { name, kinetic, terms } => {
             // In rational laws a term's place is its power.
-            let used = if terms[1][0] != 0.0 { 2 } else { usize::from(terms[0][0] != 0.0) };
+            let used = if terms[1][0] == 0.0 { usize::from(terms[0][0] != 0.0) } else { 2 };
             let texts: Vec<_> = terms[..used]
                 .iter()
                 .map(|[drop, speed]| {
@@ -762,9 +793,7 @@ fn by_row(case: &Bodies, laws: &[Law], turned: bool) -> Result<(f64, String, boo
 /// The points at which a line through all of them bends.
 fn corners(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
     let inner = points.windows(3).filter(|three| {
-        let slope = |k: usize| {
-            (three[k + 1][1] - three[k][1]) / (three[k + 1][0] - three[k][0])
-        };
+        let slope = |k: usize| (three[k + 1][1] - three[k][1]) / (three[k + 1][0] - three[k][0]);
         let bend = (slope(1) - slope(0)) * (three[2][0] - three[0][0]);
         // A millionth of a coefficient is what the digits of a file can tell.
         bend.abs() > 1e-6

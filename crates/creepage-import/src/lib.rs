@@ -12,6 +12,11 @@
 //! # Ok::<(), creepage_import::ImportError>(())
 //! ```
 
+// Numbers of a file are checked for their range before they become counts.
+#![allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+// Numbers are compared as the file has them: alike or not.
+#![allow(clippy::float_cmp)]
+
 mod bodies;
 mod bodies_case;
 mod lines;
@@ -183,7 +188,12 @@ impl Reader {
     }
 
     /// Reads a case and writes it.
-    fn case(&mut self, is_wheel: bool, line: usize, lines: &mut Lines) -> Result<Control, ImportError> {
+    fn case(
+        &mut self,
+        is_wheel: bool,
+        line: usize,
+        lines: &mut Lines,
+    ) -> Result<Control, ImportError> {
         let number = self.cases.len() + 1;
         let name = format!("{}-{number}", self.stem);
         let module = if is_wheel { 1 } else { 3 };

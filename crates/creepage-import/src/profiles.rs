@@ -27,18 +27,17 @@ impl Profiles {
         let missing = || format!("there is no profile {given} beside the input file");
         let path = find(&self.from, given).ok_or_else(missing)?;
         let path = path.canonicalize().unwrap_or(path);
-        if let Ok(to) = self.to.canonicalize() {
-            if let Ok(inside) = path.strip_prefix(to) {
-                return Ok(inside.to_string_lossy().replace('\\', "/"));
-            }
+        if let Ok(to) = self.to.canonicalize()
+            && let Ok(inside) = path.strip_prefix(to)
+        {
+            return Ok(inside.to_string_lossy().replace('\\', "/"));
         }
         if let Some((_, name)) = self.copied.iter().find(|(copied, _)| *copied == path) {
             return Ok(name.clone());
         }
         let base = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-        let is_free = |name: &str| {
-            self.copied.iter().all(|(_, other)| !other.eq_ignore_ascii_case(name))
-        };
+        let is_free =
+            |name: &str| self.copied.iter().all(|(_, other)| !other.eq_ignore_ascii_case(name));
         let numbered = (2..).map(|number| format!("{number}-{base}"));
         let name = std::iter::once(base.clone()).chain(numbered).find(|name| is_free(name));
         let name = name.unwrap_or(base);
@@ -72,13 +71,16 @@ fn find(directory: &Path, given: &str) -> Option<PathBuf> {
     if direct.is_file() {
         return Some(direct);
     }
-    let mut found = if given.starts_with('/') { PathBuf::from("/") } else { directory.to_path_buf() };
+    let mut found =
+        if given.starts_with('/') { PathBuf::from("/") } else { directory.to_path_buf() };
     for component in Path::new(&given).components() {
         match component {
             Component::Normal(name) => {
                 let here = if found.as_os_str().is_empty() { Path::new(".") } else { &found };
-                let mut names: Vec<_> =
-                    fs::read_dir(here).ok()?.filter_map(|entry| Some(entry.ok()?.file_name())).collect();
+                let mut names: Vec<_> = fs::read_dir(here)
+                    .ok()?
+                    .filter_map(|entry| Some(entry.ok()?.file_name()))
+                    .collect();
                 // The order of a directory is no order.
                 names.sort();
                 let fits = |other: &&std::ffi::OsString| other.eq_ignore_ascii_case(name);

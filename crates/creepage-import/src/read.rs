@@ -100,7 +100,7 @@ impl Control {
     }
     /// Whether the next case follows without a line that names its module.
     pub(crate) fn goes_on(self) -> bool {
-        self.third.at(0) % 2 == 0
+        self.third.at(0).is_multiple_of(2)
     }
     /// Whether the case only sets numbers for the next.
     pub(crate) fn is_skipped(self) -> bool {
@@ -111,9 +111,16 @@ impl Control {
 /// One law of friction.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Law {
-    Coulomb { at_rest: f64, kinetic: f64 },
+    Coulomb {
+        at_rest: f64,
+        kinetic: f64,
+    },
     /// Terms of drop and speed (mm/s).
-    Falling { name: &'static str, kinetic: f64, terms: [[f64; 2]; 2] },
+    Falling {
+        name: &'static str,
+        kinetic: f64,
+        terms: [[f64; 2]; 2],
+    },
     OfTemperature,
 }
 
@@ -181,12 +188,16 @@ fn law(lines: &mut Lines, kind: u8, with_place: bool) -> Result<(f64, Law), Impo
         3 => "rational",
         4 => "exponential",
         6 => {
-            let values = lines.numbers(4 + usize::from(with_place), "FREF, TREF, DFHEAT, DTHEAT")?;
+            let values =
+                lines.numbers(4 + usize::from(with_place), "FREF, TREF, DFHEAT, DTHEAT")?;
             return Ok((split(&values, with_place).0, Law::OfTemperature));
         }
-        _ => return Err(lines.expected("a law of friction L = 0, 1, 2, 3, 4 or 6 in V-L-D-C-M-Z-E")),
+        _ => {
+            return Err(lines.expected("a law of friction L = 0, 1, 2, 3, 4 or 6 in V-L-D-C-M-Z-E"));
+        }
     };
-    let values = lines.numbers(5 + usize::from(with_place), "FKIN, two drops, each with its speed")?;
+    let values =
+        lines.numbers(5 + usize::from(with_place), "FKIN, two drops, each with its speed")?;
     let (place, rest) = split(&values, with_place);
     let terms = [[rest[1], rest[2]], [rest[3], rest[4]]];
     Ok((place, Law::Falling { name, kinetic: rest[0], terms }))
@@ -217,12 +228,18 @@ pub(crate) struct Materials {
 pub(crate) enum Extra {
     None,
     /// Relaxation: ratios of stiffness, times (s).
-    Viscoelastic { times: [f64; 2] },
+    Viscoelastic {
+        times: [f64; 2],
+    },
     /// Simplified theory with one flexibility (mm3/N).
     OneFlexibility,
     /// Simplified theory with three, changed by K0, ALFA, BETA.
-    ThreeFlexibilities { changes: [f64; 3] },
-    Fastrip { changes: [f64; 3] },
+    ThreeFlexibilities {
+        changes: [f64; 3],
+    },
+    Fastrip {
+        changes: [f64; 3],
+    },
     /// Shear modulus, thickness, yield stress, slope.
     Layer([f64; 4]),
 }

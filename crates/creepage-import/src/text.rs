@@ -35,13 +35,14 @@ pub(crate) fn section(name: &str, keys: &[(&str, String)]) -> String {
     if keys.is_empty() {
         return String::new();
     }
-    let lines: String = keys.iter().map(|(key, value)| format!("{key} = {value}\n")).collect();
-    format!("\n[{name}]\n{lines}")
+    let lines: Vec<_> = keys.iter().map(|(key, value)| format!("{key} = {value}")).collect();
+    format!("\n[{name}]\n{}\n", lines.join("\n"))
 }
 
 /// Comments, a line each.
 pub(crate) fn comments(lines: &[String]) -> String {
-    lines.iter().map(|line| format!("# {}\n", line.replace(['\n', '\r'], " "))).collect()
+    let lines: Vec<_> = lines.iter().map(|line| line.replace(['\n', '\r'], " ")).collect();
+    format!("# {}\n", lines.join("\n# "))
 }
 
 #[cfg(test)]

@@ -7,6 +7,9 @@ use crate::text::{comments, list, number, quoted, section};
 use crate::wheels::{ProfileFile, Wheels};
 use crate::{File, Written};
 
+/// Friction in place of none, which wheelset files do not take.
+const FRICTIONLESS: f64 = 1e-6;
+
 type Keys = Vec<(&'static str, String)>;
 type Cause = String;
 
@@ -53,6 +56,9 @@ fn check(case: &Wheels) -> Result<(), Cause> {
     if case.is_flexible {
         return Err("a bent axle (E = 4, 5)".into());
     }
+    if case.wheelset.is_some_and(|sizes| !(sizes[2] > 0.0)) {
+        return Err("a wheel whose radius is not above zero (NOMRAD)".into());
+    }
     for profile in [&case.rail, &case.wheel].into_iter().flatten() {
         let name = profile.name.to_ascii_lowercase();
         if name.ends_with(".slcs") || name.ends_with(".slcw") {
@@ -87,7 +93,8 @@ fn text(
     let missing = |what: &str| format!("no case has given {what}");
     let control = case.control;
     let moves = control.tangential() == 3;
-    let track = track(case.track.ok_or_else(|| missing("the track's dimensions (Z = 1, 3)"))?, notes);
+    let track =
+        track(case.track.ok_or_else(|| missing("the track's dimensions (Z = 1, 3)"))?, notes);
     let sizes = case.wheelset.ok_or_else(|| missing("the wheelset's dimensions (E = 3)"))?;
     let [_, y, height, roll, yaw, _] =
         case.position.ok_or_else(|| missing("the wheelset's position (E)"))?;
@@ -111,7 +118,7 @@ fn text(
         ("yaw", number(yaw)),
         pressed,
     ];
-    let motion = if moves { motion(case)? } else { Vec::new() };
+    let motion = if moves { motion(case)? } else { rest(sizes[2]) };
     let mut contact = Vec::new();
     if moves {
         contact.push(("friction", friction(case, notes)?));
@@ -123,12 +130,19 @@ fn text(
                     .into(),
             );
         }
+    } else {
+        contact.push(("friction", number(FRICTIONLESS)));
+        notes.push(format!(
+            "without friction (T = 0): the wheel rolls freely with friction {FRICTIONLESS}, under which forces \
+             are those of the pressure"
+        ));
     }
-    let solve = theory(case);
+    let solve = if moves { theory(case) } else { vec![("theory", quoted("saturated"))] };
     notes_of_rest(case, notes);
     let mut lines = vec![title.to_string(), format!("Run: {}", command(name))];
     lines.push(
-        "Signs: forces act on the rail in the track's axes, as CONTACT's FX(TR), FY(TR), FZ(TR).".into(),
+        "Signs: forces act on the rail in the track's axes, as CONTACT's FX(TR), FY(TR), FZ(TR)."
+            .into(),
     );
     lines.extend(notes.iter().map(|note| format!("Not as it was: {note}")));
     let sections = [
@@ -239,9 +253,16 @@ fn motion(case: &Wheels) -> Result<Keys, Cause> {
         ("yaw_rate", yaw),
     ];
     keys.extend(
-        rest.into_iter().filter(|(_, value)| *value != 0.0).map(|(key, value)| (key, number(value))),
+        rest.into_iter()
+            .filter(|(_, value)| *value != 0.0)
+            .map(|(key, value)| (key, number(value))),
     );
     Ok(keys)
+}
+
+/// A wheel at rest, of that radius (mm): wheelset files have motion, so it rolls freely at 1 m/s.
+fn rest(radius: f64) -> Keys {
+    vec![("speed", number(1.0)), ("pitch_rate", number(1e3 / radius))]
 }
 
 fn friction(case: &Wheels, notes: &mut Vec<String>) -> Result<String, Cause> {
@@ -339,7 +360,9 @@ fn notes_of_rest(case: &Wheels, notes: &mut Vec<String>) {
         notes.push("points below the surface (S) have no counterpart for a wheelset".into());
     }
     if control.bound() >= 2 {
-        notes.push("the simplified pressure (B) has no counterpart: ours is the half-space's".into());
+        notes.push(
+            "the simplified pressure (B) has no counterpart: ours is the half-space's".into(),
+        );
     }
     if control.influence() >= 3 {
         notes.push("influence numbers other than a half-space's (C) have no counterpart".into());

@@ -3,11 +3,13 @@
 use std::fs;
 use std::path::Path;
 
-use creepage_import::{Case, Imported, ImportError, import};
+use creepage_import::{Case, ImportError, Imported, import};
 
 /// Words of a case of module 3 up to its friction.
 fn head(first: &str, second: &str) -> String {
-    format!(" 3 MODULE\n {first} PBTNFS\n {second} LDCMZE\n 0000341 HGIAOWR\n 50 50 30 1 1e-6 settings\n")
+    format!(
+        " 3 MODULE\n {first} PBTNFS\n {second} LDCMZE\n 0000341 HGIAOWR\n 50 50 30 1 1e-6 settings\n"
+    )
 }
 
 /// A steady case: a ball, wanted force or creepage as the digits say.
@@ -39,7 +41,8 @@ fn has(text: &str, lines: &[&str]) {
 
 #[test]
 fn a_ball_that_rolls_has_si_units_and_our_signs() {
-    let file = ball("203110", "1000. 0.5 .001 .0002", "0.0 0.2 2000. CHI") + " 0 MODULE\n nonsense\n";
+    let file =
+        ball("203110", "1000. 0.5 .001 .0002", "0.0 0.2 2000. CHI") + " 0 MODULE\n nonsense\n";
     let imported = read(&file).unwrap();
     assert_eq!(imported.cases.len(), 1);
     let case = &imported.cases[0];
@@ -69,7 +72,8 @@ fn rolling_backwards_turns_the_axes() {
 
 #[test]
 fn what_is_left_out_stays_and_the_next_case_may_follow_without_its_module() {
-    let first = ball("203100", "1000. .002 .0 .0", "0.0 0.2 2000. CHI").replace("0000341", "0000340");
+    let first =
+        ball("203100", "1000. .002 .0 .0", "0.0 0.2 2000. CHI").replace("0000341", "0000340");
     let file = first + " 203100 PBTNFS\n 100000 LDCMZE\n 0100341 HGIAOWR\n 2000. .003 .0 .0\n";
     let imported = read(&file).unwrap();
     assert_eq!(imported.cases.len(), 2);
@@ -89,12 +93,18 @@ fn a_shift_goes_to_statics_and_steps_after_it_to_roll() {
     has(&text(&imported.cases[0], 0), &["force_x = 150.0", "force_y = -75.0"]);
     has(&text(&imported.cases[1], 0), &["traction = \"shift\"", "longitudinal_force = 150.0"]);
     let rows = text(&imported.cases[1], 1);
-    assert_eq!(rows, "distance,longitudinal_force,lateral_force,spin\n0.0001,150.0,-75.0,0.0\n".replace(",spin", "").replace(",0.0\n", "\n"));
+    assert_eq!(
+        rows,
+        "distance,longitudinal_force,lateral_force,spin\n0.0001,150.0,-75.0,0.0\n"
+            .replace(",spin", "")
+            .replace(",0.0\n", "\n")
+    );
 }
 
 #[test]
 fn a_line_that_is_not_what_the_digits_say_is_named() {
-    let file = ball("203100", "1000. .002 .001 .0002", "0.0 0.2 2000. CHI").replace(" 0.3 0.3", " mu");
+    let file =
+        ball("203100", "1000. .002 .001 .0002", "0.0 0.2 2000. CHI").replace(" 0.3 0.3", " mu");
     let error = read(&file).unwrap_err();
     assert!(matches!(error, ImportError::Line { line: 7, .. }), "{error}");
     let error = read(" 3 MODULE\n 203100\n").unwrap_err();
