@@ -404,6 +404,12 @@ impl<'a> Parts<'a> {
         if !matches!(self.materials.extra, Extra::None | Extra::Viscoelastic { .. }) {
             return Err("a simplified theory in rolling step by step or on a line".into());
         }
+        let has_memory = self.case.friction.as_ref().is_some_and(|read| read.memory.is_some());
+        if self.needs_speed && !has_memory {
+            return Err(
+                "falling friction without memory in rolling step by step or on a line".into()
+            );
+        }
         let mut start = vec![("traction", quoted("none"))];
         let (mut rows, mut distance, mut kind) = (Vec::new(), 0.0, None);
         for (index, case) in chain.iter().enumerate() {

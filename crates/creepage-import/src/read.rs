@@ -257,7 +257,15 @@ impl Materials {
         if control.influence() == 9 {
             lines.file("influence numbers, CFNAME")?;
         }
+        if control.influence() == 4 {
+            lines.numbers(2, "IF_METH, IF_VAR of the influence numbers")?;
+        }
+        let error = lines.expected("POISS 1, 2 from 0 to 0.5, GG 1, 2 above zero");
         let [first, second, third, fourth] = lines.array("POISS 1, 2, GG 1, 2")?;
+        let is_solid = |poisson: f64, modulus: f64| (0.0..=0.5).contains(&poisson) && modulus > 0.0;
+        if !(is_solid(first, third) && is_solid(second, fourth)) {
+            return Err(error);
+        }
         let extra = match control.material() {
             1 => {
                 let [_, _, first, second] = lines.array("FG 1, 2, TC 1, 2")?;

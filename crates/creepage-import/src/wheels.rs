@@ -38,6 +38,8 @@ pub(crate) struct ProfileFile {
     pub(crate) mirror_y: bool,
     pub(crate) scale: f64,
     pub(crate) smoothing: f64,
+    /// Whether that is the weight of a cubic smoothing spline (ISMOOTH = 0), in mm4.
+    pub(crate) is_plain_spline: bool,
     /// 1 where z is mirrored, -1 where it is not, 0 where its shape says.
     pub(crate) mirror_z: i32,
 }
@@ -50,10 +52,20 @@ impl ProfileFile {
             return Err(error);
         };
         let at = |place: usize| numbers.get(place).copied().unwrap_or(0.0);
+        let mut smoothing_kind = 0.0;
         if at(4) >= 1.0 {
-            lines.numbers(5, "ISMOOTH, ZIGTHRS, KNKHGH, KNKLOW, KNKWID")?;
+            let options = lines.numbers(5, "ISMOOTH, ZIGTHRS, KNKHGH, KNKLOW, KNKWID")?;
+            smoothing_kind = options[0];
         }
-        Ok(Self { name, mirror_y: mirror_y >= 1.0, scale, smoothing, mirror_z: at(3) as i32 })
+        let is_plain_spline = smoothing_kind == 0.0;
+        Ok(Self {
+            name,
+            mirror_y: mirror_y >= 1.0,
+            scale,
+            smoothing,
+            is_plain_spline,
+            mirror_z: at(3) as i32,
+        })
     }
 }
 

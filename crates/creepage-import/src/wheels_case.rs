@@ -56,12 +56,12 @@ fn check(case: &Wheels) -> Result<(), Cause> {
     if case.is_flexible {
         return Err("a bent axle (E = 4, 5)".into());
     }
-    if case.wheelset.is_some_and(|sizes| !(sizes[2] > 0.0)) {
+    if case.wheelset.is_some_and(|sizes| sizes[2] <= 0.0) {
         return Err("a wheel whose radius is not above zero (NOMRAD)".into());
     }
     for profile in [&case.rail, &case.wheel].into_iter().flatten() {
-        let name = profile.name.to_ascii_lowercase();
-        if name.ends_with(".slcs") || name.ends_with(".slcw") {
+        let extension = profile.name.rsplit('.').next().unwrap_or_default().to_ascii_lowercase();
+        if matches!(extension.as_str(), "slcs" | "slcw") {
             return Err(format!("surfaces by slices ({})", profile.name));
         }
     }
@@ -196,10 +196,20 @@ fn profile((file, name): (&ProfileFile, &String), role: &str, notes: &mut Vec<St
         -1 if is_plain => reading.push(format!("z = {}", quoted("down"))),
         _ => {}
     }
-    if file.smoothing > 0.0 {
+    if file.smoothing > 0.0 && file.is_plain_spline {
+        // A cubic smoothing spline leaves 1/(1 + weight k^4) of a wave: half at k^4 = 1/weight.
+        let wavelength = std::f64::consts::TAU * file.smoothing.powf(0.25) * 1e-3;
+        reading.push(format!("smooth = {}", number(wavelength)));
         notes.push(format!(
-            "SMOOTH = {} of the {role}'s profile has no counterpart; `reading = {{ smooth = ... }}` smooths by \
-             wavelength",
+            "SMOOTH = {} of the {role}'s profile: waves of {} m keep half of their height, as of a smoothing spline \
+             of that weight; others not exactly",
+            number(file.smoothing),
+            number(wavelength)
+        ));
+    } else if file.smoothing > 0.0 {
+        notes.push(format!(
+            "SMOOTH = {} of the {role}'s profile (ISMOOTH = 1) has no counterpart; `reading = {{ smooth = ... }}` \
+             smooths by wavelength",
             number(file.smoothing)
         ));
     }
