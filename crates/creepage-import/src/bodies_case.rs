@@ -471,6 +471,11 @@ impl<'a> Parts<'a> {
         notes: &mut Vec<String>,
     ) -> Result<Written, Cause> {
         let is_line = matches!(self.geometry, Geometry::Line(_));
+        if self.is_unlike() {
+            notes.push(
+                "the bodies are unlike: `roll` takes them as like, so the creepage of free rolling is lost".into(),
+            );
+        }
         let load_changes = rows.windows(2).any(|pair| pair[0][1] != pair[1][1]);
         if load_changes && !matches!(self.geometry, Geometry::Radii(_)) {
             return Err("a load that changes from step to step on anything but an ellipse".into());
