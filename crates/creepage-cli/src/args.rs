@@ -7,6 +7,7 @@ use clap::{Parser, Subcommand};
 use crate::about::{CompletionsArgs, InitArgs, ManArgs, SchemaArgs};
 use crate::batch_args::BatchArgs;
 use crate::fmu::FmuArgs;
+use crate::import::ImportArgs;
 use crate::map::MapArgs;
 use crate::rail_args::{ConicityArgs, ProfileArgs, WheelsetArgs};
 use crate::reproduce::ReproduceArgs;
@@ -172,6 +173,14 @@ pub(crate) enum Command {
     /// With --out, a picture of each profile (SVG and PNG) goes into a directory, with --convert
     /// also the profile in another format.
     Profile(ProfileArgs),
+    /// Write case files from an input file (.inp) of the program CONTACT, modules 1 and 3, one a case.
+    ///
+    /// Each case file has the input file's name and the number of the case; its first lines say which command
+    /// solves it and what of the case has no counterpart, which standard error says too. Units become SI, signs
+    /// ours; profiles are found beside the input file, whatever the case of their letters, and copied. A
+    /// case that cannot be said at all is named with the cause, and the exit code is 3. An input file that cannot be
+    /// read ends with the line and what was expected there; then nothing is written.
+    Import(ImportArgs),
     /// Measure how far each theory is from the full one.
     ///
     /// Prints a table in Markdown: the distribution of the error of the force `(f_x, f_y)` in

@@ -44,6 +44,13 @@ pub(crate) enum Failure {
     #[error("{}: {source}", path.display())]
     Wheelset { path: PathBuf, source: Box<WheelsetError> },
     #[error("{}: {source}", path.display())]
+    Import { path: PathBuf, source: creepage_import::ImportError },
+    #[error(
+        "{} is there already, with other contents: imported cases replace no file; give another --out",
+        path.display()
+    )]
+    ImportExists { path: PathBuf },
+    #[error("{}: {source}", path.display())]
     Map { path: PathBuf, source: Box<MapBuildError> },
     #[error("{}: {source}", path.display())]
     History { path: PathBuf, source: Box<HistoryError> },

@@ -14,6 +14,7 @@ mod curve;
 mod failure;
 mod fit;
 mod fmu;
+mod import;
 mod init;
 mod input;
 mod map;
@@ -73,6 +74,7 @@ fn run(command: &Command) -> Result<Outcome, Failure> {
         Command::Map(args) => return map::run(args),
         Command::Fmu(args) => return fmu::run(args),
         Command::Roll(args) => return roll::run(args),
+        Command::Import(args) => return import::run(args),
         Command::Conicity(args) => return conicity::run(args),
         Command::Profile(args) => return profile::run(args),
         Command::Stresses(args) => return stresses::run(args),

@@ -1,0 +1,199 @@
+//! Input files of our own making, read and written.
+
+#![allow(clippy::unwrap_used)] // helpers of tests
+
+use std::fs;
+use std::path::Path;
+
+use creepage_import::{Case, ImportError, Imported, import};
+
+/// Words of a case of module 3 up to its friction.
+fn head(first: &str, second: &str) -> String {
+    format!(
+        " 3 MODULE\n {first} PBTNFS\n {second} LDCMZE\n 0000341 HGIAOWR\n 50 50 30 1 1e-6 settings\n"
+    )
+}
+
+/// A steady case: a ball, wanted force or creepage as the digits say.
+fn ball(first: &str, kinematics: &str, rolling: &str) -> String {
+    head(first, "022020")
+        + &format!(
+            " {kinematics} load\n 0.3 0.3 friction\n {rolling}\n 0.28 0.28 82000. 82000. material\n 1 IPOTCN\n \
+             9 9 -0.9 -0.9 0.2 0.2 grid\n 1 1 kinds\n .005 .0 .005 .0 .0 .0 shape\n"
+        )
+}
+
+fn read(text: &str) -> Result<Imported, ImportError> {
+    let place = tempfile::tempdir().unwrap();
+    let path = place.path().join("own.inp");
+    fs::write(&path, text).unwrap();
+    import(&path, &place.path().join("out"))
+}
+
+fn text(case: &Case, file: usize) -> String {
+    let written = case.written.as_ref().unwrap();
+    String::from_utf8(written.files[file].contents.clone()).unwrap()
+}
+
+fn has(text: &str, lines: &[&str]) {
+    for line in lines {
+        assert!(text.lines().any(|other| other == *line), "{line} is not in\n{text}");
+    }
+}
+
+#[test]
+fn a_ball_that_rolls_has_si_units_and_our_signs() {
+    let file =
+        ball("203110", "1000. 0.5 .001 .0002", "0.0 0.2 2000. CHI") + " 0 MODULE\n nonsense\n";
+    let imported = read(&file).unwrap();
+    assert_eq!(imported.cases.len(), 1);
+    let case = &imported.cases[0];
+    assert_eq!(case.name, "own-1");
+    assert_eq!(case.written.as_ref().unwrap().command, "creepage solve own-1.toml");
+    has(
+        &text(case, 0),
+        &[
+            "shear_modulus = 82000000000.0",
+            "radius_rolling = 0.1",
+            "radius_lateral = \"flat\"",
+            "normal_force = 1000.0",
+            "lateral = 0.001",
+            "spin = 0.2",
+            "speed = 2.0",
+            "fx = -0.5",
+        ],
+    );
+}
+
+#[test]
+fn rolling_backwards_turns_the_axes() {
+    let file = ball("203100", "1000. .002 .001 .0002", "180d 0.2 2000. CHI");
+    let imported = read(&file).unwrap();
+    has(&text(&imported.cases[0], 0), &["longitudinal = -0.002", "lateral = -0.001", "spin = 0.2"]);
+}
+
+#[test]
+fn what_is_left_out_stays_and_the_next_case_may_follow_without_its_module() {
+    let first =
+        ball("203100", "1000. .002 .0 .0", "0.0 0.2 2000. CHI").replace("0000341", "0000340");
+    let file = first + " 203100 PBTNFS\n 100000 LDCMZE\n 0100341 HGIAOWR\n 2000. .003 .0 .0\n";
+    let imported = read(&file).unwrap();
+    assert_eq!(imported.cases.len(), 2);
+    let second = text(&imported.cases[1], 0);
+    has(&second, &["normal_force = 2000.0", "longitudinal = 0.003", "radius_rolling = 0.1"]);
+    has(&second, &["friction = 0.3"]);
+}
+
+#[test]
+fn a_shift_goes_to_statics_and_steps_after_it_to_roll() {
+    let shift = ball("201120", "1000. -.5 .25 .0", "").replace(" \n", "");
+    let step = head("002120", "122020")
+        + " 1000. -.5 .25 .0 load\n 0.0 0.1 2000. CHI\n .28 .28 82000. 82000.\n 1 IPOTCN\n \
+           9 9 -0.9 -0.9 0.2 0.2\n 1 1\n .005 .0 .005 .0 .0 .0\n";
+    let imported = read(&(shift + &step)).unwrap();
+    // 0.3 x 1000 N, with the other sign.
+    has(&text(&imported.cases[0], 0), &["force_x = 150.0", "force_y = -75.0"]);
+    has(&text(&imported.cases[1], 0), &["traction = \"shift\"", "longitudinal_force = 150.0"]);
+    let rows = text(&imported.cases[1], 1);
+    assert_eq!(rows, "distance,longitudinal_force,lateral_force\n0.0001,150.0,-75.0\n");
+}
+
+#[test]
+fn a_line_that_is_not_what_the_digits_say_is_named() {
+    let file =
+        ball("203100", "1000. .002 .001 .0002", "0.0 0.2 2000. CHI").replace(" 0.3 0.3", " mu");
+    let error = read(&file).unwrap_err();
+    assert!(matches!(error, ImportError::Line { line: 7, .. }), "{error}");
+    let error = read(" 3 MODULE\n 203100\n").unwrap_err();
+    assert!(matches!(error, ImportError::End { .. }), "{error}");
+    assert!(matches!(read("% nothing\n"), Err(ImportError::Empty)));
+    assert!(matches!(read(" 7 MODULE\n"), Err(ImportError::Line { line: 1, .. })));
+}
+
+#[test]
+fn a_case_without_a_counterpart_is_named_and_the_others_are_written() {
+    let file = ball("201100", "1000. .002 .0 .0", "").replace(" \n", "")
+        + &ball("203100", "1000. .002 .001 .0002", "0.0 0.2 2000. CHI");
+    let imported = read(&file).unwrap();
+    let cause = imported.cases[0].written.as_ref().unwrap_err();
+    assert!(cause.contains("a shift that is given as a way"), "{cause}");
+    assert!(imported.cases[1].written.is_ok());
+}
+
+const WHEEL: &str = " 1 MODULE\n 0203100 CPBTNFS\n 1022033 VLDCMZE\n 0001321 HGIAOWR\n 99 99 30 1 1e-5 settings\n 2 NVF\n \
+                     -20d .2 .2\n -10d .3 .3\n .28 .28 82000. 82000. material\n .2 .2 1. 90d 8. 4. grid\n \
+                     14. 0 1435. 0.025 track\n 'Profiles\\RAIL.prr' 0 1. 0. 0 1 rail\n 0 150d 30d 6d 2. kinks\n \
+                     1. 2. .003 4. 5. .006 deviation\n 1360. -70. 460. wheelset\n 'wheel.PRW' 0 1. 1. wheel\n \
+                     0. 3. 10000. -.0001 .002 0. position\n 2000. 1. 0. 0. 0. -4.35 velocity\n";
+
+fn read_wheel(text: &str, place: &Path) -> Imported {
+    fs::create_dir_all(place.join("profiles")).unwrap();
+    fs::write(place.join("profiles/Rail.prr"), "rail").unwrap();
+    fs::write(place.join("wheel.prw"), "wheel").unwrap();
+    fs::write(place.join("own.inp"), text).unwrap();
+    import(&place.join("own.inp"), &place.join("out")).unwrap()
+}
+
+#[test]
+fn a_wheel_keeps_its_axes_and_its_profiles_are_found_and_copied() {
+    let place = tempfile::tempdir().unwrap();
+    let imported = read_wheel(WHEEL, place.path());
+    let wheel = text(&imported.cases[0], 0);
+    has(
+        &wheel,
+        &[
+            "profile = \"Rail.prr\"",
+            "profile = \"wheel.prw\"",
+            // 2 pi times the fourth root of a weight of 1 mm4.
+            "reading = { smooth = 0.00628318530718 }",
+            "radius = 0.46",
+            "flange_back = -0.07",
+            "cant = 0.025",
+            "dy = 0.001",
+            "dz_rate = 0.005",
+            "droll = 0.003",
+            "gauge = 1.435",
+            "gauge_height = 0.014",
+            "back_to_back = 1.36",
+            "side = \"left\"",
+            "y = 0.003",
+            "roll = -0.0001",
+            "yaw = 0.002",
+            "wheel_load = 10000.0",
+            "speed = 2.0",
+            "pitch_rate = 4.35",
+            "lateral_velocity = 0.001",
+            "friction = { angle = [-0.349065850399, -0.174532925199], value = [0.2, 0.3] }",
+        ],
+    );
+    let names: Vec<_> = imported.profiles.iter().map(|file| file.name.as_str()).collect();
+    assert_eq!(names, ["wheel.prw", "Rail.prr"]);
+    assert_eq!(imported.profiles[1].contents, b"rail");
+    assert!(!place.path().join("out").exists(), "reading writes nothing");
+}
+
+#[test]
+fn a_missing_profile_a_roller_and_slices_are_causes() {
+    let cause = |change: [&str; 2]| {
+        let place = tempfile::tempdir().unwrap();
+        let imported = read_wheel(&WHEEL.replace(change[0], change[1]), place.path());
+        imported.cases[0].written.clone().unwrap_err()
+    };
+    assert!(cause(["wheel.PRW", "none.prw"]).contains("no profile none.prw"));
+    assert!(cause(["0203100", "5203100"]).contains("roller"));
+    assert!(cause(["wheel.PRW", "wheel.slcw"]).contains("slices"));
+}
+
+/// Broken words anywhere give an error or a case, never a panic.
+#[test]
+fn no_broken_file_panics() {
+    let whole = ball("203110", "1000. 0.5 .001 .0002", "0.0 0.2 2000. CHI") + WHEEL;
+    let words: Vec<&str> = whole.split(' ').collect();
+    for place in 0..words.len() {
+        for change in ["", "-1", "9999999", "1e300", "0", "x", "'a'", "5*2"] {
+            let mut words = words.clone();
+            words[place] = change;
+            let _ = read(&words.join(" "));
+        }
+    }
+}
