@@ -40,6 +40,8 @@ pub(crate) struct ProfileFile {
     pub(crate) smoothing: f64,
     /// Whether that is the weight of a cubic smoothing spline (ISMOOTH = 0), in mm4.
     pub(crate) is_plain_spline: bool,
+    /// Whether there are numbers of its own for zig-zags and kinks.
+    pub(crate) has_kinks: bool,
     /// 1 where z is mirrored, -1 where it is not, 0 where its shape says.
     pub(crate) mirror_z: i32,
 }
@@ -52,10 +54,11 @@ impl ProfileFile {
             return Err(error);
         };
         let at = |place: usize| numbers.get(place).copied().unwrap_or(0.0);
-        let mut smoothing_kind = 0.0;
+        let (mut smoothing_kind, mut has_kinks) = (0.0, false);
         if at(4) >= 1.0 {
             let options = lines.numbers(5, "ISMOOTH, ZIGTHRS, KNKHGH, KNKLOW, KNKWID")?;
             smoothing_kind = options[0];
+            has_kinks = options[1..].iter().any(|option| *option != 0.0);
         }
         let is_plain_spline = smoothing_kind == 0.0;
         Ok(Self {
@@ -64,6 +67,7 @@ impl ProfileFile {
             scale,
             smoothing,
             is_plain_spline,
+            has_kinks,
             mirror_z: at(3) as i32,
         })
     }

@@ -202,7 +202,8 @@ fn profile((file, name): (&ProfileFile, &String), role: &str, notes: &mut Vec<St
         reading.push(format!("smooth = {}", number(wavelength)));
         notes.push(format!(
             "SMOOTH = {} of the {role}'s profile: waves of {} m keep half of their height, as of a smoothing spline \
-             of that weight; others not exactly",
+             of that weight; others not exactly, and thin parts such as the back of a flange may be lost: \
+             compare without `smooth`",
             number(file.smoothing),
             number(wavelength)
         ));
@@ -211,6 +212,12 @@ fn profile((file, name): (&ProfileFile, &String), role: &str, notes: &mut Vec<St
             "SMOOTH = {} of the {role}'s profile (ISMOOTH = 1) has no counterpart; `reading = {{ smooth = ... }}` \
              smooths by wavelength",
             number(file.smoothing)
+        ));
+    }
+    if file.has_kinks {
+        notes.push(format!(
+            "ZIGTHRS, KNKHGH, KNKLOW, KNKWID of the {role}'s profile have no counterpart: corners are found here by \
+             a rule of their own"
         ));
     }
     let mut keys = vec![("profile", quoted(name))];
