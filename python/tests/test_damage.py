@@ -36,5 +36,5 @@ def test_a_law_of_friction_a_layer_and_damage() -> None:
     greased = Case(**STEEL_WHEEL, friction=across, xi=50.0, theory="fastsim").solve()
     assert greased.dimensionless.fx < 0.9
     assert greased.dimensionless.mz < 0.0
-    with pytest.raises(creepage.CaseError, match="two to six"):
+    with pytest.raises(creepage.CaseError, match="two to seven"):
         Case(**STEEL_WHEEL, friction={"across": [[0.0, 0.3]]})

@@ -92,7 +92,7 @@ fn what_is_wrong_with_a_law_is_named() {
     refused("\"dry\"", at_speed, "", &["friction = \"dry\"", "a number"]);
     let across = "{ across = [[1e-3, 0.3], [0.0, 0.4]] }";
     refused(across, at_speed, "", &["y of friction across = 0", "above the one before"]);
-    refused("{ across = [[0.0, 0.3]] }", at_speed, "", &["across = 1", "two to six"]);
+    refused("{ across = [[0.0, 0.3]] }", at_speed, "", &["across = 1", "two to seven"]);
     let layer = "[layer]\nthickness = -1e-6\nshear_modulus = 1e9";
     refused("0.3", at_speed, layer, &["[layer] thickness = -1e-6"]);
     let layer = "[layer]\nthickness = 1e-6\nshear_modulus = 1e9\nslope = 1e9";
