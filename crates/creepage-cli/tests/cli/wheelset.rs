@@ -185,7 +185,8 @@ fn what_is_wrong_is_named() {
     refused("wheel_load = 10e3", "axle_load = 1e3", &["axle_load makes no sense with side"]);
     refused("friction = 0.3", "friction = 0", &["[contact] friction = 0", "positive and finite"]);
     refused("friction = 0.3", "friction = 0.3\nslip = \"flt\"", &["slip", "`flat` or `curved`"]);
-    refused("speed = 2.0", "speed = 0.0", &["[motion] speed = 0"]);
+    refused("pitch_rate = 4.3451503", "torque = 1e9", &["torque", "it can carry"]);
+    refused("speed = 2.0", "speed = 0.0\ntorque = 1.0", &["[motion] torque", "pitch_rate"]);
     refused("yaw = 0.0072 ", "yaw = 0.72 ", &["[wheelset] yaw = 0.72", "-0.5 to 0.5 rad"]);
     refused("y = 0.003 ", "y = 0.3 ", &["Right wheel", "y = 0.3 m"]);
     refused("resolution = \"fast\"", "theory = \"polach\"", &["\"polach\" needs an ellipse"]);
