@@ -6,7 +6,7 @@ import math
 import os
 import warnings
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal, NamedTuple
+from typing import Any, Literal, NamedTuple, Protocol
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -16,11 +16,16 @@ from ._contact import floats
 from ._results import Floats
 from ._wheelset_solver import _ASKED, Patch, WheelResult, _number, _rows
 
-if TYPE_CHECKING:
-    from ._wheelset import Wheelset
-
 _NAMES = (*(name for name in _ASKED if name != "roll_moment"), "friction")
 _PATCH = 13
+
+
+class Mapped(Protocol):
+    """What a map is built of: a `Wheelset`."""
+
+    _data: _creepage.WheelsetData
+
+    def _poisson(self) -> float: ...
 
 
 class ErrorSpread(NamedTuple):
@@ -167,7 +172,7 @@ class ContactMap:
     @classmethod
     def build(
         cls,
-        wheelset: Wheelset,
+        wheelset: Mapped,
         *,
         ellipses: _creepage.Table | str | os.PathLike[str] | None = None,
         y: float = math.nan,

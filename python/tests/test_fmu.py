@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 
 fmpy = pytest.importorskip("fmpy")
+validation = pytest.importorskip("fmpy.validation")
 
 ROOT = Path(__file__).parents[2]
 INPUTS = ("y", "yaw", "axle_load", "speed", "lateral_velocity", "yaw_rate", "friction")
@@ -43,7 +44,7 @@ def fmus(contact_map: creepage.ContactMap, tmp_path_factory: pytest.TempPathFact
 
 def test_they_are_valid(fmus: list[Path]) -> None:
     for path in fmus:
-        assert fmpy.validation.validate_fmu(str(path)) == []
+        assert validation.validate_fmu(str(path)) == []
 
 
 @pytest.mark.parametrize("kind", ["CoSimulation", "ModelExchange"])
@@ -101,19 +102,18 @@ def test_derivatives_and_states(fmus: list[Path]) -> None:
         unit.exitInitializationMode()
         y, force = references["y"], references["wrench_y"]
         state = unit.getFMUstate() if is_two else unit.getFMUState()
-        step = 2e-5
+        step, yaw = 2e-5, references["yaw"]
         at = []
-        put([references["yaw"]], [1e-3])
-        for place in (-step, step):
-            put([y], [place])
+        for turn in (1e-3 - step, 1e-3 + step):
+            put([yaw], [turn])
             at.append(get([force])[0])
-        put([y], [0.0])
-        # What the search for roll and pitch rate leaves is worth some 1e3 N/m over such steps.
-        slope = unit.getDirectionalDerivative([force], [y], [1.0])[0]
-        assert slope == pytest.approx((at[1] - at[0]) / (2.0 * step), rel=0.05, abs=2e3)
-        # Kalker's C22 of both wheels is about 1.2e7 N/rad with the pressures of 50 kN.
-        by_yaw = unit.getDirectionalDerivative([force], [references["yaw"]], [1.0])[0]
-        assert 4e6 < abs(by_yaw) < 2e7
+        put([yaw], [1e-3])
+        slope = unit.getDirectionalDerivative([force], [yaw], [1.0])[0]
+        # What the search for roll and pitch rate leaves is worth some newtons.
+        assert slope == pytest.approx((at[1] - at[0]) / (2.0 * step), rel=1e-2)
+        # Kalker's C22 of both wheels is about 1.2e7 N/rad with the areas of 50 kN.
+        assert 4e6 < abs(slope) < 2e7
+        put([yaw], [0.0])
         put([y], [3e-4])
         moved = get([force])[0]
         kept = unit.serializeFMUstate(state) if is_two else unit.serializeFMUState(state)
