@@ -58,7 +58,8 @@ struct Journal {
 pub(crate) fn run(args: &ProfileArgs, out: &Path) -> Result<Outcome, Failure> {
     let files = files(&args.survey)?;
     let survey = Survey::new(args)?;
-    Sources::new(&files).spare(out)?;
+    let against = args.rail.iter().chain(&args.reference);
+    Sources::new(files.iter().chain(against)).spare(out)?;
     let failed = |source| Failure::Write { path: out.into(), source };
     let whole = WholeFile::create(out).map_err(failed)?;
     let journal = Journal::open(out, &survey.key()).map_err(failed)?;
@@ -141,6 +142,8 @@ impl<'a> Survey<'a> {
     fn key(&self) -> String {
         let ProfileArgs { rail, cant, gauge, gauge_height, .. } = self.args;
         let ProfileArgs { back_to_back, flange_back, radius, reference, .. } = self.args;
+        // A file is known by its size and time too.
+        let [rail, reference] = [rail, reference].map(|one| one.as_deref().map(stamp));
         let against = (rail, cant, gauge, gauge_height, back_to_back, flange_back, radius);
         format!("{against:?} {reference:?} {:?}", self.args.wanted())
     }

@@ -172,6 +172,15 @@ pub enum WheelsetError {
         /// What it would carry (N).
         load: f64,
     },
+    /// A wheel that is to carry nothing and lies in its rail.
+    #[error(
+        "[wheelset] the {} wheel is to carry nothing, but at this roll it would sink into its rail while the \
+         other carries its load", side_word(*side)
+    )]
+    Sinks {
+        /// The side.
+        side: Side,
+    },
     /// A lifted wheel whose height nothing tells.
     #[error(
         "[wheelset] the {} wheel carries nothing and roll is free: nothing says how high it hangs; \

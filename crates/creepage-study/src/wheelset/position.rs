@@ -110,6 +110,9 @@ impl WheelsetSection {
         let down = GRAVITY * tilt.cos() + outward * tilt.sin();
         let (half, more) = (0.5 * mass * down, mass * aside * height / tapes);
         let [outer, inner] = [half + more, half - more];
+        let least = outer.min(inner);
+        let valid = "positive: the vehicle overturns at this speed, radius and superelevation";
+        checked(WHEELSET, "load of the lighter wheel in the curve", least, least > 0.0, valid)?;
         Ok(Some(if curvature < 0.0 {
             Load::Wheels([inner, outer])
         } else {

@@ -98,17 +98,23 @@ impl<'a> Balance<'_, 'a> {
         }
     }
 
-    /// Each wheel brought down by itself until it carries its load; one without a load where it touches.
+    /// Each wheel brought down by itself until it carries its load; one without a load hangs on the axle at the
+    /// other's height.
     fn each(&self, roll: f64, loads: [f64; 2]) -> Result<Vec<PressedWheel<'a>>, WheelsetError> {
-        let of = |(side, load): (Side, f64)| {
-            if load > 0.0 {
-                return self.lowered(&[side], roll, load);
-            }
-            let z = self.touch(&[side], roll)?;
-            self.at(&[side], z, roll, &self.guess.known)
-        };
-        let [left, right] = [(Side::Left, loads[0]), (Side::Right, loads[1])].map(of);
-        Ok([left?, right?].concat())
+        let [left, right] = [(Side::Left, loads[0]), (Side::Right, loads[1])];
+        let lowered = |(side, load): (Side, f64)| self.lowered(&[side], roll, load);
+        if left.1 > 0.0 && right.1 > 0.0 {
+            return Ok([lowered(left)?, lowered(right)?].concat());
+        }
+        let (hangs, carries) = if left.1 > 0.0 { (right, left) } else { (left, right) };
+        let loaded = lowered(carries)?;
+        let z = loaded.first().map_or(0.0, |wheel| wheel.position.z);
+        if z > self.touch(&[hangs.0], roll)? {
+            return Err(WheelsetError::Sinks { side: hangs.0 });
+        }
+        let lifted = self.at(&[hangs.0], z, roll, &self.guess.known)?;
+        let in_order = if hangs.0 == Side::Left { [lifted, loaded] } else { [loaded, lifted] };
+        Ok(in_order.concat())
     }
 
     fn at(
