@@ -17,7 +17,7 @@ pub(crate) fn read_any(path: &Path) -> Result<AnyCaseFile, Failure> {
     AnyCaseFile::read(&read_text(path)?).map_err(wrong)
 }
 
-/// Whether a file is that of a wheelset; one that cannot be read is none.
+/// Whether a file is that of a wheelset; false where it cannot be read.
 pub(crate) fn is_wheelset(path: &Path) -> bool {
     let text = fs::read_to_string(path).unwrap_or_default();
     WheelsetFile::is_one(&text)

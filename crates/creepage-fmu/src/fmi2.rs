@@ -647,7 +647,7 @@ pub unsafe extern "C" fn fmi2CancelStep(component: *mut Component) -> Status {
     unsafe { with(component, |component| component.wrong("no step is pending")) }
 }
 
-/// Derivatives over time, of which there are none.
+/// Functions for derivatives over time, which the FMU does not have.
 macro_rules! no_time_derivatives {
     ($($name:ident: $pointer:ty;)*) => {$(
         /// Inputs are not interpolated, and outputs have no derivatives by time.

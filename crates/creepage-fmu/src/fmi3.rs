@@ -442,10 +442,10 @@ none_of_clocks! {
     fmi3SetShiftFraction(_counters: *const u64, _resolutions: *const u64);
 }
 
-/// Numbers of what there is none of.
+/// Counts that are zero.
 macro_rules! numbers_of_nothing {
     ($($name:ident($($argument:ident: $kind:ty),*);)*) => {$(
-        /// There is none.
+        /// The count, which is zero.
         ///
         /// # Safety
         /// The instance is alive, and the place for the number.

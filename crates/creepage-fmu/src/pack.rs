@@ -26,6 +26,12 @@ pub enum PackError {
     /// Bytes that are not those of a map.
     #[error(transparent)]
     Map(#[from] MapError),
+    /// A library without the functions of the interface.
+    #[error("the library has no function {name}: it is not that of creepage-fmu")]
+    NotTheLibrary {
+        /// The function that was looked for.
+        name: &'static str,
+    },
     /// A system that has no name among those of the FMI.
     #[error("there is no name for the platform {system} on {machine} in the FMI")]
     Platform {
@@ -53,6 +59,13 @@ pub fn library_name() -> String {
 /// # Errors
 /// [`PackError`].
 pub fn pack(map: &[u8], library: &[u8], version: Version) -> Result<Vec<u8>, PackError> {
+    let name = match version {
+        Version::Two => "fmi2DoStep",
+        Version::Three => "fmi3DoStep",
+    };
+    if !library.windows(name.len()).any(|bytes| bytes == name.as_bytes()) {
+        return Err(PackError::NotTheLibrary { name });
+    }
     let instance = Instance::new(Arc::new(ContactMap::from_bytes(map.to_vec())?));
     let xml = description(version, &token(map), &instance.inputs);
     let binaries = folder(version)?;
@@ -84,4 +97,19 @@ fn folder(version: Version) -> Result<&'static str, PackError> {
         _ => return Err(PackError::Platform { system, machine }),
     };
     Ok(known)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn another_file_is_no_library() {
+        for (version, name) in [(Version::Two, "fmi2DoStep"), (Version::Three, "fmi3DoStep")] {
+            let refused = pack(b"", b"file,role,points", version);
+            assert!(matches!(refused, Err(PackError::NotTheLibrary { name: own }) if own == name));
+            // With the function it is the map that is looked at.
+            assert!(matches!(pack(b"", name.as_bytes(), version), Err(PackError::Map(_))));
+        }
+    }
 }
