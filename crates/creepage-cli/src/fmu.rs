@@ -54,7 +54,7 @@ pub(crate) fn run(args: &FmuArgs) -> Result<Outcome, Failure> {
     };
     let wrong = |source| Failure::Pack { path: args.map.clone(), source };
     let bytes = pack(&map, &binary, version).map_err(wrong)?;
-    Sources::new([&args.map, &library]).spare(&args.out)?;
+    Sources::new([&args.map, &library]).ensure_not_overwritten(&args.out)?;
     let failed = |source| Failure::Write { path: args.out.clone(), source };
     let mut file = WholeFile::create(&args.out).map_err(failed)?;
     file.write_all(&bytes).and_then(|()| file.finish()).map_err(failed)?;

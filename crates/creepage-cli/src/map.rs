@@ -72,14 +72,14 @@ pub(crate) fn run(args: &MapArgs) -> Result<Outcome, Failure> {
     };
     let plan = plan(args, &MapPlan::of(&case).map_err(wrong)?);
     let failed = |source| Failure::Write { path: args.out.clone(), source };
-    Sources::new([&args.wheelset]).spare(&args.out)?;
-    case.sources().spare(&args.out)?;
+    Sources::new([&args.wheelset]).ensure_not_overwritten(&args.out)?;
+    case.sources().ensure_not_overwritten(&args.out)?;
     let mut file = WholeFile::create(&args.out).map_err(failed)?;
     case.notes.iter().for_each(say_found);
     let poisson = case.solids.map_or(f64::NAN, |pair| pair.poisson());
     let table = Arc::new(match &args.ellipses {
         Some(path) => {
-            Sources::new([path]).spare(&args.out)?;
+            Sources::new([path]).ensure_not_overwritten(&args.out)?;
             read_table(path)?
         }
         None => ellipses(poisson)?,

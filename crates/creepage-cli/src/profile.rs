@@ -144,7 +144,7 @@ fn written(
 /// Whether a file is one of those that were read, over which [`write_all`] writes nothing.
 fn is_source(target: &Path, profiles: &[(&Path, &Found)]) -> bool {
     let files = profiles.iter().filter(|(_, found)| matches!(found, Found::File(_)));
-    Sources::new(files.map(|(path, _)| *path)).spare(target).is_err()
+    Sources::new(files.map(|(path, _)| *path)).ensure_not_overwritten(target).is_err()
 }
 
 /// The picture, and the profile in another format: names and contents of files.

@@ -32,7 +32,7 @@ pub(crate) fn run(args: &RollArgs) -> Result<Outcome, Failure> {
     let not_converged = match &args.out {
         None => to_stdout(&mut run).map_err(|error| error.placed(&args.history))?,
         Some(directory) => {
-            sources.spare(&directory.join(HistoryWriter::NAME))?;
+            sources.ensure_not_overwritten(&directory.join(HistoryWriter::NAME))?;
             let texts = [&texts[0][..], &texts[1][..]];
             let writer =
                 HistoryWriter::open(directory, texts, &mut run)?.map_err(wrong(directory))?;

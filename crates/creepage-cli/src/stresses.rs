@@ -58,8 +58,8 @@ fn prepare(args: &StressesArgs) -> Result<Stresses, Failure> {
         .solve(theories.first())
         .map_err(|source| Failure::Gap { path: args.case.clone(), source: Box::new(source) })?;
     let (solid, body) = match args.body {
-        BodyName::Lower => (lower, creepage::below::Body::Lower),
-        BodyName::Upper => (upper, creepage::below::Body::Upper),
+        BodyName::Lower => (lower, creepage::subsurface::Body::Lower),
+        BodyName::Upper => (upper, creepage::subsurface::Body::Upper),
     };
     Stresses::new(solved, solid, body)
         .map_err(|source| Failure::Stresses { path: args.case.clone(), source })

@@ -59,7 +59,7 @@ pub(crate) fn run(args: &ProfileArgs, out: &Path) -> Result<Outcome, Failure> {
     let files = files(&args.survey)?;
     let survey = Survey::new(args)?;
     let against = args.rail.iter().chain(&args.reference);
-    Sources::new(files.iter().chain(against)).spare(out)?;
+    Sources::new(files.iter().chain(against)).ensure_not_overwritten(out)?;
     let failed = |source| Failure::Write { path: out.into(), source };
     let whole = WholeFile::create(out).map_err(failed)?;
     let journal = Journal::open(out, &survey.key()).map_err(failed)?;

@@ -25,7 +25,7 @@ pub(crate) fn run(args: &SweepArgs) -> Result<Outcome, Failure> {
     let sweep = Sweep::read(&text).map_err(wrong)?;
     let theory = sweep.theory().map_err(wrong)?;
     let format = format(args)?;
-    Sources::new([path]).spare(&args.out)?;
+    Sources::new([path]).ensure_not_overwritten(&args.out)?;
     let journal = journal_path(&args.out);
     let failed = |source| Failure::Write { path: journal.clone(), source };
     let run = SweepRun::open(&sweep, &theory, &journal)

@@ -43,8 +43,8 @@ fn table(args: &WheelsetArgs, case: &WheelsetCase, file: &Path) -> Result<Outcom
     let failed = |source| Failure::Write { path: file.into(), source };
     let y = even("--y", args.y.as_deref(), case.stance.y)?;
     let yaw = even("--yaw", args.yaw.as_deref(), case.stance.yaw)?;
-    Sources::new([&args.case]).spare(file)?;
-    case.sources().spare(file)?;
+    Sources::new([&args.case]).ensure_not_overwritten(file)?;
+    case.sources().ensure_not_overwritten(file)?;
     let mut whole = WholeFile::create(file).map_err(failed)?;
     let style = bar_style("{wide_bar} {pos}/{len} positions  {per_sec}  {eta} left");
     let bar = ProgressBar::new((y.len() * yaw.len()) as u64).with_style(style);

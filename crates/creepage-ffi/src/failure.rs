@@ -127,10 +127,10 @@ impl Failure {
             Self::NoErrorBars(_)
             | Self::NoDerivative(_)
             | Self::Solve { source: SolveError::FindsNothing { .. }, .. } => CREEPAGE_UNSUPPORTED,
-            Self::Solve { source: SolveError::Unreachable(_), .. }
+            Self::Solve { source: SolveError::UnattainableForce(_), .. }
             | Self::HalfSpace(ResponseError::Unreachable { .. }) => CREEPAGE_NOT_REACHABLE,
             Self::History(source) if source.is_beyond_friction() => CREEPAGE_NOT_REACHABLE,
-            Self::Gap(source) if matches!(**source, GapCaseError::Unreachable(_)) => {
+            Self::Gap(source) if matches!(**source, GapCaseError::UnattainableForce(_)) => {
                 CREEPAGE_NOT_REACHABLE
             }
             Self::Room { .. } | Self::Coefficients { .. } => CREEPAGE_ROOM,

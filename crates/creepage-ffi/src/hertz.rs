@@ -2,7 +2,7 @@
 
 use std::ffi::c_char;
 
-use creepage::below::Body;
+use creepage::subsurface::Body;
 use creepage::{Hertz, HertzError, InvalidValue, Radii, Region, Solid, SolidPair};
 use creepage_study::{Caution, Stresses};
 

@@ -4,7 +4,7 @@ use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::PathBuf;
 use std::sync::atomic::Ordering;
 
-use creepage::below::Body;
+use creepage::subsurface::Body;
 use creepage::{Creepage, SiCreepage};
 use creepage_study::{
     AnyCaseFile, Case, CaseFile, Caution, Damage, Fit, FitOptions, Given, HertzReportJson,

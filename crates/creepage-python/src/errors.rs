@@ -11,7 +11,7 @@ use creepage::variational::VariationalError;
 use creepage::{Creepage, Force, InvalidValue};
 use creepage_study::{
     CaseError, FitError, GapCaseError, HistoryError, MotionError, ReportError, SolveError,
-    SpecError, StaticsError, Unreachable, WheelsetError, plain_words,
+    SpecError, StaticsError, UnattainableForce, WheelsetError, plain_words,
 };
 use pyo3::BoundObject;
 use pyo3::exceptions::{
@@ -137,7 +137,7 @@ pub(crate) fn solve(py: Python, error: SolveError) -> PyErr {
     let message = error.to_string();
     match error {
         SolveError::Theory(error) => theory(py, error),
-        SolveError::Unreachable(Unreachable { nearest, at, .. }) => {
+        SolveError::UnattainableForce(UnattainableForce { nearest, at, .. }) => {
             not_reachable(py, message, nearest, at)
         }
         SolveError::Inverse(error) => inverse(py, error),
@@ -237,7 +237,7 @@ pub(crate) fn gap(py: Python, error: GapCaseError) -> PyErr {
     let message = error.to_string();
     let section = match error {
         GapCaseError::Case(error) => return case(py, error),
-        GapCaseError::Unreachable(Unreachable { nearest, at, .. }) => {
+        GapCaseError::UnattainableForce(UnattainableForce { nearest, at, .. }) => {
             return not_reachable(py, message, nearest, at);
         }
         GapCaseError::Inverse(error) => return inverse(py, error),

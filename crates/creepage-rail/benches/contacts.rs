@@ -2,21 +2,21 @@
 
 #![allow(clippy::unwrap_used)]
 
-use creepage_rail::{Place, Position, Running, Side, Standard, Track, Wheelset};
+use creepage_rail::{Place, Position, Side, Standard, Track, Wheelset, WheelsetOnTrack};
 use divan::Bencher;
 
 fn main() {
     divan::main();
 }
 
-fn running() -> Running {
+fn running() -> WheelsetOnTrack {
     let rail = Standard::Uic60.profile();
     let track = Track::new(&rail, 0.025f64.atan(), Place::gauge(1.435, 0.014)).unwrap();
     Wheelset::like(&Standard::S1002.profile(), 0.46, 1.36).unwrap().on(track)
 }
 
 /// Yawed, on the tread and (7 mm) on the flange.
-fn pressed(running: &Running, y: f64) -> Position {
+fn pressed(running: &WheelsetOnTrack, y: f64) -> Position {
     let rest = running.resting(y, 0.003, None).unwrap();
     Position { z: rest.z + 40e-6, ..rest }
 }

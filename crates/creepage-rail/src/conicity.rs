@@ -1,7 +1,7 @@
 //! Equivalent conicity of EN 15302.
 
 use crate::search::threshold;
-use crate::{GeometryError, Running};
+use crate::{GeometryError, WheelsetOnTrack};
 
 /// Points of the integral over half a wave.
 const POINTS: usize = 2000;
@@ -58,7 +58,7 @@ pub enum ConicityError {
     },
 }
 
-impl Running {
+impl WheelsetOnTrack {
     /// The difference of rolling radii as far as contact exists, at most to `reach` (m) to either
     /// side.
     ///

@@ -52,7 +52,7 @@ pub use measures::WheelMeasures;
 pub use motion::{Motion, RailMotion};
 pub use profile::{Profile, ProfileError, Role};
 pub use rolling::{Revolving, RollingCreepage, SurfaceMotion};
-pub use running::{Running, Touch};
+pub use running::{Touch, WheelsetOnTrack};
 pub use side::Side;
 pub use standard::{RailHead, Standard};
 pub use track::{Deviation, Place, Rail, Track};

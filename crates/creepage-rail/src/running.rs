@@ -11,7 +11,7 @@ const TURN: f64 = 0.35;
 
 /// A wheelset on its track.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Running {
+pub struct WheelsetOnTrack {
     wheelset: Wheelset,
     track: Track,
 }
@@ -36,12 +36,12 @@ pub struct Touch {
 impl Wheelset {
     /// The wheelset on a track.
     #[must_use]
-    pub fn on(self, track: Track) -> Running {
-        Running { wheelset: self, track }
+    pub fn on(self, track: Track) -> WheelsetOnTrack {
+        WheelsetOnTrack { wheelset: self, track }
     }
 }
 
-impl Running {
+impl WheelsetOnTrack {
     /// The wheelset.
     #[must_use]
     pub fn wheelset(&self) -> &Wheelset {
@@ -189,7 +189,7 @@ impl Running {
     /// The contacts of one wheel.
     ///
     /// # Errors
-    /// As by [`Running::contacts`].
+    /// As by [`WheelsetOnTrack::contacts`].
     pub fn contacts_of(
         &self,
         side: Side,

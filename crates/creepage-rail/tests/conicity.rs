@@ -2,7 +2,7 @@
 
 #![allow(clippy::unwrap_used, clippy::panic, clippy::float_cmp)]
 
-use creepage_rail::{Place, RadiusDifference, Running, Standard, Track, Wheel, Wheelset};
+use creepage_rail::{Place, RadiusDifference, Standard, Track, Wheel, Wheelset, WheelsetOnTrack};
 
 /// Rows of a table: names of the right and the left wheel, then numbers.
 fn rows(table: &str) -> Vec<([String; 2], Vec<f64>)> {
@@ -17,7 +17,7 @@ fn rows(table: &str) -> Vec<([String; 2], Vec<f64>)> {
 }
 
 /// Two wheels of 460 mm (the right one larger by `added` mm) on rails A.
-fn running(names: &[String; 2], added: f64) -> Running {
+fn running(names: &[String; 2], added: f64) -> WheelsetOnTrack {
     let wheel = |name: &str, radius: f64| {
         Wheel::new(&Standard::named(name).unwrap().profile(), radius).unwrap()
     };

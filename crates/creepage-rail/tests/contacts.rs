@@ -5,14 +5,14 @@
 use creepage_rail::curve::{Arc, Line};
 use creepage_rail::{
     Contact, Curve, GeometryError, Motion, Place, Position, Profile, Revolving, Role,
-    RollingCreepage, Running, Side, Standard, SurfaceMotion, Track, Wheelset,
+    RollingCreepage, Side, Standard, SurfaceMotion, Track, Wheelset, WheelsetOnTrack,
 };
 use proptest::prelude::*;
 
 const MM: f64 = 1e-3;
 
 /// S1002 on UIC60 canted 1:40, gauge 1435.
-fn manchester() -> Running {
+fn manchester() -> WheelsetOnTrack {
     let rail = Standard::Uic60.profile();
     let track = Track::new(&rail, 0.025f64.atan(), Place::gauge(1.435, 0.014)).unwrap();
     Wheelset::like(&Standard::S1002.profile(), 0.46, 1.36).unwrap().on(track)
@@ -20,7 +20,7 @@ fn manchester() -> Running {
 
 /// A wheel of straight tread on a rail of one arc of 300 mm, both with their origins in the
 /// middle of the track.
-fn plain(slope: f64) -> Running {
+fn plain(slope: f64) -> WheelsetOnTrack {
     let wheel = Line::between([0.06, -0.06 * slope], [-0.06, 0.06 * slope]);
     let wheel = Profile::new(Role::Wheel, Curve::new([wheel]).unwrap()).unwrap();
     let half = 0.05f64;
@@ -32,7 +32,7 @@ fn plain(slope: f64) -> Running {
     Wheelset::new(wheel.clone(), wheel, 0.0).unwrap().on(track)
 }
 
-fn only(running: &Running, side: Side, position: Position) -> Contact<'_> {
+fn only(running: &WheelsetOnTrack, side: Side, position: Position) -> Contact<'_> {
     let contacts = running.contacts_of(side, &position).unwrap();
     assert_eq!(contacts.len(), 1, "{position:?}");
     contacts[0]

@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::panic)]
 
 use creepage_rail::file::{Action, Format, Reading, Wanted, read};
-use creepage_rail::{Place, Position, Profile, Running, Side, Standard, Track, Wheelset};
+use creepage_rail::{Place, Position, Profile, Side, Standard, Track, Wheelset, WheelsetOnTrack};
 
 const SAMPLES: [(&str, &[u8], Format); 9] = [
     ("s1002.prw", include_bytes!("../samples/s1002.prw"), Format::Simpack),
@@ -27,7 +27,7 @@ fn sample(name: &str, smoothing: Option<f64>) -> Reading {
     found
 }
 
-fn running(wheel: &Profile, rail: &Profile) -> Running {
+fn running(wheel: &Profile, rail: &Profile) -> WheelsetOnTrack {
     let track = Track::new(rail, 0.025f64.atan(), Place::gauge(1.435, 0.014)).unwrap();
     Wheelset::like(wheel, 0.46, 1.36).unwrap().on(track)
 }
@@ -81,7 +81,7 @@ fn worn_profiles_meet() {
     assert!(steepest > 0.5, "{steepest}");
     // Hollow wheels steer more than new ones on the same rail.
     let new = self::running(&Standard::S1002.profile(), &rail.profile);
-    let conicity = |running: &Running| {
+    let conicity = |running: &WheelsetOnTrack| {
         running.radius_differences(0.006, Some(0.0)).unwrap().conicity(0.003).unwrap()
     };
     let (worn, new) = (conicity(&running), conicity(&new));

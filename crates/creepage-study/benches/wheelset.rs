@@ -4,7 +4,7 @@
 
 use std::path::Path;
 
-use creepage_study::{Stance, WheelsetCase, WheelsetFile};
+use creepage_study::{WheelsetCase, WheelsetFile, WheelsetPose};
 use divan::Bencher;
 
 fn main() {
@@ -37,15 +37,16 @@ fn cases() -> impl Iterator<Item = (&'static str, f64)> {
 fn cold(bencher: Bencher, (theory, y): (&str, f64)) {
     let case = case(theory);
     let (solver, travel) = (case.solver().unwrap(), case.travel.unwrap());
-    bencher.bench_local(|| solver.solve(&Stance { y, ..case.stance }, &travel).unwrap());
+    bencher.bench_local(|| solver.solve(&WheelsetPose { y, ..case.stance }, &travel).unwrap());
 }
 
 #[divan::bench(args = cases(), sample_count = 10)]
 fn from_the_neighbour(bencher: Bencher, (theory, y): (&str, f64)) {
     let case = case(theory);
     let (solver, travel) = (case.solver().unwrap(), case.travel.unwrap());
-    let before = solver.solve(&Stance { y: y - STEP, ..case.stance }, &travel).unwrap();
-    bencher.bench_local(|| solver.next(&before, &Stance { y, ..case.stance }, &travel).unwrap());
+    let before = solver.solve(&WheelsetPose { y: y - STEP, ..case.stance }, &travel).unwrap();
+    bencher
+        .bench_local(|| solver.next(&before, &WheelsetPose { y, ..case.stance }, &travel).unwrap());
 }
 
 /// From a neighbour that was found from a neighbour of its own.
@@ -53,7 +54,7 @@ fn from_the_neighbour(bencher: Bencher, (theory, y): (&str, f64)) {
 fn along_a_walk(bencher: Bencher, (theory, y): (&str, f64)) {
     let case = case(theory);
     let (solver, travel) = (case.solver().unwrap(), case.travel.unwrap());
-    let at = |steps: f64| Stance { y: y - steps * STEP, ..case.stance };
+    let at = |steps: f64| WheelsetPose { y: y - steps * STEP, ..case.stance };
     let before = solver.solve(&at(2.0), &travel).unwrap();
     let before = solver.next(&before, &at(1.0), &travel).unwrap();
     bencher.bench_local(|| solver.next(&before, &at(0.0), &travel).unwrap());
@@ -64,15 +65,17 @@ fn along_a_walk(bencher: Bencher, (theory, y): (&str, f64)) {
 fn followed(bencher: Bencher, y: f64) {
     let case = case("exact");
     let (solver, travel) = (case.solver().unwrap(), case.travel.unwrap());
-    let before = solver.solve(&Stance { y: y - STEP, ..case.stance }, &travel).unwrap();
-    bencher.bench_local(|| solver.follow(&before, &Stance { y, ..case.stance }, &travel).unwrap());
+    let before = solver.solve(&WheelsetPose { y: y - STEP, ..case.stance }, &travel).unwrap();
+    bencher.bench_local(|| {
+        solver.follow(&before, &WheelsetPose { y, ..case.stance }, &travel).unwrap()
+    });
 }
 
 #[divan::bench(args = SHIFTS, sample_count = 10)]
 fn followed_along_a_walk(bencher: Bencher, y: f64) {
     let case = case("exact");
     let (solver, travel) = (case.solver().unwrap(), case.travel.unwrap());
-    let at = |steps: f64| Stance { y: y - steps * STEP, ..case.stance };
+    let at = |steps: f64| WheelsetPose { y: y - steps * STEP, ..case.stance };
     let before = solver.solve(&at(2.0), &travel).unwrap();
     let before = solver.follow(&before, &at(1.0), &travel).unwrap();
     bencher.bench_local(|| solver.follow(&before, &at(0.0), &travel).unwrap());
@@ -84,9 +87,9 @@ fn a_whole_walk(bencher: Bencher, how: &str) {
     let case = case("exact");
     let (solver, travel) = (case.solver().unwrap(), case.travel.unwrap());
     bencher.bench_local(|| {
-        let mut walked = solver.solve(&Stance { y: 0.0, ..case.stance }, &travel).unwrap();
+        let mut walked = solver.solve(&WheelsetPose { y: 0.0, ..case.stance }, &travel).unwrap();
         for step in 1..=800 {
-            let stance = Stance { y: STEP * f64::from(step), ..case.stance };
+            let stance = WheelsetPose { y: STEP * f64::from(step), ..case.stance };
             let next = match how {
                 "followed" => solver.follow(&walked, &stance, &travel),
                 _ => solver.next(&walked, &stance, &travel),

@@ -6,10 +6,10 @@ use std::path::{Path, PathBuf};
 
 use tempfile::{Builder, TempPath};
 
-use crate::abandoned;
+use crate::atomic_file::{WholeFile, directory_of, sync_directory_of};
 use crate::error::ReportError;
 use crate::sources::Sources;
-use crate::whole_file::{WholeFile, directory_of, sync_directory_of};
+use crate::stale_temp;
 
 /// Writes files, by name and contents, into `directory`, which is made when missing: all of them
 /// or none. Files of those names are replaced, but none of `sources`. Gives the paths written.
@@ -23,7 +23,7 @@ pub fn write_all(
     sources: &Sources,
 ) -> Result<Vec<PathBuf>, ReportError> {
     for (name, _) in files {
-        sources.spare(&directory.join(name))?;
+        sources.ensure_not_overwritten(&directory.join(name))?;
     }
     let mut made = Made::default();
     made.directory(directory).map_err(failure(directory))?;
@@ -113,11 +113,11 @@ impl Earlier {
         let name = target.file_name().unwrap_or_default().to_string_lossy();
         let link = Builder::new()
             .prefix(&format!(".{name}."))
-            .suffix(abandoned::EARLIER)
+            .suffix(stale_temp::EARLIER)
             .make_in(directory_of(target), |link| fs::hard_link(target, link))?
             .into_temp_path();
         let file = File::open(&link)?;
-        abandoned::hold(&file);
+        stale_temp::hold(&file);
         Ok(Self::File { link, _held: file })
     }
 }

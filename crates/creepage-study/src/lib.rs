@@ -43,10 +43,10 @@
 //! # Ok::<(), creepage_study::CaseError>(())
 //! ```
 
-mod abandoned;
 mod accuracy;
 mod adhesion;
 mod any_case;
+mod atomic_file;
 mod bulk;
 mod case;
 mod caution;
@@ -70,6 +70,7 @@ mod points;
 mod series;
 mod solve;
 mod sources;
+mod stale_temp;
 mod statics;
 mod stress_picture;
 mod stress_points;
@@ -78,16 +79,16 @@ mod stresses;
 #[cfg(test)]
 mod testing;
 mod text;
-mod unreachable;
+mod unattainable;
 mod vtk;
 mod wheelset;
-mod whole_file;
 mod write;
 
 pub use accuracy::{
     Accuracy, ReferenceCase, ReferenceError, Spread, SquareGrid, grid, measure, steady_rolling,
 };
 pub use any_case::{AnyCase, AnyCaseFile};
+pub use atomic_file::WholeFile;
 pub use bulk::{BulkAnswer, BulkCase, BulkRow, Question, Reply, RowError, Solver, Varied};
 pub use case::{
     Case, CaseError, CaseFile, Given, SecondStart, SpecError, StaticsCase, StaticsError,
@@ -127,14 +128,13 @@ pub use statics::StaticsReport;
 pub use stress_points::{PointsError, read_points};
 pub use stresses::{StressError, StressFileError, StressPoint, Stresses, stress_csv};
 pub use text::hertz_text;
-pub use unreachable::Unreachable;
+pub use unattainable::UnattainableForce;
 pub use wheelset::{
-    ANSWERS, ASKED, By, ConicityTable, DerivativesJson, Drive, ForceDerivative,
-    ForceDerivativeJson, FrictionOfPlace, Load, MapBuildError, MapPlan, MapProgress, MapResolution,
-    MapStage, Patches, PitchRate, PlaceOnRail, ProfileNote, RailForceJson, RailFriction,
-    RailSprings, Resultant, RigidSlip, SolvedContact, SolvedWheel, SolvedWheelset, Stance, Travel,
-    WheelJson, WheelPatchJson, WheelsetCase, WheelsetDerivatives, WheelsetError, WheelsetFile,
-    WheelsetReportJson, WheelsetSolver, WheelsetTable, build_map, conicity, profile_pictures,
-    radius_difference_csv, wheelset_json_schema,
+    ANSWERS, ASKED, ConicityTable, DerivativesJson, Drive, ForceDerivative, ForceDerivativeJson,
+    FrictionOfPlace, Load, MapBuildError, MapPlan, MapProgress, MapResolution, MapStage, Patches,
+    PitchRate, PlaceOnRail, ProfileNote, RailForceJson, RailFriction, RailSprings, Resultant,
+    RigidSlip, SolvedContact, SolvedWheel, SolvedWheelset, StateVariable, WheelJson,
+    WheelPatchJson, WheelsetCase, WheelsetDerivatives, WheelsetError, WheelsetFile, WheelsetPose,
+    WheelsetReportJson, WheelsetSolver, WheelsetTable, WheelsetVelocity, build_map, conicity,
+    profile_pictures, radius_difference_csv, wheelset_json_schema,
 };
-pub use whole_file::WholeFile;

@@ -14,7 +14,7 @@ use creepage_plot::Contour;
 use self_cell::self_cell;
 
 use crate::stresses::StressError;
-use crate::{AnyCase, Case, Caution, Damage, Given, Unreachable, adhesion};
+use crate::{AnyCase, Case, Caution, Damage, Given, UnattainableForce, adhesion};
 
 /// Solves a case by its own theory, or by another one.
 ///
@@ -43,7 +43,7 @@ use crate::{AnyCase, Case, Caution, Damage, Given, Unreachable, adhesion};
 pub fn solve(case: &Case, other: Option<&TheorySpec>) -> Result<SolvedCase, SolveError> {
     let spec = other.unwrap_or(&case.theory);
     let theory = spec.prepare(&case.contact)?;
-    let held = Held::try_new(theory, |theory| meet(&**theory, case, spec.facts().name))?;
+    let held = SolvedTheory::try_new(theory, |theory| meet(&**theory, case, spec.facts().name))?;
     let of = AnyCase::Ellipse(case.clone());
     Ok(SolvedCase::new(of, &case.contact, spec.facts(), held, |solution, creepage| {
         let mut cautions = Caution::all(spec, &case.contact, solution);
@@ -91,7 +91,7 @@ pub(crate) fn in_si_units(
 ) -> SolveError {
     match error {
         InverseError::NotReachable { nearest, at } => {
-            Unreachable { prescribed, nearest, at, scaling }.into()
+            UnattainableForce { prescribed, nearest, at, scaling }.into()
         }
         other => other.into(),
     }
@@ -112,7 +112,7 @@ pub enum SolveError {
     },
     /// No creepage meets the constraints.
     #[error(transparent)]
-    Unreachable(#[from] Unreachable),
+    UnattainableForce(#[from] UnattainableForce),
     /// The constraints make no sense.
     #[error(transparent)]
     Inverse(#[from] InverseError),
@@ -123,7 +123,7 @@ type BoxedSolved<'t> = Box<dyn Solved + 't>;
 
 self_cell! {
     /// A theory, and the contact that it solved.
-    pub(crate) struct Held {
+    pub(crate) struct SolvedTheory {
         owner: BoxedTheory,
         #[covariant]
         dependent: BoxedSolved,
@@ -143,7 +143,7 @@ pub struct SolvedCase {
     pub cautions: Vec<Caution>,
     solution: Solution,
     creepage: Creepage,
-    held: Held,
+    held: SolvedTheory,
     adhesion: OnceLock<Contour>,
     elements: OnceLock<Vec<ElementField>>,
     pub(crate) damage: OnceLock<Result<Option<Damage>, StressError>>,
@@ -154,7 +154,7 @@ impl SolvedCase {
         case: AnyCase,
         contact: &Contact,
         theory: &'static TheoryFacts,
-        held: Held,
+        held: SolvedTheory,
         cautions: impl Fn(&Solution, Creepage) -> Vec<Caution>,
     ) -> Self {
         let solved = held.borrow_dependent();

@@ -42,7 +42,7 @@ impl Sources {
     ///
     /// # Errors
     /// [`ReportError::OverSource`].
-    pub fn spare(&self, target: &Path) -> Result<(), ReportError> {
+    pub fn ensure_not_overwritten(&self, target: &Path) -> Result<(), ReportError> {
         let real = |path: &Path| fs::canonicalize(path).ok();
         let is_target =
             |target: PathBuf| self.0.iter().any(|source| real(source) == Some(target.clone()));

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use creepage::InvalidValue;
 use creepage::Solid;
-use creepage::below::{Body, Interior, InteriorError, Largest, RollingError, Stress, largest};
+use creepage::subsurface::{Body, Interior, InteriorError, Largest, RollingError, Stress, largest};
 use creepage_plot::format::{quantity, significant};
 use rayon::prelude::*;
 use serde_json::{Value, json};

@@ -7,7 +7,7 @@ use creepage::{
 };
 use creepage_plot::Boxes;
 
-use crate::solve::Held;
+use crate::solve::SolvedTheory;
 use crate::{AnyCase, Case, Caution, Given, SolvedCase};
 
 /// Creepage along, across, and a spin whose pole lies inside every contact of [`case`].
@@ -74,7 +74,7 @@ const FACTS: TheoryFacts = TheoryFacts {
 pub(crate) fn solved(case: &Case, trial: Trial) -> SolvedCase {
     let theory: Box<dyn Theory> = Box::new(Tried { contact: case.contact.clone(), trial });
     let given = case.creepage().unwrap_or(creepage(CURVE));
-    let held = Held::new(theory, |theory| theory.solved(given));
+    let held = SolvedTheory::new(theory, |theory| theory.solved(given));
     SolvedCase::new(AnyCase::Ellipse(case.clone()), &case.contact, &FACTS, held, |_, _| {
         let neglecting = TheorySpec::named("polach").unwrap();
         Caution::dissimilar(&neglecting, case.contact.kappa_over_mu()).into_iter().collect()

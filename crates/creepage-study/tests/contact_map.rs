@@ -19,7 +19,7 @@ use creepage::theory::TheorySpec;
 use creepage_map::{ContactMap, Pressed, Side, State, WheelAnswer};
 use creepage_study::{
     Load, MapBuildError, MapPlan, MapResolution, MapStage, PitchRate, RailFriction, SolvedWheel,
-    Stance, Travel, WheelsetCase, WheelsetFile, build_map, theory_spec,
+    WheelsetCase, WheelsetFile, WheelsetPose, WheelsetVelocity, build_map, theory_spec,
 };
 
 const WHEELSET: &str = r#"
@@ -95,19 +95,19 @@ fn solved(case: &WheelsetCase, state: &State, theory: &str) -> Option<SolvedWhee
     let friction = [RailFriction::Constant(state.friction), RailFriction::Constant(state.friction)];
     let case = WheelsetCase { theory, friction: Some(friction), ..case.clone() };
     let Pressed::Height(z) = state.pressed else { return None };
-    let stance = Stance {
+    let stance = WheelsetPose {
         side: Some(creepage_rail::Side::Right),
         y: state.y,
         yaw: state.yaw,
         roll: state.roll,
         load: Some(Load::Height(z)),
     };
-    let travel = Travel {
+    let travel = WheelsetVelocity {
         speed: state.speed,
         pitch: PitchRate::Rigid(state.pitch_rate),
         lateral_velocity: state.lateral_velocity,
         yaw_rate: state.yaw_rate,
-        ..Travel::default()
+        ..WheelsetVelocity::default()
     };
     case.solver().unwrap().solve(&stance, &travel).ok()?.right
 }

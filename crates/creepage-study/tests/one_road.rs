@@ -5,7 +5,7 @@
 use std::path::Path;
 
 use creepage::TheorySpec;
-use creepage::below::Body;
+use creepage::subsurface::Body;
 use creepage_study::{AnyCaseFile, SolvedCase, Stresses};
 use proptest::prelude::*;
 use proptest::test_runner::TestRunner;

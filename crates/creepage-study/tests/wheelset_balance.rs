@@ -4,7 +4,7 @@
 use std::path::Path;
 
 use creepage_study::{
-    SolvedContact, SolvedWheel, SolvedWheelset, Stance, WheelsetCase, WheelsetFile,
+    SolvedContact, SolvedWheel, SolvedWheelset, WheelsetCase, WheelsetFile, WheelsetPose,
 };
 
 /// S1002 on UIC 60 with 200 kN; roll and pitch rate are free.
@@ -45,7 +45,7 @@ fn friction_has_no_moment_about_the_axle() {
         let (solver, travel) = (case.solver().unwrap(), case.travel.unwrap());
         let radius = case.running.wheelset().radius();
         for y in [0.001, 0.0055, 0.0065] {
-            let at = |y: f64| Stance { y, ..case.stance };
+            let at = |y: f64| WheelsetPose { y, ..case.stance };
             let alone = solver.solve(&at(y), &travel).unwrap();
             let next = solver.next(&alone, &at(y + 1e-5), &travel).unwrap();
             for solved in [alone, next] {
@@ -74,7 +74,7 @@ fn a_walk_finds_what_is_found_from_nothing() {
     let case = case("theory = \"fastsim\"");
     let (solver, travel) = (case.solver().unwrap(), case.travel.unwrap());
     for from in [0.002, 0.00446, 0.0053, 0.0064, 0.007] {
-        let at = |step: f64| Stance { y: from + 1e-6 * step, ..case.stance };
+        let at = |step: f64| WheelsetPose { y: from + 1e-6 * step, ..case.stance };
         let mut walked = solver.solve(&at(STEPS[0]), &travel).unwrap();
         for step in &STEPS[1..] {
             walked = solver.next(&walked, &at(*step), &travel).unwrap();
@@ -100,7 +100,7 @@ fn a_walk_finds_what_is_found_from_nothing() {
 #[test]
 fn a_flange_that_climbs_is_settled() {
     let case = case("theory = \"exact\"");
-    let stance = Stance { y: -0.006_392, yaw: 0.005, ..case.stance };
+    let stance = WheelsetPose { y: -0.006_392, yaw: 0.005, ..case.stance };
     let solved = case.solver().unwrap().solve(&stance, &case.travel.unwrap()).unwrap();
     for wheel in solved.wheels() {
         carries_100_kn(wheel);
@@ -114,7 +114,7 @@ fn error_bars_of_loads_know_of_friction() {
     let solved = |resolution: &str, y: f64| {
         let solve = format!("resolution = \"{resolution}\"");
         let case = example("curve-with-flange-contact.toml", &solve);
-        let stance = Stance { y, yaw: -0.002, ..case.stance };
+        let stance = WheelsetPose { y, yaw: -0.002, ..case.stance };
         case.solver().unwrap().solve(&stance, &case.travel.unwrap()).unwrap()
     };
     let mut over_pressing = 0.0f64;

@@ -6,8 +6,8 @@ use std::path::Path;
 
 use creepage_rail::Side;
 use creepage_study::{
-    By, Load, PitchRate, SolvedWheelset, Stance, Travel, WheelsetCase, WheelsetDerivatives,
-    WheelsetFile,
+    Load, PitchRate, SolvedWheelset, StateVariable, WheelsetCase, WheelsetDerivatives,
+    WheelsetFile, WheelsetPose, WheelsetVelocity,
 };
 
 /// S1002 on UIC 60 with 200 kN, by FASTSIM on exact pressures: quick, and its motion derivative exact.
@@ -36,31 +36,36 @@ fn forces(solved: &SolvedWheelset) -> [[f64; 6]; 2] {
     })
 }
 
-fn moved(case: &WheelsetCase, by: By, step: f64) -> (Stance, Travel) {
+fn moved(case: &WheelsetCase, by: StateVariable, step: f64) -> (WheelsetPose, WheelsetVelocity) {
     let (mut stance, mut travel) = (case.stance, case.travel.unwrap());
     match by {
-        By::Y => stance.y += step,
-        By::Z => {
+        StateVariable::Y => stance.y += step,
+        StateVariable::Z => {
             if let Some(Load::Height(z)) = &mut stance.load {
                 *z += step;
             }
         }
-        By::Roll => stance.roll = stance.roll.map(|roll| roll + step),
-        By::Yaw => stance.yaw += step,
-        By::Speed => travel.speed += step,
-        By::PitchRate => {
+        StateVariable::Roll => stance.roll = stance.roll.map(|roll| roll + step),
+        StateVariable::Yaw => stance.yaw += step,
+        StateVariable::Speed => travel.speed += step,
+        StateVariable::PitchRate => {
             if let PitchRate::Rigid(Some(rate)) = &mut travel.pitch {
                 *rate += step;
             }
         }
-        By::LateralVelocity => travel.lateral_velocity += step,
-        By::YawRate => travel.yaw_rate += step,
+        StateVariable::LateralVelocity => travel.lateral_velocity += step,
+        StateVariable::YawRate => travel.yaw_rate += step,
     }
     (stance, travel)
 }
 
 /// Differences of wheelsets solved in full, load, roll and pitch rate anew: what total derivatives are.
-fn differences(case: &WheelsetCase, solved: &SolvedWheelset, by: By, step: f64) -> [[f64; 6]; 2] {
+fn differences(
+    case: &WheelsetCase,
+    solved: &SolvedWheelset,
+    by: StateVariable,
+    step: f64,
+) -> [[f64; 6]; 2] {
     let solver = case.solver().unwrap();
     let [ahead, behind] = [step, -step].map(|step| {
         let (stance, travel) = moved(case, by, step);
@@ -81,8 +86,8 @@ fn apart(one: &[[f64; 6]; 2], other: &[[f64; 6]; 2], parts: std::ops::Range<usiz
     found
 }
 
-fn by(derivatives: &WheelsetDerivatives, by: By) -> [[f64; 6]; 2] {
-    let k = By::ALL.iter().position(|other| *other == by).unwrap();
+fn by(derivatives: &WheelsetDerivatives, by: StateVariable) -> [[f64; 6]; 2] {
+    let k = StateVariable::ALL.iter().position(|other| *other == by).unwrap();
     derivatives.values().map(|rows| rows.map(|row| row[k]))
 }
 
@@ -95,9 +100,12 @@ fn under_a_load_they_are_those_of_the_solved_wheelset() {
         let (solved, found) = derivatives(&case);
         // The loads are met to 1e-5: over these steps a hundredth of the largest change. As much may
         // come from a kink of curvature within the longer of the steps.
-        for (coordinate, step) in
-            [(By::Y, 5e-6), (By::Yaw, 3e-5), (By::LateralVelocity, 1e-3), (By::YawRate, 3e-3)]
-        {
+        for (coordinate, step) in [
+            (StateVariable::Y, 5e-6),
+            (StateVariable::Yaw, 3e-5),
+            (StateVariable::LateralVelocity, 1e-3),
+            (StateVariable::YawRate, 3e-3),
+        ] {
             let expected = differences(&case, &solved, coordinate, step);
             // Along and across, and their moments; the vertical force is the load, kept.
             for parts in [0..2, 3..6] {
@@ -114,26 +122,26 @@ fn what_is_given_decides() {
     let mut free = case(FASTSIM);
     free.stance.y = 1e-3;
     let (solved, found) = derivatives(&free);
-    for by in [By::Z, By::Roll, By::PitchRate] {
+    for by in [StateVariable::Z, StateVariable::Roll, StateVariable::PitchRate] {
         assert!(found.of(Side::Left, by).is_none(), "{by:?}");
     }
     let position = solved.position();
     let mut held = free.clone();
     held.stance.load = Some(Load::Height(position.z));
     held.stance.roll = Some(position.roll);
-    held.travel = Some(Travel {
+    held.travel = Some(WheelsetVelocity {
         pitch: PitchRate::Rigid(Some(solved.motion.pitch_rate)),
         ..held.travel.unwrap()
     });
     let (solved, found) = derivatives(&held);
     // Pressures scatter by some 1e-5, and a stiffness of moments is a small difference of large ones.
     for (coordinate, step) in [
-        (By::Y, 2e-6),
-        (By::Z, 2e-6),
-        (By::Roll, 2e-6),
-        (By::Yaw, 2e-5),
-        (By::Speed, 3e-3),
-        (By::PitchRate, 6e-3),
+        (StateVariable::Y, 2e-6),
+        (StateVariable::Z, 2e-6),
+        (StateVariable::Roll, 2e-6),
+        (StateVariable::Yaw, 2e-5),
+        (StateVariable::Speed, 3e-3),
+        (StateVariable::PitchRate, 6e-3),
     ] {
         let expected = differences(&held, &solved, coordinate, step);
         for parts in [0..3, 3..6] {
@@ -144,7 +152,7 @@ fn what_is_given_decides() {
     // A contact is stiffer the deeper it is: the load rises by 3/2 F / depth, as of Hertz, or more
     // slowly where it widens.
     for wheel in solved.wheels() {
-        let by_z = found.of(wheel.side, By::Z).unwrap().force[2];
+        let by_z = found.of(wheel.side, StateVariable::Z).unwrap().force[2];
         let hertz = 1.5 * wheel.on_rail().force[2] / wheel.contacts()[0].normal.approach().value;
         assert!((0.8..1.3).contains(&(by_z / hertz)), "{by_z} {hertz}");
     }
@@ -159,7 +167,12 @@ fn in_the_middle_the_sides_are_mirrored() {
     let (_, found) = derivatives(&case);
     // A vector's y and a moment's x and z change sign, and so do y, yaw and their rates.
     let signs = [1.0, -1.0, 1.0, -1.0, 1.0, -1.0];
-    for coordinate in [By::Y, By::Yaw, By::LateralVelocity, By::YawRate] {
+    for coordinate in [
+        StateVariable::Y,
+        StateVariable::Yaw,
+        StateVariable::LateralVelocity,
+        StateVariable::YawRate,
+    ] {
         let [left, right] = by(&found, coordinate);
         let mirrored = std::array::from_fn(|i| -signs[i] * right[i]);
         for parts in [0..3, 3..6] {
@@ -176,11 +189,14 @@ fn what_is_kept_has_none() {
     for theory in [FASTSIM, "resolution = \"fast\""] {
         let mut case = case(theory);
         case.stance.y = 3e-3;
-        case.travel =
-            Some(Travel { lateral_velocity: 0.02, yaw_rate: 0.01, ..case.travel.unwrap() });
+        case.travel = Some(WheelsetVelocity {
+            lateral_velocity: 0.02,
+            yaw_rate: 0.01,
+            ..case.travel.unwrap()
+        });
         let (_, found) = derivatives(&case);
-        let Travel { speed, lateral_velocity, yaw_rate, .. } = case.travel.unwrap();
-        for coordinate in By::ALL {
+        let WheelsetVelocity { speed, lateral_velocity, yaw_rate, .. } = case.travel.unwrap();
+        for coordinate in StateVariable::ALL {
             for side in SIDES {
                 let Some(derivative) = found.of(side, coordinate) else { continue };
                 // Rounding of stiffnesses of 1e9 N/m.
@@ -189,8 +205,9 @@ fn what_is_kept_has_none() {
         }
         for wheel in 0..2 {
             for i in 0..6 {
-                let [faster, sideways, turning] = [By::Speed, By::LateralVelocity, By::YawRate]
-                    .map(|coordinate| by(&found, coordinate)[wheel][i]);
+                let [faster, sideways, turning] =
+                    [StateVariable::Speed, StateVariable::LateralVelocity, StateVariable::YawRate]
+                        .map(|coordinate| by(&found, coordinate)[wheel][i]);
                 let parts = [speed * faster, lateral_velocity * sideways, yaw_rate * turning];
                 let largest = parts.iter().fold(0.0_f64, |most, part| most.max(part.abs()));
                 // To the differences of the creepage.
@@ -209,7 +226,8 @@ fn yaw_steers_as_sideways_motion_does() {
     case.stance.y = 0.0;
     let (_, found) = derivatives(&case);
     let speed = case.travel.unwrap().speed;
-    let (yaw, sideways) = (by(&found, By::Yaw), by(&found, By::LateralVelocity));
+    let (yaw, sideways) =
+        (by(&found, StateVariable::Yaw), by(&found, StateVariable::LateralVelocity));
     for wheel in 0..2 {
         // Yaw moves the contact lengthwise and tilts the load: parts in a thousand of the creep force.
         let ratio = -yaw[wheel][1] / (speed * sideways[wheel][1]);
@@ -225,7 +243,7 @@ fn curved_slip_is_near_the_flat_one_on_the_tread() {
     let mut curved = flat.clone();
     curved.slip = creepage_study::RigidSlip::Curved;
     let [(_, flat), (_, curved)] = [derivatives(&flat), derivatives(&curved)];
-    for coordinate in [By::LateralVelocity, By::YawRate] {
+    for coordinate in [StateVariable::LateralVelocity, StateVariable::YawRate] {
         let [off, most] = apart(&by(&curved, coordinate), &by(&flat, coordinate), 0..3);
         // Spin that varies by a tenth across the contact.
         assert!(off < 0.05 * most, "{coordinate:?} {off} of {most}");

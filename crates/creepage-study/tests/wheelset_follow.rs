@@ -9,7 +9,8 @@
 use std::path::Path;
 
 use creepage_study::{
-    Load, SolvedContact, SolvedWheel, SolvedWheelset, Stance, Travel, WheelsetCase, WheelsetFile,
+    Load, SolvedContact, SolvedWheel, SolvedWheelset, WheelsetCase, WheelsetFile, WheelsetPose,
+    WheelsetVelocity,
 };
 use proptest::prelude::*;
 
@@ -52,10 +53,10 @@ proptest! {
     ) {
         let case = example(if worn { "worn-wheels.toml" } else { "s1002-on-uic60.toml" }, "");
         let (solver, travel) = (case.solver().unwrap(), case.travel.unwrap());
-        let mut stance = Stance { y, yaw, ..case.stance };
+        let mut stance = WheelsetPose { y, yaw, ..case.stance };
         let mut walked = solver.solve(&stance, &travel).unwrap();
         for (shift, turn) in steps {
-            stance = Stance { y: stance.y + shift, yaw: stance.yaw + turn, ..stance };
+            stance = WheelsetPose { y: stance.y + shift, yaw: stance.yaw + turn, ..stance };
             let all = solver.next(&walked, &stance, &travel).unwrap();
             walked = solver.follow(&walked, &stance, &travel).unwrap();
             let apart = apart(&walked, &all);
@@ -93,7 +94,7 @@ fn off_along((name, [from, to], step, yaw): Walk, parts: usize) -> Vec<f64> {
     let count = (1e3 * (to - from).abs() / step) as usize;
     let at = |k: usize| {
         let y = 1e-3 * from + 1e-6 * (to - from).signum() * step * k as f64;
-        Stance { y, yaw: 1e-3 * yaw, ..case.stance }
+        WheelsetPose { y, yaw: 1e-3 * yaw, ..case.stance }
     };
     let mut off = Vec::new();
     for part in 0..parts {
@@ -141,7 +142,7 @@ fn most_of_a_walk_is_followed() {
     const STEPS: u32 = 60;
     let case = example("s1002-on-uic60.toml", "");
     let (solver, travel) = (case.solver().unwrap(), case.travel.unwrap());
-    let at = |step: u32| Stance { y: 3e-6 * f64::from(step), ..case.stance };
+    let at = |step: u32| WheelsetPose { y: 3e-6 * f64::from(step), ..case.stance };
     let mut walked = solver.solve(&at(0), &travel).unwrap();
     let all = elements(&walked);
     let mut followed = 0;
@@ -160,7 +161,7 @@ fn other_motion_at_one_place_is_followed() {
     let mut walked = solver.solve(&case.stance, &travel).unwrap();
     let all = elements(&walked);
     for step in 1..10 {
-        let travel = Travel { lateral_velocity: 5e-4 * f64::from(step), ..travel };
+        let travel = WheelsetVelocity { lateral_velocity: 5e-4 * f64::from(step), ..travel };
         let expected = solver.next(&walked, &case.stance, &travel).unwrap();
         walked = solver.follow(&walked, &case.stance, &travel).unwrap();
         let apart = apart(&walked, &expected);
@@ -176,12 +177,12 @@ fn a_given_height_is_followed() {
     let travel = case.travel.unwrap();
     let loaded = case.solve().unwrap().position();
     case.stance =
-        Stance { roll: Some(loaded.roll), load: Some(Load::Height(loaded.z)), ..case.stance };
+        WheelsetPose { roll: Some(loaded.roll), load: Some(Load::Height(loaded.z)), ..case.stance };
     let solver = case.solver().unwrap();
     let mut walked = solver.solve(&case.stance, &travel).unwrap();
     let all = elements(&walked);
     for step in 1..4 {
-        let stance = Stance { y: case.stance.y + 5e-6 * f64::from(step), ..case.stance };
+        let stance = WheelsetPose { y: case.stance.y + 5e-6 * f64::from(step), ..case.stance };
         let expected = solver.next(&walked, &stance, &travel).unwrap();
         walked = solver.follow(&walked, &stance, &travel).unwrap();
         let apart = apart(&walked, &expected);
@@ -200,7 +201,7 @@ fn what_is_not_followed_is_solved_as_next() {
     {
         let (solver, travel) = (case.solver().unwrap(), case.travel.unwrap());
         let before = from.solver().unwrap().solve(&case.stance, &travel).unwrap();
-        let stance = Stance { y: case.stance.y + step, ..case.stance };
+        let stance = WheelsetPose { y: case.stance.y + step, ..case.stance };
         let forces = |solved: SolvedWheelset| {
             solved.wheels().map(|wheel| wheel.on_rail().force).collect::<Vec<_>>()
         };

@@ -5,8 +5,8 @@
 use std::path::Path;
 
 use creepage_study::{
-    Load, PitchRate, SolvedWheel, SolvedWheelset, Stance, Travel, WheelsetCase, WheelsetError,
-    WheelsetFile,
+    Load, PitchRate, SolvedWheel, SolvedWheelset, WheelsetCase, WheelsetError, WheelsetFile,
+    WheelsetPose, WheelsetVelocity,
 };
 
 /// The Manchester benchmark's profiles and track.
@@ -107,7 +107,7 @@ fn backwards_is_the_mirror_image() {
     let ahead = solved(&[("WHEELSET", &alone), ("MOTION", RATE)]);
     near(force(ahead.right.as_ref()), [-1387.3, 3544.3, 10e3], REFERENCE);
     let mut case = read(&[("WHEELSET", ALONE), ("MOTION", "pitch_rate = -4.3481181")]).unwrap();
-    let travel = Travel { speed: -2.0, ..case.travel.unwrap() };
+    let travel = WheelsetVelocity { speed: -2.0, ..case.travel.unwrap() };
     case.travel = Some(travel);
     let back = case.solve().unwrap();
     let ([x, y, z], [bx, by, bz]) = (force(ahead.right.as_ref()), force(back.right.as_ref()));
@@ -121,12 +121,15 @@ fn backwards_is_the_mirror_image() {
     let parts = [("WHEELSET", "y = 0.003, yaw = 0.002, roll = 'free', axle_load = 170e3")];
     let case = read(&parts).unwrap();
     let (solver, travel) = (case.solver().unwrap(), case.travel.unwrap());
-    let (backward, turned) =
-        (Travel { speed: -2.0, ..travel }, |y: f64| Stance { y, yaw: -0.002, ..case.stance });
+    let (backward, turned) = (WheelsetVelocity { speed: -2.0, ..travel }, |y: f64| WheelsetPose {
+        y,
+        yaw: -0.002,
+        ..case.stance
+    });
     let first = solver.solve(&turned(0.003), &backward).unwrap();
     let walked = solver.next(&first, &turned(0.003_02), &backward).unwrap();
     let ahead = solver.solve(&case.stance, &travel).unwrap();
-    let next = solver.next(&ahead, &Stance { y: 0.003_02, ..case.stance }, &travel).unwrap();
+    let next = solver.next(&ahead, &WheelsetPose { y: 0.003_02, ..case.stance }, &travel).unwrap();
     for (one, other) in [(&first, &ahead), (&walked, &next)] {
         for ([x, y, z], back) in forces(other).into_iter().zip(forces(one)) {
             assert_eq!([-x, y, z].map(f64::to_bits), back.map(f64::to_bits));
@@ -149,10 +152,10 @@ fn locked_and_spinning_wheels_slide() {
     assert!((contact.creepage.longitudinal - 2.0).abs() < 1e-9);
     near(force(locked.right.as_ref()), [3009.6, 800.7, 10e3], 0.004 * 3000.0);
     let mut case = read(&[("WHEELSET", ALONE), ("MOTION", RATE)]).unwrap();
-    case.travel = Some(Travel { speed: 0.0, ..case.travel.unwrap() });
+    case.travel = Some(WheelsetVelocity { speed: 0.0, ..case.travel.unwrap() });
     let spins = case.solve().unwrap();
     near(force(spins.right.as_ref()), [-3009.4, 791.6, 10e3], 0.004 * 3000.0);
-    case.travel = Some(Travel { pitch: PitchRate::Rigid(None), ..case.travel.unwrap() });
+    case.travel = Some(WheelsetVelocity { pitch: PitchRate::Rigid(None), ..case.travel.unwrap() });
     assert!(case.travel.unwrap().checked().unwrap_err().to_string().contains("at rest"));
 }
 
@@ -215,7 +218,7 @@ fn a_moment_shares_the_load() {
         assert!((wrench[0][2] + 20e3).abs() < 4.0, "{wrench:?}");
         // Loads are shared to 1e-4 at levers of .75 m.
         assert!((wrench[1][0] + moment).abs() < 2e-4 * 20e3 * 0.75, "{moment} {wrench:?}");
-        let near_by = Stance { y: 0.003_01, ..case.stance };
+        let near_by = WheelsetPose { y: 0.003_01, ..case.stance };
         let (solver, travel) = (case.solver().unwrap(), case.travel.unwrap());
         let next = solver.next(&solved, &near_by, &travel).unwrap();
         let alone = solver.solve(&near_by, &travel).unwrap();

@@ -1,8 +1,8 @@
 //! Cost of stresses inside the bodies, and of the numbers made from forces.
 #![allow(missing_docs, clippy::unwrap_used)]
 
-use creepage::below::{Body, Element, Grid, Interior, Stress};
 use creepage::damage::{ShakedownBlock, TGamma, Usfd, Wlrm, shakedown, surface_index};
+use creepage::subsurface::{Body, Element, Grid, Interior, Stress};
 use creepage::{Ellipse, Hertz, Solid, SolidPair};
 use creepage::{SiCreepage, SiForce};
 use divan::{Bencher, black_box};

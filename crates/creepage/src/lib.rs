@@ -75,7 +75,6 @@
 //! ```
 
 pub mod approximate;
-pub mod below;
 pub mod coulomb;
 pub mod damage;
 pub mod friction_law;
@@ -85,22 +84,23 @@ pub mod motion;
 pub mod normal;
 pub mod special;
 pub mod statics;
+pub mod subsurface;
 pub mod table;
 pub mod theory;
 pub mod unsteady;
 pub mod variational;
 
+mod buffer_pool;
 mod check;
 mod contact;
 mod creepage;
 mod ellipse;
 mod hertz;
-mod lanes;
 mod layer;
 mod lu;
 mod scaling;
+mod simd_math;
 mod solid;
-mod spare;
 
 pub use check::InvalidValue;
 pub use contact::Contact;

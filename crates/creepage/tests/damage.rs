@@ -2,12 +2,12 @@
 // Tests may fail by unwrapping.
 #![allow(clippy::float_cmp, clippy::unwrap_used)]
 
-use creepage::below::{Body, Interior, Stress};
 use creepage::coulomb::{Exact, Resolution};
 use creepage::damage::{
     Archard, Bre, DamageConstants, DangVan, Ekberg, ElementState, Passage, ShakedownBlock, TGamma,
     Usfd, WearZone, Wlrm, local_surface_index, shakedown, surface_index,
 };
+use creepage::subsurface::{Body, Interior, Stress};
 use creepage::{Contact, Creepage, Scaling, SiCreepage, SiForce, Solved};
 use creepage::{Ellipse, Hertz, Solid, SolidPair};
 use proptest::prelude::*;

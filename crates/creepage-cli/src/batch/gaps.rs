@@ -51,7 +51,7 @@ pub(super) fn run(args: &BatchArgs, path: &Path, file: GapFile) -> Result<Outcom
     free(&table, &appended)?;
     let answers = |rows: &[ByteRecord]| {
         if let Some(out) = &args.out {
-            gaps.files(rows).spare(out)?;
+            gaps.files(rows).ensure_not_overwritten(out)?;
         }
         Ok(rows.par_iter().map(|row| gaps.answer(row)).collect())
     };

@@ -124,7 +124,8 @@ fn write_answers<A>(
     let failed = |source: io::Error| Failure::writing(args.out.as_deref(), source);
     if let Some(out) = &args.out {
         // The rows may: they come back with more columns.
-        Sources::new([&args.case, &args.table].into_iter().flatten()).spare(out)?;
+        Sources::new([&args.case, &args.table].into_iter().flatten())
+            .ensure_not_overwritten(out)?;
     }
     let mut sink = Sink::open(args.out.as_deref()).map_err(failed)?;
     sink.write_all(&table.comments).map_err(failed)?;

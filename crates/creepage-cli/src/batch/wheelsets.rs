@@ -83,7 +83,7 @@ pub(super) fn run(args: &BatchArgs, path: &Path) -> Result<Outcome, Failure> {
     let places = Places::find(&table)?;
     free(&table, &APPENDED)?;
     if let Some(out) = &args.out {
-        case.sources().spare(out)?;
+        case.sources().ensure_not_overwritten(out)?;
     }
     case.notes.iter().for_each(say_found);
     let answers = |rows: &[ByteRecord]| {

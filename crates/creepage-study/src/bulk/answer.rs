@@ -5,7 +5,7 @@ use rayon::prelude::*;
 
 use super::case::{BulkCase, BulkRow};
 use super::solver::{Reply, RowError, Solver};
-use crate::damage::Ground;
+use crate::damage::DamageInput;
 use crate::{Damage, DamageWanted};
 
 /// A row answered, in SI units.
@@ -42,7 +42,7 @@ impl BulkAnswer {
     #[must_use]
     pub fn damage(&self, wanted: &DamageWanted) -> Damage {
         let (hertz, scaling) = (&self.row.hertz, self.row.contact.scaling());
-        let ground = Ground {
+        let ground = DamageInput {
             force: self.force(),
             creepage: scaling.si_creepage(self.row.creepage),
             normal: hertz.normal_force(),

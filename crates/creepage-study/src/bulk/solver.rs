@@ -58,9 +58,9 @@ impl From<CaseError> for RowError {
 type Key = [u64; 3];
 
 /// One theory, prepared for the last few kinds of contact that were asked about, or a table.
-pub struct Solver(Asked);
+pub struct Solver(PreparedFor);
 
-enum Asked {
+enum PreparedFor {
     Theory { spec: TheorySpec, prepared: Mutex<VecDeque<(Key, Arc<dyn Theory>)>> },
     Table(Arc<Table>),
 }
@@ -97,25 +97,25 @@ impl Solver {
     /// By a theory with its options.
     #[must_use]
     pub fn new(spec: TheorySpec) -> Self {
-        Self(Asked::Theory { spec, prepared: Mutex::default() })
+        Self(PreparedFor::Theory { spec, prepared: Mutex::default() })
     }
 
     /// By a table.
     #[must_use]
     pub fn of_table(table: Arc<Table>) -> Self {
-        Self(Asked::Table(table))
+        Self(PreparedFor::Table(table))
     }
 
     /// Whether its forces come with error bars.
     #[must_use]
     pub fn error_bars(&self) -> bool {
-        matches!(&self.0, Asked::Theory { spec, .. } if spec.facts().error_bars)
+        matches!(&self.0, PreparedFor::Theory { spec, .. } if spec.facts().error_bars)
     }
 
     /// The ratio `a/b` and Poisson's ratio, where it is a table that has but one of them.
     #[must_use]
     pub fn only_contact(&self) -> [Option<f64>; 2] {
-        let Asked::Table(table) = &self.0 else { return [None; 2] };
+        let PreparedFor::Table(table) = &self.0 else { return [None; 2] };
         [table.a_over_b(), table.poisson()].map(|axis| (axis.nodes == 1).then_some(axis.low))
     }
 
@@ -180,18 +180,18 @@ impl Solver {
         let (solution, power) = (solved.solution(), solved.power());
         let contact = &question.contact;
         let cautions = match &self.0 {
-            Asked::Theory { spec, .. } => Caution::all(spec, contact, &solution),
-            Asked::Table(_) => Caution::all_of_table(contact),
+            PreparedFor::Theory { spec, .. } => Caution::all(spec, contact, &solution),
+            PreparedFor::Table(_) => Caution::all_of_table(contact),
         };
         Reply { solution, power, cautions }
     }
 
     fn ready(&self, key: Key, contact: &Contact) -> Result<Ready<'_>, RowError> {
         match &self.0 {
-            Asked::Theory { spec, .. } if !self.is_shared(contact) => {
+            PreparedFor::Theory { spec, .. } if !self.is_shared(contact) => {
                 Ok(Ready::Theory(Arc::from(spec.prepare(contact)?)))
             }
-            Asked::Theory { spec, prepared } => {
+            PreparedFor::Theory { spec, prepared } => {
                 if let Some(theory) = recall(prepared, key) {
                     return Ok(Ready::Theory(theory));
                 }
@@ -199,14 +199,14 @@ impl Solver {
                 keep(prepared, key, &theory);
                 Ok(Ready::Theory(theory))
             }
-            Asked::Table(table) => Ok(Ready::Table(Box::new(table.prepare(contact)?))),
+            PreparedFor::Table(table) => Ok(Ready::Table(Box::new(table.prepare(contact)?))),
         }
     }
 
     /// A theory that neglects how dissimilar the bodies are is one for all of them.
     fn key(&self, contact: &Contact) -> Key {
         let counts =
-            matches!(&self.0, Asked::Theory { spec, .. } if spec.facts().dissimilar_bodies);
+            matches!(&self.0, PreparedFor::Theory { spec, .. } if spec.facts().dissimilar_bodies);
         let kappa_over_mu = if counts { contact.kappa_over_mu() } else { 0.0 };
         [contact.ellipse().ratio(), contact.poisson(), kappa_over_mu].map(f64::to_bits)
     }
@@ -216,7 +216,7 @@ impl Solver {
     fn is_shared(&self, contact: &Contact) -> bool {
         let coupled = matches!(
             &self.0,
-            Asked::Theory { spec: TheorySpec::Exact(options), .. } if options.coupled
+            PreparedFor::Theory { spec: TheorySpec::Exact(options), .. } if options.coupled
         );
         !coupled && contact.rolling_friction().is_none() && contact.layer().is_none()
     }
@@ -245,8 +245,8 @@ fn keep(prepared: &Prepared, key: Key, theory: &Arc<dyn Theory>) {
 impl std::fmt::Debug for Solver {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match &self.0 {
-            Asked::Theory { spec, .. } => f.debug_tuple("Solver").field(spec).finish(),
-            Asked::Table(table) => f.debug_tuple("Solver").field(table.provenance()).finish(),
+            PreparedFor::Theory { spec, .. } => f.debug_tuple("Solver").field(spec).finish(),
+            PreparedFor::Table(table) => f.debug_tuple("Solver").field(table.provenance()).finish(),
         }
     }
 }
@@ -271,7 +271,7 @@ mod tests {
         let solver = Solver::new(TheorySpec::named("polach").unwrap());
         let many = (0..3 * Solver::KEPT).map(|i| question(1.0 + i as f64, 1.0)).collect();
         assert_eq!(solve(&solver, many).len(), 3 * Solver::KEPT);
-        let Asked::Theory { prepared, .. } = &solver.0 else { panic!("a theory") };
+        let PreparedFor::Theory { prepared, .. } = &solver.0 else { panic!("a theory") };
         assert_eq!(prepared.lock().unwrap().len(), Solver::KEPT);
     }
 
@@ -294,7 +294,7 @@ mod tests {
         for (name, kinds) in [("polach", 1), ("exact", 2)] {
             let solver = Solver::new(TheorySpec::named(name).unwrap());
             let replies = solve(&solver, vec![question(1.0, 0.5), unlike.clone()]);
-            let Asked::Theory { prepared, .. } = &solver.0 else { panic!("a theory") };
+            let PreparedFor::Theory { prepared, .. } = &solver.0 else { panic!("a theory") };
             assert_eq!(prepared.lock().unwrap().len(), kinds, "{name}");
             let forces = replies.iter().map(|reply| reply.as_ref().unwrap().solution.force);
             let forces: Vec<_> = forces.collect();

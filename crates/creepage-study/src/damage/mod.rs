@@ -8,14 +8,14 @@ mod rows;
 mod section;
 mod text;
 
-pub(crate) use numbers::Ground;
+pub(crate) use numbers::DamageInput;
 pub use numbers::{Damage, WearRow};
 pub(crate) use rows::of_elements;
 pub(crate) use section::DamageSection;
 pub use section::DamageWanted;
 
-use creepage::below::Body;
 use creepage::damage::{Shakedown, ShakedownBlock, shakedown};
+use creepage::subsurface::Body;
 
 use crate::stresses::StressError;
 use crate::{SolvedCase, Stresses};
@@ -34,7 +34,7 @@ impl SolvedCase {
     fn compute_damage(&self) -> Result<Option<Damage>, StressError> {
         let Some(wanted) = self.case.damage() else { return Ok(None) };
         let (scaling, rows) = (self.scaling(), self.rows());
-        let ground = Ground {
+        let ground = DamageInput {
             force: scaling.si_force(self.solution().force),
             creepage: scaling.si_creepage(self.creepage()),
             normal: self.load().value,

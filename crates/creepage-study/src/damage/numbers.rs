@@ -10,7 +10,7 @@ use super::section::DamageWanted;
 
 /// What the numbers are made of.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Ground<'a> {
+pub(crate) struct DamageInput<'a> {
     /// Force on the lower body.
     pub force: SiForce,
     pub creepage: SiCreepage,
@@ -114,7 +114,7 @@ impl Damage {
 
     pub(crate) fn new(
         wanted: &DamageWanted,
-        ground: &Ground,
+        ground: &DamageInput,
         shakedown: Option<Shakedown>,
     ) -> Self {
         let constants = wanted.constants;
@@ -171,7 +171,7 @@ impl Damage {
 }
 
 /// Wear row by row.
-fn across(wanted: &DamageWanted, ground: &Ground) -> Vec<WearRow> {
+fn across(wanted: &DamageWanted, ground: &DamageInput) -> Vec<WearRow> {
     let constants = &wanted.constants;
     let wear = |row: &Row| {
         let archard = ground.speed.map(|speed| constants.archard.wear(&row.elements, speed));

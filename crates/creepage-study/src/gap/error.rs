@@ -7,7 +7,7 @@ use creepage::gap::GapError;
 use creepage::normal::NormalError;
 use creepage::theory::TheoryError;
 
-use crate::{CaseError, SolveError, Unreachable};
+use crate::{CaseError, SolveError, UnattainableForce};
 
 /// Why a case with `[gap]` is not solved; every message names the section and the key.
 #[derive(Debug, thiserror::Error)]
@@ -87,7 +87,7 @@ pub enum GapCaseError {
     Theory(#[from] TheoryError),
     /// No creepage gives the wanted forces.
     #[error(transparent)]
-    Unreachable(#[from] Unreachable),
+    UnattainableForce(#[from] UnattainableForce),
     /// The theory does not find creepages.
     #[error("[wanted] needs the theory exact: {name} does not find creepages")]
     FindsNothing {
@@ -103,7 +103,7 @@ impl From<SolveError> for GapCaseError {
     fn from(error: SolveError) -> Self {
         match error {
             SolveError::Theory(error) => Self::Theory(error),
-            SolveError::Unreachable(error) => Self::Unreachable(error),
+            SolveError::UnattainableForce(error) => Self::UnattainableForce(error),
             SolveError::Inverse(error) => Self::Inverse(error),
             SolveError::FindsNothing { name } => Self::FindsNothing { name },
         }

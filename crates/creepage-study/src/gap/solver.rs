@@ -12,7 +12,7 @@ use creepage::{Contact, InvalidValue, SolidPair, Theory, TheorySpec};
 use super::case::{GapCase, Pressed};
 use super::error::GapCaseError;
 use super::solve::{self, resolutions};
-use crate::solve::{Held, in_si_units};
+use crate::solve::{SolvedTheory, in_si_units};
 use crate::{AnyCase, CaseError, Caution, SolveError, SolvedCase};
 
 /// Solves a case of any shape: the pressure, then rolling. For many cases use [`GapSolver`].
@@ -29,12 +29,12 @@ pub fn solve_gap(case: &GapCase) -> Result<SolvedCase, GapCaseError> {
 /// those of [`solve_gap`].
 #[derive(Debug, Default)]
 pub struct GapSolver {
-    contacts: Memory<Asked, Known>,
+    contacts: Memory<CacheKey, Known>,
 }
 
 /// What a contact follows from.
 #[derive(Debug, Clone, PartialEq)]
-struct Asked {
+struct CacheKey {
     gap: Gap,
     pair: SolidPair,
     pressed: Pressed,
@@ -88,7 +88,7 @@ impl GapSolver {
     /// The bodies of a case pressed together.
     fn pressed(&self, case: &GapCase, resolution: normal::Resolution) -> Arc<Known> {
         let (gap, pressed) = (case.gap.clone(), case.pressed);
-        let asked = Asked { gap, pair: case.pair, pressed, resolution };
+        let asked = CacheKey { gap, pair: case.pair, pressed, resolution };
         self.contacts.of(&asked, |_| {
             let areas = solve::pressed_together(case, resolution).map(Arc::new);
             Known { areas, theories: Memory::default() }
@@ -154,12 +154,12 @@ impl GapCase {
         let scaling = contact.scaling();
         let held = if self.given.is_creepage() {
             let creepage = self.given.creepage(scaling)?;
-            Held::new(theory, |theory| theory.solved(creepage))
+            SolvedTheory::new(theory, |theory| theory.solved(creepage))
         } else {
             let reach = contact.areas().map_or(0.0, |areas| solve::reach(areas));
             let constraints = self.given.constraints(scaling, reach)?;
             let prescribed = self.given.force.map(|force| force.is_some());
-            Held::try_new(theory, |theory| {
+            SolvedTheory::try_new(theory, |theory| {
                 let name = self.theory.facts().name;
                 let found =
                     theory.solved_for(constraints).ok_or(SolveError::FindsNothing { name })?;

@@ -7,7 +7,7 @@ use creepage::normal::NormalContact;
 use creepage::unsteady::{Prescribed, Rolled, Rolling, RollingFastsim};
 use creepage::{Contact, Force, InvalidValue, Scaling};
 
-use super::roller::{HistoryMotion, Roller};
+use super::roller::{HistoryMotion, TransientSolver};
 
 /// A contact that rolls by a history.
 #[derive(Debug, Clone, PartialEq)]
@@ -76,7 +76,7 @@ impl RollCase {
     /// rolling if that is it. Gives the force in that state, dimensionless.
     pub(super) fn start(
         &self,
-        rolling: &mut Roller,
+        rolling: &mut TransientSolver,
         first: &HistoryMotion,
     ) -> Result<Force, InvalidValue> {
         match self.start {
@@ -87,31 +87,31 @@ impl RollCase {
     }
 
     /// The contact just pressed together.
-    pub(super) fn prepared(&self) -> Result<Roller, InvalidValue> {
+    pub(super) fn prepared(&self) -> Result<TransientSolver, InvalidValue> {
         Ok(match &self.kind {
             Kind::Ellipse { contact, method: Method::Exact(resolution) } => {
-                Roller::Exact(Rolling::new(contact, *resolution)?)
+                TransientSolver::Exact(Rolling::new(contact, *resolution)?)
             }
             Kind::Ellipse { contact, method: Method::Fastsim(settings) } => {
-                Roller::Fastsim(RollingFastsim::new(contact, *settings)?)
+                TransientSolver::Fastsim(RollingFastsim::new(contact, *settings)?)
             }
             Kind::Line { length, poisson, friction } => {
                 let length = length.unwrap_or(LONG);
-                Roller::Exact(match friction {
+                TransientSolver::Exact(match friction {
                     None => Rolling::line(length, *poisson)?,
                     Some(law) => Rolling::line_with_friction(length, *poisson, *law, self.scaling)?,
                 })
             }
-            Kind::Areas { contact, resolution, friction } => {
-                Roller::Exact(Rolling::on_areas(contact, self.friction, *friction, *resolution)?)
-            }
+            Kind::Areas { contact, resolution, friction } => TransientSolver::Exact(
+                Rolling::on_areas(contact, self.friction, *friction, *resolution)?,
+            ),
         })
     }
 
     /// Rolls on by a length (m).
     pub(super) fn roll(
         &self,
-        rolling: &mut Roller,
+        rolling: &mut TransientSolver,
         length: f64,
         motion: &HistoryMotion,
     ) -> Result<Rolled, InvalidValue> {

@@ -16,12 +16,12 @@ pub struct HistoryMotion {
 /// What rolls.
 #[allow(clippy::large_enum_variant)] // one a history
 #[derive(Debug, Clone)]
-pub(super) enum Roller {
+pub(super) enum TransientSolver {
     Exact(Rolling),
     Fastsim(RollingFastsim),
 }
 
-impl Roller {
+impl TransientSolver {
     /// Starts from steady rolling.
     pub(super) fn start_steady(&mut self, first: &HistoryMotion) -> Result<Force, InvalidValue> {
         let rolled = match self {

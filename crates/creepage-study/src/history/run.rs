@@ -6,7 +6,7 @@ use super::case::RollCase;
 use super::columns::History;
 use super::error::HistoryError;
 use super::progress::{Frame, Moment, Progress};
-use super::roller::Roller;
+use super::roller::TransientSolver;
 
 /// The columns of the results.
 pub const HISTORY_COLUMNS: [&str; 12] = [
@@ -32,7 +32,7 @@ const FRAMES: usize = 100;
 pub struct HistoryRun<'a> {
     case: &'a RollCase,
     history: &'a History,
-    rolling: Roller,
+    rolling: TransientSolver,
     /// Corners of the elements under the nominal load, over the unit of length; none for FASTSIM.
     corners: Vec<[[f64; 2]; 4]>,
     done: usize,

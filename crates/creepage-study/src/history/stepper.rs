@@ -5,7 +5,7 @@ use creepage::unsteady::{Rolled, SavedError};
 use super::case::RollCase;
 use super::columns::HistoryRow;
 use super::error::{HistoryError, MotionError};
-use super::roller::Roller;
+use super::roller::TransientSolver;
 
 /// A contact that rolls step by step, in SI units, from the start that its case names.
 ///
@@ -30,7 +30,7 @@ pub struct RollStepper {
     case: RollCase,
     /// Tells one case from another.
     key: [u8; 4],
-    rolling: Roller,
+    rolling: TransientSolver,
 }
 
 impl RollStepper {

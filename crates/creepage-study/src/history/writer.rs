@@ -11,9 +11,9 @@ use std::time::{Duration, Instant};
 
 use super::error::HistoryError;
 use super::run::{HISTORY_COLUMNS, HistoryRun};
+use crate::atomic_file::{WholeFile, sync_directory_of};
 use crate::error::ReportError;
 use crate::sources::keep_foreign;
-use crate::whole_file::{WholeFile, sync_directory_of};
 
 /// Between two times that the state is written.
 const PAUSE: Duration = Duration::from_secs(2);

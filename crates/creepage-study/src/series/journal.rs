@@ -19,8 +19,8 @@ use creepage::halfspace::harmonics;
 
 use super::record::Record;
 use crate::Sweep;
+use crate::atomic_file::sync_directory_of;
 use crate::sources::keep_foreign;
-use crate::whole_file::sync_directory_of;
 
 const MAGIC: &[u8; 12] = b"creepage 1\r\n";
 const HEAD: u64 = 20;

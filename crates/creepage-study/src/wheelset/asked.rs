@@ -1,6 +1,6 @@
 //! A wheelset asked in numbers, as simulations do, and what it answers.
 
-use super::case::{Load, PitchRate, Stance, Travel, WheelsetCase};
+use super::case::{Load, PitchRate, WheelsetCase, WheelsetPose, WheelsetVelocity};
 use super::error::WheelsetError;
 use super::solved::{SolvedWheel, SolvedWheelset};
 use crate::case::CaseError;
@@ -32,7 +32,10 @@ impl WheelsetCase {
     ///
     /// # Errors
     /// [`WheelsetError`] for numbers that are not finite or contradict each other.
-    pub fn asked(&self, numbers: &[f64; ASKED.len()]) -> Result<(Stance, Travel), WheelsetError> {
+    pub fn asked(
+        &self,
+        numbers: &[f64; ASKED.len()],
+    ) -> Result<(WheelsetPose, WheelsetVelocity), WheelsetError> {
         let [y, z, roll, yaw, axle_load, roll_moment, motion @ ..] = *numbers;
         let [speed, pitch_rate, lateral, vertical, roll_rate, yaw_rate] = motion;
         let or = |value: f64, own: f64| if value.is_nan() { own } else { value };
@@ -40,14 +43,14 @@ impl WheelsetCase {
         let own = self.stance;
         let roll = given(roll).or(own.roll);
         let load = loaded(own.load, [z, axle_load, roll_moment], roll)?;
-        let stance = Stance { y: or(y, own.y), yaw: or(yaw, own.yaw), roll, load, ..own };
+        let stance = WheelsetPose { y: or(y, own.y), yaw: or(yaw, own.yaw), roll, load, ..own };
         let travel = self.travel.unwrap_or_default();
         let pitch = match (given(pitch_rate), travel.pitch) {
             (None, own) => own,
             (Some(rate), PitchRate::Rigid(_)) => PitchRate::Rigid(Some(rate)),
             (Some(rate), PitchRate::Independent(_)) => PitchRate::Independent([Some(rate); 2]),
         };
-        let travel = Travel {
+        let travel = WheelsetVelocity {
             speed: or(speed, travel.speed),
             pitch,
             lateral_velocity: or(lateral, travel.lateral_velocity),

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use creepage::{SolidPair, TheorySpec};
 use creepage_rail::file::Action;
-use creepage_rail::{RailMotion, Running, Side};
+use creepage_rail::{RailMotion, Side, WheelsetOnTrack};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -16,11 +16,11 @@ use crate::{DamageWanted, Sources};
 #[derive(Debug, Clone)]
 pub struct WheelsetCase {
     /// Wheels and rails.
-    pub running: Running,
+    pub running: WheelsetOnTrack,
     /// Where the wheelset stands.
-    pub stance: Stance,
+    pub stance: WheelsetPose,
     /// How it moves, where that is given.
-    pub travel: Option<Travel>,
+    pub travel: Option<WheelsetVelocity>,
     /// Wheel and rail, where their materials are given.
     pub solids: Option<SolidPair>,
     /// Friction on the left and the right rail, where it is given.
@@ -83,7 +83,7 @@ pub enum Patches {
 
 /// Where a wheelset stands, as far as it is given.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Stance {
+pub struct WheelsetPose {
     /// One wheel alone; both where `None`.
     pub side: Option<Side>,
     /// Its centre to the right of the track centre (m).
@@ -96,14 +96,14 @@ pub struct Stance {
     pub load: Option<Load>,
 }
 
-impl Stance {
+impl WheelsetPose {
     /// Whether nothing but the height is left to be given.
     pub(super) fn is_fixed(&self) -> bool {
         self.side.is_some() || self.roll.is_some()
     }
 }
 
-impl Stance {
+impl WheelsetPose {
     /// Its mirror image fore and aft.
     pub(super) fn fore_and_aft(&self) -> Self {
         Self { yaw: -self.yaw, ..*self }
@@ -188,7 +188,7 @@ impl Default for PitchRate {
 
 /// How a wheelset moves, as far as it is given.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Travel {
+pub struct WheelsetVelocity {
     /// Speed along the track (m/s); negative where it runs backwards.
     pub speed: f64,
     /// Angular velocity about the axle.
@@ -209,7 +209,7 @@ pub struct Travel {
     pub rails: [RailMotion; 2],
 }
 
-impl Travel {
+impl WheelsetVelocity {
     /// Whether a pitch rate is to be found.
     #[must_use]
     pub fn is_free(&self) -> bool {

@@ -5,7 +5,7 @@
 
 use std::sync::Arc;
 
-use creepage::coulomb::NearTractions;
+use creepage::coulomb::TangentialWarmStart;
 use creepage::{Force, Solution};
 
 /// The correction changes by no more than such parts of the changes of the coarse grid's friction and of its error
@@ -28,7 +28,7 @@ pub(super) struct Correction {
     pub(super) power: f64,
     /// The fine grid's error bars and tractions.
     pub(super) error: Force,
-    pub(super) tractions: Arc<NearTractions>,
+    pub(super) tractions: Arc<TangentialWarmStart>,
 }
 
 impl Correction {

@@ -5,7 +5,7 @@ use creepage_rail::Side;
 /// What forces on the rails are differentiated by: a number that tells where the wheelset stands,
 /// or how it moves.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum By {
+pub enum StateVariable {
     /// Its lateral position, to the right (m).
     Y,
     /// Its height, downwards (m).
@@ -24,7 +24,7 @@ pub enum By {
     YawRate,
 }
 
-impl By {
+impl StateVariable {
     /// All of them: the position, then the motion.
     pub const ALL: [Self; 8] = [
         Self::Y,
@@ -52,13 +52,13 @@ impl By {
         }
     }
 
-    /// Its place in [`By::ALL`].
+    /// Its place in [`StateVariable::ALL`].
     pub(super) fn index(self) -> usize {
         self as usize
     }
 }
 
-/// The derivative of what a wheel does to its rail, in track axes and per unit of [`By`].
+/// The derivative of what a wheel does to its rail, in track axes and per unit of [`StateVariable`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ForceDerivative {
     /// Of the force along `x`, `y`, `z` (N).
@@ -76,7 +76,7 @@ pub struct ForceDerivative {
 /// They are total ones: with an axle load, height and roll follow what changes so that the rails
 /// carry the load still, friction's part of it included; with a pitch rate that is free, it follows
 /// so that friction has no moment about the axle. What is given and what is found is that of
-/// [`Stance`](crate::Stance) and [`Travel`](crate::Travel).
+/// [`WheelsetPose`](crate::Stance) and [`WheelsetVelocity`](crate::Travel).
 ///
 /// By the position they are central differences at places next to the solved one, each of which
 /// has its own pressure and friction; by the motion they are the theory's exact derivatives. Their
@@ -89,14 +89,14 @@ pub struct WheelsetDerivatives {
     pub(super) right: Option<Row>,
 }
 
-/// Derivatives of one wheel's force by [`By::ALL`]; `None` where that is found and not given.
-pub(super) type Row = [Option<ForceDerivative>; By::ALL.len()];
+/// Derivatives of one wheel's force by [`StateVariable::ALL`]; `None` where that is found and not given.
+pub(super) type Row = [Option<ForceDerivative>; StateVariable::ALL.len()];
 
 impl WheelsetDerivatives {
     /// The derivative of the force on the rail of one side; `None` where that wheel is not solved, or
     /// where the quantity is not given but found.
     #[must_use]
-    pub fn of(&self, side: Side, by: By) -> Option<ForceDerivative> {
+    pub fn of(&self, side: Side, by: StateVariable) -> Option<ForceDerivative> {
         let row = match side {
             Side::Left => self.left,
             Side::Right => self.right,
@@ -107,12 +107,18 @@ impl WheelsetDerivatives {
     /// Those of the mirror image fore and aft.
     pub(super) fn fore_and_aft(&self) -> Self {
         // Forces along x, moments about y and z, and what turns the wheelset about them, change sign.
-        let turns = |by: By| {
-            let is_odd = matches!(by, By::Yaw | By::Speed | By::PitchRate | By::YawRate);
+        let turns = |by: StateVariable| {
+            let is_odd = matches!(
+                by,
+                StateVariable::Yaw
+                    | StateVariable::Speed
+                    | StateVariable::PitchRate
+                    | StateVariable::YawRate
+            );
             if is_odd { -1.0 } else { 1.0 }
         };
         let turned = |row: &Row| -> Row {
-            By::ALL.map(|by| {
+            StateVariable::ALL.map(|by| {
                 let one = row[by.index()]?;
                 let (force, moment) = ([-1.0, 1.0, 1.0], [1.0, -1.0, -1.0]);
                 Some(ForceDerivative {
@@ -126,7 +132,7 @@ impl WheelsetDerivatives {
     }
 
     /// All of them as one array: of the left and the right wheel; force along `x`, `y`, `z`, moment
-    /// about `x`, `y`, `z`; by [`By::ALL`]. NaN where there is none.
+    /// about `x`, `y`, `z`; by [`StateVariable::ALL`]. NaN where there is none.
     #[must_use]
     pub fn values(&self) -> [[[f64; 8]; 6]; 2] {
         self.array(|one| [one.force, one.moment])

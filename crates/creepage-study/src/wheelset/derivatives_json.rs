@@ -5,9 +5,9 @@ use std::collections::BTreeMap;
 use creepage_rail::Side;
 use serde::Serialize;
 
-use super::derivatives::{By, ForceDerivative, WheelsetDerivatives};
+use super::derivatives::{ForceDerivative, StateVariable, WheelsetDerivatives};
 
-/// Derivatives of the force on one rail by the key of [`By`], per unit of that key; `null` by what
+/// Derivatives of the force on one rail by the key of [`StateVariable`], per unit of that key; `null` by what
 /// is found and not given.
 pub type DerivativesJson = BTreeMap<&'static str, Option<ForceDerivativeJson>>;
 
@@ -43,8 +43,10 @@ pub struct ForceDerivativeJson {
 impl WheelsetDerivatives {
     /// Those of one rail, ready for `serde_json`.
     pub(super) fn json(&self, side: Side) -> DerivativesJson {
-        let one = |by: By| (by.key(), self.of(side, by).as_ref().map(ForceDerivativeJson::new));
-        By::ALL.into_iter().map(one).collect()
+        let one = |by: StateVariable| {
+            (by.key(), self.of(side, by).as_ref().map(ForceDerivativeJson::new))
+        };
+        StateVariable::ALL.into_iter().map(one).collect()
     }
 }
 

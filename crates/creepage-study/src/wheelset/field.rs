@@ -4,14 +4,14 @@ use std::borrow::Cow;
 use std::sync::Arc;
 
 use creepage::approximate::non_hertzian::NonHertzianSimplified;
-use creepage::coulomb::{ElementField, NearTractions};
+use creepage::coulomb::{ElementField, TangentialWarmStart};
 
 use super::curving::RigidMotion;
 
 /// Tractions and slip of a contact that is solved.
 #[derive(Debug, Clone)]
 pub(super) enum Field {
-    Exact(Vec<ElementField>, Arc<NearTractions>),
+    Exact(Vec<ElementField>, Arc<TangentialWarmStart>),
     /// A simplified theory marches through its cells again, which costs less than to keep them.
     Simplified(Box<March>),
 }
@@ -25,7 +25,7 @@ pub(super) struct March {
 
 impl Field {
     /// From which a position close by may start.
-    pub(super) fn tractions(&self) -> Option<&Arc<NearTractions>> {
+    pub(super) fn tractions(&self) -> Option<&Arc<TangentialWarmStart>> {
         match self {
             Self::Exact(_, tractions) => Some(tractions),
             Self::Simplified(_) => None,

@@ -4,7 +4,8 @@ use std::path::Path;
 
 use creepage::{SolidPair, TheorySpec};
 use creepage_rail::{
-    Deviation, Place, Profile, Rail, RailMotion, Role, Running, Side, Track, Wheel, Wheelset,
+    Deviation, Place, Profile, Rail, RailMotion, Role, Side, Track, Wheel, Wheelset,
+    WheelsetOnTrack,
 };
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -14,7 +15,7 @@ use toml::Table;
 use super::case::{ProfileNote, WheelsetCase};
 use super::error::{WheelsetError, checked, needed};
 use super::friction::{RailFriction, RailFrictionValue};
-use super::profile::{Asked, of_points};
+use super::profile::{RequestedProfile, of_points};
 use super::sections::{
     FrictionSection, MaterialSection, MotionSection, RailSection, ReadingSection, SideName,
     TrackSection, WheelSection, WheelsetSection,
@@ -156,7 +157,7 @@ impl WheelsetFile {
         &self,
         directory: &Path,
         notes: &mut Vec<ProfileNote>,
-    ) -> Result<Running, WheelsetError> {
+    ) -> Result<WheelsetOnTrack, WheelsetError> {
         let mut wheel = |side| self.wheel(side, directory, notes);
         let (left, right) = (wheel(Side::Left)?, wheel(Side::Right)?);
         let wheelset = Wheelset::new(left, right, self.wheelset.back_to_back)
@@ -388,7 +389,7 @@ fn loaded(
         }
         (name, None) => {
             let name = needed(section, "profile", name)?;
-            Asked { section, name, role, side, reading }.load(directory)
+            RequestedProfile { section, name, role, side, reading }.load(directory)
         }
     }
 }

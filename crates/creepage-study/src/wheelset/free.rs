@@ -9,12 +9,12 @@ use serde::de::{Deserializer, Error, Unexpected, Visitor};
 
 /// As the file has it.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Freely {
+pub(super) enum GivenOrFree {
     Given(f64),
     Free,
 }
 
-impl Freely {
+impl GivenOrFree {
     /// The number; `None` where free.
     pub(super) fn number(self) -> Option<f64> {
         match self {
@@ -24,7 +24,7 @@ impl Freely {
     }
 }
 
-impl<'de> Deserialize<'de> for Freely {
+impl<'de> Deserialize<'de> for GivenOrFree {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         deserializer.deserialize_any(FreelyVisitor)
     }
@@ -34,41 +34,41 @@ impl<'de> Deserialize<'de> for Freely {
 #[derive(Debug, Clone, Copy, PartialEq, Deserialize, JsonSchema)]
 #[serde(untagged, expecting = "expected a number, \"free\", or two of these in brackets")]
 pub(super) enum PitchValue {
-    Axle(Freely),
-    Wheels([Freely; 2]),
+    Axle(GivenOrFree),
+    Wheels([GivenOrFree; 2]),
 }
 
 struct FreelyVisitor;
 
 impl Visitor<'_> for FreelyVisitor {
-    type Value = Freely;
+    type Value = GivenOrFree;
 
     fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str("a number or \"free\"")
     }
 
-    fn visit_f64<E: Error>(self, number: f64) -> Result<Freely, E> {
-        Ok(Freely::Given(number))
+    fn visit_f64<E: Error>(self, number: f64) -> Result<GivenOrFree, E> {
+        Ok(GivenOrFree::Given(number))
     }
 
-    fn visit_i64<E: Error>(self, number: i64) -> Result<Freely, E> {
-        Ok(Freely::Given(number as f64))
+    fn visit_i64<E: Error>(self, number: i64) -> Result<GivenOrFree, E> {
+        Ok(GivenOrFree::Given(number as f64))
     }
 
-    fn visit_u64<E: Error>(self, number: u64) -> Result<Freely, E> {
-        Ok(Freely::Given(number as f64))
+    fn visit_u64<E: Error>(self, number: u64) -> Result<GivenOrFree, E> {
+        Ok(GivenOrFree::Given(number as f64))
     }
 
-    fn visit_str<E: Error>(self, word: &str) -> Result<Freely, E> {
+    fn visit_str<E: Error>(self, word: &str) -> Result<GivenOrFree, E> {
         if word == "free" {
-            Ok(Freely::Free)
+            Ok(GivenOrFree::Free)
         } else {
             Err(E::invalid_value(Unexpected::Str(word), &self))
         }
     }
 }
 
-impl JsonSchema for Freely {
+impl JsonSchema for GivenOrFree {
     fn schema_name() -> Cow<'static, str> {
         "Freely".into()
     }

@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 
 use creepage::friction_law::{FrictionAcross, FrictionLaw, FrictionMemory, RollingFriction};
-use creepage_rail::{Contact, Running, Side};
+use creepage_rail::{Contact, Side, WheelsetOnTrack};
 use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::de::{Deserialize, Deserializer, Error};
 use toml::Value;
@@ -122,7 +122,7 @@ impl RailFriction {
     pub(super) fn on(
         &self,
         contact: &Contact<'_>,
-        running: &Running,
+        running: &WheelsetOnTrack,
         speed: f64,
     ) -> Result<(f64, Option<RollingFriction>), CaseError> {
         let wrong = CaseError::invalid(SECTION);
@@ -145,7 +145,7 @@ impl RailFriction {
 impl FrictionOfPlace {
     /// Across a contact, as a theory of rolling takes it: by lines between few places, the next of which is always
     /// where these miss most.
-    fn across(&self, contact: &Contact<'_>, running: &Running) -> Vec<[f64; 2]> {
+    fn across(&self, contact: &Contact<'_>, running: &WheelsetOnTrack) -> Vec<[f64; 2]> {
         const LOOKED_UP: u32 = 64;
         /// Of the coefficient: as lines miss no result by more.
         const CLOSE: f64 = 1e-4;

@@ -17,7 +17,6 @@ mod free;
 mod friction;
 mod geometry_picture;
 mod map;
-mod nearby;
 mod position;
 mod profile;
 mod profile_picture;
@@ -32,14 +31,16 @@ mod solved_write;
 mod solver;
 mod springs;
 mod table;
+mod warm_start;
 mod wear;
 
 pub use asked::{ANSWERS, ASKED};
 pub use case::{
-    Drive, Load, Patches, PitchRate, ProfileNote, RigidSlip, Stance, Travel, WheelsetCase,
+    Drive, Load, Patches, PitchRate, ProfileNote, RigidSlip, WheelsetCase, WheelsetPose,
+    WheelsetVelocity,
 };
 pub use conicity::{ConicityTable, conicity, radius_difference_csv};
-pub use derivatives::{By, ForceDerivative, WheelsetDerivatives};
+pub use derivatives::{ForceDerivative, StateVariable, WheelsetDerivatives};
 pub use derivatives_json::{DerivativesJson, ForceDerivativeJson};
 pub use error::WheelsetError;
 pub use file::{WheelsetFile, wheelset_json_schema};

@@ -2,9 +2,9 @@
 
 use creepage_rail::{RailMotion, Side};
 
-use super::case::{Drive, Load, PitchRate, Stance, Travel};
+use super::case::{Drive, Load, PitchRate, WheelsetPose, WheelsetVelocity};
 use super::error::{WheelsetError, checked};
-use super::free::{Freely, PitchValue};
+use super::free::{GivenOrFree, PitchValue};
 use super::sections::{MotionSection, SideName, TrackSection, WheelsOnAxle, WheelsetSection};
 use crate::case::CaseError;
 
@@ -15,17 +15,17 @@ const TURN: f64 = 0.5;
 
 impl WheelsetSection {
     /// Where it stands; what holds it down may be left out.
-    pub(super) fn stance(&self) -> Result<Stance, WheelsetError> {
+    pub(super) fn stance(&self) -> Result<WheelsetPose, WheelsetError> {
         let length = |key, value: Option<f64>| finite(WHEELSET, key, value.unwrap_or(0.0));
         let angle =
             |key, value: f64| checked(WHEELSET, key, value, value.abs() <= TURN, "-0.5 to 0.5 rad");
         let load = self.load()?;
         let side = self.side.map(|name| self.alone(name)).transpose()?;
-        Ok(Stance {
+        Ok(WheelsetPose {
             side,
             y: length("y", self.y)?,
             yaw: angle("yaw", self.yaw.unwrap_or(0.0))?,
-            roll: match self.roll.and_then(Freely::number) {
+            roll: match self.roll.and_then(GivenOrFree::number) {
                 Some(roll) => Some(angle("roll", roll)?),
                 None => None,
             },
@@ -65,7 +65,7 @@ impl WheelsetSection {
         if let Some((other, _)) = given.next() {
             return Err(CaseError::Conflict { first: (WHEELSET, key), second: (WHEELSET, other) });
         }
-        let is_free = !matches!(self.roll, Some(Freely::Given(_))) && self.side.is_none();
+        let is_free = !matches!(self.roll, Some(GivenOrFree::Given(_))) && self.side.is_none();
         if self.roll_moment.is_some() && !(is_free && matches!(load, Load::Loaded { .. })) {
             let other = if is_free { key } else { "roll" };
             let [first, second] = ["roll_moment", other].map(|key| (WHEELSET, key));
@@ -133,8 +133,8 @@ impl WheelsetSection {
             return wrong(key, "give wheel_load or z");
         }
         match self.roll {
-            Some(Freely::Given(_)) => Ok(side),
-            Some(Freely::Free) => wrong("roll = \"free\"", "give a number"),
+            Some(GivenOrFree::Given(_)) => Ok(side),
+            Some(GivenOrFree::Free) => wrong("roll = \"free\"", "give a number"),
             None => Err(CaseError::Missing { section: WHEELSET.into(), key: "roll".into() }.into()),
         }
     }
@@ -151,9 +151,9 @@ impl MotionSection {
         &self,
         curvature: f64,
         rails: [RailMotion; 2],
-    ) -> Result<Travel, CaseError> {
+    ) -> Result<WheelsetVelocity, CaseError> {
         let rate = |value: Option<f64>| value.unwrap_or(0.0);
-        let travel = Travel {
+        let travel = WheelsetVelocity {
             speed: self.speed,
             pitch: self.pitch()?,
             drive: self.drive()?,
@@ -197,7 +197,7 @@ impl MotionSection {
                 conflict("pitch_rate", "wheels")
             }
             Some(PitchValue::Wheels(rates)) => {
-                Ok(PitchRate::Independent(rates.map(Freely::number)))
+                Ok(PitchRate::Independent(rates.map(GivenOrFree::number)))
             }
             Some(PitchValue::Axle(rate)) if independent => {
                 Ok(PitchRate::Independent([rate.number(); 2]))
@@ -224,7 +224,7 @@ fn finite(section: &'static str, key: &'static str, value: f64) -> Result<f64, C
     checked(section, key, value, value.is_finite(), "finite")
 }
 
-impl Stance {
+impl WheelsetPose {
     /// Checks numbers that come from elsewhere than a file.
     ///
     /// # Errors
@@ -275,7 +275,7 @@ impl Load {
     }
 }
 
-impl Travel {
+impl WheelsetVelocity {
     /// Checks numbers that come from elsewhere than a file.
     ///
     /// # Errors

@@ -37,7 +37,7 @@ pub(super) fn of_points(
 }
 
 /// A profile that a section asks for.
-pub(super) struct Asked<'a> {
+pub(super) struct RequestedProfile<'a> {
     pub(super) section: &'static str,
     pub(super) name: &'a str,
     pub(super) role: Role,
@@ -45,7 +45,7 @@ pub(super) struct Asked<'a> {
     pub(super) reading: Option<ReadingSection>,
 }
 
-impl Asked<'_> {
+impl RequestedProfile<'_> {
     /// The profile, with a note where it comes from a file.
     pub(super) fn load(
         &self,

@@ -6,7 +6,7 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 
 use super::case::{Patches, RigidSlip};
-use super::free::{Freely, PitchValue};
+use super::free::{GivenOrFree, PitchValue};
 use super::friction::RailFrictionValue;
 use crate::case::CaseError;
 use crate::case::body::Body;
@@ -189,9 +189,9 @@ pub(super) struct WheelsetSection {
     /// Turn about z (rad): positive turns the axle's right end back; 0 by default.
     pub(super) yaw: Option<f64>,
     /// Turn about x (rad): positive lowers the right wheel; a number, or "free" (the default).
-    #[schemars(with = "Freely")]
+    #[schemars(with = "GivenOrFree")]
     #[serde(default)]
-    pub(super) roll: Option<Freely>,
+    pub(super) roll: Option<GivenOrFree>,
     /// Vertical force of the wheelset on the track (N). Give this, `wheel_load` or `z`.
     pub(super) axle_load: Option<f64>,
     /// Moment about x with which the wheelset presses on the track under its `axle_load`, about its centre
@@ -252,13 +252,13 @@ pub(super) struct MotionSection {
     #[serde(default)]
     pub(super) pitch_rate: Option<PitchValue>,
     /// Angular velocity of the left wheel (rad/s) or "free", beside `pitch_rate_right`.
-    #[schemars(with = "Freely")]
+    #[schemars(with = "GivenOrFree")]
     #[serde(default)]
-    pub(super) pitch_rate_left: Option<Freely>,
+    pub(super) pitch_rate_left: Option<GivenOrFree>,
     /// Angular velocity of the right wheel (rad/s) or "free".
-    #[schemars(with = "Freely")]
+    #[schemars(with = "GivenOrFree")]
     #[serde(default)]
-    pub(super) pitch_rate_right: Option<Freely>,
+    pub(super) pitch_rate_right: Option<GivenOrFree>,
     /// "rigid" (the default): both wheels turn with the axle; "independent": each by itself.
     #[schemars(with = "WheelsOnAxle")]
     #[serde(default)]

@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 use std::sync::Arc;
 
-use creepage::coulomb::{ElementField, NearTractions};
+use creepage::coulomb::{ElementField, TangentialWarmStart};
 use creepage::normal::NormalContact;
 use creepage::{Scaling, SiCreepage, SiForce, Solution, Status, normal};
 use creepage_rail::{Motion, Position, RollingCreepage, Side};
@@ -12,8 +12,8 @@ use super::case::RigidSlip;
 use super::correction::Correction;
 use super::derivatives::WheelsetDerivatives;
 use super::field::Field;
-use super::nearby::{Drift, Pitch};
 use super::resultant::{Acting, Resultant};
+use super::warm_start::{PitchState, PredictorCorrection};
 use crate::{Caution, Damage, GapTheory, adhesion};
 
 /// A wheelset whose contacts are solved.
@@ -43,9 +43,9 @@ pub struct SolvedWheelset {
     /// Mean nominal radius of the wheels (m).
     pub(super) radius: f64,
     /// Where a position nearby finds its pitch rates.
-    pub(super) pitch: [Pitch; 2],
+    pub(super) pitch: [PitchState; 2],
     /// How it came to stand elsewhere than was expected from the position before, if there was one.
-    pub(super) drift: Option<Drift>,
+    pub(super) drift: Option<PredictorCorrection>,
 }
 
 /// One wheel of a solved wheelset.
@@ -180,7 +180,7 @@ impl SolvedContact {
     }
 
     /// From which a position close by may start, where the theory has them.
-    pub(super) fn tractions(&self) -> Option<&Arc<NearTractions>> {
+    pub(super) fn tractions(&self) -> Option<&Arc<TangentialWarmStart>> {
         self.field.tractions()
     }
 

@@ -4,7 +4,7 @@
 use creepage_plot::format::{fixed, quantity};
 use creepage_plot::theme::{ARROW, RED};
 use creepage_plot::{Axis, Label, Panel, Pen, Point, Sample, Sheet};
-use creepage_rail::{GeometryError, Running, Side};
+use creepage_rail::{GeometryError, Side, WheelsetOnTrack};
 
 use super::error::side_word;
 use super::solved::{SolvedContact, SolvedWheel, SolvedWheelset};
@@ -34,7 +34,7 @@ impl SolvedWheelset {
     ///
     /// # Errors
     /// [`GeometryError`] for a position that is none on this track.
-    pub fn svg(&self, running: &Running) -> Result<String, GeometryError> {
+    pub fn svg(&self, running: &WheelsetOnTrack) -> Result<String, GeometryError> {
         let largest =
             self.contacts().map(across).fold(0.0, |most: f64, [y, z]| most.max(y.hypot(z)));
         let unit = if largest > 0.0 { ARROW_LENGTH / largest } else { 0.0 };
@@ -99,7 +99,11 @@ impl SolvedWheelset {
 }
 
 impl<'a> View<'a> {
-    fn new(wheel: &'a SolvedWheel, running: &Running, unit: f64) -> Result<Self, GeometryError> {
+    fn new(
+        wheel: &'a SolvedWheel,
+        running: &WheelsetOnTrack,
+        unit: f64,
+    ) -> Result<Self, GeometryError> {
         let lines = running.outlines(wheel.side, &wheel.position, SPACING)?;
         let lines =
             lines.map(|line| line.into_iter().map(|place| place.map(|at| MM * at)).collect());

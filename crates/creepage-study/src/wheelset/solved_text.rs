@@ -3,7 +3,7 @@
 use creepage_plot::format::{fixed, quantity, significant};
 use creepage_rail::Side;
 
-use super::derivatives::{By, ForceDerivative, WheelsetDerivatives};
+use super::derivatives::{ForceDerivative, StateVariable, WheelsetDerivatives};
 use super::error::side_word;
 use super::solved::{SolvedContact, SolvedWheel, SolvedWheelset};
 use crate::text::{Lines, status_words};
@@ -106,7 +106,7 @@ fn wheel_lines(wheel: &SolvedWheel, lines: &mut Lines) {
 fn derivative_lines(derivatives: &WheelsetDerivatives, side: Side, lines: &mut Lines) {
     lines.heading("  derivatives of the force on the rail, with what is found following");
     lines.columns("", ["longitudinal", "lateral", "vertical"]);
-    for by in By::ALL {
+    for by in StateVariable::ALL {
         if let Some(ForceDerivative { force, force_error, .. }) = derivatives.of(side, by) {
             let (name, unit) = name(by);
             let [x, y, z] = force.map(|value| fixed(value, 1));
@@ -117,16 +117,16 @@ fn derivative_lines(derivatives: &WheelsetDerivatives, side: Side, lines: &mut L
     }
 }
 
-fn name(by: By) -> (&'static str, &'static str) {
+fn name(by: StateVariable) -> (&'static str, &'static str) {
     match by {
-        By::Y => ("y", "N/m"),
-        By::Z => ("z", "N/m"),
-        By::Roll => ("roll", "N/rad"),
-        By::Yaw => ("yaw", "N/rad"),
-        By::Speed => ("speed", "N s/m"),
-        By::PitchRate => ("pitch rate", "N s/rad"),
-        By::LateralVelocity => ("lateral velocity", "N s/m"),
-        By::YawRate => ("yaw rate", "N s/rad"),
+        StateVariable::Y => ("y", "N/m"),
+        StateVariable::Z => ("z", "N/m"),
+        StateVariable::Roll => ("roll", "N/rad"),
+        StateVariable::Yaw => ("yaw", "N/rad"),
+        StateVariable::Speed => ("speed", "N s/m"),
+        StateVariable::PitchRate => ("pitch rate", "N s/rad"),
+        StateVariable::LateralVelocity => ("lateral velocity", "N s/m"),
+        StateVariable::YawRate => ("yaw rate", "N s/rad"),
     }
 }
 

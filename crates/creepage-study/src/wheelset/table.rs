@@ -5,7 +5,7 @@ use std::path::Path;
 use netcdf3::{DataSet, FileWriter, Version};
 use rayon::prelude::*;
 
-use super::case::{Stance, WheelsetCase};
+use super::case::{WheelsetCase, WheelsetPose};
 use super::error::{WheelsetError, section};
 use super::solved::{SolvedWheel, SolvedWheelset};
 use crate::error::ReportError;
@@ -80,7 +80,7 @@ impl WheelsetTable {
                     if !goes_on() {
                         return None;
                     }
-                    let stance = Stance { y, yaw: *yaw, ..case.stance };
+                    let stance = WheelsetPose { y, yaw: *yaw, ..case.stance };
                     let near = last.as_ref().map(|last| solver.next(last, &stance, &travel));
                     let solved = match near {
                         Some(Ok(solved)) => Ok(solved),

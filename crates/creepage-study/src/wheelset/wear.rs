@@ -5,7 +5,7 @@ use creepage_rail::RollingCreepage;
 
 use super::error::side_word;
 use super::solved::{SolvedContact, SolvedWheel, SolvedWheelset};
-use crate::damage::{DamageWanted, Ground, WearRow, of_elements};
+use crate::damage::{DamageInput, DamageWanted, WearRow, of_elements};
 use crate::error::ReportError;
 
 const HEADER: [&str; 7] =
@@ -65,7 +65,7 @@ impl SolvedContact {
             (self.creepage, &self.normal);
         let creepage = SiCreepage { longitudinal, lateral, spin };
         let rows = of_elements(&self.elements(), self.scaling, normal, creepage);
-        let ground = Ground {
+        let ground = DamageInput {
             force: self.force,
             creepage,
             normal,

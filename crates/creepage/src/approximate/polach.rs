@@ -19,7 +19,7 @@ use std::f64::consts::{FRAC_2_PI, FRAC_PI_4, PI};
 use super::linear::{CreepageCoefficients, bounded, checked};
 use crate::check::{self, InvalidValue};
 use crate::contact::Contact;
-use crate::theory::{Evaluated, Jacobian, Solved};
+use crate::theory::{Jacobian, Solved, Stateless};
 use crate::{Creepage, FieldPoint, Force, Region, Solution, Status, Theory};
 
 /// Polach's law of 1999 (published 2000), with the two reduction factors of 2005.
@@ -253,7 +253,7 @@ impl Theory for Polach {
     }
 
     fn solved(&self, creepage: Creepage) -> Box<dyn Solved + '_> {
-        Evaluated::boxed(self, creepage)
+        Stateless::boxed(self, creepage)
     }
 }
 

@@ -5,7 +5,7 @@ use super::cubic::Cubic;
 use super::linear::{CreepageCoefficients, checked, linear_force};
 use crate::check::InvalidValue;
 use crate::contact::Contact;
-use crate::theory::{Evaluated, Jacobian, Solved};
+use crate::theory::{Jacobian, Solved, Stateless};
 use crate::{Creepage, FieldPoint, Force, Region, Solution, Status, Theory};
 
 /// Law of Shen, Hedrick and Elkins (1983).
@@ -95,6 +95,6 @@ impl Theory for ShenHedrickElkins {
     }
 
     fn solved(&self, creepage: Creepage) -> Box<dyn Solved + '_> {
-        Evaluated::boxed(self, creepage)
+        Stateless::boxed(self, creepage)
     }
 }

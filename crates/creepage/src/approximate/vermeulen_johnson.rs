@@ -28,7 +28,7 @@ use super::linear::{bounded, checked, slip_unit};
 use super::outside_chords::OutsideChords;
 use crate::check::InvalidValue;
 use crate::contact::Contact;
-use crate::theory::{Evaluated, Jacobian, Solved};
+use crate::theory::{Jacobian, Solved, Stateless};
 use crate::{Creepage, FieldPoint, Force, Region, Solution, Status, Theory};
 
 /// Theory of Vermeulen and Johnson (1964): an ellipse, no spin.
@@ -191,6 +191,6 @@ impl Theory for VermeulenJohnson {
     }
 
     fn solved(&self, creepage: Creepage) -> Box<dyn Solved + '_> {
-        Evaluated::boxed(self, creepage)
+        Stateless::boxed(self, creepage)
     }
 }

@@ -1,4 +1,4 @@
-//! As fine as a prescribed accuracy needs.
+//! Adaptive resolution: the coarsest grid whose error bar meets a prescribed accuracy.
 
 use std::sync::OnceLock;
 

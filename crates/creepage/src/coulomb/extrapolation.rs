@@ -1,4 +1,4 @@
-//! From two grids to one value and its error bar.
+//! Richardson extrapolation from two grids, and the error bar of its result.
 
 use super::mesh::fit;
 use crate::ellipse::Ellipse;

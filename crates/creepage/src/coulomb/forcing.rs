@@ -65,7 +65,7 @@ impl SlipForcing {
     }
 
     /// How adhesion of an element gives way, and the derivative of that by the spin.
-    pub(crate) fn give(&self, element: usize) -> [f64; 2] {
+    pub(crate) fn spin_compliance(&self, element: usize) -> [f64; 2] {
         self.give.get(element).copied().unwrap_or_default()
     }
 

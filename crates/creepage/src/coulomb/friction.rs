@@ -6,7 +6,7 @@
 
 /// How the corner of the projection is rounded, and over which half-width.
 #[derive(Debug, Clone, Copy, Default)]
-pub(crate) enum Corner {
+pub(crate) enum Regularization {
     #[default]
     Sharp,
     /// By a polynomial above the corner's middle and below its ends, whose mean error is zero.
@@ -16,7 +16,7 @@ pub(crate) enum Corner {
     Monotone(f64),
 }
 
-impl Corner {
+impl Regularization {
     pub(crate) fn half_width(self) -> f64 {
         match self {
             Self::Sharp => 0.0,
@@ -70,7 +70,7 @@ pub(crate) struct Sliding {
 
 /// The projection of `trial = traction + weight * slip`: `None` where it is the trial itself, in
 /// adhesion.
-pub(crate) fn project(trial: [f64; 2], corner: Corner) -> Option<Sliding> {
+pub(crate) fn project(trial: [f64; 2], corner: Regularization) -> Option<Sliding> {
     let size = (trial[0] * trial[0] + trial[1] * trial[1]).sqrt();
     if size <= 1.0 - corner.half_width() {
         return None;
@@ -93,7 +93,7 @@ pub(crate) fn project_within(
     limit: f64,
     give: f64,
     trial: [f64; 2],
-    corner: Corner,
+    corner: Regularization,
 ) -> Option<Sliding> {
     let part = 1.0 / (1.0 + give);
     let shared = trial.map(|t| part * t / limit);
@@ -109,7 +109,12 @@ pub(crate) fn project_within(
 }
 
 /// The change of the same projection with the half-width of its corner.
-pub(crate) fn by_half_width(limit: f64, give: f64, trial: [f64; 2], corner: Corner) -> [f64; 2] {
+pub(crate) fn by_half_width(
+    limit: f64,
+    give: f64,
+    trial: [f64; 2],
+    corner: Regularization,
+) -> [f64; 2] {
     let size = trial[0].hypot(trial[1]);
     let change = limit * corner.by_half_width(size / (limit * (1.0 + give)));
     if change == 0.0 { [0.0; 2] } else { trial.map(|t| change * t / size) }
@@ -126,7 +131,7 @@ mod tests {
 
     #[test]
     fn small_trials_adhere() {
-        assert!(project([0.9, 0.0], Corner::Monotone(0.1)).is_none());
+        assert!(project([0.9, 0.0], Regularization::Monotone(0.1)).is_none());
     }
 
     /// Central differences of step 1e-6, in the rounded corner and beyond: their error is of order
@@ -134,7 +139,9 @@ mod tests {
     #[test]
     fn the_derivative_is_that_of_the_projection() {
         let h = 1e-6;
-        for corner in [Corner::Sharp, Corner::Unbiased(0.1), Corner::Monotone(0.1)] {
+        for corner in
+            [Regularization::Sharp, Regularization::Unbiased(0.1), Regularization::Monotone(0.1)]
+        {
             for trial in [[0.75, -0.67], [0.8, -0.7], [1.2, -0.7]] {
                 let sliding = project(trial, corner).unwrap();
                 for k in 0..2 {
@@ -156,7 +163,7 @@ mod tests {
     /// that is left goes with the traction.
     #[test]
     fn adhesion_that_gives_way_is_a_smooth_law_too() {
-        let (h, limit, give, corner) = (1e-6, 0.8, 0.3, Corner::Unbiased(0.1));
+        let (h, limit, give, corner) = (1e-6, 0.8, 0.3, Regularization::Unbiased(0.1));
         for trial in [[0.4, -0.3], [0.8, -0.62], [1.2, -0.7]] {
             let at = |trial| project_within(limit, give, trial, corner).unwrap();
             let found = at(trial);
@@ -178,7 +185,7 @@ mod tests {
     #[test]
     fn the_projection_changes_with_the_width_of_its_corner() {
         let (h, limit, give) = (1e-6, 0.8, 0.3);
-        for corner in [Corner::Unbiased, Corner::Monotone] {
+        for corner in [Regularization::Unbiased, Regularization::Monotone] {
             for trial in [[0.4, -0.3], [0.8, -0.62], [0.85, -0.62], [1.2, -0.7], [0.0, 0.0]] {
                 let at = |half_width| {
                     project_within(limit, give, trial, corner(half_width)).unwrap().traction
@@ -199,7 +206,8 @@ mod tests {
     fn rounded_corners_keep_what_they_promise() {
         let (half_width, n) = (0.2, 2000);
         let at = |k: i32| 0.8 + 0.4 * (f64::from(k) + 0.5) / f64::from(n);
-        let (unbiased, monotone) = (Corner::Unbiased(half_width), Corner::Monotone(half_width));
+        let (unbiased, monotone) =
+            (Regularization::Unbiased(half_width), Regularization::Monotone(half_width));
         let error: f64 = (0..n).map(|k| unbiased.rounded(at(k)).0 - at(k).min(1.0)).sum();
         assert!((error / f64::from(n)).abs() < 1e-7);
         assert!(

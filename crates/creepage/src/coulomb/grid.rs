@@ -2,13 +2,13 @@
 //! every other.
 
 use super::forcing::{self, SlipForcing};
+use super::friction_bound::FrictionBound;
 use super::influence::{Displacements, Influence};
 use super::mesh::Mesh;
 use super::pressure::Pressure;
 use super::quadrature::Quadrature;
-use super::resistance::Resistance;
+use super::spin_pole;
 use super::stencil::SlipStencil;
-use super::turning;
 use crate::ellipse::Ellipse;
 use crate::friction_law::RollingFriction;
 use crate::layer::Layer;
@@ -51,7 +51,7 @@ pub(crate) struct Grid {
     /// Half the width of each element's strip, where adhesion gives way to spin; empty elsewhere.
     pub half_widths: Vec<f64>,
     /// Where the traction bound depends on the slip.
-    pub resistance: Option<Resistance>,
+    pub resistance: Option<FrictionBound>,
 }
 
 impl Grid {
@@ -138,7 +138,7 @@ impl Grid {
             return self;
         }
         let stencils: Vec<_> = self.mesh.strips.iter().map(SlipStencil::steady).collect();
-        self.resistance = Resistance::new(friction, layer, scaling, &stencils);
+        self.resistance = FrictionBound::new(friction, layer, scaling, &stencils);
         let Some(layer) = layer else { return self };
         let flexibility = layer.dimensionless_flexibility(scaling);
         let own: Vec<f64> = self.pressure.bounds.iter().map(|bound| flexibility * bound).collect();
@@ -169,13 +169,13 @@ impl Grid {
 
     /// The part of [`Grid::rounding`] that is left at a spin, and its derivative.
     pub(crate) fn corner(&self, spin: f64) -> [f64; 2] {
-        if self.narrows { turning::corner(spin) } else { [1.0, 0.0] }
+        if self.narrows { spin_pole::corner(spin) } else { [1.0, 0.0] }
     }
 
     /// Sets what drives the slip; `side` is the sign of the pressure's part.
     pub(crate) fn set_forcing(&self, creepage: Creepage, side: f64, forcing: &mut SlipForcing) {
         forcing.set(creepage, &self.places, side, &self.pressure_slip);
-        turning::set_give(&self.half_widths, &self.weights, forcing);
+        spin_pole::set_give(&self.half_widths, &self.weights, forcing);
     }
 }
 
@@ -184,8 +184,8 @@ mod tests {
     use super::*;
     use crate::Force;
     use crate::coulomb::influence::{Precision, Tractions};
-    use crate::coulomb::pieces::Pieces;
     use crate::coulomb::solver::{Equations, State};
+    use crate::coulomb::subdivision::Pieces;
 
     const POISSON: f64 = 0.28;
 

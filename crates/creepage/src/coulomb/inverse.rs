@@ -63,20 +63,20 @@ impl Exact {
 }
 
 /// A contact solved at one creepage, and again at others.
-pub(crate) trait Trial: Solved + Sized {
+pub(crate) trait Resolve: Solved + Sized {
     /// The same contact at another creepage.
-    fn again(&self, creepage: Creepage) -> Self;
+    fn resolve(&self, creepage: Creepage) -> Self;
 }
 
-impl Trial for ExactSolved<'_> {
-    fn again(&self, creepage: Creepage) -> Self {
+impl Resolve for ExactSolved<'_> {
+    fn resolve(&self, creepage: Creepage) -> Self {
         self.theory().solve_contact(creepage)
     }
 }
 
 /// The contact solved where the constraints hold, and the steps taken; from `solve` at the
 /// prescribed creepages, the others zero. `scale` is the size of creepage that makes a difference.
-pub(crate) fn search<T: Trial>(
+pub(crate) fn search<T: Resolve>(
     constraints: Constraints,
     scale: f64,
     solve: impl Fn(Creepage) -> T,
@@ -136,7 +136,7 @@ impl Problem {
     }
 
     /// A Newton step, shortened until it comes nearer; `None` when none does.
-    fn step<T: Trial>(&self, from: &mut T) -> Option<T> {
+    fn step<T: Resolve>(&self, from: &mut T) -> Option<T> {
         let (residual, at) = (self.residual(from), from.creepage().components());
         let jacobian = from.jacobian()?;
         let n = residual.len();
@@ -151,7 +151,7 @@ impl Problem {
                 to[*k] += length * step;
             }
             let [xi, eta, chi] = to;
-            let next = from.again(Creepage { xi, eta, chi });
+            let next = from.resolve(Creepage { xi, eta, chi });
             let within = self.unknown.iter().all(|k| to[*k].abs() <= LARGEST * self.scale);
             if within && self.residual(&next).norm() < residual.norm() {
                 return Some(next);

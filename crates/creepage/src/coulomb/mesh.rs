@@ -1,4 +1,4 @@
-//! Elements: strips along the rolling direction, each cut along its own length.
+//! The mesh: strips along the rolling direction, each cut into elements along its own length.
 //!
 //! A strip has its own ends, borders and number of elements. An element is a quadrilateral between
 //! the cuts of its strip's two borders, for the ends of a strip are not the same on both:
@@ -8,7 +8,7 @@
 use std::ops::Range;
 use std::sync::Arc;
 
-use super::pieces::{Pieces, SUBCELLS};
+use super::subdivision::{Pieces, SUBCELLS};
 use crate::ellipse::Ellipse;
 
 /// Largest `a/b` with elements that are fitted all the way, and with a wide corner of friction.
@@ -17,11 +17,11 @@ pub(super) const LONG: f64 = 10.0;
 /// How strips narrow towards the sides: their density is as `1 / (1 - |t|^(p - 1))`, with `t` from
 /// -1 to 1.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Sides {
+pub(crate) struct StripGrading {
     p: f64,
 }
 
-impl Sides {
+impl StripGrading {
     /// In the middle a quarter wider than equal strips: where slip begins all around the edge.
     pub(crate) const NARROW: Self = Self { p: 5.0 };
 
@@ -120,14 +120,19 @@ impl Mesh {
 
     /// `strips` strips of `along` elements that fit an ellipse, for steady rolling.
     pub(crate) fn ellipse(ellipse: Ellipse, along: usize, strips: usize) -> Self {
-        Self::with_sides(ellipse, along, strips, Sides::steady(ellipse.ratio()))
+        Self::with_sides(ellipse, along, strips, StripGrading::steady(ellipse.ratio()))
     }
 
     /// `strips` strips of `along` elements that fit an ellipse.
     ///
     /// Small creepage makes the traction infinite all along the trailing half of the edge, so the
     /// cuts are clustered towards it: along as cosines, across less.
-    pub(crate) fn with_sides(ellipse: Ellipse, along: usize, strips: usize, sides: Sides) -> Self {
+    pub(crate) fn with_sides(
+        ellipse: Ellipse,
+        along: usize,
+        strips: usize,
+        sides: StripGrading,
+    ) -> Self {
         let fit = fit(ellipse.ratio());
         let broken = |piece: usize| piece as f64 / SUBCELLS as f64;
         let pieces = Pieces::of_equal_angles(along);
@@ -276,7 +281,7 @@ pub(super) fn next(
 }
 
 /// Border `j` of `n` from -1 to 1, or with a broken `j` one between subcells.
-pub(super) fn border(j: f64, n: usize, fit: f64, Sides { p }: Sides) -> f64 {
+pub(super) fn border(j: f64, n: usize, fit: f64, StripGrading { p }: StripGrading) -> f64 {
     let t = 2.0 * j / n as f64 - 1.0;
     t + fit / (p - 1.0) * (t - t * t.abs().powf(p - 1.0))
 }
@@ -303,7 +308,7 @@ mod tests {
     #[test]
     fn strips_narrow_at_the_sides_only() {
         let widths = |a_over_b: f64| {
-            let border = |j: i32| border(f64::from(j), 40, 1.0, Sides::steady(a_over_b));
+            let border = |j: i32| border(f64::from(j), 40, 1.0, StripGrading::steady(a_over_b));
             let borders: Vec<f64> = (0..=40).map(border).collect();
             borders.windows(2).map(|pair| pair[1] - pair[0]).collect::<Vec<f64>>()
         };

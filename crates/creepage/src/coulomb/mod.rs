@@ -19,47 +19,47 @@
 //! p = P(p + r s)
 //! ```
 
+mod anderson;
 mod automatic;
-pub(crate) mod bands;
-mod borders;
+mod boussinesq_cerruti;
 mod coupled;
-mod cuts;
 mod cylinders;
+mod dissipation;
 pub(crate) mod extrapolation;
+mod field_interpolation;
 pub(crate) mod forcing;
 mod friction;
+pub(crate) mod friction_bound;
 pub(crate) mod grid;
-mod heat;
 pub(crate) mod influence;
 mod inverse;
 pub(crate) mod mesh;
-mod mixing;
 mod non_hertzian;
-pub(crate) mod pieces;
+pub(crate) mod patch_mesh;
 pub(crate) mod pressure;
 mod product;
 pub(crate) mod quadrature;
-pub(crate) mod resistance;
 pub(crate) mod resolution;
 mod solution;
 pub(crate) mod solver;
+mod spin_pole;
 pub(crate) mod stencil;
-mod turning;
-mod view;
+mod stick_slip_boundary;
+pub(crate) mod subdivision;
 mod workspace;
 
 pub use crate::theory::{Constraints, InverseError};
 pub use automatic::Automatic;
 pub use coupled::{Coupled, CoupledSolved, GrossSliding, Prescribed, SlidingError};
 pub use cylinders::{Cylinders, CylindersSolved};
+pub use field_interpolation::ElementField;
 pub(crate) use forcing::hertz_slip;
 pub use inverse::InverseSolution;
-pub use non_hertzian::{NearTractions, NonHertzian, NonHertzianAutomatic, NonHertzianSolved};
+pub use non_hertzian::{NonHertzian, NonHertzianAutomatic, NonHertzianSolved, TangentialWarmStart};
 pub use resolution::Resolution;
 pub use solution::ExactSolved;
-pub use view::ElementField;
 
-pub(crate) use inverse::{Trial, search};
+pub(crate) use inverse::{Resolve, search};
 
 use crate::check::{self, InvalidValue};
 use crate::theory::Solved;
@@ -213,7 +213,7 @@ impl Exact {
 /// The quadrilaterals of the fine resolution that fill an ellipse, in its unit of length.
 pub(crate) fn quadrilaterals(ellipse: Ellipse) -> impl Iterator<Item = [[f64; 2]; 4]> {
     let [along, strips] = Resolution::FINE.coarse(ellipse.ratio());
-    let sides = mesh::Sides::NARROW;
+    let sides = mesh::StripGrading::NARROW;
     let mesh = mesh::Mesh::with_sides(ellipse, 2 * along, 2 * strips, sides);
     let strips = mesh.strips.into_iter();
     strips.flat_map(|strip| (0..strip.len()).map(move |i| strip.corners(i)))

@@ -3,16 +3,16 @@
 use std::sync::Arc;
 
 use super::automatic::{Resolutions, error_bars};
-use super::bands::{Bands, Frame};
+use super::dissipation::{self, Unresolved};
 use super::extrapolation::{Extrapolation, error_bar, extrapolate};
+use super::field_interpolation::{ElementField, FieldInterpolation};
 use super::grid::Grid;
-use super::heat::{self, Unresolved};
-use super::inverse::{Trial, search};
+use super::inverse::{Resolve, search};
 use super::mesh::Strip;
+use super::patch_mesh::{Bands, Frame};
 use super::resolution::Resolution;
 use super::solution::{error_bars_and_elements, power_of, quarters};
 use super::solver::State;
-use super::view::{ElementField, View};
 use super::workspace::{Pool, Workspace};
 use super::{Constraints, InverseError};
 use crate::check::{self, InvalidValue};
@@ -166,7 +166,7 @@ impl NonHertzian {
         &self,
         creepage: Creepage,
         more: impl Fn([f64; 2]) -> [f64; 2],
-        near: &NearTractions,
+        near: &TangentialWarmStart,
     ) -> NonHertzianSolved<'_> {
         if self.grids[0].resistance.is_some() || near.elements != self.strips() {
             return self.solve_curved(creepage, more);
@@ -218,7 +218,7 @@ impl NonHertzian {
             [0, 1].map(|k: usize| work_of(&grids[k].pressure.shares, states[k], &more[k]));
         let power = power_of(force, creepage) + extrapolate(on_coarse, on_fine);
         let work = power_of(fine.force, inward) + on_fine;
-        let dissipation = heat::dissipation(power, &fine, work);
+        let dissipation = dissipation::dissipation(power, &fine, work);
         Answer { solution, power, dissipation, by_elements: fine.dissipation }
     }
 
@@ -282,7 +282,7 @@ fn work_of(shares: &[f64], state: &State, more: &[[f64; 2]]) -> f64 {
 
 /// Tractions of a solved contact, from which one close by may start: [`NonHertzian::solve_near`].
 #[derive(Debug, Clone, PartialEq)]
-pub struct NearTractions {
+pub struct TangentialWarmStart {
     /// Elements in each strip of both grids.
     elements: [Vec<usize>; 2],
     tractions: [Vec<[f64; 2]>; 2],
@@ -332,12 +332,12 @@ impl<'a> NonHertzianSolved<'a> {
 
     /// Its tractions, for contacts close by.
     #[must_use]
-    pub fn tractions(&self) -> NearTractions {
+    pub fn tractions(&self) -> TangentialWarmStart {
         let tractions = self.workspace.states().map(|state| {
             let elements = 0..state.traction.own[0].len();
             elements.map(|element| state.traction.at(element)).collect()
         });
-        NearTractions { elements: self.theory.strips(), tractions }
+        TangentialWarmStart { elements: self.theory.strips(), tractions }
     }
 
     /// The elements of the finer grid, strip by strip, each from the leading edge.
@@ -356,16 +356,16 @@ impl<'a> NonHertzianSolved<'a> {
         self.theory.grids[1].mesh.all().map(element).collect()
     }
 
-    fn view(&self) -> View<'_> {
+    fn view(&self) -> FieldInterpolation<'_> {
         self.view_of(1)
     }
 
     /// The coarser grid, 0, or the finer one, 1, as it is seen.
-    fn view_of(&self, level: usize) -> View<'_> {
-        View::new(&self.theory.grids[level], self.workspace.states()[level])
+    fn view_of(&self, level: usize) -> FieldInterpolation<'_> {
+        FieldInterpolation::new(&self.theory.grids[level], self.workspace.states()[level])
     }
 
-    fn at(&self, level: usize, view: &View, position: [f64; 2]) -> FieldPoint {
+    fn at(&self, level: usize, view: &FieldInterpolation, position: [f64; 2]) -> FieldPoint {
         let theory = self.theory;
         let [x, y] = position.map(|at| theory.scaling.length * at);
         let [a, b] = theory.origin();
@@ -381,8 +381,8 @@ impl<'a> NonHertzianSolved<'a> {
     }
 }
 
-impl Trial for NonHertzianSolved<'_> {
-    fn again(&self, creepage: Creepage) -> Self {
+impl Resolve for NonHertzianSolved<'_> {
+    fn resolve(&self, creepage: Creepage) -> Self {
         Self::new(self.theory, creepage, self.more.clone())
     }
 }
@@ -399,7 +399,7 @@ impl Solved for NonHertzianSolved<'_> {
     fn jacobian(&mut self) -> Option<Jacobian> {
         let theory = self.theory;
         if theory.grids[1].resistance.is_some() {
-            let force = |creepage| self.again(creepage).answer.solution.force.components();
+            let force = |creepage| self.resolve(creepage).answer.solution.force.components();
             return Some(differences(self.creepage, STEP, force));
         }
         let forces = self.workspace.sums(&theory.grids, 0.0).map(|sum| sum.force);

@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use super::mesh::{Mesh, Strip};
-use super::pieces::SUBCELLS;
+use super::subdivision::SUBCELLS;
 use crate::ellipse::Ellipse;
 
 /// Pressure moments of a subcell.

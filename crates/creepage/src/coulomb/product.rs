@@ -1,4 +1,4 @@
-//! Rows of the grid's coefficients times the tractions: where most of the time goes.
+//! Matrix-vector products of the influence matrix: most of the computing time.
 
 use pulp::{Arch, Simd, WithSimd};
 

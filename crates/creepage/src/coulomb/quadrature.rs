@@ -10,11 +10,11 @@ use std::sync::Arc;
 use pulp::{Arch, Simd, WithSimd};
 
 use super::mesh::{Mesh, Strip, next};
-use super::pieces::{Pieces, SUBCELLS};
 use super::pressure::{Moments, Pressure};
+use super::subdivision::{Pieces, SUBCELLS};
 use crate::Force;
-use crate::lanes::LANES;
-use crate::spare::Spare;
+use crate::buffer_pool::BufferPool;
+use crate::simd_math::LANES;
 
 /// Slip that counts as far from the border of adhesion; elastic slip is of order one. Near the
 /// border the element's own direction rules, so that nothing jumps when an element starts to slide.
@@ -49,7 +49,7 @@ pub(crate) struct Quadrature {
     elastic_slip: f64,
 }
 
-static SPARE: Spare<Subcells> = Spare::new();
+static SPARE: BufferPool<Subcells> = BufferPool::new();
 
 impl Drop for Quadrature {
     fn drop(&mut self) {

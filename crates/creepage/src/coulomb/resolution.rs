@@ -1,4 +1,4 @@
-//! How many elements.
+//! Grid resolutions by name, and how element counts follow from them.
 
 use crate::check::{self, InvalidValue};
 use crate::contact::Contact;

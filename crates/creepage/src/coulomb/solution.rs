@@ -1,11 +1,11 @@
-//! One contact solved, kept for further questions.
+//! The solution of one elliptic contact, kept for fields, derivatives and further solves.
 
 use super::Exact;
+use super::dissipation::{self, Unresolved};
 use super::extrapolation::{Extrapolation, extrapolate};
+use super::field_interpolation::{ElementField, FieldInterpolation};
 use super::grid::Grid;
-use super::heat::{self, Unresolved};
 use super::solver::State;
-use super::view::{ElementField, View};
 use super::workspace::Workspace;
 use crate::theory::field::mean;
 use crate::theory::{
@@ -103,7 +103,7 @@ impl Answer {
         let force = without_rounding(&exact.contact, creepage, force);
         let error = extrapolation.error_bar(forces, exact.grids[1].mesh.len());
         let power = power_of(force, creepage) + extrapolate(coarse.by_pressure, fine.by_pressure);
-        let dissipation = heat::dissipation(power, &fine, power_of(fine.force, mirrored));
+        let dissipation = dissipation::dissipation(power, &fine, power_of(fine.force, mirrored));
         let by_elements = fine.dissipation;
         let solution = workspace.solution(force, error);
         Self { creepage, mirror, extrapolation, forces, solution, power, dissipation, by_elements }
@@ -209,11 +209,11 @@ impl<'a> ExactSolved<'a> {
     }
 
     /// The same as they are seen.
-    fn views(&self) -> [View<'_>; 2] {
-        self.levels().map(|(grid, state)| View::new(grid, state))
+    fn views(&self) -> [FieldInterpolation<'_>; 2] {
+        self.levels().map(|(grid, state)| FieldInterpolation::new(grid, state))
     }
 
-    fn at(&self, level: usize, view: &View, position: [f64; 2]) -> FieldPoint {
+    fn at(&self, level: usize, view: &FieldInterpolation, position: [f64; 2]) -> FieldPoint {
         let (mirror, mesh) = (self.answer.mirror, &self.exact.grids[level].mesh);
         let ellipse = self.exact.contact.ellipse();
         let [x, y] = mirror.position(position);

@@ -1,11 +1,11 @@
-//! Room to solve one case on two grids, and a pool of such rooms.
+//! Buffers of one case on two grids, and a pool of them.
 
 use std::sync::{Mutex, PoisonError};
 
 use super::forcing::SlipForcing;
+use super::friction_bound::FrictionBound;
 use super::grid::Grid;
 use super::quadrature::Sum;
-use super::resistance::Resistance;
 use super::solver::{Equations, Outcome, State};
 use crate::Force;
 use crate::theory::{Solution, Statistics, Status};
@@ -75,7 +75,7 @@ impl Workspace {
     /// Whether kinetic friction everywhere leads to another solution on the coarser grid; not where
     /// friction does not depend on the slip.
     pub(super) fn has_another(&self, grids: &[Grid; 2], side: f64) -> bool {
-        let Some(lowest) = grids[0].resistance.as_ref().and_then(Resistance::lowest) else {
+        let Some(lowest) = grids[0].resistance.as_ref().and_then(FrictionBound::lowest) else {
             return false;
         };
         let Level { mut state, mut equations, .. } = self.levels[0].clone();

@@ -7,7 +7,7 @@
 //! states (Frank and Wolfe, with away steps) converge geometrically, and any centre gives a valid
 //! bound.
 
-use crate::below::Stress;
+use crate::subsurface::Stress;
 
 /// A deviator: the square of its length is that of von Mises's stress.
 pub(super) type Deviator = [f64; 5];

@@ -1,8 +1,8 @@
 //! The stresses that a material point sees while the contact passes.
 
 use super::ball;
-use crate::below::{Interior, Stress};
 use crate::check::{self, InvalidValue};
+use crate::subsurface::{Interior, Stress};
 
 /// States of stress over a passage, from far ahead to far behind. In steady rolling they are the field
 /// along a line in the rolling direction.

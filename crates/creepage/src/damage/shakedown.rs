@@ -14,8 +14,8 @@ use rayon::prelude::*;
 
 use super::ball::{self, Deviator};
 use super::passage::Passage;
-use crate::below::Interior;
 use crate::check::{self, InvalidValue};
+use crate::subsurface::Interior;
 
 /// Where the limit is looked for.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -67,7 +67,7 @@ impl Shakedown {
 /// Melan's lower bound for the body `interior` under the contact that `block` describes.
 ///
 /// ```
-/// use creepage::below::{Body, Interior};
+/// use creepage::subsurface::{Body, Interior};
 /// use creepage::damage::{ShakedownBlock, shakedown};
 /// use creepage::{Ellipse, Hertz, Solid, SolidPair};
 /// let steel = Solid::new(80e9, 0.3)?;

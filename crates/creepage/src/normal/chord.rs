@@ -32,7 +32,7 @@ impl Chord {
     /// and the same times `s`.
     pub(super) fn load(&self, nodes: &[(f64, f64)]) -> [f64; 2] {
         nodes.iter().fold([0.0; 2], |[load, by_s], &(s, weight)| {
-            let part = weight * Spot::new(s).of(&self.density);
+            let part = weight * ChordPoint::new(s).of(&self.density);
             [load + part, by_s + part * s]
         })
     }
@@ -55,18 +55,18 @@ pub(crate) struct Line {
 impl Line {
     /// Pressure at `s` (Pa).
     pub(crate) fn pressure(&self, s: f64) -> f64 {
-        self.pressure_at(&Spot::new(s))
+        self.pressure_at(&ChordPoint::new(s))
     }
 
     /// The same where it is known which places are next.
-    pub(crate) fn pressure_at(&self, spot: &Spot) -> f64 {
+    pub(crate) fn pressure_at(&self, spot: &ChordPoint) -> f64 {
         self.half * spot.root * spot.of(&self.density)
     }
 }
 
 /// A place in `s`, and between which two places of a chord it lies.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Spot {
+pub(crate) struct ChordPoint {
     pub(crate) s: f64,
     /// `sqrt(1 - s^2)`.
     root: f64,
@@ -75,7 +75,7 @@ pub(crate) struct Spot {
     part: f64,
 }
 
-impl Spot {
+impl ChordPoint {
     pub(crate) fn new(s: f64) -> Self {
         const LAST: f64 = (PLACES - 1) as f64;
         let at = (0.5 * LAST * (s + 1.0)).clamp(0.0, LAST);

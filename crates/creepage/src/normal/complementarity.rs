@@ -1,5 +1,5 @@
-//! Pressures that are not negative, under which no point penetrates and every pressed point
-//! touches: `A p >= d`, `p >= 0`, `p (A p - d) = 0`.
+//! The complementarity problem of normal contact by conjugate gradients with an active set (Polonsky and Keer
+//! 1999): `A p >= d`, `p >= 0`, `p (A p - d) = 0`.
 //!
 //! Conjugate gradients on the pressed cells; after every step negative pressures are cut off
 //! and cells that penetrate are taken in (Polonsky & Keer, Wear 231, 1999). A step that raises
@@ -9,7 +9,7 @@ use super::product::{Product, dot};
 
 /// Pressures on cells, and how well they solve the problem.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Pressed {
+pub(super) struct PressureState {
     pub(super) pressures: Vec<f64>,
     /// Distances of the deformed bodies.
     pub(super) distance: Vec<f64>,
@@ -23,7 +23,7 @@ pub(super) fn solve(
     depths: &[f64],
     start: Vec<f64>,
     tolerance: f64,
-) -> Pressed {
+) -> PressureState {
     Iteration::new(product, depths, start).run(tolerance)
 }
 
@@ -66,7 +66,7 @@ impl<'a> Iteration<'a> {
         }
     }
 
-    fn run(mut self, tolerance: f64) -> Pressed {
+    fn run(mut self, tolerance: f64) -> PressureState {
         const MOST: usize = 600;
         let mut keep = 0.0;
         let mut last_square = 1.0;
@@ -86,7 +86,7 @@ impl<'a> Iteration<'a> {
             energy = self.energy();
         }
         let residual = self.residual();
-        Pressed { pressures: self.pressures, distance: self.distance, residual }
+        PressureState { pressures: self.pressures, distance: self.distance, residual }
     }
 
     fn energy(&self) -> f64 {

@@ -1,13 +1,13 @@
-//! The contact of two bodies of any shape: its areas and the pressure in them.
+//! The solved normal contact of two bodies of any shape: its patches and their pressure.
 
 use std::sync::Arc;
 
 use crate::check;
 use crate::solid::SolidPair;
 
-use super::band::{Band, Moments};
 use super::patch::Patch;
-use super::touching::Factors;
+use super::patch_strip::{Band, Moments};
+use super::strip_system::Factors;
 
 /// A number and how far the true one may lie from it.
 ///
@@ -144,13 +144,13 @@ impl StripRule {
 
 /// What a contact close by tells of another: its areas, the matrix of its strips, and how many it took.
 #[derive(Debug, Clone)]
-pub(super) struct Near<'a> {
+pub(super) struct NormalWarmStart<'a> {
     pub(super) areas: Vec<Patch>,
     pub(super) factors: Option<&'a Arc<Factors>>,
     pub(super) taken: Option<usize>,
 }
 
-impl Near<'_> {
+impl NormalWarmStart<'_> {
     /// Areas alone.
     pub(super) fn of(areas: Vec<Patch>) -> Self {
         Self { areas, factors: None, taken: None }
@@ -214,9 +214,9 @@ impl NormalContact {
     }
 
     /// What it tells of another approach close by.
-    pub(super) fn near(&self, approach: f64) -> Near<'_> {
+    pub(super) fn near(&self, approach: f64) -> NormalWarmStart<'_> {
         let taken = self.rule.map(|rule| rule.count);
-        Near { areas: self.grown(approach), factors: self.factors.as_ref(), taken }
+        NormalWarmStart { areas: self.grown(approach), factors: self.factors.as_ref(), taken }
     }
 
     /// The areas as they would be at another approach if they kept their shape: a load that goes

@@ -1,29 +1,32 @@
-//! Contact by elements: rectangles of constant pressure on lattices that follow the contact.
+//! The element method: rectangles of constant pressure on lattices that follow the contact.
 
 use crate::gap::{Gap, Rectangle};
 
 use super::error::{NormalError, Side};
 use super::lattice::{Lattice, mean_chords, whole};
-use super::level::{Accuracy, Level, Task};
+use super::level::{Accuracy, ElementGrid, NormalProblem};
 use super::overlap::{Overlap, widened};
 
 /// Cells that a lattice may have at most.
 const MOST_CELLS: f64 = 250_000.0;
 
 /// The first look: a lattice over the whole overlap.
-pub(super) fn first(task: Task<'_>, overlap: &Overlap) -> Result<Level, NormalError> {
+pub(super) fn first(
+    task: NormalProblem<'_>,
+    overlap: &Overlap,
+) -> Result<ElementGrid, NormalError> {
     const PER_CHORD: f64 = 8.0;
     let lattice = spanning(&overlap.rectangle, overlap.chords, PER_CHORD);
-    Level::solve(task, lattice, None, Accuracy::LOOK)
+    ElementGrid::solve(task, lattice, None, Accuracy::LOOK)
 }
 
 /// A lattice closely about the contact of another, with `per_chord` cells in its mean chord.
 pub(super) fn refined(
-    task: Task<'_>,
-    level: &Level,
+    task: NormalProblem<'_>,
+    level: &ElementGrid,
     per_chord: f64,
     accuracy: Accuracy,
-) -> Result<Level, NormalError> {
+) -> Result<ElementGrid, NormalError> {
     let none = || NormalError::NoContact { approach: task.approach, least_gap: task.approach };
     let [columns, rows] = level.bounds().ok_or_else(none)?;
     let chords =
@@ -31,7 +34,7 @@ pub(super) fn refined(
     let count = level.lattice.count;
     let rectangle = level.lattice.rectangle(widened(columns, count[0]), widened(rows, count[1]));
     let lattice = spanning(&rectangle, chords, per_chord);
-    Level::solve(task, lattice, Some(level), accuracy)
+    ElementGrid::solve(task, lattice, Some(level), accuracy)
 }
 
 /// Divides a rectangle so that a chord has the given number of cells, within the limit of cells.
@@ -48,12 +51,12 @@ fn spanning(rectangle: &Rectangle, chords: [f64; 2], per_chord: f64) -> Lattice 
 }
 
 /// The error of a contact that reaches the side of the known gap.
-pub(super) fn edge_error(task: Task<'_>, level: &Level, side: Side) -> NormalError {
+pub(super) fn edge_error(task: NormalProblem<'_>, level: &ElementGrid, side: Side) -> NormalError {
     NormalError::ReachesEdge { side, beyond: beyond(task.gap, task.approach, level, side) }
 }
 
 /// How far beyond a side the gap, continued by its last parabolas, stays below the approach.
-fn beyond(gap: &Gap, approach: f64, level: &Level, side: Side) -> f64 {
+fn beyond(gap: &Gap, approach: f64, level: &ElementGrid, side: Side) -> f64 {
     const DOUBLINGS: i32 = 40;
     let lattice = &level.lattice;
     let [columns, rows] = lattice.count;

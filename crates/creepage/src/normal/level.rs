@@ -1,4 +1,4 @@
-//! Pressures on one lattice.
+//! The element method on one lattice: pressures for a given approach.
 
 use crate::gap::Gap;
 
@@ -10,7 +10,7 @@ use super::product::{Product, dot};
 
 /// The solution on one lattice: cells that might touch, and the pressures on them.
 #[derive(Debug, Clone)]
-pub(super) struct Level {
+pub(super) struct ElementGrid {
     pub(super) lattice: Lattice,
     /// Pressures on all cells (Pa).
     pub(super) pressures: Vec<f64>,
@@ -23,7 +23,7 @@ pub(super) struct Level {
 
 /// What a level is asked to solve.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Task<'a> {
+pub(super) struct NormalProblem<'a> {
     pub(super) gap: &'a Gap,
     /// `E* = G/(1 - sigma)` (Pa).
     pub(super) modulus: f64,
@@ -48,10 +48,10 @@ impl Accuracy {
     pub(super) const ANSWER: Self = Self { residual: 1e-6, stiffness: Some(1e-4) };
 }
 
-impl Level {
+impl ElementGrid {
     /// Solves on a lattice, looking at the cells near the contact of a coarser one, or at all.
     pub(super) fn solve(
-        task: Task<'_>,
+        task: NormalProblem<'_>,
         lattice: Lattice,
         coarser: Option<&Self>,
         accuracy: Accuracy,
@@ -69,7 +69,7 @@ impl Level {
     }
 
     fn on(
-        task: Task<'_>,
+        task: NormalProblem<'_>,
         lattice: &Lattice,
         all_depths: &[f64],
         looked_at: &[bool],

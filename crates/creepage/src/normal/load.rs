@@ -1,24 +1,28 @@
-//! The approach that carries a load.
+//! Root search for the approach that carries a given load.
 
 use crate::gap::Gap;
 
 use super::elements;
 use super::error::NormalError;
-use super::found::Asked;
-use super::level::{Accuracy, Level, Task};
+use super::level::{Accuracy, ElementGrid, NormalProblem};
 use super::overlap::Overlap;
+use super::solution::Asked;
 
 /// The approach of a load to about a percent, and the coarse solution there.
 ///
 /// Load over depth rises as a power near 3/2; the power is learnt from the last two approaches,
 /// inside a bracket.
-pub(super) fn first(gap: &Gap, modulus: f64, load: f64) -> Result<(Task<'_>, Level), NormalError> {
+pub(super) fn first(
+    gap: &Gap,
+    modulus: f64,
+    load: f64,
+) -> Result<(NormalProblem<'_>, ElementGrid), NormalError> {
     const STEPS: usize = 60;
     const ENOUGH: f64 = 0.02;
     let mut search = Search::start(gap, load / modulus)?;
     for _ in 0..STEPS {
         let approach = search.least_gap + search.depth;
-        let task = Task { gap, modulus, approach };
+        let task = NormalProblem { gap, modulus, approach };
         let overlap = Overlap::find(gap, approach)?;
         let level = elements::first(task, &overlap)?;
         let ratio = level.load() / load;
@@ -101,11 +105,11 @@ impl Search {
 /// Moves the approach until the level carries the load asked for; a level at a prescribed
 /// approach stays as it is.
 pub(super) fn corrected(
-    mut task: Task<'_>,
+    mut task: NormalProblem<'_>,
     asked: Asked,
-    mut level: Level,
+    mut level: ElementGrid,
     accuracy: Accuracy,
-) -> Result<(Task<'_>, Level), NormalError> {
+) -> Result<(NormalProblem<'_>, ElementGrid), NormalError> {
     const STEPS: usize = 8;
     let enough = 10.0 * accuracy.residual;
     let Asked::Load(load) = asked else { return Ok((task, level)) };
@@ -116,7 +120,7 @@ pub(super) fn corrected(
         }
         let change = (load - carried) / level.stiffness;
         task.approach += change;
-        level = Level::solve(task, level.lattice, Some(&level), accuracy)?;
+        level = ElementGrid::solve(task, level.lattice, Some(&level), accuracy)?;
     }
     Ok((task, level))
 }

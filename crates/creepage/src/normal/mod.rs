@@ -7,14 +7,11 @@
 //! \frac{1}{\pi E^*} \int \frac{p(x', y')}{R} dx' dy' + h \ge \delta, \qquad p \ge 0, \qquad
 //! \text{equal where } p > 0.
 //! ```
-mod band;
 mod chord;
 mod complementarity;
 mod contact;
 mod elements;
 mod error;
-mod found;
-mod ladder;
 mod lattice;
 mod level;
 mod load;
@@ -22,17 +19,20 @@ mod love;
 mod outline;
 mod overlap;
 mod patch;
+mod patch_strip;
 mod product;
+mod refinement;
+mod solution;
 mod solve;
 mod start;
+pub(crate) mod strip_system;
 mod strips;
-pub(crate) mod touching;
 mod units;
 
-pub use band::{Band, Moments};
-pub(crate) use chord::Spot;
+pub(crate) use chord::ChordPoint;
 pub use contact::{Estimate, Method, NormalContact, Resolution, Status};
 pub use error::{NormalError, Side};
 pub use patch::Patch;
+pub use patch_strip::{Band, Moments};
 
 pub(crate) use units::SLIP_UNIT;

@@ -4,9 +4,9 @@
 //! if pressure rises as a root over the distance `D` to the true end; so `D` follows from both.
 //! A tip is found in the same way from the column through it.
 
-use super::band::Band;
 use super::chord::{Chord, place};
-use super::level::Level;
+use super::level::ElementGrid;
+use super::patch_strip::Band;
 
 /// A run of pressed cells in one row.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -33,7 +33,7 @@ impl Run {
 }
 
 /// The patches of a level, each as its bands.
-pub(super) fn patches(level: &Level) -> Vec<Vec<Band>> {
+pub(super) fn patches(level: &ElementGrid) -> Vec<Vec<Band>> {
     let mut runs = runs(level);
     link(&mut runs);
     let count = number_patches(&mut runs);
@@ -49,7 +49,7 @@ pub(super) fn patches(level: &Level) -> Vec<Vec<Band>> {
     patches
 }
 
-fn runs(level: &Level) -> Vec<Run> {
+fn runs(level: &ElementGrid) -> Vec<Run> {
     let columns = level.lattice.count[0];
     let mut runs = Vec::new();
     for (row, line) in level.pressures.chunks(columns).enumerate() {
@@ -140,7 +140,7 @@ fn chain(runs: &[Run], start: usize) -> Chain {
 }
 
 /// `None` only if no cell of the chain is pressed.
-fn band(level: &Level, chain: &Chain) -> Option<Band> {
+fn band(level: &ElementGrid, chain: &Chain) -> Option<Band> {
     let lattice = &level.lattice;
     let chords: Vec<Chord> = chain.runs.iter().map(|run| chord(level, run)).collect();
     let loads: Vec<f64> = chain.runs.iter().map(|run| run_sum(level, run)).collect();
@@ -174,17 +174,17 @@ fn band(level: &Level, chain: &Chain) -> Option<Band> {
     Some(band)
 }
 
-fn run_sum(level: &Level, run: &Run) -> f64 {
+fn run_sum(level: &ElementGrid, run: &Run) -> f64 {
     line(level, run).iter().sum()
 }
 
-fn line<'a>(level: &'a Level, run: &Run) -> &'a [f64] {
+fn line<'a>(level: &'a ElementGrid, run: &Run) -> &'a [f64] {
     let start = run.row * level.lattice.count[0];
     &level.pressures[start + run.first..=start + run.last]
 }
 
 /// How far a tip lies beyond the outer side of its outermost row, in rows.
-fn tip_shift(level: &Level, outer: &[&Run], rows: usize) -> f64 {
+fn tip_shift(level: &ElementGrid, outer: &[&Run], rows: usize) -> f64 {
     let columns = level.lattice.count[0];
     let in_row = |run: &Run, column: usize| level.pressures[run.row * columns + column];
     let Some(tip) = outer.first() else { return 0.0 };
@@ -209,7 +209,7 @@ fn end_shift(values: &[f64], count: usize) -> f64 {
     (distance - 2.0).clamp(-1.2, 0.5)
 }
 
-fn chord(level: &Level, run: &Run) -> Chord {
+fn chord(level: &ElementGrid, run: &Run) -> Chord {
     let lattice = &level.lattice;
     let values = line(level, run);
     let count = values.len();

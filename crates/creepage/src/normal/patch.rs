@@ -2,7 +2,7 @@
 
 use crate::gap::Rectangle;
 
-use super::band::{Band, Moments};
+use super::patch_strip::{Band, Moments};
 
 /// One connected contact area.
 #[derive(Debug, Clone, PartialEq)]

@@ -1,20 +1,20 @@
-//! From a gap to its contact: the overlap, elements on two lattices, and strips laid into what
+//! The normal solver: overlap of the undeformed bodies, elements on two lattices, then strips laid into what
 //! these find. Each way checks the other; where the strips do not settle, finer elements speak.
 
 use crate::check;
 use crate::gap::Gap;
 use crate::solid::SolidPair;
 
-use super::contact::{Estimate, Method, Near, NormalContact, Resolution};
+use super::contact::{Estimate, Method, NormalContact, NormalWarmStart, Resolution};
 use super::elements;
 use super::error::NormalError;
-use super::found::{Asked, Found, Pair, areas, contact, gap_points, scale};
-use super::ladder::{ENOUGH, NEARLY, Start, by_strips};
-use super::level::{Accuracy, Level, Task};
+use super::level::{Accuracy, ElementGrid, NormalProblem};
 use super::load;
 use super::overlap::Overlap;
+use super::refinement::{ENOUGH, NEARLY, Start, by_strips};
+use super::solution::{Asked, Found, Pair, areas, contact, gap_points, scale};
 use super::start;
-use super::strips::{self, Wanted};
+use super::strips::{self, StripOptions};
 
 impl NormalContact {
     /// Presses the bodies together by `approach` (m), counted like the gap: undeformed they
@@ -79,26 +79,28 @@ fn solve(
     gap: &Gap,
     pair: SolidPair,
     asked: Asked,
-    near: Option<&Near<'_>>,
+    near: Option<&NormalWarmStart<'_>>,
     resolution: Resolution,
 ) -> Result<NormalContact, NormalError> {
     const COARSE: f64 = 10.0;
     let modulus = pair.shear_modulus() / (1.0 - pair.poisson());
     if let Asked::Approach(approach) = asked
-        && let Some(found) = without_elements(Task { gap, modulus, approach }, near, resolution)
+        && let Some(found) =
+            without_elements(NormalProblem { gap, modulus, approach }, near, resolution)
     {
         return Ok(contact(gap, pair, asked, found));
     }
     let (task, first) = match asked {
         Asked::Approach(approach) => {
-            let task = Task { gap, modulus, approach };
+            let task = NormalProblem { gap, modulus, approach };
             (task, elements::first(task, &Overlap::find(gap, approach)?)?)
         }
         Asked::Load(load) => load::first(gap, modulus, load)?,
     };
     // Strips that prove to be all the contact there is may begin anywhere.
     let complete = task.gap.is_parabola_along();
-    let at_first = || by_strips(task, asked, &Near::of(areas(&first)), resolution, Start::Rough);
+    let at_first =
+        || by_strips(task, asked, &NormalWarmStart::of(areas(&first)), resolution, Start::Rough);
     if complete && let Some(found) = at_first() {
         return Ok(contact(gap, pair, asked, found));
     }
@@ -110,7 +112,7 @@ fn solve(
     let elements = Found::by_elements(task, &coarse);
     // Elements across a slender area are too few to agree with.
     let start = Start::Elements;
-    let near = Near::of(elements.patches.clone());
+    let near = NormalWarmStart::of(elements.patches.clone());
     let by_strips = by_strips(task, asked, &near, resolution, start);
     let found = match by_strips.filter(|found| complete || found.fine.agrees_with(&elements)) {
         Some(found) => found,
@@ -121,9 +123,9 @@ fn solve(
 
 /// By as many strips as a contact close by, which tells what they lack.
 fn follow(gap: &Gap, near: &NormalContact, approach: f64) -> Option<NormalContact> {
-    let (rule, Near { areas, factors, .. }) = (near.rule?, near.near(approach));
+    let (rule, NormalWarmStart { areas, factors, .. }) = (near.rule?, near.near(approach));
     let modulus = near.pair.shear_modulus() / (1.0 - near.pair.poisson());
-    let wanted = Wanted {
+    let wanted = StripOptions {
         load: None,
         count: rule.count.min(strips::most(&areas)),
         terms: strips::terms(gap, &areas)?,
@@ -132,10 +134,11 @@ fn follow(gap: &Gap, near: &NormalContact, approach: f64) -> Option<NormalContac
         nearly: NEARLY[1],
         complete: true,
         summit: true,
-        attempts: Wanted::CLOSE,
+        attempts: StripOptions::CLOSE,
         settled: 1.0,
     };
-    let mut found = strips::solve(Task { gap, modulus, approach }, &areas, factors, wanted)?;
+    let mut found =
+        strips::solve(NormalProblem { gap, modulus, approach }, &areas, factors, wanted)?;
     let value = rule.load * found.load;
     let scaled = |value: f64, near: Estimate| Estimate {
         value,
@@ -161,22 +164,22 @@ fn follow(gap: &Gap, near: &NormalContact, approach: f64) -> Option<NormalContac
 
 /// By strips laid into areas close by or guessed, where these turn out to be all.
 fn without_elements(
-    task: Task<'_>,
-    near: Option<&Near<'_>>,
+    task: NormalProblem<'_>,
+    near: Option<&NormalWarmStart<'_>>,
     resolution: Resolution,
 ) -> Option<Pair> {
     let asked = Asked::Approach(task.approach);
-    let from = |near: &Near<'_>, start| by_strips(task, asked, near, resolution, start);
+    let from = |near: &NormalWarmStart<'_>, start| by_strips(task, asked, near, resolution, start);
     // A guess lays the tips less well than elements do: good enough to search with.
     let guess = || if resolution.with_errors { None } else { start::by_virtual_penetration(task) };
-    let guessed = || from(&Near::of(guess()?), Start::Elements);
+    let guessed = || from(&NormalWarmStart::of(guess()?), Start::Elements);
     near.and_then(|near| from(near, Start::Close)).or_else(guessed)
 }
 
 fn by_elements(
-    task: Task<'_>,
+    task: NormalProblem<'_>,
     asked: Asked,
-    coarse: &Level,
+    coarse: &ElementGrid,
     resolution: Resolution,
 ) -> Result<Pair, NormalError> {
     const COARSER: f64 = 0.6;

@@ -2,10 +2,10 @@
 
 use std::f64::consts::FRAC_2_PI;
 
-use super::band::Band;
 use super::chord::{Chord, PLACES};
-use super::level::Task;
+use super::level::NormalProblem;
 use super::patch::Patch;
+use super::patch_strip::Band;
 
 /// Rows at which the section is looked at, and the fewest in an area.
 const ROWS: u32 = 160;
@@ -16,7 +16,7 @@ const VIRTUAL: f64 = 0.55;
 
 /// Where a section and a radius along rolling would touch by virtual penetration; `None` for other
 /// gaps, at the end of the section, and where an area has few rows.
-pub(super) fn by_virtual_penetration(task: Task<'_>) -> Option<Vec<Patch>> {
+pub(super) fn by_virtual_penetration(task: NormalProblem<'_>) -> Option<Vec<Patch>> {
     let [low, high] = task.gap.domain().y;
     if !(high - low).is_finite() {
         return None;

@@ -3,7 +3,7 @@
 use super::in_memory::Table;
 use super::slice::Slice;
 use crate::check::InvalidValue;
-use crate::theory::{Evaluated, Jacobian, Solved};
+use crate::theory::{Jacobian, Solved, Stateless};
 use crate::{Contact, Creepage, FieldPoint, Region, Solution, Status, Theory};
 
 /// A table prepared for a contact. It has forces and their derivative; tractions and slip are NaN
@@ -54,7 +54,7 @@ impl Theory for TableTheory<'_> {
     }
 
     fn solved(&self, creepage: Creepage) -> Box<dyn Solved + '_> {
-        Evaluated::boxed(self, creepage)
+        Stateless::boxed(self, creepage)
     }
 }
 

@@ -102,7 +102,7 @@ pub type Jacobian = [[f64; 3]; 3];
 /// Prepare once, ask many times; a theory is shared freely between threads.
 ///
 /// [`Theory::solve`], [`Theory::jacobian`] and [`Theory::field`] ask the contact that [`Theory::solved`]
-/// solves. A theory that keeps nothing from a solve gives these three, and [`Evaluated::boxed`] for
+/// solves. A theory that keeps nothing from a solve gives these three, and [`Stateless::boxed`] for
 /// [`Theory::solved`].
 pub trait Theory: Send + Sync {
     /// The contact that the theory is prepared for.
@@ -223,13 +223,13 @@ pub trait Solved: Send + Sync {
 
 /// The solved contact of a theory that keeps nothing from a solve.
 #[derive(Debug, Clone, Copy)]
-pub struct Evaluated<'t, T: ?Sized> {
+pub struct Stateless<'t, T: ?Sized> {
     theory: &'t T,
     creepage: Creepage,
     solution: Solution,
 }
 
-impl<'t, T: Theory> Evaluated<'t, T> {
+impl<'t, T: Theory> Stateless<'t, T> {
     /// Solves; what is asked afterwards is asked of the theory again.
     #[must_use]
     pub fn boxed(theory: &'t T, creepage: Creepage) -> Box<dyn Solved + 't> {
@@ -237,7 +237,7 @@ impl<'t, T: Theory> Evaluated<'t, T> {
     }
 }
 
-impl<T: Theory> Solved for Evaluated<'_, T> {
+impl<T: Theory> Solved for Stateless<'_, T> {
     fn creepage(&self) -> Creepage {
         self.creepage
     }

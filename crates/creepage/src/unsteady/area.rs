@@ -4,7 +4,7 @@ use super::elements::Elements;
 use super::rolling::{Rolling, remembered};
 use crate::check::InvalidValue;
 use crate::coulomb::Resolution;
-use crate::coulomb::bands::{Bands, Frame};
+use crate::coulomb::patch_mesh::{Bands, Frame};
 use crate::friction_law::RollingFriction;
 use crate::normal::{NormalContact, SLIP_UNIT};
 

@@ -3,7 +3,7 @@
 use crate::coulomb::forcing;
 use crate::coulomb::grid::Grid;
 use crate::coulomb::influence::Displacements;
-use crate::coulomb::mesh::{Mesh, Sides};
+use crate::coulomb::mesh::{Mesh, StripGrading};
 use crate::coulomb::stencil::SlipStencil;
 use crate::friction_law::RollingFriction;
 use crate::{Ellipse, Scaling};
@@ -87,7 +87,7 @@ impl Elements {
         kappa_over_mu: f64,
         [along, strips]: [usize; 2],
     ) -> Self {
-        let mesh = Mesh::with_sides(ellipse, along, strips, Sides::NARROW);
+        let mesh = Mesh::with_sides(ellipse, along, strips, StripGrading::NARROW);
         let slip_unit = (1.0 - poisson) * ellipse.integrals().e / (2.0 * ellipse.g().sqrt());
         let grid = Grid::hertz(ellipse, poisson, kappa_over_mu, mesh);
         let mut elements = Self::new(grid, poisson, slip_unit, [ellipse.a(), ellipse.b()]);

@@ -2,15 +2,15 @@
 
 use nalgebra::{DMatrix, DVector};
 
+use super::level::TransientLevel;
 use super::motion::{Motion, Prescribed};
-use super::track::Track;
 
 /// Largest difference from a prescribed force, in parts of `mu N`.
 const TOLERANCE: f64 = 1e-7;
 const STEPS: usize = 60;
 const HALVINGS: usize = 30;
 
-impl Track {
+impl TransientLevel {
     /// Solves for a motion, from the creepage of the last solution where it is to be found.
     pub(super) fn meet(&mut self, motion: &Motion) -> bool {
         let prescribed = motion.components();

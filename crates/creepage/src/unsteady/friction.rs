@@ -1,8 +1,8 @@
 //! Friction that follows the slip with a delay: what particles bring along from upstream.
 
 use super::elements::Elements;
-use super::past::{Ages, Past, Weights};
-use crate::coulomb::resistance::Arriving;
+use super::history::{Ages, Past, Weights};
+use crate::coulomb::friction_bound::Arriving;
 
 impl Elements {
     /// Friction and slip of the particles now at all elements, one step of elements upstream, in a step

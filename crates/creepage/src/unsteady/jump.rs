@@ -1,9 +1,9 @@
 //! What happens between two steps: forces and loads that jump.
 
+use super::history::Creep;
+use super::level::Stage;
 use super::motion::{Motion, Prescribed};
-use super::past::Creep;
 use super::rolling::{Rolling, Travel};
-use super::track::Stage;
 use crate::coulomb::influence::Tractions;
 
 /// A change of the load by more than this fraction is a jump.

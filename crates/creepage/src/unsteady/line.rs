@@ -10,9 +10,9 @@ use super::rolling::{Rolling, remembered};
 use crate::check::{self, InvalidValue};
 use crate::coulomb::grid::Grid;
 use crate::coulomb::mesh::{Mesh, Strip};
-use crate::coulomb::pieces::{Pieces, SUBCELLS};
 use crate::coulomb::pressure::Pressure;
 use crate::coulomb::stencil::SlipStencil;
+use crate::coulomb::subdivision::{Pieces, SUBCELLS};
 use crate::friction_law::RollingFriction;
 use crate::{Ellipse, Scaling};
 

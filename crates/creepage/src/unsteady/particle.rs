@@ -5,7 +5,7 @@
 //! Its slip counts from where it entered the contact, or from where the past begins.
 
 use super::elements::{Element, Elements, Row};
-use super::past::Ages;
+use super::history::Ages;
 
 /// Points of displacement and their weights.
 pub(crate) type Spread = [(usize, f64); 9];

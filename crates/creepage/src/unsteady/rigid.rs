@@ -1,6 +1,6 @@
 //! The rigid motion on the way back from the present.
 
-use super::past::{Ages, Past};
+use super::history::{Ages, Past};
 
 /// The motion along a way, integrated: `xi`, `eta`, `chi`, and `chi` times the distance back.
 pub(crate) type Way = [f64; 4];

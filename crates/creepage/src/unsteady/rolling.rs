@@ -4,9 +4,9 @@ use std::sync::Arc;
 
 use super::control::{Control, Watched};
 use super::elements::Elements;
+use super::level::{self, Stage, TransientLevel};
 use super::load::Course;
 use super::motion::Motion;
-use super::track::{self, Stage, Track};
 use crate::check::{self, InvalidValue};
 use crate::coulomb::extrapolation::{error_bar, extrapolate, extrapolate_force};
 use crate::coulomb::{ElementField, Exact, Resolution};
@@ -44,7 +44,7 @@ pub struct Rolled {
 /// ```
 #[derive(Debug, Clone)]
 pub struct Rolling {
-    pub(super) tracks: [Track; 2],
+    pub(super) tracks: [TransientLevel; 2],
     pub(super) control: Control,
     pub(super) travel: Travel,
 }
@@ -98,7 +98,7 @@ impl Rolling {
 
     pub(super) fn of(elements: [Elements; 2]) -> Self {
         let control = Control::new(elements[0].semi_axes[0]);
-        let tracks = elements.map(|elements| Track::new(Arc::new(elements)));
+        let tracks = elements.map(|elements| TransientLevel::new(Arc::new(elements)));
         Self { tracks, control, travel: Travel::begin(1.0) }
     }
 
@@ -321,7 +321,7 @@ impl Rolling {
 
     /// What step control looks at: forces, and creepages that are found.
     fn watched(&self, motion: &Motion, load: f64) -> Watched {
-        let track::Result { creep, force, .. } = self.tracks[1].result();
+        let level::Result { creep, force, .. } = self.tracks[1].result();
         let found = |k: usize| motion.components()[k].force().map_or(0.0, |_| creep[k]);
         let force = force.components().map(|part| part / load);
         Watched { force, found: [0, 1, 2].map(found) }
@@ -329,8 +329,8 @@ impl Rolling {
 
     /// Both grids together.
     fn rolled(&self, solved: bool) -> Rolled {
-        let [coarse, fine] = self.tracks.each_ref().map(Track::result);
-        let count = |of: fn(&Track) -> usize| self.tracks.iter().map(of).sum();
+        let [coarse, fine] = self.tracks.each_ref().map(TransientLevel::result);
+        let count = |of: fn(&TransientLevel) -> usize| self.tracks.iter().map(of).sum();
         // Creepages that are found go up and down as the border of adhesion crosses elements, those of
         // the coarser grid most: extrapolation would add to it.
         let [xi, eta, chi] = fine.creep;

@@ -5,8 +5,8 @@ use std::collections::VecDeque;
 
 use super::control::{Control, Trend, Watched};
 use super::fastsim::{self, RollingFastsim};
+use super::history::{Level, Past};
 use super::motion::{Motion, Prescribed};
-use super::past::{Level, Past};
 use super::rolling::{Rolling, Travel};
 
 /// What a contact remembers.
@@ -47,7 +47,7 @@ impl Rolling {
     /// What the contact remembers: going on from it gives the same, to the last bit.
     #[must_use]
     pub fn save(&self) -> Saved {
-        let track = |track: &super::track::Track| {
+        let track = |track: &super::level::TransientLevel| {
             let mut traction = vec![0.0; 2 * track.elements.all.len()];
             track.state.traction.copy_to(&mut traction);
             let limits = track.state.limits.clone();
@@ -62,7 +62,7 @@ impl Rolling {
     /// # Errors
     /// [`SavedError::OtherElements`] unless it was saved by a contact with as many elements.
     pub fn restore(&mut self, saved: &Saved) -> Result<(), SavedError> {
-        let fits = |(track, saved): (&super::track::Track, &SavedTrack)| {
+        let fits = |(track, saved): (&super::level::TransientLevel, &SavedTrack)| {
             let (elements, points) = (track.elements.all.len(), track.elements.points());
             let whole = |level: &Level| level.fits(points, elements);
             saved.traction.len() == 2 * elements

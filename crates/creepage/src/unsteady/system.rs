@@ -12,8 +12,8 @@
 //! Where the second way is cut short by the beginning of the past, the correction grows with it.
 
 use super::elements::{Element, Elements};
+use super::history::{Ages, Creep, Level, Past, Weights};
 use super::particle::{Particles, Sample};
-use super::past::{Ages, Creep, Level, Past, Weights};
 use super::rigid::{RigidMotion, Way};
 
 /// The equations of one step, in the units of the contact's present size.

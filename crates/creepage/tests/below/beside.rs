@@ -1,7 +1,7 @@
 //! Slip beside the contact: (4.39), (4.41).
 
-use creepage::below::SurfaceSlip;
 use creepage::halfspace::{DisplacementField, Edge};
+use creepage::subsurface::SurfaceSlip;
 
 use crate::support::cubic;
 

@@ -1,7 +1,7 @@
 //! Constant tractions on polygons: against the point forces (2.5), (2.12), and each other.
 
 use creepage::Solid;
-use creepage::below::{Body, Element, Interior, Stress};
+use creepage::subsurface::{Body, Element, Interior, Stress};
 use proptest::prelude::*;
 
 use crate::support::{apart, sliding};

@@ -1,8 +1,8 @@
 //! The equations of elasticity, by differences, and the symmetries (2.8), (2.14).
 
 use creepage::Solid;
-use creepage::below::{Body, Element, Interior, Stress};
 use creepage::halfspace::{DisplacementField, Edge};
+use creepage::subsurface::{Body, Element, Interior, Stress};
 
 use proptest::prelude::{Just, prop_assert};
 

@@ -1,7 +1,7 @@
 //! Far from the contact the bodies feel point forces.
 
-use creepage::below::{Body, Element, Interior};
 use creepage::halfspace::Edge;
+use creepage::subsurface::{Body, Element, Interior};
 
 use super::support::{apart, cubic, sliding};
 use creepage::Solid;
@@ -17,7 +17,7 @@ fn is_smooth(interior: &Interior, size: f64) {
         let length = direction.iter().map(|part| part * part).sum::<f64>().sqrt();
         let at = |radius: f64| direction.map(|part| part / length * radius);
         let [one, other] = [near, far].map(|radius| interior.stress(at(radius)).unwrap());
-        let other = creepage::below::Stress::default().plus((far / near).powi(2), &other);
+        let other = creepage::subsurface::Stress::default().plus((far / near).powi(2), &other);
         // The dipole changes by .002 of a thousandth between the two, of stresses of 1e-6.
         let off = apart(&one, &other);
         assert!(off < 1e-11 * size, "{direction:?}: {off:e} {one:?} {other:?}");

@@ -1,7 +1,7 @@
 //! Planes by Fourier transform: the same sums as element by element.
 
 use creepage::Solid;
-use creepage::below::{Body, Element, Grid, GridError, Interior};
+use creepage::subsurface::{Body, Element, Grid, GridError, Interior};
 
 use crate::support::apart;
 

@@ -1,6 +1,6 @@
 //! Tables, and the formulas of Hertz on the axis.
 
-use creepage::below::{Body, Stress};
+use creepage::subsurface::{Body, Stress};
 
 use crate::support::{apart, rows, sliding};
 

@@ -1,7 +1,7 @@
 //! Below rolling contacts: the tractions of the full theory as elements.
 
-use creepage::below::{Body, Interior, Stress};
 use creepage::coulomb::{Exact, Resolution};
+use creepage::subsurface::{Body, Interior, Stress};
 use creepage::{Creepage, Theory};
 
 use crate::support::{contact, rows};

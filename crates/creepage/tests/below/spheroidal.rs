@@ -3,8 +3,8 @@
 //! `P_n^m(w) Q_n^m(i n) e^{i m psi}`. An independent road to the first invariant of the stress,
 //! `(1 + sigma)/pi` times the divergence of the potentials of the three tractions.
 
-use creepage::below::{Body, Interior};
 use creepage::halfspace::{Edge, Traction, harmonics};
+use creepage::subsurface::{Body, Interior};
 use creepage::{Ellipse, Solid};
 
 /// `w` and `n` of a point.

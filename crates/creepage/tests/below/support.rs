@@ -1,7 +1,7 @@
 //! What the tests share.
 
-use creepage::below::{Body, Interior, Stress};
 use creepage::halfspace::{Edge, Polynomial, Traction};
+use creepage::subsurface::{Body, Interior, Stress};
 use creepage::{Ellipse, Hertz, Solid, SolidPair};
 
 /// The numbers of a table, row by row, without its comments and its heading.

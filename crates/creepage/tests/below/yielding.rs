@@ -1,6 +1,6 @@
 //! First yield below a circle that slides: peak pressure over the shear yield stress.
 
-use creepage::below::{Body, Largest, Stress, largest};
+use creepage::subsurface::{Body, Largest, Stress, largest};
 
 use crate::support::sliding;
 

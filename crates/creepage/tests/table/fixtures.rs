@@ -5,7 +5,7 @@ use std::sync::LazyLock;
 use creepage::approximate::fastsim::{Fastsim, Settings};
 use creepage::approximate::shen_hedrick_elkins::ShenHedrickElkins;
 use creepage::table::{Axis, Intervals, Provenance, Spec, Table, build};
-use creepage::theory::Evaluated;
+use creepage::theory::Stateless;
 use creepage::{
     Contact, Creepage, FieldPoint, Force, InvalidValue, Jacobian, Solution, Solved, Statistics,
     Status, Theory,
@@ -43,7 +43,7 @@ impl Theory for Smooth {
     }
 
     fn solved(&self, creepage: Creepage) -> Box<dyn Solved + '_> {
-        Evaluated::boxed(self, creepage)
+        Stateless::boxed(self, creepage)
     }
 }
 

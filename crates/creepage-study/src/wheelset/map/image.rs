@@ -1,18 +1,18 @@
 //! A side of the track seen as a right-hand one.
 
-use creepage_rail::{Position, Running, Side};
+use creepage_rail::{Position, Side, WheelsetOnTrack};
 
 use crate::WheelsetError;
 
 /// A side of the track seen as a right-hand one.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Image<'a> {
-    running: &'a Running,
+    running: &'a WheelsetOnTrack,
     side: Side,
 }
 
 impl<'a> Image<'a> {
-    pub(super) fn new(running: &'a Running, side: Side) -> Self {
+    pub(super) fn new(running: &'a WheelsetOnTrack, side: Side) -> Self {
         Self { running, side }
     }
 

@@ -8,7 +8,7 @@ use rayon::prelude::*;
 
 use super::{Builder, MapBuildError, MapStage, Wheel};
 use crate::wheelset::solved::SolvedWheel;
-use crate::{Load, PitchRate, Stance, Travel};
+use crate::{Load, PitchRate, WheelsetPose, WheelsetVelocity};
 
 /// Of one fresh state.
 #[derive(Debug, Clone, Copy)]
@@ -106,19 +106,19 @@ impl Builder<'_> {
     fn exact(&self, side: Side, state: &State) -> Option<SolvedWheel> {
         let solver = self.solver.with_friction(state.friction);
         let Pressed::Height(z) = state.pressed else { return None };
-        let stance = Stance {
+        let stance = WheelsetPose {
             side: Some(side),
             y: state.y,
             yaw: state.yaw,
             roll: state.roll,
             load: Some(Load::Height(z)),
         };
-        let travel = Travel {
+        let travel = WheelsetVelocity {
             speed: state.speed,
             pitch: PitchRate::Rigid(state.pitch_rate),
             lateral_velocity: state.lateral_velocity,
             yaw_rate: state.yaw_rate,
-            ..Travel::default()
+            ..WheelsetVelocity::default()
         };
         // A state that the full theory does not solve tells nothing of the map.
         let solved = solver.solve(&stance, &travel).ok()?;

@@ -2,13 +2,13 @@
 
 use creepage_rail::Side;
 
-use super::found::{Found, Pair};
-use super::partial::{Acts, Partial, Standing};
-use super::rolled::Method;
+use super::implicit_derivative::{Found, WheelJacobians};
+use super::pose_derivative::{LoadJacobian, Standing, WheelLoads};
+use super::tangential::Method;
 use super::{Start, WheelsetSolver};
 use crate::wheelset::derivatives::{Row, WheelsetDerivatives};
 use crate::wheelset::solved::SolvedWheelset;
-use crate::{By, ForceDerivative, Stance, Travel, WheelsetError};
+use crate::{ForceDerivative, StateVariable, WheelsetError, WheelsetPose, WheelsetVelocity};
 
 impl WheelsetSolver<'_> {
     /// Derivatives of the forces on the rails where the wheelset was solved, by what `stance` and
@@ -21,8 +21,8 @@ impl WheelsetSolver<'_> {
     pub fn derivatives(
         &self,
         solved: &SolvedWheelset,
-        stance: &Stance,
-        travel: &Travel,
+        stance: &WheelsetPose,
+        travel: &WheelsetVelocity,
     ) -> Result<WheelsetDerivatives, WheelsetError> {
         if travel.is_backward() {
             let (stance, travel) = (stance.fore_and_aft(), travel.fore_and_aft());
@@ -33,8 +33,9 @@ impl WheelsetSolver<'_> {
         let [near, far] = self.partials(solved)?;
         let [near, far] = [found.total(&near)?, found.total(&far)?];
         let row = |index: usize| -> Row {
-            By::ALL.map(|by| {
-                let column = |pair: &Pair| -> Acts { pair[index].column(by.index()).into() };
+            StateVariable::ALL.map(|by| {
+                let column =
+                    |pair: &WheelJacobians| -> WheelLoads { pair[index].column(by.index()).into() };
                 (!found.has(by)).then(|| derivative(column(&near), column(&far)))
             })
         };
@@ -45,10 +46,10 @@ impl WheelsetSolver<'_> {
     }
 
     /// With all else held, by the step and by twice the step.
-    fn partials(&self, solved: &SolvedWheelset) -> Result<[Pair; 2], WheelsetError> {
+    fn partials(&self, solved: &SolvedWheelset) -> Result<[WheelJacobians; 2], WheelsetError> {
         let method = *self.rolling.first().unwrap_or(&Method::STANDARD);
         let known = Start::after(solved).fine;
-        let mut pairs = [[Partial::zeros(); 2]; 2];
+        let mut pairs = [[LoadJacobian::zeros(); 2]; 2];
         for wheel in solved.wheels() {
             let standing = Standing {
                 solver: self,
@@ -65,9 +66,9 @@ impl WheelsetSolver<'_> {
     }
 }
 
-fn derivative(near: Acts, far: Acts) -> ForceDerivative {
+fn derivative(near: WheelLoads, far: WheelLoads) -> ForceDerivative {
     let error = (near - far).abs();
-    let three = |from: &Acts, first: usize| [0, 1, 2].map(|i| from[first + i]);
+    let three = |from: &WheelLoads, first: usize| [0, 1, 2].map(|i| from[first + i]);
     ForceDerivative {
         force: three(&near, 0),
         force_error: three(&error, 0),

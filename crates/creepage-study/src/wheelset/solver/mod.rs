@@ -1,49 +1,49 @@
 //! The contacts of a wheelset solved: where it stands under its load, what presses on each
 //! contact, how it rolls there.
 
-mod apart;
-mod balance;
-mod beside;
-mod by_motion;
+mod bracketed_root;
+mod continuation;
+mod cross_patch;
 mod derivative;
-mod follow;
-mod found;
-mod partial;
-mod pressed;
-mod rolled;
-mod root;
-mod settle;
+mod equilibrium;
+mod error_propagation;
+mod implicit_derivative;
+mod load_balance;
+mod motion_derivative;
+mod normal_contact;
+mod pose_derivative;
+mod predictor;
 mod solution;
-mod standing;
 mod step;
 mod stood;
+mod tangential;
 
 use creepage::SolidPair;
 use creepage::normal;
 use creepage::theory::{ExactOptions, NamedResolution, ResolutionSpec};
-use creepage_rail::{Position, Running, Side};
+use creepage_rail::{Position, Side, WheelsetOnTrack};
 use rayon::prelude::*;
 
-use self::balance::{Balance, Guess};
-use self::pressed::{Known, Press, PressedWheel};
-use self::rolled::{KnownFriction, Method, Rolled};
-use self::settle::{Sought, settle};
+use self::equilibrium::{CandidatePose, settle};
+use self::load_balance::{Balance, Guess};
+use self::normal_contact::{NormalSolver, PatchWarmStart, PressedWheel};
 use self::step::Place;
 pub(super) use self::stood::Stood;
-use super::case::{Load, Patches, RigidSlip, Stance, Travel, WheelsetCase};
+use self::tangential::{Method, Rolled, TractionWarmStart};
+use super::case::{Load, Patches, RigidSlip, WheelsetCase, WheelsetPose, WheelsetVelocity};
 use super::derivatives::WheelsetDerivatives;
 use super::error::{WheelsetError, section};
 use super::friction::RailFriction;
-use super::nearby::{Drift, Pitch, Shares};
 use super::resultant::Acting;
 use super::solved::{SolvedWheel, SolvedWheelset};
+use super::warm_start::{LateralForceRatios, PitchState, PredictorCorrection};
 use crate::case::CaseError;
 use crate::gap::{GapTheory, resolutions};
 
 /// A wheelset on its track, prepared to be solved in many positions.
 #[derive(Debug, Clone)]
 pub struct WheelsetSolver<'a> {
-    press: Press<'a>,
+    press: NormalSolver<'a>,
     friction: [RailFriction; 2],
     slip: RigidSlip,
     theory: GapTheory,
@@ -68,7 +68,7 @@ impl WheelsetCase {
         let pair = self.solids.ok_or_else(|| section("materials", "shear_modulus, poisson"))?;
         let friction = self.friction.clone().ok_or_else(|| section("contact", "friction"))?;
         let solver = WheelsetSolver::new(&self.running, pair, friction, theory)?;
-        let press = Press { patches: self.patches, ..solver.press };
+        let press = NormalSolver { patches: self.patches, ..solver.press };
         Ok(WheelsetSolver { slip: self.slip, press, ..solver })
     }
 
@@ -110,7 +110,7 @@ impl<'a> WheelsetSolver<'a> {
     /// # Errors
     /// [`CaseError`] for options out of range.
     pub fn new(
-        running: &'a Running,
+        running: &'a WheelsetOnTrack,
         pair: SolidPair,
         friction: [RailFriction; 2],
         theory: GapTheory,
@@ -126,7 +126,7 @@ impl<'a> WheelsetSolver<'a> {
             }
         };
         let patches = Patches::Together;
-        let press = Press { running, pair, resolution, patches, follows: false };
+        let press = NormalSolver { running, pair, resolution, patches, follows: false };
         Ok(Self { press, friction, slip: RigidSlip::Flat, theory, rolling, accuracy })
     }
 
@@ -144,7 +144,11 @@ impl<'a> WheelsetSolver<'a> {
     /// # Errors
     /// [`WheelsetError`] where no load is given, wheels and rails do not meet, or nothing carries
     /// the load.
-    pub fn solve(&self, stance: &Stance, travel: &Travel) -> Result<SolvedWheelset, WheelsetError> {
+    pub fn solve(
+        &self,
+        stance: &WheelsetPose,
+        travel: &WheelsetVelocity,
+    ) -> Result<SolvedWheelset, WheelsetError> {
         if travel.is_backward() {
             let solved = self.solve(&stance.fore_and_aft(), &travel.fore_and_aft())?;
             return Ok(solved.fore_and_aft());
@@ -156,7 +160,7 @@ impl<'a> WheelsetSolver<'a> {
             Some(Load::Loaded { load, .. }) => Some(0.5 * load),
             Some(Load::Height(_)) | None => None,
         };
-        let Press { running, pair, .. } = self.press;
+        let NormalSolver { running, pair, .. } = self.press;
         let modulus = pair.shear_modulus() / (1.0 - pair.poisson());
         let radius = running.wheelset().radius();
         let guess = load.map(|load| Guess::under_load(load, modulus, radius)).unwrap_or_default();
@@ -176,8 +180,8 @@ impl<'a> WheelsetSolver<'a> {
     pub fn next(
         &self,
         before: &SolvedWheelset,
-        stance: &Stance,
-        travel: &Travel,
+        stance: &WheelsetPose,
+        travel: &WheelsetVelocity,
     ) -> Result<SolvedWheelset, WheelsetError> {
         // A wheel that hangs has no place to go on from.
         let hangs = matches!(stance.load, Some(Load::Wheels(loads)) if loads.contains(&0.0));
@@ -193,7 +197,7 @@ impl<'a> WheelsetSolver<'a> {
             return self.from(stance, travel, &self.after(before));
         };
         let mut solved = self.from(stance, travel, &start)?;
-        solved.drift = Some(Drift::new(&expected, before, &solved, stance));
+        solved.drift = Some(PredictorCorrection::new(&expected, before, &solved, stance));
         Ok(solved)
     }
 
@@ -205,11 +209,15 @@ impl<'a> WheelsetSolver<'a> {
 
     /// What a solved position tells of one beside it, and where the wheels were expected there by the
     /// undeformed bodies alone; `None` where it is farther off.
-    fn beside(&self, before: &SolvedWheelset, stance: &Stance) -> Option<(Start, Vec<Position>)> {
+    fn beside(
+        &self,
+        before: &SolvedWheelset,
+        stance: &WheelsetPose,
+    ) -> Option<(Start, Vec<Position>)> {
         let start = self.after(before);
         let load = stance.load.map(|load| load.by_levers(start.levers));
-        let here = Stance { load, ..*stance };
-        let places = beside::places(before, &here, self.press.running)?;
+        let here = WheelsetPose { load, ..*stance };
+        let places = predictor::places(before, &here, self.press.running)?;
         let expected = places.iter().map(|place| place.position).collect();
         let mut start = Start { places: Some(places), ..start };
         if let Some(drift) = &before.drift
@@ -222,8 +230,8 @@ impl<'a> WheelsetSolver<'a> {
 
     fn from(
         &self,
-        stance: &Stance,
-        travel: &Travel,
+        stance: &WheelsetPose,
+        travel: &WheelsetVelocity,
         start: &Start,
     ) -> Result<SolvedWheelset, WheelsetError> {
         // Once to the threads that solve contacts, not for each step.
@@ -233,8 +241,8 @@ impl<'a> WheelsetSolver<'a> {
     /// By one method after another until the wanted accuracy is met.
     fn by_methods(
         &self,
-        stance: &Stance,
-        travel: &Travel,
+        stance: &WheelsetPose,
+        travel: &WheelsetVelocity,
         start: &Start,
     ) -> Result<SolvedWheelset, WheelsetError> {
         let load = stance.load.ok_or(WheelsetError::NoLoad)?;
@@ -251,28 +259,28 @@ impl<'a> WheelsetSolver<'a> {
     /// Where wheels carry the load, by coarse pressures unless nothing is to be sought.
     fn sought(
         &self,
-        stance: &Stance,
+        stance: &WheelsetPose,
         load: Load,
-        shares: &Shares,
+        shares: &LateralForceRatios,
         guess: &Guess,
-    ) -> Result<Sought<'a>, WheelsetError> {
-        let coarse = Press { resolution: normal::Resolution::COARSE, ..self.press };
+    ) -> Result<CandidatePose<'a>, WheelsetError> {
+        let coarse = NormalSolver { resolution: normal::Resolution::COARSE, ..self.press };
         let is_given = matches!(load, Load::Height(_)) && stance.is_fixed();
         let press = if is_given { &self.press } else { &coarse };
         let balance = Balance { press, stance, shares, guess: guess.clone() };
         let coarse = balance.wheels(load)?;
-        Ok(Sought { places: Place::of(&coarse, stance, load, shares), coarse })
+        Ok(CandidatePose { places: Place::of(&coarse, stance, load, shares), coarse })
     }
 
     /// Wheels in their places with fine pressures.
     fn refined(
         &self,
-        sought: &Sought<'a>,
-        known: &[Known],
+        sought: &CandidatePose<'a>,
+        known: &[PatchWarmStart],
         follows: bool,
     ) -> Result<Vec<PressedWheel<'a>>, WheelsetError> {
-        let press = Press { follows, ..self.press };
-        let coarse = Known::of(&sought.coarse);
+        let press = NormalSolver { follows, ..self.press };
+        let coarse = PatchWarmStart::of(&sought.coarse);
         let known = if known.is_empty() { &coarse } else { known };
         let fine = |&Place { side, position, depth, .. }: &Place| {
             Ok(PressedWheel { depth, ..press.wheel(side, position, known)? })
@@ -293,15 +301,15 @@ fn pressed_by(options: ExactOptions) -> normal::Resolution {
 /// What a solved position tells of those nearby.
 #[derive(Debug, Clone, Default)]
 struct Start {
-    shares: Shares,
+    shares: LateralForceRatios,
     guess: Guess,
-    pitch: [Pitch; 2],
+    pitch: [PitchState; 2],
     /// Moments of the left and the right wheel about `x` through the wheelset's centre over their vertical
     /// forces (m).
     levers: [f64; 2],
     /// Fine pressures.
-    fine: Vec<Known>,
-    friction: Vec<KnownFriction>,
+    fine: Vec<PatchWarmStart>,
+    friction: Vec<TractionWarmStart>,
     /// Where the wheels stand nearly, beside a position that was solved.
     places: Option<Vec<Place>>,
 }
@@ -312,10 +320,10 @@ impl Start {
         coarse: &[PressedWheel<'_>],
         wheels: &[PressedWheel<'_>],
         rolled: &[Rolled<'_>],
-        pitch: [Pitch; 2],
+        pitch: [PitchState; 2],
         before: &Self,
     ) -> Self {
-        let mut shares = Shares::default();
+        let mut shares = LateralForceRatios::default();
         shares.scaled_as(&before.shares);
         for (one, rolled) in wheels.iter().flat_map(|wheel| &wheel.contacts).zip(rolled) {
             let contact = &one.contact;
@@ -324,7 +332,7 @@ impl Start {
         let roll = wheels.first().map(|wheel| wheel.position.roll);
         let mut guess = Guess { roll, ..before.guess.clone() };
         if !coarse.is_empty() {
-            guess.known = Known::of(coarse);
+            guess.known = PatchWarmStart::of(coarse);
         }
         for (coarse, fine) in coarse.iter().zip(wheels) {
             let scale = fine.vertical(&shares) / coarse.vertical(&shares);
@@ -333,22 +341,30 @@ impl Start {
         for wheel in wheels.iter().filter(|wheel| wheel.depth > 0.0) {
             guess.depths[usize::from(wheel.side == Side::Right)] = wheel.depth;
         }
-        let friction = KnownFriction::of(wheels, rolled);
+        let friction = TractionWarmStart::of(wheels, rolled);
         let levers = levers(wheels, rolled).unwrap_or(before.levers);
-        Self { shares, guess, pitch, levers, fine: Known::of(wheels), friction, places: None }
+        Self {
+            shares,
+            guess,
+            pitch,
+            levers,
+            fine: PatchWarmStart::of(wheels),
+            friction,
+            places: None,
+        }
     }
 
     /// The same with friction halfway from what it was taken for.
-    fn halfway_from(mut self, before: &Shares) -> Self {
+    fn halfway_from(mut self, before: &LateralForceRatios) -> Self {
         self.shares.halfway_from(before);
         self
     }
 
     fn after(before: &SolvedWheelset) -> Self {
-        let shares = Shares::solved(before);
-        let fine = Known::solved(before);
+        let shares = LateralForceRatios::solved(before);
+        let fine = PatchWarmStart::solved(before);
         let contacts = before.wheels().flat_map(SolvedWheel::contacts);
-        let friction = contacts.filter_map(KnownFriction::of_fine_grid).collect();
+        let friction = contacts.filter_map(TractionWarmStart::of_fine_grid).collect();
         let mut guess = Guess { known: fine.clone(), ..Guess::default() };
         for wheel in before.wheels() {
             guess.roll = Some(wheel.position.roll);

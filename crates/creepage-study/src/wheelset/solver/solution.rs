@@ -4,13 +4,13 @@ use std::sync::Arc;
 
 use creepage::Force;
 use creepage::normal::NormalContact;
-use creepage_rail::{Contact, Motion, Running, Side};
+use creepage_rail::{Contact, Motion, Side, WheelsetOnTrack};
 
 use super::WheelsetSolver;
-use super::pressed::{Pressed, PressedWheel};
-use super::rolled::{Answer, Rolled, Rolling, Turning};
+use super::normal_contact::{Pressed, PressedWheel};
 use super::step::Place;
-use crate::Travel;
+use super::tangential::{Answer, Rolled, Rolling, Turning};
+use crate::WheelsetVelocity;
 use crate::wheelset::case::PitchRate;
 use crate::wheelset::field::{Field, March};
 use crate::wheelset::rough;
@@ -23,7 +23,7 @@ impl WheelsetSolver<'_> {
         (places, wheels): (&[Place], &[PressedWheel<'_>]),
         rollings: &[Rolling<'_, '_>],
         turning: &Turning<'_>,
-        travel: &Travel,
+        travel: &WheelsetVelocity,
     ) -> SolvedWheelset {
         let solved = |(place, wheel): (&Place, &PressedWheel<'_>)| {
             let all = rollings.iter().zip(&turning.rolled);
@@ -41,7 +41,7 @@ impl WheelsetSolver<'_> {
         &self,
         wheels: Vec<SolvedWheel>,
         turning: &Turning<'_>,
-        travel: &Travel,
+        travel: &WheelsetVelocity,
     ) -> SolvedWheelset {
         let [on_left, on_right] = turning.motions;
         let pitch_rate = on_left.pitch_rate.midpoint(on_right.pitch_rate);
@@ -74,7 +74,7 @@ impl SolvedWheel {
     fn new(
         wheel: &PressedWheel<'_>,
         (by, pitch_rate): (Option<[f64; 2]>, f64),
-        running: &Running,
+        running: &WheelsetOnTrack,
         mut contacts: Vec<SolvedContact>,
     ) -> Self {
         let PressedWheel { side, position, depth, .. } = *wheel;

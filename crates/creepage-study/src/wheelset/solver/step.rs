@@ -3,9 +3,9 @@
 
 use creepage_rail::{Position, Side};
 
-use super::pressed::PressedWheel;
-use crate::wheelset::nearby::Shares;
-use crate::{Load, Stance};
+use super::normal_contact::PressedWheel;
+use crate::wheelset::warm_start::LateralForceRatios;
+use crate::{Load, WheelsetPose};
 
 /// A wheel's position and what it is expected to carry there.
 #[derive(Debug, Clone, Copy)]
@@ -26,9 +26,9 @@ impl Place {
     /// Those of wheels that nearly carry their load.
     pub(super) fn of(
         wheels: &[PressedWheel<'_>],
-        stance: &Stance,
+        stance: &WheelsetPose,
         load: Load,
-        shares: &Shares,
+        shares: &LateralForceRatios,
     ) -> Vec<Self> {
         let sum = wheels.iter().map(|wheel| wheel.expected(shares)).sum();
         let place = |wheel: &PressedWheel<'_>| {
@@ -60,7 +60,12 @@ impl Place {
 
     /// How the force changes here: what is known of it, changed by what the step that led here missed, as
     /// far as that is believed and was no trifle; the stiffness where nothing is known.
-    pub(super) fn learn(&mut self, wheel: &PressedWheel<'_>, shares: &Shares, belief: Belief) {
+    pub(super) fn learn(
+        &mut self,
+        wheel: &PressedWheel<'_>,
+        shares: &LateralForceRatios,
+        belief: BroydenPolicy,
+    ) {
         /// Parts of the force by which it scatters, as friction and the tips of areas do.
         const SCATTER: f64 = 3e-4;
         let shares = shares.of_fine();
@@ -68,7 +73,7 @@ impl Place {
         let [down, turn] = self.moved;
         let tells = |by: [f64; 2]| {
             let change = (by[0] * down + by[1] * turn).abs();
-            belief != Belief::None && change.max(missed.abs()) > SCATTER * self.expected
+            belief != BroydenPolicy::None && change.max(missed.abs()) > SCATTER * self.expected
         };
         let change = |by| if tells(by) { learnt(by, self.moved, missed, belief) } else { Some(by) };
         let stiffness = || [wheel.stiffness(&shares), wheel.stiffness_by_roll(&shares)];
@@ -78,7 +83,7 @@ impl Place {
 
 /// How far a step is believed that tells how a force changes.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Belief {
+pub(super) enum BroydenPolicy {
     /// Not at all: it compares other things.
     None,
     /// Unless the change would be another one altogether.
@@ -94,7 +99,7 @@ pub(super) fn learnt(
     by: [f64; 2],
     moved: [f64; 2],
     missed: f64,
-    belief: Belief,
+    belief: BroydenPolicy,
 ) -> Option<[f64; 2]> {
     let ([by_down, by_turn], [down, turn]) = (by, moved);
     // Rolling by an angle is as much as going down by it times the wheel's lever.
@@ -102,12 +107,13 @@ pub(super) fn learnt(
     let part = missed / (down * down + square * turn * turn);
     let changed = by_down + part * down;
     let is_sound = changed > 0.5 * by_down && changed < 2.0 * by_down;
-    (is_sound || belief == Belief::Whole).then_some([changed, by_turn + part * square * turn])
+    (is_sound || belief == BroydenPolicy::Whole)
+        .then_some([changed, by_turn + part * square * turn])
 }
 
 /// What a wheel should carry (N) that carries `own`, of the sum of some wheels.
 pub(super) fn wanted(
-    (stance, side): (&Stance, Side),
+    (stance, side): (&WheelsetPose, Side),
     load: Load,
     own: f64,
     [sum, count]: [f64; 2],
@@ -135,9 +141,9 @@ pub(super) struct Line {
 /// one, or nothing presses.
 pub(super) fn places(
     (here, wheels): (&[Place], &[PressedWheel<'_>]),
-    stance: &Stance,
+    stance: &WheelsetPose,
     load: Load,
-    shares: &Shares,
+    shares: &LateralForceRatios,
 ) -> Option<Vec<Place>> {
     /// Of a wheel's load: beyond, a step has less left of it than a search.
     const FARTHEST: f64 = 0.1;

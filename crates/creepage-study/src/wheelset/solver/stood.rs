@@ -4,7 +4,7 @@ use creepage::normal::{NormalContact, Resolution};
 use creepage_rail::{Contact, Position, Side};
 
 use super::WheelsetSolver;
-use super::pressed::{Known, Press};
+use super::normal_contact::{NormalSolver, PatchWarmStart};
 use crate::WheelsetError;
 
 /// The contacts of a wheel with their pressures.
@@ -18,8 +18,9 @@ impl<'a> WheelsetSolver<'a> {
         resolution: Resolution,
         near: &[(Contact<'_>, NormalContact)],
     ) -> Result<Stood<'a>, WheelsetError> {
-        let known = near.iter().map(|(contact, normal)| Known::new(side, contact.y_rail, normal));
-        let press = Press { resolution, follows: false, ..self.press };
+        let known =
+            near.iter().map(|(contact, normal)| PatchWarmStart::new(side, contact.y_rail, normal));
+        let press = NormalSolver { resolution, follows: false, ..self.press };
         let wheel = press.wheel(side, position, &known.collect::<Vec<_>>())?;
         let contacts = wheel.contacts.into_iter();
         Ok(contacts.map(|pressed| (pressed.contact, pressed.normal)).collect())

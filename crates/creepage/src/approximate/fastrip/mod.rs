@@ -31,7 +31,7 @@ use super::linear::CreepageCoefficients;
 use super::strip::{Strip, StripNumbers, strip_slope, unit};
 use crate::check::InvalidValue;
 use crate::contact::Contact;
-use crate::theory::{Evaluated, Jacobian, Solved};
+use crate::theory::{Jacobian, Solved, Stateless};
 use crate::{Creepage, FieldPoint, Region, Solution, Status, Theory};
 
 /// The original FaStrip, or one whose defects are mended.
@@ -290,7 +290,7 @@ impl Theory for Fastrip {
     }
 
     fn solved(&self, creepage: Creepage) -> Box<dyn Solved + '_> {
-        Evaluated::boxed(self, creepage)
+        Stateless::boxed(self, creepage)
     }
 }
 

@@ -40,10 +40,10 @@
 //! back to it, with its direction.
 
 mod flexibility;
+pub(crate) mod friction_bound;
 mod grid;
 mod march;
 mod profile;
-pub(crate) mod resistance;
 mod settings;
 mod sums;
 mod trace;
@@ -53,14 +53,14 @@ use super::linear::CreepageCoefficients;
 use crate::approximate::strip::strip_slope;
 use crate::check::InvalidValue;
 use crate::contact::Contact;
-use crate::theory::{Evaluated, Jacobian, Solved, differences};
+use crate::theory::{Jacobian, Solved, Stateless, differences};
 use crate::{Creepage, FieldPoint, Force, Region, Solution, Status, Theory};
 
 pub(crate) use flexibility::{Flexibilities, Slopes};
+use friction_bound::{FrictionBound, Step, Walk};
 pub(crate) use grid::{Block, Grid, LANES, Lanes};
 pub(crate) use march::{Increments, State, march};
 pub(crate) use profile::Profile;
-use resistance::{Resistance, Step, Walk};
 pub use settings::{Flexibility, Settings, TractionBound};
 pub(crate) use sums::{Sums, Totals};
 pub(crate) use trace::{Place, Trace};
@@ -83,7 +83,7 @@ pub struct Fastsim {
     flexibility: Flexibility,
     bound: TractionBound,
     grid: Grid,
-    resistance: Option<Resistance>,
+    resistance: Option<FrictionBound>,
 }
 
 impl Fastsim {
@@ -106,7 +106,7 @@ impl Fastsim {
             flexibility: settings.flexibility,
             bound: settings.bound,
             grid,
-            resistance: Resistance::new(contact),
+            resistance: FrictionBound::new(contact),
         })
     }
 
@@ -123,7 +123,7 @@ impl Fastsim {
     }
 
     /// Force where the bound depends on the slip.
-    fn resisted_force(&self, resistance: &Resistance, creepage: Creepage) -> Force {
+    fn resisted_force(&self, resistance: &FrictionBound, creepage: Creepage) -> Force {
         let plain = dual::plain(creepage);
         let slopes = self.flexibilities.slopes(self.flexibility, plain);
         let mut force = Force::default();
@@ -241,6 +241,6 @@ impl Theory for Fastsim {
     }
 
     fn solved(&self, creepage: Creepage) -> Box<dyn Solved + '_> {
-        Evaluated::boxed(self, creepage)
+        Stateless::boxed(self, creepage)
     }
 }

@@ -10,7 +10,7 @@ use super::{CreepageCoefficients, bounded, checked, sufficient_degree};
 use crate::check::InvalidValue;
 use crate::contact::Contact;
 use crate::ellipse::Ellipse;
-use crate::theory::{Evaluated, Jacobian, Solved};
+use crate::theory::{Jacobian, Solved, Stateless};
 use crate::{Creepage, FieldPoint, Force, Region, Solution, Status, Theory};
 
 /// Linear theory (4.3): no slip, and forces proportional to creepage and spin (4.87).
@@ -125,7 +125,7 @@ impl Theory for Linear {
     }
 
     fn solved(&self, creepage: Creepage) -> Box<dyn Solved + '_> {
-        Evaluated::boxed(self, creepage)
+        Stateless::boxed(self, creepage)
     }
 }
 

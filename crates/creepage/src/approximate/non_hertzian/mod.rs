@@ -27,7 +27,7 @@ mod springs;
 
 use crate::approximate::dual::{self, Dual, Real};
 use crate::check::{self, InvalidValue};
-use crate::coulomb::{ElementField, Trial, search};
+use crate::coulomb::{ElementField, Resolve, search};
 use crate::normal::NormalContact;
 use crate::theory::{
     Constraints, FieldPoint, InverseError, Jacobian, Patch, Region, Solution, Solved, Status,
@@ -370,8 +370,8 @@ impl Theory for NonHertzianSimplified {
     }
 }
 
-impl Trial for SimplifiedSolved<'_> {
-    fn again(&self, creepage: Creepage) -> Self {
+impl Resolve for SimplifiedSolved<'_> {
+    fn resolve(&self, creepage: Creepage) -> Self {
         Self::new(self.theory, creepage, self.more.clone())
     }
 }

@@ -18,7 +18,7 @@ use outside::PoleOutside;
 use super::linear::bounded;
 use crate::check::{self, InvalidValue};
 use crate::contact::Contact;
-use crate::theory::{Evaluated, Jacobian, Solved};
+use crate::theory::{Jacobian, Solved, Stateless};
 use crate::{Creepage, FieldPoint, Force, Region, Solution, Status, Theory};
 
 /// Theory of large creepage and spin (4.97), for any position of the spin pole.
@@ -145,6 +145,6 @@ impl Theory for Saturated {
     }
 
     fn solved(&self, creepage: Creepage) -> Box<dyn Solved + '_> {
-        Evaluated::boxed(self, creepage)
+        Stateless::boxed(self, creepage)
     }
 }

@@ -40,7 +40,7 @@ mod sliding;
 use super::dual::{self, Real};
 use crate::contact::Contact;
 use crate::ellipse::Ellipse;
-use crate::theory::{Evaluated, Jacobian, Solved};
+use crate::theory::{Jacobian, Solved, Stateless};
 use crate::{Creepage, FieldPoint, Region, Solution, Status, Theory};
 
 use across::{Across, half_tangent};
@@ -201,7 +201,7 @@ impl Theory for StripTheory {
     }
 
     fn solved(&self, creepage: Creepage) -> Box<dyn Solved + '_> {
-        Evaluated::boxed(self, creepage)
+        Stateless::boxed(self, creepage)
     }
 }
 

@@ -1,14 +1,14 @@
-//! One grid: friction and normal contact solved in turn until both hold.
+//! One grid of the coupled problem: alternating solution of the normal and the tangential problem.
 
 use std::f64::consts::PI;
 
 use super::Prescribed;
-use super::attraction::Attraction;
 use super::normal::{Normal, Pressed};
+use super::normal_tangential_coupling::Attraction;
 use super::shape::Shape;
+use crate::coulomb::anderson::AndersonAcceleration;
 use crate::coulomb::grid::Grid;
 use crate::coulomb::mesh::Mesh;
-use crate::coulomb::mixing::Mixing;
 use crate::coulomb::pressure::Pressure;
 use crate::coulomb::solver::{Equations, Outcome, State};
 use crate::coulomb::stencil::SlipStencil;
@@ -137,9 +137,9 @@ impl Level {
     fn take_turns(&self, case: Case, part: f64, start: Start) -> Settled {
         let factor = -case.side * part * case.coupling.q / PI;
         let (mut settled, mut attraction) = self.start(case, start);
-        let mut mixing = Mixing::default();
+        let mut mixing = AndersonAcceleration::default();
         loop {
-            let outcome = settled.rub(case);
+            let outcome = settled.solve_tangential(case);
             let tractions = settled.tractions();
             let more = |at: [f64; 2]| factor * attraction.by_traction(at, &tractions);
             let Some(next) = self.normal.solve(&settled.pressed, more, case.prescribed) else {
@@ -240,7 +240,7 @@ fn slip_by(
 
 impl Settled {
     /// Solves the tangential problem under the present pressure.
-    fn rub(&mut self, case: Case) -> Outcome {
+    fn solve_tangential(&mut self, case: Case) -> Outcome {
         self.grid.set_forcing(case.creepage, case.side, &mut self.state.forcing);
         let outcome = self.state.solve(&self.grid, &mut self.equations);
         self.turns += 1;

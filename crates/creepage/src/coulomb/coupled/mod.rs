@@ -14,14 +14,14 @@
 //! [`Exact`](super::Exact) move with the area, and only what differs from Hertz's contact is
 //! computed by strips: without `kappa` the solution is that of `Exact`.
 
-mod along;
-mod attraction;
+mod chebyshev;
 mod level;
 mod normal;
+mod normal_tangential_coupling;
+mod peak_pressure;
 mod shape;
 mod sliding;
 mod solved;
-mod summit;
 
 pub use sliding::{GrossSliding, SlidingError};
 pub use solved::CoupledSolved;

@@ -1,4 +1,4 @@
-//! The normal problem: strips whose pressure vanishes as a root at ends that move, pressed into a
+//! The normal problem of the coupled solution: strips with free ends, pressed into a
 //! paraboloid to which the tangential tractions add.
 //!
 //! Lengths are in units of `c`, pressures in units of the frictionless peak, displacements in
@@ -7,10 +7,10 @@
 use std::f64::consts::FRAC_PI_2;
 
 use super::Prescribed;
-use super::along::Along;
-use crate::coulomb::mixing::Mixing;
+use super::chebyshev::ChebyshevSeries;
+use crate::coulomb::anderson::AndersonAcceleration;
 use crate::ellipse::Ellipse;
-use crate::normal::touching::{self, MOST, Question, Strip};
+use crate::normal::strip_system::{self, MOST, Strip, StripProblem};
 
 /// Borders are sines of equal parts of so much of a right angle: narrower strips at the tips.
 const CLUSTER: f64 = 0.8 * FRAC_PI_2;
@@ -61,7 +61,7 @@ impl Pressed {
     }
 
     /// Goes where the last turns lead to, given where this one led.
-    pub(super) fn go(&mut self, mixing: &mut Mixing, image: &Self) {
+    pub(super) fn go(&mut self, mixing: &mut AndersonAcceleration, image: &Self) {
         let mut numbers: Vec<f64> = self.numbers().collect();
         mixing.improve(&mut numbers, &image.numbers().collect::<Vec<f64>>());
         self.clone_from(image);
@@ -109,7 +109,8 @@ impl Normal {
             load: f64::NAN,
         };
         let mut normal = Self { ellipse, curvatures, borders, frictionless: hertz };
-        let none: Vec<Along> = normal.middles().map(|_| Along::default()).collect();
+        let none: Vec<ChebyshevSeries> =
+            normal.middles().map(|_| ChebyshevSeries::default()).collect();
         normal.frictionless =
             normal.touching(&normal.frictionless, &none, Prescribed::Approach).ok()?;
         Some(normal)
@@ -151,9 +152,10 @@ impl Normal {
         const ATTEMPTS: usize = 6;
         let mut pressed = self.laid(start);
         for _ in 0..ATTEMPTS {
-            let along =
-                |strip: &Strip| Along::new([strip.centre, strip.half], |x| more([x, strip.y]));
-            let more: Vec<Along> = pressed.strips.iter().map(along).collect();
+            let along = |strip: &Strip| {
+                ChebyshevSeries::new([strip.centre, strip.half], |x| more([x, strip.y]))
+            };
+            let more: Vec<ChebyshevSeries> = pressed.strips.iter().map(along).collect();
             match self.touching(&pressed, &more, prescribed) {
                 Ok(mut found) => {
                     self.move_tips(&mut found);
@@ -200,7 +202,7 @@ impl Normal {
     fn touching(
         &self,
         pressed: &Pressed,
-        more: &[Along],
+        more: &[ChebyshevSeries],
         prescribed: Prescribed,
     ) -> Result<Pressed, Vec<Strip>> {
         let middles: Vec<f64> = pressed.strips.iter().map(|strip| strip.y).collect();
@@ -212,8 +214,9 @@ impl Normal {
         };
         let load = (prescribed == Prescribed::Load).then_some(self.frictionless.load);
         // Of the stiffness only the sign is asked.
-        let question = Question { depth: &depth, load, enough: ENOUGH, nearly: 0.1, known: None };
-        let found = touching::solve(pressed.strips.clone(), MOST, question)
+        let question =
+            StripProblem { depth: &depth, load, enough: ENOUGH, nearly: 0.1, known: None };
+        let found = strip_system::solve(pressed.strips.clone(), MOST, question)
             .map_err(|stopped| stopped.strips)?;
         if found.stiffness > 0.0 && found.deeper.is_finite() {
             let load = found.strips.iter().map(Strip::load).sum();

@@ -4,11 +4,11 @@ use std::sync::Arc;
 
 use super::normal::{Normal, Pressed};
 use crate::coulomb::mesh::{Mesh, Strip};
-use crate::coulomb::pieces::SUBCELLS;
 use crate::coulomb::pressure::{Moments, Pressure};
+use crate::coulomb::subdivision::SUBCELLS;
 use crate::ellipse::Ellipse;
 use crate::gap::Cubic;
-use crate::normal::touching::{self, MOST, profile};
+use crate::normal::strip_system::{self, MOST, profile};
 
 /// Least pressure over that of Hertz: polynomials between strips may dip below zero, and an element
 /// without any pressure has no traction to find.
@@ -38,7 +38,7 @@ impl Shape {
         let t: Vec<f64> = normal.middles().collect();
         let pairs = || pressed.strips.iter().zip(&normal.frictionless.strips);
         let curve = |values: Vec<f64>| Cubic::new(t.clone(), values);
-        let polynomials = |of: fn((&touching::Strip, &touching::Strip)) -> [f64; MOST]| {
+        let polynomials = |of: fn((&strip_system::Strip, &strip_system::Strip)) -> [f64; MOST]| {
             let all: Vec<_> = pairs().map(of).collect();
             std::array::from_fn(|k| curve(all.iter().map(|c| c[k]).collect()))
         };
@@ -84,13 +84,13 @@ impl Shape {
     }
 
     /// The pressure of a strip without friction there, changed as this area's.
-    fn strip(&self, frictionless: &touching::Strip, t: f64) -> touching::Strip {
+    fn strip(&self, frictionless: &strip_system::Strip, t: f64) -> strip_system::Strip {
         let t = self.within(t);
         let pressure =
             self.pressure[0].each_ref().map(|curve| curve.at(t) * frictionless.pressure[0]);
         let (centre, half) =
             (frictionless.centre + self.centre(t), frictionless.half * self.longer(t));
-        touching::Strip { centre, half, pressure, ..*frictionless }
+        strip_system::Strip { centre, half, pressure, ..*frictionless }
     }
 
     /// Pressure over that of Hertz at the same place.

@@ -37,13 +37,13 @@
 use std::f64::consts::PI;
 
 use super::Prescribed;
-use super::attraction::Attraction;
 use super::normal::{Normal, Pressed};
+use super::normal_tangential_coupling::Attraction;
 use super::shape::Shape;
 use crate::check::{self, InvalidValue};
+use crate::coulomb::anderson::AndersonAcceleration;
 use crate::coulomb::extrapolation::extrapolate;
-use crate::coulomb::mesh::{Mesh, Sides};
-use crate::coulomb::mixing::Mixing;
+use crate::coulomb::mesh::{Mesh, StripGrading};
 use crate::coulomb::pressure::Pressure;
 use crate::coulomb::resolution::Resolution;
 use crate::ellipse::Ellipse;
@@ -114,7 +114,8 @@ impl GrossSliding {
         let ellipse = Ellipse::from_ratio(ellipse.ratio())?;
         let [along, across] = Resolution::FINE.coarse(ellipse.ratio());
         let q = [q * cos, q * sin];
-        let mesh = |times| Mesh::with_sides(ellipse, times * along, times * across, Sides::NARROW);
+        let mesh =
+            |times| Mesh::with_sides(ellipse, times * along, times * across, StripGrading::NARROW);
         let [coarse, fine] = [1, 2].map(mesh);
         let coarse = Sliding::new(ellipse, &coarse)?.by_steps(q)?;
         let fine = Sliding::new(ellipse, &fine)?;
@@ -219,7 +220,7 @@ impl<'a> Sliding<'a> {
         tolerance: f64,
     ) -> Result<Slid, SlidingError> {
         const TURNS: usize = 60;
-        let (mut change, mut mixing) = (f64::INFINITY, Mixing::default());
+        let (mut change, mut mixing) = (f64::INFINITY, AndersonAcceleration::default());
         for _ in 0..TURNS {
             let shape = Shape::new(&self.normal, &pressed);
             let attraction = Attraction::new(&shape.mesh(self.hertz));

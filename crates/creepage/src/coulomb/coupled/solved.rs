@@ -1,13 +1,13 @@
-//! One coupled contact solved, kept for further questions.
+//! The solution of one coupled contact, kept for fields, derivatives and further solves.
 
 use super::level::{Case, Settled, Start};
-use super::summit::{Summit, summit};
+use super::peak_pressure::{Summit, summit};
 use super::{Coupled, Prepared};
+use crate::coulomb::dissipation::{self, Unresolved};
 use crate::coulomb::extrapolation::{Extrapolation, extrapolate};
-use crate::coulomb::heat::{self, Unresolved};
-use crate::coulomb::inverse::Trial;
+use crate::coulomb::field_interpolation::{ElementField, FieldInterpolation};
+use crate::coulomb::inverse::Resolve;
 use crate::coulomb::solution::{Mirror, power_of, quarters};
-use crate::coulomb::view::{ElementField, View};
 use crate::theory::field::mean;
 use crate::theory::{
     Diagnostic, FieldPoint, Jacobian, Patch, Solution, Solved, Statistics, Status,
@@ -61,7 +61,7 @@ impl<'a> CoupledSolved<'a> {
         // Rolling freely, power is a small difference of large parts: the elements' heat is the least.
         let slipping = extrapolate(coarse.dissipation, fine.dissipation);
         let dissipation =
-            heat::dissipation(power, &fine, power_of(fine.force, mirrored)).max(slipping);
+            dissipation::dissipation(power, &fine, power_of(fine.force, mirrored)).max(slipping);
         if !are_numbers(levels, &[power, dissipation], force, error) {
             return Self::one_way(theory, prepared, creepage, mirror);
         }
@@ -187,7 +187,7 @@ impl<'a> CoupledSolved<'a> {
         let place = |strip: usize| if flips { strips - 1 - strip } else { strip };
         let unresolved =
             Unresolved::new(&fine.grid, &fine.state, self.dissipation, self.by_elements);
-        let view = View::new(&fine.grid, &fine.state);
+        let view = FieldInterpolation::new(&fine.grid, &fine.state);
         let element = |(strip, i): (usize, usize)| {
             let strip = place(strip);
             let power = unresolved.power(&fine.grid, &fine.state, strip, i);
@@ -196,7 +196,7 @@ impl<'a> CoupledSolved<'a> {
         fine.grid.mesh.all().map(element).collect()
     }
 
-    fn at(&self, level: &Settled, view: &View, position: [f64; 2]) -> FieldPoint {
+    fn at(&self, level: &Settled, view: &FieldInterpolation, position: [f64; 2]) -> FieldPoint {
         let (mirror, mesh) = (self.mirror, &level.grid.mesh);
         let there = mirror.position(position);
         let Some([s, t]) = level.shape.place(there) else {
@@ -265,8 +265,8 @@ fn solution(force: Force, error: Force, levels: &[Settled; 2]) -> Solution {
     }
 }
 
-impl Trial for CoupledSolved<'_> {
-    fn again(&self, creepage: Creepage) -> Self {
+impl Resolve for CoupledSolved<'_> {
+    fn resolve(&self, creepage: Creepage) -> Self {
         Self::new(self.theory, self.prepared, creepage, Some(self))
     }
 }
@@ -299,7 +299,7 @@ impl Solved for CoupledSolved<'_> {
     fn field(&self, positions: &[[f64; 2]]) -> Vec<FieldPoint> {
         match &self.settled {
             Some([_, fine]) => {
-                let view = View::new(&fine.grid, &fine.state);
+                let view = FieldInterpolation::new(&fine.grid, &fine.state);
                 positions.iter().map(|at| self.at(fine, &view, *at)).collect()
             }
             None => self.prepared.exact.field(self.creepage, positions),

@@ -1,13 +1,13 @@
-//! Coefficients, and how displacements become those that products read.
+//! Influence coefficients: displacements combined into the slip that products read.
 
 use pulp::{Arch, Simd, WithSimd};
 
 use super::layout::Layout;
+use crate::buffer_pool::BufferPool;
 use crate::coulomb::product::BLOCK;
-use crate::spare::Spare;
 
-static ROWS: Spare<f32> = Spare::new();
-static BLOCKS: Spare<f64> = Spare::new();
+static ROWS: BufferPool<f32> = BufferPool::new();
+static BLOCKS: BufferPool<f64> = BufferPool::new();
 
 /// Rows of coefficients as [`Product`](crate::coulomb::product::Product) reads them, in single precision, which
 /// moves forces by a hundred-millionth, and the blocks of them that strips have of themselves and of their

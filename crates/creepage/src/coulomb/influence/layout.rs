@@ -1,4 +1,4 @@
-//! What a contact saves by being its own mirror image, fore and aft, across, or both ways.
+//! Storage of the influence matrix of contacts with mirror symmetry fore and aft, across, or both.
 //!
 //! Tractions are the sum of parts that are even or odd in each direction of symmetry. A part moves the surface
 //! in one way only: `x` components in `x` as they are themselves, and in `y` evenly where they are odd. So the

@@ -4,7 +4,7 @@
 use super::coefficients::{Coefficients, Folded, Number};
 use super::layout::{Layout, Symmetry, unfold};
 use super::{Influence, Tractions, starts};
-use crate::coulomb::cuts::Cuts;
+use crate::coulomb::boussinesq_cerruti::Cuts;
 use crate::coulomb::mesh::Mesh;
 use crate::coulomb::product::Product;
 

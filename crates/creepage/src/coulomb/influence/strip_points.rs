@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use super::coefficients::Folded;
 use super::layout::Layout;
-use crate::coulomb::cuts::Cuts;
+use crate::coulomb::boussinesq_cerruti::Cuts;
 use crate::coulomb::mesh::Mesh;
 
 /// The points of one strip after the other, in the order of its stencil.

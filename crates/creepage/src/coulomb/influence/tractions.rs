@@ -34,7 +34,7 @@ impl Tractions {
     }
 
     /// Keeps them for products with another influence of as many elements, which may have other symmetries.
-    pub(crate) fn suit(&mut self, influence: &Influence) {
+    pub(crate) fn match_symmetry(&mut self, influence: &Influence) {
         if self.layout.symmetry == influence.layout.symmetry {
             return;
         }

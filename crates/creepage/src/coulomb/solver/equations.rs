@@ -224,7 +224,7 @@ fn by_spin(grid: &Grid, state: &State, element: usize) -> [f64; 2] {
     let Some(Sliding { derivative, .. }) = state.sliding[element] else {
         return [0.0; 2];
     };
-    let [give, slope] = state.forcing.give(element);
+    let [give, slope] = state.forcing.spin_compliance(element);
     let [x, y] = state.trial(grid, element);
     let [part, narrower] = grid.corner(state.forcing.spin);
     let wider = state.corner.half_width() * narrower / part;

@@ -5,7 +5,7 @@
 const KRYLOV_DIMENSION: usize = 40;
 const RESTARTS: usize = 5;
 
-/// What is wanted of the map.
+/// Evaluate the affine map, or its linear part.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Part {
     Whole,

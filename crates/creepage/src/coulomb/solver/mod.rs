@@ -1,4 +1,4 @@
-//! From any tractions to those that obey friction.
+//! The tangential solver: block Gauss-Seidel over strips, then semismooth Newton with GMRES.
 //!
 //! Sweeps come near: a sweep solves the friction problem of each strip with the other strips
 //! held, for strips act on one another more weakly than elements of a strip do. Newton in all
@@ -7,15 +7,15 @@
 
 mod equations;
 mod gmres;
-mod limits;
 mod newton;
 mod strip_factors;
-mod sweeps;
 
 pub(crate) use equations::Equations;
 
+use super::anderson::AndersonAcceleration;
 use super::forcing::SlipForcing;
-use super::friction::{Corner, Sliding, project_within};
+use super::friction::{Regularization, Sliding, project_within};
+use super::friction_bound::LEAST;
 use super::grid::Grid;
 use super::influence::{Precision, Tractions};
 use super::quadrature::{Fields, Sum};
@@ -24,20 +24,31 @@ use strip_factors::Factors;
 /// Largest residual of friction's equation `p = P(p + r s)` in a solution, over the traction bound,
 /// or over the creepage where that is smaller than one: then tractions are as small as the creepage.
 const TOLERANCE: f64 = 1e-6;
-/// Tractions so many times larger than the slip that drives them are no start: they are dropped.
+/// A warm start whose tractions exceed the rigid slip so many times is discarded.
 const LARGEST_START: f64 = 1e6;
 /// Slip whose square is lost to rounding counts as zero.
 const SMALLEST_SLIP: f64 = 1e-140;
 /// Below this slip, single precision loses tractions of its size.
 const SMALLEST_SINGLE: f64 = 1e-20;
-/// Rounds of sweeps and Newton until another way is tried, at first and from tractions close by.
+/// Rounds of sweeps and Newton until the regularization changes: at first, and from a close warm start.
 const ROUNDS: [usize; 2] = [5, 3];
-/// The width of a monotone corner where the unbiased one leads nowhere, over its width: so narrow that
-/// its bias is small.
+/// Width of the narrow monotone regularization, over the full width: its bias is small.
 const NARROW: f64 = 0.125;
-/// How many times the slip leads to tractions near those sought, where elements much shorter than their strips
-/// are wide make sweeps swing: the more of the contact slides, the less they do. Powers of two round nothing.
+/// Continuation in the rigid slip: multiples of it whose solutions are warm starts where elements much shorter than
+/// their strips are wide make sweeps oscillate (less so the more of the contact slides). Powers of two: no rounding.
 const MORE_SLIP: [f64; 2] = [4.0, 2.0];
+
+/// Largest change of a limit, over that at rest, in a solution.
+const BOUND_TOLERANCE: f64 = 1e-7;
+/// Most steps of the fixed-point iteration for friction bounds that depend on slip.
+const MAX_BOUND_ROUNDS: usize = 120;
+/// Largest residual of tractions between one set of limits and the next, which amplify it.
+const FIXED_POINT_TOLERANCE: f64 = 1e-8;
+/// Below this change of the limits steps are mixed; before, each is taken as it is: from friction at
+/// rest the limits fall step by step towards the first solution, which mixed steps might pass.
+const MIXING_BELOW: f64 = 0.02;
+/// Steps after which they are mixed in any case.
+const MAX_PLAIN_ROUNDS: usize = 40;
 
 /// How an iteration ended.
 #[derive(Debug, Clone, Copy, Default)]
@@ -69,7 +80,7 @@ pub(crate) struct State {
     step: Vec<f64>,
     change: Vec<f64>,
     factorizations: usize,
-    corner: Corner,
+    corner: Regularization,
     /// That of sweeps.
     precision: Precision,
 }
@@ -90,9 +101,46 @@ impl State {
             step: vec![0.0; 2 * longest],
             change: vec![0.0; 2 * longest],
             factorizations: 0,
-            corner: Corner::default(),
+            corner: Regularization::default(),
             precision: Precision::Single,
         }
+    }
+
+    /// Improves the tractions until they obey friction at the slip that [`State::forcing`] causes;
+    /// where friction depends on the slip, from the limits as they are.
+    pub(crate) fn solve(&mut self, grid: &Grid, equations: &mut Equations) -> Outcome {
+        let mut sum = self.solve_to(TOLERANCE, grid, equations);
+        let Some(resistance) = &grid.resistance else { return sum };
+        let (mut limits, mut mixing) = (self.limits.clone(), AndersonAcceleration::default());
+        for round in 0..MAX_BOUND_ROUNDS {
+            let slip = |element: usize| {
+                let [x, y] = self.visible(grid, element).1.unwrap_or_default();
+                x.hypot(y)
+            };
+            resistance.limits(&grid.mesh, &grid.pressure.bounds, slip, &mut limits);
+            let changes = limits.iter().zip(&self.limits).map(|(new, old)| (new - old).abs());
+            let change = changes.fold(0.0, f64::max);
+            if change <= BOUND_TOLERANCE {
+                return sum;
+            }
+            if change < MIXING_BELOW || round >= MAX_PLAIN_ROUNDS || resistance.yields() {
+                mixing.improve(&mut self.limits, &limits);
+                self.limits.iter_mut().for_each(|limit| *limit = limit.clamp(LEAST, 1.0));
+            } else {
+                self.limits.copy_from_slice(&limits);
+            }
+            let again = self.solve_to(FIXED_POINT_TOLERANCE, grid, equations);
+            sum.converged = again.converged;
+            sum.sweeps += again.sweeps;
+            sum.factorizations += again.factorizations;
+        }
+        Outcome { converged: false, ..sum }
+    }
+
+    /// Starts from no traction and the same limit, over that at rest, in every element.
+    pub(crate) fn reset_to(&mut self, limit: f64) {
+        self.reset();
+        self.limits.fill(limit);
     }
 
     pub(crate) fn reset(&mut self) {
@@ -104,7 +152,7 @@ impl State {
 
     /// Keeps the tractions as a start and forgets how they were found, so that what follows depends
     /// on them alone.
-    pub(crate) fn forget(&mut self) {
+    pub(crate) fn invalidate_factors(&mut self) {
         self.sliding.fill(None);
         self.last_step.fill(f64::INFINITY);
     }
@@ -139,8 +187,8 @@ impl State {
         equations: &mut Equations,
     ) -> Outcome {
         // Where bodies press on one another anew at each step, the contact loses its symmetry and has it again.
-        self.traction.suit(&grid.influence);
-        equations.change.suit(&grid.influence);
+        self.traction.match_symmetry(&grid.influence);
+        equations.change.match_symmetry(&grid.influence);
         let mut scale = self.forcing.largest();
         if scale < SMALLEST_SLIP {
             self.forcing.clear();
@@ -157,36 +205,36 @@ impl State {
         Outcome { converged, sweeps: equations.sweeps, factorizations: self.factorizations }
     }
 
-    /// Where the unbiased corner leads nowhere, a monotone one shows the way; where that does not, more slip.
-    /// On a long contact the unbiased one leads nowhere too often, and the narrow monotone one comes first.
+    /// If Newton's method stagnates, continue in the regularization (unbiased, monotone, narrow), then in the rigid
+    /// slip. On a long contact the unbiased one stagnates too often, and the narrow monotone one comes first.
     fn iterate(&mut self, tolerance: f64, grid: &Grid, equations: &mut Equations) -> bool {
         let [many, few] = ROUNDS;
         let [part, _] = grid.corner(self.forcing.spin);
         let rounding = part * grid.rounding;
-        let mut obeys = |state: &mut Self, corner: Corner, rounds: usize| {
+        let mut run_rounds = |state: &mut Self, corner: Regularization, rounds: usize| {
             state.corner = corner;
-            state.obeys(rounds, tolerance, grid, equations)
+            state.run_rounds(rounds, tolerance, grid, equations)
         };
-        let unbiased = Corner::Unbiased(rounding);
-        let [wide, narrow] = [1.0, NARROW].map(|part| Corner::Monotone(part * rounding));
-        if (grid.is_long && obeys(self, narrow, many))
-            || obeys(self, unbiased, many)
-            || (obeys(self, wide, many)
-                && (obeys(self, unbiased, few) || obeys(self, narrow, many)))
+        let unbiased = Regularization::Unbiased(rounding);
+        let [wide, narrow] = [1.0, NARROW].map(|part| Regularization::Monotone(part * rounding));
+        if (grid.is_long && run_rounds(self, narrow, many))
+            || run_rounds(self, unbiased, many)
+            || (run_rounds(self, wide, many)
+                && (run_rounds(self, unbiased, few) || run_rounds(self, narrow, many)))
         {
             return true;
         }
         for times in MORE_SLIP {
             self.forcing.scale(times);
-            obeys(self, unbiased, few);
+            run_rounds(self, unbiased, few);
             self.forcing.scale(times.recip());
         }
-        obeys(self, unbiased, few)
+        run_rounds(self, unbiased, few)
     }
 
-    /// Some rounds of sweeps and Newton; whether the tractions obey friction then. A Newton that fails costs
-    /// as much as ten sweeps, so there are two more pairs of sweeps in each round than in the one before.
-    fn obeys(
+    /// Rounds of sweeps and Newton; whether the residual meets the tolerance then. Round `k` does `2 k + 1` pairs of
+    /// sweeps: a failed Newton costs as much as ten sweeps.
+    fn run_rounds(
         &mut self,
         rounds: usize,
         tolerance: f64,
@@ -228,7 +276,7 @@ impl State {
 
     /// Coulomb's law of an element with the corner as it is.
     fn project(&self, element: usize, trial: [f64; 2]) -> Option<Sliding> {
-        let [give, _] = self.forcing.give(element);
+        let [give, _] = self.forcing.spin_compliance(element);
         project_within(self.limits[element], give, trial, self.corner)
     }
 
@@ -237,7 +285,7 @@ impl State {
     pub(crate) fn visible(&self, grid: &Grid, element: usize) -> ([f64; 2], Option<[f64; 2]>) {
         let trial = self.trial(grid, element);
         let Some(Sliding { traction, .. }) =
-            project_within(self.limits[element], 0.0, trial, Corner::Sharp)
+            project_within(self.limits[element], 0.0, trial, Regularization::Sharp)
         else {
             return (trial, None);
         };

@@ -1,4 +1,4 @@
-//! Newton's matrix of one strip, factored.
+//! LU factors of Newton's matrix of each strip.
 //!
 //! An element that slides beyond the rounded corner keeps the size of its traction. Its equation
 //! along the traction gives the change in that direction at once, and only how far the traction turns is
@@ -6,12 +6,12 @@
 
 use pulp::{Arch, Simd, WithSimd};
 
+use crate::buffer_pool::BufferPool;
 use crate::coulomb::friction::Sliding;
 use crate::coulomb::grid::Grid;
 use crate::coulomb::mesh::Mesh;
 use crate::coulomb::product::Row;
 use crate::lu::Lu;
-use crate::spare::Spare;
 
 /// The unknowns of an element are the changes of its traction in two directions: along the traction at
 /// its bound and across it, to the left, else along `x` and `y`. In the matrix come those along at the
@@ -34,7 +34,7 @@ pub(super) struct Factors(pub Vec<StripFactors>);
 /// Numbers in matrices that are kept for other grids.
 const MOST_KEPT: usize = 400_000;
 
-static SPARE: Spare<StripFactors> = Spare::new();
+static SPARE: BufferPool<StripFactors> = BufferPool::new();
 
 impl Factors {
     pub(super) fn new(mesh: &Mesh) -> Self {

@@ -1,27 +1,27 @@
-//! Contact by strips along rolling whose pressure vanishes as a root at ends that are unknowns
+//! The strip method: contact by strips along rolling whose pressure vanishes as a root at ends that are unknowns
 //! themselves. Far fewer unknowns than elements and no staircase; but it needs a start close by,
 //! which the elements give, and says so when Newton's method does not arrive.
 
-mod anew;
-mod laid;
-mod outside;
+mod overlap_check;
+mod patch_update;
+mod strip_layout;
 mod waves;
 
 use std::sync::Arc;
 
-use super::band::Band;
-use super::found::Found;
-use super::level::Task;
+use super::level::NormalProblem;
 use super::patch::Patch;
-use super::touching::{self, CENTRED, Depth, Factors, Question, Strip, Touching};
-use laid::{Units, centre, laid, patches};
+use super::patch_strip::Band;
+use super::solution::Found;
+use super::strip_system::{self, CENTRED, Depth, Factors, Strip, StripProblem, StripSolution};
+use strip_layout::{Units, centre, laid, patches};
 
-pub(super) use laid::most;
+pub(super) use strip_layout::most;
 pub(super) use waves::terms;
 
 /// What is asked of strips.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Wanted {
+pub(super) struct StripOptions {
     /// The load (N), where that is prescribed and not the approach.
     pub(super) load: Option<f64>,
     /// Strips across the widest patch.
@@ -42,7 +42,7 @@ pub(super) struct Wanted {
     pub(super) settled: f64,
 }
 
-impl Wanted {
+impl StripOptions {
     /// Attempts that are worth their cost.
     pub(super) const ATTEMPTS: usize = 6;
     /// The same from a contact close by: where that is not close enough, elements are a better start.
@@ -58,12 +58,12 @@ impl Wanted {
 /// vanishes.
 /// A matrix that is known of like strips close by is where Newton's method begins.
 pub(super) fn solve(
-    task: Task<'_>,
+    task: NormalProblem<'_>,
     start: &[Patch],
     known: Option<&Arc<Factors>>,
-    wanted: Wanted,
+    wanted: StripOptions,
 ) -> Option<Found> {
-    let Wanted { count, terms, enough, nearly, mut attempts, .. } = wanted;
+    let StripOptions { count, terms, enough, nearly, mut attempts, .. } = wanted;
     let units = Units::of(task, start)?;
     let gap = |x: f64, y: f64| {
         let place = [x, y].map(|at| at * units.length);
@@ -71,15 +71,15 @@ pub(super) fn solve(
         (task.approach - h) / units.depth
     };
     let load = wanted.load.map(|load| load / units.force());
-    let question = Question { depth: &gap, load, enough, nearly, known };
+    let question = StripProblem { depth: &gap, load, enough, nearly, known };
     let (mut start, mut settled, mut is_joined) = (start.to_vec(), 0, false);
     while attempts > 0 {
         let mut laid = laid(&start, count, terms, units)?;
         if terms == CENTRED {
             centre(&mut laid, task.gap, units);
         }
-        match touching::solve(laid.clone(), terms, question) {
-            Ok(touching) if touching.strips.iter().all(Strip::is_pressed) => {
+        match strip_system::solve(laid.clone(), terms, question) {
+            Ok(touching) if touching.strips.iter().all(Strip::is_compressive) => {
                 let strips = &touching.strips;
                 let patches = patches(&start, strips, units);
                 if settled < SETTLED && moved([&start, &patches], &laid, wanted.settled, units) {
@@ -90,28 +90,28 @@ pub(super) fn solve(
                 let falls = fall_to_tips(&patches, strips);
                 let mut beyond = Vec::new();
                 if wanted.complete || !falls {
-                    beyond = outside::overlapped(task, &touching, units, terms, &gap)?;
+                    beyond = overlap_check::overlapped(task, &touching, units, terms, &gap)?;
                 }
                 if !falls || !beyond.is_empty() {
                     attempts -= 1;
-                    start = anew::pushed_out(&patches, strips, &beyond, units)?;
+                    start = patch_update::grow(&patches, strips, &beyond, units)?;
                     continue;
                 }
                 // Once, for a waist without pressure parts them again.
-                if !is_joined && let Some(joined) = anew::joined(&patches) {
+                if !is_joined && let Some(joined) = patch_update::joined(&patches) {
                     is_joined = true;
                     start = joined;
                     continue;
                 }
                 return Some(found(task, patches, &touching, wanted, &gap, units));
             }
-            Ok(Touching { strips, .. }) => {
+            Ok(StripSolution { strips, .. }) => {
                 attempts -= 1;
-                start = anew::without_pulled(&start, &strips, units)?;
+                start = patch_update::without_tensile(&start, &strips, units)?;
             }
             Err(stopped) => {
                 attempts -= 1;
-                start = anew::drawn_in(&start, &laid, &stopped, units)?;
+                start = patch_update::drawn_in(&start, &laid, &stopped, units)?;
             }
         }
     }
@@ -120,16 +120,16 @@ pub(super) fn solve(
 
 /// What strips that are all the contact there is found.
 fn found(
-    task: Task<'_>,
+    task: NormalProblem<'_>,
     patches: Vec<Patch>,
-    touching: &Touching,
-    Wanted { terms, summit, .. }: Wanted,
+    touching: &StripSolution,
+    StripOptions { terms, summit, .. }: StripOptions,
     depth: Depth<'_>,
     units: Units,
 ) -> Found {
     let strips = &touching.strips;
-    let peak = touching::peak(strips);
-    let summit = summit.then(|| touching::height(touching, terms, depth)).flatten();
+    let peak = strip_system::peak(strips);
+    let summit = summit.then(|| strip_system::height(touching, terms, depth)).flatten();
     Found {
         patches,
         approach: task.approach + units.depth * touching.deeper,
@@ -166,6 +166,6 @@ fn moved([start, found]: [&[Patch]; 2], laid: &[Strip], part: f64, units: Units)
 fn fall_to_tips(start: &[Patch], strips: &[Strip]) -> bool {
     start.iter().flat_map(Patch::bands).enumerate().all(|(index, band)| {
         let own: Vec<&Strip> = strips.iter().filter(|strip| strip.band == index).collect();
-        anew::bears_at_tips(band, &own) == [false; 2]
+        patch_update::bears_at_tips(band, &own) == [false; 2]
     })
 }

@@ -3,9 +3,9 @@
 use std::f64::consts::PI;
 
 use crate::gap::Gap;
-use crate::normal::band::Band;
 use crate::normal::patch::Patch;
-use crate::normal::touching::{self, CENTRED, Depth, MOST, Strip};
+use crate::normal::patch_strip::Band;
+use crate::normal::strip_system::{self, CENTRED, Depth, MOST, Strip};
 
 /// Polynomials that a strip's pressure needs: on a parabola along rolling two, on other sections four
 /// or [`MOST`]; `None` where their waves are too short for that. Where all sections are symmetric
@@ -58,7 +58,7 @@ fn chebyshev(of: impl Fn(f64) -> f64) -> impl Iterator<Item = (usize, f64)> {
 pub(super) fn missed_across(strips: &[Strip], depth: Depth<'_>) -> f64 {
     let width: f64 = strips.iter().map(|strip| strip.width).sum();
     let longest = strips.iter().map(|strip| strip.half).fold(0.0, f64::max);
-    let top = touching::top(strips);
+    let top = strip_system::top(strips);
     let is_near = |four: &&[Strip]| {
         let is_one_band = four[0].band == four[3].band;
         is_one_band && (four[0].y..=four[3].y).contains(&strips[top].y)

@@ -1,9 +1,9 @@
 //! What particles bring along to a cell: traction, friction and slip where they were before.
 
+use super::super::history::Level;
 use super::super::particle::bisect;
-use super::super::past::Level;
 use super::march::March;
-use crate::approximate::fastsim::resistance::Walk;
+use crate::approximate::fastsim::friction_bound::Walk;
 
 /// Cells and their weights; what is missing to one is the leading edge, without traction.
 type Spread = [(usize, f64); 4];

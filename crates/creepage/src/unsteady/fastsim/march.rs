@@ -1,8 +1,8 @@
 //! One step of FASTSIM at a creepage: every particle from where it was to the cell where it is.
 
-use super::super::past::{Ages, Creep, Level};
+use super::super::history::{Ages, Creep, Level};
 use super::{RollingFastsim, Strip};
-use crate::approximate::fastsim::resistance::{Step, Walk};
+use crate::approximate::fastsim::friction_bound::{Step, Walk};
 
 /// What tractions add up to.
 #[derive(Debug, Clone, Copy, Default)]

@@ -1,7 +1,7 @@
 //! The creepage at which FASTSIM gives the prescribed forces.
 
+use super::super::history::{Creep, Level};
 use super::super::motion::{Motion, Prescribed};
-use super::super::past::{Creep, Level};
 use super::RollingFastsim;
 use super::march::Sum;
 

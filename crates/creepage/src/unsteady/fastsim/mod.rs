@@ -11,11 +11,11 @@ mod meet;
 
 use march::Sum;
 
+use super::history::{Creep, Level, Past};
 use super::load::Course;
 use super::motion::Motion;
-use super::past::{Creep, Level, Past};
 use super::rolling::{Rolled, no_layer};
-use crate::approximate::fastsim::resistance::Resistance;
+use crate::approximate::fastsim::friction_bound::FrictionBound;
 use crate::approximate::fastsim::{Flexibilities, Flexibility, Settings};
 use crate::approximate::linear::CreepageCoefficients;
 use crate::approximate::strip::strip_slope;
@@ -55,7 +55,7 @@ pub struct RollingFastsim {
     /// Under the nominal load, in units of `c`.
     semi_axes: [f64; 2],
     /// Where friction depends on the slip or the place.
-    resistance: Option<Resistance>,
+    resistance: Option<FrictionBound>,
     pub(super) past: Past,
     pub(super) travel: Travel,
 }
@@ -113,7 +113,7 @@ impl RollingFastsim {
             }
         };
         let slope = strip_slope(&ellipse, contact.poisson());
-        let resistance = Resistance::new(contact);
+        let resistance = FrictionBound::new(contact);
         let begin = level(0.0, 1.0, cells * across, resistance.is_some());
         Ok(Self {
             flexibilities: Flexibilities::new(&ellipse, slope, &coefficients)?,

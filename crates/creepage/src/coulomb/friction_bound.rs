@@ -1,0 +1,147 @@
+//! The friction bound of each element where friction depends on slip or place, or a layer yields.
+
+use super::mesh::Mesh;
+use super::stencil::SlipStencil;
+use crate::Scaling;
+use crate::friction_law::RollingFriction;
+use crate::layer::{Layer, Plasticity};
+
+/// Least of the bound that is ever left, over that at rest: tractions are divided by it.
+pub(crate) const LEAST: f64 = 1e-6;
+
+/// The law of friction and the yield of the layer, prepared for the elements of a mesh.
+#[derive(Debug, Clone)]
+pub(crate) struct FrictionBound {
+    friction: Option<RollingFriction>,
+    plasticity: Option<Plasticity>,
+    scaling: Scaling,
+    /// From where the slip of the element before is taken, or from the leading edge, to where that of
+    /// each element is.
+    steps: Vec<f64>,
+    moment: Moment,
+    /// What comes from upstream, of every element; empty in steady rolling, where it is what the
+    /// element before has.
+    arriving: Vec<Arriving>,
+}
+
+/// The present size of the contact, and how it moves.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Moment {
+    /// Size over that of the units.
+    pub size: f64,
+    /// False while bodies are shifted at rest: nothing slips at a speed.
+    pub rolls: bool,
+}
+
+/// Friction over that at rest, and slip, of the particle that is now at an element, as it was a step
+/// upstream: a part of what the element there has now, and what is known.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Arriving {
+    pub present: f64,
+    pub friction: f64,
+    pub slip: f64,
+    /// Distance back, in units of the contact's present size.
+    pub step: f64,
+}
+
+impl FrictionBound {
+    /// `None` where Coulomb's constant friction is all that bounds the traction.
+    pub(crate) fn new(
+        friction: Option<RollingFriction>,
+        layer: Option<Layer>,
+        scaling: Scaling,
+        stencils: &[SlipStencil],
+    ) -> Option<Self> {
+        let friction = friction.filter(RollingFriction::varies);
+        let plasticity = layer.and_then(|layer| layer.plasticity());
+        if friction.is_none() && plasticity.is_none() {
+            return None;
+        }
+        let steps = stencils.iter().flat_map(|stencil| {
+            let before = stencil.points.first().into_iter().chain(&stencil.places);
+            before.zip(&stencil.places).map(|(before, at)| before[0] - at[0])
+        });
+        let plasticity = plasticity.map(|plasticity| plasticity.dimensionless(scaling));
+        let moment = Moment { size: 1.0, rolls: true };
+        let (steps, arriving) = (steps.collect(), Vec::new());
+        Some(Self { friction, plasticity, scaling, steps, moment, arriving })
+    }
+
+    /// Sets what holds in a step of rolling that is not steady.
+    pub(crate) fn at_moment(&mut self, moment: Moment, arriving: Vec<Arriving>) {
+        (self.moment, self.arriving) = (moment, arriving);
+    }
+
+    /// Whether friction depends on the slip before.
+    pub(crate) fn remembers(&self) -> bool {
+        self.friction.is_some_and(|friction| friction.memory().is_some())
+    }
+
+    /// Friction at high speed over that at rest, where it falls with the speed.
+    pub(crate) fn lowest(&self) -> Option<f64> {
+        let falling = self.friction.filter(RollingFriction::falls);
+        falling.map(|friction| friction.lowest().max(LEAST))
+    }
+
+    /// Whether a layer yields, which may answer a step by a larger one back.
+    pub(crate) fn yields(&self) -> bool {
+        self.plasticity.is_some()
+    }
+
+    /// The bound of every element over that at rest, strip by strip from the leading edge, where the
+    /// surfaces move over each other by `slip`; `bounds` are those at rest.
+    pub(crate) fn limits(
+        &self,
+        mesh: &Mesh,
+        bounds: &[f64],
+        slip: impl Fn(usize) -> f64,
+        limits: &mut [f64],
+    ) {
+        for strip in 0..mesh.strips.len() {
+            let share = self.share(mesh.strips[strip].y());
+            let (mut friction, mut last, mut plastic) = (1.0, 0.0, 0.0);
+            for element in mesh.elements(strip) {
+                let (slip, step) = (slip(element), self.steps[element]);
+                friction = self.friction_at(element, [friction, last], slip);
+                let moved = plastic + 0.5 * (last + slip) * step;
+                let yields = self.yield_bound(moved) / bounds[element];
+                if yields < share * friction {
+                    plastic = moved;
+                }
+                limits[element] = (share * friction).min(yields).clamp(LEAST, 1.0);
+                last = slip;
+            }
+        }
+    }
+
+    /// Friction of an element over that at rest, behind one that has `friction` and slips by `last`.
+    fn friction_at(&self, element: usize, [friction, last]: [f64; 2], slip: f64) -> f64 {
+        let Some(arriving) = self.arriving.get(element) else {
+            return self.friction_after(friction, [last, slip], self.steps[element]);
+        };
+        let before = arriving.present * friction + arriving.friction;
+        let last = arriving.present * last + arriving.slip;
+        self.friction_after(before, [last.max(0.0), slip], arriving.step)
+    }
+
+    fn friction_after(&self, before: f64, slips: [f64; 2], step: f64) -> f64 {
+        let Some(friction) = &self.friction else { return 1.0 };
+        let Moment { size, rolls } = self.moment;
+        if !rolls {
+            return 1.0;
+        }
+        let slips = slips.map(|slip| self.scaling.slip * size * slip);
+        friction.after(before, slips, self.scaling.length * size * step)
+    }
+
+    /// Friction over the largest at some `y`.
+    fn share(&self, y: f64) -> f64 {
+        let at = self.scaling.length * self.moment.size * y;
+        self.friction.map_or(1.0, |friction| friction.share(at))
+    }
+
+    /// The layer's shear yield stress after a plastic displacement.
+    fn yield_bound(&self, plastic: f64) -> f64 {
+        self.plasticity.map_or(f64::INFINITY, |p| p.yield_stress + p.slope * plastic)
+    }
+}

@@ -1,0 +1,220 @@
+//! The contact on one grid of elements, rolled on step by step.
+
+use std::sync::Arc;
+
+use super::elements::Elements;
+use super::history::{Creep, Level, Past};
+use super::motion::Motion;
+use super::system::System;
+use crate::Force;
+use crate::coulomb::friction_bound::Moment;
+use crate::coulomb::grid::Grid;
+use crate::coulomb::solver::{Equations, Outcome, State};
+
+/// One grid and what it remembers.
+#[derive(Debug, Clone)]
+pub(crate) struct TransientLevel {
+    pub elements: Arc<Elements>,
+    pub grid: Grid,
+    pub system: System,
+    pub state: State,
+    pub equations: Equations,
+    pub past: Past,
+    /// Of the last solution.
+    pub outcome: Outcome,
+    /// Creepage of the last solution.
+    pub creep: Creep,
+}
+
+/// Which equations hold.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Stage {
+    /// The contact is shifted and does not roll; `begins` without traction.
+    Shift { begins: bool },
+    /// It has rolled for ever.
+    Steady { scale: f64 },
+    /// It rolls on for `length` to the size `scale`.
+    Step { length: f64, scale: f64, smooth: bool },
+}
+
+/// What the solution of one grid adds up to, in the units of the nominal load.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct Result {
+    pub creep: Creep,
+    pub force: Force,
+    pub dissipation: f64,
+    pub adhesion_share: f64,
+}
+
+/// Distance over which a past that did not change is remembered, beyond what any particle looks back.
+const FOR_EVER: f64 = 1e4;
+
+impl TransientLevel {
+    pub(crate) fn new(elements: Arc<Elements>) -> Self {
+        let grid = elements.steady.clone();
+        let (state, equations) = (State::new(&grid), Equations::new(&grid));
+        let mut track = Self {
+            elements,
+            grid,
+            system: System::default(),
+            state,
+            equations,
+            past: Past::default(),
+            outcome: Outcome::default(),
+            creep: [0.0; 3],
+        };
+        track.begin(1.0);
+        track
+    }
+
+    /// Forgets all: the bodies have just been pressed together, without traction.
+    pub(crate) fn begin(&mut self, scale: f64) {
+        self.state.reset();
+        self.creep = [0.0; 3];
+        self.past.0.clear();
+        self.past.0.push_front(self.level(0.0, scale, false));
+    }
+
+    /// Makes the equations of a stage those to be solved.
+    pub(crate) fn prepare(&mut self, stage: Stage) {
+        let elements = &self.elements;
+        let begins = stage == Stage::Shift { begins: true };
+        self.grid.rounding = if begins { elements.rounding } else { 0.0 };
+        let system = match stage {
+            Stage::Shift { .. } => System::of_shift(elements, &self.past.0[0]),
+            Stage::Step { length, scale, smooth } => {
+                System::of_step(elements, &self.past, length, scale, smooth)
+            }
+            Stage::Steady { scale } => {
+                let zeros = || vec![0.0; elements.points()];
+                let displacement = [zeros(), zeros()];
+                let creep = [0.0; 3];
+                let friction = [vec![], vec![]];
+                let level =
+                    Level { length: 0.0, scale, creep, smooth: false, displacement, friction };
+                let past = Past(std::iter::once(level).collect());
+                System::of_step(elements, &past, f64::INFINITY, scale, false)
+            }
+        };
+        if let Some(resistance) = &mut self.grid.resistance {
+            let remembers = resistance.remembers();
+            let arriving = match stage {
+                Stage::Step { length, .. } if remembers => {
+                    elements.arriving(&self.past, length, system.scale)
+                }
+                _ => Vec::new(),
+            };
+            let rolls = !matches!(stage, Stage::Shift { .. });
+            resistance.at_moment(Moment { size: system.scale, rolls }, arriving);
+        }
+        if system.weights != self.system.weights {
+            self.grid.combine(&elements.displacements, &system.weights);
+        }
+        self.system = system;
+    }
+
+    /// Solves for a motion: whether friction is obeyed and prescribed forces are met.
+    pub(crate) fn solve(&mut self, motion: &Motion) -> bool {
+        self.state.invalidate_factors();
+        self.meet(motion)
+    }
+
+    /// Solves at a creepage, from the present tractions.
+    pub(super) fn solve_at(&mut self, creep: Creep) -> bool {
+        self.creep = creep;
+        self.force_slip();
+        self.outcome = self.state.solve(&self.grid, &mut self.equations);
+        if !self.outcome.converged {
+            self.state.reset();
+            self.outcome = self.state.solve(&self.grid, &mut self.equations);
+        }
+        self.outcome.converged
+    }
+
+    fn force_slip(&mut self) {
+        let Self { elements, system, creep, state, .. } = self;
+        let forcing = &mut state.forcing;
+        forcing.spin = creep[2];
+        forcing.slip.clear();
+        let drive = |element| system.drive(elements, element, *creep);
+        forcing.slip.extend((0..elements.all.len()).map(drive));
+    }
+
+    /// The force in the units of the contact's present size.
+    pub(super) fn own_force(&self) -> Force {
+        self.state.sum(&self.grid, 1.0).force
+    }
+
+    /// What the last solution adds up to.
+    pub(crate) fn result(&self) -> Result {
+        let (sum, scale) = (self.state.sum(&self.grid, 1.0), self.system.scale);
+        let (cube, Force { fx, fy, mz }) = (scale.powi(3), sum.force);
+        let adhering = |element: &usize| self.state.visible(&self.grid, *element).1.is_none();
+        let area = |element: usize| self.elements.all[element].area;
+        let elements = 0..self.elements.all.len();
+        let all: f64 = elements.clone().map(area).sum();
+        let adhesion = elements.filter(adhering).map(area).fold(0.0, |sum, area| sum + area);
+        Result {
+            creep: self.creep,
+            force: Force { fx: cube * fx, fy: cube * fy, mz: cube * scale * mz },
+            dissipation: cube * scale * sum.dissipation,
+            adhesion_share: adhesion / all,
+        }
+    }
+
+    /// Makes the solution of a stage part of the past.
+    pub(crate) fn remember(&mut self, stage: Stage) {
+        match stage {
+            Stage::Step { length, scale, smooth } => {
+                self.past.forget_beyond(self.reach(scale));
+                self.past.0.push_front(self.level(length, scale, smooth));
+            }
+            Stage::Shift { .. } => {
+                let level = self.level(0.0, self.system.scale, false);
+                self.past.0.clear();
+                self.past.0.push_front(level);
+            }
+            Stage::Steady { scale } => {
+                let mut level = self.level(FOR_EVER, scale, false);
+                level.creep = self.creep;
+                self.past.0.clear();
+                self.past.0.push_front(level.clone());
+                self.past.0.push_front(level);
+            }
+        }
+    }
+
+    /// How far back particles are followed.
+    fn reach(&self, scale: f64) -> f64 {
+        let largest = |k: usize| self.elements.all.iter().map(|e| e.steps[k]).fold(0.0, f64::max);
+        let before = self.past.0.iter().map(|level| level.scale).fold(scale, f64::max);
+        1.6 * before * (largest(0) + largest(1))
+    }
+
+    /// Friction over that at rest and the size of the slip, in the units of the nominal load, where
+    /// they are remembered.
+    fn friction(&self) -> [Vec<f64>; 2] {
+        let remembers = self.grid.resistance.as_ref().filter(|resistance| resistance.remembers());
+        if remembers.is_none() {
+            return [vec![], vec![]];
+        }
+        let slip = |element: usize| {
+            let [x, y] = self.state.visible(&self.grid, element).1.unwrap_or_default();
+            self.system.scale * x.hypot(y)
+        };
+        [self.state.limits.clone(), (0..self.elements.all.len()).map(slip).collect()]
+    }
+
+    /// The present displacements.
+    fn level(&self, length: f64, scale: f64, smooth: bool) -> Level {
+        let unit = scale * scale;
+        let mut displacement = self.elements.displacements.by(&self.state.traction);
+        for (k, by_traction) in displacement.iter_mut().enumerate() {
+            for (all, by_pressure) in by_traction.iter_mut().zip(&self.elements.by_pressure) {
+                *all = unit * (*all + by_pressure[k]);
+            }
+        }
+        let (creep, friction) = (self.creep, self.friction());
+        Level { length, scale, creep, smooth, displacement, friction }
+    }
+}
