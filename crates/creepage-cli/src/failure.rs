@@ -11,7 +11,8 @@ use creepage_rail::Standard;
 use creepage_rail::file::FileError as ProfileFileError;
 use creepage_study::{
     CaseError, FitError, GapCaseError, HistoryError, MapBuildError, MeasuredError, PointsError,
-    ReferenceError, ReportError, SolveError, SpecError, StaticsError, StressError, WheelsetError,
+    ReferenceError, ReportError, SolveError, SpecError, StaticsError, StressError,
+    WheelsetFileError,
 };
 
 use crate::batch::columns::ColumnError;
@@ -33,6 +34,10 @@ pub(crate) enum Failure {
     Pack { path: PathBuf, source: creepage_fmu::PackError },
     #[error("--survey {pattern}: {why}")]
     Pattern { pattern: String, why: String },
+    #[error("--unit must be positive and finite, got {value}")]
+    Unit { value: f64 },
+    #[error("--reference is the profile of a rail: give that of a new wheel, from which wheels wear")]
+    ReferenceIsRail,
     #[error("--rail: {source}")]
     Survey { source: creepage_rail::GeometryError },
     #[error("cannot read {}: {source}", path.display())]
@@ -42,7 +47,7 @@ pub(crate) enum Failure {
     #[error("{}: {source}", path.display())]
     Statics { path: PathBuf, source: StaticsError },
     #[error("{}: {source}", path.display())]
-    Wheelset { path: PathBuf, source: Box<WheelsetError> },
+    Wheelset { path: PathBuf, source: Box<WheelsetFileError> },
     #[error("{}: {source}", path.display())]
     Import { path: PathBuf, source: creepage_import::ImportError },
     #[error(

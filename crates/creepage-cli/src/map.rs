@@ -9,7 +9,7 @@ use std::time::Duration;
 use creepage::table::{Axis, Intervals, Provenance, Spec, Table, build};
 use creepage_map::{ContactMap, Spread};
 use creepage_study::{
-    MapPlan, MapResolution, MapStage, Sources, WheelsetError, WholeFile, build_map, theory_spec,
+    MapPlan, MapResolution, MapStage, Sources, WheelsetFileError, WholeFile, build_map, theory_spec,
 };
 
 use crate::failure::Failure;
@@ -66,7 +66,7 @@ enum Elements {
 pub(crate) fn run(args: &MapArgs) -> Result<Outcome, Failure> {
     let case = read(&args.wheelset)?;
     let source = read_text(&args.wheelset)?;
-    let wrong = |source: WheelsetError| Failure::Wheelset {
+    let wrong = |source: WheelsetFileError| Failure::Wheelset {
         path: args.wheelset.clone(),
         source: Box::new(source),
     };

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use creepage::InvalidValue;
 use creepage_study::{
-    ProfileNote, Sources, WheelsetCase, WheelsetError, WheelsetFile, WheelsetTable, WholeFile,
+    ProfileNote, Sources, WheelsetCase, WheelsetFile, WheelsetFileError, WheelsetTable, WholeFile,
 };
 use indicatif::ProgressBar;
 
@@ -23,7 +23,7 @@ pub(crate) fn run(args: &WheelsetArgs) -> Result<Outcome, Failure> {
     let wrong = |source| Failure::Wheelset { path: args.case.clone(), source: Box::new(source) };
     let mut solved = case.solve().map_err(wrong)?;
     if args.derivatives {
-        solved.derivatives = Some(case.derivatives(&solved).map_err(wrong)?);
+        solved.solved.derivatives = Some(case.derivatives(&solved).map_err(wrong)?);
     }
     case.notes.iter().for_each(say_found);
     if let Some(directory) = &args.out {
@@ -90,7 +90,7 @@ pub(crate) fn read(path: &Path) -> Result<WheelsetCase, Failure> {
     let text = read_text(path)?;
     let directory = path.parent().unwrap_or(Path::new(""));
     WheelsetFile::read(&text)
-        .map_err(WheelsetError::from)
+        .map_err(WheelsetFileError::from)
         .and_then(|file| file.case(directory))
         .map_err(|source| Failure::Wheelset { path: path.into(), source: Box::new(source) })
 }

@@ -13,7 +13,7 @@ use creepage::{HertzError, InvalidValue};
 use creepage_map::MapError;
 use creepage_study::{
     CaseError, GapCaseError, HistoryError, RowError, SolveError, SpecError, StaticsError,
-    StressError, Varied, WheelsetError,
+    StressError, Varied, WheelsetFileError,
 };
 
 /// Done.
@@ -84,7 +84,7 @@ pub(crate) enum Failure {
     #[error("no table of {theory}: {source}")]
     Build { theory: &'static str, source: BuildError<TheoryError> },
     #[error(transparent)]
-    Wheelset(Box<WheelsetError>),
+    Wheelset(Box<WheelsetFileError>),
     #[error(transparent)]
     Gap(Box<GapCaseError>),
     #[error(transparent)]

@@ -4,7 +4,8 @@ use std::ffi::c_char;
 
 use creepage::Status;
 use creepage_study::{
-    ANSWERS, ASKED, SolvedWheelset, WheelsetCase, WheelsetDerivatives, WheelsetError, WheelsetFile,
+    ANSWERS, ASKED, SolvedWheelset, WheelsetCase, WheelsetDerivatives, WheelsetFile,
+    WheelsetFileError, wheelset_cautions,
 };
 use rayon::prelude::*;
 
@@ -199,7 +200,7 @@ pub unsafe extern "C" fn creepage_wheelset_solve_many(
 
 impl CreepageWheelset {
     fn read(path: &str) -> Result<Self, Failure> {
-        let wrong = |source: WheelsetError| Failure::Wheelset(Box::new(source));
+        let wrong = |source: WheelsetFileError| Failure::Wheelset(Box::new(source));
         let (text, directory) = file(path)?;
         let wheelset = WheelsetFile::read(&text).map_err(|error| wrong(error.into()))?;
         let case = wheelset.case(directory).map_err(wrong)?;
@@ -213,23 +214,24 @@ impl CreepageWheelset {
         start: Option<&CreepageWheelsetState>,
         differentiates: bool,
     ) -> Result<(SolvedWheelset, Option<WheelsetDerivatives>), Failure> {
-        let wrong = |source: WheelsetError| Failure::Wheelset(Box::new(source));
+        let wrong = |source: WheelsetFileError| Failure::Wheelset(Box::new(source));
         let (stance, travel) = self.case.asked(asked).map_err(wrong)?;
         let solver = self.case.solver().map_err(wrong)?;
         let solved = match start {
             Some(start) => solver.follow(&start.solved, &stance, &travel),
             None => solver.solve(&stance, &travel),
         };
-        let solved = solved.map_err(wrong)?;
+        let solved = solved.map_err(|error| wrong(error.into()))?;
         let found = differentiates.then(|| solver.derivatives(&solved, &stance, &travel));
-        Ok((solved, found.transpose().map_err(wrong)?))
+        let found = found.transpose().map_err(|error| wrong(error.into()))?;
+        Ok((solved, found))
     }
 }
 
 fn status_of(solved: &SolvedWheelset) -> i32 {
     match solved.status() {
         Status::NotConverged => CREEPAGE_NOT_CONVERGED,
-        Status::Solved if solved.cautions().is_empty() => CREEPAGE_SOLVED,
+        Status::Solved if wheelset_cautions(solved).is_empty() => CREEPAGE_SOLVED,
         _ => CREEPAGE_DOUBTFUL,
     }
 }

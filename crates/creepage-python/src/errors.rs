@@ -11,7 +11,7 @@ use creepage::variational::VariationalError;
 use creepage::{Creepage, Force, InvalidValue};
 use creepage_study::{
     CaseError, FitError, GapCaseError, HistoryError, MotionError, ReportError, SolveError,
-    SpecError, StaticsError, UnattainableForce, WheelsetError, plain_words,
+    SpecError, StaticsError, UnattainableForce, WheelsetFileError, plain_words,
 };
 use pyo3::BoundObject;
 use pyo3::exceptions::{
@@ -225,9 +225,9 @@ pub(crate) fn statics(py: Python, error: StaticsError) -> PyErr {
     }
 }
 
-pub(crate) fn wheelset(py: Python, error: WheelsetError) -> PyErr {
+pub(crate) fn wheelset(py: Python, error: WheelsetFileError) -> PyErr {
     match error {
-        WheelsetError::Case(error) => case(py, error),
+        WheelsetFileError::Case(error) => case(py, error),
         other => exception(py, "CaseError", (other.to_string(), Some("wheelset"))),
     }
 }

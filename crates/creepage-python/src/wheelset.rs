@@ -5,8 +5,8 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use creepage::InvalidValue;
 use creepage_study::{
-    ANSWERS, ASKED, CaseError, Sources, WheelsetCase, WheelsetError, WheelsetFile, WheelsetTable,
-    theory_spec,
+    ANSWERS, ASKED, CaseError, Sources, WheelsetCase, WheelsetFile, WheelsetFileError,
+    WheelsetReport, WheelsetTable, theory_spec, wheelset_caution_words,
 };
 use numpy::{PyArray1, PyArrayMethods, PyReadonlyArray1};
 use pyo3::prelude::*;
@@ -30,7 +30,7 @@ pub struct WheelsetData {
 #[pyclass(frozen, module = "creepage._creepage")]
 #[allow(missing_debug_implementations)] // Python has its own
 pub struct SolvedWheelset {
-    solved: creepage_study::SolvedWheelset,
+    solved: WheelsetReport,
     case: WheelsetCase,
 }
 
@@ -40,7 +40,7 @@ impl WheelsetData {
     #[new]
     fn new(py: Python, text: &str, directory: PathBuf) -> PyResult<Self> {
         let read = || {
-            let file = WheelsetFile::read(text).map_err(WheelsetError::from)?;
+            let file = WheelsetFile::read(text).map_err(WheelsetFileError::from)?;
             file.case(&directory)
         };
         let case = detached(py, read)?.map_err(|error| errors::wheelset(py, error))?;
@@ -67,7 +67,7 @@ impl WheelsetData {
         let solve = move || {
             let mut solved = case.solve()?;
             if derivatives {
-                solved.derivatives = Some(case.derivatives(&solved)?);
+                solved.solved.derivatives = Some(case.derivatives(&solved)?);
             }
             Ok(solved)
         };
@@ -104,7 +104,10 @@ impl WheelsetData {
             if derivatives {
                 solved.derivatives = Some(solver.derivatives(&solved, &stance, &travel)?);
             }
-            Ok((solved, WheelsetCase { stance, travel: Some(travel), ..case }))
+            Ok((
+                WheelsetReport::from(solved),
+                WheelsetCase { stance, travel: Some(travel), ..case },
+            ))
         };
         let solved = signals::answered(py, solve)?;
         let (solved, case) = solved.map_err(|error| errors::wheelset(py, error))?;
@@ -127,10 +130,10 @@ impl WheelsetData {
                     return (nothing, ["not solved".to_owned(), String::new()]);
                 }
                 let asked = case.asked(row);
-                let solved = asked.and_then(|(stance, travel)| solver.solve(&stance, &travel));
+                let solved = asked.and_then(|(stance, travel)| Ok(solver.solve(&stance, &travel)?));
                 match solved {
                     Ok(solved) => {
-                        let words = solved.caution_words().join("; ");
+                        let words = wheelset_caution_words(&solved).join("; ");
                         (solved.answers(), [solved.status().name().to_owned(), words])
                     }
                     Err(error) => (nothing, [error.to_string(), String::new()]),

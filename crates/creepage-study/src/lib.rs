@@ -44,7 +44,6 @@
 //! ```
 
 mod accuracy;
-mod adhesion;
 mod any_case;
 mod atomic_file;
 mod bulk;
@@ -98,14 +97,20 @@ pub use case::{
 pub use caution::Caution;
 pub use contact_json::{HertzJson, HertzReportJson, SolidJson, hertz_json};
 pub use cost::long_work;
+pub use creepage_wheelset::{
+    ANSWERS, ASKED, Drive, ForceDerivative, FrictionOfPlace, Load, Patches, PitchRate, PlaceOnRail,
+    RailFriction, RailSprings, Resultant, RigidSlip, SolvedContact, SolvedWheel, SolvedWheelset,
+    StateVariable, WheelsetDerivatives, WheelsetError, WheelsetPose, WheelsetSolver,
+    WheelsetVelocity,
+};
 pub use curves::{Component, Curves, LargestForce};
 pub use damage::{Damage, DamageWanted, WearRow};
 pub use error::ReportError;
 pub use file_set::write_all;
 pub use gap::{
     ExtentJson, GapCase, GapCaseError, GapContactJson, GapCreepageJson, GapFile, GapFileError,
-    GapForceJson, GapReportJson, GapRows, GapSolver, GapTheory, GapValue, GapVaried, PatchJson,
-    Pressed, PressedReportJson, SiGiven, gap_json_schema, pressed_text, solve_gap,
+    GapForceJson, GapReportJson, GapRows, GapSolver, GapValue, GapVaried, PatchJson, Pressed,
+    PressedReportJson, SiGiven, gap_json_schema, pressed_text, solve_gap,
 };
 pub use history::{
     HISTORY_COLUMNS, History, HistoryError, HistoryMotion, HistoryRow, HistoryRun, HistoryWriter,
@@ -130,11 +135,9 @@ pub use stresses::{StressError, StressFileError, StressPoint, Stresses, stress_c
 pub use text::hertz_text;
 pub use unattainable::UnattainableForce;
 pub use wheelset::{
-    ANSWERS, ASKED, ConicityTable, DerivativesJson, Drive, ForceDerivative, ForceDerivativeJson,
-    FrictionOfPlace, Load, MapBuildError, MapPlan, MapProgress, MapResolution, MapStage, Patches,
-    PitchRate, PlaceOnRail, ProfileNote, RailForceJson, RailFriction, RailSprings, Resultant,
-    RigidSlip, SolvedContact, SolvedWheel, SolvedWheelset, StateVariable, WheelJson,
-    WheelPatchJson, WheelsetCase, WheelsetDerivatives, WheelsetError, WheelsetFile, WheelsetPose,
-    WheelsetReportJson, WheelsetSolver, WheelsetTable, WheelsetVelocity, build_map, conicity,
-    profile_pictures, radius_difference_csv, wheelset_json_schema,
+    ConicityTable, DerivativesJson, ForceDerivativeJson, MapBuildError, MapPlan, MapProgress,
+    MapResolution, MapStage, ProfileNote, RailForceJson, WheelJson, WheelPatchJson, WheelsetCase,
+    WheelsetFile, WheelsetFileError, WheelsetReport, WheelsetReportJson, WheelsetTable, build_map,
+    conicity, profile_pictures, radius_difference_csv, wheelset_caution_words, wheelset_cautions,
+    wheelset_json_schema,
 };

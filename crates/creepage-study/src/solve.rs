@@ -14,7 +14,7 @@ use creepage_plot::Contour;
 use self_cell::self_cell;
 
 use crate::stresses::StressError;
-use crate::{AnyCase, Case, Caution, Damage, Given, UnattainableForce, adhesion};
+use crate::{AnyCase, Case, Caution, Damage, Given, UnattainableForce};
 
 /// Solves a case by its own theory, or by another one.
 ///
@@ -317,7 +317,7 @@ impl SolvedCase {
     #[must_use]
     pub fn adhesion_share(&self) -> f64 {
         match self.areas() {
-            Some(_) => adhesion::share(self.elements()),
+            Some(_) => creepage::coulomb::adhesion_share(self.elements()),
             None => self.adhesion().share,
         }
     }

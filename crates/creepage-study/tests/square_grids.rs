@@ -149,7 +149,7 @@ fn on_cells(contact: &SolvedContact, n: usize) -> f64 {
 #[test]
 fn two_lobes_are_not_a_matter_of_the_grid() {
     let case = WheelsetFile::read(TWO_LOBES).unwrap().case(std::path::Path::new("")).unwrap();
-    let wheel = case.solve().unwrap().right.unwrap();
+    let wheel = case.solve().unwrap().solved.right.unwrap();
     let [contact] = wheel.contacts() else { panic!("{} contacts", wheel.contacts().len()) };
     assert_eq!(contact.normal.patches().len(), 2);
     let bound = contact.scaling.force;

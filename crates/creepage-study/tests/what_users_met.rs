@@ -124,7 +124,7 @@ fn a_row_without_load_is_no_contact_and_no_force() {
     }
 }
 
-fn wheelset(position: &str, motion: &str) -> Result<creepage_study::SolvedWheelset, String> {
+fn wheelset(position: &str, motion: &str) -> Result<creepage_study::WheelsetReport, String> {
     let text = format!(
         "[wheel]\nprofile = \"S1002\"\nradius = 0.46\n[rail]\nprofile = \"UIC60\"\ncant = 0.025\n\
          [track]\ngauge = 1.435\ngauge_height = 0.014\n[wheelset]\nback_to_back = 1.36\n{position}\n\

@@ -24,7 +24,7 @@ const SIDES: [Side; 2] = [Side::Left, Side::Right];
 fn derivatives(case: &WheelsetCase) -> (SolvedWheelset, WheelsetDerivatives) {
     let solved = case.solve().unwrap();
     let derivatives = case.derivatives(&solved).unwrap();
-    (solved, derivatives)
+    (solved.solved, derivatives)
 }
 
 /// Force and moment on both rails.

@@ -7,7 +7,7 @@ use std::fs;
 
 use creepage_rail::file::{Format, Wanted, read, write};
 use creepage_rail::{Role, Side};
-use creepage_study::{CaseError, SolvedWheel, WheelsetError, WheelsetFile};
+use creepage_study::{CaseError, SolvedWheel, WheelsetFile, WheelsetFileError};
 
 /// A cone of 1:20 from flange back's side to the field side, heights upwards or downwards.
 fn cone(upwards: f64) -> String {
@@ -32,7 +32,7 @@ fn wheel(profile: &str, lines: &str) -> String {
 }
 
 /// Peak pressure (Pa) and the contact's place on the wheel (m), with this file as `wheel.txt`.
-fn contact(file: &str, case: &str) -> Result<[f64; 2], WheelsetError> {
+fn contact(file: &str, case: &str) -> Result<[f64; 2], WheelsetFileError> {
     let directory = tempfile::tempdir().unwrap();
     fs::write(directory.path().join("wheel.txt"), file).unwrap();
     let solved = WheelsetFile::read(case)?.case(directory.path())?.solve().unwrap();
@@ -93,7 +93,7 @@ fn a_file_is_smoothed_as_if_it_had_been_before() {
 fn a_profile_by_name_has_nothing_to_be_read() {
     let case = wheel("cone-1:20", "reading = { smooth = 0.005 }");
     let refused = contact("", &case).unwrap_err();
-    assert!(matches!(refused, WheelsetError::NoFile { section: "wheel", .. }), "{refused}");
+    assert!(matches!(refused, WheelsetFileError::NoFile { section: "wheel", .. }), "{refused}");
     let unknown = WheelsetFile::read(&wheel("wheel.txt", "reading = { sense = 1 }"));
     assert!(matches!(unknown, Err(CaseError::Toml(_))), "{unknown:?}");
 }

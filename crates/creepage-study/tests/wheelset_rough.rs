@@ -10,7 +10,9 @@ use std::time::Instant;
 use creepage::{SiForce, Status};
 use creepage_rail::file::{Format, Wanted, read, write};
 use creepage_rail::{Role, Side, Standard};
-use creepage_study::{Caution, SolvedWheel, SolvedWheelset, WheelsetError, WheelsetFile};
+use creepage_study::{
+    Caution, SolvedWheel, WheelsetError, WheelsetFile, WheelsetFileError, WheelsetReport,
+};
 
 fn examples() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/wheelset")
@@ -20,7 +22,7 @@ fn example(name: &str) -> String {
     fs::read_to_string(examples().join(name)).unwrap()
 }
 
-fn solved(text: &str, directory: &Path) -> SolvedWheelset {
+fn solved(text: &str, directory: &Path) -> WheelsetReport {
     let text = format!("{text}\n[solve]\ntheory = \"fastsim\"\n");
     WheelsetFile::read(&text).unwrap().case(directory).unwrap().solve().unwrap()
 }
@@ -72,7 +74,7 @@ fn measured_worn(
 }
 
 /// The right wheel alone: quick.
-fn on_measured(profile: &str) -> SolvedWheelset {
+fn on_measured(profile: &str) -> WheelsetReport {
     let directory = tempfile::tempdir().unwrap();
     fs::write(directory.path().join("measured.prw"), profile).unwrap();
     let text = example("s1002-on-uic60.toml")
@@ -83,12 +85,12 @@ fn on_measured(profile: &str) -> SolvedWheelset {
     solved(&text, directory.path())
 }
 
-fn rough(solved: &SolvedWheelset) -> Vec<(Side, Caution)> {
+fn rough(solved: &WheelsetReport) -> Vec<(Side, Caution)> {
     let all = solved.cautions().into_iter();
     all.filter(|(_, caution)| matches!(caution, Caution::Rough { .. })).collect()
 }
 
-fn peak(solved: &SolvedWheelset) -> f64 {
+fn peak(solved: &WheelsetReport) -> f64 {
     let contacts = solved.wheels().flat_map(SolvedWheel::contacts);
     contacts.map(|contact| contact.normal.peak_pressure().value).fold(0.0, f64::max)
 }
@@ -181,7 +183,7 @@ fn worn_wheelsets_are_solved_wherever_they_stand() {
         let begin = Instant::now();
         match worn_wheelset(seed) {
             Ok(solved) => carries_its_load(&solved, seed),
-            Err(WheelsetError::NotSettled) => unsettled += 1,
+            Err(WheelsetFileError::Solve(WheelsetError::NotSettled)) => unsettled += 1,
             Err(error) => panic!("{seed}: {error}"),
         }
         longest = longest.max(begin.elapsed().as_secs_f64());
@@ -192,7 +194,7 @@ fn worn_wheelsets_are_solved_wherever_they_stand() {
     assert!(unsettled * 100 <= count);
 }
 
-fn carries_its_load(solved: &SolvedWheelset, seed: u64) {
+fn carries_its_load(solved: &WheelsetReport, seed: u64) {
     let on_rail = solved.wheels().map(SolvedWheel::on_rail).reduce(|a, b| a + b).unwrap();
     let (down, error) = (on_rail.force[2], on_rail.force_error.unwrap()[2]);
     // Loads are met to a fifth of their error bars; where steps are many, within them.
@@ -206,7 +208,7 @@ fn carries_its_load(solved: &SolvedWheelset, seed: u64) {
     }
 }
 
-fn worn_wheelset(seed: u64) -> Result<SolvedWheelset, WheelsetError> {
+fn worn_wheelset(seed: u64) -> Result<WheelsetReport, WheelsetFileError> {
     let mut uniform = noise(seed ^ 0xabcd).map(|n| 0.5 + 0.5 * (n / 2.0_f64.sqrt()).tanh());
     let mut between = |least: f64, most: f64| least + (most - least) * uniform.next().unwrap();
     let (depth, middle, width) =

@@ -4,7 +4,8 @@ use std::path::Path;
 
 use creepage::{InvalidValue, Status, TheorySpec};
 use creepage_study::{
-    ANSWERS, ASKED, Caution, WheelsetCase, WheelsetError, WheelsetSolver, theory_spec,
+    ANSWERS, ASKED, Caution, WheelsetCase, WheelsetFileError, WheelsetSolver, theory_spec,
+    wheelset_caution_words,
 };
 use csv::ByteRecord;
 use rayon::prelude::*;
@@ -58,7 +59,7 @@ enum RowError {
     #[error(transparent)]
     Field(#[from] NoCase),
     #[error(transparent)]
-    Wheelset(#[from] WheelsetError),
+    Wheelset(#[from] WheelsetFileError),
 }
 
 /// Where rows say what.
@@ -138,15 +139,16 @@ impl Places {
         let friction = number(FRICTION, self.friction)?;
         let (stance, travel) = case.asked(&asked)?;
         let solved = if friction.is_nan() {
-            solver.solve(&stance, &travel)?
+            solver.solve(&stance, &travel)
         } else if friction > 0.0 {
-            solver.with_friction(friction).solve(&stance, &travel)?
+            solver.with_friction(friction).solve(&stance, &travel)
         } else {
             let invalid = InvalidValue { quantity: FRICTION, value: friction, valid: "positive" };
             return Err(NoCase::from(invalid).into());
         };
+        let solved = solved.map_err(WheelsetFileError::from)?;
         let numbers = solved.answers().to_vec();
-        let message = solved.caution_words().join("; ");
+        let message = wheelset_caution_words(&solved).join("; ");
         Ok(RowAnswer { numbers, status: solved.status(), message })
     }
 }

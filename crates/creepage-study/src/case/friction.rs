@@ -11,7 +11,7 @@ use serde::de::{Deserialize, Deserializer, Error};
 use toml::Value;
 
 use super::error::CaseError;
-use crate::wheelset::RailFriction;
+use creepage_wheelset::RailFriction;
 
 const SECTION: &str = "contact";
 

@@ -17,7 +17,6 @@ mod shape;
 mod solve;
 mod solver;
 mod text;
-mod theory;
 mod vary;
 mod view;
 mod vtk;
@@ -32,9 +31,8 @@ pub use json::{
 };
 pub(crate) use picture::AreasPicture;
 pub use rows::GapRows;
-pub(crate) use solve::{pressed, resolutions};
+pub(crate) use solve::pressed;
 pub use solver::{GapSolver, solve_gap};
 pub use text::pressed_text;
-pub use theory::GapTheory;
 pub use vary::{GapValue, GapVaried};
 pub(crate) use view::OnAreas;

@@ -1,13 +1,9 @@
-//! Bodies of any shape pressed together, and the resolutions of rolling that are tried on them.
+//! Bodies of any shape pressed together.
 
-use creepage::InvalidValue;
-use creepage::coulomb::Resolution;
 use creepage::normal::{self, NormalContact, NormalError};
-use creepage::theory::{ExactOptions, NamedResolution, ResolutionSpec};
 
 use super::case::{GapCase, Pressed};
 use super::error::GapCaseError;
-use crate::CaseError;
 
 /// The bodies pressed together.
 pub(crate) fn pressed(
@@ -36,33 +32,6 @@ pub(super) fn not_pressed(case: &GapCase, source: NormalError) -> GapCaseError {
         Pressed::Approach(approach) => format!("approach = {approach}"),
     };
     GapCaseError::Normal { shape: case.shape.clone(), pressed, source }
-}
-
-/// The resolutions to be tried, the coarsest first, until this accuracy is met.
-pub(crate) fn resolutions(options: ExactOptions) -> Result<(Vec<Resolution>, f64), CaseError> {
-    if options.coupled {
-        let valid = "left out with [gap], whose bodies are taken for like ones";
-        let invalid = InvalidValue { quantity: "coupled", value: 1.0, valid };
-        return Err(CaseError::invalid("solve")(invalid));
-    }
-    let valid = "finite and greater than zero";
-    let accuracy = options.accuracy.unwrap_or(creepage::coulomb::Automatic::DEFAULT_ACCURACY);
-    if !(accuracy.is_finite() && accuracy > 0.0) {
-        let invalid = InvalidValue { quantity: "accuracy", value: accuracy, valid };
-        return Err(CaseError::invalid("solve")(invalid));
-    }
-    let resolutions = match options.resolution {
-        ResolutionSpec::Named(NamedResolution::Fast) => vec![Resolution::FAST],
-        ResolutionSpec::Named(NamedResolution::Standard) => vec![Resolution::STANDARD],
-        ResolutionSpec::Named(NamedResolution::Fine) => vec![Resolution::FINE],
-        ResolutionSpec::Named(NamedResolution::Auto) => {
-            vec![Resolution::FAST, Resolution::STANDARD, Resolution::FINE]
-        }
-        ResolutionSpec::Elements([along, across]) => {
-            vec![Resolution::new(along, across).map_err(CaseError::invalid("solve"))?]
-        }
-    };
-    Ok((resolutions, accuracy))
 }
 
 /// The largest distance of the contact from the origin of coordinates (m), or a little more.

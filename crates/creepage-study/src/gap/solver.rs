@@ -11,7 +11,7 @@ use creepage::{Contact, InvalidValue, SolidPair, Theory, TheorySpec};
 
 use super::case::{GapCase, Pressed};
 use super::error::GapCaseError;
-use super::solve::{self, resolutions};
+use super::solve;
 use crate::solve::{SolvedTheory, in_si_units};
 use crate::{AnyCase, CaseError, Caution, SolveError, SolvedCase};
 
@@ -59,7 +59,7 @@ impl GapSolver {
         let TheorySpec::Exact(options) = &case.theory else {
             return case.solved(&contact, case.theory.prepare(&contact)?);
         };
-        let (resolutions, accuracy) = resolutions(*options)?;
+        let (resolutions, accuracy) = options.resolutions().map_err(CaseError::invalid("solve"))?;
         let (last, first) = resolutions.split_last().unwrap_or((&Resolution::STANDARD, &[]));
         let rolled = |resolution| -> Result<SolvedCase, GapCaseError> {
             let theory =

@@ -14,7 +14,7 @@ use super::file::{Bodies, RollFile, SmoothFile, StartSection, StartTraction};
 use crate::case::contact::ContactSection;
 use crate::case::sections::check_aligned;
 use crate::case::solve;
-use crate::gap::{GapCase, pressed, resolutions};
+use crate::gap::{GapCase, pressed};
 use crate::{CaseError, Sources};
 
 impl RollFile {
@@ -193,7 +193,7 @@ fn on_areas(case: &GapCase) -> Result<RollCase, HistoryError> {
         TheorySpec::Fastsim(_) => return Err(HistoryError::NotOfFastsim { what: "[gap]" }),
         other => return Err(HistoryError::Theory { theory: other.facts().name }),
     };
-    resolutions(options)?;
+    options.resolutions().map_err(CaseError::invalid("solve"))?;
     let resolution = resolution(&options)?;
     let fineness = match resolution {
         Resolution::FAST => normal::Resolution::FAST,

@@ -4,12 +4,16 @@ use std::path::PathBuf;
 
 use creepage::{SolidPair, TheorySpec};
 use creepage_rail::file::Action;
-use creepage_rail::{RailMotion, Side, WheelsetOnTrack};
-use schemars::JsonSchema;
-use serde::Deserialize;
+use creepage_rail::{Side, WheelsetOnTrack};
 
-use super::friction::RailFriction;
-use super::springs::RailSprings;
+use creepage::theory::AreaTheory;
+use creepage_wheelset::{
+    ASKED, Patches, RailFriction, RailSprings, RigidSlip, SolvedWheelset, WheelsetDerivatives,
+    WheelsetPose, WheelsetSolver, WheelsetVelocity, asked,
+};
+
+use super::error::{WheelsetFileError, section};
+use super::report::WheelsetReport;
 use crate::{DamageWanted, Sources};
 
 /// A wheelset in its track.
@@ -56,193 +60,78 @@ pub struct ProfileNote {
     pub actions: Vec<Action>,
 }
 
-/// How the rigid slip of a contact follows from the wheelset's motion.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
-#[serde(rename_all = "lowercase")]
-pub enum RigidSlip {
-    /// Creepage and spin at the reference point, all over the contact: what programs of contact
-    /// mechanics mostly do.
-    #[default]
-    Flat,
-    /// The rolling radius and the direction of the surface at every place of the contact: across
-    /// a curved contact spin varies.
-    Curved,
-}
-
-/// Whether areas of contact in planes of their own feel each other.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
-#[serde(rename_all = "lowercase")]
-pub enum Patches {
-    /// Each sinks under the load of the others, as elastic bodies do.
-    #[default]
-    Together,
-    /// Each is pressed as if it were alone, as most programs have it. At a given height loads differ by
-    /// tens of per cent from those of areas together.
-    Apart,
-}
-
-/// Where a wheelset stands, as far as it is given.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct WheelsetPose {
-    /// One wheel alone; both where `None`.
-    pub side: Option<Side>,
-    /// Its centre to the right of the track centre (m).
-    pub y: f64,
-    /// Turn about `z` (rad), positive turns the axle's right end back.
-    pub yaw: f64,
-    /// Turn about `x` (rad), positive lowers the right wheel; free where `None`.
-    pub roll: Option<f64>,
-    /// What holds it down.
-    pub load: Option<Load>,
-}
-
-impl WheelsetPose {
-    /// Whether nothing but the height is left to be given.
-    pub(super) fn is_fixed(&self) -> bool {
-        self.side.is_some() || self.roll.is_some()
-    }
-}
-
-impl WheelsetPose {
-    /// Its mirror image fore and aft.
-    pub(super) fn fore_and_aft(&self) -> Self {
-        Self { yaw: -self.yaw, ..*self }
-    }
-}
-
-/// What holds a wheelset down.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Load {
-    /// Vertical force of the wheelset on the track (N); where it rolls freely, half of it on each rail.
-    Axle(f64),
-    /// The same where it rolls freely under a given moment.
-    Loaded {
-        /// Vertical force of the wheelset on the track (N).
-        load: f64,
-        /// Moment about `x` with which it presses on the track, about its centre (N m), positive where it
-        /// presses the right wheel down.
-        moment: f64,
-    },
-    /// Vertical force of a wheel on its rail (N), the same on both.
-    Wheel(f64),
-    /// Vertical forces of the left and the right wheel on their rails (N).
-    Wheels([f64; 2]),
-    /// Its height (m, down); at 0 the nominal circle touches the track plane.
-    Height(f64),
-}
-
-impl Load {
-    /// Vertical forces of the left and the right wheel (N) that carry this load where each unit of force
-    /// has these levers about `x` (m): by a given moment, which no other load has.
-    pub(super) fn by_levers(self, [left, right]: [f64; 2]) -> Self {
-        match self {
-            Self::Loaded { load, moment } => {
-                let on_right = (moment - load * left) / (right - left);
-                Self::Wheels([load - on_right, on_right])
-            }
-            other => other,
+impl WheelsetCase {
+    /// Prepares to solve this wheelset in its position and others.
+    ///
+    /// # Errors
+    /// [`WheelsetFileError`] where materials or friction are missing, the theory is not one that
+    /// solves contacts of any shape, or rails lie on springs.
+    pub fn solver(&self) -> Result<WheelsetSolver<'_>, WheelsetFileError> {
+        if self.is_sprung() {
+            return Err(WheelsetFileError::RigidRails {
+                what: "a position by itself, with derivatives or in rows,",
+            });
         }
+        self.solver_on_rails()
     }
 
-    /// What a wheel is to carry by itself (N), where that is given.
-    pub(super) fn of_wheel(self, side: Side) -> Option<f64> {
-        match self {
-            Self::Wheel(load) => Some(load),
-            Self::Wheels(loads) => Some(loads[usize::from(side == Side::Right)]),
-            Self::Axle(_) | Self::Loaded { .. } | Self::Height(_) => None,
-        }
-    }
-}
-
-/// What a pitch rate is found from.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Drive {
-    /// A torque about the axle (N m), positive where it drives forward: friction balances it. None
-    /// where the wheelset rolls freely.
-    Torque(f64),
-    /// The sum of the forces along `x` on the rails (N), as it is reported: negative where the wheelset drives.
-    Force(f64),
-}
-
-impl Default for Drive {
-    fn default() -> Self {
-        Self::Torque(0.0)
-    }
-}
-
-/// How the wheels turn.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum PitchRate {
-    /// Together, at a given angular velocity about the axle (rad/s), or one that is found.
-    Rigid(Option<f64>),
-    /// Each by itself on the axle, the left and the right one, at a given angular velocity (rad/s) or one
-    /// that is found.
-    Independent([Option<f64>; 2]),
-}
-
-impl Default for PitchRate {
-    fn default() -> Self {
-        Self::Rigid(None)
-    }
-}
-
-/// How a wheelset moves, as far as it is given.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct WheelsetVelocity {
-    /// Speed along the track (m/s); negative where it runs backwards.
-    pub speed: f64,
-    /// Angular velocity about the axle.
-    pub pitch: PitchRate,
-    /// What it is found from where it is not given; of independent wheels each.
-    pub drive: Drive,
-    /// Velocity to the right (m/s).
-    pub lateral_velocity: f64,
-    /// Velocity downwards (m/s).
-    pub vertical_velocity: f64,
-    /// Angular velocity about `x` (rad/s), positive where the right wheel goes down.
-    pub roll_rate: f64,
-    /// Angular velocity about `z`, against the track (rad/s).
-    pub yaw_rate: f64,
-    /// Curvature of the track (1/m), positive in a right-hand curve.
-    pub curvature: f64,
-    /// How the left and the right rail move.
-    pub rails: [RailMotion; 2],
-}
-
-impl WheelsetVelocity {
-    /// Whether a pitch rate is to be found.
-    #[must_use]
-    pub fn is_free(&self) -> bool {
-        match self.pitch {
-            PitchRate::Rigid(rate) => rate.is_none(),
-            PitchRate::Independent(rates) => rates.contains(&None),
-        }
+    /// Whether a rail that is asked for lies on springs.
+    pub(super) fn is_sprung(&self) -> bool {
+        let is_there = |side: Side| self.stance.side.is_none_or(|alone| alone == side);
+        let [left, right] = self.springs;
+        (left.is_some() && is_there(Side::Left)) || (right.is_some() && is_there(Side::Right))
     }
 
-    /// Whether it runs backwards; at rest, whether it turns so.
-    pub(super) fn is_backward(&self) -> bool {
-        let turns = match self.pitch {
-            PitchRate::Rigid(rate) => rate.unwrap_or(0.0),
-            PitchRate::Independent(rates) => rates.iter().flatten().sum(),
+    /// The position and the motion of numbers as of [`ASKED`]; NaN is the wheelset's own.
+    ///
+    /// # Errors
+    /// [`WheelsetFileError`] for numbers that are not finite or contradict each other.
+    pub fn asked(
+        &self,
+        numbers: &[f64; ASKED.len()],
+    ) -> Result<(WheelsetPose, WheelsetVelocity), WheelsetFileError> {
+        Ok(asked((self.stance, self.travel.unwrap_or_default()), numbers)?)
+    }
+
+    fn solver_on_rails(&self) -> Result<WheelsetSolver<'_>, WheelsetFileError> {
+        let theory = AreaTheory::new(&self.theory);
+        let theory = theory.map_err(|error| WheelsetFileError::Theory(Box::new(error.into())))?;
+        let pair = self.solids.ok_or_else(|| section("materials", "shear_modulus, poisson"))?;
+        let friction = self.friction.clone().ok_or_else(|| section("contact", "friction"))?;
+        let solver = WheelsetSolver::new(&self.running, pair, friction, theory)?;
+        Ok(solver.with_model(self.slip, self.patches))
+    }
+
+    /// Derivatives of the forces on the rails where this wheelset was solved, by what the case gives
+    /// of its position and motion.
+    ///
+    /// # Errors
+    /// As [`WheelsetSolver::derivatives`].
+    pub fn derivatives(
+        &self,
+        solved: &SolvedWheelset,
+    ) -> Result<WheelsetDerivatives, WheelsetFileError> {
+        let travel = self.travel.ok_or_else(|| section("motion", "speed"))?;
+        Ok(self.solver()?.derivatives(solved, &self.stance, &travel)?)
+    }
+
+    /// Solves this wheelset.
+    ///
+    /// # Errors
+    /// As [`WheelsetCase::solver`] and [`WheelsetSolver::solve`], and where load or motion are
+    /// missing.
+    pub fn solve(&self) -> Result<WheelsetReport, WheelsetFileError> {
+        let travel = self.travel.ok_or_else(|| section("motion", "speed"))?;
+        let solver = self.solver_on_rails()?;
+        let solved = if self.is_sprung() {
+            solver.solve_on_springs(&self.springs, &self.stance, &travel)?
+        } else {
+            solver.solve(&self.stance, &travel)?
         };
-        if self.speed == 0.0 { turns < 0.0 } else { self.speed < 0.0 }
-    }
-
-    /// Its mirror image fore and aft: a curve to the right is one still.
-    pub(super) fn fore_and_aft(&self) -> Self {
-        let turned = |rate: Option<f64>| rate.map(|rate| -rate);
-        Self {
-            speed: -self.speed,
-            yaw_rate: -self.yaw_rate,
-            pitch: match self.pitch {
-                PitchRate::Rigid(rate) => PitchRate::Rigid(turned(rate)),
-                PitchRate::Independent(rates) => PitchRate::Independent(rates.map(turned)),
-            },
-            drive: match self.drive {
-                Drive::Torque(torque) => Drive::Torque(-torque),
-                Drive::Force(force) => Drive::Force(-force),
-            },
-            ..*self
+        let mut solved = WheelsetReport::from(solved);
+        if let Some(wanted) = &self.damage {
+            solved.add_damage(wanted, self.running.wheelset().radius());
         }
+        Ok(solved)
     }
 }

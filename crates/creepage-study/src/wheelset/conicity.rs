@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use creepage_rail::{ConicityError, RadiusDifference};
 
-use super::{WheelsetCase, WheelsetError};
+use super::{WheelsetCase, WheelsetFileError};
 
 /// Amplitudes of the table: tenths of a millimetre.
 const AMPLITUDES: std::ops::RangeInclusive<u8> = 10..=75;
@@ -25,11 +25,11 @@ impl WheelsetCase {
     /// it, or with the wheelset rolled until both wheels touch.
     ///
     /// # Errors
-    /// [`WheelsetError::Apart`] where the profiles do not meet in the middle of the track, or the
+    /// [`WheelsetFileError::Apart`] where the profiles do not meet in the middle of the track, or the
     /// wheelset cannot be placed beside it.
-    pub fn radius_difference(&self, rolls: bool) -> Result<RadiusDifference, WheelsetError> {
+    pub fn radius_difference(&self, rolls: bool) -> Result<RadiusDifference, WheelsetFileError> {
         let roll = (!rolls).then_some(0.0);
-        self.running.radius_differences(REACH, roll).map_err(WheelsetError::Apart)
+        self.running.radius_differences(REACH, roll).map_err(WheelsetFileError::Apart)
     }
 }
 

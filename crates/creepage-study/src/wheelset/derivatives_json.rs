@@ -1,11 +1,10 @@
 //! Derivatives of the forces on the rails for programs.
 
+use creepage_wheelset::{ForceDerivative, StateVariable, WheelsetDerivatives};
 use std::collections::BTreeMap;
 
 use creepage_rail::Side;
 use serde::Serialize;
-
-use super::derivatives::{ForceDerivative, StateVariable, WheelsetDerivatives};
 
 /// Derivatives of the force on one rail by the key of [`StateVariable`], per unit of that key; `null` by what
 /// is found and not given.
@@ -40,14 +39,12 @@ pub struct ForceDerivativeJson {
     pub moment_z_error_n_m: f64,
 }
 
-impl WheelsetDerivatives {
-    /// Those of one rail, ready for `serde_json`.
-    pub(super) fn json(&self, side: Side) -> DerivativesJson {
-        let one = |by: StateVariable| {
-            (by.key(), self.of(side, by).as_ref().map(ForceDerivativeJson::new))
-        };
-        StateVariable::ALL.into_iter().map(one).collect()
-    }
+/// Derivatives of the force on one rail, ready for `serde_json`.
+pub(super) fn derivatives_json(derivatives: &WheelsetDerivatives, side: Side) -> DerivativesJson {
+    let one = |by: StateVariable| {
+        (by.key(), derivatives.of(side, by).as_ref().map(ForceDerivativeJson::new))
+    };
+    StateVariable::ALL.into_iter().map(one).collect()
 }
 
 impl ForceDerivativeJson {

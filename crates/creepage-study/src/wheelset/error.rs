@@ -4,10 +4,9 @@ use std::io;
 use std::path::PathBuf;
 
 use creepage::InvalidValue;
-use creepage::gap::GapError;
-use creepage::normal::NormalError;
 use creepage_rail::file::FileError;
-use creepage_rail::{GeometryError, ProfileError, Role, Side};
+use creepage_rail::{GeometryError, ProfileError, Role};
+use creepage_wheelset::WheelsetError;
 
 use crate::case::CaseError;
 use crate::gap::GapCaseError;
@@ -15,10 +14,13 @@ use crate::gap::GapCaseError;
 /// Why a file is not that of a wheelset in its track.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
-pub enum WheelsetError {
+pub enum WheelsetFileError {
     /// Its form, or a number out of its range.
     #[error(transparent)]
     Case(#[from] CaseError),
+    /// What it describes cannot be solved.
+    #[error(transparent)]
+    Solve(WheelsetError),
     /// More positions than a table may have.
     #[error(
         "{asked} positions are too many for a table: {most} at most, which are hours or days of work"
@@ -93,8 +95,10 @@ pub enum WheelsetError {
         source: GeometryError,
     },
     /// A value that one wheel alone cannot have.
-    #[error("[wheelset] {key} makes no sense with side = \"{side}\": {instead}")]
+    #[error("[{section}] {key} makes no sense with side = \"{side}\": {instead}")]
     OneWheel {
+        /// The section's name.
+        section: &'static str,
         /// The key.
         key: &'static str,
         /// `left` or `right`.
@@ -102,125 +106,15 @@ pub enum WheelsetError {
         /// What to give.
         instead: &'static str,
     },
-    /// Nothing holds the wheelset down.
-    #[error("[wheelset] needs one of axle_load, wheel_load and z")]
-    NoLoad,
     /// A theory or an option that areas of any shape do not have.
     #[error(transparent)]
     Theory(Box<GapCaseError>),
-    /// A position in which wheel and rail do not meet as they should.
-    #[error("[wheelset] {source}")]
-    Position {
-        /// The side.
-        side: Side,
-        /// Why.
-        source: GeometryError,
-    },
-    /// A position in which the wheelset does not come to rest on both rails.
-    #[error("[wheelset] roll = \"free\": {0}")]
-    Resting(GeometryError),
-    /// Surfaces that make no undeformed distance.
-    #[error("{} wheel: {source}", side_word(*side))]
-    Shape {
-        /// The side.
-        side: Side,
-        /// Why.
-        source: GapError,
-    },
-    /// A contact without a pressure that can be computed.
-    #[error("{} wheel: {source}", side_word(*side))]
-    Pressure {
-        /// The side.
-        side: Side,
-        /// Why.
-        source: NormalError,
-    },
-    /// No height carries the load.
-    #[error("[wheelset] no height was found at which the rails carry {load} N")]
-    LoadNotFound {
-        /// The load (N).
-        load: f64,
-    },
-    /// No roll gives both rails the same load.
-    #[error(
-        "[wheelset] roll = \"free\": none was found at which both rails carry the same with z = {z} m"
-    )]
-    RollNotFound {
-        /// The height (m).
-        z: f64,
-    },
-    /// The wheel slides through faster than it rolls.
-    #[error(
-        "[motion] speed and pitch_rate: the {} wheel and its rail do not roll forward at a \
-         contact", side_word(*side)
-    )]
-    NotForward {
-        /// The side.
-        side: Side,
-    },
-    /// No pitch rate without a moment about the axle.
-    #[error("[motion] pitch_rate = \"free\": none was found without a moment about the axle")]
-    PitchNotFound,
-    /// A wheel that its load would lift.
-    #[error(
-        "[wheelset] roll_moment lifts the {} wheel: it would carry {load:.6} N; give roll, or loads of \
-         both wheels", side_word(*side)
-    )]
-    Lifts {
-        /// The side.
-        side: Side,
-        /// What it would carry (N).
-        load: f64,
-    },
-    /// A wheel that is to carry nothing and lies in its rail.
-    #[error(
-        "[wheelset] the {} wheel is to carry nothing, but at this roll it would sink into its rail while the \
-         other carries its load", side_word(*side)
-    )]
-    Sinks {
-        /// The side.
-        side: Side,
-    },
-    /// A lifted wheel whose height nothing tells.
-    #[error(
-        "[wheelset] the {} wheel carries nothing and roll is free: nothing says how high it hangs; \
-         give roll", side_word(*side)
-    )]
-    Hangs {
-        /// The side.
-        side: Side,
-    },
-    /// Rails on springs without a place at which these carry the wheels.
-    #[error(
-        "[rail] stiffness_y, stiffness_z: no place of the rails was found at which the springs carry the wheels"
-    )]
-    RailNotFound,
     /// Rails on springs where they must be rigid.
     #[error("[rail] stiffness_y, stiffness_z: {what} takes rigid rails; solve the file itself")]
     RigidRails {
         /// What was asked for.
         what: &'static str,
     },
-    /// More traction than friction can carry.
-    #[error(
-        "[motion] no pitch rate was found at which friction balances {wanted} (torque in N m or \
-         longitudinal_force in N): it can carry {most:.6} at most"
-    )]
-    TractionNotFound {
-        /// What was wanted (N m or N).
-        wanted: f64,
-        /// What friction can carry (N m or N).
-        most: f64,
-    },
-    /// Height, roll or pitch rate do not follow from the rest.
-    #[error("[wheelset] no derivatives: what is found here does not follow what is given")]
-    NotDifferentiable,
-    /// Load and friction did not come to rest.
-    #[error(
-        "[wheelset] no position was settled on that carries the load, which can jump by some tenths \
-         of a per cent where two areas of contact join: try a position beside this one, or give z"
-    )]
-    NotSettled,
     /// No amplitude, or no place, at which the wheelset runs.
     #[error("wheels and rails do not meet with the wheelset in the middle of the track: {0}")]
     Apart(GeometryError),
@@ -239,10 +133,18 @@ fn hint(error: &FileError) -> &'static str {
     }
 }
 
-pub(super) fn side_word(side: Side) -> &'static str {
-    match side {
-        Side::Left => "left",
-        Side::Right => "right",
+impl From<WheelsetError> for WheelsetFileError {
+    /// A number that is out of range is one of the file.
+    fn from(error: WheelsetError) -> Self {
+        match error {
+            WheelsetError::Invalid { section, invalid } => {
+                CaseError::Invalid { section, invalid }.into()
+            }
+            WheelsetError::Conflict { section, one, other } => {
+                CaseError::Conflict { first: (section, one), second: (section, other) }.into()
+            }
+            other => Self::Solve(other),
+        }
     }
 }
 
@@ -251,7 +153,7 @@ pub(super) fn section(section: &str, needs: &str) -> CaseError {
     CaseError::MissingSection { section: section.into(), needs: needs.into() }
 }
 
-impl WheelsetError {
+impl WheelsetFileError {
     /// Places what geometry refuses in its section of the file.
     pub(super) fn geometry(section: &'static str) -> impl Fn(GeometryError) -> Self {
         move |error| match error {

@@ -1,5 +1,6 @@
 //! The whole file of a wheelset, and the case that it describes.
 
+use creepage_wheelset::{RailFriction, RailSprings};
 use std::path::Path;
 
 use creepage::{SolidPair, TheorySpec};
@@ -13,14 +14,13 @@ use serde_json::Value;
 use toml::Table;
 
 use super::case::{ProfileNote, WheelsetCase};
-use super::error::{WheelsetError, checked, needed};
-use super::friction::{RailFriction, RailFrictionValue};
+use super::error::{WheelsetFileError, checked, needed};
+use super::friction::RailFrictionValue;
 use super::profile::{RequestedProfile, of_points};
 use super::sections::{
     FrictionSection, MaterialSection, MotionSection, RailSection, ReadingSection, SideName,
     TrackSection, WheelSection, WheelsetSection,
 };
-use super::springs::RailSprings;
 use crate::case::schema::schema_of;
 use crate::case::{CaseError, keys, solve};
 use crate::damage::DamageSection;
@@ -122,8 +122,9 @@ impl WheelsetFile {
     /// `back_to_back` are needed; what else is there is checked.
     ///
     /// # Errors
-    /// [`WheelsetError`] for profiles that cannot be read, numbers out of range, contradictions.
-    pub fn case(&self, directory: &Path) -> Result<WheelsetCase, WheelsetError> {
+    /// [`WheelsetFileError`] for profiles that cannot be read, numbers out of range, contradictions.
+    pub fn case(&self, directory: &Path) -> Result<WheelsetCase, WheelsetFileError> {
+        self.check_idle()?;
         let mut notes = Vec::new();
         let running = self.running(directory, &mut notes)?;
         let contact = self.contact.as_ref();
@@ -142,8 +143,8 @@ impl WheelsetFile {
             solids: self.solids()?,
             friction: self.friction()?,
             springs: [
-                self.rail_section(Side::Left).springs()?,
-                self.rail_section(Side::Right).springs()?,
+                self.rail_section(Side::Left).springs(self.springs_section(Side::Left))?,
+                self.rail_section(Side::Right).springs(self.springs_section(Side::Right))?,
             ],
             slip: contact.and_then(|section| section.slip).unwrap_or_default(),
             patches: contact.and_then(|section| section.patches).unwrap_or_default(),
@@ -157,11 +158,11 @@ impl WheelsetFile {
         &self,
         directory: &Path,
         notes: &mut Vec<ProfileNote>,
-    ) -> Result<WheelsetOnTrack, WheelsetError> {
+    ) -> Result<WheelsetOnTrack, WheelsetFileError> {
         let mut wheel = |side| self.wheel(side, directory, notes);
         let (left, right) = (wheel(Side::Left)?, wheel(Side::Right)?);
         let wheelset = Wheelset::new(left, right, self.wheelset.back_to_back)
-            .map_err(WheelsetError::geometry("wheelset"))?;
+            .map_err(WheelsetFileError::geometry("wheelset"))?;
         let place = self.track.place()?;
         let mut rail = |side| self.rail(side, place, directory, notes);
         Ok(wheelset.on(Track { left: rail(Side::Left)?, right: rail(Side::Right)? }))
@@ -175,8 +176,48 @@ impl WheelsetFile {
         }
     }
 
+    /// The section that says on which springs the rail of a side lies: its own where that has any of their keys.
+    fn springs_section(&self, side: Side) -> &'static str {
+        let (own, section) = match side {
+            Side::Left => (&self.rail_left, "rail_left"),
+            Side::Right => (&self.rail_right, "rail_right"),
+        };
+        let of_springs = [own.stiffness_y, own.stiffness_z, own.force_y, own.force_z];
+        if of_springs.iter().any(Option::is_some) { section } else { "rail" }
+    }
+
+    /// Refuses the motion of a wheel that is not solved.
+    fn check_idle(&self) -> Result<(), WheelsetFileError> {
+        let motion = self.motion.as_ref();
+        for (side, word, key, rate) in [
+            (
+                Side::Left,
+                "right",
+                "pitch_rate_left",
+                motion.and_then(|motion| motion.pitch_rate_left),
+            ),
+            (
+                Side::Right,
+                "left",
+                "pitch_rate_right",
+                motion.and_then(|motion| motion.pitch_rate_right),
+            ),
+        ] {
+            if rate.is_some() && self.is_idle(side) {
+                let instead = "that wheel is not solved; leave it out, or leave side out";
+                return Err(WheelsetFileError::OneWheel {
+                    section: "motion",
+                    key,
+                    side: word,
+                    instead,
+                });
+            }
+        }
+        Ok(())
+    }
+
     /// Friction on both rails; `None` where neither has any.
-    fn friction(&self) -> Result<Option<[RailFriction; 2]>, CaseError> {
+    fn friction(&self) -> Result<Option<[RailFriction; 2]>, WheelsetFileError> {
         let common = self.contact.as_ref().and_then(|section| section.friction.as_ref());
         let of = |side| {
             let own = self.rail_section(side).friction;
@@ -197,7 +238,7 @@ impl WheelsetFile {
         side: Side,
         directory: &Path,
         notes: &mut Vec<ProfileNote>,
-    ) -> Result<Wheel, WheelsetError> {
+    ) -> Result<Wheel, WheelsetFileError> {
         let (own, section, other) = match side {
             Side::Left => (&self.wheel_left, "wheel_left", &self.wheel_right),
             Side::Right => (&self.wheel_right, "wheel_right", &self.wheel_left),
@@ -214,7 +255,7 @@ impl WheelsetFile {
         wheel
             .flange_back
             .map_or(made.clone(), |back| made?.with_flange_back(back))
-            .map_err(WheelsetError::geometry(section))
+            .map_err(WheelsetFileError::geometry(section))
     }
 
     fn rail(
@@ -223,7 +264,7 @@ impl WheelsetFile {
         place: Place,
         directory: &Path,
         notes: &mut Vec<ProfileNote>,
-    ) -> Result<Rail, WheelsetError> {
+    ) -> Result<Rail, WheelsetFileError> {
         let (own, section, other) = match side {
             Side::Left => (&self.rail_left, "rail_left", &self.rail_right),
             Side::Right => (&self.rail_right, "rail_right", &self.rail_left),
@@ -239,7 +280,7 @@ impl WheelsetFile {
             Some(deviation) => laid.and_then(|laid| laid.displaced(side, deviation)),
             None => laid,
         };
-        placed.map_err(WheelsetError::geometry(section))
+        placed.map_err(WheelsetFileError::geometry(section))
     }
 
     /// Whether the other wheel is solved alone.
@@ -287,14 +328,14 @@ impl RailSection {
     }
 
     /// The springs on which it lies, if it does.
-    fn springs(&self) -> Result<Option<RailSprings>, CaseError> {
+    fn springs(&self, section: &'static str) -> Result<Option<RailSprings>, CaseError> {
         let positive = |key, value: Option<f64>| {
-            let value = needed("rail", key, value)?;
-            checked("rail", key, value, value > 0.0 && value.is_finite(), "positive and finite")
+            let value = needed(section, key, value)?;
+            checked(section, key, value, value > 0.0 && value.is_finite(), "positive and finite")
         };
         let finite = |key, value: Option<f64>| {
             let value = value.unwrap_or(0.0);
-            checked("rail", key, value, value.is_finite(), "finite")
+            checked(section, key, value, value.is_finite(), "finite")
         };
         let Self { stiffness_y, stiffness_z, force_y, force_z, .. } = *self;
         if stiffness_y.or(stiffness_z).or(force_y).or(force_z).is_none() {
@@ -377,7 +418,7 @@ fn loaded(
     given: (Option<&str>, Option<&[[f64; 2]]>),
     (section, role, side, reading): (&'static str, Role, Side, Option<ReadingSection>),
     directory: &Path,
-) -> Result<(Profile, Option<ProfileNote>), WheelsetError> {
+) -> Result<(Profile, Option<ProfileNote>), WheelsetFileError> {
     match given {
         (Some(_), Some(_)) => {
             let [first, second] = ["profile", "points"].map(|key| (section, key));

@@ -1,46 +1,17 @@
-//! Friction on a rail: a number, a law by the speed of slip, or by the place on the rail.
+//! Friction on a rail as a file has it: a number, a law by the speed of slip, or by the place on the rail.
 
 use std::borrow::Cow;
 
-use creepage::friction_law::{FrictionAcross, FrictionLaw, FrictionMemory, RollingFriction};
-use creepage_rail::{Contact, Side, WheelsetOnTrack};
+use creepage_wheelset::{FrictionOfPlace, PlaceOnRail, RailFriction};
 use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::de::{Deserialize, Deserializer, Error};
 use toml::Value;
 
-use super::error::checked;
+use super::error::{WheelsetFileError, checked};
 use crate::case::CaseError;
 use crate::case::friction::FrictionValue;
 
 const SECTION: &str = "contact friction";
-
-/// Friction on a rail.
-#[derive(Debug, Clone, PartialEq)]
-pub enum RailFriction {
-    /// Coulomb's.
-    Constant(f64),
-    /// By the speed of slip.
-    Law(FrictionLaw, Option<FrictionMemory>),
-    /// By the place on the rail.
-    Place(FrictionOfPlace),
-}
-
-/// Friction that is linear between control points, constant beyond them.
-#[derive(Debug, Clone, PartialEq)]
-pub struct FrictionOfPlace {
-    by: PlaceOnRail,
-    /// Angle (rad) or position (m), rising, and the coefficient there.
-    points: Vec<[f64; 2]>,
-}
-
-/// What tells the place on a rail, in the axes of its profile.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum PlaceOnRail {
-    /// Inclination of the surface (rad): negative on the gauge face, positive on the field side.
-    Angle,
-    /// The profile's `y` (m), to the field side.
-    Position,
-}
 
 /// Friction of a rail as the file has it.
 #[derive(Debug, Clone, PartialEq)]
@@ -63,144 +34,35 @@ pub(super) struct PlaceTable {
 }
 
 impl RailFrictionValue {
-    pub(super) fn friction(&self) -> Result<RailFriction, CaseError> {
+    pub(super) fn friction(&self) -> Result<RailFriction, WheelsetFileError> {
         match self {
             Self::OfCase(FrictionValue::Constant(value)) => {
                 let is_valid = *value > 0.0 && value.is_finite();
                 checked("contact", "friction", *value, is_valid, "positive and finite")?;
                 Ok(RailFriction::Constant(*value))
             }
-            Self::OfCase(value) => value.of_rail(),
+            Self::OfCase(value) => Ok(value.of_rail()?),
             Self::Place(table) => table.friction(),
         }
     }
 }
 
 impl PlaceTable {
-    fn friction(&self) -> Result<RailFriction, CaseError> {
+    fn friction(&self) -> Result<RailFriction, WheelsetFileError> {
         let (by, places) = match (&self.angle, &self.position) {
             (Some(angle), None) => (PlaceOnRail::Angle, angle),
             (None, Some(position)) => (PlaceOnRail::Position, position),
             (Some(_), Some(_)) => {
                 let [first, second] = ["angle", "position"].map(|key| (SECTION, key));
-                return Err(CaseError::Conflict { first, second });
+                return Err(CaseError::Conflict { first, second }.into());
             }
             (None, None) => {
                 let keys = ["angle", "position"];
-                return Err(CaseError::MissingEither { section: SECTION, keys });
+                return Err(CaseError::MissingEither { section: SECTION, keys }.into());
             }
         };
-        let count = self.value.len();
-        let is_valid = count == places.len() && count >= 2;
-        let valid = "as many as places, two at least";
-        checked(SECTION, "number of values", count as f64, is_valid, valid)?;
-        let mut points = Vec::with_capacity(count);
-        for (&place, &value) in places.iter().zip(&self.value) {
-            let last = points.last().map_or(f64::NEG_INFINITY, |[place, _]: &[f64; 2]| *place);
-            let is_valid = place > last && place.is_finite();
-            checked(SECTION, "place", place, is_valid, "finite and above the one before")?;
-            let is_valid = value > 0.0 && value.is_finite();
-            checked(SECTION, "value", value, is_valid, "positive and finite")?;
-            points.push([place, value]);
-        }
-        Ok(RailFriction::Place(FrictionOfPlace { by, points }))
+        Ok(RailFriction::Place(FrictionOfPlace::new(by, places, &self.value)?))
     }
-}
-
-impl RailFriction {
-    /// The largest coefficient: at rest, of all places.
-    #[must_use]
-    pub fn largest(&self) -> f64 {
-        match self {
-            Self::Constant(value) => *value,
-            Self::Law(law, _) => law.at_rest(),
-            Self::Place(of) => of.points.iter().fold(0.0, |most, [_, value]| value.max(most)),
-        }
-    }
-
-    /// The largest coefficient on a contact and how friction varies on it, where wheels roll at `speed` (m/s).
-    pub(super) fn on(
-        &self,
-        contact: &Contact<'_>,
-        running: &WheelsetOnTrack,
-        speed: f64,
-    ) -> Result<(f64, Option<RollingFriction>), CaseError> {
-        let wrong = CaseError::invalid(SECTION);
-        match self {
-            Self::Constant(value) => Ok((*value, None)),
-            Self::Law(law, memory) => {
-                let rolling = RollingFriction::new(*law, *memory, speed).map_err(wrong)?;
-                Ok((law.at_rest(), Some(rolling)))
-            }
-            Self::Place(of) => {
-                let points = of.across(contact, running);
-                let across = FrictionAcross::new(&points).map_err(&wrong)?;
-                let rolling = RollingFriction::across(across).map_err(&wrong)?;
-                Ok((across.largest(), Some(rolling)))
-            }
-        }
-    }
-}
-
-impl FrictionOfPlace {
-    /// Across a contact, as a theory of rolling takes it: by lines between few places, the next of which is always
-    /// where these miss most.
-    fn across(&self, contact: &Contact<'_>, running: &WheelsetOnTrack) -> Vec<[f64; 2]> {
-        const LOOKED_UP: u32 = 64;
-        /// Of the coefficient: as lines miss no result by more.
-        const CLOSE: f64 = 1e-4;
-        let [low, high] = contact.extent[1];
-        let rail = running.track().rail(contact.side);
-        let sense = contact.side.sense();
-        let value = |k: u32| {
-            let s = low + (high - low) * f64::from(k) / f64::from(LOOKED_UP);
-            let across = contact.at(s)?;
-            let place = match self.by {
-                PlaceOnRail::Position => across.y_rail,
-                PlaceOnRail::Angle => sense * (contact.angle + across.tilt) - rail.inclination(),
-            };
-            Some([s, self.at(place)])
-        };
-        let all: Vec<[f64; 2]> = (0..=LOOKED_UP).filter_map(value).collect();
-        let ([first, .., last], 2..) = (all.as_slice(), all.len()) else {
-            let place = match self.by {
-                PlaceOnRail::Position => contact.y_rail,
-                PlaceOnRail::Angle => sense * contact.angle - rail.inclination(),
-            };
-            return vec![[low, self.at(place)], [high, self.at(place)]];
-        };
-        let mut taken = vec![*first, *last];
-        while taken.len() < FrictionAcross::MAX_PLACES {
-            let missed = |point: &&[f64; 2]| (linear(&taken, point[0]) - point[1]).abs();
-            let worst = all.iter().max_by(|a, b| missed(a).total_cmp(&missed(b)));
-            let Some(worst) = worst.filter(|worst| missed(worst) > CLOSE) else { break };
-            let place = taken.partition_point(|[s, _]| *s < worst[0]);
-            taken.insert(place, *worst);
-        }
-        taken
-    }
-
-    /// The coefficient at an angle or a position.
-    fn at(&self, place: f64) -> f64 {
-        linear(&self.points, place)
-    }
-}
-
-/// Linear between points that rise, constant beyond them.
-fn linear(points: &[[f64; 2]], place: f64) -> f64 {
-    let after = points.partition_point(|[at, _]| *at <= place);
-    let before = after.checked_sub(1).and_then(|i| points.get(i));
-    match (before, points.get(after)) {
-        (Some([from, low]), Some([to, high])) => low + (high - low) * (place - from) / (to - from),
-        (Some([_, value]), None) | (None, Some([_, value])) => *value,
-        (None, None) => f64::NAN,
-    }
-}
-
-/// Of one side.
-pub(super) fn of_side(friction: &[RailFriction; 2], side: Side) -> &RailFriction {
-    let [left, right] = friction;
-    if side == Side::Left { left } else { right }
 }
 
 impl<'de> Deserialize<'de> for RailFrictionValue {

@@ -3,15 +3,10 @@
 //! Lengths in metres, angles in radians, forces in newtons; `x` forward, `y` to the right, `z`
 //! down.
 
-mod asked;
 mod case;
 mod conicity;
-mod correction;
-mod curving;
-mod derivatives;
 mod derivatives_json;
 mod error;
-mod field;
 mod file;
 mod free;
 mod friction;
@@ -20,36 +15,23 @@ mod map;
 mod position;
 mod profile;
 mod profile_picture;
-mod resultant;
+mod report;
 mod rough;
 mod sections;
-mod solved;
 mod solved_json;
 mod solved_picture;
 mod solved_text;
 mod solved_write;
-mod solver;
-mod springs;
 mod table;
-mod warm_start;
 mod wear;
 
-pub use asked::{ANSWERS, ASKED};
-pub use case::{
-    Drive, Load, Patches, PitchRate, ProfileNote, RigidSlip, WheelsetCase, WheelsetPose,
-    WheelsetVelocity,
-};
+pub use case::{ProfileNote, WheelsetCase};
 pub use conicity::{ConicityTable, conicity, radius_difference_csv};
-pub use derivatives::{ForceDerivative, StateVariable, WheelsetDerivatives};
 pub use derivatives_json::{DerivativesJson, ForceDerivativeJson};
-pub use error::WheelsetError;
+pub use error::WheelsetFileError;
 pub use file::{WheelsetFile, wheelset_json_schema};
-pub use friction::{FrictionOfPlace, PlaceOnRail, RailFriction};
 pub use map::{MapBuildError, MapPlan, MapProgress, MapResolution, MapStage, build_map};
 pub use profile_picture::profile_pictures;
-pub use resultant::Resultant;
-pub use solved::{SolvedContact, SolvedWheel, SolvedWheelset};
+pub use report::{WheelsetReport, wheelset_caution_words, wheelset_cautions};
 pub use solved_json::{RailForceJson, WheelJson, WheelPatchJson, WheelsetReportJson};
-pub use solver::WheelsetSolver;
-pub use springs::RailSprings;
 pub use table::WheelsetTable;

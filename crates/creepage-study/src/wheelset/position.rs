@@ -1,9 +1,9 @@
 //! `[wheelset]` and `[motion]`: where the wheelset stands, and how it moves.
 
 use creepage_rail::{RailMotion, Side};
+use creepage_wheelset::{Drive, Load, PitchRate, WheelsetPose, WheelsetVelocity};
 
-use super::case::{Drive, Load, PitchRate, WheelsetPose, WheelsetVelocity};
-use super::error::{WheelsetError, checked};
+use super::error::{WheelsetFileError, checked};
 use super::free::{GivenOrFree, PitchValue};
 use super::sections::{MotionSection, SideName, TrackSection, WheelsOnAxle, WheelsetSection};
 use crate::case::CaseError;
@@ -13,9 +13,13 @@ const MOTION: &str = "motion";
 /// Larger angles of roll and yaw are refused (rad).
 const TURN: f64 = 0.5;
 
+fn finite(section: &'static str, key: &'static str, value: f64) -> Result<f64, CaseError> {
+    checked(section, key, value, value.is_finite(), "finite")
+}
+
 impl WheelsetSection {
     /// Where it stands; what holds it down may be left out.
-    pub(super) fn stance(&self) -> Result<WheelsetPose, WheelsetError> {
+    pub(super) fn stance(&self) -> Result<WheelsetPose, WheelsetFileError> {
         let length = |key, value: Option<f64>| finite(WHEELSET, key, value.unwrap_or(0.0));
         let angle =
             |key, value: f64| checked(WHEELSET, key, value, value.abs() <= TURN, "-0.5 to 0.5 rad");
@@ -34,13 +38,13 @@ impl WheelsetSection {
     }
 
     /// At most one of those that hold it down.
-    fn load(&self) -> Result<Option<Load>, CaseError> {
+    fn load(&self) -> Result<Option<Load>, WheelsetFileError> {
         let wheels = match (self.wheel_load_left, self.wheel_load_right) {
             (Some(left), Some(right)) => Some(Load::Wheels([left, right])),
             (None, None) => None,
             (left, _) => {
                 let key = if left.is_some() { "wheel_load_right" } else { "wheel_load_left" };
-                return Err(CaseError::Missing { section: WHEELSET.into(), key: key.into() });
+                return Err(CaseError::Missing { section: WHEELSET.into(), key: key.into() }.into());
             }
         };
         let axle = self.axle_load.map(|load| match self.roll_moment {
@@ -57,19 +61,22 @@ impl WheelsetSection {
         let Some((key, load)) = given.next() else {
             return match self.roll_moment {
                 Some(_) => {
-                    Err(CaseError::Missing { section: WHEELSET.into(), key: "axle_load".into() })
+                    Err(CaseError::Missing { section: WHEELSET.into(), key: "axle_load".into() }
+                        .into())
                 }
                 None => Ok(None),
             };
         };
         if let Some((other, _)) = given.next() {
-            return Err(CaseError::Conflict { first: (WHEELSET, key), second: (WHEELSET, other) });
+            return Err(
+                CaseError::Conflict { first: (WHEELSET, key), second: (WHEELSET, other) }.into()
+            );
         }
         let is_free = !matches!(self.roll, Some(GivenOrFree::Given(_))) && self.side.is_none();
         if self.roll_moment.is_some() && !(is_free && matches!(load, Load::Loaded { .. })) {
             let other = if is_free { key } else { "roll" };
             let [first, second] = ["roll_moment", other].map(|key| (WHEELSET, key));
-            return Err(CaseError::Conflict { first, second });
+            return Err(CaseError::Conflict { first, second }.into());
         }
         load.checked()?;
         Ok(Some(load))
@@ -82,19 +89,19 @@ impl WheelsetSection {
         track: &TrackSection,
         (speed, curvature): (f64, f64),
         tapes: f64,
-    ) -> Result<Option<Load>, CaseError> {
+    ) -> Result<Option<Load>, WheelsetFileError> {
         const GRAVITY: f64 = 9.806_65;
         let missing = |key: &str| CaseError::Missing { section: WHEELSET.into(), key: key.into() };
         let (mass, height) = match (self.mass, self.centre_height) {
             (Some(mass), Some(height)) => (mass, height),
             (None, None) if track.superelevation.is_none() => return Ok(None),
             (None, None) if self.load()?.is_some() => return Ok(None),
-            (None, _) => return Err(missing("mass")),
-            (_, None) => return Err(missing("centre_height")),
+            (None, _) => return Err(missing("mass").into()),
+            (_, None) => return Err(missing("centre_height").into()),
         };
         if let Some(load) = self.load()? {
             let [first, second] = ["mass", load.key()].map(|key| (WHEELSET, key));
-            return Err(CaseError::Conflict { first, second });
+            return Err(CaseError::Conflict { first, second }.into());
         }
         let positive = |key, value: f64| {
             checked(WHEELSET, key, value, value > 0.0 && value.is_finite(), "positive and finite")
@@ -121,12 +128,14 @@ impl WheelsetSection {
     }
 
     /// One wheel alone takes its own load, and nothing lets it roll.
-    fn alone(&self, name: SideName) -> Result<Side, WheelsetError> {
+    fn alone(&self, name: SideName) -> Result<Side, WheelsetFileError> {
         let (side, word) = match name {
             SideName::Left => (Side::Left, "left"),
             SideName::Right => (Side::Right, "right"),
         };
-        let wrong = |key, instead| Err(WheelsetError::OneWheel { key, side: word, instead });
+        let wrong = |key, instead| {
+            Err(WheelsetFileError::OneWheel { section: WHEELSET, key, side: word, instead })
+        };
         let both = [("axle_load", self.axle_load), ("wheel_load_left", self.wheel_load_left)];
         let mut both = both.into_iter().chain([("mass", self.mass)]);
         if let Some((key, _)) = both.find(|(_, value)| value.is_some()) {
@@ -140,18 +149,13 @@ impl WheelsetSection {
     }
 }
 
-/// What a speed must be, and what to do where it is not.
-const MOVING: &str = "finite, and not zero unless the wheels spin at given pitch rates: at rest nothing rolls, and \
-    what a contact carries depends on its history (`creepage roll` solves that of one contact; a small speed \
-    with creepages kept gives steady rolling)";
-
 impl MotionSection {
     /// How it moves on a track of a curvature (1/m) whose rails move.
     pub(super) fn travel(
         &self,
         curvature: f64,
         rails: [RailMotion; 2],
-    ) -> Result<WheelsetVelocity, CaseError> {
+    ) -> Result<WheelsetVelocity, WheelsetFileError> {
         let rate = |value: Option<f64>| value.unwrap_or(0.0);
         let travel = WheelsetVelocity {
             speed: self.speed,
@@ -168,21 +172,21 @@ impl MotionSection {
         if (self.torque.is_some() || self.longitudinal_force.is_some()) && !travel.is_free() {
             let given = if self.torque.is_some() { "torque" } else { "longitudinal_force" };
             let [first, second] = [given, "pitch_rate"].map(|key| (MOTION, key));
-            return Err(CaseError::Conflict { first, second });
+            return Err(CaseError::Conflict { first, second }.into());
         }
         // Two wheels that turn apart share no force.
         if self.longitudinal_force.is_some() && matches!(travel.pitch, PitchRate::Independent(_)) {
             let [first, second] = ["longitudinal_force", "wheels"].map(|key| (MOTION, key));
-            return Err(CaseError::Conflict { first, second });
+            return Err(CaseError::Conflict { first, second }.into());
         }
         Ok(travel)
     }
 
-    fn pitch(&self) -> Result<PitchRate, CaseError> {
+    fn pitch(&self) -> Result<PitchRate, WheelsetFileError> {
         let independent = self.wheels == Some(WheelsOnAxle::Independent);
         let conflict = |one, other| {
             let [first, second] = [one, other].map(|key| (MOTION, key));
-            Err(CaseError::Conflict { first, second })
+            Err(CaseError::Conflict { first, second }.into())
         };
         let apart = [self.pitch_rate_left, self.pitch_rate_right];
         if apart.iter().any(Option::is_some) {
@@ -208,107 +212,14 @@ impl MotionSection {
         }
     }
 
-    fn drive(&self) -> Result<Drive, CaseError> {
+    fn drive(&self) -> Result<Drive, WheelsetFileError> {
         match (self.torque, self.longitudinal_force) {
             (Some(_), Some(_)) => {
                 let [first, second] = ["torque", "longitudinal_force"].map(|key| (MOTION, key));
-                Err(CaseError::Conflict { first, second })
+                Err(CaseError::Conflict { first, second }.into())
             }
             (_, Some(force)) => Ok(Drive::Force(force)),
             (torque, None) => Ok(Drive::Torque(torque.unwrap_or(0.0))),
         }
-    }
-}
-
-fn finite(section: &'static str, key: &'static str, value: f64) -> Result<f64, CaseError> {
-    checked(section, key, value, value.is_finite(), "finite")
-}
-
-impl WheelsetPose {
-    /// Checks numbers that come from elsewhere than a file.
-    ///
-    /// # Errors
-    /// [`CaseError`] unless all are finite and the load positive.
-    pub fn checked(&self) -> Result<(), CaseError> {
-        finite(WHEELSET, "y", self.y)?;
-        finite(WHEELSET, "yaw", self.yaw)?;
-        finite(WHEELSET, "roll", self.roll.unwrap_or(0.0))?;
-        self.load.map_or(Ok(()), Load::checked)
-    }
-}
-
-impl Load {
-    /// The key of `[wheelset]` that gives it.
-    pub(super) fn key(self) -> &'static str {
-        match self {
-            Self::Axle(_) | Self::Loaded { .. } => "axle_load",
-            Self::Wheel(_) => "wheel_load",
-            Self::Wheels(_) => "wheel_load_left",
-            Self::Height(_) => "z",
-        }
-    }
-
-    /// Whether each of its numbers makes sense.
-    fn checked(self) -> Result<(), CaseError> {
-        let positive = |value: f64| {
-            let is_valid = value > 0.0 && value.is_finite();
-            checked(WHEELSET, self.key(), value, is_valid, "positive and finite")
-        };
-        match self {
-            Self::Axle(load) | Self::Wheel(load) => positive(load)?,
-            Self::Loaded { load, moment } => {
-                finite(WHEELSET, "roll_moment", moment)?;
-                positive(load)?
-            }
-            Self::Wheels(loads) => {
-                for (key, load) in ["wheel_load_left", "wheel_load_right"].into_iter().zip(loads) {
-                    let is_valid = load >= 0.0 && load.is_finite();
-                    checked(WHEELSET, key, load, is_valid, "finite and not negative")?;
-                }
-                let valid = "positive: one wheel at least carries";
-                let sum = loads[0] + loads[1];
-                checked(WHEELSET, "sum of both wheel loads", sum, sum > 0.0, valid)?
-            }
-            Self::Height(z) => finite(WHEELSET, "z", z)?,
-        };
-        Ok(())
-    }
-}
-
-impl WheelsetVelocity {
-    /// Checks numbers that come from elsewhere than a file.
-    ///
-    /// # Errors
-    /// [`CaseError`] unless all are finite and the wheelset moves.
-    pub fn checked(&self) -> Result<(), CaseError> {
-        let rates = match self.pitch {
-            PitchRate::Rigid(rate) => [rate; 2],
-            PitchRate::Independent(rates) => rates,
-        };
-        let spins = rates.iter().all(|rate| rate.is_some_and(|rate| rate != 0.0));
-        let moves = (self.speed != 0.0 || spins) && self.speed.is_finite();
-        checked(MOTION, "speed", self.speed, moves, MOVING)?;
-        let drive = match self.drive {
-            Drive::Torque(torque) => ("torque", torque),
-            Drive::Force(force) => ("longitudinal_force", force),
-        };
-        for (key, value) in [
-            ("pitch_rate", rates[0].unwrap_or(0.0)),
-            ("pitch_rate", rates[1].unwrap_or(0.0)),
-            drive,
-            ("lateral_velocity", self.lateral_velocity),
-            ("vertical_velocity", self.vertical_velocity),
-            ("roll_rate", self.roll_rate),
-            ("yaw_rate", self.yaw_rate),
-        ] {
-            finite(MOTION, key, value)?;
-        }
-        finite("track", "curvature", self.curvature)?;
-        for rail in self.rails {
-            finite("rail", "dy_rate", rail.lateral_velocity)?;
-            finite("rail", "dz_rate", rail.vertical_velocity)?;
-            finite("rail", "droll_rate", rail.roll_rate)?;
-        }
-        Ok(())
     }
 }

@@ -8,7 +8,7 @@ use creepage_rail::file::{FileError, Reading, SaidBy, Wanted, read};
 use creepage_rail::{Profile, ProfileError, Role, Side, Standard};
 
 use super::case::ProfileNote;
-use super::error::WheelsetError;
+use super::error::WheelsetFileError;
 use super::sections::ReadingSection;
 use crate::case::CaseError;
 
@@ -17,8 +17,8 @@ pub(super) fn of_points(
     (section, role): (&'static str, Role),
     points: &[[f64; 2]],
     smoothing: Option<f64>,
-) -> Result<Profile, WheelsetError> {
-    let wrong = |source| WheelsetError::Points { section, source };
+) -> Result<Profile, WheelsetFileError> {
+    let wrong = |source| WheelsetFileError::Points { section, source };
     if let Some(value) = points.as_flattened().iter().copied().find(|value| !value.is_finite()) {
         let invalid = InvalidValue { quantity: "points", value, valid: "finite" };
         return Err(CaseError::Invalid { section, invalid }.into());
@@ -50,18 +50,18 @@ impl RequestedProfile<'_> {
     pub(super) fn load(
         &self,
         directory: &Path,
-    ) -> Result<(Profile, Option<ProfileNote>), WheelsetError> {
+    ) -> Result<(Profile, Option<ProfileNote>), WheelsetFileError> {
         if let Some(standard) = Standard::named(self.name) {
             self.check(standard.role())?;
             if self.reading.is_some() {
                 let (section, profile) = (self.section, self.name.into());
-                return Err(WheelsetError::NoFile { section, profile });
+                return Err(WheelsetFileError::NoFile { section, profile });
             }
             return Ok((standard.profile(), None));
         }
         let path = directory.join(self.name);
         let content = fs::read(&path).map_err(|source| self.nowhere(&path, source))?;
-        let reading = self.reading(&content).map_err(|source| WheelsetError::Profile {
+        let reading = self.reading(&content).map_err(|source| WheelsetFileError::Profile {
             section: self.section,
             path: path.clone(),
             source,
@@ -83,16 +83,16 @@ impl RequestedProfile<'_> {
         }
     }
 
-    fn check(&self, found: Role) -> Result<(), WheelsetError> {
+    fn check(&self, found: Role) -> Result<(), WheelsetFileError> {
         if found == self.role {
             return Ok(());
         }
-        Err(WheelsetError::Role { section: self.section, profile: self.name.into(), found })
+        Err(WheelsetFileError::Role { section: self.section, profile: self.name.into(), found })
     }
 
-    fn nowhere(&self, path: &Path, source: std::io::Error) -> WheelsetError {
+    fn nowhere(&self, path: &Path, source: std::io::Error) -> WheelsetFileError {
         let fitting = Standard::NAMES.iter().filter(|(_, standard)| standard.role() == self.role);
-        WheelsetError::NoProfile {
+        WheelsetFileError::NoProfile {
             section: self.section,
             profile: self.name.into(),
             names: fitting.map(|&(name, _)| name).collect(),

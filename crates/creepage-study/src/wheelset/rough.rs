@@ -1,64 +1,21 @@
-//! Profiles that are rough where they touch: bodies then meet on the crests of their waves, and the
-//! pressure says more about the measurement than about the wheel.
+//! The caution for profiles that are rough where they touch.
 
-use creepage::normal::NormalContact;
 use creepage::{Solid, SolidPair};
-use creepage_rail::{Contact, RadiusDifference, Role, Side, Waves};
+use creepage_rail::{RadiusDifference, Side};
+use creepage_wheelset::{Roughness, rough_profiles};
 
 use super::case::WheelsetCase;
 use crate::Caution;
 
-/// Beyond a contact's area on either side, waves are looked for as far as this (m): between two
-/// crests the area may be narrower than a wave.
-const BEYOND: f64 = 2e-3;
-/// Whole waves from which on a profile is rough: a joint of arcs or a kink is no more than one.
-const WAVES: usize = 2;
-/// Mean length (m) up to which waves are no shape: the arcs of treads and heads are 10 mm and longer.
-const SHORT: f64 = 8e-3;
-/// Without a load every so many positions are looked at, that far to either side of where wheel
-/// and rail touch (m).
-const EVERY: usize = 5;
-const REACH: f64 = 7e-3;
-/// Peak pressure of a smooth contact of wheel and rail (Pa), where that is not known.
-const PRESSURE: f64 = 1e9;
-/// Pressure that flattens the smallest wave that counts, over the peak pressure.
-const COUNTS: f64 = 0.1;
-
-/// What is to be held against the profiles of a contact with this pressure.
-///
-/// Pressing a wave of length `l` and height `a` flat takes the pressure `pi E* a / l` on its crests
-/// (Westergaard 1939): a quarter of `E*` for each radian from the slope of one side to the other.
-pub(super) fn cautions(contact: &Contact<'_>, normal: &NormalContact) -> Vec<Caution> {
-    let by_swing = by_swing(&normal.pair());
-    let peak = normal.peak_pressure().value;
-    let [low, high] = across(normal);
-    let rough = |body: Role| {
-        // Crests raise the peak: what counts stays that of a smooth contact.
-        let least = COUNTS * peak.min(PRESSURE) / by_swing;
-        let waves = contact.waves(body, [low - BEYOND, high + BEYOND], least)?;
-        caution(body, waves, by_swing)
-    };
-    [Role::Wheel, Role::Rail].into_iter().filter_map(rough).collect()
-}
-
-/// Pressure that presses waves flat, by how far they turn (Pa/rad).
-fn by_swing(pair: &SolidPair) -> f64 {
-    0.25 * pair.shear_modulus() / (1.0 - pair.poisson())
-}
-
-/// The caution for waves that are many and short.
-fn caution(body: Role, waves: Waves, by_swing: f64) -> Option<Caution> {
-    let Waves { count, length, swing } = waves;
-    let pressure = by_swing * swing;
-    let caution = Caution::Rough { body, length, swing, pressure };
-    (count >= WAVES && length < SHORT).then_some(caution)
+impl From<Roughness> for Caution {
+    fn from(Roughness { body, length, swing, pressure }: Roughness) -> Self {
+        Self::Rough { body, length, swing, pressure }
+    }
 }
 
 impl WheelsetCase {
-    /// Profiles that are rough where wheel and rail touch, at positions of a radius difference:
-    /// contact then jumps between the crests of their waves, and the difference with it. Each
-    /// profile once, where it is worst. Waves count as under a pressure of 1e9 Pa, in steel where
-    /// no materials are given. `rolls` as for [`WheelsetCase::radius_difference`].
+    /// Profiles that are rough where wheel and rail touch, as of [`rough_profiles`]; in steel where no materials
+    /// are given. `rolls` as for [`WheelsetCase::radius_difference`].
     #[must_use]
     pub fn rough_profiles(
         &self,
@@ -67,41 +24,7 @@ impl WheelsetCase {
     ) -> Vec<(Side, Caution)> {
         let steel = || Solid::new(82e9, 0.28).map(|solid| SolidPair::new(solid, solid));
         let Some(pair) = self.solids.or_else(|| steel().ok()) else { return Vec::new() };
-        let by_swing = by_swing(&pair);
-        let least = COUNTS * PRESSURE / by_swing;
-        let mut worst: Vec<(Side, Role, Waves)> = Vec::new();
-        for (y, _) in difference.rows().step_by(EVERY) {
-            let roll =
-                if rolls { self.running.resting(y, 0.0, None).map(|p| p.roll) } else { Ok(0.0) };
-            let Ok(roll) = roll else { continue };
-            for side in [Side::Left, Side::Right] {
-                let Ok(touch) = self.running.touch(side, y, roll, 0.0) else { continue };
-                let [wheel, rail] = self.running.profiles(side);
-                for (body, profile, at) in
-                    [(Role::Wheel, wheel, touch.y_wheel), (Role::Rail, rail, touch.y_rail)]
-                {
-                    let Some(waves) = profile.waves(at, REACH, least) else { continue };
-                    if caution(body, waves, by_swing).is_none() {
-                        continue;
-                    }
-                    let known = worst.iter_mut().find(|(s, b, _)| *s == side && *b == body);
-                    match known {
-                        Some((.., known)) if known.swing >= waves.swing => {}
-                        Some((.., known)) => *known = waves,
-                        None => worst.push((side, body, waves)),
-                    }
-                }
-            }
-        }
-        let caution = |(side, body, waves)| Some((side, caution(body, waves, by_swing)?));
-        worst.into_iter().filter_map(caution).collect()
+        let rough = rough_profiles(&self.running, &pair, difference, rolls);
+        rough.into_iter().map(|(side, rough)| (side, rough.into())).collect()
     }
-}
-
-/// Where the areas of a contact begin and end across (m).
-fn across(normal: &NormalContact) -> [f64; 2] {
-    let ends = normal.patches().iter().map(|patch| patch.extent().y);
-    ends.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], [from, to]| {
-        [low.min(from), high.max(to)]
-    })
 }

@@ -2,10 +2,10 @@
 
 use creepage::Solid;
 use creepage_rail::file::Wanted;
+use creepage_wheelset::{Patches, RigidSlip};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use super::case::{Patches, RigidSlip};
 use super::free::{GivenOrFree, PitchValue};
 use super::friction::RailFrictionValue;
 use crate::case::CaseError;

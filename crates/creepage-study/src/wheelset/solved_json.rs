@@ -2,12 +2,11 @@
 //! finite is `null`.
 
 use creepage::normal::Method;
+use creepage_wheelset::{Resultant, RigidSlip, SolvedContact, SolvedWheel};
 use serde::Serialize;
 
-use super::case::RigidSlip;
-use super::derivatives_json::DerivativesJson;
-use super::resultant::Resultant;
-use super::solved::{SolvedContact, SolvedWheel, SolvedWheelset};
+use super::derivatives_json::{DerivativesJson, derivatives_json};
+use super::report::WheelsetReport;
 use crate::Damage;
 
 /// `report.json` of a wheelset, in track axes: `x` forward, `y` right, `z` down.
@@ -165,7 +164,7 @@ pub struct WheelPatchJson {
     pub damage: Option<Damage>,
 }
 
-impl SolvedWheelset {
+impl WheelsetReport {
     /// The report, ready for `serde_json`.
     #[must_use]
     pub fn json(&self) -> WheelsetReportJson {
@@ -197,16 +196,18 @@ impl SolvedWheelset {
     }
 
     fn wheel_json(&self, wheel: &SolvedWheel) -> WheelJson {
-        let derivatives = self.derivatives.as_ref().map(|all| all.json(wheel.side));
-        WheelJson::new(wheel, derivatives)
+        let derivatives = self.derivatives.as_ref().map(|all| derivatives_json(all, wheel.side));
+        WheelJson::new(wheel, self.damage(wheel.side), derivatives)
     }
 }
 
 impl WheelJson {
-    fn new(wheel: &SolvedWheel, derivatives: Option<DerivativesJson>) -> Self {
+    fn new(wheel: &SolvedWheel, damage: &[Damage], derivatives: Option<DerivativesJson>) -> Self {
+        let patch =
+            |(k, contact): (usize, &SolvedContact)| WheelPatchJson::new(contact, damage.get(k));
         Self {
             force: RailForceJson::new(&wheel.on_rail()),
-            patches: wheel.contacts().iter().map(WheelPatchJson::new).collect(),
+            patches: wheel.contacts().iter().enumerate().map(patch).collect(),
             z_m: wheel.position.z,
             pitch_rate_rad_per_s: wheel.pitch_rate,
             clearance_m: wheel.clearance,
@@ -235,7 +236,7 @@ impl RailForceJson {
 }
 
 impl WheelPatchJson {
-    fn new(contact: &SolvedContact) -> Self {
+    fn new(contact: &SolvedContact, damage: Option<&Damage>) -> Self {
         let normal = &contact.normal;
         let [load, approach, area, peak] =
             [normal.load(), normal.approach(), normal.area(), normal.peak_pressure()];
@@ -276,7 +277,7 @@ impl WheelPatchJson {
                 Method::Elements => "elements",
             },
             status: contact.status.name(),
-            damage: contact.damage.clone(),
+            damage: damage.cloned(),
         }
     }
 }

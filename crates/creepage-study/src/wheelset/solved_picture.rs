@@ -5,9 +5,9 @@ use creepage_plot::format::{fixed, quantity};
 use creepage_plot::theme::{ARROW, RED};
 use creepage_plot::{Axis, Label, Panel, Pen, Point, Sample, Sheet};
 use creepage_rail::{GeometryError, Side, WheelsetOnTrack};
+use creepage_wheelset::{SolvedContact, SolvedWheel, side_word};
 
-use super::error::side_word;
-use super::solved::{SolvedContact, SolvedWheel, SolvedWheelset};
+use super::report::WheelsetReport;
 use crate::gap::AreasPicture;
 
 /// Millimetres to a metre: the unit of the axes.
@@ -28,7 +28,7 @@ struct View<'a> {
     unit: f64,
 }
 
-impl SolvedWheelset {
+impl WheelsetReport {
     /// Wheels on their rails, seen along the track in the direction of travel: contact areas and
     /// the forces on the rails; close by in a second row.
     ///
@@ -61,7 +61,7 @@ impl SolvedWheelset {
         let of = |wheel: &SolvedWheel| {
             let named = wheel.contacts().iter().enumerate();
             let pictures = named.map(|(i, contact)| {
-                (format!("{}_{}", side_word(wheel.side), i + 1), contact.svg(i + 1))
+                (format!("{}_{}", side_word(wheel.side), i + 1), contact_svg(contact, i + 1))
             });
             pictures.collect::<Vec<_>>()
         };
@@ -71,9 +71,9 @@ impl SolvedWheelset {
     /// The depth of wear across each place of contact, by the name of its file, `left_1_wear` and so on.
     pub(super) fn wear_svgs(&self) -> Vec<(String, String)> {
         let pictures = self.wheels().flat_map(|wheel| {
-            let named = wheel.contacts().iter().zip(1..);
-            named.filter_map(|(contact, k): (_, usize)| {
-                let svg = contact.damage.as_ref()?.svg()?;
+            let named = self.damage(wheel.side).iter().zip(1..);
+            named.filter_map(|(damage, k): (_, usize)| {
+                let svg = damage.svg()?;
                 Some((format!("{}_{k}_wear", side_word(wheel.side)), svg))
             })
         });
@@ -184,24 +184,22 @@ fn across(contact: &SolvedContact) -> [f64; 2] {
     [s * cos - n * sin, s * sin + n * cos]
 }
 
-impl SolvedContact {
-    /// Its areas seen from above, in the contact plane.
-    fn svg(&self, number: usize) -> String {
-        let side = match self.side {
-            Side::Left => "Left",
-            Side::Right => "Right",
-        };
-        let y = fixed(MM * self.y_rail, 2);
-        AreasPicture {
-            title: &format!("{side} wheel, contact {number}: at y = {y} mm of the rail"),
-            contact: &self.normal,
-            elements: &self.elements(),
-            scaling: self.scaling,
-            status: self.status,
-            friction: self.friction,
-            force: self.force,
-            share: self.adhesion_share(),
-        }
-        .svg()
+/// The areas of a contact seen from above, in the contact plane.
+fn contact_svg(contact: &SolvedContact, number: usize) -> String {
+    let side = match contact.side {
+        Side::Left => "Left",
+        Side::Right => "Right",
+    };
+    let y = fixed(MM * contact.y_rail, 2);
+    AreasPicture {
+        title: &format!("{side} wheel, contact {number}: at y = {y} mm of the rail"),
+        contact: &contact.normal,
+        elements: &contact.elements(),
+        scaling: contact.scaling,
+        status: contact.status,
+        friction: contact.friction,
+        force: contact.force,
+        share: contact.adhesion_share(),
     }
+    .svg()
 }

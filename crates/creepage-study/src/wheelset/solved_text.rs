@@ -2,13 +2,15 @@
 
 use creepage_plot::format::{fixed, quantity, significant};
 use creepage_rail::Side;
+use creepage_wheelset::{
+    ForceDerivative, SolvedContact, SolvedWheel, StateVariable, WheelsetDerivatives, side_word,
+};
 
-use super::derivatives::{ForceDerivative, StateVariable, WheelsetDerivatives};
-use super::error::side_word;
-use super::solved::{SolvedContact, SolvedWheel, SolvedWheelset};
+use super::report::WheelsetReport;
+use crate::Damage;
 use crate::text::{Lines, status_words};
 
-impl SolvedWheelset {
+impl WheelsetReport {
     /// A short report: position and motion, forces on both rails, every contact.
     #[must_use]
     pub fn text(&self) -> String {
@@ -20,7 +22,7 @@ impl SolvedWheelset {
         }
         self.position_lines(&mut lines);
         for wheel in self.wheels() {
-            wheel_lines(wheel, &mut lines);
+            wheel_lines(wheel, self.damage(wheel.side), &mut lines);
             if let Some(derivatives) = &self.derivatives {
                 derivative_lines(derivatives, wheel.side, &mut lines);
             }
@@ -78,7 +80,7 @@ fn newton(value: f64) -> String {
     format!("{} N", fixed(value, 1))
 }
 
-fn wheel_lines(wheel: &SolvedWheel, lines: &mut Lines) {
+fn wheel_lines(wheel: &SolvedWheel, damage: &[Damage], lines: &mut Lines) {
     let name = if wheel.side == Side::Left { "Left" } else { "Right" };
     if wheel.contacts().is_empty() {
         let clearance = wheel.clearance.map_or(String::new(), |gap| format!(" by {}", mm(gap)));
@@ -98,8 +100,8 @@ fn wheel_lines(wheel: &SolvedWheel, lines: &mut Lines) {
     if let Some([y, z]) = wheel.deflection {
         lines.columns("rail gives way", ["", &mm(y), &mm(z)]);
     }
-    for contact in wheel.contacts() {
-        contact_lines(contact, lines);
+    for (k, contact) in wheel.contacts().iter().enumerate() {
+        contact_lines(contact, damage.get(k), lines);
     }
 }
 
@@ -130,7 +132,7 @@ fn name(by: StateVariable) -> (&'static str, &'static str) {
     }
 }
 
-fn contact_lines(contact: &SolvedContact, lines: &mut Lines) {
+fn contact_lines(contact: &SolvedContact, damage: Option<&Damage>, lines: &mut Lines) {
     let normal = &contact.normal;
     let areas = match normal.patches().len() {
         1 => String::new(),
@@ -160,7 +162,7 @@ fn contact_lines(contact: &SolvedContact, lines: &mut Lines) {
     if let Some(power) = contact.dissipation {
         lines.row("heat per metre rolled", &quantity(power, "J/m", 5));
     }
-    if let Some(damage) = &contact.damage {
+    if let Some(damage) = damage {
         damage.lines(lines);
     }
 }

@@ -3,12 +3,12 @@
 use std::path::{Path, PathBuf};
 
 use super::case::WheelsetCase;
-use super::solved::SolvedWheelset;
+use super::report::WheelsetReport;
 use crate::error::ReportError;
 use crate::file_set::write_all;
 use crate::sources::Sources;
 
-impl SolvedWheelset {
+impl WheelsetReport {
     /// Writes `report.json`, the picture `wheelset.svg` and `.png` of the wheels on their rails,
     /// and one of each place of contact, `left_1.svg` and so on, and where `[damage]` asks for them
     /// `wear.csv` and the depth of wear, `left_1_wear.svg`, into `directory`, which is made when

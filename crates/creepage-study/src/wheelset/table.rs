@@ -1,13 +1,13 @@
 //! Contact forces of a wheelset over lateral position and yaw, for vehicle dynamics.
 
+use creepage_wheelset::{SolvedWheel, SolvedWheelset, WheelsetPose};
 use std::path::Path;
 
 use netcdf3::{DataSet, FileWriter, Version};
 use rayon::prelude::*;
 
-use super::case::{WheelsetCase, WheelsetPose};
-use super::error::{WheelsetError, section};
-use super::solved::{SolvedWheel, SolvedWheelset};
+use super::case::WheelsetCase;
+use super::error::{WheelsetFileError, section};
 use crate::error::ReportError;
 
 /// A wheelset solved at every position of a grid.
@@ -57,21 +57,24 @@ impl WheelsetTable {
     /// position: once it says no, those that are left are not solved.
     ///
     /// # Errors
-    /// [`WheelsetError`] where the case cannot be prepared or the first position of every row
+    /// [`WheelsetFileError`] where the case cannot be prepared or the first position of every row
     /// fails.
     pub fn solve(
         case: &WheelsetCase,
         y: &[f64],
         yaw: &[f64],
         goes_on: impl Fn() -> bool + Sync,
-    ) -> Result<Self, WheelsetError> {
+    ) -> Result<Self, WheelsetFileError> {
         let positions = y.len() as f64 * yaw.len() as f64;
         if positions > Self::MOST_POSITIONS {
-            return Err(WheelsetError::Positions { asked: positions, most: Self::MOST_POSITIONS });
+            return Err(WheelsetFileError::Positions {
+                asked: positions,
+                most: Self::MOST_POSITIONS,
+            });
         }
         let travel = case.travel.ok_or_else(|| section("motion", "speed"))?;
         let solver = case.solver()?;
-        let row = |yaw: &f64| -> Result<Vec<Option<Cell>>, WheelsetError> {
+        let row = |yaw: &f64| -> Result<Vec<Option<Cell>>, WheelsetFileError> {
             let mut last: Option<SolvedWheelset> = None;
             let mut failure = None;
             let cells: Vec<Option<Cell>> = y
@@ -100,7 +103,7 @@ impl WheelsetTable {
                 })
                 .collect();
             match failure {
-                Some(error) if cells.iter().all(Option::is_none) => Err(error),
+                Some(error) if cells.iter().all(Option::is_none) => Err(error.into()),
                 _ => Ok(cells),
             }
         };

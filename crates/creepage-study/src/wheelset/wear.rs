@@ -1,27 +1,26 @@
 //! Wear and fatigue of a wheelset's contacts, and the depth of wear on its profiles.
 
 use creepage::SiCreepage;
-use creepage_rail::RollingCreepage;
+use creepage_rail::{RollingCreepage, Side};
+use creepage_wheelset::{SolvedContact, SolvedWheel, side_word};
 
-use super::error::side_word;
-use super::solved::{SolvedContact, SolvedWheel, SolvedWheelset};
-use crate::damage::{DamageInput, DamageWanted, WearRow, of_elements};
+use super::report::WheelsetReport;
+use crate::damage::{Damage, DamageInput, DamageWanted, WearRow, of_elements};
 use crate::error::ReportError;
 
 const HEADER: [&str; 7] =
     ["side", "contact", "y_rail", "y_wheel", "usfd_depth", "archard_depth", "archard_zone"];
 
-impl SolvedWheelset {
+impl WheelsetReport {
     /// Computes wear and fatigue numbers of every contact by the laws that are wanted; a wheel's
     /// diameter that is not given is twice its radius.
     pub(super) fn add_damage(&mut self, wanted: &DamageWanted, radius: f64) {
         let speed = self.motion.speed.abs();
         let diameter = wanted.wheel_diameter.or(Some(2.0 * radius));
         let wanted = DamageWanted { wheel_diameter: diameter, ..*wanted };
-        for wheel in self.left.iter_mut().chain(&mut self.right) {
-            for contact in wheel.contacts_mut() {
-                contact.add_damage(&wanted, speed);
-            }
+        for wheel in self.solved.wheels() {
+            let all = wheel.contacts().iter().map(|contact| damage(contact, &wanted, speed));
+            self.damage[usize::from(wheel.side == Side::Right)] = all.collect();
         }
     }
 
@@ -32,8 +31,10 @@ impl SolvedWheelset {
         writer.write_record(HEADER)?;
         let mut has_rows = false;
         for wheel in self.wheels() {
-            for (k, contact) in wheel.contacts().iter().enumerate() {
-                for row in contact.damage.iter().flat_map(|damage| &damage.across) {
+            for (k, (contact, damage)) in
+                wheel.contacts().iter().zip(self.damage(wheel.side)).enumerate()
+            {
+                for row in &damage.across {
                     writer.write_record(record(wheel, k + 1, contact, row))?;
                     has_rows = true;
                 }
@@ -45,7 +46,7 @@ impl SolvedWheelset {
 }
 
 fn record(wheel: &SolvedWheel, k: usize, contact: &SolvedContact, row: &WearRow) -> [String; 7] {
-    let [y_rail, y_wheel] = contact.on_profiles(row.y);
+    let [y_rail, y_wheel] = on_profiles(contact, row.y);
     let number = |value: f64| format!("{value:e}");
     [
         side_word(wheel.side).to_owned(),
@@ -58,29 +59,26 @@ fn record(wheel: &SolvedWheel, k: usize, contact: &SolvedContact, row: &WearRow)
     ]
 }
 
-impl SolvedContact {
-    fn add_damage(&mut self, wanted: &DamageWanted, speed: f64) {
-        let normal = self.load();
-        let (RollingCreepage { longitudinal, lateral, spin, .. }, contact) =
-            (self.creepage, &self.normal);
-        let creepage = SiCreepage { longitudinal, lateral, spin };
-        let rows = of_elements(&self.elements(), self.scaling, normal, creepage);
-        let ground = DamageInput {
-            force: self.force,
-            creepage,
-            normal,
-            area: contact.area().value,
-            peak: contact.peak_pressure().value,
-            speed: Some(speed),
-            rows: Some(&rows),
-        };
-        self.damage = Some(crate::Damage::new(wanted, &ground, None));
-    }
+fn damage(contact: &SolvedContact, wanted: &DamageWanted, speed: f64) -> Damage {
+    let normal = contact.load();
+    let RollingCreepage { longitudinal, lateral, spin, .. } = contact.creepage;
+    let creepage = SiCreepage { longitudinal, lateral, spin };
+    let rows = of_elements(&contact.elements(), contact.scaling, normal, creepage);
+    let ground = DamageInput {
+        force: contact.force,
+        creepage,
+        normal,
+        area: contact.normal.area().value,
+        peak: contact.normal.peak_pressure().value,
+        speed: Some(speed),
+        rows: Some(&rows),
+    };
+    Damage::new(wanted, &ground, None)
+}
 
-    /// `y` in the profiles of rail and wheel (m) at the place `s` across the contact, along its
-    /// tangent: to first order, the rail's cant neglected in the slope.
-    fn on_profiles(&self, s: f64) -> [f64; 2] {
-        let along = self.side.sense() * s * self.angle.cos();
-        [self.y_rail + along, self.y_wheel + along]
-    }
+/// `y` in the profiles of rail and wheel (m) at the place `s` across the contact, along its
+/// tangent: to first order, the rail's cant neglected in the slope.
+fn on_profiles(contact: &SolvedContact, s: f64) -> [f64; 2] {
+    let along = contact.side.sense() * s * contact.angle.cos();
+    [contact.y_rail + along, contact.y_wheel + along]
 }

@@ -3,12 +3,14 @@
 //! A theory is prepared once for a [`Contact`] and asked many times: [`Theory::solve`] gives a
 //! [`Solution`], [`Theory::solved`] keeps the solved contact for further questions ([`Solved`]).
 
+mod areas;
 mod constraints;
 mod differences;
 mod facts;
 pub(crate) mod field;
 mod spec;
 
+pub use areas::AreaTheory;
 pub use constraints::{Constraints, InverseError};
 pub(crate) use differences::differences;
 pub use facts::TheoryFacts;

@@ -3,10 +3,10 @@
 use creepage::normal::Resolution;
 use creepage_map::{HEIGHTS, HeightNode, interpolated};
 use creepage_rail::{Position, Side};
+use creepage_wheelset::{PressedContacts, WheelsetSolver};
 
-use super::super::solver::{Stood, WheelsetSolver};
 use super::image::Image;
-use crate::WheelsetError;
+use creepage_wheelset::WheelsetError;
 
 /// Steps aside (m) and of roll (rad) by which it is found how roll moves a wheel.
 const STEPS: [f64; 2] = [5e-5, 1.5e-4];
@@ -23,7 +23,7 @@ struct Level {
 }
 
 impl Level {
-    fn of(image: Image, z: f64, stood: &Stood<'_>) -> Self {
+    fn of(image: Image, z: f64, stood: &PressedContacts<'_>) -> Self {
         let mut level = Self { z, load: 0.0, sideways: 0.0, place: 0.0 };
         for (contact, normal) in stood {
             let (load, (sin, cos)) = (normal.load().value, contact.angle.sin_cos());
@@ -108,7 +108,7 @@ fn level<'a>(
     solver: &WheelsetSolver<'a>,
     image: Image,
     [y, z, roll]: [f64; 3],
-    near: &mut Stood<'a>,
+    near: &mut PressedContacts<'a>,
 ) -> Result<Level, WheelsetError> {
     let position = image.track(Position { y, z, roll, yaw: 0.0 });
     let side: Side = image.side();

@@ -2,7 +2,7 @@
 
 use creepage_rail::{Position, Side, WheelsetOnTrack};
 
-use crate::WheelsetError;
+use creepage_wheelset::WheelsetError;
 
 /// A side of the track seen as a right-hand one.
 #[derive(Debug, Clone, Copy)]

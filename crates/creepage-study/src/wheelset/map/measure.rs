@@ -1,5 +1,6 @@
 //! The error of a map on states drawn afresh: each solved by the full theory.
 
+use creepage_wheelset::{Load, PitchRate, SolvedWheel, WheelsetPose, WheelsetVelocity};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use creepage_map::{CellError, ContactMap, MapAccuracy, Pressed, Spread, State, WheelAnswer};
@@ -7,8 +8,6 @@ use creepage_rail::Side;
 use rayon::prelude::*;
 
 use super::{Builder, MapBuildError, MapStage, Wheel};
-use crate::wheelset::solved::SolvedWheel;
-use crate::{Load, PitchRate, WheelsetPose, WheelsetVelocity};
 
 /// Of one fresh state.
 #[derive(Debug, Clone, Copy)]

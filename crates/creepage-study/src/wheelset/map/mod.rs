@@ -8,6 +8,9 @@ mod measure;
 mod node;
 mod refine;
 
+use creepage_wheelset::{
+    Drive, Load, PitchRate, RailFriction, RigidSlip, WheelsetError, WheelsetSolver,
+};
 use std::path::Path;
 use std::sync::Arc;
 
@@ -24,10 +27,8 @@ use rayon::prelude::*;
 use self::image::Image;
 use self::journal::Journal;
 use self::node::Place;
-use super::case::{Drive, Load, PitchRate, RigidSlip, WheelsetCase};
-use super::error::{WheelsetError, section};
-use super::friction::RailFriction;
-use super::solver::WheelsetSolver;
+use super::case::WheelsetCase;
+use super::error::{WheelsetFileError, section};
 use crate::case::CaseError;
 
 /// What map to build.
@@ -110,11 +111,11 @@ impl MapPlan {
     ///
     /// # Errors
     /// [`WheelsetError::NoLoad`] where its file has a height or nothing.
-    pub fn of(case: &WheelsetCase) -> Result<Self, WheelsetError> {
+    pub fn of(case: &WheelsetCase) -> Result<Self, WheelsetFileError> {
         match case.stance.load {
             Some(Load::Axle(load)) => Ok(Self::usual(0.5 * load)),
             Some(Load::Wheel(load)) => Ok(Self::usual(load)),
-            _ => Err(WheelsetError::NoLoad),
+            _ => Err(WheelsetError::NoLoad.into()),
         }
     }
 
@@ -177,7 +178,10 @@ pub enum MapBuildError {
     },
     /// The wheelset cannot be pressed or solved.
     #[error(transparent)]
-    Wheelset(#[from] WheelsetError),
+    Wheelset(#[from] WheelsetFileError),
+    /// The wheelset cannot be pressed or solved in a position.
+    #[error(transparent)]
+    Position(#[from] WheelsetError),
     /// The map does not take what was found.
     #[error(transparent)]
     Map(#[from] MapError),

@@ -8,8 +8,8 @@ use creepage::theory::Solved;
 use creepage::{SiCreepage, SiForce};
 use creepage_map::{Contour, Patch, Sample, Sloped, fit};
 use creepage_rail::{Contact, Position};
+use creepage_wheelset::{PressedContacts, WheelsetSolver};
 
-use super::super::solver::{Stood, WheelsetSolver};
 use super::MapBuildError;
 use super::image::Image;
 use crate::case::CaseError;
@@ -68,7 +68,7 @@ impl Place<'_> {
         solver: &WheelsetSolver<'a>,
         load: f64,
         height: f64,
-    ) -> Result<Stood<'a>, MapBuildError> {
+    ) -> Result<PressedContacts<'a>, MapBuildError> {
         const ROUNDS: usize = 5;
         const MET: f64 = 3e-3;
         let rest = self.image.touch(self.y, self.roll)?;
@@ -186,7 +186,7 @@ fn mirrored(sense: f64, [along, across, spin]: [f64; 3], [fx, fs, mz]: [f64; 3])
 }
 
 /// Vertical part of the normal forces (N).
-pub(super) fn vertical(stood: &Stood<'_>) -> f64 {
+pub(super) fn vertical(stood: &PressedContacts<'_>) -> f64 {
     stood.iter().map(|(contact, normal)| normal.load().value * contact.angle.cos()).sum()
 }
 

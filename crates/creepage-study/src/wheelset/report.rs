@@ -1,0 +1,116 @@
+//! A solved wheelset with what is said of it: cautions, wear and fatigue numbers.
+
+use std::ops::Deref;
+
+use creepage::{SiCreepage, Status};
+use creepage_rail::{RollingCreepage, Side};
+use creepage_wheelset::{SolvedContact, SolvedWheel, SolvedWheelset};
+
+use crate::{Caution, Damage};
+
+/// A solved wheelset and what is reported of it: as text, JSON, files and pictures.
+#[derive(Debug, Clone)]
+pub struct WheelsetReport {
+    /// The solution.
+    pub solved: SolvedWheelset,
+    /// Wear and fatigue numbers of each contact of the left and of the right wheel; empty where none are wanted.
+    pub(super) damage: [Vec<Damage>; 2],
+}
+
+impl From<SolvedWheelset> for WheelsetReport {
+    fn from(solved: SolvedWheelset) -> Self {
+        Self { solved, damage: [Vec::new(), Vec::new()] }
+    }
+}
+
+impl Deref for WheelsetReport {
+    type Target = SolvedWheelset;
+
+    fn deref(&self) -> &SolvedWheelset {
+        &self.solved
+    }
+}
+
+impl WheelsetReport {
+    /// Wear and fatigue numbers of the contacts of one wheel, in the order of its contacts; empty where `[damage]`
+    /// does not ask for them.
+    #[must_use]
+    pub fn damage(&self, side: Side) -> &[Damage] {
+        &self.damage[usize::from(side == Side::Right)]
+    }
+
+    /// Cautions, each with its side; of several contacts on a rough profile the most loaded one says so.
+    #[must_use]
+    pub fn cautions(&self) -> Vec<(Side, Caution)> {
+        cautions(&self.solved, |side| self.damage(side))
+    }
+
+    /// The same in words.
+    #[must_use]
+    pub fn caution_words(&self) -> Vec<String> {
+        words(&self.cautions())
+    }
+}
+
+/// Cautions of a solved wheelset, each with its side.
+#[must_use]
+pub fn wheelset_cautions(solved: &SolvedWheelset) -> Vec<(Side, Caution)> {
+    cautions(solved, |_| &[])
+}
+
+/// The same in words.
+#[must_use]
+pub fn wheelset_caution_words(solved: &SolvedWheelset) -> Vec<String> {
+    words(&wheelset_cautions(solved))
+}
+
+fn words(cautions: &[(Side, Caution)]) -> Vec<String> {
+    let words = |(side, caution): &(Side, Caution)| match side {
+        Side::Left => format!("left wheel: {caution}"),
+        Side::Right => format!("right wheel: {caution}"),
+    };
+    cautions.iter().map(words).collect()
+}
+
+fn cautions<'a>(
+    solved: &SolvedWheelset,
+    damage: impl Fn(Side) -> &'a [Damage],
+) -> Vec<(Side, Caution)> {
+    let climbs = |wheel: &SolvedWheel| Some((wheel.side, Caution::climbs(wheel.height())?));
+    let mut all: Vec<(Side, Caution)> = solved.wheels().filter_map(climbs).collect();
+    for wheel in solved.wheels() {
+        for (k, contact) in wheel.contacts().iter().enumerate() {
+            for caution in of_contact(contact, damage(wheel.side).get(k)) {
+                if !all.iter().any(|(known, said)| *known == wheel.side && said.says(&caution)) {
+                    all.push((wheel.side, caution));
+                }
+            }
+        }
+    }
+    all
+}
+
+/// Cautions of one contact.
+fn of_contact(contact: &SolvedContact, damage: Option<&Damage>) -> Vec<Caution> {
+    let RollingCreepage { longitudinal, lateral, spin, .. } = contact.creepage;
+    let creepage = SiCreepage { longitudinal, lateral, spin };
+    let kappa_over_mu = contact.normal.pair().kappa() / contact.friction;
+    let status = (contact.status != Status::Solved).then_some(Caution::Status(contact.status));
+    let slides = Caution::large_creepage(creepage).map(Caution::of_a_wheel);
+    let peak = contact.normal.peak_pressure().value;
+    let shear_yield = damage.map(|damage| peak / damage.peak_over_shear_yield);
+    let yields = Caution::yields(peak, contact.normal.pair().shear_modulus(), shear_yield);
+    let at_rest = contact.at_rest.map(|theory| Caution::ConstantFriction { theory });
+    let all = status
+        .into_iter()
+        .chain(at_rest)
+        .chain(slides)
+        .chain(yields)
+        .chain(Caution::turns(contact.turn));
+    let all = all.chain(Caution::deep(&contact.normal));
+    let all =
+        all.chain(Caution::like_bodies(kappa_over_mu)).chain(Caution::of_areas(&contact.normal));
+    // Its points across are as many as are looked up.
+    let all = all.filter(|caution| !matches!(caution, Caution::CoarseGap { .. }));
+    all.chain(contact.rough.iter().map(|rough| Caution::from(*rough))).collect()
+}

@@ -1,0 +1,170 @@
+//! A position beside one that was solved: by a coarse grid, corrected by what a fine one added there.
+
+use std::sync::Arc;
+
+use creepage::Status;
+use creepage::coulomb::Resolution;
+
+use super::WheelsetSolver;
+use super::equilibrium::settle;
+use super::normal_contact::{Pressed, PressedWheel};
+use super::predictor::nearest;
+use super::tangential::{Method, Rolled, Rolling, TractionWarmStart};
+use crate::correction::{Correction, difference};
+use crate::solved::{SolvedContact, SolvedWheel, SolvedWheelset};
+use crate::warm_start::PredictorCorrection;
+use crate::{WheelsetError, WheelsetPose, WheelsetVelocity};
+use creepage::theory::AreaTheory;
+
+const COARSE: Method = Method::Exact(Resolution::COARSE);
+/// Shift (m) and yaw (rad) of a step that is followed: over longer ones friction changes too much.
+const NEAR: [f64; 2] = [2.001e-5, 2.001e-4];
+
+impl<'a> WheelsetSolver<'a> {
+    /// As [`WheelsetSolver::next`], two to three times quicker along walks in steps up to 20 um and 0.2 mrad.
+    ///
+    /// The full theory on a coarse grid, corrected by what a fine one added at a position before, which changes
+    /// slowly. Error bars grow by what it may have changed since; where that is half of the larger one, or the step is
+    /// longer, the fine grid is solved as by [`WheelsetSolver::next`]. Forces differ from those by a twentieth of
+    /// the error bars in the median, by less than half in 99 of 100 positions; heat, which has no error bar, by some
+    /// thousandths. [`SolvedContact::elements`] are those of the coarse grid.
+    ///
+    /// ```
+    /// use creepage_study::{Stance, WheelsetFile};
+    /// let case = WheelsetFile::read("
+    /// wheel = { profile = 'S1002', radius = 0.46 }
+    /// rail = { profile = 'UIC60', cant = 0.025 }
+    /// track = { gauge = 1.435, gauge_height = 0.014 }
+    /// wheelset = { back_to_back = 1.36, y = 0.001, yaw = 0.0, roll = 'free', axle_load = 200e3 }
+    /// motion = { speed = 30.0, pitch_rate = 'free' }
+    /// contact = { friction = 0.3 }
+    /// materials = { shear_modulus = 82e9, poisson = 0.28 }
+    /// ")?.case(std::path::Path::new(""))?;
+    /// let (solver, travel) = (case.solver()?, case.travel.unwrap());
+    /// let mut solved = solver.solve(&case.stance, &travel)?;
+    /// for step in 1..5 {
+    ///     let stance = Stance { y: 0.001 + 1e-5 * f64::from(step), ..case.stance };
+    ///     solved = solver.follow(&solved, &stance, &travel)?;
+    /// }
+    /// let carried: f64 = solved.wheels().map(|wheel| wheel.on_rail().force[2]).sum();
+    /// assert!((carried - 200e3).abs() < 20.0); // newtons
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`WheelsetSolver::solve`].
+    pub fn follow(
+        &self,
+        before: &SolvedWheelset,
+        stance: &WheelsetPose,
+        travel: &WheelsetVelocity,
+    ) -> Result<SolvedWheelset, WheelsetError> {
+        if travel.is_backward() || before.is_reversed {
+            return self.next(before, stance, travel);
+        }
+        match self.followed(before, stance, travel) {
+            Some(solved) => Ok(solved),
+            None => self.next(before, stance, travel),
+        }
+    }
+
+    /// `None` where that fails or is too uncertain.
+    fn followed(
+        &self,
+        before: &SolvedWheelset,
+        stance: &WheelsetPose,
+        travel: &WheelsetVelocity,
+    ) -> Option<SolvedWheelset> {
+        let contacts = || before.wheels().flat_map(SolvedWheel::contacts);
+        let (from, to) = (before.shift_and_yaw(), [stance.y, stance.yaw]);
+        let is_near = (0..2).all(|k| (to[k] - from[k]).abs() < NEAR[k]);
+        let will_hold = |own: &SolvedContact| {
+            own.correction.as_ref().is_none_or(|correction| {
+                correction.holds(&own.solution, correction.times(from, to, NEAR))
+            })
+        };
+        if !matches!(self.theory, AreaTheory::Exact(_)) || !is_near || !contacts().all(will_hold) {
+            return None;
+        }
+        let (mut start, expected) = match self.beside(before, stance) {
+            Some((start, expected)) => (start, Some(expected)),
+            None => (self.after(before), None),
+        };
+        let known: Option<Vec<_>> = contacts().map(TractionWarmStart::of_coarse_grid).collect();
+        start.friction = known.or_else(|| self.corrections(before))?;
+        let mut solved = settle(self, (stance, travel, stance.load?), start, COARSE).ok()?;
+        let is_accurate = self.rolling.len() == 1 || solved.worst_error() <= self.accuracy;
+        if !is_accurate || !solved.wheels().flat_map(SolvedWheel::contacts).all(holds) {
+            return None;
+        }
+        solved.drift =
+            expected.map(|expected| PredictorCorrection::new(&expected, before, &solved, stance));
+        Some(solved)
+    }
+
+    /// Friction by the coarse grid where the fine one was solved, with what that adds.
+    fn corrections(&self, before: &SolvedWheelset) -> Option<Vec<TractionWarmStart>> {
+        let wheels = before.wheels().map(|wheel| self.as_pressed(wheel));
+        let wheels: Vec<PressedWheel<'a>> = wheels.collect::<Option<_>>()?;
+        let rollings = Rolling::all(&wheels, self, before.motion.speed, (COARSE, &[])).ok()?;
+        let own = before.wheels().flat_map(SolvedWheel::contacts);
+        let corrected = |(rolling, own): (&Rolling<'_, '_>, &SolvedContact)| {
+            let wheel = before.wheels().find(|wheel| wheel.side == rolling.wheel.side)?;
+            let rolled = rolling.roll(&before.motion_of(wheel), None).ok()?;
+            let mut known = TractionWarmStart::of_rolled(&rolling.pressed.contact, &rolled)?;
+            let correction = correction(own, before.shift_and_yaw(), &rolled, rolling.elements())?;
+            known.correction = Some(Arc::new(correction));
+            Some(known)
+        };
+        rollings.iter().zip(own).map(corrected).collect()
+    }
+
+    /// A solved wheel as it was pressed.
+    fn as_pressed(&self, wheel: &SolvedWheel) -> Option<PressedWheel<'a>> {
+        let SolvedWheel { side, position, depth, .. } = *wheel;
+        let running = self.press.running;
+        let contacts = running.contacts_of(side, &position).ok()?;
+        let pressed = |own: &SolvedContact| {
+            let contact = *nearest(own, &contacts)?;
+            Some(Pressed { contact, normal: own.normal.clone() })
+        };
+        let contacts = wheel.contacts().iter().map(pressed).collect::<Option<_>>()?;
+        let radius = running.wheelset().radius();
+        Some(PressedWheel { side, position, radius, depth, contacts })
+    }
+}
+
+/// What a fine grid added to a coarse one; `None` where that has no error bars.
+fn correction(
+    fine: &SolvedContact,
+    at: [f64; 2],
+    rolled: &Rolled<'_>,
+    elements: usize,
+) -> Option<Correction> {
+    let SolvedContact { solution, scaling, dissipation, .. } = fine;
+    let coarse = rolled.solution;
+    Some(Correction {
+        at,
+        elements,
+        coarse,
+        force: difference(solution.force, coarse.force),
+        power: (*dissipation)? / (scaling.force * scaling.slip) - rolled.power?,
+        error: solution.error?,
+        tractions: Arc::clone(fine.tractions()?),
+    })
+}
+
+/// Whether a contact that was followed has as many elements as there were, and its correction holds.
+fn holds(own: &SolvedContact) -> bool {
+    let holds = |correction: &Arc<Correction>| {
+        own.elements().len() == correction.elements && correction.holds(&own.solution, 1.0)
+    };
+    own.status == Status::Solved && own.correction.as_ref().is_some_and(holds)
+}
+
+impl SolvedWheelset {
+    fn shift_and_yaw(&self) -> [f64; 2] {
+        let position = self.position();
+        [position.y, position.yaw]
+    }
+}

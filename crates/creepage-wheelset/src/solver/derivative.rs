@@ -1,0 +1,78 @@
+//! Derivatives of the forces on both rails, with what the wheelset finds for itself following.
+
+use creepage_rail::Side;
+
+use super::implicit_derivative::{Found, WheelJacobians};
+use super::pose_derivative::{LoadJacobian, Standing, WheelLoads};
+use super::tangential::Method;
+use super::{Start, WheelsetSolver};
+use crate::derivatives::{Row, WheelsetDerivatives};
+use crate::solved::SolvedWheelset;
+use crate::{ForceDerivative, StateVariable, WheelsetError, WheelsetPose, WheelsetVelocity};
+
+impl WheelsetSolver<'_> {
+    /// Derivatives of the forces on the rails where the wheelset was solved, by what `stance` and
+    /// `travel` give of its position and motion: those that it was solved with. With
+    /// `resolution = "auto"` they are those of the fast one.
+    ///
+    /// # Errors
+    /// [`WheelsetError`] where a position next to it has no contacts that can be solved, or what
+    /// is found does not follow what is given.
+    pub fn derivatives(
+        &self,
+        solved: &SolvedWheelset,
+        stance: &WheelsetPose,
+        travel: &WheelsetVelocity,
+    ) -> Result<WheelsetDerivatives, WheelsetError> {
+        if travel.is_backward() {
+            let (stance, travel) = (stance.fore_and_aft(), travel.fore_and_aft());
+            let forward = self.derivatives(&solved.clone().fore_and_aft(), &stance, &travel)?;
+            return Ok(forward.fore_and_aft());
+        }
+        let found = Found::of(stance, travel)?;
+        let [near, far] = self.partials(solved)?;
+        let [near, far] = [found.total(&near)?, found.total(&far)?];
+        let row = |index: usize| -> Row {
+            StateVariable::ALL.map(|by| {
+                let column =
+                    |pair: &WheelJacobians| -> WheelLoads { pair[index].column(by.index()).into() };
+                (!found.has(by)).then(|| derivative(column(&near), column(&far)))
+            })
+        };
+        Ok(WheelsetDerivatives {
+            left: solved.left.as_ref().map(|_| row(0)),
+            right: solved.right.as_ref().map(|_| row(1)),
+        })
+    }
+
+    /// With all else held, by the step and by twice the step.
+    fn partials(&self, solved: &SolvedWheelset) -> Result<[WheelJacobians; 2], WheelsetError> {
+        let method = *self.rolling.first().unwrap_or(&Method::STANDARD);
+        let known = Start::after(solved).fine;
+        let mut pairs = [[LoadJacobian::zeros(); 2]; 2];
+        for wheel in solved.wheels() {
+            let standing = Standing {
+                solver: self,
+                wheel,
+                known: &known,
+                motion: solved.motion_of(wheel),
+                method,
+            };
+            for (pair, partial) in pairs.iter_mut().zip(standing.partials()?) {
+                pair[usize::from(wheel.side == Side::Right)] = partial;
+            }
+        }
+        Ok(pairs)
+    }
+}
+
+fn derivative(near: WheelLoads, far: WheelLoads) -> ForceDerivative {
+    let error = (near - far).abs();
+    let three = |from: &WheelLoads, first: usize| [0, 1, 2].map(|i| from[first + i]);
+    ForceDerivative {
+        force: three(&near, 0),
+        force_error: three(&error, 0),
+        moment: three(&near, 3),
+        moment_error: three(&error, 3),
+    }
+}

@@ -1,0 +1,265 @@
+//! One wheel pressed on its rail: its contacts and the pressure in each.
+
+use creepage::SolidPair;
+use creepage::gap::{Gap, Rolling};
+use creepage::normal::{self, NormalContact, NormalError};
+use creepage_rail::{Contact, Position, Side, WheelsetOnTrack};
+
+use super::cross_patch;
+use crate::WheelsetError;
+use crate::pose::Patches;
+use crate::warm_start::LateralForceRatios;
+
+/// Places across a contact at which the undeformed bodies are looked up.
+const PLACES: usize = 161;
+/// How far beyond the overlap they reach, over its width.
+const MARGIN: f64 = 0.05;
+
+/// A place of contact with its pressure.
+#[derive(Debug, Clone)]
+pub(crate) struct Pressed<'a> {
+    pub(crate) contact: Contact<'a>,
+    pub(crate) normal: NormalContact,
+}
+
+/// A wheel at a height, with its contacts.
+#[derive(Debug, Clone)]
+pub(crate) struct PressedWheel<'a> {
+    pub(crate) side: Side,
+    pub(crate) position: Position,
+    /// Height of the axle over the track at `z = 0` (m).
+    pub(crate) radius: f64,
+    /// How far it was brought down from first touch to carry its load (m); zero where its height
+    /// was given.
+    pub(crate) depth: f64,
+    pub(crate) contacts: Vec<Pressed<'a>>,
+}
+
+/// The pressure of a contact in a position close by, from which others are found quickly.
+#[derive(Debug, Clone)]
+pub(crate) struct PatchWarmStart {
+    side: Side,
+    y_rail: f64,
+    normal: NormalContact,
+}
+
+impl PatchWarmStart {
+    pub(crate) fn new(side: Side, y_rail: f64, normal: &NormalContact) -> Self {
+        Self { side, y_rail, normal: normal.clone() }
+    }
+
+    /// Those of some wheels.
+    pub(crate) fn of(wheels: &[PressedWheel<'_>]) -> Vec<Self> {
+        let contacts = wheels.iter().flat_map(|wheel| &wheel.contacts);
+        contacts.map(|one| Self::new(one.contact.side, one.contact.y_rail, &one.normal)).collect()
+    }
+
+    /// The one next to a place on a rail.
+    pub(crate) fn next_to(side: Side, y_rail: f64, all: &[Self]) -> Option<&NormalContact> {
+        let own = all.iter().filter(|known| known.side == side);
+        let distance = |known: &Self| (known.y_rail - y_rail).abs();
+        own.min_by(|a, b| distance(a).total_cmp(&distance(b))).map(|known| &known.normal)
+    }
+
+    /// Has its areas' sides moved as they drift.
+    pub(crate) fn drift(&mut self, beyond: &[[f64; 2]], times: f64) {
+        self.normal = self.normal.with_sides_moved(beyond, times);
+    }
+}
+
+/// What pressing needs to know besides the position.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct NormalSolver<'a> {
+    pub(crate) running: &'a WheelsetOnTrack,
+    pub(crate) pair: SolidPair,
+    pub(crate) resolution: normal::Resolution,
+    /// Whether areas in planes of their own feel each other.
+    pub(crate) patches: Patches,
+    /// Whether it is enough to follow a pressure known close by, without error bars of its own.
+    pub(crate) follows: bool,
+}
+
+impl<'a> NormalSolver<'a> {
+    /// One wheel in a position, from what is known close by; without contacts where it hangs above
+    /// its rail.
+    ///
+    /// Contacts in one plane are one system; those in planes of their own feel each other as
+    /// [`apart`] has it.
+    pub(crate) fn wheel(
+        &self,
+        side: Side,
+        position: Position,
+        known: &[PatchWarmStart],
+    ) -> Result<PressedWheel<'a>, WheelsetError> {
+        let geometry = |source| WheelsetError::Position { side, source };
+        let contacts = self.running.contacts_of(side, &position).map_err(geometry)?;
+        let near = |contact: &Contact<'a>| {
+            PatchWarmStart::next_to(contact.side, contact.y_rail, known).cloned()
+        };
+        let mut pressed: Vec<CrossPatch<'a>> =
+            contacts.into_iter().map(|contact| CrossPatch::new(contact, near(&contact))).collect();
+        self.press_beside(&mut pressed)?;
+        let radius = self.running.wheelset().radius();
+        let contacts = pressed.into_iter().filter_map(CrossPatch::pressed).collect();
+        Ok(PressedWheel { side, position, radius, depth: 0.0, contacts })
+    }
+
+    /// Presses each contact under the load of the others until nothing changes.
+    fn press_beside(&self, all: &mut [CrossPatch<'a>]) -> Result<(), WheelsetError> {
+        const ROUNDS: usize = 16;
+        const SETTLED: f64 = 1e-6;
+        /// So little more or less from the others changes no error bar.
+        const SLIGHT: f64 = 1e-3;
+        for _ in 0..ROUNDS {
+            let mut is_settled = true;
+            for i in 0..all.len() {
+                let mut others = cross_patch::PointLoads::default();
+                let is_apart = self.patches == Patches::Apart;
+                for (_, other) in all.iter().enumerate().filter(|(j, _)| *j != i && !is_apart) {
+                    other.normal.iter().for_each(|normal| others.add(&other.contact, normal));
+                }
+                let Some(own) = all.get_mut(i) else { continue };
+                let change =
+                    own.load_of_others.map_or(f64::INFINITY, |load| (load - others.total).abs());
+                let load = own.load().max(others.total);
+                if change > SETTLED * load {
+                    let press =
+                        NormalSolver { follows: self.follows || change < SLIGHT * load, ..*self };
+                    own.normal = press.pressed(&own.contact, &others, own.normal.as_ref())?;
+                    own.load_of_others = Some(others.total);
+                    is_settled = false;
+                }
+            }
+            if is_settled {
+                break;
+            }
+        }
+        Ok(())
+    }
+
+    /// A contact under the loads of others; `None` where these, or its own smallness, leave no
+    /// pressure.
+    fn pressed(
+        &self,
+        contact: &Contact<'a>,
+        others: &cross_patch::PointLoads,
+        near: Option<&NormalContact>,
+    ) -> Result<Option<NormalContact>, WheelsetError> {
+        let side = contact.side;
+        let gap = gap(contact, |s, x| others.deflection(contact, [x, s]));
+        let gap = gap.map_err(|source| WheelsetError::Shape { side, source })?;
+        let approach = contact.approach;
+        let followed = near.filter(|_| self.follows).and_then(|near| near.follow(&gap, approach));
+        let normal = match (followed, near) {
+            (Some(followed), _) if followed.keeps_error_bars() => Ok(followed),
+            (Some(followed), _) => followed.next(&gap, approach, self.resolution),
+            (None, Some(near)) if !self.follows => near.next(&gap, approach, self.resolution),
+            // What cannot be followed is no start.
+            (None, _) => NormalContact::at_approach(&gap, self.pair, approach, self.resolution),
+        };
+        match normal {
+            Ok(normal) => Ok(Some(normal)),
+            Err(NormalError::NoContact { .. }) => Ok(None),
+            Err(source) => Err(WheelsetError::Pressure { side, source }),
+        }
+    }
+}
+
+/// A contact among others, as far as it is known.
+struct CrossPatch<'a> {
+    contact: Contact<'a>,
+    /// The pressure; at first that of a position close by.
+    normal: Option<NormalContact>,
+    /// The load of the others (N) under which it was found, once it was.
+    load_of_others: Option<f64>,
+}
+
+impl<'a> CrossPatch<'a> {
+    fn new(contact: Contact<'a>, near: Option<NormalContact>) -> Self {
+        Self { contact, normal: near, load_of_others: None }
+    }
+
+    fn load(&self) -> f64 {
+        self.normal.as_ref().map_or(0.0, |normal| normal.load().value)
+    }
+
+    fn pressed(self) -> Option<Pressed<'a>> {
+        let Self { contact, normal, .. } = self;
+        normal.map(|normal| Pressed { contact, normal })
+    }
+}
+
+/// The undeformed distance over the plane of a contact, opened by `more` at `(s, x)`.
+fn gap(
+    contact: &Contact<'_>,
+    more: impl Fn(f64, f64) -> f64,
+) -> Result<Gap, creepage::gap::GapError> {
+    let section = contact.section(PLACES, MARGIN);
+    let column = |value: fn(&creepage_rail::Across) -> f64| section.iter().map(value).collect();
+    let [s, radius, locus]: [Vec<f64>; 3] =
+        [column(|a| a.s), column(|a| a.rolling_radius), column(|a| a.x)];
+    let gap: Vec<f64> = section.iter().map(|a| a.gap + more(a.s, a.x)).collect();
+    Gap::section(&s, &gap, Rolling::Varying { radius: &radius, locus: &locus })
+}
+
+impl Pressed<'_> {
+    pub(crate) fn load(&self) -> f64 {
+        self.normal.load().value
+    }
+
+    fn vertical_ratio(&self, share: f64) -> f64 {
+        vertical_ratio(self.contact.angle, share)
+    }
+}
+
+/// Vertical part of a contact's force on the rail over its load, for a lateral force of `share` times
+/// the load.
+pub(crate) fn vertical_ratio(angle: f64, share: f64) -> f64 {
+    let (sin, cos) = angle.sin_cos();
+    cos + share * sin
+}
+
+/// How much nearer a contact comes when the wheelset rolls about its centre (m/rad).
+pub(crate) fn roll_lever(contact: &Contact<'_>, centre: [f64; 2]) -> f64 {
+    let (sin, cos) = contact.angle.sin_cos();
+    let [_, y, z] = contact.reference;
+    (y - centre[0]) * cos + (z - centre[1]) * sin
+}
+
+impl PressedWheel<'_> {
+    /// Force on the rail along the track's `z` (N).
+    pub(crate) fn vertical(&self, shares: &LateralForceRatios) -> f64 {
+        self.contacts
+            .iter()
+            .map(|one| one.load() * one.vertical_ratio(shares.of(&one.contact)))
+            .sum()
+    }
+
+    /// The same (N) as expected of a finer solution.
+    pub(crate) fn expected(&self, shares: &LateralForceRatios) -> f64 {
+        shares.scale(self.side) * self.vertical(shares)
+    }
+
+    /// Change of the expected force (N/m) when the wheelset goes down.
+    pub(crate) fn stiffness(&self, shares: &LateralForceRatios) -> f64 {
+        self.change(shares, |contact| contact.angle.cos())
+    }
+
+    /// Change of the expected force (N/rad) when the wheelset rolls about its centre: on a flange
+    /// the sideways part of that counts as much as the fall.
+    pub(crate) fn stiffness_by_roll(&self, shares: &LateralForceRatios) -> f64 {
+        let Position { y, z, .. } = self.position;
+        let centre = [y, z - self.radius];
+        self.change(shares, |contact| roll_lever(contact, centre))
+    }
+
+    /// Change of the expected force when every contact comes nearer by `approach`.
+    fn change(&self, shares: &LateralForceRatios, approach: impl Fn(&Contact<'_>) -> f64) -> f64 {
+        let of = |one: &Pressed<'_>| {
+            one.normal.stiffness()
+                * approach(&one.contact)
+                * one.vertical_ratio(shares.of(&one.contact))
+        };
+        shares.scale(self.side) * self.contacts.iter().map(of).sum::<f64>()
+    }
+}

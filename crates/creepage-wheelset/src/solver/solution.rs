@@ -1,0 +1,156 @@
+//! What was pressed and rolled, as a solved wheelset keeps it.
+
+use std::sync::Arc;
+
+use creepage::Force;
+use creepage::normal::NormalContact;
+use creepage_rail::{Contact, Motion, Side, WheelsetOnTrack};
+
+use super::WheelsetSolver;
+use super::normal_contact::{Pressed, PressedWheel};
+use super::step::Place;
+use super::tangential::{Answer, Rolled, Rolling, Turning};
+use crate::WheelsetVelocity;
+use crate::field::{Field, March};
+use crate::pose::PitchRate;
+use crate::rough;
+use crate::solved::{SolvedContact, SolvedWheel, SolvedWheelset};
+
+impl WheelsetSolver<'_> {
+    /// Wheels in their places, with contacts that rolled.
+    pub(crate) fn solved(
+        &self,
+        (places, wheels): (&[Place], &[PressedWheel<'_>]),
+        rollings: &[Rolling<'_, '_>],
+        turning: &Turning<'_>,
+        travel: &WheelsetVelocity,
+    ) -> SolvedWheelset {
+        let solved = |(place, wheel): (&Place, &PressedWheel<'_>)| {
+            let all = rollings.iter().zip(&turning.rolled);
+            let own = all.filter(|(rolling, _)| rolling.wheel.side == wheel.side);
+            let contacts = own.map(|(one, rolled)| SolvedContact::new(one.pressed, rolled));
+            let motion = turning.motions[usize::from(wheel.side == Side::Right)];
+            let contacts = contacts.collect();
+            SolvedWheel::new(wheel, (place.by(), motion.pitch_rate), self.press.running, contacts)
+        };
+        let wheels = places.iter().zip(wheels).map(solved).collect();
+        self.whole(wheels, turning, travel)
+    }
+
+    fn whole(
+        &self,
+        wheels: Vec<SolvedWheel>,
+        turning: &Turning<'_>,
+        travel: &WheelsetVelocity,
+    ) -> SolvedWheelset {
+        let [on_left, on_right] = turning.motions;
+        let pitch_rate = on_left.pitch_rate.midpoint(on_right.pitch_rate);
+        let [left, right] = &self.friction;
+        let mut solved = SolvedWheelset {
+            left: None,
+            right: None,
+            motion: Motion { pitch_rate, ..on_left },
+            is_independent: matches!(travel.pitch, PitchRate::Independent(_)),
+            is_reversed: false,
+            friction: left.largest().max(right.largest()),
+            slip: self.slip,
+            theory: self.theory,
+            derivatives: None,
+            radius: self.press.running.wheelset().radius(),
+            pitch: turning.pitch,
+            drift: None,
+        };
+        for wheel in wheels {
+            match wheel.side {
+                Side::Left => solved.left = Some(wheel),
+                Side::Right => solved.right = Some(wheel),
+            }
+        }
+        solved
+    }
+}
+
+impl SolvedWheel {
+    fn new(
+        wheel: &PressedWheel<'_>,
+        (by, pitch_rate): (Option<[f64; 2]>, f64),
+        running: &WheelsetOnTrack,
+        mut contacts: Vec<SolvedContact>,
+    ) -> Self {
+        let PressedWheel { side, position, depth, .. } = *wheel;
+        let [y, z] = running.track().rail(side).origin();
+        contacts.sort_by(|a, b| b.load().total_cmp(&a.load()));
+        let rail_origin = [0.0, side.sense() * y, z];
+        let clearance = if contacts.is_empty() {
+            let touch = running.touch(side, position.y, position.roll, position.yaw);
+            touch.ok().map(|touch| (touch.z - position.z).max(0.0))
+        } else {
+            None
+        };
+        let deflection = None;
+        Self { side, position, pitch_rate, clearance, deflection, depth, by, rail_origin, contacts }
+    }
+}
+
+impl SolvedContact {
+    fn new(pressed: &Pressed<'_>, rolled: &Rolled<'_>) -> Self {
+        let (contact, scaling) = (&pressed.contact, rolled.scaling);
+        let solution = rolled.solution;
+        let load = pressed.normal.load();
+        // The load's error bar makes the force err in proportion.
+        let part = load.error / load.value;
+        let force = solution.force;
+        let heat = scaling.force * scaling.slip;
+        Self {
+            side: contact.side,
+            reference: contact.reference,
+            angle: contact.angle,
+            y_rail: contact.y_rail,
+            y_wheel: contact.y_wheel,
+            normal: pressed.normal.clone(),
+            load_error: load.error,
+            creepage: rolled.creepage,
+            force: rolled.force,
+            force_error: solution.error.map(|error| {
+                scaling.si_force(Force {
+                    fx: error.fx + part * force.fx.abs(),
+                    fy: error.fy + part * force.fy.abs(),
+                    mz: error.mz + part * force.mz.abs(),
+                })
+            }),
+            status: solution.status,
+            dissipation: rolled.power.map(|power| heat * power),
+            scaling,
+            solution,
+            correction: rolled.correction.clone(),
+            field: Field::of(rolled),
+            is_reversed: false,
+            friction: rolled.friction,
+            at_rest: rolled.at_rest,
+            turn: turn(contact, &pressed.normal),
+            rough: rough::of_contact(contact, &pressed.normal),
+        }
+    }
+}
+
+/// By how much the rail's surface turns from one side of the pressed areas to the other (rad).
+fn turn(contact: &Contact<'_>, normal: &NormalContact) -> f64 {
+    let ends = normal.patches().iter().flat_map(|patch| patch.extent().y);
+    let tilts = ends.filter_map(|s| Some(contact.at(s)?.tilt));
+    let [low, high] = tilts.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], tilt| {
+        [low.min(tilt), high.max(tilt)]
+    });
+    (high - low).max(0.0)
+}
+
+impl Field {
+    fn of(rolled: &Rolled<'_>) -> Self {
+        match &rolled.solved {
+            Answer::Exact(solved) => Self::Exact(solved.elements(), Arc::new(solved.tractions())),
+            Answer::Simplified(_, theory) => {
+                let (theory, motion) = (Arc::clone(theory), rolled.motion.clone());
+                Self::Simplified(Box::new(March { theory, motion }))
+            }
+        }
+    }
+}

@@ -1,0 +1,28 @@
+//! A wheel pressed on its rail without rolling: what a contact map is built of.
+
+use creepage::normal::{NormalContact, Resolution};
+use creepage_rail::{Contact, Position, Side};
+
+use super::WheelsetSolver;
+use super::normal_contact::{NormalSolver, PatchWarmStart};
+use crate::WheelsetError;
+
+/// The contacts of a wheel with their pressures.
+pub type PressedContacts<'a> = Vec<(Contact<'a>, NormalContact)>;
+
+impl<'a> WheelsetSolver<'a> {
+    /// One wheel in a position, from its contacts in one nearby; without contacts where it hangs above its rail.
+    pub fn stand(
+        &self,
+        (side, position): (Side, Position),
+        resolution: Resolution,
+        near: &[(Contact<'_>, NormalContact)],
+    ) -> Result<PressedContacts<'a>, WheelsetError> {
+        let known =
+            near.iter().map(|(contact, normal)| PatchWarmStart::new(side, contact.y_rail, normal));
+        let press = NormalSolver { resolution, follows: false, ..self.press };
+        let wheel = press.wheel(side, position, &known.collect::<Vec<_>>())?;
+        let contacts = wheel.contacts.into_iter();
+        Ok(contacts.map(|pressed| (pressed.contact, pressed.normal)).collect())
+    }
+}

@@ -1,0 +1,103 @@
+//! What a solved position tells of those nearby: the pitch rate, how loads share out, how it drifted.
+
+use creepage_rail::{Contact, Side};
+
+/// A pitch rate nearby, closer to balance than the one rolled with, and how the moment about the axle rises
+/// with it (N m s/rad).
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(crate) struct PitchState {
+    pub(crate) rate: Option<f64>,
+    pub(crate) slope: Option<f64>,
+}
+
+/// By how much a wheelset came to stand and turn otherwise than was expected from the position before: what
+/// pressing and rolling change as the contacts go along the profiles. A next step in the same
+/// direction drifts by as much in proportion.
+#[derive(Debug, Clone)]
+pub(crate) struct PredictorCorrection {
+    /// The step in shift and yaw, over what is near.
+    pub(crate) step: [f64; 2],
+    /// Lower (m) and rolled (rad) by so much, each wheel.
+    pub(crate) by: Vec<[f64; 2]>,
+    /// By how much faster the left and the right wheel turn (rad/s).
+    pub(crate) faster: [f64; 2],
+    /// By how much more friction pushes each contact aside.
+    pub(crate) shares: LateralForceRatios,
+    /// By how much the areas of each contact, in the wheelset's order, reach further out on both sides (m).
+    pub(crate) sides: Vec<Vec<[f64; 2]>>,
+}
+
+/// What is known of the vertical loads from a position that was solved before.
+#[derive(Debug, Clone)]
+pub(crate) struct LateralForceRatios {
+    /// Lateral force over load of contacts by their place on the rail: what friction adds.
+    lateral: Vec<(Side, f64, f64)>,
+    /// Vertical force over what a coarse solution has, left and right.
+    scale: [f64; 2],
+}
+
+impl Default for LateralForceRatios {
+    fn default() -> Self {
+        Self { lateral: Vec::new(), scale: [1.0; 2] }
+    }
+}
+
+impl LateralForceRatios {
+    /// Whether nothing is known of friction.
+    pub(crate) fn is_empty(&self) -> bool {
+        self.lateral.is_empty()
+    }
+
+    /// Remembers a contact by its place on the rail.
+    pub(crate) fn push(&mut self, side: Side, y_rail: f64, share: f64) {
+        self.lateral.push((side, y_rail, share));
+    }
+
+    /// Adds to each contact's share so many times that of another.
+    pub(crate) fn add_times(&mut self, times: f64, other: &Self) {
+        for (side, y_rail, share) in &mut self.lateral {
+            *share += times * other.near(*side, *y_rail);
+        }
+    }
+
+    /// Remembers how much a wheel carries over what it carries in a coarse solution.
+    pub(crate) fn set_scale(&mut self, side: Side, scale: f64) {
+        if scale > 0.0 && scale.is_finite() {
+            self.scale[usize::from(side == Side::Right)] = scale;
+        }
+    }
+
+    /// The same for fine solutions.
+    pub(crate) fn of_fine(&self) -> Self {
+        Self { scale: [1.0; 2], ..self.clone() }
+    }
+
+    /// Takes the scale of another.
+    pub(crate) fn scaled_as(&mut self, other: &Self) {
+        self.scale = other.scale;
+    }
+
+    /// Takes the mean with another.
+    pub(crate) fn halfway_from(&mut self, other: &Self) {
+        for (side, y_rail, share) in &mut self.lateral {
+            *share = share.midpoint(other.near(*side, *y_rail));
+        }
+    }
+
+    /// How much more a wheel carries than in a coarse solution.
+    pub(crate) fn scale(&self, side: Side) -> f64 {
+        self.scale[usize::from(side == Side::Right)]
+    }
+
+    /// Lateral force over load of a contact.
+    pub(crate) fn of(&self, contact: &Contact<'_>) -> f64 {
+        self.near(contact.side, contact.y_rail)
+    }
+
+    /// That of the contact nearest on the rail; nothing where none is known.
+    fn near(&self, side: Side, y_rail: f64) -> f64 {
+        let own = self.lateral.iter().filter(|known| known.0 == side);
+        let distance = |y: f64| (y - y_rail).abs();
+        own.min_by(|a, b| distance(a.1).total_cmp(&distance(b.1))).map_or(0.0, |&(.., share)| share)
+    }
+}
