@@ -170,18 +170,35 @@ class Wheelset(FromFile):
     def _poisson(self) -> float:
         return self._data.poisson()
 
-    def table(self, y: ArrayLike, yaw: ArrayLike = 0.0) -> dict[str, Floats]:
-        """Forces over lateral positions (m) and yaws (rad), solved on all cores.
+    def table(
+        self,
+        y: ArrayLike,
+        yaw: ArrayLike = 0.0,
+        *,
+        roll: ArrayLike | None = None,
+        z: ArrayLike | None = None,
+        axle_load: ArrayLike | None = None,
+    ) -> dict[str, Floats]:
+        """Forces over lateral positions (m), yaws (rad), and where they are given rolls (rad), heights (m)
+        or axle loads (N), solved on all cores.
 
-        Arrays of shape (yaw, y) by the names of `creepage wheelset --table`, such as
-        `left_lateral_n`; NaN where a position could not be solved.
+        Arrays of shape (axle_load, z, roll, yaw, y), of those that are given, by the names of
+        `creepage wheelset --table`, such as `left_lateral_n`; those of the three most loaded places of contact,
+        such as `left_contact_area_m2`, have a last axis of length 3 more. NaN where a position could not be
+        solved or there are fewer contacts.
         """
-        places, turns = (
-            np.atleast_1d(floats(name, values)) for name, values in (("y", y), ("yaw", yaw))
-        )
-        columns = self._data.table(places, turns)
-        shape = (turns.size, places.size)
-        return {name: column.reshape(shape) for name, column in columns.items()}
+        given = {"axle_load": axle_load, "z": z, "roll": roll, "yaw": yaw, "y": y}
+        axes = {
+            name: np.atleast_1d(floats(name, values)).ravel()
+            for name, values in given.items()
+            if values is not None
+        }
+        columns = self._data.table([(name, values.tolist()) for name, values in axes.items()])
+        shape = tuple(values.size for values in axes.values())
+        return {
+            name: column.reshape((*shape, 3) if "_contact_" in name else shape)
+            for name, column in columns.items()
+        }
 
     def radius_difference(self, *, roll: bool = False) -> tuple[Floats, Floats]:
         """(y, right wheel's rolling radius less the left's), both in metres, as far as contact

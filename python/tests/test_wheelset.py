@@ -60,6 +60,28 @@ def test_a_table_is_the_forces_at_its_places() -> None:
     assert table["right_lateral_n"][0, 1] == pytest.approx(force, abs=1e-3 * 0.3 * 100e3)
 
 
+def test_a_table_goes_over_loads_and_has_every_contact() -> None:
+    wheelset = s1002(axle_load=200e3, theory="fastsim")
+    table = wheelset.table(y=[0.0, 5.5e-3], axle_load=[100e3, 200e3])
+    assert table["left_vertical_n"].shape == (2, 1, 2)
+    # Half of the axle load on each rail, to what loads are met.
+    assert table["left_vertical_n"][:, 0, 0] == pytest.approx([50e3, 100e3], rel=2e-4)
+    loads = table["right_contact_normal_force_n"]
+    assert loads.shape == (2, 1, 2, 3)
+    # As many as there are, by falling load; the first is what the wheel's own columns have.
+    assert (np.isfinite(loads).sum(axis=-1) == table["right_contacts"]).all()
+    assert (loads[..., 0] == table["right_normal_force_n"]).all()
+    area = table["right_contact_area_m2"][..., 0]
+    box = table["right_contact_length_m"][..., 0] * table["right_contact_width_m"][..., 0]
+    # An ellipse fills pi/4 of its box, a rectangle all of it.
+    assert (area < box).all() and (area > 0.6 * box).all()
+    heights = wheelset.table(y=0.0, roll=0.0, z=[2e-4, 3e-4])
+    assert heights["left_vertical_n"].shape == (2, 1, 1, 1)
+    assert heights["left_vertical_n"][1, 0, 0, 0] > heights["left_vertical_n"][0, 0, 0, 0]
+    with pytest.raises(ValueError, match="axle_load"):
+        wheelset.table(y=0.0, z=2e-4, axle_load=100e3)
+
+
 def test_derivatives_are_those_of_the_report() -> None:
     solution = s1002(axle_load=200e3, theory="fastsim").solve(derivatives=True)
     assert solution.derivatives is not None and solution.derivative_errors is not None

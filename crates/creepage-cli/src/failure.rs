@@ -36,7 +36,9 @@ pub(crate) enum Failure {
     Pattern { pattern: String, why: String },
     #[error("--unit must be positive and finite, got {value}")]
     Unit { value: f64 },
-    #[error("--reference is the profile of a rail: give that of a new wheel, from which wheels wear")]
+    #[error(
+        "--reference is the profile of a rail: give that of a new wheel, from which wheels wear"
+    )]
     ReferenceIsRail,
     #[error("--rail: {source}")]
     Survey { source: creepage_rail::GeometryError },

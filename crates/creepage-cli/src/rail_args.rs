@@ -17,18 +17,30 @@ pub(crate) struct WheelsetArgs {
     /// what is found following what is given.
     #[arg(long, conflicts_with = "table")]
     pub(crate) derivatives: bool,
-    /// NetCDF file for a table over lateral position and yaw in place of the file's own; it appears
-    /// when it is whole.
-    #[arg(long, value_name = "FILE.nc", requires = "y")]
+    /// NetCDF file for a table over any of `--y`, `--yaw`, `--roll`, `--z` and `--axle-load` in place of the file's
+    /// own; it appears when it is whole.
+    #[arg(long, value_name = "FILE.nc", requires = "axes")]
     pub(crate) table: Option<PathBuf>,
     /// Lateral positions of the table: first, last (m), and how many.
-    #[arg(long, num_args = 3, value_names = ["FROM", "TO", "COUNT"], requires = "table",
+    #[arg(long, num_args = 3, value_names = ["FROM", "TO", "COUNT"], requires = "table", group = "axes",
           allow_negative_numbers = true)]
     pub(crate) y: Option<Vec<f64>>,
     /// Yaws of the table: first, last (rad), and how many; the file's own if not given.
-    #[arg(long, num_args = 3, value_names = ["FROM", "TO", "COUNT"], requires = "table",
+    #[arg(long, num_args = 3, value_names = ["FROM", "TO", "COUNT"], requires = "table", group = "axes",
           allow_negative_numbers = true)]
     pub(crate) yaw: Option<Vec<f64>>,
+    /// Rolls of the table: first, last (rad), and how many.
+    #[arg(long, num_args = 3, value_names = ["FROM", "TO", "COUNT"], requires = "table", group = "axes",
+          allow_negative_numbers = true)]
+    pub(crate) roll: Option<Vec<f64>>,
+    /// Heights of the table, down, in place of a load: first, last (m), and how many.
+    #[arg(long, num_args = 3, value_names = ["FROM", "TO", "COUNT"], requires = "table", group = "axes",
+          allow_negative_numbers = true, conflicts_with = "axle_load")]
+    pub(crate) z: Option<Vec<f64>>,
+    /// Axle loads of the table: first, last (N), and how many.
+    #[arg(long, num_args = 3, value_names = ["FROM", "TO", "COUNT"], requires = "table", group = "axes",
+          allow_negative_numbers = true)]
+    pub(crate) axle_load: Option<Vec<f64>>,
 }
 
 #[derive(Debug, clap::Args)]

@@ -4,7 +4,8 @@ use std::path::Path;
 
 use creepage::InvalidValue;
 use creepage_study::{
-    ProfileNote, Sources, WheelsetCase, WheelsetFile, WheelsetFileError, WheelsetTable, WholeFile,
+    ProfileNote, Sources, TableAxis, WheelsetCase, WheelsetFile, WheelsetFileError, WheelsetTable,
+    WholeFile,
 };
 use indicatif::ProgressBar;
 
@@ -37,22 +38,38 @@ pub(crate) fn run(args: &WheelsetArgs) -> Result<Outcome, Failure> {
     Ok(if is_done { Outcome::Done } else { Outcome::Doubtful })
 }
 
-/// A table over lateral position and yaw; what could not be solved is left out of it.
+/// A table over positions and loads; what could not be solved is NaN in it.
 fn table(args: &WheelsetArgs, case: &WheelsetCase, file: &Path) -> Result<Outcome, Failure> {
     let wrong = |source| Failure::Wheelset { path: args.case.clone(), source: Box::new(source) };
     let failed = |source| Failure::Write { path: file.into(), source };
-    let y = even("--y", args.y.as_deref(), case.stance.y)?;
-    let yaw = even("--yaw", args.yaw.as_deref(), case.stance.yaw)?;
+    // Yaw and lateral position always, each the file's own where it is not given; the walk goes along the last one.
+    let given = [
+        ("axle_load", "--axle-load", &args.axle_load, None),
+        ("z", "--z", &args.z, None),
+        ("roll", "--roll", &args.roll, None),
+        ("yaw", "--yaw", &args.yaw, Some(case.stance.yaw)),
+        ("y", "--y", &args.y, Some(case.stance.y)),
+    ];
+    let axes = given.into_iter().filter_map(|(name, flag, values, own)| {
+        let values = match (values, own) {
+            (Some(values), _) => even(flag, values),
+            (None, Some(own)) => Ok(vec![own]),
+            (None, None) => return None,
+        };
+        Some(values.map(|values| TableAxis { name, values }))
+    });
+    let axes = axes.collect::<Result<Vec<_>, _>>()?;
     Sources::new([&args.case]).ensure_not_overwritten(file)?;
     case.sources().ensure_not_overwritten(file)?;
     let mut whole = WholeFile::create(file).map_err(failed)?;
     let style = bar_style("{wide_bar} {pos}/{len} positions  {per_sec}  {eta} left");
-    let bar = ProgressBar::new((y.len() * yaw.len()) as u64).with_style(style);
+    let bar = ProgressBar::new(axes.iter().map(|axis| axis.values.len() as u64).product())
+        .with_style(style);
     let goes_on = || {
         bar.inc(1);
         true
     };
-    let table = WheelsetTable::solve(case, &y, &yaw, goes_on).map_err(wrong)?;
+    let table = WheelsetTable::solve(case, &axes, goes_on).map_err(wrong)?;
     bar.finish_and_clear();
     case.notes.iter().for_each(say_found);
     whole.fill(|path| table.netcdf(path))?;
@@ -67,10 +84,10 @@ fn table(args: &WheelsetArgs, case: &WheelsetCase, file: &Path) -> Result<Outcom
     }
 }
 
-/// Even values: first, last, count; the case's own where none are given.
-fn even(name: &'static str, given: Option<&[f64]>, own: f64) -> Result<Vec<f64>, Failure> {
+/// Even values: first, last, count.
+fn even(name: &'static str, given: &[f64]) -> Result<Vec<f64>, Failure> {
     const MOST: f64 = 1e5;
-    let Some(&[from, to, count]) = given else { return Ok(vec![own]) };
+    let &[from, to, count] = given else { return Ok(Vec::new()) };
     let wrong = |value, valid| InvalidValue { quantity: name, value, valid };
     for value in [from, to] {
         if !value.is_finite() {

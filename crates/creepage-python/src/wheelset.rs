@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use creepage::InvalidValue;
 use creepage_study::{
-    ANSWERS, ASKED, CaseError, Sources, WheelsetCase, WheelsetFile, WheelsetFileError,
+    ANSWERS, ASKED, CaseError, Sources, TableAxis, WheelsetCase, WheelsetFile, WheelsetFileError,
     WheelsetReport, WheelsetTable, theory_spec, wheelset_caution_words,
 };
 use numpy::{PyArray1, PyArrayMethods, PyReadonlyArray1};
@@ -148,22 +148,24 @@ impl WheelsetData {
         Ok((PyArray1::from_slice(py, numbers.as_flattened()), [statuses, cautions]))
     }
 
-    /// Columns over yaw and lateral position, each as one flat array.
+    /// Columns over the axes in their order, each as one flat array; those of contacts over these too.
     fn table<'py>(
         &self,
         py: Python<'py>,
-        y: PyReadonlyArray1<'py, f64>,
-        yaw: PyReadonlyArray1<'py, f64>,
+        axes: Vec<(String, Vec<f64>)>,
     ) -> PyResult<Bound<'py, PyDict>> {
-        let [y, yaw] = [y, yaw].map(|values| values.to_vec());
-        let (y, yaw) = (y?, yaw?);
+        let named = |(name, values): (String, Vec<f64>)| {
+            let name = TableAxis::NAMES.into_iter().find(|known| *known == name)?;
+            Some(TableAxis { name, values })
+        };
+        let axes: Vec<TableAxis> = axes.into_iter().filter_map(named).collect();
         let case = self.case.clone();
         let solve = move |stop: &AtomicBool| {
-            WheelsetTable::solve(&case, &y, &yaw, || !stop.load(Ordering::Relaxed))
+            WheelsetTable::solve(&case, &axes, || !stop.load(Ordering::Relaxed))
         };
         let table = signals::stoppable(py, solve)?.map_err(|error| errors::wheelset(py, error))?;
         let columns = PyDict::new(py);
-        for (name, values) in table.columns() {
+        for (name, values) in table.columns().chain(table.contact_columns()) {
             columns.set_item(name, PyArray1::from_vec(py, values))?;
         }
         Ok(columns)

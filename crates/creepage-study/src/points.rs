@@ -26,7 +26,7 @@ impl SolvedCase {
     /// The points as CSV; a cell is empty where the number does not exist.
     pub(crate) fn points_csv(&self) -> Result<Vec<u8>, ReportError> {
         if let Some(on_areas) = OnAreas::of(self) {
-            return on_areas.points_csv();
+            return on_areas.field().csv();
         }
         let mut writer = csv::Writer::from_writer(Vec::new());
         let watts = self.case.speed().map(|_| WATTS);

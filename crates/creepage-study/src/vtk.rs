@@ -20,7 +20,7 @@ impl SolvedCase {
     /// not give everywhere is left out.
     pub(crate) fn vtk(&self) -> String {
         if let Some(on_areas) = OnAreas::of(self) {
-            return on_areas.vtk();
+            return on_areas.field().vtk();
         }
         let positions = self.positions(&grid().collect::<Vec<_>>());
         let field = self.field(&positions);

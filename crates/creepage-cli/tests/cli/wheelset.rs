@@ -137,16 +137,32 @@ fn a_free_wheelset_is_in_balance_and_its_pictures_are_written() {
     assert_eq!(
         place.files_in("out"),
         [
+            "left_1.csv",
             "left_1.png",
             "left_1.svg",
+            "left_1.vtk",
             "report.json",
+            "right_1.csv",
             "right_1.png",
             "right_1.svg",
+            "right_1.vtk",
             "wheelset.png",
             "wheelset.svg"
         ]
     );
     assert_eq!(json(&place.read("out/report.json")), report);
+    // The elements carry the contact's load and force: one coarse grid against the extrapolated value.
+    let patch = &report["left"]["patches"][0];
+    let mut sums = [0.0; 2];
+    for row in csv::Reader::from_reader(place.read("out/left_1.csv").as_bytes()).records() {
+        let row = row.unwrap();
+        let column = |k: usize| row[k].parse::<f64>().unwrap();
+        let [traction, pressure, area] = [2, 7, 8].map(column);
+        sums = [sums[0] + traction * area, sums[1] + pressure * area];
+    }
+    let [traction, load] = sums;
+    assert!((load / number(&patch["normal_force_n"]) - 1.0).abs() < 0.01, "{load} {patch}");
+    assert!((traction / number(&patch["longitudinal_n"]) - 1.0).abs() < 0.03, "{traction} {patch}");
     // One contact a wheel: the longest arrow is the larger of two forces.
     let across = |side| force(side, "lateral_n").hypot(force(side, "vertical_n"));
     let words = format!("longest {:.0}", 1e-3 * across("left").max(across("right")));
@@ -159,6 +175,9 @@ fn a_table_is_written_whole() {
     place.write("case.toml", one_wheel());
     place.run(&["wheelset", "case.toml", "--table", "t.nc", "--y", "0.001", "0.003", "2"]).done();
     assert!(fs::read(place.path("t.nc")).unwrap().starts_with(b"CDF"));
+    let heights = ["wheelset", "case.toml", "--table", "z.nc", "--z", "2e-4", "3e-4", "2"];
+    place.run(&heights).done();
+    fs::remove_file(place.path("z.nc")).unwrap();
     let wrong = ["wheelset", "case.toml", "--table", "u.nc", "--y", "0", "1", "0.5"];
     place.run(&wrong).refused(&["--y = 0.5", "a whole COUNT"]);
     let mut endless =

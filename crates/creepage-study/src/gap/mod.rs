@@ -8,10 +8,10 @@ mod case;
 mod columns;
 mod creepage;
 mod error;
+mod field;
 mod file;
 mod json;
 mod picture;
-mod points;
 mod rows;
 mod shape;
 mod solve;
@@ -19,11 +19,11 @@ mod solver;
 mod text;
 mod vary;
 mod view;
-mod vtk;
 
 pub use case::{GapCase, Pressed};
 pub use creepage::SiGiven;
 pub use error::{GapCaseError, GapFileError};
+pub(crate) use field::AreaField;
 pub use file::{GapFile, gap_json_schema};
 pub use json::{
     ExtentJson, GapContactJson, GapCreepageJson, GapForceJson, GapReportJson, PatchJson,

@@ -5,6 +5,7 @@ use creepage::normal::NormalContact;
 use creepage::{Creepage, Scaling, Solution};
 
 use super::creepage::SiGiven;
+use super::field::AreaField;
 use crate::{AnyCase, SolvedCase};
 
 /// A solved case whose contact is areas of any shape, with what its reports ask for again and again.
@@ -31,5 +32,15 @@ impl<'a> OnAreas<'a> {
             solution: solved.solution(),
             creepage: solved.creepage(),
         })
+    }
+
+    /// Its elements.
+    pub(crate) fn field(&self) -> AreaField<'a> {
+        AreaField {
+            elements: self.elements,
+            scaling: self.scaling,
+            friction: self.solved.case.friction(),
+            theory: self.solved.theory.name,
+        }
     }
 }

@@ -34,4 +34,4 @@ pub use map::{MapBuildError, MapPlan, MapProgress, MapResolution, MapStage, buil
 pub use profile_picture::profile_pictures;
 pub use report::{WheelsetReport, wheelset_caution_words, wheelset_cautions};
 pub use solved_json::{RailForceJson, WheelJson, WheelPatchJson, WheelsetReportJson};
-pub use table::WheelsetTable;
+pub use table::{TableAxis, WheelsetTable};

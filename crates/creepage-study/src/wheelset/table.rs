@@ -1,114 +1,173 @@
-//! Contact forces of a wheelset over lateral position and yaw, for vehicle dynamics.
+//! A wheelset's forces over a grid of positions and loads, for vehicle dynamics.
 
-use creepage_wheelset::{SolvedWheel, SolvedWheelset, WheelsetPose};
 use std::path::Path;
 
+use creepage_wheelset::{
+    ASKED, SolvedContact, SolvedWheel, SolvedWheelset, WheelsetPose, WheelsetVelocity,
+};
 use netcdf3::{DataSet, FileWriter, Version};
 use rayon::prelude::*;
 
 use super::case::WheelsetCase;
-use super::error::{WheelsetFileError, section};
+use super::error::WheelsetFileError;
 use crate::error::ReportError;
 
 /// A wheelset solved at every position of a grid.
 #[derive(Debug, Clone)]
 pub struct WheelsetTable {
-    y: Vec<f64>,
-    yaw: Vec<f64>,
-    /// By yaw, then by lateral position; `None` where the position could not be solved.
+    axes: Vec<TableAxis>,
+    /// The last axis runs fastest; `None` where the position could not be solved.
     cells: Vec<Option<Cell>>,
 }
 
-/// What a table holds of one position.
-#[derive(Debug, Clone, Copy)]
-struct Cell {
-    z: f64,
-    roll: f64,
-    pitch_rate: f64,
-    /// Left and right: force and moment on the rail, then rail and wheel place, angle, load,
-    /// creepages of the most loaded contact, number of contacts.
-    wheels: [[f64; COLUMNS.len()]; 2],
+/// What a table goes over, and the values.
+#[derive(Debug, Clone, PartialEq)]
+pub struct TableAxis {
+    /// One of [`TableAxis::NAMES`].
+    pub name: &'static str,
+    /// In SI units.
+    pub values: Vec<f64>,
 }
 
-/// Names and meanings of what a wheel has.
-const COLUMNS: [(&str, &str); 14] = [
-    ("longitudinal_n", "force on the rail along x (N)"),
-    ("lateral_n", "force on the rail along y (N)"),
-    ("vertical_n", "force on the rail along z (N)"),
-    ("moment_x_n_m", "moment about x through the origin of the rail's profile (N m)"),
-    ("moment_y_n_m", "moment about y (N m)"),
-    ("moment_z_n_m", "moment about z (N m)"),
-    ("y_rail_m", "place of the most loaded contact in the rail's profile (m)"),
-    ("y_wheel_m", "place of the most loaded contact in the wheel's profile (m)"),
-    ("contact_angle_rad", "angle of the most loaded contact (rad)"),
-    ("normal_force_n", "normal force of the most loaded contact (N)"),
-    ("longitudinal_creepage", "longitudinal creepage of the most loaded contact"),
-    ("lateral_creepage", "lateral creepage of the most loaded contact"),
-    ("spin_rad_per_m", "spin of the most loaded contact (rad/m)"),
-    ("contacts", "number of places of contact"),
+impl TableAxis {
+    /// What a table may go over, as of [`ASKED`]: places, turns and loads.
+    pub const NAMES: [&str; 5] = ["y", "z", "roll", "yaw", "axle_load"];
+
+    fn unit(&self) -> &'static str {
+        match self.name {
+            "roll" | "yaw" => "rad",
+            "axle_load" => "N",
+            _ => "m",
+        }
+    }
+
+    fn meaning(&self) -> &'static str {
+        match self.name {
+            "y" => "lateral position, to the right",
+            "z" => "height, down",
+            "roll" => "turn about x",
+            "yaw" => "turn about z",
+            _ => "vertical force of the wheelset on the track",
+        }
+    }
+}
+
+/// What a table holds of one position.
+#[derive(Debug, Clone)]
+struct Cell {
+    whole: [f64; WHOLE.len()],
+    /// Of the left and the right wheel.
+    wheels: [[f64; OF_WHEEL.len()]; 2],
+    contacts: [[[f64; OF_CONTACT.len()]; CONTACTS]; 2],
+}
+
+/// Places of contact of one wheel that a table holds, the most loaded ones.
+const CONTACTS: usize = 3;
+
+/// Name, unit and meaning.
+type Column = (&'static str, &'static str, &'static str);
+
+/// What the wheelset as a whole has.
+const WHOLE: [Column; 3] = [
+    ("z_m", "m", "height, down"),
+    ("roll_rad", "rad", "turn about x"),
+    ("pitch_rate_rad_per_s", "rad s-1", "angular velocity about the axle"),
 ];
 
+/// What a wheel has; from the seventh on of its most loaded contact.
+const OF_WHEEL: [Column; 14] = [
+    ("longitudinal_n", "N", "force on the rail along x"),
+    ("lateral_n", "N", "force on the rail along y"),
+    ("vertical_n", "N", "force on the rail along z"),
+    ("moment_x_n_m", "N m", "moment about x through the origin of the rail's profile"),
+    ("moment_y_n_m", "N m", "moment about y"),
+    ("moment_z_n_m", "N m", "moment about z"),
+    ("y_rail_m", "m", "place of the most loaded contact in the rail's profile"),
+    ("y_wheel_m", "m", "place of the most loaded contact in the wheel's profile"),
+    ("contact_angle_rad", "rad", "angle of the most loaded contact"),
+    ("normal_force_n", "N", "normal force of the most loaded contact"),
+    ("longitudinal_creepage", "1", "longitudinal creepage of the most loaded contact"),
+    ("lateral_creepage", "1", "lateral creepage of the most loaded contact"),
+    ("spin_rad_per_m", "rad m-1", "spin of the most loaded contact"),
+    ("contacts", "1", "number of places of contact"),
+];
+
+/// What each place of contact has, by falling load.
+const OF_CONTACT: [Column; 13] = [
+    ("y_rail_m", "m", "place in the rail's profile"),
+    ("y_wheel_m", "m", "place in the wheel's profile"),
+    ("contact_angle_rad", "rad", "angle from the track's z to the normal into the rail"),
+    ("normal_force_n", "N", "normal force"),
+    ("longitudinal_n", "N", "tangential force along x"),
+    ("lateral_n", "N", "tangential force across, in the plane of contact"),
+    ("longitudinal_creepage", "1", "longitudinal creepage"),
+    ("lateral_creepage", "1", "lateral creepage"),
+    ("spin_rad_per_m", "rad m-1", "spin"),
+    ("length_m", "m", "extent of its areas along x"),
+    ("width_m", "m", "extent of its areas across"),
+    ("area_m2", "m2", "area"),
+    ("peak_pressure_pa", "Pa", "peak pressure"),
+];
+
+const SIDES: [&str; 2] = ["left", "right"];
+
 impl WheelsetTable {
-    /// Most positions: 300 bytes each, and some hundredths or tenths of a second.
+    /// Most positions: a kilobyte each, and some hundredths or tenths of a second.
     const MOST_POSITIONS: f64 = 1e6;
 
-    /// Solves a case at all lateral positions (m) and yaws (rad), the rows of one yaw after each
-    /// other from their neighbours, the yaws side by side on all cores. `goes_on` is asked before every
+    /// Solves a case at all positions of a grid, those of the last axis after each other from their neighbours,
+    /// these rows side by side on all cores. What is no axis is the case's own. `goes_on` is asked before every
     /// position: once it says no, those that are left are not solved.
     ///
     /// # Errors
-    /// [`WheelsetFileError`] where the case cannot be prepared or the first position of every row
-    /// fails.
+    /// [`WheelsetFileError`] where the case cannot be prepared, axes contradict each other or the case (`z` and a
+    /// load), or no position of a row is solved.
     pub fn solve(
         case: &WheelsetCase,
-        y: &[f64],
-        yaw: &[f64],
+        axes: &[TableAxis],
         goes_on: impl Fn() -> bool + Sync,
     ) -> Result<Self, WheelsetFileError> {
-        let positions = y.len() as f64 * yaw.len() as f64;
+        let positions: f64 = axes.iter().map(|axis| axis.values.len() as f64).product();
         if positions > Self::MOST_POSITIONS {
             return Err(WheelsetFileError::Positions {
                 asked: positions,
                 most: Self::MOST_POSITIONS,
             });
         }
-        let travel = case.travel.ok_or_else(|| section("motion", "speed"))?;
         let solver = case.solver()?;
-        let row = |yaw: &f64| -> Result<Vec<Option<Cell>>, WheelsetFileError> {
+        let rows = rows(case, axes)?;
+        let row = |row: &Vec<(WheelsetPose, WheelsetVelocity)>| -> Result<Vec<Option<Cell>>, WheelsetFileError> {
             let mut last: Option<SolvedWheelset> = None;
             let mut failure = None;
-            let cells: Vec<Option<Cell>> = y
-                .iter()
-                .map(|&y| {
-                    if !goes_on() {
-                        return None;
+            let cells = row.iter().map(|(pose, velocity)| {
+                if !goes_on() {
+                    return None;
+                }
+                let near = last.as_ref().map(|last| solver.next(last, pose, velocity));
+                let solved = match near {
+                    Some(Ok(solved)) => Ok(solved),
+                    _ => solver.solve(pose, velocity),
+                };
+                match solved {
+                    Ok(solved) => {
+                        let cell = Cell::new(&solved);
+                        last = Some(solved);
+                        Some(cell)
                     }
-                    let stance = WheelsetPose { y, yaw: *yaw, ..case.stance };
-                    let near = last.as_ref().map(|last| solver.next(last, &stance, &travel));
-                    let solved = match near {
-                        Some(Ok(solved)) => Ok(solved),
-                        _ => solver.solve(&stance, &travel),
-                    };
-                    match solved {
-                        Ok(solved) => {
-                            let cell = Cell::new(&solved);
-                            last = Some(solved);
-                            Some(cell)
-                        }
-                        Err(error) => {
-                            failure = Some(error);
-                            None
-                        }
+                    Err(error) => {
+                        failure = Some(error);
+                        None
                     }
-                })
-                .collect();
+                }
+            });
+            let cells: Vec<Option<Cell>> = cells.collect();
             match failure {
                 Some(error) if cells.iter().all(Option::is_none) => Err(error.into()),
                 _ => Ok(cells),
             }
         };
-        let rows = yaw.par_iter().map(row).collect::<Result<Vec<_>, _>>()?;
-        Ok(Self { y: y.to_vec(), yaw: yaw.to_vec(), cells: rows.concat() })
+        let cells = rows.par_iter().map(row).collect::<Result<Vec<_>, _>>()?.concat();
+        Ok(Self { axes: axes.to_vec(), cells })
     }
 
     /// Positions that could not be solved: `NaN` in the file.
@@ -117,7 +176,8 @@ impl WheelsetTable {
         self.cells.iter().filter(|cell| cell.is_none()).count()
     }
 
-    /// Writes the table as NetCDF (classic format), over the dimensions `yaw` and `y`.
+    /// Writes the table as NetCDF (classic format, names and units as CF 1.11 asks), over the axes, and of the
+    /// places of contact over `contact` too.
     ///
     /// # Errors
     /// [`ReportError`].
@@ -125,25 +185,46 @@ impl WheelsetTable {
         let definition = self.definition()?;
         let mut file = FileWriter::open(path)?;
         file.set_def(&definition, Version::Offset64Bit, 0)?;
-        file.write_var_f64("y", &self.y)?;
-        file.write_var_f64("yaw", &self.yaw)?;
-        for (name, values) in self.columns() {
+        for axis in &self.axes {
+            file.write_var_f64(axis.name, &axis.values)?;
+        }
+        for (name, values) in self.columns().chain(self.contact_columns()) {
             file.write_var_f64(&name, &values)?;
         }
         Ok(file.close()?)
     }
 
-    /// What the table holds, by name: by yaw, then by lateral position; NaN where the position could
-    /// not be solved.
+    /// What the wheelset and its wheels have, by name, the last axis fastest; NaN where the position could not be
+    /// solved.
     pub fn columns(&self) -> impl Iterator<Item = (String, Vec<f64>)> {
-        let whole = WHOLE.into_iter().map(|(name, _, value)| (name.to_owned(), self.column(value)));
+        let whole = WHOLE
+            .iter()
+            .enumerate()
+            .map(|(k, (name, ..))| ((*name).to_owned(), self.column(|cell: &Cell| cell.whole[k])));
         let of_wheels = SIDES.into_iter().enumerate().flat_map(move |(index, side)| {
-            COLUMNS.iter().enumerate().map(move |(k, (name, _))| {
+            OF_WHEEL.iter().enumerate().map(move |(k, (name, ..))| {
                 (format!("{side}_{name}"), self.column(|cell: &Cell| cell.wheels[index][k]))
             })
         });
         whole.chain(of_wheels)
     }
+
+    /// What each place of contact has, by name, `left_contact_area_m2` and so on: the three most loaded ones of each
+    /// position, NaN where there are fewer.
+    pub fn contact_columns(&self) -> impl Iterator<Item = (String, Vec<f64>)> {
+        SIDES.into_iter().enumerate().flat_map(move |(index, side)| {
+            OF_CONTACT.iter().enumerate().map(move |(k, (name, ..))| {
+                let of = |cell: &Option<Cell>| match cell {
+                    Some(cell) => cell.contacts[index].map(|contact| contact[k]),
+                    None => [f64::NAN; CONTACTS],
+                };
+                (format!("{side}_contact_{name}"), self.cells.iter().flat_map(of).collect())
+            })
+        })
+    }
+
+    /// Places of contact of each wheel in [`WheelsetTable::contact_columns`].
+    pub const CONTACTS: usize = CONTACTS;
 
     fn column(&self, value: impl Fn(&Cell) -> f64) -> Vec<f64> {
         self.cells.iter().map(|cell| cell.as_ref().map_or(f64::NAN, &value)).collect()
@@ -151,72 +232,112 @@ impl WheelsetTable {
 
     fn definition(&self) -> Result<DataSet, netcdf3::InvalidDataSet> {
         let mut set = DataSet::new();
-        set.add_fixed_dim("yaw", self.yaw.len())?;
-        set.add_fixed_dim("y", self.y.len())?;
-        for (name, meaning) in
-            [("y", "lateral position, to the right (m)"), ("yaw", "turn about z (rad)")]
-        {
-            set.add_var_f64(name, &[name])?;
-            set.add_var_attr_string(name, "long_name", meaning)?;
+        set.add_global_attr_string("Conventions", "CF-1.11")?;
+        set.add_global_attr_string("title", "forces of a wheelset on its rails")?;
+        set.add_global_attr_string("source", concat!("creepage ", env!("CARGO_PKG_VERSION")))?;
+        let mut over: Vec<&str> = self.axes.iter().map(|axis| axis.name).collect();
+        for axis in &self.axes {
+            set.add_fixed_dim(axis.name, axis.values.len())?;
+            described(&mut set, axis.name, &[axis.name], (axis.unit(), axis.meaning().to_owned()))?;
         }
-        let mut over_both = |name: &str, meaning: &str| {
-            set.add_var_f64(name, &["yaw", "y"])?;
-            set.add_var_attr_string(name, "long_name", meaning)
-        };
-        for (name, meaning, _) in WHOLE {
-            over_both(name, meaning)?;
+        for (name, unit, meaning) in WHOLE {
+            described(&mut set, name, &over, (unit, meaning.to_owned()))?;
         }
         for side in SIDES {
-            for (name, meaning) in COLUMNS {
-                over_both(&format!("{side}_{name}"), &format!("{side} wheel: {meaning}"))?;
+            for (name, unit, meaning) in OF_WHEEL {
+                let meaning = format!("{side} wheel: {meaning}");
+                described(&mut set, &format!("{side}_{name}"), &over, (unit, meaning))?;
+            }
+        }
+        set.add_fixed_dim("contact", CONTACTS)?;
+        over.push("contact");
+        for side in SIDES {
+            for (name, unit, meaning) in OF_CONTACT {
+                let meaning = format!("{side} wheel, each place of contact: {meaning}");
+                described(&mut set, &format!("{side}_contact_{name}"), &over, (unit, meaning))?;
             }
         }
         Ok(set)
     }
 }
 
-const SIDES: [&str; 2] = ["left", "right"];
+/// A variable with its unit and meaning.
+fn described(
+    set: &mut DataSet,
+    name: &str,
+    over: &[&str],
+    (unit, meaning): (&str, String),
+) -> Result<(), netcdf3::InvalidDataSet> {
+    set.add_var_f64(name, over)?;
+    set.add_var_attr_string(name, "units", unit)?;
+    set.add_var_attr_string(name, "long_name", meaning)
+}
 
-/// A variable of the file: name, meaning, and its value.
-type Variable = (&'static str, &'static str, fn(&Cell) -> f64);
-
-/// What the wheelset as a whole has.
-const WHOLE: [Variable; 3] = [
-    ("z_m", "height, down (m)", |cell| cell.z),
-    ("roll_rad", "turn about x (rad)", |cell| cell.roll),
-    ("pitch_rate_rad_per_s", "angular velocity about the axle (rad/s)", |cell| cell.pitch_rate),
-];
+/// Positions and motions of the grid, a row for all values of the last axis.
+fn rows(
+    case: &WheelsetCase,
+    axes: &[TableAxis],
+) -> Result<Vec<Vec<(WheelsetPose, WheelsetVelocity)>>, WheelsetFileError> {
+    let mut asked = vec![[f64::NAN; ASKED.len()]];
+    for axis in axes {
+        let place = ASKED.iter().position(|name| *name == axis.name).unwrap_or_default();
+        let one = |row: &[f64; ASKED.len()]| {
+            let row = *row;
+            axis.values.iter().map(move |value| {
+                let mut with = row;
+                with[place] = *value;
+                with
+            })
+        };
+        asked = asked.iter().flat_map(one).collect();
+    }
+    let length = axes.last().map_or(1, |axis| axis.values.len()).max(1);
+    let row = |row: &[[f64; ASKED.len()]]| row.iter().map(|numbers| case.asked(numbers)).collect();
+    asked.chunks(length).map(row).collect()
+}
 
 impl Cell {
     fn new(solved: &SolvedWheelset) -> Self {
         let position = solved.position();
-        let columns =
-            |wheel: &Option<SolvedWheel>| wheel.as_ref().map_or([f64::NAN; COLUMNS.len()], columns);
+        let wheels = [&solved.left, &solved.right];
         Self {
-            z: position.z,
-            roll: position.roll,
-            pitch_rate: solved.motion.pitch_rate,
-            wheels: [columns(&solved.left), columns(&solved.right)],
+            whole: [position.z, position.roll, solved.motion.pitch_rate],
+            wheels: wheels.map(|wheel| wheel.as_ref().map_or([f64::NAN; OF_WHEEL.len()], of_wheel)),
+            contacts: wheels.map(|wheel| {
+                let contacts = wheel.as_ref().map_or(&[][..], SolvedWheel::contacts);
+                std::array::from_fn(|k| {
+                    contacts.get(k).map_or([f64::NAN; OF_CONTACT.len()], of_contact)
+                })
+            }),
         }
     }
 }
 
-fn columns(wheel: &SolvedWheel) -> [f64; COLUMNS.len()] {
+fn of_wheel(wheel: &SolvedWheel) -> [f64; OF_WHEEL.len()] {
     let on_rail = wheel.on_rail();
     let ([x, y, z], [mx, my, mz]) = (on_rail.force, on_rail.moment);
     let count = wheel.contacts().len() as f64;
-    let of_contact = wheel.contacts().first().map_or([f64::NAN; 7], |contact| {
-        let creepage = contact.creepage;
-        [
-            contact.y_rail,
-            contact.y_wheel,
-            contact.angle,
-            contact.load(),
-            creepage.longitudinal,
-            creepage.lateral,
-            creepage.spin,
-        ]
-    });
-    let [y_rail, y_wheel, angle, load, xi, eta, spin] = of_contact;
+    let most_loaded = wheel.contacts().first().map_or([f64::NAN; OF_CONTACT.len()], of_contact);
+    let [y_rail, y_wheel, angle, load, _, _, xi, eta, spin, ..] = most_loaded;
     [x, y, z, mx, my, mz, y_rail, y_wheel, angle, load, xi, eta, spin, count]
+}
+
+fn of_contact(contact: &SolvedContact) -> [f64; OF_CONTACT.len()] {
+    let (creepage, force, normal) = (contact.creepage, contact.force, &contact.normal);
+    let [length, width] = contact.extent().map(|[from, to]| to - from);
+    [
+        contact.y_rail,
+        contact.y_wheel,
+        contact.angle,
+        contact.load(),
+        force.longitudinal,
+        force.lateral,
+        creepage.longitudinal,
+        creepage.lateral,
+        creepage.spin,
+        length,
+        width,
+        normal.area().value,
+        normal.peak_pressure().value,
+    ]
 }
