@@ -15,6 +15,7 @@ presence of dry friction, thesis, Delft, 1967.
 """
 
 from ._batch import batch
+from ._bearing import BearingBall, BearingRace, BearingSolution, bearing
 from ._bulk import CaseForce
 from ._case import Case, Curve
 from ._contact import Body, Hertz, hertz
@@ -92,6 +93,9 @@ __all__ = [
     "THEORIES",
     "AccuracyWarning",
     "Automatic",
+    "BearingBall",
+    "BearingRace",
+    "BearingSolution",
     "Below",
     "Body",
     "CarterSolution",
@@ -163,6 +167,7 @@ __all__ = [
     "__version__",
     "automatic",
     "batch",
+    "bearing",
     "carter",
     "coefficients",
     "exact",

@@ -155,7 +155,8 @@ impl BallBearing {
     }
 
     /// Radius across of the surface of contact between ball and groove (m).
-    pub(crate) fn conforming_radius(&self, race: usize) -> f64 {
+    #[must_use]
+    pub fn conforming_radius(&self, race: usize) -> f64 {
         let (ball, groove) = (0.5 * self.ball_diameter, self.osculation[race] * self.ball_diameter);
         2.0 * groove * ball / (groove + ball)
     }

@@ -5,7 +5,9 @@ use creepage::coulomb::{ElementField, NonHertzian, Resolution};
 use creepage::gap::{Gap, Term};
 use creepage::normal::{self, NormalContact};
 use creepage::theory::Solved;
-use creepage::{Contact, Hertz, InvalidValue, Region, Scaling, SiCreepage, SiForce, Status};
+use creepage::{
+    Contact, Hertz, InvalidValue, Region, Scaling, SiCreepage, SiForce, Status, Theory,
+};
 
 use crate::bearing::RACES;
 use crate::error::BearingError;
@@ -46,6 +48,17 @@ pub struct RaceFriction {
     pub adhesion_share: f64,
     /// Whether the theory solved it.
     pub status: Status,
+}
+
+/// What happens in the elements of one contact.
+#[derive(Debug, Clone)]
+pub struct RaceField {
+    /// Pressure and area.
+    pub normal: NormalContact,
+    /// Its elements, with the ball above the ring.
+    pub elements: Vec<ElementField>,
+    /// Their units.
+    pub scaling: Scaling,
 }
 
 /// A contact of ball and ring whose friction is asked again and again.
@@ -93,6 +106,30 @@ impl RaceContact {
     /// The semi-axis across (m).
     pub(crate) fn half_width(&self) -> f64 {
         self.hertz.ellipse().b()
+    }
+
+    /// What happens in the elements at a slip; `None` where all slides by assumption.
+    pub(crate) fn field(&self, slip: &RaceSlip) -> Result<Option<RaceField>, InvalidValue> {
+        let more = |scaling: &Scaling, y: f64| {
+            [slip.heathcote * (y * scaling.length).powi(2) / scaling.slip, 0.0]
+        };
+        let (contact, scaling, elements) = match &self.theory {
+            Prepared::Exact(theory) => {
+                let (scaling, contact) = (theory.scaling(), theory.contact());
+                let given = scaling.creepage(slip.creepage)?;
+                let solved = theory.solve_curved(given, |[_, y]| more(&scaling, y));
+                (contact, scaling, solved.elements())
+            }
+            Prepared::Fastsim(theory) => {
+                let (scaling, contact) = (theory.scaling(), theory.contact());
+                let given = scaling.creepage(slip.creepage)?;
+                let solved = theory.solve_curved(given, |y| more(&scaling, y));
+                (contact, scaling, solved.elements())
+            }
+            Prepared::Sliding => return Ok(None),
+        };
+        let normal = contact.areas().map(|areas| NormalContact::clone(areas));
+        Ok(normal.map(|normal| RaceField { normal, elements, scaling }))
     }
 
     /// Solves friction for a slip.

@@ -15,6 +15,6 @@ mod solved;
 
 pub use bearing::{BallBearing, BearingLoad, Control, Operation};
 pub use error::BearingError;
-pub use friction::{BearingTheory, RaceFriction, RaceSlip};
+pub use friction::{BearingTheory, RaceField, RaceFriction, RaceSlip};
 pub use motion::BallMotion;
 pub use solved::{SolvedBall, SolvedBearing, SolvedRace};

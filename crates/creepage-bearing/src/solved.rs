@@ -6,7 +6,7 @@ use rayon::prelude::*;
 use crate::bearing::{BallBearing, BearingLoad, Control, INNER, OUTER, Operation};
 use crate::equilibrium::{Acting, Displacement, Standing};
 use crate::error::BearingError;
-use crate::friction::{BearingTheory, RaceContact, RaceFriction};
+use crate::friction::{BearingTheory, RaceContact, RaceField, RaceFriction};
 use crate::motion::{Ball, BallMotion};
 
 /// Rounds of loads and friction, and the change of loads, in parts of them, at which they end.
@@ -173,6 +173,23 @@ impl BallBearing {
         });
         let gyroscopic = ball.gyroscopic(&motion);
         Ok(SolvedBall { azimuth, centrifugal: 0.0, gyroscopic, motion: Some(motion), races })
+    }
+
+    /// What happens in the elements of a ball's inner (0) or outer (1) contact; `None` where nothing rolls or all slides by
+    /// assumption.
+    ///
+    /// # Errors
+    /// As [`BallBearing::solve`].
+    pub fn race_field(
+        &self,
+        ball: &SolvedBall,
+        race: usize,
+        theory: BearingTheory,
+    ) -> Result<Option<RaceField>, BearingError> {
+        let found = ball.races.get(race).copied().flatten();
+        let (Some(motion), Some(found)) = (ball.motion, found) else { return Ok(None) };
+        let contact = RaceContact::new(found.hertz, self.friction, theory, race)?;
+        Ok(contact.field(&motion.slip[race])?)
     }
 
     fn summed(

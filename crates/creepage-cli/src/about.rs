@@ -34,6 +34,8 @@ pub(crate) struct SchemaArgs {
 pub(crate) enum FileKind {
     /// Case files: `solve`, `curve`, `hertz`.
     Case,
+    /// Bearing files: `bearing`.
+    Bearing,
     /// Case files with [gap]: `solve`.
     Gap,
     /// Case files of a history: `roll`.
@@ -51,6 +53,7 @@ impl FileKind {
     pub(crate) fn schema(self) -> serde_json::Value {
         match self {
             Self::Case => creepage_study::json_schema(),
+            Self::Bearing => creepage_study::bearing_json_schema(),
             Self::Gap => creepage_study::gap_json_schema(),
             Self::Roll => creepage_study::roll_json_schema(),
             Self::Statics => creepage_study::statics_json_schema(),

@@ -106,6 +106,13 @@ pub(crate) enum Command {
     /// "partial-slip" (`force_x`, `force_y`), in SI units. The report goes to standard output; with
     /// --out, also report.json, points.csv, contact.svg and contact.png into a directory.
     Statics(StaticsArgs),
+    /// Solve a ball bearing: loads, spin, sliding and heat of every ball.
+    ///
+    /// The file has [bearing] with `pitch_diameter`, `balls`, `contact_angle`, `axial_load` and `radial_load` or `ball_load`
+    /// and `friction`, [ball] with diameter, density and material, [inner] and [outer] with osculation and speed, all in SI
+    /// units. The report goes to standard output; with --out, also report.json and of the hottest ball's two contacts
+    /// pictures, CSV and VTK into a directory.
+    Bearing(BearingArgs),
     /// Stresses inside one of the two bodies of a case.
     ///
     /// With --points, CSV goes to standard output, rows as in P.csv: x, y, z [m], sxx, syy, szz, sxy,
@@ -378,6 +385,19 @@ pub(crate) struct AccuracyArgs {
     #[arg(long)]
     pub(crate) grid: bool,
     /// Print JSON, with errors as parts of one.
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+#[derive(Debug, clap::Args)]
+pub(crate) struct BearingArgs {
+    /// Bearing file.
+    #[arg(value_name = "CASE.toml")]
+    pub(crate) case: PathBuf,
+    /// Directory for the report and the pictures; made if need be.
+    #[arg(long, value_name = "DIR")]
+    pub(crate) out: Option<PathBuf>,
+    /// Print the report as JSON.
     #[arg(long)]
     pub(crate) json: bool,
 }

@@ -10,9 +10,9 @@ use creepage_1967::GalleryError;
 use creepage_rail::Standard;
 use creepage_rail::file::FileError as ProfileFileError;
 use creepage_study::{
-    CaseError, FitError, GapCaseError, HistoryError, MapBuildError, MeasuredError, PointsError,
-    ReferenceError, ReportError, SolveError, SpecError, StaticsError, StressError,
-    WheelsetFileError,
+    BearingCaseError, CaseError, FitError, GapCaseError, HistoryError, MapBuildError,
+    MeasuredError, PointsError, ReferenceError, ReportError, SolveError, SpecError, StaticsError,
+    StressError, WheelsetFileError,
 };
 
 use crate::batch::columns::ColumnError;
@@ -46,6 +46,8 @@ pub(crate) enum Failure {
     Read { path: PathBuf, source: io::Error },
     #[error("{}: {source}", path.display())]
     Case { path: PathBuf, source: CaseError },
+    #[error("{}: {source}", path.display())]
+    Bearing { path: PathBuf, source: BearingCaseError },
     #[error("{}: {source}", path.display())]
     Statics { path: PathBuf, source: StaticsError },
     #[error("{}: {source}", path.display())]

@@ -6,6 +6,7 @@ mod accuracy;
 mod args;
 mod batch;
 mod batch_args;
+mod bearing;
 mod cases;
 mod coefficients;
 mod completions;
@@ -79,6 +80,7 @@ fn run(command: &Command) -> Result<Outcome, Failure> {
         Command::Profile(args) => return profile::run(args),
         Command::Stresses(args) => return stresses::run(args),
         Command::Hertz(args) => cases::hertz(args)?,
+        Command::Bearing(args) => return bearing::run(args),
         Command::Statics(args) => statics::run(args)?,
         Command::Reproduce(args) => reproduce::run(args)?,
         Command::Theories(args) => theories::run(args)?,

@@ -10,8 +10,8 @@ use creepage::unsteady::SavedError;
 use creepage::variational::VariationalError;
 use creepage::{Creepage, Force, InvalidValue};
 use creepage_study::{
-    CaseError, FitError, GapCaseError, HistoryError, MotionError, ReportError, SolveError,
-    SpecError, StaticsError, UnattainableForce, WheelsetFileError, plain_words,
+    BearingCaseError, CaseError, FitError, GapCaseError, HistoryError, MotionError, ReportError,
+    SolveError, SpecError, StaticsError, UnattainableForce, WheelsetFileError, plain_words,
 };
 use pyo3::BoundObject;
 use pyo3::exceptions::{
@@ -222,6 +222,13 @@ pub(crate) fn statics(py: Python, error: StaticsError) -> PyErr {
     match error {
         StaticsError::Case(error) => case(py, error),
         other => exception(py, "CaseError", (other.to_string(), Some("statics"))),
+    }
+}
+
+pub(crate) fn bearing(py: Python, error: BearingCaseError) -> PyErr {
+    match error {
+        BearingCaseError::Case(error) => case(py, error),
+        other => exception(py, "CaseError", (other.to_string(), Some("bearing"))),
     }
 }
 

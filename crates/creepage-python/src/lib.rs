@@ -3,6 +3,7 @@
 //! `python/creepage` holds the rest: dataclasses, pictures, type stubs.
 
 mod batch;
+mod bearing;
 mod bulk;
 mod case;
 mod closed_forms;
@@ -31,6 +32,8 @@ mod wheelset;
 /// Rolling contact of two elastic bodies with dry friction.
 #[pyo3::pymodule]
 mod _creepage {
+    #[pymodule_export]
+    use crate::bearing::SolvedBearing;
     #[pymodule_export]
     use crate::bulk::{case_forces, row_forces};
     #[pymodule_export]

@@ -9,6 +9,7 @@
 //! | histories | [`RollFile`] gives a [`RollCase`], which a [`History`] moves: [`HistoryRun`]; [`RollStepper`] |
 //! | wheelsets | [`WheelsetFile`] gives a [`WheelsetCase`], this a [`SolvedWheelset`]; [`conicity`], [`WheelsetTable`] |
 //! | solved | [`solve`] gives a [`SolvedCase`]; [`StaticsCase`], [`SweepRun`], [`Curves`], [`Stresses`] |
+//! | bearings | [`BearingFile`] gives a [`BearingCase`], this a [`BearingReport`] |
 //! | many | [`BulkCase`]: one case with [`Varied`] quantities in rows; [`Solver`]: many [`Question`]s |
 //! | reported | [`SolvedCase::text`], [`SolvedCase::json`], [`SolvedCase::write`]; [`Caution`] |
 //! | any shape | [`GapFile`] gives a [`GapCase`], [`solve_gap`] a [`SolvedCase`] like any other |
@@ -46,6 +47,7 @@
 mod accuracy;
 mod any_case;
 mod atomic_file;
+mod bearing;
 mod bulk;
 mod case;
 mod caution;
@@ -88,6 +90,10 @@ pub use accuracy::{
 };
 pub use any_case::{AnyCase, AnyCaseFile};
 pub use atomic_file::WholeFile;
+pub use bearing::{
+    BearingBallJson, BearingCase, BearingCaseError, BearingFile, BearingRaceJson, BearingReport,
+    BearingReportJson, bearing_json_schema,
+};
 pub use bulk::{BulkAnswer, BulkCase, BulkRow, Question, Reply, RowError, Solver, Varied};
 pub use case::{
     Case, CaseError, CaseFile, Given, SecondStart, SpecError, StaticsCase, StaticsError,

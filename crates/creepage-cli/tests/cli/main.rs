@@ -4,6 +4,7 @@
 
 mod bad_input;
 mod batch;
+mod bearing;
 mod commands;
 mod conicity;
 mod curve;

@@ -190,11 +190,14 @@ impl Fastsim {
         let outside = FieldPoint::outside(position);
         let Some(place) = Place::new(&self.contact.ellipse(), position) else { return outside };
         let trace = self.trace(slopes, plain, &place);
-        let [l1, l2, _] = self.flexibilities.effective(self.flexibility, plain);
-        let kappa = self.flexibilities.kappa();
+        // Spin has springs of its own: the flexibility is that by which the rigid slip as a whole loads them.
+        let ([xi, eta, chi], [x, y]) = (plain, position);
+        let rigid = (xi - chi * y).hypot(eta + chi * x);
+        let [p, q] = slopes.at(position);
+        let flexibility = if p.hypot(q) > 0.0 { rigid / p.hypot(q) } else { 0.0 };
         FieldPoint {
             traction: trace.traction.map(|v| v / Profile::HERTZ_PEAK),
-            slip: [l1 * trace.lost[0] / kappa, l2 * trace.lost[1] / kappa],
+            slip: trace.lost.map(|lost| flexibility * lost),
             region: if trace.slides() { Region::Slip } else { Region::Adhesion },
             ..outside
         }

@@ -77,7 +77,10 @@ impl<R: Real> March<R> {
             let scale = R::constant(bound) / size;
             self.traction = trial.map(|t| t * scale);
             let lost = -scale + 1.0;
-            slip = [0, 1].map(|k| trial[k] * lost / (self.stiffness[k] * step));
+            // Spin has springs of its own: the stiffness is that by which the rigid slip as a whole loads them.
+            let sizes = [growth, rigid].map(|[x, y]| (x * x + y * y).sqrt());
+            let stiffness = if sizes[1].value() > 0.0 { sizes[0] / sizes[1] } else { l1 };
+            slip = trial.map(|t| t * lost / (stiffness * step));
         } else {
             self.traction = trial;
         }
