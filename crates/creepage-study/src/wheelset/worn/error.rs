@@ -78,6 +78,14 @@ pub enum WearError {
         /// Its number, from 1.
         number: usize,
     },
+    /// A contact beside the profile.
+    #[error("{body}: a contact at y = {y} m lies beside the profile's points")]
+    OffProfile {
+        /// Which.
+        body: &'static str,
+        /// Where (m).
+        y: f64,
+    },
     /// A worn profile whose points cross.
     #[error(
         "{body}: worn so deep that the profile crosses itself: take smaller steps, or a shorter distance"

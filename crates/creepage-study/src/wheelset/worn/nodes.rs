@@ -84,6 +84,15 @@ impl Nodes {
         found.map(|[_, s]| s)
     }
 
+    /// `z` at an arc length (m), linear between points.
+    pub(super) fn height(&self, arcs: &[f64], at: f64) -> f64 {
+        let above = arcs.partition_point(|place| *place < at).clamp(1, arcs.len() - 1);
+        let [from, to] = [arcs[above - 1], arcs[above]];
+        let part = ((at - from) / (to - from)).clamp(0.0, 1.0);
+        let [low, high] = [self.points[above - 1][1], self.points[above][1]];
+        low + part * (high - low)
+    }
+
     /// The profile after `depth` (m, at each point) was taken off along the normal; `radius` (m) is that
     /// of a wheel.
     ///
@@ -158,7 +167,7 @@ fn tangent(points: &[[f64; 2]], arcs: &[f64], k: usize) -> [f64; 2] {
 }
 
 /// Linear between points, that of the end beyond.
-pub(super) fn between(places: &[f64], values: &[f64], at: f64) -> f64 {
+fn between(places: &[f64], values: &[f64], at: f64) -> f64 {
     let above = places.partition_point(|place| *place < at).min(places.len() - 1);
     let below = above.saturating_sub(1);
     if above == below || places[above] <= places[below] {

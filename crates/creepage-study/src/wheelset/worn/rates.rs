@@ -5,7 +5,7 @@ use creepage_rail::{Role, RollingCreepage, Side};
 use rayon::prelude::*;
 
 use super::error::WearError;
-use super::nodes::{between, deposit, smoothed};
+use super::nodes::{deposit, smoothed};
 use super::section::{WearLaw, WearPlan, WearSituation, WornSides};
 use super::state::{Bodies, WornBody};
 use crate::damage::of_elements;
@@ -81,7 +81,7 @@ impl Rates {
             for strip in &strips {
                 let worn = situation.share * strip.depth * strip.width;
                 (weight, rates.peak) = (weight + worn, rates.peak + worn * strip.peak);
-                rates.add(plan, bodies, &arcs, situation.share, strip, case);
+                rates.add(plan, bodies, &arcs, situation.share, strip, case)?;
             }
         }
         if weight > 0.0 {
@@ -99,7 +99,7 @@ impl Rates {
         share: f64,
         strip: &Strip,
         case: &WheelsetCase,
-    ) {
+    ) -> Result<(), WearError> {
         let sense = strip.side.sense();
         for (k, body) in
             WornBody::ALL.into_iter().enumerate().filter(|(_, b)| b.side() == strip.side)
@@ -114,19 +114,18 @@ impl Rates {
                 Role::Wheel => (strip.y[0], -sense, plan.distance),
                 Role::Rail => (strip.y[1], sense, plan.passages),
             };
-            let Some(s) = nodes.place(arcs, body.role(), y) else { continue };
-            let s = s + along * strip.across;
+            let s = nodes.place(arcs, body.role(), y);
+            let s = s.ok_or(WearError::OffProfile { body: body.name(), y })? + along * strip.across;
             let times = match body.role() {
                 Role::Wheel => {
-                    let z: Vec<f64> = nodes.points.iter().map(|point| point[1]).collect();
-                    let radius =
-                        case.running.wheelset().wheel(strip.side).radius() + between(arcs, &z, s);
-                    passages / (std::f64::consts::TAU * radius)
+                    let radius = case.running.wheelset().wheel(strip.side).radius();
+                    passages / (std::f64::consts::TAU * (radius + nodes.height(arcs, s)))
                 }
                 Role::Rail => passages,
             };
             deposit(arcs, rate, s, strip.width, share * times * strip.depth);
         }
+        Ok(())
     }
 
     fn smooth(&mut self, plan: &WearPlan, arcs: &[Option<Vec<f64>>; 4]) {

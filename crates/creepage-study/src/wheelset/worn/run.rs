@@ -97,7 +97,7 @@ fn step(
         let is_alike = alike.clone().all(|(one, two)| one.len() == two.len());
         let change = if is_alike { first.change(&second) } else { 0.0 };
         let taken = greatest * part;
-        if change > CHANGE && taken > LEAST * plan.step_depth {
+        if change > CHANGE && taken > 1.01 * LEAST * plan.step_depth {
             run.trial = (0.5 * taken).max(LEAST * plan.step_depth);
             continue;
         }

@@ -10,7 +10,7 @@ use crate::wheelset::{WheelsetCase, WheelsetFile};
 /// One wheel of a straight profile on a round head of 300 mm, pressed by 100 kN; cone and pitch rate to be
 /// set. Little friction, so that all slides.
 fn read(cone: f64, contact: &str, motion: &str, rest: &str) -> (WheelsetCase, WearPlan) {
-    let wheel = format!("[[0.06, {}], [-0.06, {}]]", -0.06 * cone, 0.06 * cone);
+    let wheel = format!("[[0.06, {:?}], [-0.06, {:?}]]", -0.06 * cone, 0.06 * cone);
     let head: Vec<String> = (-80..=80)
         .map(|k: i32| f64::from(k) / 80.0 * 0.12)
         .map(|t: f64| format!("[{:.15}, {:.15}]", 0.3 * t.sin(), 0.3 * (1.0 - t.cos())))
@@ -24,9 +24,8 @@ fn read(cone: f64, contact: &str, motion: &str, rest: &str) -> (WheelsetCase, We
         contact = {{ {contact} }}
         materials = {{ shear_modulus = 82e9, poisson = 0.28 }}
         damage = {{ archard = {{ mild = 3e-4, hardness = 2.7e9 }} }}
-        solve = {{ theory = 'fastsim', cells_x = 40, cells_y = 60 }}
-        [wear]
-        {rest}",
+        solve = {{ theory = 'fastsim', grid = [30, 50] }}
+        wear = {{ {rest} }}",
         head.join(", ")
     );
     let file = WheelsetFile::read(&text).unwrap();
@@ -91,13 +90,13 @@ fn shares_of_many_places_add_up() {
 /// `ups` grows as the radius falls, for the pitch rate is given.
 #[test]
 fn a_cone_loses_what_slides_over_many_steps() {
-    let rest = "distance = 2e6, stops = 2, step_depth = 1e-4, smoothing_length = 2e-3";
+    let rest = "distance = 1.5e6, stops = 2, step_depth = 1e-4";
     let (case, plan) = read(0.05, "friction = 0.005", "pitch_rate = 21.3", rest);
     let wear = run(&case, &plan);
     let wheel = worn(&wear, WornBody::WheelRight);
     assert!(wear.stops[2].steps >= 4 && wheel.greatest() > 5e-4, "{:e}", wheel.greatest());
     let ups = |depth: f64| 1.0 - 21.3 * (0.46 - depth) / 10.0;
-    let volume = |depth: f64| 3e-4 * ups(depth) * 100e3 * 2e6 / 2.7e9;
+    let volume = |depth: f64| 3e-4 * ups(depth) * 100e3 * 1.5e6 / 2.7e9;
     // Between the slip at no depth and at the greatest; spin adds some, pressure is found to parts of a hundred.
     let (least, most) = (volume(0.0), volume(wheel.greatest()));
     assert!(
@@ -122,43 +121,12 @@ fn by_energy_a_free_cone_loses_its_heat() {
     assert!((wheel.volume / right - 1.0).abs() < 0.02, "{:e} {right:e}", wheel.volume);
 }
 
-/// S1002 wheels on UIC 60 rails in a straight and two curves, by fastsim.
-fn wheelset(rest: &str) -> (WheelsetCase, WearPlan) {
-    let situations = [
-        ("0.0", "0.0", "0.0", 0.3),
-        ("0.002", "0.0005", "0.0", 0.2),
-        ("-0.002", "-0.0005", "0.0", 0.2),
-        ("0.004", "0.001", "0.0", 0.15),
-        ("-0.004", "-0.001", "0.0", 0.15),
-    ]
-    .map(|(y, yaw, curvature, share)| {
-        format!("{{ y = {y}, yaw = {yaw}, curvature = {curvature}, share = {share} }}")
-    });
-    let text = format!(
-        "wheel = {{ profile = 'S1002', radius = 0.46 }}
-        rail = {{ profile = 'UIC60', cant = 0.024994793618920 }}
-        track = {{ gauge = 1.435, gauge_height = 0.014 }}
-        wheelset = {{ back_to_back = 1.36, axle_load = 160e3 }}
-        motion = {{ speed = 30.0, torque = 1500.0 }}
-        contact = {{ friction = 0.3 }}
-        materials = {{ shear_modulus = 82e9, poisson = 0.28 }}
-        solve = {{ theory = 'fastsim' }}
-        [wear]
-        situation = [{}]
-        {rest}",
-        situations.join(", ")
-    );
-    let file = WheelsetFile::read(&text).unwrap();
-    let case = file.case(Path::new("")).unwrap();
-    let plan = file.wear(&case, Path::new("")).unwrap();
-    (case, plan)
-}
-
 #[test]
 fn a_killed_run_goes_on_to_the_same_bits() {
-    let (case, plan) = wheelset("distance = 1e7, stops = 3, sides = 'mean'");
+    let rest = "distance = 6e5, stops = 2, step_depth = 1e-4";
+    let (case, plan) = read(0.05, "friction = 0.005", "pitch_rate = 21.3", rest);
     let whole = run(&case, &plan);
-    assert_eq!(whole.stops.len(), 4);
+    assert_eq!(whole.stops.len(), 3);
     let place = tempfile::tempdir().unwrap();
     let path = place.path().join(Wear::STATE);
     // Stopped before every second step.
@@ -177,8 +145,6 @@ fn a_killed_run_goes_on_to_the_same_bits() {
     };
     assert!(stopped >= 2);
     assert_eq!(resumed, whole);
-    let [left, right] = [WornBody::WheelLeft, WornBody::WheelRight].map(|body| worn(&whole, body));
-    assert_eq!(left.points, right.points);
     // A file of somebody else's stays.
     std::fs::write(&path, "my notes").unwrap();
     let refused = wear(&case, &plan, Some(&path), &mut |_, _| true);
@@ -190,9 +156,8 @@ fn a_killed_run_goes_on_to_the_same_bits() {
 #[test]
 fn half_the_step_leaves_the_same_profile() {
     let depths = [1e-4, 5e-5].map(|step| {
-        let (case, plan) = wheelset(&format!(
-            "law = 'usfd', distance = 2e8, stops = 1, sides = 'mean', step_depth = {step:e}"
-        ));
+        let rest = format!("distance = 8e5, stops = 1, step_depth = {step:e}");
+        let (case, plan) = read(0.05, "friction = 0.005", "pitch_rate = 21.3", &rest);
         let wear = run(&case, &plan);
         let wheel = worn(&wear, WornBody::WheelRight).clone();
         (wheel, wear.stops[1].steps)
