@@ -11,7 +11,8 @@ use creepage_rail::Standard;
 use creepage_rail::file::FileError as ProfileFileError;
 use creepage_study::{
     CaseError, FitError, GapCaseError, HistoryError, MapBuildError, MeasuredError, PointsError,
-    ReferenceError, ReportError, SolveError, SpecError, StaticsError, StressError, WheelsetError,
+    ReferenceError, ReportError, SolveError, SpecError, StaticsError, StressError, WearError,
+    WheelsetError,
 };
 
 use crate::batch::columns::ColumnError;
@@ -50,6 +51,8 @@ pub(crate) enum Failure {
         path.display()
     )]
     ImportExists { path: PathBuf },
+    #[error("{}: {source}", path.display())]
+    Wear { path: PathBuf, source: Box<WearError> },
     #[error("{}: {source}", path.display())]
     Map { path: PathBuf, source: Box<MapBuildError> },
     #[error("{}: {source}", path.display())]
@@ -151,6 +154,7 @@ impl Failure {
         match self {
             Self::Stdout(source) if source.kind() == ErrorKind::BrokenPipe => None,
             Self::Write { source, .. } if is_wrong_place(source.kind()) => Some(2),
+            Self::Wear { source, .. } => Some(if source.is_wrong_input() { 2 } else { 1 }),
             Self::Stdout(_)
             | Self::Write { .. }
             | Self::Rows { .. }

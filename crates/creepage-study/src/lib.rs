@@ -133,8 +133,10 @@ pub use wheelset::{
     ForceDerivativeJson, FrictionOfPlace, Load, MapBuildError, MapPlan, MapProgress, MapResolution,
     MapStage, Patches, PitchRate, PlaceOnRail, ProfileNote, RailForceJson, RailFriction,
     RailSprings, Resultant, RigidSlip, SolvedContact, SolvedWheel, SolvedWheelset, Stance, Travel,
-    WheelJson, WheelPatchJson, WheelsetCase, WheelsetDerivatives, WheelsetError, WheelsetFile,
-    WheelsetReportJson, WheelsetSolver, WheelsetTable, build_map, conicity, profile_pictures,
-    radius_difference_csv, wheelset_json_schema,
+    Wear, WearError, WearLaw, WearPlan, WearProgress, WearSituation, WearStop, WheelJson,
+    WheelPatchJson, WheelsetCase, WheelsetDerivatives, WheelsetError, WheelsetFile,
+    WheelsetReportJson, WheelsetSolver, WheelsetTable, WornBodies, WornBody, WornProfile,
+    WornSides, build_map, conicity, profile_pictures, radius_difference_csv, wear,
+    wheelset_json_schema,
 };
 pub use whole_file::WholeFile;

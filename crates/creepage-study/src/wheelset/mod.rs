@@ -33,6 +33,7 @@ mod solver;
 mod springs;
 mod table;
 mod wear;
+mod worn;
 
 pub use asked::{ANSWERS, ASKED};
 pub use case::{
@@ -52,3 +53,7 @@ pub use solved_json::{RailForceJson, WheelJson, WheelPatchJson, WheelsetReportJs
 pub use solver::WheelsetSolver;
 pub use springs::RailSprings;
 pub use table::WheelsetTable;
+pub use worn::{
+    Wear, WearError, WearLaw, WearPlan, WearProgress, WearSituation, WearStop, WornBodies,
+    WornBody, WornProfile, WornSides, wear,
+};
