@@ -73,6 +73,7 @@ from ._solution import Below, SiCreepage, SiForce, Solution
 from ._statics import StaticsSolution, statics
 from ._sweep import sweep
 from ._theories import THEORIES, theory
+from ._wear import Wear, WornBody, wear
 from ._wheelset import Wheelset, WheelsetSolution
 from ._wheelset_solver import Patch, WheelResult, WheelsetMany, WheelsetResult, WheelsetSolver
 
@@ -154,12 +155,14 @@ __all__ = [
     "UnlikeBodiesWarning",
     "Variational",
     "VermeulenJohnson",
+    "Wear",
     "WheelResult",
     "Wheelset",
     "WheelsetMany",
     "WheelsetResult",
     "WheelsetSolution",
     "WheelsetSolver",
+    "WornBody",
     "__version__",
     "automatic",
     "batch",
@@ -181,4 +184,5 @@ __all__ = [
     "theory",
     "variational",
     "vermeulen_johnson",
+    "wear",
 ]

@@ -36,6 +36,44 @@ fn the_example_wears_and_its_profiles_are_read() {
     place.run(&["wheelset", "worn.toml", "--json"]).done();
 }
 
+/// Killed three times on the way by the system, it ends with the same files as undisturbed, bit for bit.
+#[test]
+fn a_run_killed_three_times_ends_as_if_undisturbed() {
+    let place = Place::new();
+    example(&place, |text| text.replace("distance = 100e6", "distance = 20e6"));
+    place.run(&["wear", "s1002.toml", "--out", "whole"]).done();
+    let state = place.path("killed/wear.state");
+    for part in 1..=3 {
+        let mut child = std::process::Command::new(env!("CARGO_BIN_EXE_creepage"))
+            .current_dir(place.path(""))
+            .args(["wear", "s1002.toml", "--out", "killed"])
+            .stdout(std::process::Stdio::null())
+            .stderr(std::process::Stdio::null())
+            .spawn()
+            .unwrap();
+        // Until it has kept a step more.
+        let steps = || fs::read_to_string(&state).ok().and_then(|text| steps_of(&text));
+        while steps().is_none_or(|steps| steps < part) {
+            assert!(child.try_wait().unwrap().is_none(), "ended before it was killed");
+            std::thread::sleep(std::time::Duration::from_millis(5));
+        }
+        child.kill().unwrap();
+        child.wait().unwrap();
+    }
+    place.run(&["wear", "s1002.toml", "--out", "killed"]).done();
+    let names = place.files_in("whole");
+    assert!(names.len() > 15 && names == place.files_in("killed"), "{names:?}");
+    for name in names {
+        let [whole, killed] =
+            ["whole", "killed"].map(|out| fs::read(place.path(out).join(&name)).unwrap());
+        assert!(whole == killed, "{name}");
+    }
+}
+
+fn steps_of(state: &str) -> Option<u64> {
+    json(state)["steps"].as_u64()
+}
+
 #[test]
 fn what_is_wrong_is_named_and_nothing_is_written() {
     let place = Place::new();

@@ -113,6 +113,18 @@ pub enum WearError {
         /// What the system said.
         source: io::Error,
     },
+    /// The work of another run.
+    #[error(
+        "{} keeps {steps} steps of a run of another case, or by another version: remove it, or let this run \
+         have another place",
+        path.display()
+    )]
+    OtherRun {
+        /// Its file.
+        path: PathBuf,
+        /// Its steps.
+        steps: usize,
+    },
     /// Results cannot be written.
     #[error(transparent)]
     Report(#[from] ReportError),

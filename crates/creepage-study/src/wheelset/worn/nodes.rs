@@ -8,6 +8,8 @@ const KINK: f64 = 0.1;
 /// Points nearer, and farther apart, than these parts of their spacing are laid anew.
 const NEAR: f64 = 0.5;
 const FAR: f64 = 2.0;
+/// Rounds in which the volume is made up; each leaves the change of a chord's length over a step.
+const ROUNDS: usize = 12;
 /// A profile has this many points at most.
 pub(super) const MOST: f64 = 20_000.0;
 
@@ -20,15 +22,34 @@ pub(super) struct Nodes {
     pub(super) depth: Vec<f64>,
     /// Indices of kinks.
     pub(super) corners: Vec<usize>,
-    /// Area of the section that was taken off (m2).
+    /// Radius of a wheel where `z` is zero (m); infinite for a rail.
+    #[serde(with = "infinite_as_none")]
+    pub(super) radius: f64,
+    /// Area of the section that was taken off (m2), between the polygons through the points.
     pub(super) area: f64,
-    /// Of a wheel, the volume (m3).
+    /// The same as a volume: of a wheel all around (m3), of a rail per metre (m3/m).
     pub(super) volume: f64,
+    /// Volume that the law of wear asked for, as the contacts gave it.
+    pub(super) by_law: f64,
+}
+
+/// JSON has no infinity.
+mod infinite_as_none {
+    use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+    #[allow(clippy::trivially_copy_pass_by_ref)] // serde asks for it
+    pub(super) fn serialize<S: Serializer>(value: &f64, to: S) -> Result<S::Ok, S::Error> {
+        value.is_finite().then_some(*value).serialize(to)
+    }
+
+    pub(super) fn deserialize<'de, D: Deserializer<'de>>(from: D) -> Result<f64, D::Error> {
+        Ok(Option::deserialize(from)?.unwrap_or(f64::INFINITY))
+    }
 }
 
 impl Nodes {
     /// The points of a new profile, at most `spacing` (m) apart.
-    pub(super) fn of(profile: &Profile, spacing: f64) -> Self {
+    pub(super) fn of(profile: &Profile, radius: f64, spacing: f64) -> Self {
         let curve = profile.curve();
         let kinks: Vec<f64> = curve.kinks(KINK).iter().map(|(s, _)| *s).collect();
         let is_kink = |s: f64| kinks.iter().any(|kink| kink.to_bits() == s.to_bits());
@@ -48,7 +69,8 @@ impl Nodes {
         let corners = (0..stations.len()).filter(|&k| is_kink(stations[k])).collect();
         let points: Vec<[f64; 2]> =
             stations.iter().map(|&s| curve.at(s)).map(|point| [point.y, point.z]).collect();
-        Self { depth: vec![0.0; points.len()], points, corners, area: 0.0, volume: 0.0 }
+        let depth = vec![0.0; points.len()];
+        Self { points, depth, corners, radius, area: 0.0, volume: 0.0, by_law: 0.0 }
     }
 
     /// The curve through the points.
@@ -84,42 +106,80 @@ impl Nodes {
         found.map(|[_, s]| s)
     }
 
-    /// `z` at an arc length (m), linear between points.
-    pub(super) fn height(&self, arcs: &[f64], at: f64) -> f64 {
-        let above = arcs.partition_point(|place| *place < at).clamp(1, arcs.len() - 1);
-        let [from, to] = [arcs[above - 1], arcs[above]];
-        let part = ((at - from) / (to - from)).clamp(0.0, 1.0);
-        let [low, high] = [self.points[above - 1][1], self.points[above][1]];
-        low + part * (high - low)
+    /// Length round the body at a height `z` (m): of a wheel its circumference, of a rail a metre.
+    fn round(&self, z: f64) -> f64 {
+        if self.radius.is_finite() { std::f64::consts::TAU * (self.radius + z) } else { 1.0 }
     }
 
-    /// The profile after `depth` (m, at each point) was taken off along the normal; `radius` (m) is that
-    /// of a wheel.
+    /// Surface that belongs to each point (m2): of a wheel all around, of a rail per metre.
+    pub(super) fn surfaces(&self, arcs: &[f64]) -> Vec<f64> {
+        let cells = cells(arcs).into_iter();
+        cells.zip(&self.points).map(|(cell, [_, z])| cell * self.round(*z)).collect()
+    }
+
+    /// The profile after `volumes` (m3, of a rail m3/m) were taken off at its points, along the normal.
     ///
-    /// `None` where points would cross.
-    pub(super) fn worn(&self, depth: &[f64], radius: f64, spacing: f64) -> Option<Self> {
+    /// The volume between the polygons before and after is their sum. `None` where points would cross.
+    pub(super) fn worn(&self, volumes: &[f64]) -> Option<Self> {
         let (arcs, points) = (self.arcs(), &self.points);
-        let cells = cells(&arcs);
-        let mut worn = self.clone();
-        for (k, taken) in depth.iter().enumerate() {
-            // The inward normal lies on the right hand of the curve.
-            let [ty, tz] = tangent(points, &arcs, k);
-            let [y, z] = points[k];
-            worn.points[k] = [y - taken * tz, z + taken * ty];
-            worn.depth[k] += taken;
-            worn.area += taken * cells[k];
-            worn.volume += std::f64::consts::TAU * (radius + z) * taken * cells[k];
+        let surfaces = self.surfaces(&arcs);
+        let last = points.len() - 1;
+        // Step 1: the distance along the normal at each point, with the curvature and the lesser radius.
+        let normals: Vec<[f64; 2]> = (0..=last).map(|k| normal(points, &arcs, k)).collect();
+        let mut moves: Vec<f64> = (0..=last)
+            .map(|k| {
+                let depth = volumes[k] / surfaces[k];
+                let by_radius = normals[k][1] / (self.radius + points[k][1]);
+                // At kinks curvature is that of the spacing.
+                let shrink = (depth * (turn(points, &arcs, k) - by_radius)).max(-0.5).min(0.5);
+                depth / (1.0 - 0.5 * shrink)
+            })
+            .collect();
+        // Step 2: what chords leave is made up all over, so that the whole volume is the one asked for.
+        let asked: f64 = volumes.iter().sum();
+        let moved = |moves: &[f64]| -> Vec<[f64; 2]> {
+            let places = points.iter().zip(&normals).zip(moves);
+            places.map(|(([y, z], [ny, nz]), by)| [y + by * ny, z + by * nz]).collect()
+        };
+        let mut new = moved(&moves);
+        let mut swept = self.swept(&new);
+        for _ in 0..ROUNDS {
+            if !(asked > 0.0 && swept[1] > 0.0) || (swept[1] / asked - 1.0).abs() < 1e-14 {
+                break;
+            }
+            moves.iter_mut().for_each(|by| *by *= asked / swept[1]);
+            new = moved(&moves);
+            swept = self.swept(&new);
         }
         let ahead = |k: usize| {
-            let [a, b] = [points[k], points[k + 1]];
-            let [c, d] = [worn.points[k], worn.points[k + 1]];
+            let ([a, b], [c, d]) = ([points[k], points[k + 1]], [new[k], new[k + 1]]);
             (b[0] - a[0]) * (d[0] - c[0]) + (b[1] - a[1]) * (d[1] - c[1]) > 0.0
         };
-        (0..points.len() - 1).all(ahead).then(|| worn.even(spacing))
+        (0..last).all(ahead).then(|| {
+            let depth = self.depth.iter().zip(&moves).map(|(before, by)| before + by).collect();
+            let (area, volume) = (self.area + swept[0], self.volume + swept[1]);
+            Self { points: new, depth, area, volume, ..self.clone() }
+        })
+    }
+
+    /// Area (m2) and volume between this polygon and that of the same points moved.
+    fn swept(&self, new: &[[f64; 2]]) -> [f64; 2] {
+        let mut sums = [0.0; 2];
+        let mut triangle = |[a, b, c]: [[f64; 2]; 3]| {
+            let area = 0.5 * ((b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1]));
+            sums[0] += area;
+            // Guldin: the way of the centroid.
+            sums[1] += area * self.round((a[1] + b[1] + c[1]) / 3.0);
+        };
+        for (old, new) in self.points.windows(2).zip(new.windows(2)) {
+            triangle([old[0], old[1], new[1]]);
+            triangle([old[0], new[1], new[0]]);
+        }
+        sums
     }
 
     /// The same with points laid anew where they have come too near or gone too far.
-    fn even(self, spacing: f64) -> Self {
+    pub(super) fn even(self, spacing: f64) -> Self {
         let arcs = self.arcs();
         let steps = || arcs.windows(2).map(|pair| pair[1] - pair[0]);
         let widest = steps().fold(0.0, f64::max);
@@ -128,18 +188,18 @@ impl Nodes {
         if widest < FAR * spacing && (narrowest > NEAR * spacing || !self.corners.is_empty()) {
             return self;
         }
-        let Ok(profile) = self.profile(Role::Wheel).or_else(|_| self.profile(Role::Rail)) else {
+        let role = if self.radius.is_finite() { Role::Wheel } else { Role::Rail };
+        let Ok(profile) = self.profile(role) else {
             return self;
         };
-        let mut new = Self::of(&profile, spacing);
+        let mut new = Self::of(&profile, self.radius, spacing);
         let new_arcs = new.arcs();
         let stretch = match (arcs.last(), new_arcs.last()) {
             (Some(old), Some(new)) if *new > 0.0 => old / new,
             _ => return self,
         };
         new.depth = new_arcs.iter().map(|s| between(&arcs, &self.depth, stretch * s)).collect();
-        (new.area, new.volume) = (self.area, self.volume);
-        new
+        Self { area: self.area, volume: self.volume, by_law: self.by_law, ..new }
     }
 }
 
@@ -150,8 +210,8 @@ pub(super) fn cells(arcs: &[f64]) -> Vec<f64> {
     (0..arcs.len()).map(|k| border(k, (k + 1).min(last)) - border(k.saturating_sub(1), k)).collect()
 }
 
-/// The tangent at a point: that of the parabola through it and its neighbours.
-fn tangent(points: &[[f64; 2]], arcs: &[f64], k: usize) -> [f64; 2] {
+/// The inward normal at a point: it lies on the right hand of the parabola through it and its neighbours.
+fn normal(points: &[[f64; 2]], arcs: &[f64], k: usize) -> [f64; 2] {
     let last = points.len() - 1;
     let slope =
         |i: usize, axis: usize| (points[i + 1][axis] - points[i][axis]) / (arcs[i + 1] - arcs[i]);
@@ -163,7 +223,18 @@ fn tangent(points: &[[f64; 2]], arcs: &[f64], k: usize) -> [f64; 2] {
         (slope(k - 1, axis) * after + slope(k, axis) * before) / (before + after)
     });
     let length = y.hypot(z);
-    [y / length, z / length]
+    [-z / length, y / length]
+}
+
+/// Curvature at a point (1/m), positive where the body is convex: the turn of the chords over the length that
+/// belongs to it; nought at an end.
+fn turn(points: &[[f64; 2]], arcs: &[f64], k: usize) -> f64 {
+    if k == 0 || k + 1 == points.len() {
+        return 0.0;
+    }
+    let chord = |i: usize| [points[i + 1][0] - points[i][0], points[i + 1][1] - points[i][1]];
+    let ([ay, az], [by, bz]) = (chord(k - 1), chord(k));
+    (ay * bz - az * by).atan2(ay * by + az * bz) / (0.5 * (arcs[k + 1] - arcs[k - 1]))
 }
 
 /// Linear between points, that of the end beyond.
@@ -177,8 +248,8 @@ fn between(places: &[f64], values: &[f64], at: f64) -> f64 {
     values[below] + part * (values[above] - values[below])
 }
 
-/// Adds a depth (m) over a width about `s` (m): each point gets the mean over what belongs to it.
-pub(super) fn deposit(arcs: &[f64], depths: &mut [f64], s: f64, width: f64, depth: f64) {
+/// Lays a volume evenly over a width about `s` (m): each point gets what falls on what belongs to it.
+pub(super) fn deposit(arcs: &[f64], volumes: &mut [f64], s: f64, width: f64, volume: f64) {
     let (from, to) = (s - 0.5 * width, s + 0.5 * width);
     let last = arcs.len() - 1;
     let first = arcs.partition_point(|place| *place < from).saturating_sub(1);
@@ -190,24 +261,23 @@ pub(super) fn deposit(arcs: &[f64], depths: &mut [f64], s: f64, width: f64, dept
         }
         let shared = high.min(to) - low.max(from);
         if shared > 0.0 {
-            depths[k] += depth * shared / (high - low);
+            volumes[k] += volume * shared / width;
         }
     }
 }
 
-/// Gaussian smoothing over arc length that keeps the integral: each point's part is spread, and what
-/// would fall beyond an end is laid back.
-pub(super) fn smoothed(arcs: &[f64], depths: &[f64], length: f64) -> Vec<f64> {
+/// Gaussian smoothing of the depth over arc length, by volumes at points with their `surfaces`: each point's
+/// volume is spread, and what would fall beyond an end is laid back. The sum stays.
+pub(super) fn smoothed(arcs: &[f64], surfaces: &[f64], volumes: &[f64], length: f64) -> Vec<f64> {
     const REACH: f64 = 6.0;
-    let cells = cells(arcs);
     let (start, end) = (arcs[0], arcs[arcs.len() - 1]);
     let bell = |distance: f64| {
         let t = distance / length;
         if t.abs() < REACH { (-0.5 * t * t).exp() } else { 0.0 }
     };
-    let mut smooth = vec![0.0; depths.len()];
+    let mut smooth = vec![0.0; volumes.len()];
     let mut weights = Vec::new();
-    for (k, depth) in depths.iter().enumerate().filter(|(_, depth)| **depth != 0.0) {
+    for (k, volume) in volumes.iter().enumerate().filter(|(_, volume)| **volume != 0.0) {
         let s = arcs[k];
         let from = arcs.partition_point(|place| *place < s - REACH * length);
         let to = arcs.partition_point(|place| *place <= s + REACH * length);
@@ -215,11 +285,11 @@ pub(super) fn smoothed(arcs: &[f64], depths: &[f64], length: f64) -> Vec<f64> {
         weights.extend((from..to).map(|i| {
             let at = arcs[i];
             let direct = bell(at - s);
-            cells[i] * (direct + bell(2.0 * start - at - s) + bell(2.0 * end - at - s))
+            surfaces[i] * (direct + bell(2.0 * start - at - s) + bell(2.0 * end - at - s))
         }));
         let whole: f64 = weights.iter().sum();
         for (i, weight) in (from..to).zip(&weights) {
-            smooth[i] += depth * cells[k] * weight / (whole * cells[i]);
+            smooth[i] += volume * weight / whole;
         }
     }
     smooth
@@ -232,56 +302,103 @@ mod tests {
 
     use super::*;
 
-    fn volume(arcs: &[f64], depths: &[f64]) -> f64 {
-        cells(arcs).iter().zip(depths).map(|(cell, depth)| cell * depth).sum()
+    fn s1002() -> Nodes {
+        Nodes::of(&Standard::S1002.profile(), 0.46, 2.5e-4)
     }
 
     #[test]
     fn smoothing_and_deposits_keep_the_volume() {
-        let nodes = Nodes::of(&Standard::S1002.profile(), 2.5e-4);
+        let nodes = s1002();
         let arcs = nodes.arcs();
-        let mut depths = vec![0.0; arcs.len()];
+        let mut volumes = vec![0.0; arcs.len()];
         // In the middle, and one against an end, where the bell is folded back.
-        for (s, width, depth) in [(0.05, 3.3e-4, 1e-5), (0.0503, 3.3e-4, 2e-5), (5e-4, 7e-4, 1e-5)]
-        {
-            deposit(&arcs, &mut depths, s, width, depth);
+        for (s, width, volume) in [(0.05, 3.3e-4, 1.0), (0.0503, 3.3e-4, 2.0), (5e-4, 7e-4, 1.0)] {
+            deposit(&arcs, &mut volumes, s, width, volume);
         }
-        let given = 3.3e-4 * 3e-5 + 7e-4 * 1e-5;
+        let sum = |volumes: &[f64]| volumes.iter().sum::<f64>();
         // Rounding alone.
-        assert!((volume(&arcs, &depths) / given - 1.0).abs() < 1e-12);
+        assert!((sum(&volumes) / 4.0 - 1.0).abs() < 1e-12);
         for length in [3e-4, 2e-3, 1e-2] {
-            let smooth = smoothed(&arcs, &depths, length);
-            assert!((volume(&arcs, &smooth) / given - 1.0).abs() < 1e-12);
-            assert!(smooth.iter().all(|depth| *depth >= 0.0));
+            let smooth = smoothed(&arcs, &nodes.surfaces(&arcs), &volumes, length);
+            assert!((sum(&smooth) / 4.0 - 1.0).abs() < 1e-12);
+            assert!(smooth.iter().all(|volume| *volume >= 0.0));
         }
     }
 
-    /// A level depth stays level: to what the midpoint rule of a bell over uneven points misses.
+    /// A level depth stays level on a rail: to what the midpoint rule of a bell over uneven points misses. On a
+    /// wheel the volume stays, and the radius falls by up to a metre a metre towards the end of the flange, where
+    /// the bell is folded: `sqrt(2/pi) ell/r` of the depth, 3.4e-3.
     #[test]
     fn smoothing_keeps_a_level_depth() {
-        let arcs = Nodes::of(&Standard::S1002.profile(), 2.5e-4).arcs();
-        let smooth = smoothed(&arcs, &vec![1.0; arcs.len()], 2e-3);
-        assert!(smooth.iter().all(|depth| (depth - 1.0).abs() < 1e-3), "{smooth:?}");
+        for (radius, most) in [(f64::INFINITY, 1e-3), (0.46, 3.4e-3)] {
+            let nodes = Nodes { radius, ..s1002() };
+            let (arcs, surfaces) = (nodes.arcs(), nodes.surfaces(&nodes.arcs()));
+            let smooth = smoothed(&arcs, &surfaces, &surfaces, 2e-3);
+            let off = |(volume, surface): (&f64, &f64)| (volume / surface - 1.0).abs();
+            let worst = smooth.iter().zip(&surfaces).map(off).fold(0.0, f64::max);
+            assert!(worst < most, "{radius} {worst:e}");
+        }
     }
 
-    /// Depth is taken off along the normal: a round of radius `r` worn evenly is a round of `r - d`.
-    #[test]
-    fn a_round_worn_evenly_stays_round() {
-        let (radius, depth) = (0.3, 1e-3);
+    fn round(radius: f64) -> Nodes {
         let points: Vec<[f64; 2]> = (-60..=60)
             .map(|k: i32| f64::from(k) * 2e-3)
             .map(|t: f64| [radius * t.sin(), radius * (1.0 - t.cos())])
             .collect();
         let profile = Profile::through(Role::Rail, &points, &[]).unwrap();
-        let nodes = Nodes::of(&profile, 5e-4);
-        let worn = nodes.worn(&vec![depth; nodes.points.len()], 0.0, 5e-4).unwrap();
-        for [y, z] in &worn.points {
-            let off = y.hypot(radius - z) - (radius - depth);
-            // Chords of .5 mm: tangents are off by (h/r)^2, depths by its square; at the ends by h/2r.
-            assert!(off.abs() < 2e-9, "{off}");
-        }
+        Nodes::of(&profile, f64::INFINITY, 5e-4)
+    }
+
+    /// Depth is taken off along the normal: a round of radius `r` from which an even depth is taken is a round.
+    #[test]
+    fn a_round_worn_evenly_stays_round() {
+        let (radius, depth) = (0.3, 1e-3);
+        let nodes = round(radius);
         let length = nodes.arcs().last().copied().unwrap();
+        // A ring's part has a chord's length at half its depth.
+        let volumes = nodes.surfaces(&nodes.arcs()).iter().map(|s| s * depth).collect::<Vec<_>>();
+        let worn = nodes.worn(&volumes).unwrap();
+        let taken = radius - (radius * radius - 2.0 * radius * depth).sqrt();
+        // Ends have no curvature of their own.
+        for ([y, z], by) in worn.points.iter().zip(&worn.depth).skip(1).take(worn.points.len() - 2)
+        {
+            let off = y.hypot(radius - z) - (radius - taken);
+            // Chords of .5 mm: tangents are off by (h/r)^2; the ends' share of the volume is laid over all.
+            assert!(off.abs() < 1e-8 && (by - taken).abs() < 1e-8, "{off} {by} {taken}");
+        }
+        // The sum of the volumes is that between the polygons, to rounding.
         assert!((worn.area / (depth * length) - 1.0).abs() < 1e-12);
-        assert!(nodes.worn(&vec![0.4; nodes.points.len()], 0.0, 5e-4).is_none());
+        assert!(nodes.worn(&volumes.iter().map(|v| 400.0 * v).collect::<Vec<_>>()).is_none());
+    }
+
+    /// Volume between two S1002 wheels by their curves, not by their polygons: what was asked for, on the tread,
+    /// in the root of the flange (radius 13 mm) and on its face.
+    #[test]
+    fn the_curves_enclose_the_volume_that_was_asked_for() {
+        let nodes = s1002();
+        let (arcs, role) = (nodes.arcs(), Role::Wheel);
+        let body = |profile: &Profile| -> f64 {
+            // pi r^2 dy by the trapezoid rule over 3 um.
+            let curve = profile.curve();
+            let points: Vec<_> = curve.stations(3e-6).iter().map(|s| curve.at(*s)).collect();
+            let ring = |a: f64, b: f64| (a * a + a * b + b * b) / 3.0;
+            let pairs = points.windows(2);
+            pairs.map(|p| ring(0.46 + p[0].z, 0.46 + p[1].z) * (p[0].y - p[1].y)).sum::<f64>()
+                * std::f64::consts::PI
+        };
+        let new = body(&nodes.profile(role).unwrap());
+        for (y, sd) in [(0.0, 6e-3), (-0.030, 4e-3), (-0.040, 3e-3)] {
+            let at = nodes.place(&arcs, role, y).unwrap();
+            let surfaces = nodes.surfaces(&arcs);
+            let bell = |s: f64| 1e-4 * (-0.5 * ((s - at) / sd) * ((s - at) / sd)).exp();
+            let volumes: Vec<f64> =
+                arcs.iter().zip(&surfaces).map(|(s, surface)| surface * bell(*s)).collect();
+            let asked: f64 = volumes.iter().sum();
+            let worn = nodes.worn(&volumes).unwrap();
+            assert!((worn.volume / asked - 1.0).abs() < 1e-12);
+            let lost = new - body(&worn.profile(role).unwrap());
+            // Curve against polygon: sag h^2/8 of the changed curvature.
+            assert!((lost / asked - 1.0).abs() < 1e-4, "{y} {lost:e} {asked:e}");
+        }
     }
 }

@@ -14,7 +14,8 @@ const LINES: usize = 6;
 
 impl Wear {
     /// Wheels or rails as SVG, a column for each that wears; `None` where none does.
-    pub(super) fn svg(&self, role: Role) -> Option<String> {
+    #[must_use]
+    pub fn svg(&self, role: Role) -> Option<String> {
         let bodies = || WornBody::ALL.into_iter().filter(|body| body.role() == role);
         let (first, last) = (self.stops.first()?, self.stops.last()?);
         let shown: Vec<WornBody> =

@@ -13,16 +13,21 @@ use crate::wheelset::Travel;
 use crate::wheelset::solved::SolvedContact;
 use crate::wheelset::{SolvedWheelset, WheelsetCase, WheelsetSolver};
 
-/// Depth over the whole of the distance at each point of each body (m), if it wore on as it does.
+/// Volume over the whole of the distance at each point of each body (m3, of a rail m3/m), if it wore on as it
+/// does.
 #[derive(Debug, Clone)]
 pub(super) struct Rates {
     pub(super) of: [Option<Vec<f64>>; 4],
+    /// The sum of each as contacts gave it, before it was laid on points and smoothed.
+    pub(super) by_law: [f64; 4],
+    /// The greatest depth over the whole of the distance (m).
+    pub(super) greatest: f64,
     /// Peak pressure (Pa), by the wear of each contact.
     pub(super) peak: f64,
     /// Situations that did not converge.
     pub(super) doubtful: usize,
-    /// What is to be held against the solutions, each with its situation.
-    pub(super) cautions: Vec<String>,
+    /// What is to be held against the solutions, each with the number of its situation.
+    pub(super) cautions: Vec<(usize, String)>,
 }
 
 /// One row of elements of a contact after one passage.
@@ -59,14 +64,18 @@ impl Rates {
             if strips.iter().any(|strip| !strip.depth.is_finite()) {
                 return Err(WearError::NoWear { number: k + 1 });
             }
-            let words = solved.caution_words().into_iter();
-            let words: Vec<String> =
-                words.map(|words| format!("situation {}: {words}", k + 1)).collect();
-            Ok((strips, solved.status() != Status::Solved, words))
+            let words = solved.caution_words().into_iter().map(|words| (k + 1, words));
+            Ok((strips, solved.status() != Status::Solved, words.collect::<Vec<_>>()))
         };
         let all: Vec<_> = plan.situations.par_iter().enumerate().map(solve).collect();
-        let mut rates =
-            Self { of: [const { None }; 4], peak: 0.0, doubtful: 0, cautions: Vec::new() };
+        let mut rates = Self {
+            of: [const { None }; 4],
+            by_law: [0.0; 4],
+            greatest: 0.0,
+            peak: 0.0,
+            doubtful: 0,
+            cautions: Vec::new(),
+        };
         let arcs: [Option<Vec<f64>>; 4] =
             WornBody::ALL.map(|body| bodies.of(body).map(super::nodes::Nodes::arcs));
         for (rate, arcs) in rates.of.iter_mut().zip(&arcs) {
@@ -81,13 +90,13 @@ impl Rates {
             for strip in &strips {
                 let worn = situation.share * strip.depth * strip.width;
                 (weight, rates.peak) = (weight + worn, rates.peak + worn * strip.peak);
-                rates.add(plan, bodies, &arcs, situation.share, strip, case)?;
+                rates.add(plan, bodies, &arcs, situation.share, strip)?;
             }
         }
         if weight > 0.0 {
             rates.peak /= weight;
         }
-        rates.smooth(plan, &arcs);
+        rates.smooth(plan, bodies, &arcs);
         Ok(rates)
     }
 
@@ -98,7 +107,6 @@ impl Rates {
         arcs: &[Option<Vec<f64>>; 4],
         share: f64,
         strip: &Strip,
-        case: &WheelsetCase,
     ) -> Result<(), WearError> {
         let sense = strip.side.sense();
         for (k, body) in
@@ -109,46 +117,48 @@ impl Rates {
             else {
                 continue;
             };
-            // The wheel's curve runs to the flange, the rail's to the field side.
-            let (y, along, passages) = match body.role() {
+            // The wheel's curve runs to the flange, the rail's to the field side. A wheel has a passage in each
+            // revolution: depth, length round it and revolutions make depth times distance.
+            let (y, along, times) = match body.role() {
                 Role::Wheel => (strip.y[0], -sense, plan.distance),
                 Role::Rail => (strip.y[1], sense, plan.passages),
             };
             let s = nodes.place(arcs, body.role(), y);
             let s = s.ok_or(WearError::OffProfile { body: body.name(), y })? + along * strip.across;
-            let times = match body.role() {
-                Role::Wheel => {
-                    let radius = case.running.wheelset().wheel(strip.side).radius();
-                    passages / (std::f64::consts::TAU * (radius + nodes.height(arcs, s)))
-                }
-                Role::Rail => passages,
-            };
-            deposit(arcs, rate, s, strip.width, share * times * strip.depth);
+            let volume = share * times * strip.depth * strip.width;
+            self.by_law[k] += volume;
+            deposit(arcs, rate, s, strip.width, volume);
         }
         Ok(())
     }
 
-    fn smooth(&mut self, plan: &WearPlan, arcs: &[Option<Vec<f64>>; 4]) {
-        for (rate, arcs) in self.of.iter_mut().zip(arcs) {
-            if let (Some(rate), Some(arcs)) = (rate, arcs) {
-                *rate = smoothed(arcs, rate, plan.smoothing_length);
+    fn smooth(&mut self, plan: &WearPlan, bodies: &Bodies, arcs: &[Option<Vec<f64>>; 4]) {
+        let surfaces: Vec<Option<Vec<f64>>> = WornBody::ALL
+            .into_iter()
+            .zip(arcs)
+            .map(|(body, arcs)| Some(bodies.of(body)?.surfaces(arcs.as_ref()?)))
+            .collect();
+        for ((rate, arcs), surfaces) in self.of.iter_mut().zip(arcs).zip(&surfaces) {
+            if let (Some(rate), Some(arcs), Some(surfaces)) = (rate, arcs, surfaces) {
+                *rate = smoothed(arcs, surfaces, rate, plan.smoothing_length);
             }
         }
         if plan.sides == WornSides::Mean {
-            for pair in self.of.chunks_mut(2) {
+            for (pair, sums) in self.of.chunks_mut(2).zip(self.by_law.chunks_mut(2)) {
                 if let [Some(left), Some(right)] = pair {
                     for (left, right) in left.iter_mut().zip(right) {
                         *left = left.midpoint(*right);
                         *right = *left;
                     }
+                    sums.fill(0.5 * (sums[0] + sums[1]));
                 }
             }
         }
-    }
-
-    /// The greatest depth over the whole of the distance (m).
-    pub(super) fn greatest(&self) -> f64 {
-        self.of.iter().flatten().flatten().copied().fold(0.0, f64::max)
+        let depths = self.of.iter().zip(&surfaces).filter_map(|(rate, surfaces)| {
+            let pairs = rate.as_ref()?.iter().zip(surfaces.as_ref()?);
+            Some(pairs.map(|(volume, surface)| volume / surface).fold(0.0, f64::max))
+        });
+        self.greatest = depths.fold(0.0, f64::max);
     }
 
     /// By how much others differ, in parts of these, by root mean squares.
@@ -162,22 +172,14 @@ impl Rates {
         if own > 0.0 { (apart / own).sqrt() } else { 0.0 }
     }
 
-    /// The mean of these and others, over a part of the whole distance (m).
-    pub(super) fn mean(&self, other: &Self, part: f64) -> [Option<Vec<f64>>; 4] {
-        let mut of = self.of.clone();
-        for (mean, other) in of.iter_mut().zip(&other.of) {
-            if let (Some(mean), Some(other)) = (mean, other) {
-                mean.iter_mut().zip(other).for_each(|(a, b)| *a = part * a.midpoint(*b));
-            }
+    /// The mean of these and others, by volumes.
+    pub(super) fn mean(&self, other: &Self) -> Self {
+        let mut mean = self.clone();
+        for (mean, other) in mean.of.iter_mut().flatten().zip(other.of.iter().flatten()) {
+            mean.iter_mut().zip(other).for_each(|(a, b)| *a = a.midpoint(*b));
         }
-        of
-    }
-
-    /// The depth over a part of the whole distance (m).
-    pub(super) fn over(&self, part: f64) -> [Option<Vec<f64>>; 4] {
-        let mut of = self.of.clone();
-        of.iter_mut().flatten().flatten().for_each(|depth| *depth *= part);
-        of
+        mean.by_law.iter_mut().zip(&other.by_law).for_each(|(a, b)| *a = a.midpoint(*b));
+        mean
     }
 }
 

@@ -5,7 +5,7 @@ use std::path::Path;
 use super::error::WearError;
 use super::rates::Rates;
 use super::section::WearPlan;
-use super::state::{State, WearStop};
+use super::state::{Noted, State, WearStop};
 use crate::wheelset::WheelsetCase;
 
 /// A step after which contacts wear by this much otherwise, by root mean square, is halved.
@@ -16,6 +16,9 @@ const CALM: f64 = 0.05;
 const LEAST: f64 = 1.0 / 16.0;
 /// Part of the limit of stability that a step keeps.
 const SAFE: f64 = 0.7;
+
+/// The volume that is gone is that of the contacts, to this part.
+const BALANCE: f64 = 1e-6;
 
 /// Who hears how far a run is: part of the distance, and the stops so far; false stops it.
 pub type WearProgress<'a> = &'a mut dyn FnMut(f64, &[WearStop]) -> bool;
@@ -72,7 +75,7 @@ pub fn wear(
 }
 
 /// One step, to `target` (part of the whole distance) at most.
-fn step(
+pub(super) fn step(
     case: &WheelsetCase,
     plan: &WearPlan,
     run: &mut State,
@@ -80,7 +83,7 @@ fn step(
 ) -> Result<(), WearError> {
     let reached = |part: f64| [part * plan.distance, part * plan.passages];
     let first = Rates::new(case, plan, &run.bodies, reached(run.part))?;
-    let greatest = first.greatest();
+    let greatest = first.greatest;
     let allowed = stable(case, plan, first.peak);
     if allowed < run.trial {
         run.cut += 1;
@@ -90,31 +93,22 @@ fn step(
         let left = target - run.part;
         let part = if greatest * left > depth { depth / greatest } else { left };
         let is_last = part >= left;
-        let predicted = run.bodies.worn(case, plan, &first.over(part))?;
+        let predicted = run.bodies.worn(&first, part)?;
         let second = Rates::new(case, plan, &predicted, reached(run.part + part))?;
-        // New points where the profile has stretched: the rates at the start have no like there.
-        let alike = first.of.iter().flatten().zip(second.of.iter().flatten());
-        let is_alike = alike.clone().all(|(one, two)| one.len() == two.len());
-        let change = if is_alike { first.change(&second) } else { 0.0 };
+        let change = first.change(&second);
         let taken = greatest * part;
         if change > CHANGE && taken > 1.01 * LEAST * plan.step_depth {
             run.trial = (0.5 * taken).max(LEAST * plan.step_depth);
             continue;
         }
-        run.bodies = if is_alike {
-            run.bodies.worn(case, plan, &first.mean(&second, part))?
-        } else {
-            predicted
-        };
+        run.bodies = run.bodies.worn(&first.mean(&second), part)?.even(plan.spacing);
         run.rough += usize::from(change > CHANGE);
         run.doubtful += first.doubtful + second.doubtful;
         if change < CALM {
             run.trial = (2.0 * run.trial).min(plan.step_depth);
         }
-        if run.steps == 0 || is_last && target >= 1.0 {
-            let when = if run.steps == 0 { "new" } else { "worn" };
-            let words = second.cautions.iter().map(|words| format!("{when} profiles, {words}"));
-            run.cautions.extend(words);
+        for (situation, words) in first.cautions.iter().chain(&second.cautions) {
+            run.note(*situation, words);
         }
         run.part = if is_last { target } else { run.part + part };
         run.steps += 1;
@@ -158,6 +152,12 @@ fn cautions(plan: &WearPlan, run: &State) -> Vec<String> {
     if run.doubtful > 0 {
         all.push(format!("{} solutions of situations did not converge", run.doubtful));
     }
-    all.extend(run.cautions.iter().cloned());
+    let off = run.bodies.imbalance();
+    if off > BALANCE {
+        all.push(format!(
+            "the volume that is gone differs from that of the contacts by {off:.1e} of it"
+        ));
+    }
+    all.extend(run.cautions.iter().map(Noted::words));
     all
 }

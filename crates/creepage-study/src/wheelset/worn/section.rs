@@ -7,7 +7,8 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 
 use super::error::WearError;
-use crate::case::CaseError;
+use crate::case::schema::schema_of;
+use crate::case::{CaseError, keys};
 use crate::wheelset::error::checked;
 use crate::wheelset::{ASKED, WheelsetCase};
 
@@ -47,6 +48,32 @@ pub(in crate::wheelset) struct WearSection {
     /// Situations; without any the file's own position and motion.
     #[serde(default)]
     situation: Vec<SituationSection>,
+    /// Every situation spread about its position by normal distributions.
+    #[serde(default)]
+    #[schemars(with = "SpreadSection")]
+    spread: Option<SpreadSection>,
+}
+
+/// Normal distributions about the position of every situation: even places over three standard deviations to
+/// both sides, weighed by the bell.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+struct SpreadSection {
+    /// Standard deviation of y (m).
+    #[serde(default)]
+    y: f64,
+    /// Standard deviation of the yaw (rad).
+    #[serde(default)]
+    yaw: f64,
+    /// Places of each; 13 by default.
+    places: Option<u32>,
+}
+
+/// A text of `[wear]` alone.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+struct WearFile {
+    wear: WearSection,
 }
 
 /// A situation: what it leaves out is the file's own.
@@ -57,6 +84,10 @@ struct SituationSection {
     share: f64,
     /// Lateral position (m).
     y: Option<f64>,
+    /// Height, down (m).
+    z: Option<f64>,
+    /// Roll (rad).
+    roll: Option<f64>,
     /// Yaw (rad).
     yaw: Option<f64>,
     /// Load on both rails (N).
@@ -69,6 +100,10 @@ struct SituationSection {
     pitch_rate: Option<f64>,
     /// Velocity to the right (m/s).
     lateral_velocity: Option<f64>,
+    /// Velocity down (m/s).
+    vertical_velocity: Option<f64>,
+    /// Angular velocity about x (rad/s).
+    roll_rate: Option<f64>,
     /// Angular velocity about z (rad/s).
     yaw_rate: Option<f64>,
     /// Coefficient of friction on both rails.
@@ -154,6 +189,10 @@ pub struct WearPlan {
     pub table: Option<PathBuf>,
 }
 
+const MOST_SITUATIONS: usize = 100_000;
+/// A spread reaches as many standard deviations to both sides.
+const REACH: f64 = 3.0;
+
 const COLUMNS: [&str; 15] = [
     "share",
     "friction",
@@ -202,6 +241,12 @@ impl WearSection {
             None if self.situation.is_empty() => vec![WearSituation::own()],
             None => self.situation.iter().map(SituationSection::situation).collect(),
         };
+        if let Some(spread) = &self.spread {
+            situations = spread.over(&situations, case)?;
+        }
+        let count = situations.len();
+        let valid = "100,000 situations at most";
+        checked(WEAR, "situation", count as f64, count <= MOST_SITUATIONS, valid)?;
         share_out(&mut situations)?;
         let plan = WearPlan {
             situations,
@@ -232,7 +277,64 @@ impl WearSection {
     }
 }
 
+impl SpreadSection {
+    /// Each situation at every place of the spread; shares have the sums they had.
+    fn over(
+        &self,
+        situations: &[WearSituation],
+        case: &WheelsetCase,
+    ) -> Result<Vec<WearSituation>, WearError> {
+        const SECTION: &str = "wear.spread";
+        let places = self.places.unwrap_or(13);
+        checked(SECTION, "places", f64::from(places), (2..=1001).contains(&places), "2 to 1001")?;
+        for (key, sd, most) in [("y", self.y, 0.05), ("yaw", self.yaw, 0.1)] {
+            checked(SECTION, key, sd, sd >= 0.0 && sd <= most, "0 or more, y to .05 m, yaw to .1")?;
+        }
+        // Places in standard deviations, with weights of the sum 1.
+        let bell = |sd: f64| -> Vec<[f64; 2]> {
+            if sd == 0.0 {
+                return vec![[0.0, 1.0]];
+            }
+            let at = |k: u32| REACH * (2.0 * f64::from(k) / f64::from(places - 1) - 1.0);
+            let weight = |t: f64| (-0.5 * t * t).exp();
+            let whole: f64 = (0..places).map(|k| weight(at(k))).sum();
+            (0..places).map(|k| [sd * at(k), weight(at(k)) / whole]).collect()
+        };
+        let (across, turned) = (bell(self.y), bell(self.yaw));
+        let own = |value: f64, own: f64| if value.is_nan() { own } else { value };
+        let mut all = Vec::new();
+        for situation in situations {
+            for ([y, part], [yaw, other]) in
+                across.iter().flat_map(|one| turned.iter().map(move |other| (one, other)))
+            {
+                let mut spread = situation.clone();
+                spread.share *= part * other;
+                for (name, by, given) in [("y", y, case.stance.y), ("yaw", yaw, case.stance.yaw)] {
+                    if let Some(place) = spread.number(name) {
+                        *place = own(*place, given) + by;
+                    }
+                }
+                all.push(spread);
+            }
+            if all.len() > MOST_SITUATIONS {
+                break;
+            }
+        }
+        Ok(all)
+    }
+}
+
 impl WearPlan {
+    /// The plan of a text that holds `[wear]` alone, for a wheelset; its table in `directory`.
+    ///
+    /// # Errors
+    /// [`WearError`] as by [`WheelsetFile::wear`](crate::WheelsetFile::wear).
+    pub fn read(text: &str, case: &WheelsetCase, directory: &Path) -> Result<Self, WearError> {
+        keys::check(&keys::parse(text)?, &schema_of::<WearFile>())?;
+        let file: WearFile = toml::from_str(text).map_err(CaseError::from)?;
+        file.wear.plan(case, directory)
+    }
+
     /// What can be seen before anything is solved.
     fn check(&self, case: &WheelsetCase) -> Result<(), WearError> {
         let running = &case.running;
@@ -284,12 +386,16 @@ impl SituationSection {
         let mut situation = WearSituation { share: self.share, ..WearSituation::own() };
         let given = [
             ("y", self.y),
+            ("z", self.z),
+            ("roll", self.roll),
             ("yaw", self.yaw),
             ("axle_load", self.axle_load),
             ("roll_moment", self.roll_moment),
             ("speed", self.speed),
             ("pitch_rate", self.pitch_rate),
             ("lateral_velocity", self.lateral_velocity),
+            ("vertical_velocity", self.vertical_velocity),
+            ("roll_rate", self.roll_rate),
             ("yaw_rate", self.yaw_rate),
             ("friction", self.friction),
             ("curvature", self.curvature),

@@ -9,6 +9,7 @@ use serde::{Deserialize, Serialize};
 
 use super::error::WearError;
 use super::nodes::Nodes;
+use super::rates::Rates;
 use super::section::{WearPlan, WornBodies};
 use crate::sources::keep_foreign;
 use crate::wheelset::WheelsetCase;
@@ -81,7 +82,11 @@ impl Bodies {
             let is_there = case.stance.side.is_none_or(|side| side == body.side());
             let [wheel, rail] = case.running.profiles(body.side());
             let profile = if body.role() == Role::Wheel { wheel } else { rail };
-            (wears && is_there).then(|| Nodes::of(profile, plan.spacing))
+            let radius = match body.role() {
+                Role::Wheel => case.running.wheelset().wheel(body.side()).radius(),
+                Role::Rail => f64::INFINITY,
+            };
+            (wears && is_there).then(|| Nodes::of(profile, radius, plan.spacing))
         }))
     }
 
@@ -104,21 +109,30 @@ impl Bodies {
         Ok(new.with_profiles([a.as_ref(), b.as_ref()], [c.as_ref(), d.as_ref()])?)
     }
 
-    /// These after depths (m) were taken off.
-    pub(super) fn worn(
-        &self,
-        case: &WheelsetCase,
-        plan: &WearPlan,
-        depths: &[Option<Vec<f64>>; 4],
-    ) -> Result<Self, WearError> {
+    /// These after a part of what they would lose over the whole distance was taken off.
+    pub(super) fn worn(&self, rates: &Rates, part: f64) -> Result<Self, WearError> {
         let mut worn = self.clone();
-        for ((body, nodes), depth) in WornBody::ALL.into_iter().zip(&mut worn.0).zip(depths) {
-            let (Some(own), Some(depth)) = (&nodes, depth) else { continue };
-            let radius = case.running.wheelset().wheel(body.side()).radius();
-            let new = own.worn(depth, radius, plan.spacing);
-            *nodes = Some(new.ok_or(WearError::Crosses { body: body.name() })?);
+        for (k, body) in WornBody::ALL.into_iter().enumerate() {
+            let (Some(nodes), Some(rate)) = (&self.0[k], &rates.of[k]) else { continue };
+            let volumes: Vec<f64> = rate.iter().map(|volume| part * volume).collect();
+            let new = nodes.worn(&volumes).ok_or(WearError::Crosses { body: body.name() })?;
+            worn.0[k] = Some(Nodes { by_law: nodes.by_law + part * rates.by_law[k], ..new });
         }
         Ok(worn)
+    }
+
+    /// The same with points laid anew where that is needed.
+    pub(super) fn even(self, spacing: f64) -> Self {
+        Self(self.0.map(|nodes| nodes.map(|nodes| nodes.even(spacing))))
+    }
+
+    /// By how much the volume that is gone differs from what the law asked for, in parts of it.
+    pub(super) fn imbalance(&self) -> f64 {
+        let off = |nodes: &Nodes| {
+            let Nodes { volume, by_law, .. } = nodes;
+            if *by_law > 0.0 { (volume / by_law - 1.0).abs() } else { volume.abs() }
+        };
+        self.0.iter().flatten().map(off).fold(0.0, f64::max)
     }
 }
 
@@ -180,10 +194,45 @@ pub(super) struct State {
     pub(super) doubtful: usize,
     pub(super) bodies: Bodies,
     pub(super) stops: Vec<WearStop>,
-    pub(super) cautions: Vec<String>,
+    pub(super) cautions: Vec<Noted>,
+}
+
+/// What is to be held against solutions of situations, of one kind, over the whole run.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(super) struct Noted {
+    /// Its words without numbers.
+    kind: String,
+    /// The first one, with its situation and the part of the distance.
+    first: String,
+    situation: usize,
+    part: f64,
+    count: usize,
+}
+
+impl Noted {
+    pub(super) fn words(&self) -> String {
+        let Self { first, situation, part, count, .. } = self;
+        let times = if *count > 1 { format!(", {count} times in all") } else { String::new() };
+        format!("situation {situation} after {:.1} % of the way{times}: {first}", 100.0 * part)
+    }
 }
 
 impl State {
+    /// Keeps a caution of a situation; of those that differ by numbers alone the first, and how many they are.
+    pub(super) fn note(&mut self, situation: usize, words: &str) {
+        let kind: String = words.chars().filter(|c| c.is_alphabetic()).collect();
+        match self.cautions.iter_mut().find(|noted| noted.kind == kind) {
+            Some(noted) => noted.count += 1,
+            None => self.cautions.push(Noted {
+                kind,
+                first: words.to_owned(),
+                situation,
+                part: self.part,
+                count: 1,
+            }),
+        }
+    }
+
     pub(super) fn new(case: &WheelsetCase, plan: &WearPlan) -> Self {
         Self {
             creepage_wear: 1,
@@ -200,7 +249,8 @@ impl State {
         }
     }
 
-    /// What an earlier run of the same case left in `path`, or a new one. A file that is none stays as it is.
+    /// What an earlier run of the same case left in `path`, or a new one. A file that is none, or of another
+    /// case, stays as it is.
     pub(super) fn resume(
         case: &WheelsetCase,
         plan: &WearPlan,
@@ -211,7 +261,13 @@ impl State {
         let new = Self::new(case, plan);
         let found =
             fs::read(path).ok().and_then(|bytes| serde_json::from_slice::<Self>(&bytes).ok());
-        Ok(found.filter(|found| found.key == new.key).unwrap_or(new))
+        match found {
+            Some(found) if found.key == new.key => Ok(found),
+            Some(State { steps, .. }) if steps > 0 => {
+                Err(WearError::OtherRun { path: path.into(), steps })
+            }
+            _ => Ok(new),
+        }
     }
 
     pub(super) fn save(&self, path: &Path) -> Result<(), WearError> {
@@ -236,10 +292,8 @@ impl State {
             let measures = measured
                 .flatten()
                 .map(|m| [m.flange_height, m.flange_thickness, m.flange_slope, m.hollow]);
-            let volume = if body.role() == Role::Wheel { nodes.volume } else { nodes.area };
-            let (points, depth) = (nodes.points.clone(), nodes.depth.clone());
-            let corners = nodes.corners.clone();
-            Some(WornProfile { points, depth, corners, area: nodes.area, volume, measures })
+            let Nodes { points, depth, corners, area, volume, .. } = nodes.clone();
+            Some(WornProfile { points, depth, corners, area, volume, measures })
         };
         self.stops.push(WearStop {
             distance: self.part * plan.distance,
