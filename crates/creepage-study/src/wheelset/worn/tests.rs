@@ -292,7 +292,7 @@ fn noise_in_the_profile_does_not_grow_over_fifty_steps() {
     for k in -12..=12 {
         write!(band, "{{ y = {k}e-3, share = 1.0 }},").unwrap();
     }
-    for (smoothing, step, distance) in [(2e-3, 8e-6, 8e5), (2e-4, 1e-4, 3e5)] {
+    for (smoothing, step, distance) in [(2e-3, 8e-6, 8e5), (2e-4, 1e-4, 8e5)] {
         let rest = format!(
             "distance = {distance:e}, stops = 2, step_depth = {step:e}, smoothing_length = {smoothing:e}, \
              situation = [{band}]"
