@@ -74,6 +74,7 @@ from ._solution import Below, SiCreepage, SiForce, Solution
 from ._statics import StaticsSolution, statics
 from ._sweep import sweep
 from ._theories import THEORIES, theory
+from ._wear import Wear, WornBody, wear
 from ._wheelset import Wheelset, WheelsetSolution
 from ._wheelset_solver import Patch, WheelResult, WheelsetMany, WheelsetResult, WheelsetSolver
 
@@ -158,12 +159,14 @@ __all__ = [
     "UnlikeBodiesWarning",
     "Variational",
     "VermeulenJohnson",
+    "Wear",
     "WheelResult",
     "Wheelset",
     "WheelsetMany",
     "WheelsetResult",
     "WheelsetSolution",
     "WheelsetSolver",
+    "WornBody",
     "__version__",
     "automatic",
     "batch",
@@ -186,4 +189,5 @@ __all__ = [
     "theory",
     "variational",
     "vermeulen_johnson",
+    "wear",
 ]

@@ -12,6 +12,7 @@ use crate::map::MapArgs;
 use crate::rail_args::{ConicityArgs, ProfileArgs, WheelsetArgs};
 use crate::reproduce::ReproduceArgs;
 use crate::table::TableArgs;
+use crate::wear::WearArgs;
 
 /// Rolling contact of two elastic bodies with dry friction: creepage and spin in, tangential
 /// force and moment out.
@@ -166,6 +167,15 @@ pub(crate) enum Command {
     /// drawn afresh and kept in it. What is built is kept in FILE.nc.journal until FILE.nc is whole: a run that
     /// was interrupted goes on where it was. Minutes on two cores.
     Map(MapArgs),
+    /// Wear of wheels and rails over distance: profiles, flange measures, conicity.
+    ///
+    /// The wheelset file has [wear]: situations with their shares of the distance (inline or a CSV table), a law,
+    /// distance or passages. Step by step all contacts are solved on all cores, and the smoothed depth is taken off
+    /// along the normals. DIR gets the profiles of every stop as files that `wheelset` reads, wear.csv,
+    /// profiles.csv, report.json and pictures. What is run so far is kept in DIR/wear.state: a run that was
+    /// interrupted goes on where it was, to the same profiles, bit for bit. The exit code is 3 when a situation
+    /// did not converge.
+    Wear(WearArgs),
     /// Make a Functional Mock-up Unit (FMI 2.0 or 3.0) of a contact map, for vehicle simulation
     Fmu(FmuArgs),
     /// Equivalent conicity of a wheelset on its track by EN 15302, over the amplitude.

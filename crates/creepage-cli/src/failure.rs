@@ -12,7 +12,7 @@ use creepage_rail::file::FileError as ProfileFileError;
 use creepage_study::{
     BearingCaseError, CaseError, FitError, GapCaseError, HistoryError, MapBuildError,
     MeasuredError, PointsError, ReferenceError, ReportError, SolveError, SpecError, StaticsError,
-    StressError, WheelsetFileError,
+    StressError, WearError, WheelsetFileError,
 };
 
 use crate::batch::columns::ColumnError;
@@ -59,6 +59,8 @@ pub(crate) enum Failure {
         path.display()
     )]
     ImportExists { path: PathBuf },
+    #[error("{}: {source}", path.display())]
+    Wear { path: PathBuf, source: Box<WearError> },
     #[error("{}: {source}", path.display())]
     Map { path: PathBuf, source: Box<MapBuildError> },
     #[error("{}: {source}", path.display())]
@@ -160,6 +162,7 @@ impl Failure {
         match self {
             Self::Stdout(source) if source.kind() == ErrorKind::BrokenPipe => None,
             Self::Write { source, .. } if is_wrong_place(source.kind()) => Some(2),
+            Self::Wear { source, .. } => Some(if source.is_wrong_input() { 2 } else { 1 }),
             Self::Stdout(_)
             | Self::Write { .. }
             | Self::Rows { .. }

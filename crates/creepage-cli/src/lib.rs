@@ -32,6 +32,7 @@ mod sweep;
 mod table;
 mod table_build;
 mod theories;
+mod wear;
 mod wheelset;
 
 use std::ffi::OsString;
@@ -73,6 +74,7 @@ fn run(command: &Command) -> Result<Outcome, Failure> {
         Command::Sweep(args) => return sweep::run(args),
         Command::Wheelset(args) => return wheelset::run(args),
         Command::Map(args) => return map::run(args),
+        Command::Wear(args) => return wear::run(args),
         Command::Fmu(args) => return fmu::run(args),
         Command::Roll(args) => return roll::run(args),
         Command::Import(args) => return import::run(args),

@@ -239,6 +239,11 @@ pub(crate) fn wheelset(py: Python, error: WheelsetFileError) -> PyErr {
     }
 }
 
+/// What is wrong in a section of a file.
+pub(crate) fn in_section(py: Python, message: String, section: &'static str) -> PyErr {
+    exception(py, "CaseError", (message, Some(section)))
+}
+
 /// A contact of any shape that is none, or wanted forces out of reach.
 pub(crate) fn gap(py: Python, error: GapCaseError) -> PyErr {
     let message = error.to_string();

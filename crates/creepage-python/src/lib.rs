@@ -27,6 +27,7 @@ mod table;
 mod table_build;
 mod theories;
 mod theory;
+mod wear;
 mod wheelset;
 
 /// Rolling contact of two elastic bodies with dry friction.
@@ -65,6 +66,8 @@ mod _creepage {
     };
     #[pymodule_export]
     use crate::theory::{DifferentiableTheory, Theory};
+    #[pymodule_export]
+    use crate::wear::WearData;
     #[pymodule_export]
     use crate::wheelset::{SolvedWheelset, WheelsetData};
 

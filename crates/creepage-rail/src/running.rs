@@ -64,6 +64,27 @@ impl WheelsetOnTrack {
         [wheel.profile(), rail.profile()]
     }
 
+    /// The same with the profiles of the left and the right wheel, and of the left and the right rail, where
+    /// they are given: rails stay where they lie.
+    ///
+    /// # Errors
+    /// [`GeometryError`] as by [`Wheel::with_profile`](crate::Wheel::with_profile),
+    /// [`Wheelset::new`] and [`Rail::with_profile`](crate::Rail::with_profile).
+    pub fn with_profiles(
+        &self,
+        wheels: [Option<&Profile>; 2],
+        rails: [Option<&Profile>; 2],
+    ) -> Result<Self, GeometryError> {
+        let Wheelset { left, right, back_to_back } = &self.wheelset;
+        let [left, right] = [(left, wheels[0]), (right, wheels[1])]
+            .map(|(wheel, worn)| worn.map_or(Ok(wheel.clone()), |worn| wheel.with_profile(worn)));
+        let wheelset = Wheelset::new(left?, right?, *back_to_back)?;
+        let Track { left, right } = &self.track;
+        let [left, right] = [(left, rails[0]), (right, rails[1])]
+            .map(|(rail, worn)| worn.map_or(Ok(rail.clone()), |worn| rail.with_profile(worn)));
+        Ok(wheelset.on(Track { left: left?, right: right? }))
+    }
+
     /// One side as a right-hand one.
     pub(crate) fn pair(&self, side: Side, position: Position) -> Pair<'_> {
         let (wheel, rail, position) = match side {

@@ -137,6 +137,19 @@ impl Rail {
         Ok(rail)
     }
 
+    /// The same rail where it lies with another profile, as it wears: gauge and height are not measured anew.
+    ///
+    /// # Errors
+    /// [`GeometryError`] for a wheel's profile, and one that no wheel can see from above.
+    pub fn with_profile(&self, profile: &Profile) -> Result<Self, GeometryError> {
+        if profile.role() != Role::Rail {
+            return Err(GeometryError::NotA { role: Role::Rail });
+        }
+        let mut rail = Self { profile: profile.clone(), ..self.clone() };
+        rail.look(&rail.profile.curve().stations(STEP))?;
+        Ok(rail)
+    }
+
     /// Finds what a wheel can see from above.
     fn look(&mut self, stations: &[f64]) -> Result<(), GeometryError> {
         (self.visible, self.walls) = self.seen_from_above(stations);

@@ -1,7 +1,7 @@
 //! Wheels on an axle, and the outline of a wheel that is turned against the rail.
 
 use crate::curve::CurvePoint;
-use crate::{GeometryError, Profile, Role};
+use crate::{GeometryError, Profile, Role, Side};
 
 /// Spacing of the stations at which the outline is looked at (m).
 const STEP: f64 = 2.5e-4;
@@ -96,6 +96,20 @@ impl Wheel {
         self.radius
     }
 
+    /// `y` of the profile at which its flange back lies (m).
+    #[must_use]
+    pub fn flange_back(&self) -> f64 {
+        self.flange_back
+    }
+
+    /// The same wheel with another profile, as it wears.
+    ///
+    /// # Errors
+    /// [`GeometryError`] as by [`Wheel::new`].
+    pub fn with_profile(&self, profile: &Profile) -> Result<Self, GeometryError> {
+        Ok(Self { flange_back: self.flange_back, ..Self::new(profile, self.radius)? })
+    }
+
     /// Arc lengths at which the outline is looked at, with the points there.
     pub(crate) fn stations(&self) -> &[(f64, CurvePoint)] {
         &self.stations
@@ -146,6 +160,15 @@ impl Wheelset {
     #[must_use]
     pub fn is_mirrored(&self) -> bool {
         self.left == self.right
+    }
+
+    /// The wheel of a side.
+    #[must_use]
+    pub fn wheel(&self, side: Side) -> &Wheel {
+        match side {
+            Side::Left => &self.left,
+            Side::Right => &self.right,
+        }
     }
 
     /// Distance between the tape circles (m).

@@ -198,6 +198,31 @@ fn creepage_is_found_to_a_force() {
     assert_eq!(none, Force::default());
 }
 
+/// The powers of FASTSIM's cells are what the force takes from the motion of the bodies, with the springs that are
+/// unloaded behind the last cell: also where no cell slides.
+#[test]
+fn the_cells_of_fastsim_have_the_power_of_the_motion() {
+    let (_, contact) = both(0.3, [1e-3, 2e-3]);
+    let theory =
+        NonHertzianSimplified::new(&contact, FRICTION, Simplified::Fastsim, [30, 40]).unwrap();
+    for (creepage, slides) in [
+        (creepage(1e-3, 0.0, 0.0), false),
+        (creepage(0.3, -0.2, 0.1), true),
+        (creepage(0.0, 0.0, 0.5), true),
+        (creepage(-3.0, 1.0, 0.0), true),
+    ] {
+        let solved = theory.solve(creepage);
+        let elements = solved.elements();
+        let power: f64 = elements.iter().map(|element| element.power).sum();
+        let force = solved.solution().force.components();
+        let taken: f64 = force.iter().zip(creepage.components()).map(|(f, v)| f * v).sum();
+        // The same sum in another order, but for rows in which the first half cell counts as a whole one.
+        assert!(power >= taken * (1.0 - 1e-12) && power < 1.02 * taken, "{power} {taken}");
+        let any = elements.iter().any(|element| element.point.region == Region::Slip);
+        assert_eq!(any, slides);
+    }
+}
+
 /// Under strong spin, whose springs are others, the slip of FASTSIM's cells is still that of the motion: its power is what
 /// the moment takes, which by the springs along and across it exceeded by a sixth on a circle and by half on a contact ten
 /// times as wide as long.

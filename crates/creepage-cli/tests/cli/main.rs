@@ -31,4 +31,5 @@ mod stresses;
 mod sweep;
 mod table;
 mod theories;
+mod wear;
 mod wheelset;

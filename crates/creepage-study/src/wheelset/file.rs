@@ -14,13 +14,14 @@ use serde_json::Value;
 use toml::Table;
 
 use super::case::{ProfileNote, WheelsetCase};
-use super::error::{WheelsetFileError, checked, needed};
+use super::error::{WheelsetFileError, checked, needed, section};
 use super::friction::RailFrictionValue;
 use super::profile::{RequestedProfile, of_points};
 use super::sections::{
     FrictionSection, MaterialSection, MotionSection, RailSection, ReadingSection, SideName,
     TrackSection, WheelSection, WheelsetSection,
 };
+use super::worn::{WearError, WearPlan, WearSection};
 use crate::case::schema::schema_of;
 use crate::case::{CaseError, keys, solve};
 use crate::damage::DamageSection;
@@ -77,6 +78,10 @@ pub struct WheelsetFile {
     #[serde(default)]
     #[schemars(with = "DamageSection")]
     damage: Option<DamageSection>,
+    /// Wear over a distance, for `creepage wear`.
+    #[serde(default)]
+    #[schemars(with = "WearSection")]
+    wear: Option<WearSection>,
     /// The theory, "exact" by default, and its options.
     #[serde(default)]
     #[schemars(with = "TheorySpec")]
@@ -152,6 +157,16 @@ impl WheelsetFile {
             theory: solve::from_table(&self.solve).map_err(CaseError::from)?,
             notes,
         })
+    }
+
+    /// The wear over a distance that `[wear]` asks for, of this file's `case`; its table in `directory`.
+    ///
+    /// # Errors
+    /// [`WearError`] for a missing section or table, numbers out of range, contradictions.
+    pub fn wear(&self, case: &WheelsetCase, directory: &Path) -> Result<WearPlan, WearError> {
+        let wear = self.wear.as_ref();
+        let needs = "distance (of wheels) or passages (over rails), and situations";
+        wear.ok_or_else(|| section("wear", needs))?.plan(case, directory)
     }
 
     fn running(

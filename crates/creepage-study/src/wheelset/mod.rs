@@ -24,6 +24,7 @@ mod solved_text;
 mod solved_write;
 mod table;
 mod wear;
+mod worn;
 
 pub use case::{ProfileNote, WheelsetCase};
 pub use conicity::{ConicityTable, conicity, radius_difference_csv};
@@ -35,3 +36,7 @@ pub use profile_picture::profile_pictures;
 pub use report::{WheelsetReport, wheelset_caution_words, wheelset_cautions};
 pub use solved_json::{RailForceJson, WheelJson, WheelPatchJson, WheelsetReportJson};
 pub use table::{TableAxis, WheelsetTable};
+pub use worn::{
+    Wear, WearError, WearLaw, WearPlan, WearProgress, WearSituation, WearStop, WornBodies,
+    WornBody, WornProfile, WornSides, wear,
+};

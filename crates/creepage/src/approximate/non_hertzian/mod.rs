@@ -305,14 +305,28 @@ impl<'a> SimplifiedSolved<'a> {
     }
 
     /// The cells, row by row, each from the leading end.
+    ///
+    /// Springs are unloaded where material leaves the contact, in slip that is narrower than a cell: by `fastsim` the
+    /// last cell of a row has the power of this too, so that the powers of a row are what its traction takes
+    /// from the motion of the bodies.
     #[must_use]
     pub fn elements(&self) -> Vec<ElementField> {
         let theory = self.theory;
+        let creepage = dual::plain(self.creepage);
         let mut elements = Vec::with_capacity(theory.rows.bounds.len());
         for (index, row) in theory.rows.rows.iter().enumerate() {
-            theory.march(index, dual::plain(self.creepage), &self.more, |i, cell| {
-                elements.push(self.element(row, i, cell));
+            let (_, at) = theory.in_row(index, creepage, &self.more);
+            let mut stored = 0.0;
+            theory.march(index, creepage, &self.more, |i, cell| {
+                let element = self.element(row, i, cell);
+                let rigid = at.slip([row.middle(i), row.y]);
+                let taken = cell.traction[0] * rigid[0] + cell.traction[1] * rigid[1];
+                stored += row.weight * taken - element.power;
+                elements.push(element);
             });
+            if let (Simplified::Fastsim, Some(last)) = (theory.kind, elements.last_mut()) {
+                last.power += stored.max(0.0);
+            }
         }
         elements
     }

@@ -28,7 +28,7 @@ pub(super) struct RowCreepage<R> {
 
 impl<R: Real> RowCreepage<R> {
     /// Slip of the bodies as if rigid.
-    fn slip(&self, [x, y]: [f64; 2]) -> [R; 2] {
+    pub(super) fn slip(&self, [x, y]: [f64; 2]) -> [R; 2] {
         let [xi, eta, chi] = self.creepage;
         [xi - chi * y + self.more[0], eta + chi * x + self.more[1]]
     }

@@ -1,0 +1,254 @@
+//! The results of wear over a distance: tables, profiles, JSON.
+
+use std::fmt::Write as _;
+use std::path::{Path, PathBuf};
+
+use creepage_rail::file::{self, Format};
+use creepage_rail::{Profile, Role};
+use serde::Serialize;
+
+use super::error::WearError;
+use super::run::Wear;
+use super::section::WearPlan;
+use super::state::{WearStop, WornBody};
+use crate::error::ReportError;
+use crate::file_set::write_all;
+use crate::sources::Sources;
+use crate::wheelset::WheelsetCase;
+
+const HEADER: [&str; 12] = [
+    "distance_m",
+    "passages",
+    "steps",
+    "body",
+    "depth_m",
+    "area_m2",
+    "volume_m3",
+    "flange_height_m",
+    "flange_thickness_m",
+    "flange_slope_m",
+    "hollow_m",
+    "conicity_at_3_mm",
+];
+
+/// One row of `wear.csv` and of the report: a body at a stop.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct WearRowJson {
+    /// Distance that wheels ran (m).
+    pub distance_m: f64,
+    /// Passages over the rails.
+    pub passages: f64,
+    /// Steps so far.
+    pub steps: usize,
+    /// `wheel_left`, `wheel_right`, `rail_left` or `rail_right`.
+    pub body: &'static str,
+    /// The greatest depth (m), along the normal.
+    pub depth_m: f64,
+    /// Area of the section that is lost (m2).
+    pub area_m2: f64,
+    /// Volume lost (m3); of a rail per metre.
+    pub volume_m3: f64,
+    /// Flange height of a wheel (m).
+    pub flange_height_m: Option<f64>,
+    /// Flange thickness (m).
+    pub flange_thickness_m: Option<f64>,
+    /// Flange slope qR (m).
+    pub flange_slope_m: Option<f64>,
+    /// How far the tread rises above its field side (m).
+    pub hollow_m: Option<f64>,
+    /// Equivalent conicity at 3 mm by EN 15302.
+    pub conicity_at_3_mm: Option<f64>,
+}
+
+/// The report of wear over a distance.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct WearReportJson<'a> {
+    /// A row for each body at each stop.
+    pub rows: Vec<WearRowJson>,
+    /// What is to be held against it.
+    pub cautions: &'a [String],
+}
+
+impl WearStop {
+    /// A row for each body that wears.
+    #[must_use]
+    pub fn rows(&self) -> Vec<WearRowJson> {
+        let row = |body: WornBody| {
+            let worn = self.bodies.get(body as usize)?.as_ref()?;
+            let measure = |k: usize| worn.measures.map(|measures| measures[k]);
+            Some(WearRowJson {
+                distance_m: self.distance,
+                passages: self.passages,
+                steps: self.steps,
+                body: body.name(),
+                depth_m: worn.greatest(),
+                area_m2: worn.area,
+                volume_m3: worn.volume,
+                flange_height_m: measure(0),
+                flange_thickness_m: measure(1),
+                flange_slope_m: measure(2),
+                hollow_m: measure(3),
+                conicity_at_3_mm: self.conicity,
+            })
+        };
+        WornBody::ALL.into_iter().filter_map(row).collect()
+    }
+
+    /// Writes the profiles of a stop, whose `number` (from 0, the new ones) its files have in their names, into
+    /// `directory`, which is made when missing; none of `sources`.
+    ///
+    /// # Errors
+    /// [`WearError`]: nothing is written then.
+    pub fn write(
+        &self,
+        number: usize,
+        directory: &Path,
+        sources: &Sources,
+    ) -> Result<Vec<PathBuf>, WearError> {
+        let files = self.profiles(number)?;
+        let files: Vec<(&str, &[u8])> =
+            files.iter().map(|(name, content)| (&name[..], &content[..])).collect();
+        Ok(write_all(directory, &files, sources)?)
+    }
+
+    /// The profiles of a stop as files, which `[wheel]` and `[rail]` of a wheelset file take.
+    fn profiles(&self, number: usize) -> Result<Vec<(String, Vec<u8>)>, WearError> {
+        let mut files = Vec::new();
+        for body in WornBody::ALL {
+            let Some(worn) = &self.bodies[body as usize] else { continue };
+            let profile = Profile::through(body.role(), &worn.points, &worn.corners)
+                .map_err(|source| WearError::Profile { body: body.name(), source })?;
+            let text = file::write(&profile, Format::Json, 1.0);
+            files.push((format!("{}_{number:03}.json", body.name()), text.into_bytes()));
+        }
+        Ok(files)
+    }
+}
+
+impl Wear {
+    /// The name of the file in which a run keeps what it has done.
+    pub const STATE: &'static str = "wear.state";
+
+    /// All rows.
+    #[must_use]
+    pub fn json(&self) -> WearReportJson<'_> {
+        let rows = self.stops.iter().flat_map(WearStop::rows).collect();
+        WearReportJson { rows, cautions: &self.cautions }
+    }
+
+    /// The rows as a table for people.
+    #[must_use]
+    pub fn text(&self) -> String {
+        let mut text = String::from(
+            "distance    passages  body         depth   area     Sh      Sd      qR      hollow  conicity\n\
+             km                                 mm      mm2      mm      mm      mm      mm\n",
+        );
+        let or = |value: Option<f64>, unit: f64| match value {
+            Some(value) => format!("{:<7.3}", unit * value),
+            None => "-      ".to_owned(),
+        };
+        for row in self.stops.iter().flat_map(WearStop::rows) {
+            let measures =
+                [row.flange_height_m, row.flange_thickness_m, row.flange_slope_m, row.hollow_m];
+            let [height, thickness, slope, hollow] = measures.map(|value| or(value, 1e3));
+            // Nothing fails in writing to a string.
+            let _ = writeln!(
+                text,
+                "{:<11.1} {:<9.0} {:<12} {:<7.4} {:<8.3} {height} {thickness} {slope} {hollow} {}",
+                1e-3 * row.distance_m,
+                row.passages,
+                row.body,
+                1e3 * row.depth_m,
+                1e6 * row.area_m2,
+                or(row.conicity_at_3_mm, 1.0).trim_end(),
+            );
+        }
+        text
+    }
+
+    /// `wear.csv`: a row for each body at each stop.
+    ///
+    /// # Errors
+    /// [`ReportError`].
+    pub fn csv(&self) -> Result<Vec<u8>, ReportError> {
+        let mut writer = csv::Writer::from_writer(Vec::new());
+        writer.write_record(HEADER)?;
+        let cell = |value: f64| format!("{value:e}");
+        let or = |value: Option<f64>| value.map(cell).unwrap_or_default();
+        for row in self.stops.iter().flat_map(WearStop::rows) {
+            writer.write_record([
+                cell(row.distance_m),
+                cell(row.passages),
+                row.steps.to_string(),
+                row.body.to_owned(),
+                cell(row.depth_m),
+                cell(row.area_m2),
+                cell(row.volume_m3),
+                or(row.flange_height_m),
+                or(row.flange_thickness_m),
+                or(row.flange_slope_m),
+                or(row.hollow_m),
+                or(row.conicity_at_3_mm),
+            ])?;
+        }
+        writer.into_inner().map_err(|error| csv::Error::from(error.into_error()).into())
+    }
+
+    /// `profiles.csv`: points of all profiles with the depth there.
+    fn points_csv(&self) -> Result<Vec<u8>, ReportError> {
+        let mut writer = csv::Writer::from_writer(Vec::new());
+        writer.write_record(["body", "distance_m", "passages", "y_m", "z_m", "depth_m"])?;
+        for stop in &self.stops {
+            for (body, worn) in WornBody::ALL.into_iter().zip(&stop.bodies) {
+                let Some(worn) = worn else { continue };
+                for ([y, z], depth) in worn.points.iter().zip(&worn.depth) {
+                    let numbers = [stop.distance, stop.passages, *y, *z, *depth];
+                    let cells = numbers.map(|value| format!("{value:e}"));
+                    writer.write_record(std::iter::once(body.name().to_owned()).chain(cells))?;
+                }
+            }
+        }
+        writer.into_inner().map_err(|error| csv::Error::from(error.into_error()).into())
+    }
+
+    /// Writes `wear.csv`, `profiles.csv`, `report.json`, a picture of each kind of body, and a file for each
+    /// profile at each stop into `directory`, which is made when missing; none of `sources` or of the case's files.
+    ///
+    /// # Errors
+    /// [`WearError`]: nothing is written then.
+    pub fn write(
+        &self,
+        case: &WheelsetCase,
+        plan: &WearPlan,
+        directory: &Path,
+        sources: &Sources,
+    ) -> Result<Vec<PathBuf>, WearError> {
+        let json = serde_json::to_vec_pretty(&self.json()).map_err(ReportError::from)?;
+        let mut files = vec![
+            ("wear.csv".to_owned(), self.csv()?),
+            ("profiles.csv".to_owned(), self.points_csv()?),
+            ("report.json".to_owned(), json),
+        ];
+        for role in [Role::Wheel, Role::Rail] {
+            if let Some(svg) = self.svg(role) {
+                let png = creepage_plot::png(&svg).map_err(ReportError::from)?;
+                files.push((format!("{role}s.svg"), svg.into_bytes()));
+                files.push((format!("{role}s.png"), png));
+            }
+        }
+        for (number, stop) in self.stops.iter().enumerate() {
+            files.extend(stop.profiles(number)?);
+        }
+        let files: Vec<(&str, &[u8])> =
+            files.iter().map(|(name, content)| (&name[..], &content[..])).collect();
+        Ok(write_all(directory, &files, &plan.sources(case).with(sources))?)
+    }
+}
+
+impl WearPlan {
+    /// The files that it and its wheelset were read from.
+    #[must_use]
+    pub fn sources(&self, case: &WheelsetCase) -> Sources {
+        case.sources().with(&Sources::new(self.table.iter()))
+    }
+}

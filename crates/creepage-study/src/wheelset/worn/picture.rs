@@ -1,0 +1,87 @@
+//! The picture of worn profiles: the shape to scale, and the depth over the profile.
+
+use creepage_plot::{Axis, Label, Panel, Pen, Point, Sheet};
+use creepage_rail::Role;
+
+use super::run::Wear;
+use super::state::{WearStop, WornBody, WornProfile};
+
+/// White around a profile (mm), and above the depth in parts of it.
+const AIR: f64 = 4.0;
+const ABOVE: f64 = 0.08;
+/// As many stops have a line of their own.
+const LINES: usize = 6;
+
+impl Wear {
+    /// Wheels or rails as SVG, a column for each that wears; `None` where none does.
+    #[must_use]
+    pub fn svg(&self, role: Role) -> Option<String> {
+        let bodies = || WornBody::ALL.into_iter().filter(|body| body.role() == role);
+        let (first, last) = (self.stops.first()?, self.stops.last()?);
+        let shown: Vec<WornBody> =
+            bodies().filter(|body| first.bodies[*body as usize].is_some()).collect();
+        let every = self.stops.len().saturating_sub(1).div_ceil(LINES).max(1);
+        let lines: Vec<&WearStop> =
+            self.stops.iter().rev().step_by(every).filter(|stop| stop.steps > 0).collect();
+        let lines: Vec<&WearStop> = lines.into_iter().rev().collect();
+        let mut sheet = Sheet::new(&format!("Worn {role}s")).columns(shown.len().max(1));
+        if shown.len() > 1 {
+            sheet = sheet.width(1320.0);
+        }
+        let of = |stop: &'_ WearStop, body: WornBody| stop.bodies[body as usize].clone();
+        for body in &shown {
+            let (new, worn) = (of(first, *body)?, of(last, *body)?);
+            let [y, z] = [0, 1].map(|axis| range(&new.points, axis));
+            let heading = Label::new(&body.name().replace('_', ", "));
+            let panel = Panel::new(axis(y), Axis::new([z[1], z[0]], label("z", " down (mm)")))
+                .to_scale()
+                .heading(heading)
+                .curve(millimetres(&new.points), Pen::THIN)
+                .curve(millimetres(&worn.points), Pen::OUTLINE);
+            sheet = sheet.panel(panel);
+        }
+        for body in &shown {
+            let new = of(first, *body)?;
+            let most = 1e3 * of(last, *body)?.greatest();
+            let most = if most > 0.0 { most * (1.0 + ABOVE) } else { 1.0 };
+            let upright = Axis::new([0.0, most], Label::new("depth along the normal (mm)"));
+            let mut panel = Panel::new(axis(range(&new.points, 0)), upright).height(260.0);
+            for (k, stop) in lines.iter().enumerate() {
+                panel = panel.curve(depths(&of(stop, *body)?), Pen::of(k));
+            }
+            sheet = sheet.panel(panel);
+        }
+        for (k, stop) in lines.iter().enumerate() {
+            let words = match role {
+                Role::Wheel => format!("{:.0} km", 1e-3 * stop.distance),
+                Role::Rail => format!("{:.0} passages", stop.passages),
+            };
+            sheet = sheet.key(Pen::of(k), Label::new(&words));
+        }
+        Some(sheet.key(Pen::THIN, Label::new("new")).svg())
+    }
+}
+
+fn label(symbol: &str, words: &str) -> Label {
+    Label::default().symbol(symbol).plain(words)
+}
+
+fn axis(range: [f64; 2]) -> Axis {
+    Axis::new(range, label("y", " to the field side (mm)"))
+}
+
+fn millimetres(points: &[[f64; 2]]) -> Vec<Point> {
+    points.iter().map(|[y, z]| [1e3 * y, 1e3 * z]).collect()
+}
+
+fn depths(worn: &WornProfile) -> Vec<Point> {
+    worn.points.iter().zip(&worn.depth).map(|([y, _], depth)| [1e3 * y, 1e3 * depth]).collect()
+}
+
+fn range(points: &[[f64; 2]], axis: usize) -> [f64; 2] {
+    let start = [f64::INFINITY, f64::NEG_INFINITY];
+    let [low, high] = points
+        .iter()
+        .fold(start, |[low, high], point| [low.min(point[axis]), high.max(point[axis])]);
+    [1e3 * low - AIR, 1e3 * high + AIR]
+}
