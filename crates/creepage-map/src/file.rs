@@ -9,8 +9,9 @@ use std::sync::Arc;
 use creepage::table::Table;
 use netcdf3::{DataSet, FileReader, FileWriter, InvalidDataSet, ReadError, Version, WriteError};
 
+use crate::answer::{Pressed, State};
 use crate::error::MapError;
-use crate::map::{ContactMap, Head, MapAccuracy, Pressed, Spread, State};
+use crate::map::{ContactMap, Head, MapAccuracy, Spread};
 use crate::normal::{HEIGHTS, HeightNode, Heights};
 use crate::patch::{Ellipse, Patch, Sloped};
 use crate::wheel::{CellError, RollingNode, WheelMap};

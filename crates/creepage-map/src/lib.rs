@@ -30,7 +30,9 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod answer;
 mod blend;
+mod equilibrium;
 mod error;
 mod file;
 mod fit;
@@ -40,13 +42,11 @@ mod patch;
 mod scalar;
 mod wheel;
 
+pub use answer::{Answer, PatchAnswer, Pressed, State, WheelAnswer};
 pub use blend::interpolated;
 pub use error::{MapError, Quantity};
 pub use fit::{Contour, Fit, Sample, fit};
-pub use map::{
-    Answer, ContactMap, Derivatives, Head, MapAccuracy, PatchAnswer, Pressed, Spread, State,
-    VARIABLES, WheelAnswer,
-};
+pub use map::{ContactMap, Derivatives, Head, MapAccuracy, Spread, VARIABLES};
 pub use normal::{HEIGHTS, HeightNode, Heights};
 pub use patch::{Ellipse, Patch, Sloped};
 pub use wheel::{CellError, PLACES, RollingNode, WheelMap};

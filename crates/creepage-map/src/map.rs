@@ -5,11 +5,13 @@ use std::sync::Arc;
 use creepage::table::Table;
 
 use crate::Side;
+use crate::answer::{Answer, Pressed, State, WheelAnswer};
+use crate::equilibrium::{PITCH, ROLL, Unknowns, Z, follow};
 use crate::error::{MapError, Quantity};
 use crate::normal::Placed;
-use crate::patch::{Asked, Report, cross};
+use crate::patch::{Asked, cross};
 use crate::scalar::{Dual, Scalar};
-use crate::wheel::{CellError, PLACES, WheelActs, WheelMap};
+use crate::wheel::{WheelActs, WheelMap};
 
 /// What a map knows of its wheelset.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -70,148 +72,8 @@ pub struct ContactMap {
     pub(crate) source: String,
 }
 
-/// Where a wheelset stands and how it moves: what a map is asked with. Axes of the track: `x` forward,
-/// `y` to the right, `z` down.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct State {
-    /// Its centre to the right of the track centre (m).
-    pub y: f64,
-    /// Turn about `z` (rad).
-    pub yaw: f64,
-    /// Turn about `x` (rad); found where `None`: both rails then carry the same.
-    pub roll: Option<f64>,
-    /// What holds it down.
-    pub pressed: Pressed,
-    /// Speed along the track (m/s).
-    pub speed: f64,
-    /// Angular velocity about the axle (rad/s); where `None` that at which friction has no moment about it.
-    pub pitch_rate: Option<f64>,
-    /// Velocity to the right (m/s).
-    pub lateral_velocity: f64,
-    /// Velocity downwards (m/s).
-    pub vertical_velocity: f64,
-    /// Angular velocity about `x` (rad/s).
-    pub roll_rate: f64,
-    /// Angular velocity about `z` (rad/s).
-    pub yaw_rate: f64,
-    /// Coefficient of friction.
-    pub friction: f64,
-}
-
-impl State {
-    /// This state with other numbers where they are given and not NaN: y, z, roll, yaw, axle load; speed,
-    /// pitch rate, lateral and vertical velocity, roll and yaw rate; friction.
-    #[must_use]
-    pub fn with(&self, numbers: &[f64; 12]) -> Self {
-        let or = |value: f64, own: f64| if value.is_nan() { own } else { value };
-        let given = |value: f64| (!value.is_nan()).then_some(value);
-        let [y, z, roll, yaw, load, speed, rate, lateral, vertical, roll_rate, yaw_rate, friction] =
-            *numbers;
-        let pressed = given(z).map(Pressed::Height).or(given(load).map(Pressed::AxleLoad));
-        Self {
-            y: or(y, self.y),
-            yaw: or(yaw, self.yaw),
-            roll: given(roll).or(self.roll),
-            pressed: pressed.unwrap_or(self.pressed),
-            speed: or(speed, self.speed),
-            pitch_rate: given(rate).or(self.pitch_rate),
-            lateral_velocity: or(lateral, self.lateral_velocity),
-            vertical_velocity: or(vertical, self.vertical_velocity),
-            roll_rate: or(roll_rate, self.roll_rate),
-            yaw_rate: or(yaw_rate, self.yaw_rate),
-            friction: or(friction, self.friction),
-        }
-    }
-}
-
-/// What holds a wheelset down.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Pressed {
-    /// Its height (m, down).
-    Height(f64),
-    /// Vertical force of the wheelset on the track (N).
-    AxleLoad(f64),
-}
-
-/// One place of contact of an answer, in track axes.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct PatchAnswer {
-    /// Reference point in track axes (m).
-    pub reference: [f64; 3],
-    /// From the track's `z` to the normal into the rail, about `x` (rad).
-    pub angle: f64,
-    /// Normal force (N); zero where there is no such place.
-    pub normal_force: f64,
-    /// Largest pressure (Pa).
-    pub peak_pressure: f64,
-    /// Area (m^2).
-    pub area: f64,
-    /// Longitudinal and lateral creepage, spin (rad/m).
-    pub creepage: [f64; 3],
-    /// On the rail, in the contact plane: longitudinal, lateral (N), moment about the normal (N m).
-    pub friction: [f64; 3],
-}
-
-impl PatchAnswer {
-    /// Energy turned to heat per metre rolled (J/m), `T gamma` of laws of wear: force times creepage, with
-    /// spin.
-    #[must_use]
-    pub fn dissipation(&self) -> f64 {
-        self.friction.iter().zip(self.creepage).map(|(force, creepage)| force * creepage).sum()
-    }
-}
-
-/// One wheel of an answer.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct WheelAnswer {
-    /// Force on the rail along the track's axes (N).
-    pub force: [f64; 3],
-    /// Moment about the origin of the rail's profile (N m).
-    pub moment: [f64; 3],
-    /// Places of contact; those without a normal force are none.
-    pub patches: [PatchAnswer; PLACES],
-    /// Largest errors on the fresh states of this stretch of the map.
-    pub error: CellError,
-}
-
-/// What a map answers.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Answer {
-    /// The left wheel.
-    pub left: WheelAnswer,
-    /// The right wheel.
-    pub right: WheelAnswer,
-    /// Force (N) and moment (N m) of the rails on the wheelset about its centre, in track axes.
-    pub wrench: [f64; 6],
-    /// Height (m, down), given or found.
-    pub z: f64,
-    /// Roll (rad), given or found.
-    pub roll: f64,
-    /// Angular velocity about the axle (rad/s), given or found.
-    pub pitch_rate: f64,
-}
-
-impl Answer {
-    /// Forces and moments on the left and on the right rail, the wrench on the wheelset, z, roll, pitch rate.
-    #[must_use]
-    pub fn numbers(&self) -> [f64; 21] {
-        let mut all = [0.0; 21];
-        let wheels = [&self.left, &self.right];
-        let parts =
-            wheels.into_iter().flat_map(|wheel| wheel.force.into_iter().chain(wheel.moment));
-        let parts = parts.chain(self.wrench).chain([self.z, self.roll, self.pitch_rate]);
-        all.iter_mut().zip(parts).for_each(|(to, from)| *to = from);
-        all
-    }
-}
-
 /// By what a map's forces are differentiated: y, z, roll, yaw, speed, pitch rate, lateral velocity, yaw rate.
 pub const VARIABLES: usize = 8;
-
-/// The numbers that a wheelset may find for itself.
-const Z: usize = 1;
-const ROLL: usize = 2;
-const PITCH: usize = 5;
 
 /// Derivatives of the forces and moments of both wheels, as those of an answer, by [`VARIABLES`] numbers;
 /// NaN by those that are found and not given, which follow.
@@ -251,7 +113,7 @@ impl<S: Scalar> Numbers<S> {
     }
 }
 
-const SIDES: [Side; 2] = [Side::Left, Side::Right];
+pub(crate) const SIDES: [Side; 2] = [Side::Left, Side::Right];
 
 impl ContactMap {
     /// From its parts; both wheels on the right-hand image of their side.
@@ -383,7 +245,7 @@ impl ContactMap {
     }
 
     /// What one wheel does to its rail, in track axes; moments about the rail's origin.
-    fn on_rail<S: Scalar>(
+    pub(crate) fn on_rail<S: Scalar>(
         &self,
         side: Side,
         numbers: &Numbers<S>,
@@ -524,40 +386,7 @@ fn asked<S: Scalar>(head: &Head, side: Side, image: &Numbers<S>) -> Asked<S> {
     }
 }
 
-/// Lets what is found follow what is given.
-fn follow(
-    state: &State,
-    wheels: &[WheelActs<Dual<VARIABLES>>; 2],
-    all: &mut Derivatives,
-) -> Result<(), MapError> {
-    let unknowns = Unknowns::of(state);
-    let kept: Vec<[f64; VARIABLES]> = kept(state, wheels).into_iter().map(|kept| kept.d).collect();
-    let open: Vec<usize> = unknowns.open.iter().copied().collect();
-    if open.is_empty() {
-        return Ok(());
-    }
-    let by = nalgebra::DMatrix::from_fn(open.len(), open.len(), |i, j| kept[i][open[j]]).lu();
-    for given in 0..VARIABLES {
-        let is_open = open.contains(&given);
-        let right = nalgebra::DVector::from_fn(open.len(), |i, _| -kept[i][given]);
-        let moved = by.solve(&right).ok_or(MapError::NotDifferentiable)?;
-        for row in all.as_flattened_mut() {
-            let follow: f64 = open.iter().zip(&moved).map(|(k, moved)| row[*k] * moved).sum();
-            // The columns of what is found are needed until the last.
-            if !is_open {
-                row[given] += follow;
-            }
-        }
-    }
-    for row in all.as_flattened_mut() {
-        for k in &open {
-            row[*k] = f64::NAN;
-        }
-    }
-    Ok(())
-}
-
-fn numbers<S: Scalar>(state: &State, [z, roll, pitch_rate]: [f64; 3]) -> Numbers<S> {
+pub(crate) fn numbers<S: Scalar>(state: &State, [z, roll, pitch_rate]: [f64; 3]) -> Numbers<S> {
     let constant = S::constant;
     Numbers {
         y: constant(state.y),
@@ -572,134 +401,6 @@ fn numbers<S: Scalar>(state: &State, [z, roll, pitch_rate]: [f64; 3]) -> Numbers
         yaw_rate: constant(state.yaw_rate),
         friction: constant(state.friction),
     }
-}
-
-/// What a wheelset finds for itself.
-struct Unknowns {
-    /// Their places among the variables.
-    open: Few,
-}
-
-/// Up to three numbers.
-#[derive(Default)]
-struct Few {
-    all: [usize; 3],
-    count: usize,
-}
-
-impl Few {
-    fn push(&mut self, one: usize) {
-        self.all[self.count] = one;
-        self.count += 1;
-    }
-
-    fn iter(&self) -> std::slice::Iter<'_, usize> {
-        self.all[..self.count].iter()
-    }
-}
-
-impl Unknowns {
-    fn of(state: &State) -> Self {
-        let mut open = Few::default();
-        if matches!(state.pressed, Pressed::AxleLoad(_)) {
-            open.push(Z);
-        }
-        if state.roll.is_none() {
-            open.push(ROLL);
-        }
-        if state.pitch_rate.is_none() {
-            open.push(PITCH);
-        }
-        Self { open }
-    }
-
-    /// Newton's method from a start, each step no longer than the map believes in.
-    fn find(&self, map: &ContactMap, state: &State, start: [f64; 3]) -> Result<[f64; 3], MapError> {
-        const STEPS: usize = 40;
-        /// Of the load, and of the load times a metre.
-        const MET: f64 = 1e-9;
-        let count = self.open.count;
-        let mut at = start;
-        if count == 0 {
-            return Ok(at);
-        }
-        // Longest steps: 20 um, .1 mrad, .5 % of the rate.
-        let longest = [20e-6, 1e-4, 5e-3 * state.speed / map.head.radius];
-        let mut left = f64::INFINITY;
-        for _ in 0..STEPS {
-            let mut numbers = numbers::<Dual<3>>(state, at);
-            for (k, open) in self.open.iter().enumerate() {
-                match *open {
-                    Z => numbers.z = Dual::variable(at[0], k),
-                    ROLL => numbers.roll = Dual::variable(at[1], k),
-                    _ => numbers.pitch_rate = Dual::variable(at[2], k),
-                }
-            }
-            let [one, other] = SIDES.map(|side| map.on_rail(side, &numbers));
-            let wheels = [one?, other?];
-            let (mut residuals, mut filled) = ([Dual::<3>::constant(0.0); 3], 0);
-            residuals_of(state, &wheels, |residual| {
-                residuals[filled] = residual;
-                filled += 1;
-            });
-            left = residuals[..count].iter().map(|r| r.v.abs()).fold(0.0, f64::max);
-            if left < MET {
-                return Ok(at);
-            }
-            let Some(step) = newton_step(&residuals, count) else { break };
-            let place = |open: usize| match open {
-                Z => 0,
-                ROLL => 1,
-                _ => 2,
-            };
-            let over =
-                self.open.iter().zip(step).map(|(k, step)| (step / longest[place(*k)]).abs());
-            let shorten = over.fold(1.0, f64::max).recip();
-            for (open, step) in self.open.iter().zip(step) {
-                at[place(*open)] += shorten * step;
-            }
-        }
-        // Rounding of large heights is no failure.
-        if left < 1e-6 { Ok(at) } else { Err(MapError::NotFound { left }) }
-    }
-}
-
-/// What the unknowns make zero: forces over the load, and friction's moment about the axle over load and
-/// metre.
-fn kept<S: Scalar>(state: &State, wheels: &[WheelActs<S>; 2]) -> Vec<S> {
-    let mut kept = Vec::with_capacity(3);
-    residuals_of(state, wheels, |residual| kept.push(residual));
-    kept
-}
-
-fn residuals_of<S: Scalar>(state: &State, wheels: &[WheelActs<S>; 2], mut add: impl FnMut(S)) {
-    let [left, right] = wheels;
-    let sum = left.force[2] + right.force[2];
-    if let Pressed::AxleLoad(load) = state.pressed {
-        add((sum - load) * load.recip());
-    }
-    let scale = match state.pressed {
-        Pressed::AxleLoad(load) => load,
-        Pressed::Height(_) => sum.value().max(1.0),
-    };
-    if state.roll.is_none() {
-        add((right.force[2] - left.force[2]) * scale.recip());
-    }
-    if state.pitch_rate.is_none() {
-        add((left.axle + right.axle) * scale.recip());
-    }
-}
-
-/// The step that makes up to three residuals zero.
-fn newton_step(residuals: &[Dual<3>; 3], count: usize) -> Option<[f64; 3]> {
-    // Unused rows are those of the identity.
-    let matrix = nalgebra::Matrix3::from_fn(|i, j| {
-        if i < count && j < count { residuals[i].d[j] } else { f64::from(u8::from(i == j)) }
-    });
-    let right = nalgebra::Vector3::from_fn(|i, _| if i < count { -residuals[i].v } else { 0.0 });
-    let step = matrix.lu().solve(&right)?;
-    let step = [step[0], step[1], step[2]];
-    step.iter().all(|part| part.is_finite()).then_some(step)
 }
 
 impl WheelMap {
@@ -722,35 +423,5 @@ impl WheelMap {
         let asked = asked(head, Side::Right, &numbers::<f64>(state, given));
         let acts = self.act_under(table, place, load, &asked)?;
         Ok(WheelAnswer::of(Side::Right, &acts))
-    }
-}
-
-impl WheelAnswer {
-    fn of(side: Side, acts: &WheelActs<f64>) -> Self {
-        let sense = if side == Side::Right { 1.0 } else { -1.0 };
-        let patch = |report: &Report| PatchAnswer::of(report, acts.load, sense);
-        Self {
-            force: acts.force,
-            moment: acts.moment,
-            patches: [patch(&acts.reports[0]), patch(&acts.reports[1])],
-            error: acts.error,
-        }
-    }
-}
-
-impl PatchAnswer {
-    fn of(report: &Report, load: f64, sense: f64) -> Self {
-        let [x, y, z] = report.reference;
-        let [along, across, spin] = report.creepage;
-        let [fx, fs, mz] = report.friction.map(|force| force * load);
-        Self {
-            reference: [x, sense * y, z],
-            angle: sense * report.angle,
-            normal_force: report.share * load,
-            peak_pressure: report.peak_pressure,
-            area: report.area,
-            creepage: [along, sense * across, sense * spin],
-            friction: [fx, sense * fs, sense * mz],
-        }
     }
 }

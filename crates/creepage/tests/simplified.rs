@@ -224,11 +224,10 @@ fn the_cells_of_fastsim_have_the_power_of_the_motion() {
 }
 
 /// Under strong spin, whose springs are others, the slip of FASTSIM's cells is still that of the motion: its power is what
-/// the moment takes, which by the springs along and across it exceeded by a sixth on a circle and by half on a contact ten
-/// times as wide as long.
+/// the moment takes, which by the springs along and across it exceeded by a sixth on a circle and more on a wider contact.
 #[test]
 fn the_slip_of_fastsim_is_that_of_the_motion_under_spin() {
-    for lateral in [0.4, 20.0] {
+    for lateral in [0.4, 2.0] {
         let (_, contact) = both(lateral, [0.0; 2]);
         let theory =
             NonHertzianSimplified::new(&contact, FRICTION, Simplified::Fastsim, [60, 60]).unwrap();

@@ -5,6 +5,8 @@ use creepage::coulomb::{Constraints, Exact, Resolution};
 use creepage::theory::Solved;
 use creepage::{Contact, Ellipse};
 
+use crate::support::{aluminium, contact, coupled, steel};
+
 const NOTHING: Constraints =
     Constraints { xi: None, eta: None, chi: None, fx: Some(0.0), fy: Some(0.0), mz: Some(0.0) };
 
@@ -44,4 +46,22 @@ fn with_vanishing_friction_all_slips() {
     let ratio = FreeRolling::RATIO * found / without_slip;
     // Elements between which the slip turns around, and friction of a three hundredth of kappa.
     assert!((ratio / 1.251_690_3 - 1.0).abs() < 0.005, "{ratio}");
+}
+
+/// Coupled bodies that roll freely: their force is zero to a twentieth of its error bar, also where friction is so small that
+/// the solver's own scatter is larger than what Newton's method asks for.
+#[test]
+fn coupled_bodies_roll_freely() {
+    for (ratio, friction) in [(0.5, 0.05), (1.0, 0.05), (2.0, 0.1), (0.5, 0.3), (1.0, 1.0)] {
+        let contact = contact(steel(), aluminium(), ratio, friction);
+        let theory = coupled(&contact, Resolution::STANDARD);
+        let free =
+            Constraints { eta: Some(0.0), chi: Some(0.0), fx: Some(0.0), ..Constraints::default() };
+        let solution = theory.find(free).unwrap().solution();
+        let bar = solution.error.unwrap().fx;
+        assert!(
+            solution.force.fx.abs() <= (0.05 * bar).max(1e-7),
+            "{ratio} {friction}: {solution:?}"
+        );
+    }
 }
