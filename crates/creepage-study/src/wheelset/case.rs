@@ -10,7 +10,7 @@ use serde::Deserialize;
 
 use super::friction::RailFriction;
 use super::springs::RailSprings;
-use crate::{DamageWanted, Sources};
+use crate::{DamageWanted, HeatWanted, Sources};
 
 /// A wheelset in its track.
 #[derive(Debug, Clone)]
@@ -33,6 +33,8 @@ pub struct WheelsetCase {
     pub patches: Patches,
     /// The laws of wear and fatigue, where their numbers are wanted.
     pub damage: Option<DamageWanted>,
+    /// What is wanted of temperatures; wheels are the upper bodies.
+    pub heat: Option<HeatWanted>,
     /// The theory and its options.
     pub theory: TheorySpec,
     /// Profile files, and what had to be found in them.

@@ -32,6 +32,7 @@ mod solved_write;
 mod solver;
 mod springs;
 mod table;
+mod warmth;
 mod wear;
 
 pub use asked::{ANSWERS, ASKED};

@@ -14,7 +14,7 @@ use super::derivatives::WheelsetDerivatives;
 use super::field::Field;
 use super::nearby::{Drift, Pitch};
 use super::resultant::{Acting, Resultant};
-use crate::{Caution, Damage, GapTheory, adhesion};
+use crate::{Caution, Damage, GapTheory, Heat, adhesion};
 
 /// A wheelset whose contacts are solved.
 #[derive(Debug, Clone)]
@@ -106,6 +106,10 @@ pub struct SolvedContact {
     pub scaling: Scaling,
     /// Wear and fatigue numbers, where `[damage]` asks for them.
     pub damage: Option<Damage>,
+    /// Temperatures, where `[heat]` asks for them.
+    pub heat: Option<Heat>,
+    /// What is to be held against them.
+    pub(super) heat_caution: Option<Caution>,
     pub(super) is_reversed: bool,
     /// The largest coefficient of friction.
     pub(super) friction: f64,
@@ -207,7 +211,8 @@ impl SolvedContact {
             .chain(at_rest)
             .chain(slides)
             .chain(yields)
-            .chain(Caution::turns(self.turn));
+            .chain(Caution::turns(self.turn))
+            .chain(self.heat_caution);
         let all = all.chain(Caution::deep(&self.normal));
         let all =
             all.chain(Caution::like_bodies(kappa_over_mu)).chain(Caution::of_areas(&self.normal));

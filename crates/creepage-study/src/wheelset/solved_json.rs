@@ -8,7 +8,7 @@ use super::case::RigidSlip;
 use super::derivatives_json::DerivativesJson;
 use super::resultant::Resultant;
 use super::solved::{SolvedContact, SolvedWheel, SolvedWheelset};
-use crate::Damage;
+use crate::{Damage, Heat};
 
 /// `report.json` of a wheelset, in track axes: `x` forward, `y` right, `z` down.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -163,6 +163,8 @@ pub struct WheelPatchJson {
     pub status: &'static str,
     /// Wear and fatigue numbers, where `[damage]` asks for them; else `null`.
     pub damage: Option<Damage>,
+    /// Temperatures, where `[heat]` asks for them; else `null`.
+    pub heat: Option<Heat>,
 }
 
 impl SolvedWheelset {
@@ -277,6 +279,7 @@ impl WheelPatchJson {
             },
             status: contact.status.name(),
             damage: contact.damage.clone(),
+            heat: contact.heat.clone(),
         }
     }
 }

@@ -163,4 +163,7 @@ fn contact_lines(contact: &SolvedContact, lines: &mut Lines) {
     if let Some(damage) = &contact.damage {
         damage.lines(lines);
     }
+    if let Some(heat) = &contact.heat {
+        heat.lines(lines);
+    }
 }

@@ -99,6 +99,9 @@ impl WheelsetCase {
         if let Some(wanted) = &self.damage {
             solved.add_damage(wanted, self.running.wheelset().radius());
         }
+        if let Some(wanted) = &self.heat {
+            solved.add_heat(wanted, self.theory.facts().name);
+        }
         Ok(solved)
     }
 }

@@ -125,6 +125,8 @@ impl SolvedContact {
             correction: rolled.correction.clone(),
             field: Field::of(rolled),
             damage: None,
+            heat: None,
+            heat_caution: None,
             is_reversed: false,
             friction: rolled.friction,
             at_rest: rolled.at_rest,
