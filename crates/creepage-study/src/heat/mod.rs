@@ -145,6 +145,8 @@ impl Heat {
             return Some(highest);
         };
         let [y, summit] = summit(before, [highest[2], highest[0]], after);
+        // The middle of a symmetric contact is the middle, not a rounding away.
+        let y = if y.abs() < 1e-6 * self.rows[k].width { 0.0 } else { y };
         Some([summit, highest[1], y])
     }
 
@@ -251,7 +253,6 @@ mod tests {
         ] {
             let solved = solved(contact, SLIDING, HEAT, theory);
             let heat = solved.heat().unwrap();
-            println!("{theory}: {} K at {:?}", heat.flash_max_k, heat.place_m);
             assert!((heat.flash_max_k / 152.687 - 1.0).abs() < tolerance, "{theory}");
             let [x, y] = heat.place_m.unwrap();
             assert!((x / 5.878_886e-3 + 0.69).abs() < 0.03 && y.abs() < 1e-3, "{theory} {x} {y}");
@@ -277,7 +278,7 @@ mod tests {
         assert!((heat.contact_temperature_unrubbed_c - 75.0).abs() < 0.7);
         let rolling = solved(ELLIPSE, "longitudinal = 0.0\nspeed = 30.0", &warm, "exact");
         let heat = rolling.heat().unwrap();
-        assert_eq!(heat.contact_temperature_unrubbed_c, 75.0);
+        assert!((heat.contact_temperature_unrubbed_c - 75.0).abs() < 1e-12);
         assert!((heat.into_upper_w / (150.0 * 82.05) - 1.0).abs() < 0.01, "{}", heat.into_upper_w);
         assert!((heat.into_upper_w + heat.into_lower_w).abs() < 1e-6 * heat.into_upper_w);
         assert_eq!(heat.place_m, None);

@@ -133,10 +133,10 @@ impl Resistance {
     ) {
         let Scaling { length, slip: slip_unit, traction, .. } = self.scaling;
         let (law, speed) = (thermal.law, self.friction.map_or(0.0, |friction| friction.speed()));
-        let (touching, largest) = (thermal.pair.touching(), law.largest());
+        let (touching, largest) = (thermal.touching, law.largest());
         // Rise by a unit of traction, slip and root of length.
-        let unit = 2.0 * traction * slip_unit * speed * length.sqrt()
-            / (PI.sqrt() * thermal.pair.weight());
+        let unit =
+            2.0 * traction * slip_unit * speed * length.sqrt() / (PI.sqrt() * thermal.weight);
         let mut ahead: Vec<[f64; 3]> = Vec::new();
         for strip in 0..mesh.strips.len() {
             ahead.clear();

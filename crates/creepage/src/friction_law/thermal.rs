@@ -1,7 +1,6 @@
 //! Friction that depends on the temperature of the surfaces.
 
 use crate::check::{self, InvalidValue};
-use crate::temperature::HeatedPair;
 
 /// A coefficient of friction by the temperature of both surfaces in contact: constant up to a reference
 /// temperature, then linear over a range, and constant beyond. Temperatures are in the scale of the bulk
@@ -91,7 +90,10 @@ impl FrictionByTemperature {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Thermal {
     pub(crate) law: FrictionByTemperature,
-    pub(crate) pair: HeatedPair,
+    /// Temperature of unrubbed surfaces in contact.
+    pub(crate) touching: f64,
+    /// `HeatedPair::weight`.
+    pub(crate) weight: f64,
 }
 
 #[cfg(test)]

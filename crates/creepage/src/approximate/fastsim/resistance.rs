@@ -131,14 +131,13 @@ impl Resistance {
         let (law, speed) = (thermal.law, self.friction.map_or(0.0, |friction| friction.speed()));
         // Tractions of a march are in units of mu N over c squared.
         let traction = traction / Profile::HERTZ_PEAK;
-        let unit =
-            2.0 * traction * slip * speed * length.sqrt() / (PI.sqrt() * thermal.pair.weight());
+        let unit = 2.0 * traction * slip * speed * length.sqrt() / (PI.sqrt() * thermal.weight);
         let here = walk.gone + step.length;
         let root = |from: f64| (here - from).max(0.0).sqrt();
         let rise: f64 =
             walk.heated.iter().map(|[from, to, heat]| heat * (root(*from) - root(*to))).sum();
         let gain = unit * step.bound * rigid * root(walk.gone) / law.largest();
-        law.heated(thermal.pair.touching() + unit * rise, gain) / law.largest()
+        law.heated(thermal.touching + unit * rise, gain) / law.largest()
     }
 
     /// The smaller of the bound by friction and that by the layer, and whether it is the layer's. What
