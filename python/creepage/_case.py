@@ -76,6 +76,7 @@ class Case:
         semi_axis_lateral: float | None = None,
         layer: Mapping[str, float] | None = None,
         damage: Mapping[str, Any] | None = None,
+        heat: Mapping[str, Any] | None = None,
         theory: str = "exact",
         **options: Any,
     ) -> None:
@@ -87,7 +88,8 @@ class Case:
         creepages, which are then found; exactly three quantities are given, zeros too. angle:
         from the upper body's rolling section to the lower's (degrees). Both semi-axes (m) replace
         the bodies' radii. layer: `thickness` (m), `shear_modulus` (Pa) and what else `[layer]` of a
-        case file has. damage: `{}`, or constants as in `[damage]`, for `Solution.damage`. theory and its options are those of `solve`.
+        case file has. damage: `{}`, or constants as in `[damage]`, for `Solution.damage`.
+        heat: `upper` and `lower`, each `{"material": "steel"}` or its numbers as in `[heat]`, for `Solution.heat`; needs speed. theory and its options are those of `solve`.
         """
         numbers = {
             "normal_force": normal_force, "friction": friction, "longitudinal": longitudinal,
@@ -131,7 +133,7 @@ class Case:
         file["wanted"] = forces
         file |= {
             name: dict(section)
-            for name, section in (("layer", layer), ("damage", damage))
+            for name, section in (("layer", layer), ("damage", damage), ("heat", heat))
             if section is not None
         }
         file["solve"] = {"theory": theory, **options}

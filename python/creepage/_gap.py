@@ -115,6 +115,12 @@ class GapSolution(Reported):
     _solved: _creepage.SolvedGapData
     _again: Callable[[], Any]
 
+    @property
+    def heat(self) -> dict[str, Any] | None:
+        """Temperatures as `heat` of `report.json` has them; None where the case asks for none."""
+        heat: dict[str, Any] | None = self.to_dict()["heat"]
+        return heat
+
 
 class GapCase(FromFile):
     """One rolling contact of bodies of any shape, in SI units.
@@ -141,6 +147,7 @@ class GapCase(FromFile):
         moment: float | None = None,
         layer: Mapping[str, float] | None = None,
         damage: Mapping[str, Any] | None = None,
+        heat: Mapping[str, Any] | None = None,
         theory: str = "exact",
         **options: Any,
     ) -> None:
@@ -170,7 +177,7 @@ class GapCase(FromFile):
             "lateral_force": lateral_force,
             "moment": moment,
         }
-        more = (("layer", layer), ("damage", damage))
+        more = (("layer", layer), ("damage", damage), ("heat", heat))
         file |= {name: section for name, section in more if section is not None}
         file["solve"] = {"theory": theory, **options}
         self._read(dumps(file), Path())

@@ -183,6 +183,13 @@ class Solution:
         return damage
 
     @property
+    def heat(self) -> dict[str, Any] | None:
+        """Temperatures as `heat` of `report.json` has them, the names with their units; None where the
+        case asks for none, or where there are none: then a caution says why."""
+        heat: dict[str, Any] | None = self.to_dict()["heat"]
+        return heat
+
+    @property
     def length(self) -> float:
         """The unit of length, c = sqrt(a b) (m)."""
         return self._data.units[0]

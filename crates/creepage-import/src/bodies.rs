@@ -2,7 +2,7 @@
 
 use crate::ImportError;
 use crate::lines::Lines;
-use crate::read::{Control, FrictionRead, Materials, read_heat, read_points_below};
+use crate::read::{Control, FrictionRead, Heat, Materials, read_heat, read_points_below};
 
 /// A case of module 3, in mm, N, rad, s.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -14,6 +14,7 @@ pub(crate) struct Bodies {
     /// Rolling direction (rad), step (mm), speed (mm/s).
     pub(crate) rolling: Option<[f64; 3]>,
     pub(crate) materials: Option<Materials>,
+    pub(crate) heat: Option<Heat>,
     pub(crate) grid: Option<Grid>,
     pub(crate) shape: Option<Shape>,
     pub(crate) planform: usize,
@@ -67,7 +68,7 @@ impl Bodies {
             case.rolling = Some(lines.array("CHI, DQ, VELOC")?);
         }
         case.materials = Materials::read(lines, control, self.materials.as_ref())?;
-        read_heat(lines, control)?;
+        case.heat = read_heat(lines, control, self.heat)?;
         if control.discretisation() >= 2 {
             case.grid = Some(Grid::read(lines)?);
         }

@@ -121,7 +121,8 @@ pub(crate) enum Law {
         kinetic: f64,
         terms: [[f64; 2]; 2],
     },
-    OfTemperature,
+    /// At the reference temperature, that, the change of friction and of temperature.
+    OfTemperature([f64; 4]),
 }
 
 /// Friction, and what else goes with it.
@@ -165,6 +166,11 @@ impl FrictionRead {
         Ok(Some(Self { friction, memory, kind }))
     }
 
+    /// Whether it depends on the temperature.
+    pub(crate) fn needs_heat(&self) -> bool {
+        matches!(self.friction, Friction::One(Law::OfTemperature(_)))
+    }
+
     /// One law for each row of elements.
     pub(crate) fn by_row(lines: &mut Lines, kind: u8, rows: usize) -> Result<Self, ImportError> {
         let laws = (0..rows).map(|_| Ok(law(lines, kind, false)?.1)).collect::<Result<_, _>>()?;
@@ -190,7 +196,8 @@ fn law(lines: &mut Lines, kind: u8, with_place: bool) -> Result<(f64, Law), Impo
         6 => {
             let values =
                 lines.numbers(4 + usize::from(with_place), "FREF, TREF, DFHEAT, DTHEAT")?;
-            return Ok((split(&values, with_place).0, Law::OfTemperature));
+            let (place, rest) = split(&values, with_place);
+            return Ok((place, Law::OfTemperature([rest[0], rest[1], rest[2], rest[3]])));
         }
         _ => {
             return Err(lines.expected("a law of friction L = 0, 1, 2, 3, 4 or 6 in V-L-D-C-M-Z-E"));
@@ -288,13 +295,20 @@ impl Materials {
     }
 }
 
-/// The numbers of the temperature, which have no counterpart.
-pub(crate) fn read_heat(lines: &mut Lines, control: Control) -> Result<(), ImportError> {
-    if control.heat() >= 2 {
-        lines.numbers(4, "BKTEMP, HEATCP, LAMBDA, DENS of body 1")?;
-        lines.numbers(4, "BKTEMP, HEATCP, LAMBDA, DENS of body 2")?;
+/// How both bodies conduct heat: BKTEMP, HEATCP (J/(kg K)), LAMBDA (W/(mm K)), DENS (kg/mm3) of each.
+pub(crate) type Heat = [[f64; 4]; 2];
+
+/// Reads the numbers of the temperature where digit H says so; `before` are those of the case before.
+pub(crate) fn read_heat(
+    lines: &mut Lines,
+    control: Control,
+    before: Option<Heat>,
+) -> Result<Option<Heat>, ImportError> {
+    if control.heat() < 2 {
+        return Ok(before);
     }
-    Ok(())
+    let first = lines.array("BKTEMP, HEATCP, LAMBDA, DENS of body 1")?;
+    Ok(Some([first, lines.array("BKTEMP, HEATCP, LAMBDA, DENS of body 2")?]))
 }
 
 /// Points below the surface: they are read over.

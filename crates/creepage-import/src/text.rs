@@ -39,6 +39,21 @@ pub(crate) fn section(name: &str, keys: &[(&str, String)]) -> String {
     format!("\n[{name}]\n{}\n", lines.join("\n"))
 }
 
+/// `[heat]` of bodies whose temperature, specific heat (J/(kg K)), conductivity (W/(mm K)) and density (kg/mm3)
+/// are given, the upper one first.
+pub(crate) fn heat_section([upper, lower]: [[f64; 4]; 2]) -> String {
+    let body = |[bulk, specific_heat, conductivity, density]: [f64; 4]| {
+        format!(
+            "{{ conductivity = {}, density = {}, specific_heat = {}, bulk_temperature = {} }}",
+            number(conductivity * 1e3),
+            number(density * 1e9),
+            number(specific_heat),
+            number(bulk)
+        )
+    };
+    section("heat", &[("upper", body(upper)), ("lower", body(lower))])
+}
+
 /// Comments, a line each.
 pub(crate) fn comments(lines: &[String]) -> String {
     let lines: Vec<_> = lines.iter().map(|line| line.replace(['\n', '\r'], " ")).collect();

@@ -2,7 +2,7 @@
 
 use crate::ImportError;
 use crate::lines::Lines;
-use crate::read::{Control, FrictionRead, Materials, read_heat, read_points_below};
+use crate::read::{Control, FrictionRead, Heat, Materials, read_heat, read_points_below};
 
 /// A case of module 1, in mm, N, rad, s.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -10,6 +10,7 @@ pub(crate) struct Wheels {
     pub(crate) control: Control,
     pub(crate) friction: Option<FrictionRead>,
     pub(crate) materials: Option<Materials>,
+    pub(crate) heat: Option<Heat>,
     /// Digit D of the case that last gave one.
     pub(crate) method: u8,
     /// GAUGHT and the three numbers after it, then the curvature.
@@ -80,7 +81,7 @@ impl Wheels {
         let mut case = Self { control, ..self.clone() };
         case.friction = FrictionRead::read(lines, control, self.friction.as_ref())?;
         case.materials = Materials::read(lines, control, self.materials.as_ref())?;
-        read_heat(lines, control)?;
+        case.heat = read_heat(lines, control, self.heat)?;
         if control.discretisation() >= 2 {
             case.method = control.discretisation();
             lines.numbers(6, "DX, DS, DQREL, A_SEP, D_SEP, D_COMB")?;

@@ -3,7 +3,7 @@
 use crate::bodies_case::law_text;
 use crate::profiles::Profiles;
 use crate::read::{Extra, Friction, FrictionRead, Law};
-use crate::text::{comments, list, number, quoted, section};
+use crate::text::{comments, heat_section, list, number, quoted, section};
 use crate::wheels::{ProfileFile, Wheels};
 use crate::{File, Written};
 
@@ -12,6 +12,8 @@ const FRICTIONLESS: f64 = 1e-6;
 
 type Keys = Vec<(&'static str, String)>;
 type Cause = String;
+/// A profile, its name beside the case file, and how far its points are apart, in its own unit.
+type Named<'a> = (&'a ProfileFile, &'a str, Option<f64>);
 
 /// Writes a case of one wheel on its rail; the error names what has no counterpart.
 pub(crate) fn write(
@@ -27,7 +29,9 @@ pub(crate) fn write(
     };
     let wheel_name = profiles.name(&wheel.name)?;
     let rail_name = profiles.name(&rail.name)?;
-    let text = text(case, [(wheel, &wheel_name), (rail, &rail_name)], title, name, notes)?;
+    let spacings = [wheel, rail].map(|profile| profiles.spacing(&profile.name));
+    let files = [(wheel, &*wheel_name, spacings[0]), (rail, &*rail_name, spacings[1])];
+    let text = text(case, files, title, name, notes)?;
     Ok(Written::of(command(name), File::text(format!("{name}.toml"), text)))
 }
 
@@ -85,7 +89,7 @@ fn check(case: &Wheels) -> Result<(), Cause> {
 
 fn text(
     case: &Wheels,
-    [wheel, rail]: [(&ProfileFile, &String); 2],
+    [wheel, rail]: [Named<'_>; 2],
     title: &str,
     name: &str,
     notes: &mut Vec<String>,
@@ -153,6 +157,7 @@ fn text(
         section("motion", &motion),
         section("contact", &contact),
         materials(case),
+        heat(case),
         section("solve", &solve),
     ];
     Ok(comments(&lines) + &sections.concat())
@@ -177,7 +182,7 @@ fn track(values: [f64; 5], notes: &mut Vec<String>) -> Track {
     Track { keys, cant: (cant != 0.0).then_some(cant) }
 }
 
-fn profile((file, name): (&ProfileFile, &String), role: &str, notes: &mut Vec<String>) -> Keys {
+fn profile((file, name, spacing): Named<'_>, role: &str, notes: &mut Vec<String>) -> Keys {
     let mut reading = Vec::new();
     let extension = name.rsplit('.').next().unwrap_or_default().to_ascii_lowercase();
     let is_plain = !matches!(extension.as_str(), "prr" | "prw" | "ban" | "whl");
@@ -197,15 +202,18 @@ fn profile((file, name): (&ProfileFile, &String), role: &str, notes: &mut Vec<St
         _ => {}
     }
     if file.smoothing > 0.0 && file.is_plain_spline {
-        // A cubic smoothing spline leaves 1/(1 + weight k^4) of a wave: half at k^4 = 1/weight.
-        let wavelength = std::f64::consts::TAU * file.smoothing.powf(0.25) * 1e-3;
+        // Every point counts alike in that program's spline, so that 1/(1 + weight h k^4) of a wave is left where
+        // points are h apart: half at k^4 = 1/(weight h).
+        let unit = if file.scale > 0.0 { file.scale } else { 1.0 };
+        let apart = spacing.map_or(1.0, |spacing| spacing * unit);
+        let wavelength = std::f64::consts::TAU * (file.smoothing * apart).powf(0.25) * 1e-3;
         reading.push(format!("smooth = {}", number(wavelength)));
         notes.push(format!(
             "SMOOTH = {} of the {role}'s profile: waves of {} m keep half of their height, as of a smoothing spline \
-             of that weight; others not exactly, and thin parts such as the back of a flange may be lost: \
-             compare without `smooth`",
+             of that weight where points are {} m apart; where they are closer or wider it is not the same",
             number(file.smoothing),
-            number(wavelength)
+            number(wavelength),
+            number(apart * 1e-3)
         ));
     } else if file.smoothing > 0.0 {
         notes.push(format!(
@@ -286,10 +294,15 @@ fn friction(case: &Wheels, notes: &mut Vec<String>) -> Result<String, Cause> {
     let read = case.friction.as_ref().ok_or("no case has given friction (L)")?;
     let FrictionRead { friction, memory, .. } = read;
     match friction {
+        Friction::One(Law::OfTemperature(_)) => {
+            Err("friction by temperature on a rail (L = 6)".into())
+        }
         Friction::One(law) => Ok(law_text(law, *memory, notes)?.1),
         Friction::ByRow(_) => Err("friction row by row on a rail".into()),
         Friction::ByAngle(points) => {
-            if let Some(law) = same_law(points) {
+            if let Some(law) = same_law(points)
+                && !matches!(law, Law::OfTemperature(_))
+            {
                 return Ok(law_text(law, *memory, notes)?.1);
             }
             let values = coefficients(points, notes)?;
@@ -359,6 +372,15 @@ fn materials(case: &Wheels) -> String {
     section("upper", &keys(1)) + &section("lower", &keys(0))
 }
 
+/// Temperatures, where the case asks for them and the wheel rolls.
+fn heat(case: &Wheels) -> String {
+    let speed = case.velocity.map_or(0.0, |velocity| velocity[0]);
+    let rolls = case.control.tangential() == 3 && speed != 0.0 && case.control.heat() >= 1;
+    // Here body 1 is the rail.
+    let bodies = case.heat.filter(|_| rolls);
+    bodies.map_or(String::new(), |[rail, wheel]| heat_section([wheel, rail]))
+}
+
 fn theory(case: &Wheels) -> Keys {
     let name = match case.materials.as_ref().map(|materials| &materials.extra) {
         Some(Extra::ThreeFlexibilities { .. }) => "fastsim",
@@ -370,8 +392,8 @@ fn theory(case: &Wheels) -> Keys {
 
 fn notes_of_rest(case: &Wheels, notes: &mut Vec<String>) {
     let control = case.control;
-    if control.heat() >= 1 {
-        notes.push("the temperature (H) has no counterpart".into());
+    if control.heat() >= 1 && heat(case).is_empty() {
+        notes.push("the temperature (H) is computed in rolling at a speed only".into());
     }
     if control.stress() >= 1 {
         notes.push("points below the surface (S) have no counterpart for a wheelset".into());

@@ -8,7 +8,7 @@ use creepage::{Contact, Creepage, Hertz, Solid, TheorySpec};
 use crate::case::keys;
 use crate::{
     Case, CaseError, CaseFile, Caution, DamageWanted, GapCase, GapCaseError, GapFile, GapSolver,
-    SolvedCase, Sources, solve,
+    HeatWanted, SolvedCase, Sources, solve,
 };
 
 /// A case file: bodies that touch in Hertz's ellipse, or, with `[gap]`, bodies of any shape.
@@ -194,6 +194,15 @@ impl AnyCase {
         match self {
             Self::Ellipse(case) => case.solids,
             Self::Gap(case) => case.solids,
+        }
+    }
+
+    /// What is asked for of temperatures.
+    #[must_use]
+    pub fn heat(&self) -> Option<&HeatWanted> {
+        match self {
+            Self::Ellipse(case) => case.heat.as_ref(),
+            Self::Gap(case) => case.heat.as_ref(),
         }
     }
 

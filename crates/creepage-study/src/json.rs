@@ -9,7 +9,7 @@ use serde::Serialize;
 
 use crate::contact_json::{HertzJson, hertz_json};
 use crate::gap::OnAreas;
-use crate::{Caution, Damage, GapReportJson, SolvedCase};
+use crate::{Caution, Damage, GapReportJson, Heat, SolvedCase};
 
 /// `report.json` of any contact.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -63,6 +63,8 @@ pub struct ReportJson {
     pub friction_law: Option<FrictionLawJson>,
     /// Wear and fatigue numbers, where `[damage]` asks for them; else `null`.
     pub damage: Option<Damage>,
+    /// Temperatures, where `[heat]` asks for them; else `null`.
+    pub heat: Option<Heat>,
     /// What only this theory says, by key.
     pub details: BTreeMap<&'static str, DetailJson>,
 }
@@ -80,6 +82,9 @@ pub struct FrictionLawJson {
     pub memory_distance_m: Option<f64>,
     /// The least speed that slip counts as in that (m/s).
     pub memory_speed_m_per_s: Option<f64>,
+    /// `[temperature (degrees Celsius), coefficient]` of cold and of hot surfaces, where it depends on the
+    /// temperature; else `null`.
+    pub by_temperature: Option<[[f64; 2]; 2]>,
     /// `[y (m), coefficient]` where friction differs across the contact; else `null`.
     pub across: Option<Vec<[f64; 2]>>,
 }
@@ -93,6 +98,10 @@ impl From<RollingFriction> for FrictionLawJson {
             terms: law.terms().iter().map(|term| [term.drop, term.half_speed]).collect(),
             memory_distance_m: memory.map(|memory| memory.distance()),
             memory_speed_m_per_s: memory.map(|memory| memory.speed()),
+            by_temperature: friction.of_temperature().map(|law| {
+                let (range, ends) = (law.range(), law.ends());
+                [0, 1].map(|k| [range[k], ends[k]])
+            }),
             across: friction.by_place().map(|across| across.points().to_vec()),
         }
     }
@@ -196,6 +205,7 @@ impl SolvedCase {
             friction_law: self.contact.rolling_friction().map(Into::into),
             // Tractions of a solved case are finite.
             damage: self.damage().ok().flatten().cloned(),
+            heat: self.heat().cloned(),
             details: self
                 .diagnostics()
                 .iter()

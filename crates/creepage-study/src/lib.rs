@@ -63,6 +63,7 @@ mod file_set;
 #[cfg(test)]
 mod fuzz;
 mod gap;
+mod heat;
 mod history;
 mod json;
 mod measured;
@@ -118,6 +119,7 @@ pub use gap::{
     GapForceJson, GapReportJson, GapRows, GapSolver, GapValue, GapVaried, PatchJson, Pressed,
     PressedReportJson, SiGiven, gap_json_schema, pressed_text, solve_gap,
 };
+pub use heat::{Heat, HeatWanted, HeatedRow};
 pub use history::{
     HISTORY_COLUMNS, History, HistoryError, HistoryMotion, HistoryRow, HistoryRun, HistoryWriter,
     MotionError, RollCase, RollFile, RollStart, RollStepper, history_animation, history_picture,

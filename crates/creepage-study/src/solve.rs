@@ -14,7 +14,7 @@ use creepage_plot::Contour;
 use self_cell::self_cell;
 
 use crate::stresses::StressError;
-use crate::{AnyCase, Case, Caution, Damage, Given, UnattainableForce};
+use crate::{AnyCase, Case, Caution, Damage, Given, Heat, UnattainableForce};
 
 /// Solves a case by its own theory, or by another one.
 ///
@@ -45,7 +45,7 @@ pub fn solve(case: &Case, other: Option<&TheorySpec>) -> Result<SolvedCase, Solv
     let theory = spec.prepare(&case.contact)?;
     let held = SolvedTheory::try_new(theory, |theory| meet(&**theory, case, spec.facts().name))?;
     let of = AnyCase::Ellipse(case.clone());
-    Ok(SolvedCase::new(of, &case.contact, spec.facts(), held, |solution, creepage| {
+    let solved = SolvedCase::new(of, &case.contact, spec.facts(), held, |solution, creepage| {
         let mut cautions = Caution::all(spec, &case.contact, solution);
         let creepage = case.contact.scaling().si_creepage(creepage);
         cautions.extend(Caution::units(&case.hertz, case.smallest_radius, creepage));
@@ -62,7 +62,8 @@ pub fn solve(case: &Case, other: Option<&TheorySpec>) -> Result<SolvedCase, Solv
             cautions.extend(Caution::yields(peak, shear_modulus, shear_yield));
         }
         cautions
-    }))
+    });
+    Ok(solved.with_heat())
 }
 
 fn meet<'t>(
@@ -147,6 +148,7 @@ pub struct SolvedCase {
     adhesion: OnceLock<Contour>,
     elements: OnceLock<Vec<ElementField>>,
     pub(crate) damage: OnceLock<Result<Option<Damage>, StressError>>,
+    pub(crate) heat: Option<Heat>,
 }
 
 impl SolvedCase {
@@ -170,6 +172,7 @@ impl SolvedCase {
             adhesion: OnceLock::new(),
             elements: OnceLock::new(),
             damage: OnceLock::new(),
+            heat: None,
         }
     }
 

@@ -33,6 +33,7 @@ pub(crate) fn case(a_over_b: f64, given: [f64; 3]) -> Case {
         smallest_radius: None,
         slip_by_groove: None,
         damage: None,
+        heat: None,
         theory: TheorySpec::default(),
     }
 }

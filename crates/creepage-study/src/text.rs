@@ -35,6 +35,9 @@ impl SolvedCase {
         if let Ok(Some(damage)) = self.damage() {
             damage.lines(&mut lines);
         }
+        if let Some(heat) = self.heat() {
+            heat.lines(&mut lines);
+        }
         lines.diagnostics(self);
         lines.0
     }
@@ -96,6 +99,11 @@ impl Lines {
                 let least =
                     across.points().iter().fold(f64::INFINITY, |least, [_, mu]| least.min(*mu));
                 self.row("  least, across", &significant(least, 5));
+            }
+            None if friction.of_temperature().is_some() => {
+                let law = friction.of_temperature();
+                let [_, hot] = law.map_or([f64::NAN; 2], |law| law.ends());
+                self.row("  of hot surfaces", &significant(hot, 5));
             }
             None => self.row("  kinetic", &significant(friction.law().kinetic(), 5)),
         }

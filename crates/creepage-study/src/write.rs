@@ -5,11 +5,12 @@ use std::path::{Path, PathBuf};
 use crate::error::ReportError;
 use crate::file_set::write_all;
 use crate::sources::Sources;
-use crate::{Damage, SolvedCase};
+use crate::{Damage, Heat, SolvedCase};
 
 impl SolvedCase {
     /// Writes `report.json`, `points.csv`, `contact.vtk`, `contact.svg` and `contact.png`, and where
-    /// `[damage]` asks for them `wear.csv`, `wear.svg`, `shakedown.svg` and their `.png`, into
+    /// `[damage]` asks for them `wear.csv`, `wear.svg`, `shakedown.svg` and their `.png`, where
+    /// `[heat]` does `temperature.csv`, `.svg` and `.png`, into
     /// `directory`, which is made when missing; files of those names are replaced, but none that the
     /// case was read from and none of `sources`. Gives the paths written.
     ///
@@ -20,8 +21,9 @@ impl SolvedCase {
         json.push('\n');
         let vtk = self.vtk();
         let wear = self.damage().ok().flatten().map(Damage::files).transpose()?;
+        let heat = self.heat().map(Heat::files).transpose()?;
         let mut others = vec![("contact.vtk", vtk.as_bytes())];
-        for (name, contents) in wear.iter().flatten() {
+        for (name, contents) in wear.iter().flatten().chain(heat.iter().flatten()) {
             others.push((*name, &contents[..]));
         }
         let (points, svg) = (self.points_csv()?, self.contact_svg());

@@ -86,6 +86,7 @@ pub mod special;
 pub mod statics;
 pub mod subsurface;
 pub mod table;
+pub mod temperature;
 pub mod theory;
 pub mod unsteady;
 pub mod variational;

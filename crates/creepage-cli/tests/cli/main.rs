@@ -18,6 +18,7 @@ mod gap;
 mod gap_batch;
 #[cfg(unix)]
 mod guide;
+mod heat;
 mod history;
 mod inverse;
 mod map;

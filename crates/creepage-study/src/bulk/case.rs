@@ -67,6 +67,9 @@ impl BulkCase {
         if file.wants() {
             return Err(CaseError::Wanted);
         }
+        if file.has_heat() {
+            return Err(CaseError::HeatOfRows);
+        }
         let (mut base, theory) = (file.sections(), file.theory()?);
         Varied::make_room(&varied, &mut base);
         let bodies = bodies(&base, &varied);

@@ -69,6 +69,17 @@ pub enum CaseError {
     /// The shakedown limit of a contact that is not Hertz's.
     #[error("[damage] shakedown is computed for contact ellipses only: leave it out")]
     ShakedownOfAnyShape,
+    /// Friction by temperature without the bodies' heat.
+    #[error("[contact] friction by temperature needs [heat]: how both bodies conduct heat")]
+    HeatOfFriction,
+    /// Friction by temperature on a rail.
+    #[error(
+        "[contact] friction: cold and hot are for one contact; on a rail give a number or a law"
+    )]
+    TemperatureOnRail,
+    /// Temperatures of many rows at once.
+    #[error("[heat] is for one case at a time: leave it out for rows of many")]
+    HeatOfRows,
     /// The creepage is wanted where it must be given.
     #[error(
         "section [wanted] asks for a creepage, which `solve` finds: what needs a creepage to \

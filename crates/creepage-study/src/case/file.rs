@@ -20,6 +20,7 @@ use super::sections::{Sections, Touching};
 use super::solve;
 use super::wanted::WantedSection;
 use crate::damage::{DamageSection, DamageWanted};
+use crate::heat::{HeatSection, HeatWanted};
 
 /// A rolling-contact case, in SI units: two elastic bodies, what presses them together, and
 /// how they creep.
@@ -45,6 +46,8 @@ pub struct CaseFile {
     wanted: WantedSection,
     /// Wear and fatigue numbers.
     damage: Option<DamageSection>,
+    /// Temperatures of both surfaces.
+    heat: Option<HeatSection>,
     /// The theory that solves the case, "exact" by default, and its options.
     #[serde(default)]
     #[schemars(with = "TheorySpec")]
@@ -91,6 +94,8 @@ pub struct Case {
     pub slip_by_groove: Option<f64>,
     /// What is wanted of wear and fatigue, if anything is.
     pub damage: Option<DamageWanted>,
+    /// What is wanted of temperatures, if anything is.
+    pub heat: Option<HeatWanted>,
     /// The theory and its options.
     pub theory: TheorySpec,
 }
@@ -175,8 +180,8 @@ impl CaseFile {
 
     /// What touches, and how it creeps.
     pub(crate) fn sections(&self) -> Sections {
-        let Self { upper, lower, creepage, layer, .. } = *self;
-        Sections { upper, lower, contact: self.contact.clone(), layer, creepage }
+        let Self { upper, lower, creepage, layer, heat, .. } = *self;
+        Sections { upper, lower, contact: self.contact.clone(), layer, creepage, heat }
     }
 
     /// Whether forces are wanted.
@@ -220,6 +225,7 @@ impl CaseFile {
         let smallest_radius = sections.smallest_radius();
         let slip_by_groove = sections.slip_by_groove();
         let damage = self.damage()?;
+        let heat = self.heat.as_ref().map(|section| section.wanted(speed)).transpose()?;
         Ok(Case {
             hertz,
             friction,
@@ -230,8 +236,15 @@ impl CaseFile {
             smallest_radius,
             slip_by_groove,
             damage,
+            heat,
             theory,
         })
+    }
+
+    /// Whether temperatures are wanted.
+    #[must_use]
+    pub fn has_heat(&self) -> bool {
+        self.heat.is_some()
     }
 
     /// Whether wear and fatigue numbers are wanted.

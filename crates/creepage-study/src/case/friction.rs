@@ -3,14 +3,17 @@
 use std::borrow::Cow;
 
 use creepage::friction_law::{
-    FrictionAcross, FrictionLaw, FrictionMemory, RollingFriction, Shape, Term,
+    FrictionAcross, FrictionByTemperature, FrictionLaw, FrictionMemory, RollingFriction, Shape,
+    Term,
 };
+use creepage::temperature::HeatedPair;
 use creepage::{Contact, Hertz};
 use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::de::{Deserialize, Deserializer, Error};
 use toml::Value;
 
 use super::error::CaseError;
+use crate::heat::HeatWanted;
 use creepage_wheelset::RailFriction;
 
 const SECTION: &str = "contact";
@@ -24,6 +27,8 @@ pub(crate) enum FrictionValue {
     Law(LawTable),
     /// By the place across the contact.
     Across(AcrossTable),
+    /// By the temperature of both surfaces.
+    Temperature(TemperatureTable),
 }
 
 /// How friction differs across the contact: linear between the places, constant beyond them.
@@ -32,6 +37,19 @@ pub(crate) enum FrictionValue {
 pub(crate) struct AcrossTable {
     /// Two to seven pairs of y (m), rising, and the coefficient there.
     across: Vec<[f64; 2]>,
+}
+
+/// How friction depends on the temperature of both surfaces in contact; needs `[heat]`.
+#[derive(Debug, Clone, Copy, PartialEq, serde::Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct TemperatureTable {
+    /// Coefficient of cold surfaces.
+    cold: f64,
+    /// Coefficient of hot surfaces.
+    hot: f64,
+    /// The temperatures from which on friction changes and from which on it is that of hot surfaces
+    /// (degrees Celsius); linear between.
+    temperatures: [f64; 2],
 }
 
 /// How friction depends on the absolute speed of slip: from kinetic plus all drops, at rest, down to
@@ -78,9 +96,14 @@ struct TermTable {
 
 impl FrictionValue {
     /// The contact with this friction, for bodies that roll at `speed` (m/s).
-    pub(crate) fn contact(&self, hertz: &Hertz, speed: Option<f64>) -> Result<Contact, CaseError> {
+    pub(crate) fn contact(
+        &self,
+        hertz: &Hertz,
+        speed: Option<f64>,
+        heat: Option<HeatWanted>,
+    ) -> Result<Contact, CaseError> {
         let contact = hertz.with_friction(self.at_rest()?).map_err(CaseError::invalid(SECTION))?;
-        Ok(match self.rolling(speed)? {
+        Ok(match self.rolling(speed, heat)? {
             Some(friction) => contact.with_rolling_friction(friction),
             None => contact,
         })
@@ -92,6 +115,7 @@ impl FrictionValue {
             Self::Constant(friction) => Ok(RailFriction::Constant(*friction)),
             Self::Law(table) => Ok(RailFriction::Law(table.law()?, table.memory()?)),
             Self::Across(_) => Err(CaseError::AcrossOnRail),
+            Self::Temperature(_) => Err(CaseError::TemperatureOnRail),
         }
     }
 
@@ -101,14 +125,20 @@ impl FrictionValue {
             Self::Constant(friction) => Ok(*friction),
             Self::Law(table) => Ok(table.law()?.at_rest()),
             Self::Across(table) => Ok(table.friction()?.largest()),
+            Self::Temperature(table) => Ok(table.friction()?.largest()),
         }
     }
 
     /// How friction varies, where it is not constant.
-    pub(crate) fn rolling(&self, speed: Option<f64>) -> Result<Option<RollingFriction>, CaseError> {
+    pub(crate) fn rolling(
+        &self,
+        speed: Option<f64>,
+        heat: Option<HeatWanted>,
+    ) -> Result<Option<RollingFriction>, CaseError> {
         let table = match self {
             Self::Constant(_) => return Ok(None),
             Self::Across(table) => return table.rolling().map(Some),
+            Self::Temperature(table) => return table.rolling(speed, heat).map(Some),
             Self::Law(table) => table,
         };
         let (law, memory) = (table.law()?, table.memory()?);
@@ -128,6 +158,26 @@ impl AcrossTable {
 
     fn rolling(&self) -> Result<RollingFriction, CaseError> {
         RollingFriction::across(self.friction()?).map_err(CaseError::invalid("contact friction"))
+    }
+}
+
+impl TemperatureTable {
+    fn friction(&self) -> Result<FrictionByTemperature, CaseError> {
+        FrictionByTemperature::new(self.cold, self.hot - self.cold, self.temperatures)
+            .map_err(CaseError::invalid("contact friction"))
+    }
+
+    fn rolling(
+        &self,
+        speed: Option<f64>,
+        heat: Option<HeatWanted>,
+    ) -> Result<RollingFriction, CaseError> {
+        let HeatWanted { solids, bulk } = heat.ok_or(CaseError::HeatOfFriction)?;
+        let speed = speed.ok_or(CaseError::SpeedOfLaw)?;
+        let friction = self.friction()?;
+        HeatedPair::new(solids, [speed; 2], bulk)
+            .and_then(|pair| RollingFriction::by_temperature(friction, pair, speed))
+            .map_err(CaseError::invalid("heat"))
     }
 }
 
@@ -170,14 +220,16 @@ impl<'de> Deserialize<'de> for FrictionValue {
             Value::Table(table) => {
                 let read = if table.contains_key("across") {
                     table.try_into().map(Self::Across)
+                } else if table.contains_key("temperatures") {
+                    table.try_into().map(Self::Temperature)
                 } else {
                     table.try_into().map(Self::Law)
                 };
                 read.map_err(|error| D::Error::custom(format!("friction: {}", error.message())))
             }
             other => Err(D::Error::custom(format!(
-                "friction = {other}: expected a number, or a table with law, kinetic and terms, or with \
-                 across"
+                "friction = {other}: expected a number, or a table with law, kinetic and terms, with \
+                 across, or with cold, hot and temperatures"
             ))),
         }
     }
@@ -190,6 +242,7 @@ impl JsonSchema for FrictionValue {
 
     fn json_schema(generator: &mut SchemaGenerator) -> Schema {
         let (law, across) = (LawTable::json_schema(generator), AcrossTable::json_schema(generator));
-        schemars::json_schema!({ "anyOf": [{ "type": "number" }, law, across] })
+        let temperature = TemperatureTable::json_schema(generator);
+        schemars::json_schema!({ "anyOf": [{ "type": "number" }, law, across, temperature] })
     }
 }

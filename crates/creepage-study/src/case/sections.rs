@@ -7,6 +7,7 @@ use super::contact::ContactSection;
 use super::creepage::CreepageSection;
 use super::error::CaseError;
 use super::layer::LayerSection;
+use crate::heat::HeatSection;
 
 /// Two bodies, what presses them together, and how they creep.
 #[derive(Debug, Clone, PartialEq)]
@@ -16,6 +17,8 @@ pub(crate) struct Sections {
     pub(crate) contact: ContactSection,
     pub(crate) layer: Option<LayerSection>,
     pub(crate) creepage: CreepageSection,
+    /// What friction by temperature depends on.
+    pub(crate) heat: Option<HeatSection>,
 }
 
 /// Two bodies pressed together, with friction.
@@ -46,7 +49,8 @@ impl Sections {
             key: "friction".into(),
         })?;
         let speed = self.creepage.speed()?;
-        let contact = friction.contact(&hertz, speed)?;
+        let heat = self.heat.map(|section| section.wanted(speed)).transpose()?;
+        let contact = friction.contact(&hertz, speed, heat)?;
         let contact = match &self.layer {
             Some(layer) => contact.with_layer(layer.layer()?),
             None => contact,

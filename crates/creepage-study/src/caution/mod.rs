@@ -146,6 +146,21 @@ pub enum Caution {
         /// Creepage, over the mean speed of both surfaces.
         value: f64,
     },
+    /// Temperatures are wanted of a theory that gives no slip.
+    NoHeat {
+        /// The theory.
+        theory: &'static str,
+    },
+    /// Temperatures are wanted where one surface stands still or runs back.
+    RunsBack {
+        /// Longitudinal creepage.
+        longitudinal: f64,
+    },
+    /// Heat spreads along and across too: the surfaces pass slowly.
+    SlowHeat {
+        /// The smaller Peclet number of both bodies.
+        peclet: f64,
+    },
     /// A creepage that a wheel does not have: it may be in per cent or in degrees.
     LargeCreepage {
         /// `longitudinal` or `lateral`.
@@ -184,6 +199,9 @@ impl Caution {
     const RIDES: f64 = 15e-3;
     /// Approach (m) beyond that of any elastic contact of a wheel: 1 MN on a wheel gives .5 mm.
     const DEEP: f64 = 1e-3;
+
+    /// Peclet number below which temperatures are a caution.
+    pub const PECLET: f64 = 5.0;
 
     /// Whether a metal flows under a peak pressure (Pa), for its shear modulus and, where it is given, its
     /// shear yield stress (Pa).

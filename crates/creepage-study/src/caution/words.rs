@@ -67,6 +67,9 @@ impl fmt::Display for Caution {
                 "at the finest resolution the error bars reach {reached:.2e} of mu N, above the \
                  prescribed accuracy of {prescribed:e}"
             ),
+            Self::NoHeat { .. } | Self::RunsBack { .. } | Self::SlowHeat { .. } => {
+                self.write_heat(f)
+            }
             Self::LargeContact { .. } | Self::HighPressure { .. } | Self::LargeCreepage { .. } => {
                 self.write_units(f)
             }
@@ -137,6 +140,32 @@ impl Caution {
                 "the wheel spins or is locked: its {component} creepage is {}, over the mean speed of \
                  both surfaces",
                 significant(value, 4)
+            ),
+            _ => Ok(()),
+        }
+    }
+
+    /// Those of temperatures in words.
+    fn write_heat(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::NoHeat { theory } => write!(
+                f,
+                "[heat] gives no temperatures: {theory} has no slip, which heats; exact and fastsim have it"
+            ),
+            Self::RunsBack { longitudinal } => write!(
+                f,
+                "[heat] gives no temperatures: at a longitudinal creepage of {} one surface stands still or \
+                 runs back, and the heat stays in the contact",
+                significant(longitudinal, 4)
+            ),
+            // Jaeger's band of elliptic heat: 6.3 % at 1, 2.3 % at 2, 1.1 % at 3, 0.4 % at 5.
+            Self::SlowHeat { peclet } => write!(
+                f,
+                "the Peclet number is {}, below {}: heat spreads along the surface too, and the rise by \
+                 friction is too large, by some {:.1} %",
+                significant(peclet, 3),
+                Self::PECLET,
+                6.3 * peclet.max(0.1).powf(-1.6)
             ),
             _ => Ok(()),
         }

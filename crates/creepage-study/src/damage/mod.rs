@@ -10,7 +10,7 @@ mod text;
 
 pub(crate) use numbers::DamageInput;
 pub use numbers::{Damage, WearRow};
-pub(crate) use rows::of_elements;
+pub(crate) use rows::{middle, of_elements, states};
 pub(crate) use section::DamageSection;
 pub use section::DamageWanted;
 

@@ -105,7 +105,7 @@ fn sliding_edge(element: &ElementState, bound: f64, heat: f64, slip: f64) -> Opt
 }
 
 /// Middle of piece `k` of `count` between -1 and 1.
-fn middle(k: u8, count: u8) -> f64 {
+pub(crate) fn middle(k: u8, count: u8) -> f64 {
     (2.0 * f64::from(k) + 1.0) / f64::from(count) - 1.0
 }
 
@@ -132,7 +132,7 @@ pub(crate) fn of_elements(
 }
 
 /// An element, and what slides at its trailing edge beyond what it resolves.
-fn states(
+pub(crate) fn states(
     element: &ElementField,
     scaling: Scaling,
     normal: f64,

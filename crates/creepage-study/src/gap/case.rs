@@ -8,6 +8,7 @@ use super::creepage::SiGiven;
 use super::error::GapCaseError;
 use crate::case::solve;
 use crate::damage::DamageWanted;
+use crate::heat::HeatWanted;
 use crate::{CaseError, Sources};
 
 /// What presses the bodies together.
@@ -40,6 +41,8 @@ pub struct GapCase {
     pub layer: Option<Layer>,
     /// What is wanted of wear and fatigue, if anything is.
     pub damage: Option<DamageWanted>,
+    /// What is wanted of temperatures, if anything is.
+    pub heat: Option<HeatWanted>,
     /// Creepages and wanted forces.
     pub given: SiGiven,
     /// Rolling velocity (m/s), where it is known.

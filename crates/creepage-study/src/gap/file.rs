@@ -21,6 +21,7 @@ use crate::case::motion::MotionSection;
 use crate::case::schema::schema_of;
 use crate::case::{keys, solve};
 use crate::damage::DamageSection;
+use crate::heat::HeatSection;
 use crate::{CaseError, Sources};
 
 /// A rolling-contact case of two bodies of any shape, in SI units.
@@ -34,6 +35,7 @@ pub struct GapFile {
     contact: PressedSection,
     layer: Option<LayerSection>,
     damage: Option<DamageSection>,
+    heat: Option<HeatSection>,
     #[serde(default)]
     creepage: SiCreepageSection,
     motion: Option<MotionSection>,
@@ -169,6 +171,7 @@ impl GapFile {
         let pressed = self.contact.pressed()?;
         let (speed, theory) = (self.creepage.speed()?, self.theory()?);
         let friction = positive("friction", self.contact.friction.at_rest()?)?;
+        let heat = self.heat.as_ref().map(|section| section.wanted(speed)).transpose()?;
         Ok(GapCase {
             gap,
             shape,
@@ -176,9 +179,10 @@ impl GapFile {
             pair,
             pressed,
             friction,
-            rolling_friction: self.contact.friction.rolling(speed)?,
+            rolling_friction: self.contact.friction.rolling(speed, heat)?,
             layer: self.layer.as_ref().map(LayerSection::layer).transpose()?,
             damage: self.damage.as_ref().map(DamageSection::wanted_without_limit).transpose()?,
+            heat,
             given: SiGiven::AT_REST,
             speed,
             solids,

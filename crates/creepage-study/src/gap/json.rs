@@ -8,7 +8,7 @@ use serde::Serialize;
 use super::view::OnAreas;
 use crate::contact_json::SolidJson;
 use crate::json::{AreasJson, ForceJson, FrictionLawJson};
-use crate::{Caution, Damage};
+use crate::{Caution, Damage, Heat};
 
 /// `report.json` of a contact of any shape.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -50,6 +50,8 @@ pub struct GapReportJson {
     pub friction_law: Option<FrictionLawJson>,
     /// Wear and fatigue numbers, where `[damage]` asks for them; else `null`.
     pub damage: Option<Damage>,
+    /// Temperatures, where `[heat]` asks for them; else `null`.
+    pub heat: Option<Heat>,
 }
 
 /// Contact areas and pressure; an error bar of zero stands by what was prescribed.
@@ -168,6 +170,7 @@ impl OnAreas<'_> {
                 .map(|speed| speed * self.solved.power_per_metre()),
             friction_law: self.solved.contact.rolling_friction().map(Into::into),
             damage: self.solved.damage().ok().flatten().cloned(),
+            heat: self.solved.heat().cloned(),
         }
     }
 

@@ -166,7 +166,7 @@ impl GapCase {
                 found.map_err(|error| in_si_units(error, prescribed, scaling))
             })?
         };
-        Ok(SolvedCase::new(
+        let solved = SolvedCase::new(
             AnyCase::Gap(self.clone()),
             contact,
             self.theory.facts(),
@@ -184,7 +184,8 @@ impl GapCase {
                 }
                 cautions
             },
-        ))
+        );
+        Ok(solved.with_heat())
     }
 }
 

@@ -27,6 +27,9 @@ impl OnAreas<'_> {
         if let Ok(Some(damage)) = self.solved.damage() {
             damage.lines(&mut lines);
         }
+        if let Some(heat) = self.solved.heat() {
+            heat.lines(&mut lines);
+        }
         lines.into_text()
     }
 

@@ -94,7 +94,7 @@ impl SmoothFile {
         };
         let hertz = section.hertz(&self.upper, &self.lower)?;
         check_aligned(own.angle, &hertz)?;
-        let contact = own.friction.contact(&hertz, self.creepage.speed)?;
+        let contact = own.friction.contact(&hertz, self.creepage.speed, None)?;
         let friction = own.friction.at_rest()?;
         let (scaling, kind) = (contact.scaling(), Kind::Ellipse { contact, method });
         Ok(RollCase { scaling, load: normal_force, friction, kind, start: Start::None })
@@ -112,7 +112,8 @@ impl SmoothFile {
             return Err(HistoryError::Foreign { section: "contact", key, why });
         }
         let pair = SolidPair::new(self.upper.solid("upper")?, self.lower.solid("lower")?);
-        let (friction, law) = (own.friction.at_rest()?, own.friction.rolling(self.creepage.speed)?);
+        let (friction, law) =
+            (own.friction.at_rest()?, own.friction.rolling(self.creepage.speed, None)?);
         if law.is_some_and(|law| law.by_place().is_some()) {
             let why = "across a line does not differ";
             return Err(HistoryError::Foreign { section: "contact", key: "friction", why });

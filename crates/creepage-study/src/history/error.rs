@@ -32,7 +32,7 @@ pub enum HistoryError {
         "section [{section}] is for steady rolling: a contact that rolls by a history has none"
     )]
     Steady {
-        /// `layer` or `damage`.
+        /// `layer`, `damage` or `heat`.
         section: &'static str,
     },
     /// What a case file with `[gap]` may have wrong.

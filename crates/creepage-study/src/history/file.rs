@@ -128,7 +128,7 @@ pub(super) enum StartTraction {
 const MOTION: [&str; 2] = ["creepage", "wanted"];
 
 /// Sections that are for steady rolling.
-const STEADY: [&str; 2] = ["layer", "damage"];
+const STEADY: [&str; 3] = ["layer", "damage", "heat"];
 
 /// Whether a section holds the rolling velocity alone.
 fn is_speed(section: &Value) -> bool {
@@ -170,13 +170,13 @@ impl RollFile {
     }
 
     /// The contact of a case file of steady rolling: its creepage, or the forces wanted of it, and what
-    /// it asks of damage are not used, only its rolling velocity.
+    /// it asks of damage and heat are not used, only its rolling velocity.
     ///
     /// # Errors
     /// As [`RollFile::read`].
     pub fn of_case(text: &str) -> Result<Self, HistoryError> {
         let mut table: Table = text.parse().map_err(CaseError::Toml)?;
-        for unused in ["wanted", "damage"] {
+        for unused in ["wanted", "damage", "heat"] {
             table.remove(unused);
         }
         if let Some(Value::Table(creepage)) = table.get_mut("creepage") {

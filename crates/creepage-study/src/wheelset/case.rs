@@ -14,7 +14,7 @@ use creepage_wheelset::{
 
 use super::error::{WheelsetFileError, section};
 use super::report::WheelsetReport;
-use crate::{DamageWanted, Sources};
+use crate::{DamageWanted, HeatWanted, Sources};
 
 /// A wheelset in its track.
 #[derive(Debug, Clone)]
@@ -37,6 +37,8 @@ pub struct WheelsetCase {
     pub patches: Patches,
     /// The laws of wear and fatigue, where their numbers are wanted.
     pub damage: Option<DamageWanted>,
+    /// What is wanted of temperatures; wheels are the upper bodies.
+    pub heat: Option<HeatWanted>,
     /// The theory and its options.
     pub theory: TheorySpec,
     /// Profile files, and what had to be found in them.
@@ -131,6 +133,9 @@ impl WheelsetCase {
         let mut solved = WheelsetReport::from(solved);
         if let Some(wanted) = &self.damage {
             solved.add_damage(wanted, self.running.wheelset().radius());
+        }
+        if let Some(wanted) = &self.heat {
+            solved.add_heat(wanted, self.theory.facts().name);
         }
         Ok(solved)
     }

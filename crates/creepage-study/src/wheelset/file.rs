@@ -25,6 +25,7 @@ use super::worn::{WearError, WearPlan, WearSection};
 use crate::case::schema::schema_of;
 use crate::case::{CaseError, keys, solve};
 use crate::damage::DamageSection;
+use crate::heat::HeatSection;
 
 /// A wheelset in its track, in SI units: wheels and rails by their profiles, where the wheelset
 /// stands, how it moves.
@@ -82,6 +83,10 @@ pub struct WheelsetFile {
     #[serde(default)]
     #[schemars(with = "WearSection")]
     wear: Option<WearSection>,
+    /// That temperatures of wheels (upper) and rails (lower) are wanted.
+    #[serde(default)]
+    #[schemars(with = "HeatSection")]
+    heat: Option<HeatSection>,
     /// The theory, "exact" by default, and its options.
     #[serde(default)]
     #[schemars(with = "TheorySpec")]
@@ -141,6 +146,8 @@ impl WheelsetFile {
         let runs = (travel.map_or(0.0, |travel| travel.speed), curvature);
         let tapes = running.wheelset().tape_distance();
         stance.load = stance.load.or(self.wheelset.load_in_curve(&self.track, runs, tapes)?);
+        let speed = travel.map(|travel| travel.speed);
+        let heat = self.heat.as_ref().map(|section| section.wanted_of_wheels(speed)).transpose()?;
         Ok(WheelsetCase {
             running,
             stance,
@@ -154,6 +161,7 @@ impl WheelsetFile {
             slip: contact.and_then(|section| section.slip).unwrap_or_default(),
             patches: contact.and_then(|section| section.patches).unwrap_or_default(),
             damage: self.damage.as_ref().map(DamageSection::wanted_without_limit).transpose()?,
+            heat,
             theory: solve::from_table(&self.solve).map_err(CaseError::from)?,
             notes,
         })

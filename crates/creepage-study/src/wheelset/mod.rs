@@ -23,6 +23,7 @@ mod solved_picture;
 mod solved_text;
 mod solved_write;
 mod table;
+mod warmth;
 mod wear;
 mod worn;
 

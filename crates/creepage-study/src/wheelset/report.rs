@@ -6,7 +6,7 @@ use creepage::{SiCreepage, Status};
 use creepage_rail::{RollingCreepage, Side};
 use creepage_wheelset::{SolvedContact, SolvedWheel, SolvedWheelset};
 
-use crate::{Caution, Damage};
+use crate::{Caution, Damage, Heat};
 
 /// A solved wheelset and what is reported of it: as text, JSON, files and pictures.
 #[derive(Debug, Clone)]
@@ -15,11 +15,13 @@ pub struct WheelsetReport {
     pub solved: SolvedWheelset,
     /// Wear and fatigue numbers of each contact of the left and of the right wheel; empty where none are wanted.
     pub(super) damage: [Vec<Damage>; 2],
+    /// Temperatures of each contact, and a caution; empty where none are wanted.
+    pub(super) heat: [Vec<(Option<Heat>, Option<Caution>)>; 2],
 }
 
 impl From<SolvedWheelset> for WheelsetReport {
     fn from(solved: SolvedWheelset) -> Self {
-        Self { solved, damage: [Vec::new(), Vec::new()] }
+        Self { solved, damage: [const { Vec::new() }; 2], heat: [const { Vec::new() }; 2] }
     }
 }
 
@@ -39,10 +41,22 @@ impl WheelsetReport {
         &self.damage[usize::from(side == Side::Right)]
     }
 
+    /// Temperatures of one contact of a wheel, by its place among the wheel's contacts; `None` where `[heat]` does not ask
+    /// for them.
+    #[must_use]
+    pub fn heat(&self, side: Side, contact: usize) -> Option<&Heat> {
+        self.heat[usize::from(side == Side::Right)].get(contact)?.0.as_ref()
+    }
+
     /// Cautions, each with its side; of several contacts on a rough profile the most loaded one says so.
     #[must_use]
     pub fn cautions(&self) -> Vec<(Side, Caution)> {
-        cautions(&self.solved, |side| self.damage(side))
+        let mut all = cautions(&self.solved, |side| self.damage(side));
+        for (side, heat) in [Side::Left, Side::Right].into_iter().zip(&self.heat) {
+            let of_heat = heat.iter().find_map(|(_, caution)| *caution);
+            all.extend(of_heat.map(|caution| (side, caution)));
+        }
+        all
     }
 
     /// The same in words.

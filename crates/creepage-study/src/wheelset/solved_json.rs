@@ -7,7 +7,7 @@ use serde::Serialize;
 
 use super::derivatives_json::{DerivativesJson, derivatives_json};
 use super::report::WheelsetReport;
-use crate::Damage;
+use crate::{Damage, Heat};
 
 /// `report.json` of a wheelset, in track axes: `x` forward, `y` right, `z` down.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -162,6 +162,8 @@ pub struct WheelPatchJson {
     pub status: &'static str,
     /// Wear and fatigue numbers, where `[damage]` asks for them; else `null`.
     pub damage: Option<Damage>,
+    /// Temperatures, where `[heat]` asks for them; else `null`.
+    pub heat: Option<Heat>,
 }
 
 impl WheelsetReport {
@@ -197,14 +199,20 @@ impl WheelsetReport {
 
     fn wheel_json(&self, wheel: &SolvedWheel) -> WheelJson {
         let derivatives = self.derivatives.as_ref().map(|all| derivatives_json(all, wheel.side));
-        WheelJson::new(wheel, self.damage(wheel.side), derivatives)
+        WheelJson::new(self, wheel, derivatives)
     }
 }
 
 impl WheelJson {
-    fn new(wheel: &SolvedWheel, damage: &[Damage], derivatives: Option<DerivativesJson>) -> Self {
-        let patch =
-            |(k, contact): (usize, &SolvedContact)| WheelPatchJson::new(contact, damage.get(k));
+    fn new(
+        report: &WheelsetReport,
+        wheel: &SolvedWheel,
+        derivatives: Option<DerivativesJson>,
+    ) -> Self {
+        let damage = report.damage(wheel.side);
+        let patch = |(k, contact): (usize, &SolvedContact)| {
+            WheelPatchJson::new(contact, damage.get(k), report.heat(wheel.side, k))
+        };
         Self {
             force: RailForceJson::new(&wheel.on_rail()),
             patches: wheel.contacts().iter().enumerate().map(patch).collect(),
@@ -236,7 +244,7 @@ impl RailForceJson {
 }
 
 impl WheelPatchJson {
-    fn new(contact: &SolvedContact, damage: Option<&Damage>) -> Self {
+    fn new(contact: &SolvedContact, damage: Option<&Damage>, heat: Option<&Heat>) -> Self {
         let normal = &contact.normal;
         let [load, approach, area, peak] =
             [normal.load(), normal.approach(), normal.area(), normal.peak_pressure()];
@@ -278,6 +286,7 @@ impl WheelPatchJson {
             },
             status: contact.status.name(),
             damage: damage.cloned(),
+            heat: heat.cloned(),
         }
     }
 }

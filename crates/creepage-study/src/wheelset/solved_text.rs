@@ -7,8 +7,8 @@ use creepage_wheelset::{
 };
 
 use super::report::WheelsetReport;
-use crate::Damage;
 use crate::text::{Lines, status_words};
+use crate::{Damage, Heat};
 
 impl WheelsetReport {
     /// A short report: position and motion, forces on both rails, every contact.
@@ -22,7 +22,7 @@ impl WheelsetReport {
         }
         self.position_lines(&mut lines);
         for wheel in self.wheels() {
-            wheel_lines(wheel, self.damage(wheel.side), &mut lines);
+            wheel_lines(self, wheel, &mut lines);
             if let Some(derivatives) = &self.derivatives {
                 derivative_lines(derivatives, wheel.side, &mut lines);
             }
@@ -80,7 +80,8 @@ fn newton(value: f64) -> String {
     format!("{} N", fixed(value, 1))
 }
 
-fn wheel_lines(wheel: &SolvedWheel, damage: &[Damage], lines: &mut Lines) {
+fn wheel_lines(report: &WheelsetReport, wheel: &SolvedWheel, lines: &mut Lines) {
+    let damage = report.damage(wheel.side);
     let name = if wheel.side == Side::Left { "Left" } else { "Right" };
     if wheel.contacts().is_empty() {
         let clearance = wheel.clearance.map_or(String::new(), |gap| format!(" by {}", mm(gap)));
@@ -101,7 +102,7 @@ fn wheel_lines(wheel: &SolvedWheel, damage: &[Damage], lines: &mut Lines) {
         lines.columns("rail gives way", ["", &mm(y), &mm(z)]);
     }
     for (k, contact) in wheel.contacts().iter().enumerate() {
-        contact_lines(contact, damage.get(k), lines);
+        contact_lines(contact, (damage.get(k), report.heat(wheel.side, k)), lines);
     }
 }
 
@@ -132,7 +133,11 @@ fn name(by: StateVariable) -> (&'static str, &'static str) {
     }
 }
 
-fn contact_lines(contact: &SolvedContact, damage: Option<&Damage>, lines: &mut Lines) {
+fn contact_lines(
+    contact: &SolvedContact,
+    (damage, heat): (Option<&Damage>, Option<&Heat>),
+    lines: &mut Lines,
+) {
     let normal = &contact.normal;
     let areas = match normal.patches().len() {
         1 => String::new(),
@@ -164,5 +169,8 @@ fn contact_lines(contact: &SolvedContact, damage: Option<&Damage>, lines: &mut L
     }
     if let Some(damage) = damage {
         damage.lines(lines);
+    }
+    if let Some(heat) = heat {
+        heat.lines(lines);
     }
 }

@@ -14,7 +14,7 @@ use crate::sources::Sources;
 impl WheelsetReport {
     /// Writes `report.json`, the picture `wheelset.svg` and `.png` of the wheels on their rails,
     /// one of each place of contact, `left_1.svg` and so on, what happens in its elements (`left_1.csv`, `left_1.vtk`), and where `[damage]` asks for them
-    /// `wear.csv` and the depth of wear, `left_1_wear.svg`, into `directory`, which is made when
+    /// (`[heat]`: temperatures) `wear.csv` and the depth of wear, `left_1_wear.svg`, into `directory`, which is made when
     /// missing; files of those names are replaced, but none that `case` was read from and none of `sources`. Gives the paths written.
     ///
     /// # Errors
@@ -32,7 +32,9 @@ impl WheelsetReport {
         let whole = self.svg(&case.running).map(|svg| ("wheelset".to_owned(), svg)).ok();
         files.extend(self.wear_csv()?.map(|csv| ("wear.csv".to_owned(), csv)));
         files.extend(self.fields()?);
-        for (name, svg) in whole.into_iter().chain(self.contact_svgs()).chain(self.wear_svgs()) {
+        files.extend(self.temperature_csv()?.map(|csv| ("temperature.csv".to_owned(), csv)));
+        let pictures = self.contact_svgs().into_iter().chain(self.wear_svgs());
+        for (name, svg) in whole.into_iter().chain(pictures).chain(self.temperature_svgs()) {
             let png = creepage_plot::png(&svg)?;
             files.push((format!("{name}.svg"), svg.into_bytes()));
             files.push((format!("{name}.png"), png));

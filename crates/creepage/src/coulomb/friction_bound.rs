@@ -1,9 +1,11 @@
 //! The friction bound of each element where friction depends on slip or place, or a layer yields.
 
+use std::f64::consts::PI;
+
 use super::mesh::Mesh;
 use super::stencil::SlipStencil;
 use crate::Scaling;
-use crate::friction_law::RollingFriction;
+use crate::friction_law::{RollingFriction, Thermal};
 use crate::layer::{Layer, Plasticity};
 
 /// Least of the bound that is ever left, over that at rest: tractions are divided by it.
@@ -80,6 +82,8 @@ impl FrictionBound {
     /// Friction at high speed over that at rest, where it falls with the speed.
     pub(crate) fn lowest(&self) -> Option<f64> {
         let falling = self.friction.filter(RollingFriction::falls);
+        // By temperature one solution is all: what heats is behind, not at, the place that it cools down.
+        let falling = falling.filter(|friction| friction.thermal().is_none());
         falling.map(|friction| friction.lowest().max(LEAST))
     }
 
@@ -97,6 +101,9 @@ impl FrictionBound {
         slip: impl Fn(usize) -> f64,
         limits: &mut [f64],
     ) {
+        if let Some(thermal) = self.friction.as_ref().and_then(RollingFriction::thermal) {
+            return self.heated_limits(thermal, mesh, bounds, slip, limits);
+        }
         for strip in 0..mesh.strips.len() {
             let share = self.share(mesh.strips[strip].y());
             let (mut friction, mut last, mut plastic) = (1.0, 0.0, 0.0);
@@ -110,6 +117,41 @@ impl FrictionBound {
                 }
                 limits[element] = (share * friction).min(yields).clamp(LEAST, 1.0);
                 last = slip;
+            }
+        }
+    }
+
+    /// The same where friction depends on the temperature: each strip is marched from the leading edge, its
+    /// elements heated by those ahead and by the leading half of their own.
+    fn heated_limits(
+        &self,
+        thermal: &Thermal,
+        mesh: &Mesh,
+        bounds: &[f64],
+        slip: impl Fn(usize) -> f64,
+        limits: &mut [f64],
+    ) {
+        let Scaling { length, slip: slip_unit, traction, .. } = self.scaling;
+        let (law, speed) = (thermal.law, self.friction.map_or(0.0, |friction| friction.speed()));
+        let (touching, largest) = (thermal.touching, law.largest());
+        // Rise by a unit of traction, slip and root of length.
+        let unit =
+            2.0 * traction * slip_unit * speed * length.sqrt() / (PI.sqrt() * thermal.weight);
+        let mut ahead: Vec<[f64; 3]> = Vec::new();
+        for strip in 0..mesh.strips.len() {
+            ahead.clear();
+            for (i, element) in mesh.elements(strip).enumerate() {
+                let [high, low] = [i, i + 1].map(|i| mesh.strips[strip].middle_cut(i)[0]);
+                let middle = 0.5 * (low + high);
+                let root = |x: f64| (x - middle).max(0.0).sqrt();
+                let rise: f64 =
+                    ahead.iter().map(|[from, to, heat]| heat * (root(*to) - root(*from))).sum();
+                let heat = bounds[element] * slip(element);
+                let gain = unit * heat * root(high) / largest;
+                let friction = law.heated(touching + unit * rise, gain) / largest;
+                let yields = self.yield_bound(0.0) / bounds[element];
+                limits[element] = friction.min(yields).clamp(LEAST, 1.0);
+                ahead.push([low, high, limits[element] * heat]);
             }
         }
     }

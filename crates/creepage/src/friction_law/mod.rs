@@ -25,10 +25,13 @@
 mod across;
 mod memory;
 mod rolling;
+mod thermal;
 
 pub use across::FrictionAcross;
 pub use memory::FrictionMemory;
 pub use rolling::RollingFriction;
+pub use thermal::FrictionByTemperature;
+pub(crate) use thermal::Thermal;
 
 use std::f64::consts::LN_2;
 

@@ -1,16 +1,26 @@
 //! A law of friction in a contact that rolls.
 
-use super::{FrictionAcross, FrictionLaw, FrictionMemory};
+use super::{FrictionAcross, FrictionByTemperature, FrictionLaw, FrictionMemory, Thermal};
 use crate::check::{self, InvalidValue};
+use crate::temperature::HeatedPair;
 
 /// Friction that is not the same everywhere: by the speed of slip where bodies roll at a given speed
-/// (theories know the slip over the rolling velocity only), or by the place across the contact.
+/// (theories know the slip over the rolling velocity only), by the place across the contact, or by the
+/// temperature to which friction itself heats the surfaces.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RollingFriction {
     law: FrictionLaw,
     memory: Option<FrictionMemory>,
     speed: f64,
-    across: Option<FrictionAcross>,
+    by: By,
+}
+
+/// What else friction depends on.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum By {
+    Nothing,
+    Place(FrictionAcross),
+    Temperature(Thermal),
 }
 
 impl RollingFriction {
@@ -24,7 +34,7 @@ impl RollingFriction {
         speed: f64,
     ) -> Result<Self, InvalidValue> {
         check::positive("speed", speed)?;
-        Ok(Self { law, memory, speed, across: None })
+        Ok(Self { law, memory, speed, by: By::Nothing })
     }
 
     /// Friction that differs across the contact, at any speed.
@@ -33,13 +43,47 @@ impl RollingFriction {
     /// None that [`FrictionAcross::new`] lets pass.
     pub fn across(across: FrictionAcross) -> Result<Self, InvalidValue> {
         let law = FrictionLaw::constant(across.largest())?;
-        Ok(Self { across: Some(across), ..Self::new(law, None, 1.0)? })
+        Ok(Self { by: By::Place(across), ..Self::new(law, None, 1.0)? })
+    }
+
+    /// Friction that depends on the temperature of bodies that rub: `pair` with the speeds of their
+    /// surfaces, `speed` the rolling velocity (m/s). `exact`, and `fastsim` on ellipses, follow it; `fastsim`
+    /// heats by the rigid slip.
+    ///
+    /// # Errors
+    /// [`InvalidValue`] unless `speed` is finite and positive.
+    pub fn by_temperature(
+        friction: FrictionByTemperature,
+        pair: HeatedPair,
+        speed: f64,
+    ) -> Result<Self, InvalidValue> {
+        let law = FrictionLaw::constant(friction.largest())?;
+        let (touching, weight) = (pair.touching(), pair.weight());
+        let by = By::Temperature(Thermal { law: friction, touching, weight });
+        Ok(Self { by, ..Self::new(law, None, speed)? })
+    }
+
+    /// How friction depends on the temperature, where it does.
+    #[must_use]
+    pub fn of_temperature(&self) -> Option<FrictionByTemperature> {
+        self.thermal().map(|thermal| thermal.law)
+    }
+
+    /// The same with the bodies that are heated.
+    pub(crate) fn thermal(&self) -> Option<&Thermal> {
+        match &self.by {
+            By::Temperature(thermal) => Some(thermal),
+            _ => None,
+        }
     }
 
     /// How friction differs across the contact, where it does.
     #[must_use]
     pub fn by_place(&self) -> Option<FrictionAcross> {
-        self.across
+        match self.by {
+            By::Place(across) => Some(across),
+            _ => None,
+        }
     }
 
     /// The law.
@@ -60,7 +104,7 @@ impl RollingFriction {
         self.speed
     }
 
-    /// Whether friction depends on the speed of slip at all.
+    /// Whether friction depends on the slip at all, by its speed or by its heat.
     #[must_use]
     pub fn falls(&self) -> bool {
         self.lowest() < 1.0
@@ -69,21 +113,27 @@ impl RollingFriction {
     /// Whether friction depends on anything: on the speed of slip or on the place.
     #[must_use]
     pub fn varies(&self) -> bool {
-        self.falls() || self.across.is_some()
+        self.falls() || self.by_place().is_some()
     }
 
     /// Friction at `y` (m) over the largest, where friction differs across the contact.
     pub(crate) fn share(&self, y: f64) -> f64 {
-        self.across.map_or(1.0, |across| across.at(y) / across.largest())
+        self.by_place().map_or(1.0, |across| across.at(y) / across.largest())
     }
 
     /// The same seen from an origin at `y` (m).
     pub(crate) fn seen_from(self, y: f64) -> Self {
-        Self { across: self.across.map(|across| across.seen_from(y)), ..self }
+        match self.by {
+            By::Place(across) => Self { by: By::Place(across.seen_from(y)), ..self },
+            _ => self,
+        }
     }
 
-    /// The kinetic value over that at rest.
+    /// The least value over the largest.
     pub(crate) fn lowest(&self) -> f64 {
+        if let Some(Thermal { law, .. }) = self.thermal() {
+            return law.least() / law.largest();
+        }
         self.law.kinetic() / self.law.at_rest()
     }
 

@@ -4,9 +4,11 @@
 //! slope of the traction, falling friction has no steady traction: each spring would jump. Where a
 //! spring has begun to slide it goes on until sliding friction is enough to hold it.
 
+use std::f64::consts::PI;
+
 use crate::Scaling;
 use crate::contact::Contact;
-use crate::friction_law::RollingFriction;
+use crate::friction_law::{RollingFriction, Thermal};
 use crate::layer::Plasticity;
 
 use super::profile::Profile;
@@ -34,7 +36,7 @@ pub(crate) struct Step {
 }
 
 /// The state of a march, from the leading edge on.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub(crate) struct Walk {
     pub(crate) traction: [f64; 2],
     /// Traction that the last step would have added, had there been no bound.
@@ -45,11 +47,23 @@ pub(crate) struct Walk {
     pub(crate) slip: f64,
     /// Plastic displacement.
     plastic: f64,
+    /// Distance marched.
+    gone: f64,
+    /// Steps that were heated: where each began and ended, and its heat, traction times slip.
+    heated: Vec<[f64; 3]>,
 }
 
 impl Walk {
     pub(crate) fn start() -> Self {
-        Self { traction: [0.0; 2], lost: [0.0; 2], friction: 1.0, slip: 0.0, plastic: 0.0 }
+        Self {
+            traction: [0.0; 2],
+            lost: [0.0; 2],
+            friction: 1.0,
+            slip: 0.0,
+            plastic: 0.0,
+            gone: 0.0,
+            heated: Vec::new(),
+        }
     }
 }
 
@@ -79,7 +93,9 @@ impl FrictionBound {
         let size = trial[0].hypot(trial[1]);
         let rigid = step.rigid_slip[0].hypot(step.rigid_slip[1]);
         let mut friction = walk.friction;
-        if let Some(law) = &self.friction {
+        if let Some(thermal) = self.friction.as_ref().and_then(RollingFriction::thermal) {
+            friction = self.heated_friction(thermal, walk, step, rigid);
+        } else if let Some(law) = &self.friction {
             let after = |slip: f64| {
                 let slips = [walk.slip, slip].map(|slip| self.scaling.slip * slip);
                 law.after(walk.friction, slips, self.scaling.length * step.length)
@@ -95,11 +111,33 @@ impl FrictionBound {
         let scale = if size > limit { limit / size } else { 1.0 };
         walk.slip = if scale < 1.0 && !plastic { rigid } else { 0.0 };
         walk.friction = friction;
+        if self.friction.is_some_and(|friction| friction.thermal().is_some()) {
+            let gone = walk.gone + step.length;
+            if walk.slip > 0.0 {
+                walk.heated.push([walk.gone, gone, limit.min(size) * walk.slip]);
+            }
+            walk.gone = gone;
+        }
         walk.traction = trial.map(|v| v * scale);
         walk.lost = trial.map(|v| v * (1.0 - scale));
         if plastic {
             walk.plastic += step.flexibility * (1.0 - scale) * size;
         }
+    }
+
+    /// Friction over the largest by the temperature where the step ends, should it slide all along.
+    fn heated_friction(&self, thermal: &Thermal, walk: &Walk, step: &Step, rigid: f64) -> f64 {
+        let Scaling { length, slip, traction, .. } = self.scaling;
+        let (law, speed) = (thermal.law, self.friction.map_or(0.0, |friction| friction.speed()));
+        // Tractions of a march are in units of mu N over c squared.
+        let traction = traction / Profile::HERTZ_PEAK;
+        let unit = 2.0 * traction * slip * speed * length.sqrt() / (PI.sqrt() * thermal.weight);
+        let here = walk.gone + step.length;
+        let root = |from: f64| (here - from).max(0.0).sqrt();
+        let rise: f64 =
+            walk.heated.iter().map(|[from, to, heat]| heat * (root(*from) - root(*to))).sum();
+        let gain = unit * step.bound * rigid * root(walk.gone) / law.largest();
+        law.heated(thermal.touching + unit * rise, gain) / law.largest()
     }
 
     /// The smaller of the bound by friction and that by the layer, and whether it is the layer's. What

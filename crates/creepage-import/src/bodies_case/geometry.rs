@@ -1,0 +1,215 @@
+//! How the bodies of a case touch: radii, semi-axes, a line, or the undeformed distance.
+
+use super::{Cause, Geometry, Pressed};
+use crate::bodies::{Bodies, Shape};
+use crate::read::Materials;
+use crate::text::{list, number};
+
+pub(super) fn geometry(
+    case: &Bodies,
+    materials: &Materials,
+    turned: bool,
+    notes: &mut Vec<String>,
+) -> Result<(Geometry, Pressed), Cause> {
+    let grid = case.grid.ok_or("no case has given a grid (D = 2)")?;
+    let [load, ..] = case.kinematics;
+    let has_load = case.control.has_load();
+    if grid.elements == [1, 1] {
+        return Err("a single element of constant pressure".into());
+    }
+    let [first, second] = grid.first;
+    let curvatures = match grid.kind {
+        -1 => [first, second],
+        -2 => [first, first * ratio_of_curvatures(second)?],
+        -3 if has_load => {
+            return Ok((Geometry::SemiAxes([first * 1e-3, second * 1e-3]), Pressed::Load(load)));
+        }
+        -3 => return Err("an approach with the semi-axes given (IPOTCN = -3, N = 0)".into()),
+        kind if kind < 0 => return Err(format!("IPOTCN = {kind}: two half ellipses, or a box")),
+        _ => {
+            return shaped(case, materials, turned, notes);
+        }
+    };
+    smooth(case, materials, curvatures, 0.0, notes)
+}
+
+/// Bodies of constant curvatures (1/mm), `offset` apart (mm).
+fn smooth(
+    case: &Bodies,
+    materials: &Materials,
+    curvatures: [f64; 2],
+    offset: f64,
+    notes: &mut Vec<String>,
+) -> Result<(Geometry, Pressed), Cause> {
+    let [first, second] = curvatures;
+    if !(first > 0.0 && second > 0.0) {
+        return Err("curvatures that are not above zero".into());
+    }
+    let radii = curvatures.map(|curvature| 0.5e-3 / curvature);
+    let [load, ..] = case.kinematics;
+    if case.control.has_load() {
+        return Ok((Geometry::Radii(radii), Pressed::Load(load)));
+    }
+    let approach = (load - offset) * 1e-3;
+    if case.control.tangential() < 3 && (first - second).abs() < 1e-6 * first && approach > 0.0 {
+        // Hertz's sphere: what shifts and rolls in steps needs a load.
+        let compliance: f64 =
+            (0..2).map(|k| (1.0 - materials.poisson[k]) / (2e6 * materials.shear_modulus[k])).sum();
+        let load = 4.0 / 3.0 / compliance * radii[0].sqrt() * approach.powf(1.5);
+        notes.push("the load is Hertz's at the given approach".into());
+        return Ok((Geometry::Radii(radii), Pressed::Load(load)));
+    }
+    let terms = format!(
+        "polynomial = [[2, 0, {}], [0, 2, {}]]\n",
+        number(first * 1e3),
+        number(second * 1e3)
+    );
+    Ok((Geometry::Gap(terms), Pressed::Approach(approach)))
+}
+
+/// A shape on a grid of elements (IPOTCN > 0).
+fn shaped(
+    case: &Bodies,
+    materials: &Materials,
+    turned: bool,
+    notes: &mut Vec<String>,
+) -> Result<(Geometry, Pressed), Cause> {
+    let grid = case.grid.ok_or("no case has given a grid (D = 2)")?;
+    let shape = case.shape.as_ref().ok_or("no case has given a shape (Z = 1, 2)")?;
+    let [load, ..] = case.kinematics;
+    if grid.elements[1] == 1 {
+        return line(case, shape, notes);
+    }
+    if let Shape::Quadratic([first, mixed, second, x, y, offset]) = *shape
+        && [mixed, x, y].iter().all(|term| *term == 0.0)
+    {
+        return smooth(case, materials, [first, second], offset, notes);
+    }
+    let pressed =
+        if case.control.has_load() { Pressed::Load(load) } else { Pressed::Approach(load * 1e-3) };
+    let sign: f64 = if turned { -1.0 } else { 1.0 };
+    let text = match shape {
+        Shape::Quadratic(b) => {
+            let powers = [[2, 0], [1, 1], [0, 2], [1, 0], [0, 1], [0, 0]];
+            let terms: Vec<_> = powers
+                .iter()
+                .zip(b)
+                .filter(|(_, value)| **value != 0.0)
+                .map(|([i, j], value)| {
+                    // Metres: mm times (1/mm) to the power.
+                    let si = value * 1e-3 * 1e3_f64.powi(i + j) * sign.powi(i + j);
+                    format!("[{i}, {j}, {}]", number(si))
+                })
+                .collect();
+            format!("polynomial = [{}]\n", terms.join(", "))
+        }
+        Shape::Circular { radius, middle, first, step, points } => {
+            if *radius <= 0.0 || *step <= 0.0 {
+                return Err("a radius or a step across that is not above zero (IBASE = 2)".into());
+            }
+            let mut places: Vec<(f64, f64)> = (0..points.len())
+                .map(|k| (sign * (first + k as f64 * step) * 1e-3, points[k] * 1e-3))
+                .collect();
+            if turned {
+                places.reverse();
+            }
+            let y = list(places.iter().map(|place| place.0));
+            let gap = list(places.iter().map(|place| place.1));
+            let columns = if *middle == 0.0 {
+                format!("{{ y = {y}, gap = {gap} }}")
+            } else {
+                let x = list(places.iter().map(|_| sign * middle * 1e-3));
+                format!("{{ y = {y}, gap = {gap}, x = {x} }}")
+            };
+            format!("section = {columns}\nradius_rolling = {}\n", number(radius * 1e-3))
+        }
+        Shape::WithSines => return Err("a shape with sine waves (IBASE = 3)".into()),
+        Shape::Points(points) => {
+            let [count, _] = grid.elements;
+            let place = |axis, index| sign * grid.middle(axis, index) * 1e-3;
+            let x = list((0..points.len()).map(|k| place(0, k % count)));
+            let y = list((0..points.len()).map(|k| place(1, k / count)));
+            let gap = list(points.iter().map(|value| value * 1e-3));
+            format!("grid = {{ x = {x}, y = {y}, gap = {gap} }}\n")
+        }
+    };
+    Ok((Geometry::Gap(text), pressed))
+}
+
+/// One row of elements: a line contact.
+fn line(
+    case: &Bodies,
+    shape: &Shape,
+    notes: &mut Vec<String>,
+) -> Result<(Geometry, Pressed), Cause> {
+    let grid = case.grid.ok_or("no case has given a grid (D = 2)")?;
+    let radius = match *shape {
+        Shape::Quadratic([curvature, _, _, _, _, _]) if curvature > 0.0 => 0.5 / curvature,
+        Shape::Circular { radius, .. } if radius > 0.0 => radius,
+        _ => return Err("a line contact that is not of cylinders".into()),
+    };
+    if let Shape::Quadratic([_, _, _, x, _, _]) = *shape
+        && x != 0.0
+    {
+        notes.push("the line contact's place along x (B4) is put at x = 0".into());
+    }
+    if !case.control.has_load() {
+        return Err("a line contact at a given approach, which depends on the length".into());
+    }
+    // Forces of a line contact are per length.
+    let [load, ..] = case.kinematics;
+    let length = grid.size[1] * 1e-3;
+    notes.push(format!(
+        "one row of elements {} m wide is a line contact: forces are per metre",
+        number(length)
+    ));
+    Ok((Geometry::Line([radius * 1e-3, length]), Pressed::Load(load / length)))
+}
+
+/// Curvature across over that along, for semi-axes a, b in the ratio a/b.
+fn ratio_of_curvatures(ratio: f64) -> Result<f64, Cause> {
+    if !(ratio > 0.0 && ratio.is_finite()) {
+        return Err("a ratio of semi-axes that is not above zero".into());
+    }
+    if (ratio - 1.0).abs() < 1e-9 {
+        return Ok(1.0);
+    }
+    // Hertz: curvatures along the longer and the shorter axis are as K - E to E/(1 - e2) - K.
+    let shorter = ratio.min(1.0 / ratio);
+    let squared = 1.0 - shorter * shorter;
+    let [first, second] = elliptic_integrals(shorter);
+    let longer_over_shorter = (first - second) / (second / (1.0 - squared) - first);
+    Ok(if ratio > 1.0 { 1.0 / longer_over_shorter } else { longer_over_shorter })
+}
+
+/// Complete elliptic integrals K and E at the complementary modulus, by arithmetic-geometric means.
+fn elliptic_integrals(complementary: f64) -> [f64; 2] {
+    let (mut a, mut b) = (1.0_f64, complementary);
+    let mut sum = 0.5 * (1.0 - b * b);
+    let mut power = 1.0;
+    // Each mean doubles the digits.
+    for _ in 0..12 {
+        let c = 0.5 * (a - b);
+        (a, b) = (0.5 * (a + b), (a * b).sqrt());
+        sum += power * c * c;
+        power *= 2.0;
+    }
+    let first = std::f64::consts::FRAC_PI_2 / a;
+    [first, first * (1.0 - sum)]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn hertzs_ratio_is_that_of_tables() {
+        // a/b = 2 along the longer axis: K and E at e2 = 3/4 are 2.15651565 and 1.21105603
+        // (Abramowitz and Stegun, table 17.1, by interpolation to 1e-6).
+        let expected = (1.211_056 / 0.25 - 2.156_516) / (2.156_516 - 1.211_056);
+        let found = ratio_of_curvatures(2.0).unwrap();
+        assert!((found / expected - 1.0).abs() < 1e-5, "{found} {expected}");
+        assert!((ratio_of_curvatures(0.5).unwrap() * found - 1.0).abs() < 1e-12);
+        assert!((ratio_of_curvatures(1.001).unwrap() - 1.0).abs() < 0.01);
+    }
+}

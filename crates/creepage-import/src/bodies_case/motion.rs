@@ -1,0 +1,318 @@
+//! How the bodies of a case move: shifts, steady rolling, rolling from step to step.
+
+use super::{Cause, Geometry, Parts, Pressed};
+use crate::bodies::Bodies;
+use crate::read::Extra;
+use crate::text::{number, quoted, section};
+use crate::{File, Written};
+
+impl Parts<'_> {
+    /// A shift from rest (T = 1).
+    pub(super) fn shift(
+        &self,
+        chain: &[Bodies],
+        name: &str,
+        title: &str,
+        notes: &mut Vec<String>,
+    ) -> Result<Written, Cause> {
+        if chain.len() > 1 || self.case.control.history() == 0 {
+            return Err("a load path: a shift that follows another case (T = 1, P = 0)".into());
+        }
+        let [x, y] = self.shift_force(self.case)?;
+        if x == 0.0 && y == 0.0 {
+            if self.is_unlike() {
+                return Err("unlike bodies pressed together with friction".into());
+            }
+            notes.push("no force shifts the bodies: pressed only".into());
+            return self.pressing(name, title, notes);
+        }
+        if self.needs_speed || self.friction_text.starts_with('{') {
+            return Err("a shift with friction that is no constant".into());
+        }
+        if !self.layer()?.is_empty() {
+            return Err("a shift with a layer".into());
+        }
+        if matches!(self.geometry, Geometry::Line(_) | Geometry::Gap(_)) {
+            return Err("a shift with slip on anything but an ellipse".into());
+        }
+        if self.is_unlike() {
+            notes.push("the bodies are unlike: the shift is solved as if they were like".into());
+        }
+        let command = format!("creepage statics {name}.toml");
+        let keys =
+            [("problem", quoted("partial-slip")), ("force_x", number(x)), ("force_y", number(y))];
+        let head = self.head(title, &command, notes);
+        let text = head + &self.bodies() + &self.contact(true) + &section("statics", &keys);
+        Ok(Written::of(command, File::text(format!("{name}.toml"), text)))
+    }
+
+    /// The force on the lower body of a shift (N).
+    fn shift_force(&self, case: &Bodies) -> Result<[f64; 2], Cause> {
+        let [_, x, y, turn] = case.kinematics;
+        let given = match case.control.force() {
+            0 if [x, y, turn].iter().all(|way| *way == 0.0) => return Ok([0.0; 2]),
+            1 if y == 0.0 && turn == 0.0 => [x, 0.0],
+            2 if turn == 0.0 => [x, y],
+            _ => return Err("a shift that is given as a way, not by its force".into()),
+        };
+        let Pressed::Load(load) = self.pressed else {
+            return Err("a shift under a given approach".into());
+        };
+        Ok(given.map(|part| -part * self.friction * load))
+    }
+
+    fn is_unlike(&self) -> bool {
+        let [first, second] = [0, 1]
+            .map(|k| (1.0 - 2.0 * self.materials.poisson[k]) / self.materials.shear_modulus[k]);
+        (first - second).abs() > 1e-9 * first.abs().max(second.abs())
+    }
+
+    pub(super) fn speed(&self) -> f64 {
+        self.case.rolling.map_or(0.0, |rolling| rolling[2] * 1e-3)
+    }
+
+    /// Creepages in our axes.
+    fn creepages(&self, case: &Bodies) -> [f64; 3] {
+        let sign = if self.turned { -1.0 } else { 1.0 };
+        let [_, x, y, spin] = case.kinematics;
+        [sign * x, sign * y, spin * 1e3]
+    }
+
+    /// A force on the lower body over `mu N`, in our axes.
+    fn relative_force(&self, printed: f64) -> f64 {
+        if self.turned { printed } else { -printed }
+    }
+
+    /// Steady rolling (T = 3).
+    pub(super) fn steady(
+        &self,
+        name: &str,
+        title: &str,
+        notes: &mut Vec<String>,
+    ) -> Result<Written, Cause> {
+        let creepages = self.creepages(self.case);
+        let forces = usize::from(self.case.control.force().min(2));
+        let (mut creepage, mut wanted) = (Vec::new(), Vec::new());
+        let is_gap = matches!(self.geometry, Geometry::Gap(_));
+        for (k, name) in ["longitudinal", "lateral", "spin"].into_iter().enumerate() {
+            if k >= forces {
+                creepage.push((name, number(creepages[k])));
+                continue;
+            }
+            let force = self.relative_force(self.case.kinematics[1 + k]);
+            let Pressed::Load(load) = self.pressed else {
+                return Err("a given force over a friction force that is not known (N = 0)".into());
+            };
+            if is_gap {
+                let name = ["longitudinal_force", "lateral_force"][k];
+                wanted.push((name, number(force * self.friction * load)));
+            } else {
+                wanted.push((["fx", "fy"][k], number(force)));
+            }
+        }
+        if self.speed() > 0.0 {
+            creepage.push(("speed", number(self.speed())));
+        }
+        let solve = self.theory(notes)?;
+        let command = format!("creepage solve {name}.toml");
+        let layer = self.layer()?;
+        let heat = if self.needs_heat { self.heat()? } else { self.heat().unwrap_or_default() };
+        let head = self.head(title, &command, notes);
+        let sections = section("creepage", &creepage) + &section("wanted", &wanted) + &heat;
+        let text = head + &self.bodies() + &self.contact(true) + &layer + &sections;
+        Ok(Written::of(
+            command,
+            File::text(format!("{name}.toml"), text + &section("solve", &solve)),
+        ))
+    }
+
+    fn theory(&self, notes: &mut Vec<String>) -> Result<Vec<(&'static str, String)>, Cause> {
+        let unchanged = |changes: &[f64; 3]| changes.iter().all(|change| *change == 1.0);
+        let is_gap = matches!(self.geometry, Geometry::Gap(_));
+        let is_simplified = matches!(
+            self.materials.extra,
+            Extra::ThreeFlexibilities { .. } | Extra::Fastrip { .. }
+        );
+        if is_simplified && self.case.control.force() > 0 {
+            notes.push(
+                "FASTSIM to a wanted force (M = 3, 5 with F = 1, 2): ours finds no creepage, so it is by the \
+                 full theory"
+                    .into(),
+            );
+            return Ok(vec![("theory", quoted("exact"))]);
+        }
+        match &self.materials.extra {
+            Extra::OneFlexibility => {
+                Err("the simplified theory with a given flexibility (M = 2)".into())
+            }
+            Extra::ThreeFlexibilities { changes } | Extra::Fastrip { changes }
+                if !unchanged(changes) =>
+            {
+                Err("the simplified theory with changed flexibilities (K0_MF, ALFAMF, BETAMF)"
+                    .into())
+            }
+            Extra::ThreeFlexibilities { .. } => {
+                let mut keys = vec![("theory", quoted("fastsim"))];
+                if is_gap {
+                    notes.push("FASTSIM with three flexibilities: ours blends them here".into());
+                    return Ok(keys);
+                }
+                let bound = if self.case.control.bound() == 3 { "parabolic" } else { "elliptic" };
+                keys.push(("flexibility", quoted("three")));
+                keys.push(("bound", quoted(bound)));
+                keys.extend(self.cells().map(|cells| ("grid", cells)));
+                Ok(keys)
+            }
+            Extra::Fastrip { .. } => {
+                let mut keys = vec![("theory", quoted("fastrip"))];
+                keys.extend(self.cells().filter(|_| !is_gap).map(|cells| ("grid", cells)));
+                Ok(keys)
+            }
+            _ => {
+                let mut keys = vec![("theory", quoted("exact"))];
+                if self.is_unlike() && self.case.control.outer_rounds() > 1.0 && !is_gap {
+                    keys.push(("coupled", "true".into()));
+                }
+                Ok(keys)
+            }
+        }
+    }
+
+    /// The cells in the ellipse itself.
+    fn cells(&self) -> Option<String> {
+        let grid = self.case.grid.filter(|grid| grid.kind < 0 && grid.size[0] > 0.0)?;
+        let cells = grid.elements.map(|count| (count as f64 / grid.size[0]).round().max(2.0));
+        Some(format!("[{}, {}]", cells[0], cells[1]))
+    }
+
+    /// Rolling from step to step (T = 2), or steadily on a line.
+    pub(super) fn history(
+        &self,
+        chain: &[Bodies],
+        name: &str,
+        title: &str,
+        notes: &mut Vec<String>,
+    ) -> Result<Written, Cause> {
+        if !self.layer()?.is_empty() {
+            return Err("a layer in rolling step by step or on a line".into());
+        }
+        if !matches!(self.materials.extra, Extra::None | Extra::Viscoelastic { .. }) {
+            return Err("a simplified theory in rolling step by step or on a line".into());
+        }
+        let has_memory = self.case.friction.as_ref().is_some_and(|read| read.memory.is_some());
+        if self.needs_heat {
+            return Err("friction by temperature in rolling step by step or on a line".into());
+        }
+        if self.needs_speed && !has_memory {
+            return Err(
+                "falling friction without memory in rolling step by step or on a line".into()
+            );
+        }
+        let mut start = vec![("traction", quoted("none"))];
+        let (mut rows, mut distance, mut kind) = (Vec::new(), 0.0, None);
+        for (index, case) in chain.iter().enumerate() {
+            let parts = Parts::of(case, &mut Vec::new())?;
+            if (&parts.geometry, parts.turned) != (&self.geometry, self.turned) && index > 0 {
+                return Err("a history in which the shape changes".into());
+            }
+            match (case.control.tangential(), index) {
+                (1, 0) => {
+                    let [x, y] = parts.shift_force(case)?;
+                    if x != 0.0 || y != 0.0 {
+                        start = vec![
+                            ("traction", quoted("shift")),
+                            ("longitudinal_force", number(x)),
+                            ("lateral_force", number(y)),
+                        ];
+                    }
+                    continue;
+                }
+                (2, _) => {}
+                (3, 0) => start = vec![("traction", quoted("steady"))],
+                _ => return Err("a history that is not one of rolling steps".into()),
+            }
+            let forces = case.control.force().min(2);
+            if kind.is_some_and(|kind| kind != forces) {
+                return Err("a history in which forces and creepages change places".into());
+            }
+            kind = Some(forces);
+            distance += case.rolling.map_or(0.0, |rolling| rolling[1] * 1e-3);
+            rows.push(parts.row(distance, usize::from(forces))?);
+        }
+        let forces = usize::from(kind.unwrap_or(0));
+        self.file_of_history(&rows, forces, &start, (name, title), notes)
+    }
+
+    /// Distance, load, then the three components.
+    fn row(&self, distance: f64, forces: usize) -> Result<[f64; 5], Cause> {
+        let (mut components, mut load) = (self.creepages(self.case), 0.0);
+        if let Pressed::Load(given) = self.pressed {
+            load = given;
+        } else if forces > 0 {
+            return Err("a given force over a friction force that is not known (N = 0)".into());
+        }
+        for (component, printed) in
+            components.iter_mut().zip(&self.case.kinematics[1..]).take(forces)
+        {
+            *component = self.relative_force(*printed) * self.friction * load;
+        }
+        let [x, y, spin] = components;
+        Ok([distance, load, x, y, spin])
+    }
+
+    fn file_of_history(
+        &self,
+        rows: &[[f64; 5]],
+        forces: usize,
+        start: &[(&str, String)],
+        (name, title): (&str, &str),
+        notes: &mut Vec<String>,
+    ) -> Result<Written, Cause> {
+        let is_line = matches!(self.geometry, Geometry::Line(_));
+        if self.is_unlike() {
+            notes.push(
+                "the bodies are unlike: `roll` takes them as like, so the creepage of free rolling is lost".into(),
+            );
+        }
+        let load_changes = rows.windows(2).any(|pair| pair[0][1] != pair[1][1]);
+        if load_changes && !matches!(self.geometry, Geometry::Radii(_)) {
+            return Err("a load that changes from step to step on anything but an ellipse".into());
+        }
+        if load_changes {
+            notes.push(
+                "the load changes in a straight line over each step, not at its beginning".into(),
+            );
+        }
+        let is_used = |k: usize| rows.iter().any(|row| row[2 + k] != 0.0);
+        if is_line && (is_used(1) && forces < 2 || is_used(2)) {
+            notes.push(
+                "on a line we take lateral motion and spin where the command does; try it".into(),
+            );
+        }
+        let names = ["longitudinal", "lateral", "spin"];
+        let force_names = ["longitudinal_force", "lateral_force"];
+        let mut columns = vec![("distance", 0)];
+        columns.extend(load_changes.then_some(("normal_force", 1)));
+        for k in 0..3 {
+            let name = if k < forces { force_names[k] } else { names[k] };
+            let needed = k == 0 || is_used(k) || k < forces && !is_line;
+            columns.extend(needed.then_some((name, 2 + k)));
+        }
+        let heads: Vec<_> = columns.iter().map(|(name, _)| *name).collect();
+        let mut csv = heads.join(",") + "\n";
+        for row in rows {
+            let values: Vec<_> = columns.iter().map(|(_, place)| number(row[*place])).collect();
+            csv += &(values.join(",") + "\n");
+        }
+        let speed = if self.needs_speed { number(self.speed()) } else { String::new() };
+        let creepage: Vec<_> = self.needs_speed.then_some(("speed", speed)).into_iter().collect();
+        let command = format!("creepage roll {name}.toml --history {name}.csv");
+        let head = self.head(title, &command, notes);
+        let sections = section("creepage", &creepage) + &section("start", start);
+        let text = head + &self.bodies() + &self.contact(true) + &sections;
+        let solve = section("solve", &[("theory", quoted("exact"))]);
+        let mut written = Written::of(command, File::text(format!("{name}.toml"), text + &solve));
+        written.files.push(File::text(format!("{name}.csv"), csv));
+        Ok(written)
+    }
+}
