@@ -52,9 +52,9 @@ fn with_vanishing_friction_all_slips() {
 /// the solver's own scatter is larger than what Newton's method asks for.
 #[test]
 fn coupled_bodies_roll_freely() {
-    for (ratio, friction) in [(0.5, 0.05), (1.0, 0.05), (2.0, 0.1), (0.5, 0.3), (1.0, 1.0)] {
+    for (ratio, friction) in [(0.5, 0.05), (1.0, 0.3)] {
         let contact = contact(steel(), aluminium(), ratio, friction);
-        let theory = coupled(&contact, Resolution::STANDARD);
+        let theory = coupled(&contact, Resolution::FAST);
         let free =
             Constraints { eta: Some(0.0), chi: Some(0.0), fx: Some(0.0), ..Constraints::default() };
         let solution = theory.find(free).unwrap().solution();
