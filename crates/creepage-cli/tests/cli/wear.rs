@@ -16,7 +16,8 @@ fn example(place: &Place, edit: impl Fn(String) -> String) {
 #[test]
 fn the_example_wears_and_its_profiles_are_read() {
     let place = Place::new();
-    example(&place, |text| text);
+    // A fifth of its way: the guide's build runs all of it.
+    example(&place, |text| text.replace("distance = 100e6", "distance = 20e6"));
     let report = json(&place.run(&["wear", "s1002.toml", "--out", "worn", "--json"]).done());
     let rows = report["rows"].as_array().unwrap();
     assert_eq!(rows.len(), 12);
@@ -32,7 +33,7 @@ fn the_example_wears_and_its_profiles_are_read() {
     let text = fs::read_to_string(place.path("s1002.toml")).unwrap();
     let (case, _) = text.split_once("[wear]").unwrap();
     let worn = case.replace("\"S1002\"", "\"worn/wheel_right_005.json\"");
-    place.write("worn.toml", &format!("{worn}\n[solve]\ntheory = \"fastsim\"\n"));
+    place.write("worn.toml", format!("{worn}\n[solve]\ntheory = \"fastsim\"\n"));
     place.run(&["wheelset", "worn.toml", "--json"]).done();
 }
 
@@ -40,7 +41,7 @@ fn the_example_wears_and_its_profiles_are_read() {
 #[test]
 fn a_run_killed_three_times_ends_as_if_undisturbed() {
     let place = Place::new();
-    example(&place, |text| text.replace("distance = 100e6", "distance = 20e6"));
+    example(&place, |text| text.replace("distance = 100e6", "distance = 10e6"));
     place.run(&["wear", "s1002.toml", "--out", "whole"]).done();
     let state = place.path("killed/wear.state");
     for part in 1..=3 {
@@ -81,10 +82,11 @@ fn what_is_wrong_is_named_and_nothing_is_written() {
         ("distance = 100e6", "", "distance"),
         ("distance = 100e6", "distance = -1.0", "distance"),
         ("stops = 5", "stops = 0", "stops"),
+        ("theory = \"fastsim\"", "theory = \"linear\"", "slip"),
         ("\"vehicle.csv\"", "\"nowhere.csv\"", "nowhere.csv"),
         ("law = \"usfd\"", "law = \"bre\"", "bre"),
         ("step_depth = 1e-4", "step_depht = 1e-4", "step_depth"),
-        ("axle_load = 160e3", "axle_load = 160e3\ny = 0.0\nroll = 0.0\nside = \"left\"", "mean"),
+        ("axle_load = 160e3", "wheel_load = 80e3\nroll = 0.0\nside = \"left\"", "mean"),
     ] {
         example(&place, |text| text.replace(old, new));
         place.run(&["wear", "s1002.toml", "--out", "worn"]).refused(&[said]);

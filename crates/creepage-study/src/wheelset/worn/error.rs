@@ -69,10 +69,17 @@ pub enum WearError {
         /// Why.
         source: Box<WheelsetFileError>,
     },
+    /// A theory that does not tell where surfaces slide.
+    #[error("[solve] theory = {theory:?} has no slip to wear by: [wear] takes {}", known.join(", "))]
+    Theory {
+        /// Its name.
+        theory: &'static str,
+        /// Those that have.
+        known: &'static [&'static str],
+    },
     /// A situation without a number for the wear of a contact.
     #[error(
-        "[wear] situation {number}: wear by this theory or at this speed is not a number: a theory with \
-         slip (exact, fastsim) and a speed other than zero are needed"
+        "[wear] situation {number}: its wear is not a number: Archard's law needs a speed other than zero"
     )]
     NoWear {
         /// Its number, from 1.

@@ -131,7 +131,7 @@ impl Nodes {
                 let depth = volumes[k] / surfaces[k];
                 let by_radius = normals[k][1] / (self.radius + points[k][1]);
                 // At kinks curvature is that of the spacing.
-                let shrink = (depth * (turn(points, &arcs, k) - by_radius)).max(-0.5).min(0.5);
+                let shrink = (depth * (turn(points, &arcs, k) - by_radius)).clamp(-0.5, 0.5);
                 depth / (1.0 - 0.5 * shrink)
             })
             .collect();
@@ -147,7 +147,9 @@ impl Nodes {
             if !(asked > 0.0 && swept[1] > 0.0) || (swept[1] / asked - 1.0).abs() < 1e-14 {
                 break;
             }
-            moves.iter_mut().for_each(|by| *by *= asked / swept[1]);
+            for by in &mut moves {
+                *by *= asked / swept[1];
+            }
             new = moved(&moves);
             swept = self.swept(&new);
         }

@@ -20,6 +20,9 @@ impl Wear {
         let (first, last) = (self.stops.first()?, self.stops.last()?);
         let shown: Vec<WornBody> =
             bodies().filter(|body| first.bodies[*body as usize].is_some()).collect();
+        if shown.is_empty() {
+            return None;
+        }
         let every = self.stops.len().saturating_sub(1).div_ceil(LINES).max(1);
         let lines: Vec<&WearStop> =
             self.stops.iter().rev().step_by(every).filter(|stop| stop.steps > 0).collect();

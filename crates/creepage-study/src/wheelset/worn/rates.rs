@@ -10,8 +10,8 @@ use super::section::{WearLaw, WearPlan, WearSituation, WornSides};
 use super::state::{Bodies, WornBody};
 use crate::damage::of_elements;
 use crate::wheelset::{WheelsetCase, wheelset_caution_words};
-use creepage_wheelset::SolvedContact;
 use creepage_wheelset::WheelsetVelocity;
+use creepage_wheelset::{SolvedContact, SolvedWheel};
 use creepage_wheelset::{SolvedWheelset, WheelsetSolver};
 
 /// Volume over the whole of the distance at each point of each body (m3, of a rail m3/m), if it wore on as it
@@ -31,6 +31,9 @@ pub(super) struct Rates {
     pub(super) cautions: Vec<(usize, String)>,
 }
 
+/// Solved situations are kept for the end of a step, where they are no more than this.
+const KEPT: usize = 2000;
+
 /// One row of elements of a contact after one passage.
 struct Strip {
     side: Side,
@@ -46,17 +49,19 @@ struct Strip {
 pub(super) type Reached = [f64; 2];
 
 impl Rates {
-    /// The rates of wear where the bodies are as they are.
+    /// The rates of wear where the bodies are as they are, and the situations solved; from those of profiles nearby
+    /// where they are known.
     pub(super) fn new(
         case: &WheelsetCase,
         plan: &WearPlan,
         bodies: &Bodies,
-        reached: Reached,
-    ) -> Result<Self, WearError> {
+        (reached, before): (Reached, &[SolvedWheelset]),
+    ) -> Result<(Self, Vec<SolvedWheelset>), WearError> {
         let worn = WheelsetCase { running: bodies.running(&case.running)?, ..case.clone() };
         let solver = worn.solver()?;
+        let is_kept = before.is_empty() && plan.situations.len() <= KEPT;
         let solve = |(k, situation): (usize, &WearSituation)| {
-            let solved = solve(&worn, &solver, situation).map_err(|source| {
+            let solved = solve(&worn, &solver, situation, before.get(k)).map_err(|source| {
                 let [distance, passages] = reached;
                 let source = Box::new(source);
                 WearError::Situation { number: k + 1, distance, passages, source }
@@ -66,7 +71,8 @@ impl Rates {
                 return Err(WearError::NoWear { number: k + 1 });
             }
             let words = wheelset_caution_words(&solved).into_iter().map(|words| (k + 1, words));
-            Ok((strips, solved.status() != Status::Solved, words.collect::<Vec<_>>()))
+            let (doubtful, words) = (solved.status() != Status::Solved, words.collect::<Vec<_>>());
+            Ok((strips, doubtful, words, is_kept.then_some(solved)))
         };
         let all: Vec<_> = plan.situations.par_iter().enumerate().map(solve).collect();
         let mut rates = Self {
@@ -84,8 +90,10 @@ impl Rates {
         }
         let mut weight = 0.0;
         // In the order of the situations: the same sums on any number of cores.
+        let mut kept = Vec::new();
         for (situation, found) in plan.situations.iter().zip(all) {
-            let (strips, doubtful, words) = found?;
+            let (strips, doubtful, words, solved) = found?;
+            kept.extend(solved);
             rates.doubtful += usize::from(doubtful);
             rates.cautions.extend(words);
             for strip in &strips {
@@ -98,7 +106,7 @@ impl Rates {
             rates.peak /= weight;
         }
         rates.smooth(plan, bodies, &arcs);
-        Ok(rates)
+        Ok((rates, kept))
     }
 
     fn add(
@@ -188,20 +196,26 @@ fn solve(
     case: &WheelsetCase,
     solver: &WheelsetSolver<'_>,
     situation: &WearSituation,
+    before: Option<&SolvedWheelset>,
 ) -> Result<SolvedWheelset, crate::WheelsetFileError> {
     let (stance, travel) = case.asked(&situation.asked)?;
     let curvature = situation.curvature;
     let curvature = if curvature.is_nan() { travel.curvature } else { curvature };
     let travel = WheelsetVelocity { curvature, ..travel };
-    if situation.friction.is_nan() {
-        return Ok(solver.solve(&stance, &travel)?);
+    let solver = match situation.friction {
+        own if own.is_nan() => solver.clone(),
+        friction => solver.with_friction(friction),
+    };
+    let near = before.and_then(|before| solver.next(before, &stance, &travel).ok());
+    match near {
+        Some(solved) if solved.status() == Status::Solved => Ok(solved),
+        _ => Ok(solver.solve(&stance, &travel)?),
     }
-    Ok(solver.with_friction(situation.friction).solve(&stance, &travel)?)
 }
 
 fn strips(plan: &WearPlan, solved: &SolvedWheelset) -> Vec<Strip> {
     let speed = solved.motion.speed.abs();
-    let contacts = solved.wheels().flat_map(|wheel| wheel.contacts());
+    let contacts = solved.wheels().flat_map(SolvedWheel::contacts);
     contacts.flat_map(|contact| strips_of(plan, contact, speed)).collect()
 }
 

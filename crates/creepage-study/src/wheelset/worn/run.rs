@@ -82,7 +82,7 @@ pub(super) fn step(
     target: f64,
 ) -> Result<(), WearError> {
     let reached = |part: f64| [part * plan.distance, part * plan.passages];
-    let first = Rates::new(case, plan, &run.bodies, reached(run.part))?;
+    let (first, solved) = Rates::new(case, plan, &run.bodies, (reached(run.part), &[]))?;
     let greatest = first.greatest;
     let allowed = stable(case, plan, first.peak);
     if allowed < run.trial {
@@ -94,7 +94,8 @@ pub(super) fn step(
         let part = if greatest * left > depth { depth / greatest } else { left };
         let is_last = part >= left;
         let predicted = run.bodies.worn(&first, part)?;
-        let second = Rates::new(case, plan, &predicted, reached(run.part + part))?;
+        let end = (reached(run.part + part), &solved[..]);
+        let (second, _) = Rates::new(case, plan, &predicted, end)?;
         let change = first.change(&second);
         let taken = greatest * part;
         if change > CHANGE && taken > 1.01 * LEAST * plan.step_depth {

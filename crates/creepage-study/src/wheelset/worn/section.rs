@@ -190,6 +190,8 @@ pub struct WearPlan {
     pub table: Option<PathBuf>,
 }
 
+/// Theories that tell the slip in every element.
+const WITH_SLIP: [&str; 3] = ["exact", "fastsim", "saturated"];
 const MOST_SITUATIONS: usize = 100_000;
 /// A spread reaches as many standard deviations to both sides.
 const REACH: f64 = 3.0;
@@ -345,6 +347,10 @@ impl WearPlan {
         if self.sides == WornSides::Mean && (case.stance.side.is_some() || !alike) {
             return Err(WearError::Mean);
         }
+        let theory = case.theory.facts().name;
+        if !WITH_SLIP.contains(&theory) {
+            return Err(WearError::Theory { theory, known: &WITH_SLIP });
+        }
         if case.travel.is_none() {
             return Err(crate::wheelset::error::section("motion", "speed").into());
         }
@@ -417,7 +423,9 @@ fn share_out(situations: &mut [WearSituation]) -> Result<(), WearError> {
     if !(good && sum > 0.0 && sum.is_finite()) {
         return Err(WearError::Shares);
     }
-    situations.iter_mut().for_each(|situation| situation.share /= sum);
+    for situation in situations {
+        situation.share /= sum;
+    }
     Ok(())
 }
 

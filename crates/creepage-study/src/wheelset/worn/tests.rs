@@ -86,7 +86,7 @@ fn depth_at(worn: &WornProfile, y: f64) -> f64 {
     worn.depth[k - 1] + part * (worn.depth[k] - worn.depth[k - 1])
 }
 
-/// The contact of the closed forms: `a` 7.192892, `b` 5.410653 mm, p0 1226.84 MPa, a slip of .002 at 10 m/s.
+/// The contact of the closed forms: `a` 7.192892, `b` 5.410653 mm, peak 1.22684e9 Pa, a slip of .002 at 10 m/s.
 fn on_a_wide_head(wear: &str) -> Setup<'static> {
     let motion = "speed = 10.0, pitch_rate = 21.695673848";
     Setup { head: [0.3, 0.12], load: 100e3, motion, ..Setup::cone(0.0, wear) }
@@ -190,7 +190,7 @@ fn a_free_cone_loses_its_heat() {
             SiCreepage { longitudinal: own.longitudinal, lateral: own.lateral, spin: own.spin };
         TGamma::power_per_metre(SiForce { longitudinal, lateral, moment }, creepage)
     };
-    let heat: f64 = solved.wheels().flat_map(|wheel| wheel.contacts()).map(heat).sum();
+    let heat: f64 = solved.wheels().flat_map(crate::SolvedWheel::contacts).map(heat).sum();
     let [one, two] = [coarse, free([60, 100], 1.25e-4)].map(|setup| setup.run());
     let [one, two] = [&one, &two].map(|wear| worn(wear, WornBody::WheelRight));
     let right = 5.3e-9 * heat * 1e6 / 7850.0;
@@ -256,7 +256,6 @@ fn half_the_step_leaves_the_same_profile() {
         assert!(steps >= 2 && more > steps, "{law} {steps} {more}, {:e} m", one.greatest());
         let pairs = one.depth.iter().zip(&two.depth);
         let apart = pairs.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
-        println!("{law}: {steps} and {more} steps, {apart:e} of {:e}", one.greatest());
         assert!(apart < 0.02 * one.greatest(), "{law} {apart:e} of {:e}", one.greatest());
     }
 }
@@ -300,8 +299,6 @@ fn noise_in_the_profile_does_not_grow_over_fifty_steps() {
         let wear = Setup { wheel: wheel.clone(), ..Setup::cone(0.05, &rest) }.run();
         let [new, half, whole] =
             [0, 1, 2].map(|k| roughness(wear.stops[k].bodies[1].as_ref().unwrap()));
-        let depth = worn(&wear, WornBody::WheelRight).greatest();
-        println!("{new:e} {half:e} {whole:e} m after {} steps, {depth:e} m", wear.stops[2].steps);
         assert!(wear.stops[2].steps >= 50, "{}", wear.stops[2].steps);
         assert!(new > 5e-7, "{new:e}");
         assert!(half <= 1.02 * new && whole <= 1.02 * new, "{new:e} {half:e} {whole:e}");
@@ -328,7 +325,6 @@ fn the_volume_is_that_of_the_contacts() {
         assert!(run.steps >= 3, "{}", run.steps);
         // 1e-6 is asked for; what is left is rounding.
         let off = run.bodies.imbalance();
-        println!("{law}: {off:e} of the volume after {} steps", run.steps);
         assert!(off < 1e-10, "{off:e}");
         let wheel = run.bodies.of(WornBody::WheelRight).unwrap();
         if law == "archard" {
