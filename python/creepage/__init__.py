@@ -48,7 +48,14 @@ from ._errors import (
     UnknownTheory,
     UnlikeBodiesWarning,
 )
-from ._line_contact import CarterSolution, LineContact, carter, line_contact
+from ._line_contact import (
+    CarterSolution,
+    LineContact,
+    ViscoelasticSolution,
+    carter,
+    line_contact,
+    viscoelastic_cylinders,
+)
 from ._results import (
     CreepageCoefficients,
     ElementField,
@@ -154,6 +161,7 @@ __all__ = [
     "UnlikeBodiesWarning",
     "Variational",
     "VermeulenJohnson",
+    "ViscoelasticSolution",
     "WheelResult",
     "Wheelset",
     "WheelsetMany",
@@ -181,4 +189,5 @@ __all__ = [
     "theory",
     "variational",
     "vermeulen_johnson",
+    "viscoelastic_cylinders",
 ]

@@ -7,6 +7,7 @@ mod batch;
 mod commands;
 mod conicity;
 mod curve;
+mod curved;
 mod doors;
 mod examples;
 #[cfg(unix)]

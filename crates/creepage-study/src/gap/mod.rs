@@ -7,6 +7,7 @@
 mod case;
 mod columns;
 mod creepage;
+mod curved;
 mod error;
 mod file;
 mod json;
@@ -24,6 +25,7 @@ mod vtk;
 
 pub use case::{GapCase, Pressed};
 pub use creepage::SiGiven;
+pub use curved::CurvedJson;
 pub use error::{GapCaseError, GapFileError};
 pub use file::{GapFile, gap_json_schema};
 pub use json::{
