@@ -49,7 +49,14 @@ from ._errors import (
     UnknownTheory,
     UnlikeBodiesWarning,
 )
-from ._line_contact import CarterSolution, LineContact, carter, line_contact
+from ._line_contact import (
+    CarterSolution,
+    LineContact,
+    ViscoelasticSolution,
+    carter,
+    line_contact,
+    viscoelastic_cylinders,
+)
 from ._results import (
     CreepageCoefficients,
     ElementField,
@@ -159,6 +166,7 @@ __all__ = [
     "UnlikeBodiesWarning",
     "Variational",
     "VermeulenJohnson",
+    "ViscoelasticSolution",
     "Wear",
     "WheelResult",
     "Wheelset",
@@ -189,5 +197,6 @@ __all__ = [
     "theory",
     "variational",
     "vermeulen_johnson",
+    "viscoelastic_cylinders",
     "wear",
 ]

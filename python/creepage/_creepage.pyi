@@ -58,6 +58,7 @@ __all__ = [
     "roll",
     "row_forces",
     "solve_gaps",
+    "viscoelastic_cylinders",
 ]
 
 __version__: Final[str]
@@ -396,6 +397,14 @@ def line_contact(
     radii: Sequence[float],
     load: float,
 ) -> tuple[float, float, float, float, str | None]: ...
+def viscoelastic_cylinders(
+    material: Sequence[float],
+    radius: float,
+    friction: float,
+    speed: ArrayLike,
+    load: ArrayLike,
+    force: ArrayLike,
+) -> list[Any]: ...
 def hertz(text: str) -> str: ...
 def command(arguments: Sequence[str]) -> int: ...
 def case_forces(

@@ -63,6 +63,15 @@ class Gap:
         columns = {"x": places[0], "y": places[1], "gap": values}
         return cls({"grid": _columns({name: array.ravel() for name, array in columns.items()})})
 
+    @classmethod
+    def groove(cls, inner: float, outer: float, *, rolling: float) -> Gap:
+        """A round upper body of radius inner across and rolling along, in a straight groove of radius outer (m); with
+        `GapCase(surface="curved")` the contact follows the groove."""
+        radii = {"inner": inner, "outer": outer, "rolling": rolling}
+        for name, value in radii.items():
+            number(name, value)
+        return cls({"groove": {name: float(value) for name, value in radii.items()}})
+
     def to_dict(self) -> dict[str, Any]:
         """As `[gap]` of a case file has it."""
         return dict(self._section)
@@ -148,11 +157,12 @@ class GapCase(FromFile):
         layer: Mapping[str, float] | None = None,
         damage: Mapping[str, Any] | None = None,
         heat: Mapping[str, Any] | None = None,
+        surface: str = "plane",
         theory: str = "exact",
         **options: Any,
     ) -> None:
         """upper, lower: materials, without radii. Exactly one of normal_force (N) and approach (m).
-        What differs from Case is the shape alone; theory is one of exact, fastsim, fastrip,
+        What differs from Case is the shape alone; surface: "plane", or "curved" for a groove; theory is one of exact, fastsim, fastrip,
         linear, saturated.
         """
         bodies = (("upper", upper), ("lower", lower))
@@ -166,6 +176,8 @@ class GapCase(FromFile):
             "approach": approach,
             "friction": friction,
         }
+        if surface != "plane":
+            file["contact"] = {**file["contact"], "surface": surface}
         file["creepage"] = {
             "longitudinal": longitudinal,
             "lateral": lateral,

@@ -122,3 +122,49 @@ def line_contact(upper: Body, lower: Body, load: float) -> LineContact:
     if caution is not None:
         warnings.warn(caution, UnitsWarning, stacklevel=2)
     return LineContact(half_width, peak_pressure, rho, load, kappa)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class ViscoelasticSolution(Generic[Number]):
+    """Two like viscoelastic cylinders in steady rolling, to +x; per metre of their length."""
+
+    trailing_edge: Number
+    """m, from the line of the centres; negative."""
+    leading_edge: Number
+    """m."""
+    peak_pressure: Number
+    """Pa."""
+    peak_place: Number
+    """m."""
+    pressure_centre: Number
+    """How far the centre of pressure lies ahead (m)."""
+    rolling_resistance: Number
+    """N/m: the energy lost per metre rolled and metre of length."""
+    creepage: Number
+    """At the tangential force that was asked for."""
+
+    def to_dict(self) -> dict[str, Any]:
+        """The numbers by name."""
+        return by_name(self)
+
+
+def viscoelastic_cylinders(
+    *,
+    shear_modulus: float,
+    poisson: float,
+    ratio: float,
+    time: float,
+    radius: float,
+    speed: Any,
+    load: Any,
+    friction: float = 0.3,
+    force: Any = 0.0,
+) -> ViscoelasticSolution[Any]:
+    """Two like cylinders whose compliance grows from that of the glassy shear_modulus (Pa) to 1 + ratio times it, with the
+    retardation time (s); Poisson's ratio stays. radius: 1/(1/R1 + 1/R2) (m). speed (m/s), load and tangential
+    force (N/m) are floats or arrays, which broadcast. Raises InvalidValue for numbers out of range.
+    """
+    material = [shear_modulus, poisson, ratio, time]
+    return ViscoelasticSolution(
+        *_creepage.viscoelastic_cylinders(material, radius, friction, speed, load, force)
+    )

@@ -2,6 +2,7 @@
 
 use creepage::approximate::carter::{Carter, LineContact};
 use creepage::approximate::linear::CreepageCoefficients;
+use creepage::viscoelastic::{Relaxation, ViscoelasticCylinders, ViscoelasticError};
 use creepage::{InvalidValue, Solid, SolidPair};
 use creepage_study::Caution;
 use pyo3::prelude::*;
@@ -118,4 +119,46 @@ pub(crate) fn line_contact(
     let cautions = Caution::line_units([half_width, smallest], [peak, pair.shear_modulus()]);
     let words = (!cautions.is_empty()).then(|| Caution::words(&cautions));
     Ok((half_width, peak, contact.rho(), pair.kappa(), words))
+}
+
+/// What becomes of cylinders whose area of contact is not found.
+fn invalid(error: ViscoelasticError) -> InvalidValue {
+    match error {
+        ViscoelasticError::Value(invalid) => invalid,
+        other => {
+            let value = if let ViscoelasticError::NotFound { residual } = other {
+                residual
+            } else {
+                f64::NAN
+            };
+            let valid = "zero: the area of contact was not found";
+            InvalidValue { quantity: "residual of the area's equations", value, valid }
+        }
+    }
+}
+
+/// Trailing and leading edge (m), peak pressure (Pa) and its place (m), centre of pressure (m) and rolling
+/// resistance (N/m) of two like viscoelastic cylinders; and the creepage at a tangential force (N/m). Arguments broadcast.
+#[pyfunction]
+pub(crate) fn viscoelastic_cylinders<'py>(
+    py: Python<'py>,
+    material: [f64; 4],
+    radius: f64,
+    friction: f64,
+    speed: Number<'py>,
+    load: Number<'py>,
+    force: Number<'py>,
+) -> PyResult<[Bound<'py, PyAny>; 7]> {
+    let inputs = Inputs::new(py, ["speed", "load", "force"], [speed, load, force])?;
+    let [modulus, poisson, ratio, time] = material;
+    let answers = solve_all(py, &inputs, 1e-4, |[speed, load, force]| {
+        let soft = Relaxation { ratio, time };
+        let cylinders = ViscoelasticCylinders::new(modulus, poisson, soft, radius, speed)?;
+        let pressure = cylinders.pressed(load).map_err(invalid)?;
+        let ([trailing, leading], [peak, place]) = (pressure.ends(), pressure.largest());
+        let creepage = cylinders.creepage(load, friction, force).map_err(invalid)?;
+        let (centre, resistance) = (pressure.centre(), pressure.rolling_resistance());
+        Ok(([trailing, leading, peak, place, centre, resistance, creepage], 0))
+    })?;
+    columns(py, answers)
 }

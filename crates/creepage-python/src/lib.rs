@@ -40,7 +40,9 @@ mod _creepage {
     #[pymodule_export]
     use crate::case::{CaseData, SolvedCase, hertz};
     #[pymodule_export]
-    use crate::closed_forms::{carter, carter_field, coefficients, line_contact};
+    use crate::closed_forms::{
+        carter, carter_field, coefficients, line_contact, viscoelastic_cylinders,
+    };
     #[pymodule_export]
     use crate::command::command;
     #[pymodule_export]

@@ -115,9 +115,9 @@ pub use damage::{Damage, DamageWanted, WearRow};
 pub use error::ReportError;
 pub use file_set::write_all;
 pub use gap::{
-    ExtentJson, GapCase, GapCaseError, GapContactJson, GapCreepageJson, GapFile, GapFileError,
-    GapForceJson, GapReportJson, GapRows, GapSolver, GapValue, GapVaried, PatchJson, Pressed,
-    PressedReportJson, SiGiven, gap_json_schema, pressed_text, solve_gap,
+    CurvedJson, ExtentJson, GapCase, GapCaseError, GapContactJson, GapCreepageJson, GapFile,
+    GapFileError, GapForceJson, GapReportJson, GapRows, GapSolver, GapValue, GapVaried, PatchJson,
+    Pressed, PressedReportJson, SiGiven, gap_json_schema, pressed_text, solve_gap,
 };
 pub use heat::{Heat, HeatWanted, HeatedRow};
 pub use history::{

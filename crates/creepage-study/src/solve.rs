@@ -14,7 +14,7 @@ use creepage_plot::Contour;
 use self_cell::self_cell;
 
 use crate::stresses::StressError;
-use crate::{AnyCase, Case, Caution, Damage, Given, Heat, UnattainableForce};
+use crate::{AnyCase, Case, Caution, CurvedJson, Damage, Given, Heat, UnattainableForce};
 
 /// Solves a case by its own theory, or by another one.
 ///
@@ -149,6 +149,8 @@ pub struct SolvedCase {
     elements: OnceLock<Vec<ElementField>>,
     pub(crate) damage: OnceLock<Result<Option<Damage>, StressError>>,
     pub(crate) heat: Option<Heat>,
+    /// What a contact along a curve has besides.
+    pub(crate) curved: Option<CurvedJson>,
 }
 
 impl SolvedCase {
@@ -173,6 +175,7 @@ impl SolvedCase {
             elements: OnceLock::new(),
             damage: OnceLock::new(),
             heat: None,
+            curved: None,
         }
     }
 

@@ -76,6 +76,7 @@
 
 pub mod approximate;
 pub mod coulomb;
+pub mod curved;
 pub mod damage;
 pub mod friction_law;
 pub mod gap;
@@ -90,6 +91,7 @@ pub mod temperature;
 pub mod theory;
 pub mod unsteady;
 pub mod variational;
+pub mod viscoelastic;
 
 mod buffer_pool;
 mod check;

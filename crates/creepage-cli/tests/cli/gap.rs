@@ -265,7 +265,11 @@ fn few_points_and_unlike_bodies_are_cautions() {
 
 #[test]
 fn not_one_shape() {
-    refused(POLYNOMIAL, "", &["[gap]", "exactly one of polynomial, section and grid", "none"]);
+    refused(
+        POLYNOMIAL,
+        "",
+        &["[gap]", "exactly one of polynomial, section, grid and groove", "none"],
+    );
     let two = format!("{POLYNOMIAL}\ngrid = 'gap.csv'");
     refused(POLYNOMIAL, &two, &["[gap]", "given are polynomial and grid"]);
 }

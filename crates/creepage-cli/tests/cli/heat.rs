@@ -14,7 +14,7 @@ fn example(name: &str) -> String {
 #[test]
 fn the_example_is_hot_and_slips_the_easier() {
     let place = Place::new();
-    place.write("case.toml", &example("heat/sliding-wheel.toml"));
+    place.write("case.toml", example("heat/sliding-wheel.toml"));
     let report = json(&place.run(&["solve", "case.toml", "--json"]).done());
     let used = report["dimensionless"]["friction_used"].as_f64().unwrap();
     assert!((used - 0.9).abs() < 0.01, "{used}");
@@ -40,7 +40,7 @@ fn a_wheelset_has_temperatures_at_every_contact() {
     let place = Place::new();
     let heat = "\n[heat]\nupper = { material = \"steel\", bulk_temperature = 60.0 }\n\
         lower = { material = \"steel\", bulk_temperature = 20.0 }\n";
-    place.write("set.toml", &(example("wheelset/s1002-on-uic60.toml") + heat));
+    place.write("set.toml", example("wheelset/s1002-on-uic60.toml") + heat);
     place.run(&["wheelset", "set.toml", "--out", "set"]).done();
     let report = json(&place.read("set/report.json"));
     for side in ["left", "right"] {
@@ -64,10 +64,10 @@ fn a_wheelset_has_temperatures_at_every_contact() {
 fn what_cannot_be_is_refused_or_told() {
     let place = Place::new();
     let text = example("heat/sliding-wheel.toml");
-    place.write("slow.toml", &text.replace("speed = 30.0", ""));
+    place.write("slow.toml", text.replace("speed = 30.0", ""));
     place.run(&["solve", "slow.toml"]).refused(&["speed, which [heat] needs"]);
     let constant = text.replace("friction = {", "friction = 0.3 # {");
-    place.write("case.toml", &constant);
+    place.write("case.toml", constant);
     let rows = place.run_on(&["batch", "--case", "case.toml"], "longitudinal\n0.01\n");
     rows.refused(&["[heat] is for one case at a time"]);
     let told = place.run(&["solve", "case.toml", "--theory", "polach"]);

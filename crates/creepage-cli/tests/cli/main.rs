@@ -8,6 +8,7 @@ mod bearing;
 mod commands;
 mod conicity;
 mod curve;
+mod curved;
 mod doors;
 mod examples;
 #[cfg(unix)]

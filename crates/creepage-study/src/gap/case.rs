@@ -1,5 +1,6 @@
 //! A case of two bodies of any shape, every number of it checked.
 
+use creepage::curved::CurvedGap;
 use creepage::friction_law::RollingFriction;
 use creepage::gap::Gap;
 use creepage::{Layer, SiCreepage, Solid, SolidPair, TheorySpec};
@@ -25,6 +26,8 @@ pub enum Pressed {
 pub struct GapCase {
     /// The undeformed distance.
     pub gap: Gap,
+    /// The same along a curve across, where the contact is solved there.
+    pub curved: Option<Box<CurvedGap>>,
     /// The key that gave it, with its file.
     pub shape: String,
     /// The file that gave it, where there is one.
@@ -75,6 +78,7 @@ impl GapCase {
         let wrong = |source| GapCaseError::Gap { shape: shape.clone(), source };
         Ok(Self {
             gap: Gap::grid(points).map_err(wrong)?,
+            curved: None,
             shape,
             sources: Sources::default(),
             ..self

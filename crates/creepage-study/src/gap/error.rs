@@ -28,7 +28,7 @@ pub enum GapCaseError {
     },
     /// Not one shape.
     #[error(
-        "[gap] needs exactly one of polynomial, section and grid: {}",
+        "[gap] needs exactly one of polynomial, section, grid and groove: {}",
         if given.is_empty() { "none is given".into() } else { format!("given are {}", given.join(" and ")) }
     )]
     NotOneShape {
@@ -85,6 +85,30 @@ pub enum GapCaseError {
     /// A theory or an option that areas of any shape do not take, or a number out of its range.
     #[error("[solve] {0}")]
     Theory(#[from] TheoryError),
+    /// A theory that does not roll along a curve.
+    #[error("[contact] surface = \"curved\" is rolled by exact alone: {name} knows planes")]
+    CurvedTheory {
+        /// Its name.
+        name: &'static str,
+    },
+    /// A law of friction or a layer on a curve.
+    #[error("[contact] surface = \"curved\" takes constant friction without a layer")]
+    CurvedFriction,
+    /// Forces other than the longitudinal one on a curve.
+    #[error("[contact] surface = \"curved\" finds the creepage to a longitudinal_force alone")]
+    CurvedWanted,
+    /// A history on a curve.
+    #[error("[contact] surface = \"curved\" is for steady rolling: a history is rolled in a plane")]
+    CurvedSteady,
+    /// A curve that is not given.
+    #[error("[contact] surface = \"curved\" needs [gap] groove: other shapes are given in a plane")]
+    NoCurve,
+    /// A curved contact that was not solved.
+    #[error("[contact] surface = \"curved\": {source}")]
+    Curved {
+        /// Why.
+        source: creepage::curved::CurvedError,
+    },
     /// No creepage gives the wanted forces.
     #[error(transparent)]
     UnattainableForce(#[from] UnattainableForce),

@@ -11,6 +11,7 @@ use toml::Table;
 
 use super::case::{GapCase, Pressed};
 use super::creepage::{SiCreepageSection, SiGiven, SiWantedSection};
+use super::curved::Surface;
 use super::error::GapCaseError;
 use super::shape::GapSection;
 use super::vary::{GapValue, GapVaried};
@@ -69,6 +70,9 @@ struct PressedSection {
     /// Coefficient of friction mu, or a law by the speed of slip or across the contact, whose largest
     /// value is mu.
     friction: FrictionValue,
+    /// Whether the contact lies in a plane, the default, or along the curve of a groove.
+    #[serde(default)]
+    surface: Surface,
 }
 
 /// The JSON schema (draft 2020-12) of a case file with `[gap]`.
@@ -157,7 +161,8 @@ impl GapFile {
     /// # Errors
     /// As [`GapFile::case`].
     pub fn case_at_rest(&self, directory: &Path) -> Result<GapCase, GapCaseError> {
-        self.at_rest_with(|section| section.gap(directory))
+        let case = self.at_rest_with(|section| section.gap(directory))?;
+        if case.curved.is_some() { Err(GapCaseError::CurvedSteady) } else { Ok(case) }
     }
 
     fn at_rest_with(
@@ -172,8 +177,13 @@ impl GapFile {
         let (speed, theory) = (self.creepage.speed()?, self.theory()?);
         let friction = positive("friction", self.contact.friction.at_rest()?)?;
         let heat = self.heat.as_ref().map(|section| section.wanted(speed)).transpose()?;
+        let curved = match self.contact.surface {
+            Surface::Plane => None,
+            Surface::Curved => Some(Box::new(self.gap.curved()?)),
+        };
         Ok(GapCase {
             gap,
+            curved,
             shape,
             sources: Sources::default(),
             pair,

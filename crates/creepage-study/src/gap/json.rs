@@ -5,6 +5,7 @@ use creepage::gap::Rectangle;
 use creepage::normal::{Method, NormalContact, Patch, Status};
 use serde::Serialize;
 
+use super::curved::CurvedJson;
 use super::view::OnAreas;
 use crate::contact_json::SolidJson;
 use crate::json::{AreasJson, ForceJson, FrictionLawJson};
@@ -52,6 +53,8 @@ pub struct GapReportJson {
     pub damage: Option<Damage>,
     /// Temperatures, where `[heat]` asks for them; else `null`.
     pub heat: Option<Heat>,
+    /// What a contact along a curve has besides; else `null`. Places across are arc lengths then.
+    pub curved: Option<CurvedJson>,
 }
 
 /// Contact areas and pressure; an error bar of zero stands by what was prescribed.
@@ -171,6 +174,7 @@ impl OnAreas<'_> {
             friction_law: self.solved.contact.rolling_friction().map(Into::into),
             damage: self.solved.damage().ok().flatten().cloned(),
             heat: self.solved.heat().cloned(),
+            curved: self.solved.curved,
         }
     }
 

@@ -7,6 +7,7 @@
 mod case;
 mod columns;
 mod creepage;
+mod curved;
 mod error;
 mod field;
 mod file;
@@ -22,6 +23,7 @@ mod view;
 
 pub use case::{GapCase, Pressed};
 pub use creepage::SiGiven;
+pub use curved::CurvedJson;
 pub use error::{GapCaseError, GapFileError};
 pub(crate) use field::AreaField;
 pub use file::{GapFile, gap_json_schema};

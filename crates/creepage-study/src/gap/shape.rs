@@ -3,17 +3,19 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
+use creepage::curved::CurvedGap;
 use creepage::gap::{Gap, GapError, Rolling, Term};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
 use super::columns::Columns;
+use super::curved::GrooveTable;
 use super::error::{GapCaseError, GapFileError};
 use super::vary::GapVaried;
 use crate::Sources;
 
 /// The undeformed distance h(x, y) of the bodies in the plane of contact, in metres: exactly one
-/// of `polynomial`, `section` and `grid`. Pressed together by an approach, undeformed bodies would
+/// of `polynomial`, `section`, `grid` and `groove`. Pressed together by an approach, undeformed bodies would
 /// penetrate by the approach less h.
 #[derive(Debug, Clone, PartialEq, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -26,6 +28,8 @@ pub(super) struct GapSection {
     /// CSV file beside the case file with the columns x, y, gap (m): the points of a rectangular
     /// grid, in any order.
     pub(super) grid: Option<Points>,
+    /// A round upper body in a groove of the lower one, which a contact may follow: `[contact] surface = "curved"`.
+    pub(super) groove: Option<GrooveTable>,
     /// With `section`: radius R (m) along the rolling direction, h = h(y) + x^2/(2 R).
     pub(super) radius_rolling: Option<f64>,
 }
@@ -66,6 +70,14 @@ impl Points {
 impl GapSection {
     /// The gap, with the files that stand in `directory`.
     pub(super) fn gap(&self, directory: &Path) -> Result<Gap, GapCaseError> {
+        if let Some(groove) = self.groove {
+            self.no_radius("groove")?;
+            if self.given().len() > 1 {
+                return Err(GapCaseError::NotOneShape { given: self.given() });
+            }
+            let plane = groove.curved()?.plane();
+            return plane.map_err(|source| GapCaseError::Gap { shape: self.shape(), source });
+        }
         let gap = match (&self.polynomial, &self.section, &self.grid) {
             (Some(terms), None, None) => {
                 self.no_radius("polynomial")?;
@@ -79,6 +91,11 @@ impl GapSection {
             _ => return Err(GapCaseError::NotOneShape { given: self.given() }),
         };
         gap.map_err(|source| GapCaseError::Gap { shape: self.shape(), source })
+    }
+
+    /// The curve across that a contact follows.
+    pub(super) fn curved(&self) -> Result<CurvedGap, GapCaseError> {
+        Ok(self.groove.ok_or(GapCaseError::NoCurve)?.curved()?)
     }
 
     /// The file that gives the shape, where one does.
@@ -95,6 +112,7 @@ impl GapSection {
         match (&self.section, &self.grid) {
             (Some(points), _) => points.shape("section"),
             (_, Some(points)) => points.shape("grid"),
+            _ if self.groove.is_some() => "groove".into(),
             _ => "polynomial".into(),
         }
     }
@@ -114,6 +132,7 @@ impl GapSection {
             ("polynomial", self.polynomial.is_some()),
             ("section", self.section.is_some()),
             ("grid", self.grid.is_some()),
+            ("groove", self.groove.is_some()),
         ];
         given.into_iter().filter_map(|(name, is_given)| is_given.then_some(name)).collect()
     }

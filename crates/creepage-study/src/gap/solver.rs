@@ -54,6 +54,9 @@ impl GapSolver {
     /// # Errors
     /// [`GapCaseError`], as [`solve_gap`].
     pub fn solve(&self, case: &GapCase) -> Result<SolvedCase, GapCaseError> {
+        if let Some(curved) = &case.curved {
+            return case.solve_curved(curved);
+        }
         let known = self.pressed(case, fineness(&case.theory));
         let contact = case.contact(known.areas(case)?)?;
         let TheorySpec::Exact(options) = &case.theory else {
@@ -81,6 +84,10 @@ impl GapSolver {
     /// # Errors
     /// [`GapCaseError`] for bodies without a contact area.
     pub fn contact(&self, case: &GapCase) -> Result<Contact, GapCaseError> {
+        if let Some(curved) = &case.curved {
+            let areas = case.press_curved(curved, fineness(&case.theory))?;
+            return Ok(case.contact(&Arc::new(areas))?);
+        }
         let known = self.pressed(case, fineness(&case.theory));
         Ok(case.contact(known.areas(case)?)?)
     }
@@ -97,7 +104,7 @@ impl GapSolver {
 }
 
 /// How finely bodies are pressed for a theory of rolling.
-fn fineness(theory: &TheorySpec) -> normal::Resolution {
+pub(super) fn fineness(theory: &TheorySpec) -> normal::Resolution {
     match theory {
         TheorySpec::Exact(ExactOptions {
             resolution: ResolutionSpec::Named(NamedResolution::Fast),
@@ -166,7 +173,13 @@ impl GapCase {
                 found.map_err(|error| in_si_units(error, prescribed, scaling))
             })?
         };
-        let solved = SolvedCase::new(
+        Ok(self.kept(contact, held).with_heat())
+    }
+
+    /// The solved case, with what is to be held against it.
+    pub(super) fn kept(&self, contact: &Contact, held: SolvedTheory) -> SolvedCase {
+        let scaling = contact.scaling();
+        SolvedCase::new(
             AnyCase::Gap(self.clone()),
             contact,
             self.theory.facts(),
@@ -184,8 +197,7 @@ impl GapCase {
                 }
                 cautions
             },
-        );
-        Ok(solved.with_heat())
+        )
     }
 }
 

@@ -6,8 +6,8 @@ use creepage_plot::format::{Scale, fixed, quantity, significant};
 
 use super::json::method;
 use super::view::OnAreas;
-use crate::Caution;
 use crate::text::{Lines, status_words};
+use crate::{Caution, CurvedJson};
 
 impl OnAreas<'_> {
     /// A short report: contact areas, creepage, forces on both bodies, error bars, status.
@@ -21,6 +21,9 @@ impl OnAreas<'_> {
         }
         contact_lines(&mut lines, self.contact, Some(self.solved.case.friction()));
         patch_lines(&mut lines, self.contact);
+        if let Some(curved) = &self.solved.curved {
+            curved_lines(&mut lines, curved, self.contact);
+        }
         self.creepage_lines(&mut lines);
         self.force_lines(&mut lines);
         self.friction_lines(&mut lines);
@@ -118,6 +121,22 @@ fn contact_lines(lines: &mut Lines, contact: &NormalContact, friction: Option<f6
         lines.row("friction mu", &significant(friction, 5));
     }
     lines.row("pressure found by", &format!(" {}", method(contact)));
+}
+
+/// A contact along a curve beside the same bodies in one plane.
+fn curved_lines(lines: &mut Lines, curved: &CurvedJson, contact: &NormalContact) {
+    lines.heading("Along the curve across: y is the arc length");
+    lines.row(
+        "the surface turns by",
+        &format!("{} degrees", fixed(curved.turn_rad.to_degrees(), 2)),
+    );
+    lines.row("load, with friction", &quantity(curved.vertical_n, "N", 5));
+    lines.row("  of which by friction", &quantity(curved.vertical_by_friction_n, "N", 4));
+    lines.row("lateral force, with pressure", &quantity(curved.lateral_n, "N", 4));
+    let beside = |own: f64, plane: f64| format!("{} %", fixed(100.0 * (plane / own - 1.0), 2));
+    let (peak, approach) = (contact.peak_pressure().value, contact.approach().value);
+    lines.row("in a plane: peak pressure", &beside(peak, curved.plane_peak_pressure_pa));
+    lines.row("  approach", &beside(approach, curved.plane_approach_m));
 }
 
 fn patch_lines(lines: &mut Lines, contact: &NormalContact) {
