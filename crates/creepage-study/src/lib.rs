@@ -104,7 +104,7 @@ pub use file_set::write_all;
 pub use gap::{
     ExtentJson, GapCase, GapCaseError, GapContactJson, GapCreepageJson, GapFile, GapFileError,
     GapForceJson, GapReportJson, GapRows, GapSolver, GapTheory, GapValue, GapVaried, PatchJson,
-    Pressed, PressedReportJson, SiGiven, gap_json_schema, pressed_text, solve_gap,
+    Pressed, PressedReportJson, Roller, SiGiven, gap_json_schema, pressed_text, solve_gap,
 };
 pub use history::{
     HISTORY_COLUMNS, History, HistoryError, HistoryMotion, HistoryRow, HistoryRun, HistoryWriter,

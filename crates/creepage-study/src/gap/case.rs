@@ -4,6 +4,7 @@ use creepage::friction_law::RollingFriction;
 use creepage::gap::Gap;
 use creepage::{Layer, SiCreepage, Solid, SolidPair, TheorySpec};
 
+use super::along::Roller;
 use super::creepage::SiGiven;
 use super::error::GapCaseError;
 use crate::case::solve;
@@ -26,6 +27,8 @@ pub struct GapCase {
     pub gap: Gap,
     /// The key that gave it, with its file.
     pub shape: String,
+    /// The roller that gave it, where one did.
+    pub roller: Option<Roller>,
     /// The file that gave it, where there is one.
     pub sources: Sources,
     /// The equivalent solid of both bodies.
@@ -73,6 +76,7 @@ impl GapCase {
         Ok(Self {
             gap: Gap::grid(points).map_err(wrong)?,
             shape,
+            roller: None,
             sources: Sources::default(),
             ..self
         })

@@ -4,6 +4,7 @@
 //! ellipse's way through the same rooms is [`CaseFile`](crate::CaseFile), [`Case`](crate::Case),
 //! [`SolvedCase`](crate::SolvedCase).
 
+mod along;
 mod case;
 mod columns;
 mod creepage;
@@ -12,6 +13,7 @@ mod file;
 mod json;
 mod picture;
 mod points;
+mod roller;
 mod rows;
 mod shape;
 mod solve;
@@ -22,6 +24,7 @@ mod vary;
 mod view;
 mod vtk;
 
+pub use along::Roller;
 pub use case::{GapCase, Pressed};
 pub use creepage::SiGiven;
 pub use error::{GapCaseError, GapFileError};

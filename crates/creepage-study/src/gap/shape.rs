@@ -3,17 +3,20 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
+use creepage::SolidPair;
 use creepage::gap::{Gap, GapError, Rolling, Term};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
+use super::along::Roller;
 use super::columns::Columns;
 use super::error::{GapCaseError, GapFileError};
+use super::roller::RollerSection;
 use super::vary::GapVaried;
 use crate::Sources;
 
 /// The undeformed distance h(x, y) of the bodies in the plane of contact, in metres: exactly one
-/// of `polynomial`, `section` and `grid`. Pressed together by an approach, undeformed bodies would
+/// of `polynomial`, `section`, `grid` and `roller`. Pressed together by an approach, undeformed bodies would
 /// penetrate by the approach less h.
 #[derive(Debug, Clone, PartialEq, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -28,6 +31,9 @@ pub(super) struct GapSection {
     pub(super) grid: Option<Points>,
     /// With `section`: radius R (m) along the rolling direction, h = h(y) + x^2/(2 R).
     pub(super) radius_rolling: Option<f64>,
+    /// A roller by its design, its axis along y.
+    #[schemars(with = "RollerSection")]
+    pub(super) roller: Option<RollerSection>,
 }
 
 /// Points of a shape: the name of a CSV file, or its columns, each a list of numbers by its name.
@@ -64,17 +70,21 @@ impl Points {
 }
 
 impl GapSection {
-    /// The gap, with the files that stand in `directory`.
-    pub(super) fn gap(&self, directory: &Path) -> Result<Gap, GapCaseError> {
-        let gap = match (&self.polynomial, &self.section, &self.grid) {
-            (Some(terms), None, None) => {
+    /// The gap, with the files that stand in `directory`; of a roller for the material of the case.
+    pub(super) fn gap(&self, directory: &Path, pair: SolidPair) -> Result<Gap, GapCaseError> {
+        let gap = match (&self.polynomial, &self.section, &self.grid, &self.roller) {
+            (Some(terms), None, None, None) => {
                 self.no_radius("polynomial")?;
                 polynomial(terms)
             }
-            (None, Some(points), None) => self.section(directory, points)?,
-            (None, None, Some(points)) => {
+            (None, Some(points), None, None) => self.section(directory, points)?,
+            (None, None, Some(points), None) => {
                 self.no_radius("grid")?;
                 self.grid(directory, points)?
+            }
+            (None, None, None, Some(roller)) => {
+                self.no_radius("roller")?;
+                roller.gap(pair)?
             }
             _ => return Err(GapCaseError::NotOneShape { given: self.given() }),
         };
@@ -95,6 +105,7 @@ impl GapSection {
         match (&self.section, &self.grid) {
             (Some(points), _) => points.shape("section"),
             (_, Some(points)) => points.shape("grid"),
+            _ if self.roller.is_some() => "roller".into(),
             _ => "polynomial".into(),
         }
     }
@@ -109,11 +120,18 @@ impl GapSection {
         };
     }
 
+    /// The length of a roller, where one gives the shape.
+    pub(super) fn roller(&self) -> Option<Roller> {
+        let roller = self.roller.as_ref()?;
+        Some(Roller { length: roller.length, half_straight: roller.half_straight() })
+    }
+
     fn given(&self) -> Vec<&'static str> {
         let given = [
             ("polynomial", self.polynomial.is_some()),
             ("section", self.section.is_some()),
             ("grid", self.grid.is_some()),
+            ("roller", self.roller.is_some()),
         ];
         given.into_iter().filter_map(|(name, is_given)| is_given.then_some(name)).collect()
     }
