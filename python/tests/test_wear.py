@@ -78,7 +78,7 @@ def test_a_stopped_run_goes_on_to_the_same_bits(tmp_path: Path) -> None:
 
 def test_the_files_own_section_is_the_command(tmp_path: Path) -> None:
     text = (ROOT / "examples" / "wear" / "s1002.toml").read_text()
-    text = text.replace("distance = 100e6", "distance = 2e6").replace("stops = 5", "stops = 1")
+    text = text.replace("distance = 30e6", "distance = 2e6").replace("stops = 3", "stops = 1")
     file = Wheelset.from_toml(text, ROOT / "examples" / "wear")
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", UserWarning)

@@ -117,7 +117,7 @@ pub use file_set::write_all;
 pub use gap::{
     CurvedJson, ExtentJson, GapCase, GapCaseError, GapContactJson, GapCreepageJson, GapFile,
     GapFileError, GapForceJson, GapReportJson, GapRows, GapSolver, GapValue, GapVaried, PatchJson,
-    Pressed, PressedReportJson, SiGiven, gap_json_schema, pressed_text, solve_gap,
+    Pressed, PressedReportJson, Roller, SiGiven, gap_json_schema, pressed_text, solve_gap,
 };
 pub use heat::{Heat, HeatWanted, HeatedRow};
 pub use history::{

@@ -9,6 +9,7 @@ use crate::{Damage, Heat, SolvedCase};
 
 impl SolvedCase {
     /// Writes `report.json`, `points.csv`, `contact.vtk`, `contact.svg` and `contact.png`, and where
+    /// it is a roller `along.csv`, `along.svg` and its `.png`, where
     /// `[damage]` asks for them `wear.csv`, `wear.svg`, `shakedown.svg` and their `.png`, where
     /// `[heat]` does `temperature.csv`, `.svg` and `.png`, into
     /// `directory`, which is made when missing; files of those names are replaced, but none that the
@@ -25,6 +26,13 @@ impl SolvedCase {
         let mut others = vec![("contact.vtk", vtk.as_bytes())];
         for (name, contents) in wear.iter().flatten().chain(heat.iter().flatten()) {
             others.push((*name, &contents[..]));
+        }
+        let along = self.along_roller().transpose()?;
+        let along_png = along.as_ref().map(|(_, svg)| creepage_plot::png(svg)).transpose()?;
+        if let (Some((table, svg)), Some(png)) = (&along, &along_png) {
+            others.push(("along.csv", table));
+            others.push(("along.svg", svg.as_bytes()));
+            others.push(("along.png", png));
         }
         let (points, svg) = (self.points_csv()?, self.contact_svg());
         write_contact(

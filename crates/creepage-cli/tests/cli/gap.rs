@@ -263,12 +263,41 @@ fn few_points_and_unlike_bodies_are_cautions() {
     assert!(caution.contains("points along x") && caution.contains("kappa/mu"), "{caution}");
 }
 
+/// The examples of rollers: the load along the length has the load for its sum, the tilted one a peak by its end.
+#[test]
+fn rollers_tell_what_happens_along_them() {
+    let place = Place::new();
+    let examples = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/gap");
+    for (name, load) in [("roller-tilted", 5e3), ("twin-disc", 7.3e3)] {
+        let case = format!("{examples}/{name}.toml");
+        let report = json(&place.run(&["solve", &case, "--out", name, "--json"]).done());
+        assert!(report["caution"].as_str().unwrap().contains("by the end at y"), "{report}");
+        for file in ["along.csv", "along.svg", "along.png"] {
+            assert!(place.path(name).join(file).is_file(), "{name} {file}");
+        }
+        let table = place.read(&format!("{name}/along.csv"));
+        let rows: Vec<Vec<f64>> = table
+            .lines()
+            .skip(1)
+            .map(|line| line.split(',').map(|cell| cell.parse().unwrap()).collect())
+            .collect();
+        // Rows have one width: the sum by the trapezoid rule, but for half of it at both ends.
+        let width = rows[1][0] - rows[0][0];
+        let sum: f64 = rows.iter().map(|row| row[3] * width).sum();
+        assert!((sum / load - 1.0).abs() < 1e-6, "{name} {sum}");
+        let heat: f64 = rows.iter().map(|row| row[6] * width).sum();
+        let power = report["frictional_power_per_metre_j_per_m"].as_f64().unwrap();
+        // The elements' balance of energy.
+        assert!((heat / power - 1.0).abs() < 0.02, "{name} {heat} {power}");
+    }
+}
+
 #[test]
 fn not_one_shape() {
     refused(
         POLYNOMIAL,
         "",
-        &["[gap]", "exactly one of polynomial, section, grid and groove", "none"],
+        &["[gap]", "exactly one of polynomial, section, grid, groove and roller", "none"],
     );
     let two = format!("{POLYNOMIAL}\ngrid = 'gap.csv'");
     refused(POLYNOMIAL, &two, &["[gap]", "given are polynomial and grid"]);

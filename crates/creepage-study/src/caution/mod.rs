@@ -115,6 +115,17 @@ pub enum Caution {
         /// Its error bar (Pa).
         error: f64,
     },
+    /// A roller's pressure has a peak by an end.
+    RollerEnd {
+        /// The peak (Pa).
+        peak: f64,
+        /// The largest pressure in the middle half (Pa).
+        middle: f64,
+        /// Where (m).
+        y: f64,
+        /// Whether the contact reaches a rounded edge.
+        on_edge: bool,
+    },
     /// The surfaces turn within a contact that is solved in one plane.
     Turns {
         /// From one side of the contact to the other (rad).
@@ -189,6 +200,8 @@ impl Caution {
     const METAL: f64 = 20e9;
     /// Error bar of the peak pressure over it from which the peak is a caution.
     const UNCERTAIN: f64 = 0.1;
+    /// Pressure by a roller's end over that in its middle half from which it is named.
+    pub(crate) const EDGE: f64 = 1.1;
     /// Turn of the surfaces (rad) from which a plane contact is a caution: the undeformed distance along one
     /// normal errs by 3 % then.
     const TURN: f64 = 0.244;

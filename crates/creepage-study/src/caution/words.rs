@@ -16,6 +16,7 @@ impl fmt::Display for Caution {
             | Self::Rough { .. } => self.write_of_areas(f),
             Self::Yields { .. }
             | Self::UncertainPeak { .. }
+            | Self::RollerEnd { .. }
             | Self::Turns { .. }
             | Self::Climbs { .. }
             | Self::Deep { .. }
@@ -102,6 +103,18 @@ impl Caution {
                 "the peak pressure of {} has an error bar of {}: it does not converge, as at an edge",
                 quantity(peak_pressure, "Pa", 3),
                 quantity(error, "Pa", 2)
+            ),
+            Self::RollerEnd { peak, middle, y, on_edge } => write!(
+                f,
+                "by the end at y = {} the pressure is {}, {} times that of the middle half{}",
+                quantity(y, "m", 3),
+                quantity(peak, "Pa", 3),
+                significant(peak / middle, 3),
+                if on_edge {
+                    ": the contact reaches the rounded edge, whose radius sets the peak"
+                } else {
+                    ""
+                }
             ),
             Self::Turns { angle } => write!(
                 f,

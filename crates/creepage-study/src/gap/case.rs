@@ -5,6 +5,7 @@ use creepage::friction_law::RollingFriction;
 use creepage::gap::Gap;
 use creepage::{Layer, SiCreepage, Solid, SolidPair, TheorySpec};
 
+use super::along::Roller;
 use super::creepage::SiGiven;
 use super::error::GapCaseError;
 use crate::case::solve;
@@ -30,6 +31,8 @@ pub struct GapCase {
     pub curved: Option<Box<CurvedGap>>,
     /// The key that gave it, with its file.
     pub shape: String,
+    /// The roller that gave it, where one did.
+    pub roller: Option<Roller>,
     /// The file that gave it, where there is one.
     pub sources: Sources,
     /// The equivalent solid of both bodies.
@@ -80,6 +83,7 @@ impl GapCase {
             gap: Gap::grid(points).map_err(wrong)?,
             curved: None,
             shape,
+            roller: None,
             sources: Sources::default(),
             ..self
         })

@@ -28,7 +28,7 @@ pub enum GapCaseError {
     },
     /// Not one shape.
     #[error(
-        "[gap] needs exactly one of polynomial, section, grid and groove: {}",
+        "[gap] needs exactly one of polynomial, section, grid, groove and roller: {}",
         if given.is_empty() { "none is given".into() } else { format!("given are {}", given.join(" and ")) }
     )]
     NotOneShape {
@@ -38,7 +38,7 @@ pub enum GapCaseError {
     /// A radius where the shape has its own opening along x.
     #[error("[gap] radius_rolling goes with section alone: {shape} opens along x by itself")]
     RadiusBeside {
-        /// `polynomial` or `grid`.
+        /// `polynomial`, `grid` or `roller`.
         shape: &'static str,
     },
     /// A section without a radius along x.

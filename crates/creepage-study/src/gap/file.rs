@@ -137,7 +137,7 @@ impl GapFile {
     /// # Errors
     /// [`GapCaseError`] with section, key and value.
     pub fn case(&self, directory: &Path) -> Result<GapCase, GapCaseError> {
-        let case = self.case_with(|section| section.gap(directory))?;
+        let case = self.case_with(|section, pair| section.gap(directory, pair))?;
         Ok(GapCase { sources: self.sources(directory), ..case })
     }
 
@@ -150,7 +150,7 @@ impl GapFile {
     /// As [`GapFile::case`], where the gap comes from elsewhere than from a file just read.
     pub(super) fn case_with(
         &self,
-        gap: impl FnOnce(&GapSection) -> Result<Gap, GapCaseError>,
+        gap: impl FnOnce(&GapSection, SolidPair) -> Result<Gap, GapCaseError>,
     ) -> Result<GapCase, GapCaseError> {
         let given = self.creepage.given(&self.wanted)?;
         Ok(GapCase { given, ..self.at_rest_with(gap)? })
@@ -161,18 +161,18 @@ impl GapFile {
     /// # Errors
     /// As [`GapFile::case`].
     pub fn case_at_rest(&self, directory: &Path) -> Result<GapCase, GapCaseError> {
-        let case = self.at_rest_with(|section| section.gap(directory))?;
+        let case = self.at_rest_with(|section, pair| section.gap(directory, pair))?;
         if case.curved.is_some() { Err(GapCaseError::CurvedSteady) } else { Ok(case) }
     }
 
     fn at_rest_with(
         &self,
-        gap: impl FnOnce(&GapSection) -> Result<Gap, GapCaseError>,
+        gap: impl FnOnce(&GapSection, SolidPair) -> Result<Gap, GapCaseError>,
     ) -> Result<GapCase, GapCaseError> {
         let (upper, lower) = (self.upper.body(), self.lower.body());
         let solids = [upper.solid("upper")?, lower.solid("lower")?];
         let pair = SolidPair::new(solids[0], solids[1]);
-        let (gap, shape) = (gap(&self.gap)?, self.gap.shape());
+        let (gap, shape) = (gap(&self.gap, pair)?, self.gap.shape());
         let pressed = self.contact.pressed()?;
         let (speed, theory) = (self.creepage.speed()?, self.theory()?);
         let friction = positive("friction", self.contact.friction.at_rest()?)?;
@@ -185,6 +185,7 @@ impl GapFile {
             gap,
             curved,
             shape,
+            roller: self.gap.roller(),
             sources: Sources::default(),
             pair,
             pressed,

@@ -4,6 +4,7 @@
 //! ellipse's way through the same rooms is [`CaseFile`](crate::CaseFile), [`Case`](crate::Case),
 //! [`SolvedCase`](crate::SolvedCase).
 
+mod along;
 mod case;
 mod columns;
 mod creepage;
@@ -13,6 +14,7 @@ mod field;
 mod file;
 mod json;
 mod picture;
+mod roller;
 mod rows;
 mod shape;
 mod solve;
@@ -21,6 +23,7 @@ mod text;
 mod vary;
 mod view;
 
+pub use along::Roller;
 pub use case::{GapCase, Pressed};
 pub use creepage::SiGiven;
 pub use curved::CurvedJson;

@@ -4,6 +4,7 @@ use std::collections::VecDeque;
 use std::path::PathBuf;
 use std::sync::{Arc, Mutex, PoisonError};
 
+use creepage::SolidPair;
 use creepage::gap::Gap;
 
 use super::case::GapCase;
@@ -54,10 +55,10 @@ impl GapRows {
         for (varied, value) in self.varied.iter().zip(values) {
             file.set(*varied, value);
         }
-        file.case_with(|section| self.gap(section))
+        file.case_with(|section, pair| self.gap(section, pair))
     }
 
-    fn gap(&self, section: &GapSection) -> Result<Gap, GapCaseError> {
+    fn gap(&self, section: &GapSection, pair: SolidPair) -> Result<Gap, GapCaseError> {
         /// More than rows are worked at together.
         const KEPT: usize = 32;
         let read = || self.read.lock().unwrap_or_else(PoisonError::into_inner);
@@ -65,7 +66,7 @@ impl GapRows {
         if let Some(gap) = known {
             return Ok(gap);
         }
-        let gap = section.gap(&self.directory)?;
+        let gap = section.gap(&self.directory, pair)?;
         let mut read = read();
         read.truncate(KEPT - 1);
         read.push_front((section.clone(), gap.clone()));

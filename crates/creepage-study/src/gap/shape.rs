@@ -3,19 +3,22 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
+use creepage::SolidPair;
 use creepage::curved::CurvedGap;
 use creepage::gap::{Gap, GapError, Rolling, Term};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
+use super::along::Roller;
 use super::columns::Columns;
 use super::curved::GrooveTable;
 use super::error::{GapCaseError, GapFileError};
+use super::roller::RollerSection;
 use super::vary::GapVaried;
 use crate::Sources;
 
 /// The undeformed distance h(x, y) of the bodies in the plane of contact, in metres: exactly one
-/// of `polynomial`, `section`, `grid` and `groove`. Pressed together by an approach, undeformed bodies would
+/// of `polynomial`, `section`, `grid`, `groove` and `roller`. Pressed together by an approach, undeformed bodies would
 /// penetrate by the approach less h.
 #[derive(Debug, Clone, PartialEq, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -32,6 +35,9 @@ pub(super) struct GapSection {
     pub(super) groove: Option<GrooveTable>,
     /// With `section`: radius R (m) along the rolling direction, h = h(y) + x^2/(2 R).
     pub(super) radius_rolling: Option<f64>,
+    /// A roller by its design, its axis along y.
+    #[schemars(with = "RollerSection")]
+    pub(super) roller: Option<RollerSection>,
 }
 
 /// Points of a shape: the name of a CSV file, or its columns, each a list of numbers by its name.
@@ -68,8 +74,8 @@ impl Points {
 }
 
 impl GapSection {
-    /// The gap, with the files that stand in `directory`.
-    pub(super) fn gap(&self, directory: &Path) -> Result<Gap, GapCaseError> {
+    /// The gap, with the files that stand in `directory`; of a roller for the material of the case.
+    pub(super) fn gap(&self, directory: &Path, pair: SolidPair) -> Result<Gap, GapCaseError> {
         if let Some(groove) = self.groove {
             self.no_radius("groove")?;
             if self.given().len() > 1 {
@@ -78,15 +84,19 @@ impl GapSection {
             let plane = groove.curved()?.plane();
             return plane.map_err(|source| GapCaseError::Gap { shape: self.shape(), source });
         }
-        let gap = match (&self.polynomial, &self.section, &self.grid) {
-            (Some(terms), None, None) => {
+        let gap = match (&self.polynomial, &self.section, &self.grid, &self.roller) {
+            (Some(terms), None, None, None) => {
                 self.no_radius("polynomial")?;
                 polynomial(terms)
             }
-            (None, Some(points), None) => self.section(directory, points)?,
-            (None, None, Some(points)) => {
+            (None, Some(points), None, None) => self.section(directory, points)?,
+            (None, None, Some(points), None) => {
                 self.no_radius("grid")?;
                 self.grid(directory, points)?
+            }
+            (None, None, None, Some(roller)) => {
+                self.no_radius("roller")?;
+                roller.gap(pair)?
             }
             _ => return Err(GapCaseError::NotOneShape { given: self.given() }),
         };
@@ -113,6 +123,7 @@ impl GapSection {
             (Some(points), _) => points.shape("section"),
             (_, Some(points)) => points.shape("grid"),
             _ if self.groove.is_some() => "groove".into(),
+            _ if self.roller.is_some() => "roller".into(),
             _ => "polynomial".into(),
         }
     }
@@ -127,12 +138,19 @@ impl GapSection {
         };
     }
 
+    /// The length of a roller, where one gives the shape.
+    pub(super) fn roller(&self) -> Option<Roller> {
+        let roller = self.roller.as_ref()?;
+        Some(Roller { length: roller.length, half_straight: roller.half_straight() })
+    }
+
     fn given(&self) -> Vec<&'static str> {
         let given = [
             ("polynomial", self.polynomial.is_some()),
             ("section", self.section.is_some()),
             ("grid", self.grid.is_some()),
             ("groove", self.groove.is_some()),
+            ("roller", self.roller.is_some()),
         ];
         given.into_iter().filter_map(|(name, is_given)| is_given.then_some(name)).collect()
     }

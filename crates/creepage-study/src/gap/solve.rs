@@ -5,6 +5,9 @@ use creepage::normal::{self, NormalContact, NormalError};
 use super::case::{GapCase, Pressed};
 use super::error::GapCaseError;
 
+/// As many rows along a roller, whose ends are short beside it, through every door.
+const ALONG_A_ROLLER: usize = 100;
+
 /// The bodies pressed together.
 pub(crate) fn pressed(
     case: &GapCase,
@@ -17,6 +20,8 @@ pub(super) fn pressed_together(
     case: &GapCase,
     resolution: normal::Resolution,
 ) -> Result<NormalContact, NormalError> {
+    let fine = case.roller.and_then(|_| normal::Resolution::new(ALONG_A_ROLLER).ok());
+    let resolution = fine.unwrap_or(resolution);
     match case.pressed {
         Pressed::Load(load) => NormalContact::under_load(&case.gap, case.pair, load, resolution),
         Pressed::Approach(approach) => {

@@ -190,6 +190,7 @@ impl GapCase {
                 let shear_yield = self.damage.as_ref().map(|damage| damage.constants.shear_yield);
                 if let Some(areas) = contact.areas() {
                     cautions.extend(Caution::large_areas(&self.gap, areas));
+                    cautions.extend(self.roller.and_then(|roller| roller.caution(areas)));
                     let (peak, pair) = (areas.peak_pressure().value, areas.pair());
                     if !cautions.iter().any(Caution::is_of_units) {
                         cautions.extend(Caution::yields(peak, pair.shear_modulus(), shear_yield));
