@@ -210,7 +210,7 @@ impl BallBearing {
                         (carried[1] - radial) / unit,
                     ]))
                 })?;
-                self.found(left)?;
+                found_to(left)?;
                 [found[0], found[1]]
             }
             _ => {
@@ -226,15 +226,11 @@ impl BallBearing {
                         };
                         Ok::<_, BearingError>(SVector::from([missed]))
                     })?;
-                self.found(left)?;
+                found_to(left)?;
                 [found[0], 0.0]
             }
         };
         Ok((displacement, balls(displacement)?))
-    }
-
-    fn found(&self, left: f64) -> Result<(), BearingError> {
-        if left <= ACCEPTED { Ok(()) } else { Err(BearingError::LoadNotFound) }
     }
 
     /// Azimuth of a ball (rad).
@@ -273,6 +269,11 @@ impl BallBearing {
         let sunk = depth(most) * radial.signum();
         Ok([along - apart * self.contact_angle.sin(), if radial.abs() > 0.0 { sunk } else { 0.0 }])
     }
+}
+
+/// Whether what is left of a load is rounding.
+fn found_to(left: f64) -> Result<(), BearingError> {
+    if left <= ACCEPTED { Ok(()) } else { Err(BearingError::LoadNotFound) }
 }
 
 fn angles_of(standing: &Standing) -> f64 {

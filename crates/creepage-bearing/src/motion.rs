@@ -155,18 +155,17 @@ impl Ball<'_> {
     ) -> Result<(BallMotion, [RaceFriction; 2]), BearingError> {
         let half = 0.5 * self.bearing.ball_diameter;
         let pitches = [INNER, OUTER].map(|race| self.controlled_pitch(race));
-        let start = match before {
-            Some(motion) => Unknowns::from([
+        let start = if let Some(motion) = before {
+            Unknowns::from([
                 motion.slip[INNER].creepage.longitudinal,
                 motion.slip[OUTER].creepage.longitudinal,
                 motion.pitch,
                 motion.yaw_rate / motion.rotation,
-            ]),
-            None => {
-                let creepage = self.start(contacts);
-                let pitch = 0.5 * (pitches[INNER] + pitches[OUTER]);
-                Unknowns::from([creepage[0], creepage[1], pitch, 0.0])
-            }
+            ])
+        } else {
+            let creepage = self.start(contacts);
+            let pitch = 0.5 * (pitches[INNER] + pitches[OUTER]);
+            Unknowns::from([creepage[0], creepage[1], pitch, 0.0])
         };
         let motion_of = |at: &Unknowns| {
             let turning = self.motion([at[0], at[1]], at[2], 0.0);

@@ -209,7 +209,8 @@ fn wheelsets(random: &mut Random, count: u64) {
         let solved = [&standard, &fine].map(|solver| solver.solve(&pose, &velocity));
         let [Ok(found), Ok(truth)] = solved else { continue };
         for (wheel, best) in found.wheels().zip(truth.wheels()) {
-            let ([one, other], unit) = ([wheel, best].map(|w| w.on_rail()), FRICTION * 0.5 * axle);
+            let ([one, other], unit) =
+                ([wheel, best].map(creepage_wheelset::SolvedWheel::on_rail), FRICTION * 0.5 * axle);
             let Some(bar) = one.force_error else { continue };
             for (k, bars) in all.iter_mut().enumerate() {
                 bars.pairs.push(((one.force[k] - other.force[k]).abs() / unit, bar[k] / unit));

@@ -229,6 +229,7 @@ impl WheelsetPose {
 
 impl Load {
     /// The key of `[wheelset]` that gives it.
+    #[must_use]
     pub fn key(self) -> &'static str {
         match self {
             Self::Axle(_) | Self::Loaded { .. } => "axle_load",

@@ -12,6 +12,9 @@ pub type PressedContacts<'a> = Vec<(Contact<'a>, NormalContact)>;
 
 impl<'a> WheelsetSolver<'a> {
     /// One wheel in a position, from its contacts in one nearby; without contacts where it hangs above its rail.
+    ///
+    /// # Errors
+    /// [`WheelsetError`] where wheel and rail do not meet as they should, or a contact has no pressure.
     pub fn stand(
         &self,
         (side, position): (Side, Position),

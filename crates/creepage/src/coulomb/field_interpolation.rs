@@ -136,6 +136,19 @@ impl<'a> FieldInterpolation<'a> {
     }
 }
 
+/// Adhesion area over contact area, 0 to 1.
+#[must_use]
+pub fn adhesion_share(elements: &[ElementField]) -> f64 {
+    let adhering = |element: &ElementField| polygon_area(&element.adhering());
+    let whole = |element: &ElementField| polygon_area(&element.corners);
+    elements.iter().map(adhering).sum::<f64>() / elements.iter().map(whole).sum::<f64>()
+}
+
+fn polygon_area(corners: &[[f64; 2]]) -> f64 {
+    let next = corners.iter().cycle().skip(1);
+    corners.iter().zip(next).map(|(p, q)| 0.5 * (p[0] * q[1] - p[1] * q[0])).sum::<f64>().abs()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -168,17 +181,4 @@ mod tests {
             assert!((found - part).abs() < 1e-15, "{beyond:?} {found}");
         }
     }
-}
-
-/// Adhesion area over contact area, 0 to 1.
-#[must_use]
-pub fn adhesion_share(elements: &[ElementField]) -> f64 {
-    let adhering = |element: &ElementField| polygon_area(&element.adhering());
-    let whole = |element: &ElementField| polygon_area(&element.corners);
-    elements.iter().map(adhering).sum::<f64>() / elements.iter().map(whole).sum::<f64>()
-}
-
-fn polygon_area(corners: &[[f64; 2]]) -> f64 {
-    let next = corners.iter().cycle().skip(1);
-    corners.iter().zip(next).map(|(p, q)| 0.5 * (p[0] * q[1] - p[1] * q[0])).sum::<f64>().abs()
 }
