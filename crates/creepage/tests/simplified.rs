@@ -207,17 +207,20 @@ fn the_cells_of_fastsim_have_the_power_of_the_motion() {
         NonHertzianSimplified::new(&contact, FRICTION, Simplified::Fastsim, [30, 40]).unwrap();
     for (creepage, slides) in [
         (creepage(1e-3, 0.0, 0.0), false),
-        (creepage(0.3, -0.2, 0.1), true),
-        (creepage(0.0, 0.0, 0.5), true),
+        (creepage(0.3, -0.2, 0.0), true),
         (creepage(-3.0, 1.0, 0.0), true),
+        (creepage(0.2, 0.0, 0.5), true),
     ] {
         let solved = theory.solve(creepage);
         let elements = solved.elements();
         let power: f64 = elements.iter().map(|element| element.power).sum();
         let force = solved.solution().force.components();
         let taken: f64 = force.iter().zip(creepage.components()).map(|(f, v)| f * v).sum();
-        // The same sum in another order, but for rows in which the first half cell counts as a whole one.
-        assert!(power >= taken * (1.0 - 1e-12) && power < 1.02 * taken, "{power} {taken}");
+        // The same sum in another order. With spin, whose spring is another one, rows may have more than that.
+        assert!(power > taken * (1.0 - 1e-9), "{power} {taken}");
+        if creepage.components()[2].abs() < 1e-300 {
+            assert!(power < taken * (1.0 + 1e-9), "{power} {taken}");
+        }
         let any = elements.iter().any(|element| element.point.region == Region::Slip);
         assert_eq!(any, slides);
     }

@@ -1,12 +1,11 @@
 //! Along a roller: pressure, load, friction and heat over its length.
 
-use creepage::damage::ElementState;
+use creepage::coulomb::ElementField;
 use creepage::normal::{Band, NormalContact, Patch};
 use creepage_plot::format::{Scale, quantity};
-use creepage_plot::{Axis, Label, Panel, Pen, Point, Sheet};
+use creepage_plot::{Axis, Label, Panel, Pen, Point, Sheet, signed_area};
 
 use super::view::OnAreas;
-use crate::damage::of_elements;
 use crate::error::ReportError;
 use crate::{AnyCase, Caution, SolvedCase};
 
@@ -76,27 +75,37 @@ struct AlongRow {
 
 impl OnAreas<'_> {
     fn along(&self) -> Vec<AlongRow> {
-        let creepage = self.scaling.si_creepage(self.creepage);
-        let load = self.contact.load().value;
-        let rows = of_elements(self.elements, self.scaling, load, creepage);
-        let mut along: Vec<AlongRow> = rows
-            .iter()
-            .map(|row| {
-                let sum = |value: fn(&ElementState) -> f64| {
-                    row.elements.iter().map(|one| value(one) * one.area).sum::<f64>() / row.width
-                };
-                let mut bands = self.contact.patches().iter().flat_map(Patch::bands);
-                let ends = bands.find_map(|band| band.ends(row.y));
-                AlongRow {
-                    y: row.y,
-                    half_width: ends.map_or(0.0, |[rear, front]| 0.5 * (front - rear)),
-                    pressure: self.contact.pressure(0.0, row.y),
-                    load: sum(|one| one.pressure),
-                    force: [sum(|one| one.traction[0]), sum(|one| one.traction[1])],
-                    heat: ElementState::power_per_metre(&row.elements) / row.width,
-                }
-            })
-            .collect();
+        let bands = || self.contact.patches().iter().flat_map(Patch::bands);
+        // A peak by an end is narrower than a row of rolling: the rows of the pressure in it, and its middle.
+        let pressed: Vec<f64> = bands().flat_map(Band::rows).collect();
+        let largest = |y: f64, width: f64| {
+            let within = pressed.iter().copied().filter(|at| (at - y).abs() <= 0.5 * width);
+            let places = within.chain(std::iter::once(y));
+            places.map(|at| self.contact.pressure(0.0, at)).fold(0.0, f64::max)
+        };
+        let (scaling, load) = (self.scaling, self.contact.load().value);
+        let borders = |element: &ElementField| element.corners.map(|[_, y]| y.to_bits());
+        let same = |one: &ElementField, two: &ElementField| borders(one) == borders(two);
+        let row = |row: &[ElementField]| {
+            let [low, high] = [0, 1].map(|k: usize| scaling.length * row[0].corners[k][1]);
+            let (y, width) = (low.midpoint(high), (high - low).abs());
+            let area = |element: &ElementField| {
+                signed_area(&element.corners).abs() * scaling.length * scaling.length
+            };
+            let sum =
+                |value: &dyn Fn(&ElementField) -> f64| row.iter().map(value).sum::<f64>() / width;
+            let force = |k: usize| sum(&|one| one.point.traction[k] * scaling.traction * area(one));
+            let ends = bands().find_map(|band| band.ends(y));
+            AlongRow {
+                y,
+                half_width: ends.map_or(0.0, |[rear, front]| 0.5 * (front - rear)),
+                pressure: largest(y, width),
+                load: sum(&|one| one.share * load),
+                force: [force(0), force(1)],
+                heat: sum(&|one| one.power * scaling.force * scaling.slip),
+            }
+        };
+        let mut along: Vec<AlongRow> = self.elements.chunk_by(same).map(row).collect();
         along.sort_by(|one, two| one.y.total_cmp(&two.y));
         along
     }
@@ -136,7 +145,7 @@ fn svg(roller: &Roller, along: &[AlongRow]) -> String {
     let axis = || Axis::new([-half, half], Label::default().symbol("y").plain(" (mm)"));
     let mut sheet = Sheet::new("Along the roller");
     let values: [Quantity; 3] = [
-        ("pressure in the middle line", "Pa", |row| row.pressure),
+        ("largest pressure", "Pa", |row| row.pressure),
         ("load", "N/m", |row| row.load),
         ("frictional power per metre rolled", "J/m2", |row| row.heat),
     ];

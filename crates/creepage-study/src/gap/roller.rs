@@ -37,6 +37,7 @@ pub(super) struct RollerSection {
     /// Load (N) for which a logarithmic profile (Lundberg's) makes the pressure the same all along.
     logarithmic: Option<f64>,
     /// Relief of both ends.
+    #[serde(default)]
     #[schemars(with = "ReliefSection")]
     relief: Option<ReliefSection>,
     /// Angle between the axes in the plane of both normals (rad): positive brings the end at +y nearer.

@@ -36,6 +36,7 @@ pub(super) struct GapSection {
     /// With `section`: radius R (m) along the rolling direction, h = h(y) + x^2/(2 R).
     pub(super) radius_rolling: Option<f64>,
     /// A roller by its design, its axis along y.
+    #[serde(default)]
     #[schemars(with = "RollerSection")]
     pub(super) roller: Option<RollerSection>,
 }
