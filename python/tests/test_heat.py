@@ -33,7 +33,7 @@ def test_the_flash_of_a_sliding_wheel() -> None:
 
 def test_friction_falls_with_the_temperature() -> None:
     law = {"cold": 0.3, "hot": 0.12, "temperatures": [100.0, 130.0]}
-    bodies = {"upper": STEEL, "lower": STEEL}
+    bodies: dict[str, Any] = {"upper": STEEL, "lower": STEEL}
     hot = Case(**bodies, friction=law, speed=30.0, heat=HEAT, theory="fastsim", **ERTZ).solve()
     # The contact is at 75 degrees before it is rubbed: friction falls early.
     assert 0.4 <= hot.dimensionless.fx <= 0.9
