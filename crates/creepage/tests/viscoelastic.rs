@@ -1,5 +1,7 @@
 //! Viscoelastic cylinders against the formula sheet, their limits, and Carter's line contact.
 
+#![allow(clippy::unwrap_used, clippy::print_stdout)] // helpers of tests, which show their numbers
+
 use std::f64::consts::PI;
 
 use creepage::viscoelastic::{Relaxation, ViscoelasticCylinders};
