@@ -71,7 +71,7 @@ fn the_218_bearing() {
     let found =
         bearing.solve(&axial(17.8e3, 0.0, Control::Balance), BearingTheory::Sliding).unwrap();
     let [inner, _] = found.balls[0].races.map(Option::unwrap);
-    near(inner.angle.to_degrees(), 41.492695, 1e-4);
+    near(inner.angle.to_degrees(), 41.492_695, 1e-4);
     near(inner.hertz.normal_force(), 1679.183, 1e-4);
     near(found.displacement[0], 35.87167e-6, 1e-3);
 }
@@ -86,7 +86,7 @@ fn loads_and_speeds_with_the_outer_race_in_control() {
             [42.31638, 39.66533],
             [245.0754, 258.3758],
             17.755,
-            0.028786,
+            0.028_786,
             33.03856,
             52.331,
             265.1307,
@@ -97,7 +97,7 @@ fn loads_and_speeds_with_the_outer_race_in_control() {
             [52.17722, 26.5435],
             [197.9543, 339.333],
             187.938,
-            0.213322,
+            0.213_322,
             21.99636,
             121.843,
             862.5948,

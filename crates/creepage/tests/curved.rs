@@ -1,5 +1,7 @@
 //! Curved contacts: grooves against own elements and CONTACT's, and the plane as the groove opens.
 
+#![allow(clippy::unwrap_used, clippy::print_stdout)] // helpers of tests, which show their numbers
+
 use creepage::coulomb::Resolution;
 use creepage::curved::CurvedGap;
 use creepage::normal;

@@ -1,5 +1,6 @@
 //! The moving source of heat against closed forms, and in contacts that exact and fastsim solve.
-#![allow(clippy::unwrap_used)]
+
+#![allow(clippy::unwrap_used, clippy::print_stdout)] // helpers of tests, which show their numbers
 
 use std::f64::consts::PI;
 
@@ -32,7 +33,7 @@ fn theta(row: &HeatRow, x: f64) -> f64 {
     row.integral(x) * PI.sqrt()
 }
 
-/// Formula sheet A1, `theta_elliptic`: closed form by complete elliptic integrals, checked by quadrature to 1e-14.
+/// Formula sheet A1, theta_elliptic: closed form by complete elliptic integrals, checked by quadrature to 1e-14.
 /// A row of 400 elements: their linear heat errs by the square of an element, 1e-5, and at both ends, where
 /// the heat rises as a root, by its power 3/2, 1e-4.
 #[test]
@@ -51,12 +52,13 @@ fn an_elliptic_source_heats_as_in_closed_form() {
     ] {
         let error = (theta(&row, x) - rise).abs();
         // At the trailing edge itself by its first power, 5e-3, and a fourth of that.
-        let tolerance = if x < -0.999_999 { 1.25e-3 } else { 1e-4 };
+        let tolerance = if (x + 1.0_f64).abs() < 1e-9 { 1.25e-3 } else { 1e-4 };
         assert!(error < tolerance, "{x} {error:e}");
     }
     let pair = steel([0.0; 2]);
     let [highest, place] = row.hottest(&pair, |_| 0.0).unwrap();
     let highest = highest * pair.weight() * PI.sqrt();
+    println!("{highest} at {place}");
     // The largest of the closed form; the place lies on a flat summit.
     assert!((highest - 2.188_306_67).abs() < 2e-6, "{highest}");
     assert!((place + 0.652_229_5).abs() < 2e-4, "{place}");
@@ -72,6 +74,7 @@ fn the_error_falls_as_elements_do() {
         (highest * pair.weight() * PI.sqrt() - 2.188_306_673_8).abs()
     };
     let (coarse, fine) = (error(20), error(80));
+    println!("{coarse:e} {fine:e}");
     assert!(coarse < 1e-3 && fine < coarse / 8.0, "{coarse:e} {fine:e}");
 }
 
@@ -183,6 +186,7 @@ fn the_case_of_ertz_by_exact() {
     let pair = steel([0.0; 2]);
     let hottest = rows.iter().filter_map(|(y, row)| Some((*y, row.hottest(&pair, |_| 0.0)?)));
     let (y, [rise, x]) = hottest.max_by(|one, two| one.1[0].total_cmp(&two.1[0])).unwrap();
+    println!("{rise} K at {} a, {} b", x / 5.878_886e-3, y / 10.540_448e-3);
     assert!((rise / 152.687 - 1.0).abs() < 4e-3, "{rise}");
     assert!((x / 5.878_886e-3 + 0.691).abs() < 0.02, "{x}");
 }
@@ -201,6 +205,7 @@ fn friction_that_falls_with_the_temperature() {
     let creepage = contact.scaling().creepage(si).unwrap();
     let solve = |name| TheorySpec::named(name).unwrap().prepare(&contact).unwrap().solve(creepage);
     let (exact, fastsim) = (solve("exact"), solve("fastsim"));
+    println!("exact {exact:?}\nfastsim {fastsim:?}");
     assert!((exact.force.fx - 0.9023).abs() < 5e-3, "{}", exact.force.fx);
     assert!((fastsim.force.fx - 0.90113).abs() < 1.5e-2, "{}", fastsim.force.fx);
     let rows = rows_of(&contact, "exact", creepage, 30.0);
@@ -208,6 +213,7 @@ fn friction_that_falls_with_the_temperature() {
     let hottest =
         rows.iter().filter_map(|(_, row)| row.hottest(&pair, |_| 0.0)).map(|[rise, _]| rise);
     let hottest = hottest.fold(0.0, f64::max);
+    println!("{hottest} K");
     assert!((hottest / 118.0 - 1.0).abs() < 1e-2, "{hottest}");
     // Every element has the friction of the temperature to which all heat it. The friction changes by a fifth
     // of itself from one element to the next where it falls: the mean over an element and that at its middle differ.
@@ -222,6 +228,7 @@ fn friction_that_falls_with_the_temperature() {
         let has = 0.3 * p.hypot(q) / element.bound;
         furthest = furthest.max(element.bound * (has - law.at(temperature)).abs());
     }
+    println!("furthest {furthest}");
     assert!(furthest < 1.5e-2, "{furthest}");
     // Cold enough it is Coulomb's.
     let cold = RollingFriction::by_temperature(law, steel([-100.0; 2]), 30.0).unwrap();
@@ -261,6 +268,7 @@ fn hot_surfaces_and_areas_of_any_shape() {
             found.push(theory.solve(creepage).force.fx);
         }
     }
+    println!("{found:?}");
     // Both meshes err by some parts in a thousand.
     assert!((found[0] - found[1]).abs() < 4e-3, "{found:?}");
     assert!((found[2] - 0.4).abs() < 2e-3 && (found[3] - 0.4).abs() < 2e-3, "{found:?}");

@@ -1,5 +1,6 @@
 //! Viscoelastic cylinders against the formula sheet, their limits, and Carter's line contact.
-#![allow(clippy::unwrap_used)]
+
+#![allow(clippy::unwrap_used, clippy::print_stdout)] // helpers of tests, which show their numbers
 
 use std::f64::consts::PI;
 
@@ -27,6 +28,10 @@ fn the_polymer_cylinders_of_the_sheet() {
         let [trailing, leading] = pressure.ends().map(|x| 1e3 * x);
         let [largest, place] = pressure.largest();
         let found = cylinders.creepage(LOAD, 0.3, 0.6 * 0.3 * LOAD).unwrap();
+        println!(
+            "{distance}: {leading} {trailing} {largest} {place} {} {found}",
+            pressure.centre()
+        );
         assert!((leading - lead).abs() < 3e-6 && (trailing + trail).abs() < 3e-6, "{distance}");
         assert!((largest / 1e6 - peak).abs() < 3e-5, "{distance} {largest}");
         // The summit is flat: its place is less certain.

@@ -252,7 +252,7 @@ impl RingSection {
 }
 
 impl SolveSection {
-    fn theory(&self) -> Result<BearingTheory, CaseError> {
+    fn theory(self) -> Result<BearingTheory, CaseError> {
         if let (Some(_), TheoryName::Fastsim | TheoryName::Sliding) = (self.resolution, self.theory)
         {
             let [first, second] = ["resolution", "theory"].map(|key| ("solve", key));
