@@ -7,7 +7,7 @@ use creepage::curved::CurvedGap;
 use creepage::normal;
 use creepage::{Hertz, Radii, SiCreepage, Solid, SolidPair};
 
-/// The bodies of formula sheet 9, E: a wheel of 10 mm across and 420 mm along in a groove, 10 kN, G 80 GPa.
+/// The bodies of formula sheet 9, E: a wheel of 10 mm across and 420 mm along in a groove, 10 kN, G 80 `GPa`.
 fn pair() -> SolidPair {
     let body = Solid::new(80e9, 0.28).unwrap();
     SolidPair::new(body, body)
@@ -51,7 +51,7 @@ fn the_narrowest_groove_is_touched_over_87_degrees() {
 }
 
 /// Sheet 9, rolling without longitudinal force, half-space: peak, approach and all pressure by CONTACT's elements, to
-/// .2 %; and by how much the middle turns faster than a wheel of its radius (examples_conformal/groove_li, VPITCH):
+/// .2 %; and by how much the middle turns faster than a wheel of its radius (`examples_conformal/groove_li`, VPITCH):
 /// 2 % by its grid, and ours another.
 #[test]
 fn grooves_that_are_rolled_through() {

@@ -33,7 +33,7 @@ fn theta(row: &HeatRow, x: f64) -> f64 {
     row.integral(x) * PI.sqrt()
 }
 
-/// Formula sheet A1, theta_elliptic: closed form by complete elliptic integrals, checked by quadrature to 1e-14.
+/// Formula sheet A1, `theta_elliptic`: closed form by complete elliptic integrals, checked by quadrature to 1e-14.
 /// A row of 400 elements: their linear heat errs by the square of an element, 1e-5, and at both ends, where
 /// the heat rises as a root, by its power 3/2, 1e-4.
 #[test]
