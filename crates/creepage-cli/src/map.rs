@@ -16,7 +16,7 @@ use crate::failure::Failure;
 use crate::input::{read_table, read_text};
 use crate::outcome::Outcome;
 use crate::output::{self, print, say, say_written};
-use crate::wheelset::{read, say_found};
+use crate::wheelset::{read, say_found, say_left_out};
 
 #[derive(Debug, clap::Args)]
 pub(crate) struct MapArgs {
@@ -76,6 +76,7 @@ pub(crate) fn run(args: &MapArgs) -> Result<Outcome, Failure> {
     case.sources().ensure_not_overwritten(&args.out)?;
     let mut file = WholeFile::create(&args.out).map_err(failed)?;
     case.notes.iter().for_each(say_found);
+    say_left_out(&case, "maps");
     let poisson = case.solids.map_or(f64::NAN, |pair| pair.poisson());
     let table = Arc::new(match &args.ellipses {
         Some(path) => {

@@ -72,6 +72,7 @@ fn table(args: &WheelsetArgs, case: &WheelsetCase, file: &Path) -> Result<Outcom
     let table = WheelsetTable::solve(case, &axes, goes_on).map_err(wrong)?;
     bar.finish_and_clear();
     case.notes.iter().for_each(say_found);
+    say_left_out(case, "tables");
     whole.fill(|path| table.netcdf(path))?;
     whole.finish().map_err(failed)?;
     say_written(&[file.into()]);
@@ -110,6 +111,14 @@ pub(crate) fn read(path: &Path) -> Result<WheelsetCase, Failure> {
         .map_err(WheelsetFileError::from)
         .and_then(|file| file.case(directory))
         .map_err(|source| Failure::Wheelset { path: path.into(), source: Box::new(source) })
+}
+
+/// Says which sections of a file have no place in many positions at once: rows, tables and maps.
+pub(crate) fn say_left_out(case: &WheelsetCase, of: &str) {
+    let sections = [("[damage]", case.damage.is_some()), ("[heat]", case.heat.is_some())];
+    for (section, _) in sections.iter().filter(|(_, is_there)| *is_there) {
+        say(&format!("note: {section} is left out of {of}: solve a position by itself for it"));
+    }
 }
 
 /// Says what was found in a profile file: nothing is guessed silently.

@@ -18,7 +18,7 @@ use super::{free, write_answers};
 use crate::batch_args::BatchArgs;
 use crate::failure::Failure;
 use crate::outcome::Outcome;
-use crate::wheelset::{read, say_found};
+use crate::wheelset::{read, say_found, say_left_out};
 
 /// Beside what a wheelset is asked by.
 const FRICTION: &str = "friction";
@@ -87,6 +87,7 @@ pub(super) fn run(args: &BatchArgs, path: &Path) -> Result<Outcome, Failure> {
         case.sources().ensure_not_overwritten(out)?;
     }
     case.notes.iter().for_each(say_found);
+    say_left_out(&case, "rows");
     let answers = |rows: &[ByteRecord]| {
         Ok(rows.par_iter().map(|row| places.answer(row, &case, &solver)).collect())
     };
