@@ -42,7 +42,7 @@ PICTURE = re.compile(r"!\[[^\]]*\]\(([^)]+\.(?:svg|png))\)")
 NUMBER = re.compile(r"-?\d+(?:\.\d+)?(?:e-?\d+)?")
 # By how much numbers may differ from one processor to another: in a picture (px); in a text, in parts of it, and at all.
 CLOSE = 0.6
-CLOSE_IN_TEXT = (1e-4, 1e-9)
+CLOSE_IN_TEXT = (1e-3, 2e-6)
 
 
 def main():
@@ -117,11 +117,16 @@ def alike(one, other, close):
     """Whether two texts are the same but for rounding of their numbers."""
     if one == other:
         return True
-    if NUMBER.sub("#", one) != NUMBER.sub("#", other):
+    if skeleton(one) != skeleton(other):
         return False
     part, least = close
     pairs = ((float(a), float(b)) for a, b in zip(NUMBER.findall(one), NUMBER.findall(other)))
     return all(abs(a - b) <= part * max(abs(a), abs(b)) + least for a, b in pairs)
+
+
+def skeleton(text):
+    """A text without its numbers and their columns."""
+    return re.sub(r" +", " ", NUMBER.sub("#", text))
 
 
 def write(page, text, pictures):
