@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 #[derive(Debug, clap::Args)]
+#[command(group = clap::ArgGroup::new("axes").multiple(true))]
 pub(crate) struct WheelsetArgs {
     /// Wheelset file.
     #[arg(value_name = "CASE.toml")]
