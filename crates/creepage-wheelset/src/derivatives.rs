@@ -76,7 +76,7 @@ pub struct ForceDerivative {
 /// They are total ones: with an axle load, height and roll follow what changes so that the rails
 /// carry the load still, friction's part of it included; with a pitch rate that is free, it follows
 /// so that friction has no moment about the axle. What is given and what is found is that of
-/// [`WheelsetPose`](crate::Stance) and [`WheelsetVelocity`](crate::Travel).
+/// [`WheelsetPose`](crate::WheelsetPose) and [`WheelsetVelocity`](crate::WheelsetVelocity).
 ///
 /// By the position they are central differences at places next to the solved one, each of which
 /// has its own pressure and friction; by the motion they are the theory's exact derivatives. Their

@@ -30,21 +30,24 @@ impl<'a> WheelsetSolver<'a> {
     /// thousandths. [`SolvedContact::elements`] are those of the coarse grid.
     ///
     /// ```
-    /// use creepage_study::{Stance, WheelsetFile};
-    /// let case = WheelsetFile::read("
-    /// wheel = { profile = 'S1002', radius = 0.46 }
-    /// rail = { profile = 'UIC60', cant = 0.025 }
-    /// track = { gauge = 1.435, gauge_height = 0.014 }
-    /// wheelset = { back_to_back = 1.36, y = 0.001, yaw = 0.0, roll = 'free', axle_load = 200e3 }
-    /// motion = { speed = 30.0, pitch_rate = 'free' }
-    /// contact = { friction = 0.3 }
-    /// materials = { shear_modulus = 82e9, poisson = 0.28 }
-    /// ")?.case(std::path::Path::new(""))?;
-    /// let (solver, travel) = (case.solver()?, case.travel.unwrap());
-    /// let mut solved = solver.solve(&case.stance, &travel)?;
+    /// # use creepage::theory::{AreaTheory, ExactOptions};
+    /// # use creepage::{Solid, SolidPair};
+    /// # use creepage_rail::{Place, Standard, Track, Wheelset};
+    /// # use creepage_wheelset::{Load, RailFriction, WheelsetPose, WheelsetSolver, WheelsetVelocity};
+    /// # let place = Place::gauge(1.435, 0.014);
+    /// # let track = Track::new(&Standard::Uic60.profile(), 0.025f64.atan(), place)?;
+    /// # let running = Wheelset::like(&Standard::S1002.profile(), 0.46, 1.360)?.on(track);
+    /// # let steel = Solid::new(82e9, 0.28)?;
+    /// # let friction = [RailFriction::Constant(0.3), RailFriction::Constant(0.3)];
+    /// # let theory = AreaTheory::Exact(ExactOptions::default());
+    /// # let solver = WheelsetSolver::new(&running, SolidPair::new(steel, steel), friction, theory)?;
+    /// let load = Some(Load::Axle(200e3));
+    /// let pose = WheelsetPose { side: None, y: 0.001, yaw: 0.0, roll: None, load };
+    /// let velocity = WheelsetVelocity { speed: 30.0, ..WheelsetVelocity::default() };
+    /// let mut solved = solver.solve(&pose, &velocity)?;
     /// for step in 1..5 {
-    ///     let stance = Stance { y: 0.001 + 1e-5 * f64::from(step), ..case.stance };
-    ///     solved = solver.follow(&solved, &stance, &travel)?;
+    ///     let pose = WheelsetPose { y: 0.001 + 1e-5 * f64::from(step), ..pose };
+    ///     solved = solver.follow(&solved, &pose, &velocity)?;
     /// }
     /// let carried: f64 = solved.wheels().map(|wheel| wheel.on_rail().force[2]).sum();
     /// assert!((carried - 200e3).abs() < 20.0); // newtons
