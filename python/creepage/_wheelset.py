@@ -195,8 +195,9 @@ class Wheelset(FromFile):
         }
         columns = self._data.table([(name, values.tolist()) for name, values in axes.items()])
         shape = tuple(values.size for values in axes.values())
+        positions = int(np.prod(shape))
         return {
-            name: column.reshape((*shape, 3) if "_contact_" in name else shape)
+            name: column.reshape(shape if column.size == positions else (*shape, 3))
             for name, column in columns.items()
         }
 

@@ -13,7 +13,7 @@
 //! | [`theory`] | what every theory can be asked; every theory by name, [`TheorySpec`] |
 //! | [`coulomb`] | the full theory, `exact` |
 //! | [`approximate`], [`variational`], [`table`] | the other theories |
-//! | [`below`], [`damage`] | stresses inside the bodies; wear, fatigue and shakedown |
+//! | [`subsurface`], [`damage`] | stresses inside the bodies; wear, fatigue and shakedown |
 //! | [`friction_law`] | friction that depends on the speed of slip |
 //! | [`unsteady`] | rolling that is not steady: a contact that remembers |
 //! | [`statics`] | the classical problems without rolling |
