@@ -57,7 +57,7 @@ class CaseForce(Generic[Number, Outcome]):
     status: Outcome
     """A Status, or an array of their numbers; INVALID where the values are no case, such as NaN."""
     messages: dict[int, str]
-    """What is to be held against an element, by its index in the flattened arrays."""
+    """Cautions about elements, in words, by their index in the flattened arrays."""
 
     def __iter__(self) -> Any:
         return iter((self.longitudinal, self.lateral, self.moment))

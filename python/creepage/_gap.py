@@ -114,7 +114,7 @@ class GapSolution(Reported):
     status: str
     """ "solved", or why not."""
     caution: str | None
-    """What is to be held against the solution, in words."""
+    """Cautions about the solution, in words."""
     force: SiForce
     """On the lower body, the moment about the origin of coordinates."""
     force_error: SiForce | None

@@ -99,7 +99,7 @@ class Solution:
 
     @property
     def caution(self) -> str | None:
-        """What is to be held against the solution, in words: a status other than solved, what the
+        """Cautions about the solution, in words: a status other than solved, what the
         theory neglects though it matters, a wanted accuracy that was not reached."""
         return self._solved.caution
 

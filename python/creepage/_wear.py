@@ -60,7 +60,7 @@ class Wear:
     bodies: dict[str, WornBody]
     """What wears, by its name."""
     cautions: list[str]
-    """What is to be held against it, in words."""
+    """Cautions about it, in words."""
     is_solved: bool
     """Whether all situations of all steps converged."""
 

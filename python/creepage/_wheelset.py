@@ -30,7 +30,7 @@ class WheelsetSolution(Reported):
     status: str
     """ "solved", or why not."""
     caution: str | None
-    """What is to be held against the solution, in words."""
+    """Cautions about the solution, in words."""
     left: dict[str, Any] | None
     """The left wheel as in report.json: `force` on the rail, `patches` by falling load."""
     right: dict[str, Any] | None

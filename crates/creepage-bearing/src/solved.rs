@@ -41,7 +41,7 @@ pub struct SolvedBall {
     pub gyroscopic: f64,
     /// Its motion; `None` where it does not reach the inner race.
     pub motion: Option<BallMotion>,
-    /// The inner and the outer contact; `None` where there is none.
+    /// The inner and the outer contact; `None` where the ball does not touch a race.
     pub races: [Option<SolvedRace>; 2],
 }
 

@@ -65,7 +65,7 @@ fn prepare(args: &StressesArgs) -> Result<Stresses, Failure> {
         .map_err(|source| Failure::Stresses { path: args.case.clone(), source })
 }
 
-/// Says what is to be held against the numbers.
+/// Prints the cautions about the numbers.
 fn warn(stresses: &Stresses, points: &[StressPoint]) {
     for caution in &stresses.solved.cautions {
         say(&format!("caution: {caution}"));

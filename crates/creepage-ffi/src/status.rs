@@ -28,7 +28,7 @@ pub const CREEPAGE_NO_CONTACT: i32 = 9;
 /// Solved from friction at rest, but friction falls so steeply that another solution exists.
 pub const CREEPAGE_SEVERAL_SOLUTIONS: i32 = 10;
 
-/// The first of what is to be held against a solution; there is one number for each case.
+/// The first caution about a solution; there is one number for each case.
 pub(crate) fn status(cautions: &[Caution]) -> i32 {
     match cautions.first() {
         None => CREEPAGE_SOLVED,

@@ -43,7 +43,7 @@ fn solver(
 }
 
 /// Forces of a case some of whose quantities are arrays: columns by name, `status` as numbers of
-/// creepage.Status, and `messages`, pairs of an index and what is to be held against that row.
+/// creepage.Status, and `messages`, pairs of an index and the cautions about that row.
 #[pyfunction]
 #[pyo3(signature = (case, theory, options, table, quantities))]
 pub(crate) fn case_forces<'py>(

@@ -230,7 +230,7 @@ impl SolvedCase {
         results::force(py, &self.solved.solution())
     }
 
-    /// What is to be held against the solution, in words.
+    /// Cautions about the solution, in words.
     #[getter]
     fn caution(&self) -> Option<String> {
         let cautions = &self.solved.cautions;

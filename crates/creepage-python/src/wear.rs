@@ -131,7 +131,7 @@ impl WearData {
         .collect()
     }
 
-    /// Whether all situations converged, and what is to be held against it.
+    /// Whether all situations converged, and the cautions about it.
     fn outcome(&self) -> (bool, Vec<String>) {
         (self.wear.is_solved, self.wear.cautions.clone())
     }

@@ -147,10 +147,13 @@ fn temporary(target: &Path) -> io::Result<NamedTempFile> {
     let directory = directory_of(target);
     // Its own error names only the directory, not a file that nobody asked for.
     fs::metadata(directory)?;
-    stale_temp::remove(directory, &prefix, stale_temp::AGE);
-    let file = builder.tempfile_in(directory)?;
-    stale_temp::hold(file.as_file());
-    Ok(file)
+    stale_temp::remove(directory, &prefix);
+    loop {
+        let file = builder.tempfile_in(directory)?;
+        if stale_temp::hold(file.as_file(), file.path()) {
+            return Ok(file);
+        }
+    }
 }
 
 pub(crate) fn directory_of(path: &Path) -> &Path {

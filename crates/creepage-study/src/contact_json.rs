@@ -58,7 +58,7 @@ pub struct HertzReportJson {
 }
 
 impl HertzReportJson {
-    /// The contact and what is to be held against it.
+    /// The contact and its cautions.
     #[must_use]
     pub fn new(contact: &Hertz, cautions: &[Caution]) -> Self {
         let caution = (!cautions.is_empty()).then(|| Caution::words(cautions));

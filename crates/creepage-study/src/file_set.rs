@@ -111,14 +111,25 @@ impl Earlier {
     /// A second name of a file.
     fn keep(target: &Path) -> io::Result<Self> {
         let name = target.file_name().unwrap_or_default().to_string_lossy();
-        let link = Builder::new()
-            .prefix(&format!(".{name}."))
-            .suffix(stale_temp::EARLIER)
-            .make_in(directory_of(target), |link| fs::hard_link(target, link))?
-            .into_temp_path();
-        let file = File::open(&link)?;
-        stale_temp::hold(&file);
-        Ok(Self::File { link, _held: file })
+        let prefix = format!(".{name}.");
+        let mut builder = Builder::new();
+        builder.prefix(&prefix).suffix(stale_temp::EARLIER);
+        let mut attempts = 0;
+        loop {
+            let link = builder
+                .make_in(directory_of(target), |link| fs::hard_link(target, link))?
+                .into_temp_path();
+            // Another run may have removed it before it is held.
+            let file = match File::open(&link) {
+                Err(error) if error.kind() == io::ErrorKind::NotFound => continue,
+                opened => opened?,
+            };
+            // A lock that does not go is one of a stranger, on the file itself.
+            attempts += 1;
+            if stale_temp::hold(&file, &link) || attempts == 100 {
+                return Ok(Self::File { link, _held: file });
+            }
+        }
     }
 }
 

@@ -32,7 +32,7 @@ pub struct ReportJson {
     pub theory: String,
     /// One word: [`Status::name`](creepage::Status::name).
     pub status: &'static str,
-    /// What is to be held against the solution, in words; else `null`.
+    /// Cautions about the solution, in words; else `null`.
     pub caution: Option<String>,
     /// The contact.
     pub contact: HertzJson,

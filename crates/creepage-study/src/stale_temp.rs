@@ -1,44 +1,46 @@
 //! Hidden files that a killed run has left: nobody holds them any more.
+//!
+//! A run locks its hidden file as soon as it has made it, and then looks whether the file still has its
+//! name; another run removes a file only while it has its lock for itself.
 
 use std::fs::File;
+#[cfg(unix)]
+use std::fs::TryLockError;
 use std::path::Path;
-use std::time::Duration;
 
 /// How the name of a file ends that is being written.
 pub(crate) const PARTIAL: &str = ".partial";
 /// How the second name of a file ends that is being replaced.
 pub(crate) const EARLIER: &str = ".earlier";
-/// A file younger than this may be one that is about to be held.
-pub(crate) const AGE: Duration = Duration::from_secs(10);
 
-/// Holds a hidden file as long as it is open, so that other runs leave it alone.
-pub(crate) fn hold(file: &File) {
-    // Where files cannot be locked, `remove` finds none that nobody holds. On Windows a locked file
-    // could not be written by its path.
-    #[cfg(unix)]
-    let _ = file.try_lock_shared();
-    #[cfg(not(unix))]
-    let _ = file;
+/// Holds a hidden file as long as it is open, so that other runs leave it alone; false where another
+/// run has removed it before it was held.
+#[cfg(unix)]
+pub(crate) fn hold(file: &File, path: &Path) -> bool {
+    // Where files cannot be locked, `remove` finds none that nobody holds.
+    !matches!(file.try_lock_shared(), Err(TryLockError::WouldBlock)) && path.exists()
 }
 
-/// Removes hidden files of `directory` with this prefix that nobody holds and that have not changed
-/// for so long.
+/// On Windows a locked file could not be written by its path.
+#[cfg(not(unix))]
+pub(crate) fn hold(_: &File, _: &Path) -> bool {
+    true
+}
+
+/// Removes hidden files of `directory` with this prefix that nobody holds.
 #[cfg(unix)]
-pub(crate) fn remove(directory: &Path, prefix: &str, age: Duration) {
+pub(crate) fn remove(directory: &Path, prefix: &str) {
     let Ok(entries) = std::fs::read_dir(directory) else { return };
     for entry in entries.flatten() {
         let name = entry.file_name();
-        if name.to_str().is_some_and(|name| is_ours(name, prefix))
-            && is_abandoned(&entry.path(), age)
-        {
-            // Another run may have been quicker.
-            let _ = std::fs::remove_file(entry.path());
+        if name.to_str().is_some_and(|name| is_ours(name, prefix)) {
+            remove_abandoned(&entry.path());
         }
     }
 }
 
 #[cfg(not(unix))]
-pub(crate) fn remove(_: &Path, _: &str, _: Duration) {}
+pub(crate) fn remove(_: &Path, _: &str) {}
 
 /// Whether a name is the prefix, six letters or digits, and one of the two ends.
 #[cfg(unix)]
@@ -52,16 +54,12 @@ fn is_ours(name: &str, prefix: &str) -> bool {
 }
 
 #[cfg(unix)]
-fn is_abandoned(path: &Path, age: Duration) -> bool {
-    use std::os::unix::fs::MetadataExt;
-    use std::time::UNIX_EPOCH;
-    let Ok(file) = File::open(path) else { return false };
-    let Ok(data) = file.metadata() else { return false };
-    // A new name counts as a change; the time of the contents may be older.
-    let changed = u64::try_from(data.ctime()).unwrap_or(0);
-    let is_old =
-        (UNIX_EPOCH + Duration::from_secs(changed)).elapsed().is_ok_and(|since| since >= age);
-    is_old && file.try_lock().is_ok()
+fn remove_abandoned(path: &Path) {
+    let Ok(file) = File::open(path) else { return };
+    // Locked until it has lost its name.
+    if file.try_lock().is_ok() {
+        let _ = std::fs::remove_file(path);
+    }
 }
 
 #[cfg(all(test, unix))]
@@ -80,15 +78,48 @@ mod tests {
             fs::write(path(name), "").unwrap();
         }
         let held = File::create(path(".out.held00.partial")).unwrap();
-        hold(&held);
-        remove(place.path(), ".out.", AGE);
-        assert_eq!(fs::read_dir(place.path()).unwrap().count(), 7, "all are young");
-        remove(place.path(), ".out.", Duration::ZERO);
+        assert!(hold(&held, &path(".out.held00.partial")));
+        remove(place.path(), ".out.");
         assert!(left.iter().all(|name| !path(name).exists()));
         assert!(others.iter().all(|name| path(name).exists()));
         assert!(path(".out.held00.partial").exists());
         drop(held);
-        remove(place.path(), ".out.", Duration::ZERO);
+        remove(place.path(), ".out.");
         assert!(!path(".out.held00.partial").exists());
+    }
+
+    #[test]
+    fn a_file_that_another_run_removes_before_it_is_held_is_not_held() {
+        let place = tempfile::tempdir().unwrap();
+        let path = place.path().join(".out.AbC123.partial");
+        let file = File::create(&path).unwrap();
+        // Another run has it for itself, and is about to remove it; then it has.
+        let other = File::open(&path).unwrap();
+        other.try_lock().unwrap();
+        assert!(!hold(&file, &path));
+        fs::remove_file(&path).unwrap();
+        drop(other);
+        assert!(!hold(&file, &path));
+    }
+
+    /// Eight at once that write one name and remove what nobody holds: each file is whole.
+    #[test]
+    fn runs_at_once_do_not_remove_each_others_files() {
+        use std::io::Write;
+        let place = tempfile::tempdir().unwrap();
+        let path = place.path().join("out");
+        std::thread::scope(|scope| {
+            for _ in 0..8 {
+                scope.spawn(|| {
+                    for _ in 0..40 {
+                        let mut file = crate::WholeFile::create(&path).unwrap();
+                        file.write_all(b"whole").unwrap();
+                        file.finish().unwrap();
+                    }
+                });
+            }
+        });
+        assert_eq!(fs::read_to_string(&path).unwrap(), "whole");
+        assert_eq!(fs::read_dir(place.path()).unwrap().count(), 1);
     }
 }

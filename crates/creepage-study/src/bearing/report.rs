@@ -80,7 +80,7 @@ pub struct BearingBallJson {
     pub centrifugal_force_n: f64,
     /// Gyroscopic moment (N m).
     pub gyroscopic_moment_n_m: f64,
-    /// The inner contact; null where there is none.
+    /// The inner contact; null where the ball does not touch it.
     pub inner: Option<BearingRaceJson>,
     /// The outer contact.
     pub outer: Option<BearingRaceJson>,

@@ -13,7 +13,7 @@ use crate::{Damage, DamageWanted};
 pub struct BulkAnswer {
     /// What was asked.
     pub row: BulkRow,
-    /// The dimensionless answer, with all that is to be held against it.
+    /// The dimensionless answer, with all its cautions.
     pub reply: Reply,
 }
 

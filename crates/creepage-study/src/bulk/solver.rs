@@ -22,14 +22,14 @@ pub struct Question {
     pub touches: bool,
 }
 
-/// A force, and what is to be held against it.
+/// A force and its cautions.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Reply {
     /// Force, error bars, status.
     pub solution: Solution,
     /// Frictional power, dimensionless: [`Solved::power`](creepage::Solved::power).
     pub power: f64,
-    /// What is to be held against it.
+    /// Cautions about it.
     pub cautions: Vec<Caution>,
 }
 

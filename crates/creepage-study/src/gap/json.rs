@@ -20,7 +20,7 @@ pub struct GapReportJson {
     pub theory: &'static str,
     /// One word: [`Status::name`](creepage::Status::name).
     pub status: &'static str,
-    /// What is to be held against the solution, in words; else `null`.
+    /// Cautions about the solution, in words; else `null`.
     pub caution: Option<String>,
     /// The contact areas.
     pub contact: GapContactJson,

@@ -176,7 +176,7 @@ impl GapCase {
         Ok(self.kept(contact, held).with_heat())
     }
 
-    /// The solved case, with what is to be held against it.
+    /// The solved case, with its cautions.
     pub(super) fn kept(&self, contact: &Contact, held: SolvedTheory) -> SolvedCase {
         let scaling = contact.scaling();
         SolvedCase::new(

@@ -68,7 +68,7 @@ impl HeatedRow {
 }
 
 impl Heat {
-    /// Temperatures by rows of a contact that rolls at `speed` (m/s), with what is to be held against them.
+    /// Temperatures by rows of a contact that rolls at `speed` (m/s), with the cautions about them.
     /// The cautions alone, where there are none: no slip is known, or a surface runs back.
     pub(crate) fn of(
         wanted: &HeatWanted,
@@ -194,7 +194,7 @@ fn summit([x0, y0]: [f64; 2], [x1, y1]: [f64; 2], [x2, y2]: [f64; 2]) -> [f64; 2
 }
 
 impl SolvedCase {
-    /// Adds temperatures where the case's `[heat]` asks for them, and what is to be held against them.
+    /// Adds temperatures where the case's `[heat]` asks for them, and the cautions about them.
     pub(crate) fn with_heat(mut self) -> Self {
         let (Some(wanted), Some(speed)) = (self.case.heat().copied(), self.case.speed()) else {
             return self;

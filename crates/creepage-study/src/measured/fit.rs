@@ -126,7 +126,7 @@ pub struct FittedPoint {
     pub status: Status,
 }
 
-/// What is to be held against a fit.
+/// Cautions about a fit.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum FitCaution {
@@ -240,7 +240,7 @@ pub struct Fit {
     pub degrees_of_freedom: usize,
     /// Largest force over `mu N` among the points that count.
     pub reached: f64,
-    /// What is to be held against it.
+    /// Cautions about it.
     pub cautions: Vec<FitCaution>,
     /// The curve, where all points have one load and differ in one component.
     pub(super) curve: Option<FittedCurve>,

@@ -18,7 +18,7 @@ pub struct WheelsetReportJson {
     pub theory: &'static str,
     /// One word: [`Status::name`](creepage::Status::name), the worst of all contacts.
     pub status: &'static str,
-    /// What is to be held against the solution, in words; else `null`.
+    /// Cautions about the solution, in words; else `null`.
     pub caution: Option<String>,
     /// Lateral position of the wheelset, to the right (m).
     pub y_m: f64,

@@ -45,7 +45,7 @@ pub struct StaticsFile {
 pub struct StaticsCase {
     /// The problem with its solution.
     pub problem: StaticsProblem,
-    /// What is to be held against it.
+    /// Cautions about it.
     pub cautions: Vec<Caution>,
 }
 

@@ -65,7 +65,7 @@ pub struct WearRowJson {
 pub struct WearReportJson<'a> {
     /// A row for each body at each stop.
     pub rows: Vec<WearRowJson>,
-    /// What is to be held against it.
+    /// Cautions about it.
     pub cautions: &'a [String],
 }
 

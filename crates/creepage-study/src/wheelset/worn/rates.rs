@@ -27,7 +27,7 @@ pub(super) struct Rates {
     pub(super) peak: f64,
     /// Situations that did not converge.
     pub(super) doubtful: usize,
-    /// What is to be held against the solutions, each with the number of its situation.
+    /// Cautions about the solutions, each with the number of its situation.
     pub(super) cautions: Vec<(usize, String)>,
 }
 

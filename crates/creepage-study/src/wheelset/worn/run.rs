@@ -28,7 +28,7 @@ pub type WearProgress<'a> = &'a mut dyn FnMut(f64, &[WearStop]) -> bool;
 pub struct Wear {
     /// The stops, the new profiles first.
     pub stops: Vec<WearStop>,
-    /// What is to be held against it.
+    /// Cautions about it.
     pub cautions: Vec<String>,
     /// Whether all situations of all steps converged.
     pub is_solved: bool,

@@ -197,7 +197,7 @@ pub(super) struct State {
     pub(super) cautions: Vec<Noted>,
 }
 
-/// What is to be held against solutions of situations, of one kind, over the whole run.
+/// Cautions about the solutions of situations, of one kind, over the whole run.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(super) struct Noted {
     /// Its words without numbers.
