@@ -3,7 +3,7 @@
 use crate::frame::Frame;
 use crate::meeting::{Meeting, Overlap, Pair};
 use crate::search::least;
-use crate::surfaces::Surfaces;
+use crate::surfaces::{Foot, Surfaces};
 use crate::{GeometryError, Role, Side, Waves};
 
 /// Points at which an overlap is weighed.
@@ -190,6 +190,41 @@ impl<'a> Contact<'a> {
             Some(under - frame.normal_part([y, z]))
         });
         gaps.collect()
+    }
+
+    /// What the undeformed distance at `(x_0(s) + d, s)` has beyond `gap + d^2 / (2 R)` of [`Across`] (m), in
+    /// rows of one `s`: the profile of a yawed wheel passes under a line along `x`, so that on a flange the
+    /// section along it is no parabola. `d` increases and has a place on either side of 0.
+    ///
+    /// Where a surface turns away, or the profile ends, the last value goes on. `None` where a place `s` has no
+    /// contact of its own.
+    #[must_use]
+    pub fn beyond_parabola(&self, s: &[f64], d: &[f64]) -> Option<Vec<f64>> {
+        let ahead = d.partition_point(|d| *d < 0.0);
+        let mut excess = vec![0.0; s.len() * d.len()];
+        for (row, &s) in excess.chunks_mut(d.len().max(1)).zip(s) {
+            let local = self.side.sense() * s;
+            let (foot, raw) = self.surfaces.at(local)?;
+            let (_, rail) = self.surfaces.rail(local)?;
+            let under = self.surfaces.frame.normal_part([rail.y, rail.z]);
+            let (mut reached, mut last) = (foot, 0.0);
+            let at = |reached: &mut Foot, last: &mut f64, d: f64| {
+                if let Some((foot, [_, y, z])) = self.surfaces.wheel(*reached, raw.x + d, local) {
+                    let gap = under - self.surfaces.frame.normal_part([y, z]);
+                    *last = gap - raw.gap - d * d / (2.0 * raw.rolling_radius);
+                    *reached = foot;
+                }
+                *last
+            };
+            for i in (0..ahead).rev() {
+                row[i] = at(&mut reached, &mut last, d[i]);
+            }
+            (reached, last) = (foot, 0.0);
+            for i in ahead..d.len() {
+                row[i] = at(&mut reached, &mut last, d[i]);
+            }
+        }
+        Some(excess)
     }
 
     /// The wheel's point at `(x, s)` and the rail's tangent below it, on the right-hand image.

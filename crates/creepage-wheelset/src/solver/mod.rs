@@ -7,6 +7,7 @@ mod cross_patch;
 mod derivative;
 mod equilibrium;
 mod error_propagation;
+mod excess;
 mod implicit_derivative;
 mod load_balance;
 mod motion_derivative;

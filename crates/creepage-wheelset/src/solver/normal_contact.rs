@@ -3,9 +3,10 @@
 use creepage::SolidPair;
 use creepage::gap::{Gap, Rolling};
 use creepage::normal::{self, NormalContact, NormalError};
-use creepage_rail::{Contact, Position, Side, WheelsetOnTrack};
+use creepage_rail::{Across, Contact, Position, Side, WheelsetOnTrack};
 
 use super::cross_patch;
+use super::excess::Excess;
 use crate::WheelsetError;
 use crate::pose::Patches;
 use crate::warm_start::LateralForceRatios;
@@ -195,11 +196,19 @@ fn gap(
     more: impl Fn(f64, f64) -> f64,
 ) -> Result<Gap, creepage::gap::GapError> {
     let section = contact.section(PLACES, MARGIN);
-    let column = |value: fn(&creepage_rail::Across) -> f64| section.iter().map(value).collect();
-    let [s, radius, locus]: [Vec<f64>; 3] =
+    let column = |value: fn(&Across) -> f64| section.iter().map(value).collect();
+    let [s, mut radius, locus]: [Vec<f64>; 3] =
         [column(|a| a.s), column(|a| a.rolling_radius), column(|a| a.x)];
     let gap: Vec<f64> = section.iter().map(|a| a.gap + more(a.s, a.x)).collect();
-    Gap::section(&s, &gap, Rolling::Varying { radius: &radius, locus: &locus })
+    let excess = Excess::of(contact, &section);
+    if let Some(excess) = &excess {
+        radius = excess.radius.clone();
+    }
+    let gap = Gap::section(&s, &gap, Rolling::Varying { radius: &radius, locus: &locus })?;
+    match excess {
+        Some(Excess { d, s, values, .. }) => gap.with_excess(&d, &s, &values),
+        None => Ok(gap),
+    }
 }
 
 impl Pressed<'_> {

@@ -39,6 +39,15 @@ pub enum GapError {
         /// How many are needed.
         needed: usize,
     },
+    /// Places do not increase.
+    #[error("{quantity} must increase from one to the next")]
+    Order {
+        /// Which coordinate.
+        quantity: &'static str,
+    },
+    /// What a gap has beyond its parabolas, where it has none.
+    #[error("only a section opens by parabolas along rolling and can have an excess over them")]
+    NoSection,
     /// Two points of a section at one place.
     #[error("two points at y = {y}")]
     SameY {

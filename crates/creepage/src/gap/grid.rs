@@ -33,8 +33,22 @@ impl Grid {
             }
         }
         let values = placed(points, &x, &y)?;
-        let nodes = nodes(&x, &y, &values);
-        Ok(Self { x, y, nodes })
+        Ok(Self::of(x, y, &values))
+    }
+
+    /// Of values in rows of one y; both coordinates increase.
+    pub(super) fn of(x: Vec<f64>, y: Vec<f64>, values: &[f64]) -> Self {
+        let nodes = nodes(&x, &y, values);
+        Self { x, y, nodes }
+    }
+
+    /// The value at the place of the grid next to this one.
+    pub(super) fn within(&self, x: f64, y: f64) -> f64 {
+        let clamped = |values: &[f64], at: f64| match values {
+            [first, .., last] => at.clamp(*first, *last),
+            _ => at,
+        };
+        self.at(clamped(&self.x, x), clamped(&self.y, y))
     }
 
     pub(super) fn at(&self, x: f64, y: f64) -> f64 {

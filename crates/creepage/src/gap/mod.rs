@@ -11,6 +11,7 @@ mod grid;
 mod polynomial;
 mod reach;
 mod section;
+mod turned;
 
 use std::fmt;
 use std::sync::Arc;
@@ -24,6 +25,7 @@ pub(crate) use cubic::Cubic;
 use grid::Grid;
 use polynomial::Polynomial;
 use section::Section;
+use turned::Turned;
 
 /// A rectangle with sides along x and y (m); infinite where nothing bounds it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -79,6 +81,7 @@ enum Shape {
     Section(Section),
     Grid(Grid),
     Function(Function),
+    Turned(Box<Turned>),
 }
 
 #[derive(Clone)]
@@ -118,6 +121,22 @@ impl Gap {
         Ok(Self { shape: Shape::Section(Section::new(y, gap, rolling)?) })
     }
 
+    /// The section with what the gap has beyond its parabolas (m), over the distance `d` from their lowest
+    /// place and over `y`, both increasing, in rows of one `y`; its value and slope at `d = 0` are those of the
+    /// parabola, 0. Beyond the grid the value of its edge goes on.
+    ///
+    /// # Errors
+    /// [`GapError`] for a gap that is no section, numbers that are not finite or out of order, and columns
+    /// that differ in length.
+    pub fn with_excess(self, d: &[f64], y: &[f64], excess: &[f64]) -> Result<Self, GapError> {
+        match self.shape {
+            Shape::Section(section) => {
+                Ok(Self { shape: Shape::Section(section.with_excess(d, y, excess)?) })
+            }
+            _ => Err(GapError::NoSection),
+        }
+    }
+
     /// Points `[x, y, h]` of a rectangular grid, in any order, at even or uneven steps.
     /// Between them the slope is continuous; a kink does not ring.
     ///
@@ -151,11 +170,13 @@ impl Gap {
         match &self.shape {
             Shape::Polynomial(polynomial) => polynomial.at(x, y),
             Shape::Section(section) => {
-                let [height, half_curvature, locus] = section.row(y);
-                height + half_curvature * (x - locus).powi(2)
+                let mut out = [0.0];
+                section.fill_row(y, &[x], &mut out);
+                out[0]
             }
             Shape::Grid(grid) => grid.at(x, y),
             Shape::Function(function) => (function.at)(x, y),
+            Shape::Turned(turned) => turned.at(x, y),
         }
     }
 
@@ -163,13 +184,8 @@ impl Gap {
     pub fn fill_row(&self, y: f64, xs: &[f64], out: &mut [f64]) {
         match &self.shape {
             Shape::Polynomial(polynomial) => polynomial.fill_row(y, xs, out),
-            Shape::Section(section) => {
-                let [height, half_curvature, locus] = section.row(y);
-                for (out, &x) in out.iter_mut().zip(xs) {
-                    *out = height + half_curvature * (x - locus).powi(2);
-                }
-            }
-            Shape::Grid(_) | Shape::Function(_) => {
+            Shape::Section(section) => section.fill_row(y, xs, out),
+            Shape::Grid(_) | Shape::Function(_) | Shape::Turned(_) => {
                 for (out, &x) in out.iter_mut().zip(xs) {
                     *out = self.at(x, y);
                 }
@@ -189,32 +205,48 @@ impl Gap {
             Shape::Section(section) => Rectangle { y: ends(section.y()), ..Rectangle::PLANE },
             Shape::Grid(grid) => Rectangle { x: ends(grid.x()), y: ends(grid.y()) },
             Shape::Function(function) => function.domain,
+            Shape::Turned(turned) => turned.domain(),
         }
+    }
+
+    /// The same in axes turned by an angle (rad) about a place, for what lies in `extent`.
+    pub(crate) fn turned(&self, about: [f64; 2], angle: f64, extent: &Rectangle) -> Self {
+        Self { shape: Shape::Turned(Box::new(Turned::new(self, about, angle, extent))) }
     }
 
     /// Whether every section along x is a parabola.
     pub(crate) fn is_parabola_along(&self) -> bool {
         match &self.shape {
             Shape::Polynomial(polynomial) => polynomial.power_of_x() <= 2,
-            Shape::Section(_) => true,
-            Shape::Grid(_) | Shape::Function(_) => false,
+            Shape::Section(section) => section.is_parabola_along(),
+            Shape::Grid(_) | Shape::Function(_) | Shape::Turned(_) => false,
         }
     }
 
-    /// The section along x at `y`, where that is a parabola: its height at the locus, half its
+    /// Whether every section along x has one lowest place, its locus.
+    pub(crate) fn has_locus(&self) -> bool {
+        match &self.shape {
+            Shape::Section(_) => true,
+            Shape::Turned(turned) => turned.gap().has_locus(),
+            _ => self.is_parabola_along(),
+        }
+    }
+
+    /// The parabola along x at `y` at its lowest place, where it has one: height there, half its
     /// curvature, the locus.
     pub(crate) fn parabola(&self, y: f64) -> Option<[f64; 3]> {
         match &self.shape {
             Shape::Polynomial(polynomial) => polynomial.parabola(y),
             Shape::Section(section) => Some(section.row(y)),
-            Shape::Grid(_) | Shape::Function(_) => None,
+            Shape::Grid(_) | Shape::Function(_) | Shape::Turned(_) => None,
         }
     }
 
-    /// Where the section along x at `y` is lowest, where that is a parabola.
+    /// Where the section along x at `y` is lowest, where it has one such place.
     pub(crate) fn locus(&self, y: f64) -> Option<f64> {
         match &self.shape {
             Shape::Section(section) => Some(section.locus(y)),
+            Shape::Turned(turned) => turned.gap().has_locus().then(|| turned.locus(y)),
             _ => self.parabola(y).map(|[_, _, locus]| locus),
         }
     }
@@ -224,7 +256,7 @@ impl Gap {
         match &self.shape {
             Shape::Polynomial(polynomial) => polynomial.is_even_parabola().then_some(0.0),
             Shape::Section(section) => section.axis(),
-            Shape::Grid(_) | Shape::Function(_) => None,
+            Shape::Grid(_) | Shape::Function(_) | Shape::Turned(_) => None,
         }
     }
 
@@ -236,7 +268,7 @@ impl Gap {
             Some(values.iter().filter(|value| (low..=high).contains(value)).count())
         };
         match &self.shape {
-            Shape::Polynomial(_) | Shape::Function(_) => [None, None],
+            Shape::Polynomial(_) | Shape::Function(_) | Shape::Turned(_) => [None, None],
             Shape::Section(section) => [None, count(section.y(), rectangle.y)],
             Shape::Grid(grid) => [count(grid.x(), rectangle.x), count(grid.y(), rectangle.y)],
         }

@@ -12,6 +12,7 @@ impl Gap {
             Shape::Polynomial(polynomial) => reach_of_polynomial(polynomial, height),
             Shape::Section(section) => reach_of_section(section, height, &self.domain()),
             Shape::Grid(_) | Shape::Function(_) => Some(self.domain()),
+            Shape::Turned(turned) => turned.gap().reach(height).map(|own| turned.around(own)),
         }
     }
 
@@ -20,6 +21,7 @@ impl Gap {
     pub(crate) fn likely_height(&self, compliance_force: f64) -> f64 {
         let domain = self.domain();
         match &self.shape {
+            Shape::Turned(turned) => turned.gap().likely_height(compliance_force),
             Shape::Polynomial(polynomial) => {
                 polynomial.constant() + likely_depth(polynomial, compliance_force)
             }

@@ -2,6 +2,7 @@
 
 use super::cubic::{Cell, Cubic};
 use super::error::{GapError, all_finite};
+use super::grid::Grid;
 use crate::check;
 
 /// How the gap opens along the rolling direction on either side of its locus.
@@ -23,6 +24,8 @@ pub(super) struct Section {
     y: Vec<f64>,
     height: Cubic,
     along: Along,
+    /// What the gap has beyond its parabolas, over `x - x0` and y.
+    excess: Option<Box<Grid>>,
 }
 
 #[derive(Debug, Clone, PartialEq)]
@@ -55,7 +58,49 @@ impl Section {
                 Along::Varying { curvature, locus: locus.map(curve) }
             }
         };
-        Ok(Self { height: curve(height), y: sorted_y, along })
+        Ok(Self { height: curve(height), y: sorted_y, along, excess: None })
+    }
+
+    /// The same with an excess over its parabolas, `d = x - x0` and y increasing, in rows of one y.
+    pub(super) fn with_excess(
+        self,
+        d: &[f64],
+        y: &[f64],
+        excess: &[f64],
+    ) -> Result<Self, GapError> {
+        const NEEDED: usize = 3;
+        for (quantity, values) in [("d", d), ("y", y)] {
+            if values.len() < NEEDED {
+                let count = values.len();
+                return Err(GapError::TooFew { quantity, count, needed: NEEDED });
+            }
+            all_finite(quantity, values)?;
+            if values.windows(2).any(|pair| pair[0] >= pair[1]) {
+                return Err(GapError::Order { quantity });
+            }
+        }
+        let (count, expected) = (excess.len(), d.len() * y.len());
+        if count != expected {
+            return Err(GapError::Lengths { quantity: "excess", count, expected });
+        }
+        all_finite("excess", excess)?;
+        let grid = Grid::of(d.to_vec(), y.to_vec(), excess);
+        Ok(Self { excess: Some(Box::new(grid)), ..self })
+    }
+
+    /// Whether every section along x is a parabola.
+    pub(super) fn is_parabola_along(&self) -> bool {
+        self.excess.is_none()
+    }
+
+    /// The gap at many places of one y.
+    pub(super) fn fill_row(&self, y: f64, xs: &[f64], out: &mut [f64]) {
+        let [height, half, locus] = self.row(y);
+        for (out, &x) in out.iter_mut().zip(xs) {
+            let d = x - locus;
+            let excess = self.excess.as_ref().map_or(0.0, |grid| grid.within(d, y));
+            *out = height + half * d * d + excess;
+        }
     }
 
     /// Height at the locus, half the curvature along, and the locus.
@@ -81,6 +126,7 @@ impl Section {
     /// The locus, where it is the same everywhere.
     pub(super) fn axis(&self) -> Option<f64> {
         match &self.along {
+            _ if self.excess.is_some() => None,
             Along::Constant(_) | Along::Varying { locus: None, .. } => Some(0.0),
             Along::Varying { locus: Some(locus), .. } => locus.constant(),
         }

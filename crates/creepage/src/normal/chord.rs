@@ -83,8 +83,13 @@ impl ChordPoint {
         Self { s, root: (1.0 - s * s).max(0.0).sqrt(), low, part: at - low as f64 }
     }
 
+    /// `sqrt(1 - s^2)`.
+    pub(super) fn root(&self) -> f64 {
+        self.root
+    }
+
     /// `rho` here, on straight lines between its places.
-    fn of(&self, density: &Density) -> f64 {
+    pub(super) fn of(&self, density: &Density) -> f64 {
         (1.0 - self.part) * density[self.low] + self.part * density[self.low + 1]
     }
 }

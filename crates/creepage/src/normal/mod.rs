@@ -27,6 +27,7 @@ mod solve;
 mod start;
 pub(crate) mod strip_system;
 mod strips;
+mod turn;
 mod units;
 
 pub(crate) use chord::ChordPoint;

@@ -15,7 +15,7 @@ use std::f64::consts::FRAC_PI_2;
 
 use crate::gap::Cubic;
 
-use super::chord::{Chord, GAUSS, Line, PLACES, arc_nodes};
+use super::chord::{Chord, ChordPoint, GAUSS, Line, PLACES, arc_nodes};
 
 /// Force on a part of the area and its moments about the axes through the origin.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -111,6 +111,40 @@ impl Band {
         let line = self.line(y);
         let s = (x - line.centre) / line.half;
         if s.abs() < 1.0 { line.pressure(s) } else { 0.0 }
+    }
+
+    /// Pressure at a place (Pa) of the band; at its edge or just outside, that of the place next to it.
+    pub(super) fn pressure_near(&self, x: f64, y: f64) -> f64 {
+        const EDGE: f64 = 1.0 - 1e-6;
+        let y = y.clamp(self.y[0], self.y[1]);
+        let (centre, half) = self.section(y);
+        let spot = ChordPoint::new(((x - centre) / half).clamp(-EDGE, EDGE));
+        let density: f64 =
+            self.around(y).map(|(weight, k)| weight * spot.of(&self.chords[k].density)).sum();
+        half * spot.root() * density
+    }
+
+    /// Centre of the area, and its second moments `xx`, `xy`, `yy` about it (m^4).
+    pub(super) fn second_moments(&self) -> ([f64; 2], [f64; 3]) {
+        let rows: Vec<[f64; 4]> = self
+            .rows_between(self.y)
+            .map(|(y, weight)| {
+                let (centre, half) = self.section(y);
+                [2.0 * weight * half, centre, y, half]
+            })
+            .collect();
+        let area: f64 = rows.iter().map(|row| row[0]).sum();
+        let mean = |k: usize| rows.iter().map(|row| row[0] * row[k]).sum::<f64>() / area;
+        let middle = [mean(1), mean(2)];
+        let second = rows.iter().fold([0.0; 3], |sum, &[area, x, y, half]| {
+            let [x, y] = [x - middle[0], y - middle[1]];
+            [
+                sum[0] + area * (x * x + half * half / 3.0),
+                sum[1] + area * x * y,
+                sum[2] + area * y * y,
+            ]
+        });
+        (middle, second)
     }
 
     /// The band along one y: `rho` goes as a cubic through the four chords around it, and beyond

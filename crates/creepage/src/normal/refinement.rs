@@ -185,5 +185,5 @@ fn is_uneven(found: &Found, by_others: &Found, most: f64) -> bool {
     change(by_others.peak) > most
         || change(found.summit) > 0.005
         || found.unseen > 0.005 * found.peak
-        || found.stairs() > 0.1
+        || found.stairs > 0.1
 }

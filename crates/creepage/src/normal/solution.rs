@@ -9,7 +9,6 @@ use super::contact::{Estimate, Method, NormalContact, Status, StripRule};
 use super::level::{Accuracy, ElementGrid, NormalProblem};
 use super::outline;
 use super::patch::Patch;
-use super::patch_strip::Band;
 use super::strip_system::Factors;
 
 /// What is prescribed.
@@ -31,6 +30,8 @@ pub(super) struct Found {
     /// What a summit or waves as narrow as strips or elements may add to the greatest pressure.
     pub(super) unseen: f64,
     pub(super) stiffness: f64,
+    /// [`Band::stairs`] of the worst band, in the axes in which it was pressed; 0 for elements.
+    pub(super) stairs: f64,
     /// The matrix of strips.
     pub(super) factors: Option<Arc<Factors>>,
 }
@@ -46,14 +47,9 @@ impl Found {
             summit: peak,
             unseen: 0.5 * fall,
             stiffness: level.stiffness,
+            stairs: 0.0,
             factors: None,
         }
-    }
-
-    /// [`Band::stairs`] of the worst band.
-    pub(super) fn stairs(&self) -> f64 {
-        let bands = self.patches.iter().flat_map(Patch::bands);
-        bands.map(Band::stairs).fold(0.0, f64::max)
     }
 
     pub(super) fn area(&self) -> f64 {
@@ -105,7 +101,9 @@ pub(super) fn contact(gap: &Gap, pair: SolidPair, asked: Asked, found: Pair) -> 
     let bars = Bars::new(&found);
     let Pair { coarse, mut fine, method, residual, count, .. } = found;
     let area = fine.area();
-    let peak_error = bars.peak.of(fine.summit, coarse.summit).max(fine.unseen);
+    // Where strips scatter, as slender ones do that lie hardly askew, the summit that they are cut for does too.
+    let scatter = if fine.stairs > 0.0 { (fine.summit - fine.peak).abs() } else { 0.0 };
+    let peak_error = bars.peak.of(fine.summit, coarse.summit).max(fine.unseen).max(scatter);
     let area_error = bars.area.of(area, coarse.area());
     // What the coarser would carry at the finer one's approach.
     let carried = coarse.load + fine.stiffness * (fine.approach - coarse.approach);
@@ -179,7 +177,7 @@ impl Bars {
     fn new(found: &Pair) -> Self {
         // Elements scatter, and may agree by chance.
         let (of_difference, stairs) = match found.method {
-            Method::Strips => (found.lacking(), found.fine.stairs().powi(2)),
+            Method::Strips => (found.lacking(), found.fine.stairs.powi(2)),
             Method::Elements => (1.0, 0.0),
         };
         let is_strips = found.method == Method::Strips;

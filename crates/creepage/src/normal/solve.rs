@@ -98,7 +98,7 @@ fn solve(
         Asked::Load(load) => load::first(gap, modulus, load)?,
     };
     // Strips that prove to be all the contact there is may begin anywhere.
-    let complete = task.gap.is_parabola_along();
+    let complete = task.gap.has_locus();
     let at_first =
         || by_strips(task, asked, &NormalWarmStart::of(areas(&first)), resolution, Start::Rough);
     if complete && let Some(found) = at_first() {

@@ -17,14 +17,7 @@ const VIRTUAL: f64 = 0.55;
 /// Where a section and a radius along rolling would touch by virtual penetration; `None` for other
 /// gaps, at the end of the section, and where an area has few rows.
 pub(super) fn by_virtual_penetration(task: NormalProblem<'_>) -> Option<Vec<Patch>> {
-    let [low, high] = task.gap.domain().y;
-    if !(high - low).is_finite() {
-        return None;
-    }
-    let y = |row: u32| low + (high - low) * f64::from(row) / f64::from(ROWS);
-    let rows = (0..=ROWS).map(|row| Some((y(row), task.gap.parabola(y(row))?)));
-    let rows: Vec<(f64, [f64; 3])> = rows.collect::<Option<_>>()?;
-    let least = rows.iter().map(|(_, row)| row[0]).fold(f64::INFINITY, f64::min);
+    let (rows, least) = rows(task)?;
     let depth = task.approach - least;
     let inside = |(_, [height, ..]): &(f64, [f64; 3])| least + VIRTUAL * depth - height;
     if rows.first().or(rows.last()).is_none_or(|row| inside(row) > 0.0) || depth <= 0.0 {
@@ -37,6 +30,30 @@ pub(super) fn by_virtual_penetration(task: NormalProblem<'_>) -> Option<Vec<Patc
         }
     }
     (!patches.is_empty()).then_some(patches)
+}
+
+/// The part of the plane where the undeformed bodies come nearer than that part of the approach, as one band: gaps
+/// between its parts are bridged. `None` as above, but at the section's end.
+pub(super) fn overlap(task: NormalProblem<'_>) -> Option<Band> {
+    let (rows, least) = rows(task)?;
+    let depth = task.approach - least;
+    let inside = |(_, [height, ..]): &(f64, [f64; 3])| least + VIRTUAL * depth - height;
+    let run: Vec<_> = rows.into_iter().filter(|row| inside(row) > 0.0).collect();
+    let patch = patch(&run, &inside, task.modulus * depth)?;
+    patch.bands().first().cloned()
+}
+
+/// The section's rows, each with its parabola along x, and its least height.
+fn rows(task: NormalProblem<'_>) -> Option<(Vec<(f64, [f64; 3])>, f64)> {
+    let [low, high] = task.gap.domain().y;
+    if !(high - low).is_finite() {
+        return None;
+    }
+    let y = |row: u32| low + (high - low) * f64::from(row) / f64::from(ROWS);
+    let rows = (0..=ROWS).map(|row| Some((y(row), task.gap.parabola(y(row))?)));
+    let rows: Vec<(f64, [f64; 3])> = rows.collect::<Option<_>>()?;
+    let least = rows.iter().map(|(_, row)| row[0]).fold(f64::INFINITY, f64::min);
+    Some((rows, least))
 }
 
 /// An area on neighbouring rows, with pressures about those of Hertz.

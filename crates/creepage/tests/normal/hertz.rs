@@ -112,3 +112,28 @@ fn load_converges() {
         assert!(fine < coarse / 2.5_f64.powf(1.3), "{coarse} {fine}");
     }
 }
+
+/// Elastic half-spaces have no direction: an ellipse that lies askew has Hertz's peak pressure and area. Strips
+/// along rolling would have stairs for ends; at 17 times its width and 5.7 degrees they missed 8 %.
+#[test]
+fn ellipse_askew_is_that_of_hertz() {
+    const LOAD: f64 = 15_439.0;
+    let flat = Radii { rolling: f64::INFINITY, lateral: f64::INFINITY };
+    for (across, slope) in [(5.0, 0.3), (5.0, -0.2), (40.0, 0.02), (40.0, 0.1), (40.0, -0.05)] {
+        // A x^2 + B (y - slope x)^2.
+        let along = 0.45;
+        let [xx, yy, xy] = [along + across * slope * slope, across, -across * slope];
+        let (mean, apart) = (0.5 * (xx + yy), (0.25 * f64::powi(xx - yy, 2) + xy * xy).sqrt());
+        let radii = Radii { rolling: 0.5 / (mean - apart), lateral: 0.5 / (mean + apart) };
+        let hertz = Hertz::new(steel(), radii, flat, 0.0, LOAD).unwrap();
+        let term = |x, y, coefficient| Term { x, y, coefficient };
+        let terms = [term(2, 0, xx), term(0, 2, yy), term(1, 1, 2.0 * xy)];
+        let gap = Gap::polynomial(&terms).unwrap();
+        let found = NormalContact::under_load(&gap, steel(), LOAD, Resolution::STANDARD).unwrap();
+        let area = hertz.ellipse().area();
+        let (peak, own) = (hertz.peak_pressure(), found.peak_pressure());
+        println!("{across} {slope}: {own:?} {peak:.5e}; {:?} {area:.5e}", found.area());
+        assert!((own.value - peak).abs() < own.error.min(8e-3 * peak), "{own:?} {peak}");
+        assert!((found.area().value - area).abs() < found.area().error, "{:?}", found.area());
+    }
+}

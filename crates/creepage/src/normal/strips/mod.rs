@@ -14,6 +14,7 @@ use super::patch::Patch;
 use super::patch_strip::Band;
 use super::solution::Found;
 use super::strip_system::{self, CENTRED, Depth, Factors, Strip, StripProblem, StripSolution};
+use super::turn::Turn;
 use strip_layout::{Units, centre, laid, patches};
 
 pub(super) use strip_layout::most;
@@ -57,7 +58,38 @@ impl StripOptions {
 /// it was laid, they are laid anew too. Areas that come to touch are joined, and parted at a waist that
 /// vanishes.
 /// A matrix that is known of like strips close by is where Newton's method begins.
+///
+/// An area that lies askew is pressed in axes along it.
 pub(super) fn solve(
+    task: NormalProblem<'_>,
+    start: &[Patch],
+    known: Option<&Arc<Factors>>,
+    wanted: StripOptions,
+) -> Option<Found> {
+    /// How often the axes are turned further along the area that was found, where that tells them.
+    const ROUNDS: usize = 3;
+    let rounds = if Turn::is_of_overlap(task) { 1 } else { ROUNDS };
+    let mut turned: Option<Found> = None;
+    for _ in 0..rounds {
+        let (own, known) = match &turned {
+            Some(found) => (&found.patches[..], found.factors.as_ref()),
+            None => (start, known),
+        };
+        let Some(turn) = Turn::along(task, own) else { break };
+        let gap = turn.gap(task.gap, own);
+        let inner = NormalProblem { gap: &gap, ..task };
+        let found = solve_along_x(inner, &turn.inwards(own)?, known, wanted)?;
+        let is_along = found.stairs < Turn::LEAST;
+        turned = Some(Found { patches: turn.outwards(&found.patches)?, ..found });
+        if is_along {
+            break;
+        }
+    }
+    turned.or_else(|| solve_along_x(task, start, known, wanted))
+}
+
+/// The same by strips along x, whichever way the area lies.
+fn solve_along_x(
     task: NormalProblem<'_>,
     start: &[Patch],
     known: Option<&Arc<Factors>>,
@@ -131,6 +163,7 @@ fn found(
     let peak = strip_system::peak(strips);
     let summit = summit.then(|| strip_system::height(touching, terms, depth)).flatten();
     Found {
+        stairs: patches.iter().flat_map(Patch::bands).map(Band::stairs).fold(0.0, f64::max),
         patches,
         approach: task.approach + units.depth * touching.deeper,
         load: units.force() * strips.iter().map(Strip::load).sum::<f64>(),

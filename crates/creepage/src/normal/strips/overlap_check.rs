@@ -53,7 +53,7 @@ fn points(
         let [low, high] = domain.y.map(|y| inward(y, 1));
         strip.y - strip.width > low && strip.y + strip.width < high
     };
-    let along = task.gap.is_parabola_along();
+    let along = task.gap.has_locus();
     let possible =
         if along { domain } else { Overlap::find(task.gap, task.approach).ok()?.rectangle };
     let [low, high] = possible.y.map(|y| inward(y, 1));

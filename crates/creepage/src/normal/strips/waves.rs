@@ -7,21 +7,25 @@ use crate::normal::patch::Patch;
 use crate::normal::patch_strip::Band;
 use crate::normal::strip_system::{self, CENTRED, Depth, MOST, Strip};
 
-/// Polynomials that a strip's pressure needs: on a parabola along rolling two, on other sections four
+/// Polynomials that a strip's pressure needs: on a parabola along rolling two, near one too, on other sections four
 /// or [`MOST`]; `None` where their waves are too short for that. Where all sections are symmetric
 /// about one x, so are the pressures.
 pub(in crate::normal) fn terms(gap: &Gap, areas: &[Patch]) -> Option<usize> {
+    let bands = || areas.iter().flat_map(Patch::bands);
+    let lacks = |terms| bands().map(|band| missing(gap, band, terms)).fold(0.0, f64::max);
     match (gap.is_parabola_along(), gap.axis()) {
         (true, Some(_)) => Some(CENTRED),
         (true, None) => Some(2),
-        (false, _) => [4, MOST].into_iter().find(|terms| {
-            areas.iter().flat_map(Patch::bands).all(|band| missing(gap, band, *terms) < ENOUGH)
-        }),
+        // As near a parabola as that of a wheel turned against the rail: a change of their number is a jump.
+        (false, _) if gap.has_locus() && lacks(2) < NEARLY => Some(2),
+        (false, _) => [4, MOST].into_iter().find(|terms| lacks(*terms) < ENOUGH),
     }
 }
 
 /// The part of the largest pressure that may be missing: half of what is promised of the peak.
 const ENOUGH: f64 = 2.5e-3;
+/// The same of sections near a parabola, of whose waves none is short.
+const NEARLY: f64 = 1e-2;
 
 /// The pressure that these polynomials miss, over the largest. A strip that sinks by `c T_m(s)`
 /// carries `m c/half`; with its ends the polynomials reach one degree further.
