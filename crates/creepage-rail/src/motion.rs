@@ -1,5 +1,6 @@
 //! Creepage of a contact from the wheelset's motion.
 
+use crate::pair_surfaces::{Plane, dot};
 use crate::rolling::{RollingCreepage, SurfaceMotion};
 use crate::{Contact, Side};
 
@@ -72,13 +73,16 @@ impl Contact<'_> {
     pub fn creepage(&self, motion: &Motion) -> Option<RollingCreepage> {
         let [x, _, z] = self.reference;
         let y = self.side.sense() * self.reference[1];
-        let [ny, nz] = self.surfaces.frame.normal();
-        let point = [x, y + self.approach * ny, z + self.approach * nz];
         let (motion, rail) = motion.on(self.side);
         let sense = self.side.sense();
+        // On surfaces that vary the plane slopes along the track, and the place goes along it.
+        let Plane { axes: [along, across, normal], .. } =
+            Plane::new(self.reference, sense * self.angle, self.slope);
+        let point = [x, y, z];
+        let point = [0, 1, 2].map(|i: usize| point[i] + self.approach * normal[i]);
         let surface = |[vx, vy, vz]: [f64; 3], turn: [f64; 3]| SurfaceMotion {
-            velocity: [vx - motion.speed, sense * self.surfaces.frame.facing_tangent([vy, vz])],
-            turn: sense * (ny * turn[1] + nz * turn[2]),
+            velocity: [dot(along, [vx - motion.speed, vy, vz]), sense * dot(across, [vx, vy, vz])],
+            turn: sense * dot(normal, turn),
         };
         let upper = surface(self.velocity(motion, point), self.turning(motion));
         let on_rail = [x, y, z];
@@ -95,12 +99,13 @@ impl Contact<'_> {
     pub fn rigid_slip(&self, motion: &Motion, x: f64, s: f64) -> Option<[f64; 2]> {
         let speed = self.creepage(motion)?.speed;
         let sense = self.side.sense();
-        let [point, tangent] = self.facing_points(x, sense * s)?;
+        let [point, ahead, tangent] = self.facing_points(x, sense * s)?;
         let (motion, rail) = motion.on(self.side);
         let (wheel, rail) = (self.velocity(motion, point), self.rail_velocity(motion, rail, point));
         let [vx, vy, vz] = [0, 1, 2].map(|i: usize| wheel[i] - rail[i]);
         let lateral = tangent[1] * vy + tangent[2] * vz;
-        Some([vx / speed, sense * lateral / speed])
+        let along = dot(ahead, [vx, vy, vz]);
+        Some([along / speed, sense * lateral / speed])
     }
 
     /// Angular velocity of the wheelset, on the right-hand image.

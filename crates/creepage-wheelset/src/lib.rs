@@ -39,6 +39,7 @@ mod rough;
 mod solved;
 mod solver;
 mod springs;
+mod tilt;
 mod warm_start;
 
 pub use asked::{ANSWERS, ASKED, asked};

@@ -14,6 +14,7 @@ use crate::field::Field;
 use crate::pose::RigidSlip;
 use crate::resultant::{Acting, Resultant};
 use crate::rough::Roughness;
+use crate::tilt::Placed;
 use crate::warm_start::{PitchState, PredictorCorrection};
 use creepage::theory::AreaTheory;
 
@@ -84,6 +85,15 @@ pub struct SolvedContact {
     pub reference: [f64; 3],
     /// Rotation about `x` from the track's `z` to the normal into the rail (rad).
     pub angle: f64,
+    /// Turn about `s` after that (rad), which lowers the plane ahead: 0 unless surfaces vary along rolling.
+    pub slope: f64,
+    /// Whether wheel or rail vary along rolling.
+    pub varies: bool,
+    /// Whether a part of a rail begins or ends within its overlap: the area is cut there, and how high the
+    /// pressure is at that edge depends on the resolution.
+    pub is_cut: bool,
+    /// Whether it lies beyond the rail's slices, where the surface is taken to go on alike.
+    pub is_beyond: bool,
     /// `y` of the reference point in the rail's profile (m), to the field side.
     pub y_rail: f64,
     /// `y` of the reference point in the wheel's profile (m), to the field side.
@@ -130,16 +140,18 @@ impl SolvedContact {
 
     /// What it does to the rail, with the moment about `point`.
     fn on_rail(&self, point: [f64; 3]) -> Resultant {
-        let (sin, cos) = self.angle.sin_cos();
+        let [along, across, normal] = self.tilt().axes();
         let load = self.normal.load();
         let acting = Acting::new(self.force, load.value, self.centre_of_pressure());
-        let (force, moment) = acting.about(self.reference, self.angle, point);
+        let (force, moment) = acting.about(self.reference, self.tilt(), point);
         let force_error = self.force_error.map(|error| {
-            [
-                error.longitudinal,
-                (error.lateral * cos).abs() + (self.load_error * sin).abs(),
-                (error.lateral * sin).abs() + (load.error * cos).abs(),
-            ]
+            let parts = |i: usize, pressing: f64| {
+                (error.longitudinal * along[i]).abs()
+                    + (error.lateral * across[i]).abs()
+                    + (pressing * normal[i]).abs()
+            };
+            // Down, the height that was sought makes up for the load's error.
+            [parts(0, self.load_error), parts(1, self.load_error), parts(2, load.error)]
         });
         Resultant { force, force_error, moment }
     }
@@ -165,6 +177,7 @@ impl SolvedContact {
     fn fore_and_aft(mut self) -> Self {
         self.is_reversed = !self.is_reversed;
         self.reference[0] = -self.reference[0];
+        self.slope = -self.slope;
         self.force = SiForce {
             longitudinal: -self.force.longitudinal,
             moment: -self.force.moment,
@@ -206,9 +219,7 @@ impl SolvedContact {
     /// A place of the contact plane in track axes (m).
     #[must_use]
     pub fn in_track(&self, [x, s]: [f64; 2]) -> [f64; 3] {
-        let (sin, cos) = self.angle.sin_cos();
-        let [a, b, c] = self.reference;
-        [a + x, b + s * cos, c + s * sin]
+        self.tilt().place(self.reference, [x, s])
     }
 }
 

@@ -35,6 +35,7 @@ use crate::friction::RailFriction;
 use crate::pose::{Load, Patches, RigidSlip, WheelsetPose, WheelsetVelocity};
 use crate::resultant::Acting;
 use crate::solved::{SolvedWheel, SolvedWheelset};
+use crate::tilt::Placed;
 use crate::warm_start::{LateralForceRatios, PitchState, PredictorCorrection};
 
 /// A wheelset on its track, prepared to be solved in many positions.
@@ -298,7 +299,8 @@ impl Start {
         shares.scaled_as(&before.shares);
         for (one, rolled) in wheels.iter().flat_map(|wheel| &wheel.contacts).zip(rolled) {
             let contact = &one.contact;
-            shares.push(contact.side, contact.y_rail, rolled.force.lateral / one.load());
+            let friction = [rolled.force.lateral, rolled.force.longitudinal];
+            shares.push(contact.side, contact.spot(), friction.map(|force| force / one.load()));
         }
         let roll = wheels.first().map(|wheel| wheel.position.roll);
         let mut guess = Guess { roll, ..before.guess.clone() };
@@ -359,7 +361,7 @@ fn levers(wheels: &[PressedWheel<'_>], rolled: &[Rolled<'_>]) -> Option<[f64; 2]
         for pressed in &wheel.contacts {
             let (contact, friction) = (&pressed.contact, rolled.next()?.force);
             let acting = Acting::new(friction, pressed.load(), pressed.normal.centroid());
-            let (force, about) = acting.about(contact.reference, contact.angle, centre);
+            let (force, about) = acting.about(contact.reference, contact.tilt(), centre);
             moment += about[0];
             vertical += force[2];
         }
