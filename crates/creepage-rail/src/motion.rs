@@ -24,7 +24,7 @@ pub struct Motion {
     pub pitch_rate: f64,
     /// Velocity of its centre to the right (m/s).
     pub lateral_velocity: f64,
-    /// Velocity of its centre downwards (m/s).
+    /// Velocity of its centre downwards (m/s), beside that of following a rail that rises or falls along the track.
     pub vertical_velocity: f64,
     /// Angular velocity about the track's `x` (rad/s), positive where the right wheel goes down.
     pub roll_rate: f64,
@@ -73,7 +73,7 @@ impl Contact<'_> {
     pub fn creepage(&self, motion: &Motion) -> Option<RollingCreepage> {
         let [x, _, z] = self.reference;
         let y = self.side.sense() * self.reference[1];
-        let (motion, rail) = motion.on(self.side);
+        let (motion, rail) = self.following(*motion).on(self.side);
         let sense = self.side.sense();
         // On surfaces that vary the plane slopes along the track, and the place goes along it.
         let Plane { axes: [along, across, normal], .. } =
@@ -100,12 +100,19 @@ impl Contact<'_> {
         let speed = self.creepage(motion)?.speed;
         let sense = self.side.sense();
         let [point, ahead, tangent] = self.facing_points(x, sense * s)?;
-        let (motion, rail) = motion.on(self.side);
+        let (motion, rail) = self.following(*motion).on(self.side);
         let (wheel, rail) = (self.velocity(motion, point), self.rail_velocity(motion, rail, point));
         let [vx, vy, vz] = [0, 1, 2].map(|i: usize| wheel[i] - rail[i]);
         let lateral = tangent[1] * vy + tangent[2] * vz;
         let along = dot(ahead, [vx, vy, vz]);
         Some([along / speed, sense * lateral / speed])
+    }
+
+    /// The motion of a wheelset that follows a rail which rises or falls along the track: its vertical velocity
+    /// counts from there, else it would go into the rail.
+    fn following(&self, motion: Motion) -> Motion {
+        let fall = self.slope.tan() / self.angle.cos();
+        Motion { vertical_velocity: motion.vertical_velocity + motion.speed * fall, ..motion }
     }
 
     /// Angular velocity of the wheelset, on the right-hand image.

@@ -26,6 +26,8 @@ pub struct Slice {
     pub u: f64,
     /// The profile there.
     pub profile: Profile,
+    /// How far it is shifted there, `y` to the field side and `z` down (m).
+    pub shift: [f64; 2],
     /// Arc lengths (m) of its features from the profile's start, a rail's from the track side, a wheel's from
     /// the field side; `None` where the slice lacks one. None at all: the profile is one part.
     pub features: Vec<Option<f64>>,
@@ -431,7 +433,7 @@ fn patch(
             .map(|(part, fraction)| {
                 let [from, to] = ends.get(row)?.get(*part)?.as_ref().copied()?;
                 let point = curve.at(from + fraction * (to - from));
-                Some([point.y, point.z])
+                Some([point.y + slice.shift[0], point.z + slice.shift[1]])
             })
             .collect();
         let line = line?;

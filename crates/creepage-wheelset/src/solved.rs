@@ -33,6 +33,8 @@ pub struct SolvedWheelset {
     /// Whether it runs backwards: then contacts have their `x` along the track still, and the areas that
     /// [`SolvedContact::normal`] holds are those of the mirror image fore and aft.
     pub is_reversed: bool,
+    /// Its place along the track (m) and how far its wheels have rolled on (rad), where surfaces vary along rolling.
+    pub place: Option<[f64; 2]>,
     /// Coefficient of friction, the largest where it varies.
     pub friction: f64,
     /// What the surfaces slide by before they deform.

@@ -84,7 +84,8 @@ impl<'a> WheelsetSolver<'a> {
     }
 
     /// The same wheelset on another track, or in another place of it.
-    pub(crate) fn on<'b>(&self, running: &'b WheelsetOnTrack) -> WheelsetSolver<'b> {
+    #[must_use]
+    pub fn on<'b>(&self, running: &'b WheelsetOnTrack) -> WheelsetSolver<'b> {
         let NormalSolver { pair, resolution, patches, follows, .. } = self.press;
         WheelsetSolver {
             press: NormalSolver { running, pair, resolution, patches, follows },
@@ -122,6 +123,7 @@ impl<'a> WheelsetSolver<'a> {
         travel: &WheelsetVelocity,
     ) -> Result<SolvedWheelset, WheelsetError> {
         if travel.is_backward() {
+            self.check_backward()?;
             let solved = self.solve(&stance.fore_and_aft(), &travel.fore_and_aft())?;
             return Ok(solved.fore_and_aft());
         }
@@ -137,6 +139,12 @@ impl<'a> WheelsetSolver<'a> {
         let radius = running.wheelset().radius();
         let guess = load.map(|load| Guess::under_load(load, modulus, radius)).unwrap_or_default();
         self.from(stance, travel, &Start { guess, ..self.start() })
+    }
+
+    /// A wheelset that runs backwards is solved as its mirror image, which surfaces that vary do not have.
+    fn check_backward(&self) -> Result<(), WheelsetError> {
+        let what = "running backwards ([motion] speed below zero; turn the track and the wheels round instead)";
+        if self.press.running.varies() { Err(WheelsetError::Varies { what }) } else { Ok(()) }
     }
 
     /// What is known of no position at all.
@@ -161,6 +169,7 @@ impl<'a> WheelsetSolver<'a> {
             return self.solve(stance, travel);
         }
         if travel.is_backward() {
+            self.check_backward()?;
             let before = before.clone().fore_and_aft();
             let solved = self.next(&before, &stance.fore_and_aft(), &travel.fore_and_aft())?;
             return Ok(solved.fore_and_aft());

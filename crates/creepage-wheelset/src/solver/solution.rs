@@ -46,17 +46,19 @@ impl WheelsetSolver<'_> {
         let [on_left, on_right] = turning.motions;
         let pitch_rate = on_left.pitch_rate.midpoint(on_right.pitch_rate);
         let [left, right] = &self.friction;
+        let running = self.press.running;
         let mut solved = SolvedWheelset {
             left: None,
             right: None,
             motion: Motion { pitch_rate, ..on_left },
             is_independent: matches!(travel.pitch, PitchRate::Independent(_)),
             is_reversed: false,
+            place: running.varies().then(|| running.place()),
             friction: left.largest().max(right.largest()),
             slip: self.slip,
             theory: self.theory,
             derivatives: None,
-            radius: self.press.running.wheelset().radius(),
+            radius: running.wheelset().radius(),
             pitch: turning.pitch,
             drift: None,
         };
