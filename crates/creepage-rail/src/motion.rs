@@ -1,6 +1,6 @@
 //! Creepage of a contact from the wheelset's motion.
 
-use crate::pair_surfaces::{Plane, dot};
+use crate::pair_surfaces::{Plane, contact_axes, dot};
 use crate::rolling::{RollingCreepage, SurfaceMotion};
 use crate::{Contact, Side};
 
@@ -24,7 +24,7 @@ pub struct Motion {
     pub pitch_rate: f64,
     /// Velocity of its centre to the right (m/s).
     pub lateral_velocity: f64,
-    /// Velocity of its centre downwards (m/s), beside that of following a rail that rises or falls along the track.
+    /// Velocity of its centre downwards (m/s), beside that of following surfaces that vary along rolling.
     pub vertical_velocity: f64,
     /// Angular velocity about the track's `x` (rad/s), positive where the right wheel goes down.
     pub roll_rate: f64,
@@ -73,7 +73,8 @@ impl Contact<'_> {
     pub fn creepage(&self, motion: &Motion) -> Option<RollingCreepage> {
         let [x, _, z] = self.reference;
         let y = self.side.sense() * self.reference[1];
-        let (motion, rail) = self.following(*motion).on(self.side);
+        let (motion, rail) = motion.on(self.side);
+        let motion = self.following(motion);
         let sense = self.side.sense();
         // On surfaces that vary the plane slopes along the track, and the place goes along it.
         let Plane { axes: [along, across, normal], .. } =
@@ -100,7 +101,8 @@ impl Contact<'_> {
         let speed = self.creepage(motion)?.speed;
         let sense = self.side.sense();
         let [point, ahead, tangent] = self.facing_points(x, sense * s)?;
-        let (motion, rail) = self.following(*motion).on(self.side);
+        let (motion, rail) = motion.on(self.side);
+        let motion = self.following(motion);
         let (wheel, rail) = (self.velocity(motion, point), self.rail_velocity(motion, rail, point));
         let [vx, vy, vz] = [0, 1, 2].map(|i: usize| wheel[i] - rail[i]);
         let lateral = tangent[1] * vy + tangent[2] * vz;
@@ -108,11 +110,20 @@ impl Contact<'_> {
         Some([along / speed, sense * lateral / speed])
     }
 
-    /// The motion of a wheelset that follows a rail which rises or falls along the track: its vertical velocity
-    /// counts from there, else it would go into the rail.
+    /// The motion (on the right-hand image) of a wheelset whose wheel stays on its rail: where surfaces vary along
+    /// rolling, forward speed and turning alone would take it into the rail or out, and its vertical velocity counts
+    /// from that which makes up for it. A round wheel on a prism needs none.
     fn following(&self, motion: Motion) -> Motion {
-        let fall = self.slope.tan() / self.angle.cos();
-        Motion { vertical_velocity: motion.vertical_velocity + motion.speed * fall, ..motion }
+        if !self.varies() {
+            return motion;
+        }
+        let [_, _, normal] = contact_axes(self.side.sense() * self.angle, self.slope);
+        let [x, y, z] = self.reference;
+        let place = [x, self.side.sense() * y, z];
+        let point = [0, 1, 2].map(|i: usize| place[i] + self.approach * normal[i]);
+        let rolls = Motion::straight(motion.speed, motion.pitch_rate);
+        let away = dot(normal, self.velocity(rolls, point)) / normal[2];
+        Motion { vertical_velocity: motion.vertical_velocity - away, ..motion }
     }
 
     /// Angular velocity of the wheelset, on the right-hand image.
