@@ -30,15 +30,12 @@ impl Posed<'_> {
     pub(crate) fn varying(&self, v: f64, b: f64) -> Option<PatchPoint> {
         let th = b + self.pitch;
         let wheel = self.wheel;
-        let (y, z, by_v, mut by_th) = match wheel.slices() {
-            Some(slices) => {
-                let point = slices.at(v, th)?;
-                (point.place[0], point.place[1], point.by_v, point.by_u)
-            }
-            None => {
-                let point = wheel.profile().curve().at(v);
-                (point.y, point.z, point.tangent, [0.0; 2])
-            }
+        let (y, z, by_v, mut by_th) = if let Some(slices) = wheel.slices() {
+            let point = slices.at(v, th)?;
+            (point.place[0], point.place[1], point.by_v, point.by_u)
+        } else {
+            let point = wheel.profile().curve().at(v);
+            (point.y, point.z, point.tangent, [0.0; 2])
         };
         let [dr, dr_th] = wheel.radial(th);
         by_th[1] += dr_th;
@@ -66,17 +63,14 @@ impl Rail {
     /// by both.
     pub(crate) fn varying(&self, v: f64, u: f64) -> Option<PatchPoint> {
         let [dz, dz_u] = self.down(u);
-        let (place, by_v, mut by_u, y) = match self.slices() {
-            Some(slices) => {
-                let point = slices.at(v, u)?;
-                let place = self.placed(point.place);
-                (place, self.rotated(point.by_v), self.rotated(point.by_u), point.place[0])
-            }
-            None => {
-                let own = self.profile().curve().at(v);
-                let point = self.at(v);
-                ([point.y, point.z], point.tangent, [0.0; 2], own.y)
-            }
+        let (place, by_v, mut by_u, y) = if let Some(slices) = self.slices() {
+            let point = slices.at(v, u)?;
+            let place = self.placed(point.place);
+            (place, self.rotated(point.by_v), self.rotated(point.by_u), point.place[0])
+        } else {
+            let own = self.profile().curve().at(v);
+            let point = self.at(v);
+            ([point.y, point.z], point.tangent, [0.0; 2], own.y)
         };
         by_u[1] += dz_u;
         let by = [[0.0, by_v[0], by_v[1]], [1.0, by_u[0], by_u[1]]];

@@ -193,11 +193,6 @@ impl SliceSurface {
         self.patches.iter().flat_map(|patch| patch.v.iter().copied())
     }
 
-    /// Whether two parameters belong to one patch.
-    pub(crate) fn is_one_patch(&self, one: f64, other: f64) -> bool {
-        (one / STRETCH).floor() == (other / STRETCH).floor()
-    }
-
     /// How many patches there are, and the places of the slices of each.
     pub(crate) fn patch_slices(&self) -> impl Iterator<Item = (&[f64], &[f64])> {
         self.patches.iter().map(|patch| (patch.u.as_slice(), patch.v.as_slice()))
@@ -215,7 +210,7 @@ impl SliceSurface {
     }
 
     fn patch(&self, v: f64) -> Option<&SurfacePatch> {
-        self.patches.get(crate::curve::whole((v / STRETCH).max(0.0)))
+        self.patches.get(patch_of(v))
     }
 
     /// An angle where the slices are.
@@ -226,6 +221,11 @@ impl SliceSurface {
         let middle = self.range[0].midpoint(self.range[1]);
         u - TAU * ((u - middle) / TAU).round()
     }
+}
+
+/// The patch to which a parameter belongs.
+pub(crate) fn patch_of(v: f64) -> usize {
+    crate::curve::whole((v / STRETCH).max(0.0))
 }
 
 impl SurfacePatch {
@@ -412,7 +412,7 @@ fn patch(
     let (mut v, mut fractions) = (Vec::new(), Vec::new());
     let mut start = STRETCH * index as f64 + 0.1;
     for run in runs {
-        let lengths = rows.clone().filter_map(|row| Some(ends.get(row)?.get(run.part)?.as_ref()?));
+        let lengths = rows.clone().filter_map(|row| ends.get(row)?.get(run.part)?.as_ref());
         let mean = lengths.map(|[from, to]| to - from).sum::<f64>() / rows.len() as f64;
         let steps = crate::curve::whole((mean / PATHS).ceil().clamp(4.0, 4000.0));
         let first = usize::from(!v.is_empty());

@@ -237,6 +237,8 @@ impl Rail {
 
     /// Parameters near those at which slices about `u` reach `y`.
     pub(crate) fn seeds(&self, u: f64, y: f64, mut each: impl FnMut(f64)) {
+        /// From slice to slice an end may move by so much (m).
+        const AROUND: f64 = 2e-3;
         let Some(slices) = self.slices() else { return };
         for ((places, _), seen) in slices.patch_slices().zip(&self.seen) {
             let after = places.partition_point(|place| *place <= u);
@@ -248,8 +250,6 @@ impl Rail {
                     else {
                         continue;
                     };
-                    // From slice to slice an end may move.
-                    const AROUND: f64 = 2e-3;
                     if y < first - AROUND || y > last + AROUND {
                         continue;
                     }

@@ -1,6 +1,8 @@
 //! A place of contact between surfaces that vary along rolling: its plane, which may slope along the track too,
 //! and the undeformed distance over it along its normal.
 
+use std::cell::Cell;
+
 use crate::frame::Frame;
 use crate::meeting::Pair;
 use crate::pair_surfaces::{PatchPoint, Plane, dot};
@@ -77,7 +79,7 @@ impl VaryingSurfaces {
 }
 
 /// All contacts of a pair that varies.
-pub(crate) fn contacts<'a>(side: Side, pair: Pair<'a>) -> Result<Vec<Contact<'a>>, GeometryError> {
+pub(crate) fn contacts(side: Side, pair: Pair<'_>) -> Result<Vec<Contact<'_>>, GeometryError> {
     let mut regions: Vec<OverlapRegion> = Vec::new();
     for low in pair.lows(DEEP).iter().filter(|low| low.gap < 0.0) {
         let holds = |region: &OverlapRegion| {
@@ -228,13 +230,20 @@ impl<'a> Contact<'a> {
         let radius = pair.posed.wheel.radius();
         let [ds, dx] = [region.steps[0], region.steps[1] * radius];
         // The least gap along the normal, in steps of the lattice about the deepest place.
-        let gap = |x: f64, s: f64| over.gap(pair, [x, s]).unwrap_or(f64::INFINITY);
+        // Where the surface is cut it lies at an edge, beyond which there is none.
+        let lowest = Cell::new(f64::INFINITY);
+        let gap = |x: f64, s: f64| {
+            let found = over.gap(pair, [x, s]).unwrap_or(f64::INFINITY);
+            lowest.set(lowest.get().min(found));
+            found
+        };
         let along = |s: f64| {
             let x = least(|x| gap(x, s), [deepest[0] - 2.0 * dx, deepest[0] + 2.0 * dx]);
             gap(x, s)
         };
         let s = least(along, [deepest[1] - 2.0 * ds, deepest[1] + 2.0 * ds]);
-        self.approach = -along(s);
+        along(s);
+        self.approach = -lowest.get();
         let mut extent = [[f64::INFINITY, f64::NEG_INFINITY]; 2];
         for ([x, s, _], _) in &places {
             for (axis, (at, step)) in [(x, dx), (s, ds)].into_iter().enumerate() {

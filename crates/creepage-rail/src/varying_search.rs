@@ -4,6 +4,7 @@
 use crate::meeting::Pair;
 use crate::pair_surfaces::RailBelow;
 use crate::search::crossing;
+use crate::slices::patch_of;
 
 /// Angle from straight down up to which a wheel is looked at (rad): a rail may rise by a third.
 const AROUND: f64 = 0.35;
@@ -159,22 +160,16 @@ impl Pair<'_> {
 
     /// Whether a rail's profile ends at a place, without a wall there.
     fn ends_across(&self, rail: &RailBelow, y: f64) -> bool {
-        match self.rail.slices() {
-            Some(slices) => {
-                let ends = slices.patch_slices().map(|(_, v)| v);
-                let mut ends = ends.filter_map(|v| Some([*v.first()?, *v.last()?]));
-                let Some([first, mut last]) = ends.next() else { return true };
-                if let Some([_, end]) = ends.last() {
-                    last = end;
-                }
-                rail.v - first < END || last - rail.v < END
-            }
-            None => {
-                let [low, high] = self.rail.range();
-                (y - low < END && !self.rail.beyond_wall(y - 2.0 * END))
-                    || (high - y < END && !self.rail.beyond_wall(y + 2.0 * END))
-            }
-        }
+        let Some(slices) = self.rail.slices() else {
+            let [low, high] = self.rail.range();
+            return (y - low < END && !self.rail.beyond_wall(y - 2.0 * END))
+                || (high - y < END && !self.rail.beyond_wall(y + 2.0 * END));
+        };
+        let ends = slices.patch_slices().map(|(_, v)| v);
+        let mut ends = ends.filter_map(|v| Some([*v.first()?, *v.last()?]));
+        let Some([first, last]) = ends.next() else { return true };
+        let last = ends.last().map_or(last, |[_, end]| end);
+        rail.v - first < END || last - rail.v < END
     }
 
     /// The region about a low place in which the bodies overlap, by a lattice that is laid anew until it fits.
@@ -183,9 +178,7 @@ impl Pair<'_> {
         let mut lattice = self.lattice(low, sides);
         for _ in 0..LOOKS {
             let next = lattice.fitting(sides);
-            if next == sides {
-                break;
-            }
+            let Some(next) = next else { break };
             sides = next;
             lattice = self.lattice(low, sides);
         }
@@ -224,8 +217,9 @@ impl Pair<'_> {
         let cell = |index: usize| {
             let (row, column) = (index / (CELLS + 1), index % (CELLS + 1));
             let at = [corner[0] + row as f64 * steps[0], corner[1] + column as f64 * steps[1]];
-            let is_wheel = self.posed.wheel.slices().is_some_and(|s| !s.is_one_patch(at[0], low.v));
-            let found = if is_wheel { None } else { self.low(at[0], at[1]) };
+            let is_other =
+                self.posed.wheel.slices().is_some() && patch_of(at[0]) != patch_of(low.v);
+            let found = if is_other { None } else { self.low(at[0], at[1]) };
             let found = found.filter(|_| self.is_on_wheel(at[0]));
             found.map(|found| OverlapCell {
                 at,
@@ -292,7 +286,9 @@ impl OverlapLattice {
         let near =
             [0, 1, Self::SIDE, Self::SIDE + 1].map(|by| [start + by, start.saturating_sub(by)]);
         let mut stack: Vec<usize> = near.into_iter().flatten().filter(|at| deep(*at)).collect();
-        stack.iter().for_each(|at| inside[*at] = true);
+        for at in &stack {
+            inside[*at] = true;
+        }
         while let Some(at) = stack.pop() {
             for next in neighbours(at) {
                 if deep(next) && !inside[next] {
@@ -317,11 +313,12 @@ impl OverlapLattice {
             .any(|at| neighbours(at).any(|next| self.cells.get(next).is_some_and(Option::is_none)))
     }
 
-    /// Sides that hold the overlap closely.
-    fn fitting(&self, [back, front, behind, ahead]: [f64; 4]) -> [f64; 4] {
+    /// Sides that hold the overlap more closely; `None` where these do.
+    fn fitting(&self, sides: [f64; 4]) -> Option<[f64; 4]> {
         /// Cells beside the overlap on each side, and the most of them.
         const MARGIN: [usize; 2] = [1, 8];
         const WIDER: f64 = 1.7;
+        let [back, front, behind, ahead] = sides;
         let mut ends = [usize::MAX, 0, usize::MAX, 0];
         let inside = self.inside.iter().enumerate().filter(|(_, inside)| **inside);
         for (at, _) in inside {
@@ -330,26 +327,28 @@ impl OverlapLattice {
         }
         if ends[0] > ends[1] {
             // Nothing overlaps as far as the lattice tells: look closer.
-            return [back, front, behind, ahead].map(|side| 0.5 * side);
+            return Some(sides.map(|side| 0.5 * side));
         }
         let is_open = |at: usize| self.cells.get(at).is_some_and(Option::is_some);
         let row_open = |row: usize| (0..Self::SIDE).any(|k| is_open(row * Self::SIDE + k));
         let column_open = |column: usize| (0..Self::SIDE).any(|k| is_open(k * Self::SIDE + column));
         let side = |length: f64, free: usize, step: f64, is_open: bool| {
             if free < MARGIN[0] && is_open {
-                length * WIDER
+                Some(length * WIDER)
             } else if free > MARGIN[1] {
-                (length - (free - 4) as f64 * step).max(0.2 * length)
+                Some((length - (free - 4) as f64 * step).max(0.2 * length))
             } else {
-                length
+                None
             }
         };
-        [
+        let next = [
             side(back, ends[0], self.steps[0], row_open(0)),
             side(front, CELLS - ends[1], self.steps[0], row_open(CELLS)),
             side(behind, ends[2], self.steps[1], column_open(0)),
             side(ahead, CELLS - ends[3], self.steps[1], column_open(CELLS)),
-        ]
+        ];
+        let is_other = next.iter().any(Option::is_some);
+        is_other.then(|| std::array::from_fn(|k| next[k].unwrap_or(sides[k])))
     }
 }
 

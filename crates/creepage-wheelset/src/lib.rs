@@ -49,6 +49,6 @@ pub use friction::{FrictionOfPlace, PlaceOnRail, RailFriction};
 pub use pose::{Drive, Load, Patches, PitchRate, RigidSlip, WheelsetPose, WheelsetVelocity};
 pub use resultant::Resultant;
 pub use rough::{Roughness, rough_profiles};
-pub use solved::{SolvedContact, SolvedWheel, SolvedWheelset};
+pub use solved::{SolvedContact, SolvedWheel, SolvedWheelset, SurfaceLimits};
 pub use solver::{PressedContacts, WheelsetSolver};
 pub use springs::RailSprings;

@@ -75,6 +75,16 @@ pub struct SolvedWheel {
     pub(crate) contacts: Vec<SolvedContact>,
 }
 
+/// Where surfaces that vary along rolling end.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct SurfaceLimits {
+    /// Whether a part of a rail begins or ends within the overlap: the area is cut there, and how high the
+    /// pressure is at that edge depends on the resolution.
+    pub is_cut: bool,
+    /// Whether it lies beyond the rail's slices, where the surface is taken to go on alike.
+    pub is_beyond: bool,
+}
+
 /// One place of contact, in one plane: mostly one area, several where they lie close together.
 ///
 /// Its axes are `x` forward, `s = (cos angle, sin angle)` in the track's `(y, z)`, and the normal
@@ -89,13 +99,8 @@ pub struct SolvedContact {
     pub angle: f64,
     /// Turn about `s` after that (rad), which lowers the plane ahead: 0 unless surfaces vary along rolling.
     pub slope: f64,
-    /// Whether wheel or rail vary along rolling.
-    pub varies: bool,
-    /// Whether a part of a rail begins or ends within its overlap: the area is cut there, and how high the
-    /// pressure is at that edge depends on the resolution.
-    pub is_cut: bool,
-    /// Whether it lies beyond the rail's slices, where the surface is taken to go on alike.
-    pub is_beyond: bool,
+    /// Where its surfaces end, where wheel or rail vary along rolling.
+    pub varying: Option<SurfaceLimits>,
     /// `y` of the reference point in the rail's profile (m), to the field side.
     pub y_rail: f64,
     /// `y` of the reference point in the wheel's profile (m), to the field side.

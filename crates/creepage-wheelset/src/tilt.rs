@@ -66,7 +66,7 @@ impl Placed for SolvedContact {
     }
 
     fn spot(&self) -> [f64; 2] {
-        [self.y_rail, if self.varies { self.reference[0] } else { 0.0 }]
+        [self.y_rail, if self.varying.is_some() { self.reference[0] } else { 0.0 }]
     }
 }
 

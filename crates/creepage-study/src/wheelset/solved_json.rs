@@ -268,7 +268,7 @@ impl WheelPatchJson {
             y_rail_m: contact.y_rail,
             y_wheel_m: contact.y_wheel,
             contact_angle_rad: contact.angle,
-            contact_slope_rad: contact.varies.then_some(contact.slope),
+            contact_slope_rad: contact.varying.map(|_| contact.slope),
             approach_m: approach.value,
             approach_error_m: approach.error,
             normal_force_n: load.value,

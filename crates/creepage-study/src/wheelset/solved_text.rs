@@ -152,7 +152,7 @@ fn contact_lines(
     lines.row("x in the track", &mm(contact.reference[0]));
     let angle = format!("{} degrees", fixed(contact.angle.to_degrees(), 4));
     lines.row("contact angle", &angle);
-    if contact.varies {
+    if contact.varying.is_some() {
         let slope = format!("{} degrees", fixed(contact.slope.to_degrees(), 4));
         lines.row("falls ahead by", &slope);
     }

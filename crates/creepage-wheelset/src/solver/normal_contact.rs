@@ -178,6 +178,7 @@ struct CrossPatch<'a> {
 }
 
 impl<'a> CrossPatch<'a> {
+    #[expect(clippy::large_types_passed_by_value, reason = "it is kept")]
     fn new(contact: Contact<'a>, near: Option<NormalContact>) -> Self {
         Self { contact, normal: near, load_of_others: None }
     }
@@ -200,7 +201,9 @@ fn gap(
 ) -> Result<Gap, creepage::gap::GapError> {
     if contact.varies() {
         let mut points = contact.lattice(LATTICE, MARGIN);
-        points.iter_mut().for_each(|[x, s, gap]| *gap += more(*s, *x));
+        for [x, s, gap] in &mut points {
+            *gap += more(*s, *x);
+        }
         return Gap::grid(&points);
     }
     let section = contact.section(PLACES, MARGIN);

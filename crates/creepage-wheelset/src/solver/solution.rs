@@ -14,7 +14,7 @@ use crate::WheelsetVelocity;
 use crate::field::{Field, March};
 use crate::pose::PitchRate;
 use crate::rough;
-use crate::solved::{SolvedContact, SolvedWheel, SolvedWheelset};
+use crate::solved::{SolvedContact, SolvedWheel, SolvedWheelset, SurfaceLimits};
 
 impl WheelsetSolver<'_> {
     /// Wheels in their places, with contacts that rolled.
@@ -108,9 +108,9 @@ impl SolvedContact {
             reference: contact.reference,
             angle: contact.angle,
             slope: contact.slope,
-            varies: contact.varies(),
-            is_cut: contact.is_cut,
-            is_beyond: contact.is_beyond,
+            varying: contact
+                .varies()
+                .then_some(SurfaceLimits { is_cut: contact.is_cut, is_beyond: contact.is_beyond }),
             y_rail: contact.y_rail,
             y_wheel: contact.y_wheel,
             normal: pressed.normal.clone(),
