@@ -446,9 +446,12 @@ impl TrackSection {
     }
 }
 
+/// Name or points of a profile, and the file of slices.
+type SurfaceNames<'a> = (Option<&'a str>, Option<&'a [[f64; 2]]>, Option<&'a str>);
+
 /// One profile, or a surface through slices with the profile of the one nearest to 0.
 fn surface_of(
-    (name, points, slices): (Option<&str>, Option<&[[f64; 2]]>, Option<&str>),
+    (name, points, slices): SurfaceNames<'_>,
     asked: SlicesAsked,
     directory: &Path,
     notes: &mut Vec<ProfileNote>,

@@ -96,9 +96,11 @@ impl FlatSection {
         let made = if shape == Some(FlatShapeName::Chord) {
             let chord =
                 Flat::chord(length, angle, radius).map_err(WheelsetFileError::geometry(section))?;
-            if let Some(value) =
-                depth.filter(|depth| !((depth / chord.depth - 1.0).abs() < SAME_DEPTH))
-            {
+            let is_other = |depth: &f64| {
+                let off = (depth / chord.depth - 1.0).abs();
+                off.is_nan() || off >= SAME_DEPTH
+            };
+            if let Some(value) = depth.filter(is_other) {
                 let needs = chord.depth;
                 return Err(WheelsetFileError::ChordDepth { section, value, needs });
             }
