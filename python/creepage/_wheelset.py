@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import copy
 import json
 import os
 import warnings
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
@@ -46,9 +47,11 @@ class WheelsetSolution(Reported):
 
 
 def _profile(name: str, profile: str | os.PathLike[str] | ArrayLike) -> dict[str, Any]:
-    """A profile by its name or file, or by its points."""
+    """A profile by its name or file, or by its points; slices by their file."""
     if isinstance(profile, (str, os.PathLike)):
-        return {"profile": os.fspath(profile)}
+        file = os.fspath(profile)
+        key = "slices" if file.lower().endswith((".toml", ".slcs", ".slcw")) else "profile"
+        return {key: file}
     points = floats(name, profile)
     if points.ndim != 2 or points.shape[1] != 2:
         raise ValueError(f"{name} must be a name, a file or points of shape (n, 2), got {points.shape}")
@@ -84,6 +87,11 @@ class Wheelset(FromFile):
         pitch_rate: float | Literal["free"] = "free",
         lateral_velocity: float = 0.0,
         yaw_rate: float = 0.0,
+        s: float | None = None,
+        pitch: float | None = None,
+        flat: Mapping[str, Any] | Sequence[Mapping[str, Any]] | None = None,
+        waviness: Sequence[Mapping[str, Any]] | None = None,
+        corrugation: Sequence[Mapping[str, Any]] | None = None,
         friction: float = 0.3,
         shear_modulus: float = 82e9,
         poisson: float = 0.28,
@@ -96,11 +104,33 @@ class Wheelset(FromFile):
         in rad/s; shear_modulus in Pa. Profile files are looked for in directory. options are those
         of `[solve]`, theory among them. wheel_reading and rail_reading say what a profile's file does
         not show, and smooth it: {"unit": 0.001, "y": "field-side", "z": "up", "smooth": 0.006}, each
-        where it is needed. What this leaves out, `from_toml` and `from_dict` know.
+        where it is needed.
+
+        wheel and rail may be files of slices too (.toml, or CONTACT's .slcw and .slcs): profiles around the wheel
+        and along the rail. Of both wheels flat is {"length": m, "depth": m, "angle": rad, "shape": "chord" or
+        "haversine"} or several of these, waviness [{"order": n, "amplitude": m, "phase": rad}]; of both rails
+        corrugation [{"wavelength": m, "amplitude": m, "phase": rad}]. s is the place along the track (m), pitch how
+        far the wheels have rolled on (rad). What this leaves out, `from_toml` and `from_dict` know.
         """
+        def waves(value: Any) -> Any:
+            if value is None or isinstance(value, Mapping):
+                return value
+            return [dict(one) for one in value]
+
         sections: dict[str, Mapping[str, Any]] = {
-            "wheel": {**_profile("wheel", wheel), "reading": wheel_reading, "radius": radius},
-            "rail": {**_profile("rail", rail), "reading": rail_reading, "cant": cant},
+            "wheel": {
+                **_profile("wheel", wheel),
+                "reading": wheel_reading,
+                "radius": radius,
+                "flat": waves(flat),
+                "waviness": waves(waviness),
+            },
+            "rail": {
+                **_profile("rail", rail),
+                "reading": rail_reading,
+                "cant": cant,
+                "corrugation": waves(corrugation),
+            },
             "track": {"gauge": gauge, "gauge_height": gauge_height},
             "wheelset": {
                 "back_to_back": back_to_back,
@@ -109,6 +139,8 @@ class Wheelset(FromFile):
                 "roll": roll,
                 "axle_load": axle_load,
                 "z": z,
+                "s": s,
+                "pitch": pitch,
             },
             "motion": {
                 "speed": speed,
@@ -152,6 +184,15 @@ class Wheelset(FromFile):
             solved,
             partial(self.solve, derivatives=derivatives),
         )
+
+    def at(self, s: float | None = None, pitch: float | None = None) -> Wheelset:
+        """The same at another place along the track (m), its wheels rolled on to another pitch (rad): where rails or
+        wheels vary. What is left out stays."""
+        nan = float("nan")
+        other = copy.copy(self)
+        other._data = self._data.at(nan if s is None else s, nan if pitch is None else pitch)
+        other._text = other._data.text()
+        return other
 
     def solver(self, theory: str | None = None, **options: Any) -> WheelsetSolver:
         """Prepared to be asked in many positions and motions, by its own theory or by another one with

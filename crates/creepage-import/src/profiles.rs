@@ -3,6 +3,9 @@
 use std::fs;
 use std::path::{Component, Path, PathBuf};
 
+use creepage_rail::{Role, file::SliceList};
+
+use crate::text::{comments, list as list_of, number, quoted};
 use crate::{File, ImportError};
 
 /// Where profiles are looked for, and those that were found.
@@ -14,26 +17,94 @@ pub(crate) struct Profiles {
     to: PathBuf,
     /// Found files that lie elsewhere, each with its name beside the case files.
     copied: Vec<(PathBuf, String)>,
+    /// Lists of slices: their path, and what stands for them beside the case files.
+    lists: Vec<(PathBuf, SlicesRead)>,
+}
+
+/// A list of slices as a file of ours.
+#[derive(Debug, Clone)]
+pub(crate) struct SlicesRead {
+    pub(crate) file: File,
+    /// The first slice's profile, as the list has it.
+    pub(crate) first: String,
+    pub(crate) approximates: bool,
+    pub(crate) accelerations: usize,
 }
 
 impl Profiles {
     pub(crate) fn new(input: &Path, to: &Path) -> Self {
         let from = input.parent().unwrap_or(Path::new("")).to_path_buf();
-        Self { from, to: to.to_path_buf(), copied: Vec::new() }
+        Self { from, to: to.to_path_buf(), copied: Vec::new(), lists: Vec::new() }
     }
 
     /// The name of a profile as a case file has it.
     pub(crate) fn name(&mut self, given: &str) -> Result<String, String> {
         let missing = || format!("there is no profile {given} beside the input file");
         let path = find(&self.from, given).ok_or_else(missing)?;
+        Ok(self.name_of(path))
+    }
+
+    /// A list of slices as a file of ours, whose profiles lie beside the case files.
+    pub(crate) fn slices(&mut self, given: &str, role: Role) -> Result<SlicesRead, String> {
+        let missing = || format!("there is no list of slices {given} beside the input file");
+        let path = find(&self.from, given).ok_or_else(missing)?;
+        if let Some((_, known)) = self.lists.iter().find(|(known, _)| *known == path) {
+            return Ok(known.clone());
+        }
+        let text = fs::read(&path).map_err(|error| format!("{given}: {error}"))?;
+        let list = SliceList::read(&String::from_utf8_lossy(&text), role);
+        let list = list.map_err(|error| format!("{given}: {error}"))?;
+        let beside = path.parent().unwrap_or(Path::new("")).to_path_buf();
+        let mut lines = Vec::new();
+        for (u, profile, features) in &list.slices {
+            let missing = || format!("there is no profile {profile} beside {given}");
+            let profile = self.name_of(find(&beside, profile).ok_or_else(missing)?);
+            let features = if features.is_empty() {
+                String::new()
+            } else {
+                format!(", features = {}", list_of(features.iter().copied()))
+            };
+            lines.push(format!(
+                "    {{ u = {}, profile = {}{features} }},\n",
+                number(*u),
+                quoted(&profile)
+            ));
+        }
+        let unit = if role == Role::Rail { "m along the track" } else { "rad around the wheel" };
+        let kinks = if list.kinks.is_empty() {
+            String::new()
+        } else {
+            format!("kinks = {:?}\n", list.kinks)
+        };
+        let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        let head =
+            comments(&[format!("Slices of {name}: u in {unit}, arc lengths of features in m.")]);
+        let contents = format!("{head}{kinks}slices = [\n{}]\n", lines.concat());
+        let free = |name: &str| self.lists.iter().all(|(_, list)| list.file.name != name);
+        let stem = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+        let names = std::iter::once(format!("{stem}.slices.toml"));
+        let mut names = names.chain((2..).map(|count| format!("{count}-{stem}.slices.toml")));
+        let file = names.find(|name| free(name)).unwrap_or(stem);
+        let read = SlicesRead {
+            file: File::text(file, contents),
+            first: list.slices.first().map(|(_, name, _)| name.clone()).unwrap_or_default(),
+            approximates: list.approximates,
+            accelerations: list.accelerations,
+        };
+        self.lists.push((path, read.clone()));
+        Ok(read)
+    }
+
+    /// The name of a file that was found, as it lies beside the case files.
+    fn name_of(&mut self, path: PathBuf) -> String {
         let path = path.canonicalize().unwrap_or(path);
         if let Ok(to) = self.to.canonicalize()
             && let Ok(inside) = path.strip_prefix(to)
         {
-            return Ok(inside.to_string_lossy().replace('\\', "/"));
+            return inside.to_string_lossy().replace('\\', "/");
         }
         if let Some((_, name)) = self.copied.iter().find(|(copied, _)| *copied == path) {
-            return Ok(name.clone());
+            return name.clone();
         }
         let base = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
         let is_free =
@@ -42,7 +113,7 @@ impl Profiles {
         let name = std::iter::once(base.clone()).chain(numbered).find(|name| is_free(name));
         let name = name.unwrap_or(base);
         self.copied.push((path, name.clone()));
-        Ok(name)
+        name
     }
 
     /// The median distance between points of a profile that are next to each other, in its own unit; `None`
@@ -64,6 +135,7 @@ impl Profiles {
 
     /// The files that are to be copied beside the case files.
     pub(crate) fn files(&self) -> Result<Vec<File>, ImportError> {
+        let lists = self.lists.iter().map(|(_, list)| Ok(list.file.clone()));
         self.copied
             .iter()
             .map(|(path, name)| {
@@ -72,12 +144,14 @@ impl Profiles {
                     read.map_err(|source| ImportError::Read { path: path.clone(), source })?;
                 Ok(File { name: name.clone(), contents })
             })
+            .chain(lists)
             .collect()
     }
 
     /// What was read.
     pub(crate) fn paths(&self) -> Vec<PathBuf> {
-        self.copied.iter().map(|(path, _)| path.clone()).collect()
+        let lists = self.lists.iter().map(|(path, _)| path.clone());
+        self.copied.iter().map(|(path, _)| path.clone()).chain(lists).collect()
     }
 }
 

@@ -5,6 +5,8 @@ use crate::profiles::Profiles;
 use crate::read::{Extra, Friction, FrictionRead, Law};
 use crate::text::{comments, heat_section, list, number, quoted, section};
 use crate::wheels::{ProfileFile, Wheels};
+use creepage_rail::Role;
+
 use crate::{File, Written};
 
 /// Friction in place of none, which wheelset files do not take.
@@ -12,8 +14,49 @@ const FRICTIONLESS: f64 = 1e-6;
 
 type Keys = Vec<(&'static str, String)>;
 type Cause = String;
-/// A profile, its name beside the case file, and how far its points are apart, in its own unit.
-type Named<'a> = (&'a ProfileFile, &'a str, Option<f64>);
+
+/// A profile or slices, as they lie beside the case file.
+struct Named<'a> {
+    file: &'a ProfileFile,
+    /// `profile` or `slices`.
+    key: &'static str,
+    name: String,
+    /// The profile, or the first one of the slices, as the input has it.
+    first: String,
+    /// How far its points are apart, in its own unit.
+    spacing: Option<f64>,
+}
+
+impl<'a> Named<'a> {
+    fn new(
+        file: &'a ProfileFile,
+        role: Role,
+        profiles: &mut Profiles,
+        notes: &mut Vec<String>,
+    ) -> Result<Self, Cause> {
+        if !is_slices(&file.name) {
+            let (name, spacing) = (profiles.name(&file.name)?, profiles.spacing(&file.name));
+            return Ok(Self { file, key: "profile", name, first: file.name.clone(), spacing });
+        }
+        let read = profiles.slices(&file.name, role)?;
+        if read.approximates {
+            notes.push(format!(
+                "slices of the {role} (INTPOL = 2): that program's surface goes near them, ours through them"
+            ));
+        }
+        if read.accelerations > 0 {
+            notes.push(format!("P_ACCEL of the {role}'s slices has no counterpart"));
+        }
+        let (name, first) = (read.file.name, read.first);
+        Ok(Self { file, key: "slices", name, first, spacing: None })
+    }
+}
+
+/// Whether a name is that of a list of slices.
+fn is_slices(name: &str) -> bool {
+    let extension = name.rsplit('.').next().unwrap_or_default().to_ascii_lowercase();
+    matches!(extension.as_str(), "slcs" | "slcw")
+}
 
 /// Writes a case of one wheel on its rail; the error names what has no counterpart.
 pub(crate) fn write(
@@ -27,10 +70,8 @@ pub(crate) fn write(
     let (Some(rail), Some(wheel)) = (&case.rail, &case.wheel) else {
         return Err("no case has given both profiles (Z = 3, E = 3)".into());
     };
-    let wheel_name = profiles.name(&wheel.name)?;
-    let rail_name = profiles.name(&rail.name)?;
-    let spacings = [wheel, rail].map(|profile| profiles.spacing(&profile.name));
-    let files = [(wheel, &*wheel_name, spacings[0]), (rail, &*rail_name, spacings[1])];
+    let wheel = Named::new(wheel, Role::Wheel, profiles, notes)?;
+    let files = [wheel, Named::new(rail, Role::Rail, profiles, notes)?];
     let text = text(case, files, title, name, notes)?;
     Ok(Written::of(command(name), File::text(format!("{name}.toml"), text)))
 }
@@ -63,12 +104,6 @@ fn check(case: &Wheels) -> Result<(), Cause> {
     if case.wheelset.is_some_and(|sizes| sizes[2] <= 0.0) {
         return Err("a wheel whose radius is not above zero (NOMRAD)".into());
     }
-    for profile in [&case.rail, &case.wheel].into_iter().flatten() {
-        let extension = profile.name.rsplit('.').next().unwrap_or_default().to_ascii_lowercase();
-        if matches!(extension.as_str(), "slcs" | "slcw") {
-            return Err(format!("surfaces by slices ({})", profile.name));
-        }
-    }
     match case.materials.as_ref().map(|materials| &materials.extra) {
         None => Err("no case has given materials (C = 2)".into()),
         Some(Extra::Layer(_)) => Err("a layer between wheel and rail (M = 4)".into()),
@@ -100,12 +135,13 @@ fn text(
     let track =
         track(case.track.ok_or_else(|| missing("the track's dimensions (Z = 1, 3)"))?, notes);
     let sizes = case.wheelset.ok_or_else(|| missing("the wheelset's dimensions (E = 3)"))?;
-    let [_, y, height, roll, yaw, _] =
+    let [s, y, height, roll, yaw, pitch] =
         case.position.ok_or_else(|| missing("the wheelset's position (E)"))?;
-    let mut wheel_keys = profile(wheel, "wheel", notes);
+    let varies = wheel.key == "slices" || rail.key == "slices";
+    let mut wheel_keys = profile(&wheel, "wheel", notes);
     wheel_keys.push(("radius", number(sizes[2] * 1e-3)));
     wheel_keys.push(("flange_back", number(sizes[1] * 1e-3)));
-    let mut rail_keys = profile(rail, "rail", notes);
+    let mut rail_keys = profile(&rail, "rail", notes);
     rail_keys.extend(track.cant.map(|cant| ("cant", number(cant))));
     rail_keys.extend(deviation(case));
     let pressed = if control.has_load() {
@@ -114,7 +150,7 @@ fn text(
         ("z", number(height * 1e-3))
     };
     let side = if control.config() == 0 { "left" } else { "right" };
-    let wheelset = [
+    let mut wheelset = vec![
         ("back_to_back", number(sizes[0] * 1e-3)),
         ("side", quoted(side)),
         ("y", number(y * 1e-3)),
@@ -122,6 +158,15 @@ fn text(
         ("yaw", number(yaw)),
         pressed,
     ];
+    if varies {
+        // Forward rolling is negative about y to the right.
+        wheelset.extend([("s", number(s * 1e-3)), ("pitch", number(-pitch))]);
+        notes.push(
+            "where surfaces slope along the track the pressure pushes the rail ahead or back: that program leaves this \
+             part of FX(TR) out"
+                .into(),
+        );
+    }
     let motion = if moves { motion(case)? } else { rest(sizes[2]) };
     let mut contact = Vec::new();
     if moves {
@@ -182,9 +227,13 @@ fn track(values: [f64; 5], notes: &mut Vec<String>) -> Track {
     Track { keys, cant: (cant != 0.0).then_some(cant) }
 }
 
-fn profile((file, name, spacing): Named<'_>, role: &str, notes: &mut Vec<String>) -> Keys {
+fn profile(
+    Named { file, key, name, first, spacing }: &Named<'_>,
+    role: &str,
+    notes: &mut Vec<String>,
+) -> Keys {
     let mut reading = Vec::new();
-    let extension = name.rsplit('.').next().unwrap_or_default().to_ascii_lowercase();
+    let extension = first.rsplit('.').next().unwrap_or_default().to_ascii_lowercase();
     let is_plain = !matches!(extension.as_str(), "prr" | "prw" | "ban" | "whl");
     if file.scale != 1.0 && file.scale > 0.0 {
         reading.push(format!("unit = {}", number(file.scale * 1e-3)));
@@ -228,7 +277,7 @@ fn profile((file, name, spacing): Named<'_>, role: &str, notes: &mut Vec<String>
              a rule of their own"
         ));
     }
-    let mut keys = vec![("profile", quoted(name))];
+    let mut keys = vec![(*key, quoted(name))];
     if !reading.is_empty() {
         keys.push(("reading", format!("{{ {} }}", reading.join(", "))));
     }

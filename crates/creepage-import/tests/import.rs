@@ -184,6 +184,36 @@ fn a_missing_profile_a_roller_and_slices_are_causes() {
     assert!(cause(["wheel.PRW", "wheel.slcw"]).contains("slices"));
 }
 
+/// A list of slices becomes a file of ours whose profiles lie beside the case.
+#[test]
+fn slices_become_a_file_of_slices() {
+    let place = tempfile::tempdir().unwrap();
+    let directory = place.path().join("parts");
+    fs::create_dir(&directory).unwrap();
+    for name in ["one.txt", "Two.txt"] {
+        fs::write(directory.join(name), "0 0\n1 0\n").unwrap();
+    }
+    let list = "% own\n 0.5 2.0 offset, scale\n 2 slices\n 3 1 0 counts\n 2 approximating\n\
+        -1.0 'parts/one.txt'\n 9.5 'PARTS/two.txt' % last\n 1 kink\n\
+        -1.0 0.0 -1.0 30.0\n 9.5 0.0 12.5 30.0\n";
+    fs::write(place.path().join("own.slcs"), list).unwrap();
+    let text_of_case = WHEEL.replace("Profiles\\RAIL.prr", "own.slcs");
+    let imported = read_wheel(&text_of_case, place.path());
+    let case = text(&imported.cases[0], 0);
+    has(&case, &["slices = \"own.slices.toml\"", "\ns = ", "\npitch = "]);
+    assert!(imported.cases[0].notes.iter().any(|note| note.contains("INTPOL")));
+    let own = imported.profiles.iter().find(|file| file.name == "own.slices.toml").unwrap();
+    let own = String::from_utf8(own.contents.clone()).unwrap();
+    has(
+        &own,
+        &[
+            "kinks = [2]",
+            "{ u = -0.001, profile = \"one.txt\", features = [0.0, -0.001, 0.03] }",
+            "{ u = 0.02, profile = \"Two.txt\", features = [0.0, 0.0125, 0.03] }",
+        ],
+    );
+}
+
 /// Broken words anywhere give an error or a case, never a panic.
 #[test]
 fn no_broken_file_panics() {

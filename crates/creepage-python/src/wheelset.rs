@@ -84,6 +84,28 @@ impl WheelsetData {
         Ok(Self { case, text: self.text.clone() })
     }
 
+    /// The same at another place along the track (m), its wheels turned to another pitch (rad); NaN is the
+    /// wheelset's own.
+    fn at(&self, py: Python, s: f64, pitch: f64) -> PyResult<Self> {
+        let case = detached(py, || self.case.at(s, pitch))?;
+        let case = case.map_err(|error| errors::wheelset(py, error))?;
+        let [s, pitch] = case.running.place();
+        let mut file: toml::Table = self
+            .text
+            .parse()
+            .map_err(|error: toml::de::Error| errors::internal(&error.to_string()))?;
+        if let Some(wheelset) = file.get_mut("wheelset").and_then(toml::Value::as_table_mut) {
+            wheelset.insert("s".into(), s.into());
+            wheelset.insert("pitch".into(), pitch.into());
+        }
+        Ok(Self { case, text: file.to_string() })
+    }
+
+    /// The text of its file.
+    fn text(&self) -> String {
+        self.text.clone()
+    }
+
     /// Solves in another position and motion, asked as `ASKED` has it; NaN is the wheelset's own. With
     /// `start`, an earlier solution, from there; without it the same bits whatever came before.
     fn solve_at(

@@ -4,6 +4,7 @@ use crate::frame::Frame;
 use crate::meeting::{Meeting, Overlap, Pair};
 use crate::search::least;
 use crate::surfaces::{Foot, Surfaces};
+use crate::varying_contact::VaryingSurfaces;
 use crate::{GeometryError, Role, Side, Waves};
 
 /// Points at which an overlap is weighed.
@@ -25,6 +26,13 @@ pub struct Contact<'a> {
     pub reference: [f64; 3],
     /// Rotation about `x` from the track's `z` to the normal into the rail (rad).
     pub angle: f64,
+    /// Turn about `s`, after that about `x`, which lowers the plane ahead (rad): 0 unless surfaces vary along
+    /// rolling. `x` of the plane points ahead along it, and the normal `n` is turned with it.
+    pub slope: f64,
+    /// Whether a part of a rail begins or ends within the overlap: the area of contact is cut there.
+    pub is_cut: bool,
+    /// Whether it lies beyond the rail's slices, where the surface is taken to go on alike.
+    pub is_beyond: bool,
     /// `y` of the reference point in the rail's and of the wheel's point below it in the wheel's
     /// profile (m), to the field side.
     pub y_rail: f64,
@@ -36,6 +44,8 @@ pub struct Contact<'a> {
     /// contact lies inside.
     pub extent: [[f64; 2]; 2],
     pub(crate) surfaces: Surfaces<'a>,
+    /// Both surfaces where they vary along rolling.
+    pub(crate) varying: Option<VaryingSurfaces>,
 }
 
 /// The undeformed bodies at one lateral place of the contact plane.
@@ -78,11 +88,15 @@ impl<'a> Contact<'a> {
             side,
             reference: [x, side.sense() * y, point.z],
             angle: side.sense() * angle,
+            slope: 0.0,
+            is_cut: false,
+            is_beyond: false,
             y_rail: pair.rail.profile().curve().at(rail_s).y,
             y_wheel: 0.0,
             approach: 0.0,
             extent: [[0.0; 2]; 2],
             surfaces: Surfaces { pair, frame, start },
+            varying: None,
         };
         contact.measure(overlap).ok_or(end(y))?;
         let touches = contact.approach > 0.0;
@@ -117,6 +131,9 @@ impl<'a> Contact<'a> {
     /// `None` beyond the profiles, or where the rail's surface or the wheel's turns away.
     #[must_use]
     pub fn at(&self, s: f64) -> Option<Across> {
+        if let Some(over) = &self.varying {
+            return self.varying_at(over, s);
+        }
         let (_, raw) = self.surfaces.at(self.side.sense() * s)?;
         Some(Across { s, ..self.sided(raw) })
     }
@@ -135,6 +152,11 @@ impl<'a> Contact<'a> {
         let wide = margin * (to - from);
         let ends = [from - wide, to + wide];
         let parts = (0..count).map(|i| i as f64 / count.saturating_sub(1).max(1) as f64);
+        if self.varies() {
+            return parts
+                .filter_map(|part| self.at(ends[0] + part * (ends[1] - ends[0])))
+                .collect();
+        }
         let foot = |s: f64| Some(self.surfaces.at(self.side.sense() * s)?.0.along());
         let [Some(first), Some(last)] = ends.map(foot) else {
             return parts
@@ -151,6 +173,11 @@ impl<'a> Contact<'a> {
     /// that turn it by more than `least` (rad) to and fro; `None` without a whole one.
     #[must_use]
     pub fn waves(&self, role: Role, stretch: [f64; 2], least: f64) -> Option<Waves> {
+        // Of slices there is no one profile.
+        let Pair { posed, rail, .. } = &self.surfaces.pair;
+        if posed.wheel.slices().or(rail.slices()).is_some() {
+            return None;
+        }
         let [one, other] = stretch.map(|s| self.side.sense() * s);
         let (low, high) = (one.min(other), one.max(other));
         match role {
@@ -159,7 +186,10 @@ impl<'a> Contact<'a> {
                 Waves::of(self.surfaces.pair.rail.profile().curve(), [at + low, at + high], least)
             }
             Role::Wheel => {
-                let at = self.surfaces.at(0.0)?.0.along();
+                let at = match &self.varying {
+                    Some(over) => over.wheel_parameter(),
+                    None => self.surfaces.at(0.0)?.0.along(),
+                };
                 let wheel = self.surfaces.pair.posed.wheel;
                 // Its arc length falls as `s` grows.
                 Waves::of(wheel.profile().curve(), [at - high, at - low], least)
@@ -179,6 +209,9 @@ impl<'a> Contact<'a> {
     /// [`Contact::gap`] at several `x` and one `s`: quick where neighbours lie close.
     #[must_use]
     pub fn row(&self, s: f64, x: &[f64]) -> Option<Vec<f64>> {
+        if let Some(over) = &self.varying {
+            return self.varying_row(over, s, x);
+        }
         let local = self.side.sense() * s;
         let (mut foot, _) = self.surfaces.at(local)?;
         let (_, rail) = self.surfaces.rail(local)?;
@@ -227,11 +260,14 @@ impl<'a> Contact<'a> {
         Some(excess)
     }
 
-    /// The wheel's point at `(x, s)` and the rail's tangent below it, on the right-hand image.
-    pub(crate) fn facing_points(&self, x: f64, s: f64) -> Option<[[f64; 3]; 2]> {
+    /// The wheel's point at `(x, s)` and the rail's tangents below it, along and across, on the right-hand image.
+    pub(crate) fn facing_points(&self, x: f64, s: f64) -> Option<[[f64; 3]; 3]> {
+        if let Some(over) = &self.varying {
+            return self.varying_points(over, x, s);
+        }
         let [ty, tz] = self.surfaces.rail(s)?.1.tangent;
         let (foot, _) = self.surfaces.at(s)?;
-        Some([self.surfaces.wheel(foot, x, s)?.1, [0.0, ty, tz]])
+        Some([self.surfaces.wheel(foot, x, s)?.1, [1.0, 0.0, 0.0], [0.0, ty, tz]])
     }
 }
 

@@ -14,6 +14,7 @@ pub(crate) use cubic::hermite;
 pub use graph::Graph;
 pub use piece::{Arc, Line, Piece};
 pub use smoothing::smooth;
+pub(crate) use spline::spline_slopes;
 pub use spline::{SplineError, interpolate};
 
 /// A point of a curve with its tangent and curvature.

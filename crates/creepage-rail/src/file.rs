@@ -41,12 +41,14 @@ mod scans;
 mod segments;
 mod shape;
 mod simpack;
+mod slice_list;
 mod text;
 mod vampire;
 mod writing;
 
 pub use error::{FileError, SaidBy};
 pub use report::Action;
+pub use slice_list::{SliceList, SliceListError};
 pub use writing::write;
 
 use orientation::Turned;

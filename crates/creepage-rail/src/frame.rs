@@ -25,11 +25,6 @@ impl Frame {
         self.rail_s
     }
 
-    /// The normal into the rail.
-    pub(crate) fn normal(&self) -> [f64; 2] {
-        [-self.lateral[1], self.lateral[0]]
-    }
-
     /// Lateral coordinate of a point of the cross-section.
     pub(crate) fn lateral_part(&self, [y, z]: [f64; 2]) -> f64 {
         self.facing_tangent([y - self.origin[0], z - self.origin[1]])

@@ -45,6 +45,8 @@ pub(crate) struct Overlap {
 pub(crate) struct Pair<'a> {
     pub(crate) posed: Posed<'a>,
     pub(crate) rail: &'a Rail,
+    /// Place along the track (m).
+    pub(crate) s: f64,
 }
 
 impl std::fmt::Debug for Pair<'_> {

@@ -1,5 +1,6 @@
 //! Creepage of a contact from the wheelset's motion.
 
+use crate::pair_surfaces::{Plane, contact_axes, dot};
 use crate::rolling::{RollingCreepage, SurfaceMotion};
 use crate::{Contact, Side};
 
@@ -23,7 +24,7 @@ pub struct Motion {
     pub pitch_rate: f64,
     /// Velocity of its centre to the right (m/s).
     pub lateral_velocity: f64,
-    /// Velocity of its centre downwards (m/s).
+    /// Velocity of its centre downwards (m/s), beside that of following surfaces that vary along rolling.
     pub vertical_velocity: f64,
     /// Angular velocity about the track's `x` (rad/s), positive where the right wheel goes down.
     pub roll_rate: f64,
@@ -72,13 +73,17 @@ impl Contact<'_> {
     pub fn creepage(&self, motion: &Motion) -> Option<RollingCreepage> {
         let [x, _, z] = self.reference;
         let y = self.side.sense() * self.reference[1];
-        let [ny, nz] = self.surfaces.frame.normal();
-        let point = [x, y + self.approach * ny, z + self.approach * nz];
         let (motion, rail) = motion.on(self.side);
+        let motion = self.following(motion);
         let sense = self.side.sense();
+        // On surfaces that vary the plane slopes along the track, and the place goes along it.
+        let Plane { axes: [along, across, normal], .. } =
+            Plane::new(self.reference, sense * self.angle, self.slope);
+        let point = [x, y, z];
+        let point = [0, 1, 2].map(|i: usize| point[i] + self.approach * normal[i]);
         let surface = |[vx, vy, vz]: [f64; 3], turn: [f64; 3]| SurfaceMotion {
-            velocity: [vx - motion.speed, sense * self.surfaces.frame.facing_tangent([vy, vz])],
-            turn: sense * (ny * turn[1] + nz * turn[2]),
+            velocity: [dot(along, [vx - motion.speed, vy, vz]), sense * dot(across, [vx, vy, vz])],
+            turn: sense * dot(normal, turn),
         };
         let upper = surface(self.velocity(motion, point), self.turning(motion));
         let on_rail = [x, y, z];
@@ -95,12 +100,30 @@ impl Contact<'_> {
     pub fn rigid_slip(&self, motion: &Motion, x: f64, s: f64) -> Option<[f64; 2]> {
         let speed = self.creepage(motion)?.speed;
         let sense = self.side.sense();
-        let [point, tangent] = self.facing_points(x, sense * s)?;
+        let [point, ahead, tangent] = self.facing_points(x, sense * s)?;
         let (motion, rail) = motion.on(self.side);
+        let motion = self.following(motion);
         let (wheel, rail) = (self.velocity(motion, point), self.rail_velocity(motion, rail, point));
         let [vx, vy, vz] = [0, 1, 2].map(|i: usize| wheel[i] - rail[i]);
         let lateral = tangent[1] * vy + tangent[2] * vz;
-        Some([vx / speed, sense * lateral / speed])
+        let along = dot(ahead, [vx, vy, vz]);
+        Some([along / speed, sense * lateral / speed])
+    }
+
+    /// The motion (on the right-hand image) of a wheelset whose wheel stays on its rail: where surfaces vary along
+    /// rolling, forward speed and turning alone would take it into the rail or out, and its vertical velocity counts
+    /// from that which makes up for it. A round wheel on a prism needs none.
+    fn following(&self, motion: Motion) -> Motion {
+        if !self.varies() {
+            return motion;
+        }
+        let [_, _, normal] = contact_axes(self.side.sense() * self.angle, self.slope);
+        let [x, y, z] = self.reference;
+        let place = [x, self.side.sense() * y, z];
+        let point = [0, 1, 2].map(|i: usize| place[i] + self.approach * normal[i]);
+        let rolls = Motion::straight(motion.speed, motion.pitch_rate);
+        let away = dot(normal, self.velocity(rolls, point)) / normal[2];
+        Motion { vertical_velocity: motion.vertical_velocity - away, ..motion }
     }
 
     /// Angular velocity of the wheelset, on the right-hand image.

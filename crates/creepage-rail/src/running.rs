@@ -1,19 +1,22 @@
 //! A wheelset in its track: rest, rolling radii, contacts.
 
 use crate::meeting::{Meeting, Overlap, Pair};
+use crate::varying_contact;
 use crate::wheel::Posed;
 use crate::{Contact, GeometryError, Position, Profile, Side, Track, Wheelset};
 
 /// Overlaps nearer than this on the wheel's profile make one contact (m),
-const TOGETHER: f64 = 0.010;
+pub(crate) const TOGETHER: f64 = 0.010;
 /// unless the rail turns by more from one to the other (rad): no plane is that of both.
-const TURN: f64 = 0.35;
+pub(crate) const TURN: f64 = 0.35;
 
 /// A wheelset on its track.
 #[derive(Debug, Clone, PartialEq)]
 pub struct WheelsetOnTrack {
     wheelset: Wheelset,
     track: Track,
+    /// Place along the track (m) and how far the wheels have rolled on (rad).
+    place: [f64; 2],
 }
 
 /// Where a wheel touches its rail without load.
@@ -37,7 +40,7 @@ impl Wheelset {
     /// The wheelset on a track.
     #[must_use]
     pub fn on(self, track: Track) -> WheelsetOnTrack {
-        WheelsetOnTrack { wheelset: self, track }
+        WheelsetOnTrack { wheelset: self, track, place: [0.0; 2] }
     }
 }
 
@@ -52,6 +55,38 @@ impl WheelsetOnTrack {
     #[must_use]
     pub fn track(&self) -> &Track {
         &self.track
+    }
+
+    /// The same at a place `s` along the track (m), its wheels turned by `pitch` (rad), positive where they have
+    /// rolled forward. Of wheels and rails that do not vary that tells nothing new.
+    ///
+    /// # Errors
+    /// [`GeometryError::Value`] unless both are finite.
+    pub fn at(self, s: f64, pitch: f64) -> Result<Self, GeometryError> {
+        for (name, value) in [("s", s), ("pitch", pitch)] {
+            if !value.is_finite() {
+                return Err(GeometryError::Value { name, value, range: "finite" });
+            }
+        }
+        Ok(Self { place: [s, pitch], ..self })
+    }
+
+    /// Its place along the track (m) and how far its wheels have rolled on (rad).
+    #[must_use]
+    pub fn place(&self) -> [f64; 2] {
+        self.place
+    }
+
+    /// Whether a wheel or a rail of a side varies along rolling.
+    #[must_use]
+    pub fn varies_on(&self, side: Side) -> bool {
+        self.wheelset.wheel(side).varies() || self.track.rail(side).varies()
+    }
+
+    /// Whether any wheel or rail varies along rolling.
+    #[must_use]
+    pub fn varies(&self) -> bool {
+        self.varies_on(Side::Left) || self.varies_on(Side::Right)
     }
 
     /// The profiles of the wheel and of the rail of a side.
@@ -82,7 +117,7 @@ impl WheelsetOnTrack {
         let Track { left, right } = &self.track;
         let [left, right] = [(left, rails[0]), (right, rails[1])]
             .map(|(rail, worn)| worn.map_or(Ok(rail.clone()), |worn| rail.with_profile(worn)));
-        Ok(wheelset.on(Track { left: left?, right: right? }))
+        Ok(Self { place: self.place, ..wheelset.on(Track { left: left?, right: right? }) })
     }
 
     /// One side as a right-hand one.
@@ -91,7 +126,8 @@ impl WheelsetOnTrack {
             Side::Right => (&self.wheelset.right, &self.track.right, position),
             Side::Left => (&self.wheelset.left, &self.track.left, position.mirrored()),
         };
-        Pair { posed: Posed::new(wheel, &self.wheelset, position), rail }
+        let [s, pitch] = self.place;
+        Pair { posed: Posed::new(wheel, &self.wheelset, position, pitch), rail, s }
     }
 
     /// Where one wheel touches when the wheelset comes down at `y` (m), `roll` and `yaw` (rad).
@@ -102,6 +138,9 @@ impl WheelsetOnTrack {
     pub fn touch(&self, side: Side, y: f64, roll: f64, yaw: f64) -> Result<Touch, GeometryError> {
         let position = Position { y, z: 0.0, roll, yaw }.check()?;
         let pair = self.pair(side, position);
+        if pair.varies() {
+            return varying_touch(side, &pair, y);
+        }
         let lowest = pair.lowest().map_err(|end| match end {
             Some(end) => GeometryError::End { side, y: side.sense() * end },
             None => GeometryError::Apart { side, y },
@@ -192,7 +231,7 @@ impl WheelsetOnTrack {
         position: &Position,
         spacing: f64,
     ) -> Result<[Vec<[f64; 2]>; 2], GeometryError> {
-        let Pair { posed, rail } = self.pair(side, position.check()?);
+        let Pair { posed, rail, .. } = self.pair(side, position.check()?);
         let track = |y: f64, z: f64| [side.sense() * y, z];
         let wheel = posed.wheel.profile().curve();
         let wheel = wheel.stations(spacing).into_iter().map(|s| {
@@ -217,6 +256,9 @@ impl WheelsetOnTrack {
         position: &Position,
     ) -> Result<Vec<Contact<'_>>, GeometryError> {
         let pair = self.pair(side, position.check()?);
+        if pair.varies() {
+            return varying_contact::contacts(side, pair);
+        }
         let overlaps = joined(&pair, pair.overlaps()).into_iter();
         overlaps.filter_map(|overlap| Contact::of(side, pair, overlap).transpose()).collect()
     }
@@ -256,4 +298,27 @@ fn touch(side: Side, pair: &Pair, lowest: &Meeting) -> Touch {
         y_wheel: wheel.y,
         angle: sense * rail.tangent[1].atan2(rail.tangent[0]),
     }
+}
+
+/// The same of a pair that varies along rolling.
+fn varying_touch(side: Side, pair: &Pair<'_>, y: f64) -> Result<Touch, GeometryError> {
+    let lows = pair.lows(0.0);
+    let lowest = lows.iter().min_by(|a, b| a.gap.total_cmp(&b.gap));
+    let Some(low) = lowest else { return Err(GeometryError::Apart { side, y }) };
+    if let Some(end) = pair.end_at(low) {
+        return Err(GeometryError::End { side, y: side.sense() * end });
+    }
+    let sense = side.sense();
+    let [x, at_y, _] = low.place;
+    let on_rail = pair.rail.varying(low.rail.v, pair.s + x);
+    let on_rail = on_rail.ok_or(GeometryError::Apart { side, y })?;
+    let radius = pair.posed.distance_from_axle(low.place);
+    Ok(Touch {
+        z: low.gap,
+        radius,
+        place: [x, sense * at_y, low.rail.z],
+        y_rail: on_rail.y,
+        y_wheel: low.y_wheel,
+        angle: sense * low.rail.slope[1].atan(),
+    })
 }

@@ -4,6 +4,8 @@
 
 use crate::curve::{CurvePoint, hermite};
 use crate::search::threshold;
+use crate::slices::SliceSurface;
+use crate::variation::RailVariation;
 use crate::{GeometryError, Profile, Role, Side};
 
 /// Spacing of the stations between which a rail is looked up (m).
@@ -60,7 +62,13 @@ pub struct Rail {
     visible: Vec<Station>,
     /// Whether it ends at walls, on the track side and on the field side.
     walls: [bool; 2],
+    variation: Option<RailVariation>,
+    /// Of slices what a wheel can see: patch by patch, slice by slice the stretches on which `y` rises.
+    seen: Vec<Vec<Stretches>>,
 }
+
+/// Stretches of a slice on which `y` rises: `y` in the track and the parameter there.
+type Stretches = Vec<Vec<[f64; 2]>>;
 
 /// A station of a rail in its place.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -99,6 +107,8 @@ impl Rail {
             shift: [0.0; 2],
             visible: vec![],
             walls: [false; 2],
+            variation: None,
+            seen: vec![],
         };
         let stations = rail.profile.curve().stations(STEP);
         rail.shift[1] = match place {
@@ -150,9 +160,113 @@ impl Rail {
         Ok(rail)
     }
 
+    /// The same rail with waves or slices along the track. What is of no height changes nothing.
+    ///
+    /// With slices its own profile, by which it was laid, should be [`SliceSurface::profile`].
+    ///
+    /// # Errors
+    /// [`GeometryError`] for waves that are none.
+    pub fn with_variation(self, variation: RailVariation) -> Result<Self, GeometryError> {
+        let mut rail = Self { variation: variation.pruned()?, ..self };
+        rail.seen = rail.rising_stretches();
+        Ok(rail)
+    }
+
+    /// How it varies along the track; `None` where it is a prism.
+    #[must_use]
+    pub fn variation(&self) -> Option<&RailVariation> {
+        self.variation.as_ref()
+    }
+
+    pub(crate) fn varies(&self) -> bool {
+        self.variation.is_some()
+    }
+
+    pub(crate) fn slices(&self) -> Option<&SliceSurface> {
+        self.variation.as_ref()?.slices.as_deref()
+    }
+
+    /// What waves add to its height (m, down) at a place along the track, and the slope.
+    pub(crate) fn down(&self, u: f64) -> [f64; 2] {
+        self.variation.as_ref().map_or([0.0; 2], |variation| variation.down(u))
+    }
+
+    /// The shortest wave along the track (m).
+    pub(crate) fn shortest(&self) -> f64 {
+        self.variation.as_ref().map_or(f64::INFINITY, RailVariation::shortest)
+    }
+
+    /// A direction of the profile's axes in those of the track.
+    pub(crate) fn rotated(&self, [y, z]: [f64; 2]) -> [f64; 2] {
+        let (cos, sin) = self.rotation;
+        [cos * y - sin * z, sin * y + cos * z]
+    }
+
+    /// A place of the profile in the track.
+    pub(crate) fn placed(&self, place: [f64; 2]) -> [f64; 2] {
+        let [y, z] = self.rotated(place);
+        [y + self.shift[0], z + self.shift[1]]
+    }
+
+    /// Stretches of all slices on which the surface looks upwards.
+    fn rising_stretches(&self) -> Vec<Vec<Stretches>> {
+        let Some(slices) = self.slices() else { return Vec::new() };
+        let stretches = |u: f64, v: &[f64]| {
+            let mut all: Stretches = Vec::new();
+            let mut is_open = false;
+            for &v in v {
+                let Some(point) = slices.at(v, u) else { continue };
+                let [y, _] = self.placed(point.place);
+                let [dy, dz] = self.rotated(point.by_v);
+                // Steeper than 80 degrees is a wall.
+                if dy <= 0.17 * dz.abs() {
+                    is_open = false;
+                    continue;
+                }
+                match all.last_mut() {
+                    Some(last) if is_open => last.push([y, v]),
+                    _ => all.push(vec![[y, v]]),
+                }
+                is_open = true;
+            }
+            all
+        };
+        let patch = |(u, v): (&[f64], &[f64])| u.iter().map(|&u| stretches(u, v)).collect();
+        slices.patch_slices().map(patch).collect()
+    }
+
+    /// Parameters near those at which slices about `u` reach `y`.
+    pub(crate) fn seeds(&self, u: f64, y: f64, mut each: impl FnMut(f64)) {
+        /// From slice to slice an end may move by so much (m).
+        const AROUND: f64 = 2e-3;
+        let Some(slices) = self.slices() else { return };
+        for ((places, _), seen) in slices.patch_slices().zip(&self.seen) {
+            let after = places.partition_point(|place| *place <= u);
+            let about = [after.checked_sub(1), Some(after)];
+            for slice in about.into_iter().flatten().filter_map(|index| seen.get(index)) {
+                for stretch in slice {
+                    let Some([first, last]) =
+                        stretch.first().zip(stretch.last()).map(|(a, b)| [a[0], b[0]])
+                    else {
+                        continue;
+                    };
+                    if y < first - AROUND || y > last + AROUND {
+                        continue;
+                    }
+                    let at = stretch.partition_point(|[there, _]| *there <= y);
+                    let at = at.min(stretch.len() - 1);
+                    if let Some([_, v]) = stretch.get(at) {
+                        each(*v);
+                    }
+                }
+            }
+        }
+    }
+
     /// Finds what a wheel can see from above.
     fn look(&mut self, stations: &[f64]) -> Result<(), GeometryError> {
         (self.visible, self.walls) = self.seen_from_above(stations);
+        self.seen = self.rising_stretches();
         if self.visible.len() < 2 { Err(GeometryError::Hidden) } else { Ok(()) }
     }
 

@@ -1,6 +1,8 @@
 //! Wheels on an axle, and the outline of a wheel that is turned against the rail.
 
 use crate::curve::CurvePoint;
+use crate::slices::SliceSurface;
+use crate::variation::WheelVariation;
 use crate::{GeometryError, Profile, Role, Side};
 
 /// Spacing of the stations at which the outline is looked at (m).
@@ -23,6 +25,7 @@ pub struct Wheel {
     radius: f64,
     flange_back: f64,
     stations: Vec<(f64, CurvePoint)>,
+    variation: Option<WheelVariation>,
 }
 
 impl Wheel {
@@ -42,7 +45,44 @@ impl Wheel {
             let range = "large enough for the profile";
             return Err(GeometryError::Value { name: "radius", value: radius, range });
         }
-        Ok(Self { profile: profile.clone(), radius, flange_back: -0.070, stations })
+        let variation = None;
+        Ok(Self { profile: profile.clone(), radius, flange_back: -0.070, stations, variation })
+    }
+
+    /// The same with flats, harmonics or slices. What is of no depth changes nothing.
+    ///
+    /// With slices its profile, of which stations and pictures are, should be that of
+    /// [`SliceSurface::profile`].
+    ///
+    /// # Errors
+    /// [`GeometryError::Value`] for harmonics that are none.
+    pub fn with_variation(self, variation: WheelVariation) -> Result<Self, GeometryError> {
+        Ok(Self { variation: variation.pruned(self.radius)?, ..self })
+    }
+
+    /// How it varies around the axle; `None` where it is a body of revolution.
+    #[must_use]
+    pub fn variation(&self) -> Option<&WheelVariation> {
+        self.variation.as_ref()
+    }
+
+    pub(crate) fn varies(&self) -> bool {
+        self.variation.is_some()
+    }
+
+    pub(crate) fn slices(&self) -> Option<&SliceSurface> {
+        self.variation.as_ref()?.slices.as_deref()
+    }
+
+    /// What flats and harmonics add to the radius (m) at a material angle (rad), and its derivative.
+    pub(crate) fn radial(&self, th: f64) -> [f64; 2] {
+        self.variation.as_ref().map_or([0.0; 2], |variation| variation.radial(th, self.radius))
+    }
+
+    /// The shortest wave or feature along the circle (m).
+    pub(crate) fn shortest(&self) -> f64 {
+        let variation = self.variation.as_ref();
+        variation.map_or(f64::INFINITY, |variation| variation.shortest(self.radius))
     }
 
     /// The same with its flange back at another `y` of the profile (m).
@@ -107,7 +147,8 @@ impl Wheel {
     /// # Errors
     /// [`GeometryError`] as by [`Wheel::new`].
     pub fn with_profile(&self, profile: &Profile) -> Result<Self, GeometryError> {
-        Ok(Self { flange_back: self.flange_back, ..Self::new(profile, self.radius)? })
+        let variation = self.variation.clone();
+        Ok(Self { flange_back: self.flange_back, variation, ..Self::new(profile, self.radius)? })
     }
 
     /// Arc lengths at which the outline is looked at, with the points there.
@@ -226,6 +267,8 @@ pub(crate) struct Posed<'a> {
     /// Sine and cosine.
     roll: (f64, f64),
     yaw: (f64, f64),
+    /// How far the wheel has rolled on (rad).
+    pub(crate) pitch: f64,
 }
 
 /// A point of the outline: seen along the track, the wheel ends there.
@@ -243,14 +286,25 @@ pub(crate) struct Outline {
 }
 
 impl<'a> Posed<'a> {
-    pub(crate) fn new(wheel: &'a Wheel, wheelset: &Wheelset, position: Position) -> Self {
+    pub(crate) fn new(
+        wheel: &'a Wheel,
+        wheelset: &Wheelset,
+        position: Position,
+        pitch: f64,
+    ) -> Self {
         Self {
             wheel,
             centre: [0.0, position.y, position.z - wheelset.radius()],
             arm: 0.5 * wheelset.back_to_back - wheel.flange_back,
             roll: position.roll.sin_cos(),
             yaw: position.yaw.sin_cos(),
+            pitch,
         }
+    }
+
+    /// The tape circle's distance from the centre along the axle (m).
+    pub(crate) fn arm(&self) -> f64 {
+        self.arm
     }
 
     /// A vector of the wheelset's axes in those of the track.

@@ -107,7 +107,7 @@ pub use cost::long_work;
 pub use creepage_wheelset::{
     ANSWERS, ASKED, Drive, ForceDerivative, FrictionOfPlace, Load, Patches, PitchRate, PlaceOnRail,
     RailFriction, RailSprings, Resultant, RigidSlip, SolvedContact, SolvedWheel, SolvedWheelset,
-    StateVariable, WheelsetDerivatives, WheelsetError, WheelsetPose, WheelsetSolver,
+    StateVariable, SurfaceLimits, WheelsetDerivatives, WheelsetError, WheelsetPose, WheelsetSolver,
     WheelsetVelocity,
 };
 pub use curves::{Component, Curves, LargestForce};

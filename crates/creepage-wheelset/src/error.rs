@@ -141,6 +141,15 @@ pub enum WheelsetError {
     /// Height, roll or pitch rate do not follow from the rest.
     #[error("[wheelset] no derivatives: what is found here does not follow what is given")]
     NotDifferentiable,
+    /// Surfaces that vary along rolling, asked for what is not known of them.
+    #[error(
+        "[wheel] slices, flat, waviness and [rail] slices, corrugation: {what} is not known where surfaces vary along \
+         rolling"
+    )]
+    Varies {
+        /// What was asked for.
+        what: &'static str,
+    },
     /// Load and friction did not come to rest.
     #[error(
         "[wheelset] no position was settled on that carries the load, which can jump by some tenths \

@@ -39,6 +39,7 @@ mod rough;
 mod solved;
 mod solver;
 mod springs;
+mod tilt;
 mod warm_start;
 
 pub use asked::{ANSWERS, ASKED, asked};
@@ -48,6 +49,6 @@ pub use friction::{FrictionOfPlace, PlaceOnRail, RailFriction};
 pub use pose::{Drive, Load, Patches, PitchRate, RigidSlip, WheelsetPose, WheelsetVelocity};
 pub use resultant::Resultant;
 pub use rough::{Roughness, rough_profiles};
-pub use solved::{SolvedContact, SolvedWheel, SolvedWheelset};
+pub use solved::{SolvedContact, SolvedWheel, SolvedWheelset, SurfaceLimits};
 pub use solver::{PressedContacts, WheelsetSolver};
 pub use springs::RailSprings;

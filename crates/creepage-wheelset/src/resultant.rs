@@ -4,6 +4,8 @@ use std::ops::Add;
 
 use creepage::SiForce;
 
+use crate::tilt::Tilt;
+
 /// A force in track axes with its moment about a point, and error bars of the force.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Resultant {
@@ -38,16 +40,18 @@ impl Acting {
         }
     }
 
-    /// Force and moment about `point` in track axes, acting at `reference` where the contact is turned
-    /// by `angle`.
+    /// Force and moment about `point` in track axes, acting at `reference` where the contact lies
+    /// as by `tilt`.
     pub(crate) fn about(
         &self,
         reference: [f64; 3],
-        angle: f64,
+        tilt: Tilt,
         point: [f64; 3],
     ) -> ([f64; 3], [f64; 3]) {
-        let (sin, cos) = angle.sin_cos();
-        let track = |[x, s, n]: [f64; 3]| [x, s * cos - n * sin, s * sin + n * cos];
+        let [along, across, normal] = tilt.axes();
+        let track = |[x, s, n]: [f64; 3]| {
+            [0, 1, 2].map(|i: usize| x * along[i] + s * across[i] + n * normal[i])
+        };
         let (force, couple) = (track(self.force), track(self.couple));
         let arm = [0, 1, 2].map(|i: usize| reference[i] - point[i]);
         let lever = cross(arm, force);

@@ -14,6 +14,7 @@ use crate::field::Field;
 use crate::pose::RigidSlip;
 use crate::resultant::{Acting, Resultant};
 use crate::rough::Roughness;
+use crate::tilt::Placed;
 use crate::warm_start::{PitchState, PredictorCorrection};
 use creepage::theory::AreaTheory;
 
@@ -32,6 +33,8 @@ pub struct SolvedWheelset {
     /// Whether it runs backwards: then contacts have their `x` along the track still, and the areas that
     /// [`SolvedContact::normal`] holds are those of the mirror image fore and aft.
     pub is_reversed: bool,
+    /// Its place along the track (m) and how far its wheels have rolled on (rad), where surfaces vary along rolling.
+    pub place: Option<[f64; 2]>,
     /// Coefficient of friction, the largest where it varies.
     pub friction: f64,
     /// What the surfaces slide by before they deform.
@@ -72,6 +75,16 @@ pub struct SolvedWheel {
     pub(crate) contacts: Vec<SolvedContact>,
 }
 
+/// Where surfaces that vary along rolling end.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct SurfaceLimits {
+    /// Whether a part of a rail begins or ends within the overlap: the area is cut there, and how high the
+    /// pressure is at that edge depends on the resolution.
+    pub is_cut: bool,
+    /// Whether it lies beyond the rail's slices, where the surface is taken to go on alike.
+    pub is_beyond: bool,
+}
+
 /// One place of contact, in one plane: mostly one area, several where they lie close together.
 ///
 /// Its axes are `x` forward, `s = (cos angle, sin angle)` in the track's `(y, z)`, and the normal
@@ -84,6 +97,10 @@ pub struct SolvedContact {
     pub reference: [f64; 3],
     /// Rotation about `x` from the track's `z` to the normal into the rail (rad).
     pub angle: f64,
+    /// Turn about `s` after that (rad), which lowers the plane ahead: 0 unless surfaces vary along rolling.
+    pub slope: f64,
+    /// Where its surfaces end, where wheel or rail vary along rolling.
+    pub varying: Option<SurfaceLimits>,
     /// `y` of the reference point in the rail's profile (m), to the field side.
     pub y_rail: f64,
     /// `y` of the reference point in the wheel's profile (m), to the field side.
@@ -130,16 +147,18 @@ impl SolvedContact {
 
     /// What it does to the rail, with the moment about `point`.
     fn on_rail(&self, point: [f64; 3]) -> Resultant {
-        let (sin, cos) = self.angle.sin_cos();
+        let [along, across, normal] = self.tilt().axes();
         let load = self.normal.load();
         let acting = Acting::new(self.force, load.value, self.centre_of_pressure());
-        let (force, moment) = acting.about(self.reference, self.angle, point);
+        let (force, moment) = acting.about(self.reference, self.tilt(), point);
         let force_error = self.force_error.map(|error| {
-            [
-                error.longitudinal,
-                (error.lateral * cos).abs() + (self.load_error * sin).abs(),
-                (error.lateral * sin).abs() + (load.error * cos).abs(),
-            ]
+            let parts = |i: usize, pressing: f64| {
+                (error.longitudinal * along[i]).abs()
+                    + (error.lateral * across[i]).abs()
+                    + (pressing * normal[i]).abs()
+            };
+            // Down, the height that was sought makes up for the load's error.
+            [parts(0, self.load_error), parts(1, self.load_error), parts(2, load.error)]
         });
         Resultant { force, force_error, moment }
     }
@@ -165,6 +184,7 @@ impl SolvedContact {
     fn fore_and_aft(mut self) -> Self {
         self.is_reversed = !self.is_reversed;
         self.reference[0] = -self.reference[0];
+        self.slope = -self.slope;
         self.force = SiForce {
             longitudinal: -self.force.longitudinal,
             moment: -self.force.moment,
@@ -206,9 +226,7 @@ impl SolvedContact {
     /// A place of the contact plane in track axes (m).
     #[must_use]
     pub fn in_track(&self, [x, s]: [f64; 2]) -> [f64; 3] {
-        let (sin, cos) = self.angle.sin_cos();
-        let [a, b, c] = self.reference;
-        [a + x, b + s * cos, c + s * sin]
+        self.tilt().place(self.reference, [x, s])
     }
 }
 

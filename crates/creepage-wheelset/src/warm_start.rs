@@ -2,6 +2,8 @@
 
 use creepage_rail::{Contact, Side};
 
+use crate::tilt::{Placed, distance};
+
 /// A pitch rate nearby, closer to balance than the one rolled with, and how the moment about the axle rises
 /// with it (N m s/rad).
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -30,33 +32,34 @@ pub(crate) struct PredictorCorrection {
 /// What is known of the vertical loads from a position that was solved before.
 #[derive(Debug, Clone)]
 pub(crate) struct LateralForceRatios {
-    /// Lateral force over load of contacts by their place on the rail: what friction adds.
-    lateral: Vec<(Side, f64, f64)>,
+    /// Lateral and longitudinal force over load of contacts by their spot: what friction adds.
+    ratios: Vec<(Side, [f64; 2], [f64; 2])>,
     /// Vertical force over what a coarse solution has, left and right.
     scale: [f64; 2],
 }
 
 impl Default for LateralForceRatios {
     fn default() -> Self {
-        Self { lateral: Vec::new(), scale: [1.0; 2] }
+        Self { ratios: Vec::new(), scale: [1.0; 2] }
     }
 }
 
 impl LateralForceRatios {
     /// Whether nothing is known of friction.
     pub(crate) fn is_empty(&self) -> bool {
-        self.lateral.is_empty()
+        self.ratios.is_empty()
     }
 
-    /// Remembers a contact by its place on the rail.
-    pub(crate) fn push(&mut self, side: Side, y_rail: f64, share: f64) {
-        self.lateral.push((side, y_rail, share));
+    /// Remembers a contact by its spot.
+    pub(crate) fn push(&mut self, side: Side, spot: [f64; 2], shares: [f64; 2]) {
+        self.ratios.push((side, spot, shares));
     }
 
     /// Adds to each contact's share so many times that of another.
     pub(crate) fn add_times(&mut self, times: f64, other: &Self) {
-        for (side, y_rail, share) in &mut self.lateral {
-            *share += times * other.near(*side, *y_rail);
+        for (side, spot, shares) in &mut self.ratios {
+            let near = other.near(*side, *spot);
+            *shares = [0, 1].map(|k: usize| shares[k] + times * near[k]);
         }
     }
 
@@ -79,8 +82,9 @@ impl LateralForceRatios {
 
     /// Takes the mean with another.
     pub(crate) fn halfway_from(&mut self, other: &Self) {
-        for (side, y_rail, share) in &mut self.lateral {
-            *share = share.midpoint(other.near(*side, *y_rail));
+        for (side, spot, shares) in &mut self.ratios {
+            let near = other.near(*side, *spot);
+            *shares = [0, 1].map(|k: usize| shares[k].midpoint(near[k]));
         }
     }
 
@@ -89,15 +93,15 @@ impl LateralForceRatios {
         self.scale[usize::from(side == Side::Right)]
     }
 
-    /// Lateral force over load of a contact.
-    pub(crate) fn of(&self, contact: &Contact<'_>) -> f64 {
-        self.near(contact.side, contact.y_rail)
+    /// Lateral and longitudinal force over load of a contact.
+    pub(crate) fn of(&self, contact: &Contact<'_>) -> [f64; 2] {
+        self.near(contact.side, contact.spot())
     }
 
-    /// That of the contact nearest on the rail; nothing where none is known.
-    fn near(&self, side: Side, y_rail: f64) -> f64 {
-        let own = self.lateral.iter().filter(|known| known.0 == side);
-        let distance = |y: f64| (y - y_rail).abs();
-        own.min_by(|a, b| distance(a.1).total_cmp(&distance(b.1))).map_or(0.0, |&(.., share)| share)
+    /// That of the nearest contact; nothing where none is known.
+    fn near(&self, side: Side, spot: [f64; 2]) -> [f64; 2] {
+        let own = self.ratios.iter().filter(|known| known.0 == side);
+        let nearest = own.min_by(|a, b| distance(a.1, spot).total_cmp(&distance(b.1, spot)));
+        nearest.map_or([0.0; 2], |&(.., shares)| shares)
     }
 }

@@ -20,8 +20,9 @@ use crate::failure::Failure;
 use crate::outcome::Outcome;
 use crate::wheelset::{read, say_found, say_left_out};
 
-/// Beside what a wheelset is asked by.
+/// Beside what a wheelset is asked by: friction, and the place where surfaces vary along rolling.
 const FRICTION: &str = "friction";
+const PLACE: [&str; 2] = ["s", "pitch"];
 /// Where [`ASKED`] has the load on both wheels.
 const AXLE_LOAD: usize = 4;
 
@@ -66,6 +67,7 @@ enum RowError {
 struct Places {
     asked: [Option<usize>; ASKED.len()],
     friction: Option<usize>,
+    place: [Option<usize>; 2],
     count: usize,
 }
 
@@ -105,11 +107,16 @@ impl Places {
             *place = place_of(&table.header, name).map_err(input)?;
         }
         let friction = place_of(&table.header, FRICTION).map_err(input)?;
-        if friction.is_none() && asked.iter().all(Option::is_none) {
-            let known = format!("{}, {FRICTION}", ASKED.join(", "));
+        let mut place = [None; 2];
+        for (place, name) in place.iter_mut().zip(PLACE) {
+            *place = place_of(&table.header, name).map_err(input)?;
+        }
+        let others = place.iter().chain(&asked);
+        if friction.is_none() && others.into_iter().all(Option::is_none) {
+            let known = format!("{}, {FRICTION}, {}", ASKED.join(", "), PLACE.join(", "));
             return Err(input(ColumnError::NoneVaries { known, found: names(&table.header) }));
         }
-        Ok(Self { asked, friction, count: table.header.len() })
+        Ok(Self { asked, friction, place, count: table.header.len() })
     }
 
     /// An empty field is the wheelset's own.
@@ -139,6 +146,15 @@ impl Places {
         }
         let friction = number(FRICTION, self.friction)?;
         let (stance, travel) = case.asked(&asked)?;
+        let [s, pitch] = [0, 1].map(|k: usize| number(PLACE[k], self.place[k]));
+        let (s, pitch) = (s?, pitch?);
+        let elsewhere;
+        let solver = if s.is_nan() && pitch.is_nan() {
+            solver
+        } else {
+            elsewhere = case.place(s, pitch)?;
+            &solver.on(&elsewhere)
+        };
         let solved = if friction.is_nan() {
             solver.solve(&stance, &travel)
         } else if friction > 0.0 {

@@ -120,6 +120,22 @@ fn second_derivatives(chords: &[f64], values: &[f64]) -> Vec<f64> {
     [&[head], middle.as_slice(), &[tail]].concat()
 }
 
+/// Slopes at the knots of the interpolating spline, not-a-knot at both ends; of two knots those of the chord.
+pub(crate) fn spline_slopes(knots: &[f64], values: &[f64]) -> Vec<f64> {
+    let chords: Vec<f64> = knots.windows(2).map(|pair| pair[1] - pair[0]).collect();
+    let slopes: Vec<f64> =
+        chords.iter().zip(values.windows(2)).map(|(h, v)| (v[1] - v[0]) / h).collect();
+    let (Some(&first), true) = (slopes.first(), slopes.len() > 1) else {
+        return vec![slopes.first().copied().unwrap_or(0.0); knots.len()];
+    };
+    let bends = second_derivatives(&chords, values);
+    let start = first
+        - chords.first().zip(bends.get(..2)).map_or(0.0, |(h, b)| h * (2.0 * b[0] + b[1]) / 6.0);
+    let behind = slopes.iter().zip(&chords).zip(bends.windows(2));
+    let behind = behind.map(|((slope, h), bend)| slope + h * (bend[0] + 2.0 * bend[1]) / 6.0);
+    [start].into_iter().chain(behind).collect()
+}
+
 /// Solves rows `[below, diagonal, above, right]` by elimination without pivots.
 fn tridiagonal(rows: &mut [[f64; 4]]) -> Vec<f64> {
     let mut before: Option<[f64; 4]> = None;

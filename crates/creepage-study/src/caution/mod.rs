@@ -143,6 +143,10 @@ pub enum Caution {
         /// The load (N).
         load: f64,
     },
+    /// A part of a rail begins or ends within a contact.
+    CutPatch,
+    /// A contact lies beyond the first or the last slice of a rail.
+    BeyondSlices,
     /// The curvature of conforming bodies, as of a ball in its groove, makes the slip vary across the contact.
     Groove {
         /// By how much from the middle to the side, over the rolling velocity.

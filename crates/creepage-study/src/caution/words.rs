@@ -18,6 +18,8 @@ impl fmt::Display for Caution {
             | Self::UncertainPeak { .. }
             | Self::RollerEnd { .. }
             | Self::Turns { .. }
+            | Self::CutPatch
+            | Self::BeyondSlices
             | Self::Climbs { .. }
             | Self::Deep { .. }
             | Self::Groove { .. }
@@ -121,6 +123,14 @@ impl Caution {
                 "the surfaces turn by {} degrees within the contact, which is solved in one plane: from \
                  14 degrees on the undeformed distance errs by 3 % and more",
                 significant(angle.to_degrees(), 3)
+            ),
+            Self::CutPatch => f.write_str(
+                "a part of the rail or wheel begins or ends within the contact: the area is cut there, and how high \
+                 the pressure is at that edge depends on the resolution",
+            ),
+            Self::BeyondSlices => f.write_str(
+                "the contact lies before the first or behind the last slice of the rail, where the surface is taken \
+                 to go on alike",
             ),
             Self::Climbs { height } if height > Self::RIDES => write!(
                 f,

@@ -77,6 +77,31 @@ impl WheelsetCase {
         self.solver_on_rails()
     }
 
+    /// Refuses surfaces that vary along rolling.
+    pub(super) fn is_alike_along(&self, what: &'static str) -> Result<(), WheelsetFileError> {
+        if self.running.varies() { Err(WheelsetFileError::Varies { what }) } else { Ok(()) }
+    }
+
+    /// Its wheels and rails at another place along the track (m), the wheels turned on by `pitch` (rad); NaN is the
+    /// case's own.
+    ///
+    /// # Errors
+    /// [`WheelsetFileError`] for numbers that are infinite.
+    pub fn place(&self, s: f64, pitch: f64) -> Result<WheelsetOnTrack, WheelsetFileError> {
+        let own = self.running.place();
+        let or = |value: f64, own: f64| if value.is_nan() { own } else { value };
+        let running = self.running.clone().at(or(s, own[0]), or(pitch, own[1]));
+        running.map_err(WheelsetFileError::geometry("wheelset"))
+    }
+
+    /// The same at such a place.
+    ///
+    /// # Errors
+    /// As [`WheelsetCase::place`].
+    pub fn at(&self, s: f64, pitch: f64) -> Result<Self, WheelsetFileError> {
+        Ok(Self { running: self.place(s, pitch)?, ..self.clone() })
+    }
+
     /// Whether a rail that is asked for lies on springs.
     pub(super) fn is_sprung(&self) -> bool {
         let is_there = |side: Side| self.stance.side.is_none_or(|alone| alone == side);

@@ -28,6 +28,7 @@ impl WheelsetCase {
     /// [`WheelsetFileError::Apart`] where the profiles do not meet in the middle of the track, or the
     /// wheelset cannot be placed beside it.
     pub fn radius_difference(&self, rolls: bool) -> Result<RadiusDifference, WheelsetFileError> {
+        self.is_alike_along("the difference of rolling radii, and the conicity,")?;
         let roll = (!rolls).then_some(0.0);
         self.running.radius_differences(REACH, roll).map_err(WheelsetFileError::Apart)
     }

@@ -4,8 +4,8 @@ use std::io;
 use std::path::PathBuf;
 
 use creepage::InvalidValue;
-use creepage_rail::file::FileError;
-use creepage_rail::{GeometryError, ProfileError, Role};
+use creepage_rail::file::{FileError, SliceListError};
+use creepage_rail::{GeometryError, ProfileError, Role, SliceError};
 use creepage_wheelset::WheelsetError;
 
 use crate::case::CaseError;
@@ -57,6 +57,68 @@ pub enum WheelsetFileError {
         path: PathBuf,
         /// What is wrong with it.
         source: FileError,
+    },
+    /// A file of slices that is not there.
+    #[error("[{section}] slices: {}: {source}", path.display())]
+    NoSlices {
+        /// The section's name.
+        section: &'static str,
+        /// The file.
+        path: PathBuf,
+        /// What the system said.
+        source: io::Error,
+    },
+    /// A file of slices that is none.
+    #[error("[{section}] slices: {}: {source}", path.display())]
+    SlicesToml {
+        /// The section's name.
+        section: &'static str,
+        /// The file.
+        path: PathBuf,
+        /// What is wrong with it.
+        source: Box<toml::de::Error>,
+    },
+    /// A list of slices that cannot be read.
+    #[error("[{section}] slices: {}: {source}", path.display())]
+    SliceList {
+        /// The section's name.
+        section: &'static str,
+        /// The file.
+        path: PathBuf,
+        /// What is wrong with it.
+        source: SliceListError,
+    },
+    /// Slices that make no surface.
+    #[error("[{section}] slices: {}: {source}", path.display())]
+    Slices {
+        /// The section's name.
+        section: &'static str,
+        /// The file.
+        path: PathBuf,
+        /// Why.
+        source: SliceError,
+    },
+    /// A chord of another depth than it has.
+    #[error(
+        "[{section}] flat.depth = {value}: a chord of that length on this wheel is {needs:.7} m deep; leave depth \
+         out, or take shape = \"haversine\""
+    )]
+    ChordDepth {
+        /// The section's name.
+        section: &'static str,
+        /// What the file says (m).
+        value: f64,
+        /// The depth of the chord (m).
+        needs: f64,
+    },
+    /// What asks for wheels of revolution on prismatic rails.
+    #[error(
+        "[wheel] slices, flat, waviness and [rail] slices, corrugation: {what} takes round wheels on rails that do not \
+         vary; solve the file itself, or rows of `creepage batch` over s and pitch"
+    )]
+    Varies {
+        /// What was asked for.
+        what: &'static str,
     },
     /// Points that make no profile.
     #[error("[{section}] points: {source}")]

@@ -2,11 +2,12 @@
 
 use creepage_wheelset::{RailFriction, RailSprings};
 use std::path::Path;
+use std::sync::Arc;
 
 use creepage::{SolidPair, TheorySpec};
 use creepage_rail::{
-    Deviation, Place, Profile, Rail, RailMotion, Role, Side, Track, Wheel, Wheelset,
-    WheelsetOnTrack,
+    Corrugation, Deviation, Place, Profile, Rail, RailMotion, RailVariation, Role, Side,
+    SliceSurface, Track, Waviness, Wheel, WheelVariation, Wheelset, WheelsetOnTrack,
 };
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -21,6 +22,7 @@ use super::sections::{
     FrictionSection, MaterialSection, MotionSection, RailSection, ReadingSection, SideName,
     TrackSection, WheelSection, WheelsetSection,
 };
+use super::varying::{self, SlicesAsked};
 use super::worn::{WearError, WearPlan, WearSection};
 use crate::case::schema::schema_of;
 use crate::case::{CaseError, keys, solve};
@@ -172,6 +174,7 @@ impl WheelsetFile {
     /// # Errors
     /// [`WearError`] for a missing section or table, numbers out of range, contradictions.
     pub fn wear(&self, case: &WheelsetCase, directory: &Path) -> Result<WearPlan, WearError> {
+        case.is_alike_along("wear over a distance")?;
         let wear = self.wear.as_ref();
         let needs = "distance (of wheels) or passages (over rails), and situations";
         wear.ok_or_else(|| section("wear", needs))?.plan(case, directory)
@@ -188,7 +191,9 @@ impl WheelsetFile {
             .map_err(WheelsetFileError::geometry("wheelset"))?;
         let place = self.track.place()?;
         let mut rail = |side| self.rail(side, place, directory, notes);
-        Ok(wheelset.on(Track { left: rail(Side::Left)?, right: rail(Side::Right)? }))
+        let track = Track { left: rail(Side::Left)?, right: rail(Side::Right)? };
+        let [s, pitch] = [self.wheelset.s, self.wheelset.pitch].map(|value| value.unwrap_or(0.0));
+        wheelset.on(track).at(s, pitch).map_err(WheelsetFileError::geometry("wheelset"))
     }
 
     /// What the file says of the rail of a side.
@@ -271,14 +276,16 @@ impl WheelsetFile {
         // Of one wheel alone the other may be left out.
         let wheel = if self.is_idle(side) { wheel.or(other) } else { wheel };
         let radius = needed(section, "radius", wheel.radius)?;
-        let given = (wheel.profile.as_deref(), wheel.points.as_deref());
+        let given = (wheel.profile.as_deref(), wheel.points.as_deref(), wheel.slices.as_deref());
         let asked = (section, Role::Wheel, side, wheel.reading);
-        let profile = noted(loaded(given, asked, directory)?, notes);
-        let made = Wheel::new(&profile, radius);
-        wheel
-            .flange_back
-            .map_or(made.clone(), |back| made?.with_flange_back(back))
-            .map_err(WheelsetFileError::geometry(section))
+        let (profile, slices) = surface_of(given, asked, directory, notes)?;
+        let geometry = WheelsetFileError::geometry(section);
+        let made = Wheel::new(&profile, radius).map_err(&geometry)?;
+        let flats = wheel.flat.as_ref().map(|flat| flat.flats(section, radius)).transpose()?;
+        let waviness = wheel.waviness.iter().flatten().map(Waviness::from).collect();
+        let variation = WheelVariation { slices, flats: flats.unwrap_or_default(), waviness };
+        let made = wheel.flange_back.map_or(Ok(made.clone()), |back| made.with_flange_back(back));
+        made.and_then(|made| made.with_variation(variation)).map_err(geometry)
     }
 
     fn rail(
@@ -295,14 +302,17 @@ impl WheelsetFile {
         let section = if *own == RailSection::default() { "rail" } else { section };
         let rail = own.or(&self.rail);
         let rail = if self.is_idle(side) { rail.or(other) } else { rail };
-        let given = (rail.profile.as_deref(), rail.points.as_deref());
+        let given = (rail.profile.as_deref(), rail.points.as_deref(), rail.slices.as_deref());
         let asked = (section, Role::Rail, side, rail.reading);
-        let profile = noted(loaded(given, asked, directory)?, notes);
+        let (profile, slices) = surface_of(given, asked, directory, notes)?;
+        let corrugation = rail.corrugation.iter().flatten().map(Corrugation::from).collect();
+        let variation = RailVariation { slices, corrugation };
         let laid = Rail::new(&profile, rail.cant.unwrap_or(0.0), place);
         let placed = match rail.deviation() {
             Some(deviation) => laid.and_then(|laid| laid.displaced(side, deviation)),
             None => laid,
         };
+        let placed = placed.and_then(|placed| placed.with_variation(variation));
         placed.map_err(WheelsetFileError::geometry(section))
     }
 
@@ -434,6 +444,31 @@ impl TrackSection {
             }),
         }
     }
+}
+
+/// Name or points of a profile, and the file of slices.
+type SurfaceNames<'a> = (Option<&'a str>, Option<&'a [[f64; 2]]>, Option<&'a str>);
+
+/// One profile, or a surface through slices with the profile of the one nearest to 0.
+fn surface_of(
+    (name, points, slices): SurfaceNames<'_>,
+    asked: SlicesAsked,
+    directory: &Path,
+    notes: &mut Vec<ProfileNote>,
+) -> Result<(Profile, Option<Arc<SliceSurface>>), WheelsetFileError> {
+    let Some(slices) = slices else {
+        return Ok((noted(loaded((name, points), asked, directory)?, notes), None));
+    };
+    let (section, ..) = asked;
+    if let Some(other) = name.map(|_| "profile").or(points.map(|_| "points")) {
+        let [first, second] = ["slices", other].map(|key| (section, key));
+        return Err(CaseError::Conflict { first, second }.into());
+    }
+    let (surface, found) = varying::surface(slices, asked, directory)?;
+    for note in found {
+        noted(((), Some(note)), notes);
+    }
+    Ok((surface.profile().clone(), Some(surface)))
 }
 
 /// A profile by its name or its points, with a note where it comes from a file.

@@ -23,6 +23,7 @@ mod solved_picture;
 mod solved_text;
 mod solved_write;
 mod table;
+mod varying;
 mod warmth;
 mod wear;
 mod worn;

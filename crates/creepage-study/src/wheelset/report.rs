@@ -120,7 +120,9 @@ fn of_contact(contact: &SolvedContact, damage: Option<&Damage>) -> Vec<Caution> 
         .chain(at_rest)
         .chain(slides)
         .chain(yields)
-        .chain(Caution::turns(contact.turn));
+        .chain(Caution::turns(contact.turn))
+        .chain(contact.varying.filter(|ends| ends.is_cut).map(|_| Caution::CutPatch))
+        .chain(contact.varying.filter(|ends| ends.is_beyond).map(|_| Caution::BeyondSlices));
     let all = all.chain(Caution::deep(&contact.normal));
     let all =
         all.chain(Caution::like_bodies(kappa_over_mu)).chain(Caution::of_areas(&contact.normal));

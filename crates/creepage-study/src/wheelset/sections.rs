@@ -8,6 +8,7 @@ use serde::Deserialize;
 
 use super::free::{GivenOrFree, PitchValue};
 use super::friction::RailFrictionValue;
+use super::varying::{CorrugationSection, FlatValue, WavinessSection};
 use crate::case::CaseError;
 use crate::case::body::Body;
 
@@ -64,10 +65,19 @@ pub(super) struct WheelSection {
     /// The profile's points [y, z] (m) in place of a name, y to the field side, z down, along the profile
     /// in either sense.
     pub(super) points: Option<Vec<[f64; 2]>>,
+    /// Profiles around the wheel in place of one: a file of slices { u, profile, features } with u the angle
+    /// from straight down towards +x at pitch 0 (rad), or the program CONTACT's list (.slcw).
+    pub(super) slices: Option<String>,
     /// What the profile's file does not show, or is to be read as, and how it is smoothed.
     #[schemars(with = "ReadingSection")]
     #[serde(default)]
     pub(super) reading: Option<ReadingSection>,
+    /// A flat { length, depth, angle, shape = "chord" or "haversine" }, or several in brackets.
+    #[schemars(with = "FlatValue")]
+    #[serde(default)]
+    pub(super) flat: Option<FlatValue>,
+    /// Harmonics [{ order, amplitude, phase }] of a wheel out of round: dr = amplitude sin(order th + phase).
+    pub(super) waviness: Option<Vec<WavinessSection>>,
     /// Nominal radius, at the profile's y = z = 0 (m).
     pub(super) radius: Option<f64>,
     /// The flange back's y in profile coordinates (m); -0.070 by default.
@@ -75,14 +85,20 @@ pub(super) struct WheelSection {
 }
 
 impl WheelSection {
+    fn has_profile(&self) -> bool {
+        self.profile.is_some() || self.points.is_some() || self.slices.is_some()
+    }
+
     /// What this section leaves out as in another; the reading goes with the file.
     pub(super) fn or(&self, other: &Self) -> Self {
-        let has_own = self.profile.is_some() || self.points.is_some();
-        let file = if has_own { self } else { other };
+        let file = if self.has_profile() { self } else { other };
         Self {
             profile: file.profile.clone(),
             points: file.points.clone(),
+            slices: file.slices.clone(),
             reading: self.reading.or(file.reading),
+            flat: self.flat.clone().or_else(|| other.flat.clone()),
+            waviness: self.waviness.clone().or_else(|| other.waviness.clone()),
             radius: self.radius.or(other.radius),
             flange_back: self.flange_back.or(other.flange_back),
         }
@@ -98,6 +114,11 @@ pub(super) struct RailSection {
     /// The profile's points [y, z] (m) in place of a name, y to the field side, z down, along the profile
     /// in either sense.
     pub(super) points: Option<Vec<[f64; 2]>>,
+    /// Profiles along the rail in place of one: a file of slices { u, profile, features } with u the place along
+    /// the track (m), or the program CONTACT's list (.slcs).
+    pub(super) slices: Option<String>,
+    /// Waves [{ wavelength, amplitude, phase }] along the rail: dz = amplitude sin(2 pi u/wavelength + phase).
+    pub(super) corrugation: Option<Vec<CorrugationSection>>,
     /// What the profile's file does not show, or is to be read as, and how it is smoothed.
     #[schemars(with = "ReadingSection")]
     #[serde(default)]
@@ -132,13 +153,18 @@ pub(super) struct RailSection {
 }
 
 impl RailSection {
+    fn has_profile(&self) -> bool {
+        self.profile.is_some() || self.points.is_some() || self.slices.is_some()
+    }
+
     /// What this section leaves out as in another; the reading goes with the file.
     pub(super) fn or(&self, other: &Self) -> Self {
-        let has_own = self.profile.is_some() || self.points.is_some();
-        let file = if has_own { self } else { other };
+        let file = if self.has_profile() { self } else { other };
         Self {
             profile: file.profile.clone(),
             points: file.points.clone(),
+            slices: file.slices.clone(),
+            corrugation: self.corrugation.clone().or_else(|| other.corrugation.clone()),
             reading: self.reading.or(file.reading),
             cant: self.cant.or(other.cant),
             dy: self.dy.or(other.dy),
@@ -184,6 +210,10 @@ pub(super) struct TrackSection {
 pub(super) struct WheelsetSection {
     /// Distance between the flange backs (m).
     pub(super) back_to_back: f64,
+    /// Its place along the track (m), where rails vary; 0 by default.
+    pub(super) s: Option<f64>,
+    /// How far its wheels have rolled on (rad), where they vary, positive forward as `pitch_rate`; 0 by default.
+    pub(super) pitch: Option<f64>,
     /// Its centre to the right of the track centre (m); 0 by default.
     pub(super) y: Option<f64>,
     /// Turn about z (rad): positive turns the axle's right end back; 0 by default.

@@ -28,6 +28,12 @@ pub struct WheelsetReportJson {
     pub roll_rad: f64,
     /// Turn about `z` (rad).
     pub yaw_rad: f64,
+    /// Place along the track (m); left out unless surfaces vary along rolling.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub s_m: Option<f64>,
+    /// How far the wheels have rolled on (rad), positive forward; left out unless surfaces vary along rolling.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub pitch_rad: Option<f64>,
     /// Speed along the track (m/s).
     pub speed_m_per_s: f64,
     /// Angular velocity about the axle (rad/s), positive when it rolls forward.
@@ -110,6 +116,9 @@ pub struct WheelPatchJson {
     pub y_wheel_m: f64,
     /// Rotation about `x` from the track's `z` to the normal (rad).
     pub contact_angle_rad: f64,
+    /// Turn about `s` after that (rad), which lowers the plane ahead; left out unless surfaces vary along rolling.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub contact_slope_rad: Option<f64>,
     /// Approach of the undeformed bodies along the normal (m).
     pub approach_m: f64,
     /// Its error bar (m).
@@ -181,6 +190,8 @@ impl WheelsetReport {
             z_m: position.z,
             roll_rad: position.roll,
             yaw_rad: position.yaw,
+            s_m: self.place.map(|[s, _]| s),
+            pitch_rad: self.place.map(|[_, pitch]| pitch),
             speed_m_per_s: motion.speed,
             pitch_rate_rad_per_s: motion.pitch_rate,
             lateral_velocity_m_per_s: motion.lateral_velocity,
@@ -257,6 +268,7 @@ impl WheelPatchJson {
             y_rail_m: contact.y_rail,
             y_wheel_m: contact.y_wheel,
             contact_angle_rad: contact.angle,
+            contact_slope_rad: contact.varying.map(|_| contact.slope),
             approach_m: approach.value,
             approach_error_m: approach.error,
             normal_force_n: load.value,

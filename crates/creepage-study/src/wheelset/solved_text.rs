@@ -37,6 +37,10 @@ impl WheelsetReport {
         lines.columns("centre", [&mm(position.y), &mm(position.z), ""]);
         lines.columns("", ["roll", "yaw", ""]);
         lines.columns("", [&mrad(position.roll), &mrad(position.yaw), ""]);
+        if let Some([s, pitch]) = self.place {
+            lines.columns("", ["s", "pitch", ""]);
+            lines.columns("", [&mm(s), &mrad(pitch), ""]);
+        }
         lines.row("speed", &quantity(motion.speed, "m/s", 5));
         let rate = |rate: f64| format!("{} rad/s", significant(rate, 8));
         if self.is_independent {
@@ -148,6 +152,10 @@ fn contact_lines(
     lines.row("x in the track", &mm(contact.reference[0]));
     let angle = format!("{} degrees", fixed(contact.angle.to_degrees(), 4));
     lines.row("contact angle", &angle);
+    if contact.varying.is_some() {
+        let slope = format!("{} degrees", fixed(contact.slope.to_degrees(), 4));
+        lines.row("falls ahead by", &slope);
+    }
     lines.row("normal force", &newton(contact.load()));
     lines.row("approach", &format!("{} µm", significant(1e6 * normal.approach().value, 5)));
     lines.row("peak pressure", &quantity(normal.peak_pressure().value, "Pa", 5));

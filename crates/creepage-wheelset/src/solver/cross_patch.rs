@@ -9,14 +9,16 @@ use std::f64::consts::PI;
 use creepage::normal::{Band, Moments, NormalContact, Patch};
 use creepage_rail::Contact;
 
+use crate::tilt::{Placed, Tilt};
+
 /// Parts of a band, whose load is taken at its centre.
 const PARTS: u32 = 12;
 
 /// The loads of contacts, as points in track axes.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct PointLoads {
-    /// Force over `pi E*` (m^2), place (m) and angle of its contact (rad).
-    loads: Vec<(f64, [f64; 3], f64)>,
+    /// Force over `pi E*` (m^2), place (m) and how its contact lies.
+    loads: Vec<(f64, [f64; 3], Tilt)>,
     /// Their sum (N).
     pub(crate) total: f64,
 }
@@ -29,7 +31,7 @@ impl PointLoads {
         self.loads.extend(
             bands
                 .flat_map(loads)
-                .map(|(force, place)| (force * unit, in_track(contact, place), contact.angle)),
+                .map(|(force, place)| (force * unit, in_track(contact, place), contact.tilt())),
         );
         self.total += normal.load().value;
     }
@@ -37,9 +39,9 @@ impl PointLoads {
     /// How much the distance at `(x, s)` of a contact has grown (m) under these loads.
     pub(crate) fn deflection(&self, contact: &Contact<'_>, place: [f64; 2]) -> f64 {
         let here = in_track(contact, place);
-        let by = |(force, there, angle): &(f64, [f64; 3], f64)| {
+        let by = |(force, there, tilt): &(f64, [f64; 3], Tilt)| {
             let distance = (0..3).map(|i| (here[i] - there[i]).powi(2)).sum::<f64>().sqrt();
-            force / distance * (angle - contact.angle).cos()
+            force / distance * tilt.facing(contact.tilt())
         };
         self.loads.iter().map(by).sum()
     }
@@ -57,7 +59,5 @@ fn loads(band: &Band) -> impl Iterator<Item = (f64, [f64; 2])> {
 
 /// A place of a contact plane in track axes.
 pub(crate) fn in_track(contact: &Contact<'_>, [x, s]: [f64; 2]) -> [f64; 3] {
-    let (sin, cos) = contact.angle.sin_cos();
-    let [a, b, c] = contact.reference;
-    [a + x, b + s * cos, c + s * sin]
+    contact.tilt().place(contact.reference, [x, s])
 }

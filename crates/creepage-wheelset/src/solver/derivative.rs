@@ -24,6 +24,9 @@ impl WheelsetSolver<'_> {
         stance: &WheelsetPose,
         travel: &WheelsetVelocity,
     ) -> Result<WheelsetDerivatives, WheelsetError> {
+        if self.press.running.varies() {
+            return Err(WheelsetError::Varies { what: "the derivative of the forces" });
+        }
         if travel.is_backward() {
             let (stance, travel) = (stance.fore_and_aft(), travel.fore_and_aft());
             let forward = self.derivatives(&solved.clone().fore_and_aft(), &stance, &travel)?;

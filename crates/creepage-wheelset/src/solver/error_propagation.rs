@@ -1,9 +1,9 @@
 //! What error bars owe to the position that was sought: where a load is given, a wheel whose friction
 //! or pressure errs stands higher or lower, and all of its contacts carry more or less.
 
-use super::normal_contact::vertical_ratio;
 use super::predictor::share;
 use crate::solved::{SolvedContact, SolvedWheel, SolvedWheelset};
+use crate::tilt::Placed;
 
 impl SolvedWheelset {
     /// Widens error bars of wheels that carry a given load: each its own, or `together`.
@@ -35,22 +35,25 @@ fn widen(contacts: &mut [&mut SolvedContact]) {
 impl SolvedContact {
     /// How far its vertical force may be off where the wheel stands (N), by its pressure.
     fn error_by_pressure(&self) -> f64 {
-        self.normal.load().error * self.angle.cos().abs()
+        self.normal.load().error * self.tilt().down()[2].abs()
     }
 
     /// The same by its friction; none by a theory without error bars.
     fn error_by_friction(&self) -> f64 {
-        self.force_error.map_or(0.0, |error| error.lateral * self.angle.sin().abs())
+        let [along, across, _] = self.tilt().down();
+        self.force_error
+            .map_or(0.0, |error| error.lateral * across.abs() + error.longitudinal * along.abs())
     }
 
     /// Change of its vertical force as the wheelset goes down (N/m).
     fn vertical_stiffness(&self) -> f64 {
-        self.normal.stiffness() * self.angle.cos() * vertical_ratio(self.angle, share(self))
+        let tilt = self.tilt();
+        self.normal.stiffness() * tilt.down()[2] * tilt.vertical_ratio(share(self))
     }
 
     /// Widens its error bars by what changes when it stands `depth` (m) lower.
     fn widen(&mut self, depth: f64) {
-        let more = self.normal.stiffness() * self.angle.cos() * depth;
+        let more = self.normal.stiffness() * self.tilt().down()[2] * depth;
         self.load_error += more;
         let part = more / self.load();
         if let Some(error) = &mut self.force_error {

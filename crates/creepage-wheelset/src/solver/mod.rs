@@ -36,6 +36,7 @@ use crate::friction::RailFriction;
 use crate::pose::{Load, Patches, RigidSlip, WheelsetPose, WheelsetVelocity};
 use crate::resultant::Acting;
 use crate::solved::{SolvedWheel, SolvedWheelset};
+use crate::tilt::Placed;
 use crate::warm_start::{LateralForceRatios, PitchState, PredictorCorrection};
 
 /// A wheelset on its track, prepared to be solved in many positions.
@@ -84,7 +85,8 @@ impl<'a> WheelsetSolver<'a> {
     }
 
     /// The same wheelset on another track, or in another place of it.
-    pub(crate) fn on<'b>(&self, running: &'b WheelsetOnTrack) -> WheelsetSolver<'b> {
+    #[must_use]
+    pub fn on<'b>(&self, running: &'b WheelsetOnTrack) -> WheelsetSolver<'b> {
         let NormalSolver { pair, resolution, patches, follows, .. } = self.press;
         WheelsetSolver {
             press: NormalSolver { running, pair, resolution, patches, follows },
@@ -122,6 +124,7 @@ impl<'a> WheelsetSolver<'a> {
         travel: &WheelsetVelocity,
     ) -> Result<SolvedWheelset, WheelsetError> {
         if travel.is_backward() {
+            self.check_backward()?;
             let solved = self.solve(&stance.fore_and_aft(), &travel.fore_and_aft())?;
             return Ok(solved.fore_and_aft());
         }
@@ -137,6 +140,12 @@ impl<'a> WheelsetSolver<'a> {
         let radius = running.wheelset().radius();
         let guess = load.map(|load| Guess::under_load(load, modulus, radius)).unwrap_or_default();
         self.from(stance, travel, &Start { guess, ..self.start() })
+    }
+
+    /// A wheelset that runs backwards is solved as its mirror image, which surfaces that vary do not have.
+    fn check_backward(&self) -> Result<(), WheelsetError> {
+        let what = "running backwards ([motion] speed below zero; turn the track and the wheels round instead)";
+        if self.press.running.varies() { Err(WheelsetError::Varies { what }) } else { Ok(()) }
     }
 
     /// What is known of no position at all.
@@ -161,6 +170,7 @@ impl<'a> WheelsetSolver<'a> {
             return self.solve(stance, travel);
         }
         if travel.is_backward() {
+            self.check_backward()?;
             let before = before.clone().fore_and_aft();
             let solved = self.next(&before, &stance.fore_and_aft(), &travel.fore_and_aft())?;
             return Ok(solved.fore_and_aft());
@@ -299,7 +309,8 @@ impl Start {
         shares.scaled_as(&before.shares);
         for (one, rolled) in wheels.iter().flat_map(|wheel| &wheel.contacts).zip(rolled) {
             let contact = &one.contact;
-            shares.push(contact.side, contact.y_rail, rolled.force.lateral / one.load());
+            let friction = [rolled.force.lateral, rolled.force.longitudinal];
+            shares.push(contact.side, contact.spot(), friction.map(|force| force / one.load()));
         }
         let roll = wheels.first().map(|wheel| wheel.position.roll);
         let mut guess = Guess { roll, ..before.guess.clone() };
@@ -360,7 +371,7 @@ fn levers(wheels: &[PressedWheel<'_>], rolled: &[Rolled<'_>]) -> Option<[f64; 2]
         for pressed in &wheel.contacts {
             let (contact, friction) = (&pressed.contact, rolled.next()?.force);
             let acting = Acting::new(friction, pressed.load(), pressed.normal.centroid());
-            let (force, about) = acting.about(contact.reference, contact.angle, centre);
+            let (force, about) = acting.about(contact.reference, contact.tilt(), centre);
             moment += about[0];
             vertical += force[2];
         }

@@ -9,10 +9,13 @@ use super::cross_patch;
 use super::excess::Excess;
 use crate::WheelsetError;
 use crate::pose::Patches;
+use crate::tilt::{Placed, distance};
 use crate::warm_start::LateralForceRatios;
 
 /// Places across a contact at which the undeformed bodies are looked up.
 const PLACES: usize = 161;
+/// The same along `x` and across, where surfaces vary along rolling.
+const LATTICE: [usize; 2] = [61, 81];
 /// How far beyond the overlap they reach, over its width.
 const MARGIN: f64 = 0.05;
 
@@ -40,25 +43,25 @@ pub(crate) struct PressedWheel<'a> {
 #[derive(Debug, Clone)]
 pub(crate) struct PatchWarmStart {
     side: Side,
-    y_rail: f64,
+    spot: [f64; 2],
     normal: NormalContact,
 }
 
 impl PatchWarmStart {
-    pub(crate) fn new(side: Side, y_rail: f64, normal: &NormalContact) -> Self {
-        Self { side, y_rail, normal: normal.clone() }
+    pub(crate) fn new(side: Side, spot: [f64; 2], normal: &NormalContact) -> Self {
+        Self { side, spot, normal: normal.clone() }
     }
 
     /// Those of some wheels.
     pub(crate) fn of(wheels: &[PressedWheel<'_>]) -> Vec<Self> {
         let contacts = wheels.iter().flat_map(|wheel| &wheel.contacts);
-        contacts.map(|one| Self::new(one.contact.side, one.contact.y_rail, &one.normal)).collect()
+        contacts.map(|one| Self::new(one.contact.side, one.contact.spot(), &one.normal)).collect()
     }
 
-    /// The one next to a place on a rail.
-    pub(crate) fn next_to(side: Side, y_rail: f64, all: &[Self]) -> Option<&NormalContact> {
+    /// The one next to a spot on a rail.
+    pub(crate) fn next_to(side: Side, spot: [f64; 2], all: &[Self]) -> Option<&NormalContact> {
         let own = all.iter().filter(|known| known.side == side);
-        let distance = |known: &Self| (known.y_rail - y_rail).abs();
+        let distance = |known: &Self| distance(known.spot, spot);
         own.min_by(|a, b| distance(a).total_cmp(&distance(b))).map(|known| &known.normal)
     }
 
@@ -95,7 +98,7 @@ impl<'a> NormalSolver<'a> {
         let geometry = |source| WheelsetError::Position { side, source };
         let contacts = self.running.contacts_of(side, &position).map_err(geometry)?;
         let near = |contact: &Contact<'a>| {
-            PatchWarmStart::next_to(contact.side, contact.y_rail, known).cloned()
+            PatchWarmStart::next_to(contact.side, contact.spot(), known).cloned()
         };
         let mut pressed: Vec<CrossPatch<'a>> =
             contacts.into_iter().map(|contact| CrossPatch::new(contact, near(&contact))).collect();
@@ -176,6 +179,7 @@ struct CrossPatch<'a> {
 }
 
 impl<'a> CrossPatch<'a> {
+    #[expect(clippy::large_types_passed_by_value, reason = "it is kept")]
     fn new(contact: Contact<'a>, near: Option<NormalContact>) -> Self {
         Self { contact, normal: near, load_of_others: None }
     }
@@ -190,11 +194,19 @@ impl<'a> CrossPatch<'a> {
     }
 }
 
-/// The undeformed distance over the plane of a contact, opened by `more` at `(s, x)`.
+/// The undeformed distance over the plane of a contact, opened by `more` at `(s, x)`: parabolas along `x`, and on
+/// surfaces that vary along rolling a lattice.
 fn gap(
     contact: &Contact<'_>,
     more: impl Fn(f64, f64) -> f64,
 ) -> Result<Gap, creepage::gap::GapError> {
+    if contact.varies() {
+        let mut points = contact.lattice(LATTICE, MARGIN);
+        for [x, s, gap] in &mut points {
+            *gap += more(*s, *x);
+        }
+        return Gap::grid(&points);
+    }
     let section = contact.section(PLACES, MARGIN);
     let column = |value: fn(&Across) -> f64| section.iter().map(value).collect();
     let [s, mut radius, locus]: [Vec<f64>; 3] =
@@ -216,23 +228,16 @@ impl Pressed<'_> {
         self.normal.load().value
     }
 
-    fn vertical_ratio(&self, share: f64) -> f64 {
-        vertical_ratio(self.contact.angle, share)
+    fn vertical_ratio(&self, shares: [f64; 2]) -> f64 {
+        self.contact.tilt().vertical_ratio(shares)
     }
-}
-
-/// Vertical part of a contact's force on the rail over its load, for a lateral force of `share` times
-/// the load.
-pub(crate) fn vertical_ratio(angle: f64, share: f64) -> f64 {
-    let (sin, cos) = angle.sin_cos();
-    cos + share * sin
 }
 
 /// How much nearer a contact comes when the wheelset rolls about its centre (m/rad).
 pub(crate) fn roll_lever(contact: &Contact<'_>, centre: [f64; 2]) -> f64 {
-    let (sin, cos) = contact.angle.sin_cos();
+    let [_, aside, down] = contact.tilt().axes()[2];
     let [_, y, z] = contact.reference;
-    (y - centre[0]) * cos + (z - centre[1]) * sin
+    (y - centre[0]) * down - (z - centre[1]) * aside
 }
 
 impl PressedWheel<'_> {
@@ -251,7 +256,7 @@ impl PressedWheel<'_> {
 
     /// Change of the expected force (N/m) when the wheelset goes down.
     pub(crate) fn stiffness(&self, shares: &LateralForceRatios) -> f64 {
-        self.change(shares, |contact| contact.angle.cos())
+        self.change(shares, |contact| contact.tilt().down()[2])
     }
 
     /// Change of the expected force (N/rad) when the wheelset rolls about its centre: on a flange

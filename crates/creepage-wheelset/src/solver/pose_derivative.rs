@@ -10,6 +10,7 @@ use super::tangential::{Method, Rolling};
 use super::{WheelsetSolver, motion_derivative};
 use crate::resultant::Acting;
 use crate::solved::SolvedWheel;
+use crate::tilt::Placed;
 use crate::{StateVariable, WheelsetError};
 
 /// Force (N) and moment (N m) on the rail, the moment of friction about the axle (N m),
@@ -113,8 +114,8 @@ impl<'a> Standing<'_, 'a> {
         let Pressed { contact, normal } = rolling.pressed;
         let acting = Acting::new(friction, load, normal.centroid());
         let origin = self.wheel.rail_origin;
-        let ([x, y, z], [mx, my, mz]) = acting.about(contact.reference, contact.angle, origin);
-        let (_, [about, ..]) = acting.about(contact.reference, contact.angle, rolling.centre());
+        let ([x, y, z], [mx, my, mz]) = acting.about(contact.reference, contact.tilt(), origin);
+        let (_, [about, ..]) = acting.about(contact.reference, contact.tilt(), rolling.centre());
         WheelLoads::from([x, y, z, mx, my, mz, rolling.axle_moment(friction), about])
     }
 }

@@ -4,9 +4,10 @@
 use creepage_rail::{Contact, Position, Side, WheelsetOnTrack};
 
 use super::Start;
-use super::normal_contact::{PatchWarmStart, roll_lever, vertical_ratio};
+use super::normal_contact::{PatchWarmStart, roll_lever};
 use super::step::{Line, Place, moves, wanted};
 use crate::solved::{SolvedContact, SolvedWheel, SolvedWheelset};
+use crate::tilt::{Placed, distance};
 use crate::warm_start::{LateralForceRatios, PredictorCorrection};
 use crate::{Load, WheelsetPose};
 
@@ -69,19 +70,19 @@ fn shifted(Position { z, roll, .. }: Position, stance: &WheelsetPose) -> Positio
 }
 
 fn vertical(wheel: &SolvedWheel) -> f64 {
-    wheel.contacts().iter().map(|own| own.load() * vertical_ratio(own.angle, share(own))).sum()
+    wheel.contacts().iter().map(|own| own.load() * own.tilt().vertical_ratio(share(own))).sum()
 }
 
-/// Lateral force over load.
-pub(crate) fn share(own: &SolvedContact) -> f64 {
-    own.force.lateral / own.load()
+/// Lateral and longitudinal force over load.
+pub(crate) fn share(own: &SolvedContact) -> [f64; 2] {
+    [own.force.lateral, own.force.longitudinal].map(|force| force / own.load())
 }
 
 impl PatchWarmStart {
     /// Those of a solved position.
     pub(crate) fn solved(solved: &SolvedWheelset) -> Vec<Self> {
         let contacts = solved.wheels().flat_map(SolvedWheel::contacts);
-        contacts.map(|own| Self::new(own.side, own.y_rail, &own.normal)).collect()
+        contacts.map(|own| Self::new(own.side, own.spot(), &own.normal)).collect()
     }
 }
 
@@ -90,7 +91,7 @@ impl LateralForceRatios {
     pub(crate) fn solved(solved: &SolvedWheelset) -> Self {
         let mut shares = Self::default();
         for contact in solved.wheels().flat_map(SolvedWheel::contacts) {
-            shares.push(contact.side, contact.y_rail, share(contact));
+            shares.push(contact.side, contact.spot(), share(contact));
         }
         shares
     }
@@ -106,9 +107,9 @@ fn line(wheel: &SolvedWheel, place: &Place, running: &WheelsetOnTrack) -> Option
     for own in wheel.contacts() {
         let contact = nearest(own, &contacts)?;
         let nearer = contact.approach - own.normal.approach().value;
-        let stiffness = own.normal.stiffness() * vertical_ratio(contact.angle, share(own));
+        let stiffness = own.normal.stiffness() * contact.tilt().vertical_ratio(share(own));
         line.force += stiffness * nearer;
-        line.by[0] += stiffness * contact.angle.cos();
+        line.by[0] += stiffness * contact.tilt().down()[2];
         line.by[1] += stiffness * roll_lever(contact, centre);
     }
     (contacts.len() == wheel.contacts().len()).then_some(line)
@@ -118,7 +119,7 @@ pub(crate) fn nearest<'c, 'a>(
     own: &SolvedContact,
     contacts: &'c [Contact<'a>],
 ) -> Option<&'c Contact<'a>> {
-    let distance = |contact: &Contact<'_>| (contact.y_rail - own.y_rail).abs();
+    let distance = |contact: &Contact<'_>| distance(contact.spot(), own.spot());
     contacts.iter().min_by(|a, b| distance(a).total_cmp(&distance(b)))
 }
 
@@ -188,7 +189,7 @@ impl PredictorCorrection {
 fn sides_beyond(before: &SolvedWheelset, solved: &SolvedWheelset) -> Vec<Vec<[f64; 2]>> {
     let known = PatchWarmStart::solved(before);
     let beyond = |own: &SolvedContact| {
-        own.normal.sides_beyond(PatchWarmStart::next_to(own.side, own.y_rail, &known)?)
+        own.normal.sides_beyond(PatchWarmStart::next_to(own.side, own.spot(), &known)?)
     };
     let contacts = solved.wheels().flat_map(SolvedWheel::contacts);
     contacts.map(|own| beyond(own).unwrap_or_default()).collect()

@@ -14,7 +14,7 @@ use crate::WheelsetVelocity;
 use crate::field::{Field, March};
 use crate::pose::PitchRate;
 use crate::rough;
-use crate::solved::{SolvedContact, SolvedWheel, SolvedWheelset};
+use crate::solved::{SolvedContact, SolvedWheel, SolvedWheelset, SurfaceLimits};
 
 impl WheelsetSolver<'_> {
     /// Wheels in their places, with contacts that rolled.
@@ -46,17 +46,19 @@ impl WheelsetSolver<'_> {
         let [on_left, on_right] = turning.motions;
         let pitch_rate = on_left.pitch_rate.midpoint(on_right.pitch_rate);
         let [left, right] = &self.friction;
+        let running = self.press.running;
         let mut solved = SolvedWheelset {
             left: None,
             right: None,
             motion: Motion { pitch_rate, ..on_left },
             is_independent: matches!(travel.pitch, PitchRate::Independent(_)),
             is_reversed: false,
+            place: running.varies().then(|| running.place()),
             friction: left.largest().max(right.largest()),
             slip: self.slip,
             theory: self.theory,
             derivatives: None,
-            radius: self.press.running.wheelset().radius(),
+            radius: running.wheelset().radius(),
             pitch: turning.pitch,
             drift: None,
         };
@@ -105,6 +107,10 @@ impl SolvedContact {
             side: contact.side,
             reference: contact.reference,
             angle: contact.angle,
+            slope: contact.slope,
+            varying: contact
+                .varies()
+                .then_some(SurfaceLimits { is_cut: contact.is_cut, is_beyond: contact.is_beyond }),
             y_rail: contact.y_rail,
             y_wheel: contact.y_wheel,
             normal: pressed.normal.clone(),

@@ -6,6 +6,7 @@ use creepage_rail::{Contact, Position, Side};
 use super::WheelsetSolver;
 use super::normal_contact::{NormalSolver, PatchWarmStart};
 use crate::WheelsetError;
+use crate::tilt::Placed;
 
 /// The contacts of a wheel with their pressures.
 pub type PressedContacts<'a> = Vec<(Contact<'a>, NormalContact)>;
@@ -22,7 +23,7 @@ impl<'a> WheelsetSolver<'a> {
         near: &[(Contact<'_>, NormalContact)],
     ) -> Result<PressedContacts<'a>, WheelsetError> {
         let known =
-            near.iter().map(|(contact, normal)| PatchWarmStart::new(side, contact.y_rail, normal));
+            near.iter().map(|(contact, normal)| PatchWarmStart::new(side, contact.spot(), normal));
         let press = NormalSolver { resolution, follows: false, ..self.press };
         let wheel = press.wheel(side, position, &known.collect::<Vec<_>>())?;
         let contacts = wheel.contacts.into_iter();

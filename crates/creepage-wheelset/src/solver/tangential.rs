@@ -18,7 +18,9 @@ use crate::correction::Correction;
 use crate::curving::{Curving, RigidMotion};
 use crate::friction::of_side;
 use crate::pose::{Drive, PitchRate, RigidSlip};
+use crate::resultant::Acting;
 use crate::solved::SolvedContact;
+use crate::tilt::{Placed, distance};
 use crate::warm_start::PitchState;
 use crate::{WheelsetError, WheelsetVelocity};
 
@@ -127,7 +129,7 @@ impl Prepared {
 #[derive(Debug, Clone)]
 pub(crate) struct TractionWarmStart {
     side: Side,
-    y_rail: f64,
+    spot: [f64; 2],
     tractions: Arc<TangentialWarmStart>,
     /// How a coarse grid is corrected.
     pub(crate) correction: Option<Arc<Correction>>,
@@ -141,14 +143,14 @@ impl TractionWarmStart {
             None => contact.tractions()?,
         };
         let tractions = Arc::clone(tractions);
-        Some(Self { side: contact.side, y_rail: contact.y_rail, tractions, correction: None })
+        Some(Self { side: contact.side, spot: contact.spot(), tractions, correction: None })
     }
 
     /// That of a solved contact by its coarse grid, where that was corrected.
     pub(crate) fn of_coarse_grid(contact: &SolvedContact) -> Option<Self> {
         let correction = Some(Arc::clone(contact.correction.as_ref()?));
         let tractions = Arc::clone(contact.tractions()?);
-        Some(Self { side: contact.side, y_rail: contact.y_rail, tractions, correction })
+        Some(Self { side: contact.side, spot: contact.spot(), tractions, correction })
     }
 
     /// That of some wheels.
@@ -161,13 +163,13 @@ impl TractionWarmStart {
         let Answer::Exact(solved) = &rolled.solved else { return None };
         let tractions = Arc::new(solved.tractions());
         let correction = rolled.correction.clone();
-        Some(Self { side: contact.side, y_rail: contact.y_rail, tractions, correction })
+        Some(Self { side: contact.side, spot: contact.spot(), tractions, correction })
     }
 
     /// That next to a contact.
     fn next_to(contact: &Contact<'_>, all: &[Self]) -> Option<Self> {
         let own = all.iter().filter(|known| known.side == contact.side);
-        let distance = |known: &Self| (known.y_rail - contact.y_rail).abs();
+        let distance = |known: &Self| distance(known.spot, contact.spot());
         own.min_by(|a, b| distance(a).total_cmp(&distance(b))).cloned()
     }
 }
@@ -310,9 +312,16 @@ impl<'w, 'a> Rolling<'w, 'a> {
     }
 
     /// Moment of the friction about the axle (N m), positive when it turns the wheelset forward
-    /// seen from the rail: pressure has none, for a wheel's normals meet its axle.
+    /// seen from the rail: pressure has none, for the normals of a round wheel meet its axle. Those of a wheel
+    /// that varies do not, and its pressure counts.
     pub(crate) fn axle_moment(&self, force: SiForce) -> f64 {
         let contact = &self.pressed.contact;
+        if contact.varies() {
+            let load = if contact.wheel_varies() { self.pressed.load() } else { 0.0 };
+            let acting = Acting::new(force, load, self.pressed.normal.centroid());
+            let (_, moment) = acting.about(contact.reference, contact.tilt(), self.centre());
+            return moment.iter().zip(self.axle()).map(|(m, a)| m * a).sum();
+        }
         let (sin, cos) = contact.angle.sin_cos();
         let [x, y, z] = in_track(contact, [0.0; 2]);
         let [_, centre_y, centre_z] = self.centre();
