@@ -1,5 +1,7 @@
 //! Gross sliding of unlike bodies, proposition III: the area is shifted, then elliptic.
 
+use std::f64::consts::TAU;
+
 use creepage::Ellipse;
 use creepage::coulomb::{GrossSliding, SlidingError};
 use rayon::prelude::*;
@@ -36,14 +38,29 @@ fn make() -> Result<Reproduction, GalleryError> {
     for ((k, _), curve) in DRAWN.iter().zip(&pressures) {
         data.curve(&format!("pressure, q = {}", Q[*k]), curve);
     }
+    let deviations: Vec<Curve> = solved.iter().map(deviation).collect();
+    for (q, curve) in Q.iter().zip(&deviations) {
+        data.curve(&format!("edge beyond the ellipse, q = {q}"), curve);
+    }
     let caption = "Unlike bodies that slide over each other under a constant load, their frictionless \
         contact a circle, the traction on the lower body towards +x, q = κμ/(1 - σ). Above: the \
         pressure along the sliding direction. Below: shift of the area, growth of its semi-axis along \
         the sliding direction and of the approach, by the full solution (points) and by the first term \
         of proposition III's expansion, worked out (lines): -q/π, (1/9 + 1/(3π²)) q², (1/9 - 1/(6π²)) q². \
-        Across, the area does not grow.";
-    let agreement = agreement(&solved);
-    Ok(Reproduction::figure(&sheet(frictionless, pressures, &changes), caption, data, agreement))
+        Across, the area does not grow. At the bottom: how far the edge lies outside the ellipse through its four \
+        extremes, over q³: an ellipse would be the zero line. The curves of different q nearly fall together, for it is the third \
+        power that first makes the area no ellipse, as the proposition says: an egg, its front side fuller than its rear.";
+    let agreement = agreement(&solved, &deviations);
+    let sheet = sheet(frictionless, pressures, &changes).panel(egg(&deviations));
+    Ok(Reproduction::figure(
+        &DEVIATIONS.iter().fold(sheet, |sheet, (k, pen)| {
+            let label = Label::new("edge beyond the ellipse, ").symbol("q").plain(" = ");
+            sheet.key(*pen, label.number(&Q[*k].to_string()))
+        }),
+        caption,
+        data,
+        agreement,
+    ))
 }
 
 fn pressures(sliding: &GrossSliding) -> Curve {
@@ -54,8 +71,48 @@ fn pressures(sliding: &GrossSliding) -> Curve {
     x.map(|x| [x, sliding.pressure([x, 0.0])]).collect()
 }
 
-/// What proposition III says, at the smallest `q`.
-fn agreement(solved: &[GrossSliding]) -> Vec<Comparison> {
+/// Whose edges are drawn.
+const DEVIATIONS: [(usize, Pen); 3] = [(2, OF_1967), (3, THIRD), (4, TANGENT)];
+
+/// How far the edge lies outside the ellipse through its extremes, along the ellipse's radius, over its
+/// eccentric angle: all that is no shift and no stretch.
+fn deviation(sliding: &GrossSliding) -> Curve {
+    const POINTS: usize = 120;
+    let ([x, y], [a, b]) = (sliding.shift(), sliding.semi_axes());
+    let place = |k: usize| TAU * k as f64 / POINTS as f64;
+    let beyond = |point: [f64; 2]| ((point[0] - x) / a).hypot((point[1] - y) / b) - 1.0;
+    let outline = sliding.outline(POINTS).into_iter().enumerate();
+    let mut curve: Curve =
+        outline.map(|(k, point)| [place(k).to_degrees(), beyond(point)]).collect();
+    curve.push([360.0, curve[0][1]]);
+    curve
+}
+
+/// Half the range of a curve.
+fn size(curve: &Curve) -> f64 {
+    let (low, high) = curve
+        .iter()
+        .fold((0.0_f64, 0.0_f64), |(low, high), point| (low.min(point[1]), high.max(point[1])));
+    0.5 * (high - low)
+}
+
+fn egg(deviations: &[Curve]) -> Panel {
+    let x = Axis::new([0.0, 360.0], Label::new("angle from the sliding direction [°]"));
+    let scaled = |k: usize| -> Curve {
+        deviations[k].iter().map(|[angle, off]| [*angle, off / Q[k].powi(3)]).collect()
+    };
+    let most =
+        DEVIATIONS.iter().flat_map(|(k, _)| scaled(*k)).map(|p| p[1].abs()).fold(0.0, f64::max);
+    let y = Axis::new(
+        [-1.15 * most, 1.15 * most],
+        Label::new("edge beyond the ellipse over ").symbol("q").plain("³ a"),
+    );
+    let panel = Panel::new(x, y).height(220.0).curve(vec![[0.0, 0.0], [360.0, 0.0]], Pen::GUIDE);
+    DEVIATIONS.iter().fold(panel, |panel, (k, pen)| panel.curve(scaled(*k), *pen))
+}
+
+/// What proposition III says, at the smallest `q`; of higher powers at the largest.
+fn agreement(solved: &[GrossSliding], deviations: &[Curve]) -> Vec<Comparison> {
     let (q, [shift, across]) = (Q[0], solved[0].shift());
     let [along, wide] = solved[0].semi_axes();
     vec![
@@ -75,7 +132,21 @@ fn agreement(solved: &[GrossSliding]) -> Vec<Comparison> {
             ),
             along > wide,
         ),
+        higher(deviations),
     ]
+}
+
+fn higher(deviations: &[Curve]) -> Comparison {
+    let [half, most] = [2, 4].map(|k| size(&deviations[k]));
+    let power = (most / half).ln() / (Q[4] / Q[2]).ln();
+    Comparison::claim(
+        "area at higher orders",
+        "not elliptic",
+        format!(
+            "the edge leaves the ellipse through its extremes by ±{half:.1e} a at q = 0.3 and ±{most:.1e} a at q = 0.5: as q to the {power:.1}"
+        ),
+        most > 1e-4 && (2.3..4.2).contains(&power),
+    )
 }
 
 fn sheet(frictionless: Curve, pressures: [Curve; 2], changes: &[(&str, Curve)]) -> Sheet {
