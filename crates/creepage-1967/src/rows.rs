@@ -46,7 +46,7 @@ mod tests {
             // Whoever wants to know why has to be told: an answer names its page or its item.
             assert!(!path.is_empty() && ["works", "answered"].contains(&state), "row {number}");
             for command in how.split('`').filter_map(|part| part.strip_prefix("reproduce ")) {
-                for name in command.split(' ') {
+                for name in command.split(' ').filter(|word| !word.starts_with("--")) {
                     assert!(
                         registry().iter().any(|item| item.name == name),
                         "row {number}: {name}"

@@ -14,24 +14,28 @@ pub(crate) const ITEM: Item =
 const END: f64 = 0.3;
 const THROUGH: f64 = 0.8;
 
-/// Tractions on the line `y = 0` over `mu p_0`.
-fn shifted(way: &[f64], parts: usize) -> Result<(Curve, f64), InvalidValue> {
+/// Tractions on the line `y = 0` over `mu p_0`, and the ends of their elements.
+fn shifted(way: &[f64], parts: usize) -> Result<(Curve, Curve), InvalidValue> {
     let mut bodies = Rolling::new(&like_bodies(1.0, 0.0)?, Resolution::STANDARD)?;
-    let (mut from, mut force) = (0.0, 0.0);
+    let mut from = 0.0;
     for to in way {
         for part in 1..=parts {
             let share = part as f64 / parts as f64;
-            force = bodies.shift(from + share * (to - from), 0.0)?.solution.force.fx;
+            bodies.shift(from + share * (to - from), 0.0)?;
         }
         from = *to;
     }
     // The strip nearest to the middle.
     let elements = bodies.elements();
     let nearest = elements.iter().map(|e| e.point.position[1].abs()).fold(f64::INFINITY, f64::min);
-    let middle = elements
-        .iter()
-        .filter(|e| e.point.position[1].abs() < nearest + 1e-9 && e.point.position[1] >= 0.0);
-    Ok((middle.map(|e| [e.point.position[0], e.point.traction[0]]).collect(), force))
+    let is_middle = |y: f64| y >= 0.0 && y < nearest + 1e-9;
+    let middle = || elements.iter().filter(|element| is_middle(element.point.position[1]));
+    let tractions = middle().map(|element| [element.point.position[0], element.point.traction[0]]);
+    let ends = middle().map(|element| {
+        let x = element.corners.map(|corner| corner[0]);
+        [x.into_iter().fold(1.0, f64::min), x.into_iter().fold(-1.0, f64::max)]
+    });
+    Ok((tractions.collect(), ends.collect()))
 }
 
 /// Cattaneo's and Mindlin's traction, and Mindlin's and Deresiewicz's after unloading.
@@ -94,14 +98,18 @@ fn make() -> Result<Reproduction, GalleryError> {
     let creepages = [1, 2].map(|k| rolled.iter().map(|row| [row[0], row[k]]).collect::<Curve>());
     data.curve("creepage after directly", &creepages[0]);
     data.curve("creepage after through more", &creepages[1]);
-    let off = |found: &Curve, through: Option<f64>| {
-        // The element that holds the kink of the closed form has the mean of its two sides.
-        let apart = found.iter().map(|[x, t]| (t - closed_form(*x, through)).abs());
+    let off = |(found, ends): &(Curve, Curve), through: Option<f64>| {
+        let mean = |[low, high]: [f64; 2]| {
+            let places = spaced(low, high, 40);
+            places.iter().map(|x| closed_form(*x, through)).sum::<f64>() / places.len() as f64
+        };
+        // The border of slip goes from element to element: those at its kinks do not count.
+        let apart = found.iter().zip(ends).map(|([_, t], ends)| (t - mean(*ends)).abs());
         let mut apart: Vec<f64> = apart.collect();
         apart.sort_by(f64::total_cmp);
-        apart[apart.len() * 9 / 10]
+        apart[apart.len() * 4 / 5]
     };
-    let [one, two] = [off(&direct.0, None), off(&around.0, Some(THROUGH))];
+    let [one, two] = [off(&direct, None), off(&around, Some(THROUGH))];
     let ways = farthest(&direct.0, &around.0);
     let steps = farthest(&around.0, &again.0);
     let pressed = without_friction()?;
@@ -118,7 +126,7 @@ fn make() -> Result<Reproduction, GalleryError> {
             "traction with friction, by two ways to one force",
             "the field depends on the history",
             format!(
-                "up to {ways:.2} of μp₀ apart at the same force; the closed forms of both within {:.3}",
+                "up to {ways:.2} of μp₀ apart at the same force; four elements of five within {:.3} of the closed forms",
                 one.max(two)
             ),
             ways > 0.3 && one.max(two) < 0.03,

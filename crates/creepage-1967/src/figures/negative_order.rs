@@ -8,7 +8,7 @@ pub(crate) const ITEM: Item =
 /// Degrees and orders `n = m` of which the sizes are shown.
 const MOST: u32 = 20;
 /// The oblate spheroids `eta` on which the potential is taken.
-const ETAS: [f64; 3] = [0.2, 0.6, 1.5];
+const ETAS: [f64; 3] = [0.3, 0.6, 1.5];
 
 /// Oblate spheroidal coordinates (proposition II, `a = 1`) on the half-plane `psi = 0`.
 fn place(omega: f64, eta: f64) -> [f64; 2] {
@@ -73,7 +73,8 @@ fn double_factorial(k: f64) -> f64 {
 }
 
 fn make() -> Reproduction {
-    let omegas = spaced(0.05, 0.95, 12);
+    // Nearer to the surface the quadrature would need more points.
+    let omegas = spaced(0.35, 0.95, 12);
     let mut data = Data::new(["curve", "eta_or_n", "omega", "value"]);
     let (mut worst, mut largest) = (0.0_f64, 0.0_f64);
     let mut curves = Vec::new();

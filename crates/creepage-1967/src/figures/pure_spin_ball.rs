@@ -17,7 +17,8 @@ const LOAD: f64 = 200.0;
 const FRICTION: f64 = 0.1;
 /// Groove radius over the ball's diameter: of the one race, and of the other in turn.
 const FIXED: f64 = 0.52;
-const OTHERS: [f64; 9] = [0.505, 0.51, 0.515, 0.52, 0.525, 0.53, 0.54, 0.56, 0.6];
+const OTHERS: [f64; 13] =
+    [0.505, 0.51, 0.515, 0.517, 0.5185, 0.5195, 0.52, 0.5205, 0.5215, 0.523, 0.525, 0.53, 0.54];
 /// From where the ball's rotation is sought, beside that of pure spin.
 const STARTS: [[f64; 3]; 3] = [[0.0, 0.0, 0.0], [0.6, -0.4, 0.3], [-0.3, 0.8, -0.5]];
 
@@ -164,7 +165,7 @@ fn make() -> Result<Reproduction, GalleryError> {
             spread < 1e-5,
         ),
         Comparison::claim(
-            "the same where the other groove is 0.505 to 0.6 of the ball’s diameter wide",
+            "the same where the other groove’s radius is 0.505 to 0.54 of the ball’s diameter",
             "(pure spin is said of congruent contacts)",
             format!(
                 "η up to {:.3}, spins up to {:.2} apart in χ, ξ below {:.0e}",
@@ -180,31 +181,34 @@ fn make() -> Result<Reproduction, GalleryError> {
         diameter, the other that of the abscissa. Where both are alike, either contact is the other turned by half a turn about the lateral \
         direction: the moments about the rolling and the normal direction cancel, and no creepage is needed. \
         The lateral forces of both contacts point the same way; a small difference of the contact angles carries them. \
-        Between unlike grooves the ball creeps across and turns more towards one race. The thesis has the statement alone.";
+        Between unlike grooves it is not so: the race with the larger moment of spin nearly holds the ball, which spins on the other \
+        alone (“race control”), and creeps a little across. The thesis has the statement alone.";
     Ok(Reproduction::figure(&sheet(&rows), caption, data, agreement))
 }
 
 fn sheet(rows: &[[f64; 6]]) -> Sheet {
+    const ENDS: [f64; 2] = [0.5, 0.545];
     let column = |k: usize| rows.iter().map(|row| [row[0], row[k]]).collect::<Curve>();
-    let curves = [(1, FULL, "ξ"), (2, SECOND, "η"), (3, THIRD, "χ")];
-    let values = || curves.iter().flat_map(|(k, ..)| rows.iter().map(|row| row[*k]));
-    let (low, high) = (values().fold(0.0, f64::min), values().fold(0.0, f64::max));
-    let x =
-        Axis::new([0.5, 0.6], Label::new("radius of the other groove over the ball’s diameter"));
-    let y = Axis::new([1.1 * low - 0.01, 1.1 * high + 0.01], Label::new("beyond pure spin"));
-    let mut panel = Panel::new(x, y)
-        .height(340.0)
-        .curve(vec![[0.5, 0.0], [0.6, 0.0]], Pen::GUIDE)
-        .curve(vec![[FIXED, 1.1 * low - 0.01], [FIXED, 1.1 * high + 0.01]], Pen::GUIDE);
-    let mut sheet = Sheet::new(ITEM.title);
-    for (k, pen, symbol) in curves {
-        panel = panel.curve(column(k), pen).marks(column(k), Mark::open(Shape::Circle, pen.colour));
-        let label = match k {
-            1 => Label::new("longitudinal creepage ").symbol(symbol),
-            2 => Label::new("lateral creepage ").symbol(symbol),
-            _ => Label::new("spin ").symbol(symbol).plain(" beyond half of that of the races"),
-        };
-        sheet = sheet.key(pen, label);
-    }
-    sheet.panel(panel)
+    let frame = |top: f64, heading: Label| {
+        let x = Label::new("radius of the other groove over the ball’s diameter");
+        Panel::new(Axis::new(ENDS, x), Axis::new([-top, top], heading))
+            .height(230.0)
+            .curve(vec![[ENDS[0], 0.0], [ENDS[1], 0.0]], Pen::GUIDE)
+            .curve(vec![[FIXED, -top], [FIXED, top]], Pen::GUIDE)
+    };
+    let drawn = |panel: Panel, k: usize, pen: Pen| {
+        panel.curve(column(k), pen).marks(column(k), Mark::open(Shape::Circle, pen.colour))
+    };
+    let most = |k: usize| rows.iter().map(|row| row[k].abs()).fold(0.0, f64::max);
+    let spins = frame(
+        1.15 * most(3),
+        Label::new("spin ").symbol("χ").plain(" beyond half of that of the races"),
+    );
+    let creepages = frame(1.15 * most(2), Label::new("creepage"));
+    Sheet::new(ITEM.title)
+        .panel(drawn(spins, 3, THIRD))
+        .panel(drawn(drawn(creepages, 1, FULL), 2, SECOND))
+        .key(THIRD, Label::new("spin"))
+        .key(FULL, Label::new("longitudinal creepage ").symbol("ξ"))
+        .key(SECOND, Label::new("lateral creepage ").symbol("η"))
 }
