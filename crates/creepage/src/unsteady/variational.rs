@@ -17,10 +17,12 @@
 //! however large their tractions become: the forces then grow beyond `mu N`, with the degree the more. So
 //! the bound (5.7) has to be kept, by the convex functional of
 //! [`TractionBound::Kept`](crate::variational::TractionBound::Kept), the least loss of power, with the
-//! power that goes into elastic energy. Where nothing changes any more it is that theory of steady rolling.
+//! power that goes into elastic energy. Where nothing changes any more it rolls steadily, near that theory of
+//! steady rolling but not to the last digit: what elastic energy takes is left out there, for it is zero.
 //!
-//! Against [`Rolling`](super::Rolling) from no traction at creepages and spins of order one, a circle, the
-//! force errs by some hundredths of `mu N` with degree 3, and by less with degree 6.
+//! Against [`Rolling`](super::Rolling) from no traction into steady rolling, a circle at creepages and spins
+//! of order one: the force within 0.07 of `mu N` with degree 3 and 0.05 with degree 6. With `a/b = 0.5`,
+//! `xi = 0.6`, `eta = -0.4`, `chi = 0.8` it ends 0.09 and 0.02 off.
 
 use super::history::Creep;
 use super::meet::{Accuracy, meet};
