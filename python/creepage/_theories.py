@@ -101,7 +101,8 @@ def prepared(
     if make is _creepage.Exact and together.get("resolution") == "auto":
         make = _creepage.Automatic
         del together["resolution"]
-    if make in (_creepage.Exact, _creepage.Automatic) and data.kappa_over_mu != 0.0:
+    unlike = (_creepage.Exact, _creepage.Automatic, _creepage.Variational)
+    if make in unlike and data.kappa_over_mu != 0.0:
         together = {"kappa_over_mu": data.kappa_over_mu, **together}
     theory: _creepage.Theory = make(a_over_b=data.a_over_b, poisson=data.poisson, **together)
     return theory

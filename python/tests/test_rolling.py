@@ -140,3 +140,26 @@ def test_errors_name_what_is_wrong() -> None:
         creepage.roll(PULLS, {"distance": [1e-3], "xi": [float("nan")]})
     with pytest.raises(ValueError, match="row 2: distance"):
         creepage.roll(PULLS, {"distance": [1e-3, 1e-3]})
+
+
+def test_chapter_5_rolls_with_a_memory() -> None:
+    own, full = Rolling(wheel("variational")), Rolling(wheel())
+    for _ in range(3):
+        forces = [one.step(2e-3, longitudinal=-1.5e-3).force.longitudinal for one in (own, full)]
+        # Degree 3 on the way to steady rolling, in parts of mu N.
+        assert forces[0] == pytest.approx(forces[1], abs=0.09 * 24e3)
+    again = pickle.loads(pickle.dumps(own))
+    assert again.step(1e-3) == own.step(1e-3)
+    with pytest.raises(creepage.CaseError, match="constant load"):
+        own.step(1e-3, normal_force=70e3)
+    with pytest.raises(creepage.CaseError, match="degree = 60"):
+        Rolling(
+            creepage.Case(
+                upper=creepage.Body(shear_modulus=82e9, poisson=0.28, radius_rolling=0.46),
+                lower=creepage.Body(shear_modulus=82e9, poisson=0.28, radius_lateral=0.30),
+                normal_force=80e3,
+                friction=0.3,
+                theory="variational",
+                degree=60,
+            )
+        )

@@ -129,3 +129,6 @@ def test_chapter_5_counts_unlike_bodies_as_a_case_does() -> None:
     assert own.fx == pytest.approx(case.solve().dimensionless.fx, rel=1e-12)
     like = creepage.Variational(*shape).force(*case.dimensionless)
     assert abs(own.fx - like.fx) > 0.02
+    # So does the theory that a case prepares.
+    prepared = case.theory("variational").force(*case.dimensionless)
+    assert prepared.fx == pytest.approx(own.fx, rel=1e-12)

@@ -1,10 +1,11 @@
 //! A table or figure of the thesis, and what it becomes.
 
-use creepage_plot::Sheet;
+use creepage_plot::{Label, Mark, Shape, Sheet};
 
 use crate::comparison::Comparison;
 use crate::data::Data;
 use crate::error::GalleryError;
+use crate::points::{OwnPoints, PointsError};
 
 /// What is said of experiments whose points are in the thesis's pictures only.
 pub const EXPERIMENTS: &str = "The points of the experiments are only in the picture of 1967, not in \
@@ -52,7 +53,12 @@ pub struct Reproduction {
     pub data: Data,
     /// What the thesis says, and what is found.
     pub agreement: Vec<Comparison>,
+    /// What the picture was drawn from.
+    pub(crate) sheet: Option<Sheet>,
 }
+
+/// Points of one's own in a picture.
+const OWN: Mark = Mark::full(Shape::Square, "#8e24aa");
 
 impl Reproduction {
     pub(crate) fn figure(
@@ -62,8 +68,37 @@ impl Reproduction {
         agreement: Vec<Comparison>,
     ) -> Self {
         // The page has the title as its heading.
-        let svg = Some(sheet.clone().without_title().svg());
-        Self { caption: caption.into(), svg, text: None, data, agreement }
+        let sheet = sheet.clone().without_title();
+        let svg = Some(sheet.svg());
+        Self { caption: caption.into(), svg, text: None, data, agreement, sheet: Some(sheet) }
+    }
+
+    /// The same with points of one's own over its picture; and how many of them lie outside the
+    /// frames, where they are not seen.
+    ///
+    /// # Errors
+    /// [`PointsError`] for a table of words, and for a panel that the picture does not have.
+    pub fn with_points(
+        mut self,
+        name: &'static str,
+        points: &OwnPoints,
+    ) -> Result<(Self, usize), PointsError> {
+        let mut sheet = self.sheet.take().ok_or(PointsError::NoPicture { name })?;
+        let panels = sheet.panels().len();
+        let mut outside = 0;
+        for (index, (panel, point)) in points.iter().enumerate() {
+            let place = panel.checked_sub(1).filter(|place| *place < panels);
+            let place = place.ok_or_else(|| PointsError::NoPanel {
+                row: index + 1,
+                panel: panel.to_string(),
+                panels,
+            })?;
+            outside += usize::from(!sheet.panels()[place].holds(point));
+            sheet = sheet.marks_over(place, vec![point], OWN);
+        }
+        let sheet = sheet.key(OWN, Label::new("your points"));
+        self.svg = Some(sheet.svg());
+        Ok((Self { sheet: Some(sheet), ..self }, outside))
     }
 
     pub(crate) fn table(
@@ -72,6 +107,7 @@ impl Reproduction {
         data: Data,
         agreement: Vec<Comparison>,
     ) -> Self {
-        Self { caption: caption.into(), svg: None, text: Some(text), data, agreement }
+        let caption = caption.into();
+        Self { caption, svg: None, text: Some(text), data, agreement, sheet: None }
     }
 }

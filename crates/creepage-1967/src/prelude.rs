@@ -14,6 +14,6 @@ pub(crate) use crate::inks::{
 };
 pub(crate) use crate::item::{EXPERIMENTS, Item, Reproduction};
 pub(crate) use crate::theories::{
-    Curve, STEEL, band, chained, chapter_5, farthest, full, full_solutions, like_bodies, points,
-    rolling_at, spaced,
+    CATALOGUE, Curve, STEEL, band, chained, chapter_5, farthest, full, full_solutions, like_bodies,
+    points, rolling_at, spaced,
 };

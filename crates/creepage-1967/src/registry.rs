@@ -3,8 +3,9 @@
 use crate::figures::{
     adhesion_splits, angles, border_jumps, convergence, edge_energy, fig2, fig3, fig3a, fig3b,
     fig4, fig5, fig7, fig9, fig10, fig11, fig12, fig13, fig14, fig15, fig16, fig17, fig18, fig19,
-    fig20, fig21, fig22, fig23, fig24, free_rolling, islands, judgement, sliding_with_kappa,
-    transients, tubes, wide_contact,
+    fig20, fig21, fig22, fig23, fig24, free_rolling, histories, islands, judgement, negative_order,
+    pure_spin_ball, sliding_with_kappa, transients, tubes, tubes_in_space, unsteady_chapter_5,
+    wide_contact,
 };
 use crate::item::Item;
 use crate::tables::{claims, table1, table2, table3, table4, table5};
@@ -40,16 +41,21 @@ const ITEMS: &[Item] = &[
     fig23::ITEM,
     wide_contact::ITEM,
     tubes::ITEM,
+    tubes_in_space::ITEM,
     fig24::A,
     fig24::B,
     fig24::C,
     angles::ITEM,
     claims::ITEM,
+    unsteady_chapter_5::ITEM,
+    histories::ITEM,
+    negative_order::ITEM,
     sliding_with_kappa::ITEM,
     free_rolling::ITEM,
     border_jumps::ITEM,
     adhesion_splits::ITEM,
     transients::ITEM,
+    pure_spin_ball::ITEM,
     judgement::ITEM,
     islands::ITEM,
     convergence::ITEM,

@@ -12,10 +12,11 @@ pub fn rows() -> impl Iterator<Item = [&'static str; 6]> {
     })
 }
 
-/// How many rows work, work in part, and do not.
+/// How many rows work, and how many have an answer in place of what cannot be had: measured points that the
+/// thesis has in its pictures only, a formula that it does not state, a claim that does not hold.
 #[must_use]
-pub fn states() -> [usize; 3] {
-    ["works", "in part", "missing"].map(|state| rows().filter(|row| row[5] == state).count())
+pub fn states() -> [usize; 2] {
+    ["works", "answered"].map(|state| rows().filter(|row| row[5] == state).count())
 }
 
 #[cfg(test)]
@@ -29,10 +30,9 @@ mod tests {
     fn the_table_is_whole_and_its_counts_are_right() {
         let numbers: Vec<_> = rows().map(|row| row[0].parse::<usize>().unwrap()).collect();
         assert_eq!(numbers, (1..=105).collect::<Vec<_>>());
-        let [works, part, missing] = states();
-        assert_eq!(works + part + missing, 105);
-        let words =
-            format!("105 things, of which\n{works} work, {part} work in part and {missing} do not");
+        let [works, answered] = states();
+        assert_eq!(works + answered, 105);
+        let words = format!("105 things, of which\n{works} work and {answered} have an answer");
         assert!(ROWS.contains(&words), "the first lines of ROWS.md should say: {words}");
     }
 
@@ -43,9 +43,10 @@ mod tests {
             assert!(!what.is_empty() && !how.is_empty(), "{number}");
             let path = test.trim_matches('`');
             assert!(crates.join(path).exists(), "row {number}: {path}");
-            assert!(!path.is_empty() || state == "missing", "row {number} has no test");
+            // Whoever wants to know why has to be told: an answer names its page or its item.
+            assert!(!path.is_empty() && ["works", "answered"].contains(&state), "row {number}");
             for command in how.split('`').filter_map(|part| part.strip_prefix("reproduce ")) {
-                for name in command.split(' ') {
+                for name in command.split(' ').filter(|word| !word.starts_with("--")) {
                     assert!(
                         registry().iter().any(|item| item.name == name),
                         "row {number}: {name}"

@@ -21,6 +21,14 @@ pub(crate) type Curve = Vec<[f64; 2]>;
 /// Combined Poisson's ratio of the steel in chapter 5.
 pub(crate) const STEEL: f64 = 0.28;
 
+/// The catalogue (5.29): ratios of the semi-axes and their spins.
+pub(crate) const CATALOGUE: [(f64, [f64; 6]); 4] = [
+    (2.0, [0.0, 0.5, 1.0, 2.0, 3.5, 7.0]),
+    (1.0, [0.0, 0.5, 1.0, 2.0, 5.0, 10.0]),
+    (0.5, [0.0, 1.0, 2.0, 3.0, 5.0, 10.0]),
+    (0.2, [0.0, 0.5, 1.0, 2.0, 5.0, 10.0]),
+];
+
 /// The numerical theory of chapter 5 as the thesis used it, for degree `M` and a weight.
 pub(crate) fn chapter_5(
     a_over_b: f64,

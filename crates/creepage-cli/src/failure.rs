@@ -99,6 +99,10 @@ pub(crate) enum Failure {
     TableOfEllipses { path: PathBuf },
     #[error(transparent)]
     Reproduce(#[from] GalleryError),
+    #[error("--points goes with one picture: name just one")]
+    PointsOfOne,
+    #[error("{}: {source}", path.display())]
+    OwnPoints { path: PathBuf, source: creepage_1967::PointsError },
     #[error(transparent)]
     UnknownTheory(#[from] UnknownTheory),
     #[error("{}: {source}", path.display())]

@@ -6,7 +6,7 @@ use crate::label::Label;
 /// A linear axis.
 #[derive(Debug, Clone)]
 pub struct Axis {
-    range: [f64; 2],
+    pub(crate) range: [f64; 2],
     label: Label,
     ticks: Option<Vec<(f64, String)>>,
     pub(crate) is_shared: bool,

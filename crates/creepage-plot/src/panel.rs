@@ -90,6 +90,14 @@ impl Panel {
         self
     }
 
+    /// Whether a point lies within its axes: what does not is not seen.
+    #[must_use]
+    pub fn holds(&self, [x, y]: Point) -> bool {
+        [(x, self.x.range), (y, self.y.range)]
+            .into_iter()
+            .all(|(value, [from, to])| (from.min(to)..=from.max(to)).contains(&value))
+    }
+
     /// Adds a line.
     #[must_use]
     pub fn curve(self, points: Vec<Point>, pen: Pen) -> Self {

@@ -4,8 +4,9 @@ use crate::clip::Frame;
 use crate::head::Head;
 use crate::label::Label;
 use crate::legend::{Legend, Sample};
+use crate::mark::Mark;
 use crate::panel::Panel;
-use crate::scene::Scene;
+use crate::scene::{Point, Scene};
 use crate::theme::{HATCHING, MARGIN};
 
 /// Width of the sheet, unless another is asked for.
@@ -64,6 +65,21 @@ impl Sheet {
     #[must_use]
     pub fn panel(mut self, panel: Panel) -> Self {
         self.panels.push(panel);
+        self
+    }
+
+    /// Its panels, in the order in which they were added: row by row, each from the left.
+    #[must_use]
+    pub fn panels(&self) -> &[Panel] {
+        &self.panels
+    }
+
+    /// Lays marks over one of its panels, counted from 0; of no effect where there is no such panel.
+    #[must_use]
+    pub fn marks_over(mut self, panel: usize, points: Vec<Point>, mark: Mark) -> Self {
+        if let Some(panel) = self.panels.get_mut(panel) {
+            *panel = panel.clone().marks(points, mark);
+        }
         self
     }
 

@@ -273,9 +273,10 @@ pub(crate) fn history(py: Python, error: HistoryError) -> PyErr {
         HistoryError::Row { source: MotionError::Value(error), .. } => {
             exception(py, "InvalidValue", (message, error.quantity, error.value, error.valid))
         }
-        HistoryError::Theory { .. } | HistoryError::Automatic => {
-            exception(py, "CaseError", (message, Some("solve")))
-        }
+        HistoryError::Theory { .. }
+        | HistoryError::Automatic
+        | HistoryError::NotOfVariational { .. }
+        | HistoryError::Variational(_) => exception(py, "CaseError", (message, Some("solve"))),
         HistoryError::Foreign { section, key, .. } => {
             exception(py, "CaseError", (message, Some(section), Some(key)))
         }

@@ -109,3 +109,19 @@ fn unlike_bodies_are_another_contact() {
     assert!((one.fx - two.fx).hypot(one.fy - two.fy) > 1e-3, "{one:?} {two:?}");
     refused(&unlike.replace("0.3", "nan"), &["[contact]", "kappa_over_mu"]);
 }
+
+/// (5.15) with weights of its own in the area of adhesion.
+#[test]
+fn areas_have_two_weights() {
+    let areas = SWEEP.replace("newton", "areas");
+    let two = areas.replace("degree = 3", "degree = 3\nadhesion_weight = \"uniform\"");
+    let forces = [&areas, &two].map(|text| {
+        let sweep = Sweep::read(text).unwrap();
+        let (theory, at) = (sweep.theory().unwrap(), sweep.case(3));
+        sweep.chain(&theory, 3).solve(at.creepage, None).found.solution.force
+    });
+    assert!((forces[0].fx - forces[1].fx).abs() > 1e-4, "{forces:?}");
+    assert!((forces[0].fx - forces[1].fx).abs() < 0.2, "{forces:?}");
+    let newton = SWEEP.replace("degree = 3", "degree = 3\nadhesion_weight = \"uniform\"");
+    refused(&newton, &["[solve] adhesion_weight", "areas"]);
+}

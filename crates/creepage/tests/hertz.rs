@@ -202,3 +202,26 @@ fn bodies_that_cannot_make_an_ellipse_are_errors() {
         }
     }
 }
+
+/// The moment of the front half of the pressure, summed over the ellipse.
+#[test]
+fn hysteresis_is_that_of_the_front_half() {
+    let solid = Solid::new(80e9, 0.3).unwrap();
+    let ellipse = Ellipse::new(2e-3, 5e-3).unwrap();
+    let hertz = Hertz::from_ellipse(SolidPair::new(solid, solid), ellipse, 1e4).unwrap();
+    // Work by rolling through an angle: the integral of x Z over x > 0, by midpoints.
+    let (n, [a, b]) = (800, [ellipse.a(), ellipse.b()]);
+    let (dx, dy) = (a / f64::from(n), 2.0 * b / f64::from(n));
+    let mut moment = 0.0;
+    for i in 0..n {
+        for j in 0..n {
+            let (x, y) = (dx * (f64::from(i) + 0.5), dy * (f64::from(j) + 0.5) - b);
+            let z = (1.0 - (x / a).powi(2) - (y / b).powi(2)).max(0.0).sqrt();
+            moment += x * hertz.peak_pressure() * z * dx * dy;
+        }
+    }
+    let found = hertz.hysteresis_moment(0.02).unwrap();
+    // Midpoints of 800 cells beside a root at the edge.
+    assert!((found / (0.02 * moment) - 1.0).abs() < 1e-4, "{found}");
+    assert!(hertz.hysteresis_moment(1.5).is_err() && hertz.hysteresis_moment(f64::NAN).is_err());
+}

@@ -32,8 +32,13 @@ fn forces_of_the_reference_cases() {
     for case in cases {
         let weight = if case["weight"] == "W1" { Weight::Elliptic } else { Weight::Uniform };
         let mesh = [count(case, "nx"), count(case, "ny")];
-        let settings =
-            Settings { degree: count(case, "M"), mesh, weight, bound: TractionBound::Unchecked };
+        let settings = Settings {
+            degree: count(case, "M"),
+            mesh,
+            weight,
+            bound: TractionBound::Unchecked,
+            adhesion_weight: None,
+        };
         let theory =
             Variational::new(&contact(number(case, "a_over_b"), number(case, "sigma")), settings)
                 .unwrap();

@@ -253,12 +253,41 @@ fn curves(panel: Panel, line: &Line) -> Panel {
 fn rings(net: &Net) -> Panel {
     let panel = frame(net, Label::new("constant ").symbol("υ"));
     let panel = net.rings.iter().fold(panel, curves);
+    if net.chi > CROWDED {
+        return fanned(panel, net);
+    }
     net.rings.iter().fold(panel, |panel, ring| {
         // With spin the rings are farthest apart where creepage and spin oppose each other.
         let forces = &ring.forces[0];
         let end = if net.chi > 0.0 { forces.first() } else { forces.last() };
         let end = end.map_or([0.0; 2], |force| [force.fx, force.fy]);
         panel.name(end, OF_1967, Label::default().number(&ring.value.to_string()))
+    })
+}
+
+/// The spin beyond which the rings are too small for their names at their ends.
+const CROWDED: f64 = 3.0;
+
+/// The names round the rings, each with a line to its own that crosses the others at right angles.
+fn fanned(panel: Panel, net: &Net) -> Panel {
+    const FAR: f64 = 0.56;
+    let height = |force: Option<&Force>| force.map_or(0.0, |force| force.fy);
+    let smallest = &net.rings[0].forces[0];
+    let centre = f64::midpoint(height(smallest.first()), height(smallest.last()));
+    let count = net.rings.len() as f64;
+    net.rings.iter().enumerate().fold(panel, |panel, (k, ring)| {
+        // From above for the smallest to below for the largest.
+        let angle = (66.0 - 132.0 * k as f64 / (count - 1.0)).to_radians();
+        let (sin, cos) = angle.sin_cos();
+        let off = |force: &&Force| ((force.fy - centre).atan2(force.fx) - angle).abs();
+        let nearest = ring.forces[0].iter().min_by(|one, two| off(one).total_cmp(&off(two)));
+        let from = nearest.map_or([0.0; 2], |force| [force.fx, force.fy]);
+        let name = Label::default().number(&ring.value.to_string());
+        panel.curve(vec![from, [FAR * cos, centre + FAR * sin]], Pen::GUIDE).text(
+            [(FAR + 0.02) * cos, centre + (FAR + 0.02) * sin - 0.02],
+            Anchor::Start,
+            name,
+        )
     })
 }
 

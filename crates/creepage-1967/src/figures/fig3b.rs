@@ -20,7 +20,9 @@ fn make() -> Result<Reproduction, GalleryError> {
     let caption = "Creepage and spin coefficients of linear theory (called Fig. 8 in the thesis's \
         list of symbols). Lines: converged; marks: Table 3 as printed, of degree 5. C23 leaves the \
         picture as b/a goes to 0, C33 as a/b does. That C32 = −C23, for which the thesis had no \
-        explanation, follows from the reciprocal theorem.";
+        explanation, follows from the reciprocal theorem. Johnson's own theory of infinitesimal spin on a circle \
+        (J. Appl. Mech. 25, 1958, p. 332), with which the thesis says that there is a fairly large discrepancy, is not beside \
+        it: its formula is not in the thesis, and was not to be had; his measured C23 is.";
     Ok(Reproduction::figure(&sheet, caption, data, vec![reciprocity()?, johnson()?]))
 }
 

@@ -10,13 +10,6 @@ use crate::prelude::*;
 pub(crate) const ITEM: Item =
     Item::new("tubes", "Tubes of constant creepage over force and spin, section 5.33", make);
 
-/// The catalogue (5.29): ratios of the semi-axes and their spins.
-const CATALOGUE: [(f64, [f64; 6]); 4] = [
-    (2.0, [0.0, 0.5, 1.0, 2.0, 3.5, 7.0]),
-    (1.0, [0.0, 0.5, 1.0, 2.0, 5.0, 10.0]),
-    (0.5, [0.0, 1.0, 2.0, 3.0, 5.0, 10.0]),
-    (0.2, [0.0, 0.5, 1.0, 2.0, 5.0, 10.0]),
-];
 /// Sizes of the creepage, and their pens.
 const SIZES: [(f64, Pen); 3] = [(0.3, SECOND), (0.9, FULL), (1.7, THIRD)];
 const PURE_SPIN: Pen = Pen::OUTLINE;

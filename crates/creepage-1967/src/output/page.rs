@@ -45,15 +45,15 @@ pub(super) fn html(made: &[Made]) -> String {
 
 /// What a reader wants to do with the thesis, row by row.
 fn all_rows(page: &mut String) {
-    let [works, part, missing] = states();
+    let [works, answered] = states();
     // Writing to a String cannot fail.
     let _ = writeln!(
         page,
         "<section id=\"rows\">\n<h2>The thesis, row by row</h2>\n<p class=\"caption\">{} things that a \
-         reader wants to do with it, in its order: {works} work, {part} in part, {missing} do not.</p>\n\
+         reader wants to do with it, in its order: {works} work; {answered} have an answer in place of what cannot be had.</p>\n\
          <details><summary>all of them</summary><div class=\"wide\"><table>\n\
          <tr><th><th>what<th>where<th>how<th>test<th>state</tr>",
-        works + part + missing
+        works + answered
     );
     for row in rows() {
         let cells = row.map(|cell| format!("<td>{}", coded(&escape(cell))));

@@ -48,3 +48,31 @@ fn what_cannot_be_reproduced_is_refused() {
     place.run(&["reproduce", "table1", "--out", "file"]).refused(&["cannot write file"]);
     assert_eq!(place.files(), ["file"]);
 }
+
+/// A historian lays the points that he has read off the printed picture over ours.
+#[test]
+fn points_of_ones_own_lie_over_a_picture() {
+    let place = Place::new();
+    place.write("read.csv", "x,y\n0.5,0.21\n1.5,0.44\n80,0.2\n");
+    let plain = place.run(&["reproduce", "fig3", "--out", "plain"]);
+    plain.done();
+    let ran = place.run(&["reproduce", "fig3", "--out", "own", "--points", "read.csv"]);
+    ran.done();
+    let [plain, own] = ["plain", "own"].map(|out| place.read(&format!("{out}/fig3.svg")));
+    assert!(own.contains("your points") && !plain.contains("your points"));
+    for (words, table) in [
+        ("column y is missing", "x\n0.5\n"),
+        ("row 2, column y: `much` is no number", "x,y\n0.5,0.1\n1,much\n"),
+        ("row 1: the picture has no panel 9", "x,y,panel\n0.5,0.1,9\n"),
+        ("unknown column `z`", "x,y,z\n1,1,1\n"),
+        ("no rows", "x,y\n"),
+    ] {
+        place.write("bad.csv", table);
+        let arguments = ["reproduce", "fig3", "--out", "own", "--points", "bad.csv"];
+        place.run(&arguments).refused(&["bad.csv", words]);
+    }
+    let two = ["reproduce", "fig3", "fig4", "--out", "own", "--points", "read.csv"];
+    place.run(&two).refused(&["--points goes with one picture"]);
+    let table = ["reproduce", "table1", "--out", "own", "--points", "read.csv"];
+    place.run(&table).refused(&["table1 is a table"]);
+}

@@ -69,6 +69,9 @@ pub enum CaseError {
     /// The shakedown limit of a contact that is not Hertz's.
     #[error("[damage] shakedown is computed for contact ellipses only: leave it out")]
     ShakedownOfAnyShape,
+    /// A weight of the area of adhesion where there is none.
+    #[error("[solve] adhesion_weight goes with method = \"areas\" alone")]
+    WeightOfAreas,
     /// Friction by temperature without the bodies' heat.
     #[error("[contact] friction by temperature needs [heat]: how both bodies conduct heat")]
     HeatOfFriction,

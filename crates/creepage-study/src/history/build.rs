@@ -64,6 +64,9 @@ impl SmoothFile {
             (None, Some(_)) if matches!(method, Method::Fastsim(_)) => {
                 Err(HistoryError::NotOfFastsim { what: "[contact] line_load" })
             }
+            (None, Some(_)) if matches!(method, Method::Variational(_)) => {
+                Err(HistoryError::NotOfVariational { what: "[contact] line_load" })
+            }
             (None, Some(load)) => self.line(load),
         }
     }
@@ -73,6 +76,7 @@ impl SmoothFile {
         match &spec {
             TheorySpec::Exact(options) => resolution(options).map(Method::Exact),
             TheorySpec::Fastsim(settings) => Ok(Method::Fastsim(*settings)),
+            TheorySpec::Variational(options) => Ok(Method::Variational(options.settings())),
             _ => Err(HistoryError::Theory { theory: spec.facts().name }),
         }
     }
@@ -95,6 +99,9 @@ impl SmoothFile {
         let hertz = section.hertz(&self.upper, &self.lower)?;
         check_aligned(own.angle, &hertz)?;
         let contact = own.friction.contact(&hertz, self.creepage.speed, None)?;
+        if matches!(method, Method::Variational(_)) && contact.rolling_friction().is_some() {
+            return Err(HistoryError::NotOfVariational { what: "[contact] friction with a law" });
+        }
         let friction = own.friction.at_rest()?;
         let (scaling, kind) = (contact.scaling(), Kind::Ellipse { contact, method });
         Ok(RollCase { scaling, load: normal_force, friction, kind, start: Start::None })
@@ -192,6 +199,7 @@ fn on_areas(case: &GapCase) -> Result<RollCase, HistoryError> {
     let options = match &case.theory {
         TheorySpec::Exact(options) => *options,
         TheorySpec::Fastsim(_) => return Err(HistoryError::NotOfFastsim { what: "[gap]" }),
+        TheorySpec::Variational(_) => return Err(HistoryError::NotOfVariational { what: "[gap]" }),
         other => return Err(HistoryError::Theory { theory: other.facts().name }),
     };
     options.resolutions().map_err(CaseError::invalid("solve"))?;

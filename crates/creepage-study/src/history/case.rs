@@ -4,9 +4,11 @@ use creepage::approximate::fastsim::Settings;
 use creepage::coulomb::Resolution;
 use creepage::friction_law::RollingFriction;
 use creepage::normal::NormalContact;
-use creepage::unsteady::{Prescribed, Rolled, Rolling, RollingFastsim};
+use creepage::unsteady::{Prescribed, Rolled, Rolling, RollingFastsim, RollingVariational};
+use creepage::variational::{self, VariationalError};
 use creepage::{Contact, Force, InvalidValue, Scaling};
 
+use super::error::HistoryError;
 use super::roller::{HistoryMotion, TransientSolver};
 
 /// A contact that rolls by a history.
@@ -48,6 +50,7 @@ pub(super) enum Kind {
 pub(super) enum Method {
     Exact(Resolution),
     Fastsim(Settings),
+    Variational(variational::Settings),
 }
 
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -87,13 +90,23 @@ impl RollCase {
     }
 
     /// The contact just pressed together.
-    pub(super) fn prepared(&self) -> Result<TransientSolver, InvalidValue> {
+    pub(super) fn prepared(&self) -> Result<TransientSolver, HistoryError> {
+        self.solver().map_err(|error| match error {
+            VariationalError::Invalid(invalid) => HistoryError::Contact(invalid),
+            other => HistoryError::Variational(other),
+        })
+    }
+
+    fn solver(&self) -> Result<TransientSolver, VariationalError> {
         Ok(match &self.kind {
             Kind::Ellipse { contact, method: Method::Exact(resolution) } => {
                 TransientSolver::Exact(Rolling::new(contact, *resolution)?)
             }
             Kind::Ellipse { contact, method: Method::Fastsim(settings) } => {
                 TransientSolver::Fastsim(RollingFastsim::new(contact, *settings)?)
+            }
+            Kind::Ellipse { contact, method: Method::Variational(settings) } => {
+                TransientSolver::Variational(RollingVariational::new(contact, *settings)?)
             }
             Kind::Line { length, poisson, friction } => {
                 let length = length.unwrap_or(LONG);
@@ -121,6 +134,11 @@ impl RollCase {
     /// Whether it rolls by FASTSIM.
     pub(super) fn is_fastsim(&self) -> bool {
         matches!(self.kind, Kind::Ellipse { method: Method::Fastsim(_), .. })
+    }
+
+    /// Whether it rolls by chapter 5.
+    pub(super) fn is_variational(&self) -> bool {
+        matches!(self.kind, Kind::Ellipse { method: Method::Variational(_), .. })
     }
 
     /// Whether its areas are of any shape.

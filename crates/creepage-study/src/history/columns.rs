@@ -156,6 +156,9 @@ fn columns<'a>(
         if *kind == Kind::NormalForce && case.has_areas() {
             return Err(HistoryError::NotOfAnArea { column: first });
         }
+        if *kind == Kind::NormalForce && case.is_variational() {
+            return Err(HistoryError::NotOfVariational { what: "column normal_force" });
+        }
         let foreign = *kind == Kind::NormalForce || kind.component() == Some(2);
         if foreign && case.is_line() {
             return Err(HistoryError::NotOfALine { column: first });

@@ -49,7 +49,8 @@ pub enum HistoryError {
     },
     /// A theory of steady rolling only.
     #[error(
-        "[solve] theory = \"{theory}\" is one of steady rolling: a history needs \"exact\" or \"fastsim\""
+        "[solve] theory = \"{theory}\" is one of steady rolling: a history needs \"exact\", \"fastsim\" or \
+         \"variational\""
     )]
     Theory {
         /// Its name.
@@ -65,6 +66,15 @@ pub enum HistoryError {
     )]
     NotOfFastsim {
         /// A section or a key.
+        what: &'static str,
+    },
+    /// What chapter 5 does not do.
+    #[error(
+        "{what} does not go with theory = \"variational\", which rolls ellipses under a constant load with one \
+         coefficient of friction: use \"exact\""
+    )]
+    NotOfVariational {
+        /// A section, a key or a column.
         what: &'static str,
     },
     /// A key that goes with another kind of contact or start.
@@ -162,6 +172,9 @@ pub enum HistoryError {
     /// The contact cannot be prepared.
     #[error("[contact] {0}")]
     Contact(InvalidValue),
+    /// Chapter 5 cannot be prepared.
+    #[error("[solve] {0}")]
+    Variational(creepage::variational::VariationalError),
     /// The table of an interrupted run is being written by another.
     #[error("another run writes there")]
     Busy,

@@ -48,7 +48,7 @@ pub(super) struct SmoothFile {
     /// The state in which rolling starts.
     #[serde(default)]
     pub(super) start: StartSection,
-    /// The theory, "exact" or "fastsim", and its options.
+    /// The theory, "exact", "fastsim" or "variational", and its options.
     #[serde(default)]
     #[schemars(with = "TheorySpec")]
     pub(super) solve: Table,

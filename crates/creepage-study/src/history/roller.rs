@@ -1,7 +1,9 @@
-//! A contact on its way, by the full theory or by FASTSIM.
+//! A contact on its way, by the full theory, FASTSIM or chapter 5.
 
 use creepage::coulomb::ElementField;
-use creepage::unsteady::{Motion, Rolled, Rolling, RollingFastsim, Saved, SavedError};
+use creepage::unsteady::{
+    Motion, Rolled, Rolling, RollingFastsim, RollingVariational, Saved, SavedError,
+};
 use creepage::{Force, InvalidValue};
 
 /// How the bodies move up to some distance.
@@ -19,6 +21,8 @@ pub struct HistoryMotion {
 pub(super) enum TransientSolver {
     Exact(Rolling),
     Fastsim(RollingFastsim),
+    /// Under a constant load.
+    Variational(RollingVariational),
 }
 
 impl TransientSolver {
@@ -33,6 +37,7 @@ impl TransientSolver {
                 rolling.start_with_load(first.load)?;
                 rolling.start_steady(&first.motion)?
             }
+            Self::Variational(rolling) => rolling.start_steady(&first.motion)?,
         };
         Ok(rolled.solution.force)
     }
@@ -42,13 +47,18 @@ impl TransientSolver {
         match self {
             Self::Exact(rolling) => rolling.start_with_load(load),
             Self::Fastsim(rolling) => rolling.start_with_load(load),
+            Self::Variational(rolling) => {
+                rolling.start();
+                Ok(())
+            }
         }
     }
 
-    /// Starts from a shift by a force, which is for the full theory.
+    /// Starts from a shift by a force, which FASTSIM does not know.
     pub(super) fn shift(&mut self, [fx, fy]: [f64; 2]) -> Result<Force, InvalidValue> {
         match self {
             Self::Exact(rolling) => rolling.shift(fx, fy).map(|rolled| rolled.solution.force),
+            Self::Variational(rolling) => rolling.shift(fx, fy).map(|rolled| rolled.solution.force),
             Self::Fastsim(_) => Ok(Force::default()),
         }
     }
@@ -68,6 +78,7 @@ impl TransientSolver {
                 rolling.press(motion.load)?;
                 rolling.step(length, &motion.motion)
             }
+            Self::Variational(rolling) => rolling.step(length, &motion.motion),
         }
     }
 
@@ -76,6 +87,7 @@ impl TransientSolver {
         match self {
             Self::Exact(rolling) => rolling.distance(),
             Self::Fastsim(rolling) => rolling.distance(),
+            Self::Variational(rolling) => rolling.distance(),
         }
     }
 
@@ -83,6 +95,7 @@ impl TransientSolver {
         match self {
             Self::Exact(rolling) => rolling.save().to_bytes(),
             Self::Fastsim(rolling) => rolling.save(),
+            Self::Variational(rolling) => rolling.save(),
         }
     }
 
@@ -90,6 +103,7 @@ impl TransientSolver {
         match self {
             Self::Exact(rolling) => rolling.restore(&Saved::from_bytes(bytes, rolling)?),
             Self::Fastsim(rolling) => rolling.restore(bytes),
+            Self::Variational(rolling) => rolling.restore(bytes),
         }
     }
 
@@ -97,7 +111,7 @@ impl TransientSolver {
     pub(super) fn elements(&self) -> Option<Vec<ElementField>> {
         match self {
             Self::Exact(rolling) => Some(rolling.elements()),
-            Self::Fastsim(_) => None,
+            Self::Fastsim(_) | Self::Variational(_) => None,
         }
     }
 }

@@ -48,7 +48,7 @@ impl<'a> HistoryRun<'a> {
     /// [`HistoryError::Contact`] when the contact cannot be prepared.
     pub fn new(case: &'a RollCase, history: &'a History) -> Result<Self, HistoryError> {
         let first = history.rows.first().ok_or(HistoryError::Empty)?;
-        let mut rolling = case.prepared().map_err(HistoryError::Contact)?;
+        let mut rolling = case.prepared()?;
         let elements = rolling.elements().unwrap_or_default();
         let corners = elements.into_iter().map(|element| element.corners).collect();
         let start = case.start(&mut rolling, &first.motion).map_err(HistoryError::Contact)?;

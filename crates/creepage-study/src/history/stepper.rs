@@ -39,7 +39,7 @@ impl RollStepper {
     /// # Errors
     /// [`HistoryError::Contact`] when it cannot be prepared.
     pub fn new(case: RollCase) -> Result<Self, HistoryError> {
-        let rolling = case.prepared().map_err(HistoryError::Contact)?;
+        let rolling = case.prepared()?;
         let key = crc32fast::hash(format!("{case:?}").as_bytes()).to_le_bytes();
         Ok(Self { case, key, rolling })
     }

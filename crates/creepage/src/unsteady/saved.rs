@@ -8,6 +8,7 @@ use super::fastsim::{self, RollingFastsim};
 use super::history::{Level, Past};
 use super::motion::{Motion, Prescribed};
 use super::rolling::{Rolling, Travel};
+use super::variational::{RollingVariational, State};
 
 /// What a contact remembers.
 #[derive(Debug, Clone, PartialEq)]
@@ -92,13 +93,7 @@ impl Saved {
         let Travel { distance, load, next_load, motion, force } = self.travel;
         out.all(&[distance, load, next_load]);
         out.all(&force);
-        out.some(motion.map(|motion| motion.components()), |out, parts| {
-            for part in parts {
-                let kind = f64::from(u8::from(part.force().is_some()));
-                let value = part.force().or(part.creepage()).unwrap_or(0.0);
-                out.all(&[kind, value]);
-            }
-        });
+        out.motion(motion);
         out.all(&[self.control.next]);
         out.some(self.control.trend, |out, trend| {
             out.all(&trend.watched.force);
@@ -167,6 +162,45 @@ impl RollingFastsim {
     }
 }
 
+const VARIATIONAL: [u8; 8] = *b"rollvar1";
+
+impl RollingVariational {
+    /// What the contact remembers, as bytes.
+    #[must_use]
+    pub fn save(&self) -> Vec<u8> {
+        let State { distance, unresolved, creep, force, motion, now, before } = self.state();
+        let mut out = Numbers(vec![*distance, *unresolved]);
+        out.all(creep);
+        out.all(force);
+        out.motion(*motion);
+        out.list(now);
+        out.some(before.as_ref(), |out, (length, before)| {
+            out.all(&[*length]);
+            out.list(before);
+        });
+        out.sealed(VARIATIONAL)
+    }
+
+    /// Goes back, or on, to what was saved, to the last bit.
+    ///
+    /// # Errors
+    /// [`SavedError`] for damaged bytes, and those of a contact with another degree or mesh.
+    pub fn restore(&mut self, bytes: &[u8]) -> Result<(), SavedError> {
+        let mut numbers = numbers(bytes, VARIATIONAL).ok_or(SavedError::NoState)?;
+        let state = rolled_state(&mut numbers).ok_or(SavedError::NoState)?;
+        if self.take(state) { Ok(()) } else { Err(SavedError::OtherElements) }
+    }
+}
+
+fn rolled_state(from: &mut impl Iterator<Item = f64>) -> Option<State> {
+    let [distance, unresolved] = several(from)?;
+    let (creep, force) = (several(from)?, several(from)?);
+    let motion = if flag(from)? { Some(motion(from)?) } else { None };
+    let now = list(from)?;
+    let before = if flag(from)? { Some((from.next()?, list(from)?)) } else { None };
+    Some(State { distance, unresolved, creep, force, motion, now, before })
+}
+
 impl Level {
     /// Whether it has so many points of displacement, and friction of so many elements if of any.
     fn fits(&self, points: usize, elements: usize) -> bool {
@@ -220,6 +254,16 @@ impl Numbers {
     fn list(&mut self, values: &[f64]) {
         self.0.push(values.len() as f64);
         self.all(values);
+    }
+
+    fn motion(&mut self, motion: Option<Motion>) {
+        self.some(motion.map(|motion| motion.components()), |out, parts| {
+            for part in parts {
+                let kind = f64::from(u8::from(part.force().is_some()));
+                let value = part.force().or(part.creepage()).unwrap_or(0.0);
+                out.all(&[kind, value]);
+            }
+        });
     }
 
     /// As bytes after a mark of their kind and a check sum.

@@ -2,6 +2,8 @@
 
 use std::f64::consts::{PI, TAU};
 
+use nalgebra::DMatrix;
+
 use super::Settings;
 use super::integrand::State;
 use crate::check::InvalidValue;
@@ -27,6 +29,8 @@ pub(super) struct Discretization {
     rows: Vec<f64>,
     /// Slip at the points by the pressure of dissimilar bodies (6.4), in units of `mu f00`.
     pressure_slip: Vec<[f64; 2]>,
+    /// By what the contact remembers, in rolling that is not steady.
+    remembered_slip: Vec<[f64; 2]>,
     /// `A = (1 - sigma) E / (2 sqrt g)`: slip in units of `mu f00` over that in `mu c / rho`.
     slip_scale: f64,
 }
@@ -168,9 +172,113 @@ impl SlipResponse {
             }
         }
         let pressure_slip = positions.iter().map(|at| self.by_pressure(*at)).collect();
+        let remembered_slip = vec![[0.0; 2]; positions.len()];
         let slip_scale = self.slip_scale;
-        Discretization { polynomials, positions, bound_squared, rows, pressure_slip, slip_scale }
+        Discretization {
+            polynomials,
+            positions,
+            bound_squared,
+            rows,
+            pressure_slip,
+            remembered_slip,
+            slip_scale,
+        }
     }
+
+    /// Displacement differences at `positions` in units of `c`, as functions of the unknowns.
+    pub(super) fn displacements(
+        &self,
+        poisson: f64,
+        positions: &[[f64; 2]],
+    ) -> Result<Displacements, InvalidValue> {
+        let degree = self.degree + 2;
+        let response = LoadDisplacement::new(self.ellipse, poisson, degree)?;
+        let polynomials = self.force.len();
+        let by_unknown = (0..polynomials).map(|j| {
+            let mut unit = vec![0.0; polynomials];
+            unit[j] = 1.0;
+            let singular = vanishing::as_singular(self.degree, &unit);
+            let [u_by_x, v_by_x] = response.tangential([&singular, &[]]);
+            let [_, v_by_y] = response.tangential([&[], &singular]);
+            [u_by_x, v_by_x, v_by_y]
+        });
+        let harmonics: Vec<[Vec<f64>; 3]> = by_unknown.collect();
+        // Twice the elastic energy: traction times displacement, as a mean over the ellipse.
+        let energy = |[i, j]: [usize; 2]| {
+            let mut unit = vec![0.0; polynomials];
+            unit[i] = 1.0;
+            let singular = vanishing::as_singular(self.degree, &unit);
+            harmonics[j].each_ref().map(|h| dot(&singular, h) / PI)
+        };
+        let energy = DMatrix::from_fn(2 * polynomials, 2 * polynomials, |row, column| {
+            let [i, j] = [row % polynomials, column % polynomials];
+            let [by_x, mixed, by_y] = energy([i, j]);
+            match [row < polynomials, column < polynomials] {
+                [true, true] => by_x,
+                [false, false] => by_y,
+                _ => mixed,
+            }
+        });
+        let mut rows = Vec::with_capacity(3 * polynomials * positions.len());
+        for [x, y] in positions {
+            let point = [x / self.ellipse.a(), y / self.ellipse.b()];
+            let values: Vec<[f64; 3]> = harmonics
+                .iter()
+                .map(|[a, b, c]| harmonics::sum(degree, point, [a, b, c]))
+                .collect();
+            for component in 0..3 {
+                rows.extend(values.iter().map(|value| value[component]));
+            }
+        }
+        Ok(Displacements { polynomials, rows, energy })
+    }
+}
+
+/// Displacement differences `u`, `v` at points, in units of `mu f00 c`.
+#[derive(Debug, Clone)]
+pub(crate) struct Displacements {
+    polynomials: usize,
+    /// For each point `u` by `X'`, `u` by `Y'` and `v` by `X'`, `v` by `Y'`: a number a polynomial.
+    rows: Vec<f64>,
+    /// Mean over the ellipse of `Z (X'_i . u_j)`.
+    energy: DMatrix<f64>,
+}
+
+impl Displacements {
+    /// The quadratic form of the tractions' work on the displacements, as a mean over the ellipse.
+    pub(super) fn energy(&self) -> &DMatrix<f64> {
+        &self.energy
+    }
+
+    fn rows(&self, point: usize) -> [&[f64]; 3] {
+        let n = self.polynomials;
+        let (by_x, rest) = self.rows[3 * n * point..3 * n * (point + 1)].split_at(n);
+        let (mixed, by_y) = rest.split_at(n);
+        [by_x, mixed, by_y]
+    }
+
+    /// `(u, v)` at every point.
+    fn at(&self, tau: &[f64]) -> Vec<[f64; 2]> {
+        let (x, y) = tau.split_at(self.polynomials);
+        let points = self.rows.len() / (3 * self.polynomials);
+        (0..points)
+            .map(|point| {
+                let [by_x, mixed, by_y] = self.rows(point);
+                [dot(by_x, x) + dot(mixed, y), dot(mixed, x) + dot(by_y, y)]
+            })
+            .collect()
+    }
+}
+
+/// What of the slip (4.15b) acts in a step.
+#[derive(Debug, Clone)]
+pub(crate) struct Change<'a> {
+    /// Of `du/dx`: 1 where the contact rolls, 0 where it is shifted.
+    pub(crate) rolling: f64,
+    /// Of the displacements at the end of the step, over `1/c`.
+    pub(crate) present: f64,
+    /// Of those before: the sum of their unknowns by their factors.
+    pub(crate) past: &'a [f64],
 }
 
 impl Discretization {
@@ -207,16 +315,35 @@ impl Discretization {
         [self.slip_scale * x + by_x, self.slip_scale * y + by_y]
     }
 
+    /// The same points with the slip of (4.15b), which has the change of displacements in it.
+    pub(super) fn changing(&self, displacements: &Displacements, change: &Change) -> Self {
+        let mut changed = self.clone();
+        let n = self.polynomials;
+        for (point, past) in displacements.at(change.past).into_iter().enumerate() {
+            // The pressure goes with the contact: its slip is that of rolling.
+            let by_pressure = &mut changed.pressure_slip[point];
+            *by_pressure = by_pressure.map(|part| change.rolling * part);
+            changed.remembered_slip[point] = past;
+            let slip = &mut changed.rows[4 * n * point + n..4 * n * (point + 1)];
+            let displacement = displacements.rows(point).into_iter().flatten();
+            for (row, displacement) in slip.iter_mut().zip(displacement) {
+                *row = change.rolling * *row - change.present * displacement;
+            }
+        }
+        changed
+    }
+
     /// `X', Y', P, Q` at a point.
     pub(super) fn state(&self, creepage: Creepage, tau: &[f64], point: usize) -> State {
         let rows = self.rows(point);
         let (x, y) = tau.split_at(self.polynomials);
-        let [p, q] = self.rigid_slip(creepage, point);
+        let ([p, q], [by_p, by_q]) =
+            (self.rigid_slip(creepage, point), self.remembered_slip[point]);
         [
             dot(rows.value, x),
             dot(rows.value, y),
-            p + dot(rows.px, x) + dot(rows.py, y),
-            q + dot(rows.py, x) + dot(rows.qy, y),
+            p + by_p + dot(rows.px, x) + dot(rows.py, y),
+            q + by_q + dot(rows.py, x) + dot(rows.qy, y),
         ]
     }
 }

@@ -15,24 +15,33 @@ pub(super) enum Form<'a> {
     Product,
     /// The user's function.
     Own(&'a OwnIntegrand),
-    /// `S` in the area of adhesion, `T` in that of slip (5.15). With `W2 = W3 = W` a point
-    /// belongs to the area where its term is the smaller one: the areas follow the unknowns.
-    Areas,
-    /// The power that is lost, see [`power_integrand`], with `|s|` rounded off and the stiffness
-    /// of the bound.
-    Power { smoothing: f64, stiffness: f64 },
+    /// `W3 S` in the area of adhesion, `W2 T` in that of slip (5.15). A point belongs to the area
+    /// where its term is the smaller one: the areas follow the unknowns. The points have the weight
+    /// `W2`; here is `W3/W2` of each.
+    Areas(&'a [f64]),
+    /// The power that is lost, see [`power_integrand`], with `|s|` rounded off, the stiffness of the
+    /// bound, and the power that goes into elastic energy where that changes.
+    Power { smoothing: f64, stiffness: f64, elastic: Option<&'a ElasticPower> },
 }
 
 impl Form<'_> {
     /// The integrand without derivatives.
-    pub(super) fn value(self, position: [f64; 2], t: f64, s: f64) -> f64 {
+    pub(super) fn value(self, (point, position): (usize, [f64; 2]), t: f64, s: f64) -> f64 {
         match self {
             Self::Product => t * s,
-            Self::Areas => t.min(s),
+            Self::Areas(ratios) => t.min(ratios[point] * s),
             Self::Own(own) => own.value(position, t, s),
             Self::Power { .. } => t * s.sqrt(),
         }
     }
+}
+
+/// Power of the tractions on `c u - u'`, what the displacements are and were: half a quadratic form of
+/// the unknowns, less a linear one.
+#[derive(Debug, Clone)]
+pub(super) struct ElasticPower {
+    pub(super) present: DMatrix<f64>,
+    pub(super) past: DVector<f64>,
 }
 
 /// `I` at one creepage as a function of the unknowns.
@@ -83,11 +92,6 @@ impl<'a> Functional<'a> {
         self.rigid_value
     }
 
-    /// The mean of the integrand over the points by their weights, in that case.
-    pub(super) fn mean_if_rigid(&self) -> f64 {
-        self.rigid_value / self.weights.iter().sum::<f64>()
-    }
-
     fn value_if_rigid(&self) -> f64 {
         self.weights
             .iter()
@@ -95,7 +99,7 @@ impl<'a> Functional<'a> {
             .map(|(point, weight)| {
                 let [p, q] = self.discretization.rigid_slip(self.creepage, point);
                 let position = self.discretization.positions()[point];
-                weight * self.form.value(position, 1.0, p * p + q * q)
+                weight * self.form.value((point, position), 1.0, p * p + q * q)
             })
             .sum()
     }
@@ -127,14 +131,20 @@ impl<'a> Functional<'a> {
             add_point(expansion, &self.discretization.rows(point), &local, weight);
         }
         expansion.hessian.fill_upper_triangle_with_lower_triangle();
+        if let Form::Power { elastic: Some(elastic), .. } = self.form {
+            let slope = &elastic.present * tau;
+            expansion.value += (0.5 * &slope - &elastic.past).dot(tau);
+            expansion.gradient += slope - &elastic.past;
+            expansion.hessian += &elastic.present;
+        }
     }
 
     fn integrand(&self, point: usize, state: State) -> Integrand {
         match self.form {
             Form::Product => integrand::with_derivatives(state),
             Form::Own(own) => own.with_derivatives(self.discretization.positions()[point], state),
-            Form::Areas => smaller(state),
-            Form::Power { smoothing, stiffness } => {
+            Form::Areas(ratios) => smaller(state, ratios[point]),
+            Form::Power { smoothing, stiffness, .. } => {
                 let rigid = self.discretization.rigid_slip(self.creepage, point);
                 power_integrand::lost(state, rigid, smoothing, stiffness)
             }
@@ -142,13 +152,13 @@ impl<'a> Functional<'a> {
     }
 }
 
-/// `T` or `S`, whichever is smaller.
-fn smaller(state: State) -> Integrand {
+/// `T` or `ratio S`, whichever is smaller.
+fn smaller(state: State, ratio: f64) -> Integrand {
     let [t, s] = integrand::t_and_s(state);
-    let terms = if t < s {
+    let terms = if t < ratio * s {
         IntegrandTerms { f: t, t: 1.0, ..IntegrandTerms::default() }
     } else {
-        IntegrandTerms { f: s, s: 1.0, ..IntegrandTerms::default() }
+        IntegrandTerms { f: ratio * s, s: ratio, ..IntegrandTerms::default() }
     };
     integrand::of_terms(state, &terms)
 }

@@ -16,8 +16,10 @@ pub enum Method {
     /// to four cases of a hundred from a cold start, and seldom in a chain.
     Newton,
     /// The least-squares form with explicit areas of adhesion and slip (5.15), by the damped
-    /// method. A point belongs to the area where its term, `W T` or `W S`, is the smaller one. It
-    /// has several minima: start it from a solution of (5.9).
+    /// method. A point belongs to the area where its term, `W2 T` or `W3 S`, is the smaller one:
+    /// [`Settings::weight`](super::Settings::weight) and
+    /// [`Settings::adhesion_weight`](super::Settings::adhesion_weight). It has several minima: the one
+    /// that is found lies next to the solution of (5.9), which is sought first from the given start.
     Areas,
 }
 
@@ -62,15 +64,20 @@ impl Variational {
         mut observe: impl FnMut(&dyn Fn() -> NewtonStep),
     ) -> Minimum {
         let tau = start.tau(&self.mesh, &self.weights, creepage);
-        let form = if method == Method::Areas { Form::Areas } else { self.form() };
-        let functional = self.functional_of(creepage, form);
-        let see = |step: Step| observe(&|| NewtonStep::new(self, limits.delta, &step));
+        let functional = self.functional_of(creepage, self.form());
+        let mut see = |step: Step| observe(&|| NewtonStep::new(self, limits.delta, &step));
         match method {
             Method::Damped if self.keeps_bound => {
                 let is_near = matches!(start, Start::From(_));
                 power::minimize(self, creepage, tau, is_near, limits, see)
             }
-            Method::Damped | Method::Areas => newton::minimize(&functional, tau, limits, see),
+            Method::Damped => newton::minimize(&functional, tau, limits, see),
+            Method::Areas => {
+                let first = newton::minimize(&functional, tau, limits, &mut see);
+                let areas = self.functional_of(creepage, Form::Areas(&self.area_weights));
+                let second = newton::minimize(&areas, first.tau, limits, see);
+                Minimum { iterations: first.iterations + second.iterations, ..second }
+            }
             Method::Newton => newton_1967::iterate(self, &functional, tau, limits, |step| {
                 observe(&|| step);
             }),

@@ -30,6 +30,7 @@
 //! The thesis's own test of a solution is in [`VariationalSolution::aberrations`].
 
 mod chain;
+mod changing;
 mod discretization;
 mod functional;
 mod integrand;
@@ -59,8 +60,10 @@ use crate::contact::Contact;
 use crate::ellipse::Ellipse;
 use crate::theory::{Diagnostic, Jacobian, Solved};
 use crate::{Creepage, FieldPoint, Solution, Theory};
+pub(crate) use changing::{Changing, Rubbing};
+pub(crate) use discretization::Change;
 use discretization::{Discretization, SlipResponse};
-use functional::{Form, Functional};
+use functional::{ElasticPower, Form, Functional};
 use own_integrand::OwnIntegrand;
 
 /// The numerical theory, prepared for one ratio of semi-axes and one Poisson's ratio.
@@ -85,9 +88,13 @@ pub struct Variational {
     weights: Vec<f64>,
     /// `Z` over the number of points.
     power_weights: Vec<f64>,
+    /// `W3/W2` of (5.15).
+    area_weights: Vec<f64>,
     weight: Weight,
     keeps_bound: bool,
     own_integrand: Option<OwnIntegrand>,
+    /// Where the elastic energy changes.
+    elastic: Option<ElasticPower>,
 }
 
 impl Variational {
@@ -102,10 +109,13 @@ impl Variational {
         let points = mesh.positions().len() as f64;
         let squared = mesh.bound_squared().iter();
         let weights = squared.clone().map(|z| settings.weight.at(1.0 - z) / points).collect();
-        let power_weights = squared.map(|z| z.sqrt() / points).collect();
-        let keeps_bound = settings.bound.is_kept(contact.ellipse().ratio());
+        let power_weights = squared.clone().map(|z| z.sqrt() / points).collect();
         let weight = settings.weight;
-        let own_integrand = None;
+        let of_adhesion = settings.adhesion_weight.unwrap_or(weight);
+        let ratio = |z: &f64| of_adhesion.at(1.0 - z) / weight.at(1.0 - z);
+        let area_weights = squared.map(ratio).collect();
+        let keeps_bound = settings.bound.is_kept(contact.ellipse().ratio());
+        let (own_integrand, elastic) = (None, None);
         let contact = contact.clone();
         Ok(Self {
             contact,
@@ -113,9 +123,11 @@ impl Variational {
             mesh,
             weights,
             power_weights,
+            area_weights,
             weight,
             keeps_bound,
             own_integrand,
+            elastic,
         })
     }
 

@@ -28,18 +28,17 @@ pub(super) fn minimize(
     limits: Limits,
     mut observe: impl FnMut(Step),
 ) -> Minimum {
-    if creepage == Creepage::default() {
+    let Some(mean_slip) = theory.mean_slip(creepage, &tau) else {
         return Minimum { tau: 0.0 * tau, iterations: 0, converged: true };
-    }
-    let mean_slip = theory
-        .functional_of(creepage, Form::Power { smoothing: 0.0, stiffness: 0.0 })
-        .mean_if_rigid();
+    };
+    let elastic = theory.elastic.as_ref();
     let stiffness = mean_slip / margin(theory.response.degree());
     let mut minimum = Minimum { tau, iterations: 0, converged: false };
     let [rounder @ .., last] = SMOOTHINGS;
     let stages = rounder.iter().filter(|_| !is_near).map(|smoothing| (*smoothing, ROUGHLY));
     for (smoothing, delta) in stages.chain([(last, limits.delta)]) {
-        let form = Form::Power { smoothing: smoothing * mean_slip, stiffness };
+        let smoothing = smoothing * mean_slip;
+        let form = Form::Power { smoothing, stiffness, elastic };
         let functional = theory.functional_of(creepage, form);
         let max_iterations = limits.max_iterations - minimum.iterations;
         let limits = Limits { delta, max_iterations };
@@ -48,4 +47,29 @@ pub(super) fn minimize(
         minimum.iterations += before;
     }
     minimum
+}
+
+impl Variational {
+    /// Mean over the mesh by `Z` of the slip that the motion would bring without traction, or with the
+    /// tractions as they are where that is more; none where nothing moves.
+    fn mean_slip(&self, creepage: Creepage, tau: &DVector<f64>) -> Option<f64> {
+        let mean = |slip: &dyn Fn(usize) -> [f64; 2]| {
+            let weights = self.power_weights.iter().enumerate();
+            let sum: f64 = weights
+                .map(|(point, weight)| {
+                    let [p, q] = slip(point);
+                    weight * p.hypot(q)
+                })
+                .sum();
+            sum / self.power_weights.iter().sum::<f64>()
+        };
+        let moving = mean(&|point| self.mesh.rigid_slip(creepage, point));
+        let changing = self.elastic.as_ref().map(|_| {
+            mean(&|point| {
+                let [.., p, q] = self.mesh.state(creepage, tau.as_slice(), point);
+                [p, q]
+            })
+        });
+        Some(moving.max(changing.unwrap_or(0.0))).filter(|slip| *slip > 0.0)
+    }
 }

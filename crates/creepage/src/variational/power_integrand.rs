@@ -14,6 +14,11 @@
 //!
 //! whose slope at the bound is `|v|`, what the traction there gains in full sliding. Full sliding
 //! is exact therefore, and where polynomials ought to jump they may overshoot.
+//!
+//! Where rolling is not steady `s` has `-du/dq` as well, a difference backwards `u' - c u` of what was
+//! and of what is, `c > 0`. Its power `X.(u' - c u)` is taken exactly, by the load-displacement
+//! equations, not as a sum over the mesh, from whose errors the small `1/c` would be lost; `c X.u` is
+//! twice the elastic energy times `c`, a positive quadratic form, so that all is still convex.
 
 use super::integrand::{Integrand, State};
 

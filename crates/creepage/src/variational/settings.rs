@@ -75,6 +75,11 @@ pub struct Settings {
     pub weight: Weight,
     /// Whether tractions are kept within their bound.
     pub bound: TractionBound,
+    /// Weight `W3` of the slip in the area of adhesion in [`Method::Areas`], whose `W2` in the area of
+    /// slip is `weight`; the same as that where it is not given.
+    ///
+    /// [`Method::Areas`]: super::Method::Areas
+    pub adhesion_weight: Option<Weight>,
 }
 
 impl Settings {
@@ -92,6 +97,7 @@ impl Settings {
             mesh: [cells; 2],
             weight: Weight::default(),
             bound: TractionBound::default(),
+            adhesion_weight: None,
         }
     }
 }

@@ -107,7 +107,7 @@ pub(super) fn mesh_points(
                 },
                 t,
                 s,
-                integrand: weight * theory.form().value(position, t, s),
+                integrand: weight * theory.form().value((point, position), t, s),
                 reduced_traction: x.hypot(y),
                 aberrant: t > s && x.hypot(y) > 1.0,
             }

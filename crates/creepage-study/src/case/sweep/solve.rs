@@ -21,6 +21,9 @@ pub(crate) struct SolveSection {
     mesh_length: Option<[f64; 2]>,
     /// Weight of the points of the mesh; "elliptic" by default.
     weight: Option<Weight>,
+    /// With method = "areas" the weight of the slip in the area of adhesion, W3 of (5.15), where "weight" is
+    /// that of the tractions in the area of slip, W2; the same as "weight" by default.
+    adhesion_weight: Option<Weight>,
     /// What is done about tractions above their bound; "automatic" by default.
     #[serde(default)]
     bound: TractionBound,
@@ -39,18 +42,22 @@ enum MethodName {
     Damped,
     /// The integral (5.9), by Newton's method as in 1967.
     Newton,
-    /// Least squares with explicit areas of adhesion and slip (5.15).
+    /// Least squares with explicit areas of adhesion and slip (5.15), next to the solution of (5.9).
     Areas,
 }
 
 impl SolveSection {
     pub(crate) fn settings(&self, a_over_b: f64) -> Result<Settings, CaseError> {
+        if self.adhesion_weight.is_some() && self.method != MethodName::Areas {
+            return Err(CaseError::WeightOfAreas);
+        }
         let usual = self.degree.map_or_else(Settings::default, Settings::of_degree);
         let mesh = self.mesh_length.map(|lengths| cells(lengths, a_over_b)).transpose()?;
         Ok(Settings {
             mesh: mesh.unwrap_or(usual.mesh),
             weight: self.weight.unwrap_or(usual.weight),
             bound: self.bound,
+            adhesion_weight: self.adhesion_weight,
             ..usual
         })
     }

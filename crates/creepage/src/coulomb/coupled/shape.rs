@@ -154,6 +154,12 @@ impl Shape {
         [[x - a, x + a], [y - b, y + b]]
     }
 
+    /// The point of the edge at an angle from `+x` on the ellipse, over its semi-axes.
+    pub(super) fn edge(&self, angle: f64) -> [f64; 2] {
+        let (sin, cos) = angle.sin_cos();
+        self.moved([self.ellipse.a() * cos, self.ellipse.b() * sin])
+    }
+
     /// The elements of the ellipse, moved.
     pub(super) fn mesh(&self, hertz: &Mesh) -> Mesh {
         Mesh::new(hertz.strips.iter().map(|strip| self.elements(strip)).collect())

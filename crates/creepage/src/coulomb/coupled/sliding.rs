@@ -146,6 +146,15 @@ impl GrossSliding {
         self.extents().map(|[low, high]| 0.5 * (high - low))
     }
 
+    /// The area's edge: `count` points, from `+x` on towards `+y`, those of the frictionless ellipse at equal
+    /// steps of its eccentric angle, moved.
+    #[must_use]
+    pub fn outline(&self, count: usize) -> Vec<[f64; 2]> {
+        let angle = |k: usize| 2.0 * PI * k as f64 / count as f64;
+        let place = |k: usize, i: usize| self.value(|slid| slid.shape.edge(angle(k))[i]);
+        (0..count).map(|k| [place(k, 0), place(k, 1)]).collect()
+    }
+
     /// Approach over that of the frictionless contact.
     #[must_use]
     pub fn approach(&self) -> f64 {
