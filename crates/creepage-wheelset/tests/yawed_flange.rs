@@ -1,4 +1,5 @@
 //! The flange of a yawed wheel: a slender contact that lies askew, where the gap along rolling is no parabola.
+#![allow(missing_docs, clippy::unwrap_used, clippy::panic, clippy::print_stdout)]
 
 use creepage::theory::{AreaTheory, ExactOptions};
 use creepage::{Solid, SolidPair};

@@ -41,8 +41,11 @@ impl Excess {
         let first = section.iter().position(|across| across.gap < contact.approach)?;
         let last = section.iter().rposition(|across| across.gap < contact.approach)?;
         let inside = &section[first..=last];
+        // Every so many of them, and the last.
         let rows = |every: usize| -> Vec<Across> {
-            inside.iter().step_by(every.max(1)).chain(inside.last()).copied().collect()
+            let (every, end) = (every.max(1), inside.len() - 1);
+            let at = (0..end).step_by(every).chain(std::iter::once(end));
+            at.map(|index| inside[index]).collect()
         };
         // Where the bodies overlap, for there alone can they touch.
         let probes = rows(inside.len() / PROBES[0]);
@@ -71,8 +74,7 @@ impl Excess {
             .enumerate()
             .map(|(index, across)| 1.0 / (1.0 / across.rolling_radius + 2.0 * part * bend(index)));
         let radius: Vec<f64> = radius.collect();
-        let (mut taken, d) = (rows(EVERY), even(longest, ALONG));
-        taken.dedup_by(|later, before| later.s == before.s);
+        let (taken, d) = (rows(EVERY), even(longest, ALONG));
         let mut values = contact.beyond_parabola(&places(&taken), &d)?;
         for (row, bend) in values.chunks_mut(d.len()).zip(more(&taken)?) {
             for (excess, d) in row.iter_mut().zip(&d) {

@@ -214,7 +214,7 @@ fn gap(
     let gap: Vec<f64> = section.iter().map(|a| a.gap + more(a.s, a.x)).collect();
     let excess = Excess::of(contact, &section);
     if let Some(excess) = &excess {
-        radius = excess.radius.clone();
+        radius.clone_from(&excess.radius);
     }
     let gap = Gap::section(&s, &gap, Rolling::Varying { radius: &radius, locus: &locus })?;
     match excess {

@@ -14,12 +14,15 @@ const FEWEST: usize = 6;
 /// Piotrowski 1996).
 const VIRTUAL: f64 = 0.55;
 
+/// A place across, and the parabola along x there: height, half its curvature, locus.
+type Row = (f64, [f64; 3]);
+
 /// Where a section and a radius along rolling would touch by virtual penetration; `None` for other
 /// gaps, at the end of the section, and where an area has few rows.
 pub(super) fn by_virtual_penetration(task: NormalProblem<'_>) -> Option<Vec<Patch>> {
     let (rows, least) = rows(task)?;
     let depth = task.approach - least;
-    let inside = |(_, [height, ..]): &(f64, [f64; 3])| least + VIRTUAL * depth - height;
+    let inside = |(_, [height, ..]): &Row| least + VIRTUAL * depth - height;
     if rows.first().or(rows.last()).is_none_or(|row| inside(row) > 0.0) || depth <= 0.0 {
         return None;
     }
@@ -37,38 +40,34 @@ pub(super) fn by_virtual_penetration(task: NormalProblem<'_>) -> Option<Vec<Patc
 pub(super) fn overlap(task: NormalProblem<'_>) -> Option<Band> {
     let (rows, least) = rows(task)?;
     let depth = task.approach - least;
-    let inside = |(_, [height, ..]): &(f64, [f64; 3])| least + VIRTUAL * depth - height;
+    let inside = |(_, [height, ..]): &Row| least + VIRTUAL * depth - height;
     let run: Vec<_> = rows.into_iter().filter(|row| inside(row) > 0.0).collect();
     let patch = patch(&run, &inside, task.modulus * depth)?;
     patch.bands().first().cloned()
 }
 
 /// The section's rows, each with its parabola along x, and its least height.
-fn rows(task: NormalProblem<'_>) -> Option<(Vec<(f64, [f64; 3])>, f64)> {
+fn rows(task: NormalProblem<'_>) -> Option<(Vec<Row>, f64)> {
     let [low, high] = task.gap.domain().y;
     if !(high - low).is_finite() {
         return None;
     }
     let y = |row: u32| low + (high - low) * f64::from(row) / f64::from(ROWS);
     let rows = (0..=ROWS).map(|row| Some((y(row), task.gap.parabola(y(row))?)));
-    let rows: Vec<(f64, [f64; 3])> = rows.collect::<Option<_>>()?;
+    let rows: Vec<Row> = rows.collect::<Option<_>>()?;
     let least = rows.iter().map(|(_, row)| row[0]).fold(f64::INFINITY, f64::min);
     Some((rows, least))
 }
 
 /// An area on neighbouring rows, with pressures about those of Hertz.
-fn patch(
-    run: &[(f64, [f64; 3])],
-    inside: &impl Fn(&(f64, [f64; 3])) -> f64,
-    force: f64,
-) -> Option<Patch> {
+fn patch(run: &[Row], inside: &impl Fn(&Row) -> f64, force: f64) -> Option<Patch> {
     let [(first, _), .., (last, _)] = run else { return None };
-    let half = |row: &(f64, [f64; 3])| (inside(row) / row.1[1]).sqrt();
+    let half = |row: &Row| (inside(row) / row.1[1]).sqrt();
     let longest = run.iter().map(half).fold(0.0, f64::max);
     let step = (last - first) / (run.len() - 1) as f64;
     let width = 0.5 * (last - first + step);
     let density = [FRAC_2_PI * force / (longest * width).sqrt() / longest; PLACES];
-    let chord = |row: &(f64, [f64; 3])| {
+    let chord = |row: &Row| {
         let (y, [_, _, centre]) = *row;
         Chord { y, half: half(row), centre, density }
     };
