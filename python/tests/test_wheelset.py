@@ -118,3 +118,21 @@ def test_what_a_file_does_not_show_is_said(tmp_path: Path) -> None:
     lateral, standard = (right["force"]["lateral_n"] for right in (said_right, named_right))
     # The file's first point is not the standard's, but both are the same cone at the contact.
     assert lateral == pytest.approx(standard, rel=1e-3)
+
+
+def test_a_flat_lets_the_wheel_down_and_rolls_out_again() -> None:
+    length, depth = 0.1, 0.9e-3
+    flat = {"length": length, "depth": depth, "angle": 0.0, "shape": "haversine"}
+    wheelset = s1002(axle_load=200e3, flat=flat, pitch=0.0, theory="fastsim")
+    round_wheels = s1002(axle_load=200e3, theory="fastsim").solve().to_dict()
+    heights = [
+        wheelset.at(pitch=pitch).solve().to_dict()["z_m"] - round_wheels["z_m"]
+        for pitch in (0.0, 0.05, 0.15)
+    ]
+    # On the middle of the flat the axle is lower by its depth, but for the elastic approach, which differs by less
+    # than that of a hundred kN; beyond its end, 50 mm from the middle, it is not there.
+    assert heights[0] == pytest.approx(depth, abs=0.1e-3)
+    assert 0.0 < heights[1] < heights[0]
+    assert heights[2] == pytest.approx(0.0, abs=1e-6)
+    with pytest.raises(creepage.CreepageError, match="vary"):
+        wheelset.conicity(3e-3)

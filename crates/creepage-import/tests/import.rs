@@ -200,7 +200,7 @@ fn slices_become_a_file_of_slices() {
     let text_of_case = WHEEL.replace("Profiles\\RAIL.prr", "own.slcs");
     let imported = read_wheel(&text_of_case, place.path());
     let case = text(&imported.cases[0], 0);
-    has(&case, &["slices = \"own.slices.toml\"", "\ns = ", "\npitch = "]);
+    has(&case, &["slices = \"own.slices.toml\"", "s = 0.0", "pitch = 0.0"]);
     assert!(imported.cases[0].notes.iter().any(|note| note.contains("INTPOL")));
     let own = imported.profiles.iter().find(|file| file.name == "own.slices.toml").unwrap();
     let own = String::from_utf8(own.contents.clone()).unwrap();

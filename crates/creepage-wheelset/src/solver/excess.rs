@@ -51,8 +51,10 @@ impl Excess {
         let probes = rows(inside.len() / PROBES[0]);
         let d = even(longest, PROBES[1]);
         let found = contact.beyond_parabola(&places(&probes), &d)?;
+        // Its odd part: without yaw there is none, and sections along rolling are as even as parabolas.
         let largest = found.chunks(d.len()).zip(&probes).fold(0.0_f64, |largest, (row, across)| {
-            let within = row.iter().zip(&d).filter(|(_, d)| d.abs() <= half(across));
+            let odd = row.iter().zip(row.iter().rev()).map(|(one, other)| 0.5 * (one - other));
+            let within = odd.zip(&d).filter(|(_, d)| d.abs() <= half(across));
             within.fold(largest, |largest, (excess, _)| largest.max(excess.abs()))
         });
         let [least, full] = MATTERS.map(|part| part * contact.approach);
