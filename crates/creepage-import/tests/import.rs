@@ -208,8 +208,8 @@ fn slices_become_a_file_of_slices() {
         &own,
         &[
             "kinks = [2]",
-            "{ u = -0.001, profile = \"one.txt\", features = [0.0, -0.001, 0.03] }",
-            "{ u = 0.02, profile = \"Two.txt\", features = [0.0, 0.0125, 0.03] }",
+            "    { u = -0.001, profile = \"one.txt\", features = [0.0, -0.001, 0.03] },",
+            "    { u = 0.02, profile = \"Two.txt\", features = [0.0, 0.0125, 0.03] },",
         ],
     );
 }
