@@ -46,6 +46,7 @@ __all__ = [
     "Theory",
     "Variational",
     "VermeulenJohnson",
+    "WearData",
     "WheelsetData",
     "__version__",
     "carter",
