@@ -66,7 +66,7 @@ class BearingBall:
     gyroscopic_moment: float
     """(N m)"""
     inner: BearingRace | None
-    """The inner contact; None where there is none."""
+    """The inner contact; None where the ball does not reach the inner race."""
     outer: BearingRace | None
     """The outer contact."""
 

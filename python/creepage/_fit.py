@@ -53,7 +53,7 @@ class FrictionFit:
     reached: float
     """Largest force over mu N among the points that count."""
     cautions: tuple[str, ...]
-    """Cautions about it: points left out, rows that are none, numbers hardly determined."""
+    """Cautions about it: points left out, rows that cannot be read, numbers that the points hardly determine."""
     rows: tuple[int, ...]
     """Indices of the arrays given that are points; others hold no finite number and were left out."""
     bad: tuple[int, ...]

@@ -56,7 +56,7 @@ class Wear:
     steps: Floats
     """Steps so far."""
     conicity: Floats
-    """Equivalent conicity at 3 mm by EN 15302; NaN where there is none."""
+    """Equivalent conicity at 3 mm by EN 15302; NaN where it cannot be computed, as where contact ends before."""
     bodies: dict[str, WornBody]
     """What wears, by its name."""
     cautions: list[str]

@@ -77,7 +77,7 @@ impl Rail {
         Some(PatchPoint { place: [0.0, place[0], place[1] + dz], by, y })
     }
 
-    /// The highest place of the rail at `u` along the track and `y` across; `None` where there is none.
+    /// The highest place of the rail at `u` along the track and `y` across; `None` beyond its profile.
     pub(crate) fn below(&self, u: f64, y: f64) -> Option<RailBelow> {
         let Some(slices) = self.slices() else {
             let [dz, dz_u] = self.down(u);

@@ -82,7 +82,7 @@ pub enum SliceError {
         /// Length of its profile (m).
         length: f64,
     },
-    /// A kink across at a feature that is none.
+    /// The list of kinks names a feature that lies at an end of the profile, or is not in the list.
     #[error("kinks: there is no feature {index} inside the profile")]
     NoFeature {
         /// Which was named, from 1.

@@ -130,9 +130,11 @@ fn curved_lines(lines: &mut Lines, curved: &CurvedJson, contact: &NormalContact)
         "the surface turns by",
         &format!("{} degrees", fixed(curved.turn_rad.to_degrees(), 2)),
     );
-    lines.row("load, with friction", &quantity(curved.vertical_n, "N", 5));
-    lines.row("  of which by friction", &quantity(curved.vertical_by_friction_n, "N", 4));
-    lines.row("lateral force, with pressure", &quantity(curved.lateral_n, "N", 4));
+    // In the load's unit: a force that is its rounding is none.
+    let scale = Scale::of(curved.vertical_n, "N", 5);
+    lines.row("load, with friction", &scale.write(curved.vertical_n));
+    lines.row("  of which by friction", &scale.write(curved.vertical_by_friction_n));
+    lines.row("lateral force, with pressure", &scale.write(curved.lateral_n));
     let beside = |own: f64, plane: f64| format!("{} %", fixed(100.0 * (plane / own - 1.0), 2));
     let (peak, approach) = (contact.peak_pressure().value, contact.approach().value);
     lines.row("in a plane: peak pressure", &beside(peak, curved.plane_peak_pressure_pa));

@@ -22,9 +22,9 @@ pub(super) struct Turn {
 }
 
 impl Turn {
-    /// [`Band::stairs`] from which axes are turned: below, they cost a thousandth of the peak pressure.
+    /// [`Band::stairs`] from which axes are turned.
     pub(super) const LEAST: f64 = 5e-3;
-    /// The same where the angle is that of the undeformed bodies: a millionth.
+    /// The same of the undeformed bodies' overlap, in its many rows: lower, for turning is a jump in the load.
     const LEAST_OF_OVERLAP: f64 = 5e-4;
 
     /// Along areas of one band each; `None` where they lie along rolling nearly enough.
