@@ -2,8 +2,9 @@
 //! on every machine,
 //!
 //! - `cargo bench --bench exact -- random 100000`: failures and costs over the whole range,
-//! - `cargo bench --bench exact -- accuracy 300`: errors and error bars against 96 x 80 elements,
-//!   of other cases with a further number,
+//! - `cargo bench --bench exact -- accuracy 300`: errors and error bars against 96 x 80 elements, over the whole
+//!   range and at small creepage, of other cases with a further number, against others with two more
+//!   (`accuracy 150 7 72 60`),
 //! - `cargo bench --bench exact -- smoothness 50`: ripples along lines of creepage, with further numbers those
 //!   of so many elements along and across (`smoothness 50 40 34`: what of them is in the force itself),
 //! - `cargo bench --bench exact -- border 60`: the border of adhesion against 96 x 80 elements, with further
@@ -25,15 +26,18 @@ fn main() {
     let named = |argument: &String| !argument.starts_with("--");
     let arguments: Vec<String> = std::env::args().skip(1).filter(named).collect();
     let count = || arguments[1].parse().unwrap();
-    let elements = |named: Resolution| {
-        let [along, across] = [2, 3].map(|k| arguments.get(k).map(|n| n.parse().unwrap()));
-        along.zip(across).map_or(named, |(along, across)| Resolution::new(along, across).unwrap())
+    let elements_from = |first: usize, named: Resolution| {
+        let at = |k: usize| arguments.get(k).map(|n| n.parse().unwrap());
+        let given = at(first).zip(at(first + 1));
+        given.map_or(named, |(along, across)| Resolution::new(along, across).unwrap())
     };
+    let elements = |named: Resolution| elements_from(2, named);
     match arguments.first().map(String::as_str) {
         Some("random") => cost::print(count()),
         Some("accuracy") => {
             let draw = arguments.get(2).map_or(0, |draw| draw.parse().unwrap());
-            accuracy::print(count(), draw);
+            let finest = elements_from(3, finest());
+            accuracy::print(count(), draw, finest);
         }
         Some("border") => border::print(count(), elements(finest())),
         Some("smoothness") => smoothness::print(count(), elements(Resolution::STANDARD)),

@@ -45,6 +45,12 @@ const LEAST: [f64; 2] = [0.2, 0.05];
 /// How much more of the first that is as creepage vanishes: the traction of adhesion is infinite along
 /// the trailing edge, and errors fall more slowly than with the square of the elements' size.
 const ADHERING: f64 = 0.6;
+/// Least bars of `fx`, `fy` and `mz` at 400 elements as creepage vanishes, of the largest of the force: slip is narrower
+/// than an element then on both grids, whose differences tell little. With more elements they fall with the power 3/2.
+///
+/// Chosen on 200 random cases (a/b .15-6, sigma 0-.5, creepage and spin of any size from .01 to 1) at the three named
+/// resolutions, against 72 x 60 elements: without them bars of `mz` covered 74, 80 and 90 %.
+const NARROW: [f64; 3] = [0.7, 0.6, 1.2];
 /// Part of the largest such difference that counts for each component: it may agree by chance.
 const CHANCE: f64 = 0.05;
 
@@ -100,13 +106,15 @@ impl Extrapolation {
     pub(crate) fn error_bar(&self, [coarse, fine]: [Force; 2], elements: usize) -> Force {
         let apart = combine(coarse, fine, |_, coarse, fine| (fine - coarse).abs());
         let (size, most) = (largest(fine), largest(apart));
+        let elements = elements as f64;
+        let narrow = size * (1.0 - size).max(0.0) * (400.0 / elements).powf(1.5) / 400.0;
         let least = LEAST[0] + ADHERING * (1.0 - size).max(0.0).powi(4);
         combine(apart, apart, |k, own, _| {
-            let scale = (size * (own + CHANCE * most).sqrt()).sqrt() / elements as f64;
+            let scale = (size * (own + CHANCE * most).sqrt()).sqrt() / elements;
             let [alike, unlike] =
-                [0, 1].map(|i| self.bars[k][i] * (elements as f64 / 400.0).powf(SLOWER[i][k]));
-            let factor = alike + unlike;
-            self.longer[k] * (factor * scale).max(least * own).max(LEAST[1] * most)
+                [0, 1].map(|i| self.bars[k][i] * (elements / 400.0).powf(SLOWER[i][k]));
+            let from_scale = ((alike + unlike) * scale).max(NARROW[k] * narrow);
+            self.longer[k] * from_scale.max(least * own).max(LEAST[1] * most)
         })
     }
 
