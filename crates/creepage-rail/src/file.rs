@@ -137,6 +137,8 @@ fn finish(
     let mut actions = std::mem::take(&mut raw.actions);
     scans::measured(&mut raw.points, &mut actions);
     scans::without_spikes(&mut raw.points, &mut actions);
+    scans::without_outliers(&mut raw.points, &mut actions);
+    scans::in_order(&raw.points)?;
     let role = wanted.role.or(raw.role).or(ending);
     raw.points = outline::opened(raw.points, role, &mut actions)?;
     let turned = orientation::turned(raw, ending, wanted, &mut actions)?;

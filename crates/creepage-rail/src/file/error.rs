@@ -9,12 +9,14 @@ use crate::{ProfileError, Role};
 #[non_exhaustive]
 pub enum FileError {
     /// A number was wanted.
-    #[error("line {line}: column {column} is not a number")]
+    #[error("line {line}: column {column} is not a number: {text:?}")]
     NotANumber {
         /// Line.
         line: usize,
         /// Column, from 1.
         column: usize,
+        /// What stands there, its first letters.
+        text: String,
     },
     /// A number too large for a length in any unit.
     #[error("line {line}: {value} in column {column} is not a length")]
@@ -135,6 +137,17 @@ pub enum FileError {
         /// First line of the points.
         line: usize,
     },
+    /// Points in no order.
+    #[error(
+        "line {line} and following: the points are not in order along the profile: the line through them is {times:.0} \
+         times as long as they are wide and high"
+    )]
+    Disorder {
+        /// First line of the points.
+        line: usize,
+        /// Length of the line through the points over their width and height.
+        times: f64,
+    },
     /// A part that was measured twice, not alike.
     #[error(
         "line {line}: the scan goes back and measures a part again, up to {:.2} mm from the first \
@@ -163,7 +176,10 @@ pub enum FileError {
         what: &'static str,
     },
     /// Higher than wide: axes exchanged.
-    #[error("line {line}: {height} m high and {width} m wide: are y and z exchanged?")]
+    #[error(
+        "line {line}: {:.1} mm high and {:.1} mm wide: are y and z exchanged, or is it a part of a profile?",
+        1e3 * height, 1e3 * width
+    )]
     Axes {
         /// First line of the points.
         line: usize,

@@ -111,9 +111,8 @@ fn points<'a>(
     let mut skipped = 0;
     let rows = rows.map(|(line, row)| (line, row.trim())).filter(|(_, row)| !row.is_empty());
     for (line, row) in rows {
-        if promised.is_some_and(|promised| raw.points.len() + skipped >= promised) {
-            break;
-        }
+        // What follows the promised points is points too, or something else.
+        let is_beyond = promised.is_some_and(|promised| raw.points.len() + skipped >= promised);
         if row.starts_with(['"', '!', '%']) {
             skipped += usize::from(row.starts_with('"'));
             continue;
@@ -121,12 +120,23 @@ fn points<'a>(
         // The other columns may hold anything.
         let row: Vec<&str> = fields(uncommented(row, &['"', '!', '%'])).collect();
         let [Some(y), Some(z)] = columns.map(|column| row.get(column)) else {
+            if is_beyond {
+                break;
+            }
             let wanted = columns.into_iter().max().unwrap_or(0) + 1;
             return Err(FileError::Columns { line, found: row.len(), wanted });
         };
         let [y, z] = [(columns[0], y), (columns[1], z)]
             .map(|(column, field)| number(line, column + 1, field));
-        raw.points.push(Point { line, at: [y?, z?] });
+        match (y, z) {
+            (Ok(y), Ok(z)) => raw.points.push(Point { line, at: [y, z] }),
+            _ if is_beyond => break,
+            (y, z) => raw.points.push(Point { line, at: [y?, z?] }),
+        }
+    }
+    let found = raw.points.len() + skipped;
+    if let Some(said) = promised.filter(|said| found > *said) {
+        raw.actions.push(Action::MorePoints { said, found });
     }
     if skipped > 0 {
         raw.actions.push(Action::Skipped { count: skipped });

@@ -23,6 +23,9 @@ const BACK: f64 = 0.030;
 const LEVEL: f64 = 0.012;
 const FAR: f64 = 0.1;
 
+/// Width of a wheel's profile below which it may be a part that does not show what is down (m).
+const LEAST_OF_WHEEL: f64 = 0.06;
+
 /// Points in the house's form.
 pub(super) struct Turned {
     pub(super) points: Vec<Point>,
@@ -56,7 +59,7 @@ pub(super) fn turned(
     };
     let shape = Shape::of(&points).filter(|shape| !is_head_on_foot(shape));
     let role = role(shape, [wanted.role, raw.role, ending], first, actions)?;
-    if !down(&points, shape, wanted.down, raw.down, actions)? {
+    if !down(&points, role, shape, wanted.down, raw.down, actions)? {
         move_all(&mut points, |[y, z]| [y, -z]);
         actions.push(Action::TurnedOver);
     }
@@ -152,6 +155,7 @@ fn role(
 /// Whether `z` points down.
 fn down(
     points: &[Point],
+    role: Role,
     shape: Option<Shape>,
     asked: Option<bool>,
     usual: Option<bool>,
@@ -159,7 +163,11 @@ fn down(
 ) -> Result<bool, FileError> {
     let line = line(points.first());
     let Some(shape) = shape else {
-        let found = asked.or(usual).or_else(|| shape::up(points).map(|up| !up));
+        // A part of a wheel may be its flange alone, which looks like a tread with a flange upside down.
+        let [low, high] = extent(points, 0);
+        let is_whole = role == Role::Rail || high - low > LEAST_OF_WHEEL;
+        let found =
+            asked.or(usual).or_else(|| shape::up(points).map(|up| !up).filter(|_| is_whole));
         return found.ok_or(FileError::Ask { line, what: "whether z points up or down" });
     };
     let down = !shape.up();

@@ -100,6 +100,20 @@ pub enum Action {
         /// How far it stands out, in the file's unit.
         height: f64,
     },
+    /// A point far from all others, as where a scanner writes a number for "nothing measured", was dropped.
+    Outlier {
+        /// Line.
+        line: usize,
+        /// Its place in the file's unit.
+        at: [f64; 2],
+    },
+    /// The file holds more points than it says.
+    MorePoints {
+        /// As it says.
+        said: usize,
+        /// As there are.
+        found: usize,
+    },
     /// Points of a part that was measured again were dropped.
     Overlap {
         /// Line of the first.
@@ -220,6 +234,12 @@ impl Action {
                     formatter,
                     "line {line}: spike at point {point}, {height:.3} high in the file's unit, dropped"
                 )
+            }
+            Self::Outlier { line, at: [y, z] } => {
+                write!(formatter, "line {line}: ({y}, {z}) lies far from all other points, dropped")
+            }
+            Self::MorePoints { said, found } => {
+                write!(formatter, "{found} points, though the file says {said}: all of them taken")
             }
             Self::Overlap { line, count, apart } => {
                 let apart = 1e6 * apart;

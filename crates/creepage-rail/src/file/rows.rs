@@ -71,8 +71,22 @@ pub(super) fn numbers(line: usize, text: &str) -> Result<Vec<f64>, FileError> {
     fields(text).enumerate().map(|(index, field)| number(line, index + 1, field)).collect()
 }
 
+/// A number, perhaps between quotes, with Fortran's exponent or with a typographer's minus.
+fn parsed(field: &str) -> Option<f64> {
+    let plain = field.trim_matches(['"', '\'']);
+    let usual = |c: char| match c {
+        'd' | 'D' => 'e',
+        '\u{2212}' => '-',
+        other => other,
+    };
+    plain.parse().ok().or_else(|| plain.chars().map(usual).collect::<String>().parse().ok())
+}
+
 pub(super) fn number(line: usize, column: usize, field: &str) -> Result<f64, FileError> {
-    let value: f64 = field.parse().map_err(|_| FileError::NotANumber { line, column })?;
+    let value: f64 = parsed(field).ok_or_else(|| {
+        let text = field.chars().take(20).collect();
+        FileError::NotANumber { line, column, text }
+    })?;
     if value.is_nan() || value.abs() <= LARGEST {
         return Ok(value);
     }

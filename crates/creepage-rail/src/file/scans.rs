@@ -1,8 +1,9 @@
 //! What scans bring along: values that are no numbers, spikes, parts measured twice.
 
-use super::orientation::distance;
+use super::orientation::{distance, length};
 use super::repair::{REACH, turn_at};
 use super::rows::Point;
+use super::shape::extent;
 use super::{Action, FileError};
 
 /// A spike turns by more than the first, and without it its neighbours turn by less than the
@@ -24,6 +25,45 @@ pub(super) fn measured(points: &mut Vec<Point>, actions: &mut Vec<Action>) {
         }
         is_measured
     });
+}
+
+/// Points further from the middle ones than this times the width and height of these are no part of the profile.
+const OUTSIDE: f64 = 4.0;
+/// Part of the points at either end of a coordinate that may be such.
+const FEW: f64 = 0.02;
+
+/// Drops points far from all others, in any unit.
+pub(super) fn without_outliers(points: &mut Vec<Point>, actions: &mut Vec<Action>) {
+    let range = |axis: usize| {
+        let mut values: Vec<f64> = points.iter().map(|point| point.at[axis]).collect();
+        values.sort_by(f64::total_cmp);
+        let few = (FEW * values.len() as f64).ceil() as usize;
+        Some([*values.get(few)?, *values.get(values.len().checked_sub(few + 1)?)?])
+    };
+    let Some((y, z)) = range(0).zip(range(1)) else { return };
+    let reach = OUTSIDE * (y[1] - y[0]).max(z[1] - z[0]);
+    let is_far = |value: f64, [low, high]: [f64; 2]| value < low - reach || value > high + reach;
+    points.retain(|point| {
+        let is_outlier = reach > 0.0 && (is_far(point.at[0], y) || is_far(point.at[1], z));
+        if is_outlier {
+            actions.push(Action::Outlier { line: point.line, at: point.at });
+        }
+        !is_outlier
+    });
+}
+
+/// Times the width and height of points that the line through them may be long; once around a whole rail is 2.
+const LONGEST: f64 = 10.0;
+
+/// Refuses points that follow each other in no order, in any unit.
+pub(super) fn in_order(points: &[Point]) -> Result<(), FileError> {
+    let size: f64 =
+        [0, 1].iter().map(|&axis| extent(points, axis)).map(|[low, high]| high - low).sum();
+    let times = length(points) / size;
+    match points.first() {
+        Some(first) if times > LONGEST => Err(FileError::Disorder { line: first.line, times }),
+        _ => Ok(()),
+    }
 }
 
 /// Drops single points that stand out of a smooth line, in any unit.

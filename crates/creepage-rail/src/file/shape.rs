@@ -108,8 +108,18 @@ fn flange(stretches: &[Stretch], depth: f64, [inner, outer]: [f64; 2]) -> Option
 
 fn is_head(stretches: &[Stretch], depth: f64, [inner, outer]: [f64; 2]) -> bool {
     let width = outer - inner;
-    let deep = |stretch: &&Stretch| stretch.depth > 0.5 * depth;
     let middle = inner.midpoint(outer);
+    // The underside of a head lies below its crown and inside of its sides.
+    let is_under = |stretch: &Stretch| {
+        let inside = (stretch.middle() - middle).abs() < 0.5 * width - SIDE_WIDTH;
+        let covers = |above: &Stretch| {
+            let [a, b] = above.y;
+            above.depth < stretch.depth - 0.3 * depth
+                && (a.min(b)..=a.max(b)).contains(&stretch.middle())
+        };
+        inside && stretches.iter().any(covers)
+    };
+    let deep = |stretch: &&Stretch| stretch.depth > 0.5 * depth && !is_under(stretch);
     let mut sides = [0.0_f64; 2];
     for stretch in stretches.iter().filter(deep) {
         let [a, b] = stretch.y;
@@ -117,7 +127,8 @@ fn is_head(stretches: &[Stretch], depth: f64, [inner, outer]: [f64; 2]) -> bool 
         let reach = if is_high { outer - a.min(b) } else { a.max(b) - inner };
         sides[usize::from(is_high)] = sides[usize::from(is_high)].max(reach);
     }
-    let crown = stretches.iter().filter(|s| (s.middle() - middle).abs() < 0.2 * width);
+    let central = |s: &&Stretch| (s.middle() - middle).abs() < 0.2 * width && !is_under(s);
+    let crown = stretches.iter().filter(central);
     let uneven = crown.map(|stretch| stretch.depth.abs()).fold(0.0, f64::max);
     depth > HEAD
         && HEAD_WIDTH.contains(&width)

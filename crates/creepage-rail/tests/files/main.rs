@@ -7,6 +7,7 @@ use creepage_rail::{Profile, Role, Side, Standard};
 
 mod believed;
 mod mutated;
+mod odd;
 
 const FORMATS: [(Format, [&str; 2]); 6] = [
     (Format::Simpack, ["a.prr", "a.prw"]),
@@ -286,7 +287,10 @@ fn what_makes_no_sense_names_its_line() {
     assert!(found.actions.contains(&Action::Ignored { line: 1, what: "heading" }));
     let text = columns(&points);
     let bad = [
-        (text.replacen(' ', " x", 1), FileError::NotANumber { line: 1, column: 2 }),
+        (
+            text.replacen(' ', " x", 1),
+            FileError::NotANumber { line: 1, column: 2, text: format!("x{}", points[0][1]) },
+        ),
         (text.replacen('\n', " 7\n", 3), FileError::Columns { line: 1, found: 3, wanted: 2 }),
         (text.replacen(' ', " 1e7 ", 1), FileError::NotALength { line: 1, column: 2, value: 1e7 }),
         (String::new(), FileError::Count { line: 1, count: 0 }),
