@@ -12,6 +12,7 @@ use super::step::Place;
 use super::tangential::{Answer, Rolled, Rolling, Turning};
 use crate::WheelsetVelocity;
 use crate::field::{Field, March};
+use crate::friction::RailFriction;
 use crate::pose::PitchRate;
 use crate::rough;
 use crate::solved::{SolvedContact, SolvedWheel, SolvedWheelset, SurfaceLimits};
@@ -54,7 +55,12 @@ impl WheelsetSolver<'_> {
             is_independent: matches!(travel.pitch, PitchRate::Independent(_)),
             is_reversed: false,
             place: running.varies().then(|| running.place()),
-            friction: left.largest().max(right.largest()),
+            friction: self
+                .guard_friction
+                .iter()
+                .flatten()
+                .map(RailFriction::largest)
+                .fold(left.largest().max(right.largest()), f64::max),
             slip: self.slip,
             theory: self.theory,
             derivatives: None,
@@ -89,8 +95,20 @@ impl SolvedWheel {
         } else {
             None
         };
+        let guard_clearance = running.guard_clearance(side, &position).ok().flatten();
         let deflection = None;
-        Self { side, position, pitch_rate, clearance, deflection, depth, by, rail_origin, contacts }
+        Self {
+            side,
+            position,
+            pitch_rate,
+            clearance,
+            guard_clearance,
+            deflection,
+            depth,
+            by,
+            rail_origin,
+            contacts,
+        }
     }
 }
 
@@ -111,6 +129,7 @@ impl SolvedContact {
             varying: contact
                 .varies()
                 .then_some(SurfaceLimits { is_cut: contact.is_cut, is_beyond: contact.is_beyond }),
+            is_on_guard: contact.is_on_guard,
             y_rail: contact.y_rail,
             y_wheel: contact.y_wheel,
             normal: pressed.normal.clone(),
