@@ -315,6 +315,15 @@ impl WheelsetOnTrack {
         Ok([wheel.collect(), rail.collect()])
     }
 
+    /// The guard rail's profile as points `(y, z)` in track axes (m), at most `spacing` (m) apart; none where there is
+    /// no guard rail.
+    #[must_use]
+    pub fn guard_outline(&self, side: Side, spacing: f64) -> Vec<[f64; 2]> {
+        let Some(guard) = self.track.rail(side).guard() else { return Vec::new() };
+        let points = guard.profile().curve().stations(spacing).into_iter().map(|s| guard.at(s));
+        points.map(|point| [side.sense() * point.y, point.z]).collect()
+    }
+
     /// The contacts of one wheel.
     ///
     /// # Errors

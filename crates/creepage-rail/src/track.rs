@@ -264,6 +264,40 @@ impl Rail {
         Self { guard: Some(Box::new(Self { guard: None, ..guard })), ..self }
     }
 
+    /// The same with a guard rail beside it: its `profile`, inclined by `cant` (rad) as a rail's, whose highest point
+    /// lies `height` (m) above the track plane and whose running face, down to `depth` (m) below that plane, stands
+    /// `flangeway` (m) from this rail's gauge face, which is its nearest place down to the same depth.
+    ///
+    /// # Errors
+    /// As by [`Rail::new`], and [`GeometryError::Value`] for a flangeway that is not above zero, or a guard rail
+    /// that lies below that depth.
+    pub fn guarded(
+        self,
+        profile: &Profile,
+        cant: f64,
+        [flangeway, height, depth]: [f64; 3],
+    ) -> Result<Self, GeometryError> {
+        let lengths = [("flangeway", flangeway, "above 0 m"), ("depth", depth, "above 0 m")];
+        for (name, value, range) in lengths {
+            if !(value > 0.0 && value.is_finite()) {
+                return Err(GeometryError::Value { name, value, range });
+            }
+        }
+        if !(height > -depth && height.is_finite()) {
+            let range = "such that the guard rail reaches above the depth of the gauge's measurement";
+            return Err(GeometryError::Value { name: "height", value: height, range });
+        }
+        let face = self.nearest(&self.stations(), depth);
+        let mut guard = Self::new(profile, cant, Place::Origin(0.0))?;
+        guard.shift[1] -= height;
+        guard.look()?;
+        let high = guard.visible.iter().filter(|station| station.z <= depth);
+        let reach = high.map(|station| station.y).fold(f64::NEG_INFINITY, f64::max);
+        guard.shift[0] = face - flangeway - reach;
+        guard.look()?;
+        Ok(self.with_guard(guard))
+    }
+
     /// The guard rail beside it.
     #[must_use]
     pub fn guard(&self) -> Option<&Self> {

@@ -113,8 +113,8 @@ pub enum WheelsetFileError {
     },
     /// What asks for wheels of revolution on prismatic rails.
     #[error(
-        "[wheel] slices, flat, waviness and [rail] slices, corrugation: {what} takes round wheels on rails that do not \
-         vary; solve the file itself, or rows of `creepage batch` over s and pitch"
+        "[wheel] slices, flat, waviness and [rail] slices, corrugation, roller_radius: {what} takes round wheels on \
+         straight rails that do not vary; solve the file itself, or rows of `creepage batch` over s and pitch"
     )]
     Varies {
         /// What was asked for.
