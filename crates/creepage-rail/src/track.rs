@@ -109,7 +109,7 @@ impl Rail {
     /// # Errors
     /// As by [`Rail::new`], and [`GeometryError::NoGroove`].
     pub fn grooved(profile: &Profile, cant: f64, place: Place) -> Result<Self, GeometryError> {
-        let floor = groove(profile).ok_or(GeometryError::NoGroove)?;
+        let floor = profile.groove().ok_or(GeometryError::NoGroove)?;
         let head = Self::of_part(profile, [floor, profile.curve().length()], cant, place)?;
         let mut lip = Self { part: [0.0, floor], ..head.clone() };
         lip.look()?;
@@ -591,24 +591,6 @@ impl Rail {
         }
         (seen, false)
     }
-}
-
-/// Arc length of a groove's floor: the place that lies lowest below the heads on both of its sides.
-fn groove(profile: &Profile) -> Option<f64> {
-    /// Less deep is no groove (m).
-    const DEEP: f64 = 5e-3;
-    let stations = profile.curve().stations(STEP);
-    let z: Vec<f64> = stations.iter().map(|&s| profile.curve().at(s).z).collect();
-    let highest = |high: &mut f64, z: &f64| {
-        *high = high.min(*z);
-        Some(*high)
-    };
-    let before: Vec<f64> = z.iter().scan(f64::INFINITY, highest).collect();
-    let mut after: Vec<f64> = z.iter().rev().scan(f64::INFINITY, highest).collect();
-    after.reverse();
-    let depths = z.iter().zip(before.iter().zip(&after)).map(|(z, (a, b))| z - a.max(*b));
-    let (floor, depth) = stations.iter().zip(depths).max_by(|a, b| a.1.total_cmp(&b.1))?;
-    (depth > DEEP).then_some(*floor)
 }
 
 /// Two rails.
