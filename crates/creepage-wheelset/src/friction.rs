@@ -46,6 +46,15 @@ impl RailFriction {
         }
     }
 
+    /// The least coefficient of all places; of a law by the speed of slip that at rest.
+    #[must_use]
+    pub fn least(&self) -> f64 {
+        match self {
+            Self::Place(of) => of.points.iter().fold(f64::INFINITY, |most, [_, value]| value.min(most)),
+            other => other.largest(),
+        }
+    }
+
     /// The largest coefficient on a contact and how friction varies on it, where wheels roll at `speed` (m/s).
     pub(crate) fn on(
         &self,

@@ -37,6 +37,8 @@ pub struct SolvedWheelset {
     pub place: Option<[f64; 2]>,
     /// Coefficient of friction, the largest where it varies.
     pub friction: f64,
+    /// The least coefficient of all places on the rails.
+    pub least_friction: f64,
     /// What the surfaces slide by before they deform.
     pub slip: RigidSlip,
     /// The theory of rolling.

@@ -243,6 +243,16 @@ impl WheelsetFile {
                 });
             }
         }
+        let rails = [
+            (Side::Left, "right", "rail_left", &self.rail_left),
+            (Side::Right, "left", "rail_right", &self.rail_right),
+        ];
+        for (side, word, section, rail) in rails {
+            if rail.friction.is_some() && self.is_idle(side) {
+                let instead = "that rail carries no wheel; leave it out, or leave side out";
+                return Err(WheelsetFileError::OneWheel { section, key: "friction", side: word, instead });
+            }
+        }
         Ok(())
     }
 

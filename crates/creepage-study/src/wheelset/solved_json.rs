@@ -46,8 +46,11 @@ pub struct WheelsetReportJson {
     pub roll_rate_rad_per_s: f64,
     /// Angular velocity about `z` (rad/s).
     pub yaw_rate_rad_per_s: f64,
-    /// Coefficient of friction.
+    /// Coefficient of friction, the largest where it differs by place.
     pub friction: f64,
+    /// The least one; left out where it does not differ by place.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub least_friction: Option<f64>,
     /// `flat` or `curved`: how the rigid slip follows from the motion.
     pub slip: &'static str,
     /// The left wheel on its rail; `null` where the right one was solved alone.
@@ -214,6 +217,7 @@ impl WheelsetReport {
             roll_rate_rad_per_s: motion.roll_rate,
             yaw_rate_rad_per_s: motion.yaw_rate,
             friction: self.friction,
+            least_friction: (self.least_friction < self.friction).then_some(self.least_friction),
             slip: match self.slip {
                 RigidSlip::Flat => "flat",
                 RigidSlip::Curved => "curved",

@@ -68,7 +68,13 @@ impl WheelsetReport {
         if motion.yaw_rate.abs() > 0.0 {
             lines.row("yaw rate", &format!("{} rad/s", significant(motion.yaw_rate, 5)));
         }
-        lines.row("friction mu", &significant(self.friction, 5));
+        let friction = significant(self.friction, 5);
+        let friction = if self.least_friction < self.friction {
+            format!("{} to {friction}, by place", significant(self.least_friction, 5))
+        } else {
+            friction
+        };
+        lines.row("friction mu", &friction);
     }
 }
 

@@ -46,7 +46,7 @@ impl WheelsetSolver<'_> {
     ) -> SolvedWheelset {
         let [on_left, on_right] = turning.motions;
         let pitch_rate = on_left.pitch_rate.midpoint(on_right.pitch_rate);
-        let [left, right] = &self.friction;
+        let frictions = || self.friction.iter().chain(self.guard_friction.iter().flatten());
         let running = self.press.running;
         let mut solved = SolvedWheelset {
             left: None,
@@ -55,12 +55,8 @@ impl WheelsetSolver<'_> {
             is_independent: matches!(travel.pitch, PitchRate::Independent(_)),
             is_reversed: false,
             place: running.varies().then(|| running.place()),
-            friction: self
-                .guard_friction
-                .iter()
-                .flatten()
-                .map(RailFriction::largest)
-                .fold(left.largest().max(right.largest()), f64::max),
+            friction: frictions().map(RailFriction::largest).fold(0.0, f64::max),
+            least_friction: frictions().map(RailFriction::least).fold(f64::INFINITY, f64::min),
             slip: self.slip,
             theory: self.theory,
             derivatives: None,
