@@ -66,7 +66,9 @@ pub enum GeometryError {
         position: f64,
     },
     /// A grooved rail whose profile has no groove.
-    #[error("the rail's profile has no groove 5 mm deep between two heads: no part of it is a guard rail")]
+    #[error(
+        "the rail's profile has no groove 5 mm deep between two heads: no part of it is a guard rail"
+    )]
     NoGroove,
     /// A grooved rail that is to take another profile.
     #[error("a grooved rail cannot take another profile where it lies: lay it anew")]

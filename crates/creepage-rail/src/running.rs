@@ -164,7 +164,13 @@ impl WheelsetOnTrack {
     ///
     /// # Errors
     /// As by [`WheelsetOnTrack::touch`].
-    pub fn first_touch(&self, side: Side, y: f64, roll: f64, yaw: f64) -> Result<f64, GeometryError> {
+    pub fn first_touch(
+        &self,
+        side: Side,
+        y: f64,
+        roll: f64,
+        yaw: f64,
+    ) -> Result<f64, GeometryError> {
         let z = self.touch(side, y, roll, yaw)?.z;
         let position = Position { y, z: 0.0, roll, yaw };
         let Some(pair) = self.guard_pair(side, position) else { return Ok(z) };

@@ -219,7 +219,11 @@ impl Rail {
         let variation = variation.pruned()?;
         if let (Some(_), Some(roller)) = (&variation, self.roller) {
             let range = "left out where the rail has slices or corrugation";
-            return Err(GeometryError::Value { name: "roller_radius", value: roller.radius(), range });
+            return Err(GeometryError::Value {
+                name: "roller_radius",
+                value: roller.radius(),
+                range,
+            });
         }
         let mut rail = Self { variation, ..self };
         rail.seen = rail.rising_stretches();
@@ -284,7 +288,8 @@ impl Rail {
             }
         }
         if !(height > -depth && height.is_finite()) {
-            let range = "such that the guard rail reaches above the depth of the gauge's measurement";
+            let range =
+                "such that the guard rail reaches above the depth of the gauge's measurement";
             return Err(GeometryError::Value { name: "height", value: height, range });
         }
         let face = self.nearest(&self.stations(), depth);

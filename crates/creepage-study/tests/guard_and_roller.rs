@@ -63,7 +63,12 @@ fn rollers_have_the_reference_creepages_and_forces() {
         let solved = solved(&[("RAIL", &rail), ("WHEELSET", ALONE), ("MOTION", RATE)]);
         let wheel = right(&solved);
         let contact = &wheel.contacts()[0];
-        println!("{radius}: {:?} {:?} x {}", contact.creepage, wheel.on_rail().force, contact.reference[0]);
+        println!(
+            "{radius}: {:?} {:?} x {}",
+            contact.creepage,
+            wheel.on_rail().force,
+            contact.reference[0]
+        );
         near(contact.creepage.longitudinal, xi, 5e-3 * xi.abs());
         near(contact.creepage.lateral, eta, 5e-3 * eta.abs());
         near(contact.creepage.spin, phi, 2e-2 * phi.abs());
@@ -128,7 +133,10 @@ fn a_roller_runs_backwards_and_refuses_what_it_is_not() {
     for (wrong, words) in [
         ("roller_radius = 0.0", "0.1 mm at least"),
         ("roller_radius = 0.5, droll = 0.01", "axle lies along y"),
-        ("roller_radius = 0.5, corrugation = [{ wavelength = 0.05, amplitude = 1e-5 }]", "left out"),
+        (
+            "roller_radius = 0.5, corrugation = [{ wavelength = 0.05, amplitude = 1e-5 }]",
+            "left out",
+        ),
         ("roller_radius = 0.02", "larger than the profile is deep"),
     ] {
         let error = read(&[("RAIL", wrong), ("WHEELSET", ALONE)]).unwrap_err().to_string();
@@ -151,7 +159,11 @@ fn nose() -> Vec<[f64; 2]> {
 fn guarded(flangeway: f64) -> String {
     let mut text = String::new();
     let points = nose();
-    write!(text, "guard = {{ points = {points:?}, flangeway = {flangeway:?}, height = 0.025, cant = 0.0 }}").unwrap();
+    write!(
+        text,
+        "guard = {{ points = {points:?}, flangeway = {flangeway:?}, height = 0.025, cant = 0.0 }}"
+    )
+    .unwrap();
     text
 }
 
@@ -191,7 +203,13 @@ fn the_back_of_the_flange_runs_on_a_guard_rail() {
     let wheel = right(&solved);
     println!("force {:?} guard {:?}", wheel.on_rail().force, wheel.on_guard());
     for contact in wheel.contacts() {
-        println!("{} {} {} {:?}", contact.is_on_guard, contact.angle, contact.load(), contact.creepage);
+        println!(
+            "{} {} {} {:?}",
+            contact.is_on_guard,
+            contact.angle,
+            contact.load(),
+            contact.creepage
+        );
     }
     let guard = wheel.on_guard().unwrap().force;
     let steep = wheel.contacts().iter().find(|contact| contact.is_on_guard).unwrap();
@@ -225,9 +243,10 @@ fn a_guard_rail_on_the_left_is_the_mirror_image() {
     let slick = solved(&[("RAIL", &slick), ("WHEELSET", wheelset)]);
     let on = |report: &WheelsetReport| {
         let contacts = right(report).contacts();
-        contacts.iter().find(|contact| contact.is_on_guard).map(|contact| {
-            contact.force.longitudinal.hypot(contact.force.lateral) / contact.load()
-        })
+        contacts
+            .iter()
+            .find(|contact| contact.is_on_guard)
+            .map(|contact| contact.force.longitudinal.hypot(contact.force.lateral) / contact.load())
     };
     // It slides, but spin turns the slip within the area, so that less than all of its friction adds up.
     for (report, friction) in [(&slick, 0.01), (&one, 0.3)] {
@@ -247,7 +266,11 @@ fn a_grooved_rail_is_a_rail_with_a_guard() {
     let head: Vec<[f64; 2]> = (0..=70)
         .map(|k| {
             let s = 1e-3 * f64::from(k);
-            let round = if s < 0.013 { 0.013 - (0.013f64.powi(2) - (0.013 - s).powi(2)).sqrt() } else { 0.0 };
+            let round = if s < 0.013 {
+                0.013 - (0.013f64.powi(2) - (0.013 - s).powi(2)).sqrt()
+            } else {
+                0.0
+            };
             [start + s, round + (s - 0.035).powi(2) * 0.5]
         })
         .collect();

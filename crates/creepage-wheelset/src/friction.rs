@@ -50,7 +50,9 @@ impl RailFriction {
     #[must_use]
     pub fn least(&self) -> f64 {
         match self {
-            Self::Place(of) => of.points.iter().fold(f64::INFINITY, |most, [_, value]| value.min(most)),
+            Self::Place(of) => {
+                of.points.iter().fold(f64::INFINITY, |most, [_, value]| value.min(most))
+            }
             other => other.largest(),
         }
     }

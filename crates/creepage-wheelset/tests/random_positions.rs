@@ -46,8 +46,7 @@ const PAIRS: [(Standard, Standard, f64); 5] = [
 ];
 
 fn running((wheel, rail, cant): (Standard, Standard, f64)) -> WheelsetOnTrack {
-    let track =
-        Track::new(&rail.profile(), f64::atan(cant), Place::gauge(1.435, 0.014)).unwrap();
+    let track = Track::new(&rail.profile(), f64::atan(cant), Place::gauge(1.435, 0.014)).unwrap();
     Wheelset::like(&wheel.profile(), 0.46, 1.36).unwrap().on(track)
 }
 
@@ -95,7 +94,11 @@ impl Draw {
             yaw_rate: random.between(-3e-3, 3e-3) * speed,
             vertical_velocity: random.between(-1e-3, 1e-3) * speed,
             roll_rate: random.between(-1e-3, 1e-3) * speed,
-            curvature: if random.chance(0.5) { random.between(-1.0 / 300.0, 1.0 / 300.0) } else { 0.0 },
+            curvature: if random.chance(0.5) {
+                random.between(-1.0 / 300.0, 1.0 / 300.0)
+            } else {
+                0.0
+            },
             ..WheelsetVelocity::default()
         };
         Self { pair, is_exact, friction, pose, velocity }
@@ -107,7 +110,8 @@ impl Draw {
             other => other,
         });
         let WheelsetPose { y, yaw, roll, .. } = self.pose;
-        let pose = WheelsetPose { y: -y, yaw: -yaw, roll: roll.map(|roll| -roll), load, side: None };
+        let pose =
+            WheelsetPose { y: -y, yaw: -yaw, roll: roll.map(|roll| -roll), load, side: None };
         let own = self.velocity;
         let velocity = WheelsetVelocity {
             lateral_velocity: -own.lateral_velocity,
@@ -259,10 +263,10 @@ fn run(count: usize, seed: u64) -> Counts {
     let mut counts = Counts::default();
     for index in 0..count {
         let draw = Draw::new(&mut random);
-        let friction = [RailFriction::Constant(draw.friction), RailFriction::Constant(draw.friction)];
+        let friction =
+            [RailFriction::Constant(draw.friction), RailFriction::Constant(draw.friction)];
         let pair = SolidPair::new(steel, steel);
-        let solver =
-            WheelsetSolver::new(&pairs[draw.pair], pair, friction, draw.theory()).unwrap();
+        let solver = WheelsetSolver::new(&pairs[draw.pair], pair, friction, draw.theory()).unwrap();
         of_draw(index, &draw, &solver, &mut counts);
         if (index + 1) % 250 == 0 {
             println!("{} of {count}", index + 1);

@@ -193,7 +193,8 @@ fn a_survey_measures_every_file() {
 /// A wheel as a shop measures it: S1002 worn hollow by `hollow` (m) and shifted in its file.
 fn measured(random: &mut u64) -> Vec<[f64; 2]> {
     let mut next = || {
-        *random = random.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        *random =
+            random.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         (*random >> 11) as f64 / (1_u64 << 53) as f64
     };
     let hollow = 2e-3 * next();
@@ -220,7 +221,9 @@ fn faulty(index: usize, mut points: Vec<[f64; 2]>) -> Vec<u8> {
         6 => points.iter_mut().flatten().for_each(|value| *value *= 1e-3),
         7 => {
             let (sin, cos) = 0.05f64.sin_cos();
-            points.iter_mut().for_each(|[y, z]| (*y, *z) = (cos * *y - sin * *z, sin * *y + cos * *z));
+            points
+                .iter_mut()
+                .for_each(|[y, z]| (*y, *z) = (cos * *y - sin * *z, sin * *y + cos * *z));
         }
         _ => {}
     }
@@ -249,7 +252,8 @@ fn survey_of_a_fleet(count: usize, kills: usize) {
     }
     let survey = |out: &str| {
         let mut command = Command::new(env!("CARGO_BIN_EXE_creepage"));
-        let arguments = ["profile", "--survey", "fleet/*.whl", "--rail", "UIC60", "--cant", "0.025"];
+        let arguments =
+            ["profile", "--survey", "fleet/*.whl", "--rail", "UIC60", "--cant", "0.025"];
         command.current_dir(place.path("")).args(arguments);
         command.args(["--reference", "S1002", "--out", out]);
         command.stdout(Stdio::null()).stderr(Stdio::null());
@@ -278,7 +282,9 @@ fn survey_of_a_fleet(count: usize, kills: usize) {
     println!("{count} files in {took:?}; read and not, by fault: {by_fault:?}");
     for k in 0..kills {
         let mut child = survey("killed.csv").spawn().unwrap();
-        std::thread::sleep(took.mul_f64((0.5 + k as f64) / (kills as f64 + 1.0)).max(Duration::from_millis(5)));
+        std::thread::sleep(
+            took.mul_f64((0.5 + k as f64) / (kills as f64 + 1.0)).max(Duration::from_millis(5)),
+        );
         child.kill().unwrap();
         child.wait().unwrap();
         let left = place.files();

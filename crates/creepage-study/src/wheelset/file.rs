@@ -250,7 +250,12 @@ impl WheelsetFile {
         for (side, word, section, rail) in rails {
             if rail.friction.is_some() && self.is_idle(side) {
                 let instead = "that rail carries no wheel; leave it out, or leave side out";
-                return Err(WheelsetFileError::OneWheel { section, key: "friction", side: word, instead });
+                return Err(WheelsetFileError::OneWheel {
+                    section,
+                    key: "friction",
+                    side: word,
+                    instead,
+                });
             }
         }
         Ok(())
