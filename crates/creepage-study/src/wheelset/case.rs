@@ -79,6 +79,12 @@ impl WheelsetCase {
         self.solver_on_rails()
     }
 
+    /// Whether a rail has a guard rail beside it.
+    pub(super) fn is_guarded(&self) -> bool {
+        let is_there = |side| self.running.track().rail(side).guard().is_some();
+        [Side::Left, Side::Right].into_iter().any(is_there)
+    }
+
     /// Refuses surfaces that vary along rolling.
     pub(super) fn is_alike_along(&self, what: &'static str) -> Result<(), WheelsetFileError> {
         if self.running.varies() { Err(WheelsetFileError::Varies { what }) } else { Ok(()) }

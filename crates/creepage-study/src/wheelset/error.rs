@@ -120,6 +120,14 @@ pub enum WheelsetFileError {
         /// What was asked for.
         what: &'static str,
     },
+    /// What knows of no guard rail.
+    #[error(
+        "[rail] guard: {what} knows of running rails alone; leave guard out, or solve the file itself"
+    )]
+    Guarded {
+        /// What was asked for.
+        what: &'static str,
+    },
     /// Points that make no profile.
     #[error("[{section}] points: {source}")]
     Points {

@@ -176,7 +176,11 @@ impl WheelsetFile {
     /// # Errors
     /// [`WearError`] for a missing section or table, numbers out of range, contradictions.
     pub fn wear(&self, case: &WheelsetCase, directory: &Path) -> Result<WearPlan, WearError> {
-        case.is_alike_along("wear over a distance")?;
+        let what = "wear over a distance";
+        case.is_alike_along(what)?;
+        if case.is_guarded() {
+            return Err(WheelsetFileError::Guarded { what }.into());
+        }
         let wear = self.wear.as_ref();
         let needs = "distance (of wheels) or passages (over rails), and situations";
         wear.ok_or_else(|| section("wear", needs))?.plan(case, directory)
