@@ -92,6 +92,8 @@ class Wheelset(FromFile):
         flat: Mapping[str, Any] | Sequence[Mapping[str, Any]] | None = None,
         waviness: Sequence[Mapping[str, Any]] | None = None,
         corrugation: Sequence[Mapping[str, Any]] | None = None,
+        roller_radius: float | None = None,
+        guard: Mapping[str, Any] | None = None,
         friction: float = 0.3,
         shear_modulus: float = 82e9,
         poisson: float = 0.28,
@@ -110,12 +112,22 @@ class Wheelset(FromFile):
         and along the rail. Of both wheels flat is {"length": m, "depth": m, "angle": rad, "shape": "chord" or
         "haversine"} or several of these, waviness [{"order": n, "amplitude": m, "phase": rad}]; of both rails
         corrugation [{"wavelength": m, "amplitude": m, "phase": rad}]. s is the place along the track (m), pitch how
-        far the wheels have rolled on (rad). What this leaves out, `from_toml` and `from_dict` know.
+        far the wheels have rolled on (rad). roller_radius (m) puts a roller in place of each rail, whose rim touches
+        the track plane. guard is a guard rail beside each rail, on which the back of the flange runs:
+        {"profile": name, file or points, "flangeway": m, "height": m, "cant": rad, "friction": mu}, with "position":
+        [y, z] in place of flangeway and height, or {"grooved": True} where the rail's own profile has it. What this leaves out, `from_toml` and `from_dict` know.
         """
         def waves(value: Any) -> Any:
             if value is None or isinstance(value, Mapping):
                 return value
             return [dict(one) for one in value]
+
+        def beside(value: Mapping[str, Any] | None) -> dict[str, Any] | None:
+            if value is None:
+                return None
+            own = dict(value)
+            profile = own.pop("profile", None)
+            return own if profile is None else {**_profile("guard profile", profile), **own}
 
         sections: dict[str, Mapping[str, Any]] = {
             "wheel": {
@@ -130,6 +142,8 @@ class Wheelset(FromFile):
                 "reading": rail_reading,
                 "cant": cant,
                 "corrugation": waves(corrugation),
+                "roller_radius": roller_radius,
+                "guard": beside(guard),
             },
             "track": {"gauge": gauge, "gauge_height": gauge_height},
             "wheelset": {

@@ -61,7 +61,8 @@ pub(crate) fn run(args: &ProfileArgs, out: &Path) -> Result<Outcome, Failure> {
     let against = args.rail.iter().chain(&args.reference);
     Sources::new(files.iter().chain(against)).ensure_not_overwritten(out)?;
     let failed = |source| Failure::Write { path: out.into(), source };
-    let whole = WholeFile::create(out).map_err(failed)?;
+    // Told at once where it cannot be written; made anew at the end, for a killed run leaves a hidden file behind.
+    drop(WholeFile::create(out).map_err(failed)?);
     let journal = Journal::open(out, &survey.key()).map_err(failed)?;
     if !journal.done.is_empty() {
         say(&format!("note: {} rows are there from an earlier run", journal.done.len()));
@@ -78,7 +79,7 @@ pub(crate) fn run(args: &ProfileArgs, out: &Path) -> Result<Outcome, Failure> {
         files.par_iter().map(row).collect::<Result<_, _>>().map_err(failed)?;
     bar.finish_and_clear();
     let bad = rows.iter().filter(|row| row.last().is_some_and(|error| !error.is_empty())).count();
-    fill(whole, &rows).map_err(failed)?;
+    fill(WholeFile::create(out).map_err(failed)?, &rows).map_err(failed)?;
     journal.remove().map_err(failed)?;
     say_written(&[out.into()]);
     say(&format!("{} files: {} read, {bad} not", rows.len(), rows.len() - bad));
@@ -240,6 +241,9 @@ impl Journal {
         if done.is_empty() {
             file.set_len(0)?;
             writeln!(file, "{key}")?;
+        } else {
+            // What a kill cut short has no end of line.
+            writeln!(file)?;
         }
         Ok(Self { path, done, file: Mutex::new(file) })
     }

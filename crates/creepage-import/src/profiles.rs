@@ -3,9 +3,11 @@
 use std::fs;
 use std::path::{Component, Path, PathBuf};
 
-use creepage_rail::{Role, file::SliceList};
+use creepage_rail::Role;
+use creepage_rail::file::{SliceList, Wanted, read};
 
 use crate::text::{comments, list as list_of, number, quoted};
+use crate::wheels::ProfileFile;
 use crate::{File, ImportError};
 
 /// Where profiles are looked for, and those that were found.
@@ -114,6 +116,20 @@ impl Profiles {
         let name = name.unwrap_or(base);
         self.copied.push((path, name.clone()));
         name
+    }
+
+    /// Whether a rail's profile has a groove with a guard rail beside it.
+    pub(crate) fn is_grooved(&self, file: &ProfileFile) -> bool {
+        let is_found = || {
+            let content = fs::read(find(&self.from, &file.name)?).ok()?;
+            let wanted = Wanted {
+                role: Some(Role::Rail),
+                down: (file.mirror_z == 1).then_some(false),
+                ..Wanted::default()
+            };
+            read(&file.name, &content, &wanted).ok()?.profile.groove()
+        };
+        is_found().is_some()
     }
 
     /// The median distance between points of a profile that are next to each other, in its own unit; `None`

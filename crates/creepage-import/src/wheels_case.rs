@@ -71,8 +71,9 @@ pub(crate) fn write(
         return Err("no case has given both profiles (Z = 3, E = 3)".into());
     };
     let wheel = Named::new(wheel, Role::Wheel, profiles, notes)?;
+    let grooved = !is_slices(&rail.name) && profiles.is_grooved(rail);
     let files = [wheel, Named::new(rail, Role::Rail, profiles, notes)?];
-    let text = text(case, files, title, name, notes)?;
+    let text = text(case, (files, grooved), title, name, notes)?;
     Ok(Written::of(command(name), File::text(format!("{name}.toml"), text)))
 }
 
@@ -84,8 +85,7 @@ fn command(name: &str) -> String {
 fn check(case: &Wheels) -> Result<(), Cause> {
     let control = case.control;
     match control.config() {
-        0 | 1 => {}
-        4 | 5 => return Err("a wheel on a roller (C = 4, 5)".into()),
+        0 | 1 | 4 | 5 => {}
         other => return Err(format!("C = {other} is no wheel on a rail that we know")),
     }
     match control.tangential() {
@@ -124,16 +124,24 @@ fn check(case: &Wheels) -> Result<(), Cause> {
 
 fn text(
     case: &Wheels,
-    [wheel, rail]: [Named<'_>; 2],
+    ([wheel, rail], is_grooved): ([Named<'_>; 2], bool),
     title: &str,
     name: &str,
     notes: &mut Vec<String>,
 ) -> Result<String, Cause> {
     let missing = |what: &str| format!("no case has given {what}");
     let control = case.control;
-    let moves = control.tangential() == 3;
-    let track =
-        track(case.track.ok_or_else(|| missing("the track's dimensions (Z = 1, 3)"))?, notes);
+    let is_roller = control.config() >= 4;
+    let stands = case.velocity.is_some_and(|all| all.iter().all(|value| *value == 0.0));
+    let moves = control.tangential() == 3 && !stands;
+    let sizes = case.track.ok_or_else(|| missing("the track's dimensions (Z = 1, 3)"))?;
+    // A roller's line ends with its radius, not with cant and curvature.
+    let (roller, sizes) = if is_roller {
+        (Some(sizes[3]), [sizes[0], sizes[1], sizes[2], 0.0, 0.0])
+    } else {
+        (None, sizes)
+    };
+    let track = track(sizes, notes);
     let sizes = case.wheelset.ok_or_else(|| missing("the wheelset's dimensions (E = 3)"))?;
     let [s, y, height, roll, yaw, pitch] =
         case.position.ok_or_else(|| missing("the wheelset's position (E)"))?;
@@ -144,12 +152,28 @@ fn text(
     let mut rail_keys = profile(&rail, "rail", notes);
     rail_keys.extend(track.cant.map(|cant| ("cant", number(cant))));
     rail_keys.extend(deviation(case));
+    if let Some(radius) = roller {
+        rail_keys.push(("roller_radius", number(radius * 1e-3)));
+        notes.push(
+            "off the top of the roller the common normal leans along the track, and the pressure pushes along it: \
+             that program leaves this part of FX(TR) out"
+                .into(),
+        );
+    }
+    if is_grooved {
+        rail_keys.push(("guard", "{ grooved = true }".into()));
+        notes.push(
+            "the rail's profile has a groove: what lies beyond it is a guard rail here, whose forces are a part of the \
+             rail's"
+                .into(),
+        );
+    }
     let pressed = if control.has_load() {
         ("wheel_load", number(height))
     } else {
         ("z", number(height * 1e-3))
     };
-    let side = if control.config() == 0 { "left" } else { "right" };
+    let side = if control.config() % 4 == 0 { "left" } else { "right" };
     let mut wheelset = vec![
         ("back_to_back", number(sizes[0] * 1e-3)),
         ("side", quoted(side)),
@@ -167,7 +191,7 @@ fn text(
                 .into(),
         );
     }
-    let motion = if moves { motion(case)? } else { rest(sizes[2]) };
+    let motion = if moves { motion(case, roller)? } else { rest(sizes[2]) };
     let mut contact = Vec::new();
     if moves {
         contact.push(("friction", friction(case, notes)?));
@@ -182,7 +206,7 @@ fn text(
     } else {
         contact.push(("friction", number(FRICTIONLESS)));
         notes.push(format!(
-            "without friction (T = 0): the wheel rolls freely with friction {FRICTIONLESS}, under which forces \
+            "without friction (T = 0), or at rest: the wheel rolls freely with friction {FRICTIONLESS}, under which forces \
              are those of the pressure"
         ));
     }
@@ -310,9 +334,11 @@ fn deviation(case: &Wheels) -> Keys {
     keys
 }
 
-fn motion(case: &Wheels) -> Result<Keys, Cause> {
+fn motion(case: &Wheels, roller: Option<f64>) -> Result<Keys, Cause> {
     let [speed, y, z, roll, yaw, last] =
         case.velocity.ok_or("no case has given the wheelset's velocity (E = 2, 3)")?;
+    // Of a roller that is its turning, forwards about y to the right.
+    let speed = roller.map_or(speed, |radius| speed * radius);
     let mut keys = vec![("speed", number(speed * 1e-3))];
     if case.control.force() == 1 {
         keys.push(("longitudinal_force", number(last)));

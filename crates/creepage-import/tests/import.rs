@@ -173,15 +173,43 @@ fn a_wheel_keeps_its_axes_and_its_profiles_are_found_and_copied() {
 }
 
 #[test]
-fn a_missing_profile_a_roller_and_slices_are_causes() {
+fn a_missing_profile_and_slices_are_causes() {
     let cause = |change: [&str; 2]| {
         let place = tempfile::tempdir().unwrap();
         let imported = read_wheel(&WHEEL.replace(change[0], change[1]), place.path());
         imported.cases[0].written.clone().unwrap_err()
     };
     assert!(cause(["wheel.PRW", "none.prw"]).contains("no profile none.prw"));
-    assert!(cause(["0203100", "5203100"]).contains("roller"));
     assert!(cause(["wheel.PRW", "wheel.slcw"]).contains("slices"));
+}
+
+/// A roller's line ends with its radius, and its turning is a speed of the rim.
+#[test]
+fn a_roller_is_a_rail_with_a_radius() {
+    let place = tempfile::tempdir().unwrap();
+    let roller = WHEEL.replace("0203100", "5203100").replace("0.025 track", "300. track");
+    let imported = read_wheel(&roller.replace("2000. 1.", "6.5 1."), place.path());
+    let wheel = text(&imported.cases[0], 0);
+    has(&wheel, &["roller_radius = 0.3", "speed = 1.95", "side = \"right\""]);
+    assert!(!wheel.contains("cant") && !wheel.contains("curvature"), "{wheel}");
+}
+
+/// A profile with a groove has its guard rail beyond it.
+#[test]
+fn a_groove_has_a_guard_rail() {
+    let place = tempfile::tempdir().unwrap();
+    let profile = |depth: f64| -> String {
+        let height =
+            |y: f64| if y < 0.0 { depth * (-((y + 20.0) / 6.0f64).powi(4)).exp() } else { 0.0 };
+        let rows = (-60..=70).map(|y| format!("{y} {:.4}\n", height(f64::from(y))));
+        rows.collect()
+    };
+    for (depth, is_grooved) in [(12.0, true), (2.0, false)] {
+        fs::write(place.path().join("groove.txt"), profile(depth)).unwrap();
+        let imported = read_wheel(&WHEEL.replace("Profiles\\RAIL.prr", "groove.txt"), place.path());
+        let wheel = text(&imported.cases[0], 0);
+        assert_eq!(wheel.contains("guard = { grooved = true }"), is_grooved, "{wheel}");
+    }
 }
 
 /// A list of slices becomes a file of ours whose profiles lie beside the case.

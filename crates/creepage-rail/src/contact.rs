@@ -33,6 +33,8 @@ pub struct Contact<'a> {
     pub is_cut: bool,
     /// Whether it lies beyond the rail's slices, where the surface is taken to go on alike.
     pub is_beyond: bool,
+    /// Whether it lies on the guard rail: then the rail is that one, here and in [`Contact::y_rail`].
+    pub is_on_guard: bool,
     /// `y` of the reference point in the rail's and of the wheel's point below it in the wheel's
     /// profile (m), to the field side.
     pub y_rail: f64,
@@ -91,6 +93,7 @@ impl<'a> Contact<'a> {
             slope: 0.0,
             is_cut: false,
             is_beyond: false,
+            is_on_guard: pair.is_guard,
             y_rail: pair.rail.profile().curve().at(rail_s).y,
             y_wheel: 0.0,
             approach: 0.0,
@@ -258,6 +261,12 @@ impl<'a> Contact<'a> {
             }
         }
         Some(excess)
+    }
+
+    /// Turn of its rail's profile against its own axes (rad), on a right-hand rail: [`Rail::inclination`](crate::Rail::inclination).
+    #[must_use]
+    pub fn rail_inclination(&self) -> f64 {
+        self.surfaces.pair.rail.inclination()
     }
 
     /// The wheel's point at `(x, s)` and the rail's tangents below it, along and across, on the right-hand image.

@@ -65,6 +65,14 @@ pub enum GeometryError {
         /// The position given (m).
         position: f64,
     },
+    /// A grooved rail whose profile has no groove.
+    #[error(
+        "the rail's profile has no groove 5 mm deep between two heads: no part of it is a guard rail"
+    )]
+    NoGroove,
+    /// A grooved rail that is to take another profile.
+    #[error("a grooved rail cannot take another profile where it lies: lay it anew")]
+    GroovedWears,
     /// No part of the rail's profile looks upwards.
     #[error("no part of the rail's head looks upwards")]
     Hidden,

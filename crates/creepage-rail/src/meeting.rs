@@ -47,6 +47,8 @@ pub(crate) struct Pair<'a> {
     pub(crate) rail: &'a Rail,
     /// Place along the track (m).
     pub(crate) s: f64,
+    /// Whether the rail is the guard rail.
+    pub(crate) is_guard: bool,
 }
 
 impl std::fmt::Debug for Pair<'_> {
@@ -68,6 +70,19 @@ impl Pair<'_> {
         let outline = self.posed.outline(s)?;
         let (rail_s, rail) = self.rail.at_y(outline.y)?;
         Some(Meeting { outline, rail_s, rail })
+    }
+
+    /// The wheel's outline as seen along the track (m), of the right-hand image.
+    pub(crate) fn seen_outline(&self) -> Vec<[f64; 2]> {
+        let stations = self.posed.wheel.stations().iter();
+        let place = |&(s, point): &(f64, CurvePoint)| {
+            let seen = self.posed.outline_at(s, point).map(|outline| [outline.y, outline.z]);
+            seen.unwrap_or_else(|| {
+                let [_, y, z] = self.posed.surface(point, 0.0);
+                [y, z]
+            })
+        };
+        stations.map(place).collect()
     }
 
     fn gaps(&self) -> Vec<Option<Clearance>> {

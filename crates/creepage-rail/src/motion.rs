@@ -87,7 +87,8 @@ impl Contact<'_> {
         };
         let upper = surface(self.velocity(motion, point), self.turning(motion));
         let on_rail = [x, y, z];
-        let lower = surface(self.rail_velocity(motion, rail, on_rail), rail_turning(motion, rail));
+        let lower =
+            surface(self.rail_velocity(motion, rail, on_rail), self.rail_turning(motion, rail));
         RollingCreepage::between(upper, lower)
     }
 
@@ -122,7 +123,9 @@ impl Contact<'_> {
         let place = [x, self.side.sense() * y, z];
         let point = [0, 1, 2].map(|i: usize| place[i] + self.approach * normal[i]);
         let rolls = Motion::straight(motion.speed, motion.pitch_rate);
-        let away = dot(normal, self.velocity(rolls, point)) / normal[2];
+        let wheel = self.velocity(rolls, point);
+        let rail = self.rail_velocity(rolls, RailMotion::default(), point);
+        let away = dot(normal, [0, 1, 2].map(|i: usize| wheel[i] - rail[i])) / normal[2];
         Motion { vertical_velocity: motion.vertical_velocity - away, ..motion }
     }
 
@@ -144,19 +147,26 @@ impl Contact<'_> {
     }
 
     /// Velocity of the rail's material there: at rest but for the curve, which takes the rails round
-    /// the wheelset, and the rail's own motion.
+    /// the wheelset, and the rail's own motion. A roller's turns, its rim as fast as the rail would go back.
     fn rail_velocity(&self, motion: Motion, rail: RailMotion, [x, y, z]: [f64; 3]) -> [f64; 3] {
         let [origin_y, origin_z] = self.surfaces.pair.rail.origin();
         let round = motion.speed * motion.curvature;
+        // Less the speed with which the wheelset would pass it.
+        let [back, lift] = self.surfaces.pair.rail.roller().map_or([0.0; 2], |roller| {
+            let rate = motion.speed / roller.radius();
+            [motion.speed + rate * (z - roller.axle()), -rate * x]
+        });
         [
-            round * y,
+            back + round * y,
             rail.lateral_velocity - round * x - rail.roll_rate * (z - origin_z),
-            rail.vertical_velocity + rail.roll_rate * (y - origin_y),
+            lift + rail.vertical_velocity + rail.roll_rate * (y - origin_y),
         ]
     }
-}
 
-/// Angular velocity of a rail under the wheelset.
-fn rail_turning(motion: Motion, rail: RailMotion) -> [f64; 3] {
-    [rail.roll_rate, 0.0, -motion.speed * motion.curvature]
+    /// Angular velocity of the rail under the wheelset.
+    fn rail_turning(&self, motion: Motion, rail: RailMotion) -> [f64; 3] {
+        let roller = self.surfaces.pair.rail.roller();
+        let rate = roller.map_or(0.0, |roller| motion.speed / roller.radius());
+        [rail.roll_rate, rate, -motion.speed * motion.curvature]
+    }
 }

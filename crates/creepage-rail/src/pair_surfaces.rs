@@ -73,6 +73,11 @@ impl Rail {
             ([point.y, point.z], point.tangent, [0.0; 2], own.y)
         };
         by_u[1] += dz_u;
+        if let Some(roller) = self.roller() {
+            let [z, by_x, by_z] = roller.at(u, place[1])?;
+            let by = [[0.0, by_v[0], by_z * by_v[1]], [1.0, 0.0, by_x]];
+            return Some(PatchPoint { place: [0.0, place[0], z], by, y });
+        }
         let by = [[0.0, by_v[0], by_v[1]], [1.0, by_u[0], by_u[1]]];
         Some(PatchPoint { place: [0.0, place[0], place[1] + dz], by, y })
     }
@@ -83,6 +88,10 @@ impl Rail {
             let [dz, dz_u] = self.down(u);
             let (v, point) = self.at_y(y)?;
             let across = point.tangent[1] / point.tangent[0];
+            if let Some(roller) = self.roller() {
+                let [z, along, by_z] = roller.at(u, point.z)?;
+                return Some(RailBelow { v, z, slope: [along, by_z * across] });
+            }
             return Some(RailBelow { v, z: point.z + dz, slope: [dz_u, across] });
         };
         let mut best: Option<RailBelow> = None;

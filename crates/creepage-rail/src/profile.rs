@@ -147,6 +147,26 @@ impl Profile {
         Waves::of(&self.curve, [s - reach, s + reach], least)
     }
 
+    /// Arc length (m) of the floor of a rail's groove: the place that lies lowest below the heads on both of its
+    /// sides, 5 mm at least. `None` where there is no groove.
+    #[must_use]
+    pub fn groove(&self) -> Option<f64> {
+        /// Less deep is no groove (m).
+        const DEEP: f64 = 5e-3;
+        let stations = self.curve.stations(5e-4);
+        let z: Vec<f64> = stations.iter().map(|&s| self.curve.at(s).z).collect();
+        let highest = |high: &mut f64, z: &f64| {
+            *high = high.min(*z);
+            Some(*high)
+        };
+        let before: Vec<f64> = z.iter().scan(f64::INFINITY, highest).collect();
+        let mut after: Vec<f64> = z.iter().rev().scan(f64::INFINITY, highest).collect();
+        after.reverse();
+        let depths = z.iter().zip(before.iter().zip(&after)).map(|(z, (a, b))| z - a.max(*b));
+        let (floor, depth) = stations.iter().zip(depths).max_by(|a, b| a.1.total_cmp(&b.1))?;
+        (self.role == Role::Rail && depth > DEEP).then_some(*floor)
+    }
+
     fn crossing(&self, excess: impl Fn(CurvePoint) -> f64) -> Option<CurvePoint> {
         self.crossing_at(excess).map(|s| self.curve.at(s))
     }

@@ -89,6 +89,20 @@ impl WheelsetOnTrack {
         self.varies_on(Side::Left) || self.varies_on(Side::Right)
     }
 
+    /// Whether its mirror image fore and aft is itself: nothing varies but for rollers, which are round.
+    #[must_use]
+    pub fn is_alike_backwards(&self) -> bool {
+        [Side::Left, Side::Right].into_iter().all(|side| {
+            !self.wheelset.wheel(side).varies() && self.track.rail(side).variation().is_none()
+        })
+    }
+
+    /// Whether a side has a roller in place of its rail.
+    #[must_use]
+    pub fn has_rollers(&self) -> bool {
+        [Side::Left, Side::Right].into_iter().any(|side| self.track.rail(side).roller().is_some())
+    }
+
     /// The profiles of the wheel and of the rail of a side.
     #[must_use]
     pub fn profiles(&self, side: Side) -> [&Profile; 2] {
@@ -120,6 +134,12 @@ impl WheelsetOnTrack {
         Ok(Self { place: self.place, ..wheelset.on(Track { left: left?, right: right? }) })
     }
 
+    /// The same wheelset in the same place of another track.
+    #[must_use]
+    pub fn on_track(&self, track: Track) -> Self {
+        Self { track, ..self.clone() }
+    }
+
     /// One side as a right-hand one.
     pub(crate) fn pair(&self, side: Side, position: Position) -> Pair<'_> {
         let (wheel, rail, position) = match side {
@@ -127,7 +147,62 @@ impl WheelsetOnTrack {
             Side::Left => (&self.wheelset.left, &self.track.left, position.mirrored()),
         };
         let [s, pitch] = self.place;
-        Pair { posed: Posed::new(wheel, &self.wheelset, position, pitch), rail, s }
+        // Under a wheel on a roller its top is always the same place.
+        let s = if rail.roller().is_some() { 0.0 } else { s };
+        let posed = Posed::new(wheel, &self.wheelset, position, pitch);
+        Pair { posed, rail, s, is_guard: false }
+    }
+
+    /// The same with the guard rail, where there is one.
+    fn guard_pair(&self, side: Side, position: Position) -> Option<Pair<'_>> {
+        let rail = self.track.rail(side).guard()?;
+        Some(Pair { rail, is_guard: true, ..self.pair(side, position) })
+    }
+
+    /// Height (m, down) at which a wheel first touches its rail or its guard rail as it comes down at `y` (m),
+    /// `roll` and `yaw` (rad).
+    ///
+    /// # Errors
+    /// As by [`WheelsetOnTrack::touch`].
+    pub fn first_touch(
+        &self,
+        side: Side,
+        y: f64,
+        roll: f64,
+        yaw: f64,
+    ) -> Result<f64, GeometryError> {
+        let z = self.touch(side, y, roll, yaw)?.z;
+        let position = Position { y, z: 0.0, roll, yaw };
+        let Some(pair) = self.guard_pair(side, position) else { return Ok(z) };
+        // Mostly the flange stands beside the guard rail, and over none of it.
+        Ok(pair.lowest().map_or(z, |lowest| z.min(lowest.gap())))
+    }
+
+    /// The least distance (m) in the track's cross-section between a wheel and its guard rail; zero where they
+    /// overlap, `None` where there is no guard rail.
+    ///
+    /// # Errors
+    /// [`GeometryError`] as by [`WheelsetOnTrack::contacts`].
+    pub fn guard_clearance(
+        &self,
+        side: Side,
+        position: &Position,
+    ) -> Result<Option<f64>, GeometryError> {
+        let position = position.check()?;
+        let Some(pair) = self.guard_pair(side, position) else { return Ok(None) };
+        if pair.overlaps().iter().any(|overlap| overlap.to > overlap.from) {
+            return Ok(Some(0.0));
+        }
+        let rail: Vec<[f64; 2]> = pair.rail.outline();
+        let wheel: Vec<[f64; 2]> = pair.seen_outline();
+        let near = |points: &[[f64; 2]], lines: &[[f64; 2]]| {
+            let to_line = |point: &[f64; 2]| {
+                let all = lines.windows(2).map(|ends| distance_to(*point, [ends[0], ends[1]]));
+                all.fold(f64::INFINITY, f64::min)
+            };
+            points.iter().map(to_line).fold(f64::INFINITY, f64::min)
+        };
+        Ok(Some(near(&wheel, &rail).min(near(&rail, &wheel))))
     }
 
     /// Where one wheel touches when the wheelset comes down at `y` (m), `roll` and `yaw` (rad).
@@ -207,7 +282,7 @@ impl WheelsetOnTrack {
     }
 
     /// All contacts of both wheels: the stretches on which the undeformed bodies overlap, the
-    /// left wheel's first, each side's from the field side to the flange. Overlaps less than
+    /// left wheel's first, each side's from the field side to the flange and then those on its guard rail. Overlaps less than
     /// 10 mm apart on the wheel, and inclined to each other by less than .35 rad, make one contact
     /// of several areas.
     ///
@@ -246,6 +321,15 @@ impl WheelsetOnTrack {
         Ok([wheel.collect(), rail.collect()])
     }
 
+    /// The guard rail's profile as points `(y, z)` in track axes (m), at most `spacing` (m) apart; none where there is
+    /// no guard rail.
+    #[must_use]
+    pub fn guard_outline(&self, side: Side, spacing: f64) -> Vec<[f64; 2]> {
+        let Some(guard) = self.track.rail(side).guard() else { return Vec::new() };
+        let points = guard.profile().curve().stations(spacing).into_iter().map(|s| guard.at(s));
+        points.map(|point| [side.sense() * point.y, point.z]).collect()
+    }
+
     /// The contacts of one wheel.
     ///
     /// # Errors
@@ -255,13 +339,30 @@ impl WheelsetOnTrack {
         side: Side,
         position: &Position,
     ) -> Result<Vec<Contact<'_>>, GeometryError> {
-        let pair = self.pair(side, position.check()?);
-        if pair.varies() {
-            return varying_contact::contacts(side, pair);
+        let position = position.check()?;
+        let mut contacts = contacts_of_pair(side, self.pair(side, position))?;
+        if let Some(guard) = self.guard_pair(side, position) {
+            contacts.extend(contacts_of_pair(side, guard)?);
         }
-        let overlaps = joined(&pair, pair.overlaps()).into_iter();
-        overlaps.filter_map(|overlap| Contact::of(side, pair, overlap).transpose()).collect()
+        Ok(contacts)
     }
+}
+
+fn contacts_of_pair(side: Side, pair: Pair<'_>) -> Result<Vec<Contact<'_>>, GeometryError> {
+    if pair.varies() {
+        return varying_contact::contacts(side, pair);
+    }
+    let overlaps = joined(&pair, pair.overlaps()).into_iter();
+    overlaps.filter_map(|overlap| Contact::of(side, pair, overlap).transpose()).collect()
+}
+
+/// Distance of a point from a line between two others.
+fn distance_to([y, z]: [f64; 2], [[y0, z0], [y1, z1]]: [[f64; 2]; 2]) -> f64 {
+    let (along, from) = ([y1 - y0, z1 - z0], [y - y0, z - z0]);
+    let square = along[0] * along[0] + along[1] * along[1];
+    let part = if square > 0.0 { (from[0] * along[0] + from[1] * along[1]) / square } else { 0.0 };
+    let part = part.clamp(0.0, 1.0);
+    (from[0] - part * along[0]).hypot(from[1] - part * along[1])
 }
 
 /// Neighbours joined.

@@ -6,7 +6,7 @@ use crate::curve::{CurvePoint, hermite};
 use crate::search::threshold;
 use crate::slices::SliceSurface;
 use crate::variation::RailVariation;
-use crate::{GeometryError, Profile, Role, Side};
+use crate::{GeometryError, Profile, Role, Roller, Side};
 
 /// Spacing of the stations between which a rail is looked up (m).
 const STEP: f64 = 2.5e-4;
@@ -58,11 +58,17 @@ pub struct Rail {
     profile: Profile,
     rotation: (f64, f64),
     shift: [f64; 2],
-    /// The part that a wheel can see from above, `y` rising.
+    /// The part of the profile that it is, by arc length (m): all of it, but of grooved rails.
+    part: [f64; 2],
+    /// The part of that that a wheel can see from above, `y` rising.
     visible: Vec<Station>,
     /// Whether it ends at walls, on the track side and on the field side.
     walls: [bool; 2],
     variation: Option<RailVariation>,
+    /// Whether it is a roller's rim.
+    roller: Option<Roller>,
+    /// A second rail beside it, on which the flange's back runs.
+    guard: Option<Box<Rail>>,
     /// Of slices what a wheel can see: patch by patch, slice by slice the stretches on which `y` rises.
     seen: Vec<Vec<Stretches>>,
 }
@@ -94,6 +100,28 @@ impl Rail {
     /// [`GeometryError`] for a wheel's profile, values not finite, and a head too low or too
     /// short for its gauge to be measured.
     pub fn new(profile: &Profile, cant: f64, place: Place) -> Result<Self, GeometryError> {
+        Self::of_part(profile, [0.0, profile.curve().length()], cant, place)
+    }
+
+    /// Sets a grooved rail in place, whose profile has the running head on the field side of a groove and a lip, or
+    /// guard rail, on the track side: the head lies as by [`Rail::new`], and the lip is its guard rail.
+    ///
+    /// # Errors
+    /// As by [`Rail::new`], and [`GeometryError::NoGroove`].
+    pub fn grooved(profile: &Profile, cant: f64, place: Place) -> Result<Self, GeometryError> {
+        let floor = profile.groove().ok_or(GeometryError::NoGroove)?;
+        let head = Self::of_part(profile, [floor, profile.curve().length()], cant, place)?;
+        let mut lip = Self { part: [0.0, floor], ..head.clone() };
+        lip.look()?;
+        Ok(head.with_guard(lip))
+    }
+
+    fn of_part(
+        profile: &Profile,
+        part: [f64; 2],
+        cant: f64,
+        place: Place,
+    ) -> Result<Self, GeometryError> {
         if profile.role() != Role::Rail {
             return Err(GeometryError::NotA { role: Role::Rail });
         }
@@ -105,12 +133,15 @@ impl Rail {
             profile: profile.clone(),
             rotation: (cos, sin),
             shift: [0.0; 2],
+            part,
             visible: vec![],
             walls: [false; 2],
             variation: None,
+            roller: None,
+            guard: None,
             seen: vec![],
         };
-        let stations = rail.profile.curve().stations(STEP);
+        let stations = rail.stations();
         rail.shift[1] = match place {
             Place::At([_, z]) if z.is_finite() => z,
             Place::At([_, value]) => {
@@ -119,8 +150,15 @@ impl Rail {
             _ => -rail.highest(&stations).z,
         };
         rail.shift[0] = rail.offset(&stations, place)?;
-        rail.look(&stations)?;
+        rail.look()?;
         Ok(rail)
+    }
+
+    /// Arc lengths at which it is looked at.
+    fn stations(&self) -> Vec<f64> {
+        let [from, to] = self.part;
+        let stations = self.profile.curve().stations(STEP);
+        stations.into_iter().filter(|s| (from..=to).contains(s)).collect()
     }
 
     /// The same rail shifted and turned from where it was laid: gauge and height are not measured
@@ -142,8 +180,15 @@ impl Rail {
         let ((cos, sin), (turn_sin, turn_cos)) = (self.rotation, (side.sense() * roll).sin_cos());
         let rotation = (cos * turn_cos - sin * turn_sin, sin * turn_cos + cos * turn_sin);
         let shift = [self.shift[0] + side.sense() * y, self.shift[1] + z];
-        let mut rail = Self { rotation, shift, ..self.clone() };
-        rail.look(&rail.profile.curve().stations(STEP))?;
+        let roller = match self.roller {
+            Some(_) if roll.abs() > 0.0 => {
+                let range = "0 on a roller, whose axle lies along y";
+                return Err(GeometryError::Value { name: "droll", value: roll, range });
+            }
+            roller => roller.map(|roller| roller.lowered(z)),
+        };
+        let mut rail = Self { rotation, shift, roller, ..self.clone() };
+        rail.look()?;
         Ok(rail)
     }
 
@@ -155,8 +200,12 @@ impl Rail {
         if profile.role() != Role::Rail {
             return Err(GeometryError::NotA { role: Role::Rail });
         }
-        let mut rail = Self { profile: profile.clone(), ..self.clone() };
-        rail.look(&rail.profile.curve().stations(STEP))?;
+        if self.part[1] - self.part[0] < self.profile.curve().length() {
+            return Err(GeometryError::GroovedWears);
+        }
+        let part = [0.0, profile.curve().length()];
+        let mut rail = Self { profile: profile.clone(), part, ..self.clone() };
+        rail.look()?;
         Ok(rail)
     }
 
@@ -167,7 +216,16 @@ impl Rail {
     /// # Errors
     /// [`GeometryError`] for waves that are none.
     pub fn with_variation(self, variation: RailVariation) -> Result<Self, GeometryError> {
-        let mut rail = Self { variation: variation.pruned()?, ..self };
+        let variation = variation.pruned()?;
+        if let (Some(_), Some(roller)) = (&variation, self.roller) {
+            let range = "left out where the rail has slices or corrugation";
+            return Err(GeometryError::Value {
+                name: "roller_radius",
+                value: roller.radius(),
+                range,
+            });
+        }
+        let mut rail = Self { variation, ..self };
         rail.seen = rail.rising_stretches();
         Ok(rail)
     }
@@ -178,8 +236,82 @@ impl Rail {
         self.variation.as_ref()
     }
 
+    /// The same profile as the rim of a roller, on whose top it lies.
+    ///
+    /// # Errors
+    /// [`GeometryError::Value`] where the rail has slices or waves along it, or its profile reaches to the axle.
+    pub fn on_roller(self, roller: Roller) -> Result<Self, GeometryError> {
+        let value = roller.radius();
+        let name = "roller_radius";
+        if self.variation.is_some() {
+            let range = "left out where the rail has slices or corrugation";
+            return Err(GeometryError::Value { name, value, range });
+        }
+        let reaches = |station: &Station| (roller.axle() - station.z) * value <= 0.0;
+        if self.visible.iter().any(reaches) {
+            let range = "larger than the profile is deep";
+            return Err(GeometryError::Value { name, value, range });
+        }
+        Ok(Self { roller: Some(roller), ..self })
+    }
+
+    /// The roller of whose rim it is the profile; `None` where it is a rail.
+    #[must_use]
+    pub fn roller(&self) -> Option<Roller> {
+        self.roller
+    }
+
+    /// The same with a second rail beside it, on whose field side the back of the flange runs: a guard or check
+    /// rail in its own place.
+    #[must_use]
+    pub fn with_guard(self, guard: Self) -> Self {
+        Self { guard: Some(Box::new(Self { guard: None, ..guard })), ..self }
+    }
+
+    /// The same with a guard rail beside it: its `profile`, inclined by `cant` (rad) as a rail's, whose highest point
+    /// lies `height` (m) above the track plane and whose running face, down to `depth` (m) below that plane, stands
+    /// `flangeway` (m) from this rail's gauge face, which is its nearest place down to the same depth.
+    ///
+    /// # Errors
+    /// As by [`Rail::new`], and [`GeometryError::Value`] for a flangeway that is not above zero, or a guard rail
+    /// that lies below that depth.
+    pub fn guarded(
+        self,
+        profile: &Profile,
+        cant: f64,
+        [flangeway, height, depth]: [f64; 3],
+    ) -> Result<Self, GeometryError> {
+        let lengths = [("flangeway", flangeway, "above 0 m"), ("depth", depth, "above 0 m")];
+        for (name, value, range) in lengths {
+            if !(value > 0.0 && value.is_finite()) {
+                return Err(GeometryError::Value { name, value, range });
+            }
+        }
+        if !(height > -depth && height.is_finite()) {
+            let range =
+                "such that the guard rail reaches above the depth of the gauge's measurement";
+            return Err(GeometryError::Value { name: "height", value: height, range });
+        }
+        let face = self.nearest(&self.stations(), depth);
+        let mut guard = Self::new(profile, cant, Place::Origin(0.0))?;
+        guard.shift[1] -= height;
+        guard.look()?;
+        let high = guard.visible.iter().filter(|station| station.z <= depth);
+        let reach = high.map(|station| station.y).fold(f64::NEG_INFINITY, f64::max);
+        guard.shift[0] = face - flangeway - reach;
+        guard.look()?;
+        Ok(self.with_guard(guard))
+    }
+
+    /// The guard rail beside it.
+    #[must_use]
+    pub fn guard(&self) -> Option<&Self> {
+        self.guard.as_deref()
+    }
+
+    /// Whether its height changes along the track.
     pub(crate) fn varies(&self) -> bool {
-        self.variation.is_some()
+        self.variation.is_some() || self.roller.is_some()
     }
 
     pub(crate) fn slices(&self) -> Option<&SliceSurface> {
@@ -264,8 +396,8 @@ impl Rail {
     }
 
     /// Finds what a wheel can see from above.
-    fn look(&mut self, stations: &[f64]) -> Result<(), GeometryError> {
-        (self.visible, self.walls) = self.seen_from_above(stations);
+    fn look(&mut self) -> Result<(), GeometryError> {
+        (self.visible, self.walls) = self.seen_from_above(&self.stations());
         self.seen = self.rising_stretches();
         if self.visible.len() < 2 { Err(GeometryError::Hidden) } else { Ok(()) }
     }
@@ -292,6 +424,11 @@ impl Rail {
     /// The point at arc length `s`, in track coordinates of a right-hand rail.
     pub(crate) fn at(&self, s: f64) -> CurvePoint {
         self.profile.curve().at(s).moved(self.rotation, self.shift)
+    }
+
+    /// Points of the visible part (m), `y` rising.
+    pub(crate) fn outline(&self) -> Vec<[f64; 2]> {
+        self.visible.iter().map(|station| [station.y, station.z]).collect()
     }
 
     /// `y` of the visible part (m), from the track side to the field side.

@@ -207,6 +207,7 @@ impl<'a> Contact<'a> {
             slope,
             is_cut: region.is_cut,
             is_beyond: pair.rail.slices().is_some_and(|slices| slices.is_beyond(pair.s + x)),
+            is_on_guard: pair.is_guard,
             y_rail: on_rail.y,
             y_wheel: on_wheel.y,
             approach: 0.0,

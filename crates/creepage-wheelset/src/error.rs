@@ -143,8 +143,8 @@ pub enum WheelsetError {
     NotDifferentiable,
     /// Surfaces that vary along rolling, asked for what is not known of them.
     #[error(
-        "[wheel] slices, flat, waviness and [rail] slices, corrugation: {what} is not known where surfaces vary along \
-         rolling"
+        "[wheel] slices, flat, waviness and [rail] slices, corrugation, roller_radius: {what} is not known where \
+         surfaces vary along rolling"
     )]
     Varies {
         /// What was asked for.

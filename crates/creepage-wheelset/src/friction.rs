@@ -1,7 +1,7 @@
 //! Friction on a rail: a number, a law by the speed of slip, or by the place on the rail.
 
 use creepage::friction_law::{FrictionAcross, FrictionLaw, FrictionMemory, RollingFriction};
-use creepage_rail::{Contact, Side, WheelsetOnTrack};
+use creepage_rail::{Contact, Side};
 
 use crate::error::{WheelsetError, checked};
 
@@ -46,11 +46,21 @@ impl RailFriction {
         }
     }
 
+    /// The least coefficient of all places; of a law by the speed of slip that at rest.
+    #[must_use]
+    pub fn least(&self) -> f64 {
+        match self {
+            Self::Place(of) => {
+                of.points.iter().fold(f64::INFINITY, |most, [_, value]| value.min(most))
+            }
+            other => other.largest(),
+        }
+    }
+
     /// The largest coefficient on a contact and how friction varies on it, where wheels roll at `speed` (m/s).
     pub(crate) fn on(
         &self,
         contact: &Contact<'_>,
-        running: &WheelsetOnTrack,
         speed: f64,
     ) -> Result<(f64, Option<RollingFriction>), WheelsetError> {
         let wrong = WheelsetError::invalid(SECTION);
@@ -61,7 +71,7 @@ impl RailFriction {
                 Ok((law.at_rest(), Some(rolling)))
             }
             Self::Place(of) => {
-                let points = of.across(contact, running);
+                let points = of.across(contact);
                 let across = FrictionAcross::new(&points).map_err(&wrong)?;
                 let rolling = RollingFriction::across(across).map_err(&wrong)?;
                 Ok((across.largest(), Some(rolling)))
@@ -95,19 +105,19 @@ impl FrictionOfPlace {
 
     /// Across a contact, as a theory of rolling takes it: by lines between few places, the next of which is always
     /// where these miss most.
-    fn across(&self, contact: &Contact<'_>, running: &WheelsetOnTrack) -> Vec<[f64; 2]> {
+    fn across(&self, contact: &Contact<'_>) -> Vec<[f64; 2]> {
         const LOOKED_UP: u32 = 64;
         /// Of the coefficient: as lines miss no result by more.
         const CLOSE: f64 = 1e-4;
         let [low, high] = contact.extent[1];
-        let rail = running.track().rail(contact.side);
+        let inclination = contact.rail_inclination();
         let sense = contact.side.sense();
         let value = |k: u32| {
             let s = low + (high - low) * f64::from(k) / f64::from(LOOKED_UP);
             let across = contact.at(s)?;
             let place = match self.by {
                 PlaceOnRail::Position => across.y_rail,
-                PlaceOnRail::Angle => sense * (contact.angle + across.tilt) - rail.inclination(),
+                PlaceOnRail::Angle => sense * (contact.angle + across.tilt) - inclination,
             };
             Some([s, self.at(place)])
         };
@@ -115,7 +125,7 @@ impl FrictionOfPlace {
         let ([first, .., last], 2..) = (all.as_slice(), all.len()) else {
             let place = match self.by {
                 PlaceOnRail::Position => contact.y_rail,
-                PlaceOnRail::Angle => sense * contact.angle - rail.inclination(),
+                PlaceOnRail::Angle => sense * contact.angle - inclination,
             };
             return vec![[low, self.at(place)], [high, self.at(place)]];
         };

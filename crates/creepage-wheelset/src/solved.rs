@@ -37,6 +37,8 @@ pub struct SolvedWheelset {
     pub place: Option<[f64; 2]>,
     /// Coefficient of friction, the largest where it varies.
     pub friction: f64,
+    /// The least coefficient of all places on the rails.
+    pub least_friction: f64,
     /// What the surfaces slide by before they deform.
     pub slip: RigidSlip,
     /// The theory of rolling.
@@ -63,6 +65,9 @@ pub struct SolvedWheel {
     pub pitch_rate: f64,
     /// How far its wheel would have to go down to touch (m), where it touches nothing.
     pub clearance: Option<f64>,
+    /// The least distance in the cross-section between the wheel and its guard rail (m), zero where they touch;
+    /// `None` where there is no guard rail.
+    pub guard_clearance: Option<f64>,
     /// How far its rail gave way on its springs, to the right and down (m), where it lies on any.
     pub deflection: Option<[f64; 2]>,
     /// How far it was brought down from first touch to carry its load (m); zero where its height
@@ -101,6 +106,8 @@ pub struct SolvedContact {
     pub slope: f64,
     /// Where its surfaces end, where wheel or rail vary along rolling.
     pub varying: Option<SurfaceLimits>,
+    /// Whether it lies on the guard rail: the rail is that one, here and in [`SolvedContact::y_rail`].
+    pub is_on_guard: bool,
     /// `y` of the reference point in the rail's profile (m), to the field side.
     pub y_rail: f64,
     /// `y` of the reference point in the wheel's profile (m), to the field side.
@@ -247,10 +254,26 @@ impl SolvedWheel {
     pub fn height(&self) -> f64 {
         let Position { z, roll, .. } = self.position;
         let [_, y, _] = self.rail_origin;
-        if self.contacts.is_empty() { 0.0 } else { -(z + roll * y) }
+        if self.contacts.iter().all(|contact| contact.is_on_guard) { 0.0 } else { -(z + roll * y) }
     }
 
-    /// Force on the rail in track axes, with its moment about the origin of the rail's profile.
+    /// Force on the guard rail in track axes, with its moment about the origin of the *running* rail's profile;
+    /// `None` where there is no guard rail.
+    #[must_use]
+    pub fn on_guard(&self) -> Option<Resultant> {
+        self.guard_clearance?;
+        let contacts = self.contacts.iter().filter(|contact| contact.is_on_guard);
+        Some(contacts.fold(Resultant::NONE, |sum, c| sum + c.on_rail(self.rail_origin)))
+    }
+
+    /// Force on the running rail alone (N).
+    pub(crate) fn on_running_rail(&self) -> [f64; 3] {
+        let contacts = self.contacts.iter().filter(|contact| !contact.is_on_guard);
+        contacts.fold(Resultant::NONE, |sum, c| sum + c.on_rail(self.rail_origin)).force
+    }
+
+    /// Force on the rail in track axes, with its moment about the origin of the rail's profile: with that on its
+    /// guard rail, [`SolvedWheel::on_guard`], where there is one.
     #[must_use]
     pub fn on_rail(&self) -> Resultant {
         self.contacts

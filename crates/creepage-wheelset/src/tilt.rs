@@ -43,8 +43,11 @@ impl Tilt {
     }
 }
 
+/// Between the spots of contacts on a rail and on the guard rail beside it (m): these are no neighbours.
+const TO_GUARD: f64 = 10.0;
+
 /// What a contact is found again by in a position close by: `y` on the rail, and where surfaces vary along rolling
-/// the place along the track too (m).
+/// the place along the track too (m); those on a guard rail have a `y` of their own, far off.
 pub(crate) trait Placed {
     fn tilt(&self) -> Tilt;
     fn spot(&self) -> [f64; 2];
@@ -56,7 +59,8 @@ impl Placed for Contact<'_> {
     }
 
     fn spot(&self) -> [f64; 2] {
-        [self.y_rail, if self.varies() { self.reference[0] } else { 0.0 }]
+        let y = self.y_rail + if self.is_on_guard { TO_GUARD } else { 0.0 };
+        [y, if self.varies() { self.reference[0] } else { 0.0 }]
     }
 }
 
@@ -66,7 +70,8 @@ impl Placed for SolvedContact {
     }
 
     fn spot(&self) -> [f64; 2] {
-        [self.y_rail, if self.varying.is_some() { self.reference[0] } else { 0.0 }]
+        let y = self.y_rail + if self.is_on_guard { TO_GUARD } else { 0.0 };
+        [y, if self.varying.is_some() { self.reference[0] } else { 0.0 }]
     }
 }
 

@@ -131,6 +131,11 @@ pub enum Caution {
         /// From one side of the contact to the other (rad).
         angle: f64,
     },
+    /// The back of the flange does not touch its guard rail.
+    GuardApart {
+        /// What lies between them (m).
+        clearance: f64,
+    },
     /// A wheel has climbed its rail, or its flange rides on it.
     Climbs {
         /// By how much it stands above the height of its tread (m).

@@ -21,6 +21,7 @@ impl fmt::Display for Caution {
             | Self::CutPatch
             | Self::BeyondSlices
             | Self::Climbs { .. }
+            | Self::GuardApart { .. }
             | Self::Deep { .. }
             | Self::Groove { .. }
             | Self::Slides { .. } => self.write_of_bodies(f),
@@ -131,6 +132,11 @@ impl Caution {
             Self::BeyondSlices => f.write_str(
                 "the contact lies before the first or behind the last slice of the rail, where the surface is taken \
                  to go on alike",
+            ),
+            Self::GuardApart { clearance } => write!(
+                f,
+                "the back of the flange does not touch the guard rail: {} mm lie between them",
+                significant(1e3 * clearance, 4)
             ),
             Self::Climbs { height } if height > Self::RIDES => write!(
                 f,

@@ -29,6 +29,8 @@ pub struct WheelsetCase {
     pub solids: Option<SolidPair>,
     /// Friction on the left and the right rail, where it is given.
     pub friction: Option<[RailFriction; 2]>,
+    /// Friction on the left and the right guard rail, where it differs from that of the rail.
+    pub guard_friction: [Option<RailFriction>; 2],
     /// Springs of the left and the right rail, where they lie on any.
     pub springs: [Option<RailSprings>; 2],
     /// What the surfaces slide by before they deform.
@@ -75,6 +77,12 @@ impl WheelsetCase {
             });
         }
         self.solver_on_rails()
+    }
+
+    /// Whether a rail has a guard rail beside it.
+    pub(super) fn is_guarded(&self) -> bool {
+        let is_there = |side| self.running.track().rail(side).guard().is_some();
+        [Side::Left, Side::Right].into_iter().any(is_there)
     }
 
     /// Refuses surfaces that vary along rolling.
@@ -126,6 +134,7 @@ impl WheelsetCase {
         let pair = self.solids.ok_or_else(|| section("materials", "shear_modulus, poisson"))?;
         let friction = self.friction.clone().ok_or_else(|| section("contact", "friction"))?;
         let solver = WheelsetSolver::new(&self.running, pair, friction, theory)?;
+        let solver = solver.with_guard_friction(self.guard_friction.clone());
         Ok(solver.with_model(self.slip, self.patches))
     }
 

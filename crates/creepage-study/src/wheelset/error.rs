@@ -113,10 +113,18 @@ pub enum WheelsetFileError {
     },
     /// What asks for wheels of revolution on prismatic rails.
     #[error(
-        "[wheel] slices, flat, waviness and [rail] slices, corrugation: {what} takes round wheels on rails that do not \
-         vary; solve the file itself, or rows of `creepage batch` over s and pitch"
+        "[wheel] slices, flat, waviness and [rail] slices, corrugation, roller_radius: {what} takes round wheels on \
+         straight rails that do not vary; solve the file itself, or rows of `creepage batch` over s and pitch"
     )]
     Varies {
+        /// What was asked for.
+        what: &'static str,
+    },
+    /// What knows of no guard rail.
+    #[error(
+        "[rail] guard: {what} knows of running rails alone; leave guard out, or solve the file itself"
+    )]
+    Guarded {
         /// What was asked for.
         what: &'static str,
     },

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use creepage::{SolidPair, TheorySpec};
 use creepage_rail::{
-    Corrugation, Deviation, Place, Profile, Rail, RailMotion, RailVariation, Role, Side,
+    Corrugation, Deviation, Place, Profile, Rail, RailMotion, RailVariation, Role, Roller, Side,
     SliceSurface, Track, Waviness, Wheel, WheelVariation, Wheelset, WheelsetOnTrack,
 };
 use schemars::JsonSchema;
@@ -17,6 +17,7 @@ use toml::Table;
 use super::case::{ProfileNote, WheelsetCase};
 use super::error::{WheelsetFileError, checked, needed, section};
 use super::friction::RailFrictionValue;
+use super::guard::GuardSection;
 use super::profile::{RequestedProfile, of_points};
 use super::sections::{
     FrictionSection, MaterialSection, MotionSection, RailSection, ReadingSection, SideName,
@@ -156,6 +157,7 @@ impl WheelsetFile {
             travel,
             solids: self.solids()?,
             friction: self.friction()?,
+            guard_friction: self.guard_friction()?,
             springs: [
                 self.rail_section(Side::Left).springs(self.springs_section(Side::Left))?,
                 self.rail_section(Side::Right).springs(self.springs_section(Side::Right))?,
@@ -174,7 +176,11 @@ impl WheelsetFile {
     /// # Errors
     /// [`WearError`] for a missing section or table, numbers out of range, contradictions.
     pub fn wear(&self, case: &WheelsetCase, directory: &Path) -> Result<WearPlan, WearError> {
-        case.is_alike_along("wear over a distance")?;
+        let what = "wear over a distance";
+        case.is_alike_along(what)?;
+        if case.is_guarded() {
+            return Err(WheelsetFileError::Guarded { what }.into());
+        }
         let wear = self.wear.as_ref();
         let needs = "distance (of wheels) or passages (over rails), and situations";
         wear.ok_or_else(|| section("wear", needs))?.plan(case, directory)
@@ -236,6 +242,21 @@ impl WheelsetFile {
                 return Err(WheelsetFileError::OneWheel {
                     section: "motion",
                     key,
+                    side: word,
+                    instead,
+                });
+            }
+        }
+        let rails = [
+            (Side::Left, "right", "rail_left", &self.rail_left),
+            (Side::Right, "left", "rail_right", &self.rail_right),
+        ];
+        for (side, word, section, rail) in rails {
+            if rail.friction.is_some() && self.is_idle(side) {
+                let instead = "that rail carries no wheel; leave it out, or leave side out";
+                return Err(WheelsetFileError::OneWheel {
+                    section,
+                    key: "friction",
                     side: word,
                     instead,
                 });
@@ -307,13 +328,36 @@ impl WheelsetFile {
         let (profile, slices) = surface_of(given, asked, directory, notes)?;
         let corrugation = rail.corrugation.iter().flatten().map(Corrugation::from).collect();
         let variation = RailVariation { slices, corrugation };
-        let laid = Rail::new(&profile, rail.cant.unwrap_or(0.0), place);
-        let placed = match rail.deviation() {
-            Some(deviation) => laid.and_then(|laid| laid.displaced(side, deviation)),
-            None => laid,
+        let guard = rail.guard.as_ref();
+        guard.map(GuardSection::check).transpose()?;
+        let cant = rail.cant.unwrap_or(0.0);
+        let geometry = WheelsetFileError::geometry(section);
+        let laid = match guard {
+            Some(guard) if guard.is_grooved() => Rail::grooved(&profile, cant, place),
+            _ => Rail::new(&profile, cant, place),
         };
-        let placed = placed.and_then(|placed| placed.with_variation(variation));
-        placed.map_err(WheelsetFileError::geometry(section))
+        let mut laid = laid.map_err(&geometry)?;
+        if let Some(guard) = guard.filter(|guard| !guard.is_grooved()) {
+            laid = noted(guard.beside(laid, (side, place), directory)?, notes);
+        }
+        if let Some(radius) = rail.roller_radius {
+            let roller = Roller::new(radius).map_err(&geometry)?;
+            laid = laid.on_roller(roller).map_err(&geometry)?;
+        }
+        if let Some(deviation) = rail.deviation() {
+            laid = laid.displaced(side, deviation).map_err(&geometry)?;
+        }
+        laid.with_variation(variation).map_err(geometry)
+    }
+
+    /// Friction on both guard rails, where they have their own.
+    fn guard_friction(&self) -> Result<[Option<RailFriction>; 2], WheelsetFileError> {
+        let of = |side| {
+            let guard = self.rail_section(side).guard;
+            let friction = guard.as_ref().and_then(|guard| guard.friction.as_ref());
+            friction.map(RailFrictionValue::friction).transpose()
+        };
+        Ok([of(Side::Left)?, of(Side::Right)?])
     }
 
     /// Whether the other wheel is solved alone.
@@ -472,7 +516,7 @@ fn surface_of(
 }
 
 /// A profile by its name or its points, with a note where it comes from a file.
-fn loaded(
+pub(super) fn loaded(
     given: (Option<&str>, Option<&[[f64; 2]]>),
     (section, role, side, reading): (&'static str, Role, Side, Option<ReadingSection>),
     directory: &Path,

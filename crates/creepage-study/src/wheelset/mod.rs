@@ -11,6 +11,7 @@ mod file;
 mod free;
 mod friction;
 mod geometry_picture;
+mod guard;
 mod map;
 mod position;
 mod profile;

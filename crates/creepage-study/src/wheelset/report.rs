@@ -93,6 +93,8 @@ fn cautions<'a>(
     let climbs = |wheel: &SolvedWheel| Some((wheel.side, Caution::climbs(wheel.height())?));
     let mut all: Vec<(Side, Caution)> = solved.wheels().filter_map(climbs).collect();
     for wheel in solved.wheels() {
+        let clearance = wheel.guard_clearance.filter(|clearance| *clearance > 0.0);
+        all.extend(clearance.map(|clearance| (wheel.side, Caution::GuardApart { clearance })));
         for (k, contact) in wheel.contacts().iter().enumerate() {
             for caution in of_contact(contact, damage(wheel.side).get(k)) {
                 if !all.iter().any(|(known, said)| *known == wheel.side && said.says(&caution)) {

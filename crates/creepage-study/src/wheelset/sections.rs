@@ -8,6 +8,7 @@ use serde::Deserialize;
 
 use super::free::{GivenOrFree, PitchValue};
 use super::friction::RailFrictionValue;
+use super::guard::GuardSection;
 use super::varying::{CorrugationSection, FlatValue, WavinessSection};
 use crate::case::CaseError;
 use crate::case::body::Body;
@@ -146,6 +147,14 @@ pub(super) struct RailSection {
     pub(super) force_y: Option<f64>,
     /// The same, down (N).
     pub(super) force_z: Option<f64>,
+    /// Radius of a roller in place of the rail (m), where its rim touches the track plane; its axle lies along y.
+    /// Below zero it is a ring around the wheel. `speed` is that of the rim there.
+    pub(super) roller_radius: Option<f64>,
+    /// A guard or check rail { profile, flangeway, height, cant, friction } beside it, on which the back of the flange
+    /// runs; { grooved = true } where the rail's own profile has it.
+    #[schemars(with = "GuardSection")]
+    #[serde(default)]
+    pub(super) guard: Option<GuardSection>,
     /// Friction on this rail, where it differs from that of [contact].
     #[schemars(with = "RailFrictionValue")]
     #[serde(default)]
@@ -177,6 +186,8 @@ impl RailSection {
             stiffness_z: self.stiffness_z.or(other.stiffness_z),
             force_y: self.force_y.or(other.force_y),
             force_z: self.force_z.or(other.force_z),
+            roller_radius: self.roller_radius.or(other.roller_radius),
+            guard: self.guard.clone().or_else(|| other.guard.clone()),
             friction: self.friction.clone().or_else(|| other.friction.clone()),
         }
     }

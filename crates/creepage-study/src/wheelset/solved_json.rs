@@ -46,8 +46,11 @@ pub struct WheelsetReportJson {
     pub roll_rate_rad_per_s: f64,
     /// Angular velocity about `z` (rad/s).
     pub yaw_rate_rad_per_s: f64,
-    /// Coefficient of friction.
+    /// Coefficient of friction, the largest where it differs by place.
     pub friction: f64,
+    /// The least one; left out where it does not differ by place.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub least_friction: Option<f64>,
     /// `flat` or `curved`: how the rigid slip follows from the motion.
     pub slip: &'static str,
     /// The left wheel on its rail; `null` where the right one was solved alone.
@@ -59,7 +62,7 @@ pub struct WheelsetReportJson {
 /// One wheel on its rail.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct WheelJson {
-    /// Force of the wheel on the rail.
+    /// Force of the wheel on the rail, with that on the guard rail beside it where there is one.
     pub force: RailForceJson,
     /// Its places of contact, by falling load.
     pub patches: Vec<WheelPatchJson>,
@@ -69,12 +72,24 @@ pub struct WheelJson {
     pub pitch_rate_rad_per_s: f64,
     /// How far it would have to go down to touch (m), where it touches nothing; else `null`.
     pub clearance_m: Option<f64>,
+    /// The guard rail beside its rail; left out where there is none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub guard: Option<GuardJson>,
     /// How far its rail gave way on its springs, `[y, z]` (m), where it lies on any; else `null`.
     pub rail_deflection_m: Option<[f64; 2]>,
     /// Origin of the rail's profile `[x, y, z]` (m).
     pub rail_origin_m: [f64; 3],
     /// How the force changes with the wheelset's position and motion; `null` where nobody asked.
     pub derivatives: Option<DerivativesJson>,
+}
+
+/// What a wheel does to the guard rail.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct GuardJson {
+    /// Force on it, a part of the wheel's `force`; its moment is about the origin of the running rail's profile.
+    pub force: RailForceJson,
+    /// The least distance between the flange's back and it (m), 0 where they touch.
+    pub clearance_m: Option<f64>,
 }
 
 /// A force on a rail in track axes.
@@ -104,6 +119,9 @@ pub struct RailForceJson {
 /// `(y, z)`, the normal into the rail.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct WheelPatchJson {
+    /// `guard` where it lies on the guard rail; left out on the running rail.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub rail: Option<&'static str>,
     /// The reference point in track axes: along (m).
     pub x_m: f64,
     /// Across (m).
@@ -199,6 +217,7 @@ impl WheelsetReport {
             roll_rate_rad_per_s: motion.roll_rate,
             yaw_rate_rad_per_s: motion.yaw_rate,
             friction: self.friction,
+            least_friction: (self.least_friction < self.friction).then_some(self.least_friction),
             slip: match self.slip {
                 RigidSlip::Flat => "flat",
                 RigidSlip::Curved => "curved",
@@ -230,6 +249,10 @@ impl WheelJson {
             z_m: wheel.position.z,
             pitch_rate_rad_per_s: wheel.pitch_rate,
             clearance_m: wheel.clearance,
+            guard: wheel.on_guard().map(|force| GuardJson {
+                force: RailForceJson::new(&force),
+                clearance_m: wheel.guard_clearance,
+            }),
             rail_deflection_m: wheel.deflection,
             rail_origin_m: wheel.rail_origin,
             derivatives,
@@ -262,6 +285,7 @@ impl WheelPatchJson {
         let [x_m, y_m, z_m] = contact.reference;
         let [x, s] = contact.extent();
         Self {
+            rail: contact.is_on_guard.then_some("guard"),
             x_m,
             y_m,
             z_m,

@@ -24,6 +24,7 @@ const ARROW_LENGTH: f64 = 26.0;
 struct View<'a> {
     wheel: &'a SolvedWheel,
     lines: [Vec<Point>; 2],
+    guard: Vec<Point>,
     /// Millimetres to a newton.
     unit: f64,
 }
@@ -107,7 +108,9 @@ impl<'a> View<'a> {
         let lines = running.outlines(wheel.side, &wheel.position, SPACING)?;
         let lines =
             lines.map(|line| line.into_iter().map(|place| place.map(|at| MM * at)).collect());
-        Ok(Self { wheel, lines, unit })
+        let guard = running.guard_outline(wheel.side, SPACING).into_iter();
+        let guard = guard.map(|place| place.map(|at| MM * at)).collect();
+        Ok(Self { wheel, lines, guard, unit })
     }
 
     /// Wheel and rail head.
@@ -148,6 +151,8 @@ impl<'a> View<'a> {
     fn drawn(&self, panel: Panel, unit: f64) -> Panel {
         let [wheel, rail] = &self.lines;
         let panel = panel.curve(rail.clone(), RAIL).curve(wheel.clone(), WHEEL);
+        let panel =
+            if self.guard.is_empty() { panel } else { panel.curve(self.guard.clone(), RAIL) };
         self.wheel.contacts().iter().fold(panel, |panel, contact| {
             let areas = ends_of_areas(contact);
             let panel = panel.curves(&areas, AREA);
@@ -191,8 +196,9 @@ fn contact_svg(contact: &SolvedContact, number: usize) -> String {
         Side::Right => "Right",
     };
     let y = fixed(MM * contact.y_rail, 2);
+    let rail = if contact.is_on_guard { "guard rail" } else { "rail" };
     AreasPicture {
-        title: &format!("{side} wheel, contact {number}: at y = {y} mm of the rail"),
+        title: &format!("{side} wheel, contact {number}: at y = {y} mm of the {rail}"),
         contact: &contact.normal,
         elements: &contact.elements(),
         scaling: contact.scaling,

@@ -68,7 +68,13 @@ impl WheelsetReport {
         if motion.yaw_rate.abs() > 0.0 {
             lines.row("yaw rate", &format!("{} rad/s", significant(motion.yaw_rate, 5)));
         }
-        lines.row("friction mu", &significant(self.friction, 5));
+        let friction = significant(self.friction, 5);
+        let friction = if self.least_friction < self.friction {
+            format!("{} to {friction}, by place", significant(self.least_friction, 5))
+        } else {
+            friction
+        };
+        lines.row("friction mu", &friction);
     }
 }
 
@@ -91,7 +97,8 @@ fn wheel_lines(report: &WheelsetReport, wheel: &SolvedWheel, lines: &mut Lines) 
         let clearance = wheel.clearance.map_or(String::new(), |gap| format!(" by {}", mm(gap)));
         return lines.heading(&format!("{name} wheel: hangs above its rail{clearance}"));
     }
-    lines.heading(&format!("{name} wheel: force on the rail"));
+    let what = if wheel.on_guard().is_some() { "rail and guard rail" } else { "rail" };
+    lines.heading(&format!("{name} wheel: force on the {what}"));
     let on_rail = wheel.on_rail();
     lines.columns("", ["longitudinal", "lateral", "vertical"]);
     let [x, y, z] = on_rail.force.map(newton);
@@ -102,6 +109,10 @@ fn wheel_lines(report: &WheelsetReport, wheel: &SolvedWheel, lines: &mut Lines) 
     }
     let [x, y, z] = on_rail.moment.map(|moment| format!("{} N m", fixed(moment, 3)));
     lines.columns("moment about its origin", [&x, &y, &z]);
+    if let Some(on_guard) = wheel.on_guard().filter(|_| wheel.guard_clearance <= Some(0.0)) {
+        let [x, y, z] = on_guard.force.map(newton);
+        lines.columns("of which on the guard rail", [&x, &y, &z]);
+    }
     if let Some([y, z]) = wheel.deflection {
         lines.columns("rail gives way", ["", &mm(y), &mm(z)]);
     }
@@ -147,7 +158,8 @@ fn contact_lines(
         1 => String::new(),
         count => format!(", {count} areas"),
     };
-    lines.heading(&format!("  contact at y = {} of the rail{areas}", mm(contact.y_rail)));
+    let rail = if contact.is_on_guard { "guard rail" } else { "rail" };
+    lines.heading(&format!("  contact at y = {} of the {rail}{areas}", mm(contact.y_rail)));
     lines.row("y on the wheel", &mm(contact.y_wheel));
     lines.row("x in the track", &mm(contact.reference[0]));
     let angle = format!("{} degrees", fixed(contact.angle.to_degrees(), 4));

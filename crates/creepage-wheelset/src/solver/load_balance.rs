@@ -134,8 +134,8 @@ impl<'a> Balance<'_, 'a> {
         let WheelsetPose { y, yaw, .. } = *self.stance;
         let mut rest = f64::INFINITY;
         for &side in sides {
-            let touch = self.press.running.touch(side, y, roll, yaw);
-            rest = rest.min(touch.map_err(|source| WheelsetError::Position { side, source })?.z);
+            let touch = self.press.running.first_touch(side, y, roll, yaw);
+            rest = rest.min(touch.map_err(|source| WheelsetError::Position { side, source })?);
         }
         Ok(rest)
     }

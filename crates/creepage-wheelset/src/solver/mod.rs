@@ -32,7 +32,7 @@ use self::step::Place;
 pub use self::stood::PressedContacts;
 use self::tangential::{Method, Rolled, TractionWarmStart};
 use crate::error::WheelsetError;
-use crate::friction::RailFriction;
+use crate::friction::{RailFriction, of_side};
 use crate::pose::{Load, Patches, RigidSlip, WheelsetPose, WheelsetVelocity};
 use crate::resultant::Acting;
 use crate::solved::{SolvedWheel, SolvedWheelset};
@@ -44,6 +44,8 @@ use crate::warm_start::{LateralForceRatios, PitchState, PredictorCorrection};
 pub struct WheelsetSolver<'a> {
     press: NormalSolver<'a>,
     friction: [RailFriction; 2],
+    /// On the left and the right guard rail, where it differs from that of the rail.
+    guard_friction: [Option<RailFriction>; 2],
     slip: RigidSlip,
     theory: AreaTheory,
     rolling: Vec<Method>,
@@ -75,13 +77,27 @@ impl<'a> WheelsetSolver<'a> {
         };
         let patches = Patches::Together;
         let press = NormalSolver { running, pair, resolution, patches, follows: false };
-        Ok(Self { press, friction, slip: RigidSlip::Flat, theory, rolling, accuracy })
+        let (guard_friction, slip) = ([None, None], RigidSlip::Flat);
+        Ok(Self { press, friction, guard_friction, slip, theory, rolling, accuracy })
     }
 
     /// With the rigid slip of its contacts, and whether areas in planes of their own feel each other.
     #[must_use]
     pub fn with_model(self, slip: RigidSlip, patches: Patches) -> Self {
         Self { slip, press: NormalSolver { patches, ..self.press }, ..self }
+    }
+
+    /// With friction of their own on the left and the right guard rail; without one that of the rail beside it.
+    #[must_use]
+    pub fn with_guard_friction(self, guard_friction: [Option<RailFriction>; 2]) -> Self {
+        Self { guard_friction, ..self }
+    }
+
+    /// The friction that a contact has.
+    pub(crate) fn friction_on(&self, contact: &creepage_rail::Contact<'_>) -> &RailFriction {
+        let guard = &self.guard_friction[usize::from(contact.side == Side::Right)];
+        let rail = of_side(&self.friction, contact.side);
+        guard.as_ref().filter(|_| contact.is_on_guard).unwrap_or(rail)
     }
 
     /// The same wheelset on another track, or in another place of it.
@@ -91,6 +107,7 @@ impl<'a> WheelsetSolver<'a> {
         WheelsetSolver {
             press: NormalSolver { running, pair, resolution, patches, follows },
             friction: self.friction.clone(),
+            guard_friction: self.guard_friction.clone(),
             slip: self.slip,
             theory: self.theory,
             rolling: self.rolling.clone(),
@@ -104,11 +121,11 @@ impl<'a> WheelsetSolver<'a> {
         self.press.running
     }
 
-    /// The same wheelset with one coefficient of friction on both rails.
+    /// The same wheelset with one coefficient of friction on all rails.
     #[must_use]
     pub fn with_friction(&self, friction: f64) -> Self {
         let friction = [RailFriction::Constant(friction), RailFriction::Constant(friction)];
-        Self { friction, ..self.clone() }
+        Self { friction, guard_friction: [None, None], ..self.clone() }
     }
 
     /// Solves the wheelset where it stands, as it moves. The same bits whatever was solved before.
@@ -145,7 +162,11 @@ impl<'a> WheelsetSolver<'a> {
     /// A wheelset that runs backwards is solved as its mirror image, which surfaces that vary do not have.
     fn check_backward(&self) -> Result<(), WheelsetError> {
         let what = "running backwards ([motion] speed below zero; turn the track and the wheels round instead)";
-        if self.press.running.varies() { Err(WheelsetError::Varies { what }) } else { Ok(()) }
+        if self.press.running.is_alike_backwards() {
+            Ok(())
+        } else {
+            Err(WheelsetError::Varies { what })
+        }
     }
 
     /// What is known of no position at all.

@@ -119,7 +119,12 @@ impl<'a> NormalSolver<'a> {
             for i in 0..all.len() {
                 let mut others = cross_patch::PointLoads::default();
                 let is_apart = self.patches == Patches::Apart;
-                for (_, other) in all.iter().enumerate().filter(|(j, _)| *j != i && !is_apart) {
+                // A guard rail is a body of its own, its plane across that of the tread.
+                let on_guard = all.get(i).is_some_and(|own| own.contact.is_on_guard);
+                let feels = |(j, other): &(usize, &CrossPatch<'_>)| {
+                    *j != i && !is_apart && other.contact.is_on_guard == on_guard
+                };
+                for (_, other) in all.iter().enumerate().filter(feels) {
                     other.normal.iter().for_each(|normal| others.add(&other.contact, normal));
                 }
                 let Some(own) = all.get_mut(i) else { continue };

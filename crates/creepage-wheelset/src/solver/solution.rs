@@ -12,6 +12,7 @@ use super::step::Place;
 use super::tangential::{Answer, Rolled, Rolling, Turning};
 use crate::WheelsetVelocity;
 use crate::field::{Field, March};
+use crate::friction::RailFriction;
 use crate::pose::PitchRate;
 use crate::rough;
 use crate::solved::{SolvedContact, SolvedWheel, SolvedWheelset, SurfaceLimits};
@@ -45,7 +46,7 @@ impl WheelsetSolver<'_> {
     ) -> SolvedWheelset {
         let [on_left, on_right] = turning.motions;
         let pitch_rate = on_left.pitch_rate.midpoint(on_right.pitch_rate);
-        let [left, right] = &self.friction;
+        let frictions = || self.friction.iter().chain(self.guard_friction.iter().flatten());
         let running = self.press.running;
         let mut solved = SolvedWheelset {
             left: None,
@@ -54,7 +55,8 @@ impl WheelsetSolver<'_> {
             is_independent: matches!(travel.pitch, PitchRate::Independent(_)),
             is_reversed: false,
             place: running.varies().then(|| running.place()),
-            friction: left.largest().max(right.largest()),
+            friction: frictions().map(RailFriction::largest).fold(0.0, f64::max),
+            least_friction: frictions().map(RailFriction::least).fold(f64::INFINITY, f64::min),
             slip: self.slip,
             theory: self.theory,
             derivatives: None,
@@ -89,8 +91,20 @@ impl SolvedWheel {
         } else {
             None
         };
+        let guard_clearance = running.guard_clearance(side, &position).ok().flatten();
         let deflection = None;
-        Self { side, position, pitch_rate, clearance, deflection, depth, by, rail_origin, contacts }
+        Self {
+            side,
+            position,
+            pitch_rate,
+            clearance,
+            guard_clearance,
+            deflection,
+            depth,
+            by,
+            rail_origin,
+            contacts,
+        }
     }
 }
 
@@ -111,6 +125,7 @@ impl SolvedContact {
             varying: contact
                 .varies()
                 .then_some(SurfaceLimits { is_cut: contact.is_cut, is_beyond: contact.is_beyond }),
+            is_on_guard: contact.is_on_guard,
             y_rail: contact.y_rail,
             y_wheel: contact.y_wheel,
             normal: pressed.normal.clone(),

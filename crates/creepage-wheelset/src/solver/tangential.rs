@@ -16,7 +16,6 @@ use super::cross_patch::in_track;
 use super::normal_contact::{Pressed, PressedWheel};
 use crate::correction::Correction;
 use crate::curving::{Curving, RigidMotion};
-use crate::friction::of_side;
 use crate::pose::{Drive, PitchRate, RigidSlip};
 use crate::resultant::Acting;
 use crate::solved::SolvedContact;
@@ -232,15 +231,15 @@ impl<'w, 'a> Rolling<'w, 'a> {
         speed: f64,
         (method, known): (Method, &[TractionWarmStart]),
     ) -> Result<Vec<Self>, WheelsetError> {
-        let WheelsetSolver { friction, slip, press, .. } = solver;
+        let WheelsetSolver { slip, .. } = solver;
         let contacts =
             wheels.iter().flat_map(|wheel| wheel.contacts.iter().map(move |one| (wheel, one)));
         contacts
             .collect::<Vec<_>>()
             .into_par_iter()
             .map(|(wheel, pressed)| {
-                let rail = of_side(friction, wheel.side);
-                let resistance = rail.on(&pressed.contact, press.running, speed)?;
+                let resistance =
+                    solver.friction_on(&pressed.contact).on(&pressed.contact, speed)?;
                 let theory = Prepared::new(pressed, resistance, method)?;
                 let near = TractionWarmStart::next_to(&pressed.contact, known);
                 let (friction, law) = resistance;

@@ -292,7 +292,11 @@ pub fn build_map(
     let travel = case.travel.unwrap_or_default();
     let is_plain = matches!(travel.pitch, PitchRate::Rigid(_)) && travel.drive == Drive::default();
     for (is_in, what) in [
-        (!case.running.varies(), "[wheel] slices, flat, waviness, [rail] slices, corrugation"),
+        (
+            !case.running.varies(),
+            "[wheel] slices, flat, waviness, [rail] slices, corrugation, roller_radius",
+        ),
+        (!case.is_guarded(), "[rail] guard"),
         (travel.curvature == 0.0, "[track] curve_radius"),
         (travel.rails == [RailMotion::default(); 2], "[rail] dy_rate, dz_rate, droll_rate"),
         (is_plain, "[motion] torque, longitudinal_force, independent wheels"),
