@@ -3,8 +3,9 @@
 One wheelset (1500 kg, 900 kg m^2) between axle boxes that run true with it; springs of .7 MN/m sideways and
 .7 MN m/rad in yaw, no dampers. S1002 on UIC60 1:40, 100 kN, friction .4, equal loads on both rails.
 
+    python reference_wheelset.py                      # the critical speed by `fastsim` alone
     python reference_wheelset.py wheelset.nc          # all of it, some minutes
-    python reference_wheelset.py wheelset.nc --quick  # a coarse table, the map alone
+    python reference_wheelset.py wheelset.nc --quick  # the map alone
 
 `exact` is looked up in a table of lateral force and yaw moment over y, ydot/V - yaw and yaw_rate/V, and its limit cycle
 is gone through once more step by step, by the solver itself. Polach's and linear theory have one ellipse of equal area at
@@ -33,6 +34,7 @@ Push = Callable[[Array, float], tuple[float, float]]
 MASS, INERTIA, STIFFNESS = 1500.0, 900.0, (0.70e6, 0.70e6)
 AXLE_LOAD, FRICTION, RADIUS = 100e3, 0.4, 0.46
 STEEL = {"shear_modulus": 82e9, "poisson": 0.28}
+WIDEST = 8e-3  # m: where tables end
 REFERENCE_SPEED = 38.0
 """Of the table's motions (m/s): forces depend on the ratios of velocities alone."""
 
@@ -85,7 +87,7 @@ class MotionTable:
         return push
 
 
-def axes(nodes: tuple[int, int, int], widest: float = 8e-3) -> tuple[Array, Array, Array]:
+def axes(nodes: tuple[int, int, int], widest: float) -> tuple[Array, Array, Array]:
     """y from the middle to one side; slip and turn to both, closer about zero."""
     spread = [np.sinh(np.linspace(-math.asinh(most), math.asinh(most), n)) * 1e-3
               for most, n in zip((20.0, 10.0), nodes[1:], strict=True)]
@@ -100,9 +102,9 @@ def unfolded(y: Array, slip: Array, turn: Array, half: Array) -> MotionTable:
     return MotionTable(np.r_[-y[:0:-1], y], slip, turn, both[..., 0], both[..., 1])
 
 
-def exact_table(solver: creepage.WheelsetSolver, nodes: tuple[int, int, int]) -> MotionTable:
+def exact_table(solver: creepage.WheelsetSolver, nodes: tuple[int, int, int], widest: float = WIDEST) -> MotionTable:
     """By the solver, each motion from the one before."""
-    y, slip, turn = axes(nodes)
+    y, slip, turn = axes(nodes, widest)
 
     def row(at: float) -> Array:
         found = np.empty((len(slip), len(turn), 2))
@@ -125,13 +127,13 @@ def exact_table(solver: creepage.WheelsetSolver, nodes: tuple[int, int, int]) ->
         return unfolded(y, slip, turn, np.stack(list(pool.map(row, y))))
 
 
-def asked(contacts: creepage.ContactMap) -> Push:
-    """The map itself, with yaw as a position too."""
+def asked(contacts: creepage.ContactMap | creepage.WheelsetSolver, **more: float) -> Push:
+    """The map itself, or the solver from nothing, with yaw as a position too."""
 
     def push(state: Array, speed: float) -> tuple[float, float]:
         y, yaw, lateral_velocity, yaw_rate = (float(value) for value in state)
         wrench = contacts.solve(
-            y=y, yaw=yaw, speed=speed, lateral_velocity=lateral_velocity, yaw_rate=yaw_rate
+            y=y, yaw=yaw, speed=speed, lateral_velocity=lateral_velocity, yaw_rate=yaw_rate, **more
         ).wrench
         return float(wrench[1]), float(wrench[5])
 
@@ -197,9 +199,11 @@ def ellipse(patches: tuple[creepage.Patch, ...], centre: tuple[float, float], ra
     return Ellipse(float(loads.sum()), angle, (y - centre[0], z - centre[1]), theory, FRICTION * length / rho, length)
 
 
-def ellipse_table(solver: creepage.WheelsetSolver, name: str, nodes: tuple[int, int, int]) -> MotionTable:
+def ellipse_table(
+    solver: creepage.WheelsetSolver, name: str, nodes: tuple[int, int, int], widest: float = WIDEST
+) -> MotionTable:
     """A table by a theory of ellipses, in the places of the solver; the axle turns freely."""
-    y, slip, turn = axes(nodes)
+    y, slip, turn = axes(nodes, widest)
     slips, turns = np.meshgrid(slip, turn, indexing="ij")
     half, start = np.empty((len(y), *slips.shape, 2)), None
     for k, at in enumerate(y):
@@ -292,11 +296,14 @@ def compared(push: Push, solver: creepage.WheelsetSolver, path: Array, speed: fl
 def main() -> None:
     """Prints a table."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0] if __doc__ else "")
-    parser.add_argument("map", help="by `creepage map`")
+    parser.add_argument("map", nargs="?", help="by `creepage map`")
     parser.add_argument("--quick", action="store_true", help="the map alone")
     options = parser.parse_args()
+    if options.map is None:
+        print(f"fastsim: critical speed {critical_speed(asked(wheelset('fastsim').solver())):.2f} m/s")
+        return
     contacts = creepage.ContactMap.load(options.map)
-    methods: dict[str, Push] = {"map": asked(contacts)}
+    methods: dict[str, Push] = {"map": asked(contacts, friction=FRICTION)}
     solver = wheelset().solver()
     if not options.quick:
         nodes = (65, 15, 9)
