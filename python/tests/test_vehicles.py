@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import importlib.util
 import math
+import re
 import sys
 from pathlib import Path
 from types import ModuleType
@@ -96,3 +97,19 @@ def test_exudyn_runs_a_vehicle_on_a_map(contact_map: creepage.ContactMap, tmp_pa
     assert missed["lateral force"][0] < 0.05 and missed["load"][0] < 0.02
     vehicle.picture(run, vehicle.histories(run, contact_map), tmp_path / "run.png")
     assert (tmp_path / "run.png").read_bytes().startswith(b"\x89PNG")
+
+
+def test_the_recipe_for_jax_has_the_slopes_of_the_map(contact_map: creepage.ContactMap) -> None:
+    jax = pytest.importorskip("jax", reason="jax is not installed here")
+    page = (ROOT / "book" / "pages" / "how-to" / "vehicle.md").read_text()
+    recipe = re.search(r"^```python\n(import jax.*?)^```", page, re.M | re.S)
+    assert recipe is not None
+    names: dict[str, Any] = {"contacts": contact_map}
+    exec(recipe.group(1), names)  # noqa: S102
+    at = np.array([3e-4, 1e-3, 0.01, 0.002])
+    forward, backward = jax.jacfwd(names["wrench"])(at), jax.jacrev(names["wrench"])(at)
+    own = names["slopes"](at).T
+    assert np.allclose(forward, own, rtol=1e-12) and np.allclose(backward, own, rtol=1e-12)
+    both = jax.jit(jax.vmap(names["wrench"]))(np.stack([at, -at]))
+    # Both sides are mirror images: lateral force and yaw moment change sign.
+    assert np.allclose(both[0, [1, 5]], -both[1, [1, 5]], atol=1.0)
