@@ -222,7 +222,6 @@ def simulate(
     import exudyn as exu
     from exudyn.utilities import (
         MarkerBodyRigid,
-        Mass1D,
         Node1D,
         ObjectConnectorRigidBodySpringDamper,
         ObjectGenericODE2,
@@ -256,11 +255,7 @@ def simulate(
 
     places = np.array([PIVOTS + AXLES, PIVOTS - AXLES, -PIVOTS + AXLES, -PIVOTS - AXLES])
     wheelsets = [body(WHEELSET, [x, 0.0, -RADIUS]) for x in places]
-    rotors = [
-        mbs.AddNode(Node1D(initialVelocities=[rest.pitch_rate])) for _ in wheelsets
-    ]
-    for rotor in rotors:
-        mbs.AddObject(Mass1D(physicsMass=WHEELSET[1][1], nodeNumber=rotor))
+    rotors = [mbs.AddNode(Node1D(initialVelocities=[rest.pitch_rate])) for _ in wheelsets]
     car = body(CAR, [0.0, 0.0, CAR_HEIGHT])
     bogies = [body(BOGIE, [x, 0.0, BOGIE_HEIGHT]) for x in (PIVOTS, -PIVOTS)]
     for k, wheels in enumerate(wheelsets):
@@ -295,10 +290,12 @@ def simulate(
         return vehicle.loads(t, np.asarray(q), np.asarray(q_t))
 
     size = 28 + 18
-    zero = np.zeros((size, size))
+    zero, masses = np.zeros((2, size, size))
+    # The wheels' rotation; bodies have their own masses.
+    masses[range(24, 28), range(24, 28)] = WHEELSET[1][1]
     mbs.AddObject(
         ObjectGenericODE2(
-            nodeNumbers=nodes, massMatrix=zero, stiffnessMatrix=zero, dampingMatrix=zero, forceUserFunction=push
+            nodeNumbers=nodes, massMatrix=masses, stiffnessMatrix=zero, dampingMatrix=zero, forceUserFunction=push
         )
     )
     def kept(_mbs: Any, _t: float, _sensors: Any, _factors: Any, _kind: Any) -> Array:
@@ -311,8 +308,8 @@ def simulate(
     settings.timeIntegration.numberOfSteps = max(round(seconds / step), 1)
     settings.timeIntegration.endTime = settings.timeIntegration.numberOfSteps * step
     settings.timeIntegration.verboseMode = 0
-    settings.solutionSettings.writeSolutionToFile = False
-    settings.solutionSettings.sensorsWritePeriod = max(step, min(5e-3, seconds / 10.0))
+    settings.solution.file.write = False
+    settings.solution.sensors.writePeriod = max(step, min(5e-3, seconds / 10.0))
     settings.displayStatistics = False
     started = time.perf_counter()
     mbs.SolveDynamic(settings, solverType=exu.DynamicSolverType.RK44)

@@ -199,6 +199,16 @@ def ellipse(patches: tuple[creepage.Patch, ...], centre: tuple[float, float], ra
     return Ellipse(float(loads.sum()), angle, (y - centre[0], z - centre[1]), theory, FRICTION * length / rho, length)
 
 
+def shapes(y: Array) -> Array:
+    """a/b of ellipses of each wheel's area and of the length of its largest contact; left, then right."""
+    table = wheelset("saturated").table(y)
+    found = []
+    for side in ("left", "right"):
+        area, length = (table[f"{side}_contact_{name}"][:, 0] for name in ("area_m2", "length_m"))
+        found.append(np.clip(math.pi * length**2 / (4.0 * area), 0.2, 20.0))
+    return np.array(found)
+
+
 def ellipse_table(
     solver: creepage.WheelsetSolver, name: str, nodes: tuple[int, int, int], widest: float = WIDEST
 ) -> MotionTable:
@@ -206,10 +216,12 @@ def ellipse_table(
     y, slip, turn = axes(nodes, widest)
     slips, turns = np.meshgrid(slip, turn, indexing="ij")
     half, start = np.empty((len(y), *slips.shape, 2)), None
+    ratios = shapes(y)
     for k, at in enumerate(y):
         start = solver.solve(y=at, speed=REFERENCE_SPEED, start=start)
         centre = (start.y, start.z - RADIUS)
-        both = [ellipse(wheel.patches, centre, 1.0, name) for wheel in (start.left, start.right)]
+        wheels = zip((start.left, start.right), ratios[:, k], strict=True)
+        both = [ellipse(wheel.patches, centre, float(ratio), name) for wheel, ratio in wheels]
         low, high = (np.full(slips.shape, factor / RADIUS) for factor in (0.95, 1.05))
         for _ in range(40):
             pitch = 0.5 * (low + high)

@@ -160,10 +160,10 @@ def _chatter(path: Path, part: float, delayed: bool) -> float:
 
 @pytest.mark.parametrize("delayed", [False, True])
 def test_the_longest_step_of_co_simulation_is_that_of_the_guide(fmus: list[Path], delayed: bool) -> None:
-    # Below it what is left is the slow swing of .1 mm at 1 Hz; above, forces of friction's size chatter: mu N of both
-    # wheels for a step is some centimetres per second.
-    assert _chatter(fmus[1], 0.85, delayed) < 2e-3
-    assert _chatter(fmus[1], 1.15, delayed) > 1e-2
+    # Below it what is left is the slow swing of .1 mm at 1 Hz, less than 1 mm/s; above, forces of the size of friction chatter:
+    # mu N of both wheels, 30 kN, for a step of .9 ms on 1500 kg is 18 mm/s.
+    assert _chatter(fmus[1], 0.85, delayed) < 1e-3
+    assert _chatter(fmus[1], 1.15, delayed) > 4e-3
 
 
 def test_a_hundred_loads_and_unloads_leave_neither_threads_nor_memory(
@@ -197,7 +197,7 @@ def test_a_hundred_loads_and_unloads_leave_neither_threads_nor_memory(
         once()
     assert threads() == before[0]
     # The library is unloaded: no copy of it stays mapped.
-    assert "creepage_fmu" not in (system / "maps").read_text()
+    assert unpacked not in (system / "maps").read_text()
     # A map that were kept would be as large as its file at least, a hundred times; this is a tenth of that.
     grown = memory() - before[1]
     assert grown < 10 * (fmus[1].parent / "wheelset.nc").stat().st_size, grown
