@@ -310,7 +310,6 @@ def simulate(
     settings.timeIntegration.verboseMode = 0
     settings.solution.file.write = False
     settings.solution.sensors.writePeriod = max(step, min(5e-3, seconds / 10.0))
-    settings.displayStatistics = False
     started = time.perf_counter()
     mbs.SolveDynamic(settings, solverType=exu.DynamicSolverType.RK44)
     took = time.perf_counter() - started

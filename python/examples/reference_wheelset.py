@@ -204,7 +204,7 @@ def shapes(y: Array) -> Array:
     table = wheelset("saturated").table(y)
     found = []
     for side in ("left", "right"):
-        area, length = (table[f"{side}_contact_{name}"][:, 0] for name in ("area_m2", "length_m"))
+        area, length = (table[f"{side}_contact_{name}"].reshape(len(y), 3)[:, 0] for name in ("area_m2", "length_m"))
         found.append(np.clip(math.pi * length**2 / (4.0 * area), 0.2, 20.0))
     return np.array(found)
 

@@ -179,7 +179,7 @@ def test_a_hundred_loads_and_unloads_leave_neither_threads_nor_memory(
     def memory() -> int:
         return int((system / "statm").read_text().split()[1]) * os.sysconf("SC_PAGE_SIZE")
 
-    unpacked = fmpy.extract(str(fmus[1]), str(tmp_path / "W"))
+    unpacked = str(fmpy.extract(str(fmus[1]), str(tmp_path / "W")))
     description = fmpy.read_model_description(unpacked)
 
     def once() -> None:
