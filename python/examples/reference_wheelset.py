@@ -146,10 +146,14 @@ def followed(solver: creepage.WheelsetSolver) -> Push:
 
     def push(state: Array, speed: float) -> tuple[float, float]:
         y, yaw, lateral_velocity, yaw_rate = (float(value) for value in state)
-        before[0] = solver.solve(
-            y=y, yaw=yaw, speed=speed, lateral_velocity=lateral_velocity, yaw_rate=yaw_rate, start=before[0]
-        )
-        return float(before[0].wrench[1]), float(before[0].wrench[5])
+        motion = {"yaw": yaw, "speed": speed, "lateral_velocity": lateral_velocity, "yaw_rate": yaw_rate}
+        try:
+            found = solver.solve(y=y, start=before[0], **motion)
+        except creepage.CaseError:
+            # Where areas join the load can jump: a micrometre beside that.
+            found = solver.solve(y=y + math.copysign(1e-6, y), **motion)
+        before[0] = found
+        return float(found.wrench[1]), float(found.wrench[5])
 
     return push
 
