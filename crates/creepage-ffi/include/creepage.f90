@@ -100,5 +100,36 @@ module creepage
       integer(c_size_t), value :: message_size
       integer(c_int32_t) :: code
     end function
+
+    ! A contact map of `creepage map`.
+    function creepage_map_load(path, map, message, message_size) bind(c) result(code)
+      import
+      character(kind=c_char), intent(in) :: path(*)
+      type(c_ptr), intent(out) :: map
+      character(kind=c_char), intent(out) :: message(*)
+      integer(c_size_t), value :: message_size
+      integer(c_int32_t) :: code
+    end function
+
+    subroutine creepage_map_free(map) bind(c)
+      import
+      type(c_ptr), value :: map
+    end subroutine
+
+    ! states(12, n): y, z, roll, yaw, axle load; speed, pitch rate, lateral, vertical velocity, roll,
+    ! yaw rate; friction; NaN for what is the wheelset's own or found. answers(21, n): force (N) and
+    ! moment (N m) on the left rail, on the right rail, on the wheelset; z, roll, pitch rate. errors of
+    ! 4 n and derivatives of 96 n numbers: their addresses, or c_null_ptr.
+    function creepage_map_solve(map, count, states, answers, errors, derivatives, message, &
+        message_size) bind(c) result(code)
+      import
+      type(c_ptr), value :: map, errors, derivatives
+      integer(c_size_t), value :: count
+      real(c_double), intent(in) :: states(12, *)
+      real(c_double), intent(out) :: answers(21, *)
+      character(kind=c_char), intent(out) :: message(*)
+      integer(c_size_t), value :: message_size
+      integer(c_int32_t) :: code
+    end function
   end interface
 end module

@@ -12,7 +12,7 @@ use netcdf3::{DataSet, FileReader, FileWriter, InvalidDataSet, ReadError, Versio
 use crate::answer::{Pressed, State};
 use crate::error::MapError;
 use crate::map::{ContactMap, Head, MapAccuracy, Spread};
-use crate::normal::{HEIGHTS, HeightNode, Heights};
+use crate::normal::{HEIGHTS, HeightNode, Heights, PLACE};
 use crate::patch::{Ellipse, Patch, Sloped};
 use crate::wheel::{CellError, RollingNode, WheelMap};
 
@@ -29,14 +29,13 @@ impl From<InvalidDataSet> for MapError {
 }
 
 /// The layout and the meaning of a file's numbers; another number for any change of either.
-const FORMAT: i32 = 1;
+const FORMAT: i32 = 2;
 /// Numbers of a patch.
 const PATCH: usize = 4 * 3 + 6 + 2 * 8;
-/// Numbers of a place with heights.
-const PLACE: usize = 5 + HEIGHTS;
 const SIDES: [&str; 2] = ["left", "right"];
 const COMMENT: &str = "right-hand image of each side; place = y - radius roll - half_distance yaw^2/2; \
-    heights: place, roll, shift, fall, tangent, then z under each of height_loads; patches: share, angle, y, z, \
+    heights: place, roll, shift, fall, z under each of height_loads, then at yaws of half and the whole \
+    square of the largest aside and what z is more; patches: share, angle, y, z, \
     each with its slopes by place and by ln load, approach, centroid x, s, peak pressure, area, residual, then of \
     two ellipses a/b, k_x, k_p, s, weight and three numbers of the moment; SI units";
 
@@ -197,10 +196,7 @@ fn of_wheel(side: &str, wheel: &WheelMap) -> Vec<Column> {
         };
         Column { name: format!("{side}_{name}"), dims: dims.iter().map(own).collect(), values }
     };
-    let heights = wheel.heights.nodes().iter().flat_map(|node| {
-        let HeightNode { place, roll, shift, fall, tangent, heights } = *node;
-        [place, roll, shift, fall, tangent].into_iter().chain(heights)
-    });
+    let heights = wheel.heights.nodes().iter().flat_map(HeightNode::numbers);
     let loads: Vec<f64> = wheel.loads().collect();
     let records = (0..wheel.places().len()).flat_map(|n| (0..loads.len()).map(move |l| (n, l)));
     let mut patches = Vec::new();
@@ -352,18 +348,7 @@ fn wheel(file: &mut FileReader, side: &str, table: (&Table, f64)) -> Result<Whee
         numbers_of(file, &known).ok_or(MapError::Missing(name))
     };
     let heights = column("heights")?;
-    let nodes = heights.as_chunks::<PLACE>().0.iter().map(|all| {
-        let mut heights = [0.0; HEIGHTS];
-        heights.copy_from_slice(&all[5..]);
-        HeightNode {
-            place: all[0],
-            roll: all[1],
-            shift: all[2],
-            fall: all[3],
-            tangent: all[4],
-            heights,
-        }
-    });
+    let nodes = heights.as_chunks::<PLACE>().0.iter().map(HeightNode::of_numbers);
     let loads = <[f64; HEIGHTS]>::try_from(column("height_loads")?);
     let loads = loads.map_err(|_| MapError::Missing("height_loads"))?;
     let heights = Heights::new(nodes.collect(), loads)?;

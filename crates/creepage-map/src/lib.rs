@@ -47,7 +47,7 @@ pub use blend::interpolated;
 pub use error::{MapError, Quantity};
 pub use fit::{Contour, Fit, Sample, fit};
 pub use map::{ContactMap, Derivatives, Head, MapAccuracy, Spread, VARIABLES};
-pub use normal::{HEIGHTS, HeightNode, Heights};
+pub use normal::{HEIGHTS, HeightNode, Heights, PLACE, YAWS, Yawed};
 pub use patch::{Ellipse, Patch, Sloped};
 pub use wheel::{CellError, PLACES, RollingNode, WheelMap};
 

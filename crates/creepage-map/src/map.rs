@@ -270,11 +270,11 @@ impl ContactMap {
         side: Side,
         image: &Numbers<S>,
     ) -> Result<Placed<S>, MapError> {
-        let Head { radius, half_distance, .. } = self.head;
-        let half_square = image.yaw * image.yaw * 0.5;
-        let plain = image.y - image.roll * radius - half_square * half_distance;
-        let placed =
-            self.wheel(side).heights.placed(plain, [image.z, image.roll], half_square * radius)?;
+        let Head { radius, half_distance, yaw, .. } = self.head;
+        let square = image.yaw * image.yaw;
+        let plain = image.y - image.roll * radius - square * (0.5 * half_distance);
+        let part = if yaw > 0.0 { square * (yaw * yaw).recip() } else { S::constant(0.0) };
+        let placed = self.wheel(side).heights.placed(plain, [image.z, image.roll], part)?;
         let (value, most) = (placed.further.value(), self.head.roll);
         if !(-most..=most).contains(&value) {
             let quantity = Quantity::Roll;

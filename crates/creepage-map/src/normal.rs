@@ -6,6 +6,17 @@ use crate::scalar::Scalar;
 
 /// Loads whose heights a node has, the first of them zero.
 pub const HEIGHTS: usize = 14;
+/// Yaws beside none that a place has been pressed at: squares of half and the whole of the map's largest.
+pub const YAWS: usize = 2;
+
+/// What yaw does to a wheel at one place of a map.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Yawed {
+    /// By how much lower the wheelset stands under the loads of [`Heights::loads`] (m, down).
+    pub lowered: [f64; HEIGHTS],
+    /// How far aside (m) of its own place the contact is one without yaw: by where the load lies on the rail.
+    pub aside: f64,
+}
 
 /// A place of wheel on rail: heights over the load, and how roll moves it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -18,10 +29,45 @@ pub struct HeightNode {
     pub shift: f64,
     /// By how much a further roll brings the wheel down (m/rad).
     pub fall: f64,
-    /// Slope of the height along the place: the contact's tangent.
-    pub tangent: f64,
     /// Height of the wheelset (m, down) under the loads of [`Heights::loads`].
     pub heights: [f64; HEIGHTS],
+    /// At the map's yaws.
+    pub yawed: [Yawed; YAWS],
+}
+
+/// Numbers of a [`HeightNode`].
+pub const PLACE: usize = 4 + HEIGHTS + YAWS * (1 + HEIGHTS);
+
+impl HeightNode {
+    /// Its numbers in a row, as files have them.
+    #[must_use]
+    pub fn numbers(&self) -> [f64; PLACE] {
+        let Self { place, roll, shift, fall, heights, yawed } = *self;
+        let yawed =
+            yawed.into_iter().flat_map(|yawed| std::iter::once(yawed.aside).chain(yawed.lowered));
+        let mut all = [0.0; PLACE];
+        let own = [place, roll, shift, fall].into_iter().chain(heights);
+        all.iter_mut().zip(own.chain(yawed)).for_each(|(to, from)| *to = from);
+        all
+    }
+
+    /// From its numbers.
+    #[must_use]
+    pub fn of_numbers(all: &[f64; PLACE]) -> Self {
+        let row = |first: usize| std::array::from_fn(|k| all[first + k]);
+        let yawed = |k: usize| {
+            let first = 4 + HEIGHTS + k * (1 + HEIGHTS);
+            Yawed { aside: all[first], lowered: row(first + 1) }
+        };
+        Self {
+            place: all[0],
+            roll: all[1],
+            shift: all[2],
+            fall: all[3],
+            heights: row(4),
+            yawed: std::array::from_fn(yawed),
+        }
+    }
 }
 
 /// The heights of one wheel over place and load.
@@ -39,9 +85,11 @@ pub struct Heights {
 pub(crate) struct Placed<S> {
     pub(crate) place: S,
     weights: Cubic<S>,
-    /// Height (m) at the node's roll without yaw.
+    /// Weights of [`HeightNode::yawed`].
+    yaws: [S; YAWS],
+    /// Height (m) at the node's roll.
     height: S,
-    /// How that changes with `z` and is levered by roll: what load finding starts from.
+    /// What roll adds to the height (m).
     pub(crate) raised: S,
     /// Roll beyond the node's (rad).
     pub(crate) further: S,
@@ -58,8 +106,13 @@ impl Heights {
             values.iter().all(|v| v.is_finite()) && values.windows(2).all(|pair| pair[0] < pair[1])
         };
         let finite = |node: &HeightNode| {
-            [node.roll, node.shift, node.fall, node.tangent].iter().all(|v| v.is_finite())
+            let lowered = |yawed: &Yawed| -> [f64; HEIGHTS] {
+                std::array::from_fn(|k| node.heights[k] + yawed.lowered[k])
+            };
+            [node.roll, node.shift, node.fall].iter().all(|v| v.is_finite())
                 && rises(&node.heights)
+                && node.yawed.iter().all(|yawed| yawed.aside.is_finite())
+                && node.yawed.iter().all(|yawed| rises(&lowered(yawed)))
         };
         let makes_sense = nodes.len() >= 3
             && rises(&places)
@@ -101,12 +154,13 @@ impl Heights {
         &self.loads
     }
 
-    /// Where a wheel stands: from `plain`, the coordinate without the local part of the shift by roll.
+    /// Where a wheel stands: from `plain`, the coordinate without the local part of the shift by roll, and the
+    /// square of yaw over that of the map's largest.
     pub(crate) fn placed<S: Scalar>(
         &self,
         plain: S,
         [z, roll]: [S; 2],
-        by_yaw: S,
+        yaw_square: S,
     ) -> Result<Placed<S>, MapError> {
         let [low, high] = self.range();
         let inside = |place: S| {
@@ -128,14 +182,20 @@ impl Heights {
         let weights = Cubic::at(&self.places, place);
         let node = |value: fn(&HeightNode) -> f64| weights.of(|k| value(&self.nodes[k]));
         let further = roll - node(|node| node.roll);
-        let tangent = node(|node| node.tangent);
-        let raised = node(|node| node.fall) * further - by_yaw * tangent * tangent;
-        Ok(Placed { place, weights, height: z + raised, raised, further })
+        let raised = node(|node| node.fall) * further;
+        // The parabola through none, half and the whole of the largest square of yaw.
+        let t = yaw_square;
+        let yaws = [t * (-t + 1.0) * 4.0, t * (t * 2.0 - 1.0)];
+        let aside = |k: usize| weights.of(|n| self.nodes[n].yawed[k].aside) * yaws[k];
+        let place = place + aside(0) + aside(1);
+        Ok(Placed { place, weights, yaws, height: z + raised, raised, further })
     }
 
     /// The height under a load of [`Heights::loads`].
     pub(crate) fn height<S: Scalar>(&self, placed: &Placed<S>, load: usize) -> S {
-        placed.weights.of(|k| self.nodes[k].heights[load])
+        let own = placed.weights.of(|k| self.nodes[k].heights[load]);
+        let by_yaw = |y: usize| placed.weights.of(|k| self.nodes[k].yawed[y].lowered[load]);
+        own + by_yaw(0) * placed.yaws[0] + by_yaw(1) * placed.yaws[1]
     }
 
     /// Height (m) of a wheel under a load (N), nearly: between those of the loads beside it.
@@ -169,6 +229,10 @@ impl Heights {
         }
         let first = low.saturating_sub(1).min(HEIGHTS - 4);
         let knots = [0, 1, 2, 3].map(|k| self.height(placed, first + k));
+        // Between yaws heights that rise at each may not.
+        if knots.windows(2).any(|pair| pair[0].value() >= pair[1].value()) {
+            return Err(MapError::NotFound { left: 1.0 });
+        }
         let weights = cubic_weights(&knots, 4, low - first, placed.height);
         let mut power = S::constant(0.0);
         for (k, weight) in weights.into_iter().enumerate() {

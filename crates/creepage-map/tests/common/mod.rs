@@ -7,7 +7,7 @@ use creepage::table::{Axis, Intervals, Provenance, Spec, Table, build};
 use creepage::{Contact, InvalidValue, Theory};
 use creepage_map::{
     CellError, ContactMap, Ellipse, HEIGHTS, Head, HeightNode, Heights, MapAccuracy, Patch,
-    Pressed, RollingNode, Sloped, State, WheelMap,
+    Pressed, RollingNode, Sloped, State, WheelMap, Yawed,
 };
 
 pub const RADIUS: f64 = 0.46;
@@ -67,9 +67,12 @@ pub fn map() -> ContactMap {
         roll: 0.02 * place,
         shift: 0.1,
         fall: 0.75,
-        tangent: 0.1,
         heights: std::array::from_fn(|k| {
             30.0 * place * place - 1e-4 + 15e-6 * k as f64 * (1.0 + 20.0 * place)
+        }),
+        yawed: [0.5, 1.0].map(|square| Yawed {
+            lowered: std::array::from_fn(|k| -square * 2e-7 * (1.0 + 0.02 * k as f64)),
+            aside: square * 1e-5 * (1.0 + 100.0 * place),
         }),
     };
     let height_loads = std::array::from_fn(|k| 130e3 * (k as f64 / (HEIGHTS - 1) as f64).powf(1.5));

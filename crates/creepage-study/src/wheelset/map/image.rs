@@ -35,10 +35,10 @@ impl<'a> Image<'a> {
         Position { y: sense * y, z, roll: sense * roll, yaw: sense * yaw }
     }
 
-    /// Height at which the wheel touches (m).
-    pub(super) fn touch(self, y: f64, roll: f64) -> Result<f64, WheelsetError> {
-        let Position { y, roll, .. } = self.track(Position { y, roll, ..Position::default() });
-        let touch = self.running.touch(self.side, y, roll, 0.0);
+    /// Height at which the wheel touches (m), at `y`, roll and yaw.
+    pub(super) fn touch(self, [y, roll, yaw]: [f64; 3]) -> Result<f64, WheelsetError> {
+        let Position { y, roll, yaw, .. } = self.track(Position { y, z: 0.0, roll, yaw });
+        let touch = self.running.touch(self.side, y, roll, yaw);
         Ok(touch.map_err(|source| WheelsetError::Position { side: self.side, source })?.z)
     }
 

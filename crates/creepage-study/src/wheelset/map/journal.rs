@@ -7,13 +7,14 @@ use std::io::{self, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 
-use creepage_map::{Ellipse, HEIGHTS, HeightNode, Patch, Sloped};
+use creepage_map::{Ellipse, HeightNode, PLACE, Patch, Sloped};
 use creepage_rail::Side;
 
 use super::MapBuildError;
+use super::heights::Stood;
 use crate::sources::keep_foreign;
 
-const MAGIC: &[u8; 16] = b"creepage map 1\r\n";
+const MAGIC: &[u8; 16] = b"creepage map 2\r\n";
 /// Numbers of a patch without slopes.
 const PATCH: usize = 4 + 6 + 2 * 8;
 
@@ -78,16 +79,15 @@ impl Journal {
     pub(super) fn heights(
         &self,
         (side, place): (Side, i32),
-        build: impl FnOnce() -> Result<Option<HeightNode>, MapBuildError>,
-    ) -> Result<Option<HeightNode>, MapBuildError> {
+        build: impl FnOnce() -> Result<Option<Stood>, MapBuildError>,
+    ) -> Result<Option<Stood>, MapBuildError> {
         let key = (u8::from(side == Side::Right), i64::from(place));
         if let Some(numbers) = self.known.get(&key) {
             return Ok(height_node(numbers));
         }
         let built = build()?;
-        let numbers = built.map_or_else(Vec::new, |node| {
-            let HeightNode { place, roll, shift, fall, tangent, heights } = node;
-            [place, roll, shift, fall, tangent].into_iter().chain(heights).collect()
+        let numbers = built.map_or_else(Vec::new, |Stood { node, centres }| {
+            node.numbers().into_iter().chain(centres.into_iter().flatten()).collect()
         });
         self.write(key, &numbers)?;
         Ok(built)
@@ -138,10 +138,10 @@ fn record(bytes: &[u8]) -> Option<(Key, Vec<f64>, usize)> {
     Some(((*kind, i64::from_le_bytes(*place)), numbers.collect(), length + 4))
 }
 
-fn height_node(numbers: &[f64]) -> Option<HeightNode> {
-    let (&[place, roll, shift, fall, tangent], rest) = numbers.split_first_chunk::<5>()?;
-    let heights = <[f64; HEIGHTS]>::try_from(rest).ok()?;
-    Some(HeightNode { place, roll, shift, fall, tangent, heights })
+fn height_node(numbers: &[f64]) -> Option<Stood> {
+    let (node, rest) = numbers.split_first_chunk::<PLACE>()?;
+    let centres = rest.as_chunks::<2>().0.try_into().ok()?;
+    Some(Stood { node: HeightNode::of_numbers(node), centres })
 }
 
 fn node(numbers: &[f64]) -> Option<Vec<Vec<Patch>>> {

@@ -18,12 +18,13 @@ use creepage::coulomb::Resolution;
 use creepage::normal;
 use creepage::table::Table;
 use creepage_map::{
-    CellError, ContactMap, HEIGHTS, Head, HeightNode, Heights, MapAccuracy, MapError, Pressed,
-    RollingNode, State, WheelMap,
+    CellError, ContactMap, HEIGHTS, Head, Heights, MapAccuracy, MapError, Pressed, RollingNode,
+    State, WheelMap,
 };
 use creepage_rail::{RailMotion, Side};
 use rayon::prelude::*;
 
+use self::heights::Stood;
 use self::image::Image;
 use self::journal::Journal;
 use self::node::Place;
@@ -376,7 +377,7 @@ impl Builder<'_> {
         let loads = self.plan.height_loads();
         let all = usize::try_from(2 * count + 1).unwrap_or(0);
         let done = std::sync::atomic::AtomicUsize::new(0);
-        let one = |k: i32| -> Result<Option<HeightNode>, MapBuildError> {
+        let one = |k: i32| -> Result<Option<Stood>, MapBuildError> {
             let found = self.journal.heights((side, k), || Ok(self.height((side, k), &loads)))?;
             let done = done.fetch_add(1, std::sync::atomic::Ordering::Relaxed) + 1;
             self.goes_on(MapStage::Heights(done, all))?;
@@ -392,27 +393,29 @@ impl Builder<'_> {
         while last + 1 < found.len() && rises(&found, last, spacing) {
             last += 1;
         }
-        let nodes: Vec<HeightNode> =
+        let stood: Vec<Stood> =
             found.get(first..=last).unwrap_or_default().iter().flatten().copied().collect();
-        if nodes.len() < 5 {
-            return Err(MapBuildError::Short { places: nodes.len() });
+        if stood.len() < 5 {
+            return Err(MapBuildError::Short { places: stood.len() });
         }
+        let nodes = heights::put_aside(&stood);
         let y = [first, last].map(|k| (k as f64 - f64::from(count)) * spacing);
         Ok((y, Heights::new(nodes, loads)?))
     }
 
-    fn height(&self, (side, k): (Side, i32), loads: &[f64; HEIGHTS]) -> Option<HeightNode> {
+    fn height(&self, (side, k): (Side, i32), loads: &[f64; HEIGHTS]) -> Option<Stood> {
         const STEP: f64 = 2e-5;
         let image = self.image(side);
         let y = f64::from(k) * self.plan.spacing;
         let roll = |y: f64| image.free_roll(y);
-        let node = || -> Result<HeightNode, WheelsetError> {
+        let node = || -> Result<Stood, WheelsetError> {
             let slope = (roll(y + STEP)? - roll(y - STEP)?) / (2.0 * STEP);
-            heights::node(&self.solver, image, [y, roll(y)?, slope], loads)
+            let yaw = [self.plan.yaw, self.head.half_distance];
+            heights::node(&self.solver, (image, yaw), [y, roll(y)?, slope], loads)
         };
         // Where profiles end, the map ends.
-        let finite = |node: &HeightNode| {
-            [node.place, node.shift, node.fall].iter().chain(&node.heights).all(|v| v.is_finite())
+        let finite = |stood: &Stood| {
+            stood.node.numbers().iter().chain(stood.centres.as_flattened()).all(|v| v.is_finite())
         };
         node().ok().filter(finite)
     }
@@ -506,10 +509,10 @@ fn own(case: &WheelsetCase, friction: f64) -> Result<State, MapBuildError> {
 }
 
 /// Whether the place rises enough from a node to the next one.
-fn rises(nodes: &[Option<HeightNode>], from: usize, spacing: f64) -> bool {
+fn rises(nodes: &[Option<Stood>], from: usize, spacing: f64) -> bool {
     /// Part of the step of `y` by which a place must go on.
     const LEAST: f64 = 0.05;
     let pair = nodes.get(from).zip(nodes.get(from + 1));
     let pair = pair.and_then(|(from, to)| from.as_ref().zip(to.as_ref()));
-    pair.is_some_and(|(from, to)| to.place - from.place > LEAST * spacing)
+    pair.is_some_and(|(from, to)| to.node.place - from.node.place > LEAST * spacing)
 }

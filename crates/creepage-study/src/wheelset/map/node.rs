@@ -71,7 +71,7 @@ impl Place<'_> {
     ) -> Result<PressedContacts<'a>, MapBuildError> {
         const ROUNDS: usize = 5;
         const MET: f64 = 3e-3;
-        let rest = self.image.touch(self.y, self.roll)?;
+        let rest = self.image.touch([self.y, self.roll, 0.0])?;
         let mut depth = (height - rest).max(1e-6);
         let mut stood = Vec::new();
         for _ in 0..ROUNDS {
