@@ -54,7 +54,8 @@ fn solve(number: usize, text: &str, place: &Path) {
         Ok(solved) => {
             for wheel in solved.wheels() {
                 let [x, y, z] = wheel.on_rail().force;
-                let load: f64 = wheel.contacts().iter().map(|one| one.load()).sum();
+                let load: f64 =
+                    wheel.contacts().iter().map(creepage_study::SolvedContact::load).sum();
                 println!(
                     "{number}: {} FX {x:.1} FY {y:.1} FZ {z:.1} (mu N {:.1}), z {:.5} mm, {:.2} s",
                     solved.status().name(),

@@ -173,7 +173,7 @@ fn text(
     } else {
         ("z", number(height * 1e-3))
     };
-    let side = if control.config() % 4 == 0 { "left" } else { "right" };
+    let side = if control.config().is_multiple_of(4) { "left" } else { "right" };
     let mut wheelset = vec![
         ("back_to_back", number(sizes[0] * 1e-3)),
         ("side", quoted(side)),

@@ -63,12 +63,6 @@ fn rollers_have_the_reference_creepages_and_forces() {
         let solved = solved(&[("RAIL", &rail), ("WHEELSET", ALONE), ("MOTION", RATE)]);
         let wheel = right(&solved);
         let contact = &wheel.contacts()[0];
-        println!(
-            "{radius}: {:?} {:?} x {}",
-            contact.creepage,
-            wheel.on_rail().force,
-            contact.reference[0]
-        );
         near(contact.creepage.longitudinal, xi, 5e-3 * xi.abs());
         near(contact.creepage.lateral, eta, 5e-3 * eta.abs());
         near(contact.creepage.spin, phi, 2e-2 * phi.abs());
@@ -82,7 +76,7 @@ fn rollers_have_the_reference_creepages_and_forces() {
     }
 }
 
-/// A cylinder on a crowned roller is Hertz's: 705.19 MPa, approach .025273 mm, semi-axes 2.8046 across and 2.4142 along
+/// A cylinder on a crowned roller is Hertz's: 705.19 `MPa`, approach .025273 mm, semi-axes 2.8046 across and 2.4142 along
 /// (sheet 8, D), and the pressure pushes along by nothing.
 #[test]
 fn a_cylinder_on_a_crowned_roller_is_hertzian() {
@@ -105,7 +99,6 @@ fn a_cylinder_on_a_crowned_roller_is_hertzian() {
     let solved = case.solve().unwrap();
     let contact = &right(&solved).contacts()[0];
     let peak = contact.normal.peak_pressure();
-    println!("{peak:?} {:?} {:?}", contact.normal.approach(), contact.extent());
     // The lattice of the gap and the strips err by parts of 1e-3.
     near(peak.value, 705.19e6, 2e-3 * 705.19e6 + peak.error);
     near(contact.normal.approach().value, 25.273e-6, 2e-3 * 25.273e-6);
@@ -187,7 +180,7 @@ fn the_back_of_the_flange_runs_on_a_guard_rail() {
     let far = solved(&[("RAIL", &guarded(FAR)), ("WHEELSET", wheelset)]);
     for (one, other) in alone.wheels().zip(far.wheels()) {
         assert_eq!(one.on_rail().force.map(f64::to_bits), other.on_rail().force.map(f64::to_bits));
-        assert_eq!(other.on_guard().unwrap().force, [0.0; 3]);
+        assert!(other.on_guard().unwrap().force.iter().all(|part| part.abs() < f64::MIN_POSITIVE));
     }
     let says = |report: &WheelsetReport| {
         let all = report.cautions().into_iter();
@@ -201,16 +194,6 @@ fn the_back_of_the_flange_runs_on_a_guard_rail() {
 
     let solved = solved(&[("RAIL", &guarded(pressed())), ("WHEELSET", PRESSED)]);
     let wheel = right(&solved);
-    println!("force {:?} guard {:?}", wheel.on_rail().force, wheel.on_guard());
-    for contact in wheel.contacts() {
-        println!(
-            "{} {} {} {:?}",
-            contact.is_on_guard,
-            contact.angle,
-            contact.load(),
-            contact.creepage
-        );
-    }
     let guard = wheel.on_guard().unwrap().force;
     let steep = wheel.contacts().iter().find(|contact| contact.is_on_guard).unwrap();
     assert!(steep.angle > 1.2 && steep.angle < 1.45, "{}", steep.angle);
@@ -292,8 +275,7 @@ fn a_grooved_rail_is_a_rail_with_a_guard() {
         "points = {head:?}, guard = {{ points = {:?}, position = [0.685, 0.0] }}",
         nose()
     ));
-    let [one, other] = [&grooved, &apart].map(|report| right(report));
-    println!("{:?} {:?}", one.on_rail().force, one.guard_clearance);
+    let [one, other] = [&grooved, &apart].map(right);
     near(one.guard_clearance.unwrap(), other.guard_clearance.unwrap(), 2e-5);
     // The splines are not the same where one of them goes on.
     for (one, other) in one.on_rail().force.into_iter().zip(other.on_rail().force) {

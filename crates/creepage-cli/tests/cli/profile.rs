@@ -221,13 +221,14 @@ fn faulty(index: usize, mut points: Vec<[f64; 2]>) -> Vec<u8> {
         6 => points.iter_mut().flatten().for_each(|value| *value *= 1e-3),
         7 => {
             let (sin, cos) = 0.05f64.sin_cos();
-            points
-                .iter_mut()
-                .for_each(|[y, z]| (*y, *z) = (cos * *y - sin * *z, sin * *y + cos * *z));
+            for [y, z] in &mut points {
+                (*y, *z) = (cos * *y - sin * *z, sin * *y + cos * *z);
+            }
         }
         _ => {}
     }
-    let lines = points.iter().map(|[y, z]| format!("{y:.4} {z:.4}\n")).collect::<String>();
+    let lines: Vec<String> = points.iter().map(|[y, z]| format!("{y:.4} {z:.4}")).collect();
+    let lines = lines.join("\n") + "\n";
     match fault {
         8 => format!("Wheel {index}\nmeasured by nobody; mm\n\n{lines}").into_bytes(),
         9 => lines.replace('.', ",").into_bytes(),
@@ -242,6 +243,7 @@ fn faulty(index: usize, mut points: Vec<[f64; 2]>) -> Vec<u8> {
 
 /// A fleet of so many files with all faults in turn, surveyed without a break and killed again and again: the same
 /// table, and nothing hidden is left.
+#[allow(clippy::print_stdout)] // the counts of the large run
 fn survey_of_a_fleet(count: usize, kills: usize) {
     let place = Place::new();
     fs::create_dir(place.path("fleet")).unwrap();

@@ -29,15 +29,15 @@ pub(super) fn measured(points: &mut Vec<Point>, actions: &mut Vec<Action>) {
 
 /// Points further from the middle ones than this times the width and height of these are no part of the profile.
 const OUTSIDE: f64 = 4.0;
-/// Part of the points at either end of a coordinate that may be such.
-const FEW: f64 = 0.02;
+/// One point of so many at either end of a coordinate may be such.
+const FEW: usize = 50;
 
 /// Drops points far from all others, in any unit.
 pub(super) fn without_outliers(points: &mut Vec<Point>, actions: &mut Vec<Action>) {
     let range = |axis: usize| {
         let mut values: Vec<f64> = points.iter().map(|point| point.at[axis]).collect();
         values.sort_by(f64::total_cmp);
-        let few = (FEW * values.len() as f64).ceil() as usize;
+        let few = values.len().div_ceil(FEW);
         Some([*values.get(few)?, *values.get(values.len().checked_sub(few + 1)?)?])
     };
     let Some((y, z)) = range(0).zip(range(1)) else { return };
