@@ -32,6 +32,13 @@ impl Random {
         low + (high - low) * self.next()
     }
 
+    /// One of so many, counted from 0.
+    fn one_of(&mut self, count: usize) -> usize {
+        let places = 0..count.saturating_sub(1);
+        let at = self.next() * count as f64;
+        places.take_while(|place| (place + 1) as f64 <= at).count()
+    }
+
     fn chance(&mut self, part: f64) -> bool {
         self.next() < part
     }
@@ -61,11 +68,11 @@ struct Draw {
 
 impl Draw {
     fn new(random: &mut Random) -> Self {
-        let pair = ((random.next() * PAIRS.len() as f64) as usize).min(PAIRS.len() - 1);
+        let pair = random.one_of(PAIRS.len());
         let is_exact = random.chance(0.5);
         let friction = random.between(0.05, 0.6);
         let load = random.between(10e3, 250e3);
-        let load = match (random.next() * 4.0) as usize {
+        let load = match random.one_of(4) {
             0 => Load::Wheels([load * random.between(0.3, 0.7), load * random.between(0.3, 0.7)]),
             1 => Load::Wheel(0.5 * load),
             _ => Load::Axle(load),
@@ -74,7 +81,7 @@ impl Draw {
         let (y, yaw) = (random.between(-0.010, 0.010), random.between(-0.020, 0.020));
         let pose = WheelsetPose { side: None, y, yaw, roll, load: Some(load) };
         let speed = random.between(1.0, 80.0) * if random.chance(0.1) { -1.0 } else { 1.0 };
-        let pitch = match (random.next() * 4.0) as usize {
+        let pitch = match random.one_of(4) {
             0 => PitchRate::Rigid(Some(speed / 0.46 * random.between(0.99, 1.01))),
             1 => PitchRate::Independent([None; 2]),
             _ => PitchRate::Rigid(None),
@@ -200,7 +207,7 @@ fn of_draw(index: usize, draw: &Draw, solver: &WheelsetSolver<'_>, counts: &mut 
     if missed.is_nan() || missed > 1.5e-3 {
         counts.unbalanced.push(format!("{missed:.1e} {name}"));
     }
-    if index % 5 == 0 {
+    if index.is_multiple_of(5) {
         let (pose, velocity) = draw.mirrored();
         counts.mirrored += 1;
         match solver.solve(&pose, &velocity) {
@@ -219,7 +226,7 @@ fn of_draw(index: usize, draw: &Draw, solver: &WheelsetSolver<'_>, counts: &mut 
             }
         }
     }
-    if index % 25 == 0 && draw.is_exact {
+    if index.is_multiple_of(25) && draw.is_exact {
         of_derivatives(&name, draw, solver, &solved, counts);
     }
 }
