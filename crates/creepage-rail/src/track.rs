@@ -177,8 +177,11 @@ impl Rail {
             let range = "-0.5 to 0.5 rad";
             return Err(GeometryError::Value { name: "droll", value: roll, range });
         }
-        let ((cos, sin), (turn_sin, turn_cos)) = (self.rotation, (side.sense() * roll).sin_cos());
-        let rotation = (cos * turn_cos - sin * turn_sin, sin * turn_cos + cos * turn_sin);
+        let (turn_sin, turn_cos) = (side.sense() * roll).sin_cos();
+        let turned = |(cos, sin): (f64, f64)| {
+            (cos * turn_cos - sin * turn_sin, sin * turn_cos + cos * turn_sin)
+        };
+        let rotation = turned(self.rotation);
         let shift = [self.shift[0] + side.sense() * y, self.shift[1] + z];
         let roller = match self.roller {
             Some(_) if roll.abs() > 0.0 => {
@@ -189,6 +192,14 @@ impl Rail {
         };
         let mut rail = Self { rotation, shift, roller, ..self.clone() };
         rail.look()?;
+        // A guard rail stands on the same sleepers, and goes with it.
+        if let Some(guard) = rail.guard.as_deref_mut() {
+            let from = [guard.shift[0] - self.shift[0], guard.shift[1] - self.shift[1]];
+            let [y, z] =
+                [turn_cos * from[0] - turn_sin * from[1], turn_sin * from[0] + turn_cos * from[1]];
+            (guard.rotation, guard.shift) = (turned(guard.rotation), [shift[0] + y, shift[1] + z]);
+            guard.look()?;
+        }
         Ok(rail)
     }
 

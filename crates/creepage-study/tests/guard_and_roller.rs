@@ -171,6 +171,21 @@ fn pressed() -> f64 {
     FAR - right(&far).guard_clearance.unwrap() / 80f64.to_radians().sin() - 4e-5
 }
 
+/// Rail and guard rail shifted to the right are the wheelset shifted to the left: they go together.
+#[test]
+fn a_guard_rail_goes_with_its_rail() {
+    let rail = guarded(pressed());
+    let plain = solved(&[("RAIL", &rail), ("WHEELSET", PRESSED)]);
+    let moved = PRESSED.replace("y = -0.004", "y = -0.003");
+    let shifted = solved(&[("RAIL", &format!("{rail}, dy = 0.001")), ("WHEELSET", &moved)]);
+    let [one, other] = [&plain, &shifted].map(|report| right(report).on_guard().unwrap().force);
+    // Places are sampled elsewhere; of mu N.
+    for (one, other) in one.into_iter().zip(other) {
+        near(one, other, 2e-3 * 0.3 * 50e3);
+    }
+    assert!(one[1] < -100.0, "{one:?}");
+}
+
 /// Far off it says how far and changes no bit; closer the clearance closes by as much, and then the back of the flange
 /// is pushed to the gauge's side while the running rail carries the rest.
 #[test]

@@ -266,12 +266,6 @@ impl SolvedWheel {
         Some(contacts.fold(Resultant::NONE, |sum, c| sum + c.on_rail(self.rail_origin)))
     }
 
-    /// Force on the running rail alone (N).
-    pub(crate) fn on_running_rail(&self) -> [f64; 3] {
-        let contacts = self.contacts.iter().filter(|contact| !contact.is_on_guard);
-        contacts.fold(Resultant::NONE, |sum, c| sum + c.on_rail(self.rail_origin)).force
-    }
-
     /// Force on the rail in track axes, with its moment about the origin of the rail's profile: with that on its
     /// guard rail, [`SolvedWheel::on_guard`], where there is one.
     #[must_use]

@@ -10,7 +10,7 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::error::WheelsetError;
 use crate::pose::{Load, WheelsetPose, WheelsetVelocity};
-use crate::solved::{SolvedWheel, SolvedWheelset};
+use crate::solved::SolvedWheelset;
 use crate::solver::WheelsetSolver;
 
 /// Springs of a rail, across and down, and forces that act on it beside the wheel's.
@@ -166,7 +166,7 @@ impl Sprung<'_> {
         let mut left = DVector::zeros(at.len());
         for (k, (side, springs)) in sprung.iter().enumerate() {
             let wheel = solved.wheels().find(|wheel| wheel.side == *side);
-            let force = wheel.map_or([0.0; 3], SolvedWheel::on_running_rail);
+            let force = wheel.map_or([0.0; 3], |wheel| wheel.on_rail().force);
             for axis in 0..2 {
                 let carried = springs.stiffness[axis] * at[2 * k + axis] - springs.force[axis];
                 left[2 * k + axis] = force[1 + axis] - carried;
@@ -196,7 +196,7 @@ impl Sprung<'_> {
 fn is_met(sprung: &[(Side, RailSprings)], solved: &SolvedWheelset, left: &DVector<f64>) -> bool {
     sprung.iter().enumerate().all(|(k, (side, springs))| {
         let wheel = solved.wheels().find(|wheel| wheel.side == *side);
-        let force = wheel.map_or([0.0; 3], SolvedWheel::on_running_rail);
+        let force = wheel.map_or([0.0; 3], |wheel| wheel.on_rail().force);
         let [_, y, z] = force.map(f64::abs);
         let size = y.max(z).max(springs.force[0].abs()).max(springs.force[1].abs());
         left[2 * k].abs().max(left[2 * k + 1].abs()) <= MET * size
