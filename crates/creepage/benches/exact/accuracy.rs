@@ -65,17 +65,6 @@ impl Kind {
                 for (k, pairs) in errors.pairs.iter_mut().enumerate() {
                     pairs.push(((force[k] - truth[k]).abs(), bar[k]));
                 }
-                eprintln!(
-                    "case {} {} {} {} {:?} {:?} {:?} {:?}",
-                    self.bodies,
-                    self.small,
-                    ellipse.ratio(),
-                    kappa_over_mu,
-                    creepage,
-                    truth,
-                    force,
-                    bar
-                );
             }
         }
     }
