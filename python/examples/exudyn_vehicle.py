@@ -17,6 +17,7 @@ Left out: flexible rails, cant, gyroscopic moments of the wheels, gravity's shar
 from __future__ import annotations
 
 import argparse
+import importlib
 import importlib.util
 import math
 import time
@@ -178,7 +179,7 @@ def by_solver(solver: creepage.WheelsetSolver) -> Callable[[Asked], Array]:
     def forces(asked: Asked) -> Array:
         rows = []
         for k in range(4):
-            one = {name: float(values[k]) for name, values in asked.items()}
+            one: dict[str, Any] = {name: float(values[k]) for name, values in asked.items()}
             found = solver.solve(start=before[k], **one)
             before[k] = found
             rows.append(found.wrench)
@@ -219,23 +220,16 @@ def simulate(
     forces: Callable[[Asked], Array], rest: creepage.MapResult | creepage.WheelsetResult, seconds: float, step: float = 4e-4
 ) -> Run:
     """The vehicle from straight track on."""
-    import exudyn as exu
-    from exudyn.utilities import (
-        MarkerBodyRigid,
-        Node1D,
-        ObjectConnectorRigidBodySpringDamper,
-        ObjectGenericODE2,
-        ObjectGround,
-        RigidBodyInertia,
-        SensorUserFunction,
-    )
+    # Without types, and not everywhere to be had.
+    exu: Any = importlib.import_module("exudyn")
+    made_of: Any = importlib.import_module("exudyn.utilities")
 
     mbs: Any = exu.SystemContainer().AddSystem()
 
     def body(of: tuple[float, tuple[float, ...]], place: list[float]) -> dict[str, int]:
         mass, inertia = of
         made: dict[str, int] = mbs.CreateRigidBody(
-            inertia=RigidBodyInertia(mass=mass, inertiaTensor=np.diag(inertia)),
+            inertia=made_of.RigidBodyInertia(mass=mass, inertiaTensor=np.diag(inertia)),
             nodeType=exu.NodeType.RotationRxyz,
             referencePosition=place,
             initialDisplacement=[0.0, 0.0, rest.z],
@@ -245,17 +239,17 @@ def simulate(
 
     def connect(one: int, at: list[float], other: int, by: tuple[tuple[float, ...], tuple[float, ...]], on: list[float]) -> None:
         markers = [
-            mbs.AddMarker(MarkerBodyRigid(bodyNumber=body, localPosition=place))
+            mbs.AddMarker(made_of.MarkerBodyRigid(bodyNumber=body, localPosition=place))
             for body, place in ((one, at), (other, on))
         ]
         stiffness, damping = (diagonal(numbers) for numbers in by)
         mbs.AddObject(
-            ObjectConnectorRigidBodySpringDamper(markerNumbers=markers, stiffness=stiffness, damping=damping)
+            made_of.ObjectConnectorRigidBodySpringDamper(markerNumbers=markers, stiffness=stiffness, damping=damping)
         )
 
     places = np.array([PIVOTS + AXLES, PIVOTS - AXLES, -PIVOTS + AXLES, -PIVOTS - AXLES])
     wheelsets = [body(WHEELSET, [x, 0.0, -RADIUS]) for x in places]
-    rotors = [mbs.AddNode(Node1D(initialVelocities=[rest.pitch_rate])) for _ in wheelsets]
+    rotors = [mbs.AddNode(made_of.Node1D(initialVelocities=[rest.pitch_rate])) for _ in wheelsets]
     car = body(CAR, [0.0, 0.0, CAR_HEIGHT])
     bogies = [body(BOGIE, [x, 0.0, BOGIE_HEIGHT]) for x in (PIVOTS, -PIVOTS)]
     for k, wheels in enumerate(wheelsets):
@@ -264,7 +258,7 @@ def simulate(
         connect(bogie, [aside, 0.0, -RADIUS - BOGIE_HEIGHT], wheels["bodyNumber"], PRIMARY, [0.0] * 3)
     for x, bogie_body in zip((PIVOTS, -PIVOTS), bogies, strict=True):
         connect(car["bodyNumber"], [x, 0.0, BOGIE_HEIGHT - CAR_HEIGHT], bogie_body["bodyNumber"], SECONDARY, [0.0] * 3)
-    ground = mbs.AddObject(ObjectGround())
+    ground = mbs.AddObject(made_of.ObjectGround())
     connect(ground, [0.0, 0.0, CAR_HEIGHT], car["bodyNumber"], TRACTION, [0.0] * 3)
     nodes = [one["nodeNumber"] for one in wheelsets] + rotors + [one["nodeNumber"] for one in (car, *bogies)]
     asking = 0.0
@@ -294,15 +288,16 @@ def simulate(
     # The wheels' rotation; bodies have their own masses.
     masses[range(24, 28), range(24, 28)] = WHEELSET[1][1]
     mbs.AddObject(
-        ObjectGenericODE2(
+        made_of.ObjectGenericODE2(
             nodeNumbers=nodes, massMatrix=masses, stiffnessMatrix=zero, dampingMatrix=zero, forceUserFunction=push
         )
     )
     def kept(_mbs: Any, _t: float, _sensors: Any, _factors: Any, _kind: Any) -> Array:
         # Nodes are numbered as they were made: in the order of `nodes`.
-        return np.r_[mbs.systemData.GetODE2Coordinates(), mbs.systemData.GetODE2Coordinates_t()]
+        state: Array = np.r_[mbs.systemData.GetODE2Coordinates(), mbs.systemData.GetODE2Coordinates_t()]
+        return state
 
-    sensor = mbs.AddSensor(SensorUserFunction(sensorUserFunction=kept, storeInternal=True))
+    sensor = mbs.AddSensor(made_of.SensorUserFunction(sensorUserFunction=kept, storeInternal=True))
     mbs.Assemble()
     settings = exu.SimulationSettings()
     settings.timeIntegration.numberOfSteps = max(round(seconds / step), 1)
@@ -334,7 +329,8 @@ def histories(run: Run, contacts: creepage.ContactMap) -> Histories:
         asked = run.asked(row)
         y[row] = asked["y"]
         for k in range(4):
-            found = contacts.solve(friction=FRICTION, **{name: float(v[k]) for name, v in asked.items()})
+            one: dict[str, Any] = {name: float(v[k]) for name, v in asked.items()}
+            found = contacts.solve(friction=FRICTION, **one)
             for side, wheel in enumerate((found.left, found.right)):
                 guiding[row, k, side] = wheel.force[1] / wheel.force[2] if wheel.force[2] > 0.0 else 0.0
                 wear[row, k, side] = sum(np.dot(one.force, one.creepage) for one in wheel.patches)
@@ -350,7 +346,7 @@ def compared(
     start = None
     for row in np.linspace(0, len(run.times) - 1, count).astype(int):
         asked = {name: values[:1] for name, values in run.asked(int(row)).items()}
-        one = {name: float(values[0]) for name, values in asked.items()}
+        one: dict[str, Any] = {name: float(values[0]) for name, values in asked.items()}
         start = solver.solve(start=start, **one)
         found = contacts.solve(friction=FRICTION, **one)
         for mine, exact in ((found.left, start.left), (found.right, start.right)):

@@ -20,6 +20,7 @@ import time
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
+from typing import Any
 
 import creepage
 import numpy as np
@@ -33,13 +34,13 @@ Push = Callable[[Array, float], tuple[float, float]]
 
 MASS, INERTIA, STIFFNESS = 1500.0, 900.0, (0.70e6, 0.70e6)
 AXLE_LOAD, FRICTION, RADIUS = 100e3, 0.4, 0.46
-STEEL = {"shear_modulus": 82e9, "poisson": 0.28}
+STEEL: dict[str, Any] = {"shear_modulus": 82e9, "poisson": 0.28}
 WIDEST = 8e-3  # m: where tables end
 REFERENCE_SPEED = 38.0
 """Of the table's motions (m/s): forces depend on the ratios of velocities alone."""
 
 
-def wheelset(theory: str = "exact", **options: str) -> creepage.Wheelset:
+def wheelset(theory: str = "exact", **options: Any) -> creepage.Wheelset:
     """The wheelset on its track."""
     return creepage.Wheelset(
         wheel="S1002",
@@ -71,7 +72,8 @@ class MotionTable:
         axes = (self.y, np.arcsinh(self.slip / 1e-3), np.arcsinh(self.turn / 1e-3))
         both = np.stack((self.force, self.moment), axis=-1)
         look = RegularGridInterpolator(axes, both, method="cubic")
-        at = look._spline if hasattr(look, "_spline") else look
+        # The spline itself, where there is one: its wrapper checks each call.
+        at: Any = getattr(look, "_spline", look)
 
         def push(state: Array, speed: float) -> tuple[float, float]:
             y, yaw, lateral_velocity, yaw_rate = state
@@ -127,7 +129,7 @@ def exact_table(solver: creepage.WheelsetSolver, nodes: tuple[int, int, int], wi
         return unfolded(y, slip, turn, np.stack(list(pool.map(row, y))))
 
 
-def asked(contacts: creepage.ContactMap | creepage.WheelsetSolver, **more: float) -> Push:
+def asked(contacts: creepage.ContactMap | creepage.WheelsetSolver, **more: Any) -> Push:
     """The map itself, or the solver from nothing, with yaw as a position too."""
 
     def push(state: Array, speed: float) -> tuple[float, float]:
@@ -146,7 +148,7 @@ def followed(solver: creepage.WheelsetSolver) -> Push:
 
     def push(state: Array, speed: float) -> tuple[float, float]:
         y, yaw, lateral_velocity, yaw_rate = (float(value) for value in state)
-        motion = {"yaw": yaw, "speed": speed, "lateral_velocity": lateral_velocity, "yaw_rate": yaw_rate}
+        motion: dict[str, Any] = {"yaw": yaw, "speed": speed, "lateral_velocity": lateral_velocity, "yaw_rate": yaw_rate}
         try:
             found = solver.solve(y=y, start=before[0], **motion)
         except creepage.CaseError:
@@ -232,6 +234,7 @@ def ellipse_table(
             turning = sum(one.acts(pitch, slips, turns)[2] for one in both)
             fast = np.asarray(turning) < 0.0
             low, high = np.where(fast, low, pitch), np.where(fast, pitch, high)
+        pitch = 0.5 * (low + high)
         acts = [one.acts(pitch, slips, turns) for one in both]
         half[k, ..., 0], half[k, ..., 1] = acts[0][0] + acts[1][0], acts[0][1] + acts[1][1]
     return unfolded(y, slip, turn, half)

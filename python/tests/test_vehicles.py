@@ -38,7 +38,8 @@ def reference() -> Any:
 @pytest.fixture(scope="module")
 def solver(reference: Any) -> creepage.WheelsetSolver:
     """By coarse elements: seconds instead of minutes."""
-    return reference.wheelset("exact", resolution="fast").solver()
+    wheelset: creepage.Wheelset = reference.wheelset("exact", resolution="fast")
+    return wheelset.solver()
 
 
 def test_a_map_moves_the_wheelset_as_the_solver_does(
