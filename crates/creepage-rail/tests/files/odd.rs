@@ -37,7 +37,7 @@ fn numbers_that_stand_for_nothing_measured_are_dropped() {
 fn points_in_no_order_are_refused_as_such() {
     let points = wheel();
     // 97 and the number of points have no common divisor: each point once.
-    let count = points.len() - usize::from(points.len() % 97 == 0);
+    let count = points.len() - usize::from(points.len().is_multiple_of(97));
     let mixed: Vec<_> = (0..count).map(|i| points[97 * i % count]).collect();
     let found = read_wheel(&columns(&mixed));
     assert!(
