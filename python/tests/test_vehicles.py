@@ -73,12 +73,16 @@ def test_one_ellipse_a_wheel_has_the_kinematics_of_the_solver(
     push = reference.ellipse_table(solver, name, (3, 7, 7), 8e-4).push()
     exact = reference.followed(solver)
     slip, turn = 1e-4, 1e-4
-    for at in ([4e-4, 0.0, 0.0, 0.0], [0.0, 0.0, 38.0 * slip, 0.0], [0.0, 0.0, 0.0, 38.0 * turn]):
-        found, right = (np.array(one(np.array(at), 38.0)) for one in (push, exact))
-        large = np.argmax(np.abs(right))
-        # Signs and levers are the solver's. An ellipse of the area of one with long tails is stiffer, by a quarter to a third
-        # here: that is why these theories put the critical speed a tenth too low.
-        assert found[large] == pytest.approx(right[large], rel=0.4)
+    states = ([4e-4, 0.0, 0.0, 0.0], [0.0, 0.0, 38.0 * slip, 0.0], [0.0, 0.0, 0.0, 38.0 * turn])
+    aside, slipping, turning = (
+        [np.array(one(np.array(at), 38.0)) for one in (push, exact)] for at in states
+    )
+    # The moment by the radii's difference over that by turning is kinematics: how stiff the contacts are drops out. What does
+    # not is spin's part, some per cent.
+    found, right = (aside[k][1] / turning[k][1] for k in (0, 1))
+    assert found == pytest.approx(right, rel=0.1)
+    # Creep forces act against the slip, as the solver's do.
+    assert slipping[0][0] < 0.0 and slipping[1][0] < 0.0
 
 
 def test_exudyn_runs_a_vehicle_on_a_map(contact_map: creepage.ContactMap, tmp_path: Path) -> None:

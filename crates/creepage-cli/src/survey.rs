@@ -61,7 +61,7 @@ pub(crate) fn run(args: &ProfileArgs, out: &Path) -> Result<Outcome, Failure> {
     let against = args.rail.iter().chain(&args.reference);
     Sources::new(files.iter().chain(against)).ensure_not_overwritten(out)?;
     let failed = |source| Failure::Write { path: out.into(), source };
-    // Told at once where it cannot be written; made anew at the end, for a killed run leaves a hidden file behind.
+    // Fails at once where nothing can be written there. The file itself is made at the end: a killed run leaves none.
     drop(WholeFile::create(out).map_err(failed)?);
     let journal = Journal::open(out, &survey.key()).map_err(failed)?;
     if !journal.done.is_empty() {

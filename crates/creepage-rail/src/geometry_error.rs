@@ -71,7 +71,7 @@ pub enum GeometryError {
     )]
     NoGroove,
     /// A grooved rail that is to take another profile.
-    #[error("a grooved rail cannot take another profile where it lies: lay it anew")]
+    #[error("a grooved rail cannot change its profile in place: its groove would change too")]
     GroovedWears,
     /// No part of the rail's profile looks upwards.
     #[error("no part of the rail's head looks upwards")]

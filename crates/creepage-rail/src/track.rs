@@ -2,6 +2,8 @@
 //!
 //! A side is held as a right-hand one: `y` to the field side. The left side is its mirror image.
 
+mod guard;
+
 use crate::curve::{CurvePoint, hermite};
 use crate::search::threshold;
 use crate::slices::SliceSurface;
@@ -73,6 +75,11 @@ pub struct Rail {
     seen: Vec<Vec<Stretches>>,
 }
 
+/// A turn, as cosine and sine, after another.
+fn turned((cos, sin): (f64, f64), (turn_cos, turn_sin): (f64, f64)) -> (f64, f64) {
+    (cos * turn_cos - sin * turn_sin, sin * turn_cos + cos * turn_sin)
+}
+
 /// Stretches of a slice on which `y` rises: `y` in the track and the parameter there.
 type Stretches = Vec<Vec<[f64; 2]>>;
 
@@ -101,19 +108,6 @@ impl Rail {
     /// short for its gauge to be measured.
     pub fn new(profile: &Profile, cant: f64, place: Place) -> Result<Self, GeometryError> {
         Self::of_part(profile, [0.0, profile.curve().length()], cant, place)
-    }
-
-    /// Sets a grooved rail in place, whose profile has the running head on the field side of a groove and a lip, or
-    /// guard rail, on the track side: the head lies as by [`Rail::new`], and the lip is its guard rail.
-    ///
-    /// # Errors
-    /// As by [`Rail::new`], and [`GeometryError::NoGroove`].
-    pub fn grooved(profile: &Profile, cant: f64, place: Place) -> Result<Self, GeometryError> {
-        let floor = profile.groove().ok_or(GeometryError::NoGroove)?;
-        let head = Self::of_part(profile, [floor, profile.curve().length()], cant, place)?;
-        let mut lip = Self { part: [0.0, floor], ..head.clone() };
-        lip.look()?;
-        Ok(head.with_guard(lip))
     }
 
     fn of_part(
@@ -178,10 +172,7 @@ impl Rail {
             return Err(GeometryError::Value { name: "droll", value: roll, range });
         }
         let (turn_sin, turn_cos) = (side.sense() * roll).sin_cos();
-        let turned = |(cos, sin): (f64, f64)| {
-            (cos * turn_cos - sin * turn_sin, sin * turn_cos + cos * turn_sin)
-        };
-        let rotation = turned(self.rotation);
+        let rotation = turned(self.rotation, (turn_cos, turn_sin));
         let shift = [self.shift[0] + side.sense() * y, self.shift[1] + z];
         let roller = match self.roller {
             Some(_) if roll.abs() > 0.0 => {
@@ -192,13 +183,8 @@ impl Rail {
         };
         let mut rail = Self { rotation, shift, roller, ..self.clone() };
         rail.look()?;
-        // A guard rail stands on the same sleepers, and goes with it.
         if let Some(guard) = rail.guard.as_deref_mut() {
-            let from = [guard.shift[0] - self.shift[0], guard.shift[1] - self.shift[1]];
-            let [y, z] =
-                [turn_cos * from[0] - turn_sin * from[1], turn_sin * from[0] + turn_cos * from[1]];
-            (guard.rotation, guard.shift) = (turned(guard.rotation), [shift[0] + y, shift[1] + z]);
-            guard.look()?;
+            guard.go_with((self.shift, shift), (turn_cos, turn_sin))?;
         }
         Ok(rail)
     }
@@ -270,54 +256,6 @@ impl Rail {
     #[must_use]
     pub fn roller(&self) -> Option<Roller> {
         self.roller
-    }
-
-    /// The same with a second rail beside it, on whose field side the back of the flange runs: a guard or check
-    /// rail in its own place.
-    #[must_use]
-    pub fn with_guard(self, guard: Self) -> Self {
-        Self { guard: Some(Box::new(Self { guard: None, ..guard })), ..self }
-    }
-
-    /// The same with a guard rail beside it: its `profile`, inclined by `cant` (rad) as a rail's, whose highest point
-    /// lies `height` (m) above the track plane and whose running face, down to `depth` (m) below that plane, stands
-    /// `flangeway` (m) from this rail's gauge face, which is its nearest place down to the same depth.
-    ///
-    /// # Errors
-    /// As by [`Rail::new`], and [`GeometryError::Value`] for a flangeway that is not above zero, or a guard rail
-    /// that lies below that depth.
-    pub fn guarded(
-        self,
-        profile: &Profile,
-        cant: f64,
-        [flangeway, height, depth]: [f64; 3],
-    ) -> Result<Self, GeometryError> {
-        let lengths = [("flangeway", flangeway, "above 0 m"), ("depth", depth, "above 0 m")];
-        for (name, value, range) in lengths {
-            if !(value > 0.0 && value.is_finite()) {
-                return Err(GeometryError::Value { name, value, range });
-            }
-        }
-        if !(height > -depth && height.is_finite()) {
-            let range =
-                "such that the guard rail reaches above the depth of the gauge's measurement";
-            return Err(GeometryError::Value { name: "height", value: height, range });
-        }
-        let face = self.nearest(&self.stations(), depth);
-        let mut guard = Self::new(profile, cant, Place::Origin(0.0))?;
-        guard.shift[1] -= height;
-        guard.look()?;
-        let high = guard.visible.iter().filter(|station| station.z <= depth);
-        let reach = high.map(|station| station.y).fold(f64::NEG_INFINITY, f64::max);
-        guard.shift[0] = face - flangeway - reach;
-        guard.look()?;
-        Ok(self.with_guard(guard))
-    }
-
-    /// The guard rail beside it.
-    #[must_use]
-    pub fn guard(&self) -> Option<&Self> {
-        self.guard.as_deref()
     }
 
     /// Whether its height changes along the track.

@@ -208,7 +208,7 @@ fn measured(random: &mut u64) -> Vec<[f64; 2]> {
     points.collect()
 }
 
-/// A wheel's file (mm) with one of the faults that fleets have, by number; the last of them is none.
+/// A wheel's file (mm) with a fault by its number: 0 has none, the last is an empty file.
 fn faulty(index: usize, mut points: Vec<[f64; 2]>) -> Vec<u8> {
     const FAULTS: usize = 12;
     let fault = index % FAULTS;

@@ -72,7 +72,7 @@ pub struct WheelJson {
     pub pitch_rate_rad_per_s: f64,
     /// How far it would have to go down to touch (m), where it touches nothing; else `null`.
     pub clearance_m: Option<f64>,
-    /// The guard rail beside its rail; left out where there is none.
+    /// The guard rail beside its rail; absent without one.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub guard: Option<GuardJson>,
     /// How far its rail gave way on its springs, `[y, z]` (m), where it lies on any; else `null`.
