@@ -156,7 +156,8 @@ def _chatter(path: Path, part: float, delayed: bool) -> float:
         y, yaw = y + step * velocity, yaw + step * turning
     unit.terminate()
     unit.freeInstance()
-    return max(changes[-30:]) / max(changes[:30])
+    # Of the first steps: after thirty friction may bound what grows.
+    return max(changes[-30:]) / max(changes[:3])
 
 
 @pytest.mark.parametrize("delayed", [False, True])
