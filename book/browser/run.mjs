@@ -1,6 +1,6 @@
 // Looks at a built guide with a browser, Chromium without a window and without a network.
 //
-//     node book/browser/run.mjs SITE CREEPAGE CHROMIUM PLAYWRIGHT AXE [explorer | search | readable]
+//     node book/browser/run.mjs SITE CREEPAGE CHROMIUM PLAYWRIGHT AXE [explorer | wheelset | search | readable]
 
 import { mkdirSync } from "node:fs";
 import { createRequire } from "node:module";
@@ -10,6 +10,7 @@ import { pathToFileURL } from "node:url";
 import { explorer } from "./explorer.mjs";
 import { readable } from "./readable.mjs";
 import { search } from "./search.mjs";
+import { wheelset } from "./wheelset.mjs";
 
 const [site, creepage, executablePath, playwright, axe] = process.argv.slice(2, 7).map((name) => path.resolve(name));
 const only = process.argv[7];
@@ -35,7 +36,7 @@ const place = {
   },
 };
 try {
-  for (const look of [explorer, search, readable].filter(({ name }) => !only || name === only)) faults.push(...(await look(place)));
+  for (const look of [explorer, wheelset, search, readable].filter(({ name }) => !only || name === only)) faults.push(...(await look(place)));
 } catch (error) {
   faults.push(error.stack);
 } finally {

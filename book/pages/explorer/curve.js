@@ -150,19 +150,3 @@ function sample(name) {
   return `<svg width="34" height="8" aria-hidden="true"><path d="M1 4H33" stroke="${INKS[name]}"` +
     ` stroke-width="2.4" stroke-dasharray="${dashes(name).join(" ")}"/></svg>`;
 }
-
-// Round numbers between plus and minus the range, some six.
-function ticks(range) {
-  const rough = range / 3, power = 10 ** Math.floor(Math.log10(rough));
-  const step = power * [1, 2, 5, 10].find((factor) => factor * power >= 0.99 * rough);
-  const count = Math.floor((1.001 * range) / step);
-  const all = Array.from({ length: 2 * count + 1 }, (_, k) => (k - count) * step);
-  return all.map((tick) => Number(tick.toPrecision(12)));
-}
-
-function rule(pen, from, to) {
-  pen.beginPath();
-  pen.moveTo(...from);
-  pen.lineTo(...to);
-  pen.stroke();
-}

@@ -9,8 +9,7 @@ const CELLS_ALONG = 96; // of a strip
 
 class Engine {
   static async start() {
-    const bytes = Uint8Array.from(atob(ENGINE_WASM), (letter) => letter.charCodeAt(0));
-    const { instance } = await WebAssembly.instantiate(bytes, {});
+    const { instance } = await WebAssembly.instantiate(await engineBytes(), {});
     return new Engine(instance.exports);
   }
 

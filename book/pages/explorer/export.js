@@ -5,12 +5,6 @@
 // last bit.
 const SEMI_AXIS_LATERAL = 1 / 128;
 
-function toml(value) {
-  if (value === Infinity) return '"flat"';
-  const text = String(value);
-  return /[.e]/.test(text) ? text.replace(/^(-?\d+)e/, "$1.0e") : text + ".0";
-}
-
 function solveSection(state) {
   const lines = ["[solve]", `theory = "${state.theory}"`];
   if (state.theory === "exact") lines.push(`resolution = "${state.resolution}"`);

@@ -1,8 +1,6 @@
 // The page: what is set, what is solved, what is shown.
 "use strict";
 
-const element = (id) => document.getElementById(id);
-
 class Page {
   constructor(engine) {
     this.engine = engine;
@@ -213,14 +211,6 @@ class Page {
   }
 }
 
-function options(id, values, words = (value) => value) {
-  element(id).replaceChildren(...values.map((value) => new Option(words(value), value)));
-}
-
-function fixed(value) {
-  return value.toFixed(4).replace(/^-(0\.0+)$/, "$1");
-}
-
 // The share of the contact's area in cells that slip.
 function slippingShare(cells) {
   let [slipping, all] = [0, 0];
@@ -232,14 +222,6 @@ function slippingShare(cells) {
     slipping += cells[at + 12] * area;
   }
   return slipping / all;
-}
-
-function download(name, text) {
-  const link = document.createElement("a");
-  link.href = URL.createObjectURL(new Blob([text], { type: "application/toml" }));
-  link.download = name;
-  link.click();
-  setTimeout(() => URL.revokeObjectURL(link.href), 1000);
 }
 
 Engine.start().then(

@@ -1,35 +1,7 @@
 // The contact seen from above: cells in colour, the traction as arrows.
 "use strict";
 
-// From little to much, on dark and light paper.
-const RAMP = [[68, 84, 160], [44, 145, 160], [110, 190, 110], [235, 205, 80], [240, 120, 60]];
 const SMALLEST_TRACTION = 1e-9;
-
-function ramp(share) {
-  const at = Math.min(Math.max(share, 0), 1) * (RAMP.length - 1);
-  const k = Math.min(Math.floor(at), RAMP.length - 2);
-  const mixed = RAMP[k].map((part, i) => Math.round(part + (at - k) * (RAMP[k + 1][i] - part)));
-  return `rgb(${mixed.join(",")})`;
-}
-
-// Paper as wide as the page allows, sharp on any screen; sizes are in the page's pixels.
-function paper(canvas, heightOverWidth, highest) {
-  const width = Math.max(canvas.clientWidth, 200), sharp = window.devicePixelRatio || 1;
-  const height = Math.round(Math.min(heightOverWidth * width, highest));
-  canvas.style.height = `${height}px`;
-  canvas.width = Math.round(width * sharp);
-  canvas.height = Math.round(height * sharp);
-  const pen = canvas.getContext("2d");
-  pen.setTransform(sharp, 0, 0, sharp, 0, 0);
-  const style = getComputedStyle(canvas);
-  const colour = (name) => style.getPropertyValue(name).trim();
-  pen.font = `14px ${style.fontFamily}`;
-  return {
-    pen, width, height,
-    ink: style.color, faint: colour("--explorer-faint"), adhesion: colour("--guide-adhesion"),
-    slip: colour("--guide-slip"), strong: colour("--guide-strong"), arrow: colour("--explorer-arrow"),
-  };
-}
 
 class Picture {
   constructor(canvas, legend) {
@@ -157,23 +129,4 @@ function inWords(colour, largest, contact) {
   const unit = colour === "pressure" ? traction / contact.friction : traction;
   if (!dimensionless) return `${show((largest * unit) / 1e6)} MPa`;
   return colour === "pressure" ? "peak pressure" : `${show(largest)} of its largest bound`;
-}
-
-function show(value) {
-  return Number.isFinite(value) ? String(Number(value.toPrecision(3))) : "none";
-}
-
-function arrow(pen, [x, y], [p, q]) {
-  const length = Math.hypot(p - x, q - y), head = Math.min(6, 0.6 * length);
-  const angle = Math.atan2(q - y, p - x);
-  pen.beginPath();
-  pen.moveTo(x, y);
-  pen.lineTo(p - 0.7 * head * Math.cos(angle), q - 0.7 * head * Math.sin(angle));
-  pen.stroke();
-  pen.beginPath();
-  pen.moveTo(p, q);
-  for (const side of [-0.45, 0.45]) {
-    pen.lineTo(p - head * Math.cos(angle + side), q - head * Math.sin(angle + side));
-  }
-  pen.fill();
 }

@@ -61,17 +61,6 @@ function toLink(state) {
   return "#" + link.toString().replaceAll("%2C", ",");
 }
 
-// Numbers as people write them; flat is an infinite radius.
-function readNumber(text) {
-  const word = text.trim();
-  if (word === "flat") return Infinity;
-  return word === "" ? NaN : Number(word);
-}
-
-function writeNumber(value) {
-  return value === Infinity ? "flat" : String(value);
-}
-
 // xi, eta, chi of the state in the units of its contact: the same three divisions as the command's.
 function creepage(state, units) {
   const [x, y, spin] = CREEPAGES[state.units].map((key) => state[key]);

@@ -1,0 +1,157 @@
+// The library in workers: what crates/creepage-web-wheelset exports. One worker draws while things move, another
+// solves exactly when they rest, so that neither waits for the other.
+"use strict";
+
+const RESOLUTIONS = { fastsim: 0, fast: 1, standard: 2, fine: 3 };
+
+// Runs in a worker, from its text: it sees nothing of the page.
+function solveInWorker() {
+  "use strict";
+  const HEAD = 4, WHEEL = 6, CONTACT = 20, ELEMENT = 17;
+  const OUTLINE = 4e-4; // m between points
+  let library, names, built;
+
+  const words = () => new TextDecoder().decode(
+    new Uint8Array(library.memory.buffer, library.words(), library.words_len()));
+  // A copy: the module's memory may move.
+  const numbers = () =>
+    new Float64Array(library.memory.buffer, library.numbers(), library.numbers_len()).slice();
+  const must = (done) => {
+    if (!done) throw new Error(words());
+  };
+
+  function take(role, profile) {
+    if (!profile.bytes) {
+      must(library.take_named(names.findIndex((known) => known.role === role && known.name === profile.name)));
+      return "";
+    }
+    const name = new TextEncoder().encode(profile.name), size = name.length + profile.bytes.length;
+    const at = library.input(size);
+    const room = new Uint8Array(library.memory.buffer, at, size);
+    room.set(name);
+    room.set(profile.bytes, name.length);
+    must(library.take_file(role === "rail" ? 1 : 0, name.length));
+    return words();
+  }
+
+  // The wheelset on its track, unless it is there already.
+  function build({ wheel, rail, sizes }) {
+    const key = JSON.stringify([wheel.name, wheel.number, rail.name, rail.number, sizes]);
+    if (built?.key === key) return built;
+    built = null;
+    const notes = [take("wheel", wheel), take("rail", rail)];
+    must(library.set(...sizes));
+    const [conicity, ...difference] = numbers();
+    built = { key, conicity, difference, notes };
+    return built;
+  }
+
+  function contacts(rest, count) {
+    const all = [];
+    for (let at = 0; all.length < count;) {
+      const [side, x, y, z, angle, load, loadError, longitudinal, lateral, spin, fx, fy, moment, fxError, fyError,
+        peak, area, adhesion, heat, elements] = rest.subarray(at, at + CONTACT);
+      const end = at + CONTACT + ELEMENT * elements;
+      all.push({
+        side, reference: [x, y, z], angle, load, loadError, creepage: { longitudinal, lateral, spin },
+        force: [fx, fy], moment, error: [fxError, fyError], peak, area, adhesion, heat,
+        elements: rest.slice(at + CONTACT, end),
+      });
+      at = end;
+    }
+    return all;
+  }
+
+  function outlines() {
+    must(library.outlines(OUTLINE));
+    const all = numbers(), sides = [];
+    for (let at = 0; sides.length < 2;) {
+      const [wheel, rail] = all.subarray(at, at + 2), from = at + 2;
+      sides.push({
+        wheel: all.slice(from, from + 2 * wheel),
+        rail: all.slice(from + 2 * wheel, from + 2 * (wheel + rail)),
+      });
+      at = from + 2 * (wheel + rail);
+    }
+    return sides;
+  }
+
+  function solve({ resolution, goesOn, place, ...asked }) {
+    const { conicity, difference, notes } = build(asked);
+    const start = performance.now();
+    must(library.stand(resolution, goesOn ? 1 : 0, ...place));
+    const time = performance.now() - start, status = words(), all = numbers();
+    const [z, roll, pitchRate, byRadius] = all;
+    const wheels = [0, 1].map((k) => {
+      const [x, y, down, xError, yError, clearance] = all.subarray(HEAD + WHEEL * k, HEAD + WHEEL * (k + 1));
+      return { force: [x, y, down], error: [xError, yError], clearance };
+    });
+    const at = HEAD + 2 * WHEEL;
+    return {
+      conicity, difference, notes, status, time, z, roll, pitchRate, byRadius, wheels,
+      contacts: contacts(all.subarray(at + 1), all[at]), outlines: outlines(),
+    };
+  }
+
+  onmessage = async ({ data: { id, wasm, asked } }) => {
+    try {
+      if (wasm) {
+        library = (await WebAssembly.instantiate(wasm, {})).instance.exports;
+        library.profiles();
+        names = words().trim().split("\n").map((line) => {
+          const [role, name] = line.split("\t");
+          return { role, name };
+        });
+        // A number in the list of all is what the library takes.
+        postMessage({ id, answer: names });
+      } else {
+        postMessage({ id, answer: solve(asked) });
+      }
+    } catch (error) {
+      postMessage({ id, failure: error.message });
+    }
+  };
+}
+
+// One question at a time; of those that come meanwhile the last one alone is asked.
+class Solver {
+  constructor() {
+    const text = `(${solveInWorker})()`;
+    const address = URL.createObjectURL(new Blob([text], { type: "text/javascript" }));
+    this.worker = new Worker(address);
+    this.worker.onmessage = ({ data }) => this.answered(data);
+    this.count = 0;
+  }
+
+  start(wasm) {
+    return new Promise((done, failed) => this.post({ wasm }, done, failed));
+  }
+
+  post(message, done, failed) {
+    this.asked = { id: ++this.count, done, failed };
+    this.worker.postMessage({ ...message, id: this.asked.id });
+  }
+
+  ask(asked, done, failed) {
+    if (this.asked) {
+      this.next = [asked, done, failed];
+    } else {
+      this.post({ asked }, done, failed);
+    }
+  }
+
+  // What is still to come is wanted no longer.
+  forget() {
+    this.next = null;
+  }
+
+  answered({ answer, failure }) {
+    const { done, failed } = this.asked;
+    this.asked = null;
+    const next = this.next;
+    this.next = null;
+    if (next) this.ask(...next);
+    if (failure === undefined) done(answer);
+    else failed(new Error(failure));
+  }
+}
