@@ -9,7 +9,7 @@ use crate::curve::turn;
 
 /// Points nearer than this repeat each other (m).
 const REPEATED: f64 = 1e-8;
-/// Turns of a zig-zag, and the largest turn that a profile may have (rad).
+/// Turns of a zig-zag, and the largest turn between short stretches (rad).
 const ZIG_ZAG: f64 = 5.0 / 6.0 * PI;
 const LARGEST_TURN: f64 = 2.0 / 3.0 * PI;
 /// A true corner turns by more than the first while its neighbours within the reach turn by less
@@ -71,18 +71,20 @@ fn without_zig_zags(points: &mut Vec<Point>, actions: &mut Vec<Action>) {
 }
 
 /// Scans go back here and there: of the points about a turn back the one without which the rest
-/// turns least is dropped, as long as that closes no more than a short gap.
+/// turns least is dropped, as long as that closes no more than a short gap. Between long stretches it is a corner,
+/// unless it turns as sharply as a zig-zag.
 fn without_turns_back(points: &mut Vec<Point>, actions: &mut Vec<Action>) -> Result<(), FileError> {
     let most = 10 + points.len() / 50;
     for _ in 0..=most {
-        let inner = 1..points.len().saturating_sub(1);
-        let Some(index) = inner.clone().find(|&i| turn_at(points, i).abs() > LARGEST_TURN) else {
+        let turns_back = |&i: &usize| {
+            let turn = turn_at(points, i).abs();
+            turn > ZIG_ZAG || (turn > LARGEST_TURN && droppable(points, i).next().is_some())
+        };
+        let Some(index) = (1..points.len().saturating_sub(1)).find(turns_back) else {
             return Ok(());
         };
-        let near = |i: &usize| inner.contains(i) && reach(points, *i) < REACH;
-        let dropped = (index.saturating_sub(1)..=index + 1).filter(near);
         let sharpest = |i: usize| sharpest_without(points, i);
-        let dropped = dropped.min_by(|&i, &j| sharpest(i).total_cmp(&sharpest(j)));
+        let dropped = droppable(points, index).min_by(|&i, &j| sharpest(i).total_cmp(&sharpest(j)));
         let Some((i, point)) = dropped.and_then(|i| Some((i, *points.get(i)?))) else { break };
         actions.push(Action::TurnedBack { line: point.line });
         points.remove(i);
@@ -90,6 +92,13 @@ fn without_turns_back(points: &mut Vec<Point>, actions: &mut Vec<Action>) -> Res
     let back = (1..points.len()).find(|&i| turn_at(points, i).abs() > LARGEST_TURN).unwrap_or(0);
     let line = points.get(back).map_or(1, |point| point.line);
     Err(FileError::TurnsBack { line, turn: turn_at(points, back) })
+}
+
+/// The points about a turn without which no long gap is left.
+fn droppable(points: &[Point], index: usize) -> impl Iterator<Item = usize> {
+    let inner = 1..points.len().saturating_sub(1);
+    (index.saturating_sub(1)..=index + 1)
+        .filter(move |i| inner.contains(i) && reach(points, *i) < REACH)
 }
 
 /// Distance between the neighbours of a point.

@@ -51,6 +51,16 @@ impl Shape {
 
     /// The shape of points (m) in any sense and order; `None` where it shows nothing.
     pub(super) fn of(points: &[Point]) -> Option<Self> {
+        // A wide underside hides the level of the crown: without it the head shows, from the crown's side.
+        let head = |up: bool| {
+            let rest = without_underside(points, up);
+            let found = (rest.len() < points.len()).then(|| Self::plain(rest)).flatten();
+            found.filter(|shape| *shape == Self::Rail { up })
+        };
+        Self::plain(points).or_else(|| [true, false].into_iter().find_map(head))
+    }
+
+    fn plain(points: &[Point]) -> Option<Self> {
         let up = up(points)?;
         let sense = if up { -1.0 } else { 1.0 };
         let level = level(points, 0.5);
@@ -134,6 +144,28 @@ fn is_head(stretches: &[Stretch], depth: f64, [inner, outer]: [f64; 2]) -> bool 
         && HEAD_WIDTH.contains(&width)
         && uneven < CROWN
         && sides.iter().all(|side| *side > 0.0 && *side < SIDE_WIDTH)
+}
+
+/// Without what comes back at both ends under the rest, where `z` points up or not.
+fn without_underside(points: &[Point], up: bool) -> &[Point] {
+    let outside = |one: f64, other: f64| if up { one > other } else { one < other };
+    let is_under = |end: &[Point]| {
+        let [y, z] = [0, 1].map(|axis| end[0].at[axis].midpoint(end[1].at[axis]));
+        points.windows(2).any(|pair| {
+            let [a, b] = [pair[0].at, pair[1].at];
+            (a[0].min(b[0])..=a[0].max(b[0])).contains(&y)
+                && outside(a[1].min(b[1]), z)
+                && outside(a[1].max(b[1]), z)
+        })
+    };
+    let (mut from, mut to) = (0, points.len());
+    while to - from > 2 && is_under(&points[from..from + 2]) {
+        from += 1;
+    }
+    while to - from > 2 && is_under(&points[to - 2..to]) {
+        to -= 1;
+    }
+    &points[from..to]
 }
 
 /// Whether `z` points up. The running surface is wide and level; what departs from it far and has

@@ -91,6 +91,45 @@ fn a_head_with_its_underside_is_a_rail_either_way_up() {
     assert_eq!([&up, &down].map(against), [true, false]);
 }
 
+/// Two columns say neither role nor what is up: a head that comes back under itself half as wide as its crown does.
+#[test]
+fn a_wide_underside_shows_a_rail_by_itself() {
+    let mut points = head();
+    let end = points[points.len() - 1];
+    points.push([8.0, end[1] + 14.0]);
+    points.insert(0, [-8.0, end[1] + 14.0]);
+    let head = read("h.txt", columns(&head()).as_bytes(), &wanted(Role::Rail)).unwrap().profile;
+    for sign in [-1.0, 1.0] {
+        let turned: Vec<[f64; 2]> = points.iter().map(|[y, z]| [*y, sign * z]).collect();
+        let found = read("r.txt", columns(&turned).as_bytes(), &Wanted::default()).unwrap();
+        assert_eq!(found.profile.role(), Role::Rail);
+        // Where no underside lies below.
+        let off = apart(&found.profile, &head, [-7e-3, 7e-3]);
+        assert!(off < 1e-12, "{off:e} {:?}", found.actions);
+    }
+}
+
+/// A point that somebody added to the end of a side makes a sharp corner, 126 degrees, between long stretches; one that
+/// goes back by more than 150 is refused.
+#[test]
+fn a_sharp_corner_between_long_stretches_is_kept() {
+    let points = head();
+    let end = points[points.len() - 1];
+    let with = |by: [f64; 2]| {
+        let points: Vec<_> =
+            points.iter().copied().chain([[end[0] + by[0], end[1] + by[1]]]).collect();
+        read("r.txt", columns(&points).as_bytes(), &wanted(Role::Rail))
+    };
+    let plain = read("h.txt", columns(&points).as_bytes(), &wanted(Role::Rail)).unwrap().profile;
+    let off = apart(&with([-3.0, -2.0]).unwrap().profile, &plain, [-0.03, 0.03]);
+    assert!(off < 1e-12, "{off:e}");
+    let back = with([-1.0, -8.0]);
+    assert!(
+        matches!(back, Err(FileError::TurnsBack { .. } | FileError::Overlap { .. })),
+        "{back:?}"
+    );
+}
+
 #[test]
 fn quotes_fortrans_exponents_and_long_minuses_are_numbers() {
     let points = wheel();

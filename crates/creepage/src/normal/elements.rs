@@ -55,9 +55,10 @@ pub(super) fn edge_error(task: NormalProblem<'_>, level: &ElementGrid, side: Sid
     NormalError::ReachesEdge { side, beyond: beyond(task.gap, task.approach, level, side) }
 }
 
-/// How far beyond a side the gap, continued by its last parabolas, stays below the approach.
+/// How far beyond a side the gap, continued by its last parabolas, stays below the approach; infinite where it does so
+/// for as far as `FAR` times the known gap.
 fn beyond(gap: &Gap, approach: f64, level: &ElementGrid, side: Side) -> f64 {
-    const DOUBLINGS: i32 = 40;
+    const FAR: f64 = 100.0;
     let lattice = &level.lattice;
     let [columns, rows] = lattice.count;
     let domain = gap.domain();
@@ -69,17 +70,17 @@ fn beyond(gap: &Gap, approach: f64, level: &ElementGrid, side: Side) -> f64 {
             (0..columns).any(|i| gap.at(lattice.x(i), domain.y[1] + distance) < approach)
         }
     };
-    let step = match side {
-        Side::LowX | Side::HighX => lattice.step[0],
-        Side::LowY | Side::HighY => lattice.step[1],
+    let (step, [low, high]) = match side {
+        Side::LowX | Side::HighX => (lattice.step[0], domain.x),
+        Side::LowY | Side::HighY => (lattice.step[1], domain.y),
     };
     // Steps that grow by an eighth each.
     let mut distance = step;
-    for _ in 0..6 * DOUBLINGS {
+    while distance < FAR * (high - low) {
         if !overlaps(distance) {
-            break;
+            return distance;
         }
         distance *= 1.125;
     }
-    distance
+    f64::INFINITY
 }

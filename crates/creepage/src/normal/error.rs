@@ -51,14 +51,12 @@ pub enum NormalError {
         approach: f64,
     },
     /// The contact area reaches a side of the rectangle in which the gap is known.
-    #[error(
-        "the contact area reaches the {side} side of the given gap: it must go on for at least \
-         {beyond:.3e} m more there"
-    )]
+    #[error("the contact area reaches the {side} side of the given gap: {}", further(*beyond))]
     ReachesEdge {
         /// The side.
         side: Side,
-        /// How much further the gap must be known (m), estimated from its last parabola.
+        /// How much further the gap must be known (m), estimated from its last parabola; infinite where that does
+        /// not rise.
         beyond: f64,
     },
     /// The gap is not a number at some place.
@@ -81,4 +79,14 @@ pub enum NormalError {
         /// The last approach tried (m).
         approach: f64,
     },
+}
+
+/// How far a gap must go on, in words.
+fn further(beyond: f64) -> String {
+    if beyond.is_finite() {
+        format!("it must go on for at least {beyond:.3e} m more there")
+    } else {
+        "it does not rise there. Give it as far as the bodies go, where it rises above the approach"
+            .into()
+    }
 }
