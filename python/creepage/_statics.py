@@ -22,11 +22,13 @@ class StaticsSolution(Reported):
     """One problem without rolling, solved, in SI units; x and y are along the ellipse's axes."""
 
     problem: str
-    """ "die", "shift", "twist" or "partial-slip"."""
+    """ "die", "shift", "twist", "partial-slip" or "shift-path"."""
     given: dict[str, float]
     """What the problem was given, by names that carry their units."""
     found: dict[str, float]
     """What an engineer wants to know of it, by names that carry their units."""
+    steps: list[dict[str, float]]
+    """Of a path: force, shift, share of the area that adheres and energy turned to heat after each step; else empty."""
     caution: str | None
     """What looks like a number in another unit; else None."""
     _solved: _creepage.SolvedStatics
@@ -45,13 +47,13 @@ class StaticsSolution(Reported):
 
     def displacement(self, x: ArrayLike, y: ArrayLike) -> Floats:
         """Displacement (m) at (x, y) (m), shape (..., 3): of the half-space under a die, of the
-        bodies relative to each other else.
+        bodies relative to each other else. Raises ValueError for a path, of which it is not known.
         """
         return self._solved.displacement(x, y)
 
 
 def statics(source: Source | Mapping[str, Mapping[str, Any]]) -> StaticsSolution:
-    """Solves a problem without rolling: a die, a shift, a twist, or a shift with partial slip.
+    """Solves a problem without rolling: a die, a shift, a twist, a shift with partial slip, or one to and fro.
 
     source: the path of a statics file, its text (a string with line breaks), or its sections as
     a mapping. Raises CaseError for what is no problem, and where the bodies slide or the die
@@ -61,6 +63,6 @@ def statics(source: Source | Mapping[str, Mapping[str, Any]]) -> StaticsSolution
     solved = _creepage.SolvedStatics(text)
     report = json.loads(solved.json())
     return StaticsSolution(
-        report["problem"], report["given"], report["found"], report["caution"], solved,
-        partial(statics, text),
+        report["problem"], report["given"], report["found"], report.get("steps", []), report["caution"],
+        solved, partial(statics, text),
     )

@@ -91,3 +91,28 @@ def test_numbers_in_other_units_are_told() -> None:
     assert creepage.statics(DIE).caution is None
     caution = creepage.statics(DIE.replace("82e9", "82e3")).caution
     assert caution is not None and "exceeds the shear modulus" in caution
+
+
+def test_a_path_goes_to_and_fro() -> None:
+    body = {"shear_modulus": 82e9, "poisson": 0.28}
+    solved = creepage.statics({
+        "upper": body,
+        "lower": body,
+        "contact": {"normal_force": 80e3, "friction": 0.3, "semi_axis_rolling": 4e-3, "semi_axis_lateral": 4e-3},
+        "statics": {"problem": "shift-path", "along": "x", "steps": [{"force": 19.2e3}, {"force": 0.0}, {"shift": 0.0}]},
+    })
+    sliding = solved.found["sliding_shift_m"]
+    # Mindlin's closed forms at .8 of the limit: there and back at zero force, to seven digits.
+    assert abs(solved.steps[0]["shift_m"] / sliding - 0.6580048) < 1e-7
+    assert abs(solved.steps[1]["shift_m"] / sliding - 0.0807621) < 1e-7
+    assert solved.steps[2]["force_n"] < 0.0
+    assert solved.traction(5e-3, 0.0).tolist() == [0.0, 0.0]
+    with pytest.raises(ValueError, match="not known"):
+        solved.displacement(0.0, 0.0)
+    with pytest.raises(creepage.CaseError, match="slide in step 2"):
+        creepage.statics({
+            "upper": body,
+            "lower": body,
+            "contact": {"normal_force": 80e3, "friction": 0.3, "semi_axis_rolling": 4e-3, "semi_axis_lateral": 4e-3},
+            "statics": {"problem": "shift-path", "along": "y", "steps": [{"force": 1.0}, {"force": 24e3}]},
+        })

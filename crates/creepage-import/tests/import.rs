@@ -98,6 +98,33 @@ fn a_shift_goes_to_statics_and_steps_after_it_to_roll() {
     assert_eq!(rows, "distance,longitudinal_force,lateral_force\n0.0001,150.0,-75.0\n");
 }
 
+/// Ways add up from case to case, forces do not; what follows takes the cases before it along.
+#[test]
+fn shifts_by_ways_and_after_each_other_are_a_path() {
+    let one = |first: &str, kinematics: &str| ball(first, kinematics, "").replace(" \n", "");
+    let ways = one("201100", "1000. .002 .0 .0") + &one("001100", "1000. -.003 .0 .0");
+    let imported = read(&ways).unwrap();
+    let keys = ["problem = \"shift-path\"", "along = \"x\""];
+    has(&text(&imported.cases[0], 0), &[&keys[..], &["steps = [{ shift = 0.000002 }]"]].concat());
+    let steps = "steps = [{ shift = 0.000002 }, { shift = -0.000001 }]";
+    has(&text(&imported.cases[1], 0), &[&keys[..], &[steps]].concat());
+    let forces = one("201120", "1000. .0 -.5 .0") + &one("001120", "1000. .0 .25 .0");
+    let imported = read(&forces).unwrap();
+    has(
+        &text(&imported.cases[1], 0),
+        &["along = \"y\"", "steps = [{ force = 150.0 }, { force = -75.0 }]"],
+    );
+    // Another load, or another axis.
+    for (second, cause) in
+        [("900. .0 .25 .0", "load, shape or friction"), ("1000. .25 .0 .0", "its axis")]
+    {
+        let file = one("201120", "1000. .0 -.5 .0") + &one("001120", second);
+        let imported = read(&file).unwrap();
+        let found = imported.cases[1].written.as_ref().unwrap_err();
+        assert!(found.contains(cause), "{found}");
+    }
+}
+
 #[test]
 fn a_line_that_is_not_what_the_digits_say_is_named() {
     let file =
@@ -112,11 +139,11 @@ fn a_line_that_is_not_what_the_digits_say_is_named() {
 
 #[test]
 fn a_case_without_a_counterpart_is_named_and_the_others_are_written() {
-    let file = ball("201100", "1000. .002 .0 .0", "").replace(" \n", "")
+    let file = ball("201100", "1000. .002 .0 .1", "").replace(" \n", "")
         + &ball("203100", "1000. .002 .001 .0002", "0.0 0.2 2000. CHI");
     let imported = read(&file).unwrap();
     let cause = imported.cases[0].written.as_ref().unwrap_err();
-    assert!(cause.contains("a shift that is given as a way"), "{cause}");
+    assert!(cause.contains("with a twist"), "{cause}");
     assert!(imported.cases[1].written.is_ok());
 }
 

@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use creepage::InvalidValue;
+use creepage::statics::ShiftAxis;
 use creepage_study::{
     Sources, StaticsCase, StaticsError, StaticsFile, StaticsProblem, StaticsReport,
 };
@@ -90,6 +91,13 @@ impl SolvedStatics {
             StaticsProblem::PartialSlip { partial, .. } => {
                 Self::vectors(py, [x, y], |point| partial.traction(point))
             }
+            StaticsProblem::ShiftPath { axis, steps, .. } => Self::vectors(py, [x, y], |point| {
+                let traction = steps.last().map_or(0.0, |path| path.traction(point));
+                match axis {
+                    ShiftAxis::X => [traction, 0.0],
+                    ShiftAxis::Y => [0.0, traction],
+                }
+            }),
         }
     }
 
@@ -127,6 +135,9 @@ impl SolvedStatics {
             StaticsProblem::PartialSlip { partial, .. } => {
                 Self::vectors(py, [x, y], |point| partial.displacement(point))
             }
+            StaticsProblem::ShiftPath { .. } => Err(PyValueError::new_err(
+                "of a path the displacement is not known at points: found has the shift",
+            )),
         }
     }
 }

@@ -15,11 +15,14 @@ impl Parts<'_> {
         title: &str,
         notes: &mut Vec<String>,
     ) -> Result<Written, Cause> {
-        if chain.len() > 1 || self.case.control.history() == 0 {
-            return Err("a load path: a shift that follows another case (T = 1, P = 0)".into());
+        let follows = self.case.control.history() == 0;
+        if follows && chain.len() == 1 {
+            return Err("a shift that follows a case which is not at hand (T = 1, P = 0)".into());
         }
-        let [x, y] = self.shift_force(self.case)?;
-        if x == 0.0 && y == 0.0 {
+        let [_, x, y, _] = self.case.kinematics;
+        let is_path = follows || (self.case.control.force() == 0 && (x != 0.0 || y != 0.0));
+        let [x, y] = if is_path { [x, y] } else { self.shift_force(self.case)? };
+        if x == 0.0 && y == 0.0 && !is_path {
             if self.is_unlike() {
                 return Err("unlike bodies pressed together with friction".into());
             }
@@ -39,11 +42,56 @@ impl Parts<'_> {
             notes.push("the bodies are unlike: the shift is solved as if they were like".into());
         }
         let command = format!("creepage statics {name}.toml");
-        let keys =
-            [("problem", quoted("partial-slip")), ("force_x", number(x)), ("force_y", number(y))];
+        let keys = if is_path {
+            self.path(chain)?
+        } else {
+            let problem = ("problem", quoted("partial-slip"));
+            [problem, ("force_x", number(x)), ("force_y", number(y))]
+        };
         let head = self.head(title, &command, notes);
         let text = head + &self.bodies() + &self.contact(true) + &section("statics", &keys);
         Ok(Written::of(command, File::text(format!("{name}.toml"), text)))
+    }
+
+    /// The keys of a path of shifts along one axis under one load, of which this case is the last.
+    fn path(&self, chain: &[Bodies]) -> Result<[(&'static str, String); 3], Cause> {
+        let is_way = self.case.control.force() == 0;
+        let (mut steps, mut axis, mut at) = (Vec::new(), None, 0.0);
+        for case in chain {
+            let parts = Parts::of(case, &mut Vec::new())?;
+            let is_like = parts.geometry == self.geometry
+                && parts.pressed == self.pressed
+                && parts.friction_text == self.friction_text;
+            if !is_like {
+                return Err("a load path along which load, shape or friction change".into());
+            }
+            let [_, x, y, turn] = case.kinematics;
+            let here = match case.control.tangential() {
+                0 => continue,
+                1 if is_way && case.control.force() == 0 && turn == 0.0 => [x * 1e-3, y * 1e-3],
+                1 if !is_way && case.control.force() > 0 => self.shift_force(case)?,
+                1 => return Err("a load path by forces and ways in turn, or with a twist".into()),
+                _ => return Err("a load path that goes on from rolling".into()),
+            };
+            let along = match here {
+                [_, 0.0] => 0,
+                [0.0, _] => 1,
+                _ => return Err("a load path that is not along one axis".into()),
+            };
+            if here != [0.0; 2] && axis.replace(along).is_some_and(|before| before != along) {
+                return Err("a load path that changes its axis".into());
+            }
+            // A way counts from the case before, a force by itself.
+            at = if is_way { at + here[along] } else { here[along] };
+            steps.push(format!(
+                "{{ {} = {} }}",
+                if is_way { "shift" } else { "force" },
+                number(at)
+            ));
+        }
+        let along = quoted(if axis == Some(1) { "y" } else { "x" });
+        let steps = format!("[{}]", steps.join(", "));
+        Ok([("problem", quoted("shift-path")), ("along", along), ("steps", steps)])
     }
 
     /// The force on the lower body of a shift (N).

@@ -78,6 +78,7 @@ impl<'a> StaticsReport<'a> {
                 .concat(),
             found,
             field: Field::Die { die, offset },
+            steps: &[],
         })
     }
 
@@ -125,6 +126,7 @@ impl<'a> StaticsReport<'a> {
             given: [forces(force), shape(ellipse), pair_numbers(pair)].concat(),
             found,
             field: Field::Bonded(bonded),
+            steps: &[],
         })
     }
 
@@ -165,6 +167,7 @@ impl<'a> StaticsReport<'a> {
             given: [given, shape(ellipse), pair_numbers(pair)].concat(),
             found,
             field: Field::Bonded(bonded),
+            steps: &[],
         })
     }
 
@@ -195,6 +198,7 @@ impl<'a> StaticsReport<'a> {
                 .concat(),
             found: slip_numbers(contact, friction, force, partial)?,
             field: Field::PartialSlip(partial),
+            steps: &[],
         })
     }
 }
@@ -261,7 +265,7 @@ fn forces(force: [f64; 2]) -> Vec<Quantity> {
     ]
 }
 
-fn shape(ellipse: Ellipse) -> Vec<Quantity> {
+pub(super) fn shape(ellipse: Ellipse) -> Vec<Quantity> {
     vec![
         Quantity::new("semi_axis_rolling_m", "semi-axis a, along x", ellipse.a(), "m")
             .symbol("a", ""),
@@ -277,7 +281,7 @@ fn solid_numbers(shear_modulus: f64, poisson: f64) -> Vec<Quantity> {
     ]
 }
 
-fn pair_numbers(pair: SolidPair) -> Vec<Quantity> {
+pub(super) fn pair_numbers(pair: SolidPair) -> Vec<Quantity> {
     let mut numbers = solid_numbers(pair.shear_modulus(), pair.poisson());
     numbers.push(Quantity::new("kappa", "dissimilarity kappa", pair.kappa(), ""));
     numbers

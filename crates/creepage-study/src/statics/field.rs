@@ -1,6 +1,6 @@
 //! What the problems have in common for points and pictures: a field over the contact.
 
-use creepage::statics::{Bonded, Die, PartialSlip};
+use creepage::statics::{Bonded, Die, PartialSlip, ShiftAxis, ShiftPath};
 
 /// Length of a vector.
 pub(super) fn magnitude([x, y]: [f64; 2]) -> f64 {
@@ -13,6 +13,7 @@ pub(super) enum Field<'a> {
     Die { die: &'a Die, offset: [f64; 2] },
     Bonded(&'a Bonded),
     PartialSlip(&'a PartialSlip),
+    ShiftPath(&'a ShiftPath, ShiftAxis),
 }
 
 impl Field<'_> {
@@ -20,7 +21,7 @@ impl Field<'_> {
     pub(super) fn intensity(&self, point: [f64; 2]) -> f64 {
         match self {
             Self::Die { die, .. } => die.pressure(point),
-            Self::Bonded(_) | Self::PartialSlip(_) => magnitude(self.traction(point)),
+            _ => magnitude(self.traction(point)),
         }
     }
 
@@ -30,19 +31,21 @@ impl Field<'_> {
             Self::Die { .. } => [0.0; 2],
             Self::Bonded(bonded) => bonded.traction(point),
             Self::PartialSlip(partial) => partial.traction(point),
+            Self::ShiftPath(path, ShiftAxis::X) => [path.traction(point), 0.0],
+            Self::ShiftPath(path, ShiftAxis::Y) => [0.0, path.traction(point)],
         }
     }
 
     /// Whether the intensity grows without bound towards the edge.
     pub(super) fn is_singular(&self) -> bool {
-        !matches!(self, Self::PartialSlip(_))
+        matches!(self, Self::Die { .. } | Self::Bonded(_))
     }
 
     /// What the intensity is.
     pub(super) fn name(&self) -> &'static str {
         match self {
             Self::Die { .. } => "pressure",
-            Self::Bonded(_) | Self::PartialSlip(_) => "traction",
+            _ => "traction",
         }
     }
 
@@ -51,6 +54,7 @@ impl Field<'_> {
         match self {
             Self::Die { .. } => &["pressure_pa", "u_m", "v_m", "w_m"],
             Self::Bonded(_) => &["traction_x_pa", "traction_y_pa", "u_m", "v_m", "w_m"],
+            Self::ShiftPath(..) => &["traction_x_pa", "traction_y_pa"],
             Self::PartialSlip(_) => &[
                 "traction_x_pa",
                 "traction_y_pa",
@@ -77,6 +81,7 @@ impl Field<'_> {
                 let [u, v, w] = bonded.displacement(point);
                 vec![x, y, u, v, w]
             }
+            Self::ShiftPath(..) => vec![x, y],
             Self::PartialSlip(partial) => {
                 let [u, v, w] = partial.displacement(point);
                 let [sx, sy] = partial.slip(point).unwrap_or([f64::NAN; 2]);

@@ -4,11 +4,13 @@ mod build;
 mod field;
 mod of_case;
 mod output;
+mod path;
 mod picture;
 mod quantity;
 mod slip_angle;
 
 use creepage::Ellipse;
+use creepage::statics::ShiftPath;
 
 use crate::Caution;
 
@@ -37,5 +39,7 @@ pub struct StaticsReport<'a> {
     given: Vec<Quantity>,
     found: Vec<Quantity>,
     field: Field<'a>,
+    /// A path after each of its steps.
+    steps: &'a [ShiftPath],
     cautions: Vec<Caution>,
 }

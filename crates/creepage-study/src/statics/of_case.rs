@@ -23,6 +23,9 @@ impl<'a> StaticsReport<'a> {
             StaticsProblem::PartialSlip { contact, friction, force, partial } => {
                 Self::partial_slip(contact, *friction, *force, partial)?
             }
+            StaticsProblem::ShiftPath { contact, friction, axis, steps } => {
+                Self::shift_path(contact, *friction, *axis, steps).ok_or(StaticsError::NoSteps)?
+            }
         };
         Ok(Self { cautions: case.cautions.clone(), ..report })
     }

@@ -34,6 +34,7 @@ impl StaticsReport<'_> {
                 let _ = writeln!(text, "{}", line.trim_end());
             }
         }
+        text.push_str(&self.steps_text());
         if self.field.is_singular() {
             let name = self.field.name();
             let _ = writeln!(text, "\nThe {name} grows without bound towards the edge.");
@@ -48,24 +49,30 @@ impl StaticsReport<'_> {
             quantities.iter().map(|q| (q.key.into(), json!(q.value))).collect()
         };
         let caution = (!self.cautions.is_empty()).then(|| Caution::words(&self.cautions));
-        json!({
+        let mut report = json!({
             "creepage_version": env!("CARGO_PKG_VERSION"),
             "problem": self.problem,
             "caution": caution,
             "given": object(&self.given),
             "found": object(&self.found),
-        })
+        });
+        if !self.steps.is_empty() {
+            report["steps"] = self.steps_json();
+        }
+        report
     }
 
-    /// Writes `report.json`, `points.csv`, `contact.svg` and `contact.png` into `directory`, which
-    /// is made when missing; files of those names are replaced, but none of `sources`. Gives the paths written.
+    /// Writes `report.json`, `points.csv`, `contact.svg` and `contact.png`, of a path also `path.csv`, `path.svg` and
+    /// `path.png`, into `directory`, which is made when missing; files of those names are replaced, but none of `sources`. Gives the paths written.
     ///
     /// # Errors
     /// [`ReportError`]; what was made until then is removed.
     pub fn write(&self, directory: &Path, sources: &Sources) -> Result<Vec<PathBuf>, ReportError> {
         let json = format!("{:#}\n", self.json());
         let (points, svg) = (self.points_csv()?, self.svg());
-        write_contact(directory, [&json, &svg], &points, &[], sources)
+        let path = self.path_files()?;
+        let others: Vec<_> = path.iter().map(|(name, bytes)| (*name, &bytes[..])).collect();
+        write_contact(directory, [&json, &svg], &points, &others, sources)
     }
 
     /// The field at points of the contact; a cell is empty where a number does not exist.

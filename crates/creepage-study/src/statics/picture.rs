@@ -39,6 +39,7 @@ impl StaticsReport<'_> {
             Field::Die { .. } => "Kalker 1967, section 3.211",
             Field::Bonded(_) => "Cattaneo, Mindlin; Kalker 1967, section 3.212",
             Field::PartialSlip(_) => "Cattaneo, Mindlin; Kalker 1967, section 3.222",
+            Field::ShiftPath(..) => "Mindlin, Deresiewicz 1953",
         }
     }
 
@@ -60,13 +61,14 @@ impl StaticsReport<'_> {
             Field::PartialSlip(partial) => {
                 panel.curve(ellipse([partial.adhesion().a() / self.ellipse.a(); 2]), ADHESION)
             }
+            Field::ShiftPath(path, _) => panel.curve(ellipse([path.adhesion(); 2]), ADHESION),
         }
     }
 
     fn key(&self, view: TopView, bands: &Bands, arrows: &Arrows) -> TopView {
         let name = match self.field {
             Field::Die { .. } => "pressure",
-            Field::Bonded(_) | Field::PartialSlip(_) => "traction on the lower body",
+            _ => "traction on the lower body",
         };
         let mut view = bands.key(view.key(Sample::Blank, Label::new(name)), "Pa");
         if self.field.is_singular() {
@@ -80,7 +82,9 @@ impl StaticsReport<'_> {
                 view.key(TARGET, Label::new("the load")).key(LIMIT, Label::new("limit of lift-off"))
             }
             Field::Bonded(_) => view,
-            Field::PartialSlip(_) => view.key(ADHESION, Label::new("edge of the adhesion area")),
+            Field::PartialSlip(_) | Field::ShiftPath(..) => {
+                view.key(ADHESION, Label::new("edge of the adhesion area"))
+            }
         }
     }
 
@@ -105,7 +109,7 @@ impl StaticsReport<'_> {
 #[cfg(test)]
 mod tests {
     use creepage::SiForce;
-    use creepage::statics::{Bonded, Die, PartialSlip};
+    use creepage::statics::{Bonded, Die, PartialSlip, ShiftAxis, ShiftPath};
     use creepage::{Ellipse, Hertz, Solid, SolidPair};
 
     use super::*;
@@ -155,6 +159,29 @@ mod tests {
                 let partial = PartialSlip::new(&contact, 0.3, force).unwrap();
                 check(&StaticsReport::partial_slip(&contact, 0.3, force, &partial).unwrap());
             }
+        }
+    }
+
+    /// Each step from where the one before ended: the last one closes the loop, and its picture has all stops.
+    #[test]
+    fn a_path_is_drawn_and_told_step_by_step() {
+        for ratio in RATIOS {
+            let contact: Hertz = case(ratio, CURVE).hertz;
+            let mut path = ShiftPath::new(&contact, 0.3, ShiftAxis::Y).unwrap();
+            let steps = [0.9, -0.9, 0.9].map(|share| {
+                path.to_force(share * 24e3).unwrap();
+                path.clone()
+            });
+            let report = StaticsReport::shift_path(&contact, 0.3, ShiftAxis::Y, &steps).unwrap();
+            check(&report);
+            let json = report.json();
+            let shift = |k: usize| json["steps"][k]["shift_m"].as_f64().unwrap();
+            // A closed loop ends where it began, but for rounding.
+            assert!((shift(2) / shift(0) - 1.0).abs() < 1e-12 && shift(1) < 0.0);
+            assert!(report.text().contains("heat so far"));
+            let files = report.path_files().unwrap();
+            let names: Vec<_> = files.iter().map(|(name, _)| *name).collect();
+            assert_eq!(names, ["path.csv", "path.svg", "path.png"]);
         }
     }
 

@@ -6,6 +6,7 @@
 //! | [`Bonded`] | two bodies shifted and twisted against each other without slip | 3.212 |
 //! | [`Hertz`](crate::Hertz) | two bodies pressed together | 3.221 |
 //! | [`PartialSlip`] | two bodies shifted against each other with slip (Cattaneo, Mindlin) | 3.222 |
+//! | [`ShiftPath`] | the same to and fro, with its memory (Mindlin, Deresiewicz) | 3.222 |
 //! | [`Compression`] | two unlike bodies pressed together with friction (Spence), step by step | 6.2 |
 //!
 //! `x` and `y` are along the semi-axes `a` and `b` of the contact ellipse, `z` points into the
@@ -15,11 +16,13 @@ mod bonded;
 mod compression;
 mod die;
 mod partial_slip;
+mod shift_path;
 
 pub use bonded::Bonded;
 pub use compression::Compression;
 pub use die::{Die, DieError};
 pub use partial_slip::{PartialSlip, PartialSlipError};
+pub use shift_path::{ShiftAxis, ShiftPath};
 
 use crate::ellipse::Ellipse;
 

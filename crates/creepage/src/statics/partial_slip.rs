@@ -196,12 +196,12 @@ impl PartialSlip {
 }
 
 /// `1 - (1 - share)^power`, exact for small shares too.
-fn power_deficit(share: f64, power: f64) -> f64 {
+pub(super) fn power_deficit(share: f64, power: f64) -> f64 {
     -(power * (-share).ln_1p()).exp_m1()
 }
 
 /// `(x/a, y/b)` as a distance from the centre.
-fn radius(ellipse: Ellipse, [x, y]: [f64; 2]) -> f64 {
+pub(super) fn radius(ellipse: Ellipse, [x, y]: [f64; 2]) -> f64 {
     (x / ellipse.a()).hypot(y / ellipse.b())
 }
 

@@ -5,4 +5,5 @@ mod bonded;
 mod compression;
 mod die;
 mod partial_slip;
+mod shift_path;
 mod support;

@@ -50,6 +50,24 @@ pub enum StaticsError {
         /// Coefficient of friction times normal force (N).
         limit: f64,
     },
+    /// A path without a step.
+    #[error("[statics] steps: a path has one step at least")]
+    NoSteps,
+    /// A step of a path reaches the limit of friction.
+    #[error(
+        "[statics] steps: the bodies slide in step {number}, whose {key} of {value} reaches {limit}, and what a path does \
+         beyond is not known"
+    )]
+    PathSlides {
+        /// Its number, from 1.
+        number: usize,
+        /// "force" (N) or "shift" (m).
+        key: &'static str,
+        /// What was asked.
+        value: f64,
+        /// Where the bodies slide.
+        limit: f64,
+    },
     /// The die has no solution.
     #[error(transparent)]
     Die(#[from] DieError),

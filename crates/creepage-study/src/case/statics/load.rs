@@ -1,6 +1,7 @@
 //! `[statics]`: which problem, and its load.
 
 use creepage::InvalidValue;
+use creepage::statics::ShiftAxis;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -13,7 +14,8 @@ use crate::case::error::CaseError;
 #[serde(deny_unknown_fields)]
 pub(crate) struct Statics {
     /// "die": a rigid die under an offset load; "shift" and "twist": without slip;
-    /// "partial-slip": a shift with slip at the edge (Cattaneo, Mindlin).
+    /// "partial-slip": a shift with slip at the edge (Cattaneo, Mindlin); "shift-path": the same to and fro
+    /// under a constant load (Mindlin, Deresiewicz).
     pub(crate) problem: Problem,
     /// Problem "die": offset of the normal force from the centre, along x (m); 0 by default.
     offset_x: Option<f64>,
@@ -25,6 +27,28 @@ pub(crate) struct Statics {
     force_y: Option<f64>,
     /// Problem "twist": moment about z, positive from x to y (N m).
     moment: Option<f64>,
+    /// Problem "shift-path": the axis of the ellipse along which the bodies are shifted.
+    along: Option<Along>,
+    /// Problem "shift-path": where the path goes, one step after the other.
+    steps: Option<Vec<ShiftStep>>,
+}
+
+/// An axis of the contact ellipse.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub(crate) enum Along {
+    X,
+    Y,
+}
+
+/// Where a step of a path ends: one of the two.
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct ShiftStep {
+    /// Tangential force (N).
+    pub(crate) force: Option<f64>,
+    /// Shift of the upper body relative to the lower (m).
+    pub(crate) shift: Option<f64>,
 }
 
 /// The problems by name.
@@ -35,6 +59,7 @@ pub(crate) enum Problem {
     Shift,
     Twist,
     PartialSlip,
+    ShiftPath,
 }
 
 impl Problem {
@@ -44,6 +69,7 @@ impl Problem {
             Self::Shift => "shift",
             Self::Twist => "twist",
             Self::PartialSlip => "partial-slip",
+            Self::ShiftPath => "shift-path",
         }
     }
 
@@ -53,6 +79,7 @@ impl Problem {
             Self::Die => &["offset_x", "offset_y"],
             Self::Shift | Self::PartialSlip => &["force_x", "force_y"],
             Self::Twist => &["moment"],
+            Self::ShiftPath => &["along", "steps"],
         }
     }
 }
@@ -62,13 +89,15 @@ impl Statics {
     pub(crate) fn reject_foreign_keys(&self) -> Result<(), StaticsError> {
         let keys = self.problem.keys();
         let given = [
-            ("offset_x", self.offset_x),
-            ("offset_y", self.offset_y),
-            ("force_x", self.force_x),
-            ("force_y", self.force_y),
-            ("moment", self.moment),
+            ("offset_x", self.offset_x.is_some()),
+            ("offset_y", self.offset_y.is_some()),
+            ("force_x", self.force_x.is_some()),
+            ("force_y", self.force_y.is_some()),
+            ("moment", self.moment.is_some()),
+            ("along", self.along.is_some()),
+            ("steps", self.steps.is_some()),
         ];
-        let foreign = given.iter().find(|(key, value)| value.is_some() && !keys.contains(key));
+        let foreign = given.iter().find(|(key, is_given)| *is_given && !keys.contains(key));
         foreign.map_or(Ok(()), |&(key, _)| {
             Err(StaticsError::ForeignKey { key, problem: self.problem.name(), keys })
         })
@@ -88,6 +117,30 @@ impl Statics {
             return Err(invalid(first, 0.0, "other than zero, unless the other force is"));
         }
         Ok([x, y])
+    }
+
+    /// The axis of a path, and its steps: each by its key, a force or a shift.
+    pub(crate) fn path(&self) -> Result<(ShiftAxis, Vec<(&'static str, f64)>), CaseError> {
+        let missing = |key: &str| CaseError::Missing { section: "statics".into(), key: key.into() };
+        let axis = match self.along.ok_or_else(|| missing("along"))? {
+            Along::X => ShiftAxis::X,
+            Along::Y => ShiftAxis::Y,
+        };
+        let steps = self.steps.as_deref().filter(|steps| !steps.is_empty());
+        let one = |step: &ShiftStep| match (step.force, step.shift) {
+            (Some(force), None) => Ok(("force", finite("force", force)?)),
+            (None, Some(shift)) => Ok(("shift", finite("shift", shift)?)),
+            (None, None) => {
+                let keys = ["force", "shift"];
+                Err(CaseError::MissingEither { section: "statics", keys })
+            }
+            (Some(_), Some(_)) => {
+                let (first, second) = (("statics", "force"), ("statics", "shift"));
+                Err(CaseError::Conflict { first, second })
+            }
+        };
+        let steps = steps.ok_or_else(|| missing("steps"))?.iter().map(one);
+        Ok((axis, steps.collect::<Result<_, _>>()?))
     }
 
     pub(crate) fn moment(&self) -> Result<f64, CaseError> {

@@ -4,7 +4,7 @@ mod contact;
 mod error;
 mod load;
 
-use creepage::statics::{Bonded, Die, PartialSlip};
+use creepage::statics::{Bonded, Die, PartialSlip, ShiftAxis, ShiftPath};
 use creepage::{Ellipse, Hertz, SiCreepage, SiForce, Solid, SolidPair};
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -98,6 +98,17 @@ pub enum StaticsProblem {
         /// The solution.
         partial: Box<PartialSlip>,
     },
+    /// A shift to and fro under a constant load (3.222).
+    ShiftPath {
+        /// The contact, by Hertz.
+        contact: Box<Hertz>,
+        /// Coefficient of friction.
+        friction: f64,
+        /// The axis along which the bodies are shifted.
+        axis: ShiftAxis,
+        /// The path after every step.
+        steps: Vec<ShiftPath>,
+    },
 }
 
 /// The JSON schema (draft 2020-12) of a statics file, for editors and validators.
@@ -154,6 +165,7 @@ impl StaticsFile {
             Problem::Shift => self.shift()?,
             Problem::Twist => self.twist()?,
             Problem::PartialSlip => self.partial_slip()?,
+            Problem::ShiftPath => self.shift_path()?,
         };
         Ok(StaticsCase { cautions: self.cautions(&problem), problem })
     }
@@ -167,7 +179,11 @@ impl StaticsFile {
                     .into_iter()
                     .collect();
             }
-            (StaticsProblem::PartialSlip { contact, .. }, Some(upper)) => (upper, **contact),
+            (
+                StaticsProblem::PartialSlip { contact, .. }
+                | StaticsProblem::ShiftPath { contact, .. },
+                Some(upper),
+            ) => (upper, **contact),
             // Without a load there is no pressure, and the ellipse is given by itself.
             (_, Some(upper)) => match self.contact.hertz(upper, &self.lower) {
                 Ok(hertz) => (upper, hertz),
@@ -221,6 +237,30 @@ impl StaticsFile {
             PartialSlip::new(&contact, friction, force).map_err(StaticsError::partial_slip)?;
         let (contact, partial) = (Box::new(contact), Box::new(partial));
         Ok(StaticsProblem::PartialSlip { contact, friction, force, partial })
+    }
+
+    fn shift_path(&self) -> Result<StaticsProblem, StaticsError> {
+        let contact = Box::new(self.contact.hertz(self.upper()?, &self.lower)?);
+        let friction = self.contact.friction()?;
+        let (axis, wanted) = self.statics.path()?;
+        let mut path =
+            ShiftPath::new(&contact, friction, axis).map_err(CaseError::invalid("contact"))?;
+        let mut steps = Vec::with_capacity(wanted.len());
+        for ((key, value), number) in wanted.into_iter().zip(1..) {
+            let went = if key == "force" { path.to_force(value) } else { path.to_shift(value) };
+            went.map_err(|_| StaticsError::PathSlides {
+                number,
+                key,
+                value,
+                limit: if key == "force" {
+                    friction * contact.normal_force()
+                } else {
+                    path.sliding_shift()
+                },
+            })?;
+            steps.push(path.clone());
+        }
+        Ok(StaticsProblem::ShiftPath { contact, friction, axis, steps })
     }
 
     fn upper(&self) -> Result<&Body, CaseError> {
