@@ -89,7 +89,8 @@ impl Engine {
         let wanted = file::Wanted { role: Some(role), ..file::Wanted::default() };
         let reading = file::read(&String::from_utf8_lossy(name), content, &wanted);
         let Some(reading) = self.checked(reading) else { return false };
-        self.words = reading.actions.iter().map(|action| format!("{action}\n")).collect();
+        let actions: Vec<String> = reading.actions.iter().map(ToString::to_string).collect();
+        self.words = actions.join("\n");
         self.take(reading.profile);
         true
     }

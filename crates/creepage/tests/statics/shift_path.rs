@@ -109,7 +109,8 @@ proptest! {
             spent = path.dissipated();
         }
         let bound = |r: f64| 1.5 * LIMIT / (std::f64::consts::PI * 4e-3_f64.powi(2)) * (1.0 - r * r).max(0.0).sqrt();
-        prop_assert!(path.traction([4e-3 * place, 0.0]).abs() <= bound(place) + 1e-6);
+        // Rounding of roots close to the edge.
+        prop_assert!(path.traction([4e-3 * place, 0.0]).abs() <= bound(place) + 1e-12 * bound(0.0));
         // Midpoint rule in rings; roots at the edge of each area of adhesion.
         let rings = 4000;
         let ring = |k: u32| {

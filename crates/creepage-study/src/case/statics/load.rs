@@ -51,6 +51,15 @@ pub(crate) struct ShiftStep {
     pub(crate) shift: Option<f64>,
 }
 
+/// Where a step of a path ends, checked.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum StepEnd {
+    /// At a force (N).
+    Force(f64),
+    /// At a shift (m).
+    Shift(f64),
+}
+
 /// The problems by name.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
@@ -119,8 +128,8 @@ impl Statics {
         Ok([x, y])
     }
 
-    /// The axis of a path, and its steps: each by its key, a force or a shift.
-    pub(crate) fn path(&self) -> Result<(ShiftAxis, Vec<(&'static str, f64)>), CaseError> {
+    /// The axis of a path, and where its steps end.
+    pub(crate) fn path(&self) -> Result<(ShiftAxis, Vec<StepEnd>), CaseError> {
         let missing = |key: &str| CaseError::Missing { section: "statics".into(), key: key.into() };
         let axis = match self.along.ok_or_else(|| missing("along"))? {
             Along::X => ShiftAxis::X,
@@ -128,8 +137,8 @@ impl Statics {
         };
         let steps = self.steps.as_deref().filter(|steps| !steps.is_empty());
         let one = |step: &ShiftStep| match (step.force, step.shift) {
-            (Some(force), None) => Ok(("force", finite("force", force)?)),
-            (None, Some(shift)) => Ok(("shift", finite("shift", shift)?)),
+            (Some(force), None) => finite("force", force).map(StepEnd::Force),
+            (None, Some(shift)) => finite("shift", shift).map(StepEnd::Shift),
             (None, None) => {
                 let keys = ["force", "shift"];
                 Err(CaseError::MissingEither { section: "statics", keys })

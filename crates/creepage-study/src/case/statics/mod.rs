@@ -19,7 +19,7 @@ use crate::case::sections::smallest_radius;
 
 use contact::StaticsContact;
 pub use error::StaticsError;
-use load::{Problem, Statics};
+use load::{Problem, Statics, StepEnd};
 
 /// A contact without rolling, in SI units: the bodies, what presses them together, and the load.
 ///
@@ -246,18 +246,16 @@ impl StaticsFile {
         let mut path =
             ShiftPath::new(&contact, friction, axis).map_err(CaseError::invalid("contact"))?;
         let mut steps = Vec::with_capacity(wanted.len());
-        for ((key, value), number) in wanted.into_iter().zip(1..) {
-            let went = if key == "force" { path.to_force(value) } else { path.to_shift(value) };
-            went.map_err(|_| StaticsError::PathSlides {
-                number,
-                key,
-                value,
-                limit: if key == "force" {
-                    friction * contact.normal_force()
-                } else {
-                    path.sliding_shift()
-                },
-            })?;
+        for (end, number) in wanted.into_iter().zip(1..) {
+            let (went, key, value, limit) = match end {
+                StepEnd::Force(force) => {
+                    (path.to_force(force), "force", force, friction * contact.normal_force())
+                }
+                StepEnd::Shift(shift) => {
+                    (path.to_shift(shift), "shift", shift, path.sliding_shift())
+                }
+            };
+            went.map_err(|_| StaticsError::PathSlides { number, key, value, limit })?;
             steps.push(path.clone());
         }
         Ok(StaticsProblem::ShiftPath { contact, friction, axis, steps })
