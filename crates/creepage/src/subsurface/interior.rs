@@ -2,10 +2,13 @@
 
 use std::f64::consts::PI;
 
+use rayon::prelude::*;
+
 use super::edges::Edges;
 use super::element::Element;
 use super::far::PointForces;
 use super::stress::Stress;
+use super::tree::Tree;
 use super::waves::Waves;
 use crate::check::{self, InvalidValue};
 use crate::halfspace::{Edge, Polynomial, PolynomialError, Traction};
@@ -57,13 +60,31 @@ pub struct Interior {
     edges: Edges,
     /// The elements seen from far away.
     far: PointForces,
+    /// The elements in boxes, those far from a point taken together.
+    tree: Tree,
+}
+
+/// Stress and displacement at one point.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Inside {
+    /// The stress.
+    pub stress: Stress,
+    /// Displacement `[u, v, w]` in the body's own frame.
+    pub displacement: [f64; 3],
 }
 
 impl Interior {
     /// The body without tractions.
     #[must_use]
     pub fn new(solid: Solid, body: Body) -> Self {
-        Self { solid, body, waves: vec![], edges: Edges::default(), far: PointForces::default() }
+        Self {
+            solid,
+            body,
+            waves: vec![],
+            edges: Edges::default(),
+            far: PointForces::default(),
+            tree: Tree::default(),
+        }
     }
 
     /// Hertz's pressure with `X = friction[0] Z` and `Y = friction[1] Z`, which the upper body
@@ -101,6 +122,7 @@ impl Interior {
     pub fn with_elements(mut self, elements: &[Element]) -> Self {
         let signs = self.body.signs();
         self.far = PointForces::of_elements(elements, signs);
+        self.tree = Tree::new(elements, signs);
         self.edges = Edges::new(elements.iter().flat_map(|element| element.sides(signs)));
         self
     }
@@ -115,6 +137,39 @@ impl Interior {
     #[must_use]
     pub fn solid(&self) -> Solid {
         self.solid
+    }
+
+    /// Stress and displacement at `[x, y, z]` by what [`Interior::stress`] and
+    /// [`Interior::displacement`] add up element by element, but with the elements far from the point
+    /// taken together.
+    ///
+    /// # Errors
+    /// As of [`Interior::stress`].
+    pub fn at(&self, point: [f64; 3]) -> Result<Inside, InvalidValue> {
+        check_point(point)?;
+        let poisson = self.solid.poisson();
+        let mut sum = [0.0; 9];
+        if self.far.is_far(point) {
+            sum[..6].copy_from_slice(&self.far.stress(point, poisson));
+            sum[6..].copy_from_slice(&self.far.displacement(point, poisson));
+        } else if !self.tree.is_empty() {
+            sum = self.tree.field(point, poisson);
+        }
+        for waves in &self.waves {
+            let part = waves.field(point, poisson);
+            sum.iter_mut().zip(part).for_each(|(sum, part)| *sum += part);
+        }
+        let [xx, yy, zz, xy, yz, xz, u, v, w] = sum.map(|value| value / (4.0 * PI));
+        let stress = Stress::from_components([xx, yy, zz, xy, yz, xz]);
+        Ok(Inside { stress, displacement: [u, v, w].map(|part| part / self.solid.shear_modulus()) })
+    }
+
+    /// The same at many points on all cores, in their order.
+    ///
+    /// # Errors
+    /// As of [`Interior::stress`].
+    pub fn at_all(&self, points: &[[f64; 3]]) -> Result<Vec<Inside>, InvalidValue> {
+        points.par_iter().map(|point| self.at(*point)).collect()
     }
 
     /// Stress at `[x, y, z]`, `z` into the body; on the surface, the limit from inside.

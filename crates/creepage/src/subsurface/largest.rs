@@ -53,7 +53,7 @@ pub fn largest(
         )?;
     }
     let at = |point: [f64; 3]| -> Result<Largest, InvalidValue> {
-        let stress = interior.stress(point)?;
+        let stress = interior.at(point)?.stress;
         Ok(Largest { value: measure(&stress), point, stress })
     };
     let side = |axis: usize, k: usize| {
