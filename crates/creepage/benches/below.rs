@@ -98,9 +98,8 @@ fn prepare_rolling(bencher: Bencher) {
     let contact = hertz.with_friction(0.3).unwrap();
     let theory = Exact::new(&contact, Resolution::STANDARD).unwrap();
     let solved = theory.solved(Creepage::new(0.5, 0.2, 0.3).unwrap());
-    bencher.bench_local(|| {
-        Interior::rolling(&hertz, &contact, &*solved, steel, Body::Lower).unwrap()
-    });
+    bencher
+        .bench_local(|| Interior::rolling(&hertz, &contact, &*solved, steel, Body::Lower).unwrap());
 }
 
 /// 1,000 points below 300 elements.

@@ -150,6 +150,6 @@ mod tests {
             let angle = (f64::from(i) * 2.5e-4 - 0.5) * std::f64::consts::PI;
             assert!((sin(angle) - angle.sin()).abs() < 1e-11, "{angle}");
         }
-        assert_eq!([arctangent(0.0, 0.0), arctangent(0.0, 1.0)], [0.0; 2]);
+        assert!(arctangent(0.0, 0.0).abs() + arctangent(0.0, 1.0).abs() < 1e-16);
     }
 }

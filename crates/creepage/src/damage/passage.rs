@@ -32,7 +32,7 @@ impl Passage {
         for k in 0..count {
             let t = 2.0 * k as f64 / (count - 1) as f64 - 1.0;
             let x = half_length * (1.6 * t + 6.4 * t.powi(5));
-            states.push(interior.at([x, y, z])?.stress);
+            states.push(interior.stress([x, y, z])?);
         }
         Ok(Self { states })
     }

@@ -100,7 +100,13 @@ impl WithSimd for Add<'_> {
         let mut sums = NOTHING;
         let (mut done, mut coarse): (usize, Option<Field>) = (0, None);
         for count in DIRECTIONS {
-            directions.add(done..done + count, [at[0], at[1], depth], *strength, poisson, &mut sums);
+            directions.add(
+                done..done + count,
+                [at[0], at[1], depth],
+                *strength,
+                poisson,
+                &mut sums,
+            );
             done += count;
             let fine = total(&sums).map(|sum| sum * (PI / done as f64));
             let unit = ellipse.minor();
@@ -165,8 +171,7 @@ impl Direction {
         let (zr, zi) = (from_end + 1.0, -down);
         let (sr, si) = (near * far - down * down, -down * (near + far));
         let (f_r, f_i) = (zr - (sr * qr - si * qi), zi - (sr * qi + si * qr));
-        let (first_r, first_i) =
-            (2.0 - 2.0 * (zr * qr - zi * qi), -2.0 * (zr * qi + zi * qr));
+        let (first_r, first_i) = (2.0 - 2.0 * (zr * qr - zi * qi), -2.0 * (zr * qi + zi * qr));
         let per = 2.0 / (near_square * far_square);
         let (second_r, second_i) =
             (per * (zr * sr + zi * si) - 2.0 * qr, per * (zi * sr - zr * si) - 2.0 * qi);
@@ -175,10 +180,8 @@ impl Direction {
         let nu = 4.0 * poisson;
         // Real parts of S/w^2, and both of z S/w^3.
         let source = 2.0 * (z * first_r - across * first_i);
-        let deep = [
-            down * (-across * second_r - z * second_i),
-            down * (z * second_r - across * second_i),
-        ];
+        let deep =
+            [down * (-across * second_r - z * second_i), down * (z * second_r - across * second_i)];
         let pressed = 4.0 * (z * first_r - deep[0]) - nu * source;
         // The same of S/w.
         let width = 2.0 * self.half_width;

@@ -51,7 +51,8 @@ pub enum InteriorError {
 ///
 /// Error beside the largest traction: below 1e-12 for polynomial tractions on ellipses down to
 /// `a/b = 1e-3`, rounding for elements. A point costs some 10 us for a polynomial traction (some
-/// 100 us close to its edge), and some 60 ns a side for elements.
+/// 100 us close to its edge), and some 60 ns a side for elements. [`Interior::at`] takes elements far from a
+/// point together: some microseconds for thousands of elements.
 #[derive(Debug, Clone)]
 pub struct Interior {
     solid: Solid,
@@ -142,6 +143,24 @@ impl Interior {
     /// Stress and displacement at `[x, y, z]` by what [`Interior::stress`] and
     /// [`Interior::displacement`] add up element by element, but with the elements far from the point
     /// taken together.
+    ///
+    /// At 10,000 random points below rolling contacts both ways agree to 1e-5 of the largest traction, on
+    /// the surface, at the edge and far away, and to 1e-4 below elements whose tractions have no order
+    /// at all; displacements to a tenth of that. The same point has the same field, to the last bit, whichever
+    /// points are asked with it.
+    ///
+    /// ```
+    /// use creepage::Solid;
+    /// use creepage::subsurface::{Body, Element, Interior};
+    /// let at = |k: u32| [f64::from(k % 40), f64::from(k / 40)].map(|x| 1e-4 * x);
+    /// let square = |k| Element::rectangle(at(k), [1e-4; 2], [0.0, 0.0, 1e9]);
+    /// let squares = (0..1600).map(square).collect::<Result<Vec<_>, _>>()?;
+    /// let rail = Interior::new(Solid::new(82e9, 0.28)?, Body::Lower).with_elements(&squares);
+    /// let point = [2e-3, 2e-3, 1e-3];
+    /// let [near, all] = [rail.at(point)?.stress, rail.stress(point)?].map(|stress| stress.zz);
+    /// assert!((near / all - 1.0).abs() < 1e-5);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     ///
     /// # Errors
     /// As of [`Interior::stress`].

@@ -120,7 +120,8 @@ impl Side {
         // 1/(r s), from which 1/r and 1/s.
         let (q0, q1) = (1.0 / (r0 * s0).max(TINY), 1.0 / (r1 * s1).max(TINY));
         let (i0, i1) = (r0 * q0, r1 * q1);
-        let inverse = ln_of_ratio::<false>(r0 + r1 + length, (r0 + r1 - length).max(1e-30 * length));
+        let inverse =
+            ln_of_ratio::<false>(r0 + r1 + length, (r0 + r1 - length).max(1e-30 * length));
         let (ln0, ln1) = (ln(s0), ln(s1));
         // As of `Edges`: angles of both ends, one subtracted from the other as complex numbers.
         let (y0, x0) = (t0 * h * (t0 * t0 + h * h), s0 * (h * h * r0 + z * t0 * t0));
@@ -172,7 +173,8 @@ impl Side {
         let ([tx, ty], [x, y, z]) = (self.along, self.load);
         let (nx, ny) = (ty, -tx);
         let across = nx * x + ny * y;
-        let ([xx, yy, xy, xz, yz], [dxx, dyy, dxy, dxz, dyz]) = (self.axes(shallow), self.axes(deep));
+        let ([xx, yy, xy, xz, yz], [dxx, dyy, dxy, dxz, dyz]) =
+            (self.axes(shallow), self.axes(deep));
         let ([_, _, zz, _, nz, _], [_, _, dzz, _, dnz, _]) = (*shallow, *deep);
         let (four, nu) = (2.0 * zz, 4.0 * poisson);
         let psi_xx = -across * xx - z * nx * xz;

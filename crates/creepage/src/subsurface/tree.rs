@@ -196,7 +196,8 @@ impl Rule {
     ) {
         let (corners, traction) = (element.corners(), element.traction());
         let mut own = [[0.0; N]; N];
-        let scaled = |[x, y]: [f64; 2]| [over(x - middle[0], half[0]), over(y - middle[1], half[1])];
+        let scaled =
+            |[x, y]: [f64; 2]| [over(x - middle[0], half[0]), over(y - middle[1], half[1])];
         let first = scaled(corners[0]);
         let mut k = 1;
         while k + 1 < corners.len() {
@@ -236,9 +237,8 @@ impl Rule {
     /// Adds the point forces of a box to those of the box around.
     fn gather(&self, own: &Nodal, from: [[f64; 2]; 2], to: [[f64; 2]; 2], nodal: &mut Nodal) {
         let basis = |k: usize| {
-            self.nodes.map(|node| {
-                self.basis(over(from[0][k] + from[1][k] * node - to[0][k], to[1][k]))
-            })
+            self.nodes
+                .map(|node| self.basis(over(from[0][k] + from[1][k] * node - to[0][k], to[1][k])))
         };
         let (by_x, by_y) = (basis(0), basis(1));
         for (forces, by_y) in own.iter().zip(&by_y) {

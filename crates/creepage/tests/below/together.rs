@@ -57,8 +57,7 @@ fn differences(interior: &Interior, points: &[[f64; 3]]) -> [f64; 2] {
 /// is one.
 #[test]
 fn below_rolling_contacts() {
-    let cases =
-        [(1.0, [0.5, 0.2, 0.3], Body::Lower), (0.2, [0.1, 0.6, 1.0], Body::Upper)];
+    let cases = [(1.0, [0.5, 0.2, 0.3], Body::Lower), (0.2, [0.1, 0.6, 1.0], Body::Upper)];
     for (a_over_b, creepage, body) in cases {
         let (hertz, solid) = contact(a_over_b, 0.28);
         let contact = hertz.with_friction(0.3).unwrap();
