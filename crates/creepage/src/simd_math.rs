@@ -150,6 +150,7 @@ mod tests {
             let angle = (f64::from(i) * 2.5e-4 - 0.5) * std::f64::consts::PI;
             assert!((sin(angle) - angle.sin()).abs() < 1e-11, "{angle}");
         }
-        assert!(arctangent(0.0, 0.0).abs() + arctangent(0.0, 1.0).abs() < 1e-16);
+        // Rounding of pi/8, from which the rest is taken.
+        assert!(arctangent(0.0, 0.0).abs() + arctangent(0.0, 1.0).abs() < 2e-16);
     }
 }
