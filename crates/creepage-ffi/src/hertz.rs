@@ -204,8 +204,9 @@ pub unsafe extern "C" fn creepage_case_below(
         let (interior, depth) = Stresses::interior(&solved, solid, body)?;
         put(&mut settled, 0, [depth]);
         for (k, point) in points.as_chunks::<3>().0.iter().enumerate() {
-            put(&mut stresses, k, interior.stress(*point)?.components());
-            put(&mut displacements, k, interior.displacement(*point)?);
+            let inside = interior.at(*point)?;
+            put(&mut stresses, k, inside.stress.components());
+            put(&mut displacements, k, inside.displacement);
         }
         Ok(())
     };

@@ -4,7 +4,7 @@ use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::PathBuf;
 use std::sync::atomic::Ordering;
 
-use creepage::subsurface::Body;
+use creepage::subsurface::{Body, Inside};
 use creepage::{Creepage, SiCreepage};
 use creepage_study::{
     AnyCaseFile, Case, CaseFile, Caution, Damage, Fit, FitOptions, Given, HertzReportJson,
@@ -333,8 +333,8 @@ impl SolvedCase {
             .map_err(|error| PyValueError::new_err(error.to_string()))?;
         let inputs = Inputs::new(py, ["x", "y", "z"], points)?;
         let at = |point: [f64; 3]| {
-            let stress = interior.stress(point)?.components();
-            let displacement = interior.displacement(point)?;
+            let Inside { stress, displacement } = interior.at(point)?;
+            let stress = stress.components();
             let numbers: [f64; 9] =
                 std::array::from_fn(|k| if k < 6 { stress[k] } else { displacement[k - 6] });
             Ok((numbers, 0))

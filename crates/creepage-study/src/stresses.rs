@@ -5,7 +5,9 @@ use std::path::{Path, PathBuf};
 
 use creepage::InvalidValue;
 use creepage::Solid;
-use creepage::subsurface::{Body, Interior, InteriorError, Largest, RollingError, Stress, largest};
+use creepage::subsurface::{
+    Body, Inside, Interior, InteriorError, Largest, RollingError, Stress, largest,
+};
 use creepage_plot::format::{quantity, significant};
 use rayon::prelude::*;
 use serde_json::{Value, json};
@@ -149,11 +151,10 @@ impl Stresses {
     /// [`StressError`] unless the points are finite and in the body, and so are the stresses.
     pub fn at(&self, points: &[[f64; 3]]) -> Result<Vec<StressPoint>, StressError> {
         let at = |(index, point): (usize, &[f64; 3])| {
-            let stress = self.interior.stress(*point)?;
+            let Inside { stress, displacement } = self.interior.at(*point)?;
             if !(stress.von_mises().is_finite() && stress.trace().is_finite()) {
                 return Err(StressError::NotFinite { row: index + 1, point: *point });
             }
-            let displacement = self.interior.displacement(*point)?;
             if !displacement.iter().all(|part| part.is_finite()) {
                 return Err(StressError::NotFinite { row: index + 1, point: *point });
             }

@@ -1,9 +1,10 @@
 //! Cost of stresses inside the bodies, and of the numbers made from forces.
-#![allow(missing_docs, clippy::unwrap_used)]
+#![allow(missing_docs, clippy::unwrap_used, clippy::print_stdout)]
 
+use creepage::coulomb::{Exact, Resolution};
 use creepage::damage::{ShakedownBlock, TGamma, Usfd, Wlrm, shakedown, surface_index};
 use creepage::subsurface::{Body, Element, Grid, Interior, Stress};
-use creepage::{Ellipse, Hertz, Solid, SolidPair};
+use creepage::{Creepage, Ellipse, Hertz, Solid, SolidPair, Theory};
 use creepage::{SiCreepage, SiForce};
 use divan::{Bencher, black_box};
 
@@ -34,6 +35,71 @@ fn sum(interior: &Interior, unit: f64) -> f64 {
         |k: u32| [f64::from(k % 10) - 4.5, f64::from(k / 10 % 10) - 4.5, f64::from(1 + k / 100)];
     let stress = |k| interior.stress(at(k).map(|x| unit * x)).unwrap_or_default();
     (0..1000).map(|k| stress(k).xx).sum()
+}
+
+/// What the standard resolution makes of a rolling contact.
+fn rolling() -> Interior {
+    let steel = Solid::new(82e9, 0.28).unwrap();
+    let ellipse = Ellipse::new(6e-3, 4e-3).unwrap();
+    let hertz = Hertz::from_ellipse(SolidPair::new(steel, steel), ellipse, 80e3).unwrap();
+    let contact = hertz.with_friction(0.3).unwrap();
+    let theory = Exact::new(&contact, Resolution::STANDARD).unwrap();
+    let solved = theory.solved(Creepage::new(0.5, 0.2, 0.3).unwrap());
+    println!("{} elements", solved.patches().unwrap_or_default().len());
+    Interior::rolling(&hertz, &contact, &*solved, steel, Body::Lower).unwrap()
+}
+
+/// Ten planes of 10 x 10 points from .6 to 8 mm below a rolling contact.
+fn below_rolling() -> Vec<[f64; 3]> {
+    let at =
+        |k: u32| [f64::from(k % 10) - 4.5, f64::from(k / 10 % 10) - 4.5, f64::from(k / 100) + 0.75];
+    (0..1000).map(|k| at(k).map(|x| 8e-4 * x)).collect()
+}
+
+/// Stresses and displacements at 1,000 points below a rolling contact, element by element.
+#[divan::bench(sample_count = 3, sample_size = 1)]
+fn rolling_element_by_element(bencher: Bencher) {
+    let (interior, points) = (rolling(), below_rolling());
+    let at = |point: &[f64; 3]| {
+        (interior.stress(*point).unwrap(), interior.displacement(*point).unwrap())
+    };
+    bencher.bench_local(|| black_box(&points).iter().map(at).collect::<Vec<_>>());
+}
+
+/// The same, elements far from a point taken together.
+#[divan::bench(sample_count = 20, sample_size = 1)]
+fn rolling_together(bencher: Bencher) {
+    let (interior, points) = (rolling(), below_rolling());
+    let at = |point: &[f64; 3]| interior.at(*point).unwrap();
+    bencher.bench_local(|| black_box(&points).iter().map(at).collect::<Vec<_>>());
+}
+
+/// The same on all cores.
+#[divan::bench(sample_count = 20, sample_size = 1)]
+fn rolling_on_all_cores(bencher: Bencher) {
+    let (interior, points) = (rolling(), below_rolling());
+    bencher.bench_local(|| interior.at_all(black_box(&points)).unwrap());
+}
+
+/// The pressure's part of it, in closed form.
+#[divan::bench(sample_count = 20, sample_size = 1)]
+fn hertz_pressure_together(bencher: Bencher) {
+    let (interior, points) = (hertz(), below_rolling());
+    let at = |point: &[f64; 3]| interior.at(*point).unwrap();
+    bencher.bench_local(|| black_box(&points).iter().map(at).collect::<Vec<_>>());
+}
+
+/// Preparing the elements of a rolling contact.
+#[divan::bench(sample_count = 10, sample_size = 1)]
+fn prepare_rolling(bencher: Bencher) {
+    let steel = Solid::new(82e9, 0.28).unwrap();
+    let ellipse = Ellipse::new(6e-3, 4e-3).unwrap();
+    let hertz = Hertz::from_ellipse(SolidPair::new(steel, steel), ellipse, 80e3).unwrap();
+    let contact = hertz.with_friction(0.3).unwrap();
+    let theory = Exact::new(&contact, Resolution::STANDARD).unwrap();
+    let solved = theory.solved(Creepage::new(0.5, 0.2, 0.3).unwrap());
+    bencher
+        .bench_local(|| Interior::rolling(&hertz, &contact, &*solved, steel, Body::Lower).unwrap());
 }
 
 /// 1,000 points below 300 elements.

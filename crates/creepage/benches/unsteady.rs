@@ -50,6 +50,36 @@ fn step_at_a_force(bencher: Bencher) {
     bencher.with_inputs(|| rolling.clone()).bench_values(|mut one| one.advance(0.05, &motion));
 }
 
+/// A step of an even march in which the creepage, or the force, swings.
+fn march(motion: impl Fn(f64) -> Motion) -> Rolling {
+    const STEPS: i32 = 20;
+    let mut rolling = Rolling::new(&contact(), Resolution::STANDARD).unwrap();
+    rolling.start_steady(&motion(0.0)).unwrap();
+    for k in 1..=STEPS {
+        rolling.advance(0.05, &motion(0.05 * f64::from(k))).unwrap();
+    }
+    rolling
+}
+
+/// 20 such steps at a creepage, from preparation on.
+#[divan::bench(sample_count = 5, sample_size = 1)]
+fn march_of_20_steps_at_a_creepage(bencher: Bencher) {
+    let creepage = |q: f64| Creepage::new(0.5 + 0.3 * (2.0 * q).sin(), 0.2, 0.3).unwrap();
+    bencher.bench(|| march(|q| Motion::from(creepage(q))));
+}
+
+/// 20 such steps at a force.
+#[divan::bench(sample_count = 5, sample_size = 1)]
+fn march_of_20_steps_at_a_force(bencher: Bencher) {
+    bencher.bench(|| march(|q| Motion::forces(0.4 + 0.2 * (2.0 * q).sin(), 0.1)));
+}
+
+/// What is prepared once.
+#[divan::bench(sample_count = 10, sample_size = 1)]
+fn prepare(bencher: Bencher) {
+    bencher.bench(|| Rolling::new(&contact(), Resolution::STANDARD).unwrap());
+}
+
 #[divan::bench(sample_count = 20)]
 fn coefficients_of_a_wave(bencher: Bencher) {
     let harmonic = HarmonicCreepage::new(&contact()).unwrap();

@@ -93,6 +93,43 @@ pub(crate) fn sin(x: f64) -> f64 {
     x * (1.0 + q * (1.0 / 6.0 + q * middle))
 }
 
+/// The angle of the vector `(x, y)` to the first axis, between `-pi` and `pi`; zero without length.
+///
+/// With `b` the longer component and `a` the shorter, `atan(a/b) = pi/8 + atan((a - t b)/(b + t a))`,
+/// `t = tan(pi/8)`; the last is a polynomial, equal to it at Chebyshev's points.
+#[inline(always)]
+pub(crate) fn arctangent(y: f64, x: f64) -> f64 {
+    const TAN: f64 = std::f64::consts::SQRT_2 - 1.0;
+    const SERIES: [f64; 11] = [
+        -0.333_333_333_333_333_3,
+        0.199_999_999_999_955_2,
+        -0.142_857_142_846_665_42,
+        0.111_111_110_152_563_61,
+        -0.090_909_045_781_239_03,
+        0.076_921_831_908_260_87,
+        -0.066_645_114_473_819_48,
+        0.058_581_489_128_022_1,
+        -0.050_854_497_379_402_6,
+        0.039_231_658_295_587_19,
+        -0.019_176_887_119_062_257,
+    ];
+    let (rise, run) = (y.abs(), x.abs());
+    let is_steep = rise > run;
+    let (a, b) = (if is_steep { run } else { rise }, if is_steep { rise } else { run });
+    let t = (a - TAN * b) / (b + TAN * a).max(f64::MIN_POSITIVE);
+    let q = t * t;
+    let mut series = SERIES[10];
+    for k in (0..10).rev() {
+        series = series * q + SERIES[k];
+    }
+    let first = std::f64::consts::FRAC_PI_8 + (t + t * q * series);
+    // Without length the division gives nothing, and neither is there an angle.
+    let first = if b > 0.0 { first } else { 0.0 };
+    let first = if is_steep { std::f64::consts::FRAC_PI_2 - first } else { first };
+    let first = if x < 0.0 { std::f64::consts::PI - first } else { first };
+    first.copysign(y)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -107,8 +144,13 @@ mod tests {
                 assert!((found - expected).abs() < 1e-15 * expected.abs().max(1.0), "{x}");
             }
             assert!((exp(x - 10.0) / (x - 10.0).exp() - 1.0).abs() < 1e-11, "{x}");
-            let angle = (x / 20.0 - 0.5) * std::f64::consts::PI;
+            let turned = 0.01 * x * f64::from(i);
+            let (y, x) = turned.sin_cos();
+            assert!((arctangent(y, x) - y.atan2(x)).abs() < 1e-15, "{x} {y}");
+            let angle = (f64::from(i) * 2.5e-4 - 0.5) * std::f64::consts::PI;
             assert!((sin(angle) - angle.sin()).abs() < 1e-11, "{angle}");
         }
+        // Rounding of pi/8, from which the rest is taken.
+        assert!(arctangent(0.0, 0.0).abs() + arctangent(0.0, 1.0).abs() < 2e-16);
     }
 }

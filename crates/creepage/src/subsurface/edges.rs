@@ -58,6 +58,11 @@ impl Edges {
         Self { edges }
     }
 
+    /// The sides: start, unit vector along, length, and jump of the traction.
+    pub(super) fn sides(&self) -> impl Iterator<Item = ([f64; 2], [f64; 2], f64, [f64; 3])> {
+        self.edges.iter().map(|edge| (edge.start, edge.along, edge.length, edge.load))
+    }
+
     /// `4 pi` times the stress, `[xx, yy, zz, xy, yz, xz]`.
     pub(super) fn stress(&self, point: [f64; 3], poisson: f64) -> [f64; 6] {
         let mut sum = [0.0; 6];

@@ -94,6 +94,17 @@ impl Element {
         (area.abs(), [x0 + x, y0 + y])
     }
 
+    /// The same element in another unit of length.
+    pub(super) fn scaled(&self, factor: f64) -> Self {
+        let corners = self.corners.iter().map(|corner| corner.map(|x| factor * x)).collect();
+        Self { corners, traction: self.traction }
+    }
+
+    /// Whether its corners go from `x` to `-y`.
+    pub(super) fn is_clockwise(&self) -> bool {
+        self.area() < 0.0
+    }
+
     /// Area, negative when the corners go clockwise (from `x` to `-y`).
     fn area(&self) -> f64 {
         let [x0, y0] = self.corners[0];

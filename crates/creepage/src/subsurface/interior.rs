@@ -2,10 +2,13 @@
 
 use std::f64::consts::PI;
 
+use rayon::prelude::*;
+
 use super::edges::Edges;
 use super::element::Element;
 use super::far::PointForces;
 use super::stress::Stress;
+use super::tree::Tree;
 use super::waves::Waves;
 use crate::check::{self, InvalidValue};
 use crate::halfspace::{Edge, Polynomial, PolynomialError, Traction};
@@ -48,7 +51,8 @@ pub enum InteriorError {
 ///
 /// Error beside the largest traction: below 1e-12 for polynomial tractions on ellipses down to
 /// `a/b = 1e-3`, rounding for elements. A point costs some 10 us for a polynomial traction (some
-/// 100 us close to its edge), and some 60 ns a side for elements.
+/// 100 us close to its edge), and some 60 ns a side for elements. [`Interior::at`] takes elements far from a
+/// point together: some microseconds for thousands of elements.
 #[derive(Debug, Clone)]
 pub struct Interior {
     solid: Solid,
@@ -57,13 +61,31 @@ pub struct Interior {
     edges: Edges,
     /// The elements seen from far away.
     far: PointForces,
+    /// The elements in boxes, those far from a point taken together.
+    tree: Tree,
+}
+
+/// Stress and displacement at one point.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Inside {
+    /// The stress.
+    pub stress: Stress,
+    /// Displacement `[u, v, w]` in the body's own frame.
+    pub displacement: [f64; 3],
 }
 
 impl Interior {
     /// The body without tractions.
     #[must_use]
     pub fn new(solid: Solid, body: Body) -> Self {
-        Self { solid, body, waves: vec![], edges: Edges::default(), far: PointForces::default() }
+        Self {
+            solid,
+            body,
+            waves: vec![],
+            edges: Edges::default(),
+            far: PointForces::default(),
+            tree: Tree::default(),
+        }
     }
 
     /// Hertz's pressure with `X = friction[0] Z` and `Y = friction[1] Z`, which the upper body
@@ -101,6 +123,7 @@ impl Interior {
     pub fn with_elements(mut self, elements: &[Element]) -> Self {
         let signs = self.body.signs();
         self.far = PointForces::of_elements(elements, signs);
+        self.tree = Tree::new(elements, signs);
         self.edges = Edges::new(elements.iter().flat_map(|element| element.sides(signs)));
         self
     }
@@ -115,6 +138,57 @@ impl Interior {
     #[must_use]
     pub fn solid(&self) -> Solid {
         self.solid
+    }
+
+    /// Stress and displacement at `[x, y, z]` by what [`Interior::stress`] and
+    /// [`Interior::displacement`] add up element by element, but with the elements far from the point
+    /// taken together.
+    ///
+    /// At 10,000 random points below rolling contacts both ways agree to 1e-5 of the largest traction, on
+    /// the surface, at the edge and far away, and to 1e-4 below elements whose tractions have no order
+    /// at all; displacements to a tenth of that. The same point has the same field, to the last bit, whichever
+    /// points are asked with it.
+    ///
+    /// ```
+    /// use creepage::Solid;
+    /// use creepage::subsurface::{Body, Element, Interior};
+    /// let at = |k: u32| [f64::from(k % 40), f64::from(k / 40)].map(|x| 1e-4 * x);
+    /// let square = |k| Element::rectangle(at(k), [1e-4; 2], [0.0, 0.0, 1e9]);
+    /// let squares = (0..1600).map(square).collect::<Result<Vec<_>, _>>()?;
+    /// let rail = Interior::new(Solid::new(82e9, 0.28)?, Body::Lower).with_elements(&squares);
+    /// let point = [2e-3, 2e-3, 1e-3];
+    /// let [near, all] = [rail.at(point)?.stress, rail.stress(point)?].map(|stress| stress.zz);
+    /// assert!((near / all - 1.0).abs() < 1e-5);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As of [`Interior::stress`].
+    pub fn at(&self, point: [f64; 3]) -> Result<Inside, InvalidValue> {
+        check_point(point)?;
+        let poisson = self.solid.poisson();
+        let mut sum = [0.0; 9];
+        if self.far.is_far(point) {
+            sum[..6].copy_from_slice(&self.far.stress(point, poisson));
+            sum[6..].copy_from_slice(&self.far.displacement(point, poisson));
+        } else if !self.tree.is_empty() {
+            sum = self.tree.field(point, poisson);
+        }
+        for waves in &self.waves {
+            let part = waves.field(point, poisson);
+            sum.iter_mut().zip(part).for_each(|(sum, part)| *sum += part);
+        }
+        let [xx, yy, zz, xy, yz, xz, u, v, w] = sum.map(|value| value / (4.0 * PI));
+        let stress = Stress::from_components([xx, yy, zz, xy, yz, xz]);
+        Ok(Inside { stress, displacement: [u, v, w].map(|part| part / self.solid.shear_modulus()) })
+    }
+
+    /// The same at many points on all cores, in their order.
+    ///
+    /// # Errors
+    /// As of [`Interior::stress`].
+    pub fn at_all(&self, points: &[[f64; 3]]) -> Result<Vec<Inside>, InvalidValue> {
+        points.par_iter().map(|point| self.at(*point)).collect()
     }
 
     /// Stress at `[x, y, z]`, `z` into the body; on the surface, the limit from inside.

@@ -52,28 +52,28 @@ pub fn largest(
             valid,
         )?;
     }
-    let at = |point: [f64; 3]| -> Result<Largest, InvalidValue> {
-        let stress = interior.stress(point)?;
-        Ok(Largest { value: measure(&stress), point, stress })
-    };
+    let of = |point: [f64; 3], stress: Stress| Largest { value: measure(&stress), point, stress };
+    let quick = |point: [f64; 3]| Ok(of(point, interior.at(point)?.stress));
+    let at = |point: [f64; 3]| Ok(of(point, interior.stress(point)?));
     let side = |axis: usize, k: usize| {
         let t = k as f64 / (POINTS - 1) as f64;
         low[axis] + (high[axis] - low[axis]) * if axis == 2 { t * t } else { t }
     };
     let first = (0..POINTS.pow(3)).into_par_iter().map(|k| {
         let place = [k % POINTS, k / POINTS % POINTS, k / POINTS.pow(2)];
-        at([0, 1, 2].map(|axis| side(axis, place[axis])))
+        quick([0, 1, 2].map(|axis| side(axis, place[axis])))
     });
     let mut seen = first.collect::<Result<Vec<_>, _>>()?;
     seen.sort_by(|one, two| two.value.total_cmp(&one.value));
-    let mut best = seen[0];
+    // Elements far away are taken together until it is known which hill is the highest.
+    let (mut first, mut best) = (seen[0], seen[0]);
     for start in seen.into_iter().take(FOLLOWED) {
-        let top = look_closer(start, [low, high], &at)?;
+        let top = look_closer(start, [low, high], &quick)?;
         if top.value > best.value {
-            best = top;
+            (first, best) = (start, top);
         }
     }
-    Ok(best)
+    look_closer(at(first.point)?, [low, high], &at)
 }
 
 /// Looks at the points around the best, and again around the best of these at half the distance.

@@ -85,6 +85,12 @@ impl Source {
         self.degree
     }
 
+    /// Of tractions in proportion to Hertz's pressure: factors of `1 - h^2`, which is two thirds of
+    /// `P_0 - P_2`, in the sums over lines of any direction.
+    pub(super) fn parabola(&self) -> Triple {
+        self.series([1.0, 0.0]).first().map_or([0.0; 3], |terms| terms.map(|term| 1.5 * term))
+    }
+
     /// `[X, Y, Z]` times `(1 - r^2)^(1/2)` at a place of the disc.
     pub(super) fn polynomials(&self, place: [f64; 2]) -> Triple {
         harmonics::sum(self.degree, place, self.tables.each_ref().map(Vec::as_slice))

@@ -14,6 +14,8 @@ use nalgebra::Complex;
 
 use super::directions::{Directions, DiscPoint};
 use super::far::PointForces;
+use super::hertz_waves::HertzWaves;
+use super::many::Field;
 use super::wave::{ComplexTriple, Potentials, Source, Wave};
 use crate::halfspace::Traction;
 
@@ -23,6 +25,7 @@ pub(super) struct Waves {
     source: Source,
     directions: Directions,
     far: PointForces,
+    hertz: Option<HertzWaves>,
 }
 
 const I: Complex<f64> = Complex::new(0.0, 1.0);
@@ -32,7 +35,8 @@ impl Waves {
     pub(super) fn new(traction: &Traction, factors: [f64; 3]) -> Self {
         let source = Source::new(traction, factors);
         let far = PointForces::of_source(&source);
-        Self { directions: Directions::new(&source), source, far }
+        let hertz = HertzWaves::new(&source);
+        Self { directions: Directions::new(&source), source, far, hertz }
     }
 
     /// `4 pi` times the stress, `[xx, yy, zz, xy, yz, xz]`.
@@ -49,6 +53,21 @@ impl Waves {
             return self.far.displacement(point, poisson);
         }
         self.integrate(point, |wave, potentials| displacement(wave, &potentials, point[2], poisson))
+    }
+
+    /// Both, stress first.
+    pub(super) fn field(&self, point: [f64; 3], poisson: f64) -> Field {
+        let join = |[a, b, c, d, e, f]: [f64; 6], [u, v, w]: [f64; 3]| [a, b, c, d, e, f, u, v, w];
+        if self.far.is_far(point) {
+            return join(self.far.stress(point, poisson), self.far.displacement(point, poisson));
+        }
+        if let Some(field) = self.hertz.as_ref().and_then(|hertz| hertz.field(point, poisson)) {
+            return field;
+        }
+        self.integrate(point, |wave, potentials| {
+            let stress = stress(wave, &potentials, point[2], poisson);
+            join(stress, displacement(wave, &potentials, point[2], poisson))
+        })
     }
 
     /// `4 pi G` times `(du/dx, dv/dx)` on the surface of one body.

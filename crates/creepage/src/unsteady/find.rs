@@ -9,6 +9,9 @@ use super::motion::{Motion, Prescribed};
 const TOLERANCE: f64 = 1e-7;
 const STEPS: usize = 60;
 const HALVINGS: usize = 30;
+/// A step that leaves less than this part tells how the slope is to be corrected; after others it is taken
+/// anew.
+const NEARER: f64 = 0.3;
 
 impl TransientLevel {
     /// Solves for a motion, from the creepage of the last solution where it is to be found.
@@ -26,16 +29,34 @@ impl TransientLevel {
         if let [one] = unknown[..] {
             return self.meet_one(one, prescribed);
         }
+        let mut slope = None;
         for _ in 0..STEPS {
             let residual = self.residual(&unknown, prescribed);
             if residual.amax() <= TOLERANCE {
                 return converged;
             }
-            let Some(step) = self.newton_step(&unknown, &residual) else { return false };
-            let Some(next) = self.search(&unknown, prescribed, &step, residual.norm()) else {
-                return false;
+            let (is_new, matrix) = (slope.is_none(), slope.take());
+            let matrix = matrix.unwrap_or_else(|| self.slope(&unknown));
+            let before = self.creep;
+            let step = matrix.clone().lu().solve(&residual);
+            let step = step.filter(|step| step.iter().all(|s| s.is_finite()));
+            let next =
+                step.and_then(|step| self.search(&unknown, prescribed, &step, residual.norm()));
+            let Some(next) = next else {
+                if is_new {
+                    return false;
+                }
+                // What steps told of the slope misled: from there with the slope itself.
+                converged = self.solve_at(before);
+                continue;
             };
             converged = next;
+            let left = self.residual(&unknown, prescribed);
+            if left.norm() < NEARER * residual.norm() {
+                let of_unknown = |k: &usize| self.creep[*k] - before[*k];
+                let moved = DVector::from_iterator(unknown.len(), unknown.iter().map(of_unknown));
+                slope = Some(corrected(matrix, &moved, &(residual - left)));
+            }
         }
         false
     }
@@ -44,6 +65,8 @@ impl TransientLevel {
     /// which the creepage must lie.
     fn meet_one(&mut self, unknown: usize, prescribed: [Prescribed; 3]) -> bool {
         let mut range = [f64::NEG_INFINITY, f64::INFINITY];
+        // The last creepage and what it left, where it came much nearer than the one before.
+        let mut last: Option<[f64; 2]> = None;
         for _ in 0..STEPS {
             let residual = self.residual(&[unknown], prescribed);
             if residual.amax() <= TOLERANCE {
@@ -51,7 +74,13 @@ impl TransientLevel {
             }
             let here = self.creep[unknown];
             range[usize::from(residual[0] < 0.0)] = here;
-            let newton = self.newton_step(&[unknown], &residual).map(|step| here + step[0]);
+            let secant = last
+                .filter(|[_, left]| residual[0].abs() < NEARER * left.abs())
+                .map(|[before, left]| (left - residual[0]) / (here - before))
+                .filter(|slope| slope.is_finite());
+            let slope = secant.unwrap_or_else(|| self.slope(&[unknown])[(0, 0)]);
+            last = Some([here, residual[0]]);
+            let newton = Some(here + residual[0] / slope).filter(|next| next.is_finite());
             let [low, high] = range;
             let inside = newton.filter(|next| *next > low && *next < high);
             let mut creep = self.creep;
@@ -74,11 +103,11 @@ impl TransientLevel {
         DVector::from_iterator(unknown.len(), unknown.iter().map(of))
     }
 
-    fn newton_step(&mut self, unknown: &[usize], residual: &DVector<f64>) -> Option<DVector<f64>> {
+    /// Derivatives of the forces that are prescribed by the creepages that are sought.
+    fn slope(&mut self, unknown: &[usize]) -> DMatrix<f64> {
         let columns: Vec<_> = unknown.iter().map(|k| self.derivative(*k)).collect();
         let n = unknown.len();
-        let matrix = DMatrix::from_fn(n, n, |i, k| columns[k][unknown[i]]);
-        matrix.lu().solve(residual).filter(|step| step.iter().all(|s| s.is_finite()))
+        DMatrix::from_fn(n, n, |i, k| columns[k][unknown[i]])
     }
 
     /// Of the force, by a component of the creepage.
@@ -87,7 +116,7 @@ impl TransientLevel {
         let mut unit = [0.0; 3];
         unit[component] = 1.0;
         let slip = |element: usize| system.by_creep(elements, element, unit);
-        equations.derivative_along(grid, state, slip, unit[2]).components()
+        equations.derivative_of_search(grid, state, slip, unit[2]).components()
     }
 
     /// The longest of the step's halves that comes nearer; whether the solution there converged.
@@ -113,4 +142,14 @@ impl TransientLevel {
         }
         None
     }
+}
+
+/// The slope that explains a step and is the same across it (Broyden 1965).
+fn corrected(mut slope: DMatrix<f64>, moved: &DVector<f64>, change: &DVector<f64>) -> DMatrix<f64> {
+    let square = moved.norm_squared();
+    if square > 0.0 {
+        let missed = (change - &slope * moved) / square;
+        slope.ger(1.0, &missed, moved, 1.0);
+    }
+    slope
 }

@@ -115,7 +115,7 @@ impl TransientLevel {
 
     /// Solves for a motion: whether friction is obeyed and prescribed forces are met.
     pub(crate) fn solve(&mut self, motion: &Motion) -> bool {
-        self.state.invalidate_factors();
+        self.state.go_on();
         self.meet(motion)
     }
 

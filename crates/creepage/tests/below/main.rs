@@ -11,4 +11,5 @@ mod reference;
 mod rolling;
 mod spheroidal;
 mod support;
+mod together;
 mod yielding;

@@ -13,6 +13,8 @@ use crate::{Creepage, Force};
 /// for what double precision shows to be left. Together they leave less than 1e-10.
 const ACCURACY: f64 = 1e-4;
 const REFINEMENTS: usize = 3;
+/// Once is enough for a search, whose steps are corrected by what they lead to.
+const OF_SEARCH: usize = 1;
 
 /// A change of all tractions, and the room to find it.
 #[derive(Debug, Clone, Default)]
@@ -73,12 +75,12 @@ impl Equations {
     }
 
     /// Solves to the accuracy of derivatives: single precision takes half the time.
-    fn solve_by_refinement(&mut self, grid: &Grid, state: &State) {
+    fn solve_by_refinement(&mut self, grid: &Grid, state: &State, refinements: usize) {
         self.found.fill(0.0);
-        for refinement in 1..=REFINEMENTS {
+        for refinement in 1..=refinements {
             self.solve(grid, state, ACCURACY, Precision::Single);
             self.found.iter_mut().zip(&self.solution).for_each(|(sum, part)| *sum += part);
-            if refinement < REFINEMENTS {
+            if refinement < refinements {
                 self.update_slip(grid, Precision::Double);
                 self.leave_residual(grid, state);
             }
@@ -122,25 +124,36 @@ impl Equations {
         ];
         directions.map(|direction| {
             let rigid = |element: usize| direction.rigid_slip(grid.places[element]);
-            self.derivative_along(grid, state, rigid, direction.chi)
+            self.derivative_along(grid, state, rigid, direction.chi, REFINEMENTS)
         })
     }
 
     /// Derivative of `(fx, fy, mz)` of a converged state by what changes the slip that drives each
-    /// element by `slip` and the spin by `spin`.
-    pub(crate) fn derivative_along(
+    /// element by `slip` and the spin by `spin`, to some 1e-3: for searches.
+    pub(crate) fn derivative_of_search(
         &mut self,
         grid: &Grid,
         state: &State,
         slip: impl Fn(usize) -> [f64; 2],
         spin: f64,
     ) -> Force {
+        self.derivative_along(grid, state, slip, spin, OF_SEARCH)
+    }
+
+    fn derivative_along(
+        &mut self,
+        grid: &Grid,
+        state: &State,
+        slip: impl Fn(usize) -> [f64; 2],
+        spin: f64,
+        refinements: usize,
+    ) -> Force {
         for (element, right) in self.right.chunks_exact_mut(2).enumerate() {
             let by_slip = by_rigid_slip(grid, state, slip(element), element);
             let by_spin = by_spin(grid, state, element);
             right.copy_from_slice(&[0, 1].map(|k| by_slip[k] + spin * by_spin[k]));
         }
-        self.solve_by_refinement(grid, state);
+        self.solve_by_refinement(grid, state, refinements);
         for element in 0..grid.mesh.len() {
             let own = slip(element);
             self.slip[0][element] += own[0];
@@ -314,7 +327,7 @@ mod tests {
             equations.update_slip(&grid, Precision::Double);
             let expected = equations.slip.clone();
             equations.right.clone_from(&right);
-            equations.solve_by_refinement(&grid, &state);
+            equations.solve_by_refinement(&grid, &state, REFINEMENTS);
             let largest = expected.iter().flatten().fold(0.0, |m: f64, s| m.max(s.abs()));
             for (found, expected) in equations.slip.iter().flatten().zip(expected.iter().flatten())
             {

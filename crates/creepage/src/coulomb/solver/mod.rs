@@ -83,6 +83,8 @@ pub(crate) struct State {
     corner: Regularization,
     /// That of sweeps.
     precision: Precision,
+    /// Whether the tractions are those of a step before: a first sweep need only wake the strips up.
+    is_close: bool,
 }
 
 impl State {
@@ -103,6 +105,7 @@ impl State {
             factorizations: 0,
             corner: Regularization::default(),
             precision: Precision::Single,
+            is_close: false,
         }
     }
 
@@ -144,6 +147,7 @@ impl State {
     }
 
     pub(crate) fn reset(&mut self) {
+        self.is_close = false;
         self.traction.clear();
         self.limits.fill(1.0);
         self.sliding.fill(None);
@@ -152,7 +156,8 @@ impl State {
 
     /// Keeps the tractions as a start and forgets how they were found, so that what follows depends
     /// on them alone.
-    pub(crate) fn invalidate_factors(&mut self) {
+    pub(crate) fn go_on(&mut self) {
+        self.is_close = self.traction.largest() > 0.0;
         self.sliding.fill(None);
         self.last_step.fill(f64::INFINITY);
     }
@@ -233,7 +238,7 @@ impl State {
     }
 
     /// Rounds of sweeps and Newton; whether the residual meets the tolerance then. Round `k` does `2 k + 1` pairs of
-    /// sweeps: a failed Newton costs as much as ten sweeps.
+    /// sweeps, from tractions of a step before the first a single one: a failed Newton costs as much as ten sweeps.
     fn run_rounds(
         &mut self,
         rounds: usize,
@@ -244,10 +249,17 @@ impl State {
         (0..rounds).any(|round| {
             let pairs = 2 * round + 1;
             self.traction.fold_all(self.precision);
-            for _ in 0..pairs {
-                self.sweep_both_ways(grid, tolerance, round);
+            if round == 0 && self.is_close {
+                for strip in 0..grid.influence.strips() {
+                    self.solve_both(grid, strip, tolerance, round);
+                }
+                equations.sweeps += 1;
+            } else {
+                for _ in 0..pairs {
+                    self.sweep_both_ways(grid, tolerance, round);
+                }
+                equations.sweeps += 2 * pairs;
             }
-            equations.sweeps += 2 * pairs;
             self.traction.fold_all(Precision::Double);
             for strip in 0..grid.influence.strips() {
                 self.update_slip(grid, Precision::Double, strip);

@@ -4,7 +4,7 @@ use super::{Equations, State};
 use crate::coulomb::grid::Grid;
 use crate::coulomb::influence::Precision;
 
-/// Newton steps in a strip in one sweep, two or, on a long contact, one: other strips change what drives it
+/// Newton steps in a strip in one sweep, two or, on a long contact and from a step before, one: other strips change what drives it
 /// before more are worth the matrices to be factored. After [`QUICK_ROUNDS`] there are as many as it takes.
 const FEW_STEPS: [usize; 2] = [2, 1];
 const MAX_STRIP_STEPS: usize = 30;
@@ -18,7 +18,7 @@ const CHORD: f64 = 0.02;
 impl State {
     /// Makes a strip and then its mirror image obey friction, in a round of sweeps.
     pub(super) fn solve_both(&mut self, grid: &Grid, strip: usize, tolerance: f64, round: usize) {
-        let few = FEW_STEPS[usize::from(grid.is_long)];
+        let few = FEW_STEPS[usize::from(grid.is_long || (round == 0 && self.is_close))];
         let steps = if round < QUICK_ROUNDS { few } else { MAX_STRIP_STEPS };
         self.update_slip(grid, self.precision, strip);
         self.solve_strip(grid, strip, tolerance, steps);
