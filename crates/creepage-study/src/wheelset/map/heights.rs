@@ -177,7 +177,8 @@ fn by_roll<'a>(
     let [z_y, place_y] = slope([beside([-dy, 0.0])?, beside([dy, 0.0])?], dy);
     let [z_roll, place_roll] = slope([beside([0.0, -dr])?, beside([0.0, dr])?], dr);
     let lever = -place_roll / place_y;
-    let lever = if place_y > 0.3 && lever.is_finite() { lever } else { radius };
+    // The load goes either way along the rail as the wheel moves aside.
+    let lever = if place_y.abs() > 0.3 && lever.is_finite() { lever } else { radius };
     let local = lever - radius;
     let shift = (local / (1.0 - along * local)).clamp(SHIFTS[0], SHIFTS[1]);
     let (a, b) = (1.0 + shift * along, radius + shift * (1.0 + radius * along));
