@@ -87,13 +87,22 @@ pub(crate) struct Placed<S> {
     /// The coordinate without the local part of the shift by roll (m).
     plain: S,
     weights: Cubic<S>,
-    /// Roll (rad), and how much of it is beyond that of `plain`'s node.
-    roll: S,
+    /// Roll (rad) beyond that of `plain`'s node.
     pub(crate) further: S,
     /// Height (m).
     z: S,
     /// Weights of [`HeightNode::yawed`].
     yaws: [S; YAWS],
+}
+
+impl<S: Scalar> Placed<S> {
+    /// Without derivatives.
+    fn values(&self) -> Placed<f64> {
+        let Self { plain, weights, further, z, yaws } = *self;
+        let weights = Cubic { first: weights.first, weights: weights.weights.map(Scalar::value) };
+        let [plain, further, z] = [plain, further, z].map(Scalar::value);
+        Placed { plain, weights, further, z, yaws: yaws.map(Scalar::value) }
+    }
 }
 
 /// Where a wheel has one of the loads of [`Heights::loads`].
@@ -178,7 +187,7 @@ impl Heights {
         // The parabola through none, half and the whole of the largest square of yaw.
         let t = yaw_square;
         let yaws = [t * (-t + 1.0) * 4.0, t * (t * 2.0 - 1.0)];
-        Ok(Placed { plain, weights, roll, further, z, yaws })
+        Ok(Placed { plain, weights, further, z, yaws })
     }
 
     fn inside<S: Scalar>(&self, place: S) -> Result<S, MapError> {
@@ -193,11 +202,10 @@ impl Heights {
         let shift = placed.weights.of(|n| self.nodes[n].shift[k]);
         let place = placed.plain - shift * placed.further;
         let weights = Cubic::at(&self.places, place);
-        let further = placed.roll - weights.of(|n| self.nodes[n].roll);
         let own = weights.of(|n| self.nodes[n].heights[k]);
         let by_yaw = |y: usize| weights.of(|n| self.nodes[n].yawed[y].lowered[k]) * placed.yaws[y];
         let fall = weights.of(|n| self.nodes[n].fall[k]);
-        Level { place, height: own + by_yaw(0) + by_yaw(1) - fall * further }
+        Level { place, height: own + by_yaw(0) + by_yaw(1) - fall * placed.further }
     }
 
     /// With what yaw adds to a place.
@@ -223,7 +231,8 @@ impl Heights {
     /// Load (N) at which a wheel stands there, and its place in the map (m); none where it hangs above its rail.
     pub(crate) fn load<S: Scalar>(&self, placed: &Placed<S>) -> Result<Option<[S; 2]>, MapError> {
         let value = placed.z.value();
-        let height = |k: usize| self.level(placed, k).height.value();
+        let values = placed.values();
+        let height = |k: usize| self.level(&values, k).height;
         let (mut low, mut high) = (0, HEIGHTS - 1);
         if value <= height(0) {
             return Ok(None);
