@@ -177,8 +177,9 @@ fn by_roll<'a>(
     let [z_y, place_y] = slope([beside([-dy, 0.0])?, beside([dy, 0.0])?], dy);
     let [z_roll, place_roll] = slope([beside([0.0, -dr])?, beside([0.0, dr])?], dr);
     let lever = -place_roll / place_y;
-    // The load goes either way along the rail as the wheel moves aside.
-    let lever = if place_y.abs() > 0.3 && lever.is_finite() { lever } else { radius };
+    // On usual profiles the load goes against the wheel (`place_y < 0`), and no local shift is taken: with it
+    // places are better, but heights worse (normal force 3.3 for .9 % rms where areas join).
+    let lever = if place_y > 0.3 && lever.is_finite() { lever } else { radius };
     let local = lever - radius;
     let shift = (local / (1.0 - along * local)).clamp(SHIFTS[0], SHIFTS[1]);
     let (a, b) = (1.0 + shift * along, radius + shift * (1.0 + radius * along));
