@@ -8,18 +8,37 @@ pub(crate) fn cell(grid: &[f64], at: f64) -> usize {
     grid.partition_point(|node| *node <= at).saturating_sub(1).min(last)
 }
 
-/// Weights of two neighbours that blend from one to the other: not negative, so that a bound on both
-/// is one on the blend, and level at the nodes, so that first derivatives do not jump.
-pub(crate) fn smooth<S: Scalar>(part: S) -> [S; 2] {
-    let t = part.value();
-    if t <= 0.0 {
-        return [S::constant(1.0), S::constant(0.0)];
+/// How two neighbours that know their slopes are blended: Hermite's cubic, `sum w_k (f_k + d_k f_k')`.
+///
+/// The weights `w_k` are not negative, so that a bound on both neighbours is one on the blend, and level at the
+/// nodes; each neighbour is asked not as far away as the place lies, but at `d_k`, by which the cubic's terms of the
+/// slopes come out: `w_0 d_0 = t (1 - t)^2 h`. Polynomials of third degree are met where slopes are right, and
+/// first derivatives do not jump.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Hermite<S> {
+    /// The first of both nodes.
+    pub(crate) first: usize,
+    /// `w_k`.
+    pub(crate) weights: [S; 2],
+    /// `d_k`, in the grid's unit.
+    pub(crate) away: [S; 2],
+}
+
+impl<S: Scalar> Hermite<S> {
+    /// On a grid of at least two rising nodes, within its ends or hardly beyond.
+    pub(crate) fn at(grid: &[f64], place: S) -> Self {
+        let first = cell(grid, place.value());
+        let width = grid[first + 1] - grid[first];
+        let part = (place - grid[first]) * width.recip();
+        let t = part.value().clamp(0.0, 1.0);
+        let after = part.chain(t * t * (3.0 - 2.0 * t), 6.0 * t * (1.0 - t));
+        let (low, high) = (1.0 + 2.0 * t, 3.0 - 2.0 * t);
+        let away = [
+            part.chain(t / low * width, width / (low * low)),
+            part.chain((t - 1.0) / high * width, width / (high * high)),
+        ];
+        Self { first, weights: [-after + 1.0, after], away }
     }
-    if t >= 1.0 {
-        return [S::constant(0.0), S::constant(1.0)];
-    }
-    let after = part.chain(t * t * (3.0 - 2.0 * t), 6.0 * t * (1.0 - t));
-    [-after + 1.0, after]
 }
 
 /// The first of up to four nodes, and their weights: the cubic through two neighbours whose slopes there
@@ -129,6 +148,26 @@ mod tests {
                 assert!((found.v - value(at)).abs() < 1e-14, "{found:?}");
                 assert!((found.d[0] - (4.0 * at - 1.0)).abs() < 1e-13, "{found:?}");
             }
+        }
+    }
+
+    /// Cubics are met to rounding with the right slopes at two nodes, and no node is asked farther away than a third
+    /// of the cell.
+    #[test]
+    fn cubics_are_met_by_two_slopes() {
+        let grid = [-1.0, 0.3, 1.0];
+        let value = |x: f64| 0.3 - x + 2.0 * x * x - 0.7 * x * x * x;
+        let slope = |x: f64| -1.0 + 4.0 * x - 2.1 * x * x;
+        for at in [-1.0, -0.4, 0.29, 0.3, 0.31, 0.9, 1.0] {
+            let blend = Hermite::at(&grid, Dual::<1>::variable(at, 0));
+            let mut sum = Dual::constant(0.0);
+            for k in 0..2 {
+                let node = grid[blend.first + k];
+                sum = sum + blend.weights[k] * (blend.away[k] * slope(node) + value(node));
+                assert!(blend.away[k].v.abs() <= (1.3 + 1e-12) / 3.0 && blend.weights[k].v >= 0.0);
+            }
+            assert!((sum.v - value(at)).abs() < 1e-14, "{sum:?}");
+            assert!((sum.d[0] - slope(at)).abs() < 1e-13, "{sum:?}");
         }
     }
 

@@ -13,7 +13,7 @@ use crate::answer::{Pressed, State};
 use crate::error::MapError;
 use crate::map::{ContactMap, Head, MapAccuracy, Spread};
 use crate::normal::{HEIGHTS, HeightNode, Heights, PLACE};
-use crate::patch::{Ellipse, Patch, Sloped};
+use crate::patch::{Ellipse, EllipseSlopes, Patch, Sloped};
 use crate::wheel::{CellError, RollingNode, WheelMap};
 
 impl From<WriteError> for MapError {
@@ -29,15 +29,18 @@ impl From<InvalidDataSet> for MapError {
 }
 
 /// The layout and the meaning of a file's numbers; another number for any change of either.
-const FORMAT: i32 = 2;
+const FORMAT: i32 = 3;
+/// Numbers of an ellipse with its slopes.
+const ELLIPSE: usize = 3 * 8;
 /// Numbers of a patch.
-const PATCH: usize = 4 * 3 + 6 + 2 * 8;
+const PATCH: usize = 4 * 3 + 6 + 2 * ELLIPSE;
 const SIDES: [&str; 2] = ["left", "right"];
 const COMMENT: &str = "right-hand image of each side; place = y - radius roll - half_distance yaw^2/2; \
-    heights: place, roll, shift, fall, z under each of height_loads, then at yaws of half and the whole \
+    heights: place, roll, then under each of height_loads shift, fall and z, then at yaws of half and the whole \
     square of the largest aside and what z is more; patches: share, angle, y, z, \
     each with its slopes by place and by ln load, approach, centroid x, s, peak pressure, area, residual, then of \
-    two ellipses a/b, k_x, k_p, s, weight and three numbers of the moment; SI units";
+    two ellipses a/b, k_x, k_p, s, weight and three numbers of the moment, then slopes by place and by ln load of \
+    ln k_x along and across, ln k_p, s, weight and these three; SI units";
 
 /// A variable of the file.
 struct Column {
@@ -231,8 +234,12 @@ fn patch_numbers(patch: &Patch) -> [f64; PATCH] {
     let [x, s] = patch.centroid;
     let others = [patch.approach, x, s, patch.peak_pressure, patch.area, patch.residual];
     let ellipses = patch.ellipses.into_iter().flat_map(|ellipse| {
-        let Ellipse { ratio, by_creepage, by_spin, offset, weight, moment } = ellipse;
-        [ratio, by_creepage, by_spin, offset, weight].into_iter().chain(moment)
+        let Ellipse { ratio, by_creepage, by_spin, offset, weight, moment, .. } = ellipse;
+        let slopes = [ellipse.by_place, ellipse.by_load].into_iter().flat_map(|slopes| {
+            let EllipseSlopes { along, across, spin, offset, weight, moment } = slopes;
+            [along, across, spin, offset, weight].into_iter().chain(moment)
+        });
+        [ratio, by_creepage, by_spin, offset, weight].into_iter().chain(moment).chain(slopes)
     });
     all.iter_mut().zip(sloped.chain(others).chain(ellipses)).for_each(|(to, from)| *to = from);
     all
@@ -240,6 +247,14 @@ fn patch_numbers(patch: &Patch) -> [f64; PATCH] {
 
 fn patch(all: &[f64; PATCH]) -> Patch {
     let sloped = |k: usize| Sloped { value: all[k], by_place: all[k + 1], by_load: all[k + 2] };
+    let slopes = |k: usize| EllipseSlopes {
+        along: all[k],
+        across: all[k + 1],
+        spin: all[k + 2],
+        offset: all[k + 3],
+        weight: all[k + 4],
+        moment: [all[k + 5], all[k + 6], all[k + 7]],
+    };
     let ellipse = |k: usize| Ellipse {
         ratio: all[k],
         by_creepage: all[k + 1],
@@ -247,6 +262,8 @@ fn patch(all: &[f64; PATCH]) -> Patch {
         offset: all[k + 3],
         weight: all[k + 4],
         moment: [all[k + 5], all[k + 6], all[k + 7]],
+        by_place: slopes(k + 8),
+        by_load: slopes(k + 16),
     };
     Patch {
         share: sloped(0),
@@ -258,7 +275,7 @@ fn patch(all: &[f64; PATCH]) -> Patch {
         peak_pressure: all[15],
         area: all[16],
         residual: all[17],
-        ellipses: [ellipse(18), ellipse(26)],
+        ellipses: [ellipse(18), ellipse(18 + ELLIPSE)],
     }
 }
 

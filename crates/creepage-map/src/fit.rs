@@ -15,6 +15,19 @@ pub struct Sample {
     pub creepage: [f64; 3],
     /// Force along and across over `mu N`, moment about the reference point over `mu N` (m).
     pub force: [f64; 3],
+    /// How much its tangential force counts against that of others.
+    pub weight: f64,
+    /// Creepage at which the force is taken off: then it is the difference that is to be met, a slope of
+    /// the force.
+    pub from: Option<[f64; 3]>,
+}
+
+impl Sample {
+    /// A force, which counts once.
+    #[must_use]
+    pub fn new(creepage: [f64; 3], force: [f64; 3]) -> Self {
+        Self { creepage, force, weight: 1.0, from: None }
+    }
 }
 
 /// From what a fit starts.
@@ -77,7 +90,7 @@ pub fn fit(
 ) -> Result<Fit, MapError> {
     let axis = table.a_over_b();
     let [low, high] = contour.across;
-    let finite = samples.iter().flat_map(|s| s.creepage.iter().chain(&s.force));
+    let finite = samples.iter().flat_map(|s| s.creepage.iter().chain(&s.force).chain([&s.weight]));
     let is_good = samples.len() >= 9
         && finite.copied().all(f64::is_finite)
         && high > low
@@ -121,8 +134,8 @@ pub fn fit(
     for s in [[0.5 * low, 0.5 * high], [low / 3.0, 0.7 * high], [0.7 * low, high / 3.0]] {
         keep(problem.solve(two(s, 1.6_f64.ln()), 9)?);
     }
-    let (numbers, squares) = best.ok_or(MapError::Senseless("samples"))?;
-    problem.finish(&numbers, squares)
+    let (numbers, _) = best.ok_or(MapError::Senseless("samples"))?;
+    problem.finish(&numbers)
 }
 
 impl Problem<'_> {
@@ -147,7 +160,7 @@ impl Problem<'_> {
             by_spin: numbers[k + 2].exp(),
             offset: numbers[k + 3] * self.length,
             weight,
-            moment: [0.0; 3],
+            ..Ellipse::default()
         })
     }
 
@@ -157,8 +170,25 @@ impl Problem<'_> {
         ellipse: &Ellipse,
         sample: &Sample,
     ) -> Result<([f64; 3], [[f64; 3]; 3]), MapError> {
+        let (mut force, mut slopes) = self.at(ellipse, sample.creepage)?;
+        if let Some(from) = sample.from {
+            let (less, slopes_less) = self.at(ellipse, from)?;
+            for i in 0..3 {
+                force[i] -= less[i];
+                for k in 0..3 {
+                    slopes[i][k] -= slopes_less[i][k];
+                }
+            }
+        }
+        Ok((force, slopes))
+    }
+
+    fn at(
+        &self,
+        ellipse: &Ellipse,
+        [ux, uy, spin]: [f64; 3],
+    ) -> Result<([f64; 3], [[f64; 3]; 3]), MapError> {
         let Ellipse { ratio, by_creepage, by_spin, offset, .. } = *ellipse;
-        let [ux, uy, spin] = sample.creepage;
         let xi = by_creepage * (ux - spin * offset);
         let (eta, chi) = (by_creepage * uy, by_spin * spin);
         let slice = self.table.at(ratio, self.poisson)?;
@@ -184,13 +214,14 @@ impl Problem<'_> {
                 let ratio = numbers[4 * e];
                 let step =
                     if ratio > self.ratios[0].midpoint(self.ratios[1]) { -STEP } else { STEP };
+                let share = sample.weight * ellipse.weight;
                 let beside = Ellipse { ratio: (ratio + step).exp(), ..*ellipse };
                 let (moved, _) = self.of(&beside, sample)?;
                 for i in 0..2 {
                     let row = 2 * n + i;
-                    by[(row, 4 * e)] = ellipse.weight * (moved[i] - force[i]) / step;
+                    by[(row, 4 * e)] = share * (moved[i] - force[i]) / step;
                     for k in 0..3 {
-                        by[(row, 4 * e + 1 + k)] = ellipse.weight * slopes[i][k];
+                        by[(row, 4 * e + 1 + k)] = share * slopes[i][k];
                     }
                 }
                 forces[e] = force;
@@ -199,8 +230,8 @@ impl Problem<'_> {
             let parts = forces[0].into_iter().zip(forces[1]).zip(sample.force);
             for (i, ((first, second), wanted)) in parts.take(2).enumerate() {
                 let row = 2 * n + i;
-                left[row] = one * first + other * second - wanted;
-                by[(row, 8)] = one * other * (first - second);
+                left[row] = sample.weight * (one * first + other * second - wanted);
+                by[(row, 8)] = sample.weight * one * other * (first - second);
             }
         }
         Ok((left, by))
@@ -213,7 +244,7 @@ impl Problem<'_> {
             let [one, other] = [self.of(&ellipses[0], sample)?.0, self.of(&ellipses[1], sample)?.0];
             for i in 0..2 {
                 let force = ellipses[0].weight * one[i] + ellipses[1].weight * other[i];
-                sum += (force - sample.force[i]).powi(2);
+                sum += (sample.weight * (force - sample.force[i])).powi(2);
             }
         }
         Ok(sum)
@@ -274,7 +305,7 @@ impl Problem<'_> {
     }
 
     /// With the moment's numbers.
-    fn finish(&self, numbers: &Numbers, squares: f64) -> Result<Fit, MapError> {
+    fn finish(&self, numbers: &Numbers) -> Result<Fit, MapError> {
         let mut ellipses = self.ellipses(numbers);
         let count = self.samples.len();
         let mut by = DMatrix::zeros(count + 6, 6);
@@ -300,6 +331,13 @@ impl Problem<'_> {
         }
         let mean = |squares: f64| (squares / count as f64).sqrt();
         let moment_residual = mean(left.rows(0, count).norm_squared()) * self.length;
+        let mut squares = 0.0;
+        for sample in self.samples {
+            let [one, other] = [self.of(&ellipses[0], sample)?.0, self.of(&ellipses[1], sample)?.0];
+            let [first, second] = ellipses.map(|ellipse| ellipse.weight);
+            let left = |i: usize| first * one[i] + second * other[i] - sample.force[i];
+            squares += left(0).powi(2) + left(1).powi(2);
+        }
         Ok(Fit { ellipses, residual: mean(squares), moment_residual })
     }
 }

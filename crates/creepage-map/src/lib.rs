@@ -3,7 +3,8 @@
 //! At a given place of wheel on rail the tangential forces of the full theory over all creepages are those
 //! of **two ellipses** with nine fitted numbers: sizes, shapes, offset and share. A [`ContactMap`] holds these
 //! at nodes along the wheel's lateral place and its load, with heights, angles and reference points, and
-//! blends the *forces* of neighbouring nodes, which keeps `|T| <= mu N` and a continuous first derivative.
+//! blends the *forces* of neighbouring nodes by their values and slopes, which keeps `|T| <= mu N` and a continuous
+//! first derivative.
 //! It knows its own error, measured on fresh states against the full theory when it was built.
 //!
 //! Asked outside its range a map gives an error that names the bound; it does not extrapolate. An answer is a
@@ -40,6 +41,7 @@ mod map;
 mod normal;
 mod patch;
 mod scalar;
+mod slopes;
 mod wheel;
 
 pub use answer::{Answer, PatchAnswer, Pressed, State, WheelAnswer};
@@ -48,7 +50,8 @@ pub use error::{MapError, Quantity};
 pub use fit::{Contour, Fit, Sample, fit};
 pub use map::{ContactMap, Derivatives, Head, MapAccuracy, Spread, VARIABLES};
 pub use normal::{HEIGHTS, HeightNode, Heights, PLACE, YAWS, Yawed};
-pub use patch::{Ellipse, Patch, Sloped};
+pub use patch::{Ellipse, EllipseSlopes, Patch, Sloped};
+pub use slopes::slopes;
 pub use wheel::{CellError, PLACES, RollingNode, WheelMap};
 
 /// A side of the track, seen in the direction of travel.

@@ -291,7 +291,7 @@ impl ContactMap {
     pub fn height_under(&self, side: Side, state: &State, load: f64) -> Result<[f64; 2], MapError> {
         let image = numbers::<f64>(state, [0.0, state.roll.unwrap_or(0.0), 0.0]);
         let placed = self.placed(side, &image)?;
-        Ok([self.wheel(side).heights.under(&placed, load), placed.place])
+        self.wheel(side).heights.under(&placed, load)
     }
 
     /// Checks a state, and finds what it leaves open: z, roll, pitch rate.
@@ -350,7 +350,8 @@ impl ContactMap {
                 let image = numbers::<f64>(state, [z, roll, rate]).on(side);
                 let wrong = |error| MapError::Wheel { side, error: Box::new(error) };
                 let placed = self.placed(side, &image).map_err(wrong)?;
-                Ok::<_, MapError>(self.wheel(side).heights.under(&placed, loads))
+                let [height, _] = self.wheel(side).heights.under(&placed, loads).map_err(wrong)?;
+                Ok::<_, MapError>(height)
             };
             let [left, right] = [height(Side::Left)?, height(Side::Right)?];
             if state.roll.is_none() {

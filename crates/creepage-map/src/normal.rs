@@ -25,10 +25,11 @@ pub struct HeightNode {
     pub place: f64,
     /// Roll (rad) at which it was pressed.
     pub roll: f64,
-    /// By how much more than `R` a further roll moves the wheel aside (m/rad).
-    pub shift: f64,
-    /// By how much a further roll brings the wheel down (m/rad).
-    pub fall: f64,
+    /// By how much more than `R` a further roll moves the wheel aside under the loads of [`Heights::loads`]
+    /// (m/rad): where areas join, the more of them carry, the farther.
+    pub shift: [f64; HEIGHTS],
+    /// By how much a further roll brings the wheel down under these loads (m/rad).
+    pub fall: [f64; HEIGHTS],
     /// Height of the wheelset (m, down) under the loads of [`Heights::loads`].
     pub heights: [f64; HEIGHTS],
     /// At the map's yaws.
@@ -36,7 +37,7 @@ pub struct HeightNode {
 }
 
 /// Numbers of a [`HeightNode`].
-pub const PLACE: usize = 4 + HEIGHTS + YAWS * (1 + HEIGHTS);
+pub const PLACE: usize = 2 + 3 * HEIGHTS + YAWS * (1 + HEIGHTS);
 
 impl HeightNode {
     /// Its numbers in a row, as files have them.
@@ -46,7 +47,7 @@ impl HeightNode {
         let yawed =
             yawed.into_iter().flat_map(|yawed| std::iter::once(yawed.aside).chain(yawed.lowered));
         let mut all = [0.0; PLACE];
-        let own = [place, roll, shift, fall].into_iter().chain(heights);
+        let own = [place, roll].into_iter().chain(shift).chain(fall).chain(heights);
         all.iter_mut().zip(own.chain(yawed)).for_each(|(to, from)| *to = from);
         all
     }
@@ -56,15 +57,15 @@ impl HeightNode {
     pub fn of_numbers(all: &[f64; PLACE]) -> Self {
         let row = |first: usize| std::array::from_fn(|k| all[first + k]);
         let yawed = |k: usize| {
-            let first = 4 + HEIGHTS + k * (1 + HEIGHTS);
+            let first = 2 + 3 * HEIGHTS + k * (1 + HEIGHTS);
             Yawed { aside: all[first], lowered: row(first + 1) }
         };
         Self {
             place: all[0],
             roll: all[1],
-            shift: all[2],
-            fall: all[3],
-            heights: row(4),
+            shift: row(2),
+            fall: row(2 + HEIGHTS),
+            heights: row(2 + 2 * HEIGHTS),
             yawed: std::array::from_fn(yawed),
         }
     }
@@ -80,19 +81,37 @@ pub struct Heights {
     powers: [f64; HEIGHTS],
 }
 
-/// A wheel's place in the map.
+/// A wheel as it stands, before its load is known.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Placed<S> {
-    pub(crate) place: S,
+    /// The coordinate without the local part of the shift by roll (m).
+    plain: S,
     weights: Cubic<S>,
+    /// Roll (rad) beyond that of `plain`'s node.
+    pub(crate) further: S,
+    /// Height (m).
+    z: S,
     /// Weights of [`HeightNode::yawed`].
     yaws: [S; YAWS],
-    /// Height (m) at the node's roll.
+}
+
+impl<S: Scalar> Placed<S> {
+    /// Without derivatives.
+    fn values(&self) -> Placed<f64> {
+        let Self { plain, weights, further, z, yaws } = *self;
+        let weights = Cubic { first: weights.first, weights: weights.weights.map(Scalar::value) };
+        let [plain, further, z] = [plain, further, z].map(Scalar::value);
+        Placed { plain, weights, further, z, yaws: yaws.map(Scalar::value) }
+    }
+}
+
+/// Where a wheel has one of the loads of [`Heights::loads`].
+#[derive(Debug, Clone, Copy)]
+struct Level<S> {
+    /// Place in the map without yaw's part (m).
+    place: S,
+    /// Height (m).
     height: S,
-    /// What roll adds to the height (m).
-    pub(crate) raised: S,
-    /// Roll beyond the node's (rad).
-    pub(crate) further: S,
 }
 
 impl Heights {
@@ -109,7 +128,7 @@ impl Heights {
             let lowered = |yawed: &Yawed| -> [f64; HEIGHTS] {
                 std::array::from_fn(|k| node.heights[k] + yawed.lowered[k])
             };
-            [node.roll, node.shift, node.fall].iter().all(|v| v.is_finite())
+            [node.roll].iter().chain(&node.shift).chain(&node.fall).all(|v| v.is_finite())
                 && rises(&node.heights)
                 && node.yawed.iter().all(|yawed| yawed.aside.is_finite())
                 && node.yawed.iter().all(|yawed| rises(&lowered(yawed)))
@@ -154,90 +173,94 @@ impl Heights {
         &self.loads
     }
 
-    /// Where a wheel stands: from `plain`, the coordinate without the local part of the shift by roll, and the
-    /// square of yaw over that of the map's largest.
+    /// A wheel as it stands: by `plain`, the coordinate without the local part of the shift by roll, height and
+    /// roll, and the square of yaw over that of the map's largest.
     pub(crate) fn placed<S: Scalar>(
         &self,
         plain: S,
         [z, roll]: [S; 2],
         yaw_square: S,
     ) -> Result<Placed<S>, MapError> {
-        let [low, high] = self.range();
-        let inside = |place: S| {
-            let value = place.value();
-            let found = (low..=high).contains(&value);
-            found.then_some(()).ok_or(MapError::Outside {
-                quantity: Quantity::Place,
-                value,
-                low,
-                high,
-            })
-        };
-        inside(plain)?;
+        self.inside(plain)?;
         let weights = Cubic::at(&self.places, plain);
-        let node = |value: fn(&HeightNode) -> f64| weights.of(|k| value(&self.nodes[k]));
-        let further = roll - node(|node| node.roll);
-        let place = plain - node(|node| node.shift) * further;
-        inside(place)?;
-        let weights = Cubic::at(&self.places, place);
-        let node = |value: fn(&HeightNode) -> f64| weights.of(|k| value(&self.nodes[k]));
-        let further = roll - node(|node| node.roll);
-        let raised = node(|node| node.fall) * further;
+        let further = roll - weights.of(|k| self.nodes[k].roll);
         // The parabola through none, half and the whole of the largest square of yaw.
         let t = yaw_square;
         let yaws = [t * (-t + 1.0) * 4.0, t * (t * 2.0 - 1.0)];
-        let aside = |k: usize| weights.of(|n| self.nodes[n].yawed[k].aside) * yaws[k];
-        let place = place + aside(0) + aside(1);
-        Ok(Placed { place, weights, yaws, height: z + raised, raised, further })
+        Ok(Placed { plain, weights, further, z, yaws })
     }
 
-    /// The height under a load of [`Heights::loads`].
-    pub(crate) fn height<S: Scalar>(&self, placed: &Placed<S>, load: usize) -> S {
-        let own = placed.weights.of(|k| self.nodes[k].heights[load]);
-        let by_yaw = |y: usize| placed.weights.of(|k| self.nodes[k].yawed[y].lowered[load]);
-        own + by_yaw(0) * placed.yaws[0] + by_yaw(1) * placed.yaws[1]
+    fn inside<S: Scalar>(&self, place: S) -> Result<S, MapError> {
+        let [low, high] = self.range();
+        let (quantity, value) = (Quantity::Place, place.value());
+        let inside = (low..=high).contains(&value);
+        inside.then_some(place).ok_or(MapError::Outside { quantity, value, low, high })
     }
 
-    /// Height (m) of a wheel under a load (N), nearly: between those of the loads beside it.
-    pub(crate) fn under(&self, placed: &Placed<f64>, load: f64) -> f64 {
+    /// Where the wheel has the load number `k` of [`Heights::loads`].
+    fn level<S: Scalar>(&self, placed: &Placed<S>, k: usize) -> Level<S> {
+        let shift = placed.weights.of(|n| self.nodes[n].shift[k]);
+        let place = placed.plain - shift * placed.further;
+        let weights = Cubic::at(&self.places, place);
+        let own = weights.of(|n| self.nodes[n].heights[k]);
+        let by_yaw = |y: usize| weights.of(|n| self.nodes[n].yawed[y].lowered[k]) * placed.yaws[y];
+        let fall = weights.of(|n| self.nodes[n].fall[k]);
+        Level { place, height: own + by_yaw(0) + by_yaw(1) - fall * placed.further }
+    }
+
+    /// With what yaw adds to a place.
+    fn turned<S: Scalar>(&self, placed: &Placed<S>, place: S) -> Result<S, MapError> {
+        let weights = Cubic::at(&self.places, self.inside(place)?);
+        let aside = |k: usize| weights.of(|n| self.nodes[n].yawed[k].aside) * placed.yaws[k];
+        Ok(place + aside(0) + aside(1))
+    }
+
+    /// Height (m) of a wheel under a load (N) and its place in the map, nearly: between those of the loads beside
+    /// it.
+    pub(crate) fn under(&self, placed: &Placed<f64>, load: f64) -> Result<[f64; 2], MapError> {
         let power = (load * load).cbrt();
         let above = self.powers.partition_point(|p| *p <= power).clamp(1, HEIGHTS - 1);
-        let [low, high] = [above - 1, above].map(|k| (self.powers[k], self.height(placed, k)));
-        low.1 + (high.1 - low.1) * (power - low.0) / (high.0 - low.0) - placed.raised
+        let [low, high] = [above - 1, above].map(|k| self.level(placed, k));
+        let [from, to] = [self.powers[above - 1], self.powers[above]];
+        let part = (power - from) / (to - from);
+        let between = |low: f64, high: f64| low + (high - low) * part;
+        let place = self.turned(placed, between(low.place, high.place))?;
+        Ok([between(low.height, high.height), place])
     }
 
-    /// Load (N) at which a wheel stands there; none where it hangs above its rail.
-    pub(crate) fn load<S: Scalar>(&self, placed: &Placed<S>) -> Result<Option<S>, MapError> {
-        let height = placed.height.value();
+    /// Load (N) at which a wheel stands there, and its place in the map (m); none where it hangs above its rail.
+    pub(crate) fn load<S: Scalar>(&self, placed: &Placed<S>) -> Result<Option<[S; 2]>, MapError> {
+        let value = placed.z.value();
+        let values = placed.values();
+        let height = |k: usize| self.level(&values, k).height;
         let (mut low, mut high) = (0, HEIGHTS - 1);
-        if height <= self.height(placed, 0).value() {
+        if value <= height(0) {
             return Ok(None);
         }
-        if height > self.height(placed, high).value() {
-            let [low, high] = [0, high].map(|k| self.height(placed, k).value());
-            let lifted = placed.raised.value();
-            return Err(MapError::Outside {
-                quantity: Quantity::Height,
-                value: height - lifted,
-                low: low - lifted,
-                high: high - lifted,
-            });
+        if value > height(high) {
+            let (quantity, low, high) = (Quantity::Height, height(0), height(high));
+            return Err(MapError::Outside { quantity, value, low, high });
         }
         while high - low > 1 {
             let middle = usize::midpoint(low, high);
-            if self.height(placed, middle).value() <= height { low = middle } else { high = middle }
+            if height(middle) <= value { low = middle } else { high = middle }
         }
         let first = low.saturating_sub(1).min(HEIGHTS - 4);
-        let knots = [0, 1, 2, 3].map(|k| self.height(placed, first + k));
-        // Between yaws heights that rise at each may not.
+        let levels = [0, 1, 2, 3].map(|k| self.level(placed, first + k));
+        let knots = levels.map(|level| level.height);
+        // Between yaws, and with much roll, heights that rise at each node may not.
         if knots.windows(2).any(|pair| pair[0].value() >= pair[1].value()) {
             return Err(MapError::NotFound { left: 1.0 });
         }
-        let weights = cubic_weights(&knots, 4, low - first, placed.height);
-        let mut power = S::constant(0.0);
+        let weights = cubic_weights(&knots, 4, low - first, placed.z);
+        let (mut power, mut place) = (S::constant(0.0), S::constant(0.0));
         for (k, weight) in weights.into_iter().enumerate() {
             power = power + weight * self.powers[first + k];
+            place = place + weight * levels[k].place;
         }
-        Ok((power.value() > 0.0).then(|| power * power.sqrt()))
+        if power.value() <= 0.0 {
+            return Ok(None);
+        }
+        Ok(Some([power * power.sqrt(), self.turned(placed, place)?]))
     }
 }

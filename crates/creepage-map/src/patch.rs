@@ -1,6 +1,6 @@
 //! One place of contact at one node: where it lies, and the two ellipses whose forces it has.
 
-use creepage::table::{Shape, Table};
+use creepage::table::{Shape, Slice, Table};
 
 use crate::scalar::Scalar;
 
@@ -46,6 +46,34 @@ pub struct Ellipse {
     pub weight: f64,
     /// What it adds to the moment over `mu N` (m): by its own moment, by `f_x`, by `f_y`.
     pub moment: [f64; 3],
+    /// How it goes on along the map's place (1/m).
+    pub by_place: EllipseSlopes,
+    /// How it goes on along the logarithm of the load, beyond its growth by the cube root of that.
+    pub by_load: EllipseSlopes,
+}
+
+/// Slopes of an ellipse's numbers. Its ratio is kept; `k_x` has a slope along and one across.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct EllipseSlopes {
+    /// Of `ln k_x` in `xi`.
+    pub along: f64,
+    /// Of `ln k_x` in `eta`.
+    pub across: f64,
+    /// Of `ln k_p`.
+    pub spin: f64,
+    /// Of `s` (m).
+    pub offset: f64,
+    /// Of the share.
+    pub weight: f64,
+    /// Of what it adds to the moment (m).
+    pub moment: [f64; 3],
+}
+
+impl Ellipse {
+    /// Without slopes.
+    pub(crate) fn level(self) -> Self {
+        Self { by_place: EllipseSlopes::default(), by_load: EllipseSlopes::default(), ..self }
+    }
 }
 
 /// One place of contact at one node and load of the map, on the right-hand image of its side.
@@ -108,6 +136,12 @@ pub(crate) struct From<S> {
     pub(crate) growth: S,
 }
 
+impl<S: Scalar> From<S> {
+    pub(crate) fn new(place: S, load: S) -> Self {
+        Self { place, load, growth: (load * (1.0 / 3.0)).exp() }
+    }
+}
+
 /// What a patch does to the rail over the wheel's load: force, moment, and friction's moment about the
 /// axle; its numbers for reports.
 #[derive(Debug, Clone, Copy)]
@@ -158,41 +192,90 @@ impl Prepared {
         Ok(Self { patch: *patch, shapes: [one?, other?] })
     }
 
+    /// The table at the ratio of an ellipse.
+    pub(crate) fn slice<'a>(&self, table: &'a Table, ellipse: usize) -> Slice<'a> {
+        table.slice(&self.shapes[ellipse])
+    }
+
     /// Tangential force over `mu N` and moment over `mu N` (m) at creepage, lateral creepage and spin over
-    /// `mu`; `growth` as of [`From::growth`].
+    /// `mu`.
     pub(crate) fn friction<S: Scalar>(
         &self,
         table: &Table,
         [along, across, spin]: [S; 3],
-        growth: S,
+        from: &From<S>,
     ) -> [S; 3] {
         let zero = S::constant(0.0);
         let (mut force, mut moment) = ([zero; 2], zero);
-        let shrink = growth.recip();
+        let shrink = from.growth.recip();
         for (ellipse, shape) in self.patch.ellipses.iter().zip(&self.shapes) {
+            let (by_place, by_load) = (&ellipse.by_place, &ellipse.by_load);
+            let part =
+                |of: fn(&EllipseSlopes) -> f64| from.place * of(by_place) + from.load * of(by_load);
             let scale = shrink * ellipse.by_creepage;
-            let creepage =
-                [(along - spin * ellipse.offset) * scale, across * scale, spin * ellipse.by_spin];
+            let offset = part(|slopes| slopes.offset) + ellipse.offset;
+            let creepage = [
+                (along - spin * offset) * scale * (part(|slopes| slopes.along) + 1.0),
+                across * scale * (part(|slopes| slopes.across) + 1.0),
+                spin * (part(|slopes| slopes.spin) + 1.0) * ellipse.by_spin,
+            ];
             let [x, y, m] = S::creep_force(&table.slice(shape), creepage);
-            let [by_m, by_x, by_y] = ellipse.moment;
-            force = [force[0] + x * ellipse.weight, force[1] + y * ellipse.weight];
-            moment = moment + growth * m * by_m + x * by_x + y * by_y;
+            let weight = part(|slopes| slopes.weight) + ellipse.weight;
+            let by_m = part(|slopes| slopes.moment[0]) + ellipse.moment[0];
+            let by_x = part(|slopes| slopes.moment[1]) + ellipse.moment[1];
+            let by_y = part(|slopes| slopes.moment[2]) + ellipse.moment[2];
+            force = [force[0] + x * weight, force[1] + y * weight];
+            moment = moment + from.growth * m * by_m + x * by_x + y * by_y;
         }
         let [x, y] = bounded(force);
         [x, y, moment]
     }
+}
 
-    /// What it does in a position and motion, over the wheel's load.
-    pub(crate) fn act<S: Scalar>(
-        &self,
-        table: &Table,
-        asked: &Asked<S>,
-        from: &From<S>,
-    ) -> Acting<S> {
-        let patch = &self.patch;
-        let at = [from.place, from.load];
-        let (share, angle) = (patch.share.at(at), patch.angle.at(at));
-        let (y, z) = (patch.y.at(at), patch.z.at(at));
+/// A node's contact in a blend of neighbours: its weight, and from where it is asked.
+pub(crate) type Share<'a, S> = (S, &'a Prepared, From<S>);
+
+/// Where contacts of neighbouring nodes lie, blended.
+struct Geometry<S> {
+    share: S,
+    angle: S,
+    place: [S; 2],
+    approach: S,
+    centroid: [S; 2],
+    peak_pressure: f64,
+    area: f64,
+}
+
+impl<S: Scalar> Geometry<S> {
+    fn of(nodes: &[Share<'_, S>]) -> Self {
+        let zero = S::constant(0.0);
+        let (mut all, mut approach, mut centroid) = ([zero; 4], zero, [zero; 2]);
+        let (mut peak_pressure, mut area) = (0.0, 0.0);
+        for (weight, node, from) in nodes {
+            let patch = &node.patch;
+            let at = [from.place, from.load];
+            for (sum, part) in all.iter_mut().zip([patch.share, patch.angle, patch.y, patch.z]) {
+                *sum = *sum + part.at(at) * *weight;
+            }
+            let square = from.growth * from.growth;
+            approach = approach + square * patch.approach * *weight;
+            for (sum, part) in centroid.iter_mut().zip(patch.centroid) {
+                *sum = *sum + *weight * part;
+            }
+            peak_pressure += weight.value() * patch.peak_pressure * from.growth.value();
+            area += weight.value() * patch.area * square.value();
+        }
+        let [share, angle, y, z] = all;
+        Self { share, angle, place: [y, z], approach, centroid, peak_pressure, area }
+    }
+}
+
+impl<S: Scalar> Acting<S> {
+    /// What a contact does in a position and motion, over the wheel's load: it lies where its nodes blended have
+    /// it, and the forces of each node there are blended. The weights' sum is one.
+    pub(crate) fn of(nodes: &[Share<'_, S>], table: &Table, asked: &Asked<S>) -> Self {
+        let geometry = Geometry::of(nodes);
+        let (share, angle, [y, z]) = (geometry.share, geometry.angle, geometry.place);
         let (sin, cos) = angle.sin_cos();
         let lever = [y - asked.centre[0], z - asked.centre[1]];
         // The wheel's normal there, by the wheelset's axes, tells where around the axle it touches.
@@ -200,7 +283,7 @@ impl Prepared {
         let normal = [-(sin * cos_roll - cos * sin_roll), cos * cos_roll + sin * sin_roll];
         let around = normal[0] / normal[1] * asked.tan_yaw;
         let x = lever[1] * around * asked.yaw.1 - lever[0] * asked.yaw.0;
-        let approach = from.growth * from.growth * patch.approach;
+        let approach = geometry.approach;
         let point = [x, lever[0] - sin * approach, lever[1] + cos * approach];
         let [wx, wy, wz] = asked.turning;
         let [vx, vy, vz] = asked.velocity;
@@ -219,10 +302,15 @@ impl Prepared {
         let per_friction = asked.friction.recip();
         let reduced = creepage.map(|part| part * per_friction);
         let bound = asked.friction * share;
-        let [fx, fs, mz] = self.friction(table, reduced, from.growth).map(|part| part * bound);
-        let [cx, cs] = patch.centroid;
+        let mut friction = [S::constant(0.0); 3];
+        for (weight, node, from) in nodes {
+            let own = node.friction(table, reduced, from);
+            friction = [0, 1, 2].map(|k: usize| friction[k] + own[k] * *weight);
+        }
+        let [fx, fs, mz] = friction.map(|part| part * bound);
+        let [cx, cs] = geometry.centroid;
         let force = [fx, fs * cos - share * sin, fs * sin + share * cos];
-        let (mx, ms) = (share * cs, -share * cx);
+        let (mx, ms) = (share * cs, -(share * cx));
         let couple = [mx, ms * cos - mz * sin, ms * sin + mz * cos];
         let arm = [x, y - asked.about[0], z - asked.about[1]];
         let levered = cross(arm, force);
@@ -234,17 +322,16 @@ impl Prepared {
         let (sin_yaw, cos_yaw) = asked.yaw;
         let axis = [-sin_yaw, cos_yaw * cos_roll, cos_yaw * sin_roll];
         let axle = turning[0] * axis[0] + turning[1] * axis[1] + turning[2] * axis[2];
-        let grown = from.growth.value();
         let report = Report {
             share: share.value(),
             reference: [x.value(), y.value(), z.value()],
             angle: angle.value(),
             creepage: creepage.map(Scalar::value),
             friction: [fx, fs, mz].map(Scalar::value),
-            peak_pressure: patch.peak_pressure * grown,
-            area: patch.area * grown * grown,
+            peak_pressure: geometry.peak_pressure,
+            area: geometry.area,
         };
-        Acting { force, moment, axle, report }
+        Self { force, moment, axle, report }
     }
 }
 

@@ -2,7 +2,7 @@
 
 use creepage::table::Table;
 
-use crate::blend::{cell, smooth};
+use crate::blend::Hermite;
 use crate::error::{MapError, Quantity};
 use crate::normal::{Heights, Placed};
 use crate::patch::{Acting, Asked, From, Patch, Prepared, Report};
@@ -169,7 +169,7 @@ impl WheelMap {
         asked: &Asked<S>,
     ) -> Result<WheelActs<S>, MapError> {
         match self.heights.load(placed)? {
-            Some(load) => self.act_under(table, placed.place, load, asked),
+            Some([load, place]) => self.act_under(table, place, load, asked),
             None => Ok(WheelActs::nothing()),
         }
     }
@@ -192,23 +192,32 @@ impl WheelMap {
         let ends = [self.loads.first(), self.loads.last()].map(|end| end.map_or(0.0, |l| l.exp()));
         let value = load.value();
         outside(Quantity::Load, value, ends[0] * (1.0 - 1e-9), ends[1] * (1.0 + 1e-9))?;
-        let (node, heavier) = (cell(&self.places, place.value()), cell(&self.loads, log.value()));
-        let part = |grid: &[f64], k: usize, at: S| (at - grid[k]) * (grid[k + 1] - grid[k]).recip();
-        let by_place = smooth(part(&self.places, node, place));
-        let by_load = smooth(part(&self.loads, heavier, log));
-        let mut acts = WheelActs { error: self.errors[node], ..WheelActs::nothing() };
+        let by_place = Hermite::at(&self.places, place);
+        let by_load = Hermite::at(&self.loads, log);
+        let mut acts = WheelActs { error: self.errors[by_place.first], ..WheelActs::nothing() };
         let mut weights = [0.0; PLACES];
-        for (l, by_load) in by_load.into_iter().enumerate() {
-            let along = log - self.loads[heavier + l];
-            let growth = (along * (1.0 / 3.0)).exp();
-            for (k, by_place) in by_place.into_iter().enumerate() {
-                let weight = by_place * by_load;
-                let from = From { place: place - self.places[node + k], load: along, growth };
-                for (slot, patch) in self.record(node + k, heavier + l).iter().enumerate() {
-                    let acting = patch.act(table, asked, &from);
-                    acts.add(&acting, weight);
-                    let slot = slot.min(PLACES - 1);
-                    weights[slot] += acts.reports[slot].add(&acting.report, weight.value());
+        let one = S::constant(1.0);
+        let nodes = [[0, 0], [1, 0], [0, 1], [1, 1]].map(|[k, l]: [usize; 2]| {
+            let record = self.record(by_place.first + k, by_load.first + l);
+            let from = From::new(by_place.away[k], by_load.away[l]);
+            (by_place.weights[k] * by_load.weights[l], record, from)
+        });
+        let mut add = |acting: &Acting<S>, weight: S, slot: usize| {
+            acts.add(acting, weight);
+            let slot = slot.min(PLACES - 1);
+            weights[slot] += acts.reports[slot].add(&acting.report, weight.value());
+        };
+        let count = nodes[0].1.len();
+        if nodes.iter().all(|(_, record, _)| record.len() == count) {
+            for slot in 0..count {
+                let shares = nodes.map(|(weight, record, from)| (weight, &record[slot], from));
+                add(&Acting::of(&shares, table, asked), one, slot);
+            }
+        } else {
+            // Nodes of one plane and of two: each acts where it has its own.
+            for (weight, record, from) in nodes {
+                for (slot, patch) in record.iter().enumerate() {
+                    add(&Acting::of(&[(one, patch, from)], table, asked), weight, slot);
                 }
             }
         }

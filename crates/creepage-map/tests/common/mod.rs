@@ -36,6 +36,7 @@ pub fn ellipse(ratio: f64, offset: f64, weight: f64) -> Ellipse {
         offset,
         weight,
         moment: [weight * 3e-3, -weight * offset, 1e-4],
+        ..Ellipse::default()
     }
 }
 
@@ -65,8 +66,8 @@ pub fn map() -> ContactMap {
     let height = |place: f64| HeightNode {
         place,
         roll: 0.02 * place,
-        shift: 0.1,
-        fall: 0.75,
+        shift: std::array::from_fn(|k| 0.09 + 0.002 * k as f64),
+        fall: [0.75; HEIGHTS],
         heights: std::array::from_fn(|k| {
             30.0 * place * place - 1e-4 + 15e-6 * k as f64 * (1.0 + 20.0 * place)
         }),

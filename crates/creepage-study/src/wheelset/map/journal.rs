@@ -14,11 +14,11 @@ use super::MapBuildError;
 use super::heights::Stood;
 use crate::sources::keep_foreign;
 
-const MAGIC: &[u8; 16] = b"creepage map 2\r\n";
+const MAGIC: &[u8; 16] = b"creepage map 3\r\n";
 /// Numbers of a patch without slopes.
 const PATCH: usize = 4 + 6 + 2 * 8;
 
-/// A kind of record, with its side and its place: 0 for heights, 1 for rolling nodes.
+/// A kind of record, with its side and its place: 0 for heights, 1 for rolling nodes, 2 for their slopes.
 type Key = (u8, i64);
 
 /// The journal of one build; in memory alone where there is no file.
@@ -112,6 +112,22 @@ impl Journal {
         self.write(key, &numbers)?;
         Ok(built)
     }
+
+    /// Slopes by place of the geometry of a node's contacts (share, angle, y, z), one after the other, or none;
+    /// built where they are not known.
+    pub(super) fn slopes(
+        &self,
+        (side, place): (Side, i64),
+        build: impl FnOnce() -> Result<Vec<f64>, MapBuildError>,
+    ) -> Result<Vec<f64>, MapBuildError> {
+        let key = (4 + u8::from(side == Side::Right), place);
+        if let Some(numbers) = self.known.get(&key) {
+            return Ok(numbers.clone());
+        }
+        let built = build()?;
+        self.write(key, &built)?;
+        Ok(built)
+    }
 }
 
 /// Records up to the first that is not whole, and where they end.
@@ -166,7 +182,7 @@ fn patch_numbers(patch: &Patch) -> Vec<f64> {
     let [x, s] = patch.centroid;
     let mut all = vec![patch.share.value, patch.angle.value, patch.y.value, patch.z.value];
     all.extend([patch.approach, x, s, patch.peak_pressure, patch.area, patch.residual]);
-    for Ellipse { ratio, by_creepage, by_spin, offset, weight, moment } in patch.ellipses {
+    for Ellipse { ratio, by_creepage, by_spin, offset, weight, moment, .. } in patch.ellipses {
         all.extend([ratio, by_creepage, by_spin, offset, weight].into_iter().chain(moment));
     }
     all
@@ -180,6 +196,7 @@ fn patch(all: &[f64; PATCH]) -> Patch {
         offset: all[k + 3],
         weight: all[k + 4],
         moment: [all[k + 5], all[k + 6], all[k + 7]],
+        ..Ellipse::default()
     };
     Patch {
         share: Sloped::level(all[0]),

@@ -21,8 +21,10 @@ const FRICTIONS: [f64; 3] = [0.12, 0.3, 0.6];
 const AMPLITUDES: [(f64, u32); 4] = [(0.5, 3), (1.2, 3), (2.5, 2), (6.0, 1)];
 /// The directions of each coefficient of friction are turned by so much against the last (rad).
 const TURN: f64 = 0.35;
-/// Amplitude of the three samples near zero.
-const SLIGHT: f64 = 0.03;
+/// Amplitude of the three samples near zero, and of those near the spin of pure rolling.
+const SLIGHT: [f64; 2] = [0.03, 0.2];
+/// A slope counts as the force that it makes at this amplitude.
+const SLOPE: f64 = 0.5;
 /// Spin (rad/m) below which a contact is sampled as if it had this: a curve needs more than none.
 const LEAST_SPIN: f64 = 0.08;
 /// Contacts with a smaller part of the wheel's load are left out.
@@ -53,13 +55,37 @@ impl Place<'_> {
         }
         let mut patches = Vec::new();
         for (contact, normal) in &stood {
-            if normal.load().value * contact.angle.cos() > TRIFLE * vertical {
+            if is_counted(contact, normal, vertical) {
                 patches.push(self.patch((contact, normal), vertical, (table, poisson))?);
             }
         }
         // The flattest first: a tread before a flange.
         patches.sort_by(|a, b| a.angle.value.abs().total_cmp(&b.angle.value.abs()));
         Ok(patches)
+    }
+
+    /// Geometry of the contacts (share, angle, y, z of [`Patch`]) under a load, in the order of
+    /// [`Place::patches`], of which there must be `count`; `height` is that at which the load is met.
+    pub(super) fn geometry(
+        &self,
+        solver: &WheelsetSolver<'_>,
+        height: f64,
+        count: usize,
+    ) -> Result<Option<Vec<[f64; 4]>>, MapBuildError> {
+        let Self { y, roll, .. } = *self;
+        let position = self.image.track(Position { y, z: height, roll, yaw: 0.0 });
+        let stood = solver.stand((self.image.side(), position), self.solids, &Vec::new())?;
+        let (sense, vertical) = (self.image.sense(), vertical(&stood));
+        let mut all: Vec<[f64; 4]> = stood
+            .iter()
+            .filter(|(contact, normal)| is_counted(contact, normal, vertical))
+            .map(|(contact, normal)| {
+                let [_, y, z] = contact.reference;
+                [normal.load().value / vertical, sense * contact.angle, sense * y, z]
+            })
+            .collect();
+        all.sort_by(|a, b| a[1].abs().total_cmp(&b[1].abs()));
+        Ok((all.len() == count).then_some(all))
     }
 
     /// Pressed until the load is met nearly: what is left changes forces in proportion.
@@ -132,12 +158,13 @@ impl Place<'_> {
         theory: &NonHertzian,
     ) -> Result<Vec<Sample>, MapBuildError> {
         let scaling = theory.scaling();
-        let slight = SLIGHT * scaling.slip;
+        let slight = SLIGHT[0] * scaling.slip;
         let ask =
             |[longitudinal, lateral, spin]: [f64; 3]| SiCreepage { longitudinal, lateral, spin };
         let mut all = Vec::new();
         let mut solved: Option<NonHertzianSolved<'_>> = None;
-        let mut sample = |at: [f64; 3]| -> Result<(), MapBuildError> {
+        // A force at a creepage; one that counts more is met as its difference from the last that counts once.
+        let mut sample = |at: [f64; 3], weight: f64| -> Result<(), MapBuildError> {
             let given = scaling.creepage(ask(at)).map_err(CaseError::invalid("motion"));
             let given = given.map_err(MapBuildError::from_case)?;
             match &mut solved {
@@ -148,14 +175,14 @@ impl Place<'_> {
                 let SiForce { longitudinal, lateral, moment } =
                     scaling.si_force(solved.solution().force);
                 let over = [longitudinal, lateral, moment].map(|part| part / scaling.force);
-                all.push(mirrored(self.image.sense(), at, over));
+                all.push(Sample { weight, ..mirrored(self.image.sense(), at, over) });
             }
             Ok(())
         };
         for axis in 0..3 {
             let mut at = [0.0; 3];
             at[axis] = if axis == 2 { slight / scaling.length } else { slight };
-            sample(at)?;
+            sample(at, SLOPE / SLIGHT[0])?;
         }
         // Linear theory's slope tells the creepage at which all of the friction force is used.
         let lever = self.image.radius();
@@ -164,25 +191,48 @@ impl Place<'_> {
         let full = 0.9 * scaling.slip;
         for (turn, friction) in FRICTIONS.into_iter().enumerate() {
             let spin = spin / friction;
-            sample([0.0, 0.0, spin])?;
+            sample([0.0, 0.0, spin], 1.0)?;
             let unit = full + 0.3 * spin.abs() * scaling.length;
+            let near = if turn % 2 == 0 { SLIGHT[1] * unit } else { -SLIGHT[1] * unit };
+            sample([near, 0.0, spin], SLOPE / SLIGHT[1])?;
+            sample([0.0, near, spin], SLOPE / SLIGHT[1])?;
             for (amplitude, count) in AMPLITUDES {
                 for k in 0..count {
                     let angle = TURN * turn as f64
                         + std::f64::consts::TAU * (f64::from(k) + amplitude) / f64::from(count);
                     let (sin, cos) = angle.sin_cos();
                     let size = amplitude * unit;
-                    sample([size * cos, size * sin, spin])?;
+                    sample([size * cos, size * sin, spin], 1.0)?;
                 }
+            }
+        }
+        // Slopes near pure rolling: differences from its own force.
+        let mut own: Option<Sample> = None;
+        for sample in &mut all {
+            let [along, across, _] = sample.creepage;
+            let is_slope = sample.weight > 1.0;
+            match own {
+                Some(own) if is_slope => {
+                    sample.from = Some(own.creepage);
+                    (0..3).for_each(|k| sample.force[k] -= own.force[k]);
+                }
+                _ if !is_slope && along == 0.0 && across == 0.0 => own = Some(*sample),
+                _ => {}
             }
         }
         Ok(all)
     }
 }
 
+/// Whether a contact carries enough of the wheel's load.
+fn is_counted(contact: &Contact<'_>, normal: &NormalContact, vertical: f64) -> bool {
+    normal.load().value * contact.angle.cos() > TRIFLE * vertical
+}
+
 /// A sample of the right-hand image.
 fn mirrored(sense: f64, [along, across, spin]: [f64; 3], [fx, fs, mz]: [f64; 3]) -> Sample {
-    Sample { creepage: [along, sense * across, sense * spin], force: [fx, sense * fs, sense * mz] }
+    let creepage = [along, sense * across, sense * spin];
+    Sample::new(creepage, [fx, sense * fs, sense * mz])
 }
 
 /// Vertical part of the normal forces (N).

@@ -5,8 +5,8 @@ use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use creepage_map::{
-    CellError, Heights, Patch, Pressed, RollingNode, Sloped, State, WheelAnswer, WheelMap,
-    interpolated,
+    CellError, Heights, Patch, Pressed, RollingNode, State, WheelAnswer, WheelMap, interpolated,
+    slopes,
 };
 use creepage_rail::Side;
 use rayon::prelude::*;
@@ -20,10 +20,12 @@ pub(super) struct Rolled {
     pub(super) roll: f64,
     pub(super) z: Vec<f64>,
     pub(super) node: RollingNode,
+    /// Slopes by place of share, angle, y and z of all contacts, by load; none where contacts come or go.
+    slopes: Vec<f64>,
 }
 
-/// Faster along the rail than this times the wheel's place, a reference point jumps from lobe to lobe.
-const FASTEST: f64 = 6.0;
+/// How far beside a node (m) it is pressed again, for the slopes of its geometry.
+const BESIDE: f64 = 2e-5;
 
 /// The nodes of a wheel, by `y` in steps.
 type Found = Mutex<BTreeMap<i64, Rolled>>;
@@ -70,8 +72,7 @@ impl Builder<'_> {
         })?;
         let found = found.into_inner().unwrap_or_default();
         let y = found.values().map(|rolled| rolled.y).collect();
-        let mut nodes: Vec<RollingNode> = found.into_values().map(|rolled| rolled.node).collect();
-        slopes(&mut nodes, &self.plan.loads);
+        let nodes = self.sloped(&found.values().collect::<Vec<_>>())?;
         Ok((y, nodes))
     }
 
@@ -113,7 +114,60 @@ impl Builder<'_> {
             let of = (&*self.table, self.head.poisson);
             each.map(|(load, z)| place.patches(&self.solver, of, [*load, *z])).collect()
         })?;
-        Ok(Rolled { y, roll: place.roll, z, node: RollingNode { place: along, loads } })
+        let slopes =
+            self.journal.slopes((side, key), || self.beside(side, (y, &loads), heights))?;
+        let node = RollingNode { place: along, loads };
+        Ok(Rolled { y, roll: place.roll, z, node, slopes })
+    }
+
+    /// Nodes with their slopes: of the geometry as pressed beside them, else as neighbours have it.
+    fn sloped(&self, rolled: &[&Rolled]) -> Result<Vec<RollingNode>, MapBuildError> {
+        let mut nodes: Vec<RollingNode> = rolled.iter().map(|one| one.node.clone()).collect();
+        let of = (&*self.table, self.head.poisson);
+        slopes(&mut nodes, &self.plan.loads, self.head.radius, of)?;
+        for (node, rolled) in nodes.iter_mut().zip(rolled) {
+            let own = rolled.slopes.as_chunks::<4>().0;
+            for (patch, [share, angle, y, z]) in node.loads.iter_mut().flatten().zip(own) {
+                let parts = [&mut patch.share, &mut patch.angle, &mut patch.y, &mut patch.z];
+                for (part, slope) in parts.into_iter().zip([share, angle, y, z]) {
+                    if slope.is_finite() {
+                        part.by_place = *slope;
+                    }
+                }
+            }
+        }
+        Ok(nodes)
+    }
+
+    /// The geometry's slopes by place: pressed on both sides of a node, at the heights of its loads.
+    fn beside(
+        &self,
+        side: Side,
+        (y, loads): (f64, &[Vec<Patch>]),
+        heights: &Heights,
+    ) -> Result<Vec<f64>, MapBuildError> {
+        let places = [self.place(side, y - BESIDE)?, self.place(side, y + BESIDE)?];
+        let along = places.each_ref().map(|place| place.y - self.head.radius * place.roll);
+        let inside = |place: f64| (heights.range()[0]..=heights.range()[1]).contains(&place);
+        let mut all = Vec::new();
+        for (patches, load) in loads.iter().zip(&self.plan.loads) {
+            let count = patches.len();
+            let geometry = |k: usize| -> Result<Option<Vec<[f64; 4]>>, MapBuildError> {
+                if !inside(along[k]) {
+                    return Ok(None);
+                }
+                let z = height(heights, along[k], *load);
+                places[k].geometry(&self.solver, z, count)
+            };
+            let none = vec![[f64::NAN; 4]; count];
+            let [before, after] =
+                [geometry(0)?, geometry(1)?].map(|one| one.unwrap_or_else(|| none.clone()));
+            let step = along[1] - along[0];
+            for (one, other) in before.iter().zip(&after) {
+                all.extend([0, 1, 2, 3].map(|k: usize| (other[k] - one[k]) / step));
+            }
+        }
+        Ok(all)
     }
 
     /// By how much the forces of the two ends of a cell miss those of its middle, in parts of `mu N`.
@@ -125,8 +179,7 @@ impl Builder<'_> {
     ) -> Result<f64, MapBuildError> {
         let loads = &self.plan.loads;
         let map = |nodes: &[&Rolled]| -> Result<WheelMap, MapBuildError> {
-            let mut nodes: Vec<RollingNode> = nodes.iter().map(|one| one.node.clone()).collect();
-            slopes(&mut nodes, loads);
+            let nodes = self.sloped(nodes)?;
             let errors = vec![CellError::default(); nodes.len() - 1];
             let of = (&*self.table, self.head.poisson);
             Ok(WheelMap::new(heights.clone(), &nodes, loads, errors, of)?)
@@ -201,67 +254,6 @@ fn motions(middle: &Rolled, z: f64, radius: f64) -> impl Iterator<Item = State> 
             ..state
         }
     })
-}
-
-/// Gives the geometry of each node its slopes along place and load, where it goes smoothly: at a node that
-/// parts two lobes a reference point jumps, and has none.
-pub(super) fn slopes(nodes: &mut [RollingNode], loads: &[f64]) {
-    let logs: Vec<f64> = loads.iter().map(|load| load.ln()).collect();
-    let known: Vec<RollingNode> = nodes.to_vec();
-    let count = known.len();
-    for (n, node) in nodes.iter_mut().enumerate() {
-        for (l, record) in node.loads.iter_mut().enumerate() {
-            let slots = record.len();
-            for (slot, patch) in record.iter_mut().enumerate() {
-                let of = |n: usize, l: usize| {
-                    let record = known.get(n)?.loads.get(l)?;
-                    (record.len() == slots).then(|| record.get(slot)).flatten()
-                };
-                let sides = |n: usize| [n.checked_sub(1), (n + 1 < count).then_some(n + 1)];
-                let places = sides(n).map(|k| k.and_then(|k| Some((known[k].place, of(k, l)?))));
-                let above = (l + 1 < logs.len()).then_some(l + 1);
-                let heavier =
-                    [l.checked_sub(1), above].map(|k| k.and_then(|k| Some((logs[k], of(n, k)?))));
-                let own = *patch;
-                along(patch, &own, (known[n].place, places), FASTEST, |s, slope| {
-                    s.by_place = slope;
-                });
-                // Along the load a reference point moves by the width of an area, some millimetres.
-                along(patch, &own, (logs[l], heavier), 2e-3, |s, slope| s.by_load = slope);
-            }
-        }
-    }
-}
-
-/// Slopes of a patch from its neighbours along one axis.
-fn along(
-    patch: &mut Patch,
-    own: &Patch,
-    (at, beside): (f64, [Option<(f64, &Patch)>; 2]),
-    fastest: f64,
-    set: impl Fn(&mut Sloped, f64),
-) {
-    type Part = fn(&mut Patch) -> &mut Sloped;
-    let parts: [Part; 4] = [|p| &mut p.y, |p| &mut p.z, |p| &mut p.angle, |p| &mut p.share];
-    let rate = |part: Part, (place, other): (f64, &Patch)| {
-        let [mut own, mut other] = [*own, *other];
-        (part(&mut other).value - part(&mut own).value) / (place - at)
-    };
-    let moves = |one: &(f64, &Patch)| rate(parts[0], *one).abs() <= fastest;
-    let smooth = beside.iter().flatten().all(moves);
-    for part in parts {
-        let rates = beside.map(|one| one.map(|one| rate(part, one)));
-        let widths = beside.map(|one| one.map_or(0.0, |(place, _)| (place - at).abs()));
-        let slope = match rates {
-            // That of the parabola.
-            [Some(before), Some(after)] => {
-                (before * widths[1] + after * widths[0]) / (widths[0] + widths[1])
-            }
-            [Some(one), None] | [None, Some(one)] => one,
-            [None, None] => 0.0,
-        };
-        set(part(patch), if smooth { slope } else { 0.0 });
-    }
 }
 
 impl MapPlan {
