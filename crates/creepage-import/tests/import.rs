@@ -105,8 +105,8 @@ fn shifts_by_ways_and_after_each_other_are_a_path() {
     let ways = one("201100", "1000. .002 .0 .0") + &one("001100", "1000. -.003 .0 .0");
     let imported = read(&ways).unwrap();
     let keys = ["problem = \"shift-path\"", "along = \"x\""];
-    has(&text(&imported.cases[0], 0), &[&keys[..], &["steps = [{ shift = 0.000002 }]"]].concat());
-    let steps = "steps = [{ shift = 0.000002 }, { shift = -0.000001 }]";
+    has(&text(&imported.cases[0], 0), &[&keys[..], &["steps = [{ shift = 2e-6 }]"]].concat());
+    let steps = "steps = [{ shift = 2e-6 }, { shift = -1e-6 }]";
     has(&text(&imported.cases[1], 0), &[&keys[..], &[steps]].concat());
     let forces = one("201120", "1000. .0 -.5 .0") + &one("001120", "1000. .0 .25 .0");
     let imported = read(&forces).unwrap();

@@ -305,7 +305,7 @@ mod tests {
             assert!((down / RUNS.axle_load - 1.0).abs() < 2e-4, "{down}");
             let (count, mut rest) = (numbers[HEAD + 2 * WHEEL], &numbers[HEAD + 2 * WHEEL + 1..]);
             assert!(count >= 2.0);
-            let mut met = 0.0;
+            let mut met = 0.0_f64;
             while !rest.is_empty() {
                 let (contact, others) = rest.split_at(CONTACT);
                 let (load, force) = (contact[5], [contact[10], contact[11]]);

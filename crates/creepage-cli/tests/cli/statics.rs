@@ -49,7 +49,7 @@ fn every_example_is_solved_and_every_problem_has_one() {
         problems.push(report["problem"].as_str().unwrap().into());
     }
     problems.sort();
-    assert_eq!(problems, ["die", "partial-slip", "shift", "twist"]);
+    assert_eq!(problems, ["die", "partial-slip", "shift", "shift-path", "twist"]);
     assert!(place.files().is_empty());
 }
 
@@ -142,4 +142,22 @@ fn a_file_that_is_not_there_and_a_place_that_cannot_be_written() {
     let ran = place.run(&["statics", "case.toml", "--out", "case.toml"]);
     ran.refused(&["cannot write case.toml"]);
     assert_eq!(place.read("case.toml"), SLIP);
+}
+
+/// Force over shift is drawn and told; the loop of the example closes, and its third stop is its first.
+#[test]
+fn a_path_leaves_its_steps_and_its_picture() {
+    let place = Place::new();
+    let example =
+        Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/statics/fretting-path.toml");
+    let words = ["statics", example.to_str().unwrap(), "--json", "--out", "out"];
+    place.run(&words).done();
+    let report = json(&fs::read_to_string(place.path("out/report.json")).unwrap());
+    let shift = |k: usize| report["steps"][k]["shift_m"].as_f64().unwrap();
+    // Rounding.
+    assert!((shift(2) / shift(0) - 1.0).abs() < 1e-12);
+    assert!(shift(4).abs() < 1e-12 * shift(0));
+    for file in ["path.csv", "path.svg", "path.png", "report.json", "contact.svg"] {
+        assert!(place.files_in("out").iter().any(|name| name == file), "{file}");
+    }
 }

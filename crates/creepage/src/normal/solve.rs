@@ -90,9 +90,6 @@ fn solve(
     {
         return Ok(contact(gap, pair, asked, found));
     }
-    if let Some(found) = by_hertz(gap, pair, asked, resolution) {
-        return Ok(contact(gap, pair, asked, found));
-    }
     let (task, first) = match asked {
         Asked::Approach(approach) => {
             let task = NormalProblem { gap, modulus, approach };
@@ -177,14 +174,6 @@ fn without_elements(
     let guess = || if resolution.with_errors { None } else { start::by_virtual_penetration(task) };
     let guessed = || from(&NormalWarmStart::of(guess()?), Start::Elements);
     near.and_then(|near| from(near, Start::Close)).or_else(guessed)
-}
-
-/// By strips laid into Hertz's ellipse or what is like it on a smooth gap; they are all the contact there is.
-fn by_hertz(gap: &Gap, pair: SolidPair, asked: Asked, resolution: Resolution) -> Option<Pair> {
-    let (approach, areas) = start::by_hertz(gap, pair, asked)?;
-    let task =
-        NormalProblem { gap, modulus: pair.shear_modulus() / (1.0 - pair.poisson()), approach };
-    by_strips(task, asked, &NormalWarmStart::of(areas), resolution, Start::Close)
 }
 
 fn by_elements(

@@ -31,7 +31,7 @@ pub enum ShiftAxis {
 /// let mut path = ShiftPath::new(&contact, 0.3, ShiftAxis::X)?;
 /// path.to_force(12e3)?;
 /// path.to_force(0.0)?; // the shift does not go back to zero
-/// assert!((path.shift() / 0.1888e-6 - 1.0).abs() < 1e-3);
+/// assert!((path.shift() / 0.9912e-6 - 1.0).abs() < 1e-3);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
