@@ -47,6 +47,18 @@ function download(name, content) {
   setTimeout(() => URL.revokeObjectURL(link.href), 1000);
 }
 
+// Copies the address, which holds the state; the button says so for a while.
+async function copyLink(button) {
+  const words = button.textContent;
+  try {
+    await navigator.clipboard.writeText(location.href);
+    button.textContent = "Copied";
+  } catch {
+    button.textContent = "Copy it from the address bar";
+  }
+  setTimeout(() => (button.textContent = words), 2000);
+}
+
 // From little to much, on dark and light paper.
 const RAMP = [[68, 84, 160], [44, 145, 160], [110, 190, 110], [235, 205, 80], [240, 120, 60]];
 

@@ -41,7 +41,7 @@ class Page {
       const ticked = [...element("curves").querySelectorAll(":checked")].map(({ value }) => value);
       this.set({ curves: ticked.join(",") });
     });
-    element("copy").addEventListener("click", () => this.copy());
+    element("copy").addEventListener("click", () => copyLink(element("copy")));
     element("download").addEventListener("click", () => download("case.toml", caseFile(this.state)));
     window.addEventListener("hashchange", () => {
       if (location.hash !== toLink(this.state)) this.set(fromLink(location.hash, this.names));
@@ -197,17 +197,6 @@ class Page {
     clearTimeout(this.saying);
     element("picture").setAttribute("aria-label", `The contact seen from above: ${words}`);
     this.saying = setTimeout(() => (element("summary").textContent = words), 500);
-  }
-
-  async copy() {
-    const button = element("copy"), words = button.textContent;
-    try {
-      await navigator.clipboard.writeText(location.href);
-      button.textContent = "Copied";
-    } catch {
-      button.textContent = "Copy it from the address bar";
-    }
-    setTimeout(() => (button.textContent = words), 2000);
   }
 }
 

@@ -45,7 +45,7 @@ class Page {
     for (const role of ROLES) {
       element(`${role}-file`).addEventListener("change", ({ target }) => this.take(role, target.files[0]));
     }
-    element("copy").addEventListener("click", () => this.copy());
+    element("copy").addEventListener("click", () => copyLink(element("copy")));
     element("download").addEventListener("click", () => download("case.toml", caseFile(this.state)));
     element("save").addEventListener("click", () => this.savePicture());
     window.addEventListener("hashchange", () => {
@@ -228,17 +228,6 @@ class Page {
       from += sheet.height;
     }
     all.toBlob((blob) => download("wheelset.png", blob));
-  }
-
-  async copy() {
-    const button = element("copy"), words = button.textContent;
-    try {
-      await navigator.clipboard.writeText(location.href);
-      button.textContent = "Copied";
-    } catch {
-      button.textContent = "Copy it from the address bar";
-    }
-    setTimeout(() => (button.textContent = words), 2000);
   }
 }
 
