@@ -157,7 +157,7 @@ def _chatter(path: Path, part: float, delayed: bool) -> float:
     unit.terminate()
     unit.freeInstance()
     # Of the first steps: after thirty friction may bound what grows.
-    return max(changes[-30:]) / max(changes[:3])
+    return float(max(changes[-30:]) / max(changes[:3]))
 
 
 @pytest.mark.parametrize("delayed", [False, True])
