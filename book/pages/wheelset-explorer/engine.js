@@ -113,11 +113,24 @@ function solveInWorker() {
   };
 }
 
+// A window whose Worker is the browser's: where the guide is opened as a file, its search has put another in this one's
+// place, which runs in the page.
+function pristine() {
+  let frame = document.getElementById("pristine");
+  if (!frame) {
+    frame = document.createElement("iframe");
+    Object.assign(frame, { id: "pristine", hidden: true, title: "no content" });
+    document.body.append(frame);
+  }
+  return frame.contentWindow;
+}
+
 // One question at a time; of those that come meanwhile the last one alone is asked.
 class Solver {
   constructor() {
     const text = `(${solveInWorker})()`;
     const address = URL.createObjectURL(new Blob([text], { type: "text/javascript" }));
+    const { Worker } = pristine();
     this.worker = new Worker(address);
     this.worker.onmessage = ({ data }) => this.answered(data);
     this.count = 0;
