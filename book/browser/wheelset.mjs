@@ -118,6 +118,8 @@ async function forces(place) {
     const file = path.join(place.pictures, "wheelset.toml");
     await (await downloading).saveAs(file);
     const solved = JSON.parse(execFileSync(place.creepage, ["wheelset", file, "--json"], { encoding: "utf8" }));
+    const said = (await page.$$eval("#cautions li", (all) => all.map((item) => item.textContent))).join("; ");
+    if (said !== (solved.caution ?? "")) faults.push(`${name}: cautions are "${said}" here, "${solved.caution}" by the command`);
     const mu = await page.evaluate(() => window.explorer.state.mu);
     for (const [k, force] of (await shown(page)).entries()) {
       const { longitudinal_n: x, lateral_n: y, vertical_n: z } = solved[["left", "right"][k]].force;

@@ -116,7 +116,7 @@ def unit(report: dict[str, Any]) -> tuple[float, float]:
 
 
 def dimensionless(report: dict[str, Any], error: str = "") -> list[float]:
-    """Forces on the lower body over `mu N`, moment over `mu N c`; or their error bars, 0 where there are none."""
+    """Forces on the lower body over `mu N`, moment over `mu N c`; or their error bars, 0 for a report without them."""
     force, length = unit(report)
     found = report["lower_body"]
     names = [f"longitudinal{error}_n", f"lateral{error}_n", f"moment{error}_n_m"]

@@ -40,7 +40,7 @@ function solveInWorker() {
     if (built?.key === key) return built;
     built = null;
     const notes = [take("wheel", wheel), take("rail", rail)];
-    must(library.set(...sizes));
+    must(library.set_on_track(...sizes));
     const [conicity, ...difference] = numbers();
     built = { key, conicity, difference, notes };
     return built;
@@ -76,11 +76,11 @@ function solveInWorker() {
     return sides;
   }
 
-  function solve({ resolution, goesOn, place, ...asked }) {
+  function solve({ resolution, warmStart, place, ...asked }) {
     const { conicity, difference, notes } = build(asked);
     const start = performance.now();
-    must(library.stand(resolution, goesOn ? 1 : 0, ...place));
-    const time = performance.now() - start, status = words(), all = numbers();
+    must(library.solve(resolution, warmStart ? 1 : 0, ...place));
+    const time = performance.now() - start, [status, ...cautions] = words().split("\n"), all = numbers();
     const [z, roll, pitchRate, byRadius] = all;
     const wheels = [0, 1].map((k) => {
       const [x, y, down, xError, yError, clearance] = all.subarray(HEAD + WHEEL * k, HEAD + WHEEL * (k + 1));
@@ -88,7 +88,7 @@ function solveInWorker() {
     });
     const at = HEAD + 2 * WHEEL;
     return {
-      conicity, difference, notes, status, time, z, roll, pitchRate, byRadius, wheels,
+      conicity, difference, notes, status, cautions, time, z, roll, pitchRate, byRadius, wheels,
       contacts: contacts(all.subarray(at + 1), all[at]), outlines: outlines(),
     };
   }
@@ -115,11 +115,11 @@ function solveInWorker() {
 
 // A window whose Worker is the browser's: where the guide is opened as a file, its search has put another in this one's
 // place, which runs in the page.
-function pristine() {
-  let frame = document.getElementById("pristine");
+function nativeWindow() {
+  let frame = document.getElementById("native-window");
   if (!frame) {
     frame = document.createElement("iframe");
-    Object.assign(frame, { id: "pristine", hidden: true, title: "no content" });
+    Object.assign(frame, { id: "native-window", hidden: true, title: "no content" });
     document.body.append(frame);
   }
   return frame.contentWindow;
@@ -130,7 +130,7 @@ class Solver {
   constructor() {
     const text = `(${solveInWorker})()`;
     const address = URL.createObjectURL(new Blob([text], { type: "text/javascript" }));
-    const { Worker } = pristine();
+    const { Worker } = nativeWindow();
     this.worker = new Worker(address);
     this.worker.onmessage = ({ data }) => this.answered(data);
     this.count = 0;

@@ -107,9 +107,9 @@ class Page {
     this.refresh();
   }
 
-  asked(resolution, goesOn) {
+  asked(resolution, warmStart) {
     const profile = (role) => (this.files[role]?.name === this.state[role] ? this.files[role] : { name: this.state[role] });
-    return { resolution, goesOn, wheel: profile("wheel"), rail: profile("rail"), ...si(this.state) };
+    return { resolution, warmStart, wheel: profile("wheel"), rail: profile("rail"), ...si(this.state) };
   }
 
   // While things move FASTSIM answers, from the position before; at rest the full theory does.
@@ -121,9 +121,9 @@ class Page {
     element("link").href = toLink(this.state);
     element("case").querySelector("code").textContent = caseFile(this.state);
     document.body.dataset.explorer = "moving";
-    this.asked_at = performance.now();
+    this.askedAt = performance.now();
     this.quick.ask(this.asked(RESOLUTIONS.fastsim, true), (answer) => {
-      this.lastFrame = performance.now() - this.asked_at;
+      this.lastFrame = performance.now() - this.askedAt;
       if (own < (this.shown ?? 0)) return;
       this.fastsim = { version: own, answer };
       if (this.exactVersion !== this.version) this.show(own, answer, "fastsim");
@@ -189,6 +189,11 @@ class Page {
     element("roll").textContent = `${show(answer.roll * 1e3)} mrad`;
     element("heat").textContent = Number.isFinite(heat) ? `${show(heat)} J/m` : "unknown";
     element("status").textContent = this.remarks();
+    element("cautions").replaceChildren(...answer.cautions.map((words) => {
+      const item = document.createElement("li");
+      item.textContent = words;
+      return item;
+    }));
     this.say();
   }
 

@@ -103,7 +103,7 @@ impl Engine {
         }
     }
 
-    pub(crate) fn set(&mut self, sizes: &Dimensions) -> bool {
+    pub(crate) fn set_on_track(&mut self, sizes: &Dimensions) -> bool {
         (self.running, self.solved) = (None, None);
         let running = self.on_track(sizes);
         let Some(running) = self.checked(running) else { return false };
@@ -122,9 +122,14 @@ impl Engine {
         Ok(Wheelset::like(&self.wheel, sizes.radius, sizes.back_to_back)?.on(track))
     }
 
-    pub(crate) fn stand(&mut self, resolution: u32, goes_on: bool, situation: &Situation) -> bool {
+    pub(crate) fn solve(
+        &mut self,
+        resolution: u32,
+        warm_start: bool,
+        situation: &Situation,
+    ) -> bool {
         let before = self.solved.take();
-        let answer = self.solve(resolution, before.filter(|_| goes_on).as_ref(), situation);
+        let answer = self.solved(resolution, before.filter(|_| warm_start).as_ref(), situation);
         let Some((solved, mut numbers)) = self.checked(answer) else { return false };
         numbers.extend(solved.wheels().flat_map(|wheel| {
             let rail = wheel.on_rail();
@@ -135,14 +140,15 @@ impl Engine {
         let contacts = || solved.wheels().flat_map(creepage_wheelset::SolvedWheel::contacts);
         numbers.push(contacts().count() as f64);
         contacts().for_each(|contact| drawn(contact, &mut numbers));
-        self.words = solved.status().name().into();
+        let cautions = creepage_study::wheelset_caution_words(&solved);
+        self.words = [vec![solved.status().name().into()], cautions].concat().join("\n");
         (self.numbers, self.solved) = (numbers, Some(solved));
         true
     }
 
     /// The solution, with the numbers of the wheelset: its height (m), roll (rad), pitch rate (rad/s), and the
     /// difference of rolling radii (m), NaN where wheels do not touch without roll.
-    fn solve(
+    fn solved(
         &self,
         resolution: u32,
         before: Option<&SolvedWheelset>,
@@ -289,7 +295,7 @@ mod tests {
 
     fn set() -> Engine {
         let mut engine = Engine::default();
-        assert!(engine.set(&SIZES), "{}", engine.words);
+        assert!(engine.set_on_track(&SIZES), "{}", engine.words);
         engine
     }
 
@@ -298,7 +304,7 @@ mod tests {
     fn what_is_drawn_adds_up() {
         for resolution in [0, 1, 2] {
             let mut engine = set();
-            assert!(engine.stand(resolution, false, &RUNS), "{}", engine.words);
+            assert!(engine.solve(resolution, false, &RUNS), "{}", engine.words);
             let numbers = &engine.numbers;
             let down = numbers[HEAD + 2] + numbers[HEAD + WHEEL + 2];
             // The load that was asked for is met to 2e-4 of it.
@@ -338,14 +344,27 @@ mod tests {
 
     /// From the position before as from nothing, within the tolerance of the load and the error bars.
     #[test]
-    fn a_start_changes_nothing_but_the_time() {
+    fn a_warm_start_changes_nothing_but_the_time() {
         let (mut one, mut other) = (set(), set());
-        assert!(one.stand(2, false, &Situation { y: 0.0029, ..RUNS }));
-        assert!(one.stand(2, true, &RUNS) && other.stand(2, false, &RUNS));
+        assert!(one.solve(2, false, &Situation { y: 0.0029, ..RUNS }));
+        assert!(one.solve(2, true, &RUNS) && other.solve(2, false, &RUNS));
         for k in HEAD..HEAD + 3 {
             let apart = (one.numbers[k] - other.numbers[k]).abs();
             assert!(apart < 5e-3 * 0.3 * 60e3, "{k} {apart}");
         }
+    }
+
+    /// What the command cautions against is said here too, in its words.
+    #[test]
+    fn cautions_are_the_commands() {
+        let mut engine = set();
+        assert!(engine.solve(2, false, &RUNS), "{}", engine.words);
+        assert_eq!(engine.words, "solved");
+        let flange = Situation { y: 0.0066, yaw: 0.003, ..RUNS };
+        assert!(engine.solve(2, false, &flange), "{}", engine.words);
+        let said: Vec<&str> = engine.words.lines().collect();
+        assert_eq!(said[0], "solved");
+        assert!(said[1..].iter().any(|words| words.starts_with("right wheel: ")), "{said:?}");
     }
 
     #[test]
@@ -355,7 +374,7 @@ mod tests {
         let name = "cone.txt";
         engine.input = [name.as_bytes(), text.as_bytes()].concat();
         assert!(engine.take_file(false, name.len()), "{}", engine.words);
-        assert!(engine.set(&SIZES), "{}", engine.words);
+        assert!(engine.set_on_track(&SIZES), "{}", engine.words);
         // Twice the slope of a cone: the difference of radii over twice the shift.
         assert!((engine.numbers[0] - 0.05).abs() < 1e-3, "{}", engine.numbers[0]);
         assert!(engine.outlines(1e-3) && engine.numbers[0] > 100.0);
@@ -364,11 +383,12 @@ mod tests {
     #[test]
     fn nonsense_is_answered_in_words() {
         let mut engine = Engine::default();
-        assert!(!engine.stand(2, false, &RUNS) && engine.words.contains("no wheelset"));
+        assert!(!engine.solve(2, false, &RUNS) && engine.words.contains("no wheelset"));
         assert!(
-            !engine.set(&Dimensions { radius: -1.0, ..SIZES }) && engine.words.contains("radius")
+            !engine.set_on_track(&Dimensions { radius: -1.0, ..SIZES })
+                && engine.words.contains("radius")
         );
-        assert!(engine.set(&SIZES));
+        assert!(engine.set_on_track(&SIZES));
         for wrong in [
             Situation { y: f64::NAN, ..RUNS },
             Situation { y: 0.5, ..RUNS },
@@ -376,7 +396,7 @@ mod tests {
             Situation { speed: 0.0, ..RUNS },
             Situation { friction: -0.1, ..RUNS },
         ] {
-            assert!(!engine.stand(1, false, &wrong) && !engine.words.is_empty(), "{wrong:?}");
+            assert!(!engine.solve(1, false, &wrong) && !engine.words.is_empty(), "{wrong:?}");
         }
         engine.input = b"x.txtthis is no profile".to_vec();
         assert!(!engine.take_file(true, 5) && !engine.words.is_empty());

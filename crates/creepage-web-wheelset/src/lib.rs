@@ -75,25 +75,27 @@ pub extern "C" fn take_file(is_rail: u32, name_length: usize) -> bool {
 /// how far below the rails' top it is measured (m). Numbers: the equivalent conicity at 3 mm (NaN where it has
 /// none), then pairs of lateral position and difference of rolling radii (m), right less left.
 #[unsafe(no_mangle)]
-pub extern "C" fn set(
+pub extern "C" fn set_on_track(
     radius: f64,
     back_to_back: f64,
     cant: f64,
     gauge: f64,
     gauge_height: f64,
 ) -> bool {
-    with(|engine| engine.set(&Dimensions { radius, back_to_back, cant, gauge, gauge_height }))
+    with(|engine| {
+        engine.set_on_track(&Dimensions { radius, back_to_back, cant, gauge, gauge_height })
+    })
 }
 
 /// Solves the wheelset where it stands: `resolution` 0 by `fastsim`, 1, 2, 3 by `exact` at fast, standard, fine.
-/// `start` not 0: from the solution before, which is quicker; forces are the same within their error bars.
+/// `warm_start` not 0: from the solution before, which is quicker; forces are the same within their error bars.
 ///
-/// Numbers: of the wheelset, the wheels and the contacts, as `engine.rs` lists them. Words: the status.
+/// Numbers: of the wheelset, the wheels and the contacts, as `engine.rs` lists them. Words: the status, then the cautions of the command, a line each.
 #[allow(clippy::too_many_arguments)] // no structures across this border
 #[unsafe(no_mangle)]
-pub extern "C" fn stand(
+pub extern "C" fn solve(
     resolution: u32,
-    start: u32,
+    warm_start: u32,
     y: f64,
     yaw: f64,
     axle_load: f64,
@@ -102,7 +104,7 @@ pub extern "C" fn stand(
     friction: f64,
 ) -> bool {
     let situation = Situation { y, yaw, axle_load, speed, curvature, friction };
-    with(|engine| engine.stand(resolution, start != 0, &situation))
+    with(|engine| engine.solve(resolution, warm_start != 0, &situation))
 }
 
 /// What is seen along the track, where the wheelset stands. Numbers: for the left and the right side, the number of

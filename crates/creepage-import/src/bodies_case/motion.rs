@@ -43,7 +43,7 @@ impl Parts<'_> {
         }
         let command = format!("creepage statics {name}.toml");
         let keys = if is_path {
-            self.path(chain, notes)?
+            self.path(chain)?
         } else {
             let problem = ("problem", quoted("partial-slip"));
             [problem, ("force_x", number(x)), ("force_y", number(y))]
@@ -54,29 +54,13 @@ impl Parts<'_> {
     }
 
     /// The keys of a path of shifts along one axis under one load, of which this case is the last.
-    fn path(
-        &self,
-        chain: &[Bodies],
-        notes: &mut Vec<String>,
-    ) -> Result<[(&'static str, String); 3], Cause> {
-        /// An approach of four digits and a load are the same load to this part.
-        const SAME_LOAD: f64 = 2e-3;
+    fn path(&self, chain: &[Bodies]) -> Result<[(&'static str, String); 3], Cause> {
         let is_way = self.case.control.force() == 0;
         let (mut steps, mut axis, mut at) = (Vec::new(), None, 0.0);
         for case in chain {
             let parts = Parts::of(case, &mut Vec::new())?;
-            let (Pressed::Load(load), Pressed::Load(own)) = (parts.pressed, self.pressed) else {
-                return Err("a load path under a given approach".into());
-            };
-            if load.to_bits() != own.to_bits() && (load / own - 1.0).abs() < SAME_LOAD {
-                notes.push(format!(
-                    "the load of {} N that a case before has is taken for {} N",
-                    number(load),
-                    number(own)
-                ));
-            }
             let is_like = parts.geometry == self.geometry
-                && (load / own - 1.0).abs() < SAME_LOAD
+                && parts.pressed == self.pressed
                 && parts.friction_text == self.friction_text;
             if !is_like {
                 return Err("a load path along which load, shape or friction change".into());

@@ -182,13 +182,7 @@ impl<'a> StaticsReport<'a> {
         partial: &'a PartialSlip,
     ) -> Result<Self, ResponseError> {
         let ellipse = contact.ellipse();
-        let given = vec![
-            Quantity::new("normal_force_n", "normal force N", contact.normal_force(), "N")
-                .symbol("N", ""),
-            Quantity::new("friction", "friction mu", friction, "").symbol("μ", ""),
-        ];
-        let peak =
-            Quantity::new("peak_pressure_pa", "peak pressure", contact.peak_pressure(), "Pa");
+        let (given, peak) = pressed(contact, friction);
         Ok(Self {
             cautions: Vec::new(),
             problem: "partial-slip",
@@ -256,6 +250,16 @@ impl Stiffness {
         let [x, y] = bonded.shift();
         Ok(Self { x: x.recip(), y: y.recip(), twist: bonded.twist().recip() })
     }
+}
+
+/// Load and friction of a contact that is pressed first, and its peak pressure.
+pub(super) fn pressed(contact: &Hertz, friction: f64) -> (Vec<Quantity>, Quantity) {
+    let given = vec![
+        Quantity::new("normal_force_n", "normal force N", contact.normal_force(), "N")
+            .symbol("N", ""),
+        Quantity::new("friction", "friction mu", friction, "").symbol("μ", ""),
+    ];
+    (given, Quantity::new("peak_pressure_pa", "peak pressure", contact.peak_pressure(), "Pa"))
 }
 
 fn forces(force: [f64; 2]) -> Vec<Quantity> {

@@ -6,10 +6,10 @@ use creepage::Hertz;
 use creepage::statics::{ShiftAxis, ShiftPath};
 use creepage_plot::theme::RED;
 use creepage_plot::{Axis, Label, Mark, Panel, Pen, Point, Shape, Sheet};
-use serde_json::{Value, json};
+use serde_json::{Map, Value, json};
 
 use super::StaticsReport;
-use super::build::{pair_numbers, shape};
+use super::build::{pair_numbers, pressed, shape};
 use super::field::Field;
 use super::quantity::Quantity;
 use crate::error::ReportError;
@@ -20,8 +20,15 @@ const POINTS: u32 = 48;
 const MICRO: f64 = 1e6;
 const KILO: f64 = 1e-3;
 
+/// Keys of what is told of a step.
+const STEP: [&str; 4] = ["force_n", "shift_m", "adhesion_share", "dissipated_j"];
+
+fn numbers(step: &ShiftPath) -> [f64; 4] {
+    [step.force(), step.shift(), step.adhesion().powi(2), step.dissipated()]
+}
+
 impl<'a> StaticsReport<'a> {
-    /// A shift to and fro along `axis`, after each of its `steps`; `None` where there are none.
+    /// A shift to and fro along `axis`, after each of its `steps`; `None` for a path without a step.
     #[must_use]
     pub fn shift_path(
         contact: &Hertz,
@@ -30,13 +37,7 @@ impl<'a> StaticsReport<'a> {
         steps: &'a [ShiftPath],
     ) -> Option<Self> {
         let (ellipse, last) = (contact.ellipse(), steps.last()?);
-        let given = vec![
-            Quantity::new("normal_force_n", "normal force N", contact.normal_force(), "N")
-                .symbol("N", ""),
-            Quantity::new("friction", "friction mu", friction, "").symbol("μ", ""),
-        ];
-        let peak =
-            Quantity::new("peak_pressure_pa", "peak pressure", contact.peak_pressure(), "Pa");
+        let (given, peak) = pressed(contact, friction);
         let used = 100.0 * last.force().abs() / (friction * contact.normal_force());
         let ratio = last.adhesion();
         let found = vec![
@@ -73,25 +74,20 @@ impl<'a> StaticsReport<'a> {
         // Writing to a String cannot fail.
         text.push_str("\nSteps\n     force (N)      shift (um)   adhesion (%)   heat so far (J)\n");
         for step in self.steps {
-            let adhesion = 100.0 * step.adhesion().powi(2);
-            let (force, shift) = (step.force(), MICRO * step.shift());
-            let _ = writeln!(
-                text,
-                "  {force:>12.5}  {shift:>14.6}  {adhesion:>13.2}  {:>16.5e}",
-                step.dissipated()
-            );
+            let [force, shift, share, heat] = numbers(step);
+            let (shift, adhesion) = (MICRO * shift, 100.0 * share);
+            let _ =
+                writeln!(text, "  {force:>12.5}  {shift:>14.6}  {adhesion:>13.2}  {heat:>16.5e}");
         }
         text
     }
 
     pub(super) fn steps_json(&self) -> Value {
-        let step = |step: &ShiftPath| {
-            json!({
-                "force_n": step.force(),
-                "shift_m": step.shift(),
-                "adhesion_share": step.adhesion().powi(2),
-                "dissipated_j": step.dissipated(),
-            })
+        let step = |step: &ShiftPath| -> Map<String, Value> {
+            STEP.iter()
+                .zip(numbers(step))
+                .map(|(key, value)| ((*key).into(), json!(value)))
+                .collect()
         };
         self.steps.iter().map(step).collect()
     }
@@ -101,11 +97,9 @@ impl<'a> StaticsReport<'a> {
         if self.steps.is_empty() {
             return Ok(Vec::new());
         }
-        let mut csv = String::from("force_n,shift_m,adhesion_share,dissipated_j\n");
+        let mut csv = STEP.join(",") + "\n";
         for step in self.steps {
-            let share = step.adhesion().powi(2);
-            let (force, shift, heat) = (step.force(), step.shift(), step.dissipated());
-            let _ = writeln!(csv, "{force:e},{shift:e},{share:e},{heat:e}");
+            csv += &(numbers(step).map(|value| format!("{value:e}")).join(",") + "\n");
         }
         let svg = self.path_svg();
         let png = creepage_plot::png(&svg)?;

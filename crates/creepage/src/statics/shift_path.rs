@@ -131,7 +131,7 @@ impl ShiftPath {
     /// Semi-axes of the area that adheres, over those of the contact.
     #[must_use]
     pub fn adhesion(&self) -> f64 {
-        1.0 - power_deficit(self.swing(), 1.0 / 3.0)
+        1.0 - power_deficit(self.amplitude(), 1.0 / 3.0)
     }
 
     /// Traction on the lower body along the axis at `[x, y]` (Pa), zero outside the contact.
@@ -155,7 +155,7 @@ impl ShiftPath {
     }
 
     /// The force since the last turn, half of it, or since the bodies were pressed.
-    fn swing(&self) -> f64 {
+    fn amplitude(&self) -> f64 {
         self.turns.last().map_or(self.at[0].abs(), |turn| 0.5 * (self.at[0] - turn[0]).abs())
     }
 
@@ -173,19 +173,19 @@ impl ShiftPath {
         while let Some(&last) = self.turns.last() {
             // The loop closes where it began; the first one at the mirror image of the first turn.
             let count = self.turns.len();
-            let begun = if count > 1 { self.turns[count - 2] } else { last.map(|part| -part) };
-            if (target - begun[axis]) * way < 0.0 {
+            let closing = if count > 1 { self.turns[count - 2] } else { last.map(|part| -part) };
+            if (target - closing[axis]) * way < 0.0 {
                 break;
             }
-            self.go(begun);
+            self.move_to(closing);
             self.turns.truncate(count.saturating_sub(2));
         }
-        self.go(self.on_branch(axis, target));
+        self.move_to(self.on_branch(axis, target));
     }
 
-    fn go(&mut self, at: [f64; 2]) {
+    fn move_to(&mut self, at: [f64; 2]) {
         let spent = |path: &Self| {
-            let whole = dissipation(path.swing());
+            let whole = dissipation(path.amplitude());
             if path.turns.is_empty() { whole } else { 2.0 * whole }
         };
         let before = spent(self);

@@ -9,8 +9,8 @@ use super::motion::{Motion, Prescribed};
 const TOLERANCE: f64 = 1e-7;
 const STEPS: usize = 60;
 const HALVINGS: usize = 30;
-/// A step that leaves less than this part tells how the slope is to be corrected; after others it is taken
-/// anew.
+/// A step that leaves less than this part of the residual corrects the slope (Broyden); after any other the slope is
+/// computed again.
 const NEARER: f64 = 0.3;
 
 impl TransientLevel {
