@@ -63,12 +63,15 @@ class Wear:
     """Cautions about it, in words."""
     is_solved: bool
     """Whether all situations of all steps converged."""
+    ended: str | None
+    """Where and why it ended before its distance, in words: the first of `limits` that was reached."""
 
     def __init__(self, data: _creepage.WearData) -> None:
         """Made by `wear`."""
         self._data = data
         self.distance, self.passages, self.steps, self.conicity = data.stops()
         self.is_solved, self.cautions = data.outcome()
+        self.ended = data.ended()
         self.bodies = {}
         for name in data.bodies():
             profiles = data.profiles(name)
@@ -115,7 +118,8 @@ def wear(
     axle_load, roll_moment, speed, pitch_rate, lateral_velocity, vertical_velocity, roll_rate, yaw_rate, friction,
     curvature (SI units); NaN is the wheelset's own. options are the keys of `[wear]`: law ("archard", "usfd"),
     body ("wheel", "rail", "both"), sides ("each", "mean"), distance (m), passages, step_depth, smoothing_length,
-    spacing (m), stops, spread, table. With neither the wheelset's own `[wear]` is taken.
+    spacing (m), stops, spread, table, limits (measures at which the run ends, such as `{"hollow": 2e-3}`). With
+    neither the wheelset's own `[wear]` is taken.
 
     With a file state a run that was stopped goes on where it was, to the same bits; it is not removed. progress
     hears the part of the distance that is done, before every step. Raises CaseError for what is asked, OSError for

@@ -97,3 +97,17 @@ def test_what_is_wrong_is_named() -> None:
         creepage.wear(wheelset(), distance=1e6, situations={"share": [-1.0]})
     with pytest.raises(ValueError, match="one length|broadcast"):
         creepage.wear(wheelset(), distance=1e6, situations={"share": [1, 1], "y": Y})
+
+
+def test_a_run_ends_at_a_limit() -> None:
+    whole = worn()
+    wheel = whole.bodies["wheel_right"]
+    assert whole.ended is None
+    limit = 0.5 * (wheel.flange_height[0] + wheel.flange_height[2])
+    ended = worn(limits={"flange_height": limit})
+    assert ended.ended is not None and "flange height of wheel_" in ended.ended
+    assert ended.distance[-1] < 1e7
+    # Between two steps the measure is taken as linear: a step takes off 1e-4 m at most.
+    assert ended.bodies["wheel_right"].flange_height[-1] == pytest.approx(limit, abs=1e-5)
+    with pytest.raises(CaseError, match="flange_thickness"):
+        worn(limits={"flange_thickness": 0.034})

@@ -79,8 +79,7 @@ impl WearData {
     /// Names of the bodies that wear.
     fn bodies(&self) -> Vec<&'static str> {
         let first = self.wear.stops.first();
-        let wears =
-            |body: &WornBody| first.is_some_and(|stop| stop.bodies[*body as usize].is_some());
+        let wears = |body: &WornBody| first.is_some_and(|stop| stop.of(*body).is_some());
         WornBody::ALL.into_iter().filter(wears).map(WornBody::name).collect()
     }
 
@@ -123,7 +122,7 @@ impl WearData {
         let Some(body) = WornBody::ALL.into_iter().find(|one| one.name() == body) else {
             return Vec::new();
         };
-        let worn = self.wear.stops.iter().filter_map(|stop| stop.bodies[body as usize].as_ref());
+        let worn = self.wear.stops.iter().filter_map(|stop| stop.of(body));
         worn.map(|worn| {
             let points = PyArray1::from_slice(py, worn.points.as_flattened());
             (points, PyArray1::from_slice(py, &worn.depth))
@@ -134,6 +133,11 @@ impl WearData {
     /// Whether all situations converged, and the cautions about it.
     fn outcome(&self) -> (bool, Vec<String>) {
         (self.wear.is_solved, self.wear.cautions.clone())
+    }
+
+    /// Where and why it ended before its distance.
+    fn ended(&self) -> Option<String> {
+        self.wear.end_in_words()
     }
 
     /// `report.json` as text.

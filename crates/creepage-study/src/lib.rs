@@ -144,9 +144,10 @@ pub use text::hertz_text;
 pub use unattainable::UnattainableForce;
 pub use wheelset::{
     ConicityTable, DerivativesJson, ForceDerivativeJson, MapBuildError, MapPlan, MapProgress,
-    MapResolution, MapStage, ProfileNote, RailForceJson, TableAxis, Wear, WearError, WearLaw,
-    WearPlan, WearProgress, WearSituation, WearStop, WheelJson, WheelPatchJson, WheelsetCase,
-    WheelsetFile, WheelsetFileError, WheelsetReport, WheelsetReportJson, WheelsetTable, WornBodies,
-    WornBody, WornProfile, WornSides, build_map, conicity, profile_pictures, radius_difference_csv,
-    wear, wheelset_caution_words, wheelset_cautions, wheelset_json_schema,
+    MapResolution, MapStage, ProfileNote, RailForceJson, TableAxis, Wear, WearEnd, WearError,
+    WearLaw, WearLimit, WearMeasure, WearPlan, WearProgress, WearSituation, WearStop, WheelJson,
+    WheelPatchJson, WheelsetCase, WheelsetFile, WheelsetFileError, WheelsetReport,
+    WheelsetReportJson, WheelsetTable, WornBodies, WornBody, WornProfile, WornSides, build_map,
+    conicity, profile_pictures, radius_difference_csv, wear, wheelset_caution_words,
+    wheelset_cautions, wheelset_json_schema,
 };

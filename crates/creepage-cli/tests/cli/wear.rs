@@ -29,7 +29,8 @@ fn the_example_wears_and_its_profiles_are_read() {
     assert!(depth(0) == 0.0 && depth(2) > 1e-5 && depth(6) > depth(2));
     assert_eq!(rows[6]["depth_m"], rows[7]["depth_m"]);
     let out = place.path("worn");
-    for name in ["wear.csv", "profiles.csv", "report.json", "wheels.svg", "wheels.png"] {
+    let pictures = ["wheels.svg", "wheels.png", "wheels-moving.png"];
+    for name in ["wear.csv", "profiles.csv", "report.json"].iter().chain(&pictures) {
         assert!(out.join(name).is_file(), "{name}");
     }
     assert!(!out.join("wear.state").exists() && !out.join("rails.svg").exists());
@@ -90,6 +91,7 @@ fn what_is_wrong_is_named_and_nothing_is_written() {
         ("\"vehicle.csv\"", "\"nowhere.csv\"", "nowhere.csv"),
         ("law = \"usfd\"", "law = \"bre\"", "bre"),
         ("step_depth = 1e-4", "step_depht = 1e-4", "step_depth"),
+        ("theory = \"fastsim\"", "theory = \"fastsim\"\n[wear.limits]\nhollow = -1.0", "hollow"),
         ("axle_load = 160e3", "wheel_load = 80e3\nroll = 0.0\nside = \"left\"", "mean"),
     ] {
         example(&place, |text| text.replace(old, new));

@@ -40,6 +40,6 @@ pub use report::{WheelsetReport, wheelset_caution_words, wheelset_cautions};
 pub use solved_json::{RailForceJson, WheelJson, WheelPatchJson, WheelsetReportJson};
 pub use table::{TableAxis, WheelsetTable};
 pub use worn::{
-    Wear, WearError, WearLaw, WearPlan, WearProgress, WearSituation, WearStop, WornBodies,
-    WornBody, WornProfile, WornSides, wear,
+    Wear, WearEnd, WearError, WearLaw, WearLimit, WearMeasure, WearPlan, WearProgress,
+    WearSituation, WearStop, WornBodies, WornBody, WornProfile, WornSides, wear,
 };

@@ -93,6 +93,26 @@ pub enum WearError {
         /// Where (m).
         y: f64,
     },
+    /// A limit of what the profiles do not have.
+    #[error(
+        "[wear.limits] {measure}: no profile that wears has it: flange measures need a wheel with a flange"
+    )]
+    NoMeasure {
+        /// What is measured.
+        measure: &'static str,
+    },
+    /// A limit that new profiles are past.
+    #[error("[wear.limits] {measure}: {limit} is passed by {body} when new: {value:.6}")]
+    LimitPassed {
+        /// What is measured.
+        measure: &'static str,
+        /// Whose it is.
+        body: &'static str,
+        /// When new (m; the conicity is a number).
+        value: f64,
+        /// The limit.
+        limit: f64,
+    },
     /// A worn profile whose points cross.
     #[error(
         "{body}: worn so deep that the profile crosses itself: take smaller steps, or a shorter distance"

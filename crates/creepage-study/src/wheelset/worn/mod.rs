@@ -1,6 +1,8 @@
 //! Wear over a distance: a wheelset in many situations, whose profiles are worn step by step.
 
+mod animation;
 mod error;
+mod limits;
 mod nodes;
 mod output;
 mod picture;
@@ -12,6 +14,7 @@ mod state;
 mod tests;
 
 pub use error::WearError;
+pub use limits::{WearEnd, WearLimit, WearMeasure};
 pub use run::{Wear, WearProgress, wear};
 pub(super) use section::WearSection;
 pub use section::{WearLaw, WearPlan, WearSituation, WornBodies, WornSides};

@@ -7,7 +7,9 @@ use creepage_rail::file::{self, Format};
 use creepage_rail::{Profile, Role};
 use serde::Serialize;
 
+use super::animation::Animation;
 use super::error::WearError;
+use super::limits::WearEnd;
 use super::run::Wear;
 use super::section::WearPlan;
 use super::state::{WearStop, WornBody};
@@ -65,6 +67,8 @@ pub struct WearRowJson {
 pub struct WearReportJson<'a> {
     /// A row for each body at each stop.
     pub rows: Vec<WearRowJson>,
+    /// Why the run ended before its distance: the first limit that was reached; else `null`.
+    pub ended: Option<WearEnd>,
     /// Cautions about it.
     pub cautions: &'a [String],
 }
@@ -74,7 +78,7 @@ impl WearStop {
     #[must_use]
     pub fn rows(&self) -> Vec<WearRowJson> {
         let row = |body: WornBody| {
-            let worn = self.bodies.get(body as usize)?.as_ref()?;
+            let worn = self.of(body)?;
             let measure = |k: usize| worn.measures.map(|measures| measures[k]);
             Some(WearRowJson {
                 distance_m: self.distance,
@@ -115,7 +119,7 @@ impl WearStop {
     fn profiles(&self, number: usize) -> Result<Vec<(String, Vec<u8>)>, WearError> {
         let mut files = Vec::new();
         for body in WornBody::ALL {
-            let Some(worn) = &self.bodies[body as usize] else { continue };
+            let Some(worn) = self.of(body) else { continue };
             let profile = Profile::through(body.role(), &worn.points, &worn.corners)
                 .map_err(|source| WearError::Profile { body: body.name(), source })?;
             let text = file::write(&profile, Format::Json, 1.0);
@@ -133,7 +137,7 @@ impl Wear {
     #[must_use]
     pub fn json(&self) -> WearReportJson<'_> {
         let rows = self.stops.iter().flat_map(WearStop::rows).collect();
-        WearReportJson { rows, cautions: &self.cautions }
+        WearReportJson { rows, ended: self.ended, cautions: &self.cautions }
     }
 
     /// The rows as a table for people.
@@ -163,7 +167,24 @@ impl Wear {
                 or(row.conicity_at_3_mm, 1.0).trim_end(),
             );
         }
+        if let Some(words) = self.end_in_words() {
+            let _ = writeln!(text, "{words}");
+        }
         text
+    }
+
+    /// Where and why the run ended before its distance.
+    #[must_use]
+    pub fn end_in_words(&self) -> Option<String> {
+        let (end, last) = (self.ended?, self.stops.last()?);
+        let mut way = Vec::new();
+        if last.distance > 0.0 {
+            way.push(format!("{:.1} km", 1e-3 * last.distance));
+        }
+        if last.passages > 0.0 {
+            way.push(format!("{:.0} passages", last.passages));
+        }
+        Some(format!("ends after {}: {}", way.join(" and "), end.words()))
     }
 
     /// `wear.csv`: a row for each body at each stop.
@@ -199,8 +220,8 @@ impl Wear {
         let mut writer = csv::Writer::from_writer(Vec::new());
         writer.write_record(["body", "distance_m", "passages", "y_m", "z_m", "depth_m"])?;
         for stop in &self.stops {
-            for (body, worn) in WornBody::ALL.into_iter().zip(&stop.bodies) {
-                let Some(worn) = worn else { continue };
+            for body in WornBody::ALL {
+                let Some(worn) = stop.of(body) else { continue };
                 for ([y, z], depth) in worn.points.iter().zip(&worn.depth) {
                     let numbers = [stop.distance, stop.passages, *y, *z, *depth];
                     let cells = numbers.map(|value| format!("{value:e}"));
@@ -211,7 +232,7 @@ impl Wear {
         writer.into_inner().map_err(|error| csv::Error::from(error.into_error()).into())
     }
 
-    /// Writes `wear.csv`, `profiles.csv`, `report.json`, a picture of each kind of body, and a file for each
+    /// Writes `wear.csv`, `profiles.csv`, `report.json`, a picture and an animation of each kind of body, and a file for each
     /// profile at each stop into `directory`, which is made when missing; none of `sources` or of the case's files.
     ///
     /// # Errors
@@ -234,6 +255,11 @@ impl Wear {
                 let png = creepage_plot::png(&svg).map_err(ReportError::from)?;
                 files.push((format!("{role}s.svg"), svg.into_bytes()));
                 files.push((format!("{role}s.png"), png));
+                let moving =
+                    Animation::new(self, role).map(|frames| creepage_plot::animated_png(&frames));
+                if let Some(png) = moving.transpose().map_err(ReportError::from)? {
+                    files.push((format!("{role}s-moving.png"), png));
+                }
             }
         }
         for (number, stop) in self.stops.iter().enumerate() {

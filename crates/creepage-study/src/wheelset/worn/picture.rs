@@ -16,24 +16,37 @@ impl Wear {
     /// Wheels or rails as SVG, a column for each that wears; `None` where none does.
     #[must_use]
     pub fn svg(&self, role: Role) -> Option<String> {
-        let bodies = || WornBody::ALL.into_iter().filter(|body| body.role() == role);
-        let (first, last) = (self.stops.first()?, self.stops.last()?);
-        let shown: Vec<WornBody> =
-            bodies().filter(|body| first.bodies[*body as usize].is_some()).collect();
-        if shown.is_empty() {
-            return None;
-        }
+        let last = self.stops.last()?;
         let every = self.stops.len().saturating_sub(1).div_ceil(LINES).max(1);
         let lines: Vec<&WearStop> =
             self.stops.iter().rev().step_by(every).filter(|stop| stop.steps > 0).collect();
         let lines: Vec<&WearStop> = lines.into_iter().rev().collect();
-        let mut sheet = Sheet::new(&format!("Worn {role}s")).columns(shown.len().max(1));
+        let sheet = self.sheet(role, last, &lines)?;
+        let pens = (0..).map(Pen::of);
+        Some(
+            lines
+                .iter()
+                .zip(pens)
+                .fold(sheet, |sheet, (stop, pen)| sheet.key(pen, stop.way(role)))
+                .key(Pen::THIN, Label::new("new"))
+                .svg(),
+        )
+    }
+
+    /// Profiles at a stop above the depth at the stops of `lines`, on axes that hold the whole run.
+    pub(super) fn sheet(&self, role: Role, stop: &WearStop, lines: &[&WearStop]) -> Option<Sheet> {
+        let (first, last) = (self.stops.first()?, self.stops.last()?);
+        let all = WornBody::ALL.into_iter().filter(|body| body.role() == role);
+        let shown: Vec<WornBody> = all.filter(|body| first.of(*body).is_some()).collect();
+        if shown.is_empty() {
+            return None;
+        }
+        let mut sheet = Sheet::new(&format!("Worn {role}s")).columns(shown.len());
         if shown.len() > 1 {
             sheet = sheet.width(1320.0);
         }
-        let of = |stop: &'_ WearStop, body: WornBody| stop.bodies[body as usize].clone();
         for body in &shown {
-            let (new, worn) = (of(first, *body)?, of(last, *body)?);
+            let (new, worn) = (first.of(*body)?, stop.of(*body)?);
             let [y, z] = [0, 1].map(|axis| range(&new.points, axis));
             let heading = Label::new(&body.name().replace('_', ", "));
             let panel = Panel::new(axis(y), Axis::new([z[1], z[0]], label("z", " down (mm)")))
@@ -44,24 +57,27 @@ impl Wear {
             sheet = sheet.panel(panel);
         }
         for body in &shown {
-            let new = of(first, *body)?;
-            let most = 1e3 * of(last, *body)?.greatest();
+            let most = 1e3 * last.of(*body)?.greatest();
             let most = if most > 0.0 { most * (1.0 + ABOVE) } else { 1.0 };
             let upright = Axis::new([0.0, most], Label::new("depth along the normal (mm)"));
-            let mut panel = Panel::new(axis(range(&new.points, 0)), upright).height(260.0);
+            let across = axis(range(&first.of(*body)?.points, 0));
+            let mut panel = Panel::new(across, upright).height(260.0);
             for (k, stop) in lines.iter().enumerate() {
-                panel = panel.curve(depths(&of(stop, *body)?), Pen::of(k));
+                panel = panel.curve(depths(stop.of(*body)?), Pen::of(k));
             }
             sheet = sheet.panel(panel);
         }
-        for (k, stop) in lines.iter().enumerate() {
-            let words = match role {
-                Role::Wheel => format!("{:.0} km", 1e-3 * stop.distance),
-                Role::Rail => format!("{:.0} passages", stop.passages),
-            };
-            sheet = sheet.key(Pen::of(k), Label::new(&words));
-        }
-        Some(sheet.key(Pen::THIN, Label::new("new")).svg())
+        Some(sheet)
+    }
+}
+
+impl WearStop {
+    /// How far it is: the distance of wheels, the passages over rails.
+    pub(super) fn way(&self, role: Role) -> Label {
+        Label::new(&match role {
+            Role::Wheel => format!("{:.0} km", 1e-3 * self.distance),
+            Role::Rail => format!("{:.0} passages", self.passages),
+        })
     }
 }
 

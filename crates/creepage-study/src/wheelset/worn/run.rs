@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use super::error::WearError;
+use super::limits::{self, WearEnd};
 use super::rates::Rates;
 use super::section::WearPlan;
 use super::state::{Noted, State, WearStop};
@@ -28,6 +29,8 @@ pub type WearProgress<'a> = &'a mut dyn FnMut(f64, &[WearStop]) -> bool;
 pub struct Wear {
     /// The stops, the new profiles first.
     pub stops: Vec<WearStop>,
+    /// Why it ended before its distance: the first limit that was reached.
+    pub ended: Option<WearEnd>,
     /// Cautions about it.
     pub cautions: Vec<String>,
     /// Whether all situations of all steps converged.
@@ -53,25 +56,54 @@ pub fn wear(
         None => State::new(case, plan),
     };
     if run.stops.is_empty() {
-        run.stop(case, plan)?;
+        let new = run.now(case, plan)?;
+        limits::check(&plan.limits, &new)?;
+        run.stops.push(new);
     }
     let stops = plan.stops as usize;
-    while run.stops.len() <= stops {
+    while run.stops.len() <= stops && run.ended.is_none() {
         if !progress(run.part, &run.stops) {
             return Err(WearError::Stopped);
         }
         let target = run.stops.len() as f64 / stops as f64;
-        step(case, plan, &mut run, target)?;
-        if run.part >= target {
-            run.stop(case, plan)?;
+        step_to_limit(case, plan, &mut run, target)?;
+        if run.part >= target || run.ended.is_some() {
+            run.stops.push(run.now(case, plan)?);
         }
         if let Some(path) = state {
             run.save(path)?;
         }
     }
-    progress(run.part, &run.stops);
+    progress(if run.ended.is_some() { 1.0 } else { run.part }, &run.stops);
     let cautions = cautions(plan, &run);
-    Ok(Wear { is_solved: run.doubtful == 0, stops: run.stops, cautions })
+    Ok(Wear { is_solved: run.doubtful == 0, stops: run.stops, ended: run.ended, cautions })
+}
+
+/// One step, to `target` at most, and no farther than to the first limit.
+fn step_to_limit(
+    case: &WheelsetCase,
+    plan: &WearPlan,
+    run: &mut State,
+    target: f64,
+) -> Result<(), WearError> {
+    if plan.limits.is_empty() {
+        return step(case, plan, run, target);
+    }
+    let before = run.clone();
+    step(case, plan, run, target)?;
+    let (old, new) = (before.now(case, plan)?, run.now(case, plan)?);
+    if let Some((end, part)) = limits::reached(&plan.limits, &old, &new) {
+        // The same step again, to where its measure, taken as linear within it, meets the limit.
+        let met = before.part + part * (run.part - before.part);
+        if part < 1.0 && met > before.part {
+            *run = before;
+            while run.part < met {
+                step(case, plan, run, met)?;
+            }
+        }
+        run.ended = Some(end);
+    }
+    Ok(())
 }
 
 /// One step, to `target` (part of the whole distance) at most.

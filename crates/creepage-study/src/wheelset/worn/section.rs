@@ -7,6 +7,7 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 
 use super::error::WearError;
+use super::limits::{LimitSection, WearLimit};
 use crate::case::schema::schema_of;
 use crate::case::{CaseError, keys};
 use crate::wheelset::WheelsetCase;
@@ -53,6 +54,10 @@ pub(in crate::wheelset) struct WearSection {
     #[serde(default)]
     #[schemars(with = "SpreadSection")]
     spread: Option<SpreadSection>,
+    /// Measures at which the run ends.
+    #[serde(default)]
+    #[schemars(with = "LimitSection")]
+    limits: LimitSection,
 }
 
 /// Normal distributions about the position of every situation: even places over three standard deviations to
@@ -188,6 +193,8 @@ pub struct WearPlan {
     pub stops: u32,
     /// The table of situations, where there is one.
     pub table: Option<PathBuf>,
+    /// Measures at which the run ends; none: it runs the whole distance.
+    pub limits: Vec<WearLimit>,
 }
 
 /// Theories that tell the slip in every element.
@@ -274,6 +281,7 @@ impl WearSection {
             spacing,
             stops,
             table,
+            limits: self.limits.limits()?,
         };
         plan.check(case)?;
         Ok(plan)

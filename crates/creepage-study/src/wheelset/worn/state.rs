@@ -8,6 +8,7 @@ use creepage_rail::{Profile, Role, Side, WheelMeasures, WheelsetOnTrack};
 use serde::{Deserialize, Serialize};
 
 use super::error::WearError;
+use super::limits::WearEnd;
 use super::nodes::Nodes;
 use super::rates::Rates;
 use super::section::{WearPlan, WornBodies};
@@ -21,7 +22,8 @@ const HEAD: &[u8] = b"{\"creepage_wear\":1,";
 const AMPLITUDE: f64 = 3e-3;
 
 /// A wheel or a rail of one side.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
 pub enum WornBody {
     /// The left wheel.
     WheelLeft,
@@ -176,6 +178,14 @@ pub struct WearStop {
     pub bodies: [Option<WornProfile>; 4],
 }
 
+impl WearStop {
+    /// A body, where it wears.
+    #[must_use]
+    pub fn of(&self, body: WornBody) -> Option<&WornProfile> {
+        self.bodies.get(body as usize)?.as_ref()
+    }
+}
+
 /// How far a run has come.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(super) struct State {
@@ -194,6 +204,8 @@ pub(super) struct State {
     pub(super) doubtful: usize,
     pub(super) bodies: Bodies,
     pub(super) stops: Vec<WearStop>,
+    /// Why it ends before its distance, where it does.
+    pub(super) ended: Option<WearEnd>,
     pub(super) cautions: Vec<Noted>,
 }
 
@@ -245,6 +257,7 @@ impl State {
             doubtful: 0,
             bodies: Bodies::new(case, plan),
             stops: Vec::new(),
+            ended: None,
             cautions: Vec::new(),
         }
     }
@@ -277,8 +290,8 @@ impl State {
         file.write_all(&bytes).and_then(|()| file.finish()).map_err(failed)
     }
 
-    /// Notes where the run stands.
-    pub(super) fn stop(&mut self, case: &WheelsetCase, plan: &WearPlan) -> Result<(), WearError> {
+    /// Where the run stands.
+    pub(super) fn now(&self, case: &WheelsetCase, plan: &WearPlan) -> Result<WearStop, WearError> {
         let running = self.bodies.running(&case.running)?;
         let conicity = case.stance.side.is_none().then(|| {
             let difference = running.radius_differences(0.5, Some(0.0)).ok()?;
@@ -295,14 +308,13 @@ impl State {
             let Nodes { points, depth, corners, area, volume, .. } = nodes.clone();
             Some(WornProfile { points, depth, corners, area, volume, measures })
         };
-        self.stops.push(WearStop {
+        Ok(WearStop {
             distance: self.part * plan.distance,
             passages: self.part * plan.passages,
             steps: self.steps,
             conicity: conicity.flatten(),
             bodies: WornBody::ALL.map(worn),
-        });
-        Ok(())
+        })
     }
 }
 

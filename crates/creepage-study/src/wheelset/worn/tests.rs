@@ -11,7 +11,7 @@ use creepage::{SiCreepage, SiForce};
 use super::run::step;
 use super::state::State;
 use super::*;
-use crate::wheelset::{WheelsetCase, WheelsetFile};
+use crate::wheelset::{WheelsetCase, WheelsetFile, WheelsetFileError};
 
 /// One right wheel, radius .46 m at the tape circle, on a rail with a round head. Little friction, so that all
 /// slides. Wear is mild wherever slip is slower than .2 m/s.
@@ -41,6 +41,15 @@ impl Setup<'_> {
     }
 
     fn read(&self) -> (WheelsetCase, WearPlan) {
+        self.plan().unwrap()
+    }
+
+    fn tried(&self) -> Result<Wear, WearError> {
+        let (case, plan) = self.plan()?;
+        wear(&case, &plan, None, &mut |_, _| true)
+    }
+
+    fn plan(&self) -> Result<(WheelsetCase, WearPlan), WearError> {
         let ([radius, half], [along, across]) = (self.head, self.grid);
         let mut head = String::new();
         for t in (-80..=80).map(|k: i32| f64::from(k) / 80.0 * half) {
@@ -59,15 +68,14 @@ impl Setup<'_> {
             wear = {{ {} }}",
             self.wheel, self.load, self.motion, self.friction, self.wear
         );
-        let file = WheelsetFile::read(&text).unwrap();
-        let case = file.case(Path::new("")).unwrap();
-        let plan = file.wear(&case, Path::new("")).unwrap();
-        (case, plan)
+        let file = WheelsetFile::read(&text).map_err(WheelsetFileError::from)?;
+        let case = file.case(Path::new(""))?;
+        let plan = file.wear(&case, Path::new(""))?;
+        Ok((case, plan))
     }
 
     fn run(&self) -> Wear {
-        let (case, plan) = self.read();
-        wear(&case, &plan, None, &mut |_, _| true).unwrap()
+        self.tried().unwrap()
     }
 }
 
@@ -75,7 +83,7 @@ impl Setup<'_> {
 const SLIDES: &str = "speed = 1.0, pitch_rate = 2.130_865_26";
 
 fn worn(wear: &Wear, body: WornBody) -> &WornProfile {
-    wear.stops.last().unwrap().bodies[body as usize].as_ref().unwrap()
+    wear.stops.last().unwrap().of(body).unwrap()
 }
 
 /// Linear between the points of a wheel, which run to the flange.
@@ -318,7 +326,7 @@ fn the_volume_is_that_of_the_contacts() {
         );
         let (case, plan) = long(&rest).read();
         let mut run = State::new(&case, &plan);
-        run.stop(&case, &plan).unwrap();
+        run.stops.push(run.now(&case, &plan).unwrap());
         while run.part < 1.0 {
             step(&case, &plan, &mut run, 1.0).unwrap();
         }
@@ -339,5 +347,43 @@ fn the_volume_is_that_of_the_contacts() {
                 wheel.volume
             );
         }
+    }
+}
+
+/// Depth grows evenly while the contact stays what it is: the run ends where its limit is met, and says why.
+#[test]
+fn a_run_ends_at_its_limit() {
+    let wear = "distance = 1e4, stops = 4, smoothing_length = 1e-4";
+    let whole = on_a_wide_head(wear).run();
+    let of = |wear: &Wear| worn(wear, WornBody::WheelRight).greatest();
+    assert!(whole.ended.is_none());
+    let limit = 0.6 * of(&whole);
+    let ended = on_a_wide_head(&format!("{wear}, limits = {{ depth = {limit:e} }}")).run();
+    let end = ended.ended.unwrap();
+    assert_eq!((end.measure, end.body), (WearMeasure::Depth, Some(WornBody::WheelRight)));
+    // The step ends where the depth, linear within it, meets the limit; it bends by a part in a thousand at most,
+    // as the rate between its first and its last quarter shows.
+    let bend = {
+        let depth = |k: usize| whole.stops[k].of(WornBody::WheelRight).unwrap().greatest();
+        (depth(1) / (depth(4) - depth(3)) - 1.0).abs()
+    };
+    assert!((of(&ended) / limit - 1.0).abs() < bend.max(1e-6), "{} {limit} {bend}", of(&ended));
+    let way = ended.stops.last().unwrap().distance;
+    assert!(way > 5e3 && way < 7.5e3, "{way}");
+    assert!(ended.text().contains("depth of wheel_right reaches the limit of"), "{}", ended.text());
+    assert_eq!(ended.stops.len(), 4);
+}
+
+/// A new wheel that is past its limit, and one without a flange, are told before the run.
+#[test]
+fn limits_that_cannot_be_kept_are_refused() {
+    for (limits, said) in
+        [("depth = 0.0", "depth"), ("hollow = 1e-3", "flange"), ("hight = 1.0", "hight")]
+    {
+        let wear = format!("distance = 10.0, stops = 1, limits = {{ {limits} }}");
+        let setup = on_a_wide_head(&wear);
+        let refused = setup.tried().unwrap_err();
+        assert!(refused.to_string().contains(said), "{refused}");
+        assert!(refused.is_wrong_input());
     }
 }
