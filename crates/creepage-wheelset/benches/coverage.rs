@@ -98,10 +98,10 @@ fn main() {
     wheelsets(&mut Random(seed ^ 0xABCD_EF01), count);
 }
 
-/// Against 96 x 80 elements; in parts of `mu N` and `mu N c`.
+/// Against 72 x 60 elements; in parts of `mu N` and `mu N c`.
 fn ellipses(kind: &'static str, dissimilarity: f64, random: &mut Random, count: u64) {
     let mut all = bars(kind, FORCES);
-    let finest = Resolution::new(96, 80).unwrap();
+    let finest = Resolution::new(72, 60).unwrap();
     for _ in 0..count {
         let ratio = random.of_size(0.15, 6.0);
         let (poisson, kappa) =

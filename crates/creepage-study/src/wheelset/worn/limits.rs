@@ -102,7 +102,7 @@ pub struct WearEnd {
 }
 
 impl WearEnd {
-    /// In words, such as "hollow of wheel_right reaches the limit of 2 mm".
+    /// In words, such as "hollow of `wheel_right` reaches the limit of 2 mm".
     #[must_use]
     pub fn words(&self) -> String {
         let of = self.body.map(|body| format!(" of {}", body.name())).unwrap_or_default();

@@ -233,6 +233,7 @@ impl State {
     /// Keeps a caution of a situation; of those that differ by numbers alone the first, and how many they are.
     pub(super) fn note(&mut self, situation: usize, words: &str) {
         let kind: String = words.chars().filter(|c| c.is_alphabetic()).collect();
+        let kind = kind.replace("GPa", "MPa");
         match self.cautions.iter_mut().find(|noted| noted.kind == kind) {
             Some(noted) => noted.count += 1,
             None => self.cautions.push(Noted {
