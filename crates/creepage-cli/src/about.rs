@@ -38,6 +38,8 @@ pub(crate) enum FileKind {
     Bearing,
     /// Case files with [gap]: `solve`.
     Gap,
+    /// Case files with [contact] `line_load`: `solve`.
+    Line,
     /// Case files of a history: `roll`.
     Roll,
     /// Statics files: `statics`.
@@ -55,6 +57,7 @@ impl FileKind {
             Self::Case => creepage_study::json_schema(),
             Self::Bearing => creepage_study::bearing_json_schema(),
             Self::Gap => creepage_study::gap_json_schema(),
+            Self::Line => creepage_study::line_json_schema(),
             Self::Roll => creepage_study::roll_json_schema(),
             Self::Statics => creepage_study::statics_json_schema(),
             Self::Sweep => creepage_study::sweep_json_schema(),

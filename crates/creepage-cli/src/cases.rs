@@ -5,13 +5,13 @@ use std::path::{Path, PathBuf};
 use creepage::normal::{self, NormalContact};
 use creepage::{Creepage, SiCreepage, Status};
 use creepage_study::{
-    AnyCase, AnyCaseFile, Caution, HertzReportJson, PressedReportJson, Sources, hertz_text,
-    long_work, pressed_text,
+    AnyCase, AnyCaseFile, Caution, HertzReportJson, LineFile, LineTheory, PressedReportJson,
+    Sources, hertz_text, long_work, pressed_text,
 };
 
 use crate::args::{HertzArgs, SolveArgs};
 use crate::failure::Failure;
-use crate::input::{directory, read_any, read_any_case, sources_of, theories};
+use crate::input::{any_case, directory, read_any, read_text, sources_of, theories};
 use crate::outcome::Outcome;
 use crate::output::{print, say, say_written, to_json};
 
@@ -54,7 +54,11 @@ fn each_its_own(cases: &[&PathBuf], out: &Path) -> Result<(), Failure> {
 
 /// The files first, then the report, so that a wrong `--out` prints nothing.
 fn solve_one(args: &SolveArgs, sources: &Sources) -> Result<Outcome, Failure> {
-    let case = read_any_case(&args.case)?;
+    let text = read_text(&args.case)?;
+    if LineFile::is_one(&text) {
+        return solve_line(args, &text, sources);
+    }
+    let case = any_case(&args.case, &text)?;
     let theories = theories(args.theory.as_slice(), &case)?;
     if let AnyCase::Ellipse(own) = &case
         && let Some(words) = long_work(theories.first().unwrap_or(&own.theory), &own.contact)
@@ -74,6 +78,26 @@ fn solve_one(args: &SolveArgs, sources: &Sources) -> Result<Outcome, Failure> {
     let pressed = |areas: &NormalContact| areas.status() == normal::Status::Converged;
     let is_pressed = solved.areas().is_none_or(pressed);
     Ok(if is_pressed { outcome(solved.solution().status) } else { Outcome::Doubtful })
+}
+
+/// A line contact.
+fn solve_line(args: &SolveArgs, text: &str, sources: &Sources) -> Result<Outcome, Failure> {
+    let wrong = |source| Failure::Case { path: args.case.clone(), source };
+    let mut case = LineFile::read(text).and_then(|file| file.case()).map_err(wrong)?;
+    if let Some(name) = &args.theory {
+        let theory = LineTheory::named(name)
+            .ok_or_else(|| Failure::LineTheory { path: args.case.clone(), name: name.clone() })?;
+        case = case.by(theory).map_err(wrong)?;
+    }
+    let solved = case.solve().map_err(wrong)?;
+    if let Some(directory) = &args.out {
+        say_written(&solved.write(directory, sources)?);
+    }
+    print(&if args.json { to_json(&solved.json())? } else { solved.text() })?;
+    for caution in &solved.cautions {
+        say(&format!("caution: {caution}"));
+    }
+    Ok(outcome(solved.status))
 }
 
 fn outcome(status: Status) -> Outcome {

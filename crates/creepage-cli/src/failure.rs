@@ -46,6 +46,11 @@ pub(crate) enum Failure {
     Read { path: PathBuf, source: io::Error },
     #[error("{}: {source}", path.display())]
     Case { path: PathBuf, source: CaseError },
+    #[error(
+        "{}: theory {name:?} is none of a line contact: there are \"exact\" and \"carter\"",
+        path.display()
+    )]
+    LineTheory { path: PathBuf, name: String },
     #[error("{}: {source}", path.display())]
     Bearing { path: PathBuf, source: BearingCaseError },
     #[error("{}: {source}", path.display())]

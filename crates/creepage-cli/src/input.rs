@@ -25,8 +25,13 @@ pub(crate) fn is_wheelset(path: &Path) -> bool {
 
 /// A case of any contact.
 pub(crate) fn read_any_case(path: &Path) -> Result<AnyCase, Failure> {
+    any_case(path, &read_text(path)?)
+}
+
+/// A case of any contact, of a text that stood at `path`.
+pub(crate) fn any_case(path: &Path, text: &str) -> Result<AnyCase, Failure> {
     let wrong = |source| Failure::Gap { path: path.into(), source: Box::new(source) };
-    read_any(path)?.case(directory(path)).map_err(wrong)
+    AnyCaseFile::read(text).and_then(|file| file.case(directory(path))).map_err(wrong)
 }
 
 /// A case file, and what it reads for its gap; what is wrong with it is found when it is solved.

@@ -236,6 +236,7 @@ pub(crate) enum Extra {
     None,
     /// Relaxation: ratios of stiffness, times (s).
     Viscoelastic {
+        ratios: [f64; 2],
         times: [f64; 2],
     },
     /// Simplified theory with one flexibility (mm3/N).
@@ -275,8 +276,8 @@ impl Materials {
         }
         let extra = match control.material() {
             1 => {
-                let [_, _, first, second] = lines.array("FG 1, 2, TC 1, 2")?;
-                Extra::Viscoelastic { times: [first, second] }
+                let [one, other, first, second] = lines.array("FG 1, 2, TC 1, 2")?;
+                Extra::Viscoelastic { ratios: [one, other], times: [first, second] }
             }
             2 => {
                 lines.numbers(1, "FLX, the flexibility")?;

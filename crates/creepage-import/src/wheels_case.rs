@@ -110,7 +110,7 @@ fn check(case: &Wheels) -> Result<(), Cause> {
         Some(Extra::OneFlexibility) => {
             Err("the simplified theory with a given flexibility (M = 2)".into())
         }
-        Some(Extra::Viscoelastic { times }) if times.iter().any(|time| *time > 0.0) => {
+        Some(Extra::Viscoelastic { times, .. }) if times.iter().any(|time| *time > 0.0) => {
             Err("viscoelastic bodies (M = 1)".into())
         }
         Some(Extra::ThreeFlexibilities { changes } | Extra::Fastrip { changes })

@@ -66,6 +66,7 @@ mod gap;
 mod heat;
 mod history;
 mod json;
+mod line;
 mod measured;
 mod plain_words;
 mod points;
@@ -128,6 +129,9 @@ pub use history::{
 pub use json::{
     AnyReportJson, AreasJson, CreepageJson, DetailJson, DimensionlessJson, ForceJson,
     FrictionLawJson, ReportJson,
+};
+pub use line::{
+    LineCase, LineFile, LinePoint, LineReportJson, LineTheory, SolvedLine, line_json_schema,
 };
 pub use measured::{
     Fit, FitCaution, FitError, FitOptions, Fitted, FittedPoint, MeasuredError, MeasuredPoint,

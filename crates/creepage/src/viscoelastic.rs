@@ -219,19 +219,144 @@ impl ViscoelasticCylinders {
         ]
     }
 
+    /// Where the area of contact ends ahead under a load (m), also where the bodies are all but elastic.
+    fn leading_edge(&self, load: f64) -> Result<f64, ViscoelasticError> {
+        let [glassy, rubbery] = self.elastic_half_widths(load);
+        match self.distance / rubbery {
+            relative if relative > RANGE[1] => Ok(glassy),
+            relative if relative < RANGE[0] => Ok(rubbery),
+            _ => Ok(self.pressed(load)?.ends()[1]),
+        }
+    }
+
     /// The creepage at which a tangential force per length (N/m), less than `friction` times the load, rolls them:
     /// of the force's sign.
     ///
     /// # Errors
-    /// As [`ViscoelasticCylinders::pressed`], and for a force that friction does not bear.
+    /// As [`ViscoelasticCylinders::rolling_under`].
     pub fn creepage(&self, load: f64, friction: f64, force: f64) -> Result<f64, ViscoelasticError> {
+        Ok(self.rolling_under(load, friction, force)?.creepage)
+    }
+
+    /// Steady rolling under a load and a tangential force on the lower cylinder (N/m).
+    ///
+    /// ```
+    /// use creepage::viscoelastic::{Relaxation, ViscoelasticCylinders};
+    /// let soft = Relaxation { ratio: 1.0, time: 9e-3 };
+    /// let cylinders = ViscoelasticCylinders::new(1143e6, 0.4, soft, 50e-3, 1.0)?;
+    /// let rolling = cylinders.rolling_under(600e3, 0.3, 108e3)?;
+    /// let again = cylinders.rolling_at(600e3, 0.3, rolling.creepage())?;
+    /// assert!((again.force() / 108e3 - 1.0).abs() < 1e-9);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`ViscoelasticCylinders::pressed`], and for a force that friction does not bear.
+    pub fn rolling_under(
+        &self,
+        load: f64,
+        friction: f64,
+        force: f64,
+    ) -> Result<ViscoelasticRolling, ViscoelasticError> {
         check::positive("friction", friction)?;
         check::finite("force", force)?;
         let left = load - force.abs() / friction;
         check::require(left > 0.0, "force", force, "less than friction times the load")?;
-        let whole = self.pressed(load)?.ends()[1];
-        let stuck = self.pressed(left)?.ends()[1];
-        Ok(force.signum() * friction / self.radius * (whole - stuck))
+        let ahead = self.leading_edge(load)? - self.leading_edge(left)?;
+        self.rolling(load, friction, left, (ahead, force.signum()))
+    }
+
+    /// Steady rolling under a load (N/m) at a creepage of the upper cylinder against the lower.
+    ///
+    /// # Errors
+    /// As [`ViscoelasticCylinders::pressed`], and for a creepage that is not finite.
+    pub fn rolling_at(
+        &self,
+        load: f64,
+        friction: f64,
+        creepage: f64,
+    ) -> Result<ViscoelasticRolling, ViscoelasticError> {
+        check::positive("friction", friction)?;
+        check::finite("creepage", creepage)?;
+        let whole = self.leading_edge(load)?;
+        let ahead = creepage.abs() * self.radius / friction;
+        let wanted = whole - ahead;
+        let mut left = 0.0;
+        if wanted > 0.0 {
+            // The load whose area ends there: the edge grows with it.
+            let [mut low, mut high] = [0.0, load];
+            while high - low > 1e-13 * load {
+                let middle = 0.5 * (low + high);
+                *(if self.leading_edge(middle)? > wanted { &mut high } else { &mut low }) = middle;
+            }
+            left = 0.5 * (low + high);
+        }
+        let mut found = self.rolling(load, friction, left, (ahead, creepage.signum()))?;
+        found.creepage = creepage;
+        Ok(found)
+    }
+
+    /// Carter's theorem: what slides under the whole load, less what slides under `left` of it, moved ahead so that both
+    /// areas end at one place.
+    fn rolling(
+        &self,
+        load: f64,
+        friction: f64,
+        left: f64,
+        (ahead, sense): (f64, f64),
+    ) -> Result<ViscoelasticRolling, ViscoelasticError> {
+        let pressure = self.pressed(load)?;
+        // So small an area that its bodies are elastic has no part in the traction.
+        let is_there = left > 0.0 && self.distance <= RANGE[1] * self.elastic_half_widths(left)[1];
+        let adhering = if is_there { Some((self.pressed(left)?, ahead)) } else { None };
+        let force = sense * friction * (load - left);
+        let creepage = sense * friction / self.radius * ahead;
+        Ok(ViscoelasticRolling { pressure, adhering, friction, force, creepage })
+    }
+}
+
+/// Viscoelastic cylinders in steady rolling, with friction.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ViscoelasticRolling {
+    pressure: ViscoelasticPressure,
+    /// The pressure that counts where surfaces adhere, and how far it is moved ahead (m); none in full sliding.
+    adhering: Option<(ViscoelasticPressure, f64)>,
+    friction: f64,
+    force: f64,
+    creepage: f64,
+}
+
+impl ViscoelasticRolling {
+    /// The pressure.
+    #[must_use]
+    pub fn pressure(&self) -> &ViscoelasticPressure {
+        &self.pressure
+    }
+
+    /// The tangential force per length on the lower cylinder (N/m).
+    #[must_use]
+    pub fn force(&self) -> f64 {
+        self.force
+    }
+
+    /// The creepage of the upper cylinder against the lower.
+    #[must_use]
+    pub fn creepage(&self) -> f64 {
+        self.creepage
+    }
+
+    /// The traction on the lower cylinder at a place (Pa).
+    #[must_use]
+    pub fn traction(&self, x: f64) -> f64 {
+        let less = self.adhering.map_or(0.0, |(pressure, ahead)| pressure.at(x - ahead));
+        let sense = if self.creepage < 0.0 { -1.0 } else { 1.0 };
+        sense * self.friction * (self.pressure.at(x) - less)
+    }
+
+    /// Where the area of adhesion begins (m), which borders on the leading edge; `None` in full sliding.
+    #[must_use]
+    pub fn adhesion_edge(&self) -> Option<f64> {
+        self.adhering.map(|(pressure, ahead)| pressure.ends()[0] + ahead)
     }
 }
 

@@ -22,6 +22,7 @@ mod guide;
 mod heat;
 mod history;
 mod inverse;
+mod line;
 mod map;
 mod place;
 mod profile;

@@ -65,6 +65,7 @@ pub(crate) fn write(
         0 => parts.pressing(name, title, notes),
         1 => parts.shift(chain, name, title, notes),
         2 => parts.history(chain, name, title, notes),
+        3 if parts.is_steady_line() => parts.steady_line(name, title, notes),
         3 if matches!(parts.geometry, Geometry::Line(_)) => {
             parts.history(&chain[chain.len() - 1..], name, title, notes)
         }
@@ -84,11 +85,6 @@ impl<'a> Parts<'a> {
             }
             _ => false,
         };
-        if let Extra::Viscoelastic { times } = &materials.extra
-            && times.iter().any(|time| *time > 0.0)
-        {
-            return Err("viscoelastic bodies (M = 1)".into());
-        }
         if case.has_added_slip {
             return Err("slip added element by element (E)".into());
         }
@@ -96,6 +92,13 @@ impl<'a> Parts<'a> {
             return Err("a contact area that is bounded beforehand (IPLAN)".into());
         }
         let (geometry, pressed) = geometry(case, materials, turned, notes)?;
+        let relaxes =
+            matches!(materials.extra, Extra::Viscoelastic { times, .. } if times != [0.0; 2]);
+        let is_steady_line =
+            matches!(geometry, Geometry::Line(_)) && case.control.tangential() == 3;
+        if relaxes && !is_steady_line {
+            return Err("viscoelastic bodies (M = 1) other than a line that rolls steadily".into());
+        }
         let (friction, friction_text, needs_speed) = friction(case, turned, notes)?;
         let needs_heat = case.friction.as_ref().is_some_and(FrictionRead::needs_heat);
         Ok(Self {
@@ -178,8 +181,15 @@ impl<'a> Parts<'a> {
     fn bodies(&self) -> String {
         let mut text = String::new();
         for (index, body) in ["upper", "lower"].into_iter().enumerate() {
+            let mut modulus = self.materials.shear_modulus[index] * 1e6;
+            // What gives way at once is as soft as it will be.
+            if let Extra::Viscoelastic { ratios, times } = self.materials.extra
+                && times[index] == 0.0
+            {
+                modulus /= 1.0 + ratios[index];
+            }
             let mut keys = vec![
-                ("shear_modulus", number(self.materials.shear_modulus[index] * 1e6)),
+                ("shear_modulus", number(modulus)),
                 ("poisson", number(self.materials.poisson[index])),
             ];
             if let Geometry::Radii(radii) = self.geometry {

@@ -233,6 +233,58 @@ impl Parts<'_> {
         Some(format!("[{}, {}]", cells[0], cells[1]))
     }
 
+    /// Whether it is a line contact in steady rolling along its own direction, under one coefficient of friction.
+    pub(super) fn is_steady_line(&self) -> bool {
+        let [_, _, y, spin] = self.case.kinematics;
+        let is_along = y == 0.0 && spin == 0.0 && self.case.control.force() <= 2;
+        matches!(self.geometry, Geometry::Line(_))
+            && is_along
+            && !self.needs_speed
+            && !self.friction_text.starts_with('{')
+    }
+
+    /// Steady rolling on a line (T = 3).
+    pub(super) fn steady_line(
+        &self,
+        name: &str,
+        title: &str,
+        notes: &[String],
+    ) -> Result<Written, Cause> {
+        if !self.layer()?.is_empty() {
+            return Err("a layer in rolling step by step or on a line".into());
+        }
+        let relaxation = match self.materials.extra {
+            Extra::Viscoelastic { ratios: [ratio, other], times: [time, last] } => {
+                let are_like = ratio == other && time == last && !self.is_unlike();
+                if time == 0.0 && last == 0.0 {
+                    String::new()
+                } else if are_like {
+                    section("relaxation", &[("ratio", number(ratio)), ("time", number(time))])
+                } else {
+                    return Err("viscoelastic bodies that are not alike (M = 1)".into());
+                }
+            }
+            Extra::None => String::new(),
+            _ => return Err("a simplified theory in rolling step by step or on a line".into()),
+        };
+        let (mut creepage, mut wanted) = (Vec::new(), Vec::new());
+        if self.case.control.force() == 0 {
+            let [along, ..] = self.creepages(self.case);
+            creepage.push(("longitudinal", number(along)));
+        } else if let Pressed::Load(_) = self.pressed {
+            wanted.push(("fx", number(self.relative_force(self.case.kinematics[1]))));
+        } else {
+            return Err("a given force over a friction force that is not known (N = 0)".into());
+        }
+        if self.speed() > 0.0 {
+            creepage.push(("speed", number(self.speed())));
+        }
+        let command = format!("creepage solve {name}.toml");
+        let sections = section("creepage", &creepage) + &section("wanted", &wanted) + &relaxation;
+        let text = self.head(title, &command, notes) + &self.bodies() + &self.contact(true);
+        Ok(Written::of(command, File::text(format!("{name}.toml"), text + &sections)))
+    }
+
     /// Rolling from step to step (T = 2), or steadily on a line.
     pub(super) fn history(
         &self,

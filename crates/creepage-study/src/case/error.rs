@@ -80,6 +80,20 @@ pub enum CaseError {
         "[contact] friction: cold and hot are for one contact; on a rail give a number or a law"
     )]
     TemperatureOnRail,
+    /// A friction law on a line contact in steady rolling.
+    #[error(
+        "[contact] friction: steady rolling on a line takes one coefficient; `roll` takes laws with a memory"
+    )]
+    LawOnLine,
+    /// Viscoelastic bodies that are not alike.
+    #[error("[relaxation] is that of two bodies of one material: [upper] and [lower] differ")]
+    UnlikeRelaxation,
+    /// Viscoelastic cylinders out of range.
+    #[error("[relaxation]: {source}")]
+    Viscoelastic {
+        /// Why.
+        source: creepage::viscoelastic::ViscoelasticError,
+    },
     /// Temperatures of many rows at once.
     #[error("[heat] is for one case at a time: leave it out for rows of many")]
     HeatOfRows,

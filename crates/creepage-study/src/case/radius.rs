@@ -6,6 +6,9 @@ use std::fmt;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::{Deserialize, Deserializer, Error, Visitor};
 
+use super::body::Body;
+use super::error::CaseError;
+
 /// A radius of curvature as a case file has it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Radius {
@@ -27,6 +30,33 @@ impl Radius {
             Self::Curved(radius) => Err(radius),
         }
     }
+}
+
+/// Radii along the rolling direction of two cylinders (m), those of the bodies or the one of both.
+pub(crate) fn line_radii(
+    bodies: [&Body; 2],
+    of_both: Option<Radius>,
+) -> Result<[f64; 2], CaseError> {
+    let named = || ["upper", "lower"].into_iter().zip(bodies);
+    let metres = |section: &'static str, radius: Radius| {
+        let valid = Radius::VALID;
+        let key = "radius_rolling";
+        radius.metres().map_err(|value| CaseError::Radius { section, key, value, valid })
+    };
+    if let Some(radius) = of_both {
+        let (first, key) = (("contact", "radius_rolling"), "radius_rolling");
+        if let Some((section, _)) = named().find(|(_, body)| body.radius_rolling.is_some()) {
+            return Err(CaseError::Conflict { first, second: (section, key) });
+        }
+        return Ok([metres("contact", radius)?, f64::INFINITY]);
+    }
+    let mut radii = [f64::INFINITY; 2];
+    for (radius, (section, body)) in radii.iter_mut().zip(named()) {
+        let missing =
+            || CaseError::Missing { section: section.into(), key: "radius_rolling".into() };
+        *radius = metres(section, body.radius_rolling.ok_or_else(missing)?)?;
+    }
+    Ok(radii)
 }
 
 impl fmt::Display for Radius {

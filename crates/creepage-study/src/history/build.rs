@@ -12,6 +12,7 @@ use super::case::{Kind, Method, RollCase, Start};
 use super::error::HistoryError;
 use super::file::{Bodies, RollFile, SmoothFile, StartSection, StartTraction};
 use crate::case::contact::ContactSection;
+use crate::case::radius::line_radii;
 use crate::case::sections::check_aligned;
 use crate::case::solve;
 use crate::gap::{GapCase, pressed};
@@ -131,7 +132,8 @@ impl SmoothFile {
                 invalid(InvalidValue { quantity: "friction", value: friction, valid }).into()
             );
         }
-        let line = LineContact::new(pair, self.radii()?, load).map_err(&invalid)?;
+        let radii = line_radii([&self.upper, &self.lower], own.radius_rolling)?;
+        let line = LineContact::new(pair, radii, load).map_err(&invalid)?;
         let length = own.length.map(|length| length / line.half_width());
         let poisson = pair.poisson();
         let scaling = Scaling {
@@ -142,31 +144,6 @@ impl SmoothFile {
         };
         let kind = Kind::Line { length, poisson, friction: law };
         Ok(RollCase { scaling, load, friction, kind, start: Start::None })
-    }
-
-    /// Radii along the rolling direction, those of the bodies or the one of both.
-    fn radii(&self) -> Result<[f64; 2], CaseError> {
-        let metres = |section: &'static str, radius: crate::case::radius::Radius| {
-            radius.metres().map_err(|value| {
-                let valid = crate::case::radius::Radius::VALID;
-                CaseError::Radius { section, key: "radius_rolling", value, valid }
-            })
-        };
-        if let Some(radius) = self.contact.radius_rolling {
-            let bodies = [("upper", &self.upper), ("lower", &self.lower)];
-            let other = bodies.into_iter().find(|(_, body)| body.radius_rolling.is_some());
-            if let Some((section, _)) = other {
-                let (first, key) = (("contact", "radius_rolling"), "radius_rolling");
-                return Err(CaseError::Conflict { first, second: (section, key) });
-            }
-            return Ok([metres("contact", radius)?, f64::INFINITY]);
-        }
-        let of = |section: &'static str, radius: Option<crate::case::radius::Radius>| {
-            let missing =
-                || CaseError::Missing { section: section.into(), key: "radius_rolling".into() };
-            metres(section, radius.ok_or_else(missing)?)
-        };
-        Ok([of("upper", self.upper.radius_rolling)?, of("lower", self.lower.radius_rolling)?])
     }
 }
 

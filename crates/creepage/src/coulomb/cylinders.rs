@@ -55,6 +55,8 @@ pub struct CylindersSolved {
     creepage: f64,
     angles: Vec<f64>,
     state: State,
+    /// Of the elements, in `mu a / rho`.
+    slip: DVector<f64>,
     status: Status,
 }
 
@@ -106,7 +108,9 @@ impl Cylinders {
                 break;
             }
         }
-        CylindersSolved { creepage, angles: self.angles.clone(), state, status }
+        let (matrix, forcing) = self.slip(creepage, &state);
+        let slip = matrix * &state.used + forcing;
+        CylindersSolved { creepage, angles: self.angles.clone(), state, slip, status }
     }
 
     /// The creepage at which the force is `force` (in `mu N`), as zero in free rolling.
@@ -301,16 +305,42 @@ impl CylindersSolved {
     /// zero outside.
     #[must_use]
     pub fn traction(&self, x: f64) -> f64 {
+        self.element(x).map_or(0.0, |element| self.state.used[element] * self.pressure(x))
+    }
+
+    /// Slip of the upper cylinder against the lower at `x` (in `a`), in `mu a / rho`; zero outside and where
+    /// surfaces adhere.
+    #[must_use]
+    pub fn slip(&self, x: f64) -> f64 {
+        self.element(x).filter(|k| self.slides(*k)).map_or(0.0, |k| self.slip[k])
+    }
+
+    /// Energy that turns to heat per length rolled and length of the cylinders, by traction and slip, in
+    /// `(mu N) (mu a / rho)`; with unlike bodies it is not zero in free rolling.
+    #[must_use]
+    pub fn dissipation(&self) -> f64 {
+        let State { half, used, bounds, .. } = &self.state;
+        let elements = self.angles.windows(2).enumerate().filter(|(k, _)| self.slides(*k));
+        let parts = elements
+            .map(|(k, ends)| used[k] * bounds[k] * self.slip[k] * (ends[0].cos() - ends[1].cos()));
+        half * parts.sum::<f64>() / FRAC_PI_2
+    }
+
+    fn slides(&self, element: usize) -> bool {
+        self.state.used[element].abs() >= 1.0 - 1e-9
+    }
+
+    fn element(&self, x: f64) -> Option<usize> {
         let angle = ((x - self.state.middle) / self.state.half).acos();
-        let element = self.angles.partition_point(|end| *end <= angle).saturating_sub(1);
-        self.state.used.get(element).map_or(0.0, |used| used * self.pressure(x))
+        let place = self.angles.partition_point(|end| *end <= angle).checked_sub(1)?;
+        (angle.is_finite() && place < self.state.used.len()).then_some(place)
     }
 
     /// Part of the contact's length that adheres.
     #[must_use]
     pub fn adhesion(&self) -> f64 {
-        let elements = self.state.used.iter().zip(self.angles.windows(2));
-        let adhering = elements.filter(|(used, _)| used.abs() < 1.0 - 1e-9);
+        let elements = self.angles.windows(2).enumerate();
+        let adhering = elements.filter(|(k, _)| !self.slides(*k));
         0.5 * adhering.map(|(_, ends)| ends[0].cos() - ends[1].cos()).sum::<f64>()
     }
 }
