@@ -65,7 +65,7 @@ fn unlike_bodies_are_those_of_bentall_and_johnson() {
     }
 }
 
-/// Sheet B4 at D = 9 mm, .6 mu N: peak 78.73363 MPa, creepage .0138060; the traction sums to the force, is nowhere
+/// Sheet B4 at D = 9 mm, .6 mu N: peak 78.73363e6 Pa, creepage .0138060; the traction sums to the force, is nowhere
 /// beyond friction, and the creepage gives the force back.
 #[test]
 fn viscoelastic_cylinders_with_friction() {
