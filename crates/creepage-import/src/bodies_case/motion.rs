@@ -299,6 +299,11 @@ impl Parts<'_> {
         if !matches!(self.materials.extra, Extra::None | Extra::Viscoelastic { .. }) {
             return Err("a simplified theory in rolling step by step or on a line".into());
         }
+        if matches!(self.materials.extra, Extra::Viscoelastic { times, .. } if times != [0.0; 2]) {
+            return Err(
+                "viscoelastic bodies (M = 1) with lateral creepage, spin or a friction law".into(),
+            );
+        }
         let has_memory = self.case.friction.as_ref().is_some_and(|read| read.memory.is_some());
         if self.needs_heat {
             return Err("friction by temperature in rolling step by step or on a line".into());
