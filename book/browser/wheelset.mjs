@@ -8,7 +8,7 @@ import path from "node:path";
 // The same iterations in other arithmetic, without a fused multiply and add: they end after the same steps, 1e-8 of mu N
 // apart in these cases. One step more or less would be 1e-4.
 const TOLERANCE = 1e-6;
-const LARGEST_PAGE = 3_000_000; // bytes of the engine, the scripts and the style
+const LARGEST_PAGE = 1_700_000; // bytes of the engine, the scripts and the style
 const CASES = {
   straight: "",
   curve: "#y=6.4&yaw=3&curvature=-2.5&speed=15",

@@ -12,7 +12,7 @@ from mkdocs.structure.files import File
 
 # Of each page: the file, and how long its packed bytes may be as text. A script, for a page that is opened as a file may
 # not fetch one.
-ENGINES = {"explorer": ("creepage_web.wasm", 1_000_000), "wheelset-explorer": ("creepage_web_wheelset.wasm", 2_600_000)}
+ENGINES = {"explorer": ("creepage_web.wasm", 1_000_000), "wheelset-explorer": ("creepage_web_wheelset.wasm", 1_500_000)}
 PAGE_WITHOUT_ENGINE = """# {title}
 
 This copy of the guide was built without the explorer: the compiler's target `wasm32-unknown-unknown` was not at hand.

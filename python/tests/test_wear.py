@@ -100,9 +100,9 @@ def test_what_is_wrong_is_named() -> None:
 
 
 def test_a_run_ends_at_a_limit() -> None:
-    whole = worn()
-    wheel = whole.bodies["wheel_right"]
-    assert whole.ended is None
+    full = worn()
+    wheel = full.bodies["wheel_right"]
+    assert full.ended is None
     limit = 0.5 * (wheel.flange_height[0] + wheel.flange_height[2])
     ended = worn(limits={"flange_height": limit})
     assert ended.ended is not None and "flange height of wheel_" in ended.ended

@@ -47,7 +47,7 @@ pub(crate) enum Failure {
     #[error("{}: {source}", path.display())]
     Case { path: PathBuf, source: CaseError },
     #[error(
-        "{}: theory {name:?} is none of a line contact: there are \"exact\" and \"carter\"",
+        "{}: a line contact is solved by \"exact\" or \"carter\", not by {name:?}",
         path.display()
     )]
     LineTheory { path: PathBuf, name: String },

@@ -45,6 +45,7 @@ fn what_is_wrong_is_named_and_nothing_is_written() {
         ("ratio = 1.0", "ratoi = 1.0", "ratio"),
         ("fx = 0.6", "fx = 1.5", "mu N"),
         ("speed = 1.0", "", "speed"),
+        ("radius_rolling = 0.1     # (m)", "radius_rolling = 0.1\nradius_lateral = 0.3", "crown"),
         (
             "friction = 0.3",
             "friction = { static = 0.3, kinetic = 0.1, half_speed = 1.0 }",

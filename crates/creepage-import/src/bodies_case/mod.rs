@@ -65,7 +65,7 @@ pub(crate) fn write(
         0 => parts.pressing(name, title, notes),
         1 => parts.shift(chain, name, title, notes),
         2 => parts.history(chain, name, title, notes),
-        3 if parts.is_steady_line() => parts.steady_line(name, title, notes),
+        _ if parts.is_steady_line() => parts.steady_line(name, title, notes),
         3 if matches!(parts.geometry, Geometry::Line(_)) => {
             parts.history(&chain[chain.len() - 1..], name, title, notes)
         }
@@ -92,16 +92,9 @@ impl<'a> Parts<'a> {
             return Err("a contact area that is bounded beforehand (IPLAN)".into());
         }
         let (geometry, pressed) = geometry(case, materials, turned, notes)?;
-        let relaxes =
-            matches!(materials.extra, Extra::Viscoelastic { times, .. } if times != [0.0; 2]);
-        let is_steady_line =
-            matches!(geometry, Geometry::Line(_)) && case.control.tangential() == 3;
-        if relaxes && !is_steady_line {
-            return Err("viscoelastic bodies (M = 1) other than a line that rolls steadily".into());
-        }
         let (friction, friction_text, needs_speed) = friction(case, turned, notes)?;
         let needs_heat = case.friction.as_ref().is_some_and(FrictionRead::needs_heat);
-        Ok(Self {
+        let parts = Self {
             case,
             materials,
             geometry,
@@ -111,7 +104,15 @@ impl<'a> Parts<'a> {
             needs_speed,
             needs_heat,
             turned,
-        })
+        };
+        let relaxes =
+            matches!(materials.extra, Extra::Viscoelastic { times, .. } if times != [0.0; 2]);
+        if relaxes && !parts.is_steady_line() {
+            return Err("viscoelastic bodies (M = 1) other than cylinders that roll steadily, along, under one \
+                        coefficient of friction"
+                .into());
+        }
+        Ok(parts)
     }
 
     fn note_what_is_left(&self, notes: &mut Vec<String>) {

@@ -238,6 +238,7 @@ impl Parts<'_> {
         let [_, _, y, spin] = self.case.kinematics;
         let is_along = y == 0.0 && spin == 0.0 && self.case.control.force() <= 2;
         matches!(self.geometry, Geometry::Line(_))
+            && self.case.control.tangential() == 3
             && is_along
             && !self.needs_speed
             && !self.friction_text.starts_with('{')
@@ -298,11 +299,6 @@ impl Parts<'_> {
         }
         if !matches!(self.materials.extra, Extra::None | Extra::Viscoelastic { .. }) {
             return Err("a simplified theory in rolling step by step or on a line".into());
-        }
-        if matches!(self.materials.extra, Extra::Viscoelastic { times, .. } if times != [0.0; 2]) {
-            return Err(
-                "viscoelastic bodies (M = 1) with lateral creepage, spin or a friction law".into(),
-            );
         }
         let has_memory = self.case.friction.as_ref().is_some_and(|read| read.memory.is_some());
         if self.needs_heat {

@@ -85,6 +85,17 @@ pub enum CaseError {
         "[contact] friction: steady rolling on a line takes one coefficient; `roll` takes laws with a memory"
     )]
     LawOnLine,
+    /// A crowned body in a line contact.
+    #[error(
+        "[{section}] radius_lateral = {radius} is a crown, which does not touch along a line: leave it out, or give \
+         [contact] normal_force in place of line_load"
+    )]
+    CrownOnLine {
+        /// The body's section.
+        section: &'static str,
+        /// The radius (m).
+        radius: f64,
+    },
     /// Viscoelastic bodies that are not alike.
     #[error("[relaxation] is that of two bodies of one material: [upper] and [lower] differ")]
     UnlikeRelaxation,

@@ -32,12 +32,17 @@ impl Radius {
     }
 }
 
-/// Radii along the rolling direction of two cylinders (m), those of the bodies or the one of both.
+/// Radii along the rolling direction of two cylinders (m), those of the bodies or the one of both; refuses crowns.
 pub(crate) fn line_radii(
     bodies: [&Body; 2],
     of_both: Option<Radius>,
 ) -> Result<[f64; 2], CaseError> {
     let named = || ["upper", "lower"].into_iter().zip(bodies);
+    for (section, body) in named() {
+        if let Some(Radius::Curved(radius)) = body.radius_lateral {
+            return Err(CaseError::CrownOnLine { section, radius });
+        }
+    }
     let metres = |section: &'static str, radius: Radius| {
         let valid = Radius::VALID;
         let key = "radius_rolling";

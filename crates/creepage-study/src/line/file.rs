@@ -49,7 +49,6 @@ pub(super) struct ContactSection {
     /// Radius of one cylinder on a plane that is curved as the two together (m), in place of the bodies' radii.
     pub(super) radius_rolling: Option<Radius>,
     /// Length of the cylinders (m): `roll` needs it, steady rolling does not.
-    #[allow(dead_code, reason = "one file for roll and solve")]
     pub(super) length: Option<f64>,
 }
 
@@ -177,6 +176,7 @@ impl LineFile {
         let load = self.contact.line_load;
         let line = LineContact::new(pair, radii, load).map_err(CaseError::invalid("contact"))?;
         let friction = self.friction()?;
+        positive("contact", "length", self.contact.length)?;
         let speed = positive("creepage", "speed", self.creepage.speed)?;
         let given = self.given(&line, friction * load, friction)?;
         let relaxation = self.relaxation(solids[0] == solids[1], speed)?;

@@ -14,25 +14,28 @@ impl SolvedLine {
     pub fn svg(&self) -> String {
         let [from, to] = self.edges.map(|edge| 1e3 * edge);
         let air = AIR * (to - from);
-        let friction = self.case.friction;
-        let most = 1e-6 * friction * self.peak[0];
-        let sense = if self.force < 0.0 { -1.0 } else { 1.0 };
-        let lowest = self.points.iter().map(|point| 1e-6 * point.traction * sense);
-        let lowest = lowest.fold(0.0_f64, f64::min);
-        let height = [lowest - AIR * most * f64::from(u8::from(lowest < 0.0)), (1.0 + AIR) * most];
-        let upright = if sense < 0.0 { [-height[1], -height[0]] } else { height };
-        let x = Axis::new([from - air, to + air], Label::default().symbol("x").plain(" (mm)"));
-        let y = Axis::new(upright, Label::new("traction on the lower body (MPa)"));
-        let curve = |value: fn(&LinePoint) -> f64, by: f64| -> Vec<Point> {
-            self.points.iter().map(|point| [1e3 * point.x, 1e-6 * by * value(point)]).collect()
+        let bound = |point: &LinePoint| 1e-6 * self.case.friction * point.pressure;
+        // Between unlike bodies the traction turns its sign: both bounds are shown then.
+        let has = |sign: f64| self.points.iter().any(|point| sign * point.traction > 0.0);
+        let sides = match [has(-1.0), has(1.0)] {
+            [true, true] => [-1.0, 1.0],
+            [true, false] => [-1.0, 0.0],
+            _ => [0.0, 1.0],
         };
-        let bound = curve(|point| point.pressure, sense * friction);
+        let most = self.points.iter().map(bound).fold(f64::MIN_POSITIVE, f64::max);
+        let x = Axis::new([from - air, to + air], Label::default().symbol("x").plain(" (mm)"));
+        let range = sides.map(|side| (1.0 + AIR) * side * most);
+        let y = Axis::new(range, Label::new("traction on the lower body (MPa)"));
+        let curve = |value: &dyn Fn(&LinePoint) -> f64| -> Vec<Point> {
+            self.points.iter().map(|point| [1e3 * point.x, value(point)]).collect()
+        };
         let strips = |adheres: bool| -> Vec<Vec<Point>> {
             let pairs = self.points.windows(2).filter(|pair| pair[0].adheres == adheres);
             let strip = |pair: &[LinePoint]| {
-                let [a, b] = [1e3 * pair[0].x, 1e3 * pair[1].x];
-                let top = |point: &LinePoint| 1e-6 * sense * friction * point.pressure;
-                vec![[a, 0.0], [b, 0.0], [b, top(&pair[1])], [a, top(&pair[0])]]
+                let ends = [&pair[0], &pair[1]].map(|point| [1e3 * point.x, bound(point)]);
+                let [[a, p], [b, q]] = ends;
+                let [low, high] = sides;
+                vec![[a, low * p], [b, low * q], [b, high * q], [a, high * p]]
             };
             pairs.map(strip).collect()
         };
@@ -45,8 +48,9 @@ impl SolvedLine {
             .height(320.0)
             .area(strips(true), Fill::ADHESION)
             .area(strips(false), Fill::SLIP)
-            .curve(bound, Pen::GUIDE)
-            .curve(curve(|point| point.traction, 1.0), Pen::OUTLINE);
+            .curve(curve(&|point| sides[0] * bound(point)), Pen::GUIDE)
+            .curve(curve(&|point| sides[1] * bound(point)), Pen::GUIDE)
+            .curve(curve(&|point| 1e-6 * point.traction), Pen::OUTLINE);
         Sheet::new("Line contact, rolling to the right")
             .note(Label::new(&words))
             .panel(panel)

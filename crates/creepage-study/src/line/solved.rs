@@ -8,8 +8,10 @@ use creepage::{SiCreepage, Status};
 use super::file::{Given, LineCase, LineTheory};
 use crate::{CaseError, Caution};
 
-/// Points from edge to edge, closer towards the edges.
+/// Points from edge to edge of closed forms, closer towards the edges.
 const POINTS: u16 = 201;
+/// A force below this part of `mu N` is what the search for the creepage of free rolling leaves: zero.
+const ZERO: f64 = 2e-9;
 /// `kappa/mu` from which on leaving it out is worth a caution.
 const UNLIKE: f64 = 0.01;
 
@@ -128,7 +130,7 @@ impl LineCase {
         let carter = Carter::new(xi).map_err(CaseError::invalid("creepage"))?;
         let (creepage, force) = (xi * self.unit(), carter.force() * most);
         let largest = self.line.peak_pressure();
-        let points = places([-half, half], |x| {
+        let points = places(&even([-half, half]), |x| {
             let field = carter.at(x / half);
             let pressure = largest * ((1.0 - x / half) * (1.0 + x / half)).max(0.0).sqrt();
             let traction = self.friction * largest * field.traction[0];
@@ -163,16 +165,19 @@ impl LineCase {
         };
         let (half, largest) = (self.line.half_width(), self.line.peak_pressure());
         let edges = solved.ends().map(|end| half * end);
-        let points = places(edges, |x| {
+        let middles = solved.middles().into_iter().map(|x| half * x);
+        let [first, last] = edges;
+        let elements: Vec<f64> = [first].into_iter().chain(middles).chain([last]).collect();
+        let points = places(&elements, |x| {
             let (pressure, traction) = (solved.pressure(x / half), solved.traction(x / half));
             let adheres = traction.abs() < (1.0 - 1e-6) * pressure;
             (largest * pressure, self.friction * largest * traction, adheres)
         });
-        let creepage = solved.creepage() * self.unit();
+        let (creepage, used) = (solved.creepage() * self.unit(), solved.force());
         Ok(SolvedLine {
             status: solved.status(),
             creepage,
-            force: solved.force() * self.friction * self.load,
+            force: if used.abs() < ZERO { 0.0 } else { used * self.friction * self.load },
             edges,
             peak: highest(&points),
             adhesion_share: solved.adhesion(),
@@ -197,7 +202,7 @@ impl LineCase {
         let pressed = rolling.pressure();
         let edges = pressed.ends();
         let edge = rolling.adhesion_edge().unwrap_or(edges[1]);
-        let points = places(edges, |x| (pressed.at(x), rolling.traction(x), x > edge));
+        let points = places(&even(edges), |x| (pressed.at(x), rolling.traction(x), x > edge));
         let (creepage, force) = (rolling.creepage(), rolling.force());
         Ok(SolvedLine {
             status: Status::Solved,
@@ -232,16 +237,20 @@ impl LineCase {
     }
 }
 
-/// Pressure, traction, and whether surfaces adhere, at places from edge to edge.
-fn places([from, to]: [f64; 2], at: impl Fn(f64) -> (f64, f64, bool)) -> Vec<LinePoint> {
+/// Places from edge to edge at even angles.
+fn even([from, to]: [f64; 2]) -> Vec<f64> {
     let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
     let angle = |k: u16| std::f64::consts::PI * f64::from(k) / f64::from(POINTS - 1);
-    let point = |k: u16| {
-        let x = middle - half * angle(k).cos();
-        let (pressure, traction, adheres) = at(x);
-        LinePoint { x, pressure, traction, adheres }
+    (0..POINTS).map(|k| middle - half * angle(k).cos()).collect()
+}
+
+/// Pressure, traction, and whether surfaces adhere, at these places.
+fn places(places: &[f64], at: impl Fn(f64) -> (f64, f64, bool)) -> Vec<LinePoint> {
+    let point = |x: &f64| {
+        let (pressure, traction, adheres) = at(*x);
+        LinePoint { x: *x, pressure, traction, adheres }
     };
-    (0..POINTS).map(point).collect()
+    places.iter().map(point).collect()
 }
 
 fn highest(points: &[LinePoint]) -> [f64; 2] {

@@ -106,6 +106,7 @@ fn what_is_wrong_is_named() {
         ("", "creepage"),
         ("creepage = { xi = 1.0, longitudinal = 1e-3 }", "exclude"),
         ("creepage = { xi = nan }", "finite"),
+        ("creepage = { xi = 1.0 }\ncontact.length = -1.0", "length"),
         ("wanted = { fx = 1.0 }", "less than mu N"),
         ("creepage = { xi = 1.0 }\nrelaxation = { ratio = 1.0, time = 1.0 }", "speed"),
         ("creepage = { xi = 1.0, speed = -1.0 }", "speed"),

@@ -326,6 +326,13 @@ impl CylindersSolved {
         half * parts.sum::<f64>() / FRAC_PI_2
     }
 
+    /// Middles of the elements (in `a`), from the trailing to the leading end: between them tractions are not known.
+    #[must_use]
+    pub fn middles(&self) -> Vec<f64> {
+        let middle = |ends: &[f64]| self.state.x(0.5 * (ends[0].cos() + ends[1].cos()));
+        self.angles.windows(2).rev().map(middle).collect()
+    }
+
     fn slides(&self, element: usize) -> bool {
         self.state.used[element].abs() >= 1.0 - 1e-9
     }
