@@ -77,6 +77,8 @@ pub struct SolvedWheel {
     pub(crate) by: Option<[f64; 2]>,
     /// Origin of the rail's profile in track axes (m).
     pub rail_origin: [f64; 3],
+    /// Error bars of its force on the rail in track axes (N), where the theory has them.
+    pub(crate) force_error: Option<[f64; 3]>,
     pub(crate) contacts: Vec<SolvedContact>,
 }
 
@@ -114,8 +116,8 @@ pub struct SolvedContact {
     pub y_wheel: f64,
     /// Pressure and areas, in the contact plane about the reference point.
     pub normal: NormalContact,
-    /// How far its load may be off (N): that of the pressure where it stands, and what its wheel may
-    /// stand too high or too low where that was sought under a given load.
+    /// How far its load may be off (N). Where a load is given, the height makes up for what pressures err by:
+    /// a contact that carries its wheel alone has its load but for friction's error.
     pub load_error: f64,
     /// Creepage and spin at the reference point.
     pub creepage: RollingCreepage,
@@ -159,13 +161,11 @@ impl SolvedContact {
         let acting = Acting::new(self.force, load.value, self.centre_of_pressure());
         let (force, moment) = acting.about(self.reference, self.tilt(), point);
         let force_error = self.force_error.map(|error| {
-            let parts = |i: usize, pressing: f64| {
+            [0, 1, 2].map(|i: usize| {
                 (error.longitudinal * along[i]).abs()
                     + (error.lateral * across[i]).abs()
-                    + (pressing * normal[i]).abs()
-            };
-            // Down, the height that was sought makes up for the load's error.
-            [parts(0, self.load_error), parts(1, self.load_error), parts(2, load.error)]
+                    + (self.load_error * normal[i]).abs()
+            })
         });
         Resultant { force, force_error, moment }
     }
@@ -270,9 +270,9 @@ impl SolvedWheel {
     /// guard rail, [`SolvedWheel::on_guard`], where there is one.
     #[must_use]
     pub fn on_rail(&self) -> Resultant {
-        self.contacts
-            .iter()
-            .fold(Resultant::NONE, |sum, contact| sum + contact.on_rail(self.rail_origin))
+        let contacts = self.contacts.iter();
+        let sum = contacts.fold(Resultant::NONE, |sum, one| sum + one.on_rail(self.rail_origin));
+        Resultant { force_error: self.force_error, ..sum }
     }
 }
 

@@ -134,10 +134,8 @@ impl<'w, 'a> EquilibriumIteration<'w, 'a> {
         if is_shared && self.is_met(&sought, &wheels, &next.shares, round) {
             let here = (&sought.places[..], &wheels[..]);
             let mut solved = self.solver.solved(here, &rollings, &turning, self.travel);
-            if !self.is_given {
-                let together = matches!(self.load, Load::Axle(_)) && self.stance.roll.is_some();
-                solved.widen_bars(together);
-            }
+            let missed = sought.missed_by_wheel(&wheels, &next.shares, self.load);
+            solved.propagate_errors(self.stance, self.load, missed);
             return Ok(Some(solved));
         }
         self.go_on(&mut sought, &wheels, next, (missed, round));
@@ -300,13 +298,25 @@ impl CandidatePose<'_> {
         shares: &LateralForceRatios,
         within: fn(f64, f64) -> f64,
     ) -> bool {
-        let error = |wheel: &PressedWheel<'_>| -> f64 {
-            wheel.contacts.iter().map(|one| one.normal.load().error).sum()
-        };
         self.places.iter().zip(wheels).all(|(place, wheel)| {
             let carried = wheel.vertical(shares);
-            (carried - place.expected).abs() <= within(error(wheel), carried)
+            (carried - place.expected).abs() <= within(wheel.load_error(), carried)
         })
+    }
+
+    /// How much the left and the right wheel miss of what was expected (N).
+    fn missed_by_wheel(
+        &self,
+        wheels: &[PressedWheel<'_>],
+        shares: &LateralForceRatios,
+        load: Load,
+    ) -> [f64; 2] {
+        let mut missed = [0.0; 2];
+        for (place, wheel) in self.places.iter().zip(wheels) {
+            let wanted = load.of_wheel(wheel.side).unwrap_or(place.expected);
+            missed[usize::from(wheel.side == Side::Right)] = wheel.vertical(shares) - wanted;
+        }
+        missed
     }
 
     /// What wheels carry more or less than expected, in parts of what they carry.

@@ -259,6 +259,11 @@ impl PressedWheel<'_> {
         shares.scale(self.side) * self.vertical(shares)
     }
 
+    /// Error bar of its contacts' loads where they stand (N).
+    pub(crate) fn load_error(&self) -> f64 {
+        self.contacts.iter().map(|one| one.normal.load().error).sum()
+    }
+
     /// Change of the expected force (N/m) when the wheelset goes down.
     pub(crate) fn stiffness(&self, shares: &LateralForceRatios) -> f64 {
         self.change(shares, |contact| contact.tilt().down()[2])

@@ -2,7 +2,6 @@
 
 use std::sync::Arc;
 
-use creepage::Force;
 use creepage::normal::NormalContact;
 use creepage_rail::{Contact, Motion, Side, WheelsetOnTrack};
 
@@ -103,6 +102,7 @@ impl SolvedWheel {
             depth,
             by,
             rail_origin,
+            force_error: None,
             contacts,
         }
     }
@@ -113,9 +113,6 @@ impl SolvedContact {
         let (contact, scaling) = (&pressed.contact, rolled.scaling);
         let solution = rolled.solution;
         let load = pressed.normal.load();
-        // The load's error bar makes the force err in proportion.
-        let part = load.error / load.value;
-        let force = solution.force;
         let heat = scaling.force * scaling.slip;
         Self {
             side: contact.side,
@@ -132,13 +129,7 @@ impl SolvedContact {
             load_error: load.error,
             creepage: rolled.creepage,
             force: rolled.force,
-            force_error: solution.error.map(|error| {
-                scaling.si_force(Force {
-                    fx: error.fx + part * force.fx.abs(),
-                    fy: error.fy + part * force.fy.abs(),
-                    mz: error.mz + part * force.mz.abs(),
-                })
-            }),
+            force_error: solution.error.map(|error| scaling.si_force(error)),
             status: solution.status,
             dissipation: rolled.power.map(|power| heat * power),
             scaling,
