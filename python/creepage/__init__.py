@@ -57,6 +57,7 @@ from ._line_contact import (
     line_contact,
     viscoelastic_cylinders,
 )
+from ._report import Quantity
 from ._results import (
     CreepageCoefficients,
     ElementField,
@@ -144,6 +145,7 @@ __all__ = [
     "NotReachable",
     "Patch",
     "Polach",
+    "Quantity",
     "Region",
     "Rolling",
     "RollingStep",

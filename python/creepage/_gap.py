@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike
 
 from . import _creepage
 from ._contact import Body, floats, instance, number
-from ._report import FromFile, Reported
+from ._report import FromFile, Quantity, Reported, quantities
 from ._solution import SiForce
 from ._toml import dumps
 
@@ -123,6 +123,11 @@ class GapSolution(Reported):
     """Load, approach, area, peak pressure with error bars, and `patches`, as in report.json."""
     _solved: _creepage.SolvedGapData
     _again: Callable[[], Any]
+
+    @property
+    def quantities(self) -> dict[str, Quantity]:
+        """Every number of the report by its path, such as "contact.area_m2", with label, unit and error bar."""
+        return quantities(self._solved.quantities())
 
     @property
     def heat(self) -> dict[str, Any] | None:

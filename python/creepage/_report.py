@@ -6,7 +6,8 @@ from __future__ import annotations
 import json
 import os
 import warnings
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Protocol
 
@@ -14,6 +15,27 @@ from ._toml import Source, dumps, read
 
 if TYPE_CHECKING:
     from typing_extensions import Self
+
+
+@dataclass(frozen=True, slots=True)
+class Quantity:
+    """One number of a report."""
+
+    label: str
+    """What it is, in words."""
+    unit: str
+    """Its SI unit; empty for a number without one."""
+    value: float | None
+    """The number; None where there is none, as the frictional power without a rolling velocity."""
+    error: float | None
+    """Its error bar: zero for what was given or has a closed form, None where nothing is known."""
+
+
+def quantities(
+    tuples: Iterable[tuple[str, str, str, float | None, float | None]],
+) -> dict[str, Quantity]:
+    """By their path in report.json."""
+    return {path: Quantity(*rest) for path, *rest in tuples}
 
 
 class Solved(Protocol):

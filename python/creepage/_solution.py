@@ -11,6 +11,7 @@ import numpy as np
 
 from . import _creepage
 from ._contact import Hertz
+from ._report import Quantity, quantities
 from ._results import Field, Floats, ScalarForce, SiField, Status
 from ._theories import prepared
 
@@ -193,6 +194,15 @@ class Solution:
     def length(self) -> float:
         """The unit of length, c = sqrt(a b) (m)."""
         return self._data.units[0]
+
+    @property
+    def quantities(self) -> dict[str, Quantity]:
+        """Every number of the report by its path, with label, unit and error bar.
+
+        `solution.quantities["contact.peak_pressure_pa"]` is
+        `Quantity(label='peak pressure', unit='Pa', value=1138897937.96, error=0.0)` for a wheel on a rail.
+        """
+        return quantities(self._solved.quantities())
 
     def to_dict(self) -> dict[str, Any]:
         """What `report.json` holds; the names carry their units."""

@@ -5,8 +5,8 @@ use std::path::{Path, PathBuf};
 use creepage::normal::{self, NormalContact};
 use creepage::{Creepage, SiCreepage, Status};
 use creepage_study::{
-    AnyCase, AnyCaseFile, Caution, HertzReportJson, LineFile, LineTheory, PressedReportJson,
-    Sources, hertz_text, long_work, pressed_text,
+    AnyCase, AnyCaseFile, Caution, LineFile, LineTheory, Sources, hertz_report, hertz_text,
+    long_work, pressed_report, pressed_text,
 };
 
 use crate::args::{HertzArgs, SolveArgs};
@@ -71,7 +71,7 @@ fn solve_one(args: &SolveArgs, sources: &Sources) -> Result<Outcome, Failure> {
     if let Some(directory) = &args.out {
         say_written(&solved.write(directory, sources)?);
     }
-    print(&if args.json { to_json(&solved.json())? } else { solved.text() })?;
+    print(&if args.json { to_json(&solved.report())? } else { solved.text() })?;
     for caution in &solved.cautions {
         say(&format!("caution: {caution}"));
     }
@@ -111,7 +111,7 @@ pub(crate) fn hertz(args: &HertzArgs) -> Result<(), Failure> {
         AnyCaseFile::Ellipse(file) => {
             let contact = file.hertz().map_err(wrong)?;
             let cautions = Caution::units(&contact, file.smallest_radius(), SiCreepage::default());
-            let report = HertzReportJson::new(&contact, &cautions);
+            let report = hertz_report(&contact, &cautions);
             print(&if args.json { to_json(&report)? } else { hertz_text(&contact, &cautions) })?;
             cautions
         }
@@ -122,7 +122,7 @@ pub(crate) fn hertz(args: &HertzArgs) -> Result<(), Failure> {
             let contact = case.contact().map_err(wrong)?;
             let cautions = case.cautions_of_units(&contact, Creepage::default());
             let Some(areas) = contact.areas() else { return Ok(()) };
-            let report = PressedReportJson::new(areas, &cautions);
+            let report = pressed_report(areas, &cautions);
             print(&if args.json { to_json(&report)? } else { pressed_text(areas, &cautions) })?;
             cautions
         }

@@ -81,6 +81,10 @@ pub(crate) enum Failure {
         Varied::ALL.map(Varied::name).join(", ")
     )]
     Quantity { name: String },
+    #[error(
+        "`{key}` is no quantity of this report: keys are those of report.json, as contact.normal_force_n"
+    )]
+    Key { key: String },
     #[error("no table of {theory}: {source}")]
     Build { theory: &'static str, source: BuildError<TheoryError> },
     #[error(transparent)]
@@ -111,6 +115,7 @@ impl Failure {
             Self::Null(_) => CREEPAGE_NULL,
             Self::Text(_)
             | Self::Quantity { .. }
+            | Self::Key { .. }
             | Self::Unknown(_)
             | Self::Options(_)
             | Self::Theory(

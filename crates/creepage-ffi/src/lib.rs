@@ -12,6 +12,7 @@ mod half_space;
 mod hertz;
 mod input;
 mod map;
+mod report;
 mod rolling;
 mod status;
 mod table;
@@ -36,6 +37,7 @@ pub use hertz::{
     creepage_case_below, creepage_case_field, creepage_hertz,
 };
 pub use map::{CreepageMap, creepage_map_free, creepage_map_load, creepage_map_solve};
+pub use report::creepage_report;
 pub use rolling::{
     CreepageRolling, creepage_rolling_free, creepage_rolling_new, creepage_rolling_restore,
     creepage_rolling_save, creepage_rolling_step,

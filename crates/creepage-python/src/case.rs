@@ -7,8 +7,8 @@ use std::sync::atomic::Ordering;
 use creepage::subsurface::{Body, Inside};
 use creepage::{Creepage, SiCreepage};
 use creepage_study::{
-    AnyCaseFile, Case, CaseFile, Caution, Damage, Fit, FitOptions, Given, HertzReportJson,
-    MeasuredPoints, Sources, Stresses, hertz_json, solve,
+    AnyCaseFile, Case, CaseFile, Caution, Damage, Fit, FitOptions, Given, MeasuredPoints, Quantity,
+    Report, Sources, Stresses, hertz_report, solve,
 };
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -41,13 +41,23 @@ fn json(value: &impl Serialize) -> PyResult<String> {
     serde_json::to_string(value).map_err(|_| errors::internal("JSON"))
 }
 
+/// Path, label, unit, value and error bar of a quantity.
+pub(crate) type QuantityTuple = (String, &'static str, &'static str, Option<f64>, Option<f64>);
+
+/// All quantities of a report.
+pub(crate) fn quantities(report: &Report) -> Vec<QuantityTuple> {
+    let tuple =
+        |one: &Quantity| (one.path(), one.label.trim(), one.unit.symbol(), one.value, one.error);
+    report.quantities().map(tuple).collect()
+}
+
 /// The contact of a case file as JSON; needs neither friction nor creepage.
 #[pyfunction]
 pub(crate) fn hertz(py: Python, text: &str) -> PyResult<String> {
     let file = CaseFile::read(text).map_err(|error| errors::case(py, error))?;
     let contact = file.hertz().map_err(|error| errors::case(py, error))?;
     let cautions = Caution::units(&contact, file.smallest_radius(), SiCreepage::default());
-    json(&HertzReportJson::new(&contact, &cautions))
+    json(&hertz_report(&contact, &cautions))
 }
 
 impl CaseData {
@@ -157,7 +167,7 @@ impl CaseData {
 
     /// The contact as JSON.
     fn hertz(&self) -> PyResult<String> {
-        json(&hertz_json(&self.case.hertz))
+        json(&hertz_report(&self.case.hertz, &[]))
     }
 
     /// The section [solve] as JSON: the theory's name and its options.
@@ -291,9 +301,14 @@ impl SolvedCase {
         Ok(details)
     }
 
+    /// Every quantity of the report: path, label, unit, value, error bar.
+    fn quantities(&self, py: Python) -> PyResult<Vec<QuantityTuple>> {
+        detached(py, || quantities(&self.solved.report()))
+    }
+
     /// `report.json` as text.
     fn json(&self, py: Python) -> PyResult<String> {
-        json(&detached(py, || self.solved.json())?)
+        json(&detached(py, || self.solved.report())?)
     }
 
     /// A short report for a terminal.

@@ -7,6 +7,7 @@ use creepage_study::{GapCase, GapCaseError, GapFile, GapSolver, SolvedCase, Sour
 use pyo3::prelude::*;
 use rayon::prelude::*;
 
+use crate::case::{QuantityTuple, quantities};
 use crate::errors;
 use crate::pool::detached;
 use crate::signals;
@@ -82,9 +83,14 @@ fn solve(
 
 #[pymethods]
 impl SolvedGapData {
+    /// Every quantity of the report: path, label, unit, value, error bar.
+    fn quantities(&self, py: Python) -> PyResult<Vec<QuantityTuple>> {
+        detached(py, || quantities(&self.solved.report()))
+    }
+
     /// `report.json` as text.
     fn json(&self, py: Python) -> PyResult<String> {
-        serde_json::to_string(&detached(py, || self.solved.json())?)
+        serde_json::to_string(&detached(py, || self.solved.report())?)
             .map_err(|e| errors::internal(&e.to_string()))
     }
 

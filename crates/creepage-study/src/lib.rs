@@ -11,7 +11,7 @@
 //! | solved | [`solve`] gives a [`SolvedCase`]; [`StaticsCase`], [`SweepRun`], [`Curves`], [`Stresses`] |
 //! | bearings | [`BearingFile`] gives a [`BearingCase`], this a [`BearingReport`] |
 //! | many | [`BulkCase`]: one case with [`Varied`] quantities in rows; [`Solver`]: many [`Question`]s |
-//! | reported | [`SolvedCase::text`], [`SolvedCase::json`], [`SolvedCase::write`]; [`Caution`] |
+//! | reported | [`SolvedCase::text`], [`SolvedCase::report`], [`SolvedCase::write`]; [`Caution`] |
 //! | any shape | [`GapFile`] gives a [`GapCase`], [`solve_gap`] a [`SolvedCase`] like any other |
 //! | fitted | [`MeasuredPoints`] over [`Curves`]; [`Fit`]: friction from measured forces, with its uncertainty |
 //! | measured | [`measure`]: how far a theory is from the full one over [`steady_rolling`] or a [`grid()`]; [`SquareGrid`] |
@@ -51,7 +51,6 @@ mod bearing;
 mod bulk;
 mod case;
 mod caution;
-mod contact_json;
 mod contact_picture;
 mod cost;
 mod curve_picture;
@@ -65,11 +64,11 @@ mod fuzz;
 mod gap;
 mod heat;
 mod history;
-mod json;
 mod line;
 mod measured;
 mod plain_words;
 mod points;
+mod report;
 mod series;
 mod solve;
 mod sources;
@@ -103,7 +102,6 @@ pub use case::{
     sweep_json_schema, theory_spec,
 };
 pub use caution::Caution;
-pub use contact_json::{HertzJson, HertzReportJson, SolidJson, hertz_json};
 pub use cost::long_work;
 pub use creepage_wheelset::{
     ANSWERS, ASKED, Drive, ForceDerivative, FrictionOfPlace, Load, Patches, PitchRate, PlaceOnRail,
@@ -116,19 +114,14 @@ pub use damage::{Damage, DamageWanted, WearRow};
 pub use error::ReportError;
 pub use file_set::write_all;
 pub use gap::{
-    CurvedJson, ExtentJson, GapCase, GapCaseError, GapContactJson, GapCreepageJson, GapFile,
-    GapFileError, GapForceJson, GapReportJson, GapRows, GapSolver, GapValue, GapVaried, PatchJson,
-    Pressed, PressedReportJson, Roller, SiGiven, gap_json_schema, pressed_text, solve_gap,
+    CurvedJson, GapCase, GapCaseError, GapFile, GapFileError, GapRows, GapSolver, GapValue,
+    GapVaried, Pressed, Roller, SiGiven, gap_json_schema, pressed_text, solve_gap,
 };
 pub use heat::{Heat, HeatWanted, HeatedRow};
 pub use history::{
     HISTORY_COLUMNS, History, HistoryError, HistoryMotion, HistoryRow, HistoryRun, HistoryWriter,
     MotionError, RollCase, RollFile, RollStart, RollStepper, history_animation, history_picture,
     roll_json_schema, to_png,
-};
-pub use json::{
-    AnyReportJson, AreasJson, CreepageJson, DetailJson, DimensionlessJson, ForceJson,
-    FrictionLawJson, ReportJson,
 };
 pub use line::{
     LineCase, LineFile, LinePoint, LineReportJson, LineTheory, SolvedLine, line_json_schema,
@@ -138,6 +131,7 @@ pub use measured::{
     MeasuredPoints, UnreadRow,
 };
 pub use plain_words::plain_words;
+pub use report::{Quantity, Report, Unit, hertz_report, pressed_report};
 pub use series::{SeriesHead, SeriesRow, SweepRun, Tally, series_csv, series_json, series_netcdf};
 pub use solve::{SolveError, SolvedCase, solve};
 pub use sources::Sources;

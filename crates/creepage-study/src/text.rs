@@ -4,9 +4,10 @@ use creepage::Hertz;
 use creepage::coulomb::Constraints;
 use creepage::friction_law::RollingFriction;
 use creepage::{SiForce, Status};
-use creepage_plot::format::{Scale, fixed, quantity, significant};
+use creepage_plot::format::{Scale, fixed, significant};
 
 use crate::gap::OnAreas;
+use crate::report::{Shown, hertz_report};
 use crate::{Caution, SolvedCase};
 
 /// Longest line.
@@ -22,16 +23,17 @@ impl SolvedCase {
         let mut lines = Lines::default();
         lines.status(self);
         lines.cautions(self);
-        if let Some(hertz) = self.case.hertz() {
-            lines.contact(hertz);
-        }
+        let report = self.report();
+        lines.heading("Contact ellipse");
+        report.rows(&mut lines, &[Shown::Contact]);
         lines.row("friction mu", &significant(self.case.friction(), 5));
         if let Some(friction) = self.contact.rolling_friction() {
             lines.friction(friction);
         }
         lines.creepage(self);
         lines.forces(self);
-        lines.use_of_friction(self);
+        lines.line("");
+        report.rows(&mut lines, &[Shown::Friction]);
         if let Ok(Some(damage)) = self.damage() {
             damage.lines(&mut lines);
         }
@@ -50,10 +52,9 @@ pub fn hertz_text(contact: &Hertz, cautions: &[Caution]) -> String {
     for caution in cautions {
         lines.caution(&caution.to_string());
     }
-    lines.contact(contact);
-    let [along, across] = contact.relative_curvatures();
-    lines.row("relative curvature along", &format!("{} 1/m", significant(along, 5)));
-    lines.row("relative curvature across", &format!("{} 1/m", significant(across, 5)));
+    lines.heading("Contact ellipse");
+    let report = hertz_report(contact, cautions);
+    report.rows(&mut lines, &[Shown::Contact, Shown::ContactAlone]);
     lines.0
 }
 
@@ -173,26 +174,6 @@ impl Lines {
         self.0
     }
 
-    fn contact(&mut self, contact: &Hertz) {
-        let ellipse = contact.ellipse();
-        self.heading("Contact ellipse");
-        self.row("normal force N", &quantity(contact.normal_force(), "N", 5));
-        self.row("semi-axis a, along rolling", &quantity(ellipse.a(), "m", 5));
-        self.row("semi-axis b, across", &quantity(ellipse.b(), "m", 5));
-        self.row("a/b", &significant(ellipse.ratio(), 5));
-        self.row("peak pressure", &quantity(contact.peak_pressure(), "Pa", 5));
-        self.row("approach of the bodies", &quantity(contact.approach(), "m", 5));
-        let stiffness = significant(contact.stiffness() * 1e-6, 5);
-        self.row("stiffness dN/d(approach)", &format!("{stiffness} N/µm"));
-        let constant = significant(contact.approach_constant(), 5);
-        self.row("approach over N^(2/3)", &format!("{constant} m/N^(2/3)"));
-        self.row("curvature length rho", &quantity(contact.rho(), "m", 5));
-        if contact.angle() != 0.0 {
-            let degrees = fixed(contact.angle().to_degrees(), 3);
-            self.row("angle of the axis a", &format!("{degrees} deg"));
-        }
-    }
-
     fn creepage(&mut self, report: &SolvedCase) {
         let creepage = report.creepage();
         let si = report.scaling().si_creepage(creepage);
@@ -242,21 +223,6 @@ impl Lines {
         );
     }
 
-    fn use_of_friction(&mut self, report: &SolvedCase) {
-        let percent = |share: f64| format!("{} %", fixed(100.0 * share, 2));
-        self.line("");
-        self.row("share of mu N used", &percent(report.solution().force.magnitude()));
-        self.row("adhesion, share of area", &percent(report.adhesion_share()));
-        self.row("heat per metre rolled", &quantity(report.power_per_metre(), "J/m", 5));
-        if let Some(power) = report.dissipation_per_metre() {
-            self.row("  from traction and slip", &quantity(power, "J/m", 5));
-        }
-        if let (Some(speed), Some(power)) = (report.case.speed(), report.power()) {
-            self.row("rolling velocity", &quantity(speed, "m/s", 5));
-            self.row("frictional power", &quantity(power, "W", 5));
-        }
-    }
-
     fn diagnostics(&mut self, report: &SolvedCase) {
         let diagnostics = report.diagnostics();
         if !diagnostics.is_empty() {
@@ -273,6 +239,7 @@ mod tests {
     use super::*;
     use crate::testing::{CURVE, SLIDING, Trial, case, report, solved};
     use crate::{Case, Given};
+    use creepage_plot::format::quantity;
 
     /// The words and numbers of the line that starts with `name`.
     fn line(text: &str, name: &str) -> Vec<String> {

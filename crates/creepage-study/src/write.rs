@@ -18,7 +18,7 @@ impl SolvedCase {
     /// # Errors
     /// [`ReportError`]; what was made until then is removed.
     pub fn write(&self, directory: &Path, sources: &Sources) -> Result<Vec<PathBuf>, ReportError> {
-        let mut json = serde_json::to_string_pretty(&self.json())?;
+        let mut json = serde_json::to_string_pretty(&self.report())?;
         json.push('\n');
         let vtk = self.vtk();
         let wear = self.damage().ok().flatten().map(Damage::files).transpose()?;

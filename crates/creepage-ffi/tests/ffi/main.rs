@@ -24,6 +24,7 @@ mod made_up;
 mod map;
 #[cfg(unix)]
 mod programs;
+mod report;
 mod rolling;
 mod wheelset;
 mod wrong;

@@ -1,8 +1,7 @@
 //! Contact areas of any shape: a case file with `[gap]` is read, solved and reported.
 //!
-//! [`GapFile`] is the file, [`GapCase`] its checked numbers, [`SolvedGap`] its solution. The
-//! ellipse's way through the same rooms is [`CaseFile`](crate::CaseFile), [`Case`](crate::Case),
-//! [`SolvedCase`](crate::SolvedCase).
+//! [`GapFile`] is the file, [`GapCase`] its checked numbers; a solution is a [`SolvedCase`](crate::SolvedCase), as that of an
+//! ellipse, whose file is [`CaseFile`](crate::CaseFile) and whose numbers are [`Case`](crate::Case).
 
 mod along;
 mod case;
@@ -12,7 +11,6 @@ mod curved;
 mod error;
 mod field;
 mod file;
-mod json;
 mod picture;
 mod roller;
 mod rows;
@@ -30,10 +28,6 @@ pub use curved::CurvedJson;
 pub use error::{GapCaseError, GapFileError};
 pub(crate) use field::AreaField;
 pub use file::{GapFile, gap_json_schema};
-pub use json::{
-    ExtentJson, GapContactJson, GapCreepageJson, GapForceJson, GapReportJson, PatchJson,
-    PressedReportJson,
-};
 pub(crate) use picture::AreasPicture;
 pub use rows::GapRows;
 pub(crate) use solve::pressed;

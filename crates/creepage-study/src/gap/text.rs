@@ -1,11 +1,11 @@
 //! The report for a terminal.
 
 use creepage::SiForce;
-use creepage::normal::{Estimate, NormalContact};
+use creepage::normal::NormalContact;
 use creepage_plot::format::{Scale, fixed, quantity, significant};
 
-use super::json::method;
 use super::view::OnAreas;
+use crate::report::{Report, Shown, method, pressed_report};
 use crate::text::{Lines, status_words};
 use crate::{Caution, CurvedJson};
 
@@ -19,14 +19,16 @@ impl OnAreas<'_> {
         for caution in &self.solved.cautions {
             lines.caution(&caution.to_string());
         }
-        contact_lines(&mut lines, self.contact, Some(self.solved.case.friction()));
+        let report = self.solved.report();
+        contact_lines(&mut lines, &report, self.contact, Some(self.solved.case.friction()));
         patch_lines(&mut lines, self.contact);
         if let Some(curved) = &self.solved.curved {
             curved_lines(&mut lines, curved, self.contact);
         }
         self.creepage_lines(&mut lines);
         self.force_lines(&mut lines);
-        self.friction_lines(&mut lines);
+        lines.heading("Friction");
+        report.rows(&mut lines, &[Shown::Friction]);
         if let Ok(Some(damage)) = self.solved.damage() {
             damage.lines(&mut lines);
         }
@@ -69,21 +71,6 @@ impl OnAreas<'_> {
             lines.columns("wanted or found", self.given.force.map(word));
         }
     }
-
-    fn friction_lines(&self, lines: &mut Lines) {
-        let percent = |share: f64| format!("{} %", fixed(100.0 * share, 2));
-        lines.heading("Friction");
-        lines.row("share of mu N used", &percent(self.solution.force.magnitude()));
-        lines.row("adhesion, share of area", &percent(self.solved.adhesion_share()));
-        lines.row("heat per metre rolled", &quantity(self.solved.power_per_metre(), "J/m", 5));
-        if let Some(power) = self.solved.dissipation_per_metre() {
-            lines.row("  from traction and slip", &quantity(power, "J/m", 5));
-        }
-        if let Some(speed) = self.solved.case.speed() {
-            lines.row("rolling velocity", &quantity(speed, "m/s", 5));
-            lines.row("frictional power", &quantity(speed * self.solved.power_per_metre(), "W", 5));
-        }
-    }
 }
 
 /// Bodies of any shape pressed together as a short text, warnings first.
@@ -93,30 +80,20 @@ pub fn pressed_text(contact: &NormalContact, cautions: &[Caution]) -> String {
     for caution in cautions {
         lines.caution(&caution.to_string());
     }
-    contact_lines(&mut lines, contact, None);
+    contact_lines(&mut lines, &pressed_report(contact, cautions), contact, None);
     patch_lines(&mut lines, contact);
     lines.into_text()
 }
 
-fn contact_lines(lines: &mut Lines, contact: &NormalContact, friction: Option<f64>) {
+fn contact_lines(
+    lines: &mut Lines,
+    report: &Report,
+    contact: &NormalContact,
+    friction: Option<f64>,
+) {
     lines.heading("Contact area of any shape");
     lines.columns("", ["", "error bar", ""]);
-    let mut row = |name: &str, estimate: Estimate, unit: &str| {
-        let scale = Scale::of(estimate.value, unit, 5);
-        let error = match estimate.error {
-            0.0 => "given".into(),
-            error => quantity(error, unit, 2),
-        };
-        lines.columns(name, [&scale.write(estimate.value), &error, ""]);
-    };
-    row("normal force N", contact.load(), "N");
-    row("approach of the bodies", contact.approach(), "m");
-    row("peak pressure", contact.peak_pressure(), "Pa");
-    let area = contact.area();
-    let square = |value: f64, digits| format!("{} mm²", significant(1e6 * value, digits));
-    lines.columns("area", [&square(area.value, 5), &square(area.error, 2), ""]);
-    let stiffness = significant(contact.stiffness() * 1e-6, 5);
-    lines.row("stiffness dN/d(approach)", &format!("{stiffness} N/µm"));
+    report.rows_with_errors(lines, &[Shown::Contact]);
     if let Some(friction) = friction {
         lines.row("friction mu", &significant(friction, 5));
     }

@@ -34,6 +34,11 @@ impl<'a> OnAreas<'a> {
         })
     }
 
+    /// Names of the three quantities that were given, where the creepage was to be found.
+    pub(crate) fn known(&self) -> Option<Vec<&'static str>> {
+        self.given.known()
+    }
+
     /// Its elements.
     pub(crate) fn field(&self) -> AreaField<'a> {
         AreaField {

@@ -1,0 +1,16 @@
+//! One report: a list of quantities, of any contact. Text, JSON, Python, C and the guide's table of keys are made from it;
+//! a new quantity is one entry, in `of_contact.rs` or `of_case.rs`.
+
+mod of_case;
+mod of_contact;
+mod quantity;
+mod words;
+
+#[cfg(test)]
+mod tests;
+
+pub use of_contact::{hertz_report, pressed_report};
+pub use quantity::{Quantity, Report, Unit};
+
+pub(crate) use of_contact::method;
+pub(crate) use quantity::Shown;

@@ -1,0 +1,167 @@
+//! Quantities of a solved case, whatever touches.
+
+use creepage::SiForce;
+use creepage::coulomb::Constraints;
+
+use super::quantity::{Report, Shown, Unit};
+use super::words::{DetailJson, Words};
+use crate::SolvedCase;
+use crate::gap::OnAreas;
+
+/// Names and units of the parts of a tangential force.
+const FORCE: [(&str, Unit); 3] =
+    [("longitudinal", Unit::Newton), ("lateral", Unit::Newton), ("moment", Unit::NewtonMetre)];
+
+impl SolvedCase {
+    /// All that is known of it but the points; ready for `serde_json`.
+    #[must_use]
+    pub fn report(&self) -> Report {
+        let mut report = Report::default();
+        report.words("", "creepage_version", env!("CARGO_PKG_VERSION").into());
+        report.words("", "theory", self.theory.name.into());
+        report.words("", "status", self.solution().status.name().into());
+        report.cautions(&self.cautions);
+        match (self.areas(), self.case.hertz()) {
+            (Some(areas), _) => report.areas(areas, "contact"),
+            (None, Some(hertz)) => report.ellipse(hertz, "contact"),
+            (None, None) => {}
+        }
+        let friction = self.case.friction();
+        report.section("", Shown::Nowhere).number("friction", "friction mu", Unit::One, friction);
+        report.creepage(self);
+        report.forces(self);
+        report.friction(self);
+        report.words("", "known", Words::Names(self.known()));
+        let law = self.contact.rolling_friction().map(Into::into);
+        report.words("", "friction_law", Words::Friction(law));
+        // Tractions of a solved case are finite.
+        report.words("", "damage", Words::Damage(self.damage().ok().flatten().cloned()));
+        report.words("", "heat", Words::Heat(self.heat().cloned()));
+        if self.areas().is_some() {
+            report.words("", "curved", Words::Curved(self.curved));
+        }
+        let details = self.diagnostics().into_iter();
+        let details =
+            details.map(|one| (one.key, DetailJson { label: one.label, value: one.value }));
+        report.words("", "details", Words::Details(details.collect()));
+        report
+    }
+
+    /// Names of the three quantities that were given, where the creepage was to be found.
+    #[must_use]
+    pub fn known(&self) -> Option<Vec<&'static str>> {
+        if let Some(on_areas) = OnAreas::of(self) {
+            return on_areas.known();
+        }
+        let Constraints { xi, eta, chi, fx, fy, mz } = self.constraints()?;
+        let values = [("xi", xi), ("eta", eta), ("chi", chi), ("fx", fx), ("fy", fy), ("mz", mz)];
+        Some(values.into_iter().filter_map(|(name, value)| value.map(|_| name)).collect())
+    }
+}
+
+impl Report {
+    /// Of the upper body relative to the lower.
+    fn creepage(&mut self, solved: &SolvedCase) {
+        let creepage = solved.creepage();
+        let si = solved.scaling().si_creepage(creepage);
+        let [xi, eta, chi] = creepage.components();
+        self.section("creepage", Shown::Nowhere)
+            .number("longitudinal", "longitudinal creepage", Unit::One, si.longitudinal)
+            .number("lateral", "lateral creepage", Unit::One, si.lateral)
+            .number("spin", "spin", Unit::RadianPerMetre, si.spin)
+            .number("xi", "longitudinal creepage xi", Unit::One, xi)
+            .number("eta", "lateral creepage eta", Unit::One, eta)
+            .number("chi", "spin chi", Unit::One, chi);
+    }
+
+    /// On both bodies, with error bars where the theory has them, and in parts of what friction can bear.
+    fn forces(&mut self, solved: &SolvedCase) {
+        let parts = |force: SiForce| [force.longitudinal, force.lateral, force.moment];
+        let (force, error) = (solved.force(), solved.force_error().map(parts));
+        for ((name, unit), (k, value)) in
+            FORCE.into_iter().zip(parts(force).into_iter().enumerate())
+        {
+            let estimate = (value, error.map(|error| error[k]));
+            self.section("lower_body", Shown::Nowhere).estimate(
+                name,
+                of_lower(name),
+                unit,
+                estimate,
+            );
+        }
+        for ((name, unit), value) in FORCE.into_iter().zip(parts(-force)) {
+            self.section("upper_body", Shown::Nowhere).number(name, of_upper(name), unit, value);
+        }
+        let force = solved.solution().force;
+        self.section("dimensionless", Shown::Nowhere)
+            .number("fx", "F_x over mu N", Unit::One, force.fx)
+            .number("fy", "F_y over mu N", Unit::One, force.fy)
+            .number("mz", "M_z over mu N c", Unit::One, force.mz);
+        self.section("dimensionless", Shown::Friction).number(
+            "friction_used",
+            "share of mu N used",
+            Unit::Share,
+            force.magnitude(),
+        );
+        if solved.areas().is_some() {
+            let used = force.magnitude();
+            self.section("", Shown::Nowhere).number(
+                "friction_used",
+                "share of mu N used",
+                Unit::Share,
+                used,
+            );
+        }
+    }
+
+    /// Areas of adhesion and slip, and heat.
+    fn friction(&mut self, solved: &SolvedCase) {
+        let (share, area) = (solved.adhesion_share(), solved.contact_area());
+        self.section("areas", Shown::Friction).number(
+            "adhesion_share",
+            "adhesion, share of area",
+            Unit::Share,
+            share,
+        );
+        self.section("areas", Shown::Nowhere)
+            .number("adhesion", "area of adhesion", Unit::SquareMetre, share * area)
+            .number("slip", "area of slip", Unit::SquareMetre, (1.0 - share) * area);
+        self.words("areas", "points", Words::Count(solved.point_count()));
+        self.section("", Shown::Friction)
+            .number(
+                "frictional_power_per_metre",
+                "heat per metre rolled",
+                Unit::JoulePerMetre,
+                solved.power_per_metre(),
+            )
+            .number(
+                "frictional_power_per_metre_by_slip",
+                "  from traction and slip",
+                Unit::JoulePerMetre,
+                solved.dissipation_per_metre(),
+            )
+            .number(
+                "rolling_velocity",
+                "rolling velocity",
+                Unit::MetrePerSecond,
+                solved.case.speed(),
+            )
+            .number("frictional_power", "frictional power", Unit::Watt, solved.power());
+    }
+}
+
+fn of_lower(name: &str) -> &'static str {
+    match name {
+        "longitudinal" => "longitudinal force on the lower body",
+        "lateral" => "lateral force on the lower body",
+        _ => "moment on the lower body",
+    }
+}
+
+fn of_upper(name: &str) -> &'static str {
+    match name {
+        "longitudinal" => "longitudinal force on the upper body",
+        "lateral" => "lateral force on the upper body",
+        _ => "moment on the upper body",
+    }
+}

@@ -1,0 +1,139 @@
+//! Numbers of reports against hand formulas, and their keys.
+#![allow(clippy::unwrap_used)]
+
+use std::f64::consts::PI;
+
+use std::collections::BTreeSet;
+use std::path::Path;
+
+use creepage::coulomb::Constraints;
+
+use crate::testing::{CURVE, SLIDING, case, report, solved};
+use crate::{AnyCaseFile, Case, Given, Quantity, Report};
+
+fn close(value: &serde_json::Value, expected: f64) {
+    // A handful of roundings.
+    assert!((value.as_f64().unwrap() / expected - 1.0).abs() < 1e-12, "{value} {expected}");
+}
+
+#[test]
+fn the_numbers_are_those_of_hand_formulas() {
+    let json = serde_json::to_value(report(2.25, SLIDING, CURVE).report()).unwrap();
+    // c = 6 mm, so a = 9 mm and b = 4 mm; mu N = 24 kN.
+    close(&json["contact"]["semi_axis_rolling_m"], 9e-3);
+    close(&json["contact"]["semi_axis_lateral_m"], 4e-3);
+    close(&json["contact"]["peak_pressure_pa"], 1.5 * 80e3 / (PI * 36e-6));
+    close(&json["lower_body"]["longitudinal_n"], 0.6 * 24e3);
+    close(&json["lower_body"]["lateral_n"], 0.5 * 24e3);
+    close(&json["lower_body"]["moment_n_m"], -0.1 * 24e3 * 6e-3);
+    close(&json["upper_body"]["longitudinal_n"], -0.6 * 24e3);
+    close(&json["upper_body"]["moment_n_m"], 0.1 * 24e3 * 6e-3);
+    let rho = json["contact"]["rho_m"].as_f64().unwrap();
+    close(&json["creepage"]["longitudinal"], CURVE[0] * 0.3 * 6e-3 / rho);
+    close(&json["creepage"]["lateral"], CURVE[1] * 0.3 * 6e-3 / rho);
+    close(&json["creepage"]["spin_rad_per_m"], CURVE[2] * 0.3 / rho);
+    close(&json["dimensionless"]["friction_used"], 0.61_f64.sqrt());
+    close(&json["areas"]["slip_m2"], PI * 36e-6);
+}
+
+#[test]
+fn what_is_known_besides() {
+    let plain = serde_json::to_value(report(1.0, SLIDING, CURVE).report()).unwrap();
+    for key in ["caution", "known", "rolling_velocity_m_per_s", "frictional_power_w"] {
+        assert!(plain[key].is_null(), "{key}");
+    }
+    let given =
+        Constraints { chi: Some(1.5), fx: Some(0.6), fy: Some(0.5), ..Constraints::default() };
+    let like = case(1.0, CURVE);
+    let contact = like.contact.with_kappa_over_mu(0.5).unwrap();
+    let case = Case { contact, speed: Some(20.0), given: Given::Constraints(given), ..like };
+    let json = serde_json::to_value(solved(&case, SLIDING).report()).unwrap();
+    assert!(json["caution"].as_str().unwrap().contains("kappa/mu = 0.5"), "{json}");
+    assert_eq!(json["known"], serde_json::json!(["chi", "fx", "fy"]));
+    let per_metre = json["frictional_power_per_metre_j_per_m"].as_f64().unwrap();
+    close(&json["frictional_power_w"], 20.0 * per_metre);
+    let slip = json["contact"]["rho_m"].as_f64().map(|rho| 0.3 * 6e-3 / rho).unwrap();
+    close(&json["frictional_power_per_metre_by_slip_j_per_m"], 0.5 * 24e3 * slip);
+}
+
+#[test]
+fn words_and_details() {
+    let json = serde_json::to_value(report(1.0, SLIDING, CURVE).report()).unwrap();
+    assert_eq!(json["status"], "spin_too_large");
+    assert_eq!(json["theory"], "test & trial");
+    assert_eq!(json["creepage_version"], env!("CARGO_PKG_VERSION"));
+    assert_eq!(json["details"]["mean_integrand"]["value"], 1.25e-3);
+    assert!(json["details"]["unknown"]["value"].is_null());
+    assert_eq!(json["areas"]["points"], 3);
+}
+
+/// An ellipse and areas of any shape have the same keys, but for what only one of them has.
+#[test]
+fn both_kinds_of_contact_have_the_same_keys() {
+    let [ellipse, areas] = [on_ellipse(), on_areas()].map(|report| {
+        let keys = |one: &Quantity| [Some(one.path()), one.error_key()];
+        report.quantities().flat_map(keys).flatten().collect::<BTreeSet<_>>()
+    });
+    let only = |own: &BTreeSet<String>, other: &BTreeSet<String>| {
+        own.difference(other).map(String::as_str).collect::<Vec<_>>().join(" ")
+    };
+    assert_eq!(
+        only(&ellipse, &areas),
+        "contact.a_over_b contact.angle_rad contact.approach_constant_m_per_n_2_3 \
+         contact.relative_curvature_lateral_per_m contact.relative_curvature_rolling_per_m contact.rho_m \
+         contact.semi_axis_lateral_m contact.semi_axis_rolling_m"
+    );
+    // Where it stood before there were dimensionless forces of areas.
+    assert_eq!(only(&areas, &ellipse), "friction_used");
+}
+
+/// The guide's table of keys is that of the reports: `CREEPAGE_WRITE_GUIDE=1 cargo test -p creepage-study --lib the_guide`
+/// writes it again.
+#[test]
+fn the_guide_has_all_keys() {
+    let page = concat!(env!("CARGO_MANIFEST_DIR"), "/../../book/pages/facts/report.md");
+    let text = std::fs::read_to_string(page).unwrap();
+    let [from, to] = ["<!-- keys -->\n", "<!-- end of keys -->\n"];
+    let start = text.find(from).unwrap() + from.len();
+    let end = text.find(to).unwrap();
+    let table = table_of_keys();
+    if std::env::var_os("CREEPAGE_WRITE_GUIDE").is_some() {
+        std::fs::write(page, format!("{}{table}{}", &text[..start], &text[end..])).unwrap();
+    } else {
+        assert_eq!(&text[start..end], table, "see the words above this test");
+    }
+}
+
+fn table_of_keys() -> String {
+    let mut table = String::from("\n| key | meaning | unit |\n|---|---|---|\n");
+    let (ellipse, areas) = (on_ellipse(), on_areas());
+    let mut written = BTreeSet::new();
+    for one in ellipse.quantities().chain(areas.quantities()) {
+        let path = one.path();
+        if !written.insert(path.clone()) {
+            continue;
+        }
+        let error = one.error_key().map_or(String::new(), |key| format!(", `{key}`"));
+        let only = match [&ellipse, &areas].map(|report| report.find(&path).is_some()) {
+            [true, false] => "; of an ellipse",
+            [false, true] => "; of areas of any shape",
+            _ => "",
+        };
+        let unit = one.unit.symbol();
+        table.push_str(&format!("| `{path}`{error} | {}{only} | {unit} |\n", one.label.trim()));
+    }
+    table.push('\n');
+    table
+}
+
+fn on_ellipse() -> Report {
+    report(2.25, SLIDING, CURVE).report()
+}
+
+fn on_areas() -> Report {
+    let text = "[upper]\nshear_modulus = 82e9\npoisson = 0.28\n[lower]\nshear_modulus = 82e9\npoisson = 0.28\n\
+        [gap]\npolynomial = [[2, 0, 1.0], [0, 2, 2.0]]\n[contact]\nnormal_force = 1e4\nfriction = 0.3\n\
+        [creepage]\nlongitudinal = 1e-3\n[solve]\ntheory = \"saturated\"\n";
+    let file = AnyCaseFile::read(text).unwrap();
+    file.case(Path::new("")).unwrap().solve(None).unwrap().report()
+}
