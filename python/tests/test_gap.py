@@ -41,6 +41,28 @@ def test_an_ellipse_is_the_case_of_hertz() -> None:
         assert abs(a - b) <= own + bar * unit
 
 
+def test_an_ellipse_and_areas_have_the_same_quantities() -> None:
+    """The list is that of report.json, with error bars; both contacts are the same bodies."""
+    motion: dict[str, Any] = {"longitudinal": 1e-3, "lateral": 4e-4, "spin": 0.1}
+    areas, hertz = case(**motion).solve(), wheel(**motion).solve(resolution="standard")
+    for found in (areas, hertz):
+        report = found.to_dict()
+        for path, one in found.quantities.items():
+            section, _, key = path.rpartition(".")
+            place = report
+            for name in section.split(".") if section else []:
+                place = place[name]
+            assert place[key] == one.value and one.label, path
+    force = hertz.quantities["lower_body.lateral_n"]
+    assert force.unit == "N" and force.value == hertz.force.lateral
+    for path in ("contact.peak_pressure_pa", "contact.area_m2", "lower_body.lateral_n"):
+        a, b = areas.quantities[path], hertz.quantities[path]
+        assert a.value is not None and b.value is not None and a.error is not None and b.error is not None
+        assert (a.label, a.unit) == (b.label, b.unit)
+        # 95 of 100 errors are within one bar; three leave room.
+        assert abs(a.value - b.value) <= 3.0 * (a.error + b.error), path
+
+
 def test_arrays_are_the_points_of_a_file() -> None:
     text = (EXAMPLES / "two-patches.toml").read_text()
     by_file = GapCase.from_toml(EXAMPLES / "two-patches.toml")

@@ -12,6 +12,9 @@ use crate::pose::WheelsetPose;
 use crate::solved::{SolvedContact, SolvedWheel, SolvedWheelset};
 use crate::tilt::Placed;
 
+/// Of a load: so much is met by chance only.
+const ROUNDING: f64 = 1e-6;
+
 /// Which contacts carry a given load.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Carrying {
@@ -126,7 +129,8 @@ fn propagate(wheels: &mut [&mut SolvedWheel], carrying: Carrying, missed: f64) {
         }
     }
     if yields {
-        let depth = lowered(-missed);
+        let load: f64 = contacts.iter().map(|one| one.load()).sum();
+        let depth = lowered(-missed.hypot(ROUNDING * load));
         add(contacts.iter().map(|one| one.lowered(depth, None)).collect());
     }
 
