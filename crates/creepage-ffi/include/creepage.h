@@ -556,6 +556,34 @@ int32_t creepage_map_solve(const struct CreepageMap *map,
                            size_t message_size);
 
 /*
+ Solves a case of any contact and gives quantities of its report.
+
+ path: the case file in TOML, files of points beside it; or the text of one, if it has a line break.
+ theory: the name of a theory in place of the file's; NULL for the file's own.
+ count: number of quantities.
+ keys: their keys, with the section before a point, such as contact.peak_pressure_pa or lower_body.lateral_n: those of
+   report.json, which the guide lists with their units. An unknown key is CREEPAGE_TEXT.
+ values: room for count numbers, NaN where there is none.
+ errors: room for count numbers, their error bars, zero for what was given, NaN where nothing is known; or NULL.
+ status: room for one number, CREEPAGE_SOLVED and so on; or NULL.
+
+ CREEPAGE_NOT_REACHABLE where no creepage gives the wanted forces; CREEPAGE_INVALID where the bodies
+ have no contact area.
+
+ You promise:
+ path, theory and each of the keys end with a zero byte; arrays and message point to as much room as said.
+ */
+int32_t creepage_report(const char *path,
+                        const char *theory,
+                        size_t count,
+                        const char *const *keys,
+                        double *values,
+                        double *errors,
+                        int32_t *status,
+                        char *message,
+                        size_t message_size);
+
+/*
  Prepares a contact that rolls, in the state that its case file names.
 
  path: the file, in TOML, as of the command creepage roll; or the text of one, if it has a line break.
