@@ -71,8 +71,9 @@ pub struct Settings {
     pub reduction: [f64; 3],
 }
 
-/// Whether nothing reduces the slope.
+/// Whether it is what is not written.
 #[cfg(feature = "serde")]
+#[allow(clippy::float_cmp)] // given or not
 fn is_clean(reduction: &[f64; 3]) -> bool {
     *reduction == Settings::CLEAN
 }
@@ -83,6 +84,14 @@ impl Settings {
 
     /// The reduction of clean and dry surfaces: none.
     pub const CLEAN: [f64; 3] = [1.0, 1.0, 0.0];
+}
+
+impl Settings {
+    /// Whether the slope of the traction is that of clean and dry surfaces.
+    #[allow(clippy::float_cmp)] // factors of one
+    pub(crate) fn is_clean(&self) -> bool {
+        self.reduction[..2] == [1.0; 2]
+    }
 }
 
 impl Default for Settings {
