@@ -239,7 +239,7 @@ class Fastsim(DifferentiableTheory):
     """FASTSIM (Kalker 1982) with the flexibilities of Vollebregt and Voltr (2023).
 
     grid: cells (along, across), (50, 50). flexibility: "blended" by default. bound: "elliptic" by
-    default.
+    default. reduction: factors (k0, alpha, beta) of surfaces that are not clean and dry, (1, 1, 0).
     """
 
     def __new__(
@@ -250,6 +250,7 @@ class Fastsim(DifferentiableTheory):
         grid: _Pair | None = None,
         flexibility: Literal["blended", "three", "one"] | None = None,
         bound: Literal["elliptic", "parabolic"] | None = None,
+        reduction: Sequence[float] | None = None,
     ) -> Fastsim: ...
 
 @final

@@ -22,7 +22,7 @@ class StaticsSolution(Reported):
     """One problem without rolling, solved, in SI units; x and y are along the ellipse's axes."""
 
     problem: str
-    """ "die", "shift", "twist", "partial-slip" or "shift-path"."""
+    """ "die", "shift", "twist", "partial-slip", "shift-path" or "compression"."""
     given: dict[str, float]
     """What the problem was given, by names that carry their units."""
     found: dict[str, float]
@@ -42,18 +42,19 @@ class StaticsSolution(Reported):
         return self._solved.traction(x, y)
 
     def pressure(self, x: ArrayLike, y: ArrayLike) -> Floats:
-        """Pressure under a die (Pa) at (x, y) (m). Raises ValueError for other problems."""
+        """Pressure under a die, or between balls (Pa), at (x, y) (m). Raises ValueError for other problems."""
         return self._solved.pressure(x, y)
 
     def displacement(self, x: ArrayLike, y: ArrayLike) -> Floats:
         """Displacement (m) at (x, y) (m), shape (..., 3): of the half-space under a die, of the
-        bodies relative to each other else. Raises ValueError for a path, of which it is not known.
+        bodies relative to each other else. Raises ValueError for a path and for balls, of which it is not known.
         """
         return self._solved.displacement(x, y)
 
 
 def statics(source: Source | Mapping[str, Mapping[str, Any]]) -> StaticsSolution:
-    """Solves a problem without rolling: a die, a shift, a twist, a shift with partial slip, or one to and fro.
+    """Solves a problem without rolling: a die, a shift, a twist, a shift with partial slip, one to and fro, or
+    unlike balls pressed together.
 
     source: the path of a statics file, its text (a string with line breaks), or its sections as
     a mapping. Raises CaseError for what is no problem, and where the bodies slide or the die

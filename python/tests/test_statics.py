@@ -51,6 +51,21 @@ def test_a_die_is_flat_underneath() -> None:
         die.traction(0.0, 0.0)
 
 
+def test_balls_pull_inwards_and_are_pressed() -> None:
+    ball = creepage.statics(ROOT / "examples" / "statics" / "soft-ball-pressed.toml")
+    assert ball.problem == "compression"
+    radius = ball.found["contact_radius_m"]
+    x, y = np.array([0.5, -0.5]) * radius, np.zeros(2)
+    # Symmetric about the axis; the soft ball draws together, and pulls the plate along.
+    pull = ball.traction(x, y)
+    np.testing.assert_allclose(pull[0], -pull[1], rtol=1e-12)
+    assert pull[0, 0] < 0.0
+    assert ball.pressure(0.0, 0.0) == pytest.approx(ball.found["peak_pressure_pa"])
+    assert ball.pressure(2.0 * radius, 0.0) == 0.0
+    with pytest.raises(ValueError, match="approach"):
+        ball.displacement(0.0, 0.0)
+
+
 def test_partial_slip_sticks_in_the_middle() -> None:
     body = {"shear_modulus": 82e9, "poisson": 0.28}
     file: dict[str, dict[str, Any]] = {

@@ -164,6 +164,7 @@ def test_senseless_materials_are_refused(name: str, poisson: float) -> None:
         ("automatic", {"accuracy": 0.0}, creepage.InvalidValue),
         ("fastsim", {"bound": "round"}, creepage.InvalidOption),
         ("fastsim", {"bound": "kept"}, creepage.InvalidOption),
+        ("fastsim", {"reduction": (0.0, 1.0, 0.0)}, creepage.InvalidValue),
         ("fastsim", {"bound": 3}, TypeError),
         ("fastsim", {"grid": (0, 5)}, creepage.InvalidValue),
         ("fastsim", {"grid": (10**9, 5)}, creepage.InvalidValue),

@@ -282,3 +282,100 @@ fn no_broken_file_panics() {
         }
     }
 }
+
+/// A ball whose middle is at a place along x (mm), shifted (T = 1) from rest or from the case before.
+fn ball_at(place: f64, first: &str, kinematics: &str) -> String {
+    let shape = format!(".005 .0 .005 {:.7} .0 {:.7} shape", -0.01 * place, 0.005 * place * place);
+    let ball = ball(first, kinematics, "").replace(" \n", "");
+    ball.replace(".005 .0 .005 .0 .0 .0 shape", &shape)
+}
+
+/// In axes that stand still, a shape that moves on from shift to shift rolls.
+#[test]
+fn a_shape_that_moves_from_shift_to_shift_rolls() {
+    let start = ball_at(0.0, "201110", "1000. -.5 .0 .0");
+    let next = |place: f64| ball_at(place, "001110", "1000. -.5 .0 .0");
+    let file = start.clone() + &next(0.25) + &next(0.4);
+    let imported = read(&file).unwrap();
+    let last = imported.cases.last().unwrap();
+    let command = "creepage roll own-3.toml --history own-3.csv";
+    assert_eq!(last.written.as_ref().unwrap().command, command);
+    let keys = ["traction = \"shift\"", "longitudinal_force = 150.0", "radius_rolling = 0.1"];
+    has(&text(last, 0), &keys);
+    let table = "distance,longitudinal_force\n0.00025,150.0\n0.0004,150.0\n";
+    assert_eq!(text(last, 1), table);
+
+    // Towards -x, our axes turn with it.
+    let imported = read(&(start.clone() + &next(-0.25))).unwrap();
+    has(&text(&imported.cases[1], 0), &["longitudinal_force = -150.0"]);
+    assert_eq!(text(&imported.cases[1], 1), "distance,longitudinal_force\n0.00025,-150.0\n");
+
+    // A shift as a way: over that of the shape it is a creepage.
+    let way = ball_at(0.0, "201100", "1000. .0 .0 .0");
+    let imported = read(&(way + &ball_at(0.2, "001100", "1000. .001 -.0004 .0"))).unwrap();
+    has(&text(&imported.cases[1], 0), &["traction = \"none\""]);
+    assert_eq!(text(&imported.cases[1], 1), "distance,longitudinal,lateral\n0.0002,0.005,-0.002\n");
+
+    for (further, cause) in [
+        (next(0.25) + &next(0.1), "to and fro"),
+        (next(0.25) + &next(0.25), "not one of rolling steps"),
+        (next(0.25).replace("0.3 0.3", "0.2 0.2"), "friction or the bodies change"),
+    ] {
+        let imported = read(&(start.clone() + &further)).unwrap();
+        let found = imported.cases.last().unwrap().written.as_ref().unwrap_err();
+        assert!(found.contains(cause), "{found}");
+    }
+}
+
+/// The first step sets out from the load of the shift before it; shifts that go on add nothing.
+#[test]
+fn rolling_sets_out_from_the_last_shift() {
+    let step = head("002110", "102000")
+        + " 900. -.5 .0 .0 load\n 0.0 0.1 2000. CHI\n .28 .28 82000. 82000.\n";
+    let first = ball_at(0.0, "201110", "1000. -.2 .0 .0");
+    let file = first.clone() + &ball_at(0.0, "001110", "1000. -.5 .0 .0") + &step;
+    let imported = read(&file).unwrap();
+    let rolls = &imported.cases[2];
+    has(&text(rolls, 0), &["normal_force = 1000.0", "longitudinal_force = 150.0"]);
+    assert_eq!(text(rolls, 1), "distance,normal_force,longitudinal_force\n0.0001,900.0,135.0\n");
+    let back = first + &ball_at(0.0, "001110", "1000. .1 .0 .0") + &step;
+    let found = read(&back).unwrap().cases[2].written.clone().unwrap_err();
+    assert!(found.contains("a load path before"), "{found}");
+}
+
+#[test]
+fn flexibilities_that_fall_with_creepage_are_a_reduction() {
+    let simplified = |third: &str, changes: &str| {
+        let ball = ball(third, "1000. .002 .0 .0", "0.0 0.2 2000. CHI").replace("022020", "022320");
+        ball.replace("82000. material\n", &format!("82000. material\n {changes} K0_MF\n"))
+    };
+    let written = |file: &str| read(file).unwrap().cases[0].written.clone();
+    let imported = read(&simplified("233100", ".54 .02 .62")).unwrap();
+    let keys = ["theory = \"fastsim\"", "bound = \"parabolic\"", "reduction = [0.54, 0.02, 0.62]"];
+    has(&text(&imported.cases[0], 0), &keys);
+    let clean = read(&simplified("233100", "1. 1. 3.")).unwrap();
+    assert!(!text(&clean.cases[0], 0).contains("reduction"));
+    let found = written(&simplified("233110", ".54 .02 .62")).unwrap_err();
+    assert!(found.contains("to a wanted force"), "{found}");
+}
+
+/// Spence: unlike balls under a load that grows are one problem of statics, whatever the steps.
+#[test]
+fn unlike_balls_pressed_together_are_a_compression() {
+    let unlike = |first: &str, load: &str| {
+        let ball = ball(first, load, "").replace(" \n", "");
+        ball.replace("0.28 0.28 82000. 82000.", "0. 0. .5 100000.")
+    };
+    let file = unlike("201100", "1. .0 .0 .0") + &unlike("001100", "2. .0 .0 .0");
+    let imported = read(&file).unwrap();
+    let case = &imported.cases[1];
+    assert_eq!(case.written.as_ref().unwrap().command, "creepage statics own-2.toml");
+    let keys = ["problem = \"compression\"", "normal_force = 2.0", "friction = 0.3"];
+    has(&text(case, 0), &keys);
+    let back = file + &unlike("001100", "1.5 .0 .0 .0");
+    let found = read(&back).unwrap().cases[2].written.clone().unwrap_err();
+    assert!(found.contains("a load that grows"), "{found}");
+    let long = unlike("201100", "1. .0 .0 .0").replace(".005 .0 .005", ".005 .0 .004");
+    let found = read(&long).unwrap().cases[0].written.clone().unwrap_err();
+    assert!(found.contains("other than balls"), "{found}");
+}

@@ -98,10 +98,21 @@ impl SolvedStatics {
                     ShiftAxis::Y => [0.0, traction],
                 }
             }),
+            StaticsProblem::Compression { compression, .. } => {
+                Self::vectors(py, [x, y], |[x, y]| {
+                    let radius = x.hypot(y);
+                    let [_, traction] = compression.at(radius);
+                    if radius > 0.0 {
+                        [x, y].map(|part| part / radius * traction)
+                    } else {
+                        [0.0; 2]
+                    }
+                })
+            }
         }
     }
 
-    /// Pressure under a die (Pa) at points (m).
+    /// Pressure under a die, or between balls (Pa), at points (m).
     fn pressure<'py>(
         &self,
         py: Python<'py>,
@@ -113,7 +124,13 @@ impl SolvedStatics {
                 Self::vectors(py, [x, y], |point| [die.pressure(point)])?
                     .call_method1("__getitem__", ((py.Ellipsis(), 0),))
             }
-            _ => Err(PyValueError::new_err("only a die has its pressure as an answer")),
+            StaticsProblem::Compression { compression, .. } => {
+                Self::vectors(py, [x, y], |[x, y]| [compression.at(x.hypot(y))[0]])?
+                    .call_method1("__getitem__", ((py.Ellipsis(), 0),))
+            }
+            _ => {
+                Err(PyValueError::new_err("only a die and balls have their pressure as an answer"))
+            }
         }
     }
 
@@ -137,6 +154,9 @@ impl SolvedStatics {
             }
             StaticsProblem::ShiftPath { .. } => Err(PyValueError::new_err(
                 "of a path the displacement is not known at points: found has the shift",
+            )),
+            StaticsProblem::Compression { .. } => Err(PyValueError::new_err(
+                "of balls the displacement is not known at points: found has the approach",
             )),
         }
     }

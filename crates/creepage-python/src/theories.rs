@@ -100,11 +100,12 @@ theory! {
     ///
     /// a_over_b: ratio a/b of the semi-axes, 1e-3 to 1e3. poisson: combined Poisson's ratio, 0 to
     /// 0.5. grid: cells (along, across), (50, 50). flexibility: "blended" (default), "three", "one".
-    /// bound: "elliptic" (default), "parabolic" (that of 1982).
+    /// bound: "elliptic" (default), "parabolic" (that of 1982). reduction: factors (k0, alpha, beta) by
+    /// which the slope falls with creepage on surfaces that are not clean and dry, (1, 1, 0).
     ///
     /// Raises InvalidValue for numbers out of range, InvalidOption for another word.
     Fastsim: DifferentiableTheory, "fastsim",
-    "(a_over_b, poisson, *, grid=None, flexibility=None, bound=None)", poisson
+    "(a_over_b, poisson, *, grid=None, flexibility=None, bound=None, reduction=None)", poisson
 }
 
 theory! {

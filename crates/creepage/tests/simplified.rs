@@ -42,6 +42,7 @@ fn kinds(contact: &Contact) -> [(Simplified, Box<dyn Theory>); 4] {
         flexibility: Flexibility::Three,
         bound: TractionBound::Elliptic,
         grid: [100, 100],
+        ..Settings::default()
     };
     [
         (Simplified::Fastsim, Box::new(Fastsim::new(contact, settings).unwrap())),

@@ -49,7 +49,8 @@ fn every_example_is_solved_and_every_problem_has_one() {
         problems.push(report["problem"].as_str().unwrap().into());
     }
     problems.sort();
-    assert_eq!(problems, ["die", "partial-slip", "shift", "shift-path", "twist"]);
+    let all = ["compression", "die", "partial-slip", "shift", "shift-path", "twist"];
+    assert_eq!(problems, all);
     assert!(place.files().is_empty());
 }
 
@@ -120,6 +121,27 @@ fn bad_input_is_refused_and_nothing_is_written() {
     refused("friction = 0.3", "", &["[contact] friction is missing"]);
     refused("\"partial-slip\"", "\"roll\"", &["roll", "twist"]);
     refused("[lower]", "[lower", &["line 5"]);
+}
+
+/// Spence's ball: half of the radius sticks, to a ring of a hundred; CONTACT's approach at .4705 N is 98.74 um.
+#[test]
+fn balls_that_are_pressed_together() {
+    let place = Place::new();
+    let path = examples().into_iter().find(|path| path.ends_with("soft-ball-pressed.toml"));
+    let case = fs::read_to_string(path.unwrap()).unwrap();
+    place.write("ball.toml", case.replace("= 0.47 ", "= 0.4705 "));
+    let found = report(&place, "ball.toml");
+    let ratio = number(&found, "adhesion_radius_m") / number(&found, "contact_radius_m");
+    assert!((ratio - 0.5).abs() < 0.011, "{ratio}");
+    assert!((number(&found, "approach_m") / 98.74e-6 - 1.0).abs() < 0.01, "{found}");
+    let refuse = |old: &str, new: &str, parts: &[&str]| {
+        assert!(case.contains(old), "{old}");
+        place.write("wrong.toml", case.replacen(old, new, 1));
+        place.run(&["statics", "wrong.toml"]).refused(parts);
+    };
+    refuse("radius_lateral = 0.1215", "radius_lateral = 0.2", &["bodies of revolution", "a/b"]);
+    refuse("friction = 0.2986", "", &["[contact] friction is missing"]);
+    refuse("\"compression\"", "\"compression\"\nforce_x = 1.0", &["none but the normal force"]);
 }
 
 #[test]

@@ -166,6 +166,29 @@ fn line(
     Ok((Geometry::Line([radius * 1e-3, length]), Pressed::Load(load / length)))
 }
 
+/// The case with the middle of its paraboloid at the origin, and where that was (mm): in a shift or in rolling by
+/// steps without a turn about the normal, the place changes nothing else.
+pub(super) fn centred(case: &Bodies) -> (Bodies, [f64; 2]) {
+    let mut centred = case.clone();
+    let [pressed, _, _, turn] = case.kinematics;
+    let is_free = matches!(case.control.tangential(), 1 | 2) && turn == 0.0;
+    let Some(Shape::Quadratic([first, mixed, second, x, y, offset])) = case.shape else {
+        return (centred, [0.0; 2]);
+    };
+    let is_row = case.grid.is_some_and(|grid| grid.elements[1] == 1);
+    if !(is_free && mixed == 0.0 && first > 0.0 && second > 0.0) || is_row {
+        return (centred, [0.0; 2]);
+    }
+    let place = [-0.5 * x / first, -0.5 * y / second];
+    let mut lowest = offset + 0.5 * (x * place[0] + y * place[1]);
+    // The digits of a file end before a millionth of the approach.
+    if case.control.has_load() || lowest.abs() <= 1e-6 * pressed.abs() {
+        lowest = 0.0;
+    }
+    centred.shape = Some(Shape::Quadratic([first, mixed, second, 0.0, 0.0, lowest]));
+    (centred, place)
+}
+
 /// Curvature across over that along, for semi-axes a, b in the ratio a/b.
 fn ratio_of_curvatures(ratio: f64) -> Result<f64, Cause> {
     if !(ratio > 0.0 && ratio.is_finite()) {

@@ -2,6 +2,7 @@
 
 mod friction;
 mod geometry;
+mod history;
 mod motion;
 
 use crate::bodies::Bodies;
@@ -10,7 +11,7 @@ use crate::text::{comments, heat_section, number, quoted, section};
 use crate::{File, Written};
 use friction::friction;
 pub(crate) use friction::law_text;
-use geometry::geometry;
+use geometry::{centred, geometry};
 
 /// What has no counterpart, as the cause.
 type Cause = String;
@@ -58,16 +59,19 @@ pub(crate) fn write(
     title: &str,
     notes: &mut Vec<String>,
 ) -> Result<Written, Cause> {
+    let (chain, places): (Vec<_>, Vec<_>) = chain.iter().map(centred).unzip();
     let Some(case) = chain.last() else { return Err("there is no case".into()) };
     let parts = Parts::of(case, notes)?;
     parts.note_what_is_left(notes);
+    let moves = places.windows(2).any(|pair| pair[0] != pair[1]);
     match case.control.tangential() {
         0 => parts.pressing(name, title, notes),
-        1 => parts.shift(chain, name, title, notes),
-        2 => parts.history(chain, name, title, notes),
+        1 if !moves => parts.shift(&chain, name, title, notes),
+        1 | 2 => parts.history(&chain, &places, (name, title), notes),
         _ if parts.is_steady_line() => parts.steady_line(name, title, notes),
         3 if matches!(parts.geometry, Geometry::Line(_)) => {
-            parts.history(&chain[chain.len() - 1..], name, title, notes)
+            let last = chain.len() - 1;
+            parts.history(&chain[last..], &places[last..], (name, title), notes)
         }
         3 => parts.steady(name, title, notes),
         other => Err(format!("T = {other} is no kind of motion that we know")),

@@ -1,9 +1,9 @@
-//! How the bodies of a case move: shifts, steady rolling, rolling from step to step.
+//! How the bodies of a case move: shifts and steady rolling.
 
 use super::{Cause, Geometry, Parts, Pressed};
 use crate::bodies::Bodies;
 use crate::read::Extra;
-use crate::text::{number, quoted, section};
+use crate::text::{list, number, quoted, section};
 use crate::{File, Written};
 
 impl Parts<'_> {
@@ -19,13 +19,13 @@ impl Parts<'_> {
         if follows && chain.len() == 1 {
             return Err("a shift that follows a case which is not at hand (T = 1, P = 0)".into());
         }
-        let [_, x, y, _] = self.case.kinematics;
+        let [_, x, y, turn] = self.case.kinematics;
         let is_path = follows || (self.case.control.force() == 0 && (x != 0.0 || y != 0.0));
         let [x, y] = if is_path { [x, y] } else { self.shift_force(self.case)? };
+        if self.is_unlike() && [x, y, turn] == [0.0; 3] {
+            return self.compression(chain, name, title, notes);
+        }
         if x == 0.0 && y == 0.0 && !is_path {
-            if self.is_unlike() {
-                return Err("unlike bodies pressed together with friction".into());
-            }
             notes.push("no force shifts the bodies: pressed only".into());
             return self.pressing(name, title, notes);
         }
@@ -48,6 +48,55 @@ impl Parts<'_> {
             let problem = ("problem", quoted("partial-slip"));
             [problem, ("force_x", number(x)), ("force_y", number(y))]
         };
+        let head = self.head(title, &command, notes);
+        let text = head + &self.bodies() + &self.contact(true) + &section("statics", &keys);
+        Ok(Written::of(command, File::text(format!("{name}.toml"), text)))
+    }
+
+    /// Unlike balls pressed together with friction, under a load that grew.
+    fn compression(
+        &self,
+        chain: &[Bodies],
+        name: &str,
+        title: &str,
+        notes: &[String],
+    ) -> Result<Written, Cause> {
+        let is_ball = match self.geometry {
+            Geometry::Radii([first, second]) => first == second,
+            Geometry::SemiAxes([a, b]) => a == b && chain.len() == 1,
+            _ => false,
+        };
+        if !is_ball || self.friction_text.starts_with('{') {
+            return Err(
+                "unlike bodies pressed together with friction, other than balls under one \
+                        coefficient of friction"
+                    .into(),
+            );
+        }
+        if !self.layer()?.is_empty() {
+            return Err("a shift with a layer".into());
+        }
+        let mut before = 0.0;
+        for case in chain {
+            let parts = Parts::of(case, &mut Vec::new())?;
+            let is_alone = matches!(case.control.tangential(), 0 | 1)
+                && case.kinematics[1..] == [0.0; 3]
+                && parts.geometry == self.geometry
+                && parts.materials == self.materials
+                && parts.friction_text == self.friction_text;
+            match parts.pressed {
+                Pressed::Load(load) if is_alone && load >= before => before = load,
+                _ => {
+                    return Err(
+                        "unlike bodies pressed together with friction, other than under a load \
+                                that grows"
+                            .into(),
+                    );
+                }
+            }
+        }
+        let command = format!("creepage statics {name}.toml");
+        let keys = [("problem", quoted("compression"))];
         let head = self.head(title, &command, notes);
         let text = head + &self.bodies() + &self.contact(true) + &section("statics", &keys);
         Ok(Written::of(command, File::text(format!("{name}.toml"), text)))
@@ -95,7 +144,7 @@ impl Parts<'_> {
     }
 
     /// The force on the lower body of a shift (N).
-    fn shift_force(&self, case: &Bodies) -> Result<[f64; 2], Cause> {
+    pub(super) fn shift_force(&self, case: &Bodies) -> Result<[f64; 2], Cause> {
         let [_, x, y, turn] = case.kinematics;
         let given = match case.control.force() {
             0 if [x, y, turn].iter().all(|way| *way == 0.0) => return Ok([0.0; 2]),
@@ -106,10 +155,10 @@ impl Parts<'_> {
         let Pressed::Load(load) = self.pressed else {
             return Err("a shift under a given approach".into());
         };
-        Ok(given.map(|part| -part * self.friction * load))
+        Ok(given.map(|part| self.relative_force(part) * self.friction * load))
     }
 
-    fn is_unlike(&self) -> bool {
+    pub(super) fn is_unlike(&self) -> bool {
         let [first, second] = [0, 1]
             .map(|k| (1.0 - 2.0 * self.materials.poisson[k]) / self.materials.shear_modulus[k]);
         (first - second).abs() > 1e-9 * first.abs().max(second.abs())
@@ -120,14 +169,14 @@ impl Parts<'_> {
     }
 
     /// Creepages in our axes.
-    fn creepages(&self, case: &Bodies) -> [f64; 3] {
+    pub(super) fn creepages(&self, case: &Bodies) -> [f64; 3] {
         let sign = if self.turned { -1.0 } else { 1.0 };
         let [_, x, y, spin] = case.kinematics;
         [sign * x, sign * y, spin * 1e3]
     }
 
     /// A force on the lower body over `mu N`, in our axes.
-    fn relative_force(&self, printed: f64) -> f64 {
+    pub(super) fn relative_force(&self, printed: f64) -> f64 {
         if self.turned { printed } else { -printed }
     }
 
@@ -175,13 +224,25 @@ impl Parts<'_> {
     }
 
     fn theory(&self, notes: &mut Vec<String>) -> Result<Vec<(&'static str, String)>, Cause> {
-        let unchanged = |changes: &[f64; 3]| changes.iter().all(|change| *change == 1.0);
+        let changes = match self.materials.extra {
+            Extra::ThreeFlexibilities { changes } | Extra::Fastrip { changes } => changes,
+            _ => [1.0; 3],
+        };
+        // Without a fall, BETAMF says nothing.
+        let is_changed = changes[0] != 1.0 || changes[1] != 1.0;
         let is_gap = matches!(self.geometry, Geometry::Gap(_));
         let is_simplified = matches!(
             self.materials.extra,
             Extra::ThreeFlexibilities { .. } | Extra::Fastrip { .. }
         );
-        if is_simplified && self.case.control.force() > 0 {
+        let is_wanted = self.case.control.force() > 0;
+        let is_fastrip = matches!(self.materials.extra, Extra::Fastrip { .. });
+        if is_changed && (is_wanted || is_gap || is_fastrip) {
+            return Err("flexibilities that fall with creepage (K0_MF, ALFAMF, BETAMF) to a wanted force, on any \
+                        shape, or in Fastrip"
+                .into());
+        }
+        if is_simplified && is_wanted {
             notes.push(
                 "FASTSIM to a wanted force (M = 3, 5 with F = 1, 2): ours finds no creepage, so it is by the \
                  full theory"
@@ -193,12 +254,6 @@ impl Parts<'_> {
             Extra::OneFlexibility => {
                 Err("the simplified theory with a given flexibility (M = 2)".into())
             }
-            Extra::ThreeFlexibilities { changes } | Extra::Fastrip { changes }
-                if !unchanged(changes) =>
-            {
-                Err("the simplified theory with changed flexibilities (K0_MF, ALFAMF, BETAMF)"
-                    .into())
-            }
             Extra::ThreeFlexibilities { .. } => {
                 let mut keys = vec![("theory", quoted("fastsim"))];
                 if is_gap {
@@ -208,6 +263,9 @@ impl Parts<'_> {
                 let bound = if self.case.control.bound() == 3 { "parabolic" } else { "elliptic" };
                 keys.push(("flexibility", quoted("three")));
                 keys.push(("bound", quoted(bound)));
+                if is_changed {
+                    keys.push(("reduction", list(changes)));
+                }
                 keys.extend(self.cells().map(|cells| ("grid", cells)));
                 Ok(keys)
             }
@@ -284,136 +342,5 @@ impl Parts<'_> {
         let sections = section("creepage", &creepage) + &section("wanted", &wanted) + &relaxation;
         let text = self.head(title, &command, notes) + &self.bodies() + &self.contact(true);
         Ok(Written::of(command, File::text(format!("{name}.toml"), text + &sections)))
-    }
-
-    /// Rolling from step to step (T = 2), or steadily on a line.
-    pub(super) fn history(
-        &self,
-        chain: &[Bodies],
-        name: &str,
-        title: &str,
-        notes: &mut Vec<String>,
-    ) -> Result<Written, Cause> {
-        if !self.layer()?.is_empty() {
-            return Err("a layer in rolling step by step or on a line".into());
-        }
-        if !matches!(self.materials.extra, Extra::None | Extra::Viscoelastic { .. }) {
-            return Err("a simplified theory in rolling step by step or on a line".into());
-        }
-        let has_memory = self.case.friction.as_ref().is_some_and(|read| read.memory.is_some());
-        if self.needs_heat {
-            return Err("friction by temperature in rolling step by step or on a line".into());
-        }
-        if self.needs_speed && !has_memory {
-            return Err(
-                "falling friction without memory in rolling step by step or on a line".into()
-            );
-        }
-        let mut start = vec![("traction", quoted("none"))];
-        let (mut rows, mut distance, mut kind) = (Vec::new(), 0.0, None);
-        for (index, case) in chain.iter().enumerate() {
-            let parts = Parts::of(case, &mut Vec::new())?;
-            if (&parts.geometry, parts.turned) != (&self.geometry, self.turned) && index > 0 {
-                return Err("a history in which the shape changes".into());
-            }
-            match (case.control.tangential(), index) {
-                (1, 0) => {
-                    let [x, y] = parts.shift_force(case)?;
-                    if x != 0.0 || y != 0.0 {
-                        start = vec![
-                            ("traction", quoted("shift")),
-                            ("longitudinal_force", number(x)),
-                            ("lateral_force", number(y)),
-                        ];
-                    }
-                    continue;
-                }
-                (2, _) => {}
-                (3, 0) => start = vec![("traction", quoted("steady"))],
-                _ => return Err("a history that is not one of rolling steps".into()),
-            }
-            let forces = case.control.force().min(2);
-            if kind.is_some_and(|kind| kind != forces) {
-                return Err("a history in which forces and creepages change places".into());
-            }
-            kind = Some(forces);
-            distance += case.rolling.map_or(0.0, |rolling| rolling[1] * 1e-3);
-            rows.push(parts.row(distance, usize::from(forces))?);
-        }
-        let forces = usize::from(kind.unwrap_or(0));
-        self.file_of_history(&rows, forces, &start, (name, title), notes)
-    }
-
-    /// Distance, load, then the three components.
-    fn row(&self, distance: f64, forces: usize) -> Result<[f64; 5], Cause> {
-        let (mut components, mut load) = (self.creepages(self.case), 0.0);
-        if let Pressed::Load(given) = self.pressed {
-            load = given;
-        } else if forces > 0 {
-            return Err("a given force over a friction force that is not known (N = 0)".into());
-        }
-        for (component, printed) in
-            components.iter_mut().zip(&self.case.kinematics[1..]).take(forces)
-        {
-            *component = self.relative_force(*printed) * self.friction * load;
-        }
-        let [x, y, spin] = components;
-        Ok([distance, load, x, y, spin])
-    }
-
-    fn file_of_history(
-        &self,
-        rows: &[[f64; 5]],
-        forces: usize,
-        start: &[(&str, String)],
-        (name, title): (&str, &str),
-        notes: &mut Vec<String>,
-    ) -> Result<Written, Cause> {
-        let is_line = matches!(self.geometry, Geometry::Line(_));
-        if self.is_unlike() {
-            notes.push(
-                "the bodies are unlike: `roll` takes them as like, so the creepage of free rolling is lost".into(),
-            );
-        }
-        let load_changes = rows.windows(2).any(|pair| pair[0][1] != pair[1][1]);
-        if load_changes && !matches!(self.geometry, Geometry::Radii(_)) {
-            return Err("a load that changes from step to step on anything but an ellipse".into());
-        }
-        if load_changes {
-            notes.push(
-                "the load changes in a straight line over each step, not at its beginning".into(),
-            );
-        }
-        let is_used = |k: usize| rows.iter().any(|row| row[2 + k] != 0.0);
-        if is_line && (is_used(1) && forces < 2 || is_used(2)) {
-            notes.push(
-                "on a line we take lateral motion and spin where the command does; try it".into(),
-            );
-        }
-        let names = ["longitudinal", "lateral", "spin"];
-        let force_names = ["longitudinal_force", "lateral_force"];
-        let mut columns = vec![("distance", 0)];
-        columns.extend(load_changes.then_some(("normal_force", 1)));
-        for k in 0..3 {
-            let name = if k < forces { force_names[k] } else { names[k] };
-            let needed = k == 0 || is_used(k) || k < forces && !is_line;
-            columns.extend(needed.then_some((name, 2 + k)));
-        }
-        let heads: Vec<_> = columns.iter().map(|(name, _)| *name).collect();
-        let mut csv = heads.join(",") + "\n";
-        for row in rows {
-            let values: Vec<_> = columns.iter().map(|(_, place)| number(row[*place])).collect();
-            csv += &(values.join(",") + "\n");
-        }
-        let speed = if self.needs_speed { number(self.speed()) } else { String::new() };
-        let creepage: Vec<_> = self.needs_speed.then_some(("speed", speed)).into_iter().collect();
-        let command = format!("creepage roll {name}.toml --history {name}.csv");
-        let head = self.head(title, &command, notes);
-        let sections = section("creepage", &creepage) + &section("start", start);
-        let text = head + &self.bodies() + &self.contact(true) + &sections;
-        let solve = section("solve", &[("theory", quoted("exact"))]);
-        let mut written = Written::of(command, File::text(format!("{name}.toml"), text + &solve));
-        written.files.push(File::text(format!("{name}.csv"), csv));
-        Ok(written)
     }
 }

@@ -1,6 +1,6 @@
 //! What the problems have in common for points and pictures: a field over the contact.
 
-use creepage::statics::{Bonded, Die, PartialSlip, ShiftAxis, ShiftPath};
+use creepage::statics::{Bonded, Compression, Die, PartialSlip, ShiftAxis, ShiftPath};
 
 /// Length of a vector.
 pub(super) fn magnitude([x, y]: [f64; 2]) -> f64 {
@@ -14,6 +14,7 @@ pub(super) enum Field<'a> {
     Bonded(&'a Bonded),
     PartialSlip(&'a PartialSlip),
     ShiftPath(&'a ShiftPath, ShiftAxis),
+    Compression(&'a Compression),
 }
 
 impl Field<'_> {
@@ -33,6 +34,11 @@ impl Field<'_> {
             Self::PartialSlip(partial) => partial.traction(point),
             Self::ShiftPath(path, ShiftAxis::X) => [path.traction(point), 0.0],
             Self::ShiftPath(path, ShiftAxis::Y) => [0.0, path.traction(point)],
+            Self::Compression(compression) => {
+                let radius = magnitude(point);
+                let [_, traction] = compression.at(radius);
+                if radius > 0.0 { point.map(|part| part / radius * traction) } else { [0.0; 2] }
+            }
         }
     }
 
@@ -55,6 +61,7 @@ impl Field<'_> {
             Self::Die { .. } => &["pressure_pa", "u_m", "v_m", "w_m"],
             Self::Bonded(_) => &["traction_x_pa", "traction_y_pa", "u_m", "v_m", "w_m"],
             Self::ShiftPath(..) => &["traction_x_pa", "traction_y_pa"],
+            Self::Compression(_) => &["traction_x_pa", "traction_y_pa", "pressure_pa"],
             Self::PartialSlip(_) => &[
                 "traction_x_pa",
                 "traction_y_pa",
@@ -82,6 +89,7 @@ impl Field<'_> {
                 vec![x, y, u, v, w]
             }
             Self::ShiftPath(..) => vec![x, y],
+            Self::Compression(compression) => vec![x, y, compression.at(magnitude(point))[0]],
             Self::PartialSlip(partial) => {
                 let [u, v, w] = partial.displacement(point);
                 let [sx, sy] = partial.slip(point).unwrap_or([f64::NAN; 2]);

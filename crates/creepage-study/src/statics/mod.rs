@@ -1,6 +1,7 @@
 //! Problems without rolling: text, JSON, points, picture.
 
 mod build;
+mod compression;
 mod field;
 mod of_case;
 mod output;

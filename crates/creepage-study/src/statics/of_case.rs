@@ -8,7 +8,7 @@ impl<'a> StaticsReport<'a> {
     /// The report of a problem as its file has it.
     ///
     /// # Errors
-    /// As of the four problems; none for a case that was solved.
+    /// As of the six problems; none for a case that was solved.
     pub fn new(case: &'a StaticsCase) -> Result<Self, StaticsError> {
         let report = match &case.problem {
             StaticsProblem::Die { solid, base, normal_force, offset, die } => {
@@ -25,6 +25,9 @@ impl<'a> StaticsReport<'a> {
             }
             StaticsProblem::ShiftPath { contact, friction, axis, steps } => {
                 Self::shift_path(contact, *friction, *axis, steps).ok_or(StaticsError::NoSteps)?
+            }
+            StaticsProblem::Compression { contact, compression } => {
+                Self::compression(contact, compression)?
             }
         };
         Ok(Self { cautions: case.cautions.clone(), ..report })

@@ -40,6 +40,7 @@ impl StaticsReport<'_> {
             Field::Bonded(_) => "Cattaneo, Mindlin; Kalker 1967, section 3.212",
             Field::PartialSlip(_) => "Cattaneo, Mindlin; Kalker 1967, section 3.222",
             Field::ShiftPath(..) => "Mindlin, Deresiewicz 1953",
+            Field::Compression(_) => "Spence 1975; Kalker 1967, equations 2.11 and 2.15",
         }
     }
 
@@ -50,7 +51,7 @@ impl StaticsReport<'_> {
         line.unwrap_or_default()
     }
 
-    /// The lift-off limit and the load of a die, or the adhesion ellipse.
+    /// The lift-off limit and the load of a die, or the edge of the adhesion area.
     fn marks(&self, panel: Panel) -> Panel {
         match self.field {
             Field::Die { offset, .. } => {
@@ -62,6 +63,10 @@ impl StaticsReport<'_> {
                 panel.curve(ellipse([partial.adhesion().a() / self.ellipse.a(); 2]), ADHESION)
             }
             Field::ShiftPath(path, _) => panel.curve(ellipse([path.adhesion(); 2]), ADHESION),
+            Field::Compression(compression) => {
+                let adhesion = compression.stick_radius() / self.ellipse.a();
+                panel.curve(ellipse([adhesion; 2]), ADHESION)
+            }
         }
     }
 
@@ -82,7 +87,7 @@ impl StaticsReport<'_> {
                 view.key(TARGET, Label::new("the load")).key(LIMIT, Label::new("limit of lift-off"))
             }
             Field::Bonded(_) => view,
-            Field::PartialSlip(_) | Field::ShiftPath(..) => {
+            Field::PartialSlip(_) | Field::ShiftPath(..) | Field::Compression(_) => {
                 view.key(ADHESION, Label::new("edge of the adhesion area"))
             }
         }
@@ -109,7 +114,7 @@ impl StaticsReport<'_> {
 #[cfg(test)]
 mod tests {
     use creepage::SiForce;
-    use creepage::statics::{Bonded, Die, PartialSlip, ShiftAxis, ShiftPath};
+    use creepage::statics::{Bonded, Compression, Die, PartialSlip, ShiftAxis, ShiftPath};
     use creepage::{Ellipse, Hertz, Solid, SolidPair};
 
     use super::*;
@@ -182,6 +187,27 @@ mod tests {
             let files = report.path_files().unwrap();
             let names: Vec<_> = files.iter().map(|(name, _)| *name).collect();
             assert_eq!(names, ["path.csv", "path.svg", "path.png"]);
+        }
+    }
+
+    #[test]
+    fn a_compression_is_drawn_with_and_without_slip() {
+        let load = 3.0;
+        let contact =
+            Hertz::from_ellipse(steel_on_rubber(), Ellipse::new(5e-3, 5e-3).unwrap(), load);
+        let contact = contact.unwrap();
+        let radius = contact.relative_curvatures()[0].recip();
+        for friction in [0.01, 0.3, 1e3] {
+            let pair = contact.pair();
+            let ball = Compression::under_load(pair, radius, friction, load, 20).unwrap();
+            let report = StaticsReport::compression(&contact, &ball).unwrap();
+            check(&report);
+            let found = report.json()["found"].clone();
+            let number = |key: &str| found[key].as_f64().unwrap();
+            assert!(number("approach_m") > 0.0 && number("peak_pressure_pa") > 0.0);
+            // No friction to speak of, and no slip at all.
+            let share = number("adhesion_percent");
+            assert!(if friction < 0.1 { share < 10.0 } else { share > 50.0 }, "{friction} {share}");
         }
     }
 

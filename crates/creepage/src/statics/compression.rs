@@ -101,6 +101,49 @@ impl Compression {
         })
     }
 
+    /// Bodies under `normal_force` (N) that grew from nothing, with `rings` rings in their contact.
+    ///
+    /// As load grows by itself all lengths, pressures and tractions grow in proportion, so that the steps go
+    /// ring by ring at any scale and the last is brought to the load.
+    ///
+    /// # Errors
+    /// [`InvalidValue`] as [`Compression::new`], unless `normal_force` is finite and positive, and `rings` at
+    /// most 300.
+    pub fn under_load(
+        pair: SolidPair,
+        radius: f64,
+        friction: f64,
+        normal_force: f64,
+        rings: usize,
+    ) -> Result<Self, InvalidValue> {
+        check::positive("normal_force", normal_force)?;
+        let valid = "between 4 and 300";
+        check::require((4..=300).contains(&rings), "rings", rings as f64, valid)?;
+        // Some rings to spare: friction moves the edge by less than one in ten.
+        let spare = rings + rings / 10 + 1;
+        let ring = check::positive("radius", radius)? / rings as f64;
+        let mut grown = Self::new(pair, radius, friction, ring * spare as f64, spare)?;
+        for step in 1..=rings {
+            grown.press((ring * step as f64).powi(2) / radius)?;
+        }
+        let scale = (normal_force / grown.load()).cbrt();
+        grown.scale(scale);
+        Ok(grown)
+    }
+
+    /// Makes all lengths so many times larger: loads are its third power.
+    fn scale(&mut self, scale: f64) {
+        let square = scale * scale;
+        self.radii.iter_mut().for_each(|radius| *radius *= scale);
+        for [by_pressure, by_traction] in &mut self.response {
+            *by_pressure *= scale;
+            *by_traction *= square;
+        }
+        self.state.approach *= square;
+        self.state.pressures *= scale;
+        self.state.displacements *= square;
+    }
+
     /// Goes to another approach (m), in one step: further or back. Steps should be small, for during a
     /// step slip is taken to have one direction.
     ///
@@ -227,6 +270,30 @@ impl Compression {
             let r = self.middle(i);
             (r, [state.pressures[i], r * state.tractions[i]], state.regions[i])
         })
+    }
+
+    /// Approach of the bodies (m).
+    #[must_use]
+    pub fn approach(&self) -> f64 {
+        self.state.approach
+    }
+
+    /// Coefficient of friction.
+    #[must_use]
+    pub fn friction(&self) -> f64 {
+        self.friction
+    }
+
+    /// Pressure, and radial traction on the lower body away from the axis (Pa), of the ring at `radius` (m); zero
+    /// outside.
+    #[must_use]
+    pub fn at(&self, radius: f64) -> [f64; 2] {
+        let ring = self.radii.partition_point(|inner| *inner <= radius);
+        let state = &self.state;
+        match ring.checked_sub(1).filter(|ring| *ring < state.regions.len()) {
+            Some(ring) => [state.pressures[ring], radius * state.tractions[ring]],
+            None => [0.0; 2],
+        }
     }
 
     /// Outer radius of the pressed rings (m).

@@ -92,7 +92,7 @@ pub(super) const FASTSIM: TheoryFacts = TheoryFacts {
     cost: "5.1 us",
     error_percent: 3.5,
     good_for: "any creepage and spin, fast",
-    options: &["grid", "flexibility", "bound"],
+    options: &["grid", "flexibility", "bound", "reduction"],
     friction_laws: true,
     ..CLOSED_FORM
 };

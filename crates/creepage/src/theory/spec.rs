@@ -313,6 +313,9 @@ impl TheorySpec {
             Self::Fastsim(settings) if settings.bound != usual.bound => {
                 ("bound", "the bound is mu times the true pressure")
             }
+            Self::Fastsim(settings) if !settings.is_clean() => {
+                ("reduction", "areas of any shape have the springs of clean and dry surfaces")
+            }
             Self::Fastrip(options) if options.variant != fastrip::Variant::default() => {
                 ("variant", "areas of any shape have the consistent one")
             }

@@ -47,7 +47,7 @@ fn strip_theory() {
 fn fastsim() {
     for flexibility in [Flexibility::One, Flexibility::Three, Flexibility::Blended] {
         for bound in [TractionBound::Parabolic, TractionBound::Elliptic] {
-            let settings = Settings { flexibility, bound, grid: [24, 19] };
+            let settings = Settings { flexibility, bound, grid: [24, 19], ..Settings::default() };
             let theory = Fastsim::new(&contact(0.5, 0.25), settings).unwrap();
             for [xi, eta, chi] in CREEPAGES.into_iter().filter(|c| c.iter().all(|v| *v != 0.0)) {
                 let at = creepage(xi, eta, chi);

@@ -19,8 +19,12 @@ fn force(case: &Case, settings: Settings) -> [f64; 3] {
     array(fastsim(case.a_over_b, case.poisson, settings).solve(case.creepage).force)
 }
 
-const THREE: Settings =
-    Settings { flexibility: Flexibility::Three, bound: TractionBound::Parabolic, grid: [50, 50] };
+const THREE: Settings = Settings {
+    flexibility: Flexibility::Three,
+    bound: TractionBound::Parabolic,
+    grid: [50, 50],
+    reduction: Settings::CLEAN,
+};
 
 /// Forces without spin, in closed form; `slope` is `|(upsilon_x/L1, upsilon_y/L2)|`, `a` and `G`
 /// and `mu N` as units.
@@ -97,8 +101,11 @@ fn small_creepage_is_linear() {
     let expected = [[c.c11, 0.0, 0.0], [0.0, c.c22, c.c23], [0.0, c32, c33]];
     for flexibility in [Flexibility::One, Flexibility::Three, Flexibility::Blended] {
         for bound in [TractionBound::Parabolic, TractionBound::Elliptic] {
-            let theory =
-                fastsim(a_over_b, poisson, Settings { flexibility, bound, grid: [400, 400] });
+            let theory = fastsim(
+                a_over_b,
+                poisson,
+                Settings { flexibility, bound, grid: [400, 400], ..Settings::default() },
+            );
             for column in 0..3 {
                 let mut small = [0.0; 3];
                 small[column] = 1e-7;
@@ -125,7 +132,7 @@ fn reference_values_of_every_variant() {
         ("blend_par", Blended, Parabolic),
         ("blend_ell", Blended, Elliptic),
     ] {
-        let converged = Settings { flexibility, bound, grid: [400, 400] };
+        let converged = Settings { flexibility, bound, grid: [400, 400], ..Settings::default() };
         let (error, case) = cases::largest_error(
             &format!("fastsim_{name}_conv"),
             |_| true,
@@ -170,7 +177,11 @@ fn field_agrees_with_the_forces() {
     let (a_over_b, n) = (0.5, 40);
     for flexibility in [Flexibility::One, Flexibility::Three, Flexibility::Blended] {
         for bound in [TractionBound::Parabolic, TractionBound::Elliptic] {
-            let theory = fastsim(a_over_b, 0.25, Settings { flexibility, bound, grid: [n, n] });
+            let theory = fastsim(
+                a_over_b,
+                0.25,
+                Settings { flexibility, bound, grid: [n, n], ..Settings::default() },
+            );
             for [xi, eta, chi] in CREEPAGES {
                 let at = creepage(xi, eta, chi);
                 let sum = sum_of_field(&theory, a_over_b, n, at);

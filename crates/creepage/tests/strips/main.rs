@@ -17,4 +17,5 @@ mod fastrip;
 mod fastsim;
 mod plane;
 mod properties;
+mod reduction;
 mod strip;

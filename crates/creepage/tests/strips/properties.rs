@@ -63,7 +63,7 @@ static FASTSIM: LazyLock<Vec<(TractionBound, Fastsim)>> = LazyLock::new(|| {
     for contact in contacts() {
         for flexibility in [Flexibility::One, Flexibility::Three, Flexibility::Blended] {
             for bound in [TractionBound::Parabolic, TractionBound::Elliptic] {
-                let settings = Settings { flexibility, bound, grid: GRID };
+                let settings = Settings { flexibility, bound, grid: GRID, ..Settings::default() };
                 all.push((bound, Fastsim::new(&contact, settings).unwrap()));
             }
         }
@@ -155,7 +155,7 @@ fn theories(a_over_b: f64, poisson: f64) -> Vec<(String, Box<dyn Theory>)> {
         vec![("strip".to_owned(), Box::new(StripTheory::new(&contact(a_over_b, poisson))))];
     for flexibility in [Flexibility::One, Flexibility::Three, Flexibility::Blended] {
         for bound in [TractionBound::Parabolic, TractionBound::Elliptic] {
-            let settings = Settings { flexibility, bound, grid: [20, 15] };
+            let settings = Settings { flexibility, bound, grid: [20, 15], ..Settings::default() };
             let theory = Fastsim::new(&contact(a_over_b, poisson), settings).unwrap();
             all.push((format!("{settings:?}"), Box::new(theory)));
         }

@@ -13,7 +13,7 @@ pub enum StaticsError {
     #[error(transparent)]
     Case(#[from] CaseError),
     /// A load that belongs to another problem.
-    #[error("[statics] {key} is no load of problem \"{problem}\": it takes {}", keys.join(", "))]
+    #[error("[statics] {key} is no load of problem \"{problem}\": it takes {}", listed(keys))]
     ForeignKey {
         /// The key.
         key: &'static str,
@@ -22,6 +22,18 @@ pub enum StaticsError {
         /// The keys that the problem takes.
         keys: &'static [&'static str],
     },
+    /// Bodies that touch in no circle.
+    #[error(
+        "[upper], [lower]: problem \"compression\" takes bodies of revolution, whose contact is a circle; here \
+         a/b = {ratio}"
+    )]
+    NotRound {
+        /// Semi-axis along `x` over that along `y`.
+        ratio: f64,
+    },
+    /// The areas of adhesion and slip of a compression do not settle.
+    #[error("[statics] problem \"compression\": the areas of adhesion and slip do not settle")]
+    NotSettled,
     /// An upper body where the problem has none.
     #[error("section [upper] has no place in problem \"die\": the die is rigid")]
     DieWithUpper,
@@ -102,6 +114,11 @@ impl StaticsError {
             other => other.into(),
         }
     }
+}
+
+/// The keys of a load, or that there are none.
+fn listed(keys: &[&str]) -> String {
+    if keys.is_empty() { "none but the normal force".into() } else { keys.join(", ") }
 }
 
 fn five_digits(value: f64) -> f64 {

@@ -15,7 +15,8 @@ use crate::case::error::CaseError;
 pub(crate) struct Statics {
     /// "die": a rigid die under an offset load; "shift" and "twist": without slip;
     /// "partial-slip": a shift with slip at the edge (Cattaneo, Mindlin); "shift-path": the same to and fro
-    /// under a constant load (Mindlin, Deresiewicz).
+    /// under a constant load (Mindlin, Deresiewicz); "compression": unlike balls pressed together with friction
+    /// (Spence).
     pub(crate) problem: Problem,
     /// Problem "die": offset of the normal force from the centre, along x (m); 0 by default.
     offset_x: Option<f64>,
@@ -69,6 +70,7 @@ pub(crate) enum Problem {
     Twist,
     PartialSlip,
     ShiftPath,
+    Compression,
 }
 
 impl Problem {
@@ -79,6 +81,7 @@ impl Problem {
             Self::Twist => "twist",
             Self::PartialSlip => "partial-slip",
             Self::ShiftPath => "shift-path",
+            Self::Compression => "compression",
         }
     }
 
@@ -89,6 +92,7 @@ impl Problem {
             Self::Shift | Self::PartialSlip => &["force_x", "force_y"],
             Self::Twist => &["moment"],
             Self::ShiftPath => &["along", "steps"],
+            Self::Compression => &[],
         }
     }
 }

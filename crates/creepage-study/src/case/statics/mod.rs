@@ -4,8 +4,8 @@ mod contact;
 mod error;
 mod load;
 
-use creepage::statics::{Bonded, Die, PartialSlip, ShiftAxis, ShiftPath};
-use creepage::{Ellipse, Hertz, SiCreepage, SiForce, Solid, SolidPair};
+use creepage::statics::{Bonded, Compression, Die, PartialSlip, ShiftAxis, ShiftPath};
+use creepage::{Ellipse, Hertz, SiCreepage, SiForce, Solid, SolidPair, Status};
 use schemars::JsonSchema;
 use serde::Deserialize;
 use serde_json::Value;
@@ -20,6 +20,9 @@ use crate::case::sections::smallest_radius;
 use contact::StaticsContact;
 pub use error::StaticsError;
 use load::{Problem, Statics, StepEnd};
+
+/// Rings of a compression: its areas are known to one of them.
+const RINGS: usize = 100;
 
 /// A contact without rolling, in SI units: the bodies, what presses them together, and the load.
 ///
@@ -109,6 +112,13 @@ pub enum StaticsProblem {
         /// The path after every step.
         steps: Vec<ShiftPath>,
     },
+    /// Unlike bodies of revolution pressed together with friction (Spence).
+    Compression {
+        /// The contact without friction, by Hertz.
+        contact: Box<Hertz>,
+        /// The solution.
+        compression: Box<Compression>,
+    },
 }
 
 /// The JSON schema (draft 2020-12) of a statics file, for editors and validators.
@@ -166,6 +176,7 @@ impl StaticsFile {
             Problem::Twist => self.twist()?,
             Problem::PartialSlip => self.partial_slip()?,
             Problem::ShiftPath => self.shift_path()?,
+            Problem::Compression => self.compression()?,
         };
         Ok(StaticsCase { cautions: self.cautions(&problem), problem })
     }
@@ -181,7 +192,8 @@ impl StaticsFile {
             }
             (
                 StaticsProblem::PartialSlip { contact, .. }
-                | StaticsProblem::ShiftPath { contact, .. },
+                | StaticsProblem::ShiftPath { contact, .. }
+                | StaticsProblem::Compression { contact, .. },
                 Some(upper),
             ) => (upper, **contact),
             // Without a load there is no pressure, and the ellipse is given by itself.
@@ -259,6 +271,25 @@ impl StaticsFile {
             steps.push(path.clone());
         }
         Ok(StaticsProblem::ShiftPath { contact, friction, axis, steps })
+    }
+
+    fn compression(&self) -> Result<StaticsProblem, StaticsError> {
+        let contact = Box::new(self.contact.hertz(self.upper()?, &self.lower)?);
+        let ellipse = contact.ellipse();
+        let ratio = ellipse.a() / ellipse.b();
+        // Radii that are alike give a circle but for rounding.
+        if (ratio - 1.0).abs() > 1e-9 {
+            return Err(StaticsError::NotRound { ratio });
+        }
+        let [curvature, _] = contact.relative_curvatures();
+        let (load, friction) = (contact.normal_force(), self.contact.friction()?);
+        let radius = curvature.recip();
+        let compression = Compression::under_load(contact.pair(), radius, friction, load, RINGS)
+            .map_err(CaseError::invalid("contact"))?;
+        if compression.status() != Status::Solved {
+            return Err(StaticsError::NotSettled);
+        }
+        Ok(StaticsProblem::Compression { contact, compression: Box::new(compression) })
     }
 
     fn upper(&self) -> Result<&Body, CaseError> {

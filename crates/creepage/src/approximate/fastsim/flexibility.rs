@@ -4,6 +4,7 @@ use std::f64::consts::PI;
 
 use super::Flexibility;
 use super::profile::Profile;
+use super::reduction::Reduction;
 use crate::Ellipse;
 use crate::approximate::dual::Real;
 use crate::approximate::linear::CreepageCoefficients;
@@ -20,6 +21,10 @@ pub(crate) struct Flexibilities {
     coefficients: [f64; 2],
     /// Weight of the spin beside the creepages when blending: `3 pi a / 32`.
     spin_weight: f64,
+    /// What a layer adds to each.
+    layer: f64,
+    /// What makes them larger as creepage grows.
+    reduction: Option<Reduction>,
 }
 
 /// How fast the traction grows in adhesion, in the direction of the march:
@@ -64,13 +69,19 @@ impl Flexibilities {
             kappa,
             coefficients: [c11, c22],
             spin_weight: 3.0 * PI / 32.0 * a,
+            layer: 0.0,
+            reduction: None,
         })
     }
 
     /// The same with a layer on the bed of springs, in units of slip times length over traction.
     pub(crate) fn with_layer(self, flexibility: f64) -> Self {
-        let layer = self.kappa * flexibility / Profile::HERTZ_PEAK;
-        Self { values: self.values.map(|value| value + layer), ..self }
+        Self { layer: self.kappa * flexibility / Profile::HERTZ_PEAK, ..self }
+    }
+
+    /// The same on a surface that is not clean and dry.
+    pub(crate) fn with_reduction(self, reduction: Option<Reduction>) -> Self {
+        Self { reduction, ..self }
     }
 
     pub(crate) fn kappa(&self) -> f64 {
@@ -85,31 +96,37 @@ impl Flexibilities {
 
     /// The three flexibilities in use at a creepage.
     pub(crate) fn effective<R: Real>(&self, use_of: Flexibility, creepage: [R; 3]) -> [R; 3] {
-        let three = self.values.map(R::constant);
+        let three = self.three(creepage);
         let largest = creepage.iter().fold(0.0_f64, |m, v| m.max(v.value().abs()));
         // All are ratios of creepages: scaled, no square of them underflows.
         let scaled = creepage.map(|v| v * largest.recip());
         match use_of {
             Flexibility::Three => three,
             _ if !(largest > 0.0 && largest.recip().is_finite()) => three,
-            Flexibility::One => [self.one(scaled); 3],
+            Flexibility::One => [one(three, scaled); 3],
             Flexibility::Blended => {
-                let (common, share) = (self.common(scaled), self.share(creepage));
+                let (common, share) = (self.common(three, scaled), self.share(creepage));
                 three.map(|l| l + (common - l) * share)
             }
         }
     }
 
-    /// Kalker's single flexibility.
-    fn one<R: Real>(&self, [x, y, spin]: [R; 3]) -> R {
-        let [l1, l2, l3] = self.values;
-        let norm = (x * x + y * y + spin * spin).sqrt();
-        (x.abs() * l1 + y.abs() * l2 + spin.abs() * l3) / norm
+    /// All three, with what a layer and dirt add to them.
+    fn three<R: Real>(&self, [x, y, _]: [R; 3]) -> [R; 3] {
+        let Some(reduction) = &self.reduction else {
+            return self.values.map(|value| R::constant(value + self.layer));
+        };
+        let [c11, c22] = self.coefficients;
+        // The linear force over mu N, of the creepages alone.
+        let [force_x, force_y] = [x * (self.kappa * c11), y * (self.kappa * c22)];
+        let force = (force_x * force_x + force_y * force_y).sqrt();
+        let factor = reduction.factor(force, x.value().hypot(y.value()));
+        self.values.map(|value| R::constant(value) / factor + self.layer)
     }
 
     /// The common flexibility of Vollebregt and Voltr, a harmonic mean.
-    fn common<R: Real>(&self, [x, y, spin]: [R; 3]) -> R {
-        let [l1, l2, l3] = self.values.map(f64::recip);
+    fn common<R: Real>(&self, three: [R; 3], [x, y, spin]: [R; 3]) -> R {
+        let [l1, l2, l3] = three.map(|l| R::constant(1.0) / l);
         let spin = spin * self.spin_weight;
         let squares = [x * x, y * y, spin * spin];
         (squares[0] + squares[1] + squares[2])
@@ -124,6 +141,12 @@ impl Flexibilities {
         let share = (x * x + y * y).sqrt() * (self.kappa / (3.0 * unit));
         if share.value() < 1.0 { share } else { R::constant(1.0) }
     }
+}
+
+/// Kalker's single flexibility.
+fn one<R: Real>([l1, l2, l3]: [R; 3], [x, y, spin]: [R; 3]) -> R {
+    let norm = (x * x + y * y + spin * spin).sqrt();
+    (x.abs() * l1 + y.abs() * l2 + spin.abs() * l3) / norm
 }
 
 /// No ellipse has coefficients that come near these limits.

@@ -31,6 +31,13 @@
 //! cell to cell. A [`Layer`](crate::Layer) adds its flexibility to all three, and bounds the traction
 //! where it yields.
 //!
+//! # Surfaces that are not clean and dry
+//! [`Settings::reduction`] is Kalker's reduction factor in the form of M. Spiryagin, O. Polach, C. Cole, Creep force
+//! modelling for rail traction vehicles based on the Fastsim algorithm, Vehicle System Dynamics 51 (2013)
+//! 1765-1783: all three flexibilities are divided by `k = k0 (alpha + (1 - alpha)/(1 + beta eps))`, with Polach's
+//! `eps = (pi/4) k0 F / (mu N)`, `F` the linear theory's force by the creepages (spin does not count), and `mu` the
+//! friction at the speed of the rigid slip. A layer's own flexibility stays as it is.
+//!
 //! # Grid
 //! `ny` strips of equal width, each cut into `nx` cells over its own length; traction at the
 //! cells' centres, so that the first step is half a cell; spin at the middle of each step. Of
@@ -44,6 +51,7 @@ pub(crate) mod friction_bound;
 mod grid;
 mod march;
 mod profile;
+mod reduction;
 mod settings;
 mod sums;
 mod trace;
@@ -61,6 +69,7 @@ use friction_bound::{FrictionBound, Step, Walk};
 pub(crate) use grid::{Block, Grid, LANES, Lanes};
 pub(crate) use march::{Increments, State, march};
 pub(crate) use profile::Profile;
+use reduction::Reduction;
 pub use settings::{Flexibility, Settings, TractionBound};
 pub(crate) use sums::{Sums, Totals};
 pub(crate) use trace::{Place, Trace};
@@ -91,7 +100,8 @@ impl Fastsim {
     ///
     /// # Errors
     /// [`InvalidValue`] unless the ratio `a/b` lies within [`CreepageCoefficients::RATIO_RANGE`],
-    /// and the grid has at least one cell and no more than [`Settings::MAX_CELLS`] either way.
+    /// the grid has at least one cell and no more than [`Settings::MAX_CELLS`] either way, and the factors of
+    /// the reduction are in their range.
     pub fn new(contact: &Contact, settings: Settings) -> Result<Self, InvalidValue> {
         let coefficients = CreepageCoefficients::interpolated(contact)?;
         let (ellipse, poisson) = (contact.ellipse(), contact.poisson());
@@ -99,7 +109,8 @@ impl Fastsim {
         let layer = contact.layer().map(|l| l.dimensionless_flexibility(contact.scaling()));
         let flexibilities =
             Flexibilities::new(&ellipse, strip_slope(&ellipse, poisson), &coefficients)?
-                .with_layer(layer.unwrap_or(0.0));
+                .with_layer(layer.unwrap_or(0.0))
+                .with_reduction(Reduction::new(settings.reduction, contact)?);
         Ok(Self {
             contact: contact.clone(),
             flexibilities,

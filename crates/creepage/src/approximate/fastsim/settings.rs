@@ -53,7 +53,7 @@ impl TractionBound {
 }
 
 /// Which FASTSIM, and how fine.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -64,20 +64,44 @@ pub struct Settings {
     pub bound: TractionBound,
     /// Cells in each strip along the rolling direction, and strips across: `[nx, ny]`.
     pub grid: [usize; 2],
+    /// Factors [k0, alpha, beta] of surfaces that are not clean and dry: the slope of the traction is
+    /// `k0 (alpha + (1 - alpha)/(1 + beta eps))` times theirs, where `eps`, the ratio of the areas of slip and of
+    /// adhesion, grows with creepage. 0 < k0 <= 1, 0 < alpha <= 1, beta >= 0; [1, 1, 0] by default.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "is_clean"))]
+    pub reduction: [f64; 3],
+}
+
+/// Whether it is what is not written.
+#[cfg(feature = "serde")]
+#[allow(clippy::float_cmp)] // given or not
+fn is_clean(reduction: &[f64; 3]) -> bool {
+    *reduction == Settings::CLEAN
 }
 
 impl Settings {
     /// Most cells in a strip, and most strips.
     pub const MAX_CELLS: usize = 10_000;
+
+    /// The reduction of clean and dry surfaces: none.
+    pub const CLEAN: [f64; 3] = [1.0, 1.0, 0.0];
+}
+
+impl Settings {
+    /// Whether the slope of the traction is that of clean and dry surfaces.
+    #[allow(clippy::float_cmp)] // factors of one
+    pub(crate) fn is_clean(&self) -> bool {
+        self.reduction[..2] == [1.0; 2]
+    }
 }
 
 impl Default for Settings {
-    /// Blended flexibilities, elliptic bound, 50 x 50 cells.
+    /// Blended flexibilities, elliptic bound, 50 x 50 cells, clean and dry.
     fn default() -> Self {
         Self {
             flexibility: Flexibility::default(),
             bound: TractionBound::default(),
             grid: [50, 50],
+            reduction: Self::CLEAN,
         }
     }
 }

@@ -97,6 +97,8 @@ impl RollingFastsim {
             let range = 1..=Settings::MAX_CELLS;
             check::require(range.contains(&number), name, number as f64, valid)?;
         }
+        let valid = "[1, 1, ..] where springs remember their load";
+        check::require(settings.is_clean(), "reduction", settings.reduction[0], valid)?;
         let profile = settings.bound.profile(1.0);
         let strip = |j: usize| {
             let t = (2.0 * j as f64 + 1.0) / across as f64 - 1.0;

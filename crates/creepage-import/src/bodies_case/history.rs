@@ -1,0 +1,246 @@
+//! Rolling from step to step, after a shift or steady rolling.
+
+use super::{Cause, Geometry, Parts, Pressed};
+use crate::bodies::Bodies;
+use crate::read::Extra;
+use crate::text::{number, quoted, section};
+use crate::{File, Written};
+
+/// The state in which rolling starts.
+struct Start {
+    is_steady: bool,
+    /// What shifted the bodies before (N).
+    force: [f64; 2],
+    /// Load or approach at that time.
+    pressed: Option<Pressed>,
+}
+
+impl Start {
+    /// A shift from rest, or one that goes on from that before.
+    fn shift(&mut self, force: [f64; 2], pressed: Pressed) -> Result<(), Cause> {
+        let [from, to] = [self.force, force].map(|force| force[0].hypot(force[1]));
+        let dot = self.force[0] * force[0] + self.force[1] * force[1];
+        // Rounding of the file's digits turns no direction.
+        let goes_on = to >= from && dot >= (1.0 - 1e-12) * from * to;
+        if self.pressed.is_some_and(|before| before != pressed) || !goes_on {
+            return Err("a load path before the first step of rolling".into());
+        }
+        self.force = force;
+        self.pressed = Some(pressed);
+        Ok(())
+    }
+
+    fn keys(&self) -> Vec<(&'static str, String)> {
+        let [x, y] = self.force;
+        if self.is_steady {
+            vec![("traction", quoted("steady"))]
+        } else if x == 0.0 && y == 0.0 {
+            vec![("traction", quoted("none"))]
+        } else {
+            vec![
+                ("traction", quoted("shift")),
+                ("longitudinal_force", number(x)),
+                ("lateral_force", number(y)),
+            ]
+        }
+    }
+}
+
+impl Parts<'_> {
+    /// Rolling from step to step (T = 2), a shape that moves on from shift to shift (T = 1), or a line contact.
+    /// `places` are those of the shape's middle in each case (mm).
+    pub(super) fn history(
+        &self,
+        chain: &[Bodies],
+        places: &[[f64; 2]],
+        (name, title): (&str, &str),
+        notes: &mut Vec<String>,
+    ) -> Result<Written, Cause> {
+        self.is_of_steps()?;
+        let turned = self.goes_backward(chain, places)?;
+        let mut own = Self { turned, ..self.clone() };
+        let mut start = Start { is_steady: false, force: [0.0; 2], pressed: None };
+        let (mut rows, mut distance, mut kind) = (Vec::new(), 0.0, None);
+        for (index, case) in chain.iter().enumerate() {
+            let parts = Parts { turned, ..Parts::of(case, &mut Vec::new())? };
+            // Before it rolls, nothing has been turned.
+            if parts.geometry != own.geometry && !(index == 0 && turned) {
+                return Err("a history in which the shape changes".into());
+            }
+            if (parts.materials, &parts.friction_text) != (own.materials, &own.friction_text) {
+                return Err("a history in which friction or the bodies change".into());
+            }
+            let way = way(places, index)?;
+            match case.control.tangential() {
+                0 if index == 0 => {
+                    start.pressed = Some(parts.pressed);
+                    continue;
+                }
+                1 if way == 0.0 && rows.is_empty() => {
+                    start.shift(parts.shift_force(case)?, parts.pressed)?;
+                    continue;
+                }
+                1 if way != 0.0 => distance += way.abs() * 1e-3,
+                2 if way == 0.0 => {
+                    distance += case.rolling.map_or(0.0, |rolling| rolling[1] * 1e-3);
+                }
+                3 if index == 0 => {
+                    start.is_steady = true;
+                    distance += case.rolling.map_or(0.0, |rolling| rolling[1] * 1e-3);
+                }
+                _ => return Err("a history that is not one of rolling steps".into()),
+            }
+            // The load of a shift is that from which rolling sets out.
+            if rows.is_empty() {
+                own.pressed = start.pressed.unwrap_or(own.pressed);
+            }
+            let is_given = |pressed| matches!(pressed, Pressed::Approach(_));
+            if (is_given(parts.pressed) || is_given(own.pressed)) && parts.pressed != own.pressed {
+                return Err("an approach that changes from step to step".into());
+            }
+            let forces = case.control.force().min(2);
+            if kind.is_some_and(|kind| kind != forces) {
+                return Err("a history in which forces and creepages change places".into());
+            }
+            kind = Some(forces);
+            let mut row = parts.row(distance, usize::from(forces))?;
+            if case.control.tangential() == 1 {
+                // A shift by its way over that of the shape.
+                for component in row.iter_mut().skip(2 + usize::from(forces)) {
+                    *component /= way.abs();
+                }
+            }
+            rows.push(row);
+        }
+        let forces = usize::from(kind.unwrap_or(0));
+        own.file_of_history(&rows, forces, &start.keys(), (name, title), notes)
+    }
+
+    /// Whether bodies and friction are such that they roll step by step.
+    fn is_of_steps(&self) -> Result<(), Cause> {
+        if !self.layer()?.is_empty() {
+            return Err("a layer in rolling step by step or on a line".into());
+        }
+        if !matches!(self.materials.extra, Extra::None | Extra::Viscoelastic { .. }) {
+            return Err("a simplified theory in rolling step by step or on a line".into());
+        }
+        if self.needs_heat {
+            return Err("friction by temperature in rolling step by step or on a line".into());
+        }
+        let has_memory = self.case.friction.as_ref().is_some_and(|read| read.memory.is_some());
+        if self.needs_speed && !has_memory {
+            return Err(
+                "falling friction without memory in rolling step by step or on a line".into()
+            );
+        }
+        if self.needs_speed && self.case.control.tangential() == 1 {
+            return Err("falling friction in shifts, which have no speed".into());
+        }
+        Ok(())
+    }
+
+    /// Whether it rolls, or the shape moves, in -x.
+    fn goes_backward(&self, chain: &[Bodies], places: &[[f64; 2]]) -> Result<bool, Cause> {
+        let mut found = None;
+        for (index, case) in chain.iter().enumerate() {
+            let way = way(places, index)?;
+            let backward = match case.control.tangential() {
+                2 | 3 => Parts::of(case, &mut Vec::new())?.turned,
+                1 if way != 0.0 => way < 0.0,
+                _ => continue,
+            };
+            if found.replace(backward).is_some_and(|before| before != backward) {
+                return Err("a history that goes to and fro".into());
+            }
+        }
+        let backward = found.unwrap_or(self.turned);
+        if backward != self.turned && self.friction_text.starts_with('{') {
+            return Err("a shape that moves in -x, with friction that is no constant".into());
+        }
+        Ok(backward)
+    }
+
+    /// Distance, load, then the three components.
+    fn row(&self, distance: f64, forces: usize) -> Result<[f64; 5], Cause> {
+        let (mut components, mut load) = (self.creepages(self.case), 0.0);
+        if let Pressed::Load(given) = self.pressed {
+            load = given;
+        } else if forces > 0 {
+            return Err("a given force over a friction force that is not known (N = 0)".into());
+        }
+        for (component, printed) in
+            components.iter_mut().zip(&self.case.kinematics[1..]).take(forces)
+        {
+            *component = self.relative_force(*printed) * self.friction * load;
+        }
+        let [x, y, spin] = components;
+        Ok([distance, load, x, y, spin])
+    }
+
+    fn file_of_history(
+        &self,
+        rows: &[[f64; 5]],
+        forces: usize,
+        start: &[(&str, String)],
+        (name, title): (&str, &str),
+        notes: &mut Vec<String>,
+    ) -> Result<Written, Cause> {
+        let is_line = matches!(self.geometry, Geometry::Line(_));
+        if self.is_unlike() {
+            notes.push(
+                "the bodies are unlike: `roll` takes them as like, so the creepage of free rolling is lost".into(),
+            );
+        }
+        let nominal = match (self.pressed, rows.first()) {
+            (Pressed::Load(load), _) => load,
+            (Pressed::Approach(_), first) => first.map_or(0.0, |row| row[1]),
+        };
+        let load_changes = rows.iter().any(|row| row[1] != nominal);
+        if load_changes && !matches!(self.geometry, Geometry::Radii(_)) {
+            return Err("a load that changes from step to step on anything but an ellipse".into());
+        }
+        if load_changes {
+            notes.push(
+                "the load changes in a straight line over each step, not at its beginning".into(),
+            );
+        }
+        let is_used = |k: usize| rows.iter().any(|row| row[2 + k] != 0.0);
+        if is_line && (is_used(1) && forces < 2 || is_used(2)) {
+            notes.push(
+                "on a line we take lateral motion and spin where the command does; try it".into(),
+            );
+        }
+        let names = ["longitudinal", "lateral", "spin"];
+        let force_names = ["longitudinal_force", "lateral_force"];
+        let mut columns = vec![("distance", 0)];
+        columns.extend(load_changes.then_some(("normal_force", 1)));
+        for k in 0..3 {
+            let name = if k < forces { force_names[k] } else { names[k] };
+            let needed = k == 0 || is_used(k) || k < forces && !is_line;
+            columns.extend(needed.then_some((name, 2 + k)));
+        }
+        let heads: Vec<_> = columns.iter().map(|(name, _)| *name).collect();
+        let mut csv = heads.join(",") + "\n";
+        for row in rows {
+            let values: Vec<_> = columns.iter().map(|(_, place)| number(row[*place])).collect();
+            csv += &(values.join(",") + "\n");
+        }
+        let speed = if self.needs_speed { number(self.speed()) } else { String::new() };
+        let creepage: Vec<_> = self.needs_speed.then_some(("speed", speed)).into_iter().collect();
+        let command = format!("creepage roll {name}.toml --history {name}.csv");
+        let head = self.head(title, &command, notes);
+        let sections = section("creepage", &creepage) + &section("start", start);
+        let text = head + &self.bodies() + &self.contact(true) + &sections;
+        let solve = section("solve", &[("theory", quoted("exact"))]);
+        let mut written = Written::of(command, File::text(format!("{name}.toml"), text + &solve));
+        written.files.push(File::text(format!("{name}.csv"), csv));
+        Ok(written)
+    }
+}
+
+/// How far the shape's middle has moved along x since the case before (mm).
+fn way(places: &[[f64; 2]], index: usize) -> Result<f64, Cause> {
+    let before = places[index.saturating_sub(1)];
+    let [along, across] = [0, 1].map(|axis| places[index][axis] - before[axis]);
+    if across == 0.0 { Ok(along) } else { Err("a shape that moves other than along x".into()) }
+}
