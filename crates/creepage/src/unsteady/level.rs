@@ -5,6 +5,7 @@ use std::sync::Arc;
 use super::elements::Elements;
 use super::history::{Creep, Level, Past};
 use super::motion::Motion;
+use super::predictor::Predictor;
 use super::system::System;
 use crate::Force;
 use crate::coulomb::friction_bound::Moment;
@@ -24,6 +25,7 @@ pub(crate) struct TransientLevel {
     pub outcome: Outcome,
     /// Creepage of the last solution.
     pub creep: Creep,
+    pub predictor: Predictor,
 }
 
 /// Which equations hold.
@@ -62,6 +64,7 @@ impl TransientLevel {
             past: Past::default(),
             outcome: Outcome::default(),
             creep: [0.0; 3],
+            predictor: Predictor::default(),
         };
         track.begin(1.0);
         track
@@ -70,6 +73,7 @@ impl TransientLevel {
     /// Forgets all: the bodies have just been pressed together, without traction.
     pub(crate) fn begin(&mut self, scale: f64) {
         self.state.reset();
+        self.predictor.restart();
         self.creep = [0.0; 3];
         self.past.0.clear();
         self.past.0.push_front(self.level(0.0, scale, false));
@@ -113,9 +117,15 @@ impl TransientLevel {
         self.system = system;
     }
 
-    /// Solves for a motion: whether friction is obeyed and prescribed forces are met.
-    pub(crate) fn solve(&mut self, motion: &Motion) -> bool {
+    /// Solves a stage for a motion, after the coarser grid if there is one: whether friction is obeyed
+    /// and prescribed forces are met.
+    pub(crate) fn solve(&mut self, stage: Stage, motion: &Motion, coarse: Option<&Self>) -> bool {
         self.state.go_on();
+        if let Stage::Step { length, smooth, .. } = stage {
+            let State { limits, traction, .. } = &mut self.state;
+            let coarse = coarse.map(|coarse| (&coarse.predictor, &coarse.state.traction));
+            self.predictor.predict((length, smooth), coarse, limits, traction);
+        }
         self.meet(motion)
     }
 
@@ -168,13 +178,16 @@ impl TransientLevel {
             Stage::Step { length, scale, smooth } => {
                 self.past.forget_beyond(self.reach(scale));
                 self.past.0.push_front(self.level(length, scale, smooth));
+                self.predictor.learn(length, &self.state.traction);
             }
             Stage::Shift { .. } => {
+                self.predictor.restart();
                 let level = self.level(0.0, self.system.scale, false);
                 self.past.0.clear();
                 self.past.0.push_front(level);
             }
             Stage::Steady { scale } => {
+                self.predictor.restart();
                 let mut level = self.level(FOR_EVER, scale, false);
                 level.creep = self.creep;
                 self.past.0.clear();

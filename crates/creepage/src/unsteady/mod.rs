@@ -27,6 +27,7 @@ mod load;
 mod meet;
 mod motion;
 mod particle;
+mod predictor;
 mod rigid;
 mod rolling;
 mod saved;

@@ -7,6 +7,7 @@ use super::elements::Elements;
 use super::level::{self, Stage, TransientLevel};
 use super::load::Course;
 use super::motion::Motion;
+use super::predictor::Predictor;
 use crate::check::{self, InvalidValue};
 use crate::coulomb::extrapolation::{error_bar, extrapolate, extrapolate_force};
 use crate::coulomb::{ElementField, Exact, Resolution};
@@ -98,7 +99,9 @@ impl Rolling {
 
     pub(super) fn of(elements: [Elements; 2]) -> Self {
         let control = Control::new(elements[0].semi_axes[0]);
-        let tracks = elements.map(|elements| TransientLevel::new(Arc::new(elements)));
+        let mut tracks = elements.map(|elements| TransientLevel::new(Arc::new(elements)));
+        let [coarse, fine] = tracks.each_ref().map(|track| &track.grid.mesh);
+        tracks[1].predictor = Predictor::of_finer(coarse, fine);
         Self { tracks, control, travel: Travel::begin(1.0) }
     }
 
@@ -312,11 +315,11 @@ impl Rolling {
     }
 
     pub(super) fn solve(&mut self, stage: Stage, motion: &Motion) -> bool {
-        let solved = self.tracks.each_mut().map(|track| {
-            track.prepare(stage);
-            track.solve(motion)
-        });
-        solved == [true; 2]
+        let [coarse, fine] = &mut self.tracks;
+        coarse.prepare(stage);
+        fine.prepare(stage);
+        let solved = coarse.solve(stage, motion, None);
+        fine.solve(stage, motion, Some(coarse)) && solved
     }
 
     /// What step control looks at: forces, and creepages that are found.

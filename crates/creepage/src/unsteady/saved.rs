@@ -7,6 +7,7 @@ use super::control::{Control, Trend, Watched};
 use super::fastsim::{self, RollingFastsim};
 use super::history::{Level, Past};
 use super::motion::{Motion, Prescribed};
+use super::predictor;
 use super::rolling::{Rolling, Travel};
 use super::variational::{RollingVariational, State};
 
@@ -25,6 +26,8 @@ struct SavedTrack {
     traction: Vec<f64>,
     /// From which the limits of friction that depends on the slip go on.
     limits: Vec<f64>,
+    /// How the last step changed the tractions.
+    trend: Option<predictor::Trend>,
 }
 
 /// Why bytes are no state of a contact.
@@ -42,7 +45,7 @@ pub enum SavedError {
     OtherContact,
 }
 
-const MAGIC: [u8; 8] = *b"rolling3";
+const MAGIC: [u8; 8] = *b"rolling4";
 
 impl Rolling {
     /// What the contact remembers: going on from it gives the same, to the last bit.
@@ -52,7 +55,8 @@ impl Rolling {
             let mut traction = vec![0.0; 2 * track.elements.all.len()];
             track.state.traction.copy_to(&mut traction);
             let limits = track.state.limits.clone();
-            SavedTrack { past: track.past.clone(), creep: track.creep, traction, limits }
+            let (past, trend) = (track.past.clone(), track.predictor.trend.clone());
+            SavedTrack { past, creep: track.creep, traction, limits, trend }
         };
         let tracks = self.tracks.each_ref().map(track);
         Saved { tracks, control: self.control, travel: self.travel }
@@ -68,6 +72,7 @@ impl Rolling {
             let whole = |level: &Level| level.fits(points, elements);
             saved.traction.len() == 2 * elements
                 && saved.limits.len() == elements
+                && saved.trend.as_ref().is_none_or(|trend| trend.change.len() == 2 * elements)
                 && !saved.past.0.is_empty()
                 && saved.past.0.iter().all(whole)
         };
@@ -79,6 +84,7 @@ impl Rolling {
             track.state.limits.clone_from(&saved.limits);
             track.past.clone_from(&saved.past);
             track.creep = saved.creep;
+            track.predictor.trend.clone_from(&saved.trend);
         }
         (self.control, self.travel) = (saved.control, saved.travel);
         Ok(())
@@ -128,7 +134,7 @@ impl Saved {
     }
 }
 
-const FASTSIM: [u8; 8] = *b"rollfas3";
+const FASTSIM: [u8; 8] = *b"rollfas4";
 
 impl RollingFastsim {
     /// What the contact remembers, as bytes.
@@ -136,7 +142,7 @@ impl RollingFastsim {
     pub fn save(&self) -> Vec<u8> {
         let fastsim::Travel { distance, loads, creep, force } = self.travel;
         let past = self.past.clone();
-        let track = SavedTrack { past, creep, traction: vec![], limits: vec![] };
+        let track = SavedTrack { past, creep, traction: vec![], limits: vec![], trend: None };
         let mut out = Numbers(vec![distance]);
         out.all(&loads);
         out.all(&force);
@@ -214,6 +220,10 @@ impl SavedTrack {
         out.all(&self.creep);
         out.list(&self.traction);
         out.list(&self.limits);
+        out.some(self.trend.as_ref(), |out, trend| {
+            out.all(&[trend.length]);
+            out.list(&trend.change);
+        });
         out.all(&[self.past.0.len() as f64]);
         for level in &self.past.0 {
             out.all(&[level.length, level.scale, f64::from(u8::from(level.smooth))]);
@@ -225,6 +235,11 @@ impl SavedTrack {
     fn read(from: &mut impl Iterator<Item = f64>) -> Option<Self> {
         let creep = several(from)?;
         let (traction, limits) = (list(from)?, list(from)?);
+        let trend = if flag(from)? {
+            Some(predictor::Trend { length: from.next()?, change: list(from)? })
+        } else {
+            None
+        };
         let levels = count(from)?;
         let mut past = VecDeque::new();
         for _ in 0..levels {
@@ -238,7 +253,7 @@ impl SavedTrack {
                 friction: [list(from)?, list(from)?],
             });
         }
-        Some(Self { past: Past(past), creep, traction, limits })
+        Some(Self { past: Past(past), creep, traction, limits, trend })
     }
 }
 
