@@ -49,9 +49,8 @@ impl<'a> StaticsReport<'a> {
             ),
         ];
         let (given, _) = pressed(contact, compression.friction());
-        let curvature = contact.relative_curvatures()[0];
         let radius = vec![
-            Quantity::new("radius_m", "radius of both together", curvature.recip(), "m")
+            Quantity::new("radius_m", "radius of both together", compression.radius(), "m")
                 .symbol("R", ""),
         ];
         Ok(Self {

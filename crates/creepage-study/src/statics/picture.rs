@@ -196,8 +196,8 @@ mod tests {
         let contact =
             Hertz::from_ellipse(steel_on_rubber(), Ellipse::new(5e-3, 5e-3).unwrap(), load);
         let contact = contact.unwrap();
-        let radius = contact.relative_curvatures()[0].recip();
-        for friction in [0.01, 0.3, 1e3] {
+        let radius = 0.5 / contact.relative_curvatures()[0];
+        for friction in [1e-3, 0.3, 1e3] {
             let pair = contact.pair();
             let ball = Compression::under_load(pair, radius, friction, load, 20).unwrap();
             let report = StaticsReport::compression(&contact, &ball).unwrap();
@@ -205,6 +205,9 @@ mod tests {
             let found = report.json()["found"].clone();
             let number = |key: &str| found[key].as_f64().unwrap();
             assert!(number("approach_m") > 0.0 && number("peak_pressure_pa") > 0.0);
+            // Friction stiffens by no more than a few per cent; rings leave one.
+            let stiffer = number("approach_without_friction_m") / number("approach_m");
+            assert!((0.98..1.15).contains(&stiffer), "{friction} {stiffer}");
             // No friction to speak of, and no slip at all.
             let share = number("adhesion_percent");
             assert!(if friction < 0.1 { share < 10.0 } else { share > 50.0 }, "{friction} {share}");

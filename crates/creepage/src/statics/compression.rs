@@ -278,6 +278,12 @@ impl Compression {
         self.state.approach
     }
 
+    /// Radius of both bodies together (m): the undeformed distance is `r^2` over twice this.
+    #[must_use]
+    pub fn radius(&self) -> f64 {
+        self.curvature_radius
+    }
+
     /// Coefficient of friction.
     #[must_use]
     pub fn friction(&self) -> f64 {

@@ -283,7 +283,8 @@ impl StaticsFile {
         }
         let [curvature, _] = contact.relative_curvatures();
         let (load, friction) = (contact.normal_force(), self.contact.friction()?);
-        let radius = curvature.recip();
+        // Undeformed, they are `curvature r^2` apart.
+        let radius = 0.5 / curvature;
         let compression = Compression::under_load(contact.pair(), radius, friction, load, RINGS)
             .map_err(CaseError::invalid("contact"))?;
         if compression.status() != Status::Solved {

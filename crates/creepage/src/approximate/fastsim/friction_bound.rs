@@ -19,6 +19,8 @@ pub(crate) struct FrictionBound {
     friction: Option<RollingFriction>,
     plasticity: Option<Plasticity>,
     scaling: Scaling,
+    /// Whether a spring slides as soon as friction by the rigid slip cannot hold it.
+    is_eager: bool,
 }
 
 /// One step of a march; lengths in units of `c`, tractions of `mu N / c^2`.
@@ -79,7 +81,12 @@ impl FrictionBound {
             Plasticity { yield_stress: peak * yield_stress, slope: peak * slope }
         });
         let bounds = friction.is_some() || plasticity.is_some();
-        bounds.then_some(Self { friction, plasticity, scaling })
+        bounds.then_some(Self { friction, plasticity, scaling, is_eager: false })
+    }
+
+    /// The same where friction is that of the rigid slip in all of the contact: none holds by friction at rest.
+    pub(crate) fn eager(self) -> Self {
+        Self { is_eager: true, ..self }
     }
 
     /// Friction at `y`, in units of `c`, over the largest.
@@ -101,7 +108,8 @@ impl FrictionBound {
                 law.after(walk.friction, slips, self.scaling.length * step.length)
             };
             let sliding = after(rigid);
-            let goes_on = walk.slip > 0.0 && size > sliding * step.bound;
+            let slides = walk.slip > 0.0 || self.is_eager;
+            let goes_on = slides && size > sliding * step.bound;
             friction = if goes_on { sliding } else { after(0.0) };
             if !goes_on && size > friction * step.bound {
                 friction = sliding;

@@ -36,7 +36,8 @@
 //! modelling for rail traction vehicles based on the Fastsim algorithm, Vehicle System Dynamics 51 (2013)
 //! 1765-1783: all three flexibilities are divided by `k = k0 (alpha + (1 - alpha)/(1 + beta eps))`, with Polach's
 //! `eps = (pi/4) k0 F / (mu N)`, `F` the linear theory's force by the creepages (spin does not count), and `mu` the
-//! friction at the speed of the rigid slip. A layer's own flexibility stays as it is.
+//! friction at the speed of the rigid slip. As there, this friction is that of the whole contact, and a spring slides
+//! once it cannot hold it. A layer's own flexibility stays as it is.
 //!
 //! # Grid
 //! `ny` strips of equal width, each cut into `nx` cells over its own length; traction at the
@@ -107,17 +108,21 @@ impl Fastsim {
         let (ellipse, poisson) = (contact.ellipse(), contact.poisson());
         let grid = Grid::new(&ellipse, settings.grid, settings.bound.profile(1.0))?;
         let layer = contact.layer().map(|l| l.dimensionless_flexibility(contact.scaling()));
+        let reduction = Reduction::new(settings.reduction, contact)?;
         let flexibilities =
             Flexibilities::new(&ellipse, strip_slope(&ellipse, poisson), &coefficients)?
                 .with_layer(layer.unwrap_or(0.0))
-                .with_reduction(Reduction::new(settings.reduction, contact)?);
+                .with_reduction(reduction);
+        let resistance = FrictionBound::new(contact);
+        // Soft springs would stand long between friction of sliding and at rest.
+        let eager = resistance.filter(|_| reduction.is_some()).map(FrictionBound::eager);
         Ok(Self {
             contact: contact.clone(),
             flexibilities,
             flexibility: settings.flexibility,
             bound: settings.bound,
             grid,
-            resistance: FrictionBound::new(contact),
+            resistance: eager.or(resistance),
         })
     }
 
