@@ -29,19 +29,24 @@ impl TransientLevel {
         if let [one] = unknown[..] {
             return self.meet_one(one, prescribed);
         }
-        let mut slope = None;
+        let mut slope = self.known_slope(&unknown);
         for _ in 0..STEPS {
             let residual = self.residual(&unknown, prescribed);
             if residual.amax() <= TOLERANCE {
+                slope.iter().for_each(|slope| self.keep_slope(&unknown, slope));
                 return converged;
             }
             let (is_new, matrix) = (slope.is_none(), slope.take());
             let matrix = matrix.unwrap_or_else(|| self.slope(&unknown));
+            self.keep_slope(&unknown, &matrix);
             let before = self.creep;
             let step = matrix.clone().lu().solve(&residual);
             let step = step.filter(|step| step.iter().all(|s| s.is_finite()));
-            let next =
-                step.and_then(|step| self.search(&unknown, prescribed, &step, residual.norm()));
+            // What earlier steps told of the slope is good for a whole step or for none.
+            let halvings = if is_new { HALVINGS } else { 1 };
+            let next = step.and_then(|step| {
+                self.search(&unknown, prescribed, &step, (residual.norm(), halvings))
+            });
             let Some(next) = next else {
                 if is_new {
                     return false;
@@ -67,6 +72,8 @@ impl TransientLevel {
         let mut range = [f64::NEG_INFINITY, f64::INFINITY];
         // The last creepage and what it left, where it came much nearer than the one before.
         let mut last: Option<[f64; 2]> = None;
+        let mut known =
+            self.known_slope(&[unknown]).map(|slope| slope[(0, 0)]).filter(|slope| *slope > 0.0);
         for _ in 0..STEPS {
             let residual = self.residual(&[unknown], prescribed);
             if residual.amax() <= TOLERANCE {
@@ -78,7 +85,8 @@ impl TransientLevel {
                 .filter(|[_, left]| residual[0].abs() < NEARER * left.abs())
                 .map(|[before, left]| (left - residual[0]) / (here - before))
                 .filter(|slope| slope.is_finite());
-            let slope = secant.unwrap_or_else(|| self.slope(&[unknown])[(0, 0)]);
+            let slope = secant.or(known.take()).unwrap_or_else(|| self.slope(&[unknown])[(0, 0)]);
+            self.keep_slope(&[unknown], &DMatrix::from_element(1, 1, slope));
             last = Some([here, residual[0]]);
             let newton = Some(here + residual[0] / slope).filter(|next| next.is_finite());
             let [low, high] = range;
@@ -103,6 +111,24 @@ impl TransientLevel {
         DVector::from_iterator(unknown.len(), unknown.iter().map(of))
     }
 
+    /// The slope as the last step has left it.
+    fn known_slope(&self, unknown: &[usize]) -> Option<DMatrix<f64>> {
+        let n = unknown.len();
+        let slope = self.predictor.slope?;
+        Some(DMatrix::from_fn(n, n, |i, k| slope[unknown[i]][unknown[k]]))
+    }
+
+    /// Keeps a slope for the next step.
+    fn keep_slope(&mut self, unknown: &[usize], matrix: &DMatrix<f64>) {
+        let mut slope = [[0.0; 3]; 3];
+        for (i, row) in unknown.iter().enumerate() {
+            for (k, column) in unknown.iter().enumerate() {
+                slope[*row][*column] = matrix[(i, k)];
+            }
+        }
+        self.predictor.slope = Some(slope);
+    }
+
     /// Derivatives of the forces that are prescribed by the creepages that are sought.
     fn slope(&mut self, unknown: &[usize]) -> DMatrix<f64> {
         let columns: Vec<_> = unknown.iter().map(|k| self.derivative(*k)).collect();
@@ -125,11 +151,11 @@ impl TransientLevel {
         unknown: &[usize],
         prescribed: [Prescribed; 3],
         step: &DVector<f64>,
-        before: f64,
+        (before, halvings): (f64, usize),
     ) -> Option<bool> {
         let from = self.creep;
         let mut length = 1.0;
-        for _ in 0..HALVINGS {
+        for _ in 0..halvings {
             let mut creep = from;
             for (k, step) in unknown.iter().zip(step.iter()) {
                 creep[*k] += length * step;

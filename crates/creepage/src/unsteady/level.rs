@@ -121,12 +121,27 @@ impl TransientLevel {
     /// and prescribed forces are met.
     pub(crate) fn solve(&mut self, stage: Stage, motion: &Motion, coarse: Option<&Self>) -> bool {
         self.state.go_on();
-        if let Stage::Step { length, smooth, .. } = stage {
-            let State { limits, traction, .. } = &mut self.state;
-            let coarse = coarse.map(|coarse| (&coarse.predictor, &coarse.state.traction));
-            self.predictor.predict((length, smooth), coarse, limits, traction);
+        self.predictor.slope = None;
+        let Stage::Step { length, smooth, .. } = stage else { return self.meet(motion) };
+        let last = self.creep;
+        self.predict((length, smooth), coarse);
+        if self.meet(motion) {
+            return true;
         }
+        // The prediction misled: from where the last step ended.
+        self.predictor.take_back(&mut self.state.traction);
+        self.state.go_on();
+        self.creep = last;
         self.meet(motion)
+    }
+
+    /// Goes to where the end of a step is likely to be.
+    fn predict(&mut self, step: (f64, bool), coarse: Option<&Self>) {
+        let State { limits, traction, .. } = &mut self.state;
+        let found = coarse.map(|coarse| (&coarse.predictor, &coarse.state.traction));
+        self.predictor.predict(step, found, limits, traction);
+        let found = coarse.map(|coarse| (&coarse.predictor, coarse.creep));
+        self.creep = self.predictor.predict_creep(step, &self.past, found, self.creep);
     }
 
     /// Solves at a creepage, from the present tractions.

@@ -223,6 +223,7 @@ impl SavedTrack {
         out.some(self.trend.as_ref(), |out, trend| {
             out.all(&[trend.length]);
             out.list(&trend.change);
+            out.some(trend.slope, |out, slope| out.all(slope.as_flattened()));
         });
         out.all(&[self.past.0.len() as f64]);
         for level in &self.past.0 {
@@ -236,7 +237,13 @@ impl SavedTrack {
         let creep = several(from)?;
         let (traction, limits) = (list(from)?, list(from)?);
         let trend = if flag(from)? {
-            Some(predictor::Trend { length: from.next()?, change: list(from)? })
+            let (length, change) = (from.next()?, list(from)?);
+            let slope = if flag(from)? {
+                Some([several(from)?, several(from)?, several(from)?])
+            } else {
+                None
+            };
+            Some(predictor::Trend { length, change, slope })
         } else {
             None
         };

@@ -66,7 +66,8 @@ impl Equations {
             *sweeps += 1;
             sweep.change.copy_from(from);
             sweep.change.fold_all(precision);
-            for strip in 0..grid.influence.strips() {
+            // From the middle outwards where strips have mirror images: those in the middle bear most.
+            for strip in (0..grid.influence.strips()).rev() {
                 sweep.solve_both(part, strip);
             }
             sweep.change.copy_to(to);
