@@ -125,7 +125,7 @@ fn followed_walks_keep_close_to_those_on_the_fine_grid() {
         let part = |part: f64| off[(part * (off.len() - 1) as f64) as usize];
         let [half, nine, most, worst] = [0.5, 0.9, 0.99, 1.0].map(part);
         println!("{walk:?}: {} followed, {half:.3} {nine:.3} {most:.3} {worst:.3}", off.len());
-        // Up to a sixth in the guide, of many more positions.
+        // Up to .12 in the guide, of many more positions.
         assert!(half < 0.25, "{walk:?}: {half}");
         all.extend(off);
     }
