@@ -66,8 +66,7 @@ impl Equations {
             *sweeps += 1;
             sweep.change.copy_from(from);
             sweep.change.fold_all(precision);
-            // From the middle outwards where strips have mirror images: those in the middle bear most.
-            for strip in (0..grid.influence.strips()).rev() {
+            for strip in 0..grid.influence.strips() {
                 sweep.solve_both(part, strip);
             }
             sweep.change.copy_to(to);

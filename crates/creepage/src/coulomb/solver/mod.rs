@@ -250,7 +250,7 @@ impl State {
             let pairs = 2 * round + 1;
             self.traction.fold_all(self.precision);
             if round == 0 && self.is_close {
-                for strip in (0..grid.influence.strips()).rev() {
+                for strip in 0..grid.influence.strips() {
                     self.solve_both(grid, strip, tolerance, round);
                 }
                 equations.sweeps += 1;
