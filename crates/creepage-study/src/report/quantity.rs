@@ -155,7 +155,7 @@ impl Quantity {
 enum Entry {
     Number(Quantity),
     /// What is no single number: section, key, value.
-    Words(&'static str, &'static str, Words),
+    Words(&'static str, &'static str, Box<Words>),
 }
 
 impl Entry {
@@ -215,7 +215,7 @@ impl Report {
 
     /// Adds what is no single number.
     pub(crate) fn words(&mut self, section: &'static str, key: &'static str, words: Words) {
-        self.entries.push(Entry::Words(section, key, words));
+        self.entries.push(Entry::Words(section, key, Box::new(words)));
     }
 
     /// Rows of a text.

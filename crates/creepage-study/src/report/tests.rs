@@ -1,9 +1,9 @@
 //! Numbers of reports against hand formulas, and their keys.
 #![allow(clippy::unwrap_used)]
 
-use std::f64::consts::PI;
-
 use std::collections::BTreeSet;
+use std::f64::consts::PI;
+use std::fmt::Write as _;
 use std::path::Path;
 
 use creepage::coulomb::Constraints;
@@ -120,7 +120,8 @@ fn table_of_keys() -> String {
             _ => "",
         };
         let unit = one.unit.symbol();
-        table.push_str(&format!("| `{path}`{error} | {}{only} | {unit} |\n", one.label.trim()));
+        let label = one.label.trim();
+        writeln!(table, "| `{path}`{error} | {label}{only} | {unit} |").unwrap();
     }
     table.push('\n');
     table

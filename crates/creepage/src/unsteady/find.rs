@@ -33,7 +33,9 @@ impl TransientLevel {
         for _ in 0..STEPS {
             let residual = self.residual(&unknown, prescribed);
             if residual.amax() <= TOLERANCE {
-                slope.iter().for_each(|slope| self.keep_slope(&unknown, slope));
+                if let Some(slope) = &slope {
+                    self.keep_slope(&unknown, slope);
+                }
                 return converged;
             }
             let (is_new, matrix) = (slope.is_none(), slope.take());
