@@ -35,7 +35,9 @@ def quantities(
     tuples: Iterable[tuple[str, str, str, float | None, float | None]],
 ) -> dict[str, Quantity]:
     """By their path in report.json."""
-    return {path: Quantity(*rest) for path, *rest in tuples}
+    return {
+        path: Quantity(label, unit, value, error) for path, label, unit, value, error in tuples
+    }
 
 
 class Solved(Protocol):
