@@ -115,24 +115,26 @@ function solveInWorker() {
 
 // A window whose Worker is the browser's: where the guide is opened as a file, its search has put another in this one's
 // place, which runs in the page.
-function nativeWindow() {
-  let frame = document.getElementById("native-window");
-  if (!frame) {
-    frame = document.createElement("iframe");
-    Object.assign(frame, { id: "native-window", hidden: true, title: "no content" });
-    document.body.append(frame);
-  }
-  return frame.contentWindow;
-}
+// Until the frame has loaded, the browser may still replace its window, and end the workers of the first one.
+let nativeWindow = () => {
+  const frame = document.createElement("iframe");
+  Object.assign(frame, { hidden: true, title: "no content" });
+  const loaded = new Promise((done) => frame.addEventListener("load", () => done(frame.contentWindow), { once: true }));
+  document.body.append(frame);
+  nativeWindow = () => loaded;
+  return loaded;
+};
 
 // One question at a time; of those that come meanwhile the last one alone is asked.
 class Solver {
   constructor() {
     const text = `(${solveInWorker})()`;
     const address = URL.createObjectURL(new Blob([text], { type: "text/javascript" }));
-    const { Worker } = nativeWindow();
-    this.worker = new Worker(address);
-    this.worker.onmessage = ({ data }) => this.answered(data);
+    this.worker = nativeWindow().then(({ Worker }) => {
+      const worker = new Worker(address);
+      worker.onmessage = ({ data }) => this.answered(data);
+      return worker;
+    });
     this.count = 0;
   }
 
@@ -141,8 +143,9 @@ class Solver {
   }
 
   post(message, done, failed) {
-    this.asked = { id: ++this.count, done, failed };
-    this.worker.postMessage({ ...message, id: this.asked.id });
+    const id = ++this.count;
+    this.asked = { id, done, failed };
+    this.worker.then((worker) => worker.postMessage({ ...message, id }));
   }
 
   ask(asked, done, failed) {
