@@ -4,7 +4,7 @@
 use std::path::Path;
 
 use creepage_study::{
-    SolvedContact, SolvedWheel, SolvedWheelset, WheelsetCase, WheelsetFile, WheelsetPose,
+    Load, SolvedContact, SolvedWheel, SolvedWheelset, WheelsetCase, WheelsetFile, WheelsetPose,
 };
 
 /// S1002 on UIC 60 with 200 kN; roll and pitch rate are free.
@@ -104,6 +104,28 @@ fn a_flange_that_climbs_is_settled() {
     let solved = case.solver().unwrap().solve(&stance, &case.travel.unwrap()).unwrap();
     for wheel in solved.wheels() {
         carries_100_kn(wheel);
+    }
+}
+
+/// What pressing errs by, the height makes up for under a given load, and does not where the height is given.
+#[test]
+fn a_given_load_errs_by_what_it_is_missed_by() {
+    let mut case = case("resolution = \"fast\"");
+    let loaded = case.solve().unwrap().solved;
+    for wheel in loaded.wheels() {
+        let (rail, bar) = (wheel.on_rail(), wheel.on_rail().force_error.unwrap()[2]);
+        // A load is met to 1e-4.
+        assert!((rail.force[2] - 1e5).abs() <= bar && bar < 10.0, "{rail:?}");
+    }
+    let stands = loaded.position();
+    case.stance =
+        WheelsetPose { roll: Some(stands.roll), load: Some(Load::Height(stands.z)), ..case.stance };
+    let placed = case.solve().unwrap().solved;
+    for wheel in placed.wheels() {
+        let pressing: f64 = wheel.contacts().iter().map(|one| one.normal.load().error).sum();
+        let bar = wheel.on_rail().force_error.unwrap()[2];
+        // One contact at a few degrees: its own error, and a little of friction's.
+        assert!(bar > 0.99 * pressing && bar < 1.5 * pressing, "{bar} {pressing}");
     }
 }
 

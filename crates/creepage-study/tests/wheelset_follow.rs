@@ -86,7 +86,7 @@ const WALKS: [Walk; 8] = [
     ("curve-with-flange-contact.toml", [2.0, 7.0], 12.0, 5.0),
 ];
 
-/// What followed positions of a walk are off by, in parts of their own error bars: of all of it, or of so many
+/// What followed positions of a walk are off by, in parts of the fine grid's error bars: of all of it, or of so many
 /// pieces of five steps.
 fn off_along((name, [from, to], step, yaw): Walk, parts: usize) -> Vec<f64> {
     let case = example(name, "");
@@ -106,7 +106,7 @@ fn off_along((name, [from, to], step, yaw): Walk, parts: usize) -> Vec<f64> {
             walked = solver.follow(&walked, &at(k), &travel).unwrap();
             fine = solver.next(&fine, &at(k), &travel).unwrap();
             if elements(&walked) < elements(&fine) {
-                off.push(apart(&walked, &fine));
+                off.push(apart(&fine, &walked));
             }
         }
     }
@@ -125,12 +125,12 @@ fn followed_walks_keep_close_to_those_on_the_fine_grid() {
         let part = |part: f64| off[(part * (off.len() - 1) as f64) as usize];
         let [half, nine, most, worst] = [0.5, 0.9, 0.99, 1.0].map(part);
         println!("{walk:?}: {} followed, {half:.3} {nine:.3} {most:.3} {worst:.3}", off.len());
-        // Up to .12 in the guide, of many more positions.
-        assert!(half < 0.25, "{walk:?}: {half}");
+        // Up to a tenth in the guide, of many more positions.
+        assert!(half < 0.15, "{walk:?}: {half}");
         all.extend(off);
     }
-    let beyond = all.iter().filter(|off| **off > 1.0).count();
-    println!("{} followed, {beyond} beyond their error bars", all.len());
+    let beyond = all.iter().filter(|off| **off > 0.5).count();
+    println!("{} followed, {beyond} beyond half of the error bars", all.len());
     // One of 100 is promised: of few positions two may be.
     let each = if parts == 1 { 100 } else { 50 };
     assert!(each * beyond <= all.len(), "{beyond} of {}", all.len());

@@ -55,10 +55,6 @@ const NARROW: [f64; 3] = [0.7, 0.6, 1.2];
 /// Part of the largest such difference that counts for each component: it may agree by chance.
 const CHANCE: f64 = 0.05;
 
-/// The same as [`LIKE`] and [`LEAST`], on contacts of any shape.
-const OF_AREAS: f64 = 3.0;
-const LEAST_OF_AREAS: [f64; 2] = [0.5, 0.25];
-
 /// Of the difference between two grids, how much is added to the finer's force, and how wrong that
 /// is.
 #[derive(Debug, Clone, Copy)]
@@ -177,18 +173,18 @@ fn ramp(at: f64, [from, to]: [f64; 2]) -> (f64, f64) {
     (t * t * (3.0 - 2.0 * t), 6.0 * t * (1.0 - t) / (to - from))
 }
 
-/// Error bars on contacts of any shape: the law of ellipses, with one factor for all components.
+/// Error bars on contacts of any shape.
 ///
-/// The first factor was chosen on 280 random gaps and creepages (`bench coverage`; creepage to 3, spin to 8) at the standard
-/// resolution, the others twice as large as there was needed: in flange contacts grids differ most, and no
-/// gap was one. Of 150 others 95 to 96 % of errors are inside with half of these.
+/// Half the difference of the grids, half the largest such difference, for a component may agree
+/// by chance, and for the same reason a fraction of the force that falls with the size of elements.
+/// Chosen on 96 random contacts and creepages (a/b .15-6, sigma 0-.5, creepage to 3, spin to 8)
+/// against a grid of four times the standard one's elements: 99 to 100 % of each component's errors
+/// are inside at the fast and at the standard resolution. On 208 random gaps and creepages to 1 (standard)
+/// 99.5 to 100 % are, and half of the bars are more than 19 times as long as the error.
 pub(crate) fn error_bar(coarse: Force, fine: Force, elements: usize) -> Force {
     let apart = combine(coarse, fine, |_, coarse, fine| (fine - coarse).abs());
-    let (size, most) = (largest(fine), largest(apart));
-    combine(apart, apart, |_, own, _| {
-        let scale = (size * (own + CHANCE * most).sqrt()).sqrt() / elements as f64;
-        (OF_AREAS * scale).max(LEAST_OF_AREAS[0] * own).max(LEAST_OF_AREAS[1] * most)
-    })
+    let common = 0.5 * largest(apart) + 0.5 / elements as f64 * largest(fine);
+    combine(apart, apart, |_, own, _| 0.5 * own + common)
 }
 
 fn combine(a: Force, b: Force, by: impl Fn(usize, f64, f64) -> f64) -> Force {
