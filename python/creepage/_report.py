@@ -26,7 +26,7 @@ class Quantity:
     unit: str
     """Its SI unit; empty for a number without one."""
     value: float | None
-    """The number; None where there is none, as the frictional power without a rolling velocity."""
+    """The number; None if it is unknown, as the frictional power without a rolling velocity."""
     error: float | None
     """Its error bar: zero for what was given or has a closed form, None where nothing is known."""
 

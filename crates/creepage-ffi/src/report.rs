@@ -17,7 +17,7 @@ use crate::status::status as status_of;
 /// count: number of quantities.
 /// keys: their keys, with the section before a point, such as contact.peak_pressure_pa or lower_body.lateral_n: those of
 ///   report.json, which the guide lists with their units. An unknown key is CREEPAGE_TEXT.
-/// values: room for count numbers, NaN where there is none.
+/// values: room for count numbers, NaN for a quantity that is unknown.
 /// errors: room for count numbers, their error bars, zero for what was given, NaN where nothing is known; or NULL.
 /// status: room for one number, CREEPAGE_SOLVED and so on; or NULL.
 ///

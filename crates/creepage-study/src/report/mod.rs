@@ -3,8 +3,8 @@
 
 mod of_case;
 mod of_contact;
+mod part;
 mod quantity;
-mod words;
 
 #[cfg(test)]
 mod tests;

@@ -3,23 +3,34 @@
 use creepage::SiForce;
 use creepage::coulomb::Constraints;
 
+use super::part::{DetailJson, ReportPart};
 use super::quantity::{Report, Shown, Unit};
-use super::words::{DetailJson, Words};
 use crate::SolvedCase;
 use crate::gap::OnAreas;
 
-/// Names and units of the parts of a tangential force.
-const FORCE: [(&str, Unit); 3] =
-    [("longitudinal", Unit::Newton), ("lateral", Unit::Newton), ("moment", Unit::NewtonMetre)];
+/// Name, unit, and words for the lower and for the upper body, of the parts of a tangential force.
+const FORCE: [(&str, Unit, [&str; 2]); 3] = [
+    (
+        "longitudinal",
+        Unit::Newton,
+        ["longitudinal force on the lower body", "longitudinal force on the upper body"],
+    ),
+    (
+        "lateral",
+        Unit::Newton,
+        ["lateral force on the lower body", "lateral force on the upper body"],
+    ),
+    ("moment", Unit::NewtonMetre, ["moment on the lower body", "moment on the upper body"]),
+];
 
 impl SolvedCase {
     /// All that is known of it but the points; ready for `serde_json`.
     #[must_use]
     pub fn report(&self) -> Report {
         let mut report = Report::default();
-        report.words("", "creepage_version", env!("CARGO_PKG_VERSION").into());
-        report.words("", "theory", self.theory.name.into());
-        report.words("", "status", self.solution().status.name().into());
+        report.part("", "creepage_version", env!("CARGO_PKG_VERSION").into());
+        report.part("", "theory", self.theory.name.into());
+        report.part("", "status", self.solution().status.name().into());
         report.cautions(&self.cautions);
         match (self.areas(), self.case.hertz()) {
             (Some(areas), _) => report.areas(areas, "contact"),
@@ -31,19 +42,19 @@ impl SolvedCase {
         report.creepage(self);
         report.forces(self);
         report.friction(self);
-        report.words("", "known", Words::Names(self.known()));
+        report.part("", "known", ReportPart::Names(self.known()));
         let law = self.contact.rolling_friction().map(Into::into);
-        report.words("", "friction_law", Words::Friction(law));
+        report.part("", "friction_law", ReportPart::Friction(law));
         // Tractions of a solved case are finite.
-        report.words("", "damage", Words::Damage(self.damage().ok().flatten().cloned()));
-        report.words("", "heat", Words::Heat(self.heat().cloned()));
+        report.part("", "damage", ReportPart::Damage(self.damage().ok().flatten().cloned()));
+        report.part("", "heat", ReportPart::Heat(self.heat().cloned()));
         if self.areas().is_some() {
-            report.words("", "curved", Words::Curved(self.curved));
+            report.part("", "curved", ReportPart::Curved(self.curved));
         }
         let details = self.diagnostics().into_iter();
         let details =
             details.map(|one| (one.key, DetailJson { label: one.label, value: one.value }));
-        report.words("", "details", Words::Details(details.collect()));
+        report.part("", "details", ReportPart::Details(details.collect()));
         report
     }
 
@@ -78,19 +89,14 @@ impl Report {
     fn forces(&mut self, solved: &SolvedCase) {
         let parts = |force: SiForce| [force.longitudinal, force.lateral, force.moment];
         let (force, error) = (solved.force(), solved.force_error().map(parts));
-        for ((name, unit), (k, value)) in
-            FORCE.into_iter().zip(parts(force).into_iter().enumerate())
+        for (k, ((name, unit, [label, _]), value)) in
+            FORCE.into_iter().zip(parts(force)).enumerate()
         {
             let estimate = (value, error.map(|error| error[k]));
-            self.section("lower_body", Shown::Nowhere).estimate(
-                name,
-                of_lower(name),
-                unit,
-                estimate,
-            );
+            self.section("lower_body", Shown::Nowhere).estimate(name, label, unit, estimate);
         }
-        for ((name, unit), value) in FORCE.into_iter().zip(parts(-force)) {
-            self.section("upper_body", Shown::Nowhere).number(name, of_upper(name), unit, value);
+        for ((name, unit, [_, label]), value) in FORCE.into_iter().zip(parts(-force)) {
+            self.section("upper_body", Shown::Nowhere).number(name, label, unit, value);
         }
         let force = solved.solution().force;
         self.section("dimensionless", Shown::Nowhere)
@@ -126,7 +132,7 @@ impl Report {
         self.section("areas", Shown::Nowhere)
             .number("adhesion", "area of adhesion", Unit::SquareMetre, share * area)
             .number("slip", "area of slip", Unit::SquareMetre, (1.0 - share) * area);
-        self.words("areas", "points", Words::Count(solved.point_count()));
+        self.part("areas", "points", ReportPart::Count(solved.point_count()));
         self.section("", Shown::Friction)
             .number(
                 "frictional_power_per_metre",
@@ -147,21 +153,5 @@ impl Report {
                 solved.case.speed(),
             )
             .number("frictional_power", "frictional power", Unit::Watt, solved.power());
-    }
-}
-
-fn of_lower(name: &str) -> &'static str {
-    match name {
-        "longitudinal" => "longitudinal force on the lower body",
-        "lateral" => "lateral force on the lower body",
-        _ => "moment on the lower body",
-    }
-}
-
-fn of_upper(name: &str) -> &'static str {
-    match name {
-        "longitudinal" => "longitudinal force on the upper body",
-        "lateral" => "lateral force on the upper body",
-        _ => "moment on the upper body",
     }
 }

@@ -3,8 +3,8 @@
 use creepage::normal::{Estimate, Method, NormalContact, Status};
 use creepage::{Hertz, SolidPair};
 
+use super::part::ReportPart;
 use super::quantity::{Report, Shown, Unit};
-use super::words::Words;
 use crate::Caution;
 
 /// Hertz's ellipse alone as a report.
@@ -101,11 +101,11 @@ impl Report {
             Status::Converged => "converged",
             Status::NotConverged { .. } => "not_converged",
         };
-        self.words(section, "method", method(contact).into());
-        self.words(section, "status", status.into());
-        self.words(section, "centroid_m", Words::Place(contact.centroid()));
+        self.part(section, "method", method(contact).into());
+        self.part(section, "status", status.into());
+        self.part(section, "centroid_m", ReportPart::Place(contact.centroid()));
         let patches = contact.patches().iter().map(Into::into).collect();
-        self.words(section, "patches", Words::Patches(patches));
+        self.part(section, "patches", ReportPart::Patches(patches));
         self.solid(section, contact.pair());
     }
 
@@ -129,7 +129,7 @@ impl Report {
     /// Cautions in words; else `null`.
     pub(super) fn cautions(&mut self, cautions: &[Caution]) {
         let words = (!cautions.is_empty()).then(|| Caution::words(cautions));
-        self.words("", "caution", Words::Text(words));
+        self.part("", "caution", ReportPart::Text(words));
     }
 }
 

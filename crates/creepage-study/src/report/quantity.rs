@@ -4,7 +4,7 @@ use creepage_plot::format::{fixed, quantity, significant};
 use serde::Serialize;
 use serde::ser::{SerializeMap, Serializer};
 
-use super::words::Words;
+use super::part::ReportPart;
 use crate::text::Lines;
 
 /// The SI unit of a quantity, or a number without one.
@@ -114,7 +114,7 @@ pub struct Quantity {
     pub label: &'static str,
     /// Its unit.
     pub unit: Unit,
-    /// The number, where there is one.
+    /// The number; `None` if it is unknown, as the frictional power without a rolling velocity.
     pub value: Option<f64>,
     /// Its error bar in the same unit: zero for what was given or has a closed form, `None` where nothing is known.
     pub error: Option<f64>,
@@ -155,14 +155,14 @@ impl Quantity {
 enum Entry {
     Number(Quantity),
     /// What is no single number: section, key, value.
-    Words(&'static str, &'static str, Box<Words>),
+    Part(&'static str, &'static str, Box<ReportPart>),
 }
 
 impl Entry {
     fn section(&self) -> &'static str {
         match self {
             Self::Number(quantity) => quantity.section,
-            Self::Words(section, ..) => section,
+            Self::Part(section, ..) => section,
         }
     }
 }
@@ -187,7 +187,7 @@ impl Report {
     pub fn quantities(&self) -> impl Iterator<Item = &Quantity> {
         self.entries.iter().filter_map(|entry| match entry {
             Entry::Number(quantity) => Some(quantity),
-            Entry::Words(..) => None,
+            Entry::Part(..) => None,
         })
     }
 
@@ -214,16 +214,16 @@ impl Report {
     }
 
     /// Adds what is no single number.
-    pub(crate) fn words(&mut self, section: &'static str, key: &'static str, words: Words) {
-        self.entries.push(Entry::Words(section, key, Box::new(words)));
+    pub(crate) fn part(&mut self, section: &'static str, key: &'static str, words: ReportPart) {
+        self.entries.push(Entry::Part(section, key, Box::new(words)));
     }
 
     /// Rows of a text.
     pub(crate) fn rows(&self, lines: &mut Lines, shown: &[Shown]) {
         for quantity in self.quantities().filter(|quantity| shown.contains(&quantity.shown)) {
-            // What does not exist has no row, nor an angle that is none.
-            let is_none = quantity.unit == Unit::Radian && quantity.value == Some(0.0);
-            if let (Some(text), false) = (quantity.text(), is_none) {
+            // Only known quantities have a row, and angles other than zero.
+            let is_zero = quantity.unit == Unit::Radian && quantity.value == Some(0.0);
+            if let (Some(text), false) = (quantity.text(), is_zero) {
                 lines.row(quantity.label, &text);
             }
         }
@@ -284,17 +284,17 @@ impl Section<'_> {
 
 impl Serialize for Report {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        Part { entries: &self.entries, section: "" }.serialize(serializer)
+        SectionView { entries: &self.entries, section: "" }.serialize(serializer)
     }
 }
 
 /// A section of a report with those inside it.
-struct Part<'r> {
+struct SectionView<'r> {
     entries: &'r [Entry],
     section: &'r str,
 }
 
-impl Part<'_> {
+impl SectionView<'_> {
     /// The name of the section inside this one that an entry lies in; empty where it lies in this one itself, `None`
     /// where it lies elsewhere.
     fn inner(&self, entry: &Entry) -> Option<&'static str> {
@@ -306,7 +306,7 @@ impl Part<'_> {
     }
 }
 
-impl Serialize for Part<'_> {
+impl Serialize for SectionView<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut map = serializer.serialize_map(None)?;
         let mut written: Vec<&str> = Vec::new();
@@ -321,7 +321,7 @@ impl Serialize for Part<'_> {
                         let section = format!("{}{dot}{inner}", self.section);
                         map.serialize_entry(
                             inner,
-                            &Part { entries: self.entries, section: &section },
+                            &SectionView { entries: self.entries, section: &section },
                         )?;
                     }
                 }
@@ -331,7 +331,7 @@ impl Serialize for Part<'_> {
                         map.serialize_entry(&key, &quantity.error)?;
                     }
                 }
-                Entry::Words(_, key, words) => map.serialize_entry(key, words)?,
+                Entry::Part(_, key, words) => map.serialize_entry(key, words)?,
             }
         }
         map.end()

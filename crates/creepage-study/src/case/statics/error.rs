@@ -116,7 +116,7 @@ impl StaticsError {
     }
 }
 
-/// The keys of a load, or that there are none.
+/// The keys of a load in words; "none" for a problem without.
 fn listed(keys: &[&str]) -> String {
     if keys.is_empty() { "none but the normal force".into() } else { keys.join(", ") }
 }

@@ -1,4 +1,4 @@
-//! What a report holds besides quantities: words, counts, and parts that have a type of their own.
+//! Parts of a report that are no single number: words, counts, patches, laws, temperatures.
 
 use std::collections::BTreeMap;
 
@@ -12,7 +12,7 @@ use crate::{CurvedJson, Damage, Heat};
 /// An entry of a report that is no single number.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(untagged)]
-pub(crate) enum Words {
+pub(crate) enum ReportPart {
     Text(Option<String>),
     Names(Option<Vec<&'static str>>),
     Count(usize),
@@ -25,7 +25,7 @@ pub(crate) enum Words {
     Details(BTreeMap<&'static str, DetailJson>),
 }
 
-impl From<&str> for Words {
+impl From<&str> for ReportPart {
     fn from(words: &str) -> Self {
         Self::Text(Some(words.into()))
     }
