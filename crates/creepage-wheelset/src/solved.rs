@@ -14,6 +14,7 @@ use crate::field::Field;
 use crate::pose::RigidSlip;
 use crate::resultant::{Acting, Resultant};
 use crate::rough::Roughness;
+use crate::solver::LoadLine;
 use crate::tilt::Placed;
 use crate::warm_start::{PitchState, PredictorCorrection};
 use creepage::theory::AreaTheory;
@@ -70,11 +71,8 @@ pub struct SolvedWheel {
     pub guard_clearance: Option<f64>,
     /// How far its rail gave way on its springs, to the right and down (m), where it lies on any.
     pub deflection: Option<[f64; 2]>,
-    /// How far it was brought down from first touch to carry its load (m); zero where its height
-    /// was given.
-    pub(crate) depth: f64,
-    /// How its vertical force was found to change as the wheelset goes down (N/m) and rolls (N/rad).
-    pub(crate) by: Option<[f64; 2]>,
+    /// Its vertical force, and how that was found to change.
+    pub(crate) line: LoadLine,
     /// Origin of the rail's profile in track axes (m).
     pub rail_origin: [f64; 3],
     /// Error bars of its force on the rail in track axes (N), where the theory has them.

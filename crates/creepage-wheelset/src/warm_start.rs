@@ -30,26 +30,13 @@ pub(crate) struct PredictorCorrection {
 }
 
 /// What is known of the vertical loads from a position that was solved before.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub(crate) struct LateralForceRatios {
     /// Lateral and longitudinal force over load of contacts by their spot: what friction adds.
     ratios: Vec<(Side, [f64; 2], [f64; 2])>,
-    /// Vertical force over what a coarse solution has, left and right.
-    scale: [f64; 2],
-}
-
-impl Default for LateralForceRatios {
-    fn default() -> Self {
-        Self { ratios: Vec::new(), scale: [1.0; 2] }
-    }
 }
 
 impl LateralForceRatios {
-    /// Whether nothing is known of friction.
-    pub(crate) fn is_empty(&self) -> bool {
-        self.ratios.is_empty()
-    }
-
     /// Remembers a contact by its spot.
     pub(crate) fn push(&mut self, side: Side, spot: [f64; 2], shares: [f64; 2]) {
         self.ratios.push((side, spot, shares));
@@ -61,36 +48,6 @@ impl LateralForceRatios {
             let near = other.near(*side, *spot);
             *shares = [0, 1].map(|k: usize| shares[k] + times * near[k]);
         }
-    }
-
-    /// Remembers how much a wheel carries over what it carries in a coarse solution.
-    pub(crate) fn set_scale(&mut self, side: Side, scale: f64) {
-        if scale > 0.0 && scale.is_finite() {
-            self.scale[usize::from(side == Side::Right)] = scale;
-        }
-    }
-
-    /// The same for fine solutions.
-    pub(crate) fn of_fine(&self) -> Self {
-        Self { scale: [1.0; 2], ..self.clone() }
-    }
-
-    /// Takes the scale of another.
-    pub(crate) fn scaled_as(&mut self, other: &Self) {
-        self.scale = other.scale;
-    }
-
-    /// Takes the mean with another.
-    pub(crate) fn halfway_from(&mut self, other: &Self) {
-        for (side, spot, shares) in &mut self.ratios {
-            let near = other.near(*side, *spot);
-            *shares = [0, 1].map(|k: usize| shares[k].midpoint(near[k]));
-        }
-    }
-
-    /// How much more a wheel carries than in a coarse solution.
-    pub(crate) fn scale(&self, side: Side) -> f64 {
-        self.scale[usize::from(side == Side::Right)]
     }
 
     /// Lateral and longitudinal force over load of a contact.

@@ -95,7 +95,7 @@ impl<'a> WheelsetSolver<'a> {
         };
         let known: Option<Vec<_>> = contacts().map(TractionWarmStart::of_coarse_grid).collect();
         start.friction = known.or_else(|| self.corrections(before))?;
-        let mut solved = settle(self, (stance, travel, stance.load?), start, COARSE).ok()?;
+        let mut solved = settle(self, stance, travel, start, COARSE).ok()?;
         let is_accurate = self.rolling.len() == 1 || solved.worst_error() <= self.accuracy;
         if !is_accurate || !solved.wheels().flat_map(SolvedWheel::contacts).all(holds) {
             return None;
@@ -124,7 +124,7 @@ impl<'a> WheelsetSolver<'a> {
 
     /// A solved wheel as it was pressed.
     fn as_pressed(&self, wheel: &SolvedWheel) -> Option<PressedWheel<'a>> {
-        let SolvedWheel { side, position, depth, .. } = *wheel;
+        let SolvedWheel { side, position, .. } = *wheel;
         let running = self.press.running;
         let contacts = running.contacts_of(side, &position).ok()?;
         let pressed = |own: &SolvedContact| {
@@ -133,7 +133,7 @@ impl<'a> WheelsetSolver<'a> {
         };
         let contacts = wheel.contacts().iter().map(pressed).collect::<Option<_>>()?;
         let radius = running.wheelset().radius();
-        Some(PressedWheel { side, position, radius, depth, contacts })
+        Some(PressedWheel { side, position, radius, contacts })
     }
 }
 

@@ -2,10 +2,11 @@
 
 use creepage_rail::Side;
 
+use super::WheelsetSolver;
 use super::implicit_derivative::{Found, WheelJacobians};
+use super::normal_contact::PatchWarmStart;
 use super::pose_derivative::{LoadJacobian, Standing, WheelLoads};
 use super::tangential::Method;
-use super::{Start, WheelsetSolver};
 use crate::derivatives::{Row, WheelsetDerivatives};
 use crate::solved::SolvedWheelset;
 use crate::{ForceDerivative, StateVariable, WheelsetError, WheelsetPose, WheelsetVelocity};
@@ -51,7 +52,7 @@ impl WheelsetSolver<'_> {
     /// With all else held, by the step and by twice the step.
     fn partials(&self, solved: &SolvedWheelset) -> Result<[WheelJacobians; 2], WheelsetError> {
         let method = *self.rolling.first().unwrap_or(&Method::STANDARD);
-        let known = Start::after(solved).fine;
+        let known = PatchWarmStart::solved(solved);
         let mut pairs = [[LoadJacobian::zeros(); 2]; 2];
         for wheel in solved.wheels() {
             let standing = Standing {

@@ -1,336 +1,464 @@
-//! The way to the position in which wheels carry their load, and roll there.
+//! The equilibrium of a wheelset: the height and the roll at which its wheels carry what is asked of them.
 //!
-//! The position is sought with coarse pressures, or taken from one nearby. At each position found
-//! fine ones and rolling say what the wheels carry, and their stiffness where to go on to, until
-//! they carry what was expected.
+//! Newton's method on the vertical forces to the power 2/3 ([`Target`]), with the stiffness of the contacts as
+//! Jacobian, Broyden's updates for what that does not know, and a trust region. The pitch rate, at which friction
+//! balances the torque, is eliminated at each evaluation. Coarse pressures and quick friction come first, as a start.
 
-use creepage_rail::Side;
+use creepage::normal;
+use creepage_rail::{Position, Side};
+use rayon::prelude::*;
 
-use super::normal_contact::{PatchWarmStart, PressedWheel};
-use super::step::{self, BroydenPolicy, Place};
+use super::WheelsetSolver;
+use super::normal_contact::{NormalSolver, PatchWarmStart, PressedWheel};
+use super::start::{Place, Start, levers, ratios};
 use super::tangential::{self, Method, Rolling};
-use super::{Start, WheelsetSolver};
+use super::vertical_load::{LoadLine, Target};
 use crate::solved::SolvedWheelset;
 use crate::warm_start::LateralForceRatios;
-use crate::{Load, WheelsetError, WheelsetPose, WheelsetVelocity};
+use crate::{WheelsetError, WheelsetPose, WheelsetVelocity};
 
-/// Rounds after which it is given up, and after which they might swing to and fro.
-const ROUNDS: usize = 28;
-const FEW: usize = 12;
+/// Evaluations after which the search is given up; and of one stage, after which forces that scatter are met within
+/// their error bars.
+const MAX_EVALUATIONS: usize = 48;
+const MAX_OF_STAGE: usize = 12;
 /// To which part of its error bar, and of itself, a load is met.
 const MET: [f64; 2] = [0.2, 1e-4];
-/// What may be left of friction's moment about the axle, in parts of what that could be, by methods that
-/// come before the last one.
+/// What may be left of friction's moment about the axle, in parts of what that could be, by stages before the last.
 const ROUGHLY_BALANCED: f64 = 3e-4;
-/// A step on known friction that leaves more than this part of what was missed is followed by rolling.
+/// The trust region's first radius, in parts of the forces to the power 2/3, its least one, and how a rejected step
+/// shrinks it.
+const FIRST_RADIUS: f64 = 0.3;
+const LEAST_RADIUS: f64 = 1e-6;
+const SHRINKS: f64 = 0.25;
+/// The part of the expected gain that a step must bring for the radius to double.
+const GAINS: f64 = 0.75;
+/// Residuals that do not count as a step back: forces scatter by as much.
+const SCATTER: f64 = 5e-4;
+/// Below this residual pressures follow those of the step before.
+const FOLLOWS: f64 = 0.015;
+/// A part of the residual at which the next stage begins: closer, friction is worth more than another step.
+const CLOSE: f64 = 0.25;
+/// A step on known friction that leaves more than this part of the residual is followed by rolling.
 const HELPS: f64 = 0.5;
-/// To which part a search with coarse pressures may miss a load.
-const CLOSE: f64 = 5e-3;
+
+/// How finely an evaluation presses and rolls, and the residual at which the next stage begins.
+#[derive(Debug, Clone, Copy)]
+struct Stage {
+    resolution: normal::Resolution,
+    method: Method,
+    enough: f64,
+}
 
 /// Solves a wheelset that stands, moves and is loaded like this, by one method.
 pub(crate) fn settle(
     solver: &WheelsetSolver<'_>,
-    (stance, travel, load): (&WheelsetPose, &WheelsetVelocity, Load),
+    stance: &WheelsetPose,
+    travel: &WheelsetVelocity,
     start: Start,
     method: Method,
 ) -> Result<SolvedWheelset, WheelsetError> {
-    let load = shared(stance, start.levers)?.unwrap_or(load);
-    let mut way = EquilibriumIteration::new(solver, (stance, travel, load), start, method);
-    for round in 0..ROUNDS {
-        if let Some(solved) = way.round(round)? {
+    let mut search = EquilibriumSearch::new(solver, stance, travel, start, method)?;
+    for _ in 0..MAX_EVALUATIONS {
+        if let Some(solved) = search.evaluate()? {
             return Ok(solved);
         }
     }
     Err(WheelsetError::NotSettled)
 }
 
-/// The load shared over the wheels that roll freely under a given moment; `None` for other loads.
-fn shared(stance: &WheelsetPose, levers: [f64; 2]) -> Result<Option<Load>, WheelsetError> {
-    let Some(load @ Load::Loaded { .. }) = stance.load else { return Ok(None) };
-    let shared = load.by_levers(levers);
-    for (side, load) in [Side::Left, Side::Right].map(|side| (side, shared.of_wheel(side))) {
-        if let Some(load) = load.filter(|load| load.is_nan() || *load <= 0.0) {
-            return Err(WheelsetError::Lifts { side, load });
-        }
-    }
-    Ok(Some(shared))
+/// A position that was evaluated, from which steps are taken.
+struct Iterate {
+    places: Vec<Place>,
+    lines: Vec<(Side, LoadLine)>,
+    residual: f64,
+    /// Whether friction is that of this position.
+    is_rolled: bool,
 }
 
-/// How far the way has come.
-struct EquilibriumIteration<'w, 'a> {
+struct EquilibriumSearch<'w, 'a> {
     solver: &'w WheelsetSolver<'a>,
     stance: &'w WheelsetPose,
     travel: &'w WheelsetVelocity,
-    load: Load,
-    /// Whether the position is known, and nothing to be sought.
-    is_given: bool,
-    /// Whether it began at a position nearby.
-    is_beside: bool,
-    /// Whether pressures known have error bars.
-    has_bars: bool,
-    /// What the last round tells.
+    target: Target,
+    /// Stages still to come, the present one first.
+    stages: Vec<Stage>,
+    /// What the last accepted evaluation tells.
     start: Start,
-    /// Where to look next; sought where `None`.
-    places: Option<Vec<Place>>,
-    method: Method,
-    /// Methods still to come, and down to which part of the load missed each is good enough.
-    stages: Vec<(Method, f64)>,
-    /// What the last round missed; the same by the method of this one, and how many methods were to come when
-    /// it rolled.
-    missed: f64,
-    last: f64,
-    rolled_by: Option<usize>,
+    /// The last accepted position of this stage.
+    iterate: Option<Iterate>,
+    /// Where to evaluate next.
+    trial: Vec<Place>,
+    radius: f64,
+    /// Length of the trial step in units of the radius, and its part of Newton's.
+    step: f64,
+    part: f64,
+    evaluations: usize,
+    /// Whether pressures known have error bars, and whether they lie close by.
+    has_bars: bool,
+    is_near: bool,
+    /// By how much friction changed the residual when it was found last by this stage.
+    friction_changed: f64,
+    /// Whether loads are met within their error bars only.
+    is_scattered: bool,
+    /// Part of the depth at which the search begins; `None` once it has begun.
+    depth: Option<f64>,
+    /// Why the last trial was refused.
+    refused: Option<WheelsetError>,
 }
 
-impl<'w, 'a> EquilibriumIteration<'w, 'a> {
+impl<'w, 'a> EquilibriumSearch<'w, 'a> {
     fn new(
         solver: &'w WheelsetSolver<'a>,
-        (stance, travel, load): (&'w WheelsetPose, &'w WheelsetVelocity, Load),
+        stance: &'w WheelsetPose,
+        travel: &'w WheelsetVelocity,
         mut start: Start,
         method: Method,
-    ) -> Self {
-        let is_given = matches!(load, Load::Height(_)) && stance.is_fixed();
-        let places = std::mem::take(&mut start.places);
-        let is_beside = places.is_some();
-        let mut stages = method.stages();
-        stages.drain(..if is_given || is_beside { stages.len() - 1 } else { 0 });
-        let (missed, last, rolled_by) = (f64::INFINITY, f64::INFINITY, None);
-        Self {
+    ) -> Result<Self, WheelsetError> {
+        let target = Target::new(stance, start.levers)?;
+        let beside = start.places.take();
+        let is_near = beside.is_some();
+        let mut stages = stages(method, solver.press.resolution);
+        if is_near || target == Target::Nothing {
+            stages.drain(..stages.len() - 1);
+        }
+        let (trial, depth) = match beside {
+            Some(places) => (places, None),
+            None => (solver.first_places(stance, &target, &start, 1.0)?, Some(1.0)),
+        };
+        Ok(Self {
             solver,
             stance,
             travel,
-            load,
-            is_given,
-            is_beside,
-            has_bars: is_given || is_beside,
-            start,
-            places,
-            method,
+            target,
             stages,
-            missed,
-            last,
-            rolled_by,
-        }
-    }
-
-    /// Presses, rolls and says whether the load is met; else where to go on.
-    fn round(&mut self, round: usize) -> Result<Option<SolvedWheelset>, WheelsetError> {
-        let mut sought = self.sought()?;
-        let Some(wheels) = self.pressed(&sought, round)? else { return Ok(None) };
-        if self.step_on_known_friction(&mut sought, &wheels, round) {
-            return Ok(None);
-        }
-        let method = self.stages.first().map_or(self.method, |stage| stage.0);
-        let radius = self.solver.press.running.wheelset().radius();
-        let by = (method, &self.start.friction[..]);
-        let rollings = Rolling::all(&wheels, self.solver, self.travel.speed, by)?;
-        // The next method has a moment of its own.
-        let enough = if self.stages.len() == 1 { tangential::BALANCED } else { ROUGHLY_BALANCED };
-        let guess = (self.start.pitch, enough);
-        let turning = tangential::turning(&rollings, self.travel, radius, guess)?;
-        let next = Start::of(&sought.coarse, &wheels, &turning.rolled, turning.pitch, &self.start);
-        let missed = sought.missed(&wheels, &next.shares);
-        let is_shared = self.share_load(next.levers)?;
-        if is_shared && self.is_met(&sought, &wheels, &next.shares, round) {
-            let here = (&sought.places[..], &wheels[..]);
-            let mut solved = self.solver.solved(here, &rollings, &turning, self.travel);
-            let missed = sought.missed_by_wheel(&wheels, &next.shares, self.load);
-            solved.propagate_errors(self.stance, self.load, missed);
-            return Ok(Some(solved));
-        }
-        self.go_on(&mut sought, &wheels, next, (missed, round));
-        Ok(None)
-    }
-
-    /// Shares a load under a given moment anew, as the wheels' levers have it; whether it was shared so
-    /// already.
-    fn share_load(&mut self, levers: [f64; 2]) -> Result<bool, WheelsetError> {
-        let shared = shared(self.stance, levers)?;
-        let (Some(Load::Wheels(loads)), Load::Wheels(before)) = (shared, self.load) else {
-            return Ok(true);
-        };
-        self.load = Load::Wheels(loads);
-        let sum = loads[0] + loads[1];
-        Ok((loads[1] - before[1]).abs() < MET[1] * sum)
-    }
-
-    fn sought(&mut self) -> Result<CandidatePose<'a>, WheelsetError> {
-        match self.places.take() {
-            Some(places) => Ok(CandidatePose { places, coarse: Vec::new() }),
-            None => {
-                self.solver.sought(self.stance, self.load, &self.start.shares, &self.start.guess)
-            }
-        }
-    }
-
-    /// Wheels with fine pressures; `None` where what a step led to is no place for them.
-    fn pressed(
-        &mut self,
-        sought: &CandidatePose<'a>,
-        round: usize,
-    ) -> Result<Option<Vec<PressedWheel<'a>>>, WheelsetError> {
-        // What friction carries about is told by a quick method first: before, no finer pressure is worth its cost.
-        let is_first = self.stages.len() > 1 && self.rolled_by.is_none();
-        if self.is_given || (is_first && !sought.coarse.is_empty()) {
-            return Ok(Some(sought.coarse.clone()));
-        }
-        let follows = self.follows(round);
-        match self.solver.refined(sought, &self.start.fine, follows) {
-            // A step may lead too far: the search looks elsewhere.
-            Err(_) if sought.coarse.is_empty() => Ok(None),
-            wheels => {
-                self.has_bars |= !follows;
-                wheels.map(Some)
-            }
-        }
-    }
-
-    /// Whether pressures that follow those known are enough: beside a solved position, and for the last
-    /// steps to one.
-    fn follows(&self, round: usize) -> bool {
-        const NEAR: f64 = 0.02;
-        let is_near = self.missed < NEAR || (self.is_beside && round == 0);
-        self.has_bars && is_near && round < FEW
-    }
-
-    /// Beside a solved position friction is known nearly: no rolling before the load is met, or, where rolling
-    /// costs less than pressing, after a first step by how the load follows friction too. Whether it went on so.
-    fn step_on_known_friction(
-        &mut self,
-        sought: &mut CandidatePose<'a>,
-        wheels: &[PressedWheel<'a>],
-        round: usize,
-    ) -> bool {
-        let shares = &self.start.shares;
-        let missed = sought.missed(wheels, shares);
-        let has_rolled = !self.is_beside || self.rolled_by.is_some();
-        let is_cheap = matches!(self.method, Method::Simplified(..));
-        let is_met = sought.is_met(wheels, shares, tight_tolerance);
-        let is_enough = is_met || missed >= HELPS * self.last || (is_cheap && round > 0);
-        if has_rolled || (is_enough && self.has_bars) {
-            return false;
-        }
-        (self.missed, self.last) = (missed, if is_enough { 0.0 } else { missed });
-        let is_like = !is_cheap && round > 0;
-        sought.learn(
-            wheels,
-            shares,
-            if is_like { BroydenPolicy::WithinReason } else { BroydenPolicy::None },
-        );
-        self.places = step::places((&sought.places, wheels), self.stance, self.load, shares);
-        self.start.fine = PatchWarmStart::of(wheels);
-        true
-    }
-
-    /// Whether the wheels carry what was expected, by the last method.
-    fn is_met(
-        &self,
-        sought: &CandidatePose<'_>,
-        wheels: &[PressedWheel<'_>],
-        shares: &LateralForceRatios,
-        round: usize,
-    ) -> bool {
-        // Fine pressures that depend on where they began scatter within their error bars.
-        let within = if round < FEW { tight_tolerance } else { |error, _| error };
-        self.is_given || (self.stages.len() == 1 && sought.is_met(wheels, shares, within))
-    }
-
-    /// Where to look next, by which method, with what was learnt.
-    fn go_on(
-        &mut self,
-        sought: &mut CandidatePose<'a>,
-        wheels: &[PressedWheel<'a>],
-        next: Start,
-        (missed, round): (f64, usize),
-    ) {
-        let belief = if self.rolled_by != Some(self.stages.len()) {
-            BroydenPolicy::None
-        } else if missed > self.last {
-            BroydenPolicy::Whole
-        } else {
-            BroydenPolicy::WithinReason
-        };
-        sought.learn(wheels, &next.shares, belief);
-        // A step that helps, however little, tells how the next should go; so close no search helps.
-        let is_close = missed < CLOSE;
-        if is_close || round >= FEW || missed < self.last || self.rolled_by.is_none() {
-            let here = (&sought.places[..], wheels);
-            self.places = step::places(here, self.stance, self.load, &next.shares);
-        }
-        (self.missed, self.last, self.rolled_by) = (missed, missed, Some(self.stages.len()));
-        if let [(_, good_enough), _, ..] = self.stages[..]
-            && (missed < good_enough || round >= FEW)
-        {
-            self.stages.remove(0);
-            self.last = f64::INFINITY;
-        }
-        self.start = if round < FEW { next } else { next.halfway_from(&self.start.shares) };
-    }
-}
-
-/// What a wheel may carry more or less than its load (N), by the error bar of that.
-fn tight_tolerance(error: f64, load: f64) -> f64 {
-    (MET[0] * error).min(MET[1] * load)
-}
-
-/// Where the wheels should carry their load.
-pub(crate) struct CandidatePose<'a> {
-    pub(crate) places: Vec<Place>,
-    /// What the search found there; nothing after a step.
-    pub(crate) coarse: Vec<PressedWheel<'a>>,
-}
-
-impl CandidatePose<'_> {
-    fn learn(
-        &mut self,
-        wheels: &[PressedWheel<'_>],
-        shares: &LateralForceRatios,
-        belief: BroydenPolicy,
-    ) {
-        let pairs = self.places.iter_mut().zip(wheels);
-        pairs.for_each(|(place, wheel)| place.learn(wheel, shares, belief));
-    }
-
-    /// Whether each wheel carries what was expected, within so much of its error bar and its load.
-    fn is_met(
-        &self,
-        wheels: &[PressedWheel<'_>],
-        shares: &LateralForceRatios,
-        within: fn(f64, f64) -> f64,
-    ) -> bool {
-        self.places.iter().zip(wheels).all(|(place, wheel)| {
-            let carried = wheel.vertical(shares);
-            (carried - place.expected).abs() <= within(wheel.load_error(), carried)
+            start,
+            iterate: None,
+            trial,
+            radius: FIRST_RADIUS,
+            step: 0.0,
+            part: 1.0,
+            evaluations: 0,
+            has_bars: is_near,
+            is_near,
+            friction_changed: if is_near { 0.0 } else { f64::INFINITY },
+            is_scattered: false,
+            depth,
+            refused: None,
         })
     }
 
-    /// How much the left and the right wheel miss of what was expected (N).
-    fn missed_by_wheel(
+    /// Presses, rolls and says whether what is asked for is met; else steps on.
+    fn evaluate(&mut self) -> Result<Option<SolvedWheelset>, WheelsetError> {
+        let stage = self.stages[0];
+        self.evaluations += 1;
+        self.is_scattered |= self.evaluations > MAX_OF_STAGE;
+        let wheels = match self.pressed(stage.resolution) {
+            Ok(wheels) => wheels,
+            Err(error) => return self.refuse(error).map(|()| None),
+        };
+        // By the friction of the position before.
+        let mut lines = self.lines(&wheels, &self.start.shares)?;
+        let by_known = self.target.residual(&lines);
+        if self.is_step_back(by_known) {
+            return self.reject(&lines).map(|()| None);
+        }
+        if self.defers_friction(&wheels, by_known) {
+            self.learn(&mut lines);
+            self.start.pressures = PatchWarmStart::of(&wheels);
+            self.accept(lines, by_known, false)?;
+            return Ok(None);
+        }
+
+        let by = (stage.method, &self.start.friction[..]);
+        let rollings = Rolling::all(&wheels, self.solver, self.travel.speed, by)?;
+        let is_last = self.stages.len() == 1;
+        let enough = if is_last { tangential::BALANCED } else { ROUGHLY_BALANCED };
+        let radius = self.solver.press.running.wheelset().radius();
+        let guess = (self.start.pitch, enough);
+        let turning = match tangential::turning(&rollings, self.travel, radius, guess) {
+            Ok(turning) => turning,
+            Err(error) => return self.refuse(error).map(|()| None),
+        };
+        let shares = ratios(&wheels, &turning.rolled);
+        let levers = levers(&wheels, &turning.rolled).unwrap_or(self.start.levers);
+        self.target = Target::new(self.stance, levers)?;
+        let mut rolled = self.lines(&wheels, &shares)?;
+        let residual = self.target.residual(&rolled);
+        self.friction_changed = (residual - by_known).abs();
+        let was_rolled = self.iterate.as_ref().is_some_and(|iterate| iterate.is_rolled);
+        if was_rolled && self.is_step_back(residual) {
+            return self.reject(&rolled).map(|()| None);
+        }
+        // Slopes are learnt from positions whose friction was found alike.
+        if was_rolled {
+            self.learn(&mut rolled);
+        } else {
+            self.learn(&mut lines);
+            for ((_, line), (_, known)) in rolled.iter_mut().zip(&lines) {
+                line.by = known.by;
+            }
+        }
+        if is_last && self.is_met(&wheels, &shares) {
+            self.check_hanging(&wheels)?;
+            let mut solved =
+                self.solver.solved((&wheels, &rolled), &rollings, &turning, self.travel);
+            let missed = self.missed(&wheels, &shares);
+            solved.propagate_errors(&self.target, self.stance, missed);
+            return Ok(Some(solved));
+        }
+        self.start.evaluated(&wheels, &turning.rolled, turning.pitch);
+        self.accept(rolled, residual, true)?;
+        Ok(None)
+    }
+
+    /// The wheels of the trial under pressure.
+    fn pressed(
+        &mut self,
+        resolution: normal::Resolution,
+    ) -> Result<Vec<PressedWheel<'a>>, WheelsetError> {
+        let is_near = match &self.iterate {
+            Some(iterate) => iterate.residual < FOLLOWS,
+            None => self.is_near,
+        };
+        let follows = self.has_bars && is_near && !self.is_scattered;
+        let press = NormalSolver { resolution, follows, ..self.solver.press };
+        let known = &self.start.pressures;
+        let wheel = |place: &Place| press.wheel(place.side, place.position, known);
+        let wheels = self.trial.par_iter().map(wheel).collect::<Result<Vec<_>, _>>()?;
+        self.has_bars |= self.stages.len() == 1 && !follows;
+        Ok(wheels)
+    }
+
+    /// What the wheels carry by some friction, and how stiff that is.
+    fn lines(
         &self,
         wheels: &[PressedWheel<'_>],
         shares: &LateralForceRatios,
-        load: Load,
-    ) -> [f64; 2] {
+    ) -> Result<Vec<(Side, LoadLine)>, WheelsetError> {
+        let line = |wheel: &PressedWheel<'_>| {
+            let force = wheel.vertical(shares);
+            let line = if force > 0.0 {
+                let by = [wheel.stiffness(shares), wheel.stiffness_by_roll(shares)];
+                LoadLine::of_force(force, by)
+            } else {
+                self.hanging(wheel)?
+            };
+            Ok((wheel.side, line))
+        };
+        wheels.iter().map(line).collect()
+    }
+
+    /// A wheel that hangs goes on the line of Hertz's sphere below zero.
+    fn hanging(&self, wheel: &PressedWheel<'_>) -> Result<LoadLine, WheelsetError> {
+        let PressedWheel { side, position: Position { y, z, roll, yaw }, .. } = *wheel;
+        let touch = self.solver.press.running.first_touch(side, y, roll, yaw);
+        let touch = touch.map_err(|source| WheelsetError::Position { side, source })?;
+        let slope = self.solver.hertzian_slope();
+        let lever = self.solver.start().levers[usize::from(side == Side::Right)];
+        Ok(LoadLine { root: slope * (z - touch).min(0.0), by: [slope, slope * lever] })
+    }
+
+    /// Whether friction need not be found here: it costs more than pressing, or is known from a position beside, and
+    /// by the known one the load is missed by more than friction changed last.
+    fn defers_friction(&self, wheels: &[PressedWheel<'_>], residual: f64) -> bool {
+        let has_stepped = self
+            .iterate
+            .as_ref()
+            .is_some_and(|iterate| !iterate.is_rolled && residual >= HELPS * iterate.residual);
+        let is_cheap = matches!(self.stages[0].method, Method::Simplified(..));
+        let is_first = self.is_near && self.iterate.is_none();
+        let may_defer = (!is_cheap || is_first) && !has_stepped && !self.is_scattered;
+        let is_met = match self.stages[..] {
+            [Stage { enough, .. }, _, ..] => residual < CLOSE * enough,
+            _ => self.is_met(wheels, &self.start.shares),
+        };
+        may_defer && residual > self.friction_changed && !is_met
+    }
+
+    fn is_step_back(&self, residual: f64) -> bool {
+        let before = self.iterate.as_ref().map(|iterate| iterate.residual);
+        before.is_some_and(|before| residual > before.max(SCATTER)) && !self.is_scattered
+    }
+
+    /// Whether each wheel carries what is asked of it.
+    fn is_met(&self, wheels: &[PressedWheel<'_>], shares: &LateralForceRatios) -> bool {
+        let missed = self.target.missed(&forces(wheels, shares));
+        wheels.iter().zip(missed).all(|(wheel, missed)| {
+            let (error, carried) = (wheel.load_error(), wheel.vertical(shares));
+            // Fine pressures that depend on where they began scatter within their error bars.
+            let within =
+                if self.is_scattered { error } else { (MET[0] * error).min(MET[1] * carried) };
+            missed.abs() <= within
+        })
+    }
+
+    /// What the left and the right wheel miss (N).
+    fn missed(&self, wheels: &[PressedWheel<'_>], shares: &LateralForceRatios) -> [f64; 2] {
         let mut missed = [0.0; 2];
-        for (place, wheel) in self.places.iter().zip(wheels) {
-            let wanted = load.of_wheel(wheel.side).unwrap_or(place.expected);
-            missed[usize::from(wheel.side == Side::Right)] = wheel.vertical(shares) - wanted;
+        for (wheel, own) in wheels.iter().zip(self.target.missed(&forces(wheels, shares))) {
+            missed[usize::from(wheel.side == Side::Right)] = own;
         }
         missed
     }
 
-    /// What wheels carry more or less than expected, in parts of what they carry.
-    fn missed(&self, wheels: &[PressedWheel<'_>], shares: &LateralForceRatios) -> f64 {
-        let pairs = self.places.iter().zip(wheels);
-        let off = |(place, wheel): (&Place, &PressedWheel<'_>)| {
-            (wheel.vertical(shares) - place.expected).abs()
+    /// A wheel that is to carry nothing must hang above its rail.
+    fn check_hanging(&self, wheels: &[PressedWheel<'_>]) -> Result<(), WheelsetError> {
+        let lies_in_rail = |wheel: &&PressedWheel<'_>| {
+            self.target.of_wheel(wheel.side) == Some(0.0) && !wheel.contacts.is_empty()
         };
-        let off: f64 = pairs.map(off).sum();
-        // A wheelset that hangs above its rails carries nothing and misses nothing.
-        if off > 0.0 {
-            off / wheels.iter().map(|one| one.vertical(shares)).sum::<f64>()
-        } else {
-            0.0
+        match wheels.iter().find(lies_in_rail) {
+            Some(&PressedWheel { side, .. }) => Err(WheelsetError::Sinks { side }),
+            None => Ok(()),
         }
+    }
+
+    /// Slopes of lines at the trial, from the step that led there.
+    fn learn(&self, lines: &mut [(Side, LoadLine)]) {
+        if self.iterate.is_none() && !self.is_near {
+            return;
+        }
+        for ((_, line), place) in lines.iter_mut().zip(&self.trial) {
+            if let Some(expected) = place.expected.filter(|_| line.root > 0.0) {
+                line.learn(&expected, place.moved);
+            }
+        }
+    }
+
+    /// Goes on from the trial: to the next stage where it is close enough.
+    fn accept(
+        &mut self,
+        lines: Vec<(Side, LoadLine)>,
+        residual: f64,
+        is_rolled: bool,
+    ) -> Result<(), WheelsetError> {
+        if let Some(before) = &self.iterate
+            && before.residual - residual > GAINS * self.part * before.residual
+        {
+            self.radius = self.radius.max(2.0 * self.step);
+        }
+        self.refused = None;
+        self.depth = None;
+        let places =
+            self.trial.iter().map(|place| Place::new(place.side, place.position)).collect();
+        self.iterate = Some(Iterate { places, lines, residual, is_rolled });
+        self.step_on()?;
+        if let [Stage { enough, .. }, _, ..] = self.stages[..]
+            && is_rolled
+            && (residual < enough || self.is_scattered)
+        {
+            // The next stage has forces of its own, which are compared with none of this one.
+            self.stages.remove(0);
+            self.iterate = None;
+            (self.evaluations, self.is_scattered) = (0, false);
+            (self.radius, self.friction_changed) = (FIRST_RADIUS, 0.0);
+        }
+        Ok(())
+    }
+
+    /// A trial that came no closer: its slopes are learnt, and a shorter step is taken from where it began.
+    fn reject(&mut self, lines: &[(Side, LoadLine)]) -> Result<(), WheelsetError> {
+        if let Some(iterate) = &mut self.iterate {
+            for (((_, own), (_, found)), place) in
+                iterate.lines.iter_mut().zip(lines).zip(&self.trial)
+            {
+                let mut found = *found;
+                if let Some(expected) = place.expected.filter(|_| found.root > 0.0) {
+                    found.learn(&expected, place.moved);
+                    own.by = found.by;
+                }
+            }
+        }
+        self.shrink()
+    }
+
+    /// A trial that cannot be pressed.
+    fn refuse(&mut self, error: WheelsetError) -> Result<(), WheelsetError> {
+        const HALVINGS: f64 = 1e-4;
+        let is_position = matches!(error, WheelsetError::Position { .. });
+        if self.iterate.is_some() {
+            self.refused = Some(error);
+            return self.shrink();
+        }
+        match self.depth {
+            // The first depth lies too deep for the profiles.
+            Some(depth) if is_position && depth > HALVINGS && self.target != Target::Nothing => {
+                self.depth = Some(0.5 * depth);
+                self.trial = self.solver.first_places(
+                    self.stance,
+                    &self.target,
+                    &self.start,
+                    0.5 * depth,
+                )?;
+                Ok(())
+            }
+            _ => Err(error),
+        }
+    }
+
+    fn shrink(&mut self) -> Result<(), WheelsetError> {
+        self.radius = SHRINKS * self.step.min(self.radius);
+        if self.radius >= LEAST_RADIUS {
+            return self.step_on();
+        }
+        // Forces jump here, or nothing deeper carries the load.
+        if let Some(error) = self.refused.take() {
+            return Err(error);
+        }
+        if self.is_scattered {
+            return Err(WheelsetError::NotSettled);
+        }
+        self.is_scattered = true;
+        self.step_on()
+    }
+
+    /// The next trial: Newton's step within the trust region.
+    fn step_on(&mut self) -> Result<(), WheelsetError> {
+        let Some(Iterate { places, lines, .. }) = &self.iterate else { return Ok(()) };
+        let step = self.target.step(lines).ok_or_else(|| self.not_found())?;
+        let size = |((side, line), moved): (&(Side, LoadLine), &[f64; 2])| {
+            let change = line.after(*moved).root - line.root;
+            change.abs() / self.target.scale(*side, lines)
+        };
+        let sizes = lines.iter().zip(&step).map(size).filter(|size| size.is_finite());
+        let size = sizes.fold(0.0, f64::max);
+        let part = if size > self.radius { self.radius / size } else { 1.0 };
+        (self.step, self.part) = (part * size, part);
+        let pairs = places.iter().zip(lines).zip(&step);
+        let stepped = |((place, (_, line)), step): ((&Place, &(Side, LoadLine)), &[f64; 2])| {
+            place.stepped(line, step.map(|moved| part * moved))
+        };
+        self.trial = pairs.map(stepped).collect();
+        Ok(())
+    }
+
+    fn not_found(&self) -> WheelsetError {
+        let sides: Vec<Side> = self.trial.iter().map(|place| place.side).collect();
+        match (self.target.sum(&sides), self.stance.load) {
+            (Some(load), _) => WheelsetError::LoadNotFound { load },
+            (None, Some(crate::Load::Height(z))) => WheelsetError::RollNotFound { z },
+            _ => WheelsetError::NotSettled,
+        }
+    }
+}
+
+/// Vertical forces of wheels (N).
+fn forces(wheels: &[PressedWheel<'_>], shares: &LateralForceRatios) -> Vec<(Side, f64)> {
+    wheels.iter().map(|wheel| (wheel.side, wheel.vertical(shares))).collect()
+}
+
+/// The stages that come nearer to a method: loads follow from friction, which `fastsim` tells a hundred times
+/// quicker than the full theory.
+fn stages(method: Method, resolution: normal::Resolution) -> Vec<Stage> {
+    use creepage::approximate::non_hertzian::Simplified;
+    use creepage::coulomb::Resolution;
+    let last = Stage { resolution, method, enough: 0.0 };
+    let coarse = |method, enough| Stage { resolution: normal::Resolution::COARSE, method, enough };
+    match method {
+        Method::Exact(_) => vec![
+            coarse(Method::Simplified(Simplified::Fastsim, [20, 10]), 0.01),
+            coarse(Method::Exact(Resolution::FAST), 2e-3),
+            last,
+        ],
+        Method::Simplified(..) => vec![coarse(method, 0.01), last],
     }
 }

@@ -7,6 +7,7 @@
 use creepage_rail::Side;
 
 use super::predictor::share;
+use super::vertical_load::Target;
 use crate::Load;
 use crate::pose::WheelsetPose;
 use crate::solved::{SolvedContact, SolvedWheel, SolvedWheelset};
@@ -14,28 +15,6 @@ use crate::tilt::Placed;
 
 /// Of a load: so much is met by chance only.
 const ROUNDING: f64 = 1e-6;
-
-/// Which contacts carry a given load.
-#[derive(Debug, Clone, Copy, PartialEq)]
-enum Carrying {
-    /// No load is given: the wheelset stands where it stands.
-    Nothing,
-    /// Those of each wheel a load of their own.
-    EachWheel,
-    /// All together.
-    Together,
-}
-
-impl Carrying {
-    fn new(stance: &WheelsetPose, load: Load) -> Self {
-        let is_height = matches!(load, Load::Height(_));
-        match load {
-            _ if is_height && stance.is_fixed() => Self::Nothing,
-            Load::Axle(_) if stance.roll.is_some() && stance.side.is_none() => Self::Together,
-            _ => Self::EachWheel,
-        }
-    }
-}
 
 /// An error of one contact, in track axes where it stands.
 struct Source {
@@ -56,17 +35,21 @@ struct Change {
 impl SolvedWheelset {
     /// Error bars of contacts and wheels, from each contact's own, and from how much of their loads (N) the left
     /// and the right wheel miss.
-    pub(crate) fn propagate_errors(&mut self, stance: &WheelsetPose, load: Load, missed: [f64; 2]) {
-        let carrying = Carrying::new(stance, load);
+    pub(crate) fn propagate_errors(
+        &mut self,
+        target: &Target,
+        stance: &WheelsetPose,
+        missed: [f64; 2],
+    ) {
         let missed = self.with_transfer(stance, missed);
         let mut wheels: Vec<&mut SolvedWheel> =
             self.left.iter_mut().chain(&mut self.right).collect();
-        if carrying == Carrying::Together {
-            propagate(&mut wheels, carrying, missed[0].hypot(missed[1]));
+        if matches!(target, Target::Together(_)) {
+            propagate(&mut wheels, target, missed[0] + missed[1]);
         } else {
             for wheel in &mut wheels {
                 let missed = missed[usize::from(wheel.side == Side::Right)];
-                propagate(&mut [wheel], carrying, missed);
+                propagate(&mut [wheel], target, missed);
             }
         }
     }
@@ -94,13 +77,13 @@ fn norm(parts: impl IntoIterator<Item = f64>) -> f64 {
 }
 
 /// Error bars of wheels whose contacts carry a load together.
-fn propagate(wheels: &mut [&mut SolvedWheel], carrying: Carrying, missed: f64) {
+fn propagate(wheels: &mut [&mut SolvedWheel], target: &Target, missed: f64) {
     let of_wheel: Vec<usize> =
         wheels.iter().enumerate().flat_map(|(k, wheel)| vec![k; wheel.contacts().len()]).collect();
     let contacts: Vec<&SolvedContact> = wheels.iter().flat_map(|wheel| wheel.contacts()).collect();
     let has_bars = contacts.iter().all(|one| one.force_error.is_some());
     let stiffness: f64 = contacts.iter().map(|one| one.vertical_stiffness()).sum();
-    let yields = carrying != Carrying::Nothing && stiffness > 0.0;
+    let yields = *target != Target::Nothing && stiffness > 0.0;
 
     // Each source changes all contacts; bars are sums of squares over the sources.
     let mut bars = vec![[0.0; 3]; contacts.len()];

@@ -9,35 +9,33 @@ mod equilibrium;
 mod error_propagation;
 mod excess;
 mod implicit_derivative;
-mod load_balance;
 mod motion_derivative;
 mod normal_contact;
 mod pose_derivative;
 mod predictor;
 mod solution;
-mod step;
+mod start;
 mod stood;
 mod tangential;
+mod vertical_load;
 
 use creepage::SolidPair;
 use creepage::normal;
 use creepage::theory::{AreaTheory, ExactOptions, NamedResolution, ResolutionSpec};
 use creepage_rail::{Position, Side, WheelsetOnTrack};
-use rayon::prelude::*;
 
-use self::equilibrium::{CandidatePose, settle};
-use self::load_balance::{Balance, Guess};
-use self::normal_contact::{NormalSolver, PatchWarmStart, PressedWheel};
-use self::step::Place;
+use self::equilibrium::settle;
+use self::normal_contact::NormalSolver;
+use self::start::Start;
 pub use self::stood::PressedContacts;
-use self::tangential::{Method, Rolled, TractionWarmStart};
+use self::tangential::Method;
+pub(crate) use self::vertical_load::LoadLine;
+use self::vertical_load::Target;
 use crate::error::WheelsetError;
 use crate::friction::{RailFriction, of_side};
 use crate::pose::{Load, Patches, RigidSlip, WheelsetPose, WheelsetVelocity};
-use crate::resultant::Acting;
-use crate::solved::{SolvedWheel, SolvedWheelset};
-use crate::tilt::Placed;
-use crate::warm_start::{LateralForceRatios, PitchState, PredictorCorrection};
+use crate::solved::SolvedWheelset;
+use crate::warm_start::PredictorCorrection;
 
 /// A wheelset on its track, prepared to be solved in many positions.
 #[derive(Debug, Clone)]
@@ -145,18 +143,7 @@ impl<'a> WheelsetSolver<'a> {
             let solved = self.solve(&stance.fore_and_aft(), &travel.fore_and_aft())?;
             return Ok(solved.fore_and_aft());
         }
-        let load = match stance.load {
-            Some(Load::Wheel(load)) => Some(load),
-            Some(Load::Wheels([left, right])) => Some(left.midpoint(right)),
-            Some(Load::Axle(load)) => Some(if stance.side.is_some() { load } else { 0.5 * load }),
-            Some(Load::Loaded { load, .. }) => Some(0.5 * load),
-            Some(Load::Height(_)) | None => None,
-        };
-        let NormalSolver { running, pair, .. } = self.press;
-        let modulus = pair.shear_modulus() / (1.0 - pair.poisson());
-        let radius = running.wheelset().radius();
-        let guess = load.map(|load| Guess::under_load(load, modulus, radius)).unwrap_or_default();
-        self.from(stance, travel, &Start { guess, ..self.start() })
+        self.from(stance, travel, &self.start())
     }
 
     /// A wheelset that runs backwards is solved as its mirror image, which surfaces that vary do not have.
@@ -167,12 +154,6 @@ impl<'a> WheelsetSolver<'a> {
         } else {
             Err(WheelsetError::Varies { what })
         }
-    }
-
-    /// What is known of no position at all.
-    fn start(&self) -> Start {
-        let lever = 0.5 * self.press.running.wheelset().tape_distance();
-        Start { levers: [-lever, lever], ..Start::default() }
     }
 
     /// The same from a position nearby that was solved before: quicker.
@@ -204,12 +185,6 @@ impl<'a> WheelsetSolver<'a> {
         Ok(solved)
     }
 
-    /// What a solved position tells of others.
-    fn after(&self, before: &SolvedWheelset) -> Start {
-        let levers = before.levers(self.press.running.wheelset().radius());
-        Start { levers: levers.unwrap_or(self.start().levers), ..Start::after(before) }
-    }
-
     /// What a solved position tells of one beside it, and where the wheels were expected there by the
     /// undeformed bodies alone; `None` where it is farther off.
     fn beside(
@@ -218,9 +193,8 @@ impl<'a> WheelsetSolver<'a> {
         stance: &WheelsetPose,
     ) -> Option<(Start, Vec<Position>)> {
         let start = self.after(before);
-        let load = stance.load.map(|load| load.by_levers(start.levers));
-        let here = WheelsetPose { load, ..*stance };
-        let places = predictor::places(before, &here, self.press.running)?;
+        let target = Target::new(stance, start.levers).ok()?;
+        let places = predictor::places(before, stance, self.press.running, &target)?;
         let expected = places.iter().map(|place| place.position).collect();
         let mut start = Start { places: Some(places), ..start };
         if let Some(drift) = &before.drift
@@ -248,47 +222,14 @@ impl<'a> WheelsetSolver<'a> {
         travel: &WheelsetVelocity,
         start: &Start,
     ) -> Result<SolvedWheelset, WheelsetError> {
-        let load = stance.load.ok_or(WheelsetError::NoLoad)?;
         let (last, first) = self.rolling.split_last().unwrap_or((&Method::STANDARD, &[]));
         for method in first {
-            let solved = settle(self, (stance, travel, load), start.clone(), *method)?;
+            let solved = settle(self, stance, travel, start.clone(), *method)?;
             if solved.worst_error() <= self.accuracy {
                 return Ok(solved);
             }
         }
-        settle(self, (stance, travel, load), start.clone(), *last)
-    }
-
-    /// Where wheels carry the load, by coarse pressures unless nothing is to be sought.
-    fn sought(
-        &self,
-        stance: &WheelsetPose,
-        load: Load,
-        shares: &LateralForceRatios,
-        guess: &Guess,
-    ) -> Result<CandidatePose<'a>, WheelsetError> {
-        let coarse = NormalSolver { resolution: normal::Resolution::COARSE, ..self.press };
-        let is_given = matches!(load, Load::Height(_)) && stance.is_fixed();
-        let press = if is_given { &self.press } else { &coarse };
-        let balance = Balance { press, stance, shares, guess: guess.clone() };
-        let coarse = balance.wheels(load)?;
-        Ok(CandidatePose { places: Place::of(&coarse, stance, load, shares), coarse })
-    }
-
-    /// Wheels in their places with fine pressures.
-    fn refined(
-        &self,
-        sought: &CandidatePose<'a>,
-        known: &[PatchWarmStart],
-        follows: bool,
-    ) -> Result<Vec<PressedWheel<'a>>, WheelsetError> {
-        let press = NormalSolver { follows, ..self.press };
-        let coarse = PatchWarmStart::of(&sought.coarse);
-        let known = if known.is_empty() { &coarse } else { known };
-        let fine = |&Place { side, position, depth, .. }: &Place| {
-            Ok(PressedWheel { depth, ..press.wheel(side, position, known)? })
-        };
-        sought.places.par_iter().map(fine).collect()
+        settle(self, stance, travel, start.clone(), *last)
     }
 }
 
@@ -299,105 +240,4 @@ fn pressed_by(options: ExactOptions) -> normal::Resolution {
         ResolutionSpec::Named(NamedResolution::Fine) => normal::Resolution::FINE,
         _ => normal::Resolution::STANDARD,
     }
-}
-
-/// What a solved position tells of those nearby.
-#[derive(Debug, Clone, Default)]
-struct Start {
-    shares: LateralForceRatios,
-    guess: Guess,
-    pitch: [PitchState; 2],
-    /// Moments of the left and the right wheel about `x` through the wheelset's centre over their vertical
-    /// forces (m).
-    levers: [f64; 2],
-    /// Fine pressures.
-    fine: Vec<PatchWarmStart>,
-    friction: Vec<TractionWarmStart>,
-    /// Where the wheels stand nearly, beside a position that was solved.
-    places: Option<Vec<Place>>,
-}
-
-impl Start {
-    /// With coarse pressures where they were sought, and what was known before.
-    fn of(
-        coarse: &[PressedWheel<'_>],
-        wheels: &[PressedWheel<'_>],
-        rolled: &[Rolled<'_>],
-        pitch: [PitchState; 2],
-        before: &Self,
-    ) -> Self {
-        let mut shares = LateralForceRatios::default();
-        shares.scaled_as(&before.shares);
-        for (one, rolled) in wheels.iter().flat_map(|wheel| &wheel.contacts).zip(rolled) {
-            let contact = &one.contact;
-            let friction = [rolled.force.lateral, rolled.force.longitudinal];
-            shares.push(contact.side, contact.spot(), friction.map(|force| force / one.load()));
-        }
-        let roll = wheels.first().map(|wheel| wheel.position.roll);
-        let mut guess = Guess { roll, ..before.guess.clone() };
-        if !coarse.is_empty() {
-            guess.known = PatchWarmStart::of(coarse);
-        }
-        for (coarse, fine) in coarse.iter().zip(wheels) {
-            let scale = fine.vertical(&shares) / coarse.vertical(&shares);
-            shares.set_scale(fine.side, scale);
-        }
-        for wheel in wheels.iter().filter(|wheel| wheel.depth > 0.0) {
-            guess.depths[usize::from(wheel.side == Side::Right)] = wheel.depth;
-        }
-        let friction = TractionWarmStart::of(wheels, rolled);
-        let levers = levers(wheels, rolled).unwrap_or(before.levers);
-        Self {
-            shares,
-            guess,
-            pitch,
-            levers,
-            fine: PatchWarmStart::of(wheels),
-            friction,
-            places: None,
-        }
-    }
-
-    /// The same with friction halfway from what it was taken for.
-    fn halfway_from(mut self, before: &LateralForceRatios) -> Self {
-        self.shares.halfway_from(before);
-        self
-    }
-
-    fn after(before: &SolvedWheelset) -> Self {
-        let shares = LateralForceRatios::solved(before);
-        let fine = PatchWarmStart::solved(before);
-        let contacts = before.wheels().flat_map(SolvedWheel::contacts);
-        let friction = contacts.filter_map(TractionWarmStart::of_fine_grid).collect();
-        let mut guess = Guess { known: fine.clone(), ..Guess::default() };
-        for wheel in before.wheels() {
-            guess.roll = Some(wheel.position.roll);
-            if wheel.depth > 0.0 {
-                guess.depths[usize::from(wheel.side == Side::Right)] = wheel.depth;
-            }
-        }
-        let (pitch, levers) = (before.pitch, [0.0; 2]);
-        Self { shares, guess, pitch, levers, fine, friction, places: None }
-    }
-}
-
-/// Moments of both wheels about `x` through the wheelset's centre over their vertical forces (m); `None` where
-/// one carries nothing.
-fn levers(wheels: &[PressedWheel<'_>], rolled: &[Rolled<'_>]) -> Option<[f64; 2]> {
-    let mut rolled = rolled.iter();
-    let mut lever = |wheel: &PressedWheel<'_>| {
-        let Position { y, z, .. } = wheel.position;
-        let centre = [0.0, y, z - wheel.radius];
-        let (mut moment, mut vertical) = (0.0, 0.0);
-        for pressed in &wheel.contacts {
-            let (contact, friction) = (&pressed.contact, rolled.next()?.force);
-            let acting = Acting::new(friction, pressed.load(), pressed.normal.centroid());
-            let (force, about) = acting.about(contact.reference, contact.tilt(), centre);
-            moment += about[0];
-            vertical += force[2];
-        }
-        (vertical > 0.0).then(|| moment / vertical)
-    };
-    let [left, right] = wheels else { return None };
-    Some([lever(left)?, lever(right)?])
 }

@@ -33,9 +33,6 @@ pub(crate) struct PressedWheel<'a> {
     pub(crate) position: Position,
     /// Height of the axle over the track at `z = 0` (m).
     pub(crate) radius: f64,
-    /// How far it was brought down from first touch to carry its load (m); zero where its height
-    /// was given.
-    pub(crate) depth: f64,
     pub(crate) contacts: Vec<Pressed<'a>>,
 }
 
@@ -105,7 +102,7 @@ impl<'a> NormalSolver<'a> {
         self.press_beside(&mut pressed)?;
         let radius = self.running.wheelset().radius();
         let contacts = pressed.into_iter().filter_map(CrossPatch::pressed).collect();
-        Ok(PressedWheel { side, position, radius, depth: 0.0, contacts })
+        Ok(PressedWheel { side, position, radius, contacts })
     }
 
     /// Presses each contact under the load of the others until nothing changes.
@@ -162,9 +159,8 @@ impl<'a> NormalSolver<'a> {
         let normal = match (followed, near) {
             (Some(followed), _) if followed.keeps_error_bars() => Ok(followed),
             (Some(followed), _) => followed.next(&gap, approach, self.resolution),
-            (None, Some(near)) if !self.follows => near.next(&gap, approach, self.resolution),
-            // What cannot be followed is no start.
-            (None, _) => NormalContact::at_approach(&gap, self.pair, approach, self.resolution),
+            (None, Some(near)) => near.next(&gap, approach, self.resolution),
+            (None, None) => NormalContact::at_approach(&gap, self.pair, approach, self.resolution),
         };
         match normal {
             Ok(normal) => Ok(Some(normal)),
@@ -254,22 +250,17 @@ impl PressedWheel<'_> {
             .sum()
     }
 
-    /// The same (N) as expected of a finer solution.
-    pub(crate) fn expected(&self, shares: &LateralForceRatios) -> f64 {
-        shares.scale(self.side) * self.vertical(shares)
-    }
-
     /// Error bar of its contacts' loads where they stand (N).
     pub(crate) fn load_error(&self) -> f64 {
         self.contacts.iter().map(|one| one.normal.load().error).sum()
     }
 
-    /// Change of the expected force (N/m) when the wheelset goes down.
+    /// Change of the vertical force (N/m) when the wheelset goes down.
     pub(crate) fn stiffness(&self, shares: &LateralForceRatios) -> f64 {
         self.change(shares, |contact| contact.tilt().down()[2])
     }
 
-    /// Change of the expected force (N/rad) when the wheelset rolls about its centre: on a flange
+    /// Change of the vertical force (N/rad) when the wheelset rolls about its centre: on a flange
     /// the sideways part of that counts as much as the fall.
     pub(crate) fn stiffness_by_roll(&self, shares: &LateralForceRatios) -> f64 {
         let Position { y, z, .. } = self.position;
@@ -277,14 +268,14 @@ impl PressedWheel<'_> {
         self.change(shares, |contact| roll_lever(contact, centre))
     }
 
-    /// Change of the expected force when every contact comes nearer by `approach`.
+    /// Change of the vertical force when every contact comes nearer by `approach`.
     fn change(&self, shares: &LateralForceRatios, approach: impl Fn(&Contact<'_>) -> f64) -> f64 {
         let of = |one: &Pressed<'_>| {
             one.normal.stiffness()
                 * approach(&one.contact)
                 * one.vertical_ratio(shares.of(&one.contact))
         };
-        shares.scale(self.side) * self.contacts.iter().map(of).sum::<f64>()
+        self.contacts.iter().map(of).sum::<f64>()
     }
 }
 

@@ -3,9 +3,9 @@
 
 use creepage_rail::{Contact, Position, Side, WheelsetOnTrack};
 
-use super::Start;
 use super::normal_contact::{PatchWarmStart, roll_lever};
-use super::step::{Line, Place, moves, wanted};
+use super::start::{Place, Start};
+use super::vertical_load::{LoadLine, Target};
 use crate::solved::{SolvedContact, SolvedWheel, SolvedWheelset};
 use crate::tilt::{Placed, distance};
 use crate::warm_start::{LateralForceRatios, PredictorCorrection};
@@ -20,9 +20,9 @@ pub(crate) fn places(
     before: &SolvedWheelset,
     stance: &WheelsetPose,
     running: &WheelsetOnTrack,
+    target: &Target,
 ) -> Option<Vec<Place>> {
-    let load = stance.load?;
-    if matches!(load, Load::Height(_)) && stance.is_fixed() {
+    if *target == Target::Nothing {
         return None;
     }
     let sides: &[Side] = match &stance.side {
@@ -34,17 +34,14 @@ pub(crate) fn places(
     if !is_same || !wheels.iter().all(|wheel| is_near(wheel.position, stance)) {
         return None;
     }
-    let sum: f64 = wheels.iter().map(|wheel| vertical(wheel)).sum();
-    let place = |wheel: &&SolvedWheel| {
-        let of = [sum, sides.len() as f64];
-        let expected = wanted((stance, wheel.side), load, vertical(wheel), of);
-        let place = Place::new(wheel.side, shifted(wheel.position, stance), wheel.depth, expected);
-        place.changing(wheel.by)
+    let place = |wheel: &&SolvedWheel| Place {
+        expected: Some(wheel.line),
+        ..Place::new(wheel.side, shifted(wheel.position, stance))
     };
     let mut places: Vec<Place> = wheels.iter().map(place).collect();
     let lines = wheels.iter().zip(&places).map(|(wheel, place)| line(wheel, place, running));
-    if let Some(lines) = lines.collect::<Option<Vec<Line>>>()
-        && let Some(moves) = moves(&lines, given_roll(stance), load)
+    if let Some(lines) = lines.collect::<Option<Vec<_>>>()
+        && let Some(moves) = target.step(&lines)
     {
         for (place, [down, turn]) in places.iter_mut().zip(moves) {
             place.position.z += down;
@@ -99,20 +96,21 @@ impl LateralForceRatios {
 
 /// What a wheel carries in its new place by the stiffness of its contacts and how much nearer the
 /// undeformed bodies are there; `None` where they touch in more or fewer places.
-fn line(wheel: &SolvedWheel, place: &Place, running: &WheelsetOnTrack) -> Option<Line> {
+fn line(wheel: &SolvedWheel, place: &Place, running: &WheelsetOnTrack) -> Option<(Side, LoadLine)> {
     let contacts = running.contacts_of(wheel.side, &place.position).ok()?;
     let Position { y, z, .. } = place.position;
     let centre = [y, z - running.wheelset().radius()];
-    let mut line = Line { force: vertical(wheel), by: [0.0; 2] };
+    let (mut force, mut by) = (vertical(wheel), [0.0; 2]);
     for own in wheel.contacts() {
         let contact = nearest(own, &contacts)?;
         let nearer = contact.approach - own.normal.approach().value;
         let stiffness = own.normal.stiffness() * contact.tilt().vertical_ratio(share(own));
-        line.force += stiffness * nearer;
-        line.by[0] += stiffness * contact.tilt().down()[2];
-        line.by[1] += stiffness * roll_lever(contact, centre);
+        force += stiffness * nearer;
+        by[0] += stiffness * contact.tilt().down()[2];
+        by[1] += stiffness * roll_lever(contact, centre);
     }
-    (contacts.len() == wheel.contacts().len()).then_some(line)
+    let is_alike = contacts.len() == wheel.contacts().len() && force > 0.0;
+    is_alike.then(|| (wheel.side, LoadLine::of_force(force, by)))
 }
 
 pub(crate) fn nearest<'c, 'a>(
@@ -131,14 +129,9 @@ impl PredictorCorrection {
         solved: &SolvedWheelset,
         stance: &WheelsetPose,
     ) -> Self {
-        let line = |wheel: &SolvedWheel| Some(Line { force: vertical(wheel), by: wheel.by? });
-        let lines: Option<Vec<Line>> = solved.wheels().map(line).collect();
-        let load = stance.load.map(|load| match solved.levers(solved.radius) {
-            Some(levers) => load.by_levers(levers),
-            None => load,
-        });
-        let last =
-            lines.zip(load).and_then(|(lines, load)| moves(&lines, given_roll(stance), load));
+        let lines: Vec<_> = solved.wheels().map(|wheel| (wheel.side, wheel.line)).collect();
+        let levers = solved.levers(solved.radius).unwrap_or_default();
+        let last = Target::new(stance, levers).ok().and_then(|target| target.step(&lines));
         let last = last.unwrap_or_else(|| vec![[0.0; 2]; expected.len()]);
         let drift = |((from, wheel), [down, turn]): ((&Position, &SolvedWheel), [f64; 2])| {
             let to = wheel.position;
@@ -178,7 +171,7 @@ impl PredictorCorrection {
             pitch.rate = pitch.rate.map(|rate| rate + times * faster);
         }
         start.shares.add_times(times, &self.shares);
-        for (known, beyond) in start.fine.iter_mut().zip(&self.sides) {
+        for (known, beyond) in start.pressures.iter_mut().zip(&self.sides) {
             known.drift(beyond, times);
         }
     }

@@ -7,8 +7,8 @@ use creepage_rail::{Contact, Motion, Side, WheelsetOnTrack};
 
 use super::WheelsetSolver;
 use super::normal_contact::{Pressed, PressedWheel};
-use super::step::Place;
 use super::tangential::{Answer, Rolled, Rolling, Turning};
+use super::vertical_load::LoadLine;
 use crate::WheelsetVelocity;
 use crate::field::{Field, March};
 use crate::friction::RailFriction;
@@ -20,20 +20,20 @@ impl WheelsetSolver<'_> {
     /// Wheels in their places, with contacts that rolled.
     pub(crate) fn solved(
         &self,
-        (places, wheels): (&[Place], &[PressedWheel<'_>]),
+        (wheels, lines): (&[PressedWheel<'_>], &[(Side, LoadLine)]),
         rollings: &[Rolling<'_, '_>],
         turning: &Turning<'_>,
         travel: &WheelsetVelocity,
     ) -> SolvedWheelset {
-        let solved = |(place, wheel): (&Place, &PressedWheel<'_>)| {
+        let solved = |(wheel, (_, line)): (&PressedWheel<'_>, &(Side, LoadLine))| {
             let all = rollings.iter().zip(&turning.rolled);
             let own = all.filter(|(rolling, _)| rolling.wheel.side == wheel.side);
             let contacts = own.map(|(one, rolled)| SolvedContact::new(one.pressed, rolled));
             let motion = turning.motions[usize::from(wheel.side == Side::Right)];
             let contacts = contacts.collect();
-            SolvedWheel::new(wheel, (place.by(), motion.pitch_rate), self.press.running, contacts)
+            SolvedWheel::new(wheel, (*line, motion.pitch_rate), self.press.running, contacts)
         };
-        let wheels = places.iter().zip(wheels).map(solved).collect();
+        let wheels = wheels.iter().zip(lines).map(solved).collect();
         self.whole(wheels, turning, travel)
     }
 
@@ -76,11 +76,11 @@ impl WheelsetSolver<'_> {
 impl SolvedWheel {
     fn new(
         wheel: &PressedWheel<'_>,
-        (by, pitch_rate): (Option<[f64; 2]>, f64),
+        (line, pitch_rate): (LoadLine, f64),
         running: &WheelsetOnTrack,
         mut contacts: Vec<SolvedContact>,
     ) -> Self {
-        let PressedWheel { side, position, depth, .. } = *wheel;
+        let PressedWheel { side, position, .. } = *wheel;
         let [y, z] = running.track().rail(side).origin();
         contacts.sort_by(|a, b| b.load().total_cmp(&a.load()));
         let rail_origin = [0.0, side.sense() * y, z];
@@ -99,8 +99,7 @@ impl SolvedWheel {
             clearance,
             guard_clearance,
             deflection,
-            depth,
-            by,
+            line,
             rail_origin,
             force_error: None,
             contacts,

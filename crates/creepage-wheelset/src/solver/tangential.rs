@@ -37,19 +37,6 @@ pub(crate) const BALANCED: f64 = 1e-5;
 
 impl Method {
     pub(crate) const STANDARD: Self = Self::Exact(Resolution::STANDARD);
-
-    /// Methods that come nearer to this one, and down to which part of the load missed each is good enough:
-    /// the loads follow from friction, which `fastsim` tells a hundred times quicker than the full theory.
-    pub(crate) fn stages(self) -> Vec<(Self, f64)> {
-        match self {
-            Self::Exact(_) => vec![
-                (Self::Simplified(Simplified::Fastsim, [20, 10]), 5e-3),
-                (Self::Exact(Resolution::FAST), 2.5e-3),
-                (self, 0.0),
-            ],
-            Self::Simplified(..) => vec![(self, 0.0)],
-        }
-    }
 }
 
 /// A theory prepared for a contact.
@@ -486,7 +473,10 @@ impl PitchSearch<'_> {
             Drive::Torque(_) => self.radius,
             Drive::Force(_) => 1.0,
         };
-        rollings.iter().map(|one| one.theory.scaling().force * lever).sum()
+        rollings
+            .iter()
+            .map(|one| one.theory.scaling().force * lever)
+            .fold(0.0, |sum, one| sum + one)
     }
 
     /// How much more friction holds the wheels back than wanted: rises with the pitch rate, for a wheel that

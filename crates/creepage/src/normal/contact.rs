@@ -5,6 +5,7 @@ use std::sync::Arc;
 use crate::check;
 use crate::solid::SolidPair;
 
+use super::lattice::Lattice;
 use super::patch::Patch;
 use super::patch_strip::{Band, Moments};
 use super::strip_system::Factors;
@@ -118,6 +119,8 @@ pub struct NormalContact {
     pub(super) patches: Vec<Patch>,
     pub(super) gap_points: [Option<usize>; 2],
     pub(super) rule: Option<StripRule>,
+    /// The lattice on which elements found it.
+    pub(super) elements: Option<ElementRule>,
     /// The matrix with which strips found it.
     pub(super) factors: Option<Arc<Factors>>,
 }
@@ -132,14 +135,18 @@ pub(super) struct StripRule {
     pub(super) origin: [f64; 2],
 }
 
-impl StripRule {
-    /// Whether it holds for a contact of a load and an area.
-    pub(super) fn reaches(&self, load: f64, area: f64) -> bool {
-        /// Of load or area: error bars, in parts of what they belong to, change by some hundredths then.
-        const NEAR: f64 = 0.03;
-        let [own_load, own_area] = self.origin;
-        (load / own_load - 1.0).abs() < NEAR && (area / own_area - 1.0).abs() < NEAR
-    }
+/// How elements found a contact: their lattice, and the load and the area of the contact where that was laid.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct ElementRule {
+    pub(super) lattice: Lattice,
+    pub(super) origin: [f64; 2],
+}
+
+/// Whether error bars found at a load and an area hold for others.
+fn reaches(origin: [f64; 2], load: f64, area: f64) -> bool {
+    /// Of load or area: error bars, in parts of what they belong to, change by some hundredths then.
+    const NEAR: f64 = 0.03;
+    (load / origin[0] - 1.0).abs() < NEAR && (area / origin[1] - 1.0).abs() < NEAR
 }
 
 /// What a contact close by tells of another: its areas, the matrix of its strips, and how many it took.
@@ -163,7 +170,9 @@ impl NormalContact {
     #[must_use]
     pub fn keeps_error_bars(&self) -> bool {
         let area = self.patches.iter().map(Patch::area).sum();
-        self.rule.is_none_or(|rule| rule.reaches(self.load.value, area))
+        let origin = self.rule.map(|rule| rule.origin);
+        let origin = origin.or(self.elements.map(|elements| elements.origin));
+        origin.is_none_or(|origin| reaches(origin, self.load.value, area))
     }
 
     /// By how much each band's least and greatest y lie further out (m) than from `near`, a contact close by,

@@ -60,12 +60,37 @@ impl ElementGrid {
         let mut looked_at: Vec<bool> = (0..lattice.cells())
             .map(|cell| coarser.is_none_or(|c| c.is_near(&lattice, cell)))
             .collect();
+        let start = |cell: usize| match coarser {
+            Some(coarser) => coarser.pressure_in(&lattice, cell),
+            None => 0.0,
+        };
         loop {
-            let level = Self::on(task, &lattice, &depths, &looked_at, coarser, accuracy);
+            let level = Self::on(task, &lattice, &depths, &looked_at, start, accuracy);
             if !level.grow(&depths, &mut looked_at) {
                 return Ok(level);
             }
         }
+    }
+
+    /// Solves on the lattice of a contact close by, from pressures there.
+    pub(super) fn follow(
+        task: NormalProblem<'_>,
+        lattice: Lattice,
+        pressure: impl Fn(f64, f64) -> f64,
+    ) -> Result<Self, NormalError> {
+        let depths = lattice.depths(task.gap, task.approach)?;
+        let looked_at = vec![true; lattice.cells()];
+        let columns = lattice.count[0];
+        let start = |cell: usize| pressure(lattice.x(cell % columns), lattice.y(cell / columns));
+        Ok(Self::on(task, &lattice, &depths, &looked_at, start, Accuracy::ANSWER))
+    }
+
+    /// Whether pressed cells lie along a side of the lattice.
+    pub(super) fn reaches_side(&self) -> bool {
+        let [columns, rows] = self.lattice.count;
+        self.bounds().is_none_or(|[[left, right], [low, high]]| {
+            left == 0 || low == 0 || right + 1 == columns || high + 1 == rows
+        })
     }
 
     fn on(
@@ -73,7 +98,7 @@ impl ElementGrid {
         lattice: &Lattice,
         all_depths: &[f64],
         looked_at: &[bool],
-        coarser: Option<&Self>,
+        start: impl Fn(usize) -> f64,
         accuracy: Accuracy,
     ) -> Self {
         let cells: Vec<usize> = (0..lattice.cells())
@@ -83,10 +108,7 @@ impl ElementGrid {
         let depths: Vec<f64> = cells.iter().map(|&cell| all_depths[cell] / scale).collect();
         let length = lattice.cell_area().sqrt();
         let mut product = Product::new(lattice, &cells, length);
-        let start = match coarser {
-            Some(coarser) => cells.iter().map(|&cell| coarser.pressure_in(lattice, cell)).collect(),
-            None => depths.clone(),
-        };
+        let start: Vec<f64> = cells.iter().map(|&cell| start(cell)).collect();
         let start = if start.iter().any(|&p| p > 0.0) { start } else { depths.clone() };
         let pressed = complementarity::solve(&mut product, &depths, start, accuracy.residual);
         let unit = task.modulus * scale / length;

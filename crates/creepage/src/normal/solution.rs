@@ -5,7 +5,8 @@ use std::sync::Arc;
 use crate::gap::Gap;
 use crate::solid::SolidPair;
 
-use super::contact::{Estimate, Method, NormalContact, Status, StripRule};
+use super::contact::{ElementRule, Estimate, Method, NormalContact, Status, StripRule};
+use super::lattice::Lattice;
 use super::level::{Accuracy, ElementGrid, NormalProblem};
 use super::outline;
 use super::patch::Patch;
@@ -83,11 +84,14 @@ pub(super) struct Pair {
     pub(super) residual: f64,
     /// By what part elements may carry too much in either solution: zero for strips.
     pub(super) excess: f64,
+    /// The lattice of the finer elements.
+    pub(super) lattice: Option<Lattice>,
 }
 
 impl Pair {
     pub(super) fn of_strips(coarse: Found, (fine, count): (Found, usize), finer: f64) -> Self {
-        Self { coarse, fine, method: Method::Strips, count, finer, residual: 0.0, excess: 0.0 }
+        let (method, lattice) = (Method::Strips, None);
+        Self { coarse, fine, method, count, finer, residual: 0.0, excess: 0.0, lattice }
     }
 
     /// What the finer one lacks, over what it differs by, of what falls with the square of their number.
@@ -99,7 +103,7 @@ impl Pair {
 pub(super) fn contact(gap: &Gap, pair: SolidPair, asked: Asked, found: Pair) -> NormalContact {
     let lacking = found.lacking();
     let bars = Bars::new(&found);
-    let Pair { coarse, mut fine, method, residual, count, .. } = found;
+    let Pair { coarse, mut fine, method, residual, count, lattice, .. } = found;
     let area = fine.area();
     // Where strips scatter, as slender ones do that lie hardly askew, the summit that they are cut for does too.
     let scatter = if fine.stairs > 0.0 { (fine.summit - fine.peak).abs() } else { 0.0 };
@@ -138,6 +142,7 @@ pub(super) fn contact(gap: &Gap, pair: SolidPair, asked: Asked, found: Pair) -> 
         gap_points: gap_points(gap, &fine.patches),
         patches: fine.patches,
         rule,
+        elements: lattice.map(|lattice| ElementRule { lattice, origin: [at_limit, area] }),
         factors: fine.factors,
     }
 }

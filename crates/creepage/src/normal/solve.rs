@@ -65,12 +65,15 @@ impl NormalContact {
         solve(gap, self.pair, asked, Some(&self.near(approach)), resolution)
     }
 
-    /// The same with as many strips as this one and no finer or coarser ones: what they lack, and the error
-    /// bars, are taken from here as long as [`NormalContact::keeps_error_bars`] says so. `None` where strips do
+    /// The same with as many strips as this one, or on its lattice of elements, and no finer or coarser ones: what
+    /// they lack, and the error bars, are taken from here as long as [`NormalContact::keeps_error_bars`] says so. `None` where strips do
     /// not settle or the bodies meet beyond them; [`NormalContact::next`] tells more then.
     #[must_use]
     pub fn follow(&self, gap: &Gap, approach: f64) -> Option<Self> {
-        if approach.is_finite() { follow(gap, self, approach) } else { None }
+        if !approach.is_finite() {
+            return None;
+        }
+        follow(gap, self, approach).or_else(|| follow_on_lattice(gap, self, approach))
     }
 }
 
@@ -140,17 +143,42 @@ fn follow(gap: &Gap, near: &NormalContact, approach: f64) -> Option<NormalContac
     let mut found =
         strips::solve(NormalProblem { gap, modulus, approach }, &areas, factors, wanted)?;
     let value = rule.load * found.load;
+    scale(&mut found.patches, value);
+    let summit = found.summit;
+    Some(followed(gap, near, (approach, value), summit, found))
+}
+
+/// On the lattice of elements of a contact close by: there loads change as continuously as the gap does, from one
+/// lattice to another they jump by a thousandth.
+fn follow_on_lattice(gap: &Gap, near: &NormalContact, approach: f64) -> Option<NormalContact> {
+    let lattice = near.elements?.lattice;
+    let modulus = near.pair.shear_modulus() / (1.0 - near.pair.poisson());
+    let task = NormalProblem { gap, modulus, approach };
+    let level = ElementGrid::follow(task, lattice, |x, y| near.pressure(x, y)).ok()?;
+    let is_solved = level.residual <= Accuracy::ANSWER.residual && !level.reaches_side();
+    let mut found = is_solved.then(|| Found::by_elements(task, &level))?;
+    let (value, summit) = (found.load, found.summit);
+    scale(&mut found.patches, value);
+    Some(followed(gap, near, (approach, value), summit, found))
+}
+
+/// What follows a contact close by, with that one's error bars in proportion.
+fn followed(
+    gap: &Gap,
+    near: &NormalContact,
+    (approach, load): (f64, f64),
+    summit: f64,
+    found: Found,
+) -> NormalContact {
     let scaled = |value: f64, near: Estimate| Estimate {
         value,
         error: near.error * (value / near.value).abs(),
     };
-    let area = scaled(found.area(), near.area);
-    scale(&mut found.patches, value);
-    Some(NormalContact {
+    NormalContact {
         approach: Estimate { value: approach, error: 0.0 },
-        load: scaled(value, near.load),
-        peak: scaled(found.summit, near.peak),
-        area,
+        load: scaled(load, near.load),
+        peak: scaled(summit, near.peak),
+        area: scaled(found.area(), near.area),
         stiffness: found.stiffness,
         gap_points: gap_points(gap, &found.patches),
         patches: found.patches,
@@ -159,7 +187,8 @@ fn follow(gap: &Gap, near: &NormalContact, approach: f64) -> Option<NormalContac
         status: near.status,
         method: near.method,
         rule: near.rule,
-    })
+        elements: near.elements,
+    }
 }
 
 /// By strips laid into areas close by or guessed, where these turn out to be all.
@@ -203,5 +232,6 @@ fn by_elements(
         finer: 1.0 / COARSER,
         residual: fine.residual,
         excess: EXCESS / (count * count),
+        lattice: Some(fine.lattice),
     })
 }
