@@ -249,3 +249,26 @@ fn curved_slip_is_near_the_flat_one_on_the_tread() {
         assert!(off < 0.05 * most, "{coordinate:?} {off} of {most}");
     }
 }
+
+/// A wheel that hangs has no pitch rate to be found: derivatives are those of the wheel that carries.
+#[test]
+fn a_wheel_that_hangs_leaves_the_other_its_derivatives() {
+    let mut case = case(FASTSIM);
+    case.stance = WheelsetPose { roll: Some(2e-3), ..case.stance };
+    if let Some(travel) = &mut case.travel {
+        travel.pitch = PitchRate::Independent([None; 2]);
+    }
+    let (solved, found) = derivatives(&case);
+    assert!(solved.left.as_ref().unwrap().contacts().is_empty());
+    for (coordinate, step) in [(StateVariable::Y, 5e-6), (StateVariable::LateralVelocity, 1e-3)] {
+        let [left, right] = differences(&case, &solved, coordinate, step);
+        let [own_left, own_right] = by(&found, coordinate);
+        assert!(left.iter().chain(&own_left).all(|part| *part == 0.0));
+        // Loads are met to 1e-5, which is a hundredth of the change over such steps; a kink of curvature within the
+        // longer of the steps may make as much.
+        assert!(
+            (own_right[1] / right[1] - 1.0).abs() < 0.02,
+            "{coordinate:?}: {own_right:?} {right:?}"
+        );
+    }
+}

@@ -33,7 +33,9 @@ impl WheelsetSolver<'_> {
             let forward = self.derivatives(&solved.clone().fore_and_aft(), &stance, &travel)?;
             return Ok(forward.fore_and_aft());
         }
-        let found = Found::of(stance, travel)?;
+        let hangs = [&solved.left, &solved.right]
+            .map(|wheel| wheel.as_ref().is_none_or(|wheel| wheel.contacts().is_empty()));
+        let found = Found::of(stance, travel, hangs)?;
         let [near, far] = self.partials(solved)?;
         let [near, far] = [found.total(&near)?, found.total(&far)?];
         let row = |index: usize| -> Row {

@@ -30,9 +30,11 @@ struct Kept {
 }
 
 impl Found {
+    /// A wheel that touches nothing (`hangs`: the left, the right one) has no pitch rate to be found.
     pub(crate) fn of(
         stance: &WheelsetPose,
         travel: &WheelsetVelocity,
+        hangs: [bool; 2],
     ) -> Result<Self, WheelsetError> {
         let load = stance.load.ok_or(WheelsetError::NoLoad)?;
         let mut found = match (stance.side, stance.roll, load) {
@@ -81,8 +83,11 @@ impl Found {
             PitchRate::Rigid(Some(_)) => (),
             PitchRate::Rigid(None) => turns(BOTH),
             PitchRate::Independent(rates) => {
-                let free = rates.into_iter().zip([LEFT, RIGHT]).filter(|(rate, _)| rate.is_none());
-                free.for_each(|(_, share)| turns(share));
+                for ((rate, share), hangs) in rates.into_iter().zip([LEFT, RIGHT]).zip(hangs) {
+                    if rate.is_none() && !hangs {
+                        turns(share);
+                    }
+                }
             }
         }
         Ok(found)

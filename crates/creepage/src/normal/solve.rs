@@ -13,7 +13,6 @@ use super::load;
 use super::overlap::Overlap;
 use super::refinement::{ENOUGH, NEARLY, Start, by_strips};
 use super::solution::{Asked, Found, Pair, areas, contact, gap_points, scale};
-use super::start;
 use super::strips::{self, StripOptions};
 
 impl NormalContact {
@@ -88,8 +87,12 @@ fn solve(
     const COARSE: f64 = 10.0;
     let modulus = pair.shear_modulus() / (1.0 - pair.poisson());
     if let Asked::Approach(approach) = asked
-        && let Some(found) =
-            without_elements(NormalProblem { gap, modulus, approach }, near, resolution)
+        && let Some(near) = near
+        // Strips that prove to be all the contact there is need no elements.
+        && let Some(found) = {
+            let task = NormalProblem { gap, modulus, approach };
+            by_strips(task, asked, near, resolution, Start::Close)
+        }
     {
         return Ok(contact(gap, pair, asked, found));
     }
@@ -189,20 +192,6 @@ fn followed(
         rule: near.rule,
         elements: near.elements,
     }
-}
-
-/// By strips laid into areas close by or guessed, where these turn out to be all.
-fn without_elements(
-    task: NormalProblem<'_>,
-    near: Option<&NormalWarmStart<'_>>,
-    resolution: Resolution,
-) -> Option<Pair> {
-    let asked = Asked::Approach(task.approach);
-    let from = |near: &NormalWarmStart<'_>, start| by_strips(task, asked, near, resolution, start);
-    // A guess lays the tips less well than elements do: good enough to search with.
-    let guess = || if resolution.with_errors { None } else { start::by_virtual_penetration(task) };
-    let guessed = || from(&NormalWarmStart::of(guess()?), Start::Elements);
-    near.and_then(|near| from(near, Start::Close)).or_else(guessed)
 }
 
 fn by_elements(

@@ -12,7 +12,7 @@ use super::chord::{Chord, PLACES, place};
 use super::level::NormalProblem;
 use super::patch::Patch;
 use super::patch_strip::Band;
-use super::start;
+use super::section_overlap;
 
 /// Axes turned about a place.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -38,7 +38,7 @@ impl Turn {
         });
         let bands: Vec<&Band> = bands.collect::<Option<_>>()?;
         let overlap = task.gap.domain().y.iter().all(|y| y.is_finite());
-        let overlap = if overlap { start::overlap(task) } else { None };
+        let overlap = if overlap { section_overlap::overlap(task) } else { None };
         let (band, least) = match (&overlap, &bands[..]) {
             (Some(overlap), _) => (overlap, Self::LEAST_OF_OVERLAP),
             (None, [band]) => (*band, Self::LEAST),

@@ -3,7 +3,7 @@
 use creepage::gap::{Gap, Rolling};
 use creepage::normal::{Estimate, Method, NormalContact, Resolution};
 
-use crate::support::{MM, steel};
+use crate::support::{MM, function, steel};
 
 /// Two bumps of radius 0.3 m, 12 mm apart, the second one higher by `more` (m): `h` is the lower.
 fn bumps(more: f64) -> Gap {
@@ -130,4 +130,36 @@ fn a_contact_drifts() {
     let followed = foreseen.follow(&bump_moved(2.0 * step), approach).unwrap();
     let apart = followed.load().value - third.load().value;
     assert!(apart.abs() < third.load().error, "{apart}");
+}
+
+/// Waves along rolling, too short for strips, on a ball of radius 0.3 m.
+fn waves() -> Gap {
+    function([-8.0, 8.0], [-8.0, 8.0], |x, y| (x * x + y * y) / 600.0 + 1e-3 * (2.5 * x).sin())
+}
+
+/// Elements that follow keep their lattice: loads change by the stiffness, to the thousandth by which the stiffness
+/// itself changes over such steps, while from one lattice to another they jump by more; and they are those found
+/// alone, within the bars.
+#[test]
+fn elements_follow_on_their_lattice() {
+    const STEP: f64 = 5e-9;
+    let (gap, resolution) = (waves(), Resolution::FAST);
+    let at = |approach| NormalContact::at_approach(&gap, steel(), approach, resolution).unwrap();
+    let mut known = at(20e-6);
+    assert_eq!(known.method(), Method::Elements);
+    for step in 1..=8 {
+        let approach = 20e-6 + STEP * f64::from(step);
+        let followed = known.follow(&gap, approach).unwrap();
+        let rise = followed.load().value - known.load().value;
+        let stiffness = followed.stiffness().midpoint(known.stiffness());
+        assert!((rise / (stiffness * STEP) - 1.0).abs() < 1e-3, "{step}: {rise} {stiffness}");
+        let (load, alone) = (followed.load(), at(approach).load());
+        let apart = (load.value - alone.value).abs();
+        assert!(apart < load.error + alone.error, "{step}: {load:?} {alone:?}");
+        assert!(followed.keeps_error_bars());
+        known = followed;
+    }
+    // Beyond the lattice it does not follow, and where the load is another it says so.
+    assert_eq!(known.follow(&gap, 60e-6), None);
+    assert!(known.follow(&gap, 21e-6).is_none_or(|other| !other.keeps_error_bars()));
 }

@@ -1,4 +1,4 @@
-//! A first guess of the contact areas from a section alone.
+//! The overlap of a section by virtual penetration: which way a contact area lies.
 
 use std::f64::consts::FRAC_2_PI;
 
@@ -17,26 +17,8 @@ const VIRTUAL: f64 = 0.55;
 /// A place across, and the parabola along x there: height, half its curvature, locus.
 type Row = (f64, [f64; 3]);
 
-/// Where a section and a radius along rolling would touch by virtual penetration; `None` for other
-/// gaps, at the end of the section, and where an area has few rows.
-pub(super) fn by_virtual_penetration(task: NormalProblem<'_>) -> Option<Vec<Patch>> {
-    let (rows, least) = rows(task)?;
-    let depth = task.approach - least;
-    let inside = |(_, [height, ..]): &Row| least + VIRTUAL * depth - height;
-    if rows.first().or(rows.last()).is_none_or(|row| inside(row) > 0.0) || depth <= 0.0 {
-        return None;
-    }
-    let mut patches = Vec::new();
-    for run in rows.chunk_by(|a, b| (inside(a) > 0.0) == (inside(b) > 0.0)) {
-        if run.first().is_some_and(|row| inside(row) > 0.0) {
-            patches.push(patch(run, &inside, task.modulus * depth)?);
-        }
-    }
-    (!patches.is_empty()).then_some(patches)
-}
-
 /// The part of the plane where the undeformed bodies come nearer than that part of the approach, as one band: gaps
-/// between its parts are bridged. `None` as above, but at the section's end.
+/// between its parts are bridged. `None` for other gaps and where it has few rows.
 pub(super) fn overlap(task: NormalProblem<'_>) -> Option<Band> {
     let (rows, least) = rows(task)?;
     let depth = task.approach - least;
