@@ -137,22 +137,23 @@ fn waves() -> Gap {
     function([-8.0, 8.0], [-8.0, 8.0], |x, y| (x * x + y * y) / 600.0 + 1e-3 * (2.5 * x).sin())
 }
 
-/// Elements that follow keep their lattice: loads change by the stiffness, to the thousandth by which the stiffness
-/// itself changes over such steps, while from one lattice to another they jump by more; and they are those found
-/// alone, within the bars.
+/// Elements that follow keep their lattice, so that loads change by the stiffness. Over such steps pressures that are
+/// solved to 1e-6 of the depth tell the change to 1e-3, and cells that come into contact change the stiffness by as
+/// much; from one lattice to another a load jumps by a thousandth, a quarter of its change here. Followed loads are
+/// those found alone, within the bars.
 #[test]
 fn elements_follow_on_their_lattice() {
-    const STEP: f64 = 5e-9;
+    const STEP: f64 = 5e-8;
     let (gap, resolution) = (waves(), Resolution::FAST);
     let at = |approach| NormalContact::at_approach(&gap, steel(), approach, resolution).unwrap();
     let mut known = at(20e-6);
     assert_eq!(known.method(), Method::Elements);
-    for step in 1..=8 {
+    for step in 1..=5 {
         let approach = 20e-6 + STEP * f64::from(step);
         let followed = known.follow(&gap, approach).unwrap();
         let rise = followed.load().value - known.load().value;
         let stiffness = followed.stiffness().midpoint(known.stiffness());
-        assert!((rise / (stiffness * STEP) - 1.0).abs() < 1e-3, "{step}: {rise} {stiffness}");
+        assert!((rise / (stiffness * STEP) - 1.0).abs() < 5e-3, "{step}: {rise} {stiffness}");
         let (load, alone) = (followed.load(), at(approach).load());
         let apart = (load.value - alone.value).abs();
         assert!(apart < load.error + alone.error, "{step}: {load:?} {alone:?}");
