@@ -82,12 +82,12 @@ def batch(
 ) -> pd.DataFrame | pl.DataFrame | Path:
     """Solves the cases of a table, a row a case; gives the table with the answers appended.
 
-    cases: a frame of pandas or polars, or a mapping of arrays of one length (for pandas), with the
-    columns `a_over_b`, `poisson`, `xi`, `eta`, `chi` and, if need be, `kappa_over_mu`; creepages
-    that are left out are zero. With `case`, a Case, the rows are in SI units. Columns are then
-    `longitudinal`, `lateral`, `spin`, `normal_force`, `friction`, radii, semi-axes, `speed`, as of
-    `Case.force`. What has no column is the case's. theory: by name with its options, a Table, or a
-    prepared theory, whose contact all rows then have. With `case` its own is taken if none is
+    cases: a frame of pandas or polars, or a mapping of arrays of one length (for pandas). Its
+    columns are `a_over_b`, `poisson`, `xi`, `eta`, `chi` and, if need be, `kappa_over_mu`.
+    Creepages that are left out are zero. With `case`, a Case, the rows are in SI units. Columns are
+    then `longitudinal`, `lateral`, `spin`, `normal_force`, `friction`, radii, semi-axes, `speed`,
+    as of `Case.force`. What has no column is the case's. theory: by name with its options, a Table,
+    or a prepared theory, whose contact all rows then have. With `case` its own is taken if none is
     given. A prepared theory may also stand first.
 
     Appended are fx, fy, mz, error bars where the theory has them, status and message, as by the

@@ -336,8 +336,8 @@ class Case:
     ) -> Curve:
         """Creep-force curves: one component of the creepage varies, the others are the case's.
 
-        values: of that component in SI units; by default 101 from zero to four times that at
-        which the linear theory reaches mu N. theories: by name; by default the case's own.
+        values: of that component in SI units. By default there are 101, from zero to four times
+        that at which the linear theory reaches mu N. theories: by name; by default the case's own.
         Raises InvalidValue where a value is not finite, CaseError where forces are wanted, and as
         theory.
         """

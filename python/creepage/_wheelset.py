@@ -37,9 +37,9 @@ class WheelsetSolution(Reported):
     right: dict[str, Any] | None
     """The right wheel."""
     derivatives: Floats | None
-    """Total derivatives of the forces on the rails, of shape (2, 6, 8), where they were asked for: of
-    the left and the right wheel; force along x, y, z and moment about x, y, z; by y, z, roll, yaw,
-    speed, pitch_rate, lateral_velocity, yaw_rate. NaN by what is found and not given."""
+    """Total derivatives of the forces on the rails, of shape (2, 6, 8), where they were asked for.
+    The axes are the left and the right wheel; force along and moment about x, y, z; y, z, roll,
+    yaw, speed, pitch_rate, lateral_velocity, yaw_rate. NaN by what is found and not given."""
     derivative_errors: Floats | None
     """What the differences may have made of each."""
     _solved: _creepage.SolvedWheelset
