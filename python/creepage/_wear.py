@@ -115,8 +115,8 @@ def wear(
     """Runs a wheelset over a distance and takes off what its contacts wear, step by step.
 
     situations are arrays of one length by their names, in SI units. `share` is the part of the
-    distance, the same for all if it is left out. Others are y, z, roll, yaw, axle_load, roll_moment, speed, pitch_rate,
-    lateral_velocity, vertical_velocity, roll_rate, yaw_rate, friction, curvature; NaN is the
+    distance, the same for all if it is left out. Others are y, z, roll, yaw, axle_load,
+    roll_moment, speed, pitch_rate, lateral_velocity, vertical_velocity, roll_rate, yaw_rate, friction, curvature; NaN is the
     wheelset's own. options are the keys of `[wear]`. Words are law ("archard", "usfd"), body
     ("wheel", "rail", "both"), sides ("each", "mean") and table. Numbers are distance, step_depth,
     smoothing_length, spacing (m), passages and stops; spread is a mapping. limits are measures at

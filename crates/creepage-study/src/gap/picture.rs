@@ -313,7 +313,7 @@ impl<'a> AreasPicture<'a> {
         let mut nodes = BTreeMap::new();
         for element in self.elements {
             for node in nodes_in(element.corners.map(on_lattice)) {
-                nodes.entry(node).or_insert((node.map(|at| f64::from(at)), element));
+                nodes.entry(node).or_insert((node.map(f64::from), element));
             }
         }
         let alone: Vec<_> =
