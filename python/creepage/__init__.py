@@ -7,11 +7,11 @@ Creepage and spin in, tangential force and moment out::
     print(force.fx, "+-", force.fx_error)
 
 A theory is prepared once from the shape of the contact and asked many times, with floats or with
-arrays that broadcast as in NumPy. `Case` is the front door in SI units. x is the rolling
-direction, z points into the lower body; creepage and spin are the velocity of the upper body
-relative to the lower over the rolling velocity, forces are those of the upper body on the lower.
-Equation numbers are those of J.J. Kalker, On the rolling contact of two elastic bodies in the
-presence of dry friction, thesis, Delft, 1967.
+arrays that broadcast as in NumPy. `Case` is the front door in SI units. x is the rolling direction,
+z points into the lower body. Creepage and spin are the velocity of the upper body relative to the
+lower over the rolling velocity. Forces are those of the upper body on the lower. Equation numbers
+are those of J.J. Kalker, On the rolling contact of two elastic bodies in the presence of dry
+friction, thesis, Delft, 1967.
 """
 
 from ._batch import batch

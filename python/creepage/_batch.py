@@ -82,24 +82,26 @@ def batch(
 ) -> pd.DataFrame | pl.DataFrame | Path:
     """Solves the cases of a table, a row a case; gives the table with the answers appended.
 
-    cases: a frame of pandas or polars, or a mapping of arrays of one length (for pandas), with the
-    columns `a_over_b`, `poisson`, `xi`, `eta`, `chi` and, if need be, `kappa_over_mu`; creepages that
-    are left out are zero. With `case`, a Case, the rows are in SI units: columns `longitudinal`,
-    `lateral`, `spin`, `normal_force`, `friction`, radii, semi-axes, `speed`, as of `Case.force`;
-    what has no column is the case's. theory: by name with its options, a Table, or a prepared theory,
-    whose contact all rows then have; with `case` its own if not given. A prepared theory may also
-    stand first.
+    cases: a frame of pandas or polars, or a mapping of arrays of one length (for pandas). Its
+    columns are `a_over_b`, `poisson`, `xi`, `eta`, `chi` and, if need be, `kappa_over_mu`.
+    Creepages that are left out are zero. With `case`, a Case, the rows are in SI units. Columns are
+    then `longitudinal`, `lateral`, `spin`, `normal_force`, `friction`, radii, semi-axes, `speed`,
+    as of `Case.force`. What has no column is the case's. theory: by name with its options, a Table,
+    or a prepared theory, whose contact all rows then have. With `case` its own is taken if none is
+    given. A prepared theory may also stand first.
 
-    Appended are fx, fy, mz (with `case` first longitudinal_n, lateral_n, moment_n_m, the frictional
-    power and, of a case with `damage`, wear and fatigue numbers), error bars where the theory has them, status and message, as by the command
-    `creepage batch`. Index and columns of the frame are kept. A row that is no case, such as one with
-    NaN, has NaN, the status "invalid", and the reason for a message.
+    Appended are fx, fy, mz, error bars where the theory has them, status and message, as by the
+    command `creepage batch`. With `case` longitudinal_n, lateral_n, moment_n_m and the frictional
+    power come first. A case with `damage` has wear and fatigue numbers too. Index and columns of
+    the frame are kept. A row that is no case, such as one with NaN, has NaN, the status "invalid",
+    and the reason for a message.
 
-    client: a `dask.distributed.Client`, on whose workers the parts are solved, again elsewhere
-    where a worker dies; without one they are solved here, to the same numbers. parts: into how
-    many pieces of work, and files. out: a folder, which gets a Parquet file a part, and whose path
-    is the answer; workers must see it too. It is new or empty, or that of the same cases and theory
-    in as many parts, of which then the missing ones are solved. One run at a time writes to it.
+    client: a `dask.distributed.Client`, on whose workers the parts are solved; where a worker dies,
+    its part is solved elsewhere. Without a client they are solved here, to the same numbers. parts:
+    into how many pieces of work, and files. out: a folder, which gets a Parquet file a part, and
+    whose path is the answer; workers must see it too. It is new or empty, or that of the same cases
+    and theory in as many parts, of which then the missing ones are solved. One run at a time writes
+    to it.
 
     Needs pandas or polars, and pyarrow for files. Raises ValueError for columns that are missing, or
     that would be appended and are there already; UnknownTheory; FileExistsError for a folder that

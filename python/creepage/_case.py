@@ -46,9 +46,9 @@ QUANTITIES = (
 class Case:
     """One rolling contact in SI units.
 
-    x is the rolling direction, y points to its right, z into the lower body. Raises CaseError,
-    which names the section and the key of the case file, for numbers out of range, for
-    contradictions, and for bodies without a contact ellipse along the rolling direction.
+    x is the rolling direction, y points to its right, z into the lower body. Raises CaseError for
+    numbers out of range, for contradictions, and for bodies without a contact ellipse along the
+    rolling direction. It names the section and the key of the case file.
     """
 
     def __init__(
@@ -81,15 +81,16 @@ class Case:
         **options: Any,
     ) -> None:
         """normal_force: N (N). friction: mu, or a law of it by the speed of slip or across the
-        contact as a case file has it. Creepage either in SI units, longitudinal and
-        lateral (relative velocity over rolling velocity) and spin (rad/m), or dimensionless, xi,
-        eta, chi; what is left out is zero. speed: rolling velocity (m/s), for the frictional
-        power. Forces on the lower body (N, N m), or dimensionless, are wanted in place of
-        creepages, which are then found; exactly three quantities are given, zeros too. angle:
-        from the upper body's rolling section to the lower's (degrees). Both semi-axes (m) replace
-        the bodies' radii. layer: `thickness` (m), `shear_modulus` (Pa) and what else `[layer]` of a
-        case file has. damage: `{}`, or constants as in `[damage]`, for `Solution.damage`.
-        heat: `upper` and `lower`, each `{"material": "steel"}` or its numbers as in `[heat]`, for `Solution.heat`; needs speed. theory and its options are those of `solve`.
+        contact as a case file has it. Creepage is either in SI units, longitudinal and lateral
+        (relative velocity over rolling velocity) and spin (rad/m), or dimensionless, xi, eta, chi.
+        What is left out is zero. speed: rolling velocity (m/s), for the frictional power. Forces on
+        the lower body (N, N m), or dimensionless ones, may be wanted in place of creepages, which
+        are then found. Exactly three quantities are given, zeros too. angle: from the upper body's
+        rolling section to the lower's (degrees). Both semi-axes (m) replace the bodies' radii.
+        layer: `thickness` (m), `shear_modulus` (Pa) and the other keys of `[layer]` in a case file.
+        damage: `{}`, or constants as in `[damage]`, for `Solution.damage`. heat: `upper` and
+        `lower`, each `{"material": "steel"}` or its numbers as in `[heat]`, for `Solution.heat`;
+        needs speed. theory and its options are those of `solve`.
         """
         numbers = {
             "normal_force": normal_force, "friction": friction, "longitudinal": longitudinal,
@@ -212,10 +213,9 @@ class Case:
         """A theory prepared for this contact: by default the case's own with its options.
 
         Another theory than the case's has its usual options. "exact" with resolution="auto" is an
-        Automatic, for accuracy=0.001 unless another is given. Raises UnknownTheory, TypeError for an
-        option that the theory does not have, and what its class raises; warns with
-        UnlikeBodiesWarning where the bodies are so unlike that neglecting it matters, and the theory
-        does.
+        Automatic, for accuracy=0.001 unless another is given. Raises UnknownTheory, TypeError for
+        an option that the theory does not have, and what its class raises. Warns with
+        UnlikeBodiesWarning where the theory neglects how unlike the bodies are, and that matters.
         """
         return prepared(self._data, *self._chosen(name, options))
 
@@ -278,10 +278,11 @@ class Case:
         broadcast, such as a measured history.
 
         longitudinal, lateral: creepages. spin (rad/m). normal_force (N). friction. Radii and
-        semi-axes (m); a radius is infinite where flat, semi-axes replace the case's radii. speed
-        (m/s), for the frictional power. theory: by name, or a Table; the case's own if not given, with
-        its options. An element that is no case, such as one with NaN, has NaN and the status INVALID;
-        `messages` says why. The numbers are those of `creepage batch --case` to the last bit.
+        semi-axes are in m. A radius is infinite where flat; semi-axes replace the case's radii.
+        speed (m/s), for the frictional power. theory: by name, or a Table; the case's own if not
+        given, with its options. An element that is no case, such as one with NaN, has NaN and the
+        status INVALID; `messages` says why. The numbers are those of `creepage batch --case` to the
+        last bit.
 
         xarray's DataArrays broadcast by the names of their dimensions. Raises as solve; ValueError for
         shapes that do not broadcast, TypeError for what is no number.
@@ -297,12 +298,13 @@ class Case:
     ) -> FrictionFit:
         """The coefficient of friction whose forces are nearest to measured ones (least squares).
 
-        Arrays of one shape, or that broadcast: longitudinal, lateral (creepages), spin (rad/m), of which
-        one at least; longitudinal_force, lateral_force (N, of the upper body on the lower), of which one
-        at least, or longitudinal_coefficient, lateral_coefficient (force over normal force);
-        normal_force (N) where it differs from the case's; uncertainty, one standard deviation of the
-        forces in their unit. slope: find a factor of the initial slope too. Further keywords are the
-        theory's options; the case's own theory and friction are where the search begins.
+        Arguments are arrays of one shape, or that broadcast. At least one of longitudinal, lateral
+        (creepages) and spin (rad/m) is needed. So is at least one force: longitudinal_force,
+        lateral_force (N, of the upper body on the lower), or longitudinal_coefficient,
+        lateral_coefficient (force over normal force). normal_force (N) is given where it differs
+        from the case's. uncertainty is one standard deviation of the forces in their unit. slope:
+        find a factor of the initial slope too. Further keywords are the theory's options; the
+        case's own theory and friction are where the search begins.
 
         Points that do not belong to the others are left out, and AccuracyWarning names them; so it does
         elements without a finite number. Raises ValueError for too few points and for points that say
@@ -334,8 +336,8 @@ class Case:
     ) -> Curve:
         """Creep-force curves: one component of the creepage varies, the others are the case's.
 
-        values: of that component in SI units; by default 101 from zero to four times that at
-        which the linear theory reaches mu N. theories: by name; by default the case's own.
+        values: of that component in SI units. By default there are 101, from zero to four times
+        that at which the linear theory reaches mu N. theories: by name; by default the case's own.
         Raises InvalidValue where a value is not finite, CaseError where forces are wanted, and as
         theory.
         """

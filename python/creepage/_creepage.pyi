@@ -70,11 +70,11 @@ _Pair: TypeAlias = tuple[int, int] | Sequence[int]
 class Theory:
     """A theory of steady rolling, prepared for one ratio of semi-axes and one Poisson's ratio.
 
-    Prepare once, ask many times, from any number of threads. All quantities are dimensionless:
-    creepages xi = upsilon_x rho / (mu c) and eta = upsilon_y rho / (mu c), spin
-    chi = phi rho / mu; forces fx, fy in units of mu N and the moment mz in units of mu N c, with
-    c = sqrt(a b). x is the rolling direction, z points into the lower body; creepage is that of
-    the upper body relative to the lower, forces are those of the upper body on the lower.
+    Prepare once, ask many times, from any number of threads. All quantities are dimensionless.
+    Creepages are xi = upsilon_x rho / (mu c) and eta = upsilon_y rho / (mu c), spin is chi = phi
+    rho / mu. Forces fx, fy are in units of mu N, the moment mz is in units of mu N c, with c =
+    sqrt(a b). x is the rolling direction, z points into the lower body. Creepage is that of the
+    upper body relative to the lower, forces are those of the upper body on the lower.
     """
 
     @property
@@ -90,13 +90,13 @@ class Theory:
         """Force and moment on the lower body.
 
         xi, eta, chi: dimensionless creepages and spin, floats or anything of which NumPy makes
-        arrays of real numbers; they broadcast against each other, those of xarray by the names of
+        arrays of real numbers. They broadcast against each other, those of xarray by the names of
         their dimensions. For floats a Force of floats, else a Force of arrays of the common shape.
         Arrays are solved by all cores with the GIL released, and Ctrl-C ends them; do not write to
         them meanwhile.
 
-        Raises InvalidValue where a component is not finite (or beyond 1e100), with the index of
-        the first such element; TypeError for what is no real number, ValueError for shapes that
+        Raises InvalidValue where a component is not finite (or beyond 1e100), with the index of the
+        first such element. Raises TypeError for what is no real number, ValueError for shapes that
         do not broadcast.
         """
 
@@ -118,9 +118,9 @@ class Theory:
         """Traction and slip in the contact at one creepage.
 
         x, y: positions in units of c, floats or arrays that broadcast; by default the middles of
-        points x points cells of the box around the ellipse, y first. Traction is that on the
-        lower body in units of mu times the peak pressure, slip that of the upper body relative to
-        the lower in units of mu c V / rho.
+        points x points cells of the box around the ellipse, y first. Traction is that on the lower
+        body, in units of mu times the peak pressure. Slip is that of the upper body relative to the
+        lower, in units of mu c V / rho.
         """
 
 class DifferentiableTheory(Theory):
@@ -140,11 +140,11 @@ class Exact(DifferentiableTheory):
     """The full theory: Coulomb's law at every element, no shape of the traction assumed.
 
     a_over_b: ratio a/b of the semi-axes, along over across the rolling direction, 1/64 to 64.
-    poisson: combined Poisson's ratio, 0 to 0.5. resolution: "fast" (14 x 12 elements, 0.3 ms a
-    case, rms error 0.14 % of mu N), "standard" (22 x 18, 0.9 ms, 0.05 %; the default), "fine"
-    (40 x 32, 6 ms, 0.012 %), or (along, across) on a circle, 4 to 200 each,
-    10000 in all. kappa_over_mu: how unlike the bodies are, kappa of (2.10) over the coefficient of
-    friction; like ones have 0. Their pressure adds to the slip.
+    poisson: combined Poisson's ratio, 0 to 0.5. resolution: "fast", "standard" (the default),
+    "fine", or (along, across) on a circle, 4 to 200 each, 10000 in all. "fast" has 14 x 12
+    elements, 0.3 ms a case, rms error 0.14 % of mu N; "standard" 22 x 18, 0.9 ms, 0.05 %; "fine" 40
+    x 32, 6 ms, 0.012 %. kappa_over_mu: how unlike the bodies are, kappa of (2.10) over the
+    coefficient of friction; like ones have 0. Their pressure adds to the slip.
     """
 
     def __new__(

@@ -17,11 +17,11 @@ Edge = Literal["vanishing", "singular"]
 class HalfSpace:
     """Two like bodies, or a half-space, under tractions on an ellipse: (2.47), (3.5), and their inverse.
 
-    A polynomial in x and y is the list of its coefficients in the order of (2.49): 1, x, y, x^2, xy, y^2,
-    x^3 and so on, a whole number of degrees; a list that is left out is zero. A traction is three
-    polynomials (X, Y, Z), exerted on the lower body, times (1 - x^2/a^2 - y^2/b^2)^(1/2), which vanishes
-    at the edge, or ^(-1/2), which is singular there; displacement differences u+ - u- inside the ellipse
-    are three polynomials (u, v, w).
+    A polynomial in x and y is the list of its coefficients in the order of (2.49): 1, x, y, x^2,
+    xy, y^2, x^3 and so on. A list has all terms of its highest degree; one that is left out is
+    zero. A traction is three polynomials (X, Y, Z), exerted on the lower body, times a root of 1 -
+    x^2/a^2 - y^2/b^2. The root is ^(1/2), which vanishes at the edge, or ^(-1/2), which is singular
+    there. Displacement differences u+ - u- inside the ellipse are three polynomials (u, v, w).
 
     Hertz: a paraboloid pressed flat::
 

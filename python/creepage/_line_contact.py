@@ -101,8 +101,8 @@ class LineContact:
 def line_contact(upper: Body, lower: Body, load: float) -> LineContact:
     """Presses two cylinders together by their radius_rolling; load in N per m of their length.
 
-    Raises InvalidValue for numbers out of range, CaseError for bodies that are crowned and do not touch
-    along a line; warns with UnitsWarning of numbers that look like ones in other units.
+    Raises InvalidValue for numbers out of range, CaseError for bodies that are crowned and do not
+    touch along a line. Warns with UnitsWarning of numbers that look like ones in other units.
     """
     radii = []
     for name, body in (("upper", upper), ("lower", lower)):
@@ -160,9 +160,10 @@ def viscoelastic_cylinders(
     friction: float = 0.3,
     force: Any = 0.0,
 ) -> ViscoelasticSolution[Any]:
-    """Two like cylinders whose compliance grows from that of the glassy shear_modulus (Pa) to 1 + ratio times it, with the
-    retardation time (s); Poisson's ratio stays. radius: 1/(1/R1 + 1/R2) (m). speed (m/s), load and tangential
-    force (N/m) are floats or arrays, which broadcast. Raises InvalidValue for numbers out of range.
+    """Two like cylinders whose compliance grows, with the retardation time (s), from that of the
+    glassy shear_modulus (Pa) to 1 + ratio times it. Poisson's ratio is constant. radius: 1/(1/R1 +
+    1/R2) (m). speed (m/s), load and tangential force (N/m) are floats or arrays, which broadcast.
+    Raises InvalidValue for numbers out of range.
     """
     material = [shear_modulus, poisson, ratio, time]
     return ViscoelasticSolution(

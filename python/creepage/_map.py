@@ -186,12 +186,13 @@ class ContactMap:
     ) -> ContactMap:
         """Builds the map of a wheelset on all cores, which takes minutes; its axle load is the usual one.
 
-        y (m) and yaw (rad): largest to either side, 6.2 mm and 10 mrad if not given. loads (N): vertical loads
-        of a wheel at the map's nodes, .12 to 2.4 times half the axle load if not given. tolerance: part of
-        mu N by which the middle of a cell may be missed before it is halved (.01), down to the width
-        narrowest (50 um). states: drawn afresh in each cell, by which the error is measured. ellipses: a
-        table of the theory exact over a/b from .15 to 30, or its file; built first where it is left out.
-        journal: a file that keeps what is finished, from which an interrupted build goes on.
+        y (m) and yaw (rad): largest to either side, 6.2 mm and 10 mrad if not given. loads (N):
+        vertical loads of a wheel at the map's nodes, .12 to 2.4 times half the axle load if not
+        given. tolerance: part of mu N by which the middle of a cell may be missed before it is
+        halved (.01). narrowest: width of a cell that is not halved (50 um). states: drawn afresh in
+        each cell, by which the error is measured. ellipses: a table of the theory exact over a/b
+        from .15 to 30, or its file; built first where it is left out. journal: a file that keeps
+        what is finished, from which an interrupted build goes on.
         """
         table = ellipses
         if table is None:

@@ -212,8 +212,8 @@ class ElementField(Field):
     corners: Floats
     """Corners of each element, all around, shape (n, 4, 2)."""
     beyond: Floats
-    """How far each corner is from the border of adhesion along x, shape (n, 4): negative in adhesion,
-    positive in slip; -1 and 1 where elements adhere or slide as a whole."""
+    """How far each corner is from the border of adhesion along x, shape (n, 4). It is negative in
+    adhesion, positive in slip, -1 and 1 where elements adhere or slide everywhere."""
 
 
 @dataclass(frozen=True, slots=True)

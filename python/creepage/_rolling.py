@@ -43,11 +43,11 @@ class RollingStep:
 class Rolling:
     """A contact that rolls on, whose past decides with the motion what comes.
 
-    case: a Case, whose own creepage is not used, or the case file of `creepage roll`: a path, its text
-    (a string with line breaks), or its sections as a mapping. start: "none", without traction;
-    "steady", as if the bodies had always rolled with the motion of the first step; two forces (N),
-    longitudinal and lateral on the lower body, by which the bodies are shifted before they roll. By
-    default as the file says, or none. Raises CaseError for what cannot roll.
+    case: a Case, whose own creepage is not used, or the case file of `creepage roll`. The file is a
+    path, its text (a string with line breaks), or its sections as a mapping. start: "none" is
+    without traction. "steady" is as if the bodies had always rolled with the motion of the first
+    step. Two forces (N), longitudinal and lateral on the lower body, shift the bodies before they
+    roll. By default it is as the file says, or none. Raises CaseError for what cannot roll.
 
     It may be pickled and copied with all that it remembers, and used from several threads, one step
     after the other.
@@ -71,10 +71,10 @@ class Rolling:
     ) -> RollingStep:
         """Rolls on by a distance (m), in steps as short as the accuracy needs.
 
-        Of each component of the motion the creepage (spin in rad/m) or the force on the lower body (N,
-        N m) that it results from; zero creepage if neither is given. normal_force (N): the case's own
-        if not given. Raises InvalidValue and ValueError, the contact being as it was; warns where a
-        step did not converge.
+        Each component of the motion is given as a creepage (spin in rad/m) or as the force on the
+        lower body (N, N m) that causes it. If neither is given, its creepage is zero. normal_force
+        (N): the case's own if not given. Raises InvalidValue and ValueError, the contact being as
+        it was; warns where a step did not converge.
         """
         given = {
             "distance": distance,
@@ -128,12 +128,13 @@ def roll(
 ) -> dict[str, Any]:
     """Rolls a contact by a whole history: the numbers of `creepage roll` to the last bit.
 
-    case, start: as of Rolling. history: arrays of one length, or a frame of pandas, with the columns of
-    the command's table: `distance` (m), for each component of the motion `longitudinal`, `lateral`,
-    `spin` (rad/m), or `xi`, `eta`, `chi`, or `longitudinal_force`, `lateral_force` (N), `moment`
-    (N m); `normal_force` (N). A row's motion acts from the distance of the row before, or zero, to its
-    own. Gives arrays named as the columns of `history.csv`. Raises CaseError, InvalidValue and
-    ValueError, which name column and row; warns where rows did not converge.
+    case, start: as of Rolling. history: arrays of one length, or a frame of pandas, with the
+    columns of the command's table. These are `distance` (m), `normal_force` (N) and the components
+    of the motion. A component is a creepage, `longitudinal`, `lateral`, `spin` (rad/m) or `xi`,
+    `eta`, `chi`, or a force, `longitudinal_force`, `lateral_force` (N), `moment` (N m). A row's
+    motion acts from the distance of the row before, or zero, to its own. Gives arrays named as the
+    columns of `history.csv`. Raises CaseError, InvalidValue and ValueError, which name column and
+    row; warns where rows did not converge.
     """
     columns = [(str(name), _column(str(name), values)) for name, values in history.items()]
     if len({values.size for _, values in columns}) > 1:

@@ -185,8 +185,8 @@ class Solution:
 
     @property
     def heat(self) -> dict[str, Any] | None:
-        """Temperatures as `heat` of `report.json` has them, the names with their units; None where the
-        case does not ask for them, or where they cannot be computed: then a caution says why."""
+        """Temperatures as `heat` of `report.json` has them, the names with their units. None where
+        the case does not ask for them, or where they cannot be computed; then a caution says why."""
         heat: dict[str, Any] | None = self.to_dict()["heat"]
         return heat
 

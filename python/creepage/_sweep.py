@@ -59,11 +59,11 @@ def sweep(
     mapping. The columns are those of the command's CSV, a row a case; `to="xarray"` gives them
     over the dimensions chi, alpha, upsilon, or over `case` where a value occurs twice.
 
-    client: a `dask.distributed.Client`, on whose workers the chains are solved, again elsewhere
-    where a worker dies; the answer is the same to the last bit. parts: into how many pieces of
-    work at most, and files. out: a folder, which gets a Parquet file a part, and whose path is the
-    answer; workers must see it too. It is new or empty, or that of the same sweep in as many parts,
-    of which then the missing ones are solved. One run at a time writes to it.
+    client: a `dask.distributed.Client`, on whose workers the chains are solved; where a worker
+    dies, its chain is solved elsewhere. The answer is the same to the last bit. parts: into how
+    many pieces of work at most, and files. out: a folder, which gets a Parquet file a part, and
+    whose path is the answer; workers must see it too. It is new or empty, or that of the same sweep
+    in as many parts, of which then the missing ones are solved. One run at a time writes to it.
 
     Needs pandas; xarray, or pyarrow for files. Raises CaseError for what is no sweep, OSError for
     what cannot be read, FileExistsError for a folder that holds anything else.

@@ -114,12 +114,14 @@ def wear(
 ) -> Wear:
     """Runs a wheelset over a distance and takes off what its contacts wear, step by step.
 
-    situations are arrays of one length by their names: `share` of the distance, and any of y, z, roll, yaw,
-    axle_load, roll_moment, speed, pitch_rate, lateral_velocity, vertical_velocity, roll_rate, yaw_rate, friction,
-    curvature (SI units); NaN is the wheelset's own. options are the keys of `[wear]`: law ("archard", "usfd"),
-    body ("wheel", "rail", "both"), sides ("each", "mean"), distance (m), passages, step_depth, smoothing_length,
-    spacing (m), stops, spread, table, limits (measures at which the run ends, such as `{"hollow": 2e-3}`). With
-    neither the wheelset's own `[wear]` is taken.
+    situations are arrays of one length by their names, in SI units. `share` is the part of the
+    distance, the same for all if it is left out. Others are y, z, roll, yaw, axle_load,
+    roll_moment, speed, pitch_rate, lateral_velocity, vertical_velocity, roll_rate, yaw_rate, friction, curvature; NaN is the
+    wheelset's own. options are the keys of `[wear]`. Words are law ("archard", "usfd"), body
+    ("wheel", "rail", "both"), sides ("each", "mean") and table. Numbers are distance, step_depth,
+    smoothing_length, spacing (m), passages and stops; spread is a mapping. limits are measures at
+    which the run ends, such as `{"hollow": 2e-3}`. With neither the wheelset's own `[wear]` is
+    taken.
 
     With a file state a run that was stopped goes on where it was, to the same bits; it is not removed. progress
     hears the part of the distance that is done, before every step. Raises CaseError for what is asked, OSError for

@@ -37,9 +37,9 @@ class WheelsetSolution(Reported):
     right: dict[str, Any] | None
     """The right wheel."""
     derivatives: Floats | None
-    """Total derivatives of the forces on the rails, of shape (2, 6, 8), where they were asked for: of
-    the left and the right wheel; force along x, y, z and moment about x, y, z; by y, z, roll, yaw,
-    speed, pitch_rate, lateral_velocity, yaw_rate. NaN by what is found and not given."""
+    """Total derivatives of the forces on the rails, of shape (2, 6, 8), where they were asked for.
+    The axes are the left and the right wheel; force along and moment about x, y, z; y, z, roll,
+    yaw, speed, pitch_rate, lateral_velocity, yaw_rate. NaN by what is found and not given."""
     derivative_errors: Floats | None
     """What the differences may have made of each."""
     _solved: _creepage.SolvedWheelset
@@ -100,22 +100,25 @@ class Wheelset(FromFile):
         directory: str | os.PathLike[str] = ".",
         **options: Any,
     ) -> None:
-        """axle_load (N) presses it on its rails, or z (m, down) is its height. radius of the
-        wheels at the tape circle, gauge, gauge_height, back_to_back and y in metres; cant of the
-        rails, yaw and roll in radians; speed and lateral_velocity in m/s, pitch_rate and yaw_rate
-        in rad/s; shear_modulus in Pa. Profile files are looked for in directory. options are those
-        of `[solve]`, theory among them. wheel_reading and rail_reading say what a profile's file does
-        not show, and smooth it: {"unit": 0.001, "y": "field-side", "z": "up", "smooth": 0.006}, each
-        where it is needed.
+        """axle_load (N) presses it on its rails, or z (m, down) is its height. Lengths are in
+        metres: radius of the wheels at the tape circle, gauge, gauge_height, back_to_back and y.
+        cant of the rails, yaw and roll are in radians. speed and lateral_velocity are in m/s,
+        pitch_rate and yaw_rate in rad/s, shear_modulus in Pa. Profile files are looked for in
+        directory. options are those of `[solve]`, theory among them. wheel_reading and rail_reading
+        say what a profile's file does not show, and smooth it: {"unit": 0.001, "y": "field-side",
+        "z": "up", "smooth": 0.006}, each where it is needed.
 
-        wheel and rail may be files of slices too (.toml, or CONTACT's .slcw and .slcs): profiles around the wheel
-        and along the rail. Of both wheels flat is {"length": m, "depth": m, "angle": rad, "shape": "chord" or
-        "haversine"} or several of these, waviness [{"order": n, "amplitude": m, "phase": rad}]; of both rails
-        corrugation [{"wavelength": m, "amplitude": m, "phase": rad}]. s is the place along the track (m), pitch how
-        far the wheels have rolled on (rad). roller_radius (m) puts a roller in place of each rail, whose rim touches
-        the track plane. guard is a guard rail beside each rail, on which the back of the flange runs:
-        {"profile": name, file or points, "flangeway": m, "height": m, "cant": rad, "friction": mu}, with "position":
-        [y, z] in place of flangeway and height, or {"grooved": True} where the rail's own profile has it. What this leaves out, `from_toml` and `from_dict` know.
+        wheel and rail may be files of slices too (.toml, or CONTACT's .slcw and .slcs): profiles
+        around the wheel and along the rail. flat, of both wheels, is {"length": m, "depth": m,
+        "angle": rad, "shape": "chord" or "haversine"} or several of these. waviness, of both
+        wheels, is [{"order": n, "amplitude": m, "phase": rad}]. corrugation, of both rails, is
+        [{"wavelength": m, "amplitude": m, "phase": rad}]. s is the place along the track (m), pitch
+        how far the wheels have rolled on (rad). roller_radius (m) puts a roller in place of each
+        rail, whose rim touches the track plane. guard is a guard rail beside each rail, on which
+        the back of the flange runs. It is {"profile": name, file or points, "flangeway": m,
+        "height": m, "cant": rad, "friction": mu}. "position": [y, z] may replace flangeway and
+        height; {"grooved": True} is for a rail whose own profile has it. What this leaves out,
+        `from_toml` and `from_dict` know.
         """
         def waves(value: Any) -> Any:
             if value is None or isinstance(value, Mapping):
@@ -237,10 +240,10 @@ class Wheelset(FromFile):
         """Forces over lateral positions (m), yaws (rad), and where they are given rolls (rad), heights (m)
         or axle loads (N), solved on all cores.
 
-        Arrays of shape (axle_load, z, roll, yaw, y), of those that are given, by the names of
-        `creepage wheelset --table`, such as `left_lateral_n`; those of the three most loaded places of contact,
-        such as `left_contact_area_m2`, have a last axis of length 3 more. NaN where a position could not be
-        solved or there are fewer contacts.
+        Gives arrays of shape (axle_load, z, roll, yaw, y), of those that are given, by the names of
+        `creepage wheelset --table`, such as `left_lateral_n`. Arrays of the three most loaded
+        places of contact, such as `left_contact_area_m2`, have a last axis of length 3 more. NaN
+        where a position could not be solved or there are fewer contacts.
         """
         given = {"axle_load": axle_load, "z": z, "roll": roll, "yaw": yaw, "y": y}
         axes = {
@@ -258,7 +261,8 @@ class Wheelset(FromFile):
 
     def radius_difference(self, *, roll: bool = False) -> tuple[Floats, Floats]:
         """(y, right wheel's rolling radius less the left's), both in metres, as far as contact
-        exists; roll: with the wheelset rolled until both wheels touch, else as EN 15302 has it.
+        exists. With roll the wheelset is rolled until both wheels touch, else it is as EN 15302 has
+        it.
         """
         y, difference = np.array(self._data.radius_difference(roll)).reshape(-1, 2).T
         return y, difference

@@ -180,12 +180,13 @@ class WheelsetSolver:
     ) -> WheelsetResult:
         """Solves one position and motion, in SI units, angles in radians.
 
-        What is left out is the wheelset's own. `z` (m, down) or `axle_load` (N, both wheels) press it;
-        `roll_moment` (N m), with `axle_load` and a roll that is free, is the moment about x with which it
-        presses on the track, about its centre, positive where it presses the right wheel down.
-        Without `start` the answer is the same to the last bit whatever was asked before. With `start`, an
-        earlier result nearby, it is found from there, several times quicker, and the same within the
-        error bars. Raises CaseError where nothing rests on the rails.
+        What is left out is the wheelset's own. `z` (m, down) or `axle_load` (N, both wheels) press
+        it. `roll_moment` (N m), with `axle_load` and a roll that is free, is the moment about x
+        through its centre with which it presses on the track. It is positive where it presses the
+        right wheel down. Without `start` the answer is the same to the last bit whatever was asked
+        before. With `start`, an earlier result nearby, it is found from there, several times
+        quicker, and the same within the error bars. Raises CaseError where nothing rests on the
+        rails.
         """
         given = {
             "y": y,

@@ -1,5 +1,5 @@
-// The library in workers: what crates/creepage-web-wheelset exports. One worker draws while things move, another
-// solves exactly when they rest, so that neither waits for the other.
+// The library in workers: what crates/creepage-web-wheelset exports. Some answer while things move, another one when
+// they rest, so that neither waits for the other.
 "use strict";
 
 const RESOLUTIONS = { fastsim: 0, fast: 1, standard: 2, fine: 3 };
@@ -93,7 +93,7 @@ function solveInWorker() {
     };
   }
 
-  onmessage = async ({ data: { id, wasm, asked } }) => {
+  onmessage = async ({ data: { wasm, asked } }) => {
     try {
       if (wasm) {
         library = (await WebAssembly.instantiate(wasm, {})).instance.exports;
@@ -103,12 +103,12 @@ function solveInWorker() {
           return { role, name };
         });
         // A number in the list of all is what the library takes.
-        postMessage({ id, answer: names });
+        postMessage({ answer: names });
       } else {
-        postMessage({ id, answer: solve(asked) });
+        postMessage({ answer: solve(asked) });
       }
     } catch (error) {
-      postMessage({ id, failure: error.message });
+      postMessage({ failure: error.message });
     }
   };
 }
@@ -125,49 +125,57 @@ let nativeWindow = () => {
   return loaded;
 };
 
-// One question at a time; of those that come meanwhile the last one alone is asked.
-class Solver {
-  constructor() {
-    const text = `(${solveInWorker})()`;
-    const address = URL.createObjectURL(new Blob([text], { type: "text/javascript" }));
+// A worker, which answers one question at a time.
+class Colleague {
+  constructor(address) {
     this.worker = nativeWindow().then(({ Worker }) => {
       const worker = new Worker(address);
       worker.onmessage = ({ data }) => this.answered(data);
       return worker;
     });
-    this.count = 0;
   }
 
-  start(wasm) {
-    return new Promise((done, failed) => this.post({ wasm }, done, failed));
+  post(message, answered) {
+    this.answered = (data) => {
+      this.answered = null;
+      answered(data);
+    };
+    this.worker.then((worker) => worker.postMessage(message));
+  }
+}
+
+// One question a worker; of those that come while all are busy the last one alone is asked. Answers may overtake
+// each other.
+class Solver {
+  constructor(count) {
+    const text = `(${solveInWorker})()`;
+    const address = URL.createObjectURL(new Blob([text], { type: "text/javascript" }));
+    this.colleagues = Array.from({ length: count }, () => new Colleague(address));
   }
 
-  post(message, done, failed) {
-    const id = ++this.count;
-    this.asked = { id, done, failed };
-    this.worker.then((worker) => worker.postMessage({ ...message, id }));
+  async start(wasm) {
+    const ready = (colleague) => new Promise((done, failed) => this.post(colleague, { wasm }, done, failed));
+    return (await Promise.all(this.colleagues.map(ready)))[0];
+  }
+
+  post(colleague, message, done, failed) {
+    colleague.post(message, ({ answer, failure }) => {
+      const next = this.next;
+      this.next = null;
+      if (next) this.ask(...next);
+      if (failure === undefined) done(answer);
+      else failed(new Error(failure));
+    });
   }
 
   ask(asked, done, failed) {
-    if (this.asked) {
-      this.next = [asked, done, failed];
-    } else {
-      this.post({ asked }, done, failed);
-    }
+    const free = this.colleagues.find(({ answered }) => !answered);
+    if (free) this.post(free, { asked }, done, failed);
+    else this.next = [asked, done, failed];
   }
 
   // What is still to come is wanted no longer.
   forget() {
     this.next = null;
-  }
-
-  answered({ answer, failure }) {
-    const { done, failed } = this.asked;
-    this.asked = null;
-    const next = this.next;
-    this.next = null;
-    if (next) this.ask(...next);
-    if (failure === undefined) done(answer);
-    else failed(new Error(failure));
   }
 }

@@ -2,6 +2,7 @@
 "use strict";
 
 const REST = 120; // ms without a change after which the full theory solves
+const WORKERS = 2; // that answer in turn while things move
 const ROLES = ["wheel", "rail"];
 
 class Page {
@@ -112,31 +113,30 @@ class Page {
     return { resolution, warmStart, wheel: profile("wheel"), rail: profile("rail"), ...si(this.state) };
   }
 
-  // While things move FASTSIM answers, from the position before; at rest the full theory does.
+  // While things move FASTSIM answers, from a position before; at rest the full theory does, from nothing.
   refresh() {
     this.version = (this.version ?? 0) + 1;
     const own = this.version;
     this.controls();
-    history.replaceState(null, "", toLink(this.state));
-    element("link").href = toLink(this.state);
-    element("case").querySelector("code").textContent = caseFile(this.state);
     document.body.dataset.explorer = "moving";
-    this.askedAt = performance.now();
     this.quick.ask(this.asked(RESOLUTIONS.fastsim, true), (answer) => {
-      this.lastFrame = performance.now() - this.askedAt;
       if (own < (this.shown ?? 0)) return;
-      this.fastsim = { version: own, answer };
-      if (this.exactVersion !== this.version) this.show(own, answer, "fastsim");
+      this.moving = { version: own, answer };
+      if (this.restVersion !== this.version) this.show(own, answer, "fastsim");
+      else this.report();
     }, (error) => this.fail(own, error));
     clearTimeout(this.resting);
     this.exact.forget();
-    this.resting = setTimeout(() => this.solveExactly(own), REST);
+    this.resting = setTimeout(() => this.rest(own), REST);
   }
 
-  solveExactly(own) {
+  rest(own) {
+    history.replaceState(null, "", toLink(this.state));
+    element("link").href = toLink(this.state);
+    element("case").querySelector("code").textContent = caseFile(this.state);
     this.exact.ask(this.asked(RESOLUTIONS[this.state.resolution], false), (answer) => {
       if (own !== this.version) return;
-      this.exactVersion = own;
+      this.restVersion = own;
       this.show(own, answer, "exact");
       document.body.dataset.explorer = "whole";
     }, (error) => this.fail(own, error));
@@ -200,15 +200,19 @@ class Page {
   remarks() {
     const { answer, state } = this;
     const remarks = [`${this.theory}: ${answer.status.replaceAll("_", " ")} in ${show(answer.time)} ms`];
-    if (this.theory === "exact" && this.fastsim?.version === this.version) {
-      const largest = Math.max(...[0, 1].map((k) => {
-        const apart = [0, 1].map((axis) => answer.wheels[k].force[axis] - this.fastsim.answer.wheels[k].force[axis]);
-        return Math.hypot(...apart) / (state.mu * Math.max(answer.wheels[k].force[2], 1));
-      }));
-      remarks.push(`fastsim, which answers while you drag, is ${show(100 * largest)} % of μN off`);
-    }
+    const off = this.off();
+    if (Number.isFinite(off)) remarks.push(`fastsim, which answers while you drag, is ${show(100 * off)} % of μN off`);
     if (state.curvature !== 0) remarks.push(`radius of the curve ${show(1e3 / Math.abs(state.curvature))} m`);
     return [...remarks, ...answer.notes.filter(Boolean).map((note) => note.trim())].join("; ");
+  }
+
+  // How far the answer of the same state while things moved was off, in parts of mu N; NaN where there is none.
+  off() {
+    if (this.restVersion !== this.version || this.moving?.version !== this.version) return NaN;
+    return Math.max(...[0, 1].map((k) => {
+      const [rest, moving] = [this.answer, this.moving.answer].map(({ wheels }) => wheels[k].force);
+      return Math.hypot(rest[0] - moving[0], rest[1] - moving[1]) / (this.state.mu * Math.max(rest[2], 1));
+    }));
   }
 
   // For those who listen: when the wheelset has stood still for half a second.
@@ -238,7 +242,7 @@ class Page {
 
 (async () => {
   try {
-    const [quick, exact] = [new Solver(), new Solver()], wasm = await engineBytes();
+    const [quick, exact] = [new Solver(WORKERS), new Solver(1)], wasm = await engineBytes();
     const [profiles] = await Promise.all([quick.start(wasm), exact.start(wasm)]);
     window.explorer = new Page(quick, exact, profiles);
   } catch (error) {

@@ -5,6 +5,8 @@ const ELEMENT = 17; // numbers of an element of a contact
 const WIDE = 118e-3, INWARDS = 12e-3; // of the track shown about each rail, and how far to its middle (m)
 const ABOVE = 14e-3, UNDER = 34e-3; // of the rails' top (m)
 const SMALLEST = 1e-9; // of the largest traction
+const SPACING = 19; // pixels between arrows, nearly
+const SEAM = 0.4; // pixels by which cells overlap: a stroke around each would cost three times as much
 
 // Both wheels on their rails, to scale; the wheelset hangs on the pointer.
 class Front {
@@ -131,14 +133,15 @@ class Contacts {
   }
 
   cells({ pen, adhesion, slip }, elements, shown, largest, place, colour) {
-    pen.lineWidth = 0.8;
     const fill = (corners, ink) => {
-      pen.fillStyle = pen.strokeStyle = ink;
+      const points = corners.map(([x, s]) => place(x, s));
+      const middle = [0, 1].map((axis) => points.reduce((sum, point) => sum + point[axis], 0) / points.length);
+      const outwards = (value, axis) => value + SEAM * Math.sign(value - middle[axis]);
+      pen.fillStyle = ink;
       pen.beginPath();
-      for (const [x, s] of corners) pen.lineTo(...place(x, s));
+      for (const point of points) pen.lineTo(...point.map(outwards));
       pen.closePath();
       pen.fill();
-      pen.stroke(); // closes seams
     };
     const slipping = [];
     for (let k = 0; k < shown.length; k++) {
@@ -152,21 +155,37 @@ class Contacts {
     for (const corners of slipping) if (corners.length) fill(corners, slip);
   }
 
-  // Traction on the rail, one arrow a square of the raster: that of the element nearest to its middle.
-  arrows({ pen, arrow: colour }, elements, place, scale, [x, s]) {
-    const spacing = 19 / scale, nearest = new Map();
-    let largest = 0;
+  // Traction on the rail, an arrow at each node of a raster: that of the element there. The largest one has its own
+  // place where no node lies in its element.
+  arrows({ pen, arrow: colour }, elements, place, scale, extents) {
+    const counts = extents.map(([low, high]) => Math.max(1, Math.round(((high - low) * scale) / SPACING)));
+    const step = (axis) => (extents[axis][1] - extents[axis][0]) / counts[axis];
+    const node = (number, axis) => extents[axis][0] + (number + 0.5) * step(axis);
+    const nodes = new Map();
+    let [largest, where] = [0, 0];
     for (let at = 0; at < elements.length; at += ELEMENT) {
-      const middle = [0, 1].map((axis) => [0, 2, 4, 6].reduce((sum, k) => sum + elements[at + k + axis], 0) / 4);
-      const square = [middle[0] - x[0], middle[1] - s[0]].map((part) => Math.floor(part / spacing));
-      const own = [x[0], s[0]].map((from, axis) => from + (square[axis] + 0.5) * spacing);
-      const away = Math.hypot(middle[0] - own[0], middle[1] - own[1]), key = square.join();
-      largest = Math.max(largest, Math.hypot(elements[at + 8], elements[at + 9]));
-      if (!(nearest.get(key)?.away <= away)) nearest.set(key, { away, middle, at });
+      const corners = [0, 2, 4, 6].map((k) => [elements[at + k], elements[at + k + 1]]);
+      const size = Math.hypot(elements[at + 8], elements[at + 9]);
+      if (size > largest) [largest, where] = [size, at];
+      const [across, along] = [1, 0].map((axis) => {
+        const [low, high] = [Math.min, Math.max].map((end) => end(...corners.map((corner) => corner[axis])));
+        const number = (value) => (value - extents[axis][0]) / step(axis) - 0.5;
+        return [Math.max(0, Math.ceil(number(low))), Math.min(counts[axis] - 1, Math.floor(number(high)))];
+      });
+      for (let k = along[0]; k <= along[1]; k++) {
+        for (let j = across[0]; j <= across[1]; j++) {
+          const middle = [node(k, 0), node(j, 1)];
+          if (within(middle, corners)) nodes.set(`${k},${j}`, { middle, at });
+        }
+      }
+    }
+    if (largest > 0 && ![...nodes.values()].some(({ at }) => at === where)) {
+      const middle = [0, 1].map((axis) => [0, 2, 4, 6].reduce((sum, k) => sum + elements[where + k + axis], 0) / 4);
+      nodes.set(middle.map((at, axis) => Math.round((at - node(0, axis)) / step(axis))).join(), { middle, at: where });
     }
     pen.strokeStyle = pen.fillStyle = colour;
     pen.lineWidth = 1.4;
-    for (const { middle, at } of nearest.values()) {
+    for (const { middle, at } of nodes.values()) {
       const traction = [elements[at + 8] / largest, elements[at + 9] / largest];
       if (!(Math.hypot(...traction) > SMALLEST)) continue;
       const [p, q] = place(...middle), [u, v] = traction.map((part) => 9 * part);
@@ -202,6 +221,15 @@ class Contacts {
     const most = colour === "slip" ? `${show(largest * 1e3)} mm per metre rolled` : `${show(largest / 1e6)} MPa`;
     this.legend.innerHTML = `0 ${bar} ${most}`;
   }
+}
+
+// Whether a place lies in a convex quadrangle.
+function within([x, y], corners) {
+  const turns = corners.map(([a, b], k) => {
+    const [c, d] = corners[(k + 1) % 4];
+    return (c - a) * (y - b) - (d - b) * (x - a);
+  });
+  return turns.every((turn) => turn >= 0) || turns.every((turn) => turn <= 0);
 }
 
 // The part of an element that slips: where the distance from the border, linear along its sides, is positive.

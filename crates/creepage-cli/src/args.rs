@@ -55,13 +55,13 @@ pub(crate) enum Command {
     Solve(SolveArgs),
     /// Solve many cases: CSV in, the same rows with forces appended out.
     ///
-    /// Without --case the input needs the columns `a_over_b`, poisson, xi, eta, chi, in any order:
-    /// the ratio of the contact's semi-axes (along over across the rolling direction), the combined
-    /// Poisson's ratio, and the dimensionless creepages. A column `kappa_over_mu` may say how unlike
-    /// the bodies are (kappa over the coefficient of friction): the theory `exact` counts it; of
-    /// others `message` says what leaving it out may cost. Appended are fx, fy (in units of mu N), mz
-    /// (mu N c), by a theory with error bars also `fx_error`, `fy_error`, `mz_error`, then status and
-    /// message.
+    /// Without --case the input needs the columns `a_over_b`, poisson, xi, eta, chi, in any order.
+    /// These are the ratio of the contact's semi-axes (along over across the rolling direction),
+    /// the combined Poisson's ratio, and the dimensionless creepages. A column `kappa_over_mu` may
+    /// say how unlike the bodies are (kappa over the coefficient of friction). The theory `exact`
+    /// counts it; with other theories `message` says what neglecting it may cost. Appended are fx,
+    /// fy (in units of mu N), mz (mu N c), by a theory with error bars also `fx_error`, `fy_error`,
+    /// `mz_error`, then status and message.
     ///
     /// With --case the rows are in SI units: columns longitudinal, lateral, spin, `normal_force`,
     /// friction, `upper_radius_rolling`, `upper_radius_lateral`, `lower_radius_rolling`,
@@ -76,22 +76,23 @@ pub(crate) enum Command {
     Batch(BatchArgs),
     /// Solve a series of cases of the numerical theory (Kalker 1967, chapter 5).
     ///
-    /// The sweep file names the contact, the loops over spin and creepage, and how each case
-    /// starts from the one before it; chains of cases run on all cores (`RAYON_NUM_THREADS` limits
-    /// them). Solved cases are kept in FILE.journal until FILE is whole: a sweep that was
-    /// interrupted goes on where it was when it is started again. Ctrl-C or a kill loses the case
-    /// in hand, one a core; a failure of the power what was solved in the last twice 5 ms and the
-    /// time the disk takes. The result is the same, bit for bit, on any number of cores,
-    /// interrupted or not. The exit code is 3 when a case did not converge.
+    /// The sweep file names the contact, the loops over spin and creepage, and how each case starts
+    /// from the one before it. Chains of cases run on all cores (`RAYON_NUM_THREADS` limits them).
+    /// Solved cases are kept in FILE.journal until FILE is complete: a sweep that was interrupted
+    /// goes on where it was when it is started again. Ctrl-C or a kill loses the case in hand, one
+    /// a core. A power failure also loses the cases of the last 10 ms and of the disk's delay. The
+    /// result is the same, bit for bit, on any number of cores, interrupted or not. The exit code
+    /// is 3 when a case did not converge.
     Sweep(SweepArgs),
     /// Roll a contact as a table says: creepages or forces over the distance, from any start.
     ///
-    /// The case file has [upper], [lower] and [contact] as for `solve`, or [contact] `line_load` for
-    /// cylinders; [start] traction = "none", "steady" or "shift"; no [creepage]. The history, CSV, has
-    /// `distance` [m] and of each component of the motion one column: longitudinal, lateral, spin; or
-    /// xi, eta, chi; or `longitudinal_force`, `lateral_force`, moment; what has no column is zero
-    /// creepage. `normal_force` may change too. The motion of a row acts from the distance of the row
-    /// before, or zero, to its own; finer steps in between are the program's affair.
+    /// The case file has [upper], [lower] and [contact] as for `solve`, or [contact] `line_load`
+    /// for cylinders; [start] traction = "none", "steady" or "shift"; no [creepage]. The history is
+    /// a CSV file. It has `distance` [m] and one column for each component of the motion:
+    /// longitudinal, lateral, spin; or xi, eta, chi; or `longitudinal_force`, `lateral_force`,
+    /// moment. A component without a column has zero creepage. `normal_force` may change too. The
+    /// motion of a row acts from the distance of the row before, or zero, to its own; finer steps
+    /// in between are the program's affair.
     ///
     /// The result, one row a row of the history, has `distance_m`, xi, eta, chi, fx, fy, mz,
     /// `longitudinal_n`, `lateral_n`, `moment_n_m`, `adhesion_share` and status. It goes to standard
@@ -103,32 +104,37 @@ pub(crate) enum Command {
     /// Solve a contact without rolling: a die, a shift, a twist, a shift with partial slip, one to and fro, or balls
     /// pressed together.
     ///
-    /// The case file has [upper], [lower] and [contact] as for `solve`, and [statics] with
-    /// problem = "die" (`offset_x`, `offset_y`), "shift" (`force_x`, `force_y`), "twist" (moment),
-    /// "partial-slip" (`force_x`, `force_y`), "shift-path" (`along` "x" or "y", `steps` of `force` or `shift`), or
-    /// "compression" (unlike balls under `normal_force`, with friction), in SI units. The report goes to standard output; with --out, also report.json, points.csv, contact.svg and
-    /// contact.png into a directory, of a path also path.csv, path.svg and path.png.
+    /// The case file has [upper], [lower] and [contact] as for `solve`, and [statics] with a
+    /// problem, in SI units. It is "die" (`offset_x`, `offset_y`), "shift" (`force_x`, `force_y`),
+    /// "twist" (moment), "partial-slip" (`force_x`, `force_y`) or "shift-path" (`along` "x" or "y",
+    /// `steps` of `force` or `shift`). "compression" is for unlike balls under `normal_force`, with
+    /// friction. The report goes to standard output; with --out, also report.json, points.csv,
+    /// contact.svg and contact.png into a directory, of a path also path.csv, path.svg and
+    /// path.png.
     Statics(StaticsArgs),
     /// Solve a ball bearing: loads, spin, sliding and heat of every ball.
     ///
-    /// The file has [bearing] with `pitch_diameter`, `balls`, `contact_angle`, `axial_load` and `radial_load` or `ball_load`
-    /// and `friction`, [ball] with diameter, density and material, [inner] and [outer] with osculation and speed, all in SI
-    /// units. The report goes to standard output; with --out, also report.json and of the hottest ball's two contacts
+    /// The file has four sections, in SI units. [bearing] has `pitch_diameter`, `balls`,
+    /// `contact_angle`, `friction`, and `axial_load` and `radial_load` or `ball_load`. [ball] has
+    /// diameter, density and material, [inner] and [outer] have osculation and speed. The report
+    /// goes to standard output; with --out, also report.json and of the hottest ball's two contacts
     /// pictures, CSV and VTK into a directory.
     Bearing(BearingArgs),
     /// Stresses inside one of the two bodies of a case.
     ///
-    /// With --points, CSV goes to standard output, rows as in P.csv: x, y, z [m], sxx, syy, szz, sxy,
-    /// syz, sxz [Pa], positive in tension, the equivalent stresses `von_mises` and tresca, the principal
-    /// stresses s1, s2, s3, and the displacements u, v, w [m], w into the body. Without, a report on the largest equivalent stress. With --out, also
-    /// stresses.csv (the points, or the section y = 0), a picture of that section, stresses.svg and
-    /// stresses.png, and without --points a block of the body, stresses.vtk, into a directory.
+    /// With --points, CSV goes to standard output, rows as in P.csv. Its columns are x, y, z [m]
+    /// and sxx, syy, szz, sxy, syz, sxz [Pa], positive in tension. Then come the equivalent
+    /// stresses `von_mises` and tresca, the principal stresses s1, s2, s3, and the displacements u,
+    /// v, w [m], w into the body. Without --points there is a report on the largest equivalent
+    /// stress. With --out a directory gets stresses.csv (the points, or the section y = 0) and a
+    /// picture of that section, stresses.svg and stresses.png. Without --points it also gets a
+    /// block of the body, stresses.vtk.
     Stresses(StressesArgs),
     /// Compute the tables and figures of Kalker's thesis of 1967 again, beside what was printed.
     ///
     /// What was compared goes to standard output. With --out, each figure goes into a directory as
-    /// SVG, PNG and CSV, each table as CSV and text; with `all`, also a gallery page (index.html)
-    /// and the table of agreement (agreement.csv, agreement.md).
+    /// SVG, PNG and CSV, each table as CSV and text. With `all` there are also a gallery page
+    /// (index.html) and the table of agreement (agreement.csv, agreement.md).
     Reproduce(ReproduceArgs),
     /// List the theories: what each assumes, costs, errs by, and is good for.
     Theories(TheoriesArgs),
@@ -146,14 +152,14 @@ pub(crate) enum Command {
     Curve(CurveArgs),
     /// Find friction from measured forces, with its uncertainty.
     ///
-    /// POINTS.csv has columns longitudinal, lateral, spin (rad/m), of which one at least; and
-    /// `longitudinal_force`, `lateral_force` (N, of the upper body on the lower) or
-    /// `longitudinal_coefficient`, `lateral_coefficient` (force over normal force), of which one at
-    /// least; `normal_force` (N) where it differs from the case's; uncertainty, one standard deviation of
-    /// the forces in their unit. The coefficient of friction, and with --slope a factor of the initial
-    /// slope, are those whose forces by the theory are nearest to the points (least squares). Points
-    /// that do not belong to the others are left out and named; so are rows that cannot be read, and
-    /// the exit code is then 3.
+    /// POINTS.csv needs at least one of the columns longitudinal, lateral, spin (rad/m). It needs
+    /// at least one force: `longitudinal_force`, `lateral_force` (N, of the upper body on the
+    /// lower), or `longitudinal_coefficient`, `lateral_coefficient` (force over normal force). It
+    /// may have `normal_force` (N) where it differs from the case's, and uncertainty, one standard
+    /// deviation of the forces in their unit. The coefficient of friction, and with --slope a
+    /// factor of the initial slope, are those whose forces by the theory are nearest to the points
+    /// (least squares). Points that do not belong to the others are left out and named; so are rows
+    /// that cannot be read, and the exit code is then 3.
     Fit(FitArgs),
     /// Solve the contacts of a wheelset on its track: where wheels and rails touch, and the forces
     /// there.
@@ -164,10 +170,11 @@ pub(crate) enum Command {
     Wheelset(WheelsetArgs),
     /// Build the contact map of a wheelset: forces of the full theory by look-up, in microseconds.
     ///
-    /// The wheelset file is as for `wheelset`. Both wheels are pressed and rolled by the full theory at places
-    /// from side to side, closer together where areas of contact join; the map's error is measured at states
-    /// drawn afresh and kept in it. What is built is kept in FILE.nc.journal until FILE.nc is whole: a run that
-    /// was interrupted goes on where it was. Minutes on two cores.
+    /// The wheelset file is as for `wheelset`. Both wheels are pressed and rolled by the full
+    /// theory at places from side to side, closer together where areas of contact join. The map's
+    /// error is measured at other random states and kept in it. What is built is kept in
+    /// FILE.nc.journal until FILE.nc is whole: a run that was interrupted goes on where it was.
+    /// Minutes on two cores.
     Map(MapArgs),
     /// Wear of wheels and rails over distance: profiles, flange measures, conicity.
     ///
@@ -194,16 +201,17 @@ pub(crate) enum Command {
     Profile(ProfileArgs),
     /// Write case files from an input file (.inp) of the program CONTACT, modules 1 and 3, one a case.
     ///
-    /// Each case file has the input file's name and the number of the case; its first lines say which command
-    /// solves it and what of the case has no counterpart, which standard error says too. Units become SI, signs
-    /// ours; profiles are found beside the input file, whatever the case of their letters, and copied. A
-    /// case that cannot be said at all is named with the cause, and the exit code is 3. An input file that cannot be
-    /// read ends with the line and what was expected there; then nothing is written.
+    /// Each case file has the input file's name and the number of the case. Its first lines say
+    /// which command solves it and what of the case has no counterpart; standard error says so too.
+    /// Units become SI, signs ours; profiles are found beside the input file, whatever the case of
+    /// their letters, and copied. A case that cannot be said at all is named with the cause, and
+    /// the exit code is 3. An input file that cannot be read ends with the line and what was
+    /// expected there; then nothing is written.
     Import(ImportArgs),
     /// Measure how far each theory is from the full one.
     ///
-    /// Prints a table in Markdown: the distribution of the error of the force `(f_x, f_y)` in
-    /// per cent of mu N, and of the moment in per cent of mu N c.
+    /// Prints a table in Markdown with the distribution of errors: those of the force `(f_x, f_y)`
+    /// in per cent of mu N, those of the moment in per cent of mu N c.
     Accuracy(AccuracyArgs),
     /// Tables of creep force: built once from a theory, looked up in a hundred nanoseconds.
     Table(TableArgs),
@@ -308,8 +316,9 @@ pub(crate) struct CoefficientsArgs {
     /// is of degree 5. Converged to 1e-6 if not given.
     #[arg(long, value_name = "M")]
     pub(crate) degree: Option<usize>,
-    /// Of creepage that varies with the distance rolled as a wave of this length, in semi-axes along
-    /// the rolling direction, 0.5 at least: complex numbers, whose angle is how far the force is ahead.
+    /// Coefficients of creepage that varies with the distance rolled as a wave of this length, in
+    /// semi-axes along the rolling direction, 0.5 at least. They are complex numbers, whose angle
+    /// is how far the force is ahead.
     #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, conflicts_with = "degree")]
     pub(crate) wavelength: Option<f64>,
     /// Print JSON.
@@ -392,8 +401,8 @@ pub(crate) struct AccuracyArgs {
     /// Theories to measure, separated by commas; all if not given.
     #[arg(long, value_name = "NAMES", value_delimiter = ',')]
     pub(crate) theory: Vec<String>,
-    /// Measure over a grid of 3220 cases that the theory `exact` solves at its fine resolution:
-    /// a/b from 0.2 to 5, spin to 2, creepage in every direction; a minute on two cores.
+    /// Measure over a grid of 3220 cases: a/b from 0.2 to 5, spin to 2, creepage in every
+    /// direction. The theory `exact` solves them at its fine resolution; a minute on two cores.
     #[arg(long)]
     pub(crate) grid: bool,
     /// Print JSON, with errors as parts of one.

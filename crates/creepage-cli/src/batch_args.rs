@@ -11,10 +11,10 @@ pub(crate) struct BatchArgs {
     /// Look forces up in this table of creep force, in place of a theory.
     #[arg(long, value_name = "FILE.nc", conflicts_with = "theory")]
     pub(crate) table: Option<PathBuf>,
-    /// Case file from which the rows differ; they are then in SI units. With the file of a wheelset the columns
-    /// are y, z, roll, yaw, `axle_load`, `roll_moment`, speed, `pitch_rate`, `lateral_velocity`,
-    /// `vertical_velocity`, `roll_rate`, `yaw_rate`, friction, and where surfaces vary along rolling s, pitch; any
-    /// of them; an empty field is the file's own.
+    /// Case file from which the rows differ; they are then in SI units. With the file of a wheelset
+    /// any of these columns may be given: y, z, roll, yaw; `axle_load`, `roll_moment`, friction;
+    /// speed, `pitch_rate`, `lateral_velocity`, `vertical_velocity`, `roll_rate`, `yaw_rate`; where
+    /// surfaces vary along rolling s, pitch. An empty field is the file's own.
     #[arg(long, value_name = "CASE.toml")]
     pub(crate) case: Option<PathBuf>,
     /// CSV file with the cases; standard input if not given, or if it is -.

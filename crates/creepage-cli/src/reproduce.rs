@@ -25,8 +25,8 @@ pub(crate) struct ReproduceArgs {
     /// Directory for the files; made if need be.
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
-    /// Points of your own to lay over one picture, as those of an experiment: CSV with the columns x and y, in
-    /// the numbers of its axes, and panel, counted from 1.
+    /// Points of your own to lay over one picture, as those of an experiment. The CSV file has the
+    /// columns x and y, in the numbers of the axes, and panel, counted from 1.
     #[arg(long, value_name = "POINTS.csv", requires = "out")]
     points: Option<PathBuf>,
 }

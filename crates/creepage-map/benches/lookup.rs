@@ -1,5 +1,5 @@
-//! Cost of a contact map: of one wheel in a given position and motion, with derivatives of both, of a wheelset
-//! that finds height, roll and pitch rate; by a map of made-up contacts, or one of `creepage map` whose file
+//! Cost of a contact map: of one wheel in a given position and motion, with derivatives of both, and of a wheelset
+//! that finds height, roll and pitch rate. The map is one of made-up contacts, or one of `creepage map` whose file
 //! `CREEPAGE_MAP` names. States lie all over the map; the figures are those of a thousand.
 #![allow(missing_docs, clippy::unwrap_used, unreachable_pub)]
 

@@ -253,8 +253,11 @@ fn wrong_plans_are_refused() {
 /// names a table of `exact` over a/b from .15 to 30, `CREEPAGE_MAP` the file that the map is read from or
 /// written to, `CREEPAGE_STATES` how many states, `CREEPAGE_Y` the largest lateral position (m). The bounds are what is
 /// aimed at; normal forces, and tangential ones where areas join, are not within them yet.
+///
+///     CREEPAGE_MAP=map.nc CREEPAGE_ELLIPSES=exact.nc cargo test --release -p creepage-study --test contact_map \
+///         thousand_states -- --ignored --nocapture
 #[test]
-#[ignore = "minutes to hours"]
+#[ignore = "a whole map takes minutes to hours, and its file is named by the environment"]
 fn a_whole_map_on_a_thousand_states() {
     let case = case();
     let path = PathBuf::from(std::env::var_os("CREEPAGE_MAP").unwrap());
@@ -396,8 +399,10 @@ fn critical_speed([force, moment]: &Slopes) -> f64 {
 
 /// Slopes of the map that `CREEPAGE_MAP` names against differences of `exact`, and the critical speed by both, under
 /// 100 kN at friction .4: some minutes. The bound is what is aimed at; the map is not within it yet.
+///
+///     CREEPAGE_MAP=map.nc cargo test --release -p creepage-study --test contact_map critical -- --ignored --nocapture
 #[test]
-#[ignore = "minutes"]
+#[ignore = "takes minutes, and needs the file of a map"]
 fn the_critical_speed_of_a_whole_map() {
     let friction = [RailFriction::Constant(0.4), RailFriction::Constant(0.4)];
     let case = WheelsetCase { friction: Some(friction), ..case() };

@@ -2,6 +2,7 @@
 
 use std::fmt::Display;
 
+use creepage::approximate::fastsim;
 use creepage::coulomb::ElementField;
 use creepage::theory::{AreaTheory, ExactOptions, NamedResolution, ResolutionSpec};
 use creepage::{Solid, SolidPair, TheorySpec};
@@ -19,6 +20,8 @@ const POISSON: f64 = 0.28;
 /// How far to either side radii are compared, and the amplitude of the conicity (m).
 const REACH: f64 = 0.010;
 const AMPLITUDE: f64 = 3e-3;
+/// Cells of FASTSIM along and across a contact: no more than a picture shows.
+const CELLS: [usize; 2] = [24, 24];
 
 /// Sizes of wheelset and track (m, rad).
 #[derive(Debug, Clone, Copy)]
@@ -210,7 +213,10 @@ impl Engine {
 
 fn theory(resolution: u32) -> Result<AreaTheory, Failure> {
     let named = match resolution {
-        0 => return Ok(AreaTheory::new(&TheorySpec::named("fastsim")?)?),
+        0 => {
+            let settings = fastsim::Settings { grid: CELLS, ..fastsim::Settings::default() };
+            return Ok(AreaTheory::new(&TheorySpec::Fastsim(settings))?);
+        }
         1 => NamedResolution::Fast,
         2 => NamedResolution::Standard,
         _ => NamedResolution::Fine,

@@ -308,8 +308,9 @@ fn a_few_positions_at_random_are_solved_or_told_why_not() {
     assert!(counts.solved >= 6 && counts.unbalanced.is_empty() && counts.unlike.is_empty());
 }
 
+/// `CREEPAGE_COUNT` of them, 10,000 by default, by the command at the head of this file.
 #[test]
-#[ignore = "hours; run by hand"]
+#[ignore = "ten thousand positions take hours"]
 fn positions_at_random_are_solved_or_told_why_not() {
     let count = std::env::var("CREEPAGE_COUNT").ok().and_then(|count| count.parse().ok());
     let seed = std::env::var("CREEPAGE_SEED").ok().and_then(|seed| seed.parse().ok());

@@ -28,8 +28,8 @@ fn make() -> Result<Reproduction, GalleryError> {
     };
     let agreement = vec![claim("can split into two parts", 2), claim("or into more", 3)];
     let caption = "Two cylinders. Above, shifted by 0.64 μN and then rolled with a creepage ξ = 6, \
-        one and a half times that of bodily sliding: a slip area opens in the middle of what adheres. \
-        Below, a force of 0.8 μN that changes sign each 0.25 a: what the leading edge takes in under one \
+        one and a half times that of bodily sliding. A slip area opens in the middle of what adheres. \
+        Below, a force of 0.8 μN that changes sign each 0.25 a. What the leading edge takes in under one \
         force slips again under the next, at a place that moves back with the material. Parts narrower \
         than 0.08 a, two or three elements, are not counted. Full theory, line contact, σ = 0.28. The \
         thesis has the statement alone.";

@@ -38,7 +38,7 @@ fn make() -> Result<Reproduction, GalleryError> {
     let caption = format!(
         "Two cylinders, shifted by a force of {FORCE} μN and then rolled under it. What enters adheres at \
          once: at the leading edge the border is at x = a from the first step on. Within the old area of \
-         adhesion a slip area opens near q = 0.75 a, and what adheres behind it vanishes: the border \
+         adhesion a slip area opens near q = 0.75 a, and what adheres behind it vanishes. The border \
          jumps forward by {jump:.2} a and creeps back to Carter’s place (dotted). Full theory, line \
          contact, σ = 0.28; 100 elements along the contact. The thesis has the statement alone."
     );

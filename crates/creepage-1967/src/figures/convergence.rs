@@ -49,7 +49,7 @@ fn make() -> Result<Reproduction, GalleryError> {
     let caption = format!(
         "σ = 0.28. The error of (fx, fy) in per cent of μN over the mean size of an element in \
          units of c, for four cases, against {} by {} elements extrapolated. The error of one grid \
-         falls about with the square of the size, as expected of its upstream differences; two grids \
+         falls about with the square of the size, as expected of its upstream differences. Two grids \
          extrapolated are better, and their error bar is above the error. The orders are slopes \
          fitted to all points. The points scatter because the edge of the area of adhesion moves \
          from element to element. Orders of one grid and of two: {}. About a point without slip \

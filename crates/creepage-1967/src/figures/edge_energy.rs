@@ -43,7 +43,7 @@ fn make() -> Result<Reproduction, GalleryError> {
     let caption = "Where the elastic energy goes that the linear theory loses though nothing slips: along \
         the trailing edge, in parts of force times creepage, per length of y/b. Circular contact, \
         \u{3c3} = 0.28. The infinite traction inside the edge and the slip outside it, (4.41), are as at the \
-        tip of a crack: the surfaces are torn apart there, and the energy set free is lost for the theory. \
+        tip of a crack. The surfaces are torn apart there, and the energy set free is lost for the theory. \
         It equals force times creepage, so that the balance holds; in truth a narrow area of slip at the \
         trailing edge turns it to heat.";
     Ok(Reproduction::figure(&sheet(&curves), caption, data, vec![line.because(reason)]))

@@ -37,7 +37,7 @@ fn make() -> Result<Reproduction, GalleryError> {
     let (full, share) = contact::full_adhesion(A_OVER_B, STEEL, creepage)?;
     let caption = format!(
         "The last page of a chain of three cases, creepages 2.5, 2.0 and 1.7, in the formats of \
-         the Telefunken TR4: the thesis shows this page only, and its iteration is that of this \
+         the Telefunken TR4. The thesis shows this page only, and its iteration is that of this \
          chain. a/b = 0.5, σ = 0.28, M = 3, W = W₁, 80 points. The picture shows the page's \
          points; the full theory's area of adhesion is {:.0} % of the contact, by the count of \
          points it is {:.0} %.",

@@ -69,7 +69,7 @@ fn caption(views: &[View]) -> String {
     format!(
         "Circular contact, σ = 0.28; chapter 5 with M = 3, W = W₁, its separatrix T = S. Strip \
          theory shifts the trailing edge along x. Adhesion covers {} % of the contact by strip \
-         theory, {} % by chapter 5 and {} % by the full theory, in the order of the pictures. \
+         theory. It covers {} % by chapter 5 and {} % by the full theory, in the order of the pictures. \
          Strip theory has the form right, and too much adhesion, above all across.",
         shares(0),
         shares(1),

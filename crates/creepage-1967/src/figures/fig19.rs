@@ -51,9 +51,9 @@ fn make() -> Result<Reproduction, GalleryError> {
 
 const CAPTION: &str = "Circular contact, σ = 0.28; chapter 5 with M = 3, W = W₁. Traction on the \
     lower body, all arrows of one length. Behind, where it slips, both theories agree on the \
-    angles to a degree or two; in front, where the traction is far below its bound, the directions \
-    of chapter 5 are erratic, as the thesis suspects, while those of the full theory stay close to \
-    that of the creepage.";
+    angles to a degree or two. In front, where the traction is far below its bound, the directions \
+    of chapter 5 are erratic, as the thesis suspects. Those of the full theory stay close to that \
+    of the creepage.";
 
 fn heading(letter: &str, symbol: &str) -> Label {
     Label::new(letter).plain(")  ").symbol(symbol).plain(" = 0.8")

@@ -75,10 +75,10 @@ fn collect(data: &mut Data, circle: Ellipse, name: &str, views: &[View]) {
 fn caption(today: &[View]) -> String {
     let shares: Vec<_> = today.iter().map(|view| format!("{:.1}", 100.0 * view.share)).collect();
     format!(
-        "Circular contact, σ = 0.28, no creepage; the spins of the print are those at which Aχ, A = (1 − σ)E/2, \
+        "Circular contact, σ = 0.28, no creepage. The spins of the print are those at which Aχ, A = (1 − σ)E/2, \
          is 0.3, 0.7, 1.1, 1.5 and 1.9; chapter 5 with M = 3, W = W₁, its separatrix \
          T = S. Dashed, the separatrix of the full theory, in which {} % of the contact adhere. It \
-         has one area of adhesion up to χ = 1.95, at the leading edge; in the end an island \
+         has one area of adhesion up to χ = 1.95, at the leading edge. In the end an island \
          remains about the point without slip, much smaller than that of 1967: see the item islands. Part f in the \
          thesis's units, Y over its largest bound and Q in units of μf₀₀.",
         shares.join(", ")

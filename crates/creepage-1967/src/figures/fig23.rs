@@ -50,7 +50,7 @@ fn caption(curves: &[Curve], fulls: &[Curve]) -> String {
     format!(
         "σ = 0.28, no creepage; chapter 5 with M = 3, W = W₁. Its greatest distances from the full \
          theory are {} of μN for a/b = 2, 1, 0.5 and 0.2. The peaks are \
-         lower the smaller a/b in the full theory as well; but there the spin of the peak does not \
+         lower the smaller a/b in the full theory as well. But there the spin of the peak does not \
          fall again below a/b = 0.5, and with large spin all of chapter 5 is too low. In the thesis the curve of a/b = 2 is broken near its \
          peak, where the solutions had many aberrations.",
         apart.join(", ")

@@ -22,7 +22,7 @@ fn make() -> Result<Reproduction, GalleryError> {
         picture as b/a goes to 0, C33 as a/b does. That C32 = −C23, for which the thesis had no \
         explanation, follows from the reciprocal theorem. Johnson's own theory of infinitesimal spin on a circle \
         (J. Appl. Mech. 25, 1958, p. 332), with which the thesis says that there is a fairly large discrepancy, is not beside \
-        it: its formula is not in the thesis, and was not to be had; his measured C23 is.";
+        it. Its formula is not in the thesis, and was not to be had. His measured C23 is.";
     Ok(Reproduction::figure(&sheet, caption, data, vec![reciprocity()?, johnson()?]))
 }
 

@@ -61,8 +61,8 @@ fn make() -> Result<Reproduction, GalleryError> {
     agreement.push(slip_of_the_half_space()?);
     let caption = "Above left: the point (x', y') of the surface at the distance u' from the edge, and the axes \
         u, v of the thesis. Right: a traction that is singular all around (orange, on its edge), and the slip \
-        that it causes outside (4.41), blue, σ = 0.5: nearly along the traction at the trailing edge, nearly \
-        against it at the leading edge, where the singularity must therefore vanish. Below: the angle \
+        that it causes outside (4.41), blue, σ = 0.5. The slip is nearly along the traction at the \
+        trailing edge and nearly against it at the leading edge. There the singularity must therefore vanish. Below: the angle \
         between both by (4.45), over D, the square of the cosine between traction and normal.";
     Ok(Reproduction::figure(&sheet(&curves)?, caption, data, agreement))
 }

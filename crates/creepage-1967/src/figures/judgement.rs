@@ -150,7 +150,7 @@ fn caption(cases: &[Case]) -> String {
     let [three, eight] = [0, 1].map(|degree| Spread::new(cases.iter(), degree));
     let circle = || cases.iter().filter(|case| (case.a_over_b - 1.0).abs() < 1e-9);
     format!(
-        "{} cases of the catalogue (5.29), σ = 0.28, with W = W₁; the mesh has 10 by 10 cells for \
+        "{} cases of the catalogue (5.29), σ = 0.28, with W = W₁. The mesh has 10 by 10 cells for \
          M = 3, as in 1967, and 20 by 20 for M = 8. Error of (fx, fy) against the full theory: \
          median {:.1} %, 95 of 100 below {:.1} %, worst {:.1} % of μN for M = 3; {:.1}, {:.1} and \
          {:.1} % for M = 8. For the circle alone, as in the thesis (Fig. 15), M = 3 errs by \

@@ -134,9 +134,9 @@ fn make() -> Reproduction {
     let caption = "Two reasons for the functions of negative order in oblate spheroidal coordinates, a = 1. Above: displacements \
         under tangential tractions need ∫X dz (2.12), whose gradient for the traction of a shift, (1 - r²)^(-1/2), has order \
         1 and degree 0. There P₀¹ vanishes; P₀⁻¹ = ((1 - ω)/(1 + ω))^(1/2) does not, and is finite in the half-space ω ≥ 0, for its \
-        pole ω = -1 lies outside: it is that potential (lines), by quadrature over the traction (points). So \
+        pole ω = -1 lies outside. It is that potential (lines), by quadrature over the traction (points). So \
         differentiation and integration never leave the family. Below: the largest product K_n^m Q_n^m on the surface for n = m, as a power of \
-        ten: with positive order it grows as (2n - 1)!!², with negative order it stays of order one. The library's harmonics are \
+        ten. With positive order it grows as (2n - 1)!!², with negative order it stays of order one. The library's harmonics are \
         normalized to the same end. The thesis has the statement alone.";
     Reproduction::figure(&sheet(&curves, &sizes), caption, data, agreement)
 }

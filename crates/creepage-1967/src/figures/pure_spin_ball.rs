@@ -179,9 +179,9 @@ fn make() -> Result<Reproduction, GalleryError> {
     let caption = "A ball of 12.7 mm between the two plane races of a thrust bearing, mean radius 25 mm, 200 N, μ = 0.1, no cage, slow. Its rotation \
         is found from the balance of its moments, by the full theory in both contacts. One groove has a radius of 0.52 of the ball’s \
         diameter, the other that of the abscissa. Where both are alike, either contact is the other turned by half a turn about the lateral \
-        direction: the moments about the rolling and the normal direction cancel, and no creepage is needed. \
+        direction. The moments about the rolling and the normal direction cancel, and no creepage is needed. \
         The lateral forces of both contacts point the same way; a small difference of the contact angles carries them. \
-        Between unlike grooves it is not so: the race with the larger moment of spin nearly holds the ball, which spins on the other \
+        Between unlike grooves it is not so. The race with the larger moment of spin nearly holds the ball, which spins on the other \
         alone (“race control”), and creeps a little across. The thesis has the statement alone.";
     Ok(Reproduction::figure(&sheet(&rows), caption, data, agreement))
 }

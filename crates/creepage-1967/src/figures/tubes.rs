@@ -86,8 +86,8 @@ fn make() -> Result<Reproduction, GalleryError> {
         }
     }
     let caption = "σ = 0.28. Surfaces of constant creepage υ in the space of f_x, f_y and χ, cut by their \
-        plane of symmetry f_x = 0: above the pure spin of Fig. 23 the wall η = υ, below it the wall \
-        η = −υ; υ negative in the data is the lower wall. The circles are chapter 5 with M = 3, W = W₁ at the \
+        plane of symmetry f_x = 0. Above the pure spin of Fig. 23 is the wall η = υ, below it the \
+        wall η = −υ. υ negative in the data is the lower wall. The circles are chapter 5 with M = 3, W = W₁ at the \
         spins of the catalogue (5.29).";
     Ok(Reproduction::figure(&sheet(&cuts), caption, data, claims(&cuts)))
 }

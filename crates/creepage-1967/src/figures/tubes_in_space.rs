@@ -86,8 +86,8 @@ fn make() -> Result<Reproduction, GalleryError> {
         }
     }
     let caption = "σ = 0.28. The tube of constant creepage υ = 0.9 in the space of f_x, f_y and χ, seen obliquely, by \
-        the full theory: a ring for each spin, and lines of constant direction of the creepage along it; the line inside is pure \
-        spin, Fig. 23. The rings are symmetric about f_x = 0 (4.28). With spin the tube is lifted to where pure spin has its \
+        the full theory. There are a ring for each spin, and lines of constant direction of the creepage along it. The line inside \
+        is pure spin, Fig. 23. The rings are symmetric about f_x = 0 (4.28). With spin the tube is lifted to where pure spin has its \
         force, is thinner behind, and closes in on the χ-axis as the spin grows.";
     let lines = tubes.iter().map(claims).collect::<Vec<_>>();
     Ok(Reproduction::figure(&sheet(&tubes), caption, data, lines))

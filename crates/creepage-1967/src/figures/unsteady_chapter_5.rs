@@ -104,7 +104,7 @@ fn make() -> Result<Reproduction, GalleryError> {
         }
     }
     let caption = "Circular contact, \u{3c3} = 0.28, rolled from no traction at a creepage and at a spin, and under a force that has \
-        shifted the bodies (proposition IV, 3; the peak is where the last of the material that was shifted leaves). Chapter 5 with the term \u{2202}u/\u{2202}q of (4.15b), a minimum a step. With (5.9) to the letter the forces \
+        shifted the bodies. The peak is where the last of the material that was shifted leaves (proposition IV, 3). Chapter 5 with the term \u{2202}u/\u{2202}q of (4.15b), a minimum a step. With (5.9) to the letter the forces \
         grow beyond friction: nothing slips then, which makes T S zero, however large the tractions are. With the bound (5.7) kept, by the \
         least loss of power, they follow the full theory. So the last project of 6.2 works, with one thing more than (5.9).";
     let agreement = claims(&solved);

@@ -49,7 +49,7 @@ fn make() -> Result<Reproduction, GalleryError> {
     let caption = format!(
         "a/b = 5, σ = 0.28, no creepage; M = 3, W = W₁. Crosses: where Newton’s method as printed fails, \
          or a tenth of the points are aberrations. With the traction kept within its bound the same polynomials \
-         have a peak, and are within {:.3} of μN of the full theory: of low degree they cannot follow the \
+         have a peak, and are within {:.3} of μN of the full theory. Of low degree they cannot follow the \
          strong spin of so wide a contact.",
         farthest(&kept, &full)
     );

@@ -39,7 +39,7 @@ fn make() -> Result<Reproduction, GalleryError> {
     }
     agreement.extend(ranking(&ours));
     let caption = "The lateral force of degree 3 against the mean of degree 4 with both weights, \
-        circle, σ = 0.28; by this table the thesis chose M = 3 and W = W₁ for all that follows.";
+        circle, σ = 0.28. By this table the thesis chose M = 3 and W = W₁ for all that follows.";
     Ok(Reproduction::table(text.trim_end().to_owned(), caption, data, agreement))
 }
 

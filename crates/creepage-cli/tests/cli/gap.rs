@@ -434,3 +434,49 @@ fn numbers_in_other_units_are_cautions() {
         }
     }
 }
+
+/// Arrows stand on a regular raster, but for that of the largest traction, which is as long as the raster allows.
+#[test]
+fn arrows_stand_on_a_raster_and_the_largest_is_drawn() {
+    const LONGEST: f64 = 0.92; // of the distance between nodes
+    let place = Place::new();
+    place.write("case.toml", CASE.replace("friction = 0.3", "friction = 0.25"));
+    place.run(&["solve", "case.toml", "--out", "out"]).done();
+    let picture = place.read("out/contact.svg");
+    let arrows: Vec<([f64; 2], f64)> = picture.lines().filter_map(arrow).collect();
+    assert!(arrows.len() > 40, "{}", arrows.len());
+    let mut columns: Vec<f64> = arrows.iter().map(|(middle, _)| middle[0]).collect();
+    columns.sort_by(f64::total_cmp);
+    let mut steps: Vec<f64> = columns.windows(2).map(|two| two[1] - two[0]).collect();
+    steps.retain(|step| *step > 0.1); // coordinates have two decimals
+    steps.sort_by(f64::total_cmp);
+    let pitch = steps[steps.len() / 2];
+    let [x, y] = arrows[arrows.len() / 2].0;
+    let off = |(middle, _): &&([f64; 2], f64)| {
+        let apart = [middle[0] - x, middle[1] - y].map(|part| part / pitch);
+        apart.iter().any(|part| (part - part.round()).abs() > 0.02)
+    };
+    // The largest, and the sample in the key.
+    assert!(arrows.iter().filter(off).count() <= 2, "{arrows:?}");
+    let longest = arrows.iter().map(|(_, length)| *length).fold(0.0, f64::max);
+    assert!((longest / (LONGEST * pitch) - 1.0).abs() < 0.01, "{longest} {pitch}");
+}
+
+/// The middle and the length of an arrow in a line of a picture: seven corners, from the tail along one side to the
+/// tip and back.
+fn arrow(line: &str) -> Option<([f64; 2], f64)> {
+    let path = line.strip_prefix("<path d=\"M")?.split('"').next()?;
+    let corners: Vec<[f64; 2]> = path
+        .trim_end_matches('Z')
+        .split('L')
+        .map(|corner| corner.split_once(' ').map(|(x, y)| [x.parse().ok(), y.parse().ok()]))
+        .map(|corner| corner.and_then(|[x, y]| Some([x?, y?])))
+        .collect::<Option<_>>()?;
+    let is_arrow = line.contains("#10243a") && corners.len() >= 7 && corners.len() <= 8;
+    is_arrow.then(|| {
+        let tail = [0, 1].map(|k: usize| f64::midpoint(corners[0][k], corners[6][k]));
+        let tip = corners[3];
+        let middle = [0, 1].map(|k: usize| f64::midpoint(tail[k], tip[k]));
+        (middle, (tip[0] - tail[0]).hypot(tip[1] - tail[1]))
+    })
+}

@@ -302,8 +302,9 @@ fn a_survey_of_faulty_files_goes_on_after_a_kill() {
     survey_of_a_fleet(48, 3);
 }
 
+/// `cargo test -p creepage-cli --test cli five_thousand -- --ignored --nocapture`
 #[test]
-#[ignore = "thousands of files; run by hand with --nocapture"]
+#[ignore = "thousands of files take minutes"]
 fn a_survey_of_five_thousand_files_goes_on_after_kills() {
     survey_of_a_fleet(5000, 5);
 }

@@ -1,6 +1,8 @@
 //! The picture of contact areas of any shape, seen from above: pressure in one panel; adhesion,
 //! slip and traction in the other.
 
+use std::collections::BTreeMap;
+
 use creepage::SiForce;
 use creepage::coulomb::ElementField;
 use creepage::normal::{Band, NormalContact, Patch};
@@ -115,7 +117,7 @@ pub(crate) struct AreasPicture<'a> {
     pub(crate) share: f64,
 }
 
-impl AreasPicture<'_> {
+impl<'a> AreasPicture<'a> {
     /// The areas seen from above.
     pub(crate) fn svg(&self) -> String {
         self.sheet().svg()
@@ -264,28 +266,25 @@ impl AreasPicture<'_> {
         }
     }
 
-    /// Tractions as arrows, one for each cell of a lattice over the areas, and a sample of a round
-    /// traction.
+    /// Tractions as arrows on a lattice over the areas, and a sample of a round traction.
     fn arrows(&self, panel: Panel, view: &View) -> (Panel, Option<(Sample, f64)>) {
         const LENGTH: f64 = 0.92;
         let pitch = self.pitch(view);
-        let size =
-            |element: &ElementField| element.point.traction[0].hypot(element.point.traction[1]);
-        let largest = self.elements.iter().map(size).fold(0.0, f64::max);
-        if largest < NOISE {
+        let Some(largest) = self.elements.iter().max_by(|a, b| size(a).total_cmp(&size(b))) else {
+            return (panel, None);
+        };
+        if size(largest) < NOISE {
             return (panel, None);
         }
-        let unit = LENGTH * pitch / largest;
-        let panel = self.chosen(view, pitch).fold(panel, |panel, element| {
-            let end = |sign: f64| {
-                [0, 1].map(|k: usize| {
-                    let middle = MM * self.scaling.length * element.point.position[k];
-                    middle + 0.5 * sign * unit * element.point.traction[k] / view.scale[k]
-                })
-            };
+        let unit = LENGTH * pitch / size(largest);
+        let placed = self.placed(view, pitch, largest).into_iter();
+        let panel = placed.fold(panel, |panel, (middle, element)| {
+            let half = [0, 1].map(|k| 0.5 * unit * element.point.traction[k]);
+            let end =
+                |sign: f64| [0, 1].map(|k| (pitch * middle[k] + sign * half[k]) / view.scale[k]);
             panel.arrow(end(-1.0), end(1.0), 1.6, ARROW)
         });
-        let round = round_below(largest * self.scaling.traction);
+        let round = round_below(size(largest) * self.scaling.traction);
         let length = unit * round / self.scaling.traction;
         (panel, Some((Sample::Arrow { colour: ARROW, length }, round)))
     }
@@ -298,36 +297,79 @@ impl AreasPicture<'_> {
         (area / ARROWS).sqrt().clamp(RANGE[0], RANGE[1])
     }
 
-    /// An element for each cell of the lattice: of the strip nearest to the cell's middle, so that rows
-    /// are straight, the nearest.
-    fn chosen(&self, view: &View, pitch: f64) -> impl Iterator<Item = &ElementField> {
-        let mut cells = std::collections::BTreeMap::new();
+    /// Elements with the places of their arrows, in pitches of the lattice: that around each node. The largest traction
+    /// has its own place where no node lies in its element, and so has an element far from all nodes, as of an area
+    /// between two of their lines.
+    fn placed(
+        &self,
+        view: &View,
+        pitch: f64,
+        largest: &'a ElementField,
+    ) -> Vec<(Point, &'a ElementField)> {
+        let on_lattice = |place: Point| {
+            [0, 1].map(|k| MM * self.scaling.length * place[k] * view.scale[k] / pitch)
+        };
+        let own_place = |element: &ElementField| on_lattice(element.point.position);
+        let mut nodes = BTreeMap::new();
         for element in self.elements {
-            let middle = [element.point.position[0], strip_middle(element)];
-            let cell = [0, 1].map(|k| MM * self.scaling.length * middle[k] * view.scale[k] / pitch);
-            let [along, across] = cell.map(|at| (at - at.round()).abs());
-            let best = cells
-                .entry(cell.map(|at| quantized(at.round())))
-                .or_insert(([across, along], element));
-            if [across, along] < best.0 {
-                *best = ([across, along], element);
+            for node in nodes_in(element.corners.map(on_lattice)) {
+                nodes.entry(node).or_insert((node.map(f64::from), element));
             }
         }
-        cells.into_values().map(|(_, element)| element)
+        let alone: Vec<_> =
+            self.elements.iter().filter(|one| is_far(own_place(one), &nodes)).collect();
+        for element in alone {
+            let [cell, place] = [own_place(element).map(f64::round), own_place(element)];
+            let off = |place: Point| (place[0] - cell[0]).hypot(place[1] - cell[1]);
+            let best = nodes.entry(cell.map(quantized)).or_insert((place, element));
+            if off(place) < off(best.0) {
+                *best = (place, element);
+            }
+        }
+        if !nodes.values().any(|(_, element)| std::ptr::eq(*element, largest)) {
+            let place = own_place(largest);
+            nodes.insert(place.map(|at| quantized(at.round())), (place, largest));
+        }
+        nodes.into_values().collect()
     }
 }
 
-/// `y` of the middle of an element's strip.
-fn strip_middle(element: &ElementField) -> f64 {
-    let y = element.corners.map(|[_, y]| y);
-    let [low, high] =
-        [y.iter().copied().fold(y[0], f64::min), y.iter().copied().fold(y[0], f64::max)];
-    f64::midpoint(low, high)
+/// The size of an element's traction.
+fn size(element: &ElementField) -> f64 {
+    element.point.traction[0].hypot(element.point.traction[1])
+}
+
+/// The nodes, at whole numbers, in a convex quadrangle.
+fn nodes_in(corners: [Point; 4]) -> Vec<[i32; 2]> {
+    let ends = [0, 1].map(|k| {
+        let [low, high] =
+            corners.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], at| {
+                [low.min(at[k]), high.max(at[k])]
+            });
+        quantized(low.ceil())..=quantized(high.floor())
+    });
+    let is_within = |node: &[i32; 2]| {
+        let [x, y] = node.map(f64::from);
+        let turns = [0, 1, 2, 3].map(|k: usize| {
+            let [[a, b], [c, d]] = [corners[k], corners[(k + 1) % 4]];
+            (c - a) * (y - b) - (d - b) * (x - a)
+        });
+        turns.iter().all(|turn| *turn >= 0.0) || turns.iter().all(|turn| *turn <= 0.0)
+    };
+    let [along, across] = ends;
+    along.flat_map(|x| across.clone().map(move |y| [x, y])).filter(is_within).collect()
+}
+
+/// Whether a place is farther than a pitch from all nodes that have an arrow.
+fn is_far(place: Point, nodes: &BTreeMap<[i32; 2], (Point, &ElementField)>) -> bool {
+    let [x, y] = place.map(|at| quantized(at.round()));
+    let around = |k: i32| [x - 1 + k % 3, y - 1 + k / 3];
+    !(0..9).any(|k| nodes.contains_key(&around(k)))
 }
 
 #[allow(clippy::cast_possible_truncation)] // a few hundred cells
-fn quantized(at: f64) -> i64 {
-    at as i64
+fn quantized(at: f64) -> i32 {
+    at as i32
 }
 
 /// The corners of an element with their distances from the border of adhesion: the lower two, then the
