@@ -22,13 +22,14 @@ class StaticsSolution(Reported):
     """One problem without rolling, solved, in SI units; x and y are along the ellipse's axes."""
 
     problem: str
-    """ "die", "shift", "twist", "partial-slip", "shift-path" or "compression"."""
+    """ "die", "shift", "twist", "partial-slip", "shift-path", "compression" or "sheared-rectangle"."""
     given: dict[str, float]
     """What the problem was given, by names that carry their units."""
     found: dict[str, float]
     """What an engineer wants to know of it, by names that carry their units."""
     steps: list[dict[str, float]]
-    """Of a path: force, shift, share of the area that adheres and energy turned to heat after each step; else empty."""
+    """Of a path: force, shift, share of the area that adheres and energy turned to heat after each step, of a
+    rectangle what has yielded and slid in place of the share; else empty."""
     caution: str | None
     """What looks like a number in another unit; else None."""
     _solved: _creepage.SolvedStatics
@@ -42,19 +43,22 @@ class StaticsSolution(Reported):
         return self._solved.traction(x, y)
 
     def pressure(self, x: ArrayLike, y: ArrayLike) -> Floats:
-        """Pressure under a die, or between balls (Pa), at (x, y) (m). Raises ValueError for other problems."""
+        """Pressure under a die, between balls or on a rectangle (Pa), at (x, y) (m).
+
+        Raises ValueError for other problems.
+        """
         return self._solved.pressure(x, y)
 
     def displacement(self, x: ArrayLike, y: ArrayLike) -> Floats:
         """Displacement (m) at (x, y) (m), shape (..., 3): of the half-space under a die, of the
-        bodies relative to each other else. Raises ValueError for a path and for balls, of which it is not known.
+        bodies relative to each other else. Raises ValueError for paths and for balls, of which it is not known.
         """
         return self._solved.displacement(x, y)
 
 
 def statics(source: Source | Mapping[str, Mapping[str, Any]]) -> StaticsSolution:
-    """Solves a problem without rolling: a die, a shift, a twist, a shift with partial slip, one to and fro, or
-    unlike balls pressed together.
+    """Solves a problem without rolling: a die, a shift, a twist, a shift with partial slip, one to and fro,
+    unlike balls pressed together, or a layer sheared under a rectangle.
 
     source: the path of a statics file, its text (a string with line breaks), or its sections as
     a mapping. Raises CaseError for what is no problem, and where the bodies slide or the die

@@ -142,6 +142,16 @@ def test_errors_name_what_is_wrong() -> None:
         creepage.roll(PULLS, {"distance": [1e-3, 1e-3]})
 
 
+def test_a_layer_rolls_on() -> None:
+    clay = Rolling(EXAMPLES / "wheel-on-clay.toml")
+    state = clay.save()
+    first = clay.step(2e-3, longitudinal=-10e-3).force.longitudinal
+    clay.restore(state)
+    assert clay.step(2e-3, longitudinal=-10e-3).force.longitudinal == first
+    with pytest.raises(ValueError, match=r"\[layer\]"):
+        clay.step(2e-3, longitudinal=-10e-3, normal_force=70e3)
+
+
 def test_chapter_5_rolls_with_a_memory() -> None:
     own, full = Rolling(wheel("variational")), Rolling(wheel())
     for _ in range(3):

@@ -131,3 +131,16 @@ def test_a_path_goes_to_and_fro() -> None:
             "contact": {"normal_force": 80e3, "friction": 0.3, "semi_axis_rolling": 4e-3, "semi_axis_lateral": 4e-3},
             "statics": {"problem": "shift-path", "along": "y", "steps": [{"force": 1.0}, {"force": 24e3}]},
         })
+
+
+def test_a_layer_is_sheared_under_a_rectangle() -> None:
+    solved = creepage.statics(ROOT / "examples" / "statics" / "clay-sheared.toml")
+    # Stored forces of CONTACT 25.2, of which it prints four digits.
+    forces = [step["force_n"] for step in solved.steps]
+    assert all(abs(found - right) < 0.05 for found, right in zip(forces, [200.0, 262.4, 82.43], strict=False))
+    assert solved.traction(0.0, 0.0).tolist() == [solved.found["traction_pa"], 0.0]
+    assert solved.traction(0.6e-3, 0.0).tolist() == [0.0, 0.0]
+    assert solved.pressure(0.4e-3, -0.4e-3) == pytest.approx(900e6)
+    assert solved.steps[3]["plastic_displacement_m"] > solved.steps[0]["plastic_displacement_m"] == 0.0
+    with pytest.raises(ValueError, match="not known"):
+        solved.displacement(0.0, 0.0)

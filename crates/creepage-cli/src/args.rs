@@ -101,16 +101,17 @@ pub(crate) enum Command {
     Roll(RollArgs),
     /// The contact ellipse and the pressure of a case, without rolling.
     Hertz(HertzArgs),
-    /// Solve a contact without rolling: a die, a shift, a twist, a shift with partial slip, one to and fro, or balls
-    /// pressed together.
+    /// Solve a contact without rolling: a die, a shift, a twist, a shift with partial slip, one to and fro, balls
+    /// pressed together, or a layer sheared under a rectangle.
     ///
     /// The case file has [upper], [lower] and [contact] as for `solve`, and [statics] with a
     /// problem, in SI units. It is "die" (`offset_x`, `offset_y`), "shift" (`force_x`, `force_y`),
     /// "twist" (moment), "partial-slip" (`force_x`, `force_y`) or "shift-path" (`along` "x" or "y",
     /// `steps` of `force` or `shift`). "compression" is for unlike balls under `normal_force`, with
-    /// friction. The report goes to standard output; with --out, also report.json, points.csv,
-    /// contact.svg and contact.png into a directory, of a path also path.csv, path.svg and
-    /// path.png.
+    /// friction; "sheared-rectangle" (`half_length_rolling`, `half_length_lateral`, `along`,
+    /// `steps`) is for a [layer]. The report goes to standard output; with --out, also report.json,
+    /// points.csv, contact.svg and contact.png into a directory, of a path also path.csv, path.svg
+    /// and path.png.
     Statics(StaticsArgs),
     /// Solve a ball bearing: loads, spin, sliding and heat of every ball.
     ///

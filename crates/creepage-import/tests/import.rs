@@ -379,3 +379,99 @@ fn unlike_balls_pressed_together_are_a_compression() {
     let found = read(&long).unwrap().cases[0].written.clone().unwrap_err();
     assert!(found.contains("other than balls"), "{found}");
 }
+
+/// Words of a case with a material's second line, `M` = 4.
+fn with_layer(first: &str, kinematics: &str, rolling: &str, grid: &str) -> String {
+    let rolling = if rolling.is_empty() { String::new() } else { format!(" {rolling}\n") };
+    head(first, "022420")
+        + &format!(
+            " {kinematics} load\n 0.7 0.7 friction\n{rolling} 0.28 0.28 82000. 82000. material\n \
+             106.25 .02 200. 435. layer\n {grid}\n"
+        )
+}
+
+/// One element, of the size of the box around its ellipse, sheared from case to case: ways add up.
+#[test]
+fn a_single_element_is_sheared_to_and_fro() {
+    let square = "-3 IPOTCN\n 1 1 .5 .25 1.2 grid";
+    let one = |first: &str, way: &str| with_layer(first, &format!("900. {way} .0 .0"), "", square);
+    let imported = read(&(one("201100", "-.04") + &one("001100", ".01"))).unwrap();
+    let second = &imported.cases[1];
+    assert!(second.written.as_ref().unwrap().command.starts_with("creepage statics"));
+    has(
+        &text(second, 0),
+        &[
+            "problem = \"sheared-rectangle\"",
+            "half_length_rolling = 0.0006",
+            "half_length_lateral = 0.0003",
+            "thickness = 2e-5",
+            "slope = 435000000000.0",
+            "along = \"x\"",
+            "steps = [{ shift = -4e-5 }, { shift = -3e-5 }]",
+        ],
+    );
+    // A given force, over mu N, with the other sign.
+    let imported = read(&with_layer("201110", "900. .5 .0 .0", "", square)).unwrap();
+    has(&text(&imported.cases[0], 0), &["steps = [{ force = -315.0 }]"]);
+    for (first, kinematics, rolling, grid, cause) in [
+        ("201000", ".001 .01 .0 .0", "", square, "at a given approach"),
+        ("203100", "900. .01 .0 .0", "0.0 0.2 2000. CHI", square, "rolling of a single element"),
+        ("200100", "900. .0 .0 .0", "", square, "not sheared"),
+        ("201100", "900. .01 .01 .0", "", square, "along one axis"),
+        (
+            "201100",
+            "900. .01 .0 .0",
+            "",
+            "-1 IPOTCN\n 1 1 .5 .25 1.2 grid",
+            "an ellipse that is sought",
+        ),
+    ] {
+        let imported = read(&with_layer(first, kinematics, rolling, grid)).unwrap();
+        let refused = imported.cases[0].written.as_ref().unwrap_err();
+        assert!(refused.contains(cause), "{refused}");
+    }
+}
+
+/// Layers go along in steps of rolling, and on lines; without thickness they yield only; without either there is none.
+#[test]
+fn a_layer_rolls_in_steps() {
+    let line = "1 IPOTCN\n 9 1 -0.9 -50. 0.2 100. grid\n 1 1 kinds\n .001 .0 .0 .0 .0 .0 shape";
+    let rolling = "0.0 0.2 2000. CHI";
+    for (first, start) in [("203100", "\"steady\""), ("202100", "\"none\"")] {
+        let file = with_layer(first, "1000. .002 .0 .0", rolling, line);
+        let imported = read(&file).unwrap();
+        let case = &imported.cases[0];
+        assert!(case.written.as_ref().unwrap().command.starts_with("creepage roll"));
+        has(
+            &text(case, 0),
+            &["[layer]", "yield_stress = 200000000.0", &format!("traction = {start}")],
+        );
+        let rigid = file.replace("106.25 .02", "106.25 .0");
+        has(
+            &text(&read(&rigid).unwrap().cases[0], 0),
+            &["thickness = 0.0", "yield_stress = 200000000.0"],
+        );
+        let none = file.replace("106.25 .02 200.", "106.25 .0 .0");
+        assert!(!text(&read(&none).unwrap().cases[0], 0).contains("[layer]"));
+    }
+}
+
+/// Friction that falls at once has a memory of 10 nm in steps and on lines, and the case says so.
+#[test]
+fn falling_friction_in_steps_has_the_shortest_memory() {
+    for memory in [".0 1.", ".02 1."] {
+        let file = head("202100", "422020")
+            + &format!(
+                " 1000. .002 .0 .0 load\n .18 .12 100. .0 .0 friction\n {memory} memory\n 0.0 0.2 2000. CHI\n \
+                 0.28 0.28 82000. 82000. material\n 1 IPOTCN\n 9 9 -0.9 -0.9 0.2 0.2 grid\n 1 1 kinds\n \
+                 .005 .0 .005 .0 .0 .0 shape\n"
+            );
+        let imported = read(&file).unwrap();
+        let case = &imported.cases[0];
+        let is_short = memory.starts_with(".0 ");
+        let told = case.notes.iter().any(|note| note.contains("a memory of 10 nm"));
+        assert_eq!(told, is_short, "{:?}", case.notes);
+        let distance = if is_short { "memory_distance = 1e-8" } else { "memory_distance = 2e-5" };
+        assert!(text(case, 0).contains(distance), "{}", text(case, 0));
+    }
+}

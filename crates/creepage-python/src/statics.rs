@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use creepage::InvalidValue;
-use creepage::statics::ShiftAxis;
+use creepage::statics::{ShearedRectangle, ShiftAxis};
 use creepage_study::{
     Sources, StaticsCase, StaticsError, StaticsFile, StaticsProblem, StaticsReport,
 };
@@ -13,6 +13,12 @@ use pyo3::prelude::*;
 use crate::batch::solve_all;
 use crate::errors;
 use crate::number::{Inputs, Number};
+
+/// Whether a point (m) is on a rectangle.
+fn is_inside(rectangle: &ShearedRectangle, [x, y]: [f64; 2]) -> bool {
+    let [a, b] = rectangle.half_lengths();
+    x.abs() <= a && y.abs() <= b
+}
 
 /// A problem without rolling, solved.
 #[pyclass(frozen, module = "creepage._creepage")]
@@ -98,6 +104,14 @@ impl SolvedStatics {
                     ShiftAxis::Y => [0.0, traction],
                 }
             }),
+            StaticsProblem::ShearedRectangle { steps, .. } => Self::vectors(py, [x, y], |point| {
+                let inside = steps.last().filter(|path| is_inside(path, point));
+                let traction = inside.map_or(0.0, ShearedRectangle::traction);
+                match inside.map(ShearedRectangle::axis) {
+                    Some(ShiftAxis::Y) => [0.0, traction],
+                    _ => [traction, 0.0],
+                }
+            }),
             StaticsProblem::Compression { compression, .. } => {
                 Self::vectors(py, [x, y], |[x, y]| {
                     let radius = x.hypot(y);
@@ -112,7 +126,7 @@ impl SolvedStatics {
         }
     }
 
-    /// Pressure under a die, or between balls (Pa), at points (m).
+    /// Pressure under a die, between balls or on a rectangle (Pa), at points (m).
     fn pressure<'py>(
         &self,
         py: Python<'py>,
@@ -128,9 +142,14 @@ impl SolvedStatics {
                 Self::vectors(py, [x, y], |[x, y]| [compression.at(x.hypot(y))[0]])?
                     .call_method1("__getitem__", ((py.Ellipsis(), 0),))
             }
-            _ => {
-                Err(PyValueError::new_err("only a die and balls have their pressure as an answer"))
-            }
+            StaticsProblem::ShearedRectangle { steps, .. } => Self::vectors(py, [x, y], |point| {
+                let inside = steps.last().filter(|path| is_inside(path, point));
+                [inside.map_or(0.0, ShearedRectangle::pressure)]
+            })?
+            .call_method1("__getitem__", ((py.Ellipsis(), 0),)),
+            _ => Err(PyValueError::new_err(
+                "only a die, balls and a rectangle have their pressure as an answer",
+            )),
         }
     }
 
@@ -152,9 +171,11 @@ impl SolvedStatics {
             StaticsProblem::PartialSlip { partial, .. } => {
                 Self::vectors(py, [x, y], |point| partial.displacement(point))
             }
-            StaticsProblem::ShiftPath { .. } => Err(PyValueError::new_err(
-                "of a path the displacement is not known at points: found has the shift",
-            )),
+            StaticsProblem::ShiftPath { .. } | StaticsProblem::ShearedRectangle { .. } => {
+                Err(PyValueError::new_err(
+                    "of a path the displacement is not known at points: found has the shift",
+                ))
+            }
             StaticsProblem::Compression { .. } => Err(PyValueError::new_err(
                 "of balls the displacement is not known at points: found has the approach",
             )),

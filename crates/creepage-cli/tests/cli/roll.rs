@@ -334,10 +334,6 @@ fn falling_friction_needs_speed_and_memory() {
         (falling(memory, ""), "[creepage] speed is missing"),
         (falling("", speed), "needs its memory_distance (m) and memory_speed (m/s)"),
         (falling(memory, "[creepage]\nspeed = 30.0\nlongitudinal = 1e-3\n"), "[creepage]"),
-        (
-            falling(memory, &format!("{speed}[layer]\nthickness = 1e-5\nshear_modulus = 1e9\n")),
-            "section [layer] is for steady rolling",
-        ),
     ] {
         let place = Place::new();
         place.write("case.toml", &case);
@@ -367,4 +363,47 @@ fn chapter_5_rolls_ellipses_under_a_constant_load() {
     refused(&chapter_5, load, &["column normal_force", "variational", "constant load"]);
     let bad = chapter_5.replace("degree = 6", "degree = 60");
     refused(&bad, history, &["[solve]", "degree = 60"]);
+}
+
+const CLAY: &str = include_str!("../../../../examples/roll/wheel-on-clay.toml");
+
+/// A layer that never yields is the elastic one, a layer that yields bears less; loads stay, and approximate theories
+/// say what rolls with a layer.
+#[test]
+fn a_layer_rolls_on_with_the_wheel() {
+    let history = "distance,longitudinal\n0.002,-10e-3\n0.03,-10e-3\n0.031,0\n";
+    let last = |case: &str| column(&rolled(case, history), "longitudinal_n");
+    let strong = CLAY.replace("yield_stress = 200e6", "yield_stress = 900e6");
+    let elastic = CLAY.split("yield_stress").next().unwrap();
+    let bare = CLAY.split("[layer]").next().unwrap();
+    let [clay, strong, elastic, bare] = [CLAY, &strong, elastic, bare].map(last);
+    for (strong, elastic) in strong.iter().zip(&elastic) {
+        assert!((strong - elastic).abs() < 1e-6 * 40e3, "{strong} {elastic}");
+    }
+    assert!(clay[1].abs() < 0.9 * elastic[1].abs(), "{clay:?} {elastic:?}");
+    assert!(elastic[0].abs() < 0.9 * bare[0].abs(), "{elastic:?} {bare:?}");
+    let place = Place::new();
+    let table = |text: &str| place.write("h.csv", text);
+    for (case, history, word) in [
+        (
+            CLAY.into(),
+            "distance,longitudinal,normal_force\n0.002,-3e-3,9e4\n",
+            "column normal_force does not go with [layer]",
+        ),
+        (
+            format!("{CLAY}[solve]\ntheory = \"fastsim\"\n"),
+            history,
+            "section [layer] does not go with theory = \"fastsim\"",
+        ),
+        (
+            format!("{CLAY}[solve]\ntheory = \"variational\"\n"),
+            history,
+            "section [layer] does not go with theory = \"variational\"",
+        ),
+        (CLAY.replace("slope = 435e9", "slope = -6e12"), history, "slope"),
+    ] {
+        place.write("case.toml", &case);
+        table(history);
+        place.run(&["roll", "case.toml", "--history", "h.csv"]).refused(&[word]);
+    }
 }

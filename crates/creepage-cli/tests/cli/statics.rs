@@ -49,7 +49,8 @@ fn every_example_is_solved_and_every_problem_has_one() {
         problems.push(report["problem"].as_str().unwrap().into());
     }
     problems.sort();
-    let all = ["compression", "die", "partial-slip", "shift", "shift-path", "twist"];
+    let all =
+        ["compression", "die", "partial-slip", "sheared-rectangle", "shift", "shift-path", "twist"];
     assert_eq!(problems, all);
     assert!(place.files().is_empty());
 }
@@ -181,5 +182,59 @@ fn a_path_leaves_its_steps_and_its_picture() {
     assert!(shift(4).abs() < 1e-12 * shift(0));
     for file in ["path.csv", "path.svg", "path.png", "report.json", "contact.svg"] {
         assert!(place.files_in("out").iter().any(|name| name == file), "{file}");
+    }
+}
+
+const CLAY: &str = include_str!("../../../../examples/statics/clay-sheared.toml");
+
+/// Stored forces of CONTACT 25.2 (Apache-2.0), four digits of each, at the first three stops of the example.
+#[test]
+fn a_sheared_layer_has_its_path_in_text_json_and_table() {
+    let place = Place::new();
+    place.write("clay.toml", CLAY);
+    let run = place.run(&["statics", "clay.toml", "--json", "--out", "out"]);
+    let report = json(&run.done());
+    let steps = report["steps"].as_array().unwrap();
+    for (step, force) in steps.iter().zip([200.0, 262.4, 82.43]) {
+        assert!((step["force_n"].as_f64().unwrap() - force).abs() < 0.05, "{step}");
+    }
+    assert_eq!((steps.len(), &report["given"]["layer_slope_pa_per_m"]), (4, &Value::from(435e9)));
+    // Hardening: the yield stress has grown by the slope times what has yielded.
+    let grown = 200e6 + 435e9 * number(&report, "plastic_displacement_m");
+    assert!((number(&report, "yield_stress_pa") / grown - 1.0).abs() < 1e-12);
+    assert_eq!(number(&report, "sliding_way_m"), 0.0);
+    let table = place.read("out/path.csv");
+    assert!(
+        table.starts_with("force_n,shift_m,plastic_displacement_m,sliding_way_m,dissipated_j\n")
+    );
+    assert_eq!(table.lines().count(), 5);
+    assert!(place.path("out/contact.svg").is_file() && !place.path("out/path.svg").exists());
+    let points = place.read("out/points.csv");
+    assert_eq!(points.lines().count(), 1601);
+    assert!(place.run(&["statics", "clay.toml"]).done().contains("yielded (um)"));
+}
+
+#[test]
+fn what_is_of_rectangles_alone_is_refused_elsewhere() {
+    let place = Place::new();
+    for (text, words) in [
+        (
+            SLIP.to_string() + "[layer]\nthickness = 1e-5\nshear_modulus = 1e9\n",
+            "section [layer] has no place",
+        ),
+        (
+            SLIP.replace("[statics]", "half_length_rolling = 1e-3\n[statics]"),
+            "half_length_rolling has no place in problem \"partial-slip\"",
+        ),
+        (CLAY.replace("half_length_lateral = 0.5e-3", ""), "half_length_lateral is missing"),
+        (CLAY.replace("half_length_lateral", "semi_axis_lateral"), "semi_axis_lateral"),
+        (CLAY.replace("slope = 435e9", "slope = -5.2e12"), "[layer] slope"),
+        (
+            CLAY.replace("{ shift = 160e-6 }", "{ force = 700 }"),
+            "the force of step 3, 700 N, is more than the 630",
+        ),
+    ] {
+        place.write("case.toml", &text);
+        place.run(&["statics", "case.toml"]).refused(&[words]);
     }
 }

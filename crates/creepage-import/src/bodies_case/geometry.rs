@@ -1,7 +1,7 @@
 //! How the bodies of a case touch: radii, semi-axes, a line, or the undeformed distance.
 
 use super::{Cause, Geometry, Pressed};
-use crate::bodies::{Bodies, Shape};
+use crate::bodies::{Bodies, Grid, Shape};
 use crate::read::Materials;
 use crate::text::{list, number};
 
@@ -15,7 +15,7 @@ pub(super) fn geometry(
     let [load, ..] = case.kinematics;
     let has_load = case.control.has_load();
     if grid.elements == [1, 1] {
-        return Err("a single element of constant pressure".into());
+        return rectangle(grid, load, has_load);
     }
     let [first, second] = grid.first;
     let curvatures = match grid.kind {
@@ -31,6 +31,24 @@ pub(super) fn geometry(
         }
     };
     smooth(case, materials, curvatures, 0.0, notes)
+}
+
+/// A single element: its pressure is uniform.
+fn rectangle(grid: Grid, load: f64, has_load: bool) -> Result<(Geometry, Pressed), Cause> {
+    if !has_load {
+        return Err("a single element at a given approach (N = 0)".into());
+    }
+    let half_lengths = match grid.kind {
+        // The box around the ellipse, larger by SCALE.
+        -3 => grid.first.map(|semi_axis| semi_axis * grid.size[0]),
+        kind if kind > 0 => grid.size.map(|size| 0.5 * size),
+        kind => {
+            return Err(format!(
+                "a single element around an ellipse that is sought (IPOTCN = {kind})"
+            ));
+        }
+    };
+    Ok((Geometry::Rectangle(half_lengths.map(|half| half * 1e-3)), Pressed::Load(load)))
 }
 
 /// Bodies of constant curvatures (1/mm), `offset` apart (mm).

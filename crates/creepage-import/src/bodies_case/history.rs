@@ -6,6 +6,10 @@ use crate::read::Extra;
 use crate::text::{number, quoted, section};
 use crate::{File, Written};
 
+/// What stands for no memory of friction: forces on a line differ by a ten-thousandth of `mu N` from those of a tenth
+/// of it.
+const SHORTEST_MEMORY: &str = "memory_distance = 1e-8, memory_speed = 0.001";
+
 /// The state in which rolling starts.
 struct Start {
     is_steady: bool,
@@ -113,30 +117,40 @@ impl Parts<'_> {
             rows.push(row);
         }
         let forces = usize::from(kind.unwrap_or(0));
+        own.put_memory(notes);
         own.file_of_history(&rows, forces, &start.keys(), (name, title), notes)
     }
 
     /// Whether bodies and friction are such that they roll step by step.
     fn is_of_steps(&self) -> Result<(), Cause> {
-        if !self.layer()?.is_empty() {
-            return Err("a layer in rolling step by step or on a line".into());
-        }
-        if !matches!(self.materials.extra, Extra::None | Extra::Viscoelastic { .. }) {
+        let extra = &self.materials.extra;
+        if !matches!(extra, Extra::None | Extra::Viscoelastic { .. } | Extra::Layer(_)) {
             return Err("a simplified theory in rolling step by step or on a line".into());
         }
         if self.needs_heat {
             return Err("friction by temperature in rolling step by step or on a line".into());
         }
-        let has_memory = self.case.friction.as_ref().is_some_and(|read| read.memory.is_some());
-        if self.needs_speed && !has_memory {
-            return Err(
-                "falling friction without memory in rolling step by step or on a line".into()
-            );
-        }
         if self.needs_speed && self.case.control.tangential() == 1 {
             return Err("falling friction in shifts, which have no speed".into());
         }
         Ok(())
+    }
+
+    /// Gives falling friction without a memory the shortest one that rolling in steps knows.
+    fn put_memory(&mut self, notes: &mut Vec<String>) {
+        let has_memory = self.case.friction.as_ref().is_some_and(|read| read.memory.is_some());
+        if !self.needs_speed || has_memory {
+            return;
+        }
+        if let Some(law) = self.friction_text.strip_suffix(" }") {
+            self.friction_text = format!("{law}, {SHORTEST_MEMORY} }}");
+            notes.push(
+                "falling friction without a memory (MEMDST = 0) has several solutions, between which tractions jump: ours \
+                 has a memory of 10 nm of slip, less than any step resolves, and is the one that is reached from friction \
+                 at rest. How that program searches (INISLP) has no counterpart"
+                    .into(),
+            );
+        }
     }
 
     /// Whether it rolls, or the shape moves, in -x.
@@ -196,6 +210,10 @@ impl Parts<'_> {
             (Pressed::Approach(_), first) => first.map_or(0.0, |row| row[1]),
         };
         let load_changes = rows.iter().any(|row| row[1] != nominal);
+        let layer = self.layer()?;
+        if load_changes && !layer.is_empty() {
+            return Err("a load that changes from step to step, with a layer".into());
+        }
         if load_changes && !matches!(self.geometry, Geometry::Radii(_)) {
             return Err("a load that changes from step to step on anything but an ellipse".into());
         }
@@ -230,7 +248,7 @@ impl Parts<'_> {
         let command = format!("creepage roll {name}.toml --history {name}.csv");
         let head = self.head(title, &command, notes);
         let sections = section("creepage", &creepage) + &section("start", start);
-        let text = head + &self.bodies() + &self.contact(true) + &sections;
+        let text = head + &self.bodies() + &self.contact(true) + &layer + &sections;
         let solve = section("solve", &[("theory", quoted("exact"))]);
         let mut written = Written::of(command, File::text(format!("{name}.toml"), text + &solve));
         written.files.push(File::text(format!("{name}.csv"), csv));

@@ -24,6 +24,8 @@ enum Geometry {
     SemiAxes([f64; 2]),
     /// Radius, length.
     Line([f64; 2]),
+    /// One element of uniform pressure: half-lengths.
+    Rectangle([f64; 2]),
     /// The section `[gap]`.
     Gap(String),
 }
@@ -66,6 +68,12 @@ pub(crate) fn write(
     let moves = places.windows(2).any(|pair| pair[0] != pair[1]);
     match case.control.tangential() {
         0 => parts.pressing(name, title, notes),
+        1 if matches!(parts.geometry, Geometry::Rectangle(_)) => {
+            parts.sheared_rectangle(&chain, name, title, notes)
+        }
+        2 | 3 if matches!(parts.geometry, Geometry::Rectangle(_)) => {
+            Err("rolling of a single element of uniform pressure".into())
+        }
         1 if !moves => parts.shift(&chain, name, title, notes),
         1 | 2 => parts.history(&chain, &places, (name, title), notes),
         _ if parts.is_steady_line() => parts.steady_line(name, title, notes),
@@ -218,6 +226,10 @@ impl<'a> Parts<'a> {
             (_, Pressed::Load(load)) => keys.push(("normal_force", number(load))),
             (_, Pressed::Approach(approach)) => keys.push(("approach", number(approach))),
         }
+        if let Geometry::Rectangle([along, across]) = self.geometry {
+            keys.push(("half_length_rolling", number(along)));
+            keys.push(("half_length_lateral", number(across)));
+        }
         if let Geometry::SemiAxes([a, b]) = self.geometry {
             keys.push(("semi_axis_rolling", number(a)));
             keys.push(("semi_axis_lateral", number(b)));
@@ -236,12 +248,15 @@ impl<'a> Parts<'a> {
         let Extra::Layer([modulus, thickness, yield_stress, slope]) = self.materials.extra else {
             return Ok(String::new());
         };
-        if thickness <= 0.0 {
-            return Err("a layer (M = 4) without thickness, which yields only".into());
+        let yields = yield_stress > 0.0;
+        if thickness <= 0.0 && !yields {
+            return Ok(String::new());
         }
-        let mut keys =
-            vec![("thickness", number(thickness * 1e-3)), ("shear_modulus", number(modulus * 1e6))];
-        if yield_stress > 0.0 {
+        let mut keys = vec![
+            ("thickness", number(thickness.max(0.0) * 1e-3)),
+            ("shear_modulus", number(modulus * 1e6)),
+        ];
+        if yields {
             keys.push(("yield_stress", number(yield_stress * 1e6)));
             keys.push(("slope", number(slope * 1e9)));
         }
@@ -250,8 +265,12 @@ impl<'a> Parts<'a> {
 
     /// Bodies pressed together without friction.
     fn pressing(&self, name: &str, title: &str, notes: &[String]) -> Result<Written, Cause> {
-        if matches!(self.geometry, Geometry::Line(_)) {
-            return Err("a line contact that is pressed only".into());
+        match self.geometry {
+            Geometry::Line(_) => return Err("a line contact that is pressed only".into()),
+            Geometry::Rectangle(_) => {
+                return Err("a single element of uniform pressure that is not sheared".into());
+            }
+            _ => {}
         }
         let command = format!("creepage hertz {name}.toml");
         let head = self.head(title, &command, notes);

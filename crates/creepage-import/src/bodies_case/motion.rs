@@ -102,6 +102,32 @@ impl Parts<'_> {
         Ok(Written::of(command, File::text(format!("{name}.toml"), text)))
     }
 
+    /// One element sheared to and fro (T = 1), with a layer or without.
+    pub(super) fn sheared_rectangle(
+        &self,
+        chain: &[Bodies],
+        name: &str,
+        title: &str,
+        notes: &mut Vec<String>,
+    ) -> Result<Written, Cause> {
+        if self.case.control.history() == 0 && chain.len() == 1 {
+            return Err("a shift that follows a case which is not at hand (T = 1, P = 0)".into());
+        }
+        if self.needs_speed || self.friction_text.starts_with('{') {
+            return Err("a shift with friction that is no constant".into());
+        }
+        if self.is_unlike() {
+            notes.push("the bodies are unlike: the shift is solved as if they were like".into());
+        }
+        let command = format!("creepage statics {name}.toml");
+        let [_, along, steps] = self.path(chain)?;
+        let keys = [("problem", quoted("sheared-rectangle")), along, steps];
+        let head = self.head(title, &command, notes);
+        let sections = self.layer()? + &section("statics", &keys);
+        let text = head + &self.bodies() + &self.contact(true) + &sections;
+        Ok(Written::of(command, File::text(format!("{name}.toml"), text)))
+    }
+
     /// The keys of a path of shifts along one axis under one load, of which this case is the last.
     fn path(&self, chain: &[Bodies]) -> Result<[(&'static str, String); 3], Cause> {
         let is_way = self.case.control.force() == 0;
@@ -110,6 +136,7 @@ impl Parts<'_> {
             let parts = Parts::of(case, &mut Vec::new())?;
             let is_like = parts.geometry == self.geometry
                 && parts.pressed == self.pressed
+                && parts.materials.extra == self.materials.extra
                 && parts.friction_text == self.friction_text;
             if !is_like {
                 return Err("a load path along which load, shape or friction change".into());
@@ -300,6 +327,7 @@ impl Parts<'_> {
             && is_along
             && !self.needs_speed
             && !self.friction_text.starts_with('{')
+            && !matches!(self.materials.extra, Extra::Layer(_))
     }
 
     /// Steady rolling on a line (T = 3).
@@ -309,9 +337,6 @@ impl Parts<'_> {
         title: &str,
         notes: &[String],
     ) -> Result<Written, Cause> {
-        if !self.layer()?.is_empty() {
-            return Err("a layer in rolling step by step or on a line".into());
-        }
         let relaxation = match self.materials.extra {
             Extra::Viscoelastic { ratios: [ratio, other], times: [time, last] } => {
                 let are_like = ratio == other && time == last && !self.is_unlike();

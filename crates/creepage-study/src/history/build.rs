@@ -6,12 +6,13 @@ use creepage::approximate::carter::LineContact;
 use creepage::coulomb::Resolution;
 use creepage::normal;
 use creepage::theory::ExactOptions;
-use creepage::{InvalidValue, Scaling, SolidPair, TheorySpec};
+use creepage::{InvalidValue, Layer, Scaling, SolidPair, TheorySpec};
 
 use super::case::{Kind, Method, RollCase, Start};
 use super::error::HistoryError;
 use super::file::{Bodies, RollFile, SmoothFile, StartSection, StartTraction};
 use crate::case::contact::ContactSection;
+use crate::case::layer::LayerSection;
 use crate::case::radius::line_radii;
 use crate::case::sections::check_aligned;
 use crate::case::solve;
@@ -72,6 +73,10 @@ impl SmoothFile {
         }
     }
 
+    fn layer(&self) -> Result<Option<Layer>, CaseError> {
+        self.layer.as_ref().map(LayerSection::layer).transpose()
+    }
+
     fn method(&self) -> Result<Method, HistoryError> {
         let spec = solve::from_table(&self.solve).map_err(CaseError::Spec)?;
         match &spec {
@@ -100,6 +105,16 @@ impl SmoothFile {
         let hertz = section.hertz(&self.upper, &self.lower)?;
         check_aligned(own.angle, &hertz)?;
         let contact = own.friction.contact(&hertz, self.creepage.speed, None)?;
+        let contact = match self.layer()? {
+            None => contact,
+            Some(_) if matches!(method, Method::Fastsim(_)) => {
+                return Err(HistoryError::NotOfFastsim { what: "section [layer]" });
+            }
+            Some(_) if matches!(method, Method::Variational(_)) => {
+                return Err(HistoryError::NotOfVariational { what: "section [layer]" });
+            }
+            Some(layer) => contact.with_layer(layer),
+        };
         if matches!(method, Method::Variational(_)) && contact.rolling_friction().is_some() {
             return Err(HistoryError::NotOfVariational { what: "[contact] friction with a law" });
         }
@@ -142,7 +157,8 @@ impl SmoothFile {
             force: friction * load,
             traction: friction * line.peak_pressure(),
         };
-        let kind = Kind::Line { length, poisson, friction: law };
+        let layer = self.layer()?;
+        let kind = Kind::Line { length, poisson, friction: law, layer };
         Ok(RollCase { scaling, load, friction, kind, start: Start::None })
     }
 }
@@ -188,7 +204,8 @@ fn on_areas(case: &GapCase) -> Result<RollCase, HistoryError> {
     let contact = pressed(case, fineness)?;
     let scaling = contact.scaling(case.friction).map_err(CaseError::invalid("contact"))?;
     let load = contact.load().value;
-    let kind = Kind::Areas { contact, resolution, friction: case.rolling_friction };
+    let (friction, layer) = (case.rolling_friction, case.layer);
+    let kind = Kind::Areas { contact, resolution, friction, layer };
     Ok(RollCase { scaling, load, friction: case.friction, kind, start: Start::None })
 }
 

@@ -6,7 +6,7 @@ use creepage::friction_law::RollingFriction;
 use creepage::normal::NormalContact;
 use creepage::unsteady::{Prescribed, Rolled, Rolling, RollingFastsim, RollingVariational};
 use creepage::variational::{self, VariationalError};
-use creepage::{Contact, Force, InvalidValue, Scaling};
+use creepage::{Contact, Force, InvalidValue, Layer, Scaling};
 
 use super::error::HistoryError;
 use super::roller::{HistoryMotion, TransientSolver};
@@ -36,12 +36,14 @@ pub(super) enum Kind {
         length: Option<f64>,
         poisson: f64,
         friction: Option<RollingFriction>,
+        layer: Option<Layer>,
     },
     /// Of any shape.
     Areas {
         contact: NormalContact,
         resolution: Resolution,
         friction: Option<RollingFriction>,
+        layer: Option<Layer>,
     },
 }
 
@@ -108,16 +110,21 @@ impl RollCase {
             Kind::Ellipse { contact, method: Method::Variational(settings) } => {
                 TransientSolver::Variational(RollingVariational::new(contact, *settings)?)
             }
-            Kind::Line { length, poisson, friction } => {
-                let length = length.unwrap_or(LONG);
-                TransientSolver::Exact(match friction {
-                    None => Rolling::line(length, *poisson)?,
-                    Some(law) => Rolling::line_with_friction(length, *poisson, *law, self.scaling)?,
+            Kind::Line { length, poisson, friction, layer } => {
+                let (length, surface) = (length.unwrap_or(LONG), (*friction, *layer));
+                let rolling = Rolling::line_with_surface(length, *poisson, surface, self.scaling)?;
+                TransientSolver::Exact(rolling)
+            }
+            Kind::Areas { contact, resolution, friction: law, layer } => {
+                let (friction, resolution) = (self.friction, *resolution);
+                TransientSolver::Exact(match layer {
+                    None => Rolling::on_areas(contact, friction, *law, resolution)?,
+                    Some(layer) => {
+                        let surface = (*law, *layer);
+                        Rolling::on_areas_with_layer(contact, friction, surface, resolution)?
+                    }
                 })
             }
-            Kind::Areas { contact, resolution, friction } => TransientSolver::Exact(
-                Rolling::on_areas(contact, self.friction, *friction, *resolution)?,
-            ),
         })
     }
 
@@ -144,6 +151,14 @@ impl RollCase {
     /// Whether its areas are of any shape.
     pub(super) fn has_areas(&self) -> bool {
         matches!(self.kind, Kind::Areas { .. })
+    }
+
+    /// Whether there is a layer between the bodies.
+    pub(super) fn has_layer(&self) -> bool {
+        match &self.kind {
+            Kind::Ellipse { contact, .. } => contact.layer().is_some(),
+            Kind::Line { layer, .. } | Kind::Areas { layer, .. } => layer.is_some(),
+        }
     }
 
     /// Whether it is a line contact.

@@ -156,6 +156,9 @@ fn columns<'a>(
         if *kind == Kind::NormalForce && case.has_areas() {
             return Err(HistoryError::NotOfAnArea { column: first });
         }
+        if *kind == Kind::NormalForce && case.has_layer() {
+            return Err(HistoryError::NotWithLayer { column: first });
+        }
         if *kind == Kind::NormalForce && case.is_variational() {
             return Err(HistoryError::NotOfVariational { what: "column normal_force" });
         }

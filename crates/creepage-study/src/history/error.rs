@@ -32,7 +32,7 @@ pub enum HistoryError {
         "section [{section}] is for steady rolling: a contact that rolls by a history has none"
     )]
     Steady {
-        /// `layer`, `damage` or `heat`.
+        /// `damage` or `heat`.
         section: &'static str,
     },
     /// What a case file with `[gap]` may have wrong.
@@ -44,6 +44,14 @@ pub enum HistoryError {
          normal_force or approach of [contact]"
     )]
     NotOfAnArea {
+        /// Its name.
+        column: &'static str,
+    },
+    /// A load that changes with a layer between the bodies.
+    #[error(
+        "column {column} does not go with [layer]: a contact that rolls with a layer keeps the load of [contact]"
+    )]
+    NotWithLayer {
         /// Its name.
         column: &'static str,
     },

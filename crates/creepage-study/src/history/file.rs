@@ -10,6 +10,7 @@ use crate::CaseError;
 use crate::case::body::Body;
 use crate::case::friction::FrictionValue;
 use crate::case::keys;
+use crate::case::layer::LayerSection;
 use crate::case::radius::Radius;
 use crate::case::schema::schema_of;
 use crate::gap::GapFile;
@@ -42,6 +43,8 @@ pub(super) struct SmoothFile {
     pub(super) lower: Body,
     /// The contact of the two: an ellipse by `normal_force`, or a line by `line_load`.
     pub(super) contact: ContactSection,
+    /// A layer between the bodies.
+    pub(super) layer: Option<LayerSection>,
     /// The rolling velocity, for friction that depends on the speed of slip; the table says the rest.
     #[serde(default)]
     pub(super) creepage: SpeedSection,
@@ -128,7 +131,7 @@ pub(super) enum StartTraction {
 const MOTION: [&str; 2] = ["creepage", "wanted"];
 
 /// Sections that are for steady rolling.
-const STEADY: [&str; 3] = ["layer", "damage", "heat"];
+const STEADY: [&str; 2] = ["damage", "heat"];
 
 /// Whether a section holds the rolling velocity alone.
 fn is_speed(section: &Value) -> bool {

@@ -7,6 +7,7 @@ use creepage::{Ellipse, Hertz, Solid, SolidPair};
 
 use super::StaticsReport;
 use super::field::{Field, magnitude};
+use super::path::Path;
 use super::quantity::Quantity;
 use super::slip_angle::Slip;
 
@@ -78,7 +79,7 @@ impl<'a> StaticsReport<'a> {
                 .concat(),
             found,
             field: Field::Die { die, offset },
-            steps: &[],
+            path: Path::None,
         })
     }
 
@@ -126,7 +127,7 @@ impl<'a> StaticsReport<'a> {
             given: [forces(force), shape(ellipse), pair_numbers(pair)].concat(),
             found,
             field: Field::Bonded(bonded),
-            steps: &[],
+            path: Path::None,
         })
     }
 
@@ -167,7 +168,7 @@ impl<'a> StaticsReport<'a> {
             given: [given, shape(ellipse), pair_numbers(pair)].concat(),
             found,
             field: Field::Bonded(bonded),
-            steps: &[],
+            path: Path::None,
         })
     }
 
@@ -192,7 +193,7 @@ impl<'a> StaticsReport<'a> {
                 .concat(),
             found: slip_numbers(contact, friction, force, partial)?,
             field: Field::PartialSlip(partial),
-            steps: &[],
+            path: Path::None,
         })
     }
 }

@@ -6,6 +6,7 @@ use creepage::{Ellipse, Hertz};
 use super::StaticsReport;
 use super::build::{pair_numbers, pressed};
 use super::field::Field;
+use super::path::Path;
 use super::quantity::Quantity;
 use crate::{CaseError, StaticsError};
 
@@ -61,7 +62,7 @@ impl<'a> StaticsReport<'a> {
             given: [given, radius, pair_numbers(contact.pair())].concat(),
             found,
             field: Field::Compression(compression),
-            steps: &[],
+            path: Path::None,
         })
     }
 }

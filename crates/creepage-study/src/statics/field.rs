@@ -1,10 +1,20 @@
 //! What the problems have in common for points and pictures: a field over the contact.
 
-use creepage::statics::{Bonded, Compression, Die, PartialSlip, ShiftAxis, ShiftPath};
+use creepage::statics::{
+    Bonded, Compression, Die, PartialSlip, ShearedRectangle, ShiftAxis, ShiftPath,
+};
 
 /// Length of a vector.
 pub(super) fn magnitude([x, y]: [f64; 2]) -> f64 {
     x.hypot(y)
+}
+
+/// A vector along an axis.
+fn along(axis: ShiftAxis, value: f64) -> [f64; 2] {
+    match axis {
+        ShiftAxis::X => [value, 0.0],
+        ShiftAxis::Y => [0.0, value],
+    }
 }
 
 /// The solution whose field is shown.
@@ -15,6 +25,7 @@ pub(super) enum Field<'a> {
     PartialSlip(&'a PartialSlip),
     ShiftPath(&'a ShiftPath, ShiftAxis),
     Compression(&'a Compression),
+    Rectangle(&'a ShearedRectangle),
 }
 
 impl Field<'_> {
@@ -32,8 +43,8 @@ impl Field<'_> {
             Self::Die { .. } => [0.0; 2],
             Self::Bonded(bonded) => bonded.traction(point),
             Self::PartialSlip(partial) => partial.traction(point),
-            Self::ShiftPath(path, ShiftAxis::X) => [path.traction(point), 0.0],
-            Self::ShiftPath(path, ShiftAxis::Y) => [0.0, path.traction(point)],
+            Self::ShiftPath(path, axis) => along(*axis, path.traction(point)),
+            Self::Rectangle(path) => along(path.axis(), path.traction()),
             Self::Compression(compression) => {
                 let radius = magnitude(point);
                 let [_, traction] = compression.at(radius);
@@ -61,7 +72,9 @@ impl Field<'_> {
             Self::Die { .. } => &["pressure_pa", "u_m", "v_m", "w_m"],
             Self::Bonded(_) => &["traction_x_pa", "traction_y_pa", "u_m", "v_m", "w_m"],
             Self::ShiftPath(..) => &["traction_x_pa", "traction_y_pa"],
-            Self::Compression(_) => &["traction_x_pa", "traction_y_pa", "pressure_pa"],
+            Self::Compression(_) | Self::Rectangle(_) => {
+                &["traction_x_pa", "traction_y_pa", "pressure_pa"]
+            }
             Self::PartialSlip(_) => &[
                 "traction_x_pa",
                 "traction_y_pa",
@@ -90,6 +103,7 @@ impl Field<'_> {
             }
             Self::ShiftPath(..) => vec![x, y],
             Self::Compression(compression) => vec![x, y, compression.at(magnitude(point))[0]],
+            Self::Rectangle(path) => vec![x, y, path.pressure()],
             Self::PartialSlip(partial) => {
                 let [u, v, w] = partial.displacement(point);
                 let [sx, sy] = partial.slip(point).unwrap_or([f64::NAN; 2]);

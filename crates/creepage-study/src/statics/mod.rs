@@ -8,14 +8,15 @@ mod output;
 mod path;
 mod picture;
 mod quantity;
+mod sheared_rectangle;
 mod slip_angle;
 
 use creepage::Ellipse;
-use creepage::statics::ShiftPath;
 
 use crate::Caution;
 
 use field::Field;
+use path::Path;
 use quantity::Quantity;
 
 /// One solved problem of statics, ready to be shown.
@@ -41,6 +42,6 @@ pub struct StaticsReport<'a> {
     found: Vec<Quantity>,
     field: Field<'a>,
     /// A path after each of its steps.
-    steps: &'a [ShiftPath],
+    path: Path<'a>,
     cautions: Vec<Caution>,
 }

@@ -8,7 +8,7 @@ impl<'a> StaticsReport<'a> {
     /// The report of a problem as its file has it.
     ///
     /// # Errors
-    /// As of the six problems; none for a case that was solved.
+    /// As of the seven problems; none for a case that was solved.
     pub fn new(case: &'a StaticsCase) -> Result<Self, StaticsError> {
         let report = match &case.problem {
             StaticsProblem::Die { solid, base, normal_force, offset, die } => {
@@ -28,6 +28,10 @@ impl<'a> StaticsReport<'a> {
             }
             StaticsProblem::Compression { contact, compression } => {
                 Self::compression(contact, compression)?
+            }
+            StaticsProblem::ShearedRectangle { pair, normal_force, friction, layer, steps } => {
+                let given = [*normal_force, *friction];
+                Self::sheared_rectangle(*pair, given, *layer, steps)?
             }
         };
         Ok(Self { cautions: case.cautions.clone(), ..report })

@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use serde_json::{Map, Value, json};
 
 use super::StaticsReport;
+use super::field::Field;
 use super::quantity::Quantity;
 use crate::Caution;
 use crate::error::ReportError;
@@ -56,14 +57,14 @@ impl StaticsReport<'_> {
             "given": object(&self.given),
             "found": object(&self.found),
         });
-        if !self.steps.is_empty() {
+        if !self.path.is_empty() {
             report["steps"] = self.steps_json();
         }
         report
     }
 
     /// Writes `report.json`, `points.csv`, `contact.svg` and `contact.png`, of a path also `path.csv`, `path.svg` and
-    /// `path.png`, into `directory`, which is made when missing; files of those names are replaced, but none of `sources`. Gives the paths written.
+    /// `path.png`, of a rectangle's `path.csv` alone, for force over shift is its picture, into `directory`, which is made when missing; files of those names are replaced, but none of `sources`. Gives the paths written.
     ///
     /// # Errors
     /// [`ReportError`]; what was made until then is removed.
@@ -89,9 +90,10 @@ impl StaticsReport<'_> {
     fn points(&self) -> impl Iterator<Item = [f64; 2]> {
         let unit = |k: u32| 2.0 * (f64::from(k) + 0.5) / f64::from(CELLS) - 1.0;
         let (a, b) = (self.ellipse.a(), self.ellipse.b());
+        let is_rectangle = matches!(self.field, Field::Rectangle(_));
         (0..CELLS)
             .flat_map(move |j| (0..CELLS).map(move |i| [unit(i), unit(j)]))
-            .filter(|[x, y]| x.hypot(*y) < 1.0)
+            .filter(move |[x, y]| is_rectangle || x.hypot(*y) < 1.0)
             .map(move |[x, y]| [a * x, b * y])
     }
 }

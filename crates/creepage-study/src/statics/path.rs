@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use creepage::Hertz;
-use creepage::statics::{ShiftAxis, ShiftPath};
+use creepage::statics::{ShearedRectangle, ShiftAxis, ShiftPath};
 use creepage_plot::theme::RED;
 use creepage_plot::{Axis, Label, Mark, Panel, Pen, Point, Shape, Sheet};
 use serde_json::{Map, Value, json};
@@ -20,11 +20,121 @@ const POINTS: u32 = 48;
 const MICRO: f64 = 1e6;
 const KILO: f64 = 1e-3;
 
-/// Keys of what is told of a step.
-const STEP: [&str; 4] = ["force_n", "shift_m", "adhesion_share", "dissipated_j"];
+/// A path after each of its steps.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Path<'a> {
+    /// The problem has none.
+    None,
+    Shifted(&'a [ShiftPath]),
+    Sheared(&'a [ShearedRectangle]),
+}
 
-fn numbers(step: &ShiftPath) -> [f64; 4] {
-    [step.force(), step.shift(), step.adhesion().powi(2), step.dissipated()]
+/// What goes to and fro.
+trait Step: Clone {
+    /// Keys of what is told of a step.
+    const KEYS: &'static [&'static str];
+
+    /// The numbers of these keys: the first two are force and shift.
+    fn numbers(&self) -> Vec<f64>;
+
+    /// Before the first step.
+    fn begin(&self) -> Self;
+
+    /// Goes on a part, from 0 to 1, of the way to another state; false where it cannot.
+    fn go(&mut self, from: &Self, to: &Self, part: f64) -> bool;
+}
+
+impl Step for ShiftPath {
+    const KEYS: &'static [&'static str] = &["force_n", "shift_m", "adhesion_share", "dissipated_j"];
+
+    fn numbers(&self) -> Vec<f64> {
+        vec![self.force(), self.shift(), self.adhesion().powi(2), self.dissipated()]
+    }
+
+    fn begin(&self) -> Self {
+        self.fresh()
+    }
+
+    fn go(&mut self, from: &Self, to: &Self, part: f64) -> bool {
+        self.to_force(from.force() + part * (to.force() - from.force())).is_ok()
+    }
+}
+
+impl Step for ShearedRectangle {
+    const KEYS: &'static [&'static str] =
+        &["force_n", "shift_m", "plastic_displacement_m", "sliding_way_m", "dissipated_j"];
+
+    fn numbers(&self) -> Vec<f64> {
+        let (plastic, slid) = (self.plastic_displacement(), self.sliding_way());
+        vec![self.force(), self.shift(), plastic, slid, self.dissipated()]
+    }
+
+    fn begin(&self) -> Self {
+        self.fresh()
+    }
+
+    fn go(&mut self, from: &Self, to: &Self, part: f64) -> bool {
+        self.to_shift(from.shift() + part * (to.shift() - from.shift())).is_ok()
+    }
+}
+
+impl Path<'_> {
+    /// Whether there is no step.
+    pub(super) fn is_empty(self) -> bool {
+        match self {
+            Self::None => true,
+            Self::Shifted(steps) => steps.is_empty(),
+            Self::Sheared(steps) => steps.is_empty(),
+        }
+    }
+
+    fn keys(self) -> &'static [&'static str] {
+        match self {
+            Self::None => &[],
+            Self::Shifted(_) => ShiftPath::KEYS,
+            Self::Sheared(_) => ShearedRectangle::KEYS,
+        }
+    }
+
+    /// The numbers of every step.
+    fn rows(self) -> Vec<Vec<f64>> {
+        match self {
+            Self::None => Vec::new(),
+            Self::Shifted(steps) => steps.iter().map(Step::numbers).collect(),
+            Self::Sheared(steps) => steps.iter().map(Step::numbers).collect(),
+        }
+    }
+
+    /// Force over shift, in the picture's units: the line, and where the steps end.
+    fn line(self) -> [Vec<Point>; 2] {
+        match self {
+            Self::None => [vec![], vec![]],
+            Self::Shifted(steps) => line(steps),
+            Self::Sheared(steps) => line(steps),
+        }
+    }
+}
+
+/// Every step from where the one before ended.
+fn line<S: Step>(steps: &[S]) -> [Vec<Point>; 2] {
+    let place = |step: &S| -> Point {
+        let numbers = step.numbers();
+        [MICRO * numbers[1], KILO * numbers[0]]
+    };
+    let (mut line, mut stops): (Vec<Point>, _) = (vec![[0.0; 2]], Vec::new());
+    let mut before: Option<&S> = None;
+    for step in steps {
+        let from = before.cloned().unwrap_or_else(|| step.begin());
+        let mut part = from.clone();
+        for k in 1..=POINTS {
+            if part.go(&from, step, f64::from(k) / f64::from(POINTS)) {
+                line.push(place(&part));
+            }
+        }
+        stops.push(place(step));
+        before = Some(step);
+    }
+    [line, stops]
 }
 
 impl<'a> StaticsReport<'a> {
@@ -61,70 +171,78 @@ impl<'a> StaticsReport<'a> {
             given: [given, shape(ellipse), vec![peak], pair_numbers(contact.pair())].concat(),
             found,
             field: Field::ShiftPath(last, axis),
-            steps,
+            path: Path::Shifted(steps),
         })
     }
 
     /// A line a step.
     pub(super) fn steps_text(&self) -> String {
-        let mut text = String::new();
-        if self.steps.is_empty() {
-            return text;
-        }
         // Writing to a String cannot fail.
-        text.push_str("\nSteps\n     force (N)      shift (um)   adhesion (%)   heat so far (J)\n");
-        for step in self.steps {
-            let [force, shift, share, heat] = numbers(step);
-            let (shift, adhesion) = (MICRO * shift, 100.0 * share);
-            let _ =
-                writeln!(text, "  {force:>12.5}  {shift:>14.6}  {adhesion:>13.2}  {heat:>16.5e}");
+        let mut text = String::new();
+        match self.path {
+            Path::None => {}
+            Path::Shifted(steps) => {
+                text.push_str(
+                    "\nSteps\n     force (N)      shift (um)   adhesion (%)   heat so far (J)\n",
+                );
+                for step in steps {
+                    let (force, heat) = (step.force(), step.dissipated());
+                    let (shift, adhesion) = (MICRO * step.shift(), 100.0 * step.adhesion().powi(2));
+                    let _ = writeln!(
+                        text,
+                        "  {force:>12.5}  {shift:>14.6}  {adhesion:>13.2}  {heat:>16.5e}"
+                    );
+                }
+            }
+            Path::Sheared(steps) => {
+                text.push_str(
+                    "\nSteps\n     force (N)      shift (um)   yielded (um)     slid (um)   heat so far (J)\n",
+                );
+                for step in steps {
+                    let (force, heat) = (step.force(), step.dissipated());
+                    let [shift, plastic, slid] =
+                        [step.shift(), step.plastic_displacement(), step.sliding_way()]
+                            .map(|way| MICRO * way);
+                    let _ = writeln!(
+                        text,
+                        "  {force:>12.5}  {shift:>14.6}  {plastic:>13.5} {slid:>13.5} {heat:>17.5e}"
+                    );
+                }
+            }
         }
         text
     }
 
     pub(super) fn steps_json(&self) -> Value {
-        let step = |step: &ShiftPath| -> Map<String, Value> {
-            STEP.iter()
-                .zip(numbers(step))
-                .map(|(key, value)| ((*key).into(), json!(value)))
-                .collect()
+        let keys = self.path.keys();
+        let step = |numbers: Vec<f64>| -> Map<String, Value> {
+            keys.iter().zip(numbers).map(|(key, value)| ((*key).into(), json!(value))).collect()
         };
-        self.steps.iter().map(step).collect()
+        self.path.rows().into_iter().map(step).collect()
     }
 
     /// The files of a path: `path.csv`, force over shift as SVG and as PNG; none of other problems.
     pub(super) fn path_files(&self) -> Result<Vec<(&'static str, Vec<u8>)>, ReportError> {
-        if self.steps.is_empty() {
+        if self.path.is_empty() {
             return Ok(Vec::new());
         }
-        let mut csv = STEP.join(",") + "\n";
-        for step in self.steps {
-            csv += &(numbers(step).map(|value| format!("{value:e}")).join(",") + "\n");
+        let mut csv = self.path.keys().join(",") + "\n";
+        for numbers in self.path.rows() {
+            let cells: Vec<_> = numbers.iter().map(|value| format!("{value:e}")).collect();
+            csv += &(cells.join(",") + "\n");
+        }
+        if matches!(self.path, Path::Sheared(_)) {
+            // Its picture is that of the contact already.
+            return Ok(vec![("path.csv", csv.into_bytes())]);
         }
         let svg = self.path_svg();
         let png = creepage_plot::png(&svg)?;
         Ok(vec![("path.csv", csv.into_bytes()), ("path.svg", svg.into_bytes()), ("path.png", png)])
     }
 
-    /// Force over shift: every step from where the one before ended.
-    fn path_svg(&self) -> String {
-        let place = |path: &ShiftPath| -> Point { [MICRO * path.shift(), KILO * path.force()] };
-        let mut line: Vec<Point> = vec![[0.0; 2]];
-        let mut stops = Vec::new();
-        let mut before: Option<&ShiftPath> = None;
-        for step in self.steps {
-            let start = before.map_or(0.0, ShiftPath::force);
-            let mut part = before.map_or_else(|| step.fresh(), Clone::clone);
-            let way = step.force() - start;
-            for k in 1..=POINTS {
-                let force = start + way * f64::from(k) / f64::from(POINTS);
-                if part.to_force(force).is_ok() {
-                    line.push(place(&part));
-                }
-            }
-            stops.push(place(step));
-            before = Some(step);
-        }
+    /// Force over shift.
+    pub(super) fn path_svg(&self) -> String {
+        let [line, stops] = self.path.line();
         let range = |axis: usize| {
             let ends = line.iter().map(|point| point[axis]);
             let [low, high] = [ends.clone().fold(0.0, f64::min), ends.fold(0.0, f64::max)];

@@ -15,9 +15,12 @@ const ADHESION: Pen = Pen { colour: DARK, dashes: "", width: 2.6 };
 const ROW: f64 = 25.0;
 
 impl StaticsReport<'_> {
-    /// The contact seen from above, as SVG.
+    /// The contact seen from above, as SVG; of a rectangle force over shift.
     #[must_use]
     pub fn svg(&self) -> String {
+        if matches!(self.field, Field::Rectangle(_)) {
+            return self.path_svg();
+        }
         self.top_view().svg(self.title)
     }
 
@@ -41,6 +44,7 @@ impl StaticsReport<'_> {
             Field::PartialSlip(_) => "Cattaneo, Mindlin; Kalker 1967, section 3.222",
             Field::ShiftPath(..) => "Mindlin, Deresiewicz 1953",
             Field::Compression(_) => "Spence 1975; Kalker 1967, equations 2.11 and 2.15",
+            Field::Rectangle(_) => "Cerruti; Hou, Kalousek, Magel 1997",
         }
     }
 
@@ -58,7 +62,7 @@ impl StaticsReport<'_> {
                 let place = [offset[0] / self.ellipse.a(), offset[1] / self.ellipse.b()];
                 panel.curve(ellipse([1.0 / 3.0; 2]), LIMIT).marks(vec![place], TARGET)
             }
-            Field::Bonded(_) => panel,
+            Field::Bonded(_) | Field::Rectangle(_) => panel,
             Field::PartialSlip(partial) => {
                 panel.curve(ellipse([partial.adhesion().a() / self.ellipse.a(); 2]), ADHESION)
             }
@@ -86,7 +90,7 @@ impl StaticsReport<'_> {
             Field::Die { .. } => {
                 view.key(TARGET, Label::new("the load")).key(LIMIT, Label::new("limit of lift-off"))
             }
-            Field::Bonded(_) => view,
+            Field::Bonded(_) | Field::Rectangle(_) => view,
             Field::PartialSlip(_) | Field::ShiftPath(..) | Field::Compression(_) => {
                 view.key(ADHESION, Label::new("edge of the adhesion area"))
             }

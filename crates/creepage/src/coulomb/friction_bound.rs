@@ -35,13 +35,16 @@ pub(crate) struct Moment {
     pub rolls: bool,
 }
 
-/// Friction over that at rest, and slip, of the particle that is now at an element, as it was a step
-/// upstream: a part of what the element there has now, and what is known.
+/// Friction over that at rest, slip, and plastic displacement of the particle that is now at an element, as
+/// it was a step upstream: a part of what the element there has now, and what is known. While bodies are
+/// shifted at rest the particle stays where it is.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Arriving {
     pub present: f64,
     pub friction: f64,
     pub slip: f64,
+    /// In units of slip times length of the nominal load.
+    pub plastic: f64,
     /// Distance back, in units of the contact's present size.
     pub step: f64,
 }
@@ -74,9 +77,9 @@ impl FrictionBound {
         (self.moment, self.arriving) = (moment, arriving);
     }
 
-    /// Whether friction depends on the slip before.
+    /// Whether friction or the layer's yield depends on the slip before.
     pub(crate) fn remembers(&self) -> bool {
-        self.friction.is_some_and(|friction| friction.memory().is_some())
+        self.yields() || self.friction.is_some_and(|friction| friction.memory().is_some())
     }
 
     /// Friction at high speed over that at rest, where it falls with the speed.
@@ -104,18 +107,40 @@ impl FrictionBound {
         if let Some(thermal) = self.friction.as_ref().and_then(RollingFriction::thermal) {
             return self.heated_limits(thermal, mesh, bounds, slip, limits);
         }
+        self.march(mesh, bounds, slip, |element, limit, _| limits[element] = limit);
+    }
+
+    /// The plastic displacement of the layer at every element, in units of slip times length of the nominal
+    /// load; `slip` and `bounds` as in [`FrictionBound::limits`].
+    pub(crate) fn plastic_displacements(
+        &self,
+        mesh: &Mesh,
+        bounds: &[f64],
+        slip: impl Fn(usize) -> f64,
+    ) -> Vec<f64> {
+        let mut all = vec![0.0; bounds.len()];
+        self.march(mesh, bounds, slip, |element, _, plastic| all[element] = plastic);
+        all
+    }
+
+    /// Goes along every strip from its leading edge: each element's bound, and its plastic displacement.
+    fn march(
+        &self,
+        mesh: &Mesh,
+        bounds: &[f64],
+        slip: impl Fn(usize) -> f64,
+        mut put: impl FnMut(usize, f64, f64),
+    ) {
         for strip in 0..mesh.strips.len() {
             let share = self.share(mesh.strips[strip].y());
             let (mut friction, mut last, mut plastic) = (1.0, 0.0, 0.0);
             for element in mesh.elements(strip) {
-                let (slip, step) = (slip(element), self.steps[element]);
+                let slip = slip(element);
                 friction = self.friction_at(element, [friction, last], slip);
-                let moved = plastic + 0.5 * (last + slip) * step;
-                let yields = self.yield_bound(moved) / bounds[element];
-                if yields < share * friction {
-                    plastic = moved;
-                }
-                limits[element] = (share * friction).min(yields).clamp(LEAST, 1.0);
+                let [before, moved] = self.plastic_at(element, [plastic, last], slip);
+                let yields = self.yield_bound(moved) / (self.moment.size * bounds[element]);
+                plastic = if yields < share * friction { moved } else { before };
+                put(element, (share * friction).min(yields).clamp(LEAST, 1.0), plastic);
                 last = slip;
             }
         }
@@ -164,6 +189,20 @@ impl FrictionBound {
         let before = arriving.present * friction + arriving.friction;
         let last = arriving.present * last + arriving.slip;
         self.friction_after(before, [last.max(0.0), slip], arriving.step)
+    }
+
+    /// Plastic displacement of the layer at an element, behind one that has `plastic` and slips by `last`:
+    /// what the particle arrives with, and with the present slip added.
+    fn plastic_at(&self, element: usize, [plastic, last]: [f64; 2], slip: f64) -> [f64; 2] {
+        let Moment { size, rolls } = self.moment;
+        let Some(arriving) = self.arriving.get(element) else {
+            return [plastic, plastic + size * size * (0.5 * (last + slip) * self.steps[element])];
+        };
+        let before = arriving.present * plastic + arriving.plastic;
+        let last = (arriving.present * last + arriving.slip).max(0.0);
+        // A shift's slip is a displacement already.
+        let way = if rolls { 0.5 * (last + slip) * arriving.step } else { slip };
+        [before, before + size * size * way]
     }
 
     fn friction_after(&self, before: f64, slips: [f64; 2], step: f64) -> f64 {

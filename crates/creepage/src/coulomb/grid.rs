@@ -140,8 +140,7 @@ impl Grid {
         let stencils: Vec<_> = self.mesh.strips.iter().map(SlipStencil::steady).collect();
         self.resistance = FrictionBound::new(friction, layer, scaling, &stencils);
         let Some(layer) = layer else { return self };
-        let flexibility = layer.dimensionless_flexibility(scaling);
-        let own: Vec<f64> = self.pressure.bounds.iter().map(|bound| flexibility * bound).collect();
+        let own = self.displacements_of(layer, scaling);
         self.influence = self.influence.with_own_displacements(&stencils, &own);
         let own_slip = |weights: &[f64]| weights.iter().map(|weight| weight.recip()).sum::<f64>();
         let bare = own_slip(&self.weights);
@@ -155,6 +154,12 @@ impl Grid {
         self.half_widths.iter_mut().for_each(|half_width| *half_width /= softer);
         self.quadrature.set_elastic_slip(softer);
         self
+    }
+
+    /// Displacement of a layer by the largest traction of every element.
+    pub(crate) fn displacements_of(&self, layer: Layer, scaling: Scaling) -> Vec<f64> {
+        let flexibility = layer.dimensionless_flexibility(scaling);
+        self.pressure.bounds.iter().map(|bound| flexibility * bound).collect()
     }
 
     /// Makes the slip of every element another combination of displacements: rows and factors.

@@ -7,6 +7,7 @@
 //! | [`Hertz`](crate::Hertz) | two bodies pressed together | 3.221 |
 //! | [`PartialSlip`] | two bodies shifted against each other with slip (Cattaneo, Mindlin) | 3.222 |
 //! | [`ShiftPath`] | the same to and fro, with its memory (Mindlin, Deresiewicz) | 3.222 |
+//! | [`ShearedRectangle`] | a layer under a rectangle of uniform pressure, sheared to and fro | |
 //! | [`Compression`] | two unlike bodies pressed together with friction (Spence), step by step | 6.2 |
 //!
 //! `x` and `y` are along the semi-axes `a` and `b` of the contact ellipse, `z` points into the
@@ -16,12 +17,14 @@ mod bonded;
 mod compression;
 mod die;
 mod partial_slip;
+mod sheared_rectangle;
 mod shift_path;
 
 pub use bonded::Bonded;
 pub use compression::Compression;
 pub use die::{Die, DieError};
 pub use partial_slip::{PartialSlip, PartialSlipError};
+pub use sheared_rectangle::{ShearError, ShearedRectangle, Shearing};
 pub use shift_path::{ShiftAxis, ShiftPath};
 
 use crate::ellipse::Ellipse;

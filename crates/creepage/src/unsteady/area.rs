@@ -1,11 +1,12 @@
 //! Contact areas of any shape that keep their shape while they roll.
 
-use super::elements::Elements;
+use super::elements::{Elements, Surface};
 use super::rolling::{Rolling, remembered};
 use crate::check::InvalidValue;
 use crate::coulomb::Resolution;
 use crate::coulomb::patch_mesh::{Bands, Frame};
 use crate::friction_law::RollingFriction;
+use crate::layer::Layer;
 use crate::normal::{NormalContact, SLIP_UNIT};
 
 impl Rolling {
@@ -44,7 +45,30 @@ impl Rolling {
         law: Option<RollingFriction>,
         resolution: Resolution,
     ) -> Result<Self, InvalidValue> {
-        if let Some(law) = law {
+        Self::areas_of(contact, friction, Surface { friction: law, layer: None }, resolution)
+    }
+
+    /// The same with a layer between the bodies, whose plastic displacement moves with the particles.
+    ///
+    /// # Errors
+    /// As [`Rolling::on_areas`].
+    pub fn on_areas_with_layer(
+        contact: &NormalContact,
+        friction: f64,
+        (law, layer): (Option<RollingFriction>, Layer),
+        resolution: Resolution,
+    ) -> Result<Self, InvalidValue> {
+        let surface = Surface { friction: law, layer: Some(layer) };
+        Self::areas_of(contact, friction, surface, resolution)
+    }
+
+    fn areas_of(
+        contact: &NormalContact,
+        friction: f64,
+        surface: Surface,
+        resolution: Resolution,
+    ) -> Result<Self, InvalidValue> {
+        if let Some(law) = surface.friction {
             remembered(law)?;
         }
         let scaling = contact.scaling(friction)?;
@@ -57,7 +81,7 @@ impl Rolling {
             let longest = half(0).chain(half(1)).fold(0.0, f64::max);
             let poisson = contact.pair().poisson();
             Elements::new(grid, poisson, SLIP_UNIT, [longest, f64::INFINITY])
-                .with_friction(law, scaling)
+                .with_surface(surface, scaling)
         })))
     }
 }

@@ -6,6 +6,7 @@ use crate::coulomb::influence::Displacements;
 use crate::coulomb::mesh::{Mesh, StripGrading};
 use crate::coulomb::stencil::SlipStencil;
 use crate::friction_law::RollingFriction;
+use crate::layer::Layer;
 use crate::{Ellipse, Scaling};
 
 /// One element of a strip, in units of `c`.
@@ -32,6 +33,13 @@ pub(crate) struct Row {
     pub half_length: f64,
 }
 
+/// What is between the bodies, besides a constant coefficient of friction.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct Surface {
+    pub friction: Option<RollingFriction>,
+    pub layer: Option<Layer>,
+}
+
 /// Elements, points of displacement, and the displacements there by tractions and pressure.
 #[derive(Debug)]
 pub(crate) struct Elements {
@@ -47,6 +55,8 @@ pub(crate) struct Elements {
     pub by_pressure: Vec<[f64; 2]>,
     /// The contact, for particles that enter it from the side; a line contact has no sides.
     pub semi_axes: [f64; 2],
+    /// Whether there is a layer between the bodies: it keeps its thickness while the contact grows.
+    pub has_layer: bool,
 }
 
 impl Elements {
@@ -76,7 +86,8 @@ impl Elements {
         });
         let all = all.collect();
         let by_pressure = vec![[0.0; 2]; first];
-        Self { steady, rounding, all, rows, displacements, by_pressure, semi_axes }
+        let has_layer = false;
+        Self { steady, rounding, all, rows, displacements, by_pressure, semi_axes, has_layer }
     }
 
     /// Hertz's contact in the units of [`Grid::hertz`]. Strips narrow towards the sides, for a shift
@@ -100,9 +111,19 @@ impl Elements {
         elements
     }
 
-    /// The same with friction that depends on the slip or the place, in the units `scaling`.
-    pub(crate) fn with_friction(self, friction: Option<RollingFriction>, scaling: Scaling) -> Self {
-        Self { steady: self.steady.with_resistance(friction, None, scaling), ..self }
+    /// The same with friction that depends on the slip or the place, and with a layer, in the units
+    /// `scaling`.
+    pub(crate) fn with_surface(mut self, surface: Surface, scaling: Scaling) -> Self {
+        let Surface { friction, layer } = surface;
+        if let Some(layer) = layer {
+            let own = self.steady.displacements_of(layer, scaling);
+            self.displacements = self.displacements.with_own(&own);
+            self.has_layer = true;
+        }
+        let bare = Grid { rounding: self.rounding, ..self.steady };
+        let steady = bare.with_resistance(friction, layer, scaling);
+        self.rounding = steady.rounding;
+        Self { steady: Grid { rounding: 0.0, ..steady }, ..self }
     }
 
     /// Number of points of displacement.

@@ -18,8 +18,9 @@ pub(crate) struct Level {
     pub smooth: bool,
     /// Displacements of all points: all `x`, all `y`.
     pub displacement: [Vec<f64>; 2],
-    /// Of all elements, where friction remembers: friction over that at rest, and the size of the slip.
-    pub friction: [Vec<f64>; 2],
+    /// Of all elements, where friction or a layer remembers: friction over that at rest, the size of the slip,
+    /// and the plastic displacement of the layer.
+    pub friction: [Vec<f64>; 3],
 }
 
 /// Levels from the latest to the oldest, at which the past begins.

@@ -76,7 +76,10 @@ impl TransientLevel {
         self.predictor.restart();
         self.creep = [0.0; 3];
         self.past.0.clear();
-        self.past.0.push_front(self.level(0.0, scale, false));
+        let mut level = self.level(0.0, scale, false);
+        // No layer has yielded yet.
+        level.friction[2].clear();
+        self.past.0.push_front(level);
     }
 
     /// Makes the equations of a stage those to be solved.
@@ -93,7 +96,7 @@ impl TransientLevel {
                 let zeros = || vec![0.0; elements.points()];
                 let displacement = [zeros(), zeros()];
                 let creep = [0.0; 3];
-                let friction = [vec![], vec![]];
+                let friction = [vec![], vec![], vec![]];
                 let level =
                     Level { length: 0.0, scale, creep, smooth: false, displacement, friction };
                 let past = Past(std::iter::once(level).collect());
@@ -106,6 +109,7 @@ impl TransientLevel {
                 Stage::Step { length, .. } if remembers => {
                     elements.arriving(&self.past, length, system.scale)
                 }
+                Stage::Shift { .. } if resistance.yields() => elements.staying(&self.past.0[0]),
                 _ => Vec::new(),
             };
             let rolls = !matches!(stage, Stage::Shift { .. });
@@ -219,18 +223,27 @@ impl TransientLevel {
         1.6 * before * (largest(0) + largest(1))
     }
 
-    /// Friction over that at rest and the size of the slip, in the units of the nominal load, where
-    /// they are remembered.
-    fn friction(&self) -> [Vec<f64>; 2] {
-        let remembers = self.grid.resistance.as_ref().filter(|resistance| resistance.remembers());
-        if remembers.is_none() {
-            return [vec![], vec![]];
-        }
+    /// Friction over that at rest, the size of the slip and the plastic displacement of a layer, in the units
+    /// of the nominal load, where they are remembered.
+    fn friction(&self) -> [Vec<f64>; 3] {
+        let resistance = self.grid.resistance.as_ref();
+        let Some(resistance) = resistance.filter(|resistance| resistance.remembers()) else {
+            return [vec![], vec![], vec![]];
+        };
+        // Before anything is solved nothing slips.
+        let is_solved = self.system.scale > 0.0;
         let slip = |element: usize| {
             let [x, y] = self.state.visible(&self.grid, element).1.unwrap_or_default();
-            self.system.scale * x.hypot(y)
+            x.hypot(y)
         };
-        [self.state.limits.clone(), (0..self.elements.all.len()).map(slip).collect()]
+        let Grid { mesh, pressure, .. } = &self.grid;
+        let plastic = if resistance.yields() && is_solved {
+            resistance.plastic_displacements(mesh, &pressure.bounds, slip)
+        } else {
+            vec![]
+        };
+        let slips = (0..mesh.len()).map(|element| self.system.scale * slip(element)).collect();
+        [self.state.limits.clone(), slips, plastic]
     }
 
     /// The present displacements.

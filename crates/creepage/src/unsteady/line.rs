@@ -5,7 +5,7 @@
 //! do forces while they change at a prescribed creepage, until they are steady, and creepages at a
 //! prescribed force do not.
 
-use super::elements::Elements;
+use super::elements::{Elements, Surface};
 use super::rolling::{Rolling, remembered};
 use crate::check::{self, InvalidValue};
 use crate::coulomb::grid::Grid;
@@ -14,6 +14,7 @@ use crate::coulomb::pressure::Pressure;
 use crate::coulomb::stencil::SlipStencil;
 use crate::coulomb::subdivision::{Pieces, SUBCELLS};
 use crate::friction_law::RollingFriction;
+use crate::layer::Layer;
 use crate::{Ellipse, Scaling};
 
 /// Elements of the coarser grid.
@@ -55,8 +56,49 @@ impl Rolling {
         friction: RollingFriction,
         scaling: Scaling,
     ) -> Result<Self, InvalidValue> {
-        remembered(friction)?;
-        Self::line_of(length, poisson, |elements| elements.with_friction(Some(friction), scaling))
+        Self::line_with_surface(length, poisson, (Some(friction), None), scaling)
+    }
+
+    /// The same with friction that depends on the slip, with a layer between the cylinders, whose plastic
+    /// displacement moves with the particles, or with both, in the units `scaling`.
+    ///
+    /// ```
+    /// use creepage::approximate::carter::LineContact;
+    /// use creepage::unsteady::{Motion, Rolling};
+    /// use creepage::{Layer, Plasticity, Scaling, Solid, SolidPair};
+    /// let steel = Solid::new(82e9, 0.28)?;
+    /// let line = LineContact::new(SolidPair::new(steel, steel), [0.5, f64::INFINITY], 358e3)?;
+    /// let (length, friction) = (line.half_width(), 0.3);
+    /// let scaling = Scaling {
+    ///     length,
+    ///     slip: friction * length / line.rho(),
+    ///     force: friction * 358e3,
+    ///     traction: friction * line.peak_pressure(),
+    /// };
+    /// // No elastic shear, a third of what friction bears in the middle.
+    /// let soft = Plasticity { yield_stress: scaling.traction / 3.0, slope: 0.0 };
+    /// let layer = Layer::elastic(0.0, 1e9)?.with_plasticity(soft)?;
+    /// let mut rolling = Rolling::line_with_surface(1000.0, 0.28, (None, Some(layer)), scaling)?;
+    /// let motion = Motion::from(scaling.creepage(creepage::SiCreepage { longitudinal: 0.02, ..Default::default() })?);
+    /// // The layer bears less than friction everywhere but near the edges.
+    /// let force = rolling.step(4.0, &motion)?.solution.force.fx;
+    /// assert!(force > 0.4 && force < 0.42, "{force}");
+    /// # Ok::<(), creepage::InvalidValue>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`Rolling::line`], and for falling friction without a memory.
+    pub fn line_with_surface(
+        length: f64,
+        poisson: f64,
+        (friction, layer): (Option<RollingFriction>, Option<Layer>),
+        scaling: Scaling,
+    ) -> Result<Self, InvalidValue> {
+        if let Some(friction) = friction {
+            remembered(friction)?;
+        }
+        let surface = Surface { friction, layer };
+        Self::line_of(length, poisson, |elements| elements.with_surface(surface, scaling))
     }
 
     fn line_of(

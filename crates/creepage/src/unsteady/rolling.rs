@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::control::{Control, Watched};
-use super::elements::Elements;
+use super::elements::{Elements, Surface};
 use super::level::{self, Stage, TransientLevel};
 use super::load::Course;
 use super::motion::Motion;
@@ -76,13 +76,12 @@ impl Rolling {
     ///
     /// Friction may depend on the slip and the place as [`Contact::with_rolling_friction`] has it; one
     /// that falls with the speed needs a memory, for without it the tractions jump from step to step.
-    /// Bodies that are shifted have friction at rest.
+    /// Bodies that are shifted have friction at rest. A layer takes part as in [`Contact::with_layer`]: its
+    /// plastic displacement moves with the particles, and the load stays as it is.
     ///
     /// # Errors
-    /// [`InvalidValue`] as [`Exact::new`], for a contact with a layer, and for falling friction without
-    /// a memory.
+    /// [`InvalidValue`] as [`Exact::new`], and for falling friction without a memory.
     pub fn new(contact: &Contact, resolution: Resolution) -> Result<Self, InvalidValue> {
-        no_layer(contact)?;
         if let Some(friction) = contact.rolling_friction() {
             remembered(friction)?;
         }
@@ -91,9 +90,10 @@ impl Rolling {
         let [along, across] = resolution.coarse(ellipse.ratio());
         let along = along + along / 2;
         let (poisson, kappa_over_mu) = (contact.poisson(), contact.kappa_over_mu());
+        let surface = Surface { friction: contact.rolling_friction(), layer: contact.layer() };
         Ok(Self::of([1, 2].map(|k| {
             Elements::hertz(ellipse, poisson, kappa_over_mu, [k * along, k * across])
-                .with_friction(contact.rolling_friction(), contact.scaling())
+                .with_surface(surface, contact.scaling())
         })))
     }
 
@@ -123,11 +123,13 @@ impl Rolling {
     /// what they remember is lost.
     ///
     /// # Errors
-    /// [`InvalidValue`] unless `load` lies between 0 and a million, and for line contacts and areas of
-    /// any shape, whose load stays as it is.
+    /// [`InvalidValue`] unless `load` lies between 0 and a million, and for line contacts, areas of
+    /// any shape and contacts with a layer, whose load stays as it is.
     pub fn press(&mut self, load: f64) -> Result<(), InvalidValue> {
-        let stays = self.tracks[0].elements.semi_axes[1].is_infinite();
-        let valid = "1 for a line contact or an area of any shape";
+        let Elements { semi_axes, has_layer, .. } = &*self.tracks[0].elements;
+        let stays = semi_axes[1].is_infinite() || *has_layer;
+        let valid =
+            "1 for a line contact, an area of any shape, or with a layer between the bodies";
         check::require(!stays || (load - 1.0).abs() < 1e-12, "load", load, valid)?;
         let valid = "between 0 and 1e6";
         self.travel.next_load = check::require((0.0..=1e6).contains(&load), "load", load, valid)?;
@@ -355,10 +357,10 @@ impl Rolling {
     }
 }
 
-/// Rolling that is not steady knows no third body.
+/// By the approximate theories rolling that is not steady knows no third body.
 pub(super) fn no_layer(contact: &Contact) -> Result<(), InvalidValue> {
     let thickness = contact.layer().map_or(0.0, |layer| layer.thickness());
-    let valid = "none: rolling that is not steady has no third body";
+    let valid = "none: rolling that is not steady has a third body by the full theory alone";
     check::require(contact.layer().is_none(), "layer thickness", thickness, valid).map(drop)
 }
 

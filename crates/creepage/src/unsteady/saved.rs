@@ -45,7 +45,7 @@ pub enum SavedError {
     OtherContact,
 }
 
-const MAGIC: [u8; 8] = *b"rolling4";
+const MAGIC: [u8; 8] = *b"rolling5";
 
 impl Rolling {
     /// What the contact remembers: going on from it gives the same, to the last bit.
@@ -134,7 +134,7 @@ impl Saved {
     }
 }
 
-const FASTSIM: [u8; 8] = *b"rollfas4";
+const FASTSIM: [u8; 8] = *b"rollfas5";
 
 impl RollingFastsim {
     /// What the contact remembers, as bytes.
@@ -257,7 +257,7 @@ impl SavedTrack {
                 creep: [xi, eta, chi],
                 smooth: smooth != 0.0,
                 displacement: [list(from)?, list(from)?],
-                friction: [list(from)?, list(from)?],
+                friction: [list(from)?, list(from)?, list(from)?],
             });
         }
         Some(Self { past: Past(past), creep, traction, limits, trend })

@@ -5,5 +5,6 @@ mod bonded;
 mod compression;
 mod die;
 mod partial_slip;
+mod sheared_rectangle;
 mod shift_path;
 mod support;

@@ -192,12 +192,11 @@ fn falling_friction_needs_a_memory() {
     assert_eq!(line.unwrap_err().quantity, "memory_distance");
 }
 
-/// A third body is not known to rolling that is not steady, and is not left out silently.
+/// A third body is not known to FASTSIM with a memory, and is not left out silently.
 #[test]
-fn a_layer_is_refused() {
+fn a_layer_is_refused_by_fastsim() {
     let layer = Layer::elastic(20e-6, 5e9).unwrap();
     let contact = hertz().with_friction(0.3).unwrap().with_layer(layer);
-    assert_eq!(Rolling::new(&contact, coarse()).unwrap_err().quantity, "layer thickness");
     let fastsim = RollingFastsim::new(&contact, Settings::default());
     assert_eq!(fastsim.unwrap_err().quantity, "layer thickness");
 }

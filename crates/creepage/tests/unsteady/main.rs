@@ -6,6 +6,7 @@ mod area;
 mod cases;
 mod fastsim;
 mod friction;
+mod layer;
 mod line;
 mod load;
 mod order;

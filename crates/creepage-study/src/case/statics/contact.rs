@@ -16,13 +16,18 @@ pub(crate) struct StaticsContact {
     /// Normal force N that presses the bodies together (N). A shift or a twist without slip
     /// needs it only where the ellipse follows from the bodies' radii.
     normal_force: Option<f64>,
-    /// Coefficient of friction mu. Problem "partial-slip".
+    /// Coefficient of friction mu. Problems "partial-slip", "shift-path", "compression" and
+    /// "sheared-rectangle".
     friction: Option<f64>,
     /// Semi-axis a of the contact ellipse along x (m). Both semi-axes replace the bodies' radii;
     /// problem "die": the die's base.
     semi_axis_rolling: Option<f64>,
     /// Semi-axis b of the contact ellipse along y (m).
     semi_axis_lateral: Option<f64>,
+    /// Problem "sheared-rectangle": half of the rectangle's length along x (m).
+    half_length_rolling: Option<f64>,
+    /// Problem "sheared-rectangle": half of the rectangle's length along y (m).
+    half_length_lateral: Option<f64>,
 }
 
 const SECTION: &str = "contact";
@@ -34,6 +39,32 @@ impl StaticsContact {
 
     pub(crate) fn friction(&self) -> Result<f64, CaseError> {
         self.friction.ok_or_else(|| missing("friction"))
+    }
+
+    /// The half-lengths of a rectangle between bodies without radii or semi-axes.
+    pub(crate) fn rectangle(&self, upper: &Body, lower: &Body) -> Result<[f64; 2], CaseError> {
+        let first = (SECTION, "half_length_rolling");
+        for (section, body) in [("upper", upper), ("lower", lower)] {
+            if let Some(key) = body.any_radius() {
+                return Err(CaseError::Conflict { first, second: (section, key) });
+            }
+        }
+        let semi_axes = [
+            ("semi_axis_rolling", self.semi_axis_rolling),
+            ("semi_axis_lateral", self.semi_axis_lateral),
+        ];
+        if let Some((key, _)) = semi_axes.iter().find(|(_, given)| given.is_some()) {
+            return Err(CaseError::Conflict { first, second: (SECTION, key) });
+        }
+        let along = self.half_length_rolling.ok_or_else(|| missing("half_length_rolling"))?;
+        let across = self.half_length_lateral.ok_or_else(|| missing("half_length_lateral"))?;
+        Ok([along, across])
+    }
+
+    /// A key of a rectangle, which other problems do not have.
+    pub(crate) fn of_rectangle(&self) -> Option<&'static str> {
+        let along = self.half_length_rolling.map(|_| "half_length_rolling");
+        along.or(self.half_length_lateral.map(|_| "half_length_lateral"))
     }
 
     /// The contact of two bodies under load.

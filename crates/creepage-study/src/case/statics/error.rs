@@ -1,7 +1,7 @@
 //! What can be wrong with a problem of statics.
 
 use creepage::halfspace::ResponseError;
-use creepage::statics::{DieError, PartialSlipError};
+use creepage::statics::{DieError, PartialSlipError, ShearError};
 
 use crate::case::error::CaseError;
 
@@ -21,6 +21,27 @@ pub enum StaticsError {
         problem: &'static str,
         /// The keys that the problem takes.
         keys: &'static [&'static str],
+    },
+    /// What belongs to a rectangle alone.
+    #[error("{what} has no place in problem \"{problem}\": \"sheared-rectangle\" takes it")]
+    OfRectangle {
+        /// A section or a key.
+        what: &'static str,
+        /// The problem's name.
+        problem: &'static str,
+    },
+    /// A step of a rectangle's path whose force is not reached.
+    #[error(
+        "[statics] steps: the force of step {number}, {force} N, is more than the {most} N that friction and the \
+         layer bear"
+    )]
+    PathBeyond {
+        /// Its number, from 1.
+        number: usize,
+        /// What was asked (N).
+        force: f64,
+        /// The most (N).
+        most: f64,
     },
     /// Bodies that touch in no circle.
     #[error(
@@ -86,6 +107,9 @@ pub enum StaticsError {
     /// The shift with slip has no solution.
     #[error(transparent)]
     PartialSlip(#[from] PartialSlipError),
+    /// A rectangle's path has no solution.
+    #[error(transparent)]
+    Shear(#[from] ShearError),
     /// The half-space gives no answer.
     #[error(transparent)]
     Response(#[from] ResponseError),

@@ -16,7 +16,7 @@ pub(crate) struct Statics {
     /// "die": a rigid die under an offset load; "shift" and "twist": without slip;
     /// "partial-slip": a shift with slip at the edge (Cattaneo, Mindlin); "shift-path": the same to and fro
     /// under a constant load (Mindlin, Deresiewicz); "compression": unlike balls pressed together with friction
-    /// (Spence).
+    /// (Spence); "sheared-rectangle": a layer under a rectangle of uniform pressure, sheared to and fro.
     pub(crate) problem: Problem,
     /// Problem "die": offset of the normal force from the centre, along x (m); 0 by default.
     offset_x: Option<f64>,
@@ -28,9 +28,9 @@ pub(crate) struct Statics {
     force_y: Option<f64>,
     /// Problem "twist": moment about z, positive from x to y (N m).
     moment: Option<f64>,
-    /// Problem "shift-path": the axis of the ellipse along which the bodies are shifted.
+    /// Problems "shift-path" and "sheared-rectangle": the axis along which the bodies are shifted.
     along: Option<Along>,
-    /// Problem "shift-path": where the path goes, one step after the other.
+    /// Problems "shift-path" and "sheared-rectangle": where the path goes, one step after the other.
     steps: Option<Vec<ShiftStep>>,
 }
 
@@ -71,10 +71,11 @@ pub(crate) enum Problem {
     PartialSlip,
     ShiftPath,
     Compression,
+    ShearedRectangle,
 }
 
 impl Problem {
-    fn name(self) -> &'static str {
+    pub(crate) fn name(self) -> &'static str {
         match self {
             Self::Die => "die",
             Self::Shift => "shift",
@@ -82,6 +83,7 @@ impl Problem {
             Self::PartialSlip => "partial-slip",
             Self::ShiftPath => "shift-path",
             Self::Compression => "compression",
+            Self::ShearedRectangle => "sheared-rectangle",
         }
     }
 
@@ -91,7 +93,7 @@ impl Problem {
             Self::Die => &["offset_x", "offset_y"],
             Self::Shift | Self::PartialSlip => &["force_x", "force_y"],
             Self::Twist => &["moment"],
-            Self::ShiftPath => &["along", "steps"],
+            Self::ShiftPath | Self::ShearedRectangle => &["along", "steps"],
             Self::Compression => &[],
         }
     }

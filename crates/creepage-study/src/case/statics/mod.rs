@@ -4,8 +4,10 @@ mod contact;
 mod error;
 mod load;
 
-use creepage::statics::{Bonded, Compression, Die, PartialSlip, ShiftAxis, ShiftPath};
-use creepage::{Ellipse, Hertz, SiCreepage, SiForce, Solid, SolidPair, Status};
+use creepage::statics::{
+    Bonded, Compression, Die, PartialSlip, ShearError, ShearedRectangle, ShiftAxis, ShiftPath,
+};
+use creepage::{Ellipse, Hertz, Layer, SiCreepage, SiForce, Solid, SolidPair, Status};
 use schemars::JsonSchema;
 use serde::Deserialize;
 use serde_json::Value;
@@ -14,6 +16,7 @@ use crate::Caution;
 use crate::case::body::Body;
 use crate::case::error::CaseError;
 use crate::case::keys;
+use crate::case::layer::LayerSection;
 use crate::case::schema::schema_of;
 use crate::case::sections::smallest_radius;
 
@@ -39,6 +42,8 @@ pub struct StaticsFile {
     /// The contact of the two.
     #[serde(default)]
     contact: StaticsContact,
+    /// Problem "sheared-rectangle": a layer between the bodies.
+    layer: Option<LayerSection>,
     /// The problem and its load.
     statics: Statics,
 }
@@ -119,6 +124,19 @@ pub enum StaticsProblem {
         /// The solution.
         compression: Box<Compression>,
     },
+    /// A rectangle of uniform pressure with a layer, sheared to and fro.
+    ShearedRectangle {
+        /// The equivalent solid of the two bodies.
+        pair: SolidPair,
+        /// Normal force (N).
+        normal_force: f64,
+        /// Coefficient of friction.
+        friction: f64,
+        /// The layer.
+        layer: Option<Layer>,
+        /// The rectangle after every step.
+        steps: Vec<ShearedRectangle>,
+    },
 }
 
 /// The JSON schema (draft 2020-12) of a statics file, for editors and validators.
@@ -170,6 +188,7 @@ impl StaticsFile {
     /// ```
     pub fn solve(&self) -> Result<StaticsCase, StaticsError> {
         self.statics.reject_foreign_keys()?;
+        self.reject_what_is_of_rectangles()?;
         let problem = match self.statics.problem {
             Problem::Die => self.die()?,
             Problem::Shift => self.shift()?,
@@ -177,6 +196,7 @@ impl StaticsFile {
             Problem::PartialSlip => self.partial_slip()?,
             Problem::ShiftPath => self.shift_path()?,
             Problem::Compression => self.compression()?,
+            Problem::ShearedRectangle => self.sheared_rectangle()?,
         };
         Ok(StaticsCase { cautions: self.cautions(&problem), problem })
     }
@@ -187,6 +207,12 @@ impl StaticsFile {
             (StaticsProblem::Die { solid, die, .. }, _) => {
                 let pressure = die.pressure([0.0; 2]);
                 return Caution::high_pressure(pressure, solid.shear_modulus())
+                    .into_iter()
+                    .collect();
+            }
+            (StaticsProblem::ShearedRectangle { pair, steps, .. }, _) => {
+                let pressure = steps.last().map_or(0.0, ShearedRectangle::pressure);
+                return Caution::high_pressure(pressure, pair.shear_modulus())
                     .into_iter()
                     .collect();
             }
@@ -291,6 +317,49 @@ impl StaticsFile {
             return Err(StaticsError::NotSettled);
         }
         Ok(StaticsProblem::Compression { contact, compression: Box::new(compression) })
+    }
+
+    fn sheared_rectangle(&self) -> Result<StaticsProblem, StaticsError> {
+        let upper = self.upper()?;
+        let pair = SolidPair::new(upper.solid("upper")?, self.lower.solid("lower")?);
+        let half_lengths = self.contact.rectangle(upper, &self.lower)?;
+        let (normal_force, friction) = (self.contact.normal_force()?, self.contact.friction()?);
+        let layer = self.layer.as_ref().map(LayerSection::layer).transpose()?;
+        let (axis, wanted) = self.statics.path()?;
+        let mut path =
+            ShearedRectangle::new(pair, half_lengths, normal_force, friction, layer, axis)
+                .map_err(|invalid| {
+                    let of_layer = invalid.quantity == "slope";
+                    CaseError::invalid(if of_layer { "layer" } else { "contact" })(invalid)
+                })?;
+        let mut steps = Vec::with_capacity(wanted.len());
+        for (end, number) in wanted.into_iter().zip(1..) {
+            let went = match end {
+                StepEnd::Force(force) => path.to_force(force),
+                StepEnd::Shift(shift) => path.to_shift(shift),
+            };
+            went.map_err(|error| match error {
+                ShearError::Beyond { force, most } => {
+                    StaticsError::PathBeyond { number, force, most }
+                }
+                other => StaticsError::Shear(other),
+            })?;
+            steps.push(path.clone());
+        }
+        Ok(StaticsProblem::ShearedRectangle { pair, normal_force, friction, layer, steps })
+    }
+
+    /// A layer, or the lengths of a rectangle, must not be dropped in silence.
+    fn reject_what_is_of_rectangles(&self) -> Result<(), StaticsError> {
+        let problem = self.statics.problem;
+        if problem == Problem::ShearedRectangle {
+            return Ok(());
+        }
+        let layer = self.layer.as_ref().map(|_| "section [layer]");
+        match layer.or(self.contact.of_rectangle()) {
+            Some(what) => Err(StaticsError::OfRectangle { what, problem: problem.name() }),
+            None => Ok(()),
+        }
     }
 
     fn upper(&self) -> Result<&Body, CaseError> {

@@ -59,6 +59,31 @@ impl Displacements {
         Self { rows, by_strips, layout, points: first, blocks }
     }
 
+    /// The same where every element moves the surface at its centre, the point after the leading edge and
+    /// those of the elements before it, and nowhere else, by `own` more.
+    pub(crate) fn with_own(mut self, own: &[f64]) -> Self {
+        let Self { rows, by_strips, layout, points, blocks } = &mut self;
+        let length = 3 * layout.entries();
+        let [mut folded, none] = [(); 2].map(|()| Folded::new(layout));
+        let [mut more, zeros] = [(); 2].map(|()| vec![0.0; layout.len()]);
+        let mut row_of_own = vec![0.0; length];
+        for strip in 0..layout.kept() {
+            let elements = layout.elements(strip);
+            for (i, element) in elements.clone().enumerate() {
+                more[element] = own[element];
+                folded.set(layout, [&more, &zeros, &more]);
+                folded.put_less(&none, layout, &mut row_of_own);
+                more[element] = 0.0;
+                let row = &mut rows[(points[strip] + i + 1) * length..][..length];
+                row.iter_mut().zip(&row_of_own).for_each(|(row, more): (&mut f64, _)| *row += more);
+                let entry = blocks[strip] + (i + 1) * elements.len() + i;
+                by_strips[0][entry] += own[element];
+                by_strips[2][entry] += own[element];
+            }
+        }
+        self
+    }
+
     /// Displacements at all points by some tractions.
     pub(crate) fn by(&self, tractions: &Tractions) -> [Vec<f64>; 2] {
         let Self { rows, layout, points, .. } = self;

@@ -277,6 +277,6 @@ fn level(length: f64, scale: f64, cells: usize, varies: bool) -> Level {
         creep: [0.0; 3],
         smooth: false,
         displacement: [vec![0.0; cells], vec![0.0; cells]],
-        friction: [vec![1.0; remembered], vec![0.0; remembered]],
+        friction: [vec![1.0; remembered], vec![0.0; remembered], vec![]],
     }
 }
