@@ -152,6 +152,39 @@ fn particles_on_a_soft_layer_follow_their_own_law() {
     }
 }
 
+/// Shifted at rest, every place of a soft layer has the shift, less that of the bodies under the same force, which is
+/// nearly alike everywhere: the force is that of one place.
+#[test]
+fn a_shift_of_a_soft_layer_is_its_own_law() {
+    let scaling = units();
+    let unit = scaling.slip * scaling.length / scaling.traction;
+    let (flexibility, yields, hardening) = (0.01 / SOFT, 0.2, 0.5);
+    let bodies = |force| Rolling::line(1000.0, 0.28).unwrap().shift(force, 0.0).unwrap();
+    let law = [flexibility, yields, hardening / flexibility];
+    let layer = Layer::elastic(1e-3, 1e-3 / (flexibility * unit)).unwrap();
+    let plasticity = Plasticity { yield_stress: yields * scaling.traction, slope: law[2] / unit };
+    let mut rolling = line(layer.with_plasticity(plasticity).unwrap(), scaling);
+    let mut before = 0.0;
+    for way in [0.1, 0.3, 0.5].map(|part| part * flexibility) {
+        let count = 20_000;
+        let sum: f64 = (0..count)
+            .map(|k| {
+                let x = 1.0 - 2.0 * (f64::from(k) + 0.5) / f64::from(count);
+                own_law(way, law, (1.0 - x * x).sqrt()) * 2.0 / f64::from(count)
+            })
+            .sum();
+        let wanted = sum / (0.5 * std::f64::consts::PI);
+        let shift = rolling.shift(wanted, 0.0).unwrap();
+        assert_eq!(shift.solution.status, Status::Solved);
+        // Counted from where the bodies were before. The bodies give way by a fifth of the layer, the same to a
+        // tenth of it under another traction of the same force.
+        let all = way + bodies(wanted).creepage.xi().abs();
+        let (found, right) = (shift.creepage.xi().abs(), all - before);
+        before = all;
+        assert!((found / right - 1.0).abs() < 0.02, "{way}: {found} {right}");
+    }
+}
+
 /// Cattaneo's shift by .6 of `mu N`, then rolling at a given creepage in steps of .08 mm, with a layer that yields
 /// without thickness: the example `catt2d_plast` of CONTACT 25.2 (Apache-2.0). Squares of .04 and .02 mm over the
 /// width of 2 mm, solved apart from this program, extrapolated to none: forces over `mu N` after so many steps.
