@@ -202,7 +202,7 @@ fn a_sheared_layer_has_its_path_in_text_json_and_table() {
     // Hardening: the yield stress has grown by the slope times what has yielded.
     let grown = 200e6 + 435e9 * number(&report, "plastic_displacement_m");
     assert!((number(&report, "yield_stress_pa") / grown - 1.0).abs() < 1e-12);
-    assert_eq!(number(&report, "sliding_way_m"), 0.0);
+    assert!(number(&report, "sliding_way_m").abs() < f64::MIN_POSITIVE);
     let table = place.read("out/path.csv");
     assert!(
         table.starts_with("force_n,shift_m,plastic_displacement_m,sliding_way_m,dissipated_j\n")

@@ -244,13 +244,13 @@ impl<'a> Parts<'a> {
         gap + &section("contact", &keys)
     }
 
-    fn layer(&self) -> Result<String, Cause> {
+    fn layer(&self) -> String {
         let Extra::Layer([modulus, thickness, yield_stress, slope]) = self.materials.extra else {
-            return Ok(String::new());
+            return String::new();
         };
         let yields = yield_stress > 0.0;
         if thickness <= 0.0 && !yields {
-            return Ok(String::new());
+            return String::new();
         }
         let mut keys = vec![
             ("thickness", number(thickness.max(0.0) * 1e-3)),
@@ -260,7 +260,7 @@ impl<'a> Parts<'a> {
             keys.push(("yield_stress", number(yield_stress * 1e6)));
             keys.push(("slope", number(slope * 1e9)));
         }
-        Ok(section("layer", &keys))
+        section("layer", &keys)
     }
 
     /// Bodies pressed together without friction.

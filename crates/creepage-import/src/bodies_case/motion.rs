@@ -32,7 +32,7 @@ impl Parts<'_> {
         if self.needs_speed || self.friction_text.starts_with('{') {
             return Err("a shift with friction that is no constant".into());
         }
-        if !self.layer()?.is_empty() {
+        if !self.layer().is_empty() {
             return Err("a shift with a layer".into());
         }
         if matches!(self.geometry, Geometry::Line(_) | Geometry::Gap(_)) {
@@ -73,7 +73,7 @@ impl Parts<'_> {
                     .into(),
             );
         }
-        if !self.layer()?.is_empty() {
+        if !self.layer().is_empty() {
             return Err("a shift with a layer".into());
         }
         let mut before = 0.0;
@@ -123,7 +123,7 @@ impl Parts<'_> {
         let [_, along, steps] = self.path(chain)?;
         let keys = [("problem", quoted("sheared-rectangle")), along, steps];
         let head = self.head(title, &command, notes);
-        let sections = self.layer()? + &section("statics", &keys);
+        let sections = self.layer() + &section("statics", &keys);
         let text = head + &self.bodies() + &self.contact(true) + &sections;
         Ok(Written::of(command, File::text(format!("{name}.toml"), text)))
     }
@@ -239,7 +239,7 @@ impl Parts<'_> {
         }
         let solve = self.theory(notes)?;
         let command = format!("creepage solve {name}.toml");
-        let layer = self.layer()?;
+        let layer = self.layer();
         let heat = if self.needs_heat { self.heat()? } else { self.heat().unwrap_or_default() };
         let head = self.head(title, &command, notes);
         let sections = section("creepage", &creepage) + &section("wanted", &wanted) + &heat;

@@ -223,7 +223,7 @@ impl ShearedRectangle {
         self.plastic += plastic;
         self.dissipated += 0.5 * (before + after) * plastic;
         self.traction = after.clamp(0.0, self.bound).copysign(way);
-        if plastic == wanted {
+        if wanted <= most {
             return 0.0;
         }
         let left = (way.abs() - plastic * (1.0 + slope * self.flexibility)).copysign(way);

@@ -45,7 +45,8 @@ impl Rolling {
         law: Option<RollingFriction>,
         resolution: Resolution,
     ) -> Result<Self, InvalidValue> {
-        Self::areas_of(contact, friction, Surface { friction: law, layer: None }, resolution)
+        let surface = Surface { friction: law, layer: None };
+        Self::areas_of(contact, friction, &surface, resolution)
     }
 
     /// The same with a layer between the bodies, whose plastic displacement moves with the particles.
@@ -59,13 +60,13 @@ impl Rolling {
         resolution: Resolution,
     ) -> Result<Self, InvalidValue> {
         let surface = Surface { friction: law, layer: Some(layer) };
-        Self::areas_of(contact, friction, surface, resolution)
+        Self::areas_of(contact, friction, &surface, resolution)
     }
 
     fn areas_of(
         contact: &NormalContact,
         friction: f64,
-        surface: Surface,
+        surface: &Surface,
         resolution: Resolution,
     ) -> Result<Self, InvalidValue> {
         if let Some(law) = surface.friction {

@@ -113,8 +113,8 @@ impl Elements {
 
     /// The same with friction that depends on the slip or the place, and with a layer, in the units
     /// `scaling`.
-    pub(crate) fn with_surface(mut self, surface: Surface, scaling: Scaling) -> Self {
-        let Surface { friction, layer } = surface;
+    pub(crate) fn with_surface(mut self, surface: &Surface, scaling: Scaling) -> Self {
+        let Surface { friction, layer } = *surface;
         if let Some(layer) = layer {
             let own = self.steady.displacements_of(layer, scaling);
             self.displacements = self.displacements.with_own(&own);

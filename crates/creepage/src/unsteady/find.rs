@@ -4,11 +4,14 @@ use nalgebra::{DMatrix, DVector};
 
 use super::level::TransientLevel;
 use super::motion::{Motion, Prescribed};
+use crate::coulomb::friction_bound::FrictionBound;
 
 /// Largest difference from a prescribed force, in parts of `mu N`.
 const TOLERANCE: f64 = 1e-7;
 const STEPS: usize = 60;
 const HALVINGS: usize = 30;
+/// Step of the creepage for differences, over one and its size: forces are solved to a millionth of it.
+const DIFFERENCE: f64 = 1e-3;
 /// A step that leaves less than this part of the residual corrects the slope (Broyden); after any other the slope is
 /// computed again.
 const NEARER: f64 = 0.3;
@@ -133,9 +136,27 @@ impl TransientLevel {
 
     /// Derivatives of the forces that are prescribed by the creepages that are sought.
     fn slope(&mut self, unknown: &[usize]) -> DMatrix<f64> {
-        let columns: Vec<_> = unknown.iter().map(|k| self.derivative(*k)).collect();
+        let yields = self.grid.resistance.as_ref().is_some_and(FrictionBound::yields);
+        let columns: Vec<_> = if yields {
+            unknown.iter().map(|k| self.difference(*k)).collect()
+        } else {
+            unknown.iter().map(|k| self.derivative(*k)).collect()
+        };
         let n = unknown.len();
         DMatrix::from_fn(n, n, |i, k| columns[k][unknown[i]])
+    }
+
+    /// The same by a step of the creepage: what a layer bears changes with the slip, which derivatives within its
+    /// limits do not see.
+    fn difference(&mut self, component: usize) -> [f64; 3] {
+        let (before, force) = (self.creep, self.own_force().components());
+        let mut creep = before;
+        let step = DIFFERENCE * (1.0 + creep[component].abs());
+        creep[component] += step;
+        self.solve_at(creep);
+        let moved = self.own_force().components();
+        self.solve_at(before);
+        std::array::from_fn(|k| (moved[k] - force[k]) / step)
     }
 
     /// Of the force, by a component of the creepage.

@@ -98,7 +98,7 @@ impl Rolling {
             remembered(friction)?;
         }
         let surface = Surface { friction, layer };
-        Self::line_of(length, poisson, |elements| elements.with_surface(surface, scaling))
+        Self::line_of(length, poisson, |elements| elements.with_surface(&surface, scaling))
     }
 
     fn line_of(

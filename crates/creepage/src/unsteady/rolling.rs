@@ -93,7 +93,7 @@ impl Rolling {
         let surface = Surface { friction: contact.rolling_friction(), layer: contact.layer() };
         Ok(Self::of([1, 2].map(|k| {
             Elements::hertz(ellipse, poisson, kappa_over_mu, [k * along, k * across])
-                .with_surface(surface, contact.scaling())
+                .with_surface(&surface, contact.scaling())
         })))
     }
 

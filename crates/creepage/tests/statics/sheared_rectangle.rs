@@ -59,7 +59,7 @@ fn four_materials_as_that_program_has_them() {
             shift += way * 1e-6;
             test.to_shift(shift).unwrap();
             // Half of the last digit printed, and as much again where it is rounded twice.
-            let digit = 10.0_f64.powi(force.log10().floor() as i32 - 3);
+            let digit = if *force < 100.0 { 0.01 } else { 0.1 };
             assert!((test.force() - force).abs() <= digit, "{shift}: {} {force}", test.force());
         }
     }
@@ -121,7 +121,7 @@ fn the_smaller_of_friction_and_yield_bounds_it() {
 fn forces_are_reached_elastically_or_by_hardening() {
     let mut clay = square(Some(layer(106.25e6, 200e6, 435e9)));
     clay.to_force(-300.0).unwrap();
-    assert_eq!(clay.force(), -300.0);
+    assert!((clay.force() + 300.0).abs() < 1e-12 * 300.0);
     let right = -(300.0 * clay.compliance() + 100e6 / 435e9);
     assert!((clay.shift() / right - 1.0).abs() < 1e-12, "{} {right}", clay.shift());
     let before = clay.clone();

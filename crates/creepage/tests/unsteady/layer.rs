@@ -17,7 +17,7 @@ fn bare() -> Contact {
     Hertz::from_ellipse(steel(), ellipse, 60e3).unwrap().with_friction(0.3).unwrap()
 }
 
-/// A layer as in steady rolling's tests: 20 um of 100 MPa, which yields at a part of the largest traction.
+/// A layer as in steady rolling's tests: 20e-6 m of 1e8 Pa, which yields at a part of the largest traction.
 fn yielding(share: f64, slope: f64) -> Layer {
     let layer = Layer::elastic(20e-6, 100e6).unwrap();
     let yield_stress = share * bare().scaling().traction;
@@ -55,7 +55,7 @@ fn what_vanishes_leaves_the_numbers_of_before() {
             rolling.shift(0.3, 0.1).unwrap();
             force(&mut rolling, 0.4, creepage)
         });
-        assert_eq!(none, gone);
+        assert_eq!(none.map(f64::to_bits), gone.map(f64::to_bits));
         assert!(apart(elastic, strong) < 1e-9, "{elastic:?} {strong:?}");
         assert!(apart(elastic, none) > 0.01);
     }
@@ -98,7 +98,7 @@ fn line(layer: Layer, scaling: Scaling) -> Rolling {
     Rolling::line_with_surface(1000.0, 0.28, (None, Some(layer)), scaling).unwrap()
 }
 
-/// Half-width 1 mm, largest traction 300 MPa, and slip such that bodies and layer are alike at `L = 1`.
+/// Half-width 1 mm, largest traction 3e8 Pa, and slip such that bodies and layer are alike at `L = 1`.
 fn units() -> Scaling {
     let (length, traction) = (1e-3, 3e8);
     // (1.2): slip mu a/rho, with the largest traction (G/(1 - sigma)) times it.
@@ -149,6 +149,39 @@ fn particles_on_a_soft_layer_follow_their_own_law() {
                 "{yields} {slope} {distance}: {found} {right}"
             );
         }
+    }
+}
+
+/// Shifted at rest, every place of a soft layer has the shift, less that of the bodies under the same force, which is
+/// nearly alike everywhere: the force is that of one place.
+#[test]
+fn a_shift_of_a_soft_layer_is_its_own_law() {
+    let scaling = units();
+    let unit = scaling.slip * scaling.length / scaling.traction;
+    let (flexibility, yields, hardening) = (0.01 / SOFT, 0.2, 0.5);
+    let bodies = |force| Rolling::line(1000.0, 0.28).unwrap().shift(force, 0.0).unwrap();
+    let law = [flexibility, yields, hardening / flexibility];
+    let layer = Layer::elastic(1e-3, 1e-3 / (flexibility * unit)).unwrap();
+    let plasticity = Plasticity { yield_stress: yields * scaling.traction, slope: law[2] / unit };
+    let mut rolling = line(layer.with_plasticity(plasticity).unwrap(), scaling);
+    let mut before = 0.0;
+    for way in [0.1, 0.3, 0.5].map(|part| part * flexibility) {
+        let count = 20_000;
+        let sum: f64 = (0..count)
+            .map(|k| {
+                let x = 1.0 - 2.0 * (f64::from(k) + 0.5) / f64::from(count);
+                own_law(way, law, (1.0 - x * x).sqrt()) * 2.0 / f64::from(count)
+            })
+            .sum();
+        let wanted = sum / (0.5 * std::f64::consts::PI);
+        let shift = rolling.shift(wanted, 0.0).unwrap();
+        assert_eq!(shift.solution.status, Status::Solved);
+        // Counted from where the bodies were before. The bodies give way by a fifth of the layer, the same to a
+        // tenth of it under another traction of the same force.
+        let all = way + bodies(wanted).creepage.xi().abs();
+        let (found, right) = (shift.creepage.xi().abs(), all - before);
+        before = all;
+        assert!((found / right - 1.0).abs() < 0.02, "{way}: {found} {right}");
     }
 }
 
