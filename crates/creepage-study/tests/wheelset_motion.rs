@@ -258,6 +258,10 @@ fn a_lifted_wheel_carries_nothing_and_says_how_far_it_hangs() {
         matches!(error, Err(WheelsetFileError::Solve(WheelsetError::Hangs { .. }))),
         "{error:?}"
     );
+    // Rolled the other way, it touches before the right one carries its load.
+    let error = read(&[("WHEELSET", &format!("{loads}, roll = -0.001"))]).unwrap().solve();
+    let sinks = WheelsetError::Sinks { side: creepage_rail::Side::Left };
+    assert!(error.unwrap_err().to_string().ends_with(&sinks.to_string()));
 }
 
 /// Loads of a rigid vehicle in a canted curve (sheet 8, A2): 10 t, 25 m/s, 500 m, h 100 mm, 1.8 m.

@@ -152,8 +152,9 @@ pub enum WheelsetError {
     },
     /// Load and friction did not come to rest.
     #[error(
-        "[wheelset] no position was settled on that carries the load, which can jump by some tenths \
-         of a per cent where two areas of contact join: try a position beside this one, or give z"
+        "[wheelset] no position was settled on that carries the load: it can jump by some tenths of a per cent \
+         where two areas of contact join, and on a flange that climbs friction may carry what the load does not: \
+         try a position beside this one, less friction, or give z"
     )]
     NotSettled,
 }
