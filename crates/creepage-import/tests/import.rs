@@ -432,7 +432,8 @@ fn a_single_element_is_sheared_to_and_fro() {
     }
 }
 
-/// Layers go along in steps of rolling, and on lines; without thickness they yield only; without either there is none.
+/// A layer is written for rolling in steps and for lines. One of zero thickness yields and does not shear elastically;
+/// one without thickness and yield stress is left out.
 #[test]
 fn a_layer_rolls_in_steps() {
     let line = "1 IPOTCN\n 9 1 -0.9 -50. 0.2 100. grid\n 1 1 kinds\n .001 .0 .0 .0 .0 .0 shape";

@@ -91,7 +91,7 @@ impl<'a> WheelsetSolver<'a> {
         }
         let (mut start, expected) = match self.beside(before, stance) {
             Some((start, expected)) => (start, Some(expected)),
-            None => (self.after(before), None),
+            None => (self.far_from(before), None),
         };
         let known: Option<Vec<_>> = contacts().map(TractionWarmStart::of_coarse_grid).collect();
         start.friction = known.or_else(|| self.corrections(before))?;

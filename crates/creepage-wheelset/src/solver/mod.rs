@@ -178,7 +178,7 @@ impl<'a> WheelsetSolver<'a> {
             return Ok(solved.fore_and_aft());
         }
         let Some((start, expected)) = self.beside(before, stance) else {
-            return self.from(stance, travel, &self.after(before));
+            return self.from(stance, travel, &self.far_from(before));
         };
         let mut solved = self.from(stance, travel, &start)?;
         solved.drift = Some(PredictorCorrection::new(&expected, before, &solved, stance));

@@ -65,7 +65,12 @@ impl WheelsetSolver<'_> {
         Start { levers: [-lever, lever], ..Start::default() }
     }
 
-    /// What a solved position tells of others.
+    /// What a solved position tells of one farther off.
+    pub(super) fn far_from(&self, before: &SolvedWheelset) -> Start {
+        Start { stood: self.stood(before), ..self.after(before) }
+    }
+
+    /// What a solved position tells of one beside it.
     pub(super) fn after(&self, before: &SolvedWheelset) -> Start {
         let radius = self.press.running.wheelset().radius();
         let contacts = before.wheels().flat_map(SolvedWheel::contacts);
@@ -76,7 +81,7 @@ impl WheelsetSolver<'_> {
             pressures: PatchWarmStart::solved(before),
             friction: contacts.filter_map(TractionWarmStart::of_fine_grid).collect(),
             places: None,
-            stood: self.stood(before),
+            stood: None,
         }
     }
 
