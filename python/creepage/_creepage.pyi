@@ -660,6 +660,8 @@ class RollingData:
     def __new__(
         cls, text: str, is_case: bool, start: bool | tuple[float, float] | None
     ) -> RollingData: ...
+    @property
+    def caution(self) -> str | None: ...
     def step(
         self, given: Sequence[tuple[str, float]]
     ) -> tuple[float, list[float], list[float], float, int]: ...
@@ -671,7 +673,7 @@ def roll(
     is_case: bool,
     start: bool | tuple[float, float] | None,
     columns: Sequence[tuple[str, Floats]],
-) -> dict[str, Floats | Codes]: ...
+) -> tuple[dict[str, Floats | Codes], str | None]: ...
 @final
 class SweepData:
     """The text of a sweep file, read and checked."""

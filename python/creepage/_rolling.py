@@ -47,7 +47,8 @@ class Rolling:
     path, its text (a string with line breaks), or its sections as a mapping. start: "none" is
     without traction. "steady" is as if the bodies had always rolled with the motion of the first
     step. Two forces (N), longitudinal and lateral on the lower body, shift the bodies before they
-    roll. By default it is as the file says, or none. Raises CaseError for what cannot roll.
+    roll. By default it is as the file says, or none. Raises CaseError for what cannot roll, and
+    warns of what the contact is in doubt for.
 
     It may be pickled and copied with all that it remembers, and used from several threads, one step
     after the other.
@@ -56,6 +57,8 @@ class Rolling:
     def __init__(self, case: RollingCase, *, start: Start | None = None) -> None:
         self._source = (*_text(case), _start(start))
         self._data = _creepage.RollingData(*self._source)
+        if (caution := self._data.caution) is not None:
+            warnings.warn(caution, stacklevel=2)
 
     def step(
         self,
@@ -134,13 +137,16 @@ def roll(
     `eta`, `chi`, or a force, `longitudinal_force`, `lateral_force` (N), `moment` (N m). A row's
     motion acts from the distance of the row before, or zero, to its own. Gives arrays named as the
     columns of `history.csv`. Raises CaseError, InvalidValue and ValueError, which name column and
-    row; warns where rows did not converge.
+    row; warns where rows did not converge, and of what the contact is in doubt for.
     """
     columns = [(str(name), _column(str(name), values)) for name, values in history.items()]
     if len({values.size for _, values in columns}) > 1:
         sizes = ", ".join(f"{name}: {values.size}" for name, values in columns)
         raise ValueError(f"columns must have one length, not {sizes}")
-    table: dict[str, Any] = dict(_creepage.roll(*_text(case), _start(start), columns))
+    found, caution = _creepage.roll(*_text(case), _start(start), columns)
+    table: dict[str, Any] = dict(found)
+    if caution is not None:
+        warnings.warn(caution, stacklevel=2)
     failed = int(np.count_nonzero(table["status"] == Status.NOT_CONVERGED))
     if failed:
         warnings.warn(

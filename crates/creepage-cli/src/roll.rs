@@ -29,6 +29,9 @@ pub(crate) fn run(args: &RollArgs) -> Result<Outcome, Failure> {
     let sources = Sources::new([&args.case, &args.history]).with(&file.sources(directory));
     let history = History::read(texts[1].as_bytes(), &case).map_err(wrong(&args.history))?;
     let mut run = HistoryRun::new(&case, &history).map_err(wrong(&args.case))?;
+    for caution in &case.cautions {
+        say(&format!("caution: {caution}"));
+    }
     let not_converged = match &args.out {
         None => to_stdout(&mut run).map_err(|error| error.placed(&args.history))?,
         Some(directory) => {

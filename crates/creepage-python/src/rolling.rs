@@ -3,7 +3,7 @@
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use creepage_study::{
-    HISTORY_COLUMNS, History, HistoryError, HistoryRun, RollFile, RollStart, RollStepper,
+    Caution, HISTORY_COLUMNS, History, HistoryError, HistoryRun, RollFile, RollStart, RollStepper,
 };
 use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::prelude::*;
@@ -48,6 +48,12 @@ impl RollingData {
         Ok(Self { stepper: Mutex::new(stepper) })
     }
 
+    /// What the contact is in doubt for, in words.
+    #[getter]
+    fn caution(&self) -> Option<String> {
+        words(&self.lock().case().cautions)
+    }
+
     /// Rolls on by numbers named as the columns of a history.
     fn step(&self, py: Python, given: Vec<(String, f64)>) -> PyResult<Step> {
         let given: Vec<_> = given.iter().map(|(name, value)| (&name[..], *value)).collect();
@@ -85,7 +91,12 @@ impl RollingData {
     }
 }
 
-/// A whole history by its columns: those of `history.csv`, the status as numbers of `creepage.Status`.
+fn words(cautions: &[Caution]) -> Option<String> {
+    (!cautions.is_empty()).then(|| Caution::words(cautions))
+}
+
+/// A whole history by its columns: those of `history.csv`, the status as numbers of `creepage.Status`; and what the
+/// contact is in doubt for, in words.
 #[pyfunction]
 pub(crate) fn roll<'py>(
     py: Python<'py>,
@@ -93,7 +104,7 @@ pub(crate) fn roll<'py>(
     is_case: bool,
     start: Option<Start>,
     columns: Vec<(String, PyReadonlyArray1<'py, f64>)>,
-) -> PyResult<Bound<'py, PyDict>> {
+) -> PyResult<(Bound<'py, PyDict>, Option<String>)> {
     let wrong = |error| errors::history(py, error);
     let given: Vec<(String, Vec<f64>)> =
         columns.iter().map(|(name, values)| (name.clone(), values.as_array().to_vec())).collect();
@@ -114,5 +125,5 @@ pub(crate) fn roll<'py>(
         table.set_item(name, PyArray1::from_vec(py, values))?;
     }
     table.set_item("status", PyArray1::from_vec(py, statuses))?;
-    Ok(table)
+    Ok((table, words(&case.cautions)))
 }

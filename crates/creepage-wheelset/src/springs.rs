@@ -3,7 +3,8 @@
 //! The unknowns are the deviations of the sprung rails, the residual what the wheel presses on its rail, less
 //! what its springs carry, plus what else acts on it. Newton's method with a line search, its Jacobian by
 //! differences and then by Broyden's updates: contacts are a hundred times stiffer than springs, so that a fixed
-//! point of force over stiffness diverges.
+//! point of force over stiffness diverges. Where forces do not fall as a rail recedes, as when a wheel climbs, each
+//! deviation is bracketed. A rail under a given load goes down by what that takes: no unknown.
 
 use creepage_rail::{Deviation, Side};
 use nalgebra::{DMatrix, DVector};
@@ -11,7 +12,7 @@ use nalgebra::{DMatrix, DVector};
 use crate::error::WheelsetError;
 use crate::pose::{Load, WheelsetPose, WheelsetVelocity};
 use crate::solved::SolvedWheelset;
-use crate::solver::WheelsetSolver;
+use crate::solver::{Root, Target, WheelsetSolver};
 
 /// Springs of a rail, across and down, and forces that act on it beside the wheel's.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -23,13 +24,27 @@ pub struct RailSprings {
 }
 
 const SIDES: [Side; 2] = [Side::Left, Side::Right];
-/// Step of the differences (m).
-const STEP: f64 = 5e-7;
-/// Longest step of a rail against its wheel (m): contacts change their shape beyond.
-const LONGEST: f64 = 5e-5;
-/// Part of the wheel's force to which springs carry it.
+/// Steps of the differences across and down (m): forces scatter by some newtons, and contacts are stiff.
+const STEPS: [f64; 2] = [5e-6, 5e-7];
+/// First radius of the trust region (m): contacts change their shape within it.
+const FIRST_RADIUS: f64 = 5e-5;
+/// It doubles where the change of forces was foreseen but for this part.
+const GOOD: f64 = 0.25;
+/// Longest step (m) from which a wheelset is solved beside the last position.
+const NEAR: f64 = 1e-4;
+/// Part of the wheel's force to which springs carry it; by which loads are met at least; and below which each position
+/// is solved by itself.
 const MET: f64 = 1e-5;
-const ROUNDS: usize = 80;
+const SCATTER: f64 = 1e-4;
+const CLOSE: f64 = 1e-3;
+/// Part of their error bars to which loads are met.
+const PART_OF_ERROR: f64 = 0.2;
+/// The narrowest bracket (m): forces jump in it.
+const NARROW: f64 = 1e-11;
+const MAX_STEPS: usize = 40;
+/// Of all rails, in turn; and how often a bracket may grow.
+const MAX_SWEEPS: usize = 6;
+const MAX_EXPANSIONS: usize = 8;
 
 /// A wheelset on rails of which some lie on springs.
 struct Sprung<'a> {
@@ -58,61 +73,150 @@ impl WheelsetSolver<'_> {
 }
 
 impl Sprung<'_> {
-    /// Solves this wheelset with its rails where their springs carry them.
+    /// By Newton's method, and where forces do not fall as a rail recedes by brackets.
     fn solve(&self) -> Result<SolvedWheelset, WheelsetError> {
-        let sprung = &self.rails;
-        let mut at = self.start_of_springs(sprung)?;
-        let (mut solved, mut left) = self.left_over(sprung, &at)?;
+        let (at, unknown) = self.first_place()?;
+        let first = self.left_over(&at, None, &unknown)?;
+        match self.by_newton(at.clone(), first.clone(), &unknown)? {
+            Some(solved) => Ok(solved),
+            None => self.by_brackets(at, first, &unknown),
+        }
+    }
+
+    /// Newton's method; `None` where it stagnates.
+    fn by_newton(
+        &self,
+        mut at: DVector<f64>,
+        (mut solved, mut left): (SolvedWheelset, DVector<f64>),
+        unknown: &[bool],
+    ) -> Result<Option<SolvedWheelset>, WheelsetError> {
         let mut jacobian: Option<DMatrix<f64>> = None;
-        for _ in 0..ROUNDS {
-            if is_met(sprung, &solved, &left) {
-                for (k, (side, _)) in sprung.iter().enumerate() {
-                    solved.deflect(*side, [at[2 * k], at[2 * k + 1]]);
-                }
-                return Ok(solved);
+        let mut radius = FIRST_RADIUS;
+        for _ in 0..MAX_STEPS {
+            if self.is_met(&solved, &left) {
+                return Ok(Some(self.deflected(solved, &at)));
             }
             let slopes = match jacobian.take() {
                 Some(known) => known,
-                None => self.slopes(sprung, &at, &left)?,
+                None => self.slopes(&at, &left, &solved, unknown)?,
             };
             let step = slopes.clone().lu().solve(&-&left);
-            let mut step = step.ok_or(WheelsetError::RailNotFound)?;
-            let longest = step.amax();
-            if longest > LONGEST {
-                step *= LONGEST / longest;
-            }
-            let Some(taken) = self.line_search(sprung, (&at, &left), &step) else {
-                // Learnt slopes may mislead: once more by differences, unless these did.
-                jacobian = Some(self.slopes(sprung, &at, &left)?);
-                let fresh = jacobian.as_ref().is_some_and(|fresh| (fresh - &slopes).amax() == 0.0);
-                if fresh {
-                    return Err(WheelsetError::RailNotFound);
-                }
-                continue;
+            let Some(mut step) = step.filter(|_| self.falls(&slopes, unknown)) else {
+                return Ok(None);
             };
-            let (moved, next, over) = taken;
+            let length = step.amax();
+            step *= (radius / length).min(1.0);
+            let next = self.line_search((&at, &left), &step, &solved, unknown);
+            let Some((moved, next, over)) = next else {
+                if self.is_met_within_errors(&solved, &left) {
+                    return Ok(Some(self.deflected(solved, &at)));
+                }
+                return Ok(None);
+            };
             // Broyden (1965).
             let missed = &over - &left - &slopes * &moved;
-            let learnt = &slopes + missed * moved.transpose() / moved.norm_squared();
+            let is_foreseen = missed.norm() < GOOD * (&over - &left).norm();
+            let learnt = &slopes + &missed * moved.transpose() / moved.norm_squared();
+            radius = if is_foreseen { 2.0 * radius } else { moved.amax().min(radius) };
             at += moved;
             (solved, left, jacobian) = (next, over, Some(learnt));
         }
+        Ok(None)
+    }
+
+    /// Whether what springs do not carry falls as each rail under a given load gives way, by half of what the spring
+    /// alone does at least.
+    fn falls(&self, slopes: &DMatrix<f64>, unknown: &[bool]) -> bool {
+        self.rails.iter().enumerate().all(|(k, (_, springs))| {
+            let (across, down) = (2 * k, 2 * k + 1);
+            unknown[down] || slopes[(across, across)] < -0.5 * springs.stiffness[0]
+        })
+    }
+
+    /// Each deviation by a bracketed root, in turn until all springs carry what presses on them.
+    fn by_brackets(
+        &self,
+        mut at: DVector<f64>,
+        mut last: (SolvedWheelset, DVector<f64>),
+        unknown: &[bool],
+    ) -> Result<SolvedWheelset, WheelsetError> {
+        for _ in 0..MAX_SWEEPS {
+            for column in (0..at.len()).filter(|column| unknown[*column]) {
+                last = self.crossing(&mut at, last, column, unknown)?;
+            }
+            if self.is_met_within_errors(&last.0, &last.1) {
+                return Ok(self.deflected(last.0, &at));
+            }
+        }
         Err(WheelsetError::RailNotFound)
+    }
+
+    /// Moves one deviation to where its spring carries what presses on it: between here and where the spring carries
+    /// what presses here, or farther.
+    fn crossing(
+        &self,
+        at: &mut DVector<f64>,
+        (mut solved, mut left): (SolvedWheelset, DVector<f64>),
+        column: usize,
+        unknown: &[bool],
+    ) -> Result<(SolvedWheelset, DVector<f64>), WheelsetError> {
+        let stiffness = self.rails[column / 2].1.stiffness[column % 2];
+        let (mut near, value) = (at[column], left[column]);
+        let mut far = near;
+        for _ in 0..MAX_EXPANSIONS {
+            if self.is_met(&solved, &left) {
+                return Ok((solved, left));
+            }
+            if left[column] * value <= 0.0 {
+                break;
+            }
+            near = at[column];
+            at[column] += left[column] / stiffness;
+            far = at[column];
+            (solved, left) = self.left_over(at, None, unknown)?;
+        }
+        if left[column] * value > 0.0 {
+            return Err(WheelsetError::RailNotFound);
+        }
+        let mut root = Root::new(far, [near.min(far), near.max(far)]);
+        for _ in 0..MAX_STEPS {
+            let from = ((root.at - at[column]).abs() < NEAR && !self.is_close(&solved, &left))
+                .then_some(&solved);
+            at[column] = root.at;
+            (solved, left) = self.left_over(at, from, unknown)?;
+            if self.is_alone_met(&solved, &left, column) || root.is_spent(NARROW) {
+                break;
+            }
+            root.next(-left[column], None);
+        }
+        Ok((solved, left))
+    }
+
+    fn deflected(&self, mut solved: SolvedWheelset, at: &DVector<f64>) -> SolvedWheelset {
+        for (k, (side, _)) in self.rails.iter().enumerate() {
+            solved.deflect(*side, [at[2 * k], at[2 * k + 1]]);
+        }
+        solved
     }
 
     /// The first of some ever shorter steps that leaves less; `None` where none does.
     #[allow(clippy::type_complexity)]
     fn line_search(
         &self,
-        sprung: &[(Side, RailSprings)],
         (at, left): (&DVector<f64>, &DVector<f64>),
         step: &DVector<f64>,
+        from: &SolvedWheelset,
+        unknown: &[bool],
     ) -> Option<(DVector<f64>, SolvedWheelset, DVector<f64>)> {
         const SHORTEST: u32 = 8;
+        // Close to the solution forces must not depend on the way there.
+        let from = (!self.is_close(from, left) && step.amax() < NEAR).then_some(from);
         for halving in 0..SHORTEST {
             let moved = step * 0.5f64.powi(halving.cast_signed());
             // A step too far may leave the profiles: a shorter one does not.
-            let Ok((solved, over)) = self.left_over(sprung, &(at + &moved)) else { continue };
+            let Ok((solved, over)) = self.left_over(&(at + &moved), from, unknown) else {
+                continue;
+            };
             if over.norm() < left.norm() {
                 return Some((moved, solved, over));
             }
@@ -121,84 +225,137 @@ impl Sprung<'_> {
     }
 
     /// Where rails lie at first: their springs under the load, or, at a given height, just below the wheel.
-    fn start_of_springs(
-        &self,
-        sprung: &[(Side, RailSprings)],
-    ) -> Result<DVector<f64>, WheelsetError> {
+    ///
+    /// And which deviations are unknown: a rail under a wheel whose load is given goes down by so much as that takes.
+    fn first_place(&self) -> Result<(DVector<f64>, Vec<bool>), WheelsetError> {
         const DEEP: f64 = 5e-5;
-        let mut at = DVector::zeros(2 * sprung.len());
-        for (k, (side, springs)) in sprung.iter().enumerate() {
+        let mut unknown = vec![true; 2 * self.rails.len()];
+        let mut at = DVector::zeros(2 * self.rails.len());
+        for (k, (side, springs)) in self.rails.iter().enumerate() {
             let load = self.pose.load.ok_or(WheelsetError::NoLoad)?;
-            let carried = match load {
-                Load::Height(z) => {
-                    let (y, yaw) = (self.pose.y, self.pose.yaw);
-                    let roll = self.pose.roll.unwrap_or(0.0);
-                    let touch = self.solver.running().touch(*side, y, roll, yaw);
-                    let side = *side;
-                    let touch = touch.map_err(|source| WheelsetError::Position { side, source })?;
-                    at[2 * k + 1] = (z - touch.z - DEEP).max(0.0);
-                    continue;
-                }
-                Load::Axle(load) | Load::Loaded { load, .. } if self.pose.side.is_none() => {
-                    0.5 * load
-                }
-                Load::Axle(load) | Load::Loaded { load, .. } => load,
-                other => other.of_wheel(*side).unwrap_or(0.0),
-            };
+            if let Load::Height(z) = load {
+                let (y, yaw) = (self.pose.y, self.pose.yaw);
+                let roll = self.pose.roll.unwrap_or(0.0);
+                let touch = self.solver.running().touch(*side, y, roll, yaw);
+                let side = *side;
+                let touch = touch.map_err(|source| WheelsetError::Position { side, source })?;
+                at[2 * k + 1] = (z - touch.z - DEEP).max(0.0);
+                continue;
+            }
+            let levers = self.solver.start().levers;
+            let target = Target::new(self.pose, levers)?;
+            let all = target.sum(&[*side]).unwrap_or(0.0);
+            let carried = target.of_wheel(*side).unwrap_or(0.5 * all);
             at[2 * k + 1] = (carried + springs.force[1]) / springs.stiffness[1];
+            unknown[2 * k + 1] = match load {
+                Load::Loaded { .. } => self.pose.side.is_none(),
+                _ => target.of_wheel(*side).is_none(),
+            };
         }
-        Ok(at)
+        Ok((at, unknown))
     }
 
-    /// The wheelset on rails that stand so, and what their springs do not carry (N).
+    /// The wheelset on rails that stand so, and what their springs do not carry (N); from a solved place beside it.
     fn left_over(
         &self,
-        sprung: &[(Side, RailSprings)],
         at: &DVector<f64>,
+        from: Option<&SolvedWheelset>,
+        unknown: &[bool],
     ) -> Result<(SolvedWheelset, DVector<f64>), WheelsetError> {
         let mut track = self.solver.running().track().clone();
-        for (k, (side, _)) in sprung.iter().enumerate() {
+        for (k, (side, _)) in self.rails.iter().enumerate() {
             let deviation = Deviation { y: at[2 * k], z: at[2 * k + 1], roll: 0.0 };
             track = track.displaced(*side, deviation).map_err(WheelsetError::geometry("rail"))?;
         }
         let running = self.solver.running().on_track(track);
-        let solved = self.solver.on(&running).solve(self.pose, self.velocity)?;
+        let solver = self.solver.on(&running);
+        let solved = match from {
+            Some(from) => solver.next(from, self.pose, self.velocity)?,
+            None => solver.solve(self.pose, self.velocity)?,
+        };
         let mut left = DVector::zeros(at.len());
-        for (k, (side, springs)) in sprung.iter().enumerate() {
-            let wheel = solved.wheels().find(|wheel| wheel.side == *side);
-            let force = wheel.map_or([0.0; 3], |wheel| wheel.on_rail().force);
+        for (k, (side, springs)) in self.rails.iter().enumerate() {
+            let force = on_rail(&solved, *side);
             for axis in 0..2 {
                 let carried = springs.stiffness[axis] * at[2 * k + axis] - springs.force[axis];
-                left[2 * k + axis] = force[1 + axis] - carried;
+                let missed = force[1 + axis] - carried;
+                left[2 * k + axis] = if unknown[2 * k + axis] { missed } else { 0.0 };
             }
         }
         Ok((solved, left))
     }
 
+    /// Changes of what springs do not carry as each rail moves across and down, by differences.
     fn slopes(
         &self,
-        sprung: &[(Side, RailSprings)],
         at: &DVector<f64>,
         left: &DVector<f64>,
+        from: &SolvedWheelset,
+        unknown: &[bool],
     ) -> Result<DMatrix<f64>, WheelsetError> {
         let mut slopes = DMatrix::zeros(at.len(), at.len());
-        for k in 0..at.len() {
-            let mut moved = at.clone();
-            moved[k] += STEP;
-            let (_, over) = self.left_over(sprung, &moved)?;
-            slopes.set_column(k, &((over - left) / STEP));
+        for (k, (_, springs)) in self.rails.iter().enumerate() {
+            for (axis, step) in STEPS.into_iter().enumerate() {
+                let column = 2 * k + axis;
+                if !unknown[column] {
+                    slopes[(column, column)] = -springs.stiffness[axis];
+                    continue;
+                }
+                let mut moved = at.clone();
+                moved[column] += step;
+                let (_, over) = self.left_over(&moved, Some(from), unknown)?;
+                slopes.set_column(column, &((over - left) / step));
+            }
+        }
+        // What is known is no residual.
+        for row in (0..at.len()).filter(|row| !unknown[*row]) {
+            for column in (0..at.len()).filter(|column| *column != row) {
+                slopes[(row, column)] = 0.0;
+            }
         }
         Ok(slopes)
     }
+
+    /// What a spring does not carry, over the larger of what presses on the rail and acts on the springs.
+    fn missed(&self, solved: &SolvedWheelset, left: &DVector<f64>, column: usize) -> f64 {
+        let (side, springs) = &self.rails[column / 2];
+        let [_, y, z] = on_rail(solved, *side).map(f64::abs);
+        let size = y.max(z).max(springs.force[0].abs()).max(springs.force[1].abs());
+        left[column].abs() / size
+    }
+
+    fn worst(&self, solved: &SolvedWheelset, left: &DVector<f64>) -> f64 {
+        (0..left.len()).map(|column| self.missed(solved, left, column)).fold(0.0, f64::max)
+    }
+
+    fn is_met(&self, solved: &SolvedWheelset, left: &DVector<f64>) -> bool {
+        self.worst(solved, left) <= MET
+    }
+
+    fn is_close(&self, solved: &SolvedWheelset, left: &DVector<f64>) -> bool {
+        self.worst(solved, left) <= CLOSE
+    }
+
+    fn is_alone_met(&self, solved: &SolvedWheelset, left: &DVector<f64>, column: usize) -> bool {
+        self.missed(solved, left, column) <= MET
+    }
+
+    /// Whether springs carry what presses on their rails to within what forces scatter: as loads are met, to a part and
+    /// a fifth of their error bars.
+    fn is_met_within_errors(&self, solved: &SolvedWheelset, left: &DVector<f64>) -> bool {
+        (0..left.len()).all(|column| {
+            let side = self.rails[column / 2].0;
+            let wheel = solved.wheels().find(|wheel| wheel.side == side);
+            let error = wheel.and_then(|wheel| wheel.on_rail().force_error);
+            let error = error.map_or(0.0, |error| error[1 + column % 2]);
+            left[column].abs() <= PART_OF_ERROR * error
+                || self.missed(solved, left, column) <= SCATTER
+        })
+    }
 }
 
-/// Whether springs carry what wheels press on their rails, to [`MET`] of it and the larger force on the springs.
-fn is_met(sprung: &[(Side, RailSprings)], solved: &SolvedWheelset, left: &DVector<f64>) -> bool {
-    sprung.iter().enumerate().all(|(k, (side, springs))| {
-        let wheel = solved.wheels().find(|wheel| wheel.side == *side);
-        let force = wheel.map_or([0.0; 3], |wheel| wheel.on_rail().force);
-        let [_, y, z] = force.map(f64::abs);
-        let size = y.max(z).max(springs.force[0].abs()).max(springs.force[1].abs());
-        left[2 * k].abs().max(left[2 * k + 1].abs()) <= MET * size
-    })
+/// Force of a wheel on its rail (N); none of a wheel that was not solved.
+fn on_rail(solved: &SolvedWheelset, side: Side) -> [f64; 3] {
+    let wheel = solved.wheels().find(|wheel| wheel.side == side);
+    wheel.map_or([0.0; 3], |wheel| wheel.on_rail().force)
 }

@@ -407,3 +407,33 @@ fn a_layer_rolls_on_with_the_wheel() {
         place.run(&["roll", "case.toml", "--history", "h.csv"]).refused(&[word]);
     }
 }
+
+/// What a contact is in doubt for is said of its history as of its steady rolling.
+#[test]
+fn doubts_about_the_contact_are_said() {
+    let said = |case: &str| {
+        let place = Place::new();
+        place.write("case.toml", case);
+        place.write("h.csv", "distance,longitudinal\n0.002,-1e-3\n");
+        let ran = place.run(&["roll", "case.toml", "--history", "h.csv"]);
+        assert_eq!(ran.code, Some(0), "{}", ran.stderr);
+        ran.stderr
+    };
+    let line = case().replace("normal_force = 80e3", "line_load = 4e6\nlength = 0.1");
+    let line =
+        line.replacen("radius_lateral = \"flat\"\n", "", 1).replace("radius_lateral = 0.3\n", "");
+    let layer = |thickness: f64| {
+        let case = case();
+        format!("{case}[layer]\nthickness = {thickness}\nshear_modulus = 1e9\n")
+    };
+    for (case, word) in [
+        (layer(5e-3), "times as thick as the contact's half-width"),
+        (case().replace("normal_force = 80e3", "normal_force = 80e9"), "check the unit"),
+        (line.replacen("shear_modulus = 82e9", "shear_modulus = 26e9", 1), "like ones"),
+    ] {
+        assert!(said(&case).contains(word), "{word}: {}", said(&case));
+    }
+    for case in [case(), line, layer(5e-4)] {
+        assert_eq!(said(&case), "");
+    }
+}

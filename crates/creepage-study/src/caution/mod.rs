@@ -2,10 +2,12 @@
 
 mod words;
 
+use std::f64::consts::FRAC_PI_2;
+
 use creepage::gap::Gap;
 use creepage::normal::{self, NormalContact, Patch};
 use creepage::theory::ExactOptions;
-use creepage::{Contact, Ellipse, Hertz, Scaling, SiCreepage, Solution, Status, TheorySpec};
+use creepage::{Contact, Ellipse, Hertz, Layer, Scaling, SiCreepage, Solution, Status, TheorySpec};
 use creepage_rail::Role;
 
 /// A warning about a solution; in words by [`Display`](std::fmt::Display). Text, JSON,
@@ -44,6 +46,13 @@ pub enum Caution {
     NoLayer {
         /// The theory.
         theory: &'static str,
+    },
+    /// The layer is not thin beside the contact, as the theory has it.
+    ThickLayer {
+        /// Its thickness over the smaller half-width of the contact.
+        share: f64,
+        /// By how much it is stiffer in truth than where each place shears by itself, about.
+        stiffer: f64,
     },
     /// Pressure and contact area are taken to be Hertz's, though what tractions change about them matters.
     OneWay {
@@ -222,6 +231,8 @@ impl Caution {
     /// Approach (m) beyond that of any elastic contact of a wheel: 1 MN on a wheel gives .5 mm.
     const DEEP: f64 = 1e-3;
 
+    /// Part by which a layer is stiffer than a thin one from which it is named.
+    const THICK: f64 = 0.05;
     /// Peclet number below which temperatures are a caution.
     pub const PECLET: f64 = 5.0;
 
@@ -363,8 +374,31 @@ impl Caution {
         let by_row = on_areas && ["fastsim", "fastrip", "saturated"].contains(&theory);
         let left_out = friction.is_some_and(|law| if by_row { law.falls() } else { law.varies() });
         let friction = left_out.then_some(Self::ConstantFriction { theory });
-        let layer = contact.layer().map(|_| Self::NoLayer { theory });
-        [friction, layer].map(|caution| caution.filter(|_| !follows))
+        let friction = friction.filter(|_| !follows);
+        let layer = contact.layer().and_then(|layer| {
+            if follows { Self::thick_layer(layer, contact) } else { Some(Self::NoLayer { theory }) }
+        });
+        [friction, layer]
+    }
+
+    /// A layer that is not thin beside the contact of which it is a part.
+    fn thick_layer(layer: Layer, contact: &Contact) -> Option<Self> {
+        let half_width = match contact.areas() {
+            Some(areas) => smallest_half_width(areas),
+            None => contact.scaling().length * contact.ellipse().minor() / contact.ellipse().c(),
+        };
+        Self::thick_beside(layer, half_width)
+    }
+
+    /// A layer that is not thin beside a half-width (m).
+    ///
+    /// Tractions of wavelength `2 pi/k` shear a layer of thickness `h` on a stiff body by `tanh(kh)/(kh)` of what each
+    /// place does by itself; those of a contact have a half wave over its width at least.
+    pub(crate) fn thick_beside(layer: Layer, half_width: f64) -> Option<Self> {
+        let share = layer.thickness() / half_width;
+        let phase = FRAC_PI_2 * share;
+        let stiffer = phase / phase.tanh() - 1.0;
+        (stiffer > Self::THICK).then_some(Self::ThickLayer { share, stiffer })
     }
 
     /// What a theory neglects between bodies that are so dissimilar, if that matters.
@@ -430,6 +464,16 @@ impl Caution {
         contact.into_iter().chain(Self::high_pressure(peak_pressure, shear_modulus)).collect()
     }
 
+    /// What an ellipse is in doubt for, whatever it does: units, a metal that yields.
+    pub(crate) fn of_hertz(hertz: &Hertz, smallest_radius: Option<f64>) -> Vec<Self> {
+        let mut cautions = Self::units(hertz, smallest_radius, SiCreepage::default());
+        if cautions.is_empty() {
+            let (peak, pair) = (hertz.peak_pressure(), hertz.pair());
+            cautions.extend(Self::yields(peak, pair.shear_modulus(), None));
+        }
+        cautions
+    }
+
     /// A contact (m) that is large beside the bodies' radius (m).
     pub(crate) fn large_contact(semi_axis: f64, radius: f64) -> Option<Self> {
         (semi_axis > Self::LARGE * radius).then_some(Self::LargeContact { semi_axis, radius })
@@ -476,6 +520,13 @@ impl Caution {
     pub fn words(cautions: &[Self]) -> String {
         cautions.iter().map(ToString::to_string).collect::<Vec<_>>().join("; ")
     }
+}
+
+/// The smaller half-width (m) of the area with the largest load.
+fn smallest_half_width(areas: &NormalContact) -> f64 {
+    let largest = areas.patches().iter().max_by(|a, b| a.load().total_cmp(&b.load()));
+    let size = |patch: &Patch| patch.extent().size();
+    largest.map_or(f64::NAN, |patch| size(patch).into_iter().fold(f64::INFINITY, f64::min) / 2.0)
 }
 
 /// Along and across, half the width of an area and the radius of the gap in it: that of the parabola
@@ -529,6 +580,32 @@ mod tests {
                 // Nowhere more than where all adheres; 5 % for the coarse elements.
                 assert!(change(0.3, creepage) < 1.05 * at_rest, "{ratio} {poisson} {xi}");
             }
+        }
+    }
+
+    /// A layer is thin up to about a quarter of the half-width, on ellipses across as along; theories that leave it out
+    /// say that instead.
+    #[test]
+    fn a_thick_layer_is_a_caution() {
+        let exact = TheorySpec::named("exact").unwrap();
+        for (ratio, thickness, is_thick) in
+            [(1.0, 0.2, false), (1.0, 0.3, true), (0.25, 0.12, false), (4.0, 0.2, true)]
+        {
+            let layer = Layer::elastic(thickness, 1.0).unwrap();
+            let contact = contact(ratio, 0.28, 0.0).with_layer(layer);
+            let thick =
+                Caution::neglected(&exact, &contact).into_iter().find_map(
+                    |caution| match caution {
+                        Caution::ThickLayer { share, stiffer } => Some((share, stiffer)),
+                        _ => None,
+                    },
+                );
+            assert_eq!(thick.is_some(), is_thick, "{ratio} {thickness}");
+            // By the second order of tanh, and less.
+            assert!(thick.is_none_or(|(share, stiffer)| stiffer < (1.5708 * share).powi(2) / 3.0));
+            let polach = TheorySpec::named("polach").unwrap();
+            let others = Caution::neglected(&polach, &contact);
+            assert_eq!(others, [Caution::NoLayer { theory: "polach" }]);
         }
     }
 

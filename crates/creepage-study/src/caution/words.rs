@@ -60,6 +60,13 @@ impl fmt::Display for Caution {
                 f,
                 "{theory} leaves out the layer between the bodies; exact and fastsim count it"
             ),
+            Self::ThickLayer { share, stiffer } => write!(
+                f,
+                "the layer is {} times as thick as the contact's half-width: taken as thin, each place of it shears by \
+                 itself; one so thick is about {:.0} % stiffer",
+                significant(share, 2),
+                100.0 * stiffer
+            ),
             Self::OneWay { moved } => write!(
                 f,
                 "pressure and contact area are those without friction: what tractions change about \

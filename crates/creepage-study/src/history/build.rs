@@ -1,12 +1,13 @@
 //! From a file to the contact that rolls: every number is checked.
 
 use std::path::Path;
+use std::sync::Arc;
 
 use creepage::approximate::carter::LineContact;
 use creepage::coulomb::Resolution;
-use creepage::normal;
+use creepage::normal::{self, NormalContact};
 use creepage::theory::ExactOptions;
-use creepage::{InvalidValue, Layer, Scaling, SolidPair, TheorySpec};
+use creepage::{Contact, InvalidValue, Layer, Scaling, SolidPair, TheorySpec};
 
 use super::case::{Kind, Method, RollCase, Start};
 use super::error::HistoryError;
@@ -14,10 +15,13 @@ use super::file::{Bodies, RollFile, SmoothFile, StartSection, StartTraction};
 use crate::case::contact::ContactSection;
 use crate::case::layer::LayerSection;
 use crate::case::radius::line_radii;
-use crate::case::sections::check_aligned;
+use crate::case::sections::{check_aligned, smallest_radius};
 use crate::case::solve;
 use crate::gap::{GapCase, pressed};
-use crate::{CaseError, Sources};
+use crate::{CaseError, Caution, Sources};
+
+/// The name under which a line that rolls in steps is spoken of.
+const LINE: &str = "a line that rolls in steps";
 
 impl RollFile {
     /// The file of points that it names, which stands in `directory`, if any.
@@ -52,7 +56,7 @@ impl RollFile {
 
 impl SmoothFile {
     fn case(&self) -> Result<RollCase, HistoryError> {
-        let method = self.method()?;
+        let (spec, method) = self.method()?;
         match (self.contact.normal_force, self.contact.line_load) {
             (Some(_), Some(_)) => {
                 let (first, second) = (("contact", "normal_force"), ("contact", "line_load"));
@@ -62,7 +66,7 @@ impl SmoothFile {
                 let keys = ["normal_force", "line_load"];
                 Err(CaseError::MissingEither { section: "contact", keys }.into())
             }
-            (Some(force), None) => self.ellipse(force, method),
+            (Some(force), None) => self.ellipse(force, (&spec, method)),
             (None, Some(_)) if matches!(method, Method::Fastsim(_)) => {
                 Err(HistoryError::NotOfFastsim { what: "[contact] line_load" })
             }
@@ -77,17 +81,22 @@ impl SmoothFile {
         self.layer.as_ref().map(LayerSection::layer).transpose()
     }
 
-    fn method(&self) -> Result<Method, HistoryError> {
+    fn method(&self) -> Result<(TheorySpec, Method), HistoryError> {
         let spec = solve::from_table(&self.solve).map_err(CaseError::Spec)?;
-        match &spec {
-            TheorySpec::Exact(options) => resolution(options).map(Method::Exact),
-            TheorySpec::Fastsim(settings) => Ok(Method::Fastsim(*settings)),
-            TheorySpec::Variational(options) => Ok(Method::Variational(options.settings())),
-            _ => Err(HistoryError::Theory { theory: spec.facts().name }),
-        }
+        let method = match &spec {
+            TheorySpec::Exact(options) => Method::Exact(resolution(options)?),
+            TheorySpec::Fastsim(settings) => Method::Fastsim(*settings),
+            TheorySpec::Variational(options) => Method::Variational(options.settings()),
+            _ => return Err(HistoryError::Theory { theory: spec.facts().name }),
+        };
+        Ok((spec, method))
     }
 
-    fn ellipse(&self, normal_force: f64, method: Method) -> Result<RollCase, HistoryError> {
+    fn ellipse(
+        &self,
+        normal_force: f64,
+        (spec, method): (&TheorySpec, Method),
+    ) -> Result<RollCase, HistoryError> {
         let own = &self.contact;
         let only_of_lines =
             [("length", own.length.is_some()), ("radius_rolling", own.radius_rolling.is_some())];
@@ -119,8 +128,11 @@ impl SmoothFile {
             return Err(HistoryError::NotOfVariational { what: "[contact] friction with a law" });
         }
         let friction = own.friction.at_rest()?;
+        let mut cautions = Caution::neglected(spec, &contact);
+        let smallest = smallest_radius([&self.upper, &self.lower]);
+        cautions.extend(Caution::of_hertz(&hertz, smallest));
         let (scaling, kind) = (contact.scaling(), Kind::Ellipse { contact, method });
-        Ok(RollCase { scaling, load: normal_force, friction, kind, start: Start::None })
+        Ok(RollCase { scaling, load: normal_force, friction, cautions, kind, start: Start::None })
     }
 
     fn line(&self, load: f64) -> Result<RollCase, HistoryError> {
@@ -158,8 +170,16 @@ impl SmoothFile {
             traction: friction * line.peak_pressure(),
         };
         let layer = self.layer()?;
+        let smallest = smallest_radius([&self.upper, &self.lower]).unwrap_or(0.25 * line.rho());
+        let stresses = [line.peak_pressure(), pair.shear_modulus()];
+        let mut cautions = Caution::line_units([line.half_width(), smallest], stresses);
+        if cautions.is_empty() {
+            cautions.extend(Caution::yields(stresses[0], stresses[1], None));
+        }
+        cautions.extend(Caution::dissimilar_for(LINE, pair.kappa() / friction));
+        cautions.extend(layer.and_then(|layer| Caution::thick_beside(layer, line.half_width())));
         let kind = Kind::Line { length, poisson, friction: law, layer };
-        Ok(RollCase { scaling, load, friction, kind, start: Start::None })
+        Ok(RollCase { scaling, load, friction, cautions, kind, start: Start::None })
     }
 }
 
@@ -205,8 +225,26 @@ fn on_areas(case: &GapCase) -> Result<RollCase, HistoryError> {
     let scaling = contact.scaling(case.friction).map_err(CaseError::invalid("contact"))?;
     let load = contact.load().value;
     let (friction, layer) = (case.rolling_friction, case.layer);
+    let cautions = of_areas(case, &contact)?;
     let kind = Kind::Areas { contact, resolution, friction, layer };
-    Ok(RollCase { scaling, load, friction: case.friction, kind, start: Start::None })
+    Ok(RollCase { scaling, load, friction: case.friction, cautions, kind, start: Start::None })
+}
+
+/// What areas of any shape are in doubt for, whatever they do.
+fn of_areas(case: &GapCase, areas: &NormalContact) -> Result<Vec<Caution>, HistoryError> {
+    let contact = Contact::of_areas(Arc::new(areas.clone()), case.friction);
+    let contact = contact.map_err(CaseError::invalid("contact"))?;
+    let contact = match case.layer {
+        Some(layer) => contact.with_layer(layer),
+        None => contact,
+    };
+    let mut cautions = Caution::neglected(&case.theory, &contact);
+    cautions.extend(Caution::of_areas(areas).chain(Caution::large_areas(&case.gap, areas)));
+    if !cautions.iter().any(Caution::is_of_units) {
+        let (peak, modulus) = (areas.peak_pressure().value, areas.pair().shear_modulus());
+        cautions.extend(Caution::yields(peak, modulus, None));
+    }
+    Ok(cautions)
 }
 
 /// The resolution of the full theory, which a history keeps.

@@ -10,6 +10,7 @@ use creepage::{Contact, Force, InvalidValue, Layer, Scaling};
 
 use super::error::HistoryError;
 use super::roller::{HistoryMotion, TransientSolver};
+use crate::Caution;
 
 /// A contact that rolls by a history.
 #[derive(Debug, Clone, PartialEq)]
@@ -20,6 +21,8 @@ pub struct RollCase {
     pub load: f64,
     /// Coefficient of friction, the largest.
     pub friction: f64,
+    /// What its contact is in doubt for, whatever it does.
+    pub cautions: Vec<Caution>,
     pub(super) kind: Kind,
     pub(super) start: Start,
 }

@@ -24,13 +24,13 @@ use creepage::normal;
 use creepage::theory::{AreaTheory, ExactOptions, NamedResolution, ResolutionSpec};
 use creepage_rail::{Position, Side, WheelsetOnTrack};
 
+pub(crate) use self::bracketed_root::Root;
 use self::equilibrium::settle;
 use self::normal_contact::NormalSolver;
 use self::start::Start;
 pub use self::stood::PressedContacts;
 use self::tangential::Method;
-pub(crate) use self::vertical_load::LoadLine;
-use self::vertical_load::Target;
+pub(crate) use self::vertical_load::{LoadLine, Target};
 use crate::error::WheelsetError;
 use crate::friction::{RailFriction, of_side};
 use crate::pose::{Load, Patches, RigidSlip, WheelsetPose, WheelsetVelocity};

@@ -60,7 +60,7 @@ const FACTOR: f64 = 0.8;
 
 impl WheelsetSolver<'_> {
     /// What is known of no position at all.
-    pub(super) fn start(&self) -> Start {
+    pub(crate) fn start(&self) -> Start {
         let lever = 0.5 * self.press.running.wheelset().tape_distance();
         Start { levers: [-lever, lever], ..Start::default() }
     }

@@ -210,11 +210,12 @@ impl StaticsFile {
                     .into_iter()
                     .collect();
             }
-            (StaticsProblem::ShearedRectangle { pair, steps, .. }, _) => {
-                let pressure = steps.last().map_or(0.0, ShearedRectangle::pressure);
-                return Caution::high_pressure(pressure, pair.shear_modulus())
-                    .into_iter()
-                    .collect();
+            (StaticsProblem::ShearedRectangle { pair, steps, layer, .. }, _) => {
+                let Some(last) = steps.last() else { return Vec::new() };
+                let [one, other] = last.half_lengths();
+                let thick = layer.and_then(|layer| Caution::thick_beside(layer, one.min(other)));
+                let high = Caution::high_pressure(last.pressure(), pair.shear_modulus());
+                return high.into_iter().chain(thick).collect();
             }
             (
                 StaticsProblem::PartialSlip { contact, .. }
