@@ -60,7 +60,7 @@ pub enum WheelsetError {
         source: GapError,
     },
     /// A contact without a pressure that can be computed.
-    #[error("{} wheel: {source}", side_word(*side))]
+    #[error("{} wheel: {}", side_word(*side), pressure_word(source))]
     Pressure {
         /// The side.
         side: Side,
@@ -157,6 +157,23 @@ pub enum WheelsetError {
          try a position beside this one, less friction, or give z"
     )]
     NotSettled,
+}
+
+/// What pressing refuses, in words of profiles: nobody gave a gap.
+fn pressure_word(source: &NormalError) -> String {
+    match source {
+        NormalError::ReachesEdge { beyond, .. } if beyond.is_finite() => format!(
+            "the contact area is {:.2} mm larger than the part of both profiles that lies opposite each other there: \
+             give profiles that go on, less load, or another position",
+            1e3 * beyond
+        ),
+        NormalError::ReachesEdge { .. } => {
+            "the contact area has no end on one side, for the surfaces do not part \
+             there: give profiles that go on, less load, or another position"
+                .into()
+        }
+        other => other.to_string(),
+    }
 }
 
 /// The word for a side of the track.

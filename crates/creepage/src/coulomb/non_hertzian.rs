@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::automatic::{Resolutions, error_bars};
 use super::dissipation::{self, Unresolved};
-use super::extrapolation::{Extrapolation, error_bar, extrapolate};
+use super::extrapolation::{Extrapolation, error_bar, error_bar_of_one_area, extrapolate};
 use super::field_interpolation::{ElementField, FieldInterpolation};
 use super::grid::Grid;
 use super::inverse::{Resolve, search};
@@ -207,8 +207,13 @@ impl NonHertzian {
             }
         });
         let [coarse, fine] = workspace.sums(grids, 0.0);
-        let force = self.moved(Extrapolation::PLAIN.force([coarse.force, fine.force]));
-        let error = error_bar(coarse.force, fine.force, self.elements());
+        let forces = [coarse.force, fine.force];
+        let force = self.moved(Extrapolation::PLAIN.force(forces));
+        let error = match self.areas.patches() {
+            [_] => error_bar_of_one_area(forces, self.elements()),
+            // Two areas in one plane may stick and slide apart from each other.
+            _ => error_bar(forces, self.elements()),
+        };
         let mut solution = workspace.solution(force, self.moved_error(error));
         if solution.status == Status::Solved && workspace.has_another(grids, 0.0) {
             solution.status = Status::SeveralSolutions;

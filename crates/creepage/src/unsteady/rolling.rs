@@ -344,7 +344,10 @@ impl Rolling {
             creepage: Creepage { xi, eta, chi },
             solution: Solution {
                 force: extrapolate_force([coarse.force, fine.force]),
-                error: Some(error_bar(coarse.force, fine.force, self.tracks[1].elements.all.len())),
+                error: Some(error_bar(
+                    [coarse.force, fine.force],
+                    self.tracks[1].elements.all.len(),
+                )),
                 status: if solved { Status::Solved } else { Status::NotConverged },
                 statistics: Statistics {
                     iterations: count(|track| track.outcome.sweeps),
