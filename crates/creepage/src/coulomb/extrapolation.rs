@@ -189,8 +189,9 @@ pub(crate) fn error_bar(forces: [Force; 2], elements: usize) -> Force {
 ///
 /// The fraction of the force is what it changes by as the border of adhesion moves by a fraction of an element. In
 /// Carter's contact, whose force is `1 - (h/a)^2` with an adhesion of half-width `h`, that goes with
-/// `h/a = sqrt(1 - f)`, and over strips with no more (Cauchy): where all slides, nothing of it is left. Of 2,400 errors
-/// of wheels (`bench coverage`) TABLE are inside.
+/// `h/a = sqrt(1 - f)`, and over strips with no more (Cauchy): where all slides, nothing of it is left. On 300 wheels
+/// (`bench coverage -- 150 20261202`) 98.7 and 97.0 % of the longitudinal and lateral errors are inside, and half of the
+/// bars are more than 21 and 14 times as long as the error.
 pub(crate) fn error_bar_of_one_area(forces: [Force; 2], elements: usize) -> Force {
     let [_, fine] = forces;
     let adhesion = (1.0 - fine.magnitude()).max(0.0).sqrt();
