@@ -3,6 +3,7 @@
 use creepage::SiForce;
 use creepage::coulomb::Constraints;
 
+use super::of_contact::words;
 use super::part::{DetailJson, ReportPart};
 use super::quantity::{Report, Shown, Unit};
 use crate::SolvedCase;
@@ -27,11 +28,8 @@ impl SolvedCase {
     /// All that is known of it but the points; ready for `serde_json`.
     #[must_use]
     pub fn report(&self) -> Report {
-        let mut report = Report::default();
-        report.part("", "creepage_version", env!("CARGO_PKG_VERSION").into());
-        report.part("", "theory", self.theory.name.into());
-        report.part("", "status", self.solution().status.name().into());
-        report.cautions(&self.cautions);
+        let status = self.solution().status;
+        let mut report = Report::solved(self.theory.name, status, words(&self.cautions));
         match (self.areas(), self.case.hertz()) {
             (Some(areas), _) => report.areas(areas, "contact"),
             (None, Some(hertz)) => report.ellipse(hertz, "contact"),

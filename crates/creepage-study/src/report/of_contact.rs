@@ -68,6 +68,7 @@ impl Report {
         );
         self.stiffness(section, contact.stiffness());
         let constant = contact.approach_constant();
+        let turned = if contact.angle() == 0.0 { Shown::Nowhere } else { Shown::Contact };
         self.section(section, Shown::Contact)
             .number(
                 "approach_constant",
@@ -76,6 +77,7 @@ impl Report {
                 constant,
             )
             .number("rho", "curvature length rho", Unit::Metre, contact.rho())
+            .shown(turned)
             .number("angle", "angle of the axis a", Unit::Radian, contact.angle());
         self.section(section, Shown::ContactAlone)
             .number("relative_curvature_rolling", "relative curvature along", Unit::PerMetre, along)
@@ -103,7 +105,7 @@ impl Report {
         };
         self.part(section, "method", method(contact).into());
         self.part(section, "status", status.into());
-        self.part(section, "centroid_m", ReportPart::Place(contact.centroid()));
+        self.part(section, "centroid_m", ReportPart::Numbers(Some(contact.centroid().to_vec())));
         let patches = contact.patches().iter().map(Into::into).collect();
         self.part(section, "patches", ReportPart::Patches(patches));
         self.solid(section, contact.pair());
@@ -128,9 +130,23 @@ impl Report {
 
     /// Cautions in words; else `null`.
     pub(super) fn cautions(&mut self, cautions: &[Caution]) {
-        let words = (!cautions.is_empty()).then(|| Caution::words(cautions));
-        self.part("", "caution", ReportPart::Text(words));
+        self.part("", "caution", ReportPart::Text(words(cautions)));
     }
+
+    /// The report of a solution begins with the program's version, the theory, the status and cautions.
+    pub(crate) fn solved(theory: &str, status: creepage::Status, caution: Option<String>) -> Self {
+        let mut report = Self::default();
+        report.part("", "creepage_version", env!("CARGO_PKG_VERSION").into());
+        report.part("", "theory", theory.into());
+        report.part("", "status", status.name().into());
+        report.part("", "caution", ReportPart::Text(caution));
+        report
+    }
+}
+
+/// Cautions in words, where there are any.
+pub(crate) fn words(cautions: &[Caution]) -> Option<String> {
+    (!cautions.is_empty()).then(|| Caution::words(cautions))
 }
 
 /// How the pressure was found.
