@@ -183,7 +183,7 @@ impl Gaps {
     }
 
     fn numbers(&self, solved: &SolvedCase) -> RowAnswer {
-        let report = solved.report();
+        let report = solved.numbers();
         let number = |(name, path): (&str, &str)| {
             let found = report.find(path)?;
             if name.contains(ERROR) { found.error } else { found.value }

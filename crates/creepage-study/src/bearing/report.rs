@@ -10,7 +10,14 @@ use crate::Caution;
 use crate::error::ReportError;
 use crate::file_set::write_all;
 use crate::gap::{AreaField, AreasPicture};
-use crate::report::{Report, ReportPart, Shown, Unit, Written, words};
+use crate::report::{
+    Report, ReportPart, Shown,
+    Unit::{
+        Metre, MetrePerSecond, Newton, NewtonMetre, One, Pascal, Radian, RadianPerMetre,
+        RadianPerSecond, Share, Watt,
+    },
+    Written, words,
+};
 use crate::sources::Sources;
 use crate::text::{Lines, status_words};
 
@@ -94,24 +101,19 @@ impl BearingReport {
         let mut report = Report::solved(self.case.theory_name(), solved.status(), caution);
         report
             .section("", Shown::Contact)
-            .number("axial_load", "axial load", Unit::Newton, axial)
-            .number("radial_load", "radial load", Unit::Newton, radial)
-            .number("axial_displacement", "axial displacement", Unit::Metre, axial_displacement)
-            .number("radial_displacement", "radial displacement", Unit::Metre, radial_displacement)
-            .number("heat", "heat", Unit::Watt, solved.heat)
-            .number("inner_heat", "  inner race", Unit::Watt, self.heat_of(0))
-            .number("outer_heat", "  outer race", Unit::Watt, self.heat_of(1))
-            .number("friction_moment", "moment of friction", Unit::NewtonMetre, solved.moment)
+            .number("axial_load", "axial load", Newton, axial)
+            .number("radial_load", "radial load", Newton, radial)
+            .number("axial_displacement", "axial displacement", Metre, axial_displacement)
+            .number("radial_displacement", "radial displacement", Metre, radial_displacement)
+            .number("heat", "heat", Watt, solved.heat)
+            .number("inner_heat", "  inner race", Watt, self.heat_of(0))
+            .number("outer_heat", "  outer race", Watt, self.heat_of(1))
+            .number("friction_moment", "moment of friction", NewtonMetre, solved.moment)
             .written(Written::Digits(6))
-            .number("orbit", "orbit of the balls", Unit::RadianPerSecond, self.orbit())
+            .number("orbit", "orbit of the balls", RadianPerSecond, self.orbit())
             .written(Written::USUAL)
-            .number("peak_pressure", "peak pressure", Unit::Pascal, peak)
-            .number(
-                "largest_sliding_speed",
-                "largest sliding speed",
-                Unit::MetrePerSecond,
-                sliding,
-            );
+            .number("peak_pressure", "peak pressure", Pascal, peak)
+            .number("largest_sliding_speed", "largest sliding speed", MetrePerSecond, sliding);
         report.part("", "alike", ReportPart::Count(solved.alike));
         let balls = solved.balls.iter().map(of_ball).collect();
         report.part("", "balls", ReportPart::Reports(balls));
@@ -224,24 +226,24 @@ fn of_ball(ball: &SolvedBall) -> Report {
     report
         .section("", Shown::Nowhere)
         .written(Written::Fixed(DEGREES, "degrees", 2))
-        .number("azimuth", "azimuth", Unit::Radian, ball.azimuth)
-        .number("orbit", "orbit", Unit::RadianPerSecond, motion.map(|motion| motion.orbit))
+        .number("azimuth", "azimuth", Radian, ball.azimuth)
+        .number("orbit", "orbit", RadianPerSecond, motion.map(|motion| motion.orbit))
         .shown(Shown::Motion)
         .written(Written::Digits(6))
-        .number("rotation", "rotation", Unit::RadianPerSecond, motion.map(|motion| motion.rotation))
+        .number("rotation", "rotation", RadianPerSecond, motion.map(|motion| motion.rotation))
         .written(Written::Fixed(DEGREES, "degrees", 3))
-        .number("pitch", "pitch of its axis", Unit::Radian, motion.map(|motion| motion.pitch))
+        .number("pitch", "pitch of its axis", Radian, motion.map(|motion| motion.pitch))
         .shown(Shown::Nowhere)
         .written(Written::USUAL)
         .number(
             "yaw_rate",
             "gyroscopic slip, about the direction around the bearing",
-            Unit::RadianPerSecond,
+            RadianPerSecond,
             motion.map(|motion| motion.yaw_rate),
         )
         .shown(Shown::Force)
-        .number("centrifugal_force", "centrifugal force", Unit::Newton, ball.centrifugal)
-        .number("gyroscopic_moment", "gyroscopic moment", Unit::NewtonMetre, ball.gyroscopic);
+        .number("centrifugal_force", "centrifugal force", Newton, ball.centrifugal)
+        .number("gyroscopic_moment", "gyroscopic moment", NewtonMetre, ball.gyroscopic);
     for (race, name) in RACES.into_iter().enumerate() {
         let contact = ball.races[race].as_ref().map(|found| of_race(ball, race, found));
         report.part("", name, ReportPart::Report(contact));
@@ -261,66 +263,66 @@ fn of_race(ball: &SolvedBall, race: usize, found: &SolvedRace) -> Report {
     report
         .section("", Shown::Contact)
         .written(Written::Fixed(DEGREES, "degrees", 3))
-        .number("contact_angle", "contact angle", Unit::Radian, found.angle)
+        .number("contact_angle", "contact angle", Radian, found.angle)
         .written(Written::USUAL)
-        .number("normal_force", "normal force", Unit::Newton, hertz.normal_force())
+        .number("normal_force", "normal force", Newton, hertz.normal_force())
         .written(Written::Significant(1e3, "mm", 4))
-        .number("semi_axis_rolling", "semi-axis along rolling", Unit::Metre, a)
-        .number("semi_axis_lateral", "semi-axis across", Unit::Metre, b)
+        .number("semi_axis_rolling", "semi-axis along rolling", Metre, a)
+        .number("semi_axis_lateral", "semi-axis across", Metre, b)
         .written(Written::USUAL)
-        .number("peak_pressure", "peak pressure", Unit::Pascal, hertz.peak_pressure())
+        .number("peak_pressure", "peak pressure", Pascal, hertz.peak_pressure())
         .shown(Shown::Nowhere)
-        .number("approach", "approach", Unit::Metre, hertz.approach())
+        .number("approach", "approach", Metre, hertz.approach())
         .shown(Shown::Contact)
         .written(plain("m/s"))
         .number(
             "rolling_speed",
             "rolling speed",
-            Unit::MetrePerSecond,
+            MetrePerSecond,
             ball.motion.map(|motion| motion.speed[race]),
         )
         .written(Written::USUAL)
-        .number("spin", "spin", Unit::RadianPerMetre, creepage.map(|creepage| creepage.spin))
+        .number("spin", "spin", RadianPerMetre, creepage.map(|creepage| creepage.spin))
         .number(
             "longitudinal_creepage",
             "longitudinal creepage",
-            Unit::One,
+            One,
             creepage.map(|creepage| creepage.longitudinal),
         )
         .number(
             "lateral_creepage",
             "lateral creepage",
-            Unit::One,
+            One,
             creepage.map(|creepage| creepage.lateral),
         )
         // At the end of the ellipse, beyond that in its middle.
         .number(
             "heathcote_creepage",
             "Heathcote's creepage",
-            Unit::One,
+            One,
             slip.map(|slip| slip.heathcote * b * b),
         )
         .written(plain("N"))
         .number(
             "longitudinal",
             "force along rolling",
-            Unit::Newton,
+            Newton,
             force.map(|force| force.longitudinal),
         )
-        .number("lateral", "force across", Unit::Newton, force.map(|force| force.lateral))
+        .number("lateral", "force across", Newton, force.map(|force| force.lateral))
         .written(plain("N m"))
-        .number("moment", "moment of spin", Unit::NewtonMetre, force.map(|force| force.moment))
+        .number("moment", "moment of spin", NewtonMetre, force.map(|force| force.moment))
         .written(Written::Significant(100.0, "%", 5))
         .number(
             "adhesion_share",
             "adhesion, share of area",
-            Unit::Share,
+            Share,
             friction.map(|friction| friction.adhesion_share),
         )
         .written(Written::Digits(4))
-        .number("sliding_speed", "largest sliding speed", Unit::MetrePerSecond, found.sliding_speed)
+        .number("sliding_speed", "largest sliding speed", MetrePerSecond, found.sliding_speed)
         .written(Written::USUAL)
-        .number("heat", "heat", Unit::Watt, found.heat);
+        .number("heat", "heat", Watt, found.heat);
     report
 }
 

@@ -5,7 +5,11 @@ use std::path::{Path, PathBuf};
 use super::file::Given;
 use super::solved::SolvedLine;
 use crate::error::ReportError;
-use crate::report::{Report, Shown, Unit, Written, words};
+use crate::report::{
+    Report, Shown,
+    Unit::{JoulePerSquareMetre, LineLoad, Metre, MetrePerSecond, One, Pascal, Share},
+    Written, words,
+};
 use crate::sources::Sources;
 use crate::text::{Lines, status_words};
 use crate::write::write_contact;
@@ -18,58 +22,38 @@ impl SolvedLine {
         let (case, [trailing, leading], [peak, place]) = (&self.case, self.edges, self.peak);
         let mut report = Report::solved(case.theory.name(), self.status, words(&self.cautions));
         let mut all = report.section("", Shown::Contact);
-        all.number("line_load", "line load N", Unit::LineLoad, case.load)
+        all.number("line_load", "line load N", LineLoad, case.load)
             .shown(Shown::Nowhere)
-            .number(
-                "half_width",
-                "half width without friction",
-                Unit::Metre,
-                case.line.half_width(),
-            )
+            .number("half_width", "half width without friction", Metre, case.line.half_width())
             .shown(Shown::Contact)
-            .number("trailing_edge", "trailing edge", Unit::Metre, trailing)
-            .number("leading_edge", "leading edge", Unit::Metre, leading)
-            .number("peak_pressure", "peak pressure", Unit::Pascal, peak)
+            .number("trailing_edge", "trailing edge", Metre, trailing)
+            .number("leading_edge", "leading edge", Metre, leading)
+            .number("peak_pressure", "peak pressure", Pascal, peak)
             .shown(if place == 0.0 { Shown::Nowhere } else { Shown::Contact })
-            .number("peak_place", "  ahead of the centres by", Unit::Metre, place)
-            .number(
-                "pressure_centre",
-                "centre of pressure ahead",
-                Unit::Metre,
-                self.pressure_centre,
-            )
+            .number("peak_place", "  ahead of the centres by", Metre, place)
+            .number("pressure_centre", "centre of pressure ahead", Metre, self.pressure_centre)
             .shown(Shown::Contact)
-            .number("rho", "curvature length rho", Unit::Metre, case.line.rho())
-            .number("friction", "friction mu", Unit::One, case.friction)
+            .number("rho", "curvature length rho", Metre, case.line.rho())
+            .number("friction", "friction mu", One, case.friction)
             .shown(Shown::Nowhere)
-            .number("kappa", "how unlike the bodies are", Unit::One, case.pair.kappa());
+            .number("kappa", "how unlike the bodies are", One, case.pair.kappa());
         let xi = self.creepage * case.line.rho() / (case.friction * case.line.half_width());
         all.shown(Shown::Motion)
-            .number("longitudinal_creepage", "longitudinal", Unit::One, self.creepage)
+            .number("longitudinal_creepage", "longitudinal", One, self.creepage)
             .shown(Shown::Nowhere)
-            .number("xi", "longitudinal creepage xi", Unit::One, xi);
+            .number("xi", "longitudinal creepage xi", One, xi);
         let given = if matches!(case.given, Given::Force(_)) { "force" } else { "creepage" };
         report.part("", "given", given.into());
         report
             .section("", Shown::Force)
-            .number("longitudinal_force", "longitudinal", Unit::LineLoad, self.force)
+            .number("longitudinal_force", "longitudinal", LineLoad, self.force)
             .written(Written::FixedSize(100.0, "%", 2))
-            .number("fx", "share of mu N used", Unit::One, self.force / (case.friction * case.load))
+            .number("fx", "share of mu N used", One, self.force / (case.friction * case.load))
             .written(Written::USUAL)
-            .number("adhesion_share", "adhesion, share of width", Unit::Share, self.adhesion_share)
-            .number(
-                "friction_heat",
-                "heat of friction",
-                Unit::JoulePerSquareMetre,
-                self.friction_heat,
-            )
-            .number(
-                "rolling_resistance",
-                "rolling resistance",
-                Unit::LineLoad,
-                self.rolling_resistance,
-            )
-            .number("rolling_velocity", "rolling velocity", Unit::MetrePerSecond, case.speed);
+            .number("adhesion_share", "adhesion, share of width", Share, self.adhesion_share)
+            .number("friction_heat", "heat of friction", JoulePerSquareMetre, self.friction_heat)
+            .number("rolling_resistance", "rolling resistance", LineLoad, self.rolling_resistance)
+            .number("rolling_velocity", "rolling velocity", MetrePerSecond, case.speed);
         report
     }
 

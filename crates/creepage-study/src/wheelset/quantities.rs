@@ -6,7 +6,14 @@ use creepage_wheelset::{
 };
 
 use super::report::WheelsetReport;
-use crate::report::{DerivativesJson, Report, ReportPart, Shown, Unit, Written, method};
+use crate::report::{
+    DerivativesJson, Report, ReportPart, Shown,
+    Unit::{
+        JoulePerMetre, Metre, MetrePerSecond, Newton, NewtonMetre, One, Pascal, Radian,
+        RadianPerMetre, RadianPerSecond, Share, SquareMetre,
+    },
+    Written, method,
+};
 use crate::{Damage, Heat};
 
 const MILLIMETRES: Written = Written::Fixed(1e3, "mm", 4);
@@ -40,38 +47,38 @@ impl WheelsetReport {
         let moves = |value: f64| if value.abs() > 0.0 { Shown::Force } else { Shown::Nowhere };
         let mut all = report.section("", Shown::Nowhere);
         all.written(MILLIMETRES)
-            .number("y", "lateral position, to the right", Unit::Metre, position.y)
-            .number("z", "height, down", Unit::Metre, position.z)
+            .number("y", "lateral position, to the right", Metre, position.y)
+            .number("z", "height, down", Metre, position.z)
             .written(MILLIRADIANS)
-            .number("roll", "turn about x", Unit::Radian, position.roll)
-            .number("yaw", "turn about z", Unit::Radian, position.yaw);
+            .number("roll", "turn about x", Radian, position.roll)
+            .number("yaw", "turn about z", Radian, position.yaw);
         if let Some([s, pitch]) = self.place {
             all.written(MILLIMETRES)
-                .number("s", "place along the track", Unit::Metre, s)
+                .number("s", "place along the track", Metre, s)
                 .written(MILLIRADIANS)
-                .number("pitch", "how far the wheels have rolled on", Unit::Radian, pitch);
+                .number("pitch", "how far the wheels have rolled on", Radian, pitch);
         }
         let one_axle = if self.is_independent { Shown::Nowhere } else { Shown::Motion };
         all.written(Written::USUAL)
             .shown(Shown::Motion)
-            .number("speed", "speed", Unit::MetrePerSecond, motion.speed)
+            .number("speed", "speed", MetrePerSecond, motion.speed)
             .written(Written::Digits(8))
             .shown(one_axle)
-            .number("pitch_rate", "pitch rate", Unit::RadianPerSecond, motion.pitch_rate)
+            .number("pitch_rate", "pitch rate", RadianPerSecond, motion.pitch_rate)
             .written(Written::USUAL);
         let (aside, down) = (motion.lateral_velocity, motion.vertical_velocity);
         all.shown(moves(aside))
-            .number("lateral_velocity", "lateral velocity", Unit::MetrePerSecond, aside)
+            .number("lateral_velocity", "lateral velocity", MetrePerSecond, aside)
             .shown(moves(down))
-            .number("vertical_velocity", "vertical velocity", Unit::MetrePerSecond, down)
+            .number("vertical_velocity", "vertical velocity", MetrePerSecond, down)
             .shown(moves(motion.roll_rate))
-            .number("roll_rate", "roll rate", Unit::RadianPerSecond, motion.roll_rate)
+            .number("roll_rate", "roll rate", RadianPerSecond, motion.roll_rate)
             .shown(moves(motion.yaw_rate))
-            .number("yaw_rate", "yaw rate", Unit::RadianPerSecond, motion.yaw_rate);
-        all.shown(Shown::Nowhere).number("friction", "friction mu", Unit::One, self.friction);
+            .number("yaw_rate", "yaw rate", RadianPerSecond, motion.yaw_rate);
+        all.shown(Shown::Nowhere).number("friction", "friction mu", One, self.friction);
         if self.least_friction < self.friction {
             let least = self.least_friction;
-            all.number("least_friction", "the least friction mu", Unit::One, least);
+            all.number("least_friction", "the least friction mu", One, least);
         }
         let slip = match self.slip {
             RigidSlip::Flat => "flat",
@@ -98,15 +105,15 @@ impl WheelsetReport {
         report.part("", "patches", ReportPart::Reports(patches));
         report
             .section("", Shown::Nowhere)
-            .number("z", "the wheelset's height for this wheel", Unit::Metre, wheel.position.z)
-            .number("pitch_rate", "angular velocity", Unit::RadianPerSecond, wheel.pitch_rate)
-            .number("clearance", "distance down to the rail", Unit::Metre, wheel.clearance);
+            .number("z", "the wheelset's height for this wheel", Metre, wheel.position.z)
+            .number("pitch_rate", "angular velocity", RadianPerSecond, wheel.pitch_rate)
+            .number("clearance", "distance down to the rail", Metre, wheel.clearance);
         if let Some(force) = wheel.on_guard() {
             report.resultant("guard.force", &force);
             report.section("guard", Shown::Nowhere).number(
                 "clearance",
                 "distance of the flange's back from the guard rail",
-                Unit::Metre,
+                Metre,
                 wheel.guard_clearance,
             );
         }
@@ -142,13 +149,13 @@ impl Report {
         let error = |k: usize| force_error.map(|error| error[k]);
         self.section(section, Shown::Nowhere)
             .written(NEWTONS)
-            .estimate("longitudinal", "force on the rail along x", Unit::Newton, (x, error(0)))
-            .estimate("lateral", "force on the rail along y", Unit::Newton, (y, error(1)))
-            .estimate("vertical", "force on the rail along z", Unit::Newton, (z, error(2)))
+            .estimate("longitudinal", "force on the rail along x", Newton, (x, error(0)))
+            .estimate("lateral", "force on the rail along y", Newton, (y, error(1)))
+            .estimate("vertical", "force on the rail along z", Newton, (z, error(2)))
             .written(Written::Fixed(1.0, "N m", 3))
-            .number("moment_x", "moment on the rail about x", Unit::NewtonMetre, mx)
-            .number("moment_y", "moment on the rail about y", Unit::NewtonMetre, my)
-            .number("moment_z", "moment on the rail about z", Unit::NewtonMetre, mz);
+            .number("moment_x", "moment on the rail about x", NewtonMetre, mx)
+            .number("moment_y", "moment on the rail about y", NewtonMetre, my)
+            .number("moment_z", "moment on the rail about z", NewtonMetre, mz);
     }
 }
 
@@ -169,31 +176,31 @@ pub(super) fn of_contact(
     }
     let mut all = report.section("", Shown::Nowhere);
     all.written(MILLIMETRES)
-        .number("y_rail", "y in the rail's profile", Unit::Metre, contact.y_rail)
+        .number("y_rail", "y in the rail's profile", Metre, contact.y_rail)
         .shown(Shown::Contact)
-        .number("y_wheel", "y on the wheel", Unit::Metre, contact.y_wheel)
-        .number("x", "x in the track", Unit::Metre, x)
+        .number("y_wheel", "y on the wheel", Metre, contact.y_wheel)
+        .number("x", "x in the track", Metre, x)
         .shown(Shown::Nowhere)
-        .number("y", "y in the track", Unit::Metre, y)
-        .number("z", "z in the track", Unit::Metre, z)
+        .number("y", "y in the track", Metre, y)
+        .number("z", "z in the track", Metre, z)
         .shown(Shown::Contact)
         .written(DEGREES)
-        .number("contact_angle", "contact angle", Unit::Radian, contact.angle);
+        .number("contact_angle", "contact angle", Radian, contact.angle);
     if contact.varying.is_some() {
-        all.number("contact_slope", "falls ahead by", Unit::Radian, contact.slope);
+        all.number("contact_slope", "falls ahead by", Radian, contact.slope);
     }
     all.written(NEWTONS)
         .estimate(
             "normal_force",
             "normal force",
-            Unit::Newton,
+            Newton,
             (contact.load(), Some(contact.load_error)),
         )
         .written(Written::Significant(1e6, "µm", 5))
-        .estimate("approach", "approach", Unit::Metre, approach)
+        .estimate("approach", "approach", Metre, approach)
         .written(Written::USUAL)
-        .estimate("peak_pressure", "peak pressure", Unit::Pascal, peak)
-        .estimate("area", "area", Unit::SquareMetre, area);
+        .estimate("peak_pressure", "peak pressure", Pascal, peak)
+        .estimate("area", "area", SquareMetre, area);
     report.part("", "areas", ReportPart::Count(normal.patches().len()));
     let [along, across] = contact.extent().map(|extent| ReportPart::Numbers(Some(extent.to_vec())));
     report.part("", "extent_x_m", along);
@@ -204,36 +211,31 @@ pub(super) fn of_contact(
     let error = |of: fn(&creepage::SiForce) -> f64| error.as_ref().map(of);
     report
         .section("", Shown::Nowhere)
-        .number("longitudinal_creepage", "longitudinal creepage", Unit::One, creepage.longitudinal)
-        .number("lateral_creepage", "lateral creepage", Unit::One, creepage.lateral)
-        .number("spin", "spin", Unit::RadianPerMetre, creepage.spin)
+        .number("longitudinal_creepage", "longitudinal creepage", One, creepage.longitudinal)
+        .number("lateral_creepage", "lateral creepage", One, creepage.lateral)
+        .number("spin", "spin", RadianPerMetre, creepage.spin)
         .written(NEWTONS)
         .estimate(
             "longitudinal",
             "force along x",
-            Unit::Newton,
+            Newton,
             (force.longitudinal, error(|one| one.longitudinal)),
         )
-        .estimate(
-            "lateral",
-            "force across",
-            Unit::Newton,
-            (force.lateral, error(|one| one.lateral)),
-        )
+        .estimate("lateral", "force across", Newton, (force.lateral, error(|one| one.lateral)))
         .written(Written::Fixed(1.0, "N m", 4))
         .estimate(
             "moment",
             "moment about the normal",
-            Unit::NewtonMetre,
+            NewtonMetre,
             (force.moment, error(|one| one.moment)),
         )
         .written(Written::USUAL)
         .shown(Shown::Friction)
-        .number("adhesion_share", "adhesion, share of area", Unit::Share, contact.adhesion_share())
+        .number("adhesion_share", "adhesion, share of area", Share, contact.adhesion_share())
         .number(
             "frictional_power_per_metre",
             "heat per metre rolled",
-            Unit::JoulePerMetre,
+            JoulePerMetre,
             contact.dissipation,
         );
     report.part("", "method", method(normal).into());
