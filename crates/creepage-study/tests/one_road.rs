@@ -112,6 +112,7 @@ fn survey_of_every_theory_that_takes_both() {
     let mut runner = TestRunner::new_with_rng(ProptestConfig::default(), rng);
     let wheels: Vec<Wheel> =
         (0..cases).map(|_| wheels().new_tree(&mut runner).unwrap().current()).collect();
+    let mut missed = Vec::new();
     println!("{cases} cases, seed {seed}; forces in mu N, or in the force of linear theory");
     for spec in TheorySpec::all() {
         let theory = spec.facts().name;
@@ -157,8 +158,11 @@ fn survey_of_every_theory_that_takes_both() {
             );
         }
         // As in the tests beside; the exact theory's bars in the one above.
-        assert!(theory == "exact" && beyond_bars == 0 || at(1.0) <= 5e-3, "{theory}");
+        if !(theory == "exact" && beyond_bars == 0 || at(1.0) <= 5e-3) {
+            missed.push(theory);
+        }
     }
+    assert!(missed.is_empty(), "beyond what the tests beside allow: {missed:?}");
 }
 
 /// Pressure and area of the gap err by some 1e-3, and rows cut them elsewhere: half a per cent of `mu N`.
