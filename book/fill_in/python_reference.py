@@ -60,12 +60,15 @@ def definitions():
 
 
 def inherit(node, known, exported):
-    """What a class has of bases that the package does not show becomes its own."""
-    for base in list(getattr(node, "bases", [])):
+    """What a class has of bases that the package does not show, and these of theirs, becomes its own."""
+    bases = list(getattr(node, "bases", []))
+    for base in bases:
         hidden = ast.unparse(base)
         if hidden in known and hidden not in exported:
-            node.bases.remove(base)
+            if base in node.bases:
+                node.bases.remove(base)
             node.body += known[hidden].body
+            bases += known[hidden].bases
 
 
 def shown(name, node):

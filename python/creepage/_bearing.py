@@ -9,7 +9,7 @@ from functools import partial
 from typing import Any
 
 from . import _creepage
-from ._report import Reported
+from ._report import ReportedList
 from ._toml import Source, text_of
 
 
@@ -72,7 +72,7 @@ class BearingBall:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class BearingSolution(Reported):
+class BearingSolution(ReportedList):
     """A ball bearing, solved, in SI units."""
 
     status: str

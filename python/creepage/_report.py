@@ -85,6 +85,19 @@ class Reported:
         return [Path(path) for path in self._solved.write(Path(directory))]
 
 
+class ReportedList(Reported):
+    """A solution whose every number has a path in the report."""
+
+    __slots__ = ()
+
+    @property
+    def quantities(self) -> dict[str, Quantity]:
+        """Every number of the report by its path, with label, unit and error bar; those of wheels, contacts and
+        balls too, such as `left.patches.0.normal_force_n`."""
+        solved: Any = self._solved
+        return quantities(solved.quantities())
+
+
 def _silently(again: Callable[[], Any]) -> Any:
     """What was warned of when it was solved is not warned of again."""
     with warnings.catch_warnings():

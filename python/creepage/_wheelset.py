@@ -17,7 +17,7 @@ from numpy.typing import ArrayLike
 
 from . import _creepage
 from ._contact import floats
-from ._report import FromFile, Reported
+from ._report import FromFile, ReportedList
 from ._map import ContactMap
 from ._results import Floats
 from ._toml import dumps
@@ -25,7 +25,7 @@ from ._wheelset_solver import WheelsetSolver
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class WheelsetSolution(Reported):
+class WheelsetSolution(ReportedList):
     """A wheelset, solved. Track axes: x forward, y right, z down; all in SI units."""
 
     status: str

@@ -18,7 +18,7 @@ pub(crate) fn run(args: &BearingArgs) -> Result<Outcome, Failure> {
     if let Some(directory) = &args.out {
         say_written(&report.write(directory, &Sources::new([&args.case]))?);
     }
-    print(&if args.json { to_json(&report.json())? } else { report.text() })?;
+    print(&if args.json { to_json(&report.report())? } else { report.text() })?;
     for caution in report.cautions() {
         say(&format!("caution: {caution}"));
     }

@@ -93,7 +93,7 @@ fn solve_line(args: &SolveArgs, text: &str, sources: &Sources) -> Result<Outcome
     if let Some(directory) = &args.out {
         say_written(&solved.write(directory, sources)?);
     }
-    print(&if args.json { to_json(&solved.json())? } else { solved.text() })?;
+    print(&if args.json { to_json(&solved.report())? } else { solved.text() })?;
     for caution in &solved.cautions {
         say(&format!("caution: {caution}"));
     }

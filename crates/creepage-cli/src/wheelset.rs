@@ -30,7 +30,7 @@ pub(crate) fn run(args: &WheelsetArgs) -> Result<Outcome, Failure> {
     if let Some(directory) = &args.out {
         say_written(&solved.write(&case, directory, &Sources::new([&args.case]))?);
     }
-    print(&if args.json { to_json(&solved.json())? } else { solved.text() })?;
+    print(&if args.json { to_json(&solved.report())? } else { solved.text() })?;
     for words in solved.caution_words() {
         say(&format!("caution: {words}"));
     }

@@ -12,8 +12,8 @@ use creepage::unsteady::SavedError;
 use creepage::{HertzError, InvalidValue};
 use creepage_map::MapError;
 use creepage_study::{
-    CaseError, GapCaseError, HistoryError, RowError, SolveError, SpecError, StaticsError,
-    StressError, Varied, WheelsetFileError,
+    BearingCaseError, CaseError, GapCaseError, HistoryError, RowError, SolveError, SpecError,
+    StaticsError, StressError, Varied, WheelsetFileError,
 };
 
 /// Done.
@@ -92,6 +92,12 @@ pub(crate) enum Failure {
     #[error(transparent)]
     Gap(Box<GapCaseError>),
     #[error(transparent)]
+    Bearing(Box<BearingCaseError>),
+    #[error("a bearing has the theory of its file: theory must be NULL")]
+    BearingTheory,
+    #[error("`{name}` is no theory of line contacts: there are exact and carter")]
+    LineTheory { name: String },
+    #[error(transparent)]
     History(Box<HistoryError>),
     #[error(transparent)]
     Saved(#[from] SavedError),
@@ -116,6 +122,7 @@ impl Failure {
             Self::Text(_)
             | Self::Quantity { .. }
             | Self::Key { .. }
+            | Self::LineTheory { .. }
             | Self::Unknown(_)
             | Self::Options(_)
             | Self::Theory(
@@ -130,6 +137,7 @@ impl Failure {
             | Self::Map { .. } => CREEPAGE_FILE,
             Self::Count(_) => CREEPAGE_COUNT,
             Self::NoErrorBars(_)
+            | Self::BearingTheory
             | Self::NoDerivative(_)
             | Self::Solve { source: SolveError::FindsNothing { .. }, .. } => CREEPAGE_UNSUPPORTED,
             Self::Solve { source: SolveError::UnattainableForce(_), .. }
@@ -152,6 +160,7 @@ impl Failure {
             | Self::Build { .. }
             | Self::Wheelset(_)
             | Self::Gap(_)
+            | Self::Bearing(_)
             | Self::Theory(_)
             | Self::Solve { .. } => CREEPAGE_INVALID,
         }
@@ -176,6 +185,25 @@ impl From<HistoryError> for Failure {
 impl From<GapCaseError> for Failure {
     fn from(error: GapCaseError) -> Self {
         Self::Gap(Box::new(error))
+    }
+}
+
+impl From<WheelsetFileError> for Failure {
+    fn from(error: WheelsetFileError) -> Self {
+        Self::Wheelset(Box::new(error))
+    }
+}
+
+impl From<BearingCaseError> for Failure {
+    fn from(error: BearingCaseError) -> Self {
+        Self::Bearing(Box::new(error))
+    }
+}
+
+/// Of a line contact: words and code are those of any other case.
+impl From<CaseError> for Failure {
+    fn from(error: CaseError) -> Self {
+        Self::Gap(Box::new(error.into()))
     }
 }
 

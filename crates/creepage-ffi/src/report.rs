@@ -4,19 +4,24 @@ use std::ffi::c_char;
 use std::slice;
 
 use creepage::TheorySpec;
-use creepage_study::{AnyCaseFile, Report, SolvedCase};
+use creepage_study::{
+    AnyCaseFile, BearingCaseError, BearingFile, BearingReport, LineFile, LineTheory, Report,
+    WheelsetFile, WheelsetFileError,
+};
 
 use crate::failure::{Failure, guard};
 use crate::input::{array_mut, file, optional, optional_text, text};
 use crate::status::status as status_of;
+use crate::wheelset::status_of as status_of_wheelset;
 
-/// Solves a case of any contact and gives quantities of its report.
+/// Solves a case of any contact, a line contact, a wheelset or a bearing, and gives quantities of its report.
 ///
-/// path: the case file in TOML, files of points beside it; or the text of one, if it has a line break.
-/// theory: the name of a theory in place of the file's; NULL for the file's own.
+/// path: the file in TOML, files of points and profiles beside it; or the text of one, if it has a line break.
+/// theory: the name of a theory in place of the file's; NULL for the file's own, as for a bearing.
 /// count: number of quantities.
 /// keys: their keys, with the section before a point, such as contact.peak_pressure_pa or lower_body.lateral_n: those of
-///   report.json, which the guide lists with their units. An unknown key is CREEPAGE_TEXT.
+///   report.json, which the guide lists with their units; of a wheelset left.force.lateral_n or left.patches.0.area_m2,
+///   0 being the most loaded contact, of a bearing balls.0.inner.heat_w. An unknown key is CREEPAGE_TEXT.
 /// values: room for count numbers, NaN for a quantity that is unknown.
 /// errors: room for count numbers, their error bars, zero for what was given, NaN where nothing is known; or NULL.
 /// status: room for one number, CREEPAGE_SOLVED and so on; or NULL.
@@ -55,8 +60,7 @@ pub unsafe extern "C" fn creepage_report(
         }
         // SAFETY: not NULL, of a size that values have too, and the caller promises the rest.
         let keys = unsafe { slice::from_raw_parts(keys, count) };
-        let solved = solved(path, theory)?;
-        let report = solved.report();
+        let (report, found) = solved(path, theory)?;
         for (k, (&key, place)) in keys.iter().zip(values).enumerate() {
             // SAFETY: as before.
             let [value, error] = quantity(&report, unsafe { text("keys", key) }?)?;
@@ -66,7 +70,7 @@ pub unsafe extern "C" fn creepage_report(
             }
         }
         if let Some([place]) = status {
-            *place = [status_of(&solved.cautions)];
+            *place = [found];
         }
         Ok(())
     };
@@ -74,11 +78,39 @@ pub unsafe extern "C" fn creepage_report(
     unsafe { guard(message, message_size, work) }
 }
 
-fn solved(path: &str, theory: Option<&str>) -> Result<SolvedCase, Failure> {
+/// The report of a file of any kind, and how far it may be trusted.
+fn solved(path: &str, theory: Option<&str>) -> Result<(Report, i32), Failure> {
     let (text, directory) = file(path)?;
+    if WheelsetFile::is_one(&text) {
+        let file = WheelsetFile::read(&text).map_err(WheelsetFileError::from)?;
+        let mut case = file.case(directory)?;
+        if let Some(name) = theory {
+            case.theory = TheorySpec::named(name)?;
+        }
+        let solved = case.solve()?;
+        return Ok((solved.report(), status_of_wheelset(&solved)));
+    }
+    if BearingFile::is_one(&text) {
+        if theory.is_some() {
+            return Err(Failure::BearingTheory);
+        }
+        let case = BearingFile::read(&text).and_then(|file| file.case());
+        let solved = BearingReport::solve(case.map_err(BearingCaseError::from)?)?;
+        return Ok((solved.report(), status_of(&solved.cautions())));
+    }
+    if LineFile::is_one(&text) {
+        let mut case = LineFile::read(&text).and_then(|file| file.case())?;
+        if let Some(name) = theory {
+            let named = LineTheory::named(name);
+            case = case.by(named.ok_or_else(|| Failure::LineTheory { name: name.into() })?)?;
+        }
+        let solved = case.solve()?;
+        return Ok((solved.report(), status_of(&solved.cautions)));
+    }
     let case = AnyCaseFile::read(&text)?.case(directory)?;
     let other = theory.map(TheorySpec::named).transpose()?;
-    Ok(case.solve(other.as_ref())?)
+    let solved = case.solve(other.as_ref())?;
+    Ok((solved.report(), status_of(&solved.cautions)))
 }
 
 /// Value and error bar of a quantity.

@@ -112,7 +112,7 @@ pub unsafe extern "C" fn creepage_wheelset_solve(
         // SAFETY: as before.
         let start = if start.is_null() { None } else { Some(unsafe { handle("start", start) }?) };
         // SAFETY: as before.
-        let answers: &mut [[f64; ANSWERS]] = unsafe { array_mut("answers", answers, 1) }?;
+        let answers: &mut [[f64; ANSWERS.len()]] = unsafe { array_mut("answers", answers, 1) }?;
         // SAFETY: as before.
         let derivatives: Option<&mut [[f64; 96]]> = unsafe { optional(derivatives, 1) }?;
         // SAFETY: as before.
@@ -182,14 +182,14 @@ pub unsafe extern "C" fn creepage_wheelset_solve_many(
         // SAFETY: as before.
         let asked = unsafe { array("asked", asked, n, ASK) }?;
         // SAFETY: as before.
-        let answers: &mut [[f64; ANSWERS]] = unsafe { array_mut("answers", answers, n) }?;
+        let answers: &mut [[f64; ANSWERS.len()]] = unsafe { array_mut("answers", answers, n) }?;
         // SAFETY: as before.
         let statuses: &mut [[i32; 1]] = unsafe { array_mut("statuses", statuses, n) }?;
         let places = answers.par_iter_mut().zip(statuses);
         asked.as_chunks().0.par_iter().zip(places).for_each(|(question, (answers, status))| {
             (*answers, *status) = match wheelset.solve(question, None, false) {
                 Ok((solved, _)) => (solved.answers(), [status_of(&solved)]),
-                Err(_) => ([f64::NAN; ANSWERS], [CREEPAGE_NOT_CONVERGED]),
+                Err(_) => ([f64::NAN; ANSWERS.len()], [CREEPAGE_NOT_CONVERGED]),
             };
         });
         Ok(())
@@ -200,11 +200,9 @@ pub unsafe extern "C" fn creepage_wheelset_solve_many(
 
 impl CreepageWheelset {
     fn read(path: &str) -> Result<Self, Failure> {
-        let wrong = |source: WheelsetFileError| Failure::Wheelset(Box::new(source));
         let (text, directory) = file(path)?;
-        let wheelset = WheelsetFile::read(&text).map_err(|error| wrong(error.into()))?;
-        let case = wheelset.case(directory).map_err(wrong)?;
-        case.solver().map_err(wrong)?;
+        let case = WheelsetFile::read(&text).map_err(WheelsetFileError::from)?.case(directory)?;
+        case.solver()?;
         Ok(Self { case })
     }
 
@@ -214,21 +212,20 @@ impl CreepageWheelset {
         start: Option<&CreepageWheelsetState>,
         differentiates: bool,
     ) -> Result<(SolvedWheelset, Option<WheelsetDerivatives>), Failure> {
-        let wrong = |source: WheelsetFileError| Failure::Wheelset(Box::new(source));
-        let (stance, travel) = self.case.asked(asked).map_err(wrong)?;
-        let solver = self.case.solver().map_err(wrong)?;
+        let (stance, travel) = self.case.asked(asked)?;
+        let solver = self.case.solver()?;
         let solved = match start {
             Some(start) => solver.follow(&start.solved, &stance, &travel),
             None => solver.solve(&stance, &travel),
         };
-        let solved = solved.map_err(|error| wrong(error.into()))?;
+        let solved = solved.map_err(WheelsetFileError::from)?;
         let found = differentiates.then(|| solver.derivatives(&solved, &stance, &travel));
-        let found = found.transpose().map_err(|error| wrong(error.into()))?;
+        let found = found.transpose().map_err(WheelsetFileError::from)?;
         Ok((solved, found))
     }
 }
 
-fn status_of(solved: &SolvedWheelset) -> i32 {
+pub(crate) fn status_of(solved: &SolvedWheelset) -> i32 {
     match solved.status() {
         Status::NotConverged => CREEPAGE_NOT_CONVERGED,
         Status::Solved if wheelset_cautions(solved).is_empty() => CREEPAGE_SOLVED,

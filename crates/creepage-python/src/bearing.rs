@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use creepage_study::{BearingCaseError, BearingFile, BearingReport, Sources};
 use pyo3::prelude::*;
 
+use crate::case::{QuantityTuple, quantities};
 use crate::pool::detached;
 use crate::{errors, signals};
 
@@ -28,9 +29,14 @@ impl SolvedBearing {
         Ok(Self { report })
     }
 
+    /// Every quantity of the report: path, label, unit, value, error bar.
+    fn quantities(&self, py: Python) -> PyResult<Vec<QuantityTuple>> {
+        detached(py, || quantities(&self.report.report()))
+    }
+
     /// `report.json` as text.
     fn json(&self, py: Python) -> PyResult<String> {
-        serde_json::to_string(&detached(py, || self.report.json())?)
+        serde_json::to_string(&detached(py, || self.report.report())?)
             .map_err(|error| errors::internal(&error.to_string()))
     }
 

@@ -46,9 +46,10 @@ pub(crate) type QuantityTuple = (String, &'static str, &'static str, Option<f64>
 
 /// All quantities of a report.
 pub(crate) fn quantities(report: &Report) -> Vec<QuantityTuple> {
-    let tuple =
-        |one: &Quantity| (one.path(), one.label.trim(), one.unit.symbol(), one.value, one.error);
-    report.quantities().map(tuple).collect()
+    let tuple = |(path, one): (String, &Quantity)| {
+        (path, one.label.trim(), one.unit.symbol(), one.value, one.error)
+    };
+    report.quantities().into_iter().map(tuple).collect()
 }
 
 /// The contact of a case file as JSON; needs neither friction nor creepage.

@@ -13,6 +13,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use rayon::prelude::*;
 
+use crate::case::{QuantityTuple, quantities};
 use crate::errors;
 use crate::pool::detached;
 use crate::signals;
@@ -146,7 +147,7 @@ impl WheelsetData {
         let (rows, case) = (rows.to_vec()?, self.case.clone());
         let solve = move |stop: &AtomicBool| {
             let solver = case.solver()?;
-            let nothing = [f64::NAN; ANSWERS];
+            let nothing = [f64::NAN; ANSWERS.len()];
             let one = |row: &[f64; ASKED.len()]| {
                 if stop.load(Ordering::Relaxed) {
                     return (nothing, ["not solved".to_owned(), String::new()]);
@@ -224,6 +225,11 @@ impl SolvedWheelset {
         PyArray1::from_slice(py, &self.solved.answers())
     }
 
+    /// Every quantity of the report: path, label, unit, value, error bar.
+    fn quantities(&self, py: Python) -> PyResult<Vec<QuantityTuple>> {
+        detached(py, || quantities(&self.solved.report()))
+    }
+
     /// Where it stands: y, z, roll, yaw.
     fn position(&self) -> [f64; 4] {
         let found = self.solved.position();
@@ -237,7 +243,7 @@ impl SolvedWheelset {
 
     /// `report.json` as text.
     fn json(&self, py: Python) -> PyResult<String> {
-        serde_json::to_string(&detached(py, || self.solved.json())?)
+        serde_json::to_string(&detached(py, || self.solved.report())?)
             .map_err(|e| errors::internal(&e.to_string()))
     }
 

@@ -91,10 +91,7 @@ pub use accuracy::{
 };
 pub use any_case::{AnyCase, AnyCaseFile};
 pub use atomic_file::WholeFile;
-pub use bearing::{
-    BearingBallJson, BearingCase, BearingCaseError, BearingFile, BearingRaceJson, BearingReport,
-    BearingReportJson, bearing_json_schema,
-};
+pub use bearing::{BearingCase, BearingCaseError, BearingFile, BearingReport, bearing_json_schema};
 pub use bulk::{BulkAnswer, BulkCase, BulkRow, Question, Reply, RowError, Solver, Varied};
 pub use case::{
     Case, CaseError, CaseFile, Given, SecondStart, SpecError, StaticsCase, StaticsError,
@@ -123,9 +120,7 @@ pub use history::{
     MotionError, RollCase, RollFile, RollStart, RollStepper, history_animation, history_picture,
     roll_json_schema, to_png,
 };
-pub use line::{
-    LineCase, LineFile, LinePoint, LineReportJson, LineTheory, SolvedLine, line_json_schema,
-};
+pub use line::{LineCase, LineFile, LinePoint, LineTheory, SolvedLine, line_json_schema};
 pub use measured::{
     Fit, FitCaution, FitError, FitOptions, Fitted, FittedPoint, MeasuredError, MeasuredPoint,
     MeasuredPoints, UnreadRow,
@@ -141,11 +136,10 @@ pub use stresses::{StressError, StressFileError, StressPoint, Stresses, stress_c
 pub use text::hertz_text;
 pub use unattainable::UnattainableForce;
 pub use wheelset::{
-    ConicityTable, DerivativesJson, ForceDerivativeJson, MapBuildError, MapPlan, MapProgress,
-    MapResolution, MapStage, ProfileNote, RailForceJson, TableAxis, Wear, WearEnd, WearError,
-    WearLaw, WearLimit, WearMeasure, WearPlan, WearProgress, WearSituation, WearStop, WheelJson,
-    WheelPatchJson, WheelsetCase, WheelsetFile, WheelsetFileError, WheelsetReport,
-    WheelsetReportJson, WheelsetTable, WornBodies, WornBody, WornProfile, WornSides, build_map,
-    conicity, profile_pictures, radius_difference_csv, wear, wheelset_caution_words,
-    wheelset_cautions, wheelset_json_schema,
+    ConicityTable, MapBuildError, MapPlan, MapProgress, MapResolution, MapStage, ProfileNote,
+    TableAxis, Wear, WearEnd, WearError, WearLaw, WearLimit, WearMeasure, WearPlan, WearProgress,
+    WearSituation, WearStop, WheelsetCase, WheelsetFile, WheelsetFileError, WheelsetReport,
+    WheelsetTable, WornBodies, WornBody, WornProfile, WornSides, build_map, conicity,
+    profile_pictures, radius_difference_csv, wear, wheelset_caution_words, wheelset_cautions,
+    wheelset_json_schema,
 };

@@ -25,7 +25,7 @@ impl SolvedCase {
         lines.cautions(self);
         let report = self.report();
         lines.heading("Contact ellipse");
-        report.rows(&mut lines, &[Shown::Contact]);
+        report.rows(&mut lines, Shown::Contact);
         lines.row("friction mu", &significant(self.case.friction(), 5));
         if let Some(friction) = self.contact.rolling_friction() {
             lines.friction(friction);
@@ -33,7 +33,7 @@ impl SolvedCase {
         lines.creepage(self);
         lines.forces(self);
         lines.line("");
-        report.rows(&mut lines, &[Shown::Friction]);
+        report.rows(&mut lines, Shown::Friction);
         if let Ok(Some(damage)) = self.damage() {
             damage.lines(&mut lines);
         }
@@ -54,7 +54,8 @@ pub fn hertz_text(contact: &Hertz, cautions: &[Caution]) -> String {
     }
     lines.heading("Contact ellipse");
     let report = hertz_report(contact, cautions);
-    report.rows(&mut lines, &[Shown::Contact, Shown::ContactAlone]);
+    report.rows(&mut lines, Shown::Contact);
+    report.rows(&mut lines, Shown::ContactAlone);
     lines.0
 }
 

@@ -216,7 +216,7 @@ fn the_back_of_the_flange_runs_on_a_guard_rail() {
     assert!(guard[1] < -100.0 && wheel.guard_clearance == Some(0.0), "{guard:?}");
     near(wheel.on_rail().force[2], 50e3, 50.0);
     assert_eq!(says(&solved), 0);
-    let json = serde_json::to_value(solved.json()).unwrap();
+    let json = serde_json::to_value(solved.report()).unwrap();
     assert_eq!(json["right"]["guard"]["clearance_m"], 0.0);
     let patches = json["right"]["patches"].as_array().unwrap();
     assert!(patches.iter().any(|patch| patch["rail"] == "guard"));

@@ -110,7 +110,7 @@ fn noise_of_five_micrometres_is_rough_until_it_is_smoothed() {
     assert!(swing > 0.049 && swing < 0.12, "{found:?}");
     // A quarter of E* = 114 GPa for each radian.
     assert!((pressure / (0.25 * 82e9 / 0.72 * swing) - 1.0).abs() < 1e-12, "{found:?}");
-    let words = noisy.json().caution.unwrap();
+    let words = noisy.caution_words().join("; ");
     assert!(words.contains("right wheel: the wheel's profile is rough"), "{words}");
     let smooth = on_measured(&measured(5e-6, 1, Some(6e-3)));
     assert_eq!(rough(&smooth), []);

@@ -21,10 +21,33 @@ pub const ASKED: [&str; 12] = [
     "yaw_rate",
 ];
 
-/// What it answers, in this order: force along `x`, `y`, `z` (N) and moment about the origin of the rail's
-/// profile (N m) on the left rail, then on the right one; force and moment of the rails on the wheelset
-/// about its centre; height (m), roll (rad), pitch rates of the left and of the right wheel (rad/s).
-pub const ANSWERS: usize = 22;
+/// What it answers, in this order and by these names, which end in units: force along `x`, `y`, `z` and moment about the
+/// origin of the rail's profile on the left rail, then on the right one; force and moment of the rails on the wheelset about
+/// its centre; height, roll, pitch rates of the left and of the right wheel.
+pub const ANSWERS: [&str; 22] = [
+    "left_longitudinal_n",
+    "left_lateral_n",
+    "left_vertical_n",
+    "left_moment_x_n_m",
+    "left_moment_y_n_m",
+    "left_moment_z_n_m",
+    "right_longitudinal_n",
+    "right_lateral_n",
+    "right_vertical_n",
+    "right_moment_x_n_m",
+    "right_moment_y_n_m",
+    "right_moment_z_n_m",
+    "wrench_x_n",
+    "wrench_y_n",
+    "wrench_z_n",
+    "wrench_moment_x_n_m",
+    "wrench_moment_y_n_m",
+    "wrench_moment_z_n_m",
+    "found_z_m",
+    "found_roll_rad",
+    "left_pitch_rate_rad_per_s",
+    "right_pitch_rate_rad_per_s",
+];
 
 /// The position and the motion of numbers as of [`ASKED`]; NaN is the wheelset's `own`.
 ///
@@ -94,8 +117,8 @@ fn loaded(
 impl SolvedWheelset {
     /// What it answers, as of [`ANSWERS`]; NaN for a wheel that was not solved.
     #[must_use]
-    pub fn answers(&self) -> [f64; ANSWERS] {
-        let mut all = [f64::NAN; ANSWERS];
+    pub fn answers(&self) -> [f64; ANSWERS.len()] {
+        let mut all = [f64::NAN; ANSWERS.len()];
         let wheels = [&self.left, &self.right].map(|wheel| {
             wheel.as_ref().map_or([[f64::NAN; 3]; 2], |wheel| {
                 let on_rail = wheel.on_rail();

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use creepage::normal::NormalError;
-use creepage::{SiForce, Status, TheorySpec};
+use creepage::{Status, TheorySpec};
 use creepage_study::{
     Caution, GapCaseError, GapFile, GapRows, GapSolver, GapValue, GapVaried, Pressed, SolvedCase,
     Sources, theory_spec,
@@ -19,6 +19,28 @@ use super::{free, write_answers};
 use crate::batch_args::BatchArgs;
 use crate::failure::Failure;
 use crate::outcome::Outcome;
+
+/// What is appended before status and message: the name of a column, and the path of the quantity of the report that it
+/// holds.
+const COLUMNS: [(&str, &str); 15] = [
+    ("normal_force_n", "contact.normal_force_n"),
+    ("approach_m", "contact.approach_m"),
+    ("area_m2", "contact.area_m2"),
+    ("peak_pressure_pa", "contact.peak_pressure_pa"),
+    ("longitudinal_creepage", "creepage.longitudinal"),
+    ("lateral_creepage", "creepage.lateral"),
+    ("spin_rad_per_m", "creepage.spin_rad_per_m"),
+    ("longitudinal_n", "lower_body.longitudinal_n"),
+    ("lateral_n", "lower_body.lateral_n"),
+    ("moment_n_m", "lower_body.moment_n_m"),
+    ("longitudinal_error_n", "lower_body.longitudinal_n"),
+    ("lateral_error_n", "lower_body.lateral_n"),
+    ("moment_error_n_m", "lower_body.moment_n_m"),
+    ("frictional_power_per_metre_j_per_m", "frictional_power_per_metre_j_per_m"),
+    ("frictional_power_w", "frictional_power_w"),
+];
+/// Columns of error bars have it in their names.
+const ERROR: &str = "_error_";
 
 /// Why a row has no answer.
 #[derive(Debug, thiserror::Error)]
@@ -101,23 +123,17 @@ impl Gaps {
         Sources::new(names.map(path))
     }
 
+    /// Columns with the quantities that they hold, by a theory with or without error bars, with or without a speed.
+    fn columns(&self) -> impl Iterator<Item = (&'static str, &'static str)> {
+        COLUMNS.into_iter().filter(|(name, _)| match *name {
+            "frictional_power_w" => self.rows.has_speed(),
+            name => self.error_bars || !name.contains(ERROR),
+        })
+    }
+
     /// The columns that are appended.
     fn appended(&self) -> Vec<&'static str> {
-        const CONTACT: [&str; 7] = [
-            "normal_force_n",
-            "approach_m",
-            "area_m2",
-            "peak_pressure_pa",
-            "longitudinal_creepage",
-            "lateral_creepage",
-            "spin_rad_per_m",
-        ];
-        const FORCE: [&str; 3] = ["longitudinal_n", "lateral_n", "moment_n_m"];
-        const ERROR: [&str; 3] = ["longitudinal_error_n", "lateral_error_n", "moment_error_n_m"];
-        const POWER: [&str; 2] = ["frictional_power_per_metre_j_per_m", "frictional_power_w"];
-        let errors = if self.error_bars { &ERROR[..] } else { &[] };
-        let power = if self.rows.has_speed() { &POWER[..] } else { &POWER[..1] };
-        [&CONTACT[..], &FORCE[..], errors, power, &["status", "message"][..]].concat()
+        self.columns().map(|(name, _)| name).chain(["status", "message"]).collect()
     }
 
     fn answer(&self, row: &ByteRecord) -> Result<RowAnswer, GapRowError> {
@@ -156,25 +172,23 @@ impl Gaps {
 
     /// No load, area, pressure and force at an approach; without a contact there is no creepage.
     fn no_contact(&self, approach: f64) -> RowAnswer {
-        let mut numbers = vec![0.0; self.appended().len() - 2];
-        numbers[1] = approach;
-        numbers[4..7].fill(f64::NAN);
+        let number = |(_, path): (_, &str)| match path {
+            "contact.approach_m" => approach,
+            path if path.starts_with("creepage.") => f64::NAN,
+            _ => 0.0,
+        };
+        let numbers = self.columns().map(number).collect();
         let message = Caution::Status(Status::NoContact).to_string();
         RowAnswer { numbers, status: Status::NoContact, message }
     }
 
     fn numbers(&self, solved: &SolvedCase) -> RowAnswer {
-        let creepage = solved.scaling().si_creepage(solved.creepage());
-        let three = |force: SiForce| [force.longitudinal, force.lateral, force.moment];
-        let estimates = [solved.load(), solved.approach(), solved.area(), solved.peak_pressure()];
-        let mut numbers = estimates.map(|estimate| estimate.value).to_vec();
-        numbers.extend([creepage.longitudinal, creepage.lateral, creepage.spin]);
-        numbers.extend(three(solved.force()));
-        if self.error_bars {
-            numbers.extend(solved.force_error().map_or([f64::NAN; 3], three));
-        }
-        numbers.push(solved.power_per_metre());
-        numbers.extend(solved.case.speed().map(|speed| speed * solved.power_per_metre()));
+        let report = solved.numbers();
+        let number = |(name, path): (&str, &str)| {
+            let found = report.find(path)?;
+            if name.contains(ERROR) { found.error } else { found.value }
+        };
+        let numbers = self.columns().map(|column| number(column).unwrap_or(f64::NAN)).collect();
         let cautions: Vec<_> = solved.cautions.iter().map(ToString::to_string).collect();
         RowAnswer { numbers, status: solved.solution().status, message: cautions.join("; ") }
     }

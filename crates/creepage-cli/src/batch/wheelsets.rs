@@ -26,34 +26,6 @@ const PLACE: [&str; 2] = ["s", "pitch"];
 /// Where [`ASKED`] has the load on both wheels.
 const AXLE_LOAD: usize = 4;
 
-/// What is appended before status and message, as of [`ANSWERS`].
-const APPENDED: [&str; ANSWERS + 2] = [
-    "left_longitudinal_n",
-    "left_lateral_n",
-    "left_vertical_n",
-    "left_moment_x_n_m",
-    "left_moment_y_n_m",
-    "left_moment_z_n_m",
-    "right_longitudinal_n",
-    "right_lateral_n",
-    "right_vertical_n",
-    "right_moment_x_n_m",
-    "right_moment_y_n_m",
-    "right_moment_z_n_m",
-    "wrench_x_n",
-    "wrench_y_n",
-    "wrench_z_n",
-    "wrench_moment_x_n_m",
-    "wrench_moment_y_n_m",
-    "wrench_moment_z_n_m",
-    "found_z_m",
-    "found_roll_rad",
-    "left_pitch_rate_rad_per_s",
-    "right_pitch_rate_rad_per_s",
-    "status",
-    "message",
-];
-
 /// Why a row has no answer.
 #[derive(Debug, thiserror::Error)]
 enum RowError {
@@ -84,7 +56,8 @@ pub(super) fn run(args: &BatchArgs, path: &Path) -> Result<Outcome, Failure> {
     let solver = case.solver().map_err(wrong)?;
     let table = Table::open(args.input.as_deref())?;
     let places = Places::find(&table)?;
-    free(&table, &APPENDED)?;
+    let appended = [&ANSWERS[..], &["status", "message"]].concat();
+    free(&table, &appended)?;
     if let Some(out) = &args.out {
         case.sources().ensure_not_overwritten(out)?;
     }
@@ -93,7 +66,7 @@ pub(super) fn run(args: &BatchArgs, path: &Path) -> Result<Outcome, Failure> {
     let answers = |rows: &[ByteRecord]| {
         Ok(rows.par_iter().map(|row| places.answer(row, &case, &solver)).collect())
     };
-    let tally = write_answers(args, table, &APPENDED, None, answers, |out, row, answer| {
+    let tally = write_answers(args, table, &appended, None, answers, |out, row, answer| {
         out.write_answer(row, answer)
     })?;
     Ok(tally.outcome())
@@ -172,7 +145,7 @@ impl Places {
 
 /// No load, no force; where the wheels hang nothing tells.
 fn no_contact() -> RowAnswer {
-    let mut numbers = vec![0.0; ANSWERS];
+    let mut numbers = vec![0.0; ANSWERS.len()];
     numbers[18..].fill(f64::NAN);
     let message = Caution::Status(Status::NoContact).to_string();
     RowAnswer { numbers, status: Status::NoContact, message }

@@ -59,6 +59,33 @@ fn asked(text: &str, theory: Option<&str>, keys: &[&str]) -> (i32, Vec<[f64; 2]>
     )
 }
 
+/// Wheelsets, line contacts and bearings are asked by the paths of their reports; a bearing has the theory of its file.
+#[test]
+fn files_of_every_kind_have_quantities() {
+    let example = |name: &str| format!("{}/../../examples/{name}", env!("CARGO_MANIFEST_DIR"));
+    let (wheelset, line, bearing) = (
+        example("wheelset/s1002-on-uic60.toml"),
+        example("line/aluminium-on-steel.toml"),
+        example("bearing/angular-contact-7208.toml"),
+    );
+    let keys =
+        ["left.patches.0.area_m2", "left.force.vertical_n", "right.patches.0.normal_force_n"];
+    let (code, found, _, words) = asked(&wheelset, Some("saturated"), &keys);
+    assert_eq!(code, CREEPAGE_OK, "{words}");
+    assert!(found.iter().all(|[value, _]| *value > 0.0), "{found:?}");
+    // Both wheels carry the axle load of 200 kN together; each contact's area has an error bar.
+    assert!(found[0][1] > 0.0 && (found[1][0] - 1e5).abs() < 1e4, "{found:?}");
+    let (code, found, _, words) = asked(&line, Some("carter"), &["rho_m", "fx"]);
+    assert_eq!(code, CREEPAGE_OK, "{words}");
+    assert!(found[0][0] > 0.0 && found[1][0].abs() <= 1.0, "{found:?}");
+    assert_eq!(asked(&line, Some("polach"), &["rho_m"]).0, CREEPAGE_TEXT);
+    let keys = ["balls.0.inner.heat_w", "heat_w"];
+    let (code, found, _, words) = asked(&bearing, None, &keys);
+    assert_eq!(code, CREEPAGE_OK, "{words}");
+    assert!(found[0][0] > 0.0 && found[1][0] > found[0][0], "{found:?}");
+    assert_eq!(asked(&bearing, Some("exact"), &keys).0, CREEPAGE_UNSUPPORTED);
+}
+
 #[test]
 fn quantities_are_those_of_the_library() {
     for text in [BODIES, AREAS] {

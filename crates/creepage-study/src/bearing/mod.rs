@@ -4,4 +4,4 @@ mod file;
 mod report;
 
 pub use file::{BearingCase, BearingCaseError, BearingFile, bearing_json_schema};
-pub use report::{BearingBallJson, BearingRaceJson, BearingReport, BearingReportJson};
+pub use report::BearingReport;

@@ -4,14 +4,20 @@ use std::path::{Path, PathBuf};
 
 use creepage::Status;
 use creepage_bearing::{SolvedBall, SolvedBearing, SolvedRace};
-use creepage_plot::format::{fixed, quantity, significant};
-use serde::Serialize;
 
 use super::file::{BearingCase, BearingCaseError};
 use crate::Caution;
 use crate::error::ReportError;
 use crate::file_set::write_all;
 use crate::gap::{AreaField, AreasPicture};
+use crate::report::{
+    Report, ReportPart, Shown,
+    Unit::{
+        Metre, MetrePerSecond, Newton, NewtonMetre, One, Pascal, Radian, RadianPerMetre,
+        RadianPerSecond, Share, Watt,
+    },
+    Written, words,
+};
 use crate::sources::Sources;
 use crate::text::{Lines, status_words};
 
@@ -24,108 +30,8 @@ pub struct BearingReport {
     pub solved: SolvedBearing,
 }
 
-/// `report.json` of a bearing. Key names carry their units; a number that is not finite is `null`.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct BearingReportJson {
-    /// Version of this program.
-    pub creepage_version: &'static str,
-    /// The theory's name.
-    pub theory: &'static str,
-    /// One word: the worst of all contacts.
-    pub status: &'static str,
-    /// Cautions in words; else `null`.
-    pub caution: Option<String>,
-    /// What the balls carry along the axis (N).
-    pub axial_load_n: f64,
-    /// What they carry radially (N).
-    pub radial_load_n: f64,
-    /// Displacement of the inner ring along the axis (m).
-    pub axial_displacement_m: f64,
-    /// Its radial displacement (m).
-    pub radial_displacement_m: f64,
-    /// Heat of all contacts (W).
-    pub heat_w: f64,
-    /// Of those at the inner race (W).
-    pub inner_heat_w: f64,
-    /// Of those at the outer race (W).
-    pub outer_heat_w: f64,
-    /// Moment of friction about the axis (N m).
-    pub friction_moment_n_m: f64,
-    /// Mean angular velocity of the balls' orbit (rad/s): a cage's; null where nothing turns.
-    pub orbit_rad_per_s: Option<f64>,
-    /// The largest sliding speed (m/s).
-    pub largest_sliding_speed_m_per_s: f64,
-    /// The largest contact pressure (Pa).
-    pub peak_pressure_pa: f64,
-    /// How many balls are like each of those listed.
-    pub alike: usize,
-    /// Each ball.
-    pub balls: Vec<BearingBallJson>,
-}
-
-/// One ball.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct BearingBallJson {
-    /// Its place, from that of the radial load (rad).
-    pub azimuth_rad: f64,
-    /// Angular velocity of its orbit (rad/s).
-    pub orbit_rad_per_s: Option<f64>,
-    /// Its own angular velocity in that frame (rad/s).
-    pub rotation_rad_per_s: Option<f64>,
-    /// Angle of its axis from the bearing's (rad).
-    pub pitch_rad: Option<f64>,
-    /// Its angular velocity about the direction around the bearing (rad/s): gyroscopic slip.
-    pub yaw_rate_rad_per_s: Option<f64>,
-    /// Centrifugal force (N).
-    pub centrifugal_force_n: f64,
-    /// Gyroscopic moment (N m).
-    pub gyroscopic_moment_n_m: f64,
-    /// The inner contact; null where the ball does not touch it.
-    pub inner: Option<BearingRaceJson>,
-    /// The outer contact.
-    pub outer: Option<BearingRaceJson>,
-}
-
-/// One contact of a ball.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct BearingRaceJson {
-    /// Contact angle (rad).
-    pub contact_angle_rad: f64,
-    /// Load (N).
-    pub normal_force_n: f64,
-    /// Semi-axis along rolling (m).
-    pub semi_axis_rolling_m: f64,
-    /// Semi-axis across (m).
-    pub semi_axis_lateral_m: f64,
-    /// Peak pressure (Pa).
-    pub peak_pressure_pa: f64,
-    /// Approach (m).
-    pub approach_m: f64,
-    /// Rolling speed (m/s).
-    pub rolling_speed_m_per_s: Option<f64>,
-    /// Longitudinal creepage of the ball against the ring, in the middle.
-    pub longitudinal_creepage: Option<f64>,
-    /// Lateral creepage.
-    pub lateral_creepage: Option<f64>,
-    /// Spin (rad/m).
-    pub spin_rad_per_m: Option<f64>,
-    /// Heathcote's creepage at the end of the ellipse, beyond that in its middle.
-    pub heathcote_creepage: Option<f64>,
-    /// Force of the ball on the ring along rolling (N).
-    pub longitudinal_n: Option<f64>,
-    /// Across (N).
-    pub lateral_n: Option<f64>,
-    /// Moment about the normal (N m).
-    pub moment_n_m: Option<f64>,
-    /// Adhesion area over contact area.
-    pub adhesion_share: Option<f64>,
-    /// The largest sliding speed (m/s).
-    pub sliding_speed_m_per_s: f64,
-    /// Heat (W).
-    pub heat_w: f64,
-}
-
 const RACES: [&str; 2] = ["inner", "outer"];
+const DEGREES: f64 = 180.0 / std::f64::consts::PI;
 
 impl BearingReport {
     /// Solves a case.
@@ -182,57 +88,49 @@ impl BearingReport {
         self.contacts().map(|(.., found)| of(found)).fold(0.0, f64::max)
     }
 
-    /// The report, ready for `serde_json`.
+    /// The report; as `serde` sees it, `report.json`: `balls` are those that differ, `alike` says how many balls are like
+    /// each of them; `inner` and `outer` of a ball are its contacts, `null` where it does not touch.
     #[must_use]
-    pub fn json(&self) -> BearingReportJson {
-        let (solved, cautions) = (&self.solved, self.cautions());
-        BearingReportJson {
-            creepage_version: env!("CARGO_PKG_VERSION"),
-            theory: self.case.theory_name(),
-            status: solved.status().name(),
-            caution: (!cautions.is_empty()).then(|| Caution::words(&cautions)),
-            axial_load_n: solved.load[0],
-            radial_load_n: solved.load[1],
-            axial_displacement_m: solved.displacement[0],
-            radial_displacement_m: solved.displacement[1],
-            heat_w: solved.heat,
-            inner_heat_w: self.heat_of(0),
-            outer_heat_w: self.heat_of(1),
-            friction_moment_n_m: solved.moment,
-            orbit_rad_per_s: self.orbit(),
-            largest_sliding_speed_m_per_s: self.largest(|found| found.sliding_speed),
-            peak_pressure_pa: self.largest(|found| found.hertz.peak_pressure()),
-            alike: solved.alike,
-            balls: solved.balls.iter().map(BearingBallJson::new).collect(),
-        }
+    pub fn report(&self) -> Report {
+        let solved = &self.solved;
+        let [axial, radial] = solved.load;
+        let [axial_displacement, radial_displacement] = solved.displacement;
+        let sliding = self.largest(|found| found.sliding_speed);
+        let peak = self.largest(|found| found.hertz.peak_pressure());
+        let caution = words(&self.cautions());
+        let mut report = Report::solved(self.case.theory_name(), solved.status(), caution);
+        report
+            .section("", Shown::Contact)
+            .number("axial_load", "axial load", Newton, axial)
+            .number("radial_load", "radial load", Newton, radial)
+            .number("axial_displacement", "axial displacement", Metre, axial_displacement)
+            .number("radial_displacement", "radial displacement", Metre, radial_displacement)
+            .number("heat", "heat", Watt, solved.heat)
+            .number("inner_heat", "  inner race", Watt, self.heat_of(0))
+            .number("outer_heat", "  outer race", Watt, self.heat_of(1))
+            .number("friction_moment", "moment of friction", NewtonMetre, solved.moment)
+            .written(Written::Digits(6))
+            .number("orbit", "orbit of the balls", RadianPerSecond, self.orbit())
+            .written(Written::USUAL)
+            .number("peak_pressure", "peak pressure", Pascal, peak)
+            .number("largest_sliding_speed", "largest sliding speed", MetrePerSecond, sliding);
+        report.part("", "alike", ReportPart::Count(solved.alike));
+        let balls = solved.balls.iter().map(of_ball).collect();
+        report.part("", "balls", ReportPart::Reports(balls));
+        report
     }
 
     /// A short report for a terminal.
     #[must_use]
     pub fn text(&self) -> String {
-        let (mut lines, report) = (Lines::default(), self.json());
-        let status = self.solved.status();
-        lines.headline(&format!("Theory {}: {}", report.theory, status_words(status)), status);
+        let (mut lines, status) = (Lines::default(), self.solved.status());
+        let headline = format!("Theory {}: {}", self.case.theory_name(), status_words(status));
+        lines.headline(&headline, status);
         for caution in self.cautions().iter().filter(|one| !matches!(one, Caution::Status(_))) {
             lines.caution(&caution.to_string());
         }
         lines.heading("Bearing");
-        lines.row("axial load", &quantity(report.axial_load_n, "N", 5));
-        lines.row("radial load", &quantity(report.radial_load_n, "N", 5));
-        lines.row("axial displacement", &quantity(report.axial_displacement_m, "m", 5));
-        lines.row("radial displacement", &quantity(report.radial_displacement_m, "m", 5));
-        lines.row("heat", &quantity(report.heat_w, "W", 5));
-        lines.row("  inner race", &quantity(report.inner_heat_w, "W", 5));
-        lines.row("  outer race", &quantity(report.outer_heat_w, "W", 5));
-        lines.row("moment of friction", &quantity(report.friction_moment_n_m, "N m", 5));
-        if let Some(orbit) = report.orbit_rad_per_s {
-            lines.row("orbit of the balls", &format!("{} rad/s", significant(orbit, 6)));
-        }
-        lines.row("peak pressure", &quantity(report.peak_pressure_pa, "Pa", 5));
-        lines.row(
-            "largest sliding speed",
-            &quantity(report.largest_sliding_speed_m_per_s, "m/s", 5),
-        );
+        self.report().rows(&mut lines, Shown::Contact);
         if let Some(ball) = self.solved.worst() {
             ball_lines(ball, self.solved.balls.len() > 1, &mut lines);
         }
@@ -293,7 +191,7 @@ impl BearingReport {
     /// # Errors
     /// [`ReportError`]; what was made until then is removed.
     pub fn write(&self, directory: &Path, sources: &Sources) -> Result<Vec<PathBuf>, ReportError> {
-        let mut json = serde_json::to_string_pretty(&self.json())?;
+        let mut json = serde_json::to_string_pretty(&self.report())?;
         json.push('\n');
         let mut files = vec![("report.json".to_owned(), json.into_bytes())];
         // What was solved once is solved again.
@@ -321,91 +219,128 @@ impl BearingReport {
     }
 }
 
-impl BearingBallJson {
-    fn new(ball: &SolvedBall) -> Self {
-        let motion = ball.motion;
-        let race = |race: usize| Some(BearingRaceJson::new(ball, race, &ball.races[race]?));
-        Self {
-            azimuth_rad: ball.azimuth,
-            orbit_rad_per_s: motion.map(|motion| motion.orbit),
-            rotation_rad_per_s: motion.map(|motion| motion.rotation),
-            pitch_rad: motion.map(|motion| motion.pitch),
-            yaw_rate_rad_per_s: motion.map(|motion| motion.yaw_rate),
-            centrifugal_force_n: ball.centrifugal,
-            gyroscopic_moment_n_m: ball.gyroscopic,
-            inner: race(0),
-            outer: race(1),
-        }
+/// One ball; its azimuth is that from the radial load, its axis' pitch that from the bearing's axis.
+fn of_ball(ball: &SolvedBall) -> Report {
+    let motion = ball.motion;
+    let mut report = Report::default();
+    report
+        .section("", Shown::Nowhere)
+        .written(Written::Fixed(DEGREES, "degrees", 2))
+        .number("azimuth", "azimuth", Radian, ball.azimuth)
+        .number("orbit", "orbit", RadianPerSecond, motion.map(|motion| motion.orbit))
+        .shown(Shown::Motion)
+        .written(Written::Digits(6))
+        .number("rotation", "rotation", RadianPerSecond, motion.map(|motion| motion.rotation))
+        .written(Written::Fixed(DEGREES, "degrees", 3))
+        .number("pitch", "pitch of its axis", Radian, motion.map(|motion| motion.pitch))
+        .shown(Shown::Nowhere)
+        .written(Written::USUAL)
+        .number(
+            "yaw_rate",
+            "gyroscopic slip, about the direction around the bearing",
+            RadianPerSecond,
+            motion.map(|motion| motion.yaw_rate),
+        )
+        .shown(Shown::Force)
+        .number("centrifugal_force", "centrifugal force", Newton, ball.centrifugal)
+        .number("gyroscopic_moment", "gyroscopic moment", NewtonMetre, ball.gyroscopic);
+    for (race, name) in RACES.into_iter().enumerate() {
+        let contact = ball.races[race].as_ref().map(|found| of_race(ball, race, found));
+        report.part("", name, ReportPart::Report(contact));
     }
+    report
 }
 
-impl BearingRaceJson {
-    fn new(ball: &SolvedBall, race: usize, found: &SolvedRace) -> Self {
-        let (hertz, friction) = (&found.hertz, found.friction);
-        let slip = ball.motion.map(|motion| motion.slip[race]);
-        let half = hertz.ellipse().b();
-        Self {
-            contact_angle_rad: found.angle,
-            normal_force_n: hertz.normal_force(),
-            semi_axis_rolling_m: hertz.ellipse().a(),
-            semi_axis_lateral_m: half,
-            peak_pressure_pa: hertz.peak_pressure(),
-            approach_m: hertz.approach(),
-            rolling_speed_m_per_s: ball.motion.map(|motion| motion.speed[race]),
-            longitudinal_creepage: slip.map(|slip| slip.creepage.longitudinal),
-            lateral_creepage: slip.map(|slip| slip.creepage.lateral),
-            spin_rad_per_m: slip.map(|slip| slip.creepage.spin),
-            heathcote_creepage: slip.map(|slip| slip.heathcote * half * half),
-            longitudinal_n: friction.map(|friction| friction.force.longitudinal),
-            lateral_n: friction.map(|friction| friction.force.lateral),
-            moment_n_m: friction.map(|friction| friction.force.moment),
-            adhesion_share: friction.map(|friction| friction.adhesion_share),
-            sliding_speed_m_per_s: found.sliding_speed,
-            heat_w: found.heat,
-        }
-    }
+/// One contact of a ball: creepage is that of the ball against the ring, force that on the ring.
+fn of_race(ball: &SolvedBall, race: usize, found: &SolvedRace) -> Report {
+    let (hertz, friction) = (&found.hertz, found.friction);
+    let slip = ball.motion.map(|motion| motion.slip[race]);
+    let creepage = slip.map(|slip| slip.creepage);
+    let force = friction.map(|friction| friction.force);
+    let (a, b) = (hertz.ellipse().a(), hertz.ellipse().b());
+    let plain = |unit| Written::Significant(1.0, unit, 5);
+    let mut report = Report::default();
+    report
+        .section("", Shown::Contact)
+        .written(Written::Fixed(DEGREES, "degrees", 3))
+        .number("contact_angle", "contact angle", Radian, found.angle)
+        .written(Written::USUAL)
+        .number("normal_force", "normal force", Newton, hertz.normal_force())
+        .written(Written::Significant(1e3, "mm", 4))
+        .number("semi_axis_rolling", "semi-axis along rolling", Metre, a)
+        .number("semi_axis_lateral", "semi-axis across", Metre, b)
+        .written(Written::USUAL)
+        .number("peak_pressure", "peak pressure", Pascal, hertz.peak_pressure())
+        .shown(Shown::Nowhere)
+        .number("approach", "approach", Metre, hertz.approach())
+        .shown(Shown::Contact)
+        .written(plain("m/s"))
+        .number(
+            "rolling_speed",
+            "rolling speed",
+            MetrePerSecond,
+            ball.motion.map(|motion| motion.speed[race]),
+        )
+        .written(Written::USUAL)
+        .number("spin", "spin", RadianPerMetre, creepage.map(|creepage| creepage.spin))
+        .number(
+            "longitudinal_creepage",
+            "longitudinal creepage",
+            One,
+            creepage.map(|creepage| creepage.longitudinal),
+        )
+        .number(
+            "lateral_creepage",
+            "lateral creepage",
+            One,
+            creepage.map(|creepage| creepage.lateral),
+        )
+        // At the end of the ellipse, beyond that in its middle.
+        .number(
+            "heathcote_creepage",
+            "Heathcote's creepage",
+            One,
+            slip.map(|slip| slip.heathcote * b * b),
+        )
+        .written(plain("N"))
+        .number(
+            "longitudinal",
+            "force along rolling",
+            Newton,
+            force.map(|force| force.longitudinal),
+        )
+        .number("lateral", "force across", Newton, force.map(|force| force.lateral))
+        .written(plain("N m"))
+        .number("moment", "moment of spin", NewtonMetre, force.map(|force| force.moment))
+        .written(Written::Significant(100.0, "%", 5))
+        .number(
+            "adhesion_share",
+            "adhesion, share of area",
+            Share,
+            friction.map(|friction| friction.adhesion_share),
+        )
+        .written(Written::Digits(4))
+        .number("sliding_speed", "largest sliding speed", MetrePerSecond, found.sliding_speed)
+        .written(Written::USUAL)
+        .number("heat", "heat", Watt, found.heat);
+    report
 }
 
 fn ball_lines(ball: &SolvedBall, is_one_of_many: bool, lines: &mut Lines) {
-    let name = if is_one_of_many { "Hottest ball" } else { "Each ball" };
-    lines.heading(name);
+    let report = of_ball(ball);
+    lines.heading(if is_one_of_many { "Hottest ball" } else { "Each ball" });
     if is_one_of_many {
-        lines.row("azimuth", &format!("{} degrees", fixed(ball.azimuth.to_degrees(), 2)));
+        report.columns(lines, "azimuth", ["azimuth_rad", "", ""]);
     }
-    lines.row("centrifugal force", &quantity(ball.centrifugal, "N", 5));
-    lines.row("gyroscopic moment", &quantity(ball.gyroscopic, "N m", 5));
-    if let Some(motion) = ball.motion {
-        lines.row("rotation", &format!("{} rad/s", significant(motion.rotation, 6)));
-        lines.row("pitch of its axis", &format!("{} degrees", fixed(motion.pitch.to_degrees(), 3)));
-    }
+    report.rows(lines, Shown::Force);
+    report.rows(lines, Shown::Motion);
     for (race, name) in RACES.into_iter().enumerate() {
-        let Some(found) = ball.races[race] else {
-            lines.heading(&format!("  {name} race: no contact"));
-            continue;
-        };
-        let json = BearingRaceJson::new(ball, race, &found);
-        lines.heading(&format!("  {name} race"));
-        lines.row("contact angle", &format!("{} degrees", fixed(found.angle.to_degrees(), 3)));
-        lines.row("normal force", &quantity(json.normal_force_n, "N", 5));
-        let axis = |metres: f64| format!("{} mm", significant(1e3 * metres, 4));
-        lines.row("semi-axis along rolling", &axis(json.semi_axis_rolling_m));
-        lines.row("semi-axis across", &axis(json.semi_axis_lateral_m));
-        lines.row("peak pressure", &quantity(json.peak_pressure_pa, "Pa", 5));
-        let mut optional = |name: &str, value: Option<f64>, unit: &str| {
-            if let Some(value) = value {
-                lines.row(name, &format!("{} {unit}", significant(value, 5)));
+        match &ball.races[race] {
+            None => lines.heading(&format!("  {name} race: no contact")),
+            Some(found) => {
+                lines.heading(&format!("  {name} race"));
+                of_race(ball, race, found).rows(lines, Shown::Contact);
             }
-        };
-        optional("rolling speed", json.rolling_speed_m_per_s, "m/s");
-        optional("spin", json.spin_rad_per_m, "rad/m");
-        optional("longitudinal creepage", json.longitudinal_creepage, "");
-        optional("lateral creepage", json.lateral_creepage, "");
-        optional("Heathcote's creepage", json.heathcote_creepage, "");
-        optional("force along rolling", json.longitudinal_n, "N");
-        optional("force across", json.lateral_n, "N");
-        optional("moment of spin", json.moment_n_m, "N m");
-        optional("adhesion, share of area", json.adhesion_share.map(|share| 100.0 * share), "%");
-        lines.row("largest sliding speed", &quantity(json.sliding_speed_m_per_s, "m/s", 4));
-        lines.row("heat", &quantity(json.heat_w, "W", 5));
+        }
     }
 }

@@ -1,12 +1,9 @@
 //! Wear and fatigue numbers of a solved case.
 
-mod csv;
-mod map;
 mod numbers;
-mod picture;
+mod output;
 mod rows;
 mod section;
-mod text;
 
 pub(crate) use numbers::DamageInput;
 pub use numbers::{Damage, WearRow};

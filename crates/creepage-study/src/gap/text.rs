@@ -28,7 +28,7 @@ impl OnAreas<'_> {
         self.creepage_lines(&mut lines);
         self.force_lines(&mut lines);
         lines.heading("Friction");
-        report.rows(&mut lines, &[Shown::Friction]);
+        report.rows(&mut lines, Shown::Friction);
         if let Ok(Some(damage)) = self.solved.damage() {
             damage.lines(&mut lines);
         }
@@ -93,7 +93,7 @@ fn contact_lines(
 ) {
     lines.heading("Contact area of any shape");
     lines.columns("", ["", "error bar", ""]);
-    report.rows_with_errors(lines, &[Shown::Contact]);
+    report.rows_with_errors(lines, Shown::Contact);
     if let Some(friction) = friction {
         lines.row("friction mu", &significant(friction, 5));
     }

@@ -11,7 +11,6 @@ mod solved;
 mod tests;
 
 pub use file::{LineCase, LineFile, LineTheory};
-pub use output::LineReportJson;
 use serde_json::Value;
 pub use solved::{LinePoint, SolvedLine};
 

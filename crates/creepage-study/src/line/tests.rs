@@ -126,7 +126,7 @@ fn what_is_wrong_is_named() {
 #[test]
 fn reports_are_whole() {
     let at = solved(&like("creepage = { xi = 1.0 }"));
-    let json = serde_json::to_value(at.json()).unwrap();
+    let json = serde_json::to_value(at.report()).unwrap();
     assert_eq!(json["fx"], 0.4375);
     assert!(at.text().contains("adhesion, share of width") && at.svg().starts_with("<svg"));
     assert!(line_json_schema()["properties"]["relaxation"].is_object());

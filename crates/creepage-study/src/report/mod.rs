@@ -12,5 +12,6 @@ mod tests;
 pub use of_contact::{hertz_report, pressed_report};
 pub use quantity::{Quantity, Report, Unit};
 
-pub(crate) use of_contact::method;
-pub(crate) use quantity::Shown;
+pub(crate) use of_contact::{method, words};
+pub(crate) use part::{DerivativesJson, ReportPart};
+pub(crate) use quantity::{Shown, Written};

@@ -3,8 +3,15 @@
 use creepage::SiForce;
 use creepage::coulomb::Constraints;
 
+use super::of_contact::words;
 use super::part::{DetailJson, ReportPart};
-use super::quantity::{Report, Shown, Unit};
+use super::quantity::{
+    Report, Shown,
+    Unit::{
+        self, JoulePerMetre, MetrePerSecond, Newton, NewtonMetre, One, RadianPerMetre, Share,
+        SquareMetre, Watt,
+    },
+};
 use crate::SolvedCase;
 use crate::gap::OnAreas;
 
@@ -12,36 +19,20 @@ use crate::gap::OnAreas;
 const FORCE: [(&str, Unit, [&str; 2]); 3] = [
     (
         "longitudinal",
-        Unit::Newton,
+        Newton,
         ["longitudinal force on the lower body", "longitudinal force on the upper body"],
     ),
-    (
-        "lateral",
-        Unit::Newton,
-        ["lateral force on the lower body", "lateral force on the upper body"],
-    ),
-    ("moment", Unit::NewtonMetre, ["moment on the lower body", "moment on the upper body"]),
+    ("lateral", Newton, ["lateral force on the lower body", "lateral force on the upper body"]),
+    ("moment", NewtonMetre, ["moment on the lower body", "moment on the upper body"]),
 ];
 
 impl SolvedCase {
     /// All that is known of it but the points; ready for `serde_json`.
     #[must_use]
     pub fn report(&self) -> Report {
-        let mut report = Report::default();
-        report.part("", "creepage_version", env!("CARGO_PKG_VERSION").into());
-        report.part("", "theory", self.theory.name.into());
-        report.part("", "status", self.solution().status.name().into());
-        report.cautions(&self.cautions);
-        match (self.areas(), self.case.hertz()) {
-            (Some(areas), _) => report.areas(areas, "contact"),
-            (None, Some(hertz)) => report.ellipse(hertz, "contact"),
-            (None, None) => {}
-        }
-        let friction = self.case.friction();
-        report.section("", Shown::Nowhere).number("friction", "friction mu", Unit::One, friction);
-        report.creepage(self);
-        report.forces(self);
-        report.friction(self);
+        let status = self.solution().status;
+        let mut report = Report::solved(self.theory.name, status, words(&self.cautions));
+        self.add_numbers(&mut report);
         report.part("", "known", ReportPart::Names(self.known()));
         let law = self.contact.rolling_friction().map(Into::into);
         report.part("", "friction_law", ReportPart::Friction(law));
@@ -56,6 +47,27 @@ impl SolvedCase {
             details.map(|one| (one.key, DetailJson { label: one.label, value: one.value }));
         report.part("", "details", ReportPart::Details(details.collect()));
         report
+    }
+
+    /// Its numbers alone, for many cases in rows: without what only a report needs, such as wear and the shakedown limit.
+    #[must_use]
+    pub fn numbers(&self) -> Report {
+        let mut report = Report::default();
+        self.add_numbers(&mut report);
+        report
+    }
+
+    fn add_numbers(&self, report: &mut Report) {
+        match (self.areas(), self.case.hertz()) {
+            (Some(areas), _) => report.areas(areas, "contact"),
+            (None, Some(hertz)) => report.ellipse(hertz, "contact"),
+            (None, None) => {}
+        }
+        let friction = self.case.friction();
+        report.section("", Shown::Nowhere).number("friction", "friction mu", One, friction);
+        report.creepage(self);
+        report.forces(self);
+        report.friction(self);
     }
 
     /// Names of the three quantities that were given, where the creepage was to be found.
@@ -77,12 +89,12 @@ impl Report {
         let si = solved.scaling().si_creepage(creepage);
         let [xi, eta, chi] = creepage.components();
         self.section("creepage", Shown::Nowhere)
-            .number("longitudinal", "longitudinal creepage", Unit::One, si.longitudinal)
-            .number("lateral", "lateral creepage", Unit::One, si.lateral)
-            .number("spin", "spin", Unit::RadianPerMetre, si.spin)
-            .number("xi", "longitudinal creepage xi", Unit::One, xi)
-            .number("eta", "lateral creepage eta", Unit::One, eta)
-            .number("chi", "spin chi", Unit::One, chi);
+            .number("longitudinal", "longitudinal creepage", One, si.longitudinal)
+            .number("lateral", "lateral creepage", One, si.lateral)
+            .number("spin", "spin", RadianPerMetre, si.spin)
+            .number("xi", "longitudinal creepage xi", One, xi)
+            .number("eta", "lateral creepage eta", One, eta)
+            .number("chi", "spin chi", One, chi);
     }
 
     /// On both bodies, with error bars where the theory has them, and in parts of what friction can bear.
@@ -100,13 +112,13 @@ impl Report {
         }
         let force = solved.solution().force;
         self.section("dimensionless", Shown::Nowhere)
-            .number("fx", "F_x over mu N", Unit::One, force.fx)
-            .number("fy", "F_y over mu N", Unit::One, force.fy)
-            .number("mz", "M_z over mu N c", Unit::One, force.mz);
+            .number("fx", "F_x over mu N", One, force.fx)
+            .number("fy", "F_y over mu N", One, force.fy)
+            .number("mz", "M_z over mu N c", One, force.mz);
         self.section("dimensionless", Shown::Friction).number(
             "friction_used",
             "share of mu N used",
-            Unit::Share,
+            Share,
             force.magnitude(),
         );
         if solved.areas().is_some() {
@@ -114,7 +126,7 @@ impl Report {
             self.section("", Shown::Nowhere).number(
                 "friction_used",
                 "share of mu N used",
-                Unit::Share,
+                Share,
                 used,
             );
         }
@@ -126,32 +138,27 @@ impl Report {
         self.section("areas", Shown::Friction).number(
             "adhesion_share",
             "adhesion, share of area",
-            Unit::Share,
+            Share,
             share,
         );
         self.section("areas", Shown::Nowhere)
-            .number("adhesion", "area of adhesion", Unit::SquareMetre, share * area)
-            .number("slip", "area of slip", Unit::SquareMetre, (1.0 - share) * area);
+            .number("adhesion", "area of adhesion", SquareMetre, share * area)
+            .number("slip", "area of slip", SquareMetre, (1.0 - share) * area);
         self.part("areas", "points", ReportPart::Count(solved.point_count()));
         self.section("", Shown::Friction)
             .number(
                 "frictional_power_per_metre",
                 "heat per metre rolled",
-                Unit::JoulePerMetre,
+                JoulePerMetre,
                 solved.power_per_metre(),
             )
             .number(
                 "frictional_power_per_metre_by_slip",
                 "  from traction and slip",
-                Unit::JoulePerMetre,
+                JoulePerMetre,
                 solved.dissipation_per_metre(),
             )
-            .number(
-                "rolling_velocity",
-                "rolling velocity",
-                Unit::MetrePerSecond,
-                solved.case.speed(),
-            )
-            .number("frictional_power", "frictional power", Unit::Watt, solved.power());
+            .number("rolling_velocity", "rolling velocity", MetrePerSecond, solved.case.speed())
+            .number("frictional_power", "frictional power", Watt, solved.power());
     }
 }

@@ -4,7 +4,13 @@ use creepage::normal::{Estimate, Method, NormalContact, Status};
 use creepage::{Hertz, SolidPair};
 
 use super::part::ReportPart;
-use super::quantity::{Report, Shown, Unit};
+use super::quantity::{
+    Report, Shown,
+    Unit::{
+        Metre, MetrePerNewtonTwoThirds, Newton, NewtonPerMetre, One, Pascal, PerMetre, Radian,
+        SquareMetre,
+    },
+};
 use crate::Caution;
 
 /// Hertz's ellipse alone as a report.
@@ -39,52 +45,24 @@ impl Report {
         let [along, across] = contact.relative_curvatures();
         let (a, b, ratio) = (ellipse.a(), ellipse.b(), ellipse.ratio());
         self.section(section, Shown::Contact)
-            .estimate(
-                "normal_force",
-                "normal force N",
-                Unit::Newton,
-                exactly(contact.normal_force()),
-            )
-            .number("semi_axis_rolling", "semi-axis a, along rolling", Unit::Metre, a)
-            .number("semi_axis_lateral", "semi-axis b, across", Unit::Metre, b)
-            .number("a_over_b", "a/b", Unit::One, ratio)
-            .estimate(
-                "peak_pressure",
-                "peak pressure",
-                Unit::Pascal,
-                exactly(contact.peak_pressure()),
-            )
-            .estimate(
-                "approach",
-                "approach of the bodies",
-                Unit::Metre,
-                exactly(contact.approach()),
-            );
-        self.section(section, Shown::Nowhere).estimate(
-            "area",
-            "area",
-            Unit::SquareMetre,
-            exactly(area),
-        );
+            .estimate("normal_force", "normal force N", Newton, exactly(contact.normal_force()))
+            .number("semi_axis_rolling", "semi-axis a, along rolling", Metre, a)
+            .number("semi_axis_lateral", "semi-axis b, across", Metre, b)
+            .number("a_over_b", "a/b", One, ratio)
+            .estimate("peak_pressure", "peak pressure", Pascal, exactly(contact.peak_pressure()))
+            .estimate("approach", "approach of the bodies", Metre, exactly(contact.approach()));
+        self.section(section, Shown::Nowhere).estimate("area", "area", SquareMetre, exactly(area));
         self.stiffness(section, contact.stiffness());
         let constant = contact.approach_constant();
+        let turned = if contact.angle() == 0.0 { Shown::Nowhere } else { Shown::Contact };
         self.section(section, Shown::Contact)
-            .number(
-                "approach_constant",
-                "approach over N^(2/3)",
-                Unit::MetrePerNewtonTwoThirds,
-                constant,
-            )
-            .number("rho", "curvature length rho", Unit::Metre, contact.rho())
-            .number("angle", "angle of the axis a", Unit::Radian, contact.angle());
+            .number("approach_constant", "approach over N^(2/3)", MetrePerNewtonTwoThirds, constant)
+            .number("rho", "curvature length rho", Metre, contact.rho())
+            .shown(turned)
+            .number("angle", "angle of the axis a", Radian, contact.angle());
         self.section(section, Shown::ContactAlone)
-            .number("relative_curvature_rolling", "relative curvature along", Unit::PerMetre, along)
-            .number(
-                "relative_curvature_lateral",
-                "relative curvature across",
-                Unit::PerMetre,
-                across,
-            );
+            .number("relative_curvature_rolling", "relative curvature along", PerMetre, along)
+            .number("relative_curvature_lateral", "relative curvature across", PerMetre, across);
         self.solid(section, contact.pair());
     }
 
@@ -92,10 +70,10 @@ impl Report {
     pub(super) fn areas(&mut self, contact: &NormalContact, section: &'static str) {
         let of = |Estimate { value, error }: Estimate| (value, Some(error));
         self.section(section, Shown::Contact)
-            .estimate("normal_force", "normal force N", Unit::Newton, of(contact.load()))
-            .estimate("approach", "approach of the bodies", Unit::Metre, of(contact.approach()))
-            .estimate("peak_pressure", "peak pressure", Unit::Pascal, of(contact.peak_pressure()))
-            .estimate("area", "area", Unit::SquareMetre, of(contact.area()));
+            .estimate("normal_force", "normal force N", Newton, of(contact.load()))
+            .estimate("approach", "approach of the bodies", Metre, of(contact.approach()))
+            .estimate("peak_pressure", "peak pressure", Pascal, of(contact.peak_pressure()))
+            .estimate("area", "area", SquareMetre, of(contact.area()));
         self.stiffness(section, contact.stiffness());
         let status = match contact.status() {
             Status::Converged => "converged",
@@ -103,7 +81,7 @@ impl Report {
         };
         self.part(section, "method", method(contact).into());
         self.part(section, "status", status.into());
-        self.part(section, "centroid_m", ReportPart::Place(contact.centroid()));
+        self.part(section, "centroid_m", ReportPart::Numbers(Some(contact.centroid().to_vec())));
         let patches = contact.patches().iter().map(Into::into).collect();
         self.part(section, "patches", ReportPart::Patches(patches));
         self.solid(section, contact.pair());
@@ -113,7 +91,7 @@ impl Report {
         self.section(section, Shown::Contact).number(
             "stiffness",
             "stiffness dN/d(approach)",
-            Unit::NewtonPerMetre,
+            NewtonPerMetre,
             stiffness,
         );
     }
@@ -121,16 +99,30 @@ impl Report {
     /// The solid that stands for both bodies (2.10).
     fn solid(&mut self, section: &'static str, pair: SolidPair) {
         self.section(solid_in(section), Shown::Nowhere)
-            .number("shear_modulus", "combined shear modulus G", Unit::Pascal, pair.shear_modulus())
-            .number("poisson", "combined Poisson's ratio sigma", Unit::One, pair.poisson())
-            .number("kappa", "measure kappa of how unlike the bodies are", Unit::One, pair.kappa());
+            .number("shear_modulus", "combined shear modulus G", Pascal, pair.shear_modulus())
+            .number("poisson", "combined Poisson's ratio sigma", One, pair.poisson())
+            .number("kappa", "measure kappa of how unlike the bodies are", One, pair.kappa());
     }
 
     /// Cautions in words; else `null`.
     pub(super) fn cautions(&mut self, cautions: &[Caution]) {
-        let words = (!cautions.is_empty()).then(|| Caution::words(cautions));
-        self.part("", "caution", ReportPart::Text(words));
+        self.part("", "caution", ReportPart::Text(words(cautions)));
     }
+
+    /// The report of a solution begins with the program's version, the theory, the status and cautions.
+    pub(crate) fn solved(theory: &str, status: creepage::Status, caution: Option<String>) -> Self {
+        let mut report = Self::default();
+        report.part("", "creepage_version", env!("CARGO_PKG_VERSION").into());
+        report.part("", "theory", theory.into());
+        report.part("", "status", status.name().into());
+        report.part("", "caution", ReportPart::Text(caution));
+        report
+    }
+}
+
+/// Cautions in words, where there are any.
+pub(crate) fn words(cautions: &[Caution]) -> Option<String> {
+    (!cautions.is_empty()).then(|| Caution::words(cautions))
 }
 
 /// How the pressure was found.

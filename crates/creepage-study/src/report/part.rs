@@ -7,6 +7,7 @@ use creepage::gap::Rectangle;
 use creepage::normal::Patch;
 use serde::Serialize;
 
+use super::quantity::Report;
 use crate::{CurvedJson, Damage, Heat};
 
 /// An entry of a report that is no single number.
@@ -16,13 +17,32 @@ pub(crate) enum ReportPart {
     Text(Option<String>),
     Names(Option<Vec<&'static str>>),
     Count(usize),
-    Place([f64; 2]),
+    Numbers(Option<Vec<f64>>),
+    Derivatives(Option<DerivativesJson>),
+    Report(Option<Report>),
+    Reports(Vec<Report>),
     Patches(Vec<PatchJson>),
     Friction(Option<FrictionLawJson>),
     Damage(Option<Damage>),
     Heat(Option<Heat>),
     Curved(Option<CurvedJson>),
     Details(BTreeMap<&'static str, DetailJson>),
+}
+
+/// Numbers by their keys, of each quantity that they are derivatives by; `None` by what is found and not given.
+pub(crate) type DerivativesJson = BTreeMap<&'static str, Option<BTreeMap<&'static str, f64>>>;
+
+impl ReportPart {
+    /// Reports that it lists, each with its place in a list.
+    pub(super) fn reports(&self) -> impl Iterator<Item = (Option<usize>, &Report)> {
+        let (one, many) = match self {
+            Self::Report(one) => (one.as_ref(), &[][..]),
+            Self::Reports(many) => (None, &many[..]),
+            _ => (None, &[][..]),
+        };
+        let many = many.iter().enumerate().map(|(k, report)| (Some(k), report));
+        one.map(|report| (None, report)).into_iter().chain(many)
+    }
 }
 
 impl From<&str> for ReportPart {

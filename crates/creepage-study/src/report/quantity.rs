@@ -24,8 +24,10 @@ pub enum Unit {
     Pascal,
     /// N m.
     NewtonMetre,
-    /// N/m.
+    /// N/m, a stiffness.
     NewtonPerMetre,
+    /// N/m, a force per length of a line contact.
+    LineLoad,
     /// m/N^(2/3).
     MetrePerNewtonTwoThirds,
     /// 1/m.
@@ -34,8 +36,12 @@ pub enum Unit {
     Radian,
     /// rad/m.
     RadianPerMetre,
+    /// rad/s.
+    RadianPerSecond,
     /// J/m.
     JoulePerMetre,
+    /// J/m².
+    JoulePerSquareMetre,
     /// m/s.
     MetrePerSecond,
     /// W.
@@ -52,12 +58,14 @@ impl Unit {
             Self::SquareMetre => ["_m2", "m²"],
             Self::Pascal => ["_pa", "Pa"],
             Self::NewtonMetre => ["_n_m", "N m"],
-            Self::NewtonPerMetre => ["_n_per_m", "N/m"],
+            Self::NewtonPerMetre | Self::LineLoad => ["_n_per_m", "N/m"],
             Self::MetrePerNewtonTwoThirds => ["_m_per_n_2_3", "m/N^(2/3)"],
             Self::PerMetre => ["_per_m", "1/m"],
             Self::Radian => ["_rad", "rad"],
             Self::RadianPerMetre => ["_rad_per_m", "rad/m"],
+            Self::RadianPerSecond => ["_rad_per_s", "rad/s"],
             Self::JoulePerMetre => ["_j_per_m", "J/m"],
+            Self::JoulePerSquareMetre => ["_j_per_m2", "J/m²"],
             Self::MetrePerSecond => ["_m_per_s", "m/s"],
             Self::Watt => ["_w", "W"],
         }
@@ -82,7 +90,10 @@ impl Unit {
             Self::NewtonPerMetre => format!("{} N/µm", significant(1e-6 * value, digits)),
             Self::Radian => format!("{} deg", fixed(value.to_degrees(), 3)),
             Self::One => significant(value, digits),
-            Self::PerMetre | Self::MetrePerNewtonTwoThirds | Self::RadianPerMetre => {
+            Self::PerMetre
+            | Self::MetrePerNewtonTwoThirds
+            | Self::RadianPerMetre
+            | Self::RadianPerSecond => {
                 format!("{} {}", significant(value, digits), self.symbol())
             }
             _ => quantity(value, self.symbol(), digits),
@@ -90,13 +101,62 @@ impl Unit {
     }
 }
 
+/// How a text writes a number.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Written {
+    /// In its own unit, with a prefix where it takes one, to so many significant digits.
+    Digits(usize),
+    /// The number times a factor, in another unit, to so many significant digits.
+    Significant(f64, &'static str, usize),
+    /// The same to so many decimals.
+    Fixed(f64, &'static str, usize),
+    /// The same without its sign.
+    FixedSize(f64, &'static str, usize),
+}
+
+impl Written {
+    /// To five significant digits.
+    pub(crate) const USUAL: Self = Self::Digits(5);
+
+    fn text(self, unit: Unit, value: f64) -> String {
+        match self {
+            Self::Digits(digits) => unit.text(value, digits),
+            Self::Significant(factor, name, digits) => {
+                format!("{} {name}", significant(factor * value, digits))
+            }
+            Self::Fixed(factor, name, decimals) => {
+                format!("{} {name}", fixed(factor * value, decimals))
+            }
+            Self::FixedSize(factor, name, decimals) => {
+                format!("{} {name}", fixed(factor * value.abs(), decimals))
+            }
+        }
+    }
+
+    /// An error bar, to two digits.
+    fn error(self, unit: Unit, error: f64) -> String {
+        match self {
+            Self::Digits(_) => unit.text(error, 2),
+            Self::Significant(factor, name, _)
+            | Self::Fixed(factor, name, _)
+            | Self::FixedSize(factor, name, _) => {
+                format!("{} {name}", significant(factor * error, 2))
+            }
+        }
+    }
+}
+
 /// Where a text has a quantity as a row of its own.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Shown {
-    /// Under the contact.
+    /// Under the contact, or what is reported first.
     Contact,
     /// The same, where nothing but the contact is reported.
     ContactAlone,
+    /// Under the motion or the creepage.
+    Motion,
+    /// Under the force.
+    Force,
     /// Under friction.
     Friction,
     /// In columns with others, or not.
@@ -121,6 +181,7 @@ pub struct Quantity {
     /// Whether reports have a key for its error bar.
     pub(crate) has_error: bool,
     pub(crate) shown: Shown,
+    pub(crate) written: Written,
 }
 
 impl Quantity {
@@ -146,7 +207,12 @@ impl Quantity {
     /// Its value with its unit, for people.
     #[must_use]
     pub fn text(&self) -> Option<String> {
-        self.value.map(|value| self.unit.text(value, 5))
+        self.value.map(|value| self.written.text(self.unit, value))
+    }
+
+    /// Its error bar with its unit, for people.
+    fn error_text(&self) -> Option<String> {
+        self.error.map(|error| self.written.error(self.unit, error))
     }
 }
 
@@ -180,18 +246,45 @@ pub(crate) struct Section<'r> {
     report: &'r mut Report,
     name: &'static str,
     shown: Shown,
+    written: Written,
 }
 
 impl Report {
-    /// All its numbers.
-    pub fn quantities(&self) -> impl Iterator<Item = &Quantity> {
+    /// All its numbers by their paths, those of the parts that it lists included: `contact.normal_force_n`,
+    /// `left.patches.0.normal_force_n`.
+    #[must_use]
+    pub fn quantities(&self) -> Vec<(String, &Quantity)> {
+        let mut all = Vec::new();
+        self.collect("", &mut all);
+        all
+    }
+
+    fn collect<'r>(&'r self, before: &str, all: &mut Vec<(String, &'r Quantity)>) {
+        for entry in &self.entries {
+            match entry {
+                Entry::Number(quantity) => {
+                    all.push((format!("{before}{}", quantity.path()), quantity));
+                }
+                Entry::Part(section, key, part) => {
+                    let dot = if section.is_empty() { "" } else { "." };
+                    for (place, report) in part.reports() {
+                        let place = place.map_or(String::new(), |k| format!(".{k}"));
+                        report.collect(&format!("{before}{section}{dot}{key}{place}."), all);
+                    }
+                }
+            }
+        }
+    }
+
+    /// Its own numbers, without those of the parts that it lists.
+    pub(crate) fn own(&self) -> impl Iterator<Item = &Quantity> {
         self.entries.iter().filter_map(|entry| match entry {
             Entry::Number(quantity) => Some(quantity),
             Entry::Part(..) => None,
         })
     }
 
-    /// The one with this section and key, as `contact.normal_force_n`.
+    /// The number with this path, as `contact.normal_force_n`.
     ///
     /// ```
     /// use creepage_study::AnyCaseFile;
@@ -205,12 +298,12 @@ impl Report {
     /// ```
     #[must_use]
     pub fn find(&self, path: &str) -> Option<&Quantity> {
-        self.quantities().find(|quantity| quantity.path() == path)
+        self.quantities().into_iter().find_map(|(own, quantity)| (own == path).then_some(quantity))
     }
 
     /// A section whose quantities a text shows in this place.
     pub(crate) fn section(&mut self, name: &'static str, shown: Shown) -> Section<'_> {
-        Section { report: self, name, shown }
+        Section { report: self, name, shown, written: Written::USUAL }
     }
 
     /// Adds what is no single number.
@@ -218,33 +311,56 @@ impl Report {
         self.entries.push(Entry::Part(section, key, Box::new(words)));
     }
 
-    /// Rows of a text.
-    pub(crate) fn rows(&self, lines: &mut Lines, shown: &[Shown]) {
-        for quantity in self.quantities().filter(|quantity| shown.contains(&quantity.shown)) {
-            // Only known quantities have a row, and angles other than zero.
-            let is_zero = quantity.unit == Unit::Radian && quantity.value == Some(0.0);
-            if let (Some(text), false) = (quantity.text(), is_zero) {
+    /// Rows of a text: of known quantities.
+    pub(crate) fn rows(&self, lines: &mut Lines, shown: Shown) {
+        for quantity in self.own().filter(|quantity| quantity.shown == shown) {
+            if let Some(text) = quantity.text() {
                 lines.row(quantity.label, &text);
             }
         }
     }
 
     /// The same with error bars in a column beside.
-    pub(crate) fn rows_with_errors(&self, lines: &mut Lines, shown: &[Shown]) {
-        for quantity in self.quantities().filter(|quantity| shown.contains(&quantity.shown)) {
+    pub(crate) fn rows_with_errors(&self, lines: &mut Lines, shown: Shown) {
+        for quantity in self.own().filter(|quantity| quantity.shown == shown) {
             let Some(value) = quantity.text() else { continue };
-            match quantity.error {
-                Some(0.0) => lines.columns(quantity.label, [&value, "given", ""]),
-                Some(error) => {
-                    lines.columns(quantity.label, [&value, &quantity.unit.text(error, 2), ""]);
-                }
-                None => lines.row(quantity.label, &value),
+            match (quantity.error, quantity.error_text()) {
+                (Some(0.0), _) => lines.columns(quantity.label, [&value, "given", ""]),
+                (_, Some(error)) => lines.columns(quantity.label, [&value, &error, ""]),
+                (_, None) => lines.row(quantity.label, &value),
             }
+        }
+    }
+
+    /// Three of its own quantities side by side, by their paths; an empty path leaves a column empty.
+    pub(crate) fn columns(&self, lines: &mut Lines, name: &str, paths: [&str; 3]) {
+        let text = |path: &str| self.own().find(|one| one.path() == path)?.text();
+        let [x, y, z] = paths.map(|path| text(path).unwrap_or_default());
+        lines.columns(name, [&x, &y, &z]);
+    }
+
+    /// Their error bars, where the first has one.
+    pub(crate) fn error_columns(&self, lines: &mut Lines, name: &str, paths: [&str; 3]) {
+        let text = |path: &str| self.own().find(|one| one.path() == path)?.error_text();
+        if let [Some(x), y, z] = paths.map(text) {
+            lines.columns(name, [&x, &y.unwrap_or_default(), &z.unwrap_or_default()]);
         }
     }
 }
 
 impl Section<'_> {
+    /// Where a text shows the quantities that follow.
+    pub(crate) fn shown(&mut self, shown: Shown) -> &mut Self {
+        self.shown = shown;
+        self
+    }
+
+    /// How a text writes the quantities that follow.
+    pub(crate) fn written(&mut self, written: Written) -> &mut Self {
+        self.written = written;
+        self
+    }
+
     /// Adds a number.
     pub(crate) fn number(
         &mut self,
@@ -275,8 +391,9 @@ impl Section<'_> {
         (value, error): (Option<f64>, Option<f64>),
         has_error: bool,
     ) -> &mut Self {
-        let (section, shown) = (self.name, self.shown);
-        let quantity = Quantity { section, name, label, unit, value, error, has_error, shown };
+        let (section, shown, written) = (self.name, self.shown, self.written);
+        let quantity =
+            Quantity { section, name, label, unit, value, error, has_error, shown, written };
         self.report.entries.push(Entry::Number(quantity));
         self
     }

@@ -6,10 +6,13 @@ use std::f64::consts::PI;
 use std::fmt::Write as _;
 use std::path::Path;
 
+use creepage::TheorySpec;
 use creepage::coulomb::Constraints;
 
 use crate::testing::{CURVE, SLIDING, case, report, solved};
-use crate::{AnyCaseFile, Case, Given, Quantity, Report};
+use crate::{
+    AnyCaseFile, BearingFile, BearingReport, Case, Given, LineFile, Quantity, Report, WheelsetFile,
+};
 
 fn close(value: &serde_json::Value, expected: f64) {
     // A handful of roundings.
@@ -72,7 +75,7 @@ fn words_and_details() {
 fn both_kinds_of_contact_have_the_same_keys() {
     let [ellipse, areas] = [on_ellipse(), on_areas()].map(|report| {
         let keys = |one: &Quantity| [Some(one.path()), one.error_key()];
-        report.quantities().flat_map(keys).flatten().collect::<BTreeSet<_>>()
+        report.own().flat_map(keys).flatten().collect::<BTreeSet<_>>()
     });
     let only = |own: &BTreeSet<String>, other: &BTreeSet<String>| {
         own.difference(other).map(String::as_str).collect::<Vec<_>>().join(" ")
@@ -104,27 +107,85 @@ fn the_guide_has_all_keys() {
     }
 }
 
+const HEAD: &str = "\n| key | meaning | unit |\n|---|---|---|\n";
+
 fn table_of_keys() -> String {
-    let mut table = String::from("\n| key | meaning | unit |\n|---|---|---|\n");
+    let mut table = String::from(HEAD);
     let (ellipse, areas) = (on_ellipse(), on_areas());
     let mut written = BTreeSet::new();
-    for one in ellipse.quantities().chain(areas.quantities()) {
+    for one in ellipse.own().chain(areas.own()) {
         let path = one.path();
         if !written.insert(path.clone()) {
             continue;
         }
-        let error = one.error_key().map_or(String::new(), |key| format!(", `{key}`"));
         let only = match [&ellipse, &areas].map(|report| report.find(&path).is_some()) {
             [true, false] => "; of an ellipse",
             [false, true] => "; of areas of any shape",
             _ => "",
         };
-        let unit = one.unit.symbol();
-        let label = one.label.trim();
-        writeln!(table, "| `{path}`{error} | {label}{only} | {unit} |").unwrap();
+        row(&mut table, &path, one, only);
+    }
+    for (words, report) in [
+        ("Of a line contact, per metre of its length:", line()),
+        (
+            "Of a wheelset; `right` is like `left`, `patches.0` the most loaded contact of a wheel:",
+            wheelset(),
+        ),
+        ("Of a bearing; `outer` is like `inner`:", bearing()),
+    ] {
+        write!(table, "\n{words}\n{HEAD}").unwrap();
+        for (path, one) in report.quantities() {
+            let is_like_another = path.starts_with("right.") || path.contains(".outer.");
+            let is_first = path.split('.').all(|part| part.parse::<usize>().unwrap_or(0) == 0);
+            if !is_like_another && is_first {
+                row(&mut table, &path, one, "");
+            }
+        }
     }
     table.push('\n');
     table
+}
+
+fn row(table: &mut String, path: &str, one: &Quantity, only: &str) {
+    let error = one.error_key().map_or(String::new(), |key| format!(", `{key}`"));
+    let (label, unit) = (one.label.trim(), one.unit.symbol());
+    writeln!(table, "| `{path}`{error} | {label}{only} | {unit} |").unwrap();
+}
+
+fn line() -> Report {
+    let text = include_str!("../../../../examples/line/aluminium-on-steel.toml");
+    LineFile::read(text).unwrap().case().unwrap().solve().unwrap().report()
+}
+
+fn wheelset() -> Report {
+    let directory = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/wheelset");
+    let text = include_str!("../../../../examples/wheelset/s1002-on-uic60.toml");
+    let mut case = WheelsetFile::read(text).unwrap().case(Path::new(directory)).unwrap();
+    case.theory = TheorySpec::named("saturated").unwrap();
+    case.solve().unwrap().report()
+}
+
+fn bearing() -> Report {
+    let text = include_str!("../../../../examples/bearing/angular-contact-7208.toml");
+    BearingReport::solve(BearingFile::read(text).unwrap().case().unwrap()).unwrap().report()
+}
+
+/// Numbers of parts, each found by its path, are those of the JSON.
+#[test]
+fn numbers_of_parts_have_paths() {
+    for report in [wheelset(), bearing(), line()] {
+        let json = serde_json::to_value(&report).unwrap();
+        let all = report.quantities();
+        assert!(all.len() > 15);
+        for (path, one) in all {
+            let place = path.split('.').fold(&json, |place, part| match part.parse::<usize>() {
+                Ok(k) => &place[k],
+                Err(_) => &place[part],
+            });
+            assert_eq!(place.as_f64(), one.value.filter(|value| value.is_finite()), "{path}");
+            assert_eq!(report.find(&path), Some(one));
+        }
+    }
 }
 
 fn on_ellipse() -> Report {

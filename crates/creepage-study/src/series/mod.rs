@@ -1,23 +1,20 @@
 //! A series of cases on its way, and its results as a table: CSV, JSON, and NetCDF for pandas,
 //! xarray and others.
 
-mod columns;
-mod csv_table;
 mod journal;
-mod json_table;
 mod netcdf;
 mod record;
 mod run;
+mod table;
 mod tally;
 
 use crate::{Sweep, SweepCase};
 use creepage::variational::ChainCase;
 use creepage::{Creepage, Force, Region, Status};
 
-pub use csv_table::series_csv;
-pub use json_table::series_json;
 pub use netcdf::series_netcdf;
 pub use run::SweepRun;
+pub use table::{series_csv, series_json};
 pub use tally::Tally;
 
 /// One case of a series.

@@ -5,7 +5,7 @@ use std::path::Path;
 use creepage::Status;
 use netcdf3::{DataSet, FileWriter, Version};
 
-use super::columns::{COLUMNS, Cell};
+use super::table::{COLUMNS, Cell};
 use super::{SeriesHead, SeriesRow};
 use crate::error::ReportError;
 

@@ -5,7 +5,6 @@
 
 mod case;
 mod conicity;
-mod derivatives_json;
 mod error;
 mod file;
 mod free;
@@ -16,10 +15,10 @@ mod map;
 mod position;
 mod profile;
 mod profile_picture;
+mod quantities;
 mod report;
 mod rough;
 mod sections;
-mod solved_json;
 mod solved_picture;
 mod solved_text;
 mod solved_write;
@@ -31,13 +30,11 @@ mod worn;
 
 pub use case::{ProfileNote, WheelsetCase};
 pub use conicity::{ConicityTable, conicity, radius_difference_csv};
-pub use derivatives_json::{DerivativesJson, ForceDerivativeJson};
 pub use error::WheelsetFileError;
 pub use file::{WheelsetFile, wheelset_json_schema};
 pub use map::{MapBuildError, MapPlan, MapProgress, MapResolution, MapStage, build_map};
 pub use profile_picture::profile_pictures;
 pub use report::{WheelsetReport, wheelset_caution_words, wheelset_cautions};
-pub use solved_json::{RailForceJson, WheelJson, WheelPatchJson, WheelsetReportJson};
 pub use table::{TableAxis, WheelsetTable};
 pub use worn::{
     Wear, WearEnd, WearError, WearLaw, WearLimit, WearMeasure, WearPlan, WearProgress,

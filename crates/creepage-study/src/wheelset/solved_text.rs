@@ -6,9 +6,13 @@ use creepage_wheelset::{
     ForceDerivative, SolvedContact, SolvedWheel, StateVariable, WheelsetDerivatives, side_word,
 };
 
+use super::quantities::of_contact;
 use super::report::WheelsetReport;
+use crate::report::{Report, Shown};
 use crate::text::{Lines, status_words};
 use crate::{Damage, Heat};
+
+const FORCE: [&str; 3] = ["force.longitudinal_n", "force.lateral_n", "force.vertical_n"];
 
 impl WheelsetReport {
     /// A short report: position and motion, forces on both rails, every contact.
@@ -20,9 +24,9 @@ impl WheelsetReport {
         for words in self.caution_words() {
             lines.caution(&words);
         }
-        self.position_lines(&mut lines);
+        self.position_lines(&self.report(), &mut lines);
         for wheel in self.wheels() {
-            wheel_lines(self, wheel, &mut lines);
+            self.wheel_lines(wheel, &mut lines);
             if let Some(derivatives) = &self.derivatives {
                 derivative_lines(derivatives, wheel.side, &mut lines);
             }
@@ -30,44 +34,30 @@ impl WheelsetReport {
         lines.into_text()
     }
 
-    fn position_lines(&self, lines: &mut Lines) {
-        let (position, motion) = (self.position(), self.motion);
+    fn position_lines(&self, report: &Report, lines: &mut Lines) {
         lines.heading("Wheelset in track axes: x forward, y right, z down");
         lines.columns("", ["y", "z", ""]);
-        lines.columns("centre", [&mm(position.y), &mm(position.z), ""]);
+        report.columns(lines, "centre", ["y_m", "z_m", ""]);
         lines.columns("", ["roll", "yaw", ""]);
-        lines.columns("", [&mrad(position.roll), &mrad(position.yaw), ""]);
-        if let Some([s, pitch]) = self.place {
+        report.columns(lines, "", ["roll_rad", "yaw_rad", ""]);
+        if self.place.is_some() {
             lines.columns("", ["s", "pitch", ""]);
-            lines.columns("", [&mm(s), &mrad(pitch), ""]);
+            report.columns(lines, "", ["s_m", "pitch_rad", ""]);
         }
-        lines.row("speed", &quantity(motion.speed, "m/s", 5));
-        let rate = |rate: f64| format!("{} rad/s", significant(rate, 8));
+        report.rows(lines, Shown::Motion);
         if self.is_independent {
             for wheel in self.wheels() {
-                let name = format!("pitch rate, {} wheel", side_word(wheel.side));
-                lines.row(&name, &rate(wheel.pitch_rate));
+                let rate = format!("{} rad/s", significant(wheel.pitch_rate, 8));
+                lines.row(&format!("pitch rate, {} wheel", side_word(wheel.side)), &rate);
             }
-        } else {
-            lines.row("pitch rate", &rate(motion.pitch_rate));
         }
-        if motion.curvature.abs() > 0.0 {
-            let side = if motion.curvature > 0.0 { "right" } else { "left" };
-            let radius = quantity(1.0 / motion.curvature.abs(), "m", 5);
+        let curvature = self.motion.curvature;
+        if curvature.abs() > 0.0 {
+            let side = if curvature > 0.0 { "right" } else { "left" };
+            let radius = quantity(1.0 / curvature.abs(), "m", 5);
             lines.row("curve", &format!("{radius} to the {side}"));
         }
-        if motion.lateral_velocity.abs() > 0.0 {
-            lines.row("lateral velocity", &quantity(motion.lateral_velocity, "m/s", 5));
-        }
-        if motion.vertical_velocity.abs() > 0.0 {
-            lines.row("vertical velocity", &quantity(motion.vertical_velocity, "m/s", 5));
-        }
-        if motion.roll_rate.abs() > 0.0 {
-            lines.row("roll rate", &format!("{} rad/s", significant(motion.roll_rate, 5)));
-        }
-        if motion.yaw_rate.abs() > 0.0 {
-            lines.row("yaw rate", &format!("{} rad/s", significant(motion.yaw_rate, 5)));
-        }
+        report.rows(lines, Shown::Force);
         let friction = significant(self.friction, 5);
         let friction = if self.least_friction < self.friction {
             format!("{} to {friction}, by place", significant(self.least_friction, 5))
@@ -76,49 +66,38 @@ impl WheelsetReport {
         };
         lines.row("friction mu", &friction);
     }
+
+    fn wheel_lines(&self, wheel: &SolvedWheel, lines: &mut Lines) {
+        let name = if wheel.side == Side::Left { "Left" } else { "Right" };
+        if wheel.contacts().is_empty() {
+            let clearance = wheel.clearance.map_or(String::new(), |gap| format!(" by {}", mm(gap)));
+            return lines.heading(&format!("{name} wheel: hangs above its rail{clearance}"));
+        }
+        let report = self.of_wheel(wheel);
+        let what = if wheel.on_guard().is_some() { "rail and guard rail" } else { "rail" };
+        lines.heading(&format!("{name} wheel: force on the {what}"));
+        lines.columns("", ["longitudinal", "lateral", "vertical"]);
+        report.columns(lines, "in track axes", FORCE);
+        report.error_columns(lines, "  error bar", FORCE);
+        let moment = ["force.moment_x_n_m", "force.moment_y_n_m", "force.moment_z_n_m"];
+        report.columns(lines, "moment about its origin", moment);
+        if wheel.on_guard().is_some() && wheel.guard_clearance <= Some(0.0) {
+            let force =
+                ["guard.force.longitudinal_n", "guard.force.lateral_n", "guard.force.vertical_n"];
+            report.columns(lines, "of which on the guard rail", force);
+        }
+        if let Some([y, z]) = wheel.deflection {
+            lines.columns("rail gives way", ["", &mm(y), &mm(z)]);
+        }
+        for (k, contact) in wheel.contacts().iter().enumerate() {
+            let damage = self.damage(wheel.side).get(k);
+            contact_lines(contact, (damage, self.heat(wheel.side, k)), lines);
+        }
+    }
 }
 
 fn mm(value: f64) -> String {
     format!("{} mm", fixed(1e3 * value, 4))
-}
-
-fn mrad(value: f64) -> String {
-    format!("{} mrad", fixed(1e3 * value, 4))
-}
-
-fn newton(value: f64) -> String {
-    format!("{} N", fixed(value, 1))
-}
-
-fn wheel_lines(report: &WheelsetReport, wheel: &SolvedWheel, lines: &mut Lines) {
-    let damage = report.damage(wheel.side);
-    let name = if wheel.side == Side::Left { "Left" } else { "Right" };
-    if wheel.contacts().is_empty() {
-        let clearance = wheel.clearance.map_or(String::new(), |gap| format!(" by {}", mm(gap)));
-        return lines.heading(&format!("{name} wheel: hangs above its rail{clearance}"));
-    }
-    let what = if wheel.on_guard().is_some() { "rail and guard rail" } else { "rail" };
-    lines.heading(&format!("{name} wheel: force on the {what}"));
-    let on_rail = wheel.on_rail();
-    lines.columns("", ["longitudinal", "lateral", "vertical"]);
-    let [x, y, z] = on_rail.force.map(newton);
-    lines.columns("in track axes", [&x, &y, &z]);
-    if let Some(error) = on_rail.force_error {
-        let [x, y, z] = error.map(|error| format!("{} N", significant(error, 2)));
-        lines.columns("  error bar", [&x, &y, &z]);
-    }
-    let [x, y, z] = on_rail.moment.map(|moment| format!("{} N m", fixed(moment, 3)));
-    lines.columns("moment about its origin", [&x, &y, &z]);
-    if let Some(on_guard) = wheel.on_guard().filter(|_| wheel.guard_clearance <= Some(0.0)) {
-        let [x, y, z] = on_guard.force.map(newton);
-        lines.columns("of which on the guard rail", [&x, &y, &z]);
-    }
-    if let Some([y, z]) = wheel.deflection {
-        lines.columns("rail gives way", ["", &mm(y), &mm(z)]);
-    }
-    for (k, contact) in wheel.contacts().iter().enumerate() {
-        contact_lines(contact, (damage.get(k), report.heat(wheel.side, k)), lines);
-    }
 }
 
 fn derivative_lines(derivatives: &WheelsetDerivatives, side: Side, lines: &mut Lines) {
@@ -153,40 +132,19 @@ fn contact_lines(
     (damage, heat): (Option<&Damage>, Option<&Heat>),
     lines: &mut Lines,
 ) {
-    let normal = &contact.normal;
-    let areas = match normal.patches().len() {
+    let areas = match contact.normal.patches().len() {
         1 => String::new(),
         count => format!(", {count} areas"),
     };
+    let report = of_contact(contact, damage, heat);
     let rail = if contact.is_on_guard { "guard rail" } else { "rail" };
     lines.heading(&format!("  contact at y = {} of the {rail}{areas}", mm(contact.y_rail)));
-    lines.row("y on the wheel", &mm(contact.y_wheel));
-    lines.row("x in the track", &mm(contact.reference[0]));
-    let angle = format!("{} degrees", fixed(contact.angle.to_degrees(), 4));
-    lines.row("contact angle", &angle);
-    if contact.varying.is_some() {
-        let slope = format!("{} degrees", fixed(contact.slope.to_degrees(), 4));
-        lines.row("falls ahead by", &slope);
-    }
-    lines.row("normal force", &newton(contact.load()));
-    lines.row("approach", &format!("{} µm", significant(1e6 * normal.approach().value, 5)));
-    lines.row("peak pressure", &quantity(normal.peak_pressure().value, "Pa", 5));
-    let area = significant(1e6 * normal.area().value, 5);
-    lines.row("area", &format!("{area} mm²"));
+    report.rows(lines, Shown::Contact);
     lines.columns("", ["longitudinal", "lateral", "spin"]);
-    let creepage = contact.creepage;
-    let [x, y] = [creepage.longitudinal, creepage.lateral].map(|value| significant(value, 5));
-    lines.columns("creepage", [&x, &y, &format!("{} rad/m", significant(creepage.spin, 5))]);
-    let force = contact.force;
-    let moment = format!("{} N m", fixed(force.moment, 4));
-    lines.columns("force", [&newton(force.longitudinal), &newton(force.lateral), &moment]);
-    lines.row(
-        "adhesion, share of area",
-        &format!("{} %", fixed(100.0 * contact.adhesion_share(), 2)),
-    );
-    if let Some(power) = contact.dissipation {
-        lines.row("heat per metre rolled", &quantity(power, "J/m", 5));
-    }
+    let creepage = ["longitudinal_creepage", "lateral_creepage", "spin_rad_per_m"];
+    report.columns(lines, "creepage", creepage);
+    report.columns(lines, "force", ["longitudinal_n", "lateral_n", "moment_n_m"]);
+    report.rows(lines, Shown::Friction);
     if let Some(damage) = damage {
         damage.lines(lines);
     }

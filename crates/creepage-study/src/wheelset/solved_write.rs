@@ -25,7 +25,7 @@ impl WheelsetReport {
         directory: &Path,
         sources: &Sources,
     ) -> Result<Vec<PathBuf>, ReportError> {
-        let mut json = serde_json::to_string_pretty(&self.json())?;
+        let mut json = serde_json::to_string_pretty(&self.report())?;
         json.push('\n');
         let mut files = vec![("report.json".to_owned(), json.into_bytes())];
         // A solved position is one on this track.
