@@ -70,8 +70,8 @@ pub(crate) fn write(
     let (Some(rail), Some(wheel)) = (&case.rail, &case.wheel) else {
         return Err("no case has given both profiles (Z = 3, E = 3)".into());
     };
+    let grooved = !is_slices(&rail.name) && profiles.is_grooved(rail, wheel);
     let wheel = Named::new(wheel, Role::Wheel, profiles, notes)?;
-    let grooved = !is_slices(&rail.name) && profiles.is_grooved(rail);
     let files = [wheel, Named::new(rail, Role::Rail, profiles, notes)?];
     let text = text(case, (files, grooved), title, name, notes)?;
     Ok(Written::of(command(name), File::text(format!("{name}.toml"), text)))
