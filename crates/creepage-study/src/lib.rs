@@ -104,10 +104,10 @@ pub use case::{
 pub use caution::Caution;
 pub use cost::long_work;
 pub use creepage_wheelset::{
-    ANSWERS, ASKED, Drive, ForceDerivative, FrictionOfPlace, Load, Patches, PitchRate, PlaceOnRail,
-    RailFriction, RailSprings, Resultant, RigidSlip, SolvedContact, SolvedWheel, SolvedWheelset,
-    StateVariable, SurfaceLimits, WheelsetDerivatives, WheelsetError, WheelsetPose, WheelsetSolver,
-    WheelsetVelocity,
+    ANSWERS, ASKED, ContactChanges, Drive, ForceDerivative, FrictionOfPlace, Load, Patches,
+    PitchRate, PlaceOnRail, RailFriction, RailSprings, Resultant, RigidSlip, SolvedContact,
+    SolvedWheel, SolvedWheelset, StateVariable, SteppedWheelset, StepsStart, SurfaceLimits,
+    WheelSteps, WheelsetDerivatives, WheelsetError, WheelsetPose, WheelsetSolver, WheelsetVelocity,
 };
 pub use curves::{Component, Curves, LargestForce};
 pub use damage::{Damage, DamageWanted, WearRow};
@@ -142,10 +142,10 @@ pub use text::hertz_text;
 pub use unattainable::UnattainableForce;
 pub use wheelset::{
     ConicityTable, DerivativesJson, ForceDerivativeJson, MapBuildError, MapPlan, MapProgress,
-    MapResolution, MapStage, ProfileNote, RailForceJson, TableAxis, Wear, WearEnd, WearError,
-    WearLaw, WearLimit, WearMeasure, WearPlan, WearProgress, WearSituation, WearStop, WheelJson,
-    WheelPatchJson, WheelsetCase, WheelsetFile, WheelsetFileError, WheelsetReport,
-    WheelsetReportJson, WheelsetTable, WornBodies, WornBody, WornProfile, WornSides, build_map,
-    conicity, profile_pictures, radius_difference_csv, wear, wheelset_caution_words,
-    wheelset_cautions, wheelset_json_schema,
+    MapResolution, MapStage, ProfileNote, RailForceJson, TableAxis, WHEEL_STEP_COLUMNS, Wear,
+    WearEnd, WearError, WearLaw, WearLimit, WearMeasure, WearPlan, WearProgress, WearSituation,
+    WearStop, WheelJson, WheelPatchJson, WheelStepsRun, WheelTable, WheelTableError, WheelsetCase,
+    WheelsetFile, WheelsetFileError, WheelsetReport, WheelsetReportJson, WheelsetTable, WornBodies,
+    WornBody, WornProfile, WornSides, build_map, conicity, profile_pictures, radius_difference_csv,
+    wear, wheelset_caution_words, wheelset_cautions, wheelset_json_schema,
 };

@@ -23,6 +23,7 @@ mod solved_json;
 mod solved_picture;
 mod solved_text;
 mod solved_write;
+mod steps;
 mod table;
 mod varying;
 mod warmth;
@@ -38,6 +39,7 @@ pub use map::{MapBuildError, MapPlan, MapProgress, MapResolution, MapStage, buil
 pub use profile_picture::profile_pictures;
 pub use report::{WheelsetReport, wheelset_caution_words, wheelset_cautions};
 pub use solved_json::{RailForceJson, WheelJson, WheelPatchJson, WheelsetReportJson};
+pub use steps::{WHEEL_STEP_COLUMNS, WheelStepsRun, WheelTable, WheelTableError};
 pub use table::{TableAxis, WheelsetTable};
 pub use worn::{
     Wear, WearEnd, WearError, WearLaw, WearLimit, WearMeasure, WearPlan, WearProgress,
