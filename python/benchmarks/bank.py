@@ -23,10 +23,9 @@ import subprocess
 import sys
 import tempfile
 import time
-import tomllib
 from collections import Counter
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
@@ -110,7 +109,7 @@ def stored_case(lines: list[str]) -> Numbers | None:
     """The last state of a case; of a wheel the sum over its areas."""
     begins = ("FN", "BAR_FN")
     forces = [row for first in begins for row in titles(lines, first) if {"FX", "BAR_FX"} & set(row[0])]
-    states = titles(lines, "FN/G")
+    states = titles(lines, "FN/G") + titles(lines, "TILDE_FN")
     if not forces or not states:
         return None
     told = [dict(zip(names, values, strict=False)) for names, values in states]
@@ -119,23 +118,21 @@ def stored_case(lines: list[str]) -> Numbers | None:
     sign = -1.0 if turned and abs(turned[-1]) > 3.0 else 1.0
     counts = [int(values[1]) for names, values in titles(lines, "NPOT") if len(values) > 1]
     bound = re.search(r"BOUND +(\d)", "\n".join(lines))
-    shared = {
-        "friction": coefficient(lines, forces, told),
-        "elements": min(counts, default=0),
-        "is_simplified": bool(bound) and int(bound[1]) >= 2,
-    }
+    numbers = Numbers(friction=coefficient(lines, forces, told), elements=min(counts, default=0))
+    numbers.is_simplified = bound is not None and int(bound[1]) >= 2
     if track := titles(lines, "FX(TR)"):
         along, across, vertical = track[-1][1][:3]
         normal = sum(values[0] for _, values in forces)
         peak = 1e6 * max(state.get("PMAX", NAN) for state in told)
-        return Numbers(normal, along, across, peak, {}, vertical=vertical, **shared)
+        return replace(numbers, normal=normal, along=along, across=across, peak=peak, vertical=vertical)
     found = {}
     for axis in "xy":
         for kind, unit in (("CREEP", 1.0), ("SHIFT", 1.0)):
             if (value := told[-1].get(f"{kind} {axis.upper()}")) is not None:
                 found[axis] = (sign if kind == "CREEP" else unit) * value
     normal, along, across = forces[-1][1][:3]
-    return Numbers(normal, sign * along, sign * across, 1e6 * told[-1].get("PMAX", NAN), found, **shared)
+    along, across, peak = sign * along, sign * across, 1e6 * told[-1].get("PMAX", NAN)
+    return replace(numbers, normal=normal, along=along, across=across, peak=peak, found=found)
 
 
 def coefficient(lines: list[str], forces: list[tuple[list[str], list[float]]], told: list[dict[str, float]]) -> float:
@@ -191,22 +188,19 @@ def numbers_of(kind: str, out: str, case: Case, row: int = -1) -> Numbers:
 def of_history(out: str, case: Case, row: int) -> Numbers:
     rows = list(csv.DictReader(io.StringIO(out)))
     last = {key: number(value) for key, value in rows[row].items() if value}
-    toml = tomllib.loads((case.files / case.command[1]).read_text())
-    contact = toml["contact"]
-    friction = contact["friction"]
-    mu = friction if isinstance(friction, float | int) else friction.get("at_rest", friction.get("static", NAN))
-    # Over `mu N` the forces are dimensionless: the present load does not matter.
-    normal = contact.get("normal_force", contact.get("line_load", NAN))
+    for side in ("right", "left"):
+        if f"{side}_vertical_n" in last:
+            along, across, down = (last[f"{side}_{name}_n"] for name in ("longitudinal", "lateral", "vertical"))
+            peak = last[f"{side}_peak_pressure_pa"]
+            return Numbers(last[f"{side}_normal_n"], along, across, peak, vertical=down)
+    text = (case.files / case.command[1]).read_text()
+    load = re.search(r"^(?:normal_force|line_load) = (\S+)", text, re.MULTILINE)
+    # Over `mu N` the forces are dimensionless.
+    normal = number(load[1]) if load else NAN
     history = list(csv.DictReader((case.files / case.command[3]).open()))
-    normal = number(history[row].get("normal_force") or "nan") if "normal_force" in history[row] else normal
-    found = {}
-    for axis, (key, force) in {
-        "x": ("xi", "longitudinal_force"),
-        "y": ("eta", "lateral_force"),
-    }.items():
-        if force in history[0] and key in last:
-            found[axis] = NAN
-    return Numbers(normal, -last["longitudinal_n"], -last["lateral_n"], NAN, found, mu)
+    if value := history[row].get("normal_force"):
+        normal = number(value)
+    return Numbers(normal, -last["longitudinal_n"], -last["lateral_n"], NAN)
 
 
 def of_wheel(report: dict[str, Any]) -> Numbers:
@@ -406,9 +400,9 @@ def write(cases: list[Case]) -> None:
             "within": bool(apart) and max(apart) <= APART,
             "forces": bool(forces) and max(forces) <= APART,
         }
-        for file in (f"{case.folder}/{case.name.rsplit('-', 1)[0]}", "all"):
+        for file in (f"{case.folder}/{case.name.rsplit('-', 1)[0]}", "all of these"):
             counts.update({(file, mark): int(holds) for mark, holds in marks.items()})
-    for file in dict.fromkeys(file for file, _ in counts):
+    for file in sorted(dict.fromkeys(file for file, _ in counts), key=lambda file: file == "all of these"):
         row = " | ".join(str(counts[file, mark]) for mark in ("cases", "imported", "solved", "compared", "within", "forces"))
         print(f"| {file} | {row} |")
 

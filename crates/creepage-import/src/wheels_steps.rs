@@ -34,7 +34,7 @@ pub(crate) fn table(chain: &[Wheels], notes: &mut Vec<String>) -> Result<Table, 
     let mut rows = format!(
         "distance,s,pitch,y,roll,yaw,{pressed},speed,pitch_rate,lateral_velocity,vertical_velocity,roll_rate,yaw_rate\n"
     );
-    let (mut distance, mut place) = (0.0, None);
+    let (mut distance, mut place): (f64, Option<f64>) = (0.0, None);
     for case in chain {
         alike(first, case)?;
         let [s, y, height, roll, yaw, pitch] =
@@ -120,7 +120,7 @@ fn alike(first: &Wheels, case: &Wheels) -> Result<(), Cause> {
     if case.control.force() != 0 {
         return Err("steps of a wheel with a given force or on springs (F = 1, 3)".into());
     }
-    let own = |case| friction(case, &mut Vec::new());
+    let own = |case: &Wheels| friction(case, &mut Vec::new());
     if own(first)? != own(case)? {
         return differs("coefficients of friction");
     }

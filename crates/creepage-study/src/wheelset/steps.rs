@@ -288,7 +288,7 @@ const UNEQUAL: f64 = 5e-3;
 fn cells_of(wheel: &SolvedWheel) -> Vec<String> {
     let [along, across, down] = wheel.on_rail().force;
     let contacts = wheel.contacts();
-    let normal: f64 = contacts.iter().map(|one| one.load()).sum();
+    let normal = contacts.iter().fold(0.0, |sum, one| sum + one.load());
     let peak = contacts.iter().map(|one| one.normal.peak_pressure().value).fold(0.0, f64::max);
     let area = |one: &creepage_wheelset::SolvedContact| one.normal.area().value;
     let all: f64 = contacts.iter().map(area).sum();
