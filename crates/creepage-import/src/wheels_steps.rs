@@ -25,8 +25,7 @@ pub(crate) fn table(chain: &[Wheels], notes: &mut Vec<String>) -> Result<Table, 
     let [first, ..] = chain else { return Err("no case".into()) };
     let start = match (first.control.tangential(), first.control.history()) {
         (3, _) => "steady",
-        (1 | 2, 2) => "none",
-        (0, _) => "none",
+        (0, _) | (1 | 2, 2) => "none",
         _ => return Err("a step before which nothing is known (P = 0)".into()),
     };
     let has_load = first.control.has_load();

@@ -147,8 +147,7 @@ impl WheelTable {
                 })?;
             }
             let before = rows.last().map_or(0.0, |row| row.distance);
-            // Written so that a distance that is no number is refused too.
-            if !(values[0] > before) {
+            if values[0] <= before {
                 let distance = values[0];
                 return Err(WheelTableError::Order { row: index + 1, distance, before });
             }
@@ -297,4 +296,36 @@ fn cells_of(wheel: &SolvedWheel) -> Vec<String> {
     let share = if all > 0.0 { number(stuck / all) } else { String::new() };
     let count = contacts.len().to_string();
     vec![number(along), number(across), number(down), number(normal), number(peak), count, share]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn read(text: &str) -> Result<WheelTable, String> {
+        WheelTable::read(text.as_bytes()).map_err(|error| error.to_string())
+    }
+
+    #[test]
+    fn tables_are_read_and_checked() {
+        let table =
+            read("distance, y ,wheel_load\n# a comment\n0.001,0.002,5e4\n0.002,,5e4\n").unwrap();
+        assert_eq!((table.len(), table.is_empty()), (2, false));
+        assert!((table.rows[0].asked[0] - 0.002).abs() < 1e-15 && table.rows[1].asked[0].is_nan());
+        assert!((table.rows[1].wheel_load - 5e4).abs() < 1e-9);
+        for (text, words) in [
+            ("y\n0\n", "distance"),
+            ("distance,hight\n1,2\n", "hight is not known"),
+            ("distance,y,y\n1,2,3\n", "twice"),
+            ("distance\n", "no rows"),
+            ("distance\n0.0\n", "not above"),
+            ("distance\n0.2\n0.1\n", "row 2"),
+            ("distance,y\n0.1,left\n", "no finite number"),
+            ("distance,y\n0.1,inf\n", "no finite number"),
+            ("distance,y\n,0.1\n", "no finite number"),
+        ] {
+            let error = read(text).unwrap_err();
+            assert!(error.contains(words), "{text}: {error}");
+        }
+    }
 }
