@@ -19,6 +19,7 @@ import io
 import json
 import re
 import shlex
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -365,7 +366,7 @@ def main() -> None:
     asked.add_argument("--seconds", type=float, default=60.0, help="for one case")
     asked.add_argument("--only", default="", help="input files whose path has this text")
     given = asked.parse_args()
-    root, program = given.folder.resolve(), str(Path(given.command).resolve())
+    root, program = given.folder.resolve(), str(Path(shutil.which(given.command) or given.command).resolve())
     with tempfile.TemporaryDirectory() as folder:
         cases: list[Case] = []
         for count, path in enumerate(sorted(root.rglob("*.inp"))):
