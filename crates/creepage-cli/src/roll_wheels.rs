@@ -38,10 +38,13 @@ pub(crate) fn run(args: &RollArgs, table: &str) -> Result<Outcome, Failure> {
         None => writeln!(out, "{row}").and_then(|()| out.flush()).map_err(Failure::Stdout),
         Some(_) => Ok(()),
     };
-    tell(&rows[0])?;
     let mut not_converged = 0;
     while let Some((distance, stepped)) = run.next_row().map_err(wrong)? {
         not_converged += usize::from(stepped.solved.status() == Status::NotConverged);
+        // Nothing is said before a row is solved.
+        if rows.len() == 1 {
+            tell(&rows[0])?;
+        }
         let row = WheelStepsRun::record(distance, &stepped).join(",");
         tell(&row)?;
         rows.push(row);
