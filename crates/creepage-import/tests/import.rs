@@ -514,7 +514,7 @@ fn steps_of_a_wheel_are_a_table() {
     assert_eq!(distances, ["0.004", "0.008"]);
     assert!(second.notes.iter().any(|note| note.contains("SHFT_S")), "{:?}", second.notes);
 
-    let stands = goes_on("0201100").replace("2000. 1. 0.", "0. 1. 0.");
+    let stands = WHEEL.replace("0203100", "0201100").replace("2000. 1. 0.", "0. 1. 0.");
     let imported = read_wheel(&stands, place.path());
     assert!(imported.cases[0].written.as_ref().unwrap_err().contains("SHFT_S"));
 }
