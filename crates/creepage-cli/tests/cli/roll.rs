@@ -422,8 +422,8 @@ fn wheels_roll_in_steps() {
             .map(|line| line.split(',').nth(column).unwrap().parse().unwrap())
             .collect()
     };
-    let rows: String = (1..=20).map(|k| format!("{}\n", 0.002 * f64::from(k))).collect();
-    let csv = rolled(WHEEL, &format!("distance\n{rows}"));
+    let rows: Vec<String> = (1..=20).map(|k| (0.002 * f64::from(k)).to_string()).collect();
+    let csv = rolled(WHEEL, &format!("distance\n{}\n", rows.join("\n")));
     assert!(csv.starts_with("distance_m,left_longitudinal_n,"), "{csv}");
     let along = values(&csv, 8);
     // It drives: the rail is pushed back, more and more, to what steady rolling has.
