@@ -98,6 +98,11 @@ pub(crate) enum Command {
     /// `longitudinal_n`, `lateral_n`, `moment_n_m`, `adhesion_share` and status. It goes to standard
     /// output as it comes; with --out into DIR/history.csv, with pictures, and a run that was
     /// interrupted goes on where it was. The exit code is 3 when a row did not converge.
+    ///
+    /// With a wheelset file wheels roll in steps, tractions going on from position to position. The
+    /// table has `distance` [m] and what of s, pitch, y, z, roll, yaw, `wheel_load`, `axle_load`,
+    /// `roll_moment`, speed, `pitch_rate`, `lateral_velocity`, `vertical_velocity`, `roll_rate`,
+    /// `yaw_rate` differs from the file. The result has the forces on each rail.
     Roll(RollArgs),
     /// The contact ellipse and the pressure of a case, without rolling.
     Hertz(HertzArgs),

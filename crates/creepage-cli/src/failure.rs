@@ -12,7 +12,7 @@ use creepage_rail::file::FileError as ProfileFileError;
 use creepage_study::{
     BearingCaseError, CaseError, FitError, GapCaseError, HistoryError, MapBuildError,
     MeasuredError, PointsError, ReferenceError, ReportError, SolveError, SpecError, StaticsError,
-    StressError, WearError, WheelsetFileError,
+    StressError, WearError, WheelTableError, WheelsetFileError,
 };
 
 use crate::batch::columns::ColumnError;
@@ -70,6 +70,8 @@ pub(crate) enum Failure {
     Map { path: PathBuf, source: Box<MapBuildError> },
     #[error("{}: {source}", path.display())]
     History { path: PathBuf, source: Box<HistoryError> },
+    #[error("{}: {source}", path.display())]
+    WheelTable { path: PathBuf, source: Box<WheelTableError> },
     #[error("{}: {source}{}", path.display(), how_to_say(source))]
     Profile { path: PathBuf, source: ProfileFileError },
     #[error("{}: there is no such file, and the standard profiles are {}", path.display(), standard_profiles())]

@@ -25,6 +25,7 @@ mod profile;
 mod rail_args;
 mod reproduce;
 mod roll;
+mod roll_wheels;
 mod statics;
 mod stresses;
 mod survey;

@@ -7,7 +7,7 @@ use std::time::Duration;
 use creepage::Status;
 use creepage_study::{
     HISTORY_COLUMNS, History, HistoryError, HistoryRun, HistoryWriter, RollFile, Sources,
-    history_animation, history_picture, write_all,
+    WheelsetFile, history_animation, history_picture, write_all,
 };
 use indicatif::ProgressBar;
 
@@ -16,6 +16,7 @@ use crate::failure::Failure;
 use crate::input::read_text;
 use crate::outcome::Outcome;
 use crate::output::{bar_style, say, say_written};
+use crate::roll_wheels;
 
 pub(crate) fn run(args: &RollArgs) -> Result<Outcome, Failure> {
     let wrong = |path: &Path| {
@@ -23,6 +24,9 @@ pub(crate) fn run(args: &RollArgs) -> Result<Outcome, Failure> {
         move |source: HistoryError| Failure::History { path, source: Box::new(source) }
     };
     let texts = [read_text(&args.case)?, read_text(&args.history)?];
+    if WheelsetFile::is_one(&texts[0]) {
+        return roll_wheels::run(args, &texts[1]);
+    }
     let directory = args.case.parent().unwrap_or(Path::new(""));
     let file = RollFile::read(&texts[0]).map_err(wrong(&args.case))?;
     let case = file.case(directory).map_err(wrong(&args.case))?;

@@ -18,7 +18,7 @@ pub(crate) struct Bodies {
     pub(crate) grid: Option<Grid>,
     pub(crate) shape: Option<Shape>,
     pub(crate) planform: usize,
-    /// Whether slip is added element by element.
+    /// Whether slip other than zero is added element by element.
     pub(crate) has_added_slip: bool,
 }
 
@@ -87,8 +87,9 @@ impl Bodies {
         match control.last_of_second() {
             0 => case.has_added_slip = false,
             9 => {
-                lines.numbers(2 * grid.elements[0] * grid.elements[1], "slip at each element")?;
-                case.has_added_slip = true;
+                let count = 2 * grid.elements[0] * grid.elements[1];
+                let slips = lines.numbers(count, "slip at each element")?;
+                case.has_added_slip = slips.iter().any(|slip| *slip != 0.0);
             }
             _ => {}
         }

@@ -25,6 +25,7 @@ mod read;
 mod text;
 mod wheels;
 mod wheels_case;
+mod wheels_steps;
 
 use std::fs;
 use std::io;
@@ -153,8 +154,9 @@ struct Reader {
     bodies: Bodies,
     /// The cases of which the history of the last one consists.
     chain: Vec<Bodies>,
-    /// By the number of the wheel.
     wheels: Wheels,
+    /// The cases of module 1 of which the history of the last one consists.
+    wheel_chain: Vec<Wheels>,
     cases: Vec<Case>,
 }
 
@@ -167,6 +169,7 @@ impl Reader {
             bodies: Bodies::default(),
             chain: Vec::new(),
             wheels: Wheels::default(),
+            wheel_chain: Vec::new(),
             cases: Vec::new(),
         }
     }
@@ -201,9 +204,13 @@ impl Reader {
         let mut notes = Vec::new();
         let (control, written) = if is_wheel {
             self.wheels = self.wheels.next(lines)?;
-            let case = &self.wheels;
-            let written = wheels_case::write(case, &name, &title, &mut self.profiles, &mut notes);
-            (case.control, written)
+            let control = self.wheels.control;
+            if matches!(control.tangential(), 0 | 3) || control.history() == 2 {
+                self.wheel_chain.clear();
+            }
+            self.wheel_chain.push(self.wheels.clone());
+            let (chain, profiles) = (&self.wheel_chain, &mut self.profiles);
+            (control, wheels_case::write(chain, (&name, &title), profiles, &mut notes))
         } else {
             self.bodies = self.bodies.next(lines)?;
             let control = self.bodies.control;

@@ -3,8 +3,8 @@
 use std::fs;
 use std::path::{Component, Path, PathBuf};
 
-use creepage_rail::Role;
 use creepage_rail::file::{SliceList, Wanted, read};
+use creepage_rail::{Profile, Role};
 
 use crate::text::{comments, list as list_of, number, quoted};
 use crate::wheels::ProfileFile;
@@ -118,18 +118,22 @@ impl Profiles {
         name
     }
 
-    /// Whether a rail's profile has a groove with a guard rail beside it.
-    pub(crate) fn is_grooved(&self, file: &ProfileFile) -> bool {
-        let is_found = || {
-            let content = fs::read(find(&self.from, &file.name)?).ok()?;
-            let wanted = Wanted {
-                role: Some(Role::Rail),
-                down: (file.mirror_z == 1).then_some(false),
-                ..Wanted::default()
-            };
-            read(&file.name, &content, &wanted).ok()?.profile.groove()
+    /// Whether a rail's profile has a groove with a guard rail beside it: not where the wheel is narrower than the
+    /// groove, in which it runs then.
+    pub(crate) fn is_grooved(&self, rail: &ProfileFile, wheel: &ProfileFile) -> bool {
+        let Some(opening) = self.profile(rail, Role::Rail).and_then(|rail| rail.groove_opening())
+        else {
+            return false;
         };
-        is_found().is_some()
+        self.profile(wheel, Role::Wheel).is_none_or(|wheel| wheel.width() > opening)
+    }
+
+    /// A profile as it reads by itself.
+    fn profile(&self, file: &ProfileFile, role: Role) -> Option<Profile> {
+        let content = fs::read(find(&self.from, &file.name)?).ok()?;
+        let down = (file.mirror_z == 1).then_some(false);
+        let wanted = Wanted { role: Some(role), down, ..Wanted::default() };
+        Some(read(&file.name, &content, &wanted).ok()?.profile)
     }
 
     /// The median distance between points of a profile that are next to each other, in its own unit; `None`

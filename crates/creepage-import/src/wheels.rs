@@ -13,6 +13,8 @@ pub(crate) struct Wheels {
     pub(crate) heat: Option<Heat>,
     /// Digit D of the case that last gave one.
     pub(crate) method: u8,
+    /// How far the wheel rolls in a step of T = 2 (mm): DX times DQREL.
+    pub(crate) step: f64,
     /// GAUGHT and the three numbers after it, then the curvature.
     pub(crate) track: Option<[f64; 5]>,
     pub(crate) rail: Option<ProfileFile>,
@@ -84,7 +86,8 @@ impl Wheels {
         case.heat = read_heat(lines, control, self.heat)?;
         if control.discretisation() >= 2 {
             case.method = control.discretisation();
-            lines.numbers(6, "DX, DS, DQREL, A_SEP, D_SEP, D_COMB")?;
+            let numbers = lines.numbers(6, "DX, DS, DQREL, A_SEP, D_SEP, D_COMB")?;
+            case.step = numbers[0] * numbers[2];
         }
         case.read_track(lines)?;
         case.read_wheelset(lines)?;

@@ -7,7 +7,7 @@ use crate::text::{comments, heat_section, list, number, quoted, section};
 use crate::wheels::{ProfileFile, Wheels};
 use creepage_rail::Role;
 
-use crate::{File, Written};
+use crate::{File, Written, wheels_steps};
 
 /// Friction in place of none, which wheelset files do not take.
 const FRICTIONLESS: f64 = 1e-6;
@@ -58,23 +58,37 @@ fn is_slices(name: &str) -> bool {
     matches!(extension.as_str(), "slcs" | "slcw")
 }
 
-/// Writes a case of one wheel on its rail; the error names what has no counterpart.
+/// Writes the last case of a history of one wheel on its rail; the error names what has no counterpart.
 pub(crate) fn write(
-    case: &Wheels,
-    name: &str,
-    title: &str,
+    chain: &[Wheels],
+    (name, title): (&str, &str),
     profiles: &mut Profiles,
     notes: &mut Vec<String>,
 ) -> Result<Written, Cause> {
+    let case = chain.last().ok_or("no case")?;
     check(case)?;
     let (Some(rail), Some(wheel)) = (&case.rail, &case.wheel) else {
         return Err("no case has given both profiles (Z = 3, E = 3)".into());
     };
+    let rolls_in_steps = matches!(case.control.tangential(), 1 | 2);
+    let table = if rolls_in_steps { Some(wheels_steps::table(chain, notes)?) } else { None };
+    let grooved = !is_slices(&rail.name) && profiles.is_grooved(rail, wheel);
     let wheel = Named::new(wheel, Role::Wheel, profiles, notes)?;
-    let grooved = !is_slices(&rail.name) && profiles.is_grooved(rail);
     let files = [wheel, Named::new(rail, Role::Rail, profiles, notes)?];
-    let text = text(case, (files, grooved), title, name, notes)?;
-    Ok(Written::of(command(name), File::text(format!("{name}.toml"), text)))
+    let command = match &table {
+        None => command(name),
+        Some(_) => wheels_steps::command(name),
+    };
+    let mut text = text(case, (files, grooved), title, &command, notes)?;
+    let Some(table) = table else {
+        return Ok(Written::of(command, File::text(format!("{name}.toml"), text)));
+    };
+    text += &section("start", &[("traction", quoted(table.start))]);
+    let files = vec![
+        File::text(format!("{name}.toml"), text),
+        File::text(format!("{name}.csv"), table.rows),
+    ];
+    Ok(Written { command, files })
 }
 
 fn command(name: &str) -> String {
@@ -87,10 +101,6 @@ fn check(case: &Wheels) -> Result<(), Cause> {
     match control.config() {
         0 | 1 | 4 | 5 => {}
         other => return Err(format!("C = {other} is no wheel on a rail that we know")),
-    }
-    match control.tangential() {
-        0 | 3 => {}
-        _ => return Err("a shift or rolling step by step of a wheel on a rail (T = 1, 2)".into()),
     }
     if control.bound() == 1 {
         return Err("a compressible sheet (B = 1)".into());
@@ -126,14 +136,14 @@ fn text(
     case: &Wheels,
     ([wheel, rail], is_grooved): ([Named<'_>; 2], bool),
     title: &str,
-    name: &str,
+    command: &str,
     notes: &mut Vec<String>,
 ) -> Result<String, Cause> {
     let missing = |what: &str| format!("no case has given {what}");
     let control = case.control;
     let is_roller = control.config() >= 4;
     let stands = case.velocity.is_some_and(|all| all.iter().all(|value| *value == 0.0));
-    let moves = control.tangential() == 3 && !stands;
+    let moves = control.tangential() >= 1 && !stands;
     let sizes = case.track.ok_or_else(|| missing("the track's dimensions (Z = 1, 3)"))?;
     // A roller's line ends with its radius, not with cant and curvature.
     let (roller, sizes) = if is_roller {
@@ -195,7 +205,7 @@ fn text(
     let mut contact = Vec::new();
     if moves {
         contact.push(("friction", friction(case, notes)?));
-        if case.method == 4 {
+        if case.method == 4 && control.tangential() == 3 {
             contact.push(("slip", quoted("curved")));
             notes.push(
                 "conformal contact (D = 4): ours is plane, with the rigid slip of every place (slip = \
@@ -212,7 +222,7 @@ fn text(
     }
     let solve = if moves { theory(case) } else { vec![("theory", quoted("saturated"))] };
     notes_of_rest(case, notes);
-    let mut lines = vec![title.to_string(), format!("Run: {}", command(name))];
+    let mut lines = vec![title.to_string(), format!("Run: {command}")];
     lines.push(
         "Signs: forces act on the rail in the track's axes, as CONTACT's FX(TR), FY(TR), FZ(TR)."
             .into(),
@@ -365,7 +375,7 @@ fn rest(radius: f64) -> Keys {
     vec![("speed", number(1.0)), ("pitch_rate", number(1e3 / radius))]
 }
 
-fn friction(case: &Wheels, notes: &mut Vec<String>) -> Result<String, Cause> {
+pub(crate) fn friction(case: &Wheels, notes: &mut Vec<String>) -> Result<String, Cause> {
     let read = case.friction.as_ref().ok_or("no case has given friction (L)")?;
     let FrictionRead { friction, memory, .. } = read;
     match friction {

@@ -476,3 +476,77 @@ fn falling_friction_in_steps_has_the_shortest_memory() {
         assert!(text(case, 0).contains(distance), "{}", text(case, 0));
     }
 }
+
+/// Steps of a wheel are a table of positions; a steady case before them is where they begin.
+#[test]
+fn steps_of_a_wheel_are_a_table() {
+    let place = tempfile::tempdir().unwrap();
+    let goes_on = |first: &str| WHEEL.replace("0203100", first) + " 1 MODULE\n";
+    let next = |first: &str, position: &str| {
+        format!(
+            " {first} CPBTNFS\n 1111002 VLDCMZE\n 0101321 HGIAOWR\n {position} position\n 4. 0. 0. 0. 0. -.0087 velocity\n"
+        )
+    };
+    let steps = goes_on("0203100") + &next("0002100", "0. 3.5 10000. 0. .002 0.");
+    let imported = read_wheel(&steps, place.path());
+    let [steady, step] = &imported.cases[..] else { panic!("{imported:?}") };
+    assert_eq!(steady.written.as_ref().unwrap().command, "creepage wheelset own-1.toml");
+    let written = step.written.as_ref().unwrap();
+    assert_eq!(written.command, "creepage roll own-2.toml --history own-2.csv");
+    has(&text(step, 0), &["[start]", "traction = \"steady\""]);
+    let table = text(step, 1);
+    let rows: Vec<Vec<&str>> = table.lines().map(|line| line.split(',').collect()).collect();
+    assert_eq!(rows[0][6], "wheel_load");
+    // DX times DQREL is .2 mm.
+    assert_eq!(rows.iter().skip(1).map(|row| row[0]).collect::<Vec<_>>(), ["0.0002", "0.0004"]);
+    assert_eq!(rows.iter().skip(1).map(|row| row[3]).collect::<Vec<_>>(), ["0.003", "0.0035"]);
+    assert_eq!(rows[2][8], "0.0087");
+
+    // Shifts: the way is that of the shift along the track.
+    let shifts = goes_on("0201100").replace("2000. 1. 0. 0. 0. -4.35", "4. 0. 0. 0. 0. -.0087")
+        + &next("0001100", "5. 3. 10000. 0. .002 0.");
+    let imported = read_wheel(&shifts, place.path());
+    let [_, second] = &imported.cases[..] else { panic!("{imported:?}") };
+    has(&text(second, 0), &["traction = \"none\""]);
+    let table = text(second, 1);
+    let distances: Vec<&str> =
+        table.lines().skip(1).filter_map(|line| line.split(',').next()).collect();
+    assert_eq!(distances, ["0.004", "0.008"]);
+    assert!(second.notes.iter().any(|note| note.contains("SHFT_S")), "{:?}", second.notes);
+
+    let stands = WHEEL.replace("0203100", "0201100").replace("2000. 1. 0.", "0. 1. 0.");
+    let imported = read_wheel(&stands, place.path());
+    assert!(imported.cases[0].written.as_ref().unwrap_err().contains("SHFT_S"));
+}
+
+/// A wheel that is narrower than a groove runs in it.
+#[test]
+fn a_disc_in_a_groove_has_no_guard_rail() {
+    let place = tempfile::tempdir().unwrap();
+    let arc = |radius: f64, most: i32, offset: f64| -> String {
+        let rows = (-most..=most).map(|k| {
+            let y = f64::from(k) * 0.5;
+            format!("{y} {:.5}\n", (radius * radius - y * y).sqrt() - offset)
+        });
+        rows.collect()
+    };
+    fs::write(place.path().join("groove.txt"), arc(20.0, 39, 20.0)).unwrap();
+    fs::write(place.path().join("disc.txt"), arc(19.0, 36, 19.0)).unwrap();
+    let case = WHEEL.replace("Profiles\\RAIL.prr", "groove.txt").replace("wheel.PRW", "disc.txt");
+    let imported = read_wheel(&case, place.path());
+    let wheel = text(&imported.cases[0], 0);
+    assert!(!wheel.contains("guard"), "{wheel}");
+}
+
+/// Slip that is added element by element has no counterpart, unless it is zero everywhere.
+#[test]
+fn added_slip_of_zero_is_none() {
+    let with = |slip: &str| {
+        let case = ball("203110", "1000. 0.5 .001 .0002", "0.0 0.2 2000. CHI");
+        let case = case.replace("022020 LDCMZE", "022029 LDCMZE");
+        case + &format!("{slip} .0\n").repeat(81) + " 0 MODULE\n"
+    };
+    let written = |slip: &str| read(&with(slip)).unwrap().cases[0].written.clone();
+    assert!(written(".0").is_ok());
+    assert!(written("1e-5").unwrap_err().contains("element by element"));
+}

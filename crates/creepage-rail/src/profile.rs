@@ -66,6 +66,9 @@ pub enum ProfileError {
     },
 }
 
+/// Heights that differ by less are level (m).
+const LEVEL: f64 = 1e-4;
+
 impl Profile {
     /// A profile from its curve.
     ///
@@ -165,6 +168,34 @@ impl Profile {
         let depths = z.iter().zip(before.iter().zip(&after)).map(|(z, (a, b))| z - a.max(*b));
         let (floor, depth) = stations.iter().zip(depths).max_by(|a, b| a.1.total_cmp(&b.1))?;
         (self.role == Role::Rail && depth > DEEP).then_some(*floor)
+    }
+
+    /// Distance along `y` (m) between the highest places on both sides of a rail's groove: a wheel that is narrower
+    /// runs in it. `None` where there is no groove.
+    #[must_use]
+    pub fn groove_opening(&self) -> Option<f64> {
+        let floor = self.groove()?;
+        let stations = self.curve.stations(5e-4);
+        let places = stations.iter().map(|&s| (s, self.curve.at(s)));
+        let (before, after): (Vec<_>, Vec<_>) = places.partition(|(s, _)| *s < floor);
+        let shoulder = |side: &[(f64, CurvePoint)]| {
+            let (_, highest) = side.iter().min_by(|a, b| a.1.z.total_cmp(&b.1.z))?;
+            // Of a flat shoulder the place next to the groove.
+            let near = |(_, point): &&(f64, CurvePoint)| point.z < highest.z + LEVEL;
+            let distance = |(s, _): &&(f64, CurvePoint)| (s - floor).abs();
+            let near = side.iter().filter(near);
+            near.min_by(|a, b| distance(a).total_cmp(&distance(b))).map(|(_, point)| point.y)
+        };
+        Some((shoulder(&after)? - shoulder(&before)?).abs())
+    }
+
+    /// Distance along `y` between its ends (m).
+    #[must_use]
+    pub fn width(&self) -> f64 {
+        let ys = self.curve.stations(5e-4).into_iter().map(|s| self.curve.at(s).y);
+        let range =
+            ys.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], y| [low.min(y), high.max(y)]);
+        (range[1] - range[0]).max(0.0)
     }
 
     fn crossing(&self, excess: impl Fn(CurvePoint) -> f64) -> Option<CurvePoint> {

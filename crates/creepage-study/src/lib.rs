@@ -101,10 +101,10 @@ pub use case::{
 pub use caution::Caution;
 pub use cost::long_work;
 pub use creepage_wheelset::{
-    ANSWERS, ASKED, Drive, ForceDerivative, FrictionOfPlace, Load, Patches, PitchRate, PlaceOnRail,
-    RailFriction, RailSprings, Resultant, RigidSlip, SolvedContact, SolvedWheel, SolvedWheelset,
-    StateVariable, SurfaceLimits, WheelsetDerivatives, WheelsetError, WheelsetPose, WheelsetSolver,
-    WheelsetVelocity,
+    ANSWERS, ASKED, ContactChanges, Drive, ForceDerivative, FrictionOfPlace, Load, Patches,
+    PitchRate, PlaceOnRail, RailFriction, RailSprings, Resultant, RigidSlip, SolvedContact,
+    SolvedWheel, SolvedWheelset, StateVariable, SteppedWheelset, StepsStart, SurfaceLimits,
+    WheelSteps, WheelsetDerivatives, WheelsetError, WheelsetPose, WheelsetSolver, WheelsetVelocity,
 };
 pub use curves::{Component, Curves, LargestForce};
 pub use damage::{Damage, DamageWanted, WearRow};
@@ -137,9 +137,9 @@ pub use text::hertz_text;
 pub use unattainable::UnattainableForce;
 pub use wheelset::{
     ConicityTable, MapBuildError, MapPlan, MapProgress, MapResolution, MapStage, ProfileNote,
-    TableAxis, Wear, WearEnd, WearError, WearLaw, WearLimit, WearMeasure, WearPlan, WearProgress,
-    WearSituation, WearStop, WheelsetCase, WheelsetFile, WheelsetFileError, WheelsetReport,
-    WheelsetTable, WornBodies, WornBody, WornProfile, WornSides, build_map, conicity,
-    profile_pictures, radius_difference_csv, wear, wheelset_caution_words, wheelset_cautions,
-    wheelset_json_schema,
+    TableAxis, WHEEL_STEP_COLUMNS, Wear, WearEnd, WearError, WearLaw, WearLimit, WearMeasure,
+    WearPlan, WearProgress, WearSituation, WearStop, WheelStepsRun, WheelTable, WheelTableError,
+    WheelsetCase, WheelsetFile, WheelsetFileError, WheelsetReport, WheelsetTable, WornBodies,
+    WornBody, WornProfile, WornSides, build_map, conicity, profile_pictures, radius_difference_csv,
+    wear, wheelset_caution_words, wheelset_cautions, wheelset_json_schema,
 };

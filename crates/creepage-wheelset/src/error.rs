@@ -150,6 +150,12 @@ pub enum WheelsetError {
         /// What was asked for.
         what: &'static str,
     },
+    /// Wheels that cannot roll in steps.
+    #[error("wheels that roll in steps {what}")]
+    Steps {
+        /// What they need.
+        what: &'static str,
+    },
     /// Load and friction did not come to rest.
     #[error(
         "[wheelset] no position was settled on that carries the load: it can jump by some tenths of a per cent \

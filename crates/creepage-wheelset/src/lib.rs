@@ -39,6 +39,7 @@ mod rough;
 mod solved;
 mod solver;
 mod springs;
+mod steps;
 mod tilt;
 mod warm_start;
 
@@ -52,3 +53,4 @@ pub use rough::{Roughness, rough_profiles};
 pub use solved::{SolvedContact, SolvedWheel, SolvedWheelset, SurfaceLimits};
 pub use solver::{PressedContacts, WheelsetSolver};
 pub use springs::RailSprings;
+pub use steps::{ContactChanges, SteppedWheelset, StepsStart, WheelSteps};

@@ -437,3 +437,47 @@ fn doubts_about_the_contact_are_said() {
         assert_eq!(said(&case), "");
     }
 }
+
+/// One wheel of S1002 on UIC 60.
+const WHEEL: &str = "[wheel]\nprofile = \"S1002\"\nradius = 0.46\n[rail]\nprofile = \"UIC60\"\ncant = 0.025\n[track]\n\
+                     gauge = 1.435\ngauge_height = 0.014\n[wheelset]\nback_to_back = 1.360\nside = \"right\"\nroll = 0.0\n\
+                     wheel_load = 50e3\n[motion]\nspeed = 20.0\npitch_rate = 43.522\n[contact]\nfriction = 0.3\n\
+                     [materials]\nshear_modulus = 82e9\npoisson = 0.28\n[solve]\nresolution = \"fast\"\n";
+
+#[test]
+fn wheels_roll_in_steps() {
+    let values = |csv: &str, column: usize| -> Vec<f64> {
+        csv.lines()
+            .skip(1)
+            .map(|line| line.split(',').nth(column).unwrap().parse().unwrap())
+            .collect()
+    };
+    let rows: Vec<String> = (1..=20).map(|k| (0.002 * f64::from(k)).to_string()).collect();
+    let csv = rolled(WHEEL, &format!("distance\n{}\n", rows.join("\n")));
+    assert!(csv.starts_with("distance_m,left_longitudinal_n,"), "{csv}");
+    let along = values(&csv, 8);
+    // It drives: the rail is pushed back, more and more, to what steady rolling has.
+    assert!(along.windows(2).all(|pair| pair[1] < pair[0] + 1.0), "{along:?}");
+    let steady = rolled(&format!("{WHEEL}[start]\ntraction = \"steady\"\n"), "distance\n0.001\n");
+    let missed = (values(&steady, 8)[0] - along[19]).abs() / (0.3 * 50e3);
+    assert!(missed < 5e-3, "{missed}");
+
+    let moved = rolled(WHEEL, "distance,y,wheel_load\n0.002,0.0,50e3\n0.004,0.001,55e3\n");
+    assert!((values(&moved, 10)[1] / 55e3 - 1.0).abs() < 0.01);
+
+    let place = Place::new();
+    place.write("case.toml", WHEEL);
+    place.write("h.csv", "distance\n0.001\n");
+    place.run(&["roll", "case.toml", "--history", "h.csv", "--out", "out"]).done();
+    assert!(place.read("out/history.csv").lines().count() == 2);
+}
+
+#[test]
+fn wheels_that_cannot_roll_in_steps_are_told_so() {
+    refused(WHEEL, "distance,z,wheel_load\n0.001,0.0,50e3\n", &["wheel_load", "z"]);
+    refused(WHEEL, "distance,hight\n0.001,0.0\n", &["hight"]);
+    let free = WHEEL.replace("pitch_rate = 43.522", "pitch_rate = \"free\"");
+    refused(&free, "distance\n0.001\n", &["pitch_rate"]);
+    let simple = WHEEL.replace("resolution = \"fast\"", "theory = \"fastsim\"");
+    refused(&simple, "distance\n0.001\n", &["exact"]);
+}

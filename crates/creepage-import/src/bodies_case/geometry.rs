@@ -69,12 +69,17 @@ fn smooth(
         return Ok((Geometry::Radii(radii), Pressed::Load(load)));
     }
     let approach = (load - offset) * 1e-3;
-    if case.control.tangential() < 3 && (first - second).abs() < 1e-6 * first && approach > 0.0 {
-        // Hertz's sphere: what shifts and rolls in steps needs a load.
+    let is_unlike = materials.poisson[0] != materials.poisson[1]
+        || materials.shear_modulus[0] != materials.shear_modulus[1];
+    let needs_load = case.control.tangential() < 3 || is_unlike;
+    if needs_load && (first - second).abs() < 1e-6 * first && approach > 0.0 {
+        // Hertz's sphere: what shifts and rolls in steps needs a load, and areas at a given approach take unlike
+        // bodies for like ones.
         let compliance: f64 =
             (0..2).map(|k| (1.0 - materials.poisson[k]) / (2e6 * materials.shear_modulus[k])).sum();
         let load = 4.0 / 3.0 / compliance * radii[0].sqrt() * approach.powf(1.5);
-        notes.push("the load is Hertz's at the given approach".into());
+        let own = if is_unlike { ": friction between unlike bodies changes it" } else { "" };
+        notes.push(format!("the load is Hertz's at the given approach{own}"));
         return Ok((Geometry::Radii(radii), Pressed::Load(load)));
     }
     let terms = format!(

@@ -8,8 +8,8 @@ use creepage_rail::{Side, WheelsetOnTrack};
 
 use creepage::theory::AreaTheory;
 use creepage_wheelset::{
-    ASKED, Patches, RailFriction, RailSprings, RigidSlip, SolvedWheelset, WheelsetDerivatives,
-    WheelsetPose, WheelsetSolver, WheelsetVelocity, asked,
+    ASKED, Patches, RailFriction, RailSprings, RigidSlip, SolvedWheelset, StepsStart,
+    WheelsetDerivatives, WheelsetPose, WheelsetSolver, WheelsetVelocity, asked,
 };
 
 use super::error::{WheelsetFileError, section};
@@ -41,6 +41,8 @@ pub struct WheelsetCase {
     pub damage: Option<DamageWanted>,
     /// What is wanted of temperatures; wheels are the upper bodies.
     pub heat: Option<HeatWanted>,
+    /// From which tractions wheels begin that roll in steps.
+    pub start: StepsStart,
     /// The theory and its options.
     pub theory: TheorySpec,
     /// Profile files, and what had to be found in them.

@@ -21,7 +21,7 @@ use super::guard::GuardSection;
 use super::profile::{RequestedProfile, of_points};
 use super::sections::{
     FrictionSection, MaterialSection, MotionSection, RailSection, ReadingSection, SideName,
-    TrackSection, WheelSection, WheelsetSection,
+    StepsStartSection, TrackSection, WheelSection, WheelsetSection,
 };
 use super::varying::{self, SlicesAsked};
 use super::worn::{WearError, WearPlan, WearSection};
@@ -86,6 +86,10 @@ pub struct WheelsetFile {
     #[serde(default)]
     #[schemars(with = "WearSection")]
     wear: Option<WearSection>,
+    /// How wheels begin, for `creepage roll`.
+    #[serde(default)]
+    #[schemars(with = "StepsStartSection")]
+    start: Option<StepsStartSection>,
     /// That temperatures of wheels (upper) and rails (lower) are wanted.
     #[serde(default)]
     #[schemars(with = "HeatSection")]
@@ -166,6 +170,7 @@ impl WheelsetFile {
             patches: contact.and_then(|section| section.patches).unwrap_or_default(),
             damage: self.damage.as_ref().map(DamageSection::wanted_without_limit).transpose()?,
             heat,
+            start: self.start.unwrap_or_default().start(),
             theory: solve::from_table(&self.solve).map_err(CaseError::from)?,
             notes,
         })

@@ -22,6 +22,7 @@ mod sections;
 mod solved_picture;
 mod solved_text;
 mod solved_write;
+mod steps;
 mod table;
 mod varying;
 mod warmth;
@@ -35,6 +36,7 @@ pub use file::{WheelsetFile, wheelset_json_schema};
 pub use map::{MapBuildError, MapPlan, MapProgress, MapResolution, MapStage, build_map};
 pub use profile_picture::profile_pictures;
 pub use report::{WheelsetReport, wheelset_caution_words, wheelset_cautions};
+pub use steps::{WHEEL_STEP_COLUMNS, WheelStepsRun, WheelTable, WheelTableError};
 pub use table::{TableAxis, WheelsetTable};
 pub use worn::{
     Wear, WearEnd, WearError, WearLaw, WearLimit, WearMeasure, WearPlan, WearProgress,

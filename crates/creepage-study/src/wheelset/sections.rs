@@ -2,7 +2,7 @@
 
 use creepage::Solid;
 use creepage_rail::file::Wanted;
-use creepage_wheelset::{Patches, RigidSlip};
+use creepage_wheelset::{Patches, RigidSlip, StepsStart};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -318,6 +318,35 @@ pub(super) struct MotionSection {
     pub(super) roll_rate: Option<f64>,
     /// Angular velocity about z (rad/s); 0 by default.
     pub(super) yaw_rate: Option<f64>,
+}
+
+/// How wheels begin that `creepage roll` rolls in steps.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(super) struct StepsStartSection {
+    /// "none" (the default): just pressed together; "steady": as if they had rolled for ever as in the first row.
+    #[serde(default)]
+    pub(super) traction: StepsStartTraction,
+}
+
+/// The traction with which wheels begin.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub(super) enum StepsStartTraction {
+    /// None.
+    #[default]
+    None,
+    /// That of steady rolling with the motion of the first row.
+    Steady,
+}
+
+impl StepsStartSection {
+    pub(super) fn start(self) -> StepsStart {
+        match self.traction {
+            StepsStartTraction::None => StepsStart::Pressed,
+            StepsStartTraction::Steady => StepsStart::Steady,
+        }
+    }
 }
 
 /// What the contacts have in common.

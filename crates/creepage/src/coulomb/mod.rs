@@ -21,7 +21,7 @@
 
 mod anderson;
 mod automatic;
-mod boussinesq_cerruti;
+pub(crate) mod boussinesq_cerruti;
 mod coupled;
 mod cylinders;
 mod dissipation;

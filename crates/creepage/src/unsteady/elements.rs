@@ -51,6 +51,10 @@ pub(crate) struct Elements {
     pub rows: Vec<Row>,
     /// Of all points, by tractions over their bounds.
     pub displacements: Displacements,
+    /// Of the bodies.
+    pub poisson: f64,
+    /// Traction bounds of all elements, in the unit of those that move points by a unit.
+    pub units: Vec<f64>,
     /// Of all points, by the pressure of dissimilar bodies.
     pub by_pressure: Vec<[f64; 2]>,
     /// The contact, for particles that enter it from the side; a line contact has no sides.
@@ -69,7 +73,7 @@ impl Elements {
         let stencils: Vec<_> = steady.mesh.strips.iter().map(SlipStencil::steady).collect();
         let points: Vec<_> = stencils.iter().map(|stencil| stencil.points.clone()).collect();
         let units = steady.pressure.units(slip_unit);
-        let displacements = Displacements::new(&steady.mesh, poisson, &points, units);
+        let displacements = Displacements::new(&steady.mesh, poisson, &points, units.clone());
         steady.influence = displacements.slip();
         steady.combine(&displacements, &of_all_points(&stencils));
         let mesh = &steady.mesh;
@@ -87,7 +91,18 @@ impl Elements {
         let all = all.collect();
         let by_pressure = vec![[0.0; 2]; first];
         let has_layer = false;
-        Self { steady, rounding, all, rows, displacements, by_pressure, semi_axes, has_layer }
+        Self {
+            steady,
+            rounding,
+            all,
+            rows,
+            displacements,
+            poisson,
+            units,
+            by_pressure,
+            semi_axes,
+            has_layer,
+        }
     }
 
     /// Hertz's contact in the units of [`Grid::hertz`]. Strips narrow towards the sides, for a shift

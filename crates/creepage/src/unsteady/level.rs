@@ -1,5 +1,6 @@
 //! The contact on one grid of elements, rolled on step by step.
 
+use std::collections::VecDeque;
 use std::sync::Arc;
 
 use super::elements::Elements;
@@ -21,6 +22,8 @@ pub(crate) struct TransientLevel {
     pub state: State,
     pub equations: Equations,
     pub past: Past,
+    /// Tractions over their bounds at the levels of the past, from the latest on, as far as they were solved here.
+    pub tractions: VecDeque<[Vec<f64>; 2]>,
     /// Of the last solution.
     pub outcome: Outcome,
     /// Creepage of the last solution.
@@ -62,6 +65,7 @@ impl TransientLevel {
             state,
             equations,
             past: Past::default(),
+            tractions: VecDeque::new(),
             outcome: Outcome::default(),
             creep: [0.0; 3],
             predictor: Predictor::default(),
@@ -76,6 +80,7 @@ impl TransientLevel {
         self.predictor.restart();
         self.creep = [0.0; 3];
         self.past.0.clear();
+        self.tractions.clear();
         let mut level = self.level(0.0, scale, false);
         // No layer has yielded yet.
         level.friction[2].clear();
@@ -193,6 +198,10 @@ impl TransientLevel {
 
     /// Makes the solution of a stage part of the past.
     pub(crate) fn remember(&mut self, stage: Stage) {
+        if !matches!(stage, Stage::Step { .. }) {
+            self.tractions.clear();
+        }
+        self.tractions.push_front(self.state.traction.own.clone());
         match stage {
             Stage::Step { length, scale, smooth } => {
                 self.past.forget_beyond(self.reach(scale));
@@ -212,8 +221,10 @@ impl TransientLevel {
                 self.past.0.clear();
                 self.past.0.push_front(level.clone());
                 self.past.0.push_front(level);
+                self.tractions.push_front(self.state.traction.own.clone());
             }
         }
+        self.tractions.truncate(self.past.0.len());
     }
 
     /// How far back particles are followed.

@@ -14,6 +14,7 @@
 //! rolling by [`Exact`](crate::coulomb::Exact), element by element.
 
 mod area;
+mod carry;
 mod control;
 mod elements;
 mod fastsim;
@@ -35,6 +36,7 @@ mod system;
 mod variational;
 mod wave;
 
+pub use carry::Before;
 pub use fastsim::RollingFastsim;
 pub use motion::{Motion, Prescribed};
 pub use rolling::{Rolled, Rolling};

@@ -83,6 +83,7 @@ impl Rolling {
             track.state.traction.copy_from(&saved.traction);
             track.state.limits.clone_from(&saved.limits);
             track.past.clone_from(&saved.past);
+            track.tractions.clear();
             track.creep = saved.creep;
             track.predictor.trend.clone_from(&saved.trend);
         }

@@ -1,0 +1,71 @@
+//! `creepage roll` with a wheelset file: wheels that roll in steps.
+
+use std::io::{self, Write};
+use std::path::Path;
+
+use creepage::Status;
+use creepage_study::{
+    Sources, WHEEL_STEP_COLUMNS, WheelStepsRun, WheelTable, WheelsetFileError, write_all,
+};
+
+use crate::args::RollArgs;
+use crate::failure::Failure;
+use crate::outcome::Outcome;
+use crate::output::{say, say_written};
+use crate::wheelset;
+
+/// The name of the file in `--out`.
+const NAME: &str = "history.csv";
+
+pub(crate) fn run(args: &RollArgs, table: &str) -> Result<Outcome, Failure> {
+    let wrong = |source: WheelsetFileError| Failure::Wheelset {
+        path: args.case.clone(),
+        source: Box::new(source),
+    };
+    let case = wheelset::read(&args.case)?;
+    let table = WheelTable::read(table.as_bytes()).map_err(|source| Failure::WheelTable {
+        path: args.history.clone(),
+        source: Box::new(source),
+    })?;
+    let sources = Sources::new([&args.case, &args.history]).with(&case.sources());
+    if let Some(directory) = &args.out {
+        sources.ensure_not_overwritten(&directory.join(NAME))?;
+    }
+    let mut run = WheelStepsRun::new(&case, &table).map_err(wrong)?;
+    let mut rows = vec![WHEEL_STEP_COLUMNS.join(",")];
+    let mut out = io::stdout().lock();
+    let mut tell = |row: &str| match &args.out {
+        None => writeln!(out, "{row}").and_then(|()| out.flush()).map_err(Failure::Stdout),
+        Some(_) => Ok(()),
+    };
+    let mut not_converged = 0;
+    while let Some((distance, stepped)) = run.next_row().map_err(wrong)? {
+        not_converged += usize::from(stepped.solved.status() == Status::NotConverged);
+        // Nothing is said before a row is solved.
+        if rows.len() == 1 {
+            tell(&rows[0])?;
+        }
+        let row = WheelStepsRun::record(distance, &stepped).join(",");
+        tell(&row)?;
+        rows.push(row);
+    }
+    if let Some(directory) = &args.out {
+        write(directory, &rows, &sources)?;
+    }
+    for words in run.cautions() {
+        say(&format!("caution: {words}"));
+    }
+    if not_converged == 0 {
+        return Ok(Outcome::Done);
+    }
+    say(&format!(
+        "caution: {not_converged} rows did not converge: their forces are those of the last iterate"
+    ));
+    Ok(Outcome::Doubtful)
+}
+
+fn write(directory: &Path, rows: &[String], sources: &Sources) -> Result<(), Failure> {
+    let text = rows.join("\n") + "\n";
+    say_written(&write_all(directory, &[(NAME, text.as_bytes())], sources)?);
+    Ok(())
+}

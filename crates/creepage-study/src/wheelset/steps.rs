@@ -1,0 +1,331 @@
+//! Wheels that roll in steps: a table of positions, and the forces at the end of each.
+
+use std::io::Read;
+
+use creepage_wheelset::{
+    ASKED, ContactChanges, Load, SolvedWheel, SteppedWheelset, WheelSteps, WheelsetError,
+    WheelsetPose, WheelsetVelocity,
+};
+
+use super::case::WheelsetCase;
+use super::error::{WheelsetFileError, section};
+use crate::case::similar::similar;
+
+/// Columns of a table of positions: the distance rolled (m), the place along the track (m) and the wheels' turn (rad)
+/// where surfaces vary along rolling, a wheel's own load (N), and what a wheelset is asked by.
+const COLUMNS: [&str; 4] = ["distance", "s", "pitch", "wheel_load"];
+
+/// Columns of what comes of it; of a side that is not solved they are empty.
+pub const WHEEL_STEP_COLUMNS: [&str; 20] = [
+    "distance_m",
+    "left_longitudinal_n",
+    "left_lateral_n",
+    "left_vertical_n",
+    "left_normal_n",
+    "left_peak_pressure_pa",
+    "left_contacts",
+    "left_adhesion_share",
+    "right_longitudinal_n",
+    "right_lateral_n",
+    "right_vertical_n",
+    "right_normal_n",
+    "right_peak_pressure_pa",
+    "right_contacts",
+    "right_adhesion_share",
+    "appeared",
+    "vanished",
+    "split",
+    "joined",
+    "status",
+];
+
+/// Why a table is no way of wheels.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum WheelTableError {
+    /// Not CSV.
+    #[error("no table in CSV: {0}")]
+    Csv(#[from] csv::Error),
+    /// A column that is not known.
+    #[error("column {name} is not known; known are {}", known().join(", "))]
+    Column {
+        /// Its name.
+        name: String,
+        /// The nearest known name.
+        similar: Option<&'static str>,
+    },
+    /// A column twice.
+    #[error("column {name} is there twice")]
+    Twice {
+        /// Its name.
+        name: String,
+    },
+    /// No distance.
+    #[error("column distance (m) is missing")]
+    NoDistance,
+    /// A field that is no number.
+    #[error("row {row}: {column} = {text} is no finite number")]
+    Number {
+        /// Of the table, from 1.
+        row: usize,
+        /// Of which column.
+        column: String,
+        /// What stands there.
+        text: String,
+    },
+    /// Distances that do not rise.
+    #[error("row {row}: distance = {distance} m is not above that of the row before, {before} m")]
+    Order {
+        /// Of the table, from 1.
+        row: usize,
+        /// What stands there (m).
+        distance: f64,
+        /// The one before (m).
+        before: f64,
+    },
+    /// No rows.
+    #[error("the table has no rows")]
+    Empty,
+}
+
+/// One row.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Row {
+    distance: f64,
+    place: [f64; 2],
+    wheel_load: f64,
+    asked: [f64; ASKED.len()],
+}
+
+/// Where wheels are and how they move, row by row: the motion of a row acts from the distance of the row before, or
+/// zero, to its own, in the position of the row.
+#[derive(Debug, Clone, PartialEq)]
+pub struct WheelTable {
+    rows: Vec<Row>,
+}
+
+fn known() -> Vec<&'static str> {
+    COLUMNS.into_iter().chain(ASKED).collect()
+}
+
+impl WheelTable {
+    /// Reads a table in CSV: `distance` (m), and what of `s`, `pitch`, `wheel_load` and of the names of [`ASKED`]
+    /// differs from the case; an empty field is the case's own.
+    ///
+    /// # Errors
+    /// [`WheelTableError`] with the column and the row.
+    pub fn read(input: impl Read) -> Result<Self, WheelTableError> {
+        let mut reader =
+            csv::ReaderBuilder::new().trim(csv::Trim::All).comment(Some(b'#')).from_reader(input);
+        let known = known();
+        let mut columns: Vec<usize> = Vec::new();
+        for name in reader.headers()?.iter().map(|name| name.trim_start_matches('\u{feff}')) {
+            let Some(column) = known.iter().position(|one| *one == name) else {
+                let similar = similar(name, &known);
+                return Err(WheelTableError::Column { name: name.into(), similar });
+            };
+            if columns.contains(&column) {
+                return Err(WheelTableError::Twice { name: name.into() });
+            }
+            columns.push(column);
+        }
+        if !columns.contains(&0) {
+            return Err(WheelTableError::NoDistance);
+        }
+        let mut rows: Vec<Row> = Vec::new();
+        for (index, record) in reader.records().enumerate() {
+            let mut values = vec![f64::NAN; known.len()];
+            for (column, text) in columns.iter().zip(record?.iter()) {
+                if text.is_empty() && *column != 0 {
+                    continue;
+                }
+                let value = text.parse().ok().filter(|value: &f64| value.is_finite());
+                values[*column] = value.ok_or_else(|| WheelTableError::Number {
+                    row: index + 1,
+                    column: known[*column].into(),
+                    text: text.into(),
+                })?;
+            }
+            let before = rows.last().map_or(0.0, |row| row.distance);
+            if values[0] <= before {
+                let distance = values[0];
+                return Err(WheelTableError::Order { row: index + 1, distance, before });
+            }
+            let (own, asked) = values.split_at(COLUMNS.len());
+            rows.push(Row {
+                distance: own[0],
+                place: [own[1], own[2]],
+                wheel_load: own[3],
+                asked: std::array::from_fn(|k| asked[k]),
+            });
+        }
+        if rows.is_empty() { Err(WheelTableError::Empty) } else { Ok(Self { rows }) }
+    }
+
+    /// The number of rows.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.rows.len()
+    }
+
+    /// Whether it has no rows; never, as it was read.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.rows.is_empty()
+    }
+}
+
+/// Wheels on their way by a table.
+#[derive(Debug)]
+pub struct WheelStepsRun<'a> {
+    case: &'a WheelsetCase,
+    table: &'a WheelTable,
+    wheels: WheelSteps,
+    done: usize,
+    changes: ContactChanges,
+    unequal: f64,
+}
+
+impl<'a> WheelStepsRun<'a> {
+    /// Before the first row.
+    ///
+    /// # Errors
+    /// As [`WheelsetCase::solver`].
+    pub fn new(case: &'a WheelsetCase, table: &'a WheelTable) -> Result<Self, WheelsetFileError> {
+        case.solver()?;
+        let wheels = WheelSteps::new(case.start);
+        let (done, changes, unequal) = (0, ContactChanges::default(), 0.0);
+        Ok(Self { case, table, wheels, done, changes, unequal })
+    }
+
+    /// Rolls to the next row: its distance (m) and the wheels there; `None` after the last.
+    ///
+    /// # Errors
+    /// [`WheelsetFileError`] for what cannot be solved.
+    pub fn next_row(&mut self) -> Result<Option<(f64, SteppedWheelset)>, WheelsetFileError> {
+        let Some(row) = self.table.rows.get(self.done) else { return Ok(None) };
+        let before = self.done.checked_sub(1).map_or(0.0, |last| self.table.rows[last].distance);
+        let [s, pitch] = row.place;
+        let there;
+        let case = if s.is_nan() && pitch.is_nan() {
+            self.case
+        } else {
+            there = self.case.at(s, pitch)?;
+            &there
+        };
+        case.travel.ok_or_else(|| section("motion", "speed"))?;
+        let (pose, velocity): (WheelsetPose, WheelsetVelocity) = case.asked(&row.asked)?;
+        let other = ASKED.iter().zip(&row.asked).find(|(name, value)| {
+            ["z", "axle_load", "roll_moment"].contains(*name) && !value.is_nan()
+        });
+        if let Some((other, _)) = other.filter(|_| !row.wheel_load.is_nan()) {
+            let one = "wheel_load";
+            return Err(WheelsetError::Conflict { section: "wheelset", one, other }.into());
+        }
+        let load =
+            if row.wheel_load.is_nan() { pose.load } else { Some(Load::Wheel(row.wheel_load)) };
+        let pose = WheelsetPose { load, ..pose };
+        let solver = case.solver()?;
+        let stepped = self.wheels.step(&solver, &pose, &velocity, row.distance - before)?;
+        self.done += 1;
+        let ContactChanges { appeared, vanished, split, joined } = stepped.changes;
+        self.changes.appeared += appeared;
+        self.changes.vanished += vanished;
+        self.changes.split += split;
+        self.changes.joined += joined;
+        if let Some(Load::Wheel(wanted)) = pose.load {
+            for wheel in stepped.solved.wheels() {
+                self.unequal = self.unequal.max((wheel.on_rail().force[2] / wanted - 1.0).abs());
+            }
+        }
+        Ok(Some((row.distance, stepped)))
+    }
+
+    /// What to be careful about of all rows so far, in words.
+    #[must_use]
+    pub fn cautions(&self) -> Vec<String> {
+        let ContactChanges { appeared, vanished, split, joined } = self.changes;
+        let mut words = Vec::new();
+        for (count, what) in [
+            (appeared, "contacts appeared where nothing was before: they began without traction"),
+            (vanished, "contacts ended, and their tractions with them"),
+            (split, "contacts split: what each part had of the others is not felt from then on"),
+            (joined, "contacts joined: tractions in planes of their own were taken as in one"),
+        ] {
+            if count > 0 {
+                words.push(format!("{count} {what}"));
+            }
+        }
+        if self.unequal > UNEQUAL {
+            words.push(format!(
+                "vertical forces differ by up to {:.2} % from the given loads: heights are those of steady rolling, \
+                 friction in steps is another",
+                100.0 * self.unequal
+            ));
+        }
+        words
+    }
+
+    /// The row of [`WHEEL_STEP_COLUMNS`].
+    #[must_use]
+    pub fn record(distance: f64, stepped: &SteppedWheelset) -> Vec<String> {
+        let SteppedWheelset { solved, changes } = stepped;
+        let mut cells = vec![format!("{distance:e}")];
+        for wheel in [&solved.left, &solved.right] {
+            cells.extend(wheel.as_ref().map_or_else(|| vec![String::new(); 7], cells_of));
+        }
+        let ContactChanges { appeared, vanished, split, joined } = changes;
+        cells.extend([appeared, vanished, split, joined].map(ToString::to_string));
+        cells.push(solved.status().name().into());
+        cells
+    }
+}
+
+/// Of the load: less is friction's error.
+const UNEQUAL: f64 = 5e-3;
+
+fn cells_of(wheel: &SolvedWheel) -> Vec<String> {
+    let [along, across, down] = wheel.on_rail().force;
+    let contacts = wheel.contacts();
+    let normal = contacts.iter().fold(0.0, |sum, one| sum + one.load());
+    let peak = contacts.iter().map(|one| one.normal.peak_pressure().value).fold(0.0, f64::max);
+    let area = |one: &creepage_wheelset::SolvedContact| one.normal.area().value;
+    let all: f64 = contacts.iter().map(area).sum();
+    let stuck: f64 = contacts.iter().map(|one| area(one) * one.adhesion_share()).sum();
+    let number = |value: f64| format!("{value:e}");
+    let share = if all > 0.0 { number(stuck / all) } else { String::new() };
+    let count = contacts.len().to_string();
+    vec![number(along), number(across), number(down), number(normal), number(peak), count, share]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn read(text: &str) -> Result<WheelTable, String> {
+        WheelTable::read(text.as_bytes()).map_err(|error| error.to_string())
+    }
+
+    #[test]
+    fn tables_are_read_and_checked() {
+        let table =
+            read("distance, y ,wheel_load\n# a comment\n0.001,0.002,5e4\n0.002,,5e4\n").unwrap();
+        assert_eq!((table.len(), table.is_empty()), (2, false));
+        assert!((table.rows[0].asked[0] - 0.002).abs() < 1e-15 && table.rows[1].asked[0].is_nan());
+        assert!((table.rows[1].wheel_load - 5e4).abs() < 1e-9);
+        for (text, words) in [
+            ("y\n0\n", "distance"),
+            ("distance,hight\n1,2\n", "hight is not known"),
+            ("distance,y,y\n1,2,3\n", "twice"),
+            ("distance\n", "no rows"),
+            ("distance\n0.0\n", "not above"),
+            ("distance\n0.2\n0.1\n", "row 2"),
+            ("distance,y\n0.1,left\n", "no finite number"),
+            ("distance,y\n0.1,inf\n", "no finite number"),
+            ("distance,y\n,0.1\n", "no finite number"),
+        ] {
+            let error = read(text).unwrap_err();
+            assert!(error.contains(words), "{text}: {error}");
+        }
+    }
+}
