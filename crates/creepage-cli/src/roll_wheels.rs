@@ -2,16 +2,19 @@
 
 use std::io::{self, Write};
 use std::path::Path;
+use std::time::Duration;
 
 use creepage::Status;
 use creepage_study::{
     Sources, WHEEL_STEP_COLUMNS, WheelStepsRun, WheelTable, WheelsetFileError, write_all,
 };
 
+use indicatif::{ProgressBar, ProgressDrawTarget};
+
 use crate::args::RollArgs;
 use crate::failure::Failure;
 use crate::outcome::Outcome;
-use crate::output::{say, say_written};
+use crate::output::{bar_style, say, say_written};
 use crate::wheelset;
 
 /// The name of the file in `--out`.
@@ -38,6 +41,12 @@ pub(crate) fn run(args: &RollArgs, table: &str) -> Result<Outcome, Failure> {
         None => writeln!(out, "{row}").and_then(|()| out.flush()).map_err(Failure::Stdout),
         Some(_) => Ok(()),
     };
+    let bar = ProgressBar::new(table.len() as u64)
+        .with_style(bar_style("{wide_bar} {pos}/{len} rows  {eta} left"));
+    if args.out.is_none() {
+        bar.set_draw_target(ProgressDrawTarget::hidden());
+    }
+    bar.enable_steady_tick(Duration::from_millis(200));
     let mut not_converged = 0;
     while let Some((distance, stepped)) = run.next_row().map_err(wrong)? {
         not_converged += usize::from(stepped.solved.status() == Status::NotConverged);
@@ -48,7 +57,9 @@ pub(crate) fn run(args: &RollArgs, table: &str) -> Result<Outcome, Failure> {
         let row = WheelStepsRun::record(distance, &stepped).join(",");
         tell(&row)?;
         rows.push(row);
+        bar.inc(1);
     }
+    bar.finish_and_clear();
     if let Some(directory) = &args.out {
         write(directory, &rows, &sources)?;
     }

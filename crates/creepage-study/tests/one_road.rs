@@ -1,6 +1,11 @@
 //! The same contact as Hertz's ellipse and as a gap: one road gives the same answers to both.
 
-#![allow(clippy::unwrap_used)]
+#![allow(
+    clippy::unwrap_used,
+    clippy::print_stdout,
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss
+)]
 
 use std::path::Path;
 

@@ -602,7 +602,9 @@ mod tests {
                 );
             assert_eq!(thick.is_some(), is_thick, "{ratio} {thickness}");
             // By the second order of tanh, and less.
-            assert!(thick.is_none_or(|(share, stiffer)| stiffer < (1.5708 * share).powi(2) / 3.0));
+            assert!(
+                thick.is_none_or(|(share, stiffer)| stiffer < (FRAC_PI_2 * share).powi(2) / 3.0)
+            );
             let polach = TheorySpec::named("polach").unwrap();
             let others = Caution::neglected(&polach, &contact);
             assert_eq!(others, [Caution::NoLayer { theory: "polach" }]);

@@ -1,14 +1,18 @@
 //! Wheels that roll in steps: a table of positions, and the forces at the end of each.
 
 use std::io::Read;
+use std::mem::discriminant;
 
+use creepage_rail::Side;
 use creepage_wheelset::{
     ASKED, ContactChanges, Load, SolvedWheel, SteppedWheelset, WheelSteps, WheelsetError,
-    WheelsetPose, WheelsetVelocity,
+    WheelsetPose, WheelsetVelocity, side_word,
 };
 
 use super::case::WheelsetCase;
 use super::error::{WheelsetFileError, section};
+use super::report::wheelset_cautions;
+use crate::Caution;
 use crate::case::similar::similar;
 
 /// Columns of a table of positions: the distance rolled (m), the place along the track (m) and the wheels' turn (rad)
@@ -184,6 +188,16 @@ pub struct WheelStepsRun<'a> {
     done: usize,
     changes: ContactChanges,
     unequal: f64,
+    /// What wheels are in doubt for: the first row (from 1) of each kind and side, and the number of rows.
+    doubts: Vec<Doubt>,
+}
+
+#[derive(Debug)]
+struct Doubt {
+    side: Side,
+    caution: Caution,
+    row: usize,
+    count: usize,
 }
 
 impl<'a> WheelStepsRun<'a> {
@@ -195,7 +209,7 @@ impl<'a> WheelStepsRun<'a> {
         case.solver()?;
         let wheels = WheelSteps::new(case.start);
         let (done, changes, unequal) = (0, ContactChanges::default(), 0.0);
-        Ok(Self { case, table, wheels, done, changes, unequal })
+        Ok(Self { case, table, wheels, done, changes, unequal, doubts: Vec::new() })
     }
 
     /// Rolls to the next row: its distance (m) and the wheels there; `None` after the last.
@@ -238,14 +252,40 @@ impl<'a> WheelStepsRun<'a> {
                 self.unequal = self.unequal.max((wheel.on_rail().force[2] / wanted - 1.0).abs());
             }
         }
+        self.remember(&stepped);
         Ok(Some((row.distance, stepped)))
+    }
+
+    /// Keeps the cautions of a row but for its status, which the table has.
+    fn remember(&mut self, stepped: &SteppedWheelset) {
+        for (side, caution) in wheelset_cautions(&stepped.solved) {
+            if matches!(caution, Caution::Status(_)) {
+                continue;
+            }
+            let is_known = |doubt: &&mut Doubt| {
+                doubt.side == side && discriminant(&doubt.caution) == discriminant(&caution)
+            };
+            match self.doubts.iter_mut().find(is_known) {
+                Some(doubt) if doubt.row == self.done => {}
+                Some(doubt) => doubt.count += 1,
+                None => self.doubts.push(Doubt { side, caution, row: self.done, count: 1 }),
+            }
+        }
     }
 
     /// What to be careful about of all rows so far, in words.
     #[must_use]
     pub fn cautions(&self) -> Vec<String> {
         let ContactChanges { appeared, vanished, split, joined } = self.changes;
-        let mut words = Vec::new();
+        let of_wheels = self.doubts.iter().map(|Doubt { side, caution, row, count }| {
+            let others = match count - 1 {
+                0 => String::new(),
+                1 => " and one other".into(),
+                others => format!(" and {others} others"),
+            };
+            format!("row {row}{others}: {} wheel: {caution}", side_word(*side))
+        });
+        let mut words: Vec<String> = of_wheels.collect();
         for (count, what) in [
             (appeared, "contacts appeared where nothing was before: they began without traction"),
             (vanished, "contacts ended, and their tractions with them"),

@@ -182,8 +182,11 @@ fn ramp(at: f64, [from, to]: [f64; 2]) -> (f64, f64) {
 /// are inside at the fast and at the standard resolution. On 208 random gaps and creepages to 1 (standard)
 /// 99.5 to 100 % are, and half of the bars are more than 19 times as long as the error.
 pub(crate) fn error_bar(forces: [Force; 2], elements: usize) -> Force {
-    bar_with_border(forces, 0.5 / elements as f64)
+    bar_with_border(forces, BORDER / elements as f64)
 }
+
+/// Part of a force, times the number of elements, that the border of adhesion may hide.
+const BORDER: f64 = 0.5;
 
 /// The same of steady rolling on one area.
 ///
@@ -194,8 +197,19 @@ pub(crate) fn error_bar(forces: [Force; 2], elements: usize) -> Force {
 /// bars are more than 21 and 14 times as long as the error.
 pub(crate) fn error_bar_of_one_area(forces: [Force; 2], elements: usize) -> Force {
     let [_, fine] = forces;
-    let adhesion = (1.0 - fine.magnitude()).max(0.0).sqrt();
-    bar_with_border(forces, 0.5 / elements as f64 * adhesion)
+    bar_with_border(forces, BORDER / elements as f64 * adhering(fine))
+}
+
+/// Adhesion along rolling over the contact's length, as Carter's contact has it under this force.
+fn adhering(force: Force) -> f64 {
+    (1.0 - force.magnitude()).max(0.0).sqrt()
+}
+
+/// What error bars on one area, of a force over `mu N` on so many elements, leave out because its border of adhesion is
+/// known: to be added where the force was not found on two grids, but carried from elsewhere.
+#[must_use]
+pub fn hidden_by_border(force: Force, elements: usize) -> f64 {
+    BORDER / elements as f64 * largest(force) * (1.0 - adhering(force))
 }
 
 fn bar_with_border([coarse, fine]: [Force; 2], border: f64) -> Force {

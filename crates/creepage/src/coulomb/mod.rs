@@ -52,6 +52,7 @@ pub use crate::theory::{Constraints, InverseError};
 pub use automatic::Automatic;
 pub use coupled::{Coupled, CoupledSolved, GrossSliding, Prescribed, SlidingError};
 pub use cylinders::{Cylinders, CylindersSolved};
+pub use extrapolation::hidden_by_border;
 pub use field_interpolation::{ElementField, adhesion_share};
 pub(crate) use forcing::hertz_slip;
 pub use inverse::InverseSolution;
