@@ -1,7 +1,7 @@
 //! `creepage roll` with a wheelset file: wheels that roll in steps.
 
 use std::io::{self, Write};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use creepage::Status;
@@ -48,7 +48,11 @@ pub(crate) fn run(args: &RollArgs, table: &str) -> Result<Outcome, Failure> {
     }
     bar.enable_steady_tick(Duration::from_millis(200));
     let mut not_converged = 0;
-    while let Some((distance, stepped)) = run.next_row().map_err(wrong)? {
+    loop {
+        // Of a row that cannot be solved the table and the row are named.
+        let row = PathBuf::from(format!("{}: row {}", args.history.display(), rows.len()));
+        let failed = |source| Failure::Wheelset { path: row, source: Box::new(source) };
+        let Some((distance, stepped)) = run.next_row().map_err(failed)? else { break };
         not_converged += usize::from(stepped.solved.status() == Status::NotConverged);
         // Nothing is said before a row is solved.
         if rows.len() == 1 {

@@ -28,6 +28,8 @@ pub(crate) struct Correction {
     pub(crate) power: f64,
     /// The fine grid's error bars and tractions.
     pub(crate) error: Force,
+    /// What these leave out because the border of adhesion is known there, as it is beside that position by nobody.
+    pub(crate) hidden: f64,
     pub(crate) tractions: Arc<TangentialWarmStart>,
 }
 
@@ -41,7 +43,7 @@ impl Correction {
         let force = sum(coarse.force, self.force);
         let over = force.magnitude().max(1.0);
         let force = Force { fx: force.fx / over, fy: force.fy / over, ..force };
-        let more = self.uncertainty(&coarse);
+        let more = self.uncertainty(&coarse) + self.hidden;
         let error = sum(self.error, Force { fx: more, fy: more, mz: more });
         let power = power.map(|power| (power + self.power).max(0.0));
         (Solution { force, error: Some(error), ..coarse }, power)
@@ -61,7 +63,7 @@ impl Correction {
     /// as much.
     pub(crate) fn holds(&self, corrected: &Solution, times: f64) -> bool {
         let Force { fx, fy, .. } = self.error;
-        let growth = corrected.error.map_or(f64::INFINITY, |error| error.fx - fx);
+        let growth = corrected.error.map_or(f64::INFINITY, |error| error.fx - fx - self.hidden);
         times * growth <= GROWTH * fx.max(fy)
     }
 

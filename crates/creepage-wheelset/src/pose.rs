@@ -108,7 +108,8 @@ impl Load {
     }
 
     /// What a wheel is to carry by itself (N), where that is given.
-    pub(crate) fn of_wheel(self, side: Side) -> Option<f64> {
+    #[must_use]
+    pub fn of_wheel(self, side: Side) -> Option<f64> {
         match self {
             Self::Wheel(load) => Some(load),
             Self::Wheels(loads) => Some(loads[usize::from(side == Side::Right)]),

@@ -6,6 +6,8 @@
 //! point of force over stiffness diverges. Where forces do not fall as a rail recedes, as when a wheel climbs, each
 //! deviation is bracketed. A rail under a given load goes down by what that takes: no unknown.
 
+use std::cell::Cell;
+
 use creepage_rail::{Deviation, Side};
 use nalgebra::{DMatrix, DVector};
 
@@ -42,6 +44,8 @@ const PART_OF_ERROR: f64 = 0.2;
 /// The narrowest bracket (m): forces jump in it.
 const NARROW: f64 = 1e-11;
 const MAX_STEPS: usize = 40;
+/// Positions that are solved at most: seconds.
+const MAX_POSITIONS: usize = 200;
 /// Of all rails, in turn; and how often a bracket may grow.
 const MAX_SWEEPS: usize = 6;
 const MAX_EXPANSIONS: usize = 8;
@@ -52,6 +56,8 @@ struct Sprung<'a> {
     rails: Vec<(Side, RailSprings)>,
     pose: &'a WheelsetPose,
     velocity: &'a WheelsetVelocity,
+    /// How many positions may still be solved.
+    left: Cell<usize>,
 }
 
 impl WheelsetSolver<'_> {
@@ -68,7 +74,7 @@ impl WheelsetSolver<'_> {
         let is_there = |side: &Side| pose.side.is_none_or(|alone| alone == *side);
         let of = |side: Side| Some((side, springs[usize::from(side == Side::Right)]?));
         let rails = SIDES.into_iter().filter(is_there).filter_map(of).collect();
-        Sprung { solver: self, rails, pose, velocity }.solve()
+        Sprung { solver: self, rails, pose, velocity, left: Cell::new(MAX_POSITIONS) }.solve()
     }
 }
 
@@ -77,10 +83,12 @@ impl Sprung<'_> {
     fn solve(&self) -> Result<SolvedWheelset, WheelsetError> {
         let (at, unknown) = self.first_place()?;
         let first = self.left_over(&at, None, &unknown)?;
-        match self.by_newton(at.clone(), first.clone(), &unknown)? {
-            Some(solved) => Ok(solved),
-            None => self.by_brackets(at, first, &unknown),
+        // A rail that slides away under its wheel says nothing of the profiles.
+        match self.by_newton(at.clone(), first.clone(), &unknown) {
+            Ok(Some(solved)) => Ok(solved),
+            Ok(None) | Err(_) => self.by_brackets(at, first, &unknown),
         }
+        .map_err(|_| WheelsetError::RailNotFound)
     }
 
     /// Newton's method; `None` where it stagnates.
@@ -141,7 +149,10 @@ impl Sprung<'_> {
         unknown: &[bool],
     ) -> Result<SolvedWheelset, WheelsetError> {
         for _ in 0..MAX_SWEEPS {
-            for column in (0..at.len()).filter(|column| unknown[*column]) {
+            // The worst first: mirror images go the same way.
+            let mut columns: Vec<usize> = (0..at.len()).filter(|column| unknown[*column]).collect();
+            columns.sort_by(|a, b| last.1[*b].abs().total_cmp(&last.1[*a].abs()));
+            for column in columns {
                 last = self.crossing(&mut at, last, column, unknown)?;
             }
             if self.is_met_within_errors(&last.0, &last.1) {
@@ -164,16 +175,25 @@ impl Sprung<'_> {
         let (mut near, value) = (at[column], left[column]);
         let mut far = near;
         for _ in 0..MAX_EXPANSIONS {
-            if self.is_met(&solved, &left) {
+            if self.is_alone_met(&solved, &left, column) {
                 return Ok((solved, left));
             }
             if left[column] * value <= 0.0 {
                 break;
             }
             near = at[column];
-            at[column] += left[column] / stiffness;
+            let step = left[column] / stiffness;
+            let mut found = None;
+            // Too far the profiles end.
+            for halving in 0..MAX_EXPANSIONS {
+                at[column] = near + step * 0.5f64.powi(i32::try_from(halving).unwrap_or(i32::MAX));
+                found = self.left_over(at, None, unknown).ok();
+                if found.is_some() {
+                    break;
+                }
+            }
             far = at[column];
-            (solved, left) = self.left_over(at, None, unknown)?;
+            (solved, left) = found.ok_or(WheelsetError::RailNotFound)?;
         }
         if left[column] * value > 0.0 {
             return Err(WheelsetError::RailNotFound);
@@ -262,6 +282,8 @@ impl Sprung<'_> {
         from: Option<&SolvedWheelset>,
         unknown: &[bool],
     ) -> Result<(SolvedWheelset, DVector<f64>), WheelsetError> {
+        let left = self.left.get().checked_sub(1).ok_or(WheelsetError::RailNotFound)?;
+        self.left.set(left);
         let mut track = self.solver.running().track().clone();
         for (k, (side, _)) in self.rails.iter().enumerate() {
             let deviation = Deviation { y: at[2 * k], z: at[2 * k + 1], roll: 0.0 };

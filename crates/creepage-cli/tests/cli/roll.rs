@@ -427,7 +427,7 @@ fn doubts_about_the_contact_are_said() {
         format!("{case}[layer]\nthickness = {thickness}\nshear_modulus = 1e9\n")
     };
     for (case, word) in [
-        (layer(5e-3), "times as thick as the contact's half-width"),
+        (layer(5e-3), "of the contact's half-width"),
         (case().replace("normal_force = 80e3", "normal_force = 80e9"), "check the unit"),
         (line.replacen("shear_modulus = 82e9", "shear_modulus = 26e9", 1), "like ones"),
     ] {

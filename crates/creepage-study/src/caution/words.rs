@@ -62,10 +62,11 @@ impl fmt::Display for Caution {
             ),
             Self::ThickLayer { share, stiffer } => write!(
                 f,
-                "the layer is {} times as thick as the contact's half-width: taken as thin, each place of it shears by \
-                 itself; one so thick is about {:.0} % stiffer",
+                "the layer's thickness is {} of the contact's half-width: taken as thin, each place of it shears by \
+                 itself; one so thick is about {:.0} % stiffer{}",
                 significant(share, 2),
-                100.0 * stiffer
+                100.0 * stiffer,
+                if share > 10.0 { " (check the unit of thickness: m)" } else { "" }
             ),
             Self::OneWay { moved } => write!(
                 f,

@@ -77,8 +77,16 @@ pub enum WheelTableError {
         /// What stands there.
         text: String,
     },
+    /// A load that presses nothing.
+    #[error("row {row}: wheel_load = {load} N must be above zero")]
+    Load {
+        /// Of the table, from 1.
+        row: usize,
+        /// What stands there (N).
+        load: f64,
+    },
     /// Distances that do not rise.
-    #[error("row {row}: distance = {distance} m is not above that of the row before, {before} m")]
+    #[error("row {row}: distance = {distance} m is not above {before} m, where the row begins")]
     Order {
         /// Of the table, from 1.
         row: usize,
@@ -156,6 +164,9 @@ impl WheelTable {
                 return Err(WheelTableError::Order { row: index + 1, distance, before });
             }
             let (own, asked) = values.split_at(COLUMNS.len());
+            if own[3] <= 0.0 {
+                return Err(WheelTableError::Load { row: index + 1, load: own[3] });
+            }
             rows.push(Row {
                 distance: own[0],
                 place: [own[1], own[2]],
@@ -229,6 +240,15 @@ impl<'a> WheelStepsRun<'a> {
         };
         case.travel.ok_or_else(|| section("motion", "speed"))?;
         let (pose, velocity): (WheelsetPose, WheelsetVelocity) = case.asked(&row.asked)?;
+        let has_axle_load = ASKED
+            .iter()
+            .zip(&row.asked)
+            .any(|(name, value)| *name == "axle_load" && !value.is_nan());
+        if let Some(side) = pose.side.filter(|_| has_axle_load) {
+            let (section, key, side) = ("wheelset", "axle_load", side_word(side));
+            let instead = "give wheel_load";
+            return Err(WheelsetFileError::OneWheel { section, key, side, instead });
+        }
         let other = ASKED.iter().zip(&row.asked).find(|(name, value)| {
             ["z", "axle_load", "roll_moment"].contains(*name) && !value.is_nan()
         });
@@ -247,8 +267,15 @@ impl<'a> WheelStepsRun<'a> {
         self.changes.vanished += vanished;
         self.changes.split += split;
         self.changes.joined += joined;
-        if let Some(Load::Wheel(wanted)) = pose.load {
-            for wheel in stepped.solved.wheels() {
+        for wheel in stepped.solved.wheels() {
+            let wanted = match pose.load {
+                Some(Load::Axle(load)) if pose.side.is_none() && pose.roll.is_none() => {
+                    Some(0.5 * load)
+                }
+                Some(load) => load.of_wheel(wheel.side),
+                None => None,
+            };
+            if let Some(wanted) = wanted.filter(|wanted| *wanted > 0.0) {
                 self.unequal = self.unequal.max((wheel.on_rail().force[2] / wanted - 1.0).abs());
             }
         }
@@ -359,6 +386,7 @@ mod tests {
             ("distance,y,y\n1,2,3\n", "twice"),
             ("distance\n", "no rows"),
             ("distance\n0.0\n", "not above"),
+            ("distance,wheel_load\n0.1,0\n", "wheel_load = 0 N must be above zero"),
             ("distance\n0.2\n0.1\n", "row 2"),
             ("distance,y\n0.1,left\n", "no finite number"),
             ("distance,y\n0.1,inf\n", "no finite number"),

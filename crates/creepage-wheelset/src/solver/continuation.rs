@@ -2,8 +2,8 @@
 
 use std::sync::Arc;
 
+use creepage::Status;
 use creepage::coulomb::{Resolution, hidden_by_border};
-use creepage::{Force, Status};
 
 use super::WheelsetSolver;
 use super::equilibrium::settle;
@@ -146,20 +146,18 @@ fn correction(
 ) -> Option<Correction> {
     let SolvedContact { solution, scaling, dissipation, .. } = fine;
     let coarse = rolled.solution;
-    // Beside this position nobody knows the border of adhesion.
     let hidden = match fine.normal.patches() {
         [_] => hidden_by_border(solution.force, fine.elements().len()),
         _ => 0.0,
     };
-    let error = solution.error?;
-    let error = Force { fx: error.fx + hidden, fy: error.fy + hidden, mz: error.mz + hidden };
     Some(Correction {
         at,
         elements,
         coarse,
         force: difference(solution.force, coarse.force),
         power: (*dissipation)? / (scaling.force * scaling.slip) - rolled.power?,
-        error,
+        error: solution.error?,
+        hidden,
         tractions: Arc::clone(fine.tractions()?),
     })
 }
