@@ -57,7 +57,7 @@ struct Sprung<'a> {
     pose: &'a WheelsetPose,
     velocity: &'a WheelsetVelocity,
     /// How many positions may still be solved.
-    left: Cell<usize>,
+    budget: Cell<usize>,
 }
 
 impl WheelsetSolver<'_> {
@@ -74,7 +74,7 @@ impl WheelsetSolver<'_> {
         let is_there = |side: &Side| pose.side.is_none_or(|alone| alone == *side);
         let of = |side: Side| Some((side, springs[usize::from(side == Side::Right)]?));
         let rails = SIDES.into_iter().filter(is_there).filter_map(of).collect();
-        Sprung { solver: self, rails, pose, velocity, left: Cell::new(MAX_POSITIONS) }.solve()
+        Sprung { solver: self, rails, pose, velocity, budget: Cell::new(MAX_POSITIONS) }.solve()
     }
 }
 
@@ -282,8 +282,8 @@ impl Sprung<'_> {
         from: Option<&SolvedWheelset>,
         unknown: &[bool],
     ) -> Result<(SolvedWheelset, DVector<f64>), WheelsetError> {
-        let left = self.left.get().checked_sub(1).ok_or(WheelsetError::RailNotFound)?;
-        self.left.set(left);
+        let budget = self.budget.get().checked_sub(1).ok_or(WheelsetError::RailNotFound)?;
+        self.budget.set(budget);
         let mut track = self.solver.running().track().clone();
         for (k, (side, _)) in self.rails.iter().enumerate() {
             let deviation = Deviation { y: at[2 * k], z: at[2 * k + 1], roll: 0.0 };

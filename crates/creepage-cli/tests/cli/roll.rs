@@ -466,8 +466,10 @@ fn wheels_roll_in_steps() {
     assert!((values(&moved, 10)[1] / 55e3 - 1.0).abs() < 0.01);
 
     let place = Place::new();
-    place.write("case.toml", WHEEL);
+    place.write("case.toml", format!("{WHEEL}[damage]\n"));
     place.write("h.csv", "distance\n0.001\n");
+    let ran = place.run(&["roll", "case.toml", "--history", "h.csv"]);
+    assert!(ran.stderr.contains("[damage] is left out"), "{}", ran.stderr);
     place.run(&["roll", "case.toml", "--history", "h.csv", "--out", "out"]).done();
     assert!(place.read("out/history.csv").lines().count() == 2);
 }

@@ -20,9 +20,6 @@ use crate::case::solve;
 use crate::gap::{GapCase, pressed};
 use crate::{CaseError, Caution, Sources};
 
-/// The name under which a line that rolls in steps is spoken of.
-const LINE: &str = "a line that rolls in steps";
-
 impl RollFile {
     /// The file of points that it names, which stands in `directory`, if any.
     #[must_use]
@@ -176,7 +173,7 @@ impl SmoothFile {
         if cautions.is_empty() {
             cautions.extend(Caution::yields(stresses[0], stresses[1], None));
         }
-        cautions.extend(Caution::dissimilar_for(LINE, pair.kappa() / friction));
+        cautions.extend(Caution::like_bodies(pair.kappa() / friction));
         cautions.extend(layer.and_then(|layer| Caution::thick_beside(layer, line.half_width())));
         let kind = Kind::Line { length, poisson, friction: law, layer };
         Ok(RollCase { scaling, load, friction, cautions, kind, start: Start::None })

@@ -323,6 +323,10 @@ impl<'a> WheelStepsRun<'a> {
                 words.push(format!("{count} {what}"));
             }
         }
+        let left_out = [("damage", self.case.damage.is_some()), ("heat", self.case.heat.is_some())];
+        for (section, _) in left_out.into_iter().filter(|(_, is_wanted)| *is_wanted) {
+            words.push(format!("[{section}] is left out: rows have no such numbers"));
+        }
         if self.unequal > UNEQUAL {
             words.push(format!(
                 "vertical forces differ by up to {:.2} % from the given loads: heights are those of steady rolling, \
