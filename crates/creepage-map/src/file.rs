@@ -29,15 +29,16 @@ impl From<InvalidDataSet> for MapError {
 }
 
 /// The layout and the meaning of a file's numbers; another number for any change of either.
-const FORMAT: i32 = 3;
+const FORMAT: i32 = 4;
 /// Numbers of an ellipse with its slopes.
 const ELLIPSE: usize = 3 * 8;
 /// Numbers of a patch.
 const PATCH: usize = 4 * 3 + 6 + 2 * ELLIPSE;
 const SIDES: [&str; 2] = ["left", "right"];
 const COMMENT: &str = "right-hand image of each side; place = y - radius roll - half_distance yaw^2/2; \
-    heights: place, roll, then under each of height_loads shift, fall and z, then at yaws of half and the whole \
-    square of the largest aside and what z is more; patches: share, angle, y, z, \
+    heights: place, roll, z under each of height_loads, then at further rolls of -1, -1/2, 1/2 and 1 of the largest \
+    and at yaws of half and the whole square of the largest, under each load, how far aside the contact is one \
+    without that turn and by how much z is more; patches: share, angle, y, z, \
     each with its slopes by place and by ln load, approach, centroid x, s, peak pressure, area, residual, then of \
     two ellipses a/b, k_x, k_p, s, weight and three numbers of the moment, then slopes by place and by ln load of \
     ln k_x along and across, ln k_p, s, weight and these three; SI units";

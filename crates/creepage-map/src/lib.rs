@@ -49,7 +49,7 @@ pub use blend::interpolated;
 pub use error::{MapError, Quantity};
 pub use fit::{Contour, Fit, Sample, fit};
 pub use map::{ContactMap, Derivatives, Head, MapAccuracy, Spread, VARIABLES};
-pub use normal::{HEIGHTS, HeightNode, Heights, PLACE, YAWS, Yawed};
+pub use normal::{HEIGHTS, HeightNode, Heights, PLACE, ROLLS, TURNS, Turned, YAWS};
 pub use patch::{Ellipse, EllipseSlopes, Patch, Sloped};
 pub use slopes::slopes;
 pub use wheel::{CellError, PLACES, RollingNode, WheelMap};

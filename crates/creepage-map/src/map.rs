@@ -270,12 +270,13 @@ impl ContactMap {
         side: Side,
         image: &Numbers<S>,
     ) -> Result<Placed<S>, MapError> {
-        let Head { radius, half_distance, yaw, .. } = self.head;
+        let Head { radius, half_distance, yaw, roll: most, .. } = self.head;
         let square = image.yaw * image.yaw;
         let plain = image.y - image.roll * radius - square * (0.5 * half_distance);
         let part = if yaw > 0.0 { square * (yaw * yaw).recip() } else { S::constant(0.0) };
-        let placed = self.wheel(side).heights.placed(plain, [image.z, image.roll], part)?;
-        let (value, most) = (placed.further.value(), self.head.roll);
+        let heights = &self.wheel(side).heights;
+        let placed = heights.placed(plain, [image.z, image.roll], (most, part))?;
+        let value = placed.further.value();
         if !(-most..=most).contains(&value) {
             let quantity = Quantity::Roll;
             return Err(MapError::Outside { quantity, value, low: -most, high: most });

@@ -6,49 +6,50 @@ use crate::scalar::Scalar;
 
 /// Loads whose heights a node has, the first of them zero.
 pub const HEIGHTS: usize = 14;
-/// Yaws beside none that a place has been pressed at: squares of half and the whole of the map's largest.
-pub const YAWS: usize = 2;
+/// Rolls beyond its own at which a place has been pressed, in parts of [`Head::roll`](crate::Head::roll).
+pub const ROLLS: [f64; 4] = [-1.0, -0.5, 0.5, 1.0];
+/// Yaws at which a place has been pressed: squares, in parts of that of [`Head::yaw`](crate::Head::yaw).
+pub const YAWS: [f64; 2] = [0.5, 1.0];
+/// Rolls and yaws of a place beside its own.
+pub const TURNS: usize = ROLLS.len() + YAWS.len();
 
-/// What yaw does to a wheel at one place of a map.
+/// What a further roll or a yaw does to a wheel at one place of a map, under the loads of [`Heights::loads`].
+///
+/// A turn moves the contact along the map, and the wheelset down or up.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Yawed {
-    /// By how much lower the wheelset stands under the loads of [`Heights::loads`] (m, down).
+pub struct Turned {
+    /// How far aside (m) of its own place the contact is one without that turn, by where the load lies on the rail:
+    /// where areas join, the more of them carry, the farther.
+    pub aside: [f64; HEIGHTS],
+    /// By how much lower (m, down) the wheelset stands at its own place.
     pub lowered: [f64; HEIGHTS],
-    /// How far aside (m) of its own place the contact is one without yaw: by where the load lies on the rail.
-    pub aside: f64,
 }
 
-/// A place of wheel on rail: heights over the load, and how roll moves it.
+/// A place of wheel on rail: heights over the load, and what roll and yaw do there.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct HeightNode {
     /// The map's coordinate (m): `y - R roll - l yaw^2/2` on the right-hand image.
     pub place: f64,
     /// Roll (rad) at which it was pressed.
     pub roll: f64,
-    /// By how much more than `R` a further roll moves the wheel aside under the loads of [`Heights::loads`]
-    /// (m/rad): where areas join, the more of them carry, the farther.
-    pub shift: [f64; HEIGHTS],
-    /// By how much a further roll brings the wheel down under these loads (m/rad).
-    pub fall: [f64; HEIGHTS],
     /// Height of the wheelset (m, down) under the loads of [`Heights::loads`].
     pub heights: [f64; HEIGHTS],
-    /// At the map's yaws.
-    pub yawed: [Yawed; YAWS],
+    /// At the further [`ROLLS`], then at the [`YAWS`].
+    pub turned: [Turned; TURNS],
 }
 
 /// Numbers of a [`HeightNode`].
-pub const PLACE: usize = 2 + 3 * HEIGHTS + YAWS * (1 + HEIGHTS);
+pub const PLACE: usize = 2 + HEIGHTS + 2 * TURNS * HEIGHTS;
 
 impl HeightNode {
     /// Its numbers in a row, as files have them.
     #[must_use]
     pub fn numbers(&self) -> [f64; PLACE] {
-        let Self { place, roll, shift, fall, heights, yawed } = *self;
-        let yawed =
-            yawed.into_iter().flat_map(|yawed| std::iter::once(yawed.aside).chain(yawed.lowered));
+        let Self { place, roll, heights, turned } = *self;
+        let turned = turned.into_iter().flat_map(|turn| turn.aside.into_iter().chain(turn.lowered));
         let mut all = [0.0; PLACE];
-        let own = [place, roll].into_iter().chain(shift).chain(fall).chain(heights);
-        all.iter_mut().zip(own.chain(yawed)).for_each(|(to, from)| *to = from);
+        let own = [place, roll].into_iter().chain(heights).chain(turned);
+        all.iter_mut().zip(own).for_each(|(to, from)| *to = from);
         all
     }
 
@@ -56,18 +57,11 @@ impl HeightNode {
     #[must_use]
     pub fn of_numbers(all: &[f64; PLACE]) -> Self {
         let row = |first: usize| std::array::from_fn(|k| all[first + k]);
-        let yawed = |k: usize| {
-            let first = 2 + 3 * HEIGHTS + k * (1 + HEIGHTS);
-            Yawed { aside: all[first], lowered: row(first + 1) }
+        let turned = |turn: usize| {
+            let first = 2 + HEIGHTS + 2 * turn * HEIGHTS;
+            Turned { aside: row(first), lowered: row(first + HEIGHTS) }
         };
-        Self {
-            place: all[0],
-            roll: all[1],
-            shift: row(2),
-            fall: row(2 + HEIGHTS),
-            heights: row(2 + 2 * HEIGHTS),
-            yawed: std::array::from_fn(yawed),
-        }
+        Self { place: all[0], roll: all[1], heights: row(2), turned: std::array::from_fn(turned) }
     }
 }
 
@@ -84,31 +78,31 @@ pub struct Heights {
 /// A wheel as it stands, before its load is known.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Placed<S> {
-    /// The coordinate without the local part of the shift by roll (m).
+    /// The coordinate without what turns move the contact by (m).
     plain: S,
     weights: Cubic<S>,
     /// Roll (rad) beyond that of `plain`'s node.
     pub(crate) further: S,
     /// Height (m).
     z: S,
-    /// Weights of [`HeightNode::yawed`].
-    yaws: [S; YAWS],
+    /// Weights of [`HeightNode::turned`].
+    turns: [S; TURNS],
 }
 
 impl<S: Scalar> Placed<S> {
     /// Without derivatives.
     fn values(&self) -> Placed<f64> {
-        let Self { plain, weights, further, z, yaws } = *self;
+        let Self { plain, weights, further, z, turns } = *self;
         let weights = Cubic { first: weights.first, weights: weights.weights.map(Scalar::value) };
         let [plain, further, z] = [plain, further, z].map(Scalar::value);
-        Placed { plain, weights, further, z, yaws: yaws.map(Scalar::value) }
+        Placed { plain, weights, further, z, turns: turns.map(Scalar::value) }
     }
 }
 
 /// Where a wheel has one of the loads of [`Heights::loads`].
 #[derive(Debug, Clone, Copy)]
 struct Level<S> {
-    /// Place in the map without yaw's part (m).
+    /// Place in the map (m).
     place: S,
     /// Height (m).
     height: S,
@@ -125,13 +119,7 @@ impl Heights {
             values.iter().all(|v| v.is_finite()) && values.windows(2).all(|pair| pair[0] < pair[1])
         };
         let finite = |node: &HeightNode| {
-            let lowered = |yawed: &Yawed| -> [f64; HEIGHTS] {
-                std::array::from_fn(|k| node.heights[k] + yawed.lowered[k])
-            };
-            [node.roll].iter().chain(&node.shift).chain(&node.fall).all(|v| v.is_finite())
-                && rises(&node.heights)
-                && node.yawed.iter().all(|yawed| yawed.aside.is_finite())
-                && node.yawed.iter().all(|yawed| rises(&lowered(yawed)))
+            node.numbers().iter().all(|v| v.is_finite()) && rises(&node.heights)
         };
         let makes_sense = nodes.len() >= 3
             && rises(&places)
@@ -173,21 +161,34 @@ impl Heights {
         &self.loads
     }
 
-    /// A wheel as it stands: by `plain`, the coordinate without the local part of the shift by roll, height and
-    /// roll, and the square of yaw over that of the map's largest.
+    /// A wheel as it stands: by `plain`, the coordinate without what turns move the contact by, height and roll, the
+    /// largest further roll, and the square of yaw over that of the map's largest.
     pub(crate) fn placed<S: Scalar>(
         &self,
         plain: S,
         [z, roll]: [S; 2],
-        yaw_square: S,
+        (most_roll, yaw_square): (f64, S),
     ) -> Result<Placed<S>, MapError> {
         self.inside(plain)?;
         let weights = Cubic::at(&self.places, plain);
         let further = roll - weights.of(|k| self.nodes[k].roll);
+        let mut turns = [S::constant(0.0); TURNS];
+        // Cubics through neighbouring rolls, of which the middle one is none.
+        let [low, half, over, high] = ROLLS;
+        let part = if most_roll > 0.0 { most_roll.recip() } else { 0.0 };
+        let by_roll = Cubic::at(&[low, half, 0.0, over, high], further * part);
+        for (k, weight) in by_roll.weights.into_iter().enumerate() {
+            match by_roll.first + k {
+                2 => {}
+                k if k < 2 => turns[k] = weight,
+                k => turns[k - 1] = weight,
+            }
+        }
         // The parabola through none, half and the whole of the largest square of yaw.
         let t = yaw_square;
-        let yaws = [t * (-t + 1.0) * 4.0, t * (t * 2.0 - 1.0)];
-        Ok(Placed { plain, weights, further, z, yaws })
+        turns[ROLLS.len()] = t * (-t + 1.0) * 4.0;
+        turns[ROLLS.len() + 1] = t * (t * 2.0 - 1.0);
+        Ok(Placed { plain, weights, further, z, turns })
     }
 
     fn inside<S: Scalar>(&self, place: S) -> Result<S, MapError> {
@@ -199,20 +200,13 @@ impl Heights {
 
     /// Where the wheel has the load number `k` of [`Heights::loads`].
     fn level<S: Scalar>(&self, placed: &Placed<S>, k: usize) -> Level<S> {
-        let shift = placed.weights.of(|n| self.nodes[n].shift[k]);
-        let place = placed.plain - shift * placed.further;
-        let weights = Cubic::at(&self.places, place);
-        let own = weights.of(|n| self.nodes[n].heights[k]);
-        let by_yaw = |y: usize| weights.of(|n| self.nodes[n].yawed[y].lowered[k]) * placed.yaws[y];
-        let fall = weights.of(|n| self.nodes[n].fall[k]);
-        Level { place, height: own + by_yaw(0) + by_yaw(1) - fall * placed.further }
-    }
-
-    /// With what yaw adds to a place.
-    fn turned<S: Scalar>(&self, placed: &Placed<S>, place: S) -> Result<S, MapError> {
-        let weights = Cubic::at(&self.places, self.inside(place)?);
-        let aside = |k: usize| weights.of(|n| self.nodes[n].yawed[k].aside) * placed.yaws[k];
-        Ok(place + aside(0) + aside(1))
+        let weights = placed.weights;
+        let (mut place, mut height) = (placed.plain, weights.of(|n| self.nodes[n].heights[k]));
+        for (turn, weight) in placed.turns.into_iter().enumerate() {
+            place = place + weight * weights.of(|n| self.nodes[n].turned[turn].aside[k]);
+            height = height + weight * weights.of(|n| self.nodes[n].turned[turn].lowered[k]);
+        }
+        Level { place, height }
     }
 
     /// Height (m) of a wheel under a load (N) and its place in the map, nearly: between those of the loads beside
@@ -224,7 +218,7 @@ impl Heights {
         let [from, to] = [self.powers[above - 1], self.powers[above]];
         let part = (power - from) / (to - from);
         let between = |low: f64, high: f64| low + (high - low) * part;
-        let place = self.turned(placed, between(low.place, high.place))?;
+        let place = self.inside(between(low.place, high.place))?;
         Ok([between(low.height, high.height), place])
     }
 
@@ -248,7 +242,7 @@ impl Heights {
         let first = low.saturating_sub(1).min(HEIGHTS - 4);
         let levels = [0, 1, 2, 3].map(|k| self.level(placed, first + k));
         let knots = levels.map(|level| level.height);
-        // Between yaws, and with much roll, heights that rise at each node may not.
+        // Between turns heights that rise at each node may not.
         if knots.windows(2).any(|pair| pair[0].value() >= pair[1].value()) {
             return Err(MapError::NotFound { left: 1.0 });
         }
@@ -261,6 +255,6 @@ impl Heights {
         if power.value() <= 0.0 {
             return Ok(None);
         }
-        Ok(Some([power * power.sqrt(), self.turned(placed, place)?]))
+        Ok(Some([power * power.sqrt(), self.inside(place)?]))
     }
 }

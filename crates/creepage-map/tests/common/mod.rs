@@ -7,7 +7,7 @@ use creepage::table::{Axis, Intervals, Provenance, Spec, Table, build};
 use creepage::{Contact, InvalidValue, Theory};
 use creepage_map::{
     CellError, ContactMap, Ellipse, HEIGHTS, Head, HeightNode, Heights, MapAccuracy, Patch,
-    Pressed, RollingNode, Sloped, State, WheelMap, Yawed,
+    Pressed, ROLLS, RollingNode, Sloped, State, TURNS, Turned, WheelMap,
 };
 
 pub const RADIUS: f64 = 0.46;
@@ -66,14 +66,23 @@ pub fn map() -> ContactMap {
     let height = |place: f64| HeightNode {
         place,
         roll: 0.02 * place,
-        shift: std::array::from_fn(|k| 0.09 + 0.002 * k as f64),
-        fall: [0.75; HEIGHTS],
         heights: std::array::from_fn(|k| {
             30.0 * place * place - 1e-4 + 15e-6 * k as f64 * (1.0 + 20.0 * place)
         }),
-        yawed: [0.5, 1.0].map(|square| Yawed {
-            lowered: std::array::from_fn(|k| -square * 2e-7 * (1.0 + 0.02 * k as f64)),
-            aside: square * 1e-5 * (1.0 + 100.0 * place),
+        turned: std::array::from_fn(|turn| {
+            if let Some(part) = ROLLS.get(turn) {
+                let roll = 1e-3 * part;
+                Turned {
+                    aside: std::array::from_fn(|k| -roll * (0.09 + 0.002 * k as f64)),
+                    lowered: [-0.75 * roll; HEIGHTS],
+                }
+            } else {
+                let square = if turn + 1 < TURNS { 0.5 } else { 1.0 };
+                Turned {
+                    aside: [square * 1e-5 * (1.0 + 100.0 * place); HEIGHTS],
+                    lowered: std::array::from_fn(|k| -square * 2e-7 * (1.0 + 0.02 * k as f64)),
+                }
+            }
         }),
     };
     let height_loads = std::array::from_fn(|k| 130e3 * (k as f64 / (HEIGHTS - 1) as f64).powf(1.5));

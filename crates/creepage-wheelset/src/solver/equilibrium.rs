@@ -203,7 +203,8 @@ impl<'w, 'a> EquilibriumSearch<'w, 'a> {
             let mut solved =
                 self.solver.solved((&wheels, &rolled), &rollings, &turning, self.travel);
             let missed = self.missed(&wheels, &shares);
-            solved.propagate_errors(&self.target, self.stance, missed);
+            let of = (self.stance, self.travel.pitch);
+            solved.propagate_errors(&self.target, of, missed);
             return Ok(Some(solved));
         }
         self.start.evaluated(&wheels, &turning.rolled, turning.pitch);

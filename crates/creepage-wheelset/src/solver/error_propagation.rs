@@ -2,14 +2,18 @@
 //!
 //! Each contact has three sources of error: its load at the given approach, and its two tangential forces. Where a
 //! load is given, what a source adds to it is taken off again, for the wheelset stands so much higher; so the load
-//! of a contact that carries its wheel alone is nearly without error. Sources are independent: squares add up.
+//! of a contact that carries its wheel alone is nearly without error. Where the pitch rate is found, what a source adds
+//! to the longitudinal forces is taken off again likewise, by all contacts that turn together. Sources are independent:
+//! squares add up.
 
+use creepage::Force;
 use creepage_rail::Side;
 
 use super::predictor::share;
+use super::tangential::BALANCED;
 use super::vertical_load::Target;
 use crate::Load;
-use crate::pose::WheelsetPose;
+use crate::pose::{PitchRate, WheelsetPose};
 use crate::solved::{SolvedContact, SolvedWheel, SolvedWheelset};
 use crate::tilt::Placed;
 
@@ -38,20 +42,13 @@ impl SolvedWheelset {
     pub(crate) fn propagate_errors(
         &mut self,
         target: &Target,
-        stance: &WheelsetPose,
+        (stance, pitch): (&WheelsetPose, PitchRate),
         missed: [f64; 2],
     ) {
         let missed = self.with_transfer(stance, missed);
         let mut wheels: Vec<&mut SolvedWheel> =
             self.left.iter_mut().chain(&mut self.right).collect();
-        if matches!(target, Target::Together(_)) {
-            propagate(&mut wheels, target, missed[0] + missed[1]);
-        } else {
-            for wheel in &mut wheels {
-                let missed = missed[usize::from(wheel.side == Side::Right)];
-                propagate(&mut [wheel], target, missed);
-            }
-        }
+        propagate(&mut wheels, target, pitch, missed);
     }
 
     /// The same with the load that errors of lateral forces, `radius` below the wheelset's centre, move from wheel to
@@ -76,19 +73,34 @@ fn norm(parts: impl IntoIterator<Item = f64>) -> f64 {
     parts.into_iter().map(|part| part * part).sum::<f64>().sqrt()
 }
 
-/// Error bars of wheels whose contacts carry a load together.
-fn propagate(wheels: &mut [&mut SolvedWheel], target: &Target, missed: f64) {
+fn place(side: Side) -> usize {
+    usize::from(side == Side::Right)
+}
+
+/// Error bars of wheels and their contacts; wheels miss so much of their loads (N).
+fn propagate(wheels: &mut [&mut SolvedWheel], target: &Target, pitch: PitchRate, missed: [f64; 2]) {
     let of_wheel: Vec<usize> =
         wheels.iter().enumerate().flat_map(|(k, wheel)| vec![k; wheel.contacts().len()]).collect();
+    let sides: Vec<usize> = of_wheel.iter().map(|&wheel| place(wheels[wheel].side)).collect();
     let contacts: Vec<&SolvedContact> = wheels.iter().flat_map(|wheel| wheel.contacts()).collect();
     let has_bars = contacts.iter().all(|one| one.force_error.is_some());
-    let stiffness: f64 = contacts.iter().map(|one| one.vertical_stiffness()).sum();
-    let yields = *target != Target::Nothing && stiffness > 0.0;
+    // Contacts that carry a load together: of both wheels, or of each.
+    let together = matches!(target, Target::Together(_));
+    let group = |k: usize| if together { 0 } else { sides[k] };
+    let mut stiffness = [0.0; 2];
+    for (k, contact) in contacts.iter().enumerate() {
+        stiffness[group(k)] += contact.vertical_stiffness();
+    }
+    let lowered = |group: usize, vertical: f64| {
+        let yields = *target != Target::Nothing && stiffness[group] > 0.0;
+        if yields { -vertical / stiffness[group] } else { 0.0 }
+    };
 
     // Each source changes all contacts; bars are sums of squares over the sources.
     let mut bars = vec![[0.0; 3]; contacts.len()];
     let mut on_rails = vec![[0.0; 3]; wheels.len()];
-    let mut add = |changes: Vec<Change>| {
+    let mut add = |mut changes: Vec<Change>, unbalanced: f64| {
+        balance_pitch((&mut changes, unbalanced), &contacts, &sides, pitch);
         let mut forces = vec![[0.0; 3]; wheels.len()];
         for ((bar, change), &wheel) in bars.iter_mut().zip(&changes).zip(&of_wheel) {
             let [longitudinal, lateral] = change.friction;
@@ -101,21 +113,29 @@ fn propagate(wheels: &mut [&mut SolvedWheel], target: &Target, missed: f64) {
             accumulate(square, force, |part| part * part);
         }
     };
-    let lowered = |vertical: f64| if yields { -vertical / stiffness } else { 0.0 };
+    let changes = |of: usize, depth: f64, own: &dyn Fn(usize) -> Option<Change>| {
+        let change = |(k, one): (usize, &&SolvedContact)| {
+            one.lowered(if group(k) == of { depth } else { 0.0 }, own(k))
+        };
+        contacts.iter().enumerate().map(change).collect()
+    };
     for (of, contact) in contacts.iter().enumerate() {
         for source in contact.sources() {
-            let depth = lowered(contact.direct(&source).force[2]);
-            let change = |(k, one): (usize, &&SolvedContact)| {
-                one.lowered(depth, (k == of).then(|| one.direct(&source)))
-            };
-            add(contacts.iter().enumerate().map(change).collect());
+            let depth = lowered(group(of), contact.direct(&source).force[2]);
+            let own = |k: usize| (k == of).then(|| contact.direct(&source));
+            add(changes(group(of), depth, &own), 0.0);
         }
     }
-    if yields {
-        let load: f64 = contacts.iter().map(|one| one.load()).sum();
-        let depth = lowered(-missed.hypot(ROUNDING * load));
-        add(contacts.iter().map(|one| one.lowered(depth, None)).collect());
+    let missed = if together { [missed[0] + missed[1], 0.0] } else { missed };
+    for (of, missed) in missed.into_iter().enumerate() {
+        let carried = |k: &usize| group(*k) == of;
+        let load: f64 = (0..contacts.len()).filter(carried).map(|k| contacts[k].load()).sum();
+        let depth = lowered(of, -missed.hypot(ROUNDING * load));
+        if depth > 0.0 {
+            add(changes(of, depth, &|_| None), 0.0);
+        }
     }
+    add(changes(0, 0.0, &|_| None), BALANCED);
 
     let mut bars = bars.into_iter().map(|bar| bar.map(f64::sqrt));
     for (wheel, square) in wheels.iter_mut().zip(on_rails) {
@@ -130,6 +150,39 @@ fn propagate(wheels: &mut [&mut SolvedWheel], target: &Target, missed: f64) {
                 (error.longitudinal, error.lateral) = (longitudinal, lateral);
                 error.moment = error.moment.hypot(turned);
             }
+        }
+    }
+}
+
+/// Takes off what changes add to the longitudinal forces of contacts that turn together, where their pitch rate is found,
+/// and what is left unbalanced (in parts of all their friction).
+fn balance_pitch(
+    (changes, unbalanced): (&mut [Change], f64),
+    contacts: &[&SolvedContact],
+    sides: &[usize],
+    pitch: PitchRate,
+) {
+    let (found, turns): (Vec<bool>, fn(usize) -> usize) = match pitch {
+        PitchRate::Rigid(rate) => (vec![rate.is_none()], |_| 0),
+        PitchRate::Independent(rates) => (rates.map(|rate| rate.is_none()).to_vec(), |side| side),
+    };
+    for group in (0..found.len()).filter(|group| found[*group]) {
+        let own: Vec<usize> = (0..contacts.len()).filter(|k| turns(sides[*k]) == group).collect();
+        let slopes: Vec<[f64; 2]> = own.iter().map(|k| contacts[*k].by_longitudinal()).collect();
+        let stiffness: f64 = slopes.iter().map(|[along, _]| along).sum();
+        if stiffness <= 0.0 {
+            continue;
+        }
+        let most: f64 = own.iter().map(|k| contacts[*k].scaling.force).sum();
+        let added: f64 = own.iter().map(|k| changes[*k].friction[0]).sum();
+        let over = added + unbalanced * most;
+        for (k, slopes) in own.into_iter().zip(slopes) {
+            let friction = slopes.map(|slope| -over / stiffness * slope);
+            changes[k].friction =
+                [0, 1].map(|axis: usize| changes[k].friction[axis] + friction[axis]);
+            let [x, s, _] = contacts[k].tilt().axes();
+            let force = [0, 1, 2].map(|axis: usize| friction[0] * x[axis] + friction[1] * s[axis]);
+            accumulate(&mut changes[k].force, force, |part| part);
         }
     }
 }
@@ -168,6 +221,20 @@ impl SolvedContact {
             accumulate(&mut change.force, own.force, |part| part);
         }
         change
+    }
+
+    /// Slopes of the longitudinal and the lateral force by longitudinal creepage (N), but for one factor of all contacts.
+    ///
+    /// As of Carter's law along the direction of the force: `f = 1 - (1 - u)^2` has the slope `2 sqrt(1 - f)`, and
+    /// the force turns with the creepage by `f / u = 1 + sqrt(1 - f)`.
+    fn by_longitudinal(&self) -> [f64; 2] {
+        let Force { fx, fy, .. } = self.solution.force;
+        let size = fx.hypot(fy);
+        let adheres = (1.0 - size).max(0.0).sqrt();
+        let [x, y] = if size > 0.0 { [fx / size, fy / size] } else { [1.0, 0.0] };
+        let [along, across] = [adheres, 0.5 * (1.0 + adheres)];
+        let linear = self.scaling.force / self.scaling.slip;
+        [x * x * along + y * y * across, x * y * (along - across)].map(|slope| linear * slope)
     }
 
     /// Change of its vertical force as the wheelset goes down (N/m).

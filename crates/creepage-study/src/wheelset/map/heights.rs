@@ -1,20 +1,14 @@
 //! Where a wheel stands under its loads: heights at one place, and how roll and yaw move it.
 
 use creepage::normal::Resolution;
-use creepage_map::{HEIGHTS, HeightNode, YAWS, Yawed, interpolated};
+use creepage_map::{HEIGHTS, HeightNode, ROLLS, TURNS, Turned, YAWS, interpolated};
 use creepage_rail::{Position, Side};
 use creepage_wheelset::{PressedContacts, WheelsetSolver};
 
 use super::image::Image;
 use creepage_wheelset::WheelsetError;
 
-/// Steps aside (m) and of roll (rad) by which it is found how roll moves a wheel.
-const STEPS: [f64; 2] = [5e-5, 1.5e-4];
-/// Loads of the heights, by number, under which it is found.
-const ROLLED: [usize; 5] = [1, 3, 5, 8, HEIGHTS - 1];
-/// The local part of the shift by roll is kept within these (m/rad).
-const SHIFTS: [f64; 2] = [-0.3, 0.6];
-/// Yaw moves a contact no farther along the map than this (m).
+/// A turn moves a contact no farther along the map than this (m).
 const ASIDE: f64 = 2e-3;
 /// Where a contact hardly moves along the map, the nearer place is taken: so much of its distance counts.
 const FAR: f64 = 0.05;
@@ -43,21 +37,56 @@ impl Level {
     }
 }
 
-/// A place pressed without yaw and at the map's yaws, with the centres of its reference load on the rail, of which
-/// [`put_aside`] makes [`Yawed::aside`].
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Stood {
-    pub(super) node: HeightNode,
-    pub(super) centres: [[f64; 2]; 1 + YAWS],
+/// Heights of a wheel under the map's loads, and where these act on the rail (m).
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Column {
+    pub(super) heights: [f64; HEIGHTS],
+    pub(super) centres: [[f64; 2]; HEIGHTS],
 }
 
-/// Heights under loads, and where the middle one of these acts.
-struct Column {
-    /// Height at which the wheel touches.
-    rest: f64,
-    levels: Vec<Level>,
-    heights: [f64; HEIGHTS],
-    centre: [f64; 2],
+/// A place pressed as it is, and at the map's rolls and yaws: [`nodes`] makes [`HeightNode`]s of them.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Stood {
+    pub(super) place: f64,
+    pub(super) roll: f64,
+    pub(super) own: Column,
+    pub(super) turned: [Column; TURNS],
+}
+
+impl Stood {
+    /// Its numbers in a row, as journals have them.
+    pub(super) fn numbers(&self) -> Vec<f64> {
+        let columns = std::iter::once(&self.own).chain(&self.turned);
+        let of = |column: &Column| -> Vec<f64> {
+            let centres = column.centres.as_flattened();
+            column.heights.iter().chain(centres).copied().collect()
+        };
+        [self.place, self.roll].into_iter().chain(columns.flat_map(of)).collect()
+    }
+
+    /// From its numbers; `None` where these are not as many.
+    pub(super) fn of_numbers(all: &[f64]) -> Option<Self> {
+        const COLUMN: usize = 3 * HEIGHTS;
+        let ([place, roll], rest) = all.split_first_chunk::<2>()?;
+        let (columns, []) = rest.as_chunks::<COLUMN>() else { return None };
+        let column = |all: &[f64; COLUMN]| {
+            let centre = |k: usize| [all[HEIGHTS + 2 * k], all[HEIGHTS + 2 * k + 1]];
+            let centres = std::array::from_fn(centre);
+            Column { heights: std::array::from_fn(|k| all[k]), centres }
+        };
+        let (own, turned) = columns.split_first()?;
+        let turned: &[[f64; COLUMN]; TURNS] = turned.try_into().ok()?;
+        Some(Self {
+            place: *place,
+            roll: *roll,
+            own: column(own),
+            turned: turned.map(|all| column(&all)),
+        })
+    }
+
+    pub(super) fn is_finite(&self) -> bool {
+        self.numbers().iter().all(|number| number.is_finite())
+    }
 }
 
 /// Heights of a wheel at `y`, roll and yaw of its right-hand image, under loads of which the first is zero.
@@ -95,96 +124,43 @@ fn column<'a>(
     let from_rest = |values: &[f64]| [&[0.0], values].concat();
     let (ends, deep) = (from_rest(&powers), from_rest(&depths));
     let heights = loads.map(|load| rest + interpolated(&ends, &deep, power(load)));
-    let middle = power(loads[HEIGHTS / 2]);
-    let centre = [0, 1].map(|k: usize| {
-        let parts: Vec<f64> = levels.iter().map(|level| level.centre[k]).collect();
-        interpolated(&powers, &parts, middle)
-    });
-    Ok(Column { rest, levels, heights, centre })
+    let parts = [0, 1].map(|k: usize| levels.iter().map(|level| level.centre[k]).collect());
+    let centre =
+        |parts: &Vec<f64>, load: f64| interpolated(&powers, parts, power(load).max(powers[0]));
+    let centres = loads.map(|load| parts.each_ref().map(|parts| centre(parts, load)));
+    Ok(Column { heights, centres })
 }
 
 fn power(load: f64) -> f64 {
     (load * load).cbrt()
 }
 
-/// A wheel at `y` and `roll` of its right-hand image, where roll goes along `y` by `roll_slope`, without yaw and at
-/// yaws up to `most_yaw`.
-pub(super) fn node(
+/// A wheel at `y` and `roll` of its right-hand image, and at the further rolls and yaws of the map, of which the largest
+/// are given.
+pub(super) fn stood(
     solver: &WheelsetSolver<'_>,
-    (image, [most_yaw, half_distance]): (Image, [f64; 2]),
-    [y, roll, roll_slope]: [f64; 3],
+    (image, half_distance): (Image, f64),
+    [y, roll]: [f64; 2],
+    [most_roll, most_yaw]: [f64; 2],
     loads: &[f64; HEIGHTS],
 ) -> Result<Stood, WheelsetError> {
     let radius = image.radius();
     let mut near = Vec::new();
-    let own = column((solver, image), [y, roll, 0.0], loads, &mut near)?;
-    let mut yawed = [Yawed::default(); YAWS];
-    let mut centres = [own.centre; 1 + YAWS];
+    let mut pressed = |at: [f64; 3]| column((solver, image), at, loads, &mut near);
+    let own = pressed([y, roll, 0.0])?;
+    let mut turned = [own; TURNS];
+    // All at the same coordinate of the map.
+    for (column, part) in turned.iter_mut().zip(ROLLS) {
+        let further = part * most_roll;
+        *column = pressed([y + radius * further, roll + further, 0.0])?;
+    }
     if most_yaw > 0.0 {
-        for (k, yawed) in yawed.iter_mut().enumerate() {
-            let square = (k + 1) as f64 / YAWS as f64 * most_yaw * most_yaw;
-            // At the same coordinate of the map.
-            let at = [y + 0.5 * half_distance * square, roll, square.sqrt()];
-            let turned = column((solver, image), at, loads, &mut Vec::new())?;
-            yawed.lowered = std::array::from_fn(|k| turned.heights[k] - own.heights[k]);
-            centres[k + 1] = turned.centre;
+        for (column, part) in turned[ROLLS.len()..].iter_mut().zip(YAWS) {
+            let square = part * most_yaw * most_yaw;
+            *column = pressed([y + 0.5 * half_distance * square, roll, square.sqrt()])?;
         }
     }
-    // How roll goes along the map's places.
-    let along = roll_slope / (1.0 - radius * roll_slope);
-    let at = [y, roll, along];
-    let mut rolled = [[0.0; 2]; ROLLED.len()];
-    for (one, load) in rolled.iter_mut().zip(ROLLED) {
-        *one = by_roll((solver, image), at, (&own, load, loads[load]), &mut near)?;
-    }
-    let steps = ROLLED.map(|k| k as f64);
-    let of = |part: usize| -> [f64; HEIGHTS] {
-        let values = rolled.map(|one| one[part]);
-        std::array::from_fn(|k| interpolated(&steps, &values, (k as f64).max(steps[0])))
-    };
-    let (shift, fall) = (of(0), of(1));
-    let place = y - radius * roll;
-    let node = HeightNode { place, roll, shift, fall, heights: own.heights, yawed };
-    Ok(Stood { node, centres })
-}
-
-/// Shift and fall by a further roll under the load number `k`: from the height and the place of the load on the
-/// rail, a little aside and rolled a little.
-fn by_roll<'a>(
-    (solver, image): (&WheelsetSolver<'a>, Image),
-    [y, roll, along]: [f64; 3],
-    (own, k, reference): (&Column, usize, f64),
-    near: &mut PressedContacts<'a>,
-) -> Result<[f64; 2], WheelsetError> {
-    let radius = image.radius();
-    let deep = own.heights[k] - own.rest;
-    let softness = {
-        let powers: Vec<f64> = own.levels.iter().map(|level| power(level.load)).collect();
-        let depths: Vec<f64> = own.levels.iter().map(|level| level.z - own.rest).collect();
-        let beside = interpolated(&powers, &depths, power(1.01 * reference));
-        (beside - interpolated(&powers, &depths, power(reference))) / (0.01 * reference)
-    };
-    let mut beside = |by: [f64; 2]| -> Result<[f64; 2], WheelsetError> {
-        let at = [y + by[0], roll + by[1], 0.0];
-        let z = image.touch(at)? + deep;
-        let level = level((solver, image), at, z, near)?;
-        Ok([level.z + (reference - level.load) * softness, level.centre[0]])
-    };
-    let [dy, dr] = STEPS;
-    let slope = |[one, other]: [[f64; 2]; 2], step: f64| {
-        [0, 1].map(|k: usize| 0.5 * (other[k] - one[k]) / step)
-    };
-    let [z_y, place_y] = slope([beside([-dy, 0.0])?, beside([dy, 0.0])?], dy);
-    let [z_roll, place_roll] = slope([beside([0.0, -dr])?, beside([0.0, dr])?], dr);
-    let lever = -place_roll / place_y;
-    // On usual profiles the load goes against the wheel (`place_y < 0`), and no local shift is taken: with it
-    // places are better, but heights worse (normal force 3.3 for .9 % rms where areas join).
-    let lever = if place_y > 0.3 && lever.is_finite() { lever } else { radius };
-    let local = lever - radius;
-    let shift = (local / (1.0 - along * local)).clamp(SHIFTS[0], SHIFTS[1]);
-    let (a, b) = (1.0 + shift * along, radius + shift * (1.0 + radius * along));
-    let fall = (z_roll + b / a * z_y) / (b * along / a - (1.0 + radius * along));
-    Ok([shift, fall])
+    Ok(Stood { place: y - radius * roll, roll, own, turned })
 }
 
 fn level<'a>(
@@ -199,32 +175,38 @@ fn level<'a>(
     Ok(Level::of(image, z, near))
 }
 
-/// The nodes, with how far aside each finds its contact at the map's yaws: where, without yaw, the load lies nearest to
-/// it on the rail.
-pub(super) fn put_aside(stood: &[Stood]) -> Vec<HeightNode> {
-    let mut nodes: Vec<HeightNode> = stood.iter().map(|stood| stood.node).collect();
-    let of_place: Vec<(f64, [f64; 2])> =
-        stood.iter().map(|stood| (stood.node.place, stood.centres[0])).collect();
-    for (node, stood) in nodes.iter_mut().zip(stood) {
-        for (yawed, centre) in node.yawed.iter_mut().zip(&stood.centres[1..]) {
-            let mut nearest = f64::INFINITY;
-            for pair in of_place.windows(2) {
-                let ((low, from), (high, to)) = (pair[0], pair[1]);
-                if (low.midpoint(high) - node.place).abs() > ASIDE {
-                    continue;
-                }
-                let along = [to[0] - from[0], to[1] - from[1]];
-                let off = [centre[0] - from[0], centre[1] - from[1]];
-                let square = (along[0] * along[0] + along[1] * along[1]).max(f64::MIN_POSITIVE);
-                let part = ((off[0] * along[0] + off[1] * along[1]) / square).clamp(0.0, 1.0);
-                let left: f64 = (off[0] - part * along[0]).hypot(off[1] - part * along[1]);
-                let aside = low + part * (high - low) - node.place;
-                let cost = left.hypot(FAR * aside);
-                if cost < nearest {
-                    (nearest, yawed.aside) = (cost, aside);
-                }
-            }
+/// The nodes: each finds its contact under a turn where, without it, the load lies nearest to it on the rail.
+pub(super) fn nodes(stood: &[Stood]) -> Vec<HeightNode> {
+    let node = |(at, stood_there): (usize, &Stood)| {
+        let Stood { place, roll, own, turned } = stood_there;
+        let turned = turned.map(|column| Turned {
+            aside: std::array::from_fn(|k| aside(stood, (at, k), column.centres[k])),
+            lowered: std::array::from_fn(|k| column.heights[k] - own.heights[k]),
+        });
+        HeightNode { place: *place, roll: *roll, heights: own.heights, turned }
+    };
+    stood.iter().enumerate().map(node).collect()
+}
+
+/// How far along the map (m) from the node `at` the load number `k` lies nearest to `centre` on the rail.
+fn aside(stood: &[Stood], (at, k): (usize, usize), centre: [f64; 2]) -> f64 {
+    let place = stood[at].place;
+    let first = stood.partition_point(|stood| stood.place < place - ASIDE);
+    let last = stood.partition_point(|stood| stood.place <= place + ASIDE);
+    let (mut found, mut nearest) = (0.0, f64::INFINITY);
+    for pair in stood[first..last].windows(2) {
+        let [low, high] = [pair[0].place, pair[1].place];
+        let [from, to] = [pair[0].own.centres[k], pair[1].own.centres[k]];
+        let along = [to[0] - from[0], to[1] - from[1]];
+        let off = [centre[0] - from[0], centre[1] - from[1]];
+        let square = (along[0] * along[0] + along[1] * along[1]).max(f64::MIN_POSITIVE);
+        let part = ((off[0] * along[0] + off[1] * along[1]) / square).clamp(0.0, 1.0);
+        let left: f64 = (off[0] - part * along[0]).hypot(off[1] - part * along[1]);
+        let aside = low + part * (high - low) - place;
+        let cost = left.hypot(FAR * aside);
+        if cost < nearest {
+            (nearest, found) = (cost, aside);
         }
     }
-    nodes
+    found
 }

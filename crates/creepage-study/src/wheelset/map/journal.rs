@@ -7,7 +7,7 @@ use std::io::{self, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 
-use creepage_map::{Ellipse, HeightNode, PLACE, Patch, Sloped};
+use creepage_map::{Ellipse, Patch, Sloped};
 use creepage_rail::Side;
 
 use super::MapBuildError;
@@ -15,6 +15,8 @@ use super::heights::Stood;
 use crate::sources::keep_foreign;
 
 const MAGIC: &[u8; 16] = b"creepage map 3\r\n";
+/// What records mean: another word for any change, after which a build begins from nothing.
+const RECORDS: &str = "heights at rolls and yaws";
 /// Numbers of a patch without slopes.
 const PATCH: usize = 4 + 6 + 2 * 8;
 
@@ -45,7 +47,7 @@ impl Journal {
             Err(TryLockError::WouldBlock) => return Err(MapBuildError::Busy { path: path.into() }),
             Err(TryLockError::Error(error)) => return Err(failed(error)),
         }
-        let words = format!("{} {words}", env!("CARGO_PKG_VERSION"));
+        let words = format!("{} {RECORDS} {words}", env!("CARGO_PKG_VERSION"));
         let head = [&MAGIC[..], &crc32fast::hash(words.as_bytes()).to_le_bytes()].concat();
         let mut bytes = Vec::new();
         file.read_to_end(&mut bytes).map_err(failed)?;
@@ -83,12 +85,10 @@ impl Journal {
     ) -> Result<Option<Stood>, MapBuildError> {
         let key = (u8::from(side == Side::Right), i64::from(place));
         if let Some(numbers) = self.known.get(&key) {
-            return Ok(height_node(numbers));
+            return Ok(Stood::of_numbers(numbers));
         }
         let built = build()?;
-        let numbers = built.map_or_else(Vec::new, |Stood { node, centres }| {
-            node.numbers().into_iter().chain(centres.into_iter().flatten()).collect()
-        });
+        let numbers = built.as_ref().map_or_else(Vec::new, Stood::numbers);
         self.write(key, &numbers)?;
         Ok(built)
     }
@@ -152,12 +152,6 @@ fn record(bytes: &[u8]) -> Option<(Key, Vec<f64>, usize)> {
     }
     let numbers = rest[..size].as_chunks::<8>().0.iter().map(|bytes| f64::from_le_bytes(*bytes));
     Some(((*kind, i64::from_le_bytes(*place)), numbers.collect(), length + 4))
-}
-
-fn height_node(numbers: &[f64]) -> Option<Stood> {
-    let (node, rest) = numbers.split_first_chunk::<PLACE>()?;
-    let centres = rest.as_chunks::<2>().0.try_into().ok()?;
-    Some(Stood { node: HeightNode::of_numbers(node), centres })
 }
 
 fn node(numbers: &[f64]) -> Option<Vec<Vec<Patch>>> {

@@ -398,26 +398,19 @@ impl Builder<'_> {
         if stood.len() < 5 {
             return Err(MapBuildError::Short { places: stood.len() });
         }
-        let nodes = heights::put_aside(&stood);
+        let nodes = heights::nodes(&stood);
         let y = [first, last].map(|k| (k as f64 - f64::from(count)) * spacing);
         Ok((y, Heights::new(nodes, loads)?))
     }
 
     fn height(&self, (side, k): (Side, i32), loads: &[f64; HEIGHTS]) -> Option<Stood> {
-        const STEP: f64 = 2e-5;
         let image = self.image(side);
         let y = f64::from(k) * self.plan.spacing;
-        let roll = |y: f64| image.free_roll(y);
-        let node = || -> Result<Stood, WheelsetError> {
-            let slope = (roll(y + STEP)? - roll(y - STEP)?) / (2.0 * STEP);
-            let yaw = [self.plan.yaw, self.head.half_distance];
-            heights::node(&self.solver, (image, yaw), [y, roll(y)?, slope], loads)
-        };
+        let of = (image, self.head.half_distance);
+        let most = [self.head.roll, self.head.yaw];
+        let stood = || heights::stood(&self.solver, of, [y, image.free_roll(y)?], most, loads);
         // Where profiles end, the map ends.
-        let finite = |stood: &Stood| {
-            stood.node.numbers().iter().chain(stood.centres.as_flattened()).all(|v| v.is_finite())
-        };
-        node().ok().filter(finite)
+        stood().ok().filter(Stood::is_finite)
     }
 
     fn finish(
@@ -514,5 +507,5 @@ fn rises(nodes: &[Option<Stood>], from: usize, spacing: f64) -> bool {
     const LEAST: f64 = 0.05;
     let pair = nodes.get(from).zip(nodes.get(from + 1));
     let pair = pair.and_then(|(from, to)| from.as_ref().zip(to.as_ref()));
-    pair.is_some_and(|(from, to)| to.node.place - from.node.place > LEAST * spacing)
+    pair.is_some_and(|(from, to)| to.place - from.place > LEAST * spacing)
 }
