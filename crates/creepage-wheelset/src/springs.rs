@@ -4,7 +4,8 @@
 //! what its springs carry, plus what else acts on it. Newton's method with a line search, its Jacobian by
 //! differences and then by Broyden's updates: contacts are a hundred times stiffer than springs, so that a fixed
 //! point of force over stiffness diverges. Where forces do not fall as a rail recedes, as when a wheel climbs, each
-//! deviation is bracketed. A rail under a given load goes down by what that takes: no unknown.
+//! deviation is bracketed. A rail under a given load goes down by what that takes: no unknown. Under a wheel of given
+//! height the search begins where the wheel alone stands so high: its load is sought, under which its rail is easily found.
 
 use std::cell::Cell;
 
@@ -56,6 +57,8 @@ struct Sprung<'a> {
     rails: Vec<(Side, RailSprings)>,
     pose: &'a WheelsetPose,
     velocity: &'a WheelsetVelocity,
+    /// Where the left and the right rail lie across at first (m).
+    across: [f64; 2],
     /// How many positions may still be solved.
     budget: Cell<usize>,
 }
@@ -74,7 +77,8 @@ impl WheelsetSolver<'_> {
         let is_there = |side: &Side| pose.side.is_none_or(|alone| alone == *side);
         let of = |side: Side| Some((side, springs[usize::from(side == Side::Right)]?));
         let rails = SIDES.into_iter().filter(is_there).filter_map(of).collect();
-        Sprung { solver: self, rails, pose, velocity, budget: Cell::new(MAX_POSITIONS) }.solve()
+        let (across, budget) = ([0.0; 2], Cell::new(MAX_POSITIONS));
+        Sprung { solver: self, rails, pose, velocity, across, budget }.solve()
     }
 }
 
@@ -253,7 +257,12 @@ impl Sprung<'_> {
         let mut at = DVector::zeros(2 * self.rails.len());
         for (k, (side, springs)) in self.rails.iter().enumerate() {
             let load = self.pose.load.ok_or(WheelsetError::NoLoad)?;
+            at[2 * k] = self.across[usize::from(*side == Side::Right)];
             if let Load::Height(z) = load {
+                if let Some(place) = self.place_at_height(*side, *springs, z) {
+                    (at[2 * k], at[2 * k + 1]) = (place[0], place[1]);
+                    continue;
+                }
                 let (y, yaw) = (self.pose.y, self.pose.yaw);
                 let roll = self.pose.roll.unwrap_or(0.0);
                 let touch = self.solver.running().touch(*side, y, roll, yaw);
@@ -273,6 +282,42 @@ impl Sprung<'_> {
             };
         }
         Ok((at, unknown))
+    }
+
+    /// Where a rail lies under a wheel alone whose height is `z` (m): a bracketed root in the load, up to which rail and
+    /// contact give way. `None` where none is found.
+    fn place_at_height(&self, side: Side, springs: RailSprings, z: f64) -> Option<[f64; 2]> {
+        let unloaded = [0, 1].map(|axis: usize| springs.force[axis] / springs.stiffness[axis]);
+        let roll = self.pose.roll.unwrap_or(0.0);
+        let touch = self.solver.running().touch(side, self.pose.y, roll, self.pose.yaw).ok()?;
+        let given_way = z - touch.z - unloaded[1];
+        if given_way <= 0.0 {
+            return Some(unloaded);
+        }
+        let under = |load: f64, across: f64| -> Option<([f64; 2], f64)> {
+            let pose =
+                WheelsetPose { side: Some(side), load: Some(Load::Wheel(load)), ..*self.pose };
+            let budget = Cell::new(self.budget.get());
+            let (rails, across) = (vec![(side, springs)], [across; 2]);
+            let alone = Sprung { rails, pose: &pose, across, budget, ..*self };
+            let solved = alone.solve();
+            self.budget.set(alone.budget.get());
+            let solved = solved.ok()?;
+            let wheel = solved.wheels().find(|wheel| wheel.side == side)?;
+            Some((wheel.deflection?, solved.position().z - z))
+        };
+        // The contact gives way too: the rail alone would carry more.
+        let most = springs.stiffness[1] * given_way;
+        let mut root = Root::new(0.9 * most, [0.0, 2.0 * most]);
+        let mut found = under(root.at, 0.0)?;
+        for _ in 0..MAX_STEPS {
+            if found.1.abs() <= MET * given_way || root.is_spent(MET * most) {
+                break;
+            }
+            root.next_by_chord(found.1, springs.stiffness[1].recip());
+            found = under(root.at, found.0[0])?;
+        }
+        Some(found.0)
     }
 
     /// The wheelset on rails that stand so, and what their springs do not carry (N); from a solved place beside it.
