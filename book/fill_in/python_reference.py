@@ -9,7 +9,7 @@ PACKAGE = ROOT / "python" / "creepage"
 BLANK = ast.parse("")
 # What the guide groups, in a reader's order; the rest of what the package exports comes last.
 GROUPS = {
-    "Cases in SI units": ["Case", "Body", "Solution", "SiCreepage", "SiForce", "Curve", "Hertz", "hertz"],
+    "Cases in SI units": ["Case", "Body", "Solution", "SiCreepage", "DimensionlessCreepage", "SiForce", "Curve", "Hertz", "hertz"],
     "Theories": [
         "theory", "Theory", "DifferentiableTheory", "Exact", "Automatic", "Variational", "Fastrip", "Fastsim", "Strip",
         "Polach", "ShenHedrickElkins", "VermeulenJohnson", "Linear", "Saturated", "coefficients",
@@ -20,7 +20,8 @@ GROUPS = {
     ],
     "Many cases": ["batch", "sweep", "Table"],
     "Any shape, wheelsets, unsteady rolling": [
-        "Gap", "GapCase", "GapSolution", "Wheelset", "WheelsetSolution", "Rolling", "RollingStep", "roll",
+        "Gap", "GapCase", "GapSolution", "AreaContact", "Estimate", "Wheelset", "WheelsetSolution", "Wheel", "RailForce",
+        "WheelContact", "Rolling", "RollingStep", "roll",
     ],
     "Other contacts": ["statics", "StaticsSolution", "carter", "CarterSolution", "line_contact", "LineContact"],
 }

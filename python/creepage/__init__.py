@@ -58,6 +58,7 @@ from ._line_contact import (
     viscoelastic_cylinders,
 )
 from ._report import Quantity
+from ._report_parts import AreaContact, Estimate, RailForce, Wheel, WheelContact
 from ._results import (
     CreepageCoefficients,
     ElementField,
@@ -78,7 +79,7 @@ from ._gap import Gap, GapCase, GapSolution
 from ._half_space import HalfSpace
 from ._map import CellError, ContactMap, ErrorSpread, MapErrors, MapMany, MapResult
 from ._rolling import Rolling, RollingStep, roll
-from ._solution import Below, SiCreepage, SiForce, Solution
+from ._solution import Below, DimensionlessCreepage, SiCreepage, SiForce, Solution
 from ._statics import StaticsSolution, statics
 from ._sweep import sweep
 from ._theories import THEORIES, theory
@@ -101,6 +102,7 @@ saturated = Saturated
 __all__ = [
     "THEORIES",
     "AccuracyWarning",
+    "AreaContact",
     "Automatic",
     "BearingBall",
     "BearingRace",
@@ -117,8 +119,10 @@ __all__ = [
     "CreepageError",
     "Curve",
     "DifferentiableTheory",
+    "DimensionlessCreepage",
     "ElementField",
     "ErrorSpread",
+    "Estimate",
     "Exact",
     "ExactForce",
     "ExactForceArray",
@@ -146,6 +150,7 @@ __all__ = [
     "Patch",
     "Polach",
     "Quantity",
+    "RailForce",
     "Region",
     "Rolling",
     "RollingStep",
@@ -170,6 +175,8 @@ __all__ = [
     "VermeulenJohnson",
     "ViscoelasticSolution",
     "Wear",
+    "Wheel",
+    "WheelContact",
     "WheelResult",
     "Wheelset",
     "WheelsetMany",

@@ -15,8 +15,9 @@ from numpy.typing import ArrayLike
 
 from . import _creepage
 from ._contact import Body, floats, instance, number
-from ._report import FromFile, Quantity, Reported, quantities
-from ._solution import SiForce
+from ._report import FromFile, ReportedList
+from ._report_parts import AreaContact
+from ._solution import DimensionlessCreepage, SiCreepage, SiForce
 from ._toml import dumps
 
 
@@ -108,7 +109,7 @@ def _columns(arrays: Mapping[str, ArrayLike]) -> dict[str, list[float]]:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class GapSolution(Reported):
+class GapSolution(ReportedList):
     """A contact of any shape, solved; all in SI units."""
 
     status: str
@@ -119,15 +120,82 @@ class GapSolution(Reported):
     """On the lower body, the moment about the origin of coordinates."""
     force_error: SiForce | None
     """Error bars of the force; None by a theory without."""
-    contact: dict[str, Any]
-    """Load, approach, area, peak pressure with error bars, and `patches`, as in report.json."""
+    contact: AreaContact
+    """Load, approach, area, peak pressure with error bars; also a dictionary, with `patches`, as in report.json."""
+    _report: dict[str, Any]
     _solved: _creepage.SolvedGapData
     _again: Callable[[], Any]
 
     @property
-    def quantities(self) -> dict[str, Quantity]:
-        """Every number of the report by its path, such as "contact.area_m2", with label, unit and error bar."""
-        return quantities(self._solved.quantities())
+    def theory(self) -> str:
+        """Its name."""
+        return str(self._report["theory"])
+
+    @property
+    def creepage(self) -> SiCreepage:
+        """Given or found, at the origin of coordinates."""
+        own = self._report["creepage"]
+        return SiCreepage(own["longitudinal"], own["lateral"], own["spin_rad_per_m"])
+
+    @property
+    def dimensionless_creepage(self) -> DimensionlessCreepage:
+        """The same in units of the contact."""
+        own = self._report["creepage"]
+        return DimensionlessCreepage(own["xi"], own["eta"], own["chi"])
+
+    @property
+    def dimensionless(self) -> tuple[float, float, float]:
+        """Force and moment over mu N and mu N c."""
+        own = self._report["dimensionless"]
+        return (own["fx"], own["fy"], own["mz"])
+
+    @property
+    def friction(self) -> float:
+        """Coefficient of friction mu."""
+        return float(self._report["friction"])
+
+    @property
+    def friction_used(self) -> float:
+        """The used share of the friction force mu N."""
+        return float(self._report["friction_used"])
+
+    @property
+    def adhesion_share(self) -> float:
+        """Adhesion area over contact area, 0 to 1."""
+        return float(self._report["areas"]["adhesion_share"])
+
+    @property
+    def adhesion_area(self) -> float:
+        """m^2."""
+        return float(self._report["areas"]["adhesion_m2"])
+
+    @property
+    def slip_area(self) -> float:
+        """m^2."""
+        return float(self._report["areas"]["slip_m2"])
+
+    @property
+    def heat_per_metre(self) -> float:
+        """Energy turned to heat per metre rolled, from force and creepage (J/m)."""
+        return float(self._report["frictional_power_per_metre_j_per_m"])
+
+    @property
+    def heat_per_metre_by_slip(self) -> float | None:
+        """The same from traction and slip over the contact (J/m), where the theory gives it."""
+        heat: float | None = self._report["frictional_power_per_metre_by_slip_j_per_m"]
+        return heat
+
+    @property
+    def speed(self) -> float | None:
+        """Rolling velocity (m/s), where the case has it."""
+        speed: float | None = self._report["rolling_velocity_m_per_s"]
+        return speed
+
+    @property
+    def power(self) -> float | None:
+        """Frictional power (W), where the rolling velocity is known."""
+        power: float | None = self._report["frictional_power_w"]
+        return power
 
     @property
     def heat(self) -> dict[str, Any] | None:
@@ -238,6 +306,5 @@ def _solution(
     force = SiForce(*(lower[f"{name}_{unit}"] for name, unit in zip(names, units, strict=True)))
     errors = [lower[f"{name}_error_{unit}"] for name, unit in zip(names, units, strict=True)]
     error = None if None in errors else SiForce(*errors)
-    return GapSolution(
-        report["status"], report["caution"], force, error, report["contact"], solved, again
-    )
+    contact = AreaContact(report["contact"])
+    return GapSolution(report["status"], report["caution"], force, error, contact, report, solved, again)

@@ -31,6 +31,17 @@ class SiCreepage(NamedTuple):
     """rad/m."""
 
 
+class DimensionlessCreepage(NamedTuple):
+    """Creepage in the thesis' units."""
+
+    xi: float
+    """Longitudinal creepage times rho / (mu c)."""
+    eta: float
+    """Lateral creepage times rho / (mu c)."""
+    chi: float
+    """Spin times rho / mu."""
+
+
 class SiForce(NamedTuple):
     """Tangential force and moment of the upper body on the lower."""
 
@@ -118,6 +129,26 @@ class Solution:
     def creepage(self) -> SiCreepage:
         """Given or found."""
         return SiCreepage(*self._solved.creepage)
+
+    @property
+    def dimensionless_creepage(self) -> DimensionlessCreepage:
+        """The same in the thesis' units."""
+        creepage, (length, slip, _, _) = self.creepage, self._data.units
+        return DimensionlessCreepage(
+            creepage.longitudinal / slip, creepage.lateral / slip, creepage.spin * length / slip
+        )
+
+    @property
+    def force_error(self) -> SiForce | None:
+        """Error bars of the force; None by a theory without."""
+        errors = [
+            self.quantities[f"lower_body.{key}"].error
+            for key in ("longitudinal_n", "lateral_n", "moment_n_m")
+        ]
+        longitudinal, lateral, moment = errors
+        if longitudinal is None or lateral is None or moment is None:
+            return None
+        return SiForce(longitudinal, lateral, moment)
 
     @property
     def contact(self) -> Hertz:

@@ -9,7 +9,7 @@ from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from . import _creepage
-from ._report import Reported
+from ._report import ReportedList
 from ._results import Floats
 from ._toml import Source, text_of
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class StaticsSolution(Reported):
+class StaticsSolution(ReportedList):
     """One problem without rolling, solved, in SI units; x and y are along the ellipse's axes."""
 
     problem: str

@@ -18,6 +18,7 @@ from numpy.typing import ArrayLike
 from . import _creepage
 from ._contact import floats
 from ._report import FromFile, ReportedList
+from ._report_parts import Wheel
 from ._map import ContactMap
 from ._results import Floats
 from ._toml import dumps
@@ -32,9 +33,10 @@ class WheelsetSolution(ReportedList):
     """ "solved", or why not."""
     caution: str | None
     """Cautions about the solution, in words."""
-    left: dict[str, Any] | None
-    """The left wheel as in report.json: `force` on the rail, `patches` by falling load."""
-    right: dict[str, Any] | None
+    left: Wheel | None
+    """The left wheel: `force` on the rail, `patches` by falling load; also a dictionary, as in report.json. None where
+    the other wheel was solved alone."""
+    right: Wheel | None
     """The right wheel."""
     derivatives: Floats | None
     """Total derivatives of the forces on the rails, of shape (2, 6, 8), where they were asked for.
@@ -42,8 +44,82 @@ class WheelsetSolution(ReportedList):
     yaw, speed, pitch_rate, lateral_velocity, yaw_rate. NaN by what is found and not given."""
     derivative_errors: Floats | None
     """What the differences may have made of each."""
+    _report: dict[str, Any]
     _solved: _creepage.SolvedWheelset
     _again: Callable[[], Any]
+
+    @property
+    def y(self) -> float:
+        """Lateral position, to the right (m)."""
+        return float(self._report["y_m"])
+
+    @property
+    def z(self) -> float:
+        """Height, down (m)."""
+        return float(self._report["z_m"])
+
+    @property
+    def roll(self) -> float:
+        """Turn about x (rad)."""
+        return float(self._report["roll_rad"])
+
+    @property
+    def yaw(self) -> float:
+        """Turn about z (rad)."""
+        return float(self._report["yaw_rad"])
+
+    @property
+    def speed(self) -> float:
+        """m/s."""
+        return float(self._report["speed_m_per_s"])
+
+    @property
+    def pitch_rate(self) -> float:
+        """Given or found (rad/s); independent wheels have their own each."""
+        return float(self._report["pitch_rate_rad_per_s"])
+
+    @property
+    def lateral_velocity(self) -> float:
+        """m/s."""
+        return float(self._report["lateral_velocity_m_per_s"])
+
+    @property
+    def vertical_velocity(self) -> float:
+        """m/s."""
+        return float(self._report["vertical_velocity_m_per_s"])
+
+    @property
+    def roll_rate(self) -> float:
+        """rad/s."""
+        return float(self._report["roll_rate_rad_per_s"])
+
+    @property
+    def yaw_rate(self) -> float:
+        """rad/s."""
+        return float(self._report["yaw_rate_rad_per_s"])
+
+    @property
+    def friction(self) -> float:
+        """Coefficient of friction mu; where places of the rail differ, the largest."""
+        return float(self._report["friction"])
+
+    @property
+    def s(self) -> float | None:
+        """Place along the track (m), where wheels or rails vary along rolling."""
+        found: float | None = self._report.get("s_m")
+        return found
+
+    @property
+    def pitch(self) -> float | None:
+        """How far the wheels have rolled on (rad), where wheels or rails vary along rolling."""
+        found: float | None = self._report.get("pitch_rad")
+        return found
+
+    @property
+    def least_friction(self) -> float | None:
+        """The least coefficient of friction, where places of the rail differ."""
+        found: float | None = self._report.get("least_friction")
+        return found
 
 
 def _profile(name: str, profile: str | os.PathLike[str] | ArrayLike) -> dict[str, Any]:
@@ -191,13 +267,15 @@ class Wheelset(FromFile):
             warnings.warn(report["caution"], UserWarning, stacklevel=2)
         found = solved.derivatives()
         values, errors = (None, None) if found is None else (a.reshape(2, 6, 8) for a in found)
+        left, right = (None if report[side] is None else Wheel(report[side]) for side in ("left", "right"))
         return WheelsetSolution(
             report["status"],
             report["caution"],
-            report["left"],
-            report["right"],
+            left,
+            right,
             values,
             errors,
+            report,
             solved,
             partial(self.solve, derivatives=derivatives),
         )

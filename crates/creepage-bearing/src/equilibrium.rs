@@ -1,16 +1,32 @@
 //! Where rings and balls stand: each ball between its grooves under load, centrifugal force and what friction does
 //! across, and the displacement of the inner ring that carries the bearing's load (Jones 1960, Harris).
 
+use creepage::numerics::{self, NewtonLimits};
 use nalgebra::{SMatrix, SVector};
 
 use crate::bearing::{BallBearing, BearingLoad, INNER, OUTER};
 use crate::error::BearingError;
-use crate::newton::newton;
 
 /// Of the load, to which an equilibrium is found.
 const TOLERANCE: f64 = 1e-9;
 /// What may be left of it where rounding ends the search.
 const ACCEPTED: f64 = 1e-6;
+
+/// Where `residual` vanishes to `tolerance`, from `start`, by Newton's method; `steps` are those of the differences. Where
+/// it stagnates, the best place; and the largest component of what is left.
+///
+/// # Errors
+/// The first of `residual` at the start or in a difference.
+pub(crate) fn newton<const N: usize, E>(
+    start: SVector<f64, N>,
+    steps: SVector<f64, N>,
+    tolerance: f64,
+    mut residual: impl FnMut(&SVector<f64, N>) -> Result<SVector<f64, N>, E>,
+) -> Result<(SVector<f64, N>, f64), E> {
+    let limits = NewtonLimits { tolerance, max_steps: 60, max_halvings: 12, least_decrease: 0.1 };
+    let found = numerics::newton(start, &steps, limits, |at| Ok(((), residual(at)?)))?;
+    Ok((found.at, found.residual.amax()))
+}
 
 /// What acts on a ball beside the loads of its races.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]

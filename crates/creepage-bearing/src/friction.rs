@@ -281,7 +281,7 @@ fn on_areas(hertz: &Hertz, friction: f64, race: usize) -> Result<Contact, Bearin
 mod tests {
     use super::{BearingTheory, RaceContact, RaceSlip};
     use crate::bearing::{BallBearing, INNER};
-    use crate::newton::newton;
+    use crate::equilibrium::newton;
     use creepage::coulomb::Resolution;
     use creepage::{SiCreepage, Solid};
     use nalgebra::SVector;

@@ -10,7 +10,6 @@ mod equilibrium;
 mod error;
 mod friction;
 mod motion;
-mod newton;
 mod solved;
 
 pub use bearing::{BallBearing, BearingLoad, Control, Operation};

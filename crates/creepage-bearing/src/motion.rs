@@ -9,9 +9,9 @@ use creepage::SiCreepage;
 use nalgebra::SVector;
 
 use crate::bearing::{BallBearing, Control, INNER, OUTER, Operation};
+use crate::equilibrium::newton;
 use crate::error::BearingError;
 use crate::friction::{RaceContact, RaceFriction, RaceSlip};
-use crate::newton::newton;
 
 /// Residual of the balance, in parts of the friction of both contacts, at which a motion is found.
 const TOLERANCE: f64 = 1e-6;

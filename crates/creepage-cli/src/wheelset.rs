@@ -87,7 +87,7 @@ fn table(args: &WheelsetArgs, case: &WheelsetCase, file: &Path) -> Result<Outcom
 
 /// Even values: first, last, count.
 fn even(name: &'static str, given: &[f64]) -> Result<Vec<f64>, Failure> {
-    const MOST: f64 = 1e5;
+    const MAX_VALUES: f64 = 1e5;
     let &[from, to, count] = given else { return Ok(Vec::new()) };
     let wrong = |value, valid| InvalidValue { quantity: name, value, valid };
     for value in [from, to] {
@@ -95,7 +95,7 @@ fn even(name: &'static str, given: &[f64]) -> Result<Vec<f64>, Failure> {
             return Err(wrong(value, "finite").into());
         }
     }
-    if !((1.0..=MOST).contains(&count) && count.fract().abs() < f64::EPSILON) {
+    if !((1.0..=MAX_VALUES).contains(&count) && count.fract().abs() < f64::EPSILON) {
         return Err(wrong(count, "a whole COUNT, 1 to 100000").into());
     }
     let step = if count > 1.0 { (to - from) / (count - 1.0) } else { 0.0 };

@@ -556,14 +556,16 @@ int32_t creepage_map_solve(const struct CreepageMap *map,
                            size_t message_size);
 
 /*
- Solves a case of any contact, a line contact, a wheelset or a bearing, and gives quantities of its report.
+ Solves a case of any contact, a line contact, a wheelset, a bearing or a problem without rolling, and gives
+ quantities of its report.
 
  path: the file in TOML, files of points and profiles beside it; or the text of one, if it has a line break.
- theory: the name of a theory in place of the file's; NULL for the file's own, as for a bearing.
+ theory: the name of a theory in place of the file's; NULL for the file's own, as for a bearing and without rolling.
  count: number of quantities.
  keys: their keys, with the section before a point, such as contact.peak_pressure_pa or lower_body.lateral_n: those of
    report.json, which the guide lists with their units; of a wheelset left.force.lateral_n or left.patches.0.area_m2,
-   0 being the most loaded contact, of a bearing balls.0.inner.heat_w. An unknown key is CREEPAGE_TEXT.
+   0 being the most loaded contact, of a bearing balls.0.inner.heat_w, without rolling found.shift_x_m. An unknown
+   key is CREEPAGE_TEXT.
  values: room for count numbers, NaN for a quantity that is unknown.
  errors: room for count numbers, their error bars, zero for what was given, NaN where nothing is known; or NULL.
  status: room for one number, CREEPAGE_SOLVED and so on; or NULL.

@@ -95,6 +95,8 @@ pub(crate) enum Failure {
     Bearing(Box<BearingCaseError>),
     #[error("a bearing has the theory of its file: theory must be NULL")]
     BearingTheory,
+    #[error("a problem without rolling is solved by no theory of rolling: theory must be NULL")]
+    StaticsTheory,
     #[error("`{name}` is no theory of line contacts: there are exact and carter")]
     LineTheory { name: String },
     #[error(transparent)]
@@ -138,6 +140,7 @@ impl Failure {
             Self::Count(_) => CREEPAGE_COUNT,
             Self::NoErrorBars(_)
             | Self::BearingTheory
+            | Self::StaticsTheory
             | Self::NoDerivative(_)
             | Self::Solve { source: SolveError::FindsNothing { .. }, .. } => CREEPAGE_UNSUPPORTED,
             Self::Solve { source: SolveError::UnattainableForce(_), .. }

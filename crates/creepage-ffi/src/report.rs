@@ -6,7 +6,7 @@ use std::slice;
 use creepage::TheorySpec;
 use creepage_study::{
     AnyCaseFile, BearingCaseError, BearingFile, BearingReport, LineFile, LineTheory, Report,
-    WheelsetFile, WheelsetFileError,
+    StaticsError, StaticsFile, StaticsReport, WheelsetFile, WheelsetFileError,
 };
 
 use crate::failure::{Failure, guard};
@@ -14,14 +14,16 @@ use crate::input::{array_mut, file, optional, optional_text, text};
 use crate::status::status as status_of;
 use crate::wheelset::status_of as status_of_wheelset;
 
-/// Solves a case of any contact, a line contact, a wheelset or a bearing, and gives quantities of its report.
+/// Solves a case of any contact, a line contact, a wheelset, a bearing or a problem without rolling, and gives
+/// quantities of its report.
 ///
 /// path: the file in TOML, files of points and profiles beside it; or the text of one, if it has a line break.
-/// theory: the name of a theory in place of the file's; NULL for the file's own, as for a bearing.
+/// theory: the name of a theory in place of the file's; NULL for the file's own, as for a bearing and without rolling.
 /// count: number of quantities.
 /// keys: their keys, with the section before a point, such as contact.peak_pressure_pa or lower_body.lateral_n: those of
 ///   report.json, which the guide lists with their units; of a wheelset left.force.lateral_n or left.patches.0.area_m2,
-///   0 being the most loaded contact, of a bearing balls.0.inner.heat_w. An unknown key is CREEPAGE_TEXT.
+///   0 being the most loaded contact, of a bearing balls.0.inner.heat_w, without rolling found.shift_x_m. An unknown
+///   key is CREEPAGE_TEXT.
 /// values: room for count numbers, NaN for a quantity that is unknown.
 /// errors: room for count numbers, their error bars, zero for what was given, NaN where nothing is known; or NULL.
 /// status: room for one number, CREEPAGE_SOLVED and so on; or NULL.
@@ -97,6 +99,16 @@ fn solved(path: &str, theory: Option<&str>) -> Result<(Report, i32), Failure> {
         let case = BearingFile::read(&text).and_then(|file| file.case());
         let solved = BearingReport::solve(case.map_err(BearingCaseError::from)?)?;
         return Ok((solved.report(), status_of(&solved.cautions())));
+    }
+    if StaticsFile::is_one(&text) {
+        if theory.is_some() {
+            return Err(Failure::StaticsTheory);
+        }
+        let wrong = |error: StaticsError| Failure::Statics(Box::new(error));
+        let file = StaticsFile::read(&text).map_err(StaticsError::from);
+        let case = file.and_then(|file| file.solve()).map_err(wrong)?;
+        let report = StaticsReport::new(&case).map_err(wrong)?.report();
+        return Ok((report, status_of(&case.cautions)));
     }
     if LineFile::is_one(&text) {
         let mut case = LineFile::read(&text).and_then(|file| file.case())?;

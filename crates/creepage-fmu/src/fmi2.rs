@@ -2,17 +2,17 @@
 // Names and arguments are those of the standard.
 #![allow(non_snake_case, clippy::too_many_arguments, clippy::fn_params_excessive_bools)]
 
-use std::ffi::{CStr, CString, c_char, c_int, c_uint, c_void};
+use std::ffi::{CStr, c_char, c_int, c_uint, c_void};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::ptr;
 
-use creepage_map::MapError;
+use crate::host::{
+    self, Component, DISCARD, ERROR, Log, OK, Status, functions_of_both, slice, slice_mut, with,
+};
+use crate::instance::{Inputs, STATE_BYTES};
 
-use crate::host::{self, DISCARD, ERROR, OK, Status, places, slice, slice_mut};
-use crate::instance::{Inputs, Instance, STATE_BYTES};
-use crate::variables::{real, switch};
-
-type Logger =
+/// The host's function for messages.
+pub(crate) type Logger =
     unsafe extern "C" fn(*mut c_void, *const c_char, Status, *const c_char, *const c_char, ...);
 
 /// What the host gives.
@@ -24,54 +24,6 @@ pub struct Callbacks {
     free: *const c_void,
     step_finished: *const c_void,
     environment: *mut c_void,
-}
-
-/// What an instance is to the host.
-#[derive(Debug)]
-pub struct Component {
-    instance: Instance,
-    name: CString,
-    logger: Option<Logger>,
-    environment: *mut c_void,
-}
-
-impl Component {
-    fn say(&self, status: Status, words: &str) {
-        let Some(logger) = self.logger else { return };
-        // A message goes as an argument: it may hold signs of a format.
-        let words = CString::new(words.replace('%', "%%")).unwrap_or_default();
-        // SAFETY: the host's own function, with what it gave us; texts end with a zero.
-        unsafe {
-            logger(
-                self.environment,
-                self.name.as_ptr(),
-                status,
-                c"logStatusError".as_ptr(),
-                words.as_ptr(),
-            );
-        }
-    }
-
-    /// What comes of a failure of the map.
-    fn discard(&self, error: &MapError) -> Status {
-        self.say(DISCARD, &error.to_string());
-        DISCARD
-    }
-
-    fn wrong(&self, words: &str) -> Status {
-        self.say(ERROR, words);
-        ERROR
-    }
-}
-
-/// Does something with an instance; a NULL is an error, and nothing unwinds into the host.
-///
-/// # Safety
-/// `component` is NULL or of [`fmi2Instantiate`] and not freed.
-unsafe fn with(component: *mut Component, work: impl FnOnce(&mut Component) -> Status) -> Status {
-    // SAFETY: the host's promise.
-    let Some(component) = (unsafe { component.as_mut() }) else { return ERROR };
-    catch_unwind(AssertUnwindSafe(|| work(component))).unwrap_or(ERROR)
 }
 
 /// The path of a `file:` URI, its signs decoded.
@@ -147,45 +99,24 @@ pub unsafe extern "C" fn fmi2Instantiate(
             (!text.is_null()).then(|| unsafe { CStr::from_ptr(text) })
         };
         let name = text(name).map(CStr::to_owned).unwrap_or_default();
-        let logger = callbacks.and_then(|callbacks| callbacks.logger);
-        let environment = callbacks.map_or(ptr::null_mut(), |callbacks| callbacks.environment);
-        let say = |words: &str| {
-            let words = CString::new(words.replace('%', "%%")).unwrap_or_default();
-            if let Some(logger) = logger {
-                let (name, words) = (name.as_ptr(), words.as_ptr());
-                // SAFETY: as of `Component::say`.
-                unsafe { logger(environment, name, ERROR, c"logStatusError".as_ptr(), words) };
+        let log = match callbacks {
+            Some(Callbacks { logger: Some(logger), environment, .. }) => {
+                Log::Two(*logger, name, *environment)
             }
+            _ => Log::None,
         };
         let (Some(guid), Some(resources)) = (text(guid), text(resources)) else {
-            say("guid and resource location are needed");
+            log.say(ERROR, "guid and resource location are needed");
             return ptr::null_mut();
         };
-        let directory = path_of(&resources.to_string_lossy());
-        let path = format!("{}/wheelset.nc", directory.trim_end_matches('/'));
-        match Instance::open(&path, &guid.to_string_lossy()) {
-            Ok(instance) => {
-                Box::into_raw(Box::new(Component { instance, name, logger, environment }))
-            }
-            Err(error) => {
-                say(&error.to_string());
-                ptr::null_mut()
-            }
-        }
+        Component::open(log, &path_of(&resources.to_string_lossy()), &guid.to_string_lossy())
     };
     catch_unwind(AssertUnwindSafe(make)).unwrap_or(ptr::null_mut())
 }
 
-/// Frees an instance.
-///
-/// # Safety
-/// It is of [`fmi2Instantiate`] or NULL, and not used again.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2FreeInstance(component: *mut Component) {
-    if !component.is_null() {
-        // SAFETY: the host gives it up.
-        drop(unsafe { Box::from_raw(component) });
-    }
+functions_of_both! {
+    fmi2FreeInstance, fmi2Reset, fmi2SetTime, fmi2GetFMUstate, fmi2SetFMUstate, fmi2FreeFMUstate,
+    fmi2SerializedFMUstateSize, fmi2SerializeFMUstate, fmi2DeSerializeFMUstate
 }
 
 /// Functions that take an instance and have nothing to do.
@@ -246,34 +177,6 @@ pub unsafe extern "C" fn fmi2SetupExperiment(
     unsafe { fmi2SetTime(component, start) }
 }
 
-/// As new.
-///
-/// # Safety
-/// The instance is alive.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2Reset(component: *mut Component) -> Status {
-    let work = |component: &mut Component| {
-        component.instance.reset();
-        OK
-    };
-    // SAFETY: the host's promise.
-    unsafe { with(component, work) }
-}
-
-/// Sets the time, on which nothing depends.
-///
-/// # Safety
-/// The instance is alive.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2SetTime(component: *mut Component, time: f64) -> Status {
-    let work = |component: &mut Component| {
-        component.instance.inputs.time = time;
-        OK
-    };
-    // SAFETY: the host's promise.
-    unsafe { with(component, work) }
-}
-
 /// Numbers by their references.
 ///
 /// # Safety
@@ -287,18 +190,7 @@ pub unsafe extern "C" fn fmi2GetReal(
 ) -> Status {
     // SAFETY: the host's promise, here and below.
     let (references, values) = unsafe { (slice(references, count), slice_mut(values, count)) };
-    let work = |component: &mut Component| {
-        for (value, reference) in values.iter_mut().zip(references) {
-            let Some(place) = real(*reference) else {
-                return component.wrong(&format!("no Real has the reference {reference}"));
-            };
-            match component.instance.real(place) {
-                Ok(found) => *value = found,
-                Err(error) => return component.discard(&error),
-            }
-        }
-        OK
-    };
+    let work = |component: &mut Component| component.get_reals((references, values), None, "Real");
     // SAFETY: as before.
     unsafe { with(component, work) }
 }
@@ -316,16 +208,7 @@ pub unsafe extern "C" fn fmi2SetReal(
 ) -> Status {
     // SAFETY: the host's promise, here and below.
     let (references, values) = unsafe { (slice(references, count), slice(values, count)) };
-    let work = |component: &mut Component| {
-        for (value, reference) in values.iter().zip(references) {
-            let is_set =
-                real(*reference).is_some_and(|place| component.instance.set_real(place, *value));
-            if !is_set {
-                return component.wrong(&format!("no input has the reference {reference}"));
-            }
-        }
-        OK
-    };
+    let work = |component: &mut Component| component.set_reals(references, values);
     // SAFETY: as before.
     unsafe { with(component, work) }
 }
@@ -343,15 +226,7 @@ pub unsafe extern "C" fn fmi2GetBoolean(
 ) -> Status {
     // SAFETY: the host's promise, here and below.
     let (references, values) = unsafe { (slice(references, count), slice_mut(values, count)) };
-    let work = |component: &mut Component| {
-        for (value, reference) in values.iter_mut().zip(references) {
-            let Some(place) = switch(*reference) else {
-                return component.wrong(&format!("no Boolean has the reference {reference}"));
-            };
-            *value = c_int::from(component.instance.inputs.switches[place]);
-        }
-        OK
-    };
+    let work = |component: &mut Component| component.get_switches(references, values);
     // SAFETY: as before.
     unsafe { with(component, work) }
 }
@@ -369,15 +244,7 @@ pub unsafe extern "C" fn fmi2SetBoolean(
 ) -> Status {
     // SAFETY: the host's promise, here and below.
     let (references, values) = unsafe { (slice(references, count), slice(values, count)) };
-    let work = |component: &mut Component| {
-        for (value, reference) in values.iter().zip(references) {
-            let Some(place) = switch(*reference) else {
-                return component.wrong(&format!("no Boolean has the reference {reference}"));
-            };
-            component.instance.set_switch(place, *value != 0);
-        }
-        OK
-    };
+    let work = |component: &mut Component| component.set_switches(references, values);
     // SAFETY: as before.
     unsafe { with(component, work) }
 }
@@ -412,110 +279,6 @@ none_of_kind! {
     fmi2SetString: *const *const c_char, "String";
 }
 
-/// Keeps what an instance remembers.
-///
-/// # Safety
-/// The instance is alive; `state` points to NULL or to a state of this function.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2GetFMUstate(
-    component: *mut Component,
-    state: *mut *mut Inputs,
-) -> Status {
-    // SAFETY: the host's promise, here and below.
-    let work = |component: &mut Component| unsafe { host::keep(component.instance.inputs, state) };
-    // SAFETY: as before.
-    unsafe { with(component, work) }
-}
-
-/// Goes back to what was kept.
-///
-/// # Safety
-/// The instance is alive, `state` is of [`fmi2GetFMUstate`].
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2SetFMUstate(component: *mut Component, state: *mut Inputs) -> Status {
-    // SAFETY: the host's promise, here and below.
-    let Some(state) = (unsafe { state.as_ref() }) else { return ERROR };
-    let work = |component: &mut Component| {
-        component.instance.set_inputs(*state);
-        OK
-    };
-    // SAFETY: as before.
-    unsafe { with(component, work) }
-}
-
-/// Frees what was kept.
-///
-/// # Safety
-/// `state` points to NULL or to a state, which is not used again.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2FreeFMUstate(
-    component: *mut Component,
-    state: *mut *mut Inputs,
-) -> Status {
-    // SAFETY: the host's promise, here and below.
-    unsafe { with(component, |_| host::free(state)) }
-}
-
-/// Bytes of a kept state.
-///
-/// # Safety
-/// The instance is alive.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2SerializedFMUstateSize(
-    component: *mut Component,
-    _state: *mut Inputs,
-    size: *mut usize,
-) -> Status {
-    let work = |_: &mut Component| {
-        // SAFETY: the host's promise.
-        let Some(size) = (unsafe { size.as_mut() }) else { return ERROR };
-        *size = STATE_BYTES;
-        OK
-    };
-    // SAFETY: the host's promise.
-    unsafe { with(component, work) }
-}
-
-/// Writes a kept state as bytes.
-///
-/// # Safety
-/// The instance is alive, `state` is a state, `bytes` has room for `size`.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2SerializeFMUstate(
-    component: *mut Component,
-    state: *mut Inputs,
-    bytes: *mut u8,
-    size: usize,
-) -> Status {
-    let work = |component: &mut Component| {
-        // SAFETY: the host's promise.
-        let written = unsafe { host::written(state, bytes, size) };
-        written.map_or_else(|| component.wrong("there is no room for the state"), |()| OK)
-    };
-    // SAFETY: as before.
-    unsafe { with(component, work) }
-}
-
-/// Reads a kept state from bytes.
-///
-/// # Safety
-/// As of [`fmi2SerializeFMUstate`]; `state` points to NULL or to a state.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2DeSerializeFMUstate(
-    component: *mut Component,
-    bytes: *const u8,
-    size: usize,
-    state: *mut *mut Inputs,
-) -> Status {
-    let work = |component: &mut Component| {
-        // SAFETY: the host's promise.
-        let read = unsafe { host::read(bytes, size, state) };
-        read.map_or_else(|| component.wrong("these are no bytes of a state"), |()| OK)
-    };
-    // SAFETY: as before.
-    unsafe { with(component, work) }
-}
-
 /// Change of outputs with inputs.
 ///
 /// # Safety
@@ -537,17 +300,7 @@ pub unsafe extern "C" fn fmi2GetDirectionalDerivative(
     let (seed, found) =
         unsafe { (slice(seed, known_count), slice_mut(sensitivity, unknown_count)) };
     let work = |component: &mut Component| {
-        let Some((outputs, inputs)) = places(unknowns, knowns) else {
-            return component.wrong("derivatives are those of outputs by inputs");
-        };
-        let inputs: Vec<_> = inputs.into_iter().zip(seed.iter().copied()).collect();
-        match component.instance.derivative(&outputs, &inputs) {
-            Ok(change) => {
-                found.copy_from_slice(&change);
-                OK
-            }
-            Err(error) => component.discard(&error),
-        }
+        component.directional_derivative([unknowns, knowns], seed, found)
     };
     // SAFETY: as before.
     unsafe { with(component, work) }

@@ -2,57 +2,28 @@
 // Names and arguments are those of the standard.
 #![allow(non_snake_case, clippy::too_many_arguments, clippy::fn_params_excessive_bools)]
 
-use std::ffi::{CStr, CString, c_char, c_int, c_void};
+use std::ffi::{CStr, c_char, c_int, c_void};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::ptr;
 
-use crate::host::{self, DISCARD, ERROR, OK, Status, places, slice, slice_mut};
-use crate::instance::{Inputs, Instance, STATE_BYTES};
-use crate::variables::{real, switch};
+use crate::host::{
+    self, Component, ERROR, Log, NO_DERIVATIVE, OK, Status, functions_of_both, places, slice,
+    slice_mut, with,
+};
+use crate::instance::{Inputs, STATE_BYTES};
 
-type LogMessage = unsafe extern "C" fn(*mut c_void, Status, *const c_char, *const c_char);
-
-/// What an instance of version 3 is to the host.
-#[derive(Debug)]
-pub struct Instance3 {
-    instance: Instance,
-    log: Option<LogMessage>,
-    environment: *mut c_void,
-}
-
-impl Instance3 {
-    fn say(&self, status: Status, words: &str) -> Status {
-        say(self.log, self.environment, status, words);
-        status
-    }
-
-    fn wrong(&self, words: &str) -> Status {
-        self.say(ERROR, words)
-    }
-}
-
-fn say(log: Option<LogMessage>, environment: *mut c_void, status: Status, words: &str) {
-    let words = CString::new(words).unwrap_or_default();
-    if let Some(log) = log {
-        // SAFETY: the host's own function with what it gave us; texts end with a zero.
-        unsafe { log(environment, status, c"logStatusError".as_ptr(), words.as_ptr()) };
-    }
-}
-
-/// Does something with an instance; a NULL is an error, and nothing unwinds into the host.
-///
-/// # Safety
-/// `instance` is NULL or of this library and not freed.
-unsafe fn with(instance: *mut Instance3, work: impl FnOnce(&mut Instance3) -> Status) -> Status {
-    // SAFETY: the host's promise.
-    let Some(instance) = (unsafe { instance.as_mut() }) else { return ERROR };
-    catch_unwind(AssertUnwindSafe(|| work(instance))).unwrap_or(ERROR)
-}
+/// The host's function for messages.
+pub(crate) type LogMessage =
+    unsafe extern "C" fn(*mut c_void, Status, *const c_char, *const c_char);
 
 /// Version of the interface.
 #[unsafe(no_mangle)]
 pub extern "C" fn fmi3GetVersion() -> *const c_char {
     c"3.0".as_ptr()
+}
+
+fn log_of(log: Option<LogMessage>, environment: *mut c_void) -> Log {
+    log.map_or(Log::None, |log| Log::Three(log, environment))
 }
 
 /// Makes an instance from the map among the resources.
@@ -64,24 +35,18 @@ unsafe fn instantiate(
     resources: *const c_char,
     environment: *mut c_void,
     log: Option<LogMessage>,
-) -> *mut Instance3 {
+) -> *mut Component {
     let make = || {
+        let log = log_of(log, environment);
         let text = |text: *const c_char| {
             // SAFETY: the caller's promise.
             (!text.is_null()).then(|| unsafe { CStr::from_ptr(text) }.to_string_lossy())
         };
         let (Some(token), Some(resources)) = (text(token), text(resources)) else {
-            say(log, environment, ERROR, "instantiation token and resource path are needed");
+            log.say(ERROR, "instantiation token and resource path are needed");
             return ptr::null_mut();
         };
-        let path = format!("{}/wheelset.nc", resources.trim_end_matches(['/', '\\']));
-        match Instance::open(&path, &token) {
-            Ok(instance) => Box::into_raw(Box::new(Instance3 { instance, log, environment })),
-            Err(error) => {
-                say(log, environment, ERROR, &error.to_string());
-                ptr::null_mut()
-            }
-        }
+        Component::open(log, &resources, &token)
     };
     catch_unwind(AssertUnwindSafe(make)).unwrap_or(ptr::null_mut())
 }
@@ -99,7 +64,7 @@ pub unsafe extern "C" fn fmi3InstantiateModelExchange(
     _logging: bool,
     environment: *mut c_void,
     log: Option<LogMessage>,
-) -> *mut Instance3 {
+) -> *mut Component {
     // SAFETY: the host's promise.
     unsafe { instantiate(token, resources, environment, log) }
 }
@@ -122,7 +87,7 @@ pub unsafe extern "C" fn fmi3InstantiateCoSimulation(
     environment: *mut c_void,
     log: Option<LogMessage>,
     _intermediate_update: *const c_void,
-) -> *mut Instance3 {
+) -> *mut Component {
     // SAFETY: the host's promise.
     unsafe { instantiate(token, resources, environment, log) }
 }
@@ -143,21 +108,14 @@ pub unsafe extern "C" fn fmi3InstantiateScheduledExecution(
     _clock_update: *const c_void,
     _lock: *const c_void,
     _unlock: *const c_void,
-) -> *mut Instance3 {
-    say(log, environment, ERROR, "there is no Scheduled Execution");
+) -> *mut Component {
+    log_of(log, environment).say(ERROR, "there is no Scheduled Execution");
     ptr::null_mut()
 }
 
-/// Frees an instance.
-///
-/// # Safety
-/// It is of this library or NULL, and not used again.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi3FreeInstance(instance: *mut Instance3) {
-    if !instance.is_null() {
-        // SAFETY: the host gives it up.
-        drop(unsafe { Box::from_raw(instance) });
-    }
+functions_of_both! {
+    fmi3FreeInstance, fmi3Reset, fmi3SetTime, fmi3GetFMUState, fmi3SetFMUState, fmi3FreeFMUState,
+    fmi3SerializedFMUStateSize, fmi3SerializeFMUState, fmi3DeserializeFMUState
 }
 
 /// Functions that take an instance and have nothing to do.
@@ -168,10 +126,10 @@ macro_rules! nothing_to_do {
         /// # Safety
         /// The instance is alive.
         #[unsafe(no_mangle)]
-        pub unsafe extern "C" fn $name(instance: *mut Instance3, $($argument: $kind),*) -> Status {
+        pub unsafe extern "C" fn $name(component: *mut Component, $($argument: $kind),*) -> Status {
             let _ = ($($argument,)*);
             // SAFETY: the host's promise.
-            unsafe { with(instance, |_| OK) }
+            unsafe { with(component, |_| OK) }
         }
     )*};
 }
@@ -199,7 +157,7 @@ nothing_to_do! {
 /// The instance is alive.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi3EnterInitializationMode(
-    instance: *mut Instance3,
+    component: *mut Component,
     _has_tolerance: bool,
     _tolerance: f64,
     start: f64,
@@ -207,35 +165,7 @@ pub unsafe extern "C" fn fmi3EnterInitializationMode(
     _stop: f64,
 ) -> Status {
     // SAFETY: the host's promise.
-    unsafe { fmi3SetTime(instance, start) }
-}
-
-/// As new.
-///
-/// # Safety
-/// The instance is alive.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi3Reset(instance: *mut Instance3) -> Status {
-    let work = |instance: &mut Instance3| {
-        instance.instance.reset();
-        OK
-    };
-    // SAFETY: the host's promise.
-    unsafe { with(instance, work) }
-}
-
-/// Sets the time, on which nothing depends.
-///
-/// # Safety
-/// The instance is alive.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi3SetTime(instance: *mut Instance3, time: f64) -> Status {
-    let work = |instance: &mut Instance3| {
-        instance.instance.inputs.time = time;
-        OK
-    };
-    // SAFETY: the host's promise.
-    unsafe { with(instance, work) }
+    unsafe { fmi3SetTime(component, start) }
 }
 
 /// Numbers by their references; that of time is 0.
@@ -244,7 +174,7 @@ pub unsafe extern "C" fn fmi3SetTime(instance: *mut Instance3, time: f64) -> Sta
 /// The instance is alive; arrays have as many elements as said.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi3GetFloat64(
-    instance: *mut Instance3,
+    component: *mut Component,
     references: *const u32,
     count: usize,
     values: *mut f64,
@@ -253,24 +183,10 @@ pub unsafe extern "C" fn fmi3GetFloat64(
     // SAFETY: the host's promise, here and below.
     let (references, values) =
         unsafe { (slice(references, count), slice_mut(values, value_count)) };
-    let work = |instance: &mut Instance3| {
-        for (value, reference) in values.iter_mut().zip(references) {
-            if *reference == 0 {
-                *value = instance.instance.inputs.time;
-                continue;
-            }
-            let Some(place) = real(*reference) else {
-                return instance.wrong(&format!("no Float64 has the reference {reference}"));
-            };
-            match instance.instance.real(place) {
-                Ok(found) => *value = found,
-                Err(error) => return instance.say(DISCARD, &error.to_string()),
-            }
-        }
-        OK
-    };
+    let work =
+        |component: &mut Component| component.get_reals((references, values), Some(0), "Float64");
     // SAFETY: as before.
-    unsafe { with(instance, work) }
+    unsafe { with(component, work) }
 }
 
 /// Sets inputs.
@@ -279,7 +195,7 @@ pub unsafe extern "C" fn fmi3GetFloat64(
 /// As of [`fmi3GetFloat64`].
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi3SetFloat64(
-    instance: *mut Instance3,
+    component: *mut Component,
     references: *const u32,
     count: usize,
     values: *const f64,
@@ -287,18 +203,9 @@ pub unsafe extern "C" fn fmi3SetFloat64(
 ) -> Status {
     // SAFETY: the host's promise, here and below.
     let (references, values) = unsafe { (slice(references, count), slice(values, value_count)) };
-    let work = |instance: &mut Instance3| {
-        for (value, reference) in values.iter().zip(references) {
-            let is_set =
-                real(*reference).is_some_and(|place| instance.instance.set_real(place, *value));
-            if !is_set {
-                return instance.wrong(&format!("no input has the reference {reference}"));
-            }
-        }
-        OK
-    };
+    let work = |component: &mut Component| component.set_reals(references, values);
     // SAFETY: as before.
-    unsafe { with(instance, work) }
+    unsafe { with(component, work) }
 }
 
 /// Switches by their references.
@@ -307,7 +214,7 @@ pub unsafe extern "C" fn fmi3SetFloat64(
 /// As of [`fmi3GetFloat64`].
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi3GetBoolean(
-    instance: *mut Instance3,
+    component: *mut Component,
     references: *const u32,
     count: usize,
     values: *mut bool,
@@ -316,17 +223,9 @@ pub unsafe extern "C" fn fmi3GetBoolean(
     // SAFETY: the host's promise, here and below.
     let (references, values) =
         unsafe { (slice(references, count), slice_mut(values, value_count)) };
-    let work = |instance: &mut Instance3| {
-        for (value, reference) in values.iter_mut().zip(references) {
-            let Some(place) = switch(*reference) else {
-                return instance.wrong(&format!("no Boolean has the reference {reference}"));
-            };
-            *value = instance.instance.inputs.switches[place];
-        }
-        OK
-    };
+    let work = |component: &mut Component| component.get_switches(references, values);
     // SAFETY: as before.
-    unsafe { with(instance, work) }
+    unsafe { with(component, work) }
 }
 
 /// Sets switches.
@@ -335,7 +234,7 @@ pub unsafe extern "C" fn fmi3GetBoolean(
 /// As of [`fmi3GetFloat64`].
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi3SetBoolean(
-    instance: *mut Instance3,
+    component: *mut Component,
     references: *const u32,
     count: usize,
     values: *const u8,
@@ -343,17 +242,9 @@ pub unsafe extern "C" fn fmi3SetBoolean(
 ) -> Status {
     // SAFETY: the host's promise, here and below; any byte but zero is true.
     let (references, values) = unsafe { (slice(references, count), slice(values, value_count)) };
-    let work = |instance: &mut Instance3| {
-        for (value, reference) in values.iter().zip(references) {
-            let Some(place) = switch(*reference) else {
-                return instance.wrong(&format!("no Boolean has the reference {reference}"));
-            };
-            instance.instance.set_switch(place, *value != 0);
-        }
-        OK
-    };
+    let work = |component: &mut Component| component.set_switches(references, values);
     // SAFETY: as before.
-    unsafe { with(instance, work) }
+    unsafe { with(component, work) }
 }
 
 /// Kinds of variables that the FMU has none of.
@@ -365,17 +256,17 @@ macro_rules! none_of_kind {
         /// The instance is alive.
         #[unsafe(no_mangle)]
         pub unsafe extern "C" fn $name(
-            instance: *mut Instance3,
+            component: *mut Component,
             _references: *const u32,
             count: usize,
             _values: $pointer,
             _value_count: usize,
         ) -> Status {
-            let work = |instance: &mut Instance3| {
-                if count == 0 { OK } else { instance.wrong("there is no variable of this kind") }
+            let work = |component: &mut Component| {
+                if count == 0 { OK } else { component.wrong("there is no variable of this kind") }
             };
             // SAFETY: the host's promise.
-            unsafe { with(instance, work) }
+            unsafe { with(component, work) }
         }
     )*};
 }
@@ -412,17 +303,17 @@ macro_rules! none_of_clocks {
         /// The instance is alive.
         #[unsafe(no_mangle)]
         pub unsafe extern "C" fn $name(
-            instance: *mut Instance3,
+            component: *mut Component,
             _references: *const u32,
             count: usize,
             $($argument: $kind),*
         ) -> Status {
             let _ = ($($argument,)*);
-            let work = |instance: &mut Instance3| {
-                if count == 0 { OK } else { instance.wrong("there is no variable of this kind") }
+            let work = |component: &mut Component| {
+                if count == 0 { OK } else { component.wrong("there is no variable of this kind") }
             };
             // SAFETY: the host's promise.
-            unsafe { with(instance, work) }
+            unsafe { with(component, work) }
         }
     )*};
 }
@@ -451,19 +342,19 @@ macro_rules! numbers_of_nothing {
         /// The instance is alive, and the place for the number.
         #[unsafe(no_mangle)]
         pub unsafe extern "C" fn $name(
-            instance: *mut Instance3,
+            component: *mut Component,
             $($argument: $kind,)*
             number: *mut usize,
         ) -> Status {
             let _ = ($($argument,)*);
-            let work = |_: &mut Instance3| {
+            let work = |_: &mut Component| {
                 // SAFETY: the host's promise.
                 let Some(number) = (unsafe { number.as_mut() }) else { return ERROR };
                 *number = 0;
                 OK
             };
             // SAFETY: the host's promise.
-            unsafe { with(instance, work) }
+            unsafe { with(component, work) }
         }
     )*};
 }
@@ -480,7 +371,7 @@ numbers_of_nothing! {
 /// The instance is alive.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi3GetVariableDependencies(
-    instance: *mut Instance3,
+    component: *mut Component,
     _dependent: u32,
     _dependent_elements: *mut usize,
     _independents: *mut u32,
@@ -489,111 +380,7 @@ pub unsafe extern "C" fn fmi3GetVariableDependencies(
     _count: usize,
 ) -> Status {
     // SAFETY: the host's promise.
-    unsafe { with(instance, |_| OK) }
-}
-
-/// Keeps what an instance remembers.
-///
-/// # Safety
-/// The instance is alive; `state` points to NULL or to a state of this function.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi3GetFMUState(
-    instance: *mut Instance3,
-    state: *mut *mut Inputs,
-) -> Status {
-    // SAFETY: the host's promise, here and below.
-    let work = |instance: &mut Instance3| unsafe { host::keep(instance.instance.inputs, state) };
-    // SAFETY: as before.
-    unsafe { with(instance, work) }
-}
-
-/// Goes back to what was kept.
-///
-/// # Safety
-/// The instance is alive, `state` is of [`fmi3GetFMUState`].
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi3SetFMUState(instance: *mut Instance3, state: *mut Inputs) -> Status {
-    // SAFETY: the host's promise, here and below.
-    let Some(state) = (unsafe { state.as_ref() }) else { return ERROR };
-    let work = |instance: &mut Instance3| {
-        instance.instance.set_inputs(*state);
-        OK
-    };
-    // SAFETY: as before.
-    unsafe { with(instance, work) }
-}
-
-/// Frees what was kept.
-///
-/// # Safety
-/// `state` points to NULL or to a state, which is not used again.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi3FreeFMUState(
-    instance: *mut Instance3,
-    state: *mut *mut Inputs,
-) -> Status {
-    // SAFETY: the host's promise, here and below.
-    unsafe { with(instance, |_| host::free(state)) }
-}
-
-/// Bytes of a kept state.
-///
-/// # Safety
-/// The instance is alive.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi3SerializedFMUStateSize(
-    instance: *mut Instance3,
-    _state: *mut Inputs,
-    size: *mut usize,
-) -> Status {
-    let work = |_: &mut Instance3| {
-        // SAFETY: the host's promise.
-        let Some(size) = (unsafe { size.as_mut() }) else { return ERROR };
-        *size = STATE_BYTES;
-        OK
-    };
-    // SAFETY: the host's promise.
-    unsafe { with(instance, work) }
-}
-
-/// Writes a kept state as bytes.
-///
-/// # Safety
-/// The instance is alive, `state` is a state, `bytes` has room for `size`.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi3SerializeFMUState(
-    instance: *mut Instance3,
-    state: *mut Inputs,
-    bytes: *mut u8,
-    size: usize,
-) -> Status {
-    let work = |instance: &mut Instance3| {
-        // SAFETY: the host's promise.
-        let written = unsafe { host::written(state, bytes, size) };
-        written.map_or_else(|| instance.wrong("there is no room for the state"), |()| OK)
-    };
-    // SAFETY: as before.
-    unsafe { with(instance, work) }
-}
-
-/// Reads a kept state from bytes.
-///
-/// # Safety
-/// As of [`fmi3SerializeFMUState`]; `state` points to NULL or to a state.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi3DeserializeFMUState(
-    instance: *mut Instance3,
-    bytes: *const u8,
-    size: usize,
-    state: *mut *mut Inputs,
-) -> Status {
-    let work = |instance: &mut Instance3| {
-        // SAFETY: the host's promise.
-        let read = unsafe { host::read(bytes, size, state) };
-        read.map_or_else(|| instance.wrong("these are no bytes of a state"), |()| OK)
-    };
-    // SAFETY: as before.
-    unsafe { with(instance, work) }
+    unsafe { with(component, |_| OK) }
 }
 
 /// Change of outputs with inputs.
@@ -602,7 +389,7 @@ pub unsafe extern "C" fn fmi3DeserializeFMUState(
 /// The instance is alive; arrays have as many elements as said.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi3GetDirectionalDerivative(
-    instance: *mut Instance3,
+    component: *mut Component,
     unknowns: *const u32,
     unknown_count: usize,
     knowns: *const u32,
@@ -618,21 +405,11 @@ pub unsafe extern "C" fn fmi3GetDirectionalDerivative(
     // SAFETY: as before.
     let (seed, found) =
         unsafe { (slice(seed, seed_count), slice_mut(sensitivity, sensitivity_count)) };
-    let work = |instance: &mut Instance3| {
-        let Some((outputs, inputs)) = places(unknowns, knowns) else {
-            return instance.wrong("derivatives are those of outputs by inputs");
-        };
-        let direction: Vec<_> = inputs.into_iter().zip(seed.iter().copied()).collect();
-        match instance.instance.derivative(&outputs, &direction) {
-            Ok(change) => {
-                found.iter_mut().zip(change).for_each(|(to, from)| *to = from);
-                OK
-            }
-            Err(error) => instance.say(DISCARD, &error.to_string()),
-        }
+    let work = |component: &mut Component| {
+        component.directional_derivative([unknowns, knowns], seed, found)
     };
     // SAFETY: as before.
-    unsafe { with(instance, work) }
+    unsafe { with(component, work) }
 }
 
 /// The transposed change: of a weighted sum of outputs by each input.
@@ -641,7 +418,7 @@ pub unsafe extern "C" fn fmi3GetDirectionalDerivative(
 /// As of [`fmi3GetDirectionalDerivative`].
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi3GetAdjointDerivative(
-    instance: *mut Instance3,
+    component: *mut Component,
     unknowns: *const u32,
     unknown_count: usize,
     knowns: *const u32,
@@ -657,20 +434,20 @@ pub unsafe extern "C" fn fmi3GetAdjointDerivative(
     // SAFETY: as before.
     let (seed, found) =
         unsafe { (slice(seed, seed_count), slice_mut(sensitivity, sensitivity_count)) };
-    let work = |instance: &mut Instance3| {
+    let work = |component: &mut Component| {
         let Some((outputs, inputs)) = places(unknowns, knowns) else {
-            return instance.wrong("derivatives are those of outputs by inputs");
+            return component.wrong(NO_DERIVATIVE);
         };
         for (found, input) in found.iter_mut().zip(inputs) {
-            match instance.instance.derivative(&outputs, &[(input, 1.0)]) {
+            match component.instance.derivative(&outputs, &[(input, 1.0)]) {
                 Ok(change) => *found = change.iter().zip(seed).map(|(one, by)| one * by).sum(),
-                Err(error) => return instance.say(DISCARD, &error.to_string()),
+                Err(error) => return component.discard(&error),
             }
         }
         OK
     };
     // SAFETY: as before.
-    unsafe { with(instance, work) }
+    unsafe { with(component, work) }
 }
 
 /// There are no discrete states.
@@ -679,7 +456,7 @@ pub unsafe extern "C" fn fmi3GetAdjointDerivative(
 /// The instance is alive, and places are.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi3UpdateDiscreteStates(
-    instance: *mut Instance3,
+    component: *mut Component,
     needed: *mut bool,
     terminate: *mut bool,
     nominals: *mut bool,
@@ -687,7 +464,7 @@ pub unsafe extern "C" fn fmi3UpdateDiscreteStates(
     is_defined: *mut bool,
     next: *mut f64,
 ) -> Status {
-    let work = |_: &mut Instance3| {
+    let work = |_: &mut Component| {
         for place in [needed, terminate, nominals, values, is_defined] {
             // SAFETY: the host's promise, here and below.
             if let Some(place) = unsafe { place.as_mut() } {
@@ -701,7 +478,7 @@ pub unsafe extern "C" fn fmi3UpdateDiscreteStates(
         OK
     };
     // SAFETY: as before.
-    unsafe { with(instance, work) }
+    unsafe { with(component, work) }
 }
 
 /// There are no step events.
@@ -710,12 +487,12 @@ pub unsafe extern "C" fn fmi3UpdateDiscreteStates(
 /// The instance is alive, and places are.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi3CompletedIntegratorStep(
-    instance: *mut Instance3,
+    component: *mut Component,
     _no_set_before: bool,
     enter_event_mode: *mut bool,
     terminate: *mut bool,
 ) -> Status {
-    let work = |_: &mut Instance3| {
+    let work = |_: &mut Component| {
         for place in [enter_event_mode, terminate] {
             // SAFETY: the host's promise.
             if let Some(place) = unsafe { place.as_mut() } {
@@ -725,7 +502,7 @@ pub unsafe extern "C" fn fmi3CompletedIntegratorStep(
         OK
     };
     // SAFETY: the host's promise.
-    unsafe { with(instance, work) }
+    unsafe { with(component, work) }
 }
 
 /// Outputs have no derivatives by time.
@@ -734,7 +511,7 @@ pub unsafe extern "C" fn fmi3CompletedIntegratorStep(
 /// The instance is alive.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi3GetOutputDerivatives(
-    instance: *mut Instance3,
+    component: *mut Component,
     _references: *const u32,
     _count: usize,
     _orders: *const i32,
@@ -742,7 +519,7 @@ pub unsafe extern "C" fn fmi3GetOutputDerivatives(
     _value_count: usize,
 ) -> Status {
     // SAFETY: the host's promise.
-    unsafe { with(instance, |instance| instance.wrong("no derivatives by time")) }
+    unsafe { with(component, |component| component.wrong("no derivatives by time")) }
 }
 
 /// Goes on: outputs are those of the inputs. Outside the map it discards the step.
@@ -751,7 +528,7 @@ pub unsafe extern "C" fn fmi3GetOutputDerivatives(
 /// The instance is alive, and places are.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi3DoStep(
-    instance: *mut Instance3,
+    component: *mut Component,
     current: f64,
     step: f64,
     _no_set_before: bool,
@@ -760,27 +537,27 @@ pub unsafe extern "C" fn fmi3DoStep(
     early: *mut bool,
     last: *mut f64,
 ) -> Status {
-    let work = |instance: &mut Instance3| {
+    let work = |component: &mut Component| {
         for place in [event, terminate, early] {
             // SAFETY: the host's promise, here and below.
             if let Some(place) = unsafe { place.as_mut() } {
                 *place = false;
             }
         }
-        let outcome = instance.instance.outputs();
+        let outcome = component.instance.outputs();
         let time = if outcome.is_ok() { current + step } else { current };
-        instance.instance.inputs.time = time;
+        component.instance.inputs.time = time;
         // SAFETY: as before.
         if let Some(last) = unsafe { last.as_mut() } {
             *last = time;
         }
         match outcome {
             Ok(_) => OK,
-            Err(error) => instance.say(DISCARD, &error.to_string()),
+            Err(error) => component.discard(&error),
         }
     };
     // SAFETY: the host's promise.
-    unsafe { with(instance, work) }
+    unsafe { with(component, work) }
 }
 
 /// There are no partitions.
@@ -789,10 +566,10 @@ pub unsafe extern "C" fn fmi3DoStep(
 /// The instance is alive.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi3ActivateModelPartition(
-    instance: *mut Instance3,
+    component: *mut Component,
     _clock: u32,
     _time: f64,
 ) -> Status {
     // SAFETY: the host's promise.
-    unsafe { with(instance, |instance| instance.wrong("there are no partitions")) }
+    unsafe { with(component, |component| component.wrong("there are no partitions")) }
 }

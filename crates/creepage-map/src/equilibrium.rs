@@ -60,7 +60,7 @@ impl Unknowns {
     ) -> Result<[f64; 3], MapError> {
         const STEPS: usize = 40;
         /// Of the load, and of the load times a metre.
-        const MET: f64 = 1e-9;
+        const RESIDUAL_TOLERANCE: f64 = 1e-9;
         let count = self.open.count;
         let mut at = start;
         if count == 0 {
@@ -86,7 +86,7 @@ impl Unknowns {
                 filled += 1;
             });
             left = residuals[..count].iter().map(|r| r.v.abs()).fold(0.0, f64::max);
-            if left < MET {
+            if left < RESIDUAL_TOLERANCE {
                 return Ok(at);
             }
             let Some(step) = newton_step(&residuals, count) else { break };

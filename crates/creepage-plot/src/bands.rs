@@ -12,9 +12,9 @@ use crate::sheet::Sheet;
 use crate::top_view::TopView;
 
 /// Most levels; there is one band more.
-const MOST: usize = 7;
+const MAX_LEVELS: usize = 7;
 /// Shades in equal steps of grey, light enough to carry dark arrows.
-const SHADES: [&str; MOST + 1] =
+const SHADES: [&str; MAX_LEVELS + 1] =
     ["#f4f8fc", "#dfeaf5", "#c9dcee", "#b2cde6", "#9bbddd", "#83abd0", "#6b98c2", "#5385b3"];
 /// The lines between shades.
 const CONTOUR: Pen = Pen { colour: "#3f6288", dashes: "", width: 0.8 };
@@ -123,11 +123,11 @@ impl Bands {
 
     /// The shade of a band, spread over all shades.
     fn shade(&self, band: usize) -> &'static str {
-        SHADES[(band * MOST).checked_div(self.levels.len()).unwrap_or(0).min(MOST)]
+        SHADES[(band * MAX_LEVELS).checked_div(self.levels.len()).unwrap_or(0).min(MAX_LEVELS)]
     }
 }
 
-/// Round levels in ascending order, at most [`MOST`].
+/// Round levels in ascending order, at most [`MAX_LEVELS`].
 fn levels(values: impl Iterator<Item = f64>, is_singular: bool) -> Vec<f64> {
     let mut values: Vec<f64> = values.filter(|value| value.is_finite()).collect();
     values.sort_unstable_by(f64::total_cmp);
@@ -157,7 +157,7 @@ fn rings() -> impl Iterator<Item = Point> {
 
 /// Multiples of a round step strictly between `low` and `high`.
 fn round_levels(low: f64, high: f64) -> Vec<f64> {
-    let width = (high - low) / MOST as f64;
+    let width = (high - low) / MAX_LEVELS as f64;
     if !(width > 0.0 && width > 1e-9 * high) {
         return vec![];
     }
@@ -165,7 +165,7 @@ fn round_levels(low: f64, high: f64) -> Vec<f64> {
     let steps = [1.0, 2.0, 2.5, 5.0].map(|factor| factor * power);
     let step = steps.into_iter().find(|step| *step >= width).unwrap_or(10.0 * power);
     let first = (low / step).floor() + 1.0;
-    (0..MOST).map(|k| (first + k as f64) * step).take_while(|level| *level < high).collect()
+    (0..MAX_LEVELS).map(|k| (first + k as f64) * step).take_while(|level| *level < high).collect()
 }
 
 #[cfg(test)]
@@ -179,7 +179,7 @@ mod tests {
         fn levels_are_few_ascending_and_inside(low in 0.0..1e9_f64, width in 1.0..1e9_f64) {
             let levels = round_levels(low, low + width);
             // Steps are at most 2.5 sevenths of the range, so that two fit at least.
-            prop_assert!((2..=MOST).contains(&levels.len()), "{levels:?}");
+            prop_assert!((2..=MAX_LEVELS).contains(&levels.len()), "{levels:?}");
             prop_assert!(levels.windows(2).all(|pair| pair[0] < pair[1]));
             prop_assert!(levels.iter().all(|level| (low..low + width).contains(level)));
         }

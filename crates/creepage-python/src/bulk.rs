@@ -5,7 +5,7 @@ use std::ops::Range;
 
 use creepage::Creepage;
 use creepage_study::{
-    BulkAnswer, BulkCase, Caution, Damage, Question, Reply, RowError, Solver, Varied,
+    BulkCase, BulkColumn, Caution, Damage, Question, Reply, RowError, Solver, Varied,
 };
 use numpy::{IntoPyArray, PyArrayMethods};
 use pyo3::prelude::*;
@@ -74,24 +74,14 @@ pub(crate) fn case_forces<'py>(
     let names = if bulk.has_speed() { &SI[..] } else { &SI[..4] };
     let mut found = Columns::new(&[names, damage].concat(), solver.error_bars());
     for answer in answers {
-        found.push(answer.map(|answer| (si_numbers(&bulk, &answer), answer.reply)));
+        found.push(answer.map(|answer| (answer.numbers(bulk.damage()).collect(), answer.reply)));
     }
     found.into_dict(py, &inputs.shape)
 }
 
-/// What a row in SI units has besides its dimensionless answer, in the order of the columns.
-fn si_numbers(bulk: &BulkCase, answer: &BulkAnswer) -> Vec<f64> {
-    let force = answer.force();
-    let mut numbers = vec![force.longitudinal, force.lateral, force.moment];
-    numbers.push(answer.power_per_metre());
-    if bulk.has_speed() {
-        numbers.push(answer.power().unwrap_or(f64::NAN));
-    }
-    numbers.extend(bulk.damage().into_iter().flat_map(|wanted| answer.damage(wanted).of_rows()));
-    numbers
-}
-
-const SI: [&str; 5] = ["longitudinal", "lateral", "moment", "heat_per_metre", "power"];
+/// Python's names of [`BulkColumn::ALL`].
+const SI: [&str; BulkColumn::ALL.len()] =
+    ["longitudinal", "lateral", "moment", "heat_per_metre", "power"];
 const CONTACT: [&str; 6] = ["a_over_b", "poisson", "kappa_over_mu", "xi", "eta", "chi"];
 
 /// Forces of dimensionless rows, as `case_forces` gives them; `columns` are a_over_b, poisson,

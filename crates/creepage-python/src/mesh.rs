@@ -10,12 +10,13 @@ use crate::number::{Inputs, Number};
 pub(crate) type Mesh = (Vec<usize>, Vec<[f64; 2]>);
 
 /// Most cells along a side.
-const MOST: usize = 10_000;
+const MAX_CELLS: usize = 10_000;
 
 /// Midpoints of `count` x `count` cells of the box around the ellipse, line by line from `-y`.
 pub(crate) fn cells(py: Python, ellipse: Ellipse, count: usize) -> PyResult<Mesh> {
-    if !(1..=MOST).contains(&count) {
-        let message = format!("points = {count} is not valid: it must be between 1 and {MOST}");
+    if !(1..=MAX_CELLS).contains(&count) {
+        let message =
+            format!("points = {count} is not valid: it must be between 1 and {MAX_CELLS}");
         return Err(PyValueError::new_err(message));
     }
     fits(count * count)?;

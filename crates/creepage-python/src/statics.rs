@@ -11,6 +11,7 @@ use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
 use crate::batch::solve_all;
+use crate::case::{QuantityTuple, quantities};
 use crate::errors;
 use crate::number::{Inputs, Number};
 
@@ -63,6 +64,11 @@ impl SolvedStatics {
     /// `report.json` as text.
     fn json(&self, py: Python) -> PyResult<String> {
         Ok(self.report(py)?.json().to_string())
+    }
+
+    /// All quantities of the report: path, label, unit, value, error bar.
+    fn quantities(&self, py: Python) -> PyResult<Vec<QuantityTuple>> {
+        Ok(quantities(&self.report(py)?.report()))
     }
 
     /// A short report for a terminal.

@@ -10,7 +10,7 @@ use crate::{GeometryError, Role, Side, Waves};
 /// Points at which an overlap is weighed.
 const POINTS: usize = 64;
 /// Overlaps less deep (m) may come to nothing.
-const HARDLY: f64 = 1e-9;
+const MIN_DEPTH: f64 = 1e-9;
 
 /// A place of contact in the plane through its reference point, tilted by its angle.
 ///
@@ -103,7 +103,7 @@ impl<'a> Contact<'a> {
         };
         contact.measure(overlap).ok_or(end(y))?;
         let touches = contact.approach > 0.0;
-        (touches || depth < HARDLY).then_some(touches.then_some(contact)).ok_or(end(y))
+        (touches || depth < MIN_DEPTH).then_some(touches.then_some(contact)).ok_or(end(y))
     }
 
     /// Approach, extent and the wheel's place; `None` where the surfaces turn away.

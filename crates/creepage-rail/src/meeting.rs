@@ -8,7 +8,7 @@ use crate::wheel::{Outline, Posed};
 /// Rounding of a gap, how well gaps at stations are known, and how far they may fall between
 /// two stations (m).
 const ROUNDING: f64 = 1e-13;
-const SLOPPY: f64 = 1e-8;
+const SEARCH_TOLERANCE: f64 = 1e-8;
 const BETWEEN: f64 = 2e-5;
 
 /// A point of the outline and the rail's point below it.
@@ -114,7 +114,7 @@ impl Pair<'_> {
         let low = least(&gaps).filter(|[_, place, _]| place.gap < bound.gap + BETWEEN);
         let refined = low.filter_map(|three| self.refined(three));
         let lowest = refined.min_by(|a, b| a.gap().total_cmp(&b.gap()));
-        lowest.filter(|meeting| meeting.gap() <= exact + SLOPPY).ok_or(Some(bound.y))
+        lowest.filter(|meeting| meeting.gap() <= exact + SEARCH_TOLERANCE).ok_or(Some(bound.y))
     }
 
     /// The least gap between two neighbours of a station: there its slope changes sign.
@@ -189,7 +189,7 @@ impl Pair<'_> {
 /// An overlap that deepens up to the end of a profile and so has no lowest place.
 fn cut_off(gaps: &[Option<Clearance>], overlaps: &[Overlap]) -> Option<Overlap> {
     let known = |s: f64| overlaps.iter().any(|overlap| overlap.from <= s && s <= overlap.to);
-    let outside = |place: &&Clearance| place.gap < -SLOPPY && !known(place.s);
+    let outside = |place: &&Clearance| place.gap < -SEARCH_TOLERANCE && !known(place.s);
     let place = gaps.iter().flatten().find(outside)?;
     Some(Overlap { from: place.s, to: place.s, end: Some(place.y) })
 }

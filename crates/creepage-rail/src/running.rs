@@ -6,7 +6,7 @@ use crate::wheel::Posed;
 use crate::{Contact, GeometryError, Position, Profile, Side, Track, Wheelset};
 
 /// Overlaps nearer than this on the wheel's profile make one contact (m),
-pub(crate) const TOGETHER: f64 = 0.010;
+pub(crate) const ONE_CONTACT_WITHIN: f64 = 0.010;
 /// unless the rail turns by more from one to the other (rad): no plane is that of both.
 pub(crate) const TURN: f64 = 0.35;
 
@@ -378,7 +378,7 @@ fn joined(pair: &Pair<'_>, overlaps: Vec<Overlap>) -> Vec<Overlap> {
         let turn = here.zip(before).map_or(0.0, |(here, before): (f64, f64)| (here - before).abs());
         before = here;
         match joined.last_mut() {
-            Some(last) if overlap.from - last.to < TOGETHER && turn < TURN => {
+            Some(last) if overlap.from - last.to < ONE_CONTACT_WITHIN && turn < TURN => {
                 (last.to, last.end) = (overlap.to, last.end.or(overlap.end));
             }
             _ => joined.push(overlap),

@@ -6,7 +6,7 @@ use std::cell::Cell;
 use crate::frame::Frame;
 use crate::meeting::Pair;
 use crate::pair_surfaces::{PatchPoint, Plane, dot};
-use crate::running::{TOGETHER, TURN};
+use crate::running::{ONE_CONTACT_WITHIN, TURN};
 use crate::search::least;
 use crate::surfaces::Surfaces;
 use crate::varying_search::{OverlapCell, OverlapRegion};
@@ -15,7 +15,7 @@ use crate::{Across, Contact, GeometryError, Side};
 /// Lows that may lie above the least of all and still overlap: those that the load presses together (m).
 const DEEP: f64 = 5e-3;
 /// Overlaps less deep (m) may come to nothing.
-const HARDLY: f64 = 1e-9;
+const MIN_DEPTH: f64 = 1e-9;
 /// Without a surface the gap is so many times the approach, and so much more (m).
 const AWAY: [f64; 2] = [2.0, 2e-5];
 
@@ -138,7 +138,7 @@ fn are_together(one: &OverlapRegion, other: &OverlapRegion) -> bool {
         };
         (mean(one) - mean(other)).abs()
     };
-    apart(0).hypot(apart(1)) < TOGETHER && turn(0).max(turn(1)) < TURN
+    apart(0).hypot(apart(1)) < ONE_CONTACT_WITHIN && turn(0).max(turn(1)) < TURN
 }
 
 /// Means over an overlap, each place weighed by its depth squared.
@@ -217,7 +217,7 @@ impl<'a> Contact<'a> {
         };
         let is_measured = contact.measure_region(&over, region);
         let touches = is_measured && contact.approach > 0.0;
-        (touches || deepest.depth < HARDLY).then_some(touches.then_some(contact)).ok_or(end(y))
+        (touches || deepest.depth < MIN_DEPTH).then_some(touches.then_some(contact)).ok_or(end(y))
     }
 
     /// Approach and extent of a region.

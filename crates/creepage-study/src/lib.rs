@@ -68,6 +68,7 @@ mod line;
 mod measured;
 mod plain_words;
 mod points;
+mod recent;
 mod report;
 mod series;
 mod solve;
@@ -92,7 +93,9 @@ pub use accuracy::{
 pub use any_case::{AnyCase, AnyCaseFile};
 pub use atomic_file::WholeFile;
 pub use bearing::{BearingCase, BearingCaseError, BearingFile, BearingReport, bearing_json_schema};
-pub use bulk::{BulkAnswer, BulkCase, BulkRow, Question, Reply, RowError, Solver, Varied};
+pub use bulk::{
+    BulkAnswer, BulkCase, BulkColumn, BulkRow, Question, Reply, RowError, Solver, Varied,
+};
 pub use case::{
     Case, CaseError, CaseFile, Given, SecondStart, SpecError, StaticsCase, StaticsError,
     StaticsFile, StaticsProblem, Sweep, SweepCase, json_schema, statics_json_schema,
@@ -126,7 +129,7 @@ pub use measured::{
     MeasuredPoints, UnreadRow,
 };
 pub use plain_words::plain_words;
-pub use report::{Quantity, Report, Unit, hertz_report, pressed_report};
+pub use report::{PerUnit, Quantity, Report, Unit, hertz_report, pressed_report};
 pub use series::{SeriesHead, SeriesRow, SweepRun, Tally, series_csv, series_json, series_netcdf};
 pub use solve::{SolveError, SolvedCase, solve};
 pub use sources::Sources;

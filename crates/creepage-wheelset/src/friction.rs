@@ -108,7 +108,7 @@ impl FrictionOfPlace {
     fn across(&self, contact: &Contact<'_>) -> Vec<[f64; 2]> {
         const LOOKED_UP: u32 = 64;
         /// Of the coefficient: as lines miss no result by more.
-        const CLOSE: f64 = 1e-4;
+        const COEFFICIENT_TOLERANCE: f64 = 1e-4;
         let [low, high] = contact.extent[1];
         let inclination = contact.rail_inclination();
         let sense = contact.side.sense();
@@ -133,7 +133,9 @@ impl FrictionOfPlace {
         while taken.len() < FrictionAcross::MAX_PLACES {
             let missed = |point: &&[f64; 2]| (linear(&taken, point[0]) - point[1]).abs();
             let worst = all.iter().max_by(|a, b| missed(a).total_cmp(&missed(b)));
-            let Some(worst) = worst.filter(|worst| missed(worst) > CLOSE) else { break };
+            let Some(worst) = worst.filter(|worst| missed(worst) > COEFFICIENT_TOLERANCE) else {
+                break;
+            };
             let place = taken.partition_point(|[s, _]| *s < worst[0]);
             taken.insert(place, *worst);
         }

@@ -9,13 +9,14 @@
 
 use std::cell::Cell;
 
+use creepage::numerics::{Root, broyden_update};
 use creepage_rail::{Deviation, Side};
 use nalgebra::{DMatrix, DVector};
 
 use crate::error::WheelsetError;
 use crate::pose::{Load, WheelsetPose, WheelsetVelocity};
 use crate::solved::SolvedWheelset;
-use crate::solver::{Root, Target, WheelsetSolver};
+use crate::solver::{Target, WheelsetSolver};
 
 /// Springs of a rail, across and down, and forces that act on it beside the wheel's.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -37,9 +38,9 @@ const GOOD: f64 = 0.25;
 const NEAR: f64 = 1e-4;
 /// Part of the wheel's force to which springs carry it; by which loads are met at least; and below which each position
 /// is solved by itself.
-const MET: f64 = 1e-5;
-const SCATTER: f64 = 1e-4;
-const CLOSE: f64 = 1e-3;
+const SPRING_TOLERANCE: f64 = 1e-5;
+const LOAD_TOLERANCE: f64 = 1e-4;
+const ALONE_BELOW: f64 = 1e-3;
 /// Part of their error bars to which loads are met.
 const PART_OF_ERROR: f64 = 0.2;
 /// The narrowest bracket (m): forces jump in it.
@@ -108,7 +109,7 @@ impl Sprung<'_> {
             if self.is_met(&solved, &left) {
                 return Ok(Some(self.deflected(solved, &at)));
             }
-            let slopes = match jacobian.take() {
+            let mut slopes = match jacobian.take() {
                 Some(known) => known,
                 None => self.slopes(&at, &left, &solved, unknown)?,
             };
@@ -125,13 +126,12 @@ impl Sprung<'_> {
                 }
                 return Ok(None);
             };
-            // Broyden (1965).
-            let missed = &over - &left - &slopes * &moved;
-            let is_foreseen = missed.norm() < GOOD * (&over - &left).norm();
-            let learnt = &slopes + &missed * moved.transpose() / moved.norm_squared();
+            let change = &over - &left;
+            let missed = broyden_update(&mut slopes, &moved, &change);
+            let is_foreseen = missed < GOOD * change.norm();
             radius = if is_foreseen { 2.0 * radius } else { moved.amax().min(radius) };
             at += moved;
-            (solved, left, jacobian) = (next, over, Some(learnt));
+            (solved, left, jacobian) = (next, over, Some(slopes));
         }
         Ok(None)
     }
@@ -396,15 +396,15 @@ impl Sprung<'_> {
     }
 
     fn is_met(&self, solved: &SolvedWheelset, left: &DVector<f64>) -> bool {
-        self.worst(solved, left) <= MET
+        self.worst(solved, left) <= SPRING_TOLERANCE
     }
 
     fn is_close(&self, solved: &SolvedWheelset, left: &DVector<f64>) -> bool {
-        self.worst(solved, left) <= CLOSE
+        self.worst(solved, left) <= ALONE_BELOW
     }
 
     fn is_alone_met(&self, solved: &SolvedWheelset, left: &DVector<f64>, column: usize) -> bool {
-        self.missed(solved, left, column) <= MET
+        self.missed(solved, left, column) <= SPRING_TOLERANCE
     }
 
     /// Whether springs carry what presses on their rails to within what forces scatter: as loads are met, to a part and
@@ -416,7 +416,7 @@ impl Sprung<'_> {
             let error = wheel.and_then(|wheel| wheel.on_rail().force_error);
             let error = error.map_or(0.0, |error| error[1 + column % 2]);
             left[column].abs() <= PART_OF_ERROR * error
-                || self.missed(solved, left, column) <= SCATTER
+                || self.missed(solved, left, column) <= LOAD_TOLERANCE
         })
     }
 }

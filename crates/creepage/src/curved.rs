@@ -246,7 +246,7 @@ impl CurvedGap {
         for _ in 0..STEPS {
             let contact = self.pressed(pair, approach, resolution)?;
             let carried = contact.vertical() + lift(&contact)?;
-            if (carried / load - 1.0).abs() < MET {
+            if (carried / load - 1.0).abs() < LOAD_TOLERANCE {
                 return Ok(contact);
             }
             last = carried;
@@ -261,7 +261,7 @@ impl CurvedGap {
 }
 
 /// How nearly a load is met, and in how many steps.
-const MET: f64 = 1e-5;
+const LOAD_TOLERANCE: f64 = 1e-5;
 const STEPS: usize = 40;
 
 /// Bodies pressed on a curved contact.

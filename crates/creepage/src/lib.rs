@@ -83,6 +83,7 @@ pub mod gap;
 pub mod halfspace;
 pub mod motion;
 pub mod normal;
+pub mod numerics;
 pub mod special;
 pub mod statics;
 pub mod subsurface;
@@ -93,16 +94,13 @@ pub mod unsteady;
 pub mod variational;
 pub mod viscoelastic;
 
-mod buffer_pool;
 mod check;
 mod contact;
 mod creepage;
 mod ellipse;
 mod hertz;
 mod layer;
-mod lu;
 mod scaling;
-mod simd_math;
 mod solid;
 
 pub use check::InvalidValue;

@@ -20,6 +20,7 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use crate::check::{self, InvalidValue};
+use crate::numerics::gauss::HALF_OF_GAUSS_10;
 
 /// How a body gives way in time.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -163,7 +164,7 @@ impl ViscoelasticCylinders {
             }
         }
         let left = residual[0].hypot(residual[1]);
-        if left.is_nan() || left > MET {
+        if left.is_nan() || left > RESIDUAL_TOLERANCE {
             return Err(ViscoelasticError::NotFound { residual: left });
         }
         Ok(self.pressure(load, at))
@@ -430,26 +431,17 @@ impl ViscoelasticPressure {
 const STEPS: usize = 60;
 /// Residuals that are zero but for rounding, and that are small enough.
 const EXACT: f64 = 1e-13;
-const MET: f64 = 1e-8;
+const RESIDUAL_TOLERANCE: f64 = 1e-8;
 const PANELS: u16 = 24;
-
-/// Gauss-Legendre's ten points of half the interval.
-const NODES: [[f64; 2]; 5] = [
-    [0.148_874_338_981_631_21, 0.295_524_224_714_752_87],
-    [0.433_395_394_129_247_2, 0.269_266_719_309_996_36],
-    [0.679_409_568_299_024_4, 0.219_086_362_515_982_04],
-    [0.865_063_366_688_984_5, 0.149_451_349_150_580_6],
-    [0.973_906_528_517_171_7, 0.066_671_344_308_688_14],
-];
 
 /// An integral over equal panels.
 fn integral(of: impl Fn(f64) -> f64, [from, to]: [f64; 2], panels: u16) -> f64 {
     let width = (to - from) / f64::from(panels);
     let panel = |k: u16| {
         let middle = from + width * (f64::from(k) + 0.5);
-        NODES
+        HALF_OF_GAUSS_10
             .iter()
-            .map(|[at, weight]| {
+            .map(|(at, weight)| {
                 let away = 0.5 * width * at;
                 0.5 * width * weight * (of(middle - away) + of(middle + away))
             })

@@ -15,7 +15,7 @@ pub(crate) const ITEM: Item =
 /// Beyond those of Fig. 20.
 const BEYOND: f64 = 5.0;
 /// The spins whose island is looked at closely.
-const CLOSE: [f64; 3] = [fig20::SPINS[3], fig20::SPINS[4], BEYOND];
+const ENLARGED_SPINS: [f64; 3] = [fig20::SPINS[3], fig20::SPINS[4], BEYOND];
 /// Elements along and across: an island is thin across.
 const FINE: [usize; 2] = [36, 96];
 /// Half as many strips: what an island is must not depend on the elements.
@@ -67,7 +67,7 @@ fn look([along, across]: [usize; 2]) -> Result<Vec<Island>, GalleryError> {
         let (of_1967, _) = contact::adhesion(circle, &contact::chapter_5(&numerical, spin(*chi)));
         Island { chi: *chi, extent: [0, 1].map(|i| extent(&elements, i)), elements, of_1967 }
     };
-    Ok(CLOSE.par_iter().map(island).collect())
+    Ok(ENLARGED_SPINS.par_iter().map(island).collect())
 }
 
 fn extent(elements: &[Polygon], axis: usize) -> [f64; 2] {
@@ -102,7 +102,7 @@ fn data(
 fn caption(islands: &[Vec<Island>]) -> String {
     let words = |k: usize| {
         let [length, width] = size(&islands[0][k]);
-        format!("{length:.2} a by {width:.2} a at χ = {}", CLOSE[k])
+        format!("{length:.2} a by {width:.2} a at χ = {}", ENLARGED_SPINS[k])
     };
     format!(
         "Circular contact, σ = 0.28, no creepage. Above, the full theory's areas at the spins of \
@@ -130,7 +130,7 @@ fn agreement(areas: &[(Vec<Polygon>, f64)], islands: &[Vec<Island>]) -> Vec<Comp
         if leading == 0 { "they do not exist" } else { "they exist" },
         leading == 0,
     )];
-    for (k, chi) in CLOSE.into_iter().enumerate() {
+    for (k, chi) in ENLARGED_SPINS.into_iter().enumerate() {
         let ours = islands.iter().map(|islands| {
             let ([length, width], count) = (size(&islands[k]), islands[k].elements.len());
             match count {

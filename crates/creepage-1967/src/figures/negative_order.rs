@@ -6,7 +6,7 @@ pub(crate) const ITEM: Item =
     Item::new("ii-negative-order", "Proposition II. Why negative order is better", || Ok(make()));
 
 /// Degrees and orders `n = m` of which the sizes are shown.
-const MOST: u32 = 20;
+const MAX_DEGREE: u32 = 20;
 /// The oblate spheroids `eta` on which the potential is taken.
 const ETAS: [f64; 3] = [0.3, 0.6, 1.5];
 
@@ -50,7 +50,7 @@ fn negative(omega: f64, eta: f64) -> f64 {
 /// Largest `|P_n^m Q_n^m|` and `|P_n^-m Q_n^m|` on the half-space's surface for `n = m`, as powers of ten:
 /// `P_n^n(0) = (2n-1)!!`, `P_n^-n(0) = 1/(2n)!!`, and `|Q_n^n(i eta)|` at `eta = 0`.
 fn sizes() -> Vec<[f64; 3]> {
-    (1..=MOST)
+    (1..=MAX_DEGREE)
         .map(|n| {
             let n = f64::from(n);
             // |Q_n^n(0i)| = sqrt(pi) 2^(n-1) Gamma((2n+1)/2)/Gamma(1) = pi/2 (2n-1)!!.

@@ -1,6 +1,6 @@
 //! Columns in SI units, by which rows differ from a case.
 
-use creepage_study::{BulkCase, BulkRow, CaseFile, Damage, DamageWanted, Varied};
+use creepage_study::{BulkCase, BulkRow, CaseFile, DamageWanted, Varied};
 use csv::ByteRecord;
 
 use super::columns::{ColumnError, names, place_of};
@@ -34,16 +34,7 @@ impl CaseColumns {
 
     /// What is appended besides the dimensionless answer.
     pub(super) fn appended(&self) -> Vec<&'static str> {
-        const SI: [&str; 5] = [
-            "longitudinal_n",
-            "lateral_n",
-            "moment_n_m",
-            "frictional_power_per_metre_j_per_m",
-            "frictional_power_w",
-        ];
-        let si = if self.case.has_speed() { &SI[..] } else { &SI[..4] };
-        let damage = self.damage().map_or(&[][..], |_| &Damage::OF_ROWS[..]);
-        [si, damage].concat()
+        self.case.columns()
     }
 
     /// The laws of wear and fatigue, where their numbers are wanted.

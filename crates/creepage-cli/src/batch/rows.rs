@@ -108,13 +108,7 @@ impl<W: Write> Rows<W> {
             Asked::Dimensionless(_) => reply,
             Asked::Case(asked) => {
                 let answer = BulkAnswer::new(asked.clone(), reply);
-                let force = answer.force();
-                let si = [force.longitudinal, force.lateral, force.moment];
-                si.into_iter().for_each(&mut number);
-                number(answer.power_per_metre());
-                answer.power().into_iter().for_each(&mut number);
-                let damage = self.damage.iter().map(|wanted| answer.damage(wanted));
-                damage.for_each(|damage| damage.of_rows().into_iter().for_each(&mut number));
+                answer.numbers(self.damage.as_ref()).for_each(&mut number);
                 answer.reply
             }
         };

@@ -11,7 +11,7 @@ use csv::{ByteRecord, Reader};
 /// Time between two outputs.
 const BEAT: Duration = Duration::from_millis(200);
 /// Most rows at a time.
-const MOST: usize = 1 << 16;
+const MAX_ROWS: usize = 1 << 16;
 
 /// A row and how far the table is read, in bytes.
 type Read1 = Result<(ByteRecord, u64), csv::Error>;
@@ -29,7 +29,7 @@ pub(super) struct Stream {
 impl Stream {
     /// Starts to read.
     pub(super) fn start(mut reader: Reader<Box<dyn Read + Send>>) -> Self {
-        let (sender, rows) = sync_channel(MOST);
+        let (sender, rows) = sync_channel(MAX_ROWS);
         // It ends with the table, or when nobody listens; waiting for input it ends with the program.
         thread::spawn(move || {
             loop {
@@ -96,6 +96,6 @@ impl Stream {
         let taken = given.elapsed();
         self.size = if taken < BEAT / 2 { 4 * self.size } else { self.size };
         self.size = if taken > BEAT { self.size / 2 } else { self.size };
-        self.size = self.size.clamp(1, MOST);
+        self.size = self.size.clamp(1, MAX_ROWS);
     }
 }

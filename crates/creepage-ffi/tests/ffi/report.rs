@@ -59,7 +59,8 @@ fn asked(text: &str, theory: Option<&str>, keys: &[&str]) -> (i32, Vec<[f64; 2]>
     )
 }
 
-/// Wheelsets, line contacts and bearings are asked by the paths of their reports; a bearing has the theory of its file.
+/// Wheelsets, line contacts, bearings and problems without rolling are asked by the paths of their reports; the last two
+/// are solved by no other theory.
 #[test]
 fn files_of_every_kind_have_quantities() {
     let example = |name: &str| format!("{}/../../examples/{name}", env!("CARGO_MANIFEST_DIR"));
@@ -84,6 +85,14 @@ fn files_of_every_kind_have_quantities() {
     assert_eq!(code, CREEPAGE_OK, "{words}");
     assert!(found[0][0] > 0.0 && found[1][0] > found[0][0], "{found:?}");
     assert_eq!(asked(&bearing, Some("exact"), &keys).0, CREEPAGE_UNSUPPORTED);
+    let plate = example("statics/anchor-plate-shift.toml");
+    let keys = ["given.force_x_n", "found.shift_x_m", "found.stiffness_x_n_per_m"];
+    let (code, found, _, words) = asked(&plate, None, &keys);
+    assert_eq!(code, CREEPAGE_OK, "{words}");
+    // Force over stiffness, but for roundings of the two solutions.
+    let [force, shift, stiffness] = [0, 1, 2].map(|k: usize| found[k][0]);
+    assert!((shift / (force / stiffness) - 1.0).abs() < 1e-12 && force.abs() > 0.0, "{found:?}");
+    assert_eq!(asked(&plate, Some("exact"), &keys).0, CREEPAGE_UNSUPPORTED);
 }
 
 #[test]

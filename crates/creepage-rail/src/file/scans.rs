@@ -30,14 +30,14 @@ pub(super) fn measured(points: &mut Vec<Point>, actions: &mut Vec<Action>) {
 /// Points further from the middle ones than this times the width and height of these are no part of the profile.
 const OUTSIDE: f64 = 4.0;
 /// One point of so many at either end of a coordinate may be such.
-const FEW: usize = 50;
+const ONE_POINT_OF: usize = 50;
 
 /// Drops points far from all others, in any unit.
 pub(super) fn without_outliers(points: &mut Vec<Point>, actions: &mut Vec<Action>) {
     let range = |axis: usize| {
         let mut values: Vec<f64> = points.iter().map(|point| point.at[axis]).collect();
         values.sort_by(f64::total_cmp);
-        let few = values.len().div_ceil(FEW);
+        let few = values.len().div_ceil(ONE_POINT_OF);
         Some([*values.get(few)?, *values.get(values.len().checked_sub(few + 1)?)?])
     };
     let Some((y, z)) = range(0).zip(range(1)) else { return };

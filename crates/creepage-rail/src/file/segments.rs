@@ -7,9 +7,9 @@ use super::rows::{Point, numbers};
 const SPACING: f64 = 0.25;
 const TURN: f64 = 0.02;
 /// Ends that belong together lie this near (mm).
-const TOGETHER: f64 = 0.5;
+const MAX_DISTANCE_OF_ENDS: f64 = 0.5;
 /// Points of a segment at most.
-const MOST: f64 = 2000.0;
+const MAX_POINTS: f64 = 2000.0;
 
 /// The points of one segment: `A y z radius from to` (degrees) or `L y z y z`.
 pub(super) fn segment(line: usize, value: &str) -> Result<Vec<Point>, FileError> {
@@ -38,7 +38,7 @@ pub(super) fn segment(line: usize, value: &str) -> Result<Vec<Point>, FileError>
         }
         _ => return Err(wrong),
     }
-    let count = crate::curve::whole(count.ceil().clamp(1.0, MOST));
+    let count = crate::curve::whole(count.ceil().clamp(1.0, MAX_POINTS));
     let at = |i: usize| place(i as f64 / count as f64);
     Ok((0..=count).map(|i| Point { line, at: at(i) }).collect())
 }
@@ -60,7 +60,7 @@ pub(super) fn chain(segments: Vec<Vec<Point>>) -> Result<Vec<Point>, FileError> 
             };
             (near(&first) < near(&last), 0.0)
         };
-        if apart > TOGETHER {
+        if apart > MAX_DISTANCE_OF_ENDS {
             return Err(FileError::Apart { line: first.line, apart });
         }
         if turned {

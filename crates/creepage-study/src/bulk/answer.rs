@@ -17,6 +17,42 @@ pub struct BulkAnswer {
     pub reply: Reply,
 }
 
+/// A number that a row has besides its dimensionless answer.
+#[derive(Debug, Clone, Copy)]
+pub struct BulkColumn {
+    /// The name of its column.
+    pub name: &'static str,
+    /// The path of the quantity in the report of the row's case.
+    pub path: &'static str,
+    /// The number; `None` without a rolling velocity that it needs.
+    value: fn(&BulkAnswer) -> Option<f64>,
+}
+
+impl BulkColumn {
+    const fn new(
+        name: &'static str,
+        path: &'static str,
+        value: fn(&BulkAnswer) -> Option<f64>,
+    ) -> Self {
+        Self { name, path, value }
+    }
+
+    /// All of them; the last one needs a rolling velocity.
+    pub const ALL: [Self; 5] = [
+        Self::new("longitudinal_n", "lower_body.longitudinal_n", |one| {
+            Some(one.force().longitudinal)
+        }),
+        Self::new("lateral_n", "lower_body.lateral_n", |one| Some(one.force().lateral)),
+        Self::new("moment_n_m", "lower_body.moment_n_m", |one| Some(one.force().moment)),
+        Self::new(
+            "frictional_power_per_metre_j_per_m",
+            "frictional_power_per_metre_j_per_m",
+            |one| Some(one.power_per_metre()),
+        ),
+        Self::new("frictional_power_w", "frictional_power_w", BulkAnswer::power),
+    ];
+}
+
 impl BulkAnswer {
     /// The answer to a row, with the row's own cautions.
     #[must_use]
@@ -54,6 +90,12 @@ impl BulkAnswer {
         Damage::new(wanted, &ground, None)
     }
 
+    /// The numbers of [`BulkCase::columns`], with those of `damage` if these are wanted.
+    pub fn numbers(&self, damage: Option<&DamageWanted>) -> impl Iterator<Item = f64> {
+        let own = BulkColumn::ALL.iter().filter_map(|column| (column.value)(self));
+        own.chain(damage.map(|wanted| self.damage(wanted).of_rows()).into_iter().flatten())
+    }
+
     /// Frictional power (W), where the rolling velocity is known.
     #[must_use]
     pub fn power(&self) -> Option<f64> {
@@ -62,6 +104,16 @@ impl BulkAnswer {
 }
 
 impl BulkCase {
+    /// Names of the numbers that a row has besides its dimensionless answer: force and heat, wear and fatigue if they are
+    /// wanted.
+    #[must_use]
+    pub fn columns(&self) -> Vec<&'static str> {
+        let known =
+            if self.has_speed() { BulkColumn::ALL.len() } else { BulkColumn::ALL.len() - 1 };
+        let own = BulkColumn::ALL[..known].iter().map(|column| column.name);
+        own.chain(self.damage().into_iter().flat_map(|_| Damage::OF_ROWS)).collect()
+    }
+
     /// The answer to one row of values.
     ///
     /// # Errors

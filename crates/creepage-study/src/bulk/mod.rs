@@ -10,7 +10,7 @@ mod case;
 mod solver;
 mod varied;
 
-pub use answer::BulkAnswer;
+pub use answer::{BulkAnswer, BulkColumn};
 pub use case::{BulkCase, BulkRow};
 pub use solver::{Question, Reply, RowError, Solver};
 pub use varied::Varied;

@@ -1,14 +1,14 @@
 //! Many questions at once: grouped by what a theory is prepared for, on all cores.
 
-use std::collections::VecDeque;
 use std::ops::Deref;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::Arc;
 
 use creepage::table::{Table, TableTheory};
 use creepage::theory::TheoryError;
 use creepage::{Contact, Creepage, Force, InvalidValue, Solution, Status, Theory, TheorySpec};
 use rayon::prelude::*;
 
+use crate::recent::Recent;
 use crate::{CaseError, Caution};
 
 /// What a row asks.
@@ -61,13 +61,13 @@ type Key = [u64; 3];
 pub struct Solver(PreparedFor);
 
 enum PreparedFor {
-    Theory { spec: TheorySpec, prepared: Mutex<VecDeque<(Key, Arc<dyn Theory>)>> },
+    Theory { spec: TheorySpec, prepared: Recent<Key, Box<dyn Theory>> },
     Table(Arc<Table>),
 }
 
 /// A theory for one contact.
 enum Ready<'a> {
-    Theory(Arc<dyn Theory>),
+    Theory(Arc<Box<dyn Theory>>),
     Table(Box<TableTheory<'a>>),
 }
 
@@ -76,7 +76,7 @@ impl<'a> Deref for Ready<'a> {
 
     fn deref(&self) -> &Self::Target {
         match self {
-            Self::Theory(theory) => &**theory,
+            Self::Theory(theory) => &***theory,
             Self::Table(table) => &**table,
         }
     }
@@ -97,7 +97,7 @@ impl Solver {
     /// By a theory with its options.
     #[must_use]
     pub fn new(spec: TheorySpec) -> Self {
-        Self(PreparedFor::Theory { spec, prepared: Mutex::default() })
+        Self(PreparedFor::Theory { spec, prepared: Recent::new(|| Self::KEPT) })
     }
 
     /// By a table.
@@ -189,14 +189,13 @@ impl Solver {
     fn ready(&self, key: Key, contact: &Contact) -> Result<Ready<'_>, RowError> {
         match &self.0 {
             PreparedFor::Theory { spec, .. } if !self.is_shared(contact) => {
-                Ok(Ready::Theory(Arc::from(spec.prepare(contact)?)))
+                Ok(Ready::Theory(Arc::new(spec.prepare(contact)?)))
             }
             PreparedFor::Theory { spec, prepared } => {
-                if let Some(theory) = recall(prepared, key) {
-                    return Ok(Ready::Theory(theory));
-                }
-                let theory = Arc::from(spec.prepare(contact)?);
-                keep(prepared, key, &theory);
+                let theory = match prepared.find(&key) {
+                    Some(theory) => theory,
+                    None => prepared.keep(&key, spec.prepare(contact)?),
+                };
                 Ok(Ready::Theory(theory))
             }
             PreparedFor::Table(table) => Ok(Ready::Table(Box::new(table.prepare(contact)?))),
@@ -220,26 +219,6 @@ impl Solver {
         );
         !coupled && contact.rolling_friction().is_none() && contact.layer().is_none()
     }
-}
-
-type Prepared = Mutex<VecDeque<(Key, Arc<dyn Theory>)>>;
-
-/// A theory that was kept; it is then the last to be dropped.
-fn recall(prepared: &Prepared, key: Key) -> Option<Arc<dyn Theory>> {
-    let mut prepared = prepared.lock().unwrap_or_else(PoisonError::into_inner);
-    let place = prepared.iter().position(|(known, _)| *known == key)?;
-    let entry = prepared.remove(place)?;
-    let theory = Arc::clone(&entry.1);
-    prepared.push_back(entry);
-    Some(theory)
-}
-
-fn keep(prepared: &Prepared, key: Key, theory: &Arc<dyn Theory>) {
-    let mut prepared = prepared.lock().unwrap_or_else(PoisonError::into_inner);
-    if prepared.len() == Solver::KEPT {
-        prepared.pop_front();
-    }
-    prepared.push_back((key, Arc::clone(theory)));
 }
 
 impl std::fmt::Debug for Solver {
@@ -272,7 +251,7 @@ mod tests {
         let many = (0..3 * Solver::KEPT).map(|i| question(1.0 + i as f64, 1.0)).collect();
         assert_eq!(solve(&solver, many).len(), 3 * Solver::KEPT);
         let PreparedFor::Theory { prepared, .. } = &solver.0 else { panic!("a theory") };
-        assert_eq!(prepared.lock().unwrap().len(), Solver::KEPT);
+        assert_eq!(prepared.count(), Solver::KEPT);
     }
 
     #[test]
@@ -295,7 +274,7 @@ mod tests {
             let solver = Solver::new(TheorySpec::named(name).unwrap());
             let replies = solve(&solver, vec![question(1.0, 0.5), unlike.clone()]);
             let PreparedFor::Theory { prepared, .. } = &solver.0 else { panic!("a theory") };
-            assert_eq!(prepared.lock().unwrap().len(), kinds, "{name}");
+            assert_eq!(prepared.count(), kinds, "{name}");
             let forces = replies.iter().map(|reply| reply.as_ref().unwrap().solution.force);
             let forces: Vec<_> = forces.collect();
             assert_eq!(forces[0] == forces[1], kinds == 1);

@@ -1,13 +1,11 @@
 //! Warnings about a solution: what it neglects, where it may be wrong, what looks like another unit.
 
+mod of_theory;
+mod of_units;
 mod words;
 
-use std::f64::consts::FRAC_PI_2;
-
-use creepage::gap::Gap;
-use creepage::normal::{self, NormalContact, Patch};
-use creepage::theory::ExactOptions;
-use creepage::{Contact, Ellipse, Hertz, Layer, Scaling, SiCreepage, Solution, Status, TheorySpec};
+use creepage::normal::{self, NormalContact};
+use creepage::{Ellipse, Scaling, Status};
 use creepage_rail::Role;
 
 /// A warning about a solution; in words by [`Display`](std::fmt::Display). Text, JSON,
@@ -201,15 +199,6 @@ pub enum Caution {
 }
 
 impl Caution {
-    /// `|kappa/mu|` from which neglecting it matters: the force may be off by a hundredth of `mu N`
-    /// then, about the median error of the best of the theories that neglect it.
-    pub const DISSIMILAR: f64 = 0.01;
-
-    /// By how much coupling moves a force, in parts of `mu N`, over `|q|`, `q = kappa mu/(1 - sigma)`:
-    /// 0.05 to 0.17 in steel on aluminium and on a polymer, friction 0.05 and 0.3, `a/b` 0.5 and 1. Of 94
-    /// random cases (0.004 to 0.5) the caution is right in 81, needless in 4, missing in 9.
-    const MOVED_BY_COUPLING: f64 = 0.15;
-
     /// Peak pressure over shear yield stress from which a contact is fully plastic: the mean pressure is the
     /// hardness, three times the yield stress in tension (Tabor 1951), the peak 3/2 of it, by von Mises.
     pub const FULLY_PLASTIC: f64 = 7.8;
@@ -232,8 +221,6 @@ impl Caution {
     /// Approach (m) beyond that of any elastic contact of a wheel: 1 MN on a wheel gives .5 mm.
     const DEEP: f64 = 1e-3;
 
-    /// Part by which a layer is stiffer than a thin one from which it is named.
-    const THICK: f64 = 0.05;
     /// Peclet number below which temperatures are a caution.
     pub const PECLET: f64 = 5.0;
 
@@ -294,33 +281,6 @@ impl Caution {
     /// With fewer points of a given gap across an area, that depends on how one interpolates.
     const POINTS: usize = 10;
 
-    /// All warnings about a solution of `theory` for `contact`.
-    #[must_use]
-    pub fn all(theory: &TheorySpec, contact: &Contact, solution: &Solution) -> Vec<Self> {
-        let status = (solution.status != Status::Solved).then_some(Self::Status(solution.status));
-        let dissimilar = match contact.areas() {
-            Some(_) => Self::like_bodies(contact.kappa_over_mu()),
-            None => Self::dissimilar(theory, contact.kappa_over_mu()),
-        };
-        let one_way = Self::one_way(theory, contact, solution);
-        let accuracy =
-            theory.prescribed_accuracy().zip(solution.error).map(|(prescribed, error)| {
-                Self::Accuracy { prescribed, reached: error.fx.max(error.fy) }
-            });
-        let accuracy = accuracy.filter(|caution| {
-            matches!(caution, Self::Accuracy { prescribed, reached } if reached > prescribed)
-        });
-        let [friction, layer] = Self::between_surfaces(theory, contact);
-        let all = [status, dissimilar, one_way, friction, layer, accuracy].into_iter().flatten();
-        all.chain(contact.areas().into_iter().flat_map(|areas| Self::of_areas(areas))).collect()
-    }
-
-    /// What an unlike pair loses on areas of any shape.
-    pub(crate) fn like_bodies(kappa_over_mu: f64) -> Option<Self> {
-        let matters = kappa_over_mu.abs() >= Self::DISSIMILAR;
-        matters.then_some(Self::LikeBodies { kappa_over_mu })
-    }
-
     /// Warnings about areas of any shape and their pressure, whatever rolls on them.
     pub(crate) fn of_areas(areas: &NormalContact) -> impl Iterator<Item = Self> {
         let peak = areas.peak_pressure().value;
@@ -346,324 +306,9 @@ impl Caution {
         }
     }
 
-    /// Contact areas that are large beside the radius of the gap in them.
-    pub(crate) fn large_areas(gap: &Gap, areas: &NormalContact) -> Option<Self> {
-        let mut widths = areas.patches().iter().flat_map(|patch| half_widths(gap, patch));
-        widths.find_map(|(width, radius)| Self::large_contact(width, radius))
-    }
-
-    /// All that a theory neglects in a contact, whatever it creeps.
-    #[must_use]
-    pub fn neglected(theory: &TheorySpec, contact: &Contact) -> Vec<Self> {
-        let dissimilar = match contact.areas() {
-            Some(_) => Self::like_bodies(contact.kappa_over_mu()),
-            None => Self::dissimilar(theory, contact.kappa_over_mu()),
-        };
-        let between = Self::between_surfaces(theory, contact).into_iter().flatten();
-        dissimilar.into_iter().chain(between).collect()
-    }
-
-    /// What a theory neglects between the surfaces: a law of friction, a layer.
-    #[must_use]
-    pub fn between_surfaces(theory: &TheorySpec, contact: &Contact) -> [Option<Self>; 2] {
-        let facts = theory.facts();
-        let theory = facts.name;
-        let friction = contact.rolling_friction();
-        let on_areas = contact.areas().is_some();
-        let follows = facts.friction_laws && (!on_areas || theory == "exact");
-        // On areas every row of the simplified theories has the friction of its own place.
-        let by_row = on_areas && ["fastsim", "fastrip", "saturated"].contains(&theory);
-        let left_out = friction.is_some_and(|law| if by_row { law.falls() } else { law.varies() });
-        let friction = left_out.then_some(Self::ConstantFriction { theory });
-        let friction = friction.filter(|_| !follows);
-        let layer = contact.layer().and_then(|layer| {
-            if follows { Self::thick_layer(layer, contact) } else { Some(Self::NoLayer { theory }) }
-        });
-        [friction, layer]
-    }
-
-    /// A layer that is not thin beside the contact of which it is a part.
-    fn thick_layer(layer: Layer, contact: &Contact) -> Option<Self> {
-        let half_width = match contact.areas() {
-            Some(areas) => smallest_half_width(areas),
-            None => contact.scaling().length * contact.ellipse().minor() / contact.ellipse().c(),
-        };
-        Self::thick_beside(layer, half_width)
-    }
-
-    /// A layer that is not thin beside a half-width (m).
-    ///
-    /// Tractions of wavelength `2 pi/k` shear a layer of thickness `h` on a stiff body by `tanh(kh)/(kh)` of what each
-    /// place does by itself; those of a contact have a half wave over its width at least.
-    pub(crate) fn thick_beside(layer: Layer, half_width: f64) -> Option<Self> {
-        let share = layer.thickness() / half_width;
-        let phase = FRAC_PI_2 * share;
-        let stiffer = phase / phase.tanh() - 1.0;
-        (stiffer > Self::THICK).then_some(Self::ThickLayer { share, stiffer })
-    }
-
-    /// What a theory neglects between bodies that are so dissimilar, if that matters.
-    #[must_use]
-    pub fn dissimilar(theory: &TheorySpec, kappa_over_mu: f64) -> Option<Self> {
-        let facts = theory.facts();
-        if facts.dissimilar_bodies { None } else { Self::dissimilar_for(facts.name, kappa_over_mu) }
-    }
-
-    /// The same of anything that neglects the dissimilarity, such as a table.
-    #[must_use]
-    pub fn dissimilar_for(theory: &'static str, kappa_over_mu: f64) -> Option<Self> {
-        let matters = kappa_over_mu.abs() >= Self::DISSIMILAR;
-        matters.then_some(Self::Dissimilar { theory, kappa_over_mu })
-    }
-
-    /// All that a table neglects in a contact.
-    #[must_use]
-    pub fn all_of_table(contact: &Contact) -> Vec<Self> {
-        let theory = "a table";
-        let dissimilar = Self::dissimilar_for(theory, contact.kappa_over_mu());
-        let varies = contact.rolling_friction().is_some_and(|friction| friction.varies());
-        let friction = varies.then_some(Self::ConstantFriction { theory });
-        let layer = contact.layer().map(|_| Self::NoLayer { theory });
-        [dissimilar, friction, layer].into_iter().flatten().collect()
-    }
-
-    /// A semi-axis above this part of the smallest radius, and creepage above it, are cautions: the
-    /// bodies are no half-spaces then, and steel does not get there without yielding.
-    pub const LARGE: f64 = 0.3;
-
-    /// What looks like a number in another unit, such as megapascals for pascals or degrees for radians.
-    ///
-    /// ```
-    /// use creepage::{Hertz, Radii, SiCreepage, Solid, SolidPair};
-    /// use creepage_study::Caution;
-    /// let [ball, flat] = [6e-3, f64::INFINITY].map(|r| Radii { rolling: r, lateral: r });
-    /// for (shear_modulus, count) in [(82e9, 0), (82e3, 2)] {
-    ///     let steel = Solid::new(shear_modulus, 0.28)?; // in MPa: too soft
-    ///     let contact = Hertz::new(SolidPair::new(steel, steel), ball, flat, 0.0, 500.0)?;
-    ///     let cautions = Caution::units(&contact, Some(6e-3), SiCreepage::default());
-    ///     assert_eq!(cautions.len(), count);
-    /// }
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    #[must_use]
-    pub fn units(hertz: &Hertz, smallest_radius: Option<f64>, creepage: SiCreepage) -> Vec<Self> {
-        let [along, across] = hertz.relative_curvatures();
-        let radius = smallest_radius.unwrap_or(0.5 / along.max(across));
-        let contact = Self::large_contact(hertz.ellipse().major(), radius);
-        let pressure = Self::high_pressure(hertz.peak_pressure(), hertz.pair().shear_modulus());
-        contact.into_iter().chain(pressure).chain(Self::large_creepage(creepage)).collect()
-    }
-
-    /// The same of a line contact: its half-width and the smallest radius (m), its peak pressure and the
-    /// shear modulus (Pa).
-    #[must_use]
-    pub fn line_units(
-        [half_width, radius]: [f64; 2],
-        [peak_pressure, shear_modulus]: [f64; 2],
-    ) -> Vec<Self> {
-        let contact = Self::large_contact(half_width, radius);
-        contact.into_iter().chain(Self::high_pressure(peak_pressure, shear_modulus)).collect()
-    }
-
-    /// What an ellipse is in doubt for, whatever it does: units, a metal that yields.
-    pub(crate) fn of_hertz(hertz: &Hertz, smallest_radius: Option<f64>) -> Vec<Self> {
-        let mut cautions = Self::units(hertz, smallest_radius, SiCreepage::default());
-        if cautions.is_empty() {
-            let (peak, pair) = (hertz.peak_pressure(), hertz.pair());
-            cautions.extend(Self::yields(peak, pair.shear_modulus(), None));
-        }
-        cautions
-    }
-
-    /// A contact (m) that is large beside the bodies' radius (m).
-    pub(crate) fn large_contact(semi_axis: f64, radius: f64) -> Option<Self> {
-        (semi_axis > Self::LARGE * radius).then_some(Self::LargeContact { semi_axis, radius })
-    }
-
-    /// A pressure (Pa) above the shear modulus (Pa).
-    pub(crate) fn high_pressure(peak_pressure: f64, shear_modulus: f64) -> Option<Self> {
-        (peak_pressure > shear_modulus)
-            .then_some(Self::HighPressure { peak_pressure, shear_modulus })
-    }
-
-    /// The components of a creepage that no wheel has.
-    pub(crate) fn large_creepage(creepage: SiCreepage) -> impl Iterator<Item = Self> {
-        let SiCreepage { longitudinal, lateral, .. } = creepage;
-        let components = [("longitudinal", longitudinal), ("lateral", lateral)];
-        let large = components.into_iter().filter(|(_, value)| value.abs() > Self::LARGE);
-        large.map(|(component, value)| Self::LargeCreepage { component, value })
-    }
-
-    /// Whether it is one of [`Caution::units`].
-    #[must_use]
-    pub fn is_of_units(&self) -> bool {
-        matches!(
-            self,
-            Self::LargeContact { .. } | Self::HighPressure { .. } | Self::LargeCreepage { .. }
-        )
-    }
-
-    /// Whether coupling would move the force of `exact` by more than its error bars, by a cheap
-    /// estimate.
-    fn one_way(theory: &TheorySpec, contact: &Contact, solution: &Solution) -> Option<Self> {
-        let TheorySpec::Exact(ExactOptions { coupled: false, .. }) = theory else { return None };
-        if contact.areas().is_some() {
-            return None;
-        }
-        let (friction, error) = (contact.friction()?, solution.error?);
-        let q = contact.kappa_over_mu() * friction * friction / (1.0 - contact.poisson());
-        let moved = Self::MOVED_BY_COUPLING * q.abs();
-        (moved > error.fx.max(error.fy)).then_some(Self::OneWay { moved })
-    }
-
     /// All of them in words, one after the other.
     #[must_use]
     pub fn words(cautions: &[Self]) -> String {
         cautions.iter().map(ToString::to_string).collect::<Vec<_>>().join("; ")
-    }
-}
-
-/// The smaller half-width (m) of the area with the largest load.
-fn smallest_half_width(areas: &NormalContact) -> f64 {
-    let largest = areas.patches().iter().max_by(|a, b| a.load().total_cmp(&b.load()));
-    let size = |patch: &Patch| patch.extent().size();
-    largest.map_or(f64::NAN, |patch| size(patch).into_iter().fold(f64::INFINITY, f64::min) / 2.0)
-}
-
-/// Along and across, half the width of an area and the radius of the gap in it: that of the parabola
-/// through the middle and both ends.
-fn half_widths(gap: &Gap, patch: &Patch) -> [(f64, f64); 2] {
-    let extent = patch.extent();
-    let [x, y] = [extent.x, extent.y].map(|[low, high]| f64::midpoint(low, high));
-    let middle = gap.at(x, y);
-    let [along, across] =
-        [extent.x.map(|end| gap.at(end, y) - middle), extent.y.map(|end| gap.at(x, end) - middle)];
-    [(extent.size()[0], along), (extent.size()[1], across)].map(|(size, [one, other])| {
-        let half = 0.5 * size;
-        // A gap that is hollow there has none.
-        (half, half * half / (one + other).max(0.0))
-    })
-}
-
-#[cfg(test)]
-mod tests {
-    use creepage::coulomb::{Exact, Resolution};
-    use creepage::{Creepage, Ellipse, Theory};
-
-    use super::*;
-
-    fn contact(ratio: f64, poisson: f64, kappa_over_mu: f64) -> Contact {
-        let like = Contact::new(Ellipse::from_ratio(ratio).unwrap(), poisson).unwrap();
-        like.with_kappa_over_mu(kappa_over_mu).unwrap()
-    }
-
-    #[test]
-    fn the_force_may_be_off_by_about_kappa_over_mu() {
-        // The ends of the range that is claimed: slender one way and the other.
-        for (ratio, poisson, resolution, range) in [
-            (1.0, 0.28, Resolution::STANDARD, 0.95..1.05),
-            (0.05, 0.1, Resolution::FAST, 0.35..2.2),
-            (0.05, 0.45, Resolution::FAST, 0.35..2.2),
-            (20.0, 0.1, Resolution::FAST, 0.35..2.2),
-            (20.0, 0.45, Resolution::FAST, 0.35..2.2),
-        ] {
-            let change = |kappa_over_mu: f64, creepage| {
-                let [like, unlike] = [0.0, kappa_over_mu].map(|kappa| {
-                    let contact = contact(ratio, poisson, kappa);
-                    Exact::new(&contact, resolution).unwrap().solve(creepage).force
-                });
-                (unlike.fx - like.fx).hypot(unlike.fy - like.fy) / kappa_over_mu
-            };
-            let at_rest = change(Caution::DISSIMILAR, Creepage::default());
-            assert!(range.contains(&at_rest), "{ratio} {poisson}: {at_rest}");
-            for [xi, eta, chi] in [[0.2, 0.0, 0.0], [0.0, 0.5, 0.5], [-0.5, 0.0, 2.0]] {
-                let creepage = Creepage::new(xi, eta, chi).unwrap();
-                // Nowhere more than where all adheres; 5 % for the coarse elements.
-                assert!(change(0.3, creepage) < 1.05 * at_rest, "{ratio} {poisson} {xi}");
-            }
-        }
-    }
-
-    /// A layer is thin up to about a quarter of the half-width, on ellipses across as along; theories that leave it out
-    /// say that instead.
-    #[test]
-    fn a_thick_layer_is_a_caution() {
-        let exact = TheorySpec::named("exact").unwrap();
-        for (ratio, thickness, is_thick) in
-            [(1.0, 0.2, false), (1.0, 0.3, true), (0.25, 0.12, false), (4.0, 0.2, true)]
-        {
-            let layer = Layer::elastic(thickness, 1.0).unwrap();
-            let contact = contact(ratio, 0.28, 0.0).with_layer(layer);
-            let thick =
-                Caution::neglected(&exact, &contact).into_iter().find_map(
-                    |caution| match caution {
-                        Caution::ThickLayer { share, stiffer } => Some((share, stiffer)),
-                        _ => None,
-                    },
-                );
-            assert_eq!(thick.is_some(), is_thick, "{ratio} {thickness}");
-            // By the second order of tanh, and less.
-            assert!(
-                thick.is_none_or(|(share, stiffer)| stiffer < (FRAC_PI_2 * share).powi(2) / 3.0)
-            );
-            let polach = TheorySpec::named("polach").unwrap();
-            let others = Caution::neglected(&polach, &contact);
-            assert_eq!(others, [Caution::NoLayer { theory: "polach" }]);
-        }
-    }
-
-    #[test]
-    fn what_matters_is_a_caution_for_all_but_the_full_theory() {
-        for theory in TheorySpec::all() {
-            for kappa_over_mu in [-5.0, -0.01, 0.01, 0.4] {
-                let caution = Caution::dissimilar(&theory, kappa_over_mu);
-                let counts = ["exact", "variational"].contains(&theory.facts().name);
-                assert_eq!(caution.is_some(), !counts);
-            }
-            assert_eq!(Caution::dissimilar(&theory, -0.009), None);
-        }
-        let polach = TheorySpec::named("polach").unwrap();
-        let words = Caution::dissimilar(&polach, -0.37).unwrap().to_string();
-        assert!(words.contains("kappa/mu = -0.370") && words.contains("37 % of mu N"), "{words}");
-    }
-
-    #[test]
-    fn numbers_in_other_units_are_cautions_from_their_bounds_on() {
-        let steel = creepage::Solid::new(1e9, 0.25).unwrap();
-        let ellipse = Ellipse::new(3e-3, 2e-3).unwrap();
-        let hertz = |load| {
-            Hertz::from_ellipse(creepage::SolidPair::new(steel, steel), ellipse, load).unwrap()
-        };
-        let units = |load, radius, longitudinal, lateral| {
-            let creepage = SiCreepage { longitudinal, lateral, spin: 9.0 };
-            Caution::units(&hertz(load), radius, creepage)
-        };
-        assert_eq!(units(1e3, Some(10.1e-3), 0.3, -0.3), []);
-        assert_eq!(units(1e3, Some(9.9e-3), 0.0, 0.0).len(), 1);
-        assert_eq!(units(1e3, None, 0.31, -0.31).len(), 2);
-        // Peak pressure 3N / (2 pi a b), with the modulus of 1 GPa: from 12.57 kN on. The ellipse
-        // then belongs to bodies of its own size.
-        assert_eq!(units(12.5e3, Some(1.0), 0.0, 0.0), []);
-        assert_eq!(units(12.6e3, Some(1.0), 0.0, 0.0).len(), 1);
-        let words = Caution::words(&units(12.6e3, None, 2.0, 0.0));
-        for part in ["0.003 m is more", "1.003 GPa exceeds", "longitudinal creepage of 2 "] {
-            assert!(words.contains(part), "{part} is not in {words}");
-        }
-        assert!(units(12.6e3, None, 2.0, 0.0).iter().all(Caution::is_of_units));
-    }
-
-    #[test]
-    fn an_accuracy_out_of_reach_is_a_caution() {
-        let auto = crate::theory_spec("exact", &["resolution=auto", "accuracy=1e-9"]).unwrap();
-        let contact = contact(1.0, 0.3, 0.0);
-        let solution = Solution {
-            force: creepage::Force::default(),
-            error: Some(creepage::Force { fx: 1e-4, fy: 0.0, mz: 0.0 }),
-            status: Status::NotConverged,
-            statistics: creepage::Statistics::default(),
-        };
-        let cautions = Caution::all(&auto, &contact, &solution);
-        assert_eq!(cautions.len(), 2);
-        assert!(Caution::words(&cautions).contains("1.00e-4 of mu N"));
     }
 }

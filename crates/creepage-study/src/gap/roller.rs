@@ -15,7 +15,7 @@ const EDGE: u32 = 24;
 /// Part of an edge's radius to which it is round: it falls by .8 of the radius, more than any approach.
 const REACH: f64 = 0.98;
 /// Beyond, the side goes on along the edge's tangent, over this part of the length in as many points.
-const BESIDE: f64 = 0.3;
+const EXTENSION: f64 = 0.3;
 const SIDE: u32 = 12;
 /// The radius of an edge where none is given (m).
 const USUAL_EDGE: f64 = 2e-4;
@@ -113,7 +113,7 @@ impl RollerSection {
         let middle = (0..=INNER).map(|k| inner * (FRAC_PI_2 * (2.0 * even(k, INNER) - 1.0)).sin());
         let turned = |k: u32| (half - inner) * (REACH.asin() * even(k, EDGE)).sin();
         let end = inner + turned(EDGE);
-        let beside = |k: u32| end + BESIDE * self.length * even(k, SIDE) * even(k, SIDE);
+        let beside = |k: u32| end + EXTENSION * self.length * even(k, SIDE) * even(k, SIDE);
         let outer = || (1..=EDGE).map(|k| inner + turned(k)).chain((1..=SIDE).map(beside));
         let low: Vec<f64> = outer().map(|y| -y).collect();
         low.into_iter().rev().chain(middle).chain(outer()).collect()

@@ -1,8 +1,7 @@
 //! Many contacts of any shape: each row of a table is a case by itself.
 
-use std::collections::VecDeque;
 use std::path::PathBuf;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::Arc;
 
 use creepage::SolidPair;
 use creepage::gap::Gap;
@@ -12,6 +11,10 @@ use super::error::GapCaseError;
 use super::file::GapFile;
 use super::shape::GapSection;
 use super::vary::{GapValue, GapVaried};
+use crate::recent::Recent;
+
+/// Gaps that are kept: more than rows are worked at together.
+const KEPT: usize = 32;
 
 /// A case with `[gap]` some of whose quantities have values of their own in every row. Each row is
 /// a case by itself; [`GapSolver`](super::GapSolver) presses anew only where it must.
@@ -21,7 +24,7 @@ pub struct GapRows {
     directory: PathBuf,
     varied: Vec<GapVaried>,
     /// Gaps of the latest rows, which rows that follow mostly share.
-    read: Arc<Mutex<VecDeque<(GapSection, Gap)>>>,
+    read: Arc<Recent<GapSection, Gap>>,
 }
 
 impl GapRows {
@@ -31,7 +34,7 @@ impl GapRows {
     /// again for each.
     #[must_use]
     pub fn new(file: GapFile, directory: PathBuf, varied: Vec<GapVaried>) -> Self {
-        Self { file, directory, varied, read: Arc::default() }
+        Self { file, directory, varied, read: Arc::new(Recent::new(|| KEPT)) }
     }
 
     /// What differs from row to row.
@@ -59,17 +62,10 @@ impl GapRows {
     }
 
     fn gap(&self, section: &GapSection, pair: SolidPair) -> Result<Gap, GapCaseError> {
-        /// More than rows are worked at together.
-        const KEPT: usize = 32;
-        let read = || self.read.lock().unwrap_or_else(PoisonError::into_inner);
-        let known = read().iter().find(|(known, _)| known == section).map(|(_, gap)| gap.clone());
-        if let Some(gap) = known {
-            return Ok(gap);
+        if let Some(known) = self.read.find(section) {
+            return Ok((*known).clone());
         }
         let gap = section.gap(&self.directory, pair)?;
-        let mut read = read();
-        read.truncate(KEPT - 1);
-        read.push_front((section.clone(), gap.clone()));
-        Ok(gap)
+        Ok((*self.read.keep(section, gap)).clone())
     }
 }

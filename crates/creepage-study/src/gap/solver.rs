@@ -1,7 +1,6 @@
 //! Cases of any shape solved: what one presses together, the next ones only roll.
 
-use std::collections::VecDeque;
-use std::sync::{Arc, Mutex, OnceLock, PoisonError};
+use std::sync::Arc;
 
 use creepage::coulomb::{NonHertzian, Resolution};
 use creepage::gap::Gap;
@@ -12,6 +11,7 @@ use creepage::{Contact, InvalidValue, SolidPair, Theory, TheorySpec};
 use super::case::{GapCase, Pressed};
 use super::error::GapCaseError;
 use super::solve;
+use crate::recent::Recent;
 use crate::solve::{SolvedTheory, in_si_units};
 use crate::{AnyCase, CaseError, Caution, SolveError, SolvedCase};
 
@@ -27,9 +27,9 @@ pub fn solve_gap(case: &GapCase) -> Result<SolvedCase, GapCaseError> {
 /// contacts of the last few and what the full theory prepared on them: a case that differs from one
 /// of these in creepage, speed, friction or layer alone is not pressed anew. Answers have the same bits as
 /// those of [`solve_gap`].
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub struct GapSolver {
-    contacts: Memory<CacheKey, Known>,
+    contacts: Recent<CacheKey, Known>,
 }
 
 /// What a contact follows from.
@@ -45,7 +45,18 @@ struct CacheKey {
 #[derive(Debug)]
 struct Known {
     areas: Result<Arc<NormalContact>, NormalError>,
-    theories: Memory<Resolution, Result<NonHertzian, InvalidValue>>,
+    theories: Recent<Resolution, Result<NonHertzian, InvalidValue>>,
+}
+
+/// A table is mostly in order: each thread is at one contact, or between two.
+fn contacts_kept() -> usize {
+    rayon::current_num_threads() + 1
+}
+
+impl Default for GapSolver {
+    fn default() -> Self {
+        Self { contacts: Recent::new(contacts_kept) }
+    }
 }
 
 impl GapSolver {
@@ -96,9 +107,9 @@ impl GapSolver {
     fn pressed(&self, case: &GapCase, resolution: normal::Resolution) -> Arc<Known> {
         let (gap, pressed) = (case.gap.clone(), case.pressed);
         let asked = CacheKey { gap, pair: case.pair, pressed, resolution };
-        self.contacts.of(&asked, |_| {
+        self.contacts.of(&asked, || {
             let areas = solve::pressed_together(case, resolution).map(Arc::new);
-            Known { areas, theories: Memory::default() }
+            Known { areas, theories: Recent::new(contacts_kept) }
         })
     }
 }
@@ -129,8 +140,7 @@ impl Known {
     ) -> Result<NonHertzian, InvalidValue> {
         // What depends on friction or on a layer is little, and made for each contact.
         let friction = contact.friction().unwrap_or(1.0);
-        let theory =
-            self.theories.of(&resolution, |resolution| NonHertzian::on(contact, *resolution));
+        let theory = self.theories.of(&resolution, || NonHertzian::on(contact, resolution));
         let theory = theory.as_ref().as_ref().map_err(InvalidValue::clone)?;
         let theory = theory.with_friction(friction)?;
         Ok(theory.with_resistance(contact.rolling_friction(), contact.layer()))
@@ -202,42 +212,6 @@ impl GapCase {
     }
 }
 
-/// The last few values by their keys; each is made once, and whoever else asks for it meanwhile
-/// waits.
-#[derive(Debug)]
-struct Memory<K, V> {
-    entries: Mutex<VecDeque<(K, Slot<V>)>>,
-}
-
-type Slot<V> = Arc<OnceLock<Arc<V>>>;
-
-impl<K, V> Default for Memory<K, V> {
-    fn default() -> Self {
-        Self { entries: Mutex::default() }
-    }
-}
-
-impl<K: PartialEq + Clone, V> Memory<K, V> {
-    fn of(&self, key: &K, make: impl FnOnce(&K) -> V) -> Arc<V> {
-        let slot = self.slot(key);
-        Arc::clone(slot.get_or_init(|| Arc::new(make(key))))
-    }
-
-    /// The place of a key; the one not asked for the longest gives way to a new one.
-    fn slot(&self, key: &K) -> Slot<V> {
-        let mut entries = self.entries.lock().unwrap_or_else(PoisonError::into_inner);
-        let place = entries.iter().position(|(known, _)| known == key);
-        let entry = place.and_then(|place| entries.remove(place));
-        let (key, slot) = entry.unwrap_or_else(|| (key.clone(), Slot::default()));
-        // A table is mostly in order: each thread is at one contact, or between two.
-        if entries.len() > rayon::current_num_threads() {
-            entries.pop_front();
-        }
-        entries.push_back((key, Arc::clone(&slot)));
-        slot
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -304,7 +278,7 @@ mod tests {
             let _ =
                 solver.pressed(&case(&[("40e3", &format!("{load}e3"))]), normal::Resolution::FAST);
         }
-        let kept = solver.contacts.entries.lock().unwrap().len();
+        let kept = solver.contacts.count();
         assert!(kept <= rayon::current_num_threads() + 1, "{kept}");
     }
 }

@@ -155,8 +155,9 @@ impl Minimum {
 /// Student's `t` that 95 % of samples stay within, for so many degrees of freedom.
 pub(super) fn student_95(freedom: usize) -> f64 {
     /// Exact to the digits given, for 1 to 9 degrees.
-    const FEW: [f64; 9] = [12.7062, 4.3027, 3.1824, 2.7764, 2.5706, 2.4469, 2.3646, 2.3060, 2.2622];
-    let few = freedom.checked_sub(1).and_then(|k| FEW.get(k)).copied();
+    const FEW_DEGREES: [f64; 9] =
+        [12.7062, 4.3027, 3.1824, 2.7764, 2.5706, 2.4469, 2.3646, 2.3060, 2.2622];
+    let few = freedom.checked_sub(1).and_then(|k| FEW_DEGREES.get(k)).copied();
     // Expansion about the normal distribution (Abramowitz and Stegun 26.7.5): 1e-4 from 10 degrees on.
     let (z, n) = (1.959_963_985_f64, freedom as f64);
     let [z3, z5, z7, z9] = [3, 5, 7, 9].map(|power| z.powi(power));

@@ -5,6 +5,7 @@
 //! uncertainty and the points that do not belong to the others.
 
 mod fit;
+mod fitted;
 mod least_squares;
 mod model;
 mod over_curves;
@@ -12,6 +13,6 @@ pub(crate) mod picture;
 mod points;
 mod report;
 
-pub use fit::{Fit, FitCaution, FitError, FitOptions, Fitted, FittedPoint};
+pub use fitted::{Fit, FitCaution, FitError, FitOptions, Fitted, FittedPoint};
 pub(crate) use over_curves::Overlaid;
 pub use points::{MeasuredError, MeasuredPoint, MeasuredPoints, UnreadRow};

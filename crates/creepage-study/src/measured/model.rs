@@ -7,7 +7,7 @@ use creepage::normal::NormalContact;
 use creepage::{Contact, Creepage, Layer, SiCreepage, Solution, Status, TheorySpec};
 use rayon::prelude::*;
 
-use super::fit::FitError;
+use super::fitted::FitError;
 use super::points::MeasuredPoints;
 use crate::{AnyCase, AnyCaseFile, BulkCase, CaseError, Question, Solver, Varied};
 

@@ -4,7 +4,7 @@ use creepage::SiCreepage;
 use creepage_plot::format::significant;
 use creepage_plot::{Axis, Label, Mark, Panel, Pen, Point, Shape, Sheet};
 
-use super::fit::{Fit, FittedPoint};
+use super::fitted::{Fit, FittedPoint};
 
 pub(crate) const MEASURED: Mark = Mark::full(Shape::Circle, "#10243a");
 const BAD: Mark = Mark { size: 5.2, ..Mark::open(Shape::Cross, "#b3261e") };

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use serde_json::{Value, json};
 
-use super::fit::{Fit, Fitted, FittedPoint};
+use super::fitted::{Fit, Fitted, FittedPoint};
 use crate::error::ReportError;
 use crate::file_set::write_all;
 use crate::sources::Sources;

@@ -10,8 +10,8 @@ mod quantity;
 mod tests;
 
 pub use of_contact::{hertz_report, pressed_report};
-pub use quantity::{Quantity, Report, Unit};
+pub use quantity::{PerUnit, Quantity, Report, Unit};
 
 pub(crate) use of_contact::{method, words};
-pub(crate) use part::{DerivativesJson, ReportPart};
-pub(crate) use quantity::{Shown, Written};
+pub(crate) use part::ReportPart;
+pub(crate) use quantity::{Section, Shown, Written};

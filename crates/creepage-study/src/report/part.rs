@@ -18,7 +18,6 @@ pub(crate) enum ReportPart {
     Names(Option<Vec<&'static str>>),
     Count(usize),
     Numbers(Option<Vec<f64>>),
-    Derivatives(Option<DerivativesJson>),
     Report(Option<Report>),
     Reports(Vec<Report>),
     Patches(Vec<PatchJson>),
@@ -28,9 +27,6 @@ pub(crate) enum ReportPart {
     Curved(Option<CurvedJson>),
     Details(BTreeMap<&'static str, DetailJson>),
 }
-
-/// Numbers by their keys, of each quantity that they are derivatives by; `None` by what is found and not given.
-pub(crate) type DerivativesJson = BTreeMap<&'static str, Option<BTreeMap<&'static str, f64>>>;
 
 impl ReportPart {
     /// Reports that it lists, each with its place in a list.

@@ -14,6 +14,8 @@ pub enum Unit {
     One,
     /// A part of a whole, from 0 to 1; in percent in texts.
     Share,
+    /// A part of a whole in percent.
+    Percent,
     /// N.
     Newton,
     /// m.
@@ -30,14 +32,26 @@ pub enum Unit {
     LineLoad,
     /// m/N^(2/3).
     MetrePerNewtonTwoThirds,
+    /// A force (N) by what is in this unit; its key is that of the force.
+    ForceBy(PerUnit),
+    /// A moment (N m) by what is in this unit; its key is that of the moment.
+    MomentBy(PerUnit),
+    /// N m/rad.
+    NewtonMetrePerRadian,
+    /// Pa/m.
+    PascalPerMetre,
     /// 1/m.
     PerMetre,
     /// rad.
     Radian,
+    /// deg.
+    Degree,
     /// rad/m.
     RadianPerMetre,
     /// rad/s.
     RadianPerSecond,
+    /// J.
+    Joule,
     /// J/m.
     JoulePerMetre,
     /// J/m².
@@ -48,11 +62,37 @@ pub enum Unit {
     Watt,
 }
 
+/// The unit of what a force is derived by.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum PerUnit {
+    /// m.
+    Metre,
+    /// rad.
+    Radian,
+    /// m/s.
+    MetrePerSecond,
+    /// rad/s.
+    RadianPerSecond,
+}
+
+impl PerUnit {
+    /// Units of forces and of moments by it.
+    const fn symbols(self) -> [&'static str; 2] {
+        match self {
+            Self::Metre => ["N/m", "N"],
+            Self::Radian => ["N/rad", "N m/rad"],
+            Self::MetrePerSecond => ["N s/m", "N s"],
+            Self::RadianPerSecond => ["N s/rad", "N m s/rad"],
+        }
+    }
+}
+
 impl Unit {
     /// How a key ends that has this unit, and the unit as it is written.
     const fn words(self) -> [&'static str; 2] {
         match self {
             Self::One | Self::Share => ["", ""],
+            Self::Percent => ["_percent", "%"],
             Self::Newton => ["_n", "N"],
             Self::Metre => ["_m", "m"],
             Self::SquareMetre => ["_m2", "m²"],
@@ -60,10 +100,16 @@ impl Unit {
             Self::NewtonMetre => ["_n_m", "N m"],
             Self::NewtonPerMetre | Self::LineLoad => ["_n_per_m", "N/m"],
             Self::MetrePerNewtonTwoThirds => ["_m_per_n_2_3", "m/N^(2/3)"],
+            Self::ForceBy(by) => ["_n", by.symbols()[0]],
+            Self::MomentBy(by) => ["_n_m", by.symbols()[1]],
+            Self::NewtonMetrePerRadian => ["_n_m_per_rad", "N m/rad"],
+            Self::PascalPerMetre => ["_pa_per_m", "Pa/m"],
             Self::PerMetre => ["_per_m", "1/m"],
             Self::Radian => ["_rad", "rad"],
+            Self::Degree => ["_deg", "deg"],
             Self::RadianPerMetre => ["_rad_per_m", "rad/m"],
             Self::RadianPerSecond => ["_rad_per_s", "rad/s"],
+            Self::Joule => ["_j", "J"],
             Self::JoulePerMetre => ["_j_per_m", "J/m"],
             Self::JoulePerSquareMetre => ["_j_per_m2", "J/m²"],
             Self::MetrePerSecond => ["_m_per_s", "m/s"],
@@ -86,6 +132,7 @@ impl Unit {
     fn text(self, value: f64, digits: usize) -> String {
         match self {
             Self::Share => format!("{} %", fixed(100.0 * value, 2)),
+            Self::Percent | Self::Degree => format!("{} {}", fixed(value, 2), self.symbol()),
             Self::SquareMetre => format!("{} mm²", significant(1e6 * value, digits)),
             Self::NewtonPerMetre => format!("{} N/µm", significant(1e-6 * value, digits)),
             Self::Radian => format!("{} deg", fixed(value.to_degrees(), 3)),
@@ -104,8 +151,10 @@ impl Unit {
 /// How a text writes a number.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Written {
-    /// In its own unit, with a prefix where it takes one, to so many significant digits.
+    /// In the unit that people use for it, with a prefix where it takes one, to so many significant digits.
     Digits(usize),
+    /// In its SI unit with a prefix, to so many significant digits.
+    Prefixed(usize),
     /// The number times a factor, in another unit, to so many significant digits.
     Significant(f64, &'static str, usize),
     /// The same to so many decimals.
@@ -121,6 +170,10 @@ impl Written {
     fn text(self, unit: Unit, value: f64) -> String {
         match self {
             Self::Digits(digits) => unit.text(value, digits),
+            Self::Prefixed(digits) => match unit {
+                Unit::One | Unit::Share | Unit::Percent | Unit::Degree => unit.text(value, digits),
+                _ => quantity(value, unit.symbol(), digits),
+            },
             Self::Significant(factor, name, digits) => {
                 format!("{} {name}", significant(factor * value, digits))
             }
@@ -137,6 +190,7 @@ impl Written {
     fn error(self, unit: Unit, error: f64) -> String {
         match self {
             Self::Digits(_) => unit.text(error, 2),
+            Self::Prefixed(_) => Self::Prefixed(2).text(unit, error),
             Self::Significant(factor, name, _)
             | Self::Fixed(factor, name, _)
             | Self::FixedSize(factor, name, _) => {
@@ -208,6 +262,11 @@ impl Quantity {
     #[must_use]
     pub fn text(&self) -> Option<String> {
         self.value.map(|value| self.written.text(self.unit, value))
+    }
+
+    /// Its value in its SI unit, to so many significant digits.
+    pub(crate) fn text_to(&self, digits: usize) -> Option<String> {
+        self.value.map(|value| Written::Prefixed(digits).text(self.unit, value))
     }
 
     /// Its error bar with its unit, for people.
@@ -284,6 +343,11 @@ impl Report {
         })
     }
 
+    /// Its own numbers of one section.
+    pub(crate) fn of_section(&self, section: &str) -> impl Iterator<Item = &Quantity> {
+        self.own().filter(move |one| one.section == section)
+    }
+
     /// The number with this path, as `contact.normal_force_n`.
     ///
     /// ```
@@ -304,6 +368,17 @@ impl Report {
     /// A section whose quantities a text shows in this place.
     pub(crate) fn section(&mut self, name: &'static str, shown: Shown) -> Section<'_> {
         Section { report: self, name, shown, written: Written::USUAL }
+    }
+
+    /// A section of a problem without rolling: numbers in SI units with prefixes.
+    pub(crate) fn statics(&mut self, name: &'static str) -> Section<'_> {
+        let written = Written::Prefixed(5);
+        Section { report: self, name, shown: Shown::Nowhere, written }
+    }
+
+    /// Adds what another report lists.
+    pub(crate) fn append(&mut self, other: &Self) {
+        self.entries.extend(other.entries.iter().cloned());
     }
 
     /// Adds what is no single number.

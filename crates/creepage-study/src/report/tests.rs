@@ -11,7 +11,9 @@ use creepage::coulomb::Constraints;
 
 use crate::testing::{CURVE, SLIDING, case, report, solved};
 use crate::{
-    AnyCaseFile, BearingFile, BearingReport, Case, Given, LineFile, Quantity, Report, WheelsetFile,
+    ANSWERS, AnyCaseFile, BearingFile, BearingReport, BulkCase, BulkColumn, Case, CaseFile, Given,
+    LineFile, Quantity, Report, Solver, StaticsFile, StaticsReport, TableAxis, Varied,
+    WheelsetCase, WheelsetFile, WheelsetTable,
 };
 
 fn close(value: &serde_json::Value, expected: f64) {
@@ -142,6 +144,16 @@ fn table_of_keys() -> String {
             }
         }
     }
+    write!(table, "\nWithout rolling, each of the problems that have it:\n{HEAD}").unwrap();
+    let mut written = BTreeSet::new();
+    for report in STATICS.map(statics) {
+        for (path, one) in report.quantities() {
+            let is_first = !path.starts_with("steps.") || path.starts_with("steps.0.");
+            if is_first && written.insert(path.clone()) {
+                row(&mut table, &path, one, "");
+            }
+        }
+    }
     table.push('\n');
     table
 }
@@ -152,17 +164,97 @@ fn row(table: &mut String, path: &str, one: &Quantity, only: &str) {
     writeln!(table, "| `{path}`{error} | {label}{only} | {unit} |").unwrap();
 }
 
+/// Rows of ellipses have numbers of the report of their case, under its keys.
+#[test]
+fn columns_of_rows_are_quantities() {
+    let text = include_str!("../../../../examples/wheel-on-rail.toml");
+    let text = text.replace("longitudinal = -1.5e-3", "longitudinal = -1.5e-3\nspeed = 20.0");
+    let spec = TheorySpec::named("fastsim").unwrap();
+    let case = AnyCaseFile::read(&text).unwrap().case(Path::new("")).unwrap();
+    let report = case.solve(Some(&spec)).unwrap().report();
+    let bulk = BulkCase::new(&CaseFile::read(&text).unwrap(), vec![Varied::Speed]).unwrap();
+    let answer = bulk.solve_one(&Solver::new(spec), &[20.0]).unwrap();
+    assert_eq!(bulk.columns(), BulkColumn::ALL.map(|column| column.name));
+    assert_eq!(answer.numbers(None).count(), BulkColumn::ALL.len());
+    for (column, number) in BulkColumn::ALL.iter().zip(answer.numbers(None)) {
+        let own = report.find(column.path).unwrap();
+        assert_eq!(own.key(), column.name);
+        // A rounding or two: the one is scaled before, the other after it is summed.
+        assert!((number / own.value.unwrap() - 1.0).abs() < 1e-14 || number == 0.0, "{column:?}");
+    }
+}
+
+/// Rows and tables of a wheelset have numbers of its report, under its keys, but for what a report has as no number of
+/// its own: the wrench of both rails, how many contacts there are, and how far they reach.
+#[test]
+fn columns_of_wheelsets_are_quantities() {
+    let case = wheelset_case();
+    let solved = case.solve().unwrap();
+    let report = solved.report();
+    let own = ["contacts", "length_m", "width_m"];
+    let of_wheel = [
+        "longitudinal_n",
+        "lateral_n",
+        "vertical_n",
+        "moment_x_n_m",
+        "moment_y_n_m",
+        "moment_z_n_m",
+    ];
+    let check = |name: &str, k: usize, number: f64| {
+        let (side, rest) = ["left", "right"]
+            .into_iter()
+            .find_map(|side| Some((side, name.strip_prefix(side)?.strip_prefix('_')?)))
+            .unwrap_or(("", name.strip_prefix("found_").unwrap_or(name)));
+        let of_contact = rest.strip_prefix("contact_").filter(|rest| *rest != "angle_rad");
+        let path = match (side, of_contact) {
+            ("", _) => rest.to_owned(),
+            (_, Some(rest)) => format!("{side}.patches.{k}.{rest}"),
+            (_, None) if of_wheel.contains(&rest) => format!("{side}.force.{rest}"),
+            (_, None) if rest == "pitch_rate_rad_per_s" => format!("{side}.{rest}"),
+            (_, None) => format!("{side}.patches.{k}.{rest}"),
+        };
+        let key = path.rsplit('.').next().unwrap();
+        if own.contains(&key) || name.starts_with("wrench_") {
+            return false;
+        }
+        let found = report.find(&path).and_then(|one| one.value).unwrap_or(f64::NAN);
+        // Both by one solver from one start.
+        assert!(
+            number.to_bits() == found.to_bits() || number.is_nan() && found.is_nan(),
+            "{name}: {number} {path} {found}"
+        );
+        true
+    };
+    let answers = ANSWERS.iter().zip(solved.solved.answers());
+    assert_eq!(answers.filter(|(name, number)| check(name, 0, *number)).count(), ANSWERS.len() - 6);
+    let axis = TableAxis { name: "y", values: vec![solved.solved.position().y] };
+    let table = WheelsetTable::solve(&case, &[axis], || true).unwrap();
+    let numbers = table.columns().filter(|(name, values)| check(name, 0, values[0]));
+    assert_eq!(numbers.count(), table.columns().count() - 2);
+    for (name, values) in table.contact_columns() {
+        for (k, number) in values.into_iter().enumerate() {
+            assert!(
+                check(&name, k, number) || name.ends_with("length_m") || name.ends_with("width_m")
+            );
+        }
+    }
+}
+
 fn line() -> Report {
     let text = include_str!("../../../../examples/line/aluminium-on-steel.toml");
     LineFile::read(text).unwrap().case().unwrap().solve().unwrap().report()
 }
 
 fn wheelset() -> Report {
+    wheelset_case().solve().unwrap().report()
+}
+
+fn wheelset_case() -> WheelsetCase {
     let directory = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/wheelset");
     let text = include_str!("../../../../examples/wheelset/s1002-on-uic60.toml");
     let mut case = WheelsetFile::read(text).unwrap().case(Path::new(directory)).unwrap();
     case.theory = TheorySpec::named("saturated").unwrap();
-    case.solve().unwrap().report()
+    case
 }
 
 fn bearing() -> Report {
@@ -170,13 +262,29 @@ fn bearing() -> Report {
     BearingReport::solve(BearingFile::read(text).unwrap().case().unwrap()).unwrap().report()
 }
 
+/// A problem without rolling of each kind.
+const STATICS: [&str; 7] = [
+    include_str!("../../../../examples/statics/die-offset-load.toml"),
+    include_str!("../../../../examples/statics/anchor-plate-shift.toml"),
+    include_str!("../../../../examples/statics/bolt-twist.toml"),
+    include_str!("../../../../examples/statics/wheel-standing-on-slope.toml"),
+    include_str!("../../../../examples/statics/fretting-path.toml"),
+    include_str!("../../../../examples/statics/soft-ball-pressed.toml"),
+    include_str!("../../../../examples/statics/clay-sheared.toml"),
+];
+
+fn statics(text: &str) -> Report {
+    let case = StaticsFile::read(text).unwrap().solve().unwrap();
+    StaticsReport::new(&case).unwrap().report()
+}
+
 /// Numbers of parts, each found by its path, are those of the JSON.
 #[test]
 fn numbers_of_parts_have_paths() {
-    for report in [wheelset(), bearing(), line()] {
+    for report in [wheelset(), bearing(), line()].into_iter().chain(STATICS.map(statics)) {
         let json = serde_json::to_value(&report).unwrap();
         let all = report.quantities();
-        assert!(all.len() > 15);
+        assert!(all.len() > 8);
         for (path, one) in all {
             let place = path.split('.').fold(&json, |place, part| match part.parse::<usize>() {
                 Ok(k) => &place[k],

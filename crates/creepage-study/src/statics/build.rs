@@ -8,8 +8,14 @@ use creepage::{Ellipse, Hertz, Solid, SolidPair};
 use super::StaticsReport;
 use super::field::{Field, magnitude};
 use super::path::Path;
-use super::quantity::Quantity;
 use super::slip_angle::Slip;
+use crate::report::{
+    Report, Section,
+    Unit::{
+        Degree, Metre, Newton, NewtonMetre, NewtonMetrePerRadian, NewtonPerMetre, One, Pascal,
+        Percent, Radian,
+    },
+};
 
 impl<'a> StaticsReport<'a> {
     /// A rigid die with base `base` (m) on the half-space `solid`, under `normal_force` (N) at
@@ -28,56 +34,50 @@ impl<'a> StaticsReport<'a> {
         let trial = [base.a() / 6.0, base.b() / 6.0];
         let tilt = Die::new(solid, base, normal_force, trial)?.tilt();
         let stiffness = [0, 1].map(|i| normal_force * trial[i] / tilt[i]);
-        let given = vec![
-            Quantity::new("normal_force_n", "normal force N", normal_force, "N").symbol("N", ""),
-            Quantity::new("offset_x_m", "offset of N along x", offset[0], "m").symbol("x", "N"),
-            Quantity::new("offset_y_m", "offset of N along y", offset[1], "m").symbol("y", "N"),
-        ];
+        let mut numbers = Report::default();
+        given(&mut numbers)
+            .number("normal_force", "normal force N", Newton, normal_force)
+            .number("offset_x", "offset of N along x", Metre, offset[0])
+            .number("offset_y", "offset of N along y", Metre, offset[1]);
+        shape(&mut numbers, base);
+        solid_numbers(&mut numbers, solid.shear_modulus(), solid.poisson());
         let [x, y] = die.tilt();
         let edge = (x * base.a()).hypot(y * base.b());
         let centre = die.indentation();
-        let found = vec![
-            Quantity::new("indentation_m", "indentation at the centre", centre, "m"),
-            Quantity::new("deepest_m", "indentation, deepest edge", centre + edge, "m"),
-            Quantity::new("shallowest_m", "indentation, opposite edge", centre - edge, "m"),
-            Quantity::new("tilt_x_rad", "tilt along x", x, "rad"),
-            Quantity::new("tilt_y_rad", "tilt along y", y, "rad"),
-            Quantity::new("stiffness_n_per_m", "stiffness", normal_force / centre, "N/m"),
-            Quantity::new(
-                "stiffness_tilt_x_n_m_per_rad",
+        found(&mut numbers)
+            .number("indentation", "indentation at the centre", Metre, centre)
+            .number("deepest", "indentation, deepest edge", Metre, centre + edge)
+            .number("shallowest", "indentation, opposite edge", Metre, centre - edge)
+            .number("tilt_x", "tilt along x", Radian, x)
+            .number("tilt_y", "tilt along y", Radian, y)
+            .number("stiffness", "stiffness", NewtonPerMetre, normal_force / centre)
+            .number(
+                "stiffness_tilt_x",
                 "tilt stiffness along x",
+                NewtonMetrePerRadian,
                 stiffness[0],
-                "N m/rad",
-            ),
-            Quantity::new(
-                "stiffness_tilt_y_n_m_per_rad",
+            )
+            .number(
+                "stiffness_tilt_y",
                 "tilt stiffness along y",
+                NewtonMetrePerRadian,
                 stiffness[1],
-                "N m/rad",
-            ),
-            Quantity::new(
-                "pressure_centre_pa",
-                "pressure at the centre",
-                die.pressure([0.0; 2]),
-                "Pa",
-            ),
-            Quantity::new(
-                "lift_off_used_percent",
+            )
+            .number("pressure_centre", "pressure at the centre", Pascal, die.pressure([0.0; 2]))
+            .number(
+                "lift_off_used",
                 "offset, share of lift-off",
+                Percent,
                 100.0 * (1.0 - die.margin()),
-                "%",
-            ),
-            Quantity::new("lift_off_x_m", "lift-off limit along x", base.a() / 3.0, "m"),
-            Quantity::new("lift_off_y_m", "lift-off limit along y", base.b() / 3.0, "m"),
-        ];
+            )
+            .number("lift_off_x", "lift-off limit along x", Metre, base.a() / 3.0)
+            .number("lift_off_y", "lift-off limit along y", Metre, base.b() / 3.0);
         Ok(Self {
             cautions: Vec::new(),
             problem: "die",
             title: "Rigid die on an elastic half-space",
             ellipse: base,
-            given: [given, shape(base), solid_numbers(solid.shear_modulus(), solid.poisson())]
-                .concat(),
-            found,
+            numbers,
             field: Field::Die { die, offset },
             path: Path::None,
         })
@@ -95,37 +95,29 @@ impl<'a> StaticsReport<'a> {
     ) -> Result<Self, ResponseError> {
         let [x, y] = bonded.shift();
         let stiffness = Stiffness::new(pair, ellipse)?;
-        let found = vec![
-            Quantity::new("shift_x_m", "shift along x", x, "m"),
-            Quantity::new("shift_y_m", "shift along y", y, "m"),
-            Quantity::new(
-                "force_to_shift_deg",
-                "angle from force to shift",
-                turn(force, [x, y]),
-                "deg",
-            ),
-            Quantity::new("stiffness_x_n_per_m", "stiffness along x", stiffness.x, "N/m"),
-            Quantity::new("stiffness_y_n_per_m", "stiffness along y", stiffness.y, "N/m"),
-            Quantity::new(
-                "traction_centre_pa",
+        let mut numbers = Report::default();
+        forces(&mut numbers, force);
+        shape(&mut numbers, ellipse);
+        pair_numbers(&mut numbers, pair);
+        found(&mut numbers)
+            .number("shift_x", "shift along x", Metre, x)
+            .number("shift_y", "shift along y", Metre, y)
+            .number("force_to_shift", "angle from force to shift", Degree, turn(force, [x, y]))
+            .number("stiffness_x", "stiffness along x", NewtonPerMetre, stiffness.x)
+            .number("stiffness_y", "stiffness along y", NewtonPerMetre, stiffness.y)
+            .number(
+                "traction_centre",
                 "traction at the centre",
+                Pascal,
                 magnitude(bonded.traction([0.0; 2])),
-                "Pa",
-            ),
-            Quantity::new(
-                "traction_mean_pa",
-                "traction, mean",
-                magnitude(force) / ellipse.area(),
-                "Pa",
-            ),
-        ];
+            )
+            .number("traction_mean", "traction, mean", Pascal, magnitude(force) / ellipse.area());
         Ok(Self {
             cautions: Vec::new(),
             problem: "shift",
             title: "Shift without slip",
             ellipse,
-            given: [forces(force), shape(ellipse), pair_numbers(pair)].concat(),
-            found,
+            numbers,
             field: Field::Bonded(bonded),
             path: Path::None,
         })
@@ -143,30 +135,31 @@ impl<'a> StaticsReport<'a> {
     ) -> Result<Self, ResponseError> {
         let stiffness = Stiffness::new(pair, ellipse)?.twist;
         let half = |point| magnitude(bonded.traction(point));
-        let given = vec![Quantity::new("moment_n_m", "moment Mz", moment, "N m").symbol("M", "z")];
-        let found = vec![
-            Quantity::new("twist_rad", "twist", bonded.twist(), "rad"),
-            Quantity::new("stiffness_n_m_per_rad", "stiffness", stiffness, "N m/rad"),
-            Quantity::new(
-                "traction_half_a_pa",
+        let mut numbers = Report::default();
+        given(&mut numbers).number("moment", "moment Mz", NewtonMetre, moment);
+        shape(&mut numbers, ellipse);
+        pair_numbers(&mut numbers, pair);
+        found(&mut numbers)
+            .number("twist", "twist", Radian, bonded.twist())
+            .number("stiffness", "stiffness", NewtonMetrePerRadian, stiffness)
+            .number(
+                "traction_half_a",
                 "traction half way along x",
+                Pascal,
                 half([0.5 * ellipse.a(), 0.0]),
-                "Pa",
-            ),
-            Quantity::new(
-                "traction_half_b_pa",
+            )
+            .number(
+                "traction_half_b",
                 "traction half way along y",
+                Pascal,
                 half([0.0, 0.5 * ellipse.b()]),
-                "Pa",
-            ),
-        ];
+            );
         Ok(Self {
             cautions: Vec::new(),
             problem: "twist",
             title: "Twist without slip",
             ellipse,
-            given: [given, shape(ellipse), pair_numbers(pair)].concat(),
-            found,
+            numbers,
             field: Field::Bonded(bonded),
             path: Path::None,
         })
@@ -183,15 +176,19 @@ impl<'a> StaticsReport<'a> {
         partial: &'a PartialSlip,
     ) -> Result<Self, ResponseError> {
         let ellipse = contact.ellipse();
-        let (given, peak) = pressed(contact, friction);
+        let mut numbers = Report::default();
+        pressed(&mut numbers, contact.normal_force(), friction);
+        forces(&mut numbers, force);
+        shape(&mut numbers, ellipse);
+        peak_pressure(&mut numbers, contact);
+        pair_numbers(&mut numbers, contact.pair());
+        slip_numbers(&mut numbers, contact, friction, force, partial)?;
         Ok(Self {
             cautions: Vec::new(),
             problem: "partial-slip",
             title: "Shift with slip at the edge",
             ellipse,
-            given: [given, forces(force), shape(ellipse), vec![peak], pair_numbers(contact.pair())]
-                .concat(),
-            found: slip_numbers(contact, friction, force, partial)?,
+            numbers,
             field: Field::PartialSlip(partial),
             path: Path::None,
         })
@@ -199,11 +196,12 @@ impl<'a> StaticsReport<'a> {
 }
 
 fn slip_numbers(
+    numbers: &mut Report,
     contact: &Hertz,
     friction: f64,
     force: [f64; 2],
     partial: &PartialSlip,
-) -> Result<Vec<Quantity>, ResponseError> {
+) -> Result<(), ResponseError> {
     let (ellipse, adhesion, [x, y]) = (contact.ellipse(), partial.adhesion(), partial.shift());
     let scale = adhesion.a() / ellipse.a();
     let stuck = Stiffness::new(contact.pair(), ellipse)?;
@@ -211,27 +209,27 @@ fn slip_numbers(
     let used = 100.0 * magnitude(force) / (friction * contact.normal_force());
     let peak = magnitude(partial.traction([adhesion.a(), 0.0]));
     let limit = partial.largest_disagreement().to_degrees();
-    Ok(vec![
-        Quantity::new("friction_used_percent", "force, share of mu N", used, "%"),
-        Quantity::new("shift_x_m", "shift along x", x, "m"),
-        Quantity::new("shift_y_m", "shift along y", y, "m"),
+    found(numbers)
+        .number("friction_used", "force, share of mu N", Percent, used)
+        .number("shift_x", "shift along x", Metre, x)
+        .number("shift_y", "shift along y", Metre, y)
         // By (3.65) the compliance grows as (1 - F/(mu N))^(-1/3), the adhesion area's scale.
-        Quantity::new("stiffness_x_n_per_m", "stiffness along x, tangent", scale * stuck.x, "N/m"),
-        Quantity::new("stiffness_y_n_per_m", "stiffness along y, tangent", scale * stuck.y, "N/m"),
-        Quantity::new("peak_traction_pa", "peak traction", peak, "Pa"),
-        Quantity::new("largest_slip_m", "largest slip", slip.largest, "m"),
-        Quantity::new("adhesion_a_m", "adhesion, semi-axis along x", adhesion.a(), "m"),
-        Quantity::new("adhesion_b_m", "adhesion, semi-axis along y", adhesion.b(), "m"),
-        Quantity::new("adhesion_percent", "adhesion, share of area", 100.0 * scale * scale, "%"),
-        Quantity::new("slip_to_traction_deg", "slip to traction, at most", slip.angle, "deg"),
-        Quantity::new(
-            "slip_to_traction_edge_deg",
+        .number("stiffness_x", "stiffness along x, tangent", NewtonPerMetre, scale * stuck.x)
+        .number("stiffness_y", "stiffness along y, tangent", NewtonPerMetre, scale * stuck.y)
+        .number("peak_traction", "peak traction", Pascal, peak)
+        .number("largest_slip", "largest slip", Metre, slip.largest)
+        .number("adhesion_a", "adhesion, semi-axis along x", Metre, adhesion.a())
+        .number("adhesion_b", "adhesion, semi-axis along y", Metre, adhesion.b())
+        .number("adhesion", "adhesion, share of area", Percent, 100.0 * scale * scale)
+        .number("slip_to_traction", "slip to traction, at most", Degree, slip.angle)
+        .number(
+            "slip_to_traction_edge",
             "slip to traction, on the edge",
+            Degree,
             slip.angle_at_edge,
-            "deg",
-        ),
-        Quantity::new("slip_to_traction_at_limit_deg", "the same when F = mu N", limit, "deg"),
-    ])
+        )
+        .number("slip_to_traction_at_limit", "the same when F = mu N", Degree, limit);
+    Ok(())
 }
 
 /// Resistance to shifts and to a twist without slip.
@@ -253,43 +251,61 @@ impl Stiffness {
     }
 }
 
-/// Load and friction of a contact that is pressed first, and its peak pressure.
-pub(super) fn pressed(contact: &Hertz, friction: f64) -> (Vec<Quantity>, Quantity) {
-    let given = vec![
-        Quantity::new("normal_force_n", "normal force N", contact.normal_force(), "N")
-            .symbol("N", ""),
-        Quantity::new("friction", "friction mu", friction, "").symbol("μ", ""),
-    ];
-    (given, Quantity::new("peak_pressure_pa", "peak pressure", contact.peak_pressure(), "Pa"))
+/// What a problem was given.
+pub(super) fn given(numbers: &mut Report) -> Section<'_> {
+    numbers.statics("given")
 }
 
-fn forces(force: [f64; 2]) -> Vec<Quantity> {
-    vec![
-        Quantity::new("force_x_n", "tangential force Fx", force[0], "N").symbol("F", "x"),
-        Quantity::new("force_y_n", "tangential force Fy", force[1], "N").symbol("F", "y"),
-    ]
+/// What was found.
+pub(super) fn found(numbers: &mut Report) -> Section<'_> {
+    numbers.statics("found")
 }
 
-pub(super) fn shape(ellipse: Ellipse) -> Vec<Quantity> {
-    vec![
-        Quantity::new("semi_axis_rolling_m", "semi-axis a, along x", ellipse.a(), "m")
-            .symbol("a", ""),
-        Quantity::new("semi_axis_lateral_m", "semi-axis b, along y", ellipse.b(), "m")
-            .symbol("b", ""),
-    ]
+/// Load and friction of a contact that is pressed first.
+pub(super) fn pressed(numbers: &mut Report, normal_force: f64, friction: f64) {
+    given(numbers).number("normal_force", "normal force N", Newton, normal_force).number(
+        "friction",
+        "friction mu",
+        One,
+        friction,
+    );
 }
 
-fn solid_numbers(shear_modulus: f64, poisson: f64) -> Vec<Quantity> {
-    vec![
-        Quantity::new("shear_modulus_pa", "shear modulus G", shear_modulus, "Pa").symbol("G", ""),
-        Quantity::new("poisson", "Poisson's ratio", poisson, "").symbol("σ", ""),
-    ]
+/// The peak pressure of a contact that is pressed first.
+pub(super) fn peak_pressure(numbers: &mut Report, contact: &Hertz) {
+    given(numbers).number("peak_pressure", "peak pressure", Pascal, contact.peak_pressure());
 }
 
-pub(super) fn pair_numbers(pair: SolidPair) -> Vec<Quantity> {
-    let mut numbers = solid_numbers(pair.shear_modulus(), pair.poisson());
-    numbers.push(Quantity::new("kappa", "dissimilarity kappa", pair.kappa(), ""));
-    numbers
+fn forces(numbers: &mut Report, [x, y]: [f64; 2]) {
+    given(numbers).number("force_x", "tangential force Fx", Newton, x).number(
+        "force_y",
+        "tangential force Fy",
+        Newton,
+        y,
+    );
+}
+
+pub(super) fn shape(numbers: &mut Report, ellipse: Ellipse) {
+    given(numbers).number("semi_axis_rolling", "semi-axis a, along x", Metre, ellipse.a()).number(
+        "semi_axis_lateral",
+        "semi-axis b, along y",
+        Metre,
+        ellipse.b(),
+    );
+}
+
+fn solid_numbers(numbers: &mut Report, shear_modulus: f64, poisson: f64) {
+    given(numbers).number("shear_modulus", "shear modulus G", Pascal, shear_modulus).number(
+        "poisson",
+        "Poisson's ratio",
+        One,
+        poisson,
+    );
+}
+
+pub(super) fn pair_numbers(numbers: &mut Report, pair: SolidPair) {
+    solid_numbers(numbers, pair.shear_modulus(), pair.poisson());
+    given(numbers).number("kappa", "dissimilarity kappa", One, pair.kappa());
 }
 
 /// The angle from one vector to another, positive from x to y (degrees).

@@ -4,10 +4,13 @@ use creepage::statics::Compression;
 use creepage::{Ellipse, Hertz};
 
 use super::StaticsReport;
-use super::build::{pair_numbers, pressed};
+use super::build::{found, given, pair_numbers, pressed};
 use super::field::Field;
 use super::path::Path;
-use super::quantity::Quantity;
+use crate::report::{
+    Report,
+    Unit::{Metre, Pascal, Percent},
+};
 use crate::{CaseError, StaticsError};
 
 impl<'a> StaticsReport<'a> {
@@ -24,43 +27,40 @@ impl<'a> StaticsReport<'a> {
         let tractions = compression.rings().map(|(_, [_, traction], _)| traction.abs());
         let [centre, _] = compression.at(0.0);
         let share = adhesion / edge;
-        let found = vec![
-            Quantity::new("approach_m", "approach", compression.approach(), "m"),
-            Quantity::new("contact_radius_m", "contact, radius", edge, "m"),
-            Quantity::new("adhesion_radius_m", "adhesion, radius", adhesion, "m"),
-            Quantity::new(
-                "adhesion_percent",
-                "adhesion, share of area",
-                100.0 * share * share,
-                "%",
-            ),
-            Quantity::new("peak_pressure_pa", "peak pressure", centre, "Pa"),
-            Quantity::new("peak_traction_pa", "peak traction", tractions.fold(0.0, f64::max), "Pa"),
-            Quantity::new(
-                "approach_without_friction_m",
+        let mut numbers = Report::default();
+        pressed(&mut numbers, contact.normal_force(), compression.friction());
+        given(&mut numbers).number(
+            "radius",
+            "radius of both together",
+            Metre,
+            compression.radius(),
+        );
+        pair_numbers(&mut numbers, contact.pair());
+        found(&mut numbers)
+            .number("approach", "approach", Metre, compression.approach())
+            .number("contact_radius", "contact, radius", Metre, edge)
+            .number("adhesion_radius", "adhesion, radius", Metre, adhesion)
+            .number("adhesion", "adhesion, share of area", Percent, 100.0 * share * share)
+            .number("peak_pressure", "peak pressure", Pascal, centre)
+            .number("peak_traction", "peak traction", Pascal, tractions.fold(0.0, f64::max))
+            .number(
+                "approach_without_friction",
                 "approach without friction",
+                Metre,
                 contact.approach(),
-                "m",
-            ),
-            Quantity::new(
-                "peak_pressure_without_friction_pa",
+            )
+            .number(
+                "peak_pressure_without_friction",
                 "peak pressure without friction",
+                Pascal,
                 contact.peak_pressure(),
-                "Pa",
-            ),
-        ];
-        let (given, _) = pressed(contact, compression.friction());
-        let radius = vec![
-            Quantity::new("radius_m", "radius of both together", compression.radius(), "m")
-                .symbol("R", ""),
-        ];
+            );
         Ok(Self {
             cautions: Vec::new(),
             problem: "compression",
             title: "Unlike balls pressed together with friction",
             ellipse,
-            given: [given, radius, pair_numbers(contact.pair())].concat(),
-            found,
+            numbers,
             field: Field::Compression(compression),
             path: Path::None,
         })

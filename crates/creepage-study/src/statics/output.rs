@@ -3,13 +3,12 @@
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
-use serde_json::{Map, Value, json};
+use serde_json::{Value, json};
 
 use super::StaticsReport;
 use super::field::Field;
-use super::quantity::Quantity;
-use crate::Caution;
 use crate::error::ReportError;
+use crate::report::{Report, ReportPart, words};
 use crate::sources::Sources;
 use crate::text::{Lines, aligned};
 use crate::write::write_contact;
@@ -28,10 +27,11 @@ impl StaticsReport<'_> {
             lines.caution(&caution.to_string());
         }
         let mut text = lines.into_text();
-        for (heading, quantities) in [("Given", &self.given), ("Found", &self.found)] {
+        for (heading, section) in [("Given", "given"), ("Found", "found")] {
             let _ = writeln!(text, "\n{heading}");
-            for quantity in quantities {
-                let line = format!("  {:<30}{}", quantity.name, aligned(&quantity.written(5)));
+            for quantity in self.numbers.of_section(section) {
+                let written = quantity.text().unwrap_or_default();
+                let line = format!("  {:<30}{}", quantity.label, aligned(&written));
                 let _ = writeln!(text, "{}", line.trim_end());
             }
         }
@@ -43,24 +43,24 @@ impl StaticsReport<'_> {
         text
     }
 
-    /// The same numbers for programs; one that is not finite is `null`.
+    /// What was given and found, and of a path every step, with words; ready for `serde_json`.
     #[must_use]
-    pub fn json(&self) -> Value {
-        let object = |quantities: &[Quantity]| -> Map<String, Value> {
-            quantities.iter().map(|q| (q.key.into(), json!(q.value))).collect()
-        };
-        let caution = (!self.cautions.is_empty()).then(|| Caution::words(&self.cautions));
-        let mut report = json!({
-            "creepage_version": env!("CARGO_PKG_VERSION"),
-            "problem": self.problem,
-            "caution": caution,
-            "given": object(&self.given),
-            "found": object(&self.found),
-        });
+    pub fn report(&self) -> Report {
+        let mut report = Report::default();
+        report.part("", "creepage_version", env!("CARGO_PKG_VERSION").into());
+        report.part("", "problem", self.problem.into());
+        report.part("", "caution", ReportPart::Text(words(&self.cautions)));
+        report.append(&self.numbers);
         if !self.path.is_empty() {
-            report["steps"] = self.steps_json();
+            report.part("", "steps", ReportPart::Reports(self.path.reports()));
         }
         report
+    }
+
+    /// The report for programs; a number that is not finite is `null`.
+    #[must_use]
+    pub fn json(&self) -> Value {
+        json!(self.report())
     }
 
     /// Writes `report.json`, `points.csv`, `contact.svg` and `contact.png`, of a path also `path.csv`, `path.svg` and
@@ -99,7 +99,7 @@ impl StaticsReport<'_> {
 }
 
 /// The shortest text that reads back as the same number.
-fn cell(value: f64) -> String {
+pub(super) fn cell(value: f64) -> String {
     if value.is_finite() { format!("{value:e}") } else { String::new() }
 }
 

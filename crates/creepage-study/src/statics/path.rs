@@ -6,13 +6,16 @@ use creepage::Hertz;
 use creepage::statics::{ShearedRectangle, ShiftAxis, ShiftPath};
 use creepage_plot::theme::RED;
 use creepage_plot::{Axis, Label, Mark, Panel, Pen, Point, Shape, Sheet};
-use serde_json::{Map, Value, json};
 
 use super::StaticsReport;
-use super::build::{pair_numbers, pressed, shape};
+use super::build::{found, pair_numbers, peak_pressure, pressed, shape};
 use super::field::Field;
-use super::quantity::Quantity;
+use super::output::cell;
 use crate::error::ReportError;
+use crate::report::{
+    Quantity, Report,
+    Unit::{Joule, Metre, Newton, Percent, Share},
+};
 
 /// Points of the picture from step to step.
 const POINTS: u32 = 48;
@@ -31,11 +34,11 @@ pub(super) enum Path<'a> {
 
 /// What goes to and fro.
 trait Step: Clone {
-    /// Keys of what is told of a step.
-    const KEYS: &'static [&'static str];
+    /// What is told of a step.
+    fn report(&self) -> Report;
 
-    /// The numbers of these keys: the first two are force and shift.
-    fn numbers(&self) -> Vec<f64>;
+    /// Shift (m) and force (N).
+    fn place(&self) -> [f64; 2];
 
     /// Before the first step.
     fn begin(&self) -> Self;
@@ -45,10 +48,19 @@ trait Step: Clone {
 }
 
 impl Step for ShiftPath {
-    const KEYS: &'static [&'static str] = &["force_n", "shift_m", "adhesion_share", "dissipated_j"];
+    fn report(&self) -> Report {
+        let mut report = Report::default();
+        report
+            .statics("")
+            .number("force", "force", Newton, self.force())
+            .number("shift", "shift", Metre, self.shift())
+            .number("adhesion_share", "adhesion, share of area", Share, self.adhesion().powi(2))
+            .number("dissipated", "energy turned to heat so far", Joule, self.dissipated());
+        report
+    }
 
-    fn numbers(&self) -> Vec<f64> {
-        vec![self.force(), self.shift(), self.adhesion().powi(2), self.dissipated()]
+    fn place(&self) -> [f64; 2] {
+        [self.shift(), self.force()]
     }
 
     fn begin(&self) -> Self {
@@ -61,12 +73,21 @@ impl Step for ShiftPath {
 }
 
 impl Step for ShearedRectangle {
-    const KEYS: &'static [&'static str] =
-        &["force_n", "shift_m", "plastic_displacement_m", "sliding_way_m", "dissipated_j"];
-
-    fn numbers(&self) -> Vec<f64> {
+    fn report(&self) -> Report {
         let (plastic, slid) = (self.plastic_displacement(), self.sliding_way());
-        vec![self.force(), self.shift(), plastic, slid, self.dissipated()]
+        let mut report = Report::default();
+        report
+            .statics("")
+            .number("force", "force", Newton, self.force())
+            .number("shift", "shift", Metre, self.shift())
+            .number("plastic_displacement", "plastic displacement", Metre, plastic)
+            .number("sliding_way", "way slid", Metre, slid)
+            .number("dissipated", "work turned to heat so far", Joule, self.dissipated());
+        report
+    }
+
+    fn place(&self) -> [f64; 2] {
+        [self.shift(), self.force()]
     }
 
     fn begin(&self) -> Self {
@@ -88,21 +109,25 @@ impl Path<'_> {
         }
     }
 
-    fn keys(self) -> &'static [&'static str] {
+    /// What is told of every step.
+    pub(super) fn reports(self) -> Vec<Report> {
         match self {
-            Self::None => &[],
-            Self::Shifted(_) => ShiftPath::KEYS,
-            Self::Sheared(_) => ShearedRectangle::KEYS,
+            Self::None => Vec::new(),
+            Self::Shifted(steps) => steps.iter().map(Step::report).collect(),
+            Self::Sheared(steps) => steps.iter().map(Step::report).collect(),
         }
     }
 
-    /// The numbers of every step.
-    fn rows(self) -> Vec<Vec<f64>> {
-        match self {
-            Self::None => Vec::new(),
-            Self::Shifted(steps) => steps.iter().map(Step::numbers).collect(),
-            Self::Sheared(steps) => steps.iter().map(Step::numbers).collect(),
+    /// The steps as a table: header and a line a step; empty without a step.
+    fn csv(self) -> Result<Vec<u8>, ReportError> {
+        let mut writer = csv::Writer::from_writer(Vec::new());
+        for (k, report) in self.reports().iter().enumerate() {
+            if k == 0 {
+                writer.write_record(report.own().map(Quantity::key))?;
+            }
+            writer.write_record(report.own().map(|one| cell(one.value.unwrap_or(f64::NAN))))?;
         }
+        writer.into_inner().map_err(|error| csv::Error::from(error.into_error()).into())
     }
 
     /// Force over shift, in the picture's units: the line, and where the steps end.
@@ -118,8 +143,8 @@ impl Path<'_> {
 /// Every step from where the one before ended.
 fn line<S: Step>(steps: &[S]) -> [Vec<Point>; 2] {
     let place = |step: &S| -> Point {
-        let numbers = step.numbers();
-        [MICRO * numbers[1], KILO * numbers[0]]
+        let [shift, force] = step.place();
+        [MICRO * shift, KILO * force]
     };
     let (mut line, mut stops): (Vec<Point>, _) = (vec![[0.0; 2]], Vec::new());
     let mut before: Option<&S> = None;
@@ -147,29 +172,26 @@ impl<'a> StaticsReport<'a> {
         steps: &'a [ShiftPath],
     ) -> Option<Self> {
         let (ellipse, last) = (contact.ellipse(), steps.last()?);
-        let (given, peak) = pressed(contact, friction);
         let used = 100.0 * last.force().abs() / (friction * contact.normal_force());
         let ratio = last.adhesion();
-        let found = vec![
-            Quantity::new("force_n", "force in the end", last.force(), "N"),
-            Quantity::new("friction_used_percent", "force, share of mu N", used, "%"),
-            Quantity::new("shift_m", "shift in the end", last.shift(), "m"),
-            Quantity::new("sliding_shift_m", "shift where they slide", last.sliding_shift(), "m"),
-            Quantity::new(
-                "adhesion_percent",
-                "adhesion, share of area",
-                100.0 * ratio * ratio,
-                "%",
-            ),
-            Quantity::new("dissipated_j", "energy turned to heat", last.dissipated(), "J"),
-        ];
+        let mut numbers = Report::default();
+        pressed(&mut numbers, contact.normal_force(), friction);
+        shape(&mut numbers, ellipse);
+        peak_pressure(&mut numbers, contact);
+        pair_numbers(&mut numbers, contact.pair());
+        found(&mut numbers)
+            .number("force", "force in the end", Newton, last.force())
+            .number("friction_used", "force, share of mu N", Percent, used)
+            .number("shift", "shift in the end", Metre, last.shift())
+            .number("sliding_shift", "shift where they slide", Metre, last.sliding_shift())
+            .number("adhesion", "adhesion, share of area", Percent, 100.0 * ratio * ratio)
+            .number("dissipated", "energy turned to heat", Joule, last.dissipated());
         Some(Self {
             cautions: Vec::new(),
             problem: "shift-path",
             title: "Shift to and fro with slip at the edge",
             ellipse,
-            given: [given, shape(ellipse), vec![peak], pair_numbers(contact.pair())].concat(),
-            found,
+            numbers,
             field: Field::ShiftPath(last, axis),
             path: Path::Shifted(steps),
         })
@@ -213,31 +235,19 @@ impl<'a> StaticsReport<'a> {
         text
     }
 
-    pub(super) fn steps_json(&self) -> Value {
-        let keys = self.path.keys();
-        let step = |numbers: Vec<f64>| -> Map<String, Value> {
-            keys.iter().zip(numbers).map(|(key, value)| ((*key).into(), json!(value))).collect()
-        };
-        self.path.rows().into_iter().map(step).collect()
-    }
-
     /// The files of a path: `path.csv`, force over shift as SVG and as PNG; none of other problems.
     pub(super) fn path_files(&self) -> Result<Vec<(&'static str, Vec<u8>)>, ReportError> {
         if self.path.is_empty() {
             return Ok(Vec::new());
         }
-        let mut csv = self.path.keys().join(",") + "\n";
-        for numbers in self.path.rows() {
-            let cells: Vec<_> = numbers.iter().map(|value| format!("{value:e}")).collect();
-            csv += &(cells.join(",") + "\n");
-        }
+        let csv = self.path.csv()?;
         if matches!(self.path, Path::Sheared(_)) {
             // Its picture is that of the contact already.
-            return Ok(vec![("path.csv", csv.into_bytes())]);
+            return Ok(vec![("path.csv", csv)]);
         }
         let svg = self.path_svg();
         let png = creepage_plot::png(&svg)?;
-        Ok(vec![("path.csv", csv.into_bytes()), ("path.svg", svg.into_bytes()), ("path.png", png)])
+        Ok(vec![("path.csv", csv), ("path.svg", svg.into_bytes()), ("path.png", png)])
     }
 
     /// Force over shift.

@@ -4,8 +4,9 @@ use creepage_plot::format::quantity;
 use creepage_plot::theme::DARK;
 use creepage_plot::{Arrows, Bands, Cell, Label, Panel, Pen, Sample, Table, TopView, ellipse};
 
+use super::StaticsReport;
 use super::field::Field;
-use super::{Quantity, StaticsReport};
+use crate::Quantity;
 use crate::contact_picture::TARGET;
 
 /// The line of a die's lift-off limit.
@@ -13,6 +14,8 @@ const LIMIT: Pen = Pen { colour: DARK, dashes: "6 4", width: 1.8 };
 /// The edge of the adhesion area.
 const ADHESION: Pen = Pen { colour: DARK, dashes: "", width: 2.6 };
 const ROW: f64 = 25.0;
+/// Significant digits of its numbers.
+const DIGITS: usize = 4;
 
 impl StaticsReport<'_> {
     /// The contact seen from above, as SVG; of a rectangle force over shift.
@@ -50,7 +53,7 @@ impl StaticsReport<'_> {
 
     /// What is given, below the title.
     fn setting(&self) -> Label {
-        let equations = self.given.iter().filter_map(Quantity::equation);
+        let equations = self.numbers.of_section("given").filter_map(equation);
         let line = equations.reduce(|line, next| line.plain("\u{2003}").joined(&next));
         line.unwrap_or_default()
     }
@@ -99,11 +102,11 @@ impl StaticsReport<'_> {
 
     /// What was found, in two columns.
     fn table(&self) -> Table {
-        let rows = self.found.len().div_ceil(2);
-        let (left, right) = self.found.split_at(rows.min(self.found.len()));
-        let cells = |quantity: &Quantity| {
-            let name = Label::new(&quantity.name.replace("mu N", "μN"));
-            let number = Label::default().number(&quantity.written(4));
+        let found: Vec<_> = self.numbers.of_section("found").collect();
+        let (left, right) = found.split_at(found.len().div_ceil(2));
+        let cells = |quantity: &&Quantity| {
+            let name = Label::new(&quantity.label.replace("mu N", "μN"));
+            let number = Label::default().number(&written(quantity));
             [Cell::Name(name), Cell::Number(number)]
         };
         let table = Table::new(&[0.0, 242.0, 486.0, 728.0]);
@@ -113,6 +116,33 @@ impl StaticsReport<'_> {
             table.row(ROW, both.collect())
         })
     }
+}
+
+/// The number and its unit, as there is room for.
+fn written(quantity: &Quantity) -> String {
+    quantity.text_to(DIGITS).unwrap_or_default()
+}
+
+/// `symbol = number unit`, of what has a symbol.
+fn equation(quantity: &Quantity) -> Option<Label> {
+    let [letter, index] = match quantity.name {
+        "normal_force" => ["N", ""],
+        "friction" => ["μ", ""],
+        "offset_x" => ["x", "N"],
+        "offset_y" => ["y", "N"],
+        "moment" => ["M", "z"],
+        "force_x" => ["F", "x"],
+        "force_y" => ["F", "y"],
+        "radius" => ["R", ""],
+        "semi_axis_rolling" => ["a", ""],
+        "semi_axis_lateral" => ["b", ""],
+        "shear_modulus" => ["G", ""],
+        "poisson" => ["σ", ""],
+        _ => return None,
+    };
+    let label = Label::default();
+    let label = if index.is_empty() { label.symbol(letter) } else { label.indexed(letter, index) };
+    Some(label.plain(" = ").number(&written(quantity)))
 }
 
 #[cfg(test)]

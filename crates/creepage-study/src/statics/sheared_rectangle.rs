@@ -4,10 +4,13 @@ use creepage::statics::ShearedRectangle;
 use creepage::{Ellipse, Layer, SolidPair};
 
 use super::StaticsReport;
-use super::build::pair_numbers;
+use super::build::{found, given, pair_numbers, pressed};
 use super::field::Field;
 use super::path::Path;
-use super::quantity::Quantity;
+use crate::report::{
+    Report,
+    Unit::{Joule, Metre, Newton, NewtonPerMetre, Pascal, PascalPerMetre, Percent},
+};
 use crate::{CaseError, StaticsError};
 
 impl<'a> StaticsReport<'a> {
@@ -26,57 +29,61 @@ impl<'a> StaticsReport<'a> {
         let ellipse = Ellipse::new(a, b).map_err(CaseError::invalid("contact"))?;
         let used = 100.0 * last.force().abs() / last.friction_force();
         let plastic = last.plastic_displacement();
-        let mut found = vec![
-            Quantity::new("force_n", "force in the end", last.force(), "N"),
-            Quantity::new("friction_used_percent", "force, share of mu N", used, "%"),
-            Quantity::new("traction_pa", "traction in the end", last.traction(), "Pa"),
-            Quantity::new("shift_m", "shift in the end", last.shift(), "m"),
-            Quantity::new("plastic_displacement_m", "plastic displacement", plastic, "m"),
-            Quantity::new("sliding_way_m", "way slid", last.sliding_way(), "m"),
-            Quantity::new("dissipated_j", "work turned to heat", last.dissipated(), "J"),
-            Quantity::new("stiffness_n_per_m", "stiffness", last.compliance().recip(), "N/m"),
-            Quantity::new("approach_m", "approach at the centre", last.approach(), "m"),
-        ];
-        if let Some(stress) = last.yield_stress() {
-            let name = "yield stress in the end";
-            found.push(Quantity::new("yield_stress_pa", name, stress, "Pa"));
+        let mut numbers = Report::default();
+        rectangle(&mut numbers, [normal_force, friction], last);
+        if let Some(layer) = layer {
+            of_layer(&mut numbers, layer);
         }
-        let given = given([normal_force, friction], last);
+        pair_numbers(&mut numbers, pair);
+        found(&mut numbers)
+            .number("force", "force in the end", Newton, last.force())
+            .number("friction_used", "force, share of mu N", Percent, used)
+            .number("traction", "traction in the end", Pascal, last.traction())
+            .number("shift", "shift in the end", Metre, last.shift())
+            .number("plastic_displacement", "plastic displacement", Metre, plastic)
+            .number("sliding_way", "way slid", Metre, last.sliding_way())
+            .number("dissipated", "work turned to heat", Joule, last.dissipated())
+            .number("stiffness", "stiffness", NewtonPerMetre, last.compliance().recip())
+            .number("approach", "approach at the centre", Metre, last.approach());
+        if let Some(stress) = last.yield_stress() {
+            found(&mut numbers).number("yield_stress", "yield stress in the end", Pascal, stress);
+        }
         Ok(Self {
             cautions: Vec::new(),
             problem: "sheared-rectangle",
             title: "Rectangle of uniform pressure, sheared to and fro",
             ellipse,
-            given: [given, of_layer(layer), pair_numbers(pair)].concat(),
-            found,
+            numbers,
             field: Field::Rectangle(last),
             path: Path::Sheared(steps),
         })
     }
 }
 
-fn given([normal_force, friction]: [f64; 2], rectangle: &ShearedRectangle) -> Vec<Quantity> {
-    let [a, b] = rectangle.half_lengths();
-    vec![
-        Quantity::new("normal_force_n", "normal force N", normal_force, "N").symbol("N", ""),
-        Quantity::new("friction", "friction mu", friction, "").symbol("μ", ""),
-        Quantity::new("half_length_rolling_m", "half-length along x", a, "m"),
-        Quantity::new("half_length_lateral_m", "half-length along y", b, "m"),
-        Quantity::new("pressure_pa", "pressure", rectangle.pressure(), "Pa"),
-    ]
+fn rectangle(numbers: &mut Report, [normal_force, friction]: [f64; 2], last: &ShearedRectangle) {
+    let [a, b] = last.half_lengths();
+    pressed(numbers, normal_force, friction);
+    given(numbers)
+        .number("half_length_rolling", "half-length along x", Metre, a)
+        .number("half_length_lateral", "half-length along y", Metre, b)
+        .number("pressure", "pressure", Pascal, last.pressure());
 }
 
-fn of_layer(layer: Option<Layer>) -> Vec<Quantity> {
-    let Some(layer) = layer else { return Vec::new() };
+fn of_layer(numbers: &mut Report, layer: Layer) {
     let (thickness, modulus) = (layer.thickness(), layer.shear_modulus());
-    let mut numbers = vec![
-        Quantity::new("layer_thickness_m", "layer, thickness", thickness, "m"),
-        Quantity::new("layer_shear_modulus_pa", "layer, shear modulus", modulus, "Pa"),
-    ];
+    given(numbers).number("layer_thickness", "layer, thickness", Metre, thickness).number(
+        "layer_shear_modulus",
+        "layer, shear modulus",
+        Pascal,
+        modulus,
+    );
     if let Some(plasticity) = layer.plasticity() {
         let (stress, slope) = (plasticity.yield_stress, plasticity.slope);
-        numbers.push(Quantity::new("layer_yield_stress_pa", "layer, yield stress", stress, "Pa"));
-        numbers.push(Quantity::new("layer_slope_pa_per_m", "layer, slope", slope, "Pa/m"));
+        given(numbers).number("layer_yield_stress", "layer, yield stress", Pascal, stress).number(
+            "layer_slope",
+            "layer, slope",
+            PascalPerMetre,
+            slope,
+        );
     }
-    numbers
 }

@@ -7,9 +7,9 @@ use creepage_wheelset::{
 
 use super::report::WheelsetReport;
 use crate::report::{
-    DerivativesJson, Report, ReportPart, Shown,
+    PerUnit, Report, ReportPart, Shown,
     Unit::{
-        JoulePerMetre, Metre, MetrePerSecond, Newton, NewtonMetre, One, Pascal, Radian,
+        self, JoulePerMetre, Metre, MetrePerSecond, Newton, NewtonMetre, One, Pascal, Radian,
         RadianPerMetre, RadianPerSecond, Share, SquareMetre,
     },
     Written, method,
@@ -20,20 +20,17 @@ const MILLIMETRES: Written = Written::Fixed(1e3, "mm", 4);
 const MILLIRADIANS: Written = Written::Fixed(1e3, "mrad", 4);
 const DEGREES: Written = Written::Fixed(180.0 / std::f64::consts::PI, "degrees", 4);
 const NEWTONS: Written = Written::Fixed(1.0, "N", 1);
-/// Names of the components of a derivative, of forces and of moments.
-const COMPONENTS: [[[&str; 2]; 3]; 2] = [
-    [
-        ["longitudinal_n", "longitudinal_error_n"],
-        ["lateral_n", "lateral_error_n"],
-        ["vertical_n", "vertical_error_n"],
-    ],
-    [
-        ["moment_x_n_m", "moment_x_error_n_m"],
-        ["moment_y_n_m", "moment_y_error_n_m"],
-        ["moment_z_n_m", "moment_z_error_n_m"],
-    ],
+/// Names and words of the forces on a rail, and of the moments.
+const FORCES: [(&str, &str); 3] = [
+    ("longitudinal", "force on the rail along x"),
+    ("lateral", "force on the rail along y"),
+    ("vertical", "force on the rail along z"),
 ];
-
+const MOMENTS: [(&str, &str); 3] = [
+    ("moment_x", "moment on the rail about x"),
+    ("moment_y", "moment on the rail about y"),
+    ("moment_z", "moment on the rail about z"),
+];
 impl WheelsetReport {
     /// All that is known of it but what happens inside the contacts; as `serde` sees it, `report.json`. `left` and
     /// `right` are the wheels, `null` where the other one was solved alone; `patches` of a wheel its places of contact, by
@@ -122,40 +119,51 @@ impl WheelsetReport {
         report.part("", "rail_deflection_m", ReportPart::Numbers(deflection));
         report.part("", "rail_origin_m", numbers(&wheel.rail_origin));
         let derivatives = self.derivatives.as_ref().map(|all| {
-            let of = |by: StateVariable| (by.key(), all.of(wheel.side, by).as_ref().map(flat));
-            StateVariable::ALL.into_iter().map(of).collect::<DerivativesJson>()
+            let mut report = Report::default();
+            for by in StateVariable::ALL {
+                let own = all.of(wheel.side, by).map(|own| of_derivative(&own, by));
+                report.part("", by.key(), ReportPart::Report(own));
+            }
+            report
         });
-        report.part("", "derivatives", ReportPart::Derivatives(derivatives));
+        report.part("", "derivatives", ReportPart::Report(derivatives));
         report
     }
 }
 
-/// The components of a derivative and their errors by key.
-fn flat(derivative: &ForceDerivative) -> std::collections::BTreeMap<&'static str, f64> {
+/// The derivative of force and moment on a rail by one part of the position or the motion.
+fn of_derivative(derivative: &ForceDerivative, by: StateVariable) -> Report {
     let ForceDerivative { force, force_error, moment, moment_error } = *derivative;
-    let numbers = [[force, force_error], [moment, moment_error]];
-    let of = |(names, [values, errors]): (&[[&'static str; 2]; 3], [[f64; 3]; 2])| {
-        let own = names.iter().zip(values.into_iter().zip(errors));
-        own.flat_map(|([key, error_key], (value, error))| [(*key, value), (*error_key, error)])
-            .collect::<Vec<_>>()
+    let unit = match by {
+        StateVariable::Y | StateVariable::Z => PerUnit::Metre,
+        StateVariable::Roll | StateVariable::Yaw => PerUnit::Radian,
+        StateVariable::Speed | StateVariable::LateralVelocity => PerUnit::MetrePerSecond,
+        StateVariable::PitchRate | StateVariable::YawRate => PerUnit::RadianPerSecond,
     };
-    COMPONENTS.iter().zip(numbers).flat_map(of).collect()
+    let mut report = Report::default();
+    let mut all = report.section("", Shown::Nowhere);
+    for (k, (name, label)) in FORCES.into_iter().enumerate() {
+        all.estimate(name, label, Unit::ForceBy(unit), (force[k], Some(force_error[k])));
+    }
+    for (k, (name, label)) in MOMENTS.into_iter().enumerate() {
+        all.estimate(name, label, Unit::MomentBy(unit), (moment[k], Some(moment_error[k])));
+    }
+    report
 }
 
 impl Report {
     /// Force and moment on a rail in track axes; moments about the origin of the rail's profile.
     fn resultant(&mut self, section: &'static str, on_rail: &Resultant) {
-        let Resultant { force: [x, y, z], force_error, moment: [mx, my, mz] } = *on_rail;
-        let error = |k: usize| force_error.map(|error| error[k]);
-        self.section(section, Shown::Nowhere)
-            .written(NEWTONS)
-            .estimate("longitudinal", "force on the rail along x", Newton, (x, error(0)))
-            .estimate("lateral", "force on the rail along y", Newton, (y, error(1)))
-            .estimate("vertical", "force on the rail along z", Newton, (z, error(2)))
-            .written(Written::Fixed(1.0, "N m", 3))
-            .number("moment_x", "moment on the rail about x", NewtonMetre, mx)
-            .number("moment_y", "moment on the rail about y", NewtonMetre, my)
-            .number("moment_z", "moment on the rail about z", NewtonMetre, mz);
+        let Resultant { force, force_error, moment } = *on_rail;
+        let mut all = self.section(section, Shown::Nowhere);
+        all.written(NEWTONS);
+        for (k, (name, label)) in FORCES.into_iter().enumerate() {
+            all.estimate(name, label, Newton, (force[k], force_error.map(|error| error[k])));
+        }
+        all.written(Written::Fixed(1.0, "N m", 3));
+        for (k, (name, label)) in MOMENTS.into_iter().enumerate() {
+            all.number(name, label, NewtonMetre, moment[k]);
+        }
     }
 }
 

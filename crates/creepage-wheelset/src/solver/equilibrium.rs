@@ -22,7 +22,7 @@ use crate::{WheelsetError, WheelsetPose, WheelsetVelocity};
 const MAX_EVALUATIONS: usize = 48;
 const MAX_OF_STAGE: usize = 12;
 /// To which part of its error bar, and of itself, a load is met.
-const MET: [f64; 2] = [0.2, 1e-4];
+const LOAD_TOLERANCES: [f64; 2] = [0.2, 1e-4];
 /// What may be left of friction's moment about the axle, in parts of what that could be, by stages before the last.
 const ROUGHLY_BALANCED: f64 = 3e-4;
 /// The trust region's first radius, in parts of the forces to the power 2/3, its least one, and how a rejected step
@@ -37,9 +37,9 @@ const SCATTER: f64 = 5e-4;
 /// Below this residual pressures follow those of the step before.
 const FOLLOWS: f64 = 0.015;
 /// A part of the residual at which the next stage begins: closer, friction is worth more than another step.
-const CLOSE: f64 = 0.25;
+const NEXT_STAGE_BELOW: f64 = 0.25;
 /// A step on known friction that leaves more than this part of the residual is followed by rolling.
-const HELPS: f64 = 0.5;
+const MAX_RESIDUAL_PART: f64 = 0.5;
 
 /// How finely an evaluation presses and rolls, and the residual at which the next stage begins.
 #[derive(Debug, Clone, Copy)]
@@ -262,15 +262,14 @@ impl<'w, 'a> EquilibriumSearch<'w, 'a> {
     /// Whether friction need not be found here: it costs more than pressing, or is known from a position beside, and
     /// by the known one the load is missed by more than friction changed last.
     fn defers_friction(&self, wheels: &[PressedWheel<'_>], residual: f64) -> bool {
-        let has_stepped = self
-            .iterate
-            .as_ref()
-            .is_some_and(|iterate| !iterate.is_rolled && residual >= HELPS * iterate.residual);
+        let has_stepped = self.iterate.as_ref().is_some_and(|iterate| {
+            !iterate.is_rolled && residual >= MAX_RESIDUAL_PART * iterate.residual
+        });
         let is_cheap = matches!(self.stages[0].method, Method::Simplified(..));
         let is_first = self.is_near && self.iterate.is_none();
         let may_defer = (!is_cheap || is_first) && !has_stepped && !self.is_scattered;
         let is_met = match self.stages[..] {
-            [Stage { enough, .. }, _, ..] => residual < CLOSE * enough,
+            [Stage { enough, .. }, _, ..] => residual < NEXT_STAGE_BELOW * enough,
             _ => self.is_met(wheels, &self.start.shares),
         };
         may_defer && residual > self.friction_changed && !is_met
@@ -291,8 +290,11 @@ impl<'w, 'a> EquilibriumSearch<'w, 'a> {
             }
             let (error, carried) = (wheel.load_error(), wheel.vertical(shares));
             // Fine pressures that depend on where they began scatter within their error bars.
-            let within =
-                if self.is_scattered { error } else { (MET[0] * error).min(MET[1] * carried) };
+            let within = if self.is_scattered {
+                error
+            } else {
+                (LOAD_TOLERANCES[0] * error).min(LOAD_TOLERANCES[1] * carried)
+            };
             missed.abs() <= within
         })
     }

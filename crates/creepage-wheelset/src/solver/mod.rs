@@ -1,7 +1,6 @@
 //! The contacts of a wheelset solved: where it stands under its load, what presses on each
 //! contact, how it rolls there.
 
-mod bracketed_root;
 mod continuation;
 mod cross_patch;
 mod derivative;
@@ -24,7 +23,6 @@ use creepage::normal;
 use creepage::theory::{AreaTheory, ExactOptions, NamedResolution, ResolutionSpec};
 use creepage_rail::{Position, Side, WheelsetOnTrack};
 
-pub(crate) use self::bracketed_root::Root;
 use self::equilibrium::settle;
 use self::normal_contact::NormalSolver;
 use self::start::Start;

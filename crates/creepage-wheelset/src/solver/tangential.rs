@@ -5,13 +5,13 @@ use std::sync::Arc;
 use creepage::approximate::non_hertzian::{NonHertzianSimplified, Simplified, SimplifiedSolved};
 use creepage::coulomb::{NonHertzian, NonHertzianSolved, Resolution, TangentialWarmStart};
 use creepage::friction_law::RollingFriction;
+use creepage::numerics::Root;
 use creepage::theory::{Jacobian, Solved};
 use creepage::{Scaling, SiCreepage, SiForce, Solution};
 use creepage_rail::{Contact, Motion, Position, RollingCreepage, Side};
 use rayon::prelude::*;
 
 use super::WheelsetSolver;
-use super::bracketed_root::Root;
 use super::cross_patch::in_track;
 use super::normal_contact::{Pressed, PressedWheel};
 use crate::correction::Correction;

@@ -19,6 +19,7 @@ use std::f64::consts::{FRAC_2_PI, FRAC_PI_4, PI};
 use super::linear::{CreepageCoefficients, bounded, checked};
 use crate::check::{self, InvalidValue};
 use crate::contact::Contact;
+use crate::numerics::bisect;
 use crate::theory::{Jacobian, Solved, Stateless};
 use crate::{Creepage, FieldPoint, Force, Region, Solution, Status, Theory};
 
@@ -260,10 +261,6 @@ impl Theory for Polach {
 /// The `eps` at which the tractions carry `force`: with `eps = tan(t/2)` the law without reduction
 /// is `t + sin t = pi force`, solved by bisection.
 fn growth(force: f64) -> f64 {
-    let (mut low, mut high) = (0.0, PI);
-    for _ in 0..60 {
-        let middle = 0.5 * (low + high);
-        if middle + f64::sin(middle) < PI * force { low = middle } else { high = middle }
-    }
-    (0.5 * low).tan()
+    let turn = bisect(0.0, PI, 60, |turn| turn + turn.sin() < PI * force);
+    (0.5 * turn).tan()
 }

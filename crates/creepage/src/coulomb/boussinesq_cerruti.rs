@@ -10,7 +10,7 @@
 use pulp::{Arch, Simd, WithSimd};
 
 use super::mesh::Mesh;
-use crate::simd_math::{ln_of_ratio, multiply_add};
+use crate::numerics::simd_math::{ln_of_ratio, multiply_add};
 
 /// Keeps logarithms finite where what they are multiplied with vanishes.
 const TINY: f64 = 1e-140;

@@ -99,7 +99,7 @@ impl Cylinders {
         const TOLERANCE: f64 = 1e-10;
         let mut status = Status::NotConverged;
         for _ in 0..TURNS {
-            let rubbed = self.rub(creepage, &mut state);
+            let rubbed = self.solve_tangential(creepage, &mut state);
             let next = state.pressed(&self.angles, self.q);
             let change = state.apart(&next);
             state = next;
@@ -119,7 +119,7 @@ impl Cylinders {
     /// [`InvalidValue`] unless `force` is between -0.999 and 0.999.
     pub fn find(&self, force: f64) -> Result<CylindersSolved, InvalidValue> {
         const STEPS: usize = 100;
-        const ENOUGH: f64 = 1e-9;
+        const FORCE_TOLERANCE: f64 = 1e-9;
         check::require(force.abs() <= 0.999, "force", force, "between -0.999 and 0.999")?;
         let wide = 8.0 + 8.0 * self.slip_by_pressure.abs();
         // Creepage and what the force has too much there.
@@ -127,7 +127,7 @@ impl Cylinders {
         let mut solved = self.solve(0.0)?;
         for step in 0..STEPS {
             let here = (solved.creepage, solved.force() - force);
-            if here.1.abs() < ENOUGH {
+            if here.1.abs() < FORCE_TOLERANCE {
                 break;
             }
             *(if here.1 < 0.0 { &mut low } else { &mut high }) = here;
@@ -141,7 +141,7 @@ impl Cylinders {
     }
 
     /// Tractions that obey friction at the present pressure; whether they do.
-    fn rub(&self, creepage: f64, state: &mut State) -> bool {
+    fn solve_tangential(&self, creepage: f64, state: &mut State) -> bool {
         const STEPS: usize = 60;
         const TOLERANCE: f64 = 1e-11;
         let n = state.used.len();

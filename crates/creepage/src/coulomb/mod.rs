@@ -19,7 +19,6 @@
 //! p = P(p + r s)
 //! ```
 
-mod anderson;
 mod automatic;
 pub(crate) mod boussinesq_cerruti;
 mod coupled;

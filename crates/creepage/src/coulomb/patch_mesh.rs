@@ -10,9 +10,8 @@ use super::resolution::Resolution;
 use super::stencil::SlipStencil;
 use super::subdivision::{Pieces, SUBCELLS};
 use crate::normal::{Band, ChordPoint, NormalContact, Patch, SLIP_UNIT};
+use crate::numerics::gauss::GAUSS_2;
 
-/// Gauss's two points on (-1, 1), of weight one.
-const GAUSS: f64 = 0.577_350_269_189_625_8;
 /// Least pressure over the largest: tractions are unknown over their bound, which must not vanish.
 const LEAST: f64 = 1e-4;
 /// Least half-length over the unit of length: an element must not vanish, as near a tip where the
@@ -168,7 +167,7 @@ impl<'a> Bands<'a> {
     /// The subcells of a strip between two `y` (m), by their nodes along.
     fn row(&self, nodes: &[[Node; 2]], band: &Band, [low, high]: [f64; 2]) -> Vec<Cell> {
         let (middle, half) = (f64::midpoint(low, high), 0.5 * (high - low));
-        let lines = [-GAUSS, GAUSS].map(|t| {
+        let lines = GAUSS_2.map(|(t, _)| {
             let y = middle + half * t;
             let line = band.line(y);
             let length = line.half.max(self.least_length());
@@ -203,7 +202,7 @@ struct Node {
 fn nodes_between(ends: &[f64]) -> [Node; 2] {
     let (front, rear) = (ends[0].asin(), ends[1].asin());
     let (middle, turn) = (f64::midpoint(front, rear), 0.5 * (front - rear));
-    [-GAUSS, GAUSS].map(|t| {
+    GAUSS_2.map(|(t, _)| {
         let (s, cos) = (middle + turn * t).sin_cos();
         Node { spot: ChordPoint::new(s), weight: turn * cos }
     })

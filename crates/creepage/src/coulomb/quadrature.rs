@@ -13,8 +13,8 @@ use super::mesh::{Mesh, Strip, next};
 use super::pressure::{Moments, Pressure};
 use super::subdivision::{Pieces, SUBCELLS};
 use crate::Force;
-use crate::buffer_pool::BufferPool;
-use crate::simd_math::LANES;
+use crate::numerics::buffer_pool::BufferPool;
+use crate::numerics::simd_math::LANES;
 
 /// Slip that counts as far from the border of adhesion; elastic slip is of order one. Near the
 /// border the element's own direction rules, so that nothing jumps when an element starts to slide.

@@ -11,7 +11,7 @@ use crate::Force;
 use crate::theory::{Solution, Statistics, Status};
 
 /// Forces of two solutions at one creepage differ by more, in parts of `mu N`.
-const ANOTHER: f64 = 1e-3;
+const DISTINCT_FORCES: f64 = 1e-3;
 
 /// The state of one grid.
 #[derive(Debug, Clone, Default)]
@@ -85,7 +85,7 @@ impl Workspace {
         }
         let [one, two] = [&self.levels[0].state, &state].map(|s| s.sum(&grids[0], side).force);
         let apart = one.components().into_iter().zip(two.components());
-        apart.fold(0.0, |most: f64, (one, two)| most.max((one - two).abs())) > ANOTHER
+        apart.fold(0.0, |most: f64, (one, two)| most.max((one - two).abs())) > DISTINCT_FORCES
     }
 
     /// A force and its error bars, with the outcome and the cost of both grids.

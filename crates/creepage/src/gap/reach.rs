@@ -67,7 +67,7 @@ fn likely_depth(polynomial: &Polynomial, compliance_force: f64) -> f64 {
 /// reach, no square's sides come below the height.
 fn reach_of_polynomial(polynomial: &Polynomial, height: f64) -> Option<Rectangle> {
     const BEYOND: f64 = 8.0;
-    const MOST: usize = 80;
+    const MAX_STEPS: usize = 80;
     let depth = (height - polynomial.constant()).abs().max(f64::MIN_POSITIVE);
     let (mut shortest, mut longest) = (f64::INFINITY, 0.0_f64);
     for length in polynomial.lengths(depth) {
@@ -81,7 +81,7 @@ fn reach_of_polynomial(polynomial: &Polynomial, height: f64) -> Option<Rectangle
     let sizes = std::iter::successors(Some(largest), |half| Some(0.5 * half));
     let closed: Vec<bool> = sizes
         .take_while(|&half| half > shortest / BEYOND)
-        .take(MOST)
+        .take(MAX_STEPS)
         .map(|half| perimeter_is_above(polynomial, half, height))
         .collect();
     // A well may lie between two squares whose sides are above: no square inside that ring will do.

@@ -1,6 +1,7 @@
-//! The pressure along one line of a contact area: `a sqrt(1 - s^2) rho(s)`, as [`Band`](super::band::Band) has it.
+//! The pressure along one line of a contact area: `a sqrt(1 - s^2) rho(s)`, as [`Band`](super::patch_strip::Band) has it.
 
 use super::lattice::whole;
+use crate::numerics::gauss::GAUSS_4;
 
 /// Places in `s` at which a chord knows `rho`: equal steps from -1 to 1, straight lines between.
 pub(super) const PLACES: usize = 65;
@@ -94,21 +95,13 @@ impl ChordPoint {
     }
 }
 
-/// Gauss points and weights on (-1, 1).
-pub(super) const GAUSS: [(f64, f64); 4] = [
-    (-0.861_136_311_594_052_6, 0.347_854_845_137_453_85),
-    (-0.339_981_043_584_856_26, 0.652_145_154_862_546_1),
-    (0.339_981_043_584_856_26, 0.652_145_154_862_546_1),
-    (0.861_136_311_594_052_6, 0.347_854_845_137_453_85),
-];
-
 /// Quadrature of `sqrt(1 - s^2) f(s)` between two s, by the angle whose sine is s: places and weights.
-pub(super) fn arc_nodes([low, high]: [f64; 2]) -> [(f64, f64); ARC_PARTS * GAUSS.len()] {
+pub(super) fn arc_nodes([low, high]: [f64; 2]) -> [(f64, f64); ARC_PARTS * GAUSS_4.len()] {
     let (from, to) = (low.clamp(-1.0, 1.0).asin(), high.clamp(-1.0, 1.0).asin());
     let half = 0.5 * (to - from) / ARC_PARTS as f64;
     std::array::from_fn(|i| {
-        let (t, weight) = GAUSS[i % GAUSS.len()];
-        let part = (i / GAUSS.len()) as f64;
+        let (t, weight) = GAUSS_4[i % GAUSS_4.len()];
+        let part = (i / GAUSS_4.len()) as f64;
         let (sin, cos) = (from + half * (2.0 * part + 1.0 + t)).sin_cos();
         (sin, weight * half * cos * cos)
     })

@@ -67,11 +67,11 @@ impl<'a> Iteration<'a> {
     }
 
     fn run(mut self, tolerance: f64) -> PressureState {
-        const MOST: usize = 600;
+        const MAX_STEPS: usize = 600;
         let mut keep = 0.0;
         let mut last_square = 1.0;
         let mut energy = self.energy();
-        while self.products < MOST && self.residual() > tolerance {
+        while self.products < MAX_STEPS && self.residual() > tolerance {
             let square = self.square();
             self.turn(keep * square / last_square);
             last_square = square;

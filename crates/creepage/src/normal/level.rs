@@ -218,7 +218,7 @@ const NEAR: f64 = 0.03;
 
 /// Sum of the pressures that displace all pressed cells by one: conjugate gradients.
 fn flat_response(product: &mut Product, pressed: &[f64], tolerance: f64) -> f64 {
-    const MOST: usize = 300;
+    const MAX_STEPS: usize = 300;
     let free = |values: &mut [f64]| {
         for (value, &p) in values.iter_mut().zip(pressed) {
             *value = if p > 0.0 { *value } else { 0.0 };
@@ -230,7 +230,7 @@ fn flat_response(product: &mut Product, pressed: &[f64], tolerance: f64) -> f64 
     let (mut direction, mut image) = (rest.clone(), vec![0.0; pressed.len()]);
     let (mut sum, mut square) = (0.0, dot(&rest, &rest));
     let enough = tolerance * tolerance * square;
-    for _ in 0..MOST {
+    for _ in 0..MAX_STEPS {
         if square <= enough {
             break;
         }

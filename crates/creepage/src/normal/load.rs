@@ -18,7 +18,7 @@ pub(super) fn first(
     load: f64,
 ) -> Result<(NormalProblem<'_>, ElementGrid), NormalError> {
     const STEPS: usize = 60;
-    const ENOUGH: f64 = 0.02;
+    const LOAD_TOLERANCE: f64 = 0.02;
     let mut search = Search::start(gap, load / modulus)?;
     for _ in 0..STEPS {
         let approach = search.least_gap + search.depth;
@@ -26,7 +26,7 @@ pub(super) fn first(
         let overlap = Overlap::find(gap, approach)?;
         let level = elements::first(task, &overlap)?;
         let ratio = level.load() / load;
-        if (ratio - 1.0).abs() < ENOUGH {
+        if (ratio - 1.0).abs() < LOAD_TOLERANCE {
             return Ok((task, level));
         }
         if ratio < 1.0

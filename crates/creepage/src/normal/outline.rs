@@ -198,11 +198,11 @@ fn tip_shift(level: &ElementGrid, outer: &[&Run], rows: usize) -> f64 {
 /// How far the true end lies beyond the outer side of the outermost of `count` cells, in cells;
 /// `values` are those of the outer three, from outside. The far end corrects the root a little.
 fn end_shift(values: &[f64], count: usize) -> f64 {
-    const FEW: f64 = -0.1;
-    let &[outer, second, third] = values else { return FEW };
+    const SHIFT_OF_FEW_CELLS: f64 = -0.1;
+    let &[outer, second, third] = values else { return SHIFT_OF_FEW_CELLS };
     let inner = f64::midpoint(second * second, third * third).sqrt();
     if inner == 0.0 {
-        return FEW;
+        return SHIFT_OF_FEW_CELLS;
     }
     let distance = 1.5 * (outer + second) / inner;
     let distance = distance / (1.0 + 0.2 * distance / count as f64);

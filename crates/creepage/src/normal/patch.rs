@@ -26,9 +26,9 @@ impl Patch {
     }
 
     /// One area of this and another at greater y; `None` unless each is one band, and they touch.
-    pub(super) fn joined(&self, other: &Self) -> Option<Self> {
+    pub(super) fn merged(&self, other: &Self) -> Option<Self> {
         let ([own], [other]) = (self.bands(), other.bands()) else { return None };
-        own.touches(other).then(|| Self::new(vec![own.joined(other)]))
+        own.touches(other).then(|| Self::new(vec![own.merged(other)]))
     }
 
     /// With all lengths and pressures grown by a factor, about the centre of pressure.

@@ -14,8 +14,9 @@
 use std::f64::consts::FRAC_PI_2;
 
 use crate::gap::Cubic;
+use crate::numerics::gauss::GAUSS_4;
 
-use super::chord::{Chord, ChordPoint, GAUSS, Line, PLACES, arc_nodes};
+use super::chord::{Chord, ChordPoint, Line, PLACES, arc_nodes};
 
 /// Force on a part of the area and its moments about the axes through the origin.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -221,7 +222,7 @@ impl Band {
             .chain(self.rows().filter(move |y| *y > low && *y < high))
             .chain(std::iter::once(high))
             .collect();
-        let nodes = GAUSS.map(|(t, w)| {
+        let nodes = GAUSS_4.map(|(t, w)| {
             let (sin, cos) = (FRAC_PI_2 * 0.5 * (1.0 + t)).sin_cos();
             (sin * sin, w * FRAC_PI_2 * sin * cos)
         });
@@ -248,7 +249,7 @@ impl Band {
 
     /// The same with its sides drawn in, or out by less than nothing; chords that come to lie outside are left out, but the
     /// last one stays.
-    pub(super) fn drawn_in(&self, by: [f64; 2]) -> Self {
+    pub(super) fn trimmed(&self, by: [f64; 2]) -> Self {
         let y = [self.y[0] + by[0], self.y[1] - by[1]];
         self.between(y, self.tips).unwrap_or_else(|| self.clone())
     }
@@ -283,7 +284,7 @@ impl Band {
     }
 
     /// One band of this and another at greater y.
-    pub(super) fn joined(&self, other: &Self) -> Self {
+    pub(super) fn merged(&self, other: &Self) -> Self {
         let chords = self.chords.iter().chain(&other.chords).cloned().collect();
         Self::new(chords, [self.y[0], other.y[1]], [self.tips[0], other.tips[1]])
     }

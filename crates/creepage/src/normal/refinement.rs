@@ -21,7 +21,7 @@ pub(super) enum Start {
 /// strip's width, coarse and fine.
 const SETTLED: [f64; 2] = [0.05, 0.4];
 /// Largest residual over the depth, coarse and fine.
-pub(super) const ENOUGH: [f64; 2] = [1e-5, 1e-6];
+pub(super) const RESIDUAL_TOLERANCES: [f64; 2] = [1e-5, 1e-6];
 /// Stiffness: of an answer, and where one only searches.
 pub(super) const NEARLY: [f64; 2] = [2e-3, 0.05];
 /// Strips of the finer solution for each of the coarser.
@@ -82,12 +82,12 @@ impl<'a> RefinementPair<'a> {
             load: if let Asked::Load(load) = asked { Some(load) } else { None },
             count: resolution.count.min(strips::most(&near.areas)),
             terms: strips::terms(task.gap, &near.areas)?,
-            enough: ENOUGH[1],
+            enough: RESIDUAL_TOLERANCES[1],
             nearly: NEARLY[usize::from(!resolution.with_errors)],
             complete: true,
             summit: resolution.with_errors,
             attempts: if kind == Start::Close {
-                StripOptions::CLOSE
+                StripOptions::CLOSE_ATTEMPTS
             } else {
                 StripOptions::ATTEMPTS
             },
@@ -95,14 +95,14 @@ impl<'a> RefinementPair<'a> {
         };
         let half = StripOptions {
             count: whole.count.div_ceil(2),
-            enough: ENOUGH[0],
+            enough: RESIDUAL_TOLERANCES[0],
             // Their stiffness is not used.
             nearly: f64::INFINITY,
             complete: false,
             // Better areas cost less than many attempts, and finer strips tell the error as well.
             attempts: match kind {
                 Start::Rough => 1,
-                Start::Close => StripOptions::CLOSE,
+                Start::Close => StripOptions::CLOSE_ATTEMPTS,
                 Start::Elements => StripOptions::ATTEMPTS,
             },
             settled: SETTLED[usize::from(kind != Start::Rough)],

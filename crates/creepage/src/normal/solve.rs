@@ -11,7 +11,7 @@ use super::error::NormalError;
 use super::level::{Accuracy, ElementGrid, NormalProblem};
 use super::load;
 use super::overlap::Overlap;
-use super::refinement::{ENOUGH, NEARLY, Start, by_strips};
+use super::refinement::{NEARLY, RESIDUAL_TOLERANCES, Start, by_strips};
 use super::solution::{Asked, Found, Pair, areas, contact, gap_points, scale};
 use super::strips::{self, StripOptions};
 
@@ -136,11 +136,11 @@ fn follow(gap: &Gap, near: &NormalContact, approach: f64) -> Option<NormalContac
         count: rule.count.min(strips::most(&areas)),
         terms: strips::terms(gap, &areas)?,
         // A last step is taken from there.
-        enough: ENOUGH[0],
+        enough: RESIDUAL_TOLERANCES[0],
         nearly: NEARLY[1],
         complete: true,
         summit: true,
-        attempts: StripOptions::CLOSE,
+        attempts: StripOptions::CLOSE_ATTEMPTS,
         settled: 1.0,
     };
     let mut found =

@@ -7,6 +7,7 @@
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 use crate::gap::{Gap, Rectangle};
+use crate::numerics::bisect;
 
 use super::chord::{Chord, PLACES, place};
 use super::level::NormalProblem;
@@ -111,8 +112,8 @@ impl Turn {
         };
         let chords = (0..count).map(|i| {
             let y = row(i);
-            let leading = outline(crossing(across, y, [low, high]))[0];
-            let trailing = outline(crossing(across, y, [low, high - TAU]))[0];
+            let at = |end: f64| outline(bisect(low, end, ROUNDS, |turn| across(turn) < y))[0];
+            let [leading, trailing] = [at(high), at(high - TAU)];
             let (centre, half) = (f64::midpoint(trailing, leading), 0.5 * (leading - trailing));
             let mut density = [0.0; PLACES];
             for (index, density) in density.iter_mut().enumerate() {
@@ -127,14 +128,17 @@ impl Turn {
     }
 }
 
+/// Halvings of the angle at which the outline crosses a row.
+const ROUNDS: usize = 44;
+
 /// Where a function of an angle that has one maximum in a turn is greatest, near an angle: by golden section.
 fn extreme(of: impl Fn(f64) -> f64, near: f64) -> f64 {
     const PART: f64 = 0.618_033_988_749_894_9;
-    const ROUNDS: usize = 40;
+    const SECTIONS: usize = 40;
     let [mut low, mut high] = [near - FRAC_PI_2, near + FRAC_PI_2];
     let mut inner = [high - PART * (high - low), low + PART * (high - low)];
     let mut values = inner.map(&of);
-    for _ in 0..ROUNDS {
+    for _ in 0..SECTIONS {
         if values[0] > values[1] {
             high = inner[1];
             inner = [high - PART * (high - low), inner[0]];
@@ -144,16 +148,6 @@ fn extreme(of: impl Fn(f64) -> f64, near: f64) -> f64 {
             inner = [inner[1], low + PART * (high - low)];
             values = [values[1], of(inner[1])];
         }
-    }
-    f64::midpoint(low, high)
-}
-
-/// Where a function that rises from the one angle to the other takes a value, by bisection.
-fn crossing(of: impl Fn(f64) -> f64, value: f64, [mut low, mut high]: [f64; 2]) -> f64 {
-    const ROUNDS: usize = 44;
-    for _ in 0..ROUNDS {
-        let middle = f64::midpoint(low, high);
-        *(if of(middle) < value { &mut low } else { &mut high }) = middle;
     }
     f64::midpoint(low, high)
 }

@@ -162,7 +162,7 @@ impl Compression {
         for _ in 0..TURNS {
             let last = (self.state.pressures.clone(), self.state.tractions.clone());
             self.touch();
-            let settled = self.rub(&before);
+            let settled = self.solve_tangential(&before);
             let size = self.state.pressures.amax();
             let change = (&self.state.pressures - last.0).amax()
                 + reach * (&self.state.tractions - last.1).amax();
@@ -205,7 +205,7 @@ impl Compression {
     }
 
     /// Tractions under the present pressures; whether the areas of adhesion and slip settled.
-    fn rub(&mut self, before: &DVector<f64>) -> bool {
+    fn solve_tangential(&mut self, before: &DVector<f64>) -> bool {
         const STEPS: usize = 100;
         let [by_pressure, by_traction] = &self.response[1];
         let wanted = before - by_pressure * &self.state.pressures;

@@ -20,7 +20,7 @@ use pulp::{Arch, Simd, WithSimd};
 use super::many::{Field, NOTHING, ROOM, Sums, add_to, total};
 use super::wave::Source;
 use crate::ellipse::Ellipse;
-use crate::simd_math::{arctangent, ln_of_ratio};
+use crate::numerics::simd_math::{arctangent, ln_of_ratio};
 
 /// Directions over half a turn: of the first sum, and of as many as double it each time.
 const DIRECTIONS: [usize; 5] = [16, 16, 32, 64, 128];

@@ -9,7 +9,7 @@
 use std::ops::Range;
 
 use super::edges::Edges;
-use crate::simd_math::{arctangent, ln, ln_of_ratio};
+use crate::numerics::simd_math::{arctangent, ln, ln_of_ratio};
 
 /// `4 pi` times the stress `[xx, yy, zz, xy, yz, xz]`, and `4 pi G` times the displacement.
 pub(super) type Field = [f64; 9];

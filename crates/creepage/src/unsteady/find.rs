@@ -5,6 +5,7 @@ use nalgebra::{DMatrix, DVector};
 use super::level::TransientLevel;
 use super::motion::{Motion, Prescribed};
 use crate::coulomb::friction_bound::FrictionBound;
+use crate::numerics::broyden_update;
 
 /// Largest difference from a prescribed force, in parts of `mu N`.
 const TOLERANCE: f64 = 1e-7;
@@ -42,7 +43,7 @@ impl TransientLevel {
                 return converged;
             }
             let (is_new, matrix) = (slope.is_none(), slope.take());
-            let matrix = matrix.unwrap_or_else(|| self.slope(&unknown));
+            let mut matrix = matrix.unwrap_or_else(|| self.slope(&unknown));
             self.keep_slope(&unknown, &matrix);
             let before = self.creep;
             let step = matrix.clone().lu().solve(&residual);
@@ -65,7 +66,8 @@ impl TransientLevel {
             if left.norm() < NEARER * residual.norm() {
                 let of_unknown = |k: &usize| self.creep[*k] - before[*k];
                 let moved = DVector::from_iterator(unknown.len(), unknown.iter().map(of_unknown));
-                slope = Some(corrected(matrix, &moved, &(residual - left)));
+                broyden_update(&mut matrix, &moved, &(residual - left));
+                slope = Some(matrix);
             }
         }
         false
@@ -191,14 +193,4 @@ impl TransientLevel {
         }
         None
     }
-}
-
-/// The slope that explains a step and is the same across it (Broyden 1965).
-fn corrected(mut slope: DMatrix<f64>, moved: &DVector<f64>, change: &DVector<f64>) -> DMatrix<f64> {
-    let square = moved.norm_squared();
-    if square > 0.0 {
-        let missed = (change - &slope * moved) / square;
-        slope.ger(1.0, &missed, moved, 1.0);
-    }
-    slope
 }

@@ -1,13 +1,15 @@
 //! The creepage at which a step gives the prescribed forces, for theories without derivatives.
 
-use nalgebra::{DMatrix, DVector};
+use std::convert::Infallible;
+
+use nalgebra::DVector;
 
 use super::history::Creep;
 use super::motion::Prescribed;
+use crate::numerics::{NewtonLimits, newton};
 
-const NEWTON: usize = 40;
-/// Halvings of a step that leads farther away.
-const HALVINGS: usize = 40;
+const MAX_STEPS: usize = 40;
+const MAX_HALVINGS: usize = 40;
 
 /// How exactly a force is met, and by what step of the creepage its derivative is taken.
 #[derive(Debug, Clone, Copy)]
@@ -25,62 +27,38 @@ pub(super) fn meet<T>(
     accuracy: Accuracy,
     mut solve: impl FnMut(Creep) -> (T, [f64; 3]),
 ) -> (Creep, T, bool) {
-    let mut from = |start: Creep| {
-        let mut creep = start;
-        for (creep, prescribed) in creep.iter_mut().zip(prescribed) {
-            *creep = prescribed.creepage().unwrap_or(*creep);
-        }
-        newton(prescribed, creep, accuracy, &mut solve)
-    };
+    let mut from = |start: Creep| found(prescribed, start, accuracy, &mut solve);
     let found = from(start);
     let began_at_rest = start.iter().all(|part| *part == 0.0);
     if found.2 || began_at_rest { found } else { from([0.0; 3]) }
 }
 
-fn newton<T>(
+fn found<T>(
     prescribed: [Prescribed; 3],
-    mut creep: Creep,
+    start: Creep,
     Accuracy { tolerance, difference }: Accuracy,
     mut solve: impl FnMut(Creep) -> (T, [f64; 3]),
 ) -> (Creep, T, bool) {
-    let unknown: Vec<usize> = (0..3).filter(|k| prescribed[*k].force().is_some()).collect();
-    let off = |force: &[f64; 3], k: usize| match prescribed[k] {
-        Prescribed::Force(value) => value - force[k],
-        Prescribed::Creepage(_) => 0.0,
+    let unknown: Vec<(usize, f64)> =
+        (0..3).filter_map(|k| Some((k, prescribed[k].force()?))).collect();
+    let creep = |at: &DVector<f64>| {
+        let mut creep: Creep = [0, 1, 2].map(|k: usize| prescribed[k].creepage().unwrap_or(0.0));
+        unknown.iter().zip(at).for_each(|((k, _), at)| creep[*k] = *at);
+        creep
     };
-    let (mut found, mut force) = solve(creep);
-    for _ in 0..NEWTON {
-        if unknown.iter().all(|k| off(&force, *k).abs() < tolerance) {
-            return (creep, found, true);
-        }
-        let n = unknown.len();
-        let columns = unknown.iter().map(|k| {
-            let mut moved = creep;
-            moved[*k] += difference;
-            solve(moved).1
-        });
-        let columns: Vec<[f64; 3]> = columns.collect();
-        let entry = |i: usize, k: usize| (columns[k][unknown[i]] - force[unknown[i]]) / difference;
-        let residual = DVector::from_iterator(n, unknown.iter().map(|k| off(&force, *k)));
-        let step = DMatrix::from_fn(n, n, entry).lu().solve(&residual);
-        let Some(step) = step.filter(|s| s.iter().all(|s| s.is_finite())) else { break };
-        let mut shorter = 1.0;
-        let is_nearer = (0..HALVINGS).any(|_| {
-            let mut moved = creep;
-            unknown.iter().zip(step.iter()).for_each(|(k, s)| moved[*k] += shorter * s);
-            let (at, there) = solve(moved);
-            let next = unknown.iter().map(|k| off(&there, *k).powi(2)).sum::<f64>().sqrt();
-            shorter *= 0.5;
-            let is_nearer = next < residual.norm();
-            if is_nearer {
-                (creep, found, force) = (moved, at, there);
-            }
-            is_nearer
-        });
-        if !is_nearer {
-            break;
-        }
-    }
-    let solved = unknown.iter().all(|k| off(&force, *k).abs() < tolerance);
-    (creep, found, solved)
+    let over = |at: &DVector<f64>| -> Result<_, Infallible> {
+        let (value, force) = solve(creep(at));
+        let over = unknown.iter().map(|(k, wanted)| force[*k] - wanted);
+        Ok((value, DVector::from_iterator(unknown.len(), over)))
+    };
+    let first = DVector::from_iterator(unknown.len(), unknown.iter().map(|(k, _)| start[*k]));
+    let differences = DVector::from_element(unknown.len(), difference);
+    let limits = NewtonLimits {
+        tolerance,
+        max_steps: MAX_STEPS,
+        max_halvings: MAX_HALVINGS,
+        least_decrease: 0.0,
+    };
+    let Ok(found) = newton(first, &differences, limits, over);
+    (creep(&found.at), found.value, found.residual.amax() <= tolerance)
 }

@@ -6,6 +6,7 @@
 
 use super::elements::{Element, Elements, Row};
 use super::history::Ages;
+use crate::numerics::bisect;
 
 /// Points of displacement and their weights.
 pub(crate) type Spread = [(usize, f64); 9];
@@ -28,7 +29,7 @@ const LONGEST: f64 = 1.5;
 /// Nor shorter, in the shorter of steps of the elements and of the contact: a particle that the contact
 /// has just grown over counts from where it entered, for its displacement is known at the edge alone.
 const SHORTEST: f64 = 0.01;
-const BISECTIONS: usize = 45;
+pub(super) const BISECTIONS: usize = 45;
 
 /// The particles of one step, on their way back.
 pub(crate) struct Particles<'a> {
@@ -58,10 +59,11 @@ impl Particles<'_> {
         let upstream = row.x[element.nodes[1 + usize::from(second)] - row.first];
         let limit = (from + LONGEST * step).min(self.ages.origin());
         let is_behind = |age: f64| self.place(element, age)[0] < upstream;
-        let mut age = if is_behind(limit) { limit } else { bisect(from, limit, is_behind) };
+        let mut age =
+            if is_behind(limit) { limit } else { bisect(from, limit, BISECTIONS, is_behind) };
         let is_inside = |age: f64| self.is_inside(self.place(element, age));
         if !is_inside(age) {
-            age = bisect(from, age, is_inside);
+            age = bisect(from, age, BISECTIONS, is_inside);
         }
         let age = age.max(from + SHORTEST * step.min(self.ages.back[1])).min(self.ages.origin());
         Sample { is_whole: !is_behind(age + 1e-6 * step), ..self.between(element, second, age) }
@@ -88,19 +90,6 @@ impl Particles<'_> {
         let [a, b] = self.elements.semi_axes;
         (x / a).powi(2) + (y / b).powi(2) <= 1.0
     }
-}
-
-/// Where a condition that holds at `from` and not at `to` ends.
-pub(crate) fn bisect(mut from: f64, mut to: f64, holds: impl Fn(f64) -> bool) -> f64 {
-    for _ in 0..BISECTIONS {
-        let middle = 0.5 * (from + to);
-        if holds(middle) {
-            from = middle;
-        } else {
-            to = middle;
-        }
-    }
-    0.5 * (from + to)
 }
 
 impl Elements {

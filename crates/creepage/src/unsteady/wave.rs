@@ -19,6 +19,7 @@ use crate::check::{self, InvalidValue};
 use crate::coulomb::extrapolation::extrapolate;
 use crate::coulomb::influence::Tractions;
 use crate::coulomb::{Exact, Resolution};
+use crate::numerics::gauss::GAUSS_3;
 use crate::{Contact, Ellipse};
 
 type Number = Complex<f64>;
@@ -83,12 +84,6 @@ struct Wave {
 
 /// Shorter waves than this, in semi-axes, are shorter than elements.
 const SHORTEST: f64 = 0.5;
-/// Points and weights of Gauss's quadrature over (0, 1), of degree 5.
-const GAUSS: [[f64; 2]; 3] = [
-    [0.112_701_665_379_258_3, 5.0 / 18.0],
-    [0.5, 8.0 / 18.0],
-    [0.887_298_334_620_741_7, 5.0 / 18.0],
-];
 
 impl Harmonic {
     /// Amplitude of the force over that of the creepage.
@@ -210,8 +205,9 @@ fn rigid(element: &Element, wave_number: f64) -> [[Number; 2]; 3] {
     let zero = Number::from(0.0);
     let step = element.steps[0];
     let (mut sum, mut moment) = (zero, zero);
-    for [at, weight] in GAUSS {
-        let part = Number::from_polar(weight * step, -wave_number * at * step);
+    for (place, weight) in GAUSS_3 {
+        let at = 0.5 * (1.0 + place);
+        let part = Number::from_polar(0.5 * weight * step, -wave_number * at * step);
         sum += part;
         moment += part * (at * step);
     }

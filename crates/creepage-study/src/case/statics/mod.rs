@@ -151,6 +151,12 @@ pub fn statics_json_schema() -> Value {
 }
 
 impl StaticsFile {
+    /// Whether a text is one: it has a section `[statics]`.
+    #[must_use]
+    pub fn is_one(text: &str) -> bool {
+        text.parse::<toml::Table>().is_ok_and(|table| table.contains_key("statics"))
+    }
+
     /// Reads the text of a statics file and checks its form: TOML, sections, keys and kinds of
     /// values.
     ///

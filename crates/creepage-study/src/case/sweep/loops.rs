@@ -53,7 +53,7 @@ impl Default for Values {
 
 impl Loops {
     /// The most cases of a sweep.
-    pub(crate) const MOST: usize = 100_000_000;
+    pub(crate) const MAX_CASES: usize = 100_000_000;
 
     /// The values of `chi`, `alpha` and `upsilon`.
     pub(crate) fn values(&self) -> Result<[Vec<f64>; 3], CaseError> {
@@ -105,7 +105,7 @@ fn is_creepage(value: f64) -> bool {
 fn equidistant(from: f64, step: f64, steps: f64) -> Vec<f64> {
     const ROUNDING: f64 = 1e-9;
     let last = (steps + ROUNDING).floor();
-    (0..=Loops::MOST)
+    (0..=Loops::MAX_CASES)
         .map(|k| k as f64)
         .take_while(|&k| k <= last)
         .map(|k| from + k * step)
@@ -113,8 +113,8 @@ fn equidistant(from: f64, step: f64, steps: f64) -> Vec<f64> {
 }
 
 fn within_bounds(key: &'static str, cases: f64) -> Result<(), CaseError> {
-    if cases <= Loops::MOST as f64 {
+    if cases <= Loops::MAX_CASES as f64 {
         return Ok(());
     }
-    Err(CaseError::TooManyCases { key, cases, max: Loops::MOST })
+    Err(CaseError::TooManyCases { key, cases, max: Loops::MAX_CASES })
 }

@@ -96,7 +96,7 @@ impl Place<'_> {
         height: f64,
     ) -> Result<PressedContacts<'a>, MapBuildError> {
         const ROUNDS: usize = 5;
-        const MET: f64 = 3e-3;
+        const LOAD_TOLERANCE: f64 = 3e-3;
         let rest = self.image.touch([self.y, self.roll, 0.0])?;
         let mut depth = (height - rest).max(1e-6);
         let mut stood = Vec::new();
@@ -105,7 +105,7 @@ impl Place<'_> {
             let position = self.image.track(Position { y, z: rest + depth, roll, yaw: 0.0 });
             stood = solver.stand((self.image.side(), position), self.solids, &stood)?;
             let found = vertical(&stood);
-            if (found / load - 1.0).abs() < MET {
+            if (found / load - 1.0).abs() < LOAD_TOLERANCE {
                 break;
             }
             let times = if found > 0.0 { (load / found).cbrt().powi(2) } else { 2.0 };

@@ -25,7 +25,7 @@ pub(super) struct Rolled {
 }
 
 /// How far beside a node (m) it is pressed again, for the slopes of its geometry.
-const BESIDE: f64 = 2e-5;
+const DIFFERENCE_STEP: f64 = 2e-5;
 
 /// The nodes of a wheel, by `y` in steps.
 type Found = Mutex<BTreeMap<i64, Rolled>>;
@@ -146,7 +146,8 @@ impl Builder<'_> {
         (y, loads): (f64, &[Vec<Patch>]),
         heights: &Heights,
     ) -> Result<Vec<f64>, MapBuildError> {
-        let places = [self.place(side, y - BESIDE)?, self.place(side, y + BESIDE)?];
+        let places =
+            [self.place(side, y - DIFFERENCE_STEP)?, self.place(side, y + DIFFERENCE_STEP)?];
         let along = places.each_ref().map(|place| place.y - self.head.radius * place.roll);
         let inside = |place: f64| (heights.range()[0]..=heights.range()[1]).contains(&place);
         let mut all = Vec::new();

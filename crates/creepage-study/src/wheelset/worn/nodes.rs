@@ -11,7 +11,7 @@ const FAR: f64 = 2.0;
 /// Rounds in which the volume is made up; each leaves the change of a chord's length over a step.
 const ROUNDS: usize = 12;
 /// A profile has this many points at most.
-pub(super) const MOST: f64 = 20_000.0;
+pub(super) const MAX_POINTS: f64 = 20_000.0;
 
 /// A profile by its points, and what it has lost.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -59,7 +59,7 @@ impl Nodes {
         // Even steps from kink to kink: joints of smooth pieces need no point.
         let mut stations = vec![0.0];
         for run in ends.windows(2) {
-            let count = ((run[1] - run[0]) / spacing).ceil().clamp(1.0, MOST);
+            let count = ((run[1] - run[0]) / spacing).ceil().clamp(1.0, MAX_POINTS);
             let step = (run[1] - run[0]) / count;
             let inner = (1..).map(f64::from).take_while(|k| *k < count);
             stations.extend(inner.map(|k: f64| run[0] + k * step));

@@ -6,12 +6,12 @@ use super::Prescribed;
 use super::normal::{Normal, Pressed};
 use super::normal_tangential_coupling::Attraction;
 use super::shape::Shape;
-use crate::coulomb::anderson::AndersonAcceleration;
 use crate::coulomb::grid::Grid;
 use crate::coulomb::mesh::Mesh;
 use crate::coulomb::pressure::Pressure;
 use crate::coulomb::solver::{Equations, Outcome, State};
 use crate::coulomb::stencil::SlipStencil;
+use crate::numerics::anderson::AndersonAcceleration;
 use crate::{Contact, Creepage};
 
 /// Largest change from turn to turn in a solution, over `c` and the peak pressure: twenty times

@@ -8,16 +8,16 @@ use std::f64::consts::FRAC_PI_2;
 
 use super::Prescribed;
 use super::chebyshev::ChebyshevSeries;
-use crate::coulomb::anderson::AndersonAcceleration;
 use crate::ellipse::Ellipse;
-use crate::normal::strip_system::{self, MOST, Strip, StripProblem};
+use crate::normal::strip_system::{self, MAX_TERMS, Strip, StripProblem};
+use crate::numerics::anderson::AndersonAcceleration;
 
 /// Borders are sines of equal parts of so much of a right angle: narrower strips at the tips.
 const CLUSTER: f64 = 0.8 * FRAC_PI_2;
 /// Least half-length of a strip, over that of the longest, from which it is solved.
 const SHORTEST: f64 = 1e-3;
 /// Largest residual of the strips' displacements, and of the load over itself.
-const ENOUGH: f64 = 1e-8;
+const RESIDUAL_TOLERANCE: f64 = 1e-8;
 
 /// An area and its pressure.
 #[derive(Debug, Clone)]
@@ -161,15 +161,15 @@ impl Normal {
                     self.move_tips(&mut found);
                     return Some(found);
                 }
-                Err(stopped) => pressed = self.drawn_in(&pressed, &stopped)?,
+                Err(stopped) => pressed = self.shrink(&pressed, &stopped)?,
             }
         }
         None
     }
 
-    /// Draws in the tips whose outermost strip has shrunk, for it touches nothing; `None` if there are
+    /// Shrinks: draws in the tips whose outermost strip has shrunk, for it touches nothing; `None` if there are
     /// none.
-    fn drawn_in(&self, pressed: &Pressed, stopped: &[Strip]) -> Option<Pressed> {
+    fn shrink(&self, pressed: &Pressed, stopped: &[Strip]) -> Option<Pressed> {
         const SHRUNK: f64 = 0.6;
         const PART: f64 = 0.6;
         let by = |end: Option<(&Strip, &Strip)>| match end {
@@ -214,9 +214,14 @@ impl Normal {
         };
         let load = (prescribed == Prescribed::Load).then_some(self.frictionless.load);
         // Of the stiffness only the sign is asked.
-        let question =
-            StripProblem { depth: &depth, load, enough: ENOUGH, nearly: 0.1, known: None };
-        let found = strip_system::solve(pressed.strips.clone(), MOST, question)
+        let question = StripProblem {
+            depth: &depth,
+            load,
+            enough: RESIDUAL_TOLERANCE,
+            nearly: 0.1,
+            known: None,
+        };
+        let found = strip_system::solve(pressed.strips.clone(), MAX_TERMS, question)
             .map_err(|stopped| stopped.strips)?;
         if found.stiffness > 0.0 && found.deeper.is_finite() {
             let load = found.strips.iter().map(Strip::load).sum();
@@ -249,7 +254,7 @@ impl Normal {
 fn hertz_strip(ellipse: Ellipse, [low, high]: [f64; 2]) -> Strip {
     let middle = f64::midpoint(low, high);
     let root = ((1.0 - middle) * (1.0 + middle)).sqrt();
-    let mut pressure = [0.0; MOST];
+    let mut pressure = [0.0; MAX_TERMS];
     pressure[0] = root;
     Strip {
         y: ellipse.b() * middle,

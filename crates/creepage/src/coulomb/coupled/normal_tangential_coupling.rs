@@ -11,9 +11,8 @@
 //! `w = -kappa/(pi G) sum (X, Y) . S`.
 
 use crate::coulomb::mesh::Mesh;
+use crate::numerics::gauss::GAUSS_2;
 
-/// Gauss's two points on (-1, 1).
-const GAUSS: f64 = 0.577_350_269_189_625_8;
 /// Distance over size from which four Gauss points act as an element: an error of 3e-5.
 const FAR: f64 = 4.0;
 
@@ -63,7 +62,7 @@ impl Attraction {
 impl Element {
     fn new(corners: [[f64; 2]; 4]) -> Self {
         let points = std::array::from_fn(|k| {
-            let side = |low: bool| if low { -GAUSS } else { GAUSS };
+            let side = |low: bool| GAUSS_2[usize::from(!low)].0;
             map(corners, side(k % 2 == 0), side(k < 2))
         });
         let apart = |i: usize, k: usize| {

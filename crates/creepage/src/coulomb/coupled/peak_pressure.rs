@@ -16,7 +16,7 @@
 use std::f64::consts::FRAC_PI_2;
 
 use super::level::Settled;
-use crate::normal::strip_system::MOST;
+use crate::normal::strip_system::MAX_TERMS;
 
 /// Elements from the border to that from which the root is taken; those between it and the border are
 /// smeared.
@@ -56,7 +56,7 @@ pub(super) fn summit(settled: &Settled, q: f64) -> Summit {
 fn near(settled: &Settled, Border { angle, root }: Border, t: f64, q: f64) -> f64 {
     const POINTS: i32 = 20;
     // A wave of the last polynomial.
-    let reach = 4.0 * FRAC_PI_2 / MOST as f64;
+    let reach = 4.0 * FRAC_PI_2 / MAX_TERMS as f64;
     let pressures = (-POINTS..=POINTS).map(|k| {
         let beside = reach * f64::from(k) / f64::from(POINTS);
         let polynomials = settled.shape.pressure([(angle + beside).cos(), t]);
@@ -71,7 +71,7 @@ fn left(beside: f64) -> f64 {
     let turned = if beside > 0.0 { FRAC_PI_2 } else { 0.0 };
     let whole = (2.0 * (0.5 * beside).sin().abs()).sqrt() * (0.25 * beside - turned).sin();
     let (mut factor, mut sum) = (1.0, 0.0);
-    for n in 0..=MOST {
+    for n in 0..=MAX_TERMS {
         sum += factor * (n as f64 * beside - quarter).sin();
         factor *= 1.0 - 1.5 / (n + 1) as f64;
     }
@@ -111,7 +111,7 @@ mod tests {
     #[test]
     fn what_is_left_is_largest_at_the_border() {
         let lacking =
-            (1..=MOST).fold(0.5_f64.sqrt(), |product, n| product * (1.0 - 0.5 / n as f64));
+            (1..=MAX_TERMS).fold(0.5_f64.sqrt(), |product, n| product * (1.0 - 0.5 / n as f64));
         assert!((left(0.0) - lacking).abs() < 1e-12, "{} {lacking}", left(0.0));
         assert!((1..60).all(|k| left(0.05 * f64::from(k)).abs() < lacking));
         assert!(left(2.0).abs() < 0.1 * lacking, "{}", left(2.0));

@@ -8,7 +8,7 @@ use crate::coulomb::pressure::{Moments, Pressure};
 use crate::coulomb::subdivision::SUBCELLS;
 use crate::ellipse::Ellipse;
 use crate::gap::Cubic;
-use crate::normal::strip_system::{self, MOST, profile};
+use crate::normal::strip_system::{self, MAX_TERMS, profile};
 
 /// Least pressure over that of Hertz: polynomials between strips may dip below zero, and an element
 /// without any pressure has no traction to find.
@@ -30,7 +30,7 @@ pub(super) struct Shape {
     centre: Cubic,
     /// Pressure over that of Hertz, in Chebyshev's polynomials, by the strips with and without
     /// friction.
-    pressure: [[Cubic; MOST]; 2],
+    pressure: [[Cubic; MAX_TERMS]; 2],
 }
 
 impl Shape {
@@ -38,10 +38,11 @@ impl Shape {
         let t: Vec<f64> = normal.middles().collect();
         let pairs = || pressed.strips.iter().zip(&normal.frictionless.strips);
         let curve = |values: Vec<f64>| Cubic::new(t.clone(), values);
-        let polynomials = |of: fn((&strip_system::Strip, &strip_system::Strip)) -> [f64; MOST]| {
-            let all: Vec<_> = pairs().map(of).collect();
-            std::array::from_fn(|k| curve(all.iter().map(|c| c[k]).collect()))
-        };
+        let polynomials =
+            |of: fn((&strip_system::Strip, &strip_system::Strip)) -> [f64; MAX_TERMS]| {
+                let all: Vec<_> = pairs().map(of).collect();
+                std::array::from_fn(|k| curve(all.iter().map(|c| c[k]).collect()))
+            };
         Self {
             ellipse: normal.ellipse,
             middle: pressed.middle,

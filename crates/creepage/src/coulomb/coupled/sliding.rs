@@ -41,12 +41,12 @@ use super::normal::{Normal, Pressed};
 use super::normal_tangential_coupling::Attraction;
 use super::shape::Shape;
 use crate::check::{self, InvalidValue};
-use crate::coulomb::anderson::AndersonAcceleration;
 use crate::coulomb::extrapolation::extrapolate;
 use crate::coulomb::mesh::{Mesh, StripGrading};
 use crate::coulomb::pressure::Pressure;
 use crate::coulomb::resolution::Resolution;
 use crate::ellipse::Ellipse;
+use crate::numerics::anderson::AndersonAcceleration;
 
 /// Why there is no solution of gross sliding.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]

@@ -3,8 +3,8 @@
 use pulp::{Arch, Simd, WithSimd};
 
 use super::layout::Layout;
-use crate::buffer_pool::BufferPool;
 use crate::coulomb::product::BLOCK;
+use crate::numerics::buffer_pool::BufferPool;
 
 static ROWS: BufferPool<f32> = BufferPool::new();
 static BLOCKS: BufferPool<f64> = BufferPool::new();

@@ -2,11 +2,11 @@
 //! derivative of the force by creepage and spin, which solves the same equations.
 
 use super::State;
-use super::gmres::{Gmres, Part};
 use crate::coulomb::friction::{Sliding, by_half_width};
 use crate::coulomb::grid::Grid;
 use crate::coulomb::influence::{Precision, Tractions};
 use crate::coulomb::quadrature::{Fields, Sum};
+use crate::numerics::gmres::{Gmres, Part};
 use crate::{Creepage, Force};
 
 /// Relative accuracy of a derivative in single precision, and how often it is found: at first, and then

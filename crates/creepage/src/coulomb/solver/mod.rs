@@ -6,19 +6,18 @@
 //! again, more of them each time.
 
 mod equations;
-mod gmres;
 mod newton;
 mod strip_factors;
 
 pub(crate) use equations::Equations;
 
-use super::anderson::AndersonAcceleration;
 use super::forcing::SlipForcing;
 use super::friction::{Regularization, Sliding, project_within};
 use super::friction_bound::LEAST;
 use super::grid::Grid;
 use super::influence::{Precision, Tractions};
 use super::quadrature::{Fields, Sum};
+use crate::numerics::anderson::AndersonAcceleration;
 use strip_factors::Factors;
 
 /// Largest residual of friction's equation `p = P(p + r s)` in a solution, over the traction bound,

@@ -6,12 +6,12 @@
 
 use pulp::{Arch, Simd, WithSimd};
 
-use crate::buffer_pool::BufferPool;
 use crate::coulomb::friction::Sliding;
 use crate::coulomb::grid::Grid;
 use crate::coulomb::mesh::Mesh;
 use crate::coulomb::product::Row;
-use crate::lu::Lu;
+use crate::numerics::buffer_pool::BufferPool;
+use crate::numerics::lu::Lu;
 
 /// The unknowns of an element are the changes of its traction in two directions: along the traction at
 /// its bound and across it, to the left, else along `x` and `y`. In the matrix come those along at the

@@ -18,8 +18,8 @@
 
 use std::f64::consts::{FRAC_PI_2, LN_2, PI};
 
-use super::rules::{MOST, RULES, Rules, polynomials};
-use crate::simd_math::{LANES, Lanes, each, exp, ln, sin};
+use super::rules::{MAX_TERMS, RULES, Rules, polynomials};
+use crate::numerics::simd_math::{LANES, Lanes, each, exp, ln, sin};
 
 /// The integrals of one strip at one point with `T` polynomials, and the derivatives of their sum
 /// weighted with the strip's pressures.
@@ -197,7 +197,7 @@ pub(super) fn side<const T: usize>(x: f64, e: f64) -> [f64; T] {
     let view = View { x, low: -e, high: e, own: true };
     let zero = [0.0; LANES];
     let mut sums = Sums { value: [zero; T], by_x: zero, by_e: zero };
-    let rule = |half| RULES.legendre::<MOST>(half);
+    let rule = |half| RULES.legendre::<MAX_TERMS>(half);
     view.add_near::<T, false>(&mut sums, rule, view.distances(), &[]);
     sums.value.map(|lanes| 0.5 * lanes.iter().sum::<f64>())
 }
@@ -208,8 +208,8 @@ fn mean([left, right]: [f64; 2]) -> f64 {
 }
 
 /// `U_k(s)`, weighted by coefficients.
-pub(crate) fn profile(coefficients: &[f64; MOST], s: f64) -> f64 {
-    polynomials::<MOST>(s).iter().zip(coefficients).map(|(u, c)| u * c).sum()
+pub(crate) fn profile(coefficients: &[f64; MAX_TERMS], s: f64) -> f64 {
+    polynomials::<MAX_TERMS>(s).iter().zip(coefficients).map(|(u, c)| u * c).sum()
 }
 
 /// `int sqrt(1 - s^2) U_k(s) ln|x - s| ds`: its derivative is `pi T_(k+1)(x)` inside the interval, and
@@ -260,7 +260,7 @@ mod tests {
                 let (s, cos) = (-FRAC_PI_2 + (f64::from(i) + 0.5) * step).sin_cos();
                 let d = (view.x - s).abs();
                 let kernel = (view.high / d).asinh() - (view.low / d).asinh();
-                step * cos * cos * polynomials::<MOST>(s)[k] * kernel
+                step * cos * cos * polynomials::<MAX_TERMS>(s)[k] * kernel
             })
             .sum()
     }
@@ -279,8 +279,8 @@ mod tests {
             (0.2, 30.0, 31.0, false),
         ] {
             let view = View { x, low, high, own };
-            let found = view.upright().by_quadrature::<MOST, false>(&RULES, &[]);
-            for k in 0..MOST {
+            let found = view.upright().by_quadrature::<MAX_TERMS, false>(&RULES, &[]);
+            for k in 0..MAX_TERMS {
                 let expected = brute(view, k);
                 let difference = (found.value[k] - expected).abs();
                 // Half a step of the brute sum is lost at the logarithm.
@@ -297,14 +297,15 @@ mod tests {
         {
             let at = |dx: f64, factor: f64| {
                 let view = View { x: x + dx, low: low * factor, high: high * factor, own };
-                view.upright().by_quadrature::<MOST, false>(&RULES, &[]).value
+                view.upright().by_quadrature::<MAX_TERMS, false>(&RULES, &[]).value
             };
             let (ahead, behind) = (at(STEP, 1.0), at(-STEP, 1.0));
             let (more, less) = (at(0.0, STEP.exp()), at(0.0, (-STEP).exp()));
-            for k in 0..MOST {
-                let pressure: [f64; MOST] = std::array::from_fn(|i| f64::from(u8::from(i == k)));
+            for k in 0..MAX_TERMS {
+                let pressure: [f64; MAX_TERMS] =
+                    std::array::from_fn(|i| f64::from(u8::from(i == k)));
                 let view = View { x, low, high, own };
-                let found = view.upright().by_quadrature::<MOST, true>(&RULES, &pressure);
+                let found = view.upright().by_quadrature::<MAX_TERMS, true>(&RULES, &pressure);
                 let by_e = (more[k] - less[k]) / (2.0 * STEP);
                 assert!((found.by_e - by_e).abs() < 2e-5, "{k}: {} {by_e}", found.by_e);
                 let by_x = (ahead[k] - behind[k]) / (2.0 * STEP);

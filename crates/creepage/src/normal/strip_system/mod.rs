@@ -16,7 +16,7 @@ pub(super) use newton::StripFailure;
 pub(crate) use newton::{Factors, StripProblem, StripSolution, solve};
 pub(super) use peak_pressure::height;
 pub(super) use rules::CENTRED;
-pub(crate) use rules::MOST;
+pub(crate) use rules::MAX_TERMS;
 pub(super) use sources::Sources;
 pub(crate) use strip::Strip;
 pub(super) use strip::{peak, top};

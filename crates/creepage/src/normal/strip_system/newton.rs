@@ -6,7 +6,7 @@ use nalgebra::DVector;
 
 use super::strip::Strip;
 use super::system::{Depth, Step, System, points};
-use crate::lu::Lu;
+use crate::numerics::lu::Lu;
 
 /// What is to be solved, in the solver's units.
 #[derive(Clone, Copy)]
@@ -51,7 +51,7 @@ pub(crate) struct StripFailure {
     pub(crate) is_closer: bool,
 }
 
-/// Solves from a start close by, with 2, 4 or [`MOST`] polynomials a strip.
+/// Solves from a start close by, with 2, 4 or [`MAX_DAMPED_STEPS`] polynomials a strip.
 pub(crate) fn solve(
     strips: Vec<Strip>,
     terms: usize,
@@ -216,10 +216,10 @@ impl<'a> Search<'a> {
 
     /// A damped step, where that helps; it is dear, so there are few.
     fn damp(&mut self) -> bool {
-        const MOST: usize = 2;
+        const MAX_DAMPED_STEPS: usize = 2;
         const STRIPS: usize = 40;
         self.damped += 1;
-        if self.damped > MOST || self.system.strips.len() > STRIPS {
+        if self.damped > MAX_DAMPED_STEPS || self.system.strips.len() > STRIPS {
             return false;
         }
         let found = self.system.damped(&self.residual, self.question.depth);

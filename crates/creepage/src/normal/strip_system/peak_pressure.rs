@@ -6,7 +6,7 @@ use super::strip::{self, Strip};
 use super::system::{Depth, System, zeros};
 
 /// Strips to either side of the highest that are cut, and into how many.
-const BESIDE: usize = 2;
+const STRIPS_ASIDE: usize = 2;
 const PARTS: u32 = 3;
 
 /// The highest pressure of strips that touch; `None` at the end of a band.
@@ -24,8 +24,8 @@ fn cut(touching: &StripSolution, terms: usize, depth: Depth<'_>) -> Option<Vec<S
     let top = strip::top(strips);
     three(strips, top)?;
     let inside = |&i: &usize| strips[i].band == strips[top].band && three(strips, i).is_some();
-    let first = (top.saturating_sub(BESIDE)..=top).rev().take_while(inside).last()?;
-    let last = (top..=top + BESIDE).take_while(|i| *i < strips.len() && inside(i)).last()?;
+    let first = (top.saturating_sub(STRIPS_ASIDE)..=top).rev().take_while(inside).last()?;
+    let last = (top..=top + STRIPS_ASIDE).take_while(|i| *i < strips.len() && inside(i)).last()?;
     let parts = (first..=last).flat_map(|i| (0..PARTS).map(move |k| (i, k)));
     let parts = parts.map(|(i, k)| part(three(strips, i)?, k)).collect::<Option<Vec<Strip>>>()?;
     let held = strips[..first].iter().chain(&strips[last + 1..]);

@@ -8,20 +8,20 @@ use std::sync::LazyLock;
 
 use gauss_quad::GaussLegendre;
 
-use crate::simd_math::{LANES, Lanes, each};
+use crate::numerics::simd_math::{LANES, Lanes, each};
 
 /// Most polynomials in a strip's pressure.
-pub(crate) const MOST: usize = 8;
+pub(crate) const MAX_TERMS: usize = 8;
 /// So many polynomials are symmetric pressures about a centre that is known.
 pub(in crate::normal) const CENTRED: usize = 1;
 /// So many do with fewer points of quadrature.
-pub(super) const FEW: usize = 4;
+pub(super) const FEW_TERMS: usize = 4;
 
 /// Points of quadrature on the strip, and weights with each polynomial.
 #[derive(Debug, Clone)]
 pub(super) struct Block {
     pub(super) s: Lanes,
-    pub(super) weights: [Lanes; MOST],
+    pub(super) weights: [Lanes; MAX_TERMS],
 }
 
 /// Gauss-Legendre points and weights on (-1, 1).
@@ -43,7 +43,7 @@ pub(super) struct Rules {
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Node {
     pub(super) s: f64,
-    pub(super) weights: [f64; FEW],
+    pub(super) weights: [f64; FEW_TERMS],
 }
 
 pub(super) static RULES: LazyLock<Rules> = LazyLock::new(|| Rules {
@@ -56,7 +56,7 @@ impl Rules {
     /// The smallest rule good for a mean distance from the two ends.
     #[inline(always)]
     pub(super) fn reaching<const T: usize>(&self, mean: f64) -> Option<&[Block]> {
-        let many = usize::from(T > FEW);
+        let many = usize::from(T > FEW_TERMS);
         self.chebyshev.iter().find(|(least, _)| mean >= least[many]).map(|(_, blocks)| &blocks[..])
     }
 
@@ -69,7 +69,7 @@ impl Rules {
     /// A rule good for half a range in the variable `v`.
     #[inline(always)]
     pub(super) fn legendre<const T: usize>(&self, half: f64) -> &[(Lanes, Lanes)] {
-        let order = usize::from(half > 3.0) + usize::from(half > 5.0) + usize::from(T > FEW);
+        let order = usize::from(half > 3.0) + usize::from(half > 5.0) + usize::from(T > FEW_TERMS);
         self.legendre.get(order).map_or(&[], |points| points)
     }
 }
@@ -78,10 +78,11 @@ impl Rules {
 /// polynomial of high degree takes as many points as it has waves.
 fn chebyshev(count: usize) -> ([f64; 2], Vec<Block>) {
     let block = |first: usize| {
-        let nodes: [(f64, [f64; MOST]); LANES] = std::array::from_fn(|l| node(first + l, count));
+        let nodes: [(f64, [f64; MAX_TERMS]); LANES] =
+            std::array::from_fn(|l| node(first + l, count));
         Block { s: each(|l| nodes[l].0), weights: std::array::from_fn(|k| each(|l| nodes[l].1[k])) }
     };
-    let least = [0, MOST].map(|lost| least(count, lost));
+    let least = [0, MAX_TERMS].map(|lost| least(count, lost));
     (least, (0..count).step_by(LANES).map(block).collect())
 }
 
@@ -95,11 +96,11 @@ fn few(count: usize) -> (f64, Vec<Node>) {
 }
 
 /// Point `k` of so many, and its weights.
-fn node(k: usize, count: usize) -> (f64, [f64; MOST]) {
+fn node(k: usize, count: usize) -> (f64, [f64; MAX_TERMS]) {
     let angle = PI * (k + 1) as f64 / (count + 1) as f64;
     let (sin, s) = angle.sin_cos();
     let weight = PI / (count + 1) as f64 * sin * sin;
-    (s, polynomials::<MOST>(s).map(|u| weight * u))
+    (s, polynomials::<MAX_TERMS>(s).map(|u| weight * u))
 }
 
 /// The hyperbolic cosine of the depth of the singularity from which on so many points do, some of which

@@ -26,7 +26,7 @@ use std::sync::LazyLock;
 
 use super::kernel::{self, log_integrals};
 use crate::normal::lattice::whole;
-use crate::simd_math::{LANES, Lanes, each, ln};
+use crate::numerics::simd_math::{LANES, Lanes, each, ln};
 
 /// Most polynomials that are tabulated.
 pub(super) const TABULATED: usize = 4;

@@ -11,7 +11,7 @@ use super::kernel::{Integrals, View, log_integrals, log_slopes};
 use super::rules::{CENTRED, Node, RULES};
 use super::side::{Places, TABLE, TABULATED};
 use super::strip::Strip;
-use crate::simd_math::{LANES, Lanes, each, ln};
+use crate::numerics::simd_math::{LANES, Lanes, each, ln};
 
 /// Neighbouring strips whose pressures have `T` terms.
 #[derive(Debug, Clone, Copy)]
@@ -278,7 +278,7 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
-    use crate::normal::strip_system::MOST;
+    use crate::normal::strip_system::MAX_TERMS;
 
     /// One strip of half length 1, seen from `(x, 0)`.
     fn one(low: f64, high: f64) -> Sources<TABULATED> {
@@ -309,7 +309,7 @@ mod tests {
             prop_assume!(is_tabulated(x, view.high));
             let strip = one(low, high);
             let found = strip.displacements::<true>([x, 0.0], own.then_some(0));
-            let expected = view.by_quadrature::<MOST, true>(
+            let expected = view.by_quadrature::<MAX_TERMS, true>(
                 &RULES,
                 &[0.7, 0.3, -0.2, 0.1, 0.0, 0.0, 0.0, 0.0],
             );
@@ -338,7 +338,7 @@ mod tests {
                     continue;
                 }
                 let found = one(view.low, high).displacements::<false>([view.x, 0.0], None);
-                let expected = view.by_quadrature::<MOST, false>(&RULES, &[]);
+                let expected = view.by_quadrature::<MAX_TERMS, false>(&RULES, &[]);
                 for (found, expected) in found.value.iter().zip(expected.value) {
                     let error = PI * found[0] - expected;
                     assert!(error.abs() < 5e-6, "{view:?}: {error:e}");

@@ -1,7 +1,7 @@
 //! A strip along rolling and its pressure; the highest of several.
 
 use super::kernel::profile;
-use super::rules::MOST;
+use super::rules::MAX_TERMS;
 
 /// A strip along rolling: lengths and pressures in the solver's units.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -12,7 +12,7 @@ pub(crate) struct Strip {
     pub(crate) centre: f64,
     pub(crate) half: f64,
     /// The pressure is `sqrt(1 - s^2)` times these of Chebyshev's polynomials `U_k(s)`.
-    pub(crate) pressure: [f64; MOST],
+    pub(crate) pressure: [f64; MAX_TERMS],
     /// Which band it belongs to.
     pub(crate) band: usize,
 }

@@ -6,10 +6,10 @@ use std::f64::consts::PI;
 use nalgebra::{DMatrix, DVector};
 use pulp::{Arch, Simd, WithSimd};
 
-use super::rules::{CENTRED, MOST};
+use super::rules::{CENTRED, MAX_TERMS};
 use super::sources::Sources;
 use super::strip::Strip;
-use crate::simd_math::LANES;
+use crate::numerics::simd_math::LANES;
 
 /// The depth of undeformed penetration, at x and y in the solver's units.
 pub(crate) type Depth<'a> = &'a dyn Fn(f64, f64) -> f64;
@@ -119,7 +119,7 @@ impl System {
             CENTRED => arch.dispatch(ByPressures::<1> { system, depth, first }),
             2 => arch.dispatch(ByPressures::<2> { system, depth, first }),
             4 => arch.dispatch(ByPressures::<4> { system, depth, first }),
-            _ => arch.dispatch(ByPressures::<MOST> { system, depth, first }),
+            _ => arch.dispatch(ByPressures::<MAX_TERMS> { system, depth, first }),
         };
         let less = matrix.lu().solve(&residual)?;
         let own = self.strips[first..].iter().zip(less.as_slice().chunks_exact(self.terms));
@@ -153,7 +153,7 @@ impl System {
             CENTRED => arch.dispatch(Evaluate::<1, false> { system, depth, residual: out, rows }),
             2 => arch.dispatch(Evaluate::<2, false> { system, depth, residual: out, rows }),
             4 => arch.dispatch(Evaluate::<4, false> { system, depth, residual: out, rows }),
-            _ => arch.dispatch(Evaluate::<MOST, false> { system, depth, residual: out, rows }),
+            _ => arch.dispatch(Evaluate::<MAX_TERMS, false> { system, depth, residual: out, rows }),
         }
         residual
     }
@@ -169,7 +169,7 @@ impl System {
             CENTRED => arch.dispatch(Evaluate::<1, true> { system, depth, residual: out, rows }),
             2 => arch.dispatch(Evaluate::<2, true> { system, depth, residual: out, rows }),
             4 => arch.dispatch(Evaluate::<4, true> { system, depth, residual: out, rows }),
-            _ => arch.dispatch(Evaluate::<MOST, true> { system, depth, residual: out, rows }),
+            _ => arch.dispatch(Evaluate::<MAX_TERMS, true> { system, depth, residual: out, rows }),
         }
         (residual, matrix)
     }
@@ -213,11 +213,11 @@ impl System {
     /// How far a step may go: no half length changes by more than a third, no centre moves
     /// further. `None` when the step is not a number.
     pub(super) fn longest(&self, step: &DVector<f64>) -> Option<f64> {
-        const MOST: f64 = 0.35;
+        const MAX_CHANGE: f64 = 0.35;
         let size = self.size();
         let lengths = step.as_slice().chunks_exact(size).flat_map(|own| &own[self.terms..]);
         let largest = lengths.fold(0.0, |largest: f64, change| largest.max(change.abs()));
-        step.iter().all(|change| change.is_finite()).then(|| (MOST / largest).min(1.0))
+        step.iter().all(|change| change.is_finite()).then(|| (MAX_CHANGE / largest).min(1.0))
     }
 
     /// The system after a whole step; `None` where that is too long.
@@ -235,7 +235,7 @@ impl System {
         depth: Depth<'_>,
     ) -> Option<(Self, DVector<f64>)> {
         const WEIGHTS: [f64; 4] = [1e-4, 1e-3, 1e-2, 1e-1];
-        const ENOUGH: f64 = 0.98;
+        const MAX_RESIDUAL_PART: f64 = 0.98;
         let total = residual.len();
         let jacobian = DMatrix::from_row_slice(total, total, &self.linearized(depth).1);
         let (square, right) = (jacobian.tr_mul(&jacobian), jacobian.tr_mul(residual));
@@ -251,7 +251,7 @@ impl System {
             let length = self.longest(&unknowns)?;
             let trial = self.moved(&Step { unknowns, deeper: 0.0 }, length);
             let after = trial.residual(depth);
-            (after.norm() < ENOUGH * residual.norm()).then_some((trial, after))
+            (after.norm() < MAX_RESIDUAL_PART * residual.norm()).then_some((trial, after))
         })
     }
 

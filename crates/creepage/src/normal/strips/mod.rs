@@ -47,7 +47,7 @@ impl StripOptions {
     /// Attempts that are worth their cost.
     pub(super) const ATTEMPTS: usize = 6;
     /// The same from a contact close by: where that is not close enough, elements are a better start.
-    pub(super) const CLOSE: usize = 2;
+    pub(super) const CLOSE_ATTEMPTS: usize = 2;
 }
 
 /// Solves from patches close by.
@@ -130,9 +130,9 @@ fn solve_along_x(
                     continue;
                 }
                 // Once, for a waist without pressure parts them again.
-                if !is_joined && let Some(joined) = patch_update::joined(&patches) {
+                if !is_joined && let Some(merged) = patch_update::merge(&patches) {
                     is_joined = true;
-                    start = joined;
+                    start = merged;
                     continue;
                 }
                 return Some(found(task, patches, &touching, wanted, &gap, units));
@@ -143,7 +143,7 @@ fn solve_along_x(
             }
             Err(stopped) => {
                 attempts -= 1;
-                start = patch_update::drawn_in(&start, &laid, &stopped, units)?;
+                start = patch_update::shrink(&start, &laid, &stopped, units)?;
             }
         }
     }

@@ -5,7 +5,7 @@ use pulp::{Arch, Simd, WithSimd};
 use super::strip_layout::Units;
 use crate::normal::level::NormalProblem;
 use crate::normal::overlap::Overlap;
-use crate::normal::strip_system::{CENTRED, Depth, MOST, Sources, Strip, StripSolution};
+use crate::normal::strip_system::{CENTRED, Depth, MAX_TERMS, Sources, Strip, StripSolution};
 
 /// Rows, and columns where the gap is not a parabola along them.
 const ROWS: u32 = 160;
@@ -31,7 +31,7 @@ pub(super) fn overlapped(
         CENTRED => arch.dispatch(Displaced::<1> { strips, places: &places }),
         2 => arch.dispatch(Displaced::<2> { strips, places: &places }),
         4 => arch.dispatch(Displaced::<4> { strips, places: &places }),
-        _ => arch.dispatch(Displaced::<MOST> { strips, places: &places }),
+        _ => arch.dispatch(Displaced::<MAX_TERMS> { strips, places: &places }),
     };
     let pairs = places.into_iter().zip(displaced);
     Some(pairs.filter(|(at, by)| depth(*at) - by >= LEAST).map(|(at, _)| at).collect())
@@ -83,9 +83,9 @@ fn tops(columns: &[f64; COLUMNS], depth: impl Fn(f64) -> f64) -> impl Iterator<I
 /// Whether a place lies in a strip, or no further from it than a strip is wide: the outermost ends
 /// short of the tip.
 fn covers(strip: &Strip, [x, y]: [f64; 2]) -> bool {
-    const BESIDE: f64 = 3.0;
+    const MARGIN: f64 = 3.0;
     const BEYOND: f64 = 1.05;
-    (y - strip.y).abs() <= BESIDE * strip.width && (x - strip.centre).abs() <= BEYOND * strip.half
+    (y - strip.y).abs() <= MARGIN * strip.width && (x - strip.centre).abs() <= BEYOND * strip.half
 }
 
 /// Displacements at places by strips whose pressures have `T` terms.

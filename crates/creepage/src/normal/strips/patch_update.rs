@@ -1,5 +1,5 @@
 //! Active-set update of the patches, where strips do not touch all along or bear what the edge of a punch does: shrink,
-//! pushed out, parted or joined.
+//! grow, split or merge.
 
 use super::strip_layout::{FEWEST, Units, patches};
 use crate::normal::patch::Patch;
@@ -40,14 +40,14 @@ fn end_at_pulled(start: &mut [Patch], strips: &[Strip], units: Units) {
             }
             _ => 0.0,
         });
-        *band = band.drawn_in(by.map(|by| by.max(0.0)));
+        *band = band.trimmed(by.map(|by| by.max(0.0)));
     }
 }
 
 /// With those tips drawn in by a part of a strip's width whose outermost strip has shrunk, is about
 /// to, or is pulled, or else parted where strips within are; `None` if there are none. Strips that had
 /// come closer are the start of the next ones.
-pub(super) fn drawn_in(
+pub(super) fn shrink(
     start: &[Patch],
     laid: &[Strip],
     stopped: &StripFailure,
@@ -79,7 +79,7 @@ pub(super) fn drawn_in(
     let mut next = if usable { patches(start, &left, units) } else { start.to_vec() };
     for (band, [low, high]) in next.iter_mut().flat_map(Patch::bands_mut).zip(wanted) {
         let by = [low - band.y()[0], band.y()[1] - high].map(|by| by.max(0.0));
-        *band = band.drawn_in(by);
+        *band = band.trimmed(by);
     }
     Some(next)
 }
@@ -175,9 +175,9 @@ pub(super) fn grow(
     }
     let mut next = start.to_vec();
     for (band, out) in next.iter_mut().flat_map(Patch::bands_mut).zip(out) {
-        *band = band.drawn_in(out.map(|out| -out));
+        *band = band.trimmed(out.map(|out| -out));
     }
-    Some(joined(&next).unwrap_or(next))
+    Some(merge(&next).unwrap_or(next))
 }
 
 /// Width of the outermost strip at each tip of a band where that bears more than the one beside it (m), else
@@ -192,11 +192,11 @@ fn widths_at_punches(band: &Band, index: usize, strips: &[Strip], units: Units) 
 }
 
 /// With areas of one band that touch as one; `None` where there are none.
-pub(super) fn joined(areas: &[Patch]) -> Option<Vec<Patch>> {
+pub(super) fn merge(areas: &[Patch]) -> Option<Vec<Patch>> {
     let mut next: Vec<Patch> = Vec::new();
     for area in areas {
-        match next.last_mut().and_then(|last| Some((last.joined(area)?, last))) {
-            Some((joined, last)) => *last = joined,
+        match next.last_mut().and_then(|last| Some((last.merged(area)?, last))) {
+            Some((merged, last)) => *last = merged,
             None => next.push(area.clone()),
         }
     }

@@ -6,7 +6,7 @@ use crate::normal::lattice::whole;
 use crate::normal::level::NormalProblem;
 use crate::normal::patch::Patch;
 use crate::normal::patch_strip::Band;
-use crate::normal::strip_system::{MOST, Strip, profile};
+use crate::normal::strip_system::{MAX_TERMS, Strip, profile};
 
 /// Units of length, depth and pressure, and the origin, of the solver.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -124,9 +124,9 @@ fn lay(band: &Band, index: usize, count: usize, terms: usize, units: Units) -> V
 }
 
 /// The band's pressure at a y in the first of Chebyshev's polynomials.
-fn projected(band: &Band, y: f64, terms: usize) -> [f64; MOST] {
+fn projected(band: &Band, y: f64, terms: usize) -> [f64; MAX_TERMS] {
     const POINTS: u32 = 24;
-    let mut coefficients = [0.0; MOST];
+    let mut coefficients = [0.0; MAX_TERMS];
     let line = band.line(y);
     for i in 1..=POINTS {
         let angle = std::f64::consts::PI * f64::from(i) / f64::from(POINTS + 1);

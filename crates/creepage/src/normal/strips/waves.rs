@@ -5,10 +5,10 @@ use std::f64::consts::PI;
 use crate::gap::Gap;
 use crate::normal::patch::Patch;
 use crate::normal::patch_strip::Band;
-use crate::normal::strip_system::{self, CENTRED, Depth, MOST, Strip};
+use crate::normal::strip_system::{self, CENTRED, Depth, MAX_TERMS, Strip};
 
 /// Polynomials that a strip's pressure needs: on a parabola along rolling two, near one too, on other sections four
-/// or [`MOST`]; `None` where their waves are too short for that. Where all sections are symmetric
+/// or [`MAX_TERMS`]; `None` where their waves are too short for that. Where all sections are symmetric
 /// about one x, so are the pressures.
 pub(in crate::normal) fn terms(gap: &Gap, areas: &[Patch]) -> Option<usize> {
     let bands = || areas.iter().flat_map(Patch::bands);
@@ -18,12 +18,14 @@ pub(in crate::normal) fn terms(gap: &Gap, areas: &[Patch]) -> Option<usize> {
         (true, None) => Some(2),
         // As near a parabola as that of a wheel turned against the rail: a change of their number is a jump.
         (false, _) if gap.has_locus() && lacks(2) < NEARLY => Some(2),
-        (false, _) => [4, MOST].into_iter().find(|terms| lacks(*terms) < ENOUGH),
+        (false, _) => {
+            [4, MAX_TERMS].into_iter().find(|terms| lacks(*terms) < MISSING_PRESSURE_TOLERANCE)
+        }
     }
 }
 
 /// The part of the largest pressure that may be missing: half of what is promised of the peak.
-const ENOUGH: f64 = 2.5e-3;
+const MISSING_PRESSURE_TOLERANCE: f64 = 2.5e-3;
 /// The same of sections near a parabola, of whose waves none is short.
 const NEARLY: f64 = 1e-2;
 

@@ -1,9 +1,10 @@
 //! What particles bring along to a cell: traction, friction and slip where they were before.
 
 use super::super::history::Level;
-use super::super::particle::bisect;
+use super::super::particle::BISECTIONS;
 use super::march::March;
 use crate::approximate::fastsim::friction_bound::Walk;
+use crate::numerics::bisect;
 
 /// Cells and their weights; what is missing to one is the leading edge, without traction.
 type Spread = [(usize, f64); 4];
@@ -38,7 +39,7 @@ impl March<'_> {
             return (self.known(upstream, &spread, limit, present), limit);
         }
         let shortest = SHORTEST * limit.min(self.ages.back[1]);
-        (Walk::start(), bisect(0.0, limit, is_inside).max(shortest))
+        (Walk::start(), bisect(0.0, limit, BISECTIONS, is_inside).max(shortest))
     }
 
     /// Traction, friction and slip of the particle that was between cells some way back.

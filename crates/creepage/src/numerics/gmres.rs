@@ -7,14 +7,14 @@ const RESTARTS: usize = 5;
 
 /// Evaluate the affine map, or its linear part.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Part {
+pub(crate) enum Part {
     Whole,
     /// Without the constant.
     Linear,
 }
 
 #[derive(Debug, Clone, Default)]
-pub(super) struct Gmres {
+pub(crate) struct Gmres {
     /// Orthonormal directions.
     directions: Vec<Vec<f64>>,
     /// Column `k`: `direction k - its image`, by the directions; after rotation, triangular.
@@ -25,7 +25,7 @@ pub(super) struct Gmres {
 }
 
 impl Gmres {
-    pub(super) fn new(unknowns: usize) -> Self {
+    pub(crate) fn new(unknowns: usize) -> Self {
         Self {
             directions: vec![vec![0.0; unknowns]],
             columns: vec![vec![0.0; KRYLOV_DIMENSION + 1]; KRYLOV_DIMENSION],
@@ -36,7 +36,7 @@ impl Gmres {
 
     /// Improves `x` until the map moves it by `accuracy` times as far as at first.
     /// `map(part, from, to)` fills `to` with the image of `from`.
-    pub(super) fn fixed_point(
+    pub(crate) fn fixed_point(
         &mut self,
         x: &mut [f64],
         accuracy: f64,

@@ -6,10 +6,10 @@
 use std::sync::Mutex;
 
 /// Vectors kept: those of a wheelset's contacts on two grids, while the next ones are made.
-const KEPT: usize = 32;
+const MAX_BUFFERS: usize = 32;
 /// Largest size of a vector that is kept, and of all of one kind, in bytes.
-const LARGEST: usize = 12_000_000;
-const MOST: usize = 64_000_000;
+const MAX_SIZE: usize = 12_000_000;
+const MAX_OF_ALL: usize = 64_000_000;
 
 /// Vectors that nobody uses, with what was in them. Nobody waits for them: new memory costs less, and a process
 /// forked off would wait for ever.
@@ -35,12 +35,12 @@ impl<T> BufferPool<T> {
     /// Keeps the memory of a vector.
     pub(crate) fn keep(&self, one: Vec<T>) {
         let size = |one: &Vec<T>| one.capacity() * size_of::<T>();
-        if !(1..=LARGEST).contains(&size(&one)) {
+        if !(1..=MAX_SIZE).contains(&size(&one)) {
             return;
         }
         let Ok(mut kept) = self.0.try_lock() else { return };
         kept.push(one);
-        while kept.len() > KEPT || kept.iter().map(size).sum::<usize>() > MOST {
+        while kept.len() > MAX_BUFFERS || kept.iter().map(size).sum::<usize>() > MAX_OF_ALL {
             kept.remove(0);
         }
     }
@@ -59,10 +59,10 @@ mod tests {
         spare.keep(Vec::<f64>::new());
         let sizes = [15, 15, 15, 5].map(|room| spare.take(room).capacity());
         assert!(sizes[2] >= 15 && sizes == [20, 30, sizes[2], 10], "{sizes:?}");
-        spare.keep(Vec::with_capacity(LARGEST));
-        (0..=KEPT).for_each(|_| spare.keep(vec![0.0; 3]));
-        assert_eq!(spare.0.lock().unwrap().len(), KEPT);
-        (0..=KEPT).for_each(|_| spare.keep(Vec::with_capacity(LARGEST / 8)));
-        assert_eq!(spare.0.lock().unwrap().len(), MOST / LARGEST);
+        spare.keep(Vec::with_capacity(MAX_SIZE));
+        (0..=MAX_BUFFERS).for_each(|_| spare.keep(vec![0.0; 3]));
+        assert_eq!(spare.0.lock().unwrap().len(), MAX_BUFFERS);
+        (0..=MAX_BUFFERS).for_each(|_| spare.keep(Vec::with_capacity(MAX_SIZE / 8)));
+        assert_eq!(spare.0.lock().unwrap().len(), MAX_OF_ALL / MAX_SIZE);
     }
 }

@@ -1,10 +1,20 @@
-//! Where a rising function crosses zero.
+//! The root of a rising function of one number: Newton's method or chords, kept in a bracket; and bisection.
 
-/// Newton's method kept in a bracket, one step at a time: the caller evaluates.
+/// Newton's method kept in a bracket, one step at a time: the caller evaluates the function at [`Root::at`], and hands
+/// its value to [`Root::next`].
+///
+/// ```
+/// use creepage::numerics::Root;
+/// let mut root = Root::new(2.0, [0.0, 10.0]);
+/// while (root.at.exp() - 3.0).abs() > 1e-12 {
+///     root.next(root.at.exp() - 3.0, Some(root.at.exp()));
+/// }
+/// assert!((root.at - 3f64.ln()).abs() < 1e-12);
+/// ```
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Root {
+pub struct Root {
     /// Where the function is wanted next.
-    pub(crate) at: f64,
+    pub at: f64,
     bracket: [f64; 2],
     last: Option<[f64; 2]>,
     slope: Option<f64>,
@@ -16,7 +26,8 @@ impl Root {
     const TRUSTED: usize = 12;
 
     /// The function is negative at the first end of the bracket and positive at the second.
-    pub(crate) fn new(start: f64, bracket: [f64; 2]) -> Self {
+    #[must_use]
+    pub fn new(start: f64, bracket: [f64; 2]) -> Self {
         let [low, high] = bracket;
         let at = if start > low && start < high { start } else { low.midpoint(high) };
         Self { at, bracket, last: None, slope: None, steps: 0 }
@@ -24,7 +35,7 @@ impl Root {
 
     /// Moves on from the function's value, infinite where only its sign is known, and its slope,
     /// where that is known; by chords else. A slope that is no positive number halves the bracket.
-    pub(crate) fn next(&mut self, value: f64, slope: Option<f64>) {
+    pub fn next(&mut self, value: f64, slope: Option<f64>) {
         self.bracket[usize::from(value > 0.0)] = self.at;
         let chord = self.last.map(|[at, before]| (value - before) / (self.at - at));
         let slope = slope.or(chord).filter(|slope| *slope > 0.0 && slope.is_finite());
@@ -37,20 +48,36 @@ impl Root {
     }
 
     /// The same where a first slope is only guessed: chords take over.
-    pub(crate) fn next_by_chord(&mut self, value: f64, guess: f64) {
+    pub fn next_by_chord(&mut self, value: f64, guess: f64) {
         let slope = self.last.is_none().then_some(guess);
         self.next(value, slope);
     }
 
     /// The slope of the last step, unless that halved the bracket.
-    pub(crate) fn slope(&self) -> Option<f64> {
+    #[must_use]
+    pub fn slope(&self) -> Option<f64> {
         self.slope
     }
 
     /// Whether the bracket has no room left, of the size `least`: the function jumps there.
-    pub(crate) fn is_spent(&self, least: f64) -> bool {
+    #[must_use]
+    pub fn is_spent(&self, least: f64) -> bool {
         self.bracket[1] - self.bracket[0] < least
     }
+}
+
+/// Where a condition that holds at `from` and not at `to` ends, to `2^-rounds` of the stretch: the middle of what is left.
+pub fn bisect(
+    mut from: f64,
+    mut to: f64,
+    rounds: usize,
+    mut holds: impl FnMut(f64) -> bool,
+) -> f64 {
+    for _ in 0..rounds {
+        let middle = 0.5 * (from + to);
+        *(if holds(middle) { &mut from } else { &mut to }) = middle;
+    }
+    0.5 * (from + to)
 }
 
 #[cfg(test)]
@@ -85,5 +112,17 @@ mod tests {
         let (at, count) =
             solve(5.0, |x| if x < 2.0 { f64::NEG_INFINITY } else { 1.0 }, |_| Some(1.0));
         assert!((at - 2.0).abs() < 1e-12 && count < 80, "{at} {count}");
+    }
+
+    /// From above as from below; each round halves what is left.
+    #[test]
+    fn bisection_ends_where_a_condition_does() {
+        for rounds in [5, 20, 60] {
+            let below = bisect(0.0, 8.0, rounds, |x| x * x < 2.0);
+            let above = bisect(8.0, 0.0, rounds, |x| x * x > 2.0);
+            let left = 8.0 * 0.5_f64.powi(i32::try_from(rounds).unwrap()) + 1e-15;
+            assert!((below - 2f64.sqrt()).abs() <= left, "{rounds} {below}");
+            assert!((above - 2f64.sqrt()).abs() <= left, "{rounds} {above}");
+        }
     }
 }
