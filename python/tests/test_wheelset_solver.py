@@ -145,6 +145,21 @@ def test_the_example_hunts_from_the_critical_speed_of_wickens_on() -> None:
     assert hunting.critical_speed(cone.solver(), 100.0, 118.0) == pytest.approx(108.6, rel=5e-3)
 
 
+def test_a_small_swing_grows_as_derivatives_have_it() -> None:
+    path = ROOT / "python" / "examples" / "hunting_with_height.py"
+    spec = importlib.util.spec_from_file_location("hunting_with_height", path)
+    assert spec is not None and spec.loader is not None
+    example = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(example)
+    wheelset = creepage.Wheelset(
+        wheel="S1002", rail="UIC60", cant=0.025, axle_load=100e3, friction=0.4, theory="fastsim"
+    )
+    hunting = example.Hunting(wheelset, wheelset.solver(), 60.0)
+    grows = example.damping(hunting.matrix())
+    # A swing of 20 um is not small without end: the slopes of S1002 change within it.
+    assert grows > 1.0 and hunting.growth(0.1, 5e-4) == pytest.approx(grows, rel=0.05)
+
+
 def test_a_moment_and_independent_wheels() -> None:
     wheelset = creepage.Wheelset(
         wheel="S1002", rail="UIC60", cant=0.025, axle_load=180e3, theory="fastsim"
