@@ -311,7 +311,9 @@ impl Sprung<'_> {
         let mut root = Root::new(0.9 * most, [0.0, 2.0 * most]);
         let mut found = under(root.at, 0.0)?;
         for _ in 0..MAX_STEPS {
-            if found.1.abs() <= MET * given_way || root.is_spent(MET * most) {
+            if found.1.abs() <= SPRING_TOLERANCE * given_way
+                || root.is_spent(SPRING_TOLERANCE * most)
+            {
                 break;
             }
             root.next_by_chord(found.1, springs.stiffness[1].recip());
