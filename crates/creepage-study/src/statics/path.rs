@@ -2,8 +2,8 @@
 
 use std::fmt::Write as _;
 
-use creepage::Hertz;
-use creepage::statics::{ShearedRectangle, ShiftAxis, ShiftPath};
+use creepage::statics::{ShearedRectangle, ShiftAxis, ShiftEnd, ShiftPath};
+use creepage::{Ellipse, Hertz};
 use creepage_plot::theme::RED;
 use creepage_plot::{Axis, Label, Mark, Panel, Pen, Point, Shape, Sheet};
 use serde_json::{Map, Value, json};
@@ -45,18 +45,33 @@ trait Step: Clone {
 }
 
 impl Step for ShiftPath {
-    const KEYS: &'static [&'static str] = &["force_n", "shift_m", "adhesion_share", "dissipated_j"];
+    const KEYS: &'static [&'static str] =
+        &["force_n", "shift_m", "adhesion_share", "dissipated_j", "normal_force_n"];
 
     fn numbers(&self) -> Vec<f64> {
-        vec![self.force(), self.shift(), self.adhesion().powi(2), self.dissipated()]
+        let (adhesion, load) = (self.adhesion().powi(2), self.normal_force());
+        vec![self.force(), self.shift(), adhesion, self.dissipated(), load]
     }
 
     fn begin(&self) -> Self {
         self.fresh()
     }
 
+    #[allow(clippy::float_cmp)] // a load that was not changed has the same bits
     fn go(&mut self, from: &Self, to: &Self, part: f64) -> bool {
-        self.to_force(from.force() + part * (to.force() - from.force())).is_ok()
+        let between = |from: f64, to: f64| from + part * (to - from);
+        let [one, other] = [from.normal_force(), to.normal_force()];
+        if one == other {
+            return self.to_force(between(from.force(), to.force())).is_ok();
+        }
+        if !matches!(to.last_end(), Some(ShiftEnd::Shift(_))) {
+            let force = ShiftEnd::Force(between(from.force(), to.force()));
+            return self.to(between(one, other), force).is_ok();
+        }
+        // In proportion with Hertz's approach.
+        let approach = |load: f64| load.cbrt().powi(2);
+        let load = between(approach(one), approach(other)).sqrt().powi(3);
+        self.to(load, ShiftEnd::Shift(between(from.shift(), to.shift()))).is_ok()
     }
 }
 
@@ -140,17 +155,22 @@ fn line<S: Step>(steps: &[S]) -> [Vec<Point>; 2] {
 impl<'a> StaticsReport<'a> {
     /// A shift to and fro along `axis`, after each of its `steps`; `None` for a path without a step.
     #[must_use]
+    #[allow(clippy::float_cmp)] // a load that was not changed has the same bits
     pub fn shift_path(
         contact: &Hertz,
         friction: f64,
         axis: ShiftAxis,
         steps: &'a [ShiftPath],
     ) -> Option<Self> {
-        let (ellipse, last) = (contact.ellipse(), steps.last()?);
+        let (nominal, last) = (contact.ellipse(), steps.last()?);
         let (given, peak) = pressed(contact, friction);
-        let used = 100.0 * last.force().abs() / (friction * contact.normal_force());
+        let load = last.normal_force();
+        let used = 100.0 * last.force().abs() / (friction * load);
         let ratio = last.adhesion();
-        let found = vec![
+        let changes = load != contact.normal_force();
+        let end = Quantity::new("end_normal_force_n", "normal force in the end", load, "N");
+        let mut found: Vec<Quantity> = changes.then_some(end).into_iter().collect();
+        found.extend([
             Quantity::new("force_n", "force in the end", last.force(), "N"),
             Quantity::new("friction_used_percent", "force, share of mu N", used, "%"),
             Quantity::new("shift_m", "shift in the end", last.shift(), "m"),
@@ -162,13 +182,16 @@ impl<'a> StaticsReport<'a> {
                 "%",
             ),
             Quantity::new("dissipated_j", "energy turned to heat", last.dissipated(), "J"),
-        ];
+        ]);
+        // Hertz's semi-axes grow with the cube root of the load.
+        let size = (load / contact.normal_force()).cbrt();
+        let ellipse = Ellipse::new(size * nominal.a(), size * nominal.b()).ok()?;
         Some(Self {
             cautions: Vec::new(),
             problem: "shift-path",
             title: "Shift to and fro with slip at the edge",
-            ellipse,
-            given: [given, shape(ellipse), vec![peak], pair_numbers(contact.pair())].concat(),
+            ellipse: if changes { ellipse } else { nominal },
+            given: [given, shape(nominal), vec![peak], pair_numbers(contact.pair())].concat(),
             found,
             field: Field::ShiftPath(last, axis),
             path: Path::Shifted(steps),
@@ -176,22 +199,29 @@ impl<'a> StaticsReport<'a> {
     }
 
     /// A line a step.
+    #[allow(clippy::float_cmp)] // a load that was not changed has the same bits
     pub(super) fn steps_text(&self) -> String {
         // Writing to a String cannot fail.
         let mut text = String::new();
         match self.path {
             Path::None => {}
             Path::Shifted(steps) => {
-                text.push_str(
-                    "\nSteps\n     force (N)      shift (um)   adhesion (%)   heat so far (J)\n",
+                let first = steps.first().map(|step| step.fresh().normal_force());
+                let changes = steps.iter().any(|step| Some(step.normal_force()) != first);
+                let own = if changes { "        load (N)" } else { "" };
+                let _ = writeln!(
+                    text,
+                    "\nSteps\n     force (N)      shift (um)   adhesion (%)   heat so far (J){own}"
                 );
                 for step in steps {
                     let (force, heat) = (step.force(), step.dissipated());
                     let (shift, adhesion) = (MICRO * step.shift(), 100.0 * step.adhesion().powi(2));
-                    let _ = writeln!(
+                    let _ = write!(
                         text,
                         "  {force:>12.5}  {shift:>14.6}  {adhesion:>13.2}  {heat:>16.5e}"
                     );
+                    let load = step.normal_force();
+                    let _ = if changes { writeln!(text, "  {load:>14.5}") } else { writeln!(text) };
                 }
             }
             Path::Sheared(steps) => {
