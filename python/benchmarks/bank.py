@@ -223,7 +223,8 @@ def of_statics(report: dict[str, Any]) -> Numbers:
     if steps := report.get("steps"):
         along = all_of_it.get("along", "x")
         numbers.along = -float(steps[-1].get("force_n", NAN))
-        numbers.found = {str(along): float(steps[-1].get("shift_m", NAN)) * 1e3}
+        # Of a path theirs is the shift of its last case alone.
+        numbers.found = {str(along): float(steps[-1].get("shift_m", NAN)) * 1e3} if len(steps) == 1 else {}
     return numbers
 
 

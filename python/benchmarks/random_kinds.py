@@ -6,7 +6,7 @@ COUNT (1,000) of each kind, solved by the command or told why not:
 - `slices`: a wheel with flat, waves or both, on a rail with corrugation or slices, anywhere around and along,
 - `heat`: sliding and rolling bodies of any material, bulk temperatures, friction that falls with temperature,
 - `viscoelastic`: cylinders that relax slowly or at once, by a creepage or a force,
-- `load-paths`: a shift to and fro.
+- `load-paths`: a shift to and fro, half of them under loads that change.
 
 Laws: the mirror image (lateral motion, or the side of the track, or the sense of a path) has the mirrored answer; no
 force is beyond friction; heat is not negative; what goes into both bodies is what friction makes, and warms. Printed by kind: how many
@@ -155,10 +155,16 @@ def load_paths(draw: random.Random) -> Callable[[int], tuple[str, str]]:
     load, friction = of_size(draw, 1.0, 1e5), draw.uniform(0.05, 1.0)
     radius = of_size(draw, 1e-3, 1.0)
     parts = [draw.uniform(-0.99, 0.99) for _ in range(draw.randint(1, 12))]
+    # Half of them under loads that change.
+    changes = draw.random() < 0.5
+    loads = [load * of_size(draw, 0.1, 10.0) if changes else load for _ in parts]
     along = draw.choice("xy")
 
     def text(sense: int) -> tuple[str, str]:
-        steps = ", ".join(f"{{ force = {sense * part * friction * load!r} }}" for part in parts)
+        steps = ", ".join(
+            f"{{ {f'normal_force = {own!r}, ' if changes else ''}force = {sense * part * friction * own!r} }}"
+            for part, own in zip(parts, loads, strict=True)
+        )
         return "statics", (
             steel((f"radius_rolling = {radius!r}\nradius_lateral = {radius!r}\n", 'radius_rolling = "flat"\nradius_lateral = "flat"\n'))
             + f"[contact]\nnormal_force = {load!r}\nfriction = {friction!r}\n"
@@ -201,7 +207,14 @@ def laws(kind: str, own: Report, mirrored: Report) -> dict[str, float]:
     if kind == "load-paths":
         pairs = list(zip(own["steps"], mirrored["steps"], strict=True))
         most = max(abs(step["shift_m"]) for step in own["steps"]) or 1.0
-        return {"mirror": max(close(a["shift_m"], -b["shift_m"], most) for a, b in pairs)}
+        heats = [0.0, *(step["dissipated_j"] for step in own["steps"])]
+        fall = max(before - after for before, after in zip(heats, heats[1:], strict=False))
+        return {
+            "mirror": max(close(a["shift_m"], -b["shift_m"], most) for a, b in pairs),
+            "friction": max(abs(a["force_n"]) / (own["given"]["friction"] * a["normal_force_n"]) for a, _ in pairs),
+            # Heat never falls from step to step.
+            "heat": max(0.0, fall),
+        }
     if kind == "viscoelastic":
         return {
             "friction": abs(own["fx"]),

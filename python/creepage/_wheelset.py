@@ -299,6 +299,38 @@ class Wheelset(FromFile):
         lines = [f"{name} = {json.dumps(value)}" for name, value in options.items()]
         return WheelsetSolver(self._data.by_theory(theory, lines))
 
+    def roll(
+        self,
+        history: Mapping[str, ArrayLike],
+        *,
+        start: Literal["none", "steady"] | None = None,
+    ) -> dict[str, Any]:
+        """Rolls in steps, so that contacts remember their tractions: the numbers of `creepage roll` with a wheelset
+        file.
+
+        history: arrays of one length, or a frame of pandas, with the columns of the command's table. These are
+        `distance` (m), which rises, and what differs from the wheelset: `s`, `pitch`, `wheel_load`, `y`, `z`, `roll`,
+        `yaw`, `axle_load`, `roll_moment`, `speed`, `pitch_rate`, `lateral_velocity`, `vertical_velocity`, `roll_rate`,
+        `yaw_rate`; NaN is the wheelset's own. A row's motion acts from the distance of the row before, or zero, to its
+        own. start: "none" is without traction, "steady" as if the first row's motion had always been; by default as the
+        file says, or none. Gives arrays named as the columns of `history.csv`; numbers of a side that is not solved are
+        NaN. Raises ValueError for columns and rows that are none, CaseError for what cannot roll in steps, such as
+        theories other than "exact", a free pitch_rate, and rails on springs. Warns of what the rows are in doubt for.
+        """
+        if start not in (None, "none", "steady"):
+            raise ValueError(f'start must be "none" or "steady", not {start!r}')
+        columns = [(str(name), floats(str(name), values).ravel()) for name, values in history.items()]
+        if len({values.size for _, values in columns}) > 1:
+            sizes = ", ".join(f"{name}: {values.size}" for name, values in columns)
+            raise ValueError(f"columns must have one length, not {sizes}")
+        given = [(name, values.tolist()) for name, values in columns]
+        found, cautions = self._data.roll(given, None if start is None else start == "steady")
+        if cautions:
+            warnings.warn("; ".join(cautions), UserWarning, stacklevel=2)
+        return {
+            name: np.array(values) if name == "status" else values for name, values in found.items()
+        }
+
     def map(self, **plan: Any) -> ContactMap:
         """The contact map of the wheelset, built on all cores: `ContactMap.build` with this plan."""
         return ContactMap.build(self, **plan)

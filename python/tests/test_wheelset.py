@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
+import csv
+import io
 import json
 import pickle
+import subprocess
+import sys
 from pathlib import Path
 from typing import Any
 
@@ -136,3 +140,28 @@ def test_a_flat_lets_the_wheel_down_and_rolls_out_again() -> None:
     assert heights[2] == pytest.approx(0.0, abs=1e-6)
     with pytest.raises(creepage.CreepageError, match="vary"):
         wheelset.conicity(3e-3)
+
+
+def test_wheels_roll_in_steps_as_the_command_has_them(tmp_path: Path) -> None:
+    wheels = Wheelset(wheel="S1002", rail="UIC60", cant=0.025, axle_load=100e3, roll=0.0, pitch_rate=65.3, resolution="fast")
+    history = {"distance": [0.002, 0.004, 0.006], "y": [0.0, np.nan, 0.0005]}
+    found = wheels.roll(history)
+    assert found["distance_m"].tolist() == history["distance"]
+    assert set(found["status"]) == {"solved"}
+    # It drives: rails are pushed back, more and more.
+    assert np.all(np.diff(found["left_longitudinal_n"][:2]) < 0)
+    case, table = tmp_path / "case.toml", tmp_path / "way.csv"
+    case.write_text(wheels.to_toml())
+    table.write_text("distance,y\n0.002,0.0\n0.004,\n0.006,0.0005\n")
+    words = [sys.executable, "-m", "creepage", "roll", str(case), "--history", str(table)]
+    done = subprocess.run(words, capture_output=True, text=True, check=True)
+    rows = list(csv.DictReader(io.StringIO(done.stdout)))
+    assert [float(row["right_lateral_n"]) for row in rows] == found["right_lateral_n"].tolist()
+    steady = wheels.roll({"distance": [0.001]}, start="steady")
+    assert abs(steady["left_longitudinal_n"][0]) > abs(found["left_longitudinal_n"][0])
+    with pytest.raises(ValueError, match="hight is not known"):
+        wheels.roll({"distance": [0.1], "hight": [0.0]})
+    with pytest.raises(ValueError, match="one length"):
+        wheels.roll({"distance": [0.1, 0.2], "y": [0.0]})
+    with pytest.raises(creepage.CaseError, match="row 1: .*pitch_rate"):
+        Wheelset(wheel="S1002", rail="UIC60", axle_load=100e3).roll({"distance": [0.001]})

@@ -70,6 +70,12 @@ pub(crate) enum Failure {
     Map { path: PathBuf, source: Box<MapBuildError> },
     #[error("{}: {source}", path.display())]
     History { path: PathBuf, source: Box<HistoryError> },
+    #[error(
+        "{} is of the history of another contact, whose files would stand beside those of these wheels: give another \
+         --out",
+        path.display()
+    )]
+    OfAnotherHistory { path: PathBuf },
     #[error("{}: {source}", path.display())]
     WheelTable { path: PathBuf, source: Box<WheelTableError> },
     #[error("{}: {source}{}", path.display(), how_to_say(source))]

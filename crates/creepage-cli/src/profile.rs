@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::{fs, io};
 
 use creepage_rail::file::{Format, Reading, Wanted, read, write};
-use creepage_rail::{Profile, Role, Side, Standard};
+use creepage_rail::{Profile, Role, Side, Smoothing, Standard};
 use creepage_study::{Sources, profile_pictures, write_all};
 use serde_json::{Value, json};
 
@@ -224,7 +224,7 @@ impl ProfileArgs {
             unit: self.unit,
             field_side: self.y.map(|sense| sense == LateralSense::FieldSide),
             down: self.z.map(|sense| sense == UprightSense::Down),
-            smoothing: self.smooth,
+            smoothing: self.smooth.map(Smoothing::Wavelength),
         }
     }
 }

@@ -33,6 +33,7 @@ pub(crate) fn run(args: &RollArgs, table: &str) -> Result<Outcome, Failure> {
     let sources = Sources::new([&args.case, &args.history]).with(&case.sources());
     if let Some(directory) = &args.out {
         sources.ensure_not_overwritten(&directory.join(NAME))?;
+        refuse_earlier(directory)?;
     }
     let mut run = WheelStepsRun::new(&case, &table).map_err(wrong)?;
     let mut rows = vec![WHEEL_STEP_COLUMNS.join(",")];
@@ -65,7 +66,7 @@ pub(crate) fn run(args: &RollArgs, table: &str) -> Result<Outcome, Failure> {
     }
     bar.finish_and_clear();
     if let Some(directory) = &args.out {
-        write(directory, &rows, &sources)?;
+        write(directory, &rows, &run.picture(), &sources)?;
     }
     for words in run.cautions() {
         say(&format!("caution: {words}"));
@@ -79,8 +80,21 @@ pub(crate) fn run(args: &RollArgs, table: &str) -> Result<Outcome, Failure> {
     Ok(Outcome::Doubtful)
 }
 
-fn write(directory: &Path, rows: &[String], sources: &Sources) -> Result<(), Failure> {
+/// What a contact without wheels leaves beside its table, and would stand beside another one.
+const OF_CONTACTS: [&str; 4] =
+    ["rolling.png", "adhesion.svg", "adhesion.png", "history.csv.partial"];
+
+fn refuse_earlier(directory: &Path) -> Result<(), Failure> {
+    let paths = OF_CONTACTS.map(|name| directory.join(name));
+    let earlier = paths.into_iter().find(|path| path.exists());
+    earlier.map_or(Ok(()), |path| Err(Failure::OfAnotherHistory { path }))
+}
+
+fn write(directory: &Path, rows: &[String], svg: &str, sources: &Sources) -> Result<(), Failure> {
     let text = rows.join("\n") + "\n";
-    say_written(&write_all(directory, &[(NAME, text.as_bytes())], sources)?);
+    let png = creepage_study::to_png(svg)?;
+    let files =
+        [(NAME, text.as_bytes()), ("history.svg", svg.as_bytes()), ("history.png", &png[..])];
+    say_written(&write_all(directory, &files, sources)?);
     Ok(())
 }

@@ -136,23 +136,6 @@ impl Profiles {
         Some(read(&file.name, &content, &wanted).ok()?.profile)
     }
 
-    /// The median distance between points of a profile that are next to each other, in its own unit; `None`
-    /// where fewer than three lines hold two numbers.
-    pub(crate) fn spacing(&self, given: &str) -> Option<f64> {
-        let text = fs::read(find(&self.from, given)?).ok()?;
-        let text = String::from_utf8_lossy(&text);
-        let points = text.lines().filter_map(|line| {
-            let mut words = line.split(|c: char| c.is_whitespace() || c == ',' || c == ';');
-            let mut number = || words.by_ref().find(|word| !word.is_empty())?.parse::<f64>().ok();
-            Some([number()?, number()?])
-        });
-        let points: Vec<[f64; 2]> = points.collect();
-        let apart = |pair: &[[f64; 2]]| (pair[1][0] - pair[0][0]).hypot(pair[1][1] - pair[0][1]);
-        let mut distances: Vec<f64> = points.windows(2).map(apart).filter(|d| *d > 0.0).collect();
-        distances.sort_by(f64::total_cmp);
-        (distances.len() > 1).then(|| distances[distances.len() / 2]).filter(|d| d.is_finite())
-    }
-
     /// The files that are to be copied beside the case files.
     pub(crate) fn files(&self) -> Result<Vec<File>, ImportError> {
         let lists = self.lists.iter().map(|(_, list)| Ok(list.file.clone()));

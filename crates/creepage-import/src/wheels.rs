@@ -41,13 +41,21 @@ pub(crate) struct ProfileFile {
     pub(crate) mirror_y: bool,
     pub(crate) scale: f64,
     pub(crate) smoothing: f64,
-    /// Whether that is the weight of a cubic smoothing spline (ISMOOTH = 0), in mm4.
+    /// Whether that is the weight of a cubic smoothing spline (ISMOOTH = 0), in mm3.
     pub(crate) is_plain_spline: bool,
-    /// Whether there are numbers of its own for zig-zags and kinks.
+    /// Whether zig-zags and kinks are found by other numbers than here.
     pub(crate) has_kinks: bool,
     /// 1 where z is mirrored, -1 where it is not, 0 where its shape says.
     pub(crate) mirror_z: i32,
 }
+
+/// ZIGTHRS, KNKHGH, KNKLOW (rad), KNKWID (mm) by which corners and zig-zags are found here too.
+const USUAL_KINKS: [f64; 4] = [
+    150.0 * std::f64::consts::PI / 180.0,
+    30.0 * std::f64::consts::PI / 180.0,
+    6.0 * std::f64::consts::PI / 180.0,
+    2.0,
+];
 
 impl ProfileFile {
     fn read(lines: &mut Lines, what: &str) -> Result<Self, ImportError> {
@@ -61,7 +69,9 @@ impl ProfileFile {
         if at(4) >= 1.0 {
             let options = lines.numbers(5, "ISMOOTH, ZIGTHRS, KNKHGH, KNKLOW, KNKWID")?;
             smoothing_kind = options[0];
-            has_kinks = options[1..].iter().any(|option| *option != 0.0);
+            let own =
+                |(option, usual): (&f64, &f64)| *option != 0.0 && (option - usual).abs() > 1e-9;
+            has_kinks = options[1..].iter().zip(&USUAL_KINKS).any(own) || options[4] == 0.0;
         }
         let is_plain_spline = smoothing_kind == 0.0;
         Ok(Self {

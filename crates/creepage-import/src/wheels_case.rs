@@ -23,8 +23,6 @@ struct Named<'a> {
     name: String,
     /// The profile, or the first one of the slices, as the input has it.
     first: String,
-    /// How far its points are apart, in its own unit.
-    spacing: Option<f64>,
 }
 
 impl<'a> Named<'a> {
@@ -35,8 +33,8 @@ impl<'a> Named<'a> {
         notes: &mut Vec<String>,
     ) -> Result<Self, Cause> {
         if !is_slices(&file.name) {
-            let (name, spacing) = (profiles.name(&file.name)?, profiles.spacing(&file.name));
-            return Ok(Self { file, key: "profile", name, first: file.name.clone(), spacing });
+            let name = profiles.name(&file.name)?;
+            return Ok(Self { file, key: "profile", name, first: file.name.clone() });
         }
         let read = profiles.slices(&file.name, role)?;
         if read.approximates {
@@ -48,7 +46,7 @@ impl<'a> Named<'a> {
             notes.push(format!("P_ACCEL of the {role}'s slices has no counterpart"));
         }
         let (name, first) = (read.file.name, read.first);
-        Ok(Self { file, key: "slices", name, first, spacing: None })
+        Ok(Self { file, key: "slices", name, first })
     }
 }
 
@@ -262,7 +260,7 @@ fn track(values: [f64; 5], notes: &mut Vec<String>) -> Track {
 }
 
 fn profile(
-    Named { file, key, name, first, spacing }: &Named<'_>,
+    Named { file, key, name, first }: &Named<'_>,
     role: &str,
     notes: &mut Vec<String>,
 ) -> Keys {
@@ -285,19 +283,8 @@ fn profile(
         _ => {}
     }
     if file.smoothing > 0.0 && file.is_plain_spline {
-        // Every point counts alike in that program's spline, so that 1/(1 + weight h k^4) of a wave is left where
-        // points are h apart: half at k^4 = 1/(weight h).
-        let unit = if file.scale > 0.0 { file.scale } else { 1.0 };
-        let apart = spacing.map_or(1.0, |spacing| spacing * unit);
-        let wavelength = std::f64::consts::TAU * (file.smoothing * apart).powf(0.25) * 1e-3;
-        reading.push(format!("smooth = {}", number(wavelength)));
-        notes.push(format!(
-            "SMOOTH = {} of the {role}'s profile: waves of {} m keep half of their height, as of a smoothing spline \
-             of that weight where points are {} m apart; where they are closer or wider it is not the same",
-            number(file.smoothing),
-            number(wavelength),
-            number(apart * 1e-3)
-        ));
+        // Every point counts alike in that program's spline; coordinates are scaled before.
+        reading.push(format!("smooth_weight = {}", number(file.smoothing * 1e-9)));
     } else if file.smoothing > 0.0 {
         notes.push(format!(
             "SMOOTH = {} of the {role}'s profile (ISMOOTH = 1) has no counterpart; `reading = {{ smooth = ... }}` \
@@ -308,7 +295,7 @@ fn profile(
     if file.has_kinks {
         notes.push(format!(
             "ZIGTHRS, KNKHGH, KNKLOW, KNKWID of the {role}'s profile have no counterpart: corners are found here by \
-             a rule of their own"
+             150, 30, 6 degrees and 2 mm"
         ));
     }
     let mut keys = vec![(*key, quoted(name))];

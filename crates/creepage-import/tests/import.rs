@@ -114,15 +114,54 @@ fn shifts_by_ways_and_after_each_other_are_a_path() {
         &text(&imported.cases[1], 0),
         &["along = \"y\"", "steps = [{ force = 150.0 }, { force = -75.0 }]"],
     );
-    // Another load, or another axis.
-    for (second, cause) in
-        [("900. .0 .25 .0", "load, shape or friction"), ("1000. .25 .0 .0", "its axis")]
-    {
+    // A load that falls meanwhile, or grows before; forces are relative to friction under it.
+    for (second, steps) in [
+        (
+            "900. .0 .25 .0",
+            "{ normal_force = 1000.0, force = 0.0 }, { force = 150.0 }, { normal_force = 900.0, force = -67.5 }",
+        ),
+        (
+            "1200. .0 .25 .0",
+            "{ normal_force = 1000.0, force = 150.0 }, { normal_force = 1200.0, force = 150.0 }, { force = -90.0 }",
+        ),
+    ] {
         let file = one("201120", "1000. .0 -.5 .0") + &one("001120", second);
         let imported = read(&file).unwrap();
-        let found = imported.cases[1].written.as_ref().unwrap_err();
-        assert!(found.contains(cause), "{found}");
+        let written = text(&imported.cases[1], 0);
+        // The first step goes to its own load from that of the last, with nothing to shift.
+        has(&written, &[&format!("steps = [{steps}]")[..]]);
     }
+    // Another axis.
+    let file = one("201120", "1000. .0 -.5 .0") + &one("001120", "1000. .25 .0 .0");
+    let imported = read(&file).unwrap();
+    let found = imported.cases[1].written.as_ref().unwrap_err();
+    assert!(found.contains("its axis"), "{found}");
+}
+
+/// Steps by force, then by creepage; the ellipse by its axes, then by a curvature of four digits.
+#[test]
+fn rolling_by_forces_goes_on_by_creepages() {
+    // Hertz: a = (1.5 N (1 - nu)/G R)^(1/3), R = 1/(2 A).
+    let shape = |by: &str| format!(" .28 .28 1. 1. material\n {by}\n");
+    let first = head("202110", "022020")
+        + " 0.7563 0.657 .0 .0\n .4 .4\n 0. .2 1000. CHI\n"
+        + &shape("-3\n 41 41 4.1 4.1 1.17");
+    let second = head("002100", "022020")
+        + " 0.7563 -.002 .0 .0\n .4 .4\n 0. .8 1000. CHI\n"
+        + &shape("-2\n 41 41 .002963 1. 1.17");
+    let imported = read(&(first.clone() + &second)).unwrap();
+    let rows = text(&imported.cases[1], 1);
+    let mut lines = rows.lines();
+    assert_eq!(lines.next(), Some("distance,longitudinal_force,longitudinal"));
+    let cells: Vec<Vec<&str>> = lines.map(|line| line.split(',').collect()).collect();
+    assert_eq!([cells[0][0], cells[0][2]], ["0.0002", ""]);
+    assert_eq!(cells[1], ["0.001", "", "-0.002"]);
+    assert!(imported.cases[1].notes.iter().any(|note| note.contains("to a thousandth")));
+    // Another shape is one.
+    let other = second.replace(".002963 1.", ".0031 1.");
+    let imported = read(&(first + &other)).unwrap();
+    let cause = imported.cases[1].written.as_ref().unwrap_err();
+    assert!(cause.contains("the shape changes"), "{cause}");
 }
 
 #[test]
@@ -171,8 +210,8 @@ fn a_wheel_keeps_its_axes_and_its_profiles_are_found_and_copied() {
         &[
             "profile = \"Rail.prr\"",
             "profile = \"wheel.prw\"",
-            // 2 pi times the fourth root of a weight of 1 mm4.
-            "reading = { smooth = 0.00628318530718 }",
+            // A weight of 1 mm3.
+            "reading = { smooth_weight = 1e-9 }",
             "radius = 0.46",
             "flange_back = -0.07",
             "cant = 0.025",

@@ -5,10 +5,12 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use creepage::InvalidValue;
 use creepage_study::{
-    ANSWERS, ASKED, CaseError, Sources, TableAxis, WheelsetCase, WheelsetFile, WheelsetFileError,
-    WheelsetReport, WheelsetTable, theory_spec, wheelset_caution_words,
+    ANSWERS, ASKED, CaseError, Sources, StepsStart, TableAxis, WHEEL_STEP_COLUMNS, WheelStepsRun,
+    WheelTable, WheelsetCase, WheelsetFile, WheelsetFileError, WheelsetReport, WheelsetTable,
+    theory_spec, wheelset_caution_words,
 };
 use numpy::{PyArray1, PyArrayMethods, PyReadonlyArray1};
+use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use rayon::prelude::*;
@@ -169,6 +171,51 @@ impl WheelsetData {
             solved.map_err(|error| errors::wheelset(py, error))?;
         let (statuses, cautions) = words.into_iter().map(<(String, String)>::from).unzip();
         Ok((PyArray1::from_slice(py, numbers.as_flattened()), [statuses, cautions]))
+    }
+
+    /// Rolls in steps by columns of one length, from steady rolling or not: the columns of what comes of it, the
+    /// status in words, and what to be careful about; with the row (from 1) where one cannot be solved.
+    fn roll<'py>(
+        &self,
+        py: Python<'py>,
+        columns: Vec<(String, Vec<f64>)>,
+        starts_steady: Option<bool>,
+    ) -> PyResult<(Bound<'py, PyDict>, Vec<String>)> {
+        let given: Vec<_> = columns.iter().map(|(name, values)| (&name[..], &values[..])).collect();
+        let table = WheelTable::from_columns(&given)
+            .map_err(|error| PyValueError::new_err(error.to_string()))?;
+        let start = match starts_steady {
+            None => self.case.start,
+            Some(true) => StepsStart::Steady,
+            Some(false) => StepsStart::Pressed,
+        };
+        let case = WheelsetCase { start, ..self.case.clone() };
+        let wrong = |error| errors::wheelset(py, error);
+        let mut run = WheelStepsRun::new(&case, &table).map_err(wrong)?;
+        let mut records: Vec<Vec<String>> = Vec::new();
+        loop {
+            py.check_signals()?;
+            let row = records.len() + 1;
+            let next = py.detach(|| run.next_row());
+            let of_row = |error: WheelsetFileError| {
+                errors::in_section(py, format!("row {row}: {error}"), "wheelset")
+            };
+            let Some((distance, stepped)) = next.map_err(of_row)? else { break };
+            records.push(WheelStepsRun::record(distance, &stepped));
+        }
+        let found = PyDict::new(py);
+        for (place, name) in WHEEL_STEP_COLUMNS.into_iter().enumerate() {
+            let cells = records.iter().map(|record| &record[place]);
+            if name == "status" {
+                found.set_item(name, cells.cloned().collect::<Vec<String>>())?;
+            } else {
+                // Of a side that is not solved they are empty.
+                let number = |cell: &String| cell.parse().unwrap_or(f64::NAN);
+                let numbers: Vec<f64> = cells.map(number).collect();
+                found.set_item(name, PyArray1::from_vec(py, numbers))?;
+            }
+        }
+        Ok((found, run.cautions()))
     }
 
     /// Columns over the axes in their order, each as one flat array; those of contacts over these too.

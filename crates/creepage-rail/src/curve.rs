@@ -13,7 +13,7 @@ pub use cubic::Cubic;
 pub(crate) use cubic::hermite;
 pub use graph::Graph;
 pub use piece::{Arc, Line, Piece};
-pub use smoothing::smooth;
+pub use smoothing::{Smoothing, smooth};
 pub(crate) use spline::spline_slopes;
 pub use spline::{SplineError, interpolate};
 

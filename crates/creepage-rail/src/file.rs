@@ -54,7 +54,7 @@ pub use writing::write;
 use orientation::Turned;
 use rows::{Raw, lines};
 
-use crate::{Profile, Role, Side};
+use crate::{Profile, Role, Side, Smoothing};
 
 /// A profile file's format.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -88,8 +88,8 @@ pub struct Wanted {
     pub field_side: Option<bool>,
     /// Whether `z` grows downwards.
     pub down: Option<bool>,
-    /// Waves of this length (m) keep half of their amplitude.
-    pub smoothing: Option<f64>,
+    /// How strongly its points are smoothed.
+    pub smoothing: Option<Smoothing>,
 }
 
 /// A profile read from a file.
@@ -150,9 +150,9 @@ fn finish(
     orientation::check_length(orientation::length(&points), unit, line)?;
     let places: Vec<[f64; 2]> = points.iter().map(|point| point.at).collect();
     let profile = match wanted.smoothing {
-        Some(wavelength) => {
-            actions.push(Action::Smoothed { wavelength });
-            Profile::smoothed(role, &places, &corners, wavelength)
+        Some(smoothing) => {
+            actions.push(Action::Smoothed { smoothing });
+            Profile::smoothed(role, &places, &corners, smoothing)
         }
         None => Profile::through(role, &places, &corners),
     };

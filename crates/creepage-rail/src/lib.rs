@@ -52,7 +52,7 @@ mod wheel;
 
 pub use conicity::{ConicityError, RadiusDifference};
 pub use contact::{Across, Contact};
-pub use curve::{Curve, CurvePoint, Piece, SplineError};
+pub use curve::{Curve, CurvePoint, Piece, Smoothing, SplineError};
 pub use geometry_error::GeometryError;
 pub use measures::WheelMeasures;
 pub use motion::{Motion, RailMotion};

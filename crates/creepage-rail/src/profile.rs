@@ -3,7 +3,7 @@
 use std::fmt;
 
 use crate::Waves;
-use crate::curve::{self, Curve, CurvePoint, SplineError};
+use crate::curve::{self, Curve, CurvePoint, Smoothing, SplineError};
 use crate::search::threshold;
 
 /// What a profile belongs to.
@@ -48,11 +48,17 @@ pub enum ProfileError {
         /// `y` of its end (m).
         to: f64,
     },
-    /// The smoothing wavelength must be positive and finite.
-    #[error("smoothing wavelength = {value} m: must be positive and finite")]
-    Wavelength {
-        /// What was given (m).
+    /// The smoothing wavelength, or its weight, must be positive and finite.
+    #[error(
+        "smoothing {} = {value} {}: must be positive and finite",
+        if *is_weight { "weight" } else { "wavelength" },
+        if *is_weight { "m3" } else { "m" }
+    )]
+    Smoothing {
+        /// What was given (m, of a weight m3).
         value: f64,
+        /// Whether that is a weight.
+        is_weight: bool,
     },
     /// The arcs of a rail head do not fit together.
     #[error("arc {index} of the head, radius {radius} m, cannot end at half width {half_width} m")]
@@ -102,20 +108,24 @@ impl Profile {
         Self::new(role, curve::interpolate(points, corners)?)
     }
 
-    /// The same, smoothed: waves of length `wavelength` (m) keep half of their amplitude.
+    /// The same, smoothed.
     ///
     /// # Errors
-    /// [`ProfileError`] as by [`Profile::through`], and for a wavelength that is not positive.
+    /// [`ProfileError`] as by [`Profile::through`], and for a wavelength or a weight that is not positive.
     pub fn smoothed(
         role: Role,
         points: &[[f64; 2]],
         corners: &[usize],
-        wavelength: f64,
+        smoothing: Smoothing,
     ) -> Result<Self, ProfileError> {
-        if !(wavelength > 0.0 && wavelength.is_finite()) {
-            return Err(ProfileError::Wavelength { value: wavelength });
+        let (value, is_weight) = match smoothing {
+            Smoothing::Wavelength(wavelength) => (wavelength, false),
+            Smoothing::Weight(weight) => (weight, true),
+        };
+        if !(value > 0.0 && value.is_finite()) {
+            return Err(ProfileError::Smoothing { value, is_weight });
         }
-        Self::new(role, curve::smooth(points, corners, wavelength)?)
+        Self::new(role, curve::smooth(points, corners, smoothing)?)
     }
 
     /// Wheel or rail.

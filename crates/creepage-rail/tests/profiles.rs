@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::panic)]
 
 use creepage_rail::curve::turn;
-use creepage_rail::{Piece, Profile, RailHead, Role, Standard};
+use creepage_rail::{Piece, Profile, RailHead, Role, Smoothing, Standard};
 use proptest::prelude::*;
 
 /// Every joint of a profile: `y`, jump of position, turn, curvatures (wheel order: field first).
@@ -227,7 +227,7 @@ fn corners_stay() {
     let points = [[-0.02, 0.0], [-0.01, 0.0], [0.0, 0.0], [0.01, 0.01], [0.02, 0.02]];
     for rail in [
         Profile::through(Role::Rail, &points, &[2]).unwrap(),
-        Profile::smoothed(Role::Rail, &points, &[2], 0.01).unwrap(),
+        Profile::smoothed(Role::Rail, &points, &[2], Smoothing::Wavelength(0.01)).unwrap(),
     ] {
         let kinks = rail.curve().kinks(0.1);
         assert_eq!(kinks.len(), 1);
@@ -245,12 +245,31 @@ fn smoothing_halves_the_wave_of_its_wavelength() {
             .map(|i| (f64::from(i) + uneven * f64::from(i % 3) * 0.5) * 1.5e-4)
             .map(|y| [y, wave(y)])
             .collect();
-        let rail = Profile::smoothed(Role::Rail, &points, &[], 3e-3).unwrap();
+        let rail =
+            Profile::smoothed(Role::Rail, &points, &[], Smoothing::Wavelength(3e-3)).unwrap();
         for crest in [0.027, 0.0285, 0.030] {
             let kept = rail.at_y(crest).unwrap().z / wave(crest);
             close(kept, 0.5, 0.01);
         }
     }
+}
+
+/// By weight a wave keeps `1/(1 + weight h k^4)` where points are `h` apart, so that the same weight smooths points that
+/// are closer together less: in the middle, where the ends are not felt.
+#[test]
+fn smoothing_by_weight_goes_by_the_spacing_of_points() {
+    let wave = |y: f64| 1e-6 * (std::f64::consts::TAU * y / 3e-3).cos();
+    let weight = (3e-3 / std::f64::consts::TAU).powi(4) / 1.5e-4;
+    for (apart, kept) in [(1.5e-4, 0.5), (0.75e-4, 2.0 / 3.0), (3e-4, 1.0 / 3.0)] {
+        let points: Vec<[f64; 2]> =
+            (0..800).map(|i| f64::from(i) * apart).map(|y| [y, wave(y)]).collect();
+        let rail = Profile::smoothed(Role::Rail, &points, &[], Smoothing::Weight(weight)).unwrap();
+        let crest = 3e-3 * (points.last().unwrap()[0] / 6e-3).round();
+        // The cubic between points is a wave but for its fourth power over the wavelength.
+        close(rail.at_y(crest).unwrap().z / wave(crest), kept, 0.01);
+    }
+    let none = Profile::smoothed(Role::Rail, &[[0.0; 2], [1.0, 0.0]], &[], Smoothing::Weight(0.0));
+    assert!(none.unwrap_err().to_string().starts_with("smoothing weight = 0 m3"));
 }
 
 proptest! {
@@ -264,7 +283,7 @@ proptest! {
     ) {
         for profile in [
             Profile::through(Role::Rail, &points, &[corner]),
-            Profile::smoothed(Role::Rail, &points, &[corner], wavelength),
+            Profile::smoothed(Role::Rail, &points, &[corner], Smoothing::Wavelength(wavelength)),
         ].into_iter().flatten() {
             for s in profile.curve().stations(0.1) {
                 let point = profile.curve().at(s);

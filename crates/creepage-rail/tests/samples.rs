@@ -3,7 +3,9 @@
 #![allow(clippy::unwrap_used, clippy::panic)]
 
 use creepage_rail::file::{Action, Format, Reading, Wanted, read};
-use creepage_rail::{Place, Position, Profile, Side, Standard, Track, Wheelset, WheelsetOnTrack};
+use creepage_rail::{
+    Place, Position, Profile, Side, Smoothing, Standard, Track, Wheelset, WheelsetOnTrack,
+};
 
 const SAMPLES: [(&str, &[u8], Format); 9] = [
     ("s1002.prw", include_bytes!("../samples/s1002.prw"), Format::Simpack),
@@ -21,6 +23,7 @@ fn sample(name: &str, smoothing: Option<f64>) -> Reading {
     let (_, content, format) = SAMPLES.iter().find(|(known, ..)| *known == name).unwrap();
     let standard = if name.starts_with("s1002") { Standard::S1002 } else { Standard::Uic60 };
     let role = (!name.starts_with("worn")).then_some(standard.role());
+    let smoothing = smoothing.map(Smoothing::Wavelength);
     let wanted = Wanted { role, side: Some(Side::Right), smoothing, ..Wanted::default() };
     let found = read(name, content, &wanted).unwrap();
     assert_eq!(found.format, *format);

@@ -77,7 +77,7 @@ fn a_file_is_smoothed_as_if_it_had_been_before() {
         side: Some(Side::Right),
         field_side: Some(true),
         down: Some(false),
-        smoothing: Some(0.01),
+        smoothing: Some(creepage_rail::Smoothing::Wavelength(0.01)),
         ..Wanted::default()
     };
     let smooth = read("wheel.txt", wavy.as_bytes(), &wanted).unwrap().profile;

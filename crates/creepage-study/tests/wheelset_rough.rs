@@ -65,7 +65,7 @@ fn measured_worn(
         unit: Some(1e-3),
         down: Some(true),
         field_side: Some(true),
-        smoothing,
+        smoothing: smoothing.map(creepage_rail::Smoothing::Wavelength),
         ..Wanted::default()
     };
     let text = rows.collect::<String>();

@@ -61,6 +61,20 @@ fn a_layer_that_gets_thinner_vanishes() {
     }
 }
 
+/// A stiff layer is none: forces differ by its flexibility, here a millionth of the bodies' own, and by where
+/// iterations end.
+#[test]
+fn a_stiff_layer_is_none() {
+    let bare = hertz().with_friction(0.3).unwrap();
+    for case in CASES {
+        let stiff = contact(Layer::elastic(1e-4, 1e19).unwrap());
+        for theory in [exact, fastsim] {
+            let apart = apart(theory(&stiff, case), theory(&bare, case));
+            assert!(apart < 1e-5, "{apart}");
+        }
+    }
+}
+
 /// A layer much softer than the bodies is a bed of springs: nothing but its own law is left.
 fn soft() -> Layer {
     Layer::elastic(1e-3, 1e6).unwrap()

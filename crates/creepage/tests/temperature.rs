@@ -149,6 +149,56 @@ fn ertz() -> Hertz {
     .unwrap()
 }
 
+/// Sheet A6, case 1 of Ertz with rigid slip: in closed form 150.2897 K at most, and the rise in the middle, at the
+/// trailing edge and behind. A row of 400 elements errs by 1e-4 of the largest, at the edge by 1e-3, as above.
+#[test]
+fn the_case_of_ertz_with_rigid_slip() {
+    let (half, peak) = (ertz().ellipse().a(), ertz().peak_pressure());
+    let heat = 0.3 * peak * 0.033_33 * 30.0;
+    let unit = row(400, half_disc);
+    let pair = steel([0.0; 2]);
+    // In its unit the half-length is one: rises grow with its root.
+    let rise = |x: f64| heat * half.sqrt() * unit.integral(x) / pair.weight();
+    let [most, _] = unit.hottest(&pair, |_| 0.0).unwrap();
+    println!("{} K", heat * half.sqrt() * most);
+    assert!((heat * half.sqrt() * most / 150.289_7 - 1.0).abs() < 1e-5);
+    for (x, right, tolerance) in [
+        (0.0, 120.052_7, 1e-4),
+        (-1.0, 129.501_5, 1e-3),
+        (-2.0, 78.258_4, 1e-4),
+        (-5.0, 48.429_0, 1e-4),
+    ] {
+        assert!((rise(x) - right).abs() < tolerance * 150.0, "{x} {}", rise(x));
+    }
+}
+
+/// Bodies that conduct without end stay as they are: friction by their temperature is that of the bulk, and forces
+/// are those of a constant coefficient, in partial slip too.
+#[test]
+fn bodies_that_conduct_without_end_keep_their_friction() {
+    use creepage::friction_law::{FrictionByTemperature, RollingFriction};
+    let law = FrictionByTemperature::new(0.3, -0.18, [100.0, 130.0]).unwrap();
+    let metal = ThermalSolid::new(5e17, 7850.0, 450.0).unwrap();
+    let pair = HeatedPair::new([metal; 2], [30.0; 2], [20.0; 2]).unwrap();
+    let heated = RollingFriction::by_temperature(law, pair, 30.0).unwrap();
+    let heated = ertz().with_friction_law(heated).unwrap();
+    let plain = ertz().with_friction(0.3).unwrap();
+    for name in ["exact", "fastsim"] {
+        for longitudinal in [3e-4, 0.033_33] {
+            let force = |contact: &Contact| {
+                let si = SiCreepage { longitudinal, lateral: 2e-4, ..SiCreepage::default() };
+                let creepage = contact.scaling().creepage(si).unwrap();
+                TheorySpec::named(name).unwrap().prepare(contact).unwrap().solve(creepage).force
+            };
+            let (one, other) = (force(&heated), force(&plain));
+            println!("{name} {longitudinal} {} {}", one.fx, other.fx);
+            // The heated one has the same equations; iterations end at 1e-4 of `mu N` at most.
+            let apart = (one.fx - other.fx).abs().max((one.fy - other.fy).abs());
+            assert!(apart < 1e-4, "{name} {longitudinal} {one:?} {other:?}");
+        }
+    }
+}
+
 /// The rows of a contact that exact solves: its own elements in SI units.
 fn rows_of(contact: &Contact, name: &str, creepage: Creepage, speed: f64) -> Vec<(f64, HeatRow)> {
     let theory = TheorySpec::named(name).unwrap().prepare(contact).unwrap();

@@ -19,6 +19,7 @@ use super::{free, write_answers};
 use crate::batch_args::BatchArgs;
 use crate::failure::Failure;
 use crate::outcome::Outcome;
+use crate::output::say;
 
 /// What is appended before status and message: the name of a column, and the path of the quantity of the report that it
 /// holds.
@@ -68,7 +69,11 @@ pub(super) fn run(args: &BatchArgs, path: &Path, file: GapFile) -> Result<Outcom
         return Err(Failure::TableOfEllipses { path: path.into() });
     }
     let table = Table::open(args.input.as_deref())?;
+    let left_out = file.left_out_of_rows();
     let gaps = Gaps::new(args, path, file, &table)?;
+    for section in left_out {
+        say(&format!("caution: [{section}] is left out: rows have no such numbers"));
+    }
     let appended = gaps.appended();
     free(&table, &appended)?;
     let answers = |rows: &[ByteRecord]| {

@@ -70,6 +70,14 @@ fn what_cannot_be_is_refused_or_told() {
     place.write("case.toml", constant);
     let rows = place.run_on(&["batch", "--case", "case.toml"], "longitudinal\n0.01\n");
     rows.refused(&["[heat] is for one case at a time"]);
+    let axes = "semi_axis_rolling = 5.878886e-3\nsemi_axis_lateral = 10.540448e-3\n";
+    let shaped = text.replace("friction = {", "friction = 0.3 # {").replace(axes, "");
+    let shaped =
+        shaped.replace("[contact]", "[gap]\npolynomial = [[2, 0, 1.0], [0, 2, 0.4]]\n[contact]");
+    place.write("gap.toml", format!("{shaped}\n[solve]\nresolution = \"fast\"\n"));
+    let rows = place.run_on(&["batch", "--case", "gap.toml"], "longitudinal\n0.01\n");
+    assert!(rows.stderr.contains("caution: [heat] is left out"), "{rows:?}");
+    assert_eq!(rows.code, Some(0));
     let told = place.run(&["solve", "case.toml", "--theory", "polach"]);
     assert!(told.stderr.contains("polach has no slip"), "{told:?}");
 }

@@ -472,6 +472,22 @@ fn wheels_roll_in_steps() {
     assert!(ran.stderr.contains("[damage] is left out"), "{}", ran.stderr);
     place.run(&["roll", "case.toml", "--history", "h.csv", "--out", "out"]).done();
     assert!(place.read("out/history.csv").lines().count() == 2);
+    // Pictures go with their table, and nothing of another contact stands beside them.
+    assert!(place.read("out/history.svg").contains("<svg"));
+    assert!(place.path("out/history.png").is_file());
+    place.write("out/adhesion.svg", "");
+    let again = place.run(&["roll", "case.toml", "--history", "h.csv", "--out", "out"]);
+    again.refused(&["adhesion.svg", "another --out"]);
+}
+
+#[test]
+fn rails_on_springs_do_not_roll_in_steps() {
+    let springs = "stiffness_y = 1e7\nstiffness_z = 1e7\nforce_y = 0.0\nforce_z = 0.0\n[track]";
+    refused(
+        &WHEEL.replacen("[track]", springs, 1),
+        "distance\n0.001\n",
+        &["stiffness_z", "rigid rails"],
+    );
 }
 
 #[test]
@@ -482,4 +498,23 @@ fn wheels_that_cannot_roll_in_steps_are_told_so() {
     refused(&free, "distance\n0.001\n", &["pitch_rate"]);
     let simple = WHEEL.replace("resolution = \"fast\"", "theory = \"fastsim\"");
     refused(&simple, "distance\n0.001\n", &["exact"]);
+}
+
+/// A component by force in one row and by creepage in the next: each row has one of the two.
+#[test]
+fn forces_and_creepages_take_turns() {
+    let history = "distance,longitudinal_force,longitudinal\n0.003,-9e3,\n0.006,,-1e-3\n";
+    let csv = rolled(&case(), history);
+    let newtons = column(&csv, "longitudinal_n");
+    assert!((newtons[0] + 9e3).abs() < 1.0, "{csv}");
+    // The creepage of the second row in the contact's unit is that of a row by creepage.
+    let plain = rolled(&case(), "distance,longitudinal\n0.006,-1e-3\n");
+    assert!((column(&csv, "xi")[1] - column(&plain, "xi")[0]).abs() < 1e-12, "{csv}");
+    for (row, words) in [("0.003,,", "0 are"), ("0.003,-9e3,-1e-3", "2 are")] {
+        let place = Place::new();
+        place.write("case.toml", case());
+        place.write("h.csv", format!("distance,longitudinal_force,longitudinal\n{row}\n"));
+        let ran = place.run(&["roll", "case.toml", "--history", "h.csv"]);
+        ran.refused(&["row 1", "one of the two", words]);
+    }
 }

@@ -238,3 +238,33 @@ fn what_is_of_rectangles_alone_is_refused_elsewhere() {
         place.run(&["statics", "case.toml"]).refused(&[words]);
     }
 }
+
+/// Pressed more and shifted in proportion: nothing slips; then the load falls. A step without a load keeps it.
+#[test]
+fn a_path_may_change_its_load() {
+    let place = Place::new();
+    let steps = "[{ normal_force = 160e3, force = 12e3 }, { force = -12e3 }, { normal_force = 120e3, force = 0.0 }]";
+    let path = SLIP
+        .replace("\"partial-slip\"", "\"shift-path\"")
+        .replace("force_x = 21e3", &format!("along = \"x\"\nsteps = {steps}"));
+    place.write("case.toml", &path);
+    let report = report(&place, "case.toml");
+    let steps = report["steps"].as_array().unwrap();
+    let loads: Vec<f64> = steps.iter().map(|s| s["normal_force_n"].as_f64().unwrap()).collect();
+    // Sums of parts.
+    for (load, right) in loads.iter().zip([160e3, 160e3, 120e3]) {
+        assert!((load / right - 1.0).abs() < 1e-12, "{loads:?}");
+    }
+    assert_eq!(steps[0]["dissipated_j"].as_f64(), Some(0.0));
+    assert!(steps[1]["dissipated_j"].as_f64() > Some(0.0));
+    assert!((report["found"]["end_normal_force_n"].as_f64().unwrap() / 120e3 - 1.0).abs() < 1e-12);
+    assert!(place.run(&["statics", "case.toml"]).done().contains("load (N)"));
+    place.run(&["statics", "case.toml", "--out", "out"]).done();
+    assert!(place.read("out/path.csv").lines().next().unwrap().ends_with(",normal_force_n"));
+    for (bad, words) in
+        [("normal_force = -1.0", "normal_force = -1"), ("normal_force = 20e3", "step 1")]
+    {
+        place.write("case.toml", path.replace("normal_force = 160e3", bad));
+        place.run(&["statics", "case.toml"]).refused(&["[statics]", words]);
+    }
+}

@@ -33,6 +33,58 @@ pub(super) fn geometry(
     smooth(case, materials, curvatures, 0.0, notes)
 }
 
+impl Geometry {
+    /// Hertz's semi-axes along and across (m), of an ellipse under a load.
+    pub(super) fn semi_axes(&self, materials: &Materials, pressed: Pressed) -> Option<[f64; 2]> {
+        match (self, pressed) {
+            (Self::SemiAxes(own), _) => Some(*own),
+            (Self::Radii(radii), Pressed::Load(load)) => {
+                let compliance: f64 = (0..2)
+                    .map(|k| (1.0 - materials.poisson[k]) / (2e6 * materials.shear_modulus[k]))
+                    .sum();
+                let [longer, ratio] =
+                    longer_axis(radii.map(|radius| 0.5 / radius), load * compliance)?;
+                // The softer curvature has the longer axis.
+                let axes = [longer, longer * ratio];
+                Some(if radii[0] >= radii[1] { axes } else { [axes[1], axes[0]] })
+            }
+            _ => None,
+        }
+    }
+}
+
+/// The longer semi-axis (m) of Hertz's ellipse and the shorter one over it, of these curvatures (1/m) under a load times
+/// the compliance (m2).
+fn longer_axis(curvatures: [f64; 2], load: f64) -> Option<[f64; 2]> {
+    let [first, second] = curvatures;
+    let (small, large) = (first.min(second), first.max(second));
+    if !(small > 0.0 && large.is_finite() && load > 0.0) {
+        return None;
+    }
+    // The ratio of axes is below that of curvatures to the power 2/3, and above it to the first.
+    let (mut low, mut high) = (small / large, 1.0_f64);
+    for _ in 0..60 {
+        let middle = (low * high).sqrt();
+        // `ratio_of_curvatures` of a longer axis over a shorter one is that across over that along, above one.
+        if ratio_of_curvatures(1.0 / middle).ok()? > large / small {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    let ratio = (low * high).sqrt();
+    // Hertz: A = 3 N (1/E*) (K - E)/(2 pi a^3 e^2), whose last factor is pi/4 for a circle.
+    let eccentricity = 1.0 - ratio * ratio;
+    let factor = if eccentricity < 1e-9 {
+        std::f64::consts::FRAC_PI_4
+    } else {
+        let [k, e] = elliptic_integrals(ratio);
+        (k - e) / eccentricity
+    };
+    let cube = 1.5 * load * factor / (std::f64::consts::PI * small);
+    Some([cube.cbrt(), ratio])
+}
+
 /// A single element: its pressure is uniform.
 fn rectangle(grid: Grid, load: f64, has_load: bool) -> Result<(Geometry, Pressed), Cause> {
     if !has_load {

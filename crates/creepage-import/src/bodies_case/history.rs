@@ -10,6 +10,9 @@ use crate::{File, Written};
 /// of it.
 const SHORTEST_MEMORY: &str = "memory_distance = 1e-8, memory_speed = 0.001";
 
+/// By how much semi-axes of one ellipse may differ, whose numbers have four digits.
+const SAME: f64 = 1e-3;
+
 /// The state in which rolling starts.
 struct Start {
     is_steady: bool,
@@ -64,12 +67,15 @@ impl Parts<'_> {
         let turned = self.goes_backward(chain, places)?;
         let mut own = Self { turned, ..self.clone() };
         let mut start = Start { is_steady: false, force: [0.0; 2], pressed: None };
-        let (mut rows, mut distance, mut kind) = (Vec::new(), 0.0, None);
+        let (mut rows, mut distance, mut has_other_digits) = (Vec::new(), 0.0, false);
         for (index, case) in chain.iter().enumerate() {
             let parts = Parts { turned, ..Parts::of(case, &mut Vec::new())? };
             // Before it rolls, nothing has been turned.
             if parts.geometry != own.geometry && !(index == 0 && turned) {
-                return Err("a history in which the shape changes".into());
+                if !are_same_ellipse(&parts, &own) {
+                    return Err("a history in which the shape changes".into());
+                }
+                has_other_digits = true;
             }
             if (parts.materials, &parts.friction_text) != (own.materials, &own.friction_text) {
                 return Err("a history in which friction or the bodies change".into());
@@ -102,23 +108,24 @@ impl Parts<'_> {
             if (is_given(parts.pressed) || is_given(own.pressed)) && parts.pressed != own.pressed {
                 return Err("an approach that changes from step to step".into());
             }
-            let forces = case.control.force().min(2);
-            if kind.is_some_and(|kind| kind != forces) {
-                return Err("a history in which forces and creepages change places".into());
-            }
-            kind = Some(forces);
-            let mut row = parts.row(distance, usize::from(forces))?;
+            let mut row = parts.row(distance, usize::from(case.control.force().min(2)))?;
             if case.control.tangential() == 1 {
                 // A shift by its way over that of the shape.
-                for component in row.iter_mut().skip(2 + usize::from(forces)) {
+                for component in row.motion.iter_mut().skip(row.forces) {
                     *component /= way.abs();
                 }
             }
             rows.push(row);
         }
-        let forces = usize::from(kind.unwrap_or(0));
+        if has_other_digits {
+            notes.push(
+                "the shape is given in other words from case to case: it is the same to a thousandth, and taken as that \
+                 of the last"
+                    .into(),
+            );
+        }
         own.put_memory(notes);
-        own.file_of_history(&rows, forces, &start.keys(), (name, title), notes)
+        own.file_of_history(&rows, &start.keys(), (name, title), notes)
     }
 
     /// Whether bodies and friction are such that they roll step by step.
@@ -174,27 +181,23 @@ impl Parts<'_> {
         Ok(backward)
     }
 
-    /// Distance, load, then the three components.
-    fn row(&self, distance: f64, forces: usize) -> Result<[f64; 5], Cause> {
-        let (mut components, mut load) = (self.creepages(self.case), 0.0);
+    /// What a step is given.
+    fn row(&self, distance: f64, forces: usize) -> Result<Row, Cause> {
+        let (mut motion, mut load) = (self.creepages(self.case), 0.0);
         if let Pressed::Load(given) = self.pressed {
             load = given;
         } else if forces > 0 {
             return Err("a given force over a friction force that is not known (N = 0)".into());
         }
-        for (component, printed) in
-            components.iter_mut().zip(&self.case.kinematics[1..]).take(forces)
-        {
+        for (component, printed) in motion.iter_mut().zip(&self.case.kinematics[1..]).take(forces) {
             *component = self.relative_force(*printed) * self.friction * load;
         }
-        let [x, y, spin] = components;
-        Ok([distance, load, x, y, spin])
+        Ok(Row { distance, load, motion, forces })
     }
 
     fn file_of_history(
         &self,
-        rows: &[[f64; 5]],
-        forces: usize,
+        rows: &[Row],
         start: &[(&str, String)],
         (name, title): (&str, &str),
         notes: &mut Vec<String>,
@@ -207,9 +210,9 @@ impl Parts<'_> {
         }
         let nominal = match (self.pressed, rows.first()) {
             (Pressed::Load(load), _) => load,
-            (Pressed::Approach(_), first) => first.map_or(0.0, |row| row[1]),
+            (Pressed::Approach(_), first) => first.map_or(0.0, |row| row.load),
         };
-        let load_changes = rows.iter().any(|row| row[1] != nominal);
+        let load_changes = rows.iter().any(|row| row.load != nominal);
         let layer = self.layer();
         if load_changes && !layer.is_empty() {
             return Err("a load that changes from step to step, with a layer".into());
@@ -222,27 +225,14 @@ impl Parts<'_> {
                 "the load changes in a straight line over each step, not at its beginning".into(),
             );
         }
-        let is_used = |k: usize| rows.iter().any(|row| row[2 + k] != 0.0);
-        if is_line && (is_used(1) && forces < 2 || is_used(2)) {
+        let is_held = |row: &Row, k: usize| k < row.forces;
+        let moves = |k: usize| rows.iter().any(|row| !is_held(row, k) && row.motion[k] != 0.0);
+        if is_line && (moves(1) || moves(2)) {
             notes.push(
                 "on a line we take lateral motion and spin where the command does; try it".into(),
             );
         }
-        let names = ["longitudinal", "lateral", "spin"];
-        let force_names = ["longitudinal_force", "lateral_force"];
-        let mut columns = vec![("distance", 0)];
-        columns.extend(load_changes.then_some(("normal_force", 1)));
-        for k in 0..3 {
-            let name = if k < forces { force_names[k] } else { names[k] };
-            let needed = k == 0 || is_used(k) || k < forces && !is_line;
-            columns.extend(needed.then_some((name, 2 + k)));
-        }
-        let heads: Vec<_> = columns.iter().map(|(name, _)| *name).collect();
-        let mut csv = heads.join(",") + "\n";
-        for row in rows {
-            let values: Vec<_> = columns.iter().map(|(_, place)| number(row[*place])).collect();
-            csv += &(values.join(",") + "\n");
-        }
+        let csv = table(rows, load_changes, is_line);
         let speed = if self.needs_speed { number(self.speed()) } else { String::new() };
         let creepage: Vec<_> = self.needs_speed.then_some(("speed", speed)).into_iter().collect();
         let command = format!("creepage roll {name}.toml --history {name}.csv");
@@ -254,6 +244,59 @@ impl Parts<'_> {
         written.files.push(File::text(format!("{name}.csv"), csv));
         Ok(written)
     }
+}
+
+/// What a step is given.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Row {
+    /// So far (m).
+    distance: f64,
+    /// (N), zero at a given approach.
+    load: f64,
+    /// Creepages, spin (1/m), and in place of the first ones forces (N).
+    motion: [f64; 3],
+    /// How many of them are forces.
+    forces: usize,
+}
+
+/// What a column has in a row, if anything.
+type Cell = Box<dyn Fn(&Row) -> Option<f64>>;
+
+/// The table of a history; of a component that is a force in some rows and a creepage in others it has both columns.
+fn table(rows: &[Row], load_changes: bool, is_line: bool) -> String {
+    let mut columns: Vec<(&str, Cell)> = vec![("distance", Box::new(|row| Some(row.distance)))];
+    if load_changes {
+        columns.push(("normal_force", Box::new(|row| Some(row.load))));
+    }
+    let names = ["longitudinal", "lateral", "spin"];
+    for (k, force) in ["longitudinal_force", "lateral_force", ""].into_iter().enumerate() {
+        let is_force = |row: &Row| k < row.forces;
+        let is_other_than_zero = rows.iter().any(|row| row.motion[k] != 0.0);
+        let held = rows.iter().any(is_force);
+        let moves = rows.iter().any(|row| !is_force(row));
+        if held && (k == 0 || !is_line || is_other_than_zero) {
+            let value = move |row: &Row| (k < row.forces).then_some(row.motion[k]);
+            columns.push((force, Box::new(value)));
+        }
+        if moves && (k == 0 || held || is_other_than_zero) {
+            let value = move |row: &Row| (k >= row.forces).then_some(row.motion[k]);
+            columns.push((names[k], Box::new(value)));
+        }
+    }
+    let heads: Vec<_> = columns.iter().map(|(name, _)| *name).collect();
+    let mut csv = heads.join(",") + "\n";
+    for row in rows {
+        let cells = columns.iter().map(|(_, value)| value(row).map_or(String::new(), number));
+        csv += &(cells.collect::<Vec<_>>().join(",") + "\n");
+    }
+    csv
+}
+
+/// Whether two cases have one ellipse, to the digits of a file, in whatever words.
+fn are_same_ellipse(one: &Parts<'_>, other: &Parts<'_>) -> bool {
+    let semi_axes = |parts: &Parts<'_>| parts.geometry.semi_axes(parts.materials, parts.pressed);
+    let (Some(one), Some(other)) = (semi_axes(one), semi_axes(other)) else { return false };
+    (0..2).all(|axis| (one[axis] / other[axis] - 1.0).abs() < SAME)
 }
 
 /// How far the shape's middle has moved along x since the case before (mm).

@@ -128,24 +128,34 @@ impl Parts<'_> {
         Ok(Written::of(command, File::text(format!("{name}.toml"), text)))
     }
 
-    /// The keys of a path of shifts along one axis under one load, of which this case is the last.
+    /// The keys of a path of shifts along one axis, of which this case is the last.
+    ///
+    /// Where the load grows, that program first presses and then shifts; where it falls, friction gives way meanwhile.
     fn path(&self, chain: &[Bodies]) -> Result<[(&'static str, String); 3], Cause> {
         let is_way = self.case.control.force() == 0;
-        let (mut steps, mut axis, mut at) = (Vec::new(), None, 0.0);
+        let key = if is_way { "shift" } else { "force" };
+        let Pressed::Load(nominal) = self.pressed else {
+            return Err("a load path at a given approach of bodies other than balls (N = 0)".into());
+        };
+        let (mut steps, mut axis, mut at, mut under) = (Vec::new(), None, 0.0, nominal);
         for case in chain {
             let parts = Parts::of(case, &mut Vec::new())?;
             let is_like = parts.geometry == self.geometry
-                && parts.pressed == self.pressed
                 && parts.materials.extra == self.materials.extra
                 && parts.friction_text == self.friction_text;
             if !is_like {
-                return Err("a load path along which load, shape or friction change".into());
+                return Err("a load path along which shape, friction or layer change".into());
             }
+            let Pressed::Load(load) = parts.pressed else {
+                return Err(
+                    "a load path at a given approach of bodies other than balls (N = 0)".into()
+                );
+            };
             let [_, x, y, turn] = case.kinematics;
             let here = match case.control.tangential() {
                 0 => continue,
                 1 if is_way && case.control.force() == 0 && turn == 0.0 => [x * 1e-3, y * 1e-3],
-                1 if !is_way && case.control.force() > 0 => self.shift_force(case)?,
+                1 if !is_way && case.control.force() > 0 => parts.shift_force(case)?,
                 1 => return Err("a load path by forces and ways in turn, or with a twist".into()),
                 _ => return Err("a load path that goes on from rolling".into()),
             };
@@ -157,13 +167,22 @@ impl Parts<'_> {
             if here != [0.0; 2] && axis.replace(along).is_some_and(|before| before != along) {
                 return Err("a load path that changes its axis".into());
             }
+            if load != under && matches!(self.geometry, Geometry::Rectangle(_)) {
+                return Err("a load that changes over a single element of uniform pressure".into());
+            }
+            if load > under {
+                let pressed = number(load);
+                steps.push(format!("{{ normal_force = {pressed}, {key} = {} }}", number(at)));
+            }
             // A way counts from the case before, a force by itself.
             at = if is_way { at + here[along] } else { here[along] };
-            steps.push(format!(
-                "{{ {} = {} }}",
-                if is_way { "shift" } else { "force" },
-                number(at)
-            ));
+            let falls = if load < under {
+                format!("normal_force = {}, ", number(load))
+            } else {
+                String::new()
+            };
+            steps.push(format!("{{ {falls}{key} = {} }}", number(at)));
+            under = load;
         }
         let along = quoted(if axis == Some(1) { "y" } else { "x" });
         let steps = format!("[{}]", steps.join(", "));

@@ -1,39 +1,48 @@
-//! Smoothing splines by wavelength.
+//! Smoothing splines by wavelength or by weight.
 
 use super::spline::{check, cubics, runs};
 use super::{Cubic, Curve, Line, Piece, SplineError};
 
-/// The smoothing spline of `points` `(y, z)` (m): a wave of length `wavelength` (m) keeps half
-/// of its amplitude, whatever the spacing; longer ones more, shorter ones less.
+/// How strongly points are smoothed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Smoothing {
+    /// Waves of this length (m) keep half of their amplitude, whatever the spacing; longer ones more, shorter ones less.
+    Wavelength(f64),
+    /// The weight (m3) of the curvature's square beside points that count alike, however far apart they are: where they
+    /// are `h` apart, a wave of length `2 pi (weight h)^(1/4)` keeps half.
+    Weight(f64),
+}
+
+/// The smoothing spline of `points` `(y, z)` (m).
 ///
-/// The curve minimises `sum ds_i |x_i - f(s_i)|^2 + lambda int |f''|^2 ds` with
-/// `lambda = (wavelength / 2 pi)^4`, each run between `corners` by itself; corners stay in place.
+/// The curve minimises `sum w_i |x_i - f(s_i)|^2 + lambda int |f''|^2 ds`, each run between `corners` by itself; corners
+/// stay in place. By wavelength `w_i` is the point's share of the way, and `lambda = (wavelength / 2 pi)^4`; by weight
+/// `w_i` is one, and `lambda` the weight.
 ///
 /// # Errors
 /// [`SplineError`] as by [`interpolate`](super::interpolate).
 pub fn smooth(
     points: &[[f64; 2]],
     corners: &[usize],
-    wavelength: f64,
+    smoothing: Smoothing,
 ) -> Result<Curve, SplineError> {
     check(points)?;
-    let lambda = (wavelength / std::f64::consts::TAU).powi(4);
     let count = points.len();
     let pieces = runs(points, corners).flat_map(|(run, start)| {
         let ends = [start > 0, start + run.len() < count];
-        smooth_run(run, ends, lambda)
+        smooth_run(run, ends, smoothing)
     });
     Curve::new(pieces).ok_or(SplineError::TooFew { count })
 }
 
 /// One run; `pinned` says which of its ends stays in place.
-fn smooth_run(points: &[[f64; 2]], pinned: [bool; 2], lambda: f64) -> Vec<Piece> {
+fn smooth_run(points: &[[f64; 2]], pinned: [bool; 2], smoothing: Smoothing) -> Vec<Piece> {
     if let [a, b] = points {
         return vec![Line::between(*a, *b)];
     }
     let chords: Vec<f64> =
         points.windows(2).map(|p| (p[1][0] - p[0][0]).hypot(p[1][1] - p[0][1])).collect();
-    let compliances = compliances(&chords, pinned, lambda);
+    let compliances = compliances(&chords, pinned, smoothing);
     let [y, z] = [0, 1].map(|axis| {
         let values: Vec<f64> = points.iter().map(|p| p[axis]).collect();
         let (values, bends) = smoothed(&chords, &values, &compliances);
@@ -42,13 +51,18 @@ fn smooth_run(points: &[[f64; 2]], pinned: [bool; 2], lambda: f64) -> Vec<Piece>
     y.into_iter().zip(z).map(|(y, z)| Cubic::from_coefficients(y, z)).collect()
 }
 
-/// `lambda / ds` of every point; none of a pinned one.
-fn compliances(chords: &[f64], pinned: [bool; 2], lambda: f64) -> Vec<f64> {
+/// `lambda / w` of every point; none of a pinned one.
+fn compliances(chords: &[f64], pinned: [bool; 2], smoothing: Smoothing) -> Vec<f64> {
     let mut shares: Vec<f64> = (0..=chords.len())
         .map(|i| {
             let before = i.checked_sub(1).and_then(|i| chords.get(i)).unwrap_or(&0.0);
             let after = chords.get(i).unwrap_or(&0.0);
-            lambda / (0.5 * (before + after))
+            match smoothing {
+                Smoothing::Wavelength(wavelength) => {
+                    (wavelength / std::f64::consts::TAU).powi(4) / (0.5 * (before + after))
+                }
+                Smoothing::Weight(weight) => weight,
+            }
         })
         .collect();
     if let (true, Some(first)) = (pinned[0], shares.first_mut()) {

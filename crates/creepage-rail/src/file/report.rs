@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::Role;
+use crate::{Role, Smoothing};
 
 /// One thing that was found, assumed or done.
 #[derive(Debug, Clone, PartialEq)]
@@ -161,8 +161,8 @@ pub enum Action {
     },
     /// The points were smoothed.
     Smoothed {
-        /// Waves of this length (m) keep half of their amplitude.
-        wavelength: f64,
+        /// How strongly.
+        smoothing: Smoothing,
     },
 }
 
@@ -197,8 +197,11 @@ impl fmt::Display for Action {
             Self::Bridged { line, length } => {
                 write!(formatter, "line {line}: gap of {:.1} mm bridged", 1e3 * length)
             }
-            Self::Smoothed { wavelength } => {
+            Self::Smoothed { smoothing: Smoothing::Wavelength(wavelength) } => {
                 write!(formatter, "smoothed: waves of {:.2} mm halved", 1e3 * wavelength)
+            }
+            Self::Smoothed { smoothing: Smoothing::Weight(weight) } => {
+                write!(formatter, "smoothed by a weight of {:.4} mm3", 1e9 * weight)
             }
             found => found.words_on_the_file(formatter),
         }

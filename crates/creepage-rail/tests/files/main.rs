@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::panic, clippy::float_cmp)]
 
 use creepage_rail::file::{Action, FileError, Format, Reading, Wanted, read, write};
-use creepage_rail::{Profile, Role, Side, Standard};
+use creepage_rail::{Profile, Role, Side, Smoothing, Standard};
 
 mod believed;
 mod mutated;
@@ -311,6 +311,7 @@ fn smoothing_brings_back_curvature() {
     let points: Vec<[f64; 2]> =
         head().iter().enumerate().map(|(i, [y, z])| [*y, z + noise(i)]).collect();
     let worst = |smoothing: Option<f64>| {
+        let smoothing = smoothing.map(Smoothing::Wavelength);
         let wanted = Wanted { smoothing, ..wanted(Role::Rail) };
         let profile = read("r.txt", columns(&points).as_bytes(), &wanted).unwrap().profile;
         let off = (-80..=80).map(|i| f64::from(i) * 1e-4);

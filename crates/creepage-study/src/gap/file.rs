@@ -201,6 +201,13 @@ impl GapFile {
         })
     }
 
+    /// Its sections of which rows of many have no numbers.
+    #[must_use]
+    pub fn left_out_of_rows(&self) -> Vec<&'static str> {
+        let sections = [("damage", self.damage.is_some()), ("heat", self.heat.is_some())];
+        sections.into_iter().filter(|(_, given)| *given).map(|(name, _)| name).collect()
+    }
+
     /// Whether it has a rolling velocity.
     pub(super) fn has_speed(&self) -> bool {
         self.creepage.speed.is_some()

@@ -70,7 +70,8 @@ impl Kind {
 impl History {
     /// Reads a table in CSV: `distance` (m); of each component of the motion the creepage in SI units
     /// (`longitudinal`, `lateral`, `spin`), the dimensionless one (`xi`, `eta`, `chi`) or the force
-    /// (`longitudinal_force`, `lateral_force`, `moment`), zero creepage if none; `normal_force`.
+    /// (`longitudinal_force`, `lateral_force`, `moment`), zero creepage if none; `normal_force`. With a creepage and the
+    /// force of one component each row has one of the two, and the other field is empty.
     ///
     /// # Errors
     /// [`HistoryError`] that names the column, and the row.
@@ -89,7 +90,7 @@ impl History {
         rows.whole()
     }
 
-    /// The same from columns by their names, of one length.
+    /// The same from columns by their names, of one length; a field that is empty is no number (NaN).
     ///
     /// # Errors
     /// As [`History::read`].
@@ -147,8 +148,10 @@ fn columns<'a>(
 ) -> Result<Vec<Column>, HistoryError> {
     let found = names.map(named).collect::<Result<Vec<_>, _>>()?;
     for (index, (first, kind)) in found.iter().enumerate() {
+        // Of a component a creepage and a force may stand beside each other: one of them in each row.
         let is_same = |other: &Kind| {
-            other == kind || kind.component().is_some_and(|k| other.component() == Some(k))
+            let is_component = kind.component().is_some_and(|k| other.component() == Some(k));
+            other == kind || is_component && kind.is_creepage() == other.is_creepage()
         };
         if let Some((second, _)) = found[index + 1..].iter().find(|(_, other)| is_same(other)) {
             return Err(HistoryError::TwoColumns { first, second });
@@ -202,10 +205,23 @@ fn numbers(
     if found != expected {
         return Err(HistoryError::Fields { row, found, expected });
     }
-    let number = |(text, (column, _)): (&str, &Column)| {
+    let number = |(text, (column, kind)): (&str, &Column)| {
+        if text.is_empty() && counterpart(*kind, columns).is_some() {
+            return Ok(EMPTY);
+        }
         text.parse().map_err(|_| HistoryError::NotANumber { row, column, text: text.into() })
     };
     record.iter().zip(columns).map(number).collect()
+}
+
+/// In place of a number that is not given.
+const EMPTY: f64 = f64::NAN;
+
+/// The column of the same component's force or creepage, where a table has both.
+fn counterpart(kind: Kind, columns: &[Column]) -> Option<&'static str> {
+    let component = kind.component()?;
+    let is_other = |other: &Kind| *other != kind && other.component() == Some(component);
+    columns.iter().find(|(_, other)| is_other(other)).map(|(name, _)| *name)
 }
 
 fn row(
@@ -218,7 +234,14 @@ fn row(
     let mut distance = f64::NAN;
     let mut load = 1.0;
     let mut parts = [Prescribed::Creepage(0.0); 3];
+    let mut given = [0; 3];
     for (value, (column, kind)) in values.iter().zip(columns) {
+        if let Some(k) = kind.component().filter(|_| counterpart(*kind, columns).is_some()) {
+            if value.is_nan() {
+                continue;
+            }
+            given[k] += 1;
+        }
         let value = in_range(column, *value)?;
         match *kind {
             Kind::Distance => distance = value,
@@ -232,6 +255,13 @@ fn row(
                 let unit = [units.force, units.force, units.force * units.length][k];
                 parts[k] = over(Prescribed::Force(value), unit);
             }
+        }
+    }
+    for (first, kind) in columns {
+        if let Some((second, k)) = counterpart(*kind, columns).zip(kind.component())
+            && given[k] != 1
+        {
+            return Err(MotionError::OneOfTwo { first, second, given: given[k] });
         }
     }
     if distance.is_nan() || distance <= before {

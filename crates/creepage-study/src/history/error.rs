@@ -203,6 +203,18 @@ pub enum MotionError {
         /// That of the row before, or zero.
         before: f64,
     },
+    /// A creepage and a force of one component, or neither, where a table has columns of both.
+    #[error(
+        "{first} and {second}: one of the two is to be given, the other left empty; {given} are"
+    )]
+    OneOfTwo {
+        /// A column.
+        first: &'static str,
+        /// That of the same component.
+        second: &'static str,
+        /// How many of them a row gives.
+        given: usize,
+    },
     /// A force that friction cannot give.
     #[error("the force, {force} N, is not reachable: friction gives at most {most} N")]
     BeyondFriction {

@@ -2,8 +2,8 @@
 
 use std::fmt::Write as _;
 
-use creepage::Hertz;
-use creepage::statics::{ShearedRectangle, ShiftAxis, ShiftPath};
+use creepage::statics::{ShearedRectangle, ShiftAxis, ShiftEnd, ShiftPath};
+use creepage::{Ellipse, Hertz};
 use creepage_plot::theme::RED;
 use creepage_plot::{Axis, Label, Mark, Panel, Pen, Point, Shape, Sheet};
 
@@ -55,7 +55,8 @@ impl Step for ShiftPath {
             .number("force", "force", Newton, self.force())
             .number("shift", "shift", Metre, self.shift())
             .number("adhesion_share", "adhesion, share of area", Share, self.adhesion().powi(2))
-            .number("dissipated", "energy turned to heat so far", Joule, self.dissipated());
+            .number("dissipated", "energy turned to heat so far", Joule, self.dissipated())
+            .number("normal_force", "normal force", Newton, self.normal_force());
         report
     }
 
@@ -67,8 +68,21 @@ impl Step for ShiftPath {
         self.fresh()
     }
 
+    #[allow(clippy::float_cmp)] // a load that was not changed has the same bits
     fn go(&mut self, from: &Self, to: &Self, part: f64) -> bool {
-        self.to_force(from.force() + part * (to.force() - from.force())).is_ok()
+        let between = |from: f64, to: f64| from + part * (to - from);
+        let [one, other] = [from.normal_force(), to.normal_force()];
+        if one == other {
+            return self.to_force(between(from.force(), to.force())).is_ok();
+        }
+        if !matches!(to.last_end(), Some(ShiftEnd::Shift(_))) {
+            let force = ShiftEnd::Force(between(from.force(), to.force()));
+            return self.to(between(one, other), force).is_ok();
+        }
+        // In proportion with Hertz's approach.
+        let approach = |load: f64| load.cbrt().powi(2);
+        let load = between(approach(one), approach(other)).sqrt().powi(3);
+        self.to(load, ShiftEnd::Shift(between(from.shift(), to.shift()))).is_ok()
     }
 }
 
@@ -165,32 +179,41 @@ fn line<S: Step>(steps: &[S]) -> [Vec<Point>; 2] {
 impl<'a> StaticsReport<'a> {
     /// A shift to and fro along `axis`, after each of its `steps`; `None` for a path without a step.
     #[must_use]
+    #[allow(clippy::float_cmp)] // a load that was not changed has the same bits
     pub fn shift_path(
         contact: &Hertz,
         friction: f64,
         axis: ShiftAxis,
         steps: &'a [ShiftPath],
     ) -> Option<Self> {
-        let (ellipse, last) = (contact.ellipse(), steps.last()?);
-        let used = 100.0 * last.force().abs() / (friction * contact.normal_force());
+        let (nominal, last) = (contact.ellipse(), steps.last()?);
+        let load = last.normal_force();
+        let used = 100.0 * last.force().abs() / (friction * load);
         let ratio = last.adhesion();
+        let changes = load != contact.normal_force();
         let mut numbers = Report::default();
         pressed(&mut numbers, contact.normal_force(), friction);
-        shape(&mut numbers, ellipse);
+        shape(&mut numbers, nominal);
         peak_pressure(&mut numbers, contact);
         pair_numbers(&mut numbers, contact.pair());
-        found(&mut numbers)
-            .number("force", "force in the end", Newton, last.force())
+        let mut end = found(&mut numbers);
+        if changes {
+            end.number("end_normal_force", "normal force in the end", Newton, load);
+        }
+        end.number("force", "force in the end", Newton, last.force())
             .number("friction_used", "force, share of mu N", Percent, used)
             .number("shift", "shift in the end", Metre, last.shift())
             .number("sliding_shift", "shift where they slide", Metre, last.sliding_shift())
             .number("adhesion", "adhesion, share of area", Percent, 100.0 * ratio * ratio)
             .number("dissipated", "energy turned to heat", Joule, last.dissipated());
+        // Hertz's semi-axes grow with the cube root of the load.
+        let size = (load / contact.normal_force()).cbrt();
+        let ellipse = Ellipse::new(size * nominal.a(), size * nominal.b()).ok()?;
         Some(Self {
             cautions: Vec::new(),
             problem: "shift-path",
             title: "Shift to and fro with slip at the edge",
-            ellipse,
+            ellipse: if changes { ellipse } else { nominal },
             numbers,
             field: Field::ShiftPath(last, axis),
             path: Path::Shifted(steps),
@@ -198,22 +221,29 @@ impl<'a> StaticsReport<'a> {
     }
 
     /// A line a step.
+    #[allow(clippy::float_cmp)] // a load that was not changed has the same bits
     pub(super) fn steps_text(&self) -> String {
         // Writing to a String cannot fail.
         let mut text = String::new();
         match self.path {
             Path::None => {}
             Path::Shifted(steps) => {
-                text.push_str(
-                    "\nSteps\n     force (N)      shift (um)   adhesion (%)   heat so far (J)\n",
+                let first = steps.first().map(|step| step.fresh().normal_force());
+                let changes = steps.iter().any(|step| Some(step.normal_force()) != first);
+                let own = if changes { "        load (N)" } else { "" };
+                let _ = writeln!(
+                    text,
+                    "\nSteps\n     force (N)      shift (um)   adhesion (%)   heat so far (J){own}"
                 );
                 for step in steps {
                     let (force, heat) = (step.force(), step.dissipated());
                     let (shift, adhesion) = (MICRO * step.shift(), 100.0 * step.adhesion().powi(2));
-                    let _ = writeln!(
+                    let _ = write!(
                         text,
                         "  {force:>12.5}  {shift:>14.6}  {adhesion:>13.2}  {heat:>16.5e}"
                     );
+                    let load = step.normal_force();
+                    let _ = if changes { writeln!(text, "  {load:>14.5}") } else { writeln!(text) };
                 }
             }
             Path::Sheared(steps) => {

@@ -526,6 +526,7 @@ pub(super) fn loaded(
     (section, role, side, reading): (&'static str, Role, Side, Option<ReadingSection>),
     directory: &Path,
 ) -> Result<(Profile, Option<ProfileNote>), WheelsetFileError> {
+    reading.map_or(Ok(()), |reading| reading.check(section))?;
     match given {
         (Some(_), Some(_)) => {
             let [first, second] = ["profile", "points"].map(|key| (section, key));

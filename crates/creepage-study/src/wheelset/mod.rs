@@ -23,6 +23,7 @@ mod solved_picture;
 mod solved_text;
 mod solved_write;
 mod steps;
+mod steps_picture;
 mod table;
 mod varying;
 mod warmth;

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use creepage::InvalidValue;
 use creepage_rail::file::{FileError, Reading, SaidBy, Wanted, read};
-use creepage_rail::{Profile, ProfileError, Role, Side, Standard};
+use creepage_rail::{Profile, ProfileError, Role, Side, Smoothing, Standard};
 
 use super::case::ProfileNote;
 use super::error::WheelsetFileError;
@@ -16,7 +16,7 @@ use crate::case::CaseError;
 pub(super) fn of_points(
     (section, role): (&'static str, Role),
     points: &[[f64; 2]],
-    smoothing: Option<f64>,
+    smoothing: Option<Smoothing>,
 ) -> Result<Profile, WheelsetFileError> {
     let wrong = |source| WheelsetFileError::Points { section, source };
     if let Some(value) = points.as_flattened().iter().copied().find(|value| !value.is_finite()) {
@@ -24,7 +24,7 @@ pub(super) fn of_points(
         return Err(CaseError::Invalid { section, invalid }.into());
     }
     let made = |points: &[[f64; 2]]| match smoothing {
-        Some(wavelength) => Profile::smoothed(role, points, &[], wavelength),
+        Some(smoothing) => Profile::smoothed(role, points, &[], smoothing),
         None => Profile::through(role, points, &[]),
     };
     match made(points) {

@@ -1,6 +1,7 @@
 //! The sections of the file, as they are written.
 
 use creepage::Solid;
+use creepage_rail::Smoothing;
 use creepage_rail::file::Wanted;
 use creepage_wheelset::{Patches, RigidSlip, StepsStart};
 use schemars::JsonSchema;
@@ -29,6 +30,9 @@ pub(super) struct ReadingSection {
     z: Option<UprightSense>,
     /// Waves of this length (m) keep half of their amplitude.
     smooth: Option<f64>,
+    /// In place of `smooth`: the weight (m3) of the curvature's square beside points that count alike, however far
+    /// apart they are.
+    smooth_weight: Option<f64>,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Deserialize, JsonSchema)]
@@ -46,12 +50,25 @@ enum UprightSense {
 }
 
 impl ReadingSection {
+    /// One way to smooth at most.
+    pub(super) fn check(&self, section: &'static str) -> Result<(), CaseError> {
+        if self.smooth.is_some() && self.smooth_weight.is_some() {
+            let [first, second] =
+                ["reading.smooth", "reading.smooth_weight"].map(|key| (section, key));
+            return Err(CaseError::Conflict { first, second });
+        }
+        Ok(())
+    }
+
     pub(super) fn wanted(&self) -> Wanted {
         Wanted {
             unit: self.unit,
             field_side: self.y.map(|sense| sense == LateralSense::FieldSide),
             down: self.z.map(|sense| sense == UprightSense::Down),
-            smoothing: self.smooth,
+            smoothing: self
+                .smooth
+                .map(Smoothing::Wavelength)
+                .or(self.smooth_weight.map(Smoothing::Weight)),
             ..Wanted::default()
         }
     }

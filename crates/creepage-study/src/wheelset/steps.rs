@@ -5,13 +5,14 @@ use std::mem::discriminant;
 
 use creepage_rail::Side;
 use creepage_wheelset::{
-    ASKED, ContactChanges, Load, SolvedWheel, SteppedWheelset, WheelSteps, WheelsetError,
-    WheelsetPose, WheelsetVelocity, side_word,
+    ASKED, ContactChanges, Load, SolvedWheel, SolvedWheelset, SteppedWheelset, WheelSteps,
+    WheelsetError, WheelsetPose, WheelsetVelocity, side_word,
 };
 
 use super::case::WheelsetCase;
 use super::error::{WheelsetFileError, section};
 use super::report::wheelset_cautions;
+use super::steps_picture;
 use crate::Caution;
 use crate::case::similar::similar;
 
@@ -120,6 +121,23 @@ fn known() -> Vec<&'static str> {
     COLUMNS.into_iter().chain(ASKED).collect()
 }
 
+/// Which of the known columns those of a table are.
+fn columns<'a>(names: impl Iterator<Item = &'a str>) -> Result<Vec<usize>, WheelTableError> {
+    let known = known();
+    let mut columns: Vec<usize> = Vec::new();
+    for name in names {
+        let Some(column) = known.iter().position(|one| *one == name) else {
+            let similar = similar(name, &known);
+            return Err(WheelTableError::Column { name: name.into(), similar });
+        };
+        if columns.contains(&column) {
+            return Err(WheelTableError::Twice { name: name.into() });
+        }
+        columns.push(column);
+    }
+    if columns.contains(&0) { Ok(columns) } else { Err(WheelTableError::NoDistance) }
+}
+
 impl WheelTable {
     /// Reads a table in CSV: `distance` (m), and what of `s`, `pitch`, `wheel_load` and of the names of [`ASKED`]
     /// differs from the case; an empty field is the case's own.
@@ -129,52 +147,73 @@ impl WheelTable {
     pub fn read(input: impl Read) -> Result<Self, WheelTableError> {
         let mut reader =
             csv::ReaderBuilder::new().trim(csv::Trim::All).comment(Some(b'#')).from_reader(input);
-        let known = known();
-        let mut columns: Vec<usize> = Vec::new();
-        for name in reader.headers()?.iter().map(|name| name.trim_start_matches('\u{feff}')) {
-            let Some(column) = known.iter().position(|one| *one == name) else {
-                let similar = similar(name, &known);
-                return Err(WheelTableError::Column { name: name.into(), similar });
-            };
-            if columns.contains(&column) {
-                return Err(WheelTableError::Twice { name: name.into() });
-            }
-            columns.push(column);
-        }
-        if !columns.contains(&0) {
-            return Err(WheelTableError::NoDistance);
-        }
-        let mut rows: Vec<Row> = Vec::new();
+        let names: Vec<String> = reader
+            .headers()?
+            .iter()
+            .map(|name| name.trim_start_matches('\u{feff}').to_owned())
+            .collect();
+        let columns = columns(names.iter().map(String::as_str))?;
+        let mut table = Self { rows: Vec::new() };
         for (index, record) in reader.records().enumerate() {
-            let mut values = vec![f64::NAN; known.len()];
-            for (column, text) in columns.iter().zip(record?.iter()) {
+            let mut values = vec![f64::NAN; columns.len()];
+            for ((column, text), value) in columns.iter().zip(record?.iter()).zip(&mut values) {
                 if text.is_empty() && *column != 0 {
                     continue;
                 }
-                let value = text.parse().ok().filter(|value: &f64| value.is_finite());
-                values[*column] = value.ok_or_else(|| WheelTableError::Number {
+                let number = text.parse().ok().filter(|number: &f64| number.is_finite());
+                *value = number.ok_or_else(|| WheelTableError::Number {
                     row: index + 1,
-                    column: known[*column].into(),
+                    column: known()[*column].into(),
                     text: text.into(),
                 })?;
             }
-            let before = rows.last().map_or(0.0, |row| row.distance);
-            if values[0] <= before {
-                let distance = values[0];
-                return Err(WheelTableError::Order { row: index + 1, distance, before });
-            }
-            let (own, asked) = values.split_at(COLUMNS.len());
-            if own[3] <= 0.0 {
-                return Err(WheelTableError::Load { row: index + 1, load: own[3] });
-            }
-            rows.push(Row {
-                distance: own[0],
-                place: [own[1], own[2]],
-                wheel_load: own[3],
-                asked: std::array::from_fn(|k| asked[k]),
-            });
+            table.push(&columns, &values)?;
         }
-        if rows.is_empty() { Err(WheelTableError::Empty) } else { Ok(Self { rows }) }
+        if table.is_empty() { Err(WheelTableError::Empty) } else { Ok(table) }
+    }
+
+    /// The same from columns by their names, of one length; a number that is not one (NaN) is the case's own.
+    ///
+    /// # Errors
+    /// As [`WheelTable::read`].
+    pub fn from_columns(given: &[(&str, &[f64])]) -> Result<Self, WheelTableError> {
+        let columns = columns(given.iter().map(|(name, _)| *name))?;
+        let mut table = Self { rows: Vec::new() };
+        for index in 0..given.iter().map(|(_, values)| values.len()).min().unwrap_or(0) {
+            let values: Vec<f64> = given.iter().map(|(_, values)| values[index]).collect();
+            for (column, value) in columns.iter().zip(&values) {
+                if value.is_infinite() || value.is_nan() && *column == 0 {
+                    let (column, text) = (known()[*column].into(), format!("{value:?}"));
+                    return Err(WheelTableError::Number { row: index + 1, column, text });
+                }
+            }
+            table.push(&columns, &values)?;
+        }
+        if table.is_empty() { Err(WheelTableError::Empty) } else { Ok(table) }
+    }
+
+    /// Adds a row of such columns.
+    fn push(&mut self, columns: &[usize], given: &[f64]) -> Result<(), WheelTableError> {
+        let mut values = vec![f64::NAN; known().len()];
+        for (column, value) in columns.iter().zip(given) {
+            values[*column] = *value;
+        }
+        let (row, distance) = (self.rows.len() + 1, values[0]);
+        let before = self.rows.last().map_or(0.0, |row| row.distance);
+        if distance <= before {
+            return Err(WheelTableError::Order { row, distance, before });
+        }
+        let (own, asked) = values.split_at(COLUMNS.len());
+        if own[3] <= 0.0 {
+            return Err(WheelTableError::Load { row, load: own[3] });
+        }
+        self.rows.push(Row {
+            distance,
+            place: [own[1], own[2]],
+            wheel_load: own[3],
+            asked: std::array::from_fn(|k| asked[k]),
+        });
+        Ok(())
     }
 
     /// The number of rows.
@@ -199,6 +238,8 @@ pub struct WheelStepsRun<'a> {
     done: usize,
     changes: ContactChanges,
     unequal: f64,
+    /// Of each row the distance (m), and the forces on both rails (N).
+    way: Vec<(f64, [Option<[f64; 3]>; 2])>,
     /// What wheels are in doubt for: the first row (from 1) of each kind and side, and the number of rows.
     doubts: Vec<Doubt>,
 }
@@ -220,7 +261,8 @@ impl<'a> WheelStepsRun<'a> {
         case.solver()?;
         let wheels = WheelSteps::new(case.start);
         let (done, changes, unequal) = (0, ContactChanges::default(), 0.0);
-        Ok(Self { case, table, wheels, done, changes, unequal, doubts: Vec::new() })
+        let (way, doubts) = (Vec::new(), Vec::new());
+        Ok(Self { case, table, wheels, done, changes, unequal, way, doubts })
     }
 
     /// Rolls to the next row: its distance (m) and the wheels there; `None` after the last.
@@ -279,6 +321,9 @@ impl<'a> WheelStepsRun<'a> {
                 self.unequal = self.unequal.max((wheel.on_rail().force[2] / wanted - 1.0).abs());
             }
         }
+        let on_rail = |wheel: &Option<SolvedWheel>| Some(wheel.as_ref()?.on_rail().force);
+        let SolvedWheelset { left, right, .. } = &stepped.solved;
+        self.way.push((row.distance, [on_rail(left), on_rail(right)]));
         self.remember(&stepped);
         Ok(Some((row.distance, stepped)))
     }
@@ -335,6 +380,12 @@ impl<'a> WheelStepsRun<'a> {
             ));
         }
         words
+    }
+
+    /// The forces on both rails so far over the distance, as SVG.
+    #[must_use]
+    pub fn picture(&self) -> String {
+        steps_picture::forces(&self.way)
     }
 
     /// The row of [`WHEEL_STEP_COLUMNS`].

@@ -181,6 +181,7 @@ pub(super) fn surface(
     (section, role, side, reading): SlicesAsked,
     directory: &Path,
 ) -> Result<(Arc<SliceSurface>, Vec<ProfileNote>), WheelsetFileError> {
+    reading.map_or(Ok(()), |reading| reading.check(section))?;
     let path = directory.join(name);
     let text = fs::read(&path).map_err(|source| WheelsetFileError::NoSlices {
         section,

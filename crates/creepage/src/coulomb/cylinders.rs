@@ -73,13 +73,13 @@ struct State {
 }
 
 impl Cylinders {
-    /// Prepares for a pair of bodies and the coefficient of friction.
+    /// Prepares for a pair of bodies and the coefficient of friction; a large one keeps surfaces from slipping.
     ///
     /// # Errors
-    /// [`InvalidValue`] unless `friction` is between a millionth and 1.
+    /// [`InvalidValue`] unless `friction` is between a millionth and 1000.
     pub fn new(pair: SolidPair, friction: f64) -> Result<Self, InvalidValue> {
-        let valid = "between 1e-6 and 1";
-        check::require((1e-6..=1.0).contains(&friction), "friction", friction, valid)?;
+        let valid = "between 1e-6 and 1000";
+        check::require((1e-6..=1e3).contains(&friction), "friction", friction, valid)?;
         let kappa = pair.kappa() / (1.0 - pair.poisson());
         let angles = (0..=ELEMENTS).map(|i| PI * i as f64 / ELEMENTS as f64).collect();
         Ok(Self { slip_by_pressure: kappa / friction, q: kappa * friction, angles })

@@ -6,7 +6,7 @@
 //! | [`Bonded`] | two bodies shifted and twisted against each other without slip | 3.212 |
 //! | [`Hertz`](crate::Hertz) | two bodies pressed together | 3.221 |
 //! | [`PartialSlip`] | two bodies shifted against each other with slip (Cattaneo, Mindlin) | 3.222 |
-//! | [`ShiftPath`] | the same to and fro, with its memory (Mindlin, Deresiewicz) | 3.222 |
+//! | [`ShiftPath`] | the same to and fro, under a load that may change, with its memory (Mindlin, Deresiewicz) | 3.222 |
 //! | [`ShearedRectangle`] | a layer under a rectangle of uniform pressure, sheared to and fro | |
 //! | [`Compression`] | two unlike bodies pressed together with friction (Spence), step by step | 6.2 |
 //!
@@ -25,7 +25,7 @@ pub use compression::Compression;
 pub use die::{Die, DieError};
 pub use partial_slip::{PartialSlip, PartialSlipError};
 pub use sheared_rectangle::{ShearError, ShearedRectangle, Shearing};
-pub use shift_path::{ShiftAxis, ShiftPath};
+pub use shift_path::{ShiftAxis, ShiftEnd, ShiftPath};
 
 use crate::ellipse::Ellipse;
 

@@ -54,10 +54,12 @@ fn rigid_on_cork() -> SolidPair {
 
 /// Without slip `p + i T` is a multiple of `(1 - s)^(1/2 + i e) (1 + s)^(1/2 - i e)`, with
 /// `tanh(pi e) = kappa/(1 - sigma)`, on a half-width `l`: `l^2 (1 + 4 e^2) = 1` at the same load, and
-/// `xi = 8 e l/mu`. With friction of one only the rims slip.
+/// `xi = 8 e l/mu`. With friction of one only the rims slip, with more nothing but the last elements.
 #[test]
 fn without_slip_it_is_the_exact_solution() {
-    for (lower, friction) in [(aluminium(), 1.0), (polymer(), 1.0)] {
+    let frictions = [1.0, 10.0, 1000.0];
+    let bodies = [aluminium(), polymer()];
+    for (lower, friction) in bodies.into_iter().flat_map(|body| frictions.map(|mu| (body, mu))) {
         let pair = SolidPair::new(steel(), lower);
         let beta = pair.kappa() / (1.0 - pair.poisson());
         let e = beta.atanh() / PI;

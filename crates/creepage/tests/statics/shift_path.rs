@@ -1,6 +1,6 @@
 //! Shifts to and fro, against the closed forms of a circle and against the first shift.
 
-use creepage::statics::{PartialSlip, PartialSlipError, ShiftAxis, ShiftPath};
+use creepage::statics::{PartialSlip, PartialSlipError, ShiftAxis, ShiftEnd, ShiftPath};
 use creepage::{Ellipse, Hertz, Solid, SolidPair};
 use proptest::prelude::*;
 
@@ -88,6 +88,136 @@ fn sliding_is_refused_and_leaves_the_path() {
     assert!(matches!(path.to_shift(-path.sliding_shift()), Err(PartialSlipError::Sliding { .. })));
     assert!(matches!(path.to_force(f64::NAN), Err(PartialSlipError::Invalid(_))));
     assert_eq!(path.shift().to_bits(), before.to_bits());
+}
+
+/// Load and force that grow together below friction: no slip, and the shift of `alpha/mu` times the growth of the
+/// approach; pressed first and then shifted, that of the larger load. Closed forms.
+#[test]
+fn a_load_that_grows_with_the_force_slips_nowhere() {
+    for part in [0.2, 0.7, 1.0] {
+        let mut path = circle();
+        let unit = path.sliding_shift();
+        let grown = 2.5;
+        path.to(grown * LOAD, ShiftEnd::Force(part * (grown - 1.0) * LIMIT)).unwrap();
+        let right = part * (grown.powf(2.0 / 3.0) - 1.0);
+        assert!((path.shift() / unit - right).abs() < 1e-13);
+        assert_eq!(path.dissipated().to_bits(), 0.0_f64.to_bits());
+        assert!((path.normal_force() / LOAD - grown).abs() < 1e-13);
+        assert!(part > 0.99 || (path.adhesion() - 1.0).abs() < 1e-15);
+    }
+    let mut path = circle();
+    path.to(2.0 * LOAD, ShiftEnd::Force(0.0)).unwrap();
+    path.to_force(0.9 * 2.0 * LIMIT).unwrap();
+    let hertz = contact(4e-3 * 2f64.cbrt(), 4e-3 * 2f64.cbrt());
+    let hertz = Hertz::from_ellipse(hertz.pair(), hertz.ellipse(), 2.0 * LOAD).unwrap();
+    let partial = PartialSlip::new(&hertz, FRICTION, [0.9 * 2.0 * LIMIT, 0.0]).unwrap();
+    assert!((path.shift() / partial.shift()[0] - 1.0).abs() < 1e-12);
+    for r in [0.0, 3e-3, 4.5e-3, 5e-3] {
+        let (one, other) = (path.traction([r, 0.0]), partial.traction([r, 0.0])[0]);
+        assert!((one - other).abs() < 1e-9 * partial.bound([0.0; 2]), "{one} {other}");
+    }
+}
+
+/// A load that falls under a force that stays lets slip go inwards until the bodies slide.
+#[test]
+fn a_load_that_falls_ends_in_sliding() {
+    let mut path = circle();
+    path.to_force(0.5 * LIMIT).unwrap();
+    let before = (path.adhesion(), path.shift());
+    path.to(0.6 * LOAD, ShiftEnd::Force(0.5 * LIMIT)).unwrap();
+    assert!(path.adhesion() < before.0 && path.shift() > before.1);
+    let slid = path.to(0.5 * LOAD, ShiftEnd::Force(0.5 * LIMIT));
+    assert!(matches!(slid, Err(PartialSlipError::Sliding { .. })), "{slid:?}");
+    for load in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+        assert!(matches!(path.to(load, ShiftEnd::Force(0.0)), Err(PartialSlipError::Invalid(_))));
+    }
+}
+
+proptest! {
+    /// Under loads that change, too: tractions add up to the force within friction, heat never falls, and a step in parts
+    /// is the step. Over a cycle that closes the heat is the work of the force, by trapezoids.
+    #[test]
+    fn any_path_of_loads_keeps_friction_and_force(
+        steps in prop::collection::vec((0.2..3.0, -0.98..0.98, any::<bool>()), 2..8),
+        place in 0.0..0.999,
+    ) {
+        let unit = circle().sliding_shift();
+        let ends: Vec<(f64, ShiftEnd)> = steps
+            .iter()
+            .map(|&(load, share, is_force): &(f64, f64, bool)| {
+                let shift = share * load.powf(2.0 / 3.0) * unit;
+                let force = share * load * LIMIT;
+                (load * LOAD, if is_force { ShiftEnd::Force(force) } else { ShiftEnd::Shift(shift) })
+            })
+            .collect();
+        let mut path = circle();
+        let mut spent = 0.0;
+        for (load, end) in &ends {
+            let (mut parts, before) = (path.clone(), path.clone());
+            path.to(*load, *end).unwrap();
+            prop_assert!(path.dissipated() >= spent - 1e-18);
+            spent = path.dissipated();
+            for part in 1..=5 {
+                let [from, to] = [before.normal_force(), *load];
+                let part = f64::from(part) / 5.0;
+                let between = |from: f64, to: f64| from + part * (to - from);
+                let went = match *end {
+                    ShiftEnd::Force(force) => {
+                        parts.to(between(from, to), ShiftEnd::Force(between(before.force(), force)))
+                    }
+                    ShiftEnd::Shift(shift) => {
+                        let approach = between(from.powf(2.0 / 3.0), to.powf(2.0 / 3.0));
+                        parts.to(approach.powf(1.5), ShiftEnd::Shift(between(before.shift(), shift)))
+                    }
+                };
+                prop_assert!(went.is_ok());
+            }
+            // Roots of numbers that cancel close to sliding.
+            prop_assert!((parts.force() - path.force()).abs() < 1e-8 * LIMIT);
+            prop_assert!((parts.shift() - path.shift()).abs() < 1e-8 * unit);
+            prop_assert!((parts.dissipated() - path.dissipated()).abs() < 1e-8 * LIMIT * unit);
+        }
+        let size = (path.normal_force() / LOAD).cbrt();
+        let peak = 1.5 * LIMIT / (std::f64::consts::PI * 4e-3_f64.powi(2));
+        let bound = |r: f64| peak * ((size - r) * (size + r)).max(0.0).sqrt();
+        let r = place * size;
+        prop_assert!(path.traction([4e-3 * r, 0.0]).abs() <= bound(r) + 1e-9 * peak * size);
+        // As under one load, over the present one.
+        let rings = 4000;
+        let ring = |k: u32| {
+            let r = size * (f64::from(k) + 0.5) / f64::from(rings);
+            std::f64::consts::TAU * r * path.traction([4e-3 * r, 0.0])
+        };
+        let sum: f64 = (0..rings).map(ring).sum::<f64>() * 4e-3_f64.powi(2) * size / f64::from(rings);
+        prop_assert!((sum - path.force()).abs() < 1e-4 * LIMIT * size.powi(3), "{} {}", sum, path.force());
+        // Twice around, so that the state is one that comes back.
+        for (load, end) in ends.iter().chain(&ends) {
+            path.to(*load, *end).unwrap();
+        }
+        let (mut work, begin) = (0.0, path.dissipated());
+        for (load, end) in &ends {
+            let before = path.clone();
+            for part in 1..=400 {
+                let last = path.clone();
+                let part = f64::from(part) / 400.0;
+                let between = |from: f64, to: f64| from + part * (to - from);
+                let [from, to] = [before.normal_force(), *load];
+                match *end {
+                    ShiftEnd::Force(force) => {
+                        path.to(between(from, to), ShiftEnd::Force(between(before.force(), force))).unwrap();
+                    }
+                    ShiftEnd::Shift(shift) => {
+                        let approach = between(from.powf(2.0 / 3.0), to.powf(2.0 / 3.0));
+                        path.to(approach.powf(1.5), ShiftEnd::Shift(between(before.shift(), shift))).unwrap();
+                    }
+                }
+                work += 0.5 * (path.force() + last.force()) * (path.shift() - last.shift());
+            }
+        }
+        // Trapezoids over 400 parts of a step err by some 1e-5 of these units.
+        let heat = path.dissipated() - begin;
+        prop_assert!((heat - work).abs() < 1e-4 * LIMIT * unit, "{} {}", heat, work);
+    }
 }
 
 proptest! {

@@ -86,6 +86,14 @@ pub enum StaticsError {
     /// A path without a step.
     #[error("[statics] steps: a path has one step at least")]
     NoSteps,
+    /// A load of a step where loads stay.
+    #[error(
+        "[statics] steps: step {number} has a normal_force of its own, which goes with problem \"shift-path\" alone"
+    )]
+    LoadOfStep {
+        /// Its number, from 1.
+        number: usize,
+    },
     /// A step of a path reaches the limit of friction.
     #[error(
         "[statics] steps: the bodies slide in step {number}, whose {key} of {value} reaches {limit}, and what a path does \

@@ -1,7 +1,7 @@
 //! `[statics]`: which problem, and its load.
 
 use creepage::InvalidValue;
-use creepage::statics::ShiftAxis;
+use creepage::statics::{ShiftAxis, ShiftEnd};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -14,8 +14,8 @@ use crate::case::error::CaseError;
 #[serde(deny_unknown_fields)]
 pub(crate) struct Statics {
     /// "die": a rigid die under an offset load; "shift" and "twist": without slip;
-    /// "partial-slip": a shift with slip at the edge (Cattaneo, Mindlin); "shift-path": the same to and fro
-    /// under a constant load (Mindlin, Deresiewicz); "compression": unlike balls pressed together with friction
+    /// "partial-slip": a shift with slip at the edge (Cattaneo, Mindlin); "shift-path": the same to and fro,
+    /// under a load that stays or changes (Mindlin, Deresiewicz); "compression": unlike balls pressed together with friction
     /// (Spence); "sheared-rectangle": a layer under a rectangle of uniform pressure, sheared to and fro.
     pub(crate) problem: Problem,
     /// Problem "die": offset of the normal force from the centre, along x (m); 0 by default.
@@ -42,7 +42,7 @@ pub(crate) enum Along {
     Y,
 }
 
-/// Where a step of a path ends: one of the two.
+/// Where a step of a path ends: a force or a shift.
 #[derive(Debug, Clone, Copy, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct ShiftStep {
@@ -50,16 +50,13 @@ pub(crate) struct ShiftStep {
     pub(crate) force: Option<f64>,
     /// Shift of the upper body relative to the lower (m).
     pub(crate) shift: Option<f64>,
+    /// Problem "shift-path": load at its end (N), to which it goes in proportion with the force, or with the shift
+    /// over Hertz's approach; that of the step before by default, and first that of [contact].
+    pub(crate) normal_force: Option<f64>,
 }
 
-/// Where a step of a path ends, checked.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum StepEnd {
-    /// At a force (N).
-    Force(f64),
-    /// At a shift (m).
-    Shift(f64),
-}
+/// The load of a step (N), where it has one of its own, and where it ends.
+pub(crate) type LoadedEnd = (Option<f64>, ShiftEnd);
 
 /// The problems by name.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
@@ -134,17 +131,17 @@ impl Statics {
         Ok([x, y])
     }
 
-    /// The axis of a path, and where its steps end.
-    pub(crate) fn path(&self) -> Result<(ShiftAxis, Vec<StepEnd>), CaseError> {
+    /// The axis of a path, and where its steps end, with their loads.
+    pub(crate) fn path(&self) -> Result<(ShiftAxis, Vec<LoadedEnd>), CaseError> {
         let missing = |key: &str| CaseError::Missing { section: "statics".into(), key: key.into() };
         let axis = match self.along.ok_or_else(|| missing("along"))? {
             Along::X => ShiftAxis::X,
             Along::Y => ShiftAxis::Y,
         };
         let steps = self.steps.as_deref().filter(|steps| !steps.is_empty());
-        let one = |step: &ShiftStep| match (step.force, step.shift) {
-            (Some(force), None) => finite("force", force).map(StepEnd::Force),
-            (None, Some(shift)) => finite("shift", shift).map(StepEnd::Shift),
+        let end = |step: &ShiftStep| match (step.force, step.shift) {
+            (Some(force), None) => finite("force", force).map(ShiftEnd::Force),
+            (None, Some(shift)) => finite("shift", shift).map(ShiftEnd::Shift),
             (None, None) => {
                 let keys = ["force", "shift"];
                 Err(CaseError::MissingEither { section: "statics", keys })
@@ -154,6 +151,7 @@ impl Statics {
                 Err(CaseError::Conflict { first, second })
             }
         };
+        let one = |step| end(step).map(|end| (step.normal_force, end));
         let steps = steps.ok_or_else(|| missing("steps"))?.iter().map(one);
         Ok((axis, steps.collect::<Result<_, _>>()?))
     }

@@ -5,7 +5,8 @@ mod error;
 mod load;
 
 use creepage::statics::{
-    Bonded, Compression, Die, PartialSlip, ShearError, ShearedRectangle, ShiftAxis, ShiftPath,
+    Bonded, Compression, Die, PartialSlip, PartialSlipError, ShearError, ShearedRectangle,
+    ShiftAxis, ShiftEnd, ShiftPath,
 };
 use creepage::{Ellipse, Hertz, Layer, SiCreepage, SiForce, Solid, SolidPair, Status};
 use schemars::JsonSchema;
@@ -22,7 +23,7 @@ use crate::case::sections::smallest_radius;
 
 use contact::StaticsContact;
 pub use error::StaticsError;
-use load::{Problem, Statics, StepEnd};
+use load::{Problem, Statics};
 
 /// Rings of a compression: its areas are known to one of them.
 const RINGS: usize = 100;
@@ -106,7 +107,7 @@ pub enum StaticsProblem {
         /// The solution.
         partial: Box<PartialSlip>,
     },
-    /// A shift to and fro under a constant load (3.222).
+    /// A shift to and fro, under a load that stays or changes (3.222).
     ShiftPath {
         /// The contact, by Hertz.
         contact: Box<Hertz>,
@@ -291,16 +292,20 @@ impl StaticsFile {
         let mut path =
             ShiftPath::new(&contact, friction, axis).map_err(CaseError::invalid("contact"))?;
         let mut steps = Vec::with_capacity(wanted.len());
-        for (end, number) in wanted.into_iter().zip(1..) {
-            let (went, key, value, limit) = match end {
-                StepEnd::Force(force) => {
-                    (path.to_force(force), "force", force, friction * contact.normal_force())
-                }
-                StepEnd::Shift(shift) => {
-                    (path.to_shift(shift), "shift", shift, path.sliding_shift())
-                }
+        for ((load, end), number) in wanted.into_iter().zip(1..) {
+            let normal_force = load.unwrap_or(path.normal_force());
+            let went = match load {
+                Some(load) => path.to(load, end),
+                None => path.to_end(end),
             };
-            went.map_err(|_| StaticsError::PathSlides { number, key, value, limit })?;
+            let (key, value, limit) = match end {
+                ShiftEnd::Force(force) => ("force", force, friction * normal_force),
+                ShiftEnd::Shift(shift) => ("shift", shift, path.sliding_shift_under(normal_force)),
+            };
+            went.map_err(|error| match error {
+                PartialSlipError::Invalid(invalid) => CaseError::invalid("statics")(invalid).into(),
+                _ => StaticsError::PathSlides { number, key, value, limit },
+            })?;
             steps.push(path.clone());
         }
         Ok(StaticsProblem::ShiftPath { contact, friction, axis, steps })
@@ -340,10 +345,13 @@ impl StaticsFile {
                     CaseError::invalid(if of_layer { "layer" } else { "contact" })(invalid)
                 })?;
         let mut steps = Vec::with_capacity(wanted.len());
-        for (end, number) in wanted.into_iter().zip(1..) {
+        for ((load, end), number) in wanted.into_iter().zip(1..) {
+            if load.is_some() {
+                return Err(StaticsError::LoadOfStep { number });
+            }
             let went = match end {
-                StepEnd::Force(force) => path.to_force(force),
-                StepEnd::Shift(shift) => path.to_shift(shift),
+                ShiftEnd::Force(force) => path.to_force(force),
+                ShiftEnd::Shift(shift) => path.to_shift(shift),
             };
             went.map_err(|error| match error {
                 ShearError::Beyond { force, most } => {
