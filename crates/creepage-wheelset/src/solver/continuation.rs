@@ -21,11 +21,11 @@ const COARSE: Method = Method::Exact(Resolution::COARSE);
 const NEAR: [f64; 2] = [2.001e-5, 2.001e-4];
 
 impl<'a> WheelsetSolver<'a> {
-    /// As [`WheelsetSolver::next`], two to three times quicker along walks in steps up to 20 um and 0.2 mrad.
+    /// As [`WheelsetSolver::next`], quicker along walks in steps up to 20 um and 0.2 mrad.
     ///
     /// The full theory on a coarse grid, corrected by what a fine one added at a position before, which changes
-    /// slowly. Error bars grow by what it may have changed since; where that is half of the larger one, or the step is
-    /// longer, the fine grid is solved as by [`WheelsetSolver::next`]. Forces differ from those by a twentieth of
+    /// slowly. Error bars grow by what it may have changed since; where that, with a twentieth of the bar, is half of the
+    /// larger one, or the step is longer, the fine grid is solved as by [`WheelsetSolver::next`]. Forces differ from those by a twentieth of
     /// the error bars in the median, by less than half in 99 of 100 positions; heat, which has no error bar, by some
     /// thousandths. [`SolvedContact::elements`] are those of the coarse grid.
     ///
