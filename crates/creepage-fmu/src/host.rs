@@ -233,9 +233,10 @@ macro_rules! functions_of_both {
             component: *mut Component,
             state: *mut *mut Inputs,
         ) -> Status {
-            // SAFETY: the host's promise, here and below.
-            let work =
-                |component: &mut Component| unsafe { host::keep(component.instance.inputs, state) };
+            let work = |component: &mut Component| {
+                // SAFETY: the host's promise, here and below.
+                unsafe { host::keep(component.instance.inputs, state) }
+            };
             // SAFETY: as before.
             unsafe { with(component, work) }
         }

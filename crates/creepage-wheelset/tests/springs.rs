@@ -54,11 +54,14 @@ fn springs_carry_flanges() {
         let again = solver.solve_on_springs(&[Some(springs); 2], &given, &velocity).unwrap();
         for (one, other) in solved.wheels().zip(again.wheels()) {
             let (one, other) = (one.on_rail(), other.on_rail());
-            let bars = [one, other].map(|wheel| wheel.force_error.unwrap());
-            for axis in 0..3 {
-                let within = bars[0][axis] + bars[1][axis] + 2e-4 * one.force[2];
-                let apart = (one.force[axis] - other.force[axis]).abs();
-                assert!(apart <= within, "{side:?} {y} axis {axis}: {apart} of {within}");
+            let [bars, again] = [one, other].map(|wheel| wheel.force_error.unwrap());
+            let pairs = one.force.iter().zip(other.force).zip(bars.iter().zip(again));
+            for ((first, second), (bar, other_bar)) in pairs {
+                let within = bar + other_bar + 2e-4 * one.force[2];
+                assert!(
+                    (first - second).abs() <= within,
+                    "{side:?} {y}: {first} {second} {within}"
+                );
             }
         }
     }
