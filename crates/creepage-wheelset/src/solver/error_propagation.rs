@@ -20,6 +20,9 @@ use crate::tilt::Placed;
 /// Of a load: so much is met by chance only.
 const ROUNDING: f64 = 1e-6;
 
+/// How often pitch rate and height make up for each other: a wheel goes up or down by friction's vertical part alone.
+const PASSES: usize = 3;
+
 /// An error of one contact, in track axes where it stands.
 struct Source {
     /// Load (N).
@@ -28,7 +31,8 @@ struct Source {
     friction: [f64; 2],
 }
 
-/// What a source, and the height that makes up for it, change of one contact.
+/// What a source, and the height and the pitch rate that make up for it, change of one contact.
+#[derive(Debug, Clone, Copy, Default)]
 struct Change {
     load: f64,
     friction: [f64; 2],
@@ -91,16 +95,31 @@ fn propagate(wheels: &mut [&mut SolvedWheel], target: &Target, pitch: PitchRate,
     for (k, contact) in contacts.iter().enumerate() {
         stiffness[group(k)] += contact.vertical_stiffness();
     }
-    let lowered = |group: usize, vertical: f64| {
-        let yields = *target != Target::Nothing && stiffness[group] > 0.0;
-        if yields { -vertical / stiffness[group] } else { 0.0 }
+    // Where a load is given, the height makes up for what changes add to it, but for `missed` (N).
+    let balance_loads = |changes: &mut [Change], missed: [f64; 2]| {
+        for of in 0..2 {
+            let own = (0..contacts.len()).filter(|k| group(*k) == of);
+            let vertical: f64 = own.clone().map(|k| changes[k].force[2]).sum();
+            if *target == Target::Nothing || stiffness[of] <= 0.0 {
+                continue;
+            }
+            let depth = (missed[of] - vertical) / stiffness[of];
+            own.for_each(|k| changes[k].add(&contacts[k].lowered(depth)));
+        }
     };
 
     // Each source changes all contacts; bars are sums of squares over the sources.
     let mut bars = vec![[0.0; 3]; contacts.len()];
     let mut on_rails = vec![[0.0; 3]; wheels.len()];
-    let mut add = |mut changes: Vec<Change>, unbalanced: f64| {
-        balance_pitch((&mut changes, unbalanced), &contacts, &sides, pitch);
+    let mut add = |source: Option<(usize, &Source)>, missed: [f64; 2], unbalanced: f64| {
+        let mut changes = vec![Change::default(); contacts.len()];
+        if let Some((of, source)) = source {
+            changes[of] = contacts[of].direct(source);
+        }
+        for _ in 0..PASSES {
+            balance_pitch((&mut changes, unbalanced), &contacts, &sides, pitch);
+            balance_loads(&mut changes, missed);
+        }
         let mut forces = vec![[0.0; 3]; wheels.len()];
         for ((bar, change), &wheel) in bars.iter_mut().zip(&changes).zip(&of_wheel) {
             let [longitudinal, lateral] = change.friction;
@@ -113,29 +132,20 @@ fn propagate(wheels: &mut [&mut SolvedWheel], target: &Target, pitch: PitchRate,
             accumulate(square, force, |part| part * part);
         }
     };
-    let changes = |of: usize, depth: f64, own: &dyn Fn(usize) -> Option<Change>| {
-        let change = |(k, one): (usize, &&SolvedContact)| {
-            one.lowered(if group(k) == of { depth } else { 0.0 }, own(k))
-        };
-        contacts.iter().enumerate().map(change).collect()
-    };
     for (of, contact) in contacts.iter().enumerate() {
         for source in contact.sources() {
-            let depth = lowered(group(of), contact.direct(&source).force[2]);
-            let own = |k: usize| (k == of).then(|| contact.direct(&source));
-            add(changes(group(of), depth, &own), 0.0);
+            add(Some((of, &source)), [0.0; 2], 0.0);
         }
     }
     let missed = if together { [missed[0] + missed[1], 0.0] } else { missed };
     for (of, missed) in missed.into_iter().enumerate() {
-        let carried = |k: &usize| group(*k) == of;
-        let load: f64 = (0..contacts.len()).filter(carried).map(|k| contacts[k].load()).sum();
-        let depth = lowered(of, -missed.hypot(ROUNDING * load));
-        if depth > 0.0 {
-            add(changes(of, depth, &|_| None), 0.0);
-        }
+        let own = (0..contacts.len()).filter(|k| group(*k) == of);
+        let load: f64 = own.map(|k| contacts[k].load()).sum();
+        let mut all = [0.0; 2];
+        all[of] = missed.hypot(ROUNDING * load);
+        add(None, all, 0.0);
     }
-    add(changes(0, 0.0, &|_| None), BALANCED);
+    add(None, [0.0; 2], BALANCED);
 
     let mut bars = bars.into_iter().map(|bar| bar.map(f64::sqrt));
     for (wheel, square) in wheels.iter_mut().zip(on_rails) {
@@ -151,6 +161,14 @@ fn propagate(wheels: &mut [&mut SolvedWheel], target: &Target, pitch: PitchRate,
                 error.moment = error.moment.hypot(turned);
             }
         }
+    }
+}
+
+impl Change {
+    fn add(&mut self, other: &Self) {
+        self.load += other.load;
+        self.friction = [0, 1].map(|k: usize| self.friction[k] + other.friction[k]);
+        accumulate(&mut self.force, other.force, |part| part);
     }
 }
 
@@ -178,11 +196,7 @@ fn balance_pitch(
         let over = added + unbalanced * most;
         for (k, slopes) in own.into_iter().zip(slopes) {
             let friction = slopes.map(|slope| -over / stiffness * slope);
-            changes[k].friction =
-                [0, 1].map(|axis: usize| changes[k].friction[axis] + friction[axis]);
-            let [x, s, _] = contacts[k].tilt().axes();
-            let force = [0, 1, 2].map(|axis: usize| friction[0] * x[axis] + friction[1] * s[axis]);
-            accumulate(&mut changes[k].force, force, |part| part);
+            changes[k].add(&contacts[k].direct(&Source { load: 0.0, friction }));
         }
     }
 }
@@ -211,16 +225,10 @@ impl SolvedContact {
         Change { load: source.load, friction, force }
     }
 
-    /// What it carries more or less where the wheelset goes down by `depth` (m), besides `own`.
-    fn lowered(&self, depth: f64, own: Option<Change>) -> Change {
+    /// What it carries more or less where the wheelset goes down by `depth` (m).
+    fn lowered(&self, depth: f64) -> Change {
         let load = self.normal.stiffness() * self.tilt().down()[2] * depth;
-        let mut change = self.direct(&Source { load, friction: [0.0; 2] });
-        if let Some(own) = own {
-            change.load += own.load;
-            change.friction = [0, 1].map(|k: usize| change.friction[k] + own.friction[k]);
-            accumulate(&mut change.force, own.force, |part| part);
-        }
-        change
+        self.direct(&Source { load, friction: [0.0; 2] })
     }
 
     /// Slopes of the longitudinal and the lateral force by longitudinal creepage (N), but for one factor of all contacts.
