@@ -25,7 +25,8 @@ pub(crate) fn newton<const N: usize, E>(
 ) -> Result<(SVector<f64, N>, f64), E> {
     let limits = NewtonLimits { tolerance, max_steps: 60, max_halvings: 12, least_decrease: 0.1 };
     let found = numerics::newton(start, &steps, limits, |at| Ok(((), residual(at)?)))?;
-    Ok((found.at, found.residual.amax()))
+    let left = found.largest();
+    Ok((found.at, left))
 }
 
 /// What acts on a ball beside the loads of its races.

@@ -247,12 +247,15 @@ impl SolvedWheel {
     }
 
     /// How far its running circle stands above the height at which the nominal one touches the track
-    /// plane (m); negative where it hangs below, zero where it touches nothing.
+    /// plane (m), or the plane to which springs let its rail down; negative where it hangs below, zero where it touches
+    /// nothing.
     #[must_use]
     pub fn height(&self) -> f64 {
         let Position { z, roll, .. } = self.position;
         let [_, y, _] = self.rail_origin;
-        if self.contacts.iter().all(|contact| contact.is_on_guard) { 0.0 } else { -(z + roll * y) }
+        let [_, down] = self.deflection.unwrap_or_default();
+        let is_on_rail = self.contacts.iter().any(|contact| !contact.is_on_guard);
+        if is_on_rail { down - (z + roll * y) } else { 0.0 }
     }
 
     /// Force on the guard rail in track axes, with its moment about the origin of the *running* rail's profile;

@@ -203,7 +203,7 @@ impl<'w, 'a> EquilibriumSearch<'w, 'a> {
             let mut solved =
                 self.solver.solved((&wheels, &rolled), &rollings, &turning, self.travel);
             let missed = self.missed(&wheels, &shares);
-            let of = (self.stance, self.travel.pitch);
+            let of = (self.stance, self.travel);
             solved.propagate_errors(&self.target, of, missed);
             return Ok(Some(solved));
         }

@@ -1,19 +1,19 @@
 //! How the errors of contacts add up where a wheelset stands: linear propagation of independent errors.
 //!
-//! Each contact has three sources of error: its load at the given approach, and its two tangential forces. Where a
+//! Each contact has four sources of error: its load at the given approach, its two tangential forces and their moment. Where a
 //! load is given, what a source adds to it is taken off again, for the wheelset stands so much higher; so the load
 //! of a contact that carries its wheel alone is nearly without error. Where the pitch rate is found, what a source adds
-//! to the longitudinal forces is taken off again likewise, by all contacts that turn together. Sources are independent:
-//! squares add up.
+//! to the moment about the axle, or to the longitudinal force where that is given, is taken off again likewise, by all
+//! contacts that turn together. Sources are independent: squares add up.
 
 use creepage::Force;
-use creepage_rail::Side;
+use creepage_rail::{Position, Side};
 
 use super::predictor::share;
 use super::tangential::BALANCED;
 use super::vertical_load::Target;
 use crate::Load;
-use crate::pose::{PitchRate, WheelsetPose};
+use crate::pose::{Drive, PitchRate, WheelsetPose, WheelsetVelocity};
 use crate::solved::{SolvedContact, SolvedWheel, SolvedWheelset};
 use crate::tilt::Placed;
 
@@ -27,15 +27,15 @@ const PASSES: usize = 3;
 struct Source {
     /// Load (N).
     load: f64,
-    /// Longitudinal and lateral force (N), besides what follows from the load.
-    friction: [f64; 2],
+    /// Longitudinal and lateral force (N), and moment (N m), besides what follows from the load.
+    friction: [f64; 3],
 }
 
 /// What a source, and the height and the pitch rate that make up for it, change of one contact.
 #[derive(Debug, Clone, Copy, Default)]
 struct Change {
     load: f64,
-    friction: [f64; 2],
+    friction: [f64; 3],
     /// Force on the rail in track axes (N).
     force: [f64; 3],
 }
@@ -46,13 +46,13 @@ impl SolvedWheelset {
     pub(crate) fn propagate_errors(
         &mut self,
         target: &Target,
-        (stance, pitch): (&WheelsetPose, PitchRate),
+        (stance, travel): (&WheelsetPose, &WheelsetVelocity),
         missed: [f64; 2],
     ) {
         let missed = self.with_transfer(stance, missed);
         let mut wheels: Vec<&mut SolvedWheel> =
             self.left.iter_mut().chain(&mut self.right).collect();
-        propagate(&mut wheels, target, pitch, missed);
+        propagate(&mut wheels, target, (travel, self.radius), missed);
     }
 
     /// The same with the load that errors of lateral forces, `radius` below the wheelset's centre, move from wheel to
@@ -82,7 +82,12 @@ fn place(side: Side) -> usize {
 }
 
 /// Error bars of wheels and their contacts; wheels miss so much of their loads (N).
-fn propagate(wheels: &mut [&mut SolvedWheel], target: &Target, pitch: PitchRate, missed: [f64; 2]) {
+fn propagate(
+    wheels: &mut [&mut SolvedWheel],
+    target: &Target,
+    (travel, radius): (&WheelsetVelocity, f64),
+    missed: [f64; 2],
+) {
     let of_wheel: Vec<usize> =
         wheels.iter().enumerate().flat_map(|(k, wheel)| vec![k; wheel.contacts().len()]).collect();
     let sides: Vec<usize> = of_wheel.iter().map(|&wheel| place(wheels[wheel].side)).collect();
@@ -95,6 +100,11 @@ fn propagate(wheels: &mut [&mut SolvedWheel], target: &Target, pitch: PitchRate,
     for (k, contact) in contacts.iter().enumerate() {
         stiffness[group(k)] += contact.vertical_stiffness();
     }
+    let levers: Vec<[f64; 3]> = of_wheel
+        .iter()
+        .zip(&contacts)
+        .map(|(&wheel, contact)| contact.levers(travel.drive, wheels[wheel].position, radius))
+        .collect();
     // Where a load is given, the height makes up for what changes add to it, but for `missed` (N).
     let balance_loads = |changes: &mut [Change], missed: [f64; 2]| {
         for of in 0..2 {
@@ -117,12 +127,12 @@ fn propagate(wheels: &mut [&mut SolvedWheel], target: &Target, pitch: PitchRate,
             changes[of] = contacts[of].direct(source);
         }
         for _ in 0..PASSES {
-            balance_pitch((&mut changes, unbalanced), &contacts, &sides, pitch);
+            balance_pitch((&mut changes, unbalanced), (&contacts, &levers), &sides, travel.pitch);
             balance_loads(&mut changes, missed);
         }
         let mut forces = vec![[0.0; 3]; wheels.len()];
         for ((bar, change), &wheel) in bars.iter_mut().zip(&changes).zip(&of_wheel) {
-            let [longitudinal, lateral] = change.friction;
+            let [longitudinal, lateral, _] = change.friction;
             accumulate(bar, [change.load, longitudinal, lateral], |part| part * part);
             if let Some(sum) = forces.get_mut(wheel) {
                 accumulate(sum, change.force, |part| part);
@@ -167,16 +177,16 @@ fn propagate(wheels: &mut [&mut SolvedWheel], target: &Target, pitch: PitchRate,
 impl Change {
     fn add(&mut self, other: &Self) {
         self.load += other.load;
-        self.friction = [0, 1].map(|k: usize| self.friction[k] + other.friction[k]);
+        accumulate(&mut self.friction, other.friction, |part| part);
         accumulate(&mut self.force, other.force, |part| part);
     }
 }
 
-/// Takes off what changes add to the longitudinal forces of contacts that turn together, where their pitch rate is found,
-/// and what is left unbalanced (in parts of all their friction).
+/// Takes off what changes add to the moment about the axle, or to the longitudinal force where that is given, of contacts
+/// that turn together, where their pitch rate is found; and what is left unbalanced (in parts of all their friction).
 fn balance_pitch(
     (changes, unbalanced): (&mut [Change], f64),
-    contacts: &[&SolvedContact],
+    (contacts, levers): (&[&SolvedContact], &[[f64; 3]]),
     sides: &[usize],
     pitch: PitchRate,
 ) {
@@ -184,15 +194,19 @@ fn balance_pitch(
         PitchRate::Rigid(rate) => (vec![rate.is_none()], |_| 0),
         PitchRate::Independent(rates) => (rates.map(|rate| rate.is_none()).to_vec(), |side| side),
     };
+    let moment = |k: usize, friction: [f64; 3]| -> f64 {
+        levers[k].iter().zip(friction).map(|(lever, part)| lever * part).sum()
+    };
     for group in (0..found.len()).filter(|group| found[*group]) {
         let own: Vec<usize> = (0..contacts.len()).filter(|k| turns(sides[*k]) == group).collect();
-        let slopes: Vec<[f64; 2]> = own.iter().map(|k| contacts[*k].by_longitudinal()).collect();
-        let stiffness: f64 = slopes.iter().map(|[along, _]| along).sum();
-        if stiffness <= 0.0 {
+        let slopes: Vec<[f64; 3]> = own.iter().map(|k| contacts[*k].by_longitudinal()).collect();
+        let stiffness: f64 = own.iter().zip(&slopes).map(|(k, slopes)| moment(*k, *slopes)).sum();
+        if stiffness == 0.0 {
             continue;
         }
-        let most: f64 = own.iter().map(|k| contacts[*k].scaling.force).sum();
-        let added: f64 = own.iter().map(|k| changes[*k].friction[0]).sum();
+        let most: f64 =
+            own.iter().map(|k| moment(*k, [contacts[*k].scaling.force, 0.0, 0.0])).sum();
+        let added: f64 = own.iter().map(|k| moment(*k, changes[*k].friction)).sum();
         let over = added + unbalanced * most;
         for (k, slopes) in own.into_iter().zip(slopes) {
             let friction = slopes.map(|slope| -over / stiffness * slope);
@@ -207,42 +221,71 @@ fn accumulate(sum: &mut [f64; 3], parts: [f64; 3], of: impl Fn(f64) -> f64) {
 
 impl SolvedContact {
     /// What may be off where it stands, from its pressure and from its friction.
-    fn sources(&self) -> [Source; 3] {
+    fn sources(&self) -> [Source; 4] {
         let error = self.force_error.unwrap_or_default();
-        let [along, across] = [[error.longitudinal, 0.0], [0.0, error.lateral]];
         let friction = |friction| Source { load: 0.0, friction };
-        [Source { load: self.load_error, friction: [0.0; 2] }, friction(along), friction(across)]
+        [
+            Source { load: self.load_error, friction: [0.0; 3] },
+            friction([error.longitudinal, 0.0, 0.0]),
+            friction([0.0, error.lateral, 0.0]),
+            friction([0.0, 0.0, error.moment]),
+        ]
     }
 
     /// A source where it arises: friction goes with the load.
     fn direct(&self, source: &Source) -> Change {
         let [lateral, longitudinal] = share(self);
-        let [along, across] = source.friction;
-        let friction = [along + longitudinal * source.load, across + lateral * source.load];
+        let turning = self.force.moment / self.load();
+        let mut friction = source.friction;
+        accumulate(&mut friction, [longitudinal, lateral, turning], |part| part * source.load);
         let [x, s, normal] = self.tilt().axes();
         let force = [0, 1, 2]
             .map(|k: usize| friction[0] * x[k] + friction[1] * s[k] + source.load * normal[k]);
         Change { load: source.load, friction, force }
     }
 
+    /// What its longitudinal and lateral force and its moment add to what the pitch rate is found by: the moment about
+    /// the axle, or the force along the track.
+    fn levers(&self, drive: Drive, position: Position, radius: f64) -> [f64; 3] {
+        let Position { y, z, roll, yaw } = position;
+        let [x_axis, s_axis, normal] = self.tilt().axes();
+        let along = match drive {
+            Drive::Force(_) => return [x_axis[0], s_axis[0], 0.0],
+            Drive::Torque(_) => [-yaw.sin() * roll.cos(), yaw.cos() * roll.cos(), roll.sin()],
+        };
+        let [x, own_y, own_z] = self.reference;
+        let arm = [x, own_y - y, own_z - (z - radius)];
+        let about = |axis: [f64; 3]| -> f64 {
+            let moment = [
+                arm[1] * axis[2] - arm[2] * axis[1],
+                arm[2] * axis[0] - arm[0] * axis[2],
+                arm[0] * axis[1] - arm[1] * axis[0],
+            ];
+            moment.iter().zip(along).map(|(moment, along)| moment * along).sum()
+        };
+        let turning = normal.iter().zip(along).map(|(normal, along)| normal * along).sum();
+        [about(x_axis), about(s_axis), turning]
+    }
+
     /// What it carries more or less where the wheelset goes down by `depth` (m).
     fn lowered(&self, depth: f64) -> Change {
         let load = self.normal.stiffness() * self.tilt().down()[2] * depth;
-        self.direct(&Source { load, friction: [0.0; 2] })
+        self.direct(&Source { load, friction: [0.0; 3] })
     }
 
-    /// Slopes of the longitudinal and the lateral force by longitudinal creepage (N), but for one factor of all contacts.
+    /// Slopes of the longitudinal and the lateral force by longitudinal creepage (N), but for one factor of all contacts;
+    /// that of the moment is left out.
     ///
     /// As of Carter's law along the direction of the force: `f = 1 - (1 - u)^2` has the slope `2 sqrt(1 - f)`, and
     /// the force turns with the creepage by `f / u = 1 + sqrt(1 - f)`.
-    fn by_longitudinal(&self) -> [f64; 2] {
+    fn by_longitudinal(&self) -> [f64; 3] {
         let Force { fx, fy, .. } = self.solution.force;
         let size = fx.hypot(fy);
         let adheres = (1.0 - size).max(0.0).sqrt();
         let [x, y] = if size > 0.0 { [fx / size, fy / size] } else { [1.0, 0.0] };
         let [along, across] = [adheres, 0.5 * (1.0 + adheres)];
         let linear = self.scaling.force / self.scaling.slip;
-        [x * x * along + y * y * across, x * y * (along - across)].map(|slope| linear * slope)
+        [x * x * along + y * y * across, x * y * (along - across), 0.0].map(|slope| linear * slope)
     }
 
     /// Change of its vertical force as the wheelset goes down (N/m).

@@ -60,5 +60,8 @@ fn found<T>(
         least_decrease: 0.0,
     };
     let Ok(found) = newton(first, &differences, limits, over);
-    (creep(&found.at), found.value, found.residual.amax() <= tolerance)
+    {
+        let is_met = found.largest() <= tolerance;
+        (creep(&found.at), found.value, is_met)
+    }
 }

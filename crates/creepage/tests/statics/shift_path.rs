@@ -251,3 +251,35 @@ proptest! {
         prop_assert!((sum - path.force()).abs() < 1e-4 * LIMIT, "{} {}", sum, path.force());
     }
 }
+
+/// A load that is given again, and a shift that is reached again, change nothing, though layers of rounded widths add up
+/// to them.
+#[test]
+fn the_same_again_changes_nothing() {
+    let steel = Solid::new(82e9, 0.28).unwrap();
+    let ellipse = Ellipse::new(4e-3, 4e-3).unwrap();
+    let contact = Hertz::from_ellipse(SolidPair::new(steel, steel), ellipse, 500.0).unwrap();
+    let mut path = ShiftPath::new(&contact, 0.4, ShiftAxis::X).unwrap();
+    let slides = path.sliding_shift();
+    for k in 0..400 {
+        let (load, part) = (400.0 + 1.7 * f64::from(k), 0.2 + 0.0011 * f64::from(k));
+        path = path.fresh();
+        path.to_shift(0.1 * slides).unwrap();
+        let end = ShiftEnd::Shift(part * path.sliding_shift_under(load));
+        path.to(load, end).unwrap();
+        let (force, adhesion, heat) = (path.force(), path.adhesion(), path.dissipated());
+        for _ in 0..3 {
+            path.to(load, end).unwrap();
+            // To the rounding of a sum of a few layers.
+            assert!(
+                (path.force() - force).abs() <= 1e-12 * load,
+                "{load}: {} {force}",
+                path.force()
+            );
+            assert!((path.adhesion() - adhesion).abs() < 1e-9, "{load}: {}", path.adhesion());
+            assert!((path.dissipated() - heat).abs() <= 1e-12 * heat, "{load}");
+        }
+        path.to_force(path.force()).unwrap();
+        assert!((path.adhesion() - adhesion).abs() < 1e-9, "{load}: {}", path.adhesion());
+    }
+}
