@@ -129,13 +129,13 @@ def compare(before: Path, after: Path) -> None:
         largest, place = 0.0, ""
         for key in one.keys() & other.keys():
             p, q = one[key], other[key]
-            both = isinstance(p, float) and isinstance(q, float)
-            if both and math.isfinite(p) and math.isfinite(q):
+            numbers = (p, q) if isinstance(p, float) and isinstance(q, float) else None
+            if numbers and all(math.isfinite(number) for number in numbers):
                 scale = scales[key.rsplit(".", 1)[-1]]
-                part = abs(p - q) / scale if scale > 0.0 else 0.0
+                part = abs(numbers[0] - numbers[1]) / scale if scale > 0.0 else 0.0
                 if part > largest:
                     largest, place = part, key
-            elif p != q and not (both and math.isnan(p) and math.isnan(q)):
+            elif p != q and not (numbers and all(math.isnan(number) for number in numbers)):
                 words.append(key)
         if largest > 0.0 or words:
             differing += 1

@@ -108,10 +108,9 @@ def main() -> None:
     theory = sys.argv[1] if len(sys.argv) > 1 else "exact"
     wheelset = creepage.Wheelset(
         wheel="S1002", rail="UIC60", cant=0.025, gauge=1.435, gauge_height=0.014, back_to_back=1.360,
-        radius=RADIUS, axle_load=LOAD, friction=0.4, speed=30.0, theory=theory,
-        **({"resolution": "fast"} if theory == "exact" else {}),
+        radius=RADIUS, axle_load=LOAD, friction=0.4, speed=30.0,
     )  # fmt: skip
-    solver = wheelset.solver()
+    solver = wheelset.solver("exact", resolution="fast") if theory == "exact" else wheelset.solver(theory)
     low, high = 20.0, 80.0
     while high - low > 1e-3 * low:
         middle = 0.5 * (low + high)
