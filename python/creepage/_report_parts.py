@@ -48,8 +48,8 @@ class _Part(dict[str, Any]):
         return Estimate(self[f"{name}_{unit}"], self[f"{name}_error_{unit}"])
 
 
-class AreaContact(_Part):
-    """Bodies of any shape pressed together: `contact` of report.json."""
+class _Pressed(_Part):
+    """What presses."""
 
     @property
     def normal_force(self) -> Estimate:
@@ -70,6 +70,10 @@ class AreaContact(_Part):
     def area(self) -> Estimate:
         """m^2."""
         return self._estimate("area", "m2")
+
+
+class AreaContact(_Pressed):
+    """Bodies of any shape pressed together: `contact` of report.json."""
 
     @property
     def stiffness(self) -> float:
@@ -92,7 +96,7 @@ class AreaContact(_Part):
         return float(self["solid"]["kappa"])
 
 
-class WheelContact(_Part):
+class WheelContact(_Pressed):
     """A place of contact of a wheel: one of `patches` of report.json.
 
     Its axes: x forward, s across along (cos angle, sin angle) in the track's (y, z), the normal into the rail.
@@ -123,26 +127,6 @@ class WheelContact(_Part):
         """By which the contact falls ahead (rad); None of profiles that do not vary along rolling."""
         slope: float | None = self.get("contact_slope_rad")
         return slope
-
-    @property
-    def normal_force(self) -> Estimate:
-        """N."""
-        return self._estimate("normal_force", "n")
-
-    @property
-    def approach(self) -> Estimate:
-        """Of the bodies (m)."""
-        return self._estimate("approach", "m")
-
-    @property
-    def peak_pressure(self) -> Estimate:
-        """Pa."""
-        return self._estimate("peak_pressure", "pa")
-
-    @property
-    def area(self) -> Estimate:
-        """m^2."""
-        return self._estimate("area", "m2")
 
     @property
     def creepage(self) -> SiCreepage:

@@ -314,7 +314,7 @@ class Wheelset(FromFile):
         `yaw_rate`; NaN is the wheelset's own. A row's motion acts from the distance of the row before, or zero, to its
         own. start: "none" is without traction, "steady" as if the first row's motion had always been; by default as the
         file says, or none. Gives arrays named as the columns of `history.csv`; numbers of a side that is not solved are
-        NaN. Raises ValueError for columns and rows that are none, CaseError for what cannot roll in steps, such as
+        NaN. Raises ValueError for columns that are not known and rows without numbers, CaseError for what cannot roll in steps, such as
         theories other than "exact", a free pitch_rate, and rails on springs. Warns of what the rows are in doubt for.
         """
         if start not in (None, "none", "steady"):

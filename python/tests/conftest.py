@@ -49,10 +49,7 @@ def mapped() -> creepage.Wheelset:
 
 @pytest.fixture(scope="session")
 def contact_map(mapped: creepage.Wheelset) -> creepage.ContactMap:
-    """About the middle of the track, coarse: the shapes of areas there are within the table's.
-
-    Of three states in each cell one at least lies within the map, so that its error is measured.
-    """
+    """About the middle of the track, coarse: the shapes of areas there are within the table's."""
     ellipses = creepage.Table.build(
         "exact",
         a_over_b=(0.15, 30.0),
@@ -63,6 +60,6 @@ def contact_map(mapped: creepage.Wheelset) -> creepage.ContactMap:
         places=10,
     )
     return mapped.map(
-        ellipses=ellipses, y=0.001, yaw=0.004, loads=[20e3, 50e3, 100e3], tolerance=0.05, states=3,
+        ellipses=ellipses, y=0.001, yaw=0.004, loads=[20e3, 50e3, 100e3], tolerance=0.05, states=1,
         resolution="fast",
     )

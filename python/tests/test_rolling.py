@@ -117,7 +117,7 @@ def test_errors_name_what_is_wrong() -> None:
     for wrong, words in (
         ({"distance": -1.0}, "distance"),
         ({"distance": 1e-3, "longitudinal": float("nan")}, "longitudinal"),
-        ({"distance": 1e-3, "longitudinal": 0.0, "longitudinal_force": 0.0}, "one of the two is to be given"),
+        ({"distance": 1e-3, "longitudinal": 0.0, "longitudinal_force": 0.0}, "exclude"),
         ({"distance": 1e-3, "lateral_force": 25e3}, "24000"),
         ({"distance": 1e-3, "normal_force": -1.0}, "normal_force"),
     ):

@@ -173,7 +173,7 @@ impl Heights {
         let weights = Cubic::at(&self.places, plain);
         let further = roll - weights.of(|k| self.nodes[k].roll);
         let mut turns = [S::constant(0.0); TURNS];
-        // Cubics through neighbouring rolls, of which the middle one is none.
+        // Cubics through neighbouring rolls; the middle one, without further roll, changes nothing.
         let [low, half, over, high] = ROLLS;
         let part = if most_roll > 0.0 { most_roll.recip() } else { 0.0 };
         let by_roll = Cubic::at(&[low, half, 0.0, over, high], further * part);

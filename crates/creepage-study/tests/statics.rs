@@ -179,3 +179,28 @@ fn the_schema_describes_every_key() {
         }
     }
 }
+
+/// A path is cautioned for its largest load, and for bodies that are unlike.
+#[test]
+fn a_path_is_cautioned_for_its_largest_load_and_unlike_bodies() {
+    let path = |steps: &str| {
+        let case = with(
+            "normal_force = 80e3\nfriction = 0.1",
+            &format!("problem = \"shift-path\"\nalong = \"x\"\nsteps = [{steps}]"),
+        );
+        let words: Vec<String> = solved(&case).cautions.iter().map(ToString::to_string).collect();
+        words.join("; ")
+    };
+    let steady = path("{ force = 2e3 }");
+    assert!(steady.contains("kappa/mu") && !steady.contains("GPa"), "{steady}");
+    let heavy = path(
+        "{ force = 2e3 }, { force = 2e3, normal_force = 60e9 }, { force = 2e3, normal_force = 80e3 }",
+    );
+    assert!(heavy.contains("GPa"), "{heavy}");
+}
+
+#[test]
+fn a_bad_load_of_a_step_is_named_with_its_number() {
+    let steps = "problem = \"shift-path\"\nalong = \"x\"\nsteps = [{ force = 1.0 }, { force = 1.0, normal_force = 0.0 }]";
+    refused(&with("normal_force = 80e3\nfriction = 0.3", steps), &["step 2", "normal_force"]);
+}

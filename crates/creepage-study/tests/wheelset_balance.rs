@@ -5,6 +5,7 @@ use std::path::Path;
 
 use creepage_study::{
     Load, SolvedContact, SolvedWheel, SolvedWheelset, WheelsetCase, WheelsetFile, WheelsetPose,
+    WheelsetVelocity,
 };
 
 /// S1002 on UIC 60 with 200 kN; roll and pitch rate are free.
@@ -55,6 +56,37 @@ fn friction_has_no_moment_about_the_axle() {
                 assert!(moment.abs() < 1e-5 * most, "{solve} {y}: {moment} of {most}");
             }
         }
+    }
+}
+
+/// What is given has no error: where the pitch rate is found, one wheel's longitudinal force is the other's but for the
+/// moments about the normals, and a wheel that slides wholly knows its own; vertical forces are the loads.
+#[test]
+fn error_bars_keep_what_is_given() {
+    for y in [0.001, 0.004, 0.0065] {
+        let case = case("resolution = \"fast\"");
+        let (solver, travel) = (case.solver().unwrap(), case.travel.unwrap());
+        let radius = case.running.wheelset().radius();
+        let pose = WheelsetPose { y, ..case.stance };
+        let solved = solver.solve(&pose, &travel).unwrap();
+        let bars: Vec<[f64; 3]> =
+            solved.wheels().map(|wheel| wheel.on_rail().force_error.unwrap()).collect();
+        let moments = solved
+            .wheels()
+            .flat_map(SolvedWheel::contacts)
+            .map(|one| one.force_error.unwrap().moment * one.angle.sin().abs() / radius);
+        // Levers of both contacts differ by the rolling radii, some per cent where the flange bears.
+        let apart = moments.sum::<f64>() + 0.05 * bars[0][0];
+        assert!((bars[0][0] - bars[1][0]).abs() <= apart, "{y}: {bars:?} {apart}");
+        // Loads are met to 1e-4; friction's vertical part takes nothing from that.
+        assert!(bars.iter().all(|bar| bar[2] <= 1e-4 * 1e5), "{y}: {bars:?}");
+        // Given a pitch rate each wheel has its own.
+        let pitch = creepage_study::PitchRate::Rigid(Some(solved.motion.pitch_rate));
+        let given = WheelsetVelocity { pitch, ..travel };
+        let own = solver.solve(&pose, &given).unwrap();
+        let own: Vec<f64> =
+            own.wheels().map(|wheel| wheel.on_rail().force_error.unwrap()[0]).collect();
+        assert!(bars[0][0] <= 1.1 * own[0].hypot(own[1]), "{y}: {bars:?} {own:?}");
     }
 }
 

@@ -129,7 +129,7 @@ impl WheelSteps {
         if velocity.is_free() {
             return Err(WheelsetError::Steps { what: "need a given pitch_rate" });
         }
-        if velocity.is_backward() {
+        if velocity.is_backward() || velocity.speed == 0.0 {
             return Err(WheelsetError::Steps { what: "roll forwards: speed above zero" });
         }
         let near = self.last.as_ref().and_then(|last| solver.next(last, pose, velocity).ok());

@@ -61,7 +61,7 @@ fn a_layer_that_gets_thinner_vanishes() {
     }
 }
 
-/// A stiff layer is none: forces differ by its flexibility, here a millionth of the bodies' own, and by where
+/// A stiff layer changes nothing: forces differ by its flexibility, here a millionth of the bodies' own, and by where
 /// iterations end.
 #[test]
 fn a_stiff_layer_is_none() {

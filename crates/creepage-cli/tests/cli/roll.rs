@@ -496,6 +496,7 @@ fn wheels_that_cannot_roll_in_steps_are_told_so() {
     refused(WHEEL, "distance,hight\n0.001,0.0\n", &["hight"]);
     let free = WHEEL.replace("pitch_rate = 43.522", "pitch_rate = \"free\"");
     refused(&free, "distance\n0.001\n", &["pitch_rate"]);
+    refused(WHEEL, "distance,speed\n0.001,0\n", &["speed above zero"]);
     let simple = WHEEL.replace("resolution = \"fast\"", "theory = \"fastsim\"");
     refused(&simple, "distance\n0.001\n", &["exact"]);
 }

@@ -78,8 +78,8 @@ pub enum Caution {
         /// The combined shear modulus (Pa).
         shear_modulus: f64,
     },
-    /// Areas of any shape, or a line that rolls in steps, between unlike bodies: the slip that the pressure causes is
-    /// left out.
+    /// Areas of any shape, a line that rolls in steps, or a shift with slip without rolling, between unlike bodies: the
+    /// slip that the pressure causes is left out.
     LikeBodies {
         /// How unlike the bodies are.
         kappa_over_mu: f64,

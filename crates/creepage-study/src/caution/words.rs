@@ -213,7 +213,7 @@ impl Caution {
         match *self {
             Self::LikeBodies { kappa_over_mu } => write!(
                 f,
-                "on areas of any shape, and on a line that rolls in steps, the bodies are taken for like ones (kappa/mu = \
+                "on areas of any shape, on a line that rolls in steps, and without rolling the bodies are taken for like ones (kappa/mu = \
                  {kappa_over_mu:.3}): the slip by the pressure is left out, and for that the force \
                  may be off by some {:.0} % of mu N",
                 100.0 * kappa_over_mu.abs().min(1.0)

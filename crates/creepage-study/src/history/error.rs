@@ -205,7 +205,7 @@ pub enum MotionError {
     },
     /// A creepage and a force of one component, or neither, where a table has columns of both.
     #[error(
-        "{first} and {second}: one of the two is to be given, the other left empty; {given} are"
+        "{first} and {second} exclude each other: one of the two is to be given, and {given} are"
     )]
     OneOfTwo {
         /// A column.

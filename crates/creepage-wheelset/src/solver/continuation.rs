@@ -25,9 +25,9 @@ impl<'a> WheelsetSolver<'a> {
     ///
     /// The full theory on a coarse grid, corrected by what a fine one added at a position before, which changes
     /// slowly. Error bars grow by what it may have changed since; where that, with a twentieth of the bar, is half of the
-    /// larger one, or the step is longer, the fine grid is solved as by [`WheelsetSolver::next`]. Forces differ from those by a twentieth of
-    /// the error bars in the median, by less than half in 99 of 100 positions; heat, which has no error bar, by some
-    /// thousandths. [`SolvedContact::elements`] are those of the coarse grid.
+    /// larger one, or the step is longer, the fine grid is solved as by [`WheelsetSolver::next`]. Forces differ from
+    /// those by a twentieth of the error bars in the median, by less than half in 99 of 100 positions; heat, which has
+    /// no error bar, by some thousandths. [`SolvedContact::elements`] are those of the coarse grid.
     ///
     /// ```
     /// # use creepage::theory::{AreaTheory, ExactOptions};

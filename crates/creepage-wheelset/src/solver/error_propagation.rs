@@ -1,19 +1,20 @@
 //! How the errors of contacts add up where a wheelset stands: linear propagation of independent errors.
 //!
-//! Each contact has four sources of error: its load at the given approach, its two tangential forces and their moment. Where a
-//! load is given, what a source adds to it is taken off again, for the wheelset stands so much higher; so the load
-//! of a contact that carries its wheel alone is nearly without error. Where the pitch rate is found, what a source adds
-//! to the moment about the axle, or to the longitudinal force where that is given, is taken off again likewise, by all
-//! contacts that turn together. Sources are independent: squares add up.
+//! Each contact has four sources of error: its load at the given approach, its two tangential forces and their
+//! moment. Where a load is given, what a source adds to it is taken off again, for the wheelset stands so much higher;
+//! so the load of a contact that carries its wheel alone is nearly without error. Where the pitch rate is found, what a
+//! source adds to the moment about the axle, or to the longitudinal force where that is given, is taken off again
+//! likewise, by all contacts that turn together. Sources are independent: squares add up.
 
-use creepage::Force;
+use creepage::{Force, SiForce};
 use creepage_rail::{Position, Side};
 
 use super::predictor::share;
-use super::tangential::BALANCED;
+use super::tangential::{BALANCED, axle};
 use super::vertical_load::Target;
 use crate::Load;
 use crate::pose::{Drive, PitchRate, WheelsetPose, WheelsetVelocity};
+use crate::resultant::Acting;
 use crate::solved::{SolvedContact, SolvedWheel, SolvedWheelset};
 use crate::tilt::Placed;
 
@@ -245,26 +246,19 @@ impl SolvedContact {
     }
 
     /// What its longitudinal and lateral force and its moment add to what the pitch rate is found by: the moment about
-    /// the axle, or the force along the track.
+    /// the axle, or the longitudinal force.
     fn levers(&self, drive: Drive, position: Position, radius: f64) -> [f64; 3] {
-        let Position { y, z, roll, yaw } = position;
-        let [x_axis, s_axis, normal] = self.tilt().axes();
-        let along = match drive {
-            Drive::Force(_) => return [x_axis[0], s_axis[0], 0.0],
-            Drive::Torque(_) => [-yaw.sin() * roll.cos(), yaw.cos() * roll.cos(), roll.sin()],
-        };
-        let [x, own_y, own_z] = self.reference;
-        let arm = [x, own_y - y, own_z - (z - radius)];
-        let about = |axis: [f64; 3]| -> f64 {
-            let moment = [
-                arm[1] * axis[2] - arm[2] * axis[1],
-                arm[2] * axis[0] - arm[0] * axis[2],
-                arm[0] * axis[1] - arm[1] * axis[0],
-            ];
-            moment.iter().zip(along).map(|(moment, along)| moment * along).sum()
-        };
-        let turning = normal.iter().zip(along).map(|(normal, along)| normal * along).sum();
-        [about(x_axis), about(s_axis), turning]
+        if let Drive::Force(_) = drive {
+            return [1.0, 0.0, 0.0];
+        }
+        let (axle, centre) = (axle(position), [0.0, position.y, position.z - radius]);
+        let units = [0, 1, 2].map(|part: usize| [0, 1, 2].map(|k| f64::from(u8::from(k == part))));
+        units.map(|[longitudinal, lateral, moment]| {
+            let force = SiForce { longitudinal, lateral, moment };
+            let acting = Acting::new(force, 0.0, [0.0; 2]);
+            let (_, about) = acting.about(self.reference, self.tilt(), centre);
+            about.iter().zip(axle).map(|(part, along)| part * along).sum()
+        })
     }
 
     /// What it carries more or less where the wheelset goes down by `depth` (m).

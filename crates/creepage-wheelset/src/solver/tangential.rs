@@ -328,12 +328,15 @@ impl<'w, 'a> Rolling<'w, 'a> {
         [0.0, y, z - self.wheel.radius]
     }
 
-    /// Direction of the axle, to the right.
     fn axle(&self) -> [f64; 3] {
-        let position = self.wheel.position;
-        let ((sin, cos), (sin_roll, cos_roll)) = (position.yaw.sin_cos(), position.roll.sin_cos());
-        [-sin, cos * cos_roll, cos * sin_roll]
+        axle(self.wheel.position)
     }
+}
+
+/// Direction of the axle in track axes, to the right.
+pub(crate) fn axle(position: Position) -> [f64; 3] {
+    let ((sin, cos), (sin_roll, cos_roll)) = (position.yaw.sin_cos(), position.roll.sin_cos());
+    [-sin, cos * cos_roll, cos * sin_roll]
 }
 
 /// How the wheels turn, and how their contacts roll then.

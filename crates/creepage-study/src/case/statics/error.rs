@@ -1,5 +1,6 @@
 //! What can be wrong with a problem of statics.
 
+use creepage::InvalidValue;
 use creepage::halfspace::ResponseError;
 use creepage::statics::{DieError, PartialSlipError, ShearError};
 
@@ -93,6 +94,14 @@ pub enum StaticsError {
     LoadOfStep {
         /// Its number, from 1.
         number: usize,
+    },
+    /// A number of a step.
+    #[error("[statics] steps: step {number}: {source}")]
+    Step {
+        /// Its number, from 1.
+        number: usize,
+        /// What is wrong.
+        source: InvalidValue,
     },
     /// A step of a path reaches the limit of friction.
     #[error(

@@ -210,6 +210,7 @@ impl StaticsFile {
 
     /// What looks like a number in another unit.
     fn cautions(&self, problem: &StaticsProblem) -> Vec<Caution> {
+        let mut unlike = None;
         let (upper, hertz) = match (problem, &self.upper) {
             (StaticsProblem::Die { solid, die, .. }, _) => {
                 let pressure = die.pressure([0.0; 2]);
@@ -224,12 +225,15 @@ impl StaticsFile {
                 let high = Caution::high_pressure(last.pressure(), pair.shear_modulus());
                 return high.into_iter().chain(thick).collect();
             }
-            (
-                StaticsProblem::PartialSlip { contact, .. }
-                | StaticsProblem::ShiftPath { contact, .. }
-                | StaticsProblem::Compression { contact, .. },
-                Some(upper),
-            ) => (upper, **contact),
+            (StaticsProblem::PartialSlip { contact, friction, .. }, Some(upper)) => {
+                unlike = Caution::like_bodies(contact.pair().kappa() / friction);
+                (upper, **contact)
+            }
+            (StaticsProblem::ShiftPath { contact, friction, steps, .. }, Some(upper)) => {
+                unlike = Caution::like_bodies(contact.pair().kappa() / friction);
+                (upper, heaviest(contact, steps))
+            }
+            (StaticsProblem::Compression { contact, .. }, Some(upper)) => (upper, **contact),
             // Without a load there is no pressure, and the ellipse is given by itself.
             (_, Some(upper)) => match self.contact.hertz(upper, &self.lower) {
                 Ok(hertz) => (upper, hertz),
@@ -237,7 +241,10 @@ impl StaticsFile {
             },
             (_, None) => return Vec::new(),
         };
-        Caution::units(&hertz, smallest_radius([upper, &self.lower]), SiCreepage::default())
+        let radius = smallest_radius([upper, &self.lower]);
+        let mut all = Caution::units(&hertz, radius, SiCreepage::default());
+        all.extend(unlike);
+        all
     }
 
     fn die(&self) -> Result<StaticsProblem, StaticsError> {
@@ -303,7 +310,7 @@ impl StaticsFile {
                 ShiftEnd::Shift(shift) => ("shift", shift, path.sliding_shift_under(normal_force)),
             };
             went.map_err(|error| match error {
-                PartialSlipError::Invalid(invalid) => CaseError::invalid("statics")(invalid).into(),
+                PartialSlipError::Invalid(source) => StaticsError::Step { number, source },
                 _ => StaticsError::PathSlides { number, key, value, limit },
             })?;
             steps.push(path.clone());
@@ -383,4 +390,13 @@ impl StaticsFile {
             .as_ref()
             .ok_or_else(|| CaseError::MissingSection { section: "upper".into(), needs: needs() })
     }
+}
+
+/// The contact under the largest load of a path: Hertz's semi-axes grow with its cube root.
+fn heaviest(contact: &Hertz, steps: &[ShiftPath]) -> Hertz {
+    let load = steps.iter().map(ShiftPath::normal_force).fold(contact.normal_force(), f64::max);
+    let size = (load / contact.normal_force()).cbrt();
+    let ellipse = Ellipse::new(size * contact.ellipse().a(), size * contact.ellipse().b());
+    let larger = ellipse.ok().and_then(|e| Hertz::from_ellipse(contact.pair(), e, load).ok());
+    larger.unwrap_or(*contact)
 }

@@ -21,6 +21,8 @@ pub(super) struct Missed {
 const ROLL: f64 = 5e-4;
 const CREEPAGE: f64 = 4e-3;
 const TURN: f64 = 5e-3;
+/// Most draws of one state.
+const MAX_DRAWS: usize = 16;
 
 impl Builder<'_> {
     /// The errors of each cell of a wheel; every state is added to `all`.
@@ -39,9 +41,13 @@ impl Builder<'_> {
             let mut missed = Vec::new();
             for k in 0..self.plan.states {
                 let mut random = Random::of(side, cell, k);
-                let y = low + (high - low) * random.next();
-                if let Some(errors) = self.state(map, (side, y), &mut random)? {
-                    missed.push(Missed { is_transition, errors });
+                // Roll and yaw may take a state out of a map: another is drawn in its place.
+                for _ in 0..MAX_DRAWS {
+                    let y = low + (high - low) * random.next();
+                    if let Some(errors) = self.state(map, (side, y), &mut random)? {
+                        missed.push(Missed { is_transition, errors });
+                        break;
+                    }
                 }
                 let done = done.fetch_add(1, Ordering::Relaxed) + 1;
                 self.goes_on(MapStage::States(done, total))?;
