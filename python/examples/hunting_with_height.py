@@ -78,7 +78,7 @@ class Hunting:
         """By how much (1/s) a swing of 20 um along the eigenvector that hunts grows in a simulation."""
         values, vectors = np.linalg.eig(self.matrix())
         slow = np.abs(values) < 200.0
-        hunts = int(np.argmax(np.where(slow & (values.imag > 1.0), values.real, -np.inf)))
+        hunts = int(np.argmax(np.where(slow & (np.imag(values) > 1.0), np.real(values), -np.inf)))
         own = np.linalg.inv(vectors)[hunts]
         motion = np.real(vectors[:, hunts] / vectors[0, hunts]) * 2e-5
         times = np.arange(1, round(seconds / step) + 1) * step
