@@ -189,3 +189,17 @@ fn error_bars_of_loads_know_of_friction() {
     }
     assert!(over_pressing > 2.0, "{over_pressing}");
 }
+
+/// An area in turned axes narrows to a waist of no width: the pressure there is zero, and was no number. Found among
+/// 100,000 rows.
+#[test]
+fn a_waist_of_no_width_carries_nothing() {
+    let case = case("theory = \"fastsim\"");
+    let (solver, travel) = (case.solver().unwrap(), case.travel.unwrap());
+    let load = Some(Load::Axle(192_353.756));
+    let stance = WheelsetPose { y: 0.004_860_521_09, yaw: 0.009_604_677_27, load, ..case.stance };
+    let solved = solver.solve(&stance, &travel).unwrap();
+    let carried: f64 = solved.wheels().map(|wheel| wheel.on_rail().force[2]).sum();
+    // The promise of a load that is given.
+    assert!((carried / 192_353.756 - 1.0).abs() < 2e-4, "{carried}");
+}

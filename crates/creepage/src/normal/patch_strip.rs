@@ -119,6 +119,10 @@ impl Band {
         const EDGE: f64 = 1.0 - 1e-6;
         let y = y.clamp(self.y[0], self.y[1]);
         let (centre, half) = self.section(y);
+        // A waist between chords, where the parabolas of the half lengths fall below zero.
+        if half == 0.0 {
+            return 0.0;
+        }
         let spot = ChordPoint::new(((x - centre) / half).clamp(-EDGE, EDGE));
         let density: f64 =
             self.around(y).map(|(weight, k)| weight * spot.of(&self.chords[k].density)).sum();

@@ -4,6 +4,7 @@
 //! ends are stairs, and so slender ones err by per cents. Elastic half-spaces have no direction: such an area
 //! is pressed in axes turned along it, and its bands are taken along rolling again afterwards.
 
+use std::cmp::Ordering;
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 use crate::gap::{Gap, Rectangle};
@@ -89,11 +90,14 @@ impl Turn {
         [self.about[0] + cos * x - sin * y, self.about[1] + sin * x + cos * y]
     }
 
-    /// The band, with as many chords along x as it has along its own.
+    /// The band, with as many chords along x as it has along its own; `None` for one of no width across.
     fn turned(&self, band: &Band) -> Option<Band> {
         /// As strips are laid: the outermost are a third as wide.
         const CLUSTER: f64 = 0.8 * FRAC_PI_2;
         let [from, to] = band.y();
+        if from.partial_cmp(&to) != Some(Ordering::Less) {
+            return None;
+        }
         // The outline, once around: its upper half rises with the angle between the ends.
         let outline = |t: f64| {
             let y = f64::midpoint(from, to) + 0.5 * (to - from) * t.sin();
