@@ -1,4 +1,4 @@
-"""A contact map as an FMU, validated and simulated by FMPy: both versions, both kinds."""
+"""A contact map as an FMU, validated and simulated by FMPy, and by an importer in Rust: both versions, both kinds."""
 
 from __future__ import annotations
 
@@ -75,6 +75,49 @@ def test_forces_are_those_of_the_map(
                 assert row["right_x"] == pytest.approx(found.right.force[0], rel=1e-12, abs=1e-9)
                 assert row["wrench_y"] == pytest.approx(found.wrench[1], rel=1e-12, abs=1e-9)
             assert abs(row["found_z"] - found.z) < 1e-4
+
+
+@pytest.fixture(scope="module")
+def importer() -> Path:
+    """The importer in Rust, built here; without a compiler of C and Clang's library there is none."""
+    clang = pytest.importorskip("clang")
+    headers = subprocess.run(
+        ["cc", "-print-file-name=include"], capture_output=True, text=True, check=False
+    ).stdout.strip()
+    built = ROOT / "target" / "fmu-importer"
+    done = subprocess.run(
+        ["cargo", "build", "--quiet", "--locked"],
+        cwd=Path(__file__).parent / "fmu-importer",
+        env={
+            **os.environ,
+            "CARGO_TARGET_DIR": str(built),
+            "LIBCLANG_PATH": str(Path(clang.__file__).parent / "native"),
+            "BINDGEN_EXTRA_CLANG_ARGS": f"-I{headers}",
+        },
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    if done.returncode != 0:
+        pytest.skip(f"the importer in Rust does not build here: {done.stderr.strip()[-200:]}")
+    return built / "debug" / "fmu-importer"
+
+
+@pytest.mark.parametrize("kind", ["me", "cs"])
+def test_another_importer_finds_the_same_forces(
+    fmus: list[Path], contact_map: creepage.ContactMap, importer: Path, kind: str
+) -> None:
+    found = contact_map.solve(y=3e-4, yaw=-1e-3)
+    for path in fmus:
+        variables = fmpy.read_model_description(str(path)).modelVariables
+        at = {variable.name: variable.valueReference for variable in variables}
+        inputs, outputs = f"{at['y']}=3e-4,{at['yaw']}=-1e-3", f"{at['wrench_y']},{at['right_x']}"
+        done = subprocess.run(
+            [importer, path, kind, inputs, outputs], capture_output=True, text=True, check=True
+        )
+        forces = [float(line) for line in done.stdout.split()]
+        # The same search from the same start: only rounding may differ.
+        assert forces == pytest.approx([found.wrench[1], found.right.force[0]], rel=1e-12, abs=1e-9)
 
 
 def test_outside_the_map_a_step_is_discarded(fmus: list[Path]) -> None:

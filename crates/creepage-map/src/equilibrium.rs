@@ -1,6 +1,8 @@
 //! What a wheelset on a map finds for itself: height, roll and pitch rate by Newton's method, and how these follow what is
 //! given.
 
+use creepage::numerics::largest_magnitude;
+
 use crate::answer::{Pressed, State};
 use crate::error::MapError;
 use crate::map::{ContactMap, Derivatives, SIDES, VARIABLES, numbers};
@@ -85,7 +87,7 @@ impl Unknowns {
                 residuals[filled] = residual;
                 filled += 1;
             });
-            left = residuals[..count].iter().map(|r| r.v.abs()).fold(0.0, f64::max);
+            left = largest_magnitude(&residuals.map(|residual| residual.v)[..count]);
             if left < RESIDUAL_TOLERANCE {
                 return Ok(at);
             }

@@ -4,7 +4,7 @@
 
 use std::path::Path;
 
-use creepage_study::{WheelsetCase, WheelsetFile, WheelsetPose};
+use creepage_study::{Load, WheelsetCase, WheelsetFile, WheelsetPose, theory_spec};
 use divan::Bencher;
 
 fn main() {
@@ -38,6 +38,16 @@ fn cold(bencher: Bencher, (theory, y): (&str, f64)) {
     let case = case(theory);
     let (solver, travel) = (case.solver().unwrap(), case.travel.unwrap());
     bencher.bench_local(|| solver.solve(&WheelsetPose { y, ..case.stance }, &travel).unwrap());
+}
+
+/// From nothing under 10 kN a wheel on the fast grid, as far as the flange.
+#[divan::bench(args = [0.0, 0.002, 0.005, 0.0055, 0.0065], sample_count = 20)]
+fn cold_and_light_on_the_fast_grid(bencher: Bencher, y: f64) {
+    let theory = theory_spec("exact", &["resolution=fast"]).unwrap();
+    let case = WheelsetCase { theory, ..case("exact") };
+    let (solver, travel) = (case.solver().unwrap(), case.travel.unwrap());
+    let pose = WheelsetPose { y, load: Some(Load::Axle(20e3)), ..case.stance };
+    bencher.bench_local(|| solver.solve(&pose, &travel).unwrap());
 }
 
 #[divan::bench(args = cases(), sample_count = 10)]

@@ -13,9 +13,9 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use creepage::Contact;
 use creepage::table::{Axis, Intervals, Provenance, Spec, Table, build};
 use creepage::theory::TheorySpec;
+use creepage::{Contact, Ellipse, Hertz, SiCreepage};
 use creepage_map::{ContactMap, Pressed, Side, State, WheelAnswer};
 use creepage_study::{
     Load, MapBuildError, MapPlan, MapResolution, MapStage, PitchRate, RailFriction, SolvedWheel,
@@ -87,6 +87,33 @@ impl Random {
         bits = (bits ^ (bits >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
         2.0 * (((bits ^ (bits >> 31)) >> 11) as f64) / (1_u64 << 53) as f64 - 1.0
     }
+}
+
+/// Friction of the right wheel over its load, by the full theory on Hertz's ellipse: as large as the areas of each
+/// contact, of the ratio of their extents, about their centre of pressure.
+fn on_ellipses(wheel: &SolvedWheel) -> Option<[f64; 3]> {
+    let (mut sum, mut load) = ([0.0; 3], 0.0);
+    for contact in wheel.contacts() {
+        let [x, s] = contact.extent().map(|[low, high]| high - low);
+        let [area, ratio] = [contact.normal.area().value, x / s];
+        let along = (area * ratio / std::f64::consts::PI).sqrt();
+        let ellipse = Ellipse::new(along, along / ratio).ok()?;
+        let hertz = Hertz::from_ellipse(contact.normal.pair(), ellipse, contact.load()).ok()?;
+        let like = hertz.with_friction(contact.friction).ok()?;
+        let ([x, s], motion) = (contact.centre_of_pressure(), contact.creepage);
+        let creepage = like.scaling().creepage(SiCreepage {
+            longitudinal: motion.longitudinal - motion.spin * s,
+            lateral: motion.lateral + motion.spin * x,
+            spin: motion.spin,
+        });
+        let theory = TheorySpec::named("exact").ok()?.prepare(&like).ok()?;
+        let force = like.scaling().si_force(theory.solve(creepage.ok()?).force);
+        let (sin, cos) = contact.angle.sin_cos();
+        let parts = [force.longitudinal, force.lateral * cos, force.lateral * sin];
+        sum = [0, 1, 2].map(|k: usize| sum[k] + parts[k]);
+        load += contact.load();
+    }
+    Some(sum.map(|part| part / load))
 }
 
 /// The right wheel in a state of given height, roll and pitch rate, by a theory.
@@ -249,17 +276,21 @@ fn wrong_plans_are_refused() {
     }
 }
 
-/// The whole map, and a thousand fresh states beside `fastsim` and `fastrip`: minutes to hours. `CREEPAGE_ELLIPSES`
-/// names a table of `exact` over a/b from .15 to 30, `CREEPAGE_MAP` the file that the map is read from or
-/// written to, `CREEPAGE_STATES` how many states, `CREEPAGE_Y` the largest lateral position (m). The bounds are what is
-/// aimed at; normal forces, and tangential ones where areas join, are not within them yet.
+/// The whole map, and a thousand fresh states beside `fastsim`, `fastrip` and ellipses of equal area: minutes to hours.
+/// `CREEPAGE_WHEELSET` names the wheelset file (else that of this test), `CREEPAGE_ELLIPSES` a table of `exact` over a/b
+/// from .15 to 30, `CREEPAGE_MAP` the file that the map is read from or written to, `CREEPAGE_STATES` how many states,
+/// `CREEPAGE_Y` the largest lateral position (m). The bounds are what is aimed at; tangential forces where areas join are
+/// not within them yet.
 ///
 ///     CREEPAGE_MAP=map.nc CREEPAGE_ELLIPSES=exact.nc cargo test --release -p creepage-study --test contact_map \
 ///         thousand_states -- --ignored --nocapture
 #[test]
 #[ignore = "a whole map takes minutes to hours, and its file is named by the environment"]
 fn a_whole_map_on_a_thousand_states() {
-    let case = case();
+    let file = std::env::var_os("CREEPAGE_WHEELSET").map(PathBuf::from);
+    let text = file.as_ref().map_or(WHEELSET.to_owned(), |f| std::fs::read_to_string(f).unwrap());
+    let folder = file.as_deref().and_then(Path::parent).unwrap_or(Path::new(""));
+    let case = WheelsetFile::read(&text).unwrap().case(folder).unwrap();
     let path = PathBuf::from(std::env::var_os("CREEPAGE_MAP").unwrap());
     let map = if path.exists() {
         ContactMap::from_bytes(std::fs::read(&path).unwrap()).unwrap()
@@ -277,7 +308,7 @@ fn a_whole_map_on_a_thousand_states() {
             true
         };
         let plan = MapPlan::of(&case).unwrap();
-        let map = build_map(&case, &plan, table, WHEELSET.into(), Some(&journal), &progress);
+        let map = build_map(&case, &plan, table, text.clone(), Some(&journal), &progress);
         let map = map.unwrap();
         std::fs::write(&path, map.to_bytes().unwrap()).unwrap();
         map
@@ -293,7 +324,7 @@ fn a_whole_map_on_a_thousand_states() {
     let widest = std::env::var("CREEPAGE_Y").ok().and_then(|y| y.parse().ok()).unwrap_or(6.1e-3);
     let theories = ["exact", "fastsim", "fastrip"];
     let mut random = Random(1000);
-    let mut all: Vec<(bool, [f64; 5])> = Vec::new();
+    let mut all: Vec<(bool, [f64; 6])> = Vec::new();
     while all.len() < count {
         let y = widest * random.next();
         let load = (0.5 * (10e3_f64.ln() + 110e3_f64.ln()) + 1.19 * random.next()).exp();
@@ -319,6 +350,7 @@ fn a_whole_map_on_a_thousand_states() {
             whole,
             of(fastsim),
             of(fastrip),
+            on_ellipses(exact).map_or(f64::NAN, |own| apart(own, right) / state.friction),
         ];
         if errors[0] > 0.05 {
             eprintln!(
@@ -330,11 +362,12 @@ fn a_whole_map_on_a_thousand_states() {
         }
         all.push((is_narrow, errors));
     }
-    let names = ["tangential", "normal", "whole", "fastsim", "fastrip"];
+    let names = ["tangential", "normal", "whole", "fastsim", "fastrip", "ellipses"];
     for narrow in [false, true] {
         for (k, name) in names.iter().enumerate() {
             let own = all.iter().filter(|(is_narrow, _)| *is_narrow == narrow);
-            let mut errors: Vec<f64> = own.map(|(_, errors)| 100.0 * errors[k]).collect();
+            let mut errors: Vec<f64> =
+                own.map(|(_, errors)| 100.0 * errors[k]).filter(|error| !error.is_nan()).collect();
             errors.sort_by(f64::total_cmp);
             let rms = (errors.iter().map(|e| e * e).sum::<f64>() / errors.len() as f64).sqrt();
             let at = |part: f64| errors.get((part * (errors.len() - 1) as f64) as usize).copied();

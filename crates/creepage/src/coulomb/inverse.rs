@@ -4,6 +4,7 @@ use nalgebra::{DMatrix, DVector};
 
 use super::{Exact, ExactSolved};
 use crate::check;
+use crate::numerics::largest_magnitude;
 use crate::theory::{Constraints, InverseError, Solved};
 use crate::{Creepage, Solution};
 
@@ -139,7 +140,7 @@ impl Problem {
     fn is_solved(&self, solved: &impl Solved) -> bool {
         let tangential = self.prescribed.iter().filter(|(k, _)| *k < 2);
         let size = tangential.fold(0.0, |size: f64, (_, value)| size.hypot(*value));
-        size <= 1.0 && self.residual(solved).amax() <= TOLERANCE
+        size <= 1.0 && largest_magnitude(self.residual(solved).as_slice()) <= TOLERANCE
     }
 
     /// Whether what is left is small beside the error bars of the forces themselves.

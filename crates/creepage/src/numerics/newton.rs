@@ -37,11 +37,23 @@ where
     /// The largest component of the residual; NaN where one is.
     #[must_use]
     pub fn largest(&self) -> f64 {
-        let larger = |most: f64, part: &f64| if part.abs() <= most { most } else { part.abs() };
-        self.residual
-            .iter()
-            .fold(0.0, |most, part| if most.is_nan() { most } else { larger(most, part) })
+        largest_magnitude(self.residual.as_slice())
     }
+}
+
+/// The largest magnitude of a residual's components; NaN where one of them is, which `amax` and `f64::max` pass over:
+/// a residual without a number is not met.
+///
+/// ```
+/// use creepage::numerics::largest_magnitude;
+/// assert_eq!(largest_magnitude(&[1.0, -3.0]), 3.0);
+/// assert!(largest_magnitude(&[f64::NAN, 1.0]).is_nan());
+/// ```
+#[must_use]
+pub fn largest_magnitude(values: &[f64]) -> f64 {
+    let larger = |most: f64, part: f64| if part <= most { most } else { part };
+    let magnitudes = values.iter().map(|part| part.abs());
+    magnitudes.fold(0.0, |most, part| if most.is_nan() { most } else { larger(most, part) })
 }
 
 /// Seeks where the residual of `function` vanishes, from `start`; `differences` are the steps of the unknowns by which the

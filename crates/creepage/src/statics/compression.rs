@@ -22,6 +22,7 @@ use std::f64::consts::PI;
 use nalgebra::{DMatrix, DVector};
 
 use crate::check::{self, InvalidValue};
+use crate::numerics::largest_magnitude;
 use crate::solid::SolidPair;
 use crate::special::CompleteIntegrals;
 use crate::theory::{Region, Status};
@@ -164,8 +165,8 @@ impl Compression {
             self.touch();
             let settled = self.solve_tangential(&before);
             let size = self.state.pressures.amax();
-            let change = (&self.state.pressures - last.0).amax()
-                + reach * (&self.state.tractions - last.1).amax();
+            let change = largest_magnitude((&self.state.pressures - last.0).as_slice())
+                + reach * largest_magnitude((&self.state.tractions - last.1).as_slice());
             if change <= TOLERANCE * size {
                 if settled {
                     self.state.status = Status::Solved;

@@ -5,7 +5,7 @@ use nalgebra::{DMatrix, DVector};
 use super::level::TransientLevel;
 use super::motion::{Motion, Prescribed};
 use crate::coulomb::friction_bound::FrictionBound;
-use crate::numerics::broyden_update;
+use crate::numerics::{broyden_update, largest_magnitude};
 
 /// Largest difference from a prescribed force, in parts of `mu N`.
 const TOLERANCE: f64 = 1e-7;
@@ -36,7 +36,7 @@ impl TransientLevel {
         let mut slope = self.known_slope(&unknown);
         for _ in 0..STEPS {
             let residual = self.residual(&unknown, prescribed);
-            if residual.amax() <= TOLERANCE {
+            if largest_magnitude(residual.as_slice()) <= TOLERANCE {
                 if let Some(slope) = &slope {
                     self.keep_slope(&unknown, slope);
                 }
@@ -83,7 +83,7 @@ impl TransientLevel {
             self.known_slope(&[unknown]).map(|slope| slope[(0, 0)]).filter(|slope| *slope > 0.0);
         for _ in 0..STEPS {
             let residual = self.residual(&[unknown], prescribed);
-            if residual.amax() <= TOLERANCE {
+            if largest_magnitude(residual.as_slice()) <= TOLERANCE {
                 return self.outcome.converged;
             }
             let here = self.creep[unknown];

@@ -6,7 +6,7 @@ use nalgebra::DVector;
 
 use super::strip::Strip;
 use super::system::{Depth, Step, System, points};
-use crate::numerics::lu::Lu;
+use crate::numerics::{largest_magnitude, lu::Lu};
 
 /// What is to be solved, in the solver's units.
 #[derive(Clone, Copy)]
@@ -26,7 +26,7 @@ impl StripProblem<'_> {
     /// How far a system is from its answer: the largest residual, and what the load lacks.
     fn size(&self, system: &System, residual: &DVector<f64>) -> f64 {
         let lacking = self.load.map_or(0.0, |load| 1.0 - system.load() / load);
-        residual.amax().max(lacking.abs())
+        largest_magnitude(&[largest_magnitude(residual.as_slice()), lacking])
     }
 }
 
