@@ -124,7 +124,7 @@ impl BallBearing {
         free: [f64; 2],
         acting: &Acting,
     ) -> Result<[f64; 2], BearingError> {
-        const STEPS: usize = 100;
+        const MAX_NEWTON_STEPS: usize = 100;
         let constants = [
             self.pressed(INNER, self.contact_angle, 1.0)?.approach_constant(),
             self.pressed(OUTER, self.contact_angle, 1.0)?.approach_constant(),
@@ -151,7 +151,7 @@ impl BallBearing {
         let pressed = constants[OUTER] * (acting.centrifugal * acting.centrifugal).cbrt();
         let mut centre = whole * ((free[OUTER] + pressed.max(1e-7)) / whole.norm());
         let (mut energy, mut gradient, mut hessian) = at(&centre);
-        for _ in 0..STEPS {
+        for _ in 0..MAX_NEWTON_STEPS {
             // A little stiffness where nothing is pressed.
             let size = hessian.norm().max(1.0);
             let stiff = hessian + SMatrix::identity() * (1e-9 * size);

@@ -159,7 +159,7 @@ impl RaceContact {
     /// Gauss rule for an elliptic pressure.
     fn slide(&self, slip: &RaceSlip) -> RaceFriction {
         const ROWS: usize = 96;
-        const POINTS: usize = 24;
+        const POINTS_PER_ROW: usize = 24;
         let ([a, b], bound) = ([self.hertz.ellipse().a(), self.hertz.ellipse().b()], self.bound());
         let SiCreepage { longitudinal, lateral, spin } = slip.creepage;
         let along = |y: f64| longitudinal + slip.heathcote * y * y - spin * y;
@@ -170,10 +170,10 @@ impl RaceContact {
             let [from, to] = [row, row + 1].map(|k| 2.0 * k as f64 / ROWS as f64 - 1.0);
             let (middle, load) = (0.5 * (from + to), bound * (below(to) - below(from)));
             let (y, slips) = (b * middle, [along(b * from), along(b * to)]);
-            for point in 1..=POINTS {
-                let angle = std::f64::consts::PI * point as f64 / (POINTS + 1) as f64;
+            for point in 1..=POINTS_PER_ROW {
+                let angle = std::f64::consts::PI * point as f64 / (POINTS_PER_ROW + 1) as f64;
                 let x = a * (1.0 - middle * middle).sqrt() * angle.cos();
-                let part = load * 2.0 * angle.sin().powi(2) / (POINTS + 1) as f64;
+                let part = load * 2.0 * angle.sin().powi(2) / (POINTS_PER_ROW + 1) as f64;
                 let across = lateral + spin * x;
                 let ([px, py], size) = mean_direction(slips, across);
                 let p = [part * px, part * py];

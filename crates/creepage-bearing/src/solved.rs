@@ -96,7 +96,7 @@ impl BallBearing {
         let count = if is_radial { self.balls } else { 1 };
         // By sliding friction first, which costs nothing, then by the theory.
         let stages = [(BearingTheory::Sliding, SETTLED[0]), (theory, SETTLED[1])];
-        let mut known = Known::new(count, self.nominal_orbit(operation), self);
+        let mut known = IterationState::new(count, self.nominal_orbit(operation), self);
         let mut balls = Vec::new();
         for (stage, settled) in stages {
             for _ in 0..MAX_ROUNDS {
@@ -195,7 +195,7 @@ impl BallBearing {
     fn summed(
         &self,
         operation: &Operation,
-        known: &Known,
+        known: &IterationState,
         mut balls: Vec<SolvedBall>,
         alike: usize,
     ) -> SolvedBearing {
@@ -271,14 +271,14 @@ impl Operation {
 }
 
 /// What is known of loads and friction from one round to the next.
-struct Known {
+struct IterationState {
     displacement: Option<Displacement>,
     acting: Vec<Acting>,
     standing: Vec<Standing>,
     motions: Vec<Option<BallMotion>>,
 }
 
-impl Known {
+impl IterationState {
     fn new(count: usize, orbit: f64, bearing: &BallBearing) -> Self {
         let centrifugal = bearing.centrifugal(orbit);
         let acting = vec![Acting { centrifugal, across: [0.0; 2] }; count];

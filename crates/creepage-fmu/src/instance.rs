@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use creepage_map::{Answer, ContactMap, MapError, PatchAnswer, Pressed, State, WheelAnswer};
+use creepage_map::{Answer, ContactMap, HeightOrLoad, MapError, PatchAnswer, State, WheelAnswer};
 
 use crate::variables::{INPUTS, OUTPUTS, SWITCHES};
 
@@ -135,8 +135,8 @@ impl Inputs {
     fn start(map: &ContactMap) -> Self {
         let own = map.head().own;
         let (z, load) = match own.pressed {
-            Pressed::Height(z) => (z, 0.0),
-            Pressed::AxleLoad(load) => (0.0, load),
+            HeightOrLoad::Height(z) => (z, 0.0),
+            HeightOrLoad::AxleLoad(load) => (0.0, load),
         };
         let reals = [
             own.y,
@@ -152,7 +152,7 @@ impl Inputs {
             own.yaw_rate,
             own.friction,
         ];
-        let switches = [matches!(own.pressed, Pressed::Height(_)), own.pitch_rate.is_none()];
+        let switches = [matches!(own.pressed, HeightOrLoad::Height(_)), own.pitch_rate.is_none()];
         Self { reals, switches, time: 0.0 }
     }
 
@@ -164,7 +164,7 @@ impl Inputs {
             y,
             yaw,
             roll: by_height.then_some(roll),
-            pressed: if by_height { Pressed::Height(z) } else { Pressed::AxleLoad(load) },
+            pressed: if by_height { HeightOrLoad::Height(z) } else { HeightOrLoad::AxleLoad(load) },
             speed,
             pitch_rate: (!pitch_free).then_some(rate),
             lateral_velocity: lateral,

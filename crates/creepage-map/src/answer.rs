@@ -15,7 +15,7 @@ pub struct State {
     /// Turn about `x` (rad); found where `None`: both rails then carry the same.
     pub roll: Option<f64>,
     /// What holds it down.
-    pub pressed: Pressed,
+    pub pressed: HeightOrLoad,
     /// Speed along the track (m/s).
     pub speed: f64,
     /// Angular velocity about the axle (rad/s); where `None` that at which friction has no moment about it.
@@ -41,7 +41,8 @@ impl State {
         let given = |value: f64| (!value.is_nan()).then_some(value);
         let [y, z, roll, yaw, load, speed, rate, lateral, vertical, roll_rate, yaw_rate, friction] =
             *numbers;
-        let pressed = given(z).map(Pressed::Height).or(given(load).map(Pressed::AxleLoad));
+        let pressed =
+            given(z).map(HeightOrLoad::Height).or(given(load).map(HeightOrLoad::AxleLoad));
         Self {
             y: or(y, self.y),
             yaw: or(yaw, self.yaw),
@@ -60,7 +61,7 @@ impl State {
 
 /// What holds a wheelset down.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Pressed {
+pub enum HeightOrLoad {
     /// Its height (m, down).
     Height(f64),
     /// Vertical force of the wheelset on the track (N).

@@ -111,7 +111,7 @@ pub(crate) struct Prepared {
 
 /// What all patches of a wheel are asked with, on the right-hand image.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Asked<S> {
+pub(crate) struct WheelsetState<S> {
     /// The wheelset's centre: lateral and vertical place (m).
     pub(crate) centre: [S; 2],
     /// Sine and cosine of roll and yaw.
@@ -233,7 +233,7 @@ impl Prepared {
 }
 
 /// A node's contact in a blend of neighbours: its weight, and from where it is asked.
-pub(crate) type Share<'a, S> = (S, &'a Prepared, From<S>);
+pub(crate) type WeightedPatch<'a, S> = (S, &'a Prepared, From<S>);
 
 /// Where contacts of neighbouring nodes lie, blended.
 struct Geometry<S> {
@@ -247,7 +247,7 @@ struct Geometry<S> {
 }
 
 impl<S: Scalar> Geometry<S> {
-    fn of(nodes: &[Share<'_, S>]) -> Self {
+    fn of(nodes: &[WeightedPatch<'_, S>]) -> Self {
         let zero = S::constant(0.0);
         let (mut all, mut approach, mut centroid) = ([zero; 4], zero, [zero; 2]);
         let (mut peak_pressure, mut area) = (0.0, 0.0);
@@ -273,7 +273,11 @@ impl<S: Scalar> Geometry<S> {
 impl<S: Scalar> Acting<S> {
     /// What a contact does in a position and motion, over the wheel's load: it lies where its nodes blended have
     /// it, and the forces of each node there are blended. The weights' sum is one.
-    pub(crate) fn of(nodes: &[Share<'_, S>], table: &Table, asked: &Asked<S>) -> Self {
+    pub(crate) fn of(
+        nodes: &[WeightedPatch<'_, S>],
+        table: &Table,
+        asked: &WheelsetState<S>,
+    ) -> Self {
         let geometry = Geometry::of(nodes);
         let (share, angle, [y, z]) = (geometry.share, geometry.angle, geometry.place);
         let (sin, cos) = angle.sin_cos();

@@ -120,8 +120,8 @@ impl ContactMapData {
     fn own(&self) -> [f64; 4] {
         let own = self.map.head().own;
         let z = match own.pressed {
-            creepage_map::Pressed::Height(z) => z,
-            creepage_map::Pressed::AxleLoad(_) => f64::NAN,
+            creepage_map::HeightOrLoad::Height(z) => z,
+            creepage_map::HeightOrLoad::AxleLoad(_) => f64::NAN,
         };
         [own.y, z, own.roll.unwrap_or(f64::NAN), own.yaw]
     }

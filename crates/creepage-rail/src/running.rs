@@ -1,6 +1,6 @@
 //! A wheelset in its track: rest, rolling radii, contacts.
 
-use crate::meeting::{Meeting, Overlap, Pair};
+use crate::meeting::{Meeting, Overlap, WheelRailPair};
 use crate::varying_contact;
 use crate::wheel::Posed;
 use crate::{Contact, GeometryError, Position, Profile, Side, Track, Wheelset};
@@ -141,7 +141,7 @@ impl WheelsetOnTrack {
     }
 
     /// One side as a right-hand one.
-    pub(crate) fn pair(&self, side: Side, position: Position) -> Pair<'_> {
+    pub(crate) fn pair(&self, side: Side, position: Position) -> WheelRailPair<'_> {
         let (wheel, rail, position) = match side {
             Side::Right => (&self.wheelset.right, &self.track.right, position),
             Side::Left => (&self.wheelset.left, &self.track.left, position.mirrored()),
@@ -150,13 +150,13 @@ impl WheelsetOnTrack {
         // Under a wheel on a roller its top is always the same place.
         let s = if rail.roller().is_some() { 0.0 } else { s };
         let posed = Posed::new(wheel, &self.wheelset, position, pitch);
-        Pair { posed, rail, s, is_guard: false }
+        WheelRailPair { posed, rail, s, is_guard: false }
     }
 
     /// The same with the guard rail, where there is one.
-    fn guard_pair(&self, side: Side, position: Position) -> Option<Pair<'_>> {
+    fn guard_pair(&self, side: Side, position: Position) -> Option<WheelRailPair<'_>> {
         let rail = self.track.rail(side).guard()?;
-        Some(Pair { rail, is_guard: true, ..self.pair(side, position) })
+        Some(WheelRailPair { rail, is_guard: true, ..self.pair(side, position) })
     }
 
     /// Height (m, down) at which a wheel first touches its rail or its guard rail as it comes down at `y` (m),
@@ -306,7 +306,7 @@ impl WheelsetOnTrack {
         position: &Position,
         spacing: f64,
     ) -> Result<[Vec<[f64; 2]>; 2], GeometryError> {
-        let Pair { posed, rail, .. } = self.pair(side, position.check()?);
+        let WheelRailPair { posed, rail, .. } = self.pair(side, position.check()?);
         let track = |y: f64, z: f64| [side.sense() * y, z];
         let wheel = posed.wheel.profile().curve();
         let wheel = wheel.stations(spacing).into_iter().map(|s| {
@@ -348,7 +348,10 @@ impl WheelsetOnTrack {
     }
 }
 
-fn contacts_of_pair(side: Side, pair: Pair<'_>) -> Result<Vec<Contact<'_>>, GeometryError> {
+fn contacts_of_pair(
+    side: Side,
+    pair: WheelRailPair<'_>,
+) -> Result<Vec<Contact<'_>>, GeometryError> {
     if pair.varies() {
         return varying_contact::contacts(side, pair);
     }
@@ -366,7 +369,7 @@ fn distance_to([y, z]: [f64; 2], [[y0, z0], [y1, z1]]: [[f64; 2]; 2]) -> f64 {
 }
 
 /// Neighbours joined.
-fn joined(pair: &Pair<'_>, overlaps: Vec<Overlap>) -> Vec<Overlap> {
+fn joined(pair: &WheelRailPair<'_>, overlaps: Vec<Overlap>) -> Vec<Overlap> {
     let slope = |overlap: &Overlap| {
         let middle = pair.meeting(overlap.from.midpoint(overlap.to))?;
         Some(middle.rail.tangent[1].atan2(middle.rail.tangent[0]))
@@ -387,7 +390,7 @@ fn joined(pair: &Pair<'_>, overlaps: Vec<Overlap>) -> Vec<Overlap> {
     joined
 }
 
-fn touch(side: Side, pair: &Pair, lowest: &Meeting) -> Touch {
+fn touch(side: Side, pair: &WheelRailPair, lowest: &Meeting) -> Touch {
     let Meeting { outline, rail_s, rail } = lowest;
     let sense = side.sense();
     let wheel = pair.posed.wheel.profile().curve().at(outline.s);
@@ -402,7 +405,7 @@ fn touch(side: Side, pair: &Pair, lowest: &Meeting) -> Touch {
 }
 
 /// The same of a pair that varies along rolling.
-fn varying_touch(side: Side, pair: &Pair<'_>, y: f64) -> Result<Touch, GeometryError> {
+fn varying_touch(side: Side, pair: &WheelRailPair<'_>, y: f64) -> Result<Touch, GeometryError> {
     let lows = pair.lows(0.0);
     let lowest = lows.iter().min_by(|a, b| a.gap.total_cmp(&b.gap));
     let Some(low) = lowest else { return Err(GeometryError::Apart { side, y }) };

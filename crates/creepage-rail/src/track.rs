@@ -14,7 +14,7 @@ use crate::{GeometryError, Profile, Role, Roller, Side};
 use from_above::{Station, Stretches};
 
 /// Spacing of the stations between which a rail is looked up (m).
-const STEP: f64 = 2.5e-4;
+const STATION_SPACING: f64 = 2.5e-4;
 /// A head further than this from the profile's origin is already in its place in the track (m).
 const FAR: f64 = 0.2;
 
@@ -135,7 +135,7 @@ impl Rail {
     /// Arc lengths at which it is looked at.
     fn stations(&self) -> Vec<f64> {
         let [from, to] = self.part;
-        let stations = self.profile.curve().stations(STEP);
+        let stations = self.profile.curve().stations(STATION_SPACING);
         stations.into_iter().filter(|s| (from..=to).contains(s)).collect()
     }
 

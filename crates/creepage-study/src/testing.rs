@@ -140,16 +140,16 @@ impl Theory for Tried {
     }
 
     fn solved(&self, creepage: Creepage) -> Box<dyn Solved + '_> {
-        Box::new(Asked { theory: self, creepage })
+        Box::new(TriedSolution { theory: self, creepage })
     }
 }
 
-struct Asked<'t> {
+struct TriedSolution<'t> {
     theory: &'t Tried,
     creepage: Creepage,
 }
 
-impl Solved for Asked<'_> {
+impl Solved for TriedSolution<'_> {
     fn creepage(&self) -> Creepage {
         self.creepage
     }

@@ -1,7 +1,7 @@
 //! Where in a row the question stands, and how it is read.
 
 use creepage::{Contact, Creepage, Ellipse};
-use creepage_study::{CaseError, GapVaried, Question, Varied};
+use creepage_study::{BulkQuery, CaseError, GapVaried, Varied};
 use csv::ByteRecord;
 
 use super::field::{NoCase, parse};
@@ -77,7 +77,7 @@ impl Columns {
     }
 
     /// What a row asks.
-    pub(super) fn question(&self, row: &ByteRecord) -> Result<Question, NoCase> {
+    pub(super) fn question(&self, row: &ByteRecord) -> Result<BulkQuery, NoCase> {
         if row.len() != self.count {
             return Err(NoCase::FieldCount { found: row.len(), expected: self.count });
         }
@@ -93,7 +93,7 @@ impl Columns {
         let kappa_over_mu = dissimilarity.transpose()?.unwrap_or(0.0);
         let like = Contact::new(Ellipse::from_ratio(a_over_b)?, poisson)?;
         let contact = like.with_kappa_over_mu(kappa_over_mu)?;
-        Ok(Question { contact, creepage: Creepage::new(xi, eta, chi)?, touches: true })
+        Ok(BulkQuery { contact, creepage: Creepage::new(xi, eta, chi)?, touches: true })
     }
 }
 

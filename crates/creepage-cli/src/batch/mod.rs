@@ -17,14 +17,16 @@ use std::io::{self, Write};
 use std::sync::Arc;
 
 use creepage::{Contact, Ellipse, TheorySpec};
-use creepage_study::{AnyCaseFile, CaseFile, DamageWanted, Question, Solver, Sources, theory_spec};
+use creepage_study::{
+    AnyCaseFile, BulkQuery, CaseFile, DamageWanted, Solver, Sources, theory_spec,
+};
 use csv::ByteRecord;
 use rayon::prelude::*;
 
 use case_columns::CaseColumns;
 use columns::{ColumnError, Columns};
 use field::NoCase;
-use question::{Ask, Asked};
+use question::{Ask, RowQuery};
 use rows::{Answer, Rows};
 use sink::Sink;
 use stream::Stream;
@@ -171,6 +173,6 @@ fn replies(ask: &Ask, solver: &Solver, rows: &[ByteRecord]) -> Vec<Answer> {
     together.map(|(asked, reply)| asked.and_then(|asked| Ok((asked, reply?)))).collect()
 }
 
-fn question(asked: &Result<Asked, NoCase>) -> Result<Question, NoCase> {
-    asked.as_ref().map(Asked::question).map_err(Clone::clone)
+fn question(asked: &Result<RowQuery, NoCase>) -> Result<BulkQuery, NoCase> {
+    asked.as_ref().map(RowQuery::question).map_err(Clone::clone)
 }

@@ -1,6 +1,6 @@
 //! What a row asks, and why one asks nothing.
 
-use creepage_study::{BulkRow, DamageWanted, Question};
+use creepage_study::{BulkQuery, BulkRow, DamageWanted};
 use csv::ByteRecord;
 
 use super::case_columns::CaseColumns;
@@ -18,17 +18,17 @@ pub(super) enum Ask {
 
 /// What a row asks.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) enum Asked {
-    Dimensionless(Question),
+pub(super) enum RowQuery {
+    Dimensionless(BulkQuery),
     Case(BulkRow),
 }
 
 impl Ask {
     /// What a row asks.
-    pub(super) fn of(&self, row: &ByteRecord) -> Result<Asked, NoCase> {
+    pub(super) fn of(&self, row: &ByteRecord) -> Result<RowQuery, NoCase> {
         match self {
-            Self::Dimensionless(columns) => columns.question(row).map(Asked::Dimensionless),
-            Self::Case(columns) => columns.row(row).map(Asked::Case),
+            Self::Dimensionless(columns) => columns.question(row).map(RowQuery::Dimensionless),
+            Self::Case(columns) => columns.row(row).map(RowQuery::Case),
         }
     }
 
@@ -50,8 +50,8 @@ impl Ask {
     }
 }
 
-impl Asked {
-    pub(super) fn question(&self) -> Question {
+impl RowQuery {
+    pub(super) fn question(&self) -> BulkQuery {
         match self {
             Self::Dimensionless(question) => question.clone(),
             Self::Case(row) => row.question(),

@@ -8,11 +8,11 @@ use creepage_study::{BulkAnswer, Caution, DamageWanted, Reply};
 use csv::{ByteRecord, Writer, WriterBuilder};
 
 use super::field::NoCase;
-use super::question::Asked;
+use super::question::RowQuery;
 use super::tally::Tally;
 
 /// A row's answer: the reply to what it asked.
-pub(super) type Answer = Result<(Asked, Reply), NoCase>;
+pub(super) type Answer = Result<(RowQuery, Reply), NoCase>;
 
 /// What is appended to a row of areas of any shape or of a wheelset.
 pub(super) struct RowAnswer {
@@ -102,11 +102,11 @@ impl<W: Write> Rows<W> {
     }
 
     /// The answer's fields; numbers in the shortest form that reads back as the same number.
-    fn push_reply(&mut self, row: &mut ByteRecord, asked: &Asked, reply: Reply) {
+    fn push_reply(&mut self, row: &mut ByteRecord, asked: &RowQuery, reply: Reply) {
         let mut number = |value: f64| row.push_field(format!("{value:?}").as_bytes());
         let reply = match asked {
-            Asked::Dimensionless(_) => reply,
-            Asked::Case(asked) => {
+            RowQuery::Dimensionless(_) => reply,
+            RowQuery::Case(asked) => {
                 let answer = BulkAnswer::new(asked.clone(), reply);
                 answer.numbers(self.damage.as_ref()).for_each(&mut number);
                 answer.reply

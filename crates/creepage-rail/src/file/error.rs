@@ -233,7 +233,7 @@ pub enum FileError {
 /// What says that a profile is a wheel's or a rail's.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum SaidBy {
-    /// [`Wanted::role`](super::Wanted::role).
+    /// [`ReadOptions::role`](super::ReadOptions::role).
     Asker,
     /// The file's content.
     Content,

@@ -13,7 +13,7 @@ use crate::{CaseError, Caution};
 
 /// What a row asks.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Question {
+pub struct BulkQuery {
     /// The contact.
     pub contact: Contact,
     /// How it creeps.
@@ -86,7 +86,7 @@ impl<'a> Deref for Ready<'a> {
 struct Placed {
     key: Key,
     place: usize,
-    question: Question,
+    question: BulkQuery,
 }
 
 impl Solver {
@@ -123,7 +123,7 @@ impl Solver {
     /// is none is answered by its error.
     pub fn solve<E: From<RowError> + Send>(
         &self,
-        questions: Vec<Result<Question, E>>,
+        questions: Vec<Result<BulkQuery, E>>,
     ) -> Vec<Result<Reply, E>> {
         let mut answers = Vec::with_capacity(questions.len());
         let mut asked = Vec::with_capacity(questions.len());
@@ -151,7 +151,7 @@ impl Solver {
     ///
     /// # Errors
     /// [`RowError`] for a contact out of the theory's range.
-    pub fn solve_one(&self, question: &Question) -> Result<Reply, RowError> {
+    pub fn solve_one(&self, question: &BulkQuery) -> Result<Reply, RowError> {
         let theory = self.ready(self.key(&question.contact), &question.contact)?;
         Ok(self.reply(&*theory, question))
     }
@@ -170,7 +170,7 @@ impl Solver {
         group.par_iter().map(answer).collect()
     }
 
-    fn reply(&self, theory: &(dyn Theory + '_), question: &Question) -> Reply {
+    fn reply(&self, theory: &(dyn Theory + '_), question: &BulkQuery) -> Reply {
         if !question.touches {
             let (mut solution, status) = (Solution::no_contact(), Status::NoContact);
             solution.error = self.error_bars().then(Force::default);
@@ -235,13 +235,13 @@ mod tests {
     use super::*;
     use creepage::Ellipse;
 
-    fn question(a_over_b: f64, xi: f64) -> Question {
+    fn question(a_over_b: f64, xi: f64) -> BulkQuery {
         let contact = Contact::new(Ellipse::from_ratio(a_over_b).unwrap(), 0.28).unwrap();
         let creepage = Creepage::new(xi, 0.0, 0.5).unwrap();
-        Question { contact, creepage, touches: true }
+        BulkQuery { contact, creepage, touches: true }
     }
 
-    fn solve(solver: &Solver, questions: Vec<Question>) -> Vec<Result<Reply, RowError>> {
+    fn solve(solver: &Solver, questions: Vec<BulkQuery>) -> Vec<Result<Reply, RowError>> {
         solver.solve(questions.into_iter().map(Ok).collect())
     }
 
@@ -269,7 +269,7 @@ mod tests {
     #[test]
     fn one_theory_serves_all_dissimilarities_that_it_neglects() {
         let unlike = question(1.0, 0.5).contact.with_kappa_over_mu(0.3).unwrap();
-        let unlike = Question { contact: unlike, ..question(1.0, 0.5) };
+        let unlike = BulkQuery { contact: unlike, ..question(1.0, 0.5) };
         for (name, kinds) in [("polach", 1), ("exact", 2)] {
             let solver = Solver::new(TheorySpec::named(name).unwrap());
             let replies = solve(&solver, vec![question(1.0, 0.5), unlike.clone()]);

@@ -16,7 +16,7 @@ use super::keys;
 use super::layer::LayerSection;
 use super::motion::MotionSection;
 use super::schema::schema_of;
-use super::sections::{Sections, Touching};
+use super::sections::{PressedBodies, Sections};
 use super::solve;
 use super::wanted::WantedSection;
 use crate::damage::{DamageSection, DamageWanted};
@@ -214,7 +214,7 @@ impl CaseFile {
     /// theory does not have.
     pub fn case(&self) -> Result<Case, CaseError> {
         let sections = self.sections();
-        let Touching { hertz, friction, contact, speed } = sections.touching()?;
+        let PressedBodies { hertz, friction, contact, speed } = sections.touching()?;
         let scaling = contact.scaling();
         let given = if self.wants() {
             Given::Constraints(self.wanted.constraints(&self.creepage, hertz.ellipse(), scaling)?)

@@ -15,7 +15,7 @@ use crate::{CaseError, Sources};
 
 /// What presses the bodies together.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Pressed {
+pub enum LoadOrApproach {
     /// A normal force (N).
     Load(f64),
     /// An approach (m).
@@ -38,7 +38,7 @@ pub struct GapCase {
     /// The equivalent solid of both bodies.
     pub pair: SolidPair,
     /// Load or approach.
-    pub pressed: Pressed,
+    pub pressed: LoadOrApproach,
     /// Coefficient of friction `mu`, at rest where it depends on the slip.
     pub friction: f64,
     /// How friction varies, where it is not constant.

@@ -7,7 +7,7 @@ use creepage::{SiCreepage, Theory, TheorySpec};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::case::{GapCase, Pressed};
+use super::case::{GapCase, LoadOrApproach};
 use super::error::GapCaseError;
 use super::solve;
 use crate::solve::SolvedTheory;
@@ -84,10 +84,10 @@ impl GapCase {
         };
         let wrong = |error| self.not_curved(error);
         let (contact, rolling, creepage) = match self.pressed {
-            Pressed::Load(load) => curved
+            LoadOrApproach::Load(load) => curved
                 .rolled(self.pair, load, self.friction, creepage, wanted, (press, roll))
                 .map_err(wrong)?,
-            Pressed::Approach(approach) => {
+            LoadOrApproach::Approach(approach) => {
                 let contact = curved.pressed(self.pair, approach, press).map_err(wrong)?;
                 let rolling =
                     contact.rolling(self.friction, roll).map_err(CaseError::invalid("contact"))?;
@@ -135,8 +135,8 @@ impl GapCase {
         resolution: normal::Resolution,
     ) -> Result<NormalContact, GapCaseError> {
         let contact = match self.pressed {
-            Pressed::Load(load) => curved.under_load(self.pair, load, resolution),
-            Pressed::Approach(approach) => curved.pressed(self.pair, approach, resolution),
+            LoadOrApproach::Load(load) => curved.under_load(self.pair, load, resolution),
+            LoadOrApproach::Approach(approach) => curved.pressed(self.pair, approach, resolution),
         };
         contact.map(|contact| contact.normal().clone()).map_err(|error| self.not_curved(error))
     }

@@ -22,7 +22,7 @@ mod vary;
 mod view;
 
 pub use along::Roller;
-pub use case::{GapCase, Pressed};
+pub use case::{GapCase, LoadOrApproach};
 pub use creepage::SiGiven;
 pub use curved::CurvedJson;
 pub use error::{GapCaseError, GapFileError};

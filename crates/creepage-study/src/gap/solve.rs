@@ -2,7 +2,7 @@
 
 use creepage::normal::{self, NormalContact, NormalError};
 
-use super::case::{GapCase, Pressed};
+use super::case::{GapCase, LoadOrApproach};
 use super::error::GapCaseError;
 
 /// As many rows along a roller, whose ends are short beside it, through every door.
@@ -23,8 +23,10 @@ pub(super) fn pressed_together(
     let fine = case.roller.and_then(|_| normal::Resolution::new(ALONG_A_ROLLER).ok());
     let resolution = fine.unwrap_or(resolution);
     match case.pressed {
-        Pressed::Load(load) => NormalContact::under_load(&case.gap, case.pair, load, resolution),
-        Pressed::Approach(approach) => {
+        LoadOrApproach::Load(load) => {
+            NormalContact::under_load(&case.gap, case.pair, load, resolution)
+        }
+        LoadOrApproach::Approach(approach) => {
             NormalContact::at_approach(&case.gap, case.pair, approach, resolution)
         }
     }
@@ -33,8 +35,8 @@ pub(super) fn pressed_together(
 /// The error of bodies that have no contact.
 pub(super) fn not_pressed(case: &GapCase, source: NormalError) -> GapCaseError {
     let pressed = match case.pressed {
-        Pressed::Load(load) => format!("normal_force = {load}"),
-        Pressed::Approach(approach) => format!("approach = {approach}"),
+        LoadOrApproach::Load(load) => format!("normal_force = {load}"),
+        LoadOrApproach::Approach(approach) => format!("approach = {approach}"),
     };
     GapCaseError::Normal { shape: case.shape.clone(), pressed, source }
 }

@@ -8,7 +8,7 @@ use creepage::normal::{self, NormalContact, NormalError};
 use creepage::theory::{ExactOptions, NamedResolution, ResolutionSpec};
 use creepage::{Contact, InvalidValue, SolidPair, Theory, TheorySpec};
 
-use super::case::{GapCase, Pressed};
+use super::case::{GapCase, LoadOrApproach};
 use super::error::GapCaseError;
 use super::solve;
 use crate::recent::Recent;
@@ -29,7 +29,7 @@ pub fn solve_gap(case: &GapCase) -> Result<SolvedCase, GapCaseError> {
 /// those of [`solve_gap`].
 #[derive(Debug)]
 pub struct GapSolver {
-    contacts: Recent<CacheKey, Known>,
+    contacts: Recent<CacheKey, PreparedAreas>,
 }
 
 /// What a contact follows from.
@@ -37,13 +37,13 @@ pub struct GapSolver {
 struct CacheKey {
     gap: Gap,
     pair: SolidPair,
-    pressed: Pressed,
+    pressed: LoadOrApproach,
     resolution: normal::Resolution,
 }
 
 /// Pressed areas, and the full theory on them.
 #[derive(Debug)]
-struct Known {
+struct PreparedAreas {
     areas: Result<Arc<NormalContact>, NormalError>,
     theories: Recent<Resolution, Result<NonHertzian, InvalidValue>>,
 }
@@ -104,12 +104,12 @@ impl GapSolver {
     }
 
     /// The bodies of a case pressed together.
-    fn pressed(&self, case: &GapCase, resolution: normal::Resolution) -> Arc<Known> {
+    fn pressed(&self, case: &GapCase, resolution: normal::Resolution) -> Arc<PreparedAreas> {
         let (gap, pressed) = (case.gap.clone(), case.pressed);
         let asked = CacheKey { gap, pair: case.pair, pressed, resolution };
         self.contacts.of(&asked, || {
             let areas = solve::pressed_together(case, resolution).map(Arc::new);
-            Known { areas, theories: Recent::new(contacts_kept) }
+            PreparedAreas { areas, theories: Recent::new(contacts_kept) }
         })
     }
 }
@@ -126,7 +126,7 @@ pub(super) fn fineness(theory: &TheorySpec) -> normal::Resolution {
     }
 }
 
-impl Known {
+impl PreparedAreas {
     /// The areas, if there are any.
     fn areas(&self, case: &GapCase) -> Result<&Arc<NormalContact>, GapCaseError> {
         self.areas.as_ref().map_err(|error| solve::not_pressed(case, error.clone()))

@@ -226,7 +226,7 @@ impl Fit {
 
     /// The theory between the points, where they lie on one curve.
     fn along(&self, model: &Model) -> Result<Option<FittedCurve>, FitError> {
-        const POINTS: u32 = 120;
+        const CURVE_POINTS: u32 = 120;
         let component = |si: SiCreepage, k: usize| [si.longitudinal, si.lateral, si.spin][k];
         let Some(first) = self.points.first() else { return Ok(None) };
         let differs = |k: &usize| {
@@ -247,8 +247,9 @@ impl Fit {
             *[&mut si.longitudinal, &mut si.lateral, &mut si.spin][*k] = value;
             (si, first.normal_force)
         };
-        let xs: Vec<_> =
-            (0..=POINTS).map(|i| low + (high - low) * f64::from(i) / f64::from(POINTS)).collect();
+        let xs: Vec<_> = (0..=CURVE_POINTS)
+            .map(|i| low + (high - low) * f64::from(i) / f64::from(CURVE_POINTS))
+            .collect();
         let asked: Vec<_> = xs.iter().map(|x| at(*x)).collect();
         let slope = self.slope.map_or(1.0, |slope| slope.value);
         let found = model.at(self.friction.value, slope, &asked)?;

@@ -9,7 +9,7 @@ use rayon::prelude::*;
 
 use super::fitted::FitError;
 use super::points::MeasuredPoints;
-use crate::{AnyCase, AnyCaseFile, BulkCase, CaseError, Question, Solver, Varied};
+use crate::{AnyCase, AnyCaseFile, BulkCase, BulkQuery, CaseError, Solver, Varied};
 
 /// A force by the theory.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -114,7 +114,7 @@ impl Model {
                     let row = bulk.row(&[si.longitudinal, si.lateral, si.spin, *load, mu])?;
                     let question = row.question();
                     let creepage = scaled(question.creepage, slope)?;
-                    Ok(Question { creepage, ..question })
+                    Ok(BulkQuery { creepage, ..question })
                 };
                 let questions: Vec<_> = asked.iter().map(question).collect();
                 let contacts: Vec<_> = questions

@@ -63,7 +63,7 @@ impl<'a> SweepRun<'a> {
         for index in first..first + self.sweep.chain_length() {
             let known = if self.resumed() { self.journal.read(index)? } else { None };
             match known {
-                Some(record) => self.go_on(&mut chain, index, &record),
+                Some(record) => self.skip_solved(&mut chain, index, &record),
                 None => self.journal.write(index, &self.next(&mut chain, index))?,
             }
             progress();
@@ -72,7 +72,7 @@ impl<'a> SweepRun<'a> {
     }
 
     /// Takes the chain past a case that was solved before.
-    fn go_on(&self, chain: &mut Chain<'a>, index: usize, record: &Record) {
+    fn skip_solved(&self, chain: &mut Chain<'a>, index: usize, record: &Record) {
         if record.status() != Status::NotConverged {
             let creepage = self.sweep.case(index).creepage;
             *chain = Chain::from(self.theory, self.sweep.procedure, creepage, record.tau.clone());
@@ -100,7 +100,7 @@ impl<'a> SweepRun<'a> {
     ///
     /// # Errors
     /// Those of `show`, and of the system.
-    pub fn again<E: From<io::Error>>(
+    pub fn replay<E: From<io::Error>>(
         &self,
         mut show: impl FnMut(SweepCase, &[NewtonStep], &VariationalSolution) -> Result<(), E>,
     ) -> Result<(), E> {
@@ -114,7 +114,7 @@ impl<'a> SweepRun<'a> {
             steps.clear();
             let found = chain.clone().solve(case.creepage, Some(&mut steps)).found;
             show(case, &steps, &found)?;
-            self.go_on(&mut chain, index, &record?);
+            self.skip_solved(&mut chain, index, &record?);
         }
         Ok(())
     }

@@ -6,7 +6,7 @@ use creepage_rail::Profile;
 use crate::error::ReportError;
 
 /// Spacing of the points drawn (m).
-const STEP: f64 = 2e-4;
+const POINT_SPACING: f64 = 2e-4;
 /// White around the profile (mm).
 const AIR: f64 = 4.0;
 
@@ -22,7 +22,7 @@ pub fn profile_pictures(title: &str, profile: &Profile) -> Result<[Vec<u8>; 2], 
 
 fn svg(title: &str, profile: &Profile) -> String {
     let curve = profile.curve();
-    let points = curve.stations(STEP).into_iter().map(|s| curve.at(s));
+    let points = curve.stations(POINT_SPACING).into_iter().map(|s| curve.at(s));
     let points: Vec<[f64; 2]> = points.map(|point| [1e3 * point.y, 1e3 * point.z]).collect();
     let [y, z] = [0, 1].map(|axis| range(&points, axis));
     let label = |symbol: &str, words: &str| Label::default().symbol(symbol).plain(words);

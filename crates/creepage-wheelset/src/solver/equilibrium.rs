@@ -163,7 +163,7 @@ impl<'w, 'a> EquilibriumSearch<'w, 'a> {
             return self.reject(&lines).map(|()| None);
         }
         if self.defers_friction(&wheels, by_known) {
-            self.learn(&mut lines);
+            self.update_slopes(&mut lines);
             self.start.pressures = PatchWarmStart::of(&wheels);
             self.accept(lines, by_known, false)?;
             return Ok(None);
@@ -191,9 +191,9 @@ impl<'w, 'a> EquilibriumSearch<'w, 'a> {
         }
         // Slopes are learnt from positions whose friction was found alike.
         if was_rolled {
-            self.learn(&mut rolled);
+            self.update_slopes(&mut rolled);
         } else {
-            self.learn(&mut lines);
+            self.update_slopes(&mut lines);
             for ((_, line), (_, known)) in rolled.iter_mut().zip(&lines) {
                 line.by = known.by;
             }
@@ -320,13 +320,13 @@ impl<'w, 'a> EquilibriumSearch<'w, 'a> {
     }
 
     /// Slopes of lines at the trial, from the step that led there.
-    fn learn(&self, lines: &mut [(Side, LoadLine)]) {
+    fn update_slopes(&self, lines: &mut [(Side, LoadLine)]) {
         if self.iterate.is_none() && !self.is_near {
             return;
         }
         for ((_, line), place) in lines.iter_mut().zip(&self.trial) {
             if let Some(expected) = place.expected.filter(|_| line.root > 0.0) {
-                line.learn(&expected, place.moved);
+                line.update_slopes(&expected, place.moved);
             }
         }
     }
@@ -370,7 +370,7 @@ impl<'w, 'a> EquilibriumSearch<'w, 'a> {
             {
                 let mut found = *found;
                 if let Some(expected) = place.expected.filter(|_| found.root > 0.0) {
-                    found.learn(&expected, place.moved);
+                    found.update_slopes(&expected, place.moved);
                     own.by = found.by;
                 }
             }

@@ -21,7 +21,7 @@ const MARGIN: f64 = 0.05;
 
 /// A place of contact with its pressure.
 #[derive(Debug, Clone)]
-pub(crate) struct Pressed<'a> {
+pub(crate) struct PressedContact<'a> {
     pub(crate) contact: Contact<'a>,
     pub(crate) normal: NormalContact,
 }
@@ -33,7 +33,7 @@ pub(crate) struct PressedWheel<'a> {
     pub(crate) position: Position,
     /// Height of the axle over the track at `z = 0` (m).
     pub(crate) radius: f64,
-    pub(crate) contacts: Vec<Pressed<'a>>,
+    pub(crate) contacts: Vec<PressedContact<'a>>,
 }
 
 /// The pressure of a contact in a position close by, from which others are found quickly.
@@ -189,9 +189,9 @@ impl<'a> CrossPatch<'a> {
         self.normal.as_ref().map_or(0.0, |normal| normal.load().value)
     }
 
-    fn pressed(self) -> Option<Pressed<'a>> {
+    fn pressed(self) -> Option<PressedContact<'a>> {
         let Self { contact, normal, .. } = self;
-        normal.map(|normal| Pressed { contact, normal })
+        normal.map(|normal| PressedContact { contact, normal })
     }
 }
 
@@ -224,7 +224,7 @@ fn gap(
     }
 }
 
-impl Pressed<'_> {
+impl PressedContact<'_> {
     pub(crate) fn load(&self) -> f64 {
         self.normal.load().value
     }
@@ -270,7 +270,7 @@ impl PressedWheel<'_> {
 
     /// Change of the vertical force when every contact comes nearer by `approach`.
     fn change(&self, shares: &LateralForceRatios, approach: impl Fn(&Contact<'_>) -> f64) -> f64 {
-        let of = |one: &Pressed<'_>| {
+        let of = |one: &PressedContact<'_>| {
             one.normal.stiffness()
                 * approach(&one.contact)
                 * one.vertical_ratio(shares.of(&one.contact))

@@ -13,7 +13,7 @@ use rayon::prelude::*;
 
 use super::WheelsetSolver;
 use super::cross_patch::in_track;
-use super::normal_contact::{Pressed, PressedWheel};
+use super::normal_contact::{PressedContact, PressedWheel};
 use crate::correction::Correction;
 use crate::curving::{Curving, RigidMotion};
 use crate::pose::{Drive, PitchRate, RigidSlip};
@@ -55,7 +55,7 @@ pub(crate) enum Answer<'r> {
 
 impl Prepared {
     fn new(
-        pressed: &Pressed<'_>,
+        pressed: &PressedContact<'_>,
         (friction, law): (f64, Option<RollingFriction>),
         method: Method,
     ) -> Result<Self, WheelsetError> {
@@ -102,7 +102,7 @@ impl Prepared {
         };
         Answer::Exact(match (before, near) {
             (Some(Answer::Exact(mut solved)), _) => {
-                solved.go_on(creepage, more);
+                solved.resolve_at(creepage, more);
                 solved
             }
             (_, Some(near)) => Box::new(theory.solve_near(creepage, more, near)),
@@ -181,7 +181,7 @@ impl Answer<'_> {
 #[derive(Debug)]
 pub(crate) struct Rolling<'w, 'a> {
     pub(crate) wheel: &'w PressedWheel<'a>,
-    pub(crate) pressed: &'w Pressed<'a>,
+    pub(crate) pressed: &'w PressedContact<'a>,
     theory: Prepared,
     pub(crate) slip: RigidSlip,
     /// The largest coefficient of friction.
@@ -386,7 +386,7 @@ struct PitchSearch<'t> {
 }
 
 impl PitchSearch<'_> {
-    const STEPS: usize = 60;
+    const MAX_STEPS: usize = 60;
     /// Of the rate of a wheel that rolls on its nominal circle: the narrowest bracket.
     const NARROW: f64 = 1e-13;
     /// The same: between these every wheel slides.
@@ -450,7 +450,7 @@ impl PitchSearch<'_> {
         let bracket = Self::BRACKET.map(|times| times * nominal);
         let mut search = Root::new(self.guess.rate.unwrap_or(nominal), bracket);
         let mut before = Vec::new();
-        for _ in 0..Self::STEPS {
+        for _ in 0..Self::MAX_STEPS {
             let (motion, rolled, pitch) = self.at(rollings, search.at, before)?;
             let excess = self.excess(rollings, &rolled);
             let is_found = excess.abs() < self.enough * most;

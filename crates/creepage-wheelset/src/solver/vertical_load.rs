@@ -37,7 +37,7 @@ impl LoadLine {
     /// 1965): friction and the direction of the contact change along with the load, and areas join, which no stiffness
     /// knows. Unchanged where the
     /// step tells less than the scatter of forces does, or the slope would change by more than ten times.
-    pub(crate) fn learn(&mut self, expected: &Self, [down, turn]: [f64; 2]) {
+    pub(crate) fn update_slopes(&mut self, expected: &Self, [down, turn]: [f64; 2]) {
         /// Parts of the force by which it scatters, as friction and the tips of areas do.
         const SCATTER: f64 = 2e-4;
         const SOUND: [f64; 2] = [0.1, 10.0];
@@ -296,7 +296,7 @@ mod tests {
         let moved = [1e-6, -2e-6];
         let expected = before.after(moved);
         let mut found = LoadLine { root: expected.root + 3.0, by: [2.1e7, 1.6e7] };
-        found.learn(&expected, moved);
+        found.update_slopes(&expected, moved);
         let secant = found.by[0] * moved[0] + found.by[1] * moved[1];
         assert!((secant - (found.root - before.root)).abs() < 1e-9);
     }

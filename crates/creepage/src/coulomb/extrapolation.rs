@@ -41,7 +41,7 @@ const SLOWER: [[f64; 3]; 2] = [[0.1, 0.0, 0.0], [-0.25; 3]];
 const DISSIMILAR: f64 = 0.3;
 /// Least part of a component's difference between the grids, and of the largest such difference:
 /// where errors do not fall as fast as they should.
-const LEAST: [f64; 2] = [0.2, 0.05];
+const MIN_ERROR_FRACTION: [f64; 2] = [0.2, 0.05];
 /// How much more of the first that is as creepage vanishes: the traction of adhesion is infinite along
 /// the trailing edge, and errors fall more slowly than with the square of the elements' size.
 const ADHERING: f64 = 0.6;
@@ -109,13 +109,13 @@ impl Extrapolation {
         let (size, most) = (largest(fine), largest(apart));
         let elements = elements as f64;
         let narrow = size * (1.0 - size).max(0.0) * (400.0 / elements).powf(1.5) / 400.0;
-        let least = LEAST[0] + ADHERING * (1.0 - size).max(0.0).powi(4);
+        let least = MIN_ERROR_FRACTION[0] + ADHERING * (1.0 - size).max(0.0).powi(4);
         combine(apart, apart, |k, own, _| {
             let scale = (size * (own + CHANCE * most).sqrt()).sqrt() / elements;
             let [alike, unlike] =
                 [0, 1].map(|i| self.bars[k][i] * (elements / 400.0).powf(SLOWER[i][k]));
             let from_scale = ((alike + unlike) * scale).max(NARROW[k] * narrow);
-            self.longer[k] * from_scale.max(least * own).max(LEAST[1] * most)
+            self.longer[k] * from_scale.max(least * own).max(MIN_ERROR_FRACTION[1] * most)
         })
     }
 

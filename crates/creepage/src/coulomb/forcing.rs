@@ -30,7 +30,7 @@ pub(crate) struct SlipForcing {
     pub spin: f64,
     /// How adhesion of each element gives way, and the derivative of that by the spin; none where it does
     /// not: [`super::turning`].
-    pub give: Vec<[f64; 2]>,
+    pub compliance: Vec<[f64; 2]>,
 }
 
 impl SlipForcing {
@@ -60,13 +60,13 @@ impl SlipForcing {
     /// No slip.
     pub(crate) fn clear(&mut self) {
         self.slip.fill([0.0; 2]);
-        self.give.clear();
+        self.compliance.clear();
         self.spin = 0.0;
     }
 
     /// How adhesion of an element gives way, and the derivative of that by the spin.
     pub(crate) fn spin_compliance(&self, element: usize) -> [f64; 2] {
-        self.give.get(element).copied().unwrap_or_default()
+        self.compliance.get(element).copied().unwrap_or_default()
     }
 
     /// The largest slip.

@@ -43,7 +43,7 @@ impl Pressure {
             centroids: Vec::with_capacity(n),
             subcells: Vec::with_capacity(n),
         };
-        let mut along = Along::default();
+        let mut along = StripLoad::default();
         for strip in &mesh.strips {
             along.update(strip);
             let y = strip.across.map(|y| (y / ellipse.b()).clamp(-1.0, 1.0));
@@ -104,13 +104,13 @@ fn product(ellipse: Ellipse, across: Part, along: Part) -> Moments {
 
 /// The load along a strip; the next one is cut alike as a rule.
 #[derive(Default)]
-struct Along {
+struct StripLoad {
     cuts: Vec<f64>,
     elements: Vec<Part>,
     subcells: Vec<Part>,
 }
 
-impl Along {
+impl StripLoad {
     fn update(&mut self, strip: &Strip) {
         if self.cuts != strip.along.cuts {
             self.cuts.clone_from(&strip.along.cuts);

@@ -30,8 +30,8 @@ pub(super) fn corner(spin: f64) -> [f64; 2] {
 /// Sets how adhesion gives way, in parts of each element's weight of slip.
 pub(super) fn set_give(half_widths: &[f64], weights: &[f64], forcing: &mut SlipForcing) {
     let spin = forcing.spin;
-    forcing.give.clear();
-    forcing.give.extend(half_widths.iter().zip(weights).map(|(half_width, weight)| {
+    forcing.compliance.clear();
+    forcing.compliance.extend(half_widths.iter().zip(weights).map(|(half_width, weight)| {
         let turned = (spin * half_width).abs();
         let resolved = 1.0 / (1.0 + turned * turned);
         let slip = turned * turned * resolved;

@@ -12,12 +12,12 @@ pub struct RollingFriction {
     law: FrictionLaw,
     memory: Option<FrictionMemory>,
     speed: f64,
-    by: By,
+    by: Dependence,
 }
 
 /// What else friction depends on.
 #[derive(Debug, Clone, Copy, PartialEq)]
-enum By {
+enum Dependence {
     Nothing,
     Place(FrictionAcross),
     Temperature(Thermal),
@@ -34,7 +34,7 @@ impl RollingFriction {
         speed: f64,
     ) -> Result<Self, InvalidValue> {
         check::positive("speed", speed)?;
-        Ok(Self { law, memory, speed, by: By::Nothing })
+        Ok(Self { law, memory, speed, by: Dependence::Nothing })
     }
 
     /// Friction that differs across the contact, at any speed.
@@ -43,7 +43,7 @@ impl RollingFriction {
     /// None that [`FrictionAcross::new`] lets pass.
     pub fn across(across: FrictionAcross) -> Result<Self, InvalidValue> {
         let law = FrictionLaw::constant(across.largest())?;
-        Ok(Self { by: By::Place(across), ..Self::new(law, None, 1.0)? })
+        Ok(Self { by: Dependence::Place(across), ..Self::new(law, None, 1.0)? })
     }
 
     /// Friction that depends on the temperature of bodies that rub: `pair` with the speeds of their
@@ -59,7 +59,7 @@ impl RollingFriction {
     ) -> Result<Self, InvalidValue> {
         let law = FrictionLaw::constant(friction.largest())?;
         let (touching, weight) = (pair.touching(), pair.weight());
-        let by = By::Temperature(Thermal { law: friction, touching, weight });
+        let by = Dependence::Temperature(Thermal { law: friction, touching, weight });
         Ok(Self { by, ..Self::new(law, None, speed)? })
     }
 
@@ -72,7 +72,7 @@ impl RollingFriction {
     /// The same with the bodies that are heated.
     pub(crate) fn thermal(&self) -> Option<&Thermal> {
         match &self.by {
-            By::Temperature(thermal) => Some(thermal),
+            Dependence::Temperature(thermal) => Some(thermal),
             _ => None,
         }
     }
@@ -81,7 +81,7 @@ impl RollingFriction {
     #[must_use]
     pub fn by_place(&self) -> Option<FrictionAcross> {
         match self.by {
-            By::Place(across) => Some(across),
+            Dependence::Place(across) => Some(across),
             _ => None,
         }
     }
@@ -124,7 +124,9 @@ impl RollingFriction {
     /// The same seen from an origin at `y` (m).
     pub(crate) fn seen_from(self, y: f64) -> Self {
         match self.by {
-            By::Place(across) => Self { by: By::Place(across.seen_from(y)), ..self },
+            Dependence::Place(across) => {
+                Self { by: Dependence::Place(across.seen_from(y)), ..self }
+            }
             _ => self,
         }
     }

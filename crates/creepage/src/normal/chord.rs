@@ -45,7 +45,7 @@ impl Chord {
 
 /// A band along one y: where it lies, and the pressure on it.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Line {
+pub(crate) struct ChordProfile {
     /// Middle between the ends (m).
     pub(crate) centre: f64,
     /// Half of its length (m).
@@ -53,7 +53,7 @@ pub(crate) struct Line {
     pub(super) density: Density,
 }
 
-impl Line {
+impl ChordProfile {
     /// Pressure at `s` (Pa).
     pub(crate) fn pressure(&self, s: f64) -> f64 {
         self.pressure_at(&ChordPoint::new(s))

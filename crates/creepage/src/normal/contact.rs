@@ -145,8 +145,8 @@ pub(super) struct ElementRule {
 /// Whether error bars found at a load and an area hold for others.
 fn reaches(origin: [f64; 2], load: f64, area: f64) -> bool {
     /// Of load or area: error bars, in parts of what they belong to, change by some hundredths then.
-    const NEAR: f64 = 0.03;
-    (load / origin[0] - 1.0).abs() < NEAR && (area / origin[1] - 1.0).abs() < NEAR
+    const MAX_CHANGE: f64 = 0.03;
+    (load / origin[0] - 1.0).abs() < MAX_CHANGE && (area / origin[1] - 1.0).abs() < MAX_CHANGE
 }
 
 /// What a contact close by tells of another: its areas, the matrix of its strips, and how many it took.

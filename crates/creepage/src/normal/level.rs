@@ -73,7 +73,7 @@ impl ElementGrid {
     }
 
     /// Solves on the lattice of a contact close by, from pressures there.
-    pub(super) fn follow(
+    pub(super) fn warm_started(
         task: NormalProblem<'_>,
         lattice: Lattice,
         pressure: impl Fn(f64, f64) -> f64,
@@ -126,7 +126,7 @@ impl ElementGrid {
             cells.iter().zip(&pressed.pressures).zip(&pressed.distance)
         {
             level.pressures[cell] = pressure * unit;
-            level.near[cell] = distance < NEAR;
+            level.near[cell] = distance < NEAR_CONTACT;
         }
         level
     }
@@ -214,7 +214,7 @@ impl ElementGrid {
 }
 
 /// Deformed distance, in parts of the greatest depth, below which a cell is looked at again.
-const NEAR: f64 = 0.03;
+const NEAR_CONTACT: f64 = 0.03;
 
 /// Sum of the pressures that displace all pressed cells by one: conjugate gradients.
 fn flat_response(product: &mut Product, pressed: &[f64], tolerance: f64) -> f64 {

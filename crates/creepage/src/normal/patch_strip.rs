@@ -16,7 +16,7 @@ use std::f64::consts::FRAC_PI_2;
 use crate::gap::Cubic;
 use crate::numerics::gauss::GAUSS_4;
 
-use super::chord::{Chord, ChordPoint, Line, PLACES, arc_nodes};
+use super::chord::{Chord, ChordPoint, ChordProfile, PLACES, arc_nodes};
 
 /// Force on a part of the area and its moments about the axes through the origin.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -154,7 +154,7 @@ impl Band {
 
     /// The band along one y: `rho` goes as a cubic through the four chords around it, and beyond
     /// the outermost it stays.
-    pub(crate) fn line(&self, y: f64) -> Line {
+    pub(crate) fn line(&self, y: f64) -> ChordProfile {
         let (centre, half) = self.section(y);
         let mut density = [0.0; PLACES];
         for (weight, chord) in self.around(y) {
@@ -162,7 +162,7 @@ impl Band {
                 *sum += weight * rho;
             }
         }
-        Line { centre, half, density }
+        ChordProfile { centre, half, density }
     }
 
     /// The weights of the four chords around a y, and which they are.

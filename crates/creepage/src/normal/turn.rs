@@ -25,7 +25,7 @@ pub(super) struct Turn {
 
 impl Turn {
     /// [`Band::stairs`] from which axes are turned.
-    pub(super) const LEAST: f64 = 5e-3;
+    pub(super) const MIN_STAIRS: f64 = 5e-3;
     /// The same of the undeformed bodies' overlap, in its many rows: lower, for turning is a jump in the load.
     const LEAST_OF_OVERLAP: f64 = 5e-4;
 
@@ -43,7 +43,7 @@ impl Turn {
         let overlap = if overlap { section_overlap::overlap(task) } else { None };
         let (band, least) = match (&overlap, &bands[..]) {
             (Some(overlap), _) => (overlap, Self::LEAST_OF_OVERLAP),
-            (None, [band]) => (*band, Self::LEAST),
+            (None, [band]) => (*band, Self::MIN_STAIRS),
             _ => return None,
         };
         if band.stairs() < least {

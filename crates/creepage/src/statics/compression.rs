@@ -179,11 +179,12 @@ impl Compression {
 
     /// Pressures under the present tractions: none pulls, and no ring penetrates.
     fn touch(&mut self) {
-        const STEPS: usize = 100;
+        /// Updates of the set of rings that touch.
+        const MAX_ACTIVE_SET_STEPS: usize = 100;
         let [by_pressure, by_traction] = &self.response[0];
         let needed = self.depths() - by_traction * &self.state.tractions;
         let mut pressed: Vec<bool> = needed.iter().map(|depth| *depth > 0.0).collect();
-        for _ in 0..STEPS {
+        for _ in 0..MAX_ACTIVE_SET_STEPS {
             let rings = positions(&pressed);
             self.state.pressures = on(by_pressure, &rings, &needed);
             let distance = by_pressure * &self.state.pressures - &needed;
@@ -206,7 +207,8 @@ impl Compression {
 
     /// Tractions under the present pressures; whether the areas of adhesion and slip settled.
     fn solve_tangential(&mut self, before: &DVector<f64>) -> bool {
-        const STEPS: usize = 100;
+        /// Updates of the areas of adhesion and slip.
+        const MAX_ACTIVE_SET_STEPS: usize = 100;
         let [by_pressure, by_traction] = &self.response[1];
         let wanted = before - by_pressure * &self.state.pressures;
         let n = self.state.regions.len();
@@ -214,7 +216,7 @@ impl Compression {
             .map(|i| self.friction * self.state.pressures[i] / middle(&self.radii, i))
             .collect();
         let state = &mut self.state;
-        for _ in 0..STEPS {
+        for _ in 0..MAX_ACTIVE_SET_STEPS {
             let sticks: Vec<bool> = state.regions.iter().map(|r| *r == Region::Adhesion).collect();
             let sliding = DVector::from_fn(n, |i, _| {
                 let slides = state.regions[i] == Region::Slip;

@@ -2,7 +2,7 @@
 //! upstream.
 
 use super::elements::Elements;
-use super::history::{Ages, Level, Past, Weights};
+use super::history::{Ages, Past, TimeLevel, Weights};
 use crate::coulomb::friction_bound::Arriving;
 
 impl Elements {
@@ -21,7 +21,7 @@ impl Elements {
     }
 
     /// The same while the bodies are shifted: particles stay where they are.
-    pub(crate) fn staying(&self, level: &Level) -> Vec<Arriving> {
+    pub(crate) fn staying(&self, level: &TimeLevel) -> Vec<Arriving> {
         let of = |element: usize| {
             let plastic = level.friction[2].get(element).copied().unwrap_or(0.0);
             Arriving { present: 0.0, friction: 1.0, slip: 0.0, plastic, step: 0.0 }

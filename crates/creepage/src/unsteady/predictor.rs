@@ -133,7 +133,7 @@ impl Predictor {
     }
 
     /// Learns how a step of `length` has changed the tractions, where one was predicted.
-    pub(crate) fn learn(&mut self, length: f64, traction: &Tractions) {
+    pub(crate) fn record_step(&mut self, length: f64, traction: &Tractions) {
         let mut change = std::mem::take(&mut self.begin);
         let now = traction.own.iter().flatten();
         change.iter_mut().zip(now).for_each(|(change, now)| *change = now - *change);

@@ -25,8 +25,8 @@
 //! `xi = 0.6`, `eta = -0.4`, `chi = 0.8` it ends 0.09 and 0.02 off.
 
 use super::history::Creep;
-use super::meet::{Accuracy, meet};
 use super::motion::Motion;
+use super::prescribed_forces::{Accuracy, solve_prescribed};
 use super::rolling::{Rolled, no_layer};
 use crate::check::{self, InvalidValue};
 use crate::theory::{Solution, Statistics, Status};
@@ -249,7 +249,8 @@ impl RollingVariational {
             (found, force)
         };
         let accuracy = Accuracy { tolerance: 1e-7, difference: 1e-5 };
-        let (creep, found, met) = meet(motion.components(), self.state.creep, accuracy, solve);
+        let (creep, found, met) =
+            solve_prescribed(motion.components(), self.state.creep, accuracy, solve);
         self.remember(stage, motion, creep, &found);
         let [xi, eta, chi] = creep;
         let (rubbing, solution) = (Rubbing::of(&found), found.solution);

@@ -18,8 +18,8 @@ use creepage::coulomb::Resolution;
 use creepage::normal;
 use creepage::table::Table;
 use creepage_map::{
-    CellError, ContactMap, HEIGHTS, Head, Heights, MapAccuracy, MapError, Pressed, RollingNode,
-    State, WheelMap,
+    CellError, ContactMap, HEIGHTS, Head, HeightOrLoad, Heights, MapAccuracy, MapError,
+    RollingNode, State, WheelMap,
 };
 use creepage_rail::{RailMotion, Side};
 use rayon::prelude::*;
@@ -474,9 +474,9 @@ fn friction(case: &WheelsetCase) -> Result<f64, MapBuildError> {
 fn own(case: &WheelsetCase, friction: f64) -> Result<State, MapBuildError> {
     let (stance, travel) = (case.stance, case.travel.unwrap_or_default());
     let pressed = match stance.load {
-        Some(Load::Axle(load)) => Pressed::AxleLoad(load),
-        Some(Load::Wheel(load)) => Pressed::AxleLoad(2.0 * load),
-        Some(Load::Height(z)) => Pressed::Height(z),
+        Some(Load::Axle(load)) => HeightOrLoad::AxleLoad(load),
+        Some(Load::Wheel(load)) => HeightOrLoad::AxleLoad(2.0 * load),
+        Some(Load::Height(z)) => HeightOrLoad::Height(z),
         Some(Load::Wheels(_) | Load::Loaded { .. }) => {
             let what = "[wheelset] roll_moment, wheel_load_left, mass";
             return Err(MapBuildError::NotInMap { what });
@@ -504,8 +504,8 @@ fn own(case: &WheelsetCase, friction: f64) -> Result<State, MapBuildError> {
 /// Whether the place rises enough from a node to the next one.
 fn rises(nodes: &[Option<Stood>], from: usize, spacing: f64) -> bool {
     /// Part of the step of `y` by which a place must go on.
-    const LEAST: f64 = 0.05;
+    const MIN_RISE: f64 = 0.05;
     let pair = nodes.get(from).zip(nodes.get(from + 1));
     let pair = pair.and_then(|(from, to)| from.as_ref().zip(to.as_ref()));
-    pair.is_some_and(|(from, to)| to.place - from.place > LEAST * spacing)
+    pair.is_some_and(|(from, to)| to.place - from.place > MIN_RISE * spacing)
 }

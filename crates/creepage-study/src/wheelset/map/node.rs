@@ -168,7 +168,7 @@ impl Place<'_> {
             let given = scaling.creepage(ask(at)).map_err(CaseError::invalid("motion"));
             let given = given.map_err(MapBuildError::from_case)?;
             match &mut solved {
-                Some(solved) => solved.go_on(given, |_| [0.0; 2]),
+                Some(solved) => solved.resolve_at(given, |_| [0.0; 2]),
                 None => solved = Some(theory.solve(given)),
             }
             if let Some(solved) = &solved {

@@ -14,7 +14,7 @@ const CHANGE: f64 = 0.2;
 /// After a step with less change than this the next one may be twice as long.
 const CALM: f64 = 0.05;
 /// Steps are not halved below this part of the greatest.
-const LEAST: f64 = 1.0 / 16.0;
+const MIN_STEP_FRACTION: f64 = 1.0 / 16.0;
 /// Part of the limit of stability that a step keeps.
 const SAFE: f64 = 0.7;
 
@@ -130,8 +130,8 @@ pub(super) fn step(
         let (second, _) = Rates::new(case, plan, &predicted, end)?;
         let change = first.change(&second);
         let taken = greatest * part;
-        if change > CHANGE && taken > 1.01 * LEAST * plan.step_depth {
-            run.trial = (0.5 * taken).max(LEAST * plan.step_depth);
+        if change > CHANGE && taken > 1.01 * MIN_STEP_FRACTION * plan.step_depth {
+            run.trial = (0.5 * taken).max(MIN_STEP_FRACTION * plan.step_depth);
             continue;
         }
         run.bodies = run.bodies.worn(&first.mean(&second), part)?.even(plan.spacing);

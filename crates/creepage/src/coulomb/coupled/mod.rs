@@ -32,7 +32,7 @@ use super::{Constraints, Exact, InverseError, Resolution};
 use crate::check::{self, InvalidValue};
 use crate::theory::Solved;
 use crate::{Contact, Creepage, Theory};
-use level::{Coupling, Level};
+use level::{CoupledGrid, Coupling};
 
 /// What stays as it is without friction.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -83,13 +83,13 @@ pub struct Coupled {
 #[derive(Debug, Clone)]
 struct Prepared {
     exact: Exact,
-    levels: Option<[Level; 2]>,
+    levels: Option<[CoupledGrid; 2]>,
 }
 
 impl Prepared {
     fn new(contact: &Contact, resolution: Resolution) -> Self {
         let exact = Exact::prepare(contact, resolution);
-        let [coarse, fine] = [0, 1].map(|k: usize| Level::new(contact, &exact.grids[k]));
+        let [coarse, fine] = [0, 1].map(|k: usize| CoupledGrid::new(contact, &exact.grids[k]));
         Self { levels: coarse.zip(fine).map(|(coarse, fine)| [coarse, fine]), exact }
     }
 }

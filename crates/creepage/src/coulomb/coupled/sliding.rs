@@ -37,7 +37,7 @@
 use std::f64::consts::PI;
 
 use super::Prescribed;
-use super::normal::{Normal, Pressed};
+use super::normal::{Normal, PressedArea};
 use super::normal_tangential_coupling::Attraction;
 use super::shape::Shape;
 use crate::check::{self, InvalidValue};
@@ -87,8 +87,8 @@ pub struct GrossSliding {
 #[derive(Debug, Clone)]
 struct Slid {
     shape: Shape,
-    pressed: Pressed,
-    frictionless: Pressed,
+    pressed: PressedArea,
+    frictionless: PressedArea,
 }
 
 impl GrossSliding {
@@ -224,7 +224,7 @@ impl<'a> Sliding<'a> {
     /// Pressure and area in turn until both hold.
     fn settle(
         &self,
-        mut pressed: Pressed,
+        mut pressed: PressedArea,
         q: [f64; 2],
         tolerance: f64,
     ) -> Result<Slid, SlidingError> {
@@ -242,7 +242,7 @@ impl<'a> Sliding<'a> {
                 let frictionless = self.normal.frictionless.clone();
                 return Ok(Slid { shape, pressed, frictionless });
             }
-            pressed.go(&mut mixing, &next);
+            pressed.accelerate(&mut mixing, &next);
         }
         Err(SlidingError::NotSettled { change })
     }

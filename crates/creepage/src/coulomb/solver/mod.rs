@@ -13,7 +13,7 @@ pub(crate) use equations::Equations;
 
 use super::forcing::SlipForcing;
 use super::friction::{Regularization, Sliding, project_within};
-use super::friction_bound::LEAST;
+use super::friction_bound::MIN_BOUND;
 use super::grid::Grid;
 use super::influence::{Precision, Tractions};
 use super::quadrature::{Fields, Sum};
@@ -127,7 +127,7 @@ impl State {
             }
             if change < MIXING_BELOW || round >= MAX_PLAIN_ROUNDS || resistance.yields() {
                 mixing.improve(&mut self.limits, &limits);
-                self.limits.iter_mut().for_each(|limit| *limit = limit.clamp(LEAST, 1.0));
+                self.limits.iter_mut().for_each(|limit| *limit = limit.clamp(MIN_BOUND, 1.0));
             } else {
                 self.limits.copy_from_slice(&limits);
             }
@@ -155,7 +155,7 @@ impl State {
 
     /// Keeps the tractions as a start and forgets how they were found, so that what follows depends
     /// on them alone.
-    pub(crate) fn go_on(&mut self) {
+    pub(crate) fn keep_tractions_only(&mut self) {
         self.is_close = self.traction.largest() > 0.0;
         self.sliding.fill(None);
         self.last_step.fill(f64::INFINITY);
@@ -287,8 +287,8 @@ impl State {
 
     /// Coulomb's law of an element with the corner as it is.
     fn project(&self, element: usize, trial: [f64; 2]) -> Option<Sliding> {
-        let [give, _] = self.forcing.spin_compliance(element);
-        project_within(self.limits[element], give, trial, self.corner)
+        let [compliance, _] = self.forcing.spin_compliance(element);
+        project_within(self.limits[element], compliance, trial, self.corner)
     }
 
     /// Traction and slip of an element by Coulomb's law without its corner rounded: those with the

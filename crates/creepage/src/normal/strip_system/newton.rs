@@ -57,11 +57,11 @@ pub(crate) fn solve(
     terms: usize,
     question: StripProblem<'_>,
 ) -> Result<StripSolution, StripFailure> {
-    const STEPS: usize = 20;
+    const MAX_NEWTON_STEPS: usize = 20;
     const CLOSER: f64 = 0.7;
     let mut search = Search::new(strips, terms, question);
     let (mut end, first) = (Ok(()), search.size());
-    for _ in 0..STEPS {
+    for _ in 0..MAX_NEWTON_STEPS {
         let size = search.size();
         if search.is_nearly_there(size)
             && let Some(touching) = search.last_step()
@@ -243,13 +243,13 @@ struct Improved {
 /// Improves a step by those taken with the same matrix, as if each had updated that (Broyden 1965).
 fn improve(step: &mut DVector<f64>, taken: &[DVector<f64>]) {
     /// A part that may be left of the step along the last one: else the matrix is of no use there.
-    const LEAST: f64 = 0.3;
+    const MIN_REMAINDER: f64 = 0.3;
     let part = |along: &DVector<f64>, step: &DVector<f64>| along.dot(step) / along.norm_squared();
     for pair in taken.windows(2) {
         step.axpy(part(&pair[0], step), &pair[1], 1.0);
     }
     if let Some(last) = taken.last() {
-        *step /= (1.0 - part(last, step)).max(LEAST);
+        *step /= (1.0 - part(last, step)).max(MIN_REMAINDER);
     }
 }
 

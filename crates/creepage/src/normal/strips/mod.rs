@@ -12,7 +12,7 @@ use std::sync::Arc;
 use super::level::NormalProblem;
 use super::patch::Patch;
 use super::patch_strip::Band;
-use super::solution::Found;
+use super::solution::SolvedPatches;
 use super::strip_system::{self, CENTRED, Depth, Factors, Strip, StripProblem, StripSolution};
 use super::turn::Turn;
 use strip_layout::{Units, centre, laid, patches};
@@ -65,11 +65,11 @@ pub(super) fn solve(
     start: &[Patch],
     known: Option<&Arc<Factors>>,
     wanted: StripOptions,
-) -> Option<Found> {
+) -> Option<SolvedPatches> {
     /// How often the axes are turned further along the area that was found, where that tells them.
     const ROUNDS: usize = 3;
     let rounds = if Turn::is_of_overlap(task) { 1 } else { ROUNDS };
-    let mut turned: Option<Found> = None;
+    let mut turned: Option<SolvedPatches> = None;
     for _ in 0..rounds {
         let (own, known) = match &turned {
             Some(found) => (&found.patches[..], found.factors.as_ref()),
@@ -79,8 +79,8 @@ pub(super) fn solve(
         let gap = turn.gap(task.gap, own);
         let inner = NormalProblem { gap: &gap, ..task };
         let found = solve_along_x(inner, &turn.inwards(own)?, known, wanted)?;
-        let is_along = found.stairs < Turn::LEAST;
-        turned = Some(Found { patches: turn.outwards(&found.patches)?, ..found });
+        let is_along = found.stairs < Turn::MIN_STAIRS;
+        turned = Some(SolvedPatches { patches: turn.outwards(&found.patches)?, ..found });
         if is_along {
             break;
         }
@@ -94,7 +94,7 @@ fn solve_along_x(
     start: &[Patch],
     known: Option<&Arc<Factors>>,
     wanted: StripOptions,
-) -> Option<Found> {
+) -> Option<SolvedPatches> {
     let StripOptions { count, terms, enough, nearly, mut attempts, .. } = wanted;
     let units = Units::of(task, start)?;
     let gap = |x: f64, y: f64| {
@@ -158,11 +158,11 @@ fn found(
     StripOptions { terms, summit, .. }: StripOptions,
     depth: Depth<'_>,
     units: Units,
-) -> Found {
+) -> SolvedPatches {
     let strips = &touching.strips;
     let peak = strip_system::peak(strips);
     let summit = summit.then(|| strip_system::height(touching, terms, depth)).flatten();
-    Found {
+    SolvedPatches {
         stairs: patches.iter().flat_map(Patch::bands).map(Band::stairs).fold(0.0, f64::max),
         patches,
         approach: task.approach + units.depth * touching.deeper,
